@@ -1,0 +1,1 @@
+//! Builds the site from content/, the labs and the compiled sources.

@@ -1,0 +1,1 @@
+//! The chapter's observers and filters, in Choset's letters.

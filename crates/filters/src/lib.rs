@@ -1,0 +1,1 @@
+//! The sister volume's filters, in Thrun's letters.

@@ -1,0 +1,1 @@
+//! Angles, planar poses, covariance ellipses and affine sets: the geometry under the filters.

@@ -1,0 +1,1 @@
+//! The world the robot lives in: apartment, odometry, sensors, seeded noise.

@@ -1,0 +1,1 @@
+//! Facts that hold across the crates.
