@@ -1,1 +1,17 @@
-//! Angles, planar poses, covariance ellipses and affine sets: the geometry under the filters.
+//! The geometry under the filters: angles, planar poses, covariance ellipses, and the affine set Ω = {x : Hx = y} with
+//! its two nearest points.
+//!
+//! Lengths are metres and angles radians throughout; every transcendental function goes through `libm`, so an answer has
+//! the same bits on every platform.
+
+mod affine;
+mod angle;
+mod ellipse;
+mod se2;
+mod spd;
+
+pub use affine::Affine;
+pub use angle::{angle_diff, wrap};
+pub use ellipse::Ellipse;
+pub use se2::SE2;
+pub use spd::{MIN_PIVOT, Spd};
