@@ -1,0 +1,87 @@
+//! The measurement update in square-root (array) form, for an innovation covariance too near to singular to be factored.
+//!
+//! With Q = QₗQₗᵀ and Σ̄ = ΣₗΣₗᵀ, one orthogonal factorization
+//!
+//! ```text
+//! ⎡ Qₗᵀ      0  ⎤        ⎡ S^{T/2}  S^{−1/2} C Σ̄ ⎤
+//! ⎣ ΣₗᵀCᵀ   Σₗᵀ ⎦  = Θ · ⎣    0        Σ^{T/2}    ⎦
+//! ```
+//!
+//! holds the square roots of S and of the corrected Σ without ever forming S, so condition numbers enter as their square
+//! roots (Kaminski, Bryson and Schmidt 1971; Anderson and Moore, Optimal Filtering, §6.5).
+
+use crate::error::Error;
+use crate::linear::finite;
+use nalgebra::allocator::Allocator;
+use nalgebra::{DMatrix, DefaultAllocator, Dim, OMatrix, SymmetricEigen};
+
+/// The smallest |Sᵢᵢ^{½}| relative to its column that still leaves six digits of the answer.
+const MIN_ROOT_PIVOT: f64 = 1e-10;
+
+/// A symmetric matrix of the sizes met here needs a few iterations a row; past this one does not converge.
+const MAX_ITERATIONS: usize = 1000;
+
+/// The gain and the corrected covariance for the predicted covariance `p`; see [`crate::linear::gain_and_covariance`].
+///
+/// The array has m + n rows, a size that no const parameter can name: hence `DMatrix`, on this rare path only.
+#[allow(clippy::type_complexity)] // a gain and a covariance
+pub(crate) fn gain_and_covariance<N: Dim, M: Dim>(
+    p: &OMatrix<f64, N, N>,
+    c: &OMatrix<f64, M, N>,
+    q: &OMatrix<f64, M, M>,
+) -> Result<(OMatrix<f64, N, M>, OMatrix<f64, N, N>), Error>
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
+{
+    let ((n, _), (m, _)) = (p.shape_generic(), c.shape_generic());
+    let (k, posterior) = array_update(&run_time_sized(p), &run_time_sized(c), &run_time_sized(q))?;
+    Ok((
+        OMatrix::from_iterator_generic(n, m, k.iter().copied()),
+        OMatrix::from_iterator_generic(n, n, posterior.iter().copied()),
+    ))
+}
+
+fn run_time_sized<R: Dim, C: Dim>(m: &OMatrix<f64, R, C>) -> DMatrix<f64>
+where
+    DefaultAllocator: Allocator<R, C>,
+{
+    DMatrix::from_iterator(m.nrows(), m.ncols(), m.iter().copied())
+}
+
+fn array_update(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
+    let (m, n) = c.shape();
+    let (root_p, root_q) = (root(p)?, root(q)?);
+    let mut array = DMatrix::zeros(m + n, m + n);
+    array.view_mut((0, 0), (m, m)).copy_from(&root_q.transpose());
+    array.view_mut((m, 0), (n, m)).copy_from(&(c * &root_p).transpose());
+    array.view_mut((m, m), (n, n)).copy_from(&root_p.transpose());
+    let r = array.qr().r();
+
+    let root_s = r.view((0, 0), (m, m));
+    for i in 0..m {
+        // Written so that a zero column and a NaN are refused too.
+        let trusted = root_s[(i, i)].abs() > MIN_ROOT_PIVOT * root_s.column(i).norm();
+        if !trusted {
+            return Err(Error::InnovationNotPositiveDefinite);
+        }
+    }
+    let kt = root_s.solve_upper_triangular(&r.view((0, m), (m, n))).ok_or(Error::InnovationNotPositiveDefinite)?;
+    let root_posterior = r.view((m, m), (n, n));
+    Ok((kt.transpose(), root_posterior.transpose() * root_posterior))
+}
+
+/// A matrix L with LLᵀ = `s`, for a positive semidefinite `s`: Cholesky's, or where that meets a zero pivot the one from
+/// the eigenvectors.
+fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+    let s = finite(s.clone(), "a covariance")?;
+    if let Some(factor) = s.clone().cholesky() {
+        return Ok(factor.unpack());
+    }
+    let eigen = SymmetricEigen::try_new(s, f64::EPSILON, MAX_ITERATIONS).ok_or(Error::InnovationNotPositiveDefinite)?;
+    // Rounding may push a zero eigenvalue this far below zero; what lies lower is not a covariance.
+    if eigen.eigenvalues.min() < -1e-12 * eigen.eigenvalues.amax() {
+        return Err(Error::InnovationNotPositiveDefinite);
+    }
+    let scales = eigen.eigenvalues.map(|l| libm::sqrt(l.max(0.0)));
+    Ok(eigen.eigenvectors * DMatrix::from_diagonal(&scales))
+}
