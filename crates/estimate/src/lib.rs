@@ -1,1 +1,28 @@
-//! The chapter's observers and filters, in Choset's letters.
+//! The chapter's observers and filters, in Choset's letters (Principles of Robot Motion, chapter 8 and appendix J).
+//!
+//! The letters collide with the sister volume's in the worst place: Choset's R is the Kalman *gain* and his V and W are
+//! covariances; Thrun's R and Q are covariances and his gain is K. The `filters` crate speaks Thrun; this crate
+//! translates at its boundary, and every field of [`Lti`] names its twin.
+//!
+//! - [`Lti`], [`Observer`], [`place_observer_gain`]: linear systems, the fixed-gain observer, and where its poles may go;
+//! - [`kf`]: one Kalman step, and the rail robot of §8.2.6;
+//! - [`riccati`]: the gain as a schedule, and its limit;
+//! - [`observability`]: ranks, with the singular values and null directions behind them;
+//! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked.
+
+pub mod dynamic;
+mod error;
+pub mod kf;
+mod lti;
+pub mod observability;
+mod observer;
+mod placement;
+pub mod riccati;
+pub mod spectrum;
+pub mod validate;
+
+pub use error::{Code, Error};
+pub use lti::Lti;
+pub use nalgebra::Complex;
+pub use observer::{Observer, error_matrix, observer_step};
+pub use placement::place_observer_gain;

@@ -103,7 +103,6 @@ where
 /// # Errors
 /// [`Error::InnovationNotPositiveDefinite`] when S is singular even to that, [`Error::NotFinite`] when a product of
 /// finite arguments overflows.
-#[allow(clippy::type_complexity)] // the three matrices of one correction, destructured at once by both callers
 pub fn gain_and_covariance<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,
     c: &OMatrix<f64, M, N>,
@@ -153,7 +152,6 @@ where
 ///
 /// # Errors
 /// As [`correct`], C₁ + C₂ taking the place of S.
-#[allow(clippy::type_complexity)] // a mean and a covariance
 pub fn product<N: Dim>(
     z1: &OVector<f64, N>,
     c1: &OMatrix<f64, N, N>,

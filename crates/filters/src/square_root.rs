@@ -24,7 +24,6 @@ const MAX_ITERATIONS: usize = 1000;
 /// The gain and the corrected covariance for the predicted covariance `p`; see [`crate::linear::gain_and_covariance`].
 ///
 /// The array has m + n rows, a size that no const parameter can name: hence `DMatrix`, on this rare path only.
-#[allow(clippy::type_complexity)] // a gain and a covariance
 pub(crate) fn gain_and_covariance<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,
     c: &OMatrix<f64, M, N>,

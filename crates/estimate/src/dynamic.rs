@@ -1,0 +1,423 @@
+//! The linear functions for shapes known at run time only, as a page, a notebook or another language calls them.
+//!
+//! The algebra is that of the typed functions, over nalgebra's `Dyn` in place of its `Const`; what is added here is that
+//! every argument is checked and the culprit named.
+
+use crate::error::{Code, Error};
+use crate::observability::{self, Observability};
+use crate::riccati::{DynamicSteadyState, Model};
+use crate::validate::{self, MAX_INPUTS, MAX_OUTPUTS, MAX_STATES};
+use crate::{observer, placement, spectrum};
+use filters::linear;
+use geom::{Affine, Ellipse};
+use nalgebra::{Complex, DMatrix, DVector, Matrix2};
+
+/// A checked system: F n×n, G n×m, H p×n, V n×n and W p×p, with n ≤ 16, m ≤ 8 and p ≤ 8.
+#[derive(Clone, Debug, PartialEq)]
+pub struct System {
+    f: DMatrix<f64>,
+    g: DMatrix<f64>,
+    h: DMatrix<f64>,
+    v: DMatrix<f64>,
+    w: DMatrix<f64>,
+}
+
+impl System {
+    /// Checks shapes, sizes, finiteness, and that V and W are covariances.
+    ///
+    /// # Errors
+    /// Naming the matrix: [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or
+    /// [`Code::NotPositiveSemidefinite`].
+    pub fn new(
+        f: DMatrix<f64>,
+        g: DMatrix<f64>,
+        h: DMatrix<f64>,
+        v: DMatrix<f64>,
+        w: DMatrix<f64>,
+    ) -> Result<Self, Error> {
+        let n = f.nrows();
+        size(n, MAX_STATES, "F")?;
+        size(h.nrows(), MAX_OUTPUTS, "H")?;
+        if g.ncols() > MAX_INPUTS {
+            return Err(Error::new(Code::Limit, "G", format!("has {} inputs; at most {MAX_INPUTS}", g.ncols())));
+        }
+        let (m, p) = (g.ncols(), h.nrows());
+        Ok(Self {
+            f: validate::matrix(f, (n, n), "F")?,
+            g: validate::matrix(g, (n, m), "G")?,
+            h: validate::matrix(h, (p, n), "H")?,
+            v: validate::covariance(v, n, "V")?,
+            w: validate::covariance(w, p, "W")?,
+        })
+    }
+
+    fn model(&self) -> Model<'_, nalgebra::Dyn, nalgebra::Dyn> {
+        Model { f: &self.f, h: &self.h, v: &self.v, w: &self.w }
+    }
+
+    fn gain(&self, k: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+        validate::matrix(k, (self.f.nrows(), self.h.nrows()), "K")
+    }
+}
+
+/// A checked belief N(x̂, P).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Belief {
+    /// x̂, n.
+    pub x: DVector<f64>,
+    /// P, n×n.
+    pub p: DMatrix<f64>,
+}
+
+impl Belief {
+    /// Checks that `x` is finite and `p` a covariance of its size.
+    ///
+    /// # Errors
+    /// Naming x or P: [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or
+    /// [`Code::NotPositiveSemidefinite`].
+    pub fn new(x: DVector<f64>, p: DMatrix<f64>) -> Result<Self, Error> {
+        let n = x.len();
+        size(n, MAX_STATES, "x")?;
+        Ok(Self { x: validate::vector(x, n, "x")?, p: validate::covariance(p, n, "P")? })
+    }
+}
+
+/// All that one Kalman step has to say.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KalmanStep {
+    /// x̂(k+1 | k), P(k+1 | k).
+    pub predicted: Belief,
+    /// ν = y − H x̂(k+1 | k).
+    pub innovation: DVector<f64>,
+    /// S = H P(k+1 | k) Hᵀ + W.
+    pub s: DMatrix<f64>,
+    /// R = P(k+1 | k) Hᵀ S⁻¹, the gain. Thrun K.
+    pub r: DMatrix<f64>,
+    /// x̂(k+1 | k+1), P(k+1 | k+1).
+    pub posterior: Belief,
+}
+
+/// One Kalman step, eqs. 8.26–8.32.
+///
+/// # Errors
+/// [`Code::Shape`] or [`Code::NotFinite`] naming the argument, [`Code::InnovationNotPositiveDefinite`].
+pub fn kalman_step(system: &System, belief: &Belief, u: DVector<f64>, y: DVector<f64>) -> Result<KalmanStep, Error> {
+    let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
+    if belief.x.len() != n {
+        return Err(Error::new(Code::Shape, "belief", format!("is of {} states; the system has {n}", belief.x.len())));
+    }
+    let u = validate::vector(u, m, "u")?;
+    let y = validate::vector(y, p, "y")?;
+    let x = linear::finite(&system.f * &belief.x + &system.g * u, "x")?;
+    let cov = linear::finite(linear::predicted_covariance(&system.f, &belief.p, &system.v), "P")?;
+    let linear::Correction { innovation, s, k, x: corrected, p } = linear::correct(&x, &cov, &y, &system.h, &system.w)?;
+    let (predicted, posterior) = (Belief { x, p: cov }, Belief { x: corrected, p });
+    Ok(KalmanStep { predicted, innovation, s, r: k, posterior })
+}
+
+/// One step of the observer with the gain `k` (n×p) from the estimate `x`.
+///
+/// # Errors
+/// [`Code::Shape`] or [`Code::NotFinite`] naming the argument.
+pub fn observer_step(
+    system: &System,
+    k: DMatrix<f64>,
+    x: DVector<f64>,
+    u: DVector<f64>,
+    y: DVector<f64>,
+) -> Result<DVector<f64>, Error> {
+    let k = system.gain(k)?;
+    let x = validate::vector(x, system.f.nrows(), "x")?;
+    let u = validate::vector(u, system.g.ncols(), "u")?;
+    let y = validate::vector(y, system.h.nrows(), "y")?;
+    Ok(linear::finite(observer::observer_step((&system.f, &system.g, &system.h), &k, &x, &u, &y), "x")?)
+}
+
+/// The eigenvalues of (I − KH)F, by decreasing modulus, then decreasing imaginary part.
+///
+/// # Errors
+/// [`Code::Shape`] or [`Code::NotFinite`] naming K, [`Code::DidNotConverge`].
+pub fn error_eigenvalues(system: &System, k: DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
+    let k = system.gain(k)?;
+    let m = linear::finite(observer::error_matrix(&system.f, &system.h, &k), "K")?;
+    spectrum::eigenvalues(&m)
+}
+
+/// The rank of [H; HF; …; HF^{n−1}] under the relative `tolerance`, with its singular values and null directions.
+///
+/// # Errors
+/// [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`] or [`Code::Tolerance`] naming the argument,
+/// [`Code::DidNotConverge`].
+pub fn observability(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result<Observability, Error> {
+    let (f, h) = pair(f, h)?;
+    observability::analyze(&observability::observability_matrix(&f, &h), tolerance)
+}
+
+/// The gain that gives (I − KH)F the eigenvalues `poles`, for a single output; see
+/// [`place_observer_gain`](crate::place_observer_gain).
+///
+/// # Errors
+/// [`Code::Limit`], [`Code::Shape`] or [`Code::NotFinite`] naming the argument, [`Code::Poles`], [`Code::Unobservable`],
+/// [`Code::NotPlaceable`].
+pub fn place_observer_gain(f: DMatrix<f64>, h: DMatrix<f64>, poles: &[Complex<f64>]) -> Result<DVector<f64>, Error> {
+    let (f, h) = pair(f, h)?;
+    if h.nrows() != 1 {
+        return Err(Error::new(
+            Code::Shape,
+            "H",
+            format!("has {} outputs; Ackermann's formula is for a single one", h.nrows()),
+        ));
+    }
+    placement::place(&f, &h, poles)
+}
+
+/// The limit of the gain from `p0` = P(0 | 0); see [`Lti::steady_state_gain`](crate::Lti::steady_state_gain).
+///
+/// # Errors
+/// As there, and for `p0` as [`Belief::new`] has for P.
+pub fn steady_state_gain(
+    system: &System,
+    p0: DMatrix<f64>,
+    max_iterations: usize,
+    tolerance: f64,
+) -> Result<DynamicSteadyState, Error> {
+    let p0 = validate::covariance(p0, system.f.nrows(), "P0")?;
+    system.model().steady_state(&p0, max_iterations, tolerance)
+}
+
+/// R(1), …, R(`steps`) from `p0` = P(0 | 0).
+///
+/// # Errors
+/// As [`steady_state_gain`].
+pub fn gain_schedule(system: &System, p0: DMatrix<f64>, steps: usize) -> Result<Vec<DMatrix<f64>>, Error> {
+    let p0 = validate::covariance(p0, system.f.nrows(), "P0")?;
+    system.model().schedule(&p0, steps)
+}
+
+/// The ellipse {x : xᵀP⁻¹x = radius²} of a 2×2 covariance.
+///
+/// # Errors
+/// For `p` as [`Belief::new`]; [`Code::Limit`] when `radius` is not positive, [`Code::NotFinite`] when it is not finite.
+pub fn covariance_ellipse(p: DMatrix<f64>, radius: f64) -> Result<Ellipse, Error> {
+    let p = validate::covariance(p, 2, "P")?;
+    let radius = validate::finite(radius, "radius")?;
+    if radius <= 0.0 {
+        return Err(Error::new(Code::Limit, "radius", format!("is {radius}; it must be positive")));
+    }
+    let ellipse = Ellipse::from_covariance(&Matrix2::new(p[(0, 0)], p[(0, 1)], p[(1, 0)], p[(1, 1)]), radius);
+    validate::finite(ellipse.semi_major, "radius")?;
+    Ok(ellipse)
+}
+
+/// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric.
+///
+/// # Errors
+/// [`Code::Limit`], [`Code::Shape`] or [`Code::NotFinite`] naming the argument,
+/// [`Code::InnovationNotPositiveDefinite`] when H has not full row rank.
+pub fn euclidean_foot(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Result<DVector<f64>, Error> {
+    let (omega, x) = affine(h, x, y)?;
+    omega.euclidean_foot(&x).ok_or_else(|| {
+        Error::new(Code::InnovationNotPositiveDefinite, "H", "HHᵀ is singular: the rows of H must be independent")
+    })
+}
+
+/// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `p`.
+///
+/// # Errors
+/// As [`euclidean_foot`], with HPHᵀ in place of HHᵀ; for `p` as [`Belief::new`].
+pub fn mahalanobis_foot(
+    h: DMatrix<f64>,
+    p: DMatrix<f64>,
+    x: DVector<f64>,
+    y: DVector<f64>,
+) -> Result<DVector<f64>, Error> {
+    let (omega, x) = affine(h, x, y)?;
+    let p = validate::covariance(p, x.len(), "P")?;
+    omega.mahalanobis_foot(&p, &x).ok_or_else(|| {
+        Error::new(
+            Code::InnovationNotPositiveDefinite,
+            "P",
+            "HPHᵀ is singular: P leaves no uncertainty in what H measures, so no step along it reaches Ω",
+        )
+    })
+}
+
+/// y*, the most likely output: the product of N(Hx̂, HPHᵀ) and N(y, W) peaks there (Theorem 8.2.1).
+///
+/// # Errors
+/// [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`]
+/// naming the argument; [`Code::InnovationNotPositiveDefinite`] when HPHᵀ + W is singular.
+pub fn most_likely_output(
+    h: DMatrix<f64>,
+    p: DMatrix<f64>,
+    w: DMatrix<f64>,
+    x: DVector<f64>,
+    y: DVector<f64>,
+) -> Result<DVector<f64>, Error> {
+    let (omega, x) = affine(h, x, y)?;
+    let p = validate::covariance(p, x.len(), "P")?;
+    let w = validate::covariance(w, omega.h.nrows(), "W")?;
+    let predicted = linear::finite(&omega.h * &x, "x")?;
+    let spread = linear::symmetric(&omega.h * p * omega.h.transpose());
+    let (output, _) = linear::product(&predicted, &linear::finite(spread, "P")?, &omega.y, &w)?;
+    Ok(output)
+}
+
+fn size(n: usize, cap: usize, argument: &'static str) -> Result<(), Error> {
+    match n {
+        0 => Err(Error::new(Code::Shape, argument, "is empty")),
+        n if n > cap => Err(Error::new(Code::Limit, argument, format!("has {n} rows; at most {cap} are accepted"))),
+        _ => Ok(()),
+    }
+}
+
+fn pair(f: DMatrix<f64>, h: DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
+    let n = f.nrows();
+    size(n, MAX_STATES, "F")?;
+    size(h.nrows(), MAX_OUTPUTS, "H")?;
+    let p = h.nrows();
+    Ok((validate::matrix(f, (n, n), "F")?, validate::matrix(h, (p, n), "H")?))
+}
+fn affine(
+    h: DMatrix<f64>,
+    x: DVector<f64>,
+    y: DVector<f64>,
+) -> Result<(Affine<nalgebra::Dyn, nalgebra::Dyn>, DVector<f64>), Error> {
+    let (n, p) = (x.len(), h.nrows());
+    size(n, MAX_STATES, "x")?;
+    size(p, MAX_OUTPUTS, "H")?;
+    let h = validate::matrix(h, (p, n), "H")?;
+    let y = validate::vector(y, p, "y")?;
+    Ok((Affine { h, y }, validate::vector(x, n, "x")?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Lti;
+    use crate::kf::{self, Gaussian, dead_reckoning};
+    use nalgebra::{SMatrix, Vector1, dmatrix, dvector};
+
+    fn at_run_time<const R: usize, const C: usize>(m: SMatrix<f64, R, C>) -> DMatrix<f64> {
+        DMatrix::from_iterator(R, C, m.iter().copied())
+    }
+
+    fn system_of(sys: &Lti<2, 1, 1>) -> System {
+        System::new(at_run_time(sys.f), at_run_time(sys.g), at_run_time(sys.h), at_run_time(sys.v), at_run_time(sys.w))
+            .expect("a sound system")
+    }
+
+    fn belief_of(belief: &Gaussian<2>) -> Belief {
+        Belief::new(dvector![belief.x[0], belief.x[1]], at_run_time(belief.p)).expect("a sound belief")
+    }
+
+    fn rail() -> (System, Belief) {
+        let (sys, belief) = dead_reckoning();
+        (system_of(&sys), belief_of(&belief))
+    }
+
+    #[test]
+    fn run_time_and_fixed_sizes_agree_bit_for_bit() {
+        let (sys, mut typed) = dead_reckoning();
+        let (system, mut belief) = rail();
+        for k in 0..100 {
+            let (u, y) = (0.1 * f64::from(k), libm::sin(f64::from(k)));
+            let (nu, s, r) = kf::kalman_step(&sys, &mut typed, &Vector1::new(u), &Vector1::new(y)).expect("pd");
+            let step = kalman_step(&system, &belief, dvector![u], dvector![y]).expect("pd");
+            assert_eq!((step.innovation[0], step.s[0], at_run_time(r)), (nu[0], s[0], step.r.clone()));
+            assert_eq!(step.posterior, belief_of(&typed));
+            let x = observer_step(&system, step.r, belief.x.clone(), dvector![u], dvector![y]).expect("finite");
+            assert_eq!(x, step.posterior.x);
+            belief = step.posterior;
+        }
+        let typed = sys.steady_state_gain(&typed.p, 40, 1e-12).expect("runs");
+        let found = steady_state_gain(&system, belief.p.clone(), 40, 1e-12).expect("runs");
+        assert_eq!((found.r, found.iterations), (at_run_time(typed.r), typed.iterations));
+        let schedule = gain_schedule(&system, belief.p, 40).expect("runs");
+        assert_eq!(schedule[39], at_run_time(typed.r));
+    }
+
+    #[test]
+    fn the_correction_runs_through_the_most_likely_output() {
+        let (system, belief) = rail();
+        let step = kalman_step(&system, &belief, dvector![0.0], dvector![2.7]).expect("pd");
+        let (x, p, h) = (step.predicted.x, step.predicted.p, system.h.clone());
+        let y = most_likely_output(h.clone(), p.clone(), system.w.clone(), x.clone(), dvector![2.7]).expect("pd");
+        assert!((y[0] - 2.95).abs() < 1e-14);
+        let foot = mahalanobis_foot(h.clone(), p, x.clone(), y.clone()).expect("pd");
+        assert!((foot - step.posterior.x).norm() < 1e-14);
+        assert_eq!(euclidean_foot(h, x, y.clone()).expect("full rank"), dvector![4.0, y[0]]);
+    }
+
+    #[test]
+    fn a_system_without_inputs_is_a_system() {
+        let (f, w) = (dmatrix![1.0], dmatrix![0.5]);
+        let system = System::new(f.clone(), DMatrix::zeros(1, 0), f.clone(), w.clone(), w).expect("sound");
+        let belief = Belief::new(dvector![2.0], f).expect("sound");
+        let step = kalman_step(&system, &belief, DVector::zeros(0), dvector![2.0]).expect("pd");
+        assert_eq!((step.predicted.x[0], step.posterior.x[0], step.predicted.p[0]), (2.0, 2.0, 1.5));
+    }
+
+    #[test]
+    fn the_culprit_is_named() {
+        let (system, belief) = rail();
+        let System { f, g, h, v, w } = system.clone();
+        let blame = |e: Error| (e.code, e.argument.into_owned());
+        let build = |f: &DMatrix<f64>, g: &DMatrix<f64>, h: &DMatrix<f64>, v: &DMatrix<f64>, w: &DMatrix<f64>| {
+            blame(System::new(f.clone(), g.clone(), h.clone(), v.clone(), w.clone()).expect_err("refused"))
+        };
+        let row = dmatrix![1.0, 0.0];
+        assert_eq!(build(&row, &g, &h, &v, &w), (Code::Shape, "F".into()));
+        assert_eq!(build(&f, &row, &h, &v, &w), (Code::Shape, "G".into()));
+        assert_eq!(build(&f, &g, &dmatrix![1.0], &v, &w), (Code::Shape, "H".into()));
+        assert_eq!(build(&f, &g, &h, &dmatrix![1.0, 2.0; 0.0, 1.0], &w), (Code::NotSymmetric, "V".into()));
+        assert_eq!(build(&f, &g, &h, &v, &dmatrix![-1.0]), (Code::NotPositiveSemidefinite, "W".into()));
+        let large = DMatrix::identity(17, 17);
+        assert_eq!(build(&large, &g, &h, &v, &w), (Code::Limit, "F".into()));
+        assert_eq!(build(&f, &DMatrix::zeros(2, 9), &h, &v, &w), (Code::Limit, "G".into()));
+        assert_eq!(build(&f, &g, &DMatrix::zeros(9, 2), &v, &w), (Code::Limit, "H".into()));
+        let step = |u, y| blame(kalman_step(&system, &belief, u, y).expect_err("refused"));
+        assert_eq!(step(dvector![0.0, 0.0], dvector![0.0]), (Code::Shape, "u".into()));
+        assert_eq!(step(dvector![0.0], dvector![f64::NAN]), (Code::NotFinite, "y".into()));
+        let error = Belief::new(dvector![0.0], dmatrix![-1.0]).expect_err("refused").within("belief");
+        assert_eq!(blame(error), (Code::NotPositiveSemidefinite, "belief.P".into()));
+    }
+
+    #[test]
+    fn sixteen_states_and_eight_outputs_are_in_reach() {
+        let (n, p) = (MAX_STATES, MAX_OUTPUTS);
+        let f = DMatrix::from_fn(n, n, |i, j| if i == j { 1.0 } else { 0.02 * libm::sin((3 * i + 7 * j) as f64) });
+        let h = DMatrix::from_fn(p, n, |i, j| libm::cos((i * i + 5 * j) as f64));
+        let system = System::new(
+            f.clone(),
+            DMatrix::zeros(n, MAX_INPUTS),
+            h.clone(),
+            0.1 * DMatrix::identity(n, n),
+            DMatrix::identity(p, p),
+        )
+        .expect("at the caps");
+        let found = steady_state_gain(&system, DMatrix::identity(n, n), 10_000, 1e-12).expect("converges");
+        assert!(found.converged && found.gain_converged);
+        assert_eq!(observability(f, h, 1e-9).expect("found").rank, n);
+        let moduli: Vec<f64> =
+            error_eigenvalues(&system, found.r).expect("found").iter().map(|l| libm::hypot(l.re, l.im)).collect();
+        assert!(moduli[0] < 1.0 && moduli.is_sorted_by(|a, b| a >= b));
+    }
+
+    #[test]
+    fn feet_and_ellipses_name_what_they_cannot_use() {
+        let code = |e: Error| (e.code, e.argument.into_owned());
+        let h = dmatrix![1.0, 0.0; 1.0, 0.0];
+        let (x, y) = (dvector![0.0, 0.0], dvector![1.0, 1.0]);
+        let refused = euclidean_foot(h.clone(), x.clone(), y.clone()).expect_err("rank one");
+        assert_eq!(code(refused), (Code::InnovationNotPositiveDefinite, "H".into()));
+        let refused = mahalanobis_foot(h, DMatrix::identity(2, 2), x, y).expect_err("rank one");
+        assert_eq!(code(refused), (Code::InnovationNotPositiveDefinite, "P".into()));
+        let p = DMatrix::identity(2, 2);
+        assert_eq!(code(covariance_ellipse(p.clone(), 0.0).expect_err("no radius")), (Code::Limit, "radius".into()));
+        assert_eq!(code(covariance_ellipse(p, f64::INFINITY).expect_err("infinite")).0, Code::NotFinite);
+        assert_eq!(code(covariance_ellipse(dmatrix![1.0], 1.0).expect_err("1 × 1")).0, Code::Shape);
+        let many = place_observer_gain(DMatrix::identity(2, 2), DMatrix::identity(2, 2), &[]).expect_err("two outputs");
+        assert_eq!(code(many), (Code::Shape, "H".into()));
+    }
+}

@@ -1,0 +1,210 @@
+//! The gain as a schedule: predict and update on the covariance alone (eqs. 8.27, 8.31, 8.32, 8.29), and its limit.
+
+use crate::error::Error;
+use crate::lti::Lti;
+use crate::validate;
+use filters::linear;
+use nalgebra::allocator::Allocator;
+use nalgebra::{DefaultAllocator, Dim, Dyn, OMatrix, SMatrix};
+
+/// The largest number of iterations of a steady-state search.
+pub const MAX_ITERATIONS: usize = 100_000;
+/// The largest number of steps of a gain schedule.
+pub const MAX_STEPS: usize = 10_000;
+
+/// Where the recursion stood when both limits were reached, or the iterations ran out.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SteadyState<N: Dim, M: Dim>
+where
+    DefaultAllocator: Allocator<N, M> + Allocator<N, N>,
+{
+    /// R, n×p: the last gain. Thrun K.
+    pub r: OMatrix<f64, N, M>,
+    /// P(k+1 | k), n×n: the covariance that gain was computed from.
+    pub p: OMatrix<f64, N, N>,
+    /// Whether P moved by no more than the tolerance in the last step, as a part of its largest entry.
+    pub converged: bool,
+    /// Whether R did. Without observability R may settle while P grows for ever.
+    pub gain_converged: bool,
+    /// The number of predict–update pairs taken.
+    pub iterations: usize,
+}
+
+/// [`SteadyState`] for run-time sizes.
+pub type DynamicSteadyState = SteadyState<Dyn, Dyn>;
+
+/// What the recursion needs of a system.
+pub(crate) struct Model<'a, N: Dim, M: Dim>
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<M, M>,
+{
+    pub f: &'a OMatrix<f64, N, N>,
+    pub h: &'a OMatrix<f64, M, N>,
+    pub v: &'a OMatrix<f64, N, N>,
+    pub w: &'a OMatrix<f64, M, M>,
+}
+
+impl<N: Dim, M: Dim> Model<'_, N, M>
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
+{
+    /// P(k+1 | k), R(k+1) and P(k+1 | k+1) from P(k | k).
+    fn advance(
+        &self,
+        p: &OMatrix<f64, N, N>,
+    ) -> Result<(OMatrix<f64, N, N>, OMatrix<f64, N, M>, OMatrix<f64, N, N>), Error> {
+        let predicted = linear::predicted_covariance(self.f, p, self.v);
+        let predicted = linear::finite(predicted, "P")?;
+        let (r, _, posterior) = linear::gain_and_covariance(&predicted, self.h, self.w)?;
+        Ok((predicted, r, posterior))
+    }
+
+    // ANCHOR: steady_state
+    pub(crate) fn steady_state(
+        &self,
+        p0: &OMatrix<f64, N, N>,
+        max_iterations: usize,
+        tolerance: f64,
+    ) -> Result<SteadyState<N, M>, Error> {
+        let max_iterations = validate::count(max_iterations, MAX_ITERATIONS, "maxIterations")?;
+        let tolerance = validate::tolerance(tolerance, "tolerance")?;
+        let (p, r, mut posterior) = self.advance(p0)?;
+        let mut state = SteadyState { r, p, converged: false, gain_converged: false, iterations: 1 };
+        while state.iterations < max_iterations && !(state.converged && state.gain_converged) {
+            let (p, r, next) = self.advance(&posterior)?;
+            posterior = next;
+            state = SteadyState {
+                converged: (&p - &state.p).amax() <= tolerance * p.amax(),
+                gain_converged: (&r - &state.r).amax() <= tolerance * r.amax(),
+                iterations: state.iterations + 1,
+                r,
+                p,
+            };
+        }
+        Ok(state)
+    }
+    // ANCHOR_END: steady_state
+
+    pub(crate) fn schedule(&self, p0: &OMatrix<f64, N, N>, steps: usize) -> Result<Vec<OMatrix<f64, N, M>>, Error> {
+        let steps = validate::count(steps, MAX_STEPS, "steps")?;
+        let mut posterior = p0.clone();
+        (0..steps)
+            .map(|_| {
+                let (_, r, next) = self.advance(&posterior)?;
+                posterior = next;
+                Ok(r)
+            })
+            .collect()
+    }
+}
+
+impl<const N: usize, const U: usize, const M: usize> Lti<N, U, M> {
+    fn model(&self) -> Model<'_, nalgebra::Const<N>, nalgebra::Const<M>> {
+        Model { f: &self.f, h: &self.h, v: &self.v, w: &self.w }
+    }
+
+    /// R∞, the limit of the gain, from `p0` = P(0 | 0), by iterating the Riccati recursion in Joseph's form.
+    ///
+    /// P converges to a stabilizing limit when (F, H) is observable and (F, V^½) stabilizable. Where it does not, as with
+    /// the velocity sensor, the gain may converge all the same: the answer says which did.
+    ///
+    /// # Errors
+    /// [`crate::Code::Limit`] when `max_iters` is 0 or above [`MAX_ITERATIONS`]; [`crate::Code::Tolerance`];
+    /// [`crate::Code::InnovationNotPositiveDefinite`]; [`crate::Code::NotFinite`] when P overflows.
+    pub fn steady_state_gain(
+        &self,
+        p0: &SMatrix<f64, N, N>,
+        max_iters: usize,
+        tol: f64,
+    ) -> Result<SteadyState<nalgebra::Const<N>, nalgebra::Const<M>>, Error> {
+        self.model().steady_state(p0, max_iters, tol)
+    }
+
+    /// R(1), R(2), …: the gains of the first `steps` updates from `p0` = P(0 | 0). No reading enters.
+    ///
+    /// # Errors
+    /// As [`Self::steady_state_gain`], the cap being [`MAX_STEPS`].
+    pub fn gain_schedule(&self, p0: &SMatrix<f64, N, N>, steps: usize) -> Result<Vec<SMatrix<f64, N, M>>, Error> {
+        self.model().schedule(p0, steps)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::error::Code;
+    use crate::kf::{dead_reckoning, kalman_step, position_sensor};
+    use crate::observer::Observer;
+    use nalgebra::{Matrix2, Vector1, Vector2};
+
+    #[test]
+    fn the_position_sensor_converges_to_a_fixed_point() {
+        let (sys, belief) = position_sensor();
+        let limit = sys.steady_state_gain(&belief.p, 10_000, 1e-12).expect("converges");
+        assert!(limit.converged && limit.gain_converged && limit.iterations < 100);
+        let (p, r, _) = sys.model().advance(&sys.model().advance(&belief.p).expect("finite").2).expect("finite");
+        assert!((p - limit.p).norm() > 1e-3 && (r - limit.r).norm() > 1e-3, "two steps are not the limit");
+        let s = (sys.h * limit.p * sys.h.transpose() + sys.w)[0];
+        let posterior = limit.p - limit.p * sys.h.transpose() * (sys.h * limit.p) / s;
+        assert!((sys.f * posterior * sys.f.transpose() + sys.v - limit.p).norm() < 1e-11);
+    }
+
+    #[test]
+    fn the_velocity_sensor_s_gain_settles_while_its_covariance_grows() {
+        let (sys, belief) = dead_reckoning();
+        let limit = sys.steady_state_gain(&belief.p, 500, 1e-12).expect("runs");
+        assert!(!limit.converged && limit.gain_converged);
+        assert_eq!(limit.iterations, 500);
+        let exact = Vector2::new(0.5, (21.0_f64.sqrt() - 1.0) / 10.0);
+        assert!((limit.r - exact).norm() < 1e-12);
+        let later = sys.steady_state_gain(&belief.p, 501, 1e-12).expect("runs");
+        assert!((later.p[(0, 0)] - limit.p[(0, 0)] - 0.3).abs() < 1e-9);
+    }
+
+    #[test]
+    fn an_observer_with_the_limit_gain_joins_the_filter_within_fifty_steps() {
+        let (sys, mut belief) = position_sensor();
+        let k = sys.steady_state_gain(&belief.p, 10_000, 1e-12).expect("converges").r;
+        let mut observer = Observer { sys, k, xhat: belief.x };
+        for step in 0..50 {
+            let y = Vector1::new(libm::sin(0.3 * f64::from(step)));
+            kalman_step(&sys, &mut belief, &Vector1::zeros(), &y).expect("positive definite");
+            observer.step(&Vector1::zeros(), &y);
+        }
+        assert!((observer.xhat - belief.x).amax() < 1e-6);
+        assert!((observer.xhat - belief.x).amax() > 0.0, "they only approach each other");
+    }
+
+    #[test]
+    fn the_schedule_lists_the_filter_s_gains() {
+        let (sys, mut belief) = dead_reckoning();
+        let schedule = sys.gain_schedule(&belief.p, 5).expect("runs");
+        assert_eq!(schedule.len(), 5);
+        for gain in schedule {
+            let (_, _, r) = kalman_step(&sys, &mut belief, &Vector1::zeros(), &Vector1::new(1.0)).expect("pd");
+            assert_eq!(gain, r);
+        }
+    }
+
+    #[test]
+    fn bounds_are_kept_and_overflow_is_an_error() {
+        let (sys, belief) = dead_reckoning();
+        let code = |iterations, tolerance| sys.steady_state_gain(&belief.p, iterations, tolerance).map_err(|e| e.code);
+        assert_eq!(code(0, 1e-9).expect_err("none"), Code::Limit);
+        assert_eq!(code(MAX_ITERATIONS + 1, 1e-9).expect_err("too many"), Code::Limit);
+        assert_eq!(code(5, -1.0).expect_err("negative"), Code::Tolerance);
+        assert_eq!(sys.gain_schedule(&belief.p, 0).expect_err("none").code, Code::Limit);
+        assert_eq!(sys.gain_schedule(&belief.p, MAX_STEPS + 1).expect_err("too many").code, Code::Limit);
+        assert_eq!(sys.gain_schedule(&belief.p, MAX_STEPS).expect("allowed").len(), MAX_STEPS);
+        let unstable = Lti { f: 10.0 * Matrix2::identity(), ..sys };
+        assert_eq!(unstable.steady_state_gain(&belief.p, 1000, 1e-12).expect_err("overflows").code, Code::NotFinite);
+    }
+
+    #[test]
+    fn running_out_of_iterations_is_an_answer() {
+        let (sys, belief) = position_sensor();
+        let early = sys.steady_state_gain(&belief.p, 3, 1e-12).expect("an answer");
+        assert_eq!((early.converged, early.gain_converged, early.iterations), (false, false, 3));
+        assert_eq!(early.r, sys.gain_schedule(&belief.p, 3).expect("runs")[2]);
+    }
+}

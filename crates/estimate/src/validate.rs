@@ -1,0 +1,179 @@
+//! The checks every argument from outside goes through.
+
+use crate::error::{Code, Error};
+use nalgebra::{DMatrix, DVector, SymmetricEigen};
+
+/// The largest number of states of a run-time system.
+pub const MAX_STATES: usize = 16;
+/// The largest number of outputs of a run-time system.
+pub const MAX_OUTPUTS: usize = 8;
+/// The largest number of inputs of a run-time system.
+pub const MAX_INPUTS: usize = 8;
+/// A covariance may differ from its transpose by this part of its largest entry.
+pub const SYMMETRY_TOLERANCE: f64 = 1e-9;
+/// A covariance may have an eigenvalue this far below zero, as a part of its largest.
+pub const SEMIDEFINITE_TOLERANCE: f64 = 1e-12;
+
+/// Iterations granted to an eigenvalue or singular-value routine, per row; LAPACK grants 30.
+pub(crate) const ITERATIONS_PER_ROW: usize = 100;
+
+/// `value`, when it is neither a NaN nor an infinity.
+///
+/// # Errors
+/// [`Code::NotFinite`] blaming `argument`.
+pub fn finite(value: f64, argument: &'static str) -> Result<f64, Error> {
+    if value.is_finite() { Ok(value) } else { Err(not_finite(argument)) }
+}
+
+/// `m`, when every entry is finite.
+///
+/// # Errors
+/// [`Code::NotFinite`] blaming `argument`.
+pub fn finite_matrix(m: DMatrix<f64>, argument: &'static str) -> Result<DMatrix<f64>, Error> {
+    if filters::linear::is_finite(&m) { Ok(m) } else { Err(not_finite(argument)) }
+}
+
+/// `v`, when it is finite and has `len` entries.
+///
+/// # Errors
+/// [`Code::Shape`] or [`Code::NotFinite`] blaming `argument`.
+pub fn vector(v: DVector<f64>, len: usize, argument: &'static str) -> Result<DVector<f64>, Error> {
+    if v.len() != len {
+        return Err(Error::new(Code::Shape, argument, format!("has {} entries; it needs {len}", v.len())));
+    }
+    if filters::linear::is_finite(&v) { Ok(v) } else { Err(not_finite(argument)) }
+}
+
+/// `m`, when it is finite and `rows` × `columns`.
+///
+/// # Errors
+/// [`Code::Shape`] or [`Code::NotFinite`] blaming `argument`.
+pub fn matrix(m: DMatrix<f64>, (rows, columns): (usize, usize), argument: &'static str) -> Result<DMatrix<f64>, Error> {
+    if m.shape() != (rows, columns) {
+        let (r, c) = m.shape();
+        return Err(Error::new(Code::Shape, argument, format!("is {r} × {c}; it needs to be {rows} × {columns}")));
+    }
+    finite_matrix(m, argument)
+}
+
+/// `m`, made exactly symmetric, when it is a covariance of `n` components: finite, symmetric to
+/// [`SYMMETRY_TOLERANCE`] of its largest entry, and positive semidefinite to [`SEMIDEFINITE_TOLERANCE`] of its largest
+/// eigenvalue.
+///
+/// # Errors
+/// [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`], blaming `argument`.
+pub fn covariance(m: DMatrix<f64>, n: usize, argument: &'static str) -> Result<DMatrix<f64>, Error> {
+    let m = matrix(m, (n, n), argument)?;
+    let largest = m.amax();
+    for j in 0..n {
+        for i in j + 1..n {
+            if (m[(i, j)] - m[(j, i)]).abs() > SYMMETRY_TOLERANCE * largest {
+                return Err(Error::new(
+                    Code::NotSymmetric,
+                    argument,
+                    format!("entries ({i}, {j}) and ({j}, {i}) differ; a covariance is symmetric"),
+                ));
+            }
+        }
+    }
+    let m = filters::linear::symmetric(m);
+    if largest == 0.0 {
+        return Ok(m);
+    }
+    // Scaled, so that the factorization of a large covariance cannot overflow.
+    let scaled = &m / largest;
+    if scaled.clone().cholesky().is_none() {
+        let eigen = SymmetricEigen::try_new(scaled, f64::EPSILON, ITERATIONS_PER_ROW * n)
+            .ok_or_else(|| Error::new(Code::DidNotConverge, argument, "its eigenvalues were not found"))?;
+        if eigen.eigenvalues.min() < -SEMIDEFINITE_TOLERANCE * eigen.eigenvalues.amax() {
+            return Err(Error::new(
+                Code::NotPositiveSemidefinite,
+                argument,
+                "has a negative eigenvalue; a covariance has none",
+            ));
+        }
+    }
+    Ok(m)
+}
+
+/// `tolerance`, when it is finite and not negative.
+///
+/// # Errors
+/// [`Code::Tolerance`] blaming `argument`.
+pub fn tolerance(tolerance: f64, argument: &'static str) -> Result<f64, Error> {
+    if tolerance.is_finite() && tolerance >= 0.0 {
+        Ok(tolerance)
+    } else {
+        Err(Error::new(Code::Tolerance, argument, "a tolerance is a finite number, zero or more"))
+    }
+}
+
+/// `count`, when it lies between 1 and `cap`.
+///
+/// # Errors
+/// [`Code::Limit`] blaming `argument`.
+pub fn count(count: usize, cap: usize, argument: &'static str) -> Result<usize, Error> {
+    if (1..=cap).contains(&count) {
+        Ok(count)
+    } else {
+        Err(Error::new(Code::Limit, argument, format!("is {count}; it must be at least 1 and at most {cap}")))
+    }
+}
+
+fn not_finite(argument: &'static str) -> Error {
+    Error::new(Code::NotFinite, argument, "holds a NaN or an infinity; every number must be finite")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::dmatrix;
+
+    fn code(m: DMatrix<f64>) -> Result<(), Code> {
+        let n = m.nrows();
+        covariance(m, n, "P").map(|_| ()).map_err(|e| e.code)
+    }
+
+    #[test]
+    fn rank_one_zero_and_ill_conditioned_covariances_pass() {
+        let v = nalgebra::DVector::from_vec(vec![0.1, -0.7, 2.3]);
+        assert_eq!(code(&v * v.transpose()), Ok(()));
+        assert_eq!(code(DMatrix::zeros(3, 3)), Ok(()));
+        assert_eq!(code(DMatrix::from_diagonal(&nalgebra::DVector::from_vec(vec![1e13, 1.0]))), Ok(()));
+        assert_eq!(code(dmatrix![1e308, 0.0; 0.0, 1e308]), Ok(()));
+    }
+
+    #[test]
+    fn what_is_no_covariance_is_refused() {
+        assert_eq!(code(dmatrix![1.0, 2.0; 2.0, 1.0]), Err(Code::NotPositiveSemidefinite));
+        assert_eq!(code(dmatrix![-1.0]), Err(Code::NotPositiveSemidefinite));
+        assert_eq!(code(dmatrix![1.0, 0.0; 0.0, -1e-11]), Err(Code::NotPositiveSemidefinite));
+        assert_eq!(code(dmatrix![1.0, 1e-8; 0.0, 1.0]), Err(Code::NotSymmetric));
+        assert_eq!(code(dmatrix![1.0, f64::NAN; 0.0, 1.0]), Err(Code::NotFinite));
+        assert_eq!(code(dmatrix![f64::INFINITY]), Err(Code::NotFinite));
+        assert_eq!(covariance(DMatrix::zeros(2, 3), 2, "P").expect_err("2 × 3").code, Code::Shape);
+    }
+
+    #[test]
+    fn rounding_is_forgiven_and_mended() {
+        let m = covariance(dmatrix![1.0, 0.5 + 5e-10; 0.5, 1.0], 2, "P").expect("symmetric to 1e-9");
+        assert_eq!(m[(0, 1)], m[(1, 0)]);
+        assert!(covariance(dmatrix![1.0, 0.0; 0.0, -1e-13], 2, "P").is_ok());
+    }
+
+    #[test]
+    fn counts_tolerances_and_vectors_keep_their_bounds() {
+        assert_eq!(count(1, 5, "n"), Ok(1));
+        assert_eq!(count(5, 5, "n"), Ok(5));
+        assert_eq!(count(0, 5, "n").expect_err("none").code, Code::Limit);
+        assert_eq!(count(6, 5, "n").expect_err("too many").code, Code::Limit);
+        assert_eq!(tolerance(0.0, "t"), Ok(0.0));
+        for t in [-1e-300, f64::NAN, f64::INFINITY] {
+            assert_eq!(tolerance(t, "t").expect_err("no tolerance").code, Code::Tolerance);
+        }
+        assert_eq!(vector(DVector::zeros(2), 3, "x").expect_err("short").code, Code::Shape);
+        let error = vector(DVector::from_vec(vec![f64::NAN]), 1, "x").expect_err("NaN");
+        assert_eq!((error.code, error.argument.as_ref()), (Code::NotFinite, "x"));
+        assert!(finite(1.0, "a").is_ok() && finite(f64::NAN, "a").is_err());
+    }
+}
