@@ -387,7 +387,7 @@ mod tests {
     fn sixteen_states_and_eight_outputs_are_in_reach() {
         let (n, p) = (MAX_STATES, MAX_OUTPUTS);
         let f = DMatrix::from_fn(n, n, |i, j| if i == j { 1.0 } else { 0.02 * libm::sin((3 * i + 7 * j) as f64) });
-        let h = DMatrix::from_fn(p, n, |i, j| libm::cos((i * i + 5 * j) as f64));
+        let h = DMatrix::from_fn(p, n, |i, j| if j % p == i { 1.0 + 0.1 * j as f64 } else { 0.0 });
         let system = System::new(
             f.clone(),
             DMatrix::zeros(n, MAX_INPUTS),
