@@ -21,11 +21,12 @@ impl Ellipse {
     /// multiply-add), since λ₁ + λ₂ − λ₁ would lose every digit of a thin ellipse's width; a λ₂ that rounding pushed
     /// below zero is zero.
     pub fn from_covariance(p: &Matrix2<f64>, radius: f64) -> Self {
-        let scale = p[(0, 0)].abs().max(p[(1, 1)].abs()).max(p[(1, 0)].abs());
-        if scale == 0.0 {
+        let largest = p[(0, 0)].abs().max(p[(1, 1)].abs()).max(p[(1, 0)].abs());
+        if largest == 0.0 {
             return Self { semi_major: 0.0, semi_minor: 0.0, angle: 0.0 };
         }
-        // Scaled by the largest entry, no product here can overflow.
+        // Scaled by the largest entry's power of two, no product here can overflow and no digit is lost.
+        let scale = libm::ldexp(1.0, libm::frexp(largest).1 - 1);
         let (a, b, c) = (p[(0, 0)] / scale, p[(1, 0)] / scale, p[(1, 1)] / scale);
         let half_difference = 0.5 * (a - c);
         let major = 0.5 * (a + c) + libm::hypot(half_difference, b);
@@ -79,6 +80,16 @@ mod tests {
         let e = of(1.0, 1.0 - 1e-12, 1.0);
         let exact = libm::sqrt(1.0 - (1.0 - 1e-12));
         assert!((e.semi_minor / exact - 1.0).abs() < 1e-12);
+    }
+
+    #[test]
+    fn the_determinant_is_whole_where_its_products_cancel() {
+        // n = 94906265, m = n − 2: every entry is a whole number below 2⁵³ and det P = n², a hair of either product.
+        let (n, m) = (94_906_265.0, 94_906_263.0);
+        let e = of(n * n, n * m, m * m + 1.0);
+        let (trace, det) = (n * n + m * m + 1.0, n * n);
+        // λ₂ = det / λ₁ and λ₁ = trace − λ₂, where λ₂ ≈ 1/2 is lost in the trace's rounding.
+        assert!((e.semi_minor / libm::sqrt(det / trace) - 1.0).abs() < 1e-15);
     }
 
     #[test]
