@@ -1,1 +1,17 @@
-//! The experiments of the page as plain Rust.
+//! The experiments of the page as plain Rust: each lab takes a few parameters and answers with one frame of plain values.
+//!
+//! A lab is a function of its parameters (the seed is one) and its step, to the last bit; see [`Lab`]. What the prose
+//! prints comes from [`numbers`], what the chapter checks from [`checks`], and what was chosen from [`givens`].
+
+pub mod checks;
+pub mod givens;
+mod lab;
+pub mod numbers;
+mod observer_bench;
+mod series;
+mod shapes;
+
+pub use lab::{Digest, Lab, MAX_STEP, State};
+pub use observer_bench::{BenchFrame, BenchParams, MAX_GAIN, Mode, ObserverBench, Sensor};
+pub use series::{Series, WINDOW};
+pub use shapes::{Belief2, EllipseShape, Root, ellipse_of};

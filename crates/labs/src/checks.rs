@@ -1,0 +1,80 @@
+//! The chapter's checks: each computes through the public interface of the core what the text claims, beside what the
+//! claim is.
+
+pub(crate) mod linear;
+
+use crate::givens::Givens;
+use estimate::Error;
+use serde::Serialize;
+
+/// One check: a claim, what was computed, and whether they agree.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Check {
+    /// 1 to 13, the chapter's numbering.
+    pub id: u8,
+    /// What is claimed.
+    pub title: &'static str,
+    /// The claim, in numbers.
+    pub expected: Vec<f64>,
+    /// The same numbers, computed.
+    pub actual: Vec<f64>,
+    /// The largest difference allowed between the two.
+    pub tolerance: f64,
+    /// Whether every difference is within the tolerance.
+    pub passed: bool,
+}
+
+impl Check {
+    /// A check that passes when both lists are of one length and agree, entry by entry, within `tolerance`.
+    pub fn new(id: u8, title: &'static str, expected: Vec<f64>, actual: Vec<f64>, tolerance: f64) -> Self {
+        let close = |(e, a): (&f64, &f64)| (e - a).abs() <= tolerance;
+        let passed = expected.len() == actual.len() && expected.iter().zip(&actual).all(close);
+        Self { id, title, expected, actual, tolerance, passed }
+    }
+}
+
+/// What computes a check.
+pub type CheckFn = fn(&Givens) -> Result<Check, Error>;
+
+/// Every check, in order.
+pub const CHECKS: &[CheckFn] = &[
+    linear::first_step,
+    linear::second_step,
+    linear::ranks,
+    linear::placed_eigenvalues,
+    linear::error_ratio,
+    linear::brute_force_gain,
+    linear::riccati_limits,
+];
+
+/// Runs every check on the chapter's constants.
+///
+/// # Errors
+/// Whatever the core answers; on these constants, nothing.
+pub fn chapter_checks() -> Result<Vec<Check>, Error> {
+    let givens = Givens::default();
+    CHECKS.iter().map(|check| check(&givens)).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_check_fails_on_a_difference_a_nan_or_a_missing_number() {
+        let check =
+            |expected: &[f64], actual: &[f64]| Check::new(1, "", expected.to_vec(), actual.to_vec(), 0.1).passed;
+        assert!(check(&[1.0, 2.0], &[1.05, 1.95]));
+        assert!(!check(&[1.0, 2.0], &[1.05, 2.2]));
+        assert!(!check(&[1.0], &[f64::NAN]));
+        assert!(!check(&[1.0, 2.0], &[1.0]));
+    }
+
+    #[test]
+    fn checks_are_numbered_in_order_and_pass() {
+        for (i, check) in chapter_checks().expect("computed").iter().enumerate() {
+            assert_eq!(usize::from(check.id), i + 1);
+            assert!(check.passed, "{check:?}");
+        }
+    }
+}

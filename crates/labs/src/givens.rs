@@ -1,0 +1,40 @@
+//! What the chapter chose: the constants behind its numbers, in one place, so that a test can move one and see the
+//! numbers move.
+
+use estimate::Lti;
+use estimate::kf::{Gaussian, dead_reckoning, position_sensor};
+
+/// The chapter's chosen constants. Everything in [`crate::numbers`] is computed from one of these.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Givens {
+    /// The rail robot with its velocity sensor (Choset §8.2.6).
+    pub velocity: Lti<2, 1, 1>,
+    /// The rail robot with a position sensor.
+    pub position: Lti<2, 1, 1>,
+    /// The first belief of both (§8.2.6).
+    pub belief: Gaussian<2>,
+    /// The readings of the three hand-checked steps, m/s. Choset gives none; these are the chapter's.
+    pub readings: [f64; 3],
+    /// The eigenvalues that the chapter places for the position sensor.
+    pub poles: [f64; 2],
+    /// The first estimation error of the placed observer, m and m/s.
+    pub first_error: [f64; 2],
+    /// The scalar problem searched by brute force: P⁻, H and W.
+    pub scalar: [f64; 3],
+}
+
+impl Default for Givens {
+    fn default() -> Self {
+        let (velocity, belief) = dead_reckoning();
+        let (position, _) = position_sensor();
+        Self {
+            velocity,
+            position,
+            belief,
+            readings: [2.7, 2.0, 2.3],
+            poles: [0.5, 0.2],
+            first_error: [1.0, 1.0],
+            scalar: [1.7, 1.0, 0.5],
+        }
+    }
+}

@@ -1,0 +1,151 @@
+//! What all labs have in common.
+
+use estimate::{Code, Error};
+
+/// The last step a lab runs to; a run re-played from there still fits a frame of the page.
+pub const MAX_STEP: u32 = 100_000;
+
+/// All it takes to find a lab again: parameters and step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<P> {
+    /// The parameters, the seed among them.
+    pub params: P,
+    /// Steps taken since the start.
+    pub step: u32,
+}
+
+/// An experiment that is a function of its parameters and its step alone.
+///
+/// Changing a parameter re-plays the run from its start: what a reader sees is the whole run as it would have been.
+pub trait Lab: Clone {
+    /// The lab's name in links and stored states.
+    const NAME: &'static str;
+    /// What a reader can change, with its defaults.
+    type Params: Clone + Default;
+    /// What a view draws: plain values only.
+    type Frame: serde::Serialize;
+
+    /// The lab at step 0.
+    ///
+    /// # Errors
+    /// [`Code::Limit`] or [`Code::NotFinite`], naming the parameter.
+    fn new(params: Self::Params) -> Result<Self, Error>;
+
+    /// The present parameters.
+    fn params(&self) -> &Self::Params;
+
+    /// Steps taken so far.
+    fn steps(&self) -> u32;
+
+    /// One step, without regard to [`MAX_STEP`]; callers use [`Lab::run`].
+    ///
+    /// # Errors
+    /// Whatever the core answers; the lab may be left between two steps, and [`Lab::run`] discards it then.
+    fn advance(&mut self) -> Result<(), Error>;
+
+    /// The present frame.
+    fn frame(&self) -> Self::Frame;
+
+    /// A hash of every number the run has computed, bit for bit.
+    fn digest(&self) -> u64;
+
+    /// `n` steps.
+    ///
+    /// # Errors
+    /// [`Code::Limit`] when `n` is 0 or leads past [`MAX_STEP`], or whatever the core answers. The lab is then as it was.
+    fn run(&mut self, n: u32) -> Result<(), Error> {
+        if n == 0 || n > MAX_STEP.saturating_sub(self.steps()) {
+            let message = format!("is {n}; it must be at least 1 and lead no further than step {MAX_STEP}");
+            return Err(Error::new(Code::Limit, "n", message));
+        }
+        let mut next = self.clone();
+        for _ in 0..n {
+            next.advance()?;
+        }
+        *self = next;
+        Ok(())
+    }
+
+    /// One step.
+    ///
+    /// # Errors
+    /// As [`Lab::run`].
+    fn step(&mut self) -> Result<(), Error> {
+        self.run(1)
+    }
+
+    /// The same step of the run with other parameters.
+    ///
+    /// # Errors
+    /// As [`Lab::new`] and [`Lab::run`]. The lab is then as it was.
+    fn set(&mut self, params: Self::Params) -> Result<(), Error> {
+        *self = Self::from_state(State { params, step: self.steps() })?;
+        Ok(())
+    }
+
+    /// Parameters and step.
+    fn state(&self) -> State<Self::Params> {
+        State { params: self.params().clone(), step: self.steps() }
+    }
+
+    /// The lab in a given state.
+    ///
+    /// # Errors
+    /// As [`Lab::new`]; [`Code::Limit`] naming `step`.
+    fn from_state(state: State<Self::Params>) -> Result<Self, Error> {
+        let mut lab = Self::new(state.params)?;
+        if state.step > 0 {
+            lab.run(state.step).map_err(
+                |e| {
+                    if e.argument == "n" { Error { argument: "step".into(), ..e } } else { e }
+                },
+            )?;
+        }
+        Ok(lab)
+    }
+}
+
+/// FNV-1a over the bits of the numbers a run computes.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Digest(u64);
+
+impl Default for Digest {
+    fn default() -> Self {
+        Self(0xcbf2_9ce4_8422_2325)
+    }
+}
+
+impl Digest {
+    /// Takes every number in, by its bits.
+    pub fn take<'a>(&mut self, numbers: impl IntoIterator<Item = &'a f64>) {
+        for number in numbers {
+            for byte in number.to_bits().to_le_bytes() {
+                self.0 = (self.0 ^ u64::from(byte)).wrapping_mul(0x0000_0100_0000_01b3);
+            }
+        }
+    }
+
+    /// The hash so far.
+    pub fn value(self) -> u64 {
+        self.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_digest_is_fnv_1a_of_the_bytes() {
+        let mut digest = Digest::default();
+        assert_eq!(digest.value(), 0xcbf2_9ce4_8422_2325);
+        digest.take(&[0.0]);
+        // Eight zero bytes: eight multiplications by the prime.
+        let prime = 0x0000_0100_0000_01b3_u64;
+        let expected = (0..8).fold(0xcbf2_9ce4_8422_2325_u64, |h, _| h.wrapping_mul(prime));
+        assert_eq!(digest.value(), expected);
+        let mut negative = Digest::default();
+        negative.take(&[-0.0]);
+        assert_ne!(negative, digest, "bits, not values");
+    }
+}

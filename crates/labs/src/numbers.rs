@@ -1,0 +1,117 @@
+//! Every number the prose prints, each with what computes it and the check that pins it.
+
+mod linear;
+
+use crate::givens::Givens;
+use estimate::Error;
+
+/// A number of the prose.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Number {
+    /// Its name in the text: dotted, as `step1.P.11`.
+    pub id: String,
+    /// Its value.
+    pub value: f64,
+    /// What it is, for a reader who asks.
+    pub about: &'static str,
+    /// The function that computes it.
+    pub source: &'static str,
+    /// The check that pins it, if one does.
+    pub check: Option<u8>,
+}
+
+/// Numbers as they are listed: one topic's functions name themselves and their check once.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Listing {
+    numbers: Vec<Number>,
+    source: &'static str,
+    check: Option<u8>,
+}
+
+impl Listing {
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// What follows is computed by `source` and pinned by `check`.
+    pub fn from_source(&mut self, source: &'static str, check: Option<u8>) -> &mut Self {
+        self.source = source;
+        self.check = check;
+        self
+    }
+
+    pub fn add(&mut self, id: impl Into<String>, value: f64, about: &'static str) -> &mut Self {
+        let (source, check) = (self.source, self.check);
+        self.numbers.push(Number { id: id.into(), value, about, source, check });
+        self
+    }
+
+    /// The entries of a symmetric 2×2 as `id.11`, `id.12`, `id.22`.
+    pub fn symmetric(&mut self, id: &str, m: &nalgebra::Matrix2<f64>, about: &'static str) -> &mut Self {
+        self.add(format!("{id}.11"), m[(0, 0)], about).add(format!("{id}.12"), m[(0, 1)], about).add(
+            format!("{id}.22"),
+            m[(1, 1)],
+            about,
+        )
+    }
+
+    /// The entries of a vector as `id.1`, `id.2`, ….
+    pub fn vector<'a>(
+        &mut self,
+        id: &str,
+        entries: impl IntoIterator<Item = &'a f64>,
+        about: &'static str,
+    ) -> &mut Self {
+        for (i, entry) in entries.into_iter().enumerate() {
+            self.add(format!("{id}.{}", i + 1), *entry, about);
+        }
+        self
+    }
+}
+
+/// All numbers, computed from `givens`.
+///
+/// # Errors
+/// Whatever the core answers; on the chapter's constants, nothing.
+pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
+    let mut listing = Listing::new();
+    linear::list(givens, &mut listing)?;
+    Ok(listing.numbers)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    fn by_id(givens: &Givens) -> BTreeMap<String, f64> {
+        numbers(givens).expect("computed").into_iter().map(|n| (n.id, n.value)).collect()
+    }
+
+    #[test]
+    fn ids_are_unique_and_every_number_is_finite() {
+        let all = numbers(&Givens::default()).expect("computed");
+        assert_eq!(by_id(&Givens::default()).len(), all.len());
+        for number in all {
+            assert!(number.value.is_finite(), "{}", number.id);
+            assert!(!number.source.is_empty() && !number.about.is_empty(), "{}", number.id);
+        }
+    }
+
+    #[test]
+    fn a_changed_matrix_or_reading_moves_the_numbers_that_depend_on_it() {
+        let before = by_id(&Givens::default());
+        let mut givens = Givens::default();
+        givens.velocity.v[(1, 1)] *= 1.01;
+        let after = by_id(&givens);
+        for id in ["step1.P.22", "step3.P.11", "velocity.Rinf.2", "knob.limit.velocity"] {
+            assert_ne!(before[id], after[id], "{id}");
+        }
+        assert_eq!(before["position.Rinf.1"], after["position.Rinf.1"]);
+        let mut givens = Givens::default();
+        givens.readings[1] += 0.1;
+        let after = by_id(&givens);
+        assert_ne!(before["step2.x.1"], after["step2.x.1"]);
+        assert_eq!(before["step2.P.11"], after["step2.P.11"], "no covariance depends on a reading");
+    }
+}

@@ -1,0 +1,198 @@
+//! Numbers of the rail robot: the hand-checked steps, the picture, the knob and its limits.
+
+use super::Listing;
+use crate::checks::linear::{brute_force, error_ratios, hand_steps, placed};
+use crate::givens::Givens;
+use crate::observer_bench::{equivalent_knob, knob_limit};
+use estimate::{Error, Lti, Observer};
+use filters::consistency::{chi2_interval, chi2_quantile};
+use filters::linear;
+use geom::Affine;
+use nalgebra::{Matrix2, RowVector2, SMatrix, Vector1, Vector2};
+
+const LIMIT_TOLERANCE: f64 = 1e-12;
+const LIMIT_ITERATIONS: usize = 10_000;
+
+pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    steps(givens, to)?;
+    wrong_third_steps(givens, to)?;
+    picture(givens, to)?;
+    limits(givens, to)?;
+    knobs(givens, to)?;
+    gains(givens, to)?;
+    noise(givens, to)?;
+    Ok(())
+}
+
+fn steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    for (k, step) in (1..).zip(hand_steps(givens)?) {
+        to.from_source("labs::checks::linear::hand_steps", (k <= 2).then_some(k))
+            .vector(&format!("step{k}.xpred"), step.predicted.x.iter(), "the predicted mean")
+            .symmetric(&format!("step{k}.Ppred"), &step.predicted.p, "the predicted covariance")
+            .add(format!("step{k}.nu"), step.innovation, "the innovation")
+            .add(format!("step{k}.S"), step.s, "the innovation's variance")
+            .add(format!("step{k}.nuS"), step.innovation / step.s, "the innovation over its variance")
+            .vector(&format!("step{k}.R"), step.r.iter(), "the Kalman gain")
+            .vector(&format!("step{k}.x"), step.posterior.x.iter(), "the corrected mean")
+            .symmetric(&format!("step{k}.P"), &step.posterior.p, "the corrected covariance");
+    }
+    Ok(())
+}
+
+/// What a slip in the third step would give: the answers that the quiz recognizes.
+fn wrong_third_steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    let steps = hand_steps(givens)?;
+    let (sys, p) = (&givens.velocity, &steps[1].posterior.p);
+    let after = |predicted: &Matrix2<f64>, w: f64| -> Result<f64, Error> {
+        Ok(linear::gain_and_covariance(predicted, &sys.h, &SMatrix::<f64, 1, 1>::new(w))?.2[(0, 0)])
+    };
+    let right = linear::predicted_covariance(&sys.f, p, &sys.v);
+    let no_v = linear::predicted_covariance(&sys.f, p, &Matrix2::zeros());
+    let transposed = linear::predicted_covariance(&sys.f.transpose(), p, &sys.v);
+    to.from_source("labs::numbers::linear::wrong_third_steps", None)
+        .add("step3.near.no-update", right[(0, 0)], "P₁₁ of the third step without its update")
+        .add("step3.near.no-v", after(&no_v, sys.w[0])?, "P₁₁ of the third step when V is forgotten")
+        .add("step3.near.no-w", after(&right, 0.0)?, "P₁₁ of the third step when W is forgotten")
+        .add("step3.near.transposed", after(&transposed, sys.w[0])?, "P₁₁ of the third step predicted with FᵀPF");
+    Ok(())
+}
+
+fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    let steps = hand_steps(givens)?;
+    let prediction = &steps[0].predicted;
+    let (sys, p) = (&givens.velocity, &prediction.p);
+    let y = Vector1::new(givens.readings[0]);
+    let spread = sys.h * p * sys.h.transpose();
+    let (most_likely, _) = linear::product(&(sys.h * prediction.x), &spread, &y, &sys.w)?;
+    let omega = Affine { h: sys.h, y };
+    let no_foot = || Error::new(estimate::Code::InnovationNotPositiveDefinite, "P", "Ω has no foot");
+    let euclid = omega.euclidean_foot(&prediction.x).ok_or_else(no_foot)?;
+    let foot = omega.mahalanobis_foot(p, &prediction.x).ok_or_else(no_foot)?;
+    to.from_source("geom::Affine", Some(1))
+        .vector("picture.euclid", euclid.iter(), "the Euclidean foot on Ω")
+        .vector("picture.foot", foot.iter(), "the Mahalanobis foot on Ω")
+        .from_source("filters::linear::product", Some(1))
+        .add("picture.ystar", most_likely[0], "y*, the most likely output")
+        .from_source("labs::numbers::linear::picture", Some(1))
+        .add("picture.drag", p[(0, 1)] / p[(1, 1)], "metres the position moves for each m/s the velocity is corrected")
+        .add(
+            "picture.correlation",
+            p[(0, 1)] / libm::sqrt(p[(0, 0)] * p[(1, 1)]),
+            "the correlation of position and velocity in the prediction",
+        );
+    Ok(())
+}
+
+fn limits(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    for (name, sys) in [("position", &givens.position), ("velocity", &givens.velocity)] {
+        let limit = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS, LIMIT_TOLERANCE)?;
+        let posterior = linear::gain_and_covariance(&limit.p, &sys.h, &sys.w)?.2;
+        let observer = Observer { sys: *sys, k: limit.r, xhat: Vector2::zeros() };
+        let eigenvalues = observer.error_eigs()?;
+        to.from_source("estimate::Lti::steady_state_gain", Some(7))
+            .vector(&format!("{name}.Rinf"), limit.r.iter(), "the limit of the gain")
+            .from_source("estimate::Observer::error_eigs", Some(7))
+            .add(format!("{name}.eig.re"), eigenvalues[0].re, "real part of the first eigenvalue of (I − R∞H)F")
+            .add(format!("{name}.eig.im"), eigenvalues[0].im.abs(), "its imaginary part")
+            .add(
+                format!("{name}.modulus"),
+                libm::hypot(eigenvalues[0].re, eigenvalues[0].im),
+                "the larger modulus of the eigenvalues of (I − R∞H)F",
+            )
+            .add(format!("{name}.eig.1"), eigenvalues[0].re, "the first eigenvalue of (I − R∞H)F, its real part")
+            .add(format!("{name}.eig.2"), eigenvalues[1].re, "the second eigenvalue of (I − R∞H)F, its real part")
+            .from_source("estimate::Lti::steady_state_gain", Some(7))
+            .add(format!("{name}.limit.Ppred.22"), limit.p[(1, 1)], "limit of the predicted velocity variance, m²/s²")
+            .add(format!("{name}.limit.P.22"), posterior[(1, 1)], "limit of the corrected velocity variance, m²/s²")
+            .add(format!("rank.{name}"), sys.observability(1e-9)?.rank as f64, "the observability rank");
+        if name == "position" {
+            to.add("position.limit.P.11", posterior[(0, 0)], "limit of the corrected position variance, m²").add(
+                "steady.position.iterations",
+                limit.iterations as f64,
+                "iterations until gain and covariance stand still to 1e-12",
+            );
+        } else {
+            let before = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS - 1, LIMIT_TOLERANCE)?;
+            to.add(
+                "velocity.growth",
+                limit.p[(0, 0)] - before.p[(0, 0)],
+                "what the position variance gains a step in the limit, m²",
+            );
+            to.add(
+                "steady.velocity.gain.iterations",
+                gain_iterations(sys, givens)? as f64,
+                "iterations until the gain stands still to 1e-12",
+            );
+        }
+    }
+    Ok(())
+}
+
+/// The first step at which the gain moves by no more than the tolerance.
+fn gain_iterations(sys: &Lti<2, 1, 1>, givens: &Givens) -> Result<usize, Error> {
+    let gains = sys.gain_schedule(&givens.belief.p, 500)?;
+    let settled = gains.windows(2).position(|g| (g[1] - g[0]).amax() <= LIMIT_TOLERANCE * g[1].amax());
+    Ok(settled.map_or(gains.len(), |i| i + 2))
+}
+
+fn knobs(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    for (name, sys) in [("position", &givens.position), ("velocity", &givens.velocity)] {
+        let steady = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS, LIMIT_TOLERANCE)?.r;
+        let schedule = sys.gain_schedule(&givens.belief.p, 8)?;
+        let knobs: Vec<f64> = schedule.iter().map(|r| equivalent_knob(r, &steady)).collect();
+        to.from_source("labs::observer_bench::knob_limit", Some(7))
+            .add(
+                format!("knob.limit.{name}"),
+                knob_limit(sys, &steady),
+                "the knob at which the observer turns unstable",
+            )
+            .from_source("labs::observer_bench::equivalent_knob", Some(7))
+            .vector(&format!("knob.{name}"), knobs.iter(), "the knob that the filter's gain amounts to at this step");
+    }
+    Ok(())
+}
+
+fn gains(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    let (gain, variance) = brute_force(givens);
+    let ratios = error_ratios(givens, 40)?;
+    // A vast prior, one accurate reading: what the short covariance update loses and Joseph's keeps.
+    let (p, h) = (Matrix2::identity() * 1e24, RowVector2::new(1.0, 0.0));
+    let w = SMatrix::<f64, 1, 1>::new(0.04);
+    let (r, _, joseph) = linear::gain_and_covariance(&p, &h, &w)?;
+    let short = linear::complement(&r, &h) * p;
+    to.from_source("labs::checks::linear::brute_force", Some(6))
+        .add("brute.gain", gain, "the gain that a search finds")
+        .add("brute.P", variance, "the variance that it leaves")
+        .from_source("estimate::place_observer_gain", Some(4))
+        .vector("placed.K", placed(givens)?.k.iter(), "the gain that places the eigenvalues")
+        .from_source("labs::checks::linear::error_ratios", Some(5))
+        .add("placed.ratio.12", ratios[11], "the ratio of successive errors at step 12")
+        .add("placed.ratio.40", ratios[39], "the ratio of successive errors at step 40")
+        .from_source("filters::linear::complement", None)
+        .add("joseph.short", short[(0, 0)], "(I − RH)P of a prior of variance 1e24 after a reading of variance 0.04")
+        .from_source("filters::linear::joseph", None)
+        .add("joseph.long", joseph[(0, 0)], "Joseph's form of the same update");
+    Ok(())
+}
+
+fn noise(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    let sys = &givens.velocity;
+    let (t, v) = (sys.f[(0, 1)], sys.v);
+    let (nees, nis) = (chi2_interval(3, 1, 0.95)?, chi2_interval(2, 1, 0.95)?);
+    to.from_source("labs::numbers::linear::noise", None)
+        .add("V.kick.11", t * t * v[(1, 1)], "what a velocity kick of variance V₂₂ at the period's start adds to V₁₁")
+        .add("V.rest.11", v[(0, 0)] - t * t * v[(1, 1)], "the part of V₁₁ that such a kick does not explain")
+        .add(
+            "tuning.variance.relative",
+            libm::sqrt(2.0 / 99.0),
+            "relative standard error of a variance from 100 samples",
+        )
+        .from_source("filters::consistency::chi2_quantile", None)
+        .add("gate.99", chi2_quantile(2, 0.99)?, "the 99 % quantile of χ² with 2 degrees of freedom")
+        .from_source("filters::consistency::chi2_interval", None)
+        .add("nees.low", nees.0, "lower end of the 95 % interval of χ² with 3 degrees of freedom")
+        .add("nees.high", nees.1, "upper end of the 95 % interval of χ² with 3 degrees of freedom")
+        .add("nis.low", nis.0, "lower end of the 95 % interval of χ² with 2 degrees of freedom")
+        .add("nis.high", nis.1, "upper end of the 95 % interval of χ² with 2 degrees of freedom");
+    Ok(())
+}

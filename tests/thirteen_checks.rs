@@ -1,0 +1,68 @@
+//! The thirteen checks of the chapter, natively (`cargo test`) and in wasm (`wasm-pack test --node tests`), from this one
+//! source. Each computes through the public interface, and says which claim of the text it holds up.
+
+use labs::checks::{CHECKS, Check};
+use labs::givens::Givens;
+use wasm_bindgen_test::wasm_bindgen_test as in_wasm;
+
+/// Check `id`, computed and passed.
+fn passed(id: u8) -> Check {
+    let check = CHECKS[usize::from(id) - 1](&Givens::default()).expect("the core answers");
+    assert_eq!(check.id, id);
+    assert!(check.passed, "{check:#?}");
+    assert!(!check.expected.is_empty());
+    check
+}
+
+/// The printed decimals, to the half of their last digit.
+fn prints(actual: &[f64], printed: &[f64]) {
+    for (a, p) in actual.iter().zip(printed) {
+        assert!((a - p).abs() <= 1e-3, "{a} is printed {p}");
+    }
+}
+
+#[test]
+#[in_wasm]
+fn check_1_the_first_hand_step() {
+    let check = passed(1);
+    assert_eq!(check.tolerance, 1e-12);
+    prints(&check.actual, &[2.6, 0.4038, 0.8077, 3.475, 2.95, 1.2760, 0.2019, 0.4038]);
+}
+
+#[test]
+#[in_wasm]
+fn check_2_the_second_hand_step() {
+    let check = passed(2);
+    prints(&check.actual, &[1.0038, 0.4521, 0.5019, 4.520, 2.473, 1.5737, 0.2261, 0.2510]);
+}
+
+#[test]
+#[in_wasm]
+fn check_3_the_observability_ranks() {
+    assert_eq!(passed(3).actual, [1.0, 2.0]);
+}
+
+#[test]
+#[in_wasm]
+fn check_4_the_placed_eigenvalues() {
+    passed(4);
+}
+
+#[test]
+#[in_wasm]
+fn check_5_the_error_ratio() {
+    let check = passed(5);
+    assert_ne!(check.actual, check.expected, "it converges; it does not start there");
+}
+
+#[test]
+#[in_wasm]
+fn check_6_the_gain_by_brute_force() {
+    prints(&passed(6).actual, &[0.7727, 0.3864]);
+}
+
+#[test]
+#[in_wasm]
+fn check_7_the_riccati_limits() {
+    prints(&passed(7).actual[..2], &[0.589, 0.287]);
+}
