@@ -1,0 +1,114 @@
+// One site, one Chromium, and pages that tell on themselves: a page opened here fails its test on any console error,
+// uncaught error, policy violation, failed or foreign request.
+import { after } from 'node:test'
+import assert from 'node:assert/strict'
+import { existsSync } from 'node:fs'
+import path from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { chromium } from 'playwright-core'
+import { serve } from '../../scripts/static-server.mjs'
+
+export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..')
+export const dist = path.join(root, 'dist')
+/** Served from a sub-path, as a project page of a static host would be. */
+export const BASE = '/shelf/robot-motion/'
+/** The pages a reader can land on, relative to the site's root. */
+export const PAGES = ['', 'kalman/', 'check/']
+export const CHROMIUM_FLAGS = [
+  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--force-color-profile=srgb',
+]
+export const PHONE = { width: 390, height: 844 }
+export const DESKTOP = { width: 1280, height: 900 }
+
+export function chromiumPath() {
+  if (process.env.CHROMIUM) return process.env.CHROMIUM
+  const found = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync)
+  assert.ok(found, 'no Chromium: run ./scripts/test, which finds or installs one, or set CHROMIUM')
+  return found
+}
+
+let started
+/** The served site and the browser of this test file; both end with it. */
+export function stage() {
+  started ??= (async () => {
+    const site = await serve({ folder: dist, base: BASE })
+    const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
+    return { site, browser }
+  })()
+  return started
+}
+after(async () => {
+  if (!started) return
+  const { site, browser } = await started
+  await browser.close()
+  await site.close()
+})
+
+/**
+ * Opens a page of the site for the test `t`, watched.
+ * @param {import('node:test').TestContext} t
+ * @param {{ at?: string, theme?: 'light' | 'dark', viewport?: { width: number, height: number }, touch?: boolean,
+ *   scripts?: boolean, motion?: 'reduce' | 'no-preference', worker?: boolean, expected?: RegExp[],
+ *   prepare?: (page: import('playwright-core').Page) => Promise<unknown> }} [wishes]
+ *   `expected`: complaints that the test itself brings about; `worker`: let the service worker in
+ */
+export async function open(t, wishes = {}) {
+  const { at = 'kalman/', theme = 'light', viewport = DESKTOP, touch = false, scripts = true, motion = 'reduce', worker = false, expected = [] } = wishes
+  const { site, browser } = await stage()
+  const context = await browser.newContext({
+    viewport, colorScheme: theme, hasTouch: touch, isMobile: touch, javaScriptEnabled: scripts, reducedMotion: motion,
+    serviceWorkers: worker ? 'allow' : 'block', deviceScaleFactor: 1, locale: 'en-GB', acceptDownloads: true,
+    permissions: ['clipboard-read', 'clipboard-write'],
+  })
+  const page = await context.newPage()
+  const complaints = watch(page, site.url)
+  t.after(async () => {
+    await context.close()
+    assert.deepEqual(complaints.filter((line) => !expected.some((pattern) => pattern.test(line))), [], 'the page complained')
+  })
+  await wishes.prepare?.(page)
+  await page.goto(site.url + at, { waitUntil: 'load' })
+  return page
+}
+
+/** Collects everything a page should never say or ask for. */
+export function watch(page, home) {
+  const complaints = []
+  page.on('console', (message) => {
+    if (message.type() === 'error' || message.type() === 'warning') complaints.push(`console: ${message.text()}`)
+  })
+  page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`))
+  page.on('crash', () => complaints.push('the page crashed'))
+  page.on('request', (request) => {
+    const url = request.url()
+    if (!url.startsWith(home) && !/^(data|blob|about):/.test(url)) complaints.push(`foreign request: ${url}`)
+  })
+  page.on('response', (response) => {
+    if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`)
+  })
+  page.on('requestfailed', (request) => {
+    const why = request.failure()?.errorText ?? ''
+    if (why !== 'net::ERR_ABORTED') complaints.push(`failed: ${request.url()} ${why}`)
+  })
+  return complaints
+}
+
+/** A figure's custom element, scrolled to and alive (its module loaded, its controls there). */
+export async function figure(page, tag) {
+  const element = page.locator(tag).first()
+  await element.scrollIntoViewIfNeeded()
+  await page.locator(`${tag}[data-state="live"]`).first().waitFor({ timeout: 20_000 })
+  return element
+}
+
+/** Scrolls through the whole page, so that everything that waits for the screen has been on it. */
+export async function walkDown(page) {
+  await page.evaluate(async () => {
+    for (let y = 0; y < document.documentElement.scrollHeight; y += innerHeight / 2) {
+      scrollTo(0, y)
+      await new Promise((resolve) => setTimeout(resolve, 60))
+    }
+    scrollTo(0, 0)
+  })
+}

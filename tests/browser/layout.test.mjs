@@ -1,0 +1,31 @@
+// From 320 px up nothing makes a page scroll sideways; what is wide scrolls inside its own box.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { PAGES, open, walkDown } from './harness.mjs'
+
+for (const at of PAGES) {
+  for (const width of [320, 390, 768, 1280]) {
+    test(`/${at} fits ${width} px`, async (t) => {
+      const page = await open(t, { at, viewport: { width, height: 800 }, touch: width < 500 })
+      await walkDown(page)
+      await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))
+      const { over, culprits } = await page.evaluate(() => {
+        const wide = document.documentElement.clientWidth
+        const boxed = (element) => {
+          for (let up = element.parentElement; up; up = up.parentElement) {
+            if (/auto|scroll|hidden|clip/.test(getComputedStyle(up).overflowX)) return true
+          }
+          return false
+        }
+        return {
+          over: document.documentElement.scrollWidth - wide,
+          culprits: [...document.querySelectorAll('body *')]
+            .filter((element) => element.getBoundingClientRect().right > wide + 1 && !boxed(element))
+            .slice(0, 8)
+            .map((element) => `${element.tagName.toLowerCase()}.${element.getAttribute('class') ?? ''} → ${Math.round(element.getBoundingClientRect().right)}`),
+        }
+      })
+      assert.ok(over <= 0, `${over} px too wide:\n${culprits.join('\n')}`)
+    })
+  }
+}

@@ -1,0 +1,163 @@
+// What the fuzz test knows of each export: how to make valid arguments, and where an answer holds a covariance.
+import { covariance } from './nonsense.mjs'
+
+const vector = (n, dice) => Array.from({ length: n }, () => dice.normal() * 10 ** dice.below(3))
+const matrix = (rows, columns, dice) => Array.from({ length: rows }, () => vector(columns, dice))
+
+function sizes(dice) {
+  return { n: 1 + dice.below(4), p: 1 + dice.below(2), m: 1 + dice.below(2) }
+}
+
+function system({ n, p, m }, dice) {
+  return {
+    F: matrix(n, n, dice).map((row) => row.map((a) => a / 20)), G: matrix(n, m, dice), H: matrix(p, n, dice),
+    V: covariance(n, dice), W: covariance(p, dice),
+  }
+}
+
+/** name → valid arguments, and the covariances in an answer. */
+export const FUNCTIONS = {
+  kalmanStep: {
+    args(dice) {
+      const size = sizes(dice)
+      return [system(size, dice), { x: vector(size.n, dice), P: covariance(size.n, dice) }, vector(size.m, dice), vector(size.p, dice)]
+    },
+    covariances: (answer) => [answer.predicted.P, answer.P],
+  },
+  observerStep: {
+    args(dice) {
+      const size = sizes(dice)
+      return [system(size, dice), matrix(size.n, size.p, dice), vector(size.n, dice), vector(size.m, dice), vector(size.p, dice)]
+    },
+  },
+  errorEigenvalues: {
+    args(dice) {
+      const size = sizes(dice)
+      // Small whole numbers too: deadbeat matrices are where eigenvalue iterations hang.
+      const plain = dice.uniform() < 0.5
+      const whole = (rows, columns) => Array.from({ length: rows }, () => Array.from({ length: columns }, () => dice.below(2)))
+      const it = system(size, dice)
+      if (plain) Object.assign(it, { F: whole(size.n, size.n), H: whole(size.p, size.n) })
+      return [it, plain ? whole(size.n, size.p) : matrix(size.n, size.p, dice)]
+    },
+  },
+  observability: {
+    args(dice) {
+      const { n, p } = sizes(dice)
+      return dice.uniform() < 0.5 ? [matrix(n, n, dice), matrix(p, n, dice)] : [matrix(n, n, dice), matrix(p, n, dice), 1e-9]
+    },
+  },
+  placeObserverGain: {
+    args(dice) {
+      const n = 1 + dice.below(3)
+      const poles = n === 2 && dice.uniform() < 0.5 ? [{ re: 0.3, im: 0.2 }, { re: 0.3, im: -0.2 }] : Array.from({ length: n }, () => dice.uniform())
+      return [matrix(n, n, dice), matrix(1, n, dice), poles]
+    },
+  },
+  steadyStateGain: {
+    args(dice) {
+      const size = sizes(dice)
+      const rest = dice.pick([[], [200], [200, 1e-9]])
+      return [system(size, dice), covariance(size.n, dice), ...rest]
+    },
+    covariances: (answer) => [answer.P],
+  },
+  gainSchedule: {
+    args(dice) {
+      const size = sizes(dice)
+      return [system(size, dice), covariance(size.n, dice), 1 + dice.below(20)]
+    },
+  },
+  covarianceEllipse: {
+    args: (dice) => (dice.uniform() < 0.5 ? [covariance(2, dice)] : [covariance(2, dice), 1 + dice.uniform()]),
+  },
+  euclideanFoot: {
+    args(dice) {
+      const { n, p } = { n: 2 + dice.below(2), p: 1 + dice.below(2) }
+      return [matrix(p, n, dice), vector(n, dice), vector(p, dice)]
+    },
+  },
+  mahalanobisFoot: {
+    args(dice) {
+      const { n, p } = { n: 2 + dice.below(2), p: 1 + dice.below(2) }
+      return [matrix(p, n, dice), covariance(n, dice), vector(n, dice), vector(p, dice)]
+    },
+  },
+  mostLikelyOutput: {
+    args(dice) {
+      const { n, p } = { n: 2 + dice.below(2), p: 1 + dice.below(2) }
+      return [matrix(p, n, dice), covariance(n, dice), covariance(p, dice), vector(n, dice), vector(p, dice)]
+    },
+  },
+  chapterChecks: { args: () => [], rare: true },
+}
+
+const pose = (dice) => ({ x: [dice.normal() * 3, dice.normal() * 3, dice.normal()], P: covariance(3, dice) })
+const motion = (dice) => [[dice.normal() * 0.1, dice.normal() * 0.1], covariance(3, dice)]
+const twoByTwo = (dice) => covariance(2, dice)
+const gate = (dice) => dice.pick([null, 9.21, 1e-3, 1e6])
+
+/** name → how to make one, what it can be told, and what it must not change when it refuses. */
+export const CLASSES = {
+  EkfLocalizer: {
+    make(dice) {
+      const landmarks = Array.from({ length: 1 + dice.below(4) }, (_, id) => ({ id: id + 1, x: dice.normal() * 5, y: dice.normal() * 5 }))
+      return [pose(dice), landmarks, { W: twoByTwo(dice), gate: gate(dice), sensor: 'range-bearing' }]
+    },
+    methods: {
+      predict: motion,
+      update: (dice) => [{ range: 0.1 + Math.abs(dice.normal()) * 4, bearing: dice.normal(), ...(dice.uniform() < 0.6 ? { landmark: 1 } : {}) }],
+      belief: () => [],
+    },
+    look: (it) => it.belief(),
+    covariances: (it) => [it.belief().P],
+  },
+  EkfSlam: {
+    make: (dice) => [pose(dice), { W: twoByTwo(dice), gate: gate(dice), found: dice.pick([50, 1e7]) }],
+    methods: {
+      predict: motion,
+      update(dice) {
+        const sighting = () => ({ range: 0.1 + Math.abs(dice.normal()) * 4, bearing: dice.normal(), ...(dice.uniform() < 0.5 ? { landmark: 1 + dice.below(3) } : {}) })
+        return [dice.uniform() < 0.5 ? sighting() : Array.from({ length: 1 + dice.below(3) }, sighting)]
+      },
+      belief: () => [],
+      landmarks: () => [],
+    },
+    look: (it) => [it.belief(), it.landmarks()],
+    covariances: (it) => [it.belief().P],
+  },
+}
+
+/** The labs of the page share one face; their parameters are what `state()` says of a fresh one. */
+export const LABS = ['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture']
+for (const name of LABS) {
+  CLASSES[name] = {
+    lab: true,
+    make: (dice, fresh) => (dice.uniform() < 0.3 ? [] : [fresh().state().params]),
+    methods: {
+      set: (dice, fresh) => {
+        const params = Object.entries(fresh().state().params)
+        return [Object.fromEntries(params.filter(() => dice.uniform() < 0.5))]
+      },
+      step: () => [],
+      run: (dice) => [1 + dice.below(50)],
+      frame: () => [],
+      state: () => [],
+      digest: () => [],
+    },
+    look: (it) => [it.state(), it.frame()],
+    covariances: (it) => covariancesIn(it.frame()),
+  }
+}
+
+/** Every square matrix under a key P, however deep. */
+function covariancesIn(value, found = []) {
+  if (Array.isArray(value)) value.forEach((inner) => covariancesIn(inner, found))
+  else if (value && typeof value === 'object') {
+    for (const [key, inner] of Object.entries(value)) {
+      if (key === 'P' && Array.isArray(inner?.[0]) && inner.length === inner[0].length) found.push(inner)
+      else covariancesIn(inner, found)
+    }
+  }
+  return found
+}

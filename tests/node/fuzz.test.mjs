@@ -1,0 +1,61 @@
+// Bounded, seeded nonsense for every export of the module: it answers or throws an EstimateError, in time, and a refused
+// call changes nothing. FUZZ_CASES=20000 digs deeper, FUZZ_SEED=7 elsewhere.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
+import { Worker } from 'node:worker_threads'
+import { CLASSES, FUNCTIONS } from './exports.mjs'
+
+const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
+const CASES = Number(process.env.FUZZ_CASES ?? 1500)
+const SEED = Number(process.env.FUZZ_SEED ?? 1)
+/** Far more than any call needs: only a call that hangs is stopped. */
+const PATIENCE = 30_000
+
+const exported = Object.keys(core).filter((name) => typeof core[name] === 'function' && !name.startsWith('_') && name !== 'default' && name !== 'initSync')
+
+test('the fuzz knows every export', () => {
+  assert.deepEqual(exported.filter((name) => !FUNCTIONS[name] && !CLASSES[name]), [])
+})
+
+for (const name of exported.filter((name) => FUNCTIONS[name] || CLASSES[name])) {
+  test(`${name} meets nonsense`, async (t) => {
+    const { accepted, refused, faults } = await hammer(name, FUNCTIONS[name]?.rare ? 2 : CASES)
+    t.diagnostic(`${accepted} answered, ${refused} refused`)
+    assert.equal(faults.length, 0, `${faults.length} faults, the first:\n${faults.slice(0, 5).join('\n')}`)
+    assert.ok(accepted > 0, 'nothing was answered: the valid arguments of the test are not valid')
+  })
+}
+
+function hammer(name, cases) {
+  return new Promise((resolve) => {
+    const beat = new SharedArrayBuffer(4)
+    const ticks = new Int32Array(beat)
+    const worker = new Worker(new URL('./hammer.mjs', import.meta.url), { workerData: { name, cases, seed: SEED, beat } })
+    const faults = []
+    let call = 'nothing yet'
+    let seen = -1
+    const end = (counts) => {
+      clearInterval(watch)
+      worker.terminate()
+      resolve({ faults, accepted: 0, refused: 0, ...counts })
+    }
+    const watch = setInterval(() => {
+      const now = Atomics.load(ticks, 0)
+      if (now === seen) {
+        faults.push(`never came back: ${call}`)
+        end({})
+      }
+      seen = now
+    }, PATIENCE)
+    worker.on('message', (message) => {
+      if (message.call) call = message.call
+      if (message.fault && faults.length < 50) faults.push(message.fault)
+      if (message.done) end(message)
+    })
+    worker.on('error', (error) => {
+      faults.push(`the worker died: ${error.stack}\n    in ${call}`)
+      end({})
+    })
+  })
+}

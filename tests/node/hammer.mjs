@@ -1,0 +1,93 @@
+// The worker of the fuzz test: calls one export again and again with nonsense, and says before each call what it does,
+// so that the watchdog outside can name a call that never comes back.
+import { createRequire } from 'node:module'
+import { isDeepStrictEqual } from 'node:util'
+import { parentPort, workerData } from 'node:worker_threads'
+import { CLASSES, FUNCTIONS } from './exports.mjs'
+import { dice as seeded, notCovariance, spoil } from './nonsense.mjs'
+
+const { name, cases, seed, beat } = workerData
+const ticks = new Int32Array(beat)
+const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
+const CODES = new Set(['not-finite', 'shape', 'not-symmetric', 'not-positive-semidefinite', 'innovation-not-positive-definite',
+  'unobservable', 'poles', 'tolerance', 'index', 'at-landmark', 'not-placeable', 'limit', 'type', 'did-not-converge'])
+
+const say = (value) => {
+  try {
+    return JSON.stringify(value, (_, inner) => (typeof inner === 'number' && !Number.isFinite(inner) ? String(inner) : typeof inner === 'bigint' || typeof inner === 'symbol' || typeof inner === 'function' ? String(inner) : inner))?.slice(0, 600)
+  } catch { return String(value) }
+}
+const fault = (what, call) => parentPort.postMessage({ fault: `${what}\n    in ${call}` })
+let accepted = 0, refused = 0
+
+/** Calls, and judges how it came back; undefined where it threw as it should. */
+function judged(call, run) {
+  Atomics.add(ticks, 0, 1)
+  parentPort.postMessage({ call })
+  try {
+    const answer = run()
+    accepted++
+    return { answer }
+  } catch (error) {
+    refused++
+    if (error?.name !== 'EstimateError') fault(`threw ${error?.name ?? typeof error}: ${error?.message ?? error}`, call)
+    else if (!CODES.has(error.code)) fault(`unknown code ${error.code}`, call)
+    else if (typeof error.argument !== 'string' || error.argument === '') fault('no argument named', call)
+    else if (typeof error.message !== 'string' || error.message.length < 10) fault(`says too little: ${error.message}`, call)
+    return undefined
+  }
+}
+
+function holds(covariances, call) {
+  for (const p of covariances) {
+    const why = notCovariance(p)
+    if (why) fault(`a covariance is ${why}: ${say(p)}`, call)
+  }
+}
+
+const dice = seeded(seed)
+if (FUNCTIONS[name]) {
+  const { args, covariances = () => [] } = FUNCTIONS[name]
+  for (let i = 0; i < cases; i++) {
+    const given = spoil(args(dice), dice)
+    const call = `${name}(${say(given)})`
+    const back = judged(call, () => core[name](...given))
+    if (back) holds(covariances(back.answer), call)
+  }
+} else {
+  const Class = core[name]
+  const { make, methods, look, covariances, lab } = CLASSES[name]
+  const fresh = () => new Class()
+  for (let i = 0; i < cases; ) {
+    const given = spoil(make(dice, fresh), dice)
+    i++
+    const made = judged(`new ${name}(${say(given)})`, () => new Class(...given))
+    if (!made) continue
+    let it = made.answer
+    let told = `new ${name}(${say(given)})`
+    for (let turns = dice.below(12); turns > 0; turns--, i++) {
+      const method = dice.pick(Object.keys(methods))
+      if (typeof it[method] !== 'function') { fault('no such method', `${name}.${method}`); continue }
+      const args = spoil(methods[method](dice, fresh), dice)
+      const before = look(it)
+      const call = `${told}; .${method}(${say(args)})`
+      const back = judged(call, () => it[method](...args))
+      if (back) {
+        holds(covariances(it), call)
+        if (method === 'set' || method === 'run') told = call.slice(-900)
+      } else if (!isDeepStrictEqual(look(it), before)) fault('changed by a call it refused', call)
+    }
+    if (lab) {
+      const state = it.state()
+      const bent = spoil(state, dice)
+      const restored = judged(`${name}.from(${say(bent)})`, () => Class.from(bent))
+      restored?.answer.free()
+      const twin = judged(`${name}.from(${say(state)})`, () => Class.from(state))
+      if (!twin) fault('does not take back its own state', say(state))
+      else if (!isDeepStrictEqual(twin.answer.frame(), it.frame())) fault('its state restores another frame', say(state))
+      twin?.answer.free()
+    }
+    it.free()
+  }
+}
+parentPort.postMessage({ done: true, accepted, refused })

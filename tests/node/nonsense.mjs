@@ -1,0 +1,99 @@
+// Seeded nonsense: valid arguments with a few places spoilt, for the fuzz test of the module's exports.
+
+/** A small seeded generator (mulberry32): the same nonsense at every run. */
+export function dice(seed) {
+  let a = seed >>> 0
+  const uniform = () => {
+    a = (a + 0x6d2b79f5) >>> 0
+    let t = Math.imul(a ^ (a >>> 15), 1 | a)
+    t = (t + Math.imul(t ^ (t >>> 7), 61 | t)) ^ t
+    return ((t ^ (t >>> 14)) >>> 0) / 4294967296
+  }
+  const below = (n) => Math.floor(uniform() * n)
+  const pick = (list) => list[below(list.length)]
+  const normal = () => Math.sqrt(-2 * Math.log(1 - uniform())) * Math.cos(2 * Math.PI * uniform())
+  return { uniform, below, pick, normal }
+}
+
+const NUMBERS = [NaN, Infinity, -Infinity, 1e308, -1e308, 5e-324, 2.2e-310, -0, 0, -1, 0.5, 1.7, 1e-8, 1e24, 4294967296, 9007199254740993]
+const OTHERS = [undefined, null, '3', '', 'NaN', true, {}, [], [[]], [1], [[1]], [[1, 2], [3]], [[NaN]], 'range', () => 1, 10n, new Date(0),
+  new Float64Array([1, 2]), { x: 1 }, { valueOf: () => 7 }, new Array(5), [undefined], Symbol.iterator, new Map([['x', 1]])]
+
+/** Something that does not belong where a number, or anything, was asked for. */
+export function junk(dice) {
+  return dice.uniform() < 0.6 ? dice.pick(NUMBERS) : dice.pick(OTHERS)
+}
+
+/** A deep copy of `value` with up to three places spoilt; now and then, none. */
+export function spoil(value, dice) {
+  let spoilt = copy(value)
+  for (let times = dice.below(4); times > 0; times--) spoilt = spoilOnce(spoilt, dice)
+  return spoilt
+}
+
+function copy(value) {
+  if (Array.isArray(value)) return value.map(copy)
+  if (value && typeof value === 'object' && Object.getPrototypeOf(value) === Object.prototype) {
+    return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, copy(inner)]))
+  }
+  return value
+}
+
+function spoilOnce(value, dice) {
+  const inside = value !== null && typeof value === 'object' ? Object.keys(value) : []
+  if (inside.length === 0 || dice.uniform() < 0.12) return junk(dice)
+  const key = dice.pick(inside)
+  if (Array.isArray(value)) {
+    const chance = dice.uniform()
+    if (chance < 0.08) return value.concat([copy(value[0])])
+    if (chance < 0.16) return value.slice(0, -1)
+    if (chance < 0.19) return Array.from({ length: 10_000 }, () => copy(value[0]))
+  } else if (dice.uniform() < 0.1) {
+    delete value[key]
+    return value
+  } else if (dice.uniform() < 0.05) {
+    value.unknown = 1
+    return value
+  }
+  value[key] = spoilOnce(value[key], dice)
+  return value
+}
+
+/** A random symmetric positive definite n×n matrix, its scale spread over many decades. */
+export function covariance(n, dice) {
+  const factor = Array.from({ length: n }, () => Array.from({ length: n }, dice.normal))
+  const scale = 10 ** (dice.uniform() * 8 - 6)
+  const p = factor.map((a) => factor.map((b) => scale * a.reduce((sum, ai, i) => sum + ai * b[i], 0)))
+  p.forEach((row, i) => { row[i] += scale * 1e-3 })
+  return p
+}
+
+/** Why `p` is no covariance, or null: symmetric, and no eigenvalue below −1e-12 of the largest (Jacobi rotations). */
+export function notCovariance(p) {
+  const n = p.length
+  const largest = Math.max(...p.flat().map(Math.abs))
+  if (!p.flat().every(Number.isFinite)) return 'not finite'
+  const a = p.map((row) => row.slice())
+  for (let i = 0; i < n; i++) for (let j = 0; j < i; j++) if (Math.abs(a[i][j] - a[j][i]) > 1e-9 * largest) return 'not symmetric'
+  if (largest === 0) return null
+  for (const row of a) for (let j = 0; j < n; j++) row[j] /= largest
+  for (let sweep = 0; sweep < 60; sweep++) {
+    let off = 0
+    for (let p = 0; p < n; p++) {
+      for (let q = p + 1; q < n; q++) {
+        off += a[p][q] ** 2
+        if (Math.abs(a[p][q]) < 1e-300) continue
+        const theta = (a[q][q] - a[p][p]) / (2 * a[p][q])
+        const t = Math.sign(theta || 1) / (Math.abs(theta) + Math.hypot(theta, 1))
+        const c = 1 / Math.hypot(t, 1)
+        const s = t * c
+        for (let k = 0; k < n; k++) [a[k][p], a[k][q]] = [c * a[k][p] - s * a[k][q], s * a[k][p] + c * a[k][q]]
+        for (let k = 0; k < n; k++) [a[p][k], a[q][k]] = [c * a[p][k] - s * a[q][k], s * a[p][k] + c * a[q][k]]
+      }
+    }
+    if (off < 1e-30) break
+  }
+  const eigenvalues = a.map((row, i) => row[i])
+  const [least, most] = [Math.min(...eigenvalues), Math.max(...eigenvalues)]
+  return least >= -1e-12 * most ? null : `eigenvalue ${least / most} of the largest`
+}
