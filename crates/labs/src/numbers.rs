@@ -34,7 +34,7 @@ impl Listing {
     }
 
     /// What follows is computed by `source` and pinned by `check`.
-    pub fn from_source(&mut self, source: &'static str, check: Option<u8>) -> &mut Self {
+    pub fn by(&mut self, source: &'static str, check: Option<u8>) -> &mut Self {
         self.source = source;
         self.check = check;
         self

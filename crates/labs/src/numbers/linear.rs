@@ -26,7 +26,7 @@ pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
 
 fn steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     for (k, step) in (1..).zip(hand_steps(givens)?) {
-        to.from_source("labs::checks::linear::hand_steps", (k <= 2).then_some(k))
+        to.by("labs::checks::linear::hand_steps", (k <= 2).then_some(k))
             .vector(&format!("step{k}.xpred"), step.predicted.x.iter(), "the predicted mean")
             .symmetric(&format!("step{k}.Ppred"), &step.predicted.p, "the predicted covariance")
             .add(format!("step{k}.nu"), step.innovation, "the innovation")
@@ -49,7 +49,7 @@ fn wrong_third_steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let right = linear::predicted_covariance(&sys.f, p, &sys.v);
     let no_v = linear::predicted_covariance(&sys.f, p, &Matrix2::zeros());
     let transposed = linear::predicted_covariance(&sys.f.transpose(), p, &sys.v);
-    to.from_source("labs::numbers::linear::wrong_third_steps", None)
+    to.by("labs::numbers::linear::wrong_third_steps", None)
         .add("step3.near.no-update", right[(0, 0)], "P₁₁ of the third step without its update")
         .add("step3.near.no-v", after(&no_v, sys.w[0])?, "P₁₁ of the third step when V is forgotten")
         .add("step3.near.no-w", after(&right, 0.0)?, "P₁₁ of the third step when W is forgotten")
@@ -68,12 +68,12 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let no_foot = || Error::new(estimate::Code::InnovationNotPositiveDefinite, "P", "Ω has no foot");
     let euclid = omega.euclidean_foot(&prediction.x).ok_or_else(no_foot)?;
     let foot = omega.mahalanobis_foot(p, &prediction.x).ok_or_else(no_foot)?;
-    to.from_source("geom::Affine", Some(1))
+    to.by("geom::Affine", Some(1))
         .vector("picture.euclid", euclid.iter(), "the Euclidean foot on Ω")
         .vector("picture.foot", foot.iter(), "the Mahalanobis foot on Ω")
-        .from_source("filters::linear::product", Some(1))
+        .by("filters::linear::product", Some(1))
         .add("picture.ystar", most_likely[0], "y*, the most likely output")
-        .from_source("labs::numbers::linear::picture", Some(1))
+        .by("labs::numbers::linear::picture", Some(1))
         .add("picture.drag", p[(0, 1)] / p[(1, 1)], "metres the position moves for each m/s the velocity is corrected")
         .add(
             "picture.correlation",
@@ -89,9 +89,9 @@ fn limits(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         let posterior = linear::gain_and_covariance(&limit.p, &sys.h, &sys.w)?.2;
         let observer = Observer { sys: *sys, k: limit.r, xhat: Vector2::zeros() };
         let eigenvalues = observer.error_eigs()?;
-        to.from_source("estimate::Lti::steady_state_gain", Some(7))
+        to.by("estimate::Lti::steady_state_gain", Some(7))
             .vector(&format!("{name}.Rinf"), limit.r.iter(), "the limit of the gain")
-            .from_source("estimate::Observer::error_eigs", Some(7))
+            .by("estimate::Observer::error_eigs", Some(7))
             .add(format!("{name}.eig.re"), eigenvalues[0].re, "real part of the first eigenvalue of (I − R∞H)F")
             .add(format!("{name}.eig.im"), eigenvalues[0].im.abs(), "its imaginary part")
             .add(
@@ -101,7 +101,7 @@ fn limits(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
             )
             .add(format!("{name}.eig.1"), eigenvalues[0].re, "the first eigenvalue of (I − R∞H)F, its real part")
             .add(format!("{name}.eig.2"), eigenvalues[1].re, "the second eigenvalue of (I − R∞H)F, its real part")
-            .from_source("estimate::Lti::steady_state_gain", Some(7))
+            .by("estimate::Lti::steady_state_gain", Some(7))
             .add(format!("{name}.limit.Ppred.22"), limit.p[(1, 1)], "limit of the predicted velocity variance, m²/s²")
             .add(format!("{name}.limit.P.22"), posterior[(1, 1)], "limit of the corrected velocity variance, m²/s²")
             .add(format!("rank.{name}"), sys.observability(1e-9)?.rank as f64, "the observability rank");
@@ -140,13 +140,13 @@ fn knobs(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         let steady = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS, LIMIT_TOLERANCE)?.r;
         let schedule = sys.gain_schedule(&givens.belief.p, 8)?;
         let knobs: Vec<f64> = schedule.iter().map(|r| equivalent_knob(r, &steady)).collect();
-        to.from_source("labs::observer_bench::knob_limit", Some(7))
+        to.by("labs::observer_bench::knob_limit", Some(7))
             .add(
                 format!("knob.limit.{name}"),
                 knob_limit(sys, &steady),
                 "the knob at which the observer turns unstable",
             )
-            .from_source("labs::observer_bench::equivalent_knob", Some(7))
+            .by("labs::observer_bench::equivalent_knob", Some(7))
             .vector(&format!("knob.{name}"), knobs.iter(), "the knob that the filter's gain amounts to at this step");
     }
     Ok(())
@@ -160,17 +160,17 @@ fn gains(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let w = SMatrix::<f64, 1, 1>::new(0.04);
     let (r, _, joseph) = linear::gain_and_covariance(&p, &h, &w)?;
     let short = linear::complement(&r, &h) * p;
-    to.from_source("labs::checks::linear::brute_force", Some(6))
+    to.by("labs::checks::linear::brute_force", Some(6))
         .add("brute.gain", gain, "the gain that a search finds")
         .add("brute.P", variance, "the variance that it leaves")
-        .from_source("estimate::place_observer_gain", Some(4))
+        .by("estimate::place_observer_gain", Some(4))
         .vector("placed.K", placed(givens)?.k.iter(), "the gain that places the eigenvalues")
-        .from_source("labs::checks::linear::error_ratios", Some(5))
+        .by("labs::checks::linear::error_ratios", Some(5))
         .add("placed.ratio.12", ratios[11], "the ratio of successive errors at step 12")
         .add("placed.ratio.40", ratios[39], "the ratio of successive errors at step 40")
-        .from_source("filters::linear::complement", None)
+        .by("filters::linear::complement", None)
         .add("joseph.short", short[(0, 0)], "(I − RH)P of a prior of variance 1e24 after a reading of variance 0.04")
-        .from_source("filters::linear::joseph", None)
+        .by("filters::linear::joseph", None)
         .add("joseph.long", joseph[(0, 0)], "Joseph's form of the same update");
     Ok(())
 }
@@ -179,7 +179,7 @@ fn noise(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let sys = &givens.velocity;
     let (t, v) = (sys.f[(0, 1)], sys.v);
     let (nees, nis) = (chi2_interval(3, 1, 0.95)?, chi2_interval(2, 1, 0.95)?);
-    to.from_source("labs::numbers::linear::noise", None)
+    to.by("labs::numbers::linear::noise", None)
         .add("V.kick.11", t * t * v[(1, 1)], "what a velocity kick of variance V₂₂ at the period's start adds to V₁₁")
         .add("V.rest.11", v[(0, 0)] - t * t * v[(1, 1)], "the part of V₁₁ that such a kick does not explain")
         .add(
@@ -187,9 +187,9 @@ fn noise(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
             libm::sqrt(2.0 / 99.0),
             "relative standard error of a variance from 100 samples",
         )
-        .from_source("filters::consistency::chi2_quantile", None)
+        .by("filters::consistency::chi2_quantile", None)
         .add("gate.99", chi2_quantile(2, 0.99)?, "the 99 % quantile of χ² with 2 degrees of freedom")
-        .from_source("filters::consistency::chi2_interval", None)
+        .by("filters::consistency::chi2_interval", None)
         .add("nees.low", nees.0, "lower end of the 95 % interval of χ² with 3 degrees of freedom")
         .add("nees.high", nees.1, "upper end of the 95 % interval of χ² with 3 degrees of freedom")
         .add("nis.low", nis.0, "lower end of the 95 % interval of χ² with 2 degrees of freedom")
