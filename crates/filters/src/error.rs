@@ -33,3 +33,20 @@ impl fmt::Display for Error {
 }
 
 impl core::error::Error for Error {}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_message_names_its_culprit() {
+        let cases = [
+            (Error::NotFinite { what: "the mean" }, "the mean"),
+            (Error::InnovationNotPositiveDefinite, "S"),
+            (Error::OutOfRange { what: "probability" }, "probability"),
+        ];
+        for (error, culprit) in cases {
+            assert!(error.to_string().contains(culprit), "{error}");
+        }
+    }
+}

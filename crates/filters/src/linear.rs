@@ -182,3 +182,18 @@ where
     }
     m
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Matrix1, Matrix2, RowVector2};
+
+    #[test]
+    fn noise_adds_to_what_the_dynamics_and_the_sensor_make_of_p() {
+        let p = Matrix2::new(3.0, 1.0, 1.0, 2.0);
+        let (a, r) = (Matrix2::new(1.0, 2.0, 0.0, 1.0), Matrix2::new(0.5, 0.25, 0.25, 0.125));
+        assert_eq!(predicted_covariance(&a, &p, &r), Matrix2::new(15.5, 5.25, 5.25, 2.125));
+        let (c, q) = (RowVector2::new(1.0, 2.0), Matrix1::new(0.75));
+        assert_eq!(innovation_covariance(&c, &p, &q), Matrix1::new(15.75));
+    }
+}

@@ -84,3 +84,49 @@ fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     let scales = eigen.eigenvalues.map(|l| libm::sqrt(l.max(0.0)));
     Ok(eigen.eigenvectors * DMatrix::from_diagonal(&scales))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::linear;
+
+    /// A covariance of size n with no symmetry beyond its own.
+    fn covariance(n: usize, scale: f64) -> DMatrix<f64> {
+        let l = DMatrix::from_fn(n, n, |i, j| if i < j { 0.0 } else { 1.0 / (1.0 + (2 * i + j) as f64) });
+        &l * l.transpose() * scale
+    }
+
+    #[test]
+    fn it_agrees_with_the_joseph_form_at_any_size_and_scale() {
+        for (m, n) in [(1, 1), (1, 3), (2, 3), (3, 2), (2, 2)] {
+            // The square roots of the extremes are far from 1, and so is any threshold that is not relative.
+            for scale in [1e-24, 1.0, 1e24] {
+                let (p, q) = (covariance(n, scale), covariance(m, 0.5 * scale));
+                let c = DMatrix::from_fn(m, n, |i, j| 1.0 - 0.4 * (i * n + j) as f64);
+                let (k, posterior) = array_update(&p, &c, &q).expect("well conditioned");
+                let (expected_k, _, expected) = linear::gain_and_covariance(&p, &c, &q).expect("well conditioned");
+                assert!((&k - &expected_k).amax() < 1e-11 * expected_k.amax(), "{m}×{n} at {scale}");
+                assert!((&posterior - &expected).amax() < 1e-11 * scale, "{m}×{n} at {scale}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_singular_covariance_has_a_root_and_a_negative_one_has_none() {
+        for scale in [1e-20, 1.0, 1e20] {
+            let line = DMatrix::from_row_slice(2, 2, &[1.0, 1.0, 1.0, 1.0]) * scale;
+            let l = root(&line).expect("semidefinite");
+            assert!((&l * l.transpose() - &line).amax() < 1e-15 * scale);
+            // Rounding's −1e-14 is taken for zero, a −1e-10 is not.
+            assert!(root(&(DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, -1e-14]) * scale)).is_ok(), "{scale}");
+            assert!(root(&(DMatrix::from_row_slice(2, 2, &[1.0, 0.0, 0.0, -1e-10]) * scale)).is_err(), "{scale}");
+        }
+    }
+
+    #[test]
+    fn two_readings_of_one_number_without_noise_are_refused() {
+        let c = DMatrix::from_row_slice(2, 1, &[1.0, 1.0]);
+        let refused = array_update(&covariance(1, 1.0), &c, &DMatrix::zeros(2, 2));
+        assert_eq!(refused.map(|_| ()), Err(Error::InnovationNotPositiveDefinite));
+    }
+}
