@@ -5,7 +5,7 @@ import assert from 'node:assert/strict'
 import { existsSync } from 'node:fs'
 import puppeteer from 'puppeteer-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, dist } from './harness.mjs'
+import { BASE, dist } from './places.mjs'
 
 const firefox = [process.env.FIREFOX, '/usr/bin/firefox-esr', '/usr/bin/firefox', '/Applications/Firefox.app/Contents/MacOS/firefox'].find((path) => path && existsSync(path))
 

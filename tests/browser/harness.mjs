@@ -2,31 +2,11 @@
 // uncaught error, policy violation, failed or foreign request.
 import { after } from 'node:test'
 import assert from 'node:assert/strict'
-import { existsSync } from 'node:fs'
-import path from 'node:path'
-import { fileURLToPath } from 'node:url'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist } from './places.mjs'
 
-export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..')
-export const dist = path.join(root, 'dist')
-/** Served from a sub-path, as a project page of a static host would be. */
-export const BASE = '/shelf/robot-motion/'
-/** The pages a reader can land on, relative to the site's root. */
-export const PAGES = ['', 'kalman/', 'check/']
-export const CHROMIUM_FLAGS = [
-  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--force-color-profile=srgb',
-]
-export const PHONE = { width: 390, height: 844 }
-export const DESKTOP = { width: 1280, height: 900 }
-
-export function chromiumPath() {
-  if (process.env.CHROMIUM) return process.env.CHROMIUM
-  const found = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find(existsSync)
-  assert.ok(found, 'no Chromium: run ./scripts/test, which finds or installs one, or set CHROMIUM')
-  return found
-}
+export * from './places.mjs'
 
 let started
 /** The served site and the browser of this test file; both end with it. */

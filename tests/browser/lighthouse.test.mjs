@@ -6,7 +6,7 @@ import { once } from 'node:events'
 import { chromium } from 'playwright-core'
 import lighthouse from 'lighthouse'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, PAGES, chromiumPath, dist } from './harness.mjs'
+import { BASE, CHROMIUM_FLAGS, PAGES, chromiumPath, dist } from './places.mjs'
 
 let browser, site, port
 before(async () => {

@@ -1,0 +1,50 @@
+// On paper: every section open, stills instead of live figures, no controls, the addresses of links to be read.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { getDocument } from 'pdfjs-dist/legacy/build/pdf.mjs'
+import { open, walkDown } from './harness.mjs'
+
+/** The text of each page. */
+async function pages(pdf) {
+  const document = await getDocument({ data: new Uint8Array(pdf), verbosity: 0, isEvalSupported: false, useSystemFonts: false }).promise
+  const texts = []
+  for (let i = 1; i <= document.numPages; i++) {
+    const { items } = await (await document.getPage(i)).getTextContent()
+    texts.push(items.map((item) => item.str + (item.hasEOL ? ' ' : '')).join(''))
+  }
+  return texts
+}
+
+const plain = (text) => text.replace(/[\s\u00ad\u200b]+/g, '').normalize('NFKC')
+
+test('a PDF of the chapter has every section open and no controls', { timeout: 120_000 }, async (t) => {
+  const page = await open(t)
+  await walkDown(page)
+  // The first words of each block that is closed on the screen.
+  const closed = await page.evaluate(() => [...document.querySelectorAll('main details:not(.numbers)')].flatMap((block) => {
+    const first = [...block.querySelectorAll('p')].find((p) => !p.closest('summary') && !p.querySelector('.katex, .number, a') && p.textContent.trim().length > 30)
+    return first ? [first.textContent.trim().slice(0, 30)] : []
+  }))
+  assert.ok(closed.length >= 5, `only ${closed.length} closed blocks were found`)
+  const texts = await pages(await page.pdf({ format: 'A4', printBackground: true }))
+  const whole = plain(texts.join(' '))
+  t.diagnostic(`${texts.length} pages`)
+  assert.deepEqual(closed.filter((words) => !whole.includes(plain(words))), [], 'these are not on paper')
+  assert.ok(whole.includes(plain('https://doi.org/')), 'the references show their addresses')
+})
+
+test('in print the figures are stills and nothing to press is left', async (t) => {
+  const page = await open(t)
+  await walkDown(page)
+  await page.emulateMedia({ media: 'print' })
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
+  const seen = await page.evaluate(() => {
+    const visible = (element) => element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && element.getClientRects().length > 0
+    return {
+      controls: [...document.querySelectorAll('button, input, select, textarea')].filter(visible).map((element) => element.outerHTML.slice(0, 120)),
+      stills: [...document.querySelectorAll('figure.figure-widget')].map((figure) => [...figure.querySelectorAll('svg')].filter(visible).length),
+    }
+  })
+  assert.deepEqual(seen.controls, [])
+  assert.ok(seen.stills.length >= 1 && seen.stills.every((count) => count >= 1), `pictures in each figure: ${seen.stills}`)
+})

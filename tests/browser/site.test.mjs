@@ -1,0 +1,71 @@
+// The built files: every address in them resolves, relative and inside the site, so any sub-path of any host will do.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs'
+import path from 'node:path'
+import { dist } from './places.mjs'
+
+const files = readdirSync(dist, { recursive: true }).map(String).filter((file) => statSync(path.join(dist, file)).isFile())
+const html = files.filter((file) => file.endsWith('.html'))
+const text = new Map(html.map((file) => [file, readFileSync(path.join(dist, file), 'utf8')]))
+const anchors = new Map()
+const unescape = (value) => value.replace(/&amp;/g, '&').replace(/&#x27;|&#39;/g, "'").replace(/&quot;/g, '"').replace(/&#x2F;|&#47;/gi, '/')
+
+/** The ids of a page. */
+function idsOf(file) {
+  if (!anchors.has(file)) anchors.set(file, new Set([...text.get(file).matchAll(/\sid="([^"]*)"/g)].map((match) => unescape(match[1]))))
+  return anchors.get(file)
+}
+
+test('every link, script, style and picture of every page is there', () => {
+  const broken = []
+  for (const file of html) {
+    for (const [, , raw] of text.get(file).matchAll(/<[^>]*?\s(href|src)="([^"]*)"/g)) {
+      const address = unescape(raw)
+      if (/^(https?:|mailto:|data:)/.test(address)) continue
+      if (address.startsWith('/')) { broken.push(`${file}: ${address} is not relative`); continue }
+      const [where, fragment] = address.split('#')
+      let target = path.posix.normalize(path.posix.join(path.posix.dirname(file), decodeURIComponent(where.split('?')[0])))
+      if (where.split('?')[0] === '') target = file
+      else if (where.endsWith('/') || target === '.' || (existsSync(path.join(dist, target)) && statSync(path.join(dist, target)).isDirectory())) target = path.posix.join(target, 'index.html')
+      if (target.startsWith('..') || !existsSync(path.join(dist, target))) broken.push(`${file}: ${address} leads nowhere`)
+      else if (fragment && text.has(target) && !idsOf(target).has(decodeURIComponent(fragment))) broken.push(`${file}: ${address} has no such place`)
+    }
+  }
+  assert.deepEqual(broken.slice(0, 40), [])
+})
+
+test('no page gives two things the same id', () => {
+  const twice = []
+  for (const file of html) {
+    const ids = [...text.get(file).matchAll(/<[a-zA-Z][^>]*\sid="([^"]*)"/g)].map((match) => match[1])
+    const seen = new Set()
+    for (const id of ids) seen.has(id) ? twice.push(`${file}#${id}`) : seen.add(id)
+  }
+  assert.deepEqual(twice.slice(0, 20), [])
+})
+
+test('every page carries the strict policy, a title, a description and a language', () => {
+  for (const file of html) {
+    const page = text.get(file)
+    const policy = /http-equiv="Content-Security-Policy" content="([^"]*)"/i.exec(page)?.[1] ?? ''
+    assert.match(policy, /default-src (?:'|&#x27;|&#39;)none/, `${file} has no policy`)
+    assert.doesNotMatch(policy.replace(/style-src-attr [^;]*/, ''), /unsafe-inline|unsafe-eval(?<!wasm-unsafe-eval)|https?:|\*/, `${file}: ${policy}`)
+    assert.match(page, /<html[^>]* lang="en"/, file)
+    assert.match(page, /<title>[^<]{4,}<\/title>/, file)
+    if (!file.startsWith('source/')) assert.match(page, /<meta name="description" content="[^"]{20,}"/, file)
+    assert.doesNotMatch(page, /<script(?![^>]*\ssrc=)[^>]*>[^<]/, `${file} has an inline script`)
+    assert.doesNotMatch(page, /<[^>]+\son[a-z]+="/, `${file} has an inline handler`)
+  }
+})
+
+test('nothing in the site names another host to load from', () => {
+  const loads = []
+  for (const file of files.filter((name) => /\.(html|css)$/.test(name))) {
+    const body = readFileSync(path.join(dist, file), 'utf8')
+    for (const [found] of body.matchAll(/<(?:script|link|img|iframe|source)[^>]*(?:src|href)="https?:[^"]*"|url\(["']?https?:[^)]*\)|@import[^;]*https?:[^;]*/g)) {
+      if (!/rel="(canonical|license|author)"/.test(found)) loads.push(`${file}: ${found}`)
+    }
+  }
+  assert.deepEqual(loads, [])
+})
