@@ -1,0 +1,66 @@
+// The static server of ./scripts/serve: right types, its own folder only, and from a sub-path.
+import { after, before, test } from 'node:test'
+import assert from 'node:assert/strict'
+import { mkdtempSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
+import { request } from 'node:http'
+import { tmpdir } from 'node:os'
+import path from 'node:path'
+import { serve } from '../../scripts/static-server.mjs'
+
+let home, site
+before(async () => {
+  home = mkdtempSync(path.join(tmpdir(), 'static-'))
+  mkdirSync(path.join(home, 'site/kalman'), { recursive: true })
+  writeFileSync(path.join(home, 'secret.txt'), 'secret')
+  writeFileSync(path.join(home, 'site/index.html'), '<p>cover'.repeat(100))
+  writeFileSync(path.join(home, 'site/kalman/index.html'), '<p>chapter')
+  writeFileSync(path.join(home, 'site/module.wasm'), Buffer.from([0, 97, 115, 109]))
+  writeFileSync(path.join(home, 'site/page-A1B2C3D4.js'), 'export {}')
+  symlinkSync(path.join(home, 'secret.txt'), path.join(home, 'site/link.txt'))
+  site = await serve({ folder: path.join(home, 'site'), base: '/sub/path/' })
+})
+after(async () => {
+  await site.close()
+  rmSync(home, { recursive: true })
+})
+
+/** A request whose path is sent as it stands: fetch would tidy the dots away. */
+function get(at, headers = {}, method = 'GET') {
+  const { hostname, port } = new URL(site.url)
+  return new Promise((resolve, reject) => {
+    request({ hostname, port, path: at, headers, method }, (response) => {
+      const parts = []
+      response.on('data', (part) => parts.push(part))
+      response.on('end', () => resolve({ status: response.statusCode, headers: response.headers, body: Buffer.concat(parts) }))
+    }).on('error', reject).end()
+  })
+}
+
+test('pages, folders and types', async () => {
+  assert.equal((await get('/sub/path/')).headers['content-type'], 'text/html; charset=utf-8')
+  assert.equal((await get('/sub/path/kalman/')).body.toString(), '<p>chapter')
+  assert.equal((await get('/sub/path/module.wasm')).headers['content-type'], 'application/wasm')
+  const folder = await get('/sub/path/kalman?a=1')
+  assert.deepEqual([folder.status, folder.headers.location], [308, '/sub/path/kalman/?a=1'])
+  assert.equal((await get('/sub/path')).headers.location, '/sub/path/')
+})
+
+test('nothing outside the folder', async () => {
+  for (const at of ['/sub/path/../secret.txt', '/sub/path/../../secret.txt', '/sub/path/%2e%2e/secret.txt', '/sub/path/..%2fsecret.txt', '/sub/path/kalman/..%2f..%2f..%2fsecret.txt',
+    '/sub/path/link.txt', '/secret.txt', '/', '/sub/', '/sub/path/none', '/sub/path/%00', '/sub/path/%zz', '/sub/path/module.wasm/x']) {
+    const { status, body } = await get(at)
+    assert.equal(status, 404, at)
+    assert.ok(!body.toString().includes('secret'), at)
+  }
+  assert.equal((await get('/sub/path/', {}, 'POST')).status, 405)
+})
+
+test('compressed where the reader takes it, cached where the name carries a hash', async () => {
+  const zipped = await get('/sub/path/', { 'accept-encoding': 'gzip' })
+  assert.equal(zipped.headers['content-encoding'], 'gzip')
+  assert.ok(zipped.body.length < 200)
+  assert.match((await get('/sub/path/page-A1B2C3D4.js')).headers['cache-control'], /immutable/)
+  const page = await get('/sub/path/')
+  assert.equal(page.headers['cache-control'], 'no-cache')
+  assert.equal((await get('/sub/path/', { 'if-none-match': page.headers.etag })).status, 304)
+})
