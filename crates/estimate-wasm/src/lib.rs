@@ -1,1 +1,24 @@
 //! The JavaScript face of the estimate core.
+//!
+//! Plain values in, plain values out: a matrix is an array of rows, a vector an array of numbers, a complex number
+//! `{ re, im }`. Every export decodes its arguments strictly (nothing is coerced), calls the core, and encodes the answer;
+//! there is no arithmetic here. What cannot be answered is thrown as an `Error` named `EstimateError` with a `code`, the
+//! `argument` to blame and a `message`; every object is then as it was, and the module goes on working.
+
+mod decode;
+mod encode;
+mod errors;
+mod functions;
+mod lab;
+mod observer_bench;
+
+pub use functions::*;
+pub use observer_bench::ObserverBench;
+
+use wasm_bindgen::prelude::*;
+
+/// No input can make the core panic; should a defect do so all the same, the console says where before the trap.
+#[wasm_bindgen(start)]
+pub fn start() {
+    std::panic::set_hook(Box::new(|info| web_sys::console::error_1(&info.to_string().into())));
+}

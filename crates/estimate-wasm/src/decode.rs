@@ -1,0 +1,185 @@
+//! Strict decoding of JavaScript values: nothing is coerced, every step that could run a caller's code (a getter, a
+//! proxy) may fail, and every refusal names the culprit.
+
+use estimate::{Code, Complex, Error};
+use js_sys::Reflect;
+use nalgebra::{DMatrix, DVector};
+use std::borrow::Cow;
+use wasm_bindgen::prelude::*;
+
+/// The longest array that is looked at; what is longer is refused before it is walked.
+const MAX_LENGTH: u32 = 10_000;
+
+#[wasm_bindgen]
+extern "C" {
+    // js_sys::Array::is_array does not catch, and a revoked proxy makes it throw.
+    #[wasm_bindgen(catch, js_namespace = Array, js_name = isArray)]
+    fn is_array(value: &JsValue) -> Result<bool, JsValue>;
+}
+
+/// A value with the path it was found under.
+pub(crate) struct Arg<'a> {
+    value: Cow<'a, JsValue>,
+    path: Cow<'static, str>,
+}
+
+impl<'a> Arg<'a> {
+    /// The argument `name` of a call.
+    pub fn new(value: &'a JsValue, name: &'static str) -> Self {
+        Self { value: Cow::Borrowed(value), path: name.into() }
+    }
+
+    pub fn is_undefined(&self) -> bool {
+        self.value.is_undefined()
+    }
+
+    fn refuse(&self, code: Code, message: impl Into<Cow<'static, str>>) -> Error {
+        Error::new(code, self.path.clone(), message)
+    }
+
+    fn wrong_type(&self, wanted: &str) -> Error {
+        let found = match self.value.js_typeof().as_string() {
+            _ if self.value.is_null() => "null".into(),
+            Some(kind) => kind,
+            None => "unreadable".into(),
+        };
+        self.refuse(Code::Type, format!("is {found}; it must be {wanted}"))
+    }
+
+    /// A number; NaN and infinities too, which the core refuses by name.
+    pub fn number(&self) -> Result<f64, Error> {
+        // as_f64 answers for primitive numbers only.
+        self.value.as_f64().ok_or_else(|| self.wrong_type("a number"))
+    }
+
+    /// A whole number between `least` and `most`.
+    pub fn whole(&self, least: u32, most: u32) -> Result<u32, Error> {
+        let number = self.number()?;
+        if !number.is_finite() {
+            return Err(self.refuse(Code::NotFinite, "is not finite; it must be a whole number"));
+        }
+        if number.fract() != 0.0 {
+            return Err(self.refuse(Code::Type, format!("is {number}; it must be a whole number")));
+        }
+        if number < f64::from(least) || number > f64::from(most) {
+            let message = format!("is {number}; it must be at least {least} and at most {most}");
+            return Err(self.refuse(Code::Limit, message));
+        }
+        Ok(number as u32)
+    }
+
+    /// `true` or `false`.
+    #[allow(dead_code)] // for the labs that have switches
+    pub fn boolean(&self) -> Result<bool, Error> {
+        self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
+    }
+
+    /// One of the given words.
+    pub fn word<T: Copy>(&self, words: &[(&str, T)]) -> Result<T, Error> {
+        let listed = || words.iter().map(|(w, _)| format!("\"{w}\"")).collect::<Vec<_>>().join(" or ");
+        let given = self.value.as_string().ok_or_else(|| self.wrong_type(&listed()))?;
+        let found = words.iter().find(|(word, _)| *word == given).map(|(_, value)| *value);
+        found.ok_or_else(|| self.refuse(Code::Type, format!("is none of {}", listed())))
+    }
+
+    /// The field `name` of an object; undefined when there is none.
+    pub fn field(&self, name: &'static str) -> Result<Arg<'static>, Error> {
+        self.object()?;
+        let path = format!("{}.{name}", self.path);
+        let value = Reflect::get(&self.value, &name.into())
+            .map_err(|_| Error::new(Code::Type, path.clone(), "could not be read: reading it threw"))?;
+        Ok(Arg { value: Cow::Owned(value), path: path.into() })
+    }
+
+    /// Reads the field `name` into `to`, when there is one.
+    pub fn given<T>(
+        &self,
+        name: &'static str,
+        read: impl FnOnce(&Arg<'_>) -> Result<T, Error>,
+        to: &mut T,
+    ) -> Result<(), Error> {
+        let field = self.field(name)?;
+        if !field.is_undefined() {
+            *to = read(&field)?;
+        }
+        Ok(())
+    }
+
+    /// The names of an object's own fields.
+    pub fn keys(&self) -> Result<Vec<String>, Error> {
+        self.object()?;
+        let unreadable = |_| self.refuse(Code::Type, "could not be read: listing its fields threw");
+        let keys = Reflect::own_keys(&self.value).map_err(unreadable)?;
+        Ok(keys.iter().filter_map(|k| k.as_string()).collect())
+    }
+
+    /// Refuses an object with a field that is none of `known`: a misspelt parameter is not silently ignored.
+    pub fn only(&self, known: &[&str]) -> Result<(), Error> {
+        match self.keys()?.into_iter().find(|k| !known.contains(&k.as_str())) {
+            None => Ok(()),
+            Some(key) => {
+                let path = format!("{}.{key}", self.path);
+                Err(Error::new(Code::Type, path, format!("is unknown; there are {}", known.join(", "))))
+            }
+        }
+    }
+
+    fn object(&self) -> Result<(), Error> {
+        if self.value.is_object() && !self.array()? { Ok(()) } else { Err(self.wrong_type("an object")) }
+    }
+
+    fn array(&self) -> Result<bool, Error> {
+        is_array(&self.value).map_err(|_| self.refuse(Code::Type, "could not be read: it is a revoked proxy"))
+    }
+
+    /// The entries of an array.
+    pub fn entries(&self) -> Result<Vec<Arg<'static>>, Error> {
+        if !self.array()? {
+            return Err(self.wrong_type("an array"));
+        }
+        let unreadable = || self.refuse(Code::Type, "could not be read: reading it threw");
+        let length =
+            Reflect::get(&self.value, &"length".into()).ok().and_then(|l| l.as_f64()).ok_or_else(unreadable)?;
+        if length > f64::from(MAX_LENGTH) {
+            return Err(self.refuse(Code::Limit, format!("has {length} entries; at most {MAX_LENGTH} are read")));
+        }
+        (0..length as u32)
+            .map(|i| {
+                let path = format!("{}[{i}]", self.path).into();
+                let value = Reflect::get_u32(&self.value, i).map_err(|_| unreadable())?;
+                Ok(Arg { value: Cow::Owned(value), path })
+            })
+            .collect()
+    }
+
+    /// An array of numbers.
+    pub fn numbers(&self) -> Result<Vec<f64>, Error> {
+        self.entries()?.iter().map(Arg::number).collect()
+    }
+
+    /// A vector.
+    pub fn vector(&self) -> Result<DVector<f64>, Error> {
+        self.numbers().map(DVector::from_vec)
+    }
+
+    /// An array of rows of one length.
+    pub fn matrix(&self) -> Result<DMatrix<f64>, Error> {
+        let rows = self.entries()?.iter().map(Arg::numbers).collect::<Result<Vec<_>, _>>()?;
+        let width = rows.first().map_or(0, Vec::len);
+        match rows.iter().position(|row| row.len() != width) {
+            Some(i) => {
+                let message = format!("is ragged: row {i} has {} entries, row 0 has {width}", rows[i].len());
+                Err(self.refuse(Code::Shape, message))
+            }
+            None => Ok(DMatrix::from_row_iterator(rows.len(), width, rows.into_iter().flatten())),
+        }
+    }
+
+    /// A number, or `{ re, im }`.
+    pub fn complex(&self) -> Result<Complex<f64>, Error> {
+        if self.value.as_f64().is_some() {
+            return self.number().map(Complex::from);
+        }
+        Ok(Complex::new(self.field("re")?.number()?, self.field("im")?.number()?))
+    }
+}

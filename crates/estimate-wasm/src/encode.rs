@@ -1,0 +1,24 @@
+//! Plain JavaScript values from the core's answers.
+
+use crate::errors::thrown;
+use estimate::{Code, Error};
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+use serde_wasm_bindgen::Serializer;
+use wasm_bindgen::prelude::*;
+
+/// `value` as a plain object: maps as objects, what is absent as null.
+pub(crate) fn plain<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsValue> {
+    let serializer = Serializer::new().serialize_maps_as_objects(true).serialize_missing_as_null(true);
+    value.serialize(&serializer).map_err(|e| thrown(Error::new(Code::Type, "answer", e.to_string())))
+}
+
+/// A matrix by rows.
+pub(crate) fn rows(m: &DMatrix<f64>) -> Vec<Vec<f64>> {
+    m.row_iter().map(|row| row.iter().copied().collect()).collect()
+}
+
+/// A vector as its numbers.
+pub(crate) fn numbers(v: &DVector<f64>) -> Vec<f64> {
+    v.iter().copied().collect()
+}

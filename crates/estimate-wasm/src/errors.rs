@@ -1,0 +1,49 @@
+//! The core's errors as JavaScript sees them.
+
+use estimate::{Code, Error};
+use js_sys::Reflect;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** Why a call was refused. Everything it could have changed is as it was. */
+export interface EstimateError extends Error {
+    name: "EstimateError";
+    code: "not-finite" | "shape" | "not-symmetric" | "not-positive-semidefinite" | "innovation-not-positive-definite"
+        | "unobservable" | "poles" | "tolerance" | "index" | "at-landmark" | "not-placeable" | "limit" | "type"
+        | "did-not-converge";
+    /** The argument to blame, as a path: "y", "system.F", "params.gain". */
+    argument: string;
+}
+"#;
+
+/// The documented name of a code.
+pub(crate) fn name(code: Code) -> &'static str {
+    match code {
+        Code::NotFinite => "not-finite",
+        Code::Shape => "shape",
+        Code::NotSymmetric => "not-symmetric",
+        Code::NotPositiveSemidefinite => "not-positive-semidefinite",
+        Code::InnovationNotPositiveDefinite => "innovation-not-positive-definite",
+        Code::Unobservable => "unobservable",
+        Code::Poles => "poles",
+        Code::Tolerance => "tolerance",
+        Code::Index => "index",
+        Code::AtLandmark => "at-landmark",
+        Code::NotPlaceable => "not-placeable",
+        Code::Limit => "limit",
+        Code::Type => "type",
+        Code::DidNotConverge => "did-not-converge",
+    }
+}
+
+/// The `EstimateError` to throw.
+pub(crate) fn thrown(error: Error) -> JsValue {
+    let js = js_sys::Error::new(&error.to_string());
+    js.set_name("EstimateError");
+    for (key, value) in [("code", name(error.code)), ("argument", error.argument.as_ref())] {
+        // Fails on a frozen object only, which a new Error is not.
+        let _ = Reflect::set(&js, &key.into(), &value.into());
+    }
+    js.into()
+}

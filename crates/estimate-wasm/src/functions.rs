@@ -1,0 +1,294 @@
+//! The linear functions: decode, call, encode.
+
+use crate::decode::Arg;
+use crate::encode::{numbers, plain, rows};
+use crate::errors::thrown;
+use estimate::dynamic::{self, Belief, System};
+use estimate::{Complex, Error};
+use nalgebra::{DMatrix, DVector};
+use serde::Serialize;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+export type Vector = number[];
+/** An array of rows. */
+export type Matrix = number[][];
+export interface Complex { re: number; im: number }
+/** x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, Cov v = V, Cov w = W; at most 16 states, 8 inputs, 8 outputs. */
+export interface System { F: Matrix; G: Matrix; H: Matrix; V: Matrix; W: Matrix }
+/** N(x, P). */
+export interface Belief { x: Vector; P: Matrix }
+export interface KalmanStep {
+    /** x(k+1 | k), P(k+1 | k) */
+    predicted: Belief;
+    /** y − H x(k+1 | k) */
+    innovation: Vector;
+    /** H P(k+1 | k) Hᵀ + W */
+    S: Matrix;
+    /** The Kalman gain P Hᵀ S⁻¹ (Thrun: K) */
+    R: Matrix;
+    /** x(k+1 | k+1) */
+    x: Vector;
+    /** P(k+1 | k+1) */
+    P: Matrix;
+}
+export interface Observability { rank: number; n: number; singularValues: Vector; nullspace: Vector[] }
+export interface SteadyState {
+    /** The last gain. */
+    R: Matrix;
+    /** P(k+1 | k). */
+    P: Matrix;
+    converged: boolean;
+    gainConverged: boolean;
+    iterations: number;
+}
+export interface Ellipse { semiMajor: number; semiMinor: number; /** of the major axis, in (−π/2, π/2] */ angle: number }
+"#;
+
+/// One Kalman step (eqs. 8.26–8.32): predict with the input `u`, correct with the reading `y`.
+#[wasm_bindgen(js_name = kalmanStep, unchecked_return_type = "KalmanStep")]
+pub fn kalman_step(
+    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let step = || -> Result<_, Error> {
+        let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
+        dynamic::kalman_step(&system, &belief, Arg::new(u, "u").vector()?, Arg::new(y, "y").vector()?)
+    };
+    let dynamic::KalmanStep { predicted, innovation, s, r, posterior } = step().map_err(thrown)?;
+    plain(&StepAnswer {
+        predicted: (&predicted).into(),
+        innovation: numbers(&innovation),
+        s: rows(&s),
+        r: rows(&r),
+        x: numbers(&posterior.x),
+        p: rows(&posterior.p),
+    })
+}
+
+/// One step of the observer with the fixed gain `K`: F x + G u + K (y − H (F x + G u)).
+#[wasm_bindgen(js_name = observerStep, unchecked_return_type = "Vector")]
+pub fn observer_step(
+    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(js_name = K, unchecked_param_type = "Matrix")] k: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+) -> Result<JsValue, JsValue> {
+    vector(|| {
+        let (k, x) = (Arg::new(k, "K").matrix()?, Arg::new(x, "x").vector()?);
+        dynamic::observer_step(&system_of(system)?, k, x, Arg::new(u, "u").vector()?, Arg::new(y, "y").vector()?)
+    })
+}
+
+/// The eigenvalues of (I − KH)F, by decreasing modulus, then decreasing imaginary part.
+#[wasm_bindgen(js_name = errorEigenvalues, unchecked_return_type = "Complex[]")]
+pub fn error_eigenvalues(
+    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(js_name = K, unchecked_param_type = "Matrix")] k: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let answer = || dynamic::error_eigenvalues(&system_of(system)?, Arg::new(k, "K").matrix()?);
+    let roots: Vec<_> = answer().map_err(thrown)?.into_iter().map(labs::Root::from).collect();
+    plain(&roots)
+}
+
+/// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out).
+#[wasm_bindgen(unchecked_return_type = "Observability")]
+pub fn observability(
+    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let answer = || {
+        let tolerance = number_or(tolerance, "tolerance", 1e-9)?;
+        dynamic::observability(Arg::new(f, "F").matrix()?, Arg::new(h, "H").matrix()?, tolerance)
+    };
+    let seen = answer().map_err(thrown)?;
+    plain(&ObservabilityAnswer {
+        rank: seen.rank,
+        n: seen.n,
+        singular_values: &seen.singular_values,
+        nullspace: seen.nullspace.iter().map(numbers).collect(),
+    })
+}
+
+/// The gain K that gives (I − KH)F the eigenvalues `poles`, for a single output (Ackermann on (F, HF)).
+#[wasm_bindgen(js_name = placeObserverGain, unchecked_return_type = "Matrix")]
+pub fn place_observer_gain(
+    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "(number | Complex)[]")] poles: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let answer = || {
+        let poles: Vec<Complex<f64>> =
+            Arg::new(poles, "poles").entries()?.iter().map(Arg::complex).collect::<Result<_, _>>()?;
+        dynamic::place_observer_gain(Arg::new(f, "F").matrix()?, Arg::new(h, "H").matrix()?, &poles)
+    };
+    let k: DVector<f64> = answer().map_err(thrown)?;
+    plain(&rows(&DMatrix::from_column_slice(k.len(), 1, k.as_slice())))
+}
+
+/// The limit of the gain from P(0 | 0) = `P0`; at most 100 000 iterations (10 000 when left out), tolerance 1e-12 when left
+/// out. Running out of iterations is an answer.
+#[wasm_bindgen(js_name = steadyStateGain, unchecked_return_type = "SteadyState")]
+pub fn steady_state_gain(
+    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(js_name = P0, unchecked_param_type = "Matrix")] p0: &JsValue,
+    #[wasm_bindgen(js_name = maxIterations, unchecked_optional_param_type = "number")] max_iterations: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let answer = || {
+        let iterations = match Arg::new(max_iterations, "maxIterations") {
+            a if a.is_undefined() => 10_000,
+            a => a.whole(1, estimate::riccati::MAX_ITERATIONS as u32)?,
+        };
+        let tolerance = number_or(tolerance, "tolerance", 1e-12)?;
+        dynamic::steady_state_gain(&system_of(system)?, Arg::new(p0, "P0").matrix()?, iterations as usize, tolerance)
+    };
+    let limit = answer().map_err(thrown)?;
+    plain(&SteadyStateAnswer {
+        r: rows(&limit.r),
+        p: rows(&limit.p),
+        converged: limit.converged,
+        gain_converged: limit.gain_converged,
+        iterations: limit.iterations,
+    })
+}
+
+/// R(1), …, R(steps) from P(0 | 0) = `P0`; at most 10 000 steps.
+#[wasm_bindgen(js_name = gainSchedule, unchecked_return_type = "Matrix[]")]
+pub fn gain_schedule(
+    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(js_name = P0, unchecked_param_type = "Matrix")] p0: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "number")] steps: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let answer = || {
+        let steps = Arg::new(steps, "steps").whole(1, estimate::riccati::MAX_STEPS as u32)?;
+        dynamic::gain_schedule(&system_of(system)?, Arg::new(p0, "P0").matrix()?, steps as usize)
+    };
+    let gains: Vec<_> = answer().map_err(thrown)?.iter().map(rows).collect();
+    plain(&gains)
+}
+
+/// The ellipse {x : xᵀP⁻¹x = radius²} of a 2×2 covariance; the radius is 1 when left out.
+#[wasm_bindgen(js_name = covarianceEllipse, unchecked_return_type = "Ellipse")]
+pub fn covariance_ellipse(
+    #[wasm_bindgen(js_name = P, unchecked_param_type = "Matrix")] p: &JsValue,
+    #[wasm_bindgen(unchecked_optional_param_type = "number")] radius: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let answer = || dynamic::covariance_ellipse(Arg::new(p, "P").matrix()?, number_or(radius, "radius", 1.0)?);
+    plain(&labs::EllipseShape::from(answer().map_err(thrown)?))
+}
+
+/// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric.
+#[wasm_bindgen(js_name = euclideanFoot, unchecked_return_type = "Vector")]
+pub fn euclidean_foot(
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+) -> Result<JsValue, JsValue> {
+    vector(|| {
+        let h = Arg::new(h, "H").matrix()?;
+        dynamic::euclidean_foot(h, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
+    })
+}
+
+/// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `P`.
+#[wasm_bindgen(js_name = mahalanobisFoot, unchecked_return_type = "Vector")]
+pub fn mahalanobis_foot(
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
+    #[wasm_bindgen(js_name = P, unchecked_param_type = "Matrix")] p: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+) -> Result<JsValue, JsValue> {
+    vector(|| {
+        let (h, p) = (Arg::new(h, "H").matrix()?, Arg::new(p, "P").matrix()?);
+        dynamic::mahalanobis_foot(h, p, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
+    })
+}
+
+/// y*, the most likely output: where the product of N(Hx, HPHᵀ) and N(y, W) peaks (Theorem 8.2.1).
+#[wasm_bindgen(js_name = mostLikelyOutput, unchecked_return_type = "Vector")]
+pub fn most_likely_output(
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
+    #[wasm_bindgen(js_name = P, unchecked_param_type = "Matrix")] p: &JsValue,
+    #[wasm_bindgen(js_name = W, unchecked_param_type = "Matrix")] w: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+) -> Result<JsValue, JsValue> {
+    vector(|| {
+        let (h, p, w) = (Arg::new(h, "H").matrix()?, Arg::new(p, "P").matrix()?, Arg::new(w, "W").matrix()?);
+        dynamic::most_likely_output(h, p, w, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
+    })
+}
+
+fn vector(answer: impl FnOnce() -> Result<DVector<f64>, Error>) -> Result<JsValue, JsValue> {
+    plain(&numbers(&answer().map_err(thrown)?))
+}
+
+fn number_or(value: &JsValue, name: &'static str, default: f64) -> Result<f64, Error> {
+    let arg = Arg::new(value, name);
+    if arg.is_undefined() { Ok(default) } else { arg.number() }
+}
+
+fn system_of(value: &JsValue) -> Result<System, Error> {
+    let arg = Arg::new(value, "system");
+    let [f, g, h, v, w] = ["F", "G", "H", "V", "W"].map(|name| arg.field(name).and_then(|m| m.matrix()));
+    System::new(f?, g?, h?, v?, w?).map_err(|e| e.within("system"))
+}
+
+/// `{ x, P }`.
+pub(crate) fn belief_of(arg: &Arg<'_>) -> Result<Belief, Error> {
+    Belief::new(arg.field("x")?.vector()?, arg.field("P")?.matrix()?).map_err(|e| e.within("belief"))
+}
+
+/// A belief, encoded.
+#[derive(Serialize)]
+pub(crate) struct BeliefAnswer {
+    x: Vec<f64>,
+    #[serde(rename = "P")]
+    p: Vec<Vec<f64>>,
+}
+
+impl From<&Belief> for BeliefAnswer {
+    fn from(belief: &Belief) -> Self {
+        Self { x: numbers(&belief.x), p: rows(&belief.p) }
+    }
+}
+
+#[derive(Serialize)]
+struct StepAnswer {
+    predicted: BeliefAnswer,
+    innovation: Vec<f64>,
+    #[serde(rename = "S")]
+    s: Vec<Vec<f64>>,
+    #[serde(rename = "R")]
+    r: Vec<Vec<f64>>,
+    x: Vec<f64>,
+    #[serde(rename = "P")]
+    p: Vec<Vec<f64>>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct ObservabilityAnswer<'a> {
+    rank: usize,
+    n: usize,
+    singular_values: &'a [f64],
+    nullspace: Vec<Vec<f64>>,
+}
+
+#[derive(Serialize)]
+#[serde(rename_all = "camelCase")]
+struct SteadyStateAnswer {
+    #[serde(rename = "R")]
+    r: Vec<Vec<f64>>,
+    #[serde(rename = "P")]
+    p: Vec<Vec<f64>>,
+    converged: bool,
+    gain_converged: bool,
+    iterations: usize,
+}
