@@ -1,2 +1,81 @@
-//! Builds the site.
-fn main() {}
+//! Builds the site: `book [--out dist] [--assets target/assets] [--stills target/stills] [--root .] [--strict]`.
+//!
+//! `--strict` refuses a site whose scripts, styles or stills have not been built.
+
+use std::path::PathBuf;
+use std::process::ExitCode;
+use std::time::Instant;
+
+use book::{Assets, Build, BuildError, Diagnostics, Numbers, Outputs, Site};
+
+const USAGE: &str = "usage: book [--out dist] [--assets target/assets] [--stills target/stills] [--root .] [--strict]";
+
+/// What the command line asks for.
+struct Options {
+    out: PathBuf,
+    assets: PathBuf,
+    stills: PathBuf,
+    root: PathBuf,
+    strict: bool,
+}
+
+impl Options {
+    fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self, String> {
+        let mut options = Self {
+            out: "dist".into(),
+            assets: "target/assets".into(),
+            stills: "target/stills".into(),
+            root: ".".into(),
+            strict: false,
+        };
+        while let Some(argument) = arguments.next() {
+            let slot = match argument.as_str() {
+                "--out" => &mut options.out,
+                "--assets" => &mut options.assets,
+                "--stills" => &mut options.stills,
+                "--root" => &mut options.root,
+                "--strict" => {
+                    options.strict = true;
+                    continue;
+                }
+                other => return Err(format!("unknown argument `{other}`\n{USAGE}")),
+            };
+            *slot = arguments.next().ok_or_else(|| format!("{argument} needs a path\n{USAGE}"))?.into();
+        }
+        Ok(options)
+    }
+}
+
+fn build(options: &Options) -> Result<String, BuildError> {
+    let start = Instant::now();
+    let diagnostics = Diagnostics::default();
+    let numbers = Numbers::default();
+    let stills = book::load_stills(&options.stills, options.strict)?;
+    let site = Site::load(&options.root, numbers, Outputs::of(&options.root), stills, &diagnostics)?;
+    let assets = Assets::load(&options.assets, options.strict)?;
+    let build = Build { root: &options.root, site: &site, assets: &assets, checks: &[], diagnostics: &diagnostics };
+    let dist = build.run()?;
+    let faults = dist.faults();
+    if !faults.is_empty() {
+        return Err(BuildError::Missing(format!("{}\n{} faults in the built pages", faults.join("\n"), faults.len())));
+    }
+    dist.write(&options.out)?;
+    let bytes: usize = dist.files.values().map(Vec::len).sum();
+    let (files, seconds) = (dist.files.len(), start.elapsed().as_secs_f64());
+    Ok(format!("{}: {files} files, {} kB, in {seconds:.1} s", options.out.display(), bytes / 1000))
+}
+
+fn main() -> ExitCode {
+    let result =
+        Options::parse(std::env::args().skip(1)).and_then(|options| build(&options).map_err(|e| e.to_string()));
+    match result {
+        Ok(done) => {
+            println!("{done}");
+            ExitCode::SUCCESS
+        }
+        Err(error) => {
+            eprintln!("{error}");
+            ExitCode::FAILURE
+        }
+    }
+}

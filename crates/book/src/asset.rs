@@ -1,0 +1,77 @@
+//! Scripts, styles and fonts, built beforehand and named by a manifest.
+
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+use crate::diagnostic::BuildError;
+
+/// The assets of the site.
+#[derive(Clone, Debug, Default)]
+pub struct Assets {
+    folder: Option<PathBuf>,
+    /// Logical name, as in `site.css`, to the name with its hash.
+    pub by_name: BTreeMap<String, String>,
+}
+
+/// What no page of a released site does without.
+const NEEDED: [&str; 3] = ["site.css", "katex.css", "page.js"];
+
+impl Assets {
+    /// Reads `folder/manifest.json`; a folder without one is an error when `strict`, and no assets otherwise.
+    ///
+    /// # Errors
+    /// [`BuildError`] when the manifest is missing or lacks an asset under `strict`, or cannot be read.
+    pub fn load(folder: &Path, strict: bool) -> Result<Self, BuildError> {
+        let path = folder.join("manifest.json");
+        if !path.exists() && !strict {
+            return Ok(Self::default());
+        }
+        let name = path.display().to_string();
+        let text = std::fs::read_to_string(&path).map_err(|e| BuildError::File(name.clone(), e))?;
+        let by_name: BTreeMap<String, String> =
+            serde_json::from_str(&text).map_err(|e| BuildError::Missing(format!("{name}: {e}")))?;
+        if let Some(missing) = NEEDED.iter().find(|asset| strict && !by_name.contains_key(**asset)) {
+            return Err(BuildError::Missing(format!("{name} names no {missing}: run `node web/build.mjs`")));
+        }
+        Ok(Self { folder: Some(folder.to_path_buf()), by_name })
+    }
+
+    /// Every file of the folder with its path below it, except the manifest and the service worker's template.
+    ///
+    /// # Errors
+    /// [`BuildError::File`] when one cannot be read.
+    pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, BuildError> {
+        let mut files = Vec::new();
+        if let Some(folder) = &self.folder {
+            collect(folder, "", &mut files)?;
+        }
+        files.retain(|(path, _)| path != "manifest.json" && path != "sw.js");
+        Ok(files)
+    }
+
+    /// The service worker's template, where there is one.
+    pub fn service_worker(&self) -> Option<String> {
+        std::fs::read_to_string(self.folder.as_ref()?.join("sw.js")).ok()
+    }
+
+    /// Addresses by logical name, for a page `root` below the site's root.
+    pub fn hrefs(&self, root: &str) -> BTreeMap<String, String> {
+        self.by_name.iter().map(|(name, file)| (name.clone(), format!("{root}assets/{file}"))).collect()
+    }
+}
+
+fn collect(folder: &Path, below: &str, files: &mut Vec<(String, Vec<u8>)>) -> Result<(), BuildError> {
+    let fail = |path: &Path, e| BuildError::File(path.display().to_string(), e);
+    let mut entries: Vec<_> = std::fs::read_dir(folder).map_err(|e| fail(folder, e))?.flatten().collect();
+    entries.sort_by_key(std::fs::DirEntry::file_name);
+    for entry in entries {
+        let name = format!("{below}{}", entry.file_name().to_string_lossy());
+        let path = entry.path();
+        if path.is_dir() {
+            collect(&path, &format!("{name}/"), files)?;
+        } else {
+            files.push((name, std::fs::read(&path).map_err(|e| fail(&path, e))?));
+        }
+    }
+    Ok(())
+}

@@ -1,0 +1,93 @@
+//! Attributes in braces: `{#id .class key="value"}`.
+
+/// An id, classes and keyed values.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Attributes {
+    /// `#id`
+    pub id: Option<String>,
+    /// `.class`, in order
+    pub classes: Vec<String>,
+    /// `key="value"` or `key=value`, in order
+    pub values: Vec<(String, String)>,
+}
+
+impl Attributes {
+    /// Reads what stands between the braces.
+    ///
+    /// # Errors
+    /// A message when a quote is not closed, a key repeats, or something is neither id, class nor `key=value`.
+    pub fn parse(text: &str) -> Result<Self, String> {
+        let mut attributes = Self::default();
+        let mut rest = text.trim();
+        while !rest.is_empty() {
+            if let Some(tail) = rest.strip_prefix('#') {
+                let (id, after) = word(tail);
+                if id.is_empty() || attributes.id.replace(id.to_string()).is_some() {
+                    return Err(format!("one id is expected in {{{text}}}"));
+                }
+                rest = after;
+            } else if let Some(tail) = rest.strip_prefix('.') {
+                let (class, after) = word(tail);
+                attributes.classes.push(class.to_string());
+                rest = after;
+            } else {
+                let Some((key, tail)) = rest.split_once('=') else {
+                    return Err(format!("`{rest}` in {{{text}}} is neither #id, .class nor key=\"value\""));
+                };
+                let (value, after) = match tail.strip_prefix('"') {
+                    Some(quoted) => {
+                        quoted.split_once('"').ok_or_else(|| format!("a quote is not closed in {{{text}}}"))?
+                    }
+                    None => word(tail),
+                };
+                let key = key.trim();
+                if attributes.value(key).is_some() {
+                    return Err(format!("`{key}` stands twice in {{{text}}}"));
+                }
+                attributes.values.push((key.to_string(), value.to_string()));
+                rest = after;
+            }
+            rest = rest.trim_start();
+        }
+        if let Some(position) = attributes.values.iter().position(|(key, _)| key == "id") {
+            let (_, id) = attributes.values.remove(position);
+            if attributes.id.replace(id).is_some() {
+                return Err(format!("two ids in {{{text}}}"));
+            }
+        }
+        Ok(attributes)
+    }
+
+    /// The value of `key`.
+    pub fn value(&self, key: &str) -> Option<&str> {
+        self.values.iter().find(|(name, _)| name == key).map(|(_, value)| value.as_str())
+    }
+}
+
+/// The first word of `text` and what follows it.
+fn word(text: &str) -> (&str, &str) {
+    text.split_at(text.find(char::is_whitespace).unwrap_or(text.len()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn id_classes_and_values_are_read() {
+        let attributes = Attributes::parse(r#"#fig-bench .wide widget="observer-bench" title="Turn the gain" n=2"#);
+        let attributes = attributes.unwrap();
+        assert_eq!(attributes.id.as_deref(), Some("fig-bench"));
+        assert_eq!(attributes.classes, ["wide"]);
+        assert_eq!(attributes.value("title"), Some("Turn the gain"));
+        assert_eq!(attributes.value("n"), Some("2"));
+        assert_eq!(Attributes::parse(r#"id="third-step""#).unwrap().id.as_deref(), Some("third-step"));
+    }
+
+    #[test]
+    fn what_cannot_be_read_is_refused() {
+        for text in ["title=\"open", "loose", "#a #b", "k=1 k=2", "#a id=b"] {
+            assert!(Attributes::parse(text).is_err(), "{text}");
+        }
+    }
+}

@@ -1,0 +1,134 @@
+//! Code coloured at build time: syntect's scopes reduced to ten classes.
+
+use syntect::parsing::{ParseState, Scope, ScopeStack, SyntaxSet};
+
+use crate::html::escape;
+
+/// Colours code.
+pub struct Highlighter {
+    syntaxes: SyntaxSet,
+    classes: Vec<(Scope, Option<&'static str>)>,
+}
+
+/// Scope prefixes and the class each gets; the longest that fits wins, the innermost scope first.
+const CLASSES: [(&str, Option<&str>); 32] = [
+    ("comment", Some("comment")),
+    ("punctuation.definition.comment", Some("comment")),
+    ("string", Some("string")),
+    ("punctuation.definition.string", Some("string")),
+    ("constant.character.escape", Some("string")),
+    ("constant.other.placeholder", Some("string")),
+    ("constant.numeric", Some("number")),
+    ("constant.language", Some("number")),
+    ("keyword", Some("keyword")),
+    ("keyword.operator", None),
+    ("storage.modifier", Some("keyword")),
+    ("storage.modifier.lifetime", Some("lifetime")),
+    ("storage.type", Some("keyword")),
+    ("storage.type.numeric", Some("number")),
+    ("storage.type.rust", Some("type")),
+    ("storage.type.function", Some("keyword")),
+    ("storage.type.struct", Some("keyword")),
+    ("storage.type.enum", Some("keyword")),
+    ("storage.type.trait", Some("keyword")),
+    ("storage.type.impl", Some("keyword")),
+    ("storage.type.type", Some("keyword")),
+    ("storage.type.module", Some("keyword")),
+    ("variable.language", Some("keyword")),
+    ("entity.name.function", Some("function")),
+    ("support.function", Some("function")),
+    ("support.macro", Some("macro")),
+    ("entity.name.lifetime", Some("lifetime")),
+    ("entity.name.macro", Some("macro")),
+    ("entity.name", Some("type")),
+    ("support.type", Some("type")),
+    ("meta.annotation", Some("attribute")),
+    ("variable.annotation", Some("attribute")),
+];
+
+impl Default for Highlighter {
+    fn default() -> Self {
+        let classes = CLASSES.iter().filter_map(|&(name, class)| Some((Scope::new(name).ok()?, class))).collect();
+        Self { syntaxes: SyntaxSet::load_defaults_newlines(), classes }
+    }
+}
+
+impl Highlighter {
+    /// Each line of `code` as HTML, without its newline. A language syntect does not know is left plain.
+    pub fn lines(&self, code: &str, language: &str) -> Vec<String> {
+        let syntax = self.syntaxes.find_syntax_by_token(language);
+        let syntax = syntax.unwrap_or_else(|| self.syntaxes.find_syntax_plain_text());
+        let mut state = ParseState::new(syntax);
+        let mut stack = ScopeStack::new();
+        code.lines().map(|line| self.line(line, &mut state, &mut stack)).collect()
+    }
+
+    /// The whole of `code` as HTML.
+    pub fn html(&self, code: &str, language: &str) -> String {
+        self.lines(code, language).join("\n")
+    }
+
+    fn line(&self, line: &str, state: &mut ParseState, stack: &mut ScopeStack) -> String {
+        let line = format!("{line}\n");
+        let Ok(ops) = state.parse_line(&line, &self.syntaxes) else { return escape(line.trim_end_matches('\n')) };
+        let mut runs = Runs::default();
+        let mut at = 0;
+        for (end, op) in ops {
+            runs.push(self.class(stack), &line[at..end]);
+            at = end;
+            // A scope the stack cannot apply leaves the colour as it was.
+            let _ = stack.apply(&op);
+        }
+        runs.push(self.class(stack), line[at..].trim_end_matches('\n'));
+        runs.html()
+    }
+
+    fn class(&self, stack: &ScopeStack) -> Option<&'static str> {
+        stack.as_slice().iter().rev().find_map(|&scope| {
+            let fitting = self.classes.iter().filter(|(prefix, _)| prefix.is_prefix_of(scope));
+            fitting.max_by_key(|(prefix, _)| prefix.len()).map(|(_, class)| *class)
+        })?
+    }
+}
+
+/// Neighbouring text of one class, kept in one span.
+#[derive(Default)]
+struct Runs {
+    runs: Vec<(Option<&'static str>, String)>,
+}
+
+impl Runs {
+    fn push(&mut self, class: Option<&'static str>, text: &str) {
+        match self.runs.last_mut() {
+            Some((last, run)) if *last == class || text.trim().is_empty() => run.push_str(text),
+            _ => self.runs.push((class, text.to_string())),
+        }
+    }
+
+    fn html(&self) -> String {
+        let span = |(class, text): &(Option<&str>, String)| match class {
+            Some(class) => format!("<span class=\"c-{class}\">{}</span>", escape(text)),
+            None => escape(text),
+        };
+        self.runs.iter().map(span).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rust_is_coloured_by_role() {
+        let html = Highlighter::default().html("// note\npub fn wrap(a: f64) -> f64 { a % 2.0 }", "rust");
+        assert!(html.starts_with("<span class=\"c-comment\">// note</span>\n"), "{html}");
+        for part in ["c-keyword\">pub", "c-function\">wrap", "c-type\">f64", "c-number\">2.0"] {
+            assert!(html.contains(part), "{part} in {html}");
+        }
+    }
+
+    #[test]
+    fn an_unknown_language_is_escaped_and_left_plain() {
+        assert_eq!(Highlighter::default().html("a < b", "nonsense"), "a &lt; b");
+    }
+}

@@ -1,0 +1,140 @@
+//! `content/book.toml`, and how the data files beside it are read.
+
+use std::path::Path;
+
+use serde::de::DeserializeOwned;
+use serde::{Deserialize, Serialize};
+use toml::Spanned;
+
+use crate::diagnostic::{BuildError, Diagnostics, Place};
+
+/// The book: its title page, its chapters, its pages.
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Config {
+    /// Title of the book.
+    pub title: String,
+    /// What the title leaves open.
+    #[serde(default)]
+    pub subtitle: String,
+    /// Authors, in order.
+    #[serde(default)]
+    pub authors: Vec<String>,
+    /// Language code.
+    #[serde(default)]
+    pub language: String,
+    /// What the book is, in a sentence or two, for the cover and for search engines.
+    #[serde(default)]
+    pub description: String,
+    /// File of the TeX macros.
+    pub macros: String,
+    /// Chapters, in order.
+    #[serde(default, rename = "chapter")]
+    pub chapters: Vec<Chapter>,
+    /// Pages beside the chapters.
+    #[serde(default, rename = "page")]
+    pub pages: Vec<Page>,
+}
+
+/// A chapter: the folder `content/<slug>/` shown as one page.
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Chapter {
+    /// Folder in `content/` and in the site.
+    pub slug: String,
+    /// Number in the book.
+    pub number: u32,
+    /// Title.
+    pub title: String,
+    /// Part of the book, as in "Part IV".
+    #[serde(default)]
+    pub part: String,
+    /// Title of that part.
+    #[serde(default)]
+    pub part_title: String,
+    /// For whom it is.
+    #[serde(default)]
+    pub difficulty: String,
+    /// How long it takes.
+    #[serde(default)]
+    pub reading_minutes: u32,
+    /// A sentence or two, for the head of the page and for search engines.
+    pub description: String,
+}
+
+/// A page: `content/pages/<slug>.md`.
+#[derive(Clone, Debug, Default, Deserialize, Serialize)]
+#[serde(deny_unknown_fields)]
+pub struct Page {
+    /// Name of the file and of the folder in the site.
+    pub slug: String,
+    /// Title.
+    pub title: String,
+    /// A sentence, for search engines.
+    pub description: String,
+}
+
+/// A data file of `content/`, and its text for finding lines.
+pub struct DataFile {
+    /// Path from the root, as errors name it.
+    pub name: String,
+    text: String,
+}
+
+impl DataFile {
+    /// Reads `content/<name>` under `root`; a file that is not there is empty.
+    ///
+    /// # Errors
+    /// [`BuildError::File`] when it is there and cannot be read.
+    pub fn read(root: &Path, name: &str) -> Result<Self, BuildError> {
+        let name = format!("content/{name}");
+        let path = root.join(&name);
+        let text = match path.exists() {
+            true => std::fs::read_to_string(&path).map_err(|e| BuildError::File(name.clone(), e))?,
+            false => String::new(),
+        };
+        Ok(Self { name, text })
+    }
+
+    /// A data file from memory.
+    pub fn from_text(name: &str, text: &str) -> Self {
+        Self { name: name.to_string(), text: text.to_string() }
+    }
+
+    /// The file as `T`, or a complaint with its line.
+    pub fn parse<T: DeserializeOwned + Default>(&self, diagnostics: &Diagnostics) -> T {
+        toml::from_str(&self.text).unwrap_or_else(|error: toml::de::Error| {
+            let line = error.span().map_or(1, |span| self.line(span.start));
+            diagnostics.report(&Place::new(self.name.clone(), line), error.message());
+            T::default()
+        })
+    }
+
+    /// Where a value stands; for a string over several lines, its first line of text.
+    pub fn place<T>(&self, value: &Spanned<T>) -> Place {
+        let start = value.span().start;
+        let opening = self.text.get(start..start + 4).unwrap_or("");
+        let below = usize::from(opening == "'''\n" || opening == "\"\"\"\n");
+        Place::new(self.name.clone(), self.line(start) + below)
+    }
+
+    fn line(&self, offset: usize) -> usize {
+        self.text.get(..offset).unwrap_or("").matches('\n').count() + 1
+    }
+}
+
+/// A piece of Markdown in a data file.
+#[derive(Clone, Debug)]
+pub struct Text {
+    /// The Markdown.
+    pub markdown: String,
+    /// Where it stands.
+    pub place: Place,
+}
+
+impl Text {
+    /// The text of `value` in `file`.
+    pub fn of(value: &Spanned<String>, file: &DataFile) -> Self {
+        Self { markdown: value.get_ref().clone(), place: file.place(value) }
+    }
+}

@@ -1,0 +1,131 @@
+//! Pages: a chapter or a single file rendered, with what goes around it.
+
+use std::path::Path;
+
+use serde::Serialize;
+
+use crate::diagnostic::{BuildError, Diagnostics, Place};
+use crate::document::Document;
+use crate::html;
+use crate::label::Labels;
+use crate::render::{Heading, Renderer, Used};
+use crate::site::Site;
+
+/// A rendered text, before the template.
+#[derive(Debug, Default)]
+pub struct Text {
+    /// The article's HTML, end matter included.
+    pub body: String,
+    /// Headings of levels 2 and 3.
+    pub contents: Vec<Section>,
+    /// What the search finds.
+    pub search: Vec<Found>,
+    /// What the text used.
+    pub used: Used,
+}
+
+/// An entry of the table of contents.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Section {
+    /// The heading.
+    #[serde(flatten)]
+    pub heading: Heading,
+    /// The headings below it.
+    pub sections: Vec<Heading>,
+}
+
+/// A section as the search sees it.
+#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+pub struct Found {
+    /// Page and id.
+    pub id: String,
+    /// The page, from the site's root.
+    pub page: String,
+    /// Title, without formulas.
+    pub title: String,
+    /// Number, as in "15.2".
+    pub section: String,
+    /// Words, without formulas.
+    pub text: String,
+}
+
+/// The Markdown files of a chapter, in order: path from the root and text.
+///
+/// # Errors
+/// [`BuildError::File`] when the folder or a file cannot be read.
+pub fn files(root: &Path, folder: &str) -> Result<Vec<(String, String)>, BuildError> {
+    let read = |e| BuildError::File(folder.to_string(), e);
+    let entries = std::fs::read_dir(root.join(folder)).map_err(read)?;
+    let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
+    let mut names: Vec<String> = names.filter(|name| name.ends_with(".md")).collect();
+    names.sort();
+    let file = |name: String| {
+        let path = format!("{folder}/{name}");
+        let text = std::fs::read_to_string(root.join(&path)).map_err(|e| BuildError::File(path.clone(), e))?;
+        Ok((path, text))
+    };
+    names.into_iter().map(file).collect()
+}
+
+/// Renders `files` as one page at `address`, its sections numbered under `chapter`.
+pub fn text(
+    site: &Site,
+    files: &[(String, String)],
+    chapter: Option<u32>,
+    address: &str,
+    diagnostics: &Diagnostics,
+) -> Text {
+    let document = |(path, text): &(String, String)| Document::new(text, &Place::new(path.clone(), 1), diagnostics);
+    let documents: Vec<Document> = files.iter().map(document).collect();
+    let labels = Labels::collect(&documents, chapter, diagnostics);
+    let root = root_of(address);
+    let mut renderer = Renderer::new(site, &labels, diagnostics, &root);
+    let mut body = String::new();
+    for document in &documents {
+        body += &renderer.document(document);
+    }
+    let search = search(&body, &renderer.headings, address);
+    let end = renderer.end_matter();
+    Text { body: body + &end, contents: contents(&renderer.headings), search, used: renderer.used }
+}
+
+/// From a page's address to the site's root: `kalman/` is one level down.
+pub fn root_of(address: &str) -> String {
+    "../".repeat(address.matches('/').count())
+}
+
+/// Headings of level 3 under their heading of level 2.
+fn contents(headings: &[Heading]) -> Vec<Section> {
+    let mut sections: Vec<Section> = Vec::new();
+    for heading in headings {
+        match sections.last_mut() {
+            Some(section) if heading.level > 2 => section.sections.push(heading.clone()),
+            _ => sections.push(Section { heading: heading.clone(), sections: Vec::new() }),
+        }
+    }
+    sections
+}
+
+fn search(body: &str, headings: &[Heading], address: &str) -> Vec<Found> {
+    let sections = crate::render::sections(body);
+    let found = |heading: &Heading| Found {
+        id: format!("{address}#{}", heading.id),
+        page: address.to_string(),
+        title: html::words(&heading.html),
+        section: heading.number.clone(),
+        text: sections.get(&heading.id).cloned().unwrap_or_default(),
+    };
+    headings.iter().map(found).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_root_is_as_far_up_as_the_page_is_down() {
+        assert_eq!(root_of("index.html"), "");
+        assert_eq!(root_of("kalman/"), "../");
+        assert_eq!(root_of("source/crates/geom/src/angle.rs.html"), "../../../../");
+    }
+}

@@ -1,0 +1,73 @@
+//! Everything a page is made of besides its own text.
+
+use std::collections::BTreeMap;
+use std::path::Path;
+
+use crate::code::Highlighter;
+use crate::config::{Config, DataFile};
+use crate::diagnostic::{BuildError, Diagnostics};
+use crate::glossary::{self, NotationRow, Term};
+use crate::number::Numbers;
+use crate::output::Outputs;
+use crate::quiz::{self, Quiz};
+use crate::reference::References;
+use crate::source::Sources;
+use crate::still::Stills;
+use crate::tex::Typesetter;
+
+/// The data a page draws on.
+pub struct Site {
+    /// `book.toml`
+    pub config: Config,
+    /// Renders formulas.
+    pub typesetter: Typesetter,
+    /// What the labs computed.
+    pub numbers: Numbers,
+    /// Works cited.
+    pub references: References,
+    /// Terms.
+    pub glossary: BTreeMap<String, Term>,
+    /// Rows of the notation table.
+    pub notation: Vec<NotationRow>,
+    /// Questions.
+    pub quizzes: BTreeMap<String, Quiz>,
+    /// Compiled sources.
+    pub sources: Sources,
+    /// Program output.
+    pub outputs: Outputs,
+    /// Still pictures.
+    pub stills: Stills,
+    /// Colours code.
+    pub highlighter: Highlighter,
+}
+
+impl Site {
+    /// Reads `content/` and the sources under `root`.
+    ///
+    /// # Errors
+    /// [`BuildError::File`] when a file cannot be read. What is wrong inside the files goes to `diagnostics`.
+    pub fn load(
+        root: &Path,
+        numbers: Numbers,
+        outputs: Outputs,
+        stills: Stills,
+        diagnostics: &Diagnostics,
+    ) -> Result<Self, BuildError> {
+        let data = |name: &str| DataFile::read(root, name);
+        let config: Config = data("book.toml")?.parse(diagnostics);
+        let macros = data(if config.macros.is_empty() { "macros.toml" } else { &config.macros })?;
+        Ok(Self {
+            typesetter: Typesetter::new(&macros.parse(diagnostics)),
+            references: data("references.toml")?.parse(diagnostics),
+            glossary: glossary::glossary(&data("glossary.toml")?, diagnostics),
+            notation: glossary::notation(&data("notation.toml")?, diagnostics),
+            quizzes: quiz::quizzes(&data("quizzes.toml")?, &numbers, diagnostics),
+            sources: Sources::load(root)?,
+            highlighter: Highlighter::default(),
+            config,
+            numbers,
+            outputs,
+            stills,
+        })
+    }
+}

@@ -1,0 +1,43 @@
+//! The page templates of `web/templates/`.
+
+use std::path::Path;
+
+use minijinja::{Environment, UndefinedBehavior, Value};
+
+use crate::diagnostic::BuildError;
+
+/// Fills templates.
+pub struct Templates {
+    environment: Environment<'static>,
+}
+
+impl Templates {
+    /// Reads every template under `root`.
+    ///
+    /// # Errors
+    /// [`BuildError`] when one cannot be read or does not parse.
+    pub fn load(root: &Path) -> Result<Self, BuildError> {
+        let folder = root.join("web/templates");
+        let mut environment = Environment::new();
+        environment.set_undefined_behavior(UndefinedBehavior::SemiStrict);
+        let entries = std::fs::read_dir(&folder).map_err(|e| BuildError::File(folder.display().to_string(), e))?;
+        for entry in entries.flatten() {
+            let name = entry.file_name().to_string_lossy().into_owned();
+            let text = std::fs::read_to_string(entry.path()).map_err(|e| BuildError::File(name.clone(), e))?;
+            environment
+                .add_template_owned(name, text)
+                .map_err(|e| BuildError::Missing(format!("web/templates: {e}")))?;
+        }
+        Ok(Self { environment })
+    }
+
+    /// The template `name` filled with `values`.
+    ///
+    /// # Errors
+    /// [`BuildError::Missing`] when there is no such template or it asks for a value it is not given.
+    pub fn render(&self, name: &str, values: Value) -> Result<String, BuildError> {
+        let template = self.environment.get_template(name);
+        let page = template.and_then(|template| template.render(values));
+        page.map_err(|e| BuildError::Missing(format!("web/templates/{name}: {e:#}")))
+    }
+}
