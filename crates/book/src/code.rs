@@ -79,7 +79,7 @@ impl Highlighter {
             // A scope the stack cannot apply leaves the colour as it was.
             let _ = stack.apply(&op);
         }
-        runs.push(self.class(stack), line[at..].trim_end_matches('\n'));
+        runs.push(self.class(stack), &line[at..]);
         runs.html()
     }
 
@@ -100,15 +100,19 @@ struct Runs {
 impl Runs {
     fn push(&mut self, class: Option<&'static str>, text: &str) {
         match self.runs.last_mut() {
-            Some((last, run)) if *last == class || text.trim().is_empty() => run.push_str(text),
+            Some((last, run)) if *last == class => run.push_str(text),
+            _ if text.is_empty() => {}
             _ => self.runs.push((class, text.to_string())),
         }
     }
 
     fn html(&self) -> String {
-        let span = |(class, text): &(Option<&str>, String)| match class {
-            Some(class) => format!("<span class=\"c-{class}\">{}</span>", escape(text)),
-            None => escape(text),
+        let span = |(class, text): &(Option<&str>, String)| match (class, text.trim_end_matches('\n')) {
+            (_, "") => String::new(),
+            (Some(class), text) if !text.trim().is_empty() => {
+                format!("<span class=\"c-{class}\">{}</span>", escape(text))
+            }
+            (_, text) => escape(text),
         };
         self.runs.iter().map(span).collect()
     }

@@ -27,6 +27,8 @@ pub struct Build<'a> {
     pub checks: &'a [Check],
     /// Where complaints go.
     pub diagnostics: &'a Diagnostics,
+    /// Whether to go on in spite of complaints, printing them.
+    pub draft: bool,
 }
 
 /// The built site, in memory: path to bytes.
@@ -56,7 +58,10 @@ impl Build<'_> {
         let mut dist = Dist::default();
         self.chapters(&templates, &mut dist)?;
         self.pages(&templates, &mut dist)?;
-        self.diagnostics.check()?;
+        match self.diagnostics.check() {
+            Err(error) if self.draft => eprintln!("{error}"),
+            result => result?,
+        }
         let config = &self.site.config;
         self.page(&templates, &mut dist, "cover", "index.html", &config.title, &config.description, context! {})?;
         let rows = check::rows(self.checks, &self.site.sources);

@@ -14,6 +14,7 @@ mod diagnostic;
 mod directive;
 mod dist;
 mod document;
+mod environment;
 mod glossary;
 mod html;
 mod label;
@@ -31,6 +32,7 @@ mod scan;
 mod site;
 mod source;
 mod still;
+mod syntax;
 mod template;
 mod tex;
 

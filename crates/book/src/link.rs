@@ -52,10 +52,10 @@ pub fn faults(pages: &BTreeMap<String, String>, files: &BTreeSet<String>) -> Vec
             };
             if !files.contains(&target) {
                 faults.push(fault("leads nowhere"));
-            } else if let (Some(id), Some(target)) = (id, parsed.get(target.as_str())) {
-                if !target.ids.contains(id) {
-                    faults.push(fault("names an id that is not there"));
-                }
+            } else if let (Some(id), Some(target)) = (id, parsed.get(target.as_str()))
+                && !target.ids.contains(id)
+            {
+                faults.push(fault("names an id that is not there"));
             }
         }
     }
@@ -119,7 +119,7 @@ fn parse(html: &str) -> Page {
         if BLOCKS.contains(&name.as_str()) && inside("p") {
             page.faults.push(format!("<{name}> stands in a paragraph"));
         }
-        if name == "a" && inside("a") || name == "a" && inside("button") {
+        if name == "a" && (inside("a") || inside("button")) {
             page.faults.push(format!("a link in a link: <{tag}>"));
         }
         if !(VOID.contains(&name.as_str()) || tag.ends_with('/')) {
@@ -155,11 +155,7 @@ fn attributes(name: &str, tag: &str, page: &mut Page) {
         let text = value[..end].replace("&amp;", "&").replace("&quot;", "\"").replace("&#39;", "'");
         rest = value.get(end + 1..).unwrap_or("");
         match key.as_str() {
-            "id" => {
-                if !page.ids.insert(text.clone()) {
-                    page.faults.push(format!("the id `{text}` stands twice"));
-                }
-            }
+            "id" if !page.ids.insert(text.clone()) => page.faults.push(format!("the id `{text}` stands twice")),
             "href" | "src" => page.links.push((name.to_string(), key, text)),
             "aria-labelledby" | "aria-describedby" | "for" => page.links.push(("#ref".into(), key, text)),
             _ if key.starts_with("on") => page.faults.push(format!("a handler in the page: {key}")),

@@ -9,12 +9,13 @@ use crate::render::Renderer;
 use crate::tex::Style;
 
 impl Renderer<'_> {
-    /// Every work of `references.toml`.
+    /// Every work of `references.toml`, by author and year.
     pub(crate) fn reference_list(&self) -> String {
-        let works = self.site.references.works.iter();
-        let items: String =
-            works.map(|work| format!("<li id=\"ref-{}\">{}</li>\n", escape(&work.key), work.entry())).collect();
-        format!("<ul class=\"reference-list\">\n{items}</ul>\n")
+        let mut works: Vec<_> = self.site.references.iter().collect();
+        works.sort_by_key(|(_, work)| work.label().to_lowercase());
+        let items =
+            works.into_iter().map(|(key, work)| format!("<li id=\"ref-{}\">{}</li>\n", escape(key), work.entry()));
+        format!("<ul class=\"reference-list\">\n{}</ul>\n", items.collect::<String>())
     }
 
     /// The sections after the text.

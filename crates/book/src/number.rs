@@ -17,6 +17,13 @@ pub struct Number {
     pub check: Option<u8>,
 }
 
+impl From<labs::numbers::Number> for Number {
+    fn from(number: labs::numbers::Number) -> Self {
+        let labs::numbers::Number { id, value, about, source, check } = number;
+        Self { id, value, about: about.to_string(), source: source.to_string(), check }
+    }
+}
+
 /// Every number the content may print, by id.
 #[derive(Clone, Debug, Default)]
 pub struct Numbers {
@@ -108,7 +115,7 @@ impl Format {
     /// The digits, and the power of ten where the format has one.
     fn digits(self, value: f64) -> Result<(String, Option<i32>), String> {
         if !value.is_finite() {
-            return Err(format!("the number is {value}"));
+            return Err(format!("a number to print is {value}"));
         }
         let fixed = |value: f64, decimals: usize| {
             let text = format!("{value:.decimals$}");

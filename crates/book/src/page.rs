@@ -1,5 +1,6 @@
 //! Pages: a chapter or a single file rendered, with what goes around it.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Serialize;
@@ -107,7 +108,7 @@ fn contents(headings: &[Heading]) -> Vec<Section> {
 }
 
 fn search(body: &str, headings: &[Heading], address: &str) -> Vec<Found> {
-    let sections = crate::render::sections(body);
+    let sections = sections(body);
     let found = |heading: &Heading| Found {
         id: format!("{address}#{}", heading.id),
         page: address.to_string(),
@@ -116,6 +117,21 @@ fn search(body: &str, headings: &[Heading], address: &str) -> Vec<Found> {
         text: sections.get(&heading.id).cloned().unwrap_or_default(),
     };
     headings.iter().map(found).collect()
+}
+
+/// The words of each section by the id of its heading.
+fn sections(body: &str) -> BTreeMap<String, String> {
+    let mut starts: Vec<usize> =
+        ["<h2 id=\"", "<h3 id=\""].iter().flat_map(|tag| body.match_indices(tag)).map(|(at, _)| at).collect();
+    starts.sort_unstable();
+    let ends = starts.iter().skip(1).copied().chain([body.len()]);
+    let section = |(start, end): (usize, usize)| {
+        let id = body[start + 8..].split('"').next().unwrap_or_default().to_string();
+        let text = &body[start..end];
+        let text = text.find("</h").map_or(text, |heading| &text[heading + 5..]);
+        (id, html::words(text))
+    };
+    starts.iter().copied().zip(ends).map(section).collect()
 }
 
 #[cfg(test)]

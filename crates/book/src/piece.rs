@@ -16,7 +16,7 @@ impl Renderer<'_> {
     pub(crate) fn inline_piece(&mut self, spans: &mut Vec<String>, piece: &Piece, place: &Place) -> String {
         match piece {
             Piece::Math(tex) => self.formula(tex, Style::Inline, place),
-            Piece::Number { id, format } => self.number(id, format, place).unwrap_or_default(),
+            Piece::Number { id, format } => self.number(id, format, place),
             Piece::Ref(id) => self.reference(id, place).unwrap_or_default(),
             Piece::Cite(works) => self.citation(works, place),
             Piece::Notation { choset, thrun } => {
@@ -40,7 +40,7 @@ impl Renderer<'_> {
 
     /// A formula in both notations, its generated digits marked, and a way to them for the keyboard.
     pub(crate) fn formula(&mut self, tex: &str, style: Style, place: &Place) -> String {
-        let Some((tex, ids)) = self.fill(tex, place) else { return String::new() };
+        let (tex, ids) = self.fill(tex, place);
         let Some(formula) = self.diagnostics.ok(place, self.site.typesetter.render(&tex, style)) else {
             return String::new();
         };
@@ -62,7 +62,7 @@ impl Renderer<'_> {
     }
 
     /// TeX with its numbers filled in, and their ids.
-    fn fill(&mut self, tex: &str, place: &Place) -> Option<(String, BTreeSet<String>)> {
+    fn fill(&mut self, tex: &str, place: &Place) -> (String, BTreeSet<String>) {
         let mut filled = String::with_capacity(tex.len());
         let mut ids = BTreeSet::new();
         let mut rest = tex;
@@ -70,30 +70,33 @@ impl Renderer<'_> {
             let Some(end) = rest[start..].find("}}") else { break };
             let mut words = rest[start + 2..start + end].split_whitespace().skip(1);
             let (id, format) = (words.next().unwrap_or_default(), words.next().unwrap_or_default());
-            let value = self.diagnostics.ok(place, self.site.numbers.get(id))?.value;
-            let printed = Format::parse(format).and_then(|format| format.tex(value));
-            let printed = self.diagnostics.ok(place, printed.map_err(|error| format!("{error} (number `{id}`)")))?;
+            let value = self.site.numbers.get(id).map(|number| number.value);
+            let printed = value.and_then(|value| Format::parse(format)?.tex(value));
+            // A draft shows a question mark where a number is missing.
+            let printed = self.diagnostics.ok(place, printed).unwrap_or_else(|| "?".into());
             filled.push_str(&rest[..start]);
             filled.push_str(&format!("\\htmlData{{number={id}}}{{{printed}}}"));
-            ids.insert(id.to_string());
-            self.used.numbers.insert(id.to_string());
+            if self.site.numbers.get(id).is_ok() {
+                ids.insert(id.to_string());
+                self.used.numbers.insert(id.to_string());
+            }
             rest = &rest[start + end + 2..];
         }
         filled.push_str(rest);
-        Some((filled, ids))
+        (filled, ids)
     }
 
     /// A generated number in the text.
-    fn number(&mut self, id: &str, format: &str, place: &Place) -> Option<String> {
-        let value = self.diagnostics.ok(place, self.site.numbers.get(id))?.value;
-        let printed = Format::parse(format).and_then(|format| format.html(value));
-        let printed = self.diagnostics.ok(place, printed.map_err(|error| format!("{error} (number `{id}`)")))?;
+    fn number(&mut self, id: &str, format: &str, place: &Place) -> String {
+        let value = self.site.numbers.get(id).map(|number| number.value);
+        let printed = value.and_then(|value| Format::parse(format)?.html(value));
+        let Some(printed) = self.diagnostics.ok(place, printed) else { return "?".into() };
         self.used.numbers.insert(id.to_string());
         let id = escape(id);
-        Some(match self.plain {
+        match self.plain {
             true => format!("<span class=\"number\" data-number=\"{id}\">{printed}</span>"),
             false => format!("<a class=\"number\" href=\"#number-{id}\" data-number=\"{id}\">{printed}</a>"),
-        })
+        }
     }
 
     fn reference(&mut self, id: &str, place: &Place) -> Option<String> {

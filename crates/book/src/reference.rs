@@ -1,33 +1,20 @@
 //! `content/references.toml`: the works cited.
 
+use std::collections::BTreeMap;
+
 use serde::Deserialize;
 
 use crate::html::escape;
 
-/// The works, in the order of the list.
-#[derive(Clone, Debug, Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct References {
-    /// Each work.
-    #[serde(default, rename = "reference")]
-    pub works: Vec<Reference>,
-}
-
-impl References {
-    /// The work called `key`.
-    pub fn get(&self, key: &str) -> Option<&Reference> {
-        self.works.iter().find(|work| work.key == key)
-    }
-}
+/// The works, by key.
+pub type References = BTreeMap<String, Reference>;
 
 /// One work.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Reference {
-    /// What a citation calls it.
-    pub key: String,
-    /// Authors as printed in the list: "Thrun, S., Burgard, W., and Fox, D.".
-    pub authors: String,
+    /// Authors as printed in the list.
+    pub authors: Vec<String>,
     /// Year of publication.
     pub year: u32,
     /// Title.
@@ -52,9 +39,7 @@ pub struct Reference {
 impl Reference {
     /// "Kalman 1960", as HTML.
     pub fn label(&self) -> String {
-        // Last names and initials alternate.
-        let parts: Vec<&str> = self.authors.split(", ").map(|part| part.trim_start_matches("and ")).collect();
-        let last: Vec<&str> = parts.iter().step_by(2).copied().collect();
+        let last: Vec<&str> = self.authors.iter().map(|name| name.rsplit(' ').next().unwrap_or(name)).collect();
         let names = match last.as_slice() {
             _ if !self.short.is_empty() => self.short.clone(),
             [] => self.title.clone(),
@@ -69,7 +54,7 @@ impl Reference {
     pub fn entry(&self) -> String {
         let mut entry = format!(
             "<span class=\"reference-authors\">{}</span> ({}). <cite>{}</cite>.",
-            escape(&self.authors),
+            escape(&self.authors.join(", ")),
             self.year,
             escape(&self.title)
         );
@@ -96,13 +81,12 @@ mod tests {
     #[test]
     fn a_citation_names_up_to_two_authors() {
         let work = |authors: &str| {
-            let text =
-                format!("key = 'k'\nauthors = '{authors}'\nyear = 1960\ntitle = 'A New Approach'\ndoi = '10.1/x'");
+            let text = format!("authors = {authors}\nyear = 1960\ntitle = 'A New Approach'\ndoi = '10.1/x'");
             toml::from_str::<Reference>(&text).unwrap()
         };
-        assert_eq!(work("Kalman, R. E.").label(), "Kalman\u{a0}1960");
-        assert_eq!(work("Kalman, R. E., and Bucy, R. S.").label(), "Kalman and Bucy\u{a0}1960");
-        assert_eq!(work("Thrun, S., Burgard, W., and Fox, D.").label(), "Thrun et al.\u{a0}1960");
-        assert!(work("Kalman, R. E.").entry().contains("https://doi.org/10.1/x"));
+        assert_eq!(work("['R. E. Kalman']").label(), "Kalman\u{a0}1960");
+        assert_eq!(work("['R. E. Kalman', 'R. S. Bucy']").label(), "Kalman and Bucy\u{a0}1960");
+        assert_eq!(work("['S. Thrun', 'W. Burgard', 'D. Fox']").label(), "Thrun et al.\u{a0}1960");
+        assert!(work("['R. E. Kalman']").entry().contains("https://doi.org/10.1/x"));
     }
 }

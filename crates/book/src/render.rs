@@ -1,13 +1,13 @@
 //! A document to HTML: CommonMark's events, with every marker replaced by what it stands for.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, HeadingLevel, Tag, TagEnd, html::push_html};
 
 use crate::diagnostic::{Diagnostics, Place};
 use crate::directive::Opened;
 use crate::document::Document;
-use crate::html::{self, escape};
+use crate::html::escape;
 use crate::label::Labels;
 use crate::scan::{CLOSE, OPEN};
 use crate::site::Site;
@@ -319,20 +319,4 @@ impl Walk<'_> {
 /// The index in a block marker, `<!--12-->`.
 fn block_marker(html: &str) -> Option<usize> {
     html.trim().strip_prefix("<!--")?.strip_suffix("-->")?.parse().ok()
-}
-
-/// Labels and text of every section, for the search.
-pub fn sections(body: &str) -> BTreeMap<String, String> {
-    let starts: Vec<usize> =
-        ["<h2 id=\"", "<h3 id=\""].iter().flat_map(|tag| body.match_indices(tag)).map(|(at, _)| at).collect();
-    let mut starts: Vec<usize> = starts.into_iter().collect();
-    starts.sort_unstable();
-    let ends = starts.iter().skip(1).copied().chain([body.len()]);
-    let section = |(start, end): (usize, usize)| {
-        let id = body[start + 8..].split('"').next().unwrap_or_default().to_string();
-        let text = &body[start..end];
-        let text = text.find("</h").map_or(text, |heading| &text[heading + 5..]);
-        (id, html::words(text))
-    };
-    starts.iter().copied().zip(ends).map(section).collect()
 }

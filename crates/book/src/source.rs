@@ -116,7 +116,7 @@ impl Sources {
         let modules: Vec<_> = parts.collect();
         let stem = format!("{krate}{}", modules.join("/"));
         let declares = |line: &str| {
-            ["fn ", "const ", "static "].iter().any(|keyword| {
+            ["fn ", "const ", "struct ", "enum "].iter().any(|keyword| {
                 line.split(keyword).nth(1).is_some_and(|rest| {
                     rest.strip_prefix(name).is_some_and(|rest| rest.starts_with(['(', '<', ':', ' ']))
                 })

@@ -5,6 +5,7 @@ use std::path::Path;
 use minijinja::{Environment, UndefinedBehavior, Value};
 
 use crate::diagnostic::BuildError;
+use crate::html::escape;
 
 /// Fills templates.
 pub struct Templates {
@@ -20,6 +21,11 @@ impl Templates {
         let folder = root.join("web/templates");
         let mut environment = Environment::new();
         environment.set_undefined_behavior(UndefinedBehavior::SemiStrict);
+        environment.set_formatter(|out, _, value| {
+            let text = value.to_string();
+            let text = if value.is_safe() { text } else { escape(&text) };
+            out.write_str(&text).map_err(minijinja::Error::from)
+        });
         let entries = std::fs::read_dir(&folder).map_err(|e| BuildError::File(folder.display().to_string(), e))?;
         for entry in entries.flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
