@@ -1,0 +1,114 @@
+/**
+ * Bundles scripts, styles, fonts and the module into target/assets, with names that carry a hash of the content, and
+ * writes manifest.json: logical name → file name.
+ */
+
+import { createHash } from 'node:crypto'
+import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { basename, dirname, extname, join, relative } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { build } from 'esbuild'
+import { subsetFonts } from './fonts.mjs'
+
+const web = dirname(fileURLToPath(import.meta.url))
+const root = dirname(web)
+const out = join(root, 'target/assets')
+const pkg = join(root, 'target/pkg/web')
+
+/** Logical name → file name. @type {Record<string, string>} */
+const manifest = {}
+
+const shared = {
+  bundle: true,
+  minify: true,
+  outdir: out,
+  target: ['chrome109', 'firefox115', 'safari16.4'],
+  entryNames: '[name]-[hash]',
+  chunkNames: 'part-[hash]',
+  assetNames: '[name]-[hash]',
+  metafile: true,
+  logLevel: 'warning',
+  logOverride: { 'empty-import-meta': 'silent' },
+}
+
+/** The module's glue and the address of its binary. */
+const wasm = {
+  name: 'wasm',
+  setup(to) {
+    to.onResolve({ filter: /^estimate-wasm$/ }, () => ({ path: join(pkg, 'estimate_wasm.js') }))
+    to.onResolve({ filter: /^estimate-wasm\/wasm$/ }, () => ({ path: join(pkg, 'estimate_wasm_bg.wasm') }))
+  },
+}
+
+rmSync(out, { recursive: true, force: true })
+mkdirSync(out, { recursive: true })
+if (!existsSync(pkg)) throw new Error(`no wasm module in ${relative(root, pkg)}: run scripts/build`)
+
+const fonts = await subsetFonts(join(root, 'target/fonts'))
+
+const scripts = await build({
+  ...shared,
+  entryPoints: { page: join(web, 'page/page.js') },
+  format: 'esm',
+  splitting: true,
+  loader: { '.wasm': 'file' },
+  plugins: [wasm],
+})
+collect(scripts.metafile)
+const early = await build({ ...shared, entryPoints: { early: join(web, 'page/early.js') }, format: 'iife' })
+collect(early.metafile)
+
+const styles = await build({
+  ...shared,
+  entryPoints: { site: join(web, 'style/site.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
+  loader: { '.woff2': 'file', '.svg': 'file', '.woff': 'empty', '.ttf': 'empty' },
+  alias: { fonts },
+  plugins: [onlyWoff2()],
+})
+collect(styles.metafile)
+
+for (const file of readdirSync(out).filter((name) => name.endsWith('.woff2'))) {
+  const logical = { 'serif-upright': 'text.woff2', 'KaTeX_Main-Regular': 'katex-main.woff2', 'KaTeX_Math-Italic': 'katex-math.woff2' }
+  const name = logical[file.replace(/-[A-Z0-9]{8}\.woff2$/, '')]
+  if (name) manifest[name] = file
+}
+
+hashed('favicon.svg', readFileSync(join(web, 'page/favicon.svg')))
+const icon = manifest['favicon.svg']
+const app = readFileSync(join(web, 'page/manifest.webmanifest'), 'utf8').replaceAll('favicon.svg', icon)
+hashed('manifest.webmanifest', Buffer.from(app))
+cpSync(join(web, 'page/sw.js'), join(out, 'sw.js'))
+manifest['sw.js'] = 'sw.js'
+writeFileSync(join(out, 'manifest.json'), `${JSON.stringify(manifest, null, 2)}\n`)
+console.log(`target/assets: ${readdirSync(out).length} files`)
+
+/** @param {import('esbuild').Metafile} metafile */
+function collect({ outputs }) {
+  for (const [path, output] of Object.entries(outputs)) {
+    const file = basename(path)
+    if (output.entryPoint) manifest[`${file.replace(/-[A-Z0-9]{8}\.(js|css)$/, '.$1')}`] = file
+    else if (file.endsWith('.wasm')) manifest['estimate.wasm'] = file
+  }
+}
+
+/** KaTeX names three formats of each face; the page knows one. */
+function onlyWoff2() {
+  return {
+    name: 'only-woff2',
+    setup(to) {
+      to.onLoad({ filter: /katex\.min\.css$/ }, ({ path }) => ({
+        contents: readFileSync(path, 'utf8').replace(/,url\([^)]*\.(?:woff|ttf)\) format\("[a-z]+"\)/g, ''),
+        loader: 'css',
+        resolveDir: dirname(path),
+      }))
+    },
+  }
+}
+
+/** @param {string} name @param {Buffer} content */
+function hashed(name, content) {
+  const hash = createHash('sha256').update(content).digest('hex').slice(0, 8).toUpperCase()
+  const file = `${basename(name, extname(name))}-${hash}${extname(name)}`
+  writeFileSync(join(out, file), content)
+  manifest[name] = file
+}

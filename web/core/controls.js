@@ -1,0 +1,224 @@
+/**
+ * Native controls with a visible label, and their value in words for those who hear it.
+ *
+ * A control shows one parameter and reports what the reader makes of it; it neither draws nor computes.
+ */
+
+import { Pen } from './pen.js'
+import { SVG, writeHtml } from './words.js'
+
+/** @typedef {import('./words.js').Words} Words */
+/** @typedef {{ at: number, name: Words, kind?: 'limit' | 'plain' }} Notch a named place on a slider */
+
+/**
+ * @typedef {object} RangeControl
+ * @property {'range'} kind
+ * @property {string} name the parameter
+ * @property {Words} label
+ * @property {number} min
+ * @property {number} max
+ * @property {number} step
+ * @property {(value: number, frame: any) => string} words the value as shown and as said
+ * @property {(frame: any) => Notch[]} [notches]
+ * @property {(params: any) => any} [get] what it shows, if not the parameter of its name
+ * @property {(value: any, params: any) => Record<string, unknown>} [set] the change it makes, likewise
+ * @property {(params: any) => boolean} [enabled]
+ *
+ * @typedef {object} ChoiceControl
+ * @property {'choice'} kind
+ * @property {string} name
+ * @property {Words} label
+ * @property {{ value: any, label: string }[]} options
+ * @property {(params: any) => any} [get]
+ * @property {(value: any, params: any) => Record<string, unknown>} [set]
+ * @property {(params: any) => boolean} [enabled]
+ *
+ * @typedef {object} ToggleControl
+ * @property {'toggle'} kind
+ * @property {string} name
+ * @property {Words} label
+ * @property {any} [on] true if not given
+ * @property {any} [off] false if not given
+ * @property {(params: any) => any} [get]
+ * @property {(value: any, params: any) => Record<string, unknown>} [set]
+ * @property {(params: any) => boolean} [enabled]
+ *
+ * @typedef {object} WholeControl
+ * @property {'whole'} kind
+ * @property {string} name
+ * @property {Words} label
+ * @property {number} min
+ * @property {number} max
+ * @property {(params: any) => any} [get]
+ * @property {(value: any, params: any) => Record<string, unknown>} [set]
+ * @property {(params: any) => boolean} [enabled]
+ *
+ * @typedef {object} ActionControl a button that changes parameters
+ * @property {'action'} kind
+ * @property {string} name unique; no parameter
+ * @property {Words} label
+ * @property {(frame: any, lab: any) => Record<string, unknown>} change computed by the lab, not here
+ * @property {(params: any) => boolean} [enabled]
+ *
+ * @typedef {RangeControl | ChoiceControl | ToggleControl | WholeControl | ActionControl} Control
+ */
+
+/** @typedef {{ element: HTMLElement, show: (params: any, frame: any) => void }} Shown */
+
+/**
+ * @param {Document} document
+ * @param {Control} control
+ * @param {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} change
+ * @returns {Shown}
+ */
+export function buildControl(document, control, change) {
+  if (control.kind === 'action') return action(document, control, change)
+  const label = document.createElement('label')
+  label.className = `control control-${control.kind}`
+  const name = document.createElement('span')
+  name.className = 'control-name'
+  writeHtml(name, control.label)
+  const made = BUILD[control.kind](document, /** @type {any} */ (control), (value) => change({}, ({ params }) => control.set?.(value, params) ?? { [control.name]: value }))
+  if (control.kind === 'toggle') label.append(made.body, name)
+  else label.append(name, made.body)
+  return {
+    element: label,
+    show(params, frame) {
+      made.input.disabled = control.enabled ? !control.enabled(params) : false
+      made.show(control.get ? control.get(params) : params[control.name], frame)
+    },
+  }
+}
+
+/** @param {Document} document @param {ActionControl} control @param {Function} change @returns {Shown} */
+function action(document, control, change) {
+  const button = document.createElement('button')
+  button.type = 'button'
+  button.className = 'button'
+  writeHtml(button, control.label)
+  button.addEventListener('click', () => change({}, control.change))
+  return {
+    element: button,
+    show(params) {
+      button.disabled = control.enabled ? !control.enabled(params) : false
+    },
+  }
+}
+
+/**
+ * @typedef {{ body: HTMLElement, input: HTMLInputElement | HTMLSelectElement, show: (value: any, frame: any) => void }} Made
+ * @type {Record<'range' | 'choice' | 'toggle' | 'whole', (document: Document, control: any, change: (value: unknown) => void) => Made>}
+ */
+const BUILD = { range, choice, toggle, whole }
+
+/** @param {Document} document @param {RangeControl} control @param {(value: number) => void} change @returns {Made} */
+function range(document, control, change) {
+  const body = document.createElement('span')
+  body.className = 'control-body'
+  const input = document.createElement('input')
+  input.setAttribute('type', 'range')
+  for (const key of /** @type {const} */ (['min', 'max', 'step'])) input.setAttribute(key, String(control[key]))
+  const value = document.createElement('span')
+  value.className = 'control-value'
+  value.setAttribute('aria-hidden', 'true')
+  const track = document.createElement('span')
+  track.className = 'control-track'
+  const notches = document.createElementNS(SVG, 'svg')
+  notches.setAttribute('class', 'notches')
+  notches.setAttribute('aria-hidden', 'true')
+  track.append(input, notches)
+  body.append(track, value)
+  const pen = new Pen(notches)
+
+  input.addEventListener('input', () => change(Number(input.value)))
+  input.addEventListener('keydown', (event) => {
+    const sign = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key]
+    if (!sign || !event.shiftKey) return
+    event.preventDefault()
+    input.value = String(Number(input.value) + sign * control.step * 10)
+    change(Number(input.value))
+  })
+  return {
+    body,
+    input,
+    show(now, frame) {
+      if (Number(input.value) !== now || !input.hasAttribute('value')) {
+        input.setAttribute('value', String(now))
+        input.value = String(now)
+      }
+      const words = control.words(now, frame)
+      if (value.textContent !== words) value.textContent = words
+      input.setAttribute('aria-valuetext', words)
+      const share = (/** @type {number} */ at) => `${Math.round(((at - control.min) / (control.max - control.min)) * 1e4) / 100}%`
+      pen.draw(() => {
+        for (const [i, notch] of (control.notches?.(frame) ?? []).entries()) {
+          if (notch.at < control.min || notch.at > control.max) continue
+          const x = share(notch.at)
+          pen.mark('line', `line${i}`, { class: `notch ${notch.kind ?? 'plain'}`, x1: x, x2: x, y1: 0, y2: 6 })
+          pen.text(`name${i}`, { class: `notch-name ${notch.kind ?? 'plain'}`, x, y: 18, 'text-anchor': 'middle' }, notch.name)
+        }
+      })
+    },
+  }
+}
+
+/** @param {Document} document @param {ChoiceControl} control @param {(value: unknown) => void} change @returns {Made} */
+function choice(document, control, change) {
+  const input = document.createElement('select')
+  for (const [i, { label }] of control.options.entries()) {
+    const option = document.createElement('option')
+    option.setAttribute('value', String(i))
+    option.textContent = label
+    input.append(option)
+  }
+  input.addEventListener('change', () => change(control.options[Number(input.value)].value))
+  return {
+    body: input,
+    input,
+    show(now) {
+      const chosen = control.options.findIndex(({ value }) => value === now)
+      if (input.selectedIndex === chosen) return
+      for (const [i, option] of [...input.options].entries()) option.selected = i === chosen
+    },
+  }
+}
+
+/** @param {Document} document @param {ToggleControl} control @param {(value: unknown) => void} change @returns {Made} */
+function toggle(document, control, change) {
+  const { on = true, off = false } = control
+  const input = document.createElement('input')
+  input.setAttribute('type', 'checkbox')
+  input.addEventListener('change', () => change(input.checked ? on : off))
+  return {
+    body: input,
+    input,
+    show(now) {
+      input.checked = now === on
+    },
+  }
+}
+
+/** @param {Document} document @param {WholeControl} control @param {(value: number) => void} change @returns {Made} */
+function whole(document, control, change) {
+  const input = document.createElement('input')
+  input.setAttribute('type', 'number')
+  input.setAttribute('inputmode', 'numeric')
+  for (const key of /** @type {const} */ (['min', 'max'])) input.setAttribute(key, String(control[key]))
+  input.setAttribute('step', '1')
+  input.addEventListener('change', () => {
+    const asked = Number(input.value)
+    const kept = Number.isFinite(asked) ? Math.round(Math.min(control.max, Math.max(control.min, asked))) : control.min
+    input.value = String(kept)
+    change(kept)
+  })
+  return {
+    body: input,
+    input,
+    show(now) {
+      if (Number(input.value) === now && input.value !== '') return
+      input.setAttribute('value', String(now))
+      input.value = String(now)
+    },
+  }
+}
+

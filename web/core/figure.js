@@ -1,0 +1,345 @@
+/**
+ * A figure's life: still → loading → live, or failed with a way to try again.
+ *
+ * It starts when it comes near the screen and rests when it leaves or the tab hides. Input only writes what is wanted;
+ * one turn of the animation frame does the work: parameters to the lab, steps that are due, one frame, one drawing.
+ */
+
+import { asCsv, asSvg, save } from './download.js'
+import { liveHandles } from './handle.js'
+import { readState, withState } from './link.js'
+import { loadModule } from './module.js'
+import { STEP_MS, ease } from './motion.js'
+import { buildShell } from './shell.js'
+
+/** @typedef {import('./spec.js').FigureSpec} FigureSpec */
+
+const NEAR = '300px 0px'
+const MOST_STEPS = 64
+
+/**
+ * Defines the custom element of a specification.
+ * @param {FigureSpec} spec
+ */
+export function defineFigure(spec) {
+  if (customElements.get(spec.tag)) return
+  customElements.define(spec.tag, class extends HTMLElement {
+    /** @type {Figure | null} */
+    figure = null
+
+    connectedCallback() {
+      this.figure ??= new Figure(this, spec)
+      this.figure.watch()
+    }
+
+    disconnectedCallback() {
+      this.figure?.rest()
+    }
+
+    /** The frame on the screen, for tests and for the curious. */
+    get frame() {
+      return this.figure?.frame ?? null
+    }
+
+    /** Parameters and step, as a link carries them. */
+    get state() {
+      return this.figure?.lab?.state() ?? null
+    }
+  })
+}
+
+class Figure {
+  /** @param {HTMLElement} host @param {FigureSpec} spec */
+  constructor(host, spec) {
+    this.host = host
+    this.spec = spec
+    this.id = host.dataset.figure || spec.tag
+    /** @type {any} */
+    this.lab = null
+    /** @type {any} */
+    this.frame = null
+    /** @type {any} */
+    this.previous = null
+    /** @type {import('./shell.js').Shell | null} */
+    this.shell = null
+    this.playing = false
+    this.rate = 1
+    this.near = false
+    /** What the reader wants and the next turn does. @type {{ patch: Record<string, unknown> | null, steps: number, reset: boolean, draw: boolean }} */
+    this.wanted = { patch: null, steps: 0, reset: false, draw: false }
+    this.due = 0
+    this.beatStart = -Infinity
+    this.turned = NaN
+    this.memory = {}
+    this.said = /** @type {any} */ (null)
+    this.calm = matchMedia('(prefers-reduced-motion: reduce)')
+    this.asked = 0
+    /** @type {IntersectionObserver | undefined} */
+    this.eye = undefined
+    /** @type {ResizeObserver | undefined} */
+    this.resized = undefined
+    this.speaking = 0
+    /** @type {ReturnType<typeof setTimeout> | undefined} */
+    this.noting = undefined
+    this.handle = liveHandles((patch) => this.change(patch))
+    this.status = document.createElement('p')
+    this.status.className = 'visually-hidden'
+    this.status.setAttribute('role', 'status')
+  }
+
+  watch() {
+    this.host.dataset.state ??= 'still'
+    this.eye ??= new IntersectionObserver((entries) => this.approach(entries[entries.length - 1].isIntersecting), { rootMargin: NEAR })
+    this.eye.observe(this.host)
+    document.addEventListener('visibilitychange', this.wake)
+  }
+
+  rest() {
+    this.eye?.disconnect()
+    this.resized?.disconnect()
+    document.removeEventListener('visibilitychange', this.wake)
+    cancelAnimationFrame(this.asked)
+    this.asked = 0
+    this.near = false
+  }
+
+  wake = () => this.ask()
+
+  /** @param {boolean} near */
+  approach(near) {
+    this.near = near
+    if (near && this.host.dataset.state === 'still') this.start()
+    else if (near && this.shell) this.ask()
+  }
+
+  async start() {
+    this.host.dataset.state = 'loading'
+    this.host.querySelector('.figure-failure')?.remove()
+    const loaded = await loadModule()
+    if (!loaded.ok) return this.fail(loaded.why)
+    try {
+      const notice = this.open(loaded.module)
+      this.live()
+      if (notice) this.tell(notice)
+    } catch (error) {
+      this.fail(error instanceof Error ? error.message : 'its lab could not be started')
+    }
+  }
+
+  /**
+   * The lab in the state of the address, of the page, or of the specification, in this order.
+   * @param {any} module
+   */
+  open(module) {
+    const Lab = module[this.spec.lab]
+    if (!Lab) throw new Error(`the module holds no ${this.spec.lab}`)
+    const start = { ...this.spec.start, ...JSON.parse(this.host.dataset.start ?? '{}') }
+    const usual = { version: 1, lab: this.spec.name, step: start.step, params: { ...this.spec.start.params, ...start.params } }
+    const linked = readState(location.href, this.id, this.spec.name)
+    try {
+      this.lab = Lab.from(linked && linked !== 'mangled' ? linked : usual)
+    } catch {
+      this.lab = Lab.from(usual)
+      return 'The link to this figure could not be read; it shows its usual state.'
+    }
+    return linked === 'mangled' ? 'The link to this figure could not be read; it shows its usual state.' : ''
+  }
+
+  live() {
+    const into = document.createElement('div')
+    into.className = 'live'
+    this.shell = buildShell(document, this.spec, into, {
+      play: () => this.play(!this.playing),
+      step: () => this.steps(),
+      reset: () => this.reset(),
+      speed: (rate) => {
+        this.rate = rate
+        this.want('draw', true)
+      },
+      change: (patch, make) => this.change(make ? make(this.frame, this.lab) : patch),
+      link: () => this.copyLink(),
+      download: (kind) => this.download(kind),
+    })
+    this.take(this.lab.frame())
+    this.said = this.frame
+    this.host.append(into, this.status)
+    this.host.dataset.state = 'live'
+    this.resized = new ResizeObserver(() => this.measure())
+    for (const { svg } of Object.values(this.shell.panels)) this.resized.observe(svg)
+    this.measure()
+    this.turn(performance.now())
+  }
+
+  /** @param {string} why */
+  fail(why) {
+    this.host.dataset.state = 'failed'
+    const words = document.createElement('p')
+    words.className = 'figure-failure'
+    words.setAttribute('role', 'status')
+    words.append(`This figure is a still picture: ${why}. `)
+    const again = document.createElement('button')
+    again.type = 'button'
+    again.className = 'button'
+    again.textContent = 'Try again'
+    again.addEventListener('click', () => this.start())
+    words.append(again)
+    this.host.append(words)
+  }
+
+  measure() {
+    for (const panel of Object.values(this.shell?.panels ?? {})) {
+      const { width, height } = panel.svg.getBoundingClientRect()
+      if (width < 1 || (Math.abs(panel.width - width) < 0.5 && Math.abs(panel.height - height) < 0.5)) continue
+      const usual = this.spec.panels.find(({ name }) => panel.svg.classList.contains(`panel-${name}`))
+      panel.width = width
+      panel.height = usual ? (width * usual.height) / usual.width : height
+      panel.svg.setAttribute('viewBox', `0 0 ${panel.width} ${panel.height}`)
+    }
+    this.want('draw', true)
+  }
+
+  // What the reader wants.
+
+  /** @param {Record<string, unknown>} patch */
+  change(patch) {
+    this.want('patch', { ...this.wanted.patch, ...patch })
+  }
+
+  /** @param {boolean} on */
+  play(on) {
+    this.playing = on
+    this.due = on ? 1 : 0
+    this.want('draw', true)
+  }
+
+  steps() {
+    this.playing = false
+    this.want('steps', this.wanted.steps + (this.spec.stride ?? 1))
+  }
+
+  reset() {
+    this.playing = false
+    this.want('reset', true)
+  }
+
+  /**
+   * @template {keyof Figure['wanted']} K
+   * @param {K} key
+   * @param {Figure['wanted'][K]} value
+   */
+  want(key, value) {
+    this.wanted[key] = value
+    this.ask()
+  }
+
+  ask() {
+    if (this.asked || !this.shell || !this.near || document.hidden) return
+    this.asked = requestAnimationFrame((now) => {
+      this.asked = 0
+      this.turn(now)
+    })
+  }
+
+  // What a turn does.
+
+  /** @param {number} now */
+  turn(now) {
+    const elapsed = Number.isNaN(this.turned) ? Infinity : now - this.turned
+    this.turned = now
+    const { patch, reset } = this.wanted
+    const steps = this.wanted.steps + this.dueSteps(elapsed)
+    this.wanted = { patch: null, steps: 0, reset: false, draw: false }
+    try {
+      if (patch) this.lab.set(patch)
+      if (reset) this.restart()
+      if (steps > 0) this.lab.run(steps)
+      if (patch || reset || steps > 0) this.take(this.lab.frame(), steps > 0 && !patch && !reset, now)
+    } catch (error) {
+      this.playing = false
+      this.tell(error instanceof Error ? error.message : 'The lab refused.')
+    }
+    const moving = this.paint(now, elapsed)
+    if (moving || this.playing) this.ask()
+    else this.turned = NaN
+  }
+
+  /** @param {number} elapsed */
+  dueSteps(elapsed) {
+    if (!this.playing) return 0
+    this.due += Number.isFinite(elapsed) ? (Math.min(elapsed, 250) / 1000) * this.rate * (this.spec.pace ?? 2) : 0
+    const whole = Math.min(Math.floor(this.due), MOST_STEPS)
+    this.due -= whole
+    return whole
+  }
+
+  restart() {
+    const { step: _, ...state } = this.lab.state()
+    const fresh = this.lab.constructor.from({ ...state, step: 0 })
+    this.lab.free()
+    this.lab = fresh
+    this.memory = {}
+  }
+
+  /** @param {any} frame @param {boolean} [stepped] @param {number} [now] */
+  take(frame, stepped = false, now = 0) {
+    this.previous = stepped ? this.frame : null
+    this.frame = frame
+    const slow = !this.playing || this.rate * (this.spec.pace ?? 2) <= 1000 / STEP_MS
+    this.beatStart = stepped && slow && this.spec.beats && !this.calm.matches ? now : -Infinity
+    clearTimeout(this.speaking)
+    this.speaking = window.setTimeout(() => this.announce(), this.playing ? 4000 : 500)
+  }
+
+  /** @param {number} now @param {number} elapsed */
+  paint(now, elapsed) {
+    const { shell, spec, frame } = this
+    if (!shell) return false
+    const t = (now - this.beatStart) / (STEP_MS / 2)
+    const beat = t < 1 ? { name: /** @type {const} */ ('predict'), t: ease(Math.max(0, t)) }
+      : t < 2 ? { name: /** @type {const} */ ('update'), t: ease(t - 1) } : { name: /** @type {const} */ ('rest'), t: 1 }
+    const glide = this.calm.matches ? Infinity : Number.isFinite(elapsed) ? elapsed : this.previous || this.frame !== this.said ? 16 : Infinity
+    const moving = spec.draw(shell.panels, frame, { previous: this.previous, beat, elapsed: glide, memory: this.memory, handle: this.handle }) === true
+    shell.show(frame, { rate: this.rate, playing: this.playing })
+    for (const [name, words] of Object.entries(beat.name === 'rest' ? spec.describe(frame) : {})) {
+      const { svg } = shell.panels[name]
+      if (svg.getAttribute('aria-label') !== words) svg.setAttribute('aria-label', words)
+    }
+    return moving || beat.name !== 'rest'
+  }
+
+  // What it says and gives.
+
+  announce() {
+    const words = this.spec.announce(this.frame, this.said)
+    this.said = this.frame
+    if (words) this.status.textContent = words
+  }
+
+  /** @param {string} words said and shown for a while */
+  tell(words) {
+    this.status.textContent = words
+    if (!this.shell) return
+    const { note } = this.shell
+    note.textContent = words
+    clearTimeout(this.noting)
+    this.noting = setTimeout(() => { note.textContent = '' }, 8000)
+  }
+
+  async copyLink() {
+    const link = withState(location.href, this.id, this.lab.state())
+    try {
+      await navigator.clipboard.writeText(link)
+      this.tell('Link copied.')
+    } catch {
+      history.replaceState(null, '', link)
+      this.tell('The link is in the address bar.')
+    }
+  }
+
+  /** @param {'svg' | 'csv'} kind */
+  download(kind) {
+    if (!this.shell) return
+    if (kind === 'csv') save(`${this.id}.csv`, 'text/csv', asCsv(this.spec.series(this.frame)))
+    else save(`${this.id}.svg`, 'image/svg+xml', asSvg(this.shell.into, Object.values(this.spec.describe(this.frame)).join(' ')))
+  }
+}

@@ -1,0 +1,72 @@
+/** Easing, tweens and a camera that follows: what moves between two frames. */
+
+/** @typedef {{ semiMajor: number, semiMinor: number, angle: number }} Ellipse */
+/** @typedef {{ x: number[], ellipse: Ellipse }} Blob a mean and its ellipse */
+
+/** Length of a step on the screen, predict and update together. */
+export const STEP_MS = 250
+
+/** @param {number} t */
+export function ease(t) {
+  return t < 0.5 ? 4 * t ** 3 : 1 - (2 - 2 * t) ** 3 / 2
+}
+
+/**
+ * @param {number} from
+ * @param {number} to
+ * @param {number} t
+ */
+export function mix(from, to, t) {
+  return from + (to - from) * t
+}
+
+/**
+ * Between two beliefs, the short way round.
+ * @template {Blob} B
+ * @param {B} from
+ * @param {B} to
+ * @param {number} t
+ * @returns {B}
+ */
+export function between(from, to, t) {
+  if (t >= 1) return to
+  const turn = to.ellipse.angle - from.ellipse.angle
+  const short = turn - Math.PI * Math.round(turn / Math.PI)
+  return {
+    ...to,
+    x: to.x.map((value, i) => mix(from.x[i], value, t)),
+    ellipse: {
+      semiMajor: mix(from.ellipse.semiMajor, to.ellipse.semiMajor, t),
+      semiMinor: mix(from.ellipse.semiMinor, to.ellipse.semiMinor, t),
+      angle: from.ellipse.angle + short * t,
+    },
+  }
+}
+
+/**
+ * A camera's reach: at once at first, then gliding. It widens when the picture outgrows it and narrows only when the
+ * picture has become much smaller, so that it does not breathe with every step.
+ */
+export class Zoom {
+  constructor() {
+    /** @type {number | null} */
+    this.reach = null
+    this.goal = 1
+  }
+
+  /**
+   * @param {number} extent what has to be seen
+   * @param {number} elapsed milliseconds since the last frame; infinite for a still
+   * @returns {boolean} whether it still moves
+   */
+  follow(extent, elapsed) {
+    const wide = Number.isFinite(extent) && extent > 0 ? extent : 1
+    if (this.reach === null || wide > this.goal || wide < this.goal / 2.2) this.goal = wide * 1.18
+    if (this.reach === null) this.reach = this.goal
+    const t = 1 - Math.exp(-elapsed / 110)
+    const reach = Math.exp(mix(Math.log(this.reach), Math.log(this.goal), t))
+    const arrived = Math.abs(Math.log(reach / this.goal)) < 0.002
+    this.reach = arrived ? this.goal : reach
+    return !arrived
+  }
+}

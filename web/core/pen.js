@@ -1,0 +1,137 @@
+/**
+ * A pen draws a picture anew each time and keeps the elements it drew last time.
+ *
+ * A mark is asked for by its key. Known from the last round, it is the same element with new attributes; asked for no
+ * longer, it is gone; and marks always stand in the order they were asked for. The same calls draw a still in Node.
+ */
+
+import { SVG, writeSvg } from './words.js'
+
+/** @typedef {Record<string, string | number | null | undefined>} Attributes */
+/** @typedef {{ element: Element, turn: number, last: Map<string, string>, said: string, pen: Pen | null }} Held */
+
+export class Pen {
+  /** @param {Element} root an `svg` or a `g` */
+  constructor(root) {
+    this.root = root
+    this.turn = 0
+    /** @type {Map<string, Held>} */
+    this.kept = new Map()
+    /** @type {Element | null} */
+    this.latest = null
+  }
+
+  /**
+   * One round: everything that `paint` does not ask for again is removed.
+   * @param {(pen: Pen) => void} paint
+   */
+  draw(paint) {
+    this.turn += 1
+    this.latest = null
+    paint(this)
+    for (const [key, held] of this.kept) {
+      if (held.turn === this.turn) continue
+      held.element.remove()
+      this.kept.delete(key)
+    }
+  }
+
+  /**
+   * @param {string} tag
+   * @param {string} key unique among its siblings
+   * @param {Attributes} [attributes] numbers are rounded to a hundredth of a pixel; null takes an attribute away
+   * @returns {Element}
+   */
+  mark(tag, key, attributes = {}) {
+    return this.hold(tag, key, attributes).element
+  }
+
+  /**
+   * @param {string} key
+   * @param {Attributes} attributes
+   * @param {import('./words.js').Words} words
+   */
+  text(key, attributes, words) {
+    const held = this.hold('text', key, attributes)
+    const said = typeof words === 'string' ? words : `${words.choset}\n${words.thrun}`
+    if (held.said !== said) {
+      writeSvg(held.element, words)
+      held.said = said
+    }
+    return held.element
+  }
+
+  /**
+   * @param {string} key
+   * @param {Attributes} attributes
+   * @param {(pen: Pen) => void} paint
+   */
+  group(key, attributes, paint) {
+    return this.nest('g', key, attributes, paint)
+  }
+
+  /**
+   * A window in the same coordinates: what is drawn beyond its edges is cut off.
+   * @param {string} key
+   * @param {import('./plot.js').Box} box
+   * @param {(pen: Pen) => void} paint
+   */
+  window(key, { left, top, right, bottom }, paint) {
+    const [width, height] = [right - left, bottom - top]
+    return this.nest('svg', key, { x: left, y: top, width, height, viewBox: [left, top, width, height].join(' '), class: 'window' }, paint)
+  }
+
+  /**
+   * @param {string} tag
+   * @param {string} key
+   * @param {Attributes} attributes
+   * @param {(pen: Pen) => void} paint
+   */
+  nest(tag, key, attributes, paint) {
+    const held = this.hold(tag, key, attributes)
+    held.pen ??= new Pen(held.element)
+    held.pen.draw(paint)
+    return held.element
+  }
+
+  /**
+   * @param {string} tag
+   * @param {string} key
+   * @param {Attributes} attributes
+   * @returns {Held}
+   */
+  hold(tag, key, attributes) {
+    let held = this.kept.get(key)
+    if (!held) {
+      const element = this.root.ownerDocument.createElementNS(SVG, tag)
+      held = { element, turn: 0, last: new Map(), said: '', pen: null }
+      this.kept.set(key, held)
+    }
+    this.place(held.element)
+    held.turn = this.turn
+    for (const [name, value] of Object.entries(attributes)) {
+      const text = typeof value === 'number' ? String(Math.round(value * 100) / 100) : value
+      if (held.last.get(name) === text) continue
+      if (text === null || text === undefined) {
+        held.element.removeAttribute(name)
+        held.last.delete(name)
+      } else {
+        held.element.setAttribute(name, text)
+        held.last.set(name, text)
+      }
+    }
+    return held
+  }
+
+  /**
+   * Puts an element behind the latest mark. An element already in the picture is never moved (that would cost it the
+   * focus): what stands before it goes to the end.
+   * @param {Element} element
+   */
+  place(element) {
+    const next = () => (this.latest ? this.latest.nextElementSibling : this.root.firstElementChild)
+    if (element.parentNode !== this.root) this.root.insertBefore(element, next())
+    else for (let before = next(); before && before !== element; before = next()) this.root.append(before)
+    this.latest = element
+  }
+}

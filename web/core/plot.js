@@ -1,0 +1,262 @@
+/**
+ * Scales, axes and the shapes that figures share. Drawing only: an ellipse comes from the core as axes and angle.
+ *
+ * A mark's class says what it means (`prediction`, `posterior`, `measurement`, `truth`) and `data-kin` lights it up.
+ */
+
+import { scaleLinear, scaleLog } from 'd3-scale'
+import { curveLinear, line } from 'd3-shape'
+
+export { scaleLinear, scaleLog }
+
+/** @typedef {import('./pen.js').Pen} Pen */
+/** @typedef {import('./words.js').Words} Words */
+/** @typedef {'prediction' | 'posterior' | 'measurement' | 'truth'} Kin */
+/** @typedef {import('d3-scale').ScaleContinuousNumeric<number, number>} Scale */
+/** @typedef {{ left: number, top: number, right: number, bottom: number }} Box pixels */
+/** @typedef {{ x: Scale, y: Scale, box: Box }} Plane */
+
+/**
+ * Class and kin of a mark.
+ * @param {string} shape
+ * @param {Kin | null} [kin]
+ */
+export function meaning(shape, kin) {
+  return kin ? { class: `mark ${shape} ${kin}`, 'data-kin': kin } : { class: `mark ${shape}` }
+}
+
+/**
+ * A plane with the same scale on both axes: `reach` units to the nearer edge from the centre.
+ * @param {Box} box
+ * @param {[number, number]} centre
+ * @param {number} reach
+ * @returns {Plane}
+ */
+export function evenPlane(box, [cx, cy], reach) {
+  const [w, h] = [(box.right - box.left) / 2, (box.bottom - box.top) / 2]
+  const unit = Math.min(w, h) / reach
+  return {
+    box,
+    x: scaleLinear([cx - w / unit, cx + w / unit], [box.left, box.right]),
+    y: scaleLinear([cy - h / unit, cy + h / unit], [box.bottom, box.top]),
+  }
+}
+
+/**
+ * Ticks, faint grid and the names of the axes.
+ * @param {Pen} pen
+ * @param {Plane} plane
+ * @param {{ x?: Words, y?: Words, title?: Words, ticks?: [number, number], grid?: boolean, zero?: boolean }} [names]
+ */
+export function axes(pen, { x, y, box }, names = {}) {
+  const [nx, ny] = names.ticks ?? [5, 5]
+  const format = { x: x.tickFormat(nx), y: y.tickFormat(ny) }
+  pen.group('axes', { class: 'axes' }, (to) => {
+    for (const value of shown(y.ticks(ny), y, box.top, box.bottom)) {
+      const at = y(value)
+      if (names.grid !== false) to.mark('line', `gy${value}`, { class: 'grid', x1: box.left, x2: box.right, y1: at, y2: at })
+      to.text(`ty${value}`, { class: 'tick', x: box.left - 6, y: at + 4, 'text-anchor': 'end' }, format.y(value))
+    }
+    for (const value of shown(x.ticks(nx), x, box.left, box.right)) {
+      const at = x(value)
+      if (names.grid !== false) to.mark('line', `gx${value}`, { class: 'grid', x1: at, x2: at, y1: box.top, y2: box.bottom })
+      to.text(`tx${value}`, { class: 'tick', x: at, y: box.bottom + 15, 'text-anchor': 'middle' }, format.x(value))
+    }
+    to.mark('line', 'base', { class: 'axis', x1: box.left, x2: box.right, y1: box.bottom, y2: box.bottom })
+    to.mark('line', 'side', { class: 'axis', x1: box.left, x2: box.left, y1: box.top, y2: box.bottom })
+    if (names.zero) {
+      if (inside(y(0), box.top, box.bottom)) to.mark('line', 'zy', { class: 'zero', x1: box.left, x2: box.right, y1: y(0), y2: y(0) })
+      if (inside(x(0), box.left, box.right)) to.mark('line', 'zx', { class: 'zero', x1: x(0), x2: x(0), y1: box.top, y2: box.bottom })
+    }
+    if (names.title) to.text('title', { class: 'plot-title', x: box.left, y: box.top - 9 }, names.title)
+    if (names.x) to.text('x', { class: 'axis-name', x: box.right, y: box.bottom + 32, 'text-anchor': 'end' }, names.x)
+    if (names.y) to.text('y', { class: 'axis-name', x: box.left, y: box.top - 9 }, names.y)
+  })
+}
+
+/** @param {number} at @param {number} low @param {number} high */
+function inside(at, low, high) {
+  return at >= low && at <= high
+}
+
+/** @param {number[]} ticks @param {Scale} scale @param {number} low @param {number} high */
+function shown(ticks, scale, low, high) {
+  const all = ticks.filter((value) => inside(scale(value), low - 0.5, high + 0.5))
+  return all.length <= 8 ? all : all.filter((value) => Number.isInteger(Math.log10(value)))
+}
+
+/**
+ * The outline of an ellipse under the plane's scales.
+ * @param {{ semiMajor: number, semiMinor: number, angle: number }} ellipse
+ * @param {number[]} centre
+ * @param {Plane} plane
+ * @param {number} [radius] a multiple of the axes
+ */
+export function ellipsePath({ semiMajor, semiMinor, angle }, centre, plane, radius = 1) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)]
+  let path = ''
+  for (let i = 0; i < 96; i += 1) {
+    const turn = (i / 96) * 2 * Math.PI
+    const [a, b] = [radius * semiMajor * Math.cos(turn), radius * semiMinor * Math.sin(turn)]
+    path += `${i ? 'L' : 'M'}${pixel(plane.x(centre[0] + c * a - s * b))} ${pixel(plane.y(centre[1] + s * a + c * b))}`
+  }
+  return `${path}Z`
+}
+
+/** @param {number} value */
+function pixel(value) {
+  return Math.round(Math.max(-1e5, Math.min(1e5, value)) * 10) / 10
+}
+
+/**
+ * The part of the line {p : h·p = c} inside the plane, in data units, or null.
+ * @param {number[]} h
+ * @param {number} c
+ * @param {Plane} plane
+ * @returns {[[number, number], [number, number]] | null}
+ */
+export function clipLine([a, b], c, plane) {
+  const { box } = plane
+  const [x0, x1] = [plane.x.invert(box.left), plane.x.invert(box.right)]
+  const [y0, y1] = [plane.y.invert(box.bottom), plane.y.invert(box.top)]
+  /** @type {[number, number][]} */
+  const ends = []
+  const add = (/** @type {number} */ x, /** @type {number} */ y) => {
+    const slack = 1e-9 * (x1 - x0 + y1 - y0)
+    const within = x >= x0 - slack && x <= x1 + slack && y >= y0 - slack && y <= y1 + slack
+    if (within && !ends.some(([p, q]) => Math.abs(p - x) + Math.abs(q - y) < slack * 4)) ends.push([x, y])
+  }
+  if (b !== 0) for (const x of [x0, x1]) add(x, (c - a * x) / b)
+  if (a !== 0) for (const y of [y0, y1]) add((c - b * y) / a, y)
+  return ends.length >= 2 ? [ends[0], ends[1]] : null
+}
+
+/**
+ * A straight mark between two points in data units.
+ * @param {Pen} pen
+ * @param {string} key
+ * @param {Plane} plane
+ * @param {number[]} from
+ * @param {number[]} to
+ * @param {import('./pen.js').Attributes} attributes
+ */
+export function segment(pen, key, plane, from, to, attributes) {
+  const [x1, y1, x2, y2] = [plane.x(from[0]), plane.y(from[1]), plane.x(to[0]), plane.y(to[1])].map(pixel)
+  return pen.mark('line', key, { x1, y1, x2, y2, ...attributes })
+}
+
+/**
+ * A dot at a point in data units.
+ * @param {Pen} pen
+ * @param {string} key
+ * @param {Plane} plane
+ * @param {number[]} at
+ * @param {import('./pen.js').Attributes} attributes `r` among them, 5 if not
+ */
+export function dot(pen, key, plane, at, attributes) {
+  return pen.mark('circle', key, { cx: pixel(plane.x(at[0])), cy: pixel(plane.y(at[1])), r: 5, ...attributes })
+}
+
+/**
+ * A series as a path; it breaks where a value is not finite (or, on a log scale, not positive).
+ * @param {Plane} plane
+ * @param {number[]} xs
+ * @param {number[]} ys
+ */
+export function seriesPath(plane, xs, ys) {
+  const positive = plane.y.domain()[0] > 0 && 'base' in plane.y
+  const path = line()
+    .defined((_, i) => Number.isFinite(ys[i]) && (!positive || ys[i] > 0))
+    .x((_, i) => pixel(plane.x(xs[i])))
+    .y((_, i) => pixel(plane.y(ys[i])))
+    .curve(curveLinear)
+  return path(/** @type {[number, number][]} */ (/** @type {unknown} */ (ys))) ?? ''
+}
+
+/**
+ * @typedef {object} Line one curve of a time plot
+ * @property {string} key
+ * @property {number[]} values
+ * @property {Words} name written at its end
+ * @property {Kin | null} [kin]
+ * @property {string} [shape] a class for its dash: `solid`, `dashed`, `thin`
+ *
+ * @typedef {object} Rule a level that stays
+ * @property {string} key
+ * @property {number} at
+ * @property {Words} [name]
+ * @property {Kin | null} [kin]
+ */
+
+/**
+ * Curves over steps, named where they end.
+ * @param {Pen} pen
+ * @param {{ width: number, height: number }} size
+ * @param {object} plot
+ * @param {Words} plot.title with the unit
+ * @param {number[]} plot.steps
+ * @param {Line[]} plot.lines
+ * @param {Rule[]} [plot.rules]
+ * @param {boolean} [plot.log]
+ * @param {[number, number]} [plot.include] values that are always in view
+ * @param {number} [plot.least] steps the axis holds at least
+ * @param {Words} [plot.unit] what the x axis counts
+ * @returns {Plane}
+ */
+export function timePlot(pen, size, plot) {
+  const box = { left: 44, top: 26, right: size.width - 34, bottom: size.height - 24 }
+  const first = plot.steps[0] ?? 0
+  const last = Math.max(plot.steps[plot.steps.length - 1] ?? 0, first + (plot.least ?? 20))
+  const plane = { box, x: scaleLinear([first, last], [box.left, box.right]), y: upright(plot, box) }
+  axes(pen, plane, { title: plot.title, ticks: [5, 4], zero: !plot.log })
+  pen.text('unit', { class: 'axis-name', x: size.width - 2, y: box.bottom + 15, 'text-anchor': 'end' }, plot.unit ?? '*k*')
+  for (const rule of plot.rules ?? []) {
+    const at = plane.y(rule.at)
+    pen.mark('line', `rule-${rule.key}`, { ...meaning('rule', rule.kin), x1: box.left, x2: box.right, y1: at, y2: at })
+    if (rule.name) pen.text(`rule-name-${rule.key}`, { class: 'rule-name', x: box.right + 4, y: at + 4 }, rule.name)
+  }
+  const ends = plot.lines.map(({ values }) => plane.y(values[values.length - 1]))
+  const spread = apart(ends, 13, box.top + 4, box.bottom - 2)
+  plot.lines.forEach((one, i) => {
+    const d = seriesPath(plane, plot.steps, one.values)
+    pen.mark('path', `line-${one.key}`, { ...meaning(`curve ${one.shape ?? 'solid'}`, one.kin), d })
+    if (!Number.isFinite(ends[i])) return
+    const x = plane.x(plot.steps[plot.steps.length - 1])
+    pen.mark('circle', `end-${one.key}`, { ...meaning('end', one.kin), cx: x, cy: ends[i], r: 2.5 })
+    pen.text(`name-${one.key}`, { class: `curve-name ${one.kin ?? ''}`, x: x + 6, y: spread[i] + 4 }, one.name)
+  })
+  return plane
+}
+
+/**
+ * @param {{ lines: Line[], rules?: Rule[], log?: boolean, include?: [number, number] }} plot
+ * @param {Box} box
+ * @returns {Scale}
+ */
+function upright(plot, box) {
+  const values = [...plot.lines.flatMap((one) => one.values), ...(plot.rules ?? []).map((rule) => rule.at), ...(plot.include ?? [])]
+  const usable = values.filter((value) => Number.isFinite(value) && (!plot.log || value > 0))
+  let [low, high] = [Math.min(...usable), Math.max(...usable)]
+  if (!usable.length) [low, high] = plot.log ? [0.1, 1] : [0, 1]
+  if (high - low < 1e-9 * Math.abs(high) || high === low) high = low + Math.max(1e-6, Math.abs(low) * 0.1)
+  const range = [box.bottom, box.top]
+  return plot.log ? scaleLog([low / 1.15, high * 1.15], range) : scaleLinear([low - (high - low) * 0.04, high + (high - low) * 0.06], range)
+}
+
+/**
+ * Moves labels apart so that none covers another.
+ * @param {number[]} at
+ * @param {number} gap
+ * @param {number} low
+ * @param {number} high
+ */
+export function apart(at, gap, low, high) {
+  const order = at.map((_, i) => i).sort((i, j) => at[i] - at[j])
+  const moved = at.map((y) => Math.max(low, Math.min(high, y)))
+  for (let k = 1; k < order.length; k += 1) moved[order[k]] = Math.max(moved[order[k]], moved[order[k - 1]] + gap)
+  for (let k = order.length - 1; k >= 0; k -= 1) {
+    const ceiling = k === order.length - 1 ? high : moved[order[k + 1]] - gap
+    moved[order[k]] = Math.min(moved[order[k]], ceiling)
+  }
+  return moved
+}

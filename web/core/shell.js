@@ -1,0 +1,137 @@
+/**
+ * A figure's skeleton: panels to draw in, one row of controls, one row of readouts, the tools. The same in a reader's
+ * browser and, without life, in Node.
+ */
+
+import { buildControl } from './controls.js'
+import { Pen } from './pen.js'
+import { SVG, writeHtml } from './words.js'
+
+/** @typedef {import('./words.js').Words} Words */
+/** @typedef {{ svg: Element, pen: Pen, width: number, height: number }} Panel */
+/** @typedef {{ key: string, label: Words, value: string, unit?: string, kin?: import('./plot.js').Kin, note?: string }} Readout */
+
+/**
+ * What the reader does to a running figure.
+ * @typedef {object} Orders
+ * @property {() => void} play
+ * @property {() => void} step
+ * @property {() => void} reset
+ * @property {(rate: number) => void} speed
+ * @property {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} change
+ * @property {() => void} link
+ * @property {(kind: 'svg' | 'csv') => void} download
+ */
+
+/** @typedef {ReturnType<typeof buildShell>} Shell */
+
+export const SPEEDS = [0.5, 1, 2, 5, 10]
+
+/**
+ * @param {Document} document
+ * @param {import('./spec.js').FigureSpec} spec
+ * @param {Element} into emptied first
+ * @param {Orders} orders
+ */
+export function buildShell(document, spec, into, orders) {
+  into.replaceChildren()
+  /** @type {Record<string, Panel>} */
+  const panels = {}
+  for (const { name, width, height, handles } of spec.panels) {
+    const svg = document.createElementNS(SVG, 'svg')
+    svg.setAttribute('class', `panel panel-${name}`)
+    svg.setAttribute('viewBox', `0 0 ${width} ${height}`)
+    svg.setAttribute('width', String(width))
+    svg.setAttribute('height', String(height))
+    svg.setAttribute('role', handles ? 'group' : 'img')
+    into.append(svg)
+    panels[name] = { svg, pen: new Pen(svg), width, height }
+  }
+
+  const verdict = part(document, into, 'p', 'verdict')
+  const controls = part(document, into, 'div', 'controls')
+  const run = document.createElement('div')
+  run.className = 'transport'
+  run.setAttribute('role', 'group')
+  run.setAttribute('aria-label', 'Run')
+  const play = button(document, run, 'Play', orders.play, 'button play')
+  button(document, run, 'Step', orders.step)
+  button(document, run, 'Reset', orders.reset)
+  if (!spec.timeless) controls.append(run)
+  const change = orders.change
+  const shown = spec.controls.map((control) => buildControl(document, control, change))
+  controls.append(...shown.map(({ element }) => element))
+  const settings = document.createElement('div')
+  settings.className = 'settings'
+  const options = SPEEDS.map((value) => ({ value, label: `${value === 0.5 ? '½' : value}×` }))
+  const speed = buildControl(document, { kind: 'choice', name: 'speed', label: 'Speed', options, set: (rate) => (orders.speed(rate), {}) }, (_, make) => void make?.({}, null))
+  if (!spec.timeless) settings.append(speed.element)
+  if (spec.seeded) {
+    const seed = buildControl(document, { kind: 'whole', name: 'seed', label: 'Seed', min: 0, max: 2 ** 32 - 1 }, change)
+    shown.push(seed)
+    settings.append(seed.element)
+  }
+  if (settings.firstChild) controls.append(settings)
+
+  const readouts = part(document, into, 'dl', 'readouts')
+  /** @type {Map<string, { box: Element, value: Element, said: string }>} */
+  const kept = new Map()
+  const tools = part(document, into, 'div', 'figure-tools')
+  button(document, tools, 'Copy link to this state', orders.link, 'quiet')
+  button(document, tools, 'Download SVG', () => orders.download('svg'), 'quiet')
+  button(document, tools, 'Download CSV', () => orders.download('csv'), 'quiet')
+  const note = part(document, tools, 'span', 'figure-note')
+
+  return {
+    panels,
+    play,
+    note,
+    into,
+    /**
+     * @param {any} frame
+     * @param {{ rate: number, playing: boolean }} life
+     */
+    show(frame, life) {
+      const word = life.playing ? 'Pause' : 'Play'
+      if (play.textContent !== word) play.textContent = word
+      speed.show({ speed: life.rate }, frame)
+      for (const control of shown) control.show(frame.params, frame)
+      const said = spec.verdict?.(frame) ?? ''
+      if (verdict.textContent !== said) verdict.textContent = said
+      for (const readout of spec.readouts(frame)) {
+        let held = kept.get(readout.key)
+        if (!held) kept.set(readout.key, (held = buildReadout(document, readouts, readout)))
+        const text = readout.unit ? `${readout.value} ${readout.unit}` : readout.value
+        if (held.said === text) continue
+        held.value.textContent = text
+        held.said = text
+      }
+    },
+  }
+}
+
+/** @param {Document} document @param {Element} into @param {Readout} readout */
+function buildReadout(document, into, readout) {
+  const box = part(document, into, 'div', `readout ${readout.kin ?? ''}`.trim())
+  if (readout.kin) box.setAttribute('data-kin', readout.kin)
+  writeHtml(part(document, box, 'dt', ''), readout.label)
+  const value = part(document, box, 'dd', '')
+  return { box, value, said: '' }
+}
+
+/** @param {Document} document @param {Element} into @param {string} tag @param {string} name */
+function part(document, into, tag, name) {
+  const element = document.createElement(tag)
+  if (name) element.setAttribute('class', name)
+  into.append(element)
+  return element
+}
+
+/** @param {Document} document @param {Element} into @param {string} words @param {() => void} press @param {string} [name] */
+function button(document, into, words, press, name = 'button') {
+  const element = part(document, into, 'button', name)
+  element.setAttribute('type', 'button')
+  element.textContent = words
+  element.addEventListener('click', press)
+  return /** @type {HTMLButtonElement} */ (element)
+}

@@ -1,0 +1,53 @@
+/**
+ * What a widget is: plain data and pure functions, in the order state, model, view, controls. `core/figure.js` gives it
+ * life in a browser, `core/still.js` draws it in Node.
+ */
+
+/**
+ * @typedef {object} Beat where a step's animation stands
+ * @property {'predict' | 'update' | 'rest'} name
+ * @property {number} t from 0 to 1, eased
+ *
+ * @typedef {object} HandleSpec a place the reader can move
+ * @property {[number, number]} at pixels in its panel
+ * @property {string} label what it moves, said
+ * @property {import('./words.js').Words} [name] what it moves, written beside it
+ * @property {[number, number]} [nameAt] where, from its middle; right of it if not given
+ * @property {string} value its value in words
+ * @property {import('./plot.js').Kin} [kin]
+ * @property {number} [now] `aria-valuenow`, for a handle with one value; the step otherwise does not matter
+ * @property {number} [min]
+ * @property {number} [max]
+ * @property {(x: number, y: number) => Record<string, unknown>} move pixels in its panel → a change of parameters
+ * @property {(dx: number, dy: number) => Record<string, unknown>} nudge arrow keys: (±1, 0) or (0, ±1) (y upwards), times
+ *   10 with Shift or Page; the widget's own small step is its business
+ * @property {(end: 'home' | 'end') => Record<string, unknown>} [jump] Home and End
+ *
+ * @typedef {object} View what a drawing may know besides the frame
+ * @property {any} previous the frame of the step before, or null
+ * @property {Beat} beat
+ * @property {number} elapsed milliseconds since the last drawing; infinite for the first and for a still
+ * @property {Record<string, any>} memory the figure's own, for cameras; empty at first
+ * @property {(pen: import('./pen.js').Pen, key: string, handle: HandleSpec) => void} handle draws a handle; alive only in a browser
+ *
+ * @typedef {object} FigureSpec
+ * @property {string} tag the custom element
+ * @property {string} lab its class in the module
+ * @property {string} name the lab's name in a state
+ * @property {{ params: Record<string, any>, step: number }} start shows the idea before anyone touches it
+ * @property {boolean} seeded whether `seed` is among the parameters
+ * @property {boolean} [timeless] a lab without steps: no Play, Step, Reset, speed
+ * @property {number} [pace] steps a second at speed 1; 2 if not given
+ * @property {number} [stride] steps of one press on Step; 1 if not given
+ * @property {boolean} [beats] whether a step is animated in two beats
+ * @property {{ name: string, width: number, height: number, handles?: boolean }[]} panels sizes on a wide page
+ * @property {(panels: Record<string, import('./shell.js').Panel>, frame: any, view: View) => boolean | void} draw true while it still moves
+ * @property {(frame: any) => Record<string, string>} describe each panel in words
+ * @property {import('./controls.js').Control[]} controls
+ * @property {(frame: any) => import('./shell.js').Readout[]} readouts the same keys each time
+ * @property {(frame: any) => string} [verdict] the state in one sentence, shown
+ * @property {(frame: any, previous: any) => string} announce what changed, said politely
+ * @property {(frame: any) => Record<string, number[]>} series columns of the CSV
+ */
+
+export {}

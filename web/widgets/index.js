@@ -1,0 +1,6 @@
+/** Which script holds which figure. Each is fetched when the first of its kind comes near the screen. */
+
+/** @type {Record<string, () => Promise<import('../core/spec.js').FigureSpec>>} */
+export const WIDGETS = {
+  'observer-bench': () => import('./observer-bench.js').then((module) => module.observerBench),
+}

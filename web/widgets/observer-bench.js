@@ -1,0 +1,128 @@
+/**
+ * The Observer Bench: turn the gain of an observer by hand, see the eigenvalues of its error move, then let the filter
+ * choose the gain.
+ */
+
+import { fixed } from '../core/words.js'
+import { drawDisc } from './observer-bench/disc.js'
+import { drawError, drawGain, drawVariance } from './observer-bench/history.js'
+import { drawPhase } from './observer-bench/phase.js'
+
+/** @typedef {import('estimate-wasm').BenchFrame} Frame */
+
+// State: what a reader can change, and where the figure starts.
+
+const start = { params: { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }, step: 12 }
+
+// Model: the lab `ObserverBench` in the module. What follows only reads its frame.
+
+/** @param {Frame} frame */
+function verdict(frame) {
+  const { pinned, stable, spectralRadius, diverged, params } = frame
+  if (diverged) return `The estimate has left every bound: the run stopped. A gain below ${fixed(frame.stableUpTo, 2)} R∞ brings it back.`
+  const moving = frame.eigenvalues[pinned === 0 ? 1 : 0]
+  const modulus = pinned === null ? spectralRadius : Math.hypot(moving.re, moving.im)
+  if (!stable) return `Unstable: spectral radius ${fixed(modulus, 2)}. The error grows by that factor at each step.`
+  if (pinned !== null && params.gain === 0 && params.mode === 'fixed') return 'Dead reckoning: no reading is used, and nothing takes an error back.'
+  if (pinned !== null) return `Velocity errors die out (factor ${fixed(modulus, 2)}). The other eigenvalue is pinned at 1: no gain takes a position error back.`
+  if (params.gain === 0 && params.mode === 'fixed') return 'Dead reckoning: no reading is used, and nothing takes an error back.'
+  return `Stable: spectral radius ${fixed(modulus, 2)}. Every error dies out by that factor a step.`
+}
+
+/** @param {Frame} frame */
+function describe(frame) {
+  const { posterior, predicted } = frame
+  const spread = (/** @type {import('estimate-wasm').BenchBelief} */ belief) => `${fixed(Math.sqrt(belief.P[0][0]), 2)} metres and ${fixed(Math.sqrt(belief.P[1][1]), 2)} metres a second`
+  const off = posterior.x.map((value, i) => value - frame.truth[i])
+  const [one, two] = frame.eigenvalues
+  const eigen = one.im !== 0 ? `${fixed(one.re, 2)} ± ${fixed(Math.abs(one.im), 2)} i` : `${fixed(one.re, 2)} and ${fixed(two.re, 2)}`
+  const last = (/** @type {number[]} */ values) => fixed(values[values.length - 1], 2)
+  const { series } = frame
+  return {
+    phase: `Phase plane at step ${frame.step}, seen from the truth: the prediction's ellipse, ${spread(predicted)} wide, and the estimate's, ${spread(posterior)}; the estimate is off by ${fixed(off[0], 2)} metres and ${fixed(off[1], 2)} metres a second.`,
+    disc: `Unit disc: the eigenvalues of the error dynamics are ${eigen}${frame.pinned === null ? '' : ', one of them pinned at 1'}.`,
+    gain: `Gain over time, now ${last(series.r1)} and ${last(series.r2)}.`,
+    variance: `Variances over time, now ${last(series.p11)} and ${last(series.p22)}.`,
+    error: `Errors over time, now ${last(series.e1)} and ${last(series.e2)}.`,
+  }
+}
+
+/** @param {Frame} frame @param {Frame} before */
+function announce(frame, before) {
+  const { params } = frame
+  if (frame.diverged || params.sensor !== before.params.sensor || frame.stable !== before.stable) return verdict(frame)
+  const knob = params.mode === 'filter' ? `equivalent knob ${fixed(frame.equivalentKnob, 3)}` : `gain ${fixed(params.gain, 2)} R∞, ${verdict(frame)}`
+  const step = frame.step === before.step ? '' : `Step ${frame.step}: `
+  return `${step}${knob}`
+}
+
+// View: five panels.
+
+/** @param {Record<string, import('../core/shell.js').Panel>} panels @param {Frame} frame @param {import('../core/spec.js').View} view */
+function draw(panels, frame, view) {
+  const moving = drawPhase(panels.phase, frame, view)
+  if (view.memory.drawn === frame && view.memory.width === panels.disc.width) return moving
+  view.memory.drawn = frame
+  view.memory.width = panels.disc.width
+  drawDisc(panels.disc, frame)
+  drawGain(panels.gain, frame)
+  drawVariance(panels.variance, frame)
+  drawError(panels.error, frame)
+  return moving
+}
+
+/** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
+function readouts(frame) {
+  const pair = (/** @type {number[]} */ [a, b]) => `[${fixed(a, 3)}, ${fixed(b, 3)}]`
+  return [
+    { key: 'step', label: 'Step', value: String(frame.step) },
+    { key: 'gain', label: { choset: 'Gain *R* (Thrun *K*)', thrun: 'Gain *K* (Choset *R*)' }, value: pair(frame.R), kin: 'posterior' },
+    { key: 'steady', label: { choset: '*R*_∞', thrun: '*K*_∞' }, value: pair(frame.steadyGain), kin: 'posterior' },
+    { key: 'knob', label: 'Equivalent knob', value: fixed(frame.equivalentKnob, 3) },
+    { key: 'innovation', label: 'Innovation *ν*', value: fixed(frame.innovation, 3), unit: frame.params.sensor === 'velocity' ? 'm/s' : 'm', kin: 'measurement' },
+    { key: 'p11', label: { choset: '*P*_{11}', thrun: 'Σ_{11}' }, value: fixed(frame.posterior.P[0][0], 3), unit: 'm²', kin: 'posterior' },
+    { key: 'error', label: 'Position error', value: fixed(frame.truth[0] - frame.posterior.x[0], 2), unit: 'm', kin: 'truth' },
+  ]
+}
+
+// Controls.
+
+/** @type {import('../core/controls.js').Control[]} */
+const controls = [
+  {
+    kind: 'range', name: 'gain', label: { choset: 'Gain *g*, in units of *R*_∞', thrun: 'Gain *g*, in units of *K*_∞' }, min: 0, max: 6, step: 0.01,
+    words: (value, frame) => (frame.params.mode === 'filter' ? 'the filter’s' : fixed(value, 2)),
+    notches: (/** @type {Frame} */ frame) => [
+      { at: 0, name: '0' },
+      { at: 1, name: { choset: '*R*_∞', thrun: '*K*_∞' } },
+      { at: frame.stableUpTo, name: `diverges past ${fixed(frame.stableUpTo, 2)}`, kind: 'limit' },
+    ],
+    enabled: (params) => params.mode === 'fixed',
+  },
+  { kind: 'toggle', name: 'mode', label: 'let the filter choose', on: 'filter', off: 'fixed' },
+  { kind: 'choice', name: 'sensor', label: 'Sensor', options: [{ value: 'velocity', label: 'velocity' }, { value: 'position', label: 'position' }] },
+]
+
+/** @type {import('../core/spec.js').FigureSpec} */
+export const observerBench = {
+  tag: 'observer-bench',
+  lab: 'ObserverBench',
+  name: 'observer-bench',
+  start,
+  seeded: true,
+  beats: true,
+  panels: [
+    { name: 'phase', width: 580, height: 440 },
+    { name: 'disc', width: 356, height: 356 },
+    { name: 'gain', width: 312, height: 190 },
+    { name: 'variance', width: 312, height: 190 },
+    { name: 'error', width: 312, height: 190 },
+  ],
+  draw,
+  describe,
+  controls,
+  readouts,
+  verdict,
+  announce,
+  series: (frame) => frame.series,
+}

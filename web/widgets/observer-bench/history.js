@@ -1,0 +1,63 @@
+/** Gain, variance and error over the last steps. */
+
+import { timePlot } from '../../core/plot.js'
+
+/** @typedef {import('estimate-wasm').BenchFrame} Frame */
+/** @typedef {import('../../core/shell.js').Panel} Panel */
+
+const WINDOW = 120
+
+/** @param {Frame} frame */
+function recent(frame) {
+  const cut = (/** @type {number[]} */ values) => values.slice(-WINDOW)
+  const { step, r1, r2, p11, p22, e1, e2, knob } = frame.series
+  return { step: cut(step), r1: cut(r1), r2: cut(r2), p11: cut(p11), p22: cut(p22), e1: cut(e1), e2: cut(e2), knob: cut(knob) }
+}
+
+/** @param {Panel} panel @param {Frame} frame */
+export function drawGain(panel, frame) {
+  const { step, r1, r2 } = recent(frame)
+  const [s1, s2] = frame.steadyGain
+  panel.pen.draw((pen) => void timePlot(pen, panel, {
+    title: { choset: 'gain *R*(*k*)', thrun: 'gain *K*_t' },
+    steps: step,
+    include: [0, 1],
+    unit: { choset: '*k*', thrun: '*t*' },
+    rules: [{ key: '1', at: s1 }, { key: '2', at: s2 }],
+    lines: [
+      { key: '1', values: r1, name: { choset: '*R*_1', thrun: '*K*_1' }, kin: 'posterior' },
+      { key: '2', values: r2, name: { choset: '*R*_2', thrun: '*K*_2' }, kin: 'posterior', shape: 'dashed' },
+    ],
+  }))
+}
+
+/** @param {Panel} panel @param {Frame} frame */
+export function drawVariance(panel, frame) {
+  const { step, p11, p22 } = recent(frame)
+  panel.pen.draw((pen) => void timePlot(pen, panel, {
+    title: 'variance (m², m²/s²)',
+    steps: step,
+    log: true,
+    include: [0.2, 4],
+    unit: { choset: '*k*', thrun: '*t*' },
+    lines: [
+      { key: '1', values: p11, name: { choset: '*P*_{11}', thrun: 'Σ_{11}' }, kin: 'posterior' },
+      { key: '2', values: p22, name: { choset: '*P*_{22}', thrun: 'Σ_{22}' }, kin: 'posterior', shape: 'dashed' },
+    ],
+  }))
+}
+
+/** @param {Panel} panel @param {Frame} frame */
+export function drawError(panel, frame) {
+  const { step, e1, e2 } = recent(frame)
+  panel.pen.draw((pen) => void timePlot(pen, panel, {
+    title: 'error (m, m/s)',
+    steps: step,
+    include: [-1, 1],
+    unit: { choset: '*k*', thrun: '*t*' },
+    lines: [
+      { key: '1', values: e1, name: '*e*_1', kin: 'truth' },
+      { key: '2', values: e2, name: '*e*_2', kin: 'truth', shape: 'dashed' },
+    ],
+  }))
+}

@@ -1,0 +1,95 @@
+/** The phase plane, seen from the truth: where prediction, readings' line and estimate stand against the true state. */
+
+import { Zoom, between } from '../../core/motion.js'
+import { axes, clipLine, dot, ellipsePath, evenPlane, meaning, segment } from '../../core/plot.js'
+
+/** @typedef {import('estimate-wasm').BenchFrame} Frame */
+/** @typedef {import('../../core/pen.js').Pen} Pen */
+/** @typedef {import('../../core/plot.js').Plane} Plane */
+
+/**
+ * @param {import('../../core/shell.js').Panel} panel
+ * @param {Frame} frame
+ * @param {import('../../core/spec.js').View} view
+ * @returns {boolean} whether the camera still moves
+ */
+export function drawPhase({ pen, width, height }, frame, view) {
+  const scene = stage(frame, view)
+  const zoom = (view.memory.phase ??= new Zoom())
+  const moving = zoom.follow(scene.extent, view.elapsed)
+  const plane = evenPlane({ left: 48, top: 30, right: width - 14, bottom: height - 42 }, [0, 0], zoom.reach)
+  pen.draw(() => {
+    axes(pen, plane, { x: 'position − truth (m)', y: 'velocity − truth (m/s)', ticks: [7, 6], zero: true })
+    pen.window('scene', plane.box, (to) => drawScene(to, plane, frame, scene))
+    legend(pen, plane, frame, scene)
+  })
+  return moving
+}
+
+/**
+ * What is on the stage at this moment of the step, relative to the truth.
+ * @param {Frame} frame
+ * @param {import('../../core/spec.js').View} view
+ */
+function stage(frame, { beat, previous }) {
+  const from = (/** @type {Frame} */ at, /** @type {import('estimate-wasm').BenchBelief} */ belief) => ({
+    x: belief.x.map((value, i) => value - at.truth[i]),
+    ellipse: belief.ellipse,
+  })
+  const predicted = from(frame, frame.predicted)
+  const posterior = from(frame, frame.posterior)
+  const before = previous ? from(previous, previous.posterior) : predicted
+  const orange = beat.name === 'predict' ? between(before, predicted, beat.t) : predicted
+  const purple = beat.name === 'rest' ? posterior : beat.name === 'update' ? between(predicted, posterior, beat.t) : null
+  const shown = purple ? [orange, purple] : [orange, before]
+  const extent = Math.max(0.5, ...shown.flatMap(({ x, ellipse }) => [Math.abs(x[1]) + ellipse.semiMajor, Math.hypot(...x) + ellipse.semiMajor * 0.9]))
+  return { orange, purple, extent, reading: frame.feet !== null && beat.name !== 'predict' }
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {ReturnType<typeof stage>} scene */
+function drawScene(pen, plane, frame, { orange, purple, reading }) {
+  const relative = (/** @type {number} */ output) => output - (frame.H[0] * frame.truth[0] + frame.H[1] * frame.truth[1])
+  const { feet } = frame
+  if (reading && feet && frame.reading !== null && frame.mostLikelyOutput !== null) {
+    const omega = clipLine(frame.H, relative(frame.reading), plane)
+    const likely = clipLine(frame.H, relative(frame.mostLikelyOutput), plane)
+    if (likely) segment(pen, 'likely', plane, ...likely, meaning('line dashed', 'measurement'))
+    if (omega) segment(pen, 'omega', plane, ...omega, meaning('line', 'measurement'))
+  }
+  pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(orange.ellipse, orange.x, plane) })
+  if (purple) pen.mark('path', 'posterior', { ...meaning('outline', 'posterior'), d: ellipsePath(purple.ellipse, purple.x, plane) })
+  if (reading && feet) {
+    const foot = (/** @type {number[]} */ at) => at.map((value, i) => value - frame.truth[i])
+    segment(pen, 'euclid', plane, orange.x, foot(feet.euclidean), meaning('way dashed', 'truth'))
+    segment(pen, 'mahalanobis', plane, orange.x, foot(feet.mahalanobis), meaning('way', 'posterior'))
+    dot(pen, 'foot-euclid', plane, foot(feet.euclidean), { ...meaning('foot', 'truth'), r: 3.5 })
+    dot(pen, 'foot-mahalanobis', plane, foot(feet.mahalanobis), { ...meaning('foot', 'posterior'), r: 3.5 })
+  }
+  const [x, y] = [plane.x(0), plane.y(0)]
+  pen.mark('path', 'truth', { ...meaning('cross', 'truth'), d: `M${x - 7} ${y}H${x + 7}M${x} ${y - 7}V${y + 7}` })
+  dot(pen, 'prediction-mean', plane, orange.x, meaning('hollow', 'prediction'))
+  if (purple) dot(pen, 'posterior-mean', plane, purple.x, meaning('full', 'posterior'))
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {ReturnType<typeof stage>} scene */
+function legend(pen, { box, x, y }, frame, { orange, purple, reading }) {
+  const clamp = (/** @type {number} */ at, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, at))
+  pen.text('truth-name', { class: 'mark-name truth', x: x(0) + 10, y: y(0) + 16 }, 'truth')
+  const top = (/** @type {{ x: number[] }} */ at) => [clamp(x(at.x[0]), box.left + 50, box.right - 60), clamp(y(at.x[1]), box.top + 20, box.bottom - 12)]
+  const [px, py] = top(orange)
+  const [qx, qy] = purple ? top(purple) : [0, 0]
+  const above = !purple || py <= qy
+  pen.text('prediction-name', { class: 'mark-name prediction', x: px, y: py + (above ? -11 : 20), 'text-anchor': 'middle' }, 'prediction')
+  if (purple) pen.text('posterior-name', { class: 'mark-name posterior', x: qx, y: qy + (above ? 20 : -11), 'text-anchor': 'middle' }, 'estimate')
+  if (!reading || frame.reading === null || frame.mostLikelyOutput === null) return
+  const line = (/** @type {string} */ key, /** @type {number} */ output, /** @type {import('../../core/words.js').Words} */ words, /** @type {number} */ side) => {
+    const at = output - (frame.H[0] * frame.truth[0] + frame.H[1] * frame.truth[1])
+    const flat = frame.H[0] === 0
+    const where = flat ? { x: box.right - 6, y: y(at / frame.H[1]) + side, 'text-anchor': 'end' } : { x: x(at / frame.H[0]) + (side < 0 ? 5 : -5), y: box.top + 14, 'text-anchor': side < 0 ? 'start' : 'end' }
+    const within = flat ? where.y > box.top + 6 && where.y < box.bottom - 2 : where.x > box.left && where.x < box.right
+    if (within) pen.text(key, { class: 'mark-name measurement', ...where }, words)
+  }
+  const upper = (frame.reading > frame.mostLikelyOutput) === (frame.H[0] === 0)
+  line('omega-name', frame.reading, { choset: 'Ω: *Hx* = *y*', thrun: 'Ω: *Cx* = *z*' }, upper ? -6 : 14)
+  line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', upper ? 14 : -6)
+}
