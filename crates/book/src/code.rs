@@ -74,7 +74,7 @@ impl Highlighter {
         let mut runs = Runs::default();
         let mut at = 0;
         for (end, op) in ops {
-            runs.push(self.class(stack), &line[at..end]);
+            runs.push(word(self.class(stack), &line[at..end]), &line[at..end]);
             at = end;
             // A scope the stack cannot apply leaves the colour as it was.
             let _ = stack.apply(&op);
@@ -89,6 +89,11 @@ impl Highlighter {
             fitting.max_by_key(|(prefix, _)| prefix.len()).map(|(_, class)| *class)
         })?
     }
+}
+
+/// The Rust syntax gives `let` the scope of a type.
+fn word(class: Option<&'static str>, text: &str) -> Option<&'static str> {
+    if matches!(text, "let" | "const" | "static") { Some("keyword") } else { class }
 }
 
 /// Neighbouring text of one class, kept in one span.

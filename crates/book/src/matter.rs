@@ -97,7 +97,8 @@ impl Renderer<'_> {
         if entries.is_empty() {
             return String::new();
         }
-        let summary = format!("All {} numbers printed on this page", self.used.numbers.len());
+        let count = self.used.numbers.len();
+        let summary = format!("The {count} computed {} of this page", if count == 1 { "number" } else { "numbers" });
         let list = format!("<details class=\"numbers\"><summary>{summary}</summary><dl>\n{entries}</dl></details>");
         section("numbers", "Where the numbers come from", &list)
     }
