@@ -92,3 +92,33 @@ export async function walkDown(page) {
     scrollTo(0, 0)
   })
 }
+
+/** The frame on a figure's screen, and its state. */
+export const frameOf = (element) => element.evaluate((it) => it.frame)
+export const stateOf = (element) => element.evaluate((it) => it.state)
+
+/** Waits until the figure's frame satisfies `wanted` (a function of the frame, run here), and gives that frame. */
+export async function until(element, wanted, what, patience = 8000) {
+  const deadline = Date.now() + patience
+  for (;;) {
+    const frame = await frameOf(element)
+    if (frame && wanted(frame)) return frame
+    if (Date.now() > deadline) assert.fail(`${what}; the frame's parameters are ${JSON.stringify(frame?.params)} at step ${frame?.step}`)
+    await new Promise((resolve) => setTimeout(resolve, 40))
+  }
+}
+
+/** Drags a native slider's thumb to `value` with the mouse. */
+export async function dragSlider(page, slider, value) {
+  await slider.scrollIntoViewIfNeeded()
+  const { x, y, width, height } = await slider.boundingBox()
+  const { min, max, now } = await slider.evaluate((input) => ({ min: Number(input.min), max: Number(input.max), now: Number(input.value) }))
+  // A thumb's middle runs from half a thumb inside one end to half a thumb inside the other.
+  const thumb = 16
+  const at = (v) => x + thumb / 2 + ((width - thumb) * (v - min)) / (max - min)
+  await page.mouse.move(at(now), y + height / 2)
+  await page.mouse.down()
+  await page.mouse.move((at(now) + at(value)) / 2, y + height / 2, { steps: 4 })
+  await page.mouse.move(at(value), y + height / 2, { steps: 4 })
+  await page.mouse.up()
+}

@@ -1,0 +1,111 @@
+// The Observer Bench: turn the gain until an eigenvalue leaves the disc, then let the filter choose, by mouse, by keys
+// and by touch.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { PHONE, dragSlider, figure, frameOf, open, stateOf, until } from './harness.mjs'
+
+const knob = (bench) => bench.getByRole('slider', { name: /gain/i })
+const moving = (frame) => Math.max(...frame.eigenvalues.filter((_, i) => i !== frame.pinned).map(({ re, im }) => Math.hypot(re, im)))
+const close = (a, b, tolerance) => Math.abs(a - b) <= tolerance
+
+test('dragging the knob drives the eigenvalue out of the disc', async (t) => {
+  const page = await open(t)
+  const bench = await figure(page, 'observer-bench')
+  const before = await frameOf(bench)
+  assert.ok(before.stable && moving(before) < 1)
+  await dragSlider(page, knob(bench), 5.9)
+  const frame = await until(bench, ({ params }) => params.gain > before.stableUpTo, 'the knob is past its limit')
+  assert.ok(!frame.stable && moving(frame) > 1, `modulus ${moving(frame)}`)
+  await bench.getByText(/unstable/i).first().waitFor()
+  assert.match(await bench.locator('.panel-disc').getAttribute('aria-label'), /eigenvalues/)
+})
+
+test('the filter, when it may choose, ends where the knob says 1', async (t) => {
+  const page = await open(t)
+  const bench = await figure(page, 'observer-bench')
+  await bench.getByRole('button', { name: 'Reset' }).click()
+  await until(bench, ({ step }) => step === 0, 'reset goes to step 0')
+  await bench.getByRole('checkbox', { name: /let the filter choose/i }).check()
+  const first = await until(bench, ({ params }) => params.mode === 'filter', 'the filter has the knob')
+  assert.ok(await knob(bench).isDisabled())
+  await bench.getByRole('button', { name: 'Play' }).click()
+  await bench.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })
+  const frame = await until(bench, ({ step }) => step >= 30, 'it plays to step 30', 30_000)
+  await bench.getByRole('button', { name: 'Pause' }).click()
+  assert.ok(!close(first.series.knob[0], 1, 0.1), `it starts at ${first.series.knob[0]}`)
+  assert.ok(close(frame.equivalentKnob, 1, 1e-3), `it ends at ${frame.equivalentKnob}`)
+})
+
+test('the keys turn the knob, finely, coarsely, and to its ends', async (t) => {
+  const page = await open(t)
+  const bench = await figure(page, 'observer-bench')
+  const slider = knob(bench)
+  await slider.focus()
+  const gain = async () => (await frameOf(bench)).params.gain
+  const pressed = async (key, expected) => {
+    await page.keyboard.press(key)
+    await until(bench, ({ params }) => close(params.gain, expected, 1e-9), `${key} gives ${expected}`)
+  }
+  const start = await gain()
+  await pressed('ArrowRight', start + 0.01)
+  await pressed('Shift+ArrowRight', start + 0.11)
+  await pressed('Shift+ArrowLeft', start + 0.01)
+  await pressed('End', 6)
+  await pressed('Home', 0)
+  await page.keyboard.press('PageUp')
+  await until(bench, ({ params }) => params.gain > 0.05, 'Page up is a larger step')
+  assert.match(await slider.getAttribute('aria-valuetext'), /\d/)
+})
+
+test('a finger turns the knob', async (t) => {
+  const page = await open(t, { viewport: PHONE, touch: true })
+  const bench = await figure(page, 'observer-bench')
+  const slider = knob(bench)
+  await slider.scrollIntoViewIfNeeded()
+  const { x, y, width, height } = await slider.boundingBox()
+  const wire = await page.context().newCDPSession(page)
+  const touch = (type, at) => wire.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: at, y: y + height / 2 }] })
+  const from = x + 8 + ((width - 16) * 1) / 6
+  await touch('touchStart', from)
+  for (let i = 1; i <= 8; i++) await touch('touchMove', from + ((x + width - 12 - from) * i) / 8)
+  await touch('touchEnd')
+  await until(bench, ({ params }) => params.gain > 5, 'the finger has turned the knob')
+})
+
+test('a change is the whole run as it would have been, and a step is announced', async (t) => {
+  const page = await open(t)
+  const bench = await figure(page, 'observer-bench')
+  const { step } = await frameOf(bench)
+  await bench.getByRole('combobox', { name: 'Sensor' }).selectOption('position')
+  const frame = await until(bench, ({ params }) => params.sensor === 'position', 'the sensor is changed')
+  assert.equal(frame.step, step)
+  assert.equal(frame.pinned, null)
+  await bench.getByRole('button', { name: 'Step' }).click()
+  await until(bench, (now) => now.step === step + 1, 'one step')
+  await page.waitForFunction((n) => document.querySelector('observer-bench [role=status]')?.textContent.includes(`Step ${n}`), step + 1)
+  assert.deepEqual((await stateOf(bench)).params, frame.params)
+})
+
+test('with reduced motion a step shows at once; without, in two beats', async (t) => {
+  for (const motion of ['reduce', 'no-preference']) {
+    const page = await open(t, { motion })
+    const bench = await figure(page, 'observer-bench')
+    await bench.getByRole('button', { name: 'Step' }).click()
+    await until(bench, ({ step }) => step === 13, 'one step')
+  }
+})
+
+test('the seed makes another run, and the same one again', async (t) => {
+  const page = await open(t)
+  const bench = await figure(page, 'observer-bench')
+  const seed = bench.getByRole('spinbutton', { name: 'Seed' })
+  const first = await frameOf(bench)
+  await seed.fill('7')
+  await seed.press('Enter')
+  const other = await until(bench, ({ params }) => params.seed === 7, 'seed 7')
+  assert.notDeepEqual(other.truth, first.truth)
+  await seed.fill('1')
+  await seed.press('Enter')
+  const again = await until(bench, ({ params }) => params.seed === 1, 'seed 1')
+  assert.deepEqual(again.truth, first.truth)
+})

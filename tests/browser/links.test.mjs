@@ -1,0 +1,65 @@
+// A link carries a figure's state to the last digit; a mangled one falls back, and says so.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { dragSlider, figure, frameOf, open, stage, stateOf, until } from './harness.mjs'
+
+const copied = async (page, bench) => {
+  await bench.getByRole('button', { name: 'Copy link to this state' }).click()
+  await bench.getByText('Link copied.').first().waitFor()
+  return page.evaluate(() => navigator.clipboard.readText())
+}
+
+test('a copied link opens the same state, to the same digits', async (t) => {
+  const page = await open(t)
+  const bench = await figure(page, 'observer-bench')
+  await bench.getByRole('combobox', { name: 'Sensor' }).selectOption('position')
+  await dragSlider(page, bench.getByRole('slider', { name: /gain/i }), 2.37)
+  await bench.getByRole('button', { name: 'Step' }).click()
+  await until(bench, ({ step }) => step === 13, 'a step')
+  const link = await copied(page, bench)
+  const there = { frame: await frameOf(bench), state: await stateOf(bench) }
+
+  const { site } = await stage()
+  const other = await open(t, { at: link.slice(site.url.length) })
+  const restored = await figure(other, 'observer-bench')
+  assert.deepEqual(await stateOf(restored), there.state)
+  assert.deepEqual(await frameOf(restored), there.frame)
+})
+
+for (const [what, mangle] of [
+  ['cut short', (text) => text.slice(0, -7)],
+  ['no base64 at all', () => '%3Cscript%3Ealert(1)%3C/script%3E'],
+  ['of another version', () => btoa(JSON.stringify([99, 'observer-bench', 3, {}])).replace(/=+$/, '')],
+  ['of another lab', () => btoa(JSON.stringify([1, 'odometry-hook', 3, {}])).replace(/=+$/, '')],
+  ['out of bounds', () => btoa(JSON.stringify([1, 'observer-bench', 3, { gain: 1e9 }])).replace(/=+$/, '')],
+  ['of the wrong kind', () => btoa(JSON.stringify([1, 'observer-bench', 3, { gain: '1', sensor: 7, seed: -1 }])).replace(/=+$/, '')],
+  ['far too long', () => 'A'.repeat(50_000)],
+  ['with a step beyond all', () => btoa(JSON.stringify([1, 'observer-bench', 1e15, {}])).replace(/=+$/, '')],
+]) {
+  test(`a link ${what} gives the usual figure and a notice`, async (t) => {
+    const good = btoa(JSON.stringify([1, 'observer-bench', 3, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }])).replace(/=+$/, '')
+    const page = await open(t, { at: `kalman/?fig-bench=${mangle(good)}#fig-bench` })
+    const bench = await figure(page, 'observer-bench')
+    assert.equal((await frameOf(bench)).step, 12)
+    await bench.getByText(/could not be read/).first().waitFor()
+  })
+}
+
+test('the figure and its series can be taken along', async (t) => {
+  const page = await open(t)
+  const bench = await figure(page, 'observer-bench')
+  const take = async (name) => {
+    const [download] = await Promise.all([page.waitForEvent('download'), bench.getByRole('button', { name }).click()])
+    return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') }
+  }
+  const csv = await take('Download CSV')
+  const { series } = await frameOf(bench)
+  const [head, ...rows] = csv.text.trim().split(/\r?\n/)
+  assert.deepEqual(head.split(','), Object.keys(series))
+  assert.equal(rows.length, series.step.length)
+  assert.equal(Number(rows.at(-1).split(',')[head.split(',').indexOf('p11')]), series.p11.at(-1))
+  const svg = await take('Download SVG')
+  assert.match(svg.text, /^(<\?xml[^>]*>\s*)?<svg[^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/)
+  assert.doesNotMatch(svg.text, /var\(--/, 'the colours are in the file')
+})
