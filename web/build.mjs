@@ -62,7 +62,7 @@ const styles = await build({
   ...shared,
   entryPoints: { site: join(web, 'style/site.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
   loader: { '.woff2': 'file', '.svg': 'file', '.woff': 'empty', '.ttf': 'empty' },
-  alias: { fonts },
+  alias: { 'cut-fonts': fonts },
   plugins: [onlyWoff2()],
 })
 collect(styles.metafile)

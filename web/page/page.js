@@ -1,0 +1,46 @@
+/** Wakes a page: the switches at once, everything else when it is needed. */
+
+import { WIDGETS } from '../widgets/index.js'
+import { openForPrint } from './print.js'
+import { switches } from './switches.js'
+
+document.documentElement.classList.add('js')
+for (const waiting of document.querySelectorAll('[data-needs-js]')) waiting.removeAttribute('hidden')
+switches()
+openForPrint()
+
+whenNear('.widget', (host) => import('./figures.js').then(({ awaken }) => awaken(/** @type {HTMLElement} */ (host), WIDGETS)))
+if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => quizzes())
+if (document.querySelector('[data-run-checks]')) import('./checks.js').then(({ checks }) => checks())
+document.querySelector('[data-open-search]')?.addEventListener('click', () => import('./search.js').then(({ openSearch }) => openSearch()))
+document.addEventListener('keydown', (event) => {
+  const typing = event.target instanceof Element && event.target.closest('input, select, textarea')
+  if (event.key !== '/' || typing || event.ctrlKey || event.metaKey || event.altKey) return
+  event.preventDefault()
+  import('./search.js').then(({ openSearch }) => openSearch())
+})
+idle(() => {
+  import('./contents.js').then(({ follow }) => follow())
+  import('./terms.js').then(({ terms }) => terms())
+  import('./scroll-boxes.js').then(({ scrollBoxes }) => scrollBoxes())
+  import('./offline.js').then(({ offline }) => offline())
+})
+
+/** @param {string} selector @param {(element: Element) => void} act once for each, when it comes near the screen */
+function whenNear(selector, act) {
+  const eye = new IntersectionObserver((entries) => {
+    for (const { target, isIntersecting } of entries) {
+      if (!isIntersecting) continue
+      eye.unobserve(target)
+      act(target)
+    }
+  }, { rootMargin: '900px 0px' })
+  for (const element of document.querySelectorAll(selector)) eye.observe(element)
+}
+
+/** @param {() => void} act */
+function idle(act) {
+  const start = () => ('requestIdleCallback' in window ? requestIdleCallback(act, { timeout: 2000 }) : setTimeout(act, 200))
+  if (document.readyState === 'complete') start()
+  else addEventListener('load', start, { once: true })
+}

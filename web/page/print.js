@@ -1,0 +1,15 @@
+/** On paper every section is open; afterwards each is as it was. */
+
+export function openForPrint() {
+  /** @type {HTMLDetailsElement[]} */
+  let opened = []
+  addEventListener('beforeprint', () => {
+    opened = [...document.querySelectorAll('details')].filter((block) => !block.open)
+    for (const block of opened) block.open = true
+  })
+  addEventListener('afterprint', () => {
+    for (const block of opened) block.open = false
+    opened = []
+  })
+  document.querySelector('[data-print]')?.addEventListener('click', () => print())
+}

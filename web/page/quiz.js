@@ -1,0 +1,128 @@
+/** Predict first: commit to an answer, then read why. Answers are kept by question and content. */
+
+import { forgetAll, recall, remember } from './storage.js'
+
+const KEPT = 'quiz:'
+
+export function quizzes() {
+  const all = /** @type {HTMLFormElement[]} */ ([...document.querySelectorAll('form.quiz')])
+  for (const form of all) wake(form)
+  document.querySelector('[data-quiz-reset-all]')?.addEventListener('click', () => {
+    forgetAll(KEPT)
+    for (const form of all) forget(form)
+  })
+}
+
+/** @param {HTMLFormElement} form */
+function keyOf(form) {
+  return `${KEPT}${form.dataset.quiz}:${form.dataset.hash}`
+}
+
+/** @param {HTMLFormElement} form */
+function wake(form) {
+  const kept = recall(keyOf(form))
+  if (kept === null || !commit(form, kept)) lock(form, true)
+  form.addEventListener('submit', (event) => {
+    event.preventDefault()
+    const answer = new FormData(form).get(form.dataset.kind === 'choice' ? (form.querySelector('input')?.name ?? '') : 'answer')
+    if (typeof answer !== 'string' || answer.trim() === '') return say(form, 'Choose an answer first.')
+    if (!commit(form, answer.trim())) return say(form, 'That is not a number.')
+    remember(keyOf(form), answer.trim())
+  })
+  form.querySelector('[data-quiz-reset]')?.addEventListener('click', () => {
+    remember(keyOf(form), null)
+    forget(form)
+    form.querySelector('input')?.focus()
+  })
+}
+
+/**
+ * Shows an answer's verdict; false when it is no answer.
+ * @param {HTMLFormElement} form
+ * @param {string} answer
+ */
+function commit(form, answer) {
+  const right = form.dataset.kind === 'choice' ? choose(form, answer) : estimate(form, answer)
+  if (right === null) return false
+  form.dataset.answered = right ? 'right' : 'wrong'
+  say(form, right ? 'Right.' : 'Not this time. Here is why.')
+  for (const input of form.querySelectorAll('input')) input.disabled = true
+  toggle(form, true)
+  const answers = form.querySelector('details')
+  if (answers) answers.open = true
+  lock(form, false)
+  return true
+}
+
+/** @param {HTMLFormElement} form @param {string} answer */
+function choose(form, answer) {
+  const input = [...form.querySelectorAll('input')].find(({ value }) => value === answer)
+  const reason = [...form.querySelectorAll('[data-choice]')].find((item) => item.getAttribute('data-choice') === answer)
+  if (!input || !reason) return null
+  input.checked = true
+  reason.classList.add('is-yours')
+  return reason.hasAttribute('data-right')
+}
+
+/** @param {HTMLFormElement} form @param {string} answer */
+function estimate(form, answer) {
+  const value = number(answer)
+  if (value === null) return null
+  const input = form.querySelector('input')
+  if (input) input.value = answer
+  const near = (/** @type {Element | null} */ item) => item !== null && Math.abs(value - Number(item.getAttribute('data-value'))) <= Number(item.getAttribute('data-tolerance'))
+  const right = near(form.querySelector('.quiz-value'))
+  if (!right) [...form.querySelectorAll('.quiz-reasons li')].find(near)?.classList.add('is-yours')
+  return right
+}
+
+/**
+ * A decimal with point or comma, or a fraction.
+ * @param {string} text
+ */
+export function number(text) {
+  const parts = text.replace(/\u2212/g, '-').replace(',', '.').split('/').map((part) => part.trim())
+  if (parts.length > 2 || parts.some((part) => !/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(part))) return null
+  const value = parts.length === 2 ? Number(parts[0]) / Number(parts[1]) : Number(parts[0])
+  return Number.isFinite(value) ? value : null
+}
+
+/** @param {HTMLFormElement} form */
+function forget(form) {
+  delete form.dataset.answered
+  for (const input of form.querySelectorAll('input')) input.disabled = false
+  for (const item of form.querySelectorAll('.is-yours')) item.classList.remove('is-yours')
+  form.reset()
+  say(form, '')
+  toggle(form, false)
+  const answers = form.querySelector('details')
+  if (answers) answers.open = false
+  lock(form, true)
+}
+
+/** @param {HTMLFormElement} form @param {boolean} answered */
+function toggle(form, answered) {
+  form.querySelector('[data-quiz-reset]')?.toggleAttribute('hidden', !answered)
+  form.querySelector('[type="submit"]')?.toggleAttribute('hidden', answered)
+}
+
+/** @param {HTMLFormElement} form @param {string} words */
+function say(form, words) {
+  const verdict = form.querySelector('.quiz-verdict')
+  if (verdict) verdict.textContent = words
+}
+
+/** @param {HTMLFormElement} form @param {boolean} on */
+function lock(form, on) {
+  const figure = form.dataset.unlocks ? document.getElementById(form.dataset.unlocks) : null
+  const widget = figure?.querySelector('.widget')
+  if (!widget) return
+  widget.toggleAttribute('data-locked', on)
+  widget.toggleAttribute('inert', on)
+  widget.querySelector('.figure-locked')?.remove()
+  if (!on) return
+  const words = document.createElement('p')
+  words.className = 'figure-locked'
+  words.textContent = 'First commit to an answer; then try it here.'
+  widget.append(words)
+}

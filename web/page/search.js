@@ -1,0 +1,88 @@
+/** Search: the index is fetched and built when the reader first asks. */
+
+import MiniSearch from 'minisearch'
+
+/** @typedef {{ id: string, page: string, title: string, section: string, text: string }} Entry */
+
+/** @type {HTMLDialogElement | null} */
+let dialog = null
+
+export function openSearch() {
+  dialog ??= build()
+  dialog.showModal()
+  dialog.querySelector('input')?.select()
+}
+
+function build() {
+  const made = document.createElement('dialog')
+  made.className = 'search'
+  made.setAttribute('aria-label', 'Search')
+  const head = add(made, 'form', 'search-head')
+  head.setAttribute('method', 'dialog')
+  const label = add(head, 'label', '')
+  label.append('Search the book')
+  const input = /** @type {HTMLInputElement} */ (add(label, 'input', ''))
+  input.type = 'search'
+  input.autocomplete = 'off'
+  const close = add(head, 'button', 'button')
+  close.textContent = 'Close'
+  const count = add(made, 'p', 'visually-hidden')
+  count.setAttribute('role', 'status')
+  const list = add(made, 'ol', 'search-results')
+  document.body.append(made)
+
+  const ready = index().catch(() => null)
+  const show = async () => {
+    const found = await ready
+    list.replaceChildren()
+    if (!found) return void (list.textContent = 'The index could not be fetched.')
+    const words = input.value.trim()
+    const hits = words ? found.search(words, { prefix: true, fuzzy: 0.15, boost: { title: 3 }, combineWith: 'AND' }).slice(0, 12) : []
+    for (const hit of hits) list.append(result(hit, words))
+    count.textContent = words ? `${hits.length} places found` : ''
+    if (words && !hits.length) list.textContent = 'Nothing found.'
+  }
+  input.addEventListener('input', show)
+  head.addEventListener('submit', (event) => {
+    const first = list.querySelector('a')
+    if (document.activeElement !== input || !first) return
+    event.preventDefault()
+    first.click()
+  })
+  made.addEventListener('click', (event) => {
+    if (event.target === made || (event.target instanceof Element && event.target.closest('a'))) made.close()
+  })
+  return made
+}
+
+async function index() {
+  const answer = await fetch(rooted('search.json'))
+  if (!answer.ok) throw new Error(`search.json: ${answer.status}`)
+  const found = new MiniSearch({ fields: ['title', 'text'], storeFields: ['page', 'title', 'section', 'text'] })
+  found.addAll(await answer.json())
+  return found
+}
+
+/** @param {string} path */
+function rooted(path) {
+  return new URL((document.documentElement.dataset.root ?? '') + path, location.href).href
+}
+
+/** @param {any} hit @param {string} words */
+function result(hit, words) {
+  const item = document.createElement('li')
+  const link = /** @type {HTMLAnchorElement} */ (add(item, 'a', ''))
+  link.href = `${rooted(hit.page)}#${String(hit.id).split('#')[1] ?? ''}`
+  add(link, 'strong', '').textContent = [hit.section, hit.title].filter(Boolean).join(' ')
+  const at = Math.max(0, hit.text.toLowerCase().indexOf(words.toLowerCase().split(/\s+/)[0]) - 60)
+  add(link, 'span', '').textContent = `${at ? '…' : ''}${hit.text.slice(at, at + 160)}…`
+  return item
+}
+
+/** @param {Element} into @param {string} tag @param {string} name */
+function add(into, tag, name) {
+  const element = document.createElement(tag)
+  if (name) element.className = name
+  into.append(element)
+  return element
+}

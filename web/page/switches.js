@@ -1,0 +1,37 @@
+/** Theme and notation: two groups of buttons, remembered. */
+
+import { recall, remember } from './storage.js'
+
+export function switches() {
+  const root = document.documentElement
+  const theme = recall('theme')
+  group('theme', theme === 'light' || theme === 'dark' ? theme : 'auto', (value) => {
+    if (value === 'auto') delete root.dataset.theme
+    else root.dataset.theme = value
+    remember('theme', value === 'auto' ? null : value)
+  })
+  group('notation', recall('notation') === 'thrun' ? 'thrun' : 'choset', (value) => {
+    root.dataset.notation = value
+    remember('notation', value)
+  })
+}
+
+/**
+ * @param {'theme' | 'notation'} name
+ * @param {string} now
+ * @param {(value: string) => void} choose
+ */
+function group(name, now, choose) {
+  const buttons = [...document.querySelectorAll(`[data-set-${name}]`)]
+  const show = (/** @type {string} */ value) => {
+    for (const button of buttons) button.setAttribute('aria-pressed', String(button.getAttribute(`data-set-${name}`) === value))
+  }
+  for (const button of buttons) {
+    button.addEventListener('click', () => {
+      const value = button.getAttribute(`data-set-${name}`) ?? ''
+      choose(value)
+      show(value)
+    })
+  }
+  show(now)
+}

@@ -1,0 +1,132 @@
+/** A word or a number says what it is, and lights its kin in the nearest figure. */
+
+const CALLERS = '.term, .number, .formula-numbers, [data-number]'
+const KINDS = ['prediction', 'posterior', 'measurement', 'truth']
+
+export function terms() {
+  const box = document.createElement('div')
+  box.className = 'popover'
+  box.id = 'popover'
+  box.hidden = true
+  document.body.append(box)
+  /** @type {Element | null} */
+  let owner = null
+  let pinned = false
+  /** @type {ReturnType<typeof setTimeout> | undefined} */
+  let timer
+
+  const hide = () => {
+    clearTimeout(timer)
+    owner?.removeAttribute('aria-describedby')
+    owner = null
+    pinned = false
+    box.hidden = true
+  }
+  const show = (/** @type {Element} */ caller) => {
+    clearTimeout(timer)
+    if (owner === caller) return
+    hide()
+    if (!fill(box, caller)) return
+    owner = caller
+    if (caller.matches('a')) caller.setAttribute('aria-describedby', 'popover')
+    box.hidden = false
+    place(box, caller)
+  }
+  const later = (/** @type {() => void} */ act, /** @type {number} */ wait) => {
+    clearTimeout(timer)
+    timer = setTimeout(act, wait)
+  }
+  const callerOf = (/** @type {EventTarget | null} */ target) => (target instanceof Element ? target.closest(CALLERS) : null)
+
+  document.addEventListener('pointerover', (event) => {
+    if (event.pointerType !== 'mouse') return
+    light(event.target)
+    const caller = callerOf(event.target)
+    if (caller) later(() => show(caller), 160)
+    else if (box.contains(/** @type {Node} */ (event.target))) clearTimeout(timer)
+    else if (owner && !pinned) later(hide, 220)
+    else clearTimeout(timer)
+  })
+  document.addEventListener('focusin', (event) => {
+    light(event.target)
+    const caller = callerOf(event.target)
+    if (caller) show(caller)
+    else if (!box.contains(/** @type {Node} */ (event.target))) hide()
+  })
+  document.addEventListener('click', (event) => {
+    const caller = callerOf(event.target)
+    if (!caller) {
+      if (!box.contains(/** @type {Node} */ (event.target))) hide()
+      return
+    }
+    light(event.target)
+    // Enter follows the link to the entry; a click or a tap opens it here.
+    if (event.detail === 0 || event.ctrlKey || event.metaKey || event.shiftKey) return
+    event.preventDefault()
+    if (owner === caller && pinned) return hide()
+    show(caller)
+    pinned = true
+  })
+  document.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') hide()
+  })
+}
+
+/** @param {Element} box @param {Element} caller */
+function fill(box, caller) {
+  const { term, number, numbers } = /** @type {HTMLElement} */ (caller).dataset
+  const ids = term ? [`gloss-${term}`] : (numbers?.split(' ') ?? [number]).map((id) => `number-${id}`)
+  const entries = ids.map((id) => document.getElementById(id)).filter((entry) => entry !== null)
+  if (!entries.length) return false
+  const copies = entries.slice(0, 4).map((entry) => {
+    const copy = /** @type {Element} */ (entry.cloneNode(true))
+    for (const part of [copy, ...copy.querySelectorAll('[id]')]) part.removeAttribute('id')
+    return copy
+  })
+  const list = document.createElement('dl')
+  list.append(...copies)
+  box.replaceChildren(list)
+  return true
+}
+
+/** @param {HTMLElement} box @param {Element} caller */
+function place(box, caller) {
+  const at = caller.getClientRects()[0] ?? caller.getBoundingClientRect()
+  const { width, height } = box.getBoundingClientRect()
+  const left = Math.max(12, Math.min(at.left, document.documentElement.clientWidth - width - 12))
+  const above = at.bottom + height + 12 > innerHeight && at.top > height + 12
+  box.style.left = `${left + scrollX}px`
+  box.style.top = `${(above ? at.top - height - 8 : at.bottom + 8) + scrollY}px`
+}
+
+/** @type {HTMLElement | null} */
+let lit = null
+
+/** @param {EventTarget | null} target */
+function light(target) {
+  const kin = target instanceof Element ? kinOf(target) : null
+  const widget = kin && target instanceof Element ? nearest(target) : null
+  if (lit && lit !== widget) delete lit.dataset.lit
+  lit = widget
+  if (widget && kin) widget.dataset.lit = kin
+}
+
+/** @param {Element} element */
+function kinOf(element) {
+  if (element.closest('.widget')) return null
+  const holder = element.closest('[data-kin], .term-prediction, .term-posterior, .term-measurement, .term-truth')
+  if (!holder) return null
+  return /** @type {HTMLElement} */ (holder).dataset.kin ?? KINDS.find((kind) => holder.classList.contains(`term-${kind}`)) ?? null
+}
+
+/** @param {Element} element @returns {HTMLElement | null} */
+function nearest(element) {
+  const y = element.getBoundingClientRect().top
+  let [best, least] = [/** @type {HTMLElement | null} */ (null), Infinity]
+  for (const widget of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.widget'))) {
+    const { top, bottom } = widget.getBoundingClientRect()
+    const distance = Math.max(top - y, y - bottom, 0)
+    if (distance < least) [best, least] = [widget, distance]
+  }
+  return best
+}
