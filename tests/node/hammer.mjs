@@ -79,7 +79,7 @@ if (FUNCTIONS[name]) {
     }
     if (lab) {
       const state = it.state()
-      const bent = spoil(state, dice)
+      const [bent] = spoil([state], dice)
       const restored = judged(`${name}.from(${say(bent)})`, () => Class.from(bent))
       restored?.answer.free()
       const twin = judged(`${name}.from(${say(state)})`, () => Class.from(state))

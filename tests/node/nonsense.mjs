@@ -21,13 +21,19 @@ const OTHERS = [undefined, null, '3', '', 'NaN', true, {}, [], [[]], [1], [[1]],
 
 /** Something that does not belong where a number, or anything, was asked for. */
 export function junk(dice) {
-  return dice.uniform() < 0.6 ? dice.pick(NUMBERS) : dice.pick(OTHERS)
+  return copy(dice.uniform() < 0.6 ? dice.pick(NUMBERS) : dice.pick(OTHERS))
 }
 
-/** A deep copy of `value` with up to three places spoilt; now and then, none. */
-export function spoil(value, dice) {
-  let spoilt = copy(value)
-  for (let times = dice.below(4); times > 0; times--) spoilt = spoilOnce(spoilt, dice)
+/** A deep copy of the argument list `args` with up to three places spoilt; now and then none, or one too few or too many. */
+export function spoil(args, dice) {
+  const spoilt = copy(args)
+  for (let times = dice.below(4); times > 0 && spoilt.length > 0; times--) {
+    const at = dice.below(spoilt.length)
+    spoilt[at] = spoilOnce(spoilt[at], dice)
+  }
+  const chance = dice.uniform()
+  if (chance < 0.04) spoilt.pop()
+  else if (chance < 0.08) spoilt.push(junk(dice))
   return spoilt
 }
 
@@ -41,13 +47,13 @@ function copy(value) {
 
 function spoilOnce(value, dice) {
   const inside = value !== null && typeof value === 'object' ? Object.keys(value) : []
-  if (inside.length === 0 || dice.uniform() < 0.12) return junk(dice)
+  if (inside.length === 0 || ArrayBuffer.isView(value) || dice.uniform() < 0.12) return junk(dice)
   const key = dice.pick(inside)
   if (Array.isArray(value)) {
     const chance = dice.uniform()
     if (chance < 0.08) return value.concat([copy(value[0])])
     if (chance < 0.16) return value.slice(0, -1)
-    if (chance < 0.19) return Array.from({ length: 10_000 }, () => copy(value[0]))
+    if (chance < 0.19 && value.length < 100 && !(value[0]?.length > 100)) return Array.from({ length: 10_000 }, () => copy(value[0]))
   } else if (dice.uniform() < 0.1) {
     delete value[key]
     return value
