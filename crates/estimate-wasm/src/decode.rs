@@ -59,10 +59,10 @@ impl<'a> Arg<'a> {
             return Err(self.refuse(Code::NotFinite, "is not finite; it must be a whole number"));
         }
         if number.fract() != 0.0 {
-            return Err(self.refuse(Code::Type, format!("is {number}; it must be a whole number")));
+            return Err(self.refuse(Code::Type, "has a fraction; it must be a whole number"));
         }
         if number < f64::from(least) || number > f64::from(most) {
-            let message = format!("is {number}; it must be at least {least} and at most {most}");
+            let message = format!("must be at least {least} and at most {most}");
             return Err(self.refuse(Code::Limit, message));
         }
         Ok(number as u32)
@@ -76,7 +76,7 @@ impl<'a> Arg<'a> {
 
     /// One of the given words.
     pub fn word<T: Copy>(&self, words: &[(&str, T)]) -> Result<T, Error> {
-        let listed = || words.iter().map(|(w, _)| format!("\"{w}\"")).collect::<Vec<_>>().join(" or ");
+        let listed = || listed(words.iter().map(|(word, _)| *word));
         let given = self.value.as_string().ok_or_else(|| self.wrong_type(&listed()))?;
         let found = words.iter().find(|(word, _)| *word == given).map(|(_, value)| *value);
         found.ok_or_else(|| self.refuse(Code::Type, format!("is none of {}", listed())))
@@ -119,7 +119,7 @@ impl<'a> Arg<'a> {
             None => Ok(()),
             Some(key) => {
                 let path = format!("{}.{key}", self.path);
-                Err(Error::new(Code::Type, path, format!("is unknown; there are {}", known.join(", "))))
+                Err(Error::new(Code::Type, path, format!("is unknown; there are {}", listed(known.iter().copied()))))
             }
         }
     }
@@ -141,7 +141,7 @@ impl<'a> Arg<'a> {
         let length =
             Reflect::get(&self.value, &"length".into()).ok().and_then(|l| l.as_f64()).ok_or_else(unreadable)?;
         if length > f64::from(MAX_LENGTH) {
-            return Err(self.refuse(Code::Limit, format!("has {length} entries; at most {MAX_LENGTH} are read")));
+            return Err(self.refuse(Code::Limit, format!("is too long; at most {MAX_LENGTH} entries are read")));
         }
         (0..length as u32)
             .map(|i| {
@@ -182,4 +182,14 @@ impl<'a> Arg<'a> {
         }
         Ok(Complex::new(self.field("re")?.number()?, self.field("im")?.number()?))
     }
+}
+
+fn listed<'a>(words: impl Iterator<Item = &'a str>) -> String {
+    words.fold(String::new(), |mut all, word| {
+        if !all.is_empty() {
+            all.push_str(", ");
+        }
+        all.push_str(word);
+        all
+    })
 }

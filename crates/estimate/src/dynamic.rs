@@ -202,7 +202,7 @@ pub fn covariance_ellipse(p: DMatrix<f64>, radius: f64) -> Result<Ellipse, Error
     let p = validate::covariance(p, 2, "P")?;
     let radius = validate::finite(radius, "radius")?;
     if radius <= 0.0 {
-        return Err(Error::new(Code::Limit, "radius", format!("is {radius}; it must be positive")));
+        return Err(Error::new(Code::Limit, "radius", "must be positive"));
     }
     let ellipse = Ellipse::from_covariance(&Matrix2::new(p[(0, 0)], p[(0, 1)], p[(1, 0)], p[(1, 1)]), radius);
     validate::finite(ellipse.semi_major, "radius")?;

@@ -4,6 +4,7 @@ use crate::error::{Code, Error};
 use crate::observability::{analyze, observability_matrix};
 use crate::validate;
 use nalgebra::{Complex, DMatrix, DVector, SMatrix, SVector};
+use std::borrow::Cow;
 
 /// Singular values of Q or of [HF; …; HFⁿ] below this part of the largest count as zero.
 const RANK_TOLERANCE: f64 = 1e-9;
@@ -79,9 +80,9 @@ enum Factor {
 }
 
 fn real_factors(poles: &[Complex<f64>], n: usize) -> Result<Vec<Factor>, Error> {
-    let refuse = |message: String| Err(Error::new(Code::Poles, "poles", message));
+    let refuse = |message: Cow<'static, str>| Err(Error::new(Code::Poles, "poles", message));
     if poles.len() != n {
-        return refuse(format!("are {}; a system of {n} states needs {n}", poles.len()));
+        return refuse(format!("are {}; a system of {n} states needs {n}", poles.len()).into());
     }
     if poles.iter().any(|p| !p.re.is_finite() || !p.im.is_finite()) {
         return refuse("hold a NaN or an infinity; every pole must be finite".into());
@@ -90,15 +91,12 @@ fn real_factors(poles: &[Complex<f64>], n: usize) -> Result<Vec<Factor>, Error> 
     let mut lower: Vec<&Complex<f64>> = poles.iter().filter(|p| p.im < 0.0).collect();
     for upper in poles.iter().filter(|p| p.im > 0.0) {
         let Some(at) = lower.iter().position(|l| l.re == upper.re && l.im == -upper.im) else {
-            return refuse(format!("hold {} + {}i without its conjugate", upper.re, upper.im));
+            return refuse("hold a complex number without its conjugate".into());
         };
         lower.swap_remove(at);
         factors.push(Factor::Pair { sum: 2.0 * upper.re, product: upper.re * upper.re + upper.im * upper.im });
     }
-    match lower.first() {
-        Some(p) => refuse(format!("hold {} − {}i without its conjugate", p.re, -p.im)),
-        None => Ok(factors),
-    }
+    if lower.is_empty() { Ok(factors) } else { refuse("hold a complex number without its conjugate".into()) }
 }
 
 fn evaluate(factors: &[Factor], m: &DMatrix<f64>) -> DMatrix<f64> {

@@ -3,7 +3,9 @@
 
 use crate::error::{Code, Error};
 use crate::validate::ITERATIONS_PER_ROW;
-use nalgebra::{Complex, DMatrix, DVector, SVD, Schur};
+use core::cmp::Ordering;
+use filters::linear::{jacobi, power_of_two};
+use nalgebra::{Complex, DMatrix, DVector, Schur};
 
 /// The eigenvalues of a square `m`, by decreasing modulus, then decreasing imaginary part, then decreasing real part.
 ///
@@ -36,8 +38,17 @@ pub fn eigenvalues(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
         _ => found.extend(iterated(&core)?),
     }
     let modulus = |l: &Complex<f64>| libm::hypot(l.re, l.im);
-    found.sort_by(|a, b| modulus(b).total_cmp(&modulus(a)).then(b.im.total_cmp(&a.im)).then(b.re.total_cmp(&a.re)));
-    Ok(found)
+    // By insertion: a handful of values do not pay for the standard library's sort, 20 kB of the module.
+    let mut ordered: Vec<Complex<f64>> = Vec::with_capacity(found.len());
+    for l in found {
+        let before = |o: &Complex<f64>| {
+            let order = modulus(&l).total_cmp(&modulus(o)).then(l.im.total_cmp(&o.im)).then(l.re.total_cmp(&o.re));
+            order == Ordering::Greater
+        };
+        let at = ordered.iter().position(before).unwrap_or(ordered.len());
+        ordered.insert(at, l);
+    }
+    Ok(ordered)
 }
 
 /// The diagonal entries that stand alone in their row or column among the indices not yet taken (eigenvalues, exactly),
@@ -89,16 +100,6 @@ fn iterated(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     Ok(schur.complex_eigenvalues().iter().map(|l| l * scale).collect())
 }
 
-/// The power of two at or above `size`, by which to divide without rounding; 1 for zero.
-fn power_of_two(size: f64) -> f64 {
-    if size == 0.0 {
-        return 1.0;
-    }
-    let (_, exponent) = libm::frexp(size);
-    // Kept where both the power and its use as a divisor are normal numbers.
-    libm::ldexp(1.0, exponent.clamp(-1000, 1000))
-}
-
 /// Singular values and right singular vectors.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Singular {
@@ -112,31 +113,14 @@ pub struct Singular {
 /// the missing values are zero.
 ///
 /// # Errors
-/// [`Code::NotFinite`] when an entry is not finite, [`Code::DidNotConverge`] when the iteration meets its cap or its
-/// answer does not reproduce the matrix.
+/// [`Code::NotFinite`] when an entry is not finite, [`Code::DidNotConverge`] when the iteration meets its cap.
 pub fn singular(m: &DMatrix<f64>) -> Result<Singular, Error> {
     if !filters::linear::is_finite(m) {
         return Err(Error::new(Code::NotFinite, "matrix", "holds a NaN or an infinity"));
     }
-    let n = m.ncols();
-    let scale = power_of_two(m.amax());
-    // Zero rows change no singular value and make room for all n right vectors.
-    let tall = (m / scale).resize_vertically(m.nrows().max(n), 0.0);
-    let did_not_converge = || Error::new(Code::DidNotConverge, "matrix", "its singular values were not found");
-    let svd = SVD::try_new(tall.clone(), false, true, f64::EPSILON, ITERATIONS_PER_ROW * tall.nrows())
-        .ok_or_else(did_not_converge)?;
-    let v_t = svd.v_t.ok_or_else(did_not_converge)?;
-    let mut pairs: Vec<(f64, DVector<f64>)> =
-        svd.singular_values.iter().zip(v_t.row_iter()).map(|(s, v)| (*s, facing(v.transpose()))).collect();
-    pairs.sort_by(|a, b| b.0.total_cmp(&a.0));
-    for (value, direction) in &pairs {
-        let off = ((&tall * direction).norm() - value).abs() + (direction.norm() - 1.0).abs();
-        let accurate = off <= 1e-10;
-        if !accurate {
-            return Err(did_not_converge());
-        }
-    }
-    let (values, directions) = pairs.into_iter().map(|(s, v)| (s * scale, v)).unzip();
+    let (values, directions) = jacobi(m.clone())
+        .ok_or_else(|| Error::new(Code::DidNotConverge, "matrix", "its singular values were not found"))?;
+    let directions = directions.column_iter().map(|v| facing(v.clone_owned())).collect();
     Ok(Singular { values, directions })
 }
 

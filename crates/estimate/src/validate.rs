@@ -1,7 +1,7 @@
 //! The checks every argument from outside goes through.
 
 use crate::error::{Code, Error};
-use nalgebra::{DMatrix, DVector, SymmetricEigen};
+use nalgebra::{DMatrix, DVector};
 
 /// The largest number of states of a run-time system.
 pub const MAX_STATES: usize = 16;
@@ -14,7 +14,7 @@ pub const SYMMETRY_TOLERANCE: f64 = 1e-9;
 /// A covariance may have an eigenvalue this far below zero, as a part of its largest.
 pub const SEMIDEFINITE_TOLERANCE: f64 = 1e-12;
 
-/// Iterations granted to an eigenvalue or singular-value routine, per row; LAPACK grants 30.
+/// Iterations granted to an eigenvalue routine, per row; LAPACK grants 30.
 pub(crate) const ITERATIONS_PER_ROW: usize = 100;
 
 /// `value`, when it is neither a NaN nor an infinity.
@@ -83,9 +83,11 @@ pub fn covariance(m: DMatrix<f64>, n: usize, argument: &'static str) -> Result<D
     // Scaled, so that the factorization of a large covariance cannot overflow.
     let scaled = &m / largest;
     if scaled.clone().cholesky().is_none() {
-        let eigen = SymmetricEigen::try_new(scaled, f64::EPSILON, ITERATIONS_PER_ROW * n)
+        let (sizes, _) = filters::linear::jacobi(scaled.clone())
             .ok_or_else(|| Error::new(Code::DidNotConverge, argument, "its eigenvalues were not found"))?;
-        if eigen.eigenvalues.min() < -SEMIDEFINITE_TOLERANCE * eigen.eigenvalues.amax() {
+        // Raised by its allowance, a matrix that is semidefinite to that much has a Cholesky factor.
+        let allowance = SEMIDEFINITE_TOLERANCE * sizes[0];
+        if (scaled + DMatrix::identity(n, n) * allowance).cholesky().is_none() {
             return Err(Error::new(
                 Code::NotPositiveSemidefinite,
                 argument,

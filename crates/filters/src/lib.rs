@@ -7,6 +7,7 @@
 
 pub mod consistency;
 mod error;
+mod jacobi;
 pub mod kalman;
 pub mod linear;
 mod square_root;

@@ -4,6 +4,7 @@
 //! sizes) and the chapter's run-time functions; both call these.
 
 use crate::error::Error;
+pub use crate::jacobi::{jacobi, power_of_two};
 use crate::square_root;
 use geom::{MIN_PIVOT, Spd};
 use nalgebra::allocator::Allocator;

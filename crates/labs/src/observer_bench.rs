@@ -175,7 +175,7 @@ impl Lab for ObserverBench {
     fn new(params: BenchParams) -> Result<Self, Error> {
         let gain = validate::finite(params.gain, "gain")?;
         if !(0.0..=MAX_GAIN).contains(&gain) {
-            return Err(Error::new(Code::Limit, "gain", format!("is {gain}; the knob turns from 0 to {MAX_GAIN}")));
+            return Err(Error::new(Code::Limit, "gain", "is out of reach; the knob turns from 0 to 8"));
         }
         let (system, belief) = match params.sensor {
             Sensor::Velocity => dead_reckoning(),

@@ -1,0 +1,122 @@
+//! Singular values by one-sided Jacobi rotations (Hestenes 1958; Golub and Van Loan, Matrix Computations, §8.6.3).
+//!
+//! Not nalgebra's SVD: that iterates for ever on some finite matrices, brings three more factorizations into the wasm
+//! module, and knows a small singular value only to the rounding of the largest. Rotating columns until all are orthogonal
+//! takes a dozen sweeps at most, and keeps the digits of the small ones.
+
+use nalgebra::DMatrix;
+
+/// Sweeps over all pairs of columns; seven or eight suffice for sixteen of them.
+const MAX_SWEEPS: usize = 60;
+
+/// The singular values of `m`, in decreasing order, and its right singular vectors as columns (one for each column of
+/// `m`, orthonormal); `None` when an entry is not finite or the sweeps run out.
+///
+/// # Example
+/// ```
+/// let (values, directions) = filters::linear::jacobi(nalgebra::dmatrix![0.0, -3.0; 2.0, 0.0]).expect("finite");
+/// assert_eq!(values, [3.0, 2.0]);
+/// assert_eq!(directions[(1, 0)].abs(), 1.0);
+/// ```
+pub fn jacobi(m: DMatrix<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
+    if m.iter().any(|e| !e.is_finite()) {
+        return None;
+    }
+    let n = m.ncols();
+    // By a power of two, hence without rounding, so that no square overflows or vanishes.
+    let scale = power_of_two(m.amax());
+    let (mut a, mut v) = (m / scale, DMatrix::identity(n, n));
+    // A null column is rounding only, and rounding is never orthogonal: below this product two columns count as such.
+    let negligible = f64::EPSILON * f64::EPSILON * a.norm_squared();
+    let mut still = false;
+    for _ in 0..MAX_SWEEPS {
+        still = true;
+        for q in 1..n {
+            for p in 0..q {
+                still &= !orthogonalize(&mut a, &mut v, (p, q), negligible);
+            }
+        }
+        if still {
+            break;
+        }
+    }
+    let mut order: Vec<(f64, usize)> = Vec::with_capacity(n);
+    for j in 0..n {
+        let size = a.column(j).norm();
+        let at = order.iter().position(|(s, _)| size > *s).unwrap_or(order.len());
+        order.insert(at, (size, j));
+    }
+    let directions = DMatrix::from_fn(n, n, |i, j| v[(i, order[j].1)]);
+    still.then(|| (order.into_iter().map(|(size, _)| size * scale).collect(), directions))
+}
+
+/// The power of two at or above `size`, by which to divide without rounding; 1 for zero.
+pub fn power_of_two(size: f64) -> f64 {
+    if size == 0.0 {
+        return 1.0;
+    }
+    let (_, exponent) = libm::frexp(size);
+    // Kept where both the power and its use as a divisor are normal numbers.
+    libm::ldexp(1.0, exponent.clamp(-1000, 1000))
+}
+
+/// Turns columns `p` and `q` of `a`, and of `v` with them, until they are orthogonal; false when they already were.
+fn orthogonalize(a: &mut DMatrix<f64>, v: &mut DMatrix<f64>, (p, q): (usize, usize), negligible: f64) -> bool {
+    let (pp, qq, pq) = (a.column(p).norm_squared(), a.column(q).norm_squared(), a.column(p).dot(&a.column(q)));
+    if pq.abs() <= negligible || pq.abs() <= f64::EPSILON * libm::sqrt(pp) * libm::sqrt(qq) {
+        return false;
+    }
+    let zeta = (qq - pp) / (2.0 * pq);
+    let t = libm::copysign(1.0, zeta) / (zeta.abs() + libm::hypot(1.0, zeta));
+    let c = 1.0 / libm::hypot(1.0, t);
+    let s = c * t;
+    for m in [a, v] {
+        for i in 0..m.nrows() {
+            let (x, y) = (m[(i, p)], m[(i, q)]);
+            m[(i, p)] = c * x - s * y;
+            m[(i, q)] = s * x + c * y;
+        }
+    }
+    true
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{DVector, dmatrix};
+
+    #[test]
+    fn values_and_directions_reproduce_the_matrix() {
+        for (rows, columns) in [(5, 3), (3, 5), (16, 16), (1, 4), (4, 1)] {
+            let m = DMatrix::from_fn(rows, columns, |i, j| libm::sin((3 * i * i + 7 * j + 1) as f64));
+            let (values, v) = jacobi(m.clone()).expect("converges");
+            assert!(values.is_sorted_by(|a, b| a >= b));
+            assert!((v.transpose() * &v - DMatrix::identity(columns, columns)).amax() < 1e-14);
+            let squares = DVector::from_vec(values.iter().map(|s| s * s).collect());
+            let gram = &v * DMatrix::from_diagonal(&squares) * v.transpose();
+            assert!((gram - m.transpose() * m).amax() < 1e-12);
+        }
+    }
+
+    #[test]
+    fn a_small_value_keeps_its_digits_beside_a_large_one() {
+        let (values, _) = jacobi(dmatrix![1e10, 1.0; 0.0, 1e-10]).expect("converges");
+        // Their product is |det| = 1.
+        assert!((values[0] * values[1] - 1.0).abs() < 1e-14);
+    }
+
+    #[test]
+    fn degenerate_and_deficient_matrices_converge() {
+        let (values, _) = jacobi(dmatrix![0.0, 1.0; 1.0, 0.0]).expect("converges");
+        assert_eq!(values, [1.0, 1.0]);
+        let (values, _) = jacobi(DMatrix::from_element(6, 6, 1.0)).expect("converges");
+        assert!((values[0] - 6.0).abs() < 1e-14 && values[1] < 1e-14);
+        assert_eq!(jacobi(DMatrix::zeros(3, 2)).expect("converges").0, [0.0, 0.0]);
+    }
+
+    #[test]
+    fn what_is_not_finite_has_no_answer() {
+        assert!(jacobi(dmatrix![f64::NAN]).is_none());
+        assert!(jacobi(dmatrix![1.0, f64::INFINITY]).is_none());
+    }
+}
