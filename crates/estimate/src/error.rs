@@ -87,6 +87,11 @@ impl From<filters::Error> for Error {
                 "the innovation covariance HPHᵀ + W is not positive definite to working accuracy; more sensor noise W, \
                  or outputs that are not copies of each other, would make it so",
             ),
+            filters::Error::AtFeature => Self::new(
+                Code::AtLandmark,
+                "landmark",
+                "the estimate stands on the landmark, where range and bearing cannot be linearized; a step aside mends it",
+            ),
             filters::Error::OutOfRange { what } => Self::new(Code::Limit, what, "is out of range"),
         }
     }

@@ -13,7 +13,9 @@ pub enum Error {
     /// The innovation covariance S is not positive definite, or so near to singular that rounding would decide the
     /// answer.
     InnovationNotPositiveDefinite,
-    /// A probability lies outside (0, 1), or a number of degrees of freedom is zero.
+    /// The state stands on the feature that was read, where the reading's model does not exist.
+    AtFeature,
+    /// A probability, a number of degrees of freedom, an index or the like is not among what is accepted.
     OutOfRange {
         /// The culprit.
         what: &'static str,
@@ -27,6 +29,7 @@ impl fmt::Display for Error {
             Self::InnovationNotPositiveDefinite => {
                 write!(f, "the innovation covariance S is not positive definite to working accuracy")
             }
+            Self::AtFeature => write!(f, "the state stands on the feature: nothing can be linearized there"),
             Self::OutOfRange { what } => write!(f, "{what} is out of range"),
         }
     }

@@ -41,6 +41,12 @@ where
         self.pivot
     }
 
+    /// ln det S.
+    pub fn ln_determinant(&self) -> f64 {
+        let l = self.factor.l_dirty();
+        (0..l.nrows()).map(|i| 2.0 * libm::log(l[(i, i)])).sum()
+    }
+
     /// S⁻¹ B.
     pub fn solve<C: Dim>(&self, b: &OMatrix<f64, D, C>) -> OMatrix<f64, D, C>
     where

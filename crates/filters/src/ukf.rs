@@ -1,0 +1,238 @@
+//! The unscented Kalman filter (Julier and Uhlmann 1997; van der Merwe 2004), in Thrun's letters.
+
+use crate::error::Error;
+use crate::kalman::Update;
+use crate::linear::{finite, symmetric};
+use crate::nonlinear::{MeasurementModel, MotionModel, State};
+use geom::Spd;
+use nalgebra::{Cholesky, SMatrix, SVector};
+
+/// Where the sigma points stand and what they weigh. The answer depends on it, so a result says which it used.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SigmaPoints {
+    /// Spread of the points about the mean, positive.
+    pub alpha: f64,
+    /// What is known of the distribution's kurtosis; 2 is right for a normal one.
+    pub beta: f64,
+    /// A second scale, with n + κ positive.
+    pub kappa: f64,
+}
+
+impl Default for SigmaPoints {
+    /// α = 1e-3, β = 2, κ = 0: van der Merwe's usual choice.
+    fn default() -> Self {
+        Self { alpha: 1e-3, beta: 2.0, kappa: 0.0 }
+    }
+}
+
+/// An unscented Kalman filter holding its belief.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Ukf<X, const N: usize> {
+    /// The mean μ.
+    pub x: X,
+    /// The covariance Σ, n×n, in the coordinates of ⊞ at the mean.
+    pub p: SMatrix<f64, N, N>,
+    /// The sigma points in use.
+    pub points: SigmaPoints,
+}
+
+/// The deviations of the transformed points from the transformed mean point, with their weighted moments.
+struct Transformed<const N: usize, const M: usize> {
+    /// Of the 2n outer points: those along + and − each column of the root.
+    deviations: [[SVector<f64, M>; 2]; N],
+    /// Their weighted mean.
+    mean: SVector<f64, M>,
+    weights: Weights,
+}
+
+#[derive(Clone, Copy)]
+struct Weights {
+    outer: f64,
+    centre_covariance: f64,
+}
+
+impl<const N: usize, const M: usize> Transformed<N, M> {
+    fn new(deviations: [[SVector<f64, M>; 2]; N], weights: Weights) -> Self {
+        let sum: SVector<f64, M> = deviations.iter().flatten().sum();
+        Self { mean: sum * weights.outer, deviations, weights }
+    }
+
+    /// Σ wᵢ (aᵢ − ā)(bᵢ − b̄)ᵀ over all 2n + 1 points, the centre's deviation being zero.
+    fn covariance<const L: usize>(&self, other: &Transformed<N, L>) -> SMatrix<f64, M, L> {
+        let mut sum = self.mean * other.mean.transpose() * self.weights.centre_covariance;
+        for (a, b) in self.deviations.iter().flatten().zip(other.deviations.iter().flatten()) {
+            sum += (a - self.mean) * (b - other.mean).transpose() * self.weights.outer;
+        }
+        sum
+    }
+}
+
+impl<X: State<N>, const N: usize> Ukf<X, N> {
+    /// √(n + λ) times the columns of Σ's Cholesky root, and the weights.
+    fn spread(&self) -> Result<([SVector<f64, N>; N], Weights), Error> {
+        let SigmaPoints { alpha, beta, kappa } = self.points;
+        let n = N as f64;
+        let scale = alpha * alpha * (n + kappa); // n + λ
+        let usable = alpha > 0.0 && scale > 0.0 && scale.is_finite() && beta.is_finite();
+        if !usable {
+            return Err(Error::OutOfRange { what: "the sigma points" });
+        }
+        let p = finite(self.p, "the covariance")?;
+        let root = Cholesky::new(p).ok_or(Error::OutOfRange { what: "the covariance" })?.unpack() * libm::sqrt(scale);
+        let centre_mean = (scale - n) / scale;
+        let weights = Weights { outer: 0.5 / scale, centre_covariance: centre_mean + 1.0 - alpha * alpha + beta };
+        Ok((core::array::from_fn(|i| root.column(i).into_owned()), weights))
+    }
+
+    /// The 2n outer points sent through `deviation`.
+    fn transformed<const M: usize>(
+        columns: &[SVector<f64, N>; N],
+        weights: Weights,
+        deviation: impl Fn(&SVector<f64, N>) -> Result<SVector<f64, M>, Error>,
+    ) -> Result<Transformed<N, M>, Error> {
+        let mut deviations = [[SVector::<f64, M>::zeros(); 2]; N];
+        for (pair, column) in deviations.iter_mut().zip(columns) {
+            *pair = [deviation(column)?, deviation(&-column)?];
+        }
+        Ok(Transformed::new(deviations, weights))
+    }
+
+    /// The belief after x⁺ = f(x, u) + noise of covariance R.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`], or [`Error::OutOfRange`] when Σ is not positive definite or the points cannot be placed; the
+    /// belief is then unchanged.
+    pub fn predict<const U: usize>(
+        &mut self,
+        model: &impl MotionModel<X, N, U>,
+        u: &SVector<f64, U>,
+        r: &SMatrix<f64, N, N>,
+    ) -> Result<(), Error> {
+        let (columns, weights) = self.spread()?;
+        let centre = model.f(&self.x, u);
+        let moved = Self::transformed(&columns, weights, |d| Ok(model.f(&self.x.boxplus(d), u).boxminus(&centre)))?;
+        let x = centre.boxplus(&moved.mean);
+        if !x.is_finite() {
+            return Err(Error::NotFinite { what: "the predicted mean" });
+        }
+        let p = finite(symmetric(moved.covariance(&moved) + r), "the predicted covariance")?;
+        *self = Self { x, p, points: self.points };
+        Ok(())
+    }
+
+    /// Corrects the belief with the reading `z` of feature `j`, of noise covariance Q.
+    ///
+    /// # Errors
+    /// As [`Ukf::predict`], [`Error::InnovationNotPositiveDefinite`], or what the model answers; the belief is then
+    /// unchanged.
+    pub fn update<const M: usize>(
+        &mut self,
+        model: &impl MeasurementModel<X, N, M>,
+        z: &SVector<f64, M>,
+        j: usize,
+        q: &SMatrix<f64, M, M>,
+    ) -> Result<Update<N, M>, Error> {
+        let (columns, weights) = self.spread()?;
+        let centre = model.h(&self.x, j)?;
+        let seen =
+            Self::transformed(&columns, weights, |d| Ok(model.residual(&model.h(&self.x.boxplus(d), j)?, &centre)))?;
+        let states = Self::transformed(&columns, weights, |d| Ok(*d))?;
+
+        let innovation = finite(model.residual(z, &(centre + seen.mean)), "the innovation")?;
+        let s = finite(symmetric(seen.covariance(&seen) + q), "S")?;
+        let spd = Spd::new(s).ok_or(Error::InnovationNotPositiveDefinite)?;
+        let k = spd.solve(&states.covariance(&seen).transpose()).transpose();
+        let x = self.x.boxplus(&(k * innovation));
+        if !x.is_finite() {
+            return Err(Error::NotFinite { what: "the mean" });
+        }
+        let p = finite(symmetric(self.p - k * s * k.transpose()), "the covariance")?;
+        *self = Self { x, p, points: self.points };
+        Ok(Update { innovation, s, k })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
+
+    struct Square;
+
+    impl MotionModel<Vector1<f64>, 1, 1> for Square {
+        fn f(&self, x: &Vector1<f64>, _: &SVector<f64, 1>) -> Vector1<f64> {
+            Vector1::new(x[0] * x[0])
+        }
+
+        fn jacobian(&self, x: &Vector1<f64>, _: &SVector<f64, 1>) -> Matrix1<f64> {
+            Matrix1::new(2.0 * x[0])
+        }
+    }
+
+    struct Sum;
+
+    impl MotionModel<Vector2<f64>, 2, 1> for Sum {
+        fn f(&self, x: &Vector2<f64>, u: &SVector<f64, 1>) -> Vector2<f64> {
+            Vector2::new(x[0] + 2.0 * x[1], x[1] + u[0])
+        }
+
+        fn jacobian(&self, _: &Vector2<f64>, _: &SVector<f64, 1>) -> Matrix2<f64> {
+            Matrix2::new(1.0, 2.0, 0.0, 1.0)
+        }
+    }
+
+    impl MeasurementModel<Vector2<f64>, 2, 1> for Sum {
+        fn h(&self, x: &Vector2<f64>, _: usize) -> Result<Vector1<f64>, Error> {
+            Ok(Vector1::new(3.0 * x[0] - x[1]))
+        }
+
+        fn jacobian(&self, _: &Vector2<f64>, _: usize) -> Result<RowVector2<f64>, Error> {
+            Ok(RowVector2::new(3.0, -1.0))
+        }
+    }
+
+    /// E x² = μ² + σ², and Var x² = 4μ²σ² + 2σ⁴ for a normal x: both exact with κ = 2, α = 1, β = 0.
+    #[test]
+    fn the_moments_of_a_square_are_exact() {
+        let points = SigmaPoints { alpha: 1.0, beta: 0.0, kappa: 2.0 };
+        let mut ukf = Ukf { x: Vector1::new(3.0), p: Matrix1::new(0.25), points };
+        ukf.predict(&Square, &Vector1::zeros(), &Matrix1::zeros()).expect("positive definite");
+        assert!((ukf.x[0] - 9.25).abs() < 1e-14);
+        assert!((ukf.p[0] - (4.0 * 9.0 * 0.25 + 2.0 * 0.0625)).abs() < 1e-13);
+    }
+
+    #[test]
+    fn on_a_linear_system_every_choice_of_points_is_the_kalman_filter() {
+        let (r, q) = (Matrix2::identity() * 0.1, Matrix1::new(0.5));
+        let mut exact = crate::nonlinear::Ekf { x: Vector2::new(1.0, -1.0), p: Matrix2::new(2.0, 0.5, 0.5, 1.0) };
+        let start = exact;
+        exact.predict(&Sum, &Vector1::new(0.5), &r).expect("finite");
+        exact.update(&Sum, &Vector1::new(2.0), 0, &q).expect("positive definite");
+        for (points, digits) in
+            [(SigmaPoints::default(), 1e-8), (SigmaPoints { alpha: 1.0, beta: 0.0, kappa: 0.0 }, 1e-14)]
+        {
+            let mut ukf = Ukf { x: start.x, p: start.p, points };
+            ukf.predict(&Sum, &Vector1::new(0.5), &r).expect("positive definite");
+            ukf.update(&Sum, &Vector1::new(2.0), 0, &q).expect("positive definite");
+            // With α = 1e-3 the weights are 1e6: six digits are spent on them.
+            assert!((ukf.x - exact.x).amax() < digits && (ukf.p - exact.p).amax() < digits);
+        }
+    }
+
+    #[test]
+    fn what_cannot_be_spread_is_refused_and_the_belief_kept() {
+        for points in [
+            SigmaPoints { alpha: 0.0, ..Default::default() },
+            SigmaPoints { kappa: -2.0, ..Default::default() },
+            SigmaPoints { beta: f64::NAN, ..Default::default() },
+        ] {
+            let before = Ukf { x: Vector2::zeros(), p: Matrix2::identity(), points };
+            let mut ukf = before;
+            assert!(ukf.predict(&Sum, &Vector1::zeros(), &Matrix2::zeros()).is_err());
+        }
+        let singular = Ukf { x: Vector2::zeros(), p: Matrix2::zeros(), points: SigmaPoints::default() };
+        let mut ukf = singular;
+        assert!(ukf.update(&Sum, &Vector1::zeros(), 0, &Matrix1::new(1.0)).is_err());
+        assert_eq!(ukf, singular);
+    }
+}
