@@ -8,21 +8,29 @@
 //! - [`kf`]: one Kalman step, and the rail robot of §8.2.6;
 //! - [`riccati`]: the gain as a schedule, and its limit;
 //! - [`observability`]: ranks, with the singular values and null directions behind them;
+//! - [`odometry_delta`], [`landmarks`], [`ChosetEkf`]: from encoder counts to localization among known landmarks;
+//! - [`path_observability`]: the rank test frozen at one pose, and along the path driven;
 //! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked.
 
 pub mod dynamic;
+mod ekf;
 mod error;
 pub mod kf;
+pub mod landmarks;
 mod lti;
 pub mod observability;
 mod observer;
+mod odometry;
+pub mod path_observability;
 mod placement;
 pub mod riccati;
 pub mod spectrum;
 pub mod validate;
 
+pub use ekf::{ChosetEkf, Sighting};
 pub use error::{Code, Error};
 pub use lti::Lti;
 pub use nalgebra::Complex;
 pub use observer::{Observer, error_matrix, observer_step};
+pub use odometry::{Unicycle, odometry_delta, slip_covariance};
 pub use placement::place_observer_gain;

@@ -1,0 +1,110 @@
+//! From encoder counts to Choset's input u = [Δs, Δθ], and how it moves a unicycle.
+
+use filters::nonlinear::MotionModel;
+use geom::SE2;
+use nalgebra::{Matrix2, Matrix3, Matrix3x2, SMatrix, SVector, Vector2, Vector3};
+use sim::{Ticks, Wheels};
+
+// ANCHOR: odometry_delta
+/// u = [Δs, Δθ], metres and radians, from what the wheels' encoders counted: the mean of the wheels' travel, and their
+/// difference over the baseline.
+///
+/// # Example
+/// ```
+/// use sim::{Ticks, Wheels};
+/// let wheels = Wheels { baseline: 0.5, radius: 1.0 / core::f64::consts::TAU, ticks_per_turn: 1000.0 }; // 1 mm a tick
+/// let u = estimate::odometry_delta(&wheels, Ticks { left: 100, right: 200 });
+/// assert!((u[0] - 0.15).abs() < 1e-15 && (u[1] - 0.2).abs() < 1e-15);
+/// ```
+pub fn odometry_delta(wheels: &Wheels, counted: Ticks) -> Vector2<f64> {
+    let metres = |ticks: i64| ticks as f64 * wheels.metres_per_tick();
+    let (left, right) = (metres(counted.left), metres(counted.right));
+    Vector2::new(0.5 * (left + right), (right - left) / wheels.baseline)
+}
+// ANCHOR_END: odometry_delta
+
+/// The covariance of u when each wheel slips by an independent amount of standard deviation `slip` (metres): diagonal,
+/// since sum and difference of two like noises are uncorrelated.
+pub fn slip_covariance(wheels: &Wheels, slip: f64) -> Matrix2<f64> {
+    let turn = slip / wheels.baseline;
+    Matrix2::new(0.5 * slip * slip, 0.0, 0.0, 2.0 * turn * turn)
+}
+
+/// The unicycle of §8.3: x⁺ = [x + u₁ cos θ, y + u₁ sin θ, θ + u₂], driving along the old heading, then turning.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Unicycle;
+
+impl Unicycle {
+    /// ∂f/∂u at heading θ, 3×2: what turns noise in u into noise in the state.
+    pub fn input_jacobian(pose: &SE2) -> Matrix3x2<f64> {
+        let (sin, cos) = libm::sincos(pose.theta());
+        Matrix3x2::new(cos, 0.0, sin, 0.0, 0.0, 1.0)
+    }
+
+    /// V = (∂f/∂u) M (∂f/∂u)ᵀ for an input covariance M.
+    pub fn process_covariance(pose: &SE2, input: &Matrix2<f64>) -> Matrix3<f64> {
+        let g = Self::input_jacobian(pose);
+        filters::linear::symmetric(g * input * g.transpose())
+    }
+}
+
+// ANCHOR: unicycle
+impl MotionModel<SE2, 3, 2> for Unicycle {
+    fn f(&self, x: &SE2, u: &SVector<f64, 2>) -> SE2 {
+        let (sin, cos) = libm::sincos(x.theta());
+        x.boxplus(&Vector3::new(u[0] * cos, u[0] * sin, u[1]))
+    }
+
+    /// The third column says it all: a heading error δθ pushes the position sideways, by u₁ δθ.
+    fn jacobian(&self, x: &SE2, u: &SVector<f64, 2>) -> SMatrix<f64, 3, 3> {
+        let (sin, cos) = libm::sincos(x.theta());
+        Matrix3::new(1.0, 0.0, -u[0] * sin, 0.0, 1.0, u[0] * cos, 0.0, 0.0, 1.0)
+    }
+}
+// ANCHOR_END: unicycle
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use filters::nonlinear::central_differences;
+    use sim::paths::Tick;
+    use sim::scenarios::HOOK;
+    use sim::{Noise, Rusty};
+
+    fn driven(slip: f64, tick: Tick, noise: &mut Noise) -> Vector2<f64> {
+        let mut rusty = Rusty::new(SE2::new(0.0, 0.0, 0.0), HOOK.wheels, 0.0, slip);
+        odometry_delta(&HOOK.wheels, rusty.drive(tick, noise))
+    }
+
+    #[test]
+    fn odometry_undoes_the_encoders() {
+        let u = driven(0.0, Tick { ds: 0.73, dtheta: -0.4 }, &mut Noise::new(1));
+        // Half a tick (38 µm) per wheel.
+        assert!((u[0] - 0.73).abs() < 4e-5 && (u[1] + 0.4).abs() < 2e-4);
+    }
+
+    #[test]
+    fn slip_has_the_covariance_claimed() {
+        let (mut noise, n) = (Noise::new(5), 20_000);
+        let mut sum = Matrix2::zeros();
+        for _ in 0..n {
+            let u = driven(0.05, Tick { ds: 0.0, dtheta: 0.0 }, &mut noise);
+            sum += u * u.transpose();
+        }
+        let claimed = slip_covariance(&HOOK.wheels, 0.05);
+        let found = sum / f64::from(n);
+        // Five standard errors of a sample variance, √(2/n) of itself each.
+        assert!((found[(0, 0)] / claimed[(0, 0)] - 1.0).abs() < 0.05);
+        assert!((found[(1, 1)] / claimed[(1, 1)] - 1.0).abs() < 0.05);
+        assert!(found[(0, 1)].abs() < 5.0 * libm::sqrt(claimed[(0, 0)] * claimed[(1, 1)] / f64::from(n)));
+    }
+
+    #[test]
+    fn the_jacobians_are_derivatives() {
+        let (x, u) = (SE2::new(0.4, -1.2, 2.8), Vector2::new(0.7, 0.9));
+        let by_state = central_differences(|x| Unicycle.f(x, &u), |a, b| a.boxminus(*b), &x, 1e-5);
+        assert!((by_state - Unicycle.jacobian(&x, &u)).amax() < 1e-9);
+        let by_input = central_differences(|u| Unicycle.f(&x, u), |a, b| a.boxminus(*b), &u, 1e-5);
+        assert!((by_input - Unicycle::input_jacobian(&x)).amax() < 1e-9);
+    }
+}
