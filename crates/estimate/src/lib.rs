@@ -9,6 +9,7 @@
 //! - [`riccati`]: the gain as a schedule, and its limit;
 //! - [`observability`]: ranks, with the singular values and null directions behind them;
 //! - [`odometry_delta`], [`landmarks`], [`ChosetEkf`]: from encoder counts to localization among known landmarks;
+//! - [`slam`]: robot and map in one state, linear and range–bearing;
 //! - [`path_observability`]: the rank test frozen at one pose, and along the path driven;
 //! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked.
 
@@ -21,9 +22,11 @@ mod lti;
 pub mod observability;
 mod observer;
 mod odometry;
+mod packed;
 pub mod path_observability;
 mod placement;
 pub mod riccati;
+pub mod slam;
 pub mod spectrum;
 pub mod validate;
 

@@ -1,0 +1,374 @@
+//! Kalman SLAM: robot and map in one state (§8.4; Smith, Self and Cheeseman 1990).
+//!
+//! [`linear`] is the case of §8.4.1, which the plain `Kf` runs as it stands; [`EkfSlam`] is range and bearing on the
+//! unicycle (§8.4.2). A sighting touches five entries of the state, so nothing here ever forms HPHᵀ from dense matrices:
+//! S comes from a 5×5 block of P, association is O(1) per landmark, and an update costs O(N²).
+
+pub mod linear;
+mod sighting;
+
+use crate::error::{Code, Error};
+use crate::odometry::Unicycle;
+use crate::packed::Packed;
+use crate::validate;
+use core::f64::consts::FRAC_1_SQRT_2;
+use filters::association::{Association, Candidate, Rule, Thresholds, associate};
+use filters::kalman::Gaussian;
+use filters::nonlinear::MotionModel;
+use geom::{MIN_PIVOT, SE2, Spd, wrap};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x3, Matrix3, Vector2};
+use sighting::{Expected, founding};
+pub use sighting::{Outcome, Reading, Report};
+
+/// The largest map.
+pub const MAX_LANDMARKS: usize = 1000;
+/// The most sightings in one step.
+pub const MAX_SIGHTINGS: usize = 100;
+/// Rounding that may sit in P, as a part of its largest variance, before P is looked over: a tenth of
+/// [`validate::SEMIDEFINITE_TOLERANCE`].
+const ROUNDING: f64 = 1e-13;
+
+/// A robot's belief about its pose and the landmarks it has met: `[x, y, θ, x₁, y₁, x₂, y₂, …]`.
+#[derive(Clone, Debug)]
+pub struct EkfSlam {
+    x: Vec<f64>,
+    p: Packed,
+    ids: Vec<u32>,
+    w: Matrix2<f64>,
+    thresholds: Thresholds,
+    /// Root mean square of the rounding errors that updates have left in P.
+    rounding: f64,
+}
+
+/// A landmark of the map.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Mapped {
+    /// Its number.
+    pub id: u32,
+    /// Where it is believed to be.
+    pub position: Vector2<f64>,
+    /// The covariance of that, 2×2.
+    pub p: Matrix2<f64>,
+}
+
+/// What an update will do, worked out before anything is touched.
+struct Step {
+    k: [Vec<f64>; 2],
+    l: [Vec<f64>; 2],
+    dx: Vec<f64>,
+    rounding: f64,
+    suspect: bool,
+}
+
+impl EkfSlam {
+    /// A robot with this belief about its pose and an empty map; W is 2×2, of a range and a bearing.
+    ///
+    /// # Errors
+    /// [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`] for `belief.x`, `belief.P` or `W`;
+    /// [`Code::Limit`] for a threshold that is negative or NaN.
+    pub fn new(belief: &Gaussian<3>, w: &Matrix2<f64>, thresholds: Thresholds) -> Result<Self, Error> {
+        let dense = |m: &[f64], n: usize| DMatrix::from_column_slice(n, n, m);
+        let x = validate::vector(DVector::from_column_slice(belief.x.as_slice()), 3, "belief.x")?;
+        let p = validate::covariance(dense(belief.p.as_slice(), 3), 3, "belief.P")?;
+        let w = validate::covariance(dense(w.as_slice(), 2), 2, "W")?;
+        for (threshold, name) in [(thresholds.gate, "gate"), (thresholds.found, "found")] {
+            let sound = threshold >= 0.0;
+            if !sound {
+                return Err(Error::new(Code::Limit, name, format!("is {threshold}; it must be zero or more")));
+            }
+        }
+        Ok(Self {
+            x: vec![x[0], x[1], wrap(x[2])],
+            p: Packed::from_fn(3, |i, j| p[(i, j)]),
+            ids: Vec::new(),
+            w: Matrix2::from_fn(|i, j| w[(i, j)]),
+            thresholds,
+            rounding: 0.0,
+        })
+    }
+
+    /// The estimated pose.
+    pub fn pose(&self) -> SE2 {
+        SE2::new(self.x[0], self.x[1], self.x[2])
+    }
+
+    /// The pose's block of P.
+    pub fn pose_covariance(&self) -> Matrix3<f64> {
+        Matrix3::from_fn(|i, j| self.p.get(i, j))
+    }
+
+    /// The whole belief: x, and P as a full symmetric matrix.
+    pub fn belief(&self) -> (&[f64], DMatrix<f64>) {
+        (&self.x, self.p.to_dense())
+    }
+
+    /// How many landmarks the map holds.
+    pub fn len(&self) -> usize {
+        self.ids.len()
+    }
+
+    /// Whether the map is empty.
+    pub fn is_empty(&self) -> bool {
+        self.ids.is_empty()
+    }
+
+    /// The map, in the order in which it was founded.
+    pub fn landmarks(&self) -> impl Iterator<Item = Mapped> + '_ {
+        self.ids.iter().enumerate().map(|(j, &id)| {
+            let c = 3 + 2 * j;
+            let position = Vector2::new(self.x[c], self.x[c + 1]);
+            Mapped { id, position, p: Matrix2::from_fn(|a, b| self.p.get(c + a, c + b)) }
+        })
+    }
+
+    /// The pose moves by u = [Δs, Δθ]; V is 3×3, in the pose. F differs from the identity in the pose's rows only, so this
+    /// costs O(N).
+    ///
+    /// # Errors
+    /// [`Code::NotFinite`]; the belief is then as it was.
+    pub fn predict(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
+        let pose = Unicycle.f(&self.pose(), u).to_vector();
+        let f = Unicycle.jacobian(&self.pose(), u);
+        let block = filters::linear::predicted_covariance(&f, &self.pose_covariance(), v);
+        let moved = |row: &[f64]| [row[0] + f[(0, 2)] * row[2], row[1] + f[(1, 2)] * row[2]];
+        let cross_is_finite = (3..self.x.len()).all(|i| moved(self.p.row(i)).iter().all(|e| e.is_finite()));
+        if !(filters::linear::is_finite(&pose) && filters::linear::is_finite(&block) && cross_is_finite) {
+            return Err(filters::Error::NotFinite { what: "the predicted covariance" }.into());
+        }
+        for i in 3..self.x.len() {
+            let row = self.p.row_mut(i);
+            [row[0], row[1]] = moved(row);
+        }
+        for i in 0..3 {
+            self.x[i] = pose[i];
+            for j in 0..=i {
+                self.p.set(i, j, block[(i, j)]);
+            }
+        }
+        Ok(())
+    }
+
+    /// The sightings of one step: each is matched, rejected or founds a landmark, all Jacobians at the same prediction.
+    /// No landmark is matched twice in a step. What is new is founded first; then the matched sightings correct the whole
+    /// state, one after the other with the first linearization, which equals their stack since W is block-diagonal.
+    ///
+    /// # Errors
+    /// [`Code::Limit`], [`Code::NotFinite`], [`Code::AtLandmark`] or [`Code::InnovationNotPositiveDefinite`]; belief and
+    /// map are then as they were.
+    pub fn update(&mut self, readings: &[Reading]) -> Result<Vec<Report>, Error> {
+        validate::count(readings.len(), MAX_SIGHTINGS, "sightings")?;
+        match readings {
+            [one] => {
+                let (report, expected) = self.judged(one, &[])?;
+                match expected {
+                    Some(expected) => self.correct(&expected, &expected.innovation)?,
+                    None if report.outcome == Outcome::Founded => self.found(one, report.landmark)?,
+                    None => {}
+                }
+                Ok(vec![report])
+            }
+            // Several: a later one may fail, so the work is done on a copy, which costs no more than one of the updates.
+            _ => {
+                let mut next = self.clone();
+                let reports = next.update_all(readings)?;
+                *self = next;
+                Ok(reports)
+            }
+        }
+    }
+
+    fn update_all(&mut self, readings: &[Reading]) -> Result<Vec<Report>, Error> {
+        let (mut reports, mut matched, mut taken) = (Vec::new(), Vec::new(), Vec::new());
+        let mut unfounded = Vec::new();
+        taken.extend(readings.iter().filter_map(|r| r.landmark).filter_map(|id| self.index(id)));
+        for reading in readings {
+            let (mut report, expected) = self.judged(reading, &taken)?;
+            if let Some(expected) = expected {
+                taken.push(expected.j);
+                matched.push(expected);
+            } else if report.outcome == Outcome::Founded {
+                if reading.landmark.is_none() {
+                    report.landmark = self.free_id(&reports);
+                }
+                unfounded.push((*reading, report.landmark));
+            }
+            reports.push(report);
+        }
+        for (reading, id) in unfounded {
+            self.found(&reading, id)?;
+        }
+        let prediction = self.x.clone();
+        for expected in &matched {
+            let moved = expected.moved(&prediction, &self.x);
+            self.correct(expected, &(expected.innovation - expected.h * moved))?;
+        }
+        Ok(reports)
+    }
+
+    fn index(&self, id: u32) -> Option<usize> {
+        self.ids.iter().position(|i| *i == id)
+    }
+
+    /// One more than the greatest number in the map or among the reports.
+    fn free_id(&self, reports: &[Report]) -> Option<u32> {
+        let used = self.ids.iter().copied().chain(reports.iter().filter_map(|r| r.landmark));
+        used.max().map_or(Some(1), |id| id.checked_add(1))
+    }
+
+    /// What is expected of landmark `j` at the present estimate.
+    fn expected(&self, j: usize, reading: &Reading) -> Result<Expected, filters::Error> {
+        Expected::new(&self.x, &self.p, j, reading, &self.w)
+    }
+
+    /// What becomes of a reading; its expectation, when it is matched.
+    fn judged(&self, reading: &Reading, taken: &[usize]) -> Result<(Report, Option<Expected>), Error> {
+        reading.check()?;
+        let weigh = |j| -> Result<Candidate<2>, filters::Error> {
+            let e = self.expected(j, reading)?;
+            Candidate::new(j, e.innovation, e.s, Rule::MaximumLikelihood)
+        };
+        let known = reading.landmark.and_then(|id| self.index(id));
+        let association = match (reading.landmark, known) {
+            (Some(_), Some(j)) => {
+                let candidate = weigh(j)?;
+                let within = candidate.d2 <= self.thresholds.gate;
+                if within { Association::Matched(candidate) } else { Association::Rejected(candidate) }
+            }
+            (Some(_), None) => Association::New,
+            (None, _) => {
+                let mut candidates = Vec::with_capacity(self.len());
+                for j in (0..self.len()).filter(|j| !taken.contains(j)) {
+                    match weigh(j) {
+                        Ok(candidate) => candidates.push(candidate),
+                        // Under the robot: no bearing to compare with.
+                        Err(filters::Error::AtFeature) => {}
+                        Err(e) => return Err(e.into()),
+                    }
+                }
+                associate(candidates, self.thresholds)
+            }
+        };
+        Ok(match association {
+            Association::Matched(c) => (self.report(Outcome::Matched, &c), Some(self.expected(c.j, reading)?)),
+            Association::Rejected(c) => (self.report(Outcome::Rejected, &c), None),
+            Association::New => {
+                let landmark = reading.landmark.or_else(|| self.free_id(&[]));
+                (Report { outcome: Outcome::Founded, landmark, evidence: None }, None)
+            }
+        })
+    }
+
+    fn report(&self, outcome: Outcome, c: &Candidate<2>) -> Report {
+        Report { outcome, landmark: Some(self.ids[c.j]), evidence: Some((c.innovation, c.s, c.d2)) }
+    }
+
+    /// Appends a landmark where the reading puts it, with its covariance and its correlations with everything else.
+    fn found(&mut self, reading: &Reading, id: Option<u32>) -> Result<(), Error> {
+        let id = id.ok_or_else(|| Error::new(Code::Limit, "landmark", "no number is left to call it by"))?;
+        if self.len() == MAX_LANDMARKS {
+            return Err(Error::new(Code::Limit, "landmarks", format!("the map is full: it holds {MAX_LANDMARKS}")));
+        }
+        let (position, by_pose, by_reading) = founding(&self.pose(), reading)?;
+        let n = self.x.len();
+        // P_ℓ· = G_x P_r·, of which the new 2×2 corner is G_x P_rr G_xᵀ + G_z W G_zᵀ.
+        let cross =
+            |by: &Matrix2x3<f64>, a: usize, i: usize| (0..3).map(|k| by[(a, k)] * self.p.get(k, i)).sum::<f64>();
+        let rows = [0, 1].map(|a| (0..n).map(|i| cross(&by_pose, a, i)).collect::<Vec<f64>>());
+        let corner = filters::linear::symmetric(
+            by_pose * self.pose_covariance() * by_pose.transpose() + by_reading * self.w * by_reading.transpose(),
+        );
+        let all = rows.iter().flatten().chain(corner.iter()).chain(position.iter());
+        if all.clone().any(|e| !e.is_finite()) {
+            return Err(filters::Error::NotFinite { what: "the covariance" }.into());
+        }
+        let [first, second] = rows;
+        self.x.extend(position.iter());
+        self.p.push_row(first.into_iter().chain([corner[(0, 0)]]));
+        self.p.push_row(second.into_iter().chain([corner[(1, 0)], corner[(1, 1)]]));
+        self.ids.push(id);
+        Ok(())
+    }
+
+    /// Corrects the whole state by an innovation of the landmark `expected` is of.
+    fn correct(&mut self, expected: &Expected, innovation: &Vector2<f64>) -> Result<(), Error> {
+        let step = self.worked_out(expected, innovation)?;
+        let before = step.suspect.then(|| self.clone());
+        self.p.subtract_pairs([&step.k[0], &step.k[1]], [&step.l[0], &step.l[1]]);
+        for (x, dx) in self.x.iter_mut().zip(&step.dx) {
+            *x += dx;
+        }
+        self.x[2] = wrap(self.x[2]);
+        self.rounding = step.rounding;
+        if let Some(before) = before {
+            if self.semidefinite() {
+                self.rounding = 0.0;
+            } else {
+                *self = before;
+                return Err(filters::Error::InnovationNotPositiveDefinite.into());
+            }
+        }
+        Ok(())
+    }
+
+    /// K and L = M − K S/2 for P − KMᵀ − MKᵀ + KSKᵀ = P − KLᵀ − LKᵀ, with M = PHᵀ: the covariance that this K leaves,
+    /// be K exact or not, as Joseph's form, from five columns of P.
+    fn worked_out(&self, expected: &Expected, innovation: &Vector2<f64>) -> Result<Step, Error> {
+        let n = self.x.len();
+        let (mut m0, mut m1) = (vec![0.0; n], vec![0.0; n]);
+        let mut column = vec![0.0; n];
+        for (a, c) in expected.columns().into_iter().enumerate() {
+            self.p.column(c, &mut column);
+            let (h0, h1) = (expected.h[(0, a)], expected.h[(1, a)]);
+            for ((m0, m1), p) in m0.iter_mut().zip(&mut m1).zip(&column) {
+                *m0 += h0 * p;
+                *m1 += h1 * p;
+            }
+        }
+        let s = expected.innovation_covariance(&self.p, &self.w);
+        let spd = Spd::new(s).filter(|spd| spd.pivot() >= MIN_PIVOT);
+        let spd = spd.ok_or(filters::Error::InnovationNotPositiveDefinite)?;
+        let mut step =
+            Step { k: [m0.clone(), m1.clone()], l: [m0, m1], dx: column, rounding: self.rounding, suspect: false };
+        let (mut before, mut after, mut largest) = (0.0_f64, 0.0_f64, 0.0_f64);
+        for i in 0..n {
+            let m = Vector2::new(step.l[0][i], step.l[1][i]);
+            let k = spd.solve(&m);
+            let l = m - s * k * 0.5;
+            for a in 0..2 {
+                step.k[a][i] = k[a];
+                step.l[a][i] = l[a];
+            }
+            step.dx[i] = k.dot(innovation);
+            let variance = self.p.get(i, i);
+            before = before.max(variance);
+            after = after.max(variance - 2.0 * k.dot(&l));
+            largest = largest.max(k.amax()).max(l.amax());
+        }
+        let x_is_finite = self.x.iter().zip(&step.dx).all(|(x, dx)| (x + dx).is_finite());
+        // Every entry of P changes by at most 4 max|K| max|L|, so P cannot overflow if this does not.
+        let bounded = (4.0 * largest * largest + before).is_finite();
+        if !(x_is_finite && bounded) {
+            return Err(filters::Error::NotFinite { what: "the mean" }.into());
+        }
+        // Each update leaves rounding of one half unit of the variances it found; where those have since shrunk, it shows.
+        step.rounding = libm::hypot(step.rounding, FRAC_1_SQRT_2 * f64::EPSILON * before);
+        step.suspect = step.rounding > ROUNDING * after;
+        Ok(step)
+    }
+
+    /// Whether no eigenvalue of P is below −[`ROUNDING`] of its largest variance.
+    fn semidefinite(&self) -> bool {
+        let largest = self.p.diagonal().fold(0.0, f64::max);
+        if largest == 0.0 {
+            return true;
+        }
+        let mut p = self.p.to_dense() / largest;
+        for i in 0..p.nrows() {
+            p[(i, i)] += ROUNDING;
+        }
+        filters::linear::is_finite(&p) && p.cholesky().is_some()
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,210 @@
+use super::*;
+use crate::landmarks::RangeBearing;
+use filters::linear;
+use filters::nonlinear::{MeasurementModel, central_differences};
+use nalgebra::{Vector3, Vector5};
+use sim::{Landmark, Noise};
+
+const W: Matrix2<f64> = Matrix2::new(0.01, 0.001, 0.001, 0.0009);
+const THRESHOLDS: Thresholds = Thresholds { gate: 9.21, found: 50.0 };
+const WORLD: [Landmark; 3] =
+    [Landmark { id: 1, x: 4.0, y: 3.0 }, Landmark { id: 2, x: -2.0, y: 2.5 }, Landmark { id: 3, x: 0.5, y: -3.0 }];
+
+fn slam() -> EkfSlam {
+    let p = Matrix3::new(0.04, 0.005, 0.0, 0.005, 0.02, -0.004, 0.0, -0.004, 0.01);
+    EkfSlam::new(&Gaussian { x: Vector3::new(0.1, -0.2, 0.3), p }, &W, THRESHOLDS).expect("sound")
+}
+
+fn reading(truth: &SE2, j: usize, noise: &mut Noise, named: bool) -> Reading {
+    let z = RangeBearing { map: &WORLD }.h(truth, j).expect("apart");
+    let landmark = named.then_some(WORLD[j].id);
+    Reading { range: z[0] + 0.05 * noise.normal(), bearing: wrap(z[1] + 0.02 * noise.normal()), landmark }
+}
+
+/// The same filter with dense matrices: every product written out, the stack in Joseph's form.
+struct Dense {
+    x: DVector<f64>,
+    p: DMatrix<f64>,
+}
+
+impl Dense {
+    fn of(slam: &EkfSlam) -> Self {
+        let (x, p) = slam.belief();
+        Self { x: DVector::from_column_slice(x), p }
+    }
+
+    fn predict(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) {
+        let n = self.x.len();
+        let pose = SE2::new(self.x[0], self.x[1], self.x[2]);
+        let (mut f, mut v_all) = (DMatrix::identity(n, n), DMatrix::zeros(n, n));
+        f.view_mut((0, 0), (3, 3)).copy_from(&Unicycle.jacobian(&pose, u));
+        v_all.view_mut((0, 0), (3, 3)).copy_from(v);
+        self.p = &f * &self.p * f.transpose() + v_all;
+        self.x.fixed_rows_mut::<3>(0).copy_from(&Unicycle.f(&pose, u).to_vector());
+    }
+
+    fn update(&mut self, readings: &[(usize, Reading)]) {
+        let (n, rows) = (self.x.len(), 2 * readings.len());
+        let (mut h, mut nu, mut w) = (DMatrix::zeros(rows, n), DVector::zeros(rows), DMatrix::zeros(rows, rows));
+        for (i, (j, reading)) in readings.iter().enumerate() {
+            let c = 3 + 2 * j;
+            let map = [Landmark { id: 0, x: self.x[c], y: self.x[c + 1] }];
+            let (model, pose) = (RangeBearing { map: &map }, SE2::new(self.x[0], self.x[1], self.x[2]));
+            let block = model.jacobian(&pose, 0).expect("apart");
+            h.view_mut((2 * i, 0), (2, 3)).copy_from(&block);
+            h.view_mut((2 * i, c), (2, 2)).copy_from(&-block.fixed_columns::<2>(0));
+            let z = Vector2::new(reading.range, reading.bearing);
+            nu.rows_mut(2 * i, 2).copy_from(&model.residual(&z, &model.h(&pose, 0).expect("apart")));
+            w.view_mut((2 * i, 2 * i), (2, 2)).copy_from(&W);
+        }
+        let (k, _, p) = linear::gain_and_covariance(&self.p, &h, &w).expect("positive definite");
+        self.x += k * nu;
+        self.p = p;
+    }
+}
+
+#[test]
+fn the_structured_filter_is_the_dense_one() {
+    let (mut slam, mut noise, mut truth) = (slam(), Noise::new(4), SE2::new(0.0, 0.0, 0.3));
+    slam.update(&[0, 1, 2].map(|j| reading(&truth, j, &mut noise, true))).expect("founded");
+    let mut dense = Dense::of(&slam);
+    let v = Matrix3::from_diagonal(&Vector3::new(1e-4, 2e-4, 1e-4));
+    for k in 0..60 {
+        let u = Vector2::new(0.1, 0.05 * (k % 5) as f64);
+        truth = Unicycle.f(&truth, &u);
+        slam.predict(&u, &v).expect("finite");
+        dense.predict(&u, &v);
+        let seen: Vec<usize> = (0..3).filter(|j| k % (j + 2) != 0).collect();
+        let readings: Vec<Reading> = seen.iter().map(|&j| reading(&truth, j, &mut noise, true)).collect();
+        if !readings.is_empty() {
+            let reports = slam.update(&readings).expect("sound");
+            let used = |i: &usize| reports[*i].outcome == Outcome::Matched;
+            dense.update(&(0..seen.len()).filter(used).map(|i| (seen[i], readings[i])).collect::<Vec<_>>());
+        }
+    }
+    let (x, p) = slam.belief();
+    assert!((DVector::from_column_slice(x) - &dense.x).amax() < 1e-12);
+    assert!((p - dense.p).amax() < 1e-14);
+}
+
+#[test]
+fn founding_carries_the_pose_s_uncertainty_and_its_correlations() {
+    let mut slam = slam();
+    let before = slam.pose_covariance();
+    let given = Reading { range: 2.5, bearing: -1.1, landmark: Some(7) };
+    slam.update(&[given]).expect("founded");
+    // By central differences of ℓ(pose, reading).
+    let place = |v: &Vector5<f64>| {
+        let (sin, cos) = libm::sincos(v[2] + v[4]);
+        Vector2::new(v[0] - v[3] * cos, v[1] - v[3] * sin)
+    };
+    let at = Vector5::new(0.1, -0.2, 0.3, 2.5, -1.1);
+    let g = central_differences(place, |a: &Vector2<f64>, b| a - b, &at, 1e-5);
+    let (by_pose, by_reading) = (g.fixed_columns::<3>(0), g.fixed_columns::<2>(3));
+    let (_, p) = slam.belief();
+    let (cross, corner) =
+        (by_pose * before, by_pose * before * by_pose.transpose() + by_reading * W * by_reading.transpose());
+    for a in 0..2 {
+        for i in 0..3 {
+            assert!((p[(3 + a, i)] - cross[(a, i)]).abs() < 1e-9);
+        }
+        for b in 0..2 {
+            assert!((p[(3 + a, 3 + b)] - corner[(a, b)]).abs() < 1e-9);
+        }
+    }
+    // It is seen where it was founded.
+    let again = slam.clone().update(&[Reading { landmark: None, ..given }]).expect("sound");
+    assert!(again[0].evidence.expect("matched").0.amax() < 1e-14);
+}
+
+#[test]
+fn a_second_landmark_is_correlated_with_the_first() {
+    let mut slam = slam();
+    slam.update(&[Reading { range: 2.0, bearing: 0.4, landmark: None }]).expect("founded");
+    slam.update(&[Reading { range: 5.0, bearing: 2.4, landmark: None }]).expect("founded");
+    let (_, p) = slam.belief();
+    assert_eq!(slam.landmarks().map(|l| l.id).collect::<Vec<_>>(), [1, 2]);
+    assert!(p[(3, 5)] > 0.03, "both hang on the same pose: {}", p[(3, 5)]);
+    assert!(p.symmetric_eigenvalues().min() > 0.0);
+}
+
+#[test]
+fn sightings_are_matched_rejected_or_found() {
+    let mut slam = slam();
+    let first = Reading { range: 3.0, bearing: 0.5, landmark: None };
+    let outcome = |slam: &mut EkfSlam, r: Reading| slam.update(&[r]).expect("sound")[0].outcome;
+    assert_eq!(outcome(&mut slam, first), Outcome::Founded);
+    assert_eq!(outcome(&mut slam, first), Outcome::Matched);
+    let before = slam.belief().1;
+    assert_eq!(outcome(&mut slam, Reading { range: 3.45, ..first }), Outcome::Rejected);
+    assert_eq!(slam.belief().1, before, "a rejected sighting changes nothing");
+    assert_eq!(outcome(&mut slam, Reading { bearing: -2.5, ..first }), Outcome::Founded);
+    assert_eq!(slam.len(), 2);
+    // The gate holds for a named landmark too.
+    assert_eq!(outcome(&mut slam, Reading { range: 3.45, landmark: Some(1), ..first }), Outcome::Rejected);
+    assert_eq!(outcome(&mut slam, Reading { landmark: Some(40), ..first }), Outcome::Founded);
+    assert_eq!(slam.landmarks().last().map(|l| l.id), Some(40));
+}
+
+#[test]
+fn one_step_never_matches_a_landmark_twice() {
+    let mut slam = slam();
+    let one = Reading { range: 3.0, bearing: 0.5, landmark: None };
+    slam.update(&[one]).expect("founded");
+    let reports = slam.update(&[one, Reading { range: 3.02, ..one }]).expect("sound");
+    assert_eq!([reports[0].outcome, reports[1].outcome], [Outcome::Matched, Outcome::Founded]);
+    assert_eq!(reports[1].landmark, Some(2));
+}
+
+#[test]
+fn a_refused_call_leaves_belief_and_map() {
+    let mut slam = slam();
+    slam.update(&[Reading { range: 3.0, bearing: 0.5, landmark: Some(1) }]).expect("founded");
+    let before = slam.belief().1;
+    let good = Reading { range: 4.0, bearing: -2.0, landmark: Some(2) };
+    for bad in [
+        Reading { range: f64::NAN, ..good },
+        Reading { range: -1.0, ..good },
+        Reading { bearing: f64::INFINITY, ..good },
+        Reading { range: 0.0, ..good },
+        Reading { range: 1e200, ..good },
+    ] {
+        assert!(slam.update(&[bad]).is_err(), "{bad:?}");
+        assert!(slam.update(&[good, bad]).is_err(), "{bad:?}");
+    }
+    assert!(slam.update(&[]).is_err());
+    assert!(slam.predict(&Vector2::new(1e200, 0.0), &Matrix3::zeros()).is_err());
+    assert!(slam.predict(&Vector2::new(0.0, f64::NAN), &Matrix3::zeros()).is_err());
+    assert_eq!((slam.len(), slam.belief().1), (1, before));
+}
+
+#[test]
+fn a_map_has_its_cap() {
+    let mut slam = slam();
+    for id in 0..MAX_LANDMARKS as u32 {
+        slam.update(&[Reading { range: 3.0, bearing: 0.001 * f64::from(id), landmark: Some(id) }]).expect("founded");
+    }
+    let one_more = slam.update(&[Reading { range: 3.0, bearing: 0.0, landmark: Some(u32::MAX) }]);
+    assert_eq!(one_more.expect_err("full").code, Code::Limit);
+    assert_eq!(slam.len(), MAX_LANDMARKS);
+}
+
+/// A vast prior and sharp readings: P falls by sixteen orders of magnitude, more than its digits hold. The filter then
+/// refuses; it never answers with a negative variance.
+#[test]
+fn where_rounding_would_show_the_update_is_refused() {
+    for (prior, noise_variance) in [(1e8, 1e-8), (1e4, 1e-10), (1e12, 1e-4)] {
+        let belief = Gaussian { x: Vector3::zeros(), p: Matrix3::identity() * prior };
+        let w = Matrix2::identity() * noise_variance;
+        let mut slam =
+            EkfSlam::new(&belief, &w, Thresholds { gate: f64::INFINITY, found: f64::INFINITY }).expect("sound");
+        for k in 0..40_u32 {
+            let id = k % 3;
+            let z = RangeBearing { map: &WORLD }.h(&SE2::new(0.0, 0.0, 0.0), id as usize).expect("apart");
+            let _ = slam.update(&[Reading { range: z[0], bearing: z[1], landmark: Some(id) }]);
+            let (_, p) = slam.belief();
+            let eigenvalues = p.symmetric_eigenvalues();
+            assert!(eigenvalues.min() >= -1e-12 * eigenvalues.max(), "{prior} {noise_variance} {k}: {eigenvalues}");
+        }
+    }
+}
