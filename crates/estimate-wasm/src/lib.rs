@@ -5,6 +5,7 @@
 //! there is no arithmetic here. What cannot be answered is thrown as an `Error` named `EstimateError` with a `code`, the
 //! `argument` to blame and a `message`; every object is then as it was, and the module goes on working.
 
+mod checks;
 mod decode;
 mod encode;
 mod errors;
@@ -12,6 +13,7 @@ mod functions;
 mod lab;
 mod observer_bench;
 
+pub use checks::chapter_checks;
 pub use functions::*;
 pub use observer_bench::ObserverBench;
 
