@@ -78,6 +78,7 @@ pub fn raw_bearing_row(x: &SE2, landmark: &Landmark) -> SMatrix<f64, 1, 3> {
     SMatrix::<f64, 1, 3>::new(outer * (-dy / (dx * dx)), outer * (1.0 / dx), -1.0)
 }
 
+// ANCHOR: associate
 /// νᵢⱼ, Sᵢⱼ and χ²ᵢⱼ of the reading `y` against landmark `j` (§8.3.2).
 ///
 /// # Errors
@@ -110,6 +111,7 @@ pub fn associate_ml(
 ) -> Result<Option<usize>, Error> {
     nearest(&RangeBearing { map }, y, belief, map.len(), w, Rule::MaximumLikelihood, gate)
 }
+// ANCHOR_END: associate
 
 /// The landmark a range is nearest to, by Choset's χ² alone: a(i) = argminⱼ χ²ᵢⱼ; `None` when its χ² is above `gate`.
 ///
