@@ -9,11 +9,13 @@ mod yours {
     use super::*;
 
     // ANCHOR: starter
-    /// One EKF step of the unicycle: the belief (x̂, P) after driving with the velocities `u` = [m/s, rad/s] for `t` seconds
-    /// without process noise, and then reading `y` = x₁ + w with Var w = `w`.
+    /// One EKF step of the unicycle: the belief (x̂, P) after
+    /// driving with the velocities `u` = [m/s, rad/s] for `t`
+    /// seconds without process noise, and then reading
+    /// `y` = x₁ + w with Var w = `w`.
     pub fn ekf_step((x, p): Belief, u: Vector2<f64>, t: f64, y: f64, w: f64) -> Belief {
         let _ = (x, p, u, t, y, w);
-        todo!("predict with f and its Jacobian at x, then update with H = [1 0 0]")
+        todo!("predict with f and F, update with H = [1 0 0]")
     }
     // ANCHOR_END: starter
 }

@@ -9,8 +9,10 @@ mod yours {
     use super::*;
 
     // ANCHOR: starter
-    /// The gain at which the Riccati recursion comes to rest from `p0` = P(0 | 0), and whether P(k+1 | k) did come to rest:
-    /// whether its largest change in a step fell to `tol` of its largest entry within `max_iters` steps.
+    /// The gain at which the Riccati recursion comes to rest
+    /// from `p0` = P(0 | 0), and whether P(k+1 | k) came to rest:
+    /// whether, within `max_iters` steps, its largest change in a
+    /// step fell to `tol` of its largest entry.
     pub fn steady_state_gain(
         sys: &Lti<2, 1, 1>,
         p0: &Matrix2<f64>,
@@ -18,7 +20,7 @@ mod yours {
         tol: f64,
     ) -> (Vector2<f64>, bool) {
         let _ = (sys, p0, max_iters, tol);
-        todo!("predict P, compute the gain, update P in Joseph's form; again until P(k+1 | k) stops moving")
+        todo!("predict, gain, Joseph update, until P rests")
     }
     // ANCHOR_END: starter
 }
