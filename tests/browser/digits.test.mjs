@@ -7,7 +7,7 @@ import path from 'node:path'
 import { figure, open, root } from './harness.mjs'
 
 const LABS = { 'observer-bench': 'ObserverBench', 'odometry-hook': 'OdometryHook', 'observability-probe': 'ObservabilityProbe' }
-const native = Object.fromEntries(execFileSync('cargo', ['run', '--quiet', '--release', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
+const native = Object.fromEntries(execFileSync('cargo', ['run', '--quiet', '--profile', 'site', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
   .trim().split('\n').map((line) => line.split(' ')))
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
