@@ -1,4 +1,4 @@
-//! Attributes in braces: `{#id .class key="value"}`.
+//! Attributes in braces: `{#id .class key="value"}`; single quotes hold a value that has double ones.
 
 /// An id, classes and keyed values.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
@@ -34,9 +34,9 @@ impl Attributes {
                 let Some((key, tail)) = rest.split_once('=') else {
                     return Err(format!("`{rest}` in {{{text}}} is neither #id, .class nor key=\"value\""));
                 };
-                let (value, after) = match tail.strip_prefix('"') {
-                    Some(quoted) => {
-                        quoted.split_once('"').ok_or_else(|| format!("a quote is not closed in {{{text}}}"))?
+                let (value, after) = match tail.chars().next().filter(|c| matches!(c, '"' | '\'')) {
+                    Some(quote) => {
+                        tail[1..].split_once(quote).ok_or_else(|| format!("a quote is not closed in {{{text}}}"))?
                     }
                     None => word(tail),
                 };
@@ -81,6 +81,7 @@ mod tests {
         assert_eq!(attributes.classes, ["wide"]);
         assert_eq!(attributes.value("title"), Some("Turn the gain"));
         assert_eq!(attributes.value("n"), Some("2"));
+        assert_eq!(Attributes::parse(r#"start='{"step": 2}' a=b"#).unwrap().value("start"), Some(r#"{"step": 2}"#));
         assert_eq!(Attributes::parse(r#"id="third-step""#).unwrap().id.as_deref(), Some("third-step"));
     }
 

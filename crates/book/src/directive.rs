@@ -33,7 +33,7 @@ const GRAMMAR: [(&str, &[&str], &[&str]); 14] = [
     ("definition", &["term"], &["id"]),
     ("note", &["kind"], &["id", "title"]),
     ("margin", &[], &["id"]),
-    ("figure", &["id", "widget"], &["title"]),
+    ("figure", &["id", "widget"], &["title", "start"]),
     ("algorithm", &["id", "name"], &["in", "out", "cost"]),
     ("exercise", &["id", "title", "kind", "difficulty"], &[]),
     ("hint", &[], &["id", "title"]),

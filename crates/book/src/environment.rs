@@ -48,10 +48,16 @@ impl Renderer<'_> {
             None => String::new(),
             Some(title) => format!("<p class=\"figure-title\">{}</p>", self.title(title, place)),
         };
+        let start = attributes.value("start").map(|start| {
+            let read = serde_json::from_str::<serde_json::Map<String, serde_json::Value>>(start);
+            self.diagnostics.ok(place, read.map_err(|error| format!("`start` is no JSON object: {error}")));
+            format!(" data-start=\"{}\"", escape(start))
+        });
+        let start = start.unwrap_or_default();
         let still = self.site.stills.get(widget).cloned().unwrap_or_default();
         let figure = escape(attributes.id.as_deref().unwrap_or_default());
         format!(
-            "<figure class=\"figure figure-widget\"{id}>{title}<{widget} class=\"widget\" data-widget=\"{widget}\" data-figure=\"{figure}\">\
+            "<figure class=\"figure figure-widget\"{id}>{title}<{widget} class=\"widget\" data-widget=\"{widget}\" data-figure=\"{figure}\"{start}>\
              <div class=\"still\">{}</div><p class=\"still-text visually-hidden\">{}</p></{widget}><figcaption>{label}\n",
             still.svg,
             escape(&still.words)

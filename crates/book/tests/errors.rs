@@ -3,12 +3,13 @@
 mod common;
 
 /// Each text with a complaint it must draw.
-const CASES: [(&str, &str); 37] = [
+const CASES: [(&str, &str); 38] = [
     ("a\n\n:::nothing\n:::\n", "page.md:3: unknown directive `:::nothing`"),
     ("a\n\n:::margin\nb\n", "page.md:3: `:::margin` is not closed"),
     ("a\n\n:::\n", "page.md:3: `:::` closes nothing"),
     (":::figure{#f}\n:::\n", "page.md:1: `:::figure` needs `widget`"),
     (":::figure{#f widget=\"x\"}\n:::\n", "page.md:1: no widget is called `x`"),
+    (":::figure{#f widget=\"observer-bench\" start='x'}\n:::\n", "page.md:1: `start` is no JSON object"),
     (":::margin{kind=\"x\"}\n:::\n", "page.md:1: `:::margin` has no `kind`"),
     (":::note{kind=\"x\"}\n:::\n", "page.md:1: no note is of kind `x`"),
     (":::note{kind=\"aside}\n:::\n", "page.md:1: a quote is not closed"),
