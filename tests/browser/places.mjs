@@ -9,7 +9,7 @@ export const dist = path.join(root, 'dist')
 /** Served from a sub-path, as a project page of a static host would be. */
 export const BASE = '/shelf/robot-motion/'
 /** The pages a reader can land on, relative to the site's root. */
-export const PAGES = ['', 'kalman/', 'check/']
+export const PAGES = ['', 'kalman/', 'check/', 'hosting/']
 export const CHROMIUM_FLAGS = [
   '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--force-color-profile=srgb',
