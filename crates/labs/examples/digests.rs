@@ -11,5 +11,6 @@ fn print<L: Lab>() -> Result<(), estimate::Error> {
 }
 
 fn main() -> Result<(), estimate::Error> {
-    print::<labs::ObserverBench>()
+    print::<labs::ObserverBench>()?;
+    print::<labs::OdometryHook>()
 }

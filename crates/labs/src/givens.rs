@@ -3,6 +3,7 @@
 
 use estimate::Lti;
 use estimate::kf::{Gaussian, dead_reckoning, position_sensor};
+use sim::scenarios::{PROBLEM_9, Problem9};
 
 /// The chapter's chosen constants. Everything in [`crate::numbers`] is computed from one of these.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +22,8 @@ pub struct Givens {
     pub first_error: [f64; 2],
     /// The scalar problem searched by brute force: P⁻, H and W.
     pub scalar: [f64; 3],
+    /// Choset's Problem 9 (chapter 8).
+    pub problem9: Problem9,
 }
 
 impl Default for Givens {
@@ -35,6 +38,7 @@ impl Default for Givens {
             poles: [0.5, 0.2],
             first_error: [1.0, 1.0],
             scalar: [1.7, 1.0, 0.5],
+            problem9: PROBLEM_9,
         }
     }
 }

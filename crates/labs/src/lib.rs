@@ -8,10 +8,16 @@ pub mod givens;
 mod lab;
 pub mod numbers;
 mod observer_bench;
+mod odometry_frame;
+mod odometry_hook;
 mod series;
 mod shapes;
 
 pub use lab::{Digest, Lab, MAX_STEP, State};
 pub use observer_bench::{BenchFrame, BenchParams, MAX_GAIN, Mode, ObserverBench, Sensor};
+pub use odometry_frame::{
+    Belief3, HookFrame, HookSeries, LastSighting, Quality, Ratio, Seen, Spread, Stop, Tracks, World,
+};
+pub use odometry_hook::{HookParams, MAX_BIAS, MAX_SLIP, OdometryHook};
 pub use series::{Series, WINDOW};
 pub use shapes::{Belief2, EllipseShape, Root, ellipse_of};

@@ -1,6 +1,8 @@
 //! Every number the prose prints, each with what computes it and the check that pins it.
 
+mod hook;
 mod linear;
+mod robot;
 
 use crate::givens::Givens;
 use estimate::Error;
@@ -76,6 +78,8 @@ impl Listing {
 pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
     let mut listing = Listing::new();
     linear::list(givens, &mut listing)?;
+    robot::list(givens, &mut listing)?;
+    hook::list(&mut listing)?;
     Ok(listing.numbers)
 }
 

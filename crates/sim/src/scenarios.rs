@@ -108,7 +108,7 @@ pub struct Hook {
     pub wheels: Wheels,
     /// One sigma of what a wheel slips in a tick, metres: 2 % of the way.
     pub slip: f64,
-    /// The sensor: corners are recognized from 2 m.
+    /// The sensor: a corner is recognized from 2 m, and read once as it comes within reach.
     pub sensor: Sensor,
     /// The right wheel's nominal radius exceeds its true one by this fraction.
     pub bias: f64,
