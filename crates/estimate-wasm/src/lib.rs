@@ -12,10 +12,12 @@ mod errors;
 mod functions;
 mod lab;
 mod observer_bench;
+mod odometry_hook;
 
 pub use checks::chapter_checks;
 pub use functions::*;
 pub use observer_bench::ObserverBench;
+pub use odometry_hook::OdometryHook;
 
 use wasm_bindgen::prelude::*;
 

@@ -11,13 +11,15 @@
 //! - [`odometry_delta`], [`landmarks`], [`ChosetEkf`]: from encoder counts to localization among known landmarks;
 //! - [`slam`]: robot and map in one state, linear and range–bearing;
 //! - [`path_observability`]: the rank test frozen at one pose, and along the path driven;
-//! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked.
+//! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked;
+//! - [`localizer`]: the EKF localizer for a caller without types, with every argument checked.
 
 pub mod dynamic;
 mod ekf;
 mod error;
 pub mod kf;
 pub mod landmarks;
+pub mod localizer;
 mod lti;
 pub mod observability;
 mod observer;

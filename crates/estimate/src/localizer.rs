@@ -1,0 +1,322 @@
+//! The EKF localizer for a caller without types: every argument checked, the culprit named, and the object as it was when
+//! a call is refused.
+
+use crate::dynamic::Belief;
+use crate::ekf::{ChosetEkf, Sighting};
+use crate::error::{Code, Error};
+use crate::landmarks::{RangeBearing, RangeOnly, candidate};
+use crate::validate;
+use filters::association::{Candidate, Rule};
+use filters::kalman::Gaussian;
+use filters::nonlinear::MeasurementModel;
+use geom::{SE2, wrap};
+use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector2};
+use sim::Landmark;
+
+/// The most landmarks of a map.
+pub const MAX_LANDMARKS: usize = 1000;
+
+/// What the sensor reads, with its noise covariance W.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Sensor {
+    RangeBearing(SMatrix<f64, 2, 2>),
+    Range(SMatrix<f64, 1, 1>),
+}
+
+/// Which sensor a localizer has.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum SensorKind {
+    /// Range and bearing; W is 2×2.
+    #[default]
+    RangeBearing,
+    /// Range alone; W is 1×1.
+    Range,
+}
+
+/// One reading.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Reading {
+    /// Metres, not negative.
+    pub range: f64,
+    /// Radians, from the landmark; any finite angle, taken on the circle. A range sensor has none.
+    pub bearing: Option<f64>,
+    /// The landmark's id; without one, the reading is associated.
+    pub landmark: Option<u32>,
+}
+
+/// What became of a reading.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Localized {
+    /// Whether it was within the gate and corrected the belief.
+    pub accepted: bool,
+    /// The landmark it was of, or was nearest to.
+    pub landmark: u32,
+    /// ν.
+    pub innovation: DVector<f64>,
+    /// S.
+    pub s: DMatrix<f64>,
+    /// χ² = νᵀS⁻¹ν.
+    pub chi2: f64,
+}
+
+/// The localizer of §8.3 among known landmarks.
+///
+/// # Example
+/// ```
+/// use estimate::dynamic::Belief;
+/// use estimate::localizer::{EkfLocalizer, Reading, SensorKind};
+/// use nalgebra::{dmatrix, dvector};
+/// use sim::Landmark;
+///
+/// let belief = Belief::new(dvector![0.0, 0.0, 0.0], dmatrix![0.04, 0.0, 0.0; 0.0, 0.04, 0.0; 0.0, 0.0, 0.01])?;
+/// let map = vec![Landmark { id: 7, x: 2.0, y: 0.0 }];
+/// let w = dmatrix![0.01, 0.0; 0.0, 0.01];
+/// let mut ekf = EkfLocalizer::new(belief, map, w, Some(9.21), SensorKind::RangeBearing)?;
+/// ekf.predict(dvector![1.0, 0.0], dmatrix![0.01, 0.0, 0.0; 0.0, 0.01, 0.0; 0.0, 0.0, 0.01])?;
+/// let reading = Reading { range: 0.9, bearing: Some(std::f64::consts::PI), landmark: None };
+/// let answer = ekf.update(reading)?;
+/// assert!(answer.accepted && answer.landmark == 7);
+/// # Ok::<(), estimate::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct EkfLocalizer {
+    ekf: ChosetEkf,
+    map: Vec<Landmark>,
+    sensor: Sensor,
+    gate: Option<f64>,
+}
+
+impl EkfLocalizer {
+    /// A localizer with a belief over [x, y, θ], a map of at least one landmark and at most [`MAX_LANDMARKS`], the
+    /// sensor's W, and a gate: an upper bound on χ², or none.
+    ///
+    /// # Errors
+    /// Naming the argument: [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`],
+    /// [`Code::NotPositiveSemidefinite`]; [`Code::Limit`] for too few or too many landmarks or a gate that is not
+    /// positive; [`Code::Index`] for an id given twice.
+    pub fn new(
+        belief: Belief,
+        landmarks: Vec<Landmark>,
+        w: DMatrix<f64>,
+        gate: Option<f64>,
+        sensor: SensorKind,
+    ) -> Result<Self, Error> {
+        let x = validate::vector(belief.x, 3, "x").map_err(|e| e.within("belief"))?;
+        let p = validate::covariance(belief.p, 3, "P").map_err(|e| e.within("belief"))?;
+        validate::count(landmarks.len(), MAX_LANDMARKS, "landmarks")?;
+        let mut ids = std::collections::BTreeSet::new();
+        for (i, landmark) in landmarks.iter().enumerate() {
+            if !ids.insert(landmark.id) {
+                let message = format!("is {}, as another landmark's; ids are unique", landmark.id);
+                return Err(Error::new(Code::Index, format!("landmarks[{i}].id"), message));
+            }
+            for (value, name) in [(landmark.x, "x"), (landmark.y, "y")] {
+                if !value.is_finite() {
+                    let message = "is a NaN or an infinity; every number must be finite";
+                    return Err(Error::new(Code::NotFinite, format!("landmarks[{i}].{name}"), message));
+                }
+            }
+        }
+        if let Some(gate) = gate
+            && validate::finite(gate, "gate")? <= 0.0
+        {
+            return Err(Error::new(Code::Limit, "gate", format!("is {gate}; a gate on χ² is positive, or null")));
+        }
+        let sensor = match sensor {
+            SensorKind::RangeBearing => {
+                let w = validate::covariance(w, 2, "W")?;
+                Sensor::RangeBearing(SMatrix::from_fn(|i, j| w[(i, j)]))
+            }
+            SensorKind::Range => Sensor::Range(SMatrix::from_element(validate::covariance(w, 1, "W")?[0])),
+        };
+        let belief = Gaussian { x: SVector::from_fn(|i, _| x[i]), p: Matrix3::from_fn(|i, j| p[(i, j)]) };
+        Ok(Self { ekf: ChosetEkf::new(&belief), map: landmarks, sensor, gate })
+    }
+
+    /// x̂⁺ = [x + Δs cos θ, y + Δs sin θ, θ + Δθ] for `u` = [Δs, Δθ]; P⁺ = FPFᵀ + V with F at the old heading, `v` 3×3 in
+    /// the state.
+    ///
+    /// # Errors
+    /// Naming u or V: [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`], [`Code::NotPositiveSemidefinite`].
+    pub fn predict(&mut self, u: DVector<f64>, v: DMatrix<f64>) -> Result<(), Error> {
+        let u = validate::vector(u, 2, "u")?;
+        let v = validate::covariance(v, 3, "V")?;
+        self.ekf.predict(&Vector2::new(u[0], u[1]), &Matrix3::from_fn(|i, j| v[(i, j)]))
+    }
+
+    /// Corrects the belief with a reading within the gate; one beyond it leaves the belief alone, whether its landmark
+    /// was named or found. A range–bearing reading without an id goes to the likeliest landmark, a range to that of
+    /// least χ².
+    ///
+    /// # Errors
+    /// [`Code::NotFinite`], [`Code::Limit`] for a negative range, [`Code::Type`] for a bearing that is missing or too
+    /// many, [`Code::Index`] for an id that is not on the map, [`Code::AtLandmark`],
+    /// [`Code::InnovationNotPositiveDefinite`].
+    pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
+        let range = validate::finite(reading.range, "range")?;
+        if range < 0.0 {
+            return Err(Error::new(Code::Limit, "range", format!("is {range}; a range is not negative")));
+        }
+        let j = reading.landmark.map(|id| self.index(id)).transpose()?;
+        match (self.sensor, reading.bearing) {
+            (Sensor::RangeBearing(w), Some(bearing)) => {
+                let y = Vector2::new(range, wrap(validate::finite(bearing, "bearing")?));
+                let model = RangeBearing { map: &self.map };
+                locate(&mut self.ekf, &model, &self.map, y, &w, (j, Rule::MaximumLikelihood, self.gate))
+            }
+            (Sensor::Range(w), None) => {
+                let model = RangeOnly { map: &self.map };
+                let y = SVector::<f64, 1>::new(range);
+                locate(&mut self.ekf, &model, &self.map, y, &w, (j, Rule::ChiSquared, self.gate))
+            }
+            (Sensor::RangeBearing(_), None) => {
+                Err(Error::new(Code::Type, "bearing", "is missing; this sensor reads range and bearing"))
+            }
+            (Sensor::Range(_), Some(_)) => {
+                Err(Error::new(Code::Type, "bearing", "is given; this sensor reads the range alone"))
+            }
+        }
+    }
+
+    /// The present belief, θ in (−π, π].
+    pub fn belief(&self) -> Belief {
+        let Gaussian { x, p } = self.ekf.belief();
+        Belief { x: DVector::from_fn(3, |i, _| x[i]), p: DMatrix::from_fn(3, 3, |i, j| p[(i, j)]) }
+    }
+
+    fn index(&self, id: u32) -> Result<usize, Error> {
+        let message = || format!("is {id}; no landmark of the map has this id");
+        let found = self.map.iter().position(|landmark| landmark.id == id);
+        found.ok_or_else(|| Error::new(Code::Index, "landmark", message()))
+    }
+}
+
+/// Judges the reading `y` against landmark `j`, or against all, and corrects the filter when it is within the gate.
+fn locate<const M: usize>(
+    ekf: &mut ChosetEkf,
+    model: &impl MeasurementModel<SE2, 3, M>,
+    map: &[Landmark],
+    y: SVector<f64, M>,
+    w: &SMatrix<f64, M, M>,
+    (j, rule, gate): (Option<usize>, Rule, Option<f64>),
+) -> Result<Localized, Error> {
+    let belief = ekf.belief();
+    let weigh = |j: usize| candidate(model, &belief, &y, j, w, rule);
+    let within = |c: &Candidate<M>| gate.is_none_or(|gate| c.d2 <= gate);
+    let best = match j {
+        Some(j) => weigh(j)?,
+        None => {
+            let all = (0..map.len()).map(weigh).collect::<Result<Vec<_>, Error>>()?;
+            let likeliest = all.iter().filter(|c| within(c)).min_by(|a, b| a.cost.total_cmp(&b.cost));
+            let best = likeliest.or_else(|| all.iter().min_by(|a, b| a.d2.total_cmp(&b.d2)));
+            *best.ok_or_else(|| Error::new(Code::Index, "landmarks", "is empty"))?
+        }
+    };
+    let accepted = within(&best);
+    if accepted {
+        ekf.update(model, &Sighting { j: best.j, y }, w)?;
+    }
+    Ok(Localized {
+        accepted,
+        landmark: map[best.j].id,
+        innovation: DVector::from_fn(M, |i, _| best.innovation[i]),
+        s: DMatrix::from_fn(M, M, |i, k| best.s[(i, k)]),
+        chi2: best.d2,
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::{dmatrix, dvector};
+
+    fn belief() -> Belief {
+        let p = dmatrix![0.09, 0.01, 0.0; 0.01, 0.04, -0.02; 0.0, -0.02, 0.05];
+        Belief { x: dvector![1.5, 2.0, 0.4], p }
+    }
+
+    fn map() -> Vec<Landmark> {
+        vec![Landmark { id: 3, x: 6.0, y: 6.0 }, Landmark { id: 8, x: 0.0, y: 6.0 }]
+    }
+
+    fn both(gate: Option<f64>) -> EkfLocalizer {
+        let w = dmatrix![0.01, 0.0; 0.0, 0.001];
+        EkfLocalizer::new(belief(), map(), w, gate, SensorKind::RangeBearing).expect("sound")
+    }
+
+    fn reading(landmark: Option<u32>) -> Reading {
+        let (dx, dy) = (1.6 - 0.0, 2.1 - 6.0);
+        Reading { range: libm::hypot(dx, dy), bearing: Some(libm::atan2(dy, dx) - 0.35), landmark }
+    }
+
+    #[test]
+    fn a_reading_finds_the_landmark_that_it_would_have_named() {
+        let (mut named, mut found) = (both(Some(9.21)), both(Some(9.21)));
+        let answer = named.update(reading(Some(8))).expect("pd");
+        assert!(answer.accepted && answer.landmark == 8);
+        assert_eq!(found.update(reading(None)).expect("pd"), answer);
+        assert_eq!(named, found);
+        assert_ne!(named, both(Some(9.21)));
+    }
+
+    #[test]
+    fn the_gate_holds_in_both_cases() {
+        let mut ekf = both(Some(9.21));
+        let answer = ekf.update(reading(Some(3))).expect("pd");
+        assert!(!answer.accepted && answer.chi2 > 9.21);
+        let odd = Reading { range: 0.5, bearing: Some(2.0), landmark: None };
+        assert!(!ekf.update(odd).expect("pd").accepted);
+        assert_eq!(ekf, both(Some(9.21)));
+        assert!(both(None).update(reading(Some(3))).expect("pd").accepted);
+    }
+
+    #[test]
+    fn a_range_alone_has_no_bearing() {
+        let new = |w| EkfLocalizer::new(belief(), map(), w, None, SensorKind::Range);
+        let mut ekf = new(dmatrix![0.01]).expect("sound");
+        let refused = ekf.update(reading(Some(8))).expect_err("a bearing");
+        assert_eq!((refused.code, refused.argument.as_ref()), (Code::Type, "bearing"));
+        let answer = ekf.update(Reading { bearing: None, ..reading(Some(8)) }).expect("pd");
+        assert_eq!((answer.innovation.len(), answer.s.shape()), (1, (1, 1)));
+        assert_eq!(new(dmatrix![0.01, 0.0; 0.0, 0.01]).expect_err("2 × 2").code, Code::Shape);
+        let refused = both(None).update(Reading { bearing: None, ..reading(None) }).expect_err("no bearing");
+        assert_eq!((refused.code, refused.argument.as_ref()), (Code::Type, "bearing"));
+    }
+
+    #[test]
+    fn the_culprit_is_named_and_nothing_changes() {
+        let blame = |e: Error| (e.code, e.argument.into_owned());
+        let w = dmatrix![0.01, 0.0; 0.0, 0.001];
+        let new = |belief, map, w, gate| {
+            blame(EkfLocalizer::new(belief, map, w, gate, SensorKind::RangeBearing).expect_err("refused"))
+        };
+        let twins = vec![map()[0], map()[0]];
+        assert_eq!(new(belief(), twins, w.clone(), None), (Code::Index, "landmarks[1].id".into()));
+        let lost = vec![Landmark { id: 1, x: 0.0, y: f64::NAN }];
+        assert_eq!(new(belief(), lost, w.clone(), None), (Code::NotFinite, "landmarks[0].y".into()));
+        assert_eq!(new(belief(), vec![], w.clone(), None), (Code::Limit, "landmarks".into()));
+        let many = (0..=1000).map(|id| Landmark { id, x: 0.0, y: 0.0 }).collect();
+        assert_eq!(new(belief(), many, w.clone(), None), (Code::Limit, "landmarks".into()));
+        assert_eq!(new(belief(), map(), -w.clone(), None), (Code::NotPositiveSemidefinite, "W".into()));
+        assert_eq!(new(belief(), map(), w.clone(), Some(0.0)), (Code::Limit, "gate".into()));
+        let small = Belief { x: dvector![0.0], p: dmatrix![1.0] };
+        assert_eq!(new(small, map(), w, None), (Code::Shape, "belief.x".into()));
+
+        let mut ekf = both(None);
+        let mut update = |r: Reading| blame(ekf.update(r).expect_err("refused"));
+        assert_eq!(update(Reading { range: -0.1, ..reading(None) }), (Code::Limit, "range".into()));
+        assert_eq!(update(Reading { range: f64::NAN, ..reading(None) }), (Code::NotFinite, "range".into()));
+        assert_eq!(update(reading(Some(4))), (Code::Index, "landmark".into()));
+        let predict = |ekf: &mut EkfLocalizer, u, v| blame(ekf.predict(u, v).expect_err("refused"));
+        assert_eq!(predict(&mut ekf, dvector![1.0], DMatrix::zeros(3, 3)), (Code::Shape, "u".into()));
+        assert_eq!(predict(&mut ekf, dvector![1.0, 0.0], DMatrix::zeros(2, 2)), (Code::Shape, "V".into()));
+        assert_eq!(predict(&mut ekf, dvector![1e308, 0.0], DMatrix::zeros(3, 3)).0, Code::NotFinite);
+        assert_eq!(ekf, both(None));
+
+        let here = vec![Landmark { id: 1, x: 1.5, y: 2.0 }];
+        let w = dmatrix![0.01, 0.0; 0.0, 0.001];
+        let mut ekf = EkfLocalizer::new(belief(), here, w, None, SensorKind::RangeBearing).expect("sound");
+        assert_eq!(ekf.update(reading(None)).expect_err("on it").code, Code::AtLandmark);
+        assert_eq!(ekf.belief(), belief());
+    }
+}
