@@ -56,6 +56,8 @@ export async function open(t, wishes = {}) {
 export function watch(page, home) {
   const complaints = []
   page.on('console', (message) => {
+    // Said by the driver where a test keeps the service worker out.
+    if (/registration blocked by Playwright/.test(message.text())) return
     if (message.type() === 'error' || message.type() === 'warning') complaints.push(`console: ${message.text()}`)
   })
   page.on('pageerror', (error) => complaints.push(`uncaught: ${error.message}`))
