@@ -33,6 +33,10 @@ impl<'a> Arg<'a> {
         self.value.is_undefined()
     }
 
+    pub fn is_null(&self) -> bool {
+        self.value.is_null()
+    }
+
     fn refuse(&self, code: Code, message: impl Into<Cow<'static, str>>) -> Error {
         Error::new(code, self.path.clone(), message)
     }
@@ -69,7 +73,6 @@ impl<'a> Arg<'a> {
     }
 
     /// `true` or `false`.
-    #[allow(dead_code)] // for the labs that have switches
     pub fn boolean(&self) -> Result<bool, Error> {
         self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }

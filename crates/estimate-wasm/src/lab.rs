@@ -101,7 +101,8 @@ fn blame_params(error: Error) -> Error {
     if error.argument.starts_with("params") || error.argument == "step" { error } else { error.within("params") }
 }
 
-fn busy() -> JsValue {
+/// What a call from within a call is told.
+pub(crate) fn busy() -> JsValue {
     thrown(Error::new(Code::Type, "this", "is in the middle of a call"))
 }
 

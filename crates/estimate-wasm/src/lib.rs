@@ -7,6 +7,7 @@
 
 mod checks;
 mod decode;
+mod ekf_localizer;
 mod encode;
 mod errors;
 mod functions;
@@ -15,6 +16,7 @@ mod observer_bench;
 mod odometry_hook;
 
 pub use checks::chapter_checks;
+pub use ekf_localizer::EkfLocalizer;
 pub use functions::*;
 pub use observer_bench::ObserverBench;
 pub use odometry_hook::OdometryHook;

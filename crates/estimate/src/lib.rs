@@ -39,3 +39,4 @@ pub use nalgebra::Complex;
 pub use observer::{Observer, error_matrix, observer_step};
 pub use odometry::{Unicycle, odometry_delta, slip_covariance};
 pub use placement::place_observer_gain;
+pub use sim::Landmark;

@@ -1,0 +1,139 @@
+//! The EKF localizer's class.
+
+use crate::decode::Arg;
+use crate::encode::{numbers, plain, rows};
+use crate::errors::thrown;
+use crate::functions::{BeliefAnswer, belief_of};
+use crate::lab::busy;
+use estimate::localizer::{EkfLocalizer as Localizer, Localized, Reading, SensorKind};
+use estimate::{Error, Landmark};
+use serde::Serialize;
+use std::cell::RefCell;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A mapped landmark; ids are whole numbers below 2³², each given once. */
+export interface Landmark { id: number; x: number; y: number }
+export interface LocalizerOptions {
+    /** Noise covariance of a reading: 2×2 for range and bearing, 1×1 for a range alone. */
+    W: Matrix;
+    /** A reading whose χ² is greater is left aside; null, or absent, for none. */
+    gate?: number | null;
+    /** Default "range-bearing". */
+    sensor?: "range-bearing" | "range";
+}
+/** The bearing is measured from the landmark: atan2(y_r − y_ℓ, x_r − x_ℓ) − θ_r. Left out, the landmark is associated. */
+export interface LandmarkReading { range: number; bearing?: number; landmark?: number }
+export interface LandmarkUpdate {
+    outcome: "accepted" | "rejected";
+    landmark: number;
+    innovation: Vector;
+    S: Matrix;
+    chi2: number;
+}
+"#;
+
+/// The EKF over the pose [x, y, θ] among known landmarks (§8.3), at most 1000 of them.
+#[wasm_bindgen]
+pub struct EkfLocalizer(RefCell<Localizer>);
+
+#[derive(Serialize)]
+struct UpdateAnswer {
+    outcome: &'static str,
+    landmark: u32,
+    innovation: Vec<f64>,
+    #[serde(rename = "S")]
+    s: Vec<Vec<f64>>,
+    chi2: f64,
+}
+
+impl From<Localized> for UpdateAnswer {
+    fn from(answer: Localized) -> Self {
+        Self {
+            outcome: if answer.accepted { "accepted" } else { "rejected" },
+            landmark: answer.landmark,
+            innovation: numbers(&answer.innovation),
+            s: rows(&answer.s),
+            chi2: answer.chi2,
+        }
+    }
+}
+
+#[wasm_bindgen]
+impl EkfLocalizer {
+    /// A localizer with a belief over [x, y, θ] and a map.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Landmark[]")] landmarks: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "LocalizerOptions")] options: &JsValue,
+    ) -> Result<EkfLocalizer, JsValue> {
+        let read = || -> Result<Localizer, Error> {
+            let belief = belief_of(&Arg::new(belief, "belief"))?;
+            let map = Arg::new(landmarks, "landmarks").entries()?.iter().map(landmark).collect::<Result<_, _>>()?;
+            let options = Arg::new(options, "options");
+            options.only(&["W", "gate", "sensor"])?;
+            let (mut gate, mut sensor) = (None, SensorKind::default());
+            options.given("gate", |a| if a.is_null() { Ok(None) } else { a.number().map(Some) }, &mut gate)?;
+            let sensors = [("range-bearing", SensorKind::RangeBearing), ("range", SensorKind::Range)];
+            options.given("sensor", |a| a.word(&sensors), &mut sensor)?;
+            let w = options.field("W")?.matrix()?;
+            Localizer::new(belief, map, w, gate, sensor).map_err(|e| match e.argument.as_ref() {
+                "W" | "gate" => e.within("options"),
+                _ => e,
+            })
+        };
+        read().map(|ekf| Self(RefCell::new(ekf))).map_err(thrown)
+    }
+
+    /// The pose moves by `u` = [Δs, Δθ] along the old heading; `V`, 3×3, is the process noise in the state.
+    pub fn predict(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
+        #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
+    ) -> Result<(), JsValue> {
+        let (u, v) = (Arg::new(u, "u").vector().map_err(thrown)?, Arg::new(v, "V").matrix().map_err(thrown)?);
+        self.write(|ekf| ekf.predict(u, v))
+    }
+
+    /// Corrects the belief with a reading, of the landmark named or of the one it is found to be of; the gate holds in
+    /// both cases.
+    #[wasm_bindgen(unchecked_return_type = "LandmarkUpdate")]
+    pub fn update(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "LandmarkReading")] reading: &JsValue,
+    ) -> Result<JsValue, JsValue> {
+        let reading = read(&Arg::new(reading, "reading")).map_err(thrown)?;
+        let blame = |e: Error| match e.argument.as_ref() {
+            "range" | "bearing" | "landmark" => e.within("reading"),
+            _ => e,
+        };
+        plain(&UpdateAnswer::from(self.write(|ekf| ekf.update(reading).map_err(blame))?))
+    }
+
+    /// The present belief, θ in (−π, π].
+    #[wasm_bindgen(unchecked_return_type = "Belief")]
+    pub fn belief(&self) -> Result<JsValue, JsValue> {
+        let belief = self.0.try_borrow().map_err(|_| busy())?.belief();
+        plain(&BeliefAnswer::from(&belief))
+    }
+
+    fn write<T>(&self, f: impl FnOnce(&mut Localizer) -> Result<T, Error>) -> Result<T, JsValue> {
+        f(&mut *self.0.try_borrow_mut().map_err(|_| busy())?).map_err(thrown)
+    }
+}
+
+fn landmark(arg: &Arg<'_>) -> Result<Landmark, Error> {
+    arg.only(&["id", "x", "y"])?;
+    let id = arg.field("id")?.whole(0, u32::MAX)?;
+    Ok(Landmark { id, x: arg.field("x")?.number()?, y: arg.field("y")?.number()? })
+}
+
+fn read(arg: &Arg<'_>) -> Result<Reading, Error> {
+    arg.only(&["range", "bearing", "landmark"])?;
+    let (mut bearing, mut landmark) = (None, None);
+    arg.given("bearing", |a| a.number().map(Some), &mut bearing)?;
+    arg.given("landmark", |a| a.whole(0, u32::MAX).map(Some), &mut landmark)?;
+    Ok(Reading { range: arg.field("range")?.number()?, bearing, landmark })
+}
