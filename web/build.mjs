@@ -91,13 +91,13 @@ function collect({ outputs }) {
   }
 }
 
-/** KaTeX names three formats of each face; the page knows one. */
+/** KaTeX names three formats of each face, and the whole face; the page knows one, cut down. */
 function onlyWoff2() {
   return {
     name: 'only-woff2',
     setup(to) {
       to.onLoad({ filter: /katex\.min\.css$/ }, ({ path }) => ({
-        contents: readFileSync(path, 'utf8').replace(/,url\([^)]*\.(?:woff|ttf)\) format\("[a-z]+"\)/g, ''),
+        contents: readFileSync(path, 'utf8').replace(/,url\([^)]*\.(?:woff|ttf)\) format\("[a-z]+"\)/g, '').replaceAll('url(fonts/', 'url(cut-fonts/'),
         loader: 'css',
         resolveDir: dirname(path),
       }))

@@ -70,3 +70,32 @@ export class Zoom {
     return !arrived
   }
 }
+
+/** As a zoom, for one axis of its own: an interval that follows what has to be seen, at rest while that fits well. */
+export class Span {
+  constructor() {
+    /** @type {[number, number] | null} */
+    this.now = null
+    /** @type {[number, number]} */
+    this.goal = [-1, 1]
+  }
+
+  /**
+   * @param {number} low
+   * @param {number} high
+   * @param {number} elapsed
+   * @returns {boolean} whether it still moves
+   */
+  follow(low, high, elapsed) {
+    const wide = high - low || 1
+    const [from, to] = this.goal
+    if (!this.now || low < from || high > to || wide < (to - from) / 2.4) this.goal = [low - wide * 0.14, high + wide * 0.14]
+    this.now ??= this.goal
+    const t = 1 - Math.exp(-elapsed / 110)
+    const next = /** @type {[number, number]} */ (this.now.map((value, i) => mix(value, this.goal[i], t)))
+    const off = Math.max(...next.map((value, i) => Math.abs(value - this.goal[i])))
+    const arrived = off < 0.003 * (this.goal[1] - this.goal[0])
+    this.now = arrived ? this.goal : next
+    return !arrived
+  }
+}

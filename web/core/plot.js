@@ -43,6 +43,26 @@ export function evenPlane(box, [cx, cy], reach) {
 }
 
 /**
+ * A plane whose axes each have their own scale.
+ * @param {Box} box
+ * @param {[number, number]} across
+ * @param {[number, number]} up
+ * @returns {Plane}
+ */
+export function plane(box, across, up) {
+  return { box, x: scaleLinear(across, [box.left, box.right]), y: scaleLinear(up, [box.bottom, box.top]) }
+}
+
+/**
+ * Half the width and half the height of an ellipse's box.
+ * @param {{ semiMajor: number, semiMinor: number, angle: number }} ellipse
+ */
+export function halves({ semiMajor, semiMinor, angle }) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)]
+  return [Math.hypot(semiMajor * c, semiMinor * s), Math.hypot(semiMajor * s, semiMinor * c)]
+}
+
+/**
  * Ticks, faint grid and the names of the axes.
  * @param {Pen} pen
  * @param {Plane} plane

@@ -1,7 +1,10 @@
-/** The phase plane, seen from the truth: where prediction, readings' line and estimate stand against the true state. */
+/**
+ * The phase plane, seen from the truth: where prediction, the reading's line and the estimate stand against the true
+ * state. Both sensors measure along an axis, so each axis may have its own scale and the gray foot still looks square.
+ */
 
-import { Zoom, between } from '../../core/motion.js'
-import { axes, clipLine, dot, ellipsePath, evenPlane, meaning, segment } from '../../core/plot.js'
+import { Span, between } from '../../core/motion.js'
+import { axes, clipLine, dot, ellipsePath, halves, meaning, plane as planeOf, segment } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').BenchFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -15,11 +18,11 @@ import { axes, clipLine, dot, ellipsePath, evenPlane, meaning, segment } from '.
  */
 export function drawPhase({ pen, width, height }, frame, view) {
   const scene = stage(frame, view)
-  const zoom = (view.memory.phase ??= new Zoom())
-  const moving = zoom.follow(scene.extent, view.elapsed)
-  const plane = evenPlane({ left: 48, top: 30, right: width - 14, bottom: height - 42 }, [0, 0], zoom.reach)
+  const [across, up] = (view.memory.phase ??= [new Span(), new Span()])
+  const moving = [across.follow(...scene.across, view.elapsed), up.follow(...scene.up, view.elapsed)].includes(true)
+  const plane = planeOf({ left: 48, top: 30, right: width - 14, bottom: height - 42 }, across.now, up.now)
   pen.draw(() => {
-    axes(pen, plane, { x: 'position − truth (m)', y: 'velocity − truth (m/s)', ticks: [7, 6], zero: true })
+    axes(pen, plane, { x: 'position − truth (m)', y: 'velocity − truth (m/s)', ticks: [7, 5], zero: true })
     pen.window('scene', plane.box, (to) => drawScene(to, plane, frame, scene))
     legend(pen, plane, frame, scene)
   })
@@ -42,8 +45,11 @@ function stage(frame, { beat, previous }) {
   const orange = beat.name === 'predict' ? between(before, predicted, beat.t) : predicted
   const purple = beat.name === 'rest' ? posterior : beat.name === 'update' ? between(predicted, posterior, beat.t) : null
   const shown = purple ? [orange, purple] : [orange, before]
-  const extent = Math.max(0.5, ...shown.flatMap(({ x, ellipse }) => [Math.abs(x[1]) + ellipse.semiMajor, Math.hypot(...x) + ellipse.semiMajor * 0.9]))
-  return { orange, purple, extent, reading: frame.feet !== null && beat.name !== 'predict' }
+  const reach = (/** @type {0 | 1} */ axis, /** @type {number} */ least) => {
+    const ends = shown.flatMap(({ x, ellipse }) => [x[axis] - halves(ellipse)[axis], x[axis] + halves(ellipse)[axis]])
+    return /** @type {[number, number]} */ ([Math.min(-least, ...ends), Math.max(least, ...ends)])
+  }
+  return { orange, purple, across: reach(0, 0.5), up: reach(1, 0.25), reading: frame.feet !== null && beat.name !== 'predict' }
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {ReturnType<typeof stage>} scene */
