@@ -77,6 +77,33 @@ fn check_8_the_jacobians() {
 
 #[test]
 #[in_wasm]
+fn check_9_five_ranks_frozen_and_along_the_path() {
+    assert_eq!(passed(9).actual, [2.0, 3.0, 3.0, 2.0, 2.0, 2.0, 3.0, 2.0, 3.0, 2.0]);
+}
+
+#[test]
+#[in_wasm]
+fn check_10_the_traces_with_one_landmark_and_with_two() {
+    prints(&passed(10).actual, &[0.482, 0.034]);
+}
+
+#[test]
+#[in_wasm]
+fn check_11_linear_slam() {
+    let check = passed(11);
+    assert_eq!(check.actual[..2], [4.0, 1.0]);
+    prints(&check.actual[2..5], &[0.079, 0.020, 0.059]);
+}
+
+#[test]
+#[in_wasm]
+fn check_12_range_bearing_slam() {
+    let check = passed(12);
+    assert_eq!(check.actual[..4], [600.0, 3.0, 0.0, 0.0]);
+}
+
+#[test]
+#[in_wasm]
 fn check_13_problem_9() {
     let check = passed(13);
     for (actual, expected) in check.actual.iter().zip(&check.expected).take(6) {

@@ -60,7 +60,8 @@ fn build(options: &Options) -> Result<String, BuildError> {
     let start = Instant::now();
     let diagnostics = Diagnostics::default();
     let failed = |e| BuildError::Missing(format!("the labs: {e}"));
-    let numbers = labs::numbers::numbers(&Givens::default()).map_err(failed)?.into_iter().map(Number::from).collect();
+    let numbers =
+        labs::numbers::with_ensembles(&Givens::default()).map_err(failed)?.into_iter().map(Number::from).collect();
     let checks: Vec<Check> = labs::checks::chapter_checks().map_err(failed)?.into_iter().map(Check::from).collect();
     let stills = book::load_stills(&options.stills, options.strict)?;
     let site = Site::load(&options.root, numbers, Outputs::of(&options.root), stills, &diagnostics)?;

@@ -12,12 +12,14 @@ mod encode;
 mod errors;
 mod functions;
 mod lab;
+mod observability_probe;
 mod observer_bench;
 mod odometry_hook;
 
 pub use checks::chapter_checks;
 pub use ekf_localizer::EkfLocalizer;
 pub use functions::*;
+pub use observability_probe::ObservabilityProbe;
 pub use observer_bench::ObserverBench;
 pub use odometry_hook::OdometryHook;
 

@@ -22,10 +22,6 @@ impl Packed {
         Self { n, data }
     }
 
-    pub fn len(&self) -> usize {
-        self.n
-    }
-
     pub fn get(&self, i: usize, j: usize) -> f64 {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
         self.data[start(i) + j]
@@ -120,7 +116,7 @@ mod tests {
     fn a_row_appended_is_a_column_too() {
         let mut p = example();
         p.push_row([1.0, 2.0, 3.0, 4.0, 5.0]);
-        assert_eq!((p.len(), p.get(2, 4), p.get(4, 4)), (5, 3.0, 5.0));
+        assert_eq!((p.n, p.get(2, 4), p.get(4, 4)), (5, 3.0, 5.0));
     }
 
     #[test]

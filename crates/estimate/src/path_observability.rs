@@ -80,9 +80,7 @@ impl PathStack {
     pub fn analyze(&self, tolerance: f64) -> Result<PathObservability, Error> {
         let n = self.transition.ncols();
         let q = DMatrix::from_fn(self.rows.len(), n, |i, j| self.rows[i][j]);
-        // A tall stack has the singular values of its n×n triangular factor, which are found in a fraction of the time.
-        let finite = filters::linear::is_finite(&q);
-        let start = analyze(&if finite && q.nrows() > n { q.qr().r() } else { q }, tolerance)?;
+        let start = analyze(&q, tolerance)?;
         let now = start
             .nullspace
             .iter()

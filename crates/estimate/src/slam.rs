@@ -38,6 +38,8 @@ pub struct EkfSlam {
     thresholds: Thresholds,
     /// Root mean square of the rounding errors that updates have left in P.
     rounding: f64,
+    /// νᵀS⁻¹ν of the last update's matched sightings as one stack, and its degrees of freedom.
+    nis: (f64, u32),
 }
 
 /// A landmark of the map.
@@ -56,6 +58,8 @@ struct Step {
     k: [Vec<f64>; 2],
     l: [Vec<f64>; 2],
     dx: Vec<f64>,
+    /// νᵀS⁻¹ν.
+    d2: f64,
     rounding: f64,
     suspect: bool,
 }
@@ -74,7 +78,7 @@ impl EkfSlam {
         for (threshold, name) in [(thresholds.gate, "gate"), (thresholds.found, "found")] {
             let sound = threshold >= 0.0;
             if !sound {
-                return Err(Error::new(Code::Limit, name, format!("is {threshold}; it must be zero or more")));
+                return Err(Error::new(Code::Limit, name, "is a squared distance: zero or more"));
             }
         }
         Ok(Self {
@@ -84,6 +88,7 @@ impl EkfSlam {
             w: Matrix2::from_fn(|i, j| w[(i, j)]),
             thresholds,
             rounding: 0.0,
+            nis: (0.0, 0),
         })
     }
 
@@ -100,6 +105,12 @@ impl EkfSlam {
     /// The whole belief: x, and P as a full symmetric matrix.
     pub fn belief(&self) -> (&[f64], DMatrix<f64>) {
         (&self.x, self.p.to_dense())
+    }
+
+    /// νᵀS⁻¹ν of the last update's matched sightings as one stack, and its degrees of freedom; none where none was matched.
+    /// Each sighting's share is that of its innovation given the ones before it: the shares of a chain add up to the whole.
+    pub fn nis(&self) -> Option<(f64, u32)> {
+        (self.nis.1 > 0).then_some(self.nis)
     }
 
     /// How many landmarks the map holds.
@@ -160,6 +171,7 @@ impl EkfSlam {
         match readings {
             [one] => {
                 let (report, expected) = self.judged(one, &[])?;
+                self.nis = (0.0, 0);
                 match expected {
                     Some(expected) => self.correct(&expected, &expected.innovation)?,
                     None if report.outcome == Outcome::Founded => self.found(one, report.landmark)?,
@@ -170,6 +182,7 @@ impl EkfSlam {
             // Several: a later one may fail, so the work is done on a copy, which costs no more than one of the updates.
             _ => {
                 let mut next = self.clone();
+                next.nis = (0.0, 0);
                 let reports = next.update_all(readings)?;
                 *self = next;
                 Ok(reports)
@@ -299,6 +312,7 @@ impl EkfSlam {
         }
         self.x[2] = wrap(self.x[2]);
         self.rounding = step.rounding;
+        self.nis = (self.nis.0 + step.d2, self.nis.1 + 2);
         if let Some(before) = before {
             if self.semidefinite() {
                 self.rounding = 0.0;
@@ -327,8 +341,9 @@ impl EkfSlam {
         let s = expected.innovation_covariance(&self.p, &self.w);
         let spd = Spd::new(s).filter(|spd| spd.pivot() >= MIN_PIVOT);
         let spd = spd.ok_or(filters::Error::InnovationNotPositiveDefinite)?;
-        let mut step =
-            Step { k: [m0.clone(), m1.clone()], l: [m0, m1], dx: column, rounding: self.rounding, suspect: false };
+        let d2 = innovation.dot(&spd.solve(innovation));
+        let k = [m0.clone(), m1.clone()];
+        let mut step = Step { k, l: [m0, m1], dx: column, d2, rounding: self.rounding, suspect: false };
         let (mut before, mut after, mut largest) = (0.0_f64, 0.0_f64, 0.0_f64);
         for i in 0..n {
             let m = Vector2::new(step.l[0][i], step.l[1][i]);
@@ -346,7 +361,7 @@ impl EkfSlam {
         }
         let x_is_finite = self.x.iter().zip(&step.dx).all(|(x, dx)| (x + dx).is_finite());
         // Every entry of P changes by at most 4 max|K| max|L|, so P cannot overflow if this does not.
-        let bounded = (4.0 * largest * largest + before).is_finite();
+        let bounded = (4.0 * largest * largest + before + d2).is_finite();
         if !(x_is_finite && bounded) {
             return Err(filters::Error::NotFinite { what: "the mean" }.into());
         }

@@ -12,5 +12,6 @@ fn print<L: Lab>() -> Result<(), estimate::Error> {
 
 fn main() -> Result<(), estimate::Error> {
     print::<labs::ObserverBench>()?;
-    print::<labs::OdometryHook>()
+    print::<labs::OdometryHook>()?;
+    print::<labs::ObservabilityProbe>()
 }

@@ -3,6 +3,8 @@
 
 pub(crate) mod jacobians;
 pub(crate) mod linear;
+pub(crate) mod maps;
+pub(crate) mod observability;
 pub(crate) mod problem9;
 
 use crate::givens::Givens;
@@ -48,6 +50,10 @@ pub const CHECKS: &[CheckFn] = &[
     linear::brute_force_gain,
     linear::riccati_limits,
     jacobians::agreement,
+    observability::observability_ranks,
+    observability::traces,
+    maps::linear_slam_stalls,
+    maps::range_bearing_slam,
     problem9::problem9,
 ];
 
@@ -78,6 +84,7 @@ mod tests {
     fn checks_are_numbered_in_order_and_pass() {
         let checks = chapter_checks().expect("computed");
         assert!(checks.is_sorted_by(|a, b| a.id < b.id));
+        assert_eq!(checks.len(), 13);
         for check in checks {
             assert!(check.passed, "{check:?}");
         }

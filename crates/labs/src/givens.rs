@@ -3,7 +3,9 @@
 
 use estimate::Lti;
 use estimate::kf::{Gaussian, dead_reckoning, position_sensor};
-use sim::scenarios::{PROBLEM_9, Problem9};
+use sim::scenarios::{
+    LINEAR_SLAM, LinearSlam, PROBE, PROBLEM_9, Probe, Problem9, RANGE_BEARING_SLAM, RangeBearingSlam,
+};
 
 /// The chapter's chosen constants. Everything in [`crate::numbers`] is computed from one of these.
 #[derive(Clone, Debug, PartialEq)]
@@ -24,6 +26,14 @@ pub struct Givens {
     pub scalar: [f64; 3],
     /// Choset's Problem 9 (chapter 8).
     pub problem9: Problem9,
+    /// The seed of every single run that is quoted: the first, not the best.
+    pub seed: u32,
+    /// The Observability Probe.
+    pub probe: Probe,
+    /// Linear SLAM.
+    pub linear_slam: LinearSlam,
+    /// Range–bearing SLAM.
+    pub range_bearing_slam: RangeBearingSlam,
 }
 
 impl Default for Givens {
@@ -39,6 +49,10 @@ impl Default for Givens {
             first_error: [1.0, 1.0],
             scalar: [1.7, 1.0, 0.5],
             problem9: PROBLEM_9,
+            seed: 1,
+            probe: PROBE,
+            linear_slam: LINEAR_SLAM,
+            range_bearing_slam: RANGE_BEARING_SLAM,
         }
     }
 }

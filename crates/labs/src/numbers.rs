@@ -1,7 +1,10 @@
 //! Every number the prose prints, each with what computes it and the check that pins it.
 
+mod ensembles;
 mod hook;
 mod linear;
+mod maps;
+mod probe;
 mod robot;
 
 use crate::givens::Givens;
@@ -80,7 +83,19 @@ pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
     linear::list(givens, &mut listing)?;
     robot::list(givens, &mut listing)?;
     hook::list(&mut listing)?;
+    probe::list(givens, &mut listing)?;
+    maps::list(givens, &mut listing)?;
     Ok(listing.numbers)
+}
+
+/// All numbers, and those of the ensembles too, which take a second or two on an optimized build.
+///
+/// # Errors
+/// As [`numbers`].
+pub fn with_ensembles(givens: &Givens) -> Result<Vec<Number>, Error> {
+    let mut listing = Listing::new();
+    ensembles::list(&mut listing)?;
+    Ok(numbers(givens)?.into_iter().chain(listing.numbers).collect())
 }
 
 #[cfg(test)]

@@ -3,7 +3,7 @@
 use estimate::kf::Gaussian;
 use estimate::{Complex, Error};
 use geom::Ellipse;
-use nalgebra::{Matrix2, SMatrix, Vector2};
+use nalgebra::{Matrix2, Matrix3, SMatrix, Vector2};
 use serde::Serialize;
 
 /// An ellipse as a view draws it: half-axes, and the angle of the major axis in (−π/2, π/2].
@@ -68,6 +68,15 @@ pub(crate) fn pair(v: &Vector2<f64>) -> [f64; 2] {
 
 pub(crate) fn rows(m: &Matrix2<f64>) -> [[f64; 2]; 2] {
     [[m[(0, 0)], m[(0, 1)]], [m[(1, 0)], m[(1, 1)]]]
+}
+
+pub(crate) fn rows3(m: &Matrix3<f64>) -> [[f64; 3]; 3] {
+    [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]))
+}
+
+/// The rows of a matrix of any shape.
+pub(crate) fn row_vectors<const R: usize, const C: usize>(m: &SMatrix<f64, R, C>) -> Vec<Vec<f64>> {
+    m.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
 /// The lower triangular root of a covariance that is known to be positive definite, a constant of a lab.

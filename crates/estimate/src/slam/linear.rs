@@ -23,7 +23,7 @@ pub struct LinearSlam<const N: usize, const M: usize> {
 impl<const N: usize, const M: usize> LinearSlam<N, M> {
     /// The system with the given constants.
     pub fn new(c: &Constants) -> Self {
-        const { assert!(N == M + 2 && M % 2 == 0, "two coordinates of the robot and two of each landmark") };
+        const { assert!(N == M + 2 && M.is_multiple_of(2), "two coordinates of the robot and two of each landmark") };
         let h = SMatrix::from_fn(|i, j| if j == i + 2 { 1.0 } else { -f64::from(u8::from(j == i % 2)) });
         let diagonal = |robot: f64, landmark: f64| {
             SMatrix::from_diagonal(&SVector::<f64, N>::from_fn(|i, _| if i < 2 { robot } else { landmark }))

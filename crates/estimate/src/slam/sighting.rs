@@ -27,7 +27,7 @@ impl Reading {
             crate::validate::finite(value, name)?;
         }
         if self.range < 0.0 {
-            return Err(Error::new(Code::Limit, "range", format!("is {}; a range is zero or more", self.range)));
+            return Err(Error::new(Code::Limit, "range", "is negative; a range is zero or more"));
         }
         Ok(())
     }

@@ -1,0 +1,83 @@
+//! Checks 9 and 10: what can be known of a pose.
+
+use super::Check;
+use crate::givens::Givens;
+use crate::observability_probe::{Moment, Ranks, frozen_ranks, stacked_ranks};
+use crate::true_path::{Sight, after};
+use estimate::Error;
+use geom::SE2;
+use nalgebra::Vector2;
+use sim::Landmark;
+use sim::paths::Tick;
+
+/// The relative tolerance of the checks' ranks: far above rounding, far below every singular value that is not zero.
+const TOLERANCE: f64 = 1e-9;
+/// Ticks before and after the pose at which a case is frozen.
+const AROUND: u32 = 8;
+
+/// One of the five cases of check 9: the ranks frozen at a pose, and along the path through it.
+pub(crate) struct Case {
+    /// What it is.
+    pub about: &'static str,
+    pub frozen: Ranks,
+    pub path: Ranks,
+}
+
+/// Check 9's cases, on the true path of the Probe.
+///
+/// The fourth has its landmarks on a line through the robot's place in the middle of its first side, which it crosses.
+pub(crate) fn five_cases(givens: &Givens) -> Result<Vec<Case>, Error> {
+    let probe = &givens.probe;
+    let [first, second, _] = probe.landmarks;
+    let middle = probe.course.ticks[0] / 2;
+    let crossing = probe.course.poses().nth(middle as usize).unwrap_or(probe.course.start());
+    // Halfway from the robot to the first landmark.
+    let between = Landmark { id: 9, x: 0.5 * (crossing.x() + first.x), y: 0.5 * (crossing.y() + first.y) };
+    let case = |about, landmarks: &[Landmark], sight, moving| -> Result<Case, Error> {
+        let drive = moments(givens, landmarks, middle - AROUND..=middle + AROUND, moving);
+        let now = drive.get(AROUND as usize).cloned().into_iter().collect::<Vec<_>>();
+        let frozen = match now.first() {
+            Some(now) => frozen_ranks(now, sight, false, TOLERANCE)?,
+            None => Ranks::none(),
+        };
+        Ok(Case { about, frozen, path: stacked_ranks(&drive, sight, false, TOLERANCE)? })
+    };
+    Ok(vec![
+        case("one range-only landmark", &[first], Sight::Range, true)?,
+        case("two range-only landmarks", &[first, second], Sight::Range, true)?,
+        case("one range–bearing landmark, moving", &[first], Sight::RangeBearing, true)?,
+        case("two range-only landmarks whose line the robot crosses", &[first, between], Sight::Range, true)?,
+        case("one range–bearing landmark, stopped", &[first], Sight::RangeBearing, false)?,
+    ])
+}
+
+/// The moments of the Probe's course between two ticks; stopped, the robot stays at the middle one.
+fn moments(givens: &Givens, landmarks: &[Landmark], ticks: std::ops::RangeInclusive<u32>, moving: bool) -> Vec<Moment> {
+    let course = &givens.probe.course;
+    let middle = (ticks.start() + ticks.end()) / 2;
+    let place = |k: u32| course.poses().nth(k as usize).unwrap_or(course.start());
+    ticks
+        .map(|k| {
+            let (pose, tick): (SE2, Tick) =
+                if moving { (place(k), course.tick(k)) } else { (place(middle), Tick { ds: 0.0, dtheta: 0.0 }) };
+            let u = Vector2::new(tick.ds, tick.dtheta);
+            Moment { seen_from: pose, driven_from: pose, landmarks: landmarks.to_vec(), u }
+        })
+        .collect()
+}
+
+/// Check 9: the frozen ranks, and beside them what the path really shows.
+pub(super) fn observability_ranks(givens: &Givens) -> Result<Check, Error> {
+    let cases = five_cases(givens)?;
+    let of = |rank: fn(&Case) -> usize| cases.iter().map(move |c| rank(c) as f64);
+    let actual: Vec<f64> = of(|c| c.frozen.rank).chain(of(|c| c.path.rank)).collect();
+    let expected = vec![2.0, 3.0, 3.0, 2.0, 2.0, 2.0, 3.0, 2.0, 3.0, 2.0];
+    Ok(Check::new(9, "Five linearized ranks, frozen; the same five along the path", expected, actual, 0.0))
+}
+
+/// Check 10: the pose trace after two laps with one range-only landmark and with two, Jacobians on the true path.
+pub(super) fn traces(givens: &Givens) -> Result<Check, Error> {
+    let trace = |n| after(&givens.probe, n, Sight::Range, givens.probe.steps).map(|path| path.trace());
+    let title = "The pose trace after 240 steps, with one landmark and with two";
+    Ok(Check::new(10, title, vec![0.48232, 0.03402], vec![trace(1)?, trace(2)?], 5e-6))
+}

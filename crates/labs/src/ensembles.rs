@@ -1,0 +1,160 @@
+//! What 500 seeds say, beside which a single run is quoted. Run natively only: in the page a check is one run.
+
+use crate::lab::Lab;
+use crate::mapping::chapter_run;
+use crate::observability_probe::{ObservabilityProbe, ProbeParams, Sight};
+use estimate::Error;
+use sim::scenarios::{PROBE, RANGE_BEARING_SLAM, RangeBearingSlam};
+
+/// Seeds of an ensemble: 0, 1, 2, ….
+pub const SEEDS: u32 = 500;
+
+/// A number over an ensemble.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Spread {
+    sorted: Vec<f64>,
+}
+
+impl Spread {
+    /// The spread of these values.
+    pub fn new(values: impl IntoIterator<Item = f64>) -> Self {
+        let mut sorted: Vec<f64> = values.into_iter().collect();
+        sorted.sort_by(f64::total_cmp);
+        Self { sorted }
+    }
+
+    /// The value that a share `p` of all lies at or below: the nearest in rank, so always one of the runs. NaN when empty.
+    pub fn percentile(&self, p: f64) -> f64 {
+        let last = self.sorted.len().saturating_sub(1) as f64;
+        self.sorted.get(libm::round(p.clamp(0.0, 1.0) * last) as usize).copied().unwrap_or(f64::NAN)
+    }
+
+    /// The least.
+    pub fn min(&self) -> f64 {
+        self.percentile(0.0)
+    }
+
+    /// The middle.
+    pub fn median(&self) -> f64 {
+        self.percentile(0.5)
+    }
+
+    /// The greatest.
+    pub fn max(&self) -> f64 {
+        self.percentile(1.0)
+    }
+
+    /// The mean.
+    pub fn mean(&self) -> f64 {
+        self.sorted.iter().sum::<f64>() / self.sorted.len() as f64
+    }
+
+    /// The share of runs at or below `value`.
+    pub fn share_below(&self, value: f64) -> f64 {
+        self.sorted.iter().filter(|v| **v <= value).count() as f64 / self.sorted.len() as f64
+    }
+}
+
+/// Each seed's answer, computed on as many threads as the machine offers. The order is that of the seeds, so what is made
+/// of it does not depend on the threads.
+///
+/// # Errors
+/// The first error of any seed.
+pub fn over_seeds<T: Send>(seeds: u32, run: impl Fn(u32) -> Result<T, Error> + Sync) -> Result<Vec<T>, Error> {
+    let threads = std::thread::available_parallelism().map_or(1, |n| n.get() as u32).min(seeds.max(1));
+    let share = |t: u32| (t * seeds / threads)..((t + 1) * seeds / threads);
+    let parts: Vec<Result<Vec<T>, Error>> = std::thread::scope(|scope| {
+        let run = &run;
+        let workers: Vec<_> =
+            (0..threads).map(|t| scope.spawn(move || share(t).map(run).collect::<Result<Vec<T>, Error>>())).collect();
+        // A worker that panicked has broken a promise of the core; it is let through as it is.
+        workers.into_iter().map(|w| w.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))).collect()
+    });
+    parts.into_iter().collect::<Result<Vec<Vec<T>>, Error>>().map(|parts| parts.into_iter().flatten().collect())
+}
+
+/// The Probe's run over the seeds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct ProbeEnsemble {
+    /// The pose trace at the end, m² and rad² added.
+    pub trace: Spread,
+    /// The mean NEES of a run.
+    pub nees: Spread,
+}
+
+/// The trace at the end and the mean NEES of one run of the Probe.
+///
+/// # Errors
+/// Whatever the core answers; on the chapter's constants, nothing.
+pub fn probe_run(landmarks: u32, sensor: Sight, seed: u32) -> Result<(f64, f64), Error> {
+    let mut probe = ObservabilityProbe::new(ProbeParams { count: landmarks, sensor, seed, ..Default::default() })?;
+    probe.run(PROBE.steps)?;
+    Ok((probe.last_trace(), probe.mean_nees().unwrap_or(f64::NAN)))
+}
+
+/// Range-only localization by the first `landmarks` of the Probe.
+///
+/// # Errors
+/// As [`probe_run`].
+pub fn probe(landmarks: u32, seeds: u32) -> Result<ProbeEnsemble, Error> {
+    let runs = over_seeds(seeds, |seed| probe_run(landmarks, Sight::Range, seed))?;
+    Ok(ProbeEnsemble { trace: Spread::new(runs.iter().map(|r| r.0)), nees: Spread::new(runs.iter().map(|r| r.1)) })
+}
+
+/// Range–bearing SLAM over the seeds.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SlamEnsemble {
+    /// Sightings matched in a run.
+    pub matched: Spread,
+    /// The worst landmark's error at the end, metres.
+    pub worst: Spread,
+    /// The same in its own standard deviations.
+    pub sigma: Spread,
+    /// Landmarks founded though they were in the map, over all runs.
+    pub spurious: u32,
+    /// Sightings matched to the wrong landmark, over all runs.
+    pub wrong: u32,
+    /// Runs with a spurious landmark.
+    pub haunted: u32,
+}
+
+/// Range–bearing SLAM with the chapter's constants but this threshold for founding.
+///
+/// # Errors
+/// As [`probe_run`].
+pub fn slam(found: f64, seeds: u32) -> Result<SlamEnsemble, Error> {
+    let constants = RangeBearingSlam { found, ..RANGE_BEARING_SLAM };
+    let runs = over_seeds(seeds, |seed| {
+        let run = chapter_run(&constants, seed)?;
+        let worst = run.worst();
+        Ok((run.tally, worst.map_or(f64::NAN, |w| w.error), worst.map_or(f64::NAN, |w| w.sigma)))
+    })?;
+    Ok(SlamEnsemble {
+        matched: Spread::new(runs.iter().map(|r| f64::from(r.0.matched))),
+        worst: Spread::new(runs.iter().map(|r| r.1)),
+        sigma: Spread::new(runs.iter().map(|r| r.2)),
+        spurious: runs.iter().map(|r| r.0.spurious).sum(),
+        wrong: runs.iter().map(|r| r.0.wrong).sum(),
+        haunted: runs.iter().map(|r| u32::from(r.0.spurious > 0)).sum(),
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn percentiles_are_runs() {
+        let spread = Spread::new((0..101).rev().map(f64::from));
+        assert_eq!((spread.min(), spread.percentile(0.05), spread.median(), spread.max()), (0.0, 5.0, 50.0, 100.0));
+        assert_eq!((spread.mean(), spread.share_below(9.5)), (50.0, 10.0 / 101.0));
+        assert!(Spread::new([]).median().is_nan());
+    }
+
+    #[test]
+    fn the_seeds_keep_their_order_and_errors_come_through() {
+        assert_eq!(over_seeds(7, Ok).expect("no error"), [0, 1, 2, 3, 4, 5, 6]);
+        let refused = over_seeds(7, |s| if s == 5 { Err(Error::new(estimate::Code::Limit, "s", "")) } else { Ok(s) });
+        assert!(refused.is_err());
+    }
+}

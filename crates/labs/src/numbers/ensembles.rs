@@ -1,0 +1,50 @@
+//! Numbers over 500 seeds.
+
+use super::Listing;
+use crate::ensembles::{SEEDS, Spread, probe, slam};
+use estimate::Error;
+use sim::scenarios::RANGE_BEARING_SLAM;
+
+pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
+    let [one, two] = [probe(1, SEEDS)?, probe(2, SEEDS)?];
+    to.by("labs::ensembles::probe", Some(10));
+    to.add("ensemble.seeds", f64::from(SEEDS), "runs that differ in their noise only");
+    percentiles(to, "ensemble.probe.trace.one", &one.trace, "the pose trace with one range-only landmark");
+    percentiles(to, "ensemble.probe.trace.two", &two.trace, "the pose trace with two");
+    percentiles(to, "ensemble.probe.nees", &two.nees, "the mean NEES of a run with two landmarks");
+    percentiles(to, "ensemble.probe.nees.one", &one.nees, "the mean NEES of a run with one landmark");
+
+    let runs = slam(RANGE_BEARING_SLAM.found, SEEDS)?;
+    let later = f64::from(3 * RANGE_BEARING_SLAM.poses) - 3.0;
+    to.by("labs::ensembles::slam", Some(12));
+    percentiles(to, "ensemble.rbslam.matched", &runs.matched, "sightings matched in a run");
+    percentiles(to, "ensemble.rbslam.worst", &runs.worst, "the worst landmark's error of a run, m");
+    percentiles(to, "ensemble.rbslam.sigma", &runs.sigma, "the same in its own standard deviations");
+    to.add("ensemble.rbslam.matched.min", runs.matched.min(), "the fewest")
+        .add("ensemble.rbslam.matched.max", runs.matched.max(), "the most")
+        .add(
+            "ensemble.rbslam.matched.share",
+            runs.matched.median() / later,
+            "the median as a share of what was to match",
+        )
+        .add("ensemble.rbslam.spurious", f64::from(runs.spurious), "landmarks founded twice, in all runs together")
+        .add("ensemble.rbslam.wrong", f64::from(runs.wrong), "wrong matches, in all runs together");
+    let mut haunted = Vec::new();
+    for found in [15.0, 20.0, 25.0, 30.0] {
+        haunted.push((found, slam(found, SEEDS)?.haunted));
+    }
+    // The largest threshold tried at which a ghost still appeared.
+    let low = haunted.iter().rev().find(|(_, n)| *n > 0).map_or(f64::NAN, |(found, _)| *found);
+    to.add(
+        "ensemble.rbslam.found.low",
+        low,
+        "the greatest threshold for founding, of 15, 20, 25 and 30, that founds ghosts",
+    );
+    Ok(())
+}
+
+fn percentiles(to: &mut Listing, id: &str, spread: &Spread, about: &'static str) {
+    for (name, p) in [("p05", 0.05), ("p50", 0.5), ("p90", 0.9), ("p95", 0.95)] {
+        to.add(format!("{id}.{name}"), spread.percentile(p), about);
+    }
+}

@@ -1,0 +1,59 @@
+//! Numbers of the Observability Probe.
+
+use super::Listing;
+use crate::checks::observability::five_cases;
+use crate::givens::Givens;
+use crate::lab::Lab;
+use crate::observability_probe::{ObservabilityProbe, ProbeParams};
+use crate::true_path::{Sight, after};
+use estimate::Error;
+
+pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    ranks(givens, to)?;
+    traces(givens, to)?;
+    runs(givens, to)
+}
+
+fn ranks(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    to.by("labs::checks::observability::five_cases", Some(9));
+    for (i, case) in (1..).zip(five_cases(givens)?) {
+        to.add(format!("probe.frozen.{i}"), case.frozen.rank as f64, case.about);
+        to.add(format!("probe.path.{i}"), case.path.rank as f64, case.about);
+    }
+    Ok(())
+}
+
+fn traces(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    let probe = &givens.probe;
+    to.by("labs::true_path::after", Some(10));
+    for (name, n) in [("one", 1), ("two", 2)] {
+        let path = after(probe, n, Sight::Range, probe.steps)?;
+        let [position, heading] = path.parts();
+        to.add(format!("probe.trace.{name}"), path.trace(), "the pose trace after 240 steps, m² and rad² added")
+            .add(format!("probe.trace.{name}.position"), position, "its part in m²")
+            .add(format!("probe.trace.{name}.heading"), heading, "its part in rad²");
+    }
+    to.by("labs::true_path::after", None);
+    for steps in [480, 960] {
+        let trace = after(probe, 1, Sight::Range, steps)?.trace();
+        to.add(format!("probe.trace.one.{steps}"), trace, "the same with one landmark, after more laps");
+    }
+    for steps in [240, 480, 960, 1920] {
+        let trace = after(probe, 1, Sight::RangeBearing, steps)?.trace();
+        to.add(format!("probe.trace.rb.{steps}"), trace, "the pose trace with one range–bearing landmark");
+    }
+    Ok(())
+}
+
+fn runs(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    to.by("labs::ObservabilityProbe", None);
+    for (name, count, ratio) in [("one", 1, "probe.sv.zero"), ("two", 2, "probe.sv.true")] {
+        let mut probe = ObservabilityProbe::new(ProbeParams { count, seed: givens.seed, ..Default::default() })?;
+        probe.run(givens.probe.steps)?;
+        let frame = probe.frame();
+        to.add(format!("probe.run.trace.{name}"), frame.trace.total, "the pose trace of one seeded run")
+            .add(format!("probe.run.nees.{name}"), frame.mean.nees.unwrap_or(f64::NAN), "the mean NEES of that run")
+            .add(ratio, frame.frozen.relative[2], "the smallest frozen singular value over the largest, at its end");
+    }
+    Ok(())
+}

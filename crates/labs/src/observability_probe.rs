@@ -1,0 +1,336 @@
+//! The Observability Probe: Rusty on its square in room A, one to three landmarks that the reader drags, and what can be
+//! known from them.
+//!
+//! The robot drives its square exactly; what its filter takes for the motion is off by a draw from V at every tick. So
+//! the true path, and with it the rank along it, does not depend on a seed.
+
+mod frame;
+mod localize;
+mod ranks;
+mod snap;
+mod view;
+
+pub use crate::true_path::Sight;
+pub use frame::{
+    Bands, Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSeries, ProbeSighting, ProbeTracks,
+    RoomShape, Traces,
+};
+pub use ranks::Ranks;
+pub(crate) use ranks::{Moment, frozen_ranks, stacked_ranks};
+
+use crate::lab::{Digest, Lab};
+use crate::mapping::Mapping;
+use crate::true_path::{TruePath, parts};
+use estimate::{Code, Error, validate};
+use filters::consistency::nees;
+use geom::SE2;
+use localize::Localizer;
+use nalgebra::{Matrix3, Vector2};
+use serde::Serialize;
+use sim::paths::Tick;
+use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
+use sim::{Landmark, Noise};
+use std::collections::VecDeque;
+
+/// How many of the last steps the rank along the path looks at: one side of the square.
+pub const PATH_STEPS: usize = 30;
+/// How many of the last positions a track keeps, two laps and the present.
+const TRACK: usize = 241;
+
+/// What the reader can change.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct ProbeParams {
+    /// Where the landmarks stand, metres, in room A.
+    pub landmarks: [[f64; 2]; 3],
+    /// How many of them are seen: 1 to 3.
+    pub count: u32,
+    /// What is read of them.
+    pub sensor: Sight,
+    /// The step at which the robot stops, if it does.
+    pub stop: Option<u32>,
+    /// Whether the robot has lost its map and must found it anew.
+    pub forget: bool,
+    /// Below this part of the largest a singular value counts as zero.
+    pub tolerance: f64,
+    /// Fixes all noise.
+    pub seed: u32,
+}
+
+impl Default for ProbeParams {
+    fn default() -> Self {
+        Self {
+            landmarks: PROBE.landmarks.map(|l| [l.x, l.y]),
+            count: 1,
+            sensor: Sight::Range,
+            stop: None,
+            forget: false,
+            tolerance: 1e-6,
+            seed: 1,
+        }
+    }
+}
+
+impl ProbeParams {
+    fn check(&self) -> Result<(), Error> {
+        for (i, point) in self.landmarks.iter().enumerate() {
+            for (value, axis) in point.iter().zip(["0", "1"]) {
+                let blamed = || format!("landmarks[{i}][{axis}]");
+                if !value.is_finite() {
+                    return Err(Error::new(Code::NotFinite, blamed(), "is not finite; it must be a number of metres"));
+                }
+                if !(0.0..=PROBE.room).contains(value) {
+                    return Err(Error::new(Code::Limit, blamed(), "is outside room A, which reaches from 0 to 6 m"));
+                }
+            }
+        }
+        if !(1..=3).contains(&self.count) {
+            return Err(Error::new(Code::Limit, "count", format!("is {}; it must be 1, 2 or 3", self.count)));
+        }
+        let tolerance = validate::tolerance(self.tolerance, "tolerance")?;
+        if tolerance > 1.0 {
+            return Err(Error::new(Code::Tolerance, "tolerance", "is relative: at most 1"));
+        }
+        Ok(())
+    }
+
+    /// The landmarks that are seen.
+    fn shown(&self) -> Vec<Landmark> {
+        let all = self.landmarks.iter().zip(0..);
+        all.take(self.count as usize).map(|(p, id)| Landmark { id, x: p[0], y: p[1] }).collect()
+    }
+
+    /// The sensor in effect.
+    fn sight(&self) -> Sight {
+        if self.forget { Sight::RangeBearing } else { self.sensor }
+    }
+}
+
+/// Who estimates.
+#[derive(Clone, Debug)]
+enum Who {
+    /// A robot with a map.
+    Localizer(Localizer),
+    /// A robot that must found one.
+    Mapper(Box<Mapping>),
+}
+
+impl Who {
+    fn belief(&self) -> (SE2, Matrix3<f64>) {
+        match self {
+            Self::Localizer(l) => (l.ekf.pose(), *l.ekf.covariance()),
+            Self::Mapper(m) => (m.slam.pose(), m.slam.pose_covariance()),
+        }
+    }
+}
+
+/// Sums over the run.
+#[derive(Clone, Copy, Debug, Default)]
+struct Sums {
+    nees: f64,
+    nees_steps: u32,
+    nis: f64,
+    nis_dof: u32,
+}
+
+/// The lab.
+#[derive(Clone, Debug)]
+pub struct ObservabilityProbe {
+    params: ProbeParams,
+    shown: Vec<Landmark>,
+    noise: Noise,
+    step: u32,
+    driven: u32,
+    truth: SE2,
+    who: Who,
+    reference: TruePath,
+    /// The last moments on the true path and at the estimates, the present one last.
+    true_moments: VecDeque<Moment>,
+    estimated_moments: VecDeque<Moment>,
+    sightings: Vec<ProbeSighting>,
+    nees: Option<f64>,
+    nis: Option<f64>,
+    nis_dof: u32,
+    sums: Sums,
+    series: ProbeSeries,
+    tracks: [VecDeque<[f64; 2]>; 2],
+    digest: Digest,
+}
+
+impl Lab for ObservabilityProbe {
+    const NAME: &'static str = "observability-probe";
+    type Params = ProbeParams;
+    type Frame = ProbeFrame;
+
+    fn new(params: ProbeParams) -> Result<Self, Error> {
+        params.check()?;
+        let shown = params.shown();
+        let mut noise = Noise::new(u64::from(params.seed));
+        let truth = PROBE.course.start();
+        let who = if params.forget {
+            Who::Mapper(Box::new(Mapping::new(&shown, &RANGE_BEARING_SLAM)?))
+        } else {
+            Who::Localizer(Localizer::new(truth, &shown, params.sight(), &mut noise))
+        };
+        let mut probe = Self {
+            params,
+            shown,
+            noise,
+            step: 0,
+            driven: 0,
+            truth,
+            who,
+            reference: TruePath::new(&PROBE.landmarks[..2], Sight::Range),
+            true_moments: VecDeque::new(),
+            estimated_moments: VecDeque::new(),
+            sightings: Vec::new(),
+            nees: None,
+            nis: None,
+            nis_dof: 0,
+            sums: Sums::default(),
+            series: ProbeSeries::default(),
+            tracks: Default::default(),
+            digest: Digest::default(),
+        };
+        if let Who::Mapper(mapping) = &mut probe.who {
+            // A map begins where its robot first looks about.
+            let seen = mapping.look(truth, &mut probe.noise)?;
+            probe.sightings = seen.iter().map(|s| view::mapped_sighting(s, mapping)).collect();
+        }
+        probe.judge();
+        let seen_from = probe.who.belief().0;
+        probe.remember(seen_from);
+        probe.record();
+        Ok(probe)
+    }
+
+    fn params(&self) -> &ProbeParams {
+        &self.params
+    }
+
+    fn steps(&self) -> u32 {
+        self.step
+    }
+
+    fn advance(&mut self) -> Result<(), Error> {
+        let tick = self.next_tick();
+        self.truth = tick.drive(self.truth);
+        self.driven += u32::from(self.moving());
+        self.step += 1;
+        self.reference.step(tick)?;
+        let seen_from = match &mut self.who {
+            Who::Localizer(localizer) => {
+                let heard = localizer.step(tick, self.truth, &mut self.noise)?;
+                (self.nis, self.nis_dof) = (heard.nis, heard.nis_dof);
+                self.sightings = heard.sightings;
+                heard.prediction
+            }
+            Who::Mapper(mapping) => {
+                let seen = mapping.step(tick, self.truth, &mut self.noise)?;
+                self.sightings = seen.iter().map(|s| view::mapped_sighting(s, mapping)).collect();
+                (self.nis, self.nis_dof) = mapping.nis().map_or((None, 0), |(nis, dof)| (Some(nis), dof));
+                mapping.slam.pose()
+            }
+        };
+        self.judge();
+        self.remember(seen_from);
+        self.record();
+        Ok(())
+    }
+
+    fn frame(&self) -> ProbeFrame {
+        view::frame(self)
+    }
+
+    fn digest(&self) -> u64 {
+        self.digest.value()
+    }
+}
+
+impl ObservabilityProbe {
+    /// The mean NEES of the run.
+    pub(crate) fn mean_nees(&self) -> Option<f64> {
+        (self.sums.nees_steps > 0).then(|| self.sums.nees / f64::from(self.sums.nees_steps))
+    }
+
+    /// tr P of the pose after the last step.
+    pub(crate) fn last_trace(&self) -> f64 {
+        self.who.belief().1.trace()
+    }
+
+    fn moving(&self) -> bool {
+        self.params.stop.is_none_or(|at| self.step < at)
+    }
+
+    /// What the next step drives.
+    fn next_tick(&self) -> Tick {
+        if self.moving() { PROBE.course.tick(self.driven) } else { Tick { ds: 0.0, dtheta: 0.0 } }
+    }
+
+    /// Compares with the truth.
+    fn judge(&mut self) {
+        let (pose, p) = self.who.belief();
+        self.nees = nees(&self.truth.boxminus(pose), &p).ok();
+        if let Some(nees) = self.nees {
+            self.sums.nees += nees;
+            self.sums.nees_steps += 1;
+        }
+        if let Some(nis) = self.nis {
+            self.sums.nis += nis;
+            self.sums.nis_dof += self.nis_dof;
+        }
+    }
+
+    /// Keeps the present moment for the ranks along the path.
+    fn remember(&mut self, seen_from: SE2) {
+        let tick = self.next_tick();
+        let u = Vector2::new(tick.ds, tick.dtheta);
+        let estimate = self.who.belief().0;
+        let (believed, true_places) = match &self.who {
+            Who::Localizer(_) => (self.shown.clone(), self.shown.clone()),
+            Who::Mapper(m) => {
+                let believed = m.slam.landmarks().map(|l| Landmark { id: l.id, x: l.position[0], y: l.position[1] });
+                (believed.collect(), m.truth.iter().map(|&t| self.shown[t]).collect())
+            }
+        };
+        let truth = Moment { seen_from: self.truth, driven_from: self.truth, landmarks: true_places, u };
+        let estimated = Moment { seen_from, driven_from: estimate, landmarks: believed, u };
+        for (moments, moment) in [(&mut self.true_moments, truth), (&mut self.estimated_moments, estimated)] {
+            moments.push_back(moment);
+            if moments.len() > PATH_STEPS + 1 {
+                moments.pop_front();
+            }
+        }
+    }
+
+    fn record(&mut self) {
+        let (pose, p) = self.who.belief();
+        let [position, heading] = parts(&p);
+        let series = &mut self.series;
+        series.step.push(f64::from(self.step));
+        series.trace.push(p.trace());
+        series.trace_position.push(position);
+        series.trace_heading.push(heading);
+        series.reference.push(self.reference.trace());
+        series.nees.push(self.nees.unwrap_or(f64::NAN));
+        series.nis.push(self.nis.unwrap_or(f64::NAN));
+        for (track, at) in self.tracks.iter_mut().zip([self.truth, pose]) {
+            track.push_back([at.x(), at.y()]);
+            if track.len() > TRACK {
+                track.pop_front();
+            }
+        }
+        self.digest.take(self.truth.to_vector().iter());
+        self.digest.take(pose.to_vector().iter());
+        self.digest.take(p.iter());
+        self.digest.take(self.reference.p.iter());
+        self.digest.take(self.nees.iter().chain(&self.nis));
+        if let Who::Mapper(mapping) = &self.who {
+            for landmark in mapping.slam.landmarks() {
+                self.digest.take(landmark.position.iter().chain(landmark.p.iter()));
+            }
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests;

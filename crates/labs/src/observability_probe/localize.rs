@@ -1,0 +1,126 @@
+//! The Probe's robot with its map: the EKF of §8.3 on sightings whose landmarks it knows.
+
+use super::frame::{Fate, ProbeSighting};
+use crate::shapes::row_vectors;
+use crate::true_path::{Sight, sensor_covariance, squares};
+use estimate::kf::Gaussian;
+use estimate::landmarks::{RangeBearing, RangeOnly, candidate};
+use estimate::{ChosetEkf, Error, Sighting};
+use filters::association::Rule;
+use filters::nonlinear::MeasurementModel;
+use geom::SE2;
+use nalgebra::{DMatrix, Matrix1, Matrix3, SMatrix, SVector, Vector2, Vector3};
+use sim::paths::Tick;
+use sim::scenarios::PROBE;
+use sim::{Landmark, Noise};
+
+/// A localizer and the landmarks it knows.
+#[derive(Clone, Debug)]
+pub(super) struct Localizer {
+    pub ekf: ChosetEkf,
+    landmarks: Vec<Landmark>,
+    sight: Sight,
+}
+
+/// What a step brought.
+pub(super) struct Heard {
+    pub prediction: SE2,
+    pub sightings: Vec<ProbeSighting>,
+    pub nis: Option<f64>,
+    pub nis_dof: u32,
+}
+
+impl Localizer {
+    /// A first estimate drawn from P₀ about the truth.
+    pub fn new(truth: SE2, landmarks: &[Landmark], sight: Sight, noise: &mut Noise) -> Self {
+        let off = drawn(PROBE.p0_sigma, noise);
+        let belief = Gaussian { x: truth.boxplus(&off).to_vector(), p: squares(PROBE.p0_sigma) };
+        Self { ekf: ChosetEkf::new(&belief), landmarks: landmarks.to_vec(), sight }
+    }
+
+    /// The robot has driven `tick` and stands at `truth`.
+    pub fn step(&mut self, tick: Tick, truth: SE2, noise: &mut Noise) -> Result<Heard, Error> {
+        // Drawn whether it moves or not, so that a seed means the same sightings either way.
+        let off = drawn(PROBE.v_sigma, noise);
+        let moving = tick.ds != 0.0 || tick.dtheta != 0.0;
+        let (off, v) = if moving { (off, squares(PROBE.v_sigma)) } else { (Vector3::zeros(), Matrix3::zeros()) };
+        self.ekf.predict(&Vector2::new(tick.ds, tick.dtheta), &v)?;
+        let Gaussian { x, p } = self.ekf.belief();
+        self.ekf = ChosetEkf::new(&Gaussian { x: SE2::from_vector(&x).boxplus(&off).to_vector(), p });
+
+        let readings: Vec<Vector2<f64>> = self
+            .landmarks
+            .iter()
+            .map(|landmark| PROBE.sensor.sight(truth, landmark, noise))
+            .map(|z| Vector2::new(z.range, z.bearing))
+            .collect();
+        let prediction = self.ekf.pose();
+        let map = std::mem::take(&mut self.landmarks);
+        let w = sensor_covariance(&PROBE.sensor);
+        let (sightings, evidence) = match self.sight {
+            Sight::RangeBearing => self.correct(&RangeBearing { map: &map }, &readings, |z| z, &w),
+            Sight::Range => {
+                let w = Matrix1::new(w[(0, 0)]);
+                self.correct(&RangeOnly { map: &map }, &readings, |z| z.fixed_rows::<1>(0).into_owned(), &w)
+            }
+        };
+        let sightings = sightings
+            .into_iter()
+            .map(|s| ProbeSighting { to: Some([map[s.landmark].x, map[s.landmark].y]), ..s })
+            .collect();
+        self.landmarks = map;
+        let (nis, nis_dof) = evidence.map_or((None, 0), |(nis, dof)| (Some(nis), dof));
+        Ok(Heard { prediction, sightings, nis, nis_dof })
+    }
+
+    /// All sightings stacked; one that cannot be linearized (the estimate stands on its landmark) is left out.
+    fn correct<const M: usize>(
+        &mut self,
+        model: &impl MeasurementModel<SE2, 3, M>,
+        readings: &[Vector2<f64>],
+        of: impl Fn(Vector2<f64>) -> SVector<f64, M>,
+        w: &SMatrix<f64, M, M>,
+    ) -> (Vec<ProbeSighting>, Option<(f64, u32)>) {
+        let belief = self.ekf.belief();
+        let (mut sightings, mut stack) = (Vec::new(), Vec::new());
+        for (j, z) in readings.iter().enumerate() {
+            let y = of(*z);
+            let weighed = candidate(model, &belief, &y, j, w, Rule::ChiSquared).ok();
+            if weighed.is_some() {
+                stack.push(Sighting { j, y });
+            }
+            sightings.push(ProbeSighting {
+                landmark: j,
+                range: z[0],
+                bearing: (M == 2).then_some(z[1]),
+                innovation: weighed.map(|c| c.innovation.iter().copied().collect()),
+                s: weighed.map(|c| row_vectors(&c.s)),
+                chi2: weighed.map(|c| c.d2),
+                outcome: if weighed.is_some() { Fate::Accepted } else { Fate::Rejected },
+                to: None,
+            });
+        }
+        let evidence = match stack.as_slice() {
+            [] => None,
+            [one] => self.ekf.update(model, one, w).ok().and_then(|u| nis(&u.innovation, &u.s)),
+            all => self.ekf.update_stacked(model, all, w).ok().and_then(|(nu, s): (_, DMatrix<f64>)| nis(&nu, &s)),
+        };
+        if evidence.is_none() {
+            for sighting in &mut sightings {
+                sighting.outcome = Fate::Rejected;
+            }
+        }
+        (sightings, evidence)
+    }
+}
+
+fn nis<D: nalgebra::Dim>(nu: &nalgebra::OVector<f64, D>, s: &nalgebra::OMatrix<f64, D, D>) -> Option<(f64, u32)>
+where
+    nalgebra::DefaultAllocator: nalgebra::allocator::Allocator<D> + nalgebra::allocator::Allocator<D, D>,
+{
+    filters::consistency::nis(nu, s).ok().map(|nis| (nis, nu.nrows() as u32))
+}
+
+fn drawn(sigma: [f64; 3], noise: &mut Noise) -> Vector3<f64> {
+    Vector3::from(sigma.map(|s| s * noise.normal()))
+}

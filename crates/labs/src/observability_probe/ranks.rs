@@ -1,0 +1,154 @@
+//! What the readings of a drive can tell: frozen at one pose, and stacked along the last steps.
+
+use crate::true_path::Sight;
+use estimate::landmarks::{RangeBearing, RangeOnly};
+use estimate::observability::Observability;
+use estimate::path_observability::{PathStack, frozen};
+use estimate::{Error, Unicycle};
+use filters::nonlinear::{MeasurementModel, MotionModel};
+use geom::SE2;
+use nalgebra::{DMatrix, DVector, Vector2};
+use serde::Serialize;
+use sim::Landmark;
+
+/// One moment of a drive: where, what was in the map then, and the input that led on.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Moment {
+    /// Where the readings were linearized.
+    pub seen_from: SE2,
+    /// Where the motion after them was linearized.
+    pub driven_from: SE2,
+    /// The landmarks as they were believed to be (or are).
+    pub landmarks: Vec<Landmark>,
+    /// The input of the step that followed.
+    pub u: Vector2<f64>,
+}
+
+/// A rank with what stands behind it, as a view draws it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[serde(rename_all = "camelCase")]
+pub struct Ranks {
+    /// Singular values above the tolerance.
+    pub rank: usize,
+    /// States.
+    pub n: usize,
+    /// In decreasing order.
+    pub singular_values: Vec<f64>,
+    /// The same, each divided by the largest (zeros where that is zero).
+    pub relative: Vec<f64>,
+    /// Orthonormal directions that no reading sees; for a stack, at its start.
+    pub nullspace: Vec<Vec<f64>>,
+    /// The same at the present pose, the robot's part: [dx, dy, dθ], of length 1 in the plane, or a pure turn dθ = 1.
+    pub directions: Vec<[f64; 3]>,
+    /// Steps stacked; 0 for a frozen pair.
+    pub steps: usize,
+}
+
+impl Ranks {
+    fn new(found: Observability, now: &[DVector<f64>], steps: usize) -> Self {
+        let largest = found.singular_values.first().copied().unwrap_or(0.0);
+        let relative = |s: &f64| if largest > 0.0 { s / largest } else { 0.0 };
+        Self {
+            rank: found.rank,
+            n: found.n,
+            relative: found.singular_values.iter().map(relative).collect(),
+            singular_values: found.singular_values,
+            nullspace: found.nullspace.iter().map(|c| c.iter().copied().collect()).collect(),
+            directions: now.iter().map(robot_part).collect(),
+            steps,
+        }
+    }
+}
+
+/// The first three components, of length 1 in the plane. A direction has no sign: the first of size faces the positive
+/// side.
+fn robot_part(c: &DVector<f64>) -> [f64; 3] {
+    let planar = libm::hypot(c[0], c[1]);
+    let scale = if planar > 1e-9 {
+        planar
+    } else if c[2].abs() > 1e-9 {
+        c[2].abs()
+    } else {
+        return [0.0; 3];
+    };
+    let facing = if c[0].abs() > 1e-9 * planar { c[0] } else { c[1] + c[2] };
+    [c[0], c[1], c[2]].map(|e| e / libm::copysign(scale, facing))
+}
+
+/// The rows of H over the pose, and over the map's coordinates too when the map is part of the state. A landmark
+/// underfoot has none.
+pub(crate) fn output_rows(pose: &SE2, landmarks: &[Landmark], sight: Sight, mapped: bool) -> DMatrix<f64> {
+    let n = 3 + if mapped { 2 * landmarks.len() } else { 0 };
+    let mut rows = Vec::new();
+    for j in 0..landmarks.len() {
+        let block = match sight {
+            Sight::Range => RangeOnly { map: landmarks }.jacobian(pose, j).map(|h| h.resize_vertically(1, 0.0)),
+            Sight::RangeBearing => {
+                RangeBearing { map: landmarks }.jacobian(pose, j).map(|h| h.resize_vertically(2, 0.0))
+            }
+        };
+        let Ok(block) = block else { continue };
+        for i in 0..block.nrows() {
+            let mut row = DVector::zeros(n);
+            row.fixed_rows_mut::<3>(0).copy_from(&block.row(i).transpose());
+            if mapped {
+                row[3 + 2 * j] = -block[(i, 0)];
+                row[4 + 2 * j] = -block[(i, 1)];
+            }
+            rows.push(row.transpose());
+        }
+    }
+    if rows.is_empty() { DMatrix::zeros(0, n) } else { DMatrix::from_rows(&rows) }
+}
+
+fn motion(moment: &Moment, n: usize) -> DMatrix<f64> {
+    let mut f = DMatrix::identity(n, n);
+    f.fixed_view_mut::<3, 3>(0, 0).copy_from(&Unicycle.jacobian(&moment.driven_from, &moment.u));
+    f
+}
+
+/// The pair (F, H) of one moment as if it lasted.
+///
+/// # Errors
+/// As [`frozen`].
+pub(crate) fn frozen_ranks(moment: &Moment, sight: Sight, mapped: bool, tolerance: f64) -> Result<Ranks, Error> {
+    let h = output_rows(&moment.seen_from, &moment.landmarks, sight, mapped);
+    let found = frozen(&motion(moment, h.ncols()), &h, tolerance)?;
+    let now = found.nullspace.clone();
+    Ok(Ranks::new(found, &now, 0))
+}
+
+/// The stack along a drive, its last moment's motion left out.
+///
+/// # Errors
+/// As [`PathStack::analyze`].
+pub(crate) fn stacked_ranks(moments: &[Moment], sight: Sight, mapped: bool, tolerance: f64) -> Result<Ranks, Error> {
+    // A landmark founded on the way enters the state from then on: only the moments that know the whole map are stacked.
+    let known = moments.last().map_or(0, |m| m.landmarks.len());
+    let n = 3 + if mapped { 2 * known } else { 0 };
+    let mut stack = PathStack::new(n);
+    let whole: Vec<&Moment> = moments.iter().filter(|m| !mapped || m.landmarks.len() == known).collect();
+    for (i, moment) in whole.iter().enumerate() {
+        stack.observe(&output_rows(&moment.seen_from, &moment.landmarks, sight, mapped));
+        if i + 1 < whole.len() {
+            stack.advance(&motion(moment, n));
+        }
+    }
+    let found = stack.analyze(tolerance)?;
+    Ok(Ranks::new(found.start, &found.now, found.steps))
+}
+
+impl Ranks {
+    /// What is shown where no rank could be found.
+    pub(crate) fn none() -> Self {
+        Self {
+            rank: 0,
+            n: 0,
+            singular_values: Vec::new(),
+            relative: Vec::new(),
+            nullspace: Vec::new(),
+            directions: Vec::new(),
+            steps: 0,
+        }
+    }
+}

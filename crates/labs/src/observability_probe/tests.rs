@@ -1,0 +1,141 @@
+use super::*;
+
+fn at(params: ProbeParams, steps: u32) -> ObservabilityProbe {
+    let mut probe = ObservabilityProbe::new(params).expect("sound parameters");
+    probe.run(steps).expect("within the limit");
+    probe
+}
+
+fn with(count: u32, sensor: Sight) -> ProbeParams {
+    ProbeParams { count, sensor, ..Default::default() }
+}
+
+#[test]
+fn one_range_bearing_landmark_is_seen_through_by_the_path_alone() {
+    let frame = at(with(1, Sight::RangeBearing), 100).frame();
+    assert_eq!((frame.frozen.rank, frame.along_path.rank), (3, 2));
+    assert_eq!(frame.along_estimates.rank, 3, "estimates that jump invent a rank");
+    // The invisible turn about the landmark: [−Δy, Δx, 1] at the true pose.
+    let (dx, dy) = (frame.truth[0] - 6.0, frame.truth[1] - 6.0);
+    let [x, y, turn] = frame.along_path.directions[0];
+    assert!((x / turn + dy).abs() < 1e-6 && (y / turn - dx).abs() < 1e-6);
+}
+
+#[test]
+fn the_invisible_direction_of_one_range_is_a_tangent_frozen_and_a_turn_along_the_path() {
+    let frame = at(with(1, Sight::Range), 100).frame();
+    assert_eq!((frame.frozen.rank, frame.along_path.rank), (2, 2));
+    let (dx, dy) = (frame.estimate[0] - 6.0, frame.estimate[1] - 6.0);
+    let [x, y, turn] = frame.frozen.directions[0];
+    assert!(turn.abs() < 1e-9 && (x * dx + y * dy).abs() < 1e-9, "frozen: across the line of sight");
+    assert!(frame.along_path.directions[0][2].abs() > 0.05, "along the path: heading included");
+}
+
+#[test]
+fn two_landmarks_show_everything_and_shrink_the_ellipse() {
+    let (one, two) = (at(with(1, Sight::Range), 240).frame(), at(with(2, Sight::Range), 240).frame());
+    assert_eq!((two.frozen.rank, two.along_path.rank), (3, 3));
+    assert!(one.trace.total > 8.0 * two.trace.total);
+    assert_eq!(one.trace.reference, two.trace.reference);
+    assert!((two.trace.reference - 0.03402).abs() < 5e-6);
+    assert_eq!(one.truth, two.truth);
+}
+
+#[test]
+fn stopped_a_range_and_bearing_cannot_pin_three() {
+    let params = ProbeParams { stop: Some(50), ..with(1, Sight::RangeBearing) };
+    let frame = at(params, 90).frame();
+    assert_eq!((frame.frozen.rank, frame.along_path.rank, frame.moving), (2, 2, false));
+    assert_eq!(frame.truth, at(params, 50).frame().truth);
+    let driving = at(ProbeParams { stop: None, ..params }, 50).frame();
+    assert_eq!(driving.truth, frame.truth);
+}
+
+#[test]
+fn stopped_one_range_leaves_two_directions_open() {
+    let frame = at(ProbeParams { stop: Some(50), ..with(1, Sight::Range) }, 51).frame();
+    assert_eq!((frame.frozen.rank, frame.frozen.directions.len()), (1, 2));
+}
+
+#[test]
+fn snapped_onto_the_line_a_landmark_costs_a_rank() {
+    let probe = at(with(2, Sight::Range), 75);
+    assert_eq!(probe.frame().frozen.rank, 3);
+    for j in 0..2 {
+        let mut params = probe.params;
+        params.landmarks[j as usize] = probe.collinear_point(j).expect("two are shown");
+        let snapped = at(params, 75).frame();
+        assert_eq!(snapped.frozen.rank, 2, "landmark {j}: {:?}", snapped.frozen.relative);
+        assert_eq!(snapped.along_path.rank, 3, "crossing a line is momentary");
+    }
+    assert_eq!(probe.collinear_point(2).expect_err("not shown").code, Code::Index);
+    assert_eq!(at(with(1, Sight::Range), 5).collinear_point(0).expect_err("no line").code, Code::Index);
+}
+
+#[test]
+fn the_forgotten_map_is_founded_once_and_matched_after() {
+    let params = ProbeParams { forget: true, count: 3, ..Default::default() };
+    let frame = at(params, 199).frame();
+    let slam = frame.slam.expect("a map");
+    assert_eq!((slam.sightings, slam.founded, slam.spurious, slam.wrong), (600, 3, 0, 0));
+    assert_eq!(slam.matched + slam.rejected, 597);
+    assert_eq!(frame.sensor, Sight::RangeBearing);
+    // Nobody can tell where the world is, nor which way it faces: three directions of nine.
+    assert_eq!((frame.along_path.n, frame.along_path.rank), (9, 6));
+    assert_eq!(frame.sightings.len(), 3);
+    assert!(frame.sightings.iter().all(|s| s.to.is_some()));
+}
+
+#[test]
+fn a_state_is_all_it_takes() {
+    for forget in [false, true] {
+        let probe = at(ProbeParams { forget, count: 2, seed: 9, ..Default::default() }, 130);
+        let again = ObservabilityProbe::from_state(probe.state()).expect("a state of its own");
+        assert_eq!(again.digest(), probe.digest());
+        let json = |p: &ObservabilityProbe| serde_json::to_string(&p.frame()).expect("plain");
+        assert_eq!(json(&again), json(&probe));
+    }
+}
+
+#[test]
+fn long_runs_keep_their_memory() {
+    let frame = at(Default::default(), 3000).frame();
+    assert_eq!((frame.series.trace.len(), frame.tracks.truth.len()), (crate::WINDOW, TRACK));
+    assert_eq!(frame.along_path.steps, PATH_STEPS);
+    assert_eq!(frame.lap, 25);
+}
+
+#[test]
+fn what_is_no_parameter_is_refused_by_name() {
+    let base = ProbeParams::default();
+    let mut outside = base;
+    outside.landmarks[1][0] = 6.5;
+    let mut nan = base;
+    nan.landmarks[2][1] = f64::NAN;
+    for (params, code, argument) in [
+        (outside, Code::Limit, "landmarks[1][0]"),
+        (nan, Code::NotFinite, "landmarks[2][1]"),
+        (ProbeParams { count: 0, ..base }, Code::Limit, "count"),
+        (ProbeParams { count: 4, ..base }, Code::Limit, "count"),
+        (ProbeParams { tolerance: -1.0, ..base }, Code::Tolerance, "tolerance"),
+        (ProbeParams { tolerance: 1.5, ..base }, Code::Tolerance, "tolerance"),
+    ] {
+        let error = ObservabilityProbe::new(params).expect_err(argument);
+        assert_eq!((error.code, error.argument.as_ref()), (code, argument));
+    }
+}
+
+/// Landmarks on the path, on each other, in a corner: nothing that can be dragged to stops the run.
+#[test]
+fn every_arrangement_runs() {
+    let spots = [[0.0, 0.0], [1.5, 1.5], [4.5, 1.5], [3.0, 1.5], [3.0, 3.0], [6.0, 6.0], [1.6, 1.5]];
+    for a in spots {
+        for b in spots {
+            for (sensor, forget) in [(Sight::Range, false), (Sight::RangeBearing, false), (Sight::Range, true)] {
+                let params = ProbeParams { landmarks: [a, b, a], count: 3, sensor, forget, ..Default::default() };
+                let frame = at(params, 130).frame();
+                assert!(frame.estimate.iter().chain(frame.p.iter().flatten()).all(|e| e.is_finite()), "{params:?}");
+            }
+        }
+    }
+}

@@ -1,0 +1,139 @@
+//! From the Probe's state to its frame.
+
+use super::frame::{
+    Bands, Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSighting, ProbeTracks, RoomShape, Traces,
+};
+use super::ranks::{Ranks, frozen_ranks, stacked_ranks};
+use super::{Moment, ObservabilityProbe, Who};
+use crate::mapping::{Mapping, Seen, Tally};
+use crate::shapes::{ellipse_of, row_vectors, rows, rows3};
+use crate::true_path::parts;
+use estimate::slam::Outcome;
+use filters::consistency::chi2_interval;
+use nalgebra::Matrix2;
+use sim::scenarios::PROBE;
+
+pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
+    let (pose, p) = probe.who.belief();
+    let error = probe.truth.boxminus(pose);
+    let vector = |v: nalgebra::Vector3<f64>| [v[0], v[1], v[2]];
+    let shown = probe.shown.len();
+    let landmark = |i: usize| {
+        let [x, y] = probe.params.landmarks[i];
+        ProbeLandmark { x, y, shown: i < shown }
+    };
+    let [position, heading] = parts(&p);
+    let [reference_position, reference_heading] = probe.reference.parts();
+    let mean = |sum: f64, n: u32| (n > 0).then(|| sum / f64::from(n));
+    let track = |i: usize| probe.tracks[i].iter().copied().collect();
+    let [frozen, along_path, along_estimates] = all_ranks(probe);
+    ProbeFrame {
+        step: probe.step,
+        lap: probe.driven / PROBE.course.lap(),
+        params: probe.params,
+        sensor: probe.params.sight(),
+        room: RoomShape { width: PROBE.room, height: PROBE.room },
+        square: PROBE.course.corners(),
+        moving: probe.moving(),
+        truth: vector(probe.truth.to_vector()),
+        estimate: vector(pose.to_vector()),
+        p: rows3(&p),
+        ellipse: ellipse_of(&p.fixed_view::<2, 2>(0, 0).into_owned()),
+        error: vector(error),
+        landmarks: [0, 1, 2].map(landmark),
+        sightings: probe.sightings.clone(),
+        frozen,
+        along_path,
+        along_estimates,
+        trace: Traces {
+            total: p.trace(),
+            position,
+            heading,
+            reference: probe.reference.trace(),
+            reference_position,
+            reference_heading,
+        },
+        nees: probe.nees,
+        nis: probe.nis,
+        nis_dof: probe.nis_dof,
+        mean: Means { nees: probe.mean_nees(), nis_per_dof: mean(probe.sums.nis, probe.sums.nis_dof) },
+        bands: Bands { nees: band(3).unwrap_or([f64::NAN; 2]), nis: band(probe.nis_dof) },
+        series: probe.series.clone(),
+        tracks: ProbeTracks { truth: track(0), estimate: track(1) },
+        slam: match &probe.who {
+            Who::Localizer(_) => None,
+            Who::Mapper(mapping) => Some(map_shape(mapping)),
+        },
+    }
+}
+
+/// Where 95 % of single draws of χ² lie.
+fn band(dof: u32) -> Option<[f64; 2]> {
+    if dof == 0 {
+        return None;
+    }
+    chi2_interval(dof, 1, 0.95).ok().map(|(low, high)| [low, high])
+}
+
+/// Frozen, along the path, along the estimates. A rank that cannot be found (it can, on finite poses) is shown as none.
+fn all_ranks(probe: &ObservabilityProbe) -> [Ranks; 3] {
+    let sight = probe.params.sight();
+    let mapped = matches!(probe.who, Who::Mapper(_));
+    let tolerance = probe.params.tolerance;
+    let as_slice = |moments: &std::collections::VecDeque<Moment>| moments.iter().cloned().collect::<Vec<_>>();
+    let (path, estimates) = (as_slice(&probe.true_moments), as_slice(&probe.estimated_moments));
+    // Frozen is at the present estimate, after the update.
+    let frozen = estimates.last().and_then(|m| {
+        let now = Moment { seen_from: m.driven_from, ..m.clone() };
+        frozen_ranks(&now, sight, mapped, tolerance).ok()
+    });
+    let along = |moments: &[Moment]| stacked_ranks(moments, sight, mapped, tolerance).ok().unwrap_or_else(Ranks::none);
+    [frozen.unwrap_or_else(Ranks::none), along(&path), along(&estimates)]
+}
+
+fn map_shape(mapping: &Mapping) -> MapShape {
+    let errors = mapping.errors();
+    let Tally { sightings, matched, founded, rejected, wrong, spurious } = mapping.tally;
+    let landmarks = mapping.slam.landmarks().zip(&mapping.truth).zip(&errors);
+    MapShape {
+        landmarks: landmarks
+            .map(|((mapped, &truth), e)| MapLandmark {
+                id: mapped.id,
+                x: mapped.position[0],
+                y: mapped.position[1],
+                p: rows(&mapped.p),
+                ellipse: ellipse_of(&mapped.p),
+                truth,
+                error: e.error,
+                sigma: e.sigma,
+            })
+            .collect(),
+        sightings,
+        matched,
+        founded,
+        rejected,
+        wrong,
+        spurious,
+        worst: mapping.worst(),
+    }
+}
+
+/// A sighting of a robot without a map, after the step that used it.
+pub(super) fn mapped_sighting(seen: &Seen, mapping: &Mapping) -> ProbeSighting {
+    let evidence = seen.report.evidence;
+    let place = mapping.slam.landmarks().find(|l| Some(l.id) == seen.report.landmark);
+    ProbeSighting {
+        landmark: seen.truth,
+        range: seen.range,
+        bearing: Some(seen.bearing),
+        innovation: evidence.map(|(nu, ..)| vec![nu[0], nu[1]]),
+        s: evidence.map(|(_, s, _): (_, Matrix2<f64>, _)| row_vectors(&s)),
+        chi2: evidence.map(|(.., chi2)| chi2),
+        outcome: match seen.report.outcome {
+            Outcome::Matched => Fate::Matched,
+            Outcome::Founded => Fate::Founded,
+            Outcome::Rejected => Fate::Rejected,
+        },
+        to: place.map(|l| [l.position[0], l.position[1]]),
+    }
+}

@@ -1,0 +1,128 @@
+//! The covariance a localizer would have were its Jacobians taken on the true path: no noise is drawn, so no seed enters.
+//! What the chapter quotes as *the* trace of the Probe, and the reference its figure draws.
+
+use estimate::landmarks::{RangeBearing, RangeOnly};
+use estimate::{Error, Unicycle};
+use filters::linear;
+use filters::nonlinear::{MeasurementModel, MotionModel};
+use geom::SE2;
+use nalgebra::{Matrix1, Matrix2, Matrix3, Vector2, Vector3};
+use sim::Landmark;
+use sim::paths::Tick;
+use sim::scenarios::{PROBE, Probe};
+
+/// What a sighting is made of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Sight {
+    /// ρ alone.
+    #[default]
+    Range,
+    /// ρ and β.
+    RangeBearing,
+}
+
+/// diag(σ²).
+pub(crate) fn squares(sigma: [f64; 3]) -> Matrix3<f64> {
+    Matrix3::from_diagonal(&Vector3::from(sigma.map(|s| s * s)))
+}
+
+/// W of the Probe's sensor: range and bearing.
+pub(crate) fn sensor_covariance(sensor: &sim::Sensor) -> Matrix2<f64> {
+    let [r, b] = [sensor.range_sigma, sensor.bearing_sigma];
+    Matrix2::new(r * r, 0.0, 0.0, b * b)
+}
+
+/// A robot on its true path with the covariance that goes with it.
+#[derive(Clone, Debug)]
+pub struct TruePath {
+    /// Where the robot is.
+    pub pose: SE2,
+    /// P after the sightings of this step.
+    pub p: Matrix3<f64>,
+    landmarks: Vec<Landmark>,
+    sight: Sight,
+}
+
+impl TruePath {
+    /// The Probe's robot at its start, seeing these landmarks at every step.
+    pub fn new(landmarks: &[Landmark], sight: Sight) -> Self {
+        Self { pose: PROBE.course.start(), p: squares(PROBE.p0_sigma), landmarks: landmarks.to_vec(), sight }
+    }
+
+    /// A tick and the sightings after it, stacked one by one (all at the same, true pose).
+    ///
+    /// # Errors
+    /// Whatever the core answers, as where the path leads over a landmark.
+    pub fn step(&mut self, tick: Tick) -> Result<(), Error> {
+        let u = Vector2::new(tick.ds, tick.dtheta);
+        let v = if tick.ds == 0.0 && tick.dtheta == 0.0 { Matrix3::zeros() } else { squares(PROBE.v_sigma) };
+        self.p = linear::predicted_covariance(&Unicycle.jacobian(&self.pose, &u), &self.p, &v);
+        self.pose = tick.drive(self.pose);
+        let w = sensor_covariance(&PROBE.sensor);
+        for j in 0..self.landmarks.len() {
+            self.p = match self.sight {
+                Sight::Range => {
+                    let h = RangeOnly { map: &self.landmarks }.jacobian(&self.pose, j)?;
+                    linear::gain_and_covariance(&self.p, &h, &Matrix1::new(w[(0, 0)]))?.2
+                }
+                Sight::RangeBearing => {
+                    let h = RangeBearing { map: &self.landmarks }.jacobian(&self.pose, j)?;
+                    linear::gain_and_covariance(&self.p, &h, &w)?.2
+                }
+            };
+        }
+        Ok(())
+    }
+
+    /// tr P.
+    pub fn trace(&self) -> f64 {
+        self.p.trace()
+    }
+
+    /// The two parts of the trace, which have different units: m² and rad².
+    pub fn parts(&self) -> [f64; 2] {
+        parts(&self.p)
+    }
+}
+
+/// P₁₁ + P₂₂ in m², and P₃₃ in rad².
+pub(crate) fn parts(p: &Matrix3<f64>) -> [f64; 2] {
+    [p[(0, 0)] + p[(1, 1)], p[(2, 2)]]
+}
+
+/// The Probe's first landmarks seen for so many steps: P at the end.
+///
+/// # Errors
+/// Whatever the core answers; on the chapter's constants, nothing.
+pub(crate) fn after(scenario: &Probe, landmarks: usize, sight: Sight, steps: u32) -> Result<TruePath, Error> {
+    let shown = scenario.landmarks.get(..landmarks).unwrap_or(&scenario.landmarks);
+    let mut path = TruePath::new(shown, sight);
+    for k in 0..steps {
+        path.step(scenario.course.tick(k))?;
+    }
+    Ok(path)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_parts_add_up_to_the_trace() {
+        let path = after(&PROBE, 1, Sight::Range, 240).expect("clear of the landmarks");
+        let [position, heading] = path.parts();
+        assert!((position + heading - path.trace()).abs() < 1e-15);
+        assert!((path.trace() - 0.48232).abs() < 5e-6);
+    }
+
+    #[test]
+    fn a_stopped_robot_gains_no_noise() {
+        let mut path = after(&PROBE, 2, Sight::Range, 60).expect("clear");
+        let before = path.trace();
+        for _ in 0..50 {
+            path.step(Tick { ds: 0.0, dtheta: 0.0 }).expect("clear");
+        }
+        assert!(path.trace() < before);
+    }
+}
