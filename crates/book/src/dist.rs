@@ -141,6 +141,7 @@ impl Build<'_> {
             kind => kind,
             assets => serde(self.assets.hrefs(&root)),
             root => root,
+            paper => serde(&templates.paper),
             book => serde(&self.site.config),
             title => title,
             description => description,

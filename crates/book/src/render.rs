@@ -78,7 +78,8 @@ impl<'a> Renderer<'a> {
         }
         let mut html = String::new();
         push_html(&mut html, walk.out.into_iter());
-        html
+        // The empty corner of a table heads nothing.
+        html.replace("<th></th>", "<td></td>")
     }
 
     /// A piece of Markdown with paragraphs, from an attribute or a data file.

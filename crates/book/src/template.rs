@@ -10,6 +10,8 @@ use crate::html::escape;
 /// Fills templates.
 pub struct Templates {
     environment: Environment<'static>,
+    /// The paper's colour by day and by night, as the style sheet has it, for the browser's own frame.
+    pub paper: Vec<String>,
 }
 
 impl Templates {
@@ -34,7 +36,10 @@ impl Templates {
                 .add_template_owned(name, text)
                 .map_err(|e| BuildError::Missing(format!("web/templates: {e}")))?;
         }
-        Ok(Self { environment })
+        let tokens = std::fs::read_to_string(root.join("web/style/tokens.css")).unwrap_or_default();
+        let values = tokens.split("--paper:").skip(1).take(2).filter_map(|rest| rest.split_once(';'));
+        let paper = values.map(|(value, _)| value.trim().to_string()).collect();
+        Ok(Self { environment, paper })
     }
 
     /// The template `name` filled with `values`.

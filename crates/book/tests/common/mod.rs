@@ -37,6 +37,7 @@ pub fn site(diagnostics: &Diagnostics) -> Site {
 }
 
 /// `markdown` as the only file of a chapter: its body, and the complaints.
+#[allow(dead_code)] // not every test renders a page
 pub fn render(markdown: &str) -> (String, String) {
     let diagnostics = Diagnostics::default();
     let site = site(&diagnostics);
