@@ -70,7 +70,8 @@ export function halves({ semiMajor, semiMinor, angle }) {
  */
 export function axes(pen, { x, y, box }, names = {}) {
   const [nx, ny] = names.ticks ?? [5, 5]
-  const format = { x: x.tickFormat(nx), y: y.tickFormat(ny) }
+  const plainly = (/** @type {number} */ value) => String(value)
+  const format = { x: x.tickFormat(nx), y: 'base' in y ? plainly : y.tickFormat(ny) }
   pen.group('axes', { class: 'axes' }, (to) => {
     for (const value of shown(y.ticks(ny), y, box.top, box.bottom)) {
       const at = y(value)
@@ -102,7 +103,9 @@ function inside(at, low, high) {
 /** @param {number[]} ticks @param {Scale} scale @param {number} low @param {number} high */
 function shown(ticks, scale, low, high) {
   const all = ticks.filter((value) => inside(scale(value), low - 0.5, high + 0.5))
-  return all.length <= 8 ? all : all.filter((value) => Number.isInteger(Math.log10(value)))
+  if (all.length <= 8) return all
+  const lead = all.filter((value) => [1, 2, 5].includes(Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9))))
+  return lead.length <= 7 ? lead : all.filter((value) => Number.isInteger(Math.round(Math.log10(value) * 1e6) / 1e6))
 }
 
 /**

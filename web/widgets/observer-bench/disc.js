@@ -17,7 +17,7 @@ export function drawDisc({ pen, width, height }, frame) {
     pen.mark('circle', 'disc', { class: 'disc', cx: x(0), cy: y(0), r: x(1) - x(0) })
     pen.mark('line', 'real', { class: 'zero', x1: box.left, x2: box.right, y1: y(0), y2: y(0) })
     pen.mark('line', 'imaginary', { class: 'zero', x1: x(0), x2: x(0), y1: box.top, y2: box.bottom })
-    for (const at of [-1, 1]) pen.text(`tick${at}`, { class: 'tick', x: x(at) + (at < 0 ? 5 : -5), y: y(0) + 15, 'text-anchor': at < 0 ? 'start' : 'end' }, fixed(at, 0))
+    for (const at of frame.pinned === null ? [-1, 1] : [-1]) pen.text(`tick${at}`, { class: 'tick', x: x(at) + (at < 0 ? 5 : -5), y: y(0) + 15, 'text-anchor': at < 0 ? 'start' : 'end' }, fixed(at, 0))
     pen.text('tick-i', { class: 'tick', x: x(0) + 5, y: y(1) + 14 }, 'i')
     pen.mark('circle', 'rim', { class: 'disc-rim', cx: x(0), cy: y(0), r: x(1) - x(0) })
     frame.eigenvalues.forEach((value, i) => eigenvalue(pen, plane, frame, value, i))

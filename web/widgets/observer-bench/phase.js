@@ -81,12 +81,13 @@ function drawScene(pen, plane, frame, { orange, purple, reading }) {
 function legend(pen, { box, x, y }, frame, { orange, purple, reading }) {
   const clamp = (/** @type {number} */ at, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, at))
   pen.text('truth-name', { class: 'mark-name truth', x: x(0) + 10, y: y(0) + 16 }, 'truth')
-  const top = (/** @type {{ x: number[] }} */ at) => [clamp(x(at.x[0]), box.left + 50, box.right - 60), clamp(y(at.x[1]), box.top + 20, box.bottom - 12)]
-  const [px, py] = top(orange)
-  const [qx, qy] = purple ? top(purple) : [0, 0]
-  const above = !purple || py <= qy
-  pen.text('prediction-name', { class: 'mark-name prediction', x: px, y: py + (above ? -11 : 20), 'text-anchor': 'middle' }, 'prediction')
-  if (purple) pen.text('posterior-name', { class: 'mark-name posterior', x: qx, y: qy + (above ? 20 : -11), 'text-anchor': 'middle' }, 'estimate')
+  const beside = (/** @type {string} */ key, /** @type {number[]} */ at, /** @type {string} */ kin, /** @type {string} */ words, /** @type {number} */ side) => {
+    const px = clamp(x(at[0]) + side * 11, box.left + (side < 0 ? 70 : 8), box.right - (side < 0 ? 8 : 70))
+    pen.text(key, { class: `mark-name ${kin}`, x: px, y: clamp(y(at[1]) + 4.5, box.top + 12, box.bottom - 6), 'text-anchor': side < 0 ? 'end' : 'start' }, words)
+  }
+  const side = purple && purple.x[0] < orange.x[0] ? 1 : -1
+  beside('prediction-name', orange.x, 'prediction', 'prediction', side)
+  if (purple) beside('posterior-name', purple.x, 'posterior', 'estimate', -side)
   if (!reading || frame.reading === null || frame.mostLikelyOutput === null) return
   const line = (/** @type {string} */ key, /** @type {number} */ output, /** @type {import('../../core/words.js').Words} */ words, /** @type {number} */ side) => {
     const at = output - (frame.H[0] * frame.truth[0] + frame.H[1] * frame.truth[1])
