@@ -1,0 +1,88 @@
+//! Whatever the localizer is given, it answers or refuses: no panic, no change by a refused call, and after every accepted
+//! one a covariance that is one.
+
+use estimate::dynamic::Belief;
+use estimate::localizer::{EkfLocalizer, Reading, SensorKind};
+use estimate::{Landmark, validate};
+use nalgebra::{DMatrix, DVector};
+use proptest::prelude::*;
+
+/// A number as callers send them: mostly plain, sometimes at the edge of the representable, sometimes none.
+fn number() -> impl Strategy<Value = f64> {
+    prop_oneof![
+        8 => -5.0..5.0_f64,
+        1 => prop::sample::select(vec![0.0, -0.0, 1e-9, 1e9, 1e154, 1e308, -1e308, f64::MIN_POSITIVE, 5e-324]),
+        1 => prop::sample::select(vec![f64::NAN, f64::INFINITY, f64::NEG_INFINITY]),
+    ]
+}
+
+/// A square matrix: mostly BBᵀ, so that it is a covariance, scaled by some power of ten; sometimes anything.
+fn matrix(n: usize) -> impl Strategy<Value = DMatrix<f64>> {
+    let covariance = (prop::collection::vec(-1.0..1.0_f64, n * n), -12..12_i32).prop_map(move |(entries, power)| {
+        let b = DMatrix::from_vec(n, n, entries);
+        &b * b.transpose() * libm::exp10(f64::from(power))
+    });
+    let anything = (1..4_usize).prop_flat_map(|n| {
+        prop::collection::vec(number(), n * n).prop_map(move |entries| DMatrix::from_vec(n, n, entries))
+    });
+    prop_oneof![6 => covariance, 1 => anything]
+}
+
+fn vector(n: usize) -> impl Strategy<Value = DVector<f64>> {
+    prop_oneof![
+        9 => prop::collection::vec(number(), n),
+        1 => prop::collection::vec(number(), 0..5),
+    ]
+    .prop_map(DVector::from_vec)
+}
+
+#[derive(Clone, Debug)]
+enum Call {
+    Predict(DVector<f64>, DMatrix<f64>),
+    Update(Reading),
+}
+
+fn call() -> impl Strategy<Value = Call> {
+    let landmark = prop_oneof![2 => Just(None), 3 => (0..4_u32).prop_map(Some)];
+    let bearing = prop_oneof![5 => number().prop_map(Some), 1 => Just(None)];
+    let update = (number(), bearing, landmark)
+        .prop_map(|(range, bearing, landmark)| Call::Update(Reading { range, bearing, landmark }));
+    prop_oneof![2 => (vector(2), matrix(3)).prop_map(|(u, v)| Call::Predict(u, v)), 3 => update]
+}
+
+fn localizer() -> impl Strategy<Value = Option<EkfLocalizer>> {
+    let belief = (vector(3), matrix(3)).prop_map(|(x, p)| Belief { x, p });
+    let landmark = (0..5_u32, number(), number()).prop_map(|(id, x, y)| Landmark { id, x, y });
+    let gate = prop_oneof![Just(None), Just(Some(9.21)), number().prop_map(Some)];
+    let sensor = prop_oneof![4 => Just((SensorKind::RangeBearing, 2)), 1 => Just((SensorKind::Range, 1))];
+    let sensor = sensor.prop_flat_map(|(kind, n)| (Just(kind), matrix(n)));
+    (belief, prop::collection::vec(landmark, 0..4), gate, sensor)
+        .prop_map(|(belief, map, gate, (kind, w))| EkfLocalizer::new(belief, map, w, gate, kind).ok())
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn a_localizer_answers_or_refuses(ekf in localizer(), calls in prop::collection::vec(call(), 1..8)) {
+        let Some(mut ekf) = ekf else { return Ok(()) };
+        for call in calls {
+            let before = ekf.clone();
+            let accepted = match call {
+                Call::Predict(u, v) => ekf.predict(u, v).is_ok(),
+                Call::Update(reading) => ekf.update(reading).is_ok_and(|answer| answer.accepted),
+            };
+            if accepted {
+                let Belief { x, p } = ekf.belief();
+                prop_assert!(x.iter().chain(p.iter()).all(|n| n.is_finite()));
+                prop_assert_eq!(&p, &p.transpose());
+                prop_assert!(-std::f64::consts::PI < x[2] && x[2] <= std::f64::consts::PI);
+                // Eigenvalues no lower than −10⁻¹² of the largest.
+                let refusal = validate::covariance(p, 3, "P").err();
+                prop_assert!(refusal.is_none(), "{:?}", refusal);
+            } else {
+                prop_assert_eq!(&ekf, &before);
+            }
+        }
+    }
+}
