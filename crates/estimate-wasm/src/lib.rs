@@ -15,6 +15,7 @@ mod lab;
 mod observability_probe;
 mod observer_bench;
 mod odometry_hook;
+mod picture;
 
 pub use checks::chapter_checks;
 pub use ekf_localizer::EkfLocalizer;
@@ -22,6 +23,7 @@ pub use functions::*;
 pub use observability_probe::ObservabilityProbe;
 pub use observer_bench::ObserverBench;
 pub use odometry_hook::OdometryHook;
+pub use picture::Picture;
 
 use wasm_bindgen::prelude::*;
 

@@ -13,6 +13,7 @@ mod observability_probe;
 mod observer_bench;
 mod odometry_frame;
 mod odometry_hook;
+mod picture;
 mod series;
 mod shapes;
 mod true_path;
@@ -28,6 +29,7 @@ pub use odometry_frame::{
     Belief3, HookFrame, HookSeries, LastSighting, Quality, Ratio, Seen, Spread, Stop, Tracks, World,
 };
 pub use odometry_hook::{HookParams, MAX_BIAS, MAX_SLIP, OdometryHook};
+pub use picture::{Foot, Picture, PictureFrame, PictureParams};
 pub use series::{Series, WINDOW};
 pub use shapes::{Belief2, EllipseShape, Root, ellipse_of};
 pub use true_path::TruePath;
