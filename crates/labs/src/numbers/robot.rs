@@ -9,8 +9,9 @@ use filters::ukf::SigmaPoints;
 use nalgebra::{Matrix3, Vector2};
 
 pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
-    to.by("labs::checks::jacobians", Some(8))
+    to.by("labs::checks::jacobians::raw_gap", Some(8))
         .add("jacobian.raw.gap", raw_gap()?, "the largest difference of the simplified bearing row from the raw one")
+        .by("labs::checks::jacobians::central_gap", Some(8))
         .add("jacobian.central.gap", central_gap()?, "the largest difference of a Jacobian from central differences");
     problem9(givens, to)?;
     wrong_problem9(givens, to)
