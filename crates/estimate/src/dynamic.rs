@@ -302,6 +302,28 @@ mod tests {
         DMatrix::from_iterator(R, C, m.iter().copied())
     }
 
+    #[test]
+    fn a_knob_s_eigenvalues_are_those_of_its_error_matrix() {
+        let (sys, _) = kf::position_sensor();
+        let (f, g, h) = (at_run_time(sys.f), at_run_time(sys.g), at_run_time(sys.h));
+        let system = System::new(f, g, h, at_run_time(sys.v), at_run_time(sys.w)).expect("sound");
+        // K = [0.9, 0.8] places 0.5 and 0.2.
+        let found = error_eigenvalues(&system, dmatrix![0.9; 0.8]).expect("found");
+        let expected = [0.5, 0.2];
+        assert_eq!(found.len(), 2);
+        for (l, e) in found.iter().zip(expected) {
+            assert!((l.re - e).abs() < 1e-14 && l.im == 0.0, "{found:?}");
+        }
+    }
+
+    #[test]
+    fn an_empty_matrix_is_refused_by_name() {
+        let error = observability(DMatrix::zeros(0, 0), DMatrix::zeros(1, 0), 1e-9).expect_err("empty");
+        assert_eq!((error.code, error.argument.as_ref()), (Code::Shape, "F"));
+        let error = observability(dmatrix![1.0], DMatrix::zeros(0, 1), 1e-9).expect_err("empty");
+        assert_eq!((error.code, error.argument.as_ref()), (Code::Shape, "H"));
+    }
+
     fn system_of(sys: &Lti<2, 1, 1>) -> System {
         System::new(at_run_time(sys.f), at_run_time(sys.g), at_run_time(sys.h), at_run_time(sys.v), at_run_time(sys.w))
             .expect("a sound system")

@@ -96,3 +96,31 @@ impl From<filters::Error> for Error {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_message_names_the_argument_and_what_was_wrong() {
+        let error = Error::new(Code::Shape, "F", "is empty").within("system");
+        assert_eq!(error.to_string(), "system.F: is empty");
+    }
+
+    #[test]
+    fn the_filter_s_words_come_back_with_choset_s_letters() {
+        for (what, argument) in [
+            ("the innovation", "y"),
+            ("the mean", "x"),
+            ("the predicted mean", "x"),
+            ("the covariance", "P"),
+            ("S", "P"),
+        ] {
+            let error = Error::from(filters::Error::NotFinite { what });
+            assert_eq!((error.code, error.argument.as_ref()), (Code::NotFinite, argument));
+            assert!(error.message.contains(what));
+        }
+        let singular = Error::from(filters::Error::InnovationNotPositiveDefinite);
+        assert_eq!((singular.code, singular.argument.as_ref()), (Code::InnovationNotPositiveDefinite, "W"));
+    }
+}

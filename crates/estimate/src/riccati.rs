@@ -137,6 +137,22 @@ mod tests {
     use crate::observer::Observer;
     use nalgebra::{Matrix2, Vector1, Vector2};
 
+    /// The tolerance is relative: the same system in other units converges at the same step to the same gain.
+    #[test]
+    fn convergence_does_not_depend_on_the_units() {
+        let (sys, belief) = position_sensor();
+        let limit = sys.steady_state_gain(&belief.p, 10_000, 1e-9).expect("converges");
+        for unit in [0.5_f64.powi(40), 2.0_f64.powi(40)] {
+            let other = Lti { v: sys.v * unit, w: sys.w * unit, ..sys };
+            let there = other.steady_state_gain(&(belief.p * unit), 10_000, 1e-9).expect("converges");
+            assert_eq!((there.iterations, there.r, there.p), (limit.iterations, limit.r, limit.p * unit));
+        }
+        // A sensor in other units: its gain is small, and so must be what counts as a change of it.
+        let fine = Lti { h: sys.h * 2.0_f64.powi(30), w: sys.w * 2.0_f64.powi(60), ..sys };
+        let there = fine.steady_state_gain(&belief.p, 10_000, 1e-9).expect("converges");
+        assert_eq!((there.iterations, there.r * 2.0_f64.powi(30)), (limit.iterations, limit.r));
+    }
+
     #[test]
     fn the_position_sensor_converges_to_a_fixed_point() {
         let (sys, belief) = position_sensor();
