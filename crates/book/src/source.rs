@@ -128,7 +128,10 @@ impl Sources {
         };
         let near = self.files.keys().filter(|path| path.starts_with(&stem)).find_map(|path| found(path));
         let anywhere = || self.files.keys().filter(|path| path.starts_with(&krate)).find_map(|path| found(path));
-        near.or_else(anywhere).ok_or_else(|| format!("no source defines `{function}`"))
+        // The path may name a whole module.
+        let file = format!("{stem}/{name}.rs");
+        let file = || self.files.get_key_value(&file).map(|(path, _)| (path.as_str(), 1));
+        near.or_else(anywhere).or_else(file).ok_or_else(|| format!("no source defines `{function}`"))
     }
 
     /// Line of the first line of `path` that contains `needle`.
@@ -169,6 +172,9 @@ mod tests {
     #[test]
     fn a_function_is_found_in_its_module() {
         assert_eq!(sources().function("estimate::lti::step").unwrap(), ("crates/estimate/src/lti.rs", 4));
-        assert!(sources().function("estimate::lti::other").is_err());
+        let mut sources = sources();
+        sources.insert("crates/estimate/src/slam/linear.rs", "//! Linear SLAM.\n");
+        assert_eq!(sources.function("estimate::slam::linear").unwrap(), ("crates/estimate/src/slam/linear.rs", 1));
+        assert!(sources.function("estimate::lti::other").is_err());
     }
 }

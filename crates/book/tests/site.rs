@@ -1,0 +1,119 @@
+//! The book itself: it builds, nothing in it leads astray, and its numbers move with what they are computed from.
+
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use book::{Assets, Build, Check, Diagnostics, Dist, Number, Outputs, Site, Stills};
+use labs::givens::Givens;
+
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The book's data with `numbers`.
+fn load(numbers: Vec<labs::numbers::Number>, diagnostics: &Diagnostics) -> Site {
+    let numbers = numbers.into_iter().map(Number::from).collect();
+    Site::load(&root(), numbers, Outputs::of(root()), Stills::new(), diagnostics).expect("the content is there")
+}
+
+static DIST: LazyLock<Dist> = LazyLock::new(|| {
+    let diagnostics = Diagnostics::default();
+    let site = load(labs::numbers::with_ensembles(&Givens::default()).expect("computed"), &diagnostics);
+    let checks: Vec<Check> = labs::checks::chapter_checks().expect("computed").into_iter().map(Check::from).collect();
+    let (root, assets) = (root(), Assets::default());
+    let build =
+        Build { root: &root, site: &site, assets: &assets, checks: &checks, diagnostics: &diagnostics, draft: false };
+    build.run().unwrap_or_else(|error| panic!("{error}"))
+});
+
+#[test]
+fn every_link_leads_somewhere_and_nothing_is_fetched_from_elsewhere() {
+    let faults = DIST.faults();
+    assert!(faults.is_empty(), "{}", faults.join("\n"));
+}
+
+#[test]
+fn every_page_carries_the_policy_and_no_script_of_its_own() {
+    for (path, html) in DIST.pages() {
+        assert!(html.contains("http-equiv=\"Content-Security-Policy\" content=\"default-src 'none';"), "{path}");
+        assert!(!html.contains("<style"), "{path}");
+        for script in html.split("<script").skip(1) {
+            assert!(
+                script.split('>').next().is_some_and(|tag| tag.contains("src=\"")),
+                "{path} has a script of its own"
+            );
+        }
+        assert_eq!(html.matches("<h1").count(), 1, "{path}");
+        assert!(html.contains("<html lang=\"en\""), "{path}");
+    }
+}
+
+#[test]
+fn formulas_carry_mathml_and_their_drawing_is_hidden_from_readers() {
+    let html = &DIST.pages()["kalman/index.html"];
+    let formulas = html.matches("<span class=\"katex\">").count();
+    assert!(formulas > 400, "{formulas}");
+    assert_eq!(html.matches("<math").count(), formulas);
+    assert_eq!(html.matches("<span class=\"katex-html\" aria-hidden=\"true\">").count(), formulas);
+}
+
+#[test]
+fn every_question_is_asked_and_every_work_is_cited() {
+    let diagnostics = Diagnostics::default();
+    let site = load(labs::numbers::numbers(&Givens::default()).expect("computed"), &diagnostics);
+    let files = book::files(&root(), "content/kalman").expect("the chapter is there");
+    let text = book::text(&site, &files, Some(15), "kalman/", &diagnostics);
+    let asked: Vec<_> = site.quizzes.keys().filter(|id| !text.used.quizzes.contains(*id)).collect();
+    assert!(asked.is_empty(), "never asked: {asked:?}");
+    let cited: Vec<_> = site.references.keys().filter(|key| !text.used.references.contains(*key)).collect();
+    assert!(cited.is_empty(), "never cited: {cited:?}");
+}
+
+#[test]
+fn every_computed_number_of_the_page_says_where_it_comes_from() {
+    let html = &DIST.pages()["kalman/index.html"];
+    let entries = html.matches("class=\"number-entry\"").count();
+    assert!(entries > 100, "{entries}");
+    assert_eq!(html.matches("class=\"number-source\"").count(), entries);
+}
+
+/// The chapter's hand-worked steps, rendered from `givens`: each number with its digits.
+fn hand_steps(givens: &Givens) -> BTreeSet<String> {
+    let diagnostics = Diagnostics::default();
+    let site = load(labs::numbers::numbers(givens).expect("computed"), &diagnostics);
+    let files = book::files(&root(), "content/kalman").expect("the chapter is there");
+    let files: Vec<_> = files.into_iter().filter(|(path, _)| path.contains("hand-steps")).collect();
+    assert_eq!(files.len(), 1);
+    let body = book::text(&site, &files, Some(15), "kalman/", &diagnostics).body;
+    let body = body.split("<section class=\"end-matter").next().unwrap_or_default();
+    let digits = |part: &str| {
+        let (id, rest) = part.split_once('"')?;
+        // In a formula the digits are in spans of their own.
+        let end = rest.find("</a>").filter(|end| *end < 60).unwrap_or(rest.len().min(400));
+        let text: String =
+            rest[..end].split('<').filter_map(|piece| piece.split_once('>')).map(|(_, text)| text).collect();
+        Some(format!("{id} {}", text.split_whitespace().next().unwrap_or_default()))
+    };
+    body.split("data-number=\"").skip(1).filter_map(digits).collect()
+}
+
+#[test]
+fn the_page_moves_with_a_matrix_a_reading_and_the_first_belief() {
+    let before = hand_steps(&Givens::default());
+    assert!(before.len() > 20, "{before:?}");
+    let moved = |change: fn(&mut Givens)| {
+        let mut givens = Givens::default();
+        change(&mut givens);
+        let after = hand_steps(&givens);
+        let changed: BTreeSet<String> =
+            before.difference(&after).filter_map(|line| line.split(' ').next()).map(String::from).collect();
+        changed
+    };
+    let matrix = moved(|givens| givens.velocity.f[(0, 1)] = 0.6);
+    assert!(matrix.contains("step1.P.11") && matrix.contains("step2.P.11"), "{matrix:?}");
+    let reading = moved(|givens| givens.readings[1] += 0.1);
+    assert!(reading.contains("step2.x.1") && !reading.contains("step1.x.1"), "{reading:?}");
+    let belief = moved(|givens| givens.belief.p[(1, 1)] = 3.0);
+    assert!(belief.contains("step1.R.1") && belief.contains("step1.S"), "{belief:?}");
+}
