@@ -2,5 +2,6 @@
 
 /** @type {Record<string, () => Promise<import('../core/spec.js').FigureSpec>>} */
 export const WIDGETS = {
+  'kalman-picture': () => import('./kalman-picture.js').then((module) => module.kalmanPicture),
   'observer-bench': () => import('./observer-bench.js').then((module) => module.observerBench),
 }

@@ -1,0 +1,96 @@
+/**
+ * The picture: a prediction with its ellipse, the line of states that explain a reading, and the two ways of stepping
+ * onto it. Drag the prediction, the axes of its ellipse and the reading; turn the sensor and its noise.
+ */
+
+import { fixed } from '../core/words.js'
+import { drawPlane } from './kalman-picture/plane.js'
+
+/** @typedef {import('estimate-wasm').PictureFrame} Frame */
+
+// State: what a reader can change. The axes are those of the first hand-checked step's predicted covariance.
+
+const start = {
+  params: { mean: [4, 4], semiMajor: 1.7230432137127605, semiMinor: 0.9116589733438718, angle: 0.8795089160498337, reading: 2.7, noise: 0.5, tilt: 0 },
+  step: 0,
+}
+
+// Model: the lab `Picture` in the module. What follows only reads its frame.
+
+/** @param {Frame} frame */
+function verdict({ params, euclideanFoot, mahalanobisFoot }) {
+  const round = Math.abs(params.semiMajor - params.semiMinor) < 1e-9
+  if (round) return 'The ellipse is a circle: both metrics agree, and the two feet are one point.'
+  const apart = `The gray foot is ${fixed(euclideanFoot.distance, 2)} standard deviations away, the purple one ${fixed(mahalanobisFoot.distance, 2)}.`
+  return params.noise === 0 ? `${apart} The sensor is perfect: Ω and Ω* are one line.` : apart
+}
+
+/** @param {Frame} frame */
+function describe(frame) {
+  const point = (/** @type {number[]} */ [x, v]) => `${fixed(x, 2)} metres and ${fixed(v, 2)} metres a second`
+  return {
+    plane: `Plane of position and velocity: a prediction at ${point(frame.params.mean)} with its ellipse; the line of states that explain the reading ${fixed(frame.params.reading, 2)}; the perpendicular foot at ${point(frame.euclideanFoot.at)}, the Mahalanobis foot at ${point(frame.mahalanobisFoot.at)}; on the line of the most likely output ${fixed(frame.mostLikelyOutput, 2)} the Kalman update at ${point(frame.posterior.x)}.`,
+  }
+}
+
+// View: one panel, in kalman-picture/plane.js.
+
+/** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
+function readouts({ innovation, mostLikelyOutput, R, euclideanFoot: gray, mahalanobisFoot: purple, update }) {
+  /** Rounding leaves a last digit of either sign; what is printed is zero. */
+  const zero = (/** @type {number} */ value) => fixed(Math.abs(value) < 5e-4 ? 0 : value, 3)
+  return [
+    { key: 'innovation', label: 'Innovation *ν*', value: fixed(innovation, 3), kin: 'measurement' },
+    { key: 'likely', label: { choset: '*y*^{∗}', thrun: '*z*^{∗}' }, value: fixed(mostLikelyOutput, 3), kin: 'measurement' },
+    { key: 'gain', label: { choset: 'Gain *R* (Thrun *K*)', thrun: 'Gain *K* (Choset *R*)' }, value: `[${fixed(R[0], 3)}, ${fixed(R[1], 3)}]`, kin: 'posterior' },
+    { key: 'gray-euclid', label: 'Gray ⟨*a*, Δ*x*⟩, ruler', value: zero(gray.euclidean), kin: 'truth' },
+    { key: 'gray-mahalanobis', label: { choset: 'Gray ⟨*a*, Δ*x*⟩, metric of *P*', thrun: 'Gray ⟨*a*, Δ*x*⟩, metric of Σ' }, value: zero(gray.mahalanobis), kin: 'truth' },
+    { key: 'purple-euclid', label: 'Purple ⟨*a*, Δ*x*⟩, ruler', value: zero(purple.euclidean), kin: 'posterior' },
+    { key: 'purple-mahalanobis', label: { choset: 'Purple ⟨*a*, Δ*x*⟩, metric of *P*', thrun: 'Purple ⟨*a*, Δ*x*⟩, metric of Σ' }, value: zero(purple.mahalanobis), kin: 'posterior' },
+    { key: 'residual', label: { choset: '*H*Δ*x* − *ν* of both', thrun: '*C*Δ*x* − *ν* of both' }, value: `${zero(gray.residual)}, ${zero(purple.residual)}`, kin: 'measurement' },
+    { key: 'update', label: 'Update', value: `[${fixed(update.at[0], 3)}, ${fixed(update.at[1], 3)}]`, kin: 'posterior' },
+  ]
+}
+
+// Controls. Prediction, axes and reading are handles in the drawing.
+
+const degree = Math.PI / 180
+
+/** @type {import('../core/controls.js').Control[]} */
+const controls = [
+  {
+    kind: 'range', name: 'noise', label: { choset: 'Sensor noise *W* (Thrun *Q*)', thrun: 'Sensor noise *Q* (Choset *W*)' }, min: 0, max: 4, step: 0.05,
+    words: (value) => fixed(value, 2),
+    notches: () => [{ at: 0, name: 'perfect' }, { at: 0.5, name: 'as in step 1' }],
+  },
+  {
+    kind: 'range', name: 'tilt', label: 'Turn of the sensor, degrees', min: -90, max: 90, step: 1,
+    words: (value) => `${fixed(value, 0)}°`,
+    notches: () => [{ at: -90, name: 'position' }, { at: 0, name: 'velocity' }],
+    get: (params) => params.tilt / degree,
+    set: (value) => ({ tilt: value * degree }),
+  },
+  { kind: 'action', name: 'round', label: 'Make it a circle', change: (/** @type {Frame} */ { params }) => ({ semiMajor: params.semiMinor }) },
+  { kind: 'action', name: 'again', label: 'As in step 1', change: () => start.params },
+]
+
+/** @type {import('../core/spec.js').FigureSpec} */
+export const kalmanPicture = {
+  tag: 'kalman-picture',
+  lab: 'Picture',
+  name: 'picture',
+  start,
+  seeded: false,
+  timeless: true,
+  panels: [{ name: 'plane', width: 600, height: 500, handles: true }],
+  draw: (panels, frame, view) => drawPlane(panels.plane, frame, view),
+  describe,
+  controls,
+  readouts,
+  verdict,
+  announce: (frame) => verdict(frame),
+  series: (frame) => ({
+    x1: [frame.params.mean[0], frame.euclideanFoot.at[0], frame.mahalanobisFoot.at[0], frame.update.at[0]],
+    x2: [frame.params.mean[1], frame.euclideanFoot.at[1], frame.mahalanobisFoot.at[1], frame.update.at[1]],
+  }),
+}
