@@ -1,34 +1,71 @@
-// The second engine: every widget moves in Firefox without a complaint, driven over WebDriver BiDi. Skipped where there
-// is no Firefox (FIREFOX names one that is not in the usual places).
+// The second engine: every widget comes alive, moves and keeps its digits in Firefox, without a complaint, driven over
+// WebDriver BiDi with the keyboard. Skipped where there is no Firefox (FIREFOX names one that is not in the usual places).
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
 import { existsSync } from 'node:fs'
 import puppeteer from 'puppeteer-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, dist } from './places.mjs'
+import { BASE, dist, root } from './places.mjs'
 
 const firefox = [process.env.FIREFOX, '/usr/bin/firefox-esr', '/usr/bin/firefox', '/Applications/Firefox.app/Contents/MacOS/firefox'].find((path) => path && existsSync(path))
+const notice = 'no Firefox here; Debian: apt-get install firefox-esr'
 
-if (!firefox) {
-  test('every widget moves in Firefox', { skip: 'no Firefox here; Debian: apt-get install firefox-esr' }, () => {})
-} else {
-  let browser, site
+let browser, site, page
+const complaints = []
+if (firefox) {
   before(async () => {
     site = await serve({ folder: dist, base: BASE })
     browser = await puppeteer.launch({ browser: 'firefox', executablePath: firefox, headless: true })
+    page = await browser.newPage()
+    await page.setViewport({ width: 1280, height: 900 })
+    page.on('console', (message) => { if (message.type() === 'error') complaints.push(message.text()) })
+    page.on('pageerror', (error) => complaints.push(String(error)))
+    await page.goto(site.url + 'kalman/', { timeout: 60_000 })
   })
   after(async () => {
     await browser?.close()
     await site?.close()
   })
+}
 
-  test('every widget moves in Firefox', { timeout: 120_000 }, async () => {
-    const page = await browser.newPage()
-    const complaints = []
-    page.on('console', (message) => { if (message.type() === 'error') complaints.push(message.text()) })
-    page.on('pageerror', (error) => complaints.push(String(error)))
-    await page.goto(site.url + 'kalman/')
-    console.log(await page.title())
-    assert.deepEqual(complaints, [])
+const wait = (check, ...given) => page.waitForFunction(check, { timeout: 30_000, polling: 100 }, ...given)
+const alive = async (tag) => {
+  await page.evaluate((name) => document.querySelector(name).scrollIntoView({ block: 'center' }), tag)
+  await wait((name) => document.querySelector(name).dataset.state === 'live', tag)
+}
+
+for (const tag of ['odometry-hook', 'observer-bench', 'observability-probe']) {
+  test(`${tag} steps in Firefox`, { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+    await alive(tag)
+    const step = await page.evaluate((name) => document.querySelector(name).frame.step, tag)
+    await page.evaluate((name) => [...document.querySelectorAll(`${name} .live button`)].find((button) => button.textContent === 'Step').focus(), tag)
+    await page.keyboard.press('Enter')
+    await wait((name, n) => document.querySelector(name).frame.step > n, tag, step)
   })
 }
+
+test('the keys turn the knob in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+  await alive('observer-bench')
+  await page.evaluate(() => document.querySelector('observer-bench .live input[type=range]').focus())
+  const gain = await page.evaluate(() => document.querySelector('observer-bench').frame.params.gain)
+  await page.keyboard.press('ArrowRight')
+  await wait((g) => document.querySelector('observer-bench').frame.params.gain > g, gain)
+})
+
+test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+  const native = execFileSync('cargo', ['run', '--quiet', '--profile', 'site', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
+  for (const [tag, hash] of native.trim().split('\n').map((line) => line.split(' '))) {
+    await alive(tag)
+    const there = await page.evaluate((name) => {
+      const lab = new (document.querySelector(name).figure.lab.constructor)()
+      lab.run(10_000)
+      return lab.digest()
+    }, tag)
+    assert.equal(there, hash, tag)
+  }
+})
+
+test('Firefox had nothing to complain about', { skip: firefox ? false : notice }, () => {
+  assert.deepEqual(complaints, [])
+})
