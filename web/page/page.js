@@ -14,7 +14,7 @@ if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => q
 if (document.querySelector('[data-run-checks]')) import('./checks.js').then(({ checks }) => checks())
 document.querySelector('[data-open-search]')?.addEventListener('click', () => import('./search.js').then(({ openSearch }) => openSearch()))
 document.addEventListener('keydown', (event) => {
-  const typing = event.target instanceof Element && event.target.closest('input, select, textarea')
+  const typing = event.target instanceof Element && event.target.closest('select, textarea, input:not([type="radio"], [type="checkbox"], [type="range"])')
   if (event.key !== '/' || typing || event.ctrlKey || event.metaKey || event.altKey) return
   event.preventDefault()
   import('./search.js').then(({ openSearch }) => openSearch())
