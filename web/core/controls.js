@@ -20,7 +20,7 @@ import { SVG, writeHtml } from './words.js'
  * @property {number} step
  * @property {(value: number, frame: any) => string} words the value as shown and as said
  * @property {(frame: any) => Notch[]} [notches]
- * @property {(params: any) => any} [get] what it shows, if not the parameter of its name
+ * @property {(params: any, frame: any) => any} [get] what it shows, if not the parameter of its name
  * @property {(value: any, params: any) => Record<string, unknown>} [set] the change it makes, likewise
  * @property {(params: any) => boolean} [enabled]
  *
@@ -29,7 +29,7 @@ import { SVG, writeHtml } from './words.js'
  * @property {string} name
  * @property {Words} label
  * @property {{ value: any, label: string }[]} options
- * @property {(params: any) => any} [get]
+ * @property {(params: any, frame: any) => any} [get]
  * @property {(value: any, params: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
  *
@@ -39,7 +39,7 @@ import { SVG, writeHtml } from './words.js'
  * @property {Words} label
  * @property {any} [on] true if not given
  * @property {any} [off] false if not given
- * @property {(params: any) => any} [get]
+ * @property {(params: any, frame: any) => any} [get]
  * @property {(value: any, params: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
  *
@@ -49,7 +49,7 @@ import { SVG, writeHtml } from './words.js'
  * @property {Words} label
  * @property {number} min
  * @property {number} max
- * @property {(params: any) => any} [get]
+ * @property {(params: any, frame: any) => any} [get]
  * @property {(value: any, params: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
  *
@@ -85,7 +85,7 @@ export function buildControl(document, control, change) {
     element: label,
     show(params, frame) {
       made.input.disabled = control.enabled ? !control.enabled(params) : false
-      made.show(control.get ? control.get(params) : params[control.name], frame)
+      made.show(control.get ? control.get(params, frame) : params[control.name], frame)
     },
   }
 }
@@ -178,7 +178,8 @@ function choice(document, control, change) {
     show(now) {
       const chosen = control.options.findIndex(({ value }) => value === now)
       if (input.selectedIndex === chosen) return
-      for (const [i, option] of [...input.options].entries()) option.selected = i === chosen
+      for (const [i, option] of [...input.options].entries()) option.toggleAttribute('selected', i === chosen)
+      if (chosen >= 0) input.options[chosen].selected = true
     },
   }
 }
@@ -193,6 +194,7 @@ function toggle(document, control, change) {
     body: input,
     input,
     show(now) {
+      input.toggleAttribute('checked', now === on)
       input.checked = now === on
     },
   }

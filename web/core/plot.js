@@ -103,7 +103,7 @@ function inside(at, low, high) {
 /** @param {number[]} ticks @param {Scale} scale @param {number} low @param {number} high */
 function shown(ticks, scale, low, high) {
   const all = ticks.filter((value) => inside(scale(value), low - 0.5, high + 0.5))
-  if (all.length <= 8) return all
+  if (all.length <= 8 || !('base' in scale)) return all
   const lead = all.filter((value) => [1, 2, 5].includes(Math.round(value / 10 ** Math.floor(Math.log10(value) + 1e-9))))
   return lead.length <= 7 ? lead : all.filter((value) => Number.isInteger(Math.round(Math.log10(value) * 1e6) / 1e6))
 }

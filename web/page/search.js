@@ -43,6 +43,10 @@ function build() {
     if (words && !hits.length) list.textContent = 'Nothing found.'
   }
   input.addEventListener('input', show)
+  // In a search field Escape would only empty it.
+  input.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape') made.close()
+  })
   head.addEventListener('submit', (event) => {
     const first = list.querySelector('a')
     if (document.activeElement !== input || !first) return

@@ -91,7 +91,8 @@ function readouts(frame) {
 const controls = [
   {
     kind: 'range', name: 'gain', label: { choset: 'Gain *g*, in units of *R*_∞', thrun: 'Gain *g*, in units of *K*_∞' }, min: 0, max: 6, step: 0.01,
-    words: (value, frame) => (frame.params.mode === 'filter' ? 'filter' : fixed(value, 2)),
+    get: (params, frame) => (params.mode === 'filter' ? frame.equivalentKnob : params.gain),
+    words: (value) => fixed(value, 2),
     notches: (/** @type {Frame} */ frame) => [
       { at: 0, name: '0' },
       { at: 1, name: { choset: '*R*_∞', thrun: '*K*_∞' } },
