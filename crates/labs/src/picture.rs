@@ -1,7 +1,7 @@
 //! The Picture: a prediction, the states that explain a reading, and the two ways of stepping onto them (§8.2.2–8.2.4).
 
 use crate::lab::{Digest, Lab};
-use crate::shapes::{Belief2, EllipseShape, ellipse_of, pair, rows};
+use crate::shapes::{Belief2, EllipseShape, pair, rows};
 use estimate::kf::Gaussian;
 use estimate::{Code, Error, validate};
 use filters::linear::{self, Correction};
@@ -233,7 +233,7 @@ fn rotation(angle: f64) -> Matrix2<f64> {
 /// The ellipse that `P` of a picture draws, kept here so that a test can hold it to the given axes.
 #[cfg(test)]
 fn drawn(frame: &PictureFrame) -> EllipseShape {
-    ellipse_of(&Matrix2::new(frame.p[0][0], frame.p[0][1], frame.p[1][0], frame.p[1][1]))
+    crate::shapes::ellipse_of(&Matrix2::new(frame.p[0][0], frame.p[0][1], frame.p[1][0], frame.p[1][1]))
 }
 
 #[cfg(test)]
