@@ -61,7 +61,7 @@ const controls = [
   {
     kind: 'range', name: 'noise', label: { choset: 'Sensor noise *W* (Thrun *Q*)', thrun: 'Sensor noise *Q* (Choset *W*)' }, min: 0, max: 4, step: 0.05,
     words: (value) => fixed(value, 2),
-    notches: () => [{ at: 0, name: 'perfect' }, { at: 0.5, name: 'as in step 1' }],
+    notches: () => [{ at: 0, name: '0' }, { at: 0.5, name: 'step 1' }],
   },
   {
     kind: 'range', name: 'tilt', label: 'Turn of the sensor, degrees', min: -90, max: 90, step: 1,
