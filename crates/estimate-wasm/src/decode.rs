@@ -131,7 +131,7 @@ impl<'a> Arg<'a> {
         if self.value.is_object() && !self.array()? { Ok(()) } else { Err(self.wrong_type("an object")) }
     }
 
-    fn array(&self) -> Result<bool, Error> {
+    pub fn array(&self) -> Result<bool, Error> {
         is_array(&self.value).map_err(|_| self.refuse(Code::Type, "could not be read: it is a revoked proxy"))
     }
 

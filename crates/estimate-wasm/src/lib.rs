@@ -8,6 +8,7 @@
 mod checks;
 mod decode;
 mod ekf_localizer;
+mod ekf_slam;
 mod encode;
 mod errors;
 mod functions;
@@ -19,6 +20,7 @@ mod picture;
 
 pub use checks::chapter_checks;
 pub use ekf_localizer::EkfLocalizer;
+pub use ekf_slam::EkfSlam;
 pub use functions::*;
 pub use observability_probe::ObservabilityProbe;
 pub use observer_bench::ObserverBench;

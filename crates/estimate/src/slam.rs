@@ -4,29 +4,27 @@
 //! unicycle (§8.4.2). A sighting touches five entries of the state, so nothing here ever forms HPHᵀ from dense matrices:
 //! S comes from a 5×5 block of P, association is O(1) per landmark, and an update costs O(N²).
 
+mod correct;
 pub mod linear;
 mod sighting;
+mod untyped;
 
 use crate::error::{Code, Error};
 use crate::odometry::Unicycle;
 use crate::packed::Packed;
 use crate::validate;
-use core::f64::consts::FRAC_1_SQRT_2;
 use filters::association::{Association, Candidate, Rule, Thresholds, associate};
 use filters::kalman::Gaussian;
 use filters::nonlinear::MotionModel;
-use geom::{MIN_PIVOT, SE2, Spd, wrap};
+use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x3, Matrix3, Vector2};
 use sighting::{Expected, founding};
 pub use sighting::{Outcome, Reading, Report};
 
 /// The largest map.
-pub const MAX_LANDMARKS: usize = 1000;
+pub const MAX_LANDMARKS: usize = 500;
 /// The most sightings in one step.
 pub const MAX_SIGHTINGS: usize = 100;
-/// Rounding that may sit in P, as a part of its largest variance, before P is looked over: a tenth of
-/// [`validate::SEMIDEFINITE_TOLERANCE`].
-const ROUNDING: f64 = 1e-13;
 
 /// A robot's belief about its pose and the landmarks it has met: `[x, y, θ, x₁, y₁, x₂, y₂, …]`.
 #[derive(Clone, Debug)]
@@ -53,17 +51,6 @@ pub struct Mapped {
     pub p: Matrix2<f64>,
 }
 
-/// What an update will do, worked out before anything is touched.
-struct Step {
-    k: [Vec<f64>; 2],
-    l: [Vec<f64>; 2],
-    dx: Vec<f64>,
-    /// νᵀS⁻¹ν.
-    d2: f64,
-    rounding: f64,
-    suspect: bool,
-}
-
 impl EkfSlam {
     /// A robot with this belief about its pose and an empty map; W is 2×2, of a range and a bearing.
     ///
@@ -87,7 +74,7 @@ impl EkfSlam {
             ids: Vec::new(),
             w: Matrix2::from_fn(|i, j| w[(i, j)]),
             thresholds,
-            rounding: 0.0,
+            rounding: f64::EPSILON * p.diagonal().max(),
             nis: (0.0, 0),
         })
     }
@@ -136,7 +123,8 @@ impl EkfSlam {
     /// costs O(N).
     ///
     /// # Errors
-    /// [`Code::NotFinite`]; the belief is then as it was.
+    /// [`Code::NotFinite`], or [`Code::NotPositiveSemidefinite`] where P would lose its digits; the belief is then as it
+    /// was.
     pub fn predict(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
         let pose = Unicycle.f(&self.pose(), u).to_vector();
         let f = Unicycle.jacobian(&self.pose(), u);
@@ -146,17 +134,23 @@ impl EkfSlam {
         if !(filters::linear::is_finite(&pose) && filters::linear::is_finite(&block) && cross_is_finite) {
             return Err(filters::Error::NotFinite { what: "the predicted covariance" }.into());
         }
-        for i in 3..self.x.len() {
-            let row = self.p.row_mut(i);
-            [row[0], row[1]] = moved(row);
-        }
-        for i in 0..3 {
-            self.x[i] = pose[i];
-            for j in 0..=i {
-                self.p.set(i, j, block[(i, j)]);
+        let sigma = [0, 1, 2].map(|i| libm::sqrt(self.p.get(i, i)));
+        let largest = self.p.diagonal().fold(0.0, f64::max);
+        let reach = [0, 1].map(|a: usize| sigma[a] + f[(a, 2)].abs() * sigma[2]).map(|r| r * r);
+        let after = self.p.diagonal().skip(3).chain(block.diagonal().iter().copied()).fold(0.0, f64::max);
+        let sound = self.guarded(largest.max(reach[0]).max(reach[1]), after, |slam| {
+            for i in 3..slam.x.len() {
+                let row = slam.p.row_mut(i);
+                [row[0], row[1]] = moved(row);
             }
-        }
-        Ok(())
+            for i in 0..3 {
+                slam.x[i] = pose[i];
+                for j in 0..=i {
+                    slam.p.set(i, j, block[(i, j)]);
+                }
+            }
+        });
+        if sound { Ok(()) } else { Err(digits_lost()) }
     }
 
     /// The sightings of one step: each is matched, rejected or founds a landmark, all Jacobians at the same prediction.
@@ -279,7 +273,7 @@ impl EkfSlam {
     fn found(&mut self, reading: &Reading, id: Option<u32>) -> Result<(), Error> {
         let id = id.ok_or_else(|| Error::new(Code::Limit, "landmark", "no number is left to call it by"))?;
         if self.len() == MAX_LANDMARKS {
-            return Err(Error::new(Code::Limit, "landmarks", format!("the map is full: it holds {MAX_LANDMARKS}")));
+            return Err(Error::new(Code::Limit, "landmarks", "the map is full: it holds 500"));
         }
         let (position, by_pose, by_reading) = founding(&self.pose(), reading)?;
         let n = self.x.len();
@@ -294,95 +288,28 @@ impl EkfSlam {
         if all.clone().any(|e| !e.is_finite()) {
             return Err(filters::Error::NotFinite { what: "the covariance" }.into());
         }
-        let [first, second] = rows;
-        self.x.extend(position.iter());
-        self.p.push_row(first.into_iter().chain([corner[(0, 0)]]));
-        self.p.push_row(second.into_iter().chain([corner[(1, 0)], corner[(1, 1)]]));
-        self.ids.push(id);
-        Ok(())
-    }
-
-    /// Corrects the whole state by an innovation of the landmark `expected` is of.
-    fn correct(&mut self, expected: &Expected, innovation: &Vector2<f64>) -> Result<(), Error> {
-        let step = self.worked_out(expected, innovation)?;
-        let before = step.suspect.then(|| self.clone());
-        self.p.subtract_pairs([&step.k[0], &step.k[1]], [&step.l[0], &step.l[1]]);
-        for (x, dx) in self.x.iter_mut().zip(&step.dx) {
-            *x += dx;
-        }
-        self.x[2] = wrap(self.x[2]);
-        self.rounding = step.rounding;
-        self.nis = (self.nis.0 + step.d2, self.nis.1 + 2);
-        if let Some(before) = before {
-            if self.semidefinite() {
-                self.rounding = 0.0;
-            } else {
-                *self = before;
-                return Err(filters::Error::InnovationNotPositiveDefinite.into());
-            }
-        }
-        Ok(())
-    }
-
-    /// K and L = M − K S/2 for P − KMᵀ − MKᵀ + KSKᵀ = P − KLᵀ − LKᵀ, with M = PHᵀ: the covariance that this K leaves,
-    /// be K exact or not, as Joseph's form, from five columns of P.
-    fn worked_out(&self, expected: &Expected, innovation: &Vector2<f64>) -> Result<Step, Error> {
-        let n = self.x.len();
-        let (mut m0, mut m1) = (vec![0.0; n], vec![0.0; n]);
-        let mut column = vec![0.0; n];
-        for (a, c) in expected.columns().into_iter().enumerate() {
-            self.p.column(c, &mut column);
-            let (h0, h1) = (expected.h[(0, a)], expected.h[(1, a)]);
-            for ((m0, m1), p) in m0.iter_mut().zip(&mut m1).zip(&column) {
-                *m0 += h0 * p;
-                *m1 += h1 * p;
-            }
-        }
-        let s = expected.innovation_covariance(&self.p, &self.w);
-        let spd = Spd::new(s).filter(|spd| spd.pivot() >= MIN_PIVOT);
-        let spd = spd.ok_or(filters::Error::InnovationNotPositiveDefinite)?;
-        let d2 = innovation.dot(&spd.solve(innovation));
-        let k = [m0.clone(), m1.clone()];
-        let mut step = Step { k, l: [m0, m1], dx: column, d2, rounding: self.rounding, suspect: false };
-        let (mut before, mut after, mut largest) = (0.0_f64, 0.0_f64, 0.0_f64);
-        for i in 0..n {
-            let m = Vector2::new(step.l[0][i], step.l[1][i]);
-            let k = spd.solve(&m);
-            let l = m - s * k * 0.5;
-            for a in 0..2 {
-                step.k[a][i] = k[a];
-                step.l[a][i] = l[a];
-            }
-            step.dx[i] = k.dot(innovation);
-            let variance = self.p.get(i, i);
-            before = before.max(variance);
-            after = after.max(variance - 2.0 * k.dot(&l));
-            largest = largest.max(k.amax()).max(l.amax());
-        }
-        let x_is_finite = self.x.iter().zip(&step.dx).all(|(x, dx)| (x + dx).is_finite());
-        // Every entry of P changes by at most 4 max|K| max|L|, so P cannot overflow if this does not.
-        let bounded = (4.0 * largest * largest + before + d2).is_finite();
-        if !(x_is_finite && bounded) {
-            return Err(filters::Error::NotFinite { what: "the mean" }.into());
-        }
-        // Each update leaves rounding of one half unit of the variances it found; where those have since shrunk, it shows.
-        step.rounding = libm::hypot(step.rounding, FRAC_1_SQRT_2 * f64::EPSILON * before);
-        step.suspect = step.rounding > ROUNDING * after;
-        Ok(step)
-    }
-
-    /// Whether no eigenvalue of P is below −[`ROUNDING`] of its largest variance.
-    fn semidefinite(&self) -> bool {
         let largest = self.p.diagonal().fold(0.0, f64::max);
-        if largest == 0.0 {
-            return true;
-        }
-        let mut p = self.p.to_dense() / largest;
-        for i in 0..p.nrows() {
-            p[(i, i)] += ROUNDING;
-        }
-        filters::linear::is_finite(&p) && p.cholesky().is_some()
+        let reach = [0, 1].map(|a: usize| {
+            let pose: f64 = (0..3).map(|k| by_pose[(a, k)].abs() * libm::sqrt(self.p.get(k, k))).sum();
+            pose + (0..2).map(|k| by_reading[(a, k)].abs() * libm::sqrt(self.w[(k, k)])).sum::<f64>()
+        });
+        let after = largest.max(corner[(0, 0)]).max(corner[(1, 1)]);
+        let [first, second] = rows;
+        let scale = largest.max(reach[0] * reach[0]).max(reach[1] * reach[1]);
+        let sound = self.guarded(scale, after, |slam| {
+            slam.x.extend(position.iter());
+            slam.p.push_row(first.into_iter().chain([corner[(0, 0)]]));
+            slam.p.push_row(second.into_iter().chain([corner[(1, 0)], corner[(1, 1)]]));
+            slam.ids.push(id);
+        });
+        if sound { Ok(()) } else { Err(digits_lost()) }
     }
+}
+
+/// P would hold rounding for digits: numbers of too different a size have met in it.
+fn digits_lost() -> Error {
+    let message = "would lose its digits: variances and distances of such different sizes do not fit in one matrix";
+    Error::new(Code::NotPositiveSemidefinite, "P", message)
 }
 
 #[cfg(test)]

@@ -1,0 +1,138 @@
+//! The update of the whole state by one sighting, O(N²), and the guard over its rounding.
+
+use super::EkfSlam;
+use super::sighting::Expected;
+use crate::error::Error;
+use geom::{MIN_PIVOT, Spd, wrap};
+use nalgebra::Vector2;
+
+/// Rounding that may sit in P, as a part of its largest variance, before P is looked over: a tenth of
+/// [`validate::SEMIDEFINITE_TOLERANCE`].
+const ROUNDING: f64 = 1e-13;
+
+/// Up to this many states P is looked over at every change.
+const ALWAYS: usize = 35;
+
+/// What an update will do, worked out before anything is touched.
+struct Step {
+    k: [Vec<f64>; 2],
+    l: [Vec<f64>; 2],
+    dx: Vec<f64>,
+    /// νᵀS⁻¹ν.
+    d2: f64,
+    /// The largest terms that were added up to the new variances, which may cancel: robot and landmark far more certain
+    /// of each other than of the world, or a nearly singular S.
+    scale: f64,
+    /// The largest of the new variances.
+    after: f64,
+}
+
+impl EkfSlam {
+    /// Corrects the whole state by an innovation of the landmark `expected` is of.
+    pub(super) fn correct(&mut self, expected: &Expected, innovation: &Vector2<f64>) -> Result<(), Error> {
+        let step = self.worked_out(expected, innovation)?;
+        let sound = self.guarded(step.scale, step.after, |slam| {
+            slam.p.subtract_pairs([&step.k[0], &step.k[1]], [&step.l[0], &step.l[1]]);
+            for (x, dx) in slam.x.iter_mut().zip(&step.dx) {
+                *x += dx;
+            }
+            slam.x[2] = wrap(slam.x[2]);
+            slam.nis = (slam.nis.0 + step.d2, slam.nis.1 + 2);
+        });
+        if sound { Ok(()) } else { Err(filters::Error::InnovationNotPositiveDefinite.into()) }
+    }
+
+    /// Makes a change to P in which terms of size `scale` were added up to variances of which the largest is `after`, and
+    /// keeps account of the rounding. Where that may show, P is looked over; the answer is whether it is still a covariance,
+    /// and if not all is as it was.
+    pub(super) fn guarded(&mut self, scale: f64, after: f64, change: impl FnOnce(&mut Self)) -> bool {
+        let rounding = libm::hypot(self.rounding, f64::EPSILON * scale);
+        // A small state is always looked over, a large one rarely: in an ordinary run its variances never fall far below what
+        // they were.
+        let suspect = self.x.len() <= ALWAYS || rounding > ROUNDING * after;
+        let before = suspect.then(|| self.clone());
+        change(self);
+        self.rounding = rounding;
+        let Some(before) = before else { return true };
+        match self.semidefinite_to() {
+            Some(size) => {
+                self.rounding = size;
+                true
+            }
+            None => {
+                *self = before;
+                false
+            }
+        }
+    }
+
+    /// K and L = M − K S/2 for P − KMᵀ − MKᵀ + KSKᵀ = P − KLᵀ − LKᵀ, with M = PHᵀ: the covariance that this K leaves,
+    /// be K exact or not, as Joseph's form, from five columns of P.
+    fn worked_out(&self, expected: &Expected, innovation: &Vector2<f64>) -> Result<Step, Error> {
+        let n = self.x.len();
+        let (mut m0, mut m1) = (vec![0.0; n], vec![0.0; n]);
+        let mut column = vec![0.0; n];
+        for (a, c) in expected.columns().into_iter().enumerate() {
+            self.p.column(c, &mut column);
+            let (h0, h1) = (expected.h[(0, a)], expected.h[(1, a)]);
+            for ((m0, m1), p) in m0.iter_mut().zip(&mut m1).zip(&column) {
+                *m0 += h0 * p;
+                *m1 += h1 * p;
+            }
+        }
+        let s = expected.innovation_covariance(&self.p, &self.w);
+        let spd = Spd::new(s).filter(|spd| spd.pivot() >= MIN_PIVOT);
+        let spd = spd.ok_or(filters::Error::InnovationNotPositiveDefinite)?;
+        let d2 = innovation.dot(&spd.solve(innovation));
+        let k = [m0.clone(), m1.clone()];
+        let mut step = Step { k, l: [m0, m1], dx: column, d2, scale: 0.0, after: 0.0 };
+        let (mut before, mut after, mut largest) = (0.0_f64, 0.0_f64, 0.0_f64);
+        // What each row of H adds up, before anything cancels.
+        let columns = expected.columns();
+        let spread = [0, 1].map(|a| {
+            let seen = |b: usize| expected.h[(a, b)].abs() * libm::sqrt(self.p.get(columns[b], columns[b]));
+            (0..5).map(seen).sum::<f64>() + libm::sqrt(self.w[(a, a)])
+        });
+        for i in 0..n {
+            let m = Vector2::new(step.l[0][i], step.l[1][i]);
+            let k = spd.solve(&m);
+            let l = m - s * k * 0.5;
+            for a in 0..2 {
+                step.k[a][i] = k[a];
+                step.l[a][i] = l[a];
+            }
+            step.dx[i] = k.dot(innovation);
+            let variance = self.p.get(i, i);
+            before = before.max(variance);
+            after = after.max(variance - 2.0 * k.dot(&l));
+            largest = largest.max(k.amax()).max(l.amax());
+            let terms = libm::sqrt(variance.max(0.0)) + k[0].abs() * spread[0] + k[1].abs() * spread[1];
+            step.scale = step.scale.max(terms * terms);
+        }
+        let x_is_finite = self.x.iter().zip(&step.dx).all(|(x, dx)| (x + dx).is_finite());
+        // Every entry of P changes by at most 4 max|K| max|L|, so P cannot overflow if this does not.
+        let bounded = (4.0 * largest * largest + before + d2).is_finite();
+        if !(x_is_finite && bounded) {
+            return Err(filters::Error::NotFinite { what: "the mean" }.into());
+        }
+        step.after = after;
+        Ok(step)
+    }
+
+    /// The size below zero at which no eigenvalue of P lies, well within what a covariance is allowed; nothing when one does.
+    fn semidefinite_to(&self) -> Option<f64> {
+        let largest = self.p.diagonal().fold(0.0, |a: f64, b| a.max(b.abs()));
+        if largest == 0.0 {
+            return Some(0.0);
+        }
+        let mut p = self.p.to_dense() / largest;
+        // What may be lost in all is a part of 1e-12. A factorization of n rows knows its pivots to n roundings itself.
+        let part =
+            if self.x.len() <= ALWAYS { 5.0 * ROUNDING } else { 0.1 * ROUNDING + p.nrows() as f64 * f64::EPSILON };
+        for i in 0..p.nrows() {
+            p[(i, i)] += part;
+        }
+        let sound = filters::linear::is_finite(&p) && p.cholesky().is_some();
+        sound.then_some(part * largest)
+    }
+}
