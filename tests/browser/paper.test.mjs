@@ -30,7 +30,7 @@ test('a PDF of the chapter has every section open and no controls', { timeout: 1
   const whole = plain(texts.join(' '))
   t.diagnostic(`${texts.length} pages`)
   assert.deepEqual(closed.filter((words) => !whole.includes(plain(words))), [], 'these are not on paper')
-  assert.ok(whole.includes(plain('https://doi.org/')), 'the references show their addresses')
+  assert.ok(whole.includes('doi:10.'), 'the references show their addresses')
 })
 
 test('in print the figures are stills and nothing to press is left', async (t) => {
