@@ -13,7 +13,15 @@ export function switches() {
   group('notation', recall('notation') === 'thrun' ? 'thrun' : 'choset', (value) => {
     root.dataset.notation = value
     remember('notation', value)
+    if (value === 'thrun') bringThrun()
   })
+  if (root.dataset.notation === 'thrun') bringThrun()
+}
+
+/** Until the other letters are here the page shows Choset's; if they cannot be had it goes back to them. */
+function bringThrun() {
+  const back = /** @type {HTMLElement | null} */ (document.querySelector('[data-set-notation="choset"]'))
+  import('./notation.js').then(({ thrun }) => thrun()).catch(() => back?.click())
 }
 
 /**

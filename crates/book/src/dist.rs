@@ -92,7 +92,7 @@ impl Build<'_> {
             let text = page::text(self.site, &files, Some(chapter.number), &address, self.diagnostics);
             let extra = context! { chapter => serde(chapter), body => text.body, contents => serde(&text.contents) };
             self.page(templates, dist, "chapter", &address, &chapter.title, &chapter.description, extra)?;
-            dist.search.extend(text.search);
+            dist.text(&address, text.search, &text.thrun)?;
         }
         Ok(())
     }
@@ -104,7 +104,7 @@ impl Build<'_> {
             let text: Text = page::text(self.site, &[(path, file)], None, &address, self.diagnostics);
             let extra = context! { body => text.body, contents => serde(&text.contents) };
             self.page(templates, dist, "page", &address, &page.title, &page.description, extra)?;
-            dist.search.extend(text.search);
+            dist.text(&address, text.search, &text.thrun)?;
         }
         Ok(())
     }
@@ -156,6 +156,16 @@ impl Build<'_> {
 impl Dist {
     fn put(&mut self, path: &str, bytes: Vec<u8>) {
         self.files.insert(path.to_string(), bytes);
+    }
+
+    /// What a text brings beside its page: its part of the search, and its formulas in Thrun's letters.
+    fn text(&mut self, address: &str, search: Vec<Found>, thrun: &[String]) -> Result<(), BuildError> {
+        self.search.extend(search);
+        self.put(
+            &format!("{address}thrun.json"),
+            serde_json::to_vec(thrun).map_err(|e| BuildError::Missing(e.to_string()))?,
+        );
+        Ok(())
     }
 
     /// The service worker and the list it caches.

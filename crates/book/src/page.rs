@@ -23,6 +23,9 @@ pub struct Text {
     pub search: Vec<Found>,
     /// What the text used.
     pub used: Used,
+    /// The formulas that read differently in Thrun's letters, as `data-thrun` counts them. They are a quarter of the
+    /// page's weight and stay out of it until a reader asks.
+    pub thrun: Vec<String>,
 }
 
 /// An entry of the table of contents.
@@ -87,7 +90,10 @@ pub fn text(
     }
     let search = search(&body, &renderer.headings, address);
     let end = renderer.end_matter();
-    Text { body: body + &end, contents: contents(&renderer.headings), search, used: renderer.used }
+    let mut thrun: Vec<(String, usize)> = renderer.thrun.into_iter().collect();
+    thrun.sort_by_key(|(_, n)| *n);
+    let thrun = thrun.into_iter().map(|(html, _)| html).collect();
+    Text { body: body + &end, contents: contents(&renderer.headings), search, used: renderer.used, thrun }
 }
 
 /// From a page's address to the site's root: `kalman/` is one level down.

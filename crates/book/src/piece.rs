@@ -9,7 +9,7 @@ use crate::html::{escape, id_attribute};
 use crate::number::Format;
 use crate::render::Renderer;
 use crate::scan::Piece;
-use crate::tex::Style;
+use crate::tex::{Formula, Style};
 
 impl Renderer<'_> {
     /// The HTML of an inline piece; `spans` holds the closing tags of spans that are open.
@@ -38,16 +38,22 @@ impl Renderer<'_> {
         }
     }
 
-    /// A formula in both notations, its generated digits marked, and a way to them for the keyboard.
+    /// A formula in Choset's letters, with the index of its other reading where there is one, its generated digits marked, and a way to them for the keyboard.
     pub(crate) fn formula(&mut self, tex: &str, style: Style, place: &Place) -> String {
         let (tex, ids) = self.fill(tex, place);
         let Some(formula) = self.diagnostics.ok(place, self.site.typesetter.render(&tex, style)) else {
             return String::new();
         };
         let tag = if style == Style::Display { "div" } else { "span" };
-        let html = formula.html(tag);
+        let (html, other) = match formula {
+            Formula::Same(html) => (html, String::new()),
+            Formula::Differs { choset, thrun } => {
+                let n = self.other_reading(thrun);
+                (format!("<{tag} class=\"in-choset\">{choset}</{tag}>"), format!(" data-thrun=\"{n}\""))
+            }
+        };
         if ids.is_empty() {
-            return format!("<{tag} class=\"formula\">{html}</{tag}>");
+            return format!("<{tag} class=\"formula\"{other}>{html}</{tag}>");
         }
         let list = escape(&ids.iter().cloned().collect::<Vec<_>>().join(" "));
         let first = ids.first().map(|id| escape(id)).unwrap_or_default();
@@ -58,7 +64,13 @@ impl Renderer<'_> {
                  aria-label=\"Where these numbers come from\"></a>"
             ),
         };
-        format!("<{tag} class=\"formula\" data-numbers=\"{list}\">{html}</{tag}>{link}")
+        format!("<{tag} class=\"formula\"{other} data-numbers=\"{list}\">{html}</{tag}>{link}")
+    }
+
+    /// The index of a formula in Thrun's letters; equal ones share it.
+    fn other_reading(&mut self, thrun: String) -> usize {
+        let next = self.thrun.len();
+        *self.thrun.entry(thrun).or_insert(next)
     }
 
     /// TeX with its numbers filled in, and their ids.

@@ -1,6 +1,6 @@
 //! A document to HTML: CommonMark's events, with every marker replaced by what it stands for.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeSet, HashMap};
 
 use pulldown_cmark::{CodeBlockKind, CowStr, Event, HeadingLevel, Tag, TagEnd, html::push_html};
 
@@ -56,6 +56,8 @@ pub struct Renderer<'a> {
     pub headings: Vec<Heading>,
     /// Used so far.
     pub used: Used,
+    /// Formulas in Thrun's letters, where they differ, with their index on the page.
+    pub thrun: HashMap<String, usize>,
     /// Footnotes in order of reference: label within its file, and HTML once its definition has been seen.
     footnotes: Vec<((String, String), String)>,
 }
@@ -63,8 +65,8 @@ pub struct Renderer<'a> {
 impl<'a> Renderer<'a> {
     /// A renderer for a page `root` below the site's root.
     pub fn new(site: &'a Site, labels: &'a Labels, diagnostics: &'a Diagnostics, root: &'a str) -> Self {
-        let (headings, used, footnotes) = (Vec::new(), Used::default(), Vec::new());
-        Self { site, labels, diagnostics, root, plain: false, headings, used, footnotes }
+        let (headings, used, thrun, footnotes) = (Vec::new(), Used::default(), HashMap::new(), Vec::new());
+        Self { site, labels, diagnostics, root, plain: false, headings, used, thrun, footnotes }
     }
 
     /// A document as HTML.
