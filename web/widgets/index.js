@@ -2,6 +2,7 @@
 
 /** @type {Record<string, () => Promise<import('../core/spec.js').FigureSpec>>} */
 export const WIDGETS = {
+  'observability-probe': () => import('./observability-probe.js').then((module) => module.observabilityProbe),
   'kalman-picture': () => import('./kalman-picture.js').then((module) => module.kalmanPicture),
   'observer-bench': () => import('./observer-bench.js').then((module) => module.observerBench),
 }

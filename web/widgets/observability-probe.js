@@ -1,0 +1,138 @@
+/**
+ * The Observability Probe: Rusty drives a square in room A and localizes itself by landmarks that the reader places. Which
+ * directions of its pose do the readings see, frozen at this pose and along the path driven?
+ */
+
+import { fixed } from '../core/words.js'
+import { drawMap } from './observability-probe/map.js'
+import { drawConsistency, drawTrace } from './observability-probe/history.js'
+import { drawRanks, power } from './observability-probe/ranks.js'
+
+/** @typedef {import('estimate-wasm').ProbeFrame} Frame */
+
+// State: what a reader can change, and where the figure starts: two laps with one landmark.
+
+const start = {
+  params: {
+    landmarks: [[6, 6], [0, 6], [3, 0]], count: 1, sensor: 'range', stop: null, forget: false, tolerance: 1e-6, seed: 1,
+  },
+  step: 240,
+}
+
+// Model: the lab `ObservabilityProbe` in the module. What follows only reads its frame.
+
+const NUMBERS = ['no', 'One', 'Two', 'Three']
+
+/** @param {Frame} frame */
+function verdict(frame) {
+  const { params, frozen, alongPath, slam } = frame
+  if (slam) {
+    const worst = slam.worst ? ` The worst stands ${fixed(slam.worst.error, 2)} m off, ${fixed(slam.worst.sigma, 1)} of its own σ.` : ''
+    return `The map is forgotten: ${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.${worst}`
+  }
+  const many = params.count === 1 ? 'landmark' : 'landmarks'
+  const what = `${NUMBERS[params.count]} ${many}, ${frame.sensor === 'range' ? 'range only' : 'range and bearing'}: rank ${frozen.rank} frozen, ${alongPath.rank} along the path.`
+  if (alongPath.rank === 3) return frozen.rank < 3 ? `${what} The blind moment passes: driving on shows what it hid.` : `${what} Every direction is seen.`
+  if (frozen.rank === 3) return `${what} The frozen test is too kind: turn the pose about the landmark, and no reading changes.`
+  return `${what} One direction is never seen, and the ellipse keeps it.`
+}
+
+/** @param {Frame} frame */
+function describe(frame) {
+  const { estimate, error, ellipse, frozen, alongPath, trace, mean } = frame
+  const ranks = (/** @type {import('estimate-wasm').ProbeRanks} */ r) => `rank ${r.rank} of ${r.n}, smallest over largest singular value ${power(r.relative[r.relative.length - 1])}`
+  const landmarks = frame.landmarks.filter(({ shown }) => shown).map(({ x, y }, i) => `${i + 1} at ${fixed(x, 1)}, ${fixed(y, 1)}`).join('; ')
+  return {
+    map: `Room A, 6 by 6 metres, step ${frame.step}. Landmarks: ${landmarks}. The estimate stands at ${fixed(estimate[0], 2)}, ${fixed(estimate[1], 2)}, off by ${fixed(Math.hypot(error[0], error[1]), 2)} metres; its ellipse has half-axes of ${fixed(ellipse.semiMajor, 2)} and ${fixed(ellipse.semiMinor, 2)} metres.`,
+    ranks: `Singular values on a logarithmic scale. Frozen: ${ranks(frozen)}. Along the path: ${ranks(alongPath)}.`,
+    trace: `Trace of the pose covariance over time, now ${fixed(trace.total, 3)}; with two landmarks it would be ${fixed(trace.reference, 3)}.`,
+    nees: `Normalized estimation error over time, mean ${fixed(mean.nees, 1)}; 3 is expected.`,
+    nis: `Normalized innovation over time, mean ${fixed(mean.nisPerDof, 1)} for each degree of freedom; 1 is expected.`,
+  }
+}
+
+// View: five panels.
+
+/** @param {Record<string, import('../core/shell.js').Panel>} panels @param {Frame} frame @param {import('../core/spec.js').View} view */
+function draw(panels, frame, view) {
+  drawMap(panels.map, frame, view)
+  drawRanks(panels.ranks, frame)
+  drawTrace(panels.trace, frame)
+  drawConsistency(panels.nees, frame, 'nees')
+  drawConsistency(panels.nis, frame, 'nis')
+}
+
+/** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
+function readouts({ frozen, alongPath, trace, mean, slam, step }) {
+  const of = (/** @type {import('estimate-wasm').ProbeRanks} */ { rank, n }) => `${rank} of ${n}`
+  const counts = slam ? `${slam.matched} / ${slam.founded} / ${slam.rejected}` : '–'
+  return [
+    { key: 'step', label: 'Step', value: String(step) },
+    { key: 'frozen', label: 'Rank, frozen', value: of(frozen) },
+    { key: 'path', label: 'Rank, along the path', value: of(alongPath) },
+    { key: 'trace', label: { choset: 'tr *P*', thrun: 'tr Σ' }, value: fixed(trace.total, 3), kin: 'posterior' },
+    { key: 'position', label: 'of it position', value: fixed(trace.position, 3), unit: 'm²', kin: 'posterior' },
+    { key: 'heading', label: 'and heading', value: fixed(trace.heading, 4), unit: 'rad²', kin: 'posterior' },
+    { key: 'reference', label: 'two landmarks', value: fixed(trace.reference, 3), kin: 'truth' },
+    { key: 'nees', label: 'Mean NEES (expected 3)', value: fixed(mean.nees, 2) },
+    { key: 'nis', label: 'Mean NIS per output (expected 1)', value: fixed(mean.nisPerDof, 2) },
+    { key: 'map', label: 'Matched / founded / rejected', value: counts, kin: 'measurement' },
+  ]
+}
+
+// Controls. The landmarks are handles on the map.
+
+/** @type {import('../core/controls.js').Control[]} */
+const controls = [
+  {
+    kind: 'choice', name: 'count', label: 'Landmarks',
+    options: [{ value: 1, label: 'one' }, { value: 2, label: 'two' }, { value: 3, label: 'three' }],
+  },
+  {
+    kind: 'choice', name: 'sensor', label: 'Sensor',
+    options: [{ value: 'range', label: 'range only' }, { value: 'range-bearing', label: 'range and bearing' }],
+  },
+  { kind: 'toggle', name: 'forget', label: 'forget the map' },
+  {
+    kind: 'range', name: 'tolerance', label: 'Rank tolerance, part of the largest', min: -16, max: 0, step: 0.5,
+    words: (value) => power(10 ** value),
+    notches: () => [{ at: -6, name: '10^{−6}' }, { at: 0, name: '1' }],
+    get: (params) => Math.log10(Math.max(params.tolerance, 1e-16)),
+    set: (value) => ({ tolerance: 10 ** value }),
+  },
+  {
+    kind: 'action', name: 'line', label: 'Put the last landmark in line',
+    change: (/** @type {Frame} */ { params }, lab) => {
+      if (params.count < 2) return { count: 2 }
+      const last = params.count - 1
+      const at = Array.from(lab.collinearPoint(last))
+      return { landmarks: params.landmarks.map((point, i) => (i === last ? at : point)) }
+    },
+  },
+  { kind: 'action', name: 'halt', label: 'Stop the robot / drive on', change: (/** @type {Frame} */ { params, step }) => ({ stop: params.stop === null ? step : null }) },
+]
+
+/** @type {import('../core/spec.js').FigureSpec} */
+export const observabilityProbe = {
+  tag: 'observability-probe',
+  lab: 'ObservabilityProbe',
+  name: 'observability-probe',
+  start,
+  seeded: true,
+  pace: 20,
+  stride: 1,
+  panels: [
+    { name: 'map', width: 470, height: 470, handles: true },
+    { name: 'ranks', width: 460, height: 230 },
+    { name: 'trace', width: 460, height: 200 },
+    { name: 'nees', width: 460, height: 180 },
+    { name: 'nis', width: 460, height: 180 },
+  ],
+  draw,
+  describe,
+  controls,
+  readouts,
+  verdict,
+  announce: (frame) => verdict(frame),
+  series: (frame) => frame.series,
+}

@@ -1,0 +1,105 @@
+/** Room A from above: path, robot, estimate with its ellipse, landmarks to drag, and the direction no reading sees. */
+
+import { dot, ellipsePath, evenPlane, meaning, segment } from '../../core/plot.js'
+import { fixed } from '../../core/words.js'
+
+/** @typedef {import('estimate-wasm').ProbeFrame} Frame */
+/** @typedef {import('../../core/pen.js').Pen} Pen */
+/** @typedef {import('../../core/plot.js').Plane} Plane */
+
+/** Half the length of a drawn direction, metres. */
+const ARM = 0.9
+
+/** @param {import('../../core/shell.js').Panel} panel @param {Frame} frame @param {import('../../core/spec.js').View} view */
+export function drawMap({ pen, width, height }, frame, view) {
+  const box = { left: 6, top: 6, right: width - 6, bottom: height - 6 }
+  const plane = evenPlane(box, [frame.room.width / 2, frame.room.height / 2], 3.35)
+  pen.draw(() => {
+    pen.window('scene', box, (to) => {
+      room(to, plane, frame)
+      sightings(to, plane, frame)
+      belief(to, plane, frame)
+    })
+    pen.group('handles', {}, (to) => handles(to, plane, frame, view))
+  })
+}
+
+/** @param {number[][]} points @param {Plane} plane */
+function polyline(points, plane) {
+  return points.map(([x, y], i) => `${i ? 'L' : 'M'}${plane.x(x).toFixed(1)} ${plane.y(y).toFixed(1)}`).join('')
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function room(pen, plane, { room: { width, height }, square, tracks }) {
+  const [x, y] = [plane.x(0), plane.y(height)]
+  pen.mark('rect', 'floor', { class: 'floor', x, y, width: plane.x(width) - x, height: plane.y(0) - y })
+  pen.mark('path', 'walls', { class: 'wall', d: `${polyline([[0, 0], [width, 0], [width, height], [0, height]], plane)}Z` })
+  pen.mark('path', 'square', { class: 'grid', fill: 'none', d: `${polyline(square, plane)}Z` })
+  pen.mark('path', 'track-truth', { ...meaning('track', 'truth'), d: polyline(tracks.truth, plane) })
+  pen.mark('path', 'track-estimate', { ...meaning('track', 'posterior'), d: polyline(tracks.estimate, plane) })
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function sightings(pen, plane, frame) {
+  for (const { landmark, range, outcome, to } of frame.sightings) {
+    const at = frame.landmarks[landmark]
+    const rejected = outcome === 'rejected'
+    segment(pen, `sight${landmark}`, plane, frame.truth, to ?? [at.x, at.y], meaning(rejected ? 'way dashed' : 'sight', 'measurement'))
+    if (frame.sensor === 'range') {
+      // All the places from which this range is read.
+      pen.mark('circle', `ring${landmark}`, { ...meaning('curve thin', 'measurement'), cx: plane.x(at.x), cy: plane.y(at.y), r: plane.x(range) - plane.x(0) })
+    }
+  }
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function belief(pen, plane, frame) {
+  const { estimate, truth, ellipse, frozen, alongPath } = frame
+  for (const { id, x, y, ellipse: spread } of frame.slam?.landmarks ?? []) {
+    pen.mark('path', `map${id}`, { ...meaning('outline', 'posterior'), d: ellipsePath(spread, [x, y], plane, 3) })
+    dot(pen, `founded${id}`, plane, [x, y], { ...meaning('full', 'posterior'), r: 3 })
+  }
+  pen.mark('path', 'ellipse', { ...meaning('outline', 'posterior'), d: ellipsePath(ellipse, estimate, plane) })
+  unseen(pen, plane, estimate, frozen, 'frozen', 'level')
+  unseen(pen, plane, estimate, alongPath, 'along the path', 'direction')
+  dot(pen, 'estimate', plane, estimate, { ...meaning('full', 'posterior'), r: 4 })
+  const [x, y, turn] = [plane.x(truth[0]), plane.y(truth[1]), (-truth[2] * 180) / Math.PI]
+  pen.mark('path', 'robot', { class: 'robot', d: 'M11 0L-7 7L-4 0L-7 -7Z', transform: `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${turn.toFixed(2)})` })
+}
+
+/**
+ * The directions that no output sees: a line through the estimate and, where the heading takes part, how it turns.
+ * @param {Pen} pen @param {Plane} plane @param {number[]} at
+ * @param {import('estimate-wasm').ProbeRanks} ranks @param {string} name @param {string} shape
+ */
+function unseen(pen, plane, at, { directions }, name, shape) {
+  directions.slice(0, 2).forEach(([dx, dy, turn], i) => {
+    const key = `${name}${i}`
+    const ends = [-ARM, ARM].map((arm) => [at[0] + arm * dx, at[1] + arm * dy])
+    if (dx !== 0 || dy !== 0) segment(pen, key, plane, ends[0], ends[1], { class: shape })
+    else pen.mark('circle', key, { class: shape, fill: 'none', cx: plane.x(at[0]), cy: plane.y(at[1]), r: 20 })
+    const degrees = (turn * 180) / Math.PI
+    const words = Math.abs(degrees) < 0.05 ? name : `${name}, ${fixed(Math.abs(degrees), 0)}° a metre`
+    const side = name === 'frozen' ? 0 : 1
+    const end = ends[side]
+    pen.text(`${key}-name`, { class: 'mark-name', x: plane.x(end[0]), y: plane.y(end[1]) + (plane.y(end[1]) > plane.y(at[1]) ? 15 : -6), 'text-anchor': end[0] < at[0] ? 'end' : 'start' }, words)
+  })
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view */
+function handles(pen, plane, frame, view) {
+  const { landmarks } = frame.params
+  const clamp = (/** @type {number} */ value, /** @type {number} */ high) => Math.max(0, Math.min(high, value))
+  landmarks.slice(0, frame.params.count).forEach(([x, y], i) => {
+    const put = (/** @type {number} */ px, /** @type {number} */ py) => ({
+      landmarks: landmarks.map((point, j) => (j === i ? [clamp(px, frame.room.width), clamp(py, frame.room.height)] : point)),
+    })
+    view.handle(pen, `landmark${i}`, {
+      at: [plane.x(x), plane.y(y)], label: `Landmark ${i + 1}`, name: String(i + 1), kin: 'measurement',
+      nameAt: [x > frame.room.width / 2 ? -22 : 15, y > frame.room.height / 2 ? 22 : -14],
+      value: `at ${fixed(x, 2)}, ${fixed(y, 2)} metres`,
+      move: (px, py) => put(plane.x.invert(px), plane.y.invert(py)),
+      nudge: (dx, dy) => put(x + 0.05 * dx, y + 0.05 * dy),
+    })
+  })
+}
