@@ -68,7 +68,7 @@ const styles = await build({
 collect(styles.metafile)
 
 for (const file of readdirSync(out).filter((name) => name.endsWith('.woff2'))) {
-  const logical = { 'serif-upright': 'text.woff2', 'KaTeX_Main-Regular': 'katex-main.woff2', 'KaTeX_Math-Italic': 'katex-math.woff2' }
+  const logical = { 'serif-upright': 'text.woff2', 'serif-italic': 'italic.woff2', sans: 'plain.woff2', 'KaTeX_Main-Regular': 'katex-main.woff2', 'KaTeX_Math-Italic': 'katex-math.woff2' }
   const name = logical[file.replace(/-[A-Z0-9]{8}\.woff2$/, '')]
   if (name) manifest[name] = file
 }

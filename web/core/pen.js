@@ -8,7 +8,7 @@
 import { SVG, writeSvg } from './words.js'
 
 /** @typedef {Record<string, string | number | null | undefined>} Attributes */
-/** @typedef {{ element: Element, turn: number, last: Map<string, string>, said: string, pen: Pen | null }} Held */
+/** @typedef {{ element: Element, turn: number, last: Map<string, string>, said: string, pen: Pen | null, stamp: string | null }} Held */
 
 export class Pen {
   /** @param {Element} root an `svg` or a `g` */
@@ -17,8 +17,12 @@ export class Pen {
     this.turn = 0
     /** @type {Map<string, Held>} */
     this.kept = new Map()
+    this.touched = 0
     /** @type {Element | null} */
     this.latest = null
+    /** The children as the last round left them; emptied when this round departs from them. @type {Element[]} */
+    this.order = []
+    this.next = 0
   }
 
   /**
@@ -27,13 +31,17 @@ export class Pen {
    */
   draw(paint) {
     this.turn += 1
+    this.touched = 0
+    this.next = 0
     this.latest = null
     paint(this)
+    if (this.touched === this.kept.size && this.next === this.order.length) return
     for (const [key, held] of this.kept) {
       if (held.turn === this.turn) continue
       held.element.remove()
       this.kept.delete(key)
     }
+    this.order = [...this.root.children]
   }
 
   /**
@@ -65,9 +73,10 @@ export class Pen {
    * @param {string} key
    * @param {Attributes} attributes
    * @param {(pen: Pen) => void} paint
+   * @param {string} [stamp] what the picture depends on: while it stays the same nothing is painted anew
    */
-  group(key, attributes, paint) {
-    return this.nest('g', key, attributes, paint)
+  group(key, attributes, paint, stamp) {
+    return this.nest('g', key, attributes, paint, stamp)
   }
 
   /**
@@ -86,9 +95,12 @@ export class Pen {
    * @param {string} key
    * @param {Attributes} attributes
    * @param {(pen: Pen) => void} paint
+   * @param {string} [stamp]
    */
-  nest(tag, key, attributes, paint) {
+  nest(tag, key, attributes, paint, stamp) {
     const held = this.hold(tag, key, attributes)
+    if (stamp !== undefined && held.stamp === stamp) return held.element
+    held.stamp = stamp ?? null
     held.pen ??= new Pen(held.element)
     held.pen.draw(paint)
     return held.element
@@ -104,12 +116,14 @@ export class Pen {
     let held = this.kept.get(key)
     if (!held) {
       const element = this.root.ownerDocument.createElementNS(SVG, tag)
-      held = { element, turn: 0, last: new Map(), said: '', pen: null }
+      held = { element, turn: 0, last: new Map(), said: '', pen: null, stamp: null }
       this.kept.set(key, held)
     }
     this.place(held.element)
+    if (held.turn !== this.turn) this.touched += 1
     held.turn = this.turn
-    for (const [name, value] of Object.entries(attributes)) {
+    for (const name in attributes) {
+      const value = attributes[name]
       const text = typeof value === 'number' ? String(Math.round(value * 100) / 100) : value
       if (held.last.get(name) === text) continue
       if (text === null || text === undefined) {
@@ -129,6 +143,13 @@ export class Pen {
    * @param {Element} element
    */
   place(element) {
+    if (this.order[this.next] === element) {
+      this.next += 1
+      this.latest = element
+      return
+    }
+    this.order = []
+    this.next = -1
     const next = () => (this.latest ? this.latest.nextElementSibling : this.root.firstElementChild)
     if (element.parentNode !== this.root) this.root.insertBefore(element, next())
     else for (let before = next(); before && before !== element; before = next()) this.root.append(before)

@@ -70,9 +70,10 @@ export function halves({ semiMajor, semiMinor, angle }) {
  */
 export function axes(pen, { x, y, box }, names = {}) {
   const [nx, ny] = names.ticks ?? [5, 5]
+  const stamp = JSON.stringify([x.domain(), y.domain(), box, names])
   const plainly = (/** @type {number} */ value) => String(value)
-  const format = { x: x.tickFormat(nx), y: 'base' in y ? plainly : y.tickFormat(ny) }
   pen.group('axes', { class: 'axes' }, (to) => {
+    const format = { x: x.tickFormat(nx), y: 'base' in y ? plainly : y.tickFormat(ny) }
     for (const value of shown(y.ticks(ny), y, box.top, box.bottom)) {
       const at = y(value)
       if (names.grid !== false) to.mark('line', `gy${value}`, { class: 'grid', x1: box.left, x2: box.right, y1: at, y2: at })
@@ -92,7 +93,7 @@ export function axes(pen, { x, y, box }, names = {}) {
     if (names.title) to.text('title', { class: 'plot-title', x: box.left, y: box.top - 9 }, names.title)
     if (names.x) to.text('x', { class: 'axis-name', x: box.right, y: box.bottom + 32, 'text-anchor': 'end' }, names.x)
     if (names.y) to.text('y', { class: 'axis-name', x: box.left, y: box.top - 9 }, names.y)
-  })
+  }, stamp)
 }
 
 /** @param {number} at @param {number} low @param {number} high */
@@ -108,6 +109,8 @@ function shown(ticks, scale, low, high) {
   return lead.length <= 7 ? lead : all.filter((value) => Number.isInteger(Math.round(Math.log10(value) * 1e6) / 1e6))
 }
 
+const CIRCLE = Array.from({ length: 84 }, (_, i) => [Math.cos((i / 42) * Math.PI), Math.sin((i / 42) * Math.PI)])
+
 /**
  * The outline of an ellipse under the plane's scales.
  * @param {{ semiMajor: number, semiMinor: number, angle: number }} ellipse
@@ -118,10 +121,9 @@ function shown(ticks, scale, low, high) {
 export function ellipsePath({ semiMajor, semiMinor, angle }, centre, plane, radius = 1) {
   const [c, s] = [Math.cos(angle), Math.sin(angle)]
   let path = ''
-  for (let i = 0; i < 96; i += 1) {
-    const turn = (i / 96) * 2 * Math.PI
-    const [a, b] = [radius * semiMajor * Math.cos(turn), radius * semiMinor * Math.sin(turn)]
-    path += `${i ? 'L' : 'M'}${pixel(plane.x(centre[0] + c * a - s * b))} ${pixel(plane.y(centre[1] + s * a + c * b))}`
+  for (const [u, v] of CIRCLE) {
+    const [a, b] = [radius * semiMajor * u, radius * semiMinor * v]
+    path += `${path ? 'L' : 'M'}${pixel(plane.x(centre[0] + c * a - s * b))} ${pixel(plane.y(centre[1] + s * a + c * b))}`
   }
   return `${path}Z`
 }

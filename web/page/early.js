@@ -1,4 +1,7 @@
-/** Before the first paint: scripts are on, and the reader's theme and notation are as they left them. */
+/**
+ * Before the first paint: scripts are on, theme and notation are as the reader left them, and the text waits a moment
+ * for its faces (style sheets stand before this script, so they are known), so that no line moves once it is there.
+ */
 
 const root = document.documentElement
 root.classList.add('js')
@@ -10,3 +13,9 @@ try {
 } catch {
   // Without storage a page begins as everyone's does.
 }
+
+const show = () => root.classList.remove('waiting')
+const faces = ['400 1em Text', 'italic 400 1em Text', '400 1em Plain'].map((face) => document.fonts.load(face))
+root.classList.add('waiting')
+setTimeout(show, 1200)
+Promise.all(faces).then(show, show)
