@@ -5,4 +5,5 @@ export const WIDGETS = {
   'observability-probe': () => import('./observability-probe.js').then((module) => module.observabilityProbe),
   'kalman-picture': () => import('./kalman-picture.js').then((module) => module.kalmanPicture),
   'observer-bench': () => import('./observer-bench.js').then((module) => module.observerBench),
+  'odometry-hook': () => import('./odometry-hook.js').then((module) => module.odometryHook),
 }

@@ -1,0 +1,121 @@
+/**
+ * The odometry hook: a lap of the corridor on encoders with a biased wheel. The error outruns the ellipse; fixes from
+ * mapped corners hold the position, and the heading shows what the model still does not know.
+ */
+
+import { fixed } from '../core/words.js'
+import { drawHeading, drawPosition } from './odometry-hook/history.js'
+import { drawMap } from './odometry-hook/map.js'
+
+/** @typedef {import('estimate-wasm').HookFrame} Frame */
+
+// State: one whole lap, so that the picture shows the error before anyone plays.
+
+const start = { params: { bias: 0.005, slip: 0.001, fixes: false, seed: 1 }, step: 640 }
+
+// Model: the lab `OdometryHook` in the module. What follows only reads its frame.
+
+/** @param {number} angle */
+const degrees = (angle) => (angle * 180) / Math.PI
+
+/** @param {number} ratio */
+const times = (ratio) => `${fixed(ratio, 1)} times the σ it claims`
+
+/** An error in words: within the claim, near it, or past it. @param {string} off @param {number | null} ratio */
+function against(off, ratio) {
+  if (ratio === null) return `off by ${off}, and the filter claims no error at all`
+  if (ratio > 0.95 && ratio < 1.05) return `off by ${off}, about the σ it claims`
+  if (ratio <= 1) return `off by ${off}, within the σ it claims`
+  return `off by ${off}, ${times(ratio)}`
+}
+
+/** @param {Frame} frame */
+function verdict(frame) {
+  const { error, ratio, params, step, lastSighting } = frame
+  if (step === 0) return 'At the start the pose is known exactly.'
+  const heading = `The heading is ${against(`${fixed(Math.abs(degrees(error.heading)), 1)}°`, ratio.heading)}.`
+  const position = `position is ${against(`${fixed(error.position, 2)} m`, ratio.position)}`
+  if (!params.fixes) {
+    const outrun = (ratio.position ?? Infinity) > 2 ? ': the error has outrun the ellipse' : ''
+    return `Dead reckoning: the ${position}${outrun}. ${heading}`
+  }
+  if (!lastSighting) return `No corner seen yet: the ${position}. ${heading}`
+  return `With fixes, the ${position}. ${heading}`
+}
+
+/** @param {Frame} frame */
+function describe(frame) {
+  const { error, sigma, params, step, lap } = frame
+  const track = params.fixes ? 'the estimate corrected by mapped corners' : 'the dead-reckoned track'
+  const seen = frame.lastSighting ? ` Corner ${frame.lastSighting.landmark + 1} was seen last, ${step - frame.lastSighting.step} ticks ago.` : ''
+  const turn = (/** @type {number} */ angle) => `${fixed(Math.abs(degrees(angle)), 1)} degrees`
+  return {
+    map: `Map of the corridor's loop at tick ${step}, ${lap} whole laps driven: the true track and ${track}, ${fixed(error.position, 2)} metres apart now, with an ellipse of semi-axes ${fixed(frame.ellipse.semiMajor, 2)} and ${fixed(frame.ellipse.semiMinor, 2)} metres.${seen}`,
+    position: `Position error over time, now ${fixed(error.position, 2)} metres against a claimed σ of ${fixed(sigma.position, 2)}.`,
+    heading: `Heading error over time, now ${turn(error.heading)} against a claimed σ of ${turn(sigma.heading)}.`,
+  }
+}
+
+/** @param {Frame} frame @param {Frame} before */
+function announce(frame, before) {
+  return `${frame.step === before.step ? '' : `Tick ${frame.step}: `}${verdict(frame)}`
+}
+
+// View: the map, and the two errors against what is claimed.
+
+/** @param {Record<string, import('../core/shell.js').Panel>} panels @param {Frame} frame @param {import('../core/spec.js').View} view */
+function draw(panels, frame, view) {
+  const moving = drawMap(panels.map, frame, view)
+  if (view.memory.drawn === frame && view.memory.width === panels.position.width) return moving
+  view.memory.drawn = frame
+  view.memory.width = panels.position.width
+  drawPosition(panels.position, frame)
+  drawHeading(panels.heading, frame)
+  return moving
+}
+
+/** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
+function readouts({ step, error, sigma, ratio }) {
+  const angle = (/** @type {number} */ value) => fixed(degrees(value), 1)
+  return [
+    { key: 'step', label: 'Tick', value: String(step) },
+    { key: 'position', label: 'Position error', value: fixed(error.position, 2), unit: 'm', kin: 'truth' },
+    { key: 'position-sigma', label: 'claimed *σ*', value: fixed(sigma.position, 2), unit: 'm' },
+    { key: 'position-ratio', label: 'error / *σ*', value: fixed(ratio.position, 1) },
+    { key: 'heading', label: 'Heading error', value: angle(error.heading), unit: '°', kin: 'truth' },
+    { key: 'heading-sigma', label: 'claimed *σ*', value: angle(sigma.heading), unit: '°' },
+    { key: 'heading-ratio', label: 'error / *σ*', value: fixed(ratio.heading, 1) },
+  ]
+}
+
+// Controls.
+
+/** @type {import('../core/controls.js').Control[]} */
+const controls = [
+  { kind: 'range', name: 'bias', label: 'Wheel-radius bias', min: 0, max: 0.01, step: 0.0005, words: (value) => `${fixed(value * 100, 2)} %` },
+  { kind: 'range', name: 'slip', label: 'Slip per wheel and tick', min: 0, max: 0.005, step: 0.0001, words: (value) => `${fixed(value * 1000, 1)} mm` },
+  { kind: 'toggle', name: 'fixes', label: 'landmark fixes' },
+]
+
+/** @type {import('../core/spec.js').FigureSpec} */
+export const odometryHook = {
+  tag: 'odometry-hook',
+  lab: 'OdometryHook',
+  name: 'odometry-hook',
+  start,
+  seeded: true,
+  pace: 40,
+  stride: 10,
+  panels: [
+    { name: 'map', width: 590, height: 430 },
+    { name: 'position', width: 350, height: 205 },
+    { name: 'heading', width: 350, height: 205 },
+  ],
+  draw,
+  describe,
+  controls,
+  readouts,
+  verdict,
+  announce,
+  series: (frame) => frame.series,
+}

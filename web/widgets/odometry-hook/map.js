@@ -1,0 +1,122 @@
+/** The corridor from above: where the robot is, where it believes to be, and how sure it claims to be. */
+
+import { Span } from '../../core/motion.js'
+import { dot, ellipsePath, evenPlane, halves, meaning, segment, seriesPath } from '../../core/plot.js'
+
+/** @typedef {import('estimate-wasm').HookFrame} Frame */
+/** @typedef {import('../../core/pen.js').Pen} Pen */
+/** @typedef {import('../../core/plot.js').Plane} Plane */
+
+/** Ticks a sightline takes to fade. */
+const FLASH = 40
+const NOSE = 17
+
+/**
+ * @param {import('../../core/shell.js').Panel} panel
+ * @param {Frame} frame
+ * @param {import('../../core/spec.js').View} view
+ * @returns {boolean} whether the camera still moves
+ */
+export function drawMap({ pen, width, height }, frame, view) {
+  const [across, up] = (view.memory.map ??= [new Span(), new Span()])
+  const moving = [0, 1].map((axis) => (axis ? up : across).follow(...reach(frame, axis), view.elapsed)).includes(true)
+  const box = { left: 0, top: 0, right: width, bottom: height }
+  const [x, y] = [across.now, up.now]
+  const unit = Math.min(width / (x[1] - x[0]), height / (y[1] - y[0]))
+  const plane = evenPlane(box, [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2], Math.min(width, height) / 2 / unit)
+  pen.draw(() => {
+    pen.window('scene', box, (to) => {
+      drawBuilding(to, plane, frame)
+      drawTracks(to, plane, frame)
+      drawSight(to, plane, frame)
+      drawRobots(to, plane, frame)
+    })
+    drawNames(pen, plane, frame)
+  })
+  return moving
+}
+
+/** What has to be seen: the course with its corridor, and both tracks. @param {Frame} frame @param {number} axis @returns {[number, number]} */
+function reach({ world, tracks, estimate, ellipse }, axis) {
+  const corners = world.corners.map((corner) => (axis ? corner.y : corner.x))
+  const half = halves(ellipse)[axis] + 0.5
+  const all = [...corners, ...tracks.estimate.map((at) => at[axis]), estimate[axis] - half, estimate[axis] + half]
+  const [low, high] = [Math.min(...all), Math.max(...all)]
+  const spare = (high - low) * 0.09 // the camera adds its own margin
+  return [low + spare, high - spare]
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawBuilding(pen, plane, { world }) {
+  const { x, y } = plane
+  for (const room of world.rooms) {
+    const [left, top] = [x(room.x), y(room.y + room.height)]
+    pen.mark('rect', `room${room.name}`, { class: 'room', x: left, y: top, width: x(room.x + room.width) - left, height: y(room.y) - top })
+  }
+  pen.group('walls', { 'stroke-opacity': 0.4 }, (to) => {
+    world.walls.forEach(([x1, y1, x2, y2], i) => segment(to, `wall${i}`, plane, [x1, y1], [x2, y2], { class: 'wall' }))
+  })
+  for (const { id, x: cx, y: cy } of world.corners) {
+    pen.mark('rect', `corner${id}`, { class: 'corner', x: x(cx) - 4, y: y(cy) - 4, width: 8, height: 8 })
+  }
+}
+
+/** @param {Frame} frame */
+function kinOf({ params }) {
+  return params.fixes ? 'posterior' : 'prediction'
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawTracks(pen, plane, frame) {
+  const kin = kinOf(frame)
+  const path = (/** @type {number[][]} */ points) => seriesPath(plane, points.map((at) => at[0]), points.map((at) => at[1]))
+  for (const { step, x, ellipse } of frame.trail) {
+    if (step !== frame.step) pen.mark('path', `trail${step}`, { ...meaning('area', kin), d: ellipsePath(ellipse, x, plane) })
+  }
+  pen.mark('path', 'truth-track', { ...meaning('track', 'truth'), d: path(frame.tracks.truth) })
+  pen.mark('path', 'estimate-track', { ...meaning('track', kin), d: path(frame.tracks.estimate) })
+  if (frame.params.fixes && frame.sightings.length) {
+    pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(frame.predicted.ellipse, frame.predicted.x, plane) })
+  }
+  pen.mark('path', 'ellipse', { ...meaning('outline', kin), d: ellipsePath(frame.ellipse, frame.estimate, plane) })
+}
+
+/** A corner is read in one tick: the line stays for a second and fades; dashed where the filter does not use it. @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawSight(pen, plane, { step, lastSighting, params }) {
+  if (!lastSighting || step - lastSighting.step >= FLASH) return
+  const { from, x, y } = lastSighting
+  const opacity = 1 - (step - lastSighting.step) / FLASH
+  segment(pen, 'sight', plane, from, [x, y], { ...meaning(params.fixes ? 'line' : 'line dashed', 'measurement'), 'stroke-opacity': opacity })
+  dot(pen, 'seen', plane, [x, y], { ...meaning('sight', 'measurement'), r: 9, 'stroke-opacity': opacity })
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawRobots(pen, plane, frame) {
+  const kin = kinOf(frame)
+  robot(pen, 'truth', plane, frame.truth, 'hollow', 'truth')
+  robot(pen, 'estimate', plane, frame.estimate, frame.params.fixes ? 'full' : 'hollow', kin)
+}
+
+/** @param {Pen} pen @param {string} key @param {Plane} plane @param {number[]} pose @param {string} shape @param {import('../../core/plot.js').Kin} kin */
+function robot(pen, key, plane, [px, py, heading], shape, kin) {
+  const [x, y] = [plane.x(px), plane.y(py)]
+  const [c, s] = [Math.cos(heading), -Math.sin(heading)]
+  pen.mark('line', `${key}-nose`, { ...meaning('line', kin), x1: x, y1: y, x2: x + NOSE * c, y2: y + NOSE * s })
+  dot(pen, `${key}-body`, plane, [px, py], { ...meaning(shape, kin), r: 6.5 })
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawNames(pen, { x, y, box }, frame) {
+  const { truth, estimate, world } = frame
+  const above = truth[1] >= estimate[1]
+  const clamp = (/** @type {number} */ at, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, at))
+  const truthAt = { x: clamp(x(truth[0]), 32, box.right - 32), y: clamp(y(truth[1]) + (above ? -13 : 24), 12, box.bottom - 5) }
+  pen.text('truth-name', { class: 'mark-name truth', ...truthAt, 'text-anchor': 'middle' }, 'truth')
+  const right = x(estimate[0]) < box.right - 100
+  const estimateAt = { x: x(estimate[0]) + (right ? 24 : -24), y: clamp(y(estimate[1]) + 5, 12, box.bottom - 5), 'text-anchor': right ? 'start' : 'end' }
+  pen.text('estimate-name', { class: `mark-name ${kinOf(frame)}`, ...estimateAt }, frame.params.fixes ? 'estimate' : 'odometry')
+  for (const { id, x: cx, y: cy } of world.corners) {
+    const left = cx > 5
+    pen.text(`corner-name${id}`, { class: 'label', x: x(cx) + (left ? 8 : -8), y: y(cy) + 4, 'text-anchor': left ? 'start' : 'end' }, String(id + 1))
+  }
+}
