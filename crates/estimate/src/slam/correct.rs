@@ -6,9 +6,9 @@ use crate::error::Error;
 use geom::{MIN_PIVOT, Spd, wrap};
 use nalgebra::Vector2;
 
-/// Rounding that may sit in P, as a part of its largest variance, before P is looked over: a tenth of
-/// [`validate::SEMIDEFINITE_TOLERANCE`].
-const ROUNDING: f64 = 1e-13;
+/// Rounding that may sit in P, as a part of its largest variance, before P is looked over: well within
+/// [`crate::validate::SEMIDEFINITE_TOLERANCE`], 1e-12.
+const ROUNDING: f64 = 2e-13;
 
 /// Up to this many states P is looked over at every change.
 const ALWAYS: usize = 35;
@@ -49,7 +49,7 @@ impl EkfSlam {
         let rounding = libm::hypot(self.rounding, f64::EPSILON * scale);
         // A small state is always looked over, a large one rarely: in an ordinary run its variances never fall far below what
         // they were.
-        let suspect = self.x.len() <= ALWAYS || rounding > ROUNDING * after;
+        let suspect = self.x.len() <= ALWAYS || rounding > (ROUNDING + 2.0 * self.resolution()) * after;
         let before = suspect.then(|| self.clone());
         change(self);
         self.rounding = rounding;
@@ -134,5 +134,10 @@ impl EkfSlam {
         }
         let sound = filters::linear::is_finite(&p) && p.cholesky().is_some();
         sound.then_some(part * largest)
+    }
+
+    /// A factorization of n rows knows its pivots to n roundings itself.
+    fn resolution(&self) -> f64 {
+        self.x.len() as f64 * f64::EPSILON
     }
 }
