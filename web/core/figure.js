@@ -6,8 +6,9 @@
  */
 
 import { asCsv, asSvg, save } from './download.js'
+import { hideFailure, showFailure } from './failure.js'
 import { liveHandles } from './handle.js'
-import { readState, withState } from './link.js'
+import { openLab, withState } from './link.js'
 import { loadModule } from './module.js'
 import { STEP_MS, ease } from './motion.js'
 import { buildShell } from './shell.js'
@@ -114,35 +115,17 @@ class Figure {
 
   async start() {
     this.host.dataset.state = 'loading'
-    this.host.querySelector('.figure-failure')?.remove()
+    hideFailure(this.host)
     const loaded = await loadModule()
     if (!loaded.ok) return this.fail(loaded.why)
     try {
-      const notice = this.open(loaded.module)
+      const { lab, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
+      this.lab = lab
       this.live()
-      if (notice) this.tell(notice)
+      if (mangled) this.tell('The link to this figure could not be read; it shows its usual state.')
     } catch (error) {
       this.fail(error instanceof Error ? error.message : 'its lab could not be started')
     }
-  }
-
-  /**
-   * The lab in the state of the address, of the page, or of the specification, in this order.
-   * @param {any} module
-   */
-  open(module) {
-    const Lab = module[this.spec.lab]
-    if (!Lab) throw new Error(`the module holds no ${this.spec.lab}`)
-    const start = { ...this.spec.start, ...JSON.parse(this.host.dataset.start ?? '{}') }
-    const usual = { version: 1, lab: this.spec.name, step: start.step, params: { ...this.spec.start.params, ...start.params } }
-    const linked = readState(location.href, this.id, this.spec.name)
-    try {
-      this.lab = Lab.from(linked && linked !== 'mangled' ? linked : usual)
-    } catch {
-      this.lab = Lab.from(usual)
-      return 'The link to this figure could not be read; it shows its usual state.'
-    }
-    return linked === 'mangled' ? 'The link to this figure could not be read; it shows its usual state.' : ''
   }
 
   live() {
@@ -172,18 +155,7 @@ class Figure {
 
   /** @param {string} why */
   fail(why) {
-    this.host.dataset.state = 'failed'
-    const words = document.createElement('p')
-    words.className = 'figure-failure'
-    words.setAttribute('role', 'status')
-    words.append(`This figure is a still picture: ${why}. `)
-    const again = document.createElement('button')
-    again.type = 'button'
-    again.className = 'button'
-    again.textContent = 'Try again'
-    again.addEventListener('click', () => this.start())
-    words.append(again)
-    this.host.append(words)
+    showFailure(this.host, why, () => this.start())
   }
 
   measure() {

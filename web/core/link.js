@@ -46,3 +46,25 @@ export function readState(address, figure, lab) {
     return 'mangled'
   }
 }
+
+/**
+ * A lab in the state of the address, else of the page (`data-start`), else of the specification.
+ * @param {any} module
+ * @param {import('./spec.js').FigureSpec} spec
+ * @param {string} figure
+ * @param {string | undefined} given
+ * @returns {{ lab: any, mangled: boolean }}
+ */
+export function openLab(module, spec, figure, given) {
+  const Lab = module[spec.lab]
+  if (!Lab) throw new Error(`the module holds no ${spec.lab}`)
+  const page = JSON.parse(given ?? '{}')
+  const usual = { version: VERSION, lab: spec.name, step: page.step ?? spec.start.step, params: { ...spec.start.params, ...page.params } }
+  const linked = readState(location.href, figure, spec.name)
+  if (linked === null || linked === 'mangled') return { lab: Lab.from(usual), mangled: linked === 'mangled' }
+  try {
+    return { lab: Lab.from(linked), mangled: false }
+  } catch {
+    return { lab: Lab.from(usual), mangled: true }
+  }
+}

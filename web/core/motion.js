@@ -43,35 +43,7 @@ export function between(from, to, t) {
   }
 }
 
-/**
- * A camera's reach: at once at first, then gliding. It widens when the picture outgrows it and narrows only when the
- * picture has become much smaller, so that it does not breathe with every step.
- */
-export class Zoom {
-  constructor() {
-    /** @type {number | null} */
-    this.reach = null
-    this.goal = 1
-  }
-
-  /**
-   * @param {number} extent what has to be seen
-   * @param {number} elapsed milliseconds since the last frame; infinite for a still
-   * @returns {boolean} whether it still moves
-   */
-  follow(extent, elapsed) {
-    const wide = Number.isFinite(extent) && extent > 0 ? extent : 1
-    if (this.reach === null || wide > this.goal || wide < this.goal / 2.2) this.goal = wide * 1.18
-    if (this.reach === null) this.reach = this.goal
-    const t = 1 - Math.exp(-elapsed / 110)
-    const reach = Math.exp(mix(Math.log(this.reach), Math.log(this.goal), t))
-    const arrived = Math.abs(Math.log(reach / this.goal)) < 0.002
-    this.reach = arrived ? this.goal : reach
-    return !arrived
-  }
-}
-
-/** As a zoom, for one axis of its own: an interval that follows what has to be seen, at rest while that fits well. */
+/** One axis of a camera: at once at first, then gliding after what has to be seen, and at rest while that fits well. */
 export class Span {
   constructor() {
     /** @type {[number, number] | null} */

@@ -4,6 +4,11 @@ import { dot, evenPlane, meaning } from '../../core/plot.js'
 import { complex, fixed } from '../../core/words.js'
 
 const REACH = 1.32
+/** A gain set by hand and the filter's gain have letters of their own in both conventions. */
+const TITLE = {
+  fixed: { choset: 'eigenvalues of (*I* − *KH*)*F*', thrun: 'eigenvalues of (*I* − *LC*)*A*' },
+  filter: { choset: 'eigenvalues of (*I* − *RH*)*F*', thrun: 'eigenvalues of (*I* − *KC*)*A*' },
+}
 
 /**
  * @param {import('../../core/shell.js').Panel} panel
@@ -13,7 +18,7 @@ export function drawDisc({ pen, width, height }, frame) {
   const plane = evenPlane({ left: 14, top: 30, right: width - 14, bottom: height - 12 }, [0, 0], REACH)
   const { x, y, box } = plane
   pen.draw(() => {
-    pen.text('title', { class: 'plot-title', x: box.left, y: 16 }, { choset: 'eigenvalues of (*I* − *KH*)*F*', thrun: 'eigenvalues of (*I* − *KC*)*A*' })
+    pen.text('title', { class: 'plot-title', x: box.left, y: 16 }, TITLE[frame.params.mode])
     pen.mark('circle', 'disc', { class: 'disc', cx: x(0), cy: y(0), r: x(1) - x(0) })
     pen.mark('line', 'real', { class: 'zero', x1: box.left, x2: box.right, y1: y(0), y2: y(0) })
     pen.mark('line', 'imaginary', { class: 'zero', x1: x(0), x2: x(0), y1: box.top, y2: box.bottom })
