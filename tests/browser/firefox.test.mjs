@@ -66,6 +66,11 @@ test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : not
   }
 })
 
-test('Firefox had nothing to complain about', { skip: firefox ? false : notice }, () => {
-  assert.deepEqual(complaints, [])
+test('Firefox had nothing to complain about', { skip: firefox ? false : notice }, async () => {
+  // While the page still streams in, Firefox may lay a formula out between its first child and its second, and says so.
+  // What counts is the page as it stands.
+  const half = (complaint) => complaint.includes('Incorrect number of children for <msub/>')
+  assert.deepEqual(complaints.filter((complaint) => !half(complaint)), [])
+  const lacking = await page.evaluate(() => [...document.querySelectorAll('msub')].filter((one) => one.children.length !== 2).length)
+  assert.equal(lacking, 0)
 })

@@ -9,7 +9,8 @@ const REGIONS = [['head', '.chapter-head'], ['derivation', 'details.derivation']
 for (const theme of ['light', 'dark']) {
   for (const [size, viewport] of [['desktop', DESKTOP], ['phone', PHONE]]) {
     test(`widgets and regions look as they did, ${theme}, ${size}`, { timeout: 180_000 }, async (t) => {
-      const page = await open(t, { theme, viewport, touch: size === 'phone' })
+      // Tall enough for every figure: a picture of one that is taller than the window makes the page scroll as it is taken.
+      const page = await open(t, { theme, viewport: { ...viewport, height: 2400 }, touch: size === 'phone' })
       await page.evaluate(() => document.fonts.ready)
       for (const tag of WIDGETS) {
         const element = await figure(page, tag)

@@ -50,9 +50,9 @@ function describe(frame) {
 /** @param {Frame} frame @param {Frame} before */
 function announce(frame, before) {
   const { params } = frame
-  if (frame.diverged || params.sensor !== before.params.sensor || frame.stable !== before.stable) return verdict(frame)
-  const knob = params.mode === 'filter' ? `equivalent knob ${fixed(frame.equivalentKnob, 3)}` : `gain ${fixed(params.gain, 2)} R∞, ${verdict(frame)}`
   const step = frame.step === before.step ? '' : `Step ${frame.step}: `
+  if (frame.diverged || params.sensor !== before.params.sensor || frame.stable !== before.stable) return `${step}${verdict(frame)}`
+  const knob = params.mode === 'filter' ? `equivalent knob ${fixed(frame.equivalentKnob, 3)}` : `gain ${fixed(params.gain, 2)} R∞, ${verdict(frame)}`
   return `${step}${knob}`
 }
 
