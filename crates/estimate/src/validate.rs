@@ -58,7 +58,8 @@ pub fn matrix(m: DMatrix<f64>, (rows, columns): (usize, usize), argument: &'stat
 
 /// `m`, made exactly symmetric, when it is a covariance of `n` components: finite, symmetric to
 /// [`SYMMETRY_TOLERANCE`] of its largest entry, and positive semidefinite to [`SEMIDEFINITE_TOLERANCE`] of its largest
-/// eigenvalue.
+/// eigenvalue. A negative eigenvalue so allowed is answered as zero: a filter may shrink the largest one by any factor and
+/// would leave the negative one standing beside it.
 ///
 /// # Errors
 /// [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`], blaming `argument`.
@@ -82,20 +83,27 @@ pub fn covariance(m: DMatrix<f64>, n: usize, argument: &'static str) -> Result<D
     }
     // Scaled, so that the factorization of a large covariance cannot overflow.
     let scaled = &m / largest;
-    if scaled.clone().cholesky().is_none() {
-        let (sizes, _) = filters::linear::jacobi(scaled.clone())
-            .ok_or_else(|| Error::new(Code::DidNotConverge, argument, "its eigenvalues were not found"))?;
-        // Raised by its allowance, a matrix that is semidefinite to that much has a Cholesky factor.
-        let allowance = SEMIDEFINITE_TOLERANCE * sizes[0];
-        if (scaled + DMatrix::identity(n, n) * allowance).cholesky().is_none() {
-            return Err(Error::new(
-                Code::NotPositiveSemidefinite,
-                argument,
-                "has a negative eigenvalue; a covariance has none",
-            ));
-        }
+    let raised_by = |part: f64| (&scaled + DMatrix::identity(n, n) * part).cholesky().is_some();
+    if raised_by(0.0) {
+        return Ok(m);
     }
-    Ok(m)
+    let (sizes, directions) = filters::linear::jacobi(scaled.clone())
+        .ok_or_else(|| Error::new(Code::DidNotConverge, argument, "its eigenvalues were not found"))?;
+    // Raised by its allowance, a matrix that is semidefinite to that much has a Cholesky factor.
+    if !raised_by(SEMIDEFINITE_TOLERANCE * sizes[0]) {
+        return Err(Error::new(
+            Code::NotPositiveSemidefinite,
+            argument,
+            "has a negative eigenvalue; a covariance has none",
+        ));
+    }
+    // The singular values have lost their signs.
+    let eigenvalues = DVector::from_fn(n, |i, _| directions.column(i).dot(&(&scaled * directions.column(i))));
+    if eigenvalues.min() >= 0.0 {
+        return Ok(m);
+    }
+    let eigenvalues = DMatrix::from_diagonal(&eigenvalues.map(|value| value.max(0.0)));
+    Ok(filters::linear::symmetric(&directions * eigenvalues * directions.transpose()) * largest)
 }
 
 /// `tolerance`, when it is finite and not negative.

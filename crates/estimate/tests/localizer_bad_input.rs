@@ -86,3 +86,32 @@ proptest! {
         }
     }
 }
+
+fn localizer_of(p: [f64; 3], w: [f64; 2]) -> EkfLocalizer {
+    let belief = Belief { x: DVector::zeros(3), p: DMatrix::from_diagonal(&DVector::from_row_slice(&p)) };
+    let map = vec![Landmark { id: 0, x: 0.0, y: -2.5 }];
+    let w = DMatrix::from_diagonal(&DVector::from_row_slice(&w));
+    EkfLocalizer::new(belief, map, w, None, SensorKind::RangeBearing).expect("covariances, to rounding")
+}
+
+/// What the property above once found: a variance of 10¹⁷ m² read away without noise, a W that is semidefinite only beside
+/// its largest entry, a P of the same kind driven far.
+#[test]
+fn a_covariance_remains_where_scales_collapse() {
+    let reading = Reading { range: 0.0, bearing: Some(0.0), landmark: None };
+    let sound = |ekf: &EkfLocalizer| validate::covariance(ekf.belief().p, 3, "P").map(|_| ());
+
+    let mut far = localizer_of([0.0, 0.0, 0.162], [0.0, 0.0]);
+    far.predict(DVector::from_vec(vec![1e9, 0.0]), DMatrix::zeros(3, 3)).expect("finite");
+    if far.update(reading).is_ok() {
+        assert_eq!(sound(&far), Ok(()));
+    }
+
+    let mut lopsided = localizer_of([0.0, 46.1, 24.6], [1e154, -3.02]);
+    lopsided.update(reading).expect("W is a covariance to rounding");
+    assert_eq!(sound(&lopsided), Ok(()));
+
+    let mut driven = localizer_of([1e154, 0.0, -0.438], [0.1, 0.1]);
+    driven.predict(DVector::from_vec(vec![1e154, 0.0]), DMatrix::zeros(3, 3)).expect("finite");
+    assert_eq!(sound(&driven), Ok(()));
+}

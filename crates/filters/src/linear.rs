@@ -28,6 +28,10 @@ where
     pub p: OMatrix<f64, N, N>,
 }
 
+/// The rounding that Joseph's form may leave, as a part of the largest variance: well within what a covariance is allowed
+/// to be off by, 10⁻¹².
+const MAX_ROUNDING: f64 = 5e-14;
+
 /// True when no entry is a NaN or an infinity.
 pub fn is_finite<R: Dim, C: Dim>(m: &OMatrix<f64, R, C>) -> bool
 where
@@ -99,7 +103,8 @@ where
 /// The gain K = Σ̄ Cᵀ S⁻¹ (n×m), S (m×m), and the corrected covariance, for the predicted covariance `p`.
 ///
 /// Where S is so ill-conditioned that a factor of it would lose more than half of its digits (a pivot below
-/// [`MIN_PIVOT`]), gain and covariance come from an orthogonal factorization of square roots instead, which keeps them.
+/// [`MIN_PIVOT`]), or the reading leaves so little of the variance that the rounding of the terms of Joseph's form would
+/// show, gain and covariance come from an orthogonal factorization of square roots instead, which keeps them.
 ///
 /// # Errors
 /// [`Error::InnovationNotPositiveDefinite`] when S is singular even to that, [`Error::NotFinite`] when a product of
@@ -114,15 +119,47 @@ where
 {
     let cp = c * p;
     let s = finite(symmetric(&cp * c.transpose() + q), "S")?;
-    let (k, posterior) = match Spd::new(s.clone()).filter(|spd| spd.pivot() >= MIN_PIVOT) {
-        Some(spd) => {
-            let k = spd.solve(&cp).transpose();
-            let posterior = joseph(p, &k, c, q);
-            (k, posterior)
-        }
+    let factor = Spd::new(s.clone()).filter(|spd| spd.pivot() >= MIN_PIVOT && plainly_semidefinite(q));
+    let joseph_form = factor.and_then(|spd| {
+        let k = spd.solve(&cp).transpose();
+        let posterior = joseph(p, &k, c, q);
+        let sound = f64::EPSILON * largest_terms(p, &k, c) <= MAX_ROUNDING * largest_variance(&posterior);
+        sound.then_some((k, posterior))
+    });
+    let (k, posterior) = match joseph_form {
+        Some(answer) => answer,
         None => square_root::gain_and_covariance(p, c, q)?,
     };
     Ok((finite(k, "the gain")?, s, finite(posterior, "the covariance")?))
+}
+
+/// The largest variance that would be if nothing cancelled in (I − KC) Σ̄ (I − KC)ᵀ: what its rounding is a part of.
+fn largest_terms<N: Dim, M: Dim>(p: &OMatrix<f64, N, N>, k: &OMatrix<f64, N, M>, c: &OMatrix<f64, M, N>) -> f64
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M>,
+{
+    let sigma = |i: usize| libm::sqrt(p[(i, i)].max(0.0));
+    let spread = |a: usize| (0..p.nrows()).map(|j| c[(a, j)].abs() * sigma(j)).sum::<f64>();
+    let terms = |i: usize| sigma(i) + (0..c.nrows()).map(|a| k[(i, a)].abs() * spread(a)).sum::<f64>();
+    (0..p.nrows()).map(|i| terms(i) * terms(i)).fold(0.0, f64::max)
+}
+
+/// Whether `q` is surely positive semidefinite: diagonally dominant, or with a Cholesky factor. What is so only up to the
+/// rounding of its largest entry may leave a posterior of another scale that is not.
+fn plainly_semidefinite<M: Dim>(q: &OMatrix<f64, M, M>) -> bool
+where
+    DefaultAllocator: Allocator<M, M>,
+{
+    let m = q.nrows();
+    let beside = |i: usize| (0..m).filter(|&j| j != i).map(|j| q[(i, j)].abs()).sum::<f64>();
+    (0..m).all(|i| q[(i, i)] >= beside(i)) || Spd::new(q.clone()).is_some()
+}
+
+fn largest_variance<N: Dim>(p: &OMatrix<f64, N, N>) -> f64
+where
+    DefaultAllocator: Allocator<N, N>,
+{
+    (0..p.nrows()).fold(0.0, |largest, i| p[(i, i)].max(largest))
 }
 
 /// The measurement update of the belief N(x̄, Σ̄) with the reading z = Cx + noise of covariance Q.
