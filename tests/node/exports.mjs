@@ -15,7 +15,7 @@ function system({ n, p, m }, dice) {
   }
 }
 
-/** name → valid arguments, and the covariances in an answer. */
+/** name → valid arguments, the covariances in an answer, and for what is slow how many calls will do. */
 export const FUNCTIONS = {
   kalmanStep: {
     args(dice) {
@@ -89,7 +89,8 @@ export const FUNCTIONS = {
       return [matrix(p, n, dice), covariance(n, dice), covariance(p, dice), vector(n, dice), vector(p, dice)]
     },
   },
-  chapterChecks: { args: () => [], rare: true },
+  chapterChecks: { args: () => [], cases: 2 },
+  chapterCheck: { args: (dice) => [1 + dice.below(13)], cases: 40 },
 }
 
 const pose = (dice) => ({ x: [dice.normal() * 3, dice.normal() * 3, dice.normal()], P: covariance(3, dice) })

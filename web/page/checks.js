@@ -1,18 +1,19 @@
-/** The chapter's checks, run in the reader's own browser. */
+/** The chapter's checks, run one after another in the reader's own browser. */
 
 import { loadModule } from '../core/module.js'
 import { fixed } from '../core/words.js'
 
-export function checks() {
-  const button = /** @type {HTMLButtonElement | null} */ (document.querySelector('[data-run-checks]'))
-  button?.addEventListener('click', async () => {
-    button.disabled = true
-    say('The checks are running.')
-    const loaded = await loadModule()
-    if (loaded.ok) setTimeout(() => run(loaded.module), 30)
-    else say(`The checks could not run: ${loaded.why}.`)
-    button.disabled = false
-  })
+/** @typedef {import('estimate-wasm').Check} Check */
+
+/** @param {HTMLButtonElement} button the one that was pressed */
+export async function check(button) {
+  if (button.disabled) return
+  button.disabled = true
+  say('The checks are running.')
+  const loaded = await loadModule()
+  if (loaded.ok) await run(loaded.module)
+  else say(`The checks could not run: ${loaded.why}.`)
+  button.disabled = false
 }
 
 /** @param {string} words */
@@ -21,29 +22,56 @@ function say(words) {
   if (summary) summary.textContent = words
 }
 
-/** @param {any} estimate */
-function run(estimate) {
-  const begin = performance.now()
-  /** @type {{ id: number, actual: unknown, passed: boolean, milliseconds?: number }[]} */
-  let results
-  try {
-    results = estimate.chapterChecks()
-  } catch (error) {
-    return say(error instanceof Error ? error.message : 'The checks could not run.')
+/** @param {import('../core/module.js').Estimate} estimate */
+async function run(estimate) {
+  const rows = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-check]')])
+  for (const row of rows) empty(row)
+  let [right, whole] = [0, 0]
+  for (const row of rows) {
+    // The browser draws each row before the next check takes the thread.
+    await new Promise((resolve) => setTimeout(resolve))
+    const begin = performance.now()
+    /** @type {Pick<Check, 'passed'> & { words: string }} */
+    let found
+    try {
+      const { passed, actual } = estimate.chapterCheck(Number(row.dataset.check))
+      found = { passed, words: actual.map(short).join(', ') }
+    } catch (error) {
+      found = { passed: false, words: error instanceof Error ? error.message : 'could not run' }
+    }
+    const time = performance.now() - begin
+    whole += time
+    if (found.passed) right++
+    show(row, found, time)
   }
-  const whole = performance.now() - begin
-  for (const { id, actual, passed } of results) {
-    const row = /** @type {HTMLElement | null} */ (document.querySelector(`[data-check="${Number(id)}"]`))
-    if (!row) continue
-    row.dataset.passed = String(passed)
-    const here = row.querySelector('[data-here]')
-    if (here) here.textContent = `${passed ? '✓' : '✗'} ${words(actual)}`
-  }
-  const right = results.filter(({ passed }) => passed).length
-  say(`${right} of ${results.length} checks pass in this browser; together they took ${fixed(whole, 0)} ms.`)
+  say(`${right} of ${rows.length} checks pass in this browser; together they took ${milliseconds(whole)}.`)
 }
 
-/** @param {unknown} value */
-function words(value) {
-  return typeof value === 'number' ? fixed(value, 6) : String(value)
+/** @param {HTMLElement} row */
+function empty(row) {
+  delete row.dataset.passed
+  for (const cell of row.querySelectorAll('[data-here], [data-time]')) cell.textContent = '–'
+}
+
+/** @param {HTMLElement} row @param {{ passed: boolean, words: string }} found @param {number} time */
+function show(row, { passed, words }, time) {
+  row.dataset.passed = String(passed)
+  const [here, took] = [row.querySelector('[data-here]'), row.querySelector('[data-time]')]
+  if (here) here.textContent = `${passed ? '✓' : '✗'} ${words}`
+  if (took) took.textContent = milliseconds(time)
+}
+
+/** A browser's clock may be as coarse as a tenth of a millisecond, or coarser. @param {number} time */
+function milliseconds(time) {
+  return time < 0.05 ? '< 0.1 ms' : `${fixed(time, 1)} ms`
+}
+
+/** Six significant digits, as the book prints the values of the build. @param {number} value */
+function short(value) {
+  const size = Math.abs(value)
+  const plain = value === 0 || (size >= 1e-4 && size < 1e6)
+  const decimals = value === 0 ? 0 : Math.max(0, Math.min(12, 5 - Math.floor(Math.log10(size))))
+  const [digits, power] = plain ? [value.toFixed(decimals)] : value.toExponential(5).split('e')
+  const lean = digits.includes('.') ? digits.replace(/\.?0+$/, '') : digits
+  return (power === undefined ? lean : `${lean}e${power.replace('+', '')}`).replaceAll('-', '\u2212')
 }

@@ -11,7 +11,7 @@ openForPrint()
 
 whenNear('.widget', (host) => import('./figures.js').then(({ awaken }) => awaken(/** @type {HTMLElement} */ (host), WIDGETS)))
 if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => quizzes())
-if (document.querySelector('[data-run-checks]')) import('./checks.js').then(({ checks }) => checks())
+document.querySelector('[data-run-checks]')?.addEventListener('click', ({ target }) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (target))))
 document.querySelector('[data-open-search]')?.addEventListener('click', () => import('./search.js').then(({ openSearch }) => openSearch()))
 document.addEventListener('keydown', (event) => {
   const typing = event.target instanceof Element && event.target.closest('select, textarea, input:not([type="radio"], [type="checkbox"], [type="range"])')

@@ -1,7 +1,9 @@
 //! The chapter's checks, run where the reader is.
 
+use crate::decode::Arg;
 use crate::encode::plain;
 use crate::errors::thrown;
+use estimate::{Code, Error};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -24,4 +26,13 @@ export interface Check {
 #[wasm_bindgen(js_name = chapterChecks, unchecked_return_type = "Check[]")]
 pub fn chapter_checks() -> Result<JsValue, JsValue> {
     plain(&labs::checks::chapter_checks().map_err(thrown)?)
+}
+
+/// Runs the check with the number `id`, 1 to 13; any other number is an error with the code "index".
+#[wasm_bindgen(js_name = chapterCheck, unchecked_return_type = "Check")]
+pub fn chapter_check(#[wasm_bindgen(unchecked_param_type = "number")] id: &JsValue) -> Result<JsValue, JsValue> {
+    // A number that no counter holds is the number of no check either.
+    let as_index = |e: Error| if e.code == Code::Limit { Error { code: Code::Index, ..e } } else { e };
+    let id = Arg::new(id, "id").whole(1, 13).map_err(as_index).map_err(thrown)?;
+    plain(&labs::checks::chapter_check(id).map_err(thrown)?)
 }

@@ -18,7 +18,7 @@ mod observer_bench;
 mod odometry_hook;
 mod picture;
 
-pub use checks::chapter_checks;
+pub use checks::{chapter_check, chapter_checks};
 pub use ekf_localizer::EkfLocalizer;
 pub use ekf_slam::EkfSlam;
 pub use functions::*;

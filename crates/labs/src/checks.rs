@@ -8,7 +8,7 @@ pub(crate) mod observability;
 pub(crate) mod problem9;
 
 use crate::givens::Givens;
-use estimate::Error;
+use estimate::{Code, Error};
 use serde::Serialize;
 
 /// One check: a claim, what was computed, and whether they agree.
@@ -66,6 +66,18 @@ pub fn chapter_checks() -> Result<Vec<Check>, Error> {
     CHECKS.iter().map(|check| check(&givens)).collect()
 }
 
+/// Runs one check on the chapter's constants.
+///
+/// # Errors
+/// [`Code::Index`] when no check has this number.
+pub fn chapter_check(id: u32) -> Result<Check, Error> {
+    let at = usize::try_from(id).ok().and_then(|id| id.checked_sub(1));
+    match at.and_then(|at| CHECKS.get(at)) {
+        Some(check) => check(&Givens::default()),
+        None => Err(Error::new(Code::Index, "id", "is the number of no check; they are numbered from 1 to 13")),
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -87,6 +99,17 @@ mod tests {
         assert_eq!(checks.len(), 13);
         for check in checks {
             assert!(check.passed, "{check:?}");
+        }
+    }
+
+    #[test]
+    fn one_check_by_its_number_is_that_check_of_the_thirteen() {
+        let all = chapter_checks().expect("computed");
+        for check in all {
+            assert_eq!(chapter_check(u32::from(check.id)).expect("computed"), check);
+        }
+        for id in [0, 14, u32::MAX] {
+            assert_eq!(chapter_check(id).expect_err("there is none").code, Code::Index);
         }
     }
 }
