@@ -13,7 +13,8 @@ import { subsetFonts } from './fonts.mjs'
 const web = dirname(fileURLToPath(import.meta.url))
 const root = dirname(web)
 const out = join(root, 'target/assets')
-const pkg = join(root, 'target/pkg/web')
+/** The module whole, and with the labs alone: what the figures need. */
+const pkg = { whole: join(root, 'target/pkg/web'), figures: join(root, 'target/pkg/figures') }
 
 /** Logical name → file name. @type {Record<string, string>} */
 const manifest = {}
@@ -31,18 +32,21 @@ const shared = {
   logOverride: { 'empty-import-meta': 'silent' },
 }
 
-/** The module's glue and the address of its binary. */
+/** A module's glue and the address of its binary. */
 const wasm = {
   name: 'wasm',
   setup(to) {
-    to.onResolve({ filter: /^estimate-wasm$/ }, () => ({ path: join(pkg, 'estimate_wasm.js') }))
-    to.onResolve({ filter: /^estimate-wasm\/wasm$/ }, () => ({ path: join(pkg, 'estimate_wasm_bg.wasm') }))
+    const folder = (path) => (path.startsWith('estimate-wasm/figures') ? pkg.figures : pkg.whole)
+    to.onResolve({ filter: /^estimate-wasm(\/figures)?$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm.js') }))
+    to.onResolve({ filter: /^estimate-wasm(\/figures)?\/wasm$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm_bg.wasm') }))
   },
 }
 
 rmSync(out, { recursive: true, force: true })
 mkdirSync(out, { recursive: true })
-if (!existsSync(pkg)) throw new Error(`no wasm module in ${relative(root, pkg)}: run scripts/build`)
+for (const folder of Object.values(pkg)) {
+  if (!existsSync(folder)) throw new Error(`no wasm module in ${relative(root, folder)}: run scripts/build`)
+}
 
 const fonts = await subsetFonts(join(root, 'target/fonts'))
 
@@ -87,7 +91,6 @@ function collect({ outputs }) {
   for (const [path, output] of Object.entries(outputs)) {
     const file = basename(path)
     if (output.entryPoint) manifest[`${file.replace(/-[A-Z0-9]{8}\.(js|css)$/, '.$1')}`] = file
-    else if (file.endsWith('.wasm')) manifest['estimate.wasm'] = file
   }
 }
 

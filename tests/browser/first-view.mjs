@@ -1,7 +1,7 @@
 // What the first view of the chapter costs over the wire: everything fetched until the first figure is alive, compressed
 // as a static host sends it. A program prints the table of the README; a test holds it under its bound.
 import { gzipSync } from 'node:zlib'
-import { readFileSync, readdirSync } from 'node:fs'
+import { readFileSync } from 'node:fs'
 import path from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
@@ -48,9 +48,9 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   console.log('| first view of the chapter, compressed | |\n|---|---:|')
   for (const [kind, bytes] of [...kinds].sort((a, b) => b[1] - a[1])) console.log(`| ${kind} | ${kilo(bytes).trim()} |`)
   console.log(`| **together** | **${kilo(sizes.reduce((sum, [, bytes]) => sum + bytes, 0)).trim()}** |`)
-  const folder = path.join(root, 'target/pkg/web')
-  for (const file of readdirSync(folder).filter((name) => name.endsWith('.wasm'))) {
-    console.log(`\nThe module: ${kilo(gzipSync(readFileSync(path.join(folder, file)), { level: 9 }).length).trim()} with gzip -9.`)
+  for (const [folder, what] of [['web', 'The module'], ['figures', 'With the labs alone, as the figures fetch it']]) {
+    const binary = readFileSync(path.join(root, 'target/pkg', folder, 'estimate_wasm_bg.wasm'))
+    console.log(`\n${what}: ${kilo(gzipSync(binary, { level: 9 }).length).trim()} with gzip -9.`)
   }
   if (process.argv.includes('--files')) for (const [name, bytes] of sizes.sort((a, b) => b[1] - a[1])) console.log(kilo(bytes), name)
 }

@@ -3,3 +3,9 @@ declare module 'estimate-wasm/wasm' {
   const address: string
   export default address
 }
+
+declare module 'estimate-wasm/figures/wasm' {
+  /** Where the binary with the labs alone lies, relative to the script that imports this. */
+  const address: string
+  export default address
+}

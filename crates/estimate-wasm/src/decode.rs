@@ -1,8 +1,11 @@
 //! Strict decoding of JavaScript values: nothing is coerced, every step that could run a caller's code (a getter, a
 //! proxy) may fail, and every refusal names the culprit.
 
-use estimate::{Code, Complex, Error};
+#[cfg(feature = "functions")]
+use estimate::Complex;
+use estimate::{Code, Error};
 use js_sys::Reflect;
+#[cfg(feature = "functions")]
 use nalgebra::{DMatrix, DVector};
 use std::borrow::Cow;
 use wasm_bindgen::prelude::*;
@@ -159,7 +162,10 @@ impl<'a> Arg<'a> {
     pub fn numbers(&self) -> Result<Vec<f64>, Error> {
         self.entries()?.iter().map(Arg::number).collect()
     }
+}
 
+#[cfg(feature = "functions")]
+impl Arg<'_> {
     /// A vector.
     pub fn vector(&self) -> Result<DVector<f64>, Error> {
         self.numbers().map(DVector::from_vec)

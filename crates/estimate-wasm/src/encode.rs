@@ -2,10 +2,20 @@
 
 use crate::errors::thrown;
 use estimate::{Code, Error};
+#[cfg(feature = "functions")]
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 use serde_wasm_bindgen::Serializer;
 use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+export type Vector = number[];
+/** An array of rows. */
+export type Matrix = number[][];
+export interface Complex { re: number; im: number }
+export interface Ellipse { semiMajor: number; semiMinor: number; /** of the major axis, in (−π/2, π/2] */ angle: number }
+"#;
 
 /// `value` as a plain object: maps as objects, what is absent as null.
 pub(crate) fn plain<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsValue> {
@@ -14,11 +24,13 @@ pub(crate) fn plain<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsValue
 }
 
 /// A matrix by rows.
+#[cfg(feature = "functions")]
 pub(crate) fn rows(m: &DMatrix<f64>) -> Vec<Vec<f64>> {
     m.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
 /// A vector as its numbers.
+#[cfg(feature = "functions")]
 pub(crate) fn numbers(v: &DVector<f64>) -> Vec<f64> {
     v.iter().copied().collect()
 }

@@ -11,10 +11,6 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-export type Vector = number[];
-/** An array of rows. */
-export type Matrix = number[][];
-export interface Complex { re: number; im: number }
 /** x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, Cov v = V, Cov w = W; at most 16 states, 8 inputs, 8 outputs. */
 export interface System { F: Matrix; G: Matrix; H: Matrix; V: Matrix; W: Matrix }
 /** N(x, P). */
@@ -43,7 +39,6 @@ export interface SteadyState {
     gainConverged: boolean;
     iterations: number;
 }
-export interface Ellipse { semiMajor: number; semiMinor: number; /** of the major axis, in (−π/2, π/2] */ angle: number }
 "#;
 
 /// One Kalman step (eqs. 8.26–8.32): predict with the input `u`, correct with the reading `y`.

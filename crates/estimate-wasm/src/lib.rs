@@ -5,12 +5,16 @@
 //! there is no arithmetic here. What cannot be answered is thrown as an `Error` named `EstimateError` with a `code`, the
 //! `argument` to blame and a `message`; every object is then as it was, and the module goes on working.
 
+#[cfg(feature = "functions")]
 mod checks;
 mod decode;
+#[cfg(feature = "functions")]
 mod ekf_localizer;
+#[cfg(feature = "functions")]
 mod ekf_slam;
 mod encode;
 mod errors;
+#[cfg(feature = "functions")]
 mod functions;
 mod lab;
 mod observability_probe;
@@ -18,9 +22,13 @@ mod observer_bench;
 mod odometry_hook;
 mod picture;
 
+#[cfg(feature = "functions")]
 pub use checks::{chapter_check, chapter_checks};
+#[cfg(feature = "functions")]
 pub use ekf_localizer::EkfLocalizer;
+#[cfg(feature = "functions")]
 pub use ekf_slam::EkfSlam;
+#[cfg(feature = "functions")]
 pub use functions::*;
 pub use observability_probe::ObservabilityProbe;
 pub use observer_bench::ObserverBench;

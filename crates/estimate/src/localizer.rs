@@ -104,9 +104,8 @@ impl EkfLocalizer {
         let x = validate::vector(belief.x, 3, "x").map_err(|e| e.within("belief"))?;
         let p = validate::covariance(belief.p, 3, "P").map_err(|e| e.within("belief"))?;
         validate::count(landmarks.len(), MAX_LANDMARKS, "landmarks")?;
-        let mut ids = std::collections::BTreeSet::new();
         for (i, landmark) in landmarks.iter().enumerate() {
-            if !ids.insert(landmark.id) {
+            if landmarks[..i].iter().any(|earlier| earlier.id == landmark.id) {
                 let message = format!("is {}, as another landmark's; ids are unique", landmark.id);
                 return Err(Error::new(Code::Index, format!("landmarks[{i}].id"), message));
             }
@@ -120,7 +119,7 @@ impl EkfLocalizer {
         if let Some(gate) = gate
             && validate::finite(gate, "gate")? <= 0.0
         {
-            return Err(Error::new(Code::Limit, "gate", format!("is {gate}; a gate on χ² is positive, or null")));
+            return Err(Error::new(Code::Limit, "gate", "a gate on χ² is positive, or null"));
         }
         let sensor = match sensor {
             SensorKind::RangeBearing => {
@@ -155,7 +154,7 @@ impl EkfLocalizer {
     pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
         let range = validate::finite(reading.range, "range")?;
         if range < 0.0 {
-            return Err(Error::new(Code::Limit, "range", format!("is {range}; a range is not negative")));
+            return Err(Error::new(Code::Limit, "range", "a range is not negative"));
         }
         let j = reading.landmark.map(|id| self.index(id)).transpose()?;
         match (self.sensor, reading.bearing) {

@@ -79,7 +79,8 @@ impl<const N: usize, const U: usize, const M: usize> Observer<N, U, M> {
     /// # Errors
     /// As [`spectrum::eigenvalues`].
     pub fn error_eigs(&self) -> Result<Vec<Complex<f64>>, Error> {
-        spectrum::eigenvalues(&DMatrix::from_iterator(N, N, self.error_matrix().iter().copied()))
+        let m = DMatrix::from_iterator(N, N, self.error_matrix().iter().copied());
+        if N <= 2 { spectrum::eigenvalues_in_closed_form(&m) } else { spectrum::eigenvalues(&m) }
     }
 
     /// The error covariance after a correction with this K, from the predicted `p` = P(k+1 | k), in Joseph's form: right

@@ -24,6 +24,18 @@ use nalgebra::{Complex, DMatrix, DVector, Schur};
 /// # Ok::<(), estimate::Error>(())
 /// ```
 pub fn eigenvalues(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
+    found_with(m, iterated)
+}
+
+/// [`eigenvalues`] of a matrix of at most two rows, which needs no iteration: who asks for these alone need not carry it.
+pub(crate) fn eigenvalues_in_closed_form(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
+    found_with(m, |_| Err(Error::new(Code::Shape, "matrix", "has more than two rows")))
+}
+
+fn found_with(
+    m: &DMatrix<f64>,
+    beyond_two: impl FnOnce(&DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error>,
+) -> Result<Vec<Complex<f64>>, Error> {
     if !m.is_square() {
         return Err(Error::new(Code::Shape, "matrix", "has no eigenvalues: it is not square"));
     }
@@ -35,7 +47,7 @@ pub fn eigenvalues(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     match core.nrows() {
         0 => {}
         2 => found.extend(of_two_by_two(&core)),
-        _ => found.extend(iterated(&core)?),
+        _ => found.extend(beyond_two(&core)?),
     }
     let modulus = |l: &Complex<f64>| libm::hypot(l.re, l.im);
     // By insertion: a handful of values do not pay for the standard library's sort, 20 kB of the module.

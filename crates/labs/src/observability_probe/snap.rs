@@ -67,9 +67,9 @@ impl ObservabilityProbe {
         }
         let free = |t: &f64| (least..=most).contains(t) && t.abs() >= APART && (t - length).abs() >= APART;
         let wanted = (at - other).dot(&along);
-        let choices = [wanted.clamp(least, most), -APART, APART, length - APART, length + APART, least, most];
+        let choices = [wanted.max(least).min(most), -APART, APART, length - APART, length + APART, least, most];
         let t = choices.into_iter().filter(free).min_by(|a, b| (a - wanted).abs().total_cmp(&(b - wanted).abs()));
-        let point = other + along * t.unwrap_or(wanted.clamp(least, most));
+        let point = other + along * t.unwrap_or(wanted.max(least).min(most));
         [point[0].clamp(0.0, PROBE.room), point[1].clamp(0.0, PROBE.room)]
     }
 }
