@@ -78,6 +78,20 @@ function names(pen, plane, frame) {
   if (frame.params.noise > 0) line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', -upper)
 }
 
+/** A place on the reading's line to hold it by; where no part of the line is in the drawing, the one nearest to its middle.
+ * @param {Plane} plane @param {Frame} frame */
+function onLine(plane, { H, params: { reading } }) {
+  const ends = clipLine(H, reading, plane)
+  if (ends) {
+    const [from, to] = ends[0][0] <= ends[1][0] ? ends : [ends[1], ends[0]]
+    return from.map((value, i) => value + 0.12 * (to[i] - value))
+  }
+  const { box, x, y } = plane
+  const middle = [x.invert((box.left + box.right) / 2), y.invert((box.top + box.bottom) / 2)]
+  const away = reading - H[0] * middle[0] - H[1] * middle[1]
+  return middle.map((value, i) => value + away * H[i])
+}
+
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view */
 function handles(pen, plane, frame, view) {
   const { box, x, y } = plane
@@ -115,10 +129,7 @@ function handles(pen, plane, frame, view) {
     nudge: (dx, dy) => ({ semiMinor: length(semiMinor + 0.05 * (dx + dy)) }),
     jump: (end) => ({ semiMinor: end === 'home' ? AXIS.least : AXIS.most }),
   })
-  const ends = clipLine(frame.H, reading, plane)
-  if (!ends) return
-  const [from, to] = ends[0][0] <= ends[1][0] ? ends : [ends[1], ends[0]]
-  const at = from.map((value, i) => value + 0.12 * (to[i] - value))
+  const at = onLine(plane, frame)
   const output = (/** @type {number[]} */ point) => clamp(frame.H[0] * point[0] + frame.H[1] * point[1], -8, 8)
   view.handle(pen, 'reading', {
     at: inside([x(at[0]), y(at[1])]), label: 'Reading', name: { choset: '*y*', thrun: '*z*' }, kin: 'measurement',
