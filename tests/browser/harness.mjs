@@ -84,6 +84,15 @@ export async function figure(page, tag) {
   return element
 }
 
+/** Commits to some answer where a question locks the figure `id`. */
+export async function unlock(page, id) {
+  const form = page.locator(`form.quiz[data-unlocks="${id}"]`)
+  if (!(await form.count())) return
+  await form.locator('input').first().check()
+  await form.locator('[type=submit]').click()
+  await page.locator(`#${id} .widget:not([inert])`).waitFor()
+}
+
 /** Scrolls through the whole page, so that everything that waits for the screen has been on it. */
 export async function walkDown(page) {
   await page.evaluate(async () => {

@@ -1,0 +1,115 @@
+// A figure shows a computation, never a recording: each is put into random states with its own controls (the Probe's
+// landmarks at random places, a random seed), and its frame, to the last bit, and every readout on the page are compared
+// with what a native run of the same state computes. PROBE_SEED=7 repeats the states of a run that failed.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
+import { figure, frameOf, open, root, stateOf, unlock } from './harness.mjs'
+import { plain } from '../../web/core/words.js'
+import { WIDGETS } from '../../web/widgets/index.js'
+import { dice as seeded } from '../node/nonsense.mjs'
+
+const SEED = Number(process.env.PROBE_SEED ?? Math.floor(Math.random() * 2 ** 32))
+const ROUNDS = { 'observability-probe': 6, 'observer-bench': 3, 'odometry-hook': 3, 'kalman-picture': 3 }
+
+/** The frame that this machine's own code computes for a state, given as a copied link carries it. */
+function native(link, id) {
+  const text = Buffer.from(new URL(link).searchParams.get(id), 'base64url').toString()
+  const frame = execFileSync('cargo', ['run', '--profile', 'site', '--quiet', '-p', 'labs', '--example', 'lab_frame'], { cwd: root, input: text, maxBuffer: 2 ** 26 })
+  return { text, frame: JSON.parse(frame) }
+}
+
+/** JSON knows neither NaN nor infinity. */
+function finite(value) {
+  if (typeof value === 'number') return Number.isFinite(value) ? value : null
+  if (Array.isArray(value)) return value.map(finite)
+  if (value === null || typeof value !== 'object') return value
+  return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, finite(inner)]))
+}
+
+/** Moves everything a reader can move to a random place. */
+async function shuffle(page, element, dice) {
+  const live = element.locator('.live')
+  for (const select of await live.locator('select').all()) {
+    if ((await select.locator('xpath=ancestor::label').innerText()).startsWith('Speed')) continue
+    await select.selectOption({ index: dice.below(await select.locator('option').count()) })
+    await settled(element)
+  }
+  for (const box of await live.locator('input[type=checkbox]').all()) await box.setChecked(dice.uniform() < 0.5)
+  await settled(element)
+  for (const slider of await live.locator('input[type=range]:enabled').all()) {
+    await slider.evaluate((input, share) => {
+      input.value = String(Number(input.min) + share * (Number(input.max) - Number(input.min)))
+      input.dispatchEvent(new Event('input', { bubbles: true }))
+    }, dice.uniform())
+  }
+  for (const handle of await live.locator('svg [role=slider]').all()) {
+    await handle.scrollIntoViewIfNeeded()
+    const grip = await handle.locator('.handle-dot').boundingBox()
+    const panel = await handle.evaluate((it) => { const { left, top, width, height } = it.ownerSVGElement.getBoundingClientRect(); return { left, top, width, height } })
+    const middle = [grip.x + grip.width / 2, grip.y + grip.height / 2]
+    const goal = [panel.left + dice.uniform() * panel.width, panel.top + dice.uniform() * panel.height]
+    await page.mouse.move(...middle)
+    await page.mouse.down()
+    await page.mouse.move(...goal, { steps: 3 })
+    await page.mouse.up()
+    await settled(element)
+  }
+  const seed = live.getByRole('spinbutton', { name: 'Seed' })
+  if (await seed.count()) {
+    await seed.fill(String(dice.below(2 ** 32)))
+    await seed.press('Tab')
+  }
+  const step = live.getByRole('button', { name: 'Step', exact: true })
+  if (await step.count()) for (let presses = dice.below(12); presses > 0; presses--) await step.click()
+  await settled(element)
+}
+
+/** Nothing wanted is left to do, and what was done is on the screen. */
+async function settled(element) {
+  await element.evaluate(async (it) => {
+    do await new Promise((resolve) => requestAnimationFrame(resolve)); while (it.figure.asked || it.figure.wanted.patch || it.figure.wanted.steps)
+  })
+}
+
+for (const [tag, load] of Object.entries(WIDGETS)) {
+  test(`${tag}: every readout is what a native run of the same state says`, { timeout: 240_000 }, async (t) => {
+    t.diagnostic(`PROBE_SEED=${SEED} repeats it`)
+    const spec = await load()
+    const page = await open(t)
+    const element = await figure(page, tag)
+    const start = await stateOf(element)
+    const id = await element.evaluate((it) => it.figure.id)
+    await unlock(page, id)
+    const dice = seeded(SEED)
+    for (let round = 1; round <= ROUNDS[tag]; round++) {
+      await shuffle(page, element, dice)
+      await element.getByRole('button', { name: 'Copy link to this state' }).click()
+      await element.getByText('Link copied.').first().waitFor()
+      const link = await page.evaluate(() => navigator.clipboard.readText())
+      const run = native(link, id)
+      const where = `PROBE_SEED=${SEED}, round ${round}, ${run.text}`
+
+      assert.notDeepEqual(await stateOf(element), start, where)
+      assert.deepEqual(finite(await frameOf(element)), run.frame, where)
+      const shown = await element.locator('.live').evaluate((live) => ({
+        readouts: [...live.querySelectorAll('.readout')].map((box) => [(box.querySelector('dt .in-choset') ?? box.querySelector('dt')).textContent, box.querySelector('dd').textContent]),
+        verdict: live.querySelector('.verdict').textContent,
+        panels: Object.fromEntries([...live.querySelectorAll('.panel')].map((svg) => [/panel-(\S+)/.exec(svg.getAttribute('class'))[1], svg.getAttribute('aria-label')])),
+      }))
+      const said = spec.readouts(run.frame).map(({ label, value, unit }) => [plain(label), unit ? `${value} ${unit}` : value])
+      assert.ok(said.length >= 7, `${tag} has readouts`)
+      assert.deepEqual(shown.readouts, said, where)
+      assert.equal(shown.verdict, spec.verdict(run.frame), where)
+      assert.deepEqual(shown.panels, spec.describe(run.frame), where)
+    }
+  })
+}
+
+test('the comparison sees a difference in the last bit, in a zero\'s sign and in a missing number', () => {
+  const frame = { P: [[0.1, 0], [0, NaN]] }
+  assert.deepEqual(finite(frame), { P: [[0.1, 0], [0, null]] })
+  for (const other of [{ P: [[0.1 + 2 ** -56, 0], [0, null]] }, { P: [[0.1, -0], [0, null]] }, { P: [[0.1, 0], [0]] }]) {
+    assert.notDeepEqual(finite(frame), other)
+  }
+})
