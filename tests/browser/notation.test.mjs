@@ -1,0 +1,100 @@
+// The notation switch: formulas, words, labels and readouts speak Thrun's letters, and go on doing so after a reload.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { figure, open } from './harness.mjs'
+
+const button = (page, name) => page.getByRole('group', { name: 'Notation' }).getByRole('button', { name, exact: true })
+/** What the reader sees of a formula, a label or a readout. */
+const seen = (page) => page.evaluate(() => {
+  const text = (element) => element.innerText.replace(/\s+/g, ' ').trim()
+  const all = (selector) => [...document.querySelectorAll(selector)].map(text)
+  return {
+    formulas: [...document.querySelectorAll('[data-thrun]')].map((formula) => [...formula.children].filter((reading) => getComputedStyle(reading).display !== 'none').map((reading) => reading.className)),
+    bench: { labels: all('observer-bench .control-name'), readouts: all('observer-bench .live dt'), drawn: [...document.querySelectorAll('observer-bench .live svg text')].filter((it) => it.checkVisibility()).map((it) => it.innerHTML.includes('in-thrun') ? [...it.children].filter((part) => getComputedStyle(part).display !== 'none').map((part) => part.textContent).join('') : it.textContent) },
+    pressed: all('[data-set-notation][aria-pressed="true"]'),
+  }
+})
+const ask = async (page) => {
+  await figure(page, 'observer-bench')
+  // What is folded away is read too.
+  await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))
+  return seen(page)
+}
+const thrunIsThere = (page) => page.waitForFunction(() => document.documentElement.classList.contains('two-notations'))
+
+test('the switch turns formulas, labels and readouts to Thrun\'s letters, and back', async (t) => {
+  const fetched = []
+  const page = await open(t, { prepare: async (it) => it.on('request', (request) => { if (request.url().endsWith('thrun.json')) fetched.push(request.url()) }) })
+  const choset = await ask(page)
+  assert.deepEqual(choset.pressed, ['Choset'])
+  assert.ok(choset.formulas.length > 100)
+  assert.ok(choset.formulas.every((shown) => shown.length === 1 && shown[0] === 'in-choset'))
+  assert.ok(choset.bench.readouts.includes('P11') && choset.bench.readouts.some((label) => label.startsWith('Gain R')), choset.bench.readouts.join('; '))
+  assert.deepEqual(fetched, [], 'not fetched before it is asked for')
+
+  await button(page, 'Thrun').click()
+  await thrunIsThere(page)
+  const thrun = await seen(page)
+  assert.deepEqual(thrun.pressed, ['Thrun'])
+  assert.equal(thrun.formulas.length, choset.formulas.length)
+  assert.ok(thrun.formulas.every((shown) => shown.length === 1 && shown[0] === 'in-thrun'), 'every formula shows one reading')
+  assert.ok(thrun.bench.readouts.includes('Σ11') && thrun.bench.readouts.some((label) => label.startsWith('Gain K')), thrun.bench.readouts.join('; '))
+  assert.ok(thrun.bench.labels.some((label) => label.includes('K∞')) && choset.bench.labels.some((label) => label.includes('R∞')))
+  assert.notDeepEqual(thrun.bench.drawn, choset.bench.drawn, 'the words drawn change as well')
+
+  await button(page, 'Choset').click()
+  assert.deepEqual(await seen(page), choset)
+  await button(page, 'Thrun').click()
+  assert.deepEqual(await seen(page), thrun)
+  assert.equal(fetched.length, 1, 'fetched once')
+})
+
+test('what a formula says in the other letters is another formula, and nothing is left over', async (t) => {
+  const page = await open(t)
+  await button(page, 'Thrun').click()
+  await thrunIsThere(page)
+  const pairs = await page.evaluate(() => [...document.querySelectorAll('[data-thrun]')].map((formula) => [...formula.children].map((reading) => reading.querySelector('math')?.textContent ?? reading.textContent)))
+  assert.ok(pairs.every((readings) => readings.length === 2), 'two readings each')
+  const same = pairs.filter(([a, b]) => a === b)
+  assert.deepEqual(same, [], 'what does not differ is there once')
+  assert.ok(pairs.every((readings) => readings.every((reading) => reading.length > 0)))
+})
+
+test('the letters are remembered after a reload and on the next page', async (t) => {
+  const page = await open(t)
+  await button(page, 'Thrun').click()
+  await thrunIsThere(page)
+  await page.reload()
+  await thrunIsThere(page)
+  const again = await ask(page)
+  assert.deepEqual(again.pressed, ['Thrun'])
+  assert.ok(again.formulas.every((shown) => shown.length === 1 && shown[0] === 'in-thrun'))
+  assert.ok(again.bench.readouts.includes('Σ11'))
+  await page.goto(new URL('../hosting/', page.url()).href)
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.notation), 'thrun')
+  assert.equal(await button(page, 'Thrun').getAttribute('aria-pressed'), 'true')
+})
+
+test('the keys work the switch', async (t) => {
+  const page = await open(t)
+  await button(page, 'Choset').focus()
+  await page.keyboard.press('Tab')
+  await page.keyboard.press('Enter')
+  await thrunIsThere(page)
+  assert.equal(await button(page, 'Thrun').getAttribute('aria-pressed'), 'true')
+  assert.equal(await button(page, 'Choset').getAttribute('aria-pressed'), 'false')
+})
+
+test('where the other letters cannot be fetched the page stays with Choset\'s', async (t) => {
+  const page = await open(t, {
+    expected: [/thrun\.json/, /ERR_FAILED/], prepare: (it) => it.route('**/thrun.json', (route) => route.abort()),
+  })
+  await button(page, 'Thrun').click()
+  await page.waitForFunction(() => document.documentElement.dataset.notation === 'choset')
+  assert.equal(await button(page, 'Choset').getAttribute('aria-pressed'), 'true')
+  assert.ok((await ask(page)).formulas.every((shown) => shown.length === 1 && shown[0] === 'in-choset'))
+  // When they can be had, the next press has them.
+  await page.unroute('**/thrun.json')
+  await button(page, 'Thrun').click()
+  await thrunIsThere(page)
+})

@@ -1,0 +1,153 @@
+// Predict first: no explanation before an answer, a reason for each answer, a tolerance for numbers, and answers that are
+// remembered until the reader forgets them.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { figure, open } from './harness.mjs'
+
+const quiz = (page, id) => {
+  const form = page.locator(`#quiz-${id}`)
+  return {
+    form,
+    commit: form.getByRole('button', { name: 'Commit' }),
+    again: form.getByRole('button', { name: 'Try again' }),
+    verdict: form.locator('.quiz-verdict'),
+    answer: form.locator('details.quiz-answer'),
+    input: form.getByRole('textbox', { name: 'Your answer' }),
+  }
+}
+/** What a reader sees: the explanation is open, or it is not. */
+const shown = ({ answer }) => answer.evaluate((block) => block.open && block.querySelector('.quiz-why').checkVisibility())
+const kept = (page) => page.evaluate(() => Object.fromEntries(Object.entries(localStorage).filter(([key]) => key.startsWith('quiz:'))))
+
+test('a choice is committed to before anything is explained, and a wrong one says why', async (t) => {
+  const page = await open(t)
+  const it = quiz(page, 'which-foot')
+  await it.form.scrollIntoViewIfNeeded()
+  assert.ok(!(await shown(it)))
+  assert.ok(!(await it.form.locator('.quiz-why').isVisible()))
+  await it.commit.click()
+  await it.verdict.filter({ hasText: 'Choose an answer first.' }).waitFor()
+  assert.ok(!(await shown(it)), 'nothing chosen, nothing explained')
+  assert.deepEqual(await kept(page), {})
+
+  // The figure that would give it away waits too.
+  const picture = page.locator('#fig-picture .widget')
+  assert.ok(await picture.evaluate((widget) => widget.inert))
+  assert.match(await picture.innerText(), /First commit to an answer/)
+
+  await it.form.getByRole('radio', { name: /Straight down/ }).check()
+  assert.ok(!(await shown(it)), 'chosen is not committed')
+  await it.commit.click()
+  await it.verdict.filter({ hasText: 'Not this time' }).waitFor()
+  assert.ok(await shown(it))
+  assert.equal(await it.form.getAttribute('data-answered'), 'wrong')
+  const mine = it.form.locator('.is-yours')
+  assert.equal(await mine.count(), 1)
+  assert.ok(await mine.isVisible())
+  assert.match(await mine.innerText(), /Straight down.*nearest point for a ruler/s)
+  assert.ok(!(await picture.evaluate((widget) => widget.inert)), 'the figure is free')
+  assert.ok(await it.form.getByRole('radio').first().isDisabled(), 'an answer given stands')
+  assert.ok(!(await it.commit.isVisible()))
+})
+
+test('every wrong choice of every question has a reason of its own', async (t) => {
+  const page = await open(t)
+  const forms = await page.locator('form.quiz[data-kind=choice]').evaluateAll((all) => all.map((form) => ({ id: form.dataset.quiz, choices: form.querySelectorAll('input').length })))
+  assert.ok(forms.length >= 3)
+  for (const { id, choices } of forms) {
+    const it = quiz(page, id)
+    const reasons = new Set()
+    let right = 0
+    for (let i = 0; i < choices; i++) {
+      await it.form.locator('input').nth(i).check()
+      await it.commit.click()
+      const answered = await it.form.getAttribute('data-answered')
+      if (answered === 'right') right++
+      assert.equal(await it.verdict.innerText(), answered === 'right' ? 'Right.' : 'Not this time. Here is why.')
+      const reason = await it.form.locator('.is-yours .quiz-reason').innerText()
+      assert.ok(reason.length > 30, `${id}, choice ${i}`)
+      reasons.add(reason)
+      await it.again.click()
+    }
+    assert.equal(right, 1, id)
+    assert.equal(reasons.size, choices, id)
+  }
+})
+
+test('a number is right within its tolerance, in the ways people write numbers', async (t) => {
+  const page = await open(t)
+  const it = quiz(page, 'third-step')
+  const { value, tolerance } = await it.form.locator('.quiz-value').evaluate((item) => ({ value: Number(item.dataset.value), tolerance: Number(item.dataset.tolerance) }))
+  assert.ok(value > 0 && tolerance > 0)
+  const judged = async (text) => {
+    await it.input.fill(text)
+    await it.input.press('Enter')
+    const answered = await it.form.getAttribute('data-answered')
+    const said = await it.verdict.innerText()
+    if (answered) await it.again.click()
+    return [answered, said]
+  }
+  const [RIGHT, WRONG, NONE] = [['right', 'Right.'], ['wrong', 'Not this time. Here is why.'], [null, 'That is not a number.']]
+  for (const text of [String(value), String(value + 0.9 * tolerance), String(value - 0.9 * tolerance), String(value).replace('.', ','), `${value * 8}/8`, ` ${value.toFixed(4)} `, value.toExponential()]) {
+    assert.deepEqual(await judged(text), RIGHT, text)
+  }
+  for (const text of [String(value + 1.1 * tolerance), String(value - 1.1 * tolerance), String(-value), `−${value}`, '0']) {
+    assert.deepEqual(await judged(text), WRONG, text)
+  }
+  for (const text of ['much', '1/0', '1..2', '1/2/3', 'NaN', 'Infinity', '0x10', '<b>1</b>']) assert.deepEqual(await judged(text), NONE, text)
+  assert.deepEqual(await judged('  '), [null, 'Choose an answer first.'])
+
+  // A wrong answer worth recognising is recognised.
+  const near = it.form.locator('.quiz-reasons li').first()
+  await it.input.fill(await near.getAttribute('data-value'))
+  await it.commit.click()
+  assert.ok(await near.evaluate((item) => item.classList.contains('is-yours')))
+  assert.match(await it.form.locator('.is-yours').innerText(), /predicted variance/)
+  assert.ok(await it.form.locator('.is-yours').isVisible())
+})
+
+test('answers are remembered after a reload, and forgotten one by one or all at once', async (t) => {
+  const page = await open(t)
+  const [foot, third] = [quiz(page, 'which-foot'), quiz(page, 'third-step')]
+  await foot.form.locator('input').nth(2).check()
+  await foot.commit.click()
+  await third.input.fill('0.7')
+  await third.commit.click()
+  assert.equal(Object.keys(await kept(page)).length, 2)
+
+  await page.reload()
+  await page.locator('#quiz-which-foot[data-answered]').waitFor()
+  assert.ok(await foot.form.locator('input').nth(2).isChecked())
+  assert.ok(await shown(foot))
+  assert.equal(await third.input.inputValue(), '0.7')
+  assert.ok(await shown(third))
+  await figure(page, 'kalman-picture')
+  assert.ok(!(await page.locator('#fig-picture .widget').evaluate((widget) => widget.inert)))
+
+  await foot.again.click()
+  assert.ok(!(await shown(foot)) && !(await foot.form.getAttribute('data-answered')))
+  assert.equal(await foot.form.locator('input:checked').count(), 0)
+  assert.equal(await foot.verdict.innerText(), '')
+  assert.ok(await foot.form.locator('input').first().evaluate((input) => input === document.activeElement), 'the focus is where to begin again')
+  assert.ok(await page.locator('#fig-picture .widget').evaluate((widget) => widget.inert))
+  assert.equal(Object.keys(await kept(page)).length, 1)
+
+  await page.getByRole('button', { name: 'Forget my answers to the questions' }).click()
+  assert.deepEqual(await kept(page), {})
+  assert.ok(!(await shown(third)))
+  assert.equal(await third.input.inputValue(), '')
+  await page.reload()
+  await page.locator('#fig-picture .widget[inert]').waitFor()
+  assert.equal(await page.locator('form.quiz[data-answered]').count(), 0)
+})
+
+test('what is kept is checked: an answer that is none any more counts for nothing', async (t) => {
+  const page = await open(t)
+  await page.evaluate(() => {
+    localStorage.setItem(`quiz:which-foot:${document.querySelector('#quiz-which-foot').dataset.hash}`, '<img src=x>')
+    localStorage.setItem('quiz:third-step:0123456789abcdef', '0.7')
+  })
+  await page.reload()
+  await page.locator('#fig-picture .widget[inert]').waitFor()
+  assert.equal(await page.locator('form.quiz[data-answered]').count(), 0)
+})
