@@ -108,6 +108,12 @@ export const CLASSES = {
     methods: {
       predict: motion,
       update: (dice) => [{ range: 0.1 + Math.abs(dice.normal()) * 4, bearing: dice.normal(), ...(dice.uniform() < 0.6 ? { landmark: 1 } : {}) }],
+      replay(dice) {
+        const steps = 1 + dice.below(4)
+        const log = Float64Array.from({ length: 4 * steps }, (_, i) => (i % 4 === 2 ? 0.1 + Math.abs(dice.normal()) * 4 : dice.normal() * 0.3))
+        if (dice.uniform() < 0.3) log[dice.below(log.length)] = dice.pick([NaN, Infinity, -1, 1e308, 5e-324])
+        return [log, Uint32Array.from({ length: steps }, () => (dice.uniform() < 0.95 ? 1 : 9)), covariance(3, dice)]
+      },
       belief: () => [],
     },
     look: (it) => it.belief(),

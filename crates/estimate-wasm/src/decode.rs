@@ -20,6 +20,23 @@ extern "C" {
     fn is_array(value: &JsValue) -> Result<bool, JsValue>;
 }
 
+#[cfg(feature = "functions")]
+#[wasm_bindgen]
+extern "C" {
+    // Copied through the constructor, which goes by what the array holds: a subclass may answer any `length`.
+    #[wasm_bindgen(js_name = Float64Array)]
+    type Floats;
+    #[wasm_bindgen(catch, constructor, js_class = "Float64Array")]
+    fn copy(from: &JsValue) -> Result<Floats, JsValue>;
+    #[wasm_bindgen(js_name = Uint32Array)]
+    type Wholes;
+    #[wasm_bindgen(catch, constructor, js_class = "Uint32Array")]
+    fn copy(from: &JsValue) -> Result<Wholes, JsValue>;
+    // False for a proxy, which `instanceof` is not.
+    #[wasm_bindgen(js_namespace = ArrayBuffer, js_name = isView)]
+    fn is_view(value: &JsValue) -> bool;
+}
+
 /// A value with the path it was found under.
 pub(crate) struct Arg<'a> {
     value: Cow<'a, JsValue>,
@@ -181,6 +198,32 @@ impl Arg<'_> {
                 Err(self.refuse(Code::Shape, message))
             }
             None => Ok(DMatrix::from_row_iterator(rows.len(), width, rows.into_iter().flatten())),
+        }
+    }
+
+    /// The numbers of a Float64Array of at most `most`.
+    pub fn floats(&self, most: u32) -> Result<Vec<f64>, Error> {
+        let given = is_view(&self.value) && self.value.is_instance_of::<js_sys::Float64Array>();
+        let copy = given.then(|| Floats::copy(&self.value).ok()).flatten();
+        let copy: js_sys::Float64Array = copy.ok_or_else(|| self.wrong_type("a Float64Array"))?.unchecked_into();
+        self.at_most(copy.length(), most)?;
+        Ok(copy.to_vec())
+    }
+
+    /// The numbers of a Uint32Array of at most `most`.
+    pub fn wholes(&self, most: u32) -> Result<Vec<u32>, Error> {
+        let given = is_view(&self.value) && self.value.is_instance_of::<js_sys::Uint32Array>();
+        let copy = given.then(|| Wholes::copy(&self.value).ok()).flatten();
+        let copy: js_sys::Uint32Array = copy.ok_or_else(|| self.wrong_type("a Uint32Array"))?.unchecked_into();
+        self.at_most(copy.length(), most)?;
+        Ok(copy.to_vec())
+    }
+
+    fn at_most(&self, length: u32, most: u32) -> Result<(), Error> {
+        if length <= most {
+            Ok(())
+        } else {
+            Err(self.refuse(Code::Limit, format!("is too long; at most {most} numbers")))
         }
     }
 

@@ -5,8 +5,8 @@ use crate::encode::{numbers, plain, rows};
 use crate::errors::thrown;
 use crate::functions::{BeliefAnswer, belief_of};
 use crate::lab::busy;
-use estimate::localizer::{EkfLocalizer as Localizer, Localized, Reading, SensorKind};
-use estimate::{Error, Landmark};
+use estimate::localizer::{EkfLocalizer as Localizer, Localized, Logged, MAX_LOG, Reading, SensorKind};
+use estimate::{Code, Error, Landmark};
 use serde::Serialize;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
@@ -110,6 +110,38 @@ impl EkfLocalizer {
             _ => e,
         };
         plain(&UpdateAnswer::from(self.write(|ekf| ekf.update(reading).map_err(blame))?))
+    }
+
+    /// Predicts and corrects once for each step of a log, in one call where thousands would cross over one by one. A step
+    /// is [Δs, Δθ, range, bearing] in `log` (without the bearing for a range sensor) and the id of its landmark in
+    /// `landmarks`; `V` is that of `predict`. The answer holds the pose [x, y, θ] after each step. A step that is refused
+    /// refuses the log: the belief is then what it was before.
+    pub fn replay(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Float64Array")] log: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Uint32Array")] landmarks: &JsValue,
+        #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
+    ) -> Result<Vec<f64>, JsValue> {
+        let most = MAX_LOG as u32;
+        let landmarks = Arg::new(landmarks, "landmarks").wholes(most).map_err(thrown)?;
+        let numbers = Arg::new(log, "log").floats(4 * most).map_err(thrown)?;
+        let v = Arg::new(v, "V").matrix().map_err(thrown)?;
+        self.write(|ekf| {
+            let width = match ekf.sensor() {
+                SensorKind::RangeBearing => 4,
+                SensorKind::Range => 3,
+            };
+            if numbers.len() != width * landmarks.len() {
+                let message = format!("has {} numbers; {} landmarks need {width} each", numbers.len(), landmarks.len());
+                return Err(Error::new(Code::Shape, "log", message));
+            }
+            let logged = |(step, &id): (&[f64], &u32)| Logged {
+                u: [step[0], step[1]],
+                reading: Reading { range: step[2], bearing: step.get(3).copied(), landmark: Some(id) },
+            };
+            let log: Vec<Logged> = numbers.chunks_exact(width).zip(&landmarks).map(logged).collect();
+            Ok(ekf.replay(&log, v)?.concat())
+        })
     }
 
     /// The present belief, θ in (−π, π].

@@ -83,8 +83,8 @@ impl ChosetEkf {
         let mut h = OMatrix::<f64, Dyn, Const<3>>::zeros(rows);
         let (mut nu, mut w_all) = (DVector::zeros(rows), DMatrix::zeros(rows, rows));
         for (i, sighting) in sightings.iter().enumerate() {
-            let expected = model.h(&self.filter.x, sighting.j)?;
-            h.fixed_rows_mut::<M>(M * i).copy_from(&model.jacobian(&self.filter.x, sighting.j)?);
+            let (expected, jacobian) = model.linearized(&self.filter.x, sighting.j)?;
+            h.fixed_rows_mut::<M>(M * i).copy_from(&jacobian);
             nu.fixed_rows_mut::<M>(M * i).copy_from(&model.residual(&sighting.y, &expected));
             w_all.fixed_view_mut::<M, M>(M * i, M * i).copy_from(w);
         }
@@ -96,6 +96,17 @@ impl ChosetEkf {
         Ok((nu, s))
     }
     // ANCHOR_END: update
+
+    /// [`ChosetEkf::update`] for a caller who has the innovation and its H at the prediction already.
+    pub(crate) fn correct<const M: usize>(
+        &mut self,
+        innovation: &SVector<f64, M>,
+        h: &SMatrix<f64, M, 3>,
+        w: &SMatrix<f64, M, M>,
+    ) -> Result<(), Error> {
+        self.filter.correct(innovation, h, w)?;
+        Ok(())
+    }
 
     /// The same, one sighting at a time, and equal to the stack: each later innovation is reduced by what the earlier
     /// sightings already moved, H staying at the prediction.
@@ -111,8 +122,8 @@ impl ChosetEkf {
         let prediction = self.filter.x;
         let mut next = self.filter;
         for sighting in sightings {
-            let h = model.jacobian(&prediction, sighting.j)?;
-            let surprise = model.residual(&sighting.y, &model.h(&prediction, sighting.j)?);
+            let (expected, h) = model.linearized(&prediction, sighting.j)?;
+            let surprise = model.residual(&sighting.y, &expected);
             let innovation = surprise - h * next.x.boxminus(prediction);
             next.correct(&linear::finite(innovation, "the innovation")?, &h, w)?;
         }

@@ -16,7 +16,7 @@ pub const NEAREST: f64 = 1e-9;
 fn displacement(map: &[Landmark], x: &SE2, j: usize) -> Result<(f64, f64, f64), filters::Error> {
     let landmark = map.get(j).ok_or(filters::Error::OutOfRange { what: "landmark" })?;
     let (dx, dy) = (x.x() - landmark.x, x.y() - landmark.y);
-    let rho = libm::hypot(dx, dy);
+    let rho = geom::hypot(dx, dy);
     if rho < NEAREST { Err(filters::Error::AtFeature) } else { Ok((dx, dy, rho)) }
 }
 
@@ -31,14 +31,18 @@ pub struct RangeBearing<'m> {
 
 impl MeasurementModel<SE2, 3, 2> for RangeBearing<'_> {
     fn h(&self, x: &SE2, j: usize) -> Result<SVector<f64, 2>, filters::Error> {
-        let (dx, dy, rho) = displacement(self.map, x, j)?;
-        Ok(Vector2::new(rho, wrap(libm::atan2(dy, dx) - x.theta())))
+        self.linearized(x, j).map(|(h, _)| h)
     }
 
     fn jacobian(&self, x: &SE2, j: usize) -> Result<SMatrix<f64, 2, 3>, filters::Error> {
+        self.linearized(x, j).map(|(_, jacobian)| jacobian)
+    }
+
+    fn linearized(&self, x: &SE2, j: usize) -> Result<(SVector<f64, 2>, SMatrix<f64, 2, 3>), filters::Error> {
         let (dx, dy, rho) = displacement(self.map, x, j)?;
+        let h = Vector2::new(rho, wrap(libm::atan2(dy, dx) - x.theta()));
         let (cos, sin) = (dx / rho, dy / rho);
-        Ok(SMatrix::<f64, 2, 3>::new(cos, sin, 0.0, -sin / rho, cos / rho, -1.0))
+        Ok((h, SMatrix::<f64, 2, 3>::new(cos, sin, 0.0, -sin / rho, cos / rho, -1.0)))
     }
 
     /// Bearings differ by the short way round: z − h(x) would be wrong by a whole turn near ±π.
@@ -92,8 +96,8 @@ pub fn candidate<const M: usize>(
     rule: Rule,
 ) -> Result<Candidate<M>, Error> {
     let pose = SE2::from_vector(&belief.x);
-    let h = model.jacobian(&pose, j)?;
-    let innovation = model.residual(y, &model.h(&pose, j)?);
+    let (expected, h) = model.linearized(&pose, j)?;
+    let innovation = model.residual(y, &expected);
     let s = filters::linear::innovation_covariance(&h, &belief.p, w);
     Ok(Candidate::new(j, innovation, s, rule)?)
 }

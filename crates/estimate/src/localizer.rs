@@ -2,12 +2,13 @@
 //! a call is refused.
 
 use crate::dynamic::Belief;
-use crate::ekf::{ChosetEkf, Sighting};
+use crate::ekf::ChosetEkf;
 use crate::error::{Code, Error};
-use crate::landmarks::{RangeBearing, RangeOnly, candidate};
+use crate::landmarks::{RangeBearing, RangeOnly};
 use crate::validate;
 use filters::association::{Candidate, Rule};
 use filters::kalman::Gaussian;
+use filters::linear;
 use filters::nonlinear::MeasurementModel;
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector2};
@@ -15,6 +16,8 @@ use sim::Landmark;
 
 /// The most landmarks of a map.
 pub const MAX_LANDMARKS: usize = 1000;
+/// The most steps of a log that is replayed in one call.
+pub const MAX_LOG: usize = 1_000_000;
 
 /// What the sensor reads, with its noise covariance W.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -42,6 +45,15 @@ pub struct Reading {
     pub bearing: Option<f64>,
     /// The landmark's id; without one, the reading is associated.
     pub landmark: Option<u32>,
+}
+
+/// One step of a log: how the robot moved, and what it then read.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Logged {
+    /// [Δs, Δθ], metres and radians.
+    pub u: [f64; 2],
+    /// The reading after the motion.
+    pub reading: Reading,
 }
 
 /// What became of a reading.
@@ -152,6 +164,13 @@ impl EkfLocalizer {
     /// many, [`Code::Index`] for an id that is not on the map, [`Code::AtLandmark`],
     /// [`Code::InnovationNotPositiveDefinite`].
     pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
+        Ok(match self.judge(reading)? {
+            Judged::RangeBearing(accepted, best) => localized(&self.map, accepted, &best),
+            Judged::Range(accepted, best) => localized(&self.map, accepted, &best),
+        })
+    }
+
+    fn judge(&mut self, reading: Reading) -> Result<Judged, Error> {
         let range = validate::finite(reading.range, "range")?;
         if range < 0.0 {
             return Err(Error::new(Code::Limit, "range", "a range is not negative"));
@@ -161,12 +180,16 @@ impl EkfLocalizer {
             (Sensor::RangeBearing(w), Some(bearing)) => {
                 let y = Vector2::new(range, wrap(validate::finite(bearing, "bearing")?));
                 let model = RangeBearing { map: &self.map };
-                locate(&mut self.ekf, &model, &self.map, y, &w, (j, Rule::MaximumLikelihood, self.gate))
+                let count = self.map.len();
+                let (accepted, best) =
+                    locate(&mut self.ekf, &model, count, y, &w, (j, Rule::MaximumLikelihood, self.gate))?;
+                Ok(Judged::RangeBearing(accepted, best))
             }
             (Sensor::Range(w), None) => {
                 let model = RangeOnly { map: &self.map };
-                let y = SVector::<f64, 1>::new(range);
-                locate(&mut self.ekf, &model, &self.map, y, &w, (j, Rule::ChiSquared, self.gate))
+                let (count, y) = (self.map.len(), SVector::<f64, 1>::new(range));
+                let (accepted, best) = locate(&mut self.ekf, &model, count, y, &w, (j, Rule::ChiSquared, self.gate))?;
+                Ok(Judged::Range(accepted, best))
             }
             (Sensor::RangeBearing(_), None) => {
                 Err(Error::new(Code::Type, "bearing", "is missing; this sensor reads range and bearing"))
@@ -174,6 +197,40 @@ impl EkfLocalizer {
             (Sensor::Range(_), Some(_)) => {
                 Err(Error::new(Code::Type, "bearing", "is given; this sensor reads the range alone"))
             }
+        }
+    }
+
+    /// Predicts and corrects once for each step of a log, all with the one `v`, and answers the poses x̂ = [x, y, θ] after
+    /// the steps. A reading beyond the gate leaves its step at the prediction.
+    ///
+    /// # Errors
+    /// As [`Self::predict`] and [`Self::update`], the argument naming the step; [`Code::Limit`] for no step or more than
+    /// [`MAX_LOG`]. The belief is then what it was before the log.
+    pub fn replay(&mut self, log: &[Logged], v: DMatrix<f64>) -> Result<Vec<[f64; 3]>, Error> {
+        validate::count(log.len(), MAX_LOG, "log")?;
+        let v = validate::covariance(v, 3, "V")?;
+        let v = Matrix3::from_fn(|i, j| v[(i, j)]);
+        let (mut next, mut poses) = (self.clone(), Vec::with_capacity(log.len()));
+        for (k, logged) in log.iter().enumerate() {
+            next.step(logged, &v).map_err(|e| e.within(&format!("log[{k}]")))?;
+            let pose = next.ekf.pose();
+            poses.push([pose.x(), pose.y(), pose.theta()]);
+        }
+        *self = next;
+        Ok(poses)
+    }
+
+    fn step(&mut self, logged: &Logged, v: &Matrix3<f64>) -> Result<(), Error> {
+        let u = Vector2::new(validate::finite(logged.u[0], "u")?, validate::finite(logged.u[1], "u")?);
+        self.ekf.predict(&u, v)?;
+        self.judge(logged.reading).map(|_| ())
+    }
+
+    /// Which sensor it has.
+    pub fn sensor(&self) -> SensorKind {
+        match self.sensor {
+            Sensor::RangeBearing(_) => SensorKind::RangeBearing,
+            Sensor::Range(_) => SensorKind::Range,
         }
     }
 
@@ -190,38 +247,53 @@ impl EkfLocalizer {
     }
 }
 
-/// Judges the reading `y` against landmark `j`, or against all, and corrects the filter when it is within the gate.
-fn locate<const M: usize>(
-    ekf: &mut ChosetEkf,
-    model: &impl MeasurementModel<SE2, 3, M>,
-    map: &[Landmark],
-    y: SVector<f64, M>,
-    w: &SMatrix<f64, M, M>,
-    (j, rule, gate): (Option<usize>, Rule, Option<f64>),
-) -> Result<Localized, Error> {
-    let belief = ekf.belief();
-    let weigh = |j: usize| candidate(model, &belief, &y, j, w, rule);
-    let within = |c: &Candidate<M>| gate.is_none_or(|gate| c.d2 <= gate);
-    let best = match j {
-        Some(j) => weigh(j)?,
-        None => {
-            let all = (0..map.len()).map(weigh).collect::<Result<Vec<_>, Error>>()?;
-            let likeliest = all.iter().filter(|c| within(c)).min_by(|a, b| a.cost.total_cmp(&b.cost));
-            let best = likeliest.or_else(|| all.iter().min_by(|a, b| a.d2.total_cmp(&b.d2)));
-            *best.ok_or_else(|| Error::new(Code::Index, "landmarks", "is empty"))?
-        }
-    };
-    let accepted = within(&best);
-    if accepted {
-        ekf.update(model, &Sighting { j: best.j, y }, w)?;
-    }
-    Ok(Localized {
+/// A reading's best candidate, and whether it was within the gate.
+enum Judged {
+    RangeBearing(bool, Candidate<2>),
+    Range(bool, Candidate<1>),
+}
+
+fn localized<const M: usize>(map: &[Landmark], accepted: bool, best: &Candidate<M>) -> Localized {
+    Localized {
         accepted,
         landmark: map[best.j].id,
         innovation: DVector::from_fn(M, |i, _| best.innovation[i]),
         s: DMatrix::from_fn(M, M, |i, k| best.s[(i, k)]),
         chi2: best.d2,
-    })
+    }
+}
+
+/// Judges the reading `y` against landmark `j`, or against all `count`, and corrects the filter when it is within the gate.
+fn locate<const M: usize>(
+    ekf: &mut ChosetEkf,
+    model: &impl MeasurementModel<SE2, 3, M>,
+    count: usize,
+    y: SVector<f64, M>,
+    w: &SMatrix<f64, M, M>,
+    (j, rule, gate): (Option<usize>, Rule, Option<f64>),
+) -> Result<(bool, Candidate<M>), Error> {
+    let (pose, p) = (ekf.pose(), *ekf.covariance());
+    let weigh = |j: usize, rule| -> Result<(Candidate<M>, SMatrix<f64, M, 3>), Error> {
+        let (expected, h) = model.linearized(&pose, j)?;
+        let s = linear::innovation_covariance(&h, &p, w);
+        Ok((Candidate::new(j, model.residual(&y, &expected), s, rule)?, h))
+    };
+    let within = |c: &Candidate<M>| gate.is_none_or(|gate| c.d2 <= gate);
+    let (best, h) = match j {
+        // There is nothing to choose from, hence no use for the costlier rule.
+        Some(j) => weigh(j, Rule::ChiSquared)?,
+        None => {
+            let all = (0..count).map(|j| weigh(j, rule)).collect::<Result<Vec<_>, Error>>()?;
+            let likeliest = all.iter().filter(|(c, _)| within(c)).min_by(|a, b| a.0.cost.total_cmp(&b.0.cost));
+            let best = likeliest.or_else(|| all.iter().min_by(|a, b| a.0.d2.total_cmp(&b.0.d2)));
+            *best.ok_or_else(|| Error::new(Code::Index, "landmarks", "is empty"))?
+        }
+    };
+    let accepted = within(&best);
+    if accepted {
+        ekf.correct(&best.innovation, &h, w)?;
+    }
+    Ok((accepted, best))
 }
 
 #[cfg(test)]
@@ -245,7 +317,7 @@ mod tests {
 
     fn reading(landmark: Option<u32>) -> Reading {
         let (dx, dy) = (1.6 - 0.0, 2.1 - 6.0);
-        Reading { range: libm::hypot(dx, dy), bearing: Some(libm::atan2(dy, dx) - 0.35), landmark }
+        Reading { range: geom::hypot(dx, dy), bearing: Some(libm::atan2(dy, dx) - 0.35), landmark }
     }
 
     #[test]
@@ -267,6 +339,27 @@ mod tests {
         assert!(!ekf.update(odd).expect("pd").accepted);
         assert_eq!(ekf, both(Some(9.21)));
         assert!(both(None).update(reading(Some(3))).expect("pd").accepted);
+    }
+
+    #[test]
+    fn a_log_replayed_is_its_steps_one_by_one() {
+        let v = dmatrix![0.01, 0.0, 0.0; 0.0, 0.01, 0.0; 0.0, 0.0, 0.01];
+        let log = [0.0, 0.2, -0.1].map(|d| Logged { u: [d, 0.1], reading: reading(Some(8)) });
+        let (mut at_once, mut in_turn) = (both(Some(9.21)), both(Some(9.21)));
+        let poses = at_once.replay(&log, v.clone()).expect("sound");
+        for (logged, pose) in log.iter().zip(poses) {
+            in_turn.predict(DVector::from_column_slice(&logged.u), v.clone()).expect("sound");
+            in_turn.update(logged.reading).expect("sound");
+            assert_eq!(in_turn.belief().x.as_slice(), pose);
+        }
+        assert_eq!(at_once, in_turn);
+
+        let mut broken = log;
+        broken[2].reading.range = -1.0;
+        let refused = at_once.replay(&broken, v.clone()).expect_err("a negative range");
+        assert_eq!((refused.code, refused.argument.as_ref()), (Code::Limit, "log[2].range"));
+        assert_eq!(at_once.replay(&[], v).expect_err("no step").code, Code::Limit);
+        assert_eq!(at_once, in_turn);
     }
 
     #[test]

@@ -51,14 +51,18 @@ impl Unicycle {
 // ANCHOR: unicycle
 impl MotionModel<SE2, 3, 2> for Unicycle {
     fn f(&self, x: &SE2, u: &SVector<f64, 2>) -> SE2 {
-        let (sin, cos) = libm::sincos(x.theta());
-        x.boxplus(&Vector3::new(u[0] * cos, u[0] * sin, u[1]))
+        self.linearized(x, u).0
     }
 
-    /// The third column says it all: a heading error δθ pushes the position sideways, by u₁ δθ.
     fn jacobian(&self, x: &SE2, u: &SVector<f64, 2>) -> SMatrix<f64, 3, 3> {
+        self.linearized(x, u).1
+    }
+
+    /// The Jacobian's third column says it all: a heading error δθ pushes the position sideways, by u₁ δθ.
+    fn linearized(&self, x: &SE2, u: &SVector<f64, 2>) -> (SE2, SMatrix<f64, 3, 3>) {
         let (sin, cos) = libm::sincos(x.theta());
-        Matrix3::new(1.0, 0.0, -u[0] * sin, 0.0, 1.0, u[0] * cos, 0.0, 0.0, 1.0)
+        let moved = x.boxplus(&Vector3::new(u[0] * cos, u[0] * sin, u[1]));
+        (moved, Matrix3::new(1.0, 0.0, -u[0] * sin, 0.0, 1.0, u[0] * cos, 0.0, 0.0, 1.0))
     }
 }
 // ANCHOR_END: unicycle
@@ -96,7 +100,7 @@ mod tests {
         // Five standard errors of a sample variance, √(2/n) of itself each.
         assert!((found[(0, 0)] / claimed[(0, 0)] - 1.0).abs() < 0.05);
         assert!((found[(1, 1)] / claimed[(1, 1)] - 1.0).abs() < 0.05);
-        assert!(found[(0, 1)].abs() < 5.0 * libm::sqrt(claimed[(0, 0)] * claimed[(1, 1)] / f64::from(n)));
+        assert!(found[(0, 1)].abs() < 5.0 * (claimed[(0, 0)] * claimed[(1, 1)] / f64::from(n)).sqrt());
     }
 
     #[test]

@@ -69,7 +69,7 @@ pub(crate) fn place(f: &DMatrix<f64>, h: &DMatrix<f64>, poles: &[Complex<f64>]) 
     // By Cayley and Hamilton the polynomial with these roots vanishes at (I − KH)F, and at no matrix with other roots.
     let closed = f - &k * (h * f);
     let residual = evaluate(&factors, &closed).norm();
-    let size: f64 = poles.iter().map(|p| closed.norm() + libm::hypot(p.re, p.im)).product();
+    let size: f64 = poles.iter().map(|p| closed.norm() + geom::hypot(p.re, p.im)).product();
     if residual <= 1e-6 * size { Ok(k) } else { Err(not_placeable()) }
 }
 

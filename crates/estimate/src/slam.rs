@@ -126,15 +126,15 @@ impl EkfSlam {
     /// [`Code::NotFinite`], or [`Code::NotPositiveSemidefinite`] where P would lose its digits; the belief is then as it
     /// was.
     pub fn predict(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
-        let pose = Unicycle.f(&self.pose(), u).to_vector();
-        let f = Unicycle.jacobian(&self.pose(), u);
+        let (pose, f) = Unicycle.linearized(&self.pose(), u);
+        let pose = pose.to_vector();
         let block = filters::linear::predicted_covariance(&f, &self.pose_covariance(), v);
         let moved = |row: &[f64]| [row[0] + f[(0, 2)] * row[2], row[1] + f[(1, 2)] * row[2]];
         let cross_is_finite = (3..self.x.len()).all(|i| moved(self.p.row(i)).iter().all(|e| e.is_finite()));
         if !(filters::linear::is_finite(&pose) && filters::linear::is_finite(&block) && cross_is_finite) {
             return Err(filters::Error::NotFinite { what: "the predicted covariance" }.into());
         }
-        let sigma = [0, 1, 2].map(|i| libm::sqrt(self.p.get(i, i)));
+        let sigma = [0, 1, 2].map(|i| self.p.get(i, i).sqrt());
         let largest = self.p.diagonal().fold(0.0, f64::max);
         let reach = [0, 1].map(|a: usize| sigma[a] + f[(a, 2)].abs() * sigma[2]).map(|r| r * r);
         let after = self.p.diagonal().skip(3).chain(block.diagonal().iter().copied()).fold(0.0, f64::max);
@@ -290,8 +290,8 @@ impl EkfSlam {
         }
         let largest = self.p.diagonal().fold(0.0, f64::max);
         let reach = [0, 1].map(|a: usize| {
-            let pose: f64 = (0..3).map(|k| by_pose[(a, k)].abs() * libm::sqrt(self.p.get(k, k))).sum();
-            pose + (0..2).map(|k| by_reading[(a, k)].abs() * libm::sqrt(self.w[(k, k)])).sum::<f64>()
+            let pose: f64 = (0..3).map(|k| by_pose[(a, k)].abs() * self.p.get(k, k).sqrt()).sum();
+            pose + (0..2).map(|k| by_reading[(a, k)].abs() * self.w[(k, k)].sqrt()).sum::<f64>()
         });
         let after = largest.max(corner[(0, 0)]).max(corner[(1, 1)]);
         let [first, second] = rows;

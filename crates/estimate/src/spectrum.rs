@@ -49,7 +49,7 @@ fn found_with(
         2 => found.extend(of_two_by_two(&core)),
         _ => found.extend(beyond_two(&core)?),
     }
-    let modulus = |l: &Complex<f64>| libm::hypot(l.re, l.im);
+    let modulus = |l: &Complex<f64>| geom::hypot(l.re, l.im);
     // By insertion: a handful of values do not pay for the standard library's sort, 20 kB of the module.
     let mut ordered: Vec<Complex<f64>> = Vec::with_capacity(found.len());
     for l in found {
@@ -86,7 +86,7 @@ fn of_two_by_two(m: &DMatrix<f64>) -> [Complex<f64>; 2] {
     let half_trace = 0.5 * (a + d);
     let half_difference = 0.5 * (a - d);
     let discriminant = libm::fma(half_difference, half_difference, b * c);
-    let root = libm::sqrt(discriminant.abs());
+    let root = discriminant.abs().sqrt();
     if discriminant < 0.0 {
         let (re, im) = (scale * half_trace, scale * root);
         return [Complex::new(re, im), Complex::new(re, -im)];

@@ -1,6 +1,7 @@
 //! The checks every argument from outside goes through.
 
 use crate::error::{Code, Error};
+use geom::Spd;
 use nalgebra::{DMatrix, DVector};
 
 /// The largest number of states of a run-time system.
@@ -83,7 +84,7 @@ pub fn covariance(m: DMatrix<f64>, n: usize, argument: &'static str) -> Result<D
     }
     // Scaled, so that the factorization of a large covariance cannot overflow.
     let scaled = &m / largest;
-    let raised_by = |part: f64| (&scaled + DMatrix::identity(n, n) * part).cholesky().is_some();
+    let raised_by = |part: f64| Spd::new(&scaled + DMatrix::identity(n, n) * part).is_some();
     if raised_by(0.0) {
         return Ok(m);
     }

@@ -63,12 +63,12 @@ pub fn power_of_two(size: f64) -> f64 {
 /// Turns columns `p` and `q` of `a`, and of `v` with them, until they are orthogonal; false when they already were.
 fn orthogonalize(a: &mut DMatrix<f64>, v: &mut DMatrix<f64>, (p, q): (usize, usize), negligible: f64) -> bool {
     let (pp, qq, pq) = (a.column(p).norm_squared(), a.column(q).norm_squared(), a.column(p).dot(&a.column(q)));
-    if pq.abs() <= negligible || pq.abs() <= f64::EPSILON * libm::sqrt(pp) * libm::sqrt(qq) {
+    if pq.abs() <= negligible || pq.abs() <= f64::EPSILON * pp.sqrt() * qq.sqrt() {
         return false;
     }
     let zeta = (qq - pp) / (2.0 * pq);
-    let t = libm::copysign(1.0, zeta) / (zeta.abs() + libm::hypot(1.0, zeta));
-    let c = 1.0 / libm::hypot(1.0, t);
+    let t = libm::copysign(1.0, zeta) / (zeta.abs() + geom::hypot(1.0, zeta));
+    let c = 1.0 / geom::hypot(1.0, t);
     let s = c * t;
     for m in [a, v] {
         for i in 0..m.nrows() {

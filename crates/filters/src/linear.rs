@@ -138,7 +138,7 @@ fn largest_terms<N: Dim, M: Dim>(p: &OMatrix<f64, N, N>, k: &OMatrix<f64, N, M>,
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M>,
 {
-    let sigma = |i: usize| libm::sqrt(p[(i, i)].max(0.0));
+    let sigma = |i: usize| p[(i, i)].max(0.0).sqrt();
     let spread = |a: usize| (0..p.nrows()).map(|j| c[(a, j)].abs() * sigma(j)).sum::<f64>();
     let terms = |i: usize| sigma(i) + (0..c.nrows()).map(|a| k[(i, a)].abs() * spread(a)).sum::<f64>();
     (0..p.nrows()).map(|i| terms(i) * terms(i)).fold(0.0, f64::max)

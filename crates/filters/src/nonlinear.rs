@@ -57,6 +57,11 @@ pub trait MotionModel<X: State<N>, const N: usize, const U: usize> {
 
     /// A = ∂f/∂x at (x, u), n×n, in the coordinates of ⊞.
     fn jacobian(&self, x: &X, u: &SVector<f64, U>) -> SMatrix<f64, N, N>;
+
+    /// Both, for a model whose two share their work.
+    fn linearized(&self, x: &X, u: &SVector<f64, U>) -> (X, SMatrix<f64, N, N>) {
+        (self.f(x, u), self.jacobian(x, u))
+    }
 }
 
 /// What a sensor reads of feature `j`: z = h(x, j) + noise.
@@ -72,6 +77,14 @@ pub trait MeasurementModel<X: State<N>, const N: usize, const M: usize> {
     /// # Errors
     /// As [`MeasurementModel::h`].
     fn jacobian(&self, x: &X, j: usize) -> Result<SMatrix<f64, M, N>, Error>;
+
+    /// Both, for a sensor whose two share their work.
+    ///
+    /// # Errors
+    /// As [`MeasurementModel::h`].
+    fn linearized(&self, x: &X, j: usize) -> Result<(SVector<f64, M>, SMatrix<f64, M, N>), Error> {
+        Ok((self.h(x, j)?, self.jacobian(x, j)?))
+    }
 
     /// z − ẑ, wrapped where a component is an angle.
     fn residual(&self, z: &SVector<f64, M>, expected: &SVector<f64, M>) -> SVector<f64, M> {
@@ -114,11 +127,10 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
         u: &SVector<f64, U>,
         r: &SMatrix<f64, N, N>,
     ) -> Result<(), Error> {
-        let x = model.f(&self.x, u);
+        let (x, a) = model.linearized(&self.x, u);
         if !x.is_finite() {
             return Err(Error::NotFinite { what: "the predicted mean" });
         }
-        let a = model.jacobian(&self.x, u);
         let p = finite(linear::predicted_covariance(&a, &self.p, r), "the predicted covariance")?;
         *self = Self { x, p };
         Ok(())
@@ -136,8 +148,8 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
         j: usize,
         q: &SMatrix<f64, M, M>,
     ) -> Result<Update<N, M>, Error> {
-        let c = model.jacobian(&self.x, j)?;
-        let innovation = finite(model.residual(z, &model.h(&self.x, j)?), "the innovation")?;
+        let (expected, c) = model.linearized(&self.x, j)?;
+        let innovation = finite(model.residual(z, &expected), "the innovation")?;
         self.correct(&innovation, &c, q)
     }
 

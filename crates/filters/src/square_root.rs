@@ -12,6 +12,7 @@
 
 use crate::error::Error;
 use crate::linear::{finite, jacobi};
+use geom::Spd;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix};
 
@@ -51,7 +52,7 @@ fn array_update(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<
     array.view_mut((0, 0), (m, m)).copy_from(&root_q.transpose());
     array.view_mut((m, 0), (n, m)).copy_from(&(c * &root_p).transpose());
     array.view_mut((m, m), (n, n)).copy_from(&root_p.transpose());
-    let r = array.qr().r();
+    let r = largest_rows_first(&array).qr().r();
 
     let root_s = r.view((0, 0), (m, m));
     for i in 0..m {
@@ -66,19 +67,31 @@ fn array_update(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<
     Ok((kt.transpose(), root_posterior.transpose() * root_posterior))
 }
 
+/// The rows of `m` by decreasing largest entry. Reflections keep the digits of small rows only below the large ones (Powell
+/// and Reid 1969), and the triangle they leave does not depend on the order.
+fn largest_rows_first(m: &DMatrix<f64>) -> DMatrix<f64> {
+    let size = |i: usize| m.row(i).amax();
+    let mut order: Vec<usize> = Vec::with_capacity(m.nrows());
+    for i in 0..m.nrows() {
+        let at = order.iter().position(|&j| size(i) > size(j)).unwrap_or(order.len());
+        order.insert(at, i);
+    }
+    DMatrix::from_fn(m.nrows(), m.ncols(), |i, j| m[(order[i], j)])
+}
+
 /// A matrix L with LLᵀ = `s`, for a positive semidefinite `s`: Cholesky's, or where that meets a zero pivot the one from
 /// the eigenvectors.
 fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     let s = finite(s.clone(), "a covariance")?;
-    if let Some(factor) = s.clone().cholesky() {
-        return Ok(factor.unpack());
+    if let Some(factor) = Spd::new(s.clone()) {
+        return Ok(factor.root());
     }
     // Of a semidefinite matrix the singular values are the eigenvalues.
     let (sizes, directions) = jacobi(s.clone()).ok_or(Error::InnovationNotPositiveDefinite)?;
     // Rounding may push a zero eigenvalue this far below zero; what lies lower is not a covariance.
     let allowance = DMatrix::identity(s.nrows(), s.nrows()) * (1e-12 * sizes[0]);
-    if sizes[0] > 0.0 && (s + allowance).cholesky().is_none() {
+    if sizes[0] > 0.0 && Spd::new(s + allowance).is_none() {
         return Err(Error::InnovationNotPositiveDefinite);
     }
-    Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(sizes).map(libm::sqrt)))
+    Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(sizes).map(f64::sqrt)))
 }

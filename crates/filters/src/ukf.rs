@@ -5,7 +5,7 @@ use crate::kalman::Update;
 use crate::linear::{finite, symmetric};
 use crate::nonlinear::{MeasurementModel, MotionModel, State};
 use geom::Spd;
-use nalgebra::{Cholesky, SMatrix, SVector};
+use nalgebra::{SMatrix, SVector};
 
 /// Where the sigma points stand and what they weigh. The answer depends on it, so a result says which it used.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -78,7 +78,7 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
             return Err(Error::OutOfRange { what: "the sigma points" });
         }
         let p = finite(self.p, "the covariance")?;
-        let root = Cholesky::new(p).ok_or(Error::OutOfRange { what: "the covariance" })?.unpack() * libm::sqrt(scale);
+        let root = Spd::new(p).ok_or(Error::OutOfRange { what: "the covariance" })?.root() * scale.sqrt();
         let centre_mean = (scale - n) / scale;
         let weights = Weights { outer: 0.5 / scale, centre_covariance: centre_mean + 1.0 - alpha * alpha + beta };
         Ok((core::array::from_fn(|i| root.column(i).into_owned()), weights))

@@ -2,16 +2,18 @@
 //! its two nearest points.
 //!
 //! Lengths are metres and angles radians throughout; every transcendental function goes through `libm`, so an answer has
-//! the same bits on every platform.
+//! the same bits on every platform. Square roots need not: IEEE 754 rounds them correctly everywhere.
 
 mod affine;
 mod angle;
 mod ellipse;
+mod hypot;
 mod se2;
 mod spd;
 
 pub use affine::Affine;
 pub use angle::{angle_diff, wrap};
 pub use ellipse::Ellipse;
+pub use hypot::hypot;
 pub use se2::SE2;
 pub use spd::{MIN_PIVOT, Spd};

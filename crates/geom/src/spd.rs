@@ -1,18 +1,22 @@
 //! Solves with a symmetric positive definite matrix, and says how far from singular it was.
 
 use nalgebra::allocator::Allocator;
-use nalgebra::{Cholesky, DefaultAllocator, Dim, OMatrix};
+use nalgebra::{DefaultAllocator, Dim, OMatrix};
 
 /// The smallest pivot an [`Spd`] is trusted with, in the sense of [`Spd::pivot`]: below it a solve keeps fewer than
 /// eight of its sixteen digits.
 pub const MIN_PIVOT: f64 = 1e-8;
 
 /// A Cholesky factor S = LLᵀ of a finite, numerically positive definite S.
+///
+/// Not nalgebra's: that one takes its square roots from `libm`, which computes them in software in wasm, ten times as
+/// long as the rest of the step; and it answers an infinite matrix with an infinite factor.
 pub struct Spd<D: Dim>
 where
     DefaultAllocator: Allocator<D, D>,
 {
-    factor: Cholesky<f64, D>,
+    /// In the lower triangle; the upper one is that of S.
+    l: OMatrix<f64, D, D>,
     pivot: f64,
 }
 
@@ -22,17 +26,26 @@ where
 {
     /// Factors `s`, of which the lower triangle is read; `None` when an entry is not finite or a pivot not positive.
     pub fn new(s: OMatrix<f64, D, D>) -> Option<Self> {
-        // nalgebra's Cholesky answers an infinite matrix with an infinite factor.
         if s.iter().any(|e| !e.is_finite()) {
             return None;
         }
-        let factor = Cholesky::new(s.clone())?;
-        let l = factor.l_dirty();
-        let mut pivot = 1.0_f64;
-        for i in 0..s.nrows() {
-            pivot = pivot.min(l[(i, i)] * l[(i, i)] / s[(i, i)]);
+        let (n, mut l, mut pivot) = (s.nrows(), s, 1.0_f64);
+        for j in 0..n {
+            let variance = l[(j, j)];
+            let unexplained = (0..j).fold(variance, |rest, k| rest - l[(j, k)] * l[(j, k)]);
+            // Written so that a NaN, which an overflow leaves, is refused too.
+            let positive = unexplained > 0.0 && unexplained.is_finite();
+            if !positive {
+                return None;
+            }
+            pivot = pivot.min(unexplained / variance);
+            let root = unexplained.sqrt();
+            l[(j, j)] = root;
+            for i in j + 1..n {
+                l[(i, j)] = (0..j).fold(l[(i, j)], |rest, k| rest - l[(i, k)] * l[(j, k)]) / root;
+            }
         }
-        Some(Self { factor, pivot })
+        Some(Self { l, pivot })
     }
 
     /// The smallest Lᵢᵢ² / Sᵢᵢ, in (0, 1]: the part of component i's variance that the components before it do not
@@ -41,10 +54,14 @@ where
         self.pivot
     }
 
+    /// L.
+    pub fn root(&self) -> OMatrix<f64, D, D> {
+        self.l.lower_triangle()
+    }
+
     /// ln det S.
     pub fn ln_determinant(&self) -> f64 {
-        let l = self.factor.l_dirty();
-        (0..l.nrows()).map(|i| 2.0 * libm::log(l[(i, i)])).sum()
+        (0..self.l.nrows()).map(|i| 2.0 * libm::log(self.l[(i, i)])).sum()
     }
 
     /// S⁻¹ B.
@@ -52,7 +69,16 @@ where
     where
         DefaultAllocator: Allocator<D, C>,
     {
-        self.factor.solve(b)
+        let (l, n, mut x) = (&self.l, self.l.nrows(), b.clone());
+        for c in 0..x.ncols() {
+            for i in 0..n {
+                x[(i, c)] = (0..i).fold(x[(i, c)], |rest, k| rest - l[(i, k)] * x[(k, c)]) / l[(i, i)];
+            }
+            for i in (0..n).rev() {
+                x[(i, c)] = (i + 1..n).fold(x[(i, c)], |rest, k| rest - l[(k, i)] * x[(k, c)]) / l[(i, i)];
+            }
+        }
+        x
     }
 }
 

@@ -1,9 +1,15 @@
 //! Nanoseconds a step natively, one round, as JSON: the other half of the Node bench, which runs this between its own
 //! rounds and prints the ratios.
 
-use estimate::kf::{kalman_step, position_sensor};
+use estimate::Landmark;
+use estimate::dynamic::Belief;
+use estimate::kf::{Gaussian, kalman_step, position_sensor};
+use estimate::localizer::{EkfLocalizer, Logged, Reading, SensorKind};
+use estimate::slam::{self, EkfSlam};
+use filters::association::Thresholds;
+use filters::linear;
 use labs::Lab;
-use nalgebra::Vector1;
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Vector1, Vector2, Vector3};
 use std::hint::black_box;
 use std::time::Instant;
 
@@ -20,6 +26,69 @@ fn kalman() -> f64 {
     start.elapsed().as_secs_f64() / f64::from(STEPS) * 1e9
 }
 
+/// A log at rest, every reading as expected: a filter can replay it for ever without leaving its place.
+fn localizer() -> f64 {
+    let (belief, v) = (DMatrix::identity(3, 3) * 0.01, DMatrix::identity(3, 3) * 1e-4);
+    let belief = Belief { x: DVector::from_vec(vec![1.5, 1.5, 0.0]), p: belief };
+    let (map, w) =
+        (vec![Landmark { id: 1, x: 6.0, y: 6.0 }], DMatrix::from_diagonal(&DVector::from_vec(vec![0.01, 0.001])));
+    let Ok(mut ekf) = EkfLocalizer::new(belief, map, w, None, SensorKind::RangeBearing) else { return f64::NAN };
+    let reading = Reading { range: 6.363961, bearing: Some(-2.3561945), landmark: Some(1) };
+    let log = vec![Logged { u: [0.0, 0.0], reading }; STEPS as usize];
+    let start = Instant::now();
+    let ran = ekf.replay(black_box(&log), v);
+    let ns = start.elapsed().as_secs_f64() / f64::from(STEPS) * 1e9;
+    if ran.is_ok() { ns } else { f64::NAN }
+}
+
+/// Landmarks on a spiral about the robot, none near another.
+fn spiral(j: u32) -> slam::Reading {
+    let at = f64::from(j);
+    slam::Reading { range: 3.0 + 0.5 * at, bearing: 2.4 * at, landmark: Some(j) }
+}
+
+/// Predict and one sighting with `n` landmarks in the map.
+fn mapping(n: u32) -> f64 {
+    let belief = Gaussian { x: Vector3::zeros(), p: Matrix3::identity() * 1e-4 };
+    let w = Matrix2::new(0.01, 0.0, 0.0, 0.0009);
+    let Ok(mut map) = EkfSlam::new(&belief, &w, Thresholds { gate: 9.21, found: 50.0 }) else { return f64::NAN };
+    let mut sound = (0..n).all(|j| map.update(&[spiral(j)]).is_ok());
+    let (u, v, reading) = (Vector2::zeros(), Matrix3::identity() * 1e-6, [spiral(n / 2)]);
+    let steps = 2_000_000 / (n * n + 100) + 20;
+    let start = Instant::now();
+    for _ in 0..steps {
+        sound &= map.predict(black_box(&u), &v).is_ok() && map.update(black_box(&reading)).is_ok();
+    }
+    let ns = start.elapsed().as_secs_f64() / f64::from(steps) * 1e9;
+    if sound { ns } else { f64::NAN }
+}
+
+/// The same update as dense algebra, Joseph's form over all 3 + 2n states.
+fn dense(n: usize) -> f64 {
+    let size = 3 + 2 * n;
+    let at = |i: usize, j: usize| if i == j { 1.0 } else { 0.1 / (1.0 + (i as f64 - j as f64).abs()) };
+    let mut p = DMatrix::from_fn(size, size, at);
+    let (f, v) = (DMatrix::identity(size, size), DMatrix::identity(size, size) * 1e-6);
+    let mut h = DMatrix::zeros(2, size);
+    for (row, column, value) in [(0, 0, 0.6), (0, 1, 0.8), (1, 0, -0.2), (1, 1, 0.15), (1, 2, -1.0)] {
+        h[(row, column)] = value;
+        if column < 2 {
+            h[(row, 3 + n / 2 * 2 + column)] = -value;
+        }
+    }
+    let w = DMatrix::from_diagonal(&DVector::from_vec(vec![0.01, 0.0009]));
+    let steps = 5;
+    let start = Instant::now();
+    for _ in 0..steps {
+        let predicted = linear::predicted_covariance(&f, &p, &v);
+        match linear::gain_and_covariance(&predicted, black_box(&h), &w) {
+            Ok((_, _, posterior)) => p = posterior,
+            Err(_) => return f64::NAN,
+        }
+    }
+    start.elapsed().as_secs_f64() / f64::from(steps) * 1e9
+}
+
 fn lab<L: Lab>(steps: u32) -> f64 {
     let Ok(mut lab) = L::new(L::Params::default()) else { return f64::NAN };
     let start = Instant::now();
@@ -29,7 +98,13 @@ fn lab<L: Lab>(steps: u32) -> f64 {
 }
 
 fn main() {
-    let times = [("kalmanStep", kalman()), ("ObserverBench", lab::<labs::ObserverBench>(20_000))];
+    let mut times = vec![
+        ("kalmanStep".to_string(), kalman()),
+        ("ObserverBench".to_string(), lab::<labs::ObserverBench>(20_000)),
+        ("EkfLocalizer".to_string(), localizer()),
+        ("dense 100".to_string(), dense(100)),
+    ];
+    times.extend([3, 30, 100, 300, 500].map(|n| (format!("EkfSlam {n}"), mapping(n))));
     let parts: Vec<String> = times.iter().map(|(name, ns)| format!("\"{name}\": {ns:.3}")).collect();
     println!("{{ {} }}", parts.join(", "));
 }

@@ -145,7 +145,7 @@ impl Mapping {
             .map(|(mapped, &truth)| {
                 let at = Vector2::new(self.world[truth].x, self.world[truth].y);
                 let e = mapped.position - at;
-                let sigma = filters::consistency::mahalanobis_squared(&e, &mapped.p).map_or(f64::NAN, libm::sqrt);
+                let sigma = filters::consistency::mahalanobis_squared(&e, &mapped.p).map_or(f64::NAN, f64::sqrt);
                 MapError { error: e.norm(), sigma }
             })
             .collect()

@@ -190,7 +190,7 @@ impl Lab for ObserverBench {
             system,
             steady,
             root_v: root(&system.v, "V")?,
-            sigma_w: libm::sqrt(system.w[0]),
+            sigma_w: system.w[0].sqrt(),
             noise,
             step: 0,
             diverged: false,
@@ -253,7 +253,7 @@ impl Lab for ObserverBench {
         // Two real or conjugate roots: a 2×2 has them in closed form, so the iteration that could fail is not run.
         let roots: Vec<Root> = observer.error_eigs().unwrap_or_default().into_iter().map(Root::from).collect();
         let eigenvalues = [0, 1].map(|i| roots.get(i).copied().unwrap_or(Root { re: f64::NAN, im: f64::NAN }));
-        let modulus = eigenvalues.map(|l| libm::hypot(l.re, l.im));
+        let modulus = eigenvalues.map(|l| geom::hypot(l.re, l.im));
         let pinned = (self.params.sensor == Sensor::Velocity)
             .then(|| eigenvalues.iter().position(|l| l.re == 1.0 && l.im == 0.0))
             .flatten();

@@ -155,11 +155,10 @@ impl Drive {
         let (truth, Gaussian { p, .. }) = (self.truth(), self.belief());
         let off = self.ekf.pose().boxminus(truth);
         let error = Quality {
-            position: libm::hypot(off[0], off[1]),
+            position: geom::hypot(off[0], off[1]),
             heading: angle_diff(self.ekf.pose().theta(), truth.theta()),
         };
-        let sigma =
-            Spread { position: libm::sqrt((p[(0, 0)] + p[(1, 1)]).max(0.0)), heading: libm::sqrt(p[(2, 2)].max(0.0)) };
+        let sigma = Spread { position: (p[(0, 0)] + p[(1, 1)]).max(0.0).sqrt(), heading: p[(2, 2)].max(0.0).sqrt() };
         (error, sigma)
     }
 }
@@ -273,7 +272,7 @@ mod tests {
         let frame = at(with(0.005, false), 640).frame();
         assert!(frame.ratio.heading.expect("a claim") > 2.0 && frame.ratio.position.expect("a claim") > 2.0);
         // What is claimed knows the slip alone: √640 ticks of √2 mm over 0.40 m.
-        let claimed = libm::sqrt(640.0 * 2.0) * 0.001 / 0.4;
+        let claimed = (640.0 * 2.0_f64).sqrt() * 0.001 / 0.4;
         assert!((frame.sigma.heading - claimed).abs() < 1e-12);
     }
 

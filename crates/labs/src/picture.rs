@@ -195,7 +195,7 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
     let foot = |set: &Affine<_, _>, at: Vector2<f64>| {
         let step = at - x;
         let scaled = metric.solve(&step);
-        let distance = libm::sqrt(step.dot(&scaled).max(0.0));
+        let distance = step.dot(&scaled).max(0.0).sqrt();
         Foot {
             at: pair(&at),
             residual: -set.residual(&at)[0],

@@ -81,7 +81,7 @@ pub(crate) fn row_vectors<const R: usize, const C: usize>(m: &SMatrix<f64, R, C>
 
 /// The lower triangular root of a covariance that is known to be positive definite, a constant of a lab.
 pub(crate) fn root<const N: usize>(p: &SMatrix<f64, N, N>, name: &'static str) -> Result<SMatrix<f64, N, N>, Error> {
-    nalgebra::Cholesky::new(*p).map(|c| c.unpack()).ok_or_else(|| {
+    geom::Spd::new(*p).map(|c| c.root()).ok_or_else(|| {
         Error::new(estimate::Code::NotPositiveSemidefinite, name, "has no Cholesky root: noise cannot be drawn from it")
     })
 }

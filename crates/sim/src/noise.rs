@@ -39,7 +39,7 @@ impl Noise {
             return spare;
         }
         // 1 − u lies in (0, 1], where the logarithm is finite.
-        let radius = libm::sqrt(-2.0 * libm::log(1.0 - self.uniform()));
+        let radius = (-2.0 * libm::log(1.0 - self.uniform())).sqrt();
         let (sin, cos) = libm::sincos(TAU * self.uniform());
         self.spare = Some(radius * sin);
         radius * cos

@@ -46,7 +46,7 @@ impl EkfSlam {
     /// keeps account of the rounding. Where that may show, P is looked over; the answer is whether it is still a covariance,
     /// and if not all is as it was.
     pub(super) fn guarded(&mut self, scale: f64, after: f64, change: impl FnOnce(&mut Self)) -> bool {
-        let rounding = libm::hypot(self.rounding, f64::EPSILON * scale);
+        let rounding = geom::hypot(self.rounding, f64::EPSILON * scale);
         // A small state is always looked over, a large one rarely: in an ordinary run its variances never fall far below what
         // they were.
         let suspect = self.x.len() <= ALWAYS || rounding > (ROUNDING + 2.0 * self.resolution()) * after;
@@ -90,8 +90,8 @@ impl EkfSlam {
         // What each row of H adds up, before anything cancels.
         let columns = expected.columns();
         let spread = [0, 1].map(|a| {
-            let seen = |b: usize| expected.h[(a, b)].abs() * libm::sqrt(self.p.get(columns[b], columns[b]));
-            (0..5).map(seen).sum::<f64>() + libm::sqrt(self.w[(a, a)])
+            let seen = |b: usize| expected.h[(a, b)].abs() * self.p.get(columns[b], columns[b]).sqrt();
+            (0..5).map(seen).sum::<f64>() + self.w[(a, a)].sqrt()
         });
         for i in 0..n {
             let m = Vector2::new(step.l[0][i], step.l[1][i]);
@@ -106,7 +106,7 @@ impl EkfSlam {
             before = before.max(variance);
             after = after.max(variance - 2.0 * k.dot(&l));
             largest = largest.max(k.amax()).max(l.amax());
-            let terms = libm::sqrt(variance.max(0.0)) + k[0].abs() * spread[0] + k[1].abs() * spread[1];
+            let terms = variance.max(0.0).sqrt() + k[0].abs() * spread[0] + k[1].abs() * spread[1];
             step.scale = step.scale.max(terms * terms);
         }
         let x_is_finite = self.x.iter().zip(&step.dx).all(|(x, dx)| (x + dx).is_finite());
@@ -132,7 +132,7 @@ impl EkfSlam {
         for i in 0..p.nrows() {
             p[(i, i)] += part;
         }
-        let sound = filters::linear::is_finite(&p) && p.cholesky().is_some();
+        let sound = filters::linear::is_finite(&p) && Spd::new(p).is_some();
         sound.then_some(part * largest)
     }
 

@@ -70,12 +70,12 @@ impl Expected {
         let c = 3 + 2 * j;
         let map = [Landmark { id: 0, x: x[c], y: x[c + 1] }];
         let (model, pose) = (RangeBearing { map: &map }, SE2::new(x[0], x[1], x[2]));
-        let by_pose = model.jacobian(&pose, 0)?;
+        let (read, by_pose) = model.linearized(&pose, 0)?;
         let mut h = SMatrix::<f64, 2, 5>::zeros();
         h.fixed_columns_mut::<3>(0).copy_from(&by_pose);
         // Only the difference of the two positions enters.
         h.fixed_columns_mut::<2>(3).copy_from(&-by_pose.fixed_columns::<2>(0));
-        let innovation = model.residual(&Vector2::new(reading.range, reading.bearing), &model.h(&pose, 0)?);
+        let innovation = model.residual(&Vector2::new(reading.range, reading.bearing), &read);
         let mut expected = Self { j, h, innovation, s: *w };
         expected.s = expected.innovation_covariance(p, w);
         Ok(expected)

@@ -138,7 +138,7 @@ pub(super) fn riccati_limits(givens: &Givens) -> Result<Check, Error> {
         actual.extend(observer.error_eigs()?.iter().flat_map(|l| [l.re, l.im]));
         actual.extend([f64::from(u8::from(limit.converged)), f64::from(u8::from(limit.gain_converged))]);
     }
-    let (re, im, root21) = (0.6339959916641491, 0.0972962813911485, libm::sqrt(21.0));
+    let (re, im, root21) = (0.6339959916641491, 0.0972962813911485, 21.0_f64.sqrt());
     let position = [0.5885825161812468, 0.2868510009809105, re, im, re, -im, 1.0, 1.0];
     let velocity = [0.5, (root21 - 1.0) / 10.0, 1.0, 0.0, (11.0 - root21) / 10.0, 0.0, 0.0, 1.0];
     let expected = [position, velocity].concat();

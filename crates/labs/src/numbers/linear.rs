@@ -77,7 +77,7 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .add("picture.drag", p[(0, 1)] / p[(1, 1)], "metres the position moves for each m/s the velocity is corrected")
         .add(
             "picture.correlation",
-            p[(0, 1)] / libm::sqrt(p[(0, 0)] * p[(1, 1)]),
+            p[(0, 1)] / (p[(0, 0)] * p[(1, 1)]).sqrt(),
             "the correlation of position and velocity in the prediction",
         );
     Ok(())
@@ -96,7 +96,7 @@ fn limits(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
             .add(format!("{name}.eig.im"), eigenvalues[0].im.abs(), "its imaginary part")
             .add(
                 format!("{name}.modulus"),
-                libm::hypot(eigenvalues[0].re, eigenvalues[0].im),
+                geom::hypot(eigenvalues[0].re, eigenvalues[0].im),
                 "the larger modulus of the eigenvalues of (I − R∞H)F",
             )
             .add(format!("{name}.eig.1"), eigenvalues[0].re, "the first eigenvalue of (I − R∞H)F, its real part")
@@ -184,7 +184,7 @@ fn noise(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .add("V.rest.11", v[(0, 0)] - t * t * v[(1, 1)], "the part of V₁₁ that such a kick does not explain")
         .add(
             "tuning.variance.relative",
-            libm::sqrt(2.0 / 99.0),
+            (2.0_f64 / 99.0).sqrt(),
             "relative standard error of a variance from 100 samples",
         )
         .by("filters::consistency::chi2_quantile", None)

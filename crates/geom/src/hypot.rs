@@ -1,0 +1,35 @@
+//! The length of a vector in the plane.
+
+/// √(x² + y²), by the machine's square root where the squares are of ordinary size (IEEE 754 rounds it correctly, so its
+/// digits are the same everywhere) and by `libm` where they would overflow or vanish.
+///
+/// # Example
+/// ```
+/// assert_eq!(geom::hypot(3.0, -4.0), 5.0);
+/// assert!(geom::hypot(3e200, 4e200) > 4e200, "no overflow on the way");
+/// ```
+pub fn hypot(x: f64, y: f64) -> f64 {
+    let squared = x * x + y * y;
+    if (1e-280..1e280).contains(&squared) { squared.sqrt() } else { libm::hypot(x, y) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::hypot;
+
+    #[test]
+    fn extremes_and_specials_are_libm_s() {
+        for (x, y) in [(0.0, -0.0), (5e-324, 0.0), (1e-160, 1e-160), (1e308, -1e308), (f64::INFINITY, f64::NAN)] {
+            assert_eq!(hypot(x, y).to_bits(), libm::hypot(x, y).to_bits());
+        }
+        assert!(hypot(f64::NAN, 1.0).is_nan());
+    }
+
+    #[test]
+    fn ordinary_lengths_are_right_to_the_last_but_one_digit() {
+        for i in 0..1000 {
+            let (x, y) = (0.37 * f64::from(i), 1e3 / f64::from(i + 1));
+            assert!((hypot(x, y) / libm::hypot(x, y) - 1.0).abs() <= f64::EPSILON);
+        }
+    }
+}
