@@ -105,7 +105,7 @@ fn slim(html: &str) -> String {
         .replace(" xmlns=\"http://www.w3.org/1998/Math/MathML\"", "")
 }
 
-/// The same with each tag's attributes sorted. KaTeX keeps them in a hash map: their order changes from run to run, and
+/// The same with each tag's attributes sorted, the class first. KaTeX keeps them in a hash map: their order changes from run to run, and
 /// two readings of one formula would seem to differ.
 fn ordered(html: &str) -> String {
     let mut out = String::with_capacity(html.len());
@@ -121,7 +121,7 @@ fn ordered(html: &str) -> String {
             attributes.push(tail[..close].trim_start());
             tail = &tail[close..];
         }
-        attributes.sort_unstable();
+        attributes.sort_unstable_by_key(|attribute| (!attribute.starts_with("class="), *attribute));
         out.push_str(name);
         for attribute in attributes {
             out.push(' ');
@@ -167,8 +167,8 @@ mod tests {
 
     #[test]
     fn attributes_are_in_one_order_whatever_the_hash_map_says() {
-        let tag = "<mo rspace=\"0em\" lspace=\"0em\">+ x &lt; y</mo><br/><path d=\"M 0 1\" class=\"a b\" />";
-        let sorted = "<mo lspace=\"0em\" rspace=\"0em\">+ x &lt; y</mo><br/><path class=\"a b\" d=\"M 0 1\" />";
+        let tag = "<mo rspace=\"0em\" lspace=\"0em\">+ x &lt; y</mo><br/><path aria-hidden=\"true\" d=\"M 0 1\" class=\"a b\" />";
+        let sorted = "<mo lspace=\"0em\" rspace=\"0em\">+ x &lt; y</mo><br/><path class=\"a b\" aria-hidden=\"true\" d=\"M 0 1\" />";
         assert_eq!(ordered(tag), sorted);
         for _ in 0..20 {
             let formula =
