@@ -69,7 +69,8 @@ export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1' }
       response.end(request.method === 'HEAD' ? undefined : sent)
     } catch (error) {
       const missing = ['ENOENT', 'ENOTDIR', 'ENAMETOOLONG', 'ELOOP'].includes(error?.code) || error instanceof URIError
-      answer(response, missing ? 404 : 500, missing ? 'Not found.' : 'The server could not read that.')
+      if (missing) await lost(root, response)
+      else answer(response, 500, 'The server could not read that.')
     }
   })
 
@@ -82,6 +83,13 @@ export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1' }
     url: `http://${host}:${address.port}${base}`,
     close: () => new Promise((resolve) => { server.close(() => resolve()); server.closeAllConnections() }),
   }
+}
+
+/** As static hosts do: at an address that leads nowhere, the folder's own page for that. */
+async function lost(root, response) {
+  const page = await readFile(path.join(root, '404.html')).catch(() => null)
+  if (!page || response.headersSent) return answer(response, 404, 'Not found.')
+  response.writeHead(404, { 'content-type': TYPES['.html'] }).end(page)
 }
 
 function answer(response, status, text) {

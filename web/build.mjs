@@ -71,6 +71,15 @@ const styles = await build({
 })
 collect(styles.metafile)
 
+// What stands inside a page, with the hash that its policy names.
+const inside = await build({ ...shared, write: false, entryPoints: { lost: join(web, 'page/lost.js') }, format: 'iife' })
+const insideStyle = await build({ ...shared, write: false, entryPoints: { lost: join(web, 'style/lost.css') } })
+const inline = Object.fromEntries([...inside.outputFiles, ...insideStyle.outputFiles].map(({ path, text: built }) => {
+  const text = built.trim()
+  return [`lost${extname(path)}`, { text, sha256: createHash('sha256').update(text).digest('base64') }]
+}))
+writeFileSync(join(out, 'inline.json'), `${JSON.stringify(inline, null, 2)}\n`)
+
 for (const file of readdirSync(out).filter((name) => name.endsWith('.woff2'))) {
   const logical = { 'serif-upright': 'text.woff2', 'serif-italic': 'italic.woff2', sans: 'plain.woff2', 'KaTeX_Main-Regular': 'katex-main.woff2', 'KaTeX_Math-Italic': 'katex-math.woff2' }
   const name = logical[file.replace(/-[A-Z0-9]{8}\.woff2$/, '')]

@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
+use serde::{Deserialize, Serialize};
+
 use crate::diagnostic::BuildError;
 
 /// The assets of the site.
@@ -11,6 +13,17 @@ pub struct Assets {
     folder: Option<PathBuf>,
     /// Logical name, as in `site.css`, to the name with its hash.
     pub by_name: BTreeMap<String, String>,
+    /// What stands inside a page instead of beside it, by logical name.
+    pub inline: BTreeMap<String, Inline>,
+}
+
+/// A script or style to stand inside a page.
+#[derive(Clone, Debug, Deserialize, Serialize)]
+pub struct Inline {
+    /// The script or style.
+    pub text: String,
+    /// Its hash in base 64, for the page's policy.
+    pub sha256: String,
 }
 
 /// What no page of a released site does without.
@@ -27,16 +40,16 @@ impl Assets {
             return Ok(Self::default());
         }
         let name = path.display().to_string();
-        let text = std::fs::read_to_string(&path).map_err(|e| BuildError::File(name.clone(), e))?;
-        let by_name: BTreeMap<String, String> =
-            serde_json::from_str(&text).map_err(|e| BuildError::Missing(format!("{name}: {e}")))?;
+        let by_name: BTreeMap<String, String> = read(&path)?;
+        let inline = folder.join("inline.json");
+        let inline = if inline.exists() || strict { read(&inline)? } else { BTreeMap::new() };
         if let Some(missing) = NEEDED.iter().find(|asset| strict && !by_name.contains_key(**asset)) {
             return Err(BuildError::Missing(format!("{name} names no {missing}: run `node web/build.mjs`")));
         }
-        Ok(Self { folder: Some(folder.to_path_buf()), by_name })
+        Ok(Self { folder: Some(folder.to_path_buf()), by_name, inline })
     }
 
-    /// Every file of the folder with its path below it, except the manifest and the service worker's template.
+    /// Every file of the folder with its path below it, except the lists and the service worker's template.
     ///
     /// # Errors
     /// [`BuildError::File`] when one cannot be read.
@@ -45,7 +58,7 @@ impl Assets {
         if let Some(folder) = &self.folder {
             collect(folder, "", &mut files)?;
         }
-        files.retain(|(path, _)| path != "manifest.json" && path != "sw.js");
+        files.retain(|(path, _)| !["manifest.json", "inline.json", "sw.js"].contains(&path.as_str()));
         Ok(files)
     }
 
@@ -58,6 +71,13 @@ impl Assets {
     pub fn hrefs(&self, root: &str) -> BTreeMap<String, String> {
         self.by_name.iter().map(|(name, file)| (name.clone(), format!("{root}assets/{file}"))).collect()
     }
+}
+
+/// A list by logical name.
+fn read<T: serde::de::DeserializeOwned>(path: &Path) -> Result<BTreeMap<String, T>, BuildError> {
+    let name = path.display().to_string();
+    let text = std::fs::read_to_string(path).map_err(|e| BuildError::File(name.clone(), e))?;
+    serde_json::from_str(&text).map_err(|e| BuildError::Missing(format!("{name}: {e}")))
 }
 
 fn collect(folder: &Path, below: &str, files: &mut Vec<(String, Vec<u8>)>) -> Result<(), BuildError> {

@@ -75,7 +75,15 @@ impl Build<'_> {
             about,
             context! { checks => serde(&rows) },
         )?;
-        self.page(&templates, &mut dist, "404", "404.html", "Not found", "There is no such page.", context! {})?;
+        self.page(
+            &templates,
+            &mut dist,
+            "404",
+            "404.html",
+            "Not found",
+            "There is no such page in this book.",
+            context! {},
+        )?;
         self.sources(&templates, &mut dist)?;
         dist.put("search.json", serde_json::to_vec(&dist.search).map_err(|e| BuildError::Missing(e.to_string()))?);
         for (path, bytes) in self.assets.files()? {
@@ -140,6 +148,7 @@ impl Build<'_> {
         let common = context! {
             kind => kind,
             assets => serde(self.assets.hrefs(&root)),
+            inline => serde(&self.assets.inline),
             root => root,
             paper => serde(&templates.paper),
             book => serde(&self.site.config),

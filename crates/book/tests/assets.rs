@@ -20,6 +20,8 @@ fn folder(name: &str, files: &[(&str, &str)]) -> PathBuf {
 const MANIFEST: &str =
     r#"{ "site.css": "site-AAAAAAAA.css", "katex.css": "katex-AAAAAAAA.css", "page.js": "page-AAAAAAAA.js" }"#;
 
+const INLINE: &str = r#"{ "lost.js": { "text": "go(1 < 2)", "sha256": "a+/b=" }, "lost.css": { "text": "a > b {}", "sha256": "c+/d=" } }"#;
+
 #[test]
 fn the_worker_lists_every_file_and_its_version_follows_them() {
     let build = |script: &str| {
@@ -28,6 +30,7 @@ fn the_worker_lists_every_file_and_its_version_follows_them() {
             ("site-AAAAAAAA.css", "p {}"),
             ("katex-AAAAAAAA.css", "b {}"),
             ("page-AAAAAAAA.js", script),
+            ("inline.json", INLINE),
             ("sw.js", "const VERSION = '__VERSION__'\nconst FILES = __PRECACHE__\n"),
         ];
         let assets = Assets::load(&folder("assets", &files), true).expect("assets");
@@ -43,7 +46,14 @@ fn the_worker_lists_every_file_and_its_version_follows_them() {
     let text = |path: &str| String::from_utf8(dist.files[path].clone()).expect("text");
     assert!(text("index.html").contains("src=\"assets/page-AAAAAAAA.js\""));
     assert!(text("check/index.html").contains("href=\"../assets/site-AAAAAAAA.css\""));
-    assert!(!dist.files.contains_key("assets/manifest.json") && !dist.files.contains_key("assets/sw.js"));
+    assert!(
+        ["manifest.json", "inline.json", "sw.js"]
+            .iter()
+            .all(|file| !dist.files.contains_key(&format!("assets/{file}")))
+    );
+    let lost = text("404.html");
+    assert!(lost.contains("<script type=\"module\">go(1 < 2)</script>") && lost.contains("<style>a > b {}</style>"));
+    assert!(lost.contains("script-src 'sha256-a+/b='; style-src 'sha256-c+/d=';"), "{lost}");
     let worker = text("sw.js");
     assert!(!worker.contains("__"), "{worker}");
     for path in dist.files.keys().filter(|path| !["sw.js", "precache.json"].contains(&path.as_str())) {
@@ -61,7 +71,7 @@ fn a_strict_build_refuses_missing_assets_and_stills() {
     assert!(Assets::load(&empty, false).is_ok());
     assert!(Assets::load(&empty, true).is_err());
     assert!(book::load_stills(&empty, true).is_err_and(|error| error.to_string().contains("stills")));
-    let poor = folder("poor", &[("manifest.json", r#"{ "page.js": "p.js" }"#)]);
+    let poor = folder("poor", &[("manifest.json", r#"{ "page.js": "p.js" }"#), ("inline.json", "{}")]);
     assert!(Assets::load(&poor, true).is_err_and(|error| error.to_string().contains("site.css")));
 }
 
