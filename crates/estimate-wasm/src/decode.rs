@@ -8,6 +8,7 @@ use js_sys::Reflect;
 #[cfg(feature = "functions")]
 use nalgebra::{DMatrix, DVector};
 use std::borrow::Cow;
+use std::fmt;
 use wasm_bindgen::prelude::*;
 
 /// The longest array that is looked at; what is longer is refused before it is walked.
@@ -37,16 +38,34 @@ extern "C" {
     fn is_view(value: &JsValue) -> bool;
 }
 
+/// Where in a call's arguments a value was found; spelt out for an error only.
+#[derive(Clone, Copy)]
+enum Path<'a> {
+    Name(&'static str),
+    Field(&'a Path<'a>, &'static str),
+    Item(&'a Path<'a>, u32),
+}
+
+impl fmt::Display for Path<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Name(name) => f.write_str(name),
+            Self::Field(whole, name) => write!(f, "{whole}.{name}"),
+            Self::Item(whole, i) => write!(f, "{whole}[{i}]"),
+        }
+    }
+}
+
 /// A value with the path it was found under.
 pub(crate) struct Arg<'a> {
     value: Cow<'a, JsValue>,
-    path: Cow<'static, str>,
+    path: Path<'a>,
 }
 
 impl<'a> Arg<'a> {
     /// The argument `name` of a call.
     pub fn new(value: &'a JsValue, name: &'static str) -> Self {
-        Self { value: Cow::Borrowed(value), path: name.into() }
+        Self { value: Cow::Borrowed(value), path: Path::Name(name) }
     }
 
     pub fn is_undefined(&self) -> bool {
@@ -58,7 +77,7 @@ impl<'a> Arg<'a> {
     }
 
     fn refuse(&self, code: Code, message: impl Into<Cow<'static, str>>) -> Error {
-        Error::new(code, self.path.clone(), message)
+        Error::new(code, self.path.to_string(), message)
     }
 
     fn wrong_type(&self, wanted: &str) -> Error {
@@ -106,12 +125,12 @@ impl<'a> Arg<'a> {
     }
 
     /// The field `name` of an object; undefined when there is none.
-    pub fn field(&self, name: &'static str) -> Result<Arg<'static>, Error> {
+    pub fn field(&self, name: &'static str) -> Result<Arg<'_>, Error> {
         self.object()?;
-        let path = format!("{}.{name}", self.path);
+        let path = Path::Field(&self.path, name);
         let value = Reflect::get(&self.value, &name.into())
-            .map_err(|_| Error::new(Code::Type, path.clone(), "could not be read: reading it threw"))?;
-        Ok(Arg { value: Cow::Owned(value), path: path.into() })
+            .map_err(|_| Error::new(Code::Type, path.to_string(), "could not be read: reading it threw"))?;
+        Ok(Arg { value: Cow::Owned(value), path })
     }
 
     /// Reads the field `name` into `to`, when there is one.
@@ -156,7 +175,7 @@ impl<'a> Arg<'a> {
     }
 
     /// The entries of an array.
-    pub fn entries(&self) -> Result<Vec<Arg<'static>>, Error> {
+    pub fn entries(&self) -> Result<Vec<Arg<'_>>, Error> {
         if !self.array()? {
             return Err(self.wrong_type("an array"));
         }
@@ -168,9 +187,8 @@ impl<'a> Arg<'a> {
         }
         (0..length as u32)
             .map(|i| {
-                let path = format!("{}[{i}]", self.path).into();
                 let value = Reflect::get_u32(&self.value, i).map_err(|_| unreadable())?;
-                Ok(Arg { value: Cow::Owned(value), path })
+                Ok(Arg { value: Cow::Owned(value), path: Path::Item(&self.path, i) })
             })
             .collect()
     }
