@@ -1,6 +1,8 @@
 //! Whatever parameters a lab is given, it runs or refuses: no panic, no change by a refused call, and every covariance of
 //! every frame is one.
 
+#![cfg(not(target_arch = "wasm32"))]
+
 use estimate::validate;
 use labs::{
     BenchParams, HookParams, Lab, Mode, ObservabilityProbe, ObserverBench, OdometryHook, Picture, PictureParams,
