@@ -65,9 +65,9 @@ collect(early.metafile)
 const styles = await build({
   ...shared,
   entryPoints: { site: join(web, 'style/site.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
-  loader: { '.woff2': 'file', '.svg': 'file', '.woff': 'empty', '.ttf': 'empty' },
+  loader: { '.woff2': 'file' },
   alias: { 'cut-fonts': fonts },
-  plugins: [onlyWoff2()],
+  plugins: [ownFaces()],
 })
 collect(styles.metafile)
 
@@ -103,13 +103,13 @@ function collect({ outputs }) {
   }
 }
 
-/** KaTeX names three formats of each face, and the whole face; the page knows one, cut down. */
-function onlyWoff2() {
+/** KaTeX names the whole faces, in three formats; the page knows them as they are cut. */
+function ownFaces() {
   return {
-    name: 'only-woff2',
+    name: 'own-faces',
     setup(to) {
       to.onLoad({ filter: /katex\.min\.css$/ }, ({ path }) => ({
-        contents: readFileSync(path, 'utf8').replace(/,url\([^)]*\.(?:woff|ttf)\) format\("[a-z]+"\)/g, '').replaceAll('url(fonts/', 'url(cut-fonts/'),
+        contents: `@import 'cut-fonts/formulas.css';\n${readFileSync(path, 'utf8').replace(/@font-face\{[^}]*\}/g, '')}`,
         loader: 'css',
         resolveDir: dirname(path),
       }))

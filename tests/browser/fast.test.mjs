@@ -3,6 +3,8 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { firstView, kindOf } from './first-view.mjs'
+import { open } from './harness.mjs'
+import { readItAll } from './letters.mjs'
 
 const BOUND = { all: 565_000, module: 146_000 }
 
@@ -14,4 +16,11 @@ test('the first view of the chapter and its module weigh no more than they did',
   t.diagnostic(`${(all / 1000).toFixed(1)} kB in ${sizes.length} files, the module ${(module / 1000).toFixed(1)} kB`)
   assert.ok(all <= BOUND.all, table.join('\n'))
   assert.ok(module > 0 && module <= BOUND.module, table.join('\n'))
+})
+
+test('the first parts of the faces hold every letter of the chapter, in both notations and with every figure alive', async (t) => {
+  const more = new Set()
+  const page = await open(t, { prepare: async (it) => it.on('request', (request) => { if (/-more-\w+\.woff2$/.test(request.url())) more.add(request.url().split('/').pop()) }) })
+  await readItAll(page)
+  assert.deepEqual([...more], [], 'run ./scripts/letters and build again')
 })

@@ -1,0 +1,56 @@
+// The letters of each face that a reader of the chapter meets: in both notations, in every figure alive. A program writes
+// them to web/letters.json, after which fonts.mjs cuts the faces; a test sees that no page needs more.
+import { writeFileSync } from 'node:fs'
+import path from 'node:path'
+import { pathToFileURL } from 'node:url'
+import { chromium } from 'playwright-core'
+import { serve } from '../../scripts/static-server.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from './places.mjs'
+
+/** Walks the chapter in both notations until every figure is alive. @param {import('playwright-core').Page} page */
+export async function readItAll(page) {
+  await page.locator('[data-set-notation="thrun"]').click()
+  await page.waitForFunction(() => document.documentElement.classList.contains('two-notations'))
+  await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))
+  for (const widget of await page.locator('.widget').all()) {
+    await widget.scrollIntoViewIfNeeded()
+    await widget.and(page.locator('[data-state="live"]')).waitFor()
+  }
+  await page.locator('[data-set-notation="choset"]').click()
+  await page.waitForTimeout(300)
+}
+
+async function letters() {
+  const site = await serve({ folder: dist, base: BASE })
+  const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
+  try {
+    const page = await browser.newPage({ viewport: DESKTOP, serviceWorkers: 'block' })
+    await page.goto(site.url + 'kalman/')
+    await readItAll(page)
+    const seen = await page.evaluate(() => {
+      /** @type {Record<string, Set<string>>} */
+      const faces = {}
+      const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT)
+      while (texts.nextNode()) {
+        const parent = texts.currentNode.parentElement
+        if (!parent || parent.closest('math, script, style')) continue
+        const { fontFamily, fontWeight, fontStyle } = getComputedStyle(parent)
+        const face = `${fontFamily.split(',')[0].replace(/["']/g, '')} ${fontWeight} ${fontStyle}`
+        faces[face] ??= new Set()
+        for (const letter of texts.currentNode.data) if (letter >= ' ') faces[face].add(letter)
+      }
+      return Object.entries(faces).map(([face, all]) => [face, [...all].sort().join('')])
+    })
+    return Object.fromEntries(seen.filter(([, all]) => all.trim()).sort(([a], [b]) => (a < b ? -1 : 1)))
+  } finally {
+    await browser.close()
+    await site.close()
+  }
+}
+
+if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
+  const seen = await letters()
+  const file = path.join(root, 'web/letters.json')
+  writeFileSync(file, `${JSON.stringify(seen, null, 2)}\n`)
+  console.log(`web/letters.json: ${Object.values(seen).reduce((sum, all) => sum + [...all].length, 0)} letters in ${Object.keys(seen).length} faces; ./scripts/build cuts the faces to them`)
+}
