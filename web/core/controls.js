@@ -84,7 +84,8 @@ export function buildControl(document, control, change) {
   return {
     element: label,
     show(params, frame) {
-      made.input.disabled = control.enabled ? !control.enabled(params) : false
+      const disabled = control.enabled ? !control.enabled(params) : false
+      if (made.input.disabled !== disabled) made.input.disabled = disabled
       made.show(control.get ? control.get(params, frame) : params[control.name], frame)
     },
   }
@@ -129,6 +130,7 @@ function range(document, control, change) {
   track.append(input, notches)
   body.append(track, value)
   const pen = new Pen(notches)
+  let said = ''
 
   input.addEventListener('input', () => change(Number(input.value)))
   input.addEventListener('keydown', (event) => {
@@ -147,8 +149,10 @@ function range(document, control, change) {
         input.value = String(now)
       }
       const words = control.words(now, frame)
-      if (value.textContent !== words) value.textContent = words
-      input.setAttribute('aria-valuetext', words)
+      if (said !== words) {
+        said = value.textContent = words
+        input.setAttribute('aria-valuetext', words)
+      }
       const share = (/** @type {number} */ at) => `${Math.round(((at - control.min) / (control.max - control.min)) * 1e4) / 100}%`
       pen.draw(() => {
         for (const [i, notch] of (control.notches?.(frame) ?? []).entries()) {
@@ -194,8 +198,8 @@ function toggle(document, control, change) {
     body: input,
     input,
     show(now) {
-      input.toggleAttribute('checked', now === on)
-      input.checked = now === on
+      if (input.hasAttribute('checked') !== (now === on)) input.toggleAttribute('checked', now === on)
+      if (input.checked !== (now === on)) input.checked = now === on
     },
   }
 }

@@ -73,6 +73,8 @@ class Figure {
     this.turned = NaN
     this.memory = {}
     this.said = /** @type {any} */ (null)
+    /** What controls, readouts and labels say already: a camera or a beat may move without a new frame. */
+    this.shown = { frame: /** @type {any} */ (null), described: /** @type {any} */ (null), rate: 1, playing: false }
     this.calm = matchMedia('(prefers-reduced-motion: reduce)')
     this.asked = 0
     /** @type {IntersectionObserver | undefined} */
@@ -271,10 +273,14 @@ class Figure {
       : t < 2 ? { name: /** @type {const} */ ('update'), t: ease(t - 1) } : { name: /** @type {const} */ ('rest'), t: 1 }
     const glide = this.calm.matches ? Infinity : Number.isFinite(elapsed) ? elapsed : this.previous || this.frame !== this.said ? 16 : Infinity
     const moving = spec.draw(shell.panels, frame, { previous: this.previous, beat, elapsed: glide, memory: this.memory, handle: this.handle }) === true
-    shell.show(frame, { rate: this.rate, playing: this.playing })
-    for (const [name, words] of Object.entries(beat.name === 'rest' ? spec.describe(frame) : {})) {
-      const { svg } = shell.panels[name]
-      if (svg.getAttribute('aria-label') !== words) svg.setAttribute('aria-label', words)
+    const shown = this.shown
+    if (shown.frame !== frame || shown.rate !== this.rate || shown.playing !== this.playing) {
+      this.shown = { ...shown, frame, rate: this.rate, playing: this.playing }
+      shell.show(frame, this.shown)
+    }
+    if (beat.name === 'rest' && shown.described !== frame) {
+      this.shown.described = frame
+      for (const [name, words] of Object.entries(spec.describe(frame))) shell.panels[name].svg.setAttribute('aria-label', words)
     }
     return moving || beat.name !== 'rest'
   }

@@ -1,6 +1,6 @@
 /** Room A from above: path, robot, estimate with its ellipse, landmarks to drag, and the direction no reading sees. */
 
-import { dot, ellipsePath, evenPlane, meaning, segment } from '../../core/plot.js'
+import { dot, ellipsePath, evenPlane, meaning, pointsPath, segment } from '../../core/plot.js'
 import { fixed } from '../../core/words.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
@@ -24,19 +24,14 @@ export function drawMap({ pen, width, height }, frame, view) {
   })
 }
 
-/** @param {number[][]} points @param {Plane} plane */
-function polyline(points, plane) {
-  return points.map(([x, y], i) => `${i ? 'L' : 'M'}${plane.x(x).toFixed(1)} ${plane.y(y).toFixed(1)}`).join('')
-}
-
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function room(pen, plane, { room: { width, height }, square, tracks }) {
   const [x, y] = [plane.x(0), plane.y(height)]
   pen.mark('rect', 'floor', { class: 'floor', x, y, width: plane.x(width) - x, height: plane.y(0) - y })
-  pen.mark('path', 'walls', { class: 'wall', d: `${polyline([[0, 0], [width, 0], [width, height], [0, height]], plane)}Z` })
-  pen.mark('path', 'square', { class: 'grid', fill: 'none', d: `${polyline(square, plane)}Z` })
-  pen.mark('path', 'track-truth', { ...meaning('track', 'truth'), d: polyline(tracks.truth, plane) })
-  pen.mark('path', 'track-estimate', { ...meaning('track', 'posterior'), d: polyline(tracks.estimate, plane) })
+  pen.mark('path', 'walls', { class: 'wall', d: `${pointsPath(plane, [[0, 0], [width, 0], [width, height], [0, height]])}Z` })
+  pen.mark('path', 'square', { class: 'grid', fill: 'none', d: `${pointsPath(plane, square)}Z` })
+  pen.mark('path', 'track-truth', { ...meaning('track', 'truth'), d: pointsPath(plane, tracks.truth) })
+  pen.mark('path', 'track-estimate', { ...meaning('track', 'posterior'), d: pointsPath(plane, tracks.estimate) })
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */

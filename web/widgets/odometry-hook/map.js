@@ -1,7 +1,7 @@
 /** The corridor from above: where the robot is, where it believes to be, and how sure it claims to be. */
 
 import { Span } from '../../core/motion.js'
-import { dot, ellipsePath, evenPlane, halves, meaning, segment, seriesPath } from '../../core/plot.js'
+import { dot, ellipsePath, evenPlane, halves, meaning, pointsPath, segment } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -38,10 +38,14 @@ export function drawMap({ pen, width, height }, frame, view) {
 
 /** What has to be seen: the course with its corridor, and both tracks. @param {Frame} frame @param {number} axis @returns {[number, number]} */
 function reach({ world, tracks, estimate, ellipse }, axis) {
-  const corners = world.corners.map((corner) => (axis ? corner.y : corner.x))
   const half = halves(ellipse)[axis] + 0.5
-  const all = [...corners, ...tracks.estimate.map((at) => at[axis]), estimate[axis] - half, estimate[axis] + half]
-  const [low, high] = [Math.min(...all), Math.max(...all)]
+  let [low, high] = [estimate[axis] - half, estimate[axis] + half]
+  const see = (/** @type {number} */ at) => {
+    if (at < low) low = at
+    if (at > high) high = at
+  }
+  for (const corner of world.corners) see(axis ? corner.y : corner.x)
+  for (const at of tracks.estimate) see(at[axis])
   const spare = (high - low) * 0.09 // the camera adds its own margin
   return [low + spare, high - spare]
 }
@@ -69,12 +73,11 @@ function kinOf({ params }) {
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawTracks(pen, plane, frame) {
   const kin = kinOf(frame)
-  const path = (/** @type {number[][]} */ points) => seriesPath(plane, points.map((at) => at[0]), points.map((at) => at[1]))
   for (const { step, x, ellipse } of frame.trail) {
     if (step !== frame.step) pen.mark('path', `trail${step}`, { ...meaning('area', kin), d: ellipsePath(ellipse, x, plane) })
   }
-  pen.mark('path', 'truth-track', { ...meaning('track', 'truth'), d: path(frame.tracks.truth) })
-  pen.mark('path', 'estimate-track', { ...meaning('track', kin), d: path(frame.tracks.estimate) })
+  pen.mark('path', 'truth-track', { ...meaning('track', 'truth'), d: pointsPath(plane, frame.tracks.truth) })
+  pen.mark('path', 'estimate-track', { ...meaning('track', kin), d: pointsPath(plane, frame.tracks.estimate) })
   if (frame.params.fixes && frame.sightings.length) {
     pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(frame.predicted.ellipse, frame.predicted.x, plane) })
   }
