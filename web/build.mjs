@@ -109,7 +109,7 @@ function ownFaces() {
     name: 'own-faces',
     setup(to) {
       to.onLoad({ filter: /katex\.min\.css$/ }, ({ path }) => ({
-        contents: `@import 'cut-fonts/formulas.css';\n${readFileSync(path, 'utf8').replace(/@font-face\{[^}]*\}/g, '')}`,
+        contents: `@import 'cut-fonts/formulas.css';\n${readFileSync(path, 'utf8').replace(/@font-face\{[^}]*\}/g, '')}${readFileSync(join(web, 'style/formulas.css'), 'utf8')}`,
         loader: 'css',
         resolveDir: dirname(path),
       }))

@@ -30,6 +30,7 @@ mod reference;
 mod render;
 mod scan;
 mod site;
+mod slim;
 mod source;
 mod still;
 mod syntax;

@@ -6,6 +6,8 @@ use katex::macros::MacroDefinition;
 use katex::{KatexContext, Settings, TrustSetting};
 use serde::Deserialize;
 
+use crate::slim::slim;
+
 /// `content/macros.toml`.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
@@ -72,7 +74,7 @@ impl Typesetter {
     fn one(&self, tex: &str, settings: &Settings) -> Result<String, String> {
         let html = katex::render_to_string(&self.context, tex, settings)
             .map_err(|error| format!("TeX: {error} in ${tex}$"))?;
-        Ok(ordered(&slim(&html)))
+        Ok(slim(&html))
     }
 }
 
@@ -88,50 +90,6 @@ pub enum Formula {
         /// Thrun's letters.
         thrun: String,
     },
-}
-
-/// KaTeX's answer without the TeX source in an annotation, which no reader of the page needs.
-fn slim(html: &str) -> String {
-    let mut out = String::with_capacity(html.len());
-    let mut rest = html;
-    while let Some(start) = rest.find("<annotation") {
-        out.push_str(&rest[..start]);
-        let end = rest[start..].find("</annotation>").map_or(rest.len(), |end| start + end + "</annotation>".len());
-        rest = &rest[end..];
-    }
-    out.push_str(rest);
-    out.replace("<semantics>", "")
-        .replace("</semantics>", "")
-        .replace(" xmlns=\"http://www.w3.org/1998/Math/MathML\"", "")
-}
-
-/// The same with each tag's attributes sorted, the class first. KaTeX keeps them in a hash map: their order changes from run to run, and
-/// two readings of one formula would seem to differ.
-fn ordered(html: &str) -> String {
-    let mut out = String::with_capacity(html.len());
-    let mut rest = html;
-    while let Some(start) = rest.find('<') {
-        let end = rest[start..].find('>').map_or(rest.len(), |end| start + end);
-        out.push_str(&rest[..start]);
-        let (name, mut tail) = rest[start..end].split_once(' ').unwrap_or((&rest[start..end], ""));
-        let mut attributes = Vec::new();
-        while let Some(close) =
-            tail.find("=\"").and_then(|at| tail[at + 2..].find('"').map(|length| at + 2 + length + 1))
-        {
-            attributes.push(tail[..close].trim_start());
-            tail = &tail[close..];
-        }
-        attributes.sort_unstable_by_key(|attribute| (!attribute.starts_with("class="), *attribute));
-        out.push_str(name);
-        for attribute in attributes {
-            out.push(' ');
-            out.push_str(attribute);
-        }
-        out.push_str(tail);
-        rest = &rest[end..];
-    }
-    out.push_str(rest);
-    out
 }
 
 #[cfg(test)]
@@ -167,9 +125,6 @@ mod tests {
 
     #[test]
     fn attributes_are_in_one_order_whatever_the_hash_map_says() {
-        let tag = "<mo rspace=\"0em\" lspace=\"0em\">+ x &lt; y</mo><br/><path aria-hidden=\"true\" d=\"M 0 1\" class=\"a b\" />";
-        let sorted = "<mo lspace=\"0em\" rspace=\"0em\">+ x &lt; y</mo><br/><path class=\"a b\" aria-hidden=\"true\" d=\"M 0 1\" />";
-        assert_eq!(ordered(tag), sorted);
         for _ in 0..20 {
             let formula =
                 typesetter().render(r"x_{k+1|k+1} = \begin{aligned} a &= b \end{aligned}", Style::Display).unwrap();
