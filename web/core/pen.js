@@ -47,7 +47,7 @@ export class Pen {
   /**
    * @param {string} tag
    * @param {string} key unique among its siblings
-   * @param {Attributes} [attributes] numbers are rounded to a hundredth of a pixel; null takes an attribute away
+   * @param {Attributes} [attributes] numbers are rounded to a tenth of a pixel; null takes an attribute away
    * @returns {Element}
    */
   mark(tag, key, attributes = {}) {
@@ -124,7 +124,7 @@ export class Pen {
     held.turn = this.turn
     for (const name in attributes) {
       const value = attributes[name]
-      const text = typeof value === 'number' ? String(Math.round(value * 100) / 100) : value
+      const text = typeof value === 'number' ? String(Math.round(value * 10) / 10) : value
       if (held.last.get(name) === text) continue
       if (text === null || text === undefined) {
         held.element.removeAttribute(name)

@@ -73,18 +73,19 @@ export function axes(pen, { x, y, box }, names = {}) {
   const stamp = JSON.stringify([x.domain, y.domain, box, names])
   pen.group('axes', { class: 'axes' }, (to) => {
     const format = { x: x.words(nx), y: y.words(ny) }
+    let grid = ''
     for (const value of shown(y.ticks(ny), y, box.top, box.bottom)) {
-      const at = y(value)
-      if (names.grid !== false) to.mark('line', `gy${value}`, { class: 'grid', x1: box.left, x2: box.right, y1: at, y2: at })
+      const at = pixel(y(value))
+      grid += `M${box.left} ${at}H${box.right}`
       to.text(`ty${value}`, { class: 'tick', x: box.left - 6, y: at + 4, 'text-anchor': 'end' }, format.y(value))
     }
     for (const value of shown(x.ticks(nx), x, box.left, box.right)) {
-      const at = x(value)
-      if (names.grid !== false) to.mark('line', `gx${value}`, { class: 'grid', x1: at, x2: at, y1: box.top, y2: box.bottom })
+      const at = pixel(x(value))
+      grid += `M${at} ${box.top}V${box.bottom}`
       to.text(`tx${value}`, { class: 'tick', x: at, y: box.bottom + 15, 'text-anchor': 'middle' }, format.x(value))
     }
-    to.mark('line', 'base', { class: 'axis', x1: box.left, x2: box.right, y1: box.bottom, y2: box.bottom })
-    to.mark('line', 'side', { class: 'axis', x1: box.left, x2: box.left, y1: box.top, y2: box.bottom })
+    if (names.grid !== false) to.mark('path', 'grid', { class: 'grid', d: grid })
+    to.mark('path', 'axis', { class: 'axis', d: `M${box.left} ${box.top}V${box.bottom}H${box.right}` })
     if (names.zero) {
       if (inside(y(0), box.top, box.bottom)) to.mark('line', 'zy', { class: 'zero', x1: box.left, x2: box.right, y1: y(0), y2: y(0) })
       if (inside(x(0), box.left, box.right)) to.mark('line', 'zx', { class: 'zero', x1: x(0), x2: x(0), y1: box.top, y2: box.bottom })

@@ -57,9 +57,8 @@ function drawBuilding(pen, plane, { world }) {
     const [left, top] = [x(room.x), y(room.y + room.height)]
     pen.mark('rect', `room${room.name}`, { class: 'room', x: left, y: top, width: x(room.x + room.width) - left, height: y(room.y) - top })
   }
-  pen.group('walls', { 'stroke-opacity': 0.4 }, (to) => {
-    world.walls.forEach(([x1, y1, x2, y2], i) => segment(to, `wall${i}`, plane, [x1, y1], [x2, y2], { class: 'wall' }))
-  })
+  const walls = world.walls.map(([x1, y1, x2, y2]) => pointsPath(plane, [[x1, y1], [x2, y2]])).join('')
+  pen.mark('path', 'walls', { class: 'wall', 'stroke-opacity': 0.4, d: walls })
   for (const { id, x: cx, y: cy } of world.corners) {
     pen.mark('rect', `corner${id}`, { class: 'corner', x: x(cx) - 4, y: y(cy) - 4, width: 8, height: 8 })
   }
