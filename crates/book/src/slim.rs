@@ -120,6 +120,9 @@ fn draw(element: &mut Element, strict: bool) {
         *element = simple;
     }
     strut(element);
+    if element.has("vlist") {
+        element.children.iter_mut().for_each(hang);
+    }
     let list = element.has("vlist");
     let children = std::mem::take(&mut element.children);
     for child in spaced(children) {
@@ -137,6 +140,10 @@ fn draw(element: &mut Element, strict: bool) {
                 element.children.append(&mut child.children);
                 continue;
             }
+        }
+        if child.has("delimcenter") && child.get("top").and_then(em).is_none_or(|top| top == 0.0) {
+            child.classes.retain(|class| class != "delimcenter");
+            child.style.retain(|(name, _)| name != "top");
         }
         if let Some(class) = usual {
             child.classes.push(class.into());
@@ -236,6 +243,16 @@ fn strut(base: &mut Element) {
     base.children.remove(0);
 }
 
+/// What hangs in a list hangs by margins: a box that is positioned costs the browser at every frame.
+fn hang(place: &mut Node) {
+    let Node::Element(place) = place else { return };
+    for (name, value) in &mut place.style {
+        if name == "top" && em(value).is_some_and(|top| top <= 0.0) {
+            *name = "--t".into();
+        }
+    }
+}
+
 /// The places of a list that KaTeX lays out as a table: each a strut of a known height with what stands on it.
 fn places(table: &Element) -> Option<Vec<(&Element, f64, &Element)>> {
     let rows: Vec<&Element> = table.children.iter().filter_map(Node::element).collect();
@@ -268,6 +285,9 @@ fn accent(element: &Element) -> Option<Element> {
     let mut hat = (*hat).clone();
     if (high - low).abs() > 1e-9 {
         hat.style.push(("top".into(), length(low - high)));
+    } else if let Some(left) = hat.get("left").and_then(em) {
+        // A box in the middle goes half its margin to the side.
+        hat.style = vec![("margin-left".into(), length(2.0 * left))];
     }
     let children = vec![Node::Element((*letter).clone()), Node::Element(hat)];
     Some(Element { name: "span".into(), classes: vec!["hat".into()], children, ..Element::default() })
