@@ -28,6 +28,9 @@ export class Outline {
   data = ''
   x = 0
   y = 0
+  /** The last step. */
+  dx = 0
+  dy = 0
   open = false
 
   /** Starts a line. @param {number} x @param {number} y */
@@ -41,10 +44,10 @@ export class Outline {
 
   /** Goes on straight. @param {number} x @param {number} y */
   line(x, y) {
-    const [dx, dy] = [Math.round(pixel(x) * 10) - this.x, Math.round(pixel(y) * 10) - this.y]
+    const dx = Math.round(pixel(x) * 10) - this.x
+    const dy = Math.round(pixel(y) * 10) - this.y
     if (dx === 0 && dy === 0) return
-    const [first, second] = [written(dx), written(dy)]
-    this.data += `${this.open ? (dx < 0 ? '' : ' ') : 'l'}${first}${dy < 0 ? '' : ' '}${second}`
+    this.data += (this.open ? (dx < 0 ? '' : ' ') : 'l') + written(dx) + (dy < 0 ? '' : ' ') + written(dy)
     this.open = true
     this.x += dx
     this.y += dy
@@ -57,63 +60,113 @@ export class Outline {
    * @param {number} x @param {number} y where it ends
    */
   curve(ax, ay, bx, by, x, y) {
-    this.data += 'c'
-    this.step(ax, ay)
-    this.step(bx, by)
-    ;[this.x, this.y] = this.step(x, y)
+    const [x0, y0] = [this.x, this.y]
     this.open = false
+    this.data += 'c'
+    this.lean(ax, ay, false)
+    this.lean(bx, by, true)
+    this.lean(x, y, true)
+    this.x = x0 + this.dx
+    this.y = y0 + this.dy
   }
 
-  /** @param {number} x @param {number} y */
-  step(x, y) {
-    const at = /** @type {[number, number]} */ ([Math.round(pixel(x) * 10), Math.round(pixel(y) * 10)])
-    const [dx, dy] = [at[0] - this.x, at[1] - this.y]
-    const before = dx < 0 || this.data.endsWith('c') ? '' : ' '
-    this.data += `${before}${written(dx)}${dy < 0 ? '' : ' '}${written(dy)}`
-    return at
+  /** @param {number} x @param {number} y @param {boolean} apart */
+  lean(x, y, apart) {
+    this.dx = Math.round(pixel(x) * 10) - this.x
+    this.dy = Math.round(pixel(y) * 10) - this.y
+    this.data += (apart && this.dx >= 0 ? ' ' : '') + written(this.dx) + (this.dy < 0 ? '' : ' ') + written(this.dy)
   }
 }
 
+/** Room for the points of one line, in pixels; it grows when a line needs more. */
+let across = new Float64Array(2048)
+let down = new Float64Array(2048)
+
 /**
- * A line through `count` points in pixels. A point is left out where the straight line from the last one kept to the next
- * passes near enough: each new point narrows the directions in which that holds.
+ * A line through points in data units. A point is left out where the straight line from the last one kept to the next
+ * passes near enough. Written for its speed: a figure draws thousands of points at every frame, often before the browser
+ * has compiled this.
  * @param {number} count
- * @param {(i: number) => number} x
- * @param {(i: number) => number} y not finite where the line breaks
+ * @param {import('./scale.js').Scale} x
+ * @param {ArrayLike<number>} xs
+ * @param {import('./scale.js').Scale} y
+ * @param {ArrayLike<number>} ys it breaks where one is not finite, or has no logarithm
  */
-export function polyline(count, x, y) {
+export function polyline(count, x, xs, y, ys) {
+  if (across.length < count) {
+    across = new Float64Array(2 * count)
+    down = new Float64Array(2 * count)
+  }
+  x.all(xs, count, across)
+  y.all(ys, count, down)
+  return traced(count)
+}
+
+/** @param {number[][]} points @param {import('./scale.js').Scale} x @param {import('./scale.js').Scale} y */
+export function pairs(points, x, y) {
+  const count = points.length
+  if (across.length < count) {
+    across = new Float64Array(2 * count)
+    down = new Float64Array(2 * count)
+  }
+  for (let i = 0; i < count; i += 1) {
+    across[i] = points[i][0]
+    down[i] = points[i][1]
+  }
+  x.all(across, count, across)
+  y.all(down, count, down)
+  return traced(count)
+}
+
+/** Each new point narrows the directions in which all before it lie near the line. @param {number} count */
+function traced(count) {
   const out = new Outline()
-  let [fromX, fromY, lastX, lastY] = [0, 0, 0, 0]
-  let [leftX, leftY, rightX, rightY, far] = [0, 0, 0, 0, -1]
+  let fromX = 0, fromY = 0, lastX = 0, lastY = 0
+  let leftX = 0, leftY = 0, rightX = 0, rightY = 0, far = -1
   let going = false
   for (let i = 0; i < count; i += 1) {
-    const [px, py] = [x(i), y(i)]
-    if (!Number.isFinite(px) || !Number.isFinite(py)) {
+    const px = across[i]
+    const py = down[i]
+    if (!(px - px === 0 && py - py === 0)) {
       if (going && far > 0) out.line(lastX, lastY)
       going = false
       continue
     }
     if (!going) {
       out.move(px, py)
-      ;[fromX, fromY, lastX, lastY, far, going] = [px, py, px, py, -1, true]
+      fromX = lastX = px
+      fromY = lastY = py
+      far = -1
+      going = true
       continue
     }
-    let [vx, vy] = [px - fromX, py - fromY]
+    let vx = px - fromX
+    let vy = py - fromY
     let length = Math.sqrt(vx * vx + vy * vy)
-    const within = far < 0 || (length >= far - NEAR && leftX * vy - leftY * vx <= 0 && rightX * vy - rightY * vx >= 0)
-    if (!within) {
+    if (far >= 0 && (length < far - NEAR || leftX * vy - leftY * vx > 0 || rightX * vy - rightY * vx < 0)) {
       out.line(lastX, lastY)
-      ;[fromX, fromY, far] = [lastX, lastY, -1]
-      ;[vx, vy] = [px - fromX, py - fromY]
+      fromX = lastX
+      fromY = lastY
+      far = -1
+      vx = px - fromX
+      vy = py - fromY
       length = Math.sqrt(vx * vx + vy * vy)
     }
     if (length > NEAR) {
-      const [sx, sy] = [(-vy / length) * NEAR, (vx / length) * NEAR]
-      if (far < 0 || leftX * (vy + sy) - leftY * (vx + sx) < 0) [leftX, leftY] = [vx + sx, vy + sy]
-      if (far < 0 || rightX * (vy - sy) - rightY * (vx - sx) > 0) [rightX, rightY] = [vx - sx, vy - sy]
-      far = Math.max(far, length)
+      const sx = (-vy / length) * NEAR
+      const sy = (vx / length) * NEAR
+      if (far < 0 || leftX * (vy + sy) - leftY * (vx + sx) < 0) {
+        leftX = vx + sx
+        leftY = vy + sy
+      }
+      if (far < 0 || rightX * (vy - sy) - rightY * (vx - sx) > 0) {
+        rightX = vx - sx
+        rightY = vy - sy
+      }
+      if (length > far) far = length
     }
-    ;[lastX, lastY] = [px, py]
+    lastX = px
+    lastY = py
   }
   if (going && far > 0) out.line(lastX, lastY)
   return out.data

@@ -8,7 +8,7 @@
 import { SVG, writeSvg } from './words.js'
 
 /** @typedef {Record<string, string | number | null | undefined>} Attributes */
-/** @typedef {{ element: Element, turn: number, last: Map<string, string>, said: string, pen: Pen | null, stamp: string | null }} Held */
+/** @typedef {{ element: Element, turn: number, last: Attributes, said: string, pen: Pen | null, stamp: string | null }} Held */
 
 export class Pen {
   /** @param {Element} root an `svg` or a `g` */
@@ -116,23 +116,21 @@ export class Pen {
     let held = this.kept.get(key)
     if (!held) {
       const element = this.root.ownerDocument.createElementNS(SVG, tag)
-      held = { element, turn: 0, last: new Map(), said: '', pen: null, stamp: null }
+      held = { element, turn: 0, last: {}, said: '', pen: null, stamp: null }
       this.kept.set(key, held)
     }
     this.place(held.element)
     if (held.turn !== this.turn) this.touched += 1
     held.turn = this.turn
+    const { element, last } = held
     for (const name in attributes) {
-      const value = attributes[name]
-      const text = typeof value === 'number' ? String(Math.round(value * 10) / 10) : value
-      if (held.last.get(name) === text) continue
-      if (text === null || text === undefined) {
-        held.element.removeAttribute(name)
-        held.last.delete(name)
-      } else {
-        held.element.setAttribute(name, text)
-        held.last.set(name, text)
-      }
+      let value = attributes[name]
+      if (last[name] === value) continue
+      if (typeof value === 'number') value = Math.round(value * 10) / 10
+      if (last[name] === value) continue
+      if (value === null || value === undefined) element.removeAttribute(name)
+      else element.setAttribute(name, String(value))
+      last[name] = value
     }
     return held
   }

@@ -4,7 +4,7 @@
  * A mark's class says what it means (`prediction`, `posterior`, `measurement`, `truth`) and `data-kin` lights it up.
  */
 
-import { Outline, pixel, polyline } from './path.js'
+import { Outline, pairs, pixel, polyline } from './path.js'
 import { scaleLinear, scaleLog } from './scale.js'
 
 export { scaleLinear, scaleLog }
@@ -22,8 +22,14 @@ export { scaleLinear, scaleLog }
  * @param {Kin | null} [kin]
  */
 export function meaning(shape, kin) {
-  return kin ? { class: `mark ${shape} ${kin}`, 'data-kin': kin } : { class: `mark ${shape}` }
+  const key = `mark ${shape} ${kin ?? ''}`
+  let known = MEANINGS.get(key)
+  if (!known) MEANINGS.set(key, (known = kin ? { class: key, 'data-kin': kin } : { class: key.trim() }))
+  return known
 }
+
+/** @type {Map<string, { class: string, 'data-kin'?: Kin }>} */
+const MEANINGS = new Map()
 
 /**
  * A plane with the same scale on both axes: `reach` units to the nearer edge from the centre.
@@ -191,12 +197,12 @@ export function dot(pen, key, plane, at, attributes) {
  * @param {number[]} ys
  */
 export function seriesPath({ x, y }, xs, ys) {
-  return polyline(ys.length, (i) => x(xs[i]), (i) => y(ys[i]))
+  return polyline(ys.length, x, xs, y, ys)
 }
 
 /** Points as a path. @param {Plane} plane @param {number[][]} points */
 export function pointsPath({ x, y }, points) {
-  return polyline(points.length, (i) => x(points[i][0]), (i) => y(points[i][1]))
+  return pairs(points, x, y)
 }
 
 /**

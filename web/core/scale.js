@@ -6,6 +6,7 @@
 /**
  * @typedef {((value: number) => number) & {
  *   domain: [number, number], log: boolean, invert: (pixel: number) => number,
+ *   all: (values: ArrayLike<number>, count: number, into: Float64Array) => void,
  *   ticks: (count: number) => number[], words: (count: number) => (value: number) => string,
  * }} Scale
  */
@@ -21,6 +22,9 @@ export function scaleLinear(domain, [from, to]) {
   return Object.assign((/** @type {number} */ value) => from + (value - low) * slope, {
     domain,
     log: false,
+    all: (/** @type {ArrayLike<number>} */ values, /** @type {number} */ count, /** @type {Float64Array} */ into) => {
+      for (let i = 0; i < count; i += 1) into[i] = from + (values[i] - low) * slope
+    },
     invert: (/** @type {number} */ pixel) => low + (pixel - from) / slope,
     ticks: (/** @type {number} */ count) => ticks(low, high, count),
     words: (/** @type {number} */ count) => inWords(low, high, count),
@@ -38,6 +42,9 @@ export function scaleLog(domain, [from, to]) {
   return Object.assign((/** @type {number} */ value) => from + (Math.log(value) - low) * slope, {
     domain,
     log: true,
+    all: (/** @type {ArrayLike<number>} */ values, /** @type {number} */ count, /** @type {Float64Array} */ into) => {
+      for (let i = 0; i < count; i += 1) into[i] = from + (Math.log(values[i]) - low) * slope
+    },
     invert: (/** @type {number} */ pixel) => Math.exp(low + (pixel - from) / slope),
     ticks: (/** @type {number} */ count) => logTicks(domain[0], domain[1], count),
     words: () => String,
