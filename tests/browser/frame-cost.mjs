@@ -8,7 +8,8 @@ import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist } from './places.mjs'
 const WIDGETS = ['odometry-hook', 'observer-bench', 'kalman-picture', 'observability-probe']
 const SECONDS = 6
 /** Before the count: a browser compiles what it has run a while. */
-const WARM = 2
+const WARM = 4
+const THROTTLE = Number(process.env.THROTTLE ?? 6)
 
 const site = await serve({ folder: dist, base: BASE })
 const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
@@ -27,7 +28,6 @@ try {
     await page.locator(tag).first().scrollIntoViewIfNeeded()
     await page.locator(`${tag}[data-state="live"]`).first().waitFor()
     const wire = await context.newCDPSession(page)
-    await wire.send('Emulation.setCPUThrottlingRate', { rate: 6 })
     const element = page.locator(tag).first()
     const play = element.getByRole('button', { name: 'Play' })
     if (await play.count()) await play.click()
@@ -48,6 +48,7 @@ try {
       for (; Date.now() < until; turns++) await page.mouse.move(x + 40 * Math.sin(turns / 9), y + 30 * Math.cos(turns / 7))
     }
     await live(WARM)
+    await wire.send('Emulation.setCPUThrottlingRate', { rate: THROTTLE })
     await browser.startTracing(page, { categories: ['devtools.timeline', 'toplevel', 'disabled-by-default-devtools.timeline'] })
     await live(SECONDS)
     const { turns: costs, main } = read(await browser.stopTracing())

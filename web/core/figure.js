@@ -74,7 +74,7 @@ class Figure {
     this.memory = {}
     this.said = /** @type {any} */ (null)
     /** What controls, readouts and labels say already: a camera or a beat may move without a new frame. */
-    this.shown = { frame: /** @type {any} */ (null), described: /** @type {any} */ (null), rate: 1, playing: false }
+    this.shown = { frame: /** @type {any} */ (null), described: /** @type {any} */ (null), at: -Infinity, rate: 1, playing: false }
     this.calm = matchMedia('(prefers-reduced-motion: reduce)')
     this.asked = 0
     /** @type {IntersectionObserver | undefined} */
@@ -278,8 +278,10 @@ class Figure {
       this.shown = { ...shown, frame, rate: this.rate, playing: this.playing }
       shell.show(frame, this.shown)
     }
-    if (beat.name === 'rest' && shown.described !== frame) {
+    // Nobody hears a label change at every frame: while it plays they follow twice a second.
+    if (beat.name === 'rest' && shown.described !== frame && (!this.playing || now - shown.at > 500)) {
       this.shown.described = frame
+      this.shown.at = now
       for (const [name, words] of Object.entries(spec.describe(frame))) shell.panels[name].svg.setAttribute('aria-label', words)
     }
     return moving || beat.name !== 'rest'
