@@ -1,12 +1,12 @@
-// What the first view weighs over the wire, held where it is: it may only become lighter. The goals, not met yet, are
-// 400 kB in all and 60 kB for the module; the table of `./scripts/sizes` says how far they are.
+// What the first view weighs over the wire, held three parts in a hundred above where it is: it may only become lighter. The
+// goal of 400 kB in all is met; that of 60 kB for the module is not.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { firstView, kindOf } from './first-view.mjs'
 import { open } from './harness.mjs'
 import { readItAll } from './letters.mjs'
 
-const BOUND = { all: 565_000, module: 146_000 }
+const BOUND = { module: 146_000, rest: 252_000, all: 398_000 }
 
 test('the first view of the chapter and its module weigh no more than they did', async (t) => {
   const sizes = await firstView()
@@ -14,7 +14,7 @@ test('the first view of the chapter and its module weigh no more than they did',
   const module = sizes.filter(([name]) => kindOf(name) === 'module').reduce((sum, [, bytes]) => sum + bytes, 0)
   const table = sizes.sort((a, b) => b[1] - a[1]).map(([name, bytes]) => `${(bytes / 1000).toFixed(1)} kB ${name}`)
   t.diagnostic(`${(all / 1000).toFixed(1)} kB in ${sizes.length} files, the module ${(module / 1000).toFixed(1)} kB`)
-  assert.ok(all <= BOUND.all, table.join('\n'))
+  assert.ok(all <= BOUND.all && all - module <= BOUND.rest, table.join('\n'))
   assert.ok(module > 0 && module <= BOUND.module, table.join('\n'))
 })
 

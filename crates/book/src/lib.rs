@@ -19,6 +19,7 @@ mod glossary;
 mod html;
 mod label;
 mod link;
+mod markup;
 mod matter;
 mod number;
 mod output;

@@ -4,25 +4,7 @@
 //! or index that stands alone becomes one `sup` or `sub` where KaTeX lays out a table of seven boxes. The read half
 //! (MathML) loses what only a drawing would need. `web/style/formulas.css` knows the elements this makes.
 
-use std::fmt::Write;
-
-/// An element or a text of KaTeX's markup, which is XML.
-#[derive(Clone, Debug, PartialEq)]
-enum Node {
-    Element(Element),
-    Text(String),
-}
-
-#[derive(Clone, Debug, Default, PartialEq)]
-struct Element {
-    name: String,
-    classes: Vec<String>,
-    /// Declarations of its `style`.
-    style: Vec<(String, String)>,
-    /// Other attributes as they stood.
-    rest: Vec<(String, String)>,
-    children: Vec<Node>,
-}
+use crate::markup::{Element, Node, em, length, parse, write};
 
 /// Classes that no style rule mentions.
 const INERT: [&str; 10] = ["mord", "mopen", "mclose", "mbin", "mrel", "mpunct", "minner", "mop", "mtight", "enclosing"];
@@ -49,7 +31,7 @@ const DRAWN: [&str; 14] = [
 ];
 
 /// Elements of MathML whose children stand in a row of their own accord.
-const ROWS: [&str; 6] = ["math", "mrow", "mtd", "mstyle", "mpadded", "msqrt"];
+const ROWS: [&str; 7] = ["math", "semantics", "mrow", "mtd", "mstyle", "mpadded", "msqrt"];
 
 /// `html` as KaTeX wrote it, slim.
 pub fn slim(html: &str) -> String {
@@ -358,145 +340,6 @@ fn join(children: &mut Vec<Node>) {
         }
     }
     *children = out;
-}
-
-impl Node {
-    fn element(&self) -> Option<&Element> {
-        match self {
-            Self::Element(element) => Some(element),
-            Self::Text(_) => None,
-        }
-    }
-}
-
-impl Element {
-    fn has(&self, class: &str) -> bool {
-        self.classes.iter().any(|own| own == class)
-    }
-
-    fn get(&self, property: &str) -> Option<&str> {
-        self.style.iter().find(|(name, _)| name == property).map(|(_, value)| value.as_str())
-    }
-
-    /// Adds to a margin.
-    fn widen(&mut self, side: &str, width: f64) {
-        match self.style.iter_mut().find(|(name, _)| name == side) {
-            Some((_, value)) => *value = length(em(value).unwrap_or_default() + width),
-            None => self.style.push((side.into(), length(width))),
-        }
-    }
-
-    /// Italic letters with nothing after them.
-    fn is_letters(&self) -> bool {
-        self.name == "i" && self.classes.is_empty() && self.rest.is_empty() && self.style.is_empty()
-    }
-
-    /// Italic letters whose margin, if any, stands after them.
-    fn only_widens(&self) -> bool {
-        self.classes.is_empty() && self.rest.is_empty() && self.style.iter().all(|(name, _)| name == "margin-right")
-    }
-}
-
-fn em(value: &str) -> Option<f64> {
-    value.strip_suffix("em")?.parse().ok()
-}
-
-/// In ems, to four decimals, without a zero before the point.
-fn length(value: f64) -> String {
-    let text = format!("{:.4}", value);
-    let text = text.trim_end_matches('0').trim_end_matches('.');
-    match text {
-        "" | "0" | "-0" => "0".into(),
-        _ => format!("{}em", text.replacen("0.", ".", usize::from(text.trim_start_matches('-').starts_with("0.")))),
-    }
-}
-
-// To and from text.
-
-fn parse(html: &str) -> Vec<Node> {
-    let mut open = vec![Element::default()];
-    let mut rest = html;
-    while let Some(start) = rest.find('<') {
-        let Some(end) = rest[start..].find('>').map(|end| start + end) else { break };
-        let (text, tag) = (&rest[..start], &rest[start + 1..end]);
-        rest = &rest[end + 1..];
-        if !text.is_empty() {
-            add(&mut open, Node::Text(text.into()));
-        }
-        if tag.starts_with('/') {
-            if let (Some(done), true) = (open.pop(), !open.is_empty()) {
-                add(&mut open, Node::Element(done));
-            }
-            continue;
-        }
-        let element = opened(tag.trim_end_matches('/'));
-        if tag.ends_with('/') {
-            add(&mut open, Node::Element(element));
-        } else {
-            open.push(element);
-        }
-    }
-    if !rest.is_empty() {
-        add(&mut open, Node::Text(rest.into()));
-    }
-    open.swap_remove(0).children
-}
-
-fn add(open: &mut [Element], node: Node) {
-    if let Some(parent) = open.last_mut() {
-        parent.children.push(node);
-    }
-}
-
-/// An element from what stands between `<` and `>`.
-fn opened(tag: &str) -> Element {
-    let (name, mut rest) = tag.split_once(' ').unwrap_or((tag, ""));
-    let mut element = Element { name: name.into(), ..Element::default() };
-    while let Some((attribute, after)) = rest.split_once('=') {
-        let quote = if after.starts_with('\'') { '\'' } else { '"' };
-        let Some((value, after)) = after.get(1..).and_then(|value| value.split_once(quote)) else { break };
-        match attribute.trim() {
-            "class" => element.classes = value.split_whitespace().map(String::from).collect(),
-            "style" => element.style = declarations(value),
-            attribute => element.rest.push((attribute.into(), value.into())),
-        }
-        rest = after;
-    }
-    // KaTeX keeps attributes in a hash map: two readings of one formula, or two builds, would seem to differ.
-    element.rest.sort();
-    element.style.sort();
-    element
-}
-
-fn declarations(style: &str) -> Vec<(String, String)> {
-    let parts = style.split(';').filter_map(|part| part.split_once(':'));
-    parts.map(|(name, value)| (name.trim().into(), value.trim().into())).collect()
-}
-
-fn write(node: &Node, out: &mut String) {
-    let element = match node {
-        Node::Text(text) => return out.push_str(text),
-        Node::Element(element) => element,
-    };
-    out.push('<');
-    out.push_str(&element.name);
-    if !element.classes.is_empty() {
-        let _ = write!(out, " class=\"{}\"", element.classes.join(" "));
-    }
-    let style = element.style.iter().map(|(name, value)| (name, em(value).map_or_else(|| value.clone(), length)));
-    let style: Vec<String> = style
-        .filter(|(name, value)| value != "0" || *name == "top")
-        .map(|(name, value)| format!("{name}:{value}"))
-        .collect();
-    if !style.is_empty() {
-        let _ = write!(out, " style=\"{}\"", style.join(";"));
-    }
-    for (name, value) in &element.rest {
-        let _ = write!(out, " {name}=\"{value}\"");
-    }
-    out.push('>');
-    element.children.iter().for_each(|child| write(child, out));
-    let _ = write!(out, "</{}>", element.name);
 }
 
 #[cfg(test)]
