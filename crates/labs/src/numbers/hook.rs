@@ -1,5 +1,5 @@
-//! Numbers of the odometry hook, after one lap. They depend on the scenario alone, not on the givens: means over many
-//! seeds, since one run would quote its luck.
+//! Numbers of the odometry hook, after one lap and just before its fourth corner. They depend on the scenario alone, not
+//! on the givens: means over many seeds, since one run would quote its luck, and beside them the run that the figure shows.
 
 use super::Listing;
 use crate::odometry_hook::{Drive, HookParams};
@@ -12,22 +12,30 @@ const SEEDS: u32 = 500;
 /// A wheel-radius bias of half and of one per cent.
 const BIASES: [f64; 2] = [0.005, 0.01];
 
-/// Means over the seeds after a lap: position error, size of the heading error, claimed sigma of the heading.
-pub(crate) struct Lap {
+/// The last tick of the third side before the corner at its end comes within reach.
+const LATE: u32 = 505;
+
+/// Means over the seeds after so many ticks: position error, size of the heading error, claimed sigma of the heading.
+pub(crate) struct Means {
     pub position: f64,
     pub heading: f64,
     pub sigma: f64,
 }
 
-/// A lap for each of so many seeds.
-pub(crate) fn laps(bias: f64, fixes: bool, seeds: u32) -> Result<Lap, Error> {
-    let mut mean = Lap { position: 0.0, heading: 0.0, sigma: 0.0 };
+/// One run, driven for so many ticks.
+fn driven(bias: f64, fixes: bool, seed: u32, ticks: u32) -> Result<Drive, Error> {
+    let mut drive = Drive::new(HookParams { bias, slip: HOOK.slip, fixes, seed })?;
+    for _ in 0..ticks {
+        drive.advance()?;
+    }
+    Ok(drive)
+}
+
+/// So many ticks with each of so many seeds.
+pub(crate) fn means(bias: f64, fixes: bool, ticks: u32, seeds: u32) -> Result<Means, Error> {
+    let mut mean = Means { position: 0.0, heading: 0.0, sigma: 0.0 };
     for seed in 1..=seeds {
-        let mut drive = Drive::new(HookParams { bias, slip: HOOK.slip, fixes, seed })?;
-        for _ in 0..HOOK.course.lap() {
-            drive.advance()?;
-        }
-        let (error, sigma) = drive.quality();
+        let (error, sigma) = driven(bias, fixes, seed, ticks)?.quality();
         mean.position += error.position / f64::from(seeds);
         mean.heading += error.heading.abs() / f64::from(seeds);
         mean.sigma += sigma.heading / f64::from(seeds);
@@ -44,18 +52,25 @@ pub(crate) fn bias_for(angle: f64) -> f64 {
 }
 
 pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
-    let blind = [laps(BIASES[0], false, SEEDS)?, laps(BIASES[1], false, SEEDS)?];
-    let fixed = [laps(BIASES[0], true, SEEDS)?, laps(BIASES[1], true, SEEDS)?];
+    let lap = HOOK.course.lap();
+    let blind = [means(BIASES[0], false, lap, SEEDS)?, means(BIASES[1], false, lap, SEEDS)?];
+    let fixed = means(BIASES[0], true, lap, SEEDS)?;
+    let late = means(BIASES[0], true, LATE, SEEDS)?;
+    let shown = HookParams::default();
+    let shown = driven(shown.bias, true, shown.seed, LATE)?.quality().0;
     to.by("labs::numbers::hook::bias_for", None)
         .add("hook.bias.45", bias_for(FRAC_PI_4), "the bias that turns the estimate by 45° in a lap")
-        .by("labs::numbers::hook::laps", None)
+        .by("labs::numbers::hook::means", None)
         .add("hook.heading.half", blind[0].heading.to_degrees(), "mean heading error after a lap at 0.5 %, degrees")
         .add("hook.heading.one", blind[1].heading.to_degrees(), "mean heading error after a lap at 1 %, degrees")
         .add("hook.sigma.heading", blind[0].sigma.to_degrees(), "claimed heading sigma after a lap, degrees")
-        .add("hook.fixes.position", fixed[0].position, "mean position error after a lap with fixes at 0.5 %, metres")
-        .add("hook.fixes.sigma", fixed[0].sigma.to_degrees(), "claimed heading sigma after a lap with fixes, degrees")
-        .add("hook.fixes.heading.low", fixed[0].heading.to_degrees(), "mean heading error with fixes at 0.5 %, degrees")
-        .add("hook.fixes.heading.high", fixed[1].heading.to_degrees(), "mean heading error with fixes at 1 %, degrees");
+        .add("hook.fixes.position", fixed.position, "mean position error after a lap with fixes at 0.5 %, metres")
+        .add("hook.fixes.heading", fixed.heading.to_degrees(), "mean heading error after a lap with fixes, degrees")
+        .add("hook.fixes.sigma", fixed.sigma.to_degrees(), "claimed heading sigma after a lap with fixes, degrees")
+        .add("hook.late.tick", f64::from(LATE), "the last tick before the fourth corner is read")
+        .add("hook.late.heading", late.heading.to_degrees(), "mean heading error there with fixes at 0.5 %, degrees")
+        .add("hook.late.sigma", late.sigma.to_degrees(), "claimed heading sigma there with fixes, degrees")
+        .add("hook.late.shown", shown.heading.abs().to_degrees(), "heading error there in the figure's run, degrees");
     Ok(())
 }
 
@@ -77,7 +92,7 @@ mod tests {
     #[test]
     fn bias_outruns_the_claim_and_fixes_rescue_the_position_alone() {
         let degrees = |bias, fixes| {
-            let lap = laps(bias, fixes, 60).expect("finite");
+            let lap = means(bias, fixes, HOOK.course.lap(), 60).expect("finite");
             (lap.position, lap.heading.to_degrees(), lap.sigma.to_degrees())
         };
         // Bands of three standard errors and more of 60 seeds about means found independently.
@@ -90,5 +105,17 @@ mod tests {
             assert!(position < 0.2 && (1.1..1.5).contains(&sigma), "{bias}: {position} {sigma}");
             assert!((1.5..6.0).contains(&heading), "{bias}: {heading}");
         }
+    }
+
+    #[test]
+    fn before_a_corner_the_heading_is_past_its_claim_in_the_mean_and_in_the_run_shown() {
+        let late = means(BIASES[0], true, LATE, 60).expect("finite");
+        assert!(late.heading > 2.0 * late.sigma, "{} {}", late.heading, late.sigma);
+        let mut shown = driven(BIASES[0], true, HookParams::default().seed, LATE).expect("finite");
+        let (error, sigma) = shown.quality();
+        assert!(error.heading.abs() > 2.0 * sigma.heading);
+        assert!(shown.seen.is_empty());
+        shown.advance().expect("finite");
+        assert_eq!(shown.seen.len(), 1, "the corner is read in the very next tick");
     }
 }
