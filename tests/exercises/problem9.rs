@@ -105,7 +105,7 @@ fn reports_the_gap(ekf_step: EkfStep, ukf_step: UkfStep) {
         (wide, Vector3::new(-0.0642284, -0.1799695, -0.0170926)),
     ] {
         let (curved, p) = ukf_step(belief, Vector2::new(3.0, PI), 0.25, 1.7, 0.5, points);
-        println!("UKF − EKF = {:.4}", curved - straight);
+        println!("UKF minus EKF: {:.4}", curved - straight);
         assert!((curved - straight - gap).amax() < 1e-6);
         assert!((p - p.transpose()).amax() < 1e-12 && p.determinant() > 0.0);
     }
