@@ -1,6 +1,9 @@
-/** Draws each figure's default state with its own view code over the module's Node build, into target/stills. */
+/**
+ * Draws each figure's default state with its own view code over the module's Node build, into target/stills: by widget, and
+ * by figure where the text opens one in a state of its own.
+ */
 
-import { mkdirSync, writeFileSync } from 'node:fs'
+import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
@@ -12,14 +15,26 @@ const root = dirname(dirname(fileURLToPath(import.meta.url)))
 const out = join(root, 'target/stills')
 const estimate = createRequire(import.meta.url)(join(root, 'target/pkg/node/estimate_wasm.js'))
 
+rmSync(out, { recursive: true, force: true })
 mkdirSync(out, { recursive: true })
-for (const [tag, load] of Object.entries(WIDGETS)) {
-  const spec = await load()
-  const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, ...spec.start })
+for (const [tag, load] of Object.entries(WIDGETS)) draw(tag, await load(), {})
+
+for (const path of readdirSync(join(root, 'content'), { recursive: true })) {
+  if (!String(path).endsWith('.md')) continue
+  const text = readFileSync(join(root, 'content', String(path)), 'utf8')
+  for (const [, id, tag, start] of text.matchAll(/^:::figure\{#(\S+) widget="([^"]+)".* start='([^']+)'.*\}$/gm)) {
+    if (WIDGETS[tag]) draw(id, await WIDGETS[tag](), JSON.parse(start))
+  }
+}
+console.log(`target/stills: ${readdirSync(out).filter((name) => name.endsWith('.svg')).join(', ')}`)
+
+/** @param {string} name @param {import('./core/spec.js').FigureSpec} spec @param {{ step?: number, params?: object }} given */
+function draw(name, spec, given) {
+  const state = { step: given.step ?? spec.start.step, params: { ...spec.start.params, ...given.params } }
+  const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, ...state })
   const { document } = parseHTML('<!doctype html><html><body></body></html>')
   const { html, words } = drawStill(document, spec, lab.frame())
-  writeFileSync(join(out, `${tag}.svg`), html)
-  writeFileSync(join(out, `${tag}.txt`), `${words}\n`)
+  writeFileSync(join(out, `${name}.svg`), html)
+  writeFileSync(join(out, `${name}.txt`), `${words}\n`)
   lab.free()
 }
-console.log(`target/stills: ${Object.keys(WIDGETS).join(', ')}`)

@@ -24,7 +24,9 @@ function judge(figures) {
 test('with scripts off every figure is a still with words, and the page is whole', async (t) => {
   const page = await open(t, { scripts: false })
   judge(await stills(page))
-  assert.equal(await page.locator('button:visible, input[type=range]:visible').count(), 0, 'nothing to press that would not answer')
+  assert.equal(await page.locator('button:visible, input:visible, select:visible').count(), 0, 'nothing to press that would not answer')
+  const pictures = await page.locator('figure.figure-widget .still').evaluateAll((all) => all.map((still) => still.innerHTML))
+  assert.equal(new Set(pictures).size, pictures.length, 'each figure shows its own state')
   assert.ok((await page.locator('main p').count()) > 30)
 })
 
@@ -38,10 +40,12 @@ test('where the module cannot be fetched the figure says so, and tries again', a
   const again = bench.getByRole('button', { name: /try again/i })
   await again.waitFor()
   judge(await stills(page))
+  assert.deepEqual(await bench.locator(':is(button, input, select):visible').allTextContents(), ['Try again'], 'nothing else to press')
   await page.unroute('**/*.wasm')
-  await again.click()
+  await again.press('Enter')
   await page.locator('observer-bench[data-state="live"]').first().waitFor()
   assert.equal(await again.count(), 0)
+  await page.waitForFunction(() => document.activeElement?.closest('observer-bench .live'))
 })
 
 test('where there is no WebAssembly the figures are stills', async (t) => {

@@ -3,7 +3,7 @@
 /**
  * @param {HTMLElement} host
  * @param {string} why
- * @param {() => void} again
+ * @param {() => void | Promise<void>} again
  */
 export function showFailure(host, why, again) {
   hideFailure(host)
@@ -16,7 +16,12 @@ export function showFailure(host, why, again) {
   button.type = 'button'
   button.className = 'button'
   button.textContent = 'Try again'
-  button.addEventListener('click', again)
+  button.addEventListener('click', async () => {
+    await again()
+    // The button is gone, and the focus with it: back to what stands in its place.
+    const next = host.querySelector('.figure-failure button, .live :is(button, input, select, [tabindex]):not(:disabled)')
+    if (next instanceof HTMLElement || next instanceof SVGElement) next.focus({ preventScroll: true })
+  })
   words.append(button)
   host.append(words)
 }

@@ -54,8 +54,10 @@ impl Renderer<'_> {
             format!(" data-start=\"{}\"", escape(start))
         });
         let start = start.unwrap_or_default();
-        let still = self.site.stills.get(widget).cloned().unwrap_or_default();
-        let figure = escape(attributes.id.as_deref().unwrap_or_default());
+        let figure = attributes.id.as_deref().unwrap_or_default();
+        let stills = &self.site.stills;
+        let still = stills.get(figure).or_else(|| stills.get(widget)).cloned().unwrap_or_default();
+        let figure = escape(figure);
         format!(
             "<figure class=\"figure figure-widget\"{id}>{title}<{widget} class=\"widget\" data-widget=\"{widget}\" data-figure=\"{figure}\"{start}>\
              <div class=\"still\">{}</div><p class=\"still-text visually-hidden\">{}</p></{widget}><figcaption>{label}\n",

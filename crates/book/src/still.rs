@@ -1,6 +1,6 @@
 //! Still pictures of the widgets, drawn by their own view code before the book is built.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::diagnostic::BuildError;
@@ -17,18 +17,23 @@ pub struct Still {
     pub words: String,
 }
 
-/// The stills, by widget.
+/// The stills, by widget; by figure where one opens in a state of its own.
 pub type Stills = BTreeMap<String, Still>;
 
-/// Reads `<widget>.svg` and `<widget>.txt` from `folder`; one that is missing is an error when `strict`.
+/// Reads each `<name>.svg` and `<name>.txt` of `folder`; a widget's that is missing is an error when `strict`.
 ///
 /// # Errors
 /// [`BuildError`] when a file is missing under `strict`, or cannot be read.
 pub fn load(folder: &Path, strict: bool) -> Result<Stills, BuildError> {
     let mut stills = Stills::new();
-    for widget in WIDGETS {
+    let mut names: BTreeSet<String> = WIDGETS.map(String::from).into();
+    if let Ok(entries) = std::fs::read_dir(folder) {
+        let drawn = entries.flatten().filter_map(|entry| entry.file_name().into_string().ok());
+        names.extend(drawn.filter_map(|name| name.strip_suffix(".svg").map(String::from)));
+    }
+    for name in names {
         let read = |extension: &str| {
-            let path = folder.join(format!("{widget}.{extension}"));
+            let path = folder.join(format!("{name}.{extension}"));
             match path.exists() {
                 true => std::fs::read_to_string(&path)
                     .map(Some)
@@ -40,7 +45,7 @@ pub fn load(folder: &Path, strict: bool) -> Result<Stills, BuildError> {
             }
         };
         if let (Some(svg), Some(words)) = (read("svg")?, read("txt")?) {
-            stills.insert(widget.to_string(), Still { svg: prepare(&svg), words: words.trim().to_string() });
+            stills.insert(name, Still { svg: prepare(&svg), words: words.trim().to_string() });
         }
     }
     Ok(stills)
