@@ -9,7 +9,7 @@ use crate::directive::Opened;
 use crate::document::Document;
 use crate::html::escape;
 use crate::label::Labels;
-use crate::scan::{CLOSE, OPEN};
+use crate::scan::{CLOSE, OPEN, Piece};
 use crate::site::Site;
 
 /// A heading of the table of contents.
@@ -234,6 +234,13 @@ impl<'a> Renderer<'a> {
             if let Some((piece, place)) = index.and_then(|index: usize| document.scanned.pieces.get(index)) {
                 let html = self.inline_piece(&mut walk.spans, piece, place);
                 walk.inline_html(html);
+                // A browser would break the line between a formula and the full stop behind it.
+                let behind = &rest[start + end + CLOSE.len_utf8()..];
+                if matches!(piece, Piece::Math(_))
+                    && behind.starts_with(['.', ',', ';', ':', '!', '?', ')', '’', '”', '-'])
+                {
+                    walk.text("\u{2060}");
+                }
             }
             rest = &rest[start + end + CLOSE.len_utf8()..];
         }
