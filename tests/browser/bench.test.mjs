@@ -69,7 +69,19 @@ test('a finger turns the knob', async (t) => {
   await touch('touchStart', from)
   for (let i = 1; i <= 8; i++) await touch('touchMove', from + ((x + width - 12 - from) * i) / 8)
   await touch('touchEnd')
-  await until(bench, ({ params }) => params.gain > 5, 'the finger has turned the knob')
+  const { params: { gain } } = await until(bench, ({ params }) => params.gain > 5, 'the finger has turned the knob')
+
+  // Upwards it scrolls the page, and the knob stays where it was.
+  assert.ok(height >= 44, `${height} px to the touch`)
+  const box = await slider.boundingBox()
+  const top = await page.evaluate(() => scrollY)
+  const swipe = (type, up) => wire.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: box.x + box.width / 2, y: box.y + box.height / 2 - up }] })
+  await swipe('touchStart', 0)
+  for (let i = 1; i <= 8; i++) await swipe('touchMove', 15 * i)
+  await swipe('touchEnd')
+  await page.waitForFunction((y) => scrollY > y + 50, top)
+  await page.waitForTimeout(150)
+  assert.equal((await frameOf(bench)).params.gain, gain)
 })
 
 test('a change is the whole run as it would have been, and a step is announced', async (t) => {

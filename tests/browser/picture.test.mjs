@@ -66,7 +66,14 @@ test('the prediction moves by mouse and by keys, and both feet stay on the line'
   }
   const keyed = (await holds(it)).params.mean
   assert.ok(apart(dragged, keyed) < 1e-9, 'there and back')
-  assert.equal(await mean.getAttribute('aria-valuetext'), `at ${keyed[0].toFixed(2)} metres, ${keyed[1].toFixed(2)} metres a second`)
+  await mean.press('End')
+  const { params: { mean: right } } = await until(it, ({ params }) => params.mean[0] > keyed[0] + 1, 'End')
+  assert.ok(close(right[1], keyed[1]) && close(Number(await mean.getAttribute('aria-valuenow')), right[0], 1e-6), 'to the right edge, no higher')
+  await mean.press('Home')
+  await until(it, ({ params }) => params.mean[0] < keyed[0] - 1, 'Home')
+  await mean.press('End')
+  await until(it, ({ params }) => close(params.mean[0], right[0]), 'End again')
+  assert.equal(await mean.getAttribute('aria-valuetext'), `at ${right[0].toFixed(2)} metres, ${right[1].toFixed(2)} metres a second`)
 })
 
 test('the axes of the covariance turn and stretch, by mouse and by keys', async (t) => {

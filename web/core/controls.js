@@ -133,6 +133,13 @@ function range(document, control, change) {
   let said = ''
 
   input.addEventListener('input', () => change(Number(input.value)))
+  // A finger that comes down here to scroll the page has moved the thumb before the browser knows: back it goes.
+  let before = input.value
+  input.addEventListener('pointerdown', () => { before = input.value })
+  input.addEventListener('pointercancel', () => {
+    input.value = before
+    change(Number(before))
+  })
   input.addEventListener('keydown', (event) => {
     const sign = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key]
     if (!sign || !event.shiftKey) return

@@ -15,7 +15,7 @@
  * @property {[number, number]} [nameAt] where, from its middle; right of it if not given
  * @property {string} value its value in words
  * @property {import('./plot.js').Kin} [kin]
- * @property {number} [now] `aria-valuenow`, for a handle with one value; the step otherwise does not matter
+ * @property {number} [now] `aria-valuenow`; of a handle with two values, the one that Home and End change
  * @property {number} [min]
  * @property {number} [max]
  * @property {(x: number, y: number) => Record<string, unknown>} move pixels in its panel → a change of parameters

@@ -34,7 +34,8 @@ function verdict(frame) {
   const what = `${NUMBERS[params.count]} ${many}, ${frame.sensor === 'range' ? 'range only' : 'range and bearing'}: rank ${frozen.rank} frozen, ${alongPath.rank} along the path.`
   if (alongPath.rank === 3) return frozen.rank < 3 ? `${what} The blind moment passes: driving on shows what it hid.` : `${what} Every direction is seen.`
   if (frozen.rank === 3) return `${what} The frozen test is too kind: turn the pose about the landmark, and no reading changes.`
-  return `${what} One direction is never seen, and the ellipse keeps it.`
+  const hidden = 3 - alongPath.rank
+  return `${what} ${NUMBERS[hidden]} ${hidden === 1 ? 'direction is' : 'directions are'} never seen, and the ellipse keeps ${hidden === 1 ? 'it' : 'them'}.`
 }
 
 /** @param {Frame} frame */

@@ -109,12 +109,14 @@ function handles(pen, plane, frame, view) {
   view.handle(pen, 'mean', {
     at: [x(mean[0]), y(mean[1])], label: 'Prediction', name: 'prediction', kin: 'prediction',
     value: `at ${words(mean[0])} metres, ${words(mean[1])} metres a second`,
+    now: mean[0], min: x.invert(box.left + 8), max: x.invert(box.right - 8),
     move: (px, py) => ({ mean: data(px, py) }),
     nudge: (dx, dy) => ({ mean: held([mean[0] + 0.05 * dx, mean[1] + 0.05 * dy]) }),
+    jump: (end) => ({ mean: data(end === 'home' ? box.left : box.right, y(mean[1])) }),
   })
   view.handle(pen, 'major', {
     at: inside([x(mean[0] + semiMajor * c), y(mean[1] + semiMajor * s)]), label: 'First axis of the ellipse', name: 'turn, stretch', kin: 'prediction',
-    value: `${words(semiMajor)} long, at ${Math.round((angle * 180) / Math.PI)} degrees`,
+    value: `${words(semiMajor)} long, at ${Math.round((angle * 180) / Math.PI)} degrees`, now: semiMajor, min: AXIS.least, max: AXIS.most,
     move: (px, py) => {
       const [dx, dy] = [x.invert(px) - mean[0], y.invert(py) - mean[1]]
       return { semiMajor: length(Math.hypot(dx, dy)), angle: Math.atan2(dy, dx) }
@@ -136,5 +138,6 @@ function handles(pen, plane, frame, view) {
     value: words(reading), now: reading, min: -8, max: 8,
     move: (px, py) => ({ reading: output(data(px, py)) }),
     nudge: (dx, dy) => ({ reading: clamp(reading + 0.05 * (Math.abs(frame.H[1]) > 0.5 ? dy || dx : dx || dy), -8, 8) }),
+    jump: (end) => ({ reading: end === 'home' ? -8 : 8 }),
   })
 }

@@ -77,7 +77,10 @@ function unseen(pen, plane, at, { directions }, name, shape) {
     const words = Math.abs(degrees) < 0.05 ? name : `${name}, ${fixed(Math.abs(degrees), 0)}° a metre`
     const side = name === 'frozen' ? 0 : 1
     const end = ends[side]
-    pen.text(`${key}-name`, { class: 'mark-name', x: plane.x(end[0]), y: plane.y(end[1]) + (plane.y(end[1]) > plane.y(at[1]) ? 15 : -6), 'text-anchor': end[0] < at[0] ? 'end' : 'start' }, words)
+    // Kept inside the panel, whose edge would cut it: a letter is about 6.4 pixels wide.
+    const [x, long] = [plane.x(end[0]), words.length * 6.4]
+    const kept = end[0] < at[0] ? Math.max(x, plane.box.left + long) : Math.min(x, plane.box.right - long)
+    pen.text(`${key}-name`, { class: 'mark-name', x: kept, y: plane.y(end[1]) + (plane.y(end[1]) > plane.y(at[1]) ? 15 : -6), 'text-anchor': end[0] < at[0] ? 'end' : 'start' }, words)
   })
 }
 
@@ -92,9 +95,10 @@ function handles(pen, plane, frame, view) {
     view.handle(pen, `landmark${i}`, {
       at: [plane.x(x), plane.y(y)], label: `Landmark ${i + 1}`, name: String(i + 1), kin: 'measurement',
       nameAt: [x > frame.room.width / 2 ? -22 : 15, y > frame.room.height / 2 ? 22 : -14],
-      value: `at ${fixed(x, 2)}, ${fixed(y, 2)} metres`,
+      value: `at ${fixed(x, 2)}, ${fixed(y, 2)} metres`, now: x, min: 0, max: frame.room.width,
       move: (px, py) => put(plane.x.invert(px), plane.y.invert(py)),
       nudge: (dx, dy) => put(x + 0.05 * dx, y + 0.05 * dy),
+      jump: (end) => put(end === 'home' ? 0 : frame.room.width, y),
     })
   })
 }
