@@ -82,6 +82,7 @@ class Figure {
     /** @type {ResizeObserver | undefined} */
     this.resized = undefined
     this.speaking = 0
+    this.gist = ''
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.noting = undefined
     this.handle = liveHandles((patch) => this.change(patch))
@@ -183,6 +184,7 @@ class Figure {
   play(on) {
     this.playing = on
     this.due = on ? 1 : 0
+    if (!on) this.speakSoon()
     this.want('draw', true)
   }
 
@@ -260,8 +262,7 @@ class Figure {
     this.frame = frame
     const slow = !this.playing || this.rate * (this.spec.pace ?? 2) <= 1000 / STEP_MS
     this.beatStart = stepped && slow && this.spec.beats && !this.calm.matches ? now : -Infinity
-    clearTimeout(this.speaking)
-    this.speaking = window.setTimeout(() => this.announce(), this.playing ? 4000 : 500)
+    this.speakSoon()
   }
 
   /** @param {number} now @param {number} elapsed */
@@ -289,8 +290,20 @@ class Figure {
 
   // What it says and gives.
 
+  /** Half a second after the last change; of a run, which changes at every step, every four seconds. */
+  speakSoon() {
+    if (this.playing && this.speaking) return
+    clearTimeout(this.speaking)
+    this.speaking = window.setTimeout(() => this.announce(), this.playing ? 4000 : 500)
+  }
+
   announce() {
+    this.speaking = 0
     const words = this.spec.announce(this.frame, this.said)
+    // While it plays only what reads differently without its numbers is worth an interruption.
+    const gist = words.replace(/[\d.]+/g, '')
+    if (this.playing && gist === this.gist) return
+    this.gist = gist
     this.said = this.frame
     if (words) this.status.textContent = words
   }
