@@ -48,6 +48,7 @@ test('a choice is committed to before anything is explained, and a wrong one say
   assert.ok(!(await picture.evaluate((widget) => widget.inert)), 'the figure is free')
   assert.ok(await it.form.getByRole('radio').first().isDisabled(), 'an answer given stands')
   assert.ok(!(await it.commit.isVisible()))
+  assert.ok(await it.verdict.evaluate((verdict) => document.activeElement === verdict), 'the focus is at what was said, not lost with the button')
 })
 
 test('every wrong choice of every question has a reason of its own', async (t) => {

@@ -28,6 +28,10 @@ function wake(form) {
     if (typeof answer !== 'string' || answer.trim() === '') return say(form, 'Choose an answer first.')
     if (!commit(form, answer.trim())) return say(form, 'That is not a number.')
     remember(keyOf(form), answer.trim())
+    // What had the focus can be pressed no more.
+    const verdict = /** @type {HTMLElement | null} */ (form.querySelector('.quiz-verdict'))
+    verdict?.setAttribute('tabindex', '-1')
+    verdict?.focus({ preventScroll: true })
   })
   form.querySelector('[data-quiz-reset]')?.addEventListener('click', () => {
     remember(keyOf(form), null)
