@@ -31,6 +31,9 @@ test('a PDF of the chapter has every section open and no controls', { timeout: 1
   t.diagnostic(`${texts.length} pages`)
   assert.deepEqual(closed.filter((words) => !whole.includes(plain(words))), [], 'these are not on paper')
   assert.ok(whole.includes('doi:10.'), 'the references show their addresses')
+  // What introduces something stands on its page.
+  const lonely = texts.slice(0, -1).filter((text) => /(Answer|Worked answer|Starter|Hint|\.rs)\s*$/.test(text)).map((text) => text.slice(-60))
+  assert.deepEqual(lonely, [])
 })
 
 test('in print the figures are stills and nothing to press is left', async (t) => {
