@@ -29,3 +29,10 @@ for (const at of PAGES) {
     })
   }
 }
+
+test('the contents called up on a phone are whole', async (t) => {
+  const page = await open(t, { viewport: { width: 320, height: 640 }, touch: true })
+  await page.locator('[data-open-contents]').tap()
+  const cut = await page.locator('.toc[data-open] :is(a, .toc-number)').evaluateAll((all) => all.filter((part) => part.getBoundingClientRect().left < 0).map((part) => part.textContent))
+  assert.deepEqual(cut, [])
+})

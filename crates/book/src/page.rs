@@ -86,7 +86,7 @@ pub fn text(
     let mut renderer = Renderer::new(site, &labels, diagnostics, &root);
     let mut body = String::new();
     for document in &documents {
-        body += &renderer.document(document);
+        body += &format!("<section>\n{}</section>\n", renderer.document(document));
     }
     let search = search(&body, &renderer.headings, address);
     let end = renderer.end_matter();
