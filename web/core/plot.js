@@ -5,7 +5,7 @@
  */
 
 import { Outline, pairs, pixel, polyline } from './path.js'
-import { scaleLinear, scaleLog } from './scale.js'
+import { rounded, scaleLinear, scaleLog } from './scale.js'
 
 export { scaleLinear, scaleLog }
 
@@ -278,7 +278,11 @@ function upright({ lines, rules = [], include = [], log = false }, box) {
   if (low > high) [low, high] = log ? [0.1, 1] : [0, 1]
   if (high - low < 1e-9 * Math.abs(high) || high === low) high = low + Math.max(1e-6, Math.abs(low) * 0.1)
   const range = /** @type {[number, number]} */ ([box.bottom, box.top])
-  return log ? scaleLog([low / 1.15, high * 1.15], range) : scaleLinear([low - (high - low) * 0.04, high + (high - low) * 0.06], range)
+  if (log) {
+    const [from, to] = rounded(Math.log10(low / 1.1), Math.log10(high * 1.1), 5)
+    return scaleLog([10 ** from, 10 ** to], range)
+  }
+  return scaleLinear(rounded(low - (high - low) * 0.04, high + (high - low) * 0.04, 4), range)
 }
 
 /**

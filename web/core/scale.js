@@ -59,6 +59,17 @@ function stepOf(low, high, count) {
   return { factor: over >= Math.sqrt(50) ? 10 : over >= Math.sqrt(10) ? 5 : over >= Math.SQRT2 ? 2 : 1, power }
 }
 
+/**
+ * The domain, out to the next quarter of a tick's step: an axis that its values push only now and then.
+ * @param {number} low @param {number} high @param {number} count
+ * @returns {[number, number]}
+ */
+export function rounded(low, high, count) {
+  const { factor, power } = stepOf(low, high, count)
+  const step = (factor * 10 ** power) / 4
+  return [Math.floor(low / step) * step, Math.ceil(high / step) * step]
+}
+
 /** @param {number} low @param {number} high @param {number} count */
 function ticks(low, high, count) {
   if (!(high > low)) return [low]

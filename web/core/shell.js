@@ -76,6 +76,7 @@ export function buildShell(document, spec, into, orders) {
   const readouts = part(document, into, 'dl', 'readouts')
   /** @type {Map<string, { box: Element, value: Element, said: string }>} */
   const kept = new Map()
+  let [playing, said] = [false, '']
   const tools = part(document, into, 'div', 'figure-tools')
   button(document, tools, 'Copy link to this state', orders.link, 'quiet')
   button(document, tools, 'Download SVG', () => orders.download('svg'), 'quiet')
@@ -92,12 +93,12 @@ export function buildShell(document, spec, into, orders) {
      * @param {{ rate: number, playing: boolean }} life
      */
     show(frame, life) {
-      const word = life.playing ? 'Pause' : 'Play'
-      if (play.textContent !== word) play.textContent = word
+      if (playing !== life.playing) play.textContent = life.playing ? 'Pause' : 'Play'
+      playing = life.playing
       speed.show({ speed: life.rate }, frame)
       for (const control of shown) control.show(frame.params, frame)
-      const said = spec.verdict?.(frame) ?? ''
-      if (verdict.textContent !== said) verdict.textContent = said
+      const judged = spec.verdict?.(frame) ?? ''
+      if (said !== judged) verdict.textContent = said = judged
       for (const readout of spec.readouts(frame)) {
         let held = kept.get(readout.key)
         if (!held) kept.set(readout.key, (held = buildReadout(document, readouts, readout)))

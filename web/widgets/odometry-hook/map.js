@@ -24,14 +24,18 @@ export function drawMap({ pen, width, height }, frame, view) {
   const [x, y] = [across.now, up.now]
   const unit = Math.min(width / (x[1] - x[0]), height / (y[1] - y[0]))
   const plane = evenPlane(box, [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2], Math.min(width, height) / 2 / unit)
+  // What neither the robot's step nor the camera has moved is not drawn anew.
+  const stamp = [width, height, ...plane.x.domain, ...plane.y.domain].join(' ')
   pen.draw(() => {
     pen.window('scene', box, (to) => {
-      drawBuilding(to, plane, frame)
+      to.group('building', {}, (into) => drawBuilding(into, plane, frame), stamp)
+      to.group('trail', {}, (into) => drawTrail(into, plane, frame), `${stamp} ${JSON.stringify(frame.params)} ${stops(frame).map(({ step }) => step)}`)
       drawTracks(to, plane, frame)
       drawSight(to, plane, frame)
       drawRobots(to, plane, frame)
     })
     drawNames(pen, plane, frame)
+    pen.group('corner-names', {}, (into) => drawCornerNames(into, plane, frame), stamp)
   })
   return moving
 }
@@ -69,12 +73,21 @@ function kinOf({ params }) {
   return params.fixes ? 'posterior' : 'prediction'
 }
 
+/** The steps whose ellipses stay: all of the trail but the robot's own. @param {Frame} frame */
+function stops({ trail, step }) {
+  return trail[trail.length - 1]?.step === step ? trail.slice(0, -1) : trail
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawTrail(pen, plane, frame) {
+  for (const { step, x, ellipse } of stops(frame)) {
+    pen.mark('path', `trail${step}`, { ...meaning('area', kinOf(frame)), d: ellipsePath(ellipse, x, plane) })
+  }
+}
+
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawTracks(pen, plane, frame) {
   const kin = kinOf(frame)
-  for (const { step, x, ellipse } of frame.trail) {
-    if (step !== frame.step) pen.mark('path', `trail${step}`, { ...meaning('area', kin), d: ellipsePath(ellipse, x, plane) })
-  }
   pen.mark('path', 'truth-track', { ...meaning('track', 'truth'), d: pointsPath(plane, frame.tracks.truth) })
   pen.mark('path', 'estimate-track', { ...meaning('track', kin), d: pointsPath(plane, frame.tracks.estimate) })
   if (frame.params.fixes && frame.sightings.length) {
@@ -109,7 +122,7 @@ function robot(pen, key, plane, [px, py, heading], shape, kin) {
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawNames(pen, { x, y, box }, frame) {
-  const { truth, estimate, world } = frame
+  const { truth, estimate } = frame
   const above = truth[1] >= estimate[1]
   const clamp = (/** @type {number} */ at, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, at))
   const truthAt = { x: clamp(x(truth[0]), 32, box.right - 32), y: clamp(y(truth[1]) + (above ? -13 : 24), 12, box.bottom - 5) }
@@ -117,6 +130,10 @@ function drawNames(pen, { x, y, box }, frame) {
   const right = x(estimate[0]) < box.right - 100
   const estimateAt = { x: x(estimate[0]) + (right ? 24 : -24), y: clamp(y(estimate[1]) + 5, 12, box.bottom - 5), 'text-anchor': right ? 'start' : 'end' }
   pen.text('estimate-name', { class: `mark-name ${kinOf(frame)}`, ...estimateAt }, frame.params.fixes ? 'estimate' : 'odometry')
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawCornerNames(pen, { x, y }, { world }) {
   for (const { id, x: cx, y: cy } of world.corners) {
     const left = cx > 5
     pen.text(`corner-name${id}`, { class: 'label', x: x(cx) + (left ? 8 : -8), y: y(cy) + 4, 'text-anchor': left ? 'start' : 'end' }, String(id + 1))
