@@ -15,6 +15,8 @@ for (const theme of ['light', 'dark']) {
       for (const tag of WIDGETS) {
         const element = await figure(page, tag)
         await page.mouse.move(0, 0)
+        // On whole pixels, wherever the text above ends.
+        await element.evaluate((it) => { it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px` })
         compare(await element.screenshot({ animations: 'disabled' }), `${tag}-${theme}-${size}`)
       }
       for (const [name, selector] of REGIONS) {
