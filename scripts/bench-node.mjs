@@ -152,7 +152,7 @@ const bodies = {
     lab.free()
   }),
   'EKF step, JavaScript': () => time(500_000, ekfInJavaScript),
-  'EKF step, module, batched': () => time(logs.steps, () => {
+  'EKF step of a log, module': () => time(logs.steps, () => {
     const ekf = localizer()
     ekf.replay(logs.numbers, logs.ids, noise.V)
     ekf.free()
@@ -173,7 +173,8 @@ const pace = path.join(process.env.CARGO_TARGET_DIR ?? path.join(root, 'target')
 const native = {
   kalmanStep: 'Kalman step, native',
   ObserverBench: 'Observer Bench step, native',
-  EkfLocalizer: 'EKF step, native',
+  ChosetEkf: 'EKF step, native',
+  EkfLocalizer: 'EKF step of a log, native',
   'dense 100': 'SLAM, 100 landmarks, dense algebra, native',
   ...Object.fromEntries(SIZES.map((n) => [`EkfSlam ${n}`, `SLAM, ${n} landmarks, native`])),
 }
@@ -203,7 +204,8 @@ const rows = [
   ['Kalman step, native / JavaScript', ratio('Kalman step, native', 'Kalman step, JavaScript')],
   ['Kalman step, module per call / JavaScript', ratio('Kalman step, module, one call a step', 'Kalman step, JavaScript')],
   ['EKF step, native / JavaScript', ratio('EKF step, native', 'EKF step, JavaScript')],
-  ['EKF step, module batched / JavaScript', ratio('EKF step, module, batched', 'EKF step, JavaScript')],
+  ['EKF step of a log, native / JavaScript', ratio('EKF step of a log, native', 'EKF step, JavaScript')],
+  ['EKF step of a log, module / JavaScript', ratio('EKF step of a log, module', 'EKF step, JavaScript')],
   ['EKF step, module per call / JavaScript', ratio('EKF step, module, two calls a step', 'EKF step, JavaScript')],
   ['SLAM, 100 landmarks, dense / ours, native', ratio('SLAM, 100 landmarks, dense algebra, native', 'SLAM, 100 landmarks, native')],
   ['SLAM, 100 landmarks, module / native', ratio('SLAM, 100 landmarks, module', 'SLAM, 100 landmarks, native')],

@@ -41,8 +41,9 @@ impl MeasurementModel<SE2, 3, 2> for RangeBearing<'_> {
     fn linearized(&self, x: &SE2, j: usize) -> Result<(SVector<f64, 2>, SMatrix<f64, 2, 3>), filters::Error> {
         let (dx, dy, rho) = displacement(self.map, x, j)?;
         let h = Vector2::new(rho, wrap(libm::atan2(dy, dx) - x.theta()));
-        let (cos, sin) = (dx / rho, dy / rho);
-        Ok((h, SMatrix::<f64, 2, 3>::new(cos, sin, 0.0, -sin / rho, cos / rho, -1.0)))
+        let nearness = 1.0 / rho;
+        let (cos, sin) = (dx * nearness, dy * nearness);
+        Ok((h, SMatrix::<f64, 2, 3>::new(cos, sin, 0.0, -sin * nearness, cos * nearness, -1.0)))
     }
 
     /// Bearings differ by the short way round: z − h(x) would be wrong by a whole turn near ±π.
@@ -68,7 +69,8 @@ impl MeasurementModel<SE2, 3, 1> for RangeOnly<'_> {
 
     fn jacobian(&self, x: &SE2, j: usize) -> Result<SMatrix<f64, 1, 3>, filters::Error> {
         let (dx, dy, rho) = displacement(self.map, x, j)?;
-        Ok(SMatrix::<f64, 1, 3>::new(dx / rho, dy / rho, 0.0))
+        let nearness = 1.0 / rho;
+        Ok(SMatrix::<f64, 1, 3>::new(dx * nearness, dy * nearness, 0.0))
     }
 }
 // ANCHOR_END: range_only

@@ -2,12 +2,12 @@
 //! a call is refused.
 
 use crate::dynamic::Belief;
-use crate::ekf::ChosetEkf;
+use crate::ekf::{ChosetEkf, Sighting};
 use crate::error::{Code, Error};
 use crate::landmarks::{RangeBearing, RangeOnly};
 use crate::validate;
 use filters::association::{Candidate, Rule};
-use filters::kalman::Gaussian;
+use filters::kalman::{Gaussian, Update};
 use filters::linear;
 use filters::nonlinear::MeasurementModel;
 use geom::{SE2, wrap};
@@ -164,13 +164,16 @@ impl EkfLocalizer {
     /// many, [`Code::Index`] for an id that is not on the map, [`Code::AtLandmark`],
     /// [`Code::InnovationNotPositiveDefinite`].
     pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
-        Ok(match self.judge(reading)? {
-            Judged::RangeBearing(accepted, best) => localized(&self.map, accepted, &best),
-            Judged::Range(accepted, best) => localized(&self.map, accepted, &best),
-        })
+        self.judge(&reading, localized, localized)
     }
 
-    fn judge(&mut self, reading: Reading) -> Result<Judged, Error> {
+    /// What became of `reading`, as `both` or `one` tells it for the sensor there is.
+    fn judge<T>(
+        &mut self,
+        reading: &Reading,
+        both: impl Fn(&[Landmark], bool, &Candidate<2>) -> T,
+        one: impl Fn(&[Landmark], bool, &Candidate<1>) -> T,
+    ) -> Result<T, Error> {
         let range = validate::finite(reading.range, "range")?;
         if range < 0.0 {
             return Err(Error::new(Code::Limit, "range", "a range is not negative"));
@@ -183,13 +186,13 @@ impl EkfLocalizer {
                 let count = self.map.len();
                 let (accepted, best) =
                     locate(&mut self.ekf, &model, count, y, &w, (j, Rule::MaximumLikelihood, self.gate))?;
-                Ok(Judged::RangeBearing(accepted, best))
+                Ok(both(&self.map, accepted, &best))
             }
             (Sensor::Range(w), None) => {
                 let model = RangeOnly { map: &self.map };
                 let (count, y) = (self.map.len(), SVector::<f64, 1>::new(range));
                 let (accepted, best) = locate(&mut self.ekf, &model, count, y, &w, (j, Rule::ChiSquared, self.gate))?;
-                Ok(Judged::Range(accepted, best))
+                Ok(one(&self.map, accepted, &best))
             }
             (Sensor::RangeBearing(_), None) => {
                 Err(Error::new(Code::Type, "bearing", "is missing; this sensor reads range and bearing"))
@@ -223,7 +226,7 @@ impl EkfLocalizer {
     fn step(&mut self, logged: &Logged, v: &Matrix3<f64>) -> Result<(), Error> {
         let u = Vector2::new(validate::finite(logged.u[0], "u")?, validate::finite(logged.u[1], "u")?);
         self.ekf.predict(&u, v)?;
-        self.judge(logged.reading).map(|_| ())
+        self.judge(&logged.reading, |_, _, _| (), |_, _, _| ())
     }
 
     /// Which sensor it has.
@@ -245,12 +248,6 @@ impl EkfLocalizer {
         let found = self.map.iter().position(|landmark| landmark.id == id);
         found.ok_or_else(|| Error::new(Code::Index, "landmark", message()))
     }
-}
-
-/// A reading's best candidate, and whether it was within the gate.
-enum Judged {
-    RangeBearing(bool, Candidate<2>),
-    Range(bool, Candidate<1>),
 }
 
 fn localized<const M: usize>(map: &[Landmark], accepted: bool, best: &Candidate<M>) -> Localized {
@@ -279,6 +276,14 @@ fn locate<const M: usize>(
         Ok((Candidate::new(j, model.residual(&y, &expected), s, rule)?, h))
     };
     let within = |c: &Candidate<M>| gate.is_none_or(|gate| c.d2 <= gate);
+    if let (Some(j), None) = (j, gate) {
+        // Nothing is to be judged: one factorization for the correction, and what it leaves says the rest.
+        let mut next = *ekf;
+        let Update { innovation, s, .. } = next.update(model, &Sighting { j, y }, w)?;
+        let best = Candidate::new(j, innovation, s, Rule::ChiSquared)?;
+        *ekf = next;
+        return Ok((true, best));
+    }
     let (best, h) = match j {
         // There is nothing to choose from, hence no use for the costlier rule.
         Some(j) => weigh(j, Rule::ChiSquared)?,

@@ -88,8 +88,8 @@ pub fn covariance(m: DMatrix<f64>, n: usize, argument: &'static str) -> Result<D
     if raised_by(0.0) {
         return Ok(m);
     }
-    let (sizes, directions) = filters::linear::jacobi(scaled.clone())
-        .ok_or_else(|| Error::new(Code::DidNotConverge, argument, "its eigenvalues were not found"))?;
+    let unknown = || Error::new(Code::DidNotConverge, argument, "its eigenvalues were not found");
+    let (sizes, _) = filters::linear::jacobi(scaled.clone()).ok_or_else(unknown)?;
     // Raised by its allowance, a matrix that is semidefinite to that much has a Cholesky factor.
     if !raised_by(SEMIDEFINITE_TOLERANCE * sizes[0]) {
         return Err(Error::new(
@@ -98,13 +98,7 @@ pub fn covariance(m: DMatrix<f64>, n: usize, argument: &'static str) -> Result<D
             "has a negative eigenvalue; a covariance has none",
         ));
     }
-    // The singular values have lost their signs.
-    let eigenvalues = DVector::from_fn(n, |i, _| directions.column(i).dot(&(&scaled * directions.column(i))));
-    if eigenvalues.min() >= 0.0 {
-        return Ok(m);
-    }
-    let eigenvalues = DMatrix::from_diagonal(&eigenvalues.map(|value| value.max(0.0)));
-    Ok(filters::linear::symmetric(&directions * eigenvalues * directions.transpose()) * largest)
+    filters::linear::clamped(&m).ok_or_else(unknown)
 }
 
 /// `tolerance`, when it is finite and not negative.

@@ -114,4 +114,13 @@ fn a_covariance_remains_where_scales_collapse() {
     let mut driven = localizer_of([1e154, 0.0, -0.438], [0.1, 0.1]);
     driven.predict(DVector::from_vec(vec![1e154, 0.0]), DMatrix::zeros(3, 3)).expect("finite");
     assert_eq!(sound(&driven), Ok(()));
+
+    // Out and back: the terms of FPFᵀ are 10¹² times what is left of them.
+    for i in 0..50 {
+        let mut returned = localizer_of([1e-9, 1e-9, 0.1], [0.1, 0.1]);
+        for u in [[0.0, 0.1 * f64::from(i)], [1e6, 0.0], [-1e6, 0.0]] {
+            returned.predict(DVector::from_row_slice(&u), DMatrix::zeros(3, 3)).expect("finite");
+        }
+        assert_eq!(sound(&returned), Ok(()), "{i}");
+    }
 }

@@ -8,7 +8,7 @@ pub use crate::jacobi::{jacobi, power_of_two};
 use crate::square_root;
 use geom::{MIN_PIVOT, Spd};
 use nalgebra::allocator::Allocator;
-use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
+use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix, OVector};
 
 /// What a measurement update computes: the corrected belief, and what association and diagnostics need.
 #[derive(Clone, Debug, PartialEq)]
@@ -31,13 +31,15 @@ where
 /// The rounding that Joseph's form may leave, as a part of the largest variance: well within what a covariance is allowed
 /// to be off by, 10⁻¹².
 const MAX_ROUNDING: f64 = 5e-14;
+/// What may stand below zero in a covariance that is carried on, as a part of its largest variance.
+const MAX_NEGATIVE: f64 = 1e-13;
 
 /// True when no entry is a NaN or an infinity.
 pub fn is_finite<R: Dim, C: Dim>(m: &OMatrix<f64, R, C>) -> bool
 where
     DefaultAllocator: Allocator<R, C>,
 {
-    m.iter().all(|e| e.is_finite())
+    geom::all_finite(m.iter())
 }
 
 /// `m` when it is finite.
@@ -51,7 +53,7 @@ where
     if is_finite(&m) { Ok(m) } else { Err(Error::NotFinite { what }) }
 }
 
-/// Σ̄ = A Σ Aᵀ + R (n×n), made exactly symmetric.
+/// Σ̄ = A Σ Aᵀ + R (n×n), exactly symmetric and, to rounding, positive semidefinite even where the terms all but cancel.
 pub fn predicted_covariance<N: Dim>(
     a: &OMatrix<f64, N, N>,
     p: &OMatrix<f64, N, N>,
@@ -60,7 +62,7 @@ pub fn predicted_covariance<N: Dim>(
 where
     DefaultAllocator: Allocator<N, N>,
 {
-    symmetric(a * p * a.transpose() + r)
+    mended(congruence(a, p, r))
 }
 
 /// S = C Σ̄ Cᵀ + Q (m×m), made exactly symmetric.
@@ -72,12 +74,13 @@ pub fn innovation_covariance<N: Dim, M: Dim>(
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
-    symmetric(c * p * c.transpose() + q)
+    congruence(c, p, q)
 }
 
 /// The covariance that **any** gain K leaves behind, in Joseph's form (I − KC) Σ̄ (I − KC)ᵀ + K Q Kᵀ (n×n).
 ///
 /// A sum of two squares, hence positive semidefinite under rounding too; Σ̄ − KCΣ̄ equals it at the optimal gain only.
+#[inline]
 pub fn joseph<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,
     k: &OMatrix<f64, N, M>,
@@ -87,8 +90,40 @@ pub fn joseph<N: Dim, M: Dim>(
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
-    let ikc = complement(k, c);
-    symmetric(&ikc * p * ikc.transpose() + k * q * k.transpose())
+    let n = p.shape_generic().0;
+    let noise = congruence(k, q, &OMatrix::zeros_generic(n, n));
+    congruence(&complement(k, c), p, &noise)
+}
+
+/// M P Mᵀ + R (r×r) for a symmetric P, made exactly symmetric: the one triangle is computed and the other is its image.
+#[inline]
+fn congruence<N: Dim, R: Dim>(
+    m: &OMatrix<f64, R, N>,
+    p: &OMatrix<f64, N, N>,
+    r: &OMatrix<f64, R, R>,
+) -> OMatrix<f64, R, R>
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<R, N> + Allocator<R, R>,
+{
+    image(&(m * p), m, r)
+}
+
+/// X Mᵀ + R (r×r) for X = MP: the second half of a [`congruence`].
+#[inline]
+fn image<N: Dim, R: Dim>(x: &OMatrix<f64, R, N>, m: &OMatrix<f64, R, N>, r: &OMatrix<f64, R, R>) -> OMatrix<f64, R, R>
+where
+    DefaultAllocator: Allocator<R, N> + Allocator<R, R>,
+{
+    let mut image = r.clone_owned();
+    for j in 0..m.nrows() {
+        for i in j..m.nrows() {
+            let noise = if i == j { r[(i, i)] } else { 0.5 * r[(i, j)] + 0.5 * r[(j, i)] };
+            let entry = (0..m.ncols()).fold(0.0, |sum, k| sum + x[(i, k)] * m[(j, k)]) + noise;
+            image[(i, j)] = entry;
+            image[(j, i)] = entry;
+        }
+    }
+    image
 }
 
 /// I − KC (n×n): what is left of a prediction error after a correction with the gain K.
@@ -109,6 +144,7 @@ where
 /// # Errors
 /// [`Error::InnovationNotPositiveDefinite`] when S is singular even to that, [`Error::NotFinite`] when a product of
 /// finite arguments overflows.
+#[inline]
 pub fn gain_and_covariance<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,
     c: &OMatrix<f64, M, N>,
@@ -118,19 +154,45 @@ where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
     let cp = c * p;
-    let s = finite(symmetric(&cp * c.transpose() + q), "S")?;
-    let factor = Spd::new(s.clone()).filter(|spd| spd.pivot() >= MIN_PIVOT && plainly_semidefinite(q));
-    let joseph_form = factor.and_then(|spd| {
+    let s = image(&cp, c, q);
+    if let Some(spd) = Spd::new(s.clone()).filter(|spd| spd.pivot() >= MIN_PIVOT) {
         let k = spd.solve(&cp).transpose();
         let posterior = joseph(p, &k, c, q);
-        let sound = f64::EPSILON * largest_terms(p, &k, c) <= MAX_ROUNDING * largest_variance(&posterior);
-        sound.then_some((k, posterior))
-    });
-    let (k, posterior) = match joseph_form {
-        Some(answer) => answer,
-        None => square_root::gain_and_covariance(p, c, q)?,
-    };
+        let most = MAX_ROUNDING / f64::EPSILON * largest_variance(&posterior);
+        let sound = bound_on_terms(p, &k, c) <= most || largest_terms(p, &k, c) <= most;
+        // Each entry of K has its square in the diagonal of KQKᵀ: a finite covariance has a finite gain.
+        if sound && semidefinite(&posterior) {
+            return Ok((k, s, posterior));
+        }
+    }
+    by_square_roots(p, c, q, s)
+}
+
+/// [`gain_and_covariance`] where Joseph's form would not do; away from it, so that the usual way stays short.
+#[cold]
+fn by_square_roots<N: Dim, M: Dim>(
+    p: &OMatrix<f64, N, N>,
+    c: &OMatrix<f64, M, N>,
+    q: &OMatrix<f64, M, M>,
+    s: OMatrix<f64, M, M>,
+) -> Result<(OMatrix<f64, N, M>, OMatrix<f64, M, M>, OMatrix<f64, N, N>), Error>
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
+{
+    let s = finite(s, "S")?;
+    let (k, posterior) = square_root::gain_and_covariance(p, c, q)?;
     Ok((finite(k, "the gain")?, s, finite(posterior, "the covariance")?))
+}
+
+/// An upper bound on [`largest_terms`] by Cauchy and Schwarz, without a square root: good enough wherever a reading leaves
+/// a fair part of the variance.
+fn bound_on_terms<N: Dim, M: Dim>(p: &OMatrix<f64, N, N>, k: &OMatrix<f64, N, M>, c: &OMatrix<f64, M, N>) -> f64
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M>,
+{
+    let squares = |sum: f64, e: &f64| sum + e * e;
+    let (k, c) = (k.iter().fold(0.0, squares), c.iter().fold(0.0, squares));
+    largest_variance(p) * (2.0 + 2.0 * p.nrows() as f64 * k * c)
 }
 
 /// The largest variance that would be if nothing cancelled in (I − KC) Σ̄ (I − KC)ᵀ: what its rounding is a part of.
@@ -144,22 +206,59 @@ where
     (0..p.nrows()).map(|i| terms(i) * terms(i)).fold(0.0, f64::max)
 }
 
-/// Whether `q` is surely positive semidefinite: diagonally dominant, or with a Cholesky factor. What is so only up to the
-/// rounding of its largest entry may leave a posterior of another scale that is not.
-fn plainly_semidefinite<M: Dim>(q: &OMatrix<f64, M, M>) -> bool
+/// Whether no eigenvalue of `p` lies below zero by more than [`MAX_NEGATIVE`] of its largest variance: raised by so much,
+/// it has a factor. Also false when an entry is not finite.
+fn semidefinite<N: Dim>(p: &OMatrix<f64, N, N>) -> bool
 where
-    DefaultAllocator: Allocator<M, M>,
+    DefaultAllocator: Allocator<N, N>,
 {
-    let m = q.nrows();
-    let beside = |i: usize| (0..m).filter(|&j| j != i).map(|j| q[(i, j)].abs()).sum::<f64>();
-    (0..m).all(|i| q[(i, i)] >= beside(i)) || Spd::new(q.clone()).is_some()
+    let mut raised = p.clone();
+    let lift = MAX_NEGATIVE * largest_variance(p) + f64::MIN_POSITIVE;
+    for i in 0..p.nrows() {
+        raised[(i, i)] += lift;
+    }
+    Spd::new(raised).is_some()
+}
+
+/// `p` without what rounding has left below zero, where terms that all but cancel have left more than a trace: a filter
+/// may shrink the largest eigenvalue by any factor, and would leave the negative one standing beside it.
+fn mended<N: Dim>(p: OMatrix<f64, N, N>) -> OMatrix<f64, N, N>
+where
+    DefaultAllocator: Allocator<N, N>,
+{
+    if semidefinite(&p) { p } else { nearest(&p).unwrap_or(p) }
+}
+
+/// [`clamped`] for any kind of size; away from the usual way, so that this stays short.
+#[cold]
+fn nearest<N: Dim>(p: &OMatrix<f64, N, N>) -> Option<OMatrix<f64, N, N>>
+where
+    DefaultAllocator: Allocator<N, N>,
+{
+    let clamped = clamped(&DMatrix::from_iterator(p.nrows(), p.ncols(), p.iter().copied()))?;
+    let (rows, columns) = p.shape_generic();
+    Some(OMatrix::from_iterator_generic(rows, columns, clamped.iter().copied()))
+}
+
+/// The covariance nearest to a symmetric `m`: its negative eigenvalues as zeros; `None` when an entry is not finite.
+pub fn clamped(m: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+    let scale = power_of_two(m.amax());
+    let scaled = m / scale;
+    let (_, directions) = jacobi(scaled.clone())?;
+    // The singular values have lost the signs of the eigenvalues.
+    let eigenvalues = DVector::from_fn(m.nrows(), |i, _| directions.column(i).dot(&(&scaled * directions.column(i))));
+    if eigenvalues.min() >= 0.0 {
+        return Some(m.clone());
+    }
+    let eigenvalues = DMatrix::from_diagonal(&eigenvalues.map(|value| value.max(0.0)));
+    Some(symmetric(&directions * eigenvalues * directions.transpose()) * scale)
 }
 
 fn largest_variance<N: Dim>(p: &OMatrix<f64, N, N>) -> f64
 where
     DefaultAllocator: Allocator<N, N>,
 {
-    (0..p.nrows()).fold(0.0, |largest, i| p[(i, i)].max(largest))
+    (0..p.nrows()).fold(0.0, |largest, i| if p[(i, i)] > largest { p[(i, i)] } else { largest })
 }
 
 /// The measurement update of the belief N(x̄, Σ̄) with the reading z = Cx + noise of covariance Q.

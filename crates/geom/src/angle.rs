@@ -12,16 +12,23 @@ use core::f64::consts::{PI, TAU};
 /// assert_eq!(geom::wrap(-PI), PI);
 /// assert!((geom::wrap(7.0) - (7.0 - 2.0 * PI)).abs() < 1e-15);
 /// ```
+#[inline]
 pub fn wrap(a: f64) -> f64 {
     if -PI < a && a <= PI {
         return a;
     }
     // Within a turn and a half the difference is exact (Sterbenz), hence the remainder itself, at a tenth of its cost.
-    let r = if a.abs() < 3.0 * PI { a - libm::copysign(TAU, a) } else { libm::remainder(a, TAU) };
+    let r = if a.abs() < 3.0 * PI { a - libm::copysign(TAU, a) } else { remainder(a) };
     if r <= -PI { PI } else { r }
 }
 
+#[cold]
+fn remainder(a: f64) -> f64 {
+    libm::remainder(a, TAU)
+}
+
 /// The shortest signed turn from `b` to `a`, in (−π, π].
+#[inline]
 pub fn angle_diff(a: f64, b: f64) -> f64 {
     wrap(a - b)
 }

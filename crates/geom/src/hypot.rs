@@ -8,9 +8,15 @@
 /// assert_eq!(geom::hypot(3.0, -4.0), 5.0);
 /// assert!(geom::hypot(3e200, 4e200) > 4e200, "no overflow on the way");
 /// ```
+#[inline]
 pub fn hypot(x: f64, y: f64) -> f64 {
     let squared = x * x + y * y;
-    if (1e-280..1e280).contains(&squared) { squared.sqrt() } else { libm::hypot(x, y) }
+    if (1e-280..1e280).contains(&squared) { squared.sqrt() } else { scaled(x, y) }
+}
+
+#[cold]
+fn scaled(x: f64, y: f64) -> f64 {
+    libm::hypot(x, y)
 }
 
 #[cfg(test)]

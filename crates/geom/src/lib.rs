@@ -7,6 +7,7 @@
 mod affine;
 mod angle;
 mod ellipse;
+mod finite;
 mod hypot;
 mod se2;
 mod spd;
@@ -14,6 +15,7 @@ mod spd;
 pub use affine::Affine;
 pub use angle::{angle_diff, wrap};
 pub use ellipse::Ellipse;
+pub use finite::all_finite;
 pub use hypot::hypot;
 pub use se2::SE2;
 pub use spd::{MIN_PIVOT, Spd};

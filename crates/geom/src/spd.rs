@@ -1,5 +1,6 @@
 //! Solves with a symmetric positive definite matrix, and says how far from singular it was.
 
+use crate::finite::all_finite;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix};
 
@@ -7,75 +8,90 @@ use nalgebra::{DefaultAllocator, Dim, OMatrix};
 /// eight of its sixteen digits.
 pub const MIN_PIVOT: f64 = 1e-8;
 
-/// A Cholesky factor S = LLᵀ of a finite, numerically positive definite S.
+/// A factorization S = LDLᵀ of a finite, numerically positive definite S, with ones on the diagonal of L.
 ///
-/// Not nalgebra's: that one takes its square roots from `libm`, which computes them in software in wasm, ten times as
-/// long as the rest of the step; and it answers an infinite matrix with an infinite factor.
-pub struct Spd<D: Dim>
+/// Not nalgebra's Cholesky: that one takes its square roots from `libm`, which computes them in software in wasm, ten
+/// times as long as the rest of the step; and it answers an infinite matrix with an infinite factor. Without square
+/// roots, and with one division for each pivot, a solve costs little more than its products.
+pub struct Spd<M: Dim>
 where
-    DefaultAllocator: Allocator<D, D>,
+    DefaultAllocator: Allocator<M, M>,
 {
-    /// In the lower triangle; the upper one is that of S.
-    l: OMatrix<f64, D, D>,
+    /// L below the diagonal, D⁻¹ on it, DLᵀ above.
+    factor: OMatrix<f64, M, M>,
     pivot: f64,
 }
 
-impl<D: Dim> Spd<D>
+impl<M: Dim> Spd<M>
 where
-    DefaultAllocator: Allocator<D, D>,
+    DefaultAllocator: Allocator<M, M>,
 {
     /// Factors `s`, of which the lower triangle is read; `None` when an entry is not finite or a pivot not positive.
-    pub fn new(s: OMatrix<f64, D, D>) -> Option<Self> {
-        if s.iter().any(|e| !e.is_finite()) {
+    #[inline]
+    pub fn new(s: OMatrix<f64, M, M>) -> Option<Self> {
+        if !all_finite(s.iter()) {
             return None;
         }
-        let (n, mut l, mut pivot) = (s.nrows(), s, 1.0_f64);
+        let (n, mut f, mut pivot) = (s.nrows(), s, 1.0_f64);
         for j in 0..n {
-            let variance = l[(j, j)];
-            let unexplained = (0..j).fold(variance, |rest, k| rest - l[(j, k)] * l[(j, k)]);
+            let variance = f[(j, j)];
+            let unexplained = (0..j).fold(variance, |rest, k| rest - f[(j, k)] * f[(k, j)]);
+            let reciprocal = 1.0 / unexplained;
             // Written so that a NaN, which an overflow leaves, is refused too.
-            let positive = unexplained > 0.0 && unexplained.is_finite();
+            let positive = unexplained > 0.0 && unexplained.is_finite() && reciprocal.is_finite();
             if !positive {
                 return None;
             }
-            pivot = pivot.min(unexplained / variance);
-            let root = unexplained.sqrt();
-            l[(j, j)] = root;
+            if j > 0 {
+                pivot = pivot.min(unexplained / variance);
+            }
+            f[(j, j)] = reciprocal;
             for i in j + 1..n {
-                l[(i, j)] = (0..j).fold(l[(i, j)], |rest, k| rest - l[(i, k)] * l[(j, k)]) / root;
+                let unscaled = (0..j).fold(f[(i, j)], |rest, k| rest - f[(i, k)] * f[(k, j)]);
+                f[(j, i)] = unscaled;
+                f[(i, j)] = unscaled * reciprocal;
             }
         }
-        Some(Self { l, pivot })
+        Some(Self { factor: f, pivot })
     }
 
-    /// The smallest Lᵢᵢ² / Sᵢᵢ, in (0, 1]: the part of component i's variance that the components before it do not
+    /// The smallest Dᵢᵢ / Sᵢᵢ, in (0, 1]: the part of component i's variance that the components before it do not
     /// explain, whatever the units. Near 2⁻⁵² nothing but rounding is left.
     pub fn pivot(&self) -> f64 {
         self.pivot
     }
 
-    /// L.
-    pub fn root(&self) -> OMatrix<f64, D, D> {
-        self.l.lower_triangle()
+    /// The Cholesky factor L√D, whose product with its transpose is S.
+    pub fn root(&self) -> OMatrix<f64, M, M> {
+        let mut root = self.factor.lower_triangle();
+        for j in 0..root.ncols() {
+            let sigma = (1.0 / root[(j, j)]).sqrt();
+            for i in j + 1..root.nrows() {
+                root[(i, j)] *= sigma;
+            }
+            root[(j, j)] = sigma;
+        }
+        root
     }
 
     /// ln det S.
     pub fn ln_determinant(&self) -> f64 {
-        (0..self.l.nrows()).map(|i| 2.0 * libm::log(self.l[(i, i)])).sum()
+        -(0..self.factor.nrows()).map(|i| libm::log(self.factor[(i, i)])).sum::<f64>()
     }
 
     /// S⁻¹ B.
-    pub fn solve<C: Dim>(&self, b: &OMatrix<f64, D, C>) -> OMatrix<f64, D, C>
+    #[inline]
+    pub fn solve<C: Dim>(&self, b: &OMatrix<f64, M, C>) -> OMatrix<f64, M, C>
     where
-        DefaultAllocator: Allocator<D, C>,
+        DefaultAllocator: Allocator<M, C>,
     {
-        let (l, n, mut x) = (&self.l, self.l.nrows(), b.clone());
+        let (f, n, mut x) = (&self.factor, self.factor.nrows(), b.clone());
         for c in 0..x.ncols() {
-            for i in 0..n {
-                x[(i, c)] = (0..i).fold(x[(i, c)], |rest, k| rest - l[(i, k)] * x[(k, c)]) / l[(i, i)];
+            for i in 1..n {
+                x[(i, c)] = (0..i).fold(x[(i, c)], |rest, k| rest - f[(i, k)] * x[(k, c)]);
             }
             for i in (0..n).rev() {
-                x[(i, c)] = (i + 1..n).fold(x[(i, c)], |rest, k| rest - l[(k, i)] * x[(k, c)]) / l[(i, i)];
+                x[(i, c)] = (i + 1..n).fold(f[(i, i)] * x[(i, c)], |rest, k| rest - f[(k, i)] * x[(k, c)]);
             }
         }
         x

@@ -1,0 +1,23 @@
+//! Whether numbers are numbers.
+
+/// True when no number is a NaN or an infinity, with one branch for all of them: these two alone have every bit of the
+/// exponent set, and one added to such an exponent carries into the sign.
+pub fn all_finite<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> bool {
+    const EXPONENT: u64 = 0x7ff << 52;
+    let carry = |number: &f64| (number.to_bits() & EXPONENT) + (1 << 52);
+    numbers.into_iter().fold(0, |carried, number| carried | carry(number)) >> 63 == 0
+}
+
+#[cfg(test)]
+mod tests {
+    use super::all_finite;
+
+    #[test]
+    fn it_is_the_standard_library_s_answer_for_each() {
+        let specials = [0.0, -0.0, 5e-324, -f64::MIN_POSITIVE, 1.0, -2.5, f64::MAX, f64::MIN];
+        assert!(all_finite(&specials) && all_finite(&[]));
+        for bad in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::from_bits(0x7ff0_0000_0000_0001)] {
+            assert!(!bad.is_finite() && !all_finite(&[1.0, bad, -1.0]), "{bad}");
+        }
+    }
+}
