@@ -244,8 +244,9 @@ where
 pub fn clamped(m: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let scale = power_of_two(m.amax());
     let scaled = m / scale;
-    let (_, directions) = jacobi(scaled.clone())?;
-    // The singular values have lost the signs of the eigenvalues.
+    // Raised until no eigenvalue is negative, or a pair ±λ would share its singular value and with it its directions.
+    let raised = &scaled + DMatrix::identity(m.nrows(), m.ncols()) * (m.nrows() as f64);
+    let (_, directions) = jacobi(raised)?;
     let eigenvalues = DVector::from_fn(m.nrows(), |i, _| directions.column(i).dot(&(&scaled * directions.column(i))));
     if eigenvalues.min() >= 0.0 {
         return Some(m.clone());
@@ -332,5 +333,17 @@ mod tests {
         assert_eq!(predicted_covariance(&a, &p, &r), Matrix2::new(15.5, 5.25, 5.25, 2.125));
         let (c, q) = (RowVector2::new(1.0, 2.0), Matrix1::new(0.75));
         assert_eq!(innovation_covariance(&c, &p, &q), Matrix1::new(15.75));
+    }
+
+    #[test]
+    fn clamping_takes_what_is_negative_and_leaves_the_rest() {
+        // Eigenvalues 2 ± √2 and −3, and a pair ±1 that shares its singular value.
+        let m = nalgebra::dmatrix![3.0, 1.0, 0.0; 1.0, 1.0, 0.0; 0.0, 0.0, -3.0];
+        let kept = nalgebra::dmatrix![3.0, 1.0, 0.0; 1.0, 1.0, 0.0; 0.0, 0.0, 0.0];
+        assert!((clamped(&m).expect("finite") - kept).amax() < 1e-14);
+        let pair = nalgebra::dmatrix![0.0, 1.0; 1.0, 0.0];
+        assert!((clamped(&pair).expect("finite") - DMatrix::from_element(2, 2, 0.5)).amax() < 1e-14);
+        assert_eq!(clamped(&DMatrix::zeros(2, 2)), Some(DMatrix::zeros(2, 2)));
+        assert_eq!(clamped(&nalgebra::dmatrix![f64::NAN]), None);
     }
 }
