@@ -217,7 +217,11 @@ pub fn covariance_ellipse(p: DMatrix<f64>, radius: f64) -> Result<Ellipse, Error
 pub fn euclidean_foot(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Result<DVector<f64>, Error> {
     let (omega, x) = affine(h, x, y)?;
     omega.euclidean_foot(&x).ok_or_else(|| {
-        Error::new(Code::InnovationNotPositiveDefinite, "H", "HHᵀ is singular: the rows of H must be independent")
+        Error::new(
+            Code::InnovationNotPositiveDefinite,
+            "H",
+            "HHᵀ is singular, or too large or small for floating point: the rows of H must be independent",
+        )
     })
 }
 
@@ -237,7 +241,7 @@ pub fn mahalanobis_foot(
         Error::new(
             Code::InnovationNotPositiveDefinite,
             "P",
-            "HPHᵀ is singular: P leaves no uncertainty in what H measures, so no step along it reaches Ω",
+            "HPHᵀ is singular, or too large or small for floating point: P leaves no uncertainty in what H measures, so no step along it reaches Ω",
         )
     })
 }

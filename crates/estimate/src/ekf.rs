@@ -97,18 +97,7 @@ impl ChosetEkf {
     }
     // ANCHOR_END: update
 
-    /// [`ChosetEkf::update`] for a caller who has the innovation and its H at the prediction already.
-    pub(crate) fn correct<const M: usize>(
-        &mut self,
-        innovation: &SVector<f64, M>,
-        h: &SMatrix<f64, M, 3>,
-        w: &SMatrix<f64, M, M>,
-    ) -> Result<(), Error> {
-        self.filter.correct(innovation, h, w)?;
-        Ok(())
-    }
-
-    /// The same, one sighting at a time, and equal to the stack: each later innovation is reduced by what the earlier
+    /// As [`ChosetEkf::update_stacked`], one sighting at a time, and equal to it: each later innovation is reduced by what the earlier
     /// sightings already moved, H staying at the prediction.
     ///
     /// # Errors

@@ -75,8 +75,9 @@ impl From<filters::Error> for Error {
         match error {
             filters::Error::NotFinite { what } => {
                 let argument = match what {
-                    "the innovation" => "y",
-                    "the mean" | "the predicted mean" => "x",
+                    "the innovation" | "the squared distance" => "y",
+                    "the mean" | "the predicted mean" | "x" => "x",
+                    "K" => "K",
                     _ => "P",
                 };
                 Self::new(Code::NotFinite, argument, format!("{what} became infinite: the numbers given are too large"))
@@ -113,6 +114,9 @@ mod tests {
             ("the innovation", "y"),
             ("the mean", "x"),
             ("the predicted mean", "x"),
+            ("the squared distance", "y"),
+            ("x", "x"),
+            ("K", "K"),
             ("the covariance", "P"),
             ("S", "P"),
         ] {

@@ -41,9 +41,9 @@ impl MeasurementModel<SE2, 3, 2> for RangeBearing<'_> {
     fn linearized(&self, x: &SE2, j: usize) -> Result<(SVector<f64, 2>, SMatrix<f64, 2, 3>), filters::Error> {
         let (dx, dy, rho) = displacement(self.map, x, j)?;
         let h = Vector2::new(rho, wrap(libm::atan2(dy, dx) - x.theta()));
-        let nearness = 1.0 / rho;
-        let (cos, sin) = (dx * nearness, dy * nearness);
-        Ok((h, SMatrix::<f64, 2, 3>::new(cos, sin, 0.0, -sin * nearness, cos * nearness, -1.0)))
+        let per_range = 1.0 / rho;
+        let (cos, sin) = (dx * per_range, dy * per_range);
+        Ok((h, SMatrix::<f64, 2, 3>::new(cos, sin, 0.0, -sin * per_range, cos * per_range, -1.0)))
     }
 
     /// Bearings differ by the short way round: z − h(x) would be wrong by a whole turn near ±π.
@@ -69,8 +69,8 @@ impl MeasurementModel<SE2, 3, 1> for RangeOnly<'_> {
 
     fn jacobian(&self, x: &SE2, j: usize) -> Result<SMatrix<f64, 1, 3>, filters::Error> {
         let (dx, dy, rho) = displacement(self.map, x, j)?;
-        let nearness = 1.0 / rho;
-        Ok(SMatrix::<f64, 1, 3>::new(dx * nearness, dy * nearness, 0.0))
+        let per_range = 1.0 / rho;
+        Ok(SMatrix::<f64, 1, 3>::new(dx * per_range, dy * per_range, 0.0))
     }
 }
 // ANCHOR_END: range_only
@@ -88,7 +88,8 @@ pub fn raw_bearing_row(x: &SE2, landmark: &Landmark) -> SMatrix<f64, 1, 3> {
 /// νᵢⱼ, Sᵢⱼ and χ²ᵢⱼ of the reading `y` against landmark `j` (§8.3.2).
 ///
 /// # Errors
-/// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`] or [`Code::NotFinite`].
+/// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`] or [`Code::NotFinite`]; [`Code::Limit`] when there is no
+/// landmark `j`.
 pub fn candidate<const M: usize>(
     model: &impl MeasurementModel<SE2, 3, M>,
     belief: &Gaussian<3>,
@@ -148,7 +149,8 @@ fn nearest<const M: usize>(
     }
 }
 
-/// The best candidate among all landmarks, and whether it is within the gate.
+/// The best candidate among all landmarks, and whether it is within the gate. A landmark that the estimate stands on has no
+/// bearing to compare with and is no candidate, while there is another.
 ///
 /// # Errors
 /// As [`associate_ml`].
@@ -164,9 +166,18 @@ pub fn best<const M: usize>(
     if landmarks == 0 {
         return Err(Error::new(Code::Index, "landmarks", "is empty: there is nothing to associate the sighting with"));
     }
-    let candidates =
-        (0..landmarks).map(|j| candidate(model, belief, y, j, w, rule)).collect::<Result<Vec<_>, Error>>()?;
-    Ok(associate(candidates, Thresholds::gate(gate)))
+    let (mut candidates, mut underfoot) = (Vec::with_capacity(landmarks), None);
+    for j in 0..landmarks {
+        match candidate(model, belief, y, j, w, rule) {
+            Ok(candidate) => candidates.push(candidate),
+            Err(error) if error.code == Code::AtLandmark => underfoot = Some(error),
+            Err(error) => return Err(error),
+        }
+    }
+    match underfoot {
+        Some(error) if candidates.is_empty() => Err(error),
+        _ => Ok(associate(candidates, Thresholds::gate(gate))),
+    }
 }
 
 #[cfg(test)]

@@ -4,11 +4,10 @@
 use crate::dynamic::Belief;
 use crate::ekf::{ChosetEkf, Sighting};
 use crate::error::{Code, Error};
-use crate::landmarks::{RangeBearing, RangeOnly};
+use crate::landmarks::{RangeBearing, RangeOnly, best, candidate};
 use crate::validate;
-use filters::association::{Candidate, Rule};
+use filters::association::{Association, Candidate, Rule};
 use filters::kalman::{Gaussian, Update};
-use filters::linear;
 use filters::nonlinear::MeasurementModel;
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector2};
@@ -269,34 +268,29 @@ fn locate<const M: usize>(
     w: &SMatrix<f64, M, M>,
     (j, rule, gate): (Option<usize>, Rule, Option<f64>),
 ) -> Result<(bool, Candidate<M>), Error> {
-    let (pose, p) = (ekf.pose(), *ekf.covariance());
-    let weigh = |j: usize, rule| -> Result<(Candidate<M>, SMatrix<f64, M, 3>), Error> {
-        let (expected, h) = model.linearized(&pose, j)?;
-        let s = linear::innovation_covariance(&h, &p, w);
-        Ok((Candidate::new(j, model.residual(&y, &expected), s, rule)?, h))
-    };
-    let within = |c: &Candidate<M>| gate.is_none_or(|gate| c.d2 <= gate);
-    if let (Some(j), None) = (j, gate) {
-        // Nothing is to be judged: one factorization for the correction, and what it leaves says the rest.
-        let mut next = *ekf;
-        let Update { innovation, s, .. } = next.update(model, &Sighting { j, y }, w)?;
-        let best = Candidate::new(j, innovation, s, Rule::ChiSquared)?;
-        *ekf = next;
-        return Ok((true, best));
-    }
-    let (best, h) = match j {
-        // There is nothing to choose from, hence no use for the costlier rule.
-        Some(j) => weigh(j, Rule::ChiSquared)?,
-        None => {
-            let all = (0..count).map(|j| weigh(j, rule)).collect::<Result<Vec<_>, Error>>()?;
-            let likeliest = all.iter().filter(|(c, _)| within(c)).min_by(|a, b| a.0.cost.total_cmp(&b.0.cost));
-            let best = likeliest.or_else(|| all.iter().min_by(|a, b| a.0.d2.total_cmp(&b.0.d2)));
-            *best.ok_or_else(|| Error::new(Code::Index, "landmarks", "is empty"))?
+    let belief = ekf.belief();
+    let (accepted, best) = match (j, gate) {
+        (Some(j), None) => {
+            // Nothing is judged before the correction, and its S serves for χ².
+            let mut next = *ekf;
+            let Update { innovation, s, .. } = next.update(model, &Sighting { j, y }, w)?;
+            let best = Candidate::new(j, innovation, s, Rule::ChiSquared)?;
+            *ekf = next;
+            return Ok((true, best));
         }
+        // There is nothing to choose from, hence no use for the costlier rule.
+        (Some(j), Some(gate)) => {
+            let best = candidate(model, &belief, &y, j, w, Rule::ChiSquared)?;
+            (best.d2 <= gate, best)
+        }
+        (None, gate) => match best(model, &y, &belief, count, w, rule, gate)? {
+            Association::Matched(best) => (true, best),
+            Association::Rejected(best) => (false, best),
+            Association::New => return Err(Error::new(Code::Index, "landmarks", "is empty")),
+        },
     };
-    let accepted = within(&best);
     if accepted {
-        ekf.correct(&best.innovation, &h, w)?;
+        ekf.update(model, &Sighting { j: best.j, y }, w)?;
     }
     Ok((accepted, best))
 }
@@ -415,5 +409,10 @@ mod tests {
         let mut ekf = EkfLocalizer::new(belief(), here, w, None, SensorKind::RangeBearing).expect("sound");
         assert_eq!(ekf.update(reading(None)).expect_err("on it").code, Code::AtLandmark);
         assert_eq!(ekf.belief(), belief());
+        // Another landmark can still be sighted from there.
+        let w = dmatrix![0.01, 0.0; 0.0, 0.001];
+        let two = vec![Landmark { id: 1, x: 1.5, y: 2.0 }, Landmark { id: 8, x: 0.0, y: 6.0 }];
+        let mut ekf = EkfLocalizer::new(belief(), two, w, None, SensorKind::RangeBearing).expect("sound");
+        assert_eq!(ekf.update(reading(None)).expect("the other").landmark, 8);
     }
 }

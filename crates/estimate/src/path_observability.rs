@@ -40,7 +40,7 @@ pub struct PathObservability {
     pub start: Observability,
     /// The null directions carried along to the present state by Φ, each scaled to length 1.
     pub now: Vec<DVector<f64>>,
-    /// Steps between the first and the last reading of the stack.
+    /// Steps taken since the stack was begun.
     pub steps: usize,
 }
 

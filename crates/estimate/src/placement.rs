@@ -14,7 +14,8 @@ const RANK_TOLERANCE: f64 = 1e-9;
 ///
 /// # Errors
 /// [`Code::Poles`] when the poles are not n finite numbers closed under conjugation; [`Code::Unobservable`] when (F, H) is
-/// not observable; [`Code::NotPlaceable`] when it is but F is singular or so nearly so that the poles are missed.
+/// not observable; [`Code::NotPlaceable`] when it is but F is singular or so nearly so that the poles are missed;
+/// [`Code::NotFinite`] or [`Code::DidNotConverge`] where the numbers are too large for either to be told.
 ///
 /// # Example
 /// ```

@@ -131,7 +131,10 @@ impl EkfSlam {
         let block = filters::linear::predicted_covariance(&f, &self.pose_covariance(), v);
         let moved = |row: &[f64]| [row[0] + f[(0, 2)] * row[2], row[1] + f[(1, 2)] * row[2]];
         let cross_is_finite = (3..self.x.len()).all(|i| moved(self.p.row(i)).iter().all(|e| e.is_finite()));
-        if !(filters::linear::is_finite(&pose) && filters::linear::is_finite(&block) && cross_is_finite) {
+        if !filters::linear::is_finite(&pose) {
+            return Err(filters::Error::NotFinite { what: "the predicted mean" }.into());
+        }
+        if !(filters::linear::is_finite(&block) && cross_is_finite) {
             return Err(filters::Error::NotFinite { what: "the predicted covariance" }.into());
         }
         let sigma = [0, 1, 2].map(|i| self.p.get(i, i).sqrt());
@@ -158,20 +161,23 @@ impl EkfSlam {
     /// state, one after the other with the first linearization, which equals their stack since W is block-diagonal.
     ///
     /// # Errors
-    /// [`Code::Limit`], [`Code::NotFinite`], [`Code::AtLandmark`] or [`Code::InnovationNotPositiveDefinite`]; belief and
-    /// map are then as they were.
+    /// [`Code::Limit`], [`Code::NotFinite`], [`Code::AtLandmark`] or [`Code::InnovationNotPositiveDefinite`];
+    /// [`Code::Index`] when two sightings name one landmark. Belief and map are then as they were.
     pub fn update(&mut self, readings: &[Reading]) -> Result<Vec<Report>, Error> {
         validate::count(readings.len(), MAX_SIGHTINGS, "sightings")?;
         match readings {
             [one] => {
                 let (report, expected) = self.judged(one, &[])?;
-                self.nis = (0.0, 0);
-                match expected {
-                    Some(expected) => self.correct(&expected, &expected.innovation)?,
-                    None if report.outcome == Outcome::Founded => self.found(one, report.landmark)?,
-                    None => {}
+                let before = core::mem::replace(&mut self.nis, (0.0, 0));
+                let done = match expected {
+                    Some(expected) => self.correct(&expected, &expected.innovation),
+                    None if report.outcome == Outcome::Founded => self.found(one, report.landmark),
+                    None => Ok(()),
+                };
+                if done.is_err() {
+                    self.nis = before;
                 }
-                Ok(vec![report])
+                done.map(|()| vec![report])
             }
             // Several: a later one may fail, so the work is done on a copy, which costs no more than one of the updates.
             _ => {
@@ -185,17 +191,24 @@ impl EkfSlam {
     }
 
     fn update_all(&mut self, readings: &[Reading]) -> Result<Vec<Report>, Error> {
-        let (mut reports, mut matched, mut taken) = (Vec::new(), Vec::new(), Vec::new());
-        let mut unfounded = Vec::new();
-        taken.extend(readings.iter().filter_map(|r| r.landmark).filter_map(|id| self.index(id)));
-        for reading in readings {
-            let (mut report, expected) = self.judged(reading, &taken)?;
+        let (mut reports, mut matched, mut unfounded) = (Vec::new(), Vec::new(), Vec::new());
+        let named: Vec<u32> = readings.iter().filter_map(|r| r.landmark).collect();
+        let mut taken: Vec<usize> = named.iter().filter_map(|id| self.index(*id)).collect();
+        for (i, reading) in readings.iter().enumerate() {
+            let at = |e: Error| match e.argument.as_ref() {
+                "range" | "bearing" | "landmark" => e.within(&format!("sightings[{i}]")),
+                _ => e,
+            };
+            if reading.landmark.is_some() && readings[..i].iter().any(|earlier| earlier.landmark == reading.landmark) {
+                return Err(at(Error::new(Code::Index, "landmark", "is named by an earlier sighting of this step")));
+            }
+            let (mut report, expected) = self.judged(reading, &taken).map_err(at)?;
             if let Some(expected) = expected {
                 taken.push(expected.j);
                 matched.push(expected);
             } else if report.outcome == Outcome::Founded {
                 if reading.landmark.is_none() {
-                    report.landmark = self.free_id(&reports);
+                    report.landmark = self.free_id(&named, &reports);
                 }
                 unfounded.push((*reading, report.landmark));
             }
@@ -216,9 +229,9 @@ impl EkfSlam {
         self.ids.iter().position(|i| *i == id)
     }
 
-    /// One more than the greatest number in the map or among the reports.
-    fn free_id(&self, reports: &[Report]) -> Option<u32> {
-        let used = self.ids.iter().copied().chain(reports.iter().filter_map(|r| r.landmark));
+    /// One more than the greatest number in the map, named in this step, or among its reports.
+    fn free_id(&self, named: &[u32], reports: &[Report]) -> Option<u32> {
+        let used = self.ids.iter().chain(named).copied().chain(reports.iter().filter_map(|r| r.landmark));
         used.max().map_or(Some(1), |id| id.checked_add(1))
     }
 
@@ -259,7 +272,7 @@ impl EkfSlam {
             Association::Matched(c) => (self.report(Outcome::Matched, &c), Some(self.expected(c.j, reading)?)),
             Association::Rejected(c) => (self.report(Outcome::Rejected, &c), None),
             Association::New => {
-                let landmark = reading.landmark.or_else(|| self.free_id(&[]));
+                let landmark = reading.landmark.or_else(|| self.free_id(&[], &[]));
                 (Report { outcome: Outcome::Founded, landmark, evidence: None }, None)
             }
         })

@@ -1,7 +1,8 @@
 //! Which feature was sighted? Data association by Mahalanobis distance, with a gate and a threshold for founding new
-//! features (Choset §8.3.2 and §8.4.2; sister volume, chapter 7).
+//! features (sister volume, chapter 7).
 
 use crate::error::Error;
+use crate::linear::finite;
 use geom::Spd;
 use nalgebra::{SMatrix, SVector};
 
@@ -11,7 +12,7 @@ pub enum Rule {
     /// d² + ln det S: the likeliest of normal densities of different widths.
     #[default]
     MaximumLikelihood,
-    /// d² alone, Choset's χ². A candidate with a vast S then looks near.
+    /// d² alone. A candidate with a vast S then looks near.
     ChiSquared,
 }
 
@@ -52,7 +53,7 @@ impl<const M: usize> Candidate<M> {
     /// # Errors
     /// [`Error::InnovationNotPositiveDefinite`], or [`Error::NotFinite`] on overflow.
     pub fn new(j: usize, innovation: SVector<f64, M>, s: SMatrix<f64, M, M>, rule: Rule) -> Result<Self, Error> {
-        let spd = Spd::new(s).ok_or(Error::InnovationNotPositiveDefinite)?;
+        let spd = Spd::new(finite(s, "S")?).ok_or(Error::InnovationNotPositiveDefinite)?;
         let d2 = innovation.dot(&spd.solve(&innovation));
         let cost = match rule {
             Rule::ChiSquared => d2,

@@ -1,6 +1,7 @@
 //! Is a filter as sure as it may be? NEES, NIS and their χ² bounds (Bar-Shalom, Li and Kirubarajan 2001, §5.4).
 
 use crate::error::Error;
+use crate::linear::finite;
 use geom::Spd;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
@@ -14,7 +15,7 @@ pub fn mahalanobis_squared<D: Dim>(v: &OVector<f64, D>, s: &OMatrix<f64, D, D>) 
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let spd = Spd::new(s.clone()).ok_or(Error::InnovationNotPositiveDefinite)?;
+    let spd = Spd::new(finite(s.clone(), "S")?).ok_or(Error::InnovationNotPositiveDefinite)?;
     let d = v.dot(&spd.solve(v));
     if d.is_finite() { Ok(d) } else { Err(Error::NotFinite { what: "the squared distance" }) }
 }
@@ -68,6 +69,12 @@ pub fn chi2_quantile(dof: u32, probability: f64) -> Result<f64, Error> {
 /// # Errors
 /// [`Error::OutOfRange`] as [`chi2_quantile`], or when dof · samples is not a whole number below 2³².
 pub fn chi2_interval(dof: u32, samples: u32, probability: f64) -> Result<(f64, f64), Error> {
+    if !(probability > 0.0 && probability < 1.0) {
+        return Err(Error::OutOfRange { what: "probability" });
+    }
+    if dof == 0 {
+        return Err(Error::OutOfRange { what: "degrees of freedom" });
+    }
     let all = dof.checked_mul(samples).filter(|n| *n > 0).ok_or(Error::OutOfRange { what: "samples" })?;
     let tail = 0.5 * (1.0 - probability);
     let n = f64::from(samples);
@@ -107,8 +114,10 @@ mod tests {
     fn what_is_out_of_range_is_refused() {
         for p in [0.0, 1.0, -0.1, f64::NAN] {
             assert_eq!(chi2_quantile(3, p), Err(Error::OutOfRange { what: "probability" }));
+            assert_eq!(chi2_interval(3, 2, p), Err(Error::OutOfRange { what: "probability" }));
         }
         assert_eq!(chi2_quantile(0, 0.5), Err(Error::OutOfRange { what: "degrees of freedom" }));
+        assert_eq!(chi2_interval(0, 2, 0.5), Err(Error::OutOfRange { what: "degrees of freedom" }));
         assert_eq!(chi2_interval(3, 0, 0.9), Err(Error::OutOfRange { what: "samples" }));
         assert!(chi2_interval(u32::MAX, 2, 0.9).is_err());
     }

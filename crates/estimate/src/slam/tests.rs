@@ -157,6 +157,37 @@ fn one_step_never_matches_a_landmark_twice() {
 }
 
 #[test]
+fn no_two_landmarks_share_a_name() {
+    let at = |bearing, landmark| Reading { range: 3.0, bearing, landmark };
+    for known in [false, true] {
+        let mut slam = slam();
+        if known {
+            slam.update(&[at(0.0, Some(5))]).expect("founded");
+        }
+        let before = slam.belief().1;
+        let refused = slam.update(&[at(0.0, Some(5)), at(2.0, Some(5))]).expect_err("one name, two sightings");
+        assert_eq!((refused.code, refused.argument.as_ref()), (Code::Index, "sightings[1].landmark"));
+        assert_eq!((slam.len(), slam.belief().1), (usize::from(known), before));
+    }
+    // A number handed out keeps clear of those that are named later in the step.
+    let mut slam = slam();
+    slam.update(&[at(0.0, None), at(2.0, Some(1))]).expect("founded");
+    assert_eq!(slam.landmarks().map(|l| l.id).collect::<Vec<_>>(), [2, 1]);
+}
+
+#[test]
+fn a_refused_sighting_leaves_the_nis_of_the_last() {
+    let mut slam = slam();
+    let one = Reading { range: 3.0, bearing: 0.4, landmark: Some(1) };
+    slam.update(&[one]).expect("founded");
+    slam.update(&[one]).expect("matched");
+    let before = slam.nis();
+    assert!(before.is_some());
+    slam.update(&[Reading { range: 1e200, bearing: 0.4, landmark: Some(2) }]).expect_err("too far to found");
+    assert_eq!(slam.nis(), before);
+}
+
+#[test]
 fn a_refused_call_leaves_belief_and_map() {
     let mut slam = slam();
     slam.update(&[Reading { range: 3.0, bearing: 0.5, landmark: Some(1) }]).expect("founded");
