@@ -28,7 +28,7 @@ pub fn chapter_checks() -> Result<JsValue, JsValue> {
     plain(&labs::checks::chapter_checks().map_err(thrown)?)
 }
 
-/// Runs the check with the number `id`, 1 to 13; any other number is an error with the code "index".
+/// Runs the check with the number `id`, 1 to 13; any other whole number is an error with the code "index".
 #[wasm_bindgen(js_name = chapterCheck, unchecked_return_type = "Check")]
 pub fn chapter_check(#[wasm_bindgen(unchecked_param_type = "number")] id: &JsValue) -> Result<JsValue, JsValue> {
     // A number that no counter holds is the number of no check either.

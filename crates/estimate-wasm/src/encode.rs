@@ -13,6 +13,8 @@ const TYPES: &str = r#"
 export type Vector = number[];
 /** An array of rows. */
 export type Matrix = number[][];
+/** N(x, P). */
+export interface Belief { x: Vector; P: Matrix }
 export interface Complex { re: number; im: number }
 export interface Ellipse { semiMajor: number; semiMinor: number; /** of the major axis, in (−π/2, π/2] */ angle: number }
 "#;

@@ -13,8 +13,6 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, Cov v = V, Cov w = W; at most 16 states, 8 inputs, 8 outputs. */
 export interface System { F: Matrix; G: Matrix; H: Matrix; V: Matrix; W: Matrix }
-/** N(x, P). */
-export interface Belief { x: Vector; P: Matrix }
 export interface KalmanStep {
     /** x(k+1 | k), P(k+1 | k) */
     predicted: Belief;

@@ -106,9 +106,10 @@ pub(crate) fn busy() -> JsValue {
     thrown(Error::new(Code::Type, "this", "is in the middle of a call"))
 }
 
-/// The class of a lab: `lab_class!(Name: labs::Name, params "Params", frame "Frame")`.
+/// The class of a lab, with the TypeScript names of its partial parameters, its frame and its state:
+/// `lab_class!(Name: labs::Name, "Partial<Params>", "Frame", "LabState<Params>")`.
 macro_rules! lab_class {
-    ($(#[$doc:meta])* $name:ident: $lab:ty, $params:tt, $partial:tt, $frame:tt, $state:tt) => {
+    ($(#[$doc:meta])* $name:ident: $lab:ty, $partial:tt, $frame:tt, $state:tt) => {
         $(#[$doc])*
         #[wasm_bindgen]
         pub struct $name($crate::lab::Held<$lab>);

@@ -87,8 +87,6 @@ export interface ProbeFrame {
     frozen: ProbeRanks;
     /** Stacked along the last 30 steps of the true path. */
     alongPath: ProbeRanks;
-    /** The same with the filter's own Jacobians: it may claim a rank that the system does not have. */
-    alongEstimates: ProbeRanks;
     /** m² and rad² added, the two apart, and the same for two range-only landmarks with Jacobians on the true path. */
     trace: {
         total: number; position: number; heading: number;
@@ -143,7 +141,7 @@ fn point(arg: &Arg<'_>) -> Result<[f64; 2], Error> {
 
 lab_class! {
     /// Rusty on a square in room A: which landmarks does it take to know where it is?
-    ObservabilityProbe: labs::ObservabilityProbe, "ProbeParams", "Partial<ProbeParams>", "ProbeFrame", "LabState<ProbeParams>"
+    ObservabilityProbe: labs::ObservabilityProbe, "Partial<ProbeParams>", "ProbeFrame", "LabState<ProbeParams>"
 }
 
 #[wasm_bindgen]

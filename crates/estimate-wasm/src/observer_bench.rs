@@ -77,5 +77,5 @@ impl Decoded for labs::ObserverBench {
 
 lab_class! {
     /// The rail robot of §8.2.6 under an observer whose gain the reader sets, or the filter does.
-    ObserverBench: labs::ObserverBench, "BenchParams", "Partial<BenchParams>", "BenchFrame", "LabState<BenchParams>"
+    ObserverBench: labs::ObserverBench, "Partial<BenchParams>", "BenchFrame", "LabState<BenchParams>"
 }

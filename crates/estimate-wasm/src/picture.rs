@@ -79,5 +79,5 @@ impl Decoded for labs::Picture {
 
 lab_class! {
     /// A prediction, the states that explain a reading, and the two ways of stepping onto them.
-    Picture: labs::Picture, "PictureParams", "Partial<PictureParams>", "PictureFrame", "LabState<PictureParams>"
+    Picture: labs::Picture, "Partial<PictureParams>", "PictureFrame", "LabState<PictureParams>"
 }

@@ -62,7 +62,8 @@ impl Spread {
 /// The first error of any seed.
 pub fn over_seeds<T: Send>(seeds: u32, run: impl Fn(u32) -> Result<T, Error> + Sync) -> Result<Vec<T>, Error> {
     let threads = std::thread::available_parallelism().map_or(1, |n| n.get() as u32).min(seeds.max(1));
-    let share = |t: u32| (t * seeds / threads)..((t + 1) * seeds / threads);
+    let start = |t: u32| (u64::from(t) * u64::from(seeds) / u64::from(threads)) as u32;
+    let share = |t: u32| start(t)..start(t + 1);
     let parts: Vec<Result<Vec<T>, Error>> = std::thread::scope(|scope| {
         let run = &run;
         let workers: Vec<_> =

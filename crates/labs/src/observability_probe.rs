@@ -143,9 +143,8 @@ pub struct ObservabilityProbe {
     truth: SE2,
     who: Who,
     reference: TruePath,
-    /// The last moments on the true path and at the estimates, the present one last.
-    true_moments: VecDeque<Moment>,
-    estimated_moments: VecDeque<Moment>,
+    /// The last moments on the true path, the present one last.
+    moments: VecDeque<Moment>,
     sightings: Vec<ProbeSighting>,
     nees: Option<f64>,
     nis: Option<f64>,
@@ -180,8 +179,7 @@ impl Lab for ObservabilityProbe {
             truth,
             who,
             reference: TruePath::new(&PROBE.landmarks[..2], Sight::Range),
-            true_moments: VecDeque::new(),
-            estimated_moments: VecDeque::new(),
+            moments: VecDeque::new(),
             sightings: Vec::new(),
             nees: None,
             nis: None,
@@ -197,8 +195,7 @@ impl Lab for ObservabilityProbe {
             probe.sightings = seen.iter().map(|s| view::mapped_sighting(s, mapping)).collect();
         }
         probe.judge();
-        let seen_from = probe.who.belief().0;
-        probe.remember(seen_from);
+        probe.remember();
         probe.record();
         Ok(probe)
     }
@@ -217,22 +214,20 @@ impl Lab for ObservabilityProbe {
         self.driven += u32::from(self.moving());
         self.step += 1;
         self.reference.step(tick)?;
-        let seen_from = match &mut self.who {
+        match &mut self.who {
             Who::Localizer(localizer) => {
                 let heard = localizer.step(tick, self.truth, &mut self.noise)?;
                 (self.nis, self.nis_dof) = (heard.nis, heard.nis_dof);
                 self.sightings = heard.sightings;
-                heard.prediction
             }
             Who::Mapper(mapping) => {
                 let seen = mapping.step(tick, self.truth, &mut self.noise)?;
                 self.sightings = seen.iter().map(|s| view::mapped_sighting(s, mapping)).collect();
                 (self.nis, self.nis_dof) = mapping.nis().map_or((None, 0), |(nis, dof)| (Some(nis), dof));
-                mapping.slam.pose()
             }
-        };
+        }
         self.judge();
-        self.remember(seen_from);
+        self.remember();
         self.record();
         Ok(())
     }
@@ -281,25 +276,31 @@ impl ObservabilityProbe {
     }
 
     /// Keeps the present moment for the ranks along the path.
-    fn remember(&mut self, seen_from: SE2) {
-        let tick = self.next_tick();
-        let u = Vector2::new(tick.ds, tick.dtheta);
-        let estimate = self.who.belief().0;
-        let (believed, true_places) = match &self.who {
-            Who::Localizer(_) => (self.shown.clone(), self.shown.clone()),
+    fn remember(&mut self) {
+        let landmarks = match &self.who {
+            Who::Localizer(_) => self.shown.clone(),
+            Who::Mapper(m) => m.truth.iter().map(|&t| self.shown[t]).collect(),
+        };
+        self.moments.push_back(Moment { pose: self.truth, landmarks, u: self.next_input() });
+        if self.moments.len() > PATH_STEPS + 1 {
+            self.moments.pop_front();
+        }
+    }
+
+    /// The present moment as the filter believes it to be.
+    fn believed(&self) -> Moment {
+        let landmarks = match &self.who {
+            Who::Localizer(_) => self.shown.clone(),
             Who::Mapper(m) => {
-                let believed = m.slam.landmarks().map(|l| Landmark { id: l.id, x: l.position[0], y: l.position[1] });
-                (believed.collect(), m.truth.iter().map(|&t| self.shown[t]).collect())
+                m.slam.landmarks().map(|l| Landmark { id: l.id, x: l.position[0], y: l.position[1] }).collect()
             }
         };
-        let truth = Moment { seen_from: self.truth, driven_from: self.truth, landmarks: true_places, u };
-        let estimated = Moment { seen_from, driven_from: estimate, landmarks: believed, u };
-        for (moments, moment) in [(&mut self.true_moments, truth), (&mut self.estimated_moments, estimated)] {
-            moments.push_back(moment);
-            if moments.len() > PATH_STEPS + 1 {
-                moments.pop_front();
-            }
-        }
+        Moment { pose: self.who.belief().0, landmarks, u: self.next_input() }
+    }
+
+    fn next_input(&self) -> Vector2<f64> {
+        let tick = self.next_tick();
+        Vector2::new(tick.ds, tick.dtheta)
     }
 
     fn record(&mut self) {

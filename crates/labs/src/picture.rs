@@ -9,7 +9,7 @@ use geom::{Affine, Ellipse, Spd};
 use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
 use serde::Serialize;
 
-/// The shortest half-axis: with a thinner ellipse P⁻¹ has no digits left.
+/// The shortest half-axis: a thinner ellipse would be a line on the screen.
 const MIN_AXIS: f64 = 0.05;
 /// The longest half-axis.
 const MAX_AXIS: f64 = 10.0;

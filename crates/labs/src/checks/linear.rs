@@ -77,7 +77,7 @@ pub(super) fn placed_eigenvalues(givens: &Givens) -> Result<Check, Error> {
     Ok(Check::new(4, "The placed eigenvalues of (I − KH)F", vec![0.5, 0.0, 0.2, 0.0], actual, 1e-12))
 }
 
-/// |e₁(k+1)| / |e₁(k)| of the placed observer on a noiseless run: entry k − 1 for the step to k.
+/// ‖e(k)‖ / ‖e(k − 1)‖ of the placed observer on a noiseless run: entry k − 1.
 pub(crate) fn error_ratios(givens: &Givens, steps: usize) -> Result<Vec<f64>, Error> {
     let mut observer = placed(givens)?;
     let sys = observer.sys;

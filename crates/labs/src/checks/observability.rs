@@ -40,7 +40,7 @@ pub(crate) fn five_cases(givens: &Givens) -> Result<Vec<Case>, Error> {
             Some(now) => frozen_ranks(now, sight, false, TOLERANCE)?,
             None => Ranks::none(),
         };
-        Ok(Case { about, frozen, path: stacked_ranks(&drive, sight, false, TOLERANCE)? })
+        Ok(Case { about, frozen, path: stacked_ranks(drive.iter(), sight, false, TOLERANCE)? })
     };
     Ok(vec![
         case("one range-only landmark", &[first], Sight::Range, true)?,
@@ -61,7 +61,7 @@ fn moments(givens: &Givens, landmarks: &[Landmark], ticks: std::ops::RangeInclus
             let (pose, tick): (SE2, Tick) =
                 if moving { (place(k), course.tick(k)) } else { (place(middle), Tick { ds: 0.0, dtheta: 0.0 }) };
             let u = Vector2::new(tick.ds, tick.dtheta);
-            Moment { seen_from: pose, driven_from: pose, landmarks: landmarks.to_vec(), u }
+            Moment { pose, landmarks: landmarks.to_vec(), u }
         })
         .collect()
 }

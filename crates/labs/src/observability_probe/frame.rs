@@ -44,9 +44,6 @@ pub struct ProbeFrame {
     pub frozen: Ranks,
     /// The pairs stacked along the steps really driven, on the true path.
     pub along_path: Ranks,
-    /// The same stack with the Jacobians where the filter took them, at its own estimates: it may claim a rank that the
-    /// system does not have.
-    pub along_estimates: Ranks,
     /// tr P of the pose and its parts, which have different units.
     pub trace: Traces,
     /// eᵀP⁻¹e of the pose; none where P is singular.

@@ -24,7 +24,6 @@ pub(super) struct Localizer {
 
 /// What a step brought.
 pub(super) struct Heard {
-    pub prediction: SE2,
     pub sightings: Vec<ProbeSighting>,
     pub nis: Option<f64>,
     pub nis_dof: u32,
@@ -54,7 +53,6 @@ impl Localizer {
             .map(|landmark| PROBE.sensor.sight(truth, landmark, noise))
             .map(|z| Vector2::new(z.range, z.bearing))
             .collect();
-        let prediction = self.ekf.pose();
         let map = std::mem::take(&mut self.landmarks);
         let w = sensor_covariance(&PROBE.sensor);
         let (sightings, evidence) = match self.sight {
@@ -70,7 +68,7 @@ impl Localizer {
             .collect();
         self.landmarks = map;
         let (nis, nis_dof) = evidence.map_or((None, 0), |(nis, dof)| (Some(nis), dof));
-        Ok(Heard { prediction, sightings, nis, nis_dof })
+        Ok(Heard { sightings, nis, nis_dof })
     }
 
     /// All sightings stacked; one that cannot be linearized (the estimate stands on its landmark) is left out.

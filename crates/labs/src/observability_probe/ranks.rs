@@ -14,10 +14,8 @@ use sim::Landmark;
 /// One moment of a drive: where, what was in the map then, and the input that led on.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Moment {
-    /// Where the readings were linearized.
-    pub seen_from: SE2,
-    /// Where the motion after them was linearized.
-    pub driven_from: SE2,
+    /// Where readings and motion are linearized.
+    pub pose: SE2,
     /// The landmarks as they were believed to be (or are).
     pub landmarks: Vec<Landmark>,
     /// The input of the step that followed.
@@ -103,7 +101,7 @@ pub(crate) fn output_rows(pose: &SE2, landmarks: &[Landmark], sight: Sight, mapp
 
 fn motion(moment: &Moment, n: usize) -> DMatrix<f64> {
     let mut f = DMatrix::identity(n, n);
-    f.fixed_view_mut::<3, 3>(0, 0).copy_from(&Unicycle.jacobian(&moment.driven_from, &moment.u));
+    f.fixed_view_mut::<3, 3>(0, 0).copy_from(&Unicycle.jacobian(&moment.pose, &moment.u));
     f
 }
 
@@ -112,7 +110,7 @@ fn motion(moment: &Moment, n: usize) -> DMatrix<f64> {
 /// # Errors
 /// As [`frozen`].
 pub(crate) fn frozen_ranks(moment: &Moment, sight: Sight, mapped: bool, tolerance: f64) -> Result<Ranks, Error> {
-    let h = output_rows(&moment.seen_from, &moment.landmarks, sight, mapped);
+    let h = output_rows(&moment.pose, &moment.landmarks, sight, mapped);
     let found = frozen(&motion(moment, h.ncols()), &h, tolerance)?;
     let now = found.nullspace.clone();
     Ok(Ranks::new(found, &now, 0))
@@ -122,14 +120,19 @@ pub(crate) fn frozen_ranks(moment: &Moment, sight: Sight, mapped: bool, toleranc
 ///
 /// # Errors
 /// As [`PathStack::analyze`].
-pub(crate) fn stacked_ranks(moments: &[Moment], sight: Sight, mapped: bool, tolerance: f64) -> Result<Ranks, Error> {
+pub(crate) fn stacked_ranks<'m>(
+    moments: impl DoubleEndedIterator<Item = &'m Moment> + Clone,
+    sight: Sight,
+    mapped: bool,
+    tolerance: f64,
+) -> Result<Ranks, Error> {
     // A landmark founded on the way enters the state from then on: only the moments that know the whole map are stacked.
-    let known = moments.last().map_or(0, |m| m.landmarks.len());
+    let known = moments.clone().next_back().map_or(0, |m| m.landmarks.len());
     let n = 3 + if mapped { 2 * known } else { 0 };
     let mut stack = PathStack::new(n);
-    let whole: Vec<&Moment> = moments.iter().filter(|m| !mapped || m.landmarks.len() == known).collect();
+    let whole: Vec<&Moment> = moments.filter(|m| !mapped || m.landmarks.len() == known).collect();
     for (i, moment) in whole.iter().enumerate() {
-        stack.observe(&output_rows(&moment.seen_from, &moment.landmarks, sight, mapped));
+        stack.observe(&output_rows(&moment.pose, &moment.landmarks, sight, mapped));
         if i + 1 < whole.len() {
             stack.advance(&motion(moment, n));
         }

@@ -4,7 +4,7 @@ use super::frame::{
     Bands, Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSighting, ProbeTracks, RoomShape, Traces,
 };
 use super::ranks::{Ranks, frozen_ranks, stacked_ranks};
-use super::{Moment, ObservabilityProbe, Who};
+use super::{ObservabilityProbe, Who};
 use crate::mapping::{Mapping, Seen, Tally};
 use crate::shapes::{ellipse_of, row_vectors, rows, rows3};
 use crate::true_path::parts;
@@ -26,7 +26,7 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
     let [reference_position, reference_heading] = probe.reference.parts();
     let mean = |sum: f64, n: u32| (n > 0).then(|| sum / f64::from(n));
     let track = |i: usize| probe.tracks[i].iter().copied().collect();
-    let [frozen, along_path, along_estimates] = all_ranks(probe);
+    let [frozen, along_path] = both_ranks(probe);
     ProbeFrame {
         step: probe.step,
         lap: probe.driven / PROBE.course.lap(),
@@ -44,7 +44,6 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
         sightings: probe.sightings.clone(),
         frozen,
         along_path,
-        along_estimates,
         trace: Traces {
             total: p.trace(),
             position,
@@ -75,20 +74,15 @@ fn band(dof: u32) -> Option<[f64; 2]> {
     chi2_interval(dof, 1, 0.95).ok().map(|(low, high)| [low, high])
 }
 
-/// Frozen, along the path, along the estimates. A rank that cannot be found (it can, on finite poses) is shown as none.
-fn all_ranks(probe: &ObservabilityProbe) -> [Ranks; 3] {
+/// Frozen at the present estimate, after the update, and along the true path. A rank that cannot be found (it can, on
+/// finite poses) is shown as none.
+fn both_ranks(probe: &ObservabilityProbe) -> [Ranks; 2] {
     let sight = probe.params.sight();
     let mapped = matches!(probe.who, Who::Mapper(_));
     let tolerance = probe.params.tolerance;
-    let as_slice = |moments: &std::collections::VecDeque<Moment>| moments.iter().cloned().collect::<Vec<_>>();
-    let (path, estimates) = (as_slice(&probe.true_moments), as_slice(&probe.estimated_moments));
-    // Frozen is at the present estimate, after the update.
-    let frozen = estimates.last().and_then(|m| {
-        let now = Moment { seen_from: m.driven_from, ..m.clone() };
-        frozen_ranks(&now, sight, mapped, tolerance).ok()
-    });
-    let along = |moments: &[Moment]| stacked_ranks(moments, sight, mapped, tolerance).ok().unwrap_or_else(Ranks::none);
-    [frozen.unwrap_or_else(Ranks::none), along(&path), along(&estimates)]
+    let frozen = frozen_ranks(&probe.believed(), sight, mapped, tolerance);
+    let along_path = stacked_ranks(probe.moments.iter(), sight, mapped, tolerance);
+    [frozen, along_path].map(|ranks| ranks.unwrap_or_else(|_| Ranks::none()))
 }
 
 fn map_shape(mapping: &Mapping) -> MapShape {
