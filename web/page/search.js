@@ -31,9 +31,13 @@ function build() {
   const list = add(made, 'ol', 'search-results')
   document.body.append(made)
 
-  const ready = index().catch(() => null)
+  /** @type {Promise<MiniSearch<Entry> | null> | null} */
+  let ready = null
   const show = async () => {
+    ready ??= index().catch(() => null)
     const found = await ready
+    // Asked for again with the next letter: the network may be back.
+    if (!found) ready = null
     list.replaceChildren()
     if (!found) return void (list.textContent = 'The index could not be fetched.')
     const words = input.value.trim()
