@@ -112,8 +112,8 @@ export const stateOf = (element) => element.evaluate((it) => it.state)
 export async function until(element, wanted, what, patience = 8000) {
   const deadline = Date.now() + patience
   for (;;) {
-    const frame = await frameOf(element)
-    if (frame && wanted(frame)) return frame
+    const { frame, settled } = await element.evaluate((it) => ({ frame: it.frame, settled: it.settled }))
+    if (frame && settled && wanted(frame)) return frame
     if (Date.now() > deadline) assert.fail(`${what}; the frame's parameters are ${JSON.stringify(frame?.params)} at step ${frame?.step}`)
     await new Promise((resolve) => setTimeout(resolve, 40))
   }

@@ -17,6 +17,8 @@ import { buildShell } from './shell.js'
 
 const NEAR = '300px 0px'
 const MOST_STEPS = 64
+/** A turn that has worked so long, milliseconds, leaves the panels it has not drawn to the next. */
+const PATIENCE = 4
 
 /**
  * Defines the custom element of a specification.
@@ -40,6 +42,11 @@ export function defineFigure(spec) {
     /** The frame on the screen, for tests and for the curious. */
     get frame() {
       return this.figure?.frame ?? null
+    }
+
+    /** Whether every panel shows that frame, or will not wait for the rest to. */
+    get settled() {
+      return !this.figure?.behind || this.figure.playing
     }
 
     /** Parameters and step, as a link carries them. */
@@ -72,6 +79,11 @@ class Figure {
     this.beatStart = -Infinity
     this.turned = NaN
     this.memory = {}
+    /** What each panel shows. @type {Map<import('./shell.js').Panel, { frame: any, width: number }>} */
+    this.drawn = new Map()
+    /** The panel, of those behind the first, whose turn it is to be drawn. */
+    this.next = 0
+    this.behind = false
     this.said = /** @type {any} */ (null)
     /** What controls, readouts and labels say already: a camera or a beat may move without a new frame. */
     this.shown = { frame: /** @type {any} */ (null), described: /** @type {any} */ (null), at: -Infinity, rate: 1, playing: false }
@@ -220,6 +232,7 @@ class Figure {
 
   /** @param {number} now */
   turn(now) {
+    const began = performance.now()
     const elapsed = Number.isNaN(this.turned) ? Infinity : now - this.turned
     this.turned = now
     const { patch, reset } = this.wanted
@@ -235,7 +248,8 @@ class Figure {
       this.tell(error instanceof Error ? error.message : 'The lab refused.')
     }
     const moving = this.paint(now, elapsed)
-    if (moving || this.playing) this.ask()
+    this.behind = this.drawOthers(began)
+    if (moving || this.behind || this.playing) this.ask()
     else this.turned = NaN
   }
 
@@ -273,7 +287,9 @@ class Figure {
     const beat = t < 1 ? { name: /** @type {const} */ ('predict'), t: ease(Math.max(0, t)) }
       : t < 2 ? { name: /** @type {const} */ ('update'), t: ease(t - 1) } : { name: /** @type {const} */ ('rest'), t: 1 }
     const glide = this.calm.matches ? Infinity : Number.isFinite(elapsed) ? elapsed : this.previous || this.frame !== this.said ? 16 : Infinity
-    const moving = spec.draw(shell.panels, frame, { previous: this.previous, beat, elapsed: glide, memory: this.memory, handle: this.handle }) === true
+    const [first] = spec.panels
+    const view = { previous: this.previous, beat, elapsed: glide, memory: this.memory, handle: this.handle }
+    const moving = first.draw(shell.panels[first.name], frame, view) === true
     const shown = this.shown
     if (shown.frame !== frame || shown.rate !== this.rate || shown.playing !== this.playing) {
       this.shown = { ...shown, frame, rate: this.rate, playing: this.playing }
@@ -286,6 +302,33 @@ class Figure {
       for (const [name, words] of Object.entries(spec.describe(frame))) shell.panels[name].svg.setAttribute('aria-label', words)
     }
     return moving || beat.name !== 'rest'
+  }
+
+  /**
+   * Draws what shows another frame than the present one, or another size. On a slow machine not all at once: what the hand
+   * moves follows it, and the plots come after.
+   * @param {number} began when this turn did
+   * @returns {boolean} whether a panel is left
+   */
+  drawOthers(began) {
+    const { shell, spec, frame, drawn } = this
+    if (!shell) return false
+    const others = spec.panels.slice(1)
+    const view = { previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: this.memory, handle: this.handle }
+    let worked = false
+    for (let seen = 0; seen < others.length; seen += 1) {
+      const { name, draw } = others[this.next % others.length]
+      const panel = shell.panels[name]
+      const last = drawn.get(panel)
+      if (!last || last.frame !== frame || last.width !== panel.width) {
+        if (worked && performance.now() - began > PATIENCE) return true
+        draw(panel, frame, view)
+        worked = true
+        drawn.set(panel, { frame, width: panel.width })
+      }
+      this.next += 1
+    }
+    return false
   }
 
   // What it says and gives.

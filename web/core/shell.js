@@ -8,7 +8,7 @@ import { Pen } from './pen.js'
 import { SVG, writeHtml } from './words.js'
 
 /** @typedef {import('./words.js').Words} Words */
-/** @typedef {{ svg: Element, pen: Pen, width: number, height: number }} Panel */
+/** @typedef {{ svg: Element, pen: Pen, width: number, height: number }} Panel pixels */
 /** @typedef {{ key: string, label: Words, value: string, unit?: string, kin?: import('./plot.js').Kin, note?: string }} Readout */
 
 /**

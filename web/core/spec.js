@@ -30,6 +30,13 @@
  * @property {Record<string, any>} memory the figure's own, for cameras; empty at first
  * @property {(pen: import('./pen.js').Pen, key: string, handle: HandleSpec) => void} handle draws a handle; alive only in a browser
  *
+ * @typedef {object} PanelSpec
+ * @property {string} name
+ * @property {number} width on a wide page, pixels
+ * @property {number} height
+ * @property {boolean} [handles] whether something in it can be dragged
+ * @property {(panel: import('./shell.js').Panel, frame: any, view: View) => boolean | void} draw true while it still moves
+ *
  * @typedef {object} FigureSpec
  * @property {string} tag the custom element
  * @property {string} lab its class in the module
@@ -40,8 +47,7 @@
  * @property {number} [pace] steps a second at speed 1; 2 if not given
  * @property {number} [stride] steps of one press on Step; 1 if not given
  * @property {boolean} [beats] whether a step is animated in two beats
- * @property {{ name: string, width: number, height: number, handles?: boolean }[]} panels sizes on a wide page
- * @property {(panels: Record<string, import('./shell.js').Panel>, frame: any, view: View) => boolean | void} draw true while it still moves
+ * @property {PanelSpec[]} panels the first is what the reader watches and drags: it is drawn at every turn, and may move between two frames
  * @property {(frame: any) => Record<string, string>} describe each panel in words
  * @property {import('./controls.js').Control[]} controls
  * @property {(frame: any) => import('./shell.js').Readout[]} readouts the same keys each time

@@ -19,7 +19,7 @@ export function drawStill(document, spec, frame) {
     previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: {},
     handle: (/** @type {any} */ pen, /** @type {string} */ key, /** @type {any} */ handle) => void drawHandle(pen, key, handle),
   }
-  spec.draw(shell.panels, frame, view)
+  for (const { name, draw } of spec.panels) draw(shell.panels[name], frame, view)
   shell.show(frame, { rate: 1, playing: false })
   for (const { svg } of Object.values(shell.panels)) {
     svg.removeAttribute('role')

@@ -52,16 +52,7 @@ function describe(frame) {
   }
 }
 
-// View: five panels.
-
-/** @param {Record<string, import('../core/shell.js').Panel>} panels @param {Frame} frame @param {import('../core/spec.js').View} view */
-function draw(panels, frame, view) {
-  drawMap(panels.map, frame, view)
-  drawRanks(panels.ranks, frame)
-  drawTrace(panels.trace, frame)
-  drawConsistency(panels.nees, frame, 'nees')
-  drawConsistency(panels.nis, frame, 'nis')
-}
+// View: five panels, each in a file of the folder, and what is said beside them.
 
 /** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
 function readouts({ frozen, alongPath, trace, mean, slam, step }) {
@@ -123,13 +114,12 @@ export const observabilityProbe = {
   pace: 20,
   stride: 1,
   panels: [
-    { name: 'map', width: 470, height: 470, handles: true },
-    { name: 'ranks', width: 460, height: 230 },
-    { name: 'trace', width: 460, height: 200 },
-    { name: 'nees', width: 460, height: 180 },
-    { name: 'nis', width: 460, height: 180 },
+    { name: 'map', width: 470, height: 470, handles: true, draw: drawMap },
+    { name: 'ranks', width: 460, height: 230, draw: drawRanks },
+    { name: 'trace', width: 460, height: 200, draw: drawTrace },
+    { name: 'nees', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nees') },
+    { name: 'nis', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nis') },
   ],
-  draw,
   describe,
   controls,
   readouts,

@@ -56,20 +56,7 @@ function announce(frame, before) {
   return `${step}${knob}`
 }
 
-// View: five panels.
-
-/** @param {Record<string, import('../core/shell.js').Panel>} panels @param {Frame} frame @param {import('../core/spec.js').View} view */
-function draw(panels, frame, view) {
-  const moving = drawPhase(panels.phase, frame, view)
-  if (view.memory.drawn === frame && view.memory.width === panels.disc.width) return moving
-  view.memory.drawn = frame
-  view.memory.width = panels.disc.width
-  drawDisc(panels.disc, frame)
-  drawGain(panels.gain, frame)
-  drawVariance(panels.variance, frame)
-  drawError(panels.error, frame)
-  return moving
-}
+// View: five panels, each in a file of the folder, and what is said beside them.
 
 /** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
 function readouts(frame) {
@@ -113,13 +100,12 @@ export const observerBench = {
   seeded: true,
   beats: true,
   panels: [
-    { name: 'phase', width: 580, height: 440 },
-    { name: 'disc', width: 356, height: 356 },
-    { name: 'gain', width: 312, height: 190 },
-    { name: 'variance', width: 312, height: 190 },
-    { name: 'error', width: 312, height: 190 },
+    { name: 'phase', width: 580, height: 440, draw: drawPhase },
+    { name: 'disc', width: 356, height: 356, draw: drawDisc },
+    { name: 'gain', width: 312, height: 190, draw: drawGain },
+    { name: 'variance', width: 312, height: 190, draw: drawVariance },
+    { name: 'error', width: 312, height: 190, draw: drawError },
   ],
-  draw,
   describe,
   controls,
   readouts,

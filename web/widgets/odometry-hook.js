@@ -61,18 +61,7 @@ function announce(frame, before) {
   return `${frame.step === before.step ? '' : `Tick ${frame.step}: `}${verdict(frame)}`
 }
 
-// View: the map, and the two errors against what is claimed.
-
-/** @param {Record<string, import('../core/shell.js').Panel>} panels @param {Frame} frame @param {import('../core/spec.js').View} view */
-function draw(panels, frame, view) {
-  const moving = drawMap(panels.map, frame, view)
-  if (view.memory.drawn === frame && view.memory.width === panels.position.width) return moving
-  view.memory.drawn = frame
-  view.memory.width = panels.position.width
-  drawPosition(panels.position, frame)
-  drawHeading(panels.heading, frame)
-  return moving
-}
+// View: the map and the two errors against what is claimed, in the folder's files, and what is said beside them.
 
 /** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
 function readouts({ step, error, sigma, ratio }) {
@@ -107,11 +96,10 @@ export const odometryHook = {
   pace: 40,
   stride: 10,
   panels: [
-    { name: 'map', width: 590, height: 430 },
-    { name: 'position', width: 350, height: 205 },
-    { name: 'heading', width: 350, height: 205 },
+    { name: 'map', width: 590, height: 430, draw: drawMap },
+    { name: 'position', width: 350, height: 205, draw: drawPosition },
+    { name: 'heading', width: 350, height: 205, draw: drawHeading },
   ],
-  draw,
   describe,
   controls,
   readouts,
