@@ -8,7 +8,7 @@ pub use crate::jacobi::{jacobi, power_of_two};
 use crate::square_root;
 use geom::{MIN_PIVOT, Spd};
 use nalgebra::allocator::Allocator;
-use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix, OVector};
+use nalgebra::{DMatrix, DefaultAllocator, Dim, OMatrix, OVector};
 
 /// What a measurement update computes: the corrected belief, and what association and diagnostics need.
 #[derive(Clone, Debug, PartialEq)]
@@ -62,7 +62,27 @@ pub fn predicted_covariance<N: Dim>(
 where
     DefaultAllocator: Allocator<N, N>,
 {
-    mended(congruence(a, p, r))
+    let predicted = congruence(a, p, r);
+    if keeps_its_terms(a, p, r, &predicted) || semidefinite(&predicted) {
+        return predicted;
+    }
+    nearest(&predicted).unwrap_or(predicted)
+}
+
+/// Whether no variance of A Σ Aᵀ + R is much less than the terms it is a sum of, by Cauchy and Schwarz: rounding then stays
+/// far below it, and nothing need be factored.
+fn keeps_its_terms<N: Dim>(
+    a: &OMatrix<f64, N, N>,
+    p: &OMatrix<f64, N, N>,
+    r: &OMatrix<f64, N, N>,
+    predicted: &OMatrix<f64, N, N>,
+) -> bool
+where
+    DefaultAllocator: Allocator<N, N>,
+{
+    let n = p.nrows();
+    let terms = |i: usize| (0..n).fold(0.0, |sum, j| sum + a[(i, j)] * a[(i, j)] * p[(j, j)]);
+    (0..n).all(|i| n as f64 * terms(i) + r[(i, i)] <= 16.0 * predicted[(i, i)])
 }
 
 /// S = C Σ̄ Cᵀ + Q (m×m), made exactly symmetric.
@@ -208,6 +228,7 @@ where
 
 /// Whether no eigenvalue of `p` lies below zero by more than [`MAX_NEGATIVE`] of its largest variance: raised by so much,
 /// it has a factor. Also false when an entry is not finite.
+#[inline]
 fn semidefinite<N: Dim>(p: &OMatrix<f64, N, N>) -> bool
 where
     DefaultAllocator: Allocator<N, N>,
@@ -220,16 +241,8 @@ where
     Spd::new(raised).is_some()
 }
 
-/// `p` without what rounding has left below zero, where terms that all but cancel have left more than a trace: a filter
-/// may shrink the largest eigenvalue by any factor, and would leave the negative one standing beside it.
-fn mended<N: Dim>(p: OMatrix<f64, N, N>) -> OMatrix<f64, N, N>
-where
-    DefaultAllocator: Allocator<N, N>,
-{
-    if semidefinite(&p) { p } else { nearest(&p).unwrap_or(p) }
-}
-
-/// [`clamped`] for any kind of size; away from the usual way, so that this stays short.
+/// [`clamped`] for any kind of size: a filter may shrink the largest eigenvalue by any factor, and would leave a negative
+/// one standing beside it. Away from the usual way, so that this stays short.
 #[cold]
 fn nearest<N: Dim>(p: &OMatrix<f64, N, N>) -> Option<OMatrix<f64, N, N>>
 where
@@ -247,12 +260,19 @@ pub fn clamped(m: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     // Raised until no eigenvalue is negative, or a pair ±λ would share its singular value and with it its directions.
     let raised = &scaled + DMatrix::identity(m.nrows(), m.ncols()) * (m.nrows() as f64);
     let (_, directions) = jacobi(raised)?;
-    let eigenvalues = DVector::from_fn(m.nrows(), |i, _| directions.column(i).dot(&(&scaled * directions.column(i))));
-    if eigenvalues.min() >= 0.0 {
-        return Some(m.clone());
+    let mut kept = scaled.clone();
+    for v in directions.column_iter() {
+        let row = |i: usize| (0..m.ncols()).fold(0.0, |sum, j| sum + scaled[(i, j)] * v[j]);
+        let eigenvalue = (0..m.nrows()).fold(0.0, |sum, i| sum + v[i] * row(i));
+        if eigenvalue < 0.0 {
+            for j in 0..m.ncols() {
+                for i in 0..m.nrows() {
+                    kept[(i, j)] -= eigenvalue * (v[i] * v[j]);
+                }
+            }
+        }
     }
-    let eigenvalues = DMatrix::from_diagonal(&eigenvalues.map(|value| value.max(0.0)));
-    Some(symmetric(&directions * eigenvalues * directions.transpose()) * scale)
+    Some(kept * scale)
 }
 
 fn largest_variance<N: Dim>(p: &OMatrix<f64, N, N>) -> f64
