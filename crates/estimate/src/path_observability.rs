@@ -24,7 +24,8 @@ where
     analyze(&observability_matrix(f, h), tolerance)
 }
 
-/// The stack [H₀; H₁F₀; H₂F₁F₀; …] of a drive, about the state at its start.
+/// The stack [H₀; H₁F₀; H₂F₁F₀; …] of a drive, about the state at its start: the *local observability matrix* of the
+/// linearized time-varying system (Chen, Jiang and Hung 1990; Huang, Mourikis and Roumeliotis 2010).
 #[derive(Clone, Debug)]
 pub struct PathStack {
     rows: Vec<DVector<f64>>,

@@ -2,7 +2,8 @@
 //!
 //! [`linear`] is the case of §8.4.1, which the plain `Kf` runs as it stands; [`EkfSlam`] is range and bearing on the
 //! unicycle (§8.4.2). A sighting touches five entries of the state, so nothing here ever forms HPHᵀ from dense matrices:
-//! S comes from a 5×5 block of P, association is O(1) per landmark, and an update costs O(N²).
+//! S comes from a 5×5 block of P, association is O(1) per landmark, and an update costs O(N²). That a landmark is *founded*
+//! is what others call its initialization, or the augmentation of the state.
 
 mod correct;
 pub mod linear;

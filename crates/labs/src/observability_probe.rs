@@ -178,7 +178,7 @@ impl Lab for ObservabilityProbe {
             driven: 0,
             truth,
             who,
-            reference: TruePath::new(&PROBE.landmarks[..2], Sight::Range),
+            reference: TruePath::new(&PROBE, 2, Sight::Range),
             moments: VecDeque::new(),
             sightings: Vec::new(),
             nees: None,

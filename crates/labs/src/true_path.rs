@@ -9,7 +9,7 @@ use geom::SE2;
 use nalgebra::{Matrix1, Matrix2, Matrix3, Vector2, Vector3};
 use sim::Landmark;
 use sim::paths::Tick;
-use sim::scenarios::{PROBE, Probe};
+use sim::scenarios::Probe;
 
 /// What a sighting is made of.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
@@ -27,7 +27,7 @@ pub(crate) fn squares(sigma: [f64; 3]) -> Matrix3<f64> {
     Matrix3::from_diagonal(&Vector3::from(sigma.map(|s| s * s)))
 }
 
-/// W of the Probe's sensor: range and bearing.
+/// W of a sensor: range and bearing.
 pub(crate) fn sensor_covariance(sensor: &sim::Sensor) -> Matrix2<f64> {
     let [r, b] = [sensor.range_sigma, sensor.bearing_sigma];
     Matrix2::new(r * r, 0.0, 0.0, b * b)
@@ -42,12 +42,21 @@ pub struct TruePath {
     pub p: Matrix3<f64>,
     landmarks: Vec<Landmark>,
     sight: Sight,
+    v: Matrix3<f64>,
+    w: Matrix2<f64>,
 }
 
 impl TruePath {
-    /// The Probe's robot at its start, seeing these landmarks at every step.
-    pub fn new(landmarks: &[Landmark], sight: Sight) -> Self {
-        Self { pose: PROBE.course.start(), p: squares(PROBE.p0_sigma), landmarks: landmarks.to_vec(), sight }
+    /// The scenario's robot at its start, seeing its first `count` landmarks at every step.
+    pub fn new(scenario: &Probe, count: usize, sight: Sight) -> Self {
+        Self {
+            pose: scenario.course.start(),
+            p: squares(scenario.p0_sigma),
+            landmarks: scenario.landmarks.iter().take(count).copied().collect(),
+            sight,
+            v: squares(scenario.v_sigma),
+            w: sensor_covariance(&scenario.sensor),
+        }
     }
 
     /// A tick and the sightings after it, stacked one by one (all at the same, true pose).
@@ -56,19 +65,18 @@ impl TruePath {
     /// Whatever the core answers, as where the path leads over a landmark.
     pub fn step(&mut self, tick: Tick) -> Result<(), Error> {
         let u = Vector2::new(tick.ds, tick.dtheta);
-        let v = if tick.ds == 0.0 && tick.dtheta == 0.0 { Matrix3::zeros() } else { squares(PROBE.v_sigma) };
+        let v = if tick.ds == 0.0 && tick.dtheta == 0.0 { Matrix3::zeros() } else { self.v };
         self.p = linear::predicted_covariance(&Unicycle.jacobian(&self.pose, &u), &self.p, &v);
         self.pose = tick.drive(self.pose);
-        let w = sensor_covariance(&PROBE.sensor);
         for j in 0..self.landmarks.len() {
             self.p = match self.sight {
                 Sight::Range => {
                     let h = RangeOnly { map: &self.landmarks }.jacobian(&self.pose, j)?;
-                    linear::gain_and_covariance(&self.p, &h, &Matrix1::new(w[(0, 0)]))?.2
+                    linear::gain_and_covariance(&self.p, &h, &Matrix1::new(self.w[(0, 0)]))?.2
                 }
                 Sight::RangeBearing => {
                     let h = RangeBearing { map: &self.landmarks }.jacobian(&self.pose, j)?;
-                    linear::gain_and_covariance(&self.p, &h, &w)?.2
+                    linear::gain_and_covariance(&self.p, &h, &self.w)?.2
                 }
             };
         }
@@ -96,8 +104,7 @@ pub(crate) fn parts(p: &Matrix3<f64>) -> [f64; 2] {
 /// # Errors
 /// Whatever the core answers; on the chapter's constants, nothing.
 pub(crate) fn after(scenario: &Probe, landmarks: usize, sight: Sight, steps: u32) -> Result<TruePath, Error> {
-    let shown = scenario.landmarks.get(..landmarks).unwrap_or(&scenario.landmarks);
-    let mut path = TruePath::new(shown, sight);
+    let mut path = TruePath::new(scenario, landmarks, sight);
     for k in 0..steps {
         path.step(scenario.course.tick(k))?;
     }
@@ -107,6 +114,7 @@ pub(crate) fn after(scenario: &Probe, landmarks: usize, sight: Sight, steps: u32
 #[cfg(test)]
 mod tests {
     use super::*;
+    use sim::scenarios::PROBE;
 
     #[test]
     fn the_parts_add_up_to_the_trace() {
@@ -114,6 +122,22 @@ mod tests {
         let [position, heading] = path.parts();
         assert!((position + heading - path.trace()).abs() < 1e-15);
         assert!((path.trace() - 0.48232).abs() < 5e-6);
+    }
+
+    #[test]
+    fn each_constant_of_the_scenario_moves_the_trace() {
+        let trace = |scenario: &Probe| after(scenario, 1, Sight::Range, 240).expect("clear of the landmarks").trace();
+        let as_chosen = trace(&PROBE);
+        for (what, change) in [
+            ("v_sigma", (|p: &mut Probe| p.v_sigma[0] *= 2.0) as fn(&mut Probe)),
+            ("p0_sigma", |p| p.p0_sigma[2] *= 2.0),
+            ("range_sigma", |p| p.sensor.range_sigma *= 2.0),
+            ("landmarks", |p| p.landmarks[0].x += 1.0),
+        ] {
+            let mut moved = PROBE;
+            change(&mut moved);
+            assert!((trace(&moved) - as_chosen).abs() > 1e-6, "{what}");
+        }
     }
 
     #[test]

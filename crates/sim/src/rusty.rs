@@ -59,11 +59,6 @@ impl Rusty {
         self.world_from_robot
     }
 
-    /// The wheels as the software believes them to be.
-    pub fn wheels(&self) -> Wheels {
-        self.wheels
-    }
-
     /// Drives one tick of a course: `ds` ahead, then `dtheta` about itself. The answer is what the encoders counted.
     pub fn drive(&mut self, tick: Tick, noise: &mut Noise) -> Ticks {
         self.world_from_robot = driven(self.world_from_robot, tick);

@@ -21,15 +21,12 @@ pub struct LinearSlam {
     pub p0_robot: f64,
     /// First variance of each landmark coordinate, m²: 2 m, as good as unknown.
     pub p0_landmark: f64,
-    /// Landmarks; the fewest for which the map has a shape.
-    pub landmarks: usize,
     /// Steps, each a prediction and then an update: enough for every limit to show.
     pub steps: u32,
 }
 
 /// The chapter's linear SLAM.
-pub const LINEAR_SLAM: LinearSlam =
-    LinearSlam { v: 0.01, w: 0.04, p0_robot: 0.01, p0_landmark: 4.0, landmarks: 2, steps: 200 };
+pub const LINEAR_SLAM: LinearSlam = LinearSlam { v: 0.01, w: 0.04, p0_robot: 0.01, p0_landmark: 4.0, steps: 200 };
 
 /// The Observability Probe: localization on a square in room A.
 #[derive(Clone, Copy, Debug, PartialEq)]
