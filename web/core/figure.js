@@ -97,7 +97,7 @@ class Figure {
     this.gist = ''
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.noting = undefined
-    this.handle = liveHandles((patch) => this.change(patch))
+    this.handle = liveHandles((patch) => this.change(patch), () => this.settle())
     this.status = document.createElement('p')
     this.status.className = 'visually-hidden'
     this.status.setAttribute('role', 'status')
@@ -192,6 +192,10 @@ class Figure {
     this.want('patch', { ...this.wanted.patch, ...patch })
   }
 
+  settle() {
+    if (this.wanted.patch) this.turn(performance.now())
+  }
+
   /** @param {boolean} on */
   play(on) {
     this.playing = on
@@ -233,7 +237,7 @@ class Figure {
   /** @param {number} now */
   turn(now) {
     const began = performance.now()
-    const elapsed = Number.isNaN(this.turned) ? Infinity : now - this.turned
+    const elapsed = Number.isNaN(this.turned) ? Infinity : Math.max(0, now - this.turned)
     this.turned = now
     const { patch, reset } = this.wanted
     const steps = this.wanted.steps + this.dueSteps(elapsed)

@@ -25,8 +25,9 @@ export function drawHandle(pen, key, handle) {
 /**
  * Handles that answer: each element is wired once and always asks the newest specification.
  * @param {(patch: Record<string, unknown>) => void} change
+ * @param {() => void} settle brings what was changed before into effect: a key steps on from there, not from the last frame
  */
-export function liveHandles(change) {
+export function liveHandles(change, settle) {
   /** @type {WeakMap<Element, HandleSpec>} */
   const newest = new WeakMap()
   return (/** @type {Pen} */ pen, /** @type {string} */ key, /** @type {HandleSpec} */ handle) => {
@@ -43,8 +44,12 @@ export function liveHandles(change) {
     drag(element, /** @type {SVGElement} */ (element).ownerSVGElement ?? element, {
       at: () => spec().at,
       move: (x, y) => change(spec().move(x, y)),
-      nudge: (dx, dy) => change(spec().nudge(dx, dy)),
+      nudge: (dx, dy) => {
+        settle()
+        change(spec().nudge(dx, dy))
+      },
       jump: (end) => {
+        settle()
         const patch = spec().jump?.(end)
         if (patch) change(patch)
       },
