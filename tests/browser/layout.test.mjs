@@ -1,7 +1,7 @@
 // From 320 px up nothing makes a page scroll sideways; what is wide scrolls inside its own box.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { PAGES, open, walkDown } from './harness.mjs'
+import { PAGES, figure, open, unlock, walkDown } from './harness.mjs'
 
 for (const at of PAGES) {
   for (const width of [320, 390, 768, 1280]) {
@@ -36,3 +36,23 @@ test('the contents called up on a phone are whole', async (t) => {
   const cut = await page.locator('.toc[data-open] :is(a, .toc-number)').evaluateAll((all) => all.filter((part) => part.getBoundingClientRect().left < 0).map((part) => part.textContent))
   assert.deepEqual(cut, [])
 })
+
+for (const tag of ['observer-bench', 'odometry-hook', 'observability-probe']) {
+  test(`the page stays where it is while the ${tag} plays`, async (t) => {
+    const page = await open(t, { motion: 'no-preference' })
+    const widget = await figure(page, tag)
+    await unlock(page, await widget.getAttribute('data-figure'))
+    await widget.getByRole('button', { name: 'Play' }).click()
+    // Where the figure fills the window there is nothing else to hold the place by.
+    await widget.evaluate((element) => scrollTo({ top: scrollY + element.getBoundingClientRect().top - 20, behavior: 'instant' }))
+    const places = await page.evaluate(async () => {
+      const seen = new Set()
+      for (const until = performance.now() + 3000; performance.now() < until;) {
+        await new Promise((resolve) => requestAnimationFrame(resolve))
+        seen.add(scrollY)
+      }
+      return [...seen]
+    })
+    assert.equal(places.length, 1, `it was at ${places}`)
+  })
+}
