@@ -17,8 +17,10 @@ import { buildShell } from './shell.js'
 
 const NEAR = '300px 0px'
 const MOST_STEPS = 64
-/** A turn that has worked so long, milliseconds, leaves the panels it has not drawn to the next. */
+/** A turn that has worked so long, milliseconds, leaves the panels it has not drawn to the next … */
 const PATIENCE = 4
+/** … unless nothing but the first has been drawn for so long: then one of them is. */
+const LAG = 100
 
 /**
  * Defines the custom element of a specification.
@@ -79,11 +81,15 @@ class Figure {
     this.beatStart = -Infinity
     this.turned = NaN
     this.memory = {}
-    /** What each panel shows. @type {Map<import('./shell.js').Panel, { frame: any, width: number }>} */
+    /** What each panel shows. @type {Map<string, { frame: any, width: number }>} */
     this.drawn = new Map()
     /** The panel, of those behind the first, whose turn it is to be drawn. */
     this.next = 0
     this.behind = false
+    /** Whether the first panel has not come to rest: its camera, or a beat. */
+    this.moving = false
+    /** When one of them was last drawn. */
+    this.caughtUp = -Infinity
     this.said = /** @type {any} */ (null)
     /** What controls, readouts and labels say already: a camera or a beat may move without a new frame. */
     this.shown = { frame: /** @type {any} */ (null), described: /** @type {any} */ (null), at: -Infinity, rate: 1, playing: false }
@@ -293,7 +299,10 @@ class Figure {
     const glide = this.calm.matches ? Infinity : Number.isFinite(elapsed) ? elapsed : this.previous || this.frame !== this.said ? 16 : Infinity
     const [first] = spec.panels
     const view = { previous: this.previous, beat, elapsed: glide, memory: this.memory, handle: this.handle }
-    const moving = first.draw(shell.panels[first.name], frame, view) === true
+    if (this.moving || beat.name !== 'rest' || !this.shows(first.name)) {
+      this.moving = first.draw(shell.panels[first.name], frame, view) === true || beat.name !== 'rest'
+      this.showed(first.name)
+    }
     const shown = this.shown
     if (shown.frame !== frame || shown.rate !== this.rate || shown.playing !== this.playing) {
       this.shown = { ...shown, frame, rate: this.rate, playing: this.playing }
@@ -305,7 +314,18 @@ class Figure {
       this.shown.at = now
       for (const [name, words] of Object.entries(spec.describe(frame))) shell.panels[name].svg.setAttribute('aria-label', words)
     }
-    return moving || beat.name !== 'rest'
+    return this.moving
+  }
+
+  /** Whether a panel shows the present frame at its present size. @param {string} name */
+  shows(name) {
+    const last = this.drawn.get(name)
+    return last?.frame === this.frame && last?.width === this.shell?.panels[name].width
+  }
+
+  /** @param {string} name */
+  showed(name) {
+    if (this.shell) this.drawn.set(name, { frame: this.frame, width: this.shell.panels[name].width })
   }
 
   /**
@@ -315,20 +335,18 @@ class Figure {
    * @returns {boolean} whether a panel is left
    */
   drawOthers(began) {
-    const { shell, spec, frame, drawn } = this
+    const { shell, spec, frame } = this
     if (!shell) return false
     const others = spec.panels.slice(1)
     const view = { previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: this.memory, handle: this.handle }
-    let worked = false
     for (let seen = 0; seen < others.length; seen += 1) {
       const { name, draw } = others[this.next % others.length]
-      const panel = shell.panels[name]
-      const last = drawn.get(panel)
-      if (!last || last.frame !== frame || last.width !== panel.width) {
-        if (worked && performance.now() - began > PATIENCE) return true
-        draw(panel, frame, view)
-        worked = true
-        drawn.set(panel, { frame, width: panel.width })
+      if (!this.shows(name)) {
+        const patient = performance.now() - began <= PATIENCE
+        if (!patient && began - this.caughtUp < LAG) return true
+        draw(shell.panels[name], frame, view)
+        this.showed(name)
+        this.caughtUp = began
       }
       this.next += 1
     }

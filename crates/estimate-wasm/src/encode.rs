@@ -15,6 +15,8 @@ export type Vector = number[];
 export type Matrix = number[][];
 /** N(x, P). */
 export interface Belief { x: Vector; P: Matrix }
+/** Positions over time, metres, oldest first. */
+export interface Track { x: Vector; y: Vector }
 export interface Complex { re: number; im: number }
 export interface Ellipse { semiMajor: number; semiMinor: number; /** of the major axis, in (−π/2, π/2] */ angle: number }
 "#;

@@ -105,7 +105,7 @@ export interface ProbeFrame {
         nees: Vector; nis: Vector;
     };
     /** The last 241 positions. */
-    tracks: { truth: Vector[]; estimate: Vector[] };
+    tracks: { truth: Track; estimate: Track };
     slam: ProbeMap | null;
 }
 "#;

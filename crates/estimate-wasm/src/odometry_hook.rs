@@ -57,7 +57,7 @@ export interface HookFrame {
     /** |error| over sigma; null while nothing is claimed. */
     ratio: { position: number | null; heading: number | null };
     /** The last 641 positions, oldest first. */
-    tracks: { truth: Vector[]; estimate: Vector[] };
+    tracks: { truth: Track; estimate: Track };
     /** The estimate's ellipse every 40 ticks, the last 17. */
     trail: { step: number; x: Vector; ellipse: Ellipse }[];
     /** Every fourth tick, the last 240. */

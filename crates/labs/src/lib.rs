@@ -22,14 +22,12 @@ pub use lab::{Digest, Lab, MAX_STEP, State};
 pub use mapping::MapError;
 pub use observability_probe::{
     Bands, Fate, MapLandmark, MapShape, Means, ObservabilityProbe, PATH_STEPS, ProbeFrame, ProbeLandmark, ProbeParams,
-    ProbeSeries, ProbeSighting, ProbeTracks, Ranks, RoomShape, Sight, Traces,
+    ProbeSeries, ProbeSighting, Ranks, RoomShape, Sight, Traces,
 };
 pub use observer_bench::{BenchFrame, BenchParams, MAX_GAIN, Mode, ObserverBench, Sensor};
-pub use odometry_frame::{
-    Belief3, HookFrame, HookSeries, LastSighting, Quality, Ratio, Seen, Spread, Stop, Tracks, World,
-};
+pub use odometry_frame::{Belief3, HookFrame, HookSeries, LastSighting, Quality, Ratio, Seen, Spread, Stop, World};
 pub use odometry_hook::{HookParams, MAX_BIAS, MAX_SLIP, OdometryHook};
 pub use picture::{Foot, Picture, PictureFrame, PictureParams};
-pub use series::{Series, WINDOW};
+pub use series::{Series, Track, Tracks, WINDOW};
 pub use shapes::{Belief2, EllipseShape, Root, ellipse_of};
 pub use true_path::TruePath;

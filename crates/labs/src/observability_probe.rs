@@ -12,14 +12,14 @@ mod view;
 
 pub use crate::true_path::Sight;
 pub use frame::{
-    Bands, Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSeries, ProbeSighting, ProbeTracks,
-    RoomShape, Traces,
+    Bands, Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSeries, ProbeSighting, RoomShape, Traces,
 };
 pub use ranks::Ranks;
 pub(crate) use ranks::{Moment, frozen_ranks, stacked_ranks};
 
 use crate::lab::{Digest, Lab};
 use crate::mapping::Mapping;
+use crate::series::Tracks;
 use crate::true_path::{TruePath, parts};
 use estimate::{Code, Error, validate};
 use filters::consistency::nees;
@@ -151,7 +151,7 @@ pub struct ObservabilityProbe {
     nis_dof: u32,
     sums: Sums,
     series: ProbeSeries,
-    tracks: [VecDeque<[f64; 2]>; 2],
+    tracks: Tracks,
     digest: Digest,
 }
 
@@ -186,7 +186,7 @@ impl Lab for ObservabilityProbe {
             nis_dof: 0,
             sums: Sums::default(),
             series: ProbeSeries::default(),
-            tracks: Default::default(),
+            tracks: Tracks::default(),
             digest: Digest::default(),
         };
         if let Who::Mapper(mapping) = &mut probe.who {
@@ -314,12 +314,8 @@ impl ObservabilityProbe {
         series.reference.push(self.reference.trace());
         series.nees.push(self.nees.unwrap_or(f64::NAN));
         series.nis.push(self.nis.unwrap_or(f64::NAN));
-        for (track, at) in self.tracks.iter_mut().zip([self.truth, pose]) {
-            track.push_back([at.x(), at.y()]);
-            if track.len() > TRACK {
-                track.pop_front();
-            }
-        }
+        self.tracks.truth.push(self.truth.x(), self.truth.y(), TRACK);
+        self.tracks.estimate.push(pose.x(), pose.y(), TRACK);
         self.digest.take(self.truth.to_vector().iter());
         self.digest.take(pose.to_vector().iter());
         self.digest.take(p.iter());

@@ -1,7 +1,7 @@
 //! What the odometry hook shows: its frame, and the bounded memory behind it.
 
 use crate::odometry_hook::HookParams;
-use crate::series::Series;
+use crate::series::{Series, Tracks, keep};
 use crate::shapes::{EllipseShape, ellipse_of};
 use estimate::kf::Gaussian;
 use geom::SE2;
@@ -171,15 +171,6 @@ impl Quality {
     }
 }
 
-/// Where the robot was, and where it believed to be.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Tracks {
-    /// True positions, oldest first.
-    pub truth: VecDeque<[f64; 2]>,
-    /// Estimated positions, oldest first.
-    pub estimate: VecDeque<[f64; 2]>,
-}
-
 /// The estimate at one tick of the past.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Stop {
@@ -218,8 +209,8 @@ pub(crate) struct Record {
 impl Record {
     pub fn take(&mut self, step: u32, truth: SE2, belief: &Gaussian<3>, (error, sigma): (Quality, Spread)) {
         let x = [belief.x[0], belief.x[1]];
-        keep(&mut self.tracks.truth, [truth.x(), truth.y()], TRACK);
-        keep(&mut self.tracks.estimate, x, TRACK);
+        self.tracks.truth.push(truth.x(), truth.y(), TRACK);
+        self.tracks.estimate.push(x[0], x[1], TRACK);
         if step.is_multiple_of(TRAIL_EVERY) {
             keep(&mut self.trail, Stop { step, x, ellipse: Belief3::from(belief).ellipse }, TRAIL);
         }
@@ -232,11 +223,4 @@ impl Record {
             series.sigma_heading.push(sigma.heading);
         }
     }
-}
-
-fn keep<T>(window: &mut VecDeque<T>, value: T, most: usize) {
-    if window.len() == most {
-        window.pop_front();
-    }
-    window.push_back(value);
 }

@@ -1,6 +1,6 @@
 /** Room A from above: path, robot, estimate with its ellipse, landmarks to drag, and the direction no reading sees. */
 
-import { dot, ellipsePath, evenPlane, meaning, pointsPath, segment } from '../../core/plot.js'
+import { dot, ellipsePath, evenPlane, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
 import { fixed } from '../../core/words.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
@@ -30,8 +30,8 @@ function room(pen, plane, { room: { width, height }, square, tracks }) {
   pen.mark('rect', 'floor', { class: 'floor', x, y, width: plane.x(width) - x, height: plane.y(0) - y })
   pen.mark('path', 'walls', { class: 'wall', d: `${pointsPath(plane, [[0, 0], [width, 0], [width, height], [0, height]])}Z` })
   pen.mark('path', 'square', { class: 'grid', fill: 'none', d: `${pointsPath(plane, square)}Z` })
-  pen.mark('path', 'track-truth', { ...meaning('track', 'truth'), d: pointsPath(plane, tracks.truth) })
-  pen.mark('path', 'track-estimate', { ...meaning('track', 'posterior'), d: pointsPath(plane, tracks.estimate) })
+  pen.mark('path', 'track-truth', { ...meaning('track', 'truth'), d: seriesPath(plane, tracks.truth.x, tracks.truth.y) })
+  pen.mark('path', 'track-estimate', { ...meaning('track', 'posterior'), d: seriesPath(plane, tracks.estimate.x, tracks.estimate.y) })
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */

@@ -1,7 +1,7 @@
 /** The corridor from above: where the robot is, where it believes to be, and how sure it claims to be. */
 
 import { Span } from '../../core/motion.js'
-import { dot, ellipsePath, evenPlane, halves, meaning, pointsPath, segment } from '../../core/plot.js'
+import { dot, ellipsePath, evenPlane, halves, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -49,7 +49,7 @@ function reach({ world, tracks, estimate, ellipse }, axis) {
     if (at > high) high = at
   }
   for (const corner of world.corners) see(axis ? corner.y : corner.x)
-  for (const at of tracks.estimate) see(at[axis])
+  for (const at of axis ? tracks.estimate.y : tracks.estimate.x) see(at)
   const spare = (high - low) * 0.09 // the camera adds its own margin
   return [low + spare, high - spare]
 }
@@ -87,9 +87,10 @@ function drawTrail(pen, plane, frame) {
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawTracks(pen, plane, frame) {
+  const { tracks } = frame
   const kin = kinOf(frame)
-  pen.mark('path', 'truth-track', { ...meaning('track', 'truth'), d: pointsPath(plane, frame.tracks.truth) })
-  pen.mark('path', 'estimate-track', { ...meaning('track', kin), d: pointsPath(plane, frame.tracks.estimate) })
+  pen.mark('path', 'truth-track', { ...meaning('track', 'truth'), d: seriesPath(plane, tracks.truth.x, tracks.truth.y) })
+  pen.mark('path', 'estimate-track', { ...meaning('track', kin), d: seriesPath(plane, tracks.estimate.x, tracks.estimate.y) })
   if (frame.params.fixes && frame.sightings.length) {
     pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(frame.predicted.ellipse, frame.predicted.x, plane) })
   }

@@ -3,7 +3,7 @@
 use super::ranks::Ranks;
 use super::{ProbeParams, Sight};
 use crate::mapping::MapError;
-use crate::series::Series;
+use crate::series::{Series, Tracks};
 use crate::shapes::EllipseShape;
 use serde::Serialize;
 
@@ -59,7 +59,7 @@ pub struct ProbeFrame {
     /// The last steps.
     pub series: ProbeSeries,
     /// Where truth and estimate have been.
-    pub tracks: ProbeTracks,
+    pub tracks: Tracks,
     /// The map, when it had to be founded.
     pub slam: Option<MapShape>,
 }
@@ -175,15 +175,6 @@ pub struct ProbeSeries {
     pub nees: Series,
     /// NIS.
     pub nis: Series,
-}
-
-/// The last positions, oldest first.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct ProbeTracks {
-    /// Of the robot.
-    pub truth: Vec<[f64; 2]>,
-    /// Of the estimate.
-    pub estimate: Vec<[f64; 2]>,
 }
 
 /// The map of a robot that had none.

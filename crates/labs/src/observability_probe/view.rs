@@ -1,7 +1,7 @@
 //! From the Probe's state to its frame.
 
 use super::frame::{
-    Bands, Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSighting, ProbeTracks, RoomShape, Traces,
+    Bands, Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSighting, RoomShape, Traces,
 };
 use super::ranks::{Ranks, frozen_ranks, stacked_ranks};
 use super::{ObservabilityProbe, Who};
@@ -25,7 +25,6 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
     let [position, heading] = parts(&p);
     let [reference_position, reference_heading] = probe.reference.parts();
     let mean = |sum: f64, n: u32| (n > 0).then(|| sum / f64::from(n));
-    let track = |i: usize| probe.tracks[i].iter().copied().collect();
     let [frozen, along_path] = both_ranks(probe);
     ProbeFrame {
         step: probe.step,
@@ -58,7 +57,7 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
         mean: Means { nees: probe.mean_nees(), nis_per_dof: mean(probe.sums.nis, probe.sums.nis_dof) },
         bands: Bands { nees: band(3).unwrap_or([f64::NAN; 2]), nis: band(probe.nis_dof) },
         series: probe.series.clone(),
-        tracks: ProbeTracks { truth: track(0), estimate: track(1) },
+        tracks: probe.tracks.clone(),
         slam: match &probe.who {
             Who::Localizer(_) => None,
             Who::Mapper(mapping) => Some(map_shape(mapping)),
