@@ -109,7 +109,7 @@ pub fn kalman_step(system: &System, belief: &Belief, u: DVector<f64>, y: DVector
     let u = validate::vector(u, m, "u")?;
     let y = validate::vector(y, p, "y")?;
     let x = linear::finite(&system.f * &belief.x + &system.g * u, "x")?;
-    let cov = linear::finite(linear::predicted_covariance(&system.f, &belief.p, &system.v), "P")?;
+    let cov = linear::predicted_covariance(&system.f, &belief.p, &system.v)?;
     let linear::Correction { innovation, s, k, x: corrected, p } = linear::correct(&x, &cov, &y, &system.h, &system.w)?;
     let (predicted, posterior) = (Belief { x, p: cov }, Belief { x: corrected, p });
     Ok(KalmanStep { predicted, innovation, s, r: k, posterior })

@@ -53,8 +53,7 @@ where
         &self,
         p: &OMatrix<f64, N, N>,
     ) -> Result<(OMatrix<f64, N, N>, OMatrix<f64, N, M>, OMatrix<f64, N, N>), Error> {
-        let predicted = linear::predicted_covariance(self.f, p, self.v);
-        let predicted = linear::finite(predicted, "P")?;
+        let predicted = linear::predicted_covariance(self.f, p, self.v)?;
         let (r, _, posterior) = linear::gain_and_covariance(&predicted, self.h, self.w)?;
         Ok((predicted, r, posterior))
     }

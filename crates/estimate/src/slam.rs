@@ -129,13 +129,13 @@ impl EkfSlam {
     pub fn predict(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
         let (pose, f) = Unicycle.linearized(&self.pose(), u);
         let pose = pose.to_vector();
-        let block = filters::linear::predicted_covariance(&f, &self.pose_covariance(), v);
         let moved = |row: &[f64]| [row[0] + f[(0, 2)] * row[2], row[1] + f[(1, 2)] * row[2]];
         let cross_is_finite = (3..self.x.len()).all(|i| moved(self.p.row(i)).iter().all(|e| e.is_finite()));
         if !filters::linear::is_finite(&pose) {
             return Err(filters::Error::NotFinite { what: "the predicted mean" }.into());
         }
-        if !(filters::linear::is_finite(&block) && cross_is_finite) {
+        let block = filters::linear::predicted_covariance(&f, &self.pose_covariance(), v)?;
+        if !cross_is_finite {
             return Err(filters::Error::NotFinite { what: "the predicted covariance" }.into());
         }
         let sigma = [0, 1, 2].map(|i| self.p.get(i, i).sqrt());

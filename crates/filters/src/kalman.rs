@@ -93,8 +93,7 @@ impl<const N: usize> Kf<N> {
             x += b * u;
         }
         let x = linear::finite(x, "the predicted mean")?;
-        let p = linear::predicted_covariance(a, &self.belief.p, r);
-        let p = linear::finite(p, "the predicted covariance")?;
+        let p = linear::predicted_covariance(a, &self.belief.p, r)?;
         self.belief = Gaussian { x, p };
         Ok(())
     }

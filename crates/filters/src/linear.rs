@@ -54,19 +54,41 @@ where
 }
 
 /// Σ̄ = A Σ Aᵀ + R (n×n), exactly symmetric and, to rounding, positive semidefinite even where the terms all but cancel.
+/// Of Σ and R, which are symmetric, one triangle is read.
+///
+/// # Errors
+/// [`Error::NotFinite`] when an argument is not finite or a product overflows.
 pub fn predicted_covariance<N: Dim>(
     a: &OMatrix<f64, N, N>,
     p: &OMatrix<f64, N, N>,
     r: &OMatrix<f64, N, N>,
-) -> OMatrix<f64, N, N>
+) -> Result<OMatrix<f64, N, N>, Error>
 where
     DefaultAllocator: Allocator<N, N>,
 {
     let predicted = congruence(a, p, r);
-    if keeps_its_terms(a, p, r, &predicted) || semidefinite(&predicted) {
-        return predicted;
+    if plainly_positive(&predicted) { Ok(predicted) } else { verified(a.clone(), p.clone(), r.clone(), predicted) }
+}
+
+/// A predicted covariance, mended where the cancellation of its terms made it indefinite.
+///
+/// What is usual need not be in memory for what is rare: here and below the rare ways take copies.
+#[cold]
+#[inline(never)]
+fn verified<N: Dim>(
+    a: OMatrix<f64, N, N>,
+    p: OMatrix<f64, N, N>,
+    r: OMatrix<f64, N, N>,
+    predicted: OMatrix<f64, N, N>,
+) -> Result<OMatrix<f64, N, N>, Error>
+where
+    DefaultAllocator: Allocator<N, N>,
+{
+    let predicted = finite(predicted, "the predicted covariance")?;
+    if keeps_its_terms(&a, &p, &r, &predicted) || semidefinite(&predicted) {
+        return Ok(predicted);
     }
-    nearest(&predicted).unwrap_or(predicted)
+    Ok(nearest(&predicted).unwrap_or(predicted))
 }
 
 /// Whether no variance of A Σ Aᵀ + R is much less than the terms it is a sum of, by Cauchy and Schwarz: rounding then stays
@@ -137,8 +159,7 @@ where
     let mut image = r.clone_owned();
     for j in 0..m.nrows() {
         for i in j..m.nrows() {
-            let noise = if i == j { r[(i, i)] } else { 0.5 * r[(i, j)] + 0.5 * r[(j, i)] };
-            let entry = (0..m.ncols()).fold(0.0, |sum, k| sum + x[(i, k)] * m[(j, k)]) + noise;
+            let entry = (0..m.ncols()).fold(r[(i, j)], |sum, k| sum + x[(i, k)] * m[(j, k)]);
             image[(i, j)] = entry;
             image[(j, i)] = entry;
         }
@@ -179,28 +200,29 @@ where
         let k = spd.solve(&cp).transpose();
         let posterior = joseph(p, &k, c, q);
         let most = MAX_ROUNDING / f64::EPSILON * largest_variance(&posterior);
-        let sound = bound_on_terms(p, &k, c) <= most || largest_terms(p, &k, c) <= most;
+        let sound = bound_on_terms(p, &k, c) <= most || largest_terms(p.clone(), k.clone(), c.clone()) <= most;
         // Each entry of K has its square in the diagonal of KQKᵀ: a finite covariance has a finite gain.
-        if sound && semidefinite(&posterior) {
+        if sound && (plainly_positive(&posterior) || semidefinite(&posterior.clone())) {
             return Ok((k, s, posterior));
         }
     }
-    by_square_roots(p, c, q, s)
+    by_square_roots(p.clone(), c.clone(), q.clone(), s)
 }
 
 /// [`gain_and_covariance`] where Joseph's form would not do; away from it, so that the usual way stays short.
 #[cold]
+#[inline(never)]
 fn by_square_roots<N: Dim, M: Dim>(
-    p: &OMatrix<f64, N, N>,
-    c: &OMatrix<f64, M, N>,
-    q: &OMatrix<f64, M, M>,
+    p: OMatrix<f64, N, N>,
+    c: OMatrix<f64, M, N>,
+    q: OMatrix<f64, M, M>,
     s: OMatrix<f64, M, M>,
 ) -> Result<(OMatrix<f64, N, M>, OMatrix<f64, M, M>, OMatrix<f64, N, N>), Error>
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
     let s = finite(s, "S")?;
-    let (k, posterior) = square_root::gain_and_covariance(p, c, q)?;
+    let (k, posterior) = square_root::gain_and_covariance(&p, &c, &q)?;
     Ok((finite(k, "the gain")?, s, finite(posterior, "the covariance")?))
 }
 
@@ -216,7 +238,9 @@ where
 }
 
 /// The largest variance that would be if nothing cancelled in (I − KC) Σ̄ (I − KC)ᵀ: what its rounding is a part of.
-fn largest_terms<N: Dim, M: Dim>(p: &OMatrix<f64, N, N>, k: &OMatrix<f64, N, M>, c: &OMatrix<f64, M, N>) -> f64
+#[cold]
+#[inline(never)]
+fn largest_terms<N: Dim, M: Dim>(p: OMatrix<f64, N, N>, k: OMatrix<f64, N, M>, c: OMatrix<f64, M, N>) -> f64
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M>,
 {
@@ -226,9 +250,32 @@ where
     (0..p.nrows()).map(|i| terms(i) * terms(i)).fold(0.0, f64::max)
 }
 
+/// Whether `p`, of at most three rows, is positive definite by far less than its rounding or more, and finite: its leading
+/// minors, by an elimination that multiplies where [`Spd`] divides. The rounding of each step is that of a change in the
+/// last digits of a diagonal entry; and a filter's next step need not wait for three divisions in a row. Where the products
+/// leave the range of numbers the answer is false.
+#[inline]
+fn plainly_positive<N: Dim>(p: &OMatrix<f64, N, N>) -> bool
+where
+    DefaultAllocator: Allocator<N, N>,
+{
+    let in_range = |minor: f64| (f64::MIN_POSITIVE..=f64::MAX).contains(&minor);
+    let eliminated = |i: usize, j: usize| p[(0, 0)] * p[(i, j)] - p[(i, 0)] * p[(j, 0)];
+    match p.nrows() {
+        1 => in_range(p[(0, 0)]),
+        2 => p[(0, 0)] > 0.0 && in_range(eliminated(1, 1)),
+        3 => {
+            let (second, across) = (eliminated(1, 1), eliminated(2, 1));
+            p[(0, 0)] > 0.0 && second > 0.0 && in_range(second * eliminated(2, 2) - across * across)
+        }
+        _ => false,
+    }
+}
+
 /// Whether no eigenvalue of `p` lies below zero by more than [`MAX_NEGATIVE`] of its largest variance: raised by so much,
 /// it has a factor. Also false when an entry is not finite.
-#[inline]
+#[cold]
+#[inline(never)]
 fn semidefinite<N: Dim>(p: &OMatrix<f64, N, N>) -> bool
 where
     DefaultAllocator: Allocator<N, N>,
@@ -350,7 +397,7 @@ mod tests {
     fn noise_adds_to_what_the_dynamics_and_the_sensor_make_of_p() {
         let p = Matrix2::new(3.0, 1.0, 1.0, 2.0);
         let (a, r) = (Matrix2::new(1.0, 2.0, 0.0, 1.0), Matrix2::new(0.5, 0.25, 0.25, 0.125));
-        assert_eq!(predicted_covariance(&a, &p, &r), Matrix2::new(15.5, 5.25, 5.25, 2.125));
+        assert_eq!(predicted_covariance(&a, &p, &r), Ok(Matrix2::new(15.5, 5.25, 5.25, 2.125)));
         let (c, q) = (RowVector2::new(1.0, 2.0), Matrix1::new(0.75));
         assert_eq!(innovation_covariance(&c, &p, &q), Matrix1::new(15.75));
     }
@@ -365,5 +412,52 @@ mod tests {
         assert!((clamped(&pair).expect("finite") - DMatrix::from_element(2, 2, 0.5)).amax() < 1e-14);
         assert_eq!(clamped(&DMatrix::zeros(2, 2)), Some(DMatrix::zeros(2, 2)));
         assert_eq!(clamped(&nalgebra::dmatrix![f64::NAN]), None);
+    }
+
+    #[test]
+    fn what_is_plainly_positive_is_so_and_nothing_near_the_edge_is() {
+        let of = |entries: &[f64]| {
+            let n = (entries.len() as f64).sqrt() as usize;
+            plainly_positive(&DMatrix::from_row_slice(n, n, entries))
+        };
+        assert!(of(&[1e-300]) && of(&[4.0, 1.0, 1.0, 3.0]));
+        assert!(of(&[2.0, -1.0, 0.5, -1.0, 2.0, -1.0, 0.5, -1.0, 2.0]));
+        // Singular, and indefinite in each of the minors.
+        for edge in [vec![0.0], vec![-1.0], vec![1.0, 2.0, 2.0, 4.0], vec![-4.0, 1.0, 1.0, -3.0]] {
+            assert!(!of(&edge), "{edge:?}");
+        }
+        assert!(!of(&[-1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0]), "two negative eigenvalues");
+        assert!(!of(&[1.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 1.0]), "the second minor");
+        assert!(!of(&[1.0, 0.0, 0.9, 0.0, 1.0, 0.9, 0.9, 0.9, 1.0]), "the third alone");
+        assert!(!of(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0]), "the last entry");
+        // What is not finite, in each place; what leaves the range of numbers; what is too large for this way.
+        for bad in [f64::NAN, f64::INFINITY] {
+            for (i, j) in [(0, 0), (1, 0), (2, 0), (1, 1), (2, 1), (2, 2)] {
+                let mut m = DMatrix::identity(3, 3);
+                m[(i, j)] = bad;
+                m[(j, i)] = bad;
+                assert!(!plainly_positive(&m), "{bad} at {i}, {j}");
+            }
+            assert!(
+                !of(&[bad]) && !of(&[bad, 0.0, 0.0, 1.0]) && !of(&[1.0, bad, bad, 1.0]) && !of(&[1.0, 0.0, 0.0, bad])
+            );
+        }
+        assert!(!plainly_positive(&(DMatrix::identity(3, 3) * 1e100)) && !plainly_positive(&DMatrix::identity(4, 4)));
+        assert!(!plainly_positive(&(DMatrix::identity(3, 3) * 1e-100)));
+    }
+
+    #[test]
+    fn a_prediction_says_what_is_not_finite_and_mends_what_cancels() {
+        let (one, zero) = (Matrix2::identity(), Matrix2::zeros());
+        assert_eq!(predicted_covariance(&one, &zero, &zero), Ok(zero));
+        let refused = Err(Error::NotFinite { what: "the predicted covariance" });
+        assert_eq!(predicted_covariance(&one, &(one * f64::NAN), &zero), refused);
+        assert_eq!(predicted_covariance(&(one * 1e200), &one, &zero), refused);
+        // Out by a huge lever and back: what is left is rounding, of either sign, and is taken as none.
+        let lever = Matrix2::new(1.0, 1e9, 0.0, 1.0);
+        let p = predicted_covariance(&lever, &Matrix2::new(1.0, 0.3, 0.3, 0.7), &zero).expect("finite");
+        let back = lever.try_inverse().expect("a shear");
+        let p = predicted_covariance(&back, &p, &zero).expect("finite");
+        assert!(p.symmetric_eigenvalues().min() >= -1e-12 * p.symmetric_eigenvalues().max());
     }
 }

@@ -131,7 +131,7 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
         if !x.is_finite() {
             return Err(Error::NotFinite { what: "the predicted mean" });
         }
-        let p = finite(linear::predicted_covariance(&a, &self.p, r), "the predicted covariance")?;
+        let p = linear::predicted_covariance(&a, &self.p, r)?;
         *self = Self { x, p };
         Ok(())
     }

@@ -1,6 +1,5 @@
 //! Solves with a symmetric positive definite matrix, and says how far from singular it was.
 
-use crate::finite::all_finite;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix};
 
@@ -26,22 +25,19 @@ impl<M: Dim> Spd<M>
 where
     DefaultAllocator: Allocator<M, M>,
 {
-    /// Factors `s`, of which the lower triangle is read; `None` when an entry is not finite or a pivot not positive.
+    /// Factors `s`, of which the lower triangle is read; `None` when an entry of it is not finite or a pivot not positive
+    /// (or smaller than the smallest number that has all its digits).
     #[inline]
     pub fn new(s: OMatrix<f64, M, M>) -> Option<Self> {
-        if !all_finite(s.iter()) {
-            return None;
-        }
         let (n, mut f, mut pivot) = (s.nrows(), s, 1.0_f64);
         for j in 0..n {
             let variance = f[(j, j)];
             let unexplained = (0..j).fold(variance, |rest, k| rest - f[(j, k)] * f[(k, j)]);
-            let reciprocal = 1.0 / unexplained;
-            // Written so that a NaN, which an overflow leaves, is refused too.
-            let positive = unexplained > 0.0 && unexplained.is_finite() && reciprocal.is_finite();
-            if !positive {
+            // An entry that is not finite leaves a pivot that is none of these numbers, whose reciprocals are finite.
+            if !(f64::MIN_POSITIVE..=f64::MAX).contains(&unexplained) {
                 return None;
             }
+            let reciprocal = 1.0 / unexplained;
             if j > 0 {
                 pivot = pivot.min(unexplained / variance);
             }

@@ -103,7 +103,7 @@ fn dense(n: usize) -> f64 {
     let start = Instant::now();
     for _ in 0..steps {
         let predicted = linear::predicted_covariance(&f, &p, &v);
-        match linear::gain_and_covariance(&predicted, black_box(&h), &w) {
+        match predicted.and_then(|predicted| linear::gain_and_covariance(&predicted, black_box(&h), &w)) {
             Ok((_, _, posterior)) => p = posterior,
             Err(_) => return f64::NAN,
         }

@@ -154,7 +154,7 @@ impl Lab for ObserverBench {
         }
         let mut observer = Observer { sys: self.system, k: self.gain, xhat: before.x };
         observer.step(&none, &y);
-        let p = linear::predicted_covariance(&self.system.f, &before.p, &self.system.v);
+        let p = linear::predicted_covariance(&self.system.f, &before.p, &self.system.v)?;
         self.predicted = Gaussian { x: self.system.f * before.x, p };
         self.posterior = match self.params.mode {
             Mode::Fixed => Gaussian { x: observer.xhat, p: observer.covariance_update(&p) },

@@ -66,7 +66,7 @@ impl TruePath {
     pub fn step(&mut self, tick: Tick) -> Result<(), Error> {
         let u = Vector2::new(tick.ds, tick.dtheta);
         let v = if tick.ds == 0.0 && tick.dtheta == 0.0 { Matrix3::zeros() } else { self.v };
-        self.p = linear::predicted_covariance(&Unicycle.jacobian(&self.pose, &u), &self.p, &v);
+        self.p = linear::predicted_covariance(&Unicycle.jacobian(&self.pose, &u), &self.p, &v)?;
         self.pose = tick.drive(self.pose);
         for j in 0..self.landmarks.len() {
             self.p = match self.sight {

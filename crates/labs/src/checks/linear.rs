@@ -25,7 +25,7 @@ pub(crate) fn hand_steps(givens: &Givens) -> Result<Vec<HandStep>, Error> {
         .readings
         .iter()
         .map(|y| {
-            let p = linear::predicted_covariance(&sys.f, &belief.p, &sys.v);
+            let p = linear::predicted_covariance(&sys.f, &belief.p, &sys.v)?;
             let predicted = Gaussian { x: sys.f * belief.x, p };
             let (nu, s, r) = kalman_step(sys, &mut belief, &none, &Vector1::new(*y))?;
             Ok(HandStep { predicted, innovation: nu[0], s: s[0], r, posterior: belief })

@@ -46,9 +46,9 @@ fn wrong_third_steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let after = |predicted: &Matrix2<f64>, w: f64| -> Result<f64, Error> {
         Ok(linear::gain_and_covariance(predicted, &sys.h, &SMatrix::<f64, 1, 1>::new(w))?.2[(0, 0)])
     };
-    let right = linear::predicted_covariance(&sys.f, p, &sys.v);
-    let no_v = linear::predicted_covariance(&sys.f, p, &Matrix2::zeros());
-    let transposed = linear::predicted_covariance(&sys.f.transpose(), p, &sys.v);
+    let right = linear::predicted_covariance(&sys.f, p, &sys.v)?;
+    let no_v = linear::predicted_covariance(&sys.f, p, &Matrix2::zeros())?;
+    let transposed = linear::predicted_covariance(&sys.f.transpose(), p, &sys.v)?;
     to.by("labs::numbers::linear::wrong_third_steps", None)
         .add("step3.near.no-update", right[(0, 0)], "P₁₁ of the third step without its update")
         .add("step3.near.no-v", after(&no_v, sys.w[0])?, "P₁₁ of the third step when V is forgotten")
