@@ -250,6 +250,17 @@ mod tests {
         assert!(associate_ml(&Vector2::zeros(), &belief, &[], &Matrix2::identity(), 9.21).is_err());
     }
 
+    #[test]
+    fn only_a_landmark_underfoot_is_passed_over() {
+        // Sure of y and of every range: what is read of the landmark ahead has no spread to compare with.
+        let belief = Gaussian { x: Vector3::zeros(), p: Matrix3::from_diagonal(&Vector3::new(1.0, 0.0, 0.0)) };
+        let map = [Landmark { id: 1, x: 3.0, y: 0.0 }, Landmark { id: 2, x: 0.0, y: 5.0 }];
+        let (y, w) = (Vector1::new(3.0), Matrix1::zeros());
+        assert_eq!(associate_chi2(&y, &belief, &map[..1], &w, 6.63), Ok(Some(0)));
+        let refused = associate_chi2(&y, &belief, &map, &w, 6.63).expect_err("S is zero");
+        assert_eq!(refused.code, Code::InnovationNotPositiveDefinite);
+    }
+
     /// Choset's rule and maximum likelihood part where one candidate's S is far wider than the other's.
     #[test]
     fn the_two_rules_may_choose_differently() {

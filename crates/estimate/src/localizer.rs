@@ -365,6 +365,7 @@ mod tests {
     fn a_range_alone_has_no_bearing() {
         let new = |w| EkfLocalizer::new(belief(), map(), w, None, SensorKind::Range);
         let mut ekf = new(dmatrix![0.01]).expect("sound");
+        assert_eq!((ekf.sensor(), both(None).sensor()), (SensorKind::Range, SensorKind::RangeBearing));
         let refused = ekf.update(reading(Some(8))).expect_err("a bearing");
         assert_eq!((refused.code, refused.argument.as_ref()), (Code::Type, "bearing"));
         let answer = ekf.update(Reading { bearing: None, ..reading(Some(8)) }).expect("pd");

@@ -137,6 +137,19 @@ mod tests {
     }
 
     #[test]
+    fn three_states_have_three_eigenvalues() {
+        let f = nalgebra::Matrix3::new(0.9, 1.0, 0.0, 0.0, 0.5, 2.0, 0.0, 0.0, -0.7);
+        let (h, v) = (nalgebra::RowVector3::new(1.0, 0.0, 0.0), nalgebra::Matrix3::identity());
+        let sys = Lti { f, g: nalgebra::Vector3::zeros(), h, v, w: nalgebra::Matrix1::new(1.0) };
+        let observer = Observer { sys, k: nalgebra::Vector3::zeros(), xhat: nalgebra::Vector3::zeros() };
+        let eigs = observer.error_eigs().expect("found");
+        assert_eq!(eigs.len(), 3);
+        for (found, exact) in eigs.iter().zip([0.9, -0.7, 0.5]) {
+            assert!((found.re - exact).abs() < 1e-14 && found.im == 0.0, "{eigs:?}");
+        }
+    }
+
+    #[test]
     fn the_covariance_of_any_gain_is_the_error_s_second_moment() {
         let o = observer([0.7, -0.2]);
         let p = Matrix2::new(1.7, 1.05, 1.05, 2.1);

@@ -129,6 +129,16 @@ mod tests {
     }
 
     #[test]
+    fn a_motion_that_forgets_a_direction_leaves_none_to_carry() {
+        let mut stack = PathStack::new(2);
+        stack.observe(&RowVector2::new(1.0, 0.0));
+        stack.advance(&Matrix2::new(1.0, 0.0, 0.0, 0.0));
+        let seen = stack.analyze(1e-9).expect("finite");
+        assert_eq!((seen.start.rank, seen.start.nullspace.len()), (1, 1));
+        assert_eq!(seen.now, [DVector::zeros(2)]);
+    }
+
+    #[test]
     fn on_a_linear_system_frozen_and_driven_agree() {
         for h in [RowVector2::new(0.0, 1.0), RowVector2::new(1.0, 0.0)] {
             let f = Matrix2::new(1.0, 0.5, 0.0, 1.0);

@@ -150,6 +150,9 @@ mod tests {
         let fine = Lti { h: sys.h * 2.0_f64.powi(30), w: sys.w * 2.0_f64.powi(60), ..sys };
         let there = fine.steady_state_gain(&belief.p, 10_000, 1e-9).expect("converges");
         assert_eq!((there.iterations, there.r * 2.0_f64.powi(30)), (limit.iterations, limit.r));
+        let (velocity, _) = dead_reckoning();
+        let fine = Lti { h: velocity.h * 2.0_f64.powi(30), w: velocity.w * 2.0_f64.powi(60), ..velocity };
+        assert!(!fine.steady_state_gain(&belief.p, 3, 1e-9).expect("runs").gain_converged, "after three steps");
     }
 
     #[test]

@@ -84,7 +84,12 @@ fn the_structured_filter_is_the_dense_one() {
     }
     let (x, p) = slam.belief();
     assert!((DVector::from_column_slice(x) - &dense.x).amax() < 1e-12);
-    assert!((p - dense.p).amax() < 1e-14);
+    assert!((&p - dense.p).amax() < 1e-14);
+    for (j, landmark) in slam.landmarks().enumerate() {
+        let c = 3 + 2 * j;
+        assert_eq!((landmark.id, landmark.position.as_slice()), (WORLD[j].id, &x[c..c + 2]));
+        assert_eq!(landmark.p, p.fixed_view::<2, 2>(c, c));
+    }
 }
 
 #[test]
@@ -180,9 +185,14 @@ fn a_refused_sighting_leaves_the_nis_of_the_last() {
     let mut slam = slam();
     let one = Reading { range: 3.0, bearing: 0.4, landmark: Some(1) };
     slam.update(&[one]).expect("founded");
+    assert_eq!(slam.nis(), None, "nothing was matched");
+    let mut nudged = slam.clone();
+    let reports = nudged.update(&[Reading { range: 3.1, ..one }]).expect("matched");
+    let chi2 = reports[0].evidence.map(|(_, _, chi2)| chi2).expect("a known landmark");
+    assert!(nudged.nis().is_some_and(|(nis, dof)| (nis - chi2).abs() < 1e-12 && dof == 2 && chi2 > 0.1));
     slam.update(&[one]).expect("matched");
     let before = slam.nis();
-    assert!(before.is_some());
+    assert!(before.is_some_and(|(nis, dof)| (0.0..1e-12).contains(&nis) && dof == 2), "the same again: {before:?}");
     slam.update(&[Reading { range: 1e200, bearing: 0.4, landmark: Some(2) }]).expect_err("too far to found");
     assert_eq!(slam.nis(), before);
 }
