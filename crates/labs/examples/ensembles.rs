@@ -18,7 +18,7 @@ fn main() -> Result<(), estimate::Error> {
             [0.05, 0.5, 0.95].map(|p| e.worst.percentile(p)),
             [0.05, 0.5, 0.95].map(|p| e.sigma.percentile(p)),
             e.spurious,
-            e.haunted,
+            e.with_spurious,
             e.wrong
         );
     }

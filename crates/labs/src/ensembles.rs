@@ -116,7 +116,7 @@ pub struct SlamEnsemble {
     /// Sightings matched to the wrong landmark, over all runs.
     pub wrong: u32,
     /// Runs with a spurious landmark.
-    pub haunted: u32,
+    pub with_spurious: u32,
 }
 
 /// Range–bearing SLAM with the chapter's constants but this threshold for founding.
@@ -136,7 +136,7 @@ pub fn slam(found: f64, seeds: u32) -> Result<SlamEnsemble, Error> {
         sigma: Spread::new(runs.iter().map(|r| r.2)),
         spurious: runs.iter().map(|r| r.0.spurious).sum(),
         wrong: runs.iter().map(|r| r.0.wrong).sum(),
-        haunted: runs.iter().map(|r| u32::from(r.0.spurious > 0)).sum(),
+        with_spurious: runs.iter().map(|r| u32::from(r.0.spurious > 0)).sum(),
     })
 }
 

@@ -29,12 +29,12 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
         )
         .add("ensemble.rbslam.spurious", f64::from(runs.spurious), "landmarks founded twice, in all runs together")
         .add("ensemble.rbslam.wrong", f64::from(runs.wrong), "wrong matches, in all runs together");
-    let mut haunted = Vec::new();
+    let mut with_spurious = Vec::new();
     for found in [15.0, 20.0, 25.0, 30.0] {
-        haunted.push((found, slam(found, SEEDS)?.haunted));
+        with_spurious.push((found, slam(found, SEEDS)?.with_spurious));
     }
     // The largest threshold tried at which a ghost still appeared.
-    let low = haunted.iter().rev().find(|(_, n)| *n > 0).map_or(f64::NAN, |(found, _)| *found);
+    let low = with_spurious.iter().rev().find(|(_, n)| *n > 0).map_or(f64::NAN, |(found, _)| *found);
     to.add(
         "ensemble.rbslam.found.low",
         low,
