@@ -31,6 +31,7 @@ use sim::paths::Tick;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
 use sim::{Landmark, Noise};
 use std::collections::VecDeque;
+use std::sync::Arc;
 
 /// How many of the last steps the rank along the path looks at: one side of the square.
 pub const PATH_STEPS: usize = 30;
@@ -94,7 +95,7 @@ impl ProbeParams {
     }
 
     /// The landmarks that are seen.
-    fn shown(&self) -> Vec<Landmark> {
+    fn shown(&self) -> Arc<[Landmark]> {
         let all = self.landmarks.iter().zip(0..);
         all.take(self.count as usize).map(|(p, id)| Landmark { id, x: p[0], y: p[1] }).collect()
     }
@@ -136,7 +137,7 @@ struct Sums {
 #[derive(Clone, Debug)]
 pub struct ObservabilityProbe {
     params: ProbeParams,
-    shown: Vec<Landmark>,
+    shown: Arc<[Landmark]>,
     noise: Noise,
     step: u32,
     driven: u32,
@@ -168,7 +169,7 @@ impl Lab for ObservabilityProbe {
         let who = if params.forget {
             Who::Mapper(Box::new(Mapping::new(&shown, &RANGE_BEARING_SLAM)?))
         } else {
-            Who::Localizer(Localizer::new(truth, &shown, params.sight(), &mut noise))
+            Who::Localizer(Localizer::new(truth, Arc::clone(&shown), params.sight(), &mut noise))
         };
         let mut probe = Self {
             params,
@@ -216,9 +217,8 @@ impl Lab for ObservabilityProbe {
         self.reference.step(tick)?;
         match &mut self.who {
             Who::Localizer(localizer) => {
-                let heard = localizer.step(tick, self.truth, &mut self.noise)?;
-                (self.nis, self.nis_dof) = (heard.nis, heard.nis_dof);
-                self.sightings = heard.sightings;
+                let evidence = localizer.step(tick, self.truth, &mut self.noise, &mut self.sightings)?;
+                (self.nis, self.nis_dof) = evidence.map_or((None, 0), |(nis, dof)| (Some(nis), dof));
             }
             Who::Mapper(mapping) => {
                 let seen = mapping.step(tick, self.truth, &mut self.noise)?;
@@ -278,7 +278,7 @@ impl ObservabilityProbe {
     /// Keeps the present moment for the ranks along the path.
     fn remember(&mut self) {
         let landmarks = match &self.who {
-            Who::Localizer(_) => self.shown.clone(),
+            Who::Localizer(_) => Arc::clone(&self.shown),
             Who::Mapper(m) => m.truth.iter().map(|&t| self.shown[t]).collect(),
         };
         self.moments.push_back(Moment { pose: self.truth, landmarks, u: self.next_input() });
@@ -290,7 +290,7 @@ impl ObservabilityProbe {
     /// The present moment as the filter believes it to be.
     fn believed(&self) -> Moment {
         let landmarks = match &self.who {
-            Who::Localizer(_) => self.shown.clone(),
+            Who::Localizer(_) => Arc::clone(&self.shown),
             Who::Mapper(m) => {
                 m.slam.landmarks().map(|l| Landmark { id: l.id, x: l.position[0], y: l.position[1] }).collect()
             }

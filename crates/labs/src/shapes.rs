@@ -3,7 +3,7 @@
 use estimate::kf::Gaussian;
 use estimate::{Complex, Error};
 use geom::Ellipse;
-use nalgebra::{Matrix2, Matrix3, SMatrix, Vector2};
+use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2};
 use serde::Serialize;
 
 /// An ellipse as a view draws it: half-axes, and the angle of the major axis in (−π/2, π/2].
@@ -74,9 +74,34 @@ pub(crate) fn rows3(m: &Matrix3<f64>) -> [[f64; 3]; 3] {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]))
 }
 
-/// The rows of a matrix of any shape.
-pub(crate) fn row_vectors<const R: usize, const C: usize>(m: &SMatrix<f64, R, C>) -> Vec<Vec<f64>> {
-    m.row_iter().map(|row| row.iter().copied().collect()).collect()
+/// What is read at once, one number or two: ν, or S by rows. On the stack, for a lab makes thousands of them that only the
+/// last of is drawn.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+pub enum OneOrTwo<One, Two> {
+    /// Of one output.
+    One(One),
+    /// Of two.
+    Two(Two),
+}
+
+/// ν of one output or two.
+pub type Innovation = OneOrTwo<[f64; 1], [f64; 2]>;
+/// S of one output or two.
+pub type InnovationCovariance = OneOrTwo<[[f64; 1]; 1], [[f64; 2]; 2]>;
+
+/// ν and S for a view, of M outputs, which are one or two.
+pub(crate) fn innovation<const M: usize>(
+    nu: &SVector<f64, M>,
+    s: &SMatrix<f64, M, M>,
+) -> (Innovation, InnovationCovariance) {
+    let last = M - 1;
+    if M == 1 {
+        (OneOrTwo::One([nu[0]]), OneOrTwo::One([[s[(0, 0)]]]))
+    } else {
+        let rows = [[s[(0, 0)], s[(0, last)]], [s[(last, 0)], s[(last, last)]]];
+        (OneOrTwo::Two([nu[0], nu[last]]), OneOrTwo::Two(rows))
+    }
 }
 
 /// The lower triangular root of a covariance that is known to be positive definite, a constant of a lab.

@@ -61,7 +61,7 @@ fn moments(givens: &Givens, landmarks: &[Landmark], ticks: std::ops::RangeInclus
             let (pose, tick): (SE2, Tick) =
                 if moving { (place(k), course.tick(k)) } else { (place(middle), Tick { ds: 0.0, dtheta: 0.0 }) };
             let u = Vector2::new(tick.ds, tick.dtheta);
-            Moment { pose, landmarks: landmarks.to_vec(), u }
+            Moment { pose, landmarks: landmarks.into(), u }
         })
         .collect()
 }

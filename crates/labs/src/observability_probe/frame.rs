@@ -4,7 +4,7 @@ use super::ranks::Ranks;
 use super::{ProbeParams, Sight};
 use crate::mapping::MapError;
 use crate::series::{Series, Tracks};
-use crate::shapes::EllipseShape;
+use crate::shapes::{EllipseShape, Innovation, InnovationCovariance};
 use serde::Serialize;
 
 /// One picture of the Probe.
@@ -99,7 +99,7 @@ pub enum Fate {
 }
 
 /// One sighting.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct ProbeSighting {
     /// Which of the three landmarks was seen.
     pub landmark: usize,
@@ -108,10 +108,10 @@ pub struct ProbeSighting {
     /// What was read, if the sensor takes bearings.
     pub bearing: Option<f64>,
     /// ν at the prediction.
-    pub innovation: Option<Vec<f64>>,
+    pub innovation: Option<Innovation>,
     /// S at the prediction, by rows.
     #[serde(rename = "S")]
-    pub s: Option<Vec<Vec<f64>>>,
+    pub s: Option<InnovationCovariance>,
     /// νᵀS⁻¹ν.
     pub chi2: Option<f64>,
     /// What became of it.

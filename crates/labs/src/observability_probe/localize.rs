@@ -1,7 +1,7 @@
 //! The Probe's robot with its map: the EKF of §8.3 on sightings whose landmarks it knows.
 
 use super::frame::{Fate, ProbeSighting};
-use crate::shapes::row_vectors;
+use crate::shapes::innovation;
 use crate::true_path::{Sight, sensor_covariance, squares};
 use estimate::kf::Gaussian;
 use estimate::landmarks::{RangeBearing, RangeOnly, candidate};
@@ -13,32 +13,35 @@ use nalgebra::{DMatrix, Matrix1, Matrix3, SMatrix, SVector, Vector2, Vector3};
 use sim::paths::Tick;
 use sim::scenarios::PROBE;
 use sim::{Landmark, Noise};
+use std::sync::Arc;
 
 /// A localizer and the landmarks it knows.
 #[derive(Clone, Debug)]
 pub(super) struct Localizer {
     pub ekf: ChosetEkf,
-    landmarks: Vec<Landmark>,
+    landmarks: Arc<[Landmark]>,
     sight: Sight,
 }
 
-/// What a step brought.
-pub(super) struct Heard {
-    pub sightings: Vec<ProbeSighting>,
-    pub nis: Option<f64>,
-    pub nis_dof: u32,
-}
+/// NIS of a step and its degrees of freedom, where a sighting was used.
+pub(super) type Evidence = Option<(f64, u32)>;
 
 impl Localizer {
     /// A first estimate drawn from P₀ about the truth.
-    pub fn new(truth: SE2, landmarks: &[Landmark], sight: Sight, noise: &mut Noise) -> Self {
+    pub fn new(truth: SE2, landmarks: Arc<[Landmark]>, sight: Sight, noise: &mut Noise) -> Self {
         let off = drawn(PROBE.p0_sigma, noise);
         let belief = Gaussian { x: truth.boxplus(&off).to_vector(), p: squares(PROBE.p0_sigma) };
-        Self { ekf: ChosetEkf::new(&belief), landmarks: landmarks.to_vec(), sight }
+        Self { ekf: ChosetEkf::new(&belief), landmarks, sight }
     }
 
-    /// The robot has driven `tick` and stands at `truth`.
-    pub fn step(&mut self, tick: Tick, truth: SE2, noise: &mut Noise) -> Result<Heard, Error> {
+    /// The robot has driven `tick` and stands at `truth`; what became of its sightings comes in `sightings`, anew.
+    pub fn step(
+        &mut self,
+        tick: Tick,
+        truth: SE2,
+        noise: &mut Noise,
+        sightings: &mut Vec<ProbeSighting>,
+    ) -> Result<Evidence, Error> {
         // Drawn whether it moves or not, so that a seed means the same sightings either way.
         let off = drawn(PROBE.v_sigma, noise);
         let moving = tick.ds != 0.0 || tick.dtheta != 0.0;
@@ -47,42 +50,35 @@ impl Localizer {
         let Gaussian { x, p } = self.ekf.belief();
         self.ekf = ChosetEkf::new(&Gaussian { x: SE2::from_vector(&x).boxplus(&off).to_vector(), p });
 
-        let readings: Vec<Vector2<f64>> = self
-            .landmarks
-            .iter()
-            .map(|landmark| PROBE.sensor.sight(truth, landmark, noise))
-            .map(|z| Vector2::new(z.range, z.bearing))
-            .collect();
-        let map = std::mem::take(&mut self.landmarks);
+        let map = Arc::clone(&self.landmarks);
+        let readings = map.iter().map(|landmark| {
+            let z = PROBE.sensor.sight(truth, landmark, noise);
+            (landmark, Vector2::new(z.range, z.bearing))
+        });
         let w = sensor_covariance(&PROBE.sensor);
-        let (sightings, evidence) = match self.sight {
-            Sight::RangeBearing => self.correct(&RangeBearing { map: &map }, &readings, |z| z, &w),
+        Ok(match self.sight {
+            Sight::RangeBearing => self.correct(&RangeBearing { map: &map }, readings, |z| z, &w, sightings),
             Sight::Range => {
-                let w = Matrix1::new(w[(0, 0)]);
-                self.correct(&RangeOnly { map: &map }, &readings, |z| z.fixed_rows::<1>(0).into_owned(), &w)
+                let (model, w) = (RangeOnly { map: &map }, Matrix1::new(w[(0, 0)]));
+                self.correct(&model, readings, |z| z.fixed_rows::<1>(0).into_owned(), &w, sightings)
             }
-        };
-        let sightings = sightings
-            .into_iter()
-            .map(|s| ProbeSighting { to: Some([map[s.landmark].x, map[s.landmark].y]), ..s })
-            .collect();
-        self.landmarks = map;
-        let (nis, nis_dof) = evidence.map_or((None, 0), |(nis, dof)| (Some(nis), dof));
-        Ok(Heard { sightings, nis, nis_dof })
+        })
     }
 
     /// All sightings stacked; one that cannot be linearized (the estimate stands on its landmark) is left out.
-    fn correct<const M: usize>(
+    fn correct<'m, const M: usize>(
         &mut self,
         model: &impl MeasurementModel<SE2, 3, M>,
-        readings: &[Vector2<f64>],
+        readings: impl Iterator<Item = (&'m Landmark, Vector2<f64>)>,
         of: impl Fn(Vector2<f64>) -> SVector<f64, M>,
         w: &SMatrix<f64, M, M>,
-    ) -> (Vec<ProbeSighting>, Option<(f64, u32)>) {
+        sightings: &mut Vec<ProbeSighting>,
+    ) -> Evidence {
         let belief = self.ekf.belief();
-        let (mut sightings, mut stack) = (Vec::new(), Vec::new());
-        for (j, z) in readings.iter().enumerate() {
-            let y = of(*z);
+        let mut stack = Vec::new();
+        sightings.clear();
+        for (j, (landmark, z)) in readings.enumerate() {
+            let y = of(z);
             let weighed = candidate(model, &belief, &y, j, w, Rule::ChiSquared).ok();
             if weighed.is_some() {
                 stack.push(Sighting { j, y });
@@ -91,11 +87,11 @@ impl Localizer {
                 landmark: j,
                 range: z[0],
                 bearing: (M == 2).then_some(z[1]),
-                innovation: weighed.map(|c| c.innovation.iter().copied().collect()),
-                s: weighed.map(|c| row_vectors(&c.s)),
+                innovation: weighed.map(|c| innovation(&c.innovation, &c.s).0),
+                s: weighed.map(|c| innovation(&c.innovation, &c.s).1),
                 chi2: weighed.map(|c| c.d2),
                 outcome: if weighed.is_some() { Fate::Accepted } else { Fate::Rejected },
-                to: None,
+                to: Some([landmark.x, landmark.y]),
             });
         }
         let evidence = match stack.as_slice() {
@@ -104,11 +100,11 @@ impl Localizer {
             all => self.ekf.update_stacked(model, all, w).ok().and_then(|(nu, s): (_, DMatrix<f64>)| nis(&nu, &s)),
         };
         if evidence.is_none() {
-            for sighting in &mut sightings {
+            for sighting in sightings {
                 sighting.outcome = Fate::Rejected;
             }
         }
-        (sightings, evidence)
+        evidence
     }
 }
 

@@ -10,6 +10,7 @@ use geom::SE2;
 use nalgebra::{DMatrix, DVector, Vector2};
 use serde::Serialize;
 use sim::Landmark;
+use std::sync::Arc;
 
 /// One moment of a drive: where, what was in the map then, and the input that led on.
 #[derive(Clone, Debug, PartialEq)]
@@ -17,7 +18,7 @@ pub(crate) struct Moment {
     /// Where readings and motion are linearized.
     pub pose: SE2,
     /// The landmarks as they were believed to be (or are).
-    pub landmarks: Vec<Landmark>,
+    pub landmarks: Arc<[Landmark]>,
     /// The input of the step that followed.
     pub u: Vector2<f64>,
 }

@@ -6,11 +6,10 @@ use super::frame::{
 use super::ranks::{Ranks, frozen_ranks, stacked_ranks};
 use super::{ObservabilityProbe, Who};
 use crate::mapping::{Mapping, Seen, Tally};
-use crate::shapes::{ellipse_of, row_vectors, rows, rows3};
+use crate::shapes::{ellipse_of, innovation, rows, rows3};
 use crate::true_path::parts;
 use estimate::slam::Outcome;
 use filters::consistency::chi2_interval;
-use nalgebra::Matrix2;
 use sim::scenarios::PROBE;
 
 pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
@@ -119,8 +118,8 @@ pub(super) fn mapped_sighting(seen: &Seen, mapping: &Mapping) -> ProbeSighting {
         landmark: seen.truth,
         range: seen.range,
         bearing: Some(seen.bearing),
-        innovation: evidence.map(|(nu, ..)| vec![nu[0], nu[1]]),
-        s: evidence.map(|(_, s, _): (_, Matrix2<f64>, _)| row_vectors(&s)),
+        innovation: evidence.map(|(nu, s, _)| innovation(&nu, &s).0),
+        s: evidence.map(|(nu, s, _)| innovation(&nu, &s).1),
         chi2: evidence.map(|(.., chi2)| chi2),
         outcome: match seen.report.outcome {
             Outcome::Matched => Fate::Matched,
