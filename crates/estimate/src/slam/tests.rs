@@ -249,3 +249,34 @@ fn where_rounding_would_show_the_update_is_refused() {
         }
     }
 }
+
+/// A map too large to be looked over at every change: what is far away moves with the least turn of the heading, and where
+/// a way back takes that out again only rounding is left of it. Such a step is refused, or leaves a covariance.
+#[test]
+fn in_a_large_map_what_cancels_over_a_long_lever_is_noticed() {
+    let semidefinite = |slam: &EkfSlam| {
+        let eigenvalues = slam.belief().1.symmetric_eigenvalues();
+        eigenvalues.min() >= -1e-12 * eigenvalues.max()
+    };
+    for lever in [1e3, 1e5, 1e7] {
+        let p = Matrix3::from_diagonal(&Vector3::new(1e-4, 1e-4, 0.1));
+        let mut slam = EkfSlam::new(&Gaussian { x: Vector3::zeros(), p }, &W, THRESHOLDS).expect("sound");
+        for j in 0..20 {
+            let bearing = 0.3 * f64::from(j);
+            slam.update(&[Reading { range: 1.0 + 0.1 * f64::from(j), bearing, landmark: Some(j) }]).expect("founded");
+        }
+        assert!(slam.belief().0.len() > 35);
+        let still = Matrix3::zeros();
+        let mut back = slam.clone();
+        if back.predict(&Vector2::new(lever, 0.0), &still).is_ok() {
+            let refused = back.predict(&Vector2::new(-lever, 0.0), &still).is_err();
+            assert!(refused || semidefinite(&back), "out and back over {lever}");
+        }
+        let mut seen = slam.clone();
+        if seen.predict(&Vector2::new(lever, 0.0), &still).is_ok() {
+            let far = Reading { range: lever, bearing: 0.0, landmark: Some(99) };
+            let refused = seen.update(&[far]).is_err();
+            assert!(refused || semidefinite(&seen), "seen from {lever}");
+        }
+    }
+}
