@@ -67,44 +67,24 @@ where
     DefaultAllocator: Allocator<N, N>,
 {
     let predicted = congruence(a, p, r);
-    if plainly_positive(&predicted) { Ok(predicted) } else { verified(a.clone(), p.clone(), r.clone(), predicted) }
+    if plainly_positive(&predicted) { Ok(predicted) } else { verified(predicted) }
 }
 
-/// A predicted covariance, mended where the cancellation of its terms made it indefinite.
+/// A predicted covariance, mended where its terms cancelled and rounding left a negative eigenvalue, be it this step's or
+/// one that was nothing beside what Σ was before.
 ///
 /// What is usual need not be in memory for what is rare: here and below the rare ways take copies.
 #[cold]
 #[inline(never)]
-fn verified<N: Dim>(
-    a: OMatrix<f64, N, N>,
-    p: OMatrix<f64, N, N>,
-    r: OMatrix<f64, N, N>,
-    predicted: OMatrix<f64, N, N>,
-) -> Result<OMatrix<f64, N, N>, Error>
+fn verified<N: Dim>(predicted: OMatrix<f64, N, N>) -> Result<OMatrix<f64, N, N>, Error>
 where
     DefaultAllocator: Allocator<N, N>,
 {
     let predicted = finite(predicted, "the predicted covariance")?;
-    if keeps_its_terms(&a, &p, &r, &predicted) || semidefinite(&predicted) {
+    if semidefinite(&predicted) {
         return Ok(predicted);
     }
     Ok(nearest(&predicted).unwrap_or(predicted))
-}
-
-/// Whether no variance of A Σ Aᵀ + R is much less than the terms it is a sum of, by Cauchy and Schwarz: rounding then stays
-/// far below it, and nothing need be factored.
-fn keeps_its_terms<N: Dim>(
-    a: &OMatrix<f64, N, N>,
-    p: &OMatrix<f64, N, N>,
-    r: &OMatrix<f64, N, N>,
-    predicted: &OMatrix<f64, N, N>,
-) -> bool
-where
-    DefaultAllocator: Allocator<N, N>,
-{
-    let n = p.nrows();
-    let terms = |i: usize| (0..n).fold(0.0, |sum, j| sum + a[(i, j)] * a[(i, j)] * p[(j, j)]);
-    (0..n).all(|i| n as f64 * terms(i) + r[(i, i)] <= 16.0 * predicted[(i, i)])
 }
 
 /// S = C Σ̄ Cᵀ + Q (m×m), made exactly symmetric.
