@@ -123,4 +123,25 @@ fn a_covariance_remains_where_scales_collapse() {
         }
         assert_eq!(sound(&returned), Ok(()), "{i}");
     }
+    // Back by parts: no step's terms cancel by much, and what was rounding beside the first is not beside the last.
+    for lever in [1e2, 1e3, 1e4, 1e6] {
+        for part in [0.2, 0.35, 0.5] {
+            let mut returned = localizer_of([0.0, 0.0, 0.1], [0.1, 0.1]);
+            let mut away = lever;
+            returned.predict(DVector::from_row_slice(&[lever, 0.0]), DMatrix::zeros(3, 3)).expect("finite");
+            while away > 1e-3 {
+                returned.predict(DVector::from_row_slice(&[-part * away, 0.0]), DMatrix::zeros(3, 3)).expect("finite");
+                away -= part * away;
+                assert_eq!(sound(&returned), Ok(()), "{lever} by {part}, {away} m to go");
+            }
+            let again = EkfLocalizer::new(
+                returned.belief(),
+                vec![Landmark { id: 1, x: 6.0, y: 6.0 }],
+                DMatrix::identity(1, 1),
+                None,
+                SensorKind::Range,
+            );
+            assert!(again.is_ok(), "its own belief is refused: {again:?}");
+        }
+    }
 }
