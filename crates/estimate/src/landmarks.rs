@@ -176,7 +176,7 @@ pub fn best<const M: usize>(
     }
     match underfoot {
         Some(error) if candidates.is_empty() => Err(error),
-        _ => Ok(associate(candidates, Thresholds::gate(gate))),
+        _ => Ok(associate(&candidates, &[], Thresholds::gate(gate))),
     }
 }
 

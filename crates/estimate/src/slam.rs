@@ -158,7 +158,7 @@ impl EkfSlam {
     }
 
     /// The sightings of one step: each is matched, rejected or founds a landmark, all Jacobians at the same prediction.
-    /// No landmark is matched twice in a step. What is new is founded first; then the matched sightings correct the whole
+    /// No landmark is matched twice in a step, and near one that is matched none is founded. What is new is founded first; then the matched sightings correct the whole
     /// state, one after the other with the first linearization, which equals their stack since W is block-diagonal.
     ///
     /// # Errors
@@ -257,16 +257,17 @@ impl EkfSlam {
             }
             (Some(_), None) => Association::New,
             (None, _) => {
-                let mut candidates = Vec::with_capacity(self.len());
-                for j in (0..self.len()).filter(|j| !taken.contains(j)) {
+                let (mut candidates, mut barred) = (Vec::with_capacity(self.len()), Vec::new());
+                for j in 0..self.len() {
                     match weigh(j) {
+                        Ok(candidate) if taken.contains(&j) => barred.push(candidate),
                         Ok(candidate) => candidates.push(candidate),
                         // Under the robot: no bearing to compare with.
                         Err(filters::Error::AtFeature) => {}
                         Err(e) => return Err(e.into()),
                     }
                 }
-                associate(candidates, self.thresholds)
+                associate(&candidates, &barred, self.thresholds)
             }
         };
         Ok(match association {

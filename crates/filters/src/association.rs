@@ -79,17 +79,21 @@ pub enum Association<const M: usize> {
 }
 
 /// Chooses among the candidates: of those within the gate the one of least cost. Where none is, the sighting is of a new
-/// feature if even the nearest is beyond `thresholds.found` (or there is none), and rejected otherwise.
+/// feature if even the nearest is beyond `thresholds.found` (or there is none), and rejected otherwise. Those `taken`, by
+/// another sighting of the same moment, are not chosen, and are features all the same: near one of them nothing is new.
 pub fn associate<const M: usize>(
-    candidates: impl IntoIterator<Item = Candidate<M>>,
+    candidates: &[Candidate<M>],
+    taken: &[Candidate<M>],
     thresholds: Thresholds,
 ) -> Association<M> {
     let mut best: Option<Candidate<M>> = None;
     let mut nearest: Option<Candidate<M>> = None;
-    for candidate in candidates {
+    for &candidate in candidates {
         if candidate.d2 <= thresholds.gate && best.is_none_or(|b| candidate.cost < b.cost) {
             best = Some(candidate);
         }
+    }
+    for &candidate in candidates.iter().chain(taken) {
         if nearest.is_none_or(|n| candidate.d2 < n.d2) {
             nearest = Some(candidate);
         }
@@ -114,10 +118,11 @@ mod tests {
     #[test]
     fn the_determinant_decides_between_gates_of_different_size() {
         let both = |rule| [candidate(0, 1.0, 1.0, rule), candidate(1, 3.0, 100.0, rule)];
-        let Association::Matched(by_chi2) = associate(both(Rule::ChiSquared), Thresholds::gate(None)) else {
+        let Association::Matched(by_chi2) = associate(&both(Rule::ChiSquared), &[], Thresholds::gate(None)) else {
             panic!("within an infinite gate");
         };
-        let Association::Matched(by_likelihood) = associate(both(Rule::MaximumLikelihood), Thresholds::gate(None))
+        let Association::Matched(by_likelihood) =
+            associate(&both(Rule::MaximumLikelihood), &[], Thresholds::gate(None))
         else {
             panic!("within an infinite gate");
         };
@@ -138,12 +143,12 @@ mod tests {
     #[test]
     fn two_thresholds_part_three_outcomes() {
         let thresholds = Thresholds { gate: 9.0, found: 50.0 };
-        let at = |nu: f64| associate([candidate(4, nu, 1.0, Rule::ChiSquared)], thresholds);
+        let at = |nu: f64| associate(&[candidate(4, nu, 1.0, Rule::ChiSquared)], &[], thresholds);
         assert!(matches!(at(3.0), Association::Matched(c) if c.j == 4));
         assert!(matches!(at(3.1), Association::Rejected(c) if c.j == 4));
         assert!(matches!(at(7.0), Association::Rejected(_)));
         assert_eq!(at(7.1), Association::New);
-        assert_eq!(associate(std::iter::empty::<Candidate<1>>(), thresholds), Association::New);
+        assert_eq!(associate::<1>(&[], &[], thresholds), Association::New);
     }
 
     #[test]
@@ -151,8 +156,29 @@ mod tests {
         let rule = Rule::MaximumLikelihood;
         let thresholds = Thresholds { gate: 9.0, found: 50.0 };
         // The second is likelier by its narrow S, and far outside its gate; the first is near in a vast one.
-        let answer = associate([candidate(0, 1e20, 1e40, rule), candidate(1, 8.0, 1.0, rule)], thresholds);
+        let answer = associate(&[candidate(0, 1e20, 1e40, rule), candidate(1, 8.0, 1.0, rule)], &[], thresholds);
         assert!(matches!(answer, Association::Matched(c) if c.j == 0), "{answer:?}");
+    }
+
+    #[test]
+    fn a_taken_candidate_is_not_chosen_and_forbids_founding() {
+        let thresholds = Thresholds { gate: 9.0, found: 50.0 };
+        let at = |j, nu| candidate(j, nu, 1.0, Rule::ChiSquared);
+        assert!(matches!(associate(&[], &[at(0, 1.0)], thresholds), Association::Rejected(c) if c.j == 0));
+        assert_eq!(associate(&[], &[at(0, 8.0)], thresholds), Association::New);
+        let second = associate(&[at(1, 2.0), at(2, 2.5)], &[at(0, 1.0)], thresholds);
+        assert!(matches!(second, Association::Matched(c) if c.j == 1), "{second:?}");
+        let near = associate(&[at(1, 8.0)], &[at(0, 7.0)], thresholds);
+        assert!(matches!(near, Association::Rejected(c) if c.j == 0), "{near:?}");
+    }
+
+    #[test]
+    fn of_equals_the_first_is_chosen_and_the_bounds_themselves_are_within() {
+        let at = |j, nu| candidate(j, nu, 1.0, Rule::ChiSquared);
+        let thresholds = Thresholds { gate: 9.0, found: 49.0 };
+        assert!(matches!(associate(&[at(3, 2.0), at(1, -2.0)], &[], thresholds), Association::Matched(c) if c.j == 3));
+        assert!(matches!(associate(&[at(3, 5.0), at(1, -5.0)], &[], thresholds), Association::Rejected(c) if c.j == 3));
+        assert!(matches!(associate(&[at(1, 7.0)], &[], thresholds), Association::Rejected(_)));
     }
 
     #[test]

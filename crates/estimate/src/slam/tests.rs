@@ -157,8 +157,11 @@ fn one_step_never_matches_a_landmark_twice() {
     let one = Reading { range: 3.0, bearing: 0.5, landmark: None };
     slam.update(&[one]).expect("founded");
     let reports = slam.update(&[one, Reading { range: 3.02, ..one }]).expect("sound");
-    assert_eq!([reports[0].outcome, reports[1].outcome], [Outcome::Matched, Outcome::Founded]);
-    assert_eq!(reports[1].landmark, Some(2));
+    assert_eq!([reports[0].outcome, reports[1].outcome], [Outcome::Matched, Outcome::Rejected]);
+    assert_eq!((reports[1].landmark, slam.len()), (Some(1), 1));
+    // Far from all that is known a landmark is new, whatever else was matched.
+    let reports = slam.update(&[one, Reading { bearing: 3.0, ..one }]).expect("sound");
+    assert_eq!((reports[1].outcome, reports[1].landmark), (Outcome::Founded, Some(2)));
 }
 
 #[test]
