@@ -38,6 +38,8 @@ fn check_10_the_traces_scatter_about_those_of_the_true_path() {
 fn the_mean_nees_is_three_and_scatters_more_than_independent_steps_would() {
     let two = probe(2, SEEDS).expect("computed").nees;
     let (low, high) = chi2_interval(3, PROBE.steps, 0.9).expect("in range");
+    // χ² with 720 degrees of freedom, by 720: 1 ± 1.645 √(2/720) of 3, to the third digit.
+    assert!((low - 2.745).abs() < 0.01 && (high - 3.264).abs() < 0.01, "{low} {high}");
     assert!(two.percentile(0.05) < low && two.percentile(0.95) > high);
     // Percentiles of 20 000 runs.
     near(&two, 0.05, 2.06, 0.15);

@@ -83,6 +83,9 @@ const controls = [
   {
     kind: 'choice', name: 'sensor', label: 'Sensor',
     options: [{ value: 'range', label: 'range only' }, { value: 'range-bearing', label: 'range and bearing' }],
+    // A map is founded on ranges and bearings.
+    get: (_, frame) => frame.sensor,
+    enabled: (params) => !params.forget,
   },
   { kind: 'toggle', name: 'forget', label: 'forget the map' },
   {

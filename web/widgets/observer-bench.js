@@ -24,7 +24,7 @@ function verdict(frame) {
   const modulus = pinned === null ? spectralRadius : Math.hypot(moving.re, moving.im)
   if (!stable) return `Unstable: spectral radius ${fixed(modulus, 2)}. The error grows by that factor at each step.`
   if (pinned !== null && params.gain === 0 && params.mode === 'fixed') return 'Dead reckoning: no reading is used, and nothing takes an error back.'
-  if (pinned !== null) return `Velocity errors die out (factor ${fixed(modulus, 2)}). The other eigenvalue is pinned at 1: no gain takes a position error back.`
+  if (pinned !== null) return `Velocity errors die out (factor ${fixed(modulus, 2)}). The other eigenvalue is pinned at 1, and the spectral radius with it: no gain takes a position error back.`
   if (params.gain === 0 && params.mode === 'fixed') return 'Dead reckoning: no reading is used, and nothing takes an error back.'
   return `Stable: spectral radius ${fixed(modulus, 2)}. Every error dies out by that factor a step.`
 }

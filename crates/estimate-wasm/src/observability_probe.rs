@@ -97,12 +97,12 @@ export interface ProbeFrame {
     nisDof: number;
     /** Over the run: expected 3, and 1. */
     mean: { nees: number | null; nisPerDof: number | null };
-    /** Where 95 % of a consistent filter's steps lie. */
-    bands: { nees: Vector; nis: Vector | null };
+    /** Where 95 % of a consistent filter's steps lie, [low, high] for 0 to 6 degrees of freedom; NaN for none. */
+    bands: Vector[];
     /** The last 240 steps; NaN where there is none. */
     series: {
         step: Vector; trace: Vector; tracePosition: Vector; traceHeading: Vector; reference: Vector;
-        nees: Vector; nis: Vector;
+        nees: Vector; nis: Vector; nisDof: Vector;
     };
     /** The last 241 positions. */
     tracks: { truth: Track; estimate: Track };

@@ -21,7 +21,7 @@ mod true_path;
 pub use lab::{Digest, Lab, MAX_STEP, State};
 pub use mapping::MapError;
 pub use observability_probe::{
-    Bands, Fate, MapLandmark, MapShape, Means, ObservabilityProbe, PATH_STEPS, ProbeFrame, ProbeLandmark, ProbeParams,
+    Fate, MapLandmark, MapShape, Means, ObservabilityProbe, PATH_STEPS, ProbeFrame, ProbeLandmark, ProbeParams,
     ProbeSeries, ProbeSighting, Ranks, RoomShape, Sight, Traces,
 };
 pub use observer_bench::{BenchFrame, BenchParams, MAX_GAIN, Mode, ObserverBench, Sensor};

@@ -12,7 +12,7 @@ mod view;
 
 pub use crate::true_path::Sight;
 pub use frame::{
-    Bands, Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSeries, ProbeSighting, RoomShape, Traces,
+    Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSeries, ProbeSighting, RoomShape, Traces,
 };
 pub use ranks::Ranks;
 pub(crate) use ranks::{Moment, frozen_ranks, stacked_ranks};
@@ -314,6 +314,7 @@ impl ObservabilityProbe {
         series.reference.push(self.reference.trace());
         series.nees.push(self.nees.unwrap_or(f64::NAN));
         series.nis.push(self.nis.unwrap_or(f64::NAN));
+        series.nis_dof.push(f64::from(self.nis_dof));
         self.tracks.truth.push(self.truth.x(), self.truth.y(), TRACK);
         self.tracks.estimate.push(pose.x(), pose.y(), TRACK);
         self.digest.take(self.truth.to_vector().iter());

@@ -18,16 +18,24 @@ export function drawTrace(panel, { series }) {
   }))
 }
 
-/** @param {Panel} panel @param {Frame} frame @param {'nees' | 'nis'} which */
-export function drawConsistency(panel, { series, bands, nisDof }, which) {
-  const band = bands[which]
-  const expected = which === 'nees' ? 3 : nisDof
-  const rules = band ? [{ key: 'low', at: band[0] }, { key: 'high', at: band[1], name: '95 %' }, { key: 'mean', at: expected, name: String(expected) }] : []
+/**
+ * NEES or NIS with its band. The band of NIS is that of its degrees of freedom, which change where a sighting is not used.
+ * @param {Panel} panel @param {Frame} frame @param {'nees' | 'nis'} which
+ */
+export function drawConsistency(panel, { series, bands }, which) {
+  const dofs = which === 'nees' ? [3] : [...new Set(series.nisDof.filter((dof) => dof > 0))]
+  const high = Math.max(1, ...dofs.map((dof) => bands[dof][1]))
+  const end = (/** @type {0 | 1} */ side) => series.nisDof.map((dof) => bands[dof][side])
+  const [dof] = dofs
+  const steady = dofs.length === 1
   panel.pen.draw((pen) => void timePlot(pen, panel, {
     title: which === 'nees' ? 'NEES, and where 95 % should lie' : 'NIS, and where 95 % should lie',
     steps: series.step,
-    include: [0, band ? 1.2 * band[1] : 1],
-    rules,
-    lines: [{ key: which, values: series[which], name: '', kin: which === 'nees' ? 'posterior' : 'measurement', shape: 'thin' }],
+    include: [0, 1.2 * high],
+    rules: steady ? [{ key: 'low', at: bands[dof][0] }, { key: 'high', at: bands[dof][1], name: '95 %' }, { key: 'mean', at: dof, name: String(dof) }] : [],
+    lines: [
+      { key: which, values: series[which], name: '', kin: which === 'nees' ? 'posterior' : 'measurement', shape: 'thin' },
+      ...(steady ? [] : [{ key: 'low', values: end(0), name: '', shape: 'thin' }, { key: 'high', values: end(1), name: '95 %', shape: 'thin' }]),
+    ],
   }))
 }

@@ -74,7 +74,9 @@ function unseen(pen, plane, at, { directions }, name, shape) {
     if (dx !== 0 || dy !== 0) segment(pen, key, plane, ends[0], ends[1], { class: shape })
     else pen.mark('circle', key, { class: shape, fill: 'none', cx: plane.x(at[0]), cy: plane.y(at[1]), r: 20 })
     const degrees = (turn * 180) / Math.PI
-    const words = Math.abs(degrees) < 0.05 ? name : `${name}, ${fixed(Math.abs(degrees), 0)}° a metre`
+    // Of several hidden directions any mix is hidden too: these are two of a basis.
+    const among = directions.length > 1 ? `${name}, one of ${directions.length}` : name
+    const words = Math.abs(degrees) < 0.05 ? among : `${among}, ${fixed(Math.abs(degrees), 0)}° a metre`
     const side = name === 'frozen' ? 0 : 1
     const end = ends[side]
     // Kept inside the panel, whose edge would cut it: a letter is about 6.4 pixels wide.

@@ -16,10 +16,10 @@ function recent(frame) {
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawGain(panel, frame) {
-  const { step, r1, r2 } = recent(frame)
+  const { step, r1, r2, knob } = recent(frame)
   const [s1, s2] = frame.steadyGain
   panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: { choset: 'gain *R*(*k*)', thrun: 'gain *K*_t' },
+    title: { choset: 'gain *R*(*k*) and its knob *g*', thrun: 'gain *K*_t and its knob *g*' },
     steps: step,
     include: [0, 1],
     unit: { choset: '*k*', thrun: '*t*' },
@@ -27,6 +27,7 @@ export function drawGain(panel, frame) {
     lines: [
       { key: '1', values: r1, name: { choset: '*R*_1', thrun: '*K*_1' }, kin: 'posterior' },
       { key: '2', values: r2, name: { choset: '*R*_2', thrun: '*K*_2' }, kin: 'posterior', shape: 'dashed' },
+      { key: 'knob', values: knob, name: '*g*', kin: null, shape: 'thin' },
     ],
   }))
 }

@@ -3,7 +3,8 @@
 use super::Listing;
 use crate::ensembles::{SEEDS, Spread, probe, slam};
 use estimate::Error;
-use sim::scenarios::RANGE_BEARING_SLAM;
+use filters::consistency::chi2_interval;
+use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
 
 pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     let [one, two] = [probe(1, SEEDS)?, probe(2, SEEDS)?];
@@ -13,6 +14,10 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     percentiles(to, "ensemble.probe.trace.two", &two.trace, "the pose trace with two");
     percentiles(to, "ensemble.probe.nees", &two.nees, "the mean NEES of a run with two landmarks");
     percentiles(to, "ensemble.probe.nees.one", &one.nees, "the mean NEES of a run with one landmark");
+    let (low, high) = chi2_interval(3, PROBE.steps, 0.9).map_err(Error::from)?;
+    to.by("filters::consistency::chi2_interval", None)
+        .add("ensemble.probe.nees.band.low", low, "below it one run in twenty, were its steps independent")
+        .add("ensemble.probe.nees.band.high", high, "above it one run in twenty, were its steps independent");
 
     let runs = slam(RANGE_BEARING_SLAM.found, SEEDS)?;
     let later = f64::from(3 * RANGE_BEARING_SLAM.poses) - 3.0;

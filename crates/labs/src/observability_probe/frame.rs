@@ -54,8 +54,8 @@ pub struct ProbeFrame {
     pub nis_dof: u32,
     /// Means over the run.
     pub mean: Means,
-    /// Where 95 % of single steps of a consistent filter lie.
-    pub bands: Bands,
+    /// Where 95 % of single steps of a consistent filter lie, for 0 to 6 degrees of freedom; NaN for none.
+    pub bands: [[f64; 2]; 7],
     /// The last steps.
     pub series: ProbeSeries,
     /// Where truth and estimate have been.
@@ -148,15 +148,6 @@ pub struct Means {
     pub nis_per_dof: Option<f64>,
 }
 
-/// 95 % of single steps.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Bands {
-    /// χ² with 3 degrees of freedom.
-    pub nees: [f64; 2],
-    /// χ² with as many as this step's sightings have.
-    pub nis: Option<[f64; 2]>,
-}
-
 /// Numbers over the last steps; NaN where there is none.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[serde(rename_all = "camelCase")]
@@ -175,6 +166,8 @@ pub struct ProbeSeries {
     pub nees: Series,
     /// NIS.
     pub nis: Series,
+    /// Its degrees of freedom.
+    pub nis_dof: Series,
 }
 
 /// The map of a robot that had none.

@@ -1,8 +1,6 @@
 //! From the Probe's state to its frame.
 
-use super::frame::{
-    Bands, Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSighting, RoomShape, Traces,
-};
+use super::frame::{Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSighting, RoomShape, Traces};
 use super::ranks::{Ranks, frozen_ranks, stacked_ranks};
 use super::{ObservabilityProbe, Who};
 use crate::mapping::{Mapping, Seen, Tally};
@@ -11,6 +9,7 @@ use crate::true_path::parts;
 use estimate::slam::Outcome;
 use filters::consistency::chi2_interval;
 use sim::scenarios::PROBE;
+use std::sync::LazyLock;
 
 pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
     let (pose, p) = probe.who.belief();
@@ -54,7 +53,7 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
         nis: probe.nis,
         nis_dof: probe.nis_dof,
         mean: Means { nees: probe.mean_nees(), nis_per_dof: mean(probe.sums.nis, probe.sums.nis_dof) },
-        bands: Bands { nees: band(3).unwrap_or([f64::NAN; 2]), nis: band(probe.nis_dof) },
+        bands: *BANDS,
         series: probe.series.clone(),
         tracks: probe.tracks.clone(),
         slam: match &probe.who {
@@ -64,13 +63,14 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
     }
 }
 
-/// Where 95 % of single draws of χ² lie.
-fn band(dof: u32) -> Option<[f64; 2]> {
-    if dof == 0 {
-        return None;
-    }
-    chi2_interval(dof, 1, 0.95).ok().map(|(low, high)| [low, high])
-}
+/// Where 95 % of single draws of χ² lie, for 0 to 6 degrees of freedom: three landmarks read twice. The quantiles are an
+/// iteration each and never change, and a frame needs several.
+static BANDS: LazyLock<[[f64; 2]; 7]> = LazyLock::new(|| {
+    std::array::from_fn(|dof| {
+        let interval = chi2_interval(dof as u32, 1, 0.95).ok().filter(|_| dof > 0);
+        interval.map_or([f64::NAN; 2], |(low, high)| [low, high])
+    })
+});
 
 /// Frozen at the present estimate, after the update, and along the true path. A rank that cannot be found (it can, on
 /// finite poses) is shown as none.
