@@ -1,4 +1,5 @@
-// The same digits everywhere: a run of 10,000 steps of each lab has one hash, natively, in Node and in Chromium.
+// The same digits everywhere: a run of 10,000 steps of each lab, as it opens and with the rest of its algebra at work, has
+// one hash, natively, in Node and in Chromium.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
@@ -7,24 +8,25 @@ import path from 'node:path'
 import { figure, open, root } from './harness.mjs'
 
 const LABS = { 'observer-bench': 'ObserverBench', 'odometry-hook': 'OdometryHook', 'observability-probe': 'ObservabilityProbe' }
-const native = Object.fromEntries(execFileSync('cargo', ['run', '--quiet', '--profile', 'site', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
-  .trim().split('\n').map((line) => line.split(' ')))
+const native = execFileSync('cargo', ['run', '--quiet', '--profile', 'site', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
+  .trim().split('\n').map((line) => line.split(' '))
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
-for (const [tag, hash] of Object.entries(native)) {
-  test(`10,000 steps of ${tag} have the hash ${hash} in Node and in Chromium`, async (t) => {
-    const lab = new core[LABS[tag]]()
+for (const [tag, hash, given] of native) {
+  test(`10,000 steps of ${tag} with ${given} have the hash ${hash} in Node and in Chromium`, async (t) => {
+    const params = JSON.parse(given)
+    const lab = new core[LABS[tag]](params)
     lab.run(10_000)
     assert.equal(lab.digest(), hash, 'in Node')
     lab.free()
     const page = await open(t)
     const element = await figure(page, tag)
-    const there = await element.evaluate((it) => {
+    const there = await element.evaluate((it, asked) => {
       const Lab = it.figure.lab.constructor
-      const own = new Lab()
+      const own = new Lab(asked)
       own.run(10_000)
       return own.digest()
-    })
+    }, params)
     assert.equal(there, hash, 'in Chromium')
   })
 }

@@ -55,14 +55,14 @@ test('the keys turn the knob in Firefox', { skip: firefox ? false : notice, time
 
 test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
   const native = execFileSync('cargo', ['run', '--quiet', '--profile', 'site', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
-  for (const [tag, hash] of native.trim().split('\n').map((line) => line.split(' '))) {
+  for (const [tag, hash, given] of native.trim().split('\n').map((line) => line.split(' '))) {
     await alive(tag)
-    const there = await page.evaluate((name) => {
-      const lab = new (document.querySelector(name).figure.lab.constructor)()
+    const there = await page.evaluate((name, params) => {
+      const lab = new (document.querySelector(name).figure.lab.constructor)(params)
       lab.run(10_000)
       return lab.digest()
-    }, tag)
-    assert.equal(there, hash, tag)
+    }, tag, JSON.parse(given))
+    assert.equal(there, hash, `${tag} with ${given}`)
   }
 })
 

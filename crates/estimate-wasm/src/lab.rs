@@ -161,7 +161,8 @@ macro_rules! lab_class {
                 self.0.state()
             }
 
-            /// A hash of every number of the run so far, bit for bit, in hexadecimal.
+            /// A hash of what the run has recorded at every step (truth, readings, estimates, covariances and their
+            /// comparison), bit for bit, in hexadecimal.
             pub fn digest(&self) -> Result<String, JsValue> {
                 self.0.digest()
             }

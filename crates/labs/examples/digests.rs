@@ -1,17 +1,23 @@
-//! Runs each lab for 10,000 steps and prints the hash of every number on the way, for the test that compares this
-//! machine's own code with wasm in Node and in browsers.
+//! Runs each lab for 10,000 steps, as it opens and as a reader may set it, and prints the hash of every number it records,
+//! for the test that compares this machine's own code with wasm in Node and in browsers.
 
-use labs::Lab;
+use labs::{BenchParams, HookParams, Lab, Mode, ProbeParams, Sensor, Sight};
 
-fn print<L: Lab>() -> Result<(), estimate::Error> {
-    let mut lab = L::new(L::Params::default())?;
+fn print<L: Lab<Params: serde::Serialize>>(params: L::Params) -> Result<(), Box<dyn std::error::Error>> {
+    let given = serde_json::to_string(&params)?;
+    let mut lab = L::new(params)?;
     lab.run(10_000)?;
-    println!("{} {:016x}", L::NAME, lab.digest());
+    println!("{} {:016x} {given}", L::NAME, lab.digest());
     Ok(())
 }
 
-fn main() -> Result<(), estimate::Error> {
-    print::<labs::ObserverBench>()?;
-    print::<labs::OdometryHook>()?;
-    print::<labs::ObservabilityProbe>()
+fn main() -> Result<(), Box<dyn std::error::Error>> {
+    let (bench, hook, probe) = (BenchParams::default(), HookParams::default(), ProbeParams::default());
+    print::<labs::ObserverBench>(bench.clone())?;
+    print::<labs::ObserverBench>(BenchParams { sensor: Sensor::Position, mode: Mode::Filter, ..bench })?;
+    print::<labs::OdometryHook>(hook.clone())?;
+    print::<labs::OdometryHook>(HookParams { fixes: true, ..hook })?;
+    print::<labs::ObservabilityProbe>(probe)?;
+    print::<labs::ObservabilityProbe>(ProbeParams { count: 3, sensor: Sight::RangeBearing, ..probe })?;
+    print::<labs::ObservabilityProbe>(ProbeParams { count: 3, forget: true, ..probe })
 }

@@ -46,7 +46,8 @@ pub trait Lab: Clone {
     /// The present frame.
     fn frame(&self) -> Self::Frame;
 
-    /// A hash of every number the run has computed, bit for bit.
+    /// A hash of what the run has recorded at every step, bit for bit: truth, readings, estimates, covariances, and their
+    /// comparison.
     fn digest(&self) -> u64;
 
     /// `n` steps.
