@@ -97,7 +97,7 @@ pub fn observability(
 ) -> Result<JsValue, JsValue> {
     let answer = || {
         let tolerance = number_or(tolerance, "tolerance", 1e-9)?;
-        dynamic::observability(Arg::new(f, "F").matrix()?, Arg::new(h, "H").matrix()?, tolerance)
+        dynamic::observability(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, tolerance)
     };
     let seen = answer().map_err(thrown)?;
     plain(&ObservabilityAnswer {
@@ -118,7 +118,7 @@ pub fn place_observer_gain(
     let answer = || {
         let poles: Vec<Complex<f64>> =
             Arg::new(poles, "poles").entries()?.iter().map(Arg::complex).collect::<Result<_, _>>()?;
-        dynamic::place_observer_gain(Arg::new(f, "F").matrix()?, Arg::new(h, "H").matrix()?, &poles)
+        dynamic::place_observer_gain(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, &poles)
     };
     let k: DVector<f64> = answer().map_err(thrown)?;
     plain(&rows(&DMatrix::from_column_slice(k.len(), 1, k.as_slice())))
@@ -184,7 +184,7 @@ pub fn euclidean_foot(
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
 ) -> Result<JsValue, JsValue> {
     vector(|| {
-        let h = Arg::new(h, "H").matrix()?;
+        let h = Arg::new(h, "H").tall()?;
         dynamic::euclidean_foot(h, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
     })
 }
@@ -198,7 +198,7 @@ pub fn mahalanobis_foot(
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
 ) -> Result<JsValue, JsValue> {
     vector(|| {
-        let (h, p) = (Arg::new(h, "H").matrix()?, Arg::new(p, "P").matrix()?);
+        let (h, p) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?);
         dynamic::mahalanobis_foot(h, p, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
     })
 }
@@ -213,7 +213,7 @@ pub fn most_likely_output(
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
 ) -> Result<JsValue, JsValue> {
     vector(|| {
-        let (h, p, w) = (Arg::new(h, "H").matrix()?, Arg::new(p, "P").matrix()?, Arg::new(w, "W").matrix()?);
+        let (h, p, w) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?, Arg::new(w, "W").matrix()?);
         dynamic::most_likely_output(h, p, w, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
     })
 }
@@ -229,8 +229,9 @@ fn number_or(value: &JsValue, name: &'static str, default: f64) -> Result<f64, E
 
 fn system_of(value: &JsValue) -> Result<System, Error> {
     let arg = Arg::new(value, "system");
-    let [f, g, h, v, w] = ["F", "G", "H", "V", "W"].map(|name| arg.field(name).and_then(|m| m.matrix()));
-    System::new(f?, g?, h?, v?, w?).map_err(|e| e.within("system"))
+    let (f, g, h) = (arg.field("F")?.tall()?, arg.field("G")?.wide()?, arg.field("H")?.tall()?);
+    let (v, w) = (arg.field("V")?.matrix()?, arg.field("W")?.matrix()?);
+    System::new(f, g, h, v, w).map_err(|e| e.within("system"))
 }
 
 /// `{ x, P }`.
