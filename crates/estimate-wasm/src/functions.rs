@@ -88,7 +88,8 @@ pub fn error_eigenvalues(
     plain(&roots)
 }
 
-/// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out).
+/// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out); at most
+/// 16 states and 8 outputs.
 #[wasm_bindgen(unchecked_return_type = "Observability")]
 pub fn observability(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
@@ -108,7 +109,8 @@ pub fn observability(
     })
 }
 
-/// The gain K that gives (I − KH)F the eigenvalues `poles`, for a single output (Ackermann on (F, HF)).
+/// The gain K that gives (I − KH)F the eigenvalues `poles`, for a single output (Ackermann on (F, HF)) and at most 16 states.
+/// Where F is singular one eigenvalue is 0 whatever K is, and 0 must be among the poles.
 #[wasm_bindgen(js_name = placeObserverGain, unchecked_return_type = "Matrix")]
 pub fn place_observer_gain(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
@@ -176,7 +178,7 @@ pub fn covariance_ellipse(
     plain(&labs::EllipseShape::from(answer().map_err(thrown)?))
 }
 
-/// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric.
+/// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric; at most 16 states and 8 outputs.
 #[wasm_bindgen(js_name = euclideanFoot, unchecked_return_type = "Vector")]
 pub fn euclidean_foot(
     #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
@@ -189,7 +191,7 @@ pub fn euclidean_foot(
     })
 }
 
-/// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `P`.
+/// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `P`; at most 16 states and 8 outputs.
 #[wasm_bindgen(js_name = mahalanobisFoot, unchecked_return_type = "Vector")]
 pub fn mahalanobis_foot(
     #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
@@ -203,7 +205,8 @@ pub fn mahalanobis_foot(
     })
 }
 
-/// y*, the most likely output: where the product of N(Hx, HPHᵀ) and N(y, W) peaks (Theorem 8.2.1).
+/// y*, the most likely output: where the product of N(Hx, HPHᵀ) and N(y, W) peaks (Theorem 8.2.1); at most 16
+/// states and 8 outputs.
 #[wasm_bindgen(js_name = mostLikelyOutput, unchecked_return_type = "Vector")]
 pub fn most_likely_output(
     #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
