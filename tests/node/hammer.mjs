@@ -4,7 +4,7 @@ import { createRequire } from 'node:module'
 import { isDeepStrictEqual } from 'node:util'
 import { parentPort, workerData } from 'node:worker_threads'
 import { CLASSES, FUNCTIONS } from './exports.mjs'
-import { dice as seeded, notCovariance, spoil } from './nonsense.mjs'
+import { dice as seeded, matrices, notCovariance, spoil } from './nonsense.mjs'
 
 const { name, cases, seed, beat } = workerData
 const ticks = new Int32Array(beat)
@@ -45,8 +45,22 @@ function holds(covariances, call) {
   }
 }
 
+/** One array ten thousand times: nothing to make, and a hundred million numbers to read. */
+const VAST = new Array(10_000).fill(new Array(10_000).fill(0))
+
+/** Puts a vast matrix, and one of a vast row, in the place of each matrix in the arguments: each is refused, before it is read. */
+function vast(args, of, run) {
+  for (const { place, put } of matrices(args)) {
+    for (const [size, value] of [['10 000 × 10 000', VAST], ['1 × 10 000', VAST.slice(0, 1)]]) {
+      const call = `${of} with ${size} for ${place}`
+      if (judged(call, () => run(put(value)))) fault('read a vast matrix', call)
+    }
+  }
+}
+
 const dice = seeded(seed)
 if (FUNCTIONS[name]) {
+  vast(FUNCTIONS[name].args(dice), name, (args) => core[name](...args))
   const { args, covariances = () => [] } = FUNCTIONS[name]
   for (let i = 0; i < cases; i++) {
     const given = spoil(args(dice), dice)
@@ -58,6 +72,12 @@ if (FUNCTIONS[name]) {
   const Class = core[name]
   const { make, methods, look, covariances, lab } = CLASSES[name]
   const fresh = () => new Class()
+  vast(make(dice, fresh), `new ${name}`, (args) => new Class(...args))
+  for (const [method, args] of Object.entries(methods)) {
+    const it = new Class(...make(dice, fresh))
+    vast(args(dice, fresh), `${name}.${method}`, (args) => it[method](...args))
+    it.free()
+  }
   for (let i = 0; i < cases; ) {
     const given = spoil(make(dice, fresh), dice)
     i++

@@ -65,6 +65,25 @@ function spoilOnce(value, dice) {
   return value
 }
 
+/** The matrices among the arguments `args`, however deep: where each stands, and the arguments with another in its place. */
+export function matrices(args) {
+  const found = []
+  const walk = (value, keys) => {
+    if (Array.isArray(value) && Array.isArray(value[0])) {
+      const put = (matrix) => {
+        const others = copy(args)
+        keys.slice(0, -1).reduce((inner, key) => inner[key], others)[keys.at(-1)] = matrix
+        return others
+      }
+      found.push({ place: keys.join('.'), put })
+    } else if (value !== null && typeof value === 'object' && !ArrayBuffer.isView(value)) {
+      for (const key of Object.keys(value)) walk(value[key], [...keys, key])
+    }
+  }
+  args.forEach((value, i) => walk(value, [String(i)]))
+  return found
+}
+
 /** A random symmetric positive definite n×n matrix, its scale spread over many decades. */
 export function covariance(n, dice) {
   const factor = Array.from({ length: n }, () => Array.from({ length: n }, dice.normal))

@@ -14,6 +14,11 @@ use wasm_bindgen::prelude::*;
 /// The longest array that is looked at; what is longer is refused before it is walked.
 const MAX_LENGTH: u32 = 10_000;
 
+/// The most rows, and the most columns, of a matrix: no argument of any call has more. What has more is refused by its
+/// lengths, since rows × columns entries of the longest arrays would take a minute to read, or more memory than there is.
+#[cfg(feature = "functions")]
+const MAX_SIDE: u32 = estimate::validate::MAX_STATES as u32;
+
 #[wasm_bindgen]
 extern "C" {
     // js_sys::Array::is_array does not catch, and a revoked proxy makes it throw.
@@ -176,21 +181,34 @@ impl<'a> Arg<'a> {
 
     /// The entries of an array.
     pub fn entries(&self) -> Result<Vec<Arg<'_>>, Error> {
+        self.first(self.length()?)
+    }
+
+    /// The length of an array, at most [`MAX_LENGTH`].
+    fn length(&self) -> Result<u32, Error> {
         if !self.array()? {
             return Err(self.wrong_type("an array"));
         }
-        let unreadable = || self.refuse(Code::Type, "could not be read: reading it threw");
-        let length =
-            Reflect::get(&self.value, &"length".into()).ok().and_then(|l| l.as_f64()).ok_or_else(unreadable)?;
+        let length = Reflect::get(&self.value, &"length".into()).ok().and_then(|l| l.as_f64());
+        let length = length.ok_or_else(|| self.unreadable())?;
         if length > f64::from(MAX_LENGTH) {
             return Err(self.refuse(Code::Limit, format!("is too long; at most {MAX_LENGTH} entries are read")));
         }
-        (0..length as u32)
+        Ok(length as u32)
+    }
+
+    /// The first `length` entries of an array, whose own length is not asked for again: a proxy may answer another.
+    fn first(&self, length: u32) -> Result<Vec<Arg<'_>>, Error> {
+        (0..length)
             .map(|i| {
-                let value = Reflect::get_u32(&self.value, i).map_err(|_| unreadable())?;
+                let value = Reflect::get_u32(&self.value, i).map_err(|_| self.unreadable())?;
                 Ok(Arg { value: Cow::Owned(value), path: Path::Item(&self.path, i) })
             })
             .collect()
+    }
+
+    fn unreadable(&self) -> Error {
+        self.refuse(Code::Type, "could not be read: reading it threw")
     }
 
     /// An array of numbers.
@@ -206,9 +224,32 @@ impl Arg<'_> {
         self.numbers().map(DVector::from_vec)
     }
 
-    /// An array of rows of one length.
+    /// An array of rows of one length. One too large is of the wrong shape: another argument says what its sides must be.
     pub fn matrix(&self) -> Result<DMatrix<f64>, Error> {
-        let rows = self.entries()?.iter().map(Arg::numbers).collect::<Result<Vec<_>, _>>()?;
+        self.matrix_within(Code::Shape, Code::Shape)
+    }
+
+    /// A matrix whose rows are the states or outputs, so that too many of them are beyond a limit.
+    pub fn tall(&self) -> Result<DMatrix<f64>, Error> {
+        self.matrix_within(Code::Limit, Code::Shape)
+    }
+
+    /// A matrix whose columns are the inputs, so that too many of them are beyond a limit.
+    pub fn wide(&self) -> Result<DMatrix<f64>, Error> {
+        self.matrix_within(Code::Shape, Code::Limit)
+    }
+
+    /// A matrix of at most [`MAX_SIDE`] rows and columns; the codes are for one with too many of either.
+    fn matrix_within(&self, tall: Code, wide: Code) -> Result<DMatrix<f64>, Error> {
+        let side = |length: u32, code: Code, of: &str| match length {
+            0..=MAX_SIDE => Ok(length),
+            _ => Err(self.refuse(code, format!("has {length} {of}; at most {MAX_SIDE} are accepted"))),
+        };
+        let numbers = |row: &Arg<'_>| -> Result<Vec<f64>, Error> {
+            row.first(side(row.length()?, wide, "columns")?)?.iter().map(Arg::number).collect()
+        };
+        let rows = self.first(side(self.length()?, tall, "rows")?)?;
+        let rows = rows.iter().map(numbers).collect::<Result<Vec<_>, _>>()?;
         let width = rows.first().map_or(0, Vec::len);
         match rows.iter().position(|row| row.len() != width) {
             Some(i) => {

@@ -126,8 +126,10 @@ impl EkfSlam {
         let several = arg.array().map_err(thrown)?;
         let read = || if several { arg.entries()?.iter().map(sighting).collect() } else { Ok(vec![sighting(&arg)?]) };
         let readings: Vec<Reading> = read().map_err(thrown)?;
+        // The core counts sightings where there are several; an array of one is counted too.
+        let whole = if several { "sightings[0]" } else { "sightings" };
         let blame = |e: Error| match e.argument.as_ref() {
-            "range" | "bearing" | "landmark" => e.within("sightings"),
+            "range" | "bearing" | "landmark" => e.within(whole),
             _ => e,
         };
         let reports = self.write(|slam| slam.update(&readings).map_err(blame))?;

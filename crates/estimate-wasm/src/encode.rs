@@ -10,8 +10,9 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
+/** At most 10 000 entries are read of any array. */
 export type Vector = number[];
-/** An array of rows. */
+/** An array of rows; as an argument at most 16 rows and 16 columns. */
 export type Matrix = number[][];
 /** N(x, P). */
 export interface Belief { x: Vector; P: Matrix }

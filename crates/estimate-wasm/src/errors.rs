@@ -6,7 +6,8 @@ use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
-/** Why a call was refused. Everything it could have changed is as it was. */
+/** Why a call was refused. Everything it could have changed is as it was. A method called after `free()`, or on an object of
+    another class, throws wasm-bindgen's own error instead. */
 export interface EstimateError extends Error {
     name: "EstimateError";
     code: "not-finite" | "shape" | "not-symmetric" | "not-positive-semidefinite" | "innovation-not-positive-definite"

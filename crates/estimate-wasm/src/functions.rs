@@ -88,7 +88,8 @@ pub fn error_eigenvalues(
     plain(&roots)
 }
 
-/// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out).
+/// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out); at most
+/// 16 states and 8 outputs.
 #[wasm_bindgen(unchecked_return_type = "Observability")]
 pub fn observability(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
@@ -97,7 +98,7 @@ pub fn observability(
 ) -> Result<JsValue, JsValue> {
     let answer = || {
         let tolerance = number_or(tolerance, "tolerance", 1e-9)?;
-        dynamic::observability(Arg::new(f, "F").matrix()?, Arg::new(h, "H").matrix()?, tolerance)
+        dynamic::observability(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, tolerance)
     };
     let seen = answer().map_err(thrown)?;
     plain(&ObservabilityAnswer {
@@ -108,7 +109,8 @@ pub fn observability(
     })
 }
 
-/// The gain K that gives (I − KH)F the eigenvalues `poles`, for a single output (Ackermann on (F, HF)).
+/// The gain K that gives (I − KH)F the eigenvalues `poles`, for a single output (Ackermann on (F, HF)) and at most 16 states.
+/// Where F is singular one eigenvalue is 0 whatever K is, and 0 must be among the poles.
 #[wasm_bindgen(js_name = placeObserverGain, unchecked_return_type = "Matrix")]
 pub fn place_observer_gain(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
@@ -118,7 +120,7 @@ pub fn place_observer_gain(
     let answer = || {
         let poles: Vec<Complex<f64>> =
             Arg::new(poles, "poles").entries()?.iter().map(Arg::complex).collect::<Result<_, _>>()?;
-        dynamic::place_observer_gain(Arg::new(f, "F").matrix()?, Arg::new(h, "H").matrix()?, &poles)
+        dynamic::place_observer_gain(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, &poles)
     };
     let k: DVector<f64> = answer().map_err(thrown)?;
     plain(&rows(&DMatrix::from_column_slice(k.len(), 1, k.as_slice())))
@@ -176,7 +178,7 @@ pub fn covariance_ellipse(
     plain(&labs::EllipseShape::from(answer().map_err(thrown)?))
 }
 
-/// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric.
+/// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric; at most 16 states and 8 outputs.
 #[wasm_bindgen(js_name = euclideanFoot, unchecked_return_type = "Vector")]
 pub fn euclidean_foot(
     #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
@@ -184,12 +186,12 @@ pub fn euclidean_foot(
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
 ) -> Result<JsValue, JsValue> {
     vector(|| {
-        let h = Arg::new(h, "H").matrix()?;
+        let h = Arg::new(h, "H").tall()?;
         dynamic::euclidean_foot(h, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
     })
 }
 
-/// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `P`.
+/// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `P`; at most 16 states and 8 outputs.
 #[wasm_bindgen(js_name = mahalanobisFoot, unchecked_return_type = "Vector")]
 pub fn mahalanobis_foot(
     #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
@@ -198,12 +200,13 @@ pub fn mahalanobis_foot(
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
 ) -> Result<JsValue, JsValue> {
     vector(|| {
-        let (h, p) = (Arg::new(h, "H").matrix()?, Arg::new(p, "P").matrix()?);
+        let (h, p) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?);
         dynamic::mahalanobis_foot(h, p, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
     })
 }
 
-/// y*, the most likely output: where the product of N(Hx, HPHᵀ) and N(y, W) peaks (Theorem 8.2.1).
+/// y*, the most likely output: where the product of N(Hx, HPHᵀ) and N(y, W) peaks (Theorem 8.2.1); at most 16
+/// states and 8 outputs.
 #[wasm_bindgen(js_name = mostLikelyOutput, unchecked_return_type = "Vector")]
 pub fn most_likely_output(
     #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
@@ -213,7 +216,7 @@ pub fn most_likely_output(
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
 ) -> Result<JsValue, JsValue> {
     vector(|| {
-        let (h, p, w) = (Arg::new(h, "H").matrix()?, Arg::new(p, "P").matrix()?, Arg::new(w, "W").matrix()?);
+        let (h, p, w) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?, Arg::new(w, "W").matrix()?);
         dynamic::most_likely_output(h, p, w, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
     })
 }
@@ -229,8 +232,9 @@ fn number_or(value: &JsValue, name: &'static str, default: f64) -> Result<f64, E
 
 fn system_of(value: &JsValue) -> Result<System, Error> {
     let arg = Arg::new(value, "system");
-    let [f, g, h, v, w] = ["F", "G", "H", "V", "W"].map(|name| arg.field(name).and_then(|m| m.matrix()));
-    System::new(f?, g?, h?, v?, w?).map_err(|e| e.within("system"))
+    let (f, g, h) = (arg.field("F")?.tall()?, arg.field("G")?.wide()?, arg.field("H")?.tall()?);
+    let (v, w) = (arg.field("V")?.matrix()?, arg.field("W")?.matrix()?);
+    System::new(f, g, h, v, w).map_err(|e| e.within("system"))
 }
 
 /// `{ x, P }`.

@@ -107,10 +107,11 @@ pub(crate) fn busy() -> JsValue {
 }
 
 /// The class of a lab, with the TypeScript names of its partial parameters, its frame and its state:
-/// `lab_class!(Name: labs::Name, "Partial<Params>", "Frame", "LabState<Params>")`.
+/// `lab_class!("What it is.", Name: labs::Name, "Partial<Params>", "Frame", "LabState<Params>")`. What it is comes as plain
+/// text: of a doc comment that has gone through a macro, wasm-bindgen writes the quotes too.
 macro_rules! lab_class {
-    ($(#[$doc:meta])* $name:ident: $lab:ty, $partial:tt, $frame:tt, $state:tt) => {
-        $(#[$doc])*
+    ($doc:tt, $name:ident: $lab:ty, $partial:tt, $frame:tt, $state:tt) => {
+        #[doc = $doc]
         #[wasm_bindgen]
         pub struct $name($crate::lab::Held<$lab>);
 
@@ -125,9 +126,7 @@ macro_rules! lab_class {
             }
 
             /// The lab in a state that `state()` answered.
-            pub fn from(
-                #[wasm_bindgen(unchecked_param_type = $state)] state: &JsValue,
-            ) -> Result<$name, JsValue> {
+            pub fn from(#[wasm_bindgen(unchecked_param_type = $state)] state: &JsValue) -> Result<$name, JsValue> {
                 $crate::lab::Held::from_state(state).map(Self)
             }
 

@@ -4,6 +4,12 @@
 //! `{ re, im }`. Every export decodes its arguments strictly (nothing is coerced), calls the core, and encodes the answer;
 //! there is no arithmetic here. What cannot be answered is thrown as an `Error` named `EstimateError` with a `code`, the
 //! `argument` to blame and a `message`; every object is then as it was, and the module goes on working.
+//!
+//! Two mistakes do not come this far: a method called after `free()`, or on an object of another class, throws wasm-bindgen's
+//! own error, which has no `code`.
+//!
+//! A matrix has at most 16 rows and 16 columns, any other array at most 10 000 entries; a call that accepts fewer, and a
+//! typed array, say so where they stand.
 
 #[cfg(feature = "functions")]
 mod checks;

@@ -140,7 +140,7 @@ fn point(arg: &Arg<'_>) -> Result<[f64; 2], Error> {
 }
 
 lab_class! {
-    /// Rusty on a square in room A: which landmarks does it take to know where it is?
+    "Rusty on a square in room A: which landmarks does it take to know where it is?",
     ObservabilityProbe: labs::ObservabilityProbe, "Partial<ProbeParams>", "ProbeFrame", "LabState<ProbeParams>"
 }
 

@@ -76,6 +76,6 @@ impl Decoded for labs::ObserverBench {
 }
 
 lab_class! {
-    /// The rail robot of §8.2.6 under an observer whose gain the reader sets, or the filter does.
+    "The rail robot of §8.2.6 under an observer whose gain the reader sets, or the filter does.",
     ObserverBench: labs::ObserverBench, "Partial<BenchParams>", "BenchFrame", "LabState<BenchParams>"
 }

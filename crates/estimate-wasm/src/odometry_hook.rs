@@ -78,6 +78,6 @@ impl Decoded for labs::OdometryHook {
 }
 
 lab_class! {
-    /// A loop of the corridor on encoders with a biased wheel, with or without fixes from the mapped corners.
+    "A loop of the corridor on encoders with a biased wheel, with or without fixes from the mapped corners.",
     OdometryHook: labs::OdometryHook, "Partial<HookParams>", "HookFrame", "LabState<HookParams>"
 }

@@ -78,6 +78,6 @@ impl Decoded for labs::Picture {
 }
 
 lab_class! {
-    /// A prediction, the states that explain a reading, and the two ways of stepping onto them.
+    "A prediction, the states that explain a reading, and the two ways of stepping onto them.",
     Picture: labs::Picture, "Partial<PictureParams>", "PictureFrame", "LabState<PictureParams>"
 }

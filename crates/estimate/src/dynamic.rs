@@ -9,8 +9,9 @@ use crate::riccati::{DynamicSteadyState, Model};
 use crate::validate::{self, MAX_INPUTS, MAX_OUTPUTS, MAX_STATES};
 use crate::{observer, placement, spectrum};
 use filters::linear;
-use geom::{Affine, Ellipse};
-use nalgebra::{Complex, DMatrix, DVector, Matrix2};
+use geom::{Affine, Ellipse, MIN_PIVOT, Spd};
+use nalgebra::allocator::Allocator;
+use nalgebra::{Complex, DMatrix, DVector, DefaultAllocator, Dim, Dyn, Matrix2, OMatrix};
 
 /// A checked system: F n×n, G n×m, H p×n, V n×n and W p×p, with n ≤ 16, m ≤ 8 and p ≤ 8.
 #[derive(Clone, Debug, PartialEq)]
@@ -51,8 +52,18 @@ impl System {
         })
     }
 
-    fn model(&self) -> Model<'_, nalgebra::Dyn, nalgebra::Dyn> {
+    fn model(&self) -> Model<'_, Dyn, Dyn> {
         Model { f: &self.f, h: &self.h, v: &self.v, w: &self.w }
+    }
+
+    /// F x + G u, when it and its output are finite; `state` is what the caller calls x.
+    fn predicted(&self, x: &DVector<f64>, u: &DVector<f64>, state: &'static str) -> Result<DVector<f64>, Error> {
+        let push = &self.g * u;
+        overflow(&push, "u")?;
+        let predicted = &self.f * x + push;
+        overflow(&predicted, state)?;
+        overflow(&(&self.h * &predicted), state)?;
+        Ok(predicted)
     }
 
     fn gain(&self, k: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
@@ -100,7 +111,8 @@ pub struct KalmanStep {
 /// One Kalman step, eqs. 8.26–8.32.
 ///
 /// # Errors
-/// [`Code::Shape`] or [`Code::NotFinite`] naming the argument, [`Code::InnovationNotPositiveDefinite`].
+/// [`Code::Shape`] or [`Code::NotFinite`] naming the argument, of a belief `belief.x` or `belief.P`;
+/// [`Code::InnovationNotPositiveDefinite`].
 pub fn kalman_step(system: &System, belief: &Belief, u: DVector<f64>, y: DVector<f64>) -> Result<KalmanStep, Error> {
     let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
     if belief.x.len() != n {
@@ -108,9 +120,11 @@ pub fn kalman_step(system: &System, belief: &Belief, u: DVector<f64>, y: DVector
     }
     let u = validate::vector(u, m, "u")?;
     let y = validate::vector(y, p, "y")?;
-    let x = linear::finite(&system.f * &belief.x + &system.g * u, "x")?;
-    let cov = linear::predicted_covariance(&system.f, &belief.p, &system.v)?;
-    let linear::Correction { innovation, s, k, x: corrected, p } = linear::correct(&x, &cov, &y, &system.h, &system.w)?;
+    let x = system.predicted(&belief.x, &u, "belief.x")?;
+    let theirs = |e: filters::Error| Error::from(e).renamed("x", "belief.x").renamed("P", "belief.P");
+    let cov = linear::predicted_covariance(&system.f, &belief.p, &system.v).map_err(theirs)?;
+    let linear::Correction { innovation, s, k, x: corrected, p } =
+        linear::correct(&x, &cov, &y, &system.h, &system.w).map_err(theirs)?;
     let (predicted, posterior) = (Belief { x, p: cov }, Belief { x: corrected, p });
     Ok(KalmanStep { predicted, innovation, s, r: k, posterior })
 }
@@ -130,7 +144,10 @@ pub fn observer_step(
     let x = validate::vector(x, system.f.nrows(), "x")?;
     let u = validate::vector(u, system.g.ncols(), "u")?;
     let y = validate::vector(y, system.h.nrows(), "y")?;
-    Ok(linear::finite(observer::observer_step((&system.f, &system.g, &system.h), &k, &x, &u, &y), "x")?)
+    overflow(&(&y - &system.h * system.predicted(&x, &u, "x")?), "y")?;
+    let next = observer::observer_step((&system.f, &system.g, &system.h), &k, &x, &u, &y);
+    overflow(&next, "K")?;
+    Ok(next)
 }
 
 /// The eigenvalues of (I − KH)F, by decreasing modulus, then decreasing imaginary part.
@@ -140,7 +157,7 @@ pub fn observer_step(
 pub fn error_eigenvalues(system: &System, k: DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     let k = system.gain(k)?;
     let m = linear::finite(observer::error_matrix(&system.f, &system.h, &k), "K")?;
-    spectrum::eigenvalues(&m)
+    spectrum::eigenvalues(&m).map_err(|e| e.renamed("matrix", "K"))
 }
 
 /// The rank of [H; HF; …; HF^{n−1}] under the relative `tolerance`, with its singular values and null directions.
@@ -151,6 +168,7 @@ pub fn error_eigenvalues(system: &System, k: DMatrix<f64>) -> Result<Vec<Complex
 pub fn observability(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result<Observability, Error> {
     let (f, h) = pair(f, h)?;
     observability::analyze(&observability::observability_matrix(&f, &h), tolerance)
+        .map_err(|e| e.renamed("matrix", "F"))
 }
 
 /// The gain that gives (I − KH)F the eigenvalues `poles`, for a single output; see
@@ -158,7 +176,7 @@ pub fn observability(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result
 ///
 /// # Errors
 /// [`Code::Limit`], [`Code::Shape`] or [`Code::NotFinite`] naming the argument, [`Code::Poles`], [`Code::Unobservable`],
-/// [`Code::NotPlaceable`].
+/// [`Code::NotPlaceable`], [`Code::DidNotConverge`].
 pub fn place_observer_gain(f: DMatrix<f64>, h: DMatrix<f64>, poles: &[Complex<f64>]) -> Result<DVector<f64>, Error> {
     let (f, h) = pair(f, h)?;
     if h.nrows() != 1 {
@@ -168,7 +186,7 @@ pub fn place_observer_gain(f: DMatrix<f64>, h: DMatrix<f64>, poles: &[Complex<f6
             format!("has {} outputs; Ackermann's formula is for a single one", h.nrows()),
         ));
     }
-    placement::place(&f, &h, poles)
+    placement::place(&f, &h, poles).map_err(|e| e.renamed("matrix", "F"))
 }
 
 /// The limit of the gain from `p0` = P(0 | 0); see [`Lti::steady_state_gain`](crate::Lti::steady_state_gain).
@@ -182,7 +200,7 @@ pub fn steady_state_gain(
     tolerance: f64,
 ) -> Result<DynamicSteadyState, Error> {
     let p0 = validate::covariance(p0, system.f.nrows(), "P0")?;
-    system.model().steady_state(&p0, max_iterations, tolerance)
+    system.model().steady_state(&p0, max_iterations, tolerance).map_err(|e| e.renamed("P", "P0"))
 }
 
 /// R(1), …, R(`steps`) from `p0` = P(0 | 0).
@@ -191,7 +209,7 @@ pub fn steady_state_gain(
 /// As [`steady_state_gain`].
 pub fn gain_schedule(system: &System, p0: DMatrix<f64>, steps: usize) -> Result<Vec<DMatrix<f64>>, Error> {
     let p0 = validate::covariance(p0, system.f.nrows(), "P0")?;
-    system.model().schedule(&p0, steps)
+    system.model().schedule(&p0, steps).map_err(|e| e.renamed("P", "P0"))
 }
 
 /// The ellipse {x : xᵀP⁻¹x = radius²} of a 2×2 covariance.
@@ -216,19 +234,22 @@ pub fn covariance_ellipse(p: DMatrix<f64>, radius: f64) -> Result<Ellipse, Error
 /// [`Code::InnovationNotPositiveDefinite`] when H has not full row rank.
 pub fn euclidean_foot(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Result<DVector<f64>, Error> {
     let (omega, x) = affine(h, x, y)?;
-    omega.euclidean_foot(&x).ok_or_else(|| {
-        Error::new(
-            Code::InnovationNotPositiveDefinite,
-            "H",
-            "HHᵀ is singular, or too large or small for floating point: the rows of H must be independent",
-        )
-    })
+    omega.euclidean_foot(&x).ok_or_else(rows_repeat)
+}
+
+fn rows_repeat() -> Error {
+    Error::new(
+        Code::InnovationNotPositiveDefinite,
+        "H",
+        "HHᵀ is singular, or too large or small for floating point: the rows of H must be independent",
+    )
 }
 
 /// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `p`.
 ///
 /// # Errors
-/// As [`euclidean_foot`], with HPHᵀ in place of HHᵀ; for `p` as [`Belief::new`].
+/// As [`euclidean_foot`], for H also [`Code::NotFinite`] when HPHᵀ overflows; for `p` as [`Belief::new`], and
+/// [`Code::InnovationNotPositiveDefinite`] when H has full row rank but HPHᵀ is singular.
 pub fn mahalanobis_foot(
     h: DMatrix<f64>,
     p: DMatrix<f64>,
@@ -237,13 +258,21 @@ pub fn mahalanobis_foot(
 ) -> Result<DVector<f64>, Error> {
     let (omega, x) = affine(h, x, y)?;
     let p = validate::covariance(p, x.len(), "P")?;
-    omega.mahalanobis_foot(&p, &x).ok_or_else(|| {
-        Error::new(
-            Code::InnovationNotPositiveDefinite,
-            "P",
-            "HPHᵀ is singular, or too large or small for floating point: P leaves no uncertainty in what H measures, so no step along it reaches Ω",
-        )
-    })
+    let Some(foot) = omega.mahalanobis_foot(&p, &x) else {
+        let h = &omega.h;
+        overflow(&(h * (&p * h.transpose())), "H")?;
+        let independent = Spd::new(h * h.transpose()).is_some_and(|s| s.pivot() >= MIN_PIVOT);
+        return Err(if independent {
+            Error::new(
+                Code::InnovationNotPositiveDefinite,
+                "P",
+                "HPHᵀ is singular, or too small for floating point: P leaves no uncertainty in what H measures, so no step along it reaches Ω",
+            )
+        } else {
+            rows_repeat()
+        });
+    };
+    Ok(foot)
 }
 
 /// y*, the most likely output: the product of N(Hx̂, HPHᵀ) and N(y, W) peaks there (Theorem 8.2.1).
@@ -267,6 +296,18 @@ pub fn most_likely_output(
     Ok(output)
 }
 
+/// # Errors
+/// [`Code::NotFinite`] blaming `argument`, when finite numbers have become an `m` that is not.
+fn overflow<C: Dim>(m: &OMatrix<f64, Dyn, C>, argument: &'static str) -> Result<(), Error>
+where
+    DefaultAllocator: Allocator<Dyn, C>,
+{
+    if linear::is_finite(m) {
+        return Ok(());
+    }
+    Err(Error::new(Code::NotFinite, argument, "is too large, with the numbers beside it: a product overflows"))
+}
+
 fn size(n: usize, cap: usize, argument: &'static str) -> Result<(), Error> {
     match n {
         0 => Err(Error::new(Code::Shape, argument, "is empty")),
@@ -282,11 +323,7 @@ fn pair(f: DMatrix<f64>, h: DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>)
     let p = h.nrows();
     Ok((validate::matrix(f, (n, n), "F")?, validate::matrix(h, (p, n), "H")?))
 }
-fn affine(
-    h: DMatrix<f64>,
-    x: DVector<f64>,
-    y: DVector<f64>,
-) -> Result<(Affine<nalgebra::Dyn, nalgebra::Dyn>, DVector<f64>), Error> {
+fn affine(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Result<(Affine<Dyn, Dyn>, DVector<f64>), Error> {
     let (n, p) = (x.len(), h.nrows());
     size(n, MAX_STATES, "x")?;
     size(p, MAX_OUTPUTS, "H")?;
@@ -410,6 +447,35 @@ mod tests {
     }
 
     #[test]
+    fn what_overflows_is_called_as_the_caller_calls_it() {
+        let blame = |e: Error| (e.code, e.argument.into_owned());
+        let not_finite = |argument: &str| (Code::NotFinite, argument.to_string());
+        let (system, belief) = rail();
+        let (zero, vast) = (dvector![0.0], dvector![1.7e308, 1.7e308]);
+        let step = |b: &Belief, u, y| blame(kalman_step(&system, b, u, y).expect_err("overflows"));
+        let far = Belief { x: vast.clone(), ..belief.clone() };
+        assert_eq!(step(&far, zero.clone(), zero.clone()), not_finite("belief.x"));
+        let wide = Belief { p: 1.7e308 * DMatrix::identity(2, 2), ..belief.clone() };
+        assert_eq!(step(&wide, zero.clone(), zero.clone()), not_finite("belief.P"));
+        let fast = Belief { x: dvector![0.0, -1e308], ..belief.clone() };
+        assert_eq!(step(&fast, zero.clone(), dvector![1e308]), not_finite("y"));
+        assert_eq!(blame(gain_schedule(&system, wide.p.clone(), 3).expect_err("overflows")), not_finite("P0"));
+        assert_eq!(blame(steady_state_gain(&system, wide.p, 3, 0.1).expect_err("overflows")), not_finite("P0"));
+
+        let observe = |k, x, u, y| blame(observer_step(&system, k, x, u, y).expect_err("overflows"));
+        let k = dmatrix![0.5; 0.5];
+        assert_eq!(observe(1e308 * &k, belief.x.clone(), zero.clone(), dvector![99.0]), not_finite("K"));
+        assert_eq!(observe(k.clone(), vast, zero.clone(), zero.clone()), not_finite("x"));
+        assert_eq!(observe(k, fast.x, zero.clone(), dvector![1e308]), not_finite("y"));
+        let strong = System { f: 10.0 * &system.f, g: dmatrix![0.0; 10.0], ..system };
+        let pushed = kalman_step(&strong, &belief, dvector![1e308], zero).expect_err("overflows");
+        assert_eq!(blame(pushed), not_finite("u"));
+        let vast: DMatrix<f64> = 1e308 * DMatrix::identity(2, 2);
+        assert_eq!(blame(error_eigenvalues(&strong, dmatrix![1e308; 1e308]).expect_err("overflows")), not_finite("K"));
+        assert_eq!(blame(observability(vast.clone(), vast, 0.1).expect_err("overflows")), not_finite("F"));
+    }
+
+    #[test]
     fn sixteen_states_and_eight_outputs_are_in_reach() {
         let (n, p) = (MAX_STATES, MAX_OUTPUTS);
         let f = DMatrix::from_fn(n, n, |i, j| if i == j { 1.0 } else { 0.02 * libm::sin((3 * i + 7 * j) as f64) });
@@ -437,8 +503,12 @@ mod tests {
         let (x, y) = (dvector![0.0, 0.0], dvector![1.0, 1.0]);
         let refused = euclidean_foot(h.clone(), x.clone(), y.clone()).expect_err("rank one");
         assert_eq!(code(refused), (Code::InnovationNotPositiveDefinite, "H".into()));
-        let refused = mahalanobis_foot(h, DMatrix::identity(2, 2), x, y).expect_err("rank one");
-        assert_eq!(code(refused), (Code::InnovationNotPositiveDefinite, "P".into()));
+        let foot = |h: &DMatrix<f64>, p| mahalanobis_foot(h.clone(), p, x.clone(), y.clone()).map_err(code);
+        let singular = |argument: &str| Err((Code::InnovationNotPositiveDefinite, argument.into()));
+        assert_eq!(foot(&h, DMatrix::identity(2, 2)), singular("H"), "its rows are copies");
+        assert_eq!(foot(&DMatrix::identity(2, 2), dmatrix![1.0, 0.0; 0.0, 0.0]), singular("P"));
+        let vast = 1e200 * DMatrix::identity(2, 2);
+        assert_eq!(foot(&vast, DMatrix::identity(2, 2)), Err((Code::NotFinite, "H".into())));
         let p = DMatrix::identity(2, 2);
         assert_eq!(code(covariance_ellipse(p.clone(), 0.0).expect_err("no radius")), (Code::Limit, "radius".into()));
         assert_eq!(code(covariance_ellipse(p, f64::INFINITY).expect_err("infinite")).0, Code::NotFinite);

@@ -26,7 +26,7 @@ pub enum Code {
     Index,
     /// Range or bearing to a landmark the robot stands on.
     AtLandmark,
-    /// (F, H) is observable but F is singular, so the poles cannot be had.
+    /// (F, H) is observable but F is singular, or nearly, so the poles cannot be had.
     NotPlaceable,
     /// A count or a size is beyond its documented cap.
     Limit,
@@ -58,6 +58,21 @@ impl Error {
     pub fn within(mut self, whole: &str) -> Self {
         self.argument = format!("{whole}.{}", self.argument).into();
         self
+    }
+
+    /// The same error from a function whose argument `to` is what the failing computation calls `from`.
+    #[must_use]
+    pub(crate) fn renamed(mut self, from: &str, to: &'static str) -> Self {
+        if self.argument == from {
+            self.argument = to.into();
+        }
+        self
+    }
+
+    /// The same error from an update by a reading, where only the range can have made an innovation or a mean infinite:
+    /// a bearing is taken on the circle.
+    pub(crate) fn of_a_range(self) -> Self {
+        if self.code == Code::NotFinite { self.renamed("x", "range").renamed("y", "range") } else { self }
     }
 }
 

@@ -151,7 +151,17 @@ impl EkfLocalizer {
     pub fn predict(&mut self, u: DVector<f64>, v: DMatrix<f64>) -> Result<(), Error> {
         let u = validate::vector(u, 2, "u")?;
         let v = validate::covariance(v, 3, "V")?;
-        self.ekf.predict(&Vector2::new(u[0], u[1]), &Matrix3::from_fn(|i, j| v[(i, j)]))
+        self.moved(&Vector2::new(u[0], u[1]), &Matrix3::from_fn(|i, j| v[(i, j)]))
+    }
+
+    /// A prediction, of which u or V is to blame for an overflow: V where there would be none without it.
+    fn moved(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
+        let before = self.ekf;
+        self.ekf.predict(u, v).map_err(|e| {
+            let mut without_noise = before;
+            let culprit = if without_noise.predict(u, &Matrix3::zeros()).is_ok() { "V" } else { "u" };
+            e.renamed("x", culprit).renamed("P", culprit)
+        })
     }
 
     /// Corrects the belief with a reading within the gate; one beyond it leaves the belief alone, whether its landmark
@@ -159,11 +169,11 @@ impl EkfLocalizer {
     /// least χ².
     ///
     /// # Errors
-    /// [`Code::NotFinite`], [`Code::Limit`] for a negative range, [`Code::Type`] for a bearing that is missing or too
-    /// many, [`Code::Index`] for an id that is not on the map, [`Code::AtLandmark`],
+    /// [`Code::NotFinite`], naming the range where its innovation overflows; [`Code::Limit`] for a negative range,
+    /// [`Code::Type`] for a bearing that is missing or too many, [`Code::Index`] for an id that is not on the map, [`Code::AtLandmark`],
     /// [`Code::InnovationNotPositiveDefinite`].
     pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
-        self.judge(&reading, localized, localized)
+        self.judge(&reading, localized, localized).map_err(Error::of_a_range)
     }
 
     /// What became of `reading`, as `both` or `one` tells it for the sensor there is.
@@ -214,7 +224,7 @@ impl EkfLocalizer {
         let v = Matrix3::from_fn(|i, j| v[(i, j)]);
         let (mut next, mut poses) = (self.clone(), Vec::with_capacity(log.len()));
         for (k, logged) in log.iter().enumerate() {
-            next.step(logged, &v).map_err(|e| e.within(&format!("log[{k}]")))?;
+            next.step(logged, &v).map_err(|e| if e.argument == "V" { e } else { e.within(&format!("log[{k}]")) })?;
             let pose = next.ekf.pose();
             poses.push([pose.x(), pose.y(), pose.theta()]);
         }
@@ -224,8 +234,8 @@ impl EkfLocalizer {
 
     fn step(&mut self, logged: &Logged, v: &Matrix3<f64>) -> Result<(), Error> {
         let u = Vector2::new(validate::finite(logged.u[0], "u")?, validate::finite(logged.u[1], "u")?);
-        self.ekf.predict(&u, v)?;
-        self.judge(&logged.reading, |_, _, _| (), |_, _, _| ())
+        self.moved(&u, v)?;
+        self.judge(&logged.reading, |_, _, _| (), |_, _, _| ()).map_err(Error::of_a_range)
     }
 
     /// Which sensor it has.
@@ -357,6 +367,15 @@ mod tests {
         broken[2].reading.range = -1.0;
         let refused = at_once.replay(&broken, v.clone()).expect_err("a negative range");
         assert_eq!((refused.code, refused.argument.as_ref()), (Code::Limit, "log[2].range"));
+        broken[2].reading.range = 1e308;
+        let refused = at_once.replay(&broken, v.clone()).expect_err("a vast range");
+        assert_eq!((refused.code, refused.argument.as_ref()), (Code::NotFinite, "log[2].range"));
+        broken[1].u[0] = 1e200;
+        let refused = at_once.replay(&broken, v.clone()).expect_err("a vast step");
+        assert_eq!((refused.code, refused.argument.as_ref()), (Code::NotFinite, "log[1].u"));
+        let vast = 1e308 * DMatrix::identity(3, 3);
+        let refused = at_once.replay(&log, vast).expect_err("a vast noise");
+        assert_eq!((refused.code, refused.argument.as_ref()), (Code::NotFinite, "V"));
         assert_eq!(at_once.replay(&[], v).expect_err("no step").code, Code::Limit);
         assert_eq!(at_once, in_turn);
     }
@@ -398,11 +417,16 @@ mod tests {
         let mut update = |r: Reading| blame(ekf.update(r).expect_err("refused"));
         assert_eq!(update(Reading { range: -0.1, ..reading(None) }), (Code::Limit, "range".into()));
         assert_eq!(update(Reading { range: f64::NAN, ..reading(None) }), (Code::NotFinite, "range".into()));
+        assert_eq!(update(Reading { range: 1e308, ..reading(None) }), (Code::NotFinite, "range".into()));
+        assert_eq!(update(Reading { range: 1e308, ..reading(Some(8)) }), (Code::NotFinite, "range".into()));
         assert_eq!(update(reading(Some(4))), (Code::Index, "landmark".into()));
         let predict = |ekf: &mut EkfLocalizer, u, v| blame(ekf.predict(u, v).expect_err("refused"));
         assert_eq!(predict(&mut ekf, dvector![1.0], DMatrix::zeros(3, 3)), (Code::Shape, "u".into()));
         assert_eq!(predict(&mut ekf, dvector![1.0, 0.0], DMatrix::zeros(2, 2)), (Code::Shape, "V".into()));
-        assert_eq!(predict(&mut ekf, dvector![1e308, 0.0], DMatrix::zeros(3, 3)).0, Code::NotFinite);
+        for far in [1e200, 1e308] {
+            let refused = predict(&mut ekf, dvector![far, 0.0], DMatrix::zeros(3, 3));
+            assert_eq!(refused, (Code::NotFinite, "u".into()));
+        }
         assert_eq!(ekf, both(None));
 
         let here = vec![Landmark { id: 1, x: 1.5, y: 2.0 }];

@@ -13,9 +13,10 @@ const RANK_TOLERANCE: f64 = 1e-9;
 /// The gain K for which (I − KH)F has the eigenvalues `poles`, for a single output.
 ///
 /// # Errors
-/// [`Code::Poles`] when the poles are not n finite numbers closed under conjugation; [`Code::Unobservable`] when (F, H) is
-/// not observable; [`Code::NotPlaceable`] when it is but F is singular or so nearly so that the poles are missed;
-/// [`Code::NotFinite`] or [`Code::DidNotConverge`] where the numbers are too large for either to be told.
+/// [`Code::Poles`] when the poles are not n numbers closed under conjugation; [`Code::Unobservable`] when (F, H) is not
+/// observable; [`Code::NotPlaceable`] when it is but F is singular, so that one eigenvalue is 0 whatever K is, and 0 is not
+/// among the poles, or when F is so nearly singular that the poles are missed; [`Code::NotFinite`] for a pole that is not, or
+/// with [`Code::DidNotConverge`] where the numbers are too large for either to be told.
 ///
 /// # Example
 /// ```
@@ -52,29 +53,56 @@ pub(crate) fn place(f: &DMatrix<f64>, h: &DMatrix<f64>, poles: &[Complex<f64>]) 
             ),
         ));
     }
-    let shifted = observability_matrix(f, &(h * f));
+    let hf = h * f;
+    let reached = analyze(&observability_matrix(f, &hf), RANK_TOLERANCE)?;
+    let k =
+        if reached.rank == n { ackermann(f, &hf, &factors) } else { beside_zero(f, &hf, &factors, &reached.nullspace) };
     let not_placeable = || {
-        Error::new(
-            Code::NotPlaceable,
-            "F",
-            "is singular, or nearly: an eigenvalue of (I − KH)F stays at 0 whatever K is, so these poles cannot be had",
-        )
+        let message = "is singular, or nearly: an eigenvalue of (I − KH)F stays at 0 whatever K is, and Ackermann's formula \
+                       has no answer for these poles";
+        Error::new(Code::NotPlaceable, "F", message)
     };
-    if analyze(&shifted, RANK_TOLERANCE)?.rank < n {
-        return Err(not_placeable());
-    }
-    let last = DVector::from_fn(n, |i, _| if i + 1 == n { 1.0 } else { 0.0 });
-    let direction = shifted.lu().solve(&last).ok_or_else(not_placeable)?;
-    let k = evaluate(&factors, f) * direction;
-    let k = validate::vector(k, n, "poles")?;
+    let k = validate::vector(k.ok_or_else(not_placeable)?, n, "poles")?;
     // By Cayley and Hamilton the polynomial with these roots vanishes at (I − KH)F, and at no matrix with other roots.
-    let closed = f - &k * (h * f);
+    let closed = f - &k * hf;
     let residual = evaluate(&factors, &closed).norm();
     let size: f64 = poles.iter().map(|p| closed.norm() + geom::hypot(p.re, p.im)).product();
     if residual <= 1e-6 * size { Ok(k) } else { Err(not_placeable()) }
 }
 
+/// The k for which f − k·c has the roots of `factors`; `None` when (f, c) is not observable.
+fn ackermann(f: &DMatrix<f64>, c: &DMatrix<f64>, factors: &[Factor]) -> Option<DVector<f64>> {
+    let n = f.nrows();
+    let last = DVector::from_fn(n, |i, _| if i + 1 == n { 1.0 } else { 0.0 });
+    Some(evaluate(factors, f) * observability_matrix(f, c).lu().solve(&last)?)
+}
+
+/// [`ackermann`] where Fv = 0 for the one direction `v` that (F, HF) does not see: (I − KH)F keeps that eigenvalue 0, and
+/// its others are those of what F does across v. `None` when 0 is not among the poles.
+fn beside_zero(
+    f: &DMatrix<f64>,
+    hf: &DMatrix<f64>,
+    factors: &[Factor],
+    unseen: &[DVector<f64>],
+) -> Option<DVector<f64>> {
+    let [v] = unseen else { return None };
+    let zero = factors.iter().position(|factor| matches!(factor, Factor::Real(root) if *root == 0.0))?;
+    let mut others = factors.to_vec();
+    others.remove(zero);
+    let n = f.nrows();
+    if n == 1 {
+        return Some(DVector::zeros(1));
+    }
+    // The rows beside the first of the reflection that takes v to the first axis: an orthonormal basis across v.
+    let turned = v + DVector::from_fn(n, |i, _| if i == 0 { libm::copysign(1.0, v[0]) } else { 0.0 });
+    let mirror = DMatrix::identity(n, n) - &turned * turned.transpose() * (2.0 / turned.norm_squared());
+    let across = mirror.columns(1, n - 1).into_owned();
+    let k = ackermann(&(across.transpose() * f * &across), &(hf * &across), &others)?;
+    Some(across * k)
+}
+
 /// A real polynomial in factors: λ − a, or λ² − bλ + c for a conjugate pair.
+#[derive(Clone, Copy)]
 enum Factor {
     Real(f64),
     Pair { sum: f64, product: f64 },
@@ -86,7 +114,7 @@ fn real_factors(poles: &[Complex<f64>], n: usize) -> Result<Vec<Factor>, Error> 
         return refuse(format!("are {}; a system of {n} states needs {n}", poles.len()).into());
     }
     if poles.iter().any(|p| !p.re.is_finite() || !p.im.is_finite()) {
-        return refuse("hold a NaN or an infinity; every pole must be finite".into());
+        return Err(Error::new(Code::NotFinite, "poles", "hold a NaN or an infinity; every pole must be finite"));
     }
     let mut factors: Vec<Factor> = poles.iter().filter(|p| p.im == 0.0).map(|p| Factor::Real(p.re)).collect();
     let mut lower: Vec<&Complex<f64>> = poles.iter().filter(|p| p.im < 0.0).collect();
@@ -150,7 +178,24 @@ mod tests {
     }
 
     #[test]
-    fn an_observable_pair_with_a_singular_f_is_not_placeable() {
+    fn beside_the_zero_of_a_singular_f_the_other_poles_are_met() {
+        let k = place(&dmatrix![0.0, 1.0; 0.0, 0.0], &dmatrix![1.0, 0.0], &real(&[0.0, 0.3])).expect("0 is among them");
+        assert!((k - nalgebra::dvector![0.0, -0.3]).amax() < 1e-15);
+        assert_eq!(place(&dmatrix![0.0], &dmatrix![2.0], &real(&[0.0])), Ok(DVector::zeros(1)));
+
+        let f = dmatrix![0.5, 1.0, -0.2; 1.0, 2.0, -0.4; 0.3, -0.7, 0.9];
+        let h = dmatrix![1.0, 0.4, 0.2];
+        let poles = [Complex::new(0.4, 0.3), Complex::new(0.4, -0.3), Complex::from(0.0)];
+        let k = place(&f, &h, &poles).expect("0 is among them");
+        let found = eigenvalues(&error_matrix(&f, &h, &DMatrix::from_column_slice(3, 1, k.as_slice()))).expect("found");
+        for (found, pole) in found.iter().zip(poles) {
+            assert!((found - pole).l1_norm() < 1e-13, "{found} against {pole}");
+        }
+        assert_eq!(code(f, h, &real(&[0.5, 0.2, 0.1])), Code::NotPlaceable);
+    }
+
+    #[test]
+    fn an_observable_pair_with_a_singular_f_is_not_placeable_without_its_zero() {
         assert_eq!(code(dmatrix![0.0, 1.0; 0.0, 0.0], dmatrix![1.0, 0.0], &real(&[0.5, 0.2])), Code::NotPlaceable);
     }
 
@@ -158,7 +203,9 @@ mod tests {
     fn poles_must_be_n_finite_and_conjugate() {
         let (f, h) = (dmatrix![1.0, 0.5; 0.0, 1.0], dmatrix![1.0, 0.0]);
         assert_eq!(code(f.clone(), h.clone(), &real(&[0.5])), Code::Poles);
-        assert_eq!(code(f.clone(), h.clone(), &real(&[0.5, f64::NAN])), Code::Poles);
+        for pole in [f64::NAN, f64::INFINITY] {
+            assert_eq!(code(f.clone(), h.clone(), &real(&[0.5, pole])), Code::NotFinite);
+        }
         assert_eq!(code(f.clone(), h.clone(), &[Complex::new(0.5, 0.1), Complex::new(0.5, 0.1)]), Code::Poles);
         assert_eq!(code(f.clone(), h.clone(), &[Complex::new(0.5, -0.1), Complex::from(0.5)]), Code::Poles);
         assert_eq!(code(f, h, &[Complex::new(0.5, 0.1), Complex::new(0.4, -0.1)]), Code::Poles);

@@ -162,13 +162,15 @@ impl EkfSlam {
     /// state, one after the other with the first linearization, which equals their stack since W is block-diagonal.
     ///
     /// # Errors
-    /// [`Code::Limit`], [`Code::NotFinite`], [`Code::AtLandmark`] or [`Code::InnovationNotPositiveDefinite`];
-    /// [`Code::Index`] when two sightings name one landmark. Belief and map are then as they were.
+    /// [`Code::Limit`], [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`]; [`Code::AtLandmark`] naming the
+    /// landmark that the estimate stands on, or a range of 0 that would found one; [`Code::NotPositiveSemidefinite`] where P
+    /// would lose its digits; [`Code::Index`] when two sightings name one landmark. Of several sightings the name says
+    /// which: `sightings[1].range`. Belief and map are then as they were.
     pub fn update(&mut self, readings: &[Reading]) -> Result<Vec<Report>, Error> {
         validate::count(readings.len(), MAX_SIGHTINGS, "sightings")?;
         match readings {
             [one] => {
-                let (report, expected) = self.judged(one, &[])?;
+                let (report, expected) = self.judged(one, &[]).map_err(Error::of_a_range)?;
                 let before = core::mem::replace(&mut self.nis, (0.0, 0));
                 let done = match expected {
                     Some(expected) => self.correct(&expected, &expected.innovation),
@@ -178,7 +180,7 @@ impl EkfSlam {
                 if done.is_err() {
                     self.nis = before;
                 }
-                done.map(|()| vec![report])
+                done.map(|()| vec![report]).map_err(Error::of_a_range)
             }
             // Several: a later one may fail, so the work is done on a copy, which costs no more than one of the updates.
             _ => {
@@ -195,33 +197,37 @@ impl EkfSlam {
         let (mut reports, mut matched, mut unfounded) = (Vec::new(), Vec::new(), Vec::new());
         let named: Vec<u32> = readings.iter().filter_map(|r| r.landmark).collect();
         let mut taken: Vec<usize> = named.iter().filter_map(|id| self.index(*id)).collect();
+        let within = |i: usize, e: Error| match e.of_a_range() {
+            e if matches!(e.argument.as_ref(), "range" | "bearing" | "landmark") => {
+                e.within(&format!("sightings[{i}]"))
+            }
+            e => e,
+        };
         for (i, reading) in readings.iter().enumerate() {
-            let at = |e: Error| match e.argument.as_ref() {
-                "range" | "bearing" | "landmark" => e.within(&format!("sightings[{i}]")),
-                _ => e,
-            };
+            let at = |e| within(i, e);
             if reading.landmark.is_some() && readings[..i].iter().any(|earlier| earlier.landmark == reading.landmark) {
                 return Err(at(Error::new(Code::Index, "landmark", "is named by an earlier sighting of this step")));
             }
             let (mut report, expected) = self.judged(reading, &taken).map_err(at)?;
             if let Some(expected) = expected {
                 taken.push(expected.j);
-                matched.push(expected);
+                matched.push((i, expected));
             } else if report.outcome == Outcome::Founded {
                 if reading.landmark.is_none() {
                     report.landmark = self.free_id(&named, &reports);
                 }
-                unfounded.push((*reading, report.landmark));
+                unfounded.push((i, report.landmark));
             }
             reports.push(report);
         }
-        for (reading, id) in unfounded {
-            self.found(&reading, id)?;
+        for (i, id) in unfounded {
+            self.found(&readings[i], id).map_err(|e| within(i, e))?;
         }
         let prediction = self.x.clone();
-        for expected in &matched {
+        for (i, expected) in &matched {
             let moved = expected.moved(&prediction, &self.x);
-            self.correct(expected, &(expected.innovation - expected.h * moved))?;
+            let innovation = expected.innovation - expected.h * moved;
+            self.correct(expected, &innovation).map_err(|e| within(*i, e))?;
         }
         Ok(reports)
     }
@@ -301,7 +307,8 @@ impl EkfSlam {
         );
         let all = rows.iter().flatten().chain(corner.iter()).chain(position.iter());
         if all.clone().any(|e| !e.is_finite()) {
-            return Err(filters::Error::NotFinite { what: "the covariance" }.into());
+            let message = "is too large: the landmark that it would found has an infinite place or covariance";
+            return Err(Error::new(Code::NotFinite, "range", message));
         }
         let largest = self.p.diagonal().fold(0.0, f64::max);
         let reach = [0, 1].map(|a: usize| {

@@ -2,7 +2,8 @@
 
 use estimate::{Code, Error};
 
-/// The last step a lab runs to; a run re-played from there still fits a frame of the page.
+/// The last step a lab runs to. A replay from there takes several frames of the page, the Probe's many: the cap bounds how
+/// long a call lasts, which nothing can interrupt.
 pub const MAX_STEP: u32 = 100_000;
 
 /// All it takes to find a lab again: parameters and step.

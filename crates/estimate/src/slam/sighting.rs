@@ -107,7 +107,8 @@ impl Expected {
 pub(super) fn founding(pose: &SE2, reading: &Reading) -> Result<(Vector2<f64>, Matrix2x3<f64>, Matrix2<f64>), Error> {
     let Reading { range, bearing, .. } = *reading;
     if range < NEAREST {
-        return Err(filters::Error::AtFeature.into());
+        let message = "is 0, or next to it: a reading taken on a landmark has no bearing, and cannot found one";
+        return Err(Error::new(Code::AtLandmark, "range", message));
     }
     let (sin, cos) = libm::sincos(pose.theta() + bearing);
     let position = Vector2::new(pose.x() - range * cos, pose.y() - range * sin);

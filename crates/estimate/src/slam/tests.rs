@@ -223,6 +223,31 @@ fn a_refused_call_leaves_belief_and_map() {
 }
 
 #[test]
+fn the_reading_to_blame_is_named() {
+    let one = Reading { range: 3.0, bearing: 0.5, landmark: Some(1) };
+    let mut slam = slam();
+    slam.update(&[one]).expect("founded");
+    let mut blamed = |readings: &[Reading]| {
+        let refused = slam.update(readings).expect_err("refused");
+        (refused.code, refused.argument.into_owned())
+    };
+    let other = Reading { bearing: -2.0, landmark: Some(2), ..one };
+    for (range, code) in [(0.0, Code::AtLandmark), (1e200, Code::NotFinite), (1e308, Code::NotFinite)] {
+        let bad = Reading { range, landmark: Some(3), ..one };
+        assert_eq!(blamed(&[bad]), (code, "range".into()), "a new landmark at {range}");
+        assert_eq!(blamed(&[one, other, bad]), (code, "sightings[2].range".into()), "a new landmark at {range}");
+    }
+    let far = Reading { range: 1e308, ..one };
+    assert_eq!(blamed(&[far]), (Code::NotFinite, "range".into()));
+    assert_eq!(blamed(&[other, far]), (Code::NotFinite, "sightings[1].range".into()));
+
+    let [x, y] = slam.landmarks().map(|l| l.position.into()).next().expect("one");
+    slam.x[..2].copy_from_slice(&[x, y]);
+    let refused = slam.update(&[one]).expect_err("the estimate stands on it");
+    assert_eq!((refused.code, refused.argument.as_ref()), (Code::AtLandmark, "landmark"));
+}
+
+#[test]
 fn a_map_has_its_cap() {
     let mut slam = slam();
     for id in 0..MAX_LANDMARKS as u32 {

@@ -32,11 +32,16 @@ impl EkfSlam {
     /// The pose moves by `u` = [Δs, Δθ]; `v` is 3×3, in the pose.
     ///
     /// # Errors
-    /// Naming u or V: [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`], [`Code::NotPositiveSemidefinite`].
+    /// Naming u or V: [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`], [`Code::NotPositiveSemidefinite`]; V
+    /// for a covariance that overflows or loses its digits where it would not without V, otherwise u.
     pub fn predict_by(&mut self, u: DVector<f64>, v: DMatrix<f64>) -> Result<(), Error> {
         let u = validate::vector(u, 2, "u")?;
         let v = validate::covariance(v, 3, "V")?;
-        self.predict(&Vector2::new(u[0], u[1]), &Matrix3::from_fn(|i, j| v[(i, j)]))
+        let u = Vector2::new(u[0], u[1]);
+        self.predict(&u, &Matrix3::from_fn(|i, j| v[(i, j)])).map_err(|e| {
+            let culprit = if self.clone().predict(&u, &Matrix3::zeros()).is_ok() { "V" } else { "u" };
+            e.renamed("x", culprit).renamed("P", culprit)
+        })
     }
 }
 
@@ -69,6 +74,9 @@ mod tests {
         let refused = |e: Result<(), Error>| e.expect_err("refused").argument.into_owned();
         assert_eq!(refused(slam.predict_by(dvector![1.0], DMatrix::zeros(3, 3))), "u");
         assert_eq!(refused(slam.predict_by(dvector![1.0, 0.0], DMatrix::zeros(2, 2))), "V");
+        assert_eq!(refused(slam.predict_by(dvector![1e200, 0.0], DMatrix::zeros(3, 3))), "u");
+        slam.predict_by(dvector![0.0, 0.0], 1e308 * DMatrix::identity(3, 3)).expect("just within");
+        assert_eq!(refused(slam.predict_by(dvector![0.0, 0.0], 1e308 * DMatrix::identity(3, 3))), "V");
     }
 
     /// Numbers as a page may send them: ordinary ones mostly, and the worst there are.
