@@ -156,12 +156,10 @@ impl EkfLocalizer {
 
     /// A prediction, of which u or V is to blame for an overflow: V where there would be none without it.
     fn moved(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
-        let before = self.ekf;
-        self.ekf.predict(u, v).map_err(|e| {
-            let mut without_noise = before;
-            let culprit = if without_noise.predict(u, &Matrix3::zeros()).is_ok() { "V" } else { "u" };
-            e.renamed("x", culprit).renamed("P", culprit)
-        })
+        let Err(refused) = self.ekf.predict(u, v) else { return Ok(()) };
+        let mut without_noise = self.ekf;
+        let culprit = if without_noise.predict(u, &Matrix3::zeros()).is_ok() { "V" } else { "u" };
+        Err(refused.renamed("x", culprit).renamed("P", culprit))
     }
 
     /// Corrects the belief with a reading within the gate; one beyond it leaves the belief alone, whether its landmark
