@@ -79,7 +79,7 @@ fn the_closed_forms_are_those_of_another_computation() {
         ("knob.position.1", 1.380224286242623),
         ("knob.position.2", 1.397009412410776),
         ("knob.position.3", 1.309323471326796),
-        ("knob.limit.velocity", 5.582575694955840),
+        ("knob.limit.velocity", 5.58257569495584),
         ("step3.P.11", 1.872985141828005),
     ];
     for (id, value) in elsewhere {
