@@ -15,10 +15,20 @@ fn passed(id: u8) -> Check {
     check
 }
 
-/// The printed decimals, to the half of their last digit.
+/// Every number is the rounded one that the text prints, to 10⁻³ however many decimals are printed: that it is this claim
+/// which was checked. How sharply it was is the check's own tolerance.
 fn prints(actual: &[f64], printed: &[f64]) {
+    assert_eq!(actual.len(), printed.len(), "{actual:?} is printed {printed:?}");
     for (a, p) in actual.iter().zip(printed) {
         assert!((a - p).abs() <= 1e-3, "{a} is printed {p}");
+    }
+}
+
+/// Every number within `tolerance` of its own.
+fn near(actual: &[f64], exact: &[f64], tolerance: f64) {
+    assert_eq!(actual.len(), exact.len(), "{actual:?} against {exact:?}");
+    for (a, e) in actual.iter().zip(exact) {
+        assert!((a - e).abs() <= tolerance, "{a} is not {e}");
     }
 }
 
@@ -34,6 +44,11 @@ fn check_1_the_first_hand_step() {
 #[in_wasm]
 fn check_2_the_second_hand_step() {
     let check = passed(2);
+    assert_eq!(check.tolerance, 1e-12);
+    // Exact: S = 2.6 after the first step, hence P⁻₁₂ = 59/130 and P⁻₂₂ = 131/260 in the second; then ν = −0.95.
+    let (r1, r2, nu) = (118.0 / 261.0, 131.0 / 261.0, -0.95);
+    let exact = [261.0 / 260.0, r1, r2, 4.95 + r1 * nu, 2.95 + r2 * nu, 16429.0 / 10440.0, 59.0 / 261.0, 131.0 / 522.0];
+    near(&check.actual, &exact, 1e-12);
     prints(&check.actual, &[1.0038, 0.4521, 0.5019, 4.520, 2.473, 1.5737, 0.2261, 0.2510]);
 }
 
@@ -46,13 +61,18 @@ fn check_3_the_observability_ranks() {
 #[test]
 #[in_wasm]
 fn check_4_the_placed_eigenvalues() {
-    passed(4);
+    let check = passed(4);
+    assert_eq!(check.tolerance, 1e-12);
+    near(&check.actual, &[0.5, 0.0, 0.2, 0.0], 1e-12);
 }
 
 #[test]
 #[in_wasm]
 fn check_5_the_error_ratio() {
     let check = passed(5);
+    // The smaller eigenvalue is 0.4 of the larger: after 24 steps what it adds is down to 0.4²⁴ ≈ 3·10⁻¹⁰.
+    assert_eq!(check.tolerance, 1e-8);
+    near(&check.actual, &[0.5], 1e-8);
     assert_ne!(check.actual, check.expected, "it converges; it does not start there");
 }
 
@@ -65,7 +85,13 @@ fn check_6_the_gain_by_brute_force() {
 #[test]
 #[in_wasm]
 fn check_7_the_riccati_limits() {
-    prints(&passed(7).actual[..2], &[0.589, 0.287]);
+    let check = passed(7);
+    assert_eq!(check.tolerance, 1e-10);
+    prints(&check.actual[..2], &[0.589, 0.287]);
+    // The velocity sensor's limit in closed form: R∞ = [1/2, (√21 − 1)/10], eigenvalues 1 and (11 − √21)/10.
+    let root = 21.0_f64.sqrt();
+    near(&check.actual[8..14], &[0.5, (root - 1.0) / 10.0, 1.0, 0.0, (11.0 - root) / 10.0, 0.0], 1e-10);
+    assert_eq!([&check.actual[6..8], &check.actual[14..]].concat(), [1.0, 1.0, 0.0, 1.0], "P and R, then R alone");
 }
 
 #[test]

@@ -8,16 +8,38 @@ const knob = (bench) => bench.getByRole('slider', { name: /gain/i })
 const moving = (frame) => Math.max(...frame.eigenvalues.filter((_, i) => i !== frame.pinned).map(({ re, im }) => Math.hypot(re, im)))
 const close = (a, b, tolerance) => Math.abs(a - b) <= tolerance
 
+/** The eigenvalues drawn in the disc's panel: each one's class, and its distance from the disc's centre in radii. */
+const drawn = (bench) => bench.locator('.live .panel-disc').evaluate((svg) => {
+  const middle = (mark) => {
+    const { x, y, width, height } = mark.getBBox()
+    return { x: x + width / 2, y: y + height / 2, radius: width / 2 }
+  }
+  const disc = middle(svg.querySelector('circle.disc'))
+  return [...svg.querySelectorAll('.mark.eigenvalue')].map((mark) => {
+    const { x, y } = middle(mark)
+    return { outside: mark.classList.contains('outside'), modulus: Math.hypot(x - disc.x, y - disc.y) / disc.radius }
+  })
+})
+/** The text of the readout with this label. */
+const readout = (bench, label) => bench.locator('.live .readout').filter({ has: bench.page().locator('dt', { hasText: label }) }).locator('dd').textContent()
+
 test('dragging the knob drives the eigenvalue out of the disc', async (t) => {
   const page = await open(t)
   const bench = await figure(page, 'observer-bench')
   const before = await frameOf(bench)
   assert.ok(before.stable && moving(before) < 1)
+  const inside = await drawn(bench)
+  assert.equal(inside.length, 2)
+  // The pinned one is drawn on the rim.
+  assert.ok(inside.every(({ outside, modulus }) => !outside && modulus < 1 + 1e-3), JSON.stringify(inside))
   await dragSlider(page, knob(bench), 5.9)
   const frame = await until(bench, ({ params }) => params.gain > before.stableUpTo, 'the knob is past its limit')
   assert.ok(!frame.stable && moving(frame) > 1, `modulus ${moving(frame)}`)
   await bench.getByText(/unstable/i).first().waitFor()
-  assert.match(await bench.locator('.live .panel-disc').getAttribute('aria-label'), /eigenvalues/)
+  const left = (await drawn(bench)).filter(({ outside }) => outside)
+  assert.equal(left.length, 1, 'one eigenvalue is drawn as outside')
+  // Places in the picture are rounded to parts of a pixel.
+  assert.ok(left[0].modulus > 1 && close(left[0].modulus, moving(frame), 0.01), `drawn at ${left[0].modulus}, computed as ${moving(frame)}`)
 })
 
 test('the filter, when it may choose, ends where the knob says 1', async (t) => {
@@ -32,8 +54,10 @@ test('the filter, when it may choose, ends where the knob says 1', async (t) => 
   await bench.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })
   const frame = await until(bench, ({ step }) => step >= 30, 'it plays to step 30', 30_000)
   await bench.getByRole('button', { name: 'Pause' }).click()
+  const shown = await readout(bench, 'Equivalent knob')
   assert.ok(!close(first.series.knob[0], 1, 0.1), `it starts at ${first.series.knob[0]}`)
   assert.ok(close(frame.equivalentKnob, 1, 1e-3), `it ends at ${frame.equivalentKnob}`)
+  assert.ok(/^[01]\.\d{3}$/.test(shown) && close(Number(shown), 1, 2e-3), `the readout says ${shown}`)
 })
 
 test('the keys turn the knob, finely, coarsely, and to its ends', async (t) => {

@@ -21,11 +21,21 @@ test('the fuzz knows every export', () => {
 
 for (const name of exported.filter((name) => FUNCTIONS[name] || CLASSES[name])) {
   test(`${name} meets nonsense`, async (t) => {
-    const { accepted, refused, faults } = await hammer(name, FUNCTIONS[name]?.cases ?? CASES)
-    t.diagnostic(`${accepted} answered, ${refused} refused`)
+    const cases = FUNCTIONS[name]?.cases ?? CASES
+    const { accepted, refused, tally, faults } = await hammer(name, cases)
+    t.diagnostic(`${accepted} answered, ${refused} refused: ${JSON.stringify(tally)}`)
     assert.equal(faults.length, 0, `${faults.length} faults, the first:\n${faults.slice(0, 5).join('\n')}`)
     assert.ok(accepted > 0, 'nothing was answered: the valid arguments of the test are not valid')
+    for (const [what, least] of Object.entries(expected(name))) {
+      assert.ok((tally[what] ?? 0) >= (least * cases) / 1500, `${what} came up ${tally[what] ?? 0} times in ${cases} cases`)
+    }
   })
+}
+
+/** What must come up of a class, and how often in 1500 cases: its outcomes, and an answer of each of its methods. */
+function expected(name) {
+  const { methods = {}, least = {} } = CLASSES[name] ?? {}
+  return { ...Object.fromEntries(Object.keys(methods).map((method) => [`${method}()`, 20])), ...least }
 }
 
 function hammer(name, cases) {
@@ -39,7 +49,7 @@ function hammer(name, cases) {
     const end = (counts) => {
       clearInterval(watch)
       worker.terminate()
-      resolve({ faults, accepted: 0, refused: 0, ...counts })
+      resolve({ faults, accepted: 0, refused: 0, tally: {}, ...counts })
     }
     const watch = setInterval(() => {
       const now = Atomics.load(ticks, 0)

@@ -19,6 +19,9 @@ const say = (value) => {
 }
 const fault = (what, call) => parentPort.postMessage({ fault: `${what}\n    in ${call}` })
 let accepted = 0, refused = 0
+/** How often each outcome, each code and each method's answer has come up. */
+const tally = {}
+const count = (what) => { tally[what] = (tally[what] ?? 0) + 1 }
 
 /** Calls, and judges how it came back; undefined where it threw as it should. */
 function judged(call, run) {
@@ -30,6 +33,7 @@ function judged(call, run) {
     return { answer }
   } catch (error) {
     refused++
+    if (CODES.has(error?.code)) count(error.code)
     if (error?.name !== 'EstimateError') fault(`threw ${error?.name ?? typeof error}: ${error?.message ?? error}`, call)
     else if (!CODES.has(error.code)) fault(`unknown code ${error.code}`, call)
     else if (typeof error.argument !== 'string' || error.argument === '') fault('no argument named', call)
@@ -70,7 +74,7 @@ if (FUNCTIONS[name]) {
   }
 } else {
   const Class = core[name]
-  const { make, methods, look, covariances, lab } = CLASSES[name]
+  const { make, methods, look, covariances, answered = () => [], outcomes = () => [], chain = 12, spoilt = 1, often = [], lab } = CLASSES[name]
   const fresh = () => new Class()
   vast(make(dice, fresh), `new ${name}`, (args) => new Class(...args))
   for (const [method, args] of Object.entries(methods)) {
@@ -79,21 +83,25 @@ if (FUNCTIONS[name]) {
     it.free()
   }
   for (let i = 0; i < cases; ) {
-    const given = spoil(make(dice, fresh), dice)
+    const meant = make(dice, fresh)
+    const given = dice.uniform() < spoilt ? spoil(meant, dice) : meant
     i++
     const made = judged(`new ${name}(${say(given)})`, () => new Class(...given))
     if (!made) continue
     let it = made.answer
     let told = `new ${name}(${say(given)})`
-    for (let turns = dice.below(12); turns > 0; turns--, i++) {
-      const method = dice.pick(Object.keys(methods))
+    for (let turns = dice.below(chain); turns > 0; turns--, i++) {
+      const method = dice.pick([...Object.keys(methods), ...often])
       if (typeof it[method] !== 'function') { fault('no such method', `${name}.${method}`); continue }
-      const args = spoil(methods[method](dice, fresh), dice)
+      const valid = methods[method](dice, fresh, it, meant)
+      const args = dice.uniform() < spoilt ? spoil(valid, dice) : valid
       const before = look(it)
       const call = `${told}; .${method}(${say(args)})`
       const back = judged(call, () => it[method](...args))
       if (back) {
-        holds(covariances(it), call)
+        count(`${method}()`)
+        outcomes(back.answer).forEach(count)
+        holds([...covariances(it), ...answered(back.answer)], call)
         if (method === 'set' || method === 'run') told = call.slice(-900)
       } else if (!isDeepStrictEqual(look(it), before)) fault('changed by a call it refused', call)
     }
@@ -110,4 +118,4 @@ if (FUNCTIONS[name]) {
     it.free()
   }
 }
-parentPort.postMessage({ done: true, accepted, refused })
+parentPort.postMessage({ done: true, accepted, refused, tally })

@@ -4,6 +4,8 @@ mod ensembles;
 mod hook;
 mod linear;
 mod maps;
+#[cfg(test)]
+mod pinned;
 mod probe;
 mod robot;
 

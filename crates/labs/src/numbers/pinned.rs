@@ -1,0 +1,94 @@
+//! Numbers of the prose that no check holds, against what is known of them without the core: closed forms, and the
+//! covariance recursion of the rail robot written out in numbers.
+
+use super::numbers;
+use crate::givens::Givens;
+use std::collections::BTreeMap;
+
+/// T = 0.5 s, V and W of the rail robot (§8.2.6).
+const T: f64 = 0.5;
+const V: [f64; 3] = [0.2, 0.05, 0.1];
+const W: f64 = 0.5;
+
+/// Gains and corrected P₁₁ of so many steps from P = diag(1, 2), for H = [1, 0] or [0, 1]. With one output of one state m,
+/// S = P⁻ₘₘ + W, R = P⁻·ₘ / S and P = P⁻ − R P⁻ₘ·: no matrix is needed, and the short form loses nothing at these sizes.
+fn recursion(reads_velocity: bool, steps: usize) -> Vec<([f64; 2], f64)> {
+    let (mut a, mut b, mut d) = (1.0, 0.0, 2.0);
+    let step = |_| {
+        (a, b, d) = (a + 2.0 * T * b + T * T * d + V[0], b + T * d + V[1], d + V[2]);
+        let column = if reads_velocity { [b, d] } else { [a, b] };
+        let s = W + if reads_velocity { d } else { a };
+        let r = column.map(|entry| entry / s);
+        (a, b, d) = (a - r[0] * column[0], b - r[0] * column[1], d - r[1] * column[1]);
+        (r, a)
+    };
+    (0..steps).map(step).collect()
+}
+
+/// The gain's limit. For the velocity sensor [1/2, (√21 − 1)/10]: R₂ follows from P⁻₂₂² = V₂₂ (P⁻₂₂ + W), and R₁ = T since
+/// V₁₂ = T V₂₂. For the position sensor what 400 steps lead to, each of which leaves two fifths of the distance.
+fn limit(reads_velocity: bool) -> [f64; 2] {
+    if reads_velocity { [0.5, (21.0_f64.sqrt() - 1.0) / 10.0] } else { recursion(false, 400)[399].0 }
+}
+
+fn expected() -> Vec<(String, f64)> {
+    let mut table = Vec::new();
+    for (name, reads_velocity) in [("velocity", true), ("position", false)] {
+        // ⟨R, R∞⟩ / ⟨R∞, R∞⟩: the knob whose gain is nearest.
+        let r = limit(reads_velocity);
+        let knob = |k: [f64; 2]| (k[0] * r[0] + k[1] * r[1]) / (r[0] * r[0] + r[1] * r[1]);
+        let knobs = recursion(reads_velocity, 8).into_iter().map(|(k, _)| knob(k));
+        table.extend((1..).zip(knobs).map(|(k, value)| (format!("knob.{name}.{k}"), value)));
+    }
+    // The velocity sensor's second eigenvalue is 1 − g R₂, and −1 at g = 2 / R₂. With the position sensor trace and
+    // determinant are 2 − g (R₁ + T R₂) and 1 − g R₁: λ = −1 solves λ² − tr λ + det = 0 at g = 4 / (2 R₁ + T R₂).
+    let ([_, v2], [p1, p2]) = (limit(true), limit(false));
+    table.push(("knob.limit.velocity".into(), 2.0 / v2));
+    table.push(("knob.limit.position".into(), 4.0 / (2.0 * p1 + T * p2)));
+    // In fractions, after 16429/10440, 59/261 and 131/522 of the second step.
+    table.push(("step3.P.11".into(), 41599.0 / 22210.0));
+    // K = [0.9, 0.8] makes A = [0.1 0.05; −0.8 0.6] with the eigenvalues 0.5 and 0.2, hence by Lagrange's formula
+    // 0.3 Aᵏ = 0.5ᵏ (A − 0.2 I) − 0.2ᵏ (A − 0.5 I), which turns e₀ = [1, 1] into this.
+    let error = |k: i32| {
+        let (slow, fast) = (0.5_f64.powi(k), 0.2_f64.powi(k));
+        (-0.05 * slow + 0.35 * fast).hypot(-0.4 * slow + 0.7 * fast)
+    };
+    table.push(("placed.ratio.12".into(), error(12) / error(11)));
+    table
+}
+
+#[test]
+fn what_no_check_holds_is_what_the_closed_forms_say() {
+    let all = numbers(&Givens::default()).expect("computed");
+    let computed: BTreeMap<_, _> = all.into_iter().map(|n| (n.id, n.value)).collect();
+    for (id, value) in expected() {
+        let ours = computed[&id];
+        // The core stops looking for R∞ where it moves by 10⁻¹² a step.
+        assert!((ours - value).abs() <= 1e-10, "{id} is {ours}, and should be {value}");
+    }
+}
+
+/// The table's own formulas, against values computed elsewhere (exact fractions and a decimal arithmetic of 60 digits).
+#[test]
+fn the_closed_forms_are_those_of_another_computation() {
+    let table: BTreeMap<_, _> = expected().into_iter().collect();
+    let elsewhere = [
+        ("knob.velocity.1", 1.298498548362648),
+        ("knob.velocity.2", 1.072737850652469),
+        ("knob.velocity.3", 1.014104221054039),
+        ("knob.position.1", 1.380224286242623),
+        ("knob.position.2", 1.397009412410776),
+        ("knob.position.3", 1.309323471326796),
+        ("knob.limit.velocity", 5.58257569495584),
+        ("step3.P.11", 1.872985141828005),
+    ];
+    for (id, value) in elsewhere {
+        assert!((table[id] - value).abs() < 1e-12, "{id} is {}, not {value}", table[id]);
+    }
+    assert!((table["knob.limit.position"] - 3.028947960).abs() < 1e-9);
+    assert!((table["placed.ratio.12"] - 0.500023).abs() < 5e-7);
+    let [p, v] = [limit(false), limit(true)];
+    assert!((p[0] - 0.5885825161812468).abs() < 1e-14 && (p[1] - 0.2868510009809105).abs() < 1e-14, "{p:?}");
+    assert!((recursion(true, 400)[399].0[1] - v[1]).abs() < 1e-14, "{v:?}");
+    assert!((recursion(true, 3)[2].1 - table["step3.P.11"]).abs() < 1e-14);
+}
