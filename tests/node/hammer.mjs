@@ -78,8 +78,9 @@ if (FUNCTIONS[name]) {
   const fresh = () => new Class()
   vast(make(dice, fresh), `new ${name}`, (args) => new Class(...args))
   for (const [method, args] of Object.entries(methods)) {
-    const it = new Class(...make(dice, fresh))
-    vast(args(dice, fresh), `${name}.${method}`, (args) => it[method](...args))
+    const meant = make(dice, fresh)
+    const it = new Class(...meant)
+    vast(args(dice, fresh, it, meant), `${name}.${method}`, (args) => it[method](...args))
     it.free()
   }
   for (let i = 0; i < cases; ) {

@@ -3,6 +3,7 @@
 use super::EkfSlam;
 use super::sighting::Expected;
 use crate::error::Error;
+use crate::validate::SEMIDEFINITE_TOLERANCE;
 use geom::{MIN_PIVOT, Spd, wrap};
 use nalgebra::Vector2;
 
@@ -119,7 +120,8 @@ impl EkfSlam {
         Ok(step)
     }
 
-    /// The size below zero at which no eigenvalue of P lies, well within what a covariance is allowed; nothing when one does.
+    /// The size below zero at which no eigenvalue of P lies, well within what a covariance is allowed; nothing when one does,
+    /// or when a landmark's own block is none.
     fn semidefinite_to(&self) -> Option<f64> {
         let largest = self.p.diagonal().fold(0.0, |a: f64, b| a.max(b.abs()));
         if largest == 0.0 {
@@ -132,8 +134,19 @@ impl EkfSlam {
         for i in 0..p.nrows() {
             p[(i, i)] += part;
         }
-        let sound = filters::linear::is_finite(&p) && Spd::new(p).is_some();
+        let sound = filters::linear::is_finite(&p) && Spd::new(p).is_some() && self.landmarks_are_covariances();
         sound.then_some(part * largest)
+    }
+
+    /// Whether each landmark's own block is a covariance by its own size: beside a robot that is lost by 10⁸ metres it could
+    /// be the rounding of the whole, and nothing else.
+    fn landmarks_are_covariances(&self) -> bool {
+        self.landmarks().all(|mapped| {
+            let (mean, half) =
+                (0.5 * (mapped.p[(0, 0)] + mapped.p[(1, 1)]), 0.5 * (mapped.p[(0, 0)] - mapped.p[(1, 1)]));
+            let radius = geom::hypot(half, mapped.p[(1, 0)]);
+            mean - radius >= -SEMIDEFINITE_TOLERANCE * (mean + radius)
+        })
     }
 
     /// A factorization of n rows knows its pivots to n roundings itself.
