@@ -37,6 +37,31 @@ test('the contents called up on a phone are whole', async (t) => {
   assert.deepEqual(cut, [])
 })
 
+test('a line of the text is as long as an eye can follow', async (t) => {
+  const page = await open(t)
+  await page.evaluate(() => document.fonts.ready)
+  // The letters between one line's box and the next, in paragraphs of words alone; a paragraph's last line ends where it will.
+  const lengths = await page.evaluate(() => [...document.querySelectorAll('.chapter > section > p')].flatMap((p) => {
+    if (p.querySelector('.katex, .number, .formula-numbers')) return []
+    const lines = new Map()
+    const walker = document.createTreeWalker(p, NodeFilter.SHOW_TEXT)
+    for (let node; (node = walker.nextNode());) {
+      for (let i = 0; i < node.data.length; i++) {
+        const range = document.createRange()
+        range.setStart(node, i)
+        range.setEnd(node, i + 1)
+        const box = range.getBoundingClientRect()
+        if (node.data[i] !== '\u00ad' && box.width > 0) lines.set(Math.round(box.bottom / 8), (lines.get(Math.round(box.bottom / 8)) ?? 0) + 1)
+      }
+    }
+    return [...lines.values()].slice(0, -1)
+  }))
+  const median = lengths.sort((a, b) => a - b)[Math.floor(lengths.length / 2)]
+  t.diagnostic(`${lengths.length} lines, ${median} characters in the middle`)
+  assert.ok(lengths.length > 50)
+  assert.ok(median >= 60 && median <= 75, `${median} characters`)
+})
+
 for (const tag of ['observer-bench', 'odometry-hook', 'observability-probe']) {
   test(`the page stays where it is while the ${tag} plays`, async (t) => {
     const page = await open(t, { motion: 'no-preference' })

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { figure, open } from './harness.mjs'
 
 const button = (page, name) => page.getByRole('group', { name: 'Notation' }).getByRole('button', { name, exact: true })
+const said = (page) => page.locator('.site-tools [role=status]')
 /** What the reader sees of a formula, a label or a readout. */
 const seen = (page) => page.evaluate(() => {
   const text = (element) => element.innerText.replace(/\s+/g, ' ').trim()
@@ -93,8 +94,32 @@ test('where the other letters cannot be fetched the page stays with Choset\'s', 
   await page.waitForFunction(() => document.documentElement.dataset.notation === 'choset')
   assert.equal(await button(page, 'Choset').getAttribute('aria-pressed'), 'true')
   assert.ok((await ask(page)).formulas.every((shown) => shown.length === 1 && shown[0] === 'in-choset'))
+  await said(page).filter({ hasText: 'could not be fetched' }).waitFor()
   // When they can be had, the next press has them.
   await page.unroute('**/thrun.json')
+  await button(page, 'Thrun').click()
+  await thrunIsThere(page)
+  assert.equal(await said(page).textContent(), '')
+})
+
+test('letters of another build than the page\'s are not put in: their numbers name other formulas', async (t) => {
+  // As after a deploy with one formula more, in a tab opened before it.
+  const page = await open(t, {
+    prepare: (it) => it.route('**/thrun.json', async (route) => {
+      const response = await route.fetch()
+      const { version, readings } = await response.json()
+      assert.match(version, /^[0-9a-f]{16}$/)
+      await route.fulfill({ response, json: { version: version.replace(/^./, (digit) => (digit === '0' ? '1' : '0')), readings: ['<span>x</span>', ...readings] } })
+    }),
+  })
+  await button(page, 'Thrun').click()
+  await said(page).filter({ hasText: 'reload this page' }).waitFor()
+  assert.equal(await button(page, 'Choset').getAttribute('aria-pressed'), 'true')
+  assert.equal(await page.locator('[data-thrun] > .in-thrun').count(), 0)
+  assert.ok((await ask(page)).formulas.every((shown) => shown.length === 1 && shown[0] === 'in-choset'))
+  // The page of that build has them.
+  await page.unroute('**/thrun.json')
+  await page.reload()
   await button(page, 'Thrun').click()
   await thrunIsThere(page)
 })

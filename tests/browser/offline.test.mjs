@@ -1,34 +1,100 @@
-// After one visit the site needs no network.
-import { test } from 'node:test'
+// After one visit the site needs no network; a copy of the book beside it, or a new version of it, takes nothing away.
+import { after, test } from 'node:test'
 import assert from 'node:assert/strict'
+import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import path from 'node:path'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, figure, watch } from './harness.mjs'
 
-test('after one visit every page and figure works without a network', { timeout: 120_000 }, async () => {
-  const site = await serve({ folder: dist, base: BASE })
+const WIDGETS = ['odometry-hook', 'observer-bench', 'kalman-picture', 'observability-probe']
+const copies = mkdtempSync(path.join(tmpdir(), 'book-copies-'))
+after(() => rmSync(copies, { recursive: true, force: true }))
+
+/** A browser that lets workers in, before the site of `folder`; what the page complains of must be nothing in the end. */
+async function visit(folder, base, act) {
+  const site = await serve({ folder, base })
   const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
   try {
     const context = await browser.newContext({ reducedMotion: 'reduce' })
     const page = await context.newPage()
     const complaints = watch(page, site.url)
-    await page.goto(site.url + 'kalman/')
-    await page.evaluate(async () => {
-      const { active } = await navigator.serviceWorker.ready
-      while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
-    })
     // The network goes away for good: no server is left to ask.
-    await context.setOffline(true)
-    await site.close()
-    for (const at of ['kalman/', '', 'check/']) {
-      await page.goto(site.url + at)
-      assert.ok((await page.locator('h1').first().textContent()).length > 3, `/${at}`)
+    const unplug = async () => {
+      await context.setOffline(true)
+      await site.close()
     }
-    await page.goto(site.url + 'kalman/')
-    await figure(page, 'observer-bench')
+    await act({ page, url: site.url, unplug })
     assert.deepEqual(complaints, [])
   } finally {
     await browser.close()
     await site.close().catch(() => {})
   }
+}
+
+const kept = (page) => page.evaluate(async () => {
+  const { active } = await navigator.serviceWorker.ready
+  while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
+})
+const stores = async (page) => (await page.evaluate(() => caches.keys())).sort()
+
+/** Another version of the copy in `folder`, as a deploy would bring it. */
+function deploy(folder, version) {
+  const edit = (file, change) => writeFileSync(path.join(folder, file), change(readFileSync(path.join(folder, file), 'utf8')))
+  edit('index.html', (html) => html.replace(/<h1>[^<]*/, `<h1>Version ${version}`))
+  edit('sw.js', (script) => script.replace(/VERSION = (['"])[^'"]*/, `VERSION = $1${version}`))
+}
+
+test('after one visit every page, figure and check works without a network, in both letters', { timeout: 240_000 }, async () => {
+  await visit(dist, BASE, async ({ page, url, unplug }) => {
+    await page.goto(url + 'kalman/')
+    await kept(page)
+    await unplug()
+    const files = JSON.parse(readFileSync(path.join(dist, 'precache.json'), 'utf8')).map((file) => file.url)
+    const pages = files.filter((at) => /(\/|\.html)$/.test(at))
+    assert.ok(pages.length > 10, `${pages}`)
+    for (const at of pages) {
+      await page.goto(url + at)
+      assert.ok((await page.locator('h1').first().textContent()).length > 3, `/${at}`)
+    }
+    await page.goto(url + 'kalman/')
+    for (const tag of WIDGETS) await figure(page, tag)
+    await page.locator('[data-set-notation="thrun"]').click()
+    await page.waitForFunction(() => document.documentElement.classList.contains('two-notations'))
+    await page.locator('[data-open-search]').click()
+    await page.locator('dialog.search input').fill('innovation')
+    await page.locator('dialog.search li a').first().waitFor()
+    await page.goto(url + 'check/')
+    await page.locator('[data-run-checks]').click()
+    await page.getByRole('status').filter({ hasText: /^13 of 13 checks pass/ }).waitFor({ timeout: 60_000 })
+  })
+})
+
+test('two copies on one origin keep a store each, and a new version takes the place of its own alone', { timeout: 240_000 }, async () => {
+  const [one, two] = ['one', 'two'].map((name) => path.join(copies, name))
+  for (const folder of [one, two]) cpSync(dist, folder, { recursive: true })
+  deploy(one, 'first')
+  deploy(two, 'other')
+  await visit(copies, '/shelf/', async ({ page, url, unplug }) => {
+    for (const at of ['one/', 'two/']) {
+      await page.goto(url + at)
+      await kept(page)
+    }
+    assert.deepEqual(await stores(page), ['book-/shelf/one/#first', 'book-/shelf/two/#other'])
+
+    deploy(one, 'second')
+    await page.goto(url + 'one/')
+    await page.evaluate(async () => { await (await navigator.serviceWorker.ready).update() })
+    for (let waits = 0; (await stores(page)).some((name) => name.endsWith('first')) && waits < 600; waits++) await page.waitForTimeout(100)
+    await kept(page)
+    assert.deepEqual(await stores(page), ['book-/shelf/one/#second', 'book-/shelf/two/#other'])
+    await unplug()
+    for (const [at, version] of [['one/', 'second'], ['two/', 'other']]) {
+      await page.goto(url + at)
+      assert.equal(await page.locator('h1').textContent(), `Version ${version}`)
+      await page.goto(`${url}${at}kalman/`)
+      await figure(page, 'observer-bench')
+    }
+  })
 })

@@ -17,23 +17,42 @@ async function pages(pdf) {
 
 const plain = (text) => text.replace(/[\s\u00ad\u200b]+/g, '').normalize('NFKC')
 
+/** The first words of each block that is closed on the screen. */
+const firstWords = (page) => page.evaluate(() => [...document.querySelectorAll('main details:not(.numbers)')].flatMap((block) => {
+  const first = [...block.querySelectorAll('p')].find((p) => !p.closest('summary') && !p.querySelector('.katex, .number, a') && p.textContent.trim().length > 30)
+  return first ? [first.textContent.trim().slice(0, 30)] : []
+}))
+
 test('a PDF of the chapter has every section open and no controls', { timeout: 120_000 }, async (t) => {
   const page = await open(t)
   await walkDown(page)
-  // The first words of each block that is closed on the screen.
-  const closed = await page.evaluate(() => [...document.querySelectorAll('main details:not(.numbers)')].flatMap((block) => {
-    const first = [...block.querySelectorAll('p')].find((p) => !p.closest('summary') && !p.querySelector('.katex, .number, a') && p.textContent.trim().length > 30)
-    return first ? [first.textContent.trim().slice(0, 30)] : []
-  }))
+  const closed = await firstWords(page)
   assert.ok(closed.length >= 5, `only ${closed.length} closed blocks were found`)
   const texts = await pages(await page.pdf({ format: 'A4', printBackground: true }))
   const whole = plain(texts.join(' '))
   t.diagnostic(`${texts.length} pages`)
   assert.deepEqual(closed.filter((words) => !whole.includes(plain(words))), [], 'these are not on paper')
-  assert.ok(whole.includes('doi:10.'), 'the references show their addresses')
+  // Links lead nowhere on paper: their addresses are printed, each once.
+  const addresses = await page.locator('main a[href^="http"]').evaluateAll((all) => all.map((link) => link.href))
+  assert.ok(addresses.some((address) => address.startsWith('https://doi.org/')))
+  const missing = addresses.filter((address) => whole.split(plain(address)).length !== 2)
+  assert.deepEqual(missing, [], 'these are not on paper, or twice')
+  // A figure's name, its picture and its words stay together.
+  const figures = await page.locator('figure.figure-widget').evaluateAll((all) => all.map((it) => [it.querySelector('.figure-title'), it.querySelector('figcaption .label')].map((part) => part.textContent.trim())))
+  assert.ok(figures.length >= 4)
+  const torn = figures.filter(([title, label]) => !texts.some((text) => plain(text).includes(plain(title)) && plain(text).split(plain(title))[1].includes(plain(label))))
+  assert.deepEqual(torn, [], 'titles and captions on two pages')
   // What introduces something stands on its page.
   const lonely = texts.slice(0, -1).filter((text) => /(Answer|Worked answer|Starter|Hint|\.rs)\s*$/.test(text)).map((text) => text.slice(-60))
   assert.deepEqual(lonely, [])
+})
+
+test('with scripts off what is closed on the screen is open on paper', { timeout: 120_000 }, async (t) => {
+  const page = await open(t, { scripts: false })
+  const closed = await firstWords(page)
+  assert.ok(closed.length >= 5, `only ${closed.length} closed blocks were found`)
+  const whole = plain((await pages(await page.pdf({ format: 'A4', printBackground: true }))).join(' '))
+  assert.deepEqual(closed.filter((words) => !whole.includes(plain(words))), [], 'these are not on paper')
 })
 
 test('in print the figures are stills and nothing to press is left', async (t) => {

@@ -1,7 +1,8 @@
 // Pictures of every widget and of three regions of the page, light and dark, desktop and phone, against references.
 import { test } from 'node:test'
-import { DESKTOP, PHONE, figure, open } from './harness.mjs'
-import { compare } from './snapshots.mjs'
+import assert from 'node:assert/strict'
+import { DESKTOP, PHONE, figure, open, unlock } from './harness.mjs'
+import { TOLERANCE, compare, differenceOf, reference } from './snapshots.mjs'
 
 const WIDGETS = ['odometry-hook', 'observer-bench', 'kalman-picture', 'observability-probe']
 const REGIONS = [['head', '.chapter-head'], ['derivation', 'details.derivation'], ['quiz', 'form.quiz']]
@@ -12,19 +13,35 @@ for (const theme of ['light', 'dark']) {
       // Tall enough for every figure: a picture of one that is taller than the window makes the page scroll as it is taken.
       const page = await open(t, { theme, viewport: { ...viewport, height: 2400 }, touch: size === 'phone' })
       await page.evaluate(() => document.fonts.ready)
-      for (const tag of WIDGETS) {
-        const element = await figure(page, tag)
-        await page.mouse.move(0, 0)
-        // On whole pixels, wherever the text above ends.
-        await element.evaluate((it) => { it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px` })
-        compare(await element.screenshot({ animations: 'disabled' }), `${tag}-${theme}-${size}`)
-      }
+      // Before a figure's question is answered: an answer stays open.
       for (const [name, selector] of REGIONS) {
         const region = page.locator(selector).first()
         if (name === 'derivation') await region.evaluate((block) => { block.open = true })
         await region.scrollIntoViewIfNeeded()
         compare(await region.screenshot({ animations: 'disabled' }), `${name}-${theme}-${size}`)
       }
+      for (const tag of WIDGETS) {
+        const element = await figure(page, tag)
+        await unlock(page, await element.getAttribute('data-figure'))
+        await page.mouse.move(0, 0)
+        // On whole pixels, wherever the text above ends.
+        await element.evaluate((it) => { it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px` })
+        compare(await element.screenshot({ animations: 'disabled' }), `${tag}-${theme}-${size}`)
+      }
     })
   }
 }
+
+test('a figure that lost what is coloured in it is refused', (t) => {
+  for (const tag of WIDGETS) {
+    for (const theme of ['light', 'dark']) {
+      for (const size of ['desktop', 'phone']) {
+        const { whole, pale } = reference(`${tag}-${theme}-${size}`)
+        assert.equal(differenceOf(whole, whole).part, 0)
+        const { part } = differenceOf(pale, whole)
+        t.diagnostic(`${tag}-${theme}-${size}: ${(100 * part).toFixed(1)} % of its ink`)
+        assert.ok(part > 4 * TOLERANCE, `${tag}-${theme}-${size} would differ in ${(100 * part).toFixed(1)} % of its ink`)
+      }
+    }
+  }
+})

@@ -53,12 +53,19 @@ test('in the lit figure its kin stay and the others fade, in a still and in a li
   assert.deepEqual(await lit(page), { [id]: kind })
   await page.waitForTimeout(300)
   const seen = await page.locator(`#${id} .widget`).evaluate((it, own) => {
-    const shown = [...it.querySelectorAll('[data-kin]')].filter((mark) => mark.checkVisibility())
+    const shown = [...it.querySelectorAll('[data-kin]:not(.handle), .handle[data-kin] > *')].filter((mark) => mark.checkVisibility())
     const opacity = (mark) => Number(getComputedStyle(mark).opacity)
-    return { kin: shown.filter((mark) => mark.dataset.kin === own).map(opacity), others: shown.filter((mark) => mark.dataset.kin !== own).map(opacity) }
+    const kinOf = (mark) => mark.closest('[data-kin]').dataset.kin
+    const isWord = (mark) => mark.matches('text, .readout')
+    const others = shown.filter((mark) => kinOf(mark) !== own && !mark.matches('.handle-reach'))
+    return {
+      kin: shown.filter((mark) => kinOf(mark) === own).map(opacity),
+      others: others.filter((mark) => !isWord(mark)).map(opacity), words: others.filter(isWord).map(opacity),
+    }
   }, kind)
   assert.ok(seen.kin.length > 0 && seen.kin.every((opacity) => opacity > 0.9), `kin at ${seen.kin}`)
   assert.ok(seen.others.length > 0 && seen.others.every((opacity) => opacity < 0.5), `others at ${seen.others}`)
+  assert.ok(seen.words.length > 0 && seen.words.every((opacity) => opacity === 1), 'words can still be read')
 })
 
 test('a coloured symbol in a formula lights its kin as its word does', async (t) => {

@@ -23,7 +23,10 @@ async function fetched() {
   if (!document.querySelector('[data-thrun]')) return []
   const response = await fetch('thrun.json')
   if (!response.ok) throw new Error(`thrun.json: ${response.status}`)
-  return response.json()
+  const { version, readings } = await response.json()
+  // Of another build than the page: its numbers name other formulas.
+  if (version !== document.documentElement.dataset.readings) throw new Error('thrun.json', { cause: 'version' })
+  return readings
 }
 
 /** @param {string[]} readings as the book wrote them, by the number in `data-thrun` */

@@ -1,12 +1,13 @@
 /**
- * Keeps the whole book: every file of this version is fetched once, into a store named for the version, and older stores
- * go. Pages come from the network while there is one, so that a new version shows at once; files with a hash in their
- * name never change and come from the store.
+ * Keeps the whole book: every file of this version is fetched once, into a store named for the place and the version, and
+ * this place's older stores go. Pages come from the network while there is one, so that a new version shows at once; files
+ * with a hash in their name never change and come from the store.
  */
 
 const VERSION = '__VERSION__'
 const FILES = __PRECACHE__
-const PREFIX = 'book-'
+// Stores belong to the origin: another copy of the book, in a folder beside this one, has its own.
+const PREFIX = `book-${new URL(registration.scope).pathname}#`
 const STORE = PREFIX + VERSION
 
 addEventListener('install', (event) => event.waitUntil(fill().then(() => skipWaiting())))

@@ -14,14 +14,31 @@ export function switches() {
     root.dataset.notation = value
     remember('notation', value)
     if (value === 'thrun') bringThrun()
+    else say('')
   })
   if (root.dataset.notation === 'thrun') bringThrun()
 }
 
-/** Until the other letters are here the page shows Choset's; if they cannot be had it goes back to them. */
+/** Until the other letters are here the page shows Choset's; if they cannot be had it goes back to them, and says so. */
 function bringThrun() {
   const back = /** @type {HTMLElement | null} */ (document.querySelector('[data-set-notation="choset"]'))
-  import('./notation.js').then(({ thrun }) => thrun()).catch(() => back?.click())
+  say('')
+  import('./notation.js').then(({ thrun }) => thrun()).catch((error) => {
+    back?.click()
+    say(error.cause === 'version' ? 'The book has changed since: reload this page for Thrun’s letters.' : 'Thrun’s letters could not be fetched.')
+  })
+}
+
+/** @param {string} words beside the switches; what was said before goes */
+function say(words) {
+  const tools = document.querySelector('.site-tools')
+  let note = tools?.querySelector('[role=status]')
+  if (!note) {
+    note = document.createElement('span')
+    note.setAttribute('role', 'status')
+    tools?.append(note)
+  }
+  note.textContent = words
 }
 
 /**

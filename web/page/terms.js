@@ -8,7 +8,8 @@ export function terms() {
   box.className = 'popover'
   box.id = 'popover'
   box.hidden = true
-  document.body.append(box)
+  // In a landmark, as all of the page: who goes from one to the next would not find it elsewhere.
+  document.querySelector('main')?.append(box)
   /** @type {Element | null} */
   let owner = null
   let pinned = false

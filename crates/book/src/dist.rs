@@ -48,6 +48,20 @@ struct Cached {
     group: &'static str,
 }
 
+/// A page's formulas in Thrun's letters. The page names the version it was built with: it picks its readings by number,
+/// and a tab left open over a deploy would pick them from another page's.
+#[derive(Debug, Serialize)]
+struct Readings {
+    version: String,
+    readings: Vec<String>,
+}
+
+impl Readings {
+    fn new(readings: Vec<String>) -> Self {
+        Self { version: format!("{:016x}", fnv1a(readings.join("\0").as_bytes())), readings }
+    }
+}
+
 impl Build<'_> {
     /// Builds the site.
     ///
@@ -98,9 +112,10 @@ impl Build<'_> {
             let address = format!("{}/", chapter.slug);
             let files = page::files(self.root, &format!("content/{}", chapter.slug))?;
             let text = page::text(self.site, &files, Some(chapter.number), &address, self.diagnostics);
-            let extra = context! { chapter => serde(chapter), body => text.body, contents => serde(&text.contents) };
+            let readings = Readings::new(text.thrun);
+            let extra = context! { chapter => serde(chapter), body => text.body, contents => serde(&text.contents), readings => &readings.version };
             self.page(templates, dist, "chapter", &address, &chapter.title, &chapter.description, extra)?;
-            dist.text(&address, text.search, &text.thrun)?;
+            dist.text(&address, text.search, &readings)?;
         }
         Ok(())
     }
@@ -110,9 +125,11 @@ impl Build<'_> {
             let (address, path) = (format!("{}/", page.slug), format!("content/pages/{}.md", page.slug));
             let file = std::fs::read_to_string(self.root.join(&path)).map_err(|e| BuildError::File(path.clone(), e))?;
             let text: Text = page::text(self.site, &[(path, file)], None, &address, self.diagnostics);
-            let extra = context! { body => text.body, contents => serde(&text.contents) };
+            let readings = Readings::new(text.thrun);
+            let extra =
+                context! { body => text.body, contents => serde(&text.contents), readings => &readings.version };
             self.page(templates, dist, "page", &address, &page.title, &page.description, extra)?;
-            dist.text(&address, text.search, &text.thrun)?;
+            dist.text(&address, text.search, &readings)?;
         }
         Ok(())
     }
@@ -168,12 +185,10 @@ impl Dist {
     }
 
     /// What a text brings beside its page: its part of the search, and its formulas in Thrun's letters.
-    fn text(&mut self, address: &str, search: Vec<Found>, thrun: &[String]) -> Result<(), BuildError> {
+    fn text(&mut self, address: &str, search: Vec<Found>, readings: &Readings) -> Result<(), BuildError> {
         self.search.extend(search);
-        self.put(
-            &format!("{address}thrun.json"),
-            serde_json::to_vec(thrun).map_err(|e| BuildError::Missing(e.to_string()))?,
-        );
+        let json = serde_json::to_vec(readings).map_err(|e| BuildError::Missing(e.to_string()))?;
+        self.put(&format!("{address}thrun.json"), json);
         Ok(())
     }
 
