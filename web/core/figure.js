@@ -33,6 +33,8 @@ export function defineFigure(spec) {
     figure = null
 
     connectedCallback() {
+      // Its script is here now, though it was another of its kind that asked again.
+      if (!this.figure) hideFailure(this)
       this.figure ??= new Figure(this, spec)
       this.figure.watch()
     }
