@@ -17,6 +17,8 @@ import { buildShell } from './shell.js'
 
 const NEAR = '300px 0px'
 const MOST_STEPS = 64
+/** Where motion is not wanted a run goes on in lumps, and this long, milliseconds, each picture stays. */
+const STILL_MS = 500
 /** A turn that has worked so long, milliseconds, leaves the panels it has not drawn to the next … */
 const PATIENCE = 4
 /** … unless nothing but the first has been drawn for so long: then one of them is. */
@@ -80,6 +82,8 @@ class Figure {
     /** What the reader wants and the next turn does. @type {{ patch: Record<string, unknown> | null, steps: number, reset: boolean, draw: boolean }} */
     this.wanted = { patch: null, steps: 0, reset: false, draw: false }
     this.due = 0
+    /** When steps were last taken in play. */
+    this.stepped = -Infinity
     this.beatStart = -Infinity
     this.turned = NaN
     this.memory = {}
@@ -248,7 +252,7 @@ class Figure {
     const elapsed = Number.isNaN(this.turned) ? Infinity : Math.max(0, now - this.turned)
     this.turned = now
     const { patch, reset } = this.wanted
-    const steps = this.wanted.steps + this.dueSteps(elapsed)
+    const steps = this.wanted.steps + this.dueSteps(elapsed, now)
     this.wanted = { patch: null, steps: 0, reset: false, draw: false }
     try {
       if (patch) this.lab.set(patch)
@@ -265,12 +269,15 @@ class Figure {
     else this.turned = NaN
   }
 
-  /** @param {number} elapsed */
-  dueSteps(elapsed) {
+  /** @param {number} elapsed @param {number} now */
+  dueSteps(elapsed, now) {
     if (!this.playing) return 0
     this.due += Number.isFinite(elapsed) ? (Math.min(elapsed, 250) / 1000) * this.rate * (this.spec.pace ?? 2) : 0
-    const whole = Math.min(Math.floor(this.due), MOST_STEPS)
+    const calm = this.calm.matches
+    if (calm && now - this.stepped < STILL_MS) return 0
+    const whole = Math.min(Math.floor(this.due), calm ? 8 * MOST_STEPS : MOST_STEPS)
     this.due -= whole
+    if (whole > 0) this.stepped = now
     return whole
   }
 
