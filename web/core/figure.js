@@ -109,6 +109,8 @@ class Figure {
     this.gist = ''
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.noting = undefined
+    /** Whether what is noted stays until the reader does something. */
+    this.lasting = false
     this.handle = liveHandles((patch) => this.change(patch), () => this.settle())
     this.status = document.createElement('p')
     this.status.className = 'visually-hidden'
@@ -149,7 +151,7 @@ class Figure {
       const { lab, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
       this.lab = lab
       this.live()
-      if (mangled) this.tell('The link to this figure could not be read; it shows its usual state.')
+      if (mangled) this.tell('The link to this figure could not be read; it shows its usual state.', true)
     } catch (error) {
       this.fail(error instanceof Error ? error.message : 'its lab could not be started')
     }
@@ -201,6 +203,7 @@ class Figure {
 
   /** @param {Record<string, unknown>} patch */
   change(patch) {
+    this.hush()
     this.want('patch', { ...this.wanted.patch, ...patch })
   }
 
@@ -210,6 +213,7 @@ class Figure {
 
   /** @param {boolean} on */
   play(on) {
+    this.hush()
     this.playing = on
     this.due = on ? 1 : 0
     if (!on) this.speakSoon()
@@ -217,11 +221,13 @@ class Figure {
   }
 
   steps() {
+    this.hush()
     this.playing = false
     this.want('steps', this.wanted.steps + (this.spec.stride ?? 1))
   }
 
   reset() {
+    this.hush()
     this.playing = false
     this.want('reset', true)
   }
@@ -382,18 +388,42 @@ class Figure {
     if (words) this.status.textContent = words
   }
 
-  /** @param {string} words said and shown for a while */
-  tell(words) {
+  /** @param {string} words said, and shown for a while @param {boolean} [lasting] or until dismissed, or the next action */
+  tell(words, lasting = false) {
     this.status.textContent = words
     if (!this.shell) return
     const { note } = this.shell
     note.textContent = words
     clearTimeout(this.noting)
-    this.noting = setTimeout(() => { note.textContent = '' }, 8000)
+    this.lasting = lasting
+    if (!lasting) {
+      this.noting = setTimeout(() => { note.textContent = '' }, 8000)
+      return
+    }
+    const button = document.createElement('button')
+    button.type = 'button'
+    button.className = 'quiet'
+    button.textContent = 'Dismiss'
+    button.addEventListener('click', () => {
+      this.hush()
+      this.shell?.play.focus({ preventScroll: true })
+    })
+    note.append(' ', button)
+  }
+
+  hush() {
+    if (this.lasting && this.shell) this.shell.note.textContent = ''
+    this.lasting = false
   }
 
   async copyLink() {
-    const link = withState(location.href, this.id, this.lab.state())
+    // What the address says of other figures is as old as the address.
+    let link = location.href
+    for (const other of /** @type {NodeListOf<HTMLElement & { state: any }>} */ (document.querySelectorAll('.widget[data-state="live"]'))) {
+      const id = other.dataset.figure ?? ''
+      if (new URL(link).searchParams.has(id)) link = withState(link, id, other.state)
+    }
+    link = withState(link, this.id, this.lab.state())
     try {
       await navigator.clipboard.writeText(link)
       this.tell('Link copied.')

@@ -11,6 +11,7 @@ switches()
 openForPrint()
 
 whenNear('.widget', (host) => bring(/** @type {HTMLElement} */ (host)))
+if ([...new URLSearchParams(location.search).keys()].some((key) => key.startsWith('fig-'))) import('./links.js').then(({ links }) => links(WIDGETS))
 if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => quizzes())
 document.querySelector('[data-run-checks]')?.addEventListener('click', ({ target }) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (target))))
 document.querySelector('[data-open-search]')?.addEventListener('click', () => import('./search.js').then(({ openSearch }) => openSearch()))
