@@ -3,7 +3,8 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { readFileSync } from 'node:fs'
-import { PAGES, PHONE, open, walkDown } from './harness.mjs'
+import { PNG } from 'pngjs'
+import { PAGES, PHONE, figure, open, walkDown } from './harness.mjs'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 
@@ -64,3 +65,28 @@ for (const theme of ['light', 'dark']) {
     assert.equal(await faults(page), '')
   })
 }
+
+test('in forced colours a figure has its own paper, a slider its track, and the focus its ring', async (t) => {
+  const page = await open(t, { theme: 'dark', prepare: (it) => it.emulateMedia({ forcedColors: 'active', colorScheme: 'dark' }) })
+  await page.locator('[data-set-theme="light"]').click()
+  const bench = await figure(page, 'observer-bench')
+  const { paper, ink } = await bench.evaluate((it) => ({
+    paper: getComputedStyle(it.querySelector('.live .panel')).backgroundColor,
+    ink: getComputedStyle(it.querySelector('.live .axis')).stroke,
+  }))
+  const light = (colour) => colour.match(/[\d.]+/g).slice(0, 3).reduce((sum, value) => sum + Number(value), 0) / 765
+  assert.ok(!/, 0\)$/.test(paper) && Math.abs(light(paper) - light(ink)) > 0.3, `ink ${ink} on ${paper}`)
+
+  const slider = bench.getByRole('slider', { name: /gain/i })
+  await slider.focus()
+  await page.keyboard.press('Home')
+  const { style, width } = await slider.evaluate((it) => { const { outlineStyle: style, outlineWidth: width } = getComputedStyle(it); return { style, width } })
+  assert.deepEqual({ style, width }, { style: 'solid', width: '2px' })
+  await slider.evaluate((it) => it.blur())
+  const picture = PNG.sync.read(await slider.screenshot())
+  // Down a column far from the thumb: paper, track, paper.
+  const x = Math.round(picture.width * 0.6)
+  const column = Array.from({ length: picture.height }, (_, y) => light([...picture.data.subarray(4 * (picture.width * y + x), 4 * (picture.width * y + x) + 3)].join(' ')))
+  const middle = column.slice(Math.round(picture.height * 0.35), Math.round(picture.height * 0.65))
+  assert.ok(Math.max(...middle) - Math.min(...middle) > 0.5, 'there is a track')
+})

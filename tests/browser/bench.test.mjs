@@ -126,9 +126,45 @@ test('with reduced motion a step shows at once; without, in two beats', async (t
   for (const motion of ['reduce', 'no-preference']) {
     const page = await open(t, { motion })
     const bench = await figure(page, 'observer-bench')
-    await bench.getByRole('button', { name: 'Step' }).click()
+    await page.waitForTimeout(300)
+    // Every outline of the ellipse that the step shows, frame by frame.
+    const seen = await bench.evaluate(async (it) => {
+      const ellipses = new Set()
+      const look = () => ellipses.add([...it.querySelectorAll('.live .panel-phase .mark.outline')].map((mark) => mark.getAttribute('d') ?? mark.outerHTML).join())
+      look()
+      ;[...it.querySelectorAll('.live button')].find((button) => button.textContent === 'Step').click()
+      for (const until = performance.now() + 900; performance.now() < until;) {
+        await new Promise((resolve) => requestAnimationFrame(resolve))
+        look()
+      }
+      return ellipses.size
+    })
     await until(bench, ({ step }) => step === 13, 'one step')
+    if (motion === 'reduce') assert.equal(seen, 2, 'before and after, and nothing between')
+    else assert.ok(seen > 2, `${seen} outlines`)
   }
+})
+
+test('with reduced motion a run goes on in lumps, two pictures a second', async (t) => {
+  const page = await open(t, { motion: 'reduce' })
+  const hook = await figure(page, 'odometry-hook')
+  await hook.getByRole('button', { name: 'Reset' }).click()
+  await until(hook, ({ step }) => step === 0, 'reset')
+  await hook.getByRole('button', { name: 'Play' }).click()
+  const { pictures, steps, time } = await hook.evaluate(async (it) => {
+    const map = it.querySelector('.live .panel-map')
+    const [steps, began] = [[it.frame.step], performance.now()]
+    let [pictures, last] = [0, map.innerHTML]
+    while (steps.length < 5) {
+      await new Promise((resolve) => requestAnimationFrame(resolve))
+      if (map.innerHTML !== last) pictures += 1
+      last = map.innerHTML
+      if (it.frame.step !== steps.at(-1)) steps.push(it.frame.step)
+    }
+    return { pictures, steps, time: performance.now() - began }
+  })
+  assert.ok(pictures <= 2 * (time / 1000) + 1.5, `${pictures} pictures in ${Math.round(time)} ms`)
+  assert.ok(steps.at(-1) - steps.at(-2) > 4, `steps ${steps}`)
 })
 
 test('the seed makes another run, and the same one again', async (t) => {
@@ -144,4 +180,28 @@ test('the seed makes another run, and the same one again', async (t) => {
   await seed.press('Enter')
   const again = await until(bench, ({ params }) => params.seed === 1, 'seed 1')
   assert.deepEqual(again.truth, first.truth)
+})
+
+test('a seed can be typed while the figure plays', async (t) => {
+  const page = await open(t, { motion: 'no-preference' })
+  const bench = await figure(page, 'observer-bench')
+  const seed = bench.getByRole('spinbutton', { name: 'Seed' })
+  await bench.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })
+  await bench.getByRole('button', { name: 'Play' }).click()
+  const { step } = await frameOf(bench)
+  await seed.click({ clickCount: 3 })
+  await page.keyboard.press('Backspace')
+  for (const digit of '4711') {
+    await page.keyboard.press(digit)
+    await page.waitForTimeout(200)
+  }
+  assert.ok((await frameOf(bench)).step > step, 'it plays meanwhile')
+  await page.keyboard.press('Enter')
+  await until(bench, ({ params }) => params.seed === 4711, 'the seed typed')
+  // What is left unsaid in it gives way to what holds, when the field is left.
+  await seed.evaluate((input) => { input.value = '' })
+  await page.waitForTimeout(300)
+  assert.equal(await seed.inputValue(), '')
+  await seed.evaluate((input) => input.blur())
+  assert.equal(await seed.inputValue(), '4711')
 })

@@ -2,7 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
-import { dragSlider, figure, frameOf, open, stage, stateOf, until } from './harness.mjs'
+import { dragSlider, figure, frameOf, open, stage, stateOf, unlock, until } from './harness.mjs'
 
 const copied = async (page, bench) => {
   await bench.getByRole('button', { name: 'Copy link to this state' }).click()
@@ -63,3 +63,47 @@ test('the figure and its series can be taken along', async (t) => {
   assert.match(svg.text, /^(<\?xml[^>]*>\s*)?<svg[^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/)
   assert.doesNotMatch(svg.text, /var\(--/, 'the colours are in the file')
 })
+
+for (const [tag, id] of [['odometry-hook', 'fig-odometry'], ['kalman-picture', 'fig-picture'], ['observability-probe', 'fig-probe']]) {
+  test(`state, picture and series of the ${tag} can be taken along`, async (t) => {
+    const page = await open(t)
+    await unlock(page, id)
+    const widget = await figure(page, tag)
+    const before = await stateOf(widget)
+    const step = widget.getByRole('button', { name: 'Step' })
+    if (await step.count()) await step.click()
+    // Off its usual place, and with digits that no control would give.
+    await widget.locator('.live input[type=range]:enabled').first().press('Shift+ArrowRight')
+    await page.waitForFunction(([name, was]) => JSON.stringify(document.querySelector(name).state) !== was && document.querySelector(name).settled, [tag, JSON.stringify(before)])
+    await page.waitForTimeout(300)
+    const there = { frame: await frameOf(widget), state: await stateOf(widget) }
+    assert.notDeepEqual(there.state.params, before.params)
+    const link = await copied(page, widget)
+
+    const take = async (name) => {
+      const [download] = await Promise.all([page.waitForEvent('download'), widget.getByRole('button', { name }).click()])
+      assert.equal(download.suggestedFilename().replace(/\.\w+$/, ''), id)
+      return readFileSync(await download.path(), 'utf8')
+    }
+    const [head, ...rows] = (await take('Download CSV')).trim().split(/\r?\n/)
+    const columns = head.split(',')
+    assert.ok(columns.length > 1 && rows.length > 0 && rows.every((row) => row.split(',').length === columns.length), head)
+    for (const [name, values] of Object.entries(there.frame.series ?? {})) {
+      const at = columns.indexOf(name)
+      if (at < 0 || !Array.isArray(values) || typeof values.at(-1) !== 'number') continue
+      assert.equal(rows.length, values.length)
+      assert.equal(Number(rows.at(-1).split(',')[at]), values.at(-1), name)
+    }
+    const svg = await take('Download SVG')
+    assert.match(svg, /^(<\?xml[^>]*>\s*)?<svg[^>]*xmlns="http:\/\/www\.w3\.org\/2000\/svg"/)
+    assert.doesNotMatch(svg, /var\(--/, 'the colours are in the file')
+    assert.ok((svg.match(/<(path|line|circle)/g) ?? []).length > 5, 'marks')
+
+    const { site } = await stage()
+    const other = await open(t, { at: link.slice(site.url.length) })
+    await unlock(other, id)
+    const restored = await figure(other, tag)
+    assert.deepEqual(await stateOf(restored), there.state)
+    assert.deepEqual(await frameOf(restored), there.frame)
+  })
+}

@@ -2,7 +2,9 @@
 // with words, and a failed one can be tried again.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { open } from './harness.mjs'
+import { readFileSync, readdirSync } from 'node:fs'
+import path from 'node:path'
+import { PHONE, dist, open } from './harness.mjs'
 
 const stills = (page) => page.evaluate(() => [...document.querySelectorAll('figure.figure-widget')].map((figure) => ({
   id: figure.id,
@@ -48,6 +50,52 @@ test('where the module cannot be fetched the figure says so, and tries again', a
   await page.waitForFunction(() => document.activeElement?.closest('observer-bench .live'))
 })
 
+// A figure's script is a part of the page's without a name; what tells it is the custom element it defines.
+const chunkOf = (word) => {
+  const folder = path.join(dist, 'assets')
+  const [name, ...more] = readdirSync(folder).filter((file) => /^[\w-]+\.js$/.test(file) && !file.startsWith('page-') && readFileSync(path.join(folder, file), 'utf8').includes(word))
+  assert.ok(name && more.length === 0, `one part holds ${word}`)
+  return `**/${name}`
+}
+
+for (const [what, word] of [['its own script', 'tag:"observer-bench"'], ['the script of all figures', 'customElements.define(']]) {
+  test(`a figure without ${what} says so, and comes to life when it is there again`, async (t) => {
+    const chunk = chunkOf(word)
+    const page = await open(t, {
+      expected: [/part-|Failed to load|ERR_FAILED/],
+      prepare: (it) => it.route(chunk, (route) => route.abort()),
+    })
+    const bench = page.locator('observer-bench').first()
+    await bench.scrollIntoViewIfNeeded()
+    const again = bench.getByRole('button', { name: /try again/i })
+    await again.waitFor()
+    judge(await stills(page))
+    await again.press('Enter')
+    await page.waitForTimeout(300)
+    assert.equal(await bench.getAttribute('data-state'), 'failed', 'and fails again')
+    await page.unroute(chunk)
+    await again.press('Enter')
+    await page.locator('observer-bench[data-state="live"]').first().waitFor({ timeout: 8000 })
+    assert.equal(await again.count(), 0)
+    await page.waitForFunction(() => document.activeElement?.closest('observer-bench .live'))
+  })
+}
+
+test('with the script of the page lost it is a page without scripts', async (t) => {
+  const page = await open(t, {
+    viewport: PHONE, touch: true,
+    expected: [/page-|Failed to load|ERR_FAILED/],
+    prepare: async (it) => {
+      await it.addInitScript(() => localStorage.setItem('notation', 'thrun'))
+      await it.route('**/page-*.js', (route) => route.abort())
+    },
+  })
+  await page.locator('.toc a').first().waitFor({ timeout: 4000 })
+  assert.equal(await page.locator('button:visible, input:visible, select:visible').count(), 0, 'nothing to press that would not answer')
+  assert.equal(await page.locator('html').getAttribute('data-notation'), 'choset', 'the notation of the formulas in the page')
+  judge(await stills(page))
+})
+
 test('where there is no WebAssembly the figures are stills', async (t) => {
   const page = await open(t, { prepare: (it) => it.addInitScript(() => { delete globalThis.WebAssembly }) })
   const bench = page.locator('observer-bench').first()
@@ -59,6 +107,10 @@ test('where there is no WebAssembly the figures are stills', async (t) => {
 test('a figure works while it is near the screen, and the module is fetched once, when it is needed', async (t) => {
   const fetched = []
   const page = await open(t, { motion: 'no-preference', prepare: async (it) => it.on('request', (request) => { if (request.url().endsWith('.wasm')) fetched.push(request.url()) }) })
+  // Before anyone scrolls, with the page at rest.
+  await page.waitForLoadState('networkidle')
+  assert.deepEqual(await page.locator('.widget').evaluateAll((all) => all.filter((it) => it.getBoundingClientRect().top < innerHeight + 900).length), 0, 'no figure is near')
+  assert.deepEqual(fetched, [])
   const bench = page.locator('observer-bench').first()
   await bench.scrollIntoViewIfNeeded()
   await page.locator('observer-bench[data-state="live"]').first().waitFor()
@@ -66,6 +118,18 @@ test('a figure works while it is near the screen, and the module is fetched once
   const step = () => bench.evaluate((it) => it.frame.step)
   const start = await step()
   await page.waitForFunction((n) => document.querySelector('observer-bench').frame.step > n, start)
+  // A hidden tab: here the document only says so, and frames would go on.
+  const hide = (hidden) => page.evaluate((it) => {
+    Object.defineProperty(document, 'hidden', { configurable: true, get: () => it })
+    document.dispatchEvent(new Event('visibilitychange'))
+  }, hidden)
+  await hide(true)
+  await page.waitForTimeout(200)
+  const hidden = await step()
+  await page.waitForTimeout(1500)
+  assert.equal(await step(), hidden, 'it rests while the tab is hidden')
+  await hide(false)
+  await page.waitForFunction((n) => document.querySelector('observer-bench').frame.step > n, hidden)
   await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight))
   await page.waitForTimeout(500)
   const left = await step()

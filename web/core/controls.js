@@ -218,9 +218,17 @@ function whole(document, control, change) {
   input.setAttribute('inputmode', 'numeric')
   for (const key of /** @type {const} */ (['min', 'max'])) input.setAttribute(key, String(control[key]))
   input.setAttribute('step', '1')
+  let newest = NaN
+  const write = () => {
+    if (Number.isNaN(newest) || (Number(input.value) === newest && input.value !== '')) return
+    input.setAttribute('value', String(newest))
+    input.value = String(newest)
+  }
+  input.addEventListener('blur', write)
   input.addEventListener('change', () => {
     const asked = Number(input.value)
     const kept = Number.isFinite(asked) ? Math.round(Math.min(control.max, Math.max(control.min, asked))) : control.min
+    newest = kept
     input.value = String(kept)
     change(kept)
   })
@@ -228,9 +236,9 @@ function whole(document, control, change) {
     body: input,
     input,
     show(now) {
-      if (Number(input.value) === now && input.value !== '') return
-      input.setAttribute('value', String(now))
-      input.value = String(now)
+      newest = now
+      // Nobody can type into a field that every frame writes.
+      if (document.activeElement !== input) write()
     },
   }
 }

@@ -18,7 +18,9 @@ export function showFailure(host, why, again) {
   button.textContent = 'Try again'
   button.addEventListener('click', async () => {
     await again()
+    await decided(host)
     // The button is gone, and the focus with it: back to what stands in its place.
+    if (document.activeElement !== document.body) return
     const next = host.querySelector('.figure-failure button, .live :is(button, input, select, [tabindex]):not(:disabled)')
     if (next instanceof HTMLElement || next instanceof SVGElement) next.focus({ preventScroll: true })
   })
@@ -29,4 +31,20 @@ export function showFailure(host, why, again) {
 /** @param {HTMLElement} host */
 export function hideFailure(host) {
   host.querySelector('.figure-failure')?.remove()
+  // What comes next begins where a figure begins.
+  if (host.dataset.state === 'failed') host.dataset.state = 'still'
+}
+
+/** Until the figure is alive, or has failed once more. @param {HTMLElement} host @returns {Promise<void>} */
+function decided(host) {
+  return new Promise((resolve) => {
+    const look = () => {
+      if (!/live|failed/.test(host.dataset.state ?? '')) return
+      eye.disconnect()
+      resolve()
+    }
+    const eye = new MutationObserver(look)
+    eye.observe(host, { attributeFilter: ['data-state'] })
+    look()
+  })
 }

@@ -17,6 +17,8 @@ import { buildShell } from './shell.js'
 
 const NEAR = '300px 0px'
 const MOST_STEPS = 64
+/** Where motion is not wanted a run goes on in lumps, and this long, milliseconds, each picture stays. */
+const STILL_MS = 500
 /** A turn that has worked so long, milliseconds, leaves the panels it has not drawn to the next … */
 const PATIENCE = 4
 /** … unless nothing but the first has been drawn for so long: then one of them is. */
@@ -33,6 +35,8 @@ export function defineFigure(spec) {
     figure = null
 
     connectedCallback() {
+      // Its script is here now, though it was another of its kind that asked again.
+      if (!this.figure) hideFailure(this)
       this.figure ??= new Figure(this, spec)
       this.figure.watch()
     }
@@ -78,6 +82,8 @@ class Figure {
     /** What the reader wants and the next turn does. @type {{ patch: Record<string, unknown> | null, steps: number, reset: boolean, draw: boolean }} */
     this.wanted = { patch: null, steps: 0, reset: false, draw: false }
     this.due = 0
+    /** When steps were last taken in play. */
+    this.stepped = -Infinity
     this.beatStart = -Infinity
     this.turned = NaN
     this.memory = {}
@@ -103,6 +109,8 @@ class Figure {
     this.gist = ''
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.noting = undefined
+    /** Whether what is noted stays until the reader does something. */
+    this.lasting = false
     this.handle = liveHandles((patch) => this.change(patch), () => this.settle())
     this.status = document.createElement('p')
     this.status.className = 'visually-hidden'
@@ -143,7 +151,7 @@ class Figure {
       const { lab, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
       this.lab = lab
       this.live()
-      if (mangled) this.tell('The link to this figure could not be read; it shows its usual state.')
+      if (mangled) this.tell('The link to this figure could not be read; it shows its usual state.', true)
     } catch (error) {
       this.fail(error instanceof Error ? error.message : 'its lab could not be started')
     }
@@ -195,6 +203,7 @@ class Figure {
 
   /** @param {Record<string, unknown>} patch */
   change(patch) {
+    this.hush()
     this.want('patch', { ...this.wanted.patch, ...patch })
   }
 
@@ -204,6 +213,7 @@ class Figure {
 
   /** @param {boolean} on */
   play(on) {
+    this.hush()
     this.playing = on
     this.due = on ? 1 : 0
     if (!on) this.speakSoon()
@@ -211,11 +221,13 @@ class Figure {
   }
 
   steps() {
+    this.hush()
     this.playing = false
     this.want('steps', this.wanted.steps + (this.spec.stride ?? 1))
   }
 
   reset() {
+    this.hush()
     this.playing = false
     this.want('reset', true)
   }
@@ -246,7 +258,7 @@ class Figure {
     const elapsed = Number.isNaN(this.turned) ? Infinity : Math.max(0, now - this.turned)
     this.turned = now
     const { patch, reset } = this.wanted
-    const steps = this.wanted.steps + this.dueSteps(elapsed)
+    const steps = this.wanted.steps + this.dueSteps(elapsed, now)
     this.wanted = { patch: null, steps: 0, reset: false, draw: false }
     try {
       if (patch) this.lab.set(patch)
@@ -263,12 +275,15 @@ class Figure {
     else this.turned = NaN
   }
 
-  /** @param {number} elapsed */
-  dueSteps(elapsed) {
+  /** @param {number} elapsed @param {number} now */
+  dueSteps(elapsed, now) {
     if (!this.playing) return 0
     this.due += Number.isFinite(elapsed) ? (Math.min(elapsed, 250) / 1000) * this.rate * (this.spec.pace ?? 2) : 0
-    const whole = Math.min(Math.floor(this.due), MOST_STEPS)
+    const calm = this.calm.matches
+    if (calm && now - this.stepped < STILL_MS) return 0
+    const whole = Math.min(Math.floor(this.due), calm ? 8 * MOST_STEPS : MOST_STEPS)
     this.due -= whole
+    if (whole > 0) this.stepped = now
     return whole
   }
 
@@ -373,18 +388,42 @@ class Figure {
     if (words) this.status.textContent = words
   }
 
-  /** @param {string} words said and shown for a while */
-  tell(words) {
+  /** @param {string} words said, and shown for a while @param {boolean} [lasting] or until dismissed, or the next action */
+  tell(words, lasting = false) {
     this.status.textContent = words
     if (!this.shell) return
     const { note } = this.shell
     note.textContent = words
     clearTimeout(this.noting)
-    this.noting = setTimeout(() => { note.textContent = '' }, 8000)
+    this.lasting = lasting
+    if (!lasting) {
+      this.noting = setTimeout(() => { note.textContent = '' }, 8000)
+      return
+    }
+    const button = document.createElement('button')
+    button.type = 'button'
+    button.className = 'quiet'
+    button.textContent = 'Dismiss'
+    button.addEventListener('click', () => {
+      this.hush()
+      this.shell?.play.focus({ preventScroll: true })
+    })
+    note.append(' ', button)
+  }
+
+  hush() {
+    if (this.lasting && this.shell) this.shell.note.textContent = ''
+    this.lasting = false
   }
 
   async copyLink() {
-    const link = withState(location.href, this.id, this.lab.state())
+    // What the address says of other figures is as old as the address.
+    let link = location.href
+    for (const other of /** @type {NodeListOf<HTMLElement & { state: any }>} */ (document.querySelectorAll('.widget[data-state="live"]'))) {
+      const id = other.dataset.figure ?? ''
+      if (new URL(link).searchParams.has(id)) link = withState(link, id, other.state)
+    }
+    link = withState(link, this.id, this.lab.state())
     try {
       await navigator.clipboard.writeText(link)
       this.tell('Link copied.')

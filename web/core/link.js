@@ -26,7 +26,7 @@ export function withState(address, figure, state) {
  * The lab itself still decides whether it accepts the parameters.
  * @param {string} address
  * @param {string} figure
- * @param {string} lab
+ * @param {string} [lab] any if not given
  * @returns {State | null | 'mangled'}
  */
 export function readState(address, figure, lab) {
@@ -40,7 +40,7 @@ export function readState(address, figure, lab) {
     const [version, name, step, params] = value
     const whole = Number.isInteger(step) && step >= 0 && step <= MAX_STEP
     const object = typeof params === 'object' && params !== null && !Array.isArray(params)
-    if (version !== VERSION || name !== lab || !whole || !object) return 'mangled'
+    if (version !== VERSION || (lab !== undefined && name !== lab) || !whole || !object) return 'mangled'
     return { version, lab: name, step, params }
   } catch {
     return 'mangled'

@@ -14,6 +14,13 @@ try {
   // Without storage a page begins as everyone's does.
 }
 
+// A script that is lost leaves the page as it is without scripts: everything open, nothing to press that would not answer.
+addEventListener('error', ({ target }) => {
+  if (!(target instanceof HTMLScriptElement)) return
+  root.classList.remove('js')
+  root.dataset.notation = 'choset'
+}, true)
+
 const show = () => root.classList.remove('waiting')
 const faces = ['400 1em Text', 'italic 400 1em Text', '400 1em Plain'].map((face) => document.fonts.load(face))
 root.classList.add('waiting')

@@ -1,5 +1,6 @@
 /** Wakes a page: the switches at once, everything else when it is needed. */
 
+import { hideFailure, showFailure } from '../core/failure.js'
 import { WIDGETS } from '../widgets/index.js'
 import { openForPrint } from './print.js'
 import { switches } from './switches.js'
@@ -9,7 +10,8 @@ for (const waiting of document.querySelectorAll('[data-needs-js]')) waiting.remo
 switches()
 openForPrint()
 
-whenNear('.widget', (host) => import('./figures.js').then(({ awaken }) => awaken(/** @type {HTMLElement} */ (host), WIDGETS)))
+whenNear('.widget', (host) => bring(/** @type {HTMLElement} */ (host)))
+if ([...new URLSearchParams(location.search).keys()].some((key) => key.startsWith('fig-'))) import('./links.js').then(({ links }) => links(WIDGETS))
 if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => quizzes())
 document.querySelector('[data-run-checks]')?.addEventListener('click', ({ target }) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (target))))
 document.querySelector('[data-open-search]')?.addEventListener('click', () => import('./search.js').then(({ openSearch }) => openSearch()))
@@ -25,6 +27,17 @@ idle(() => {
   import('./scroll-boxes.js').then(({ scrollBoxes }) => scrollBoxes())
   import('./offline.js').then(({ offline }) => offline())
 })
+
+/** @param {HTMLElement} host @returns {Promise<void>} */
+async function bring(host) {
+  try {
+    const { awaken } = await import('./figures.js')
+    hideFailure(host)
+    await awaken(host, WIDGETS)
+  } catch {
+    showFailure(host, 'its script could not be fetched', () => bring(host))
+  }
+}
 
 /** @param {string} selector @param {(element: Element) => void} act once for each, when it comes near the screen */
 function whenNear(selector, act) {

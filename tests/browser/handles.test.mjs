@@ -1,0 +1,119 @@
+// Every handle and every slider of every figure: large enough for a finger, reached by Tab, named, with its value in words,
+// moved by the keys; and under a finger only the handle itself holds the page.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { PHONE, figure, open, unlock } from './harness.mjs'
+
+const FIGURES = { 'odometry-hook': 'fig-odometry', 'observer-bench': 'fig-bench', 'kalman-picture': 'fig-picture', 'observability-probe': 'fig-probe' }
+const KNOBS = '.live :is(svg [role=slider], input[type=range]:enabled)'
+
+async function unlocked(page, tag) {
+  await unlock(page, FIGURES[tag])
+  return figure(page, tag)
+}
+
+for (const tag of Object.keys(FIGURES)) {
+  test(`every handle and slider of the ${tag} is large, named, reached by Tab and moved by keys`, async (t) => {
+    const page = await open(t, { viewport: PHONE })
+    const it = await unlocked(page, tag)
+    const knobs = await it.locator(KNOBS).all()
+    assert.ok(knobs.length > 0)
+    // By Tab, from the first thing in the figure to what comes after it.
+    await it.evaluate((host, selector) => {
+      for (const [i, knob] of [...host.querySelectorAll(selector)].entries()) knob.dataset.knob = i
+      host.querySelector('.live :is(button, input, select, [tabindex])').focus()
+    }, KNOBS)
+    const reached = new Set()
+    for (let i = 0; i < 60; i++) {
+      const now = await page.evaluate((name) => ({ inside: Boolean(document.activeElement?.closest(`${name} .live`)), knob: document.activeElement?.dataset.knob }), tag)
+      if (!now.inside) break
+      if (now.knob !== undefined) reached.add(now.knob)
+      await page.keyboard.press('Tab')
+    }
+    assert.equal(reached.size, knobs.length, `Tab reaches ${[...reached]}`)
+
+    for (const knob of knobs) {
+      const { name, words, width, height, handle } = await knob.evaluate((element) => {
+        const { width, height } = (element.querySelector('.handle-reach') ?? element).getBoundingClientRect()
+        const name = element.getAttribute('aria-label') ?? element.labels?.[0]?.querySelector('.control-name')?.textContent ?? ''
+        return { name, words: element.getAttribute('aria-valuetext') ?? '', width, height, handle: element instanceof SVGElement }
+      })
+      assert.ok(name.trim().length > 2, 'a name')
+      assert.match(words, /\d|none/, `${name} says its value`)
+      assert.ok(Math.round(height) >= 44 && Math.round(width) >= 44, `${name} is ${width} × ${height} px`)
+      // What it says and where it is: of a handle with two values, one may stay.
+      const state = () => knob.evaluate((element) => JSON.stringify([element.getAttribute('aria-valuetext'), element.value ?? element.getAttribute('transform')]))
+      const pressed = async (keys) => {
+        const before = await state()
+        for (const key of keys) {
+          await knob.press(key)
+          for (let i = 0; i < 15; i++) {
+            if ((await state()) !== before) return
+            await page.waitForTimeout(40)
+          }
+        }
+        assert.fail(`${name} stays at ${before} under ${keys}`)
+      }
+      // At one end of its range the first of two does nothing.
+      await pressed(['ArrowLeft', 'ArrowRight'])
+      await pressed(['Shift+ArrowRight', 'Shift+ArrowLeft'])
+      await pressed(handle ? ['PageUp', 'PageDown'] : ['PageDown', 'PageUp'])
+      await pressed(['Home', 'End'])
+      await pressed(['End', 'Home'])
+    }
+  })
+}
+
+for (const tag of ['kalman-picture', 'observability-probe']) {
+  test(`a finger on a handle of the ${tag} moves it and not the page; beside it, the page`, async (t) => {
+    const page = await open(t, { viewport: PHONE, touch: true })
+    const it = await unlocked(page, tag)
+    const wire = await page.context().newCDPSession(page)
+    const swipe = async (x, y, far) => {
+      const touch = (type, at) => wire.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: at }] })
+      await touch('touchStart', y)
+      for (let i = 1; i <= 8; i++) await touch('touchMove', y + (far * i) / 8)
+      await touch('touchEnd')
+      await page.waitForTimeout(400)
+    }
+    const handles = await it.locator('.live svg [role=slider]').all()
+    assert.ok(handles.length > 0)
+    const place = async (handle) => {
+      await handle.evaluate((element) => scrollTo({ top: scrollY + element.getBoundingClientRect().top - innerHeight / 2, behavior: 'instant' }))
+      await page.waitForTimeout(150)
+      const { x, y, width, height } = await handle.locator('.handle-dot').boundingBox()
+      return [x + width / 2, y + height / 2, await page.evaluate(() => scrollY)]
+    }
+    for (const handle of handles) {
+      const name = await handle.getAttribute('aria-label')
+      const [x, y, top] = await place(handle)
+      // Handles that lie on one another: the upper has the finger, and holds the page as well.
+      const value = () => it.evaluate((host) => JSON.stringify(host.frame.params))
+      const before = await value()
+      await swipe(x, y, -70)
+      // At its upper end it goes down.
+      if ((await value()) === before) await swipe(x, y, 70)
+      assert.equal(await page.evaluate(() => scrollY), top, `${name} holds the page`)
+      assert.notEqual(await value(), before, `${name} moves`)
+    }
+    // Sixty pixels from a handle, where there is no other; the name written beside one is part of it.
+    let beside = 0
+    for (const handle of handles) {
+      const [x, y, top] = await place(handle)
+      const free = await page.evaluate(([px, py, name]) => [[60, 0], [-60, 0], [0, 60], [0, -60]].map(([dx, dy]) => [px + dx, py + dy]).find(([qx, qy]) => {
+        const there = document.elementFromPoint(qx, qy)
+        const held = [...document.querySelectorAll(`${name} .live [role=slider]`)].some((handle) => {
+          const { left, right, top, bottom } = handle.getBoundingClientRect()
+          return qx > left - 4 && qx < right + 4 && qy > top - 4 && qy < bottom + 4
+        })
+        return there?.closest(`${name} .live svg`) && !held
+      }), [x, y, tag])
+      if (!free) continue
+      beside += 1
+      await swipe(free[0], free[1], -90)
+      const gone = (await page.evaluate(() => scrollY)) - top
+      assert.ok(gone > 30, `beside ${await handle.getAttribute('aria-label')}, at ${free}, it being at ${[x, y]}, the page scrolls by ${gone}`)
+    }
+    assert.ok(beside > 0, 'there is a place beside one')
+  })
+}

@@ -1,0 +1,79 @@
+// A link's states are looked over when the page opens, wherever its figures are: what cannot be read is said at the top and
+// stays said, what waits behind a question is said beside the question, and a copied link carries every figure as it is.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { figure, frameOf, open, unlock, until } from './harness.mjs'
+
+const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
+const BENCH = (step) => code([1, 'observer-bench', step, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }])
+const notice = (page) => page.locator('main > .link-notice')
+
+test('a link without a hash that cannot be read says so where the page opens, until it is dismissed', async (t) => {
+  const page = await open(t, { at: 'kalman/?fig-bench=cut' })
+  await notice(page).getByText(/Turn the gain.*could not be read/).waitFor()
+  assert.equal(await page.evaluate(() => scrollY), 0)
+  assert.equal(await notice(page).locator('[role=status]').count(), 1)
+  // The figure's own stays as well, longer than what is said in passing, until something is done.
+  const bench = await figure(page, 'observer-bench')
+  const note = bench.locator('.live .figure-note')
+  await page.waitForTimeout(8500)
+  assert.match(await note.innerText(), /could not be read/)
+  assert.ok(await notice(page).isVisible())
+  await bench.getByRole('button', { name: 'Step' }).click()
+  assert.equal(await note.innerText(), '')
+  await notice(page).getByRole('button', { name: 'Dismiss' }).click()
+  assert.equal(await notice(page).count(), 0)
+})
+
+test('the notice of a figure can be dismissed', async (t) => {
+  const page = await open(t, { at: 'kalman/?fig-bench=cut#fig-bench' })
+  const bench = await figure(page, 'observer-bench')
+  await bench.getByRole('button', { name: 'Dismiss' }).click()
+  assert.equal(await bench.locator('.live .figure-note').innerText(), '')
+})
+
+test('a link to a figure that is not there says so, in plain text', async (t) => {
+  const page = await open(t, { at: 'kalman/?fig-%3Cimg%20src=x%3E=1&fig-nope=abc#fig-bench' })
+  await notice(page).getByText('does not have: fig-nope').waitFor()
+  assert.ok((await notice(page).innerText()).includes('fig-<img src'))
+  assert.equal(await notice(page).locator('img').count(), 0)
+  assert.ok(await notice(page).evaluate((it) => { const { top, bottom } = it.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight }), 'it is on the screen, wherever the page opens')
+})
+
+test('a link that can be read brings no notice', async (t) => {
+  const page = await open(t, { at: `kalman/?fig-bench=${BENCH(20)}` })
+  const bench = await figure(page, 'observer-bench')
+  assert.equal((await frameOf(bench)).step, 20)
+  assert.equal(await notice(page).count(), 0)
+  assert.equal(await bench.locator('.live .figure-note').innerText(), '')
+})
+
+test('a state behind a question is said beside the question', async (t) => {
+  const page = await open(t, { at: `kalman/?fig-limit=${BENCH(20)}` })
+  const words = page.locator('form.quiz[data-unlocks="fig-limit"] .quiz-linked')
+  await words.scrollIntoViewIfNeeded()
+  assert.match(await words.innerText(), /waits/)
+  assert.equal(await page.locator('.quiz-linked').count(), 1)
+  await unlock(page, 'fig-limit')
+  assert.ok(!(await words.isVisible()))
+  const limit = page.locator('#fig-limit .widget')
+  await limit.scrollIntoViewIfNeeded()
+  await page.locator('#fig-limit .widget[data-state="live"]').waitFor()
+  assert.equal((await frameOf(limit)).step, 20)
+})
+
+test('a copied link carries the other figures of the address as they are, not as they were', async (t) => {
+  const page = await open(t, { at: `kalman/?fig-bench=${BENCH(12)}` })
+  const bench = await figure(page, 'observer-bench')
+  await bench.getByRole('button', { name: 'Step' }).click()
+  await until(bench, ({ step }) => step === 13, 'a step')
+  const hook = await figure(page, 'odometry-hook')
+  await hook.getByRole('button', { name: 'Copy link to this state' }).click()
+  await hook.getByText('Link copied.').first().waitFor()
+  const link = new URL(await page.evaluate(() => navigator.clipboard.readText()))
+  const stepOf = (id) => JSON.parse(Buffer.from(link.searchParams.get(id), 'base64url').toString())[2]
+  assert.equal(stepOf('fig-bench'), 13)
+  assert.equal(stepOf('fig-odometry'), (await frameOf(hook)).step)
+  assert.deepEqual([...link.searchParams.keys()].sort(), ['fig-bench', 'fig-odometry'])
+  assert.equal(link.hash, '#fig-odometry')
+})

@@ -1,0 +1,61 @@
+/**
+ * What an address says of figures is looked over when the page opens, for the figures themselves may be far below: what
+ * cannot be read is said at the top of the text, and what waits behind a question beside the question.
+ */
+
+import { readState } from '../core/link.js'
+
+const MOST = 5
+
+/** @param {typeof import('../widgets/index.js').WIDGETS} widgets */
+export async function links(widgets) {
+  const named = new Set([...new URLSearchParams(location.search).keys()].filter((key) => key.startsWith('fig-')))
+  const wrong = []
+  for (const id of named) {
+    const host = /** @type {HTMLElement | null} */ (document.getElementById(id)?.querySelector('.widget') ?? null)
+    if (!host) {
+      wrong.push(`The link names a figure that this page does not have: ${id.slice(0, 40)}.`)
+      continue
+    }
+    // Without its script a figure's lab has no name; the rest can be judged all the same.
+    const spec = await widgets[host.localName]?.().catch(() => null)
+    if (readState(location.href, id, spec?.name) === 'mangled') {
+      const title = host.closest('figure')?.querySelector('.figure-title')?.textContent ?? id
+      wrong.push(`The link's state of the figure “${title}” could not be read: the figure shows its usual state.`)
+    } else waits(id)
+  }
+  if (wrong.length > 0) notice(wrong)
+}
+
+/** @param {string} id of a figure whose state is in the address */
+function waits(id) {
+  const form = [...document.querySelectorAll('form.quiz')].find((quiz) => quiz instanceof HTMLElement && quiz.dataset.unlocks === id)
+  if (!form) return
+  const words = document.createElement('p')
+  words.className = 'quiz-linked'
+  words.textContent = 'You came by a link to a state of the figure below. It waits there until you have committed to an answer.'
+  form.querySelector('.quiz-actions')?.before(words)
+}
+
+/** @param {string[]} wrong */
+function notice(wrong) {
+  const main = document.querySelector('main')
+  if (!main) return
+  const box = document.createElement('div')
+  box.className = 'figure-failure link-notice'
+  const words = document.createElement('p')
+  words.setAttribute('role', 'status')
+  const button = document.createElement('button')
+  button.type = 'button'
+  button.className = 'button'
+  button.textContent = 'Dismiss'
+  button.addEventListener('click', () => {
+    box.remove()
+    main.focus({ preventScroll: true })
+  })
+  box.append(words, button)
+  main.prepend(box)
+  const more = wrong.length > MOST ? ` And ${wrong.length - MOST} more.` : ''
+  // A status is heard when its words change, not when it comes with them.
+  setTimeout(() => { words.textContent = wrong.slice(0, MOST).join(' ') + more }, 50)
+}
