@@ -13,9 +13,9 @@ fn print<L: Lab<Params: serde::Serialize>>(params: L::Params) -> Result<(), Box<
 
 fn main() -> Result<(), Box<dyn std::error::Error>> {
     let (bench, hook, probe) = (BenchParams::default(), HookParams::default(), ProbeParams::default());
-    print::<labs::ObserverBench>(bench.clone())?;
+    print::<labs::ObserverBench>(bench)?;
     print::<labs::ObserverBench>(BenchParams { sensor: Sensor::Position, mode: Mode::Filter, ..bench })?;
-    print::<labs::OdometryHook>(hook.clone())?;
+    print::<labs::OdometryHook>(hook)?;
     print::<labs::OdometryHook>(HookParams { fixes: true, ..hook })?;
     print::<labs::ObservabilityProbe>(probe)?;
     print::<labs::ObservabilityProbe>(ProbeParams { count: 3, sensor: Sight::RangeBearing, ..probe })?;
