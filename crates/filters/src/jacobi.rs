@@ -50,7 +50,7 @@ pub fn jacobi(m: DMatrix<f64>) -> Option<(Vec<f64>, DMatrix<f64>)> {
     still.then(|| (order.into_iter().map(|(size, _)| size * scale).collect(), directions))
 }
 
-/// The power of two at or above `size`, by which to divide without rounding; 1 for zero.
+/// The power of two above `size` and at most twice it, by which to divide without rounding; 1 for zero.
 pub fn power_of_two(size: f64) -> f64 {
     if size == 0.0 {
         return 1.0;
@@ -112,6 +112,18 @@ mod tests {
         let (values, _) = jacobi(DMatrix::from_element(6, 6, 1.0)).expect("converges");
         assert!((values[0] - 6.0).abs() < 1e-14 && values[1] < 1e-14);
         assert_eq!(jacobi(DMatrix::zeros(3, 2)).expect("converges").0, [0.0, 0.0]);
+    }
+
+    #[test]
+    fn a_matrix_whose_squares_have_no_number_has_the_same_values_to_scale() {
+        let m = dmatrix![3.0, 1.0; -2.0, 0.5];
+        let (values, directions) = jacobi(m.clone()).expect("converges");
+        for exponent in [-700, 700] {
+            let unit = libm::ldexp(1.0, exponent);
+            let (scaled, same) = jacobi(&m * unit).expect("converges");
+            assert_eq!((scaled, same), (values.iter().map(|s| s * unit).collect(), directions.clone()), "2^{exponent}");
+        }
+        assert_eq!([0.0, 1.0, 1.5, 3.0, 4.0].map(power_of_two), [1.0, 2.0, 2.0, 4.0, 8.0]);
     }
 
     #[test]

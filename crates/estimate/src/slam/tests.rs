@@ -187,7 +187,9 @@ fn no_two_landmarks_share_a_name() {
 fn a_refused_sighting_leaves_the_nis_of_the_last() {
     let mut slam = slam();
     let one = Reading { range: 3.0, bearing: 0.4, landmark: Some(1) };
+    assert!(slam.is_empty());
     slam.update(&[one]).expect("founded");
+    assert!(!slam.is_empty());
     assert_eq!(slam.nis(), None, "nothing was matched");
     let mut nudged = slam.clone();
     let reports = nudged.update(&[Reading { range: 3.1, ..one }]).expect("matched");
