@@ -138,3 +138,18 @@ test('a figure works while it is near the screen, and the module is fetched once
   assert.equal(new Set(fetched).size, 1)
   assert.equal(fetched.length, 1)
 })
+
+test('questions and search whose scripts are lost leave nothing to press in vain, and say so', async (t) => {
+  const [quizzes, search] = [chunkOf('"quiz:"'), chunkOf('search.json')]
+  const page = await open(t, {
+    expected: [/part-|Failed to load|ERR_FAILED/],
+    prepare: async (it) => {
+      for (const chunk of [quizzes, search]) await it.route(chunk, (route) => route.abort())
+    },
+  })
+  await page.waitForFunction(() => document.querySelectorAll('.quiz[data-answered]').length > 0)
+  assert.equal(await page.locator('.quiz button:visible').count(), 0)
+  assert.ok(await page.locator('.quiz-answer summary').first().isVisible(), 'the answers can be opened')
+  await page.locator('[data-open-search]').click()
+  await page.getByText('The search could not be fetched.').waitFor()
+})

@@ -3,7 +3,7 @@
 import { hideFailure, showFailure } from '../core/failure.js'
 import { WIDGETS } from '../widgets/index.js'
 import { openForPrint } from './print.js'
-import { switches } from './switches.js'
+import { say, switches } from './switches.js'
 
 document.documentElement.classList.add('js')
 for (const waiting of document.querySelectorAll('[data-needs-js]')) waiting.removeAttribute('hidden')
@@ -12,14 +12,14 @@ openForPrint()
 
 whenNear('.widget', (host) => bring(/** @type {HTMLElement} */ (host)))
 if ([...new URLSearchParams(location.search).keys()].some((key) => key.startsWith('fig-'))) import('./links.js').then(({ links }) => links(WIDGETS))
-if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => quizzes())
-document.querySelector('[data-run-checks]')?.addEventListener('click', ({ target }) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (target))))
-document.querySelector('[data-open-search]')?.addEventListener('click', () => import('./search.js').then(({ openSearch }) => openSearch()))
+if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => quizzes(), withoutQuizzes)
+document.querySelector('[data-run-checks]')?.addEventListener('click', ({ target }) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (target)), () => say('The checks could not be fetched.')))
+document.querySelector('[data-open-search]')?.addEventListener('click', search)
 document.addEventListener('keydown', (event) => {
   const typing = event.target instanceof Element && event.target.closest('select, textarea, input:not([type="radio"], [type="checkbox"], [type="range"])')
   if (event.key !== '/' || typing || event.ctrlKey || event.metaKey || event.altKey) return
   event.preventDefault()
-  import('./search.js').then(({ openSearch }) => openSearch())
+  search()
 })
 idle(() => {
   import('./contents.js').then(({ follow }) => follow())
@@ -27,6 +27,16 @@ idle(() => {
   import('./scroll-boxes.js').then(({ scrollBoxes }) => scrollBoxes())
   import('./offline.js').then(({ offline }) => offline())
 })
+
+function search() {
+  import('./search.js').then(({ openSearch }) => openSearch(), () => say('The search could not be fetched.'))
+}
+
+/** Questions whose script is lost are as they are without scripts: nothing to press, and the answers there. */
+function withoutQuizzes() {
+  for (const part of document.querySelectorAll('.quiz [data-needs-js]')) part.remove()
+  for (const quiz of document.querySelectorAll('.quiz')) quiz.setAttribute('data-answered', '')
+}
 
 /** @param {HTMLElement} host @returns {Promise<void>} */
 async function bring(host) {

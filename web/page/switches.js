@@ -30,7 +30,7 @@ function bringThrun() {
 }
 
 /** @param {string} words beside the switches; what was said before goes */
-function say(words) {
+export function say(words) {
   const tools = document.querySelector('.site-tools')
   let note = tools?.querySelector('[role=status]')
   if (!note) {
