@@ -31,7 +31,7 @@ function finite(value) {
 async function shuffle(page, element, dice) {
   const live = element.locator('.live')
   for (const select of await live.locator('select').all()) {
-    if ((await select.locator('xpath=ancestor::label').innerText()).startsWith('Speed')) continue
+    if ((await select.locator('xpath=ancestor::label').innerText()).startsWith('Speed') || await select.isDisabled()) continue
     await select.selectOption({ index: dice.below(await select.locator('option').count()) })
     await settled(element)
   }
