@@ -7,6 +7,12 @@ import { TOLERANCE, compare, differenceOf, reference } from './snapshots.mjs'
 const WIDGETS = ['odometry-hook', 'observer-bench', 'kalman-picture', 'observability-probe']
 const REGIONS = [['head', '.chapter-head'], ['derivation', 'details.derivation'], ['quiz', 'form.quiz']]
 
+/** Wherever the text above ends: a part of a pixel lower every letter is another. */
+const onWholePixels = (part) => part.evaluate((it) => {
+  it.style.position = 'relative'
+  it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px`
+})
+
 for (const theme of ['light', 'dark']) {
   for (const [size, viewport] of [['desktop', DESKTOP], ['phone', PHONE]]) {
     test(`widgets and regions look as they did, ${theme}, ${size}`, { timeout: 180_000 }, async (t) => {
@@ -18,14 +24,14 @@ for (const theme of ['light', 'dark']) {
         const region = page.locator(selector).first()
         if (name === 'derivation') await region.evaluate((block) => { block.open = true })
         await region.scrollIntoViewIfNeeded()
+        await onWholePixels(region)
         compare(await region.screenshot({ animations: 'disabled' }), `${name}-${theme}-${size}`)
       }
       for (const tag of WIDGETS) {
         const element = await figure(page, tag)
         await unlock(page, await element.getAttribute('data-figure'))
         await page.mouse.move(0, 0)
-        // On whole pixels, wherever the text above ends.
-        await element.evaluate((it) => { it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px` })
+        await onWholePixels(element)
         compare(await element.screenshot({ animations: 'disabled' }), `${tag}-${theme}-${size}`)
       }
     })
