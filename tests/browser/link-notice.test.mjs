@@ -25,12 +25,16 @@ test('a link without a hash that cannot be read says so where the page opens, un
   assert.equal(await notice(page).count(), 0)
 })
 
-test('the notice of a figure can be dismissed', async (t) => {
-  const page = await open(t, { at: 'kalman/?fig-bench=cut#fig-bench' })
-  const bench = await figure(page, 'observer-bench')
-  await bench.getByRole('button', { name: 'Dismiss' }).click()
-  assert.equal(await bench.locator('.live .figure-note').innerText(), '')
-})
+for (const [tag, id] of [['observer-bench', 'fig-bench'], ['kalman-picture', 'fig-picture']]) {
+  test(`the notice of the ${tag} can be dismissed, and the focus stays in the figure`, async (t) => {
+    const page = await open(t, { at: `kalman/?${id}=cut#${id}` })
+    const element = await figure(page, tag)
+    await unlock(page, id)
+    await element.getByRole('button', { name: 'Dismiss' }).press('Enter')
+    assert.equal(await element.locator('.live .figure-note').innerText(), '')
+    assert.ok(await page.evaluate((name) => Boolean(document.activeElement?.closest(`${name} .live`)), tag))
+  })
+}
 
 test('a link to a figure that is not there says so, in plain text', async (t) => {
   const page = await open(t, { at: 'kalman/?fig-%3Cimg%20src=x%3E=1&fig-nope=abc#fig-bench' })

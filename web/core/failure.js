@@ -1,5 +1,7 @@
 /** A figure that could not come to life says so beside its still, and offers to try again. */
 
+import { button, focusFirst } from './element.js'
+
 /**
  * @param {HTMLElement} host
  * @param {string} why
@@ -12,19 +14,12 @@ export function showFailure(host, why, again) {
   words.className = 'figure-failure'
   words.setAttribute('role', 'status')
   words.append(`This figure is a still picture: ${why}. `)
-  const button = document.createElement('button')
-  button.type = 'button'
-  button.className = 'button'
-  button.textContent = 'Try again'
-  button.addEventListener('click', async () => {
+  button(document, words, 'Try again', async () => {
     await again()
     await decided(host)
-    // The button is gone, and the focus with it: back to what stands in its place.
-    if (document.activeElement !== document.body) return
-    const next = host.querySelector('.figure-failure button, .live :is(button, input, select, [tabindex]):not(:disabled)')
-    if (next instanceof HTMLElement || next instanceof SVGElement) next.focus({ preventScroll: true })
+    // The button is gone, and the focus with it.
+    if (document.activeElement === document.body) focusFirst(host)
   })
-  words.append(button)
   host.append(words)
 }
 

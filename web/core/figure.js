@@ -6,6 +6,7 @@
  */
 
 import { asCsv, asSvg, save } from './download.js'
+import { button, focusFirst } from './element.js'
 import { hideFailure, showFailure } from './failure.js'
 import { liveHandles } from './handle.js'
 import { openLab, withState } from './link.js'
@@ -400,15 +401,11 @@ class Figure {
       this.noting = setTimeout(() => { note.textContent = '' }, 8000)
       return
     }
-    const button = document.createElement('button')
-    button.type = 'button'
-    button.className = 'quiet'
-    button.textContent = 'Dismiss'
-    button.addEventListener('click', () => {
+    note.append(' ')
+    button(document, note, 'Dismiss', () => {
       this.hush()
-      this.shell?.play.focus({ preventScroll: true })
-    })
-    note.append(' ', button)
+      focusFirst(this.host)
+    }, 'quiet')
   }
 
   hush() {

@@ -4,6 +4,7 @@
  */
 
 import { buildControl } from './controls.js'
+import { button, part } from './element.js'
 import { Pen } from './pen.js'
 import { SVG, writeHtml } from './words.js'
 
@@ -118,21 +119,4 @@ function buildReadout(document, into, readout) {
   writeHtml(part(document, box, 'dt', ''), readout.label)
   const value = part(document, box, 'dd', '')
   return { box, value, said: '' }
-}
-
-/** @param {Document} document @param {Element} into @param {string} tag @param {string} name */
-function part(document, into, tag, name) {
-  const element = document.createElement(tag)
-  if (name) element.setAttribute('class', name)
-  into.append(element)
-  return element
-}
-
-/** @param {Document} document @param {Element} into @param {string} words @param {() => void} press @param {string} [name] */
-function button(document, into, words, press, name = 'button') {
-  const element = part(document, into, 'button', name)
-  element.setAttribute('type', 'button')
-  element.textContent = words
-  element.addEventListener('click', press)
-  return /** @type {HTMLButtonElement} */ (element)
 }

@@ -3,6 +3,7 @@
  * cannot be read is said at the top of the text, and what waits behind a question beside the question.
  */
 
+import { button, part } from '../core/element.js'
 import { readState } from '../core/link.js'
 
 const MOST = 5
@@ -21,7 +22,7 @@ export async function links(widgets) {
     const spec = await widgets[host.localName]?.().catch(() => null)
     if (readState(location.href, id, spec?.name) === 'mangled') {
       const title = host.closest('figure')?.querySelector('.figure-title')?.textContent ?? id
-      wrong.push(`The link's state of the figure “${title}” could not be read: the figure shows its usual state.`)
+      wrong.push(`The link’s state of the figure “${title}” could not be read: the figure shows its usual state.`)
     } else waits(id)
   }
   if (wrong.length > 0) notice(wrong)
@@ -43,17 +44,12 @@ function notice(wrong) {
   if (!main) return
   const box = document.createElement('div')
   box.className = 'figure-failure link-notice'
-  const words = document.createElement('p')
+  const words = part(document, box, 'p', '')
   words.setAttribute('role', 'status')
-  const button = document.createElement('button')
-  button.type = 'button'
-  button.className = 'button'
-  button.textContent = 'Dismiss'
-  button.addEventListener('click', () => {
+  button(document, box, 'Dismiss', () => {
     box.remove()
     main.focus({ preventScroll: true })
   })
-  box.append(words, button)
   main.prepend(box)
   const more = wrong.length > MOST ? ` And ${wrong.length - MOST} more.` : ''
   // A status is heard when its words change, not when it comes with them.

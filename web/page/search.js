@@ -1,6 +1,7 @@
 /** Search: the index is fetched and built when the reader first asks. */
 
 import MiniSearch from 'minisearch'
+import { part } from '../core/element.js'
 
 /** @typedef {{ id: string, page: string, title: string, section: string, text: string }} Entry */
 
@@ -17,18 +18,18 @@ function build() {
   const made = document.createElement('dialog')
   made.className = 'search'
   made.setAttribute('aria-label', 'Search')
-  const head = add(made, 'form', 'search-head')
+  const head = part(document, made, 'form', 'search-head')
   head.setAttribute('method', 'dialog')
-  const label = add(head, 'label', '')
+  const label = part(document, head, 'label', '')
   label.append('Search the book')
-  const input = /** @type {HTMLInputElement} */ (add(label, 'input', ''))
+  const input = /** @type {HTMLInputElement} */ (part(document, label, 'input', ''))
   input.type = 'search'
   input.autocomplete = 'off'
-  const close = add(head, 'button', 'button')
+  const close = part(document, head, 'button', 'button')
   close.textContent = 'Close'
-  const count = add(made, 'p', 'visually-hidden')
+  const count = part(document, made, 'p', 'visually-hidden')
   count.setAttribute('role', 'status')
-  const list = add(made, 'ol', 'search-results')
+  const list = part(document, made, 'ol', 'search-results')
   document.body.append(made)
 
   /** @type {Promise<MiniSearch<Entry> | null> | null} */
@@ -79,18 +80,10 @@ function rooted(path) {
 /** @param {any} hit @param {string} words */
 function result(hit, words) {
   const item = document.createElement('li')
-  const link = /** @type {HTMLAnchorElement} */ (add(item, 'a', ''))
+  const link = /** @type {HTMLAnchorElement} */ (part(document, item, 'a', ''))
   link.href = `${rooted(hit.page)}#${String(hit.id).split('#')[1] ?? ''}`
-  add(link, 'strong', '').textContent = [hit.section, hit.title].filter(Boolean).join(' ')
+  part(document, link, 'strong', '').textContent = [hit.section, hit.title].filter(Boolean).join(' ')
   const at = Math.max(0, hit.text.toLowerCase().indexOf(words.toLowerCase().split(/\s+/)[0]) - 60)
-  add(link, 'span', '').textContent = `${at ? '…' : ''}${hit.text.slice(at, at + 160)}…`
+  part(document, link, 'span', '').textContent = `${at ? '…' : ''}${hit.text.slice(at, at + 160)}…`
   return item
-}
-
-/** @param {Element} into @param {string} tag @param {string} name */
-function add(into, tag, name) {
-  const element = document.createElement(tag)
-  if (name) element.className = name
-  into.append(element)
-  return element
 }

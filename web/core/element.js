@@ -1,0 +1,24 @@
+/** Elements as a figure and the page make them, in a browser and, for the stills, in Node. */
+
+/** @param {Document} document @param {Element} into @param {string} tag @param {string} name its class, if any */
+export function part(document, into, tag, name) {
+  const element = document.createElement(tag)
+  if (name) element.setAttribute('class', name)
+  into.append(element)
+  return element
+}
+
+/** @param {Document} document @param {Element} into @param {string} words @param {() => void} press @param {string} [name] */
+export function button(document, into, words, press, name = 'button') {
+  const element = part(document, into, 'button', name)
+  element.setAttribute('type', 'button')
+  element.textContent = words
+  element.addEventListener('click', press)
+  return /** @type {HTMLButtonElement} */ (element)
+}
+
+/** Where something was pressed that is gone, the focus goes to the first thing to press of a figure. @param {Element} host */
+export function focusFirst(host) {
+  const next = host.querySelector('.figure-failure button, .live :is(button, input, select, [tabindex]):not(:disabled)')
+  if (next instanceof HTMLElement || next instanceof SVGElement) next.focus({ preventScroll: true })
+}
