@@ -158,8 +158,9 @@ impl EkfSlam {
     }
 
     /// The sightings of one step: each is matched, rejected or founds a landmark, all Jacobians at the same prediction.
-    /// No landmark is matched twice in a step, and near one that is matched none is founded. What is new is founded first; then the matched sightings correct the whole
-    /// state, one after the other with the first linearization, which equals their stack since W is block-diagonal.
+    /// No landmark is matched twice in a step, and near one that is matched none is founded. What is new is founded first;
+    /// then the matched sightings correct the whole state, one after the other with the first linearization, which equals
+    /// their stack since W is block-diagonal.
     ///
     /// # Errors
     /// [`Code::Limit`], [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`]; [`Code::AtLandmark`] naming the
