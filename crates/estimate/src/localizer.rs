@@ -168,8 +168,8 @@ impl EkfLocalizer {
     ///
     /// # Errors
     /// [`Code::NotFinite`], naming the range where its innovation overflows; [`Code::Limit`] for a negative range,
-    /// [`Code::Type`] for a bearing that is missing or too many, [`Code::Index`] for an id that is not on the map, [`Code::AtLandmark`],
-    /// [`Code::InnovationNotPositiveDefinite`].
+    /// [`Code::Type`] for a bearing that is missing or too many, [`Code::Index`] for an id that is not on the map,
+    /// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`].
     pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
         self.judge(&reading, localized, localized).map_err(Error::of_a_range)
     }
