@@ -139,8 +139,7 @@ impl EkfLocalizer {
                 u: [step[0], step[1]],
                 reading: Reading { range: step[2], bearing: step.get(3).copied(), landmark: Some(id) },
             };
-            let log: Vec<Logged> = numbers.chunks_exact(width).zip(&landmarks).map(logged).collect();
-            Ok(ekf.replay(&log, v)?.concat())
+            Ok(ekf.replay(numbers.chunks_exact(width).zip(&landmarks).map(logged), v)?.into_flattened())
         })
     }
 

@@ -123,7 +123,7 @@ pub fn kalman_step(system: &System, belief: &Belief, u: DVector<f64>, y: DVector
     let x = system.predicted(&belief.x, &u, "belief.x")?;
     let theirs = |e: filters::Error| Error::from(e).renamed("x", "belief.x").renamed("P", "belief.P");
     let cov = linear::predicted_covariance(&system.f, &belief.p, &system.v).map_err(theirs)?;
-    let linear::Correction { innovation, s, k, x: corrected, p } =
+    let linear::Correction { innovation, s, k, x: corrected, p, .. } =
         linear::correct(&x, &cov, &y, &system.h, &system.w).map_err(theirs)?;
     let (predicted, posterior) = (Belief { x, p: cov }, Belief { x: corrected, p });
     Ok(KalmanStep { predicted, innovation, s, r: k, posterior })

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::odometry::Unicycle;
 use filters::kalman::{Gaussian, Update};
-use filters::linear;
+use filters::linear::{self, Gain};
 use filters::nonlinear::{Ekf, MeasurementModel};
 use geom::SE2;
 use nalgebra::{Const, DMatrix, DVector, Dyn, Matrix3, OMatrix, SMatrix, SVector, Vector2};
@@ -48,6 +48,7 @@ impl ChosetEkf {
     ///
     /// # Errors
     /// [`crate::Code::NotFinite`]; the belief is then as it was.
+    #[inline]
     pub fn predict(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
         Ok(self.filter.predict(&Unicycle, u, v)?)
     }
@@ -59,6 +60,7 @@ impl ChosetEkf {
     /// # Errors
     /// [`crate::Code::AtLandmark`], [`crate::Code::InnovationNotPositiveDefinite`] or [`crate::Code::NotFinite`]; the
     /// belief is then as it was.
+    #[inline]
     pub fn update<const M: usize>(
         &mut self,
         model: &impl MeasurementModel<SE2, 3, M>,
@@ -89,8 +91,8 @@ impl ChosetEkf {
             w_all.fixed_view_mut::<M, M>(M * i, M * i).copy_from(w);
         }
         let nu = linear::finite(nu, "the innovation")?;
-        let (r, s, p) = linear::gain_and_covariance(&self.filter.p, &h, &w_all)?;
-        let step: SVector<f64, 3> = r * &nu;
+        let Gain { k, s, p, .. } = linear::gain(&self.filter.p, &h, &w_all)?;
+        let step: SVector<f64, 3> = k * &nu;
         let x = self.filter.x.boxplus(&linear::finite(step, "the mean")?);
         self.filter = Ekf { x, p };
         Ok((nu, s))

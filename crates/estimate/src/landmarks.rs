@@ -13,6 +13,7 @@ pub const NEAREST: f64 = 1e-9;
 
 /// Δ = (x_r − x_ℓ, y_r − y_ℓ) and its length ρ; the two models share it, and its end where the robot stands on the
 /// landmark.
+#[inline]
 fn displacement(map: &[Landmark], x: &SE2, j: usize) -> Result<(f64, f64, f64), filters::Error> {
     let landmark = map.get(j).ok_or(filters::Error::OutOfRange { what: "landmark" })?;
     let (dx, dy) = (x.x() - landmark.x, x.y() - landmark.y);
@@ -38,6 +39,7 @@ impl MeasurementModel<SE2, 3, 2> for RangeBearing<'_> {
         self.linearized(x, j).map(|(_, jacobian)| jacobian)
     }
 
+    #[inline]
     fn linearized(&self, x: &SE2, j: usize) -> Result<(SVector<f64, 2>, SMatrix<f64, 2, 3>), filters::Error> {
         let (dx, dy, rho) = displacement(self.map, x, j)?;
         let h = Vector2::new(rho, wrap(libm::atan2(dy, dx) - x.theta()));
@@ -47,6 +49,7 @@ impl MeasurementModel<SE2, 3, 2> for RangeBearing<'_> {
     }
 
     /// Bearings differ by the short way round: z − h(x) would be wrong by a whole turn near ±π.
+    #[inline]
     fn residual(&self, z: &SVector<f64, 2>, expected: &SVector<f64, 2>) -> SVector<f64, 2> {
         Vector2::new(z[0] - expected[0], angle_diff(z[1], expected[1]))
     }

@@ -171,10 +171,15 @@ impl EkfLocalizer {
     /// [`Code::Type`] for a bearing that is missing or too many, [`Code::Index`] for an id that is not on the map,
     /// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`].
     pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
-        self.judge(&reading, localized, localized).map_err(Error::of_a_range)
+        let before = self.ekf;
+        self.judge(&reading, localized, localized).map_err(|e| {
+            self.ekf = before;
+            e.of_a_range()
+        })
     }
 
-    /// What became of `reading`, as `both` or `one` tells it for the sensor there is.
+    /// What became of `reading`, as `both` or `one` tells it for the sensor there is. Refused, it may leave a filter that has
+    /// been corrected all the same.
     fn judge<T>(
         &mut self,
         reading: &Reading,
@@ -186,20 +191,19 @@ impl EkfLocalizer {
             return Err(Error::new(Code::Limit, "range", "a range is not negative"));
         }
         let j = reading.landmark.map(|id| self.index(id)).transpose()?;
-        match (self.sensor, reading.bearing) {
+        match (&self.sensor, reading.bearing) {
             (Sensor::RangeBearing(w), Some(bearing)) => {
                 let y = Vector2::new(range, wrap(validate::finite(bearing, "bearing")?));
                 let model = RangeBearing { map: &self.map };
                 let count = self.map.len();
-                let (accepted, best) =
-                    locate(&mut self.ekf, &model, count, y, &w, (j, Rule::MaximumLikelihood, self.gate))?;
-                Ok(both(&self.map, accepted, &best))
+                let how = (j, Rule::MaximumLikelihood, self.gate);
+                locate(&mut self.ekf, &model, count, y, w, how, |accepted, best| both(&self.map, accepted, best))
             }
             (Sensor::Range(w), None) => {
                 let model = RangeOnly { map: &self.map };
                 let (count, y) = (self.map.len(), SVector::<f64, 1>::new(range));
-                let (accepted, best) = locate(&mut self.ekf, &model, count, y, &w, (j, Rule::ChiSquared, self.gate))?;
-                Ok(one(&self.map, accepted, &best))
+                let how = (j, Rule::ChiSquared, self.gate);
+                locate(&mut self.ekf, &model, count, y, w, how, |accepted, best| one(&self.map, accepted, best))
             }
             (Sensor::RangeBearing(_), None) => {
                 Err(Error::new(Code::Type, "bearing", "is missing; this sensor reads range and bearing"))
@@ -216,13 +220,17 @@ impl EkfLocalizer {
     /// # Errors
     /// As [`Self::predict`] and [`Self::update`], the argument naming the step; [`Code::Limit`] for no step or more than
     /// [`MAX_LOG`]. The belief is then what it was before the log.
-    pub fn replay(&mut self, log: &[Logged], v: DMatrix<f64>) -> Result<Vec<[f64; 3]>, Error> {
+    pub fn replay(
+        &mut self,
+        log: impl ExactSizeIterator<Item = Logged>,
+        v: DMatrix<f64>,
+    ) -> Result<Vec<[f64; 3]>, Error> {
         validate::count(log.len(), MAX_LOG, "log")?;
         let v = validate::covariance(v, 3, "V")?;
         let v = Matrix3::from_fn(|i, j| v[(i, j)]);
         let (mut next, mut poses) = (self.clone(), Vec::with_capacity(log.len()));
-        for (k, logged) in log.iter().enumerate() {
-            next.step(logged, &v).map_err(|e| if e.argument == "V" { e } else { e.within(&format!("log[{k}]")) })?;
+        for (k, logged) in log.enumerate() {
+            next.step(&logged, &v).map_err(|e| if e.argument == "V" { e } else { e.within(&format!("log[{k}]")) })?;
             let pose = next.ekf.pose();
             poses.push([pose.x(), pose.y(), pose.theta()]);
         }
@@ -267,31 +275,34 @@ fn localized<const M: usize>(map: &[Landmark], accepted: bool, best: &Candidate<
     }
 }
 
-/// Judges the reading `y` against landmark `j`, or against all `count`, and corrects the filter when it is within the gate.
-fn locate<const M: usize>(
+/// Judges the reading `y` against landmark `j`, or against all `count`, corrects the filter when it is within the gate, and
+/// answers what `tell` makes of it.
+#[inline]
+fn locate<const M: usize, T>(
     ekf: &mut ChosetEkf,
     model: &impl MeasurementModel<SE2, 3, M>,
     count: usize,
     y: SVector<f64, M>,
     w: &SMatrix<f64, M, M>,
     (j, rule, gate): (Option<usize>, Rule, Option<f64>),
-) -> Result<(bool, Candidate<M>), Error> {
-    let belief = ekf.belief();
+    tell: impl FnOnce(bool, &Candidate<M>) -> T,
+) -> Result<T, Error> {
     let (accepted, best) = match (j, gate) {
         (Some(j), None) => {
             // Nothing is judged before the correction, and its S serves for χ².
-            let mut next = *ekf;
-            let Update { innovation, s, .. } = next.update(model, &Sighting { j, y }, w)?;
-            let best = Candidate::new(j, innovation, s, Rule::ChiSquared)?;
-            *ekf = next;
-            return Ok((true, best));
+            let Update { innovation, s, d2, .. } = ekf.update(model, &Sighting { j, y }, w)?;
+            let best = match d2 {
+                Some(d2) => Candidate { j, innovation, s, d2, cost: d2 },
+                None => Candidate::new(j, innovation, s, Rule::ChiSquared)?,
+            };
+            return Ok(tell(true, &best));
         }
         // There is nothing to choose from, hence no use for the costlier rule.
         (Some(j), Some(gate)) => {
-            let best = candidate(model, &belief, &y, j, w, Rule::ChiSquared)?;
+            let best = candidate(model, &ekf.belief(), &y, j, w, Rule::ChiSquared)?;
             (best.d2 <= gate, best)
         }
-        (None, gate) => match best(model, &y, &belief, count, w, rule, gate)? {
+        (None, gate) => match best(model, &y, &ekf.belief(), count, w, rule, gate)? {
             Association::Matched(best) => (true, best),
             Association::Rejected(best) => (false, best),
             Association::New => return Err(Error::new(Code::Index, "landmarks", "is empty")),
@@ -300,7 +311,7 @@ fn locate<const M: usize>(
     if accepted {
         ekf.update(model, &Sighting { j: best.j, y }, w)?;
     }
-    Ok((accepted, best))
+    Ok(tell(accepted, &best))
 }
 
 #[cfg(test)]
@@ -353,7 +364,7 @@ mod tests {
         let v = dmatrix![0.01, 0.0, 0.0; 0.0, 0.01, 0.0; 0.0, 0.0, 0.01];
         let log = [0.0, 0.2, -0.1].map(|d| Logged { u: [d, 0.1], reading: reading(Some(8)) });
         let (mut at_once, mut in_turn) = (both(Some(9.21)), both(Some(9.21)));
-        let poses = at_once.replay(&log, v.clone()).expect("sound");
+        let poses = at_once.replay(log.into_iter(), v.clone()).expect("sound");
         for (logged, pose) in log.iter().zip(poses) {
             in_turn.predict(DVector::from_column_slice(&logged.u), v.clone()).expect("sound");
             in_turn.update(logged.reading).expect("sound");
@@ -363,18 +374,18 @@ mod tests {
 
         let mut broken = log;
         broken[2].reading.range = -1.0;
-        let refused = at_once.replay(&broken, v.clone()).expect_err("a negative range");
+        let refused = at_once.replay(broken.into_iter(), v.clone()).expect_err("a negative range");
         assert_eq!((refused.code, refused.argument.as_ref()), (Code::Limit, "log[2].range"));
         broken[2].reading.range = 1e308;
-        let refused = at_once.replay(&broken, v.clone()).expect_err("a vast range");
+        let refused = at_once.replay(broken.into_iter(), v.clone()).expect_err("a vast range");
         assert_eq!((refused.code, refused.argument.as_ref()), (Code::NotFinite, "log[2].range"));
         broken[1].u[0] = 1e200;
-        let refused = at_once.replay(&broken, v.clone()).expect_err("a vast step");
+        let refused = at_once.replay(broken.into_iter(), v.clone()).expect_err("a vast step");
         assert_eq!((refused.code, refused.argument.as_ref()), (Code::NotFinite, "log[1].u"));
         let vast = 1e308 * DMatrix::identity(3, 3);
-        let refused = at_once.replay(&log, vast).expect_err("a vast noise");
+        let refused = at_once.replay(log.into_iter(), vast).expect_err("a vast noise");
         assert_eq!((refused.code, refused.argument.as_ref()), (Code::NotFinite, "V"));
-        assert_eq!(at_once.replay(&[], v).expect_err("no step").code, Code::Limit);
+        assert_eq!(at_once.replay([].into_iter(), v).expect_err("no step").code, Code::Limit);
         assert_eq!(at_once, in_turn);
     }
 

@@ -3,7 +3,7 @@
 use crate::error::Error;
 use crate::lti::Lti;
 use crate::validate;
-use filters::linear;
+use filters::linear::{self, Gain};
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, Dyn, OMatrix, SMatrix};
 
@@ -54,7 +54,7 @@ where
         p: &OMatrix<f64, N, N>,
     ) -> Result<(OMatrix<f64, N, N>, OMatrix<f64, N, M>, OMatrix<f64, N, N>), Error> {
         let predicted = linear::predicted_covariance(self.f, p, self.v)?;
-        let (r, _, posterior) = linear::gain_and_covariance(&predicted, self.h, self.w)?;
+        let Gain { k: r, p: posterior, .. } = linear::gain(&predicted, self.h, self.w)?;
         Ok((predicted, r, posterior))
     }
 

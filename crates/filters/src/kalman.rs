@@ -45,6 +45,8 @@ pub struct Update<const N: usize, const M: usize> {
     pub s: SMatrix<f64, M, M>,
     /// K = Σ̄ Cᵀ S⁻¹.
     pub k: SMatrix<f64, N, M>,
+    /// d² = νᵀS⁻¹ν of the innovation ν; nothing where S is singular to working accuracy, or d² too large for a number.
+    pub d2: Option<f64>,
 }
 
 /// A Kalman filter holding its belief.
@@ -108,9 +110,10 @@ impl<const N: usize> Kf<N> {
         c: &SMatrix<f64, M, N>,
         q: &SMatrix<f64, M, M>,
     ) -> Result<Update<N, M>, Error> {
-        let linear::Correction { innovation, s, k, x, p } = linear::correct(&self.belief.x, &self.belief.p, z, c, q)?;
+        let linear::Correction { innovation, s, k, d2, x, p } =
+            linear::correct(&self.belief.x, &self.belief.p, z, c, q)?;
         self.belief = Gaussian { x, p };
-        Ok(Update { innovation, s, k })
+        Ok(Update { innovation, s, k, d2 })
     }
 }
 
@@ -160,6 +163,42 @@ mod tests {
         let mut kf = Kf::from(Gaussian { x: Vector1::new(0.0), p: Matrix1::new(1e24) });
         kf.update(&Vector1::new(1.0), &Matrix1::new(1.0), &Matrix1::new(0.04)).expect("positive definite");
         assert!((kf.belief().p[0] - 0.04).abs() < 1e-15);
+    }
+
+    #[test]
+    fn joseph_is_its_formula_written_out() {
+        let c = Matrix2::new(1.0, 0.3, -0.2, 2.0);
+        let q = Matrix2::new(0.4, 0.1, 0.1, 0.3);
+        for k in [Matrix2::zeros(), Matrix2::identity(), Matrix2::new(0.5, -1.0, 3.0, 0.25)] {
+            let left = Matrix2::identity() - k * c;
+            let formula = left * prior().p * left.transpose() + k * q * k.transpose();
+            let found = linear::joseph(&prior().p, &k, &c, &q);
+            assert!((found - formula).amax() < 1e-13 * formula.amax(), "{found} against {formula}");
+            assert_eq!(found, found.transpose());
+        }
+    }
+
+    /// A component read twenty digits more precisely than it was known keeps the variance of the reading, beside one that is
+    /// not read: Σ̄ − KCΣ̄ would leave nothing or a rounding of either sign.
+    #[test]
+    fn a_precise_reading_leaves_its_own_variance() {
+        let p = Matrix2::from_diagonal(&Vector2::new(0.7, 3.0));
+        let (c, q) = (RowVector2::new(1.0, 0.0), Matrix1::new(1e-20));
+        let gain = linear::gain(&p, &c, &q).expect("positive definite");
+        assert!((gain.p[(0, 0)] / 1e-20 - 1.0).abs() < 1e-15, "{}", gain.p[(0, 0)]);
+        assert_eq!((gain.p[(1, 1)], gain.p[(0, 1)]), (3.0, 0.0));
+    }
+
+    #[test]
+    fn the_distance_of_an_innovation_comes_with_the_update() {
+        let (z, c) = (Vector2::new(1.0, -0.5), Matrix2::new(1.0, 0.3, -0.2, 2.0));
+        let q = Matrix2::new(0.4, 0.1, 0.1, 0.3);
+        let update = Kf::from(prior()).update(&z, &c, &q).expect("positive definite");
+        let d2 = crate::consistency::nis(&update.innovation, &update.s).expect("positive definite");
+        assert!((update.d2.expect("regular") / d2 - 1.0).abs() < 1e-14);
+        // An innovation whose square leaves the range of numbers moves the mean all the same.
+        let far = Kf::from(prior()).update(&(z * 1e200), &c, &q).expect("a mean");
+        assert_eq!(far.d2, None);
     }
 
     /// Two outputs δ = 1e-8 apart with Q = δ²I: in Joseph's form with a factored S the answer is wrong in its first

@@ -22,6 +22,8 @@ where
     pub s: OMatrix<f64, M, M>,
     /// K = Σ̄ Cᵀ S⁻¹, the gain.
     pub k: OMatrix<f64, N, M>,
+    /// d² = νᵀS⁻¹ν of the innovation ν; nothing where S is singular to working accuracy.
+    pub d2: Option<f64>,
     /// The corrected mean, x̄ + K (z − C x̄), added in just this order.
     pub x: OVector<f64, N>,
     /// The corrected covariance.
@@ -66,8 +68,25 @@ pub fn predicted_covariance<N: Dim>(
 where
     DefaultAllocator: Allocator<N, N>,
 {
-    let predicted = congruence(a, p, r);
-    if plainly_positive(&predicted) { Ok(predicted) } else { verified(predicted) }
+    let mut predicted = congruence(a, p, r);
+    mend(&mut predicted)?;
+    Ok(predicted)
+}
+
+/// Makes sure that a prediction, however it was multiplied out, is a covariance; see [`predicted_covariance`].
+///
+/// # Errors
+/// As [`predicted_covariance`].
+#[inline]
+pub fn mend<N: Dim>(predicted: &mut OMatrix<f64, N, N>) -> Result<(), Error>
+where
+    DefaultAllocator: Allocator<N, N>,
+{
+    if !plainly_positive(predicted) {
+        // Entry by entry: taken over whole, the usual matrix would have to be in memory as well.
+        predicted.copy_from(&verified(predicted.clone())?);
+    }
+    Ok(())
 }
 
 /// A predicted covariance, mended where its terms cancelled and rounding left a negative eigenvalue, be it this step's or
@@ -101,8 +120,8 @@ where
 
 /// The covariance that **any** gain K leaves behind, in Joseph's form (I − KC) Σ̄ (I − KC)ᵀ + K Q Kᵀ (n×n).
 ///
-/// A sum of two squares, hence positive semidefinite under rounding too; Σ̄ − KCΣ̄ equals it at the optimal gain only.
-#[inline]
+/// A sum of two squares, hence positive semidefinite but for the rounding of its products; Σ̄ − KCΣ̄ equals it at the
+/// optimal gain only.
 pub fn joseph<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,
     k: &OMatrix<f64, N, M>,
@@ -112,9 +131,34 @@ pub fn joseph<N: Dim, M: Dim>(
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
-    let n = p.shape_generic().0;
-    let noise = congruence(k, q, &OMatrix::zeros_generic(n, n));
-    congruence(&complement(k, c), p, &noise)
+    joseph_with(p, &(c * p), k, c, q)
+}
+
+/// [`joseph`] where CΣ̄ is at hand. With X = (I − KC) Σ̄ = Σ̄ − K(CΣ̄) it is X − (XCᵀ) Kᵀ + (KQ) Kᵀ: no product of two n×n
+/// matrices is left, and X, small where the reading is precise, is still multiplied by what I − KC leaves of it.
+#[inline]
+fn joseph_with<N: Dim, M: Dim>(
+    p: &OMatrix<f64, N, N>,
+    cp: &OMatrix<f64, M, N>,
+    k: &OMatrix<f64, N, M>,
+    c: &OMatrix<f64, M, N>,
+    q: &OMatrix<f64, M, M>,
+) -> OMatrix<f64, N, N>
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
+{
+    let x = p - k * cp;
+    let (xc, kq) = (&x * c.transpose(), k * q);
+    let mut posterior = x;
+    for j in 0..p.nrows() {
+        for i in j..p.nrows() {
+            let left = (0..c.nrows()).fold(posterior[(i, j)], |left, a| left - xc[(i, a)] * k[(j, a)]);
+            let entry = (0..c.nrows()).fold(left, |sum, a| sum + kq[(i, a)] * k[(j, a)]);
+            posterior[(i, j)] = entry;
+            posterior[(j, i)] = entry;
+        }
+    }
+    posterior
 }
 
 /// M P Mᵀ + R (r×r) for a symmetric P, made exactly symmetric: the one triangle is computed and the other is its image.
@@ -156,7 +200,33 @@ where
     OMatrix::identity_generic(n, n) - k * c
 }
 
-/// The gain K = Σ̄ Cᵀ S⁻¹ (n×m), S (m×m), and the corrected covariance, for the predicted covariance `p`.
+/// The optimal gain of a measurement, and what it leaves.
+pub struct Gain<N: Dim, M: Dim>
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<M, M> + Allocator<N, M>,
+{
+    /// K = Σ̄ Cᵀ S⁻¹ (n×m).
+    pub k: OMatrix<f64, N, M>,
+    /// S = C Σ̄ Cᵀ + Q (m×m).
+    pub s: OMatrix<f64, M, M>,
+    /// The corrected covariance (n×n).
+    pub p: OMatrix<f64, N, N>,
+    spd: Spd<M>,
+}
+
+impl<N: Dim, M: Dim> Gain<N, M>
+where
+    DefaultAllocator: Allocator<N, N> + Allocator<M, M> + Allocator<N, M> + Allocator<M>,
+{
+    /// d² = νᵀS⁻¹ν of an innovation; nothing where S is singular to working accuracy, or d² too large for a number.
+    #[inline]
+    pub fn d2(&self, innovation: &OVector<f64, M>) -> Option<f64> {
+        let d2 = innovation.dot(&self.spd.solve(innovation));
+        (self.spd.pivot() > 0.0 && d2.is_finite()).then_some(d2)
+    }
+}
+
+/// The optimal gain for the predicted covariance `p`, with what it leaves of it.
 ///
 /// Where S is so ill-conditioned that a factor of it would lose more than half of its digits (a pivot below
 /// [`MIN_PIVOT`]), or the reading leaves so little of the variance that the rounding of the terms of Joseph's form would
@@ -166,44 +236,58 @@ where
 /// [`Error::InnovationNotPositiveDefinite`] when S is singular even to that, [`Error::NotFinite`] when a product of
 /// finite arguments overflows.
 #[inline]
-pub fn gain_and_covariance<N: Dim, M: Dim>(
+pub fn gain<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,
     c: &OMatrix<f64, M, N>,
     q: &OMatrix<f64, M, M>,
-) -> Result<(OMatrix<f64, N, M>, OMatrix<f64, M, M>, OMatrix<f64, N, N>), Error>
+) -> Result<Gain<N, M>, Error>
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
     let cp = c * p;
     let s = image(&cp, c, q);
-    if let Some(spd) = Spd::new(s.clone()).filter(|spd| spd.pivot() >= MIN_PIVOT) {
-        let k = spd.solve(&cp).transpose();
-        let posterior = joseph(p, &k, c, q);
-        let most = MAX_ROUNDING / f64::EPSILON * largest_variance(&posterior);
-        let sound = bound_on_terms(p, &k, c) <= most || largest_terms(p.clone(), k.clone(), c.clone()) <= most;
-        // Each entry of K has its square in the diagonal of KQKᵀ: a finite covariance has a finite gain.
-        if sound && (plainly_positive(&posterior) || semidefinite(&posterior.clone())) {
-            return Ok((k, s, posterior));
-        }
+    let spd = Spd::assumed(s.clone());
+    let mut k = spd.solve(&cp).transpose();
+    let mut posterior = joseph_with(p, &cp, &k, c, q);
+    // Each entry of K has its square in the diagonal of KQKᵀ: a finite covariance has a finite gain.
+    let sound =
+        spd.pivot() >= MIN_PIVOT && bound_on_terms(p, &k, c) <= tolerated(&posterior) && plainly_positive(&posterior);
+    if !sound {
+        let given = (p.clone(), c.clone(), q.clone());
+        let better = examined(given, (s.clone(), spd.pivot()), (k.clone(), posterior.clone()))?;
+        k.copy_from(&better.0);
+        posterior.copy_from(&better.1);
     }
-    by_square_roots(p.clone(), c.clone(), q.clone(), s)
+    Ok(Gain { k, s, p: posterior, spd })
 }
-
-/// [`gain_and_covariance`] where Joseph's form would not do; away from it, so that the usual way stays short.
+/// Gain and covariance of a correction whose rounding may show, looked at more closely: as they are where it does not, or by
+/// square roots. Away from the usual way, so that this stays short.
 #[cold]
 #[inline(never)]
-fn by_square_roots<N: Dim, M: Dim>(
-    p: OMatrix<f64, N, N>,
-    c: OMatrix<f64, M, N>,
-    q: OMatrix<f64, M, M>,
-    s: OMatrix<f64, M, M>,
-) -> Result<(OMatrix<f64, N, M>, OMatrix<f64, M, M>, OMatrix<f64, N, N>), Error>
+fn examined<N: Dim, M: Dim>(
+    (p, c, q): (OMatrix<f64, N, N>, OMatrix<f64, M, N>, OMatrix<f64, M, M>),
+    (s, pivot): (OMatrix<f64, M, M>, f64),
+    (k, posterior): (OMatrix<f64, N, M>, OMatrix<f64, N, N>),
+) -> Result<(OMatrix<f64, N, M>, OMatrix<f64, N, N>), Error>
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
-    let s = finite(s, "S")?;
+    let most = tolerated(&posterior);
+    let kept = pivot >= MIN_PIVOT && (bound_on_terms(&p, &k, &c) <= most || largest_terms(&p, &k, &c) <= most);
+    if kept && semidefinite(&posterior) {
+        return Ok((k, posterior));
+    }
+    finite(s, "S")?;
     let (k, posterior) = square_root::gain_and_covariance(&p, &c, &q)?;
-    Ok((finite(k, "the gain")?, s, finite(posterior, "the covariance")?))
+    Ok((finite(k, "the gain")?, finite(posterior, "the covariance")?))
+}
+
+/// The largest terms of which the rounding does not show in a `posterior`.
+fn tolerated<N: Dim>(posterior: &OMatrix<f64, N, N>) -> f64
+where
+    DefaultAllocator: Allocator<N, N>,
+{
+    MAX_ROUNDING / f64::EPSILON * largest_variance(posterior)
 }
 
 /// An upper bound on [`largest_terms`] by Cauchy and Schwarz, without a square root: good enough wherever a reading leaves
@@ -218,9 +302,7 @@ where
 }
 
 /// The largest variance that would be if nothing cancelled in (I − KC) Σ̄ (I − KC)ᵀ: what its rounding is a part of.
-#[cold]
-#[inline(never)]
-fn largest_terms<N: Dim, M: Dim>(p: OMatrix<f64, N, N>, k: OMatrix<f64, N, M>, c: OMatrix<f64, M, N>) -> f64
+fn largest_terms<N: Dim, M: Dim>(p: &OMatrix<f64, N, N>, k: &OMatrix<f64, N, M>, c: &OMatrix<f64, M, N>) -> f64
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M>,
 {
@@ -254,8 +336,6 @@ where
 
 /// Whether no eigenvalue of `p` lies below zero by more than [`MAX_NEGATIVE`] of its largest variance: raised by so much,
 /// it has a factor. Also false when an entry is not finite.
-#[cold]
-#[inline(never)]
 fn semidefinite<N: Dim>(p: &OMatrix<f64, N, N>) -> bool
 where
     DefaultAllocator: Allocator<N, N>,
@@ -312,7 +392,7 @@ where
 /// The measurement update of the belief N(x̄, Σ̄) with the reading z = Cx + noise of covariance Q.
 ///
 /// # Errors
-/// As [`gain_and_covariance`]; also [`Error::NotFinite`] for the innovation or the corrected mean.
+/// As [`gain`]; also [`Error::NotFinite`] for the innovation or the corrected mean.
 pub fn correct<N: Dim, M: Dim>(
     x: &OVector<f64, N>,
     p: &OMatrix<f64, N, N>,
@@ -325,9 +405,10 @@ where
         Allocator<N> + Allocator<M> + Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
     let innovation = finite(z - c * x, "the innovation")?;
-    let (k, s, p) = gain_and_covariance(p, c, q)?;
+    let gain = gain(p, c, q)?;
+    let (d2, Gain { k, s, p, .. }) = (gain.d2(&innovation), gain);
     let x = finite(x + &k * &innovation, "the mean")?;
-    Ok(Correction { innovation, s, k, x, p })
+    Ok(Correction { innovation, s, k, d2, x, p })
 }
 
 /// The product of the Gaussians (z₁, C₁) and (z₂, C₂), up to its scale (Theorem 8.2.1): mean z₁ + 𝒬(z₂ − z₁) and

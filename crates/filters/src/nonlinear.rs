@@ -23,6 +23,7 @@ pub trait State<const N: usize>: Copy {
 }
 
 impl<const N: usize> State<N> for SVector<f64, N> {
+    #[inline]
     fn boxplus(&self, delta: &SVector<f64, N>) -> Self {
         self + delta
     }
@@ -31,12 +32,14 @@ impl<const N: usize> State<N> for SVector<f64, N> {
         self - other
     }
 
+    #[inline]
     fn is_finite(&self) -> bool {
         linear::is_finite(self)
     }
 }
 
 impl State<3> for SE2 {
+    #[inline]
     fn boxplus(&self, delta: &SVector<f64, 3>) -> Self {
         SE2::boxplus(*self, delta)
     }
@@ -45,6 +48,7 @@ impl State<3> for SE2 {
         SE2::boxminus(*self, *other)
     }
 
+    #[inline]
     fn is_finite(&self) -> bool {
         linear::is_finite(&self.to_vector())
     }
@@ -61,6 +65,28 @@ pub trait MotionModel<X: State<N>, const N: usize, const U: usize> {
     /// Both, for a model whose two share their work.
     fn linearized(&self, x: &X, u: &SVector<f64, U>) -> (X, SMatrix<f64, N, N>) {
         (self.f(x, u), self.jacobian(x, u))
+    }
+
+    /// Takes the mean `x` to f(x, u) and its covariance `p` to A Σ Aᵀ + R; a model whose A is mostly the identity may know a
+    /// shorter way.
+    ///
+    /// # Errors
+    /// [`Error::NotFinite`]; `x` and `p` are then as they were.
+    #[inline]
+    fn propagate(
+        &self,
+        x: &mut X,
+        p: &mut SMatrix<f64, N, N>,
+        u: &SVector<f64, U>,
+        r: &SMatrix<f64, N, N>,
+    ) -> Result<(), Error> {
+        let (moved, a) = self.linearized(x, u);
+        if !moved.is_finite() {
+            return Err(Error::NotFinite { what: "the predicted mean" });
+        }
+        *p = linear::predicted_covariance(&a, p, r)?;
+        *x = moved;
+        Ok(())
     }
 }
 
@@ -121,19 +147,14 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
     ///
     /// # Errors
     /// [`Error::NotFinite`]; the belief is then unchanged.
+    #[inline]
     pub fn predict<const U: usize>(
         &mut self,
         model: &impl MotionModel<X, N, U>,
         u: &SVector<f64, U>,
         r: &SMatrix<f64, N, N>,
     ) -> Result<(), Error> {
-        let (x, a) = model.linearized(&self.x, u);
-        if !x.is_finite() {
-            return Err(Error::NotFinite { what: "the predicted mean" });
-        }
-        let p = linear::predicted_covariance(&a, &self.p, r)?;
-        *self = Self { x, p };
-        Ok(())
+        model.propagate(&mut self.x, &mut self.p, u, r)
     }
 
     /// Corrects the belief with the reading `z` of feature `j`, of noise covariance Q; the covariance in Joseph's form.
@@ -141,6 +162,7 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
     /// # Errors
     /// [`Error::InnovationNotPositiveDefinite`], [`Error::NotFinite`], or what the model answers; the belief is then
     /// unchanged.
+    #[inline]
     pub fn update<const M: usize>(
         &mut self,
         model: &impl MeasurementModel<X, N, M>,
@@ -157,19 +179,20 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
     ///
     /// # Errors
     /// As [`Ekf::update`].
+    #[inline]
     pub fn correct<const M: usize>(
         &mut self,
         innovation: &SVector<f64, M>,
         c: &SMatrix<f64, M, N>,
         q: &SMatrix<f64, M, M>,
     ) -> Result<Update<N, M>, Error> {
-        let (k, s, p) = linear::gain_and_covariance(&self.p, c, q)?;
-        let x = self.x.boxplus(&(k * innovation));
+        let gain = linear::gain(&self.p, c, q)?;
+        let x = self.x.boxplus(&(gain.k * innovation));
         if !x.is_finite() {
             return Err(Error::NotFinite { what: "the mean" });
         }
-        *self = Self { x, p };
-        Ok(Update { innovation: *innovation, s, k })
+        *self = Self { x, p: gain.p };
+        Ok(Update { innovation: *innovation, s: gain.s, k: gain.k, d2: gain.d2(innovation) })
     }
 }
 

@@ -19,7 +19,7 @@ use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix};
 /// The smallest |Sᵢᵢ^{½}| relative to its column that still leaves six digits of the answer.
 const MIN_ROOT_PIVOT: f64 = 1e-10;
 
-/// The gain and the corrected covariance for the predicted covariance `p`; see [`crate::linear::gain_and_covariance`].
+/// The gain and the corrected covariance for the predicted covariance `p`; see [`crate::linear::gain`].
 ///
 /// The array has m + n rows, a size that no const parameter can name: hence `DMatrix`, on this rare path only.
 pub(crate) fn gain_and_covariance<N: Dim, M: Dim>(

@@ -142,13 +142,14 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         let s = finite(symmetric(seen.covariance(&seen) + q), "S")?;
         let spd = Spd::new(s).ok_or(Error::InnovationNotPositiveDefinite)?;
         let k = spd.solve(&states.covariance(&seen).transpose()).transpose();
+        let d2 = innovation.dot(&spd.solve(&innovation));
         let x = self.x.boxplus(&(k * innovation));
         if !x.is_finite() {
             return Err(Error::NotFinite { what: "the mean" });
         }
         let p = finite(symmetric(self.p - k * s * k.transpose()), "the covariance")?;
         *self = Self { x, p, points: self.points };
-        Ok(Update { innovation, s, k })
+        Ok(Update { innovation, s, k, d2: Some(d2).filter(|d2| d2.is_finite()) })
     }
 }
 

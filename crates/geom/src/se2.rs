@@ -15,6 +15,7 @@ pub struct SE2 {
 
 impl SE2 {
     /// The pose at (`x`, `y`) with heading `theta`, wrapped.
+    #[inline]
     pub fn new(x: f64, y: f64, theta: f64) -> Self {
         Self { x, y, theta: wrap(theta) }
     }
@@ -25,6 +26,7 @@ impl SE2 {
     }
 
     /// `[x, y, θ]`.
+    #[inline]
     pub fn to_vector(self) -> SVector<f64, 3> {
         SVector::<f64, 3>::new(self.x, self.y, self.theta)
     }
@@ -65,6 +67,7 @@ impl SE2 {
     /// x ⊞ δ with δ = `[δx, δy, δθ]` in **world** axes: positions add, the heading adds and wraps.
     ///
     /// These are the coordinates in which the chapter's filters carry their covariance.
+    #[inline]
     pub fn boxplus(self, delta: &SVector<f64, 3>) -> Self {
         Self::new(self.x + delta[0], self.y + delta[1], self.theta + delta[2])
     }

@@ -29,17 +29,26 @@ where
     /// (or smaller than the smallest number that has all its digits).
     #[inline]
     pub fn new(s: OMatrix<f64, M, M>) -> Option<Self> {
+        let factored = Self::assumed(s);
+        (factored.pivot > 0.0).then_some(factored)
+    }
+
+    /// Factors `s` as if it were positive definite. Where it is not, [`Spd::pivot`] is 0 and the factor none of it: for a
+    /// step that works everything out and then looks once whether it may stand.
+    #[inline]
+    pub fn assumed(s: OMatrix<f64, M, M>) -> Self {
         let (n, mut f, mut pivot) = (s.nrows(), s, 1.0_f64);
         for j in 0..n {
             let variance = f[(j, j)];
             let unexplained = (0..j).fold(variance, |rest, k| rest - f[(j, k)] * f[(k, j)]);
             // An entry that is not finite leaves a pivot that is none of these numbers, whose reciprocals are finite.
             if !(f64::MIN_POSITIVE..=f64::MAX).contains(&unexplained) {
-                return None;
+                return Self { factor: f, pivot: 0.0 };
             }
             let reciprocal = 1.0 / unexplained;
-            if j > 0 {
-                pivot = pivot.min(unexplained / variance);
+            let part = unexplained / variance;
+            if j > 0 && part < pivot {
+                pivot = part;
             }
             f[(j, j)] = reciprocal;
             for i in j + 1..n {
@@ -48,11 +57,12 @@ where
                 f[(i, j)] = unscaled * reciprocal;
             }
         }
-        Some(Self { factor: f, pivot })
+        Self { factor: f, pivot }
     }
 
     /// The smallest Dᵢᵢ / Sᵢᵢ, in (0, 1]: the part of component i's variance that the components before it do not
     /// explain, whatever the units. Near 2⁻⁵² nothing but rounding is left.
+    #[inline]
     pub fn pivot(&self) -> f64 {
         self.pivot
     }
@@ -113,6 +123,15 @@ mod tests {
         assert!(Spd::new(Matrix2::new(0.0, 0.0, 0.0, 1.0)).is_none());
         assert!(Spd::new(Matrix2::new(f64::INFINITY, 0.0, 0.0, 1.0)).is_none());
         assert!(Spd::new(dmatrix![1.0, 0.0; 0.0, f64::NAN]).is_none());
+    }
+
+    #[test]
+    fn what_is_assumed_and_is_not_so_has_no_pivot() {
+        let s = Matrix2::new(4.0, 1.0, 1.0, 3.0);
+        assert!((Spd::assumed(s).pivot() - 2.75 / 3.0).abs() < 1e-15);
+        for bad in [Matrix2::new(1.0, 2.0, 2.0, 1.0), Matrix2::zeros(), s * f64::INFINITY, s * f64::NAN] {
+            assert_eq!(Spd::assumed(bad).pivot(), 0.0, "{bad}");
+        }
     }
 
     #[test]

@@ -57,7 +57,7 @@ fn localizer() -> f64 {
     let log = vec![Logged { u: [0.0, 0.0], reading }; LOG as usize];
     let (start, mut sound) = (Instant::now(), true);
     for _ in 0..STEPS / LOG {
-        sound &= ekf.replay(black_box(&log), v.clone()).is_ok();
+        sound &= ekf.replay(black_box(&log).iter().copied(), v.clone()).is_ok();
     }
     let ns = start.elapsed().as_secs_f64() / f64::from(STEPS) * 1e9;
     if sound { ns } else { f64::NAN }
@@ -103,8 +103,8 @@ fn dense(n: usize) -> f64 {
     let start = Instant::now();
     for _ in 0..steps {
         let predicted = linear::predicted_covariance(&f, &p, &v);
-        match predicted.and_then(|predicted| linear::gain_and_covariance(&predicted, black_box(&h), &w)) {
-            Ok((_, _, posterior)) => p = posterior,
+        match predicted.and_then(|predicted| linear::gain(&predicted, black_box(&h), &w)) {
+            Ok(gain) => p = gain.p,
             Err(_) => return f64::NAN,
         }
     }

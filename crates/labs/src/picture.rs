@@ -186,7 +186,7 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
     let (along, h) = (sensor.column(0).into_owned(), RowVector2::new(sensor[(0, 1)], sensor[(1, 1)]));
     let (y, w) = (Vector1::new(params.reading), Matrix1::new(params.noise));
 
-    let Correction { innovation, s, k, x: corrected, p: posterior } = linear::correct(&x, &p, &y, &h, &w)?;
+    let Correction { innovation, s, k, x: corrected, p: posterior, .. } = linear::correct(&x, &p, &y, &h, &w)?;
     let (expected, spread) = (h * x, h * p * h.transpose());
     let (most_likely, _) = linear::product(&expected, &spread, &y, &w)?;
     let no_foot = || Error::new(Code::InnovationNotPositiveDefinite, "semiMinor", "leaves no foot on the line");

@@ -72,11 +72,11 @@ impl TruePath {
             self.p = match self.sight {
                 Sight::Range => {
                     let h = RangeOnly { map: &self.landmarks }.jacobian(&self.pose, j)?;
-                    linear::gain_and_covariance(&self.p, &h, &Matrix1::new(self.w[(0, 0)]))?.2
+                    linear::gain(&self.p, &h, &Matrix1::new(self.w[(0, 0)]))?.p
                 }
                 Sight::RangeBearing => {
                     let h = RangeBearing { map: &self.landmarks }.jacobian(&self.pose, j)?;
-                    linear::gain_and_covariance(&self.p, &h, &self.w)?.2
+                    linear::gain(&self.p, &h, &self.w)?.p
                 }
             };
         }

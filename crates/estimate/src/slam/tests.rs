@@ -1,6 +1,6 @@
 use super::*;
 use crate::landmarks::RangeBearing;
-use filters::linear;
+use filters::linear::{self, Gain};
 use filters::nonlinear::{MeasurementModel, central_differences};
 use nalgebra::{Vector3, Vector5};
 use sim::{Landmark, Noise};
@@ -57,7 +57,7 @@ impl Dense {
             nu.rows_mut(2 * i, 2).copy_from(&model.residual(&z, &model.h(&pose, 0).expect("apart")));
             w.view_mut((2 * i, 2 * i), (2, 2)).copy_from(&W);
         }
-        let (k, _, p) = linear::gain_and_covariance(&self.p, &h, &w).expect("positive definite");
+        let Gain { k, p, .. } = linear::gain(&self.p, &h, &w).expect("positive definite");
         self.x += k * nu;
         self.p = p;
     }

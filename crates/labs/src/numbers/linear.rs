@@ -6,7 +6,7 @@ use crate::givens::Givens;
 use crate::observer_bench::{equivalent_knob, knob_limit};
 use estimate::{Error, Lti, Observer};
 use filters::consistency::{chi2_interval, chi2_quantile};
-use filters::linear;
+use filters::linear::{self, Gain};
 use geom::Affine;
 use nalgebra::{Matrix2, RowVector2, SMatrix, Vector1, Vector2};
 
@@ -44,7 +44,7 @@ fn wrong_third_steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let steps = hand_steps(givens)?;
     let (sys, p) = (&givens.velocity, &steps[1].posterior.p);
     let after = |predicted: &Matrix2<f64>, w: f64| -> Result<f64, Error> {
-        Ok(linear::gain_and_covariance(predicted, &sys.h, &SMatrix::<f64, 1, 1>::new(w))?.2[(0, 0)])
+        Ok(linear::gain(predicted, &sys.h, &SMatrix::<f64, 1, 1>::new(w))?.p[(0, 0)])
     };
     let right = linear::predicted_covariance(&sys.f, p, &sys.v)?;
     let no_v = linear::predicted_covariance(&sys.f, p, &Matrix2::zeros())?;
@@ -86,7 +86,7 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
 fn limits(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     for (name, sys) in [("position", &givens.position), ("velocity", &givens.velocity)] {
         let limit = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS, LIMIT_TOLERANCE)?;
-        let posterior = linear::gain_and_covariance(&limit.p, &sys.h, &sys.w)?.2;
+        let posterior = linear::gain(&limit.p, &sys.h, &sys.w)?.p;
         let observer = Observer { sys: *sys, k: limit.r, xhat: Vector2::zeros() };
         let eigenvalues = observer.error_eigs()?;
         to.by("estimate::Lti::steady_state_gain", Some(7))
@@ -158,7 +158,7 @@ fn gains(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     // A vast prior, one accurate reading: what the short covariance update loses and Joseph's keeps.
     let (p, h) = (Matrix2::identity() * 1e24, RowVector2::new(1.0, 0.0));
     let w = SMatrix::<f64, 1, 1>::new(0.04);
-    let (r, _, joseph) = linear::gain_and_covariance(&p, &h, &w)?;
+    let Gain { k: r, p: joseph, .. } = linear::gain(&p, &h, &w)?;
     let short = linear::complement(&r, &h) * p;
     to.by("labs::checks::linear::brute_force", Some(6))
         .add("brute.gain", gain, "the gain that a search finds")
