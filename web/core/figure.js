@@ -22,8 +22,8 @@ const MOST_STEPS = 64
 const STILL_MS = 500
 /** A turn that has worked so long, milliseconds, leaves the panels it has not drawn to the next … */
 const PATIENCE = 4
-/** … unless nothing but the first has been drawn for so long: then one of them is. */
-const LAG = 100
+/** … unless nothing but the first has been drawn for so long: then one of them is. Words and numbers wait likewise. */
+const LAG = 200
 
 /**
  * Defines the custom element of a specification.
@@ -99,7 +99,7 @@ class Figure {
     this.caughtUp = -Infinity
     this.said = /** @type {any} */ (null)
     /** What controls, readouts and labels say already: a camera or a beat may move without a new frame. */
-    this.shown = { frame: /** @type {any} */ (null), described: /** @type {any} */ (null), at: -Infinity, rate: 1, playing: false }
+    this.shown = { frame: /** @type {any} */ (null), at: -Infinity, described: /** @type {any} */ (null), describedAt: -Infinity, rate: 1, playing: false }
     this.calm = matchMedia('(prefers-reduced-motion: reduce)')
     this.asked = 0
     /** @type {IntersectionObserver | undefined} */
@@ -107,6 +107,9 @@ class Figure {
     /** @type {ResizeObserver | undefined} */
     this.resized = undefined
     this.speaking = 0
+    /** When to speak, and when the timer looks whether to. */
+    this.speakAt = 0
+    this.wakesAt = 0
     this.gist = ''
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.noting = undefined
@@ -271,7 +274,9 @@ class Figure {
       this.tell(error instanceof Error ? error.message : 'The lab refused.')
     }
     const moving = this.paint(now, elapsed)
-    this.behind = this.drawOthers(began)
+    // Both, whatever the first answers.
+    const [unsaid, undrawn] = [this.sayWhatIsShown(now, began), this.drawOthers(began)]
+    this.behind = unsaid || undrawn
     if (moving || this.behind || this.playing) this.ask()
     else this.turned = NaN
   }
@@ -309,9 +314,7 @@ class Figure {
   paint(now, elapsed) {
     const { shell, spec, frame } = this
     if (!shell) return false
-    const t = (now - this.beatStart) / (STEP_MS / 2)
-    const beat = t < 1 ? { name: /** @type {const} */ ('predict'), t: ease(Math.max(0, t)) }
-      : t < 2 ? { name: /** @type {const} */ ('update'), t: ease(t - 1) } : { name: /** @type {const} */ ('rest'), t: 1 }
+    const beat = this.beat(now)
     const glide = this.calm.matches ? Infinity : Number.isFinite(elapsed) ? elapsed : this.previous || this.frame !== this.said ? 16 : Infinity
     const [first] = spec.panels
     const view = { previous: this.previous, beat, elapsed: glide, memory: this.memory, handle: this.handle }
@@ -319,18 +322,38 @@ class Figure {
       this.moving = first.draw(shell.panels[first.name], frame, view) === true || beat.name !== 'rest'
       this.showed(first.name)
     }
-    const shown = this.shown
-    if (shown.frame !== frame || shown.rate !== this.rate || shown.playing !== this.playing) {
-      this.shown = { ...shown, frame, rate: this.rate, playing: this.playing }
+    return this.moving
+  }
+
+  /** Which half of a step is on the screen, and how far along. @param {number} now @returns {import('./spec.js').Beat} */
+  beat(now) {
+    const t = (now - this.beatStart) / (STEP_MS / 2)
+    if (t < 1) return { name: 'predict', t: ease(Math.max(0, t)) }
+    return t < 2 ? { name: 'update', t: ease(t - 1) } : { name: 'rest', t: 1 }
+  }
+
+  /**
+   * Controls, readouts and labels.
+   * @param {number} now
+   * @param {number} began
+   * @returns {boolean} whether they are behind, on a slow machine
+   */
+  sayWhatIsShown(now, began) {
+    const { shell, spec, frame, shown } = this
+    if (!shell) return false
+    const asked = shown.rate !== this.rate || shown.playing !== this.playing
+    if (!asked && performance.now() - began > PATIENCE && began - shown.at < LAG) return shown.frame !== frame
+    if (asked || shown.frame !== frame) {
+      this.shown = { ...shown, frame, at: began, rate: this.rate, playing: this.playing }
       shell.show(frame, this.shown)
     }
     // Nobody hears a label change at every frame: while it plays they follow twice a second.
-    if (beat.name === 'rest' && shown.described !== frame && (!this.playing || now - shown.at > 500)) {
+    if (shown.described !== frame && this.beat(now).name === 'rest' && (!this.playing || now - shown.describedAt > 500)) {
       this.shown.described = frame
-      this.shown.at = now
+      this.shown.describedAt = now
       for (const [name, words] of Object.entries(spec.describe(frame))) shell.panels[name].svg.setAttribute('aria-label', words)
     }
-    return this.moving
+    return false
   }
 
   /** Whether a panel shows the present frame at its present size. @param {string} name */
@@ -374,8 +397,21 @@ class Figure {
   /** Half a second after the last change; of a run, which changes at every step, every four seconds. */
   speakSoon() {
     if (this.playing && this.speaking) return
+    const now = performance.now()
+    this.speakAt = now + (this.playing ? 4000 : 500)
+    if (this.speaking && this.wakesAt <= this.speakAt) return
     clearTimeout(this.speaking)
-    this.speaking = window.setTimeout(() => this.announce(), this.playing ? 4000 : 500)
+    this.waitToSpeak(now)
+  }
+
+  /** One timer, that goes on where there was a change meanwhile, and not a new one at each. @param {number} now */
+  waitToSpeak(now) {
+    this.wakesAt = this.speakAt
+    this.speaking = window.setTimeout(() => {
+      const then = performance.now()
+      if (this.speakAt > then + 1) this.waitToSpeak(then)
+      else this.announce()
+    }, this.speakAt - now)
   }
 
   announce() {
