@@ -117,3 +117,33 @@ for (const tag of ['kalman-picture', 'observability-probe']) {
     assert.ok(beside > 0, 'there is a place beside one')
   })
 }
+
+test('on a slow machine plots, numbers and labels come after the hand, and come', async (t) => {
+  const page = await open(t)
+  const it = await unlocked(page, 'observability-probe')
+  const wire = await page.context().newCDPSession(page)
+  await wire.send('Emulation.setCPUThrottlingRate', { rate: 20 })
+  const box = await it.locator('.live .handle-reach').first().boundingBox()
+  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2]
+  await page.mouse.move(x, y)
+  await page.mouse.down()
+  for (let i = 1; i <= 12; i++) await page.mouse.move(x - 4 * i, y + 3 * i)
+  await page.mouse.up()
+  const shown = () => it.evaluate((host) => [...host.querySelectorAll('.live .readouts, .live .panel')].map((part) => `${part.getAttribute('aria-label')} ${part.textContent} ${part.querySelector('[class*=curve]')?.getAttribute('d')}`))
+  const settled = () => it.evaluate((host) => new Promise((done) => {
+    const look = () => (host.settled ? done(true) : requestAnimationFrame(look))
+    requestAnimationFrame(look)
+  }))
+  await settled()
+  const late = await shown()
+  // The same state by another way: opened from a link, on a machine that is not slow.
+  await wire.send('Emulation.setCPUThrottlingRate', { rate: 1 })
+  await it.getByRole('button', { name: 'Copy link' }).click()
+  const link = await page.evaluate(() => navigator.clipboard.readText())
+  await page.goto(link)
+  await unlocked(page, 'observability-probe')
+  await settled()
+  const fresh = await shown()
+  assert.deepEqual(late, fresh)
+  assert.ok(late.length > 3 && late.every((words) => words.length > 20))
+})

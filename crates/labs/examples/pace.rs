@@ -16,7 +16,7 @@ use std::time::Instant;
 
 const STEPS: u32 = 200_000;
 /// The steps of a log, as many as the module is given in one call.
-const LOG: u32 = 20_000;
+const LOG: u32 = 5_000;
 
 fn kalman() -> f64 {
     let (sys, mut belief) = position_sensor();
