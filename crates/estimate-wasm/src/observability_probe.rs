@@ -104,7 +104,7 @@ export interface ProbeFrame {
         step: Vector; trace: Vector; tracePosition: Vector; traceHeading: Vector; reference: Vector;
         nees: Vector; nis: Vector; nisDof: Vector;
     };
-    /** The last 241 positions. */
+    /** The course of the last 241 positions, as the hook's. */
     tracks: { truth: Track; estimate: Track };
     slam: ProbeMap | null;
 }

@@ -56,7 +56,7 @@ export interface HookFrame {
     sigma: { position: number; heading: number };
     /** |error| over sigma; null while nothing is claimed. */
     ratio: { position: number | null; heading: number | null };
-    /** The last 641 positions, oldest first. */
+    /** The course of the last 641 positions, oldest first: the fewest of them that miss none by more than a millimetre. */
     tracks: { truth: Track; estimate: Track };
     /** The estimate's ellipse every 40 ticks, the last 17. */
     trail: { step: number; x: Vector; ellipse: Ellipse }[];

@@ -57,7 +57,7 @@ pub struct HookFrame {
     pub sigma: Spread,
     /// |error| over sigma.
     pub ratio: Ratio,
-    /// The last lap.
+    /// The course of the last lap.
     pub tracks: Tracks,
     /// Ellipses along the last lap.
     pub trail: VecDeque<Stop>,

@@ -98,8 +98,10 @@ fn a_state_is_all_it_takes() {
 
 #[test]
 fn long_runs_keep_their_memory() {
-    let frame = at(Default::default(), 3000).frame();
-    assert_eq!((frame.series.trace.len(), frame.tracks.truth.len()), (crate::WINDOW, TRACK));
+    let probe = at(Default::default(), 3000);
+    let frame = probe.frame();
+    assert_eq!((frame.series.trace.len(), probe.tracks.truth.len()), (crate::WINDOW, TRACK));
+    assert!(frame.tracks.truth.len() < 10, "the corners of the square");
     assert_eq!(frame.along_path.steps, PATH_STEPS);
     assert_eq!(frame.lap, 25);
 }

@@ -55,7 +55,7 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
         mean: Means { nees: probe.mean_nees(), nis_per_dof: mean(probe.sums.nis, probe.sums.nis_dof) },
         bands: *BANDS,
         series: probe.series.clone(),
-        tracks: probe.tracks.clone(),
+        tracks: probe.tracks.outlined(),
         slam: match &probe.who {
             Who::Localizer(_) => None,
             Who::Mapper(mapping) => Some(map_shape(mapping)),
