@@ -83,27 +83,51 @@ where
     DefaultAllocator: Allocator<N, N>,
 {
     if !plainly_positive(predicted) {
-        // Entry by entry: taken over whole, the usual matrix would have to be in memory as well.
-        predicted.copy_from(&verified(predicted.clone())?);
+        take(predicted, &verified(predicted.clone())?);
     }
     Ok(())
 }
 
-/// A predicted covariance, mended where its terms cancelled and rounding left a negative eigenvalue, be it this step's or
-/// one that was nothing beside what Σ was before.
-///
-/// What is usual need not be in memory for what is rare: here and below the rare ways take copies.
+/// [`mended`] for any kind of size. What is usual need not be in memory for what is rare: here and below the rare ways take
+/// copies, and do their work once for all sizes.
 #[cold]
 #[inline(never)]
-fn verified<N: Dim>(predicted: OMatrix<f64, N, N>) -> Result<OMatrix<f64, N, N>, Error>
+fn verified<N: Dim>(predicted: OMatrix<f64, N, N>) -> Result<DMatrix<f64>, Error>
 where
     DefaultAllocator: Allocator<N, N>,
 {
+    mended(run_time_sized(&predicted))
+}
+
+/// A predicted covariance, mended where its terms cancelled and rounding left a negative eigenvalue, be it this step's or
+/// one that was nothing beside what Σ was before: a filter may shrink the largest eigenvalue by any factor, and would leave
+/// the negative one standing beside it.
+fn mended(predicted: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     let predicted = finite(predicted, "the predicted covariance")?;
     if semidefinite(&predicted) {
         return Ok(predicted);
     }
-    Ok(nearest(&predicted).unwrap_or(predicted))
+    Ok(clamped(&predicted).unwrap_or(predicted))
+}
+
+fn run_time_sized<R: Dim, C: Dim>(m: &OMatrix<f64, R, C>) -> DMatrix<f64>
+where
+    DefaultAllocator: Allocator<R, C>,
+{
+    DMatrix::from_iterator(m.nrows(), m.ncols(), m.iter().copied())
+}
+
+/// Makes `m` what a rare way answers. Entry by entry: taken over whole, the usual matrix would have to be in memory as well.
+#[inline(always)]
+fn take<R: Dim, C: Dim>(m: &mut OMatrix<f64, R, C>, answer: &DMatrix<f64>)
+where
+    DefaultAllocator: Allocator<R, C>,
+{
+    for j in 0..m.ncols() {
+        for i in 0..m.nrows() {
+            m[(i, j)] = answer[(i, j)];
+        }
+    }
 }
 
 /// S = C Σ̄ Cᵀ + Q (m×m), made exactly symmetric.
@@ -254,32 +278,43 @@ where
         spd.pivot() >= MIN_PIVOT && bound_on_terms(p, &k, c) <= tolerated(&posterior) && plainly_positive(&posterior);
     if !sound {
         let given = (p.clone(), c.clone(), q.clone());
-        let better = examined(given, (s.clone(), spd.pivot()), (k.clone(), posterior.clone()))?;
-        k.copy_from(&better.0);
-        posterior.copy_from(&better.1);
+        let better = doubted(given, (s.clone(), spd.pivot()), (k.clone(), posterior.clone()))?;
+        take(&mut k, &better[0]);
+        take(&mut posterior, &better[1]);
     }
     Ok(Gain { k, s, p: posterior, spd })
 }
-/// Gain and covariance of a correction whose rounding may show, looked at more closely: as they are where it does not, or by
-/// square roots. Away from the usual way, so that this stays short.
+
+/// [`examined`] for any kind of size.
 #[cold]
 #[inline(never)]
-fn examined<N: Dim, M: Dim>(
+fn doubted<N: Dim, M: Dim>(
     (p, c, q): (OMatrix<f64, N, N>, OMatrix<f64, M, N>, OMatrix<f64, M, M>),
     (s, pivot): (OMatrix<f64, M, M>, f64),
     (k, posterior): (OMatrix<f64, N, M>, OMatrix<f64, N, N>),
-) -> Result<(OMatrix<f64, N, M>, OMatrix<f64, N, N>), Error>
+) -> Result<[DMatrix<f64>; 2], Error>
 where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
+    let given = [run_time_sized(&p), run_time_sized(&c), run_time_sized(&q), run_time_sized(&s)];
+    examined(given, pivot, [run_time_sized(&k), run_time_sized(&posterior)])
+}
+
+/// Gain and covariance of a correction whose rounding may show, looked at more closely: as they are where it does not, or by
+/// square roots.
+fn examined(
+    [p, c, q, s]: [DMatrix<f64>; 4],
+    pivot: f64,
+    [k, posterior]: [DMatrix<f64>; 2],
+) -> Result<[DMatrix<f64>; 2], Error> {
     let most = tolerated(&posterior);
     let kept = pivot >= MIN_PIVOT && (bound_on_terms(&p, &k, &c) <= most || largest_terms(&p, &k, &c) <= most);
     if kept && semidefinite(&posterior) {
-        return Ok((k, posterior));
+        return Ok([k, posterior]);
     }
     finite(s, "S")?;
     let (k, posterior) = square_root::gain_and_covariance(&p, &c, &q)?;
-    Ok((finite(k, "the gain")?, finite(posterior, "the covariance")?))
+    Ok([finite(k, "the gain")?, finite(posterior, "the covariance")?])
 }
 
 /// The largest terms of which the rounding does not show in a `posterior`.
@@ -302,10 +337,7 @@ where
 }
 
 /// The largest variance that would be if nothing cancelled in (I − KC) Σ̄ (I − KC)ᵀ: what its rounding is a part of.
-fn largest_terms<N: Dim, M: Dim>(p: &OMatrix<f64, N, N>, k: &OMatrix<f64, N, M>, c: &OMatrix<f64, M, N>) -> f64
-where
-    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M>,
-{
+fn largest_terms(p: &DMatrix<f64>, k: &DMatrix<f64>, c: &DMatrix<f64>) -> f64 {
     let sigma = |i: usize| p[(i, i)].max(0.0).sqrt();
     let spread = |a: usize| (0..p.nrows()).map(|j| c[(a, j)].abs() * sigma(j)).sum::<f64>();
     let terms = |i: usize| sigma(i) + (0..c.nrows()).map(|a| k[(i, a)].abs() * spread(a)).sum::<f64>();
@@ -336,28 +368,13 @@ where
 
 /// Whether no eigenvalue of `p` lies below zero by more than [`MAX_NEGATIVE`] of its largest variance: raised by so much,
 /// it has a factor. Also false when an entry is not finite.
-fn semidefinite<N: Dim>(p: &OMatrix<f64, N, N>) -> bool
-where
-    DefaultAllocator: Allocator<N, N>,
-{
+fn semidefinite(p: &DMatrix<f64>) -> bool {
     let mut raised = p.clone();
     let lift = MAX_NEGATIVE * largest_variance(p) + f64::MIN_POSITIVE;
     for i in 0..p.nrows() {
         raised[(i, i)] += lift;
     }
     Spd::new(raised).is_some()
-}
-
-/// [`clamped`] for any kind of size: a filter may shrink the largest eigenvalue by any factor, and would leave a negative
-/// one standing beside it. Away from the usual way, so that this stays short.
-#[cold]
-fn nearest<N: Dim>(p: &OMatrix<f64, N, N>) -> Option<OMatrix<f64, N, N>>
-where
-    DefaultAllocator: Allocator<N, N>,
-{
-    let clamped = clamped(&DMatrix::from_iterator(p.nrows(), p.ncols(), p.iter().copied()))?;
-    let (rows, columns) = p.shape_generic();
-    Some(OMatrix::from_iterator_generic(rows, columns, clamped.iter().copied()))
 }
 
 /// The covariance nearest to a symmetric `m`: its negative eigenvalues as zeros; `None` when an entry is not finite.

@@ -147,7 +147,6 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
     ///
     /// # Errors
     /// [`Error::NotFinite`]; the belief is then unchanged.
-    #[inline]
     pub fn predict<const U: usize>(
         &mut self,
         model: &impl MotionModel<X, N, U>,
@@ -162,7 +161,6 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
     /// # Errors
     /// [`Error::InnovationNotPositiveDefinite`], [`Error::NotFinite`], or what the model answers; the belief is then
     /// unchanged.
-    #[inline]
     pub fn update<const M: usize>(
         &mut self,
         model: &impl MeasurementModel<X, N, M>,
@@ -179,7 +177,6 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
     ///
     /// # Errors
     /// As [`Ekf::update`].
-    #[inline]
     pub fn correct<const M: usize>(
         &mut self,
         innovation: &SVector<f64, M>,

@@ -13,8 +13,7 @@
 use crate::error::Error;
 use crate::linear::{finite, jacobi};
 use geom::Spd;
-use nalgebra::allocator::Allocator;
-use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix};
+use nalgebra::{DMatrix, DVector};
 
 /// The smallest |Sᵢᵢ^{½}| relative to its column that still leaves six digits of the answer.
 const MIN_ROOT_PIVOT: f64 = 1e-10;
@@ -22,30 +21,11 @@ const MIN_ROOT_PIVOT: f64 = 1e-10;
 /// The gain and the corrected covariance for the predicted covariance `p`; see [`crate::linear::gain`].
 ///
 /// The array has m + n rows, a size that no const parameter can name: hence `DMatrix`, on this rare path only.
-pub(crate) fn gain_and_covariance<N: Dim, M: Dim>(
-    p: &OMatrix<f64, N, N>,
-    c: &OMatrix<f64, M, N>,
-    q: &OMatrix<f64, M, M>,
-) -> Result<(OMatrix<f64, N, M>, OMatrix<f64, N, N>), Error>
-where
-    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
-{
-    let ((n, _), (m, _)) = (p.shape_generic(), c.shape_generic());
-    let (k, posterior) = array_update(&run_time_sized(p), &run_time_sized(c), &run_time_sized(q))?;
-    Ok((
-        OMatrix::from_iterator_generic(n, m, k.iter().copied()),
-        OMatrix::from_iterator_generic(n, n, posterior.iter().copied()),
-    ))
-}
-
-fn run_time_sized<R: Dim, C: Dim>(m: &OMatrix<f64, R, C>) -> DMatrix<f64>
-where
-    DefaultAllocator: Allocator<R, C>,
-{
-    DMatrix::from_iterator(m.nrows(), m.ncols(), m.iter().copied())
-}
-
-fn array_update(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
+pub(crate) fn gain_and_covariance(
+    p: &DMatrix<f64>,
+    c: &DMatrix<f64>,
+    q: &DMatrix<f64>,
+) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
     let (m, n) = c.shape();
     let (root_p, root_q) = (root(p)?, root(q)?);
     let mut array = DMatrix::zeros(m + n, m + n);
