@@ -1,6 +1,5 @@
 //! From encoder counts to Choset's input u = [Δs, Δθ], and how it moves a unicycle.
 
-use filters::linear;
 use filters::nonlinear::MotionModel;
 use geom::SE2;
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, SMatrix, SVector, Vector2, Vector3};
@@ -45,7 +44,7 @@ impl Unicycle {
     /// V = (∂f/∂u) M (∂f/∂u)ᵀ for an input covariance M.
     pub fn process_covariance(pose: &SE2, input: &Matrix2<f64>) -> Matrix3<f64> {
         let g = Self::input_jacobian(pose);
-        linear::symmetric(g * input * g.transpose())
+        filters::linear::symmetric(g * input * g.transpose())
     }
 }
 
@@ -66,29 +65,16 @@ impl MotionModel<SE2, 3, 2> for Unicycle {
         (moved, Matrix3::new(1.0, 0.0, -u[0] * sin, 0.0, 1.0, u[0] * cos, 0.0, 0.0, 1.0))
     }
 
-    /// FPFᵀ + V with a = F₁₃ and b = F₂₃ alone: the rest of F is ones and zeros, and no product by those is missed.
+    /// FPFᵀ + V with a = F₁₃ and b = F₂₃ alone: the rest of F is ones and zeros.
     #[inline]
-    fn propagate(
-        &self,
-        x: &mut SE2,
-        p: &mut Matrix3<f64>,
-        u: &SVector<f64, 2>,
-        v: &Matrix3<f64>,
-    ) -> Result<(), filters::Error> {
-        let (moved, f) = self.linearized(x, u);
-        if !linear::is_finite(&moved.to_vector()) {
-            return Err(filters::Error::NotFinite { what: "the predicted mean" });
-        }
+    fn transported(&self, f: &Matrix3<f64>, p: &Matrix3<f64>, v: &Matrix3<f64>) -> Matrix3<f64> {
         let (a, b) = (f[(0, 2)], f[(1, 2)]);
         let (from_x, from_y) = (a * p[(2, 2)], b * p[(2, 2)]);
         let xx = v[(0, 0)] + (p[(0, 0)] + a * p[(2, 0)]) + (p[(2, 0)] + from_x) * a;
         let yx = v[(1, 0)] + (p[(1, 0)] + b * p[(2, 0)]) + (p[(2, 1)] + from_y) * a;
         let yy = v[(1, 1)] + (p[(1, 1)] + b * p[(2, 1)]) + (p[(2, 1)] + from_y) * b;
         let (tx, ty) = (v[(2, 0)] + p[(2, 0)] + from_x, v[(2, 1)] + p[(2, 1)] + from_y);
-        let mut predicted = Matrix3::new(xx, yx, tx, yx, yy, ty, tx, ty, v[(2, 2)] + p[(2, 2)]);
-        linear::mend(&mut predicted)?;
-        (*x, *p) = (moved, predicted);
-        Ok(())
+        Matrix3::new(xx, yx, tx, yx, yy, ty, tx, ty, v[(2, 2)] + p[(2, 2)])
     }
 }
 // ANCHOR_END: unicycle
@@ -96,7 +82,7 @@ impl MotionModel<SE2, 3, 2> for Unicycle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use filters::nonlinear::central_differences;
+    use filters::nonlinear::{Ekf, central_differences};
     use sim::paths::Tick;
     use sim::scenarios::HOOK;
     use sim::{Noise, Rusty};
@@ -129,7 +115,7 @@ mod tests {
         assert!(found[(0, 1)].abs() < 5.0 * (claimed[(0, 0)] * claimed[(1, 1)] / f64::from(n)).sqrt());
     }
 
-    /// The unicycle, propagated as any model is.
+    /// The unicycle, its covariance multiplied out as any model's is.
     struct Plain;
 
     impl MotionModel<SE2, 3, 2> for Plain {
@@ -145,23 +131,24 @@ mod tests {
     #[test]
     fn the_shorter_way_has_the_bits_of_the_dense_products() {
         let v = Matrix3::new(1e-3, 1e-4, 0.0, 1e-4, 2e-3, -1e-5, 0.0, -1e-5, 3e-4);
-        let (mut x, mut p) = (SE2::new(0.4, -1.2, 2.8), Matrix3::identity() * 0.01);
-        let (mut dense_x, mut dense_p) = (x, p);
+        let mut shorter = Ekf { x: SE2::new(0.4, -1.2, 2.8), p: Matrix3::identity() * 0.01 };
+        let mut dense = shorter;
         for k in 0..200 {
             let u = Vector2::new(0.1 * f64::from(k % 7), 0.05 * f64::from(k % 5) - 0.1);
-            Unicycle.propagate(&mut x, &mut p, &u, &v).expect("finite");
-            Plain.propagate(&mut dense_x, &mut dense_p, &u, &v).expect("finite");
-            assert_eq!((x, p), (dense_x, dense_p), "step {k}");
+            shorter.predict(&Unicycle, &u, &v).expect("finite");
+            dense.predict(&Plain, &u, &v).expect("finite");
+            assert_eq!(shorter, dense, "step {k}");
         }
     }
 
     #[test]
     fn a_refused_motion_leaves_mean_and_covariance() {
-        let (mut x, mut p) = (SE2::new(0.4, -1.2, 2.8), Matrix3::identity());
+        let before = Ekf { x: SE2::new(0.4, -1.2, 2.8), p: Matrix3::identity() };
+        let mut ekf = before;
         for (u, v) in [(f64::NAN, 0.0), (f64::INFINITY, 0.0), (1e200, 0.0), (0.1, f64::INFINITY), (0.1, f64::NAN)] {
             let v = Matrix3::identity() * v;
-            assert!(Unicycle.propagate(&mut x, &mut p, &Vector2::new(u, 0.1), &v).is_err(), "{u}");
-            assert_eq!((x, p), (SE2::new(0.4, -1.2, 2.8), Matrix3::identity()));
+            assert!(ekf.predict(&Unicycle, &Vector2::new(u, 0.1), &v).is_err(), "{u}");
+            assert_eq!(ekf, before);
         }
     }
 

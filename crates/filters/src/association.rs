@@ -54,7 +54,7 @@ impl<const M: usize> Candidate<M> {
     /// [`Error::InnovationNotPositiveDefinite`], or [`Error::NotFinite`] on overflow.
     pub fn new(j: usize, innovation: SVector<f64, M>, s: SMatrix<f64, M, M>, rule: Rule) -> Result<Self, Error> {
         let spd = Spd::new(finite(s, "S")?).ok_or(Error::InnovationNotPositiveDefinite)?;
-        let d2 = innovation.dot(&spd.solve(&innovation));
+        let d2 = spd.squared_length(&innovation);
         let cost = match rule {
             Rule::ChiSquared => d2,
             Rule::MaximumLikelihood => d2 + spd.ln_determinant(),

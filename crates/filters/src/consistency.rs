@@ -16,7 +16,7 @@ where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
     let spd = Spd::new(finite(s.clone(), "S")?).ok_or(Error::InnovationNotPositiveDefinite)?;
-    let d = v.dot(&spd.solve(v));
+    let d = spd.squared_length(v);
     if d.is_finite() { Ok(d) } else { Err(Error::NotFinite { what: "the squared distance" }) }
 }
 

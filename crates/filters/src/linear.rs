@@ -78,7 +78,7 @@ where
 /// # Errors
 /// As [`predicted_covariance`].
 #[inline]
-pub fn mend<N: Dim>(predicted: &mut OMatrix<f64, N, N>) -> Result<(), Error>
+pub(crate) fn mend<N: Dim>(predicted: &mut OMatrix<f64, N, N>) -> Result<(), Error>
 where
     DefaultAllocator: Allocator<N, N>,
 {
@@ -187,7 +187,7 @@ where
 
 /// M P Mᵀ + R (r×r) for a symmetric P, made exactly symmetric: the one triangle is computed and the other is its image.
 #[inline]
-fn congruence<N: Dim, R: Dim>(
+pub(crate) fn congruence<N: Dim, R: Dim>(
     m: &OMatrix<f64, R, N>,
     p: &OMatrix<f64, N, N>,
     r: &OMatrix<f64, R, R>,
@@ -245,7 +245,7 @@ where
     /// d² = νᵀS⁻¹ν of an innovation; nothing where S is singular to working accuracy, or d² too large for a number.
     #[inline]
     pub fn d2(&self, innovation: &OVector<f64, M>) -> Option<f64> {
-        let d2 = innovation.dot(&self.spd.solve(innovation));
+        let d2 = self.spd.squared_length(innovation);
         (self.spd.pivot() > 0.0 && d2.is_finite()).then_some(d2)
     }
 }

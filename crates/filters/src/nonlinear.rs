@@ -67,26 +67,16 @@ pub trait MotionModel<X: State<N>, const N: usize, const U: usize> {
         (self.f(x, u), self.jacobian(x, u))
     }
 
-    /// Takes the mean `x` to f(x, u) and its covariance `p` to A Σ Aᵀ + R; a model whose A is mostly the identity may know a
-    /// shorter way.
-    ///
-    /// # Errors
-    /// [`Error::NotFinite`]; `x` and `p` are then as they were.
+    /// A Σ Aᵀ + R for an A that [`MotionModel::jacobian`] answered: a model that knows which of its entries are ones and zeros
+    /// may leave their products out.
     #[inline]
-    fn propagate(
+    fn transported(
         &self,
-        x: &mut X,
-        p: &mut SMatrix<f64, N, N>,
-        u: &SVector<f64, U>,
+        a: &SMatrix<f64, N, N>,
+        p: &SMatrix<f64, N, N>,
         r: &SMatrix<f64, N, N>,
-    ) -> Result<(), Error> {
-        let (moved, a) = self.linearized(x, u);
-        if !moved.is_finite() {
-            return Err(Error::NotFinite { what: "the predicted mean" });
-        }
-        *p = linear::predicted_covariance(&a, p, r)?;
-        *x = moved;
-        Ok(())
+    ) -> SMatrix<f64, N, N> {
+        linear::congruence(a, p, r)
     }
 }
 
@@ -153,7 +143,14 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
         u: &SVector<f64, U>,
         r: &SMatrix<f64, N, N>,
     ) -> Result<(), Error> {
-        model.propagate(&mut self.x, &mut self.p, u, r)
+        let (x, a) = model.linearized(&self.x, u);
+        if !x.is_finite() {
+            return Err(Error::NotFinite { what: "the predicted mean" });
+        }
+        let mut p = model.transported(&a, &self.p, r);
+        linear::mend(&mut p)?;
+        *self = Self { x, p };
+        Ok(())
     }
 
     /// Corrects the belief with the reading `z` of feature `j`, of noise covariance Q; the covariance in Joseph's form.

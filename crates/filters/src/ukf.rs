@@ -142,7 +142,7 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         let s = finite(symmetric(seen.covariance(&seen) + q), "S")?;
         let spd = Spd::new(s).ok_or(Error::InnovationNotPositiveDefinite)?;
         let k = spd.solve(&states.covariance(&seen).transpose()).transpose();
-        let d2 = innovation.dot(&spd.solve(&innovation));
+        let d2 = spd.squared_length(&innovation);
         let x = self.x.boxplus(&(k * innovation));
         if !x.is_finite() {
             return Err(Error::NotFinite { what: "the mean" });

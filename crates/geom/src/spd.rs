@@ -1,7 +1,7 @@
 //! Solves with a symmetric positive definite matrix, and says how far from singular it was.
 
 use nalgebra::allocator::Allocator;
-use nalgebra::{DefaultAllocator, Dim, OMatrix};
+use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 
 /// The smallest pivot an [`Spd`] is trusted with, in the sense of [`Spd::pivot`]: below it a solve keeps fewer than
 /// eight of its sixteen digits.
@@ -85,6 +85,15 @@ where
         -(0..self.factor.nrows()).map(|i| libm::log(self.factor[(i, i)])).sum::<f64>()
     }
 
+    /// vᵀS⁻¹v, the squared Mahalanobis length of `v`.
+    #[inline]
+    pub fn squared_length(&self, v: &OVector<f64, M>) -> f64
+    where
+        DefaultAllocator: Allocator<M>,
+    {
+        v.dot(&self.solve(v))
+    }
+
     /// S⁻¹ B.
     #[inline]
     pub fn solve<C: Dim>(&self, b: &OMatrix<f64, M, C>) -> OMatrix<f64, M, C>
@@ -115,6 +124,8 @@ mod tests {
         let b = Vector2::new(1.0, -2.0);
         let x = Spd::new(s).expect("positive definite").solve(&b);
         assert!((s * x - b).norm() < 1e-15);
+        let length = Spd::new(s).expect("positive definite").squared_length(&b);
+        assert!((length - b.dot(&x)).abs() < 1e-15 && (length - 23.0 / 11.0).abs() < 1e-14);
     }
 
     #[test]

@@ -84,7 +84,7 @@ impl EkfSlam {
         let s = expected.innovation_covariance(&self.p, &self.w);
         let spd = Spd::new(s).filter(|spd| spd.pivot() >= MIN_PIVOT);
         let spd = spd.ok_or(filters::Error::InnovationNotPositiveDefinite)?;
-        let d2 = innovation.dot(&spd.solve(innovation));
+        let d2 = spd.squared_length(innovation);
         let k = [m0.clone(), m1.clone()];
         let mut step = Step { k, l: [m0, m1], dx: column, d2, scale: 0.0, after: 0.0 };
         let (mut before, mut after, mut largest) = (0.0_f64, 0.0_f64, 0.0_f64);
