@@ -24,6 +24,17 @@ export const FUNCTIONS = {
     },
     covariances: (answer) => [answer.predicted.P, answer.P],
   },
+  kalmanReplay: {
+    args(dice) {
+      const size = dice.uniform() < 0.3 ? { n: 2, p: 1, m: 1 } : sizes(dice)
+      const steps = 1 + dice.below(5)
+      const log = (width) => Float64Array.from(vector(steps * width, dice))
+      const [inputs, readings] = [log(size.m), log(size.p)]
+      if (dice.uniform() < 0.2) readings[dice.below(readings.length)] = dice.pick([NaN, -Infinity, 1e308, 5e-324])
+      return [system(size, dice), { x: vector(size.n, dice), P: covariance(size.n, dice) }, inputs, readings]
+    },
+    covariances: (answer) => [answer.P],
+  },
   observerStep: {
     args(dice) {
       const size = sizes(dice)

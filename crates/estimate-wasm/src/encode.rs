@@ -34,6 +34,12 @@ pub(crate) fn rows(m: &DMatrix<f64>) -> Vec<Vec<f64>> {
     m.row_iter().map(|row| row.iter().copied().collect()).collect()
 }
 
+/// Numbers as a Float64Array.
+#[cfg(feature = "functions")]
+pub(crate) fn floats(numbers: &[f64]) -> JsValue {
+    js_sys::Float64Array::from(numbers).into()
+}
+
 /// A vector as its numbers.
 #[cfg(feature = "functions")]
 pub(crate) fn numbers(v: &DVector<f64>) -> Vec<f64> {

@@ -1,9 +1,10 @@
 //! The linear functions: decode, call, encode.
 
 use crate::decode::Arg;
-use crate::encode::{numbers, plain, rows};
+use crate::encode::{floats, numbers, plain, rows};
 use crate::errors::thrown;
-use estimate::dynamic::{self, Belief, System};
+use estimate::dynamic::{self, Belief, Replayed, System};
+use estimate::validate::{MAX_INPUTS, MAX_OUTPUTS};
 use estimate::{Complex, Error};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
@@ -25,6 +26,14 @@ export interface KalmanStep {
     /** x(k+1 | k+1) */
     x: Vector;
     /** P(k+1 | k+1) */
+    P: Matrix;
+}
+export interface KalmanReplay {
+    /** x(k | k) after each step, row by row. */
+    x: Float64Array;
+    /** The diagonal of P(k | k), in the same order. */
+    variances: Float64Array;
+    /** P(k | k) after the last step. */
     P: Matrix;
 }
 export interface Observability { rank: number; n: number; singularValues: Vector; nullspace: Vector[] }
@@ -60,6 +69,31 @@ pub fn kalman_step(
         x: numbers(&posterior.x),
         p: rows(&posterior.p),
     })
+}
+
+/// A `kalmanStep` for each row of a log of at most 100 000 steps, in one call where thousands would cross over one by one.
+/// `inputs` holds u of every step row by row, `readings` y. Refused at one step, the log is refused.
+#[wasm_bindgen(js_name = kalmanReplay, unchecked_return_type = "KalmanReplay")]
+pub fn kalman_replay(
+    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Float64Array")] inputs: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Float64Array")] readings: &JsValue,
+) -> Result<JsValue, JsValue> {
+    let answer = || -> Result<_, Error> {
+        let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
+        let most = |each: usize| (dynamic::MAX_LOG * each) as u32;
+        let inputs = Arg::new(inputs, "inputs").floats(most(MAX_INPUTS))?;
+        let readings = Arg::new(readings, "readings").floats(most(MAX_OUTPUTS))?;
+        dynamic::kalman_replay(&system, &belief, &inputs, &readings)
+    };
+    let Replayed { x, variances, p } = answer().map_err(thrown)?;
+    let answer = js_sys::Object::new();
+    let parts = [("x", floats(&x)), ("variances", floats(&variances)), ("P", plain(&rows(&p))?)];
+    for (name, part) in parts {
+        js_sys::Reflect::set(&answer, &name.into(), &part)?;
+    }
+    Ok(answer.into())
 }
 
 /// One step of the observer with the fixed gain `K`: F x + G u + K (y − H (F x + G u)).

@@ -3,6 +3,10 @@
 //! The algebra is that of the typed functions, over nalgebra's `Dyn` in place of its `Const`; what is added here is that
 //! every argument is checked and the culprit named.
 
+mod replay;
+
+pub use replay::{MAX_LOG, Replayed, kalman_replay};
+
 use crate::error::{Code, Error};
 use crate::observability::{self, Observability};
 use crate::riccati::{DynamicSteadyState, Model};
@@ -66,6 +70,14 @@ impl System {
         Ok(predicted)
     }
 
+    fn fits(&self, belief: &Belief) -> Result<(), Error> {
+        let (n, states) = (self.f.nrows(), belief.x.len());
+        if states == n {
+            return Ok(());
+        }
+        Err(Error::new(Code::Shape, "belief", format!("is of {states} states; the system has {n}")))
+    }
+
     fn gain(&self, k: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
         validate::matrix(k, (self.f.nrows(), self.h.nrows()), "K")
     }
@@ -114,12 +126,9 @@ pub struct KalmanStep {
 /// [`Code::Shape`] or [`Code::NotFinite`] naming the argument, of a belief `belief.x` or `belief.P`;
 /// [`Code::InnovationNotPositiveDefinite`].
 pub fn kalman_step(system: &System, belief: &Belief, u: DVector<f64>, y: DVector<f64>) -> Result<KalmanStep, Error> {
-    let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
-    if belief.x.len() != n {
-        return Err(Error::new(Code::Shape, "belief", format!("is of {} states; the system has {n}", belief.x.len())));
-    }
-    let u = validate::vector(u, m, "u")?;
-    let y = validate::vector(y, p, "y")?;
+    system.fits(belief)?;
+    let u = validate::vector(u, system.g.ncols(), "u")?;
+    let y = validate::vector(y, system.h.nrows(), "y")?;
     let x = system.predicted(&belief.x, &u, "belief.x")?;
     let theirs = |e: filters::Error| Error::from(e).renamed("x", "belief.x").renamed("P", "belief.P");
     let cov = linear::predicted_covariance(&system.f, &belief.p, &system.v).map_err(theirs)?;

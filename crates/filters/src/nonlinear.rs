@@ -264,6 +264,15 @@ mod tests {
     }
 
     #[test]
+    fn a_pose_is_finite_when_its_numbers_are() {
+        assert!(State::is_finite(&SE2::new(1.0, -2.0, 0.5)));
+        for at in 0..3 {
+            let of = |i: usize| if i == at { f64::INFINITY } else { 1.0 };
+            assert!(!State::is_finite(&SE2::from_vector(&nalgebra::Vector3::new(of(0), of(1), of(2)))), "{at}");
+        }
+    }
+
+    #[test]
     fn central_differences_find_a_linear_map() {
         let x = Vector2::new(3.0, -1.0);
         let found = central_differences(|x| Rail.f(x, &Vector1::new(1.0)), |a, b| a - b, &x, 1e-5);

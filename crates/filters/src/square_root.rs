@@ -75,3 +75,39 @@ fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     }
     Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(sizes).map(f64::sqrt)))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::dmatrix;
+
+    #[test]
+    fn a_semidefinite_matrix_has_a_root_in_any_units_and_an_indefinite_one_none() {
+        let of = |a: f64, b: f64| root(&dmatrix![a, 0.0; 0.0, b]);
+        let squared = |l: DMatrix<f64>| &l * l.transpose();
+        assert_eq!(of(0.0, 0.0).map(squared), Ok(DMatrix::zeros(2, 2)));
+        for unit in [1e-9, 1.0, 1e9] {
+            for s in [dmatrix![unit, 0.0; 0.0, 0.0], dmatrix![unit, unit; unit, unit]] {
+                assert!((squared(root(&s).expect("semidefinite")) - s).amax() < 1e-15 * unit);
+            }
+            // Below zero by rounding, and by more than that.
+            assert!(of(unit, -1e-13 * unit).is_ok());
+            assert_eq!(of(unit, -1e-11 * unit), Err(Error::InnovationNotPositiveDefinite));
+        }
+    }
+
+    /// Two outputs δ apart, their noise as small: what is trusted is a part of what is there.
+    #[test]
+    fn what_is_told_apart_does_not_depend_on_the_units() {
+        let of = |unit: f64, delta: f64| {
+            let (p, c) = (DMatrix::identity(2, 2) * (unit * unit), dmatrix![1.0, 0.0; 1.0, delta]);
+            gain_and_covariance(&p, &c, &(DMatrix::identity(2, 2) * (unit * unit * delta * delta)))
+        };
+        let (k, p) = of(1.0, 1e-8).expect("eight digits apart");
+        for unit in [1e-6, 1e6] {
+            let (there, posterior) = of(unit, 1e-8).expect("eight digits apart");
+            assert!((there - &k).amax() < 1e-6 * k.amax() && (posterior / (unit * unit) - &p).amax() < 1e-6);
+            assert_eq!(of(unit, 1e-12), Err(Error::InnovationNotPositiveDefinite));
+        }
+    }
+}

@@ -192,6 +192,16 @@ mod tests {
         }
     }
 
+    impl MeasurementModel<Vector1<f64>, 1, 1> for Square {
+        fn h(&self, x: &Vector1<f64>, _: usize) -> Result<Vector1<f64>, Error> {
+            Ok(Vector1::new(x[0] * x[0]))
+        }
+
+        fn jacobian(&self, x: &Vector1<f64>, _: usize) -> Result<Matrix1<f64>, Error> {
+            Ok(Matrix1::new(2.0 * x[0]))
+        }
+    }
+
     /// E x² = μ² + σ², and Var x² = 4μ²σ² + 2σ⁴ for a normal x: both exact with κ = 2, α = 1, β = 0.
     #[test]
     fn the_moments_of_a_square_are_exact() {
@@ -200,6 +210,28 @@ mod tests {
         ukf.predict(&Square, &Vector1::zeros(), &Matrix1::zeros()).expect("positive definite");
         assert!((ukf.x[0] - 9.25).abs() < 1e-14);
         assert!((ukf.p[0] - (4.0 * 9.0 * 0.25 + 2.0 * 0.0625)).abs() < 1e-13);
+    }
+
+    /// By hand: of x² the mean is met whatever the points, the variance found is 4μ²σ² + (α²κ + β)σ⁴, the covariance with x
+    /// 2μσ².
+    #[test]
+    fn each_scale_of_the_points_has_its_own_part_in_the_moments_of_a_square() {
+        let (mu, var, q) = (3.0, 0.25, 0.5);
+        let (points, fourth) = (SigmaPoints { alpha: 0.5, beta: 1.5, kappa: 3.0 }, 0.25 * 3.0 + 1.5);
+        let spread = 4.0 * mu * mu * var + fourth * var * var;
+        let start = Ukf { x: Vector1::new(mu), p: Matrix1::new(var), points };
+        let mut moved = start;
+        moved.predict(&Square, &Vector1::zeros(), &Matrix1::new(q)).expect("positive definite");
+        assert!((moved.x[0] - (mu * mu + var)).abs() < 1e-14 && (moved.p[0] - (spread + q)).abs() < 1e-13);
+
+        let mut read = start;
+        let update = read.update(&Square, &Vector1::new(10.0), 0, &Matrix1::new(q)).expect("positive definite");
+        let (s, cross) = (spread + q, 2.0 * mu * var);
+        assert!((update.innovation[0] - (10.0 - mu * mu - var)).abs() < 1e-14 && (update.s[0] - s).abs() < 1e-13);
+        assert!((update.k[0] - cross / s).abs() < 1e-15);
+        assert!((read.x[0] - (mu + update.k[0] * update.innovation[0])).abs() < 1e-15);
+        assert!((read.p[0] - (var - cross * cross / s)).abs() < 1e-15);
+        assert!(update.d2.is_some_and(|d2| (d2 - update.innovation[0] * update.innovation[0] / s).abs() < 1e-15));
     }
 
     #[test]
@@ -226,10 +258,12 @@ mod tests {
             SigmaPoints { alpha: 0.0, ..Default::default() },
             SigmaPoints { kappa: -2.0, ..Default::default() },
             SigmaPoints { beta: f64::NAN, ..Default::default() },
+            SigmaPoints { alpha: -0.5, ..Default::default() },
+            SigmaPoints { alpha: 1e200, ..Default::default() },
         ] {
-            let before = Ukf { x: Vector2::zeros(), p: Matrix2::identity(), points };
-            let mut ukf = before;
-            assert!(ukf.predict(&Sum, &Vector1::zeros(), &Matrix2::zeros()).is_err());
+            let mut ukf = Ukf { x: Vector2::zeros(), p: Matrix2::identity(), points };
+            let refused = ukf.predict(&Sum, &Vector1::zeros(), &Matrix2::zeros());
+            assert_eq!(refused, Err(Error::OutOfRange { what: "the sigma points" }));
         }
         let singular = Ukf { x: Vector2::zeros(), p: Matrix2::zeros(), points: SigmaPoints::default() };
         let mut ukf = singular;

@@ -1,7 +1,7 @@
 //! Nanoseconds a step natively, one round, as JSON: the other half of the Node bench, which runs this between its own
 //! rounds and prints the ratios.
 
-use estimate::dynamic::Belief;
+use estimate::dynamic::{Belief, System, kalman_replay};
 use estimate::kf::{Gaussian, kalman_step, position_sensor};
 use estimate::landmarks::RangeBearing;
 use estimate::localizer::{EkfLocalizer, Logged, Reading, SensorKind};
@@ -27,6 +27,24 @@ fn kalman() -> f64 {
         black_box(kalman_step(black_box(&sys), &mut belief, &u, &y)).ok();
     }
     start.elapsed().as_secs_f64() / f64::from(STEPS) * 1e9
+}
+
+/// The same for sizes known at run time, from a log.
+fn kalman_log() -> f64 {
+    let diagonal = |entries: &[f64]| DMatrix::from_diagonal(&DVector::from_column_slice(entries));
+    let (f, v) =
+        (DMatrix::from_row_slice(2, 2, &[1.0, 0.5, 0.0, 1.0]), DMatrix::from_row_slice(2, 2, &[0.2, 0.05, 0.05, 0.1]));
+    let (g, h) = (DMatrix::from_column_slice(2, 1, &[0.0, 0.5]), DMatrix::from_row_slice(1, 2, &[1.0, 0.0]));
+    let Ok(system) = System::new(f, g, h, v, diagonal(&[0.5])) else { return f64::NAN };
+    let belief = Belief { x: DVector::from_vec(vec![2.0, 4.0]), p: diagonal(&[1.0, 2.0]) };
+    let (inputs, readings) =
+        (vec![0.1; LOG as usize], (0..LOG).map(|step| f64::from(step % 7) * 0.3 - 0.9).collect::<Vec<_>>());
+    let (start, mut sound) = (Instant::now(), true);
+    for _ in 0..STEPS / LOG {
+        sound &= kalman_replay(&system, &belief, black_box(&inputs), black_box(&readings)).is_ok();
+    }
+    let ns = start.elapsed().as_secs_f64() / f64::from(STEPS) * 1e9;
+    if sound { ns } else { f64::NAN }
 }
 
 /// One prediction and one sighting by the filter itself.
@@ -128,6 +146,7 @@ fn warm(pace: impl Fn() -> f64) -> f64 {
 fn main() {
     let mut times = vec![
         ("kalmanStep".to_string(), warm(kalman)),
+        ("kalmanReplay".to_string(), warm(kalman_log)),
         ("ObserverBench".to_string(), warm(|| lab::<labs::ObserverBench>(20_000))),
         ("ChosetEkf".to_string(), warm(ekf)),
         ("EkfLocalizer".to_string(), warm(localizer)),

@@ -180,3 +180,75 @@ fn feet_and_ellipses_name_what_they_cannot_use() {
     let many = place_observer_gain(DMatrix::identity(2, 2), DMatrix::identity(2, 2), &[]).expect_err("two outputs");
     assert_eq!(code(many), (Code::Shape, "H".into()));
 }
+
+/// A log of 60 steps of a system of `n` states, `m` inputs and `p` outputs, and what the steps one by one make of it.
+fn log_of(system: &System, belief: &Belief) -> (Vec<f64>, Vec<f64>, Replayed) {
+    let (m, p, steps) = (system.g.ncols(), system.h.nrows(), 60);
+    let wave = |a: f64, count: usize| (0..count).map(|i| libm::sin(a * i as f64)).collect::<Vec<_>>();
+    let (inputs, readings) = (wave(0.3, steps * m), wave(1.7, steps * p));
+    let mut there = Replayed { x: vec![], variances: vec![], p: belief.p.clone() };
+    let mut belief = belief.clone();
+    for k in 0..steps {
+        let (u, y) = (&inputs[k * m..(k + 1) * m], &readings[k * p..(k + 1) * p]);
+        let (u, y) = (DVector::from_column_slice(u), DVector::from_column_slice(y));
+        belief = kalman_step(system, &belief, u, y).expect("pd").posterior;
+        there.x.extend(belief.x.iter());
+        there.variances.extend(belief.p.diagonal().iter());
+    }
+    there.p = belief.p;
+    (inputs, readings, there)
+}
+
+#[test]
+fn a_log_replayed_is_its_steps_one_by_one_bit_for_bit() {
+    let two_outputs = {
+        let f = dmatrix![1.0, 0.5, 0.1; 0.0, 1.0, 0.5; 0.0, 0.0, 0.9];
+        let (g, h) = (dmatrix![0.0, 0.1; 0.0, 0.2; 0.5, 0.0], dmatrix![1.0, 0.0, 0.0; 0.0, 1.0, 0.5]);
+        System::new(f, g, h, DMatrix::identity(3, 3) * 0.02, dmatrix![0.5, 0.1; 0.1, 0.3]).expect("sound")
+    };
+    let three = Belief::new(dvector![1.0, -1.0, 0.5], DMatrix::identity(3, 3)).expect("sound");
+    let (rail, two) = rail();
+    let undriven = System { g: DMatrix::zeros(2, 0), ..rail.clone() };
+    for (system, belief) in [(rail, &two), (undriven, &two), (two_outputs, &three)] {
+        let (inputs, readings, there) = log_of(&system, belief);
+        assert_eq!(kalman_replay(&system, belief, &inputs, &readings), Ok(there));
+    }
+}
+
+#[test]
+fn a_log_that_does_not_fit_is_refused_by_name() {
+    let (system, belief) = rail();
+    let blame = |system: &System, belief: &Belief, inputs: &[f64], readings: &[f64]| {
+        let error = kalman_replay(system, belief, inputs, readings).expect_err("refused");
+        (error.code, error.argument.into_owned(), error.message.into_owned())
+    };
+    let short = |(code, argument, _): (Code, String, String)| (code, argument);
+    assert_eq!(short(blame(&system, &belief, &[], &[])), (Code::Limit, "readings".into()));
+    let long = vec![0.0; MAX_LOG + 1];
+    assert_eq!(short(blame(&system, &belief, &long, &long)), (Code::Limit, "readings".into()));
+    assert!(kalman_replay(&system, &belief, &long[1..], &long[1..]).is_ok());
+    assert_eq!(short(blame(&system, &belief, &[0.0], &[0.0, 1.0])), (Code::Shape, "inputs".into()));
+    let pair = System { h: DMatrix::identity(2, 2), w: DMatrix::identity(2, 2), ..system.clone() };
+    assert_eq!(short(blame(&pair, &belief, &[0.0], &[0.0, 1.0, 2.0])), (Code::Shape, "readings".into()));
+    assert_eq!(short(blame(&system, &belief, &[0.0, f64::NAN], &[0.0, 1.0])), (Code::NotFinite, "inputs[1]".into()));
+    assert_eq!(
+        short(blame(&system, &belief, &[0.0, 0.0], &[f64::INFINITY, 1.0])),
+        (Code::NotFinite, "readings[0]".into())
+    );
+    let other = Belief::new(dvector![0.0], dmatrix![1.0]).expect("sound");
+    assert_eq!(short(blame(&system, &other, &[0.0], &[0.0])), (Code::Shape, "belief".into()));
+
+    // What a step refuses is said with its number, from one.
+    let (code, argument, message) = blame(&system, &belief, &[0.0; 3], &[0.0, 1.7e308, -1.7e308]);
+    assert_eq!((code, argument.as_str()), (Code::NotFinite, "readings"));
+    assert!(message.ends_with("at step 3"), "{message}");
+    let unstable = System { f: dmatrix![1e200, 0.0; 0.0, 1.0], h: dmatrix![0.0, 1.0], ..system.clone() };
+    let (code, argument, _) = blame(&unstable, &belief, &[0.0; 3], &[0.0; 3]);
+    assert_eq!((code, argument.as_str()), (Code::NotFinite, "belief.P"));
+    let far = Belief { x: dvector![1e308, 0.0], p: belief.p.clone() };
+    let fast = System { f: dmatrix![10.0, 0.0; 0.0, 1.0], ..system.clone() };
+    assert_eq!(short(blame(&fast, &far, &[0.0], &[0.0])), (Code::NotFinite, "belief.x".into()));
+    let noiseless = System { w: dmatrix![0.0], v: DMatrix::zeros(2, 2), ..system };
+    let certain = Belief { x: belief.x, p: DMatrix::zeros(2, 2) };
+    assert_eq!(short(blame(&noiseless, &certain, &[0.0], &[0.0])), (Code::InnovationNotPositiveDefinite, "W".into()));
+}

@@ -1,0 +1,141 @@
+//! A log of a linear system, filtered in one call: for sizes known at run time, and at the pace of typed code for the
+//! chapter's own.
+
+use super::{Belief, System};
+use crate::error::{Code, Error};
+use crate::validate;
+use filters::linear::{self, Correction};
+use nalgebra::allocator::Allocator;
+use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OMatrix, OVector, U1};
+
+/// The most steps of a log of a linear system.
+pub const MAX_LOG: usize = 100_000;
+
+/// What a filtered log answers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Replayed {
+    /// x̂(k | k) after each step, steps × n, row by row.
+    pub x: Vec<f64>,
+    /// The diagonal of P(k | k), in the same order.
+    pub variances: Vec<f64>,
+    /// P(k | k) after the last step, n×n.
+    pub p: DMatrix<f64>,
+}
+
+/// One [`kalman_step`](super::kalman_step) for each row of `readings` (steps × p, row by row), with the row of `inputs`
+/// (steps × m) beside it.
+///
+/// # Errors
+/// Those of the step, of a belief of step 1 or a later one `belief.x` or `belief.P`; [`Code::Shape`] when the rows do not
+/// fit the system or each other, [`Code::NotFinite`] naming the number, [`Code::Limit`] for no step or more than
+/// [`MAX_LOG`].
+pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings: &[f64]) -> Result<Replayed, Error> {
+    let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
+    system.fits(belief)?;
+    let steps = readings.len() / p;
+    rows(readings, (steps, p), "readings")?;
+    validate::count(steps, MAX_LOG, "readings")?;
+    rows(inputs, (steps, m), "inputs")?;
+    let log = Log { inputs, readings, steps };
+    match (n, m, p) {
+        (2, 1, 1) => Filter::new(system, belief, (Const::<2>, Const::<1>, Const::<1>)).run(&log),
+        _ => Filter::new(system, belief, (Dyn(n), Dyn(m), Dyn(p))).run(&log),
+    }
+}
+
+/// # Errors
+/// [`Code::Shape`] unless `numbers` are so many rows of so many, [`Code::NotFinite`] naming the first that is not.
+fn rows(numbers: &[f64], (steps, each): (usize, usize), name: &str) -> Result<(), Error> {
+    if numbers.len() != steps * each {
+        let message = format!("has {} numbers; {steps} steps of {each} each need {}", numbers.len(), steps * each);
+        return Err(Error::new(Code::Shape, name.to_owned(), message));
+    }
+    match numbers.iter().position(|number| !number.is_finite()) {
+        Some(i) => Err(Error::new(Code::NotFinite, format!("{name}[{i}]"), "must be a finite number")),
+        None => Ok(()),
+    }
+}
+
+struct Log<'a> {
+    inputs: &'a [f64],
+    readings: &'a [f64],
+    steps: usize,
+}
+
+/// A system and a belief, sized alike.
+struct Filter<N: Dim, U: Dim, M: Dim>
+where
+    DefaultAllocator: Allocator<N> + Allocator<N, N> + Allocator<N, U> + Allocator<M, N> + Allocator<M, M>,
+{
+    f: OMatrix<f64, N, N>,
+    g: OMatrix<f64, N, U>,
+    h: OMatrix<f64, M, N>,
+    v: OMatrix<f64, N, N>,
+    w: OMatrix<f64, M, M>,
+    x: OVector<f64, N>,
+    p: OMatrix<f64, N, N>,
+    sizes: (N, U, M),
+}
+
+impl<N: Dim, U: Dim, M: Dim> Filter<N, U, M>
+where
+    DefaultAllocator: Allocator<N>
+        + Allocator<U>
+        + Allocator<M>
+        + Allocator<N, N>
+        + Allocator<N, U>
+        + Allocator<M, N>
+        + Allocator<N, M>
+        + Allocator<M, M>,
+{
+    fn new(system: &System, belief: &Belief, (n, m, p): (N, U, M)) -> Self {
+        Self {
+            f: sized(n, n, system.f.as_slice()),
+            g: sized(n, m, system.g.as_slice()),
+            h: sized(p, n, system.h.as_slice()),
+            v: sized(n, n, system.v.as_slice()),
+            w: sized(p, p, system.w.as_slice()),
+            x: sized(n, U1, belief.x.as_slice()),
+            p: sized(n, n, belief.p.as_slice()),
+            sizes: (n, m, p),
+        }
+    }
+
+    fn run(mut self, log: &Log<'_>) -> Result<Replayed, Error> {
+        let (n, m, p) = (self.sizes.0.value(), self.sizes.1.value(), self.sizes.2.value());
+        let (mut x, mut variances) = (Vec::with_capacity(log.steps * n), Vec::with_capacity(log.steps * n));
+        for k in 0..log.steps {
+            let (u, y) = (&log.inputs[k * m..(k + 1) * m], &log.readings[k * p..(k + 1) * p]);
+            self.step(u, y).map_err(|e| {
+                let Error { code, argument, message } = Error::from(e);
+                let argument = match argument.as_ref() {
+                    "x" | "P" => format!("belief.{argument}").into(),
+                    "y" => "readings".into(),
+                    _ => argument,
+                };
+                Error { code, argument, message: format!("{message}; at step {}", k + 1).into() }
+            })?;
+            x.extend(self.x.iter());
+            variances.extend((0..n).map(|i| self.p[(i, i)]));
+        }
+        let p = DMatrix::from_column_slice(n, n, self.p.as_slice());
+        Ok(Replayed { x, variances, p })
+    }
+
+    fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), filters::Error> {
+        let (_, m, p) = self.sizes;
+        let push = &self.g * sized(m, U1, u);
+        let x = linear::finite(&self.f * &self.x + push, "the predicted mean")?;
+        let predicted = linear::predicted_covariance(&self.f, &self.p, &self.v)?;
+        let Correction { x, p, .. } = linear::correct(&x, &predicted, &sized(p, U1, y), &self.h, &self.w)?;
+        (self.x, self.p) = (x, p);
+        Ok(())
+    }
+}
+
+fn sized<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R, C>
+where
+    DefaultAllocator: Allocator<R, C>,
+{
+    OMatrix::from_iterator_generic(rows, columns, entries.iter().copied())
+}

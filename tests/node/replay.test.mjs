@@ -1,0 +1,54 @@
+// A log replayed in one call is its steps one by one, to the last bit.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
+
+const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
+
+const rail = { F: [[1, 0.5], [0, 1]], G: [[0], [0.5]], H: [[1, 0]], V: [[0.2, 0.05], [0.05, 0.1]], W: [[0.5]] }
+const belief = { x: [2, 4], P: [[1, 0], [0, 2]] }
+
+test('kalmanReplay is kalmanStep, for the rail robot and for another size', () => {
+  const both = { ...rail, H: [[1, 0], [0, 1]], W: [[0.5, 0.1], [0.1, 0.4]] }
+  for (const system of [rail, both]) {
+    const steps = 40
+    const outputs = system.H.length
+    const inputs = Float64Array.from({ length: steps }, (_, k) => Math.sin(k))
+    const readings = Float64Array.from({ length: steps * outputs }, (_, k) => Math.cos(0.3 * k))
+    const log = core.kalmanReplay(system, belief, inputs, readings)
+    let state = belief
+    for (let k = 0; k < steps; k++) {
+      state = core.kalmanStep(system, state, [inputs[k]], [...readings.slice(k * outputs, (k + 1) * outputs)])
+      assert.deepEqual([...log.x.slice(2 * k, 2 * k + 2)], state.x)
+      assert.deepEqual([...log.variances.slice(2 * k, 2 * k + 2)], [state.P[0][0], state.P[1][1]])
+    }
+    assert.deepEqual(log.P, state.P)
+    assert.equal(log.x.length, 2 * steps)
+  }
+})
+
+test('kalmanReplay takes typed arrays only, and names what does not fit', () => {
+  const refused = (call, code, argument) =>
+    assert.throws(call, (error) => error.name === 'EstimateError' && error.code === code && error.argument === argument)
+  refused(() => core.kalmanReplay(rail, belief, [0], new Float64Array(1)), 'type', 'inputs')
+  refused(() => core.kalmanReplay(rail, belief, new Float64Array(2), new Float64Array(1)), 'shape', 'inputs')
+  refused(() => core.kalmanReplay(rail, belief, new Float64Array(1), Float64Array.of(NaN)), 'not-finite', 'readings[0]')
+  refused(() => core.kalmanReplay(rail, belief, new Float64Array(100_001), new Float64Array(100_001)), 'limit', 'readings')
+})
+
+test('EkfLocalizer.replay is predict and update', () => {
+  const made = () => new core.EkfLocalizer({ x: [1.5, 1.5, 0], P: [[0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]] },
+    [{ id: 1, x: 6, y: 6 }, { id: 2, x: 0, y: 6 }], { W: [[0.01, 0], [0, 0.001]], gate: 50 })
+  const V = [[1e-4, 0, 0], [0, 1e-4, 0], [0, 0, 1e-4]]
+  const [logged, stepped] = [made(), made()]
+  const log = Float64Array.from([0.1, 0.05, 6.3, -2.4, 0.1, 0.05, 4.8, -1.3, 0.1, 0.05, 6.1, -2.5])
+  const ids = Uint32Array.from([1, 2, 1])
+  const poses = logged.replay(log, ids, V)
+  for (let k = 0; k < ids.length; k++) {
+    const [ds, dtheta, range, bearing] = log.slice(4 * k, 4 * k + 4)
+    stepped.predict([ds, dtheta], V)
+    stepped.update({ range, bearing, landmark: ids[k] })
+    assert.deepEqual([...poses.slice(3 * k, 3 * k + 3)], stepped.belief().x)
+  }
+  assert.deepEqual(logged.belief(), stepped.belief())
+})
