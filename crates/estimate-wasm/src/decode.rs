@@ -8,6 +8,7 @@ use js_sys::Reflect;
 #[cfg(feature = "functions")]
 use nalgebra::{DMatrix, DVector};
 use std::borrow::Cow;
+use std::cell::{Cell, RefCell};
 use std::fmt;
 use wasm_bindgen::prelude::*;
 
@@ -24,6 +25,33 @@ extern "C" {
     // js_sys::Array::is_array does not catch, and a revoked proxy makes it throw.
     #[wasm_bindgen(catch, js_namespace = Array, js_name = isArray)]
     fn is_array(value: &JsValue) -> Result<bool, JsValue>;
+
+    #[wasm_bindgen(js_namespace = Number, js_name = isFinite)]
+    fn is_finite(value: &JsValue) -> bool;
+
+    // Neither does js_sys::Array::length, and a proxy's may throw or be no number.
+    #[wasm_bindgen(js_name = Array)]
+    type Lengthy;
+    #[wasm_bindgen(catch, method, structural, getter)]
+    fn length(this: &Lengthy) -> Result<JsValue, JsValue>;
+}
+
+thread_local! {
+    /// The names of fields as JavaScript has them: making one of a name takes longer than reading the field.
+    static NAMES: RefCell<Vec<(&'static str, &'static JsValue)>> = const { RefCell::new(Vec::new()) };
+}
+
+/// `text` as a JavaScript string, made once for each name in the code.
+#[inline(never)]
+fn name(text: &'static str) -> &'static JsValue {
+    NAMES.with_borrow_mut(|names| {
+        if let Some((_, made)) = names.iter().find(|(known, _)| std::ptr::eq(*known, text)) {
+            return *made;
+        }
+        let made: &'static JsValue = Box::leak(Box::new(text.into()));
+        names.push((text, made));
+        made
+    })
 }
 
 #[cfg(feature = "functions")]
@@ -65,12 +93,18 @@ impl fmt::Display for Path<'_> {
 pub(crate) struct Arg<'a> {
     value: Cow<'a, JsValue>,
     path: Path<'a>,
+    /// Whether it has been found to be an object, which is asked before each of its fields is read.
+    is_object: Cell<bool>,
 }
 
 impl<'a> Arg<'a> {
     /// The argument `name` of a call.
     pub fn new(value: &'a JsValue, name: &'static str) -> Self {
-        Self { value: Cow::Borrowed(value), path: Path::Name(name) }
+        Self { value: Cow::Borrowed(value), path: Path::Name(name), is_object: Cell::new(false) }
+    }
+
+    fn found(value: JsValue, path: Path<'a>) -> Self {
+        Self { value: Cow::Owned(value), path, is_object: Cell::new(false) }
     }
 
     pub fn is_undefined(&self) -> bool {
@@ -95,8 +129,12 @@ impl<'a> Arg<'a> {
     }
 
     /// A number; NaN and infinities too, which the core refuses by name.
+    #[inline(never)]
     pub fn number(&self) -> Result<f64, Error> {
-        // as_f64 answers for primitive numbers only.
+        // True of primitive finite numbers only; as_f64, of primitive numbers, passes its answer through memory.
+        if is_finite(&self.value) {
+            return Ok(self.value.unchecked_into_f64());
+        }
         self.value.as_f64().ok_or_else(|| self.wrong_type("a number"))
     }
 
@@ -130,12 +168,13 @@ impl<'a> Arg<'a> {
     }
 
     /// The field `name` of an object; undefined when there is none.
+    #[inline(never)]
     pub fn field(&self, name: &'static str) -> Result<Arg<'_>, Error> {
         self.object()?;
         let path = Path::Field(&self.path, name);
-        let value = Reflect::get(&self.value, &name.into())
+        let value = Reflect::get(&self.value, self::name(name))
             .map_err(|_| Error::new(Code::Type, path.to_string(), "could not be read: reading it threw"))?;
-        Ok(Arg { value: Cow::Owned(value), path })
+        Ok(Arg::found(value, path))
     }
 
     /// Reads the field `name` into `to`, when there is one.
@@ -152,17 +191,13 @@ impl<'a> Arg<'a> {
         Ok(())
     }
 
-    /// The names of an object's own fields.
-    pub fn keys(&self) -> Result<Vec<String>, Error> {
+    /// Refuses an object with a field that is none of `known`: a misspelt parameter is not silently ignored.
+    pub fn only(&self, known: &[&'static str]) -> Result<(), Error> {
         self.object()?;
         let unreadable = |_| self.refuse(Code::Type, "could not be read: listing its fields threw");
         let keys = Reflect::own_keys(&self.value).map_err(unreadable)?;
-        Ok(keys.iter().filter_map(|k| k.as_string()).collect())
-    }
-
-    /// Refuses an object with a field that is none of `known`: a misspelt parameter is not silently ignored.
-    pub fn only(&self, known: &[&str]) -> Result<(), Error> {
-        match self.keys()?.into_iter().find(|k| !known.contains(&k.as_str())) {
+        let unknown = keys.iter().find(|key| !key.is_symbol() && known.iter().all(|text| key != name(text)));
+        match unknown.and_then(|key| key.as_string()) {
             None => Ok(()),
             Some(key) => {
                 let path = format!("{}.{key}", self.path);
@@ -172,7 +207,14 @@ impl<'a> Arg<'a> {
     }
 
     fn object(&self) -> Result<(), Error> {
-        if self.value.is_object() && !self.array()? { Ok(()) } else { Err(self.wrong_type("an object")) }
+        if self.is_object.get() {
+            return Ok(());
+        }
+        if !self.value.is_object() || self.array()? {
+            return Err(self.wrong_type("an object"));
+        }
+        self.is_object.set(true);
+        Ok(())
     }
 
     pub fn array(&self) -> Result<bool, Error> {
@@ -181,7 +223,7 @@ impl<'a> Arg<'a> {
 
     /// The entries of an array.
     pub fn entries(&self) -> Result<Vec<Arg<'_>>, Error> {
-        self.first(self.length()?)
+        (0..self.length()?).map(|i| self.entry(i)).collect()
     }
 
     /// The length of an array, at most [`MAX_LENGTH`].
@@ -189,22 +231,18 @@ impl<'a> Arg<'a> {
         if !self.array()? {
             return Err(self.wrong_type("an array"));
         }
-        let length = Reflect::get(&self.value, &"length".into()).ok().and_then(|l| l.as_f64());
-        let length = length.ok_or_else(|| self.unreadable())?;
+        let length = self.value.unchecked_ref::<Lengthy>().length().ok().filter(is_finite);
+        let length = length.ok_or_else(|| self.unreadable())?.unchecked_into_f64();
         if length > f64::from(MAX_LENGTH) {
             return Err(self.refuse(Code::Limit, format!("is too long; at most {MAX_LENGTH} entries are read")));
         }
         Ok(length as u32)
     }
 
-    /// The first `length` entries of an array, whose own length is not asked for again: a proxy may answer another.
-    fn first(&self, length: u32) -> Result<Vec<Arg<'_>>, Error> {
-        (0..length)
-            .map(|i| {
-                let value = Reflect::get_u32(&self.value, i).map_err(|_| self.unreadable())?;
-                Ok(Arg { value: Cow::Owned(value), path: Path::Item(&self.path, i) })
-            })
-            .collect()
+    /// An entry of an array, whose length is not asked for again: a proxy may answer another.
+    fn entry(&self, i: u32) -> Result<Arg<'_>, Error> {
+        let value = Reflect::get_u32(&self.value, i).map_err(|_| self.unreadable())?;
+        Ok(Arg::found(value, Path::Item(&self.path, i)))
     }
 
     fn unreadable(&self) -> Error {
@@ -213,7 +251,11 @@ impl<'a> Arg<'a> {
 
     /// An array of numbers.
     pub fn numbers(&self) -> Result<Vec<f64>, Error> {
-        self.entries()?.iter().map(Arg::number).collect()
+        self.first_numbers(self.length()?)
+    }
+
+    fn first_numbers(&self, length: u32) -> Result<Vec<f64>, Error> {
+        (0..length).map(|i| self.entry(i)?.number()).collect()
     }
 }
 
@@ -245,11 +287,12 @@ impl Arg<'_> {
             0..=MAX_SIDE => Ok(length),
             _ => Err(self.refuse(code, format!("has {length} {of}; at most {MAX_SIDE} are accepted"))),
         };
-        let numbers = |row: &Arg<'_>| -> Result<Vec<f64>, Error> {
-            row.first(side(row.length()?, wide, "columns")?)?.iter().map(Arg::number).collect()
+        let numbers = |i: u32| {
+            let row = self.entry(i)?;
+            row.first_numbers(side(row.length()?, wide, "columns")?)
         };
-        let rows = self.first(side(self.length()?, tall, "rows")?)?;
-        let rows = rows.iter().map(numbers).collect::<Result<Vec<_>, _>>()?;
+        let count = side(self.length()?, tall, "rows")?;
+        let rows = (0..count).map(numbers).collect::<Result<Vec<_>, _>>()?;
         let width = rows.first().map_or(0, Vec::len);
         match rows.iter().position(|row| row.len() != width) {
             Some(i) => {

@@ -169,6 +169,14 @@ mod tests {
         assert!((product / determinant - 1.0).abs() < 1e-15);
     }
 
+    /// ad = 1 + 2ε exactly, bc = (1 + ε)² is rounded to it: the determinant −ε² is the rounding alone.
+    #[test]
+    fn a_determinant_below_the_rounding_of_its_products_has_its_sign_and_its_digits() {
+        let e = 2.0_f64.powi(-30);
+        let found = eigenvalues(&dmatrix![1.0 + 2.0 * e, 1.0 + e; 1.0 + e, 1.0]).expect("found");
+        assert!((found[0].re * found[1].re / (-e * e) - 1.0).abs() < 1e-15, "{found:?}");
+    }
+
     /// All 512 matrices of zeros and ones: trace and determinant are the eigenvalues' sum and product.
     #[test]
     fn every_small_matrix_of_zeros_and_ones_has_an_answer() {
