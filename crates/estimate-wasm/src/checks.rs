@@ -32,7 +32,12 @@ pub fn chapter_checks() -> Result<JsValue, JsValue> {
 #[wasm_bindgen(js_name = chapterCheck, unchecked_return_type = "Check")]
 pub fn chapter_check(#[wasm_bindgen(unchecked_param_type = "number")] id: &JsValue) -> Result<JsValue, JsValue> {
     // A number that no counter holds is the number of no check either.
-    let as_index = |e: Error| if e.code == Code::Limit { Error { code: Code::Index, ..e } } else { e };
+    let as_index = |mut e: Error| {
+        if e.code == Code::Limit {
+            e.code = Code::Index;
+        }
+        e
+    };
     let id = Arg::new(id, "id").whole(1, 13).map_err(as_index).map_err(thrown)?;
     plain(&labs::checks::chapter_check(id).map_err(thrown)?)
 }

@@ -38,7 +38,11 @@ pub enum Code {
 
 /// Why a function refused to answer; what it was asked to change is as it was.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Error {
+pub struct Error(Box<Refusal>);
+
+/// What an [`Error`] says, on the heap: a result is then no larger than its answer.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Refusal {
     /// What kind of error.
     pub code: Code,
     /// The argument to blame, as a path: `P`, `system.F`, `landmarks[2].id`.
@@ -50,7 +54,7 @@ pub struct Error {
 impl Error {
     /// An error blaming `argument`.
     pub fn new(code: Code, argument: impl Into<Cow<'static, str>>, message: impl Into<Cow<'static, str>>) -> Self {
-        Self { code, argument: argument.into(), message: message.into() }
+        Self(Box::new(Refusal { code, argument: argument.into(), message: message.into() }))
     }
 
     /// The same error seen from outside: the argument is a part of `whole`.
@@ -62,7 +66,7 @@ impl Error {
 
     /// The same error from a function whose argument `to` is what the failing computation calls `from`.
     #[must_use]
-    pub(crate) fn renamed(mut self, from: &str, to: &'static str) -> Self {
+    pub fn renamed(mut self, from: &str, to: &'static str) -> Self {
         if self.argument == from {
             self.argument = to.into();
         }
@@ -73,6 +77,20 @@ impl Error {
     /// a bearing is taken on the circle.
     pub(crate) fn of_a_range(self) -> Self {
         if self.code == Code::NotFinite { self.renamed("x", "range").renamed("y", "range") } else { self }
+    }
+}
+
+impl core::ops::Deref for Error {
+    type Target = Refusal;
+
+    fn deref(&self) -> &Refusal {
+        &self.0
+    }
+}
+
+impl core::ops::DerefMut for Error {
+    fn deref_mut(&mut self) -> &mut Refusal {
+        &mut self.0
     }
 }
 

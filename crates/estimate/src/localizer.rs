@@ -405,7 +405,7 @@ mod tests {
 
     #[test]
     fn the_culprit_is_named_and_nothing_changes() {
-        let blame = |e: Error| (e.code, e.argument.into_owned());
+        let blame = |e: Error| (e.code, e.argument.to_string());
         let w = dmatrix![0.01, 0.0; 0.0, 0.001];
         let new = |belief, map, w, gate| {
             blame(EkfLocalizer::new(belief, map, w, gate, SensorKind::RangeBearing).expect_err("refused"))

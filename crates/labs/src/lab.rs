@@ -97,11 +97,7 @@ pub trait Lab: Clone {
     fn from_state(state: State<Self::Params>) -> Result<Self, Error> {
         let mut lab = Self::new(state.params)?;
         if state.step > 0 {
-            lab.run(state.step).map_err(
-                |e| {
-                    if e.argument == "n" { Error { argument: "step".into(), ..e } } else { e }
-                },
-            )?;
+            lab.run(state.step).map_err(|e| e.renamed("n", "step"))?;
         }
         Ok(lab)
     }

@@ -107,13 +107,9 @@ where
         for k in 0..log.steps {
             let (u, y) = (&log.inputs[k * m..(k + 1) * m], &log.readings[k * p..(k + 1) * p]);
             self.step(u, y).map_err(|e| {
-                let Error { code, argument, message } = Error::from(e);
-                let argument = match argument.as_ref() {
-                    "x" | "P" => format!("belief.{argument}").into(),
-                    "y" => "readings".into(),
-                    _ => argument,
-                };
-                Error { code, argument, message: format!("{message}; at step {}", k + 1).into() }
+                let mut e = Error::from(e).renamed("x", "belief.x").renamed("P", "belief.P").renamed("y", "readings");
+                e.message = format!("{}; at step {}", e.message, k + 1).into();
+                e
             })?;
             x.extend(self.x.iter());
             variances.extend((0..n).map(|i| self.p[(i, i)]));

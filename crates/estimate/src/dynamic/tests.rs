@@ -89,7 +89,7 @@ fn a_system_without_inputs_is_a_system() {
 fn the_culprit_is_named() {
     let (system, belief) = rail();
     let System { f, g, h, v, w } = system.clone();
-    let blame = |e: Error| (e.code, e.argument.into_owned());
+    let blame = |e: Error| (e.code, e.argument.to_string());
     let build = |f: &DMatrix<f64>, g: &DMatrix<f64>, h: &DMatrix<f64>, v: &DMatrix<f64>, w: &DMatrix<f64>| {
         blame(System::new(f.clone(), g.clone(), h.clone(), v.clone(), w.clone()).expect_err("refused"))
     };
@@ -112,7 +112,7 @@ fn the_culprit_is_named() {
 
 #[test]
 fn what_overflows_is_called_as_the_caller_calls_it() {
-    let blame = |e: Error| (e.code, e.argument.into_owned());
+    let blame = |e: Error| (e.code, e.argument.to_string());
     let not_finite = |argument: &str| (Code::NotFinite, argument.to_string());
     let (system, belief) = rail();
     let (zero, vast) = (dvector![0.0], dvector![1.7e308, 1.7e308]);
@@ -162,7 +162,7 @@ fn sixteen_states_and_eight_outputs_are_in_reach() {
 
 #[test]
 fn feet_and_ellipses_name_what_they_cannot_use() {
-    let code = |e: Error| (e.code, e.argument.into_owned());
+    let code = |e: Error| (e.code, e.argument.to_string());
     let h = dmatrix![1.0, 0.0; 1.0, 0.0];
     let (x, y) = (dvector![0.0, 0.0], dvector![1.0, 1.0]);
     let refused = euclidean_foot(h.clone(), x.clone(), y.clone()).expect_err("rank one");
@@ -220,7 +220,7 @@ fn a_log_that_does_not_fit_is_refused_by_name() {
     let (system, belief) = rail();
     let blame = |system: &System, belief: &Belief, inputs: &[f64], readings: &[f64]| {
         let error = kalman_replay(system, belief, inputs, readings).expect_err("refused");
-        (error.code, error.argument.into_owned(), error.message.into_owned())
+        (error.code, error.argument.to_string(), error.message.to_string())
     };
     let short = |(code, argument, _): (Code, String, String)| (code, argument);
     assert_eq!(short(blame(&system, &belief, &[], &[])), (Code::Limit, "readings".into()));

@@ -231,7 +231,7 @@ fn the_reading_to_blame_is_named() {
     slam.update(&[one]).expect("founded");
     let mut blamed = |readings: &[Reading]| {
         let refused = slam.update(readings).expect_err("refused");
-        (refused.code, refused.argument.into_owned())
+        (refused.code, refused.argument.to_string())
     };
     let other = Reading { bearing: -2.0, landmark: Some(2), ..one };
     for (range, code) in [(0.0, Code::AtLandmark), (1e200, Code::NotFinite), (1e308, Code::NotFinite)] {

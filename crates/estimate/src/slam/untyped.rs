@@ -61,7 +61,7 @@ mod tests {
         let w = dmatrix![0.01, 0.0; 0.0, 0.001];
         let refused = |b: &Belief, w: &DMatrix<f64>, gate, found| {
             let e = EkfSlam::from_belief(b, w.clone(), gate, found).expect_err("refused");
-            (e.code, e.argument.into_owned())
+            (e.code, e.argument.to_string())
         };
         let short = Belief::new(dvector![0.0, 0.0], DMatrix::identity(2, 2)).expect("sound");
         assert_eq!(refused(&short, &w, None, 50.0), (Code::Shape, "belief.x".into()));
@@ -71,7 +71,7 @@ mod tests {
         assert_eq!(refused(&belief(), &w, Some(f64::NAN), 50.0), (Code::NotFinite, "gate".into()));
         assert_eq!(refused(&belief(), &w, None, 0.0), (Code::Limit, "found".into()));
         let mut slam = EkfSlam::from_belief(&belief(), w, None, 50.0).expect("sound");
-        let refused = |e: Result<(), Error>| e.expect_err("refused").argument.into_owned();
+        let refused = |e: Result<(), Error>| e.expect_err("refused").argument.to_string();
         assert_eq!(refused(slam.predict_by(dvector![1.0], DMatrix::zeros(3, 3))), "u");
         assert_eq!(refused(slam.predict_by(dvector![1.0, 0.0], DMatrix::zeros(2, 2))), "V");
         assert_eq!(refused(slam.predict_by(dvector![1e200, 0.0], DMatrix::zeros(3, 3))), "u");
