@@ -28,7 +28,7 @@ pub const MAX_LANDMARKS: usize = 500;
 pub const MAX_SIGHTINGS: usize = 100;
 
 /// A robot's belief about its pose and the landmarks it has met: `[x, y, θ, x₁, y₁, x₂, y₂, …]`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct EkfSlam {
     x: Vec<f64>,
     p: Packed,

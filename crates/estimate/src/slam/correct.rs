@@ -154,3 +154,6 @@ impl EkfSlam {
         self.x.len() as f64 * f64::EPSILON
     }
 }
+
+#[cfg(test)]
+mod tests;

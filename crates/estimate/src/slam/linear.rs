@@ -62,6 +62,14 @@ mod tests {
     }
 
     #[test]
+    fn a_relative_trace_is_that_of_a_difference() {
+        let p = SMatrix::<f64, 6, 6>::from_fn(|i, j| ((i + 1) * (j + 1) + i * j * i * j) as f64);
+        let difference =
+            SMatrix::<f64, 2, 6>::from_fn(|i, j| f64::from(u8::from(j == 4 + i)) - f64::from(u8::from(j == 1 + i)));
+        assert_eq!(relative_trace(&p, 4, 1), (difference * p * difference.transpose()).trace());
+    }
+
+    #[test]
     fn a_displacement_is_landmark_minus_robot() {
         let slam = LinearSlam::<6, 4>::new(&LINEAR_SLAM);
         let x = SVector::<f64, 6>::from([1.0, 2.0, 4.0, 8.0, -1.0, 0.0]);
