@@ -208,15 +208,17 @@ fn a_refused_call_leaves_belief_and_map() {
     slam.update(&[Reading { range: 3.0, bearing: 0.5, landmark: Some(1) }]).expect("founded");
     let before = slam.belief().1;
     let good = Reading { range: 4.0, bearing: -2.0, landmark: Some(2) };
-    for bad in [
-        Reading { range: f64::NAN, ..good },
-        Reading { range: -1.0, ..good },
-        Reading { bearing: f64::INFINITY, ..good },
-        Reading { range: 0.0, ..good },
-        Reading { range: 1e200, ..good },
+    for (bad, code, argument) in [
+        (Reading { range: f64::NAN, ..good }, Code::NotFinite, "range"),
+        (Reading { range: -1.0, ..good }, Code::Limit, "range"),
+        (Reading { bearing: f64::INFINITY, ..good }, Code::NotFinite, "bearing"),
+        (Reading { range: 0.0, ..good }, Code::AtLandmark, "range"),
+        (Reading { range: 1e200, ..good }, Code::NotFinite, "range"),
     ] {
-        assert!(slam.update(&[bad]).is_err(), "{bad:?}");
-        assert!(slam.update(&[good, bad]).is_err(), "{bad:?}");
+        let refused = slam.update(&[bad]).expect_err("bad");
+        assert_eq!((refused.code, refused.argument.as_ref()), (code, argument), "{bad:?}");
+        let two = [good, Reading { landmark: Some(3), ..bad }];
+        assert_eq!(slam.update(&two).expect_err("one of two is bad").code, code, "{bad:?}");
     }
     assert!(slam.update(&[]).is_err());
     assert!(slam.predict(&Vector2::new(1e200, 0.0), &Matrix3::zeros()).is_err());
