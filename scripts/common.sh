@@ -87,10 +87,22 @@ need_packages() {
   fi
 }
 
+# The module names source files where it could trap: without the folder of this machine that they lie in, so that every
+# machine builds the same one. (They have to be there to be found; .cargo/config.toml adds the rest of the flags.)
+same_paths_everywhere() {
+  local flags="" folder
+  cargo fetch --quiet
+  for folder in "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*/; do
+    case $folder in *[[:space:]]*) ;; *) flags+=" --remap-path-prefix=${folder%/}=crates" ;; esac
+  done
+  export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS=${flags# }
+}
+
 # Everything the module's build asks for: wasm-pack finds wasm-bindgen and wasm-opt on PATH and downloads nothing.
 need_wasm_tools() {
   need_rust
   need_wasm_target
+  same_paths_everywhere
   need_tool wasm-bindgen wasm-bindgen-cli "$(locked_version wasm-bindgen)"
   need_tool wasm-pack wasm-pack "$wasm_pack_version"
   need_packages web

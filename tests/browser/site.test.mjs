@@ -3,8 +3,9 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs'
+import { homedir } from 'node:os'
 import path from 'node:path'
-import { dist } from './places.mjs'
+import { dist, root } from './places.mjs'
 
 const files = readdirSync(dist, { recursive: true }).map(String).filter((file) => statSync(path.join(dist, file)).isFile())
 const html = files.filter((file) => file.endsWith('.html'))
@@ -71,6 +72,15 @@ test('every page carries the strict policy, a title, a description and a languag
 test('the page on hosting prints that policy', () => {
   const words = unescape(text.get('hosting/index.html').replace(/<[^>]*>/g, ''))
   assert.ok(words.includes(`Content-Security-Policy: ${POLICY}\n`))
+})
+
+test('nothing in the site names a folder of the machine that built it, or where its sources came from', () => {
+  const words = [homedir(), root, 'registry/src'].filter((word) => word.length > 1)
+  const named = files.flatMap((file) => {
+    const bytes = readFileSync(path.join(dist, file))
+    return words.filter((word) => bytes.includes(`${word}/`)).map((word) => `${file}: ${word}`)
+  })
+  assert.deepEqual(named, [])
 })
 
 test('nothing in the site names another host to load from', () => {
