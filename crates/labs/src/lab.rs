@@ -18,7 +18,7 @@ pub struct State<P> {
 /// An experiment that is a function of its parameters and its step alone.
 ///
 /// Changing a parameter re-plays the run from its start: what a reader sees is the whole run as it would have been.
-pub trait Lab: Clone {
+pub trait Lab: Sized {
     /// The lab's name in links and stored states.
     const NAME: &'static str;
     /// What a reader can change, with its defaults.
@@ -41,7 +41,7 @@ pub trait Lab: Clone {
     /// One step, without regard to [`MAX_STEP`]; callers use [`Lab::run`].
     ///
     /// # Errors
-    /// Whatever the core answers; the lab may be left between two steps, and [`Lab::run`] discards it then.
+    /// Whatever the core answers; the lab may be left between two steps, and [`Lab::run`] puts it back then.
     fn advance(&mut self) -> Result<(), Error>;
 
     /// The present frame.
@@ -60,11 +60,14 @@ pub trait Lab: Clone {
             let message = format!("is {n}; it must be at least 1 and lead no further than step {MAX_STEP}");
             return Err(Error::new(Code::Limit, "n", message));
         }
-        let mut next = self.clone();
+        // A run is its state played again: no copy needs to be kept for what hardly ever happens.
+        let before = self.state();
         for _ in 0..n {
-            next.advance()?;
+            if let Err(refused) = self.advance() {
+                *self = Self::from_state(before)?;
+                return Err(refused);
+            }
         }
-        *self = next;
         Ok(())
     }
 
@@ -136,6 +139,63 @@ impl Digest {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Takes nothing in at the step it cannot take, but has moved on by then.
+    #[derive(Debug, PartialEq)]
+    struct Stuck {
+        at: u32,
+        steps: u32,
+        taken: Vec<u32>,
+    }
+
+    impl Lab for Stuck {
+        const NAME: &'static str = "stuck";
+        type Params = u32;
+        type Frame = u32;
+
+        fn new(at: u32) -> Result<Self, Error> {
+            Ok(Self { at, steps: 0, taken: vec![] })
+        }
+
+        fn params(&self) -> &u32 {
+            &self.at
+        }
+
+        fn steps(&self) -> u32 {
+            self.steps
+        }
+
+        fn advance(&mut self) -> Result<(), Error> {
+            self.steps += 1;
+            if self.steps == self.at {
+                return Err(Error::new(Code::DidNotConverge, "lab", "is stuck"));
+            }
+            self.taken.push(self.steps);
+            Ok(())
+        }
+
+        fn frame(&self) -> u32 {
+            self.steps
+        }
+
+        fn digest(&self) -> u64 {
+            0
+        }
+    }
+
+    #[test]
+    fn a_run_that_is_refused_leaves_the_lab_as_it_was() {
+        let mut lab = Stuck::new(7).expect("any");
+        assert_eq!(lab.run(9).expect_err("stuck at once").code, Code::DidNotConverge);
+        assert_eq!(lab, Stuck::new(7).expect("any"));
+        lab.run(4).expect("not yet");
+        assert_eq!(lab.run(3).expect_err("stuck on the way").code, Code::DidNotConverge);
+        assert_eq!(lab, Stuck { at: 7, steps: 4, taken: vec![1, 2, 3, 4] });
+        lab.run(2).expect("not yet");
+        assert_eq!(lab.taken.len(), 6);
+        assert_eq!(lab.set(3).expect_err("stuck before").code, Code::DidNotConverge);
+        assert_eq!((lab.at, lab.steps), (7, 6));
+    }
 
     #[test]
     fn the_digest_tells_bits_and_order() {

@@ -134,7 +134,7 @@ struct Sums {
 }
 
 /// The lab.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct ObservabilityProbe {
     params: ProbeParams,
     shown: Arc<[Landmark]>,

@@ -63,7 +63,7 @@ impl Default for BenchParams {
 }
 
 /// The lab.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct ObserverBench {
     params: BenchParams,
     system: Lti<2, 1, 1>,

@@ -164,7 +164,7 @@ impl Drive {
 }
 
 /// The lab.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct OdometryHook {
     drive: Drive,
     record: Record,

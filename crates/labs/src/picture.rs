@@ -114,7 +114,7 @@ pub struct PictureFrame {
 }
 
 /// The lab. It has no steps: [`Lab::run`] counts them and changes nothing else.
-#[derive(Clone, Debug)]
+#[derive(Debug)]
 pub struct Picture {
     frame: PictureFrame,
     digest: Digest,

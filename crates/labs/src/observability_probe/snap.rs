@@ -29,15 +29,15 @@ impl ObservabilityProbe {
             return Err(Error::new(Code::Index, "j", message));
         }
         let mut params = self.params;
-        let mut lab = self.clone();
+        let mut replayed = None;
         for _ in 0..ROUNDS {
-            let next = lab.on_the_line(&params, index);
+            let next = replayed.as_ref().unwrap_or(self).on_the_line(&params, index);
             let moved = (Vector2::from(next) - Vector2::from(params.landmarks[index])).norm();
             params.landmarks[index] = next;
             if moved < SETTLED {
                 break;
             }
-            lab = Self::from_state(State { params, step: self.step })?;
+            replayed = Some(Self::from_state(State { params, step: self.step })?);
         }
         Ok(params.landmarks[index])
     }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::packed::Packed;
 use crate::slam::Reading;
 use filters::association::Thresholds;
 use filters::kalman::Gaussian;
@@ -21,12 +22,8 @@ fn slam(n: u32) -> EkfSlam {
 /// A map of `n` landmarks whose covariance is diagonal: `robot`, and `landmark` at every coordinate of one.
 fn diagonal(n: u32, robot: [f64; 3], landmark: f64) -> EkfSlam {
     let mut slam = slam(n);
-    for i in 0..slam.x.len() {
-        for j in 0..i {
-            slam.p.set(i, j, 0.0);
-        }
-        slam.p.set(i, i, if i < 3 { robot[i] } else { landmark });
-    }
+    let variance = |i: usize| if i < 3 { robot[i] } else { landmark };
+    slam.p = Packed::from_fn(slam.x.len(), |i, j| if i == j { variance(i) } else { 0.0 });
     slam
 }
 
@@ -130,7 +127,7 @@ fn what_would_leave_the_range_of_numbers_is_refused() {
     };
     refused(&mut slam(1), 1e308);
     let mut vast = slam(1);
-    vast.p = crate::packed::Packed::from_fn(5, |i, j| 1e200 * vast.p.get(i, j));
+    vast.p = Packed::from_fn(5, |i, j| 1e200 * vast.p.get(i, j));
     vast.w *= 1e200;
     refused(&mut vast, 0.1);
 }
