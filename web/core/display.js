@@ -1,6 +1,6 @@
 /**
- * What of a frame is on the screen. The first panel, which the hand moves, is drawn at every turn; controls, readouts,
- * labels and the other panels too, where there is time, and on a slow machine one after another.
+ * What of a frame is on the screen. The first panel, which the hand moves, is drawn at every turn that changes it; controls,
+ * readouts, labels and the other panels where there is time, on a slow machine one after another.
  */
 
 import { STEP_MS, ease } from './motion.js'
@@ -89,7 +89,7 @@ export class Display {
    * @param {{ rate: number, playing: boolean }} how
    * @returns {boolean} whether they are behind, on a slow machine
    */
-  say(now, began, { rate, playing }) {
+  label(now, began, { rate, playing }) {
     const { shell, spec, frame, shown } = this
     const asked = shown.rate !== rate || shown.playing !== playing
     if (!asked && performance.now() - began > PATIENCE && began - shown.at < LAG) return shown.frame !== frame

@@ -245,8 +245,8 @@ class Figure {
     if (!display) return
     const moving = display.paint(now, this.glide(elapsed))
     // Both, whatever the first answers.
-    const [unsaid, undrawn] = [display.say(now, began, this), display.drawOthers(began)]
-    this.behind = unsaid || undrawn
+    const [unlabelled, undrawn] = [display.label(now, began, this), display.drawOthers(began)]
+    this.behind = unlabelled || undrawn
     if (moving || this.behind || this.playing) this.ask()
     else this.turned = NaN
   }
@@ -280,11 +280,11 @@ class Figure {
     this.voice.soon()
   }
 
-  /** How long a camera has had to move: not at all before the first picture. @param {number} elapsed */
+  /** How long a camera has had to move: for ever before the first picture, where it is at once. @param {number} elapsed */
   glide(elapsed) {
     if (this.calm.matches) return Infinity
     if (Number.isFinite(elapsed)) return elapsed
-    return this.display?.previous || this.frame !== this.voice.said ? 16 : Infinity
+    return this.display?.drawn.size ? 16 : Infinity
   }
 
   // What it gives.

@@ -97,7 +97,7 @@ export class Voice {
     }, 'quiet')
   }
 
-  /** The reader does something: what stood until then goes. */
+  /** The reader does something: what was to stand until then goes. */
   hush() {
     if (this.lasting && this.note) this.note.textContent = ''
     this.lasting = false

@@ -44,12 +44,12 @@ thread_local! {
 /// `text` as a JavaScript string, made once for each name in the code.
 #[inline(never)]
 fn name(text: &'static str) -> &'static JsValue {
-    NAMES.with_borrow_mut(|names| {
-        if let Some((_, made)) = names.iter().find(|(known, _)| std::ptr::eq(*known, text)) {
-            return *made;
-        }
+    let known =
+        NAMES.with_borrow(|names| names.iter().find(|(known, _)| std::ptr::eq(*known, text)).map(|(_, made)| *made));
+    known.unwrap_or_else(|| {
+        // Not while the list is borrowed: a call that ends in the engine, out of stack, would never give it back.
         let made: &'static JsValue = Box::leak(Box::new(text.into()));
-        names.push((text, made));
+        NAMES.with_borrow_mut(|names| names.push((text, made)));
         made
     })
 }
@@ -57,18 +57,14 @@ fn name(text: &'static str) -> &'static JsValue {
 #[cfg(feature = "functions")]
 #[wasm_bindgen]
 extern "C" {
-    // Copied through the constructor, which goes by what the array holds: a subclass may answer any `length`.
-    #[wasm_bindgen(js_name = Float64Array)]
-    type Floats;
-    #[wasm_bindgen(catch, constructor, js_class = "Float64Array")]
-    fn copy(from: &JsValue) -> Result<Floats, JsValue>;
-    #[wasm_bindgen(js_name = Uint32Array)]
-    type Wholes;
-    #[wasm_bindgen(catch, constructor, js_class = "Uint32Array")]
-    fn copy(from: &JsValue) -> Result<Wholes, JsValue>;
-    // False for a proxy, which `instanceof` is not.
-    #[wasm_bindgen(js_namespace = ArrayBuffer, js_name = isView)]
-    fn is_view(value: &JsValue) -> bool;
+    // What a typed array is and holds, by the getters and the method of its class: a subclass, or what has been given its
+    // prototype, may answer anything.
+    #[wasm_bindgen(catch, js_namespace = Reflect, js_name = get)]
+    fn get_as(class: &JsValue, name: &JsValue, of: &JsValue) -> Result<JsValue, JsValue>;
+    #[wasm_bindgen(catch, js_namespace = ["Float64Array", "prototype", "set"], js_name = call)]
+    fn copy_floats(to: &mut [f64], from: &JsValue) -> Result<(), JsValue>;
+    #[wasm_bindgen(catch, js_namespace = ["Uint32Array", "prototype", "set"], js_name = call)]
+    fn copy_wholes(to: &mut [u32], from: &JsValue) -> Result<(), JsValue>;
 }
 
 /// Where in a call's arguments a value was found; spelt out for an error only.
@@ -231,8 +227,10 @@ impl<'a> Arg<'a> {
         if !self.array()? {
             return Err(self.wrong_type("an array"));
         }
-        let length = self.value.unchecked_ref::<Lengthy>().length().ok().filter(is_finite);
-        let length = length.ok_or_else(|| self.unreadable())?.unchecked_into_f64();
+        let length = self.value.unchecked_ref::<Lengthy>().length().map_err(|_| self.unreadable())?;
+        // Of a proxy it may be anything.
+        let whole = length.as_f64().filter(|length| *length >= 0.0 && length.fract() == 0.0);
+        let length = whole.ok_or_else(|| self.refuse(Code::Type, "has a length that is no whole number"))?;
         if length > f64::from(MAX_LENGTH) {
             return Err(self.refuse(Code::Limit, format!("is too long; at most {MAX_LENGTH} entries are read")));
         }
@@ -305,28 +303,33 @@ impl Arg<'_> {
 
     /// The numbers of a Float64Array of at most `most`.
     pub fn floats(&self, most: u32) -> Result<Vec<f64>, Error> {
-        let given = is_view(&self.value) && self.value.is_instance_of::<js_sys::Float64Array>();
-        let copy = given.then(|| Floats::copy(&self.value).ok()).flatten();
-        let copy: js_sys::Float64Array = copy.ok_or_else(|| self.wrong_type("a Float64Array"))?.unchecked_into();
-        self.at_most(copy.length(), most)?;
-        Ok(copy.to_vec())
+        self.typed("Float64Array", most, copy_floats)
     }
 
     /// The numbers of a Uint32Array of at most `most`.
     pub fn wholes(&self, most: u32) -> Result<Vec<u32>, Error> {
-        let given = is_view(&self.value) && self.value.is_instance_of::<js_sys::Uint32Array>();
-        let copy = given.then(|| Wholes::copy(&self.value).ok()).flatten();
-        let copy: js_sys::Uint32Array = copy.ok_or_else(|| self.wrong_type("a Uint32Array"))?.unchecked_into();
-        self.at_most(copy.length(), most)?;
-        Ok(copy.to_vec())
+        self.typed("Uint32Array", most, copy_wholes)
     }
 
-    fn at_most(&self, length: u32, most: u32) -> Result<(), Error> {
-        if length <= most {
-            Ok(())
-        } else {
-            Err(self.refuse(Code::Limit, format!("is too long; at most {most} numbers")))
+    fn typed<T: Copy + Default>(
+        &self,
+        class: &str,
+        most: u32,
+        copy: impl FnOnce(&mut [T], &JsValue) -> Result<(), JsValue>,
+    ) -> Result<Vec<T>, Error> {
+        let length = || {
+            let of_floats = Reflect::get_prototype_of(&js_sys::Float64Array::new_with_length(0)).ok()?;
+            let of_any = Reflect::get_prototype_of(&of_floats).ok()?;
+            let tag = get_as(&of_any, &js_sys::Symbol::to_string_tag(), &self.value).ok()?.as_string();
+            get_as(&of_any, name("length"), &self.value).ok().filter(|_| tag.as_deref() == Some(class))?.as_f64()
+        };
+        let length = length().ok_or_else(|| self.wrong_type(&format!("a {class}")))?;
+        if length > f64::from(most) {
+            return Err(self.refuse(Code::Limit, format!("is too long; at most {most} numbers")));
         }
+        let mut numbers = vec![T::default(); length as usize];
+        copy(&mut numbers, &self.value).map_err(|_| self.unreadable())?;
+        Ok(numbers)
     }
 
     /// A number, or `{ re, im }`.

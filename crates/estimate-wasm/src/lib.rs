@@ -46,5 +46,8 @@ use wasm_bindgen::prelude::*;
 /// No input can make the core panic; should a defect do so all the same, the console says where before the trap.
 #[wasm_bindgen(start)]
 pub fn start() {
+    // The table that JavaScript values are kept in grows at the first of them. Were that deep in a recursion of the caller's,
+    // without stack left, the module would be of no use afterwards.
+    drop(JsValue::from_str("module"));
     std::panic::set_hook(Box::new(|info| web_sys::console::error_1(&info.to_string().into())));
 }

@@ -145,7 +145,7 @@ fn facing(v: DVector<f64>) -> DVector<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::dmatrix;
+    use nalgebra::{dmatrix, dvector};
 
     #[test]
     fn a_triangular_matrix_shows_its_eigenvalues_exactly() {
@@ -167,6 +167,17 @@ mod tests {
         let product = found[0].re * found[1].re;
         let determinant = 1e8 * 7.25e-9 - 0.0625;
         assert!((product / determinant - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_direction_faces_where_its_largest_entry_is_positive_and_its_first_of_two() {
+        let of = |a: f64, b: f64| facing(dvector![a, b]);
+        assert_eq!((of(0.6, -0.8), of(-0.6, 0.8)), (dvector![-0.6, 0.8], dvector![-0.6, 0.8]));
+        assert_eq!((of(0.8, -0.6), of(-0.8, 0.6)), (dvector![0.8, -0.6], dvector![0.8, -0.6]));
+        // As large but for rounding; larger by more than that.
+        let (tie, more) = (0.5 * (1.0 + 1e-12), 0.5 * (1.0 + 1e-8));
+        assert_eq!((of(0.5, -tie), of(-0.5, tie)), (dvector![0.5, -tie], dvector![0.5, -tie]));
+        assert_eq!((of(0.5, -more), of(-0.5, more)), (dvector![-0.5, more], dvector![-0.5, more]));
     }
 
     /// ad = 1 + 2ε exactly, bc = (1 + ε)² is rounded to it: the determinant −ε² is the rounding alone.

@@ -159,9 +159,9 @@ where
     joseph_with(p, &(c * p), k, c, q)
 }
 
-/// [`joseph`] where CΣ̄ is at hand. With X = (I − KC) Σ̄ = Σ̄ − K(CΣ̄) it is X − (XCᵀ − KQ) Kᵀ: no product of two n×n
-/// matrices is left. At the optimal gain the bracket is zero but for the rounding of X, which it takes back where the reading
-/// is precise and X small.
+/// [`joseph`] where CΣ̄ is at hand. With X = (I − KC) Σ̄ = Σ̄ − K(CΣ̄) it is X − (XCᵀ) Kᵀ + (KQ) Kᵀ: no product of two n×n
+/// matrices is left, and X, small where the reading is precise, is still multiplied by what I − KC leaves of it. The last
+/// term is added by itself: as a part of XCᵀ − KQ it would be lost in the rounding of X where Q is smallest.
 #[inline]
 fn joseph_with<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,
@@ -174,11 +174,12 @@ where
     DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
 {
     let x = p - k * cp;
-    let excess = &x * c.transpose() - k * q;
+    let (xc, kq) = (&x * c.transpose(), k * q);
     let mut posterior = x;
     for j in 0..p.nrows() {
         for i in j..p.nrows() {
-            let entry = (0..c.nrows()).fold(posterior[(i, j)], |left, a| left - excess[(i, a)] * k[(j, a)]);
+            let left = (0..c.nrows()).fold(posterior[(i, j)], |left, a| left - xc[(i, a)] * k[(j, a)]);
+            let entry = (0..c.nrows()).fold(left, |sum, a| sum + kq[(i, a)] * k[(j, a)]);
             posterior[(i, j)] = entry;
             posterior[(j, i)] = entry;
         }
@@ -527,6 +528,20 @@ mod tests {
         assert!(!stays(20.0, 1.0, &mark), "both are above");
         assert!(!stays(0.5, 0.1 * MIN_PIVOT, &mark), "S had hardly a factor");
         assert!(!stays(0.5, 1.0, &nalgebra::dmatrix![-0.75, 0.0; 0.0, 1.0]), "no covariance");
+    }
+
+    /// However precise the reading: its own variance is what it leaves, of its size at least, and never nothing.
+    #[test]
+    fn what_the_most_precise_reading_leaves_is_not_lost() {
+        let p = Matrix2::new(3.0, 0.2, 0.2, 1.1);
+        for h in [1.0, 0.2, 0.3, 7.0] {
+            for w in [1e-20, 1e-26, 1e-31, 1e-33, 1e-36] {
+                let left = gain(&p, &RowVector2::new(h, 0.0), &Matrix1::new(w)).expect("positive definite").p;
+                let own = w / (h * h);
+                assert!(left[(0, 0)] > 0.5 * own, "{h} {w}: {left}");
+                assert!((left[(1, 1)] - (1.1 - 0.04 / 3.0)).abs() < 1e-14);
+            }
+        }
     }
 
     /// Outputs δ = 1e-9 apart: no pivot is left of S, and square roots still have six digits.

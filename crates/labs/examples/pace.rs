@@ -29,7 +29,7 @@ fn kalman() -> f64 {
     start.elapsed().as_secs_f64() / f64::from(STEPS) * 1e9
 }
 
-/// The same for sizes known at run time, from a log.
+/// The same from a log, by the function that the module exports.
 fn kalman_log() -> f64 {
     let diagonal = |entries: &[f64]| DMatrix::from_diagonal(&DVector::from_column_slice(entries));
     let (f, v) =

@@ -1,12 +1,11 @@
 //! A log of a linear system, filtered in one call: for sizes known at run time, and at the pace of typed code for the
 //! chapter's own.
 
-use super::{Belief, System};
+use super::{Belief, System, kalman_step};
 use crate::error::{Code, Error};
-use crate::validate;
 use filters::linear::{self, Correction};
 use nalgebra::allocator::Allocator;
-use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OMatrix, OVector, U1};
+use nalgebra::{Const, DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, OVector, U1};
 
 /// The most steps of a log of a linear system.
 pub const MAX_LOG: usize = 100_000;
@@ -26,20 +25,23 @@ pub struct Replayed {
 /// (steps × m) beside it.
 ///
 /// # Errors
-/// Those of the step, of a belief of step 1 or a later one `belief.x` or `belief.P`; [`Code::Shape`] when the rows do not
+/// Those of the step, saying at which, with `inputs` for u and `readings` for y; [`Code::Shape`] when the rows do not
 /// fit the system or each other, [`Code::NotFinite`] naming the number, [`Code::Limit`] for no step or more than
 /// [`MAX_LOG`].
 pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings: &[f64]) -> Result<Replayed, Error> {
     let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
     system.fits(belief)?;
     let steps = readings.len() / p;
+    if !(1..=MAX_LOG).contains(&steps) && readings.len().is_multiple_of(p) {
+        let message = format!("holds {steps} steps; a log has at least 1 and at most {MAX_LOG}");
+        return Err(Error::new(Code::Limit, "readings", message));
+    }
     rows(readings, (steps, p), "readings")?;
-    validate::count(steps, MAX_LOG, "readings")?;
     rows(inputs, (steps, m), "inputs")?;
     let log = Log { inputs, readings, steps };
     match (n, m, p) {
-        (2, 1, 1) => Filter::new(system, belief, (Const::<2>, Const::<1>, Const::<1>)).run(&log),
-        _ => Filter::new(system, belief, (Dyn(n), Dyn(m), Dyn(p))).run(&log),
+        (2, 1, 1) => Filter::new(system, belief, (Const::<2>, Const::<1>, Const::<1>)).run(system, &log),
+        _ => Filter::new(system, belief, (Dyn(n), Dyn(m), Dyn(p))).run(system, &log),
     }
 }
 
@@ -47,7 +49,11 @@ pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings:
 /// [`Code::Shape`] unless `numbers` are so many rows of so many, [`Code::NotFinite`] naming the first that is not.
 fn rows(numbers: &[f64], (steps, each): (usize, usize), name: &str) -> Result<(), Error> {
     if numbers.len() != steps * each {
-        let message = format!("has {} numbers; {steps} steps of {each} each need {}", numbers.len(), steps * each);
+        let message = match numbers.len().checked_rem(each) {
+            Some(0) => format!("has {} rows of {each}; the readings are of {steps} steps", numbers.len() / each),
+            Some(_) => format!("has {} numbers, which are no whole number of rows of {each}", numbers.len()),
+            None => format!("has {} numbers; the system has no input", numbers.len()),
+        };
         return Err(Error::new(Code::Shape, name.to_owned(), message));
     }
     match numbers.iter().position(|number| !number.is_finite()) {
@@ -101,21 +107,28 @@ where
         }
     }
 
-    fn run(mut self, log: &Log<'_>) -> Result<Replayed, Error> {
+    fn run(mut self, system: &System, log: &Log<'_>) -> Result<Replayed, Error> {
         let (n, m, p) = (self.sizes.0.value(), self.sizes.1.value(), self.sizes.2.value());
         let (mut x, mut variances) = (Vec::with_capacity(log.steps * n), Vec::with_capacity(log.steps * n));
         for k in 0..log.steps {
             let (u, y) = (&log.inputs[k * m..(k + 1) * m], &log.readings[k * p..(k + 1) * p]);
-            self.step(u, y).map_err(|e| {
-                let mut e = Error::from(e).renamed("x", "belief.x").renamed("P", "belief.P").renamed("y", "readings");
-                e.message = format!("{}; at step {}", e.message, k + 1).into();
-                e
-            })?;
+            self.step(u, y).map_err(|e| self.refused(e, system, (u, y), k + 1))?;
             x.extend(self.x.iter());
             variances.extend((0..n).map(|i| self.p[(i, i)]));
         }
         let p = DMatrix::from_column_slice(n, n, self.p.as_slice());
         Ok(Replayed { x, variances, p })
+    }
+
+    /// Why a step was refused, in the words and with the culprit of [`kalman_step`].
+    fn refused(&self, e: filters::Error, system: &System, (u, y): (&[f64], &[f64]), step: usize) -> Error {
+        let x = DVector::from_column_slice(self.x.as_slice());
+        let belief = Belief { p: DMatrix::from_column_slice(x.len(), x.len(), self.p.as_slice()), x };
+        let (u, y) = (DVector::from_column_slice(u), DVector::from_column_slice(y));
+        let mut e = kalman_step(system, &belief, u, y).err().unwrap_or_else(|| e.into());
+        e = e.renamed("u", "inputs").renamed("y", "readings");
+        e.message = format!("{}; at step {step}", e.message).into();
+        e
     }
 
     fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), filters::Error> {

@@ -238,7 +238,14 @@ fn a_log_that_does_not_fit_is_refused_by_name() {
     let other = Belief::new(dvector![0.0], dmatrix![1.0]).expect("sound");
     assert_eq!(short(blame(&system, &other, &[0.0], &[0.0])), (Code::Shape, "belief".into()));
 
-    // What a step refuses is said with its number, from one.
+    let undriven = System { g: DMatrix::zeros(2, 0), ..system.clone() };
+    assert_eq!(short(blame(&undriven, &belief, &[0.0], &[0.0])), (Code::Shape, "inputs".into()));
+
+    // What a step refuses it refuses as a step by itself does, and says which it was, from one.
+    let pushed = System { g: dmatrix![1e308; 1e308], ..system.clone() };
+    assert_eq!(short(blame(&pushed, &belief, &[0.0, 10.0], &[0.0; 2])), (Code::NotFinite, "inputs".into()));
+    let seen = System { h: dmatrix![1e308, 0.0], ..system.clone() };
+    assert_eq!(short(blame(&seen, &belief, &[0.0], &[0.0])), (Code::NotFinite, "belief.x".into()));
     let (code, argument, message) = blame(&system, &belief, &[0.0; 3], &[0.0, 1.7e308, -1.7e308]);
     assert_eq!((code, argument.as_str()), (Code::NotFinite, "readings"));
     assert!(message.ends_with("at step 3"), "{message}");

@@ -1,0 +1,57 @@
+// Values that answer otherwise than they look: refused by name, never coerced, and the module goes on working.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { execFileSync } from 'node:child_process'
+import { createRequire } from 'node:module'
+import { fileURLToPath } from 'node:url'
+
+const file = fileURLToPath(new URL('../../target/pkg/node/estimate_wasm.js', import.meta.url))
+const core = createRequire(import.meta.url)(file)
+
+const rail = { F: [[1, 0.5], [0, 1]], G: [[0], [0.5]], H: [[1, 0]], V: [[0.2, 0.05], [0.05, 0.1]], W: [[0.5]] }
+const belief = { x: [2, 4], P: [[1, 0], [0, 2]] }
+const refused = (call, code, argument, message = /./) =>
+  assert.throws(call, (error) => error.name === 'EstimateError' && error.code === code && error.argument === argument && message.test(error.message))
+
+test('an array is as long as a whole number says', () => {
+  const long = (length) => new Proxy([[1, 0], [0, 1]], { get: (rows, key) => (key === 'length' ? length : rows[key]) })
+  for (const length of [2.5, -1, Infinity, NaN, '2', undefined]) {
+    refused(() => core.covarianceEllipse(long(length)), 'type', 'P', /no whole number/)
+  }
+  assert.equal(core.covarianceEllipse(long(2)).semiMajor, 1)
+})
+
+test('a typed array is what its class says, and as long', () => {
+  const one = Float64Array.of(0)
+  const replay = (readings) => core.kalmanReplay(rail, belief, one, readings)
+  class Boastful extends Float64Array {
+    get length() {
+      return 1e9
+    }
+  }
+  assert.deepEqual(replay(new Boastful([2.7])), replay(Float64Array.of(2.7)))
+  const view = Object.setPrototypeOf(new DataView(new ArrayBuffer(8)), Float64Array.prototype)
+  view[Symbol.iterator] = function* () { yield '2.7' }
+  const bytes = Object.setPrototypeOf(new Uint8Array(1), Float64Array.prototype)
+  for (const other of [view, bytes, new Float32Array(1), new Proxy(one, {}), [2.7], null, undefined, '2.7']) {
+    refused(() => replay(other), 'type', 'readings', /Float64Array/)
+  }
+})
+
+test('a getter may call the module, or throw', () => {
+  const P = { get x() { return core.kalmanStep(rail, belief, [0], [2.7]).x }, P: [[1, 0], [0, 2]] }
+  assert.deepEqual(core.kalmanStep(rail, P, [0], [2.7]), core.kalmanStep(rail, { ...P }, [0], [2.7]))
+  refused(() => core.kalmanStep(rail, { get x() { throw new Error('no') }, P: [[1]] }, [0], [2.7]), 'type', 'belief.x', /threw/)
+})
+
+test('a first call that ends without stack leaves a module that works', () => {
+  const program = `
+    const core = require(process.argv[1])
+    const call = () => core.covarianceEllipse([[4, 0], [0, 1]])
+    const down = () => { try { down() } catch (error) { try { call() } catch {} throw error } }
+    try { down() } catch {}
+    process.stdout.write(String(call().semiMajor))`
+  for (let size = 300; size < 320; size += 2) {
+    assert.equal(execFileSync(process.execPath, [`--stack-size=${size}`, '-e', program, file], { encoding: 'utf8' }), '2', `${size} kB`)
+  }
+})
