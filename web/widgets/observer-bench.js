@@ -24,6 +24,11 @@ function verdict(frame) {
   const modulus = pinned === null ? spectralRadius : Math.hypot(moving.re, moving.im)
   if (!stable) return `Unstable: spectral radius ${fixed(modulus, 2)}. The error grows by that factor at each step.`
   if (pinned !== null && params.gain === 0 && params.mode === 'fixed') return 'Dead reckoning: no reading is used, and nothing takes an error back.'
+  // R(k) changes at every step. The eigenvalues of one step's matrix say what would happen if that gain were kept.
+  if (params.mode === 'filter') {
+    const kept = `If the filter kept this step's gain, ${pinned === null ? 'every' : 'a velocity'} error would shrink by the factor ${fixed(modulus, 2)} a step in the long run.`
+    return pinned === null ? kept : `${kept} The other frozen eigenvalue is 1 for every gain: no gain takes a position error back.`
+  }
   if (pinned !== null) return `Velocity errors die out (factor ${fixed(modulus, 2)}). The other eigenvalue is pinned at 1, and the spectral radius with it: no gain takes a position error back.`
   if (params.gain === 0 && params.mode === 'fixed') return 'Dead reckoning: no reading is used, and nothing takes an error back.'
   return `Stable: spectral radius ${fixed(modulus, 2)}. Every error dies out by that factor a step.`
@@ -40,7 +45,7 @@ function describe(frame) {
   const { series } = frame
   return {
     phase: `Phase plane at step ${frame.step}, seen from the truth: the prediction's ellipse, ${spread(predicted)} wide, and the estimate's, ${spread(posterior)}; the estimate is off by ${fixed(off[0], 2)} metres and ${fixed(off[1], 2)} metres a second.`,
-    disc: `Unit disc: the eigenvalues of the error dynamics are ${eigen}${frame.pinned === null ? '' : ', one of them pinned at 1'}.`,
+    disc: `Unit disc: the ${frame.params.mode === 'filter' ? 'frozen ' : ''}eigenvalues of the error dynamics are ${eigen}${frame.pinned === null ? '' : ', one of them pinned at 1'}.`,
     gain: `Gain over time, now ${last(series.r1)} and ${last(series.r2)}.`,
     variance: `Variances over time, now ${last(series.p11)} and ${last(series.p22)}.`,
     error: `Errors over time, now ${last(series.e1)} and ${last(series.e2)}.`,

@@ -54,6 +54,7 @@ export interface BenchFrame {
     stable: boolean;
     /** The knob at which the last movable eigenvalue leaves the disc. */
     stableUpTo: number;
+    /** HK / HR∞: the setting of the knob that takes over the same share of the innovation as the gain in use. */
     equivalentKnob: number;
     /** The last 240 steps. */
     series: {

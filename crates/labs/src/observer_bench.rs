@@ -225,7 +225,7 @@ impl ObserverBench {
     fn equivalent_knob(&self) -> f64 {
         match self.params.mode {
             Mode::Fixed => self.params.gain,
-            Mode::Filter => equivalent_knob(&self.gain, &self.steady),
+            Mode::Filter => equivalent_knob(&self.system, &self.gain, &self.steady),
         }
     }
 
@@ -258,9 +258,10 @@ impl ObserverBench {
     }
 }
 
-/// Where the knob would stand for the gain `k`: ⟨K, R∞⟩ / ⟨R∞, R∞⟩.
-pub(crate) fn equivalent_knob(k: &Vector2<f64>, steady: &Vector2<f64>) -> f64 {
-    k.dot(steady) / steady.norm_squared()
+/// The setting of the knob that moves the predicted output as far as the gain `k` does: HK / HR∞. Both products are shares
+/// of the innovation and have no units, so the ratio is the same in metres and in millimetres.
+pub(crate) fn equivalent_knob(system: &Lti<2, 1, 1>, k: &Vector2<f64>, steady: &Vector2<f64>) -> f64 {
+    (system.h * k)[0] / (system.h * steady)[0]
 }
 
 /// The knob g at which an eigenvalue of (I − g R∞ H)F reaches −1: det(F + I − g R∞ H F) = 0 at
@@ -323,6 +324,32 @@ mod tests {
             assert!((bench.frame().equivalent_knob - 1.0).abs() < 1e-9);
             let first = bench.frame().series.knob.iter().next().expect("recorded");
             assert!((first - 1.0).abs() > 0.2, "{first}");
+        }
+    }
+
+    #[test]
+    fn the_equivalent_knob_does_not_depend_on_the_unit_of_time() {
+        for (system, belief) in [dead_reckoning(), position_sensor()] {
+            // A velocity in m/s is 60 times as large in m/min: x' = D x with D = diag(1, 60).
+            let d = Matrix2::from_diagonal(&Vector2::new(1.0, 60.0));
+            let inverse = Matrix2::from_diagonal(&Vector2::new(1.0, 1.0 / 60.0));
+            // The velocity sensor's reading is converted as well; the position sensor's stays in metres.
+            let c = if system.h[1] == 0.0 { 1.0 } else { 60.0 };
+            let minutes = Lti {
+                f: d * system.f * inverse,
+                g: d * system.g,
+                h: system.h * inverse * c,
+                v: d * system.v * d,
+                w: system.w * (c * c),
+            };
+            let knob = |system: &Lti<2, 1, 1>, p: &Matrix2<f64>| {
+                let steady = system.steady_state_gain(p, STEADY_ITERATIONS, 1e-12).expect("sound").r;
+                let first = system.gain_schedule(p, 1).expect("sound").remove(0);
+                equivalent_knob(system, &first, &steady)
+            };
+            let [in_seconds, in_minutes] = [knob(&system, &belief.p), knob(&minutes, &(d * belief.p * d))];
+            // The two limits each stop within 1e-12 of R∞; ⟨R, R∞⟩/⟨R∞, R∞⟩ differed by more than 0.1 here.
+            assert!((in_seconds - in_minutes).abs() < 1e-9, "{in_seconds} {in_minutes}");
         }
     }
 

@@ -7,7 +7,8 @@ const REACH = 1.32
 /** A gain set by hand and the filter's gain have letters of their own in both conventions. */
 const TITLE = {
   fixed: { choset: 'eigenvalues of (*I* − *KH*)*F*', thrun: 'eigenvalues of (*I* − *LC*)*A*' },
-  filter: { choset: 'eigenvalues of (*I* − *RH*)*F*', thrun: 'eigenvalues of (*I* − *KC*)*A*' },
+  // The filter's gain changes at every step, so its eigenvalues are those of one step's matrix as if it stayed.
+  filter: { choset: 'frozen eigenvalues of (*I* − *RH*)*F*', thrun: 'frozen eigenvalues of (*I* − *KC*)*A*' },
 }
 
 /**

@@ -139,7 +139,7 @@ fn knobs(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     for (name, sys) in [("position", &givens.position), ("velocity", &givens.velocity)] {
         let steady = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS, LIMIT_TOLERANCE)?.r;
         let schedule = sys.gain_schedule(&givens.belief.p, 8)?;
-        let knobs: Vec<f64> = schedule.iter().map(|r| equivalent_knob(r, &steady)).collect();
+        let knobs: Vec<f64> = schedule.iter().map(|r| equivalent_knob(sys, r, &steady)).collect();
         to.by("labs::observer_bench::knob_limit", Some(7))
             .add(
                 format!("knob.limit.{name}"),
@@ -147,7 +147,11 @@ fn knobs(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
                 "the knob at which the observer turns unstable",
             )
             .by("labs::observer_bench::equivalent_knob", Some(7))
-            .vector(&format!("knob.{name}"), knobs.iter(), "the knob that the filter's gain amounts to at this step");
+            .vector(
+                &format!("knob.{name}"),
+                knobs.iter(),
+                "HR(k) / HR∞, the knob that takes over the same share of the innovation",
+            );
     }
     Ok(())
 }

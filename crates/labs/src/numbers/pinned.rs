@@ -34,9 +34,9 @@ fn limit(reads_velocity: bool) -> [f64; 2] {
 fn expected() -> Vec<(String, f64)> {
     let mut table = Vec::new();
     for (name, reads_velocity) in [("velocity", true), ("position", false)] {
-        // ⟨R, R∞⟩ / ⟨R∞, R∞⟩: the knob whose gain is nearest.
-        let r = limit(reads_velocity);
-        let knob = |k: [f64; 2]| (k[0] * r[0] + k[1] * r[1]) / (r[0] * r[0] + r[1] * r[1]);
+        // HR(k) / HR∞: the gain of the state that is read, over its limit.
+        let read = usize::from(reads_velocity);
+        let knob = |k: [f64; 2]| k[read] / limit(reads_velocity)[read];
         let knobs = recursion(reads_velocity, 8).into_iter().map(|(k, _)| knob(k));
         table.extend((1..).zip(knobs).map(|(k, value)| (format!("knob.{name}.{k}"), value)));
     }
@@ -73,12 +73,12 @@ fn what_no_check_holds_is_what_the_closed_forms_say() {
 fn the_closed_forms_are_those_of_another_computation() {
     let table: BTreeMap<_, _> = expected().into_iter().collect();
     let elsewhere = [
-        ("knob.velocity.1", 1.298498548362648),
-        ("knob.velocity.2", 1.072737850652469),
-        ("knob.velocity.3", 1.014104221054039),
-        ("knob.position.1", 1.380224286242623),
-        ("knob.position.2", 1.397009412410776),
-        ("knob.position.3", 1.309323471326796),
+        ("knob.velocity.1", 2.254501722962935),
+        ("knob.velocity.2", 1.400991218465929),
+        ("knob.velocity.3", 1.151202011836909),
+        ("knob.position.1", 1.312861411074128),
+        ("knob.position.2", 1.206453069550442),
+        ("knob.position.3", 1.175775316193692),
         ("knob.limit.velocity", 5.58257569495584),
         ("step3.P.11", 1.872985141828005),
     ];

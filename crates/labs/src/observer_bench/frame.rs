@@ -54,7 +54,7 @@ pub struct BenchFrame {
     pub stable: bool,
     /// The knob at which the last movable eigenvalue leaves the disc, through −1.
     pub stable_up_to: f64,
-    /// ⟨K, R∞⟩ / ⟨R∞, R∞⟩: where the knob would have to stand for the gain in use.
+    /// HK / HR∞: the setting of the knob that takes over the same share of the innovation as the gain in use.
     pub equivalent_knob: f64,
     /// The last steps.
     pub series: BenchSeries,
