@@ -4,8 +4,9 @@
  * A control shows one parameter and reports what the reader makes of it; it neither draws nor computes.
  */
 
+import { SVG } from './element.js'
 import { Pen } from './pen.js'
-import { SVG, writeHtml } from './words.js'
+import { writeHtml } from './words.js'
 
 /** @typedef {import('./words.js').Words} Words */
 /** @typedef {{ at: number, name: Words, kind?: 'limit' | 'plain' }} Notch a named place on a slider */

@@ -1,6 +1,6 @@
 /** A figure to take away: its panels as one SVG with the styles written in, its series as CSV. */
 
-import { SVG } from './words.js'
+import { SVG } from './element.js'
 
 const STYLES = [
   'fill', 'fill-opacity', 'stroke', 'stroke-width', 'stroke-opacity', 'stroke-dasharray', 'stroke-linecap', 'stroke-linejoin',

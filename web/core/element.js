@@ -1,4 +1,7 @@
-/** Elements as a figure and the page make them, in a browser and, for the stills, in Node. */
+/** Makes elements for figures and pages, in a browser and, for the stills, in Node. */
+
+/** The namespace of SVG elements. */
+export const SVG = 'http://www.w3.org/2000/svg'
 
 /** @param {Document} document @param {Element} into @param {string} tag @param {string} name its class, if any */
 export function part(document, into, tag, name) {
@@ -17,7 +20,7 @@ export function button(document, into, words, press, name = 'button') {
   return /** @type {HTMLButtonElement} */ (element)
 }
 
-/** Where something was pressed that is gone, the focus goes to the first thing to press of a figure. @param {Element} host */
+/** Moves the focus to the first control of a figure: the control that had it is gone. @param {Element} host */
 export function focusFirst(host) {
   const next = host.querySelector('.figure-failure button, .live :is(button, input, select, [tabindex]):not(:disabled)')
   if (next instanceof HTMLElement || next instanceof SVGElement) next.focus({ preventScroll: true })

@@ -5,7 +5,8 @@
  * longer, it is gone; and marks always stand in the order they were asked for. The same calls draw a still in Node.
  */
 
-import { SVG, writeSvg } from './words.js'
+import { SVG } from './element.js'
+import { writeSvg } from './words.js'
 
 /** @typedef {Record<string, string | number | null | undefined>} Attributes */
 /** @typedef {{ element: Element, turn: number, last: Attributes, said: string, pen: Pen | null, stamp: string | null }} Held */

@@ -4,9 +4,9 @@
  */
 
 import { buildControl } from './controls.js'
-import { button, part } from './element.js'
+import { SVG, button, part } from './element.js'
 import { Pen } from './pen.js'
-import { SVG, writeHtml } from './words.js'
+import { writeHtml } from './words.js'
 
 /** @typedef {import('./words.js').Words} Words */
 /** @typedef {{ svg: Element, pen: Pen, width: number, height: number }} Panel pixels */

@@ -1,42 +1,15 @@
 /**
- * Numbers and symbols as a reader sees them: in a readout, a label, an announcement.
+ * Labels with symbols in them.
  *
- * A label may use a small notation: `*R*_1` is an italic R with a lower 1, `_{12}` and `^{⊤}` take more than one letter.
- * Where the two conventions differ a label is `{ choset, thrun }`; both are written and the page's style shows one.
+ * A label may use a small notation: `*R*_1` is an italic R with the index 1; `_{12}` and `^{⊤}` take more than one letter.
+ * Where the two books use different letters a label is `{ choset, thrun }`. Both are written into the page, and its style
+ * shows one of them.
  */
+
+import { SVG } from './element.js'
 
 /** @typedef {string | { choset: string, thrun: string }} Words */
 /** @typedef {{ kind: 'plain' | 'symbol' | 'sub' | 'sup', text: string }} Piece */
-
-const MINUS = '\u2212'
-
-/**
- * With a fixed number of decimals and a true minus sign; what is not finite is said so.
- * @param {number | null | undefined} value
- * @param {number} [decimals]
- */
-export function fixed(value, decimals = 2) {
-  if (value === null || value === undefined || Number.isNaN(value)) return '–'
-  if (!Number.isFinite(value)) return value > 0 ? '∞' : `${MINUS}∞`
-  if (Math.abs(value) >= 1e5) return value.toExponential(1).replace('-', MINUS).replace('e+', ' × 10^').replace(/\^(\d+)$/, (_, power) => raised(power))
-  const text = value.toFixed(decimals)
-  return Number(text) === 0 ? text.replace('-', '') : text.replace('-', MINUS)
-}
-
-/** @param {string} digits */
-function raised(digits) {
-  return [...digits].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]).join('')
-}
-
-/**
- * A complex number: `0.634 ± 0.097 i` is a pair, so one is `0.634 + 0.097 i`.
- * @param {{ re: number, im: number }} value
- * @param {number} [decimals]
- */
-export function complex(value, decimals = 3) {
-  if (Math.abs(value.im) < 10 ** -decimals / 2) return fixed(value.re, decimals)
-  return `${fixed(value.re, decimals)} ${value.im < 0 ? MINUS : '+'} ${fixed(Math.abs(value.im), decimals)} i`
-}
 
 /**
  * @param {string} words
@@ -56,7 +29,7 @@ export function pieces(words) {
 }
 
 /**
- * Without marks, for a name a screen reader says.
+ * The words without their marks, as the name that a screen reader says.
  * @param {Words} words
  * @param {'choset' | 'thrun'} [notation]
  */
@@ -111,8 +84,6 @@ export function writeSvg(into, words) {
     }
   }
 }
-
-export const SVG = 'http://www.w3.org/2000/svg'
 
 /**
  * @param {Words} words

@@ -1,7 +1,7 @@
 /** The chapter's checks, run one after another in the reader's own browser. */
 
 import { loadWhole } from '../core/whole.js'
-import { fixed } from '../core/words.js'
+import { fixed } from '../core/numbers.js'
 
 /** @typedef {import('estimate-wasm').Check} Check */
 

@@ -3,7 +3,7 @@
  * onto it. Drag the prediction, the axes of its ellipse and the reading; turn the sensor and its noise.
  */
 
-import { fixed } from '../core/words.js'
+import { fixed } from '../core/numbers.js'
 import { drawPlane } from './kalman-picture/plane.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */

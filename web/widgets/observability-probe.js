@@ -3,7 +3,7 @@
  * directions of its pose do the readings see, frozen at this pose and along the path driven?
  */
 
-import { fixed } from '../core/words.js'
+import { fixed } from '../core/numbers.js'
 import { drawMap } from './observability-probe/map.js'
 import { drawConsistency, drawTrace } from './observability-probe/history.js'
 import { drawRanks, power } from './observability-probe/ranks.js'

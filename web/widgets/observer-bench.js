@@ -3,7 +3,7 @@
  * choose the gain.
  */
 
-import { fixed } from '../core/words.js'
+import { fixed } from '../core/numbers.js'
 import { drawDisc } from './observer-bench/disc.js'
 import { drawError, drawGain, drawVariance } from './observer-bench/history.js'
 import { drawPhase } from './observer-bench/phase.js'

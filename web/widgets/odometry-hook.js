@@ -3,7 +3,7 @@
  * mapped corners hold the position, and the heading shows what the model still does not know.
  */
 
-import { fixed } from '../core/words.js'
+import { fixed } from '../core/numbers.js'
 import { drawHeading, drawPosition } from './odometry-hook/history.js'
 import { drawMap } from './odometry-hook/map.js'
 

@@ -1,7 +1,7 @@
 /** Room A from above: path, robot, estimate with its ellipse, landmarks to drag, and the direction no reading sees. */
 
 import { dot, ellipsePath, evenPlane, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
-import { fixed } from '../../core/words.js'
+import { fixed } from '../../core/numbers.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */

@@ -1,7 +1,7 @@
 /** The unit disc with the eigenvalues of the error dynamics. */
 
 import { dot, evenPlane, meaning } from '../../core/plot.js'
-import { complex, fixed } from '../../core/words.js'
+import { complex, fixed } from '../../core/numbers.js'
 
 const REACH = 1.32
 /** A gain set by hand and the filter's gain have letters of their own in both conventions. */

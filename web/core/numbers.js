@@ -1,0 +1,31 @@
+/** Numbers as a reader sees them, in a readout, a label or an announcement. */
+
+const MINUS = '\u2212'
+
+/**
+ * Writes a number with a fixed number of decimals and a true minus sign. Infinity is `∞`, a missing number a dash.
+ * @param {number | null | undefined} value
+ * @param {number} [decimals]
+ */
+export function fixed(value, decimals = 2) {
+  if (value === null || value === undefined || Number.isNaN(value)) return '–'
+  if (!Number.isFinite(value)) return value > 0 ? '∞' : `${MINUS}∞`
+  if (Math.abs(value) >= 1e5) return value.toExponential(1).replace('-', MINUS).replace('e+', ' × 10^').replace(/\^(\d+)$/, (_, power) => raised(power))
+  const text = value.toFixed(decimals)
+  return Number(text) === 0 ? text.replace('-', '') : text.replace('-', MINUS)
+}
+
+/** @param {string} digits */
+function raised(digits) {
+  return [...digits].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]).join('')
+}
+
+/**
+ * Writes one complex number, as in `0.634 + 0.097 i`.
+ * @param {{ re: number, im: number }} value
+ * @param {number} [decimals]
+ */
+export function complex(value, decimals = 3) {
+  if (Math.abs(value.im) < 10 ** -decimals / 2) return fixed(value.re, decimals)
+  return `${fixed(value.re, decimals)} ${value.im < 0 ? MINUS : '+'} ${fixed(Math.abs(value.im), decimals)} i`
+}
