@@ -11,11 +11,12 @@ use crate::error::{Code, Error};
 use crate::observability::{self, Observability};
 use crate::riccati::{DynamicSteadyState, Model};
 use crate::validate::{self, MAX_INPUTS, MAX_OUTPUTS, MAX_STATES};
-use crate::{observer, placement, spectrum};
+use crate::{observer, placement};
 use filters::linear;
-use geom::{Affine, Ellipse, MIN_PIVOT, Spd};
+use geom::{AffineSet, Ellipse};
 use nalgebra::allocator::Allocator;
 use nalgebra::{Complex, DMatrix, DVector, DefaultAllocator, Dim, Dyn, Matrix2, OMatrix};
+use numerics::{MIN_PIVOT, Spd};
 
 /// A checked system: F n×n, G n×m, H p×n, V n×n and W p×p, with n ≤ 16, m ≤ 8 and p ≤ 8.
 #[derive(Clone, Debug, PartialEq)]
@@ -166,7 +167,7 @@ pub fn observer_step(
 pub fn error_eigenvalues(system: &System, k: DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     let k = system.gain(k)?;
     let m = linear::finite(observer::error_matrix(&system.f, &system.h, &k), "K")?;
-    spectrum::eigenvalues(&m).map_err(|e| e.renamed("matrix", "K"))
+    numerics::eigenvalues(&m).map_err(|e| Error::from(e).renamed("matrix", "K"))
 }
 
 /// The rank of [H; HF; …; HF^{n−1}] under the relative `tolerance`, with its singular values and null directions.
@@ -332,13 +333,13 @@ fn pair(f: DMatrix<f64>, h: DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>)
     let p = h.nrows();
     Ok((validate::matrix(f, (n, n), "F")?, validate::matrix(h, (p, n), "H")?))
 }
-fn affine(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Result<(Affine<Dyn, Dyn>, DVector<f64>), Error> {
+fn affine(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Result<(AffineSet<Dyn, Dyn>, DVector<f64>), Error> {
     let (n, p) = (x.len(), h.nrows());
     size(n, MAX_STATES, "x")?;
     size(p, MAX_OUTPUTS, "H")?;
     let h = validate::matrix(h, (p, n), "H")?;
     let y = validate::vector(y, p, "y")?;
-    Ok((Affine { h, y }, validate::vector(x, n, "x")?))
+    Ok((AffineSet { h, y }, validate::vector(x, n, "x")?))
 }
 
 #[cfg(test)]

@@ -131,6 +131,17 @@ impl From<filters::Error> for Error {
     }
 }
 
+impl From<numerics::Error> for Error {
+    fn from(error: numerics::Error) -> Self {
+        let code = match error {
+            numerics::Error::NotSquare | numerics::Error::TooLarge => Code::Shape,
+            numerics::Error::NotFinite => Code::NotFinite,
+            numerics::Error::DidNotConverge => Code::DidNotConverge,
+        };
+        Self::new(code, "matrix", error.to_string())
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

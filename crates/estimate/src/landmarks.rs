@@ -17,7 +17,7 @@ pub const NEAREST: f64 = 1e-9;
 fn displacement(map: &[Landmark], x: &SE2, j: usize) -> Result<(f64, f64, f64), filters::Error> {
     let landmark = map.get(j).ok_or(filters::Error::OutOfRange { what: "landmark" })?;
     let (dx, dy) = (x.x() - landmark.x, x.y() - landmark.y);
-    let rho = geom::hypot(dx, dy);
+    let rho = numerics::hypot(dx, dy);
     if rho < NEAREST { Err(filters::Error::AtFeature) } else { Ok((dx, dy, rho)) }
 }
 

@@ -24,12 +24,10 @@ mod lti;
 pub mod observability;
 mod observer;
 mod odometry;
-mod packed;
 pub mod path_observability;
 mod placement;
 pub mod riccati;
 pub mod slam;
-pub mod spectrum;
 pub mod validate;
 
 pub use ekf::{ChosetEkf, Sighting};

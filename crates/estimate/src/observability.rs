@@ -1,10 +1,10 @@
 //! Which directions of the state the outputs can tell apart: the rank test of Theorem 8.2.2, with what stands behind it.
 
 use crate::error::{Code, Error};
-use crate::spectrum::singular;
 use crate::validate;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix};
+use numerics::singular_values;
 
 /// The answer of a rank test, with the evidence.
 #[derive(Clone, Debug, PartialEq)]
@@ -59,13 +59,13 @@ pub fn analyze(q: &DMatrix<f64>, tolerance: f64) -> Result<Observability, Error>
     if !filters::linear::is_finite(q) {
         return Err(Error::new(Code::NotFinite, "F", "its powers overflow; the rank cannot be told"));
     }
-    let found = singular(q)?;
+    let found = singular_values(q.clone())?;
     let threshold = tolerance * found.values.first().copied().unwrap_or(0.0);
     let rank = found.values.iter().filter(|s| **s > threshold).count();
     Ok(Observability {
         rank,
         n: q.ncols(),
-        nullspace: found.directions.into_iter().skip(rank).collect(),
+        nullspace: found.directions.column_iter().skip(rank).map(|v| v.into_owned()).collect(),
         singular_values: found.values,
     })
 }

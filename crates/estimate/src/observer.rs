@@ -2,7 +2,6 @@
 
 use crate::error::Error;
 use crate::lti::Lti;
-use crate::spectrum;
 use filters::linear;
 use nalgebra::allocator::Allocator;
 use nalgebra::{Complex, DMatrix, DefaultAllocator, Dim, OMatrix, OVector, SMatrix, SVector};
@@ -77,10 +76,10 @@ impl<const N: usize, const U: usize, const M: usize> Observer<N, U, M> {
     /// The eigenvalues of (I − KH)F, by decreasing modulus.
     ///
     /// # Errors
-    /// As [`spectrum::eigenvalues`].
+    /// As [`numerics::eigenvalues`].
     pub fn error_eigs(&self) -> Result<Vec<Complex<f64>>, Error> {
         let m = DMatrix::from_iterator(N, N, self.error_matrix().iter().copied());
-        if N <= 2 { spectrum::eigenvalues_in_closed_form(&m) } else { spectrum::eigenvalues(&m) }
+        Ok(if N <= 2 { numerics::eigenvalues_in_closed_form(&m) } else { numerics::eigenvalues(&m) }?)
     }
 
     /// The error covariance after a correction with this K, from the predicted `p` = P(k+1 | k), in Joseph's form: right

@@ -66,7 +66,7 @@ pub(crate) fn place(f: &DMatrix<f64>, h: &DMatrix<f64>, poles: &[Complex<f64>]) 
     // By Cayley and Hamilton the polynomial with these roots vanishes at (I − KH)F, and at no matrix with other roots.
     let closed = f - &k * hf;
     let residual = evaluate(&factors, &closed).norm();
-    let size: f64 = poles.iter().map(|p| closed.norm() + geom::hypot(p.re, p.im)).product();
+    let size: f64 = poles.iter().map(|p| closed.norm() + numerics::hypot(p.re, p.im)).product();
     if residual <= 1e-6 * size { Ok(k) } else { Err(not_placeable()) }
 }
 
@@ -140,8 +140,8 @@ fn evaluate(factors: &[Factor], m: &DMatrix<f64>) -> DMatrix<f64> {
 mod tests {
     use super::*;
     use crate::observer::error_matrix;
-    use crate::spectrum::eigenvalues;
     use nalgebra::{Matrix2, RowVector2, dmatrix};
+    use numerics::eigenvalues;
 
     fn code(f: DMatrix<f64>, h: DMatrix<f64>, poles: &[Complex<f64>]) -> Code {
         place(&f, &h, poles).expect_err("refused").code

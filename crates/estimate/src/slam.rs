@@ -12,13 +12,13 @@ mod untyped;
 
 use crate::error::{Code, Error};
 use crate::odometry::Unicycle;
-use crate::packed::Packed;
 use crate::validate;
 use filters::association::{Association, Candidate, Rule, Thresholds, associate};
 use filters::kalman::Gaussian;
 use filters::nonlinear::MotionModel;
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x3, Matrix3, Vector2};
+use numerics::PackedSymmetric;
 use sighting::{Expected, founding};
 pub use sighting::{Outcome, Reading, Report};
 
@@ -31,7 +31,7 @@ pub const MAX_SIGHTINGS: usize = 100;
 #[derive(Clone, Debug, PartialEq)]
 pub struct EkfSlam {
     x: Vec<f64>,
-    p: Packed,
+    p: PackedSymmetric,
     ids: Vec<u32>,
     w: Matrix2<f64>,
     thresholds: Thresholds,
@@ -71,7 +71,7 @@ impl EkfSlam {
         }
         Ok(Self {
             x: vec![x[0], x[1], wrap(x[2])],
-            p: Packed::from_fn(3, |i, j| p[(i, j)]),
+            p: PackedSymmetric::from_fn(3, |i, j| p[(i, j)]),
             ids: Vec::new(),
             w: Matrix2::from_fn(|i, j| w[(i, j)]),
             thresholds,

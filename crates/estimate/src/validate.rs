@@ -1,8 +1,8 @@
 //! The checks every argument from outside goes through.
 
 use crate::error::{Code, Error};
-use geom::Spd;
 use nalgebra::{DMatrix, DVector};
+use numerics::Spd;
 
 /// The largest number of states of a run-time system.
 pub const MAX_STATES: usize = 16;
@@ -14,9 +14,6 @@ pub const MAX_INPUTS: usize = 8;
 pub const SYMMETRY_TOLERANCE: f64 = 1e-9;
 /// A covariance may have an eigenvalue this far below zero, as a part of its largest.
 pub const SEMIDEFINITE_TOLERANCE: f64 = 1e-12;
-
-/// Iterations granted to an eigenvalue routine, per row; LAPACK grants 30.
-pub(crate) const ITERATIONS_PER_ROW: usize = 100;
 
 /// `value`, when it is neither a NaN nor an infinity.
 ///
@@ -89,7 +86,7 @@ pub fn covariance(m: DMatrix<f64>, n: usize, argument: &'static str) -> Result<D
         return Ok(m);
     }
     let unknown = || Error::new(Code::DidNotConverge, argument, "its eigenvalues were not found");
-    let (sizes, _) = filters::linear::jacobi(scaled.clone()).ok_or_else(unknown)?;
+    let sizes = numerics::singular_values(scaled.clone()).map_err(|_| unknown())?.values;
     // Raised by its allowance, a matrix that is semidefinite to that much has a Cholesky factor.
     if !raised_by(SEMIDEFINITE_TOLERANCE * sizes[0]) {
         return Err(Error::new(

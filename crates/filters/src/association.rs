@@ -3,8 +3,8 @@
 
 use crate::error::Error;
 use crate::linear::finite;
-use geom::Spd;
 use nalgebra::{SMatrix, SVector};
+use numerics::Spd;
 
 /// What to minimize over the candidates.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

@@ -2,9 +2,9 @@
 
 use crate::error::Error;
 use crate::linear::finite;
-use geom::Spd;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
+use numerics::Spd;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 /// The squared Mahalanobis length vᵀS⁻¹v.

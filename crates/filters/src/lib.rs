@@ -10,7 +10,6 @@
 pub mod association;
 pub mod consistency;
 mod error;
-mod jacobi;
 pub mod kalman;
 pub mod linear;
 pub mod nonlinear;

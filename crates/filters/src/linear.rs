@@ -4,11 +4,10 @@
 //! sizes) and the chapter's run-time functions; both call these.
 
 use crate::error::Error;
-pub use crate::jacobi::{jacobi, power_of_two};
 use crate::square_root;
-use geom::{MIN_PIVOT, Spd};
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DefaultAllocator, Dim, OMatrix, OVector};
+use numerics::{MIN_PIVOT, Spd, power_of_two, singular_values};
 
 /// What a measurement update computes: the corrected belief, and what association and diagnostics need.
 #[derive(Clone, Debug, PartialEq)]
@@ -41,7 +40,7 @@ pub fn is_finite<R: Dim, C: Dim>(m: &OMatrix<f64, R, C>) -> bool
 where
     DefaultAllocator: Allocator<R, C>,
 {
-    geom::all_finite(m.iter())
+    numerics::all_finite(m.iter())
 }
 
 /// `m` when it is finite.
@@ -385,7 +384,7 @@ pub fn clamped(m: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let scaled = m / scale;
     // Raised until no eigenvalue is negative, or a pair ±λ would share its singular value and with it its directions.
     let raised = &scaled + DMatrix::identity(m.nrows(), m.ncols()) * (m.nrows() as f64);
-    let (_, directions) = jacobi(raised)?;
+    let directions = singular_values(raised).ok()?.directions;
     let mut kept = scaled.clone();
     for v in directions.column_iter() {
         let row = |i: usize| (0..m.ncols()).fold(0.0, |sum, j| sum + scaled[(i, j)] * v[j]);

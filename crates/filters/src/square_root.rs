@@ -11,9 +11,9 @@
 //! roots (Kaminski, Bryson and Schmidt 1971; Anderson and Moore, Optimal Filtering, §6.5).
 
 use crate::error::Error;
-use crate::linear::{finite, jacobi};
-use geom::Spd;
+use crate::linear::finite;
 use nalgebra::{DMatrix, DVector};
+use numerics::{Singular, Spd, singular_values};
 
 /// The smallest |Sᵢᵢ^{½}| relative to its column that still leaves six digits of the answer.
 const MIN_ROOT_PIVOT: f64 = 1e-10;
@@ -67,13 +67,14 @@ fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
         return Ok(factor.root());
     }
     // Of a semidefinite matrix the singular values are the eigenvalues.
-    let (sizes, directions) = jacobi(s.clone()).ok_or(Error::InnovationNotPositiveDefinite)?;
+    let Singular { values, directions } =
+        singular_values(s.clone()).map_err(|_| Error::InnovationNotPositiveDefinite)?;
     // Rounding may push a zero eigenvalue this far below zero; what lies lower is not a covariance.
-    let allowance = DMatrix::identity(s.nrows(), s.nrows()) * (1e-12 * sizes[0]);
-    if sizes[0] > 0.0 && Spd::new(s + allowance).is_none() {
+    let allowance = DMatrix::identity(s.nrows(), s.nrows()) * (1e-12 * values[0]);
+    if values[0] > 0.0 && Spd::new(s + allowance).is_none() {
         return Err(Error::InnovationNotPositiveDefinite);
     }
-    Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(sizes).map(f64::sqrt)))
+    Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(values).map(f64::sqrt)))
 }
 
 #[cfg(test)]

@@ -4,8 +4,8 @@ use crate::error::Error;
 use crate::kalman::Update;
 use crate::linear::{finite, symmetric};
 use crate::nonlinear::{MeasurementModel, MotionModel, State};
-use geom::Spd;
 use nalgebra::{SMatrix, SVector};
+use numerics::Spd;
 
 /// Where the sigma points stand and what they weigh. The answer depends on it, so a result says which it used.
 #[derive(Clone, Copy, Debug, PartialEq)]

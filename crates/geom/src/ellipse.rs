@@ -29,7 +29,7 @@ impl Ellipse {
         let scale = libm::ldexp(1.0, libm::frexp(largest).1 - 1);
         let (a, b, c) = (p[(0, 0)] / scale, p[(1, 0)] / scale, p[(1, 1)] / scale);
         let half_difference = 0.5 * (a - c);
-        let major = 0.5 * (a + c) + crate::hypot(half_difference, b);
+        let major = 0.5 * (a + c) + numerics::hypot(half_difference, b);
         let bb = b * b;
         let det = libm::fma(a, c, -bb) - libm::fma(b, b, -bb);
         let minor = (det / major).max(0.0);

@@ -4,18 +4,12 @@
 //! Lengths are metres and angles radians throughout; every transcendental function goes through `libm`, so an answer has
 //! the same bits on every platform. Square roots need not: IEEE 754 rounds them correctly everywhere.
 
-mod affine;
+mod affine_set;
 mod angle;
 mod ellipse;
-mod finite;
-mod hypot;
 mod se2;
-mod spd;
 
-pub use affine::Affine;
+pub use affine_set::AffineSet;
 pub use angle::{angle_diff, wrap};
 pub use ellipse::Ellipse;
-pub use finite::all_finite;
-pub use hypot::hypot;
 pub use se2::SE2;
-pub use spd::{MIN_PIVOT, Spd};

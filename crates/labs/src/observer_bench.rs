@@ -9,7 +9,7 @@ use crate::shapes::{Root, pair, root};
 use estimate::kf::{Gaussian, dead_reckoning, kalman_step, position_sensor};
 use estimate::{Code, Error, Lti, Observer, validate};
 use filters::linear;
-use geom::Affine;
+use geom::AffineSet;
 use nalgebra::{Matrix2, SMatrix, Vector1, Vector2};
 use serde::Serialize;
 use sim::Noise;
@@ -171,12 +171,12 @@ impl Lab for ObserverBench {
         // Two real or conjugate roots: a 2×2 has them in closed form, so the iteration that could fail is not run.
         let roots: Vec<Root> = observer.error_eigs().unwrap_or_default().into_iter().map(Root::from).collect();
         let eigenvalues = [0, 1].map(|i| roots.get(i).copied().unwrap_or(Root { re: f64::NAN, im: f64::NAN }));
-        let modulus = eigenvalues.map(|l| geom::hypot(l.re, l.im));
+        let modulus = eigenvalues.map(|l| numerics::hypot(l.re, l.im));
         let pinned = (self.params.sensor == Sensor::Velocity)
             .then(|| eigenvalues.iter().position(|l| l.re == 1.0 && l.im == 0.0))
             .flatten();
         let movable = modulus.iter().enumerate().filter(|(i, _)| Some(*i) != pinned);
-        let omega = self.reading.map(|y| Affine { h: self.system.h, y: Vector1::new(y) });
+        let omega = self.reading.map(|y| AffineSet { h: self.system.h, y: Vector1::new(y) });
         let innovation = omega.as_ref().map(|o| o.residual(&self.predicted.x)[0]);
         let spread = (self.system.h * self.predicted.p * self.system.h.transpose())[0];
         let s = innovation.map(|_| spread + self.system.w[0]);
@@ -368,7 +368,7 @@ mod tests {
     fn the_filter_s_update_is_the_mahalanobis_foot_on_the_most_likely_output() {
         let bench = at(with(Sensor::Velocity, Mode::Filter, 1.0), 7);
         let frame = bench.frame();
-        let omega = Affine { h: bench.system.h, y: Vector1::new(frame.most_likely_output.expect("a reading")) };
+        let omega = AffineSet { h: bench.system.h, y: Vector1::new(frame.most_likely_output.expect("a reading")) };
         let foot = omega.mahalanobis_foot(&bench.predicted.p, &bench.predicted.x).expect("positive");
         assert!((foot - bench.posterior.x).norm() < 1e-13);
     }

@@ -155,7 +155,7 @@ impl Drive {
         let (truth, Gaussian { p, .. }) = (self.truth(), self.belief());
         let off = self.ekf.pose().boxminus(truth);
         let error = Quality {
-            position: geom::hypot(off[0], off[1]),
+            position: numerics::hypot(off[0], off[1]),
             heading: angle_diff(self.ekf.pose().theta(), truth.theta()),
         };
         let sigma = Spread { position: (p[(0, 0)] + p[(1, 1)]).max(0.0).sqrt(), heading: p[(2, 2)].max(0.0).sqrt() };

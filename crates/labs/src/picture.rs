@@ -5,8 +5,9 @@ use crate::shapes::{Belief2, EllipseShape, pair, rows};
 use estimate::kf::Gaussian;
 use estimate::{Code, Error, validate};
 use filters::linear::{self, Correction};
-use geom::{Affine, Ellipse, Spd};
+use geom::{AffineSet, Ellipse};
 use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
+use numerics::Spd;
 use serde::Serialize;
 
 /// The shortest half-axis: a thinner ellipse would be a line on the screen.
@@ -190,9 +191,9 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
     let (expected, spread) = (h * x, h * p * h.transpose());
     let (most_likely, _) = linear::product(&expected, &spread, &y, &w)?;
     let no_foot = || Error::new(Code::InnovationNotPositiveDefinite, "semiMinor", "leaves no foot on the line");
-    let (omega, omega_star) = (Affine { h, y }, Affine { h, y: most_likely });
+    let (omega, omega_star) = (AffineSet { h, y }, AffineSet { h, y: most_likely });
     let metric = Spd::new(p).ok_or_else(no_foot)?;
-    let foot = |set: &Affine<_, _>, at: Vector2<f64>| {
+    let foot = |set: &AffineSet<_, _>, at: Vector2<f64>| {
         let step = at - x;
         let scaled = metric.solve(&step);
         let distance = step.dot(&scaled).max(0.0).sqrt();

@@ -106,7 +106,7 @@ pub(crate) fn innovation<const M: usize>(
 
 /// The lower triangular root of a covariance that is known to be positive definite, a constant of a lab.
 pub(crate) fn root<const N: usize>(p: &SMatrix<f64, N, N>, name: &'static str) -> Result<SMatrix<f64, N, N>, Error> {
-    geom::Spd::new(*p).map(|c| c.root()).ok_or_else(|| {
+    numerics::Spd::new(*p).map(|c| c.root()).ok_or_else(|| {
         Error::new(estimate::Code::NotPositiveSemidefinite, name, "has no Cholesky root: noise cannot be drawn from it")
     })
 }

@@ -30,13 +30,13 @@ pub struct Sensor {
 impl Sensor {
     /// Whether the landmark is near enough; walls are [`Apartment::in_sight`](crate::Apartment::in_sight)'s matter.
     pub fn reaches(&self, world_from_robot: SE2, landmark: &Landmark) -> bool {
-        geom::hypot(world_from_robot.x() - landmark.x, world_from_robot.y() - landmark.y) <= self.reach
+        numerics::hypot(world_from_robot.x() - landmark.x, world_from_robot.y() - landmark.y) <= self.reach
     }
 
     /// A noisy reading of the landmark: two normal numbers are drawn, the range's first. A range is never negative.
     pub fn sight(&self, world_from_robot: SE2, landmark: &Landmark, noise: &mut Noise) -> Sighting {
         let (dx, dy) = (world_from_robot.x() - landmark.x, world_from_robot.y() - landmark.y);
-        let range = geom::hypot(dx, dy) + self.range_sigma * noise.normal();
+        let range = numerics::hypot(dx, dy) + self.range_sigma * noise.normal();
         let bearing = libm::atan2(dy, dx) - world_from_robot.theta() + self.bearing_sigma * noise.normal();
         Sighting { landmark: landmark.id, range: range.max(0.0), bearing: wrap(bearing) }
     }

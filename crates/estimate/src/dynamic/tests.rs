@@ -156,7 +156,7 @@ fn sixteen_states_and_eight_outputs_are_in_reach() {
     assert!(found.converged && found.gain_converged);
     assert_eq!(observability(f, h, 1e-9).expect("found").rank, n);
     let moduli: Vec<f64> =
-        error_eigenvalues(&system, found.r).expect("found").iter().map(|l| geom::hypot(l.re, l.im)).collect();
+        error_eigenvalues(&system, found.r).expect("found").iter().map(|l| numerics::hypot(l.re, l.im)).collect();
     assert!(moduli[0] < 1.0 && moduli.is_sorted_by(|a, b| a >= b));
 }
 

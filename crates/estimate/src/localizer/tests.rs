@@ -17,7 +17,7 @@ fn both(gate: Option<f64>) -> EkfLocalizer {
 
 fn reading(landmark: Option<u32>) -> Reading {
     let (dx, dy) = (1.6 - 0.0, 2.1 - 6.0);
-    Reading { range: geom::hypot(dx, dy), bearing: Some(libm::atan2(dy, dx) - 0.35), landmark }
+    Reading { range: numerics::hypot(dx, dy), bearing: Some(libm::atan2(dy, dx) - 0.35), landmark }
 }
 
 #[test]

@@ -4,8 +4,9 @@ use super::EkfSlam;
 use super::sighting::Expected;
 use crate::error::Error;
 use crate::validate::SEMIDEFINITE_TOLERANCE;
-use geom::{MIN_PIVOT, Spd, wrap};
+use geom::wrap;
 use nalgebra::Vector2;
+use numerics::{MIN_PIVOT, Spd};
 
 /// Rounding that may sit in P, as a part of its largest variance, before P is looked over: well within
 /// [`crate::validate::SEMIDEFINITE_TOLERANCE`], 1e-12.
@@ -47,7 +48,7 @@ impl EkfSlam {
     /// keeps account of the rounding. Where that may show, P is looked over; the answer is whether it is still a covariance,
     /// and if not all is as it was.
     pub(super) fn guarded(&mut self, scale: f64, after: f64, change: impl FnOnce(&mut Self)) -> bool {
-        let rounding = geom::hypot(self.rounding, f64::EPSILON * scale);
+        let rounding = numerics::hypot(self.rounding, f64::EPSILON * scale);
         // A small state is always looked over, a large one rarely: in an ordinary run its variances never fall far below what
         // they were.
         let suspect = self.x.len() <= ALWAYS || rounding > (ROUNDING + 2.0 * self.resolution()) * after;
@@ -144,7 +145,7 @@ impl EkfSlam {
         self.landmarks().all(|mapped| {
             let (mean, half) =
                 (0.5 * (mapped.p[(0, 0)] + mapped.p[(1, 1)]), 0.5 * (mapped.p[(0, 0)] - mapped.p[(1, 1)]));
-            let radius = geom::hypot(half, mapped.p[(1, 0)]);
+            let radius = numerics::hypot(half, mapped.p[(1, 0)]);
             mean - radius >= -SEMIDEFINITE_TOLERANCE * (mean + radius)
         })
     }

@@ -2,10 +2,10 @@
 
 use crate::error::{Code, Error};
 use crate::landmarks::{NEAREST, RangeBearing};
-use crate::packed::Packed;
 use filters::nonlinear::MeasurementModel;
 use geom::{SE2, angle_diff};
 use nalgebra::{Matrix2, Matrix2x3, SMatrix, SVector, Vector2};
+use numerics::PackedSymmetric;
 use sim::Landmark;
 
 /// A range and a bearing (Choset's, from the landmark), of a landmark that is named or not.
@@ -66,7 +66,13 @@ pub(super) struct Expected {
 }
 
 impl Expected {
-    pub fn new(x: &[f64], p: &Packed, j: usize, reading: &Reading, w: &Matrix2<f64>) -> Result<Self, filters::Error> {
+    pub fn new(
+        x: &[f64],
+        p: &PackedSymmetric,
+        j: usize,
+        reading: &Reading,
+        w: &Matrix2<f64>,
+    ) -> Result<Self, filters::Error> {
         let c = 3 + 2 * j;
         let map = [Landmark { id: 0, x: x[c], y: x[c + 1] }];
         let (model, pose) = (RangeBearing { map: &map }, SE2::new(x[0], x[1], x[2]));
@@ -88,7 +94,7 @@ impl Expected {
     }
 
     /// S = H P Hᵀ + W from the 5×5 block of P.
-    pub fn innovation_covariance(&self, p: &Packed, w: &Matrix2<f64>) -> Matrix2<f64> {
+    pub fn innovation_covariance(&self, p: &PackedSymmetric, w: &Matrix2<f64>) -> Matrix2<f64> {
         let columns = self.columns();
         let block = SMatrix::<f64, 5, 5>::from_fn(|a, b| p.get(columns[a], columns[b]));
         filters::linear::innovation_covariance(&self.h, &block, w)

@@ -7,7 +7,7 @@ use crate::observer_bench::{equivalent_knob, knob_limit};
 use estimate::{Error, Lti, Observer};
 use filters::consistency::{chi2_interval, chi2_quantile};
 use filters::linear::{self, Gain};
-use geom::Affine;
+use geom::AffineSet;
 use nalgebra::{Matrix2, RowVector2, SMatrix, Vector1, Vector2};
 
 const LIMIT_TOLERANCE: f64 = 1e-12;
@@ -64,11 +64,11 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let y = Vector1::new(givens.readings[0]);
     let spread = sys.h * p * sys.h.transpose();
     let (most_likely, _) = linear::product(&(sys.h * prediction.x), &spread, &y, &sys.w)?;
-    let omega = Affine { h: sys.h, y };
+    let omega = AffineSet { h: sys.h, y };
     let no_foot = || Error::new(estimate::Code::InnovationNotPositiveDefinite, "P", "Ω has no foot");
     let euclid = omega.euclidean_foot(&prediction.x).ok_or_else(no_foot)?;
     let foot = omega.mahalanobis_foot(p, &prediction.x).ok_or_else(no_foot)?;
-    to.by("geom::Affine", Some(1))
+    to.by("geom::AffineSet", Some(1))
         .vector("picture.euclid", euclid.iter(), "the Euclidean foot on Ω")
         .vector("picture.foot", foot.iter(), "the Mahalanobis foot on Ω")
         .by("filters::linear::product", Some(1))
@@ -96,7 +96,7 @@ fn limits(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
             .add(format!("{name}.eig.im"), eigenvalues[0].im.abs(), "its imaginary part")
             .add(
                 format!("{name}.modulus"),
-                geom::hypot(eigenvalues[0].re, eigenvalues[0].im),
+                numerics::hypot(eigenvalues[0].re, eigenvalues[0].im),
                 "the larger modulus of the eigenvalues of (I − R∞H)F",
             )
             .add(format!("{name}.eig.1"), eigenvalues[0].re, "the first eigenvalue of (I − R∞H)F, its real part")

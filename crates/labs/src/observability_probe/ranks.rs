@@ -62,7 +62,7 @@ impl Ranks {
 /// The first three components, of length 1 in the plane. A direction has no sign: the first of size faces the positive
 /// side.
 fn robot_part(c: &DVector<f64>) -> [f64; 3] {
-    let planar = geom::hypot(c[0], c[1]);
+    let planar = numerics::hypot(c[0], c[1]);
     let scale = if planar > 1e-9 {
         planar
     } else if c[2].abs() > 1e-9 {

@@ -1,9 +1,9 @@
 use super::*;
-use crate::packed::Packed;
 use crate::slam::Reading;
 use filters::association::Thresholds;
 use filters::kalman::Gaussian;
 use nalgebra::{DMatrix, Matrix2, Matrix3, Vector3};
+use numerics::PackedSymmetric;
 
 const W: Matrix2<f64> = Matrix2::new(0.01, 0.001, 0.001, 0.0009);
 
@@ -23,7 +23,7 @@ fn slam(n: u32) -> EkfSlam {
 fn diagonal(n: u32, robot: [f64; 3], landmark: f64) -> EkfSlam {
     let mut slam = slam(n);
     let variance = |i: usize| if i < 3 { robot[i] } else { landmark };
-    slam.p = Packed::from_fn(slam.x.len(), |i, j| if i == j { variance(i) } else { 0.0 });
+    slam.p = PackedSymmetric::from_fn(slam.x.len(), |i, j| if i == j { variance(i) } else { 0.0 });
     slam
 }
 
@@ -80,7 +80,7 @@ fn a_small_map_is_always_looked_over_and_a_large_one_when_its_rounding_may_show(
     let looked_over = |after: f64, part: f64, had: f64| {
         let mut slam = EkfSlam { rounding: had, ..large.clone() };
         let kept = slam.guarded(part * after / f64::EPSILON, after, break_it);
-        let rounding = geom::hypot(had, part * after);
+        let rounding = numerics::hypot(had, part * after);
         assert!(!kept || (slam.rounding / rounding - 1.0).abs() < 1e-15);
         !kept
     };
@@ -96,7 +96,7 @@ fn a_step_knows_the_largest_of_its_terms_and_of_what_is_left() {
     let mut map = slam(4);
     // All of it correlated: in a fresh map a second sighting says nothing of the other landmarks.
     let p = |i: usize, j: usize| if i == j { 1.0 + 0.1 * i as f64 } else { 0.05 + 0.04 * libm::cos((i * j) as f64) };
-    map.p = Packed::from_fn(map.x.len(), p);
+    map.p = PackedSymmetric::from_fn(map.x.len(), p);
     let reading = Reading { range: 4.1, bearing: 4.75, landmark: Some(2) };
     let expected = map.expected(2, &reading).expect("apart");
     let innovation = Vector2::new(0.05, -0.02);
@@ -129,7 +129,7 @@ fn what_would_leave_the_range_of_numbers_is_refused() {
     };
     refused(&mut slam(1), 1e308);
     let mut vast = slam(1);
-    vast.p = Packed::from_fn(5, |i, j| 1e200 * vast.p.get(i, j));
+    vast.p = PackedSymmetric::from_fn(5, |i, j| 1e200 * vast.p.get(i, j));
     vast.w *= 1e200;
     refused(&mut vast, 0.1);
 }

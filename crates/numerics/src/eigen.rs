@@ -1,11 +1,13 @@
 //! Eigenvalues and singular values that always come back: nalgebra's own never return on some finite matrices, the
 //! deadbeat ⎡0 0 0; 1 0 0; 0 1 0⎤ among them, so each iteration here has a cap.
 
-use crate::error::{Code, Error};
-use crate::validate::ITERATIONS_PER_ROW;
+use crate::error::Error;
+use crate::{all_finite, hypot, power_of_two};
 use core::cmp::Ordering;
-use filters::linear::{jacobi, power_of_two};
 use nalgebra::{Complex, DMatrix, DVector, Schur};
+
+/// Iterations granted per row; LAPACK grants 30.
+const ITERATIONS_PER_ROW: usize = 100;
 
 /// The eigenvalues of a square `m`, by decreasing modulus, then decreasing imaginary part, then decreasing real part.
 ///
@@ -14,22 +16,22 @@ use nalgebra::{Complex, DMatrix, DVector, Schur};
 /// power of two against overflow.
 ///
 /// # Errors
-/// [`Code::Shape`] when `m` is not square, [`Code::NotFinite`] when an entry is not finite, [`Code::DidNotConverge`] when
+/// [`Error::NotSquare`] when `m` is not square, [`Error::NotFinite`] when an entry is not finite, [`Error::DidNotConverge`] when
 /// the iteration meets its cap twice, the second time in another orthonormal basis.
 ///
 /// # Example
 /// ```
 /// let deadbeat = nalgebra::dmatrix![0.0, 0.0, 0.0; 1.0, 0.0, 0.0; 0.0, 1.0, 0.0];
-/// assert!(estimate::spectrum::eigenvalues(&deadbeat)?.iter().all(|l| l.re == 0.0 && l.im == 0.0));
-/// # Ok::<(), estimate::Error>(())
+/// assert!(numerics::eigenvalues(&deadbeat)?.iter().all(|l| l.re == 0.0 && l.im == 0.0));
+/// # Ok::<(), numerics::Error>(())
 /// ```
 pub fn eigenvalues(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     found_with(m, iterated)
 }
 
 /// [`eigenvalues`] of a matrix of at most two rows, which needs no iteration: who asks for these alone need not carry it.
-pub(crate) fn eigenvalues_in_closed_form(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
-    found_with(m, |_| Err(Error::new(Code::Shape, "matrix", "has more than two rows")))
+pub fn eigenvalues_in_closed_form(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
+    found_with(m, |_| Err(Error::TooLarge))
 }
 
 fn found_with(
@@ -37,10 +39,10 @@ fn found_with(
     beyond_two: impl FnOnce(&DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error>,
 ) -> Result<Vec<Complex<f64>>, Error> {
     if !m.is_square() {
-        return Err(Error::new(Code::Shape, "matrix", "has no eigenvalues: it is not square"));
+        return Err(Error::NotSquare);
     }
-    if !filters::linear::is_finite(m) {
-        return Err(Error::new(Code::NotFinite, "matrix", "holds a NaN or an infinity"));
+    if !all_finite(m) {
+        return Err(Error::NotFinite);
     }
     let (mut found, rest) = isolated(m);
     let core = DMatrix::from_fn(rest.len(), rest.len(), |i, j| m[(rest[i], rest[j])]);
@@ -49,7 +51,7 @@ fn found_with(
         2 => found.extend(of_two_by_two(&core)),
         _ => found.extend(beyond_two(&core)?),
     }
-    let modulus = |l: &Complex<f64>| geom::hypot(l.re, l.im);
+    let modulus = |l: &Complex<f64>| hypot(l.re, l.im);
     // By insertion: a handful of values do not pay for the standard library's sort, 20 kB of the module.
     let mut ordered: Vec<Complex<f64>> = Vec::with_capacity(found.len());
     for l in found {
@@ -108,44 +110,14 @@ fn iterated(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     let mirror = DMatrix::identity(n, n) - &v * v.transpose() * (2.0 / v.norm_squared());
     let schur = Schur::try_new(scaled.clone(), f64::EPSILON, cap)
         .or_else(|| Schur::try_new(&mirror * scaled * &mirror, f64::EPSILON, cap))
-        .ok_or_else(|| Error::new(Code::DidNotConverge, "matrix", "its eigenvalues were not found"))?;
+        .ok_or(Error::DidNotConverge)?;
     Ok(schur.complex_eigenvalues().iter().map(|l| l * scale).collect())
-}
-
-/// Singular values and right singular vectors.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Singular {
-    /// In decreasing order, one for each column of the matrix.
-    pub values: Vec<f64>,
-    /// The right singular vector of each value: orthonormal, the entry of largest size positive.
-    pub directions: Vec<DVector<f64>>,
-}
-
-/// The singular values of `m` and its right singular vectors, as many as it has columns: with fewer rows than columns
-/// the missing values are zero.
-///
-/// # Errors
-/// [`Code::NotFinite`] when an entry is not finite, [`Code::DidNotConverge`] when the iteration meets its cap.
-pub fn singular(m: &DMatrix<f64>) -> Result<Singular, Error> {
-    if !filters::linear::is_finite(m) {
-        return Err(Error::new(Code::NotFinite, "matrix", "holds a NaN or an infinity"));
-    }
-    let (values, directions) = jacobi(m.clone())
-        .ok_or_else(|| Error::new(Code::DidNotConverge, "matrix", "its singular values were not found"))?;
-    let directions = directions.column_iter().map(|v| facing(v.clone_owned())).collect();
-    Ok(Singular { values, directions })
-}
-
-/// ±v, whichever has its largest entry positive: a direction has no sign, but the same digits everywhere need one.
-fn facing(v: DVector<f64>) -> DVector<f64> {
-    let largest = v.iter().copied().fold(0.0_f64, |a, b| if b.abs() > a.abs() * (1.0 + 1e-9) { b } else { a });
-    if largest < 0.0 { -v } else { v }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{dmatrix, dvector};
+    use nalgebra::dmatrix;
 
     #[test]
     fn a_triangular_matrix_shows_its_eigenvalues_exactly() {
@@ -167,17 +139,6 @@ mod tests {
         let product = found[0].re * found[1].re;
         let determinant = 1e8 * 7.25e-9 - 0.0625;
         assert!((product / determinant - 1.0).abs() < 1e-15);
-    }
-
-    #[test]
-    fn a_direction_faces_where_its_largest_entry_is_positive_and_its_first_of_two() {
-        let of = |a: f64, b: f64| facing(dvector![a, b]);
-        assert_eq!((of(0.6, -0.8), of(-0.6, 0.8)), (dvector![-0.6, 0.8], dvector![-0.6, 0.8]));
-        assert_eq!((of(0.8, -0.6), of(-0.8, 0.6)), (dvector![0.8, -0.6], dvector![0.8, -0.6]));
-        // As large but for rounding; larger by more than that.
-        let (tie, more) = (0.5 * (1.0 + 1e-12), 0.5 * (1.0 + 1e-8));
-        assert_eq!((of(0.5, -tie), of(-0.5, tie)), (dvector![0.5, -tie], dvector![0.5, -tie]));
-        assert_eq!((of(0.5, -more), of(-0.5, more)), (dvector![-0.5, more], dvector![-0.5, more]));
     }
 
     /// ad = 1 + 2ε exactly, bc = (1 + ε)² is rounded to it: the determinant −ε² is the rounding alone.
@@ -226,33 +187,13 @@ mod tests {
             let m = dmatrix![2.0, 1.0, 0.5; 1.0, 3.0, 1.0; 0.5, 1.0, 4.0] * size;
             let sum: Complex<f64> = eigenvalues(&m).expect("found").iter().sum();
             assert!((sum.re / size - 9.0).abs() < 1e-12);
-            assert!((singular(&m).expect("found").values.iter().sum::<f64>() / size - 9.0).abs() < 1e-12);
         }
     }
 
     #[test]
     fn what_is_not_square_or_not_finite_is_refused() {
-        assert_eq!(eigenvalues(&DMatrix::zeros(2, 3)).expect_err("2 × 3").code, Code::Shape);
+        assert_eq!(eigenvalues(&DMatrix::zeros(2, 3)).expect_err("2 × 3"), Error::NotSquare);
         let nan = dmatrix![1.0, f64::NAN, 0.0; 0.0, 1.0, 0.0; 0.0, 0.0, 1.0];
-        assert_eq!(eigenvalues(&nan).expect_err("NaN").code, Code::NotFinite);
-        assert_eq!(singular(&nan).expect_err("NaN").code, Code::NotFinite);
-    }
-
-    #[test]
-    fn singular_values_come_ordered_with_their_directions() {
-        let s = singular(&dmatrix![0.0, 0.0, -3.0; 2.0, 0.0, 0.0]).expect("found");
-        assert_eq!(s.values.len(), 3);
-        for (found, exact) in s.values.iter().zip([3.0, 2.0, 0.0]) {
-            assert!((found - exact).abs() < 1e-15);
-        }
-        assert!((s.directions[0][2] - 1.0).abs() < 1e-15, "turned to face the positive side");
-        assert!((s.directions[2][1] - 1.0).abs() < 1e-15);
-    }
-
-    #[test]
-    fn the_zero_matrix_has_every_direction_null() {
-        let s = singular(&DMatrix::zeros(2, 4)).expect("found");
-        assert_eq!(s.values, [0.0; 4]);
-        assert_eq!(s.directions.len(), 4);
+        assert_eq!(eigenvalues(&nan).expect_err("NaN"), Error::NotFinite);
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::DMatrix;
 
 /// A symmetric n×n matrix in n(n + 1)/2 numbers.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Packed {
+pub struct PackedSymmetric {
     n: usize,
     data: Vec<f64>,
 }
@@ -15,18 +15,20 @@ const fn start(i: usize) -> usize {
     i * (i + 1) / 2
 }
 
-impl Packed {
+impl PackedSymmetric {
     /// The matrix whose lower triangle `entry` gives.
     pub fn from_fn(n: usize, entry: impl Fn(usize, usize) -> f64) -> Self {
         let data = (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))).map(|(i, j)| entry(i, j)).collect();
         Self { n, data }
     }
 
+    /// Entry (i, j), which is entry (j, i).
     pub fn get(&self, i: usize, j: usize) -> f64 {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
         self.data[start(i) + j]
     }
 
+    /// Sets entry (i, j) and, by symmetry, entry (j, i).
     pub fn set(&mut self, i: usize, j: usize, value: f64) {
         let (i, j) = if i >= j { (i, j) } else { (j, i) };
         self.data[start(i) + j] = value;
@@ -37,6 +39,7 @@ impl Packed {
         &self.data[start(i)..=start(i) + i]
     }
 
+    /// As [`row`](Self::row), to be changed.
     pub fn row_mut(&mut self, i: usize) -> &mut [f64] {
         &mut self.data[start(i)..=start(i) + i]
     }
@@ -58,6 +61,7 @@ impl Packed {
         }
     }
 
+    /// The diagonal, from the first row on.
     pub fn diagonal(&self) -> impl Iterator<Item = f64> + '_ {
         (0..self.n).map(|i| self.data[start(i) + i])
     }
@@ -88,8 +92,8 @@ mod tests {
     use super::*;
     use nalgebra::DVector;
 
-    fn example() -> Packed {
-        Packed::from_fn(4, |i, j| (10 * i + j) as f64)
+    fn example() -> PackedSymmetric {
+        PackedSymmetric::from_fn(4, |i, j| (10 * i + j) as f64)
     }
 
     #[test]

@@ -5,8 +5,8 @@
 ///
 /// # Example
 /// ```
-/// assert_eq!(geom::hypot(3.0, -4.0), 5.0);
-/// assert!(geom::hypot(3e200, 4e200) > 4e200, "no overflow on the way");
+/// assert_eq!(numerics::hypot(3.0, -4.0), 5.0);
+/// assert!(numerics::hypot(3e200, 4e200) > 4e200, "no overflow on the way");
 /// ```
 #[inline]
 pub fn hypot(x: f64, y: f64) -> f64 {

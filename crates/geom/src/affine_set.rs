@@ -1,12 +1,12 @@
 //! The affine set Ω = {x : Hx = y} of states that reproduce an output, and the points of it nearest to a prediction
 //! (Choset §8.2.2 and §8.2.3).
 
-use crate::spd::{MIN_PIVOT, Spd};
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
+use numerics::{MIN_PIVOT, Spd};
 
 /// Ω = {x ∈ ℝⁿ : Hx = y}, H being m×n with full row rank. Sizes may be fixed or known at run time only.
-pub struct Affine<M: Dim, N: Dim>
+pub struct AffineSet<M: Dim, N: Dim>
 where
     DefaultAllocator: Allocator<M, N> + Allocator<M>,
 {
@@ -16,7 +16,7 @@ where
     pub y: OVector<f64, M>,
 }
 
-impl<M: Dim, N: Dim> Affine<M, N>
+impl<M: Dim, N: Dim> AffineSet<M, N>
 where
     DefaultAllocator:
         Allocator<M, N> + Allocator<N, M> + Allocator<N, N> + Allocator<M, M> + Allocator<M> + Allocator<N>,
@@ -55,8 +55,8 @@ mod tests {
     use super::*;
     use nalgebra::{Const, Matrix2, Matrix3, RowVector2, Vector1, Vector2, Vector3, dmatrix, dvector};
 
-    fn rail() -> Affine<Const<1>, Const<2>> {
-        Affine { h: RowVector2::new(0.0, 1.0), y: Vector1::new(2.7) }
+    fn rail() -> AffineSet<Const<1>, Const<2>> {
+        AffineSet { h: RowVector2::new(0.0, 1.0), y: Vector1::new(2.7) }
     }
 
     #[test]
@@ -74,7 +74,7 @@ mod tests {
 
     #[test]
     fn both_feet_lie_in_omega_and_each_is_orthogonal_in_its_own_metric() {
-        let omega = Affine { h: dmatrix![1.0, 2.0, -1.0; 0.5, 0.0, 3.0], y: dvector![1.0, -2.0] };
+        let omega = AffineSet { h: dmatrix![1.0, 2.0, -1.0; 0.5, 0.0, 3.0], y: dvector![1.0, -2.0] };
         let l = dmatrix![1.0, 0.0, 0.0; 0.4, 0.8, 0.0; -0.3, 0.2, 1.5];
         let p = &l * l.transpose();
         let x = dvector![0.3, -1.2, 2.0];
@@ -92,24 +92,24 @@ mod tests {
     #[test]
     fn the_feet_meet_when_p_is_a_multiple_of_the_identity() {
         let x = Vector2::new(-1.0, 7.0);
-        let omega = Affine { h: RowVector2::new(0.6, -0.8), y: Vector1::new(1.0) };
+        let omega = AffineSet { h: RowVector2::new(0.6, -0.8), y: Vector1::new(1.0) };
         let m = omega.mahalanobis_foot(&(3.0 * Matrix2::identity()), &x).expect("positive");
         assert!((m - omega.euclidean_foot(&x).expect("full rank")).norm() < 1e-15);
     }
 
     #[test]
     fn a_deficient_h_or_a_blind_p_has_no_foot() {
-        let twice = Affine { h: dmatrix![1.0, 0.0; 1.0, 0.0], y: dvector![1.0, 1.0] };
+        let twice = AffineSet { h: dmatrix![1.0, 0.0; 1.0, 0.0], y: dvector![1.0, 1.0] };
         assert!(twice.euclidean_foot(&dvector![0.0, 0.0]).is_none());
         let known = Matrix2::new(1.0, 0.0, 0.0, 0.0);
         assert!(rail().mahalanobis_foot(&known, &Vector2::zeros()).is_none());
-        let almost = Affine { h: dmatrix![1.0, 0.0; 1.0, 1e-6], y: dvector![1.0, 1.0] };
+        let almost = AffineSet { h: dmatrix![1.0, 0.0; 1.0, 1e-6], y: dvector![1.0, 1.0] };
         assert!(almost.euclidean_foot(&dvector![0.0, 0.0]).is_none());
     }
 
     #[test]
     fn an_overflowing_foot_is_none() {
-        let omega = Affine { h: RowVector2::new(1e-150, 0.0), y: Vector1::new(1e308) };
+        let omega = AffineSet { h: RowVector2::new(1e-150, 0.0), y: Vector1::new(1e308) };
         assert!(omega.euclidean_foot(&Vector2::zeros()).is_none());
     }
 }

@@ -1,0 +1,25 @@
+//! The matrix computations under the geometry and the filters. Nothing here knows what a matrix means.
+//!
+//! - [`Spd`]: the factor LDLᵀ of a positive definite matrix, and solves with it;
+//! - [`eigenvalues`] and [`singular_values`]: iterations that end on every finite matrix;
+//! - [`PackedSymmetric`]: one triangle of a symmetric matrix that grows by rows;
+//! - [`hypot`], [`all_finite`], [`power_of_two`]: single numbers.
+//!
+//! Transcendental functions go through `libm`, so an answer has the same bits on every platform. Square roots are the
+//! machine's: IEEE 754 rounds them correctly everywhere.
+
+mod eigen;
+mod error;
+mod finite;
+mod hypot;
+mod packed;
+mod singular;
+mod spd;
+
+pub use eigen::{eigenvalues, eigenvalues_in_closed_form};
+pub use error::Error;
+pub use finite::all_finite;
+pub use hypot::hypot;
+pub use packed::PackedSymmetric;
+pub use singular::{Singular, power_of_two, singular_values};
+pub use spd::{MIN_PIVOT, Spd};
