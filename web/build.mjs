@@ -52,19 +52,19 @@ const fonts = await subsetFonts(join(root, 'target/fonts'))
 
 const scripts = await build({
   ...shared,
-  entryPoints: { page: join(web, 'page/page.js') },
+  entryPoints: { page: join(web, 'page/page.js'), figure: join(web, 'page/figure.js') },
   format: 'esm',
   splitting: true,
   loader: { '.wasm': 'file' },
   plugins: [wasm],
 })
 collect(scripts.metafile)
-const early = await build({ ...shared, entryPoints: { early: join(web, 'page/early.js') }, format: 'iife' })
+const early = await build({ ...shared, entryPoints: { early: join(web, 'page/early.js'), theme: join(web, 'page/theme.js') }, format: 'iife' })
 collect(early.metafile)
 
 const styles = await build({
   ...shared,
-  entryPoints: { site: join(web, 'style/site.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
+  entryPoints: { site: join(web, 'style/site.css'), figure: join(web, 'style/figure.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
   loader: { '.woff2': 'file' },
   alias: { 'cut-fonts': fonts },
   plugins: [ownFaces()],

@@ -9,7 +9,10 @@ use serde::Serialize;
 
 use crate::asset::Assets;
 use crate::check::{self, Check};
+use crate::config::Chapter;
 use crate::diagnostic::{BuildError, Diagnostics};
+use crate::figure::Figure;
+use crate::html;
 use crate::page::{self, Found, Text};
 use crate::quiz::fnv1a;
 use crate::site::Site;
@@ -116,6 +119,29 @@ impl Build<'_> {
             let extra = context! { chapter => serde(chapter), body => text.body, contents => serde(&text.contents), readings => &readings.version };
             self.page(templates, dist, "chapter", &address, &chapter.title, &chapter.description, extra)?;
             dist.text(&address, text.search, &readings)?;
+            self.figures(templates, dist, chapter, &text.figures)?;
+        }
+        Ok(())
+    }
+
+    /// A page for each widget of a chapter: its first figure in its usual state, or else its first figure.
+    fn figures(
+        &self,
+        templates: &Templates,
+        dist: &mut Dist,
+        chapter: &Chapter,
+        figures: &[Figure],
+    ) -> Result<(), BuildError> {
+        let usual = figures.iter().filter(|figure| figure.start.is_none());
+        for figure in usual.chain(figures) {
+            let address = format!("figure/{}/", figure.widget);
+            if dist.files.contains_key(&format!("{address}index.html")) {
+                continue;
+            }
+            let title = html::words(&figure.title);
+            let about = format!("{title}: a figure of the chapter {}, alive.", chapter.title);
+            let extra = context! { figure => serde(figure), chapter => serde(chapter), formulas => figure.caption.contains("class=\"katex") };
+            self.page(templates, dist, "figure", &address, &title, &about, extra)?;
         }
         Ok(())
     }

@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::diagnostic::{BuildError, Diagnostics, Place};
 use crate::document::Document;
+use crate::figure::{self, Figure};
 use crate::html;
 use crate::label::Labels;
 use crate::render::{Heading, Renderer, Used};
@@ -26,6 +27,8 @@ pub struct Text {
     /// The formulas that read differently in Thrun's letters, as `data-thrun` counts them. They are a quarter of the
     /// page's weight and stay out of it until a reader asks.
     pub thrun: Vec<String>,
+    /// Its figures, each for a page of its own.
+    pub figures: Vec<Figure>,
 }
 
 /// An entry of the table of contents.
@@ -82,6 +85,7 @@ pub fn text(
     let document = |(path, text): &(String, String)| Document::new(text, &Place::new(path.clone(), 1), diagnostics);
     let documents: Vec<Document> = files.iter().map(document).collect();
     let labels = Labels::collect(&documents, chapter, diagnostics);
+    let figures = figure::figures(site, files, &documents, &labels, diagnostics);
     let root = root_of(address);
     let mut renderer = Renderer::new(site, &labels, diagnostics, &root);
     let mut body = String::new();
@@ -93,7 +97,7 @@ pub fn text(
     let mut thrun: Vec<(String, usize)> = renderer.thrun.into_iter().collect();
     thrun.sort_by_key(|(_, n)| *n);
     let thrun = thrun.into_iter().map(|(html, _)| html).collect();
-    Text { body: body + &end, contents: contents(&renderer.headings), search, used: renderer.used, thrun }
+    Text { body: body + &end, contents: contents(&renderer.headings), search, used: renderer.used, thrun, figures }
 }
 
 /// From a page's address to the site's root: `kalman/` is one level down.

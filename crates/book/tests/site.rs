@@ -117,3 +117,16 @@ fn the_page_moves_with_a_matrix_a_reading_and_the_first_belief() {
     let belief = moved(|givens| givens.belief.p[(1, 1)] = 3.0);
     assert!(belief.contains("step1.R.1") && belief.contains("step1.S"), "{belief:?}");
 }
+
+#[test]
+fn each_widget_of_the_chapter_has_a_page_that_leads_back_to_its_place() {
+    let pages = DIST.pages();
+    for widget in book::WIDGETS {
+        let html = &pages[&format!("figure/{widget}/index.html")];
+        assert_eq!(html.matches(&format!("<{widget} class=\"widget\"")).count(), 1, "{widget}");
+        let id = html.split("data-figure=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default();
+        assert!(html.contains(&format!("<a href=\"../../kalman/#{id}\">")), "{widget}: {id}");
+        assert!(pages["kalman/index.html"].contains(&format!("data-figure=\"{id}\"")), "{widget}: {id}");
+        assert_eq!(html.matches("<a ").count(), 1, "{widget}: its caption has no links of its own");
+    }
+}
