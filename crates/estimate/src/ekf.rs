@@ -126,10 +126,10 @@ impl ChosetEkf {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::Landmark;
     use crate::error::Code;
     use crate::landmarks::{RangeBearing, RangeOnly};
     use nalgebra::{Matrix1, Matrix2, Vector1, Vector3};
-    use sim::Landmark;
 
     const MAP: [Landmark; 3] =
         [Landmark { id: 1, x: 6.0, y: 6.0 }, Landmark { id: 2, x: 0.0, y: 6.0 }, Landmark { id: 3, x: 3.0, y: 0.0 }];

@@ -1,12 +1,12 @@
 //! Range and bearing to mapped landmarks (§8.3), the bearing in Choset's convention: measured from the landmark.
 
 use crate::error::{Code, Error};
+use crate::landmark::Landmark;
 use filters::association::{Association, Candidate, Rule, Thresholds, associate};
 use filters::kalman::Gaussian;
 use filters::nonlinear::MeasurementModel;
 use geom::{SE2, angle_diff, wrap};
 use nalgebra::{SMatrix, SVector, Vector1, Vector2};
-use sim::Landmark;
 
 /// Nearer than this (metres) the robot stands on the landmark: there ρ has no derivative and β no value.
 pub const NEAREST: f64 = 1e-9;

@@ -4,6 +4,7 @@
 use crate::dynamic::Belief;
 use crate::ekf::{ChosetEkf, Sighting};
 use crate::error::{Code, Error};
+use crate::landmark::Landmark;
 use crate::landmarks::{RangeBearing, RangeOnly, best, candidate};
 use crate::validate;
 use filters::association::{Association, Candidate, Rule};
@@ -11,7 +12,6 @@ use filters::kalman::{Gaussian, Update};
 use filters::nonlinear::MeasurementModel;
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector2};
-use sim::Landmark;
 
 /// The most landmarks of a map.
 pub const MAX_LANDMARKS: usize = 1000;
@@ -74,10 +74,9 @@ pub struct Localized {
 ///
 /// # Example
 /// ```
-/// use estimate::dynamic::Belief;
+/// use estimate::{Landmark, dynamic::Belief};
 /// use estimate::localizer::{EkfLocalizer, Reading, SensorKind};
 /// use nalgebra::{dmatrix, dvector};
-/// use sim::Landmark;
 ///
 /// let belief = Belief::new(dvector![0.0, 0.0, 0.0], dmatrix![0.04, 0.0, 0.0; 0.0, 0.04, 0.0; 0.0, 0.0, 0.01])?;
 /// let map = vec![Landmark { id: 7, x: 2.0, y: 0.0 }];

@@ -1,9 +1,36 @@
 //! From encoder counts to Choset's input u = [Δs, Δθ], and how it moves a unicycle.
 
+use core::f64::consts::TAU;
 use filters::nonlinear::MotionModel;
 use geom::SE2;
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, SMatrix, SVector, Vector2, Vector3};
-use sim::{Ticks, Wheels};
+
+/// The wheels as the software believes them to be.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Wheels {
+    /// Between the two points of contact, metres.
+    pub baseline: f64,
+    /// Nominal radius, metres.
+    pub radius: f64,
+    /// Encoder ticks in a turn of a wheel.
+    pub ticks_per_turn: f64,
+}
+
+impl Wheels {
+    /// How far a wheel of nominal radius rolls in a tick of its encoder, metres.
+    pub fn metres_per_tick(&self) -> f64 {
+        TAU * self.radius / self.ticks_per_turn
+    }
+}
+
+/// What both encoders counted since the last reading.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Ticks {
+    /// Of the left wheel.
+    pub left: i64,
+    /// Of the right wheel.
+    pub right: i64,
+}
 
 // ANCHOR: odometry_delta
 /// u = [Δs, Δθ], metres and radians, from what the wheels' encoders counted: the mean of the wheels' travel, and their
@@ -11,7 +38,7 @@ use sim::{Ticks, Wheels};
 ///
 /// # Example
 /// ```
-/// use sim::{Ticks, Wheels};
+/// use estimate::{Ticks, Wheels};
 /// let wheels = Wheels { baseline: 0.5, radius: 1.0 / core::f64::consts::TAU, ticks_per_turn: 1000.0 }; // 1 mm a tick
 /// let u = estimate::odometry_delta(&wheels, Ticks { left: 100, right: 200 });
 /// assert!((u[0] - 0.15).abs() < 1e-15 && (u[1] - 0.2).abs() < 1e-15);
@@ -83,37 +110,6 @@ impl MotionModel<SE2, 3, 2> for Unicycle {
 mod tests {
     use super::*;
     use filters::nonlinear::{Ekf, central_differences};
-    use sim::paths::Tick;
-    use sim::scenarios::HOOK;
-    use sim::{Noise, Rusty};
-
-    fn driven(slip: f64, tick: Tick, noise: &mut Noise) -> Vector2<f64> {
-        let mut rusty = Rusty::new(SE2::new(0.0, 0.0, 0.0), HOOK.wheels, 0.0, slip);
-        odometry_delta(&HOOK.wheels, rusty.drive(tick, noise))
-    }
-
-    #[test]
-    fn odometry_undoes_the_encoders() {
-        let u = driven(0.0, Tick { ds: 0.73, dtheta: -0.4 }, &mut Noise::new(1));
-        // Half a tick (38 µm) per wheel.
-        assert!((u[0] - 0.73).abs() < 4e-5 && (u[1] + 0.4).abs() < 2e-4);
-    }
-
-    #[test]
-    fn slip_has_the_covariance_claimed() {
-        let (mut noise, n) = (Noise::new(5), 20_000);
-        let mut sum = Matrix2::zeros();
-        for _ in 0..n {
-            let u = driven(0.05, Tick { ds: 0.0, dtheta: 0.0 }, &mut noise);
-            sum += u * u.transpose();
-        }
-        let claimed = slip_covariance(&HOOK.wheels, 0.05);
-        let found = sum / f64::from(n);
-        // Five standard errors of a sample variance, √(2/n) of itself each.
-        assert!((found[(0, 0)] / claimed[(0, 0)] - 1.0).abs() < 0.05);
-        assert!((found[(1, 1)] / claimed[(1, 1)] - 1.0).abs() < 0.05);
-        assert!(found[(0, 1)].abs() < 5.0 * (claimed[(0, 0)] * claimed[(1, 1)] / f64::from(n)).sqrt());
-    }
 
     /// The unicycle, its covariance multiplied out as any model's is.
     struct Plain;

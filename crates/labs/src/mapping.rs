@@ -2,15 +2,15 @@
 //! which in truth.
 
 use crate::true_path::sensor_covariance;
-use estimate::Error;
 use estimate::kf::Gaussian;
 use estimate::slam::{EkfSlam, Outcome, Reading, Report};
+use estimate::{Error, Landmark};
 use filters::association::Thresholds;
 use geom::SE2;
 use nalgebra::{Matrix2, Matrix3, Vector2};
+use sim::Noise;
 use sim::paths::Tick;
 use sim::scenarios::RangeBearingSlam;
-use sim::{Landmark, Noise};
 
 /// How sightings have fared.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]

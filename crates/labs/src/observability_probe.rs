@@ -21,15 +21,15 @@ use crate::lab::{Digest, Lab};
 use crate::mapping::Mapping;
 use crate::series::Tracks;
 use crate::true_path::{TruePath, parts};
-use estimate::{Code, Error, validate};
+use estimate::{Code, Error, Landmark, validate};
 use filters::consistency::nees;
 use geom::SE2;
 use localize::Localizer;
 use nalgebra::{Matrix3, Vector2};
 use serde::Serialize;
+use sim::Noise;
 use sim::paths::Tick;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
-use sim::{Landmark, Noise};
 use std::collections::VecDeque;
 use std::sync::Arc;
 

@@ -3,12 +3,13 @@
 use crate::odometry_hook::HookParams;
 use crate::series::{Series, Tracks, keep};
 use crate::shapes::{EllipseShape, ellipse_of};
+use estimate::Landmark;
 use estimate::kf::Gaussian;
 use geom::SE2;
 use nalgebra::Matrix2;
 use serde::Serialize;
 use sim::scenarios::HOOK;
-use sim::{Apartment, Landmark, Room};
+use sim::{Apartment, Room};
 use std::collections::VecDeque;
 
 /// Poses kept in a track: one lap and its start.

@@ -2,12 +2,11 @@
 //! What the chapter quotes as *the* trace of the Probe, and the reference its figure draws.
 
 use estimate::landmarks::{RangeBearing, RangeOnly};
-use estimate::{Error, Unicycle};
+use estimate::{Error, Landmark, Unicycle};
 use filters::linear;
 use filters::nonlinear::{MeasurementModel, MotionModel};
 use geom::SE2;
 use nalgebra::{Matrix1, Matrix2, Matrix3, Vector2, Vector3};
-use sim::Landmark;
 use sim::paths::Tick;
 use sim::scenarios::Probe;
 

@@ -8,20 +8,10 @@
 //!                                              −1 └─────────────────────────────────────┘
 //! ```
 
+use estimate::Landmark;
 use geom::SE2;
 use nalgebra::Vector2;
 use serde::Serialize;
-
-/// A mapped point that a sensor can recognize; metres, in the frame of its map.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Landmark {
-    /// Its name in the map.
-    pub id: u32,
-    /// East of the map's origin.
-    pub x: f64,
-    /// North of the map's origin.
-    pub y: f64,
-}
 
 /// A straight wall between two points, metres.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -14,7 +14,7 @@ mod rusty;
 pub mod scenarios;
 mod sensor;
 
-pub use apartment::{Apartment, Landmark, Room, Wall};
+pub use apartment::{Apartment, Room, Wall};
 pub use noise::Noise;
-pub use rusty::{Rusty, Ticks, Wheels};
+pub use rusty::Rusty;
 pub use sensor::{Sensor, Sighting};

@@ -1,8 +1,8 @@
 //! The two courses of the chapter, as ticks: a length along the heading, then a turn on the spot.
 
-use crate::rusty::driven;
 use core::f64::consts::FRAC_PI_2;
 use geom::SE2;
+use nalgebra::Vector3;
 
 /// What the robot drives in one sampling period.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -14,9 +14,11 @@ pub struct Tick {
 }
 
 impl Tick {
-    /// The pose after the tick: `ds` along the old heading, then the turn.
+    /// The pose after the tick: `ds` along the old heading, then the turn. This is the truth; the estimator's own model
+    /// of it is [`estimate::Unicycle`].
     pub fn drive(self, world_from_robot: SE2) -> SE2 {
-        driven(world_from_robot, self)
+        let (sin, cos) = libm::sincos(world_from_robot.theta());
+        world_from_robot.boxplus(&Vector3::new(self.ds * cos, self.ds * sin, self.dtheta))
     }
 }
 

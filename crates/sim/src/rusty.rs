@@ -2,36 +2,8 @@
 
 use crate::noise::Noise;
 use crate::paths::Tick;
-use core::f64::consts::TAU;
+use estimate::{Ticks, Wheels};
 use geom::SE2;
-use nalgebra::Vector3;
-
-/// The wheels as the software believes them to be.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Wheels {
-    /// Between the two points of contact, metres.
-    pub baseline: f64,
-    /// Nominal radius, metres.
-    pub radius: f64,
-    /// Encoder ticks in a turn of a wheel.
-    pub ticks_per_turn: f64,
-}
-
-impl Wheels {
-    /// How far a wheel of nominal radius rolls in a tick of its encoder, metres.
-    pub fn metres_per_tick(&self) -> f64 {
-        TAU * self.radius / self.ticks_per_turn
-    }
-}
-
-/// What both encoders counted since the last reading.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub struct Ticks {
-    /// Of the left wheel.
-    pub left: i64,
-    /// Of the right wheel.
-    pub right: i64,
-}
 
 /// The robot: where it truly is, and what its encoders say.
 ///
@@ -61,7 +33,7 @@ impl Rusty {
 
     /// Drives one tick of a course: `ds` ahead, then `dtheta` about itself. The answer is what the encoders counted.
     pub fn drive(&mut self, tick: Tick, noise: &mut Noise) -> Ticks {
-        self.world_from_robot = driven(self.world_from_robot, tick);
+        self.world_from_robot = tick.drive(self.world_from_robot);
         let half = 0.5 * self.wheels.baseline * tick.dtheta;
         let mut count = |wheel: usize, rolled: f64| {
             let turned = rolled + self.slip * noise.normal() + self.uncounted[wheel];
@@ -73,16 +45,12 @@ impl Rusty {
     }
 }
 
-/// The pose after one tick, in the chapter's motion model: `ds` along the old heading, then the turn.
-pub(crate) fn driven(world_from_robot: SE2, tick: Tick) -> SE2 {
-    let (s, c) = libm::sincos(world_from_robot.theta());
-    world_from_robot.boxplus(&Vector3::new(tick.ds * c, tick.ds * s, tick.dtheta))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::scenarios::HOOK;
+    use estimate::{odometry_delta, slip_covariance};
+    use nalgebra::{Matrix2, Vector2};
 
     fn measured(ticks: Ticks) -> [f64; 2] {
         [ticks.left, ticks.right].map(|t| t as f64 * HOOK.wheels.metres_per_tick())
@@ -126,5 +94,33 @@ mod tests {
             .sum::<f64>()
             / f64::from(n);
         assert!((variance / 1e-6 - 1.0).abs() < 0.1, "{variance}");
+    }
+
+    fn driven(slip: f64, tick: Tick, noise: &mut Noise) -> Vector2<f64> {
+        let mut rusty = Rusty::new(SE2::new(0.0, 0.0, 0.0), HOOK.wheels, 0.0, slip);
+        odometry_delta(&HOOK.wheels, rusty.drive(tick, noise))
+    }
+
+    #[test]
+    fn odometry_undoes_the_encoders() {
+        let u = driven(0.0, Tick { ds: 0.73, dtheta: -0.4 }, &mut Noise::new(1));
+        // Half a tick (38 µm) per wheel.
+        assert!((u[0] - 0.73).abs() < 4e-5 && (u[1] + 0.4).abs() < 2e-4);
+    }
+
+    #[test]
+    fn slip_has_the_covariance_claimed() {
+        let (mut noise, n) = (Noise::new(5), 20_000);
+        let mut sum = Matrix2::zeros();
+        for _ in 0..n {
+            let u = driven(0.05, Tick { ds: 0.0, dtheta: 0.0 }, &mut noise);
+            sum += u * u.transpose();
+        }
+        let claimed = slip_covariance(&HOOK.wheels, 0.05);
+        let found = sum / f64::from(n);
+        // Five standard errors of a sample variance, √(2/n) of itself each.
+        assert!((found[(0, 0)] / claimed[(0, 0)] - 1.0).abs() < 0.05);
+        assert!((found[(1, 1)] / claimed[(1, 1)] - 1.0).abs() < 0.05);
+        assert!(found[(0, 1)].abs() < 5.0 * (claimed[(0, 0)] * claimed[(1, 1)] / f64::from(n)).sqrt());
     }
 }

@@ -4,29 +4,25 @@
 //! numbers reproduce those results, so a match would prove nothing about a set: these are the chapter's own, chosen
 //! round and physically plausible, and what they give is what the chapter prints.
 
-use crate::apartment::Landmark;
 use crate::paths::{LOOP, Rectangle, SQUARE};
-use crate::rusty::Wheels;
 use crate::sensor::Sensor;
 use core::f64::consts::FRAC_PI_4;
+use estimate::slam::linear::Variances;
+use estimate::{Landmark, Wheels};
 
 /// Linear SLAM (§8.4.1): an omnidirectional robot that measures displacements to two landmarks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearSlam {
-    /// Variance of a step in each coordinate, m²: 0.1 m.
-    pub v: f64,
-    /// Variance of a measured displacement in each coordinate, m²: 0.2 m.
-    pub w: f64,
-    /// First variance of the robot's position, m²: it starts where the map's origin is, give or take 0.1 m.
-    pub p0_robot: f64,
-    /// First variance of each landmark coordinate, m²: 2 m, as good as unknown.
-    pub p0_landmark: f64,
+    /// A step is good to 0.1 m, a measured displacement to 0.2 m. The robot starts within 0.1 m of the map's origin, and
+    /// a landmark within 2 m of it, which is as good as unknown.
+    pub variances: Variances,
     /// Steps, each a prediction and then an update: enough for every limit to show.
     pub steps: u32,
 }
 
 /// The chapter's linear SLAM.
-pub const LINEAR_SLAM: LinearSlam = LinearSlam { v: 0.01, w: 0.04, p0_robot: 0.01, p0_landmark: 4.0, steps: 200 };
+pub const LINEAR_SLAM: LinearSlam =
+    LinearSlam { variances: Variances { v: 0.01, w: 0.04, p0_robot: 0.01, p0_landmark: 4.0 }, steps: 200 };
 
 /// The Observability Probe: localization on a square in room A.
 #[derive(Clone, Copy, Debug, PartialEq)]

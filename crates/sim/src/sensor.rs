@@ -1,7 +1,7 @@
 //! Range and bearing to a landmark.
 
-use crate::apartment::Landmark;
 use crate::noise::Noise;
+use estimate::Landmark;
 use geom::{SE2, wrap};
 
 /// One landmark seen: Choset's reading, the bearing **from the landmark** to the robot against the robot's heading,

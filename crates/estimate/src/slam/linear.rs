@@ -3,7 +3,19 @@
 
 use filters::kalman::Gaussian;
 use nalgebra::{SMatrix, SVector};
-use sim::scenarios::LinearSlam as Constants;
+
+/// What a [`LinearSlam`] is not certain of: variances in each coordinate, m².
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Variances {
+    /// Of a step of the robot.
+    pub v: f64,
+    /// Of a measured displacement.
+    pub w: f64,
+    /// Of the robot's first position.
+    pub p0_robot: f64,
+    /// Of a landmark's first position.
+    pub p0_landmark: f64,
+}
 
 /// F = I, H and the covariances, for N = 2 + 2ℓ states and M = 2ℓ outputs.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -21,8 +33,8 @@ pub struct LinearSlam<const N: usize, const M: usize> {
 }
 
 impl<const N: usize, const M: usize> LinearSlam<N, M> {
-    /// The system with the given constants.
-    pub fn new(c: &Constants) -> Self {
+    /// The system with the given variances.
+    pub fn new(c: &Variances) -> Self {
         const { assert!(N == M + 2 && M.is_multiple_of(2), "two coordinates of the robot and two of each landmark") };
         let h = SMatrix::from_fn(|i, j| if j == i + 2 { 1.0 } else { -f64::from(u8::from(j == i % 2)) });
         let diagonal = |robot: f64, landmark: f64| {
@@ -43,11 +55,12 @@ mod tests {
     use super::*;
     use crate::observability::analyze;
     use filters::kalman::Kf;
-    use sim::scenarios::LINEAR_SLAM;
+
+    const CONSTANTS: Variances = Variances { v: 0.01, w: 0.04, p0_robot: 0.01, p0_landmark: 4.0 };
 
     #[test]
     fn its_rank_is_two_short_and_the_missing_directions_shift_the_world() {
-        let slam = LinearSlam::<6, 4>::new(&LINEAR_SLAM);
+        let slam = LinearSlam::<6, 4>::new(&CONSTANTS);
         let q = crate::observability::observability_matrix(&slam.f, &slam.h);
         let seen = analyze(&q, 1e-9).expect("found");
         assert_eq!((seen.rank, seen.n), (4, 6));
@@ -56,7 +69,7 @@ mod tests {
                 assert!((c[i] - c[i % 2]).abs() < 1e-12, "robot and landmarks move together");
             }
         }
-        let three = LinearSlam::<8, 6>::new(&LINEAR_SLAM);
+        let three = LinearSlam::<8, 6>::new(&CONSTANTS);
         let q = crate::observability::observability_matrix(&three.f, &three.h);
         assert_eq!(analyze(&q, 1e-9).expect("found").rank, 6);
     }
@@ -71,17 +84,17 @@ mod tests {
 
     #[test]
     fn a_displacement_is_landmark_minus_robot() {
-        let slam = LinearSlam::<6, 4>::new(&LINEAR_SLAM);
+        let slam = LinearSlam::<6, 4>::new(&CONSTANTS);
         let x = SVector::<f64, 6>::from([1.0, 2.0, 4.0, 8.0, -1.0, 0.0]);
         assert_eq!((slam.h * x).as_slice(), [3.0, 6.0, -2.0, -2.0]);
     }
 
     #[test]
     fn relative_falls_absolute_stalls_and_the_shape_is_learnt() {
-        let slam = LinearSlam::<6, 4>::new(&LINEAR_SLAM);
+        let slam = LinearSlam::<6, 4>::new(&CONSTANTS);
         let mut kf = Kf::from(slam.belief);
         let mut relative = Vec::new();
-        for _ in 0..LINEAR_SLAM.steps {
+        for _ in 0..200 {
             kf.predict::<1>(&slam.f, &slam.v, None).expect("finite");
             kf.update(&SVector::zeros(), &slam.h, &slam.w).expect("positive definite");
             relative.push(relative_trace(&kf.belief().p, 2, 0));

@@ -1,12 +1,12 @@
 //! One sighting of one landmark of the map: what is expected of it, and where it would put a new one.
 
 use crate::error::{Code, Error};
+use crate::landmark::Landmark;
 use crate::landmarks::{NEAREST, RangeBearing};
 use filters::nonlinear::MeasurementModel;
 use geom::{SE2, angle_diff};
 use nalgebra::{Matrix2, Matrix2x3, SMatrix, SVector, Vector2};
 use numerics::PackedSymmetric;
-use sim::Landmark;
 
 /// A range and a bearing (Choset's, from the landmark), of a landmark that is named or not.
 #[derive(Clone, Copy, Debug, PartialEq)]

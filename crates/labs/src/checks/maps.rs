@@ -26,7 +26,7 @@ pub(crate) struct LinearRun {
 
 /// Linear SLAM by the plain `Kf`, for so many steps. The covariance does not depend on readings: zeros will do.
 pub(crate) fn linear_slam(givens: &Givens, steps: u32) -> Result<LinearRun, Error> {
-    let slam = LinearSlam::<6, 4>::new(&givens.linear_slam);
+    let slam = LinearSlam::<6, 4>::new(&givens.linear_slam.variances);
     let rank = analyze(&observability_matrix(&slam.f, &slam.h), TOLERANCE)?.rank;
     let mut kf = Kf::from(slam.belief);
     let (mut relative, mut shape) = (Vec::new(), Vec::new());

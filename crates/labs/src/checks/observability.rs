@@ -4,10 +4,9 @@ use super::Check;
 use crate::givens::Givens;
 use crate::observability_probe::{Moment, Ranks, frozen_ranks, stacked_ranks};
 use crate::true_path::{Sight, after};
-use estimate::Error;
+use estimate::{Error, Landmark};
 use geom::SE2;
 use nalgebra::Vector2;
-use sim::Landmark;
 use sim::paths::Tick;
 
 /// The relative tolerance of the checks' ranks: far above rounding, far below every singular value that is not zero.

@@ -5,14 +5,14 @@ use crate::shapes::innovation;
 use crate::true_path::{Sight, sensor_covariance, squares};
 use estimate::kf::Gaussian;
 use estimate::landmarks::{RangeBearing, RangeOnly, candidate};
-use estimate::{ChosetEkf, Error, Sighting};
+use estimate::{ChosetEkf, Error, Landmark, Sighting};
 use filters::association::Rule;
 use filters::nonlinear::MeasurementModel;
 use geom::SE2;
 use nalgebra::{DMatrix, Matrix1, Matrix3, SMatrix, SVector, Vector2, Vector3};
+use sim::Noise;
 use sim::paths::Tick;
 use sim::scenarios::PROBE;
-use sim::{Landmark, Noise};
 use std::sync::Arc;
 
 /// A localizer and the landmarks it knows.

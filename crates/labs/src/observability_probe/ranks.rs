@@ -4,12 +4,11 @@ use crate::true_path::Sight;
 use estimate::landmarks::{RangeBearing, RangeOnly};
 use estimate::observability::Observability;
 use estimate::path_observability::{PathStack, frozen};
-use estimate::{Error, Unicycle};
+use estimate::{Error, Landmark, Unicycle};
 use filters::nonlinear::{MeasurementModel, MotionModel};
 use geom::SE2;
 use nalgebra::{DMatrix, DVector, Vector2};
 use serde::Serialize;
-use sim::Landmark;
 use std::sync::Arc;
 
 /// One moment of a drive: where, what was in the map then, and the input that led on.
