@@ -6,7 +6,8 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 cd "$root"
 
 tools=${XDG_CACHE_HOME:-$HOME/.cache}/robot-motion/tools
-cargo_target=${CARGO_TARGET_DIR:-$root/target}
+locks=$root/target/locks
+logs=$root/target/logs
 wasm_pack_version=0.15.1
 cargo_mutants_version=27.1.0
 
@@ -22,6 +23,60 @@ fail() {
 }
 
 have() { command -v "$1" >/dev/null 2>&1; }
+
+# ── One at a time, and several at once ──
+
+# alone FILE WHAT COMMAND…: runs COMMAND while no other script runs one under FILE, and says when it has to wait for WHAT.
+# The system lets go of the lock when the command ends, however it ends.
+alone() {
+  local file=$1 what=$2
+  shift 2
+  mkdir -p "$(dirname "$file")"
+  (
+    if ! lock_descriptor now; then
+      say "Waiting for $what to end"
+      lock_descriptor
+    fi
+    "$@"
+  ) 9>"$file"
+}
+
+# Locks descriptor 9: at once or not at all with `now`, else as soon as it is free. A Mac has no flock but has perl.
+lock_descriptor() {
+  if have flock; then
+    flock ${1:+--nonblock} 9
+  else
+    perl -MFcntl=:flock -e 'open(my $file, ">&=", 9) && flock($file, LOCK_EX | (@ARGV ? LOCK_NB : 0)) or exit 1' "$@"
+  fi
+}
+
+# beside NAME COMMAND…: starts COMMAND beside what follows, in a process group of its own so that Ctrl-C ends it too.
+# await NAME: waits for it to end; where it failed, shows what it printed and stops.
+beside_groups=
+beside() {
+  local name=$1
+  shift
+  mkdir -p "$logs"
+  trap end_what_runs_beside EXIT
+  set -m
+  "$@" >"$logs/$name" 2>&1 </dev/null &
+  set +m
+  printf -v "beside_$name" '%s' "$!"
+  beside_groups+=" $!"
+}
+await() {
+  local process=beside_$1
+  wait "${!process}" || {
+    cat "$logs/$1" >&2
+    fail "'$1' failed; its messages are above."
+  }
+}
+end_what_runs_beside() {
+  local group
+  for group in $beside_groups; do kill -TERM -- "-$group" 2>/dev/null || true; done
+}
+
+# ── What has to be there ──
 
 # The version of a package in Cargo.lock.
 locked_version() {
@@ -55,61 +110,81 @@ need_wasm_target() {
 # need_tool PROGRAM CRATE VERSION [cargo install arguments]: PROGRAM of exactly VERSION on PATH: the one already there if
 # it matches, else one built once into the user's cache.
 need_tool() {
+  local program=$1 home=$tools/$2-$3
+  if have "$program" && "$program" --version 2>/dev/null | grep -qwF "$3"; then return; fi
+  [ -x "$home/bin/$program" ] || alone "$tools/lock" "another script's set-up of tools" install_tool "$@" || exit 1
+  PATH=$home/bin:$PATH
+}
+
+# The tools run for seconds, so they are compiled quickly and not to be quick: a third of the time that their own settings
+# take. What an interrupted set-up has compiled is used by the next one.
+install_tool() {
   local program=$1 crate=$2 version=$3 home=$tools/$2-$3
   shift 3
-  if have "$program" && "$program" --version 2>/dev/null | grep -qwF "$version"; then return; fi
-  if [ ! -x "$home/bin/$program" ]; then
-    say "Building $crate $version into $home (once, a few minutes)"
-    # A failed or interrupted build leaves nothing that looks like a finished one: the folder gets its name at the end.
-    local half=$home.part-$$
-    # No --locked: a lock file inside a crate can name a release that a registry mirror does not hold.
-    cargo install "$crate" --version "$version" --root "$half" --force "$@" >&2 || {
-      rm -rf "$half"
-      fail "$crate $version could not be built." \
-        "Read the messages above; or put $program $version on PATH by other means and run this again."
-    }
-    rm -rf "$home"
-    mv "$half" "$home"
-  fi
-  PATH=$home/bin:$PATH
+  if [ -x "$home/bin/$program" ]; then return; fi
+  say "Building $crate $version into $home (once, a minute or two)"
+  # A failed or interrupted build leaves nothing that looks like a finished one: the folder gets its name at the end.
+  rm -rf "$home".part*
+  # No --locked: a lock file inside a crate can name a release that a registry mirror does not hold.
+  CARGO_TARGET_DIR=$tools/build CARGO_PROFILE_RELEASE_OPT_LEVEL=1 CARGO_PROFILE_RELEASE_LTO=off \
+    CARGO_PROFILE_RELEASE_CODEGEN_UNITS=64 CARGO_PROFILE_RELEASE_DEBUG=0 \
+    cargo install "$crate" --version "$version" --root "$home.part" --force "$@" >&2 || {
+    rm -rf "$home.part"
+    fail "$crate $version could not be built." \
+      "Read the messages above; or put $program $version on PATH by other means and run this again."
+  }
+  rm -rf "$home"
+  mv "$home.part" "$home"
 }
 
 # need_packages FOLDER: the npm packages of FOLDER/package-lock.json, installed again only when that file has changed.
 need_packages() {
-  local folder=$1 stamp=$1/node_modules/.robot-motion-lock lock
   need_node
-  lock="$(node -p process.versions.modules) $(cksum <"$folder/package-lock.json")"
-  if [ ! -f "$stamp" ] || [ "$(cat "$stamp")" != "$lock" ]; then
-    say "Installing the npm packages of $folder/"
-    (cd "$folder" && npm ci --no-audit --no-fund --loglevel=error >&2) || fail "npm could not install the packages of $folder/." \
-      "Read npm's message above; the usual causes are no network or a registry that refuses."
-    printf '%s' "$lock" >"$stamp"
-  fi
+  packages_stand "$1" ||
+    alone "$locks/packages-${1//\//-}" "another script's set-up of the npm packages of $1/" install_packages "$1" || exit 1
+}
+packages_lock() { printf '%s' "$(node -p process.versions.modules) $(cksum <"$1/package-lock.json")"; }
+packages_stand() { [ "$(cat "$1/node_modules/.robot-motion-lock" 2>/dev/null)" = "$(packages_lock "$1")" ]; }
+install_packages() {
+  if packages_stand "$1"; then return; fi
+  say "Installing the npm packages of $1/"
+  (cd "$1" && npm ci --no-audit --no-fund --loglevel=error >&2) || fail "npm could not install the packages of $1/." \
+    "Read npm's message above; the usual causes are no network or a registry that refuses."
+  packages_lock "$1" >"$1/node_modules/.robot-motion-lock"
 }
 
-# The module names source files where it could trap: without the folder of this machine that they lie in, so that every
-# machine builds the same one. (They have to be there to be found; .cargo/config.toml adds the rest of the flags.)
-same_paths_everywhere() {
+# The module is the same whoever builds it, wherever.
+# - It names source files where it could trap: without the folder of this machine that they lie in. (They have to be there
+#   to be found; .cargo/config.toml adds the rest of the flags.)
+# - RUSTFLAGS would take the place of the flags of .cargo/config.toml, so the module is built without.
+same_module_everywhere() {
   local flags="" folder
-  cargo fetch --quiet
+  if [ -n "${RUSTFLAGS:-}${CARGO_ENCODED_RUSTFLAGS:-}" ]; then
+    say "RUSTFLAGS is set: native code is compiled with it, the wasm module without it (it has flags of its own)"
+  fi
+  cargo fetch --quiet --locked
   for folder in "${CARGO_HOME:-$HOME/.cargo}"/registry/src/*/; do
     case $folder in *[[:space:]]*) ;; *) flags+=" --remap-path-prefix=${folder%/}=crates" ;; esac
   done
   export CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUSTFLAGS=${flags# }
 }
+without_rustflags() { env -u RUSTFLAGS -u CARGO_ENCODED_RUSTFLAGS "$@"; }
 
-# Everything the module's build asks for: wasm-pack finds wasm-bindgen and wasm-opt on PATH and downloads nothing.
+# What the module's build asks for: Rust's target, wasm-bindgen of the version in Cargo.lock, and wasm-opt. The
+# wasm-bindgen is built without TLS, which only its tests in a remote browser would use.
 need_wasm_tools() {
   need_rust
   need_wasm_target
-  same_paths_everywhere
-  need_tool wasm-bindgen wasm-bindgen-cli "$(locked_version wasm-bindgen)"
-  need_tool wasm-pack wasm-pack "$wasm_pack_version"
+  need_tool wasm-bindgen wasm-bindgen-cli "$(locked_version wasm-bindgen)" --no-default-features \
+    --bin wasm-bindgen --bin wasm-bindgen-test-runner
   need_packages web
   PATH=$root/web/node_modules/.bin:$PATH
   have wasm-opt || fail "wasm-opt is missing although web/'s packages are installed." \
     "Remove web/node_modules and run this again."
 }
+
+# What the tests in wasm ask for besides: wasm-pack finds wasm-bindgen on PATH and downloads nothing.
+need_wasm_pack() { need_tool wasm-pack wasm-pack "$wasm_pack_version"; }
 
 # A Chromium for the browser tests, in CHROMIUM: the one named there, the system's, or Debian's where we may install it.
 need_chromium() {

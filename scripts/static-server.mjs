@@ -1,10 +1,9 @@
 // A small static server for dist/, on this machine only: the types a browser needs, gzip, and nothing outside the folder.
-// The browser tests use it too, from a sub-path. As a program: node scripts/static-server.mjs FOLDER [PORT]
+// The browser tests use it too, from a sub-path.
 import { createServer } from 'node:http'
 import { readFile, realpath, stat } from 'node:fs/promises'
 import { createHash } from 'node:crypto'
 import path from 'node:path'
-import { pathToFileURL } from 'node:url'
 import { gzipSync } from 'node:zlib'
 
 const TYPES = {
@@ -27,11 +26,17 @@ const TYPES = {
 const PACKED = new Set(['.html', '.css', '.js', '.mjs', '.json', '.webmanifest', '.svg', '.wasm', '.txt', '.xml'])
 
 /**
+ * @typedef {object} Live what answers addresses of its own and may add to pages
+ * @property {(request: import('node:http').IncomingMessage, response: import('node:http').ServerResponse, pathname: string) => boolean} answer
+ * @property {(page: Buffer) => Buffer} page
+ */
+
+/**
  * Serves `folder` under `base` on loopback.
- * @param {{ folder: string, base?: string, port?: number, host?: string }} options port 0: any free one
+ * @param {{ folder: string, base?: string, port?: number, host?: string, live?: Live }} options port 0: any free one
  * @returns {Promise<{ url: string, close: () => Promise<void> }>}
  */
-export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1' }) {
+export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1', live }) {
   const root = await realpath(folder)
   /** @type {Map<string, Buffer>} */
   const packed = new Map()
@@ -39,28 +44,34 @@ export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1' }
   const server = createServer(async (request, response) => {
     try {
       if (request.method !== 'GET' && request.method !== 'HEAD') return answer(response, 405, 'Only GET and HEAD.')
-      const url = new URL(request.url ?? '/', 'http://host')
+      const url = readAddress(request.url ?? '/')
+      if (!url) return answer(response, 400, 'That address cannot be read.')
       const wanted = decodeURIComponent(url.pathname)
+      if (live?.answer(request, response, wanted)) return
       if (wanted + '/' === base) return redirect(response, base)
       if (!wanted.startsWith(base) || wanted.includes('\0')) return answer(response, 404, 'Not found.')
       let file = path.join(root, wanted.slice(base.length))
       if ((await stat(file)).isDirectory()) {
-        if (!wanted.endsWith('/')) return redirect(response, url.pathname + '/' + url.search)
+        // One slash in front: a browser reads two as the name of another host.
+        if (!wanted.endsWith('/')) return redirect(response, url.pathname.replace(/^\/+/, '/') + '/' + url.search)
         file = path.join(file, 'index.html')
       }
       file = await realpath(file)
       if (file !== root && !file.startsWith(root + path.sep)) return answer(response, 404, 'Not found.')
-      const body = await readFile(file)
       const extension = path.extname(file)
+      const content = await readFile(file)
+      const body = live && extension === '.html' ? live.page(content) : content
       const tag = `"${createHash('sha256').update(body).digest('base64url').slice(0, 22)}"`
       response.setHeader('etag', tag)
+      // A figure in a sandboxed frame of another page has no origin of its own, and fetches as a stranger.
+      response.setHeader('access-control-allow-origin', '*')
       response.setHeader('vary', 'accept-encoding')
       // A name that carries its content's hash never changes its content.
       response.setHeader('cache-control', /[-.][0-9A-Za-z]{8,}\.\w+$/.test(file) ? 'public, max-age=31536000, immutable' : 'no-cache')
       if (request.headers['if-none-match'] === tag) return response.writeHead(304).end()
       response.setHeader('content-type', TYPES[extension] ?? 'application/octet-stream')
       let sent = body
-      if (PACKED.has(extension) && /\bgzip\b/.test(request.headers['accept-encoding'] ?? '')) {
+      if (PACKED.has(extension) && takesGzip(request.headers['accept-encoding'] ?? '')) {
         if (!packed.has(tag)) packed.set(tag, gzipSync(body, { level: 9 }))
         sent = /** @type {Buffer} */ (packed.get(tag))
         response.setHeader('content-encoding', 'gzip')
@@ -85,6 +96,25 @@ export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1' }
   }
 }
 
+/** A request's address: a path, or a whole address as a proxy writes it; null where it is neither. @param {string} target */
+function readAddress(target) {
+  try {
+    return new URL(target.startsWith('/') ? `http://host${target}` : target)
+  } catch {
+    return null
+  }
+}
+
+/** Whether an Accept-Encoding header takes gzip: a coding or `*` without `q=0`. @param {string} header */
+function takesGzip(header) {
+  const weights = new Map(header.toLowerCase().split(',').map((part) => {
+    const [coding, ...parameters] = part.split(';').map((word) => word.trim())
+    const weight = parameters.find((word) => word.startsWith('q='))
+    return [coding, weight ? Number(weight.slice(2)) : 1]
+  }))
+  return (weights.get('gzip') ?? weights.get('*') ?? 0) > 0
+}
+
 /** As static hosts do: at an address that leads nowhere, the folder's own page for that. */
 async function lost(root, response) {
   const page = await readFile(path.join(root, '404.html')).catch(() => null)
@@ -99,25 +129,4 @@ function answer(response, status, text) {
 
 function redirect(response, location) {
   response.writeHead(308, { location }).end()
-}
-
-if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
-  const [folder = 'dist', port] = process.argv.slice(2)
-  const first = port === undefined ? 8015 : Number(port)
-  if (!Number.isInteger(first) || first < 0 || first > 65535) {
-    console.error(`✗ '${port}' is no port: a whole number from 0 to 65535 is.`)
-    process.exit(1)
-  }
-  // Without a wish, the next free port will do.
-  for (let at = first; ; at++) {
-    try {
-      const { url } = await serve({ folder, port: at })
-      console.log(`\n  The chapter is at ${url}kalman/   (the cover: ${url})\n  Ctrl-C stops.\n`)
-      break
-    } catch (error) {
-      if (error?.code === 'EADDRINUSE' && port === undefined && at < first + 50) continue
-      console.error(`✗ Cannot serve ${folder} on port ${at}: ${error?.message ?? error}`)
-      process.exit(1)
-    }
-  }
 }

@@ -1,11 +1,17 @@
-// The static server of ./scripts/serve: right types, its own folder only, and from a sub-path.
+// The static server of ./scripts/serve: right types, its own folder only, from a sub-path, and whole under odd requests.
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { mkdtempSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'
 import { request } from 'node:http'
+import { connect } from 'node:net'
+import { spawnSync } from 'node:child_process'
+import { once } from 'node:events'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
+import { fileURLToPath } from 'node:url'
 import { serve } from '../../scripts/static-server.mjs'
+
+const root = fileURLToPath(new URL('../..', import.meta.url))
 
 let home, site
 before(async () => {
@@ -63,4 +69,62 @@ test('compressed where the reader takes it, cached where the name carries a hash
   const page = await get('/sub/path/')
   assert.equal(page.headers['cache-control'], 'no-cache')
   assert.equal((await get('/sub/path/', { 'if-none-match': page.headers.etag })).status, 304)
+})
+
+/** The first line of the answer to a request line that no client library would send. */
+async function raw(line) {
+  const { hostname, port } = new URL(site.url)
+  const socket = connect(Number(port), hostname)
+  socket.write(`${line}\r\nHost: ${hostname}\r\nConnection: close\r\n\r\n`)
+  let text = ''
+  socket.on('data', (part) => { text += part })
+  await once(socket, 'close')
+  return text.split('\r\n')[0]
+}
+
+test('an address that cannot be read is a bad request', async () => {
+  assert.match(await raw('GET http://[ HTTP/1.1'), / 400 /)
+  assert.match(await raw('GET http://a:b/ HTTP/1.1'), / 400 /)
+  // A proxy's form of the same page.
+  assert.match(await raw('GET http://127.0.0.1/sub/path/ HTTP/1.1'), / 200 /)
+})
+
+test('a redirect never leads to another host', async () => {
+  const other = await serve({ folder: path.join(home, 'site') })
+  const { hostname, port } = new URL(other.url)
+  try {
+    for (const at of ['/.//kalman', '//kalman', '/..//kalman', '/x/..//kalman']) {
+      const response = await new Promise((resolve, reject) => request({ hostname, port, path: at }, resolve).on('error', reject).end())
+      response.resume()
+      const { location } = response.headers
+      assert.ok(location === undefined || new URL(location, other.url).host === `${hostname}:${port}`, `${at} leads to ${location}`)
+    }
+  } finally {
+    await other.close()
+  }
+})
+
+test('gzip is sent to whom it was not refused', async () => {
+  const coding = async (accepted) => (await get('/sub/path/', { 'accept-encoding': accepted })).headers['content-encoding']
+  assert.equal(await coding('gzip;q=0'), undefined)
+  assert.equal(await coding('br, gzip; q=0.0'), undefined)
+  assert.equal(await coding('x-gzip-like'), undefined)
+  assert.equal(await coding('gzip;q=0.5, br'), 'gzip')
+  assert.equal(await coding('*'), 'gzip')
+  assert.equal(await coding('*, gzip;q=0'), undefined)
+})
+
+test('any page may fetch what a figure on it needs', async () => {
+  for (const at of ['/sub/path/', '/sub/path/module.wasm', '/sub/path/page-A1B2C3D4.js']) {
+    assert.equal((await get(at)).headers['access-control-allow-origin'], '*', at)
+  }
+})
+
+test('a port that is none is refused before anything is built', () => {
+  for (const port of ['abc', '-1', '65536', '80.5', '', '1e3']) {
+    const { status, stderr } = spawnSync('bash', ['scripts/serve', `--port=${port}`], { cwd: root, encoding: 'utf8', timeout: 20_000 })
+    assert.equal(status, 1, port)
+    assert.match(stderr, /whole number from 0 to 65535/, port)
+    assert.doesNotMatch(stderr, /1\/4|The module/, port)
+  }
 })
