@@ -76,11 +76,12 @@ export function watch(page, home) {
   return complaints
 }
 
-/** A figure's custom element, scrolled to and alive (its module loaded, its controls there). */
+/** A figure's custom element, scrolled to, alive (its module loaded, its controls there) and in the state of its link. */
 export async function figure(page, tag) {
   const element = page.locator(tag).first()
   await element.scrollIntoViewIfNeeded()
   await page.locator(`${tag}[data-state="live"]`).first().waitFor({ timeout: 20_000 })
+  await page.waitForFunction((name) => document.querySelector(name).settled, tag)
   return element
 }
 

@@ -65,10 +65,10 @@ async function shuffle(page, element, dice) {
   await settled(element)
 }
 
-/** Nothing wanted is left to do, and what was done is on the screen. */
+/** Waits until nothing is left to compute, and what was computed is on the screen. */
 async function settled(element) {
   await element.evaluate(async (it) => {
-    do await new Promise((resolve) => requestAnimationFrame(resolve)); while (it.figure.asked || it.figure.wanted.patch || it.figure.wanted.steps)
+    do await new Promise((resolve) => requestAnimationFrame(resolve)); while (it.figure.asked || !it.settled)
   })
 }
 

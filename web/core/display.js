@@ -1,15 +1,15 @@
 /**
- * What of a frame is on the screen. The first panel, which the hand moves, is drawn at every turn that changes it; controls,
- * readouts, labels and the other panels where there is time, on a slow machine one after another.
+ * Draws frames. The first panel, whose handles the reader drags, is drawn in every turn that changes it. Controls, readouts,
+ * labels and the other panels follow in the same turn if there is time; on a slow machine they follow one after another.
  */
 
 import { STEP_MS, ease } from './motion.js'
 
-/** A turn that has worked so long, milliseconds, leaves the panels it has not drawn to the next … */
+/** Once a turn has taken this long, milliseconds, the other panels wait for the next turn … */
 const PATIENCE = 4
-/** … unless nothing but the first has been drawn for so long: then one of them is. Words and numbers wait likewise. */
+/** … but for this long at most, milliseconds; then one of them is drawn all the same. Readouts wait likewise. */
 const LAG = 200
-/** Nobody hears a label change at every frame: while it plays they follow twice a second. */
+/** While a run plays the labels, which only screen readers read, are written this seldom, milliseconds. */
 const LABELS_MS = 500
 
 export class Display {
@@ -24,25 +24,28 @@ export class Display {
     this.handle = handle
     /** @type {any} */
     this.frame = null
+    /** The frame with the parameters that the reader has asked for, which controls and handles show. @type {any} */
+    this.wanted = null
     /** @type {any} */
     this.previous = null
     this.beatStart = -Infinity
     this.memory = {}
-    /** Whether the first panel has not come to rest: its camera, or a beat. */
+    /** Whether the first panel is still moving, by its camera or by the animation of a step. */
     this.moving = false
     /** What each panel shows. @type {Map<string, { frame: any, width: number }>} */
     this.drawn = new Map()
-    /** The panel, of those behind the first, whose turn it is to be drawn. */
+    /** Which of the other panels is drawn next. */
     this.next = 0
-    /** When one of them was last drawn. */
+    /** When one of the other panels was last drawn. */
     this.caughtUp = -Infinity
-    /** What controls, readouts and labels say already: a camera or a beat may move without a new frame. */
-    this.shown = { frame: /** @type {any} */ (null), at: -Infinity, described: /** @type {any} */ (null), describedAt: -Infinity, rate: 1, playing: false }
+    /** What controls, readouts and labels show already: a turn may move the camera without a new frame. */
+    this.shown = { frame: /** @type {any} */ (null), wanted: /** @type {any} */ (null), at: -Infinity, described: /** @type {any} */ (null), describedAt: -Infinity, rate: 1, playing: false }
   }
 
-  /** @param {any} frame to be shown @param {any} previous the one a step led from @param {number} beatStart */
+  /** @param {any} frame to be shown @param {any} previous the one a step led from @param {number} beatStart when its animation starts */
   take(frame, previous, beatStart) {
     this.frame = frame
+    this.wanted = frame
     this.previous = previous
     this.beatStart = beatStart
   }
@@ -59,9 +62,9 @@ export class Display {
   }
 
   /**
-   * The first panel.
+   * Draws the first panel.
    * @param {number} now
-   * @param {number} glide how long its camera has had to move
+   * @param {number} glide how long its camera has had to move, milliseconds
    * @returns {boolean} whether it is still moving
    */
   paint(now, glide) {
@@ -69,13 +72,13 @@ export class Display {
     const [first] = this.spec.panels
     const view = { previous: this.previous, beat, elapsed: glide, memory: this.memory, handle: this.handle }
     if (this.moving || beat.name !== 'rest' || !this.shows(first.name)) {
-      this.moving = first.draw(this.shell.panels[first.name], this.frame, view) === true || beat.name !== 'rest'
+      this.moving = first.draw(this.shell.panels[first.name], this.wanted, view) === true || beat.name !== 'rest'
       this.showed(first.name)
     }
     return this.moving
   }
 
-  /** Which half of a step is on the screen, and how far along. @param {number} now @returns {import('./spec.js').Beat} */
+  /** Which half of a step's animation is on the screen, and how far it has come. @param {number} now @returns {import('./spec.js').Beat} */
   beat(now) {
     const t = (now - this.beatStart) / (STEP_MS / 2)
     if (t < 1) return { name: 'predict', t: ease(Math.max(0, t)) }
@@ -83,19 +86,19 @@ export class Display {
   }
 
   /**
-   * Controls, readouts and labels.
+   * Writes controls, readouts and labels.
    * @param {number} now
-   * @param {number} began when this turn did
+   * @param {number} began when this turn began
    * @param {{ rate: number, playing: boolean }} how
-   * @returns {boolean} whether they are behind, on a slow machine
+   * @returns {boolean} whether they wait for the next turn, on a slow machine
    */
   label(now, began, { rate, playing }) {
-    const { shell, spec, frame, shown } = this
-    const asked = shown.rate !== rate || shown.playing !== playing
+    const { shell, spec, frame, wanted, shown } = this
+    const asked = shown.rate !== rate || shown.playing !== playing || (shown.frame === frame && shown.wanted !== wanted)
     if (!asked && performance.now() - began > PATIENCE && began - shown.at < LAG) return shown.frame !== frame
     if (asked || shown.frame !== frame) {
-      this.shown = { ...shown, frame, at: began, rate, playing }
-      shell.show(frame, this.shown)
+      this.shown = { ...shown, frame, wanted, at: began, rate, playing }
+      shell.show(frame, this.shown, wanted.params)
     }
     if (shown.described !== frame && this.beat(now).name === 'rest' && (!playing || now - shown.describedAt > LABELS_MS)) {
       this.shown.described = frame
@@ -106,9 +109,9 @@ export class Display {
   }
 
   /**
-   * Draws what shows another frame than the present one, or another size. On a slow machine not all at once: what the hand
-   * moves follows it, and the plots come after.
-   * @param {number} began when this turn did
+   * Draws the other panels where they show an older frame or another size. On a slow machine it draws some of them and leaves
+   * the rest to later turns, so that the first panel follows the hand.
+   * @param {number} began when this turn began
    * @returns {boolean} whether a panel is left
    */
   drawOthers(began) {
@@ -132,11 +135,16 @@ export class Display {
   /** Whether a panel shows the present frame at its present size. @param {string} name */
   shows(name) {
     const last = this.drawn.get(name)
-    return last?.frame === this.frame && last?.width === this.shell.panels[name].width
+    return last?.frame === this.due(name) && last?.width === this.shell.panels[name].width
   }
 
   /** @param {string} name */
   showed(name) {
-    this.drawn.set(name, { frame: this.frame, width: this.shell.panels[name].width })
+    this.drawn.set(name, { frame: this.due(name), width: this.shell.panels[name].width })
+  }
+
+  /** What a panel has to show: the first one has the handles, which follow the reader at once. @param {string} name */
+  due(name) {
+    return name === this.spec.panels[0].name ? this.wanted : this.frame
   }
 }

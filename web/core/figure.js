@@ -1,26 +1,30 @@
 /**
- * A figure's life: still → loading → live, or failed with a way to try again.
+ * The life of a figure: still → loading → live, or failed with a way to try again.
  *
- * It starts when it comes near the screen and rests when it leaves or the tab hides. Input only writes what is wanted;
- * one turn of the animation frame does the work: parameters to the lab, steps that are due, one frame, one drawing.
+ * It starts when it comes near the screen, and rests while it is far from it or the tab is hidden. Input only notes what the
+ * reader asks for. The work is done in one turn for each animation frame: the lab computes, one frame is taken from it, and
+ * the panels are drawn.
  */
 
 import { Display } from './display.js'
 import { asCsv, asSvg, save } from './download.js'
+import { focusFirst } from './element.js'
 import { hideFailure, showFailure } from './failure.js'
 import { liveHandles } from './handle.js'
-import { openLab, withState } from './link.js'
+import { LAST_STEP, openLab, withState } from './link.js'
 import { loadModule } from './module.js'
 import { STEP_MS } from './motion.js'
+import { Progress } from './progress.js'
+import { Run } from './run.js'
 import { buildShell } from './shell.js'
 import { Voice } from './voice.js'
 
 /** @typedef {import('./spec.js').FigureSpec} FigureSpec */
 
 const NEAR = '300px 0px'
-const MOST_STEPS = 64
-/** Where motion is not wanted a run goes on in lumps, and this long, milliseconds, each picture stays. */
-const STILL_MS = 500
+/** A key press waits this long at most, milliseconds, for the press before it to take effect. */
+const SETTLE_MS = 6
+const MANGLED = 'The link to this figure could not be read; it shows its usual state.'
 
 /**
  * Defines the custom element of a specification.
@@ -33,7 +37,7 @@ export function defineFigure(spec) {
     figure = null
 
     connectedCallback() {
-      // Its script is here now, though it was another of its kind that asked again.
+      // The notice may be about a script that a figure of the same kind has fetched meanwhile.
       if (!this.figure) hideFailure(this)
       this.figure ??= new Figure(this, spec)
       this.figure.watch()
@@ -43,19 +47,20 @@ export function defineFigure(spec) {
       this.figure?.rest()
     }
 
-    /** The frame on the screen, for tests and for the curious. */
+    /** The frame on the screen. Tests read it. */
     get frame() {
-      return this.figure?.frame ?? null
+      return this.figure?.run?.frame ?? null
     }
 
-    /** Whether every panel shows that frame, or will not wait for the rest to. */
+    /** Whether nothing is left to compute and every panel shows the frame. While a run plays the answer is true. */
     get settled() {
-      return !this.figure?.behind || this.figure.playing
+      const { run, behind } = this.figure ?? {}
+      return Boolean(run?.playing || (run && !run.busy && !behind))
     }
 
     /** Parameters and step, as a link carries them. */
     get state() {
-      return this.figure?.lab?.state() ?? null
+      return this.figure?.run?.state() ?? null
     }
   })
 }
@@ -66,33 +71,33 @@ class Figure {
     this.host = host
     this.spec = spec
     this.id = host.dataset.figure || spec.tag
-    /** @type {any} */
-    this.lab = null
-    /** @type {any} */
-    this.frame = null
+    /** @type {Run | null} */
+    this.run = null
     /** @type {import('./shell.js').Shell | null} */
     this.shell = null
     /** @type {Display | null} */
     this.display = null
-    this.playing = false
-    this.rate = 1
+    /** @type {Progress | null} */
+    this.progress = null
     this.near = false
-    /** What the reader wants and the next turn does. @type {{ patch: Record<string, unknown> | null, steps: number, reset: boolean, draw: boolean }} */
-    this.wanted = { patch: null, steps: 0, reset: false, draw: false }
-    this.due = 0
-    /** When steps were last taken in play. */
-    this.stepped = -Infinity
+    /** When the last turn was; NaN when the figure has come to rest since. */
     this.turned = NaN
     /** Whether something on the screen is older than the frame. */
     this.behind = false
     this.calm = matchMedia('(prefers-reduced-motion: reduce)')
+    /** The animation frame that was asked for, 0 if none. */
     this.asked = 0
     /** @type {IntersectionObserver | undefined} */
     this.eye = undefined
     /** @type {ResizeObserver | undefined} */
     this.resized = undefined
     this.handle = liveHandles((patch) => this.change(patch), () => this.settle())
-    this.voice = new Voice(host, spec, () => this)
+    this.voice = new Voice(host, spec, () => ({ frame: this.run?.frame, playing: this.run?.playing ?? false }))
+  }
+
+  /** The lab behind the picture. Tests ask it for digests. */
+  get lab() {
+    return this.run?.lab
   }
 
   watch() {
@@ -126,33 +131,40 @@ class Figure {
     const loaded = await loadModule()
     if (!loaded.ok) return this.fail(loaded.why)
     try {
-      const { lab, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
-      this.lab = lab
-      this.live()
-      if (mangled) this.voice.tell('The link to this figure could not be read; it shows its usual state.', true)
+      const { lab, linked, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
+      this.run = new Run(lab, this.spec.pace ?? 2)
+      if (linked) this.run.open(linked.lab, linked.step, MANGLED)
+      this.live(this.run)
+      if (mangled) this.voice.tell(MANGLED, true)
     } catch (error) {
       this.fail(error instanceof Error ? error.message : 'its lab could not be started')
     }
   }
 
-  live() {
+  /** @param {Run} run */
+  live(run) {
     const into = document.createElement('div')
     into.className = 'live'
     this.shell = buildShell(document, this.spec, into, {
-      play: () => this.play(!this.playing),
-      step: () => this.steps(),
-      reset: () => this.reset(),
-      speed: (rate) => {
-        this.rate = rate
-        this.want('draw', true)
-      },
-      change: (patch, make) => this.change(make ? make(this.frame, this.lab) : patch),
+      play: () => this.order(() => {
+        run.play(!run.playing)
+        if (!run.playing) this.voice.soon()
+      }),
+      step: () => this.order(() => run.advance(this.spec.stride ?? 1)),
+      reset: () => this.order(() => run.reset()),
+      speed: (rate) => this.order(() => { run.rate = rate }),
+      change: (patch, make) => this.change(make ? make(run.wanted, run.lab) : patch),
       link: () => this.copyLink(),
       download: (kind) => this.download(kind),
     })
+    this.progress = new Progress(into, () => {
+      run.cancel()
+      this.ask()
+      focusFirst(this.host)
+    })
     this.display = new Display(this.spec, this.shell, this.handle)
-    this.take(this.lab.frame())
-    this.voice.begin(this.shell.note, this.frame)
+    this.display.take(run.frame, null, -Infinity)
+    this.voice.begin(this.shell.note, run.frame)
     this.host.append(into, this.voice.status)
     this.host.dataset.state = 'live'
     this.resized = new ResizeObserver(() => this.measure())
@@ -168,50 +180,26 @@ class Figure {
 
   measure() {
     this.display?.measure()
-    this.want('draw', true)
+    this.ask()
   }
 
-  // What the reader wants.
+  // What the reader asks for.
+
+  /** @param {() => void} act */
+  order(act) {
+    this.voice.hush()
+    act()
+    this.ask()
+  }
 
   /** @param {Record<string, unknown>} patch */
   change(patch) {
-    this.voice.hush()
-    this.want('patch', { ...this.wanted.patch, ...patch })
+    this.order(() => this.run?.change(patch))
   }
 
+  /** Brings what was asked for into the first panel, so that the next press of a key starts from there. */
   settle() {
-    if (this.wanted.patch) this.turn(performance.now())
-  }
-
-  /** @param {boolean} on */
-  play(on) {
-    this.voice.hush()
-    this.playing = on
-    this.due = on ? 1 : 0
-    if (!on) this.voice.soon()
-    this.want('draw', true)
-  }
-
-  steps() {
-    this.voice.hush()
-    this.playing = false
-    this.want('steps', this.wanted.steps + (this.spec.stride ?? 1))
-  }
-
-  reset() {
-    this.voice.hush()
-    this.playing = false
-    this.want('reset', true)
-  }
-
-  /**
-   * @template {keyof Figure['wanted']} K
-   * @param {K} key
-   * @param {Figure['wanted'][K]} value
-   */
-  want(key, value) {
-    this.wanted[key] = value
-    this.ask()
+    if (this.run?.patch) this.turn(performance.now(), SETTLE_MS)
   }
 
   ask() {
@@ -224,63 +212,40 @@ class Figure {
 
   // What a turn does.
 
-  /** @param {number} now */
-  turn(now) {
+  /** @param {number} now @param {number} [budget] how long the lab may work, milliseconds */
+  turn(now, budget) {
+    const { display, progress, run } = this
+    if (!display || !progress || !run) return
     const began = performance.now()
     const elapsed = Number.isNaN(this.turned) ? Infinity : Math.max(0, now - this.turned)
     this.turned = now
-    const { patch, reset } = this.wanted
-    const steps = this.wanted.steps + this.dueSteps(elapsed, now)
-    this.wanted = { patch: null, steps: 0, reset: false, draw: false }
-    try {
-      if (patch) this.lab.set(patch)
-      if (reset) this.restart()
-      if (steps > 0) this.lab.run(steps)
-      if (patch || reset || steps > 0) this.take(this.lab.frame(), steps > 0 && !patch && !reset, now)
-    } catch (error) {
-      this.playing = false
-      this.voice.tell(error instanceof Error ? error.message : 'The lab refused.')
-    }
-    const { display } = this
-    if (!display) return
+    const outcome = run.turn(now, elapsed, this.calm.matches, budget)
+    if (outcome.moved !== 'nothing') this.take(outcome.moved, now)
+    if (outcome.refused !== null) this.voice.tell(outcome.refused, outcome.refused === MANGLED)
+    if (outcome.ended) this.voice.tell(`The run ends here, at step ${LAST_STEP.toLocaleString('en')}. Reset starts it again.`)
+    display.wanted = run.wanted
+    if (progress.show(run.progress, now)) this.voice.status.textContent = progress.words.textContent
     const moving = display.paint(now, this.glide(elapsed))
     // Both, whatever the first answers.
-    const [unlabelled, undrawn] = [display.label(now, began, this), display.drawOthers(began)]
+    const [unlabelled, undrawn] = [display.label(now, began, run), display.drawOthers(began)]
     this.behind = unlabelled || undrawn
-    if (moving || this.behind || this.playing) this.ask()
+    if (moving || this.behind || run.busy || run.playing) this.ask()
     else this.turned = NaN
   }
 
-  /** @param {number} elapsed @param {number} now */
-  dueSteps(elapsed, now) {
-    if (!this.playing) return 0
-    this.due += Number.isFinite(elapsed) ? (Math.min(elapsed, 250) / 1000) * this.rate * (this.spec.pace ?? 2) : 0
-    const calm = this.calm.matches
-    if (calm && now - this.stepped < STILL_MS) return 0
-    const whole = Math.min(Math.floor(this.due), calm ? 8 * MOST_STEPS : MOST_STEPS)
-    this.due -= whole
-    if (whole > 0) this.stepped = now
-    return whole
-  }
-
-  restart() {
-    const { step: _, ...state } = this.lab.state()
-    const fresh = this.lab.constructor.from({ ...state, step: 0 })
-    this.lab.free()
-    this.lab = fresh
-    if (this.display) this.display.memory = {}
-  }
-
-  /** @param {any} frame @param {boolean} [stepped] @param {number} [now] */
-  take(frame, stepped = false, now = 0) {
-    const slow = !this.playing || this.rate * (this.spec.pace ?? 2) <= 1000 / STEP_MS
-    const inBeats = stepped && slow && this.spec.beats && !this.calm.matches
-    this.display?.take(frame, stepped ? this.frame : null, inBeats ? now : -Infinity)
-    this.frame = frame
+  /** @param {'steps' | 'replay' | 'reset'} moved @param {number} now */
+  take(moved, now) {
+    const { display, run, spec } = this
+    if (!display || !run) return
+    if (moved === 'reset') display.memory = {}
+    const stepped = moved === 'steps'
+    const slow = !run.playing || run.rate * run.pace <= 1000 / STEP_MS
+    const inBeats = stepped && slow && spec.beats && !this.calm.matches
+    display.take(run.frame, stepped ? display.frame : null, inBeats ? now : -Infinity)
     this.voice.soon()
   }
 
-  /** How long a camera has had to move: for ever before the first picture, where it is at once. @param {number} elapsed */
+  /** How long a camera has had to move: before the first picture any time, so that it is in place at once. @param {number} elapsed */
   glide(elapsed) {
     if (this.calm.matches) return Infinity
     if (Number.isFinite(elapsed)) return elapsed
@@ -290,13 +255,15 @@ class Figure {
   // What it gives.
 
   async copyLink() {
-    // What the address says of other figures is as old as the address.
+    const { run } = this
+    if (!run) return
+    // The address may hold older states of other figures: the link gets their present ones.
     let link = location.href
     for (const other of /** @type {NodeListOf<HTMLElement & { state: any }>} */ (document.querySelectorAll('.widget[data-state="live"]'))) {
       const id = other.dataset.figure ?? ''
       if (new URL(link).searchParams.has(id)) link = withState(link, id, other.state)
     }
-    link = withState(link, this.id, this.lab.state())
+    link = withState(link, this.id, run.state())
     try {
       await navigator.clipboard.writeText(link)
       this.voice.tell('Link copied.')
@@ -308,8 +275,9 @@ class Figure {
 
   /** @param {'svg' | 'csv'} kind */
   download(kind) {
-    if (!this.shell) return
-    if (kind === 'csv') save(`${this.id}.csv`, 'text/csv', asCsv(this.spec.series(this.frame)))
-    else save(`${this.id}.svg`, 'image/svg+xml', asSvg(this.shell.into, Object.values(this.spec.describe(this.frame)).join(' ')))
+    const { run, shell, spec } = this
+    if (!run || !shell) return
+    if (kind === 'csv') save(`${this.id}.csv`, 'text/csv', asCsv(spec.series(run.frame)))
+    else save(`${this.id}.svg`, 'image/svg+xml', asSvg(shell.into, Object.values(spec.describe(run.frame)).join(' ')))
   }
 }

@@ -1,7 +1,8 @@
-/** A figure's state in an address: versioned, checked, and to the last digit. */
+/** A figure's state in an address, with its version and to the last digit; what is read from an address is checked. */
 
 const VERSION = 1
-const MAX_STEP = 100_000
+/** The last step that a lab runs to. */
+export const LAST_STEP = 100_000
 const MAX_LENGTH = 4000
 
 /** @typedef {{ version: number, lab: string, params: Record<string, unknown>, step: number }} State */
@@ -38,7 +39,7 @@ export function readState(address, figure, lab) {
     const value = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes))
     if (!Array.isArray(value) || value.length !== 4) return 'mangled'
     const [version, name, step, params] = value
-    const whole = Number.isInteger(step) && step >= 0 && step <= MAX_STEP
+    const whole = Number.isInteger(step) && step >= 0 && step <= LAST_STEP
     const object = typeof params === 'object' && params !== null && !Array.isArray(params)
     if (version !== VERSION || (lab !== undefined && name !== lab) || !whole || !object) return 'mangled'
     return { version, lab: name, step, params }
@@ -48,23 +49,24 @@ export function readState(address, figure, lab) {
 }
 
 /**
- * A lab in the state of the address, else of the page (`data-start`), else of the specification.
+ * A figure's lab in its usual state (the page's `data-start`, else the specification's), and, where the address holds
+ * another state, a second lab at the start of the run that leads there.
  * @param {any} module
  * @param {import('./spec.js').FigureSpec} spec
  * @param {string} figure
- * @param {string | undefined} given
- * @returns {{ lab: any, mangled: boolean }}
+ * @param {string | undefined} given the page's
+ * @returns {{ lab: any, linked: { lab: any, step: number } | null, mangled: boolean }}
  */
 export function openLab(module, spec, figure, given) {
   const Lab = module[spec.lab]
   if (!Lab) throw new Error(`the module holds no ${spec.lab}`)
   const page = JSON.parse(given ?? '{}')
-  const usual = { version: VERSION, lab: spec.name, step: page.step ?? spec.start.step, params: { ...spec.start.params, ...page.params } }
-  const linked = readState(location.href, figure, spec.name)
-  if (linked === null || linked === 'mangled') return { lab: Lab.from(usual), mangled: linked === 'mangled' }
+  const lab = Lab.from({ version: VERSION, lab: spec.name, step: page.step ?? spec.start.step, params: { ...spec.start.params, ...page.params } })
+  const state = readState(location.href, figure, spec.name)
+  if (state === null || state === 'mangled') return { lab, linked: null, mangled: state === 'mangled' }
   try {
-    return { lab: Lab.from(linked), mangled: false }
+    return { lab, linked: { lab: Lab.from({ ...state, step: 0 }), step: state.step }, mangled: false }
   } catch {
-    return { lab: Lab.from(usual), mangled: true }
+    return { lab, linked: null, mangled: true }
   }
 }

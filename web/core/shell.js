@@ -1,6 +1,6 @@
 /**
- * A figure's skeleton: panels to draw in, one row of controls, one row of readouts, the tools. The same in a reader's
- * browser and, without life, in Node.
+ * Builds the elements of a figure: its panels, controls, readouts and tools. The same in a reader's browser and, for the
+ * stills, in Node, where nothing answers.
  */
 
 import { buildControl } from './controls.js'
@@ -92,12 +92,13 @@ export function buildShell(document, spec, into, orders) {
     /**
      * @param {any} frame
      * @param {{ rate: number, playing: boolean }} life
+     * @param {any} [params] what the controls show, where the frame is older than they are
      */
-    show(frame, life) {
+    show(frame, life, params = frame.params) {
       if (playing !== life.playing) play.textContent = life.playing ? 'Pause' : 'Play'
       playing = life.playing
       speed.show({ speed: life.rate }, frame)
-      for (const control of shown) control.show(frame.params, frame)
+      for (const control of shown) control.show(params, frame)
       const judged = spec.verdict?.(frame) ?? ''
       if (said !== judged) verdict.textContent = said = judged
       for (const readout of spec.readouts(frame)) {

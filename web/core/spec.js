@@ -35,7 +35,8 @@
  * @property {number} width on a wide page, pixels
  * @property {number} height
  * @property {boolean} [handles] whether something in it can be dragged
- * @property {(panel: import('./shell.js').Panel, frame: any, view: View) => boolean | void} draw true while it still moves
+ * @property {(panel: import('./shell.js').Panel, frame: any, view: View) => boolean | void} draw true while it still moves;
+ *   `frame.params` are what the reader has asked for: while a long run is computed the rest of the frame is of the run before
  *
  * @typedef {object} FigureSpec
  * @property {string} tag the custom element

@@ -1,0 +1,56 @@
+/** The bar over a figure that computes for longer than a moment: how far it has come, and a way to stop it. */
+
+import { button, part } from './element.js'
+
+/** A computation that is over sooner than this, milliseconds, shows no bar. */
+const PATIENCE = 250
+/** The words change this often, milliseconds, so that they can be read. */
+const WORDS_MS = 200
+
+export class Progress {
+  /**
+   * @param {HTMLElement} into
+   * @param {() => void} cancel
+   */
+  constructor(into, cancel) {
+    const { ownerDocument: document } = into
+    this.box = part(document, into, 'div', 'progress')
+    this.bar = /** @type {HTMLProgressElement} */ (part(document, this.box, 'progress', ''))
+    this.bar.setAttribute('aria-label', 'Steps computed')
+    this.words = part(document, this.box, 'span', '')
+    button(document, this.box, 'Cancel', cancel)
+    this.box.hidden = true
+    /** When the present computation was first heard of. */
+    this.began = NaN
+    this.wrote = -Infinity
+  }
+
+  /**
+   * @param {{ step: number, of: number } | null} progress null when nothing is being computed
+   * @param {number} now
+   * @returns {boolean} whether the bar has appeared with this call
+   */
+  show(progress, now) {
+    if (!progress) {
+      this.began = NaN
+      this.box.hidden = true
+      return false
+    }
+    if (Number.isNaN(this.began)) this.began = now
+    if (now - this.began < PATIENCE) return false
+    const appears = this.box.hidden
+    this.box.hidden = false
+    this.bar.max = progress.of
+    this.bar.value = progress.step
+    if (appears || now - this.wrote > WORDS_MS) {
+      this.words.textContent = wordsOf(progress)
+      this.wrote = now
+    }
+    return appears
+  }
+}
+
+/** @param {{ step: number, of: number }} progress */
+function wordsOf({ step, of }) {
+  return `Computing step ${step.toLocaleString('en')} of ${of.toLocaleString('en')}`
+}
