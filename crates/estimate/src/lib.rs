@@ -12,8 +12,10 @@
 //! - [`slam`]: robot and map in one state, linear and range–bearing;
 //! - [`path_observability`]: the rank test frozen at one pose, and along the path driven;
 //! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked;
+//! - [`drive`]: a logged drive, and its replay with input noise, calibrated ranges, and a scale that the filter learns;
 //! - [`localizer`]: the EKF localizer for a caller without types, with every argument checked.
 
+pub mod drive;
 pub mod dynamic;
 mod ekf;
 mod error;

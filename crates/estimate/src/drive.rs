@@ -1,0 +1,22 @@
+//! A drive as it was logged, and its replay: the localizer of §8.3 over motion and sightings at any time.
+//!
+//! Beyond [`ChosetEkf`](crate::ChosetEkf), which takes its process noise V in the state, a replay takes the noise of the *input*
+//! and carries it through the input's Jacobian (V = B M Bᵀ), and its ranges may be scaled and offset: a radio that reads 7 % long
+//! says y = 1.07 ρ. The scale is given, or it is a fourth state that the filter learns.
+
+mod model;
+mod replay;
+mod row;
+mod settings;
+mod summary;
+mod truth;
+
+pub use model::{PoseAndScale, Scalable, Scaled};
+pub use replay::{Judged, Replay};
+pub use row::{Drive, Event, Motion, Row};
+pub use settings::Settings;
+pub use summary::Summary;
+pub use truth::{Pose, Truth};
+
+#[cfg(test)]
+mod tests;

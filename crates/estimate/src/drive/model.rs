@@ -1,0 +1,199 @@
+//! Ranges that are scaled and offset, seen from a pose or from a pose with the scale as a fourth state.
+
+use crate::odometry::Unicycle;
+use filters::nonlinear::{MeasurementModel, MotionModel, State};
+use geom::SE2;
+use nalgebra::{Matrix3, Matrix4, SMatrix, SVector, Vector4};
+
+/// A pose, and the ε by which its ranges read long.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PoseAndScale {
+    /// The pose.
+    pub pose: SE2,
+    /// ε.
+    pub epsilon: f64,
+}
+
+impl State<4> for PoseAndScale {
+    fn boxplus(&self, delta: &Vector4<f64>) -> Self {
+        let pose = self.pose.boxplus(&delta.fixed_rows::<3>(0).into_owned());
+        Self { pose, epsilon: self.epsilon + delta[3] }
+    }
+
+    fn boxminus(&self, other: &Self) -> Vector4<f64> {
+        let pose = self.pose.boxminus(other.pose);
+        Vector4::new(pose[0], pose[1], pose[2], self.epsilon - other.epsilon)
+    }
+
+    fn is_finite(&self) -> bool {
+        self.pose.is_finite() && self.epsilon.is_finite()
+    }
+}
+
+/// A state with a pose from which ranges are read, and perhaps the scale of those ranges.
+pub trait Scalable<const N: usize>: State<N> {
+    /// The pose.
+    fn pose(&self) -> SE2;
+
+    /// ε, where it is part of the state.
+    fn epsilon(&self) -> Option<f64>;
+
+    /// The Jacobian (m×n) in this state of a sensor whose Jacobian in the pose is `c` and whose first output, the range,
+    /// changes by ρ with ε.
+    fn widened<const M: usize>(c: SMatrix<f64, M, 3>, rho: f64) -> SMatrix<f64, M, N>;
+
+    /// The covariance in this state of a noise of covariance `v` in the pose alone.
+    fn of_pose(v: &Matrix3<f64>) -> SMatrix<f64, N, N>;
+}
+
+impl Scalable<3> for SE2 {
+    fn pose(&self) -> SE2 {
+        *self
+    }
+
+    fn epsilon(&self) -> Option<f64> {
+        None
+    }
+
+    fn widened<const M: usize>(c: SMatrix<f64, M, 3>, _: f64) -> SMatrix<f64, M, 3> {
+        c
+    }
+
+    fn of_pose(v: &Matrix3<f64>) -> Matrix3<f64> {
+        *v
+    }
+}
+
+impl Scalable<4> for PoseAndScale {
+    fn pose(&self) -> SE2 {
+        self.pose
+    }
+
+    fn epsilon(&self) -> Option<f64> {
+        Some(self.epsilon)
+    }
+
+    fn widened<const M: usize>(c: SMatrix<f64, M, 3>, rho: f64) -> SMatrix<f64, M, 4> {
+        let mut wide = SMatrix::<f64, M, 4>::zeros();
+        wide.fixed_columns_mut::<3>(0).copy_from(&c);
+        wide[(0, 3)] = rho;
+        wide
+    }
+
+    fn of_pose(v: &Matrix3<f64>) -> Matrix4<f64> {
+        let mut wide = Matrix4::zeros();
+        wide.fixed_view_mut::<3, 3>(0, 0).copy_from(v);
+        wide
+    }
+}
+
+/// The unicycle's motion leaves the scale as it is: F = diag(F_pose, 1).
+impl MotionModel<PoseAndScale, 4, 2> for Unicycle {
+    fn f(&self, x: &PoseAndScale, u: &SVector<f64, 2>) -> PoseAndScale {
+        PoseAndScale { pose: self.f(&x.pose, u), ..*x }
+    }
+
+    fn jacobian(&self, x: &PoseAndScale, u: &SVector<f64, 2>) -> Matrix4<f64> {
+        let mut f = PoseAndScale::of_pose(&self.jacobian(&x.pose, u));
+        f[(3, 3)] = 1.0;
+        f
+    }
+}
+
+/// A sensor whose first output is a range ρ, with that range read as (1 + ε) ρ + offset. ε is the state's where it has one, else
+/// [`Scaled::scale`].
+#[derive(Clone, Copy, Debug)]
+pub struct Scaled<S> {
+    /// The sensor: [`RangeOnly`](crate::landmarks::RangeOnly) or [`RangeBearing`](crate::landmarks::RangeBearing).
+    pub sensor: S,
+    /// ε, where it is not part of the state.
+    pub scale: f64,
+    /// m.
+    pub offset: f64,
+}
+
+impl<S, X, const N: usize, const M: usize> MeasurementModel<X, N, M> for Scaled<S>
+where
+    S: MeasurementModel<SE2, 3, M>,
+    X: Scalable<N>,
+{
+    fn h(&self, x: &X, j: usize) -> Result<SVector<f64, M>, filters::Error> {
+        self.linearized(x, j).map(|(h, _)| h)
+    }
+
+    fn jacobian(&self, x: &X, j: usize) -> Result<SMatrix<f64, M, N>, filters::Error> {
+        self.linearized(x, j).map(|(_, c)| c)
+    }
+
+    /// ∂y/∂pose = (1 + ε) ∂ρ/∂pose in the range's row, and ∂y/∂ε = ρ.
+    fn linearized(&self, x: &X, j: usize) -> Result<(SVector<f64, M>, SMatrix<f64, M, N>), filters::Error> {
+        let (mut y, mut c) = self.sensor.linearized(&x.pose(), j)?;
+        let (rho, factor) = (y[0], 1.0 + x.epsilon().unwrap_or(self.scale));
+        y[0] = factor * rho + self.offset;
+        for k in 0..3 {
+            c[(0, k)] *= factor;
+        }
+        Ok((y, X::widened(c, rho)))
+    }
+
+    fn residual(&self, z: &SVector<f64, M>, expected: &SVector<f64, M>) -> SVector<f64, M> {
+        self.sensor.residual(z, expected)
+    }
+}
+
+/// The start of a replay at `pose`: 0.2 m, 0.2 m and 0.1 rad uncertain, ε by 0.1.
+pub(crate) fn first_covariance<const N: usize>() -> SMatrix<f64, N, N> {
+    const SIGMA: [f64; 4] = [0.2, 0.2, 0.1, 0.1];
+    SMatrix::from_fn(|i, j| if i == j { SIGMA[i] * SIGMA[i] } else { 0.0 })
+}
+
+/// `[x, y, θ]` or `[x, y, θ, ε]`.
+pub(crate) fn coordinates<X: Scalable<N>, const N: usize>(x: &X) -> SVector<f64, N> {
+    let (pose, epsilon) = (x.pose().to_vector(), x.epsilon().unwrap_or(0.0));
+    SVector::from_fn(|i, _| if i < 3 { pose[i] } else { epsilon })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Landmark;
+    use crate::landmarks::{RangeBearing, RangeOnly};
+    use filters::nonlinear::central_differences;
+    use nalgebra::Vector2;
+
+    const MAP: [Landmark; 2] = [Landmark { id: 1, x: 2.0, y: 1.0 }, Landmark { id: 2, x: -3.0, y: 4.0 }];
+
+    fn state() -> PoseAndScale {
+        PoseAndScale { pose: SE2::new(0.3, -0.7, 2.9), epsilon: 0.07 }
+    }
+
+    #[test]
+    fn the_jacobians_are_derivatives() {
+        let (range, both) = (RangeOnly { map: &MAP }, RangeBearing { map: &MAP });
+        for j in 0..2 {
+            let range = Scaled { sensor: range, scale: 9.9, offset: 0.4 };
+            let h = |x: &PoseAndScale| range.h(x, j).expect("apart");
+            let numeric = central_differences(h, |a, b| a - b, &state(), 1e-5);
+            assert!((range.jacobian(&state(), j).expect("apart") - numeric).amax() < 1e-9);
+            let both = Scaled { sensor: both, scale: 9.9, offset: 0.4 };
+            let h = |x: &PoseAndScale| both.h(x, j).expect("apart");
+            let minus = |a: &SVector<f64, 2>, b: &SVector<f64, 2>| {
+                MeasurementModel::<PoseAndScale, 4, 2>::residual(&both, a, b)
+            };
+            let numeric = central_differences(h, minus, &state(), 1e-5);
+            assert!((both.jacobian(&state(), j).expect("apart") - numeric).amax() < 1e-9);
+            let u = Vector2::new(0.4, -0.2);
+            let moved = central_differences(|x| Unicycle.f(x, &u), |a, b| a.boxminus(b), &state(), 1e-5);
+            assert!((Unicycle.jacobian(&state(), &u) - moved).amax() < 1e-9);
+        }
+    }
+
+    #[test]
+    fn a_learned_scale_reads_as_the_same_scale_when_it_is_given() {
+        let sensor = RangeOnly { map: &MAP };
+        let learned: SVector<f64, 1> = Scaled { sensor, scale: 0.0, offset: 0.4 }.h(&state(), 1).expect("apart");
+        let given = Scaled { sensor, scale: 0.07, offset: 0.4 }.h(&state().pose, 1).expect("apart");
+        assert_eq!(learned, given);
+        assert!((given[0] - (1.07 * numerics::hypot(3.3, 4.7) + 0.4)).abs() < 1e-15 * given[0]);
+    }
+}

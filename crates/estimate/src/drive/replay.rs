@@ -1,0 +1,287 @@
+//! The replay of a drive, row by row.
+
+use crate::drive::model::{PoseAndScale, Scalable, Scaled, coordinates, first_covariance};
+use crate::drive::row::{Drive, Event, Motion, Row};
+use crate::drive::settings::Settings;
+use crate::drive::summary::{Errors, Innovations, Summary};
+use crate::error::{Code, Error};
+use crate::landmarks::{RangeBearing, RangeOnly};
+use crate::odometry::Unicycle;
+use core::f64::consts::PI;
+use filters::consistency::chi2_quantile;
+use filters::nonlinear::{Ekf, MeasurementModel, MotionModel};
+use geom::{SE2, wrap};
+use nalgebra::{DMatrix, DVector, Matrix2, SMatrix, SVector, Vector1, Vector2};
+
+/// What became of a sighting.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judged {
+    /// Whether it corrected the estimate.
+    pub used: bool,
+    /// ν₁, the range's innovation, m.
+    pub innovation: f64,
+    /// S₁₁, its variance before the sighting, m².
+    pub variance: f64,
+    /// d² = νᵀS⁻¹ν.
+    pub d2: f64,
+    /// p, the outputs of the sighting.
+    pub outputs: u32,
+}
+
+/// The filter, with or without ε in its state.
+#[derive(Clone, Copy, Debug)]
+enum Filter {
+    Given(Ekf<SE2, 3>),
+    Learning(Ekf<PoseAndScale, 4>),
+}
+
+/// A localizer that replays a [`Drive`] row by row.
+///
+/// The state is [x, y, θ], with `learn` [x, y, θ, ε]. It starts at the first true pose, at its time; where there is no truth, at the
+/// origin and at the first row's time. Rows before the start are skipped.
+///
+/// Over dt seconds, with the distance d and the turn a at the heading θ,
+/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; `V` rows bring velocities,
+/// which move the estimate to the time of every later row. A sighting is gated by its d² and taken in Joseph's form.
+///
+/// # Example
+/// ```
+/// use estimate::Landmark;
+/// use estimate::drive::{Drive, Event, Motion, Replay, Row, Settings, Truth};
+/// let drive = Drive {
+///     landmarks: vec![Landmark { id: 7, x: 3.0, y: 4.0 }],
+///     truth: Truth::default(),
+///     rows: vec![
+///         Row { time: 0.0, event: Event::Odometry { distance: 0.0, turn: 0.0 } },
+///         Row { time: 0.5, event: Event::Range { landmark: 0, range: 4.9 } },
+///     ],
+///     motion: Motion::Odometry,
+/// };
+/// let mut replay = Replay::new(&drive, Settings::default())?;
+/// for row in &drive.rows {
+///     replay.take(&drive, row)?;
+/// }
+/// assert_eq!(replay.summary().used, 1);
+/// # Ok::<(), estimate::Error>(())
+/// ```
+#[derive(Clone, Copy, Debug)]
+pub struct Replay {
+    settings: Settings,
+    /// χ² quantiles of the gate for one and two outputs.
+    gates: [f64; 2],
+    filter: Filter,
+    start: f64,
+    /// When the estimate was last predicted, s.
+    time: f64,
+    /// v and ω, held since the last `V` row.
+    velocity: Vector2<f64>,
+    innovations: Innovations,
+    refused: u32,
+    errors: Errors,
+}
+
+impl Replay {
+    /// A replay at its start.
+    ///
+    /// # Errors
+    /// [`Code::NotFinite`] or [`Code::Limit`] naming the setting: a standard deviation is negative or one of a sensor 0, the
+    /// gate is no probability between 0 and 1, 1 + scale is not positive.
+    pub fn new(drive: &Drive, settings: Settings) -> Result<Self, Error> {
+        settings.check()?;
+        let gate = |dof| settings.gate.map_or(Ok(f64::INFINITY), |p| chi2_quantile(dof, p));
+        let first = drive.truth.poses().first();
+        let pose = first.map_or(SE2::new(0.0, 0.0, 0.0), |at| SE2::new(at.x, at.y, at.theta));
+        let start = first.map(|at| at.time).or(drive.span().map(|[first, _]| first)).unwrap_or(0.0);
+        Ok(Self {
+            gates: [gate(1)?, gate(2)?],
+            filter: if settings.learn {
+                Filter::Learning(Ekf { x: PoseAndScale { pose, epsilon: 0.0 }, p: first_covariance() })
+            } else {
+                Filter::Given(Ekf { x: pose, p: first_covariance() })
+            },
+            settings,
+            start,
+            time: start,
+            velocity: Vector2::zeros(),
+            innovations: Innovations::default(),
+            refused: 0,
+            errors: Errors::default(),
+        })
+    }
+
+    /// Takes one row of `drive`; answers what became of it when it is a sighting that was looked at.
+    ///
+    /// # Errors
+    /// [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`] where the numbers leave the range of floating point; the
+    /// replay is then as it was. [`Code::Limit`] for a landmark that `drive` does not have.
+    pub fn take(&mut self, drive: &Drive, row: &Row) -> Result<Option<Judged>, Error> {
+        if row.time < self.start {
+            return Ok(None);
+        }
+        let mut next = *self;
+        let judged = next.taken(drive, row)?;
+        *self = next;
+        Ok(judged)
+    }
+
+    fn taken(&mut self, drive: &Drive, row: &Row) -> Result<Option<Judged>, Error> {
+        if drive.motion == Motion::Velocity {
+            let u = self.velocity * (row.time - self.time).max(0.0);
+            self.moved(row.time, u)?;
+        }
+        let sighting = match row.event {
+            Event::Odometry { distance, turn } => {
+                self.moved(row.time, Vector2::new(distance, turn))?;
+                self.compare(drive, row.time);
+                return Ok(None);
+            }
+            Event::Velocity { v, omega } => {
+                self.velocity = Vector2::new(v, omega);
+                self.compare(drive, row.time);
+                return Ok(None);
+            }
+            Event::Range { .. } | Event::RangeBearing { .. } if !self.settings.sightings => return Ok(None),
+            Event::Range { landmark, range } => {
+                self.sighted(RangeOnly { map: &drive.landmarks }, landmark, &Vector1::new(range))
+            }
+            Event::RangeBearing { landmark, range, bearing } => {
+                let y = Vector2::new(range, wrap(bearing + PI));
+                self.sighted(RangeBearing { map: &drive.landmarks }, landmark, &y)
+            }
+        };
+        match sighting {
+            Ok(judged) => {
+                if judged.used {
+                    let n = judged.innovation / judged.variance.sqrt();
+                    self.innovations.take(n, judged.d2 / f64::from(judged.outputs));
+                } else {
+                    self.refused += 1;
+                }
+                Ok(Some(judged))
+            }
+            Err(error) if error.code == Code::AtLandmark => {
+                self.refused += 1;
+                Ok(None)
+            }
+            Err(error) => Err(error),
+        }
+    }
+
+    /// Moves the estimate by u = [d, a] and the time to `time`.
+    fn moved(&mut self, time: f64, u: Vector2<f64>) -> Result<(), Error> {
+        let dt = (time - self.time).max(0.0);
+        let s = &self.settings;
+        let input = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;
+        match &mut self.filter {
+            Filter::Given(ekf) => predict(ekf, &u, &input)?,
+            Filter::Learning(ekf) => predict(ekf, &u, &input)?,
+        }
+        self.time = self.time.max(time);
+        Ok(())
+    }
+
+    fn compare(&mut self, drive: &Drive, time: f64) {
+        if let Some([x, y]) = drive.truth.position(time) {
+            let pose = self.pose();
+            self.errors.take(numerics::hypot(pose.x() - x, pose.y() - y));
+        }
+    }
+
+    fn sighted<S: MeasurementModel<SE2, 3, M>, const M: usize>(
+        &mut self,
+        sensor: S,
+        landmark: usize,
+        y: &SVector<f64, M>,
+    ) -> Result<Judged, Error> {
+        let s = &self.settings;
+        let model = Scaled { sensor, scale: s.scale, offset: s.offset };
+        let sigma = [s.sigma_range, s.sigma_bearing];
+        let w = SMatrix::from_fn(|i, j| if i == j { sigma[i] * sigma[i] } else { 0.0 });
+        let gate = self.gates[M - 1];
+        match &mut self.filter {
+            Filter::Given(ekf) => update(ekf, &model, landmark, y, &w, gate),
+            Filter::Learning(ekf) => update(ekf, &model, landmark, y, &w, gate),
+        }
+    }
+
+    /// The estimated pose.
+    pub fn pose(&self) -> SE2 {
+        match &self.filter {
+            Filter::Given(ekf) => ekf.x,
+            Filter::Learning(ekf) => ekf.x.pose,
+        }
+    }
+
+    /// P, 3×3 or, with ε in the state, 4×4.
+    pub fn covariance(&self) -> DMatrix<f64> {
+        match &self.filter {
+            Filter::Given(ekf) => DMatrix::from_column_slice(3, 3, ekf.p.as_slice()),
+            Filter::Learning(ekf) => DMatrix::from_column_slice(4, 4, ekf.p.as_slice()),
+        }
+    }
+
+    /// The time that the estimate is of, s.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// What the replay says of itself so far.
+    pub fn summary(&self) -> Summary {
+        let p = self.covariance();
+        let (epsilon, x) = match &self.filter {
+            Filter::Given(ekf) => (None, DVector::from_column_slice(coordinates(&ekf.x).as_slice())),
+            Filter::Learning(ekf) => (Some(ekf.x.epsilon), DVector::from_column_slice(coordinates(&ekf.x).as_slice())),
+        };
+        Summary {
+            used: self.innovations.count(),
+            refused: self.refused,
+            rmse: self.errors.rmse(),
+            worst: self.errors.worst(),
+            nis: self.innovations.nis(),
+            mean_innovation: self.innovations.mean(),
+            lag1: self.innovations.lag1(),
+            epsilon,
+            epsilon_sigma: epsilon.map(|_| p[(3, 3)].max(0.0).sqrt()),
+            x,
+            trace: p[(0, 0)] + p[(1, 1)] + p[(2, 2)],
+        }
+    }
+}
+
+/// P ← F P Fᵀ + B M Bᵀ for the input noise `input`, M already multiplied by dt.
+fn predict<X: Scalable<N>, const N: usize>(
+    ekf: &mut Ekf<X, N>,
+    u: &Vector2<f64>,
+    input: &Matrix2<f64>,
+) -> Result<(), Error>
+where
+    Unicycle: MotionModel<X, N, 2>,
+{
+    let v = X::of_pose(&Unicycle::process_covariance(&ekf.x.pose(), input));
+    Ok(ekf.predict(&Unicycle, u, &v)?)
+}
+
+/// Corrects the estimate by a sighting within the gate; beyond it the estimate stays.
+fn update<X: Scalable<N>, S: MeasurementModel<X, N, M>, const N: usize, const M: usize>(
+    ekf: &mut Ekf<X, N>,
+    model: &S,
+    landmark: usize,
+    y: &SVector<f64, M>,
+    w: &SMatrix<f64, M, M>,
+    gate: f64,
+) -> Result<Judged, Error> {
+    let mut corrected = *ekf;
+    let update = corrected.update(model, y, landmark, w)?;
+    // A distance too large for a number is beyond every gate; without a gate it cannot be taken.
+    let d2 = match update.d2 {
+        Some(d2) => d2,
+        None if gate.is_finite() => f64::INFINITY,
+        None => return Err(Error::new(Code::NotFinite, "range", "is too large: its squared distance overflows")),
+    };
+    let used = d2 <= gate;
+    if used {
+        *ekf = corrected;
+    }
+    let (innovation, variance) = (update.innovation[0], update.s[(0, 0)]);
+    Ok(Judged { used, innovation, variance, d2, outputs: M as u32 })
+}

@@ -1,0 +1,28 @@
+//! Where a log is wrong, and what was expected there.
+
+use core::fmt;
+
+/// Why a log was refused. The whole log is refused: half a log would be filtered as if it were the drive.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub struct Error {
+    /// The line, counted from 1.
+    pub line: u32,
+    /// The character in the line at which the fault begins, counted from 1.
+    pub column: u32,
+    /// What was found and what was expected.
+    pub message: String,
+}
+
+impl Error {
+    pub(crate) fn new(line: u32, column: u32, message: impl Into<String>) -> Self {
+        Self { line, column, message: message.into() }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "line {}, column {}: {}", self.line, self.column, self.message)
+    }
+}
+
+impl std::error::Error for Error {}

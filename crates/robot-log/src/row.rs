@@ -1,0 +1,130 @@
+//! One row of a log, read from its fields.
+
+use crate::error::Error;
+use crate::fields::{Field, Line};
+use estimate::Landmark;
+use estimate::drive::{Event, Pose, Row};
+
+/// The greatest time of a row, seconds either side of 0. Unix times fit, and differences of times keep a microsecond.
+const MAX_TIME: f64 = 1e11;
+
+/// A row as it is read, where a sighting names its landmark by id and may stand before it.
+pub(crate) enum Read {
+    Landmark(Landmark),
+    Truth(Pose),
+    Motion(Row),
+    /// The row has no landmark's index yet.
+    Sighting(Row, u32),
+}
+
+/// The row of a line.
+///
+/// # Errors
+/// The letter is unknown, a field is missing, superfluous or no finite number, a range is negative, an id is no whole number,
+/// a time is out of bounds.
+pub(crate) fn read(line: &Line<'_>) -> Result<Read, Error> {
+    let letter = line.fields[0];
+    let form = match letter.text {
+        "L" => "L,id,x,y",
+        "G" => "G,t,x,y,theta",
+        "O" => "O,t,distance,turn",
+        "V" => "V,t,v,omega",
+        "R" => "R,t,id,range",
+        "B" => "B,t,id,range,bearing",
+        _ => return Err(unknown_letter(line)),
+    };
+    let names: Vec<&str> = form.split(',').collect();
+    let (wanted, found) = (names.len(), line.fields.len());
+    if found != wanted {
+        let column = line.fields.get(wanted).map_or(line.end, |extra| extra.column);
+        let message = format!("the row has {found} fields; {wanted} were expected: {form}");
+        return Err(Error::new(line.number, column, message));
+    }
+    let number = |i: usize| finite(line, line.fields[i], names[i]);
+    let time = || in_bounds(line, line.fields[1], number(1)?);
+    let id = |i: usize| whole(line, line.fields[i]);
+    let range = |i: usize| not_negative(line, line.fields[i], number(i)?);
+    Ok(match letter.text {
+        "L" => Read::Landmark(Landmark { id: id(1)?, x: number(2)?, y: number(3)? }),
+        "G" => Read::Truth(Pose { time: time()?, x: number(2)?, y: number(3)?, theta: number(4)? }),
+        "O" => Read::Motion(Row { time: time()?, event: Event::Odometry { distance: number(2)?, turn: number(3)? } }),
+        "V" => Read::Motion(Row { time: time()?, event: Event::Velocity { v: number(2)?, omega: number(3)? } }),
+        "R" => {
+            let (time, id) = (time()?, id(2)?);
+            Read::Sighting(Row { time, event: Event::Range { landmark: 0, range: range(3)? } }, id)
+        }
+        _ => {
+            let (time, id) = (time()?, id(2)?);
+            let event = Event::RangeBearing { landmark: 0, range: range(3)?, bearing: number(4)? };
+            Read::Sighting(Row { time, event }, id)
+        }
+    })
+}
+
+/// What stands where a row's letter was expected: a quoted letter and another separator get a word of their own.
+fn unknown_letter(line: &Line<'_>) -> Error {
+    let Field { text, column } = line.fields[0];
+    let separator = text.chars().find(|c| matches!(c, ';' | '\t' | ' ' | '|'));
+    let message = match separator {
+        _ if text.starts_with(['"', '\'']) => quoted(text),
+        Some(' ') => "blanks were found between the fields; fields are parted by commas".into(),
+        Some('\t') => "tabs were found between the fields; fields are parted by commas".into(),
+        Some(found) => format!("'{found}' was found between the fields; fields are parted by commas"),
+        None if text.is_empty() => "the line begins with an empty field; L, G, O, V, R or B was expected".into(),
+        None => format!("{} is no row's letter; L, G, O, V, R or B was expected", shown(text)),
+    };
+    Error::new(line.number, column, message)
+}
+
+fn finite(line: &Line<'_>, field: Field<'_>, name: &str) -> Result<f64, Error> {
+    let wrong = |message: String| Error::new(line.number, field.column, message);
+    match field.text.parse::<f64>() {
+        Ok(number) if number.is_finite() => Ok(number),
+        _ if field.text.is_empty() => Err(wrong(format!("{name} is missing; a number was expected"))),
+        _ if field.text.starts_with(['"', '\'']) => Err(wrong(quoted(field.text))),
+        _ => Err(wrong(format!("{name} is {}; a finite number was expected", shown(field.text)))),
+    }
+}
+
+fn in_bounds(line: &Line<'_>, field: Field<'_>, time: f64) -> Result<f64, Error> {
+    if time.abs() <= MAX_TIME {
+        // -0 becomes 0, so that the two are one time.
+        return Ok(time + 0.0);
+    }
+    let message = format!("the time is {}; times within {MAX_TIME:e} s were expected", shown(field.text));
+    Err(Error::new(line.number, field.column, message))
+}
+
+fn not_negative(line: &Line<'_>, field: Field<'_>, range: f64) -> Result<f64, Error> {
+    if range >= 0.0 {
+        return Ok(range);
+    }
+    let message = format!("the range is {}; a range of at least 0 was expected", shown(field.text));
+    Err(Error::new(line.number, field.column, message))
+}
+
+/// A whole number below 2³², as digits alone: `5.0` and `+5` would name a landmark that no `L` row writes so.
+fn whole(line: &Line<'_>, field: Field<'_>) -> Result<u32, Error> {
+    let digits = !field.text.is_empty() && field.text.bytes().all(|b| b.is_ascii_digit());
+    field.text.parse().ok().filter(|_| digits).ok_or_else(|| {
+        let message = match field.text {
+            text if text.starts_with(['"', '\'']) => quoted(text),
+            text => format!("the landmark's id is {}; a whole number below 2^32 was expected", shown(text)),
+        };
+        Error::new(line.number, field.column, message)
+    })
+}
+
+fn quoted(text: &str) -> String {
+    format!("{} is quoted; fields are written without quotes", shown(text))
+}
+
+/// A field as an error quotes it: the beginning of a long one.
+fn shown(text: &str) -> String {
+    const MOST: usize = 20;
+    match text.char_indices().nth(MOST) {
+        _ if text.is_empty() => "empty".into(),
+        None => format!("'{text}'"),
+        Some((cut, _)) => format!("'{}…'", &text[..cut]),
+    }
+}

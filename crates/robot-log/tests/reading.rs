@@ -1,0 +1,121 @@
+//! What a sound log becomes, and that no mangled one is taken for another.
+
+use estimate::Landmark;
+use estimate::drive::{Event, Motion};
+use proptest::prelude::*;
+use robot_log::parse;
+
+const SOUND: &str = "\
+# a drive past one landmark
+L,7,3.0,4.0
+G,0.0,0.0,0.0,0.1
+O,0.5,0.1,0.02
+R,0.5,7,4.9
+O,1.0,0.2,0.03
+B,1.0,7,4.8,0.9
+";
+
+#[test]
+fn a_log_is_its_rows_in_the_order_of_time() {
+    let log = parse(SOUND).expect("sound");
+    assert_eq!(log.drive.landmarks, [Landmark { id: 7, x: 3.0, y: 4.0 }]);
+    assert_eq!((log.count, log.drive.motion, log.drive.span()), (6, Motion::Odometry, Some([0.5, 1.0])));
+    assert_eq!(log.drive.truth.poses()[0].theta, 0.1);
+    let events: Vec<Event> = log.drive.rows.iter().map(|row| row.event).collect();
+    assert_eq!(
+        events,
+        [
+            Event::Odometry { distance: 0.1, turn: 0.02 },
+            Event::Range { landmark: 0, range: 4.9 },
+            Event::Odometry { distance: 0.2, turn: 0.03 },
+            Event::RangeBearing { landmark: 0, range: 4.8, bearing: 0.9 },
+        ]
+    );
+}
+
+#[test]
+fn at_one_time_motion_comes_before_sightings_and_lines_keep_their_order() {
+    let log = parse("R,1,7,1\nR,1,7,2\nV,1,0,0\nL,7,0,0\nV,-0.0,1,1\nR,0,7,3\n").expect("sound");
+    let kinds: Vec<(f64, f64)> = log
+        .drive
+        .rows
+        .iter()
+        .map(|row| match row.event {
+            Event::Range { range, .. } => (row.time, range),
+            _ => (row.time, 0.0),
+        })
+        .collect();
+    assert_eq!(kinds, [(0.0, 0.0), (0.0, 3.0), (1.0, 0.0), (1.0, 1.0), (1.0, 2.0)]);
+}
+
+#[test]
+fn a_byte_order_mark_blanks_and_line_ends_of_either_kind_change_nothing() {
+    let plain = parse(SOUND).expect("sound");
+    let windows = format!("\u{feff}{}", SOUND.replace('\n', "\r\n"));
+    let spaced = SOUND.replace(',', " ,\t").replace('\n', "  \n\n \t\n");
+    for text in [windows.as_str(), spaced.as_str(), SOUND.trim_end()] {
+        assert_eq!(parse(text).as_ref(), Ok(&plain), "{text:?}");
+    }
+}
+
+/// A sound log with `n` steps, and each of its lines.
+fn lines(n: usize) -> Vec<String> {
+    let mut lines: Vec<String> = SOUND.lines().map(String::from).collect();
+    for k in 0..n {
+        lines.push(format!("O,{}.25,0.1,-0.0{}", k + 2, k % 10));
+        lines.push(format!("R,{}.5,7,{}.5", k + 2, 4 + k % 3));
+    }
+    lines
+}
+
+proptest! {
+    #[test]
+    fn no_text_makes_the_parser_panic(text in "\\PC{0,200}") {
+        let _ = parse(&text);
+    }
+
+    #[test]
+    fn no_bytes_read_as_text_make_the_parser_panic(bytes in prop::collection::vec(any::<u8>(), 0..300)) {
+        let _ = parse(&String::from_utf8_lossy(&bytes));
+    }
+
+    /// A log cut anywhere but at a line's end or inside its last number is refused, and what is read is a part of the whole.
+    #[test]
+    fn a_truncated_log_is_a_part_of_the_whole_or_refused(n in 1_usize..20, cut in 0_usize..400) {
+        let whole = lines(n).join("\n");
+        let cut = cut.min(whole.len());
+        let Ok(part) = parse(&whole[..cut]) else { return Ok(()) };
+        let all = parse(&whole).expect("sound");
+        prop_assert!(part.drive.rows.len() <= all.drive.rows.len());
+        // All but the last row, whose last number may have lost digits.
+        for row in &part.drive.rows[..part.drive.rows.len() - 1] {
+            prop_assert!(all.drive.rows.contains(row));
+        }
+    }
+
+    #[test]
+    fn line_ends_may_be_mixed(n in 0_usize..20, ends in prop::collection::vec(any::<bool>(), 60)) {
+        let lines = lines(n);
+        let mixed: String = lines.iter().zip(&ends).map(|(line, crlf)| format!("{line}{}", if *crlf { "\r\n" } else { "\n" })).collect();
+        prop_assert_eq!(parse(&mixed), parse(&lines.join("\n")));
+    }
+
+    /// A file in UTF-16, read as bytes and as text, is refused.
+    #[test]
+    fn a_log_in_utf_16_is_refused(n in 0_usize..5, big in any::<bool>()) {
+        let units = lines(n).join("\n").encode_utf16().collect::<Vec<u16>>();
+        let bytes: Vec<u8> = units.into_iter().flat_map(|unit| if big { unit.to_be_bytes() } else { unit.to_le_bytes() }).collect();
+        prop_assert!(parse(&String::from_utf8_lossy(&bytes)).is_err());
+    }
+
+    /// Two neighbouring columns of an `R` row in each other's place: an id that is no whole number, or no landmark.
+    #[test]
+    fn swapped_columns_of_a_range_are_refused(n in 1_usize..20) {
+        let mut lines = lines(n);
+        let last = lines.pop().expect("a range");
+        let fields: Vec<&str> = last.split(',').collect();
+        lines.push([fields[0], fields[2], fields[1], fields[3]].join(","));
+        let error = parse(&lines.join("\n")).expect_err("swapped");
+        prop_assert_eq!(error.line as usize, lines.len());
+    }
+}
