@@ -9,6 +9,7 @@ import { basename, dirname, extname, join, relative } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { build } from 'esbuild'
 import { subsetFonts } from './fonts.mjs'
+import { styleHeights } from './heights.mjs'
 
 const web = dirname(fileURLToPath(import.meta.url))
 const root = dirname(web)
@@ -66,7 +67,7 @@ const styles = await build({
   ...shared,
   entryPoints: { site: join(web, 'style/site.css'), figure: join(web, 'style/figure.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
   loader: { '.woff2': 'file' },
-  alias: { 'cut-fonts': fonts },
+  alias: { 'cut-fonts': fonts, 'part-heights': styleHeights(join(root, 'target/heights')) },
   plugins: [ownFaces()],
 })
 collect(styles.metafile)

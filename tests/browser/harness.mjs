@@ -89,6 +89,8 @@ export async function figure(page, tag) {
 export async function unlock(page, id) {
   const form = page.locator(`form.quiz[data-unlocks="${id}"]`)
   if (!(await form.count())) return
+  // A question gets its controls when it comes near the screen.
+  await form.scrollIntoViewIfNeeded()
   await form.locator('input').first().check()
   await form.locator('[type=submit]').click()
   await page.locator(`#${id} .widget:not([inert])`).waitFor()

@@ -4,8 +4,11 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { figure, open } from './harness.mjs'
 
-const quiz = (page, id) => {
+/** A question on the screen, with the controls that it gets there. */
+const quiz = async (page, id) => {
   const form = page.locator(`#quiz-${id}`)
+  await form.scrollIntoViewIfNeeded()
+  await form.locator('input').first().waitFor()
   return {
     form,
     commit: form.getByRole('button', { name: 'Commit' }),
@@ -21,8 +24,7 @@ const kept = (page) => page.evaluate(() => Object.fromEntries(Object.entries(loc
 
 test('a choice is committed to before anything is explained, and a wrong one says why', async (t) => {
   const page = await open(t)
-  const it = quiz(page, 'which-foot')
-  await it.form.scrollIntoViewIfNeeded()
+  const it = await quiz(page, 'which-foot')
   assert.ok(!(await shown(it)))
   assert.ok(!(await it.form.locator('.quiz-why').isVisible()))
   await it.commit.click()
@@ -53,10 +55,10 @@ test('a choice is committed to before anything is explained, and a wrong one say
 
 test('every wrong choice of every question has a reason of its own', async (t) => {
   const page = await open(t)
-  const forms = await page.locator('form.quiz[data-kind=choice]').evaluateAll((all) => all.map((form) => ({ id: form.dataset.quiz, choices: form.querySelectorAll('input').length })))
+  const forms = await page.locator('form.quiz[data-kind=choice]').evaluateAll((all) => all.map((form) => ({ id: form.dataset.quiz, choices: form.querySelectorAll('.quiz-choice').length })))
   assert.ok(forms.length >= 3)
   for (const { id, choices } of forms) {
-    const it = quiz(page, id)
+    const it = await quiz(page, id)
     const reasons = new Set()
     let right = 0
     for (let i = 0; i < choices; i++) {
@@ -77,7 +79,7 @@ test('every wrong choice of every question has a reason of its own', async (t) =
 
 test('a number is right within its tolerance, in the ways people write numbers', async (t) => {
   const page = await open(t)
-  const it = quiz(page, 'third-step')
+  const it = await quiz(page, 'third-step')
   const { value, tolerance } = await it.form.locator('.quiz-value').evaluate((item) => ({ value: Number(item.dataset.value), tolerance: Number(item.dataset.tolerance) }))
   assert.ok(value > 0 && tolerance > 0)
   const judged = async (text) => {
@@ -109,7 +111,7 @@ test('a number is right within its tolerance, in the ways people write numbers',
 
 test('answers are remembered after a reload, and forgotten one by one or all at once', async (t) => {
   const page = await open(t)
-  const [foot, third] = [quiz(page, 'which-foot'), quiz(page, 'third-step')]
+  const [foot, third] = [await quiz(page, 'which-foot'), await quiz(page, 'third-step')]
   await foot.form.locator('input').nth(2).check()
   await foot.commit.click()
   await third.input.fill('0.7')
@@ -117,9 +119,11 @@ test('answers are remembered after a reload, and forgotten one by one or all at 
   assert.equal(Object.keys(await kept(page)).length, 2)
 
   await page.reload()
+  await quiz(page, 'which-foot')
   await page.locator('#quiz-which-foot[data-answered]').waitFor()
   assert.ok(await foot.form.locator('input').nth(2).isChecked())
   assert.ok(await shown(foot))
+  await quiz(page, 'third-step')
   assert.equal(await third.input.inputValue(), '0.7')
   assert.ok(await shown(third))
   await figure(page, 'kalman-picture')

@@ -75,6 +75,7 @@ test('the keys open it, walk through it, follow a place and close it', async (t)
 
 test('a slash typed into a field is a slash', async (t) => {
   const page = await open(t)
+  await page.locator('#quiz-third-step').scrollIntoViewIfNeeded()
   const input = page.locator('#quiz-third-step').getByRole('textbox')
   await input.focus()
   await page.keyboard.type('1/2')

@@ -1,4 +1,7 @@
-/** A figure's default state without life: the same skeleton and the same drawing, for Node. */
+/**
+ * A figure that nothing moves: the skeleton and the drawing of the living figure, made in Node, with words where that has
+ * controls.
+ */
 
 import { drawHandle } from './handle.js'
 import { buildShell } from './shell.js'
@@ -27,7 +30,36 @@ export function drawStill(document, spec, frame) {
     svg.setAttribute('focusable', 'false')
   }
   for (const part of into.querySelectorAll('.controls, .readouts, .figure-tools, .verdict')) part.setAttribute('aria-hidden', 'true')
-  for (const input of into.querySelectorAll('button, input, select')) input.setAttribute('disabled', '')
+  for (const control of into.querySelectorAll('button, input, select')) control.replaceWith(likeness(document, control))
   const said = Object.values(spec.describe(frame)).join(' ')
   return { html: into.innerHTML, words: `${said} ${spec.verdict?.(frame) ?? ''}`.trim() }
+}
+
+/**
+ * What looks like a control and takes the same room, but is none: a browser lays out every part of a page that holds a form
+ * control as soon as the page is read, and a reader's tools would offer what does not answer.
+ * @param {Document} document
+ * @param {Element} control
+ */
+function likeness(document, control) {
+  const span = document.createElement('span')
+  const kind = control.localName === 'input' ? control.getAttribute('type') : control.localName
+  span.setAttribute('class', `${control.getAttribute('class') ?? ''} like-${kind}`.trim())
+  if (kind === 'button') span.append(...control.childNodes)
+  if (kind === 'number') span.append(control.getAttribute('value') ?? '')
+  if (kind === 'checkbox' && control.hasAttribute('checked')) span.append('✓')
+  if (kind === 'range') {
+    const [min, max, value] = ['min', 'max', 'value'].map((name) => Number(control.getAttribute(name)))
+    span.setAttribute('style', `--share:${Math.round((1e4 * (value - min)) / (max - min)) / 1e4}`)
+  }
+  // A list is as wide as its widest option.
+  if (kind === 'select') {
+    for (const option of control.querySelectorAll('option')) {
+      const line = document.createElement('span')
+      if (!option.hasAttribute('selected')) line.setAttribute('class', 'is-hidden')
+      line.append(option.textContent ?? '')
+      span.append(line)
+    }
+  }
+  return span
 }

@@ -3,22 +3,24 @@
 export function follow() {
   const nav = /** @type {HTMLElement | null} */ (document.querySelector('.toc'))
   if (!nav) return
-  /** @type {Map<Element, HTMLAnchorElement>} */
-  const links = new Map()
+  /** The parts of the text with their headings and the links to these. @type {{ part: Element, headings: [Element, HTMLAnchorElement][] }[]} */
+  const parts = []
   for (const link of nav.querySelectorAll('a')) {
     const heading = document.getElementById(decodeURIComponent(link.hash.slice(1)))
-    if (heading) links.set(heading, link)
+    const part = heading?.closest('main section')
+    if (!heading || !part) continue
+    if (parts.at(-1)?.part !== part) parts.push({ part, headings: [] })
+    parts.at(-1)?.headings.push([heading, link])
   }
-  const headings = [...links.keys()]
+  const above = (/** @type {Element} */ element) => element.getBoundingClientRect().top <= innerHeight * 0.3
   /** @type {HTMLAnchorElement | undefined} */
   let current
   const update = () => {
-    let here = headings[0]
-    for (const heading of headings) {
-      if (heading.getBoundingClientRect().top > innerHeight * 0.3) break
-      here = heading
-    }
-    const link = links.get(here)
+    // The box of a part is known before its content is laid out, and the last one that has begun is on the screen: measuring
+    // only its headings makes the browser lay out nothing that it had put off.
+    const begun = parts.filter(({ part }) => above(part))
+    const passed = begun.pop()?.headings.filter(([heading]) => above(heading)).pop()
+    const link = (passed ?? begun.pop()?.headings.at(-1) ?? parts[0]?.headings[0])?.[1]
     if (link === current) return
     current?.removeAttribute('aria-current')
     current = link

@@ -1,25 +1,41 @@
-/** Wakes a page: the switches at once, everything else when it is needed. */
+/**
+ * Wakes a page: the switches at once, everything else when it is needed. This script may run while the page is still being
+ * read, so that the first figure does not wait for the last section.
+ */
 
 import { hideFailure, showFailure } from '../core/failure.js'
 import { WIDGETS } from '../widgets/index.js'
+import { whenNear, whenRead } from './near.js'
 import { openForPrint } from './print.js'
 import { say, switches } from './switches.js'
 
 document.documentElement.classList.add('js')
-for (const waiting of document.querySelectorAll('[data-needs-js]')) waiting.removeAttribute('hidden')
-switches()
 openForPrint()
-
 whenNear('.widget', (host) => bring(/** @type {HTMLElement} */ (host)))
-if ([...new URLSearchParams(location.search).keys()].some((key) => key.startsWith('fig-'))) import('./links.js').then(({ links }) => links(WIDGETS))
-if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => quizzes(), withoutQuizzes)
-document.querySelector('[data-run-checks]')?.addEventListener('click', ({ target }) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (target)), () => say('The checks could not be fetched.')))
-document.querySelector('[data-open-search]')?.addEventListener('click', search)
+
+/** What a press on an element with this attribute does. @type {Record<string, (element: Element) => void>} */
+const PRESSES = {
+  'data-open-search': search,
+  'data-print': () => print(),
+  'data-run-checks': (button) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (button)), () => say('The checks could not be fetched.')),
+}
+document.addEventListener('click', ({ target }) => {
+  for (const [attribute, act] of Object.entries(PRESSES)) {
+    const pressed = target instanceof Element ? target.closest(`[${attribute}]`) : null
+    if (pressed) act(pressed)
+  }
+})
 document.addEventListener('keydown', (event) => {
   const typing = event.target instanceof Element && event.target.closest('select, textarea, input:not([type="radio"], [type="checkbox"], [type="range"])')
   if (event.key !== '/' || typing || event.ctrlKey || event.metaKey || event.altKey) return
   event.preventDefault()
   search()
+})
+whenRead(() => {
+  for (const waiting of document.querySelectorAll('[data-needs-js]')) waiting.removeAttribute('hidden')
+  switches()
+  if ([...new URLSearchParams(location.search).keys()].some((key) => key.startsWith('fig-'))) import('./links.js').then(({ links }) => links(WIDGETS))
+  if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => quizzes(), withoutQuizzes)
 })
 idle(() => {
   import('./contents.js').then(({ follow }) => follow())
@@ -47,18 +63,6 @@ async function bring(host) {
   } catch {
     showFailure(host, 'its script could not be fetched', () => bring(host))
   }
-}
-
-/** @param {string} selector @param {(element: Element) => void} act once for each, when it comes near the screen */
-function whenNear(selector, act) {
-  const eye = new IntersectionObserver((entries) => {
-    for (const { target, isIntersecting } of entries) {
-      if (!isIntersecting) continue
-      eye.unobserve(target)
-      act(target)
-    }
-  }, { rootMargin: '900px 0px' })
-  for (const element of document.querySelectorAll(selector)) eye.observe(element)
 }
 
 /** @param {() => void} act */

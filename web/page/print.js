@@ -11,5 +11,4 @@ export function openForPrint() {
     for (const block of opened) block.open = false
     opened = []
   })
-  document.querySelector('[data-print]')?.addEventListener('click', () => print())
 }

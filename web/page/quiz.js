@@ -1,12 +1,17 @@
 /** Predict first: commit to an answer, then read why. Answers are kept by question and content. */
 
+import { button, part } from '../core/element.js'
+import { whenNear } from './near.js'
 import { forgetAll, recall, remember } from './storage.js'
 
 const KEPT = 'quiz:'
+/** Letters of the longest number that anybody needs to type. */
+const LONGEST = 40
 
 export function quizzes() {
   const all = /** @type {HTMLFormElement[]} */ ([...document.querySelectorAll('form.quiz')])
-  for (const form of all) wake(form)
+  for (const form of all) lock(form, !isAnswer(form, recall(keyOf(form)) ?? ''))
+  whenNear('form.quiz', (form) => wake(/** @type {HTMLFormElement} */ (form)))
   document.querySelector('[data-quiz-reset-all]')?.addEventListener('click', () => {
     forgetAll(KEPT)
     for (const form of all) forget(form)
@@ -20,6 +25,7 @@ function keyOf(form) {
 
 /** @param {HTMLFormElement} form */
 function wake(form) {
+  addControls(form)
   const kept = recall(keyOf(form))
   if (kept === null || !commit(form, kept)) lock(form, true)
   form.addEventListener('submit', (event) => {
@@ -28,7 +34,7 @@ function wake(form) {
     if (typeof answer !== 'string' || answer.trim() === '') return say(form, 'Choose an answer first.')
     if (!commit(form, answer.trim())) return say(form, 'That is not a number.')
     remember(keyOf(form), answer.trim())
-    // What had the focus can be pressed no more.
+    // The button that had the focus is gone.
     const verdict = /** @type {HTMLElement | null} */ (form.querySelector('.quiz-verdict'))
     verdict?.setAttribute('tabindex', '-1')
     verdict?.focus({ preventScroll: true })
@@ -41,7 +47,34 @@ function wake(form) {
 }
 
 /**
- * Shows an answer's verdict; false when it is no answer.
+ * The page is written without form controls: Chromium lays out every part of a page that holds one as soon as the page is
+ * read, and most questions are far below the screen then.
+ * @param {HTMLFormElement} form
+ */
+function addControls(form) {
+  for (const [i, label] of form.querySelectorAll('.quiz-choice').entries()) {
+    const input = document.createElement('input')
+    Object.assign(input, { type: 'radio', name: form.id, value: String(i) })
+    label.prepend(input, ' ')
+  }
+  const label = form.querySelector('.quiz-number label')
+  if (label) {
+    const input = /** @type {HTMLInputElement} */ (part(document, label, 'input', ''))
+    Object.assign(input, { type: 'text', inputMode: 'decimal', autocomplete: 'off', name: 'answer', maxLength: LONGEST })
+  }
+  const actions = form.querySelector('.quiz-actions')
+  if (!actions) return
+  const commit = part(document, actions, 'button', '')
+  commit.setAttribute('type', 'submit')
+  commit.textContent = 'Commit'
+  actions.append(' ')
+  const again = button(document, actions, 'Try again', () => {}, '')
+  again.toggleAttribute('data-quiz-reset', true)
+  again.hidden = true
+}
+
+/**
+ * Shows the verdict on an answer; false when the text is not an answer to this question.
  * @param {HTMLFormElement} form
  * @param {string} answer
  */
@@ -56,6 +89,12 @@ function commit(form, answer) {
   if (answers) answers.open = true
   lock(form, false)
   return true
+}
+
+/** Whether a kept text still answers this question. @param {HTMLFormElement} form @param {string} answer */
+function isAnswer(form, answer) {
+  if (form.dataset.kind !== 'choice') return number(answer) !== null
+  return [...form.querySelectorAll('[data-choice]')].some((item) => item.getAttribute('data-choice') === answer)
 }
 
 /** @param {HTMLFormElement} form @param {string} answer */
@@ -85,8 +124,9 @@ function estimate(form, answer) {
  * @param {string} text
  */
 export function number(text) {
-  const parts = text.replace(/\u2212/g, '-').replace(',', '.').split('/').map((part) => part.trim())
-  if (parts.length > 2 || parts.some((part) => !/^[-+]?(\d+\.?\d*|\.\d+)(e[-+]?\d+)?$/i.test(part))) return null
+  if (text.length > LONGEST) return null
+  const parts = text.replace(/\u2212/g, '-').replace(',', '.').split('/').map((word) => word.trim())
+  if (parts.length > 2 || parts.some((word) => !/^[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?$/i.test(word))) return null
   const value = parts.length === 2 ? Number(parts[0]) / Number(parts[1]) : Number(parts[0])
   return Number.isFinite(value) ? value : null
 }

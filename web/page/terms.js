@@ -120,13 +120,24 @@ function kinOf(element) {
   return /** @type {HTMLElement} */ (holder).dataset.kin ?? KINDS.find((kind) => holder.classList.contains(`term-${kind}`)) ?? null
 }
 
-/** @param {Element} element @returns {HTMLElement | null} */
+/**
+ * The figure nearest to an element. Nothing lies nearer than the part of the text that holds it, and the boxes of the parts
+ * are known without laying them out: so only figures in near parts are measured.
+ * @param {Element} element
+ * @returns {HTMLElement | null}
+ */
 function nearest(element) {
   const y = element.getBoundingClientRect().top
+  const away = (/** @type {Element} */ of) => {
+    const { top, bottom } = of.getBoundingClientRect()
+    return Math.max(top - y, y - bottom, 0)
+  }
+  const widgets = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.widget')])
+  const found = widgets.map((widget) => ({ widget, atLeast: away(widget.closest('section') ?? widget) })).sort((a, b) => a.atLeast - b.atLeast)
   let [best, least] = [/** @type {HTMLElement | null} */ (null), Infinity]
-  for (const widget of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.widget'))) {
-    const { top, bottom } = widget.getBoundingClientRect()
-    const distance = Math.max(top - y, y - bottom, 0)
+  for (const { widget, atLeast } of found) {
+    if (atLeast >= least) break
+    const distance = away(widget)
     if (distance < least) [best, least] = [widget, distance]
   }
   return best

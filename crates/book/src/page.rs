@@ -89,8 +89,8 @@ pub fn text(
     let root = root_of(address);
     let mut renderer = Renderer::new(site, &labels, diagnostics, &root);
     let mut body = String::new();
-    for document in &documents {
-        body += &format!("<section>\n{}</section>\n", renderer.document(document));
+    for (document, (path, _)) in documents.iter().zip(files) {
+        body += &format!("<section data-part=\"{}\">\n{}</section>\n", part(path), renderer.document(document));
     }
     let search = search(&body, &renderer.headings, address);
     let end = renderer.end_matter();
@@ -98,6 +98,12 @@ pub fn text(
     thrun.sort_by_key(|(_, n)| *n);
     let thrun = thrun.into_iter().map(|(html, _)| html).collect();
     Text { body: body + &end, contents: contents(&renderer.headings), search, used: renderer.used, thrun, figures }
+}
+
+/// The name of a part of a text: its file's, without folder, order and ending. `web/heights.json` knows it by this name.
+fn part(path: &str) -> &str {
+    let name = path.rsplit('/').next().unwrap_or(path).trim_end_matches(".md");
+    name.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start_matches('-')
 }
 
 /// From a page's address to the site's root: `kalman/` is one level down.
@@ -147,6 +153,12 @@ fn sections(body: &str) -> BTreeMap<String, String> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_part_is_named_by_its_file() {
+        assert_eq!(part("content/kalman/08-kalman.md"), "kalman");
+        assert_eq!(part("page.md"), "page");
+    }
 
     #[test]
     fn the_root_is_as_far_up_as_the_page_is_down() {

@@ -1,4 +1,6 @@
-//! A quiz as a form: without scripts the answer opens on demand, with them it waits for the reader's own.
+//! A quiz as a form: without scripts the answer opens on demand, with them it waits for the reader's own. The page's
+//! script makes the controls when the question comes near the screen: a browser lays out every part of the page that holds
+//! a form control as soon as the page is read, however far below the screen it is.
 
 use crate::diagnostic::Place;
 use crate::html::escape;
@@ -23,15 +25,14 @@ impl Renderer<'_> {
             .map(|title| format!(" <span class=\"title\">{}</span>", self.title(&title.markdown, &title.place)));
         let prompt = self.blocks(&quiz.prompt.markdown, &quiz.prompt.place);
         let (kind, entry, reasons) = match &quiz.answer {
-            Answer::Choice(choices) => self.choices(quiz, choices),
+            Answer::Choice(choices) => self.choices(choices),
             Answer::Number { .. } => self.value(quiz),
         };
         let why = self.blocks(&quiz.why.markdown, &quiz.why.place);
         format!(
             "<form class=\"quiz\" id=\"quiz-{0}\" data-quiz=\"{0}\" data-kind=\"{kind}\" data-hash=\"{1:016x}\"{2}>\
              <fieldset><legend><span class=\"label\">Predict first</span>{3}</legend><div class=\"quiz-prompt\">{prompt}</div>{entry}</fieldset>\
-             <p class=\"quiz-actions\" data-needs-js hidden><button type=\"submit\">Commit</button> \
-             <button type=\"button\" data-quiz-reset hidden>Try again</button></p><div class=\"quiz-verdict\" role=\"status\"></div>\
+             <p class=\"quiz-actions\" data-needs-js hidden></p><div class=\"quiz-verdict\" role=\"status\"></div>\
              <details class=\"quiz-answer\"><summary>Answer</summary><div class=\"details-body\">{reasons}\
              <div class=\"quiz-why\">{why}</div></div></details></form>\n",
             escape(id),
@@ -41,15 +42,12 @@ impl Renderer<'_> {
         )
     }
 
-    fn choices(&mut self, quiz: &Quiz, choices: &[Choice]) -> (&'static str, String, String) {
+    fn choices(&mut self, choices: &[Choice]) -> (&'static str, String, String) {
         let (mut entry, mut reasons) = (String::new(), String::new());
         for (i, choice) in choices.iter().enumerate() {
             let text = self.title(&choice.text.markdown, &choice.text.place);
             let why = self.blocks(&choice.why.markdown, &choice.why.place);
-            entry += &format!(
-                "<label class=\"quiz-choice\"><input type=\"radio\" name=\"quiz-{}\" value=\"{i}\"> <span>{text}</span></label>",
-                escape(&quiz.id)
-            );
+            entry += &format!("<label class=\"quiz-choice\"><span>{text}</span></label>");
             let right = if choice.right { " data-right" } else { "" };
             reasons += &format!(
                 "<li data-choice=\"{i}\"{right}><span class=\"quiz-reason-choice\">{text}</span> <div class=\"quiz-reason\">{why}</div></li>"
@@ -68,9 +66,7 @@ impl Renderer<'_> {
         };
         let unit =
             if unit.is_empty() { String::new() } else { format!(" <span class=\"quiz-unit\">{}</span>", escape(unit)) };
-        let entry = format!(
-            "<p class=\"quiz-number\"><label>Your answer <input type=\"text\" inputmode=\"decimal\" autocomplete=\"off\" name=\"answer\"></label>{unit}</p>"
-        );
+        let entry = format!("<p class=\"quiz-number\"><label>Your answer </label>{unit}</p>");
         self.used.numbers.insert(id.clone());
         let print = |value: f64| format.html(value).unwrap_or_default();
         let link =
