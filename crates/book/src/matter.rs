@@ -105,5 +105,7 @@ impl Renderer<'_> {
 }
 
 fn section(id: &str, title: &str, body: &str) -> String {
-    format!("<section class=\"end-matter end-{id}\" data-part=\"{id}\" id=\"{id}\"><h2>{title}</h2>\n{body}</section>\n")
+    format!(
+        "<section class=\"end-matter end-{id}\" data-part=\"{id}\" id=\"{id}\"><h2>{title}</h2>\n{body}</section>\n"
+    )
 }
