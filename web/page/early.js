@@ -1,7 +1,10 @@
 /**
- * Before the first paint: scripts are on, theme and notation are as the reader left them, and the text waits a moment
- * for its faces (style sheets stand before this script, so they are known), so that no line moves once it is there.
+ * Before the first paint: scripts are on, theme and notation are as the reader left them. The text stays hidden for a moment
+ * until its fonts are there and, after a reload, until the reader's place is on the screen: so nothing moves once it shows.
+ * (The style sheets stand before this script, so the fonts are known.)
  */
+
+import { keepPlace } from './place.js'
 
 const root = document.documentElement
 root.classList.add('js')
@@ -11,10 +14,10 @@ try {
   const notation = localStorage.getItem('notation')
   if (notation === 'thrun') root.dataset.notation = notation
 } catch {
-  // Without storage a page begins as everyone's does.
+  // Without storage the page begins with the usual settings.
 }
 
-// A script that is lost leaves the page as it is without scripts: everything open, nothing to press that would not answer.
+// Where a script cannot be fetched the page is as it is without scripts: everything open, and no button that would not answer.
 addEventListener('error', ({ target }) => {
   if (!(target instanceof HTMLScriptElement)) return
   root.classList.remove('js')
@@ -25,4 +28,4 @@ const show = () => root.classList.remove('waiting')
 const faces = ['400 1em Text', 'italic 400 1em Text', '400 1em Plain'].map((face) => document.fonts.load(face))
 root.classList.add('waiting')
 setTimeout(show, 1200)
-Promise.all(faces).then(show, show)
+Promise.all([...faces, keepPlace()]).then(show, show)

@@ -1,0 +1,160 @@
+// The reader's place: after a reload, a way back, a link, a text fragment or a hit of the search the same line is where it was
+// or belongs, though parts of the chapter are laid out only when the reader comes near them.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { DESKTOP, PHONE, open, stage } from './harness.mjs'
+
+/** The height of a line of text, pixels: nobody loses the place by less. */
+const LINE = 29
+const SIZES = { desktop: { viewport: DESKTOP }, phone: { viewport: PHONE, touch: true } }
+
+/** Waits until nothing has moved for some frames. */
+const settle = (page) => page.evaluate(async () => {
+  await document.fonts.ready
+  let [still, last] = [0, NaN]
+  for (let i = 0; i < 400 && still < 30; i++) {
+    await new Promise((resolve) => requestAnimationFrame(resolve))
+    const now = scrollY + document.documentElement.scrollHeight / 1e6
+    still = now === last && document.readyState === 'complete' ? still + 1 : 0
+    last = now
+  }
+})
+/** The first paragraph on the screen, and where it begins. */
+const mark = (page) => page.evaluate(() => {
+  for (const section of document.querySelectorAll('.chapter > section')) {
+    if (section.getBoundingClientRect().bottom < 0) continue
+    const p = [...section.querySelectorAll('p')].find((it) => it.checkVisibility() && it.textContent.trim().length > 40 && !it.closest('.widget') && it.getBoundingClientRect().top > 30)
+    if (p) return { text: p.textContent.trim().slice(0, 60), top: p.getBoundingClientRect().top }
+  }
+  return null
+})
+const topOf = (page, text) => page.evaluate((words) => [...document.querySelectorAll('.chapter p')].find((p) => p.textContent.trim().startsWith(words))?.getBoundingClientRect().top, text)
+/** Scrolls as a reader does, from where the page is, to the middle of a part. */
+const readTo = async (page, part, share = 0.5) => {
+  await page.evaluate(async ([name, at]) => {
+    const section = document.querySelector(`[data-part="${name}"]`)
+    for (let i = 0; i < 3; i++) {
+      const { top, height } = section.getBoundingClientRect()
+      scrollTo({ top: scrollY + top + height * at, behavior: 'instant' })
+      await new Promise((resolve) => setTimeout(resolve, 120))
+    }
+  }, [part, share])
+  await settle(page)
+  await page.waitForTimeout(400)
+}
+const near = (now, then, what) => assert.ok(Math.abs(now - then) < LINE, `${what}: ${now} px from the top, ${then} before`)
+
+for (const [size, how] of Object.entries(SIZES)) {
+  test(`a reload leaves the reader where the reader was, ${size}`, { timeout: 180_000 }, async (t) => {
+    const page = await open(t, how)
+    for (const part of ['knob', 'schedule', 'ekf', 'ellipse', 'exercises']) {
+      await readTo(page, part)
+      const before = await mark(page)
+      assert.ok(before, part)
+      await page.reload()
+      await settle(page)
+      near(await topOf(page, before.text), before.top, part)
+    }
+  })
+
+  test(`derivations unfolded above the place stay unfolded, and the place with them, ${size}`, { timeout: 180_000 }, async (t) => {
+    const page = await open(t, how)
+    const all = page.locator('details.derivation')
+    const ids = await all.evaluateAll((blocks) => blocks.slice(0, 4).map((block) => block.id))
+    for (const id of ids) {
+      await page.locator(`#${id}`).scrollIntoViewIfNeeded()
+      await page.locator(`#${id} > summary`).click()
+    }
+    // Inside one of them.
+    await page.locator(`#${ids[2]} .step`).last().evaluate((step) => scrollTo({ top: scrollY + step.getBoundingClientRect().top - 60, behavior: 'instant' }))
+    await settle(page)
+    await page.waitForTimeout(400)
+    const before = await mark(page)
+    await page.reload()
+    await settle(page)
+    near(await topOf(page, before.text), before.top, ids[2])
+    assert.deepEqual(await page.locator('details.derivation[open]').evaluateAll((blocks) => blocks.map((block) => block.id)), ids)
+  })
+
+  test(`the way back from another page, and from another place of this one, leads to the line that was left, ${size}`, { timeout: 180_000 }, async (t) => {
+    const page = await open(t, how)
+    const { site } = await stage()
+    await readTo(page, 'algorithms')
+    const before = await mark(page)
+    await page.goto(`${site.url}hosting/`)
+    await page.goBack()
+    await settle(page)
+    near(await topOf(page, before.text), before.top, 'back from another page')
+    // By a link within the page, and back.
+    await page.evaluate(() => document.querySelector('.toc a[href="#hand-steps"]').click())
+    await settle(page)
+    near(await page.locator('#hand-steps').evaluate((it) => it.getBoundingClientRect().top), 24, 'the link of the contents')
+    await page.goBack()
+    await settle(page)
+    near(await topOf(page, before.text), before.top, 'back within the page')
+    await page.goForward()
+    await settle(page)
+    near(await page.locator('#hand-steps').evaluate((it) => it.getBoundingClientRect().top), 24, 'and forward again')
+  })
+
+  test(`an address leads to its heading, its figure or its words, ${size}`, { timeout: 180_000 }, async (t) => {
+    for (const id of ['hand-steps', 'ellipse', 'fig-probe', 'exercises', 'number-step1.nu']) {
+      const page = await open(t, { ...how, at: `kalman/#${id}` })
+      await settle(page)
+      const { top, bottom, height, end } = await page.evaluate((name) => {
+        const { top, bottom } = document.getElementById(name).getBoundingClientRect()
+        return { top, bottom, height: innerHeight, end: Math.abs(scrollY + innerHeight - document.documentElement.scrollHeight) < 2 }
+      }, id)
+      if (end) assert.ok(top >= 0 && bottom <= height, `${id} is on the last screen`)
+      else near(top, 24, id)
+    }
+    const page = await open(t, how)
+    await readTo(page, 'slam', 0.4)
+    const { text } = await mark(page)
+    const words = text.split(' ').slice(0, 5).join(' ')
+    const other = await open(t, { ...how, at: `kalman/#:~:text=${encodeURIComponent(words).replace(/-/g, '%2D')}` })
+    await settle(other)
+    const { height } = how.viewport
+    const top = await topOf(other, text)
+    assert.ok(top > -LINE && top < height - LINE, `“${words}” is at ${top} of ${height} px`)
+  })
+
+  test(`a hit of the search leads to its heading, ${size}`, { timeout: 120_000 }, async (t) => {
+    const page = await open(t, how)
+    await page.locator('[data-open-search]').click()
+    const dialog = page.getByRole('dialog', { name: 'Search' })
+    await dialog.getByRole('searchbox').fill('associate')
+    const hit = dialog.locator('.search-results a').first()
+    await hit.waitFor()
+    const id = await hit.evaluate((link) => decodeURIComponent(link.hash.slice(1)))
+    await hit.click()
+    await settle(page)
+    near(await page.evaluate((name) => document.getElementById(name).getBoundingClientRect().top, id), 24, id)
+  })
+}
+
+test('words far below the screen are found in the page', async (t) => {
+  const page = await open(t)
+  const words = await page.evaluate(() => [...document.querySelectorAll('[data-part="slam"] p')].find((p) => !p.querySelector('.formula, .number') && p.textContent.length > 80).textContent.trim().split(/\s+/).slice(0, 4).join(' '))
+  assert.ok(await page.evaluate((some) => find(some), words), `“${words}”`)
+  await settle(page)
+  assert.ok(await page.evaluate(() => scrollY) > 2000)
+})
+
+test('a part that is not laid out has nearly its real height, and holds no form control', async (t) => {
+  for (const how of Object.values(SIZES)) {
+    const page = await open(t, how)
+    await settle(page)
+    const seen = await page.evaluate(() => [...document.querySelectorAll('.chapter > section')].map((part) => {
+      const far = part.getBoundingClientRect().top > 5 * innerHeight
+      const controls = part.querySelectorAll('button, input, select, textarea').length
+      const guess = part.getBoundingClientRect().height
+      part.style.contentVisibility = 'visible'
+      return { name: part.dataset.part, far, controls, guess, real: part.getBoundingClientRect().height }
+    }))
+    assert.ok(seen.filter(({ far }) => far).length > 10)
+    assert.deepEqual(seen.filter(({ far, controls }) => far && controls > 0), [])
+    const wrong = seen.filter(({ guess, real }) => Math.abs(guess - real) > Math.max(200, 0.15 * real))
+    assert.deepEqual(wrong, [], 'run ./scripts/heights and build again')
+  }
+})
