@@ -2,7 +2,7 @@
 // and by touch.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { PHONE, dragSlider, figure, frameOf, open, stateOf, until } from './harness.mjs'
+import { PHONE, dragSlider, frameOf, openFigure, stateOf, until } from './harness.mjs'
 
 const knob = (bench) => bench.getByRole('slider', { name: /gain/i })
 const moving = (frame) => Math.max(...frame.eigenvalues.filter((_, i) => i !== frame.pinned).map(({ re, im }) => Math.hypot(re, im)))
@@ -24,8 +24,7 @@ const drawn = (bench) => bench.locator('.live .panel-disc').evaluate((svg) => {
 const readout = (bench, label) => bench.locator('.live .readout').filter({ has: bench.page().locator('dt', { hasText: label }) }).locator('dd').textContent()
 
 test('dragging the knob drives the eigenvalue out of the disc', async (t) => {
-  const page = await open(t)
-  const bench = await figure(page, 'observer-bench')
+  const { page, it: bench } = await openFigure(t, 'observer-bench')
   const before = await frameOf(bench)
   assert.ok(before.stable && moving(before) < 1)
   const inside = await drawn(bench)
@@ -43,8 +42,7 @@ test('dragging the knob drives the eigenvalue out of the disc', async (t) => {
 })
 
 test('the filter, when it may choose, ends where the knob says 1', async (t) => {
-  const page = await open(t)
-  const bench = await figure(page, 'observer-bench')
+  const { page, it: bench } = await openFigure(t, 'observer-bench')
   await bench.getByRole('button', { name: 'Reset' }).click()
   await until(bench, ({ step }) => step === 0, 'reset goes to step 0')
   await bench.getByRole('checkbox', { name: /let the filter choose/i }).check()
@@ -61,8 +59,7 @@ test('the filter, when it may choose, ends where the knob says 1', async (t) => 
 })
 
 test('the keys turn the knob, finely, coarsely, and to its ends', async (t) => {
-  const page = await open(t)
-  const bench = await figure(page, 'observer-bench')
+  const { page, it: bench } = await openFigure(t, 'observer-bench')
   const slider = knob(bench)
   await slider.focus()
   const gain = async () => (await frameOf(bench)).params.gain
@@ -82,8 +79,7 @@ test('the keys turn the knob, finely, coarsely, and to its ends', async (t) => {
 })
 
 test('a finger turns the knob', async (t) => {
-  const page = await open(t, { viewport: PHONE, touch: true })
-  const bench = await figure(page, 'observer-bench')
+  const { page, it: bench } = await openFigure(t, 'observer-bench', { viewport: PHONE, touch: true })
   const slider = knob(bench)
   await slider.scrollIntoViewIfNeeded()
   const { x, y, width, height } = await slider.boundingBox()
@@ -109,8 +105,7 @@ test('a finger turns the knob', async (t) => {
 })
 
 test('a change is the whole run as it would have been, and a step is announced', async (t) => {
-  const page = await open(t)
-  const bench = await figure(page, 'observer-bench')
+  const { page, it: bench } = await openFigure(t, 'observer-bench')
   const { step } = await frameOf(bench)
   await bench.getByRole('combobox', { name: 'Sensor' }).selectOption('position')
   const frame = await until(bench, ({ params }) => params.sensor === 'position', 'the sensor is changed')
@@ -124,8 +119,7 @@ test('a change is the whole run as it would have been, and a step is announced',
 
 test('with reduced motion a step shows at once; without, in two beats', async (t) => {
   for (const motion of ['reduce', 'no-preference']) {
-    const page = await open(t, { motion })
-    const bench = await figure(page, 'observer-bench')
+    const { page, it: bench } = await openFigure(t, 'observer-bench', { motion })
     await page.waitForTimeout(300)
     // Every outline of the ellipse that the step shows, frame by frame.
     const seen = await bench.evaluate(async (it) => {
@@ -146,8 +140,7 @@ test('with reduced motion a step shows at once; without, in two beats', async (t
 })
 
 test('with reduced motion a run goes on in lumps, two pictures a second', async (t) => {
-  const page = await open(t, { motion: 'reduce' })
-  const hook = await figure(page, 'odometry-hook')
+  const { page, it: hook } = await openFigure(t, 'odometry-hook', { motion: 'reduce' })
   await hook.getByRole('button', { name: 'Reset' }).click()
   await until(hook, ({ step }) => step === 0, 'reset')
   await hook.getByRole('button', { name: 'Play' }).click()
@@ -168,8 +161,7 @@ test('with reduced motion a run goes on in lumps, two pictures a second', async 
 })
 
 test('the seed makes another run, and the same one again', async (t) => {
-  const page = await open(t)
-  const bench = await figure(page, 'observer-bench')
+  const { page, it: bench } = await openFigure(t, 'observer-bench')
   const seed = bench.getByRole('spinbutton', { name: 'Seed' })
   const first = await frameOf(bench)
   await seed.fill('7')
@@ -183,8 +175,7 @@ test('the seed makes another run, and the same one again', async (t) => {
 })
 
 test('a seed can be typed while the figure plays', async (t) => {
-  const page = await open(t, { motion: 'no-preference' })
-  const bench = await figure(page, 'observer-bench')
+  const { page, it: bench } = await openFigure(t, 'observer-bench', { motion: 'no-preference' })
   const seed = bench.getByRole('spinbutton', { name: 'Seed' })
   await bench.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })
   await bench.getByRole('button', { name: 'Play' }).click()

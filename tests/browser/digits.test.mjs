@@ -5,7 +5,7 @@ import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { createRequire } from 'node:module'
 import path from 'node:path'
-import { figure, open, root } from './harness.mjs'
+import { openFigure, root } from './harness.mjs'
 
 const LABS = { 'observer-bench': 'ObserverBench', 'odometry-hook': 'OdometryHook', 'observability-probe': 'ObservabilityProbe' }
 const native = execFileSync('cargo', ['run', '--quiet', '--profile', 'site', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
@@ -19,8 +19,7 @@ for (const [tag, hash, given] of native) {
     lab.run(10_000)
     assert.equal(lab.digest(), hash, 'in Node')
     lab.free()
-    const page = await open(t)
-    const element = await figure(page, tag)
+    const { it: element } = await openFigure(t, tag)
     const there = await element.evaluate((it, asked) => {
       const Lab = it.figure.lab.constructor
       const own = new Lab(asked)

@@ -3,7 +3,9 @@
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
+import { once } from 'node:events'
 import { existsSync } from 'node:fs'
+import { createServer } from 'node:http'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import puppeteer from 'puppeteer-core'
@@ -78,6 +80,30 @@ test('the keys move the prediction of kalman-picture in Firefox, to the frame th
   const lab = new core.Picture()
   lab.set(there.params)
   assert.deepEqual(there, lab.frame())
+})
+
+test('a figure lives in a sandboxed frame of another origin in Firefox, and tells its height', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+  const html = `<!doctype html><title>Somebody else's page</title><iframe src="${site.url}figure/observer-bench/" title="A figure" sandbox="allow-scripts" width="800" height="900"></iframe>
+    <script>heights = []; addEventListener('message', ({ data }) => heights.push(data.height))</script>`
+  const server = createServer((_, response) => response.writeHead(200, { 'content-type': 'text/html' }).end(html)).listen(0, '127.0.0.1')
+  await once(server, 'listening')
+  const other = await browser.newPage()
+  try {
+    other.on('console', (message) => { if (message.type() === 'error') complaints.push(message.text()) })
+    await other.goto(`http://127.0.0.1:${server.address().port}/`)
+    const frame = other.frames()[1]
+    await frame.waitForFunction(() => document.querySelector('observer-bench').settled, { timeout: 30_000, polling: 100 })
+    assert.equal(await frame.evaluate(() => self.origin), 'null')
+    await frame.evaluate(() => document.querySelector('observer-bench .live input[type=range]').focus())
+    const gain = await frame.evaluate(() => document.querySelector('observer-bench').frame.params.gain)
+    await other.keyboard.press('ArrowRight')
+    await frame.waitForFunction((g) => document.querySelector('observer-bench').frame.params.gain > g, { timeout: 30_000, polling: 100 }, gain)
+    assert.ok((await other.evaluate(() => heights)).every((height) => Number.isInteger(height) && height > 300))
+  } finally {
+    await other.close()
+    server.closeAllConnections()
+    server.close()
+  }
 })
 
 test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {

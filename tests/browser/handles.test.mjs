@@ -2,20 +2,14 @@
 // moved by the keys; and under a finger only the handle itself holds the page.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { PHONE, figure, open, unlock } from './harness.mjs'
+import { PHONE, figure, openFigure } from './harness.mjs'
+import { WIDGETS } from '../../web/widgets/index.js'
 
-const FIGURES = { 'odometry-hook': 'fig-odometry', 'observer-bench': 'fig-bench', 'kalman-picture': 'fig-picture', 'observability-probe': 'fig-probe' }
 const KNOBS = '.live :is(svg [role=slider], input[type=range]:enabled)'
 
-async function unlocked(page, tag) {
-  await unlock(page, FIGURES[tag])
-  return figure(page, tag)
-}
-
-for (const tag of Object.keys(FIGURES)) {
+for (const tag of Object.keys(WIDGETS)) {
   test(`every handle and slider of the ${tag} is large, named, reached by Tab and moved by keys`, async (t) => {
-    const page = await open(t, { viewport: PHONE })
-    const it = await unlocked(page, tag)
+    const { page, it } = await openFigure(t, tag, { viewport: PHONE })
     const knobs = await it.locator(KNOBS).all()
     assert.ok(knobs.length > 0)
     // By Tab, from the first thing in the figure to what comes after it.
@@ -66,8 +60,7 @@ for (const tag of Object.keys(FIGURES)) {
 
 for (const tag of ['kalman-picture', 'observability-probe']) {
   test(`a finger on a handle of the ${tag} moves it and not the page; beside it, the page`, async (t) => {
-    const page = await open(t, { viewport: PHONE, touch: true })
-    const it = await unlocked(page, tag)
+    const { page, it } = await openFigure(t, tag, { viewport: PHONE, touch: true })
     const wire = await page.context().newCDPSession(page)
     const swipe = async (x, y, far) => {
       const touch = (type, at) => wire.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: at }] })
@@ -119,8 +112,7 @@ for (const tag of ['kalman-picture', 'observability-probe']) {
 }
 
 test('on a slow machine plots, numbers and labels come after the hand, and come', async (t) => {
-  const page = await open(t)
-  const it = await unlocked(page, 'observability-probe')
+  const { page, it } = await openFigure(t, 'observability-probe')
   const wire = await page.context().newCDPSession(page)
   await wire.send('Emulation.setCPUThrottlingRate', { rate: 20 })
   const box = await it.locator('.live .handle-reach').first().boundingBox()
@@ -141,7 +133,7 @@ test('on a slow machine plots, numbers and labels come after the hand, and come'
   await it.getByRole('button', { name: 'Copy link' }).click()
   const link = await page.evaluate(() => navigator.clipboard.readText())
   await page.goto(link)
-  await unlocked(page, 'observability-probe')
+  await figure(page, 'observability-probe')
   await settled()
   const fresh = await shown()
   assert.deepEqual(late, fresh)

@@ -52,8 +52,19 @@ export async function open(t, wishes = {}) {
   return page
 }
 
-/** Collects everything a page should never say or ask for. */
-export function watch(page, home) {
+/**
+ * Opens the page of one figure, watched, with the figure alive: for tests whose subject is the figure and not the chapter.
+ * @param {import('node:test').TestContext} t
+ * @param {string} name the figure's element
+ * @param {Parameters<typeof open>[1] & { query?: string }} [wishes]
+ */
+export async function openFigure(t, name, { query = '', ...wishes } = {}) {
+  const page = await open(t, { ...wishes, at: `figure/${name}/${query}` })
+  return { page, it: await figure(page, name) }
+}
+
+/** Collects everything a page should never say or ask for. @param {string[]} homes where it may ask */
+export function watch(page, ...homes) {
   const complaints = []
   page.on('console', (message) => {
     // Said by the driver where a test keeps the service worker out.
@@ -64,7 +75,7 @@ export function watch(page, home) {
   page.on('crash', () => complaints.push('the page crashed'))
   page.on('request', (request) => {
     const url = request.url()
-    if (!url.startsWith(home) && !/^(data|blob|about):/.test(url)) complaints.push(`foreign request: ${url}`)
+    if (!homes.some((home) => url.startsWith(home)) && !/^(data|blob|about):/.test(url)) complaints.push(`foreign request: ${url}`)
   })
   page.on('response', (response) => {
     if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`)

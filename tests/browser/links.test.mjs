@@ -2,7 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
-import { dragSlider, figure, frameOf, open, stage, stateOf, unlock, until } from './harness.mjs'
+import { dragSlider, figure, frameOf, open, openFigure, stage, stateOf, unlock, until } from './harness.mjs'
 
 const copied = async (page, bench) => {
   await bench.getByRole('button', { name: 'Copy link to this state' }).click()
@@ -39,16 +39,14 @@ for (const [what, mangle] of [
 ]) {
   test(`a link ${what} gives the usual figure and a notice`, async (t) => {
     const good = btoa(JSON.stringify([1, 'observer-bench', 3, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }])).replace(/=+$/, '')
-    const page = await open(t, { at: `kalman/?fig-bench=${mangle(good)}#fig-bench` })
-    const bench = await figure(page, 'observer-bench')
+    const { it: bench } = await openFigure(t, 'observer-bench', { query: `?fig-bench=${mangle(good)}` })
     assert.equal((await frameOf(bench)).step, 12)
     await bench.getByText(/could not be read/).first().waitFor()
   })
 }
 
 test('the figure and its series can be taken along', async (t) => {
-  const page = await open(t)
-  const bench = await figure(page, 'observer-bench')
+  const { page, it: bench } = await openFigure(t, 'observer-bench')
   const take = async (name) => {
     const [download] = await Promise.all([page.waitForEvent('download'), bench.getByRole('button', { name }).click()])
     return { name: download.suggestedFilename(), text: readFileSync(await download.path(), 'utf8') }
@@ -66,9 +64,7 @@ test('the figure and its series can be taken along', async (t) => {
 
 for (const [tag, id] of [['odometry-hook', 'fig-odometry'], ['kalman-picture', 'fig-picture'], ['observability-probe', 'fig-probe']]) {
   test(`state, picture and series of the ${tag} can be taken along`, async (t) => {
-    const page = await open(t)
-    await unlock(page, id)
-    const widget = await figure(page, tag)
+    const { page, it: widget } = await openFigure(t, tag)
     const before = await stateOf(widget)
     const step = widget.getByRole('button', { name: 'Step' })
     if (await step.count()) await step.click()

@@ -4,7 +4,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { figure, frameOf, open, root, stateOf, unlock } from './harness.mjs'
+import { frameOf, openFigure, root, stateOf } from './harness.mjs'
 import { plain } from '../../web/core/words.js'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { dice as seeded } from '../node/nonsense.mjs'
@@ -76,11 +76,9 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
   test(`${tag}: every readout is what a native run of the same state says`, { timeout: 240_000 }, async (t) => {
     t.diagnostic(`PROBE_SEED=${SEED} repeats it`)
     const spec = await load()
-    const page = await open(t)
-    const element = await figure(page, tag)
+    const { page, it: element } = await openFigure(t, tag)
     const start = await stateOf(element)
     const id = await element.evaluate((it) => it.figure.id)
-    await unlock(page, id)
     const dice = seeded(SEED)
     for (let round = 1; round <= ROUNDS[tag]; round++) {
       await shuffle(page, element, dice)

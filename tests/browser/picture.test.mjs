@@ -2,18 +2,14 @@
 // they are put.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { dragSlider, figure, frameOf, open, unlock, until } from './harness.mjs'
+import { dragSlider, frameOf, openFigure, until } from './harness.mjs'
 
 const close = (a, b, tolerance = 1e-9) => Math.abs(a - b) <= tolerance
 const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1])
 const handle = (picture, label) => picture.getByRole('slider', { name: label, exact: true })
 const noise = (picture) => picture.getByRole('slider', { name: /Sensor noise/ })
 
-async function picture(t) {
-  const page = await open(t)
-  await unlock(page, 'fig-picture')
-  return { page, it: await figure(page, 'kalman-picture') }
-}
+const picture = (t) => openFigure(t, 'kalman-picture')
 
 /** Pixels of one unit, by the drawing's own margins and reach. */
 const unitOf = (it) => it.locator('.live .panel-plane').evaluate((svg) => {

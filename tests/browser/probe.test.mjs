@@ -1,7 +1,7 @@
 // The Observability Probe: a landmark dragged with mouse and keys, and what the rank panel makes of it.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { figure, frameOf, open, until } from './harness.mjs'
+import { frameOf, openFigure, until } from './harness.mjs'
 
 const ranks = async (probe) => {
   const { frozen, alongPath } = await frameOf(probe)
@@ -12,8 +12,7 @@ const ranks = async (probe) => {
 }
 
 test('a landmark moves by mouse and by keys, and the rank panel follows the geometry', async (t) => {
-  const page = await open(t)
-  const probe = await figure(page, 'observability-probe')
+  const { page, it: probe } = await openFigure(t, 'observability-probe')
   assert.deepEqual(await ranks(probe), [2, 2])
 
   const landmark = probe.locator('.live [aria-label*="Landmark 1"]').first()

@@ -4,13 +4,13 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import path from 'node:path'
-import { figure, frameOf, open, root, stateOf, unlock, until } from './harness.mjs'
+import { frameOf, open, openFigure, root, stateOf, until } from './harness.mjs'
 
 const estimate = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
 /** Three landmarks in a heap, and a robot that has forgotten its map: each step corrects all that it has founded. */
 const HEAP = { count: 3, forget: true, landmarks: [[2, 3], [2.3, 3], [2.6, 3]] }
-const probeAt = (step, params) => `kalman/?fig-probe=${code([1, 'observability-probe', step, params])}#fig-probe`
+const probeAt = (step, params) => `figure/observability-probe/?fig-probe=${code([1, 'observability-probe', step, params])}`
 
 /** Notes at every animation frame what the bar of the figure `tag` says. */
 const noteBar = (page, tag) => page.addInitScript((name) => {
@@ -70,9 +70,7 @@ test('a link to the last step of all opens in many short calls, to the bits of o
 })
 
 test('fast play reaches the last step, and stops there', async (t) => {
-  const page = await open(t, { at: `kalman/?fig-odometry=${code([1, 'odometry-hook', 99_700, {}])}#fig-odometry`, motion: 'no-preference' })
-  await unlock(page, 'fig-odometry')
-  const hook = await figure(page, 'odometry-hook')
+  const { it: hook } = await openFigure(t, 'odometry-hook', { query: `?fig-odometry=${code([1, 'odometry-hook', 99_700, {}])}`, motion: 'no-preference' })
   await hook.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })
   await hook.getByRole('button', { name: 'Play' }).click()
   await until(hook, ({ step }) => step === 100_000, 'the last step', 30_000)

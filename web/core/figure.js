@@ -7,15 +7,15 @@
  */
 
 import { Display } from './display.js'
-import { asCsv, asSvg, save } from './download.js'
 import { focusFirst } from './element.js'
 import { hideFailure, showFailure } from './failure.js'
 import { liveHandles } from './handle.js'
-import { LAST_STEP, openLab, withState } from './link.js'
+import { LAST_STEP, openLab } from './link.js'
 import { loadModule } from './module.js'
 import { STEP_MS } from './motion.js'
 import { Progress } from './progress.js'
 import { Run } from './run.js'
+import { Share } from './share.js'
 import { buildShell } from './shell.js'
 import { Voice } from './voice.js'
 
@@ -145,6 +145,7 @@ class Figure {
   live(run) {
     const into = document.createElement('div')
     into.className = 'live'
+    const share = new Share(this.host, this.spec, this.id, run, this.voice)
     this.shell = buildShell(document, this.spec, into, {
       play: () => this.order(() => {
         run.play(!run.playing)
@@ -154,9 +155,9 @@ class Figure {
       reset: () => this.order(() => run.reset()),
       speed: (rate) => this.order(() => { run.rate = rate }),
       change: (patch, make) => this.change(make ? make(run.wanted, run.lab) : patch),
-      link: () => this.copyLink(),
-      download: (kind) => this.download(kind),
+      ...share.orders,
     })
+    share.tools = this.shell.tools
     this.progress = new Progress(into, () => {
       run.cancel()
       this.ask()
@@ -250,34 +251,5 @@ class Figure {
     if (this.calm.matches) return Infinity
     if (Number.isFinite(elapsed)) return elapsed
     return this.display?.drawn.size ? 16 : Infinity
-  }
-
-  // What it gives.
-
-  async copyLink() {
-    const { run } = this
-    if (!run) return
-    // The address may hold older states of other figures: the link gets their present ones.
-    let link = location.href
-    for (const other of /** @type {NodeListOf<HTMLElement & { state: any }>} */ (document.querySelectorAll('.widget[data-state="live"]'))) {
-      const id = other.dataset.figure ?? ''
-      if (new URL(link).searchParams.has(id)) link = withState(link, id, other.state)
-    }
-    link = withState(link, this.id, run.state())
-    try {
-      await navigator.clipboard.writeText(link)
-      this.voice.tell('Link copied.')
-    } catch {
-      history.replaceState(null, '', link)
-      this.voice.tell('The link is in the address bar.')
-    }
-  }
-
-  /** @param {'svg' | 'csv'} kind */
-  download(kind) {
-    const { run, shell, spec } = this
-    if (!run || !shell) return
-    if (kind === 'csv') save(`${this.id}.csv`, 'text/csv', asCsv(spec.series(run.frame)))
-    else save(`${this.id}.svg`, 'image/svg+xml', asSvg(shell.into, Object.values(spec.describe(run.frame)).join(' ')))
   }
 }

@@ -14,7 +14,7 @@ export class Progress {
    */
   constructor(into, cancel) {
     const { ownerDocument: document } = into
-    this.box = part(document, into, 'div', 'progress')
+    this.box = /** @type {HTMLElement} */ (part(document, part(document, into, 'div', 'progress-place'), 'div', 'progress'))
     this.bar = /** @type {HTMLProgressElement} */ (part(document, this.box, 'progress', ''))
     this.bar.setAttribute('aria-label', 'Steps computed')
     this.words = part(document, this.box, 'span', '')

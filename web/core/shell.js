@@ -21,7 +21,8 @@ import { writeHtml } from './words.js'
  * @property {(rate: number) => void} speed
  * @property {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} change
  * @property {() => void} link
- * @property {(kind: 'svg' | 'csv') => void} download
+ * @property {() => void} embed
+ * @property {((kind: 'svg' | 'csv') => void) | null} download null where the page may not save files
  */
 
 /** @typedef {ReturnType<typeof buildShell>} Shell */
@@ -78,16 +79,21 @@ export function buildShell(document, spec, into, orders) {
   /** @type {Map<string, { box: Element, value: Element, said: string }>} */
   const kept = new Map()
   let [playing, said] = [false, '']
-  const tools = part(document, into, 'div', 'figure-tools')
+  const tools = /** @type {HTMLElement} */ (part(document, into, 'div', 'figure-tools'))
   button(document, tools, 'Copy link to this state', orders.link, 'quiet')
-  button(document, tools, 'Download SVG', () => orders.download('svg'), 'quiet')
-  button(document, tools, 'Download CSV', () => orders.download('csv'), 'quiet')
+  button(document, tools, 'Embed', orders.embed, 'quiet')
+  const { download } = orders
+  if (download) {
+    button(document, tools, 'Download SVG', () => download('svg'), 'quiet')
+    button(document, tools, 'Download CSV', () => download('csv'), 'quiet')
+  }
   const note = part(document, tools, 'span', 'figure-note')
 
   return {
     panels,
     play,
     note,
+    tools,
     into,
     /**
      * @param {any} frame

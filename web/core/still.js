@@ -1,6 +1,6 @@
 /**
- * A figure that nothing moves: the skeleton and the drawing of the living figure, made in Node, with words where that has
- * controls.
+ * Draws a figure's default state in Node, with the same elements and the same drawing code as in a browser. Where the living
+ * figure has controls, a still has words.
  */
 
 import { drawHandle } from './handle.js'
@@ -16,7 +16,7 @@ const nothing = () => {}
  */
 export function drawStill(document, spec, frame) {
   const into = document.createElement('div')
-  const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, download: nothing }
+  const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, embed: nothing, download: nothing }
   const shell = buildShell(document, spec, into, orders)
   const view = {
     previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: {},

@@ -9,3 +9,5 @@ if (theme === 'light' || theme === 'dark') root.dataset.theme = theme
 addEventListener('error', ({ target }) => {
   if (target instanceof HTMLScriptElement) root.classList.remove('js')
 }, true)
+
+export {}

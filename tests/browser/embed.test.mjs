@@ -1,0 +1,199 @@
+// Each figure in a frame of somebody else's page, from another origin and under `sandbox="allow-scripts"` alone: it comes to
+// life, answers to mouse and keys, tells its height, takes the theme, and says nothing in the console.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { createServer } from 'node:http'
+import { once } from 'node:events'
+import { stage, watch } from './harness.mjs'
+import { WIDGETS } from '../../web/widgets/index.js'
+
+const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
+const FIRST = { 'odometry-hook': 'fig-odometry', 'observer-bench': 'fig-bench', 'kalman-picture': 'fig-picture', 'observability-probe': 'fig-probe' }
+
+/** A page around one frame, served from a port of its own. It keeps every message it gets and gives the frame its height. */
+async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }) {
+  const frame = markup ?? `<iframe src="${src}" title="A figure" sandbox="${sandbox}" width="${width}" height="300" style="border: 0"></iframe>`
+  const html = `<!doctype html><html lang="en"><title>Somebody else's page</title><h1>Somebody else's page</h1>${frame}
+    <script>
+      messages = []
+      addEventListener('message', ({ data, source, origin }) => {
+        const frame = document.querySelector('iframe')
+        messages.push({ data, origin, ours: source === frame.contentWindow })
+        if (source === frame.contentWindow && data.type === 'robot-motion:height') frame.height = data.height
+      })
+    </script>`
+  const server = createServer((request, response) => response.writeHead(request.url === '/' ? 200 : 204, { 'content-type': 'text/html' }).end(request.url === '/' ? html : undefined))
+  server.listen(0, '127.0.0.1')
+  await once(server, 'listening')
+  const home = `http://127.0.0.1:${server.address().port}/`
+  const { browser, site } = await stage()
+  const context = await browser.newContext({ viewport: { width: 900, height: 900 }, reducedMotion: 'reduce' })
+  const page = await context.newPage()
+  const complaints = watch(page, home, site.url)
+  t.after(async () => {
+    await context.close()
+    server.closeAllConnections()
+    server.close()
+    assert.deepEqual(complaints, [], 'the page complained')
+  })
+  await page.goto(home)
+  return { page, frame: page.frameLocator('iframe'), inner: () => page.frames()[1] }
+}
+
+/** The figure in the frame, alive, and its state as it is when nothing is left to compute. */
+async function lively(page, frame, name) {
+  const it = frame.locator(name)
+  await frame.locator(`${name}[data-state="live"]`).waitFor({ timeout: 20_000 })
+  return it
+}
+const stateOf = (it) => it.evaluate(async (host) => {
+  do await new Promise((resolve) => requestAnimationFrame(resolve)); while (!host.settled)
+  return JSON.stringify(host.state)
+})
+async function changes(it, act, what) {
+  const before = await stateOf(it)
+  await act()
+  for (let i = 0; i < 100; i++) {
+    if ((await stateOf(it)) !== before) return
+    await new Promise((resolve) => setTimeout(resolve, 50))
+  }
+  assert.fail(`${what} changes nothing`)
+}
+
+for (const name of Object.keys(WIDGETS)) {
+  test(`the ${name} lives in a sandboxed frame of another origin`, async (t) => {
+    const { site } = await stage()
+    const { page, frame, inner } = await around(t, { src: `${site.url}figure/${name}/?theme=dark` })
+    const it = await lively(page, frame, name)
+    assert.equal(await inner().evaluate(() => self.origin), 'null', 'it has no origin of its own')
+    assert.equal(await frame.locator('[inert], [data-locked], .figure-locked').count(), 0, 'no question locks it')
+
+    // Its height: the frame gets it, and then nothing in it scrolls.
+    await page.waitForFunction(() => messages.some(({ data, ours }) => ours && data.type === 'robot-motion:height' && data.height > 300))
+    await inner().waitForFunction(() => document.documentElement.scrollHeight <= innerHeight + 1)
+    assert.ok((await page.evaluate(() => messages)).every(({ ours, data }) => ours && data.type === 'robot-motion:height' && Number.isInteger(data.height)))
+
+    // By mouse and by keys.
+    const slider = it.locator('.live input[type=range]:enabled').first()
+    await slider.scrollIntoViewIfNeeded()
+    const { x, y, width, height } = await slider.boundingBox()
+    await changes(it, () => page.mouse.click(x + 0.31 * width, y + height / 2), 'a click on a slider')
+    await changes(it, () => slider.press('ArrowRight'), 'an arrow on a slider')
+    const handle = it.locator('.live svg [role=slider]').first()
+    if (await handle.count()) {
+      await handle.scrollIntoViewIfNeeded()
+      const grip = await handle.locator('.handle-dot').boundingBox()
+      await page.mouse.move(grip.x + 3, grip.y + 3)
+      await page.mouse.down()
+      await changes(it, () => page.mouse.move(grip.x - 40, grip.y - 25, { steps: 4 }), 'a handle that is dragged')
+      await page.mouse.up()
+      await changes(it, () => handle.press('ArrowLeft'), 'an arrow on a handle')
+    }
+    const step = it.getByRole('button', { name: 'Step' })
+    if (await step.count()) await changes(it, () => step.click(), 'Step')
+
+    // Its faces are there: the figure is written in the book's own letters.
+    assert.ok(await inner().evaluate(async () => (await document.fonts.ready, [...document.fonts].some(({ status }) => status === 'loaded'))))
+
+    // The theme of its address, and then the one it is told.
+    const theme = () => inner().evaluate(() => document.documentElement.dataset.theme ?? 'auto')
+    assert.equal(await theme(), 'dark')
+    for (const wanted of ['light', 'auto', 'dark']) {
+      await page.evaluate((value) => document.querySelector('iframe').contentWindow.postMessage({ type: 'robot-motion:theme', theme: value }, '*'), wanted)
+      await inner().waitForFunction((value) => (document.documentElement.dataset.theme ?? 'auto') === value, wanted)
+    }
+    // Nothing else is believed.
+    const before = await stateOf(it)
+    for (const data of [{ type: 'robot-motion:theme', theme: 'pink' }, { type: 'robot-motion:state', step: 3 }, 'light', null, 7, { type: 'robot-motion:theme' }]) {
+      await page.evaluate((value) => document.querySelector('iframe').contentWindow.postMessage(value, '*'), data)
+    }
+    // Nor a message of another window.
+    await inner().evaluate(() => postMessage({ type: 'robot-motion:theme', theme: 'light' }, '*'))
+    await page.waitForTimeout(200)
+    assert.equal(await theme(), 'dark')
+    assert.equal(await stateOf(it), before)
+  })
+
+  test(`the ${name} fits a frame of 320 px`, async (t) => {
+    const { site } = await stage()
+    const { page, frame, inner } = await around(t, { src: `${site.url}figure/${name}/`, width: 320 })
+    await lively(page, frame, name)
+    assert.equal(await inner().evaluate(() => innerWidth), 320)
+    assert.ok(await inner().evaluate(() => document.documentElement.scrollWidth <= 320), 'nothing scrolls sideways')
+  })
+
+  test(`the markup that the ${name} offers shows the same state on another page`, async (t) => {
+    const { browser, site } = await stage()
+    const context = await browser.newContext({ viewport: { width: 1000, height: 900 }, reducedMotion: 'reduce', permissions: ['clipboard-read', 'clipboard-write'], serviceWorkers: 'block' })
+    t.after(() => context.close())
+    const own = await context.newPage()
+    await own.goto(`${site.url}figure/${name}/`)
+    const it = await lively(own, own, name)
+    await changes(it, () => it.locator('.live input[type=range]:enabled').first().press('Shift+ArrowRight'), 'an arrow')
+    const there = await stateOf(it)
+    await it.getByRole('button', { name: 'Embed' }).click()
+    const box = it.locator('.copy-box textarea')
+    const markup = await box.inputValue()
+    assert.ok(await box.evaluate((area) => area === document.activeElement && area.selectionEnd === area.value.length), 'it is selected')
+    await it.getByText('Markup copied.').first().waitFor()
+    assert.equal(await own.evaluate(() => navigator.clipboard.readText()), markup)
+    await box.press('Escape')
+    assert.equal(await it.locator('.copy-box').count(), 0)
+    assert.ok(await own.evaluate((tag) => Boolean(document.activeElement?.closest(`${tag} .live`)), name), 'the focus stays in the figure')
+    assert.match(markup, /^<iframe [^<>]*><\/iframe>$/)
+
+    const { page, frame, inner } = await around(t, { markup })
+    const shown = await lively(page, frame, name)
+    assert.equal(await stateOf(shown), there)
+    const { title, sandbox } = await page.evaluate(() => { const { title, sandbox } = document.querySelector('iframe'); return { title, sandbox: String(sandbox) } })
+    assert.ok(title.length > 5 && sandbox.includes('allow-scripts') && !sandbox.includes('allow-same-origin'))
+    assert.equal(await inner().evaluate(() => self.origin), 'null')
+    // The way back to its place in the chapter.
+    const way = frame.getByRole('link', { name: /chapter 15/ })
+    assert.equal(await way.evaluate(({ href }) => href), `${site.url}kalman/#${FIRST[name]}`)
+    const [opened] = await Promise.all([page.context().waitForEvent('page'), way.click()])
+    await opened.waitForLoadState('domcontentloaded')
+    assert.ok(opened.url().startsWith(`${site.url}kalman/`) && opened.url().endsWith(`#${FIRST[name]}`))
+    await opened.close()
+  })
+}
+
+test('in a frame a link to a state is shown where the clipboard is closed, and there is nothing to download', async (t) => {
+  const { site } = await stage()
+  const { page, frame } = await around(t, { src: `${site.url}figure/observer-bench/?fig-limit=${code([1, 'observer-bench', 20, { gain: 2.5 }])}` })
+  const bench = await lively(page, frame, 'observer-bench')
+  assert.deepEqual([JSON.parse(await stateOf(bench)).step, JSON.parse(await stateOf(bench)).params.gain], [20, 2.5], 'a state under the other name of the figure')
+  assert.equal(await bench.getByRole('button', { name: /Download/ }).count(), 0)
+  await bench.getByRole('button', { name: 'Copy link to this state' }).click()
+  const link = new URL(await bench.locator('.copy-box textarea').inputValue())
+  assert.equal(link.pathname, `${new URL(site.url).pathname}figure/observer-bench/`)
+  assert.equal(JSON.parse(Buffer.from(link.searchParams.get('fig-limit'), 'base64url'))[2], 20)
+})
+
+test('a long run in a frame is computed in slices, without a worker', async (t) => {
+  const { site } = await stage()
+  const state = code([1, 'observability-probe', 60_000, { count: 3, forget: true, landmarks: [[2, 3], [2.3, 3], [2.6, 3]] }])
+  const { page, frame } = await around(t, { src: `${site.url}figure/observability-probe/?fig-probe=${state}` })
+  const probe = await lively(page, frame, 'observability-probe')
+  await probe.getByText(/Computing step [\d,]+ of 60,000/).first().waitFor()
+  await probe.getByRole('button', { name: 'Cancel' }).click()
+  assert.equal(JSON.parse(await stateOf(probe)).step, 240)
+})
+
+test('a figure\'s own page takes a theme of its address, and is whole without scripts', async (t) => {
+  const { browser, site } = await stage()
+  for (const [theme, paper] of [['light', 'rgb(255, 253, 248)'], ['dark', 'rgb(20, 22, 26)']]) {
+    const context = await browser.newContext({ colorScheme: theme === 'light' ? 'dark' : 'light', serviceWorkers: 'block' })
+    t.after(() => context.close())
+    const page = await context.newPage()
+    await page.goto(`${site.url}figure/observer-bench/?theme=${theme}`)
+    assert.equal(await page.evaluate(() => getComputedStyle(document.body).backgroundColor), paper)
+  }
+  const context = await browser.newContext({ javaScriptEnabled: false })
+  t.after(() => context.close())
+  const page = await context.newPage()
+  await page.goto(`${site.url}figure/observer-bench/`)
+  assert.ok(await page.locator('.still svg').first().isVisible())
+  assert.equal(await page.locator('button:visible, input:visible, select:visible').count(), 0)
+  assert.ok(await page.getByRole('link', { name: /chapter 15/ }).isVisible())
+})
