@@ -110,6 +110,17 @@ mod tests {
         }
     }
 
+    /// The columns of this stack become orthogonal only to rounding.
+    #[test]
+    fn an_ordinary_pair_whose_columns_turn_at_rounding_level_has_an_answer() {
+        let q = observability_matrix(&Matrix2::new(0.0, 0.6, 1.7, 1.0), &RowVector2::new(1.3, 0.3));
+        let seen = analyze(&q, 1e-9).expect("found");
+        assert_eq!(seen.rank, 2);
+        // H is [1.3, 0.3] and HF [0.51, 1.08].
+        let determinant = 1.3 * 1.08 - 0.3 * 0.51;
+        assert!((seen.singular_values[0] * seen.singular_values[1] - determinant).abs() < 1e-15);
+    }
+
     #[test]
     fn a_bad_tolerance_or_an_overflow_is_refused() {
         let q = DMatrix::identity(2, 2);

@@ -13,6 +13,7 @@ mod error;
 mod finite;
 mod hypot;
 mod packed;
+mod power_of_two;
 mod singular;
 mod spd;
 
@@ -21,5 +22,6 @@ pub use error::Error;
 pub use finite::all_finite;
 pub use hypot::hypot;
 pub use packed::PackedSymmetric;
-pub use singular::{Singular, power_of_two, singular_values};
+pub use power_of_two::power_of_two;
+pub use singular::{Singular, singular_values};
 pub use spd::{MIN_PIVOT, Spd};
