@@ -8,7 +8,7 @@ import path from 'node:path'
 import { openFigure, root } from './harness.mjs'
 
 const LABS = { 'observer-bench': 'ObserverBench', 'odometry-hook': 'OdometryHook', 'observability-probe': 'ObservabilityProbe' }
-const native = execFileSync('cargo', ['run', '--quiet', '--profile', 'site', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
+const native = execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
   .trim().split('\n').map((line) => line.split(' '))
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 

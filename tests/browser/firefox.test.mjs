@@ -107,7 +107,7 @@ test('a figure lives in a sandboxed frame of another origin in Firefox, and tell
 })
 
 test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
-  const native = execFileSync('cargo', ['run', '--quiet', '--profile', 'site', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
+  const native = execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
   for (const [tag, hash, given] of native.trim().split('\n').map((line) => line.split(' '))) {
     await alive(tag)
     const there = await page.evaluate((name, params) => {

@@ -15,7 +15,7 @@ const ROUNDS = { 'observability-probe': 6, 'observer-bench': 3, 'odometry-hook':
 /** The frame that this machine's own code computes for a state, given as a copied link carries it. */
 function native(link, id) {
   const text = Buffer.from(new URL(link).searchParams.get(id), 'base64url').toString()
-  const frame = execFileSync('cargo', ['run', '--profile', 'site', '--quiet', '-p', 'labs', '--example', 'lab_frame'], { cwd: root, input: text, maxBuffer: 2 ** 26 })
+  const frame = execFileSync('cargo', ['run', '--quiet', '--locked', '-p', 'labs', '--example', 'lab_frame'], { cwd: root, input: text, maxBuffer: 2 ** 26 })
   return { text, frame: JSON.parse(frame) }
 }
 
