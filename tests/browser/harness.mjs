@@ -1,6 +1,5 @@
 // One site, one Chromium, and pages that tell on themselves: a page opened here fails its test on any console error,
-// uncaught error, policy violation, failed or foreign request. The Chromium is that of run.mjs, which all test files share,
-// or one of this file's own where it is run by itself.
+// uncaught error, policy violation, failed or foreign request.
 import { after } from 'node:test'
 import assert from 'node:assert/strict'
 import { chromium } from 'playwright-core'
@@ -10,12 +9,11 @@ import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist } from './places.mjs'
 export * from './places.mjs'
 
 let started
-/** The served site and the browser of this test file; the site and its pages end with it. */
+/** The served site and the browser of this test file; both end with it. */
 export function stage() {
   started ??= (async () => {
     const site = await serve({ folder: dist, base: BASE })
-    const shared = process.env.BROWSER_ENDPOINT
-    const browser = await (shared ? chromium.connect(shared) : chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS }))
+    const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
     return { site, browser }
   })()
   return started

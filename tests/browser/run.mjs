@@ -1,5 +1,6 @@
-// Runs the browser tests: several files at a time in one Chromium, and after them, one by one, those whose verdict depends on
-// how busy the machine is. A test file also runs by itself: node --test tests/browser/quiz.test.mjs
+// Runs the browser tests: as many files at a time as there are processors, and after them, one by one, those whose verdict
+// depends on how busy the machine is. Each file starts a browser of its own: that costs half a second of a processor, and files
+// that ran in one browser would share its clipboard and its crashes.
 //   node tests/browser/run.mjs [NAME …]   only the files of these names, e.g. quiz probe
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'
@@ -7,11 +8,9 @@ import { readdirSync } from 'node:fs'
 import os from 'node:os'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { chromium } from 'playwright-core'
-import { CHROMIUM_FLAGS, chromiumPath } from './places.mjs'
 
 const folder = path.dirname(fileURLToPath(import.meta.url))
-/** They count what a figure or a page does within a time, or start a browser of their own and load it fully. */
+/** They count what a page does within a time, or put a whole machine's load on it. */
 const ALONE = new Set(['bench', 'layout', 'lighthouse', 'firefox'])
 
 const all = readdirSync(folder).filter((file) => file.endsWith('.test.mjs')).map((file) => file.replace('.test.mjs', ''))
@@ -23,25 +22,15 @@ for (const name of wanted) {
 }
 const names = wanted.length > 0 ? wanted : all
 
-const browser = await chromium.launchServer({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
-let failed = false
-try {
-  const workers = Math.max(1, Math.min(4, os.availableParallelism()))
-  await run(names.filter((name) => !ALONE.has(name)), workers)
-  await run(names.filter((name) => ALONE.has(name)), 1)
-} finally {
-  await browser.close()
-}
-process.exitCode = failed ? 1 : 0
+const beside = await run(names.filter((name) => !ALONE.has(name)), Math.min(4, os.availableParallelism()))
+const alone = await run(names.filter((name) => ALONE.has(name)), 1)
+process.exitCode = beside && alone ? 0 : 1
 
-/** @param {string[]} some @param {number} workers how many files at a time */
+/** Whether all tests of these files passed. @param {string[]} some @param {number} workers how many files at a time */
 async function run(some, workers) {
-  if (some.length === 0) return
+  if (some.length === 0) return true
   const files = some.map((name) => path.join(folder, `${name}.test.mjs`))
-  const tests = spawn(process.execPath, ['--test', `--test-concurrency=${workers}`, '--test-reporter=spec', ...files], {
-    stdio: 'inherit',
-    env: { ...process.env, BROWSER_ENDPOINT: browser.wsEndpoint() },
-  })
+  const tests = spawn(process.execPath, ['--test', `--test-concurrency=${workers}`, '--test-reporter=spec', ...files], { stdio: 'inherit' })
   const [status] = await once(tests, 'close')
-  failed ||= status !== 0
+  return status === 0
 }
