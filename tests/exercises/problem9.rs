@@ -2,7 +2,7 @@
 //! `cargo test -p chapter-tests --test problem9 -- --ignored`.
 
 use estimate::Unicycle;
-use filters::nonlinear::MeasurementModel;
+use filters::MeasurementModel;
 use filters::ukf::{SigmaPoints, Ukf};
 use geom::SE2;
 use nalgebra::{Matrix1, Matrix3, RowVector3, Vector1, Vector2, Vector3};

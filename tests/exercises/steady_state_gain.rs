@@ -1,9 +1,10 @@
 //! The exercise "The steady-state gain". Fill in `yours` and run
 //! `cargo test -p chapter-tests --test steady_state_gain -- --ignored`.
 
-use estimate::kf::{dead_reckoning, kalman_step, position_sensor};
+use estimate::kf::kalman_step;
+use estimate::rail::{dead_reckoning, position_sensor};
 use estimate::{Lti, Observer};
-use nalgebra::{Matrix2, Vector1, Vector2};
+use nalgebra::{Matrix2, U1, U2, Vector1, Vector2};
 
 mod yours {
     use super::*;
@@ -14,7 +15,7 @@ mod yours {
     /// whether, within `max_iters` steps, its largest change in a
     /// step fell to `tol` of its largest entry.
     pub fn steady_state_gain(
-        sys: &Lti<2, 1, 1>,
+        sys: &Lti<U2, U1, U1>,
         p0: &Matrix2<f64>,
         max_iters: usize,
         tol: f64,
@@ -30,7 +31,7 @@ mod ours {
 
     // ANCHOR: answer
     pub fn steady_state_gain(
-        sys: &Lti<2, 1, 1>,
+        sys: &Lti<U2, U1, U1>,
         p0: &Matrix2<f64>,
         max_iters: usize,
         tol: f64,
@@ -54,7 +55,7 @@ mod ours {
     // ANCHOR_END: answer
 }
 
-type Solution = fn(&Lti<2, 1, 1>, &Matrix2<f64>, usize, f64) -> (Vector2<f64>, bool);
+type Solution = fn(&Lti<U2, U1, U1>, &Matrix2<f64>, usize, f64) -> (Vector2<f64>, bool);
 
 // ANCHOR: tests
 fn agrees_with_the_filter(steady_state_gain: Solution) {
@@ -64,7 +65,7 @@ fn agrees_with_the_filter(steady_state_gain: Solution) {
     let mut observer = Observer { sys, k, xhat: belief.x };
     for step in 0..50 {
         let y = Vector1::new(f64::from(step % 7));
-        kalman_step(&sys, &mut belief, &Vector1::zeros(), &y).expect("S is positive");
+        belief = kalman_step(&sys, &belief, &Vector1::zeros(), &y).expect("S is positive").posterior;
         observer.step(&Vector1::zeros(), &y);
     }
     assert!((observer.xhat - belief.x).amax() < 1e-6);

@@ -4,8 +4,8 @@ use crate::decode::Arg;
 use crate::encode::{floats, numbers, plain, rows};
 use crate::errors::thrown;
 use estimate::dynamic::{self, Belief, Replayed, System};
-use estimate::validate::{MAX_INPUTS, MAX_OUTPUTS};
-use estimate::{Complex, Error};
+use estimate::validate::{self, MAX_INPUTS, MAX_OUTPUTS};
+use estimate::{Complex, Error, kf};
 use nalgebra::{DMatrix, DVector};
 use serde::Serialize;
 use wasm_bindgen::prelude::*;
@@ -58,9 +58,9 @@ pub fn kalman_step(
 ) -> Result<JsValue, JsValue> {
     let step = || -> Result<_, Error> {
         let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
-        dynamic::kalman_step(&system, &belief, Arg::new(u, "u").vector()?, Arg::new(y, "y").vector()?)
+        kf::kalman_step(&system, &belief, &Arg::new(u, "u").vector()?, &Arg::new(y, "y").vector()?)
     };
-    let dynamic::KalmanStep { predicted, innovation, s, r, posterior } = step().map_err(thrown)?;
+    let kf::KalmanStep { predicted, innovation, s, r, posterior } = step().map_err(thrown)?;
     plain(&StepAnswer {
         predicted: (&predicted).into(),
         innovation: numbers(&innovation),
@@ -273,7 +273,7 @@ fn system_of(value: &JsValue) -> Result<System, Error> {
 
 /// `{ x, P }`.
 pub(crate) fn belief_of(arg: &Arg<'_>) -> Result<Belief, Error> {
-    Belief::new(arg.field("x")?.vector()?, arg.field("P")?.matrix()?).map_err(|e| e.within("belief"))
+    validate::belief(arg.field("x")?.vector()?, arg.field("P")?.matrix()?).map_err(|e| e.within("belief"))
 }
 
 /// A belief, encoded.

@@ -1,15 +1,18 @@
 //! The two hand-checked steps of §8.2.6 and both observability ranks.
 
 // ANCHOR: example
-use estimate::kf::{dead_reckoning, kalman_step, position_sensor};
+use estimate::kf::kalman_step;
+use estimate::rail::{dead_reckoning, position_sensor};
 use nalgebra::Vector1;
 
 fn main() -> Result<(), estimate::Error> {
     let (sys, mut belief) = dead_reckoning();
     for (k, y) in [2.7, 2.0].into_iter().enumerate() {
-        let (nu, s, r) = kalman_step(&sys, &mut belief, &Vector1::zeros(), &Vector1::new(y))?;
-        let (x, p) = (belief.x, belief.p);
+        let step = kalman_step(&sys, &belief, &Vector1::zeros(), &Vector1::new(y))?;
+        let (nu, s, r) = (step.innovation, step.s, step.r);
         println!("step {}: ν = {:+.3}  S = {:.4}  R = [{:.4}, {:.4}]", k + 1, nu[0], s[0], r[0], r[1]);
+        belief = step.posterior;
+        let (x, p) = (belief.x, belief.p);
         print!("        x̂⁺ = [{:.3}, {:.3}]   ", x[0], x[1]);
         println!("P⁺ = [[{:.4}, {:.4}], [{:.4}, {:.4}]]", p[(0, 0)], p[(0, 1)], p[(1, 0)], p[(1, 1)]);
     }

@@ -8,32 +8,42 @@ mod replay;
 pub use replay::{MAX_LOG, Replayed, kalman_replay};
 
 use crate::error::{Code, Error};
+use crate::lti::Lti;
 use crate::observability::{self, Observability};
-use crate::riccati::{DynamicSteadyState, Model};
-use crate::validate::{self, MAX_INPUTS, MAX_OUTPUTS, MAX_STATES};
-use crate::{observer, placement};
-use filters::linear;
+use crate::observer::{Observer, error_matrix};
+use crate::placement;
+use crate::riccati::SteadyState;
+use crate::validate::{self, MAX_INPUTS, MAX_OUTPUTS, MAX_STATES, size};
+use filters::Gaussian;
+use filters::covariance::{is_finite, symmetric};
 use geom::{AffineSet, Ellipse};
 use nalgebra::allocator::Allocator;
 use nalgebra::{Complex, DMatrix, DVector, DefaultAllocator, Dim, Dyn, Matrix2, OMatrix};
 use numerics::{MIN_PIVOT, Spd};
 
-/// A checked system: F n×n, G n×m, H p×n, V n×n and W p×p, with n ≤ 16, m ≤ 8 and p ≤ 8.
-#[derive(Clone, Debug, PartialEq)]
-pub struct System {
-    f: DMatrix<f64>,
-    g: DMatrix<f64>,
-    h: DMatrix<f64>,
-    v: DMatrix<f64>,
-    w: DMatrix<f64>,
-}
+/// A system whose sizes are known at run time only.
+pub type System = Lti<Dyn, Dyn, Dyn>;
+
+/// A belief whose size is known at run time only; [`validate::belief`] makes one of a caller's numbers.
+pub type Belief = Gaussian<Dyn>;
 
 impl System {
-    /// Checks shapes, sizes, finiteness, and that V and W are covariances.
+    /// A checked system: F n×n, G n×m, H p×n, V n×n and W p×p, with n ≤ 16, m ≤ 8 and p ≤ 8; all finite, V and W
+    /// covariances.
     ///
     /// # Errors
     /// Naming the matrix: [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or
     /// [`Code::NotPositiveSemidefinite`].
+    ///
+    /// # Example
+    /// ```
+    /// use estimate::dynamic::System;
+    /// use nalgebra::{DMatrix, dmatrix};
+    /// let (f, g) = (dmatrix![1.0, 0.5; 0.0, 1.0], dmatrix![0.0; 0.5]);
+    /// let sys = System::new(f, g, dmatrix![0.0, 1.0], DMatrix::identity(2, 2), dmatrix![0.5])?;
+    /// assert_eq!(sys.is_observable(1e-9), Ok(false));
+    /// # Ok::<(), estimate::Error>(())
+    /// ```
     pub fn new(
         f: DMatrix<f64>,
         g: DMatrix<f64>,
@@ -57,86 +67,9 @@ impl System {
         })
     }
 
-    fn model(&self) -> Model<'_, Dyn, Dyn> {
-        Model { f: &self.f, h: &self.h, v: &self.v, w: &self.w }
-    }
-
-    /// F x + G u, when it and its output are finite; `state` is what the caller calls x.
-    fn predicted(&self, x: &DVector<f64>, u: &DVector<f64>, state: &'static str) -> Result<DVector<f64>, Error> {
-        let push = &self.g * u;
-        overflow(&push, "u")?;
-        let predicted = &self.f * x + push;
-        overflow(&predicted, state)?;
-        overflow(&(&self.h * &predicted), state)?;
-        Ok(predicted)
-    }
-
-    fn fits(&self, belief: &Belief) -> Result<(), Error> {
-        let (n, states) = (self.f.nrows(), belief.x.len());
-        if states == n {
-            return Ok(());
-        }
-        Err(Error::new(Code::Shape, "belief", format!("is of {states} states; the system has {n}")))
-    }
-
     fn gain(&self, k: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
         validate::matrix(k, (self.f.nrows(), self.h.nrows()), "K")
     }
-}
-
-/// A checked belief N(x̂, P).
-#[derive(Clone, Debug, PartialEq)]
-pub struct Belief {
-    /// x̂, n.
-    pub x: DVector<f64>,
-    /// P, n×n.
-    pub p: DMatrix<f64>,
-}
-
-impl Belief {
-    /// Checks that `x` is finite and `p` a covariance of its size.
-    ///
-    /// # Errors
-    /// Naming x or P: [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or
-    /// [`Code::NotPositiveSemidefinite`].
-    pub fn new(x: DVector<f64>, p: DMatrix<f64>) -> Result<Self, Error> {
-        let n = x.len();
-        size(n, MAX_STATES, "x")?;
-        Ok(Self { x: validate::vector(x, n, "x")?, p: validate::covariance(p, n, "P")? })
-    }
-}
-
-/// All that one Kalman step has to say.
-#[derive(Clone, Debug, PartialEq)]
-pub struct KalmanStep {
-    /// x̂(k+1 | k), P(k+1 | k).
-    pub predicted: Belief,
-    /// ν = y − H x̂(k+1 | k).
-    pub innovation: DVector<f64>,
-    /// S = H P(k+1 | k) Hᵀ + W.
-    pub s: DMatrix<f64>,
-    /// R = P(k+1 | k) Hᵀ S⁻¹, the gain. Thrun K.
-    pub r: DMatrix<f64>,
-    /// x̂(k+1 | k+1), P(k+1 | k+1).
-    pub posterior: Belief,
-}
-
-/// One Kalman step, eqs. 8.26–8.32.
-///
-/// # Errors
-/// [`Code::Shape`] or [`Code::NotFinite`] naming the argument, of a belief `belief.x` or `belief.P`;
-/// [`Code::InnovationNotPositiveDefinite`].
-pub fn kalman_step(system: &System, belief: &Belief, u: DVector<f64>, y: DVector<f64>) -> Result<KalmanStep, Error> {
-    system.fits(belief)?;
-    let u = validate::vector(u, system.g.ncols(), "u")?;
-    let y = validate::vector(y, system.h.nrows(), "y")?;
-    let x = system.predicted(&belief.x, &u, "belief.x")?;
-    let theirs = |e: filters::Error| Error::from(e).renamed("x", "belief.x").renamed("P", "belief.P");
-    let cov = linear::predicted_covariance(&system.f, &belief.p, &system.v).map_err(theirs)?;
-    let linear::Correction { innovation, s, k, x: corrected, p, .. } =
-        linear::correct(&x, &cov, &y, &system.h, &system.w).map_err(theirs)?;
-    let (predicted, posterior) = (Belief { x, p: cov }, Belief { x: corrected, p });
-    Ok(KalmanStep { predicted, innovation, s, r: k, posterior })
 }
 
 /// One step of the observer with the gain `k` (n×p) from the estimate `x`.
@@ -154,10 +87,18 @@ pub fn observer_step(
     let x = validate::vector(x, system.f.nrows(), "x")?;
     let u = validate::vector(u, system.g.ncols(), "u")?;
     let y = validate::vector(y, system.h.nrows(), "y")?;
-    overflow(&(&y - &system.h * system.predicted(&x, &u, "x")?), "y")?;
-    let next = observer::observer_step((&system.f, &system.g, &system.h), &k, &x, &u, &y);
-    overflow(&next, "K")?;
-    Ok(next)
+    let mut observer = Observer { sys: system.clone(), k, xhat: x };
+    let input = &system.g * &u;
+    let predicted = &system.f * &observer.xhat + &input;
+    let output = &system.h * &predicted;
+    observer.step(&u, &y);
+    // In the order in which they are computed: the first that is not finite is to blame for the others.
+    overflow(&input, "u")?;
+    overflow(&predicted, "x")?;
+    overflow(&output, "x")?;
+    overflow(&(y - output), "y")?;
+    overflow(&observer.xhat, "K")?;
+    Ok(observer.xhat)
 }
 
 /// The eigenvalues of (I − KH)F, by decreasing modulus, then decreasing imaginary part.
@@ -166,8 +107,9 @@ pub fn observer_step(
 /// [`Code::Shape`] or [`Code::NotFinite`] naming K, [`Code::DidNotConverge`].
 pub fn error_eigenvalues(system: &System, k: DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     let k = system.gain(k)?;
-    let m = linear::finite(observer::error_matrix(&system.f, &system.h, &k), "K")?;
-    numerics::eigenvalues(&m).map_err(|e| Error::from(e).renamed("matrix", "K"))
+    let m = error_matrix(&system.f, &system.h, &k);
+    overflow(&m, "K")?;
+    numerics::eigenvalues(&m).map_err(|e| Error::of_matrix(e, "K"))
 }
 
 /// The rank of [H; HF; …; HF^{n−1}] under the relative `tolerance`, with its singular values and null directions.
@@ -178,7 +120,6 @@ pub fn error_eigenvalues(system: &System, k: DMatrix<f64>) -> Result<Vec<Complex
 pub fn observability(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result<Observability, Error> {
     let (f, h) = pair(f, h)?;
     observability::analyze(&observability::observability_matrix(&f, &h), tolerance)
-        .map_err(|e| e.renamed("matrix", "F"))
 }
 
 /// The gain that gives (I − KH)F the eigenvalues `poles`, for a single output; see
@@ -196,21 +137,21 @@ pub fn place_observer_gain(f: DMatrix<f64>, h: DMatrix<f64>, poles: &[Complex<f6
             format!("has {} outputs; Ackermann's formula is for a single one", h.nrows()),
         ));
     }
-    placement::place(&f, &h, poles).map_err(|e| e.renamed("matrix", "F"))
+    placement::place(&f, &h, poles)
 }
 
 /// The limit of the gain from `p0` = P(0 | 0); see [`Lti::steady_state_gain`](crate::Lti::steady_state_gain).
 ///
 /// # Errors
-/// As there, and for `p0` as [`Belief::new`] has for P.
+/// As there, and for `p0` as [`validate::covariance`].
 pub fn steady_state_gain(
     system: &System,
     p0: DMatrix<f64>,
     max_iterations: usize,
     tolerance: f64,
-) -> Result<DynamicSteadyState, Error> {
+) -> Result<SteadyState<Dyn, Dyn>, Error> {
     let p0 = validate::covariance(p0, system.f.nrows(), "P0")?;
-    system.model().steady_state(&p0, max_iterations, tolerance).map_err(|e| e.renamed("P", "P0"))
+    system.steady_state_gain(&p0, max_iterations, tolerance)
 }
 
 /// R(1), …, R(`steps`) from `p0` = P(0 | 0).
@@ -219,13 +160,13 @@ pub fn steady_state_gain(
 /// As [`steady_state_gain`].
 pub fn gain_schedule(system: &System, p0: DMatrix<f64>, steps: usize) -> Result<Vec<DMatrix<f64>>, Error> {
     let p0 = validate::covariance(p0, system.f.nrows(), "P0")?;
-    system.model().schedule(&p0, steps).map_err(|e| e.renamed("P", "P0"))
+    system.gain_schedule(&p0, steps)
 }
 
 /// The ellipse {x : xᵀP⁻¹x = radius²} of a 2×2 covariance.
 ///
 /// # Errors
-/// For `p` as [`Belief::new`]; [`Code::Limit`] when `radius` is not positive, [`Code::NotFinite`] when it is not finite.
+/// For `p` as [`validate::covariance`]; [`Code::Limit`] when `radius` is not positive, [`Code::NotFinite`] when it is not finite.
 pub fn covariance_ellipse(p: DMatrix<f64>, radius: f64) -> Result<Ellipse, Error> {
     let p = validate::covariance(p, 2, "P")?;
     let radius = validate::finite(radius, "radius")?;
@@ -258,7 +199,7 @@ fn rows_repeat() -> Error {
 /// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `p`.
 ///
 /// # Errors
-/// As [`euclidean_foot`], for H also [`Code::NotFinite`] when HPHᵀ overflows; for `p` as [`Belief::new`], and
+/// As [`euclidean_foot`], for H also [`Code::NotFinite`] when HPHᵀ overflows; for `p` as [`validate::covariance`], and
 /// [`Code::InnovationNotPositiveDefinite`] when H has full row rank but HPHᵀ is singular.
 pub fn mahalanobis_foot(
     h: DMatrix<f64>,
@@ -300,10 +241,10 @@ pub fn most_likely_output(
     let (omega, x) = affine(h, x, y)?;
     let p = validate::covariance(p, x.len(), "P")?;
     let w = validate::covariance(w, omega.h.nrows(), "W")?;
-    let predicted = linear::finite(&omega.h * &x, "x")?;
-    let spread = linear::symmetric(&omega.h * p * omega.h.transpose());
-    let (output, _) = linear::product(&predicted, &linear::finite(spread, "P")?, &omega.y, &w)?;
-    Ok(output)
+    let predicted = Gaussian { p: symmetric(&omega.h * p * omega.h.transpose()), x: &omega.h * &x };
+    overflow(&predicted.x, "x")?;
+    overflow(&predicted.p, "P")?;
+    Ok(predicted.product(&Gaussian { x: omega.y, p: w })?.x)
 }
 
 /// # Errors
@@ -312,18 +253,10 @@ fn overflow<C: Dim>(m: &OMatrix<f64, Dyn, C>, argument: &'static str) -> Result<
 where
     DefaultAllocator: Allocator<Dyn, C>,
 {
-    if linear::is_finite(m) {
+    if is_finite(m) {
         return Ok(());
     }
     Err(Error::new(Code::NotFinite, argument, "is too large, with the numbers beside it: a product overflows"))
-}
-
-fn size(n: usize, cap: usize, argument: &'static str) -> Result<(), Error> {
-    match n {
-        0 => Err(Error::new(Code::Shape, argument, "is empty")),
-        n if n > cap => Err(Error::new(Code::Limit, argument, format!("has {n} rows; at most {cap} are accepted"))),
-        _ => Ok(()),
-    }
 }
 
 fn pair(f: DMatrix<f64>, h: DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
@@ -333,6 +266,7 @@ fn pair(f: DMatrix<f64>, h: DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>)
     let p = h.nrows();
     Ok((validate::matrix(f, (n, n), "F")?, validate::matrix(h, (p, n), "H")?))
 }
+
 fn affine(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Result<(AffineSet<Dyn, Dyn>, DVector<f64>), Error> {
     let (n, p) = (x.len(), h.nrows());
     size(n, MAX_STATES, "x")?;

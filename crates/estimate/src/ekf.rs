@@ -2,11 +2,11 @@
 
 use crate::error::Error;
 use crate::odometry::Unicycle;
-use filters::kalman::{Gaussian, Update};
+use filters::covariance::finite;
 use filters::linear::{self, Gain};
-use filters::nonlinear::{Ekf, MeasurementModel};
+use filters::{Ekf, Gaussian, MeasurementModel, Quantity, Update};
 use geom::SE2;
-use nalgebra::{Const, DMatrix, DVector, Dyn, Matrix3, OMatrix, SMatrix, SVector, Vector2};
+use nalgebra::{Const, DMatrix, DVector, Dyn, Matrix3, OMatrix, SMatrix, SVector, U3, Vector2};
 
 /// A reading `y` of landmark `j`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub struct ChosetEkf {
 
 impl ChosetEkf {
     /// A filter with this belief; the heading is wrapped.
-    pub fn new(belief: &Gaussian<3>) -> Self {
+    pub fn new(belief: &Gaussian<U3>) -> Self {
         Self { filter: Ekf { x: SE2::from_vector(&belief.x), p: belief.p } }
     }
 
@@ -40,7 +40,7 @@ impl ChosetEkf {
     }
 
     /// The present belief, [x, y, θ] with θ in (−π, π].
-    pub fn belief(&self) -> Gaussian<3> {
+    pub fn belief(&self) -> Gaussian<U3> {
         Gaussian { x: self.filter.x.to_vector(), p: self.filter.p }
     }
 
@@ -66,7 +66,7 @@ impl ChosetEkf {
         model: &impl MeasurementModel<SE2, 3, M>,
         sighting: &Sighting<M>,
         w: &SMatrix<f64, M, M>,
-    ) -> Result<Update<3, M>, Error> {
+    ) -> Result<Update<U3, Const<M>>, Error> {
         Ok(self.filter.update(model, &sighting.y, sighting.j, w)?)
     }
 
@@ -90,10 +90,10 @@ impl ChosetEkf {
             nu.fixed_rows_mut::<M>(M * i).copy_from(&model.residual(&sighting.y, &expected));
             w_all.fixed_view_mut::<M, M>(M * i, M * i).copy_from(w);
         }
-        let nu = linear::finite(nu, "the innovation")?;
+        let nu = finite(nu, Quantity::Innovation)?;
         let Gain { k, s, p, .. } = linear::gain(&self.filter.p, &h, &w_all)?;
         let step: SVector<f64, 3> = k * &nu;
-        let x = self.filter.x.boxplus(&linear::finite(step, "the mean")?);
+        let x = self.filter.x.boxplus(&finite(step, Quantity::Mean)?);
         self.filter = Ekf { x, p };
         Ok((nu, s))
     }
@@ -116,7 +116,7 @@ impl ChosetEkf {
             let (expected, h) = model.linearized(&prediction, sighting.j)?;
             let surprise = model.residual(&sighting.y, &expected);
             let innovation = surprise - h * next.x.boxminus(prediction);
-            next.correct(&linear::finite(innovation, "the innovation")?, &h, w)?;
+            next.correct(&finite(innovation, Quantity::Innovation)?, &h, w)?;
         }
         self.filter = next;
         Ok(())

@@ -1,6 +1,7 @@
 //! What can go wrong, which argument is to blame, and what would have been accepted.
 
 use core::fmt;
+use filters::{Parameter, Quantity};
 use std::borrow::Cow;
 
 /// The kinds of error, one for each thing a caller can do something about.
@@ -32,7 +33,7 @@ pub enum Code {
     Limit,
     /// An argument is not of the kind asked for.
     Type,
-    /// An eigenvalue or singular-value iteration met its cap.
+    /// An eigenvalue or singular-value iteration reached its limit.
     DidNotConverge,
 }
 
@@ -40,7 +41,7 @@ pub enum Code {
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error(Box<Refusal>);
 
-/// What an [`Error`] says, on the heap: a result is then no larger than its answer.
+/// What an [`Error`] says. It is on the heap, so that a result is no larger than its answer.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Refusal {
     /// What kind of error.
@@ -49,12 +50,60 @@ pub struct Refusal {
     pub argument: Cow<'static, str>,
     /// What was wrong, and what is accepted.
     pub message: Cow<'static, str>,
+    /// The argument of a filter's step that is to blame, where a step refused.
+    step: Option<Argument>,
+}
+
+/// An argument of a filter's step. Each caller has its own name for it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Argument {
+    /// u.
+    Input,
+    /// x̂.
+    Mean,
+    /// P.
+    Covariance,
+    /// y.
+    Reading,
+    /// W.
+    SensorNoise,
+    /// The landmark that was read.
+    Landmark,
+}
+
+impl Argument {
+    /// Choset's letter for it.
+    pub fn letter(self) -> Cow<'static, str> {
+        match self {
+            Self::Input => "u",
+            Self::Mean => "x",
+            Self::Covariance => "P",
+            Self::Reading => "y",
+            Self::SensorNoise => "W",
+            Self::Landmark => "landmark",
+        }
+        .into()
+    }
+}
+
+impl From<Quantity> for Argument {
+    /// The argument to blame for a quantity that is not finite.
+    fn from(quantity: Quantity) -> Self {
+        match quantity {
+            Quantity::Input => Self::Input,
+            Quantity::PredictedMean | Quantity::PredictedOutput | Quantity::Mean => Self::Mean,
+            Quantity::Innovation | Quantity::SquaredDistance => Self::Reading,
+            Quantity::PredictedCovariance | Quantity::InnovationCovariance | Quantity::Gain | Quantity::Covariance => {
+                Self::Covariance
+            }
+        }
+    }
 }
 
 impl Error {
     /// An error blaming `argument`.
     pub fn new(code: Code, argument: impl Into<Cow<'static, str>>, message: impl Into<Cow<'static, str>>) -> Self {
-        Self(Box::new(Refusal { code, argument: argument.into(), message: message.into() }))
+        Self(Box::new(Refusal { code, argument: argument.into(), message: message.into(), step: None }))
     }
 
     /// The same error seen from outside: the argument is a part of `whole`.
@@ -64,19 +113,29 @@ impl Error {
         self
     }
 
-    /// The same error from a function whose argument `to` is what the failing computation calls `from`.
+    /// The same error, where a filter's step refused, with the caller's `name` of the argument to blame.
     #[must_use]
-    pub fn renamed(mut self, from: &str, to: &'static str) -> Self {
-        if self.argument == from {
-            self.argument = to.into();
+    pub(crate) fn called(mut self, name: impl FnOnce(Argument) -> Cow<'static, str>) -> Self {
+        if let Some(argument) = self.step {
+            self.argument = name(argument);
         }
         self
     }
 
-    /// The same error from an update by a reading, where only the range can have made an innovation or a mean infinite:
-    /// a bearing is taken on the circle.
-    pub(crate) fn of_a_range(self) -> Self {
-        if self.code == Code::NotFinite { self.renamed("x", "range").renamed("y", "range") } else { self }
+    /// Why a matrix computation has no answer, blaming `argument`.
+    pub(crate) fn of_matrix(error: numerics::Error, argument: &'static str) -> Self {
+        let code = match error {
+            numerics::Error::NotSquare | numerics::Error::TooLarge => Code::Shape,
+            numerics::Error::NotFinite => Code::NotFinite,
+            numerics::Error::DidNotConverge => Code::DidNotConverge,
+        };
+        Self::new(code, argument, error.to_string())
+    }
+
+    fn of_step(code: Code, argument: Argument, message: impl Into<Cow<'static, str>>) -> Self {
+        let mut error = Self::new(code, argument.letter(), message);
+        error.0.step = Some(argument);
+        error
     }
 }
 
@@ -100,45 +159,41 @@ impl fmt::Display for Error {
     }
 }
 
-impl std::error::Error for Error {}
+impl core::error::Error for Error {}
 
 impl From<filters::Error> for Error {
     /// Thrun's words in Choset's letters; W is to blame for a singular S, since a greater W would mend it.
     fn from(error: filters::Error) -> Self {
         match error {
-            filters::Error::NotFinite { what } => {
-                let argument = match what {
-                    "the innovation" | "the squared distance" => "y",
-                    "the mean" | "the predicted mean" | "x" => "x",
-                    "K" => "K",
-                    _ => "P",
-                };
-                Self::new(Code::NotFinite, argument, format!("{what} became infinite: the numbers given are too large"))
-            }
-            filters::Error::InnovationNotPositiveDefinite => Self::new(
+            filters::Error::NotFinite(quantity) => Self::of_step(
+                Code::NotFinite,
+                quantity.into(),
+                format!("{quantity} is not finite: a number given is not, or is too large"),
+            ),
+            filters::Error::InnovationNotPositiveDefinite => Self::of_step(
                 Code::InnovationNotPositiveDefinite,
-                "W",
+                Argument::SensorNoise,
                 "the innovation covariance HPHᵀ + W is not positive definite to working accuracy; more sensor noise W, \
                  or outputs that are not copies of each other, would make it so",
             ),
-            filters::Error::AtFeature => Self::new(
+            filters::Error::AtFeature => Self::of_step(
                 Code::AtLandmark,
-                "landmark",
-                "the estimate stands on the landmark, where range and bearing cannot be linearized; a step aside mends it",
+                Argument::Landmark,
+                "the estimate stands on the landmark, where range and bearing cannot be linearized; move the estimate away \
+                 from it",
             ),
-            filters::Error::OutOfRange { what } => Self::new(Code::Limit, what, "is out of range"),
+            filters::Error::OutOfRange(parameter) => {
+                let argument = match parameter {
+                    Parameter::Probability => "probability",
+                    Parameter::DegreesOfFreedom => "dof",
+                    Parameter::Samples => "samples",
+                    Parameter::SigmaPoints => "points",
+                    Parameter::Covariance => "P",
+                    Parameter::Feature => "landmark",
+                };
+                Self::new(Code::Limit, argument, parameter.to_string())
+            }
         }
-    }
-}
-
-impl From<numerics::Error> for Error {
-    fn from(error: numerics::Error) -> Self {
-        let code = match error {
-            numerics::Error::NotSquare | numerics::Error::TooLarge => Code::Shape,
-            numerics::Error::NotFinite => Code::NotFinite,
-            numerics::Error::DidNotConverge => Code::DidNotConverge,
-        };
-        Self::new(code, "matrix", error.to_string())
     }
 }
 
@@ -153,22 +208,34 @@ mod tests {
     }
 
     #[test]
-    fn the_filter_s_words_come_back_with_choset_s_letters() {
-        for (what, argument) in [
-            ("the innovation", "y"),
-            ("the mean", "x"),
-            ("the predicted mean", "x"),
-            ("the squared distance", "y"),
-            ("x", "x"),
-            ("K", "K"),
-            ("the covariance", "P"),
-            ("S", "P"),
+    fn a_filter_s_error_comes_back_in_choset_s_letters() {
+        for (quantity, argument) in [
+            (Quantity::Input, "u"),
+            (Quantity::Innovation, "y"),
+            (Quantity::SquaredDistance, "y"),
+            (Quantity::PredictedOutput, "x"),
+            (Quantity::Mean, "x"),
+            (Quantity::PredictedMean, "x"),
+            (Quantity::Covariance, "P"),
+            (Quantity::InnovationCovariance, "P"),
         ] {
-            let error = Error::from(filters::Error::NotFinite { what });
+            let error = Error::from(filters::Error::NotFinite(quantity));
             assert_eq!((error.code, error.argument.as_ref()), (Code::NotFinite, argument));
-            assert!(error.message.contains(what));
+            assert!(error.message.contains(&quantity.to_string()));
         }
         let singular = Error::from(filters::Error::InnovationNotPositiveDefinite);
         assert_eq!((singular.code, singular.argument.as_ref()), (Code::InnovationNotPositiveDefinite, "W"));
+    }
+
+    #[test]
+    fn a_caller_renames_a_step_s_argument_and_no_other() {
+        let name = |argument| match argument {
+            Argument::Mean => "belief.x".into(),
+            other => other.letter(),
+        };
+        let blamed = |error: Error| error.called(name).argument.to_string();
+        assert_eq!(blamed(filters::Error::NotFinite(Quantity::Mean).into()), "belief.x");
+        assert_eq!(blamed(filters::Error::InnovationNotPositiveDefinite.into()), "W");
+        assert_eq!(blamed(Error::new(Code::Shape, "x", "is empty")), "x");
     }
 }

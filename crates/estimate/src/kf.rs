@@ -1,107 +1,184 @@
-//! One Kalman step in Choset's letters, and the rail robot of §8.2.6.
+//! One Kalman step in Choset's letters.
 
-use crate::error::Error;
-use crate::lti::Lti;
-pub use filters::kalman::{Gaussian, Kf};
-use nalgebra::{Matrix1, Matrix2, RowVector2, SMatrix, SVector, Vector2};
+use crate::error::{Argument, Code, Error};
+use crate::lti::{Lti, SystemSizes};
+use filters::Sizes;
+pub use filters::{Gaussian, Kf};
+use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 
 // ANCHOR: kalman_step
-/// ν, S and R of one step: p, p×p and n×p.
-pub type Step<const N: usize, const M: usize> = (SVector<f64, M>, SMatrix<f64, M, M>, SMatrix<f64, N, M>);
+/// What one step computes, eqs. 8.26–8.32.
+#[derive(Clone, Debug, PartialEq)]
+pub struct KalmanStep<N: Dim, M: Dim>
+where
+    DefaultAllocator: Sizes<N, M>,
+{
+    /// x̂(k+1 | k) and P(k+1 | k).
+    pub predicted: Gaussian<N>,
+    /// ν = y − H x̂(k+1 | k), p.
+    pub innovation: OVector<f64, M>,
+    /// S = H P(k+1 | k) Hᵀ + W, p×p.
+    pub s: OMatrix<f64, M, M>,
+    /// R = P(k+1 | k) Hᵀ S⁻¹, n×p: the gain. Thrun K.
+    pub r: OMatrix<f64, N, M>,
+    /// x̂(k+1 | k+1) and P(k+1 | k+1).
+    pub posterior: Gaussian<N>,
+}
 
-/// One predict–update pair, eqs. 8.26–8.32: the belief moves on, and the answer is (ν, S, R).
+/// One Kalman step: the belief is predicted with the input `u` and corrected by the reading `y`.
 ///
 /// # Errors
-/// [`crate::Code::InnovationNotPositiveDefinite`] or [`crate::Code::NotFinite`]; the belief is then as it was.
+/// [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`]; [`Code::Shape`], for sizes known at run time only.
 ///
 /// # Example
 /// ```
-/// use estimate::kf::{dead_reckoning, kalman_step};
+/// use estimate::kf::kalman_step;
 /// use nalgebra::Vector1;
-/// let (sys, mut belief) = dead_reckoning();
-/// let (nu, s, _) = kalman_step(&sys, &mut belief, &Vector1::new(0.0), &Vector1::new(2.7))?;
-/// assert!((nu[0] / s[0] + 0.5).abs() < 1e-15);
+/// let (sys, belief) = estimate::rail::dead_reckoning();
+/// let step = kalman_step(&sys, &belief, &Vector1::new(0.0), &Vector1::new(2.7))?;
+/// assert!((step.innovation[0] / step.s[0] + 0.5).abs() < 1e-15);
 /// # Ok::<(), estimate::Error>(())
 /// ```
-pub fn kalman_step<const N: usize, const U: usize, const M: usize>(
+pub fn kalman_step<N: Dim, U: Dim, M: Dim>(
     sys: &Lti<N, U, M>,
-    belief: &mut Gaussian<N>,
-    u: &SVector<f64, U>,
-    y: &SVector<f64, M>,
-) -> Result<Step<N, M>, Error> {
-    let mut filter = Kf::from(*belief);
-    filter.predict(&sys.f, &sys.v, Some((&sys.g, u)))?; // Thrun: A, R, (B, u)
-    let info = filter.update(y, &sys.h, &sys.w)?; // Thrun: z, C, Q
-    *belief = filter.belief();
-    Ok((info.innovation, info.s, info.k)) // Choset: ν, S, R
+    belief: &Gaussian<N>,
+    u: &OVector<f64, U>,
+    y: &OVector<f64, M>,
+) -> Result<KalmanStep<N, M>, Error>
+where
+    DefaultAllocator: SystemSizes<N, U, M>,
+{
+    fit(sys, belief, u, y)?;
+    let input = Some((&sys.g, u)); // Thrun: (B, u)
+    let predicted = belief.predicted(&sys.f, &sys.v, input).map_err(blame)?; // Thrun: A, R
+    let (posterior, update) = predicted.corrected(y, &sys.h, &sys.w).map_err(blame)?; // Thrun: z, C, Q
+    let (innovation, s, r) = (update.innovation, update.s, update.k); // Choset: ν, S, R
+    Ok(KalmanStep { predicted, innovation, s, r, posterior })
 }
 // ANCHOR_END: kalman_step
 
-// ANCHOR: dead_reckoning
-/// The rail robot of §8.2.6 with its velocity sensor, and its first belief N(x̂(k|k), P(k|k)): state [m, m/s], a force
-/// of 1 N accelerates its 1 kg by 1 m/s², sampled every 0.5 s.
-pub fn dead_reckoning() -> (Lti<2, 1, 1>, Gaussian<2>) {
-    let (t, mass) = (0.5, 1.0);
-    let sys = Lti {
-        f: Matrix2::new(1.0, t, 0.0, 1.0),
-        g: Vector2::new(0.0, t / mass),
-        h: RowVector2::new(0.0, 1.0),
-        v: Matrix2::new(0.2, 0.05, 0.05, 0.1),
-        w: Matrix1::new(0.5),
-    };
-    (sys, Gaussian { x: Vector2::new(2.0, 4.0), p: Matrix2::new(1.0, 0.0, 0.0, 2.0) })
+/// Compares the shapes. Where they stand in the types this is decided when it is compiled.
+///
+/// # Errors
+/// [`Code::Shape`], naming the argument that does not fit the system.
+#[inline]
+fn fit<N: Dim, U: Dim, M: Dim>(
+    sys: &Lti<N, U, M>,
+    belief: &Gaussian<N>,
+    u: &OVector<f64, U>,
+    y: &OVector<f64, M>,
+) -> Result<(), Error>
+where
+    DefaultAllocator: SystemSizes<N, U, M>,
+{
+    belief_fits(belief, sys.f.nrows())?;
+    size_fits(u.len(), sys.g.ncols(), "u")?;
+    size_fits(y.len(), sys.h.nrows(), "y")
 }
 
-/// The same robot with a sensor of its position instead.
-pub fn position_sensor() -> (Lti<2, 1, 1>, Gaussian<2>) {
-    let (sys, belief) = dead_reckoning();
-    (Lti { h: RowVector2::new(1.0, 0.0), ..sys }, belief)
+#[inline]
+pub(crate) fn belief_fits<N: Dim>(belief: &Gaussian<N>, n: usize) -> Result<(), Error>
+where
+    DefaultAllocator: Sizes<N>,
+{
+    let (rows, columns) = belief.p.shape();
+    size_fits(belief.x.len(), n, "belief")?;
+    size_fits(rows, n, "belief")?;
+    size_fits(columns, n, "belief")
 }
-// ANCHOR_END: dead_reckoning
+
+#[inline]
+fn size_fits(found: usize, needed: usize, argument: &'static str) -> Result<(), Error> {
+    if found == needed { Ok(()) } else { Err(misfit(found, needed, argument)) }
+}
+
+#[cold]
+fn misfit(found: usize, needed: usize, argument: &'static str) -> Error {
+    Error::new(Code::Shape, argument, format!("is of size {found}; the system needs {needed}"))
+}
+
+/// A filter's error with the names that the arguments of [`kalman_step`] have.
+#[cold]
+pub(crate) fn blame(error: filters::Error) -> Error {
+    Error::from(error).called(|argument| match argument {
+        Argument::Mean => "belief.x".into(),
+        Argument::Covariance => "belief.P".into(),
+        other => other.letter(),
+    })
+}
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::error::Code;
     use crate::observer::Observer;
-    use nalgebra::Vector1;
+    use crate::rail::{dead_reckoning, position_sensor};
+    use nalgebra::{Dyn, Matrix1, Matrix2, U1, U2, Vector1, Vector2, dmatrix, dvector};
 
     // ANCHOR: tests
     #[test]
     fn two_steps_by_hand_are_met_to_the_last_digits() {
-        let (sys, mut belief) = dead_reckoning();
-        let step = |belief: &mut Gaussian<2>, y: f64| {
+        let (sys, belief) = dead_reckoning();
+        let step = |belief: &Gaussian<U2>, y: f64| {
             kalman_step(&sys, belief, &Vector1::zeros(), &Vector1::new(y)).expect("S is positive")
         };
-        let (_, s, r) = step(&mut belief, 2.7);
-        assert!((s[0] - 2.6).abs() < 1e-12 && (r - Vector2::new(21.0 / 52.0, 21.0 / 26.0)).norm() < 1e-12);
-        step(&mut belief, 2.0);
+        let first = step(&belief, 2.7);
+        assert!((first.predicted.p - Matrix2::new(1.7, 1.05, 1.05, 2.1)).norm() < 1e-12);
+        assert!((first.s[0] - 2.6).abs() < 1e-12);
+        assert!((first.r - Vector2::new(21.0 / 52.0, 21.0 / 26.0)).norm() < 1e-12);
+        let second = step(&first.posterior, 2.0);
         let exact = Matrix2::new(16429.0 / 10440.0, 59.0 / 261.0, 59.0 / 261.0, 131.0 / 522.0);
-        assert!((belief.p - exact).norm() < 1e-12);
+        assert!((second.posterior.p - exact).norm() < 1e-12);
     }
 
     /// The chapter's lens: an observer that is handed R(k) at every step has the filter's mean, bit for bit.
     #[test]
     fn kf_is_observer_with_scheduled_gain() {
         for (sys, mut belief) in [dead_reckoning(), position_sensor()] {
-            let mut observer = Observer { sys, k: SMatrix::zeros(), xhat: belief.x };
+            let mut observer = Observer { sys, k: Vector2::zeros(), xhat: belief.x };
             for k in 0..400 {
                 let (u, y) = (Vector1::new(libm::cos(0.7 * f64::from(k))), Vector1::new(libm::sin(f64::from(k * k))));
-                let (_, _, r) = kalman_step(&sys, &mut belief, &u, &y).expect("S is positive");
-                observer.k = r;
+                let step = kalman_step(&sys, &belief, &u, &y).expect("S is positive");
+                observer.k = step.r;
                 observer.step(&u, &y);
-                assert_eq!(observer.xhat, belief.x, "step {k}");
+                assert_eq!(observer.xhat, step.posterior.x, "step {k}");
+                belief = step.posterior;
             }
         }
     }
     // ANCHOR_END: tests
 
     #[test]
-    fn a_refused_step_leaves_the_belief() {
-        let (sys, mut belief) = dead_reckoning();
-        let before = belief;
-        assert!(kalman_step(&sys, &mut belief, &Vector1::zeros(), &Vector1::new(f64::NAN)).is_err());
+    fn a_step_refuses_what_it_cannot_use_and_names_it() {
+        let (sys, belief) = dead_reckoning();
+        let blame = |sys: &Lti<U2, U1, U1>, belief: &Gaussian<U2>, u: f64, y: f64| {
+            let error = kalman_step(sys, belief, &Vector1::new(u), &Vector1::new(y)).expect_err("refused");
+            (error.code, error.argument.to_string())
+        };
+        assert_eq!(blame(&sys, &belief, 0.0, f64::NAN), (Code::NotFinite, "y".into()));
+        assert_eq!(blame(&sys, &belief, f64::INFINITY, 0.0), (Code::NotFinite, "u".into()));
+        let lost = Gaussian { x: Vector2::new(f64::NAN, 0.0), ..belief };
+        assert_eq!(blame(&sys, &lost, 0.0, 0.0), (Code::NotFinite, "belief.x".into()));
         let blind = Lti { w: Matrix1::new(-9.0), ..sys };
-        assert!(kalman_step(&blind, &mut belief, &Vector1::zeros(), &Vector1::new(0.0)).is_err());
-        assert_eq!(belief, before);
+        assert_eq!(blame(&blind, &belief, 0.0, 0.0), (Code::InnovationNotPositiveDefinite, "W".into()));
+    }
+
+    #[test]
+    fn sizes_known_at_run_time_only_are_compared() {
+        let one = dmatrix![1.0];
+        let sys = Lti { f: one.clone(), g: one.clone(), h: one.clone(), v: one.clone(), w: one.clone() };
+        let belief = Gaussian { x: dvector![1.0], p: one.clone() };
+        let blame = |belief: &Gaussian<Dyn>, u, y| {
+            let error = kalman_step(&sys, belief, &u, &y).expect_err("refused");
+            assert_eq!(error.code, Code::Shape);
+            error.argument.to_string()
+        };
+        assert_eq!(blame(&belief, dvector![0.0, 0.0], dvector![0.0]), "u");
+        assert_eq!(blame(&belief, dvector![0.0], dvector![]), "y");
+        let wide = Gaussian { x: dvector![1.0, 2.0], p: dmatrix![1.0, 0.0; 0.0, 1.0] };
+        assert_eq!(blame(&wide, dvector![0.0], dvector![0.0]), "belief");
+        let torn = Gaussian { x: dvector![1.0], p: dmatrix![1.0, 0.0; 0.0, 1.0] };
+        assert_eq!(blame(&torn, dvector![0.0], dvector![0.0]), "belief");
+        assert!(kalman_step(&sys, &belief, &dvector![0.0], &dvector![0.0]).is_ok());
     }
 }

@@ -3,10 +3,9 @@
 use crate::error::{Code, Error};
 use crate::landmark::Landmark;
 use filters::association::{Association, Candidate, Rule, Thresholds, associate};
-use filters::kalman::Gaussian;
-use filters::nonlinear::MeasurementModel;
+use filters::{Gaussian, MeasurementModel, Parameter};
 use geom::{SE2, angle_diff, wrap};
-use nalgebra::{SMatrix, SVector, Vector1, Vector2};
+use nalgebra::{SMatrix, SVector, U3, Vector1, Vector2};
 
 /// Nearer than this (metres) the robot stands on the landmark: there ρ has no derivative and β no value.
 pub const NEAREST: f64 = 1e-9;
@@ -15,7 +14,7 @@ pub const NEAREST: f64 = 1e-9;
 /// landmark.
 #[inline]
 fn displacement(map: &[Landmark], x: &SE2, j: usize) -> Result<(f64, f64, f64), filters::Error> {
-    let landmark = map.get(j).ok_or(filters::Error::OutOfRange { what: "landmark" })?;
+    let landmark = map.get(j).ok_or(filters::Error::OutOfRange(Parameter::Feature))?;
     let (dx, dy) = (x.x() - landmark.x, x.y() - landmark.y);
     let rho = numerics::hypot(dx, dy);
     if rho < NEAREST { Err(filters::Error::AtFeature) } else { Ok((dx, dy, rho)) }
@@ -95,7 +94,7 @@ pub fn raw_bearing_row(x: &SE2, landmark: &Landmark) -> SMatrix<f64, 1, 3> {
 /// landmark `j`.
 pub fn candidate<const M: usize>(
     model: &impl MeasurementModel<SE2, 3, M>,
-    belief: &Gaussian<3>,
+    belief: &Gaussian<U3>,
     y: &SVector<f64, M>,
     j: usize,
     w: &SMatrix<f64, M, M>,
@@ -114,7 +113,7 @@ pub fn candidate<const M: usize>(
 /// As [`candidate`], [`Code::Index`] for an empty map.
 pub fn associate_ml(
     y: &SVector<f64, 2>,
-    belief: &Gaussian<3>,
+    belief: &Gaussian<U3>,
     map: &[Landmark],
     w: &SMatrix<f64, 2, 2>,
     gate: f64,
@@ -129,7 +128,7 @@ pub fn associate_ml(
 /// As [`associate_ml`].
 pub fn associate_chi2(
     y: &SVector<f64, 1>,
-    belief: &Gaussian<3>,
+    belief: &Gaussian<U3>,
     map: &[Landmark],
     w: &SMatrix<f64, 1, 1>,
     gate: f64,
@@ -140,7 +139,7 @@ pub fn associate_chi2(
 fn nearest<const M: usize>(
     model: &impl MeasurementModel<SE2, 3, M>,
     y: &SVector<f64, M>,
-    belief: &Gaussian<3>,
+    belief: &Gaussian<U3>,
     landmarks: usize,
     w: &SMatrix<f64, M, M>,
     rule: Rule,
@@ -160,7 +159,7 @@ fn nearest<const M: usize>(
 pub fn best<const M: usize>(
     model: &impl MeasurementModel<SE2, 3, M>,
     y: &SVector<f64, M>,
-    belief: &Gaussian<3>,
+    belief: &Gaussian<U3>,
     landmarks: usize,
     w: &SMatrix<f64, M, M>,
     rule: Rule,
@@ -187,7 +186,7 @@ pub fn best<const M: usize>(
 mod tests {
     use super::*;
     use core::f64::consts::PI;
-    use filters::nonlinear::central_differences;
+    use filters::central_differences;
     use nalgebra::{Matrix1, Matrix2, Matrix3, Vector3};
 
     const MAP: [Landmark; 3] =

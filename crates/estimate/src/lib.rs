@@ -5,7 +5,7 @@
 //! translates at its boundary, and every field of [`Lti`] names its twin.
 //!
 //! - [`Lti`], [`Observer`], [`place_observer_gain`]: linear systems, the fixed-gain observer, and where its poles may go;
-//! - [`kf`]: one Kalman step, and the rail robot of §8.2.6;
+//! - [`kf`]: one Kalman step; [`rail`]: the rail robot of §8.2.6;
 //! - [`riccati`]: the gain as a schedule, and its limit;
 //! - [`observability`]: ranks, with the singular values and null directions behind them;
 //! - [`odometry_delta`], [`landmarks`], [`ChosetEkf`]: from encoder counts to localization among known landmarks;
@@ -28,7 +28,9 @@ pub mod observability;
 mod observer;
 mod odometry;
 pub mod path_observability;
+mod place;
 mod placement;
+pub mod rail;
 pub mod riccati;
 pub mod slam;
 pub mod validate;
@@ -36,8 +38,8 @@ pub mod validate;
 pub use ekf::{ChosetEkf, Sighting};
 pub use error::{Code, Error};
 pub use landmark::Landmark;
-pub use lti::Lti;
+pub use lti::{Lti, SystemSizes};
 pub use nalgebra::Complex;
-pub use observer::{Observer, error_matrix, observer_step};
+pub use observer::{Observer, error_matrix};
 pub use odometry::{Ticks, Unicycle, Wheels, odometry_delta, slip_covariance};
 pub use placement::place_observer_gain;

@@ -6,10 +6,11 @@ use crate::ekf::{ChosetEkf, Sighting};
 use crate::error::{Code, Error};
 use crate::landmark::Landmark;
 use crate::landmarks::{RangeBearing, RangeOnly, best, candidate};
+use crate::place::Place;
 use crate::validate;
 use filters::association::{Association, Candidate, Rule};
-use filters::kalman::{Gaussian, Update};
-use filters::nonlinear::MeasurementModel;
+use filters::covariance::is_finite;
+use filters::{Gaussian, MeasurementModel, Update};
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector2};
 
@@ -74,11 +75,11 @@ pub struct Localized {
 ///
 /// # Example
 /// ```
-/// use estimate::{Landmark, dynamic::Belief};
+/// use estimate::Landmark;
 /// use estimate::localizer::{EkfLocalizer, Reading, SensorKind};
 /// use nalgebra::{dmatrix, dvector};
 ///
-/// let belief = Belief::new(dvector![0.0, 0.0, 0.0], dmatrix![0.04, 0.0, 0.0; 0.0, 0.04, 0.0; 0.0, 0.0, 0.01])?;
+/// let belief = estimate::validate::belief(dvector![0.0, 0.0, 0.0], dmatrix![0.04, 0.0, 0.0; 0.0, 0.04, 0.0; 0.0, 0.0, 0.01])?;
 /// let map = vec![Landmark { id: 7, x: 2.0, y: 0.0 }];
 /// let w = dmatrix![0.01, 0.0; 0.0, 0.01];
 /// let mut ekf = EkfLocalizer::new(belief, map, w, Some(9.21), SensorKind::RangeBearing)?;
@@ -111,8 +112,8 @@ impl EkfLocalizer {
         gate: Option<f64>,
         sensor: SensorKind,
     ) -> Result<Self, Error> {
-        let x = validate::vector(belief.x, 3, "x").map_err(|e| e.within("belief"))?;
-        let p = validate::covariance(belief.p, 3, "P").map_err(|e| e.within("belief"))?;
+        let x = validate::vector(belief.x, 3, "belief.x")?;
+        let p = validate::covariance(belief.p, 3, "belief.P")?;
         validate::count(landmarks.len(), MAX_LANDMARKS, "landmarks")?;
         for (i, landmark) in landmarks.iter().enumerate() {
             if landmarks[..i].iter().any(|earlier| earlier.id == landmark.id) {
@@ -150,15 +151,16 @@ impl EkfLocalizer {
     pub fn predict(&mut self, u: DVector<f64>, v: DMatrix<f64>) -> Result<(), Error> {
         let u = validate::vector(u, 2, "u")?;
         let v = validate::covariance(v, 3, "V")?;
-        self.moved(&Vector2::new(u[0], u[1]), &Matrix3::from_fn(|i, j| v[(i, j)]))
+        self.moved(&Vector2::new(u[0], u[1]), &Matrix3::from_fn(|i, j| v[(i, j)]), Place::Alone)
     }
 
     /// A prediction, of which u or V is to blame for an overflow: V where there would be none without it.
-    fn moved(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
-        let Err(refused) = self.ekf.predict(u, v) else { return Ok(()) };
-        let mut without_noise = self.ekf;
-        let culprit = if without_noise.predict(u, &Matrix3::zeros()).is_ok() { "V" } else { "u" };
-        Err(refused.renamed("x", culprit).renamed("P", culprit))
+    fn moved(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>, place: Place) -> Result<(), Error> {
+        self.ekf.predict(u, v).map_err(|e| {
+            let mut again = self.ekf;
+            let without_noise = again.predict(u, &Matrix3::zeros());
+            e.called(|_| if without_noise.is_ok() { "V".into() } else { place.name("u") })
+        })
     }
 
     /// Corrects the belief with a reading within the gate; one beyond it leaves the belief alone, whether its landmark
@@ -171,46 +173,50 @@ impl EkfLocalizer {
     /// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`].
     pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
         let before = self.ekf;
-        self.judge(&reading, localized, localized).map_err(|e| {
-            self.ekf = before;
-            e.of_a_range()
-        })
+        self.judge(&reading, Place::Alone, localized, localized).inspect_err(|_| self.ekf = before)
     }
 
-    /// What became of `reading`, as `both` or `one` tells it for the sensor there is. Refused, it may leave a filter that has
-    /// been corrected all the same.
+    /// Judges a reading, corrects the belief when it is accepted, and answers what `both` or `one` makes of the outcome: `both`
+    /// for a sensor of range and bearing, `one` for a sensor of ranges. On an error the belief may already be corrected, and
+    /// the caller restores it.
     fn judge<T>(
         &mut self,
         reading: &Reading,
+        place: Place,
         both: impl Fn(&[Landmark], bool, &Candidate<2>) -> T,
         one: impl Fn(&[Landmark], bool, &Candidate<1>) -> T,
     ) -> Result<T, Error> {
+        let (range, bearing, j) = self.checked(reading).map_err(|e| place.field(e))?;
+        let (map, count) = (&self.map, self.map.len());
+        match &self.sensor {
+            Sensor::RangeBearing(w) => {
+                let (y, model) = (Vector2::new(range, wrap(bearing)), RangeBearing { map });
+                let how = (j, Rule::MaximumLikelihood, self.gate);
+                locate(&mut self.ekf, &model, count, y, w, how, |accepted, best| both(map, accepted, best))
+            }
+            Sensor::Range(w) => {
+                let (y, model) = (SVector::<f64, 1>::new(range), RangeOnly { map });
+                let how = (j, Rule::ChiSquared, self.gate);
+                locate(&mut self.ekf, &model, count, y, w, how, |accepted, best| one(map, accepted, best))
+            }
+        }
+        .map_err(|e| place.step(e))
+    }
+
+    /// Range, bearing (0 where the sensor has none) and the landmark's place on the map.
+    fn checked(&self, reading: &Reading) -> Result<(f64, f64, Option<usize>), Error> {
         let range = validate::finite(reading.range, "range")?;
         if range < 0.0 {
             return Err(Error::new(Code::Limit, "range", "a range is not negative"));
         }
-        let j = reading.landmark.map(|id| self.index(id)).transpose()?;
-        match (&self.sensor, reading.bearing) {
-            (Sensor::RangeBearing(w), Some(bearing)) => {
-                let y = Vector2::new(range, wrap(validate::finite(bearing, "bearing")?));
-                let model = RangeBearing { map: &self.map };
-                let count = self.map.len();
-                let how = (j, Rule::MaximumLikelihood, self.gate);
-                locate(&mut self.ekf, &model, count, y, w, how, |accepted, best| both(&self.map, accepted, best))
-            }
-            (Sensor::Range(w), None) => {
-                let model = RangeOnly { map: &self.map };
-                let (count, y) = (self.map.len(), SVector::<f64, 1>::new(range));
-                let how = (j, Rule::ChiSquared, self.gate);
-                locate(&mut self.ekf, &model, count, y, w, how, |accepted, best| one(&self.map, accepted, best))
-            }
-            (Sensor::RangeBearing(_), None) => {
-                Err(Error::new(Code::Type, "bearing", "is missing; this sensor reads range and bearing"))
-            }
-            (Sensor::Range(_), Some(_)) => {
-                Err(Error::new(Code::Type, "bearing", "is given; this sensor reads the range alone"))
-            }
-        }
+        let wrong = |message: &'static str| Err(Error::new(Code::Type, "bearing", message));
+        let bearing = match (self.sensor(), reading.bearing) {
+            (SensorKind::RangeBearing, Some(bearing)) => validate::finite(bearing, "bearing")?,
+            (SensorKind::Range, None) => 0.0,
+            (SensorKind::RangeBearing, None) => return wrong("is missing; this sensor reads range and bearing"),
+            (SensorKind::Range, Some(_)) => return wrong("is given; this sensor reads the range alone"),
+        };
+        Ok((range, bearing, reading.landmark.map(|id| self.index(id)).transpose()?))
     }
 
     /// Predicts and corrects once for each step of a log, all with the one `v`, and answers the poses x̂ = [x, y, θ] after
@@ -229,7 +235,7 @@ impl EkfLocalizer {
         let v = Matrix3::from_fn(|i, j| v[(i, j)]);
         let (mut next, mut poses) = (self.clone(), Vec::with_capacity(log.len()));
         for (k, logged) in log.enumerate() {
-            next.step(&logged, &v).map_err(|e| if e.argument == "V" { e } else { e.within(&format!("log[{k}]")) })?;
+            next.step(&logged, &v, k)?;
             let pose = next.ekf.pose();
             poses.push([pose.x(), pose.y(), pose.theta()]);
         }
@@ -237,10 +243,14 @@ impl EkfLocalizer {
         Ok(poses)
     }
 
-    fn step(&mut self, logged: &Logged, v: &Matrix3<f64>) -> Result<(), Error> {
-        let u = Vector2::new(validate::finite(logged.u[0], "u")?, validate::finite(logged.u[1], "u")?);
-        self.moved(&u, v)?;
-        self.judge(&logged.reading, |_, _, _| (), |_, _, _| ()).map_err(Error::of_a_range)
+    fn step(&mut self, logged: &Logged, v: &Matrix3<f64>, k: usize) -> Result<(), Error> {
+        let place = Place::Entry("log", k);
+        let u = Vector2::from(logged.u);
+        if !is_finite(&u) {
+            return Err(place.field(Error::new(Code::NotFinite, "u", "must hold finite numbers")));
+        }
+        self.moved(&u, v, place)?;
+        self.judge(&logged.reading, place, |_, _, _| (), |_, _, _| ())
     }
 
     /// Which sensor it has.

@@ -2,39 +2,66 @@
 
 use crate::error::Error;
 use crate::observability::{self, Observability};
-use nalgebra::{DMatrix, SMatrix};
+use filters::Sizes;
+use nalgebra::allocator::Allocator;
+use nalgebra::{DMatrix, DefaultAllocator, Dim, OMatrix};
+
+/// What nalgebra must be able to store for a system of N states, U inputs and M outputs; it is so for all sizes.
+pub trait SystemSizes<N: Dim, U: Dim, M: Dim>: Sizes<N, M> + Allocator<N, U> + Allocator<U> {}
+
+impl<N: Dim, U: Dim, M: Dim> SystemSizes<N, U, M> for DefaultAllocator where
+    Self: Sizes<N, M> + Allocator<N, U> + Allocator<U>
+{
+}
 
 // ANCHOR: lti
 /// The system x(k+1) = F x(k) + G u(k) + v(k), y(k) = H x(k) + w(k), with v ~ N(0, V) and w ~ N(0, W):
-/// n states, m inputs (`U`) and p outputs (`M`).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Lti<const N: usize, const U: usize, const M: usize> {
+/// n states (`N`), m inputs (`U`) and p outputs (`M`).
+#[derive(Clone, Debug, PartialEq)]
+pub struct Lti<N: Dim, U: Dim, M: Dim>
+where
+    DefaultAllocator: SystemSizes<N, U, M>,
+{
     /// F, n×n: the dynamics. Thrun A.
-    pub f: SMatrix<f64, N, N>,
+    pub f: OMatrix<f64, N, N>,
     /// G, n×m: the input. Thrun B.
-    pub g: SMatrix<f64, N, U>,
+    pub g: OMatrix<f64, N, U>,
     /// H, p×n: the output, assumed of full row rank. Thrun C.
-    pub h: SMatrix<f64, M, N>,
+    pub h: OMatrix<f64, M, N>,
     /// V, n×n: process covariance. Thrun R.
-    pub v: SMatrix<f64, N, N>,
+    pub v: OMatrix<f64, N, N>,
     /// W, p×p: measurement covariance. Thrun Q.
-    pub w: SMatrix<f64, M, M>,
+    pub w: OMatrix<f64, M, M>,
 }
 // ANCHOR_END: lti
 
-impl<const N: usize, const U: usize, const M: usize> Lti<N, U, M> {
+impl<N: Dim, U: Dim, M: Dim> Copy for Lti<N, U, M>
+where
+    DefaultAllocator: SystemSizes<N, U, M>,
+    OMatrix<f64, N, N>: Copy,
+    OMatrix<f64, N, U>: Copy,
+    OMatrix<f64, M, N>: Copy,
+    OMatrix<f64, M, M>: Copy,
+{
+}
+
+impl<N: Dim, U: Dim, M: Dim> Lti<N, U, M>
+where
+    DefaultAllocator: SystemSizes<N, U, M>,
+{
     // ANCHOR: discretize
     /// The Euler discretization of ẋ = Ax + Bu, y = Cx with period `t` seconds (App. J.5): F = I + tA, G = tB, H = C.
     /// The noise covariances are those of one period.
     pub fn discretize(
-        a: SMatrix<f64, N, N>,
-        b: SMatrix<f64, N, U>,
-        c: SMatrix<f64, M, N>,
+        a: OMatrix<f64, N, N>,
+        b: OMatrix<f64, N, U>,
+        c: OMatrix<f64, M, N>,
         t: f64,
-        v: SMatrix<f64, N, N>,
-        w: SMatrix<f64, M, M>,
+        v: OMatrix<f64, N, N>,
+        w: OMatrix<f64, M, M>,
     ) -> Self {
-        Self { f: SMatrix::identity() + a * t, g: b * t, h: c, v, w }
+        let n = a.shape_generic().0;
+        Self { f: OMatrix::identity_generic(n, n) + a * t, g: b * t, h: c, v, w }
     }
     // ANCHOR_END: discretize
 
@@ -57,7 +84,7 @@ impl<const N: usize, const U: usize, const M: usize> Lti<N, U, M> {
     /// # Errors
     /// As [`observability::analyze`].
     pub fn is_observable(&self, tol: f64) -> Result<bool, Error> {
-        Ok(self.observability(tol)?.rank == N)
+        Ok(self.observability(tol)?.rank == self.f.nrows())
     }
     // ANCHOR_END: observability
 }
@@ -65,7 +92,7 @@ impl<const N: usize, const U: usize, const M: usize> Lti<N, U, M> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kf::dead_reckoning;
+    use crate::rail::dead_reckoning;
     use nalgebra::{Matrix2, RowVector2, Vector2};
 
     #[test]

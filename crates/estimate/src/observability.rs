@@ -56,10 +56,10 @@ where
 /// ```
 pub fn analyze(q: &DMatrix<f64>, tolerance: f64) -> Result<Observability, Error> {
     let tolerance = validate::tolerance(tolerance, "tolerance")?;
-    if !filters::linear::is_finite(q) {
+    if !filters::covariance::is_finite(q) {
         return Err(Error::new(Code::NotFinite, "F", "its powers overflow; the rank cannot be told"));
     }
-    let found = singular_values(q.clone())?;
+    let found = singular_values(q.clone()).map_err(|e| Error::of_matrix(e, "F"))?;
     let threshold = tolerance * found.values.first().copied().unwrap_or(0.0);
     let rank = found.values.iter().filter(|s| **s > threshold).count();
     Ok(Observability {

@@ -1,32 +1,9 @@
 //! The Luenberger observer with a fixed gain (App. J.4, discretized as in J.5): the knob.
 
 use crate::error::Error;
-use crate::lti::Lti;
-use filters::linear;
-use nalgebra::allocator::Allocator;
-use nalgebra::{Complex, DMatrix, DefaultAllocator, Dim, OMatrix, OVector, SMatrix, SVector};
-
-/// x̂⁺ = x̂⁻ + K(y − H x̂⁻) with x̂⁻ = F x̂ + G u, for sizes fixed or known at run time only.
-pub fn observer_step<N: Dim, U: Dim, M: Dim>(
-    (f, g, h): (&OMatrix<f64, N, N>, &OMatrix<f64, N, U>, &OMatrix<f64, M, N>),
-    k: &OMatrix<f64, N, M>,
-    xhat: &OVector<f64, N>,
-    u: &OVector<f64, U>,
-    y: &OVector<f64, M>,
-) -> OVector<f64, N>
-where
-    DefaultAllocator: Allocator<N, N>
-        + Allocator<N, U>
-        + Allocator<M, N>
-        + Allocator<N, M>
-        + Allocator<N>
-        + Allocator<U>
-        + Allocator<M>,
-{
-    let predicted = f * xhat + g * u;
-    let innovation = y - h * &predicted;
-    predicted + k * innovation
-}
+use crate::lti::{Lti, SystemSizes};
+use filters::{Sizes, linear};
+use nalgebra::{Complex, DMatrix, DefaultAllocator, Dim, OMatrix, OVector};
 
 /// (I − KH)F, n×n: what a step does to the estimation error when no noise acts, e(k+1) = (I − KH)F e(k).
 pub fn error_matrix<N: Dim, M: Dim>(
@@ -35,7 +12,7 @@ pub fn error_matrix<N: Dim, M: Dim>(
     k: &OMatrix<f64, N, M>,
 ) -> OMatrix<f64, N, N>
 where
-    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M>,
+    DefaultAllocator: Sizes<N, M>,
 {
     linear::complement(k, h) * f
 }
@@ -45,58 +22,79 @@ where
 ///
 /// # Example
 /// ```
-/// use estimate::{Observer, kf::dead_reckoning};
+/// use estimate::{Observer, rail::dead_reckoning};
 /// use nalgebra::Vector1;
 /// let (sys, belief) = dead_reckoning();
 /// let mut observer = Observer { sys, k: [0.4, 0.8].into(), xhat: belief.x };
 /// observer.step(&Vector1::new(0.0), &Vector1::new(2.7));
 /// assert!((observer.xhat[1] - (4.0 - 0.8 * 1.3)).abs() < 1e-15);
 /// ```
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Observer<const N: usize, const U: usize, const M: usize> {
+#[derive(Clone, Debug, PartialEq)]
+pub struct Observer<N: Dim, U: Dim, M: Dim>
+where
+    DefaultAllocator: SystemSizes<N, U, M>,
+{
     /// The model that the observer copies.
     pub sys: Lti<N, U, M>,
     /// K, n×p: the gain.
-    pub k: SMatrix<f64, N, M>,
+    pub k: OMatrix<f64, N, M>,
     /// x̂(k | k), the estimate.
-    pub xhat: SVector<f64, N>,
+    pub xhat: OVector<f64, N>,
 }
 
-impl<const N: usize, const U: usize, const M: usize> Observer<N, U, M> {
-    /// One period: predict with the input `u`, correct with the output `y` of its end.
-    pub fn step(&mut self, u: &SVector<f64, U>, y: &SVector<f64, M>) {
-        self.xhat = observer_step((&self.sys.f, &self.sys.g, &self.sys.h), &self.k, &self.xhat, u, y);
+impl<N: Dim, U: Dim, M: Dim> Observer<N, U, M>
+where
+    DefaultAllocator: SystemSizes<N, U, M>,
+{
+    /// One period: predict with the input `u`, correct with the output `y` of its end: x̂⁺ = x̂⁻ + K(y − H x̂⁻) with
+    /// x̂⁻ = F x̂ + G u.
+    pub fn step(&mut self, u: &OVector<f64, U>, y: &OVector<f64, M>) {
+        let Lti { f, g, h, .. } = &self.sys;
+        let predicted = f * &self.xhat + g * u;
+        let innovation = y - h * &predicted;
+        self.xhat = predicted + &self.k * innovation;
     }
 
     /// (I − KH)F. The error decays when every eigenvalue lies inside the unit disc (Theorem J.5.1).
-    pub fn error_matrix(&self) -> SMatrix<f64, N, N> {
+    pub fn error_matrix(&self) -> OMatrix<f64, N, N> {
         error_matrix(&self.sys.f, &self.sys.h, &self.k)
     }
 
     /// The eigenvalues of (I − KH)F, by decreasing modulus.
     ///
     /// # Errors
-    /// As [`numerics::eigenvalues`].
+    /// As [`numerics::eigenvalues`], blaming K.
     pub fn error_eigs(&self) -> Result<Vec<Complex<f64>>, Error> {
-        let m = DMatrix::from_iterator(N, N, self.error_matrix().iter().copied());
-        Ok(if N <= 2 { numerics::eigenvalues_in_closed_form(&m) } else { numerics::eigenvalues(&m) }?)
+        let (m, n) = (self.error_matrix(), self.xhat.len());
+        let m = DMatrix::from_iterator(n, n, m.iter().copied());
+        let found = if n <= 2 { numerics::eigenvalues_in_closed_form(&m) } else { numerics::eigenvalues(&m) };
+        found.map_err(|e| Error::of_matrix(e, "K"))
     }
 
     /// The error covariance after a correction with this K, from the predicted `p` = P(k+1 | k), in Joseph's form: right
     /// for any gain, least at the Kalman gain.
-    pub fn covariance_update(&self, p: &SMatrix<f64, N, N>) -> SMatrix<f64, N, N> {
+    pub fn covariance_update(&self, p: &OMatrix<f64, N, N>) -> OMatrix<f64, N, N> {
         linear::joseph(p, &self.k, &self.sys.h, &self.sys.w)
     }
 }
 // ANCHOR_END: observer
 
+impl<N: Dim, U: Dim, M: Dim> Copy for Observer<N, U, M>
+where
+    DefaultAllocator: SystemSizes<N, U, M>,
+    Lti<N, U, M>: Copy,
+    OMatrix<f64, N, M>: Copy,
+    OVector<f64, N>: Copy,
+{
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::kf::dead_reckoning;
-    use nalgebra::{Matrix2, RowVector2, Vector1, Vector2};
+    use crate::rail::dead_reckoning;
+    use nalgebra::{Matrix2, RowVector2, U1, U2, Vector1, Vector2};
 
-    fn observer(k: [f64; 2]) -> Observer<2, 1, 1> {
+    fn observer(k: [f64; 2]) -> Observer<U2, U1, U1> {
         let (sys, belief) = dead_reckoning();
         Observer { sys, k: k.into(), xhat: belief.x }
     }

@@ -1,7 +1,7 @@
 //! From encoder counts to Choset's input u = [Δs, Δθ], and how it moves a unicycle.
 
 use core::f64::consts::TAU;
-use filters::nonlinear::MotionModel;
+use filters::MotionModel;
 use geom::SE2;
 use nalgebra::{Matrix2, Matrix3, Matrix3x2, SMatrix, SVector, Vector2, Vector3};
 
@@ -71,7 +71,7 @@ impl Unicycle {
     /// V = (∂f/∂u) M (∂f/∂u)ᵀ for an input covariance M.
     pub fn process_covariance(pose: &SE2, input: &Matrix2<f64>) -> Matrix3<f64> {
         let g = Self::input_jacobian(pose);
-        filters::linear::symmetric(g * input * g.transpose())
+        filters::covariance::symmetric(g * input * g.transpose())
     }
 }
 
@@ -109,7 +109,7 @@ impl MotionModel<SE2, 3, 2> for Unicycle {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use filters::nonlinear::{Ekf, central_differences};
+    use filters::{Ekf, central_differences};
 
     /// The unicycle, its covariance multiplied out as any model's is.
     struct Plain;

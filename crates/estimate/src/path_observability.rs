@@ -102,7 +102,7 @@ mod tests {
     use crate::landmark::Landmark;
     use crate::landmarks::{RangeBearing, RangeOnly};
     use crate::odometry::Unicycle;
-    use filters::nonlinear::{MeasurementModel, MotionModel};
+    use filters::{MeasurementModel, MotionModel};
     use geom::SE2;
     use nalgebra::{Matrix2, RowVector2, Vector2, Vector3};
 

@@ -1,11 +1,11 @@
 //! The gain as a schedule: predict and update on the covariance alone (eqs. 8.27, 8.31, 8.32, 8.29), and its limit.
 
-use crate::error::Error;
-use crate::lti::Lti;
+use crate::error::{Argument, Error};
+use crate::lti::{Lti, SystemSizes};
 use crate::validate;
+use filters::Sizes;
 use filters::linear::{self, Gain};
-use nalgebra::allocator::Allocator;
-use nalgebra::{DefaultAllocator, Dim, Dyn, OMatrix, SMatrix};
+use nalgebra::{DefaultAllocator, Dim, OMatrix};
 
 /// The largest number of iterations of a steady-state search.
 pub const MAX_ITERATIONS: usize = 100_000;
@@ -16,7 +16,7 @@ pub const MAX_STEPS: usize = 10_000;
 #[derive(Clone, Debug, PartialEq)]
 pub struct SteadyState<N: Dim, M: Dim>
 where
-    DefaultAllocator: Allocator<N, M> + Allocator<N, N>,
+    DefaultAllocator: Sizes<N, M>,
 {
     /// R, n×p: the last gain. Thrun K.
     pub r: OMatrix<f64, N, M>,
@@ -30,36 +30,33 @@ where
     pub iterations: usize,
 }
 
-/// [`SteadyState`] for run-time sizes.
-pub type DynamicSteadyState = SteadyState<Dyn, Dyn>;
-
-/// What the recursion needs of a system.
-pub(crate) struct Model<'a, N: Dim, M: Dim>
+impl<N: Dim, U: Dim, M: Dim> Lti<N, U, M>
 where
-    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<M, M>,
-{
-    pub f: &'a OMatrix<f64, N, N>,
-    pub h: &'a OMatrix<f64, M, N>,
-    pub v: &'a OMatrix<f64, N, N>,
-    pub w: &'a OMatrix<f64, M, M>,
-}
-
-impl<N: Dim, M: Dim> Model<'_, N, M>
-where
-    DefaultAllocator: Allocator<N, N> + Allocator<M, N> + Allocator<N, M> + Allocator<M, M>,
+    DefaultAllocator: SystemSizes<N, U, M>,
 {
     /// P(k+1 | k), R(k+1) and P(k+1 | k+1) from P(k | k).
     fn advance(
         &self,
         p: &OMatrix<f64, N, N>,
     ) -> Result<(OMatrix<f64, N, N>, OMatrix<f64, N, M>, OMatrix<f64, N, N>), Error> {
-        let predicted = linear::predicted_covariance(self.f, p, self.v)?;
-        let Gain { k: r, p: posterior, .. } = linear::gain(&predicted, self.h, self.w)?;
-        Ok((predicted, r, posterior))
+        let step = || -> Result<_, filters::Error> {
+            let predicted = linear::predicted_covariance(&self.f, p, &self.v)?;
+            let Gain { k: r, p: posterior, .. } = linear::gain(&predicted, &self.h, &self.w)?;
+            Ok((predicted, r, posterior))
+        };
+        step().map_err(blame)
     }
 
     // ANCHOR: steady_state
-    pub(crate) fn steady_state(
+    /// R∞, the limit of the gain, from `p0` = P(0 | 0), by iterating the Riccati recursion in Joseph's form.
+    ///
+    /// P converges to a stabilizing limit when (F, H) is observable and (F, V^½) stabilizable. Where it does not, as with
+    /// the velocity sensor, the gain may converge all the same: the answer says which did.
+    ///
+    /// # Errors
+    /// [`crate::Code::Limit`] when `max_iterations` is 0 or above [`MAX_ITERATIONS`]; [`crate::Code::Tolerance`];
+    /// [`crate::Code::InnovationNotPositiveDefinite`]; [`crate::Code::NotFinite`] when P overflows.
+    pub fn steady_state_gain(
         &self,
         p0: &OMatrix<f64, N, N>,
         max_iterations: usize,
@@ -84,7 +81,11 @@ where
     }
     // ANCHOR_END: steady_state
 
-    pub(crate) fn schedule(&self, p0: &OMatrix<f64, N, N>, steps: usize) -> Result<Vec<OMatrix<f64, N, M>>, Error> {
+    /// R(1), R(2), …: the gains of the first `steps` updates from `p0` = P(0 | 0). No reading enters.
+    ///
+    /// # Errors
+    /// As [`Self::steady_state_gain`], the cap being [`MAX_STEPS`].
+    pub fn gain_schedule(&self, p0: &OMatrix<f64, N, N>, steps: usize) -> Result<Vec<OMatrix<f64, N, M>>, Error> {
         let steps = validate::count(steps, MAX_STEPS, "steps")?;
         let mut posterior = p0.clone();
         (0..steps)
@@ -97,43 +98,22 @@ where
     }
 }
 
-impl<const N: usize, const U: usize, const M: usize> Lti<N, U, M> {
-    fn model(&self) -> Model<'_, nalgebra::Const<N>, nalgebra::Const<M>> {
-        Model { f: &self.f, h: &self.h, v: &self.v, w: &self.w }
-    }
-
-    /// R∞, the limit of the gain, from `p0` = P(0 | 0), by iterating the Riccati recursion in Joseph's form.
-    ///
-    /// P converges to a stabilizing limit when (F, H) is observable and (F, V^½) stabilizable. Where it does not, as with
-    /// the velocity sensor, the gain may converge all the same: the answer says which did.
-    ///
-    /// # Errors
-    /// [`crate::Code::Limit`] when `max_iters` is 0 or above [`MAX_ITERATIONS`]; [`crate::Code::Tolerance`];
-    /// [`crate::Code::InnovationNotPositiveDefinite`]; [`crate::Code::NotFinite`] when P overflows.
-    pub fn steady_state_gain(
-        &self,
-        p0: &SMatrix<f64, N, N>,
-        max_iters: usize,
-        tol: f64,
-    ) -> Result<SteadyState<nalgebra::Const<N>, nalgebra::Const<M>>, Error> {
-        self.model().steady_state(p0, max_iters, tol)
-    }
-
-    /// R(1), R(2), …: the gains of the first `steps` updates from `p0` = P(0 | 0). No reading enters.
-    ///
-    /// # Errors
-    /// As [`Self::steady_state_gain`], the cap being [`MAX_STEPS`].
-    pub fn gain_schedule(&self, p0: &SMatrix<f64, N, N>, steps: usize) -> Result<Vec<SMatrix<f64, N, M>>, Error> {
-        self.model().schedule(p0, steps)
-    }
+/// A filter's error, blaming P0 for a covariance that overflows.
+#[cold]
+fn blame(error: filters::Error) -> Error {
+    Error::from(error).called(|argument| match argument {
+        Argument::Covariance => "P0".into(),
+        other => other.letter(),
+    })
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::error::Code;
-    use crate::kf::{dead_reckoning, kalman_step, position_sensor};
+    use crate::kf::kalman_step;
     use crate::observer::Observer;
+    use crate::rail::{dead_reckoning, position_sensor};
     use nalgebra::{Matrix2, Vector1, Vector2};
 
     /// The tolerance is relative: the same system in other units converges at the same step to the same gain.
@@ -160,7 +140,7 @@ mod tests {
         let (sys, belief) = position_sensor();
         let limit = sys.steady_state_gain(&belief.p, 10_000, 1e-12).expect("converges");
         assert!(limit.converged && limit.gain_converged && limit.iterations < 100);
-        let (p, r, _) = sys.model().advance(&sys.model().advance(&belief.p).expect("finite").2).expect("finite");
+        let (p, r, _) = sys.advance(&sys.advance(&belief.p).expect("finite").2).expect("finite");
         assert!((p - limit.p).norm() > 1e-3 && (r - limit.r).norm() > 1e-3, "two steps are not the limit");
         let s = (sys.h * limit.p * sys.h.transpose() + sys.w)[0];
         let posterior = limit.p - limit.p * sys.h.transpose() * (sys.h * limit.p) / s;
@@ -186,7 +166,7 @@ mod tests {
         let mut observer = Observer { sys, k, xhat: belief.x };
         for step in 0..50 {
             let y = Vector1::new(libm::sin(0.3 * f64::from(step)));
-            kalman_step(&sys, &mut belief, &Vector1::zeros(), &y).expect("positive definite");
+            belief = kalman_step(&sys, &belief, &Vector1::zeros(), &y).expect("positive definite").posterior;
             observer.step(&Vector1::zeros(), &y);
         }
         assert!((observer.xhat - belief.x).amax() < 1e-6);
@@ -199,8 +179,9 @@ mod tests {
         let schedule = sys.gain_schedule(&belief.p, 5).expect("runs");
         assert_eq!(schedule.len(), 5);
         for gain in schedule {
-            let (_, _, r) = kalman_step(&sys, &mut belief, &Vector1::zeros(), &Vector1::new(1.0)).expect("pd");
-            assert_eq!(gain, r);
+            let step = kalman_step(&sys, &belief, &Vector1::zeros(), &Vector1::new(1.0)).expect("pd");
+            assert_eq!(gain, step.r);
+            belief = step.posterior;
         }
     }
 

@@ -12,12 +12,12 @@ mod untyped;
 
 use crate::error::{Code, Error};
 use crate::odometry::Unicycle;
+use crate::place::Place;
 use crate::validate;
 use filters::association::{Association, Candidate, Rule, Thresholds, associate};
-use filters::kalman::Gaussian;
-use filters::nonlinear::MotionModel;
+use filters::{Gaussian, MotionModel, Quantity};
 use geom::{SE2, wrap};
-use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x3, Matrix3, Vector2};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x3, Matrix3, U3, Vector2};
 use numerics::PackedSymmetric;
 use sighting::{Expected, founding};
 pub use sighting::{Outcome, Reading, Report};
@@ -58,7 +58,7 @@ impl EkfSlam {
     /// # Errors
     /// [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`] for `belief.x`, `belief.P` or `W`;
     /// [`Code::Limit`] for a threshold that is negative or NaN.
-    pub fn new(belief: &Gaussian<3>, w: &Matrix2<f64>, thresholds: Thresholds) -> Result<Self, Error> {
+    pub fn new(belief: &Gaussian<U3>, w: &Matrix2<f64>, thresholds: Thresholds) -> Result<Self, Error> {
         let dense = |m: &[f64], n: usize| DMatrix::from_column_slice(n, n, m);
         let x = validate::vector(DVector::from_column_slice(belief.x.as_slice()), 3, "belief.x")?;
         let p = validate::covariance(dense(belief.p.as_slice(), 3), 3, "belief.P")?;
@@ -131,12 +131,12 @@ impl EkfSlam {
         let pose = pose.to_vector();
         let moved = |row: &[f64]| [row[0] + f[(0, 2)] * row[2], row[1] + f[(1, 2)] * row[2]];
         let cross_is_finite = (3..self.x.len()).all(|i| moved(self.p.row(i)).iter().all(|e| e.is_finite()));
-        if !filters::linear::is_finite(&pose) {
-            return Err(filters::Error::NotFinite { what: "the predicted mean" }.into());
+        if !filters::covariance::is_finite(&pose) {
+            return Err(filters::Error::NotFinite(Quantity::PredictedMean).into());
         }
         let block = filters::linear::predicted_covariance(&f, &self.pose_covariance(), v)?;
         if !cross_is_finite {
-            return Err(filters::Error::NotFinite { what: "the predicted covariance" }.into());
+            return Err(filters::Error::NotFinite(Quantity::PredictedCovariance).into());
         }
         let sigma = [0, 1, 2].map(|i| self.p.get(i, i).sqrt());
         let largest = self.p.diagonal().fold(0.0, f64::max);
@@ -171,17 +171,17 @@ impl EkfSlam {
         validate::count(readings.len(), MAX_SIGHTINGS, "sightings")?;
         match readings {
             [one] => {
-                let (report, expected) = self.judged(one, &[]).map_err(Error::of_a_range)?;
+                let (report, expected) = self.judged(one, &[], Place::Alone)?;
                 let before = core::mem::replace(&mut self.nis, (0.0, 0));
                 let done = match expected {
                     Some(expected) => self.correct(&expected, &expected.innovation),
-                    None if report.outcome == Outcome::Founded => self.found(one, report.landmark),
+                    None if report.outcome == Outcome::Founded => self.found(one, report.landmark, Place::Alone),
                     None => Ok(()),
                 };
                 if done.is_err() {
                     self.nis = before;
                 }
-                done.map(|()| vec![report]).map_err(Error::of_a_range)
+                done.map(|()| vec![report]).map_err(|e| Place::Alone.step(e))
             }
             // Several: a later one may fail, so the work is done on a copy, which costs no more than one of the updates.
             _ => {
@@ -198,37 +198,32 @@ impl EkfSlam {
         let (mut reports, mut matched, mut unfounded) = (Vec::new(), Vec::new(), Vec::new());
         let named: Vec<u32> = readings.iter().filter_map(|r| r.landmark).collect();
         let mut taken: Vec<usize> = named.iter().filter_map(|id| self.index(*id)).collect();
-        let within = |i: usize, e: Error| match e.of_a_range() {
-            e if matches!(e.argument.as_ref(), "range" | "bearing" | "landmark") => {
-                e.within(&format!("sightings[{i}]"))
-            }
-            e => e,
-        };
         for (i, reading) in readings.iter().enumerate() {
-            let at = |e| within(i, e);
+            let place = Place::Entry("sightings", i);
             if reading.landmark.is_some() && readings[..i].iter().any(|earlier| earlier.landmark == reading.landmark) {
-                return Err(at(Error::new(Code::Index, "landmark", "is named by an earlier sighting of this step")));
+                let message = "is named by an earlier sighting of this step";
+                return Err(place.field(Error::new(Code::Index, "landmark", message)));
             }
-            let (mut report, expected) = self.judged(reading, &taken).map_err(at)?;
+            let (mut report, expected) = self.judged(reading, &taken, place)?;
             if let Some(expected) = expected {
                 taken.push(expected.j);
-                matched.push((i, expected));
+                matched.push((place, expected));
             } else if report.outcome == Outcome::Founded {
                 if reading.landmark.is_none() {
                     report.landmark = self.free_id(&named, &reports);
                 }
-                unfounded.push((i, report.landmark));
+                unfounded.push((place, reading, report.landmark));
             }
             reports.push(report);
         }
-        for (i, id) in unfounded {
-            self.found(&readings[i], id).map_err(|e| within(i, e))?;
+        for (place, reading, id) in unfounded {
+            self.found(reading, id, place)?;
         }
         let prediction = self.x.clone();
-        for (i, expected) in &matched {
+        for (place, expected) in &matched {
             let moved = expected.moved(&prediction, &self.x);
             let innovation = expected.innovation - expected.h * moved;
-            self.correct(expected, &innovation).map_err(|e| within(*i, e))?;
+            self.correct(expected, &innovation).map_err(|e| place.step(e))?;
         }
         Ok(reports)
     }
@@ -249,8 +244,12 @@ impl EkfSlam {
     }
 
     /// What becomes of a reading; its expectation, when it is matched.
-    fn judged(&self, reading: &Reading, taken: &[usize]) -> Result<(Report, Option<Expected>), Error> {
-        reading.check()?;
+    fn judged(&self, reading: &Reading, taken: &[usize], place: Place) -> Result<(Report, Option<Expected>), Error> {
+        reading.check().map_err(|e| place.field(e))?;
+        self.associated(reading, taken).map_err(|e| place.step(e.into()))
+    }
+
+    fn associated(&self, reading: &Reading, taken: &[usize]) -> Result<(Report, Option<Expected>), filters::Error> {
         let weigh = |j| -> Result<Candidate<2>, filters::Error> {
             let e = self.expected(j, reading)?;
             Candidate::new(j, e.innovation, e.s, Rule::MaximumLikelihood)
@@ -271,7 +270,7 @@ impl EkfSlam {
                         Ok(candidate) => candidates.push(candidate),
                         // Under the robot: no bearing to compare with.
                         Err(filters::Error::AtFeature) => {}
-                        Err(e) => return Err(e.into()),
+                        Err(e) => return Err(e),
                     }
                 }
                 associate(&candidates, &barred, self.thresholds)
@@ -292,24 +291,25 @@ impl EkfSlam {
     }
 
     /// Appends a landmark where the reading puts it, with its covariance and its correlations with everything else.
-    fn found(&mut self, reading: &Reading, id: Option<u32>) -> Result<(), Error> {
-        let id = id.ok_or_else(|| Error::new(Code::Limit, "landmark", "no number is left to call it by"))?;
+    fn found(&mut self, reading: &Reading, id: Option<u32>, place: Place) -> Result<(), Error> {
+        let unnamed = || place.field(Error::new(Code::Limit, "landmark", "no number is left to call it by"));
+        let id = id.ok_or_else(unnamed)?;
         if self.len() == MAX_LANDMARKS {
             return Err(Error::new(Code::Limit, "landmarks", "the map is full: it holds 500"));
         }
-        let (position, by_pose, by_reading) = founding(&self.pose(), reading)?;
+        let (position, by_pose, by_reading) = founding(&self.pose(), reading).map_err(|e| place.field(e))?;
         let n = self.x.len();
         // P_ℓ· = G_x P_r·, of which the new 2×2 corner is G_x P_rr G_xᵀ + G_z W G_zᵀ.
         let cross =
             |by: &Matrix2x3<f64>, a: usize, i: usize| (0..3).map(|k| by[(a, k)] * self.p.get(k, i)).sum::<f64>();
         let rows = [0, 1].map(|a| (0..n).map(|i| cross(&by_pose, a, i)).collect::<Vec<f64>>());
-        let corner = filters::linear::symmetric(
+        let corner = filters::covariance::symmetric(
             by_pose * self.pose_covariance() * by_pose.transpose() + by_reading * self.w * by_reading.transpose(),
         );
         let all = rows.iter().flatten().chain(corner.iter()).chain(position.iter());
         if all.clone().any(|e| !e.is_finite()) {
             let message = "is too large: the landmark that it would found has an infinite place or covariance";
-            return Err(Error::new(Code::NotFinite, "range", message));
+            return Err(place.field(Error::new(Code::NotFinite, "range", message)));
         }
         let largest = self.p.diagonal().fold(0.0, f64::max);
         let reach = [0, 1].map(|a: usize| {

@@ -1,8 +1,9 @@
 //! The checks every argument from outside goes through.
 
 use crate::error::{Code, Error};
-use nalgebra::{DMatrix, DVector};
-use numerics::Spd;
+use filters::Gaussian;
+use filters::covariance::{NotCovariance, accepted, is_finite};
+use nalgebra::{DMatrix, DVector, Dyn};
 
 /// The largest number of states of a run-time system.
 pub const MAX_STATES: usize = 16;
@@ -10,10 +11,6 @@ pub const MAX_STATES: usize = 16;
 pub const MAX_OUTPUTS: usize = 8;
 /// The largest number of inputs of a run-time system.
 pub const MAX_INPUTS: usize = 8;
-/// A covariance may differ from its transpose by this part of its largest entry.
-pub const SYMMETRY_TOLERANCE: f64 = 1e-9;
-/// A covariance may have an eigenvalue this far below zero, as a part of its largest.
-pub const SEMIDEFINITE_TOLERANCE: f64 = 1e-12;
 
 /// `value`, when it is neither a NaN nor an infinity.
 ///
@@ -21,14 +18,6 @@ pub const SEMIDEFINITE_TOLERANCE: f64 = 1e-12;
 /// [`Code::NotFinite`] blaming `argument`.
 pub fn finite(value: f64, argument: &'static str) -> Result<f64, Error> {
     if value.is_finite() { Ok(value) } else { Err(not_finite(argument)) }
-}
-
-/// `m`, when every entry is finite.
-///
-/// # Errors
-/// [`Code::NotFinite`] blaming `argument`.
-pub fn finite_matrix(m: DMatrix<f64>, argument: &'static str) -> Result<DMatrix<f64>, Error> {
-    if filters::linear::is_finite(&m) { Ok(m) } else { Err(not_finite(argument)) }
 }
 
 /// `v`, when it is finite and has `len` entries.
@@ -39,7 +28,7 @@ pub fn vector(v: DVector<f64>, len: usize, argument: &'static str) -> Result<DVe
     if v.len() != len {
         return Err(Error::new(Code::Shape, argument, format!("has {} entries; it needs {len}", v.len())));
     }
-    if filters::linear::is_finite(&v) { Ok(v) } else { Err(not_finite(argument)) }
+    if is_finite(&v) { Ok(v) } else { Err(not_finite(argument)) }
 }
 
 /// `m`, when it is finite and `rows` × `columns`.
@@ -47,55 +36,64 @@ pub fn vector(v: DVector<f64>, len: usize, argument: &'static str) -> Result<DVe
 /// # Errors
 /// [`Code::Shape`] or [`Code::NotFinite`] blaming `argument`.
 pub fn matrix(m: DMatrix<f64>, (rows, columns): (usize, usize), argument: &'static str) -> Result<DMatrix<f64>, Error> {
-    if m.shape() != (rows, columns) {
-        let (r, c) = m.shape();
-        return Err(Error::new(Code::Shape, argument, format!("is {r} × {c}; it needs to be {rows} × {columns}")));
-    }
-    finite_matrix(m, argument)
+    let m = shaped(m, (rows, columns), argument)?;
+    if is_finite(&m) { Ok(m) } else { Err(not_finite(argument)) }
 }
 
-/// `m`, made exactly symmetric, when it is a covariance of `n` components: finite, symmetric to
-/// [`SYMMETRY_TOLERANCE`] of its largest entry, and positive semidefinite to [`SEMIDEFINITE_TOLERANCE`] of its largest
-/// eigenvalue. A negative eigenvalue so allowed is answered as zero: a filter may shrink the largest one by any factor and
-/// would leave the negative one standing beside it.
+fn shaped(m: DMatrix<f64>, (rows, columns): (usize, usize), argument: &'static str) -> Result<DMatrix<f64>, Error> {
+    if m.shape() == (rows, columns) {
+        return Ok(m);
+    }
+    let (r, c) = m.shape();
+    Err(Error::new(Code::Shape, argument, format!("is {r} × {c}; it needs to be {rows} × {columns}")))
+}
+
+/// `m` as a covariance of `n` components; see [`accepted`], which says what counts as one up to rounding.
 ///
 /// # Errors
 /// [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`], blaming `argument`.
 pub fn covariance(m: DMatrix<f64>, n: usize, argument: &'static str) -> Result<DMatrix<f64>, Error> {
-    let m = matrix(m, (n, n), argument)?;
-    let largest = m.amax();
-    for j in 0..n {
-        for i in j + 1..n {
-            if (m[(i, j)] - m[(j, i)]).abs() > SYMMETRY_TOLERANCE * largest {
-                return Err(Error::new(
-                    Code::NotSymmetric,
-                    argument,
-                    format!("entries ({i}, {j}) and ({j}, {i}) differ; a covariance is symmetric"),
-                ));
-            }
+    accepted(shaped(m, (n, n), argument)?).map_err(|refusal| match refusal {
+        NotCovariance::NotFinite => not_finite(argument),
+        NotCovariance::NotSymmetric(i, j) => {
+            let message = format!("entries ({i}, {j}) and ({j}, {i}) differ; a covariance is symmetric");
+            Error::new(Code::NotSymmetric, argument, message)
         }
+        NotCovariance::NegativeEigenvalue => {
+            let message = "has a negative eigenvalue; a covariance has none";
+            Error::new(Code::NotPositiveSemidefinite, argument, message)
+        }
+        NotCovariance::DidNotConverge => Error::new(Code::DidNotConverge, argument, "its eigenvalues were not found"),
+    })
+}
+
+/// The belief N(x, P), when `x` is finite and `p` a covariance of its size.
+///
+/// # Errors
+/// Naming x or P: [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or
+/// [`Code::NotPositiveSemidefinite`].
+///
+/// # Example
+/// ```
+/// use nalgebra::{dmatrix, dvector};
+/// let belief = estimate::validate::belief(dvector![2.0, 4.0], dmatrix![1.0, 0.0; 0.0, 2.0])?;
+/// assert_eq!(belief.x[1], 4.0);
+/// # Ok::<(), estimate::Error>(())
+/// ```
+pub fn belief(x: DVector<f64>, p: DMatrix<f64>) -> Result<Gaussian<Dyn>, Error> {
+    let n = x.len();
+    size(n, MAX_STATES, "x")?;
+    Ok(Gaussian { x: vector(x, n, "x")?, p: covariance(p, n, "P")? })
+}
+
+/// # Errors
+/// [`Code::Shape`] for no row, [`Code::Limit`] for more than `cap`, blaming `argument`.
+pub(crate) fn size(n: usize, cap: usize, argument: &'static str) -> Result<(), Error> {
+    match n {
+        0 => Err(Error::new(Code::Shape, argument, "is empty")),
+        n if n > cap => Err(Error::new(Code::Limit, argument, format!("has {n} rows; at most {cap} are accepted"))),
+        _ => Ok(()),
     }
-    let m = filters::linear::symmetric(m);
-    if largest == 0.0 {
-        return Ok(m);
-    }
-    // Scaled, so that the factorization of a large covariance cannot overflow.
-    let scaled = &m / largest;
-    let raised_by = |part: f64| Spd::new(&scaled + DMatrix::identity(n, n) * part).is_some();
-    if raised_by(0.0) {
-        return Ok(m);
-    }
-    let unknown = || Error::new(Code::DidNotConverge, argument, "its eigenvalues were not found");
-    let sizes = numerics::singular_values(scaled.clone()).map_err(|_| unknown())?.values;
-    // Raised by its allowance, a matrix that is semidefinite to that much has a Cholesky factor.
-    if !raised_by(SEMIDEFINITE_TOLERANCE * sizes[0]) {
-        return Err(Error::new(
-            Code::NotPositiveSemidefinite,
-            argument,
-            "has a negative eigenvalue; a covariance has none",
-        ));
-    }
-    filters::linear::clamped(&m).ok_or_else(unknown)
 }
 
 /// `tolerance`, when it is finite and not negative.

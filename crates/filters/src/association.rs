@@ -1,8 +1,8 @@
 //! Which feature was sighted? Data association by Mahalanobis distance, with a gate and a threshold for founding new
 //! features (sister volume, chapter 7).
 
-use crate::error::Error;
-use crate::linear::finite;
+use crate::covariance::finite;
+use crate::error::{Error, Quantity};
 use nalgebra::{SMatrix, SVector};
 use numerics::Spd;
 
@@ -53,7 +53,7 @@ impl<const M: usize> Candidate<M> {
     /// # Errors
     /// [`Error::InnovationNotPositiveDefinite`], or [`Error::NotFinite`] on overflow.
     pub fn new(j: usize, innovation: SVector<f64, M>, s: SMatrix<f64, M, M>, rule: Rule) -> Result<Self, Error> {
-        let spd = Spd::new(finite(s, "S")?).ok_or(Error::InnovationNotPositiveDefinite)?;
+        let spd = Spd::new(finite(s, Quantity::InnovationCovariance)?).ok_or(Error::InnovationNotPositiveDefinite)?;
         let d2 = spd.squared_length(&innovation);
         let cost = match rule {
             Rule::ChiSquared => d2,
@@ -62,7 +62,7 @@ impl<const M: usize> Candidate<M> {
         if cost.is_finite() {
             Ok(Self { j, innovation, s, d2, cost })
         } else {
-            Err(Error::NotFinite { what: "the squared distance" })
+            Err(Error::NotFinite(Quantity::SquaredDistance))
         }
     }
 }

@@ -1,7 +1,7 @@
 //! Is a filter as sure as it may be? NEES, NIS and their χ² bounds (Bar-Shalom, Li and Kirubarajan 2001, §5.4).
 
-use crate::error::Error;
-use crate::linear::finite;
+use crate::covariance::finite;
+use crate::error::{Error, Parameter, Quantity};
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 use numerics::Spd;
@@ -15,9 +15,10 @@ pub fn mahalanobis_squared<D: Dim>(v: &OVector<f64, D>, s: &OMatrix<f64, D, D>) 
 where
     DefaultAllocator: Allocator<D> + Allocator<D, D>,
 {
-    let spd = Spd::new(finite(s.clone(), "S")?).ok_or(Error::InnovationNotPositiveDefinite)?;
+    let spd =
+        Spd::new(finite(s.clone(), Quantity::InnovationCovariance)?).ok_or(Error::InnovationNotPositiveDefinite)?;
     let d = spd.squared_length(v);
-    if d.is_finite() { Ok(d) } else { Err(Error::NotFinite { what: "the squared distance" }) }
+    if d.is_finite() { Ok(d) } else { Err(Error::NotFinite(Quantity::SquaredDistance)) }
 }
 
 /// The normalized estimation error squared eᵀP⁻¹e of the error e = x − x̂: needs the truth. Its expectation is the number
@@ -57,9 +58,9 @@ where
 /// ```
 pub fn chi2_quantile(dof: u32, probability: f64) -> Result<f64, Error> {
     if !(probability > 0.0 && probability < 1.0) {
-        return Err(Error::OutOfRange { what: "probability" });
+        return Err(Error::OutOfRange(Parameter::Probability));
     }
-    let chi2 = ChiSquared::new(f64::from(dof)).map_err(|_| Error::OutOfRange { what: "degrees of freedom" })?;
+    let chi2 = ChiSquared::new(f64::from(dof)).map_err(|_| Error::OutOfRange(Parameter::DegreesOfFreedom))?;
     Ok(chi2.inverse_cdf(probability))
 }
 
@@ -70,12 +71,12 @@ pub fn chi2_quantile(dof: u32, probability: f64) -> Result<f64, Error> {
 /// [`Error::OutOfRange`] as [`chi2_quantile`], or when dof · samples is not a whole number below 2³².
 pub fn chi2_interval(dof: u32, samples: u32, probability: f64) -> Result<(f64, f64), Error> {
     if !(probability > 0.0 && probability < 1.0) {
-        return Err(Error::OutOfRange { what: "probability" });
+        return Err(Error::OutOfRange(Parameter::Probability));
     }
     if dof == 0 {
-        return Err(Error::OutOfRange { what: "degrees of freedom" });
+        return Err(Error::OutOfRange(Parameter::DegreesOfFreedom));
     }
-    let all = dof.checked_mul(samples).filter(|n| *n > 0).ok_or(Error::OutOfRange { what: "samples" })?;
+    let all = dof.checked_mul(samples).filter(|n| *n > 0).ok_or(Error::OutOfRange(Parameter::Samples))?;
     let tail = 0.5 * (1.0 - probability);
     let n = f64::from(samples);
     Ok((chi2_quantile(all, tail)? / n, chi2_quantile(all, 1.0 - tail)? / n))
@@ -113,12 +114,12 @@ mod tests {
     #[test]
     fn what_is_out_of_range_is_refused() {
         for p in [0.0, 1.0, -0.1, f64::NAN] {
-            assert_eq!(chi2_quantile(3, p), Err(Error::OutOfRange { what: "probability" }));
-            assert_eq!(chi2_interval(3, 2, p), Err(Error::OutOfRange { what: "probability" }));
+            assert_eq!(chi2_quantile(3, p), Err(Error::OutOfRange(Parameter::Probability)));
+            assert_eq!(chi2_interval(3, 2, p), Err(Error::OutOfRange(Parameter::Probability)));
         }
-        assert_eq!(chi2_quantile(0, 0.5), Err(Error::OutOfRange { what: "degrees of freedom" }));
-        assert_eq!(chi2_interval(0, 2, 0.5), Err(Error::OutOfRange { what: "degrees of freedom" }));
-        assert_eq!(chi2_interval(3, 0, 0.9), Err(Error::OutOfRange { what: "samples" }));
+        assert_eq!(chi2_quantile(0, 0.5), Err(Error::OutOfRange(Parameter::DegreesOfFreedom)));
+        assert_eq!(chi2_interval(0, 2, 0.5), Err(Error::OutOfRange(Parameter::DegreesOfFreedom)));
+        assert_eq!(chi2_interval(3, 0, 0.9), Err(Error::OutOfRange(Parameter::Samples)));
         assert!(chi2_interval(u32::MAX, 2, 0.9).is_err());
     }
 

@@ -1,128 +1,110 @@
 //! The linear Kalman filter (sister volume, chapter 6), in Thrun's letters.
 
 use crate::error::Error;
-use crate::linear;
-use nalgebra::{SMatrix, SVector};
+use crate::gaussian::Gaussian;
+use crate::sizes::Sizes;
+use nalgebra::allocator::Allocator;
+use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 
-/// A belief: the normal distribution N(x, P).
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Gaussian<const N: usize> {
-    /// The mean μ.
-    pub x: SVector<f64, N>,
-    /// The covariance Σ, n×n, symmetric positive semidefinite.
-    pub p: SMatrix<f64, N, N>,
-}
-
-impl<const N: usize> Gaussian<N> {
-    /// The product of two Gaussian densities, which is a Gaussian up to its scale (Theorem 8.2.1):
-    /// mean z₁ + 𝒬(z₂ − z₁), covariance C₁ − 𝒬C₁, 𝒬 = C₁(C₁ + C₂)⁻¹.
-    ///
-    /// # Errors
-    /// [`Error::InnovationNotPositiveDefinite`] when C₁ + C₂ is singular, [`Error::NotFinite`] on overflow.
-    ///
-    /// # Example
-    /// ```
-    /// use filters::kalman::Gaussian;
-    /// use nalgebra::{Matrix1, Vector1};
-    /// let a = Gaussian { x: Vector1::new(0.0), p: Matrix1::new(1.0) };
-    /// let b = Gaussian { x: Vector1::new(4.0), p: Matrix1::new(3.0) };
-    /// let c = a.product(&b)?;
-    /// assert_eq!((c.x[0], c.p[0]), (1.0, 0.75));
-    /// # Ok::<(), filters::Error>(())
-    /// ```
-    pub fn product(&self, other: &Self) -> Result<Self, Error> {
-        let (x, p) = linear::product(&self.x, &self.p, &other.x, &other.p)?;
-        Ok(Self { x, p })
-    }
-}
-
-/// What an update has to say beside the new belief.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Update<const N: usize, const M: usize> {
-    /// z − C μ̄.
-    pub innovation: SVector<f64, M>,
-    /// S = C Σ̄ Cᵀ + Q.
-    pub s: SMatrix<f64, M, M>,
-    /// K = Σ̄ Cᵀ S⁻¹.
-    pub k: SMatrix<f64, N, M>,
-    /// d² = νᵀS⁻¹ν of the innovation ν; nothing where S is singular to working accuracy, or d² too large for a number.
+/// What a correction computes beside the new belief.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Update<N: Dim, M: Dim>
+where
+    DefaultAllocator: Sizes<N, M>,
+{
+    /// ν = z − C μ̄, the innovation.
+    pub innovation: OVector<f64, M>,
+    /// S = C Σ̄ Cᵀ + Q, its covariance.
+    pub s: OMatrix<f64, M, M>,
+    /// K = Σ̄ Cᵀ S⁻¹, the gain.
+    pub k: OMatrix<f64, N, M>,
+    /// d² = νᵀS⁻¹ν; `None` where S is singular to working accuracy, or d² too large for a number.
     pub d2: Option<f64>,
 }
 
-/// A Kalman filter holding its belief.
+/// A Kalman filter that holds its belief.
 ///
 /// # Example
 /// ```
-/// use filters::kalman::{Gaussian, Kf};
-/// use nalgebra::{Matrix1, Vector1};
+/// use filters::{Gaussian, Kf};
+/// use nalgebra::{Matrix1, U1, Vector1};
 /// let one = Matrix1::new(1.0);
 /// let mut kf = Kf::from(Gaussian { x: Vector1::new(0.0), p: one });
-/// kf.predict::<1>(&one, &one, None)?;                       // Σ̄ = 2
+/// kf.predict::<U1>(&one, &one, None)?;                      // Σ̄ = 2
 /// let info = kf.update(&Vector1::new(3.0), &one, &one)?;    // S = 3, K = 2/3
 /// assert!((info.k[0] - 2.0 / 3.0).abs() < 1e-15);
 /// assert!((kf.belief().x[0] - 2.0).abs() < 1e-15);
 /// # Ok::<(), filters::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Kf<const N: usize> {
+pub struct Kf<N: Dim>
+where
+    DefaultAllocator: Sizes<N>,
+{
     belief: Gaussian<N>,
 }
 
-impl<const N: usize> From<Gaussian<N>> for Kf<N> {
+impl<N: Dim> From<Gaussian<N>> for Kf<N>
+where
+    DefaultAllocator: Sizes<N>,
+{
     fn from(belief: Gaussian<N>) -> Self {
         Self { belief }
     }
 }
 
-impl<const N: usize> Kf<N> {
+impl<N: Dim> Kf<N>
+where
+    DefaultAllocator: Sizes<N>,
+{
     /// The present belief.
-    pub fn belief(&self) -> Gaussian<N> {
-        self.belief
+    pub fn belief(&self) -> &Gaussian<N> {
+        &self.belief
     }
 
-    /// μ̄ = A μ + B u, Σ̄ = A Σ Aᵀ + R; `input` is (B, u), or nothing where no input acts.
+    /// μ̄ = A μ + B u, Σ̄ = A Σ Aᵀ + R; see [`Gaussian::predicted`].
     ///
     /// # Errors
     /// [`Error::NotFinite`] when an argument is not finite or a product overflows; the belief is then unchanged.
-    pub fn predict<const U: usize>(
+    pub fn predict<U: Dim>(
         &mut self,
-        a: &SMatrix<f64, N, N>,
-        r: &SMatrix<f64, N, N>,
-        input: Option<(&SMatrix<f64, N, U>, &SVector<f64, U>)>,
-    ) -> Result<(), Error> {
-        let mut x = a * self.belief.x;
-        if let Some((b, u)) = input {
-            x += b * u;
-        }
-        let x = linear::finite(x, "the predicted mean")?;
-        let p = linear::predicted_covariance(a, &self.belief.p, r)?;
-        self.belief = Gaussian { x, p };
+        a: &OMatrix<f64, N, N>,
+        r: &OMatrix<f64, N, N>,
+        input: Option<(&OMatrix<f64, N, U>, &OVector<f64, U>)>,
+    ) -> Result<(), Error>
+    where
+        DefaultAllocator: Allocator<N, U> + Allocator<U>,
+    {
+        self.belief = self.belief.predicted(a, r, input)?;
         Ok(())
     }
 
-    /// Corrects the belief with the reading z = C x + noise of covariance Q; the covariance in Joseph's form.
+    /// Corrects the belief with the reading z = C x + noise of covariance Q; see [`Gaussian::corrected`].
     ///
     /// # Errors
     /// [`Error::InnovationNotPositiveDefinite`], or [`Error::NotFinite`]; the belief is then unchanged.
-    pub fn update<const M: usize>(
+    pub fn update<M: Dim>(
         &mut self,
-        z: &SVector<f64, M>,
-        c: &SMatrix<f64, M, N>,
-        q: &SMatrix<f64, M, M>,
-    ) -> Result<Update<N, M>, Error> {
-        let linear::Correction { innovation, s, k, d2, x, p } =
-            linear::correct(&self.belief.x, &self.belief.p, z, c, q)?;
-        self.belief = Gaussian { x, p };
-        Ok(Update { innovation, s, k, d2 })
+        z: &OVector<f64, M>,
+        c: &OMatrix<f64, M, N>,
+        q: &OMatrix<f64, M, M>,
+    ) -> Result<Update<N, M>, Error>
+    where
+        DefaultAllocator: Sizes<N, M>,
+    {
+        let update;
+        (self.belief, update) = self.belief.corrected(z, c, q)?;
+        Ok(update)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
+    use crate::linear;
+    use nalgebra::{Matrix1, Matrix2, RowVector2, U1, U2, Vector1, Vector2};
 
-    fn prior() -> Gaussian<2> {
+    fn prior() -> Gaussian<U2> {
         Gaussian { x: Vector2::new(4.0, 4.0), p: Matrix2::new(1.7, 1.05, 1.05, 2.1) }
     }
 
@@ -229,18 +211,18 @@ mod tests {
         assert_eq!(error, Error::InnovationNotPositiveDefinite);
         let negative = kf.update(&Vector1::new(0.0), &RowVector2::new(1.0, 0.0), &Matrix1::new(-3.0));
         assert_eq!(negative.expect_err("S < 0"), Error::InnovationNotPositiveDefinite);
-        assert_eq!(kf.belief(), prior());
+        assert_eq!(*kf.belief(), prior());
     }
 
     #[test]
     fn what_is_not_finite_is_refused_and_the_belief_kept() {
         let mut kf = Kf::from(prior());
         let nan = Matrix2::new(1.0, f64::NAN, 0.0, 1.0);
-        assert!(matches!(kf.predict::<1>(&nan, &Matrix2::zeros(), None), Err(Error::NotFinite { .. })));
-        assert!(kf.predict::<1>(&(1e200 * Matrix2::identity()), &Matrix2::zeros(), None).is_err());
+        assert!(matches!(kf.predict::<U1>(&nan, &Matrix2::zeros(), None), Err(Error::NotFinite(_))));
+        assert!(kf.predict::<U1>(&(1e200 * Matrix2::identity()), &Matrix2::zeros(), None).is_err());
         let c = RowVector2::new(0.0, 1.0);
         assert!(kf.update(&Vector1::new(f64::INFINITY), &c, &Matrix1::new(0.5)).is_err());
-        assert_eq!(kf.belief(), prior());
+        assert_eq!(*kf.belief(), prior());
     }
 
     #[test]
@@ -248,7 +230,7 @@ mod tests {
         let mut kf = Kf::from(prior());
         let (b, u) = (Vector2::new(0.0, 0.5), Vector1::new(3.0));
         kf.predict(&Matrix2::identity(), &Matrix2::zeros(), Some((&b, &u))).expect("finite");
-        assert_eq!(kf.belief(), Gaussian { x: Vector2::new(4.0, 5.5), ..prior() });
+        assert_eq!(*kf.belief(), Gaussian { x: Vector2::new(4.0, 5.5), ..prior() });
     }
 
     #[test]

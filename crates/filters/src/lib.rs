@@ -1,19 +1,34 @@
 //! The sister volume's filters, in Thrun's letters: A, B, C the system, R the process covariance, Q the measurement
 //! covariance, K the gain, μ and Σ (here `x` and `p`) the belief.
 //!
-//! - [`kalman`]: the linear filter, [`kalman::Gaussian`] and [`kalman::Kf`];
-//! - [`linear`]: its algebra, written once for fixed and for run-time sizes;
-//! - [`nonlinear`]: the extended filter, its models and states on a manifold; [`ukf`]: the unscented one;
+//! - [`Gaussian`], a belief, and [`Kf`], the linear filter that holds one; [`linear`], their algebra. All of it is written
+//!   once, over [`Sizes`] fixed at compile time or known at run time only;
+//! - [`covariance`]: what counts as a covariance up to rounding, and what is done about the rest;
+//! - [`Ekf`], the extended filter, with its [`MotionModel`], [`MeasurementModel`] and [`State`]s on a manifold;
+//!   [`ukf`], the unscented one;
 //! - [`association`]: which feature a sighting is of;
 //! - [`consistency`]: NEES, NIS and their χ² bounds.
 
 pub mod association;
 pub mod consistency;
+pub mod covariance;
+mod differences;
+mod ekf;
 mod error;
-pub mod kalman;
+mod gaussian;
+mod kalman;
 pub mod linear;
-pub mod nonlinear;
+mod manifold;
+mod model;
+mod sizes;
 mod square_root;
 pub mod ukf;
 
-pub use error::Error;
+pub use differences::central_differences;
+pub use ekf::Ekf;
+pub use error::{Error, Parameter, Quantity};
+pub use gaussian::Gaussian;
+pub use kalman::{Kf, Update};
+pub use manifold::State;
+pub use model::{MeasurementModel, MotionModel};
+pub use sizes::Sizes;

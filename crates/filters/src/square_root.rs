@@ -10,22 +10,43 @@
 //! holds the square roots of S and of the corrected Σ without ever forming S, so condition numbers enter as their square
 //! roots (Kaminski, Bryson and Schmidt 1971; Anderson and Moore, Optimal Filtering, §6.5).
 
-use crate::error::Error;
-use crate::linear::finite;
+use crate::covariance::{
+    SEMIDEFINITE_TOLERANCE, bound_on_terms, finite, largest_terms, positive_when_raised, semidefinite, tolerated,
+};
+use crate::error::{Error, Quantity};
 use nalgebra::{DMatrix, DVector};
-use numerics::{Singular, Spd, singular_values};
+use numerics::{MIN_PIVOT, Singular, Spd, singular_values};
 
 /// The smallest |Sᵢᵢ^{½}| relative to its column that still leaves six digits of the answer.
 const MIN_ROOT_PIVOT: f64 = 1e-10;
 
-/// The gain and the corrected covariance for the predicted covariance `p`; see [`crate::linear::gain`].
+/// What a correction computes on its rare way.
+pub(crate) struct Correction {
+    /// S, m×m.
+    pub s: DMatrix<f64>,
+    /// K, n×m.
+    pub k: DMatrix<f64>,
+    /// Σ, n×n.
+    pub p: DMatrix<f64>,
+}
+
+/// The correction `found` from (Σ̄, C, Q) when a closer look shows that its rounding does not matter, and otherwise the one
+/// from square roots. `pivot` is that of the factor of S.
+pub(crate) fn examined([p, c, q]: [DMatrix<f64>; 3], pivot: f64, found: Correction) -> Result<Correction, Error> {
+    let most = tolerated(&found.p);
+    let small = || bound_on_terms(&p, &found.k, &c) <= most || largest_terms(&p, &found.k, &c) <= most;
+    if pivot >= MIN_PIVOT && small() && semidefinite(&found.p) {
+        return Ok(found);
+    }
+    finite(found.s, Quantity::InnovationCovariance)?;
+    let Correction { s, k, p } = correction(&p, &c, &q)?;
+    Ok(Correction { s, k: finite(k, Quantity::Gain)?, p: finite(p, Quantity::Covariance)? })
+}
+
+/// S, gain and corrected covariance for the predicted covariance `p`; see [`crate::linear::gain`].
 ///
-/// The array has m + n rows, a size that no const parameter can name: hence `DMatrix`, on this rare path only.
-pub(crate) fn gain_and_covariance(
-    p: &DMatrix<f64>,
-    c: &DMatrix<f64>,
-    q: &DMatrix<f64>,
-) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
+/// The array has m + n rows, a size that no const parameter can name: hence `DMatrix`, on this rare way only.
+fn correction(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<Correction, Error> {
     let (m, n) = c.shape();
     let (root_p, root_q) = (root(p)?, root(q)?);
     let mut array = DMatrix::zeros(m + n, m + n);
@@ -44,7 +65,7 @@ pub(crate) fn gain_and_covariance(
     }
     let kt = root_s.solve_upper_triangular(&r.view((0, m), (m, n))).ok_or(Error::InnovationNotPositiveDefinite)?;
     let root_posterior = r.view((m, m), (n, n));
-    Ok((kt.transpose(), root_posterior.transpose() * root_posterior))
+    Ok(Correction { s: root_s.transpose() * root_s, k: kt.transpose(), p: root_posterior.transpose() * root_posterior })
 }
 
 /// The rows of `m` by decreasing largest entry. Reflections keep the digits of small rows only below the large ones (Powell
@@ -62,19 +83,17 @@ fn largest_rows_first(m: &DMatrix<f64>) -> DMatrix<f64> {
 /// A matrix L with LLᵀ = `s`, for a positive semidefinite `s`: Cholesky's, or where that meets a zero pivot the one from
 /// the eigenvectors.
 fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
-    let s = finite(s.clone(), "a covariance")?;
+    let s = finite(s.clone(), Quantity::Covariance)?;
     if let Some(factor) = Spd::new(s.clone()) {
         return Ok(factor.root());
     }
     // Of a semidefinite matrix the singular values are the eigenvalues.
-    let Singular { values, directions } =
-        singular_values(s.clone()).map_err(|_| Error::InnovationNotPositiveDefinite)?;
-    // Rounding may push a zero eigenvalue this far below zero; what lies lower is not a covariance.
-    let allowance = DMatrix::identity(s.nrows(), s.nrows()) * (1e-12 * values[0]);
-    if values[0] > 0.0 && Spd::new(s + allowance).is_none() {
+    let found = singular_values(s.clone()).map_err(|_| Error::InnovationNotPositiveDefinite)?;
+    let Singular { values: sizes, directions } = found;
+    if sizes[0] > 0.0 && !positive_when_raised(&s, SEMIDEFINITE_TOLERANCE * sizes[0]) {
         return Err(Error::InnovationNotPositiveDefinite);
     }
-    Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(values).map(f64::sqrt)))
+    Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(sizes).map(f64::sqrt)))
 }
 
 #[cfg(test)]
@@ -102,13 +121,34 @@ mod tests {
     fn what_is_told_apart_does_not_depend_on_the_units() {
         let of = |unit: f64, delta: f64| {
             let (p, c) = (DMatrix::identity(2, 2) * (unit * unit), dmatrix![1.0, 0.0; 1.0, delta]);
-            gain_and_covariance(&p, &c, &(DMatrix::identity(2, 2) * (unit * unit * delta * delta)))
+            correction(&p, &c, &(DMatrix::identity(2, 2) * (unit * unit * delta * delta)))
         };
-        let (k, p) = of(1.0, 1e-8).expect("eight digits apart");
+        let Correction { k, p, .. } = of(1.0, 1e-8).expect("eight digits apart");
         for unit in [1e-6, 1e6] {
-            let (there, posterior) = of(unit, 1e-8).expect("eight digits apart");
+            let there = of(unit, 1e-8).expect("eight digits apart");
+            let (there, posterior) = (there.k, there.p);
             assert!((there - &k).amax() < 1e-6 * k.amax() && (posterior / (unit * unit) - &p).amax() < 1e-6);
-            assert_eq!(of(unit, 1e-12), Err(Error::InnovationNotPositiveDefinite));
+            assert_eq!(of(unit, 1e-12).err(), Some(Error::InnovationNotPositiveDefinite));
         }
+    }
+
+    #[test]
+    fn a_doubtful_correction_is_kept_when_its_terms_are_small_and_recomputed_otherwise() {
+        let (one, mark) = (DMatrix::<f64>::identity(2, 2), dmatrix![0.75, 0.0; 0.0, 1.0]);
+        let read = dmatrix![1.0, 0.0];
+        let w = dmatrix![1.0];
+        let stays = |product: f64, pivot: f64, mark: &DMatrix<f64>| {
+            let given = [one.clone(), read.clone(), w.clone()];
+            let found = Correction { s: dmatrix![2.0], k: dmatrix![product; 0.0], p: mark.clone() };
+            let p = examined(given, pivot, found).expect("regular").p;
+            let recomputed = (&p - dmatrix![0.5, 0.0; 0.0, 1.0]).amax() < 1e-15;
+            assert!(recomputed || p == *mark, "{p}");
+            !recomputed
+        };
+        assert!(stays(0.5, 1.0, &mark), "both measures are small");
+        assert!(stays(8.0, 1.0, &mark), "the bound is above, the terms are not");
+        assert!(!stays(20.0, 1.0, &mark), "both are above");
+        assert!(!stays(0.5, 0.1 * MIN_PIVOT, &mark), "S had hardly a factor");
+        assert!(!stays(0.5, 1.0, &dmatrix![-0.75, 0.0; 0.0, 1.0]), "no covariance");
     }
 }

@@ -1,10 +1,11 @@
 //! The unscented Kalman filter (Julier and Uhlmann 1997; van der Merwe 2004), in Thrun's letters.
 
-use crate::error::Error;
+use crate::covariance::{finite, symmetric};
+use crate::error::{Error, Parameter, Quantity};
 use crate::kalman::Update;
-use crate::linear::{finite, symmetric};
-use crate::nonlinear::{MeasurementModel, MotionModel, State};
-use nalgebra::{SMatrix, SVector};
+use crate::manifold::State;
+use crate::model::{MeasurementModel, MotionModel};
+use nalgebra::{Const, SMatrix, SVector};
 use numerics::Spd;
 
 /// Where the sigma points stand and what they weigh. The answer depends on it, so a result says which it used.
@@ -75,10 +76,10 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         let scale = alpha * alpha * (n + kappa); // n + λ
         let usable = alpha > 0.0 && scale > 0.0 && scale.is_finite() && beta.is_finite();
         if !usable {
-            return Err(Error::OutOfRange { what: "the sigma points" });
+            return Err(Error::OutOfRange(Parameter::SigmaPoints));
         }
-        let p = finite(self.p, "the covariance")?;
-        let root = Spd::new(p).ok_or(Error::OutOfRange { what: "the covariance" })?.root() * scale.sqrt();
+        let p = finite(self.p, Quantity::Covariance)?;
+        let root = Spd::new(p).ok_or(Error::OutOfRange(Parameter::Covariance))?.root() * scale.sqrt();
         let centre_mean = (scale - n) / scale;
         let weights = Weights { outer: 0.5 / scale, centre_covariance: centre_mean + 1.0 - alpha * alpha + beta };
         Ok((core::array::from_fn(|i| root.column(i).into_owned()), weights))
@@ -113,9 +114,9 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         let moved = Self::transformed(&columns, weights, |d| Ok(model.f(&self.x.boxplus(d), u).boxminus(&centre)))?;
         let x = centre.boxplus(&moved.mean);
         if !x.is_finite() {
-            return Err(Error::NotFinite { what: "the predicted mean" });
+            return Err(Error::NotFinite(Quantity::PredictedMean));
         }
-        let p = finite(symmetric(moved.covariance(&moved) + r), "the predicted covariance")?;
+        let p = finite(symmetric(moved.covariance(&moved) + r), Quantity::PredictedCovariance)?;
         *self = Self { x, p, points: self.points };
         Ok(())
     }
@@ -131,23 +132,23 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         z: &SVector<f64, M>,
         j: usize,
         q: &SMatrix<f64, M, M>,
-    ) -> Result<Update<N, M>, Error> {
+    ) -> Result<Update<Const<N>, Const<M>>, Error> {
         let (columns, weights) = self.spread()?;
         let centre = model.h(&self.x, j)?;
         let seen =
             Self::transformed(&columns, weights, |d| Ok(model.residual(&model.h(&self.x.boxplus(d), j)?, &centre)))?;
         let states = Self::transformed(&columns, weights, |d| Ok(*d))?;
 
-        let innovation = finite(model.residual(z, &(centre + seen.mean)), "the innovation")?;
-        let s = finite(symmetric(seen.covariance(&seen) + q), "S")?;
+        let innovation = finite(model.residual(z, &(centre + seen.mean)), Quantity::Innovation)?;
+        let s = finite(symmetric(seen.covariance(&seen) + q), Quantity::InnovationCovariance)?;
         let spd = Spd::new(s).ok_or(Error::InnovationNotPositiveDefinite)?;
         let k = spd.solve(&states.covariance(&seen).transpose()).transpose();
         let d2 = spd.squared_length(&innovation);
         let x = self.x.boxplus(&(k * innovation));
         if !x.is_finite() {
-            return Err(Error::NotFinite { what: "the mean" });
+            return Err(Error::NotFinite(Quantity::Mean));
         }
-        let p = finite(symmetric(self.p - k * s * k.transpose()), "the covariance")?;
+        let p = finite(symmetric(self.p - k * s * k.transpose()), Quantity::Covariance)?;
         *self = Self { x, p, points: self.points };
         Ok(Update { innovation, s, k, d2: Some(d2).filter(|d2| d2.is_finite()) })
     }
@@ -237,7 +238,7 @@ mod tests {
     #[test]
     fn on_a_linear_system_every_choice_of_points_is_the_kalman_filter() {
         let (r, q) = (Matrix2::identity() * 0.1, Matrix1::new(0.5));
-        let mut exact = crate::nonlinear::Ekf { x: Vector2::new(1.0, -1.0), p: Matrix2::new(2.0, 0.5, 0.5, 1.0) };
+        let mut exact = crate::ekf::Ekf { x: Vector2::new(1.0, -1.0), p: Matrix2::new(2.0, 0.5, 0.5, 1.0) };
         let start = exact;
         exact.predict(&Sum, &Vector1::new(0.5), &r).expect("finite");
         exact.update(&Sum, &Vector1::new(2.0), 0, &q).expect("positive definite");
@@ -263,7 +264,7 @@ mod tests {
         ] {
             let mut ukf = Ukf { x: Vector2::zeros(), p: Matrix2::identity(), points };
             let refused = ukf.predict(&Sum, &Vector1::zeros(), &Matrix2::zeros());
-            assert_eq!(refused, Err(Error::OutOfRange { what: "the sigma points" }));
+            assert_eq!(refused, Err(Error::OutOfRange(Parameter::SigmaPoints)));
         }
         let singular = Ukf { x: Vector2::zeros(), p: Matrix2::zeros(), points: SigmaPoints::default() };
         let mut ukf = singular;

@@ -2,7 +2,9 @@
 //! numbers move.
 
 use estimate::Lti;
-use estimate::kf::{Gaussian, dead_reckoning, position_sensor};
+use estimate::kf::Gaussian;
+use estimate::rail::{dead_reckoning, position_sensor};
+use nalgebra::{U1, U2};
 use sim::scenarios::{
     LINEAR_SLAM, LinearSlam, PROBE, PROBLEM_9, Probe, Problem9, RANGE_BEARING_SLAM, RangeBearingSlam,
 };
@@ -12,11 +14,11 @@ use sim::scenarios::{
 #[derive(Clone, Debug, PartialEq)]
 pub struct Givens {
     /// The rail robot with its velocity sensor (Choset §8.2.6).
-    pub velocity: Lti<2, 1, 1>,
+    pub velocity: Lti<U2, U1, U1>,
     /// The rail robot with a position sensor.
-    pub position: Lti<2, 1, 1>,
+    pub position: Lti<U2, U1, U1>,
     /// The first belief of both (§8.2.6).
-    pub belief: Gaussian<2>,
+    pub belief: Gaussian<U2>,
     /// The readings of the three hand-checked steps, m/s. Choset gives none; these are the chapter's.
     pub readings: [f64; 3],
     /// The eigenvalues that the chapter places for the position sensor.

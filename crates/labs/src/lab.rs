@@ -100,7 +100,12 @@ pub trait Lab: Sized {
     fn from_state(state: State<Self::Params>) -> Result<Self, Error> {
         let mut lab = Self::new(state.params)?;
         if state.step > 0 {
-            lab.run(state.step).map_err(|e| e.renamed("n", "step"))?;
+            lab.run(state.step).map_err(|mut e| {
+                if e.argument == "n" {
+                    e.argument = "step".into();
+                }
+                e
+            })?;
         }
         Ok(lab)
     }

@@ -6,11 +6,11 @@ pub use frame::{BenchFrame, BenchSeries, Feet};
 
 use crate::lab::{Digest, Lab};
 use crate::shapes::{Root, pair, root};
-use estimate::kf::{Gaussian, dead_reckoning, kalman_step, position_sensor};
+use estimate::kf::{Gaussian, kalman_step};
+use estimate::rail::{dead_reckoning, position_sensor};
 use estimate::{Code, Error, Lti, Observer, validate};
-use filters::linear;
 use geom::AffineSet;
-use nalgebra::{Matrix2, SMatrix, Vector1, Vector2};
+use nalgebra::{Matrix1, Matrix2, U1, U2, Vector1, Vector2};
 use serde::Serialize;
 use sim::Noise;
 
@@ -66,7 +66,7 @@ impl Default for BenchParams {
 #[derive(Debug)]
 pub struct ObserverBench {
     params: BenchParams,
-    system: Lti<2, 1, 1>,
+    system: Lti<U2, U1, U1>,
     steady: Vector2<f64>,
     root_v: Matrix2<f64>,
     sigma_w: f64,
@@ -75,11 +75,11 @@ pub struct ObserverBench {
     diverged: bool,
     truth: Vector2<f64>,
     /// The filter's own belief, whoever chooses the gain: its covariance is the schedule.
-    filter: Gaussian<2>,
+    filter: Gaussian<U2>,
     filter_gain: Vector2<f64>,
     gain: Vector2<f64>,
-    predicted: Gaussian<2>,
-    posterior: Gaussian<2>,
+    predicted: Gaussian<U2>,
+    posterior: Gaussian<U2>,
     reading: Option<f64>,
     series: BenchSeries,
     digest: Digest,
@@ -147,19 +147,21 @@ impl Lab for ObserverBench {
         let y = self.system.h * self.truth + Vector1::new(self.sigma_w * self.noise.normal());
         self.reading = Some(y[0]);
 
-        let before = self.posterior;
-        self.filter_gain = kalman_step(&self.system, &mut self.filter, &none, &y)?.2;
-        if self.params.mode == Mode::Filter {
-            self.gain = self.filter_gain;
+        let step = kalman_step(&self.system, &self.filter, &none, &y)?;
+        (self.filter, self.filter_gain) = (step.posterior, step.r);
+        match self.params.mode {
+            Mode::Filter => {
+                self.gain = step.r;
+                (self.predicted, self.posterior) = (step.predicted, step.posterior);
+            }
+            Mode::Fixed => {
+                let mut observer = Observer { sys: self.system, k: self.gain, xhat: self.posterior.x };
+                observer.step(&none, &y);
+                self.predicted = self.posterior.predicted::<U1>(&self.system.f, &self.system.v, None)?;
+                let p = observer.covariance_update(&self.predicted.p);
+                self.posterior = Gaussian { x: observer.xhat, p };
+            }
         }
-        let mut observer = Observer { sys: self.system, k: self.gain, xhat: before.x };
-        observer.step(&none, &y);
-        let p = linear::predicted_covariance(&self.system.f, &before.p, &self.system.v)?;
-        self.predicted = Gaussian { x: self.system.f * before.x, p };
-        self.posterior = match self.params.mode {
-            Mode::Fixed => Gaussian { x: observer.xhat, p: observer.covariance_update(&p) },
-            Mode::Filter => self.filter,
-        };
         let error = self.truth - self.posterior.x;
         self.diverged = error.amax() > DIVERGED || self.posterior.p.trace() > DIVERGED * DIVERGED;
         self.record();
@@ -230,10 +232,9 @@ impl ObserverBench {
     }
 
     fn most_likely_output(&self, spread: f64) -> Option<f64> {
-        let one = |x: f64| SMatrix::<f64, 1, 1>::new(x);
-        let predicted = self.system.h * self.predicted.x;
-        let product = linear::product(&predicted, &one(spread), &Vector1::new(self.reading?), &self.system.w);
-        product.ok().map(|(y, _)| y[0])
+        let predicted = Gaussian { x: self.system.h * self.predicted.x, p: Matrix1::new(spread) };
+        let read = Gaussian { x: Vector1::new(self.reading?), p: self.system.w };
+        Some(predicted.product(&read).ok()?.x[0])
     }
 
     fn record(&mut self) {
@@ -260,13 +261,13 @@ impl ObserverBench {
 
 /// The setting of the knob that moves the predicted output as far as the gain `k` does: HK / HR∞. Both products are shares
 /// of the innovation and have no units, so the ratio is the same in metres and in millimetres.
-pub(crate) fn equivalent_knob(system: &Lti<2, 1, 1>, k: &Vector2<f64>, steady: &Vector2<f64>) -> f64 {
+pub(crate) fn equivalent_knob(system: &Lti<U2, U1, U1>, k: &Vector2<f64>, steady: &Vector2<f64>) -> f64 {
     (system.h * k)[0] / (system.h * steady)[0]
 }
 
 /// The knob g at which an eigenvalue of (I − g R∞ H)F reaches −1: det(F + I − g R∞ H F) = 0 at
 /// g = 1 / (HF (F + I)⁻¹ R∞). With these systems that is where the last movable eigenvalue leaves the unit disc.
-pub(crate) fn knob_limit(system: &Lti<2, 1, 1>, steady: &Vector2<f64>) -> f64 {
+pub(crate) fn knob_limit(system: &Lti<U2, U1, U1>, steady: &Vector2<f64>) -> f64 {
     let shifted = system.f + Matrix2::identity();
     shifted.lu().solve(steady).map_or(f64::INFINITY, |v| 1.0 / (system.h * system.f * v)[0])
 }
@@ -342,7 +343,7 @@ mod tests {
                 v: d * system.v * d,
                 w: system.w * (c * c),
             };
-            let knob = |system: &Lti<2, 1, 1>, p: &Matrix2<f64>| {
+            let knob = |system: &Lti<U2, U1, U1>, p: &Matrix2<f64>| {
                 let steady = system.steady_state_gain(p, STEADY_ITERATIONS, 1e-12).expect("sound").r;
                 let first = system.gain_schedule(p, 1).expect("sound").remove(0);
                 equivalent_knob(system, &first, &steady)

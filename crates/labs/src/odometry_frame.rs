@@ -6,7 +6,7 @@ use crate::shapes::{EllipseShape, ellipse_of};
 use estimate::Landmark;
 use estimate::kf::Gaussian;
 use geom::SE2;
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, U3};
 use serde::Serialize;
 use sim::scenarios::HOOK;
 use sim::{Apartment, Room};
@@ -102,8 +102,8 @@ pub struct Belief3 {
     pub ellipse: EllipseShape,
 }
 
-impl From<&Gaussian<3>> for Belief3 {
-    fn from(belief: &Gaussian<3>) -> Self {
+impl From<&Gaussian<U3>> for Belief3 {
+    fn from(belief: &Gaussian<U3>) -> Self {
         let p = &belief.p;
         let position = Matrix2::new(p[(0, 0)], p[(0, 1)], p[(1, 0)], p[(1, 1)]);
         let rows = [0, 1, 2].map(|i| [p[(i, 0)], p[(i, 1)], p[(i, 2)]]);
@@ -208,7 +208,7 @@ pub(crate) struct Record {
 }
 
 impl Record {
-    pub fn take(&mut self, step: u32, truth: SE2, belief: &Gaussian<3>, (error, sigma): (Quality, Spread)) {
+    pub fn take(&mut self, step: u32, truth: SE2, belief: &Gaussian<U3>, (error, sigma): (Quality, Spread)) {
         let x = [belief.x[0], belief.x[1]];
         self.tracks.truth.push(truth.x(), truth.y(), TRACK);
         self.tracks.estimate.push(x[0], x[1], TRACK);

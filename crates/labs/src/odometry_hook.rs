@@ -9,7 +9,7 @@ use estimate::kf::Gaussian;
 use estimate::landmarks::RangeBearing;
 use estimate::{ChosetEkf, Code, Error, Sighting, Unicycle, odometry_delta, slip_covariance, validate};
 use geom::{SE2, angle_diff};
-use nalgebra::{Matrix2, Matrix3, Vector2};
+use nalgebra::{Matrix2, Matrix3, U3, Vector2};
 use serde::Serialize;
 use sim::scenarios::HOOK;
 use sim::{Apartment, Noise, Rusty};
@@ -51,7 +51,7 @@ pub(crate) struct Drive {
     input_covariance: Matrix2<f64>,
     w: Matrix2<f64>,
     ekf: ChosetEkf,
-    pub(crate) predicted: Gaussian<3>,
+    pub(crate) predicted: Gaussian<U3>,
     pub(crate) u: Option<Vector2<f64>>,
     pub(crate) seen: Vec<Seen>,
     last: Option<LastSighting>,
@@ -94,7 +94,7 @@ impl Drive {
         self.rusty.pose()
     }
 
-    pub(crate) fn belief(&self) -> Gaussian<3> {
+    pub(crate) fn belief(&self) -> Gaussian<U3> {
         self.ekf.belief()
     }
 

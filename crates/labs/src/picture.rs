@@ -4,7 +4,8 @@ use crate::lab::{Digest, Lab};
 use crate::shapes::{Belief2, EllipseShape, pair, rows};
 use estimate::kf::Gaussian;
 use estimate::{Code, Error, validate};
-use filters::linear::{self, Correction};
+use filters::Update;
+use filters::covariance::symmetric;
 use geom::{AffineSet, Ellipse};
 use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
 use numerics::Spd;
@@ -182,14 +183,15 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
     let x = Vector2::from(params.mean);
     let turn = rotation(params.angle);
     let axes = Vector2::new(params.semi_major * params.semi_major, params.semi_minor * params.semi_minor);
-    let p = linear::symmetric(turn * Matrix2::from_diagonal(&axes) * turn.transpose());
+    let p = symmetric(turn * Matrix2::from_diagonal(&axes) * turn.transpose());
     let sensor = rotation(params.tilt);
     let (along, h) = (sensor.column(0).into_owned(), RowVector2::new(sensor[(0, 1)], sensor[(1, 1)]));
     let (y, w) = (Vector1::new(params.reading), Matrix1::new(params.noise));
 
-    let Correction { innovation, s, k, x: corrected, p: posterior, .. } = linear::correct(&x, &p, &y, &h, &w)?;
-    let (expected, spread) = (h * x, h * p * h.transpose());
-    let (most_likely, _) = linear::product(&expected, &spread, &y, &w)?;
+    let predicted = Gaussian { x, p };
+    let (posterior, Update { innovation, s, k, .. }) = predicted.corrected(&y, &h, &w)?;
+    let expected = Gaussian { x: h * x, p: h * p * h.transpose() };
+    let most_likely = expected.product(&Gaussian { x: y, p: w })?.x;
     let no_foot = || Error::new(Code::InnovationNotPositiveDefinite, "semiMinor", "leaves no foot on the line");
     let (omega, omega_star) = (AffineSet { h, y }, AffineSet { h, y: most_likely });
     let metric = Spd::new(p).ok_or_else(no_foot)?;
@@ -209,15 +211,15 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
     Ok(PictureFrame {
         step: 0,
         params,
-        predicted: (&Gaussian { x, p }).into(),
-        posterior: (&Gaussian { x: corrected, p: posterior }).into(),
+        predicted: (&predicted).into(),
+        posterior: (&posterior).into(),
         h: [h[0], h[1]],
         along: pair(&along),
         innovation: innovation[0],
         s: s[0],
         r: pair(&k),
-        expected_output: expected[0],
-        expected_variance: spread[0],
+        expected_output: expected.x[0],
+        expected_variance: expected.p[0],
         most_likely_output: most_likely[0],
         euclidean_foot: foot(&omega, omega.euclidean_foot(&x).ok_or_else(no_foot)?),
         mahalanobis_foot: foot(&omega, omega.mahalanobis_foot(&p, &x).ok_or_else(no_foot)?),

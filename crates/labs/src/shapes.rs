@@ -3,7 +3,7 @@
 use estimate::kf::Gaussian;
 use estimate::{Complex, Error};
 use geom::Ellipse;
-use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, Vector2};
+use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, U2, Vector2};
 use serde::Serialize;
 
 /// An ellipse as a view draws it: half-axes, and the angle of the major axis in (−π/2, π/2].
@@ -41,8 +41,8 @@ pub struct Belief2 {
     pub ellipse: EllipseShape,
 }
 
-impl From<&Gaussian<2>> for Belief2 {
-    fn from(belief: &Gaussian<2>) -> Self {
+impl From<&Gaussian<U2>> for Belief2 {
+    fn from(belief: &Gaussian<U2>) -> Self {
         Self { x: pair(&belief.x), p: rows(&belief.p), ellipse: ellipse_of(&belief.p) }
     }
 }

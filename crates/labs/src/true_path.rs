@@ -4,7 +4,7 @@
 use estimate::landmarks::{RangeBearing, RangeOnly};
 use estimate::{Error, Landmark, Unicycle};
 use filters::linear;
-use filters::nonlinear::{MeasurementModel, MotionModel};
+use filters::{MeasurementModel, MotionModel};
 use geom::SE2;
 use nalgebra::{Matrix1, Matrix2, Matrix3, Vector2, Vector3};
 use sim::paths::Tick;

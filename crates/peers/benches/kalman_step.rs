@@ -17,7 +17,7 @@ fn reading(step: usize) -> f64 {
 }
 
 fn ours() -> [f64; 2] {
-    use filters::kalman::{Gaussian, Kf};
+    use filters::{Gaussian, Kf};
     use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
     let a = Matrix2::new(1.0, T, 0.0, 1.0);
     let r = Matrix2::new(0.2, 0.05, 0.05, 0.1);
@@ -25,7 +25,7 @@ fn ours() -> [f64; 2] {
     let q = Matrix1::new(0.5);
     let mut kf = Kf::from(Gaussian { x: Vector2::new(0.0, 0.0), p: Matrix2::identity() });
     for step in 0..STEPS {
-        kf.predict::<1>(black_box(&a), black_box(&r), None).expect("finite");
+        kf.predict::<U1>(black_box(&a), black_box(&r), None).expect("finite");
         black_box(kf.update(&Vector1::new(reading(step)), black_box(&c), black_box(&q)).expect("positive definite"));
     }
     kf.belief().x.into()

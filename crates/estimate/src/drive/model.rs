@@ -1,7 +1,7 @@
 //! Ranges that are scaled and offset, seen from a pose or from a pose with the scale as a fourth state.
 
 use crate::odometry::Unicycle;
-use filters::nonlinear::{MeasurementModel, MotionModel, State};
+use filters::{MeasurementModel, MotionModel, State};
 use geom::SE2;
 use nalgebra::{Matrix3, Matrix4, SMatrix, SVector, Vector4};
 
@@ -158,7 +158,7 @@ mod tests {
     use super::*;
     use crate::Landmark;
     use crate::landmarks::{RangeBearing, RangeOnly};
-    use filters::nonlinear::central_differences;
+    use filters::central_differences;
     use nalgebra::Vector2;
 
     const MAP: [Landmark; 2] = [Landmark { id: 1, x: 2.0, y: 1.0 }, Landmark { id: 2, x: -3.0, y: 4.0 }];

@@ -9,7 +9,7 @@ use crate::landmarks::{RangeBearing, RangeOnly};
 use crate::odometry::Unicycle;
 use core::f64::consts::PI;
 use filters::consistency::chi2_quantile;
-use filters::nonlinear::{Ekf, MeasurementModel, MotionModel};
+use filters::{Ekf, MeasurementModel, MotionModel};
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix2, SMatrix, SVector, Vector1, Vector2};
 

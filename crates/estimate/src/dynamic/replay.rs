@@ -1,11 +1,13 @@
 //! A log of a linear system, filtered in one call: for sizes known at run time, and at the pace of typed code for the
 //! chapter's own.
 
-use super::{Belief, System, kalman_step};
-use crate::error::{Code, Error};
-use filters::linear::{self, Correction};
+use super::{Belief, System};
+use crate::error::{Argument, Code, Error};
+use crate::kf::{belief_fits, kalman_step};
+use crate::lti::{Lti, SystemSizes};
+use filters::Gaussian;
 use nalgebra::allocator::Allocator;
-use nalgebra::{Const, DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, OVector, U1};
+use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OMatrix, U1};
 
 /// The most steps of a log of a linear system.
 pub const MAX_LOG: usize = 100_000;
@@ -21,7 +23,7 @@ pub struct Replayed {
     pub p: DMatrix<f64>,
 }
 
-/// One [`kalman_step`](super::kalman_step) for each row of `readings` (steps × p, row by row), with the row of `inputs`
+/// One [`kalman_step`] for each row of `readings` (steps × p, row by row), with the row of `inputs`
 /// (steps × m) beside it.
 ///
 /// # Errors
@@ -30,7 +32,7 @@ pub struct Replayed {
 /// [`MAX_LOG`].
 pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings: &[f64]) -> Result<Replayed, Error> {
     let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
-    system.fits(belief)?;
+    belief_fits(belief, n)?;
     let steps = readings.len() / p;
     if !(1..=MAX_LOG).contains(&steps) && readings.len().is_multiple_of(p) {
         let message = format!("holds {steps} steps; a log has at least 1 and at most {MAX_LOG}");
@@ -40,8 +42,8 @@ pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings:
     rows(inputs, (steps, m), "inputs")?;
     let log = Log { inputs, readings, steps };
     match (n, m, p) {
-        (2, 1, 1) => Filter::new(system, belief, (Const::<2>, Const::<1>, Const::<1>)).run(system, &log),
-        _ => Filter::new(system, belief, (Dyn(n), Dyn(m), Dyn(p))).run(system, &log),
+        (2, 1, 1) => filtered(system, belief, &log, (Const::<2>, Const::<1>, Const::<1>)),
+        _ => filtered(system, belief, &log, (Dyn(n), Dyn(m), Dyn(p))),
     }
 }
 
@@ -68,78 +70,49 @@ struct Log<'a> {
     steps: usize,
 }
 
-/// A system and a belief, sized alike.
-struct Filter<N: Dim, U: Dim, M: Dim>
+/// The log filtered with matrices of the sizes (n, m, p).
+fn filtered<N: Dim, U: Dim, M: Dim>(
+    system: &System,
+    belief: &Belief,
+    log: &Log<'_>,
+    (n, m, p): (N, U, M),
+) -> Result<Replayed, Error>
 where
-    DefaultAllocator: Allocator<N> + Allocator<N, N> + Allocator<N, U> + Allocator<M, N> + Allocator<M, M>,
+    DefaultAllocator: SystemSizes<N, U, M>,
 {
-    f: OMatrix<f64, N, N>,
-    g: OMatrix<f64, N, U>,
-    h: OMatrix<f64, M, N>,
-    v: OMatrix<f64, N, N>,
-    w: OMatrix<f64, M, M>,
-    x: OVector<f64, N>,
-    p: OMatrix<f64, N, N>,
-    sizes: (N, U, M),
+    let sys = Lti {
+        f: sized(n, n, system.f.as_slice()),
+        g: sized(n, m, system.g.as_slice()),
+        h: sized(p, n, system.h.as_slice()),
+        v: sized(n, n, system.v.as_slice()),
+        w: sized(p, p, system.w.as_slice()),
+    };
+    let mut belief = Gaussian { x: sized(n, U1, belief.x.as_slice()), p: sized(n, n, belief.p.as_slice()) };
+    let numbers = log.steps * n.value();
+    let (mut x, mut variances) = (Vec::with_capacity(numbers), Vec::with_capacity(numbers));
+    for k in 0..log.steps {
+        let u = sized(m, U1, &log.inputs[k * m.value()..(k + 1) * m.value()]);
+        let y = sized(p, U1, &log.readings[k * p.value()..(k + 1) * p.value()]);
+        belief = kalman_step(&sys, &belief, &u, &y).map_err(|e| at_step(e, k + 1))?.posterior;
+        x.extend(belief.x.iter());
+        variances.extend((0..n.value()).map(|i| belief.p[(i, i)]));
+    }
+    let p = DMatrix::from_column_slice(n.value(), n.value(), belief.p.as_slice());
+    Ok(Replayed { x, variances, p })
 }
 
-impl<N: Dim, U: Dim, M: Dim> Filter<N, U, M>
-where
-    DefaultAllocator: Allocator<N>
-        + Allocator<U>
-        + Allocator<M>
-        + Allocator<N, N>
-        + Allocator<N, U>
-        + Allocator<M, N>
-        + Allocator<N, M>
-        + Allocator<M, M>,
-{
-    fn new(system: &System, belief: &Belief, (n, m, p): (N, U, M)) -> Self {
-        Self {
-            f: sized(n, n, system.f.as_slice()),
-            g: sized(n, m, system.g.as_slice()),
-            h: sized(p, n, system.h.as_slice()),
-            v: sized(n, n, system.v.as_slice()),
-            w: sized(p, p, system.w.as_slice()),
-            x: sized(n, U1, belief.x.as_slice()),
-            p: sized(n, n, belief.p.as_slice()),
-            sizes: (n, m, p),
-        }
-    }
-
-    fn run(mut self, system: &System, log: &Log<'_>) -> Result<Replayed, Error> {
-        let (n, m, p) = (self.sizes.0.value(), self.sizes.1.value(), self.sizes.2.value());
-        let (mut x, mut variances) = (Vec::with_capacity(log.steps * n), Vec::with_capacity(log.steps * n));
-        for k in 0..log.steps {
-            let (u, y) = (&log.inputs[k * m..(k + 1) * m], &log.readings[k * p..(k + 1) * p]);
-            self.step(u, y).map_err(|e| self.refused(e, system, (u, y), k + 1))?;
-            x.extend(self.x.iter());
-            variances.extend((0..n).map(|i| self.p[(i, i)]));
-        }
-        let p = DMatrix::from_column_slice(n, n, self.p.as_slice());
-        Ok(Replayed { x, variances, p })
-    }
-
-    /// Why a step was refused, in the words and with the culprit of [`kalman_step`].
-    fn refused(&self, e: filters::Error, system: &System, (u, y): (&[f64], &[f64]), step: usize) -> Error {
-        let x = DVector::from_column_slice(self.x.as_slice());
-        let belief = Belief { p: DMatrix::from_column_slice(x.len(), x.len(), self.p.as_slice()), x };
-        let (u, y) = (DVector::from_column_slice(u), DVector::from_column_slice(y));
-        let mut e = kalman_step(system, &belief, u, y).err().unwrap_or_else(|| e.into());
-        e = e.renamed("u", "inputs").renamed("y", "readings");
-        e.message = format!("{}; at step {step}", e.message).into();
-        e
-    }
-
-    fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), filters::Error> {
-        let (_, m, p) = self.sizes;
-        let push = &self.g * sized(m, U1, u);
-        let x = linear::finite(&self.f * &self.x + push, "the predicted mean")?;
-        let predicted = linear::predicted_covariance(&self.f, &self.p, &self.v)?;
-        let Correction { x, p, .. } = linear::correct(&x, &predicted, &sized(p, U1, y), &self.h, &self.w)?;
-        (self.x, self.p) = (x, p);
-        Ok(())
-    }
+/// Why step `k` was refused, with the names that the arguments of a log have.
+#[cold]
+fn at_step(error: Error, k: usize) -> Error {
+    let mut error = error.called(|argument| match argument {
+        Argument::Input => "inputs".into(),
+        Argument::Reading => "readings".into(),
+        Argument::Mean => "belief.x".into(),
+        Argument::Covariance => "belief.P".into(),
+        other => other.letter(),
+    });
+    error.message = format!("{}; at step {k}", error.message).into();
+    error
 }
 
 fn sized<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R, C>

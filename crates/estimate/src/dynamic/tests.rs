@@ -1,7 +1,9 @@
 use super::*;
 use crate::Lti;
-use crate::kf::{self, Gaussian, dead_reckoning};
-use nalgebra::{SMatrix, Vector1, dmatrix, dvector};
+use crate::kf::kalman_step;
+use crate::rail::{dead_reckoning, position_sensor};
+use crate::validate::belief as belief_from;
+use nalgebra::{SMatrix, U1, U2, Vector1, dmatrix, dvector};
 
 fn at_run_time<const R: usize, const C: usize>(m: SMatrix<f64, R, C>) -> DMatrix<f64> {
     DMatrix::from_iterator(R, C, m.iter().copied())
@@ -9,7 +11,7 @@ fn at_run_time<const R: usize, const C: usize>(m: SMatrix<f64, R, C>) -> DMatrix
 
 #[test]
 fn a_knob_s_eigenvalues_are_those_of_its_error_matrix() {
-    let (sys, _) = kf::position_sensor();
+    let (sys, _) = position_sensor();
     let (f, g, h) = (at_run_time(sys.f), at_run_time(sys.g), at_run_time(sys.h));
     let system = System::new(f, g, h, at_run_time(sys.v), at_run_time(sys.w)).expect("sound");
     // K = [0.9, 0.8] places 0.5 and 0.2.
@@ -29,13 +31,13 @@ fn an_empty_matrix_is_refused_by_name() {
     assert_eq!((error.code, error.argument.as_ref()), (Code::Shape, "H"));
 }
 
-fn system_of(sys: &Lti<2, 1, 1>) -> System {
+fn system_of(sys: &Lti<U2, U1, U1>) -> System {
     System::new(at_run_time(sys.f), at_run_time(sys.g), at_run_time(sys.h), at_run_time(sys.v), at_run_time(sys.w))
         .expect("a sound system")
 }
 
-fn belief_of(belief: &Gaussian<2>) -> Belief {
-    Belief::new(dvector![belief.x[0], belief.x[1]], at_run_time(belief.p)).expect("a sound belief")
+fn belief_of(belief: &Gaussian<U2>) -> Belief {
+    belief_from(dvector![belief.x[0], belief.x[1]], at_run_time(belief.p)).expect("a sound belief")
 }
 
 fn rail() -> (System, Belief) {
@@ -49,9 +51,11 @@ fn run_time_and_fixed_sizes_agree_bit_for_bit() {
     let (system, mut belief) = rail();
     for k in 0..100 {
         let (u, y) = (0.1 * f64::from(k), libm::sin(f64::from(k)));
-        let (nu, s, r) = kf::kalman_step(&sys, &mut typed, &Vector1::new(u), &Vector1::new(y)).expect("pd");
-        let step = kalman_step(&system, &belief, dvector![u], dvector![y]).expect("pd");
-        assert_eq!((step.innovation[0], step.s[0], at_run_time(r)), (nu[0], s[0], step.r.clone()));
+        let fixed = kalman_step(&sys, &typed, &Vector1::new(u), &Vector1::new(y)).expect("pd");
+        let step = kalman_step(&system, &belief, &dvector![u], &dvector![y]).expect("pd");
+        assert_eq!((step.innovation[0], step.s[0]), (fixed.innovation[0], fixed.s[0]));
+        assert_eq!(step.r, at_run_time(fixed.r));
+        typed = fixed.posterior;
         assert_eq!(step.posterior, belief_of(&typed));
         let x = observer_step(&system, step.r, belief.x.clone(), dvector![u], dvector![y]).expect("finite");
         assert_eq!(x, step.posterior.x);
@@ -67,7 +71,7 @@ fn run_time_and_fixed_sizes_agree_bit_for_bit() {
 #[test]
 fn the_correction_runs_through_the_most_likely_output() {
     let (system, belief) = rail();
-    let step = kalman_step(&system, &belief, dvector![0.0], dvector![2.7]).expect("pd");
+    let step = kalman_step(&system, &belief, &dvector![0.0], &dvector![2.7]).expect("pd");
     let (x, p, h) = (step.predicted.x, step.predicted.p, system.h.clone());
     let y = most_likely_output(h.clone(), p.clone(), system.w.clone(), x.clone(), dvector![2.7]).expect("pd");
     assert!((y[0] - 2.95).abs() < 1e-14);
@@ -80,8 +84,8 @@ fn the_correction_runs_through_the_most_likely_output() {
 fn a_system_without_inputs_is_a_system() {
     let (f, w) = (dmatrix![1.0], dmatrix![0.5]);
     let system = System::new(f.clone(), DMatrix::zeros(1, 0), f.clone(), w.clone(), w).expect("sound");
-    let belief = Belief::new(dvector![2.0], f).expect("sound");
-    let step = kalman_step(&system, &belief, DVector::zeros(0), dvector![2.0]).expect("pd");
+    let belief = belief_from(dvector![2.0], f).expect("sound");
+    let step = kalman_step(&system, &belief, &DVector::zeros(0), &dvector![2.0]).expect("pd");
     assert_eq!((step.predicted.x[0], step.posterior.x[0], step.predicted.p[0]), (2.0, 2.0, 1.5));
 }
 
@@ -103,10 +107,10 @@ fn the_culprit_is_named() {
     assert_eq!(build(&large, &g, &h, &v, &w), (Code::Limit, "F".into()));
     assert_eq!(build(&f, &DMatrix::zeros(2, 9), &h, &v, &w), (Code::Limit, "G".into()));
     assert_eq!(build(&f, &g, &DMatrix::zeros(9, 2), &v, &w), (Code::Limit, "H".into()));
-    let step = |u, y| blame(kalman_step(&system, &belief, u, y).expect_err("refused"));
+    let step = |u, y| blame(kalman_step(&system, &belief, &u, &y).expect_err("refused"));
     assert_eq!(step(dvector![0.0, 0.0], dvector![0.0]), (Code::Shape, "u".into()));
     assert_eq!(step(dvector![0.0], dvector![f64::NAN]), (Code::NotFinite, "y".into()));
-    let error = Belief::new(dvector![0.0], dmatrix![-1.0]).expect_err("refused").within("belief");
+    let error = belief_from(dvector![0.0], dmatrix![-1.0]).expect_err("refused").within("belief");
     assert_eq!(blame(error), (Code::NotPositiveSemidefinite, "belief.P".into()));
 }
 
@@ -116,7 +120,7 @@ fn what_overflows_is_called_as_the_caller_calls_it() {
     let not_finite = |argument: &str| (Code::NotFinite, argument.to_string());
     let (system, belief) = rail();
     let (zero, vast) = (dvector![0.0], dvector![1.7e308, 1.7e308]);
-    let step = |b: &Belief, u, y| blame(kalman_step(&system, b, u, y).expect_err("overflows"));
+    let step = |b: &Belief, u, y| blame(kalman_step(&system, b, &u, &y).expect_err("overflows"));
     let far = Belief { x: vast.clone(), ..belief.clone() };
     assert_eq!(step(&far, zero.clone(), zero.clone()), not_finite("belief.x"));
     let wide = Belief { p: 1.7e308 * DMatrix::identity(2, 2), ..belief.clone() };
@@ -132,7 +136,7 @@ fn what_overflows_is_called_as_the_caller_calls_it() {
     assert_eq!(observe(k.clone(), vast, zero.clone(), zero.clone()), not_finite("x"));
     assert_eq!(observe(k, fast.x, zero.clone(), dvector![1e308]), not_finite("y"));
     let strong = System { f: 10.0 * &system.f, g: dmatrix![0.0; 10.0], ..system };
-    let pushed = kalman_step(&strong, &belief, dvector![1e308], zero).expect_err("overflows");
+    let pushed = kalman_step(&strong, &belief, &dvector![1e308], &zero).expect_err("overflows");
     assert_eq!(blame(pushed), not_finite("u"));
     let vast: DMatrix<f64> = 1e308 * DMatrix::identity(2, 2);
     assert_eq!(blame(error_eigenvalues(&strong, dmatrix![1e308; 1e308]).expect_err("overflows")), not_finite("K"));
@@ -191,7 +195,7 @@ fn log_of(system: &System, belief: &Belief) -> (Vec<f64>, Vec<f64>, Replayed) {
     for k in 0..steps {
         let (u, y) = (&inputs[k * m..(k + 1) * m], &readings[k * p..(k + 1) * p]);
         let (u, y) = (DVector::from_column_slice(u), DVector::from_column_slice(y));
-        belief = kalman_step(system, &belief, u, y).expect("pd").posterior;
+        belief = kalman_step(system, &belief, &u, &y).expect("pd").posterior;
         there.x.extend(belief.x.iter());
         there.variances.extend(belief.p.diagonal().iter());
     }
@@ -206,7 +210,7 @@ fn a_log_replayed_is_its_steps_one_by_one_bit_for_bit() {
         let (g, h) = (dmatrix![0.0, 0.1; 0.0, 0.2; 0.5, 0.0], dmatrix![1.0, 0.0, 0.0; 0.0, 1.0, 0.5]);
         System::new(f, g, h, DMatrix::identity(3, 3) * 0.02, dmatrix![0.5, 0.1; 0.1, 0.3]).expect("sound")
     };
-    let three = Belief::new(dvector![1.0, -1.0, 0.5], DMatrix::identity(3, 3)).expect("sound");
+    let three = belief_from(dvector![1.0, -1.0, 0.5], DMatrix::identity(3, 3)).expect("sound");
     let (rail, two) = rail();
     let undriven = System { g: DMatrix::zeros(2, 0), ..rail.clone() };
     for (system, belief) in [(rail, &two), (undriven, &two), (two_outputs, &three)] {
@@ -235,7 +239,7 @@ fn a_log_that_does_not_fit_is_refused_by_name() {
         short(blame(&system, &belief, &[0.0, 0.0], &[f64::INFINITY, 1.0])),
         (Code::NotFinite, "readings[0]".into())
     );
-    let other = Belief::new(dvector![0.0], dmatrix![1.0]).expect("sound");
+    let other = belief_from(dvector![0.0], dmatrix![1.0]).expect("sound");
     assert_eq!(short(blame(&system, &other, &[0.0], &[0.0])), (Code::Shape, "belief".into()));
 
     let undriven = System { g: DMatrix::zeros(2, 0), ..system.clone() };

@@ -3,14 +3,11 @@
 use super::EkfSlam;
 use super::sighting::Expected;
 use crate::error::Error;
-use crate::validate::SEMIDEFINITE_TOLERANCE;
+use filters::Quantity;
+use filters::covariance::{MAP_ROUNDING, SEMIDEFINITE_TOLERANCE};
 use geom::wrap;
 use nalgebra::Vector2;
 use numerics::{MIN_PIVOT, Spd};
-
-/// Rounding that may sit in P, as a part of its largest variance, before P is looked over: well within
-/// [`crate::validate::SEMIDEFINITE_TOLERANCE`], 1e-12.
-const ROUNDING: f64 = 2e-13;
 
 /// Up to this many states P is looked over at every change.
 const ALWAYS: usize = 35;
@@ -51,7 +48,7 @@ impl EkfSlam {
         let rounding = numerics::hypot(self.rounding, f64::EPSILON * scale);
         // A small state is always looked over, a large one rarely: in an ordinary run its variances never fall far below what
         // they were.
-        let suspect = self.x.len() <= ALWAYS || rounding > (ROUNDING + 2.0 * self.resolution()) * after;
+        let suspect = self.x.len() <= ALWAYS || rounding > (MAP_ROUNDING + 2.0 * self.resolution()) * after;
         let before = suspect.then(|| self.clone());
         change(self);
         self.rounding = rounding;
@@ -115,7 +112,7 @@ impl EkfSlam {
         // Every entry of P changes by at most 4 max|K| max|L|, so P cannot overflow if this does not.
         let bounded = (4.0 * largest * largest + before + d2).is_finite();
         if !(x_is_finite && bounded) {
-            return Err(filters::Error::NotFinite { what: "the mean" }.into());
+            return Err(filters::Error::NotFinite(Quantity::Mean).into());
         }
         step.after = after;
         Ok(step)
@@ -130,12 +127,15 @@ impl EkfSlam {
         }
         let mut p = self.p.to_dense() / largest;
         // What may be lost in all is a part of 1e-12. A factorization of n rows knows its pivots to n roundings itself.
-        let part =
-            if self.x.len() <= ALWAYS { 5.0 * ROUNDING } else { 0.1 * ROUNDING + p.nrows() as f64 * f64::EPSILON };
+        let part = if self.x.len() <= ALWAYS {
+            5.0 * MAP_ROUNDING
+        } else {
+            0.1 * MAP_ROUNDING + p.nrows() as f64 * f64::EPSILON
+        };
         for i in 0..p.nrows() {
             p[(i, i)] += part;
         }
-        let sound = filters::linear::is_finite(&p) && Spd::new(p).is_some() && self.landmarks_are_covariances();
+        let sound = filters::covariance::is_finite(&p) && Spd::new(p).is_some() && self.landmarks_are_covariances();
         sound.then_some(part * largest)
     }
 

@@ -1,8 +1,8 @@
 //! Linear SLAM (§8.4.1): an omnidirectional robot measures its displacement to each of ℓ landmarks it can tell apart. The
-//! plain [`Kf`](filters::kalman::Kf) runs it unchanged.
+//! plain [`Kf`](filters::Kf) runs it unchanged.
 
-use filters::kalman::Gaussian;
-use nalgebra::{SMatrix, SVector};
+use filters::Gaussian;
+use nalgebra::{Const, SMatrix, SVector};
 
 /// What a [`LinearSlam`] is not certain of: variances in each coordinate, m².
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -29,7 +29,7 @@ pub struct LinearSlam<const N: usize, const M: usize> {
     /// Noise of the displacements.
     pub w: SMatrix<f64, M, M>, // Thrun Q
     /// P₀, about the origin.
-    pub belief: Gaussian<N>,
+    pub belief: Gaussian<Const<N>>,
 }
 
 impl<const N: usize, const M: usize> LinearSlam<N, M> {
@@ -54,7 +54,8 @@ pub fn relative_trace<const N: usize>(p: &SMatrix<f64, N, N>, a: usize, b: usize
 mod tests {
     use super::*;
     use crate::observability::analyze;
-    use filters::kalman::Kf;
+    use filters::Kf;
+    use nalgebra::U1;
 
     const CONSTANTS: Variances = Variances { v: 0.01, w: 0.04, p0_robot: 0.01, p0_landmark: 4.0 };
 
@@ -95,7 +96,7 @@ mod tests {
         let mut kf = Kf::from(slam.belief);
         let mut relative = Vec::new();
         for _ in 0..200 {
-            kf.predict::<1>(&slam.f, &slam.v, None).expect("finite");
+            kf.predict::<U1>(&slam.f, &slam.v, None).expect("finite");
             kf.update(&SVector::zeros(), &slam.h, &slam.w).expect("positive definite");
             relative.push(relative_trace(&kf.belief().p, 2, 0));
         }

@@ -3,7 +3,7 @@
 use crate::error::{Code, Error};
 use crate::landmark::Landmark;
 use crate::landmarks::{NEAREST, RangeBearing};
-use filters::nonlinear::MeasurementModel;
+use filters::MeasurementModel;
 use geom::{SE2, angle_diff};
 use nalgebra::{Matrix2, Matrix2x3, SMatrix, SVector, Vector2};
 use numerics::PackedSymmetric;

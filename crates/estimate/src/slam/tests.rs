@@ -2,7 +2,7 @@ use super::*;
 use crate::landmark::Landmark;
 use crate::landmarks::RangeBearing;
 use filters::linear::{self, Gain};
-use filters::nonlinear::{MeasurementModel, central_differences};
+use filters::{MeasurementModel, central_differences};
 use nalgebra::{Vector3, Vector5};
 
 const W: Matrix2<f64> = Matrix2::new(0.01, 0.001, 0.001, 0.0009);

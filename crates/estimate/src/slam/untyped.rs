@@ -4,8 +4,8 @@ use super::EkfSlam;
 use crate::dynamic::Belief;
 use crate::error::{Code, Error};
 use crate::validate;
+use filters::Gaussian;
 use filters::association::Thresholds;
-use filters::kalman::Gaussian;
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Vector2, Vector3};
 
 impl EkfSlam {
@@ -39,8 +39,8 @@ impl EkfSlam {
         let v = validate::covariance(v, 3, "V")?;
         let u = Vector2::new(u[0], u[1]);
         self.predict(&u, &Matrix3::from_fn(|i, j| v[(i, j)])).map_err(|e| {
-            let culprit = if self.clone().predict(&u, &Matrix3::zeros()).is_ok() { "V" } else { "u" };
-            e.renamed("x", culprit).renamed("P", culprit)
+            let without_noise = self.clone().predict(&u, &Matrix3::zeros());
+            e.called(|_| if without_noise.is_ok() { "V" } else { "u" }.into())
         })
     }
 }
@@ -53,7 +53,7 @@ mod tests {
     use proptest::prelude::*;
 
     fn belief() -> Belief {
-        Belief::new(dvector![0.0, 0.0, 0.0], DMatrix::identity(3, 3) * 0.01).expect("sound")
+        validate::belief(dvector![0.0, 0.0, 0.0], DMatrix::identity(3, 3) * 0.01).expect("sound")
     }
 
     #[test]
@@ -63,7 +63,7 @@ mod tests {
             let e = EkfSlam::from_belief(b, w.clone(), gate, found).expect_err("refused");
             (e.code, e.argument.to_string())
         };
-        let short = Belief::new(dvector![0.0, 0.0], DMatrix::identity(2, 2)).expect("sound");
+        let short = validate::belief(dvector![0.0, 0.0], DMatrix::identity(2, 2)).expect("sound");
         assert_eq!(refused(&short, &w, None, 50.0), (Code::Shape, "belief.x".into()));
         assert_eq!(refused(&belief(), &dmatrix![1.0], None, 50.0), (Code::Shape, "W".into()));
         assert_eq!(refused(&belief(), &-w.clone(), None, 50.0), (Code::NotPositiveSemidefinite, "W".into()));
@@ -107,7 +107,7 @@ mod tests {
             (p, w, v) in (square(3), square(2), square(3)),
             steps in prop::collection::vec((number(12), number(12), number(12), number(12), 0..4_u32, any::<bool>()), 1..25),
         ) {
-            let Ok(belief) = Belief::new(dvector![0.0, 0.0, 0.0], p) else { return Ok(()) };
+            let Ok(belief) = validate::belief(dvector![0.0, 0.0, 0.0], p) else { return Ok(()) };
             let Ok(mut slam) = EkfSlam::from_belief(&belief, w, Some(9.21), 50.0) else { return Ok(()) };
             for (a, b, c, d, id, named) in steps {
                 let (x, before) = slam.belief();

@@ -5,7 +5,7 @@ use crate::givens::Givens;
 use estimate::Error;
 use estimate::Unicycle;
 use estimate::landmarks::{RangeBearing, raw_bearing_row};
-use filters::nonlinear::{MeasurementModel, MotionModel};
+use filters::{MeasurementModel, MotionModel};
 use geom::SE2;
 use nalgebra::{Vector2, Vector3};
 use sim::scenarios::{HOOK, PROBE};

@@ -2,22 +2,13 @@
 
 use super::Check;
 use crate::givens::Givens;
-use estimate::kf::{Gaussian, kalman_step};
+use estimate::kf::{KalmanStep, kalman_step};
 use estimate::{Complex, Error, Lti, Observer, place_observer_gain};
 use filters::linear;
-use nalgebra::{Matrix1, SMatrix, Vector1, Vector2};
-
-/// ν, S, R, x̂⁺ and P⁺ of hand-checked step `k` (1 to 3).
-pub(crate) struct HandStep {
-    pub predicted: Gaussian<2>,
-    pub innovation: f64,
-    pub s: f64,
-    pub r: Vector2<f64>,
-    pub posterior: Gaussian<2>,
-}
+use nalgebra::{Matrix1, SMatrix, U1, U2, Vector1, Vector2};
 
 /// The hand-checked steps, one for each reading.
-pub(crate) fn hand_steps(givens: &Givens) -> Result<Vec<HandStep>, Error> {
+pub(crate) fn hand_steps(givens: &Givens) -> Result<Vec<KalmanStep<U2, U1>>, Error> {
     let sys = &givens.velocity;
     let mut belief = givens.belief;
     let none = Vector1::zeros();
@@ -25,10 +16,9 @@ pub(crate) fn hand_steps(givens: &Givens) -> Result<Vec<HandStep>, Error> {
         .readings
         .iter()
         .map(|y| {
-            let p = linear::predicted_covariance(&sys.f, &belief.p, &sys.v)?;
-            let predicted = Gaussian { x: sys.f * belief.x, p };
-            let (nu, s, r) = kalman_step(sys, &mut belief, &none, &Vector1::new(*y))?;
-            Ok(HandStep { predicted, innovation: nu[0], s: s[0], r, posterior: belief })
+            let step = kalman_step(sys, &belief, &none, &Vector1::new(*y))?;
+            belief = step.posterior;
+            Ok(step)
         })
         .collect()
 }
@@ -37,7 +27,7 @@ fn step_check(givens: &Givens, k: usize, title: &'static str, expected: Vec<f64>
     let steps = hand_steps(givens)?;
     let step = &steps[k - 1];
     let (x, p) = (step.posterior.x, step.posterior.p);
-    let actual = vec![step.s, step.r[0], step.r[1], x[0], x[1], p[(0, 0)], p[(1, 0)], p[(1, 1)]];
+    let actual = vec![step.s[0], step.r[0], step.r[1], x[0], x[1], p[(0, 0)], p[(1, 0)], p[(1, 1)]];
     Ok(Check::new(k as u8, title, expected, actual, 1e-12))
 }
 
@@ -58,13 +48,13 @@ pub(super) fn second_step(givens: &Givens) -> Result<Check, Error> {
 
 /// Check 3: the observability ranks.
 pub(super) fn ranks(givens: &Givens) -> Result<Check, Error> {
-    let rank = |sys: &Lti<2, 1, 1>| sys.observability(1e-9).map(|o| o.rank as f64);
+    let rank = |sys: &Lti<U2, U1, U1>| sys.observability(1e-9).map(|o| o.rank as f64);
     let actual = vec![rank(&givens.velocity)?, rank(&givens.position)?];
     Ok(Check::new(3, "Observability ranks: velocity sensor, position sensor", vec![1.0, 2.0], actual, 0.0))
 }
 
 /// The position sensor's observer with the chapter's placed poles.
-pub(crate) fn placed(givens: &Givens) -> Result<Observer<2, 1, 1>, Error> {
+pub(crate) fn placed(givens: &Givens) -> Result<Observer<U2, U1, U1>, Error> {
     let poles = givens.poles.map(Complex::from);
     let k = place_observer_gain(&givens.position.f, &givens.position.h, &poles)?;
     Ok(Observer { sys: givens.position, k, xhat: Vector2::zeros() })

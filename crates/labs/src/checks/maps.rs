@@ -7,7 +7,7 @@ use estimate::Error;
 use estimate::kf::Kf;
 use estimate::observability::{analyze, observability_matrix};
 use estimate::slam::linear::{LinearSlam, relative_trace};
-use nalgebra::SVector;
+use nalgebra::{SVector, U1};
 
 /// The relative tolerance of the rank: the matrix holds zeros and ones only.
 const TOLERANCE: f64 = 1e-9;
@@ -31,7 +31,7 @@ pub(crate) fn linear_slam(givens: &Givens, steps: u32) -> Result<LinearRun, Erro
     let mut kf = Kf::from(slam.belief);
     let (mut relative, mut shape) = (Vec::new(), Vec::new());
     for _ in 0..steps {
-        kf.predict::<1>(&slam.f, &slam.v, None)?;
+        kf.predict::<U1>(&slam.f, &slam.v, None)?;
         kf.update(&SVector::zeros(), &slam.h, &slam.w)?;
         let p = kf.belief().p;
         relative.push(relative_trace(&p, 2, 0));

@@ -4,11 +4,12 @@ use super::Listing;
 use crate::checks::linear::{brute_force, error_ratios, hand_steps, placed};
 use crate::givens::Givens;
 use crate::observer_bench::{equivalent_knob, knob_limit};
+use estimate::kf::Gaussian;
 use estimate::{Error, Lti, Observer};
 use filters::consistency::{chi2_interval, chi2_quantile};
 use filters::linear::{self, Gain};
 use geom::AffineSet;
-use nalgebra::{Matrix2, RowVector2, SMatrix, Vector1, Vector2};
+use nalgebra::{Matrix2, RowVector2, SMatrix, U1, U2, Vector1, Vector2};
 
 const LIMIT_TOLERANCE: f64 = 1e-12;
 const LIMIT_ITERATIONS: usize = 10_000;
@@ -29,9 +30,9 @@ fn steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         to.by("labs::checks::linear::hand_steps", (k <= 2).then_some(k))
             .vector(&format!("step{k}.xpred"), step.predicted.x.iter(), "the predicted mean")
             .symmetric(&format!("step{k}.Ppred"), &step.predicted.p, "the predicted covariance")
-            .add(format!("step{k}.nu"), step.innovation, "the innovation")
-            .add(format!("step{k}.S"), step.s, "the innovation's variance")
-            .add(format!("step{k}.nuS"), step.innovation / step.s, "the innovation over its variance")
+            .add(format!("step{k}.nu"), step.innovation[0], "the innovation")
+            .add(format!("step{k}.S"), step.s[0], "the innovation's variance")
+            .add(format!("step{k}.nuS"), step.innovation[0] / step.s[0], "the innovation over its variance")
             .vector(&format!("step{k}.R"), step.r.iter(), "the Kalman gain")
             .vector(&format!("step{k}.x"), step.posterior.x.iter(), "the corrected mean")
             .symmetric(&format!("step{k}.P"), &step.posterior.p, "the corrected covariance");
@@ -63,7 +64,8 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let (sys, p) = (&givens.velocity, &prediction.p);
     let y = Vector1::new(givens.readings[0]);
     let spread = sys.h * p * sys.h.transpose();
-    let (most_likely, _) = linear::product(&(sys.h * prediction.x), &spread, &y, &sys.w)?;
+    let expected = Gaussian { x: sys.h * prediction.x, p: spread };
+    let most_likely = expected.product(&Gaussian { x: y, p: sys.w })?.x;
     let omega = AffineSet { h: sys.h, y };
     let no_foot = || Error::new(estimate::Code::InnovationNotPositiveDefinite, "P", "Ω has no foot");
     let euclid = omega.euclidean_foot(&prediction.x).ok_or_else(no_foot)?;
@@ -71,7 +73,7 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     to.by("geom::AffineSet", Some(1))
         .vector("picture.euclid", euclid.iter(), "the Euclidean foot on Ω")
         .vector("picture.foot", foot.iter(), "the Mahalanobis foot on Ω")
-        .by("filters::linear::product", Some(1))
+        .by("filters::gaussian::product", Some(1))
         .add("picture.ystar", most_likely[0], "y*, the most likely output")
         .by("labs::numbers::linear::picture", Some(1))
         .add("picture.drag", p[(0, 1)] / p[(1, 1)], "metres the position moves for each m/s the velocity is corrected")
@@ -129,7 +131,7 @@ fn limits(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
 }
 
 /// The first step at which the gain moves by no more than the tolerance.
-fn gain_iterations(sys: &Lti<2, 1, 1>, givens: &Givens) -> Result<usize, Error> {
+fn gain_iterations(sys: &Lti<U2, U1, U1>, givens: &Givens) -> Result<usize, Error> {
     let gains = sys.gain_schedule(&givens.belief.p, 500)?;
     let settled = gains.windows(2).position(|g| (g[1] - g[0]).amax() <= LIMIT_TOLERANCE * g[1].amax());
     Ok(settled.map_or(gains.len(), |i| i + 2))

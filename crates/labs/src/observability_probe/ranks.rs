@@ -5,7 +5,7 @@ use estimate::landmarks::{RangeBearing, RangeOnly};
 use estimate::observability::Observability;
 use estimate::path_observability::{PathStack, frozen};
 use estimate::{Error, Landmark, Unicycle};
-use filters::nonlinear::{MeasurementModel, MotionModel};
+use filters::{MeasurementModel, MotionModel};
 use geom::SE2;
 use nalgebra::{DMatrix, DVector, Vector2};
 use serde::Serialize;

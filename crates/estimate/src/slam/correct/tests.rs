@@ -1,7 +1,7 @@
 use super::*;
 use crate::slam::Reading;
+use filters::Gaussian;
 use filters::association::Thresholds;
-use filters::kalman::Gaussian;
 use nalgebra::{DMatrix, Matrix2, Matrix3, Vector3};
 use numerics::PackedSymmetric;
 

@@ -1,0 +1,67 @@
+use super::*;
+
+#[test]
+fn what_may_lie_below_zero_is_a_part_of_the_largest_variance() {
+    let of = |a: f64, b: f64| semidefinite(&nalgebra::dmatrix![a, 0.0; 0.0, b]);
+    assert!(of(1.0, 0.5) && of(0.0, 0.0) && of(1.0, 0.0));
+    for largest in [1e-6, 1.0, 1e6] {
+        assert!(of(largest, -0.5 * MAX_NEGATIVE * largest) && of(-0.5 * MAX_NEGATIVE * largest, largest));
+        assert!(!of(largest, -2.0 * MAX_NEGATIVE * largest));
+    }
+    assert!(!of(f64::NAN, 1.0) && !of(1.0, f64::INFINITY));
+}
+
+#[test]
+fn terms_are_counted_before_they_cancel_and_their_bound_is_one() {
+    let (p, k, c) =
+        (nalgebra::dmatrix![4.0, 1.0; 1.0, 9.0], nalgebra::dmatrix![0.5; -2.0], nalgebra::dmatrix![3.0, -1.0]);
+    assert_eq!((largest_variance(&p), largest_variance(&nalgebra::dmatrix![7.0, 0.0; 0.0, 3.0])), (9.0, 7.0));
+    // σ = 2 and 3, a spread of 3·2 + 1·3: (2 + 9/2)² and (3 + 2·9)².
+    assert_eq!(largest_terms(&p, &k, &c), 441.0);
+    // 9 (2 + 2·2 (1/4 + 4) (9 + 1)).
+    assert_eq!(bound_on_terms(&p, &k, &c), 1548.0);
+    assert_eq!(tolerated(&p), 9.0 * MAX_ROUNDING / f64::EPSILON);
+}
+
+#[test]
+fn clamping_takes_what_is_negative_and_leaves_the_rest() {
+    // Eigenvalues 2 ± √2 and −3, and a pair ±1 that shares its singular value.
+    let m = nalgebra::dmatrix![3.0, 1.0, 0.0; 1.0, 1.0, 0.0; 0.0, 0.0, -3.0];
+    let kept = nalgebra::dmatrix![3.0, 1.0, 0.0; 1.0, 1.0, 0.0; 0.0, 0.0, 0.0];
+    assert!((clamped(&m).expect("finite") - kept).amax() < 1e-14);
+    let pair = nalgebra::dmatrix![0.0, 1.0; 1.0, 0.0];
+    assert!((clamped(&pair).expect("finite") - DMatrix::from_element(2, 2, 0.5)).amax() < 1e-14);
+    assert_eq!(clamped(&DMatrix::zeros(2, 2)), Some(DMatrix::zeros(2, 2)));
+    assert_eq!(clamped(&nalgebra::dmatrix![f64::NAN]), None);
+}
+
+#[test]
+fn what_is_plainly_positive_is_so_and_nothing_near_the_edge_is() {
+    let of = |entries: &[f64]| {
+        let n = (entries.len() as f64).sqrt() as usize;
+        plainly_positive(&DMatrix::from_row_slice(n, n, entries))
+    };
+    assert!(of(&[1e-300]) && of(&[4.0, 1.0, 1.0, 3.0]));
+    assert!(of(&[2.0, -1.0, 0.5, -1.0, 2.0, -1.0, 0.5, -1.0, 2.0]));
+    assert!(of(&[2.0, -1.0, 0.5, -1.0, 2.0, -1.0, 0.5, -1.0, 2.0].map(|entry| 0.3 * entry)), "in small units too");
+    // Singular, and indefinite in each of the minors.
+    for edge in [vec![0.0], vec![-1.0], vec![1.0, 2.0, 2.0, 4.0], vec![-4.0, 1.0, 1.0, -3.0]] {
+        assert!(!of(&edge), "{edge:?}");
+    }
+    assert!(!of(&[-1.0, 0.0, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 1.0]), "two negative eigenvalues");
+    assert!(!of(&[1.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 1.0]), "the second minor");
+    assert!(!of(&[1.0, 0.0, 0.9, 0.0, 1.0, 0.9, 0.9, 0.9, 1.0]), "the third alone");
+    assert!(!of(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0]), "the last entry");
+    // What is not finite, in each place; what leaves the range of numbers; what is too large for this way.
+    for bad in [f64::NAN, f64::INFINITY] {
+        for (i, j) in [(0, 0), (1, 0), (2, 0), (1, 1), (2, 1), (2, 2)] {
+            let mut m = DMatrix::identity(3, 3);
+            m[(i, j)] = bad;
+            m[(j, i)] = bad;
+            assert!(!plainly_positive(&m), "{bad} at {i}, {j}");
+        }
+        assert!(!of(&[bad]) && !of(&[bad, 0.0, 0.0, 1.0]) && !of(&[1.0, bad, bad, 1.0]) && !of(&[1.0, 0.0, 0.0, bad]));
+    }
+    assert!(!plainly_positive(&(DMatrix::identity(3, 3) * 1e100)) && !plainly_positive(&DMatrix::identity(4, 4)));
+    assert!(!plainly_positive(&(DMatrix::identity(3, 3) * 1e-100)));
+}
