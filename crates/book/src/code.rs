@@ -10,45 +10,28 @@ pub struct Highlighter {
     classes: Vec<(Scope, Option<&'static str>)>,
 }
 
-/// Scope prefixes and the class each gets; the longest that fits wins, the innermost scope first.
-const CLASSES: [(&str, Option<&str>); 32] = [
-    ("comment", Some("comment")),
-    ("punctuation.definition.comment", Some("comment")),
-    ("string", Some("string")),
-    ("punctuation.definition.string", Some("string")),
-    ("constant.character.escape", Some("string")),
-    ("constant.other.placeholder", Some("string")),
-    ("constant.numeric", Some("number")),
-    ("constant.language", Some("number")),
-    ("keyword", Some("keyword")),
-    ("keyword.operator", None),
-    ("storage.modifier", Some("keyword")),
-    ("storage.modifier.lifetime", Some("lifetime")),
-    ("storage.type", Some("keyword")),
-    ("storage.type.numeric", Some("number")),
-    ("storage.type.rust", Some("type")),
-    ("storage.type.function", Some("keyword")),
-    ("storage.type.struct", Some("keyword")),
-    ("storage.type.enum", Some("keyword")),
-    ("storage.type.trait", Some("keyword")),
-    ("storage.type.impl", Some("keyword")),
-    ("storage.type.type", Some("keyword")),
-    ("storage.type.module", Some("keyword")),
-    ("variable.language", Some("keyword")),
-    ("entity.name.function", Some("function")),
-    ("support.function", Some("function")),
-    ("support.macro", Some("macro")),
-    ("entity.name.lifetime", Some("lifetime")),
-    ("entity.name.macro", Some("macro")),
-    ("entity.name", Some("type")),
-    ("support.type", Some("type")),
-    ("meta.annotation", Some("attribute")),
-    ("variable.annotation", Some("attribute")),
+/// Each class and the prefixes of the scopes that get it, none for what stays plain. The longest prefix that fits wins, the
+/// innermost scope first.
+const CLASSES: [(Option<&str>, &str); 10] = [
+    (Some("comment"), "comment punctuation.definition.comment"),
+    (Some("string"), "string punctuation.definition.string constant.character.escape constant.other.placeholder"),
+    (Some("number"), "constant.numeric constant.language storage.type.numeric"),
+    (
+        Some("keyword"),
+        "keyword storage.modifier storage.type storage.type.function storage.type.struct storage.type.enum storage.type.trait storage.type.impl storage.type.type storage.type.module variable.language",
+    ),
+    (None, "keyword.operator"),
+    (Some("lifetime"), "storage.modifier.lifetime entity.name.lifetime"),
+    (Some("type"), "storage.type.rust entity.name support.type"),
+    (Some("function"), "entity.name.function support.function"),
+    (Some("macro"), "support.macro entity.name.macro"),
+    (Some("attribute"), "meta.annotation variable.annotation"),
 ];
 
 impl Default for Highlighter {
     fn default() -> Self {
-        let classes = CLASSES.iter().filter_map(|&(name, class)| Some((Scope::new(name).ok()?, class))).collect();
+        let scopes = CLASSES.iter().flat_map(|&(class, scopes)| scopes.split(' ').map(move |scope| (scope, class)));
+        let classes = scopes.filter_map(|(scope, class)| Some((Scope::new(scope).ok()?, class))).collect();
         Self { syntaxes: SyntaxSet::load_defaults_newlines(), classes }
     }
 }

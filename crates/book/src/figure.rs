@@ -2,13 +2,12 @@
 
 use serde::Serialize;
 
-use crate::attributes::Attributes;
-use crate::diagnostic::{Diagnostics, Place};
-use crate::document::Document;
+use crate::diagnostic::Diagnostics;
 use crate::label::Labels;
-use crate::render::Renderer;
-use crate::scan::Piece;
+use crate::piece::Piece;
 use crate::site::Site;
+use crate::tree::{self, Kind, Node};
+use crate::writer::Writer;
 
 /// What the page of a figure shows.
 #[derive(Clone, Debug, Serialize)]
@@ -21,6 +20,8 @@ pub struct Figure {
     pub label: String,
     /// Its title as HTML.
     pub title: String,
+    /// Its title in words.
+    pub name: String,
     /// The state it opens in, as JSON, where the text gives one.
     pub start: Option<String>,
     /// Its still picture, and what that shows in words.
@@ -34,48 +35,39 @@ pub struct Figure {
 /// From a figure's own page, `figure/<widget>/`, to the site's root.
 const ROOT: &str = "../../";
 
-/// The figures of a page, in order. `files` are the texts of `documents`.
-pub fn figures(
-    site: &Site,
-    files: &[(String, String)],
-    documents: &[Document],
-    labels: &Labels,
-    diagnostics: &Diagnostics,
-) -> Vec<Figure> {
+/// The figures of a page, in order.
+pub fn figures(site: &Site, texts: &[Vec<Node>], labels: &Labels, diagnostics: &Diagnostics) -> Vec<Figure> {
     let mut figures = Vec::new();
-    for ((_, text), document) in files.iter().zip(documents) {
-        let mut open: Option<(&Attributes, &Place)> = None;
-        for (piece, place) in &document.scanned.pieces {
-            match piece {
-                Piece::Directive { name, attributes } if name == "figure" => open = Some((attributes, place)),
-                Piece::End => {
-                    let Some((attributes, start)) = open.take() else { continue };
-                    let lines = place.line.saturating_sub(start.line + 1);
-                    let caption: Vec<&str> = text.lines().skip(start.line).take(lines).collect();
-                    let mut renderer = Renderer::new(site, labels, diagnostics, ROOT);
-                    renderer.plain = true;
-                    figures.push(figure(&mut renderer, attributes, &caption.join("\n"), start));
-                }
-                _ => {}
+    for text in texts {
+        tree::walk(text, &mut |node| {
+            if node.is_directive("figure") {
+                let mut writer = Writer::new(site, labels, diagnostics, ROOT);
+                // The page has no glossary and no notation switch, and its one link leads to the chapter.
+                writer.plain = true;
+                writer.thrun = None;
+                figures.extend(figure(&mut writer, node));
             }
-        }
+        });
     }
     figures
 }
 
-fn figure(renderer: &mut Renderer<'_>, attributes: &Attributes, caption: &str, place: &Place) -> Figure {
+fn figure(writer: &mut Writer<'_>, node: &Node) -> Option<Figure> {
+    let Kind::Piece(Piece::Directive { attributes, .. }) = &node.kind else { return None };
     let value = |key: &str| attributes.value(key).unwrap_or_default().to_string();
     let (id, widget) = (attributes.id.clone().unwrap_or_default(), value("widget"));
-    let stills = &renderer.site.stills;
+    let stills = &writer.site.stills;
     let still = stills.get(&id).or_else(|| stills.get(&widget)).cloned().unwrap_or_default();
-    Figure {
-        label: renderer.labels.get(&id, ROOT).map(|label| label.text).unwrap_or_default(),
-        title: renderer.title(&value("title"), place),
+    let title = writer.title(&value("title"), &node.place);
+    Some(Figure {
+        name: writer.words.trim().to_string(),
+        title,
+        label: writer.labels.get(&id, ROOT).map(|label| label.text).unwrap_or_default(),
         start: attributes.value("start").map(String::from),
-        caption: renderer.blocks(caption, &Place::new(place.file.clone(), place.line + 1)),
+        caption: writer.write(&node.children),
         still: still.svg,
         words: still.words,
         id,
         widget,
-    }
+    })
 }

@@ -2,11 +2,12 @@
 
 use std::collections::BTreeMap;
 
-use pulldown_cmark::{Event, HeadingLevel, Tag};
+use pulldown_cmark::{HeadingLevel, Tag};
 
 use crate::diagnostic::{Diagnostics, Place};
-use crate::document::Document;
-use crate::scan::Piece;
+use crate::directive;
+use crate::piece::Piece;
+use crate::tree::{self, Kind, Node};
 
 /// The label of one id.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,106 +33,21 @@ pub const CHECKS: u8 = 13;
 const RESERVED: [&str; 5] = ["main", "search", "footnotes", "glossary", "numbers"];
 
 impl Labels {
-    /// Numbers everything in `documents`, the sections under `chapter` (no numbers when `None`).
-    pub fn collect(documents: &[Document], chapter: Option<u32>, diagnostics: &Diagnostics) -> Self {
-        let mut labels = Self::default();
+    /// Numbers everything in `texts`, the sections under `chapter` (no numbers when `None`).
+    pub fn collect(texts: &[Vec<Node>], chapter: Option<u32>, diagnostics: &Diagnostics) -> Self {
         let mut counters = Counters { chapter, ..Counters::default() };
-        for document in documents {
-            for (event, place) in document.events() {
-                if let Event::Start(Tag::Heading { level, id, .. }) = event {
-                    labels.heading(level, id.as_deref(), &mut counters, &place, diagnostics);
-                }
-            }
-            labels.pieces(document, &mut counters, diagnostics);
+        let mut collector = Collector { labels: Self::default(), diagnostics };
+        for text in texts {
+            let mut derivation = String::new();
+            tree::walk(text, &mut |node| collector.node(node, &mut counters, &mut derivation));
         }
+        let labels = collector.labels;
         for id in RESERVED {
             if let Some((_, place)) = labels.by_id.get(id) {
                 diagnostics.report(place, format!("the id `{id}` belongs to the page itself"));
             }
         }
         labels
-    }
-
-    fn heading(
-        &mut self,
-        level: HeadingLevel,
-        id: Option<&str>,
-        counters: &mut Counters,
-        place: &Place,
-        diagnostics: &Diagnostics,
-    ) {
-        if !matches!(level, HeadingLevel::H2 | HeadingLevel::H3 | HeadingLevel::H4) {
-            diagnostics.report(place, "headings of a page are ##, ### or ####");
-        }
-        let number = counters.section(level);
-        match id {
-            Some(id) => self.insert(id, "Section", &number, place, diagnostics),
-            None => diagnostics.report(place, "this heading has no {#id}"),
-        }
-    }
-
-    fn pieces(&mut self, document: &Document, counters: &mut Counters, diagnostics: &Diagnostics) {
-        let mut derivation: Option<(String, String, usize)> = None;
-        let mut depth = 0;
-        for (piece, place) in &document.scanned.pieces {
-            match piece {
-                Piece::Directive { name, attributes } => {
-                    depth += 1;
-                    let kind = kind(name);
-                    let number = kind.map(|kind| counters.next(kind)).unwrap_or_default();
-                    let id = attributes.id.clone();
-                    if name == "quiz" {
-                        if let Some(id) = &id {
-                            self.insert(&format!("quiz-{id}"), "Question", &number, place, diagnostics);
-                        }
-                    } else if let Some(id) = &id {
-                        self.insert(id, kind.unwrap_or("here"), &number, place, diagnostics);
-                    }
-                    if name == "derivation" {
-                        derivation = id.map(|id| (id, number, 0));
-                        depth = 1;
-                    }
-                }
-                Piece::End => {
-                    depth -= 1;
-                    if depth == 0 {
-                        derivation = None;
-                    }
-                }
-                Piece::Step { id, .. } => {
-                    if let Some((of, number, step)) = &mut derivation {
-                        *step += 1;
-                        let id = id.clone().unwrap_or_else(|| format!("{of}-step-{step}"));
-                        let text = format!("Derivation\u{a0}{number}, step\u{a0}{step}");
-                        let label = Label { text, number: step.to_string(), href: format!("#{id}") };
-                        self.put(id, label, place, diagnostics);
-                    }
-                }
-                Piece::Open(attributes) => {
-                    if let Some(id) = &attributes.id {
-                        self.insert(id, "here", "", place, diagnostics);
-                    }
-                }
-                _ => {}
-            }
-        }
-    }
-
-    fn insert(&mut self, id: &str, kind: &str, number: &str, place: &Place, diagnostics: &Diagnostics) {
-        let text = match (kind, number) {
-            ("Section", "") | ("here", _) => "here".to_string(),
-            _ => format!("{kind}\u{a0}{number}"),
-        };
-        let label = Label { text, number: number.to_string(), href: format!("#{id}") };
-        self.put(id.to_string(), label, place, diagnostics);
-    }
-
-    fn put(&mut self, id: String, label: Label, place: &Place, diagnostics: &Diagnostics) {
-        if let Some((_, first)) = self.by_id.get(&id) {
-            diagnostics.report(place, format!("the id `{id}` is taken by {first}"));
-        } else {
-            self.by_id.insert(id, (label, place.clone()));
-        }
     }
 
     /// The label of `id`; `check-7` names a check wherever it is asked for, `root` leading to the site's root.
@@ -153,18 +69,63 @@ impl Labels {
     }
 }
 
-/// The word for a numbered directive.
-fn kind(directive: &str) -> Option<&'static str> {
-    Some(match directive {
-        "figure" => "Figure",
-        "derivation" => "Derivation",
-        "definition" => "Definition",
-        "algorithm" => "Algorithm",
-        "exercise" => "Exercise",
-        "equation" => "Equation",
-        "quiz" => "Question",
-        _ => return None,
-    })
+/// Labels in the making.
+struct Collector<'a> {
+    labels: Labels,
+    diagnostics: &'a Diagnostics,
+}
+
+impl Collector<'_> {
+    /// Labels one node; `derivation` is the number of the latest derivation.
+    fn node(&mut self, node: &Node, counters: &mut Counters, derivation: &mut String) {
+        match &node.kind {
+            Kind::Element(Tag::Heading { level, id, .. }) => {
+                if !matches!(level, HeadingLevel::H2 | HeadingLevel::H3 | HeadingLevel::H4) {
+                    self.diagnostics.report(&node.place, "headings of a page are ##, ### or ####");
+                }
+                let number = counters.section(*level);
+                match id {
+                    Some(id) => self.insert(id, "Section", &number, &node.place),
+                    None => self.diagnostics.report(&node.place, "this heading has no {#id}"),
+                }
+            }
+            Kind::Piece(Piece::Directive { name, attributes }) => {
+                let word = directive::word(name);
+                let number = word.map(|word| counters.next(word)).unwrap_or_default();
+                if let Some(id) = &attributes.id {
+                    let id = if name == "quiz" { format!("quiz-{id}") } else { id.clone() };
+                    self.insert(&id, word.unwrap_or_default(), &number, &node.place);
+                }
+                if name == "derivation" {
+                    *derivation = number;
+                }
+            }
+            Kind::Piece(Piece::Step { id: Some(id), number, .. }) => {
+                let text = format!("Derivation\u{a0}{derivation}, step\u{a0}{number}");
+                self.put(id, text, &number.to_string(), &node.place);
+            }
+            Kind::Piece(Piece::Span(attributes)) => {
+                if let Some(id) = &attributes.id {
+                    self.insert(id, "", "", &node.place);
+                }
+            }
+            _ => {}
+        }
+    }
+
+    fn insert(&mut self, id: &str, word: &str, number: &str, place: &Place) {
+        let text = if number.is_empty() { "here".to_string() } else { format!("{word}\u{a0}{number}") };
+        self.put(id, text, number, place);
+    }
+
+    fn put(&mut self, id: &str, text: String, number: &str, place: &Place) {
+        if let Some((_, first)) = self.labels.by_id.get(id) {
+            self.diagnostics.report(place, format!("the id `{id}` is taken by {first}"));
+        } else {
+            let label = Label { text, number: number.to_string(), href: format!("#{id}") };
+            self.labels.by_id.insert(id.to_string(), (label, place.clone()));
+        }
+    }
 }
 
 /// Numbers given out so far.
@@ -203,13 +164,13 @@ impl Counters {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::parse::parse;
 
     fn labels(texts: &[&str]) -> (Labels, String) {
         let diagnostics = Diagnostics::default();
         let name = |i| Place::new(format!("{i}.md"), 1);
-        let documents: Vec<_> =
-            texts.iter().enumerate().map(|(i, text)| Document::new(text, &name(i), &diagnostics)).collect();
-        let labels = Labels::collect(&documents, Some(15), &diagnostics);
+        let texts: Vec<_> = texts.iter().enumerate().map(|(i, text)| parse(text, &name(i), &diagnostics)).collect();
+        let labels = Labels::collect(&texts, Some(15), &diagnostics);
         (labels, diagnostics.check().err().map(|error| error.to_string()).unwrap_or_default())
     }
 

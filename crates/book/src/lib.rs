@@ -1,23 +1,25 @@
 //! Builds the site from content/, the labs and the compiled sources.
 //!
-//! A page goes through four hands: `scan` takes out of its Markdown what CommonMark does not know, `label` numbers its
-//! elements, `render` (with `piece`, `directive` and `question`) writes its HTML, `page` puts that into the template.
+//! A page is made in five steps. `scan` takes out of its Markdown what CommonMark does not know and leaves marks; `parse`
+//! builds a tree of CommonMark's elements and these pieces; `label` numbers what the tree holds; `writer` (with `inline`,
+//! `block` and `question`) writes the tree as HTML, and the words for the search beside it; `page` puts both together.
 //! What is wrong with the content is collected in [`Diagnostics`] and reported at once, each complaint with its file and
 //! line.
 
 mod asset;
 mod attributes;
+mod block;
+mod build;
 mod check;
 mod code;
 mod config;
 mod diagnostic;
 mod directive;
 mod dist;
-mod document;
-mod environment;
 mod figure;
 mod glossary;
 mod html;
+mod inline;
 mod label;
 mod link;
 mod markup;
@@ -25,11 +27,11 @@ mod matter;
 mod number;
 mod output;
 mod page;
+mod parse;
 mod piece;
 mod question;
 mod quiz;
 mod reference;
-mod render;
 mod scan;
 mod site;
 mod slim;
@@ -38,18 +40,21 @@ mod still;
 mod syntax;
 mod template;
 mod tex;
+mod tree;
+mod writer;
 
 pub use asset::Assets;
+pub use build::Build;
 pub use check::Check;
 pub use config::{Chapter, Config, Page};
 pub use diagnostic::{BuildError, Diagnostic, Diagnostics, Place};
-pub use dist::{Build, Dist};
+pub use dist::Dist;
 pub use figure::Figure;
 pub use label::{Label, Labels};
 pub use number::{Format, Number, Numbers};
 pub use output::Outputs;
 pub use page::{Found, Section, Text, files, text};
-pub use render::{Heading, Used};
 pub use site::Site;
 pub use source::{Listing, Sources};
 pub use still::{Still, Stills, WIDGETS, load as load_stills};
+pub use writer::{Heading, Used};

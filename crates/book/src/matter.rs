@@ -1,21 +1,21 @@
 //! End matter of a page: references, footnotes, terms, and where the numbers come from.
 
 use std::collections::BTreeMap;
-use std::fmt::Write;
+
+use minijinja::context;
 
 use crate::diagnostic::Place;
-use crate::html::escape;
-use crate::render::Renderer;
-use crate::tex::Style;
+use crate::syntax;
+use crate::template::safe;
+use crate::writer::Writer;
 
-impl Renderer<'_> {
+impl Writer<'_> {
     /// Every work of `references.toml`, by author and year.
-    pub(crate) fn reference_list(&self) -> String {
+    pub(crate) fn reference_list(&mut self) -> String {
         let mut works: Vec<_> = self.site.references.iter().collect();
         works.sort_by_key(|(_, work)| work.label().to_lowercase());
-        let items =
-            works.into_iter().map(|(key, work)| format!("<li id=\"ref-{}\">{}</li>\n", escape(key), work.entry()));
-        format!("<ul class=\"reference-list\">\n{}</ul>\n", items.collect::<String>())
+        let works: Vec<_> = works.into_iter().map(|(key, work)| (key.clone(), safe(work.entry()))).collect();
+        self.fill("references", context! { works }, &Place::new("content/references.toml", 1))
     }
 
     /// The sections after the text.
@@ -24,13 +24,20 @@ impl Renderer<'_> {
         // The glosses may use numbers and terms themselves, so they come before the numbers.
         let glossary = self.glossary();
         if !self.used.listed_references && !self.used.references.is_empty() {
-            html += &section("references", "References", &self.reference_list());
+            let list = self.reference_list();
+            html += &self.section("references", "References", list);
         }
         let notes = self.footnotes();
         if !notes.is_empty() {
-            html += &section("footnotes", "Notes", &format!("<ol class=\"footnote-list\">{}</ol>", notes.concat()));
+            let list = format!("<ol class=\"footnote-list\">{}</ol>", notes.concat());
+            html += &self.section("footnotes", "Notes", list);
         }
-        html + &glossary + &self.number_list()
+        html += &glossary;
+        html + &self.number_list()
+    }
+
+    fn section(&mut self, id: &str, title: &str, body: String) -> String {
+        self.fill("end", context! { id, title, body => safe(body) }, &Place::new(title, 1))
     }
 
     fn glossary(&mut self) -> String {
@@ -44,68 +51,45 @@ impl Renderer<'_> {
             return String::new();
         }
         let entries: String = entries.into_values().collect();
-        section("glossary", "Terms", &format!("<dl class=\"glossary\">{entries}</dl>"))
+        self.section("glossary", "Terms", format!("<dl class=\"glossary\">{entries}</dl>"))
     }
 
     fn gloss(&mut self, key: &str) -> String {
         let Some(term) = self.site.glossary.get(key) else { return String::new() };
-        let gloss = self.inline(&term.gloss.markdown, &term.gloss.place);
-        let mut symbols = Vec::new();
-        for (name, tex) in [("Choset", &term.choset), ("Thrun", &term.thrun)] {
-            if !tex.is_empty() {
-                symbols.push(format!("{name} {}", self.formula(tex, Style::Inline, &term.gloss.place)));
-            }
-        }
-        let symbols = match symbols.is_empty() {
-            true => String::new(),
-            false => format!(" <span class=\"gloss-notation\">{}</span>", symbols.join(" · ")),
-        };
-        let kin = term.kin.as_ref().map(|kin| format!(" data-kin=\"{kin}\"")).unwrap_or_default();
-        format!(
-            "<div class=\"gloss\" id=\"gloss-{}\"{kin}><dt>{}</dt><dd>{gloss}{symbols}</dd></div>\n",
-            escape(key),
-            escape(&term.name)
+        let place = &term.gloss.place;
+        let gloss = safe(self.inline(&term.gloss.markdown, place));
+        let symbols = [("Choset", &term.choset), ("Thrun", &term.thrun)].into_iter().filter(|(_, tex)| !tex.is_empty());
+        let symbols = symbols.map(|(name, tex)| {
+            let tex = self.diagnostics.ok(place, syntax::formula(tex)).unwrap_or_default();
+            format!("{name} {}", self.symbol(&tex, place))
+        });
+        let symbols = safe(symbols.collect::<Vec<_>>().join(" · "));
+        self.fill(
+            "gloss",
+            context! { key => key.to_string(), kin => term.kin.clone(), name => term.name.clone(), gloss, symbols },
+            place,
         )
     }
 
     fn number_list(&mut self) -> String {
-        let mut entries = String::new();
-        for id in &self.used.numbers {
-            let Ok(number) = self.site.numbers.get(id) else { continue };
-            let place = Place::new(number.source.clone(), 1);
-            let source = self.diagnostics.ok(&place, self.site.sources.function(&number.source));
-            let source = source.map(|(path, line)| {
-                format!(
-                    " <a class=\"number-source\" href=\"{}\"><code>{}</code></a>",
-                    self.source_href(path, line),
-                    escape(&number.source)
-                )
-            });
-            let check = number.check.map(|check| {
-                format!(" <a class=\"number-check\" href=\"{}check/#check-{check}\">Check\u{a0}{check}</a>", self.root)
-            });
-            let _ = writeln!(
-                entries,
-                "<div class=\"number-entry\" id=\"number-{0}\"><dt><code>{0}</code> <span class=\"number-value\">{1}</span></dt><dd>{2}.{3}{4}</dd></div>",
-                escape(id),
-                number.value,
-                escape(number.about.trim_end_matches('.')),
-                source.unwrap_or_default(),
-                check.unwrap_or_default()
-            );
-        }
-        if entries.is_empty() {
+        let used: Vec<_> = self.used.numbers.iter().filter_map(|id| self.site.numbers.get(id).ok()).collect();
+        if used.is_empty() {
             return String::new();
         }
-        let count = self.used.numbers.len();
-        let summary = format!("The {count} computed {} of this page", if count == 1 { "number" } else { "numbers" });
-        let list = format!("<details class=\"numbers\"><summary>{summary}</summary><dl>\n{entries}</dl></details>");
-        section("numbers", "Where the numbers come from", &list)
+        let entries = used.into_iter().map(|number| {
+            let place = Place::new(number.source.clone(), 1);
+            let source = self.diagnostics.ok(&place, self.site.sources.function(&number.source));
+            context! {
+                id => number.id.clone(),
+                value => number.value.to_string(),
+                about => number.about.trim_end_matches('.'),
+                source => source.map(|_| &number.source),
+                href => source.map(|(path, line)| safe(self.source_href(path, line))),
+                check => number.check,
+            }
+        });
+        let entries: Vec<_> = entries.collect();
+        let list = self.fill("numbers", context! { entries, root => self.root }, &Place::new("numbers", 1));
+        self.section("numbers", "Where the numbers come from", list.trim_end().to_string())
     }
-}
-
-fn section(id: &str, title: &str, body: &str) -> String {
-    format!(
-        "<section class=\"end-matter end-{id}\" data-part=\"{id}\" id=\"{id}\"><h2>{title}</h2>\n{body}</section>\n"
-    )
 }

@@ -1,17 +1,16 @@
 //! Pages: a chapter or a single file rendered, with what goes around it.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 
 use serde::Serialize;
 
 use crate::diagnostic::{BuildError, Diagnostics, Place};
-use crate::document::Document;
 use crate::figure::{self, Figure};
-use crate::html;
 use crate::label::Labels;
-use crate::render::{Heading, Renderer, Used};
+use crate::parse::parse;
 use crate::site::Site;
+use crate::tree::Node;
+use crate::writer::{Heading, Used, Writer};
 
 /// A rendered text, before the template.
 #[derive(Debug, Default)]
@@ -82,22 +81,27 @@ pub fn text(
     address: &str,
     diagnostics: &Diagnostics,
 ) -> Text {
-    let document = |(path, text): &(String, String)| Document::new(text, &Place::new(path.clone(), 1), diagnostics);
-    let documents: Vec<Document> = files.iter().map(document).collect();
-    let labels = Labels::collect(&documents, chapter, diagnostics);
-    let figures = figure::figures(site, files, &documents, &labels, diagnostics);
+    let parse = |(path, text): &(String, String)| parse(text, &Place::new(path.clone(), 1), diagnostics);
+    let texts: Vec<Vec<Node>> = files.iter().map(parse).collect();
+    let labels = Labels::collect(&texts, chapter, diagnostics);
     let root = root_of(address);
-    let mut renderer = Renderer::new(site, &labels, diagnostics, &root);
+    let mut writer = Writer::new(site, &labels, diagnostics, &root);
     let mut body = String::new();
-    for (document, (path, _)) in documents.iter().zip(files) {
-        body += &format!("<section data-part=\"{}\">\n{}</section>\n", part(path), renderer.document(document));
+    for (text, (path, _)) in texts.iter().zip(files) {
+        body += &format!("<section data-part=\"{}\">\n{}</section>\n", part(path), writer.write(text));
     }
-    let search = search(&body, &renderer.headings, address);
-    let end = renderer.end_matter();
-    let mut thrun: Vec<(String, usize)> = renderer.thrun.into_iter().collect();
+    let search = search(&writer, address);
+    body += &writer.end_matter();
+    let mut thrun: Vec<(String, usize)> = writer.thrun.take().unwrap_or_default().into_iter().collect();
     thrun.sort_by_key(|(_, n)| *n);
-    let thrun = thrun.into_iter().map(|(html, _)| html).collect();
-    Text { body: body + &end, contents: contents(&renderer.headings), search, used: renderer.used, thrun, figures }
+    Text {
+        body,
+        contents: contents(&writer.headings),
+        search,
+        used: writer.used,
+        thrun: thrun.into_iter().map(|(html, _)| html).collect(),
+        figures: figure::figures(site, &texts, &labels, diagnostics),
+    }
 }
 
 /// The name of a part of a text: its file's, without folder, order and ending. `web/heights.json` knows it by this name.
@@ -123,31 +127,20 @@ fn contents(headings: &[Heading]) -> Vec<Section> {
     sections
 }
 
-fn search(body: &str, headings: &[Heading], address: &str) -> Vec<Found> {
-    let sections = sections(body);
-    let found = |heading: &Heading| Found {
+/// What the search finds in the text written so far: each heading with the words up to the next.
+fn search(writer: &Writer<'_>, address: &str) -> Vec<Found> {
+    let words = |from: usize, to: usize| {
+        writer.words.get(from..to).unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ")
+    };
+    let ends = writer.headings.iter().skip(1).map(|next| next.words.0).chain([writer.words.len()]);
+    let found = |(heading, end): (&Heading, usize)| Found {
         id: format!("{address}#{}", heading.id),
         page: address.to_string(),
-        title: html::words(&heading.html),
+        title: words(heading.words.0, heading.words.1),
         section: heading.number.clone(),
-        text: sections.get(&heading.id).cloned().unwrap_or_default(),
+        text: words(heading.words.1, end),
     };
-    headings.iter().map(found).collect()
-}
-
-/// The words of each section by the id of its heading.
-fn sections(body: &str) -> BTreeMap<String, String> {
-    let mut starts: Vec<usize> =
-        ["<h2 id=\"", "<h3 id=\""].iter().flat_map(|tag| body.match_indices(tag)).map(|(at, _)| at).collect();
-    starts.sort_unstable();
-    let ends = starts.iter().skip(1).copied().chain([body.len()]);
-    let section = |(start, end): (usize, usize)| {
-        let id = body[start + 8..].split('"').next().unwrap_or_default().to_string();
-        let text = &body[start..end];
-        let text = text.find("</h").map_or(text, |heading| &text[heading + 5..]);
-        (id, html::words(text))
-    };
-    starts.iter().copied().zip(ends).map(section).collect()
+    writer.headings.iter().zip(ends).map(found).collect()
 }
 
 #[cfg(test)]

@@ -2,12 +2,15 @@
 //! script makes the controls when the question comes near the screen: a browser lays out every part of the page that holds
 //! a form control as soon as the page is read, however far below the screen it is.
 
-use crate::diagnostic::Place;
-use crate::html::escape;
-use crate::quiz::{Answer, Choice, Quiz};
-use crate::render::Renderer;
+use minijinja::{Value, context};
 
-impl Renderer<'_> {
+use crate::config::Text;
+use crate::diagnostic::Place;
+use crate::quiz::{Answer, Choice, Quiz};
+use crate::template::safe;
+use crate::writer::Writer;
+
+impl Writer<'_> {
     /// The quiz called `id`, asked at `place`.
     pub(crate) fn quiz(&mut self, id: &str, place: &Place) -> String {
         let quiz = self.site.quizzes.get(id).ok_or_else(|| format!("unknown quiz `{id}`"));
@@ -17,73 +20,49 @@ impl Renderer<'_> {
         }
         let unlocks = quiz.unlocks.as_ref().map(|figure| {
             self.diagnostics.ok(&figure.place, self.labels.get(&figure.markdown, self.root));
-            format!(" data-unlocks=\"{}\"", escape(&figure.markdown))
+            &figure.markdown
         });
-        let title = quiz
-            .title
-            .as_ref()
-            .map(|title| format!(" <span class=\"title\">{}</span>", self.title(&title.markdown, &title.place)));
-        let prompt = self.blocks(&quiz.prompt.markdown, &quiz.prompt.place);
-        let (kind, entry, reasons) = match &quiz.answer {
+        let title = quiz.title.as_ref().map(|title| safe(self.title(&title.markdown, &title.place)));
+        let prompt = self.part(&quiz.prompt);
+        let answer = match &quiz.answer {
             Answer::Choice(choices) => self.choices(choices),
             Answer::Number { .. } => self.value(quiz),
         };
-        let why = self.blocks(&quiz.why.markdown, &quiz.why.place);
-        format!(
-            "<form class=\"quiz\" id=\"quiz-{0}\" data-quiz=\"{0}\" data-kind=\"{kind}\" data-hash=\"{1:016x}\"{2}>\
-             <fieldset><legend><span class=\"label\">Predict first</span>{3}</legend><div class=\"quiz-prompt\">{prompt}</div>{entry}</fieldset>\
-             <p class=\"quiz-actions\" data-needs-js hidden></p><div class=\"quiz-verdict\" role=\"status\"></div>\
-             <details class=\"quiz-answer\"><summary>Answer</summary><div class=\"details-body\">{reasons}\
-             <div class=\"quiz-why\">{why}</div></div></details></form>\n",
-            escape(id),
-            quiz.hash,
-            unlocks.unwrap_or_default(),
-            title.unwrap_or_default(),
-        )
+        let why = self.part(&quiz.why);
+        let hash = format!("{:016x}", quiz.hash);
+        self.fill("quiz", context! { id, hash, unlocks, title, prompt, why, ..answer }, place)
     }
 
-    fn choices(&mut self, choices: &[Choice]) -> (&'static str, String, String) {
-        let (mut entry, mut reasons) = (String::new(), String::new());
-        for (i, choice) in choices.iter().enumerate() {
-            let text = self.title(&choice.text.markdown, &choice.text.place);
-            let why = self.blocks(&choice.why.markdown, &choice.why.place);
-            entry += &format!("<label class=\"quiz-choice\"><span>{text}</span></label>");
-            let right = if choice.right { " data-right" } else { "" };
-            reasons += &format!(
-                "<li data-choice=\"{i}\"{right}><span class=\"quiz-reason-choice\">{text}</span> <div class=\"quiz-reason\">{why}</div></li>"
-            );
-        }
-        (
-            "choice",
-            format!("<div class=\"quiz-choices\">{entry}</div>"),
-            format!("<ul class=\"quiz-reasons\">{reasons}</ul>"),
-        )
+    /// A part of the quiz, in paragraphs.
+    fn part(&mut self, text: &Text) -> Value {
+        safe(self.blocks(&text.markdown, &text.place))
     }
 
-    fn value(&mut self, quiz: &Quiz) -> (&'static str, String, String) {
-        let Answer::Number { id, value, tolerance, format, unit, near } = &quiz.answer else {
-            return ("number", String::new(), String::new());
+    fn choices(&mut self, choices: &[Choice]) -> Value {
+        let choice = |choice: &Choice| {
+            let text = safe(self.title(&choice.text.markdown, &choice.text.place));
+            context! { text, right => choice.right, why => self.part(&choice.why) }
         };
-        let unit =
-            if unit.is_empty() { String::new() } else { format!(" <span class=\"quiz-unit\">{}</span>", escape(unit)) };
-        let entry = format!("<p class=\"quiz-number\"><label>Your answer </label>{unit}</p>");
+        context! { kind => "choice", choices => choices.iter().map(choice).collect::<Vec<_>>() }
+    }
+
+    fn value(&mut self, quiz: &Quiz) -> Value {
+        let Answer::Number { id, value, tolerance, format, unit, near } = &quiz.answer else { return context! {} };
         self.used.numbers.insert(id.clone());
-        let print = |value: f64| format.html(value).unwrap_or_default();
-        let link =
-            format!("<a class=\"number\" href=\"#number-{0}\" data-number=\"{0}\">{1}</a>", escape(id), print(*value));
-        let mut reasons = String::new();
-        for near in near {
-            let why = self.blocks(&near.why.markdown, &near.why.place);
-            reasons += &format!(
-                "<li data-value=\"{}\" data-tolerance=\"{tolerance}\"><span class=\"quiz-reason-choice\">{}</span> <div class=\"quiz-reason\">{why}</div></li>",
-                near.value,
-                print(near.value)
-            );
+        let print = |value: f64| safe(format.html(value).unwrap_or_default());
+        let near = near.iter().map(|near| {
+            let (value, printed) = (near.value.to_string(), print(near.value));
+            context! { value, printed, why => self.part(&near.why) }
+        });
+        let near: Vec<_> = near.collect();
+        context! {
+            kind => "number",
+            number => id,
+            value => value.to_string(),
+            printed => print(*value),
+            tolerance => tolerance.to_string(),
+            unit,
+            near,
         }
-        let reasons = if reasons.is_empty() { reasons } else { format!("<ul class=\"quiz-reasons\">{reasons}</ul>") };
-        let answer = format!(
-            "<p class=\"quiz-value\" data-value=\"{value}\" data-tolerance=\"{tolerance}\">{link}{unit}</p>{reasons}"
-        );
-        ("number", entry, answer)
     }
 }

@@ -37,7 +37,7 @@ pub struct Reference {
 }
 
 impl Reference {
-    /// "Kalman 1960", as HTML.
+    /// "Kalman 1960".
     pub fn label(&self) -> String {
         let last: Vec<&str> = self.authors.iter().map(|name| name.rsplit(' ').next().unwrap_or(name)).collect();
         let names = match last.as_slice() {
@@ -47,7 +47,7 @@ impl Reference {
             [one, two] => format!("{one} and {two}"),
             [first, ..] => format!("{first} et al."),
         };
-        format!("{}\u{a0}{}", escape(&names), self.year)
+        format!("{names}\u{a0}{}", self.year)
     }
 
     /// The entry of the list, as HTML.

@@ -13,6 +13,7 @@ use crate::quiz::{self, Quiz};
 use crate::reference::References;
 use crate::source::Sources;
 use crate::still::Stills;
+use crate::template::Blocks;
 use crate::tex::Typesetter;
 
 /// The data a page draws on.
@@ -39,6 +40,8 @@ pub struct Site {
     pub stills: Stills,
     /// Colours code.
     pub highlighter: Highlighter,
+    /// What the blocks look like.
+    pub blocks: Blocks,
 }
 
 impl Site {
@@ -64,6 +67,7 @@ impl Site {
             quizzes: quiz::quizzes(&data("quizzes.toml")?, &numbers, diagnostics),
             sources: Sources::load(root)?,
             highlighter: Highlighter::default(),
+            blocks: Blocks::default(),
             config,
             numbers,
             outputs,

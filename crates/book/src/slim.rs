@@ -1,10 +1,16 @@
 //! KaTeX's answer made slim: the same picture from a third of the elements.
 //!
-//! The drawn half loses what no style rule looks at, its spaces become margins of the sign beside them, and an exponent
-//! or index that stands alone becomes one `sup` or `sub` where KaTeX lays out a table of seven boxes. The read half
-//! (MathML) loses what only a drawing would need. `web/style/formulas.css` knows the elements this makes.
+//! In the half that is drawn, elements go that no style rule mentions, spaces become margins of the sign beside them, and an
+//! exponent or index that stands alone becomes one `sup` or `sub` where KaTeX lays out a table of seven boxes. The half that
+//! is read is `mathml`'s. What is one symbol is text (`symbol`). `web/style/formulas.css` knows the elements this makes.
+
+mod mathml;
+mod script;
+mod symbol;
 
 use crate::markup::{Element, Node, em, length, parse, write};
+use mathml::read;
+use script::{accent, script};
 
 /// Classes that no style rule mentions.
 const INERT: [&str; 10] = ["mord", "mopen", "mclose", "mbin", "mrel", "mpunct", "minner", "mop", "mtight", "enclosing"];
@@ -12,36 +18,43 @@ const INERT: [&str; 10] = ["mord", "mopen", "mclose", "mbin", "mrel", "mpunct", 
 /// Whose children the style rules count on, so that these stay what they are.
 const STRICT: [&str; 8] = ["hat", "delim-size1", "delim-size4", "katex-inner", "clap", "llap", "rlap", "mfrac"];
 
-/// Attributes of MathML that change the drawing only.
-const DRAWN: [&str; 14] = [
-    "stretchy",
-    "separator",
-    "fence",
-    "lspace",
-    "rspace",
-    "minsize",
-    "maxsize",
-    "rowspacing",
-    "columnspacing",
-    "columnalign",
-    "width",
-    "height",
-    "voffset",
-    "accent",
-];
+/// A formula in one notation.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reading {
+    /// MathML to read and spans to look at, or plain text where that says it all.
+    pub html: String,
+    /// Its letters, for the search.
+    pub letters: String,
+    /// Whether it is plain text, without boxes.
+    pub plain: bool,
+}
 
-/// Elements of MathML whose children stand in a row of their own accord.
-const ROWS: [&str; 7] = ["math", "semantics", "mrow", "mtd", "mstyle", "mpadded", "msqrt"];
-
-/// `html` as KaTeX wrote it, slim.
-pub fn slim(html: &str) -> String {
+/// A formula as KaTeX wrote it, slim.
+pub fn slim(html: &str) -> Reading {
     let mut nodes = parse(html);
-    for node in &mut nodes {
-        visit(node);
+    nodes.iter_mut().for_each(visit);
+    let mut letters = String::new();
+    nodes.iter().for_each(|node| collect(node, &mut letters));
+    let letters = letters.replace("&lt;", "<").replace("&gt;", ">").replace("&amp;", "&");
+    let symbol = symbol::symbol(&nodes);
+    let plain = symbol.is_some();
+    if let Some(symbol) = symbol {
+        nodes = vec![symbol];
     }
     let mut out = String::with_capacity(html.len() / 2);
     nodes.iter().for_each(|node| write(node, &mut out));
-    out
+    Reading { html: out, letters, plain }
+}
+
+/// Adds the letters of the MathML in `node`.
+fn collect(node: &Node, letters: &mut String) {
+    match node {
+        Node::Text(text) => letters.push_str(text),
+        Node::Element(element) if !element.has("katex-html") => {
+            element.children.iter().for_each(|child| collect(child, letters));
+        }
+        Node::Element(_) => {}
+    }
 }
 
 fn visit(node: &mut Node) {
@@ -54,47 +67,6 @@ fn visit(node: &mut Node) {
         element.children.iter_mut().for_each(visit);
     }
 }
-
-// The half that is read.
-
-fn read(element: &mut Element) {
-    element.rest.retain(|(name, value)| {
-        name != "xmlns"
-            && !DRAWN.contains(&name.as_str())
-            && (name.as_str(), value.as_str()) != ("mathvariant", "normal")
-    });
-    let row = ROWS.contains(&element.name.as_str());
-    let mut children = Vec::new();
-    for mut child in std::mem::take(&mut element.children) {
-        if let Node::Element(inner) = &mut child {
-            read(inner);
-            let bare = inner.classes.is_empty() && inner.rest.iter().all(|(name, _)| STYLED.contains(&name.as_str()));
-            let fence = matches!(inner.name.as_str(), "semantics")
-                || matches!(inner.name.as_str(), "mrow" | "mstyle" | "mpadded") && bare;
-            let blank = matches!(inner.name.as_str(), "mspace" | "mtext") && inner.children.iter().all(is_blank);
-            match inner.name.as_str() {
-                "annotation" => continue,
-                _ if row && blank => continue,
-                _ if fence && (row || inner.children.len() == 1) => {
-                    children.append(&mut inner.children);
-                    continue;
-                }
-                _ => {}
-            }
-        }
-        children.push(child);
-    }
-    element.children = children;
-}
-
-/// Attributes of `mstyle` that change the drawing only.
-const STYLED: [&str; 3] = ["scriptlevel", "displaystyle", "mathsize"];
-
-fn is_blank(node: &Node) -> bool {
-    matches!(node, Node::Text(text) if text.chars().all(char::is_whitespace))
-}
-
-// The half that is drawn.
 
 /// `strict`: the style rules count on the elements among `element`'s children.
 fn draw(element: &mut Element, strict: bool) {
@@ -235,94 +207,6 @@ fn hang(place: &mut Node) {
     }
 }
 
-/// The places of a list that KaTeX lays out as a table: each a strut of a known height with what stands on it.
-fn places(table: &Element) -> Option<Vec<(&Element, f64, &Element)>> {
-    let rows: Vec<&Element> = table.children.iter().filter_map(Node::element).collect();
-    let list = rows.first()?.children.iter().find_map(|child| child.element().filter(|cell| cell.has("vlist")))?;
-    let below = rows.get(1).and_then(|row| row.children.first()?.element());
-    let nothing = |cell: &Element| cell.children.iter().all(|it| it.element().is_some_and(|it| it.children.is_empty()));
-    if !table.has("vlist-t") || rows.len() > 2 || !below.is_none_or(nothing) {
-        return None;
-    }
-    list.children.iter().map(|node| node.element().and_then(place)).collect()
-}
-
-fn place(place: &Element) -> Option<(&Element, f64, &Element)> {
-    let [Node::Element(strut), Node::Element(content)] = place.children.as_slice() else { return None };
-    let raised = -(em(place.get("top")?)? + em(strut.get("height")?)?);
-    strut.has("pstrut").then_some((place, raised, content))
-}
-
-/// A letter under its hat: two boxes in one place instead of a table.
-fn accent(element: &Element) -> Option<Element> {
-    let [Node::Element(table)] = element.children.as_slice() else { return None };
-    if !element.has("katex-accent") {
-        return None;
-    }
-    let places = places(table)?;
-    let [(_, low, letter), (_, high, hat)] = places.as_slice() else { return None };
-    if !hat.has("accent-body") || hat.has("accent-full") || low.abs() > 1e-9 {
-        return None;
-    }
-    let mut hat = (*hat).clone();
-    if (high - low).abs() > 1e-9 {
-        hat.style.push(("top".into(), length(low - high)));
-    } else if let Some(left) = hat.get("left").and_then(em) {
-        // A box in the middle goes half its margin to the side.
-        hat.style = vec![("margin-left".into(), length(2.0 * left))];
-    }
-    let children = vec![Node::Element((*letter).clone()), Node::Element(hat)];
-    Some(Element { name: "span".into(), classes: vec!["hat".into()], children, ..Element::default() })
-}
-
-/// An exponent or an index alone: one element instead of a table.
-fn script(element: &Element) -> Option<Element> {
-    let [Node::Element(table)] = element.children.as_slice() else { return None };
-    if element.classes != ["msupsub"] {
-        return None;
-    }
-    let places = places(table)?;
-    let [(place, raised, content)] = places.as_slice() else { return None };
-    let raised = *raised;
-    if !content.has("katex-sizing") {
-        return None;
-    }
-    let size = |prefix: &str| {
-        content
-            .classes
-            .iter()
-            .find_map(|class| class.strip_prefix(prefix)?.parse::<usize>().ok())
-            .and_then(|n| SIZES.get(n))
-    };
-    let scale = size("size")? / size("reset-size")?;
-    let mut script = Element { name: if raised > 0.0 { "sup" } else { "sub" }.into(), ..Element::default() };
-    let usual = if raised > 0.0 { RAISED } else { LOWERED };
-    if (raised - usual).abs() > 1e-9 || (scale - SCALE).abs() > 1e-9 {
-        script.style.push(("vertical-align".into(), length(raised / scale)));
-    }
-    if (scale - SCALE).abs() > 1e-9 {
-        script.style.push(("font-size".into(), length(scale)));
-    }
-    let right = place.get("margin-right").and_then(em).unwrap_or_default();
-    if (right - GAP).abs() > 1e-9 || (scale - SCALE).abs() > 1e-9 {
-        script.style.push(("margin-right".into(), length(right / scale)));
-    }
-    match place.get("margin-left").and_then(em) {
-        Some(left) if left != 0.0 => script.style.push(("margin-left".into(), length(left / scale))),
-        _ => {}
-    }
-    script.children = content.children.clone();
-    Some(script)
-}
-
-/// KaTeX's font sizes, of `size1` to `size11`, in ems.
-const SIZES: [f64; 12] = [0.0, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 1.44, 1.728, 2.074, 2.488];
-/// What `formulas.css` says of `sup` and `sub`: size, place and the space after, the latter two in the parent's ems.
-const SCALE: f64 = 0.7;
-const RAISED: f64 = 0.363;
-const LOWERED: f64 = -0.15;
-const GAP: f64 = 0.05;
-
 /// Neighbours that look alike become one.
 fn join(children: &mut Vec<Node>) {
     let mut out: Vec<Node> = Vec::with_capacity(children.len());
@@ -350,14 +234,14 @@ mod tests {
     fn attributes_are_in_one_order_whatever_the_hash_map_says() {
         let tag = "<g rspace=\"0em\" lspace=\"0em\">+ x &lt; y</g><path style=\"top:-1em;left:0.5em;\" d='M 0 1' class=\"a b\" aria-hidden=\"true\"/>";
         let sorted = "<g lspace=\"0em\" rspace=\"0em\">+ x &lt; y</g><path class=\"a b\" style=\"left:.5em;top:-1em\" aria-hidden=\"true\" d=\"M 0 1\"></path>";
-        assert_eq!(slim(tag), sorted);
+        assert_eq!(slim(tag).html, sorted);
     }
 
     #[test]
     fn signs_keep_their_distances_and_lose_their_boxes() {
         let drawn = "<span class=\"katex-html\"><span class=\"katex-base\"><span class=\"katex-strut\" style=\"height:0.5em;vertical-align:-0.1em;\"></span><span class=\"mord mathnormal\">a</span><span class=\"mord mathnormal\" style=\"margin-right:0.05em;\">b</span><span class=\"mspace\" style=\"margin-right:0.2222em;\"></span><span class=\"mbin\">+</span><span class=\"mspace\" style=\"margin-right:0.2222em;\"></span><span class=\"mord\">1</span><span class=\"mclose\">)</span></span></span>";
         assert_eq!(
-            slim(drawn),
+            slim(drawn).html,
             "<span class=\"katex-html\"><span class=\"katex-base\" style=\"--h:.5em;--d:-.1em\"><i style=\"margin-right:.05em\">ab</i><span class=\"mbin\">+</span>1)</span></span>"
         );
     }
@@ -365,14 +249,14 @@ mod tests {
     #[test]
     fn an_exponent_alone_is_one_element() {
         let drawn = "<span class=\"katex-html\"><span class=\"msupsub\"><span class=\"vlist-t\"><span class=\"vlist-r\"><span class=\"vlist\" style=\"height:0.8141em;\"><span style=\"top:-3.063em;margin-right:0.05em;\"><span class=\"pstrut\" style=\"height:2.7em;\"></span><span class=\"katex-sizing reset-size6 size3 mtight\"><span class=\"mord mtight\">2</span></span></span></span></span></span></span></span>";
-        assert_eq!(slim(drawn), "<span class=\"katex-html\"><sup>2</sup></span>");
+        assert_eq!(slim(drawn).html, "<span class=\"katex-html\"><sup>2</sup></span>");
     }
 
     #[test]
     fn the_read_half_loses_only_what_a_drawing_needs() {
         let read = "<math xmlns=\"http://www.w3.org/1998/Math/MathML\"><semantics><mrow><mi mathvariant=\"bold\">x</mi><mo stretchy=\"false\">(</mo><mtext> </mtext><msup><mrow><mi>a</mi><mi>b</mi></mrow><mrow><mn>2</mn></mrow></msup></mrow><annotation encoding=\"application/x-tex\">x</annotation></semantics></math>";
         assert_eq!(
-            slim(read),
+            slim(read).html,
             "<math><mi mathvariant=\"bold\">x</mi><mo>(</mo><msup><mrow><mi>a</mi><mi>b</mi></mrow><mn>2</mn></msup></math>"
         );
     }

@@ -25,63 +25,22 @@ pub type Stills = BTreeMap<String, Still>;
 /// # Errors
 /// [`BuildError`] when a file is missing under `strict`, or cannot be read.
 pub fn load(folder: &Path, strict: bool) -> Result<Stills, BuildError> {
+    let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
+    let drawn = entries.filter_map(|entry| entry.file_name().to_str()?.strip_suffix(".svg").map(String::from));
+    let names: BTreeSet<String> = drawn.chain(WIDGETS.map(String::from)).collect();
     let mut stills = Stills::new();
-    let mut names: BTreeSet<String> = WIDGETS.map(String::from).into();
-    if let Ok(entries) = std::fs::read_dir(folder) {
-        let drawn = entries.flatten().filter_map(|entry| entry.file_name().into_string().ok());
-        names.extend(drawn.filter_map(|name| name.strip_suffix(".svg").map(String::from)));
-    }
     for name in names {
-        let read = |extension: &str| {
-            let path = folder.join(format!("{name}.{extension}"));
-            match path.exists() {
-                true => std::fs::read_to_string(&path)
-                    .map(Some)
-                    .map_err(|e| BuildError::File(path.display().to_string(), e)),
-                false if strict => {
-                    Err(BuildError::Missing(format!("no still {}: run `node web/stills.mjs`", path.display())))
-                }
-                false => Ok(None),
+        let [svg, words] = ["svg", "txt"].map(|extension| folder.join(format!("{name}.{extension}")));
+        if let Some(missing) = [&svg, &words].into_iter().find(|path| !path.exists()) {
+            if strict {
+                let message = format!("no still {}: run `node web/stills.mjs`", missing.display());
+                return Err(BuildError::Missing(message));
             }
-        };
-        if let (Some(svg), Some(words)) = (read("svg")?, read("txt")?) {
-            stills.insert(name, Still { svg: prepare(&svg), words: words.trim().to_string() });
+            continue;
         }
+        let read =
+            |path: &Path| std::fs::read_to_string(path).map_err(|e| BuildError::File(path.display().to_string(), e));
+        stills.insert(name, Still { svg: read(&svg)?, words: read(&words)?.trim().to_string() });
     }
     Ok(stills)
-}
-
-/// The `<svg>` alone, hidden from screen readers (the words stand beside it), its shape known before its styles load.
-fn prepare(svg: &str) -> String {
-    let svg = &svg[svg.find("<svg").unwrap_or(0)..];
-    let tag = &svg[..svg.find('>').unwrap_or(0)];
-    let mut attributes = String::new();
-    for attribute in ["aria-hidden=\"true\"", "focusable=\"false\""] {
-        if !tag.contains(attribute.split('=').next().unwrap_or_default()) {
-            attributes += &format!(" {attribute}");
-        }
-    }
-    let numbers: Vec<f64> = tag
-        .split_once("viewBox=\"")
-        .and_then(|(_, rest)| rest.split_once('"'))
-        .map(|(numbers, _)| numbers.split([' ', ',']).filter_map(|number| number.parse().ok()).collect())
-        .unwrap_or_default();
-    if let ([_, _, width, height], false) = (numbers.as_slice(), tag.contains(" width=")) {
-        attributes += &format!(" width=\"{width}\" height=\"{height}\"");
-    }
-    format!("<svg{attributes}{}", &svg["<svg".len().min(svg.len())..])
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_still_is_hidden_from_readers_and_knows_its_size() {
-        let svg = prepare("<?xml version=\"1.0\"?>\n<svg viewBox=\"0 0 640 400\"><path/></svg>");
-        assert_eq!(
-            svg,
-            "<svg aria-hidden=\"true\" focusable=\"false\" width=\"640\" height=\"400\" viewBox=\"0 0 640 400\"><path/></svg>"
-        );
-    }
 }

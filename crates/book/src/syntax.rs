@@ -1,10 +1,10 @@
-//! The wording of the directives: what stands between colons, braces and brackets.
+//! The wording of each piece: what stands between colons, braces, brackets and dollars.
 
 use crate::attributes::Attributes;
-use crate::scan::Piece;
+use crate::piece::{NumberRef, Piece, Tex};
 
 /// The bracket that closes the one `text` starts with, in the same paragraph.
-pub(crate) fn closing_bracket(text: &str) -> Option<usize> {
+pub fn closing_bracket(text: &str) -> Option<usize> {
     let mut depth = 0;
     let mut escaped = false;
     for (at, c) in text.char_indices() {
@@ -25,11 +25,7 @@ pub(crate) fn closing_bracket(text: &str) -> Option<usize> {
 }
 
 /// `name{…}` after three colons.
-pub(crate) fn directive(rest: &str) -> Result<Piece, String> {
-    let rest = rest.trim();
-    if rest.is_empty() {
-        return Ok(Piece::End);
-    }
+pub fn directive(rest: &str) -> Result<Piece, String> {
     let (name, braces) = rest.split_at(rest.find('{').unwrap_or(rest.len()));
     let attributes = match braces.strip_prefix('{') {
         Some(inside) => {
@@ -42,7 +38,7 @@ pub(crate) fn directive(rest: &str) -> Result<Piece, String> {
 }
 
 /// `name[title]{#id}` after two colons.
-pub(crate) fn inner_directive(rest: &str) -> Result<Piece, String> {
+pub fn part(rest: &str) -> Result<Piece, String> {
     let (name, tail) = rest.split_at(rest.find(['[', '{']).unwrap_or(rest.len()));
     let (title, tail) = match tail.starts_with('[') {
         true => {
@@ -54,23 +50,32 @@ pub(crate) fn inner_directive(rest: &str) -> Result<Piece, String> {
     let inside = tail.trim().strip_prefix('{').and_then(|tail| tail.strip_suffix('}')).unwrap_or("");
     let id = Attributes::parse(inside)?.id;
     match name.trim() {
-        "step" => Ok(Piece::Step { title: title.to_string(), id }),
+        "step" => Ok(Piece::Step { title: title.to_string(), id, number: 0 }),
         "after" => Ok(Piece::After(title.to_string())),
         other => Err(format!("unknown directive `::{other}`; there are ::step and ::after")),
     }
 }
 
-/// `name arguments` between double braces.
-pub(crate) fn inline_directive(text: &str) -> Result<Piece, String> {
-    let (name, argument) = text.split_once(char::is_whitespace).unwrap_or((text, ""));
+/// `listing path#anchor` or `output example`, the whole of a line between double braces.
+pub fn listing(text: &str) -> Option<Piece> {
+    let (name, argument) = text.trim().split_once(' ')?;
     let argument = argument.trim();
     match name {
-        "number" => {
-            let (id, format) = argument
-                .split_once(char::is_whitespace)
-                .ok_or_else(|| format!("`{{{{{text}}}}}` needs an id and a format"))?;
-            Ok(Piece::Number { id: id.to_string(), format: format.trim().to_string() })
+        "listing" => {
+            let (path, anchor) = argument.split_once('#').map_or((argument, None), |(path, it)| (path, Some(it)));
+            Some(Piece::Listing { path: path.to_string(), anchor: anchor.map(String::from) })
         }
+        "output" => Some(Piece::Output(argument.to_string())),
+        _ => None,
+    }
+}
+
+/// `name arguments` between double braces within a line.
+pub fn inline(text: &str) -> Result<Piece, String> {
+    let (name, argument) = text.trim().split_once(char::is_whitespace).unwrap_or((text.trim(), ""));
+    let argument = argument.trim();
+    match name {
+        "number" => number(argument).map(Piece::Number),
         "ref" => Ok(Piece::Ref(argument.to_string())),
         "notation" => {
             let (choset, thrun) =
@@ -84,8 +89,30 @@ pub(crate) fn inline_directive(text: &str) -> Result<Piece, String> {
     }
 }
 
+/// `id format`
+fn number(argument: &str) -> Result<NumberRef, String> {
+    let (id, format) = argument
+        .split_once(char::is_whitespace)
+        .ok_or_else(|| format!("`{{{{number {argument}}}}}` needs an id and a format"))?;
+    Ok(NumberRef { id: id.to_string(), format: format.trim().to_string() })
+}
+
+/// A formula, its numbers apart.
+pub fn formula(tex: &str) -> Result<Vec<Tex>, String> {
+    let mut parts = Vec::new();
+    let mut rest = tex;
+    while let Some((before, after)) = rest.split_once("{{number ") {
+        let (argument, after) =
+            after.split_once("}}").ok_or_else(|| format!("`{{{{number` is not closed in ${tex}$"))?;
+        parts.extend([Tex::Source(before.to_string()), Tex::Number(number(argument.trim())?)]);
+        rest = after;
+    }
+    parts.push(Tex::Source(rest.to_string()));
+    Ok(parts)
+}
+
 /// `@key, locator; @key` between brackets.
-pub(crate) fn citation(inside: &str) -> Result<Piece, String> {
+pub fn citation(inside: &str) -> Result<Piece, String> {
     let keys = inside.split(';').map(|one| {
         let one = one.trim().strip_prefix('@').ok_or_else(|| format!("`[{inside}]` is not a citation"))?;
         Ok(match one.split_once(',') {

@@ -1,4 +1,4 @@
-//! The page templates of `web/templates/`.
+//! Templates: of pages, which lie in `web/templates/`, and of blocks, which are part of this crate.
 
 use std::path::Path;
 
@@ -7,7 +7,7 @@ use minijinja::{Environment, UndefinedBehavior, Value};
 use crate::diagnostic::BuildError;
 use crate::html::escape;
 
-/// Fills templates.
+/// The templates of pages.
 pub struct Templates {
     environment: Environment<'static>,
     /// The paper's colour by day and by night, as the style sheet has it, for the browser's own frame.
@@ -21,13 +21,7 @@ impl Templates {
     /// [`BuildError`] when one cannot be read or does not parse.
     pub fn load(root: &Path) -> Result<Self, BuildError> {
         let folder = root.join("web/templates");
-        let mut environment = Environment::new();
-        environment.set_undefined_behavior(UndefinedBehavior::SemiStrict);
-        environment.set_formatter(|out, _, value| {
-            let text = value.to_string();
-            let text = if value.is_safe() { text } else { escape(&text) };
-            out.write_str(&text).map_err(minijinja::Error::from)
-        });
+        let mut environment = environment();
         let entries = std::fs::read_dir(&folder).map_err(|e| BuildError::File(folder.display().to_string(), e))?;
         for entry in entries.flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
@@ -51,4 +45,47 @@ impl Templates {
         let page = template.and_then(|template| template.render(values));
         page.map_err(|e| BuildError::Missing(format!("web/templates/{name}: {e:#}")))
     }
+}
+
+/// What the blocks of a page look like: the macros of `templates/blocks.html`.
+pub struct Blocks {
+    environment: Environment<'static>,
+}
+
+impl Default for Blocks {
+    fn default() -> Self {
+        let mut environment = environment();
+        // Macros that do not parse are missed, with the reason, when the first block is filled.
+        let _ = environment.add_template("blocks.html", include_str!("../templates/blocks.html"));
+        Self { environment }
+    }
+}
+
+impl Blocks {
+    /// The macro `name` filled with `values`, and the end of its last line.
+    ///
+    /// # Errors
+    /// A message when there is no such macro or it asks for a value it is not given.
+    pub fn fill(&self, name: &str, values: Value) -> Result<String, String> {
+        let macros = self.environment.get_template("blocks.html").and_then(|it| it.render_captured(()));
+        let block = macros.and_then(|mut macros| macros.with_state_mut(|state| state.call_macro(name, &[values])));
+        block.map(|block| block + "\n").map_err(|e| format!("templates/blocks.html: {e:#}"))
+    }
+}
+
+/// HTML that a template takes as it is.
+pub fn safe(html: String) -> Value {
+    Value::from_safe_string(html)
+}
+
+/// Every value that is not HTML is escaped, and one that is not given is an error.
+fn environment() -> Environment<'static> {
+    let mut environment = Environment::new();
+    environment.set_undefined_behavior(UndefinedBehavior::SemiStrict);
+    environment.set_formatter(|out, _, value| {
+        let text = value.to_string();
+        let text = if value.is_safe() { text } else { escape(&text) };
+        out.write_str(&text).map_err(minijinja::Error::from)
+    });
+    environment
 }

@@ -6,7 +6,7 @@ use katex::macros::MacroDefinition;
 use katex::{KatexContext, Settings, TrustSetting};
 use serde::Deserialize;
 
-use crate::slim::slim;
+use crate::slim::{Reading, slim};
 
 /// `content/macros.toml`.
 #[derive(Debug, Default, Deserialize)]
@@ -68,10 +68,11 @@ impl Typesetter {
         let [choset, thrun] = &self.settings;
         let choset = self.one(tex, &choset[display])?;
         let thrun = self.one(tex, &thrun[display])?;
-        Ok(if choset == thrun { Formula::Same(choset) } else { Formula::Differs { choset, thrun } })
+        let thrun = if thrun == choset { None } else { Some(thrun) };
+        Ok(Formula { choset, thrun })
     }
 
-    fn one(&self, tex: &str, settings: &Settings) -> Result<String, String> {
+    fn one(&self, tex: &str, settings: &Settings) -> Result<Reading, String> {
         let html = katex::render_to_string(&self.context, tex, settings)
             .map_err(|error| format!("TeX: {error} in ${tex}$"))?;
         Ok(slim(&html))
@@ -80,16 +81,11 @@ impl Typesetter {
 
 /// A rendered formula.
 #[derive(Debug)]
-pub enum Formula {
-    /// The notations agree.
-    Same(String),
-    /// They do not.
-    Differs {
-        /// Choset's letters.
-        choset: String,
-        /// Thrun's letters.
-        thrun: String,
-    },
+pub struct Formula {
+    /// In Choset's letters.
+    pub choset: Reading,
+    /// In Thrun's letters, where they differ.
+    pub thrun: Option<Reading>,
 }
 
 #[cfg(test)]
@@ -106,9 +102,16 @@ mod tests {
         Typesetter::new(&toml::from_str(macros).unwrap())
     }
 
+    /// The one reading of a formula that both notations share.
+    fn same(typesetter: &Typesetter, tex: &str, style: Style) -> String {
+        let formula = typesetter.render(tex, style).unwrap();
+        assert!(formula.thrun.is_none(), "{formula:?}");
+        formula.choset.html
+    }
+
     #[test]
     fn a_formula_without_switched_letters_is_rendered_once() {
-        let Formula::Same(html) = typesetter().render("x^2", Style::Inline).unwrap() else { panic!("one reading") };
+        let html = same(&typesetter(), "x^2", Style::Inline);
         assert!(
             html.contains("<math>") && html.contains("aria-hidden=\"true\"") && !html.contains("annotation"),
             "{html}"
@@ -117,8 +120,8 @@ mod tests {
 
     #[test]
     fn switched_letters_are_rendered_in_both_notations_and_keep_their_colour() {
-        let formula = typesetter().render(r"\pred{\F}", Style::Inline).unwrap();
-        let Formula::Differs { choset, thrun } = &formula else { panic!("two readings") };
+        let formula = typesetter().render(r"\pred{\F} = 1", Style::Inline).unwrap();
+        let (choset, thrun) = (formula.choset.html, formula.thrun.expect("two readings").html);
         assert!(choset.contains("<mi>F</mi>") && thrun.contains("<mi>A</mi>"));
         assert!(choset.contains("term-prediction"));
     }
@@ -128,16 +131,13 @@ mod tests {
         for _ in 0..20 {
             let formula =
                 typesetter().render(r"x_{k+1|k+1} = \begin{aligned} a &= b \end{aligned}", Style::Display).unwrap();
-            assert!(matches!(formula, Formula::Same(_)), "{formula:?}");
+            assert!(formula.thrun.is_none(), "{formula:?}");
         }
     }
 
     #[test]
     fn generated_digits_carry_their_number() {
-        let Formula::Same(html) = typesetter().render(r"\htmlData{number=step1.S}{2.6}", Style::Display).unwrap()
-        else {
-            panic!("one reading")
-        };
+        let html = same(&typesetter(), r"\htmlData{number=step1.S}{2.6}", Style::Display);
         assert!(html.contains("data-number=\"step1.S\""), "{html}");
     }
 

@@ -1,0 +1,208 @@
+//! Pieces on lines of their own: directives, steps, equations, listings. What each looks like is in
+//! `templates/blocks.html`.
+
+use minijinja::{Value, context};
+
+use crate::attributes::Attributes;
+use crate::diagnostic::Place;
+use crate::directive;
+use crate::output::Outputs;
+use crate::piece::{Piece, Tex};
+use crate::still::WIDGETS;
+use crate::syntax;
+use crate::template::safe;
+use crate::tex::Style;
+use crate::tree::Node;
+use crate::writer::Writer;
+
+/// Kinds of notes and what each is headed with.
+const NOTES: [(&str, &str); 4] = [
+    ("correction", "Where the source and the mathematics part"),
+    ("honesty", "Said honestly"),
+    ("hazard", "Take care"),
+    ("aside", ""),
+];
+
+/// Kinds of exercises.
+const EXERCISES: [&str; 3] = ["foundation", "conceptual", "practical"];
+
+impl Writer<'_> {
+    /// The HTML of a piece on a line of its own.
+    pub(crate) fn own_block(&mut self, piece: &Piece, node: &Node) -> String {
+        let place = &node.place;
+        match piece {
+            Piece::Directive { name, attributes } => self.directive(name, attributes, node),
+            Piece::After(title) => {
+                let title = safe(self.title(title, place));
+                let body = safe(self.write(&node.children));
+                self.fill("after", context! { title, body }, place)
+            }
+            Piece::DisplayMath(tex) => {
+                // The link to the numbers stays outside the box that scrolls.
+                let (formula, link) = self.formula(tex, Style::Display, place);
+                let body = format!("<div class=\"equation-body scroll-box\">{formula}</div>{link}");
+                match self.inside.last().is_some_and(|name| name == "equation") {
+                    true => body,
+                    false => format!("<div class=\"equation\">{body}</div>\n"),
+                }
+            }
+            Piece::Listing { path, anchor } => self.listing(path, anchor.as_deref(), place),
+            Piece::Output(example) => {
+                let Some(text) = self.diagnostics.ok(place, self.site.outputs.get(example)) else {
+                    return String::new();
+                };
+                let command = Outputs::command(example);
+                self.words.push_str(&format!("{command} {text} "));
+                self.fill("output", context! { command, text => text.trim_end() }, place)
+            }
+            _ => String::new(),
+        }
+    }
+
+    /// A step of a derivation, without the end of its list item.
+    pub(crate) fn step(&mut self, title: &str, id: &str, number: usize, node: &Node) {
+        let title = safe(self.title(title, &node.place));
+        let body = safe(self.write(&node.children));
+        let step = self.fill("step", context! { title, id, number, body }, &node.place);
+        self.push(step.trim_end_matches('\n'));
+        self.push("\n");
+    }
+
+    fn directive(&mut self, name: &str, attributes: &Attributes, node: &Node) -> String {
+        let place = &node.place;
+        if !directive::check(name, attributes, place, self.diagnostics) {
+            return self.write(&node.children);
+        }
+        let in_exercise = self.inside.last().is_some_and(|parent| parent == "exercise");
+        if matches!(name, "hint" | "answer" | "starter") && !in_exercise {
+            self.diagnostics.report(place, format!("`:::{name}` stands in an exercise"));
+        }
+        let id = attributes.id.as_deref().unwrap_or_default();
+        let text = |key: &str| attributes.value(key).unwrap_or_default();
+        let label = self.labels.get(id, self.root).ok();
+        let number = label.as_ref().map(|label| label.number.clone());
+        // A definition without an id has no number to show.
+        let label = label.map(|label| label.text).unwrap_or_default();
+        if name != "quiz" {
+            self.words.push_str(&format!(" {label} "));
+        }
+        let (template, own) = match name {
+            "derivation" => ("derivation", context! { title => safe(self.title(text("title"), place)) }),
+            "definition" => ("definition", context! { term => safe(self.title(text("term"), place)) }),
+            "note" => ("note", self.note(text("kind"), text("title"), place)),
+            "figure" => ("figure", self.figure(id, attributes, place)),
+            "algorithm" => ("algorithm", self.algorithm(attributes, place)),
+            "exercise" => ("exercise", self.exercise(attributes, place)),
+            "hint" | "answer" | "starter" => {
+                let word = match name {
+                    "hint" => "Hint",
+                    "answer" => "Worked answer",
+                    _ => "Starter",
+                };
+                ("details", context! { name, word, title => safe(self.title(text("title"), place)) })
+            }
+            "notation" => ("notation", context! { rows => self.notation() }),
+            "quiz" => return self.quiz(id, place),
+            "equation" => ("equation", context! { number, eq => text("eq") }),
+            "references" => {
+                self.used.listed_references = true;
+                return self.reference_list();
+            }
+            _ => ("margin", context! {}),
+        };
+        self.inside.push(name.to_string());
+        let body = safe(self.write(&node.children));
+        self.inside.pop();
+        self.fill(template, context! { id, label, body, ..own }, place)
+    }
+
+    /// A block of `templates/blocks.html`, filled.
+    pub(crate) fn fill(&mut self, template: &str, values: Value, place: &Place) -> String {
+        self.words.push(' ');
+        let html = self.site.blocks.fill(template, values);
+        self.diagnostics.ok(place, html).unwrap_or_default()
+    }
+
+    fn note(&mut self, kind: &str, title: &str, place: &Place) -> Value {
+        let word = NOTES.iter().find(|(known, _)| *known == kind).map(|(_, word)| *word);
+        if word.is_none() {
+            let kinds: Vec<_> = NOTES.iter().map(|(kind, _)| *kind).collect();
+            self.diagnostics.report(place, format!("no note is of kind `{kind}`; there are {}", kinds.join(", ")));
+        }
+        context! { kind, word, title => safe(self.title(title, place)) }
+    }
+
+    fn figure(&mut self, id: &str, attributes: &Attributes, place: &Place) -> Value {
+        let widget = attributes.value("widget").unwrap_or_default();
+        if !WIDGETS.contains(&widget) {
+            self.diagnostics.report(place, format!("no widget is called `{widget}`; there are {}", WIDGETS.join(", ")));
+        }
+        let start = attributes.value("start");
+        if let Some(start) = start {
+            let read = serde_json::from_str::<serde_json::Map<String, serde_json::Value>>(start);
+            self.diagnostics.ok(place, read.map_err(|error| format!("`start` is no JSON object: {error}")));
+        }
+        let title = safe(self.title(attributes.value("title").unwrap_or_default(), place));
+        let still = self.site.stills.get(id).or_else(|| self.site.stills.get(widget)).cloned().unwrap_or_default();
+        context! { widget, title, start, still => safe(still.svg), words => still.words }
+    }
+
+    fn algorithm(&mut self, attributes: &Attributes, place: &Place) -> Value {
+        let name = safe(self.title(attributes.value("name").unwrap_or_default(), place));
+        let facts = [("in", "In"), ("out", "Out"), ("cost", "Cost")].into_iter().filter_map(|(key, word)| {
+            let fact = safe(self.inline(attributes.value(key)?, place));
+            self.words.push(' ');
+            Some((word, fact))
+        });
+        context! { name, facts => facts.collect::<Vec<_>>() }
+    }
+
+    fn exercise(&mut self, attributes: &Attributes, place: &Place) -> Value {
+        let text = |key: &str| attributes.value(key).unwrap_or_default();
+        let (kind, difficulty) = (text("kind"), text("difficulty"));
+        if !EXERCISES.contains(&kind) {
+            let message = format!("no exercise is of kind `{kind}`; there are {}", EXERCISES.join(", "));
+            self.diagnostics.report(place, message);
+        }
+        let level = difficulty.parse().ok().filter(|level| (1..=3).contains(level));
+        if level.is_none() {
+            self.diagnostics.report(place, format!("difficulty is 1, 2 or 3, not `{difficulty}`"));
+        }
+        let level = level.unwrap_or(1);
+        let dots = format!("{}{}", "●".repeat(level), "○".repeat(3 - level));
+        context! { kind, level, dots, title => safe(self.title(text("title"), place)) }
+    }
+
+    fn listing(&mut self, path: &str, anchor: Option<&str>, place: &Place) -> String {
+        let Some(listing) = self.diagnostics.ok(place, self.site.sources.listing(path, anchor)) else {
+            return String::new();
+        };
+        self.words.push_str(&format!("{path} {} ", listing.code));
+        let code = safe(self.site.highlighter.html(&listing.code, "rust"));
+        let href = safe(self.source_href(path, listing.line));
+        self.fill("listing", context! { href, path, code }, place)
+    }
+
+    /// The two conventions side by side: each in its own letters, whatever the reader has chosen.
+    fn notation(&mut self) -> Vec<[Value; 3]> {
+        let site = self.site;
+        let row = |row: &crate::glossary::NotationRow| {
+            let letters = |writer: &mut Self, text: &crate::config::Text| {
+                let tex = writer.diagnostics.ok(&text.place, syntax::formula(&text.markdown)).unwrap_or_default();
+                writer.symbol(&tex, &text.place)
+            };
+            let (choset, thrun) = (letters(self, &row.choset), letters(self, &row.thrun));
+            let meaning = self.inline(&row.meaning.markdown, &row.meaning.place);
+            self.words.push(' ');
+            [choset, thrun, meaning].map(safe)
+        };
+        site.notation.iter().map(row).collect()
+    }
+
+    /// A formula of the data files, which stands in a line.
+    pub(crate) fn symbol(&mut self, tex: &[Tex], place: &Place) -> String {
+        let (formula, link) = self.formula(tex, Style::Inline, place);
+        self.words.push(' ');
+        formula + &link
+    }
+}

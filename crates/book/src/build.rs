@@ -1,0 +1,175 @@
+//! The build of the site: each page through its template, and what lies beside the pages.
+
+use std::path::Path;
+
+use minijinja::value::Serde;
+use minijinja::{Value, context};
+use serde::Serialize;
+
+use crate::asset::Assets;
+use crate::check::{self, Check};
+use crate::config::Chapter;
+use crate::diagnostic::{BuildError, Diagnostics};
+use crate::dist::{Dist, fnv1a};
+use crate::figure::Figure;
+use crate::page;
+use crate::site::Site;
+use crate::template::{Templates, safe};
+
+/// Everything a build needs.
+pub struct Build<'a> {
+    /// The repository.
+    pub root: &'a Path,
+    /// Content and data.
+    pub site: &'a Site,
+    /// Scripts, styles, fonts.
+    pub assets: &'a Assets,
+    /// The checks as computed natively.
+    pub checks: &'a [Check],
+    /// Where complaints go.
+    pub diagnostics: &'a Diagnostics,
+    /// Whether to go on in spite of complaints, printing them.
+    pub draft: bool,
+}
+
+/// A page's formulas in Thrun's letters. The page names the version it was built with: it picks its readings by number,
+/// and a tab left open over a deploy would pick them from another page's.
+#[derive(Debug, Serialize)]
+struct Readings {
+    version: String,
+    readings: Vec<String>,
+}
+
+impl Build<'_> {
+    /// Builds the site.
+    ///
+    /// # Errors
+    /// [`BuildError`]: the complaints about the content, or the first file or template that fails.
+    pub fn run(&self) -> Result<Dist, BuildError> {
+        let mut pages = Pages { build: self, templates: Templates::load(self.root)?, dist: Dist::default() };
+        let config = &self.site.config;
+        for chapter in &config.chapters {
+            let files = page::files(self.root, &format!("content/{}", chapter.slug))?;
+            let figures = pages.text(Some(chapter), &chapter.slug, &files, &chapter.title, &chapter.description)?;
+            pages.figures(chapter, &figures)?;
+        }
+        for page in &config.pages {
+            let path = format!("content/pages/{}.md", page.slug);
+            let file = std::fs::read_to_string(self.root.join(&path)).map_err(|e| BuildError::File(path.clone(), e))?;
+            pages.text(None, &page.slug, &[(path, file)], &page.title, &page.description)?;
+        }
+        match self.diagnostics.check() {
+            Err(error) if self.draft => eprintln!("{error}"),
+            result => result?,
+        }
+        pages.page("cover", "index.html", &config.title, &config.description, context! {})?;
+        let checks = serde(check::rows(self.checks, &self.site.sources));
+        let about = "The checks that pin every number of the chapter, run again in your own browser.";
+        pages.page("check", "check/", "Check this book", about, context! { checks })?;
+        pages.page("404", "404.html", "Not found", "There is no such page in this book.", context! {})?;
+        for (path, text) in self.site.sources.iter() {
+            pages.source(path, text)?;
+        }
+        let mut dist = pages.dist;
+        dist.put("search.json", serde_json::to_vec(&dist.search)?);
+        for (path, bytes) in self.assets.files()? {
+            dist.put(&format!("assets/{path}"), bytes);
+        }
+        dist.service_worker(self.assets)?;
+        Ok(dist)
+    }
+}
+
+/// The pages in the making.
+struct Pages<'a> {
+    build: &'a Build<'a>,
+    templates: Templates,
+    dist: Dist,
+}
+
+impl Pages<'_> {
+    /// A chapter, or a page of text beside the chapters; answers its figures.
+    fn text(
+        &mut self,
+        chapter: Option<&Chapter>,
+        slug: &str,
+        files: &[(String, String)],
+        title: &str,
+        description: &str,
+    ) -> Result<Vec<Figure>, BuildError> {
+        let address = format!("{slug}/");
+        let number = chapter.map(|chapter| chapter.number);
+        let text = page::text(self.build.site, files, number, &address, self.build.diagnostics);
+        let version = format!("{:016x}", fnv1a(text.thrun.join("\0").as_bytes()));
+        let extra = context! {
+            chapter => serde(chapter),
+            body => safe(text.body),
+            contents => serde(text.contents),
+            readings => &version,
+        };
+        self.page(if chapter.is_some() { "chapter" } else { "page" }, &address, title, description, extra)?;
+        self.dist.search.extend(text.search);
+        let readings = Readings { version, readings: text.thrun };
+        self.dist.put(&format!("{address}thrun.json"), serde_json::to_vec(&readings)?);
+        Ok(text.figures)
+    }
+
+    /// A page for each widget of a chapter: its first figure in its usual state, or else its first figure.
+    fn figures(&mut self, chapter: &Chapter, figures: &[Figure]) -> Result<(), BuildError> {
+        let usual = figures.iter().filter(|figure| figure.start.is_none());
+        for figure in usual.chain(figures) {
+            let address = format!("figure/{}/", figure.widget);
+            if self.dist.files.contains_key(&format!("{address}index.html")) {
+                continue;
+            }
+            let about = format!("{}: a figure of the chapter {}, alive.", figure.name, chapter.title);
+            let formulas = figure.caption.contains("class=\"katex");
+            let extra = context! { figure => serde(figure), chapter => serde(chapter), formulas };
+            self.page("figure", &address, &figure.name, &about, extra)?;
+        }
+        Ok(())
+    }
+
+    /// A source with its lines numbered.
+    fn source(&mut self, path: &str, text: &str) -> Result<(), BuildError> {
+        let lines = self.build.site.highlighter.lines(text, "rust").into_iter().enumerate();
+        let code = lines.map(|(i, line)| {
+            let n = i + 1;
+            format!("<a class=\"line-number\" id=\"L{n}\" href=\"#L{n}\">{n}</a>{line}\n")
+        });
+        let extra = context! { code => safe(code.collect()), path };
+        let about = format!("The source {path}, as compiled into this page.");
+        self.page("source", &format!("source/{path}.html"), path, &about, extra)
+    }
+
+    /// One page through the template of its kind.
+    fn page(
+        &mut self,
+        kind: &str,
+        address: &str,
+        title: &str,
+        description: &str,
+        extra: Value,
+    ) -> Result<(), BuildError> {
+        let root = page::root_of(address);
+        let common = context! {
+            kind,
+            assets => serde(self.build.assets.hrefs(&root)),
+            inline => serde(&self.build.assets.inline),
+            root,
+            paper => serde(&self.templates.paper),
+            book => serde(&self.build.site.config),
+            title,
+            description,
+        };
+        let html = self.templates.render(&format!("{kind}.html"), context! { ..extra, ..common })?;
+        let path = if address.ends_with('/') { format!("{address}index.html") } else { address.to_string() };
+        self.dist.put(&path, html.into_bytes());
+        Ok(())
+    }
+}
+
+/// A value for a template.
+fn serde(value: impl Serialize) -> Value {
+    Value::from(Serde(value))
+}

@@ -1,0 +1,220 @@
+//! Pieces within a line: formulas, numbers, references, citations, coloured words, terms, links.
+
+use std::collections::BTreeSet;
+
+use crate::attributes::Attributes;
+use crate::diagnostic::Place;
+use crate::glossary::KINDS;
+use crate::html::{escape, id_attribute};
+use crate::number::Format;
+use crate::piece::{NumberRef, Piece, Tex};
+use crate::tex::Style;
+use crate::tree::Node;
+use crate::writer::Writer;
+
+impl Writer<'_> {
+    /// A piece, wherever it stands.
+    pub(crate) fn piece(&mut self, piece: &Piece, node: &Node) {
+        let place = &node.place;
+        let html = match piece {
+            Piece::Math(tex) => {
+                let (formula, link) = self.formula(tex, Style::Inline, place);
+                formula + &link
+            }
+            Piece::Number(number) => self.number(number, place),
+            Piece::Ref(id) => self.reference(id, place).unwrap_or_default(),
+            Piece::Cite(works) => self.citation(works, place),
+            Piece::Notation { choset, thrun } => {
+                let (choset, thrun) = (self.inline(choset, place), self.inline(thrun, place));
+                match choset == thrun || self.thrun.is_none() {
+                    true => choset,
+                    false => {
+                        format!("<span class=\"in-choset\">{choset}</span><span class=\"in-thrun\">{thrun}</span>")
+                    }
+                }
+            }
+            Piece::Span(attributes) => {
+                let (open, close) = self.span_tags(attributes, place);
+                format!("{open}{}{close}", self.write(&node.children))
+            }
+            _ => self.own_block(piece, node),
+        };
+        self.push(&html);
+    }
+
+    /// A formula in Choset's letters, with the index of its other reading where there is one and its computed digits
+    /// marked; and a link to these numbers for the keyboard, if it has any.
+    pub(crate) fn formula(&mut self, tex: &[Tex], style: Style, place: &Place) -> (String, String) {
+        let (tex, ids) = self.tex(tex, place);
+        let Some(formula) = self.diagnostics.ok(place, self.site.typesetter.render(&tex, style)) else {
+            return Default::default();
+        };
+        if style == Style::Inline {
+            self.words.push_str(&formula.choset.letters);
+        }
+        let tag = if style == Style::Display { "div" } else { "span" };
+        let choset = formula.choset.html;
+        self.boxed = !formula.choset.plain || formula.thrun.as_ref().is_some_and(|thrun| !thrun.plain);
+        let (html, other) = match (formula.thrun, &mut self.thrun) {
+            (Some(thrun), Some(readings)) => {
+                let next = readings.len();
+                // Equal readings share an index.
+                let n = *readings.entry(thrun.html).or_insert(next);
+                (format!("<{tag} class=\"in-choset\">{choset}</{tag}>"), format!(" data-thrun=\"{n}\""))
+            }
+            _ => (choset, String::new()),
+        };
+        let Some(first) = ids.first() else {
+            if formula.choset.plain && other.is_empty() {
+                return (html, String::new());
+            }
+            return (format!("<{tag} class=\"formula\"{other}>{html}</{tag}>"), String::new());
+        };
+        let list = escape(&ids.iter().cloned().collect::<Vec<_>>().join(" "));
+        let link = match self.plain {
+            true => String::new(),
+            false => format!(
+                "<a class=\"formula-numbers\" href=\"#number-{}\" data-numbers=\"{list}\" \
+                 aria-label=\"Where these numbers come from\"></a>",
+                escape(first)
+            ),
+        };
+        (format!("<{tag} class=\"formula\"{other} data-numbers=\"{list}\">{html}</{tag}>"), link)
+    }
+
+    /// TeX with its numbers filled in, and their ids.
+    fn tex(&mut self, parts: &[Tex], place: &Place) -> (String, BTreeSet<String>) {
+        let (mut tex, mut ids) = (String::new(), BTreeSet::new());
+        for part in parts {
+            match part {
+                Tex::Source(source) => tex.push_str(source),
+                Tex::Number(number) => {
+                    // A draft shows a question mark where a number is missing.
+                    let printed = self.printed(number, Format::tex, place).unwrap_or_else(|| "?".into());
+                    tex.push_str(&format!("\\htmlData{{number={}}}{{{printed}}}", number.id));
+                    if self.used.numbers.contains(&number.id) {
+                        ids.insert(number.id.clone());
+                    }
+                }
+            }
+        }
+        (tex, ids)
+    }
+
+    /// A computed number as `print` prints it; it counts as used.
+    fn printed(
+        &mut self,
+        number: &NumberRef,
+        print: fn(Format, f64) -> Result<String, String>,
+        place: &Place,
+    ) -> Option<String> {
+        let value = self.site.numbers.get(&number.id).map(|number| number.value);
+        let printed = value.and_then(|value| print(Format::parse(&number.format)?, value));
+        let printed = self.diagnostics.ok(place, printed)?;
+        self.used.numbers.insert(number.id.clone());
+        Some(printed)
+    }
+
+    /// A computed number in the text.
+    fn number(&mut self, number: &NumberRef, place: &Place) -> String {
+        let Some(printed) = self.printed(number, Format::html, place) else { return "?".into() };
+        self.words.push_str(&printed.replace("<sup>", "^").replace("</sup>", ""));
+        let id = escape(&number.id);
+        match self.plain {
+            true => format!("<span class=\"number\" data-number=\"{id}\">{printed}</span>"),
+            false => format!("<a class=\"number\" href=\"#number-{id}\" data-number=\"{id}\">{printed}</a>"),
+        }
+    }
+
+    fn reference(&mut self, id: &str, place: &Place) -> Option<String> {
+        let label = self.diagnostics.ok(place, self.labels.get(id, self.root))?;
+        if label.number.is_empty() {
+            self.diagnostics.report(place, format!("`{id}` has no number to refer to; write [words](#{id})"));
+        }
+        self.words.push_str(&label.text);
+        let text = escape(&label.text);
+        Some(match self.plain {
+            true => format!("<span class=\"ref\">{text}</span>"),
+            false => format!("<a class=\"ref\" href=\"{}\">{text}</a>", escape(&label.href)),
+        })
+    }
+
+    fn citation(&mut self, works: &[(String, Option<String>)], place: &Place) -> String {
+        let (mut cited, mut words) = (Vec::new(), Vec::new());
+        for (key, locator) in works {
+            let work = self.site.references.get(key).ok_or_else(|| format!("unknown citation `@{key}`"));
+            let Some(work) = self.diagnostics.ok(place, work) else { continue };
+            self.used.references.insert(key.clone());
+            let locator = locator.as_ref().map(|locator| format!(", {locator}")).unwrap_or_default();
+            words.push(format!("{}{locator}", work.label()));
+            let (label, locator) = (escape(&work.label()), escape(&locator));
+            cited.push(match self.plain {
+                true => format!("{label}{locator}"),
+                false => format!("<a class=\"citation\" href=\"#ref-{}\">{label}</a>{locator}", escape(key)),
+            });
+        }
+        self.words.push_str(&format!("({})", words.join("; ")));
+        format!("<span class=\"cite\">({})</span>", cited.join("; "))
+    }
+
+    /// The tags around coloured words or a glossed term.
+    fn span_tags(&mut self, attributes: &Attributes, place: &Place) -> (String, &'static str) {
+        let id = id_attribute(attributes.id.as_deref());
+        let [class] = attributes.classes.as_slice() else {
+            if !attributes.classes.is_empty() || attributes.id.is_none() {
+                self.diagnostics.report(place, "a span has one class");
+            }
+            return (format!("<span{id}>"), "</span>");
+        };
+        let key = match class.as_str() {
+            "term" => attributes.value("key").unwrap_or_default(),
+            kind if KINDS.contains(&kind) => kind,
+            other => {
+                let known = KINDS.join(", .");
+                self.diagnostics.report(place, format!("unknown class `.{other}`; there are .term and .{known}"));
+                return (String::new(), "");
+            }
+        };
+        let term = self.site.glossary.get(key);
+        if term.is_none() && class == "term" {
+            self.diagnostics.report(place, format!("unknown glossary key `{key}`"));
+        }
+        let kin = if class == "term" { term.and_then(|term| term.kin.as_deref()) } else { Some(key) };
+        let colour = kin.map(|kin| format!(" term-{kin}")).unwrap_or_default();
+        let data = kin.map(|kin| format!(" data-kin=\"{kin}\"")).unwrap_or_default();
+        if term.is_none() || self.plain {
+            return (format!("<span{id} class=\"word{colour}\"{data}>"), "</span>");
+        }
+        self.used.terms.insert(key.to_string());
+        let key = escape(key);
+        (format!("<a{id} class=\"term{colour}\" href=\"#gloss-{key}\" data-term=\"{key}\"{data}>"), "</a>")
+    }
+
+    /// The tags around a link's words.
+    pub(crate) fn link(&mut self, href: &str, place: &Place) -> (String, &'static str) {
+        if self.plain {
+            return ("<span>".into(), "</span>");
+        }
+        let open = if let Some(id) = href.strip_prefix('#') {
+            if !self.labels.knows(id) {
+                self.diagnostics.report(place, format!("nothing here has the id `{id}`"));
+            }
+            format!("<a href=\"#{}\">", escape(id))
+        } else if let Some(source) = href.strip_prefix("source:") {
+            let (path, anchor) = source.split_once('#').map_or((source, None), |(path, anchor)| (path, Some(anchor)));
+            let listing = self.diagnostics.ok(place, self.site.sources.listing(path, anchor));
+            let href = self.source_href(path, listing.map_or(1, |listing| listing.line));
+            format!("<a class=\"source-link\" href=\"{href}\">")
+        } else if href.starts_with("https://") || href.starts_with("http://") {
+            format!("<a class=\"external\" href=\"{}\">", escape(href))
+        } else {
+            format!("<a href=\"{}\">", escape(href))
+        };
+        (open, "</a>")
+    }
+
+    /// The page of a source, at a line.
+    pub fn source_href(&self, path: &str, line: usize) -> String {
+        format!("{}source/{}.html#L{line}", self.root, escape(path))
+    }
+}

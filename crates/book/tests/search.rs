@@ -1,0 +1,34 @@
+//! The search knows the words of a page, section by section.
+
+mod common;
+
+use book::Diagnostics;
+
+#[test]
+fn a_section_is_found_by_its_words_and_symbols_and_by_no_tag() {
+    let markdown = "## First $x^2$ {#first}\n\nLet $\\F$ be *one*'s & {{number step1.S .1f}}, `code`.\n\n$$\ny = x\n$$\n\n\
+        ## Second {#second}\n\n:::note{kind=\"aside\" title=\"Aside\"}\nNext.\n:::\n";
+    let diagnostics = Diagnostics::default();
+    let site = common::site(&diagnostics);
+    let file = ("page.md".to_string(), markdown.to_string());
+    let found = book::text(&site, &[file], Some(7), "one/", &diagnostics).search;
+    let found: Vec<_> =
+        found.iter().map(|found| (found.id.as_str(), found.title.as_str(), found.text.as_str())).collect();
+    let first = ("one/#first", "First x2", "Let F be one’s & 2.6, code.");
+    assert_eq!(found, [first, ("one/#second", "Second", "Aside Next.")]);
+}
+
+#[test]
+fn the_page_of_a_figure_has_choset_s_letters_and_no_links() {
+    let markdown = ":::figure{#fig widget=\"observer-bench\" title=\"Turn $\\F$\" start='{\"step\": 2}'}\n\
+        See {{ref fig}}, [the prediction]{.prediction} and $\\F^2 = {{number step1.S .1f}}$.\n:::\n";
+    let diagnostics = Diagnostics::default();
+    let site = common::site(&diagnostics);
+    let file = ("page.md".to_string(), markdown.to_string());
+    let figures = book::text(&site, &[file], Some(7), "one/", &diagnostics).figures;
+    let [figure] = figures.as_slice() else { panic!("one figure: {figures:?}") };
+    assert_eq!((figure.id.as_str(), figure.widget.as_str(), figure.name.as_str()), ("fig", "observer-bench", "Turn F"));
+    assert_eq!((figure.label.as_str(), figure.start.as_deref()), ("Figure\u{a0}1", Some("{\"step\": 2}")));
+    assert!(figure.caption.contains("<span class=\"ref\">Figure\u{a0}1</span>"), "{}", figure.caption);
+    assert!(!figure.caption.contains("<a ") && !figure.caption.contains("data-thrun"), "{}", figure.caption);
+}
