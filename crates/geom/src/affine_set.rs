@@ -6,6 +6,18 @@ use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 use numerics::{MIN_PIVOT, Spd};
 
 /// Ω = {x ∈ ℝⁿ : Hx = y}, H being m×n with full row rank. Sizes may be fixed or known at run time only.
+///
+/// # Example
+/// ```
+/// use geom::AffineSet;
+/// use nalgebra::{Matrix2, RowVector2, Vector1, Vector2};
+/// // A sensor of the velocity reads 2.7 m/s; the prediction is 4 m and 4 m/s.
+/// let omega = AffineSet { h: RowVector2::new(0.0, 1.0), y: Vector1::new(2.7) };
+/// let (p, x) = (Matrix2::new(1.7, 1.05, 1.05, 2.1), Vector2::new(4.0, 4.0));
+/// assert_eq!(omega.euclidean_foot(&x), Some(Vector2::new(4.0, 2.7)));
+/// // Position and velocity are correlated, so the most likely state moves the position too.
+/// assert!((omega.mahalanobis_foot(&p, &x).unwrap() - Vector2::new(3.35, 2.7)).norm() < 1e-14);
+/// ```
 pub struct AffineSet<M: Dim, N: Dim>
 where
     DefaultAllocator: Allocator<M, N> + Allocator<M>,
@@ -66,7 +78,7 @@ mod tests {
     }
 
     #[test]
-    fn the_mahalanobis_foot_drags_the_correlated_direction_along() {
+    fn the_mahalanobis_foot_moves_the_correlated_component_too() {
         let p = Matrix2::new(1.7, 1.05, 1.05, 2.1);
         let foot = rail().mahalanobis_foot(&p, &Vector2::new(4.0, 4.0)).expect("HPHᵀ is positive");
         assert!((foot - Vector2::new(3.35, 2.7)).norm() < 1e-15);
@@ -98,7 +110,7 @@ mod tests {
     }
 
     #[test]
-    fn a_deficient_h_or_a_blind_p_has_no_foot() {
+    fn without_full_row_rank_or_with_a_singular_hph_there_is_no_foot() {
         let twice = AffineSet { h: dmatrix![1.0, 0.0; 1.0, 0.0], y: dvector![1.0, 1.0] };
         assert!(twice.euclidean_foot(&dvector![0.0, 0.0]).is_none());
         let known = Matrix2::new(1.0, 0.0, 0.0, 0.0);

@@ -4,6 +4,13 @@ use core::f64::consts::FRAC_PI_2;
 use nalgebra::Matrix2;
 
 /// An ellipse about the origin: half-axes in the unit of the state, angle of the major axis in (−π/2, π/2].
+///
+/// # Example
+/// ```
+/// use geom::Ellipse;
+/// let ellipse = Ellipse::from_covariance(&nalgebra::Matrix2::new(4.0, 0.0, 0.0, 1.0), 1.0);
+/// assert_eq!(ellipse, Ellipse { semi_major: 2.0, semi_minor: 1.0, angle: 0.0 });
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ellipse {
     /// Half the long axis: radius · √λ₁.
@@ -17,9 +24,9 @@ pub struct Ellipse {
 impl Ellipse {
     /// The ellipse {x : xᵀP⁻¹x = radius²} of a symmetric positive semidefinite `p`.
     ///
-    /// Only the lower triangle of `p` is read. λ₂ is det P / λ₁ with the determinant's products kept whole (a fused
-    /// multiply-add), since λ₁ + λ₂ − λ₁ would lose every digit of a thin ellipse's width; a λ₂ that rounding pushed
-    /// below zero is zero.
+    /// Only the lower triangle of `p` is read. λ₂ is det P / λ₁, since the difference of the trace and λ₁ would have no
+    /// correct digit of a thin ellipse's width. The determinant's products are not rounded before they are subtracted (a
+    /// fused multiply-add). A λ₂ that rounding makes negative is taken as zero.
     pub fn from_covariance(p: &Matrix2<f64>, radius: f64) -> Self {
         let largest = p[(0, 0)].abs().max(p[(1, 1)].abs()).max(p[(1, 0)].abs());
         if largest == 0.0 {
@@ -83,7 +90,7 @@ mod tests {
     }
 
     #[test]
-    fn the_determinant_is_whole_where_its_products_cancel() {
+    fn the_determinant_keeps_its_digits_where_its_products_cancel() {
         // n = 94906265, m = n − 2: every entry is a whole number below 2⁵³ and det P = n², a hair of either product.
         let (n, m) = (94_906_265.0, 94_906_263.0);
         let e = of(n * n, n * m, m * m + 1.0);

@@ -6,6 +6,16 @@ use nalgebra::{SVector, Vector2};
 /// A pose in the plane: position in metres and heading in radians, the heading kept in (−π, π].
 ///
 /// A pose named `world_from_robot` maps robot coordinates to world coordinates.
+///
+/// # Example
+/// ```
+/// use core::f64::consts::FRAC_PI_2;
+/// use geom::SE2;
+/// // Facing north, a step of 3 m ahead leads north.
+/// let world_from_robot = SE2::new(1.0, 2.0, FRAC_PI_2);
+/// let moved = world_from_robot.compose(SE2::new(3.0, 0.0, 0.0));
+/// assert!(moved.boxminus(SE2::new(1.0, 5.0, FRAC_PI_2)).norm() < 1e-15);
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SE2 {
     x: f64,

@@ -1,10 +1,18 @@
-//! Whether numbers are numbers.
+//! A test for NaNs and infinities.
 
-/// True when no number is a NaN or an infinity, with one branch for all of them: nothing times a number is nothing, but for
-/// these two.
+/// True when no number is a NaN or an infinity.
+///
+/// Zero times a finite number is zero, and zero times a NaN or an infinity is a NaN. So the sum of these products tells
+/// with a single comparison.
+///
+/// # Example
+/// ```
+/// assert!(numerics::all_finite(&[1.0, -2.5]));
+/// assert!(!numerics::all_finite(&[1.0, f64::NAN]));
+/// ```
 #[inline]
 pub fn all_finite<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> bool {
-    numbers.into_iter().fold(0.0, |nothing, number| nothing + 0.0 * number) == 0.0
+    numbers.into_iter().fold(0.0, |sum, number| sum + 0.0 * number) == 0.0
 }
 
 #[cfg(test)]
@@ -12,7 +20,7 @@ mod tests {
     use super::all_finite;
 
     #[test]
-    fn it_is_the_standard_library_s_answer_for_each() {
+    fn it_agrees_with_the_standard_library_on_every_kind_of_number() {
         let specials = [0.0, -0.0, 5e-324, -f64::MIN_POSITIVE, 1.0, -2.5, f64::MAX, f64::MIN];
         assert!(all_finite(&specials) && all_finite(&[]));
         for bad in [f64::NAN, -f64::NAN, f64::INFINITY, f64::NEG_INFINITY, f64::from_bits(0x7ff0_0000_0000_0001)] {

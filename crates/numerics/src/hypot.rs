@@ -1,7 +1,9 @@
 //! The length of a vector in the plane.
 
-/// √(x² + y²), by the machine's square root where the squares are of ordinary size (IEEE 754 rounds it correctly, so its
-/// digits are the same everywhere) and by `libm` where they would overflow or vanish.
+/// √(x² + y²) without overflow.
+///
+/// Squares of ordinary size go through the machine's square root, which IEEE 754 rounds correctly everywhere; `libm`
+/// computes the rest.
 ///
 /// # Example
 /// ```

@@ -1,9 +1,15 @@
-//! A symmetric matrix kept once: the lower triangle, row after row. Rows are contiguous and new ones are appended, which
-//! is all that a growing map asks for.
+//! A symmetric matrix of which only the lower triangle is stored, row after row. A map that grows appends rows.
 
 use nalgebra::DMatrix;
 
 /// A symmetric n×n matrix in n(n + 1)/2 numbers.
+///
+/// # Example
+/// ```
+/// let mut p = numerics::PackedSymmetric::from_fn(2, |i, j| if i == j { 1.0 } else { 0.5 });
+/// p.push_row([0.1, 0.2, 3.0]);
+/// assert_eq!((p.get(0, 2), p.get(2, 0), p.get(2, 2)), (0.1, 0.1, 3.0));
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct PackedSymmetric {
     n: usize,
@@ -97,7 +103,7 @@ mod tests {
     }
 
     #[test]
-    fn both_triangles_are_one() {
+    fn an_entry_and_its_mirror_image_are_one() {
         let mut p = example();
         assert_eq!((p.get(1, 3), p.get(3, 1), p.get(2, 2)), (31.0, 31.0, 22.0));
         p.set(0, 2, -5.0);
@@ -117,7 +123,7 @@ mod tests {
     }
 
     #[test]
-    fn a_row_appended_is_a_column_too() {
+    fn an_appended_row_is_also_a_column() {
         let mut p = example();
         p.push_row([1.0, 2.0, 3.0, 4.0, 5.0]);
         assert_eq!((p.n, p.get(2, 4), p.get(4, 4)), (5, 3.0, 5.0));

@@ -1,4 +1,4 @@
-//! Solves with a symmetric positive definite matrix, and says how far from singular it was.
+//! A factorization of symmetric positive definite matrices, with solves and a measure of how near to singular they are.
 
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
@@ -12,6 +12,16 @@ pub const MIN_PIVOT: f64 = 1e-8;
 /// Not nalgebra's Cholesky: that one takes its square roots from `libm`, which computes them in software in wasm, ten
 /// times as long as the rest of the step; and it answers an infinite matrix with an infinite factor. Without square
 /// roots, and with one division for each pivot, a solve costs little more than its products.
+///
+/// # Example
+/// ```
+/// use nalgebra::{Matrix2, Vector2};
+/// let spd = numerics::Spd::new(Matrix2::new(4.0, 2.0, 2.0, 3.0)).expect("positive definite");
+/// assert_eq!(spd.solve(&Vector2::new(8.0, 8.0)), Vector2::new(1.0, 2.0));
+/// // What is left of the second variance, 3, once the first component is known, is 3 − 2²/4.
+/// assert_eq!(spd.pivot(), 2.0 / 3.0);
+/// assert!(numerics::Spd::new(Matrix2::new(1.0, 2.0, 2.0, 1.0)).is_none());
+/// ```
 pub struct Spd<M: Dim>
 where
     DefaultAllocator: Allocator<M, M>,
@@ -25,23 +35,23 @@ impl<M: Dim> Spd<M>
 where
     DefaultAllocator: Allocator<M, M>,
 {
-    /// Factors `s`, of which the lower triangle is read; `None` when an entry of it is not finite or a pivot not positive
-    /// (or smaller than the smallest number that has all its digits).
+    /// Factors `s`, of which the lower triangle is read; `None` when an entry of it is not finite, or a pivot is smaller
+    /// than the smallest normal number.
     #[inline]
     pub fn new(s: OMatrix<f64, M, M>) -> Option<Self> {
         let factored = Self::assumed(s);
         (factored.pivot > 0.0).then_some(factored)
     }
 
-    /// Factors `s` as if it were positive definite. Where it is not, [`Spd::pivot`] is 0 and the factor none of it: for a
-    /// step that works everything out and then looks once whether it may stand.
+    /// Factors `s` as if it were positive definite. If it is not, [`Spd::pivot`] is 0 and no other answer of this factor
+    /// means anything. A step can so compute its whole result first, and check the pivot once at the end.
     #[inline]
     pub fn assumed(s: OMatrix<f64, M, M>) -> Self {
         let (n, mut f, mut pivot) = (s.nrows(), s, 1.0_f64);
         for j in 0..n {
             let variance = f[(j, j)];
             let unexplained = (0..j).fold(variance, |rest, k| rest - f[(j, k)] * f[(k, j)]);
-            // An entry that is not finite leaves a pivot that is none of these numbers, whose reciprocals are finite.
+            // A NaN or an infinity in `s` leaves a pivot outside this range; within it the reciprocal is finite.
             if !(f64::MIN_POSITIVE..=f64::MAX).contains(&unexplained) {
                 return Self { factor: f, pivot: 0.0 };
             }
@@ -129,7 +139,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_positive_definite_or_not_finite_is_refused() {
+    fn a_matrix_that_is_not_positive_definite_or_not_finite_is_refused() {
         assert!(Spd::new(Matrix2::new(1.0, 2.0, 2.0, 1.0)).is_none());
         assert!(Spd::new(Matrix2::new(0.0, 0.0, 0.0, 1.0)).is_none());
         assert!(Spd::new(Matrix2::new(f64::INFINITY, 0.0, 0.0, 1.0)).is_none());
@@ -137,7 +147,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_assumed_and_is_not_so_has_no_pivot() {
+    fn a_matrix_wrongly_assumed_positive_definite_has_a_pivot_of_zero() {
         let s = Matrix2::new(4.0, 1.0, 1.0, 3.0);
         assert!((Spd::assumed(s).pivot() - 2.75 / 3.0).abs() < 1e-15);
         for bad in [Matrix2::new(1.0, 2.0, 2.0, 1.0), Matrix2::zeros(), s * f64::INFINITY, s * f64::NAN] {

@@ -89,7 +89,7 @@ const CORNERS: [Landmark; 4] = [
     Landmark { id: 3, x: -1.0, y: 7.0 },
 ];
 
-/// How much of a sightline's ends may touch a wall: a landmark in a corner stands on two of them.
+/// The part of a sightline at each end that may touch a wall: a landmark in a corner stands on two walls.
 const TOUCH: f64 = 1e-9;
 
 impl Wall {

@@ -2,7 +2,7 @@
 //!
 //! - [`Apartment`]: rooms, walls, and the corners on the map;
 //! - [`Rusty`]: a differential drive and its encoders;
-//! - [`Sensor`]: range and bearing to a landmark, as far as it reaches and as no wall is in the way;
+//! - [`Sensor`]: noisy range and bearing to a landmark within its reach;
 //! - [`paths`]: the two courses that the chapter drives;
 //! - [`scenarios`]: every constant of every experiment, with where it comes from;
 //! - [`Noise`]: seeded normal numbers with the same bits everywhere.

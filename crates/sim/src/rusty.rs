@@ -15,7 +15,7 @@ pub struct Rusty {
     bias: f64,
     slip: f64,
     world_from_robot: SE2,
-    /// Turned by each wheel and not yet counted, as metres of a nominal wheel.
+    /// How far each wheel has rolled since its last whole tick, metres of a nominal wheel.
     uncounted: [f64; 2],
 }
 
@@ -26,12 +26,12 @@ impl Rusty {
         Self { wheels, bias, slip, world_from_robot, uncounted: [0.0; 2] }
     }
 
-    /// Where it is.
+    /// The true pose.
     pub fn pose(&self) -> SE2 {
         self.world_from_robot
     }
 
-    /// Drives one tick of a course: `ds` ahead, then `dtheta` about itself. The answer is what the encoders counted.
+    /// Drives one tick of a course, and answers what the encoders counted meanwhile.
     pub fn drive(&mut self, tick: Tick, noise: &mut Noise) -> Ticks {
         self.world_from_robot = tick.drive(self.world_from_robot);
         let half = 0.5 * self.wheels.baseline * tick.dtheta;
