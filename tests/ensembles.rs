@@ -5,7 +5,7 @@
 
 use filters::consistency::{chi2_interval, chi2_quantile};
 use labs::ensembles::{SEEDS, Spread, probe, probe_run, slam};
-use labs::{Sight, checks::chapter_checks};
+use labs::{SensorKind, checks::chapter_checks};
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
 
 fn near(spread: &Spread, p: f64, value: f64, band: f64) {
@@ -26,7 +26,7 @@ fn check_10_the_traces_scatter_about_those_of_the_true_path() {
         near(&ensemble.trace, 0.95, high, band);
         let share = ensemble.trace.share_below(quoted);
         assert!((0.2..0.8).contains(&share), "the quoted trace is an ordinary one: above {share} of the runs");
-        let (run, _) = probe_run(landmarks, Sight::Range, 1).expect("computed");
+        let (run, _) = probe_run(landmarks, SensorKind::Range, 1).expect("computed");
         let share = ensemble.trace.share_below(run);
         assert!((0.02..0.98).contains(&share), "so is that of the quoted run: {share}");
     }
@@ -50,7 +50,7 @@ fn the_mean_nees_is_three_and_scatters_more_than_independent_steps_would() {
     assert!((two.mean() - 3.0).abs() < 0.15, "{}", two.mean());
     // Choset's companion quotes 3.8: high, and not out of the ordinary.
     assert!((0.8..0.95).contains(&two.share_below(3.8)), "{}", two.share_below(3.8));
-    let (_, quoted) = probe_run(2, Sight::Range, 1).expect("computed");
+    let (_, quoted) = probe_run(2, SensorKind::Range, 1).expect("computed");
     assert!((0.05..0.95).contains(&two.share_below(quoted)), "the quoted run is no favourite");
 }
 

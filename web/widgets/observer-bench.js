@@ -20,8 +20,7 @@ const start = { params: { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 },
 function verdict(frame) {
   const { pinned, stable, spectralRadius, diverged, params } = frame
   if (diverged) return `The estimate has left every bound: the run stopped. A gain below ${fixed(frame.stableUpTo, 2)} R∞ brings it back.`
-  const moving = frame.eigenvalues[pinned === 0 ? 1 : 0]
-  const modulus = pinned === null ? spectralRadius : Math.hypot(moving.re, moving.im)
+  const modulus = pinned === null ? spectralRadius : frame.modulus[1 - pinned]
   if (!stable) return `Unstable: spectral radius ${fixed(modulus, 2)}. The error grows by that factor at each step.`
   if (pinned !== null && params.gain === 0 && params.mode === 'fixed') return 'Dead reckoning: no reading is used, and nothing takes an error back.'
   // R(k) changes at every step. The eigenvalues of one step's matrix say what would happen if that gain were kept.

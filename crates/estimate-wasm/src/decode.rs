@@ -1,12 +1,9 @@
 //! Strict decoding of JavaScript values: nothing is coerced, every step that could run a caller's code (a getter, a
 //! proxy) may fail, and every refusal names the culprit.
 
-#[cfg(feature = "functions")]
-use estimate::Complex;
 use estimate::{Code, Error};
-use js_sys::Reflect;
-#[cfg(feature = "functions")]
-use nalgebra::{DMatrix, DVector};
+use js_sys::{Array, JsString};
+use labs::{Parameter, Shape};
 use std::borrow::Cow;
 use std::cell::{Cell, RefCell};
 use std::fmt;
@@ -14,11 +11,6 @@ use wasm_bindgen::prelude::*;
 
 /// The longest array that is looked at; what is longer is refused before it is walked.
 const MAX_LENGTH: u32 = 10_000;
-
-/// The most rows, and the most columns, of a matrix: no argument of any call has more. What has more is refused by its
-/// lengths, since rows × columns entries of the longest arrays would take a minute to read, or more memory than there is.
-#[cfg(feature = "functions")]
-const MAX_SIDE: u32 = estimate::validate::MAX_STATES as u32;
 
 #[wasm_bindgen]
 extern "C" {
@@ -29,12 +21,20 @@ extern "C" {
     #[wasm_bindgen(js_namespace = Number, js_name = isFinite)]
     fn is_finite(value: &JsValue) -> bool;
 
-    // Neither does js_sys::Array::length, and a proxy's may throw or be no number.
-    #[wasm_bindgen(js_name = Array)]
-    type Lengthy;
-    #[wasm_bindgen(catch, method, structural, getter)]
-    fn length(this: &Lengthy) -> Result<JsValue, JsValue>;
+    // Reading anything may run a caller's code and throw. A call that answers a value leaves a place in the table of
+    // references behind each time it throws; one that may answer nothing does not.
+    #[wasm_bindgen(catch, js_namespace = Reflect, js_name = get)]
+    fn get(of: &JsValue, name: &JsValue) -> Result<Option<JsValue>, JsValue>;
+    #[wasm_bindgen(catch, js_namespace = Reflect, js_name = get)]
+    fn get_entry(of: &JsValue, index: u32) -> Result<Option<JsValue>, JsValue>;
+    #[wasm_bindgen(catch, js_namespace = Reflect, js_name = has)]
+    fn has(of: &JsValue, name: &JsValue) -> Result<bool, JsValue>;
+    #[wasm_bindgen(catch, js_namespace = Reflect, js_name = ownKeys)]
+    fn own_keys(of: &JsValue) -> Result<Option<Array>, JsValue>;
 }
+
+#[cfg(feature = "functions")]
+mod matrix;
 
 thread_local! {
     /// The names of fields as JavaScript has them: making one of a name takes longer than reading the field.
@@ -52,19 +52,6 @@ fn name(text: &'static str) -> &'static JsValue {
         NAMES.with_borrow_mut(|names| names.push((text, made)));
         made
     })
-}
-
-#[cfg(feature = "functions")]
-#[wasm_bindgen]
-extern "C" {
-    // What a typed array is and holds, by the getters and the method of its class: a subclass, or what has been given its
-    // prototype, may answer anything.
-    #[wasm_bindgen(catch, js_namespace = Reflect, js_name = get)]
-    fn get_as(class: &JsValue, name: &JsValue, of: &JsValue) -> Result<JsValue, JsValue>;
-    #[wasm_bindgen(catch, js_namespace = ["Float64Array", "prototype", "set"], js_name = call)]
-    fn copy_floats(to: &mut [f64], from: &JsValue) -> Result<(), JsValue>;
-    #[wasm_bindgen(catch, js_namespace = ["Uint32Array", "prototype", "set"], js_name = call)]
-    fn copy_wholes(to: &mut [u32], from: &JsValue) -> Result<(), JsValue>;
 }
 
 /// Where in a call's arguments a value was found; spelt out for an error only.
@@ -116,12 +103,15 @@ impl<'a> Arg<'a> {
     }
 
     fn wrong_type(&self, wanted: &str) -> Error {
-        let found = match self.value.js_typeof().as_string() {
-            _ if self.value.is_null() => "null".into(),
-            Some(kind) => kind,
-            None => "unreadable".into(),
+        let kind = self.value.js_typeof().as_string().unwrap_or_default();
+        let (article, kind) = match kind.as_str() {
+            _ if self.value.is_null() => ("", "null"),
+            "undefined" => ("", "undefined"),
+            "object" if self.array() == Ok(true) => ("an ", "array"),
+            "object" => ("an ", "object"),
+            other => ("a ", other),
         };
-        self.refuse(Code::Type, format!("is {found}; it must be {wanted}"))
+        self.refuse(Code::Type, ["is ", article, kind, "; it must be ", wanted].concat())
     }
 
     /// A number; NaN and infinities too, which the core refuses by name.
@@ -155,12 +145,45 @@ impl<'a> Arg<'a> {
         self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }
 
-    /// One of the given words.
-    pub fn word<T: Copy>(&self, words: &[(&str, T)]) -> Result<T, Error> {
-        let listed = || listed(words.iter().map(|(word, _)| *word));
-        let given = self.value.as_string().ok_or_else(|| self.wrong_type(&listed()))?;
-        let found = words.iter().find(|(word, _)| *word == given).map(|(_, value)| *value);
-        found.ok_or_else(|| self.refuse(Code::Type, format!("is none of {}", listed())))
+    /// One of the given words: its index.
+    pub fn word(&self, words: &[&'static str]) -> Result<usize, Error> {
+        if !self.value.is_string() {
+            return Err(self.wrong_type(&listed(words.iter().copied())));
+        }
+        let found = words.iter().position(|word| self.value.as_ref() == name(word));
+        found.ok_or_else(|| self.refuse(Code::Type, ["is none of ", &listed(words.iter().copied())].concat()))
+    }
+
+    /// A number that may be left out, or null.
+    #[cfg(feature = "functions")]
+    pub fn number_or_null(&self) -> Result<Option<f64>, Error> {
+        if self.is_undefined() || self.is_null() { Ok(None) } else { self.number().map(Some) }
+    }
+
+    /// Appends the numbers of a lab's parameter, or of a part of it.
+    pub fn shaped(&self, p: &Parameter, shape: &'static Shape, to: &mut Vec<f64>) -> Result<(), Error> {
+        match shape {
+            Shape::Number => to.push(self.number()?),
+            Shape::Whole => to.push(f64::from(self.whole(p.least as u32, p.greatest as u32)?)),
+            Shape::Flag => to.push(f64::from(self.boolean()?)),
+            Shape::Word(words) => to.push(self.word(words)? as f64),
+            Shape::Maybe(_) if self.is_null() => to.push(0.0),
+            Shape::Maybe(value) => {
+                to.push(1.0);
+                self.shaped(p, value, to)?;
+            }
+            Shape::Exactly(n, entry) => {
+                let length = self.length()?;
+                if length as usize != *n {
+                    return Err(self.refuse(Code::Shape, format!("has {length} entries; it must have {n}")));
+                }
+                for i in 0..length {
+                    self.entry(i)?.shaped(p, entry, to)?;
+                }
+            }
+            Shape::Text | Shape::List(_) | Shape::Record(_) => return Err(self.wrong_type("a parameter")),
+        }
+        Ok(())
     }
 
     /// The field `name` of an object; undefined when there is none.
@@ -168,12 +191,20 @@ impl<'a> Arg<'a> {
     pub fn field(&self, name: &'static str) -> Result<Arg<'_>, Error> {
         self.object()?;
         let path = Path::Field(&self.path, name);
-        let value = Reflect::get(&self.value, self::name(name))
-            .map_err(|_| Error::new(Code::Type, path.to_string(), "could not be read: reading it threw"))?;
+        let name = self::name(name);
+        let read = || match get(&self.value, name)? {
+            Some(value) => Ok(value),
+            // Nothing: null, or undefined.
+            None if has(&self.value, name)? => js_sys::Reflect::get(&self.value, name),
+            None => Ok(JsValue::UNDEFINED),
+        };
+        let value = read()
+            .map_err(|_: JsValue| Error::new(Code::Type, path.to_string(), "could not be read: reading it threw"))?;
         Ok(Arg::found(value, path))
     }
 
     /// Reads the field `name` into `to`, when there is one.
+    #[cfg(feature = "functions")]
     pub fn given<T>(
         &self,
         name: &'static str,
@@ -188,16 +219,16 @@ impl<'a> Arg<'a> {
     }
 
     /// Refuses an object with a field that is none of `known`: a misspelt parameter is not silently ignored.
-    pub fn only(&self, known: &[&'static str]) -> Result<(), Error> {
+    pub fn only(&self, known: impl Iterator<Item = &'static str> + Clone) -> Result<(), Error> {
         self.object()?;
-        let unreadable = |_| self.refuse(Code::Type, "could not be read: listing its fields threw");
-        let keys = Reflect::own_keys(&self.value).map_err(unreadable)?;
-        let unknown = keys.iter().find(|key| !key.is_symbol() && known.iter().all(|text| key != name(text)));
-        match unknown.and_then(|key| key.as_string()) {
+        let keys = own_keys(&self.value).ok().flatten();
+        let keys = keys.ok_or_else(|| self.refuse(Code::Type, "could not be read: listing its fields threw"))?;
+        let unknown = keys.iter().find(|key| !key.is_symbol() && known.clone().all(|text| key != name(text)));
+        match unknown {
             None => Ok(()),
             Some(key) => {
-                let path = format!("{}.{key}", self.path);
-                Err(Error::new(Code::Type, path, format!("is unknown; there are {}", listed(known.iter().copied()))))
+                let path = format!("{}.{}", self.path, shortened(key));
+                Err(Error::new(Code::Type, path, ["is unknown; there are ", &listed(known)].concat()))
             }
         }
     }
@@ -217,19 +248,14 @@ impl<'a> Arg<'a> {
         is_array(&self.value).map_err(|_| self.refuse(Code::Type, "could not be read: it is a revoked proxy"))
     }
 
-    /// The entries of an array.
-    pub fn entries(&self) -> Result<Vec<Arg<'_>>, Error> {
-        (0..self.length()?).map(|i| self.entry(i)).collect()
-    }
-
     /// The length of an array, at most [`MAX_LENGTH`].
     fn length(&self) -> Result<u32, Error> {
         if !self.array()? {
             return Err(self.wrong_type("an array"));
         }
-        let length = self.value.unchecked_ref::<Lengthy>().length().map_err(|_| self.unreadable())?;
+        let length = get(&self.value, name("length")).map_err(|_| self.unreadable())?;
         // Of a proxy it may be anything.
-        let whole = length.as_f64().filter(|length| *length >= 0.0 && length.fract() == 0.0);
+        let whole = length.and_then(|length| length.as_f64()).filter(|length| *length >= 0.0 && length.fract() == 0.0);
         let length = whole.ok_or_else(|| self.refuse(Code::Type, "has a length that is no whole number"))?;
         if length > f64::from(MAX_LENGTH) {
             return Err(self.refuse(Code::Limit, format!("is too long; at most {MAX_LENGTH} entries are read")));
@@ -239,106 +265,20 @@ impl<'a> Arg<'a> {
 
     /// An entry of an array, whose length is not asked for again: a proxy may answer another.
     fn entry(&self, i: u32) -> Result<Arg<'_>, Error> {
-        let value = Reflect::get_u32(&self.value, i).map_err(|_| self.unreadable())?;
-        Ok(Arg::found(value, Path::Item(&self.path, i)))
+        let value = get_entry(&self.value, i).map_err(|_| self.unreadable())?;
+        Ok(Arg::found(value.unwrap_or_default(), Path::Item(&self.path, i)))
     }
 
     fn unreadable(&self) -> Error {
         self.refuse(Code::Type, "could not be read: reading it threw")
     }
-
-    /// An array of numbers.
-    pub fn numbers(&self) -> Result<Vec<f64>, Error> {
-        self.first_numbers(self.length()?)
-    }
-
-    fn first_numbers(&self, length: u32) -> Result<Vec<f64>, Error> {
-        (0..length).map(|i| self.entry(i)?.number()).collect()
-    }
 }
 
-#[cfg(feature = "functions")]
-impl Arg<'_> {
-    /// A vector.
-    pub fn vector(&self) -> Result<DVector<f64>, Error> {
-        self.numbers().map(DVector::from_vec)
-    }
-
-    /// An array of rows of one length. One too large is of the wrong shape: another argument says what its sides must be.
-    pub fn matrix(&self) -> Result<DMatrix<f64>, Error> {
-        self.matrix_within(Code::Shape, Code::Shape)
-    }
-
-    /// A matrix whose rows are the states or outputs, so that too many of them are beyond a limit.
-    pub fn tall(&self) -> Result<DMatrix<f64>, Error> {
-        self.matrix_within(Code::Limit, Code::Shape)
-    }
-
-    /// A matrix whose columns are the inputs, so that too many of them are beyond a limit.
-    pub fn wide(&self) -> Result<DMatrix<f64>, Error> {
-        self.matrix_within(Code::Shape, Code::Limit)
-    }
-
-    /// A matrix of at most [`MAX_SIDE`] rows and columns; the codes are for one with too many of either.
-    fn matrix_within(&self, tall: Code, wide: Code) -> Result<DMatrix<f64>, Error> {
-        let side = |length: u32, code: Code, of: &str| match length {
-            0..=MAX_SIDE => Ok(length),
-            _ => Err(self.refuse(code, format!("has {length} {of}; at most {MAX_SIDE} are accepted"))),
-        };
-        let numbers = |i: u32| {
-            let row = self.entry(i)?;
-            row.first_numbers(side(row.length()?, wide, "columns")?)
-        };
-        let count = side(self.length()?, tall, "rows")?;
-        let rows = (0..count).map(numbers).collect::<Result<Vec<_>, _>>()?;
-        let width = rows.first().map_or(0, Vec::len);
-        match rows.iter().position(|row| row.len() != width) {
-            Some(i) => {
-                let message = format!("is ragged: row {i} has {} entries, row 0 has {width}", rows[i].len());
-                Err(self.refuse(Code::Shape, message))
-            }
-            None => Ok(DMatrix::from_row_iterator(rows.len(), width, rows.into_iter().flatten())),
-        }
-    }
-
-    /// The numbers of a Float64Array of at most `most`.
-    pub fn floats(&self, most: u32) -> Result<Vec<f64>, Error> {
-        self.typed("Float64Array", most, copy_floats)
-    }
-
-    /// The numbers of a Uint32Array of at most `most`.
-    pub fn wholes(&self, most: u32) -> Result<Vec<u32>, Error> {
-        self.typed("Uint32Array", most, copy_wholes)
-    }
-
-    fn typed<T: Copy + Default>(
-        &self,
-        class: &str,
-        most: u32,
-        copy: impl FnOnce(&mut [T], &JsValue) -> Result<(), JsValue>,
-    ) -> Result<Vec<T>, Error> {
-        let length = || {
-            let of_floats = Reflect::get_prototype_of(&js_sys::Float64Array::new_with_length(0)).ok()?;
-            let of_any = Reflect::get_prototype_of(&of_floats).ok()?;
-            let tag = get_as(&of_any, &js_sys::Symbol::to_string_tag(), &self.value).ok()?.as_string();
-            get_as(&of_any, name("length"), &self.value).ok().filter(|_| tag.as_deref() == Some(class))?.as_f64()
-        };
-        let length = length().ok_or_else(|| self.wrong_type(&format!("a {class}")))?;
-        if length > f64::from(most) {
-            return Err(self.refuse(Code::Limit, format!("is too long; at most {most} numbers")));
-        }
-        let mut numbers = vec![T::default(); length as usize];
-        copy(&mut numbers, &self.value).map_err(|_| self.unreadable())?;
-        Ok(numbers)
-    }
-
-    /// A number, or `{ re, im }`.
-    pub fn complex(&self) -> Result<Complex<f64>, Error> {
-        if self.value.as_f64().is_some() {
-            return self.number().map(Complex::from);
-        }
-        Ok(Complex::new(self.field("re")?.number()?, self.field("im")?.number()?))
-    }
+/// A name in an error: of a long one its first letters.
+fn shortened(key: JsValue) -> String {
+    const LONGEST: u32 = 60;
+    let key: JsString = key.unchecked_into();
+    if key.length() <= LONGEST { String::from(key) } else { String::from(key.slice(0, LONGEST)) + "…" }
 }
 
 fn listed<'a>(words: impl Iterator<Item = &'a str>) -> String {

@@ -4,39 +4,18 @@ use crate::decode::Arg;
 use crate::encode::{numbers, plain, rows};
 use crate::errors::thrown;
 use crate::functions::{BeliefAnswer, belief_of};
-use crate::lab::busy;
+use crate::object::Held;
 use estimate::localizer::{EkfLocalizer as Localizer, Localized, Logged, MAX_LOG, Reading, SensorKind};
 use estimate::{Code, Error, Landmark};
 use serde::Serialize;
-use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
-
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** A mapped landmark; ids are whole numbers below 2³², each given once. */
-export interface Landmark { id: number; x: number; y: number }
-export interface LocalizerOptions {
-    /** Noise covariance of a reading: 2×2 for range and bearing, 1×1 for a range alone. */
-    W: Matrix;
-    /** A reading whose χ² is greater is left aside; null, or absent, for none. */
-    gate?: number | null;
-    /** Default "range-bearing". */
-    sensor?: "range-bearing" | "range";
-}
-/** The bearing is measured from the landmark: atan2(y_r − y_ℓ, x_r − x_ℓ) − θ_r. Left out, the landmark is associated. */
-export interface LandmarkReading { range: number; bearing?: number; landmark?: number }
-export interface LandmarkUpdate {
-    outcome: "accepted" | "rejected";
-    landmark: number;
-    innovation: Vector;
-    S: Matrix;
-    chi2: number;
-}
-"#;
 
 /// The EKF over the pose [x, y, θ] among known landmarks (§8.3), at most 1000 of them.
 #[wasm_bindgen]
-pub struct EkfLocalizer(RefCell<Localizer>);
+#[repr(transparent)]
+pub struct EkfLocalizer(Held);
+
+const CLASS: &str = "EkfLocalizer";
 
 #[derive(Serialize)]
 struct UpdateAnswer {
@@ -73,18 +52,21 @@ impl EkfLocalizer {
             let belief = belief_of(&Arg::new(belief, "belief"))?;
             let map = Arg::new(landmarks, "landmarks").entries()?.iter().map(landmark).collect::<Result<_, _>>()?;
             let options = Arg::new(options, "options");
-            options.only(&["W", "gate", "sensor"])?;
-            let (mut gate, mut sensor) = (None, SensorKind::default());
-            options.given("gate", |a| if a.is_null() { Ok(None) } else { a.number().map(Some) }, &mut gate)?;
-            let sensors = [("range-bearing", SensorKind::RangeBearing), ("range", SensorKind::Range)];
-            options.given("sensor", |a| a.word(&sensors), &mut sensor)?;
+            options.only(["W", "gate", "sensor"].into_iter())?;
+            let gate = options.field("gate")?.number_or_null()?;
+            let mut sensor = SensorKind::default();
+            let kind = |a: &Arg<'_>| {
+                let kinds = [SensorKind::Range, SensorKind::RangeBearing];
+                a.word(&["range", "range-bearing"]).map(|i| kinds[i])
+            };
+            options.given("sensor", kind, &mut sensor)?;
             let w = options.field("W")?.matrix()?;
             Localizer::new(belief, map, w, gate, sensor).map_err(|e| match e.argument.as_ref() {
                 "W" | "gate" => e.within("options"),
                 _ => e,
             })
         };
-        read().map(|ekf| Self(RefCell::new(ekf))).map_err(thrown)
+        read().map(|ekf| Self(Held::new(CLASS, ekf))).map_err(thrown)
     }
 
     /// The pose moves by `u` = [Δs, Δθ] along the old heading; `V`, 3×3, is the process noise in the state.
@@ -146,23 +128,23 @@ impl EkfLocalizer {
     /// The present belief, θ in (−π, π].
     #[wasm_bindgen(unchecked_return_type = "Belief")]
     pub fn belief(&self) -> Result<JsValue, JsValue> {
-        let belief = self.0.try_borrow().map_err(|_| busy())?.belief();
+        let belief = self.0.read(CLASS, Localizer::belief)?;
         plain(&BeliefAnswer::from(&belief))
     }
 
     fn write<T>(&self, f: impl FnOnce(&mut Localizer) -> Result<T, Error>) -> Result<T, JsValue> {
-        f(&mut *self.0.try_borrow_mut().map_err(|_| busy())?).map_err(thrown)
+        self.0.write(CLASS, f)
     }
 }
 
 fn landmark(arg: &Arg<'_>) -> Result<Landmark, Error> {
-    arg.only(&["id", "x", "y"])?;
+    arg.only(["id", "x", "y"].into_iter())?;
     let id = arg.field("id")?.whole(0, u32::MAX)?;
     Ok(Landmark { id, x: arg.field("x")?.number()?, y: arg.field("y")?.number()? })
 }
 
 fn read(arg: &Arg<'_>) -> Result<Reading, Error> {
-    arg.only(&["range", "bearing", "landmark"])?;
+    arg.only(["range", "bearing", "landmark"].into_iter())?;
     let (mut bearing, mut landmark) = (None, None);
     arg.given("bearing", |a| a.number().map(Some), &mut bearing)?;
     arg.given("landmark", |a| a.whole(0, u32::MAX).map(Some), &mut landmark)?;

@@ -4,41 +4,19 @@ use crate::decode::Arg;
 use crate::encode::{plain, rows};
 use crate::errors::thrown;
 use crate::functions::belief_of;
-use crate::lab::busy;
+use crate::object::Held;
 use estimate::Error;
 use estimate::slam::{EkfSlam as Slam, Outcome, Reading, Report};
 use serde::Serialize;
-use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
-
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-export interface SlamOptions {
-    /** Noise covariance of a sighting, 2×2. */
-    W: Matrix;
-    /** A sighting whose χ² is greater is not used; null, or absent, for none. */
-    gate?: number | null;
-    /** A sighting whose χ² is greater for every landmark founds a new one; far above the gate. */
-    found: number;
-}
-/** The bearing is measured from the landmark. Left out, the landmark is associated, or founded. */
-export interface SlamSighting { range: number; bearing: number; landmark?: number }
-export interface SlamUpdate {
-    outcome: "matched" | "founded" | "rejected";
-    /** The landmark matched, founded, or (when rejected) nearest. */
-    landmark: number | null;
-    /** Against it, at the prediction; null for a new one. */
-    innovation: Vector | null;
-    S: Matrix | null;
-    chi2: number | null;
-}
-export interface MappedLandmark { id: number; x: number; y: number; P: Matrix }
-"#;
 
 /// Range–bearing SLAM on the unicycle (§8.4.2): the state [x, y, θ, x₁, y₁, …] grows to at most 500 landmarks; at most
 /// 100 sightings in one update.
 #[wasm_bindgen]
-pub struct EkfSlam(RefCell<Slam>);
+#[repr(transparent)]
+pub struct EkfSlam(Held);
+
+const CLASS: &str = "EkfSlam";
 
 #[derive(Serialize)]
 struct Answer {
@@ -68,8 +46,8 @@ impl From<&Report> for Answer {
 }
 
 #[derive(Serialize)]
-struct BeliefAnswer<'a> {
-    x: &'a [f64],
+struct BeliefAnswer {
+    x: Vec<f64>,
     #[serde(rename = "P")]
     p: Vec<Vec<f64>>,
 }
@@ -94,16 +72,15 @@ impl EkfSlam {
         let read = || -> Result<Slam, Error> {
             let belief = belief_of(&Arg::new(belief, "belief"))?;
             let options = Arg::new(options, "options");
-            options.only(&["W", "gate", "found"])?;
-            let mut gate = None;
-            options.given("gate", |a| if a.is_null() { Ok(None) } else { a.number().map(Some) }, &mut gate)?;
+            options.only(["W", "gate", "found"].into_iter())?;
+            let gate = options.field("gate")?.number_or_null()?;
             let (w, found) = (options.field("W")?.matrix()?, options.field("found")?.number()?);
             Slam::from_belief(&belief, w, gate, found).map_err(|e| match e.argument.as_ref() {
                 "W" | "gate" | "found" => e.within("options"),
                 _ => e,
             })
         };
-        read().map(|slam| Self(RefCell::new(slam))).map_err(thrown)
+        read().map(|slam| Self(Held::new(CLASS, slam))).map_err(thrown)
     }
 
     /// The pose moves by `u` = [Δs, Δθ] along the old heading; `V`, 3×3, is the process noise in the pose.
@@ -143,27 +120,28 @@ impl EkfSlam {
     /// The whole belief: x and P over pose and map.
     #[wasm_bindgen(unchecked_return_type = "Belief")]
     pub fn belief(&self) -> Result<JsValue, JsValue> {
-        let slam = self.0.try_borrow().map_err(|_| busy())?;
-        let (x, p) = slam.belief();
-        plain(&BeliefAnswer { x, p: rows(&p) })
+        let answer = self.0.read(CLASS, |slam: &Slam| {
+            let (x, p) = slam.belief();
+            BeliefAnswer { x: x.to_vec(), p: rows(&p) }
+        })?;
+        plain(&answer)
     }
 
     /// The map, in the order in which it was founded.
     #[wasm_bindgen(unchecked_return_type = "MappedLandmark[]")]
     pub fn landmarks(&self) -> Result<JsValue, JsValue> {
-        let slam = self.0.try_borrow().map_err(|_| busy())?;
         let answer =
             |l: estimate::slam::Mapped| LandmarkAnswer { id: l.id, x: l.position[0], y: l.position[1], p: l.p.into() };
-        plain(&slam.landmarks().map(answer).collect::<Vec<_>>())
+        plain(&self.0.read(CLASS, |slam: &Slam| slam.landmarks().map(answer).collect::<Vec<_>>())?)
     }
 
     fn write<T>(&self, f: impl FnOnce(&mut Slam) -> Result<T, Error>) -> Result<T, JsValue> {
-        f(&mut *self.0.try_borrow_mut().map_err(|_| busy())?).map_err(thrown)
+        self.0.write(CLASS, f)
     }
 }
 
 fn sighting(arg: &Arg<'_>) -> Result<Reading, Error> {
-    arg.only(&["range", "bearing", "landmark"])?;
+    arg.only(["range", "bearing", "landmark"].into_iter())?;
     let mut landmark = None;
     arg.given("landmark", |a| a.whole(0, u32::MAX).map(Some), &mut landmark)?;
     Ok(Reading { range: arg.field("range")?.number()?, bearing: arg.field("bearing")?.number()?, landmark })

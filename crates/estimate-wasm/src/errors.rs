@@ -4,20 +4,6 @@ use estimate::{Code, Error};
 use js_sys::Reflect;
 use wasm_bindgen::prelude::*;
 
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** Why a call was refused. Everything it could have changed is as it was. A method called after `free()`, or on an object of
-    another class, throws wasm-bindgen's own error instead. */
-export interface EstimateError extends Error {
-    name: "EstimateError";
-    code: "not-finite" | "shape" | "not-symmetric" | "not-positive-semidefinite" | "innovation-not-positive-definite"
-        | "unobservable" | "poles" | "tolerance" | "index" | "at-landmark" | "not-placeable" | "limit" | "type"
-        | "did-not-converge";
-    /** The argument to blame, as a path: "y", "system.F", "params.gain". */
-    argument: string;
-}
-"#;
-
 /// The documented name of a code.
 pub(crate) fn name(code: Code) -> &'static str {
     match code {

@@ -1,7 +1,7 @@
 //! The linear functions: decode, call, encode.
 
 use crate::decode::Arg;
-use crate::encode::{floats, numbers, plain, rows};
+use crate::encode::{floats, list, numbers, plain, rows, shown};
 use crate::errors::thrown;
 use estimate::dynamic::{self, Belief, Replayed, System};
 use estimate::validate::{self, MAX_INPUTS, MAX_OUTPUTS};
@@ -11,42 +11,7 @@ use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, Cov v = V, Cov w = W; at most 16 states, 8 inputs, 8 outputs. */
-export interface System { F: Matrix; G: Matrix; H: Matrix; V: Matrix; W: Matrix }
-export interface KalmanStep {
-    /** x(k+1 | k), P(k+1 | k) */
-    predicted: Belief;
-    /** y − H x(k+1 | k) */
-    innovation: Vector;
-    /** H P(k+1 | k) Hᵀ + W */
-    S: Matrix;
-    /** The Kalman gain P Hᵀ S⁻¹ (Thrun: K) */
-    R: Matrix;
-    /** x(k+1 | k+1) */
-    x: Vector;
-    /** P(k+1 | k+1) */
-    P: Matrix;
-}
-export interface KalmanReplay {
-    /** x(k | k) after each step, row by row. */
-    x: Float64Array;
-    /** The diagonal of P(k | k), in the same order. */
-    variances: Float64Array;
-    /** P(k | k) after the last step. */
-    P: Matrix;
-}
-export interface Observability { rank: number; n: number; singularValues: Vector; nullspace: Vector[] }
-export interface SteadyState {
-    /** The last gain. */
-    R: Matrix;
-    /** P(k+1 | k). */
-    P: Matrix;
-    converged: boolean;
-    gainConverged: boolean;
-    iterations: number;
-}
-"#;
+const TYPES: &str = include_str!("functions.d.ts");
 
 /// One Kalman step (eqs. 8.26–8.32): predict with the input `u`, correct with the reading `y`.
 #[wasm_bindgen(js_name = kalmanStep, unchecked_return_type = "KalmanStep")]
@@ -119,7 +84,7 @@ pub fn error_eigenvalues(
 ) -> Result<JsValue, JsValue> {
     let answer = || dynamic::error_eigenvalues(&system_of(system)?, Arg::new(k, "K").matrix()?);
     let roots: Vec<_> = answer().map_err(thrown)?.into_iter().map(labs::Root::from).collect();
-    plain(&roots)
+    Ok(shown(&roots))
 }
 
 /// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out); at most
@@ -209,7 +174,7 @@ pub fn covariance_ellipse(
     #[wasm_bindgen(unchecked_optional_param_type = "number")] radius: &JsValue,
 ) -> Result<JsValue, JsValue> {
     let answer = || dynamic::covariance_ellipse(Arg::new(p, "P").matrix()?, number_or(radius, "radius", 1.0)?);
-    plain(&labs::EllipseShape::from(answer().map_err(thrown)?))
+    Ok(shown(&labs::EllipseShape::from(answer().map_err(thrown)?)))
 }
 
 /// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric; at most 16 states and 8 outputs.
@@ -256,7 +221,7 @@ pub fn most_likely_output(
 }
 
 fn vector(answer: impl FnOnce() -> Result<DVector<f64>, Error>) -> Result<JsValue, JsValue> {
-    plain(&numbers(&answer().map_err(thrown)?))
+    answer().map(|v| list(v.as_slice())).map_err(thrown)
 }
 
 fn number_or(value: &JsValue, name: &'static str, default: f64) -> Result<f64, Error> {

@@ -5,8 +5,8 @@
 //! there is no arithmetic here. What cannot be answered is thrown as an `Error` named `EstimateError` with a `code`, the
 //! `argument` to blame and a `message`; every object is then as it was, and the module goes on working.
 //!
-//! Two mistakes do not come this far: a method called after `free()`, or on an object of another class, throws wasm-bindgen's
-//! own error, which has no `code`.
+//! One mistake does not come this far: a method called after `free()`, or on what is no object of the module, throws
+//! wasm-bindgen's own error, which has no `code`.
 //!
 //! A matrix has at most 16 rows and 16 columns, any other array at most 10 000 entries; a call that accepts fewer, and a
 //! typed array, say so where they stand.
@@ -23,10 +23,7 @@ mod errors;
 #[cfg(feature = "functions")]
 mod functions;
 mod lab;
-mod observability_probe;
-mod observer_bench;
-mod odometry_hook;
-mod picture;
+mod object;
 
 #[cfg(feature = "functions")]
 pub use checks::{chapter_check, chapter_checks};
@@ -36,10 +33,7 @@ pub use ekf_localizer::EkfLocalizer;
 pub use ekf_slam::EkfSlam;
 #[cfg(feature = "functions")]
 pub use functions::*;
-pub use observability_probe::ObservabilityProbe;
-pub use observer_bench::ObserverBench;
-pub use odometry_hook::OdometryHook;
-pub use picture::Picture;
+pub use lab::{ObservabilityProbe, ObserverBench, OdometryHook, Picture};
 
 use wasm_bindgen::prelude::*;
 

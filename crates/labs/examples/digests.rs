@@ -1,10 +1,10 @@
 //! Runs each lab for 10,000 steps, as it opens and as a reader may set it, and prints the hash of every number it records,
 //! for the test that compares this machine's own code with wasm in Node and in browsers.
 
-use labs::{BenchParams, HookParams, Lab, Mode, ProbeParams, Sensor, Sight};
+use labs::{BenchParams, HookParams, Lab, Mode, ProbeParams, Sensor, SensorKind};
 
-fn print<L: Lab<Params: serde::Serialize>>(params: L::Params) -> Result<(), Box<dyn std::error::Error>> {
-    let given = serde_json::to_string(&params)?;
+fn print<L: Lab>(params: L::Params) -> Result<(), Box<dyn std::error::Error>> {
+    let given = serde_json::to_string(&labs::Shown(&params))?;
     let mut lab = L::new(params)?;
     lab.run(10_000)?;
     println!("{} {:016x} {given}", L::NAME, lab.digest());
@@ -18,6 +18,6 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     print::<labs::OdometryHook>(hook)?;
     print::<labs::OdometryHook>(HookParams { fixes: true, ..hook })?;
     print::<labs::ObservabilityProbe>(probe)?;
-    print::<labs::ObservabilityProbe>(ProbeParams { count: 3, sensor: Sight::RangeBearing, ..probe })?;
+    print::<labs::ObservabilityProbe>(ProbeParams { count: 3, sensor: SensorKind::RangeBearing, ..probe })?;
     print::<labs::ObservabilityProbe>(ProbeParams { count: 3, forget: true, ..probe })
 }

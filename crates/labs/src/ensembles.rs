@@ -2,8 +2,9 @@
 
 use crate::lab::Lab;
 use crate::mapping::chapter_run;
-use crate::observability_probe::{ObservabilityProbe, ProbeParams, Sight};
+use crate::observability_probe::{ObservabilityProbe, ProbeParams};
 use estimate::Error;
+use estimate::localizer::SensorKind;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM, RangeBearingSlam};
 
 /// Seeds of an ensemble: 0, 1, 2, ….
@@ -87,7 +88,7 @@ pub struct ProbeEnsemble {
 ///
 /// # Errors
 /// Whatever the core answers; on the chapter's constants, nothing.
-pub fn probe_run(landmarks: u32, sensor: Sight, seed: u32) -> Result<(f64, f64), Error> {
+pub fn probe_run(landmarks: u32, sensor: SensorKind, seed: u32) -> Result<(f64, f64), Error> {
     let mut probe = ObservabilityProbe::new(ProbeParams { count: landmarks, sensor, seed, ..Default::default() })?;
     probe.run(PROBE.steps)?;
     Ok((probe.last_trace(), probe.mean_nees().unwrap_or(f64::NAN)))
@@ -98,7 +99,7 @@ pub fn probe_run(landmarks: u32, sensor: Sight, seed: u32) -> Result<(f64, f64),
 /// # Errors
 /// As [`probe_run`].
 pub fn probe(landmarks: u32, seeds: u32) -> Result<ProbeEnsemble, Error> {
-    let runs = over_seeds(seeds, |seed| probe_run(landmarks, Sight::Range, seed))?;
+    let runs = over_seeds(seeds, |seed| probe_run(landmarks, SensorKind::Range, seed))?;
     Ok(ProbeEnsemble { trace: Spread::new(runs.iter().map(|r| r.0)), nees: Spread::new(runs.iter().map(|r| r.1)) })
 }
 

@@ -1,6 +1,8 @@
 //! What all labs have in common.
 
+use crate::declare::{Parameter, Params, Plain, Shape};
 use estimate::{Code, Error};
+use std::any::Any;
 
 /// The last step a lab runs to. A replay from there takes several frames of the page, the Probe's many: the cap bounds how
 /// long a call lasts, which nothing can interrupt.
@@ -21,10 +23,10 @@ pub struct State<P> {
 pub trait Lab: Sized {
     /// The lab's name in links and stored states.
     const NAME: &'static str;
-    /// What a reader can change, with its defaults.
-    type Params: Clone + Default;
-    /// What a view draws: plain values only.
-    type Frame: serde::Serialize;
+    /// What a reader can change, with limits and defaults.
+    type Params: Params;
+    /// What a view draws.
+    type Frame: Plain;
 
     /// The lab at step 0.
     ///
@@ -57,7 +59,7 @@ pub trait Lab: Sized {
     /// [`Code::Limit`] when `n` is 0 or leads past [`MAX_STEP`], or whatever the core answers. The lab is then as it was.
     fn run(&mut self, n: u32) -> Result<(), Error> {
         if n == 0 || n > MAX_STEP.saturating_sub(self.steps()) {
-            let message = format!("is {n}; it must be at least 1 and lead no further than step {MAX_STEP}");
+            let message = format!("is {n}; it must be at least 1, and the run ends at step {MAX_STEP}");
             return Err(Error::new(Code::Limit, "n", message));
         }
         // A run is its state played again: no copy needs to be kept for what hardly ever happens.
@@ -111,6 +113,102 @@ pub trait Lab: Sized {
     }
 }
 
+/// What is known of a lab before there is one. With [`Experiment`] it lets one piece of code serve all labs, where a generic
+/// one would be compiled for each.
+#[derive(Debug)]
+pub struct Kind {
+    /// The lab's name in links and stored states.
+    pub name: &'static str,
+    /// Its parameters.
+    pub parameters: &'static [Parameter],
+    /// What the numbers of its parameters are.
+    pub params: Shape,
+    /// What the numbers of its frame are.
+    pub frame: Shape,
+    /// The parameters it has where none are given.
+    pub defaults: fn() -> Vec<f64>,
+    /// The lab at a step.
+    pub open: fn(&[f64], u32) -> Result<Box<dyn Experiment>, Error>,
+}
+
+impl Kind {
+    /// What is known of the lab `L`.
+    pub const fn of<L: Lab + 'static>() -> Self {
+        Self {
+            name: L::NAME,
+            parameters: L::Params::PARAMETERS,
+            params: L::Params::SHAPE,
+            frame: L::Frame::SHAPE,
+            defaults: || L::Params::default().numbers(),
+            open: |params, step| {
+                Ok(Box::new(L::from_state(State { params: L::Params::read(&mut params.iter()), step })?))
+            },
+        }
+    }
+}
+
+/// A [`Lab`] by its numbers alone: parameters and frame are rows of numbers, as [`Kind`] describes them.
+pub trait Experiment {
+    /// What is known of it.
+    fn kind(&self) -> &'static Kind;
+
+    /// [`Lab::set`].
+    ///
+    /// # Errors
+    /// As there.
+    fn set_params(&mut self, params: &[f64]) -> Result<(), Error>;
+
+    /// [`Lab::run`].
+    ///
+    /// # Errors
+    /// As there.
+    fn run_on(&mut self, n: u32) -> Result<(), Error>;
+
+    /// The present parameters and the step.
+    fn state_numbers(&self) -> (Vec<f64>, u32);
+
+    /// [`Lab::frame`].
+    fn frame_numbers(&self) -> Vec<f64>;
+
+    /// [`Lab::digest`].
+    fn hash(&self) -> u64;
+
+    /// The lab itself.
+    fn as_any(&self) -> &dyn Any;
+}
+
+impl<L: Lab + 'static> Experiment for L {
+    fn kind(&self) -> &'static Kind {
+        const { &Kind::of::<L>() }
+    }
+
+    fn set_params(&mut self, params: &[f64]) -> Result<(), Error> {
+        self.set(L::Params::read(&mut params.iter()))
+    }
+
+    fn run_on(&mut self, n: u32) -> Result<(), Error> {
+        self.run(n)
+    }
+
+    fn state_numbers(&self) -> (Vec<f64>, u32) {
+        (self.params().numbers(), self.steps())
+    }
+
+    fn frame_numbers(&self) -> Vec<f64> {
+        let mut numbers = Vec::new();
+        self.frame().write(&mut numbers);
+        numbers
+    }
+
+    fn hash(&self) -> u64 {
+        self.digest()
+    }
+
+    fn as_any(&self) -> &dyn Any {
+        self
+    }
+}
+
 /// A hash of the bits of the numbers a run computes, in their order: for each, a multiplication by an odd constant and a
 /// fold of the high half into the low one. Both can be undone, so that two runs that differ in one number never agree at
 /// it. A word at a time: a replay takes in thousands of numbers between two pictures.
@@ -128,7 +226,8 @@ impl Digest {
     const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
 
     /// Takes every number in, by its bits.
-    pub fn take<'a>(&mut self, numbers: impl IntoIterator<Item = &'a f64>) {
+    #[inline(never)]
+    pub fn take(&mut self, numbers: &[f64]) {
         for number in numbers {
             let mixed = (self.0 ^ number.to_bits()).wrapping_mul(Self::FACTOR);
             self.0 = mixed ^ (mixed >> 32);
@@ -144,26 +243,35 @@ impl Digest {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::declare::params;
+
+    params! {
+        /// Of a lab that gets stuck.
+        pub struct StuckParams {
+            /// The step that it cannot take.
+            pub at: u32 = 7;
+        }
+    }
 
     /// Takes nothing in at the step it cannot take, but has moved on by then.
     #[derive(Debug, PartialEq)]
     struct Stuck {
-        at: u32,
+        params: StuckParams,
         steps: u32,
         taken: Vec<u32>,
     }
 
     impl Lab for Stuck {
         const NAME: &'static str = "stuck";
-        type Params = u32;
+        type Params = StuckParams;
         type Frame = u32;
 
-        fn new(at: u32) -> Result<Self, Error> {
-            Ok(Self { at, steps: 0, taken: vec![] })
+        fn new(params: StuckParams) -> Result<Self, Error> {
+            Ok(Self { params, steps: 0, taken: vec![] })
         }
 
-        fn params(&self) -> &u32 {
-            &self.at
+        fn params(&self) -> &StuckParams {
+            &self.params
         }
 
         fn steps(&self) -> u32 {
@@ -172,7 +280,7 @@ mod tests {
 
         fn advance(&mut self) -> Result<(), Error> {
             self.steps += 1;
-            if self.steps == self.at {
+            if self.steps == self.params.at {
                 return Err(Error::new(Code::DidNotConverge, "lab", "is stuck"));
             }
             self.taken.push(self.steps);
@@ -190,16 +298,16 @@ mod tests {
 
     #[test]
     fn a_run_that_is_refused_leaves_the_lab_as_it_was() {
-        let mut lab = Stuck::new(7).expect("any");
+        let mut lab = Stuck::new(StuckParams { at: 7 }).expect("any");
         assert_eq!(lab.run(9).expect_err("stuck at once").code, Code::DidNotConverge);
-        assert_eq!(lab, Stuck::new(7).expect("any"));
+        assert_eq!(lab, Stuck::new(StuckParams { at: 7 }).expect("any"));
         lab.run(4).expect("not yet");
         assert_eq!(lab.run(3).expect_err("stuck on the way").code, Code::DidNotConverge);
-        assert_eq!(lab, Stuck { at: 7, steps: 4, taken: vec![1, 2, 3, 4] });
+        assert_eq!(lab, Stuck { params: StuckParams { at: 7 }, steps: 4, taken: vec![1, 2, 3, 4] });
         lab.run(2).expect("not yet");
         assert_eq!(lab.taken.len(), 6);
-        assert_eq!(lab.set(3).expect_err("stuck before").code, Code::DidNotConverge);
-        assert_eq!((lab.at, lab.steps), (7, 6));
+        assert_eq!(lab.set(StuckParams { at: 3 }).expect_err("stuck before").code, Code::DidNotConverge);
+        assert_eq!((lab.params.at, lab.steps), (7, 6));
     }
 
     #[test]

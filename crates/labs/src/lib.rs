@@ -4,6 +4,7 @@
 //! prints comes from [`numbers`], what the chapter checks from [`checks`], and what was chosen from [`givens`].
 
 pub mod checks;
+mod declare;
 pub mod ensembles;
 pub mod givens;
 mod lab;
@@ -11,23 +12,26 @@ mod mapping;
 pub mod numbers;
 mod observability_probe;
 mod observer_bench;
-mod odometry_frame;
 mod odometry_hook;
 mod picture;
 mod series;
 mod shapes;
 mod true_path;
 
-pub use lab::{Digest, Lab, MAX_STEP, State};
+pub use declare::{Field, Knob, Parameter, Params, Plain, Shape, Shown, TYPESCRIPT};
+pub use estimate::localizer::SensorKind;
+pub use lab::{Digest, Experiment, Kind, Lab, MAX_STEP, State};
 pub use mapping::MapError;
 pub use observability_probe::{
-    Fate, MapLandmark, MapShape, Means, ObservabilityProbe, PATH_STEPS, ProbeFrame, ProbeLandmark, ProbeParams,
-    ProbeSeries, ProbeSighting, Ranks, RoomShape, Sight, Traces,
+    Fate, MapLandmark, Means, ObservabilityProbe, PATH_STEPS, ProbeFrame, ProbeLandmark, ProbeMap, ProbeParams,
+    ProbeRanks, ProbeSeries, ProbeSighting, RoomShape, Traces,
 };
-pub use observer_bench::{BenchFrame, BenchParams, MAX_GAIN, Mode, ObserverBench, Sensor};
-pub use odometry_frame::{Belief3, HookFrame, HookSeries, LastSighting, Quality, Ratio, Seen, Spread, Stop, World};
-pub use odometry_hook::{HookParams, MAX_BIAS, MAX_SLIP, OdometryHook};
+pub use observer_bench::{BenchFrame, BenchParams, BenchSeries, Feet, Mode, ObserverBench, Sensor};
+pub use odometry_hook::{
+    CornerSighting, HookFrame, HookParams, HookSeries, LastSighting, OdometryHook, PoseBelief, Quality, Ratio, Spread,
+    Stop, World,
+};
 pub use picture::{Foot, Picture, PictureFrame, PictureParams};
 pub use series::{Series, Track, Tracks, WINDOW};
-pub use shapes::{Belief2, EllipseShape, Root, ellipse_of};
+pub use shapes::{BenchBelief, EllipseShape, Root, ellipse_of};
 pub use true_path::TruePath;

@@ -1,6 +1,7 @@
 //! Range–bearing SLAM on a true path, with the bookkeeping that only a simulation can do: which landmark of the map is
 //! which in truth.
 
+use crate::declare::record;
 use crate::true_path::sensor_covariance;
 use estimate::kf::Gaussian;
 use estimate::slam::{EkfSlam, Outcome, Reading, Report};
@@ -39,13 +40,15 @@ pub(crate) struct Seen {
     pub report: Report,
 }
 
-/// The error of a mapped landmark, metres and in its own standard deviations.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
-pub struct MapError {
-    /// Metres.
-    pub error: f64,
-    /// √(eᵀP⁻¹e).
-    pub sigma: f64,
+record! {
+    /// The error of a mapped landmark, metres and in its own standard deviations.
+    #[derive(Copy)]
+    pub struct MapError {
+        /// Metres.
+        pub error: f64,
+        /// √(eᵀP⁻¹e).
+        pub sigma: f64,
+    }
 }
 
 /// A run of SLAM.
@@ -89,6 +92,7 @@ impl Mapping {
     }
 
     /// The robot stands at `truth`, and every landmark is seen.
+    #[inline(never)]
     pub fn look(&mut self, truth: SE2, noise: &mut Noise) -> Result<Vec<Seen>, Error> {
         let mut seen = Vec::with_capacity(self.world.len());
         for (truth_index, landmark) in self.world.iter().enumerate() {

@@ -6,27 +6,30 @@
 
 mod frame;
 mod localize;
+mod params;
 mod ranks;
 mod snap;
 mod view;
 
-pub use crate::true_path::Sight;
 pub use frame::{
-    Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSeries, ProbeSighting, RoomShape, Traces,
+    Fate, MapLandmark, Means, ProbeFrame, ProbeLandmark, ProbeMap, ProbeSeries, ProbeSighting, RoomShape, Traces,
 };
-pub use ranks::Ranks;
+pub use params::ProbeParams;
+pub use ranks::ProbeRanks;
 pub(crate) use ranks::{Moment, frozen_ranks, stacked_ranks};
 
+use crate::declare::Params;
 use crate::lab::{Digest, Lab};
 use crate::mapping::Mapping;
 use crate::series::Tracks;
 use crate::true_path::{TruePath, parts};
-use estimate::{Code, Error, Landmark, validate};
+use estimate::Landmark;
+use estimate::localizer::SensorKind;
+use estimate::{Code, Error};
 use filters::consistency::nees;
 use geom::SE2;
 use localize::Localizer;
 use nalgebra::{Matrix3, Vector2};
-use serde::Serialize;
 use sim::Noise;
 use sim::paths::Tick;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
@@ -37,74 +40,6 @@ use std::sync::Arc;
 pub const PATH_STEPS: usize = 30;
 /// How many of the last positions a track keeps, two laps and the present.
 const TRACK: usize = 241;
-
-/// What the reader can change.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct ProbeParams {
-    /// Where the landmarks stand, metres, in room A.
-    pub landmarks: [[f64; 2]; 3],
-    /// How many of them are seen: 1 to 3.
-    pub count: u32,
-    /// What is read of them.
-    pub sensor: Sight,
-    /// The step at which the robot stops, if it does.
-    pub stop: Option<u32>,
-    /// Whether the robot has lost its map and must found it anew.
-    pub forget: bool,
-    /// Below this part of the largest a singular value counts as zero.
-    pub tolerance: f64,
-    /// Fixes all noise.
-    pub seed: u32,
-}
-
-impl Default for ProbeParams {
-    fn default() -> Self {
-        Self {
-            landmarks: PROBE.landmarks.map(|l| [l.x, l.y]),
-            count: 1,
-            sensor: Sight::Range,
-            stop: None,
-            forget: false,
-            tolerance: 1e-6,
-            seed: 1,
-        }
-    }
-}
-
-impl ProbeParams {
-    fn check(&self) -> Result<(), Error> {
-        for (i, point) in self.landmarks.iter().enumerate() {
-            for (value, axis) in point.iter().zip(["0", "1"]) {
-                let blamed = || format!("landmarks[{i}][{axis}]");
-                if !value.is_finite() {
-                    return Err(Error::new(Code::NotFinite, blamed(), "is not finite; it must be a number of metres"));
-                }
-                if !(0.0..=PROBE.room).contains(value) {
-                    return Err(Error::new(Code::Limit, blamed(), "is outside room A, which reaches from 0 to 6 m"));
-                }
-            }
-        }
-        if !(1..=3).contains(&self.count) {
-            return Err(Error::new(Code::Limit, "count", format!("is {}; it must be 1, 2 or 3", self.count)));
-        }
-        let tolerance = validate::tolerance(self.tolerance, "tolerance")?;
-        if tolerance > 1.0 {
-            return Err(Error::new(Code::Tolerance, "tolerance", "is relative: at most 1"));
-        }
-        Ok(())
-    }
-
-    /// The landmarks that are seen.
-    fn shown(&self) -> Arc<[Landmark]> {
-        let all = self.landmarks.iter().zip(0..);
-        all.take(self.count as usize).map(|(p, id)| Landmark { id, x: p[0], y: p[1] }).collect()
-    }
-
-    /// The sensor in effect.
-    fn sight(&self) -> Sight {
-        if self.forget { Sight::RangeBearing } else { self.sensor }
-    }
-}
 
 /// Who estimates.
 #[derive(Clone, Debug)]
@@ -162,7 +97,12 @@ impl Lab for ObservabilityProbe {
     type Frame = ProbeFrame;
 
     fn new(params: ProbeParams) -> Result<Self, Error> {
-        params.check()?;
+        params.check().map_err(|mut error| {
+            if error.argument == "tolerance" && error.code == Code::Limit {
+                error.code = Code::Tolerance;
+            }
+            error
+        })?;
         let shown = params.shown();
         let mut noise = Noise::new(u64::from(params.seed));
         let truth = PROBE.course.start();
@@ -179,7 +119,7 @@ impl Lab for ObservabilityProbe {
             driven: 0,
             truth,
             who,
-            reference: TruePath::new(&PROBE, 2, Sight::Range),
+            reference: TruePath::new(&PROBE, 2, SensorKind::Range),
             moments: VecDeque::new(),
             sightings: Vec::new(),
             nees: None,
@@ -317,14 +257,16 @@ impl ObservabilityProbe {
         series.nis_dof.push(f64::from(self.nis_dof));
         self.tracks.truth.push(self.truth.x(), self.truth.y(), TRACK);
         self.tracks.estimate.push(pose.x(), pose.y(), TRACK);
-        self.digest.take(self.truth.to_vector().iter());
-        self.digest.take(pose.to_vector().iter());
-        self.digest.take(p.iter());
-        self.digest.take(self.reference.p.iter());
-        self.digest.take(self.nees.iter().chain(&self.nis));
+        self.digest.take(self.truth.to_vector().as_slice());
+        self.digest.take(pose.to_vector().as_slice());
+        self.digest.take(p.as_slice());
+        self.digest.take(self.reference.p.as_slice());
+        self.digest.take(self.nees.as_slice());
+        self.digest.take(self.nis.as_slice());
         if let Who::Mapper(mapping) = &self.who {
             for landmark in mapping.slam.landmarks() {
-                self.digest.take(landmark.position.iter().chain(landmark.p.iter()));
+                self.digest.take(landmark.position.as_slice());
+                self.digest.take(landmark.p.as_slice());
             }
         }
     }

@@ -1,66 +1,28 @@
 //! The Observer Bench: the rail robot of §8.2.6 under an observer whose gain the reader sets, or the filter does.
 
 mod frame;
+mod params;
 
 pub use frame::{BenchFrame, BenchSeries, Feet};
+pub use params::{BenchParams, Mode, Sensor};
 
+use crate::declare::Params;
 use crate::lab::{Digest, Lab};
 use crate::shapes::{Root, pair, root};
 use estimate::kf::{Gaussian, kalman_step};
 use estimate::rail::{dead_reckoning, position_sensor};
-use estimate::{Code, Error, Lti, Observer, validate};
+use estimate::{Error, Lti, Observer};
 use geom::AffineSet;
 use nalgebra::{Matrix1, Matrix2, U1, U2, Vector1, Vector2};
-use serde::Serialize;
 use sim::Noise;
+use std::sync::OnceLock;
 
-/// The largest knob: past divergence with either sensor.
-pub const MAX_GAIN: f64 = 8.0;
 /// Beyond this error (m or m/s) or root of variance a run has diverged, and stands still.
 const DIVERGED: f64 = 1e6;
 /// Iterations for R∞; the velocity sensor's P never converges, its gain has long before these run out.
 const STEADY_ITERATIONS: usize = 500;
-
-/// What the sensor measures.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Sensor {
-    /// H = [0 1].
-    #[default]
-    Velocity,
-    /// H = [1 0].
-    Position,
-}
-
-/// Who chooses the gain.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "lowercase")]
-pub enum Mode {
-    /// The reader: K = g · R∞ at every step.
-    #[default]
-    Fixed,
-    /// The filter: K = R(k).
-    Filter,
-}
-
-/// What the reader can change.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct BenchParams {
-    /// What the sensor measures.
-    pub sensor: Sensor,
-    /// Who chooses the gain.
-    pub mode: Mode,
-    /// g, the knob: a multiple of R∞ between 0 and [`MAX_GAIN`].
-    pub gain: f64,
-    /// Fixes truth and readings.
-    pub seed: u32,
-}
-
-impl Default for BenchParams {
-    fn default() -> Self {
-        Self { sensor: Sensor::Velocity, mode: Mode::Fixed, gain: 1.0, seed: 1 }
-    }
-}
+/// R∞ of each sensor. It depends on nothing else, and a reader who turns the knob asks for it at every move.
+static STEADY: [OnceLock<Vector2<f64>>; 2] = [const { OnceLock::new() }; 2];
 
 /// The lab.
 #[derive(Debug)]
@@ -91,15 +53,18 @@ impl Lab for ObserverBench {
     type Frame = BenchFrame;
 
     fn new(params: BenchParams) -> Result<Self, Error> {
-        let gain = validate::finite(params.gain, "gain")?;
-        if !(0.0..=MAX_GAIN).contains(&gain) {
-            return Err(Error::new(Code::Limit, "gain", "is out of reach; the knob turns from 0 to 8"));
-        }
+        params.check()?;
         let (system, belief) = match params.sensor {
             Sensor::Velocity => dead_reckoning(),
             Sensor::Position => position_sensor(),
         };
-        let steady = system.steady_state_gain(&belief.p, STEADY_ITERATIONS, 1e-12)?.r;
+        let steady = match STEADY[params.sensor as usize].get() {
+            Some(known) => *known,
+            None => {
+                let found = system.steady_state_gain(&belief.p, STEADY_ITERATIONS, 1e-12)?.r;
+                *STEADY[params.sensor as usize].get_or_init(|| found)
+            }
+        };
         let first = system.gain_schedule(&belief.p, 1)?.remove(0);
         let mut noise = Noise::new(u64::from(params.seed));
         let truth = belief.x + noise.correlated(&root(&belief.p, "P")?);
@@ -116,7 +81,7 @@ impl Lab for ObserverBench {
             filter: belief,
             filter_gain: first,
             gain: match params.mode {
-                Mode::Fixed => steady * gain,
+                Mode::Fixed => steady * params.gain,
                 Mode::Filter => first,
             },
             predicted: belief,
@@ -205,6 +170,8 @@ impl Lab for ObserverBench {
             }),
             spectral_radius: modulus[0],
             stable: movable.clone().all(|(_, m)| *m < 1.0),
+            outside: [0, 1].map(|i| Some(i) != pinned && modulus[i] >= 1.0),
+            modulus,
             eigenvalues,
             pinned,
             stable_up_to: knob_limit(&self.system, &self.steady),
@@ -249,12 +216,12 @@ impl ObserverBench {
         series.e1.push(error[0]);
         series.e2.push(error[1]);
         series.knob.push(knob);
-        self.digest.take(self.truth.iter());
-        self.digest.take(self.gain.iter());
-        self.digest.take(self.reading.iter());
+        self.digest.take(self.truth.as_slice());
+        self.digest.take(self.gain.as_slice());
+        self.digest.take(self.reading.as_slice());
         for belief in [&self.predicted, &self.posterior] {
-            self.digest.take(belief.x.iter());
-            self.digest.take(belief.p.iter());
+            self.digest.take(belief.x.as_slice());
+            self.digest.take(belief.p.as_slice());
         }
     }
 }
@@ -273,139 +240,4 @@ pub(crate) fn knob_limit(system: &Lti<U2, U1, U1>, steady: &Vector2<f64>) -> f64
 }
 
 #[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn at(params: BenchParams, steps: u32) -> ObserverBench {
-        let mut bench = ObserverBench::new(params).expect("sound parameters");
-        bench.run(steps).expect("within the limit");
-        bench
-    }
-
-    fn with(sensor: Sensor, mode: Mode, gain: f64) -> BenchParams {
-        BenchParams { sensor, mode, gain, seed: 1 }
-    }
-
-    #[test]
-    fn the_velocity_sensor_pins_an_eigenvalue_at_one() {
-        for gain in [0.0, 0.5, 1.0, 3.0, 6.0] {
-            let frame = at(with(Sensor::Velocity, Mode::Fixed, gain), 3).frame();
-            let pinned = frame.pinned.expect("one is pinned");
-            assert_eq!((frame.eigenvalues[pinned].re, frame.eigenvalues[pinned].im), (1.0, 0.0));
-        }
-        assert_eq!(at(with(Sensor::Position, Mode::Fixed, 1.0), 3).frame().pinned, None);
-    }
-
-    #[test]
-    fn the_knob_s_limit_parts_stable_from_unstable() {
-        for sensor in [Sensor::Velocity, Sensor::Position] {
-            let limit = ObserverBench::new(with(sensor, Mode::Fixed, 1.0)).expect("sound").frame().stable_up_to;
-            for (gain, stable) in [(0.999 * limit, true), (1.001 * limit, false), (0.01, true)] {
-                let frame = at(with(sensor, Mode::Fixed, gain), 1).frame();
-                assert_eq!(frame.stable, stable, "{sensor:?} at {gain}");
-            }
-        }
-    }
-
-    #[test]
-    fn past_the_limit_a_run_diverges_says_so_and_stands_still() {
-        let mut bench = at(with(Sensor::Position, Mode::Fixed, 6.0), 200);
-        let frame = bench.frame();
-        assert!(frame.diverged);
-        bench.run(50).expect("within the limit");
-        let later = bench.frame();
-        assert_eq!((later.truth, later.posterior, later.series), (frame.truth, frame.posterior, frame.series));
-        assert_eq!(later.step, 250);
-    }
-
-    #[test]
-    fn the_filter_s_equivalent_knob_drifts_to_one() {
-        for sensor in [Sensor::Velocity, Sensor::Position] {
-            let bench = at(with(sensor, Mode::Filter, 1.0), 100);
-            assert!((bench.frame().equivalent_knob - 1.0).abs() < 1e-9);
-            let first = bench.frame().series.knob.iter().next().expect("recorded");
-            assert!((first - 1.0).abs() > 0.2, "{first}");
-        }
-    }
-
-    #[test]
-    fn the_equivalent_knob_does_not_depend_on_the_unit_of_time() {
-        for (system, belief) in [dead_reckoning(), position_sensor()] {
-            // A velocity in m/s is 60 times as large in m/min: x' = D x with D = diag(1, 60).
-            let d = Matrix2::from_diagonal(&Vector2::new(1.0, 60.0));
-            let inverse = Matrix2::from_diagonal(&Vector2::new(1.0, 1.0 / 60.0));
-            // The velocity sensor's reading is converted as well; the position sensor's stays in metres.
-            let c = if system.h[1] == 0.0 { 1.0 } else { 60.0 };
-            let minutes = Lti {
-                f: d * system.f * inverse,
-                g: d * system.g,
-                h: system.h * inverse * c,
-                v: d * system.v * d,
-                w: system.w * (c * c),
-            };
-            let knob = |system: &Lti<U2, U1, U1>, p: &Matrix2<f64>| {
-                let steady = system.steady_state_gain(p, STEADY_ITERATIONS, 1e-12).expect("sound").r;
-                let first = system.gain_schedule(p, 1).expect("sound").remove(0);
-                equivalent_knob(system, &first, &steady)
-            };
-            let [in_seconds, in_minutes] = [knob(&system, &belief.p), knob(&minutes, &(d * belief.p * d))];
-            // The two limits each stop within 1e-12 of R∞; ⟨R, R∞⟩/⟨R∞, R∞⟩ differed by more than 0.1 here.
-            assert!((in_seconds - in_minutes).abs() < 1e-9, "{in_seconds} {in_minutes}");
-        }
-    }
-
-    #[test]
-    fn one_knob_is_the_filter_s_limit() {
-        let fixed = at(with(Sensor::Position, Mode::Fixed, 1.0), 200).frame();
-        let filter = at(with(Sensor::Position, Mode::Filter, 1.0), 200).frame();
-        assert_eq!(fixed.truth, filter.truth, "the seed fixes truth and readings");
-        for i in 0..2 {
-            assert!((fixed.posterior.x[i] - filter.posterior.x[i]).abs() < 1e-9);
-            assert!((fixed.posterior.p[i][i] - filter.posterior.p[i][i]).abs() < 1e-9);
-        }
-    }
-
-    #[test]
-    fn the_filter_s_update_is_the_mahalanobis_foot_on_the_most_likely_output() {
-        let bench = at(with(Sensor::Velocity, Mode::Filter, 1.0), 7);
-        let frame = bench.frame();
-        let omega = AffineSet { h: bench.system.h, y: Vector1::new(frame.most_likely_output.expect("a reading")) };
-        let foot = omega.mahalanobis_foot(&bench.predicted.p, &bench.predicted.x).expect("positive");
-        assert!((foot - bench.posterior.x).norm() < 1e-13);
-    }
-
-    #[test]
-    fn a_change_replays_the_whole_run() {
-        let mut turned = at(with(Sensor::Velocity, Mode::Fixed, 1.0), 30);
-        turned.set(with(Sensor::Velocity, Mode::Fixed, 2.5)).expect("sound");
-        assert_eq!(turned.frame(), at(with(Sensor::Velocity, Mode::Fixed, 2.5), 30).frame());
-        let again = ObserverBench::from_state(turned.state()).expect("a state of its own");
-        assert_eq!(again.digest(), turned.digest());
-        assert_ne!(again.digest(), at(with(Sensor::Velocity, Mode::Fixed, 2.5), 31).digest());
-    }
-
-    #[test]
-    fn what_is_out_of_bounds_is_refused_and_the_lab_kept() {
-        let mut bench = at(BenchParams::default(), 5);
-        let before = bench.frame();
-        for gain in [-0.1, MAX_GAIN + 0.1] {
-            let error = bench.set(BenchParams { gain, ..BenchParams::default() }).expect_err("out of bounds");
-            assert_eq!((error.code, error.argument.as_ref()), (Code::Limit, "gain"));
-        }
-        let error = bench.set(BenchParams { gain: f64::NAN, ..BenchParams::default() }).expect_err("NaN");
-        assert_eq!(error.code, Code::NotFinite);
-        for n in [0, crate::MAX_STEP] {
-            assert_eq!(bench.run(n).expect_err("too few or too many").code, Code::Limit);
-        }
-        let beyond = crate::State { params: BenchParams::default(), step: crate::MAX_STEP + 1 };
-        assert_eq!(ObserverBench::from_state(beyond).expect_err("too far").argument, "step");
-        assert_eq!(bench.frame(), before);
-    }
-
-    #[test]
-    fn a_long_run_keeps_its_memory_and_stays_finite() {
-        let frame = at(with(Sensor::Velocity, Mode::Filter, 1.0), 10_000).frame();
-        assert_eq!(frame.series.p11.len(), crate::WINDOW);
-        assert!(!frame.diverged && frame.posterior.p[0][0] > 2900.0);
-    }
-}
+mod tests;

@@ -1,11 +1,12 @@
 //! A number over time, its last few hundred values: a long run keeps its memory.
 
-use serde::Serialize;
+use crate::declare::typescript::Type;
+use crate::declare::{Plain, Shape, record};
 use std::collections::VecDeque;
 
 /// How far a track may be from where it was, metres.
 const NEAR: f64 = 1e-3;
-/// How many of the last values a series keeps.
+/// How many of the last values a series keeps, if not stated otherwise.
 pub const WINDOW: usize = 240;
 
 /// Appends a value to a window of at most `most`, dropping the oldest when it is full.
@@ -16,15 +17,29 @@ pub(crate) fn keep<T>(window: &mut VecDeque<T>, value: T, most: usize) {
     window.push_back(value);
 }
 
-/// The last [`WINDOW`] values of a number, oldest first.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-#[serde(transparent)]
-pub struct Series(VecDeque<f64>);
+/// [`keep`], once for all series.
+#[inline(never)]
+fn keep_number(window: &mut VecDeque<f64>, value: f64, most: usize) {
+    keep(window, value, most);
+}
 
-impl Series {
+/// The last values of a number, oldest first: at most `MOST` of them.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Series<const MOST: usize = WINDOW>(VecDeque<f64>);
+
+impl<const MOST: usize> Plain for Series<MOST> {
+    const SHAPE: Shape = VecDeque::<f64>::SHAPE;
+    const TYPE: Type = VecDeque::<f64>::TYPE;
+
+    fn write(&self, to: &mut Vec<f64>) {
+        self.0.write(to);
+    }
+}
+
+impl<const MOST: usize> Series<MOST> {
     /// Appends a value, dropping the oldest when the window is full.
     pub fn push(&mut self, value: f64) {
-        keep(&mut self.0, value, WINDOW);
+        keep_number(&mut self.0, value, MOST);
     }
 
     /// How many values there are.
@@ -43,19 +58,21 @@ impl Series {
     }
 }
 
-/// The last positions of something that moves, oldest first.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Track {
-    /// Metres.
-    pub x: VecDeque<f64>,
-    /// Metres.
-    pub y: VecDeque<f64>,
+record! {
+    /// The course of something that moves, oldest position first.
+    #[derive(Default)]
+    pub struct Track {
+        /// Metres.
+        pub x: VecDeque<f64>,
+        /// Metres.
+        pub y: VecDeque<f64>,
+    }
 }
 
 impl Track {
     pub(crate) fn push(&mut self, x: f64, y: f64, most: usize) {
-        keep(&mut self.x, x, most);
-        keep(&mut self.y, y, most);
+        keep_number(&mut self.x, x, most);
+        keep_number(&mut self.y, y, most);
     }
 
     /// The same course in as few positions as miss none by more than a millimetre, a small part of a pixel in every figure:
@@ -105,13 +122,15 @@ fn squared_distance(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     off[0] * off[0] + off[1] * off[1]
 }
 
-/// Where the robot was, and where it believed to be.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Tracks {
-    /// True positions.
-    pub truth: Track,
-    /// Estimated positions.
-    pub estimate: Track,
+record! {
+    /// Where the robot was and where it believed to be, in the fewest positions that miss none by more than a millimetre.
+    #[derive(Default)]
+    pub struct Tracks {
+        /// True positions.
+        pub truth: Track,
+        /// Estimated positions.
+        pub estimate: Track,
+    }
 }
 
 impl Tracks {
@@ -162,7 +181,7 @@ mod tests {
 
     #[test]
     fn the_window_slides() {
-        let mut series = Series::default();
+        let mut series: Series = Series::default();
         assert!(series.is_empty());
         for k in 0..WINDOW + 3 {
             series.push(k as f64);

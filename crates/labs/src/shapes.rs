@@ -1,21 +1,25 @@
 //! Plain values for a view: rows of numbers, ellipses.
 
+use crate::declare::shape::put;
+use crate::declare::typescript::Type;
+use crate::declare::{Plain, Shape, record};
 use estimate::kf::Gaussian;
 use estimate::{Complex, Error};
 use geom::Ellipse;
 use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, U2, Vector2};
-use serde::Serialize;
 
-/// An ellipse as a view draws it: half-axes, and the angle of the major axis in (−π/2, π/2].
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct EllipseShape {
-    /// Half the long axis.
-    pub semi_major: f64,
-    /// Half the short axis.
-    pub semi_minor: f64,
-    /// Angle of the long axis, radians.
-    pub angle: f64,
+record! {
+    /// An ellipse as a view draws it.
+    #[typescript = "Ellipse"]
+    #[derive(Copy)]
+    pub struct EllipseShape {
+        /// Half the long axis.
+        pub semi_major: f64,
+        /// Half the short axis.
+        pub semi_minor: f64,
+        /// Angle of the long axis, radians in (−π/2, π/2].
+        pub angle: f64,
+    }
 }
 
 impl From<Ellipse> for EllipseShape {
@@ -29,31 +33,36 @@ pub fn ellipse_of(p: &Matrix2<f64>) -> EllipseShape {
     Ellipse::from_covariance(p, 1.0).into()
 }
 
-/// A belief over two states.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Belief2 {
-    /// The mean.
-    pub x: [f64; 2],
-    /// The covariance, by rows.
-    #[serde(rename = "P")]
-    pub p: [[f64; 2]; 2],
-    /// Its one-sigma ellipse.
-    pub ellipse: EllipseShape,
+record! {
+    /// A belief over two states.
+    #[derive(Copy)]
+    pub struct BenchBelief {
+        /// The mean.
+        pub x: [f64; 2],
+        /// The covariance, by rows.
+        #[name = "P"]
+        pub p: [[f64; 2]; 2],
+        /// Its one-sigma ellipse.
+        pub ellipse: EllipseShape,
+    }
 }
 
-impl From<&Gaussian<U2>> for Belief2 {
+impl From<&Gaussian<U2>> for BenchBelief {
     fn from(belief: &Gaussian<U2>) -> Self {
         Self { x: pair(&belief.x), p: rows(&belief.p), ellipse: ellipse_of(&belief.p) }
     }
 }
 
-/// A complex number.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-pub struct Root {
-    /// Real part.
-    pub re: f64,
-    /// Imaginary part.
-    pub im: f64,
+record! {
+    /// A complex number.
+    #[typescript = "Complex"]
+    #[derive(Copy)]
+    pub struct Root {
+        /// Real part.
+        pub re: f64,
+        /// Imaginary part.
+        pub im: f64,
+    }
 }
 
 impl From<Complex<f64>> for Root {
@@ -74,21 +83,34 @@ pub(crate) fn rows3(m: &Matrix3<f64>) -> [[f64; 3]; 3] {
     [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]))
 }
 
-/// What is read at once, one number or two: ν, or S by rows. On the stack, for a lab makes thousands of them that only the
-/// last of is drawn.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum OneOrTwo<One, Two> {
-    /// Of one output.
-    One(One),
-    /// Of two.
-    Two(Two),
+/// One entry or two, for sensors of one output and of two. On the stack: a lab makes thousands, and draws the last.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OneOrTwo<T> {
+    count: usize,
+    entries: [T; 2],
+}
+
+impl<T> OneOrTwo<T> {
+    /// The entries there are.
+    pub fn entries(&self) -> &[T] {
+        &self.entries[..self.count]
+    }
+}
+
+impl<T: Plain + 'static> Plain for OneOrTwo<T> {
+    const SHAPE: Shape = Shape::List(&T::SHAPE);
+    const TYPE: Type = Type::Array(&T::TYPE);
+
+    fn write(&self, to: &mut Vec<f64>) {
+        put(to, self.count as f64);
+        self.entries().iter().for_each(|entry| entry.write(to));
+    }
 }
 
 /// ν of one output or two.
-pub type Innovation = OneOrTwo<[f64; 1], [f64; 2]>;
-/// S of one output or two.
-pub type InnovationCovariance = OneOrTwo<[[f64; 1]; 1], [[f64; 2]; 2]>;
+pub type Innovation = OneOrTwo<f64>;
+/// S of one output or two, by rows.
+pub type InnovationCovariance = OneOrTwo<OneOrTwo<f64>>;
 
 /// ν and S for a view, of M outputs, which are one or two.
 pub(crate) fn innovation<const M: usize>(
@@ -96,12 +118,8 @@ pub(crate) fn innovation<const M: usize>(
     s: &SMatrix<f64, M, M>,
 ) -> (Innovation, InnovationCovariance) {
     let last = M - 1;
-    if M == 1 {
-        (OneOrTwo::One([nu[0]]), OneOrTwo::One([[s[(0, 0)]]]))
-    } else {
-        let rows = [[s[(0, 0)], s[(0, last)]], [s[(last, 0)], s[(last, last)]]];
-        (OneOrTwo::Two([nu[0], nu[last]]), OneOrTwo::Two(rows))
-    }
+    let row = |i: usize| OneOrTwo { count: M, entries: [s[(i, 0)], s[(i, last)]] };
+    (OneOrTwo { count: M, entries: [nu[0], nu[last]] }, OneOrTwo { count: M, entries: [row(0), row(last)] })
 }
 
 /// The lower triangular root of a covariance that is known to be positive definite, a constant of a lab.

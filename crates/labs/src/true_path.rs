@@ -1,8 +1,11 @@
 //! The covariance a localizer would have were its Jacobians taken on the true path: no noise is drawn, so no seed enters.
 //! What the chapter quotes as *the* trace of the Probe, and the reference its figure draws.
 
+use crate::declare::worded;
+use estimate::Landmark;
 use estimate::landmarks::{RangeBearing, RangeOnly};
-use estimate::{Error, Landmark, Unicycle};
+use estimate::localizer::SensorKind;
+use estimate::{Error, Unicycle};
 use filters::linear;
 use filters::{MeasurementModel, MotionModel};
 use geom::SE2;
@@ -10,15 +13,11 @@ use nalgebra::{Matrix1, Matrix2, Matrix3, Vector2, Vector3};
 use sim::paths::Tick;
 use sim::scenarios::Probe;
 
-/// What a sighting is made of.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum Sight {
-    /// ρ alone.
-    #[default]
-    Range,
-    /// ρ and β.
-    RangeBearing,
+worded! {
+    SensorKind {
+        Range = "range",
+        RangeBearing = "range-bearing",
+    }
 }
 
 /// diag(σ²).
@@ -40,14 +39,14 @@ pub struct TruePath {
     /// P after the sightings of this step.
     pub p: Matrix3<f64>,
     landmarks: Vec<Landmark>,
-    sight: Sight,
+    sight: SensorKind,
     v: Matrix3<f64>,
     w: Matrix2<f64>,
 }
 
 impl TruePath {
     /// The scenario's robot at its start, seeing its first `count` landmarks at every step.
-    pub fn new(scenario: &Probe, count: usize, sight: Sight) -> Self {
+    pub fn new(scenario: &Probe, count: usize, sight: SensorKind) -> Self {
         Self {
             pose: scenario.course.start(),
             p: squares(scenario.p0_sigma),
@@ -69,11 +68,11 @@ impl TruePath {
         self.pose = tick.drive(self.pose);
         for j in 0..self.landmarks.len() {
             self.p = match self.sight {
-                Sight::Range => {
+                SensorKind::Range => {
                     let h = RangeOnly { map: &self.landmarks }.jacobian(&self.pose, j)?;
                     linear::gain(&self.p, &h, &Matrix1::new(self.w[(0, 0)]))?.p
                 }
-                Sight::RangeBearing => {
+                SensorKind::RangeBearing => {
                     let h = RangeBearing { map: &self.landmarks }.jacobian(&self.pose, j)?;
                     linear::gain(&self.p, &h, &self.w)?.p
                 }
@@ -102,7 +101,7 @@ pub(crate) fn parts(p: &Matrix3<f64>) -> [f64; 2] {
 ///
 /// # Errors
 /// Whatever the core answers; on the chapter's constants, nothing.
-pub(crate) fn after(scenario: &Probe, landmarks: usize, sight: Sight, steps: u32) -> Result<TruePath, Error> {
+pub(crate) fn after(scenario: &Probe, landmarks: usize, sight: SensorKind, steps: u32) -> Result<TruePath, Error> {
     let mut path = TruePath::new(scenario, landmarks, sight);
     for k in 0..steps {
         path.step(scenario.course.tick(k))?;
@@ -117,7 +116,7 @@ mod tests {
 
     #[test]
     fn the_parts_add_up_to_the_trace() {
-        let path = after(&PROBE, 1, Sight::Range, 240).expect("clear of the landmarks");
+        let path = after(&PROBE, 1, SensorKind::Range, 240).expect("clear of the landmarks");
         let [position, heading] = path.parts();
         assert!((position + heading - path.trace()).abs() < 1e-15);
         assert!((path.trace() - 0.48232).abs() < 5e-6);
@@ -125,7 +124,8 @@ mod tests {
 
     #[test]
     fn each_constant_of_the_scenario_moves_the_trace() {
-        let trace = |scenario: &Probe| after(scenario, 1, Sight::Range, 240).expect("clear of the landmarks").trace();
+        let trace =
+            |scenario: &Probe| after(scenario, 1, SensorKind::Range, 240).expect("clear of the landmarks").trace();
         let as_chosen = trace(&PROBE);
         for (what, change) in [
             ("v_sigma", (|p: &mut Probe| p.v_sigma[0] *= 2.0) as fn(&mut Probe)),
@@ -141,7 +141,7 @@ mod tests {
 
     #[test]
     fn a_stopped_robot_gains_no_noise() {
-        let mut path = after(&PROBE, 2, Sight::Range, 60).expect("clear");
+        let mut path = after(&PROBE, 2, SensorKind::Range, 60).expect("clear");
         let before = path.trace();
         for _ in 0..50 {
             path.step(Tick { ds: 0.0, dtheta: 0.0 }).expect("clear");

@@ -34,7 +34,7 @@ export function drawDisc({ pen, width, height }, frame) {
 function eigenvalue(pen, plane, frame, value, i) {
   const { x, y, box } = plane
   const pinned = frame.pinned === i
-  const outside = !pinned && Math.hypot(value.re, value.im) >= 1
+  const outside = frame.outside[i]
   const re = Math.max(x.invert(box.left + 7), Math.min(x.invert(box.right - 7), value.re))
   const off = re !== value.re
   const name = `eigenvalue ${outside ? 'outside' : ''} ${pinned ? 'pinned' : ''}`.replace(/ +/g, ' ').trim()

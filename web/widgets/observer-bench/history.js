@@ -5,18 +5,9 @@ import { timePlot } from '../../core/plot.js'
 /** @typedef {import('estimate-wasm').BenchFrame} Frame */
 /** @typedef {import('../../core/shell.js').Panel} Panel */
 
-const WINDOW = 120
-
-/** @param {Frame} frame */
-function recent(frame) {
-  const cut = (/** @type {number[]} */ values) => values.slice(-WINDOW)
-  const { step, r1, r2, p11, p22, e1, e2, knob } = frame.series
-  return { step: cut(step), r1: cut(r1), r2: cut(r2), p11: cut(p11), p22: cut(p22), e1: cut(e1), e2: cut(e2), knob: cut(knob) }
-}
-
 /** @param {Panel} panel @param {Frame} frame */
 export function drawGain(panel, frame) {
-  const { step, r1, r2, knob } = recent(frame)
+  const { step, r1, r2, knob } = frame.series
   const [s1, s2] = frame.steadyGain
   panel.pen.draw((pen) => void timePlot(pen, panel, {
     title: { choset: 'gain *R*(*k*) and its knob *g*', thrun: 'gain *K*_t and its knob *g*' },
@@ -34,7 +25,7 @@ export function drawGain(panel, frame) {
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawVariance(panel, frame) {
-  const { step, p11, p22 } = recent(frame)
+  const { step, p11, p22 } = frame.series
   panel.pen.draw((pen) => void timePlot(pen, panel, {
     title: 'variance (m², m²/s²)',
     steps: step,
@@ -50,7 +41,7 @@ export function drawVariance(panel, frame) {
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawError(panel, frame) {
-  const { step, e1, e2 } = recent(frame)
+  const { step, e1, e2 } = frame.series
   panel.pen.draw((pen) => void timePlot(pen, panel, {
     title: 'error (m, m/s)',
     steps: step,

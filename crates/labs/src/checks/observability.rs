@@ -2,9 +2,11 @@
 
 use super::Check;
 use crate::givens::Givens;
-use crate::observability_probe::{Moment, Ranks, frozen_ranks, stacked_ranks};
-use crate::true_path::{Sight, after};
-use estimate::{Error, Landmark};
+use crate::observability_probe::{Moment, ProbeRanks, frozen_ranks, stacked_ranks};
+use crate::true_path::after;
+use estimate::Error;
+use estimate::Landmark;
+use estimate::localizer::SensorKind;
 use geom::SE2;
 use nalgebra::Vector2;
 use sim::paths::Tick;
@@ -18,8 +20,8 @@ const AROUND: u32 = 8;
 pub(crate) struct Case {
     /// What it is.
     pub about: &'static str,
-    pub frozen: Ranks,
-    pub path: Ranks,
+    pub frozen: ProbeRanks,
+    pub path: ProbeRanks,
 }
 
 /// Check 9's cases, on the true path of the Probe.
@@ -37,16 +39,16 @@ pub(crate) fn five_cases(givens: &Givens) -> Result<Vec<Case>, Error> {
         let now = drive.get(AROUND as usize).cloned().into_iter().collect::<Vec<_>>();
         let frozen = match now.first() {
             Some(now) => frozen_ranks(now, sight, false, TOLERANCE)?,
-            None => Ranks::none(),
+            None => ProbeRanks::none(),
         };
         Ok(Case { about, frozen, path: stacked_ranks(drive.iter(), sight, false, TOLERANCE)? })
     };
     Ok(vec![
-        case("one range-only landmark", &[first], Sight::Range, true)?,
-        case("two range-only landmarks", &[first, second], Sight::Range, true)?,
-        case("one range–bearing landmark, moving", &[first], Sight::RangeBearing, true)?,
-        case("two range-only landmarks whose line the robot crosses", &[first, between], Sight::Range, true)?,
-        case("one range–bearing landmark, stopped", &[first], Sight::RangeBearing, false)?,
+        case("one range-only landmark", &[first], SensorKind::Range, true)?,
+        case("two range-only landmarks", &[first, second], SensorKind::Range, true)?,
+        case("one range–bearing landmark, moving", &[first], SensorKind::RangeBearing, true)?,
+        case("two range-only landmarks whose line the robot crosses", &[first, between], SensorKind::Range, true)?,
+        case("one range–bearing landmark, stopped", &[first], SensorKind::RangeBearing, false)?,
     ])
 }
 
@@ -76,7 +78,7 @@ pub(super) fn observability_ranks(givens: &Givens) -> Result<Check, Error> {
 
 /// Check 10: the pose trace after two laps with one range-only landmark and with two, Jacobians on the true path.
 pub(super) fn traces(givens: &Givens) -> Result<Check, Error> {
-    let trace = |n| after(&givens.probe, n, Sight::Range, givens.probe.steps).map(|path| path.trace());
+    let trace = |n| after(&givens.probe, n, SensorKind::Range, givens.probe.steps).map(|path| path.trace());
     let title = "The pose trace after 240 steps, with one landmark and with two";
     Ok(Check::new(10, title, vec![0.48232, 0.03402], vec![trace(1)?, trace(2)?], 5e-6))
 }

@@ -5,8 +5,9 @@ use crate::checks::observability::five_cases;
 use crate::givens::Givens;
 use crate::lab::Lab;
 use crate::observability_probe::{ObservabilityProbe, ProbeParams};
-use crate::true_path::{Sight, after};
+use crate::true_path::after;
 use estimate::Error;
+use estimate::localizer::SensorKind;
 
 pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     ranks(givens, to)?;
@@ -27,7 +28,7 @@ fn traces(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let probe = &givens.probe;
     to.by("labs::true_path::after", Some(10));
     for (name, n) in [("one", 1), ("two", 2)] {
-        let path = after(probe, n, Sight::Range, probe.steps)?;
+        let path = after(probe, n, SensorKind::Range, probe.steps)?;
         let [position, heading] = path.parts();
         to.add(format!("probe.trace.{name}"), path.trace(), "the pose trace after 240 steps, m² and rad² added")
             .add(format!("probe.trace.{name}.position"), position, "its part in m²")
@@ -35,11 +36,11 @@ fn traces(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     }
     to.by("labs::true_path::after", None);
     for steps in [480, 960] {
-        let trace = after(probe, 1, Sight::Range, steps)?.trace();
+        let trace = after(probe, 1, SensorKind::Range, steps)?.trace();
         to.add(format!("probe.trace.one.{steps}"), trace, "the same with one landmark, after more laps");
     }
     for steps in [240, 480, 960, 1920] {
-        let trace = after(probe, 1, Sight::RangeBearing, steps)?.trace();
+        let trace = after(probe, 1, SensorKind::RangeBearing, steps)?.trace();
         to.add(format!("probe.trace.rb.{steps}"), trace, "the pose trace with one range–bearing landmark");
     }
     Ok(())

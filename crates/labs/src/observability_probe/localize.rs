@@ -2,12 +2,14 @@
 
 use super::frame::{Fate, ProbeSighting};
 use crate::shapes::innovation;
-use crate::true_path::{Sight, sensor_covariance, squares};
+use crate::true_path::{sensor_covariance, squares};
+use estimate::Landmark;
 use estimate::kf::Gaussian;
 use estimate::landmarks::{RangeBearing, RangeOnly, candidate};
-use estimate::{ChosetEkf, Error, Landmark, Sighting};
-use filters::MeasurementModel;
+use estimate::localizer::SensorKind;
+use estimate::{ChosetEkf, Error, Sighting};
 use filters::association::Rule;
+use filters::MeasurementModel;
 use geom::SE2;
 use nalgebra::{DMatrix, Matrix1, Matrix3, SMatrix, SVector, Vector2, Vector3};
 use sim::Noise;
@@ -20,7 +22,7 @@ use std::sync::Arc;
 pub(super) struct Localizer {
     pub ekf: ChosetEkf,
     landmarks: Arc<[Landmark]>,
-    sight: Sight,
+    sight: SensorKind,
 }
 
 /// NIS of a step and its degrees of freedom, where a sighting was used.
@@ -28,7 +30,7 @@ pub(super) type Evidence = Option<(f64, u32)>;
 
 impl Localizer {
     /// A first estimate drawn from P₀ about the truth.
-    pub fn new(truth: SE2, landmarks: Arc<[Landmark]>, sight: Sight, noise: &mut Noise) -> Self {
+    pub fn new(truth: SE2, landmarks: Arc<[Landmark]>, sight: SensorKind, noise: &mut Noise) -> Self {
         let off = drawn(PROBE.p0_sigma, noise);
         let belief = Gaussian { x: truth.boxplus(&off).to_vector(), p: squares(PROBE.p0_sigma) };
         Self { ekf: ChosetEkf::new(&belief), landmarks, sight }
@@ -57,8 +59,8 @@ impl Localizer {
         });
         let w = sensor_covariance(&PROBE.sensor);
         Ok(match self.sight {
-            Sight::RangeBearing => self.correct(&RangeBearing { map: &map }, readings, |z| z, &w, sightings),
-            Sight::Range => {
+            SensorKind::RangeBearing => self.correct(&RangeBearing { map: &map }, readings, |z| z, &w, sightings),
+            SensorKind::Range => {
                 let (model, w) = (RangeOnly { map: &map }, Matrix1::new(w[(0, 0)]));
                 self.correct(&model, readings, |z| z.fixed_rows::<1>(0).into_owned(), &w, sightings)
             }

@@ -1,14 +1,15 @@
 //! What the readings of a drive can tell: frozen at one pose, and stacked along the last steps.
 
-use crate::true_path::Sight;
+use crate::declare::record;
+use estimate::Landmark;
 use estimate::landmarks::{RangeBearing, RangeOnly};
+use estimate::localizer::SensorKind;
 use estimate::observability::Observability;
 use estimate::path_observability::{PathStack, frozen};
-use estimate::{Error, Landmark, Unicycle};
+use estimate::{Error, Unicycle};
 use filters::{MeasurementModel, MotionModel};
 use geom::SE2;
 use nalgebra::{DMatrix, DVector, Vector2};
-use serde::Serialize;
 use std::sync::Arc;
 
 /// One moment of a drive: where, what was in the map then, and the input that led on.
@@ -22,27 +23,27 @@ pub(crate) struct Moment {
     pub u: Vector2<f64>,
 }
 
-/// A rank with what stands behind it, as a view draws it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[serde(rename_all = "camelCase")]
-pub struct Ranks {
-    /// Singular values above the tolerance.
-    pub rank: usize,
-    /// States.
-    pub n: usize,
-    /// In decreasing order.
-    pub singular_values: Vec<f64>,
-    /// The same, each divided by the largest (zeros where that is zero).
-    pub relative: Vec<f64>,
-    /// Orthonormal directions that no reading sees; for a stack, at its start.
-    pub nullspace: Vec<Vec<f64>>,
-    /// The same at the present pose, the robot's part: [dx, dy, dθ], of length 1 in the plane, or a pure turn dθ = 1.
-    pub directions: Vec<[f64; 3]>,
-    /// Steps stacked; 0 for a frozen pair.
-    pub steps: usize,
+record! {
+    /// A rank with what stands behind it, as a view draws it.
+    pub struct ProbeRanks {
+        /// Singular values above the tolerance.
+        pub rank: usize,
+        /// States.
+        pub n: usize,
+        /// In decreasing order.
+        pub singular_values: Vec<f64>,
+        /// The same, each divided by the largest (zeros where that is zero).
+        pub relative: Vec<f64>,
+        /// Orthonormal directions that no reading sees; for a stack, at its start.
+        pub nullspace: Vec<Vec<f64>>,
+        /// The same at the present pose, the robot's part: [dx, dy, dθ], of length 1 in the plane, or a pure turn dθ = 1.
+        pub directions: Vec<[f64; 3]>,
+        /// Steps stacked; 0 for a frozen pair.
+        pub steps: usize,
+    }
 }
 
-impl Ranks {
+impl ProbeRanks {
     fn new(found: Observability, now: &[DVector<f64>], steps: usize) -> Self {
         let largest = found.singular_values.first().copied().unwrap_or(0.0);
         let relative = |s: &f64| if largest > 0.0 { s / largest } else { 0.0 };
@@ -75,13 +76,13 @@ fn robot_part(c: &DVector<f64>) -> [f64; 3] {
 
 /// The rows of H over the pose, and over the map's coordinates too when the map is part of the state. A landmark
 /// underfoot has none.
-pub(crate) fn output_rows(pose: &SE2, landmarks: &[Landmark], sight: Sight, mapped: bool) -> DMatrix<f64> {
+pub(crate) fn output_rows(pose: &SE2, landmarks: &[Landmark], sight: SensorKind, mapped: bool) -> DMatrix<f64> {
     let n = 3 + if mapped { 2 * landmarks.len() } else { 0 };
     let mut rows = Vec::new();
     for j in 0..landmarks.len() {
         let block = match sight {
-            Sight::Range => RangeOnly { map: landmarks }.jacobian(pose, j).map(|h| h.resize_vertically(1, 0.0)),
-            Sight::RangeBearing => {
+            SensorKind::Range => RangeOnly { map: landmarks }.jacobian(pose, j).map(|h| h.resize_vertically(1, 0.0)),
+            SensorKind::RangeBearing => {
                 RangeBearing { map: landmarks }.jacobian(pose, j).map(|h| h.resize_vertically(2, 0.0))
             }
         };
@@ -109,11 +110,16 @@ fn motion(moment: &Moment, n: usize) -> DMatrix<f64> {
 ///
 /// # Errors
 /// As [`frozen`].
-pub(crate) fn frozen_ranks(moment: &Moment, sight: Sight, mapped: bool, tolerance: f64) -> Result<Ranks, Error> {
+pub(crate) fn frozen_ranks(
+    moment: &Moment,
+    sight: SensorKind,
+    mapped: bool,
+    tolerance: f64,
+) -> Result<ProbeRanks, Error> {
     let h = output_rows(&moment.pose, &moment.landmarks, sight, mapped);
     let found = frozen(&motion(moment, h.ncols()), &h, tolerance)?;
     let now = found.nullspace.clone();
-    Ok(Ranks::new(found, &now, 0))
+    Ok(ProbeRanks::new(found, &now, 0))
 }
 
 /// The stack along a drive, its last moment's motion left out.
@@ -122,10 +128,10 @@ pub(crate) fn frozen_ranks(moment: &Moment, sight: Sight, mapped: bool, toleranc
 /// As [`PathStack::analyze`].
 pub(crate) fn stacked_ranks<'m>(
     moments: impl DoubleEndedIterator<Item = &'m Moment> + Clone,
-    sight: Sight,
+    sight: SensorKind,
     mapped: bool,
     tolerance: f64,
-) -> Result<Ranks, Error> {
+) -> Result<ProbeRanks, Error> {
     // A landmark founded on the way enters the state from then on: only the moments that know the whole map are stacked.
     let known = moments.clone().next_back().map_or(0, |m| m.landmarks.len());
     let n = 3 + if mapped { 2 * known } else { 0 };
@@ -138,10 +144,10 @@ pub(crate) fn stacked_ranks<'m>(
         }
     }
     let found = stack.analyze(tolerance)?;
-    Ok(Ranks::new(found.start, &found.now, found.steps))
+    Ok(ProbeRanks::new(found.start, &found.now, found.steps))
 }
 
-impl Ranks {
+impl ProbeRanks {
     /// What is shown where no rank could be found.
     pub(crate) fn none() -> Self {
         Self {

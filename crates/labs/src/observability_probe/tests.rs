@@ -6,13 +6,13 @@ fn at(params: ProbeParams, steps: u32) -> ObservabilityProbe {
     probe
 }
 
-fn with(count: u32, sensor: Sight) -> ProbeParams {
+fn with(count: u32, sensor: SensorKind) -> ProbeParams {
     ProbeParams { count, sensor, ..Default::default() }
 }
 
 #[test]
 fn one_range_bearing_landmark_is_seen_through_by_the_path_alone() {
-    let frame = at(with(1, Sight::RangeBearing), 100).frame();
+    let frame = at(with(1, SensorKind::RangeBearing), 100).frame();
     assert_eq!((frame.frozen.rank, frame.along_path.rank), (3, 2));
     // The invisible turn about the landmark: [−Δy, Δx, 1] at the true pose.
     let (dx, dy) = (frame.truth[0] - 6.0, frame.truth[1] - 6.0);
@@ -22,7 +22,7 @@ fn one_range_bearing_landmark_is_seen_through_by_the_path_alone() {
 
 #[test]
 fn the_invisible_direction_of_one_range_is_a_tangent_frozen_and_a_turn_along_the_path() {
-    let frame = at(with(1, Sight::Range), 100).frame();
+    let frame = at(with(1, SensorKind::Range), 100).frame();
     assert_eq!((frame.frozen.rank, frame.along_path.rank), (2, 2));
     let (dx, dy) = (frame.estimate[0] - 6.0, frame.estimate[1] - 6.0);
     let [x, y, turn] = frame.frozen.directions[0];
@@ -32,7 +32,7 @@ fn the_invisible_direction_of_one_range_is_a_tangent_frozen_and_a_turn_along_the
 
 #[test]
 fn two_landmarks_show_everything_and_shrink_the_ellipse() {
-    let (one, two) = (at(with(1, Sight::Range), 240).frame(), at(with(2, Sight::Range), 240).frame());
+    let (one, two) = (at(with(1, SensorKind::Range), 240).frame(), at(with(2, SensorKind::Range), 240).frame());
     assert_eq!((two.frozen.rank, two.along_path.rank), (3, 3));
     assert!(one.trace.total > 8.0 * two.trace.total);
     assert_eq!(one.trace.reference, two.trace.reference);
@@ -42,7 +42,7 @@ fn two_landmarks_show_everything_and_shrink_the_ellipse() {
 
 #[test]
 fn stopped_a_range_and_bearing_cannot_pin_three() {
-    let params = ProbeParams { stop: Some(50), ..with(1, Sight::RangeBearing) };
+    let params = ProbeParams { stop: Some(50), ..with(1, SensorKind::RangeBearing) };
     let frame = at(params, 90).frame();
     assert_eq!((frame.frozen.rank, frame.along_path.rank, frame.moving), (2, 2, false));
     assert_eq!(frame.truth, at(params, 50).frame().truth);
@@ -52,13 +52,13 @@ fn stopped_a_range_and_bearing_cannot_pin_three() {
 
 #[test]
 fn stopped_one_range_leaves_two_directions_open() {
-    let frame = at(ProbeParams { stop: Some(50), ..with(1, Sight::Range) }, 51).frame();
+    let frame = at(ProbeParams { stop: Some(50), ..with(1, SensorKind::Range) }, 51).frame();
     assert_eq!((frame.frozen.rank, frame.frozen.directions.len()), (1, 2));
 }
 
 #[test]
 fn snapped_onto_the_line_a_landmark_costs_a_rank() {
-    let probe = at(with(2, Sight::Range), 75);
+    let probe = at(with(2, SensorKind::Range), 75);
     assert_eq!(probe.frame().frozen.rank, 3);
     for j in 0..2 {
         let mut params = probe.params;
@@ -68,7 +68,7 @@ fn snapped_onto_the_line_a_landmark_costs_a_rank() {
         assert_eq!(snapped.along_path.rank, 3, "crossing a line is momentary");
     }
     assert_eq!(probe.collinear_point(2).expect_err("not shown").code, Code::Index);
-    assert_eq!(at(with(1, Sight::Range), 5).collinear_point(0).expect_err("no line").code, Code::Index);
+    assert_eq!(at(with(1, SensorKind::Range), 5).collinear_point(0).expect_err("no line").code, Code::Index);
 }
 
 #[test]
@@ -78,7 +78,7 @@ fn the_forgotten_map_is_founded_once_and_matched_after() {
     let slam = frame.slam.expect("a map");
     assert_eq!((slam.sightings, slam.founded, slam.spurious, slam.wrong), (600, 3, 0, 0));
     assert_eq!(slam.matched + slam.rejected, 597);
-    assert_eq!(frame.sensor, Sight::RangeBearing);
+    assert_eq!(frame.sensor, SensorKind::RangeBearing);
     // Nobody can tell where the world is, nor which way it faces: three directions of nine.
     assert_eq!((frame.along_path.n, frame.along_path.rank), (9, 6));
     assert_eq!(frame.sightings.len(), 3);
@@ -91,7 +91,7 @@ fn a_state_is_all_it_takes() {
         let probe = at(ProbeParams { forget, count: 2, seed: 9, ..Default::default() }, 130);
         let again = ObservabilityProbe::from_state(probe.state()).expect("a state of its own");
         assert_eq!(again.digest(), probe.digest());
-        let json = |p: &ObservabilityProbe| serde_json::to_string(&p.frame()).expect("plain");
+        let json = |p: &ObservabilityProbe| serde_json::to_string(&crate::Shown(&p.frame())).expect("plain");
         assert_eq!(json(&again), json(&probe));
     }
 }
@@ -132,7 +132,9 @@ fn every_arrangement_runs() {
     let spots = [[0.0, 0.0], [1.5, 1.5], [4.5, 1.5], [3.0, 1.5], [3.0, 3.0], [6.0, 6.0], [1.6, 1.5]];
     for a in spots {
         for b in spots {
-            for (sensor, forget) in [(Sight::Range, false), (Sight::RangeBearing, false), (Sight::Range, true)] {
+            for (sensor, forget) in
+                [(SensorKind::Range, false), (SensorKind::RangeBearing, false), (SensorKind::Range, true)]
+            {
                 let params = ProbeParams { landmarks: [a, b, a], count: 3, sensor, forget, ..Default::default() };
                 let frame = at(params, 130).frame();
                 assert!(frame.estimate.iter().chain(frame.p.iter().flatten()).all(|e| e.is_finite()), "{params:?}");

@@ -1,7 +1,7 @@
 //! From the Probe's state to its frame.
 
-use super::frame::{Fate, MapLandmark, MapShape, Means, ProbeFrame, ProbeLandmark, ProbeSighting, RoomShape, Traces};
-use super::ranks::{Ranks, frozen_ranks, stacked_ranks};
+use super::frame::{Fate, MapLandmark, Means, ProbeFrame, ProbeLandmark, ProbeMap, ProbeSighting, RoomShape, Traces};
+use super::ranks::{ProbeRanks, frozen_ranks, stacked_ranks};
 use super::{ObservabilityProbe, Who};
 use crate::mapping::{Mapping, Seen, Tally};
 use crate::shapes::{ellipse_of, innovation, rows, rows3};
@@ -74,20 +74,20 @@ static BANDS: LazyLock<[[f64; 2]; 7]> = LazyLock::new(|| {
 
 /// Frozen at the present estimate, after the update, and along the true path. A rank that cannot be found (it can, on
 /// finite poses) is shown as none.
-fn both_ranks(probe: &ObservabilityProbe) -> [Ranks; 2] {
+fn both_ranks(probe: &ObservabilityProbe) -> [ProbeRanks; 2] {
     let sight = probe.params.sight();
     let mapped = matches!(probe.who, Who::Mapper(_));
     let tolerance = probe.params.tolerance;
     let frozen = frozen_ranks(&probe.believed(), sight, mapped, tolerance);
     let along_path = stacked_ranks(probe.moments.iter(), sight, mapped, tolerance);
-    [frozen, along_path].map(|ranks| ranks.unwrap_or_else(|_| Ranks::none()))
+    [frozen, along_path].map(|ranks| ranks.unwrap_or_else(|_| ProbeRanks::none()))
 }
 
-fn map_shape(mapping: &Mapping) -> MapShape {
+fn map_shape(mapping: &Mapping) -> ProbeMap {
     let errors = mapping.errors();
     let Tally { sightings, matched, founded, rejected, wrong, spurious } = mapping.tally;
     let landmarks = mapping.slam.landmarks().zip(&mapping.truth).zip(&errors);
-    MapShape {
+    ProbeMap {
         landmarks: landmarks
             .map(|((mapped, &truth), e)| MapLandmark {
                 id: mapped.id,

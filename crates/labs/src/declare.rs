@@ -1,0 +1,177 @@
+//! One declaration for what a lab takes and what it hands out.
+//!
+//! A lab's parameters (`params!`), its frame (`record!`) and the words of its choices (`words!`) are declared once. From the
+//! declaration come the Rust type, its limits and defaults, its TypeScript with the doc comments ([`TYPESCRIPT`]), and its
+//! [`Shape`], by which one function for all labs reads and writes its values. A new parameter is one line in its declaration,
+//! and its use in the lab.
+
+pub(crate) mod parameter;
+pub(crate) mod shape;
+mod shown;
+mod text;
+pub(crate) mod typescript;
+
+pub use parameter::{Knob, Parameter, Params};
+pub use shape::{Field, Plain, Shape};
+pub use shown::Shown;
+pub use typescript::TYPESCRIPT;
+
+pub(crate) use text::Text;
+
+/// Declares a plain struct: each field has a doc comment and a type that is [`Plain`]. TypeScript calls a field by its name in
+/// camelCase, or by the name in `#[name = "…"]`; it calls the struct by its own name, or by `#[typescript = "…"]`.
+macro_rules! record {
+    ($(#[doc = $about:literal])+ $(#[typescript = $alias:literal])? $(#[derive($($derived:ident),*)])?
+     pub struct $name:ident { $($(#[doc = $doc:literal])+ $(#[name = $key:literal])? pub $field:ident: $type:ty,)* }) => {
+        $(#[doc = $about])+
+        #[derive(Clone, Debug, PartialEq $($(, $derived)*)?)]
+        pub struct $name { $($(#[doc = $doc])+ pub $field: $type,)* }
+        $crate::declare::described! {
+            [$($about)+] $name as $crate::declare::name!($name $($alias)?); &[];
+            { $([$($doc)+] $field: $type as $crate::declare::name!($field $($key)?), "";)* }
+        }
+    };
+}
+
+/// Declares a lab's parameters: `name: type = default, from least to greatest by step in "unit"`. The default is one token,
+/// or stands in parentheses. A number without limits may be any finite one, a whole number any below 2³².
+macro_rules! params {
+    ($(#[doc = $about:literal])+ pub struct $name:ident {
+        $($(#[doc = $doc:literal])+ pub $field:ident: $type:ty = $default:tt
+          $(, from $least:tt to $greatest:tt by $step:tt $(in $unit:literal)?)?;)*
+    }) => {
+        $(#[doc = $about])+
+        #[derive(Clone, Copy, Debug, PartialEq)]
+        pub struct $name { $($(#[doc = $doc])+ pub $field: $type,)* }
+        impl Default for $name {
+            fn default() -> Self {
+                Self { $($field: $default,)* }
+            }
+        }
+        $crate::declare::described! {
+            [$($about)+] $name as stringify!($name); <$name as $crate::declare::Params>::PARAMETERS;
+            { $([$($doc)+] $field: $type as $crate::declare::name!($field), $crate::declare::default_word!($default);)* }
+        }
+        impl $crate::declare::Params for $name {
+            const PARAMETERS: &'static [$crate::declare::Parameter] = &[$(
+                $crate::declare::Parameter::of::<$type>($crate::declare::name!($field))
+                $(.within([$least, $greatest, $step], concat!($($unit)?), {
+                    const BOUNDS: &$crate::declare::Text<64> =
+                        &$crate::declare::parameter::bounds([$least, $greatest], concat!($($unit)?));
+                    BOUNDS.as_str()
+                }))?,
+            )*];
+
+            fn read(from: &mut core::slice::Iter<'_, f64>) -> Self {
+                Self { $($field: <$type as $crate::declare::Knob>::read(from),)* }
+            }
+        }
+    };
+}
+
+/// Declares a choice: each variant with the word that stands for it outside. The first is the default.
+macro_rules! words {
+    ($(#[doc = $about:literal])+ pub enum $name:ident { $($(#[doc = $doc:literal])+ $variant:ident = $word:literal,)+ }) => {
+        $(#[doc = $about])+
+        #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+        pub enum $name { $($(#[doc = $doc])+ $variant,)+ }
+        $crate::declare::worded! { $name { $($variant = $word,)+ } }
+        impl Default for $name {
+            fn default() -> Self {
+                [$(Self::$variant),+][0]
+            }
+        }
+    };
+}
+
+/// The words for the variants of an enum that is declared elsewhere.
+macro_rules! worded {
+    ($name:ident { $($variant:ident = $word:literal,)+ }) => {
+        impl $crate::declare::Plain for $name {
+            const SHAPE: $crate::declare::Shape = $crate::declare::Shape::Word(&[$($word),+]);
+            const TYPE: $crate::declare::typescript::Type = $crate::declare::typescript::Type::Words(&[$($word),+]);
+
+            fn write(&self, to: &mut Vec<f64>) {
+                let all = [$($name::$variant),+];
+                $crate::declare::shape::put(to, all.iter().position(|other| other == self).unwrap_or(0) as f64);
+            }
+        }
+        impl $crate::declare::Knob for $name {
+            const LIMITS: [f64; 3] = [0.0, 0.0, 0.0];
+
+            fn read(from: &mut core::slice::Iter<'_, f64>) -> Self {
+                let all = [$($name::$variant),+];
+                all[(from.next().map_or(0, |index| *index as usize)).min(all.len() - 1)]
+            }
+        }
+    };
+}
+
+/// Describes a struct that is declared elsewhere, or by one of the macros above.
+macro_rules! described {
+    ([$($about:literal)+] $name:ident as $alias:expr; $parameters:expr;
+     { $([$($doc:literal)+] $field:ident: $type:ty as $key:expr, $default:expr;)* }) => {
+        impl $crate::declare::Plain for $name {
+            const SHAPE: $crate::declare::Shape = $crate::declare::Shape::Record(&[$(
+                $crate::declare::Field { name: $key, shape: <$type as $crate::declare::Plain>::SHAPE },
+            )*]);
+            const TYPE: $crate::declare::typescript::Type =
+                $crate::declare::typescript::Type::Record(&$crate::declare::typescript::Declaration {
+                    name: $alias,
+                    about: &[$($about),+],
+                    members: &[$($crate::declare::typescript::Member {
+                        name: $key,
+                        about: &[$($doc),+],
+                        default: $default,
+                        of: <$type as $crate::declare::Plain>::TYPE,
+                    },)*],
+                    parameters: $parameters,
+                });
+
+            fn write(&self, to: &mut Vec<f64>) {
+                $($crate::declare::Plain::write(&self.$field, to);)*
+            }
+        }
+    };
+}
+
+/// The name of a field outside: the one given, else its own in camelCase.
+macro_rules! name {
+    ($field:ident) => {{
+        const NAME: &$crate::declare::Text<40> = &$crate::declare::camel_case(stringify!($field));
+        NAME.as_str()
+    }};
+    ($field:ident $key:literal) => {
+        $key
+    };
+}
+
+/// A default as TypeScript's documentation shows it: a literal, or nothing where it is computed.
+macro_rules! default_word {
+    (None) => {
+        "null"
+    };
+    ($default:literal) => {
+        stringify!($default)
+    };
+    ($default:tt) => {
+        ""
+    };
+}
+
+pub(crate) use {default_word, described, name, params, record, worded, words};
+
+/// `snake_case` as camelCase.
+pub(crate) const fn camel_case(name: &str) -> Text<40> {
+    let (bytes, mut text, mut i) = (name.as_bytes(), Text::new(), 0);
+    while i < bytes.len() {
+        if bytes[i] == b'_' && i + 1 < bytes.len() {
+            i += 1;
+            text.put_byte(bytes[i].to_ascii_uppercase());
+        } else {
+            text.put_byte(bytes[i]);
+        }
+        i += 1;
+    }
+    text
+}

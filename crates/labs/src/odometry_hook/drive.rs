@@ -1,0 +1,132 @@
+//! The run of the odometry hook: truth, encoders, sensor and filter, without a memory of the past.
+
+use super::HookParams;
+use super::frame::{CornerSighting, LastSighting, Quality, Spread};
+use crate::declare::Params;
+use estimate::kf::Gaussian;
+use estimate::landmarks::RangeBearing;
+use estimate::{ChosetEkf, Code, Error, Sighting, Unicycle, odometry_delta, slip_covariance};
+use geom::{SE2, angle_diff};
+use nalgebra::{Matrix2, Matrix3, U3, Vector2};
+use sim::scenarios::HOOK;
+use sim::{Apartment, Noise, Rusty};
+
+/// The run itself.
+#[derive(Clone, Debug)]
+pub(crate) struct Drive {
+    pub params: HookParams,
+    pub home: Apartment,
+    rusty: Rusty,
+    /// Slip and sensor noise come from streams of their own, so that turning fixes on changes no encoder tick.
+    slip: Noise,
+    sensor: Noise,
+    pub step: u32,
+    input_covariance: Matrix2<f64>,
+    w: Matrix2<f64>,
+    ekf: ChosetEkf,
+    pub(crate) predicted: Gaussian<U3>,
+    pub(crate) u: Option<Vector2<f64>>,
+    pub(crate) seen: Vec<CornerSighting>,
+    pub last: Option<LastSighting>,
+    /// The corners within reach and in sight.
+    near: Vec<u32>,
+}
+
+impl Drive {
+    pub(crate) fn new(params: HookParams) -> Result<Self, Error> {
+        params.check()?;
+        let start = HOOK.course.start();
+        let belief = Gaussian { x: start.to_vector(), p: Matrix3::zeros() };
+        let sigma = Vector2::new(HOOK.sensor.range_sigma, HOOK.sensor.bearing_sigma);
+        Ok(Self {
+            params,
+            home: Apartment::new(),
+            rusty: Rusty::new(start, HOOK.wheels, params.bias, params.slip),
+            slip: Noise::new(u64::from(params.seed)),
+            sensor: Noise::new(u64::from(params.seed) | 1 << 32),
+            step: 0,
+            input_covariance: slip_covariance(&HOOK.wheels, params.slip),
+            w: Matrix2::from_diagonal(&sigma.component_mul(&sigma)),
+            ekf: ChosetEkf::new(&belief),
+            predicted: belief,
+            u: None,
+            seen: Vec::new(),
+            last: None,
+            near: Vec::new(),
+        })
+    }
+
+    pub(crate) fn truth(&self) -> SE2 {
+        self.rusty.pose()
+    }
+
+    pub(crate) fn belief(&self) -> Gaussian<U3> {
+        self.ekf.belief()
+    }
+
+    pub(crate) fn advance(&mut self) -> Result<(), Error> {
+        let counted = self.rusty.drive(HOOK.course.tick(self.step), &mut self.slip);
+        self.step += 1;
+        let u = odometry_delta(&HOOK.wheels, counted);
+        let v = Unicycle::process_covariance(&self.ekf.pose(), &self.input_covariance);
+        self.ekf.predict(&u, &v)?;
+        self.u = Some(u);
+        self.predicted = self.ekf.belief();
+        self.look();
+        self.fix()
+    }
+
+    /// Reads each corner once as it comes within reach and in sight, whether or not the reading is used.
+    fn look(&mut self) {
+        let truth = self.truth();
+        let was_near = core::mem::take(&mut self.near);
+        self.seen.clear();
+        for corner in self.home.corners {
+            if HOOK.sensor.reaches(truth, corner) && self.home.in_sight(truth, corner) {
+                self.near.push(corner.id);
+                if !was_near.contains(&corner.id) {
+                    let reading = HOOK.sensor.sight(truth, corner, &mut self.sensor);
+                    let (range, bearing) = (reading.range, reading.bearing);
+                    self.seen.push(CornerSighting { landmark: corner.id, x: corner.x, y: corner.y, range, bearing });
+                }
+            }
+        }
+        if let Some(seen) = self.seen.last() {
+            let CornerSighting { landmark, x, y, range, bearing } = *seen;
+            let from = [truth.x(), truth.y()];
+            self.last = Some(LastSighting { step: self.step, landmark, x, y, range, bearing, from });
+        }
+    }
+
+    fn fix(&mut self) -> Result<(), Error> {
+        if !self.params.fixes || self.seen.is_empty() {
+            return Ok(());
+        }
+        let map = self.home.corners;
+        let sightings: Vec<Sighting<2>> = self
+            .seen
+            .iter()
+            .filter_map(|seen| {
+                let j = map.iter().position(|corner| corner.id == seen.landmark)?;
+                Some(Sighting { j, y: Vector2::new(seen.range, seen.bearing) })
+            })
+            .collect();
+        match self.ekf.update_stacked(&RangeBearing { map }, &sightings, &self.w) {
+            // On the corner itself a sighting says nothing that could be linearized: it is left aside.
+            Err(error) if error.code != Code::AtLandmark => Err(error),
+            _ => Ok(()),
+        }
+    }
+
+    /// The error, what is claimed of it, and their ratio.
+    pub(crate) fn quality(&self) -> (Quality, Spread) {
+        let (truth, Gaussian { p, .. }) = (self.truth(), self.belief());
+        let off = self.ekf.pose().boxminus(truth);
+        let error = Quality {
+            position: numerics::hypot(off[0], off[1]),
+            heading: angle_diff(self.ekf.pose().theta(), truth.theta()),
+        };
+        let sigma = Spread { position: (p[(0, 0)] + p[(1, 1)]).max(0.0).sqrt(), heading: p[(2, 2)].max(0.0).sqrt() };
+        (error, sigma)
+    }
+}

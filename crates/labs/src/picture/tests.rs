@@ -1,0 +1,80 @@
+use super::*;
+use crate::shapes::{EllipseShape, ellipse_of};
+
+fn of(params: PictureParams) -> PictureFrame {
+    Picture::new(params).expect("in reach").frame()
+}
+
+#[test]
+fn the_default_is_the_first_hand_checked_step() {
+    let frame = of(PictureParams::default());
+    let near = |a: f64, b: f64| (a - b).abs() < 1e-14;
+    assert!(near(frame.p[0][0], 1.7) && near(frame.p[0][1], 1.05) && near(frame.p[1][1], 2.1));
+    assert!(near(frame.posterior.x[0], 3.475) && near(frame.posterior.x[1], 2.95));
+    assert!(near(frame.most_likely_output, 2.95) && near(frame.mahalanobis_foot.at[0], 3.35));
+    assert_eq!(frame.euclidean_foot.at, [4.0, 2.7]);
+}
+
+#[test]
+fn the_update_is_the_filter_s_and_each_foot_is_perpendicular_in_its_metric() {
+    for (angle, tilt) in [(0.3, 0.0), (-1.2, 0.7), (2.0, -1.5)] {
+        let frame = of(PictureParams { angle, tilt, semi_minor: 0.4, ..PictureParams::default() });
+        for i in 0..2 {
+            assert!((frame.update.at[i] - frame.posterior.x[i]).abs() < 1e-13);
+        }
+        assert!(frame.euclidean_foot.euclidean.abs() < 1e-13 && frame.euclidean_foot.mahalanobis.abs() > 1e-3);
+        for foot in [&frame.mahalanobis_foot, &frame.update] {
+            assert!(foot.mahalanobis.abs() < 1e-12 && foot.residual.abs() < 1e-13);
+        }
+        assert!(frame.mahalanobis_foot.distance < frame.euclidean_foot.distance);
+    }
+}
+
+#[test]
+fn without_noise_the_two_lines_meet() {
+    let frame = of(PictureParams { noise: 0.0, ..PictureParams::default() });
+    assert!((frame.most_likely_output - 2.7).abs() < 1e-15);
+    assert!((frame.update.at[0] - frame.mahalanobis_foot.at[0]).abs() < 1e-14);
+}
+
+#[test]
+fn on_a_round_belief_the_two_feet_meet() {
+    let frame = of(PictureParams { semi_major: 1.5, semi_minor: 1.5, tilt: 0.4, ..PictureParams::default() });
+    for i in 0..2 {
+        assert!((frame.euclidean_foot.at[i] - frame.mahalanobis_foot.at[i]).abs() < 1e-14);
+    }
+}
+
+#[test]
+fn axes_may_change_places_and_the_ellipse_stays_what_it_is() {
+    let frame = of(PictureParams { semi_major: 0.5, semi_minor: 2.0, angle: 0.0, ..PictureParams::default() });
+    let e = drawn(&frame);
+    assert!((e.semi_major - 2.0).abs() < 1e-15 && (e.semi_minor - 0.5).abs() < 1e-15);
+    assert!((e.angle - core::f64::consts::FRAC_PI_2).abs() < 1e-15);
+}
+
+#[test]
+fn what_is_out_of_reach_is_refused_by_name() {
+    let default = PictureParams::default();
+    let refused = |params| Picture::new(params).expect_err("refused");
+    assert_eq!(refused(PictureParams { semi_minor: 0.0, ..default }).argument, "semiMinor");
+    assert_eq!(refused(PictureParams { semi_major: 11.0, ..default }).argument, "semiMajor");
+    assert_eq!(refused(PictureParams { noise: -0.1, ..default }).code, Code::Limit);
+    assert_eq!(refused(PictureParams { mean: [0.0, 101.0], ..default }).argument, "mean[1]");
+    assert_eq!(refused(PictureParams { reading: f64::NAN, ..default }).code, Code::NotFinite);
+    assert_eq!(refused(PictureParams { tilt: f64::INFINITY, ..default }).argument, "tilt");
+}
+
+#[test]
+fn steps_change_nothing() {
+    let mut picture = Picture::new(PictureParams::default()).expect("in reach");
+    let before = (picture.frame(), picture.digest());
+    picture.run(10).expect("within the limit");
+    assert_eq!((picture.frame(), picture.digest()), before);
+    assert_eq!(picture.steps(), 10);
+}
+
+/// The ellipse that `P` of a picture draws.
+fn drawn(frame: &PictureFrame) -> EllipseShape {
+    ellipse_of(&Matrix2::new(frame.p[0][0], frame.p[0][1], frame.p[1][0], frame.p[1][1]))
+}
