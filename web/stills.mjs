@@ -33,7 +33,7 @@ function draw(name, spec, given) {
   const state = { step: given.step ?? spec.start.step, params: { ...spec.start.params, ...given.params } }
   const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, ...state })
   const { document } = parseHTML('<!doctype html><html><body></body></html>')
-  const { html, words } = drawStill(document, spec, lab.frame())
+  const { html, words } = drawStill(document, spec, lab.frame(), estimate[spec.lab].parameters())
   writeFileSync(join(out, `${name}.svg`), html)
   writeFileSync(join(out, `${name}.txt`), `${words}\n`)
   lab.free()

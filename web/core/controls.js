@@ -1,7 +1,8 @@
 /**
  * Native controls with a visible label, and their value in words for those who hear it.
  *
- * A control shows one parameter and reports what the reader makes of it; it neither draws nor computes.
+ * A control shows one parameter and reports what the reader makes of it; it neither draws nor computes. How far it goes, and
+ * in which steps, the lab says.
  */
 
 import { SVG } from './element.js'
@@ -9,6 +10,7 @@ import { Pen } from './pen.js'
 import { writeHtml } from './words.js'
 
 /** @typedef {import('./words.js').Words} Words */
+/** @typedef {import('estimate-wasm').Parameter} Parameter */
 /** @typedef {{ at: number, name: Words, kind?: 'limit' | 'plain' }} Notch a named place on a slider */
 
 /**
@@ -16,9 +18,8 @@ import { writeHtml } from './words.js'
  * @property {'range'} kind
  * @property {string} name the parameter
  * @property {Words} label
- * @property {number} min
- * @property {number} max
- * @property {number} step
+ * @property {(value: number, limits: Parameter) => number} [scale] a number of the parameter as one of the slider; the same if not given
+ * @property {number} [step] in the slider's numbers; the parameter's if not given
  * @property {(value: number, frame: any) => string} words the value as shown and as said
  * @property {(frame: any) => Notch[]} [notches]
  * @property {(params: any, frame: any) => any} [get] what it shows, if not the parameter of its name
@@ -48,8 +49,6 @@ import { writeHtml } from './words.js'
  * @property {'whole'} kind
  * @property {string} name
  * @property {Words} label
- * @property {number} min
- * @property {number} max
  * @property {(params: any, frame: any) => any} [get]
  * @property {(value: any, params: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
@@ -70,16 +69,17 @@ import { writeHtml } from './words.js'
  * @param {Document} document
  * @param {Control} control
  * @param {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} change
+ * @param {import('./spec.js').Limits} limits
  * @returns {Shown}
  */
-export function buildControl(document, control, change) {
+export function buildControl(document, control, change, limits) {
   if (control.kind === 'action') return action(document, control, change)
   const label = document.createElement('label')
   label.className = `control control-${control.kind}`
   const name = document.createElement('span')
   name.className = 'control-name'
   writeHtml(name, control.label)
-  const made = BUILD[control.kind](document, /** @type {any} */ (control), (value) => change({}, ({ params }) => control.set?.(value, params) ?? { [control.name]: value }))
+  const made = BUILD[control.kind](document, /** @type {any} */ (control), (value) => change({}, ({ params }) => control.set?.(value, params) ?? { [control.name]: value }), limits[control.name])
   if (control.kind === 'toggle') label.append(made.body, name)
   else label.append(name, made.body)
   return {
@@ -109,17 +109,20 @@ function action(document, control, change) {
 
 /**
  * @typedef {{ body: HTMLElement, input: HTMLInputElement | HTMLSelectElement, show: (value: any, frame: any) => void }} Made
- * @type {Record<'range' | 'choice' | 'toggle' | 'whole', (document: Document, control: any, change: (value: unknown) => void) => Made>}
+ * @type {Record<'range' | 'choice' | 'toggle' | 'whole', (document: Document, control: any, change: (value: unknown) => void, limits: Parameter) => Made>}
  */
 const BUILD = { range, choice, toggle, whole }
 
-/** @param {Document} document @param {RangeControl} control @param {(value: number) => void} change @returns {Made} */
-function range(document, control, change) {
+/** @param {Document} document @param {RangeControl} control @param {(value: number) => void} change @param {Parameter} limits @returns {Made} */
+function range(document, control, change, limits) {
+  const { scale = (/** @type {number} */ value) => value } = control
+  const [min, max] = [scale(limits.least, limits), scale(limits.greatest, limits)]
+  const step = control.step ?? scale(limits.step, limits)
   const body = document.createElement('span')
   body.className = 'control-body'
   const input = document.createElement('input')
   input.setAttribute('type', 'range')
-  for (const key of /** @type {const} */ (['min', 'max', 'step'])) input.setAttribute(key, String(control[key]))
+  for (const [key, value] of Object.entries({ min, max, step })) input.setAttribute(key, String(value))
   const value = document.createElement('span')
   value.className = 'control-value'
   value.setAttribute('aria-hidden', 'true')
@@ -145,13 +148,14 @@ function range(document, control, change) {
     const sign = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key]
     if (!sign || !event.shiftKey) return
     event.preventDefault()
-    input.value = String(Number(input.value) + sign * control.step * 10)
+    input.value = String(Number(input.value) + sign * step * 10)
     change(Number(input.value))
   })
   return {
     body,
     input,
-    show(now, frame) {
+    show(parameter, frame) {
+      const now = scale(parameter, limits)
       if (Number(input.value) !== now || !input.hasAttribute('value')) {
         input.setAttribute('value', String(now))
         input.value = String(now)
@@ -161,10 +165,10 @@ function range(document, control, change) {
         said = value.textContent = words
         input.setAttribute('aria-valuetext', words)
       }
-      const share = (/** @type {number} */ at) => `${Math.round(((at - control.min) / (control.max - control.min)) * 1e4) / 100}%`
+      const share = (/** @type {number} */ at) => `${Math.round(((at - min) / (max - min)) * 1e4) / 100}%`
       pen.draw(() => {
         for (const [i, notch] of (control.notches?.(frame) ?? []).entries()) {
-          if (notch.at < control.min || notch.at > control.max) continue
+          if (notch.at < min || notch.at > max) continue
           const x = share(notch.at)
           pen.mark('line', `line${i}`, { class: `notch ${notch.kind ?? 'plain'}`, x1: x, x2: x, y1: 0, y2: 6 })
           pen.text(`name${i}`, { class: `notch-name ${notch.kind ?? 'plain'}`, x, y: 18, 'text-anchor': 'middle' }, notch.name)
@@ -212,12 +216,13 @@ function toggle(document, control, change) {
   }
 }
 
-/** @param {Document} document @param {WholeControl} control @param {(value: number) => void} change @returns {Made} */
-function whole(document, control, change) {
+/** @param {Document} document @param {WholeControl} control @param {(value: number) => void} change @param {Parameter} limits @returns {Made} */
+function whole(document, _, change, { least, greatest }) {
   const input = document.createElement('input')
   input.setAttribute('type', 'number')
   input.setAttribute('inputmode', 'numeric')
-  for (const key of /** @type {const} */ (['min', 'max'])) input.setAttribute(key, String(control[key]))
+  input.setAttribute('min', String(least))
+  input.setAttribute('max', String(greatest))
   input.setAttribute('step', '1')
   let newest = NaN
   const write = () => {
@@ -228,7 +233,7 @@ function whole(document, control, change) {
   input.addEventListener('blur', write)
   input.addEventListener('change', () => {
     const asked = Number(input.value)
-    const kept = Number.isFinite(asked) ? Math.round(Math.min(control.max, Math.max(control.min, asked))) : control.min
+    const kept = Number.isFinite(asked) ? Math.round(Math.min(greatest, Math.max(least, asked))) : least
     newest = kept
     input.value = String(kept)
     change(kept)

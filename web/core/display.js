@@ -70,7 +70,7 @@ export class Display {
   paint(now, glide) {
     const beat = this.beat(now)
     const [first] = this.spec.panels
-    const view = { previous: this.previous, beat, elapsed: glide, memory: this.memory, handle: this.handle }
+    const view = { previous: this.previous, beat, elapsed: glide, memory: this.memory, limits: this.shell.limits, handle: this.handle }
     if (this.moving || beat.name !== 'rest' || !this.shows(first.name)) {
       this.moving = first.draw(this.shell.panels[first.name], this.wanted, view) === true || beat.name !== 'rest'
       this.showed(first.name)
@@ -117,7 +117,7 @@ export class Display {
   drawOthers(began) {
     const { shell, frame } = this
     const others = this.spec.panels.slice(1)
-    const view = { previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: this.memory, handle: this.handle }
+    const view = { previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: this.memory, limits: shell.limits, handle: this.handle }
     for (let seen = 0; seen < others.length; seen += 1) {
       const { name, draw } = others[this.next % others.length]
       if (!this.shows(name)) {

@@ -156,7 +156,7 @@ class Figure {
       speed: (rate) => this.order(() => { run.rate = rate }),
       change: (patch, make) => this.change(make ? make(run.wanted, run.lab) : patch),
       ...share.orders,
-    })
+    }, run.lab.constructor.parameters())
     share.tools = this.shell.tools
     this.progress = new Progress(into, () => {
       run.cancel()

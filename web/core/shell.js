@@ -34,9 +34,12 @@ export const SPEEDS = [0.5, 1, 2, 5, 10]
  * @param {import('./spec.js').FigureSpec} spec
  * @param {Element} into emptied first
  * @param {Orders} orders
+ * @param {import('estimate-wasm').Parameter[]} parameters the lab's
  */
-export function buildShell(document, spec, into, orders) {
+export function buildShell(document, spec, into, orders, parameters) {
   into.replaceChildren()
+  /** @type {import('./spec.js').Limits} */
+  const limits = Object.fromEntries(parameters.map((parameter) => [parameter.name, parameter]))
   /** @type {Record<string, Panel>} */
   const panels = {}
   for (const { name, width, height, handles } of spec.panels) {
@@ -61,15 +64,15 @@ export function buildShell(document, spec, into, orders) {
   button(document, run, 'Reset', orders.reset)
   if (!spec.timeless) controls.append(run)
   const change = orders.change
-  const shown = spec.controls.map((control) => buildControl(document, control, change))
+  const shown = spec.controls.map((control) => buildControl(document, control, change, limits))
   controls.append(...shown.map(({ element }) => element))
   const settings = document.createElement('div')
   settings.className = 'settings'
   const options = SPEEDS.map((value) => ({ value, label: `${value === 0.5 ? '½' : value}×` }))
-  const speed = buildControl(document, { kind: 'choice', name: 'speed', label: 'Speed', options, set: (rate) => (orders.speed(rate), {}) }, (_, make) => void make?.({}, null))
+  const speed = buildControl(document, { kind: 'choice', name: 'speed', label: 'Speed', options, set: (rate) => (orders.speed(rate), {}) }, (_, make) => void make?.({}, null), {})
   if (!spec.timeless) settings.append(speed.element)
   if (spec.seeded) {
-    const seed = buildControl(document, { kind: 'whole', name: 'seed', label: 'Seed', min: 0, max: 2 ** 32 - 1 }, change)
+    const seed = buildControl(document, { kind: 'whole', name: 'seed', label: 'Seed' }, change, limits)
     shown.push(seed)
     settings.append(seed.element)
   }
@@ -91,6 +94,7 @@ export function buildShell(document, spec, into, orders) {
 
   return {
     panels,
+    limits,
     play,
     note,
     tools,

@@ -3,6 +3,8 @@
  * life in a browser, `core/still.js` draws it in Node.
  */
 
+/** @typedef {Record<string, import('estimate-wasm').Parameter>} Limits what the lab knows of each parameter */
+
 /**
  * @typedef {object} Beat where a step's animation stands
  * @property {'predict' | 'update' | 'rest'} name
@@ -28,6 +30,7 @@
  * @property {Beat} beat
  * @property {number} elapsed milliseconds since the last drawing; infinite for the first and for a still
  * @property {Record<string, any>} memory the figure's own, for cameras; empty at first
+ * @property {Limits} limits how far each parameter goes
  * @property {(pen: import('./pen.js').Pen, key: string, handle: HandleSpec) => void} handle draws a handle; alive only in a browser
  *
  * @typedef {object} PanelSpec

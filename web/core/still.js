@@ -12,14 +12,15 @@ const nothing = () => {}
  * @param {Document} document
  * @param {import('./spec.js').FigureSpec} spec
  * @param {any} frame
+ * @param {import('estimate-wasm').Parameter[]} parameters the lab's
  * @returns {{ html: string, words: string }}
  */
-export function drawStill(document, spec, frame) {
+export function drawStill(document, spec, frame, parameters) {
   const into = document.createElement('div')
   const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, embed: nothing, download: nothing }
-  const shell = buildShell(document, spec, into, orders)
+  const shell = buildShell(document, spec, into, orders, parameters)
   const view = {
-    previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: {},
+    previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: {}, limits: shell.limits,
     handle: (/** @type {any} */ pen, /** @type {string} */ key, /** @type {any} */ handle) => void drawHandle(pen, key, handle),
   }
   for (const { name, draw } of spec.panels) draw(shell.panels[name], frame, view)

@@ -10,10 +10,7 @@ import { drawPlane } from './kalman-picture/plane.js'
 
 // State: what a reader can change. The axes are those of the first hand-checked step's predicted covariance.
 
-const start = {
-  params: { mean: [4, 4], semiMajor: 1.7230432137127605, semiMinor: 0.9116589733438718, angle: 0.8795089160498337, reading: 2.7, noise: 0.5, tilt: 0 },
-  step: 0,
-}
+const start = { params: {}, step: 0 }
 
 // Model: the lab `Picture` in the module. What follows only reads its frame.
 
@@ -56,22 +53,25 @@ function readouts({ innovation, mostLikelyOutput, R, euclideanFoot: gray, mahala
 
 const degree = Math.PI / 180
 
+/** @param {any} lab @returns {Record<string, unknown>} */
+const defaults = (lab) => Object.fromEntries(lab.constructor.parameters().map((/** @type {import('estimate-wasm').Parameter} */ parameter) => [parameter.name, parameter.default]))
+
 /** @type {import('../core/controls.js').Control[]} */
 const controls = [
   {
-    kind: 'range', name: 'noise', label: { choset: 'Sensor noise *W* (Thrun *Q*)', thrun: 'Sensor noise *Q* (Choset *W*)' }, min: 0, max: 4, step: 0.05,
+    kind: 'range', name: 'noise', label: { choset: 'Sensor noise *W* (Thrun *Q*)', thrun: 'Sensor noise *Q* (Choset *W*)' },
     words: (value) => fixed(value, 2),
     notches: () => [{ at: 0, name: '0' }, { at: 0.5, name: 'step 1' }],
   },
   {
-    kind: 'range', name: 'tilt', label: 'Turn of the sensor, degrees', min: -90, max: 90, step: 1,
+    kind: 'range', name: 'tilt', label: 'Turn of the sensor, degrees',
     words: (value) => `${fixed(value, 0)}°`,
     notches: () => [{ at: -90, name: 'position' }, { at: 0, name: 'velocity' }],
-    get: (params) => params.tilt / degree,
+    scale: (value) => value / degree,
     set: (value) => ({ tilt: value * degree }),
   },
   { kind: 'action', name: 'round', label: 'Make it a circle', change: (/** @type {Frame} */ { params }) => ({ semiMajor: params.semiMinor }) },
-  { kind: 'action', name: 'again', label: 'As in step 1', change: () => start.params },
+  { kind: 'action', name: 'again', label: 'As in step 1', change: (_, lab) => defaults(lab) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */

@@ -12,12 +12,7 @@ import { drawRanks, power } from './observability-probe/ranks.js'
 
 // State: what a reader can change, and where the figure starts: two laps with one landmark.
 
-const start = {
-  params: {
-    landmarks: [[6, 6], [0, 6], [3, 0]], count: 1, sensor: 'range', stop: null, forget: false, tolerance: 1e-6, seed: 1,
-  },
-  step: 240,
-}
+const start = { params: {}, step: 240 }
 
 // Model: the lab `ObservabilityProbe` in the module. What follows only reads its frame.
 
@@ -89,10 +84,11 @@ const controls = [
   },
   { kind: 'toggle', name: 'forget', label: 'forget the map' },
   {
-    kind: 'range', name: 'tolerance', label: 'Rank tolerance, part of the largest', min: -16, max: 0, step: 0.5,
+    kind: 'range', name: 'tolerance', label: 'Rank tolerance, part of the largest', step: 0.5,
     words: (value) => power(10 ** value),
     notches: () => [{ at: -6, name: '10^{−6}' }, { at: 0, name: '1' }],
-    get: (params) => Math.log10(Math.max(params.tolerance, 1e-16)),
+    // In powers of ten, as far down as the parameter's own step.
+    scale: (value, { step }) => Math.log10(Math.max(value, step)),
     set: (value) => ({ tolerance: 10 ** value }),
   },
   {

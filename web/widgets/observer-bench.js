@@ -10,9 +10,9 @@ import { drawPhase } from './observer-bench/phase.js'
 
 /** @typedef {import('estimate-wasm').BenchFrame} Frame */
 
-// State: what a reader can change, and where the figure starts.
+// State: the parameters that the lab declares, at their defaults, some steps on.
 
-const start = { params: { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }, step: 12 }
+const start = { params: {}, step: 12 }
 
 // Model: the lab `ObserverBench` in the module. What follows only reads its frame.
 
@@ -81,7 +81,7 @@ function readouts(frame) {
 /** @type {import('../core/controls.js').Control[]} */
 const controls = [
   {
-    kind: 'range', name: 'gain', label: { choset: 'Gain *g*, in units of *R*_∞', thrun: 'Gain *g*, in units of *K*_∞' }, min: 0, max: 6, step: 0.01,
+    kind: 'range', name: 'gain', label: { choset: 'Gain *g*, in units of *R*_∞', thrun: 'Gain *g*, in units of *K*_∞' },
     get: (params, frame) => (params.mode === 'filter' ? frame.equivalentKnob : params.gain),
     words: (value) => fixed(value, 2),
     notches: (/** @type {Frame} */ frame) => [

@@ -11,7 +11,7 @@ import { drawMap } from './odometry-hook/map.js'
 
 // State: one whole lap, so that the picture shows the error before anyone plays.
 
-const start = { params: { bias: 0.005, slip: 0.001, fixes: false, seed: 1 }, step: 640 }
+const start = { params: {}, step: 640 }
 
 // Model: the lab `OdometryHook` in the module. What follows only reads its frame.
 
@@ -81,8 +81,8 @@ function readouts({ step, error, sigma, ratio }) {
 
 /** @type {import('../core/controls.js').Control[]} */
 const controls = [
-  { kind: 'range', name: 'bias', label: 'Wheel-radius bias', min: 0, max: 0.01, step: 0.0005, words: (value) => `${fixed(value * 100, 2)} %` },
-  { kind: 'range', name: 'slip', label: 'Slip per wheel and tick', min: 0, max: 0.005, step: 0.0001, words: (value) => `${fixed(value * 1000, 1)} mm` },
+  { kind: 'range', name: 'bias', label: 'Wheel-radius bias', words: (value) => `${fixed(value * 100, 2)} %` },
+  { kind: 'range', name: 'slip', label: 'Slip per wheel and tick', words: (value) => `${fixed(value * 1000, 1)} mm` },
   { kind: 'toggle', name: 'fixes', label: 'landmark fixes' },
 ]
 

@@ -14,8 +14,8 @@ use estimate::{Code, Error};
 use filters::Update;
 use filters::covariance::symmetric;
 use geom::{AffineSet, Ellipse};
-use numerics::Spd;
 use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
+use numerics::Spd;
 
 /// The lab. It has no steps: [`Lab::run`] counts them and changes nothing else.
 #[derive(Debug)]

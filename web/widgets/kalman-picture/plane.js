@@ -9,8 +9,6 @@ import { axes, clipLine, dot, ellipsePath, evenPlane, meaning, segment } from '.
 /** @typedef {import('../../core/pen.js').Pen} Pen */
 /** @typedef {import('../../core/plot.js').Plane} Plane */
 
-/** The lab accepts axes from 0.05 to 10; these fit the drawing. */
-const AXIS = { least: 0.15, most: 3 }
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, value))
 
 /**
@@ -104,7 +102,8 @@ function handles(pen, plane, frame, view) {
     return [x.invert(at[0]), y.invert(at[1])]
   }
   const held = (/** @type {number[]} */ at) => data(x(at[0]), y(at[1]))
-  const length = (/** @type {number} */ value) => clamp(value, AXIS.least, AXIS.most)
+  const axis = view.limits.semiMajor
+  const length = (/** @type {number} */ value) => clamp(value, axis.least, axis.greatest)
 
   view.handle(pen, 'mean', {
     at: [x(mean[0]), y(mean[1])], label: 'Prediction', name: 'prediction', kin: 'prediction',
@@ -116,28 +115,29 @@ function handles(pen, plane, frame, view) {
   })
   view.handle(pen, 'major', {
     at: inside([x(mean[0] + semiMajor * c), y(mean[1] + semiMajor * s)]), label: 'First axis of the ellipse', name: 'turn, stretch', kin: 'prediction',
-    value: `${words(semiMajor)} long, at ${Math.round((angle * 180) / Math.PI)} degrees`, now: semiMajor, min: AXIS.least, max: AXIS.most,
+    value: `${words(semiMajor)} long, at ${Math.round((angle * 180) / Math.PI)} degrees`, now: semiMajor, min: axis.least, max: axis.greatest,
     move: (px, py) => {
       const [dx, dy] = [x.invert(px) - mean[0], y.invert(py) - mean[1]]
       return { semiMajor: length(Math.hypot(dx, dy)), angle: Math.atan2(dy, dx) }
     },
     nudge: (dx, dy) => ({ angle: angle + (dx * Math.PI) / 180, semiMajor: length(semiMajor + 0.05 * dy) }),
-    jump: (end) => ({ semiMajor: end === 'home' ? AXIS.least : AXIS.most }),
+    jump: (end) => ({ semiMajor: end === 'home' ? axis.least : axis.greatest }),
   })
   view.handle(pen, 'minor', {
     at: inside([x(mean[0] - semiMinor * s), y(mean[1] + semiMinor * c)]), label: 'Second axis of the ellipse', name: 'stretch', kin: 'prediction',
-    value: `${words(semiMinor)} long`, now: semiMinor, min: AXIS.least, max: AXIS.most,
+    value: `${words(semiMinor)} long`, now: semiMinor, min: axis.least, max: axis.greatest,
     move: (px, py) => ({ semiMinor: length(Math.abs(-(x.invert(px) - mean[0]) * s + (y.invert(py) - mean[1]) * c)) }),
     nudge: (dx, dy) => ({ semiMinor: length(semiMinor + 0.05 * (dx + dy)) }),
-    jump: (end) => ({ semiMinor: end === 'home' ? AXIS.least : AXIS.most }),
+    jump: (end) => ({ semiMinor: end === 'home' ? axis.least : axis.greatest }),
   })
   const at = onLine(plane, frame)
-  const output = (/** @type {number[]} */ point) => clamp(frame.H[0] * point[0] + frame.H[1] * point[1], -8, 8)
+  const { least, greatest } = view.limits.reading
+  const output = (/** @type {number[]} */ point) => clamp(frame.H[0] * point[0] + frame.H[1] * point[1], least, greatest)
   view.handle(pen, 'reading', {
     at: inside([x(at[0]), y(at[1])]), label: 'Reading', name: { choset: '*y*', thrun: '*z*' }, kin: 'measurement',
-    value: words(reading), now: reading, min: -8, max: 8,
+    value: words(reading), now: reading, min: least, max: greatest,
     move: (px, py) => ({ reading: output(data(px, py)) }),
-    nudge: (dx, dy) => ({ reading: clamp(reading + 0.05 * (Math.abs(frame.H[1]) > 0.5 ? dy || dx : dx || dy), -8, 8) }),
-    jump: (end) => ({ reading: end === 'home' ? -8 : 8 }),
+    nudge: (dx, dy) => ({ reading: clamp(reading + 0.05 * (Math.abs(frame.H[1]) > 0.5 ? dy || dx : dx || dy), least, greatest) }),
+    jump: (end) => ({ reading: end === 'home' ? least : greatest }),
   })
 }
