@@ -1,0 +1,30 @@
+// The workflows give away no right that they need not: actions are pinned by commit, and the one job that may write runs
+// nothing of the repository.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { readFileSync, readdirSync } from 'node:fs'
+import { fileURLToPath } from 'node:url'
+import path from 'node:path'
+
+const folder = fileURLToPath(new URL('../../.github/workflows', import.meta.url))
+const workflows = readdirSync(folder).map((name) => [name, readFileSync(path.join(folder, name), 'utf8')])
+
+test('every action is pinned by its commit', () => {
+  for (const [name, text] of workflows) {
+    for (const [, action] of text.matchAll(/^\s*-?\s*uses:\s*(\S+)/gm)) {
+      assert.match(action, /^\.\/\.github\/workflows\/|@[0-9a-f]{40}$/, `${name}: ${action}`)
+    }
+  }
+})
+
+test('a job that may write neither checks out nor runs code of the repository', () => {
+  for (const [name, text] of workflows) {
+    const [head, body] = text.split(/^jobs:$/m)
+    const jobs = body.split(/^ {2}(?=[\w-]+:$)/m)
+    assert.doesNotMatch(head, /: write/, `${name}: for all jobs`)
+    assert.match(head, /^permissions:/m, name)
+    for (const job of jobs.filter((one) => /: write/.test(one))) {
+      assert.doesNotMatch(job, /\brun:|actions\/checkout|uses: \.\//, `${name}: ${job.split(':')[0]}`)
+    }
+  }
+})
