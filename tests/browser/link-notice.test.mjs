@@ -36,6 +36,12 @@ for (const [tag, id] of [['observer-bench', 'fig-bench'], ['kalman-picture', 'fi
   })
 }
 
+test('a link with a parameter out of bounds says so where the page opens', async (t) => {
+  const page = await open(t, { at: `kalman/?fig-bench=${code([1, 'observer-bench', 3, { gain: 1e9 }])}` })
+  await notice(page).getByText(/Turn the gain.*could not be read/).waitFor()
+  assert.equal(await page.evaluate(() => scrollY), 0)
+})
+
 test('a link to a figure that is not there says so, in plain text', async (t) => {
   const page = await open(t, { at: 'kalman/?fig-%3Cimg%20src=x%3E=1&fig-nope=abc#fig-bench' })
   await notice(page).getByText('does not have: fig-nope').waitFor()
@@ -56,7 +62,7 @@ test('a state behind a question is said beside the question', async (t) => {
   const page = await open(t, { at: `kalman/?fig-limit=${BENCH(20)}` })
   const words = page.locator('form.quiz[data-unlocks="fig-limit"] .quiz-linked')
   await words.scrollIntoViewIfNeeded()
-  assert.match(await words.innerText(), /waits/)
+  await words.filter({ hasText: /waits/, visible: true }).waitFor()
   assert.equal(await page.locator('.quiz-linked').count(), 1)
   await unlock(page, 'fig-limit')
   assert.ok(!(await words.isVisible()))

@@ -1,4 +1,5 @@
-// After one visit the site needs no network; a copy of the book beside it, or a new version of it, takes nothing away.
+// After one visit the site needs no network. A second copy of the book on the same host keeps its own store, and a new edition
+// of one copy takes the place of the old edition's store when no page of the old edition is open.
 import { after, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
@@ -37,6 +38,9 @@ const kept = (page) => page.evaluate(async () => {
   const { active } = await navigator.serviceWorker.ready
   while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
 })
+const waitFor = async (page, met) => {
+  for (let waits = 0; waits < 600 && !(await met()); waits++) await page.waitForTimeout(100)
+}
 const stores = async (page) => (await page.evaluate(() => caches.keys())).sort()
 
 /** Another version of the copy in `folder`, as a deploy would bring it. */
@@ -86,8 +90,16 @@ test('two copies on one origin keep a store each, and a new version takes the pl
     deploy(one, 'second')
     await page.goto(url + 'one/')
     await page.evaluate(async () => { await (await navigator.serviceWorker.ready).update() })
-    for (let waits = 0; (await stores(page)).some((name) => name.endsWith('first')) && waits < 600; waits++) await page.waitForTimeout(100)
-    await kept(page)
+    const both = ['book-/shelf/one/#first', 'book-/shelf/one/#second', 'book-/shelf/two/#other']
+    await waitFor(page, async () => (await stores(page)).length === both.length)
+    await page.evaluate(async () => {
+      const { waiting } = await navigator.serviceWorker.ready
+      while (waiting?.state !== 'installed') await new Promise((resolve) => setTimeout(resolve, 50))
+    })
+    assert.deepEqual(await stores(page), both, 'a page is open that may need files of the first edition')
+    // No page of that copy is open any more.
+    await page.goto(url + 'two/')
+    await waitFor(page, async () => (await stores(page)).length < both.length)
     assert.deepEqual(await stores(page), ['book-/shelf/one/#second', 'book-/shelf/two/#other'])
     await unplug()
     for (const [at, version] of [['one/', 'second'], ['two/', 'other']]) {

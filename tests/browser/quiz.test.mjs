@@ -156,3 +156,30 @@ test('what is kept is checked: an answer that is none any more counts for nothin
   await page.locator('#fig-picture .widget[inert]').waitFor()
   assert.equal(await page.locator('form.quiz[data-answered]').count(), 0)
 })
+
+test('a number of thousands of digits is no answer, and stops nothing', async (t) => {
+  const page = await open(t)
+  const it = await quiz(page, 'third-step')
+  await it.input.pressSequentially('7'.repeat(60))
+  assert.equal((await it.input.inputValue()).length, 40, 'the field takes no more')
+  // A script or an old field may hold more; trying every way to split 60,000 digits took nine seconds.
+  await it.input.evaluate((input) => {
+    input.removeAttribute('maxlength')
+    input.value = `${'7'.repeat(60_000)}x`
+  })
+  await it.commit.click()
+  await it.verdict.filter({ hasText: 'That is not a number.' }).waitFor({ timeout: 4000 })
+})
+
+test('Tab leads into a question that is still far below the screen', async (t) => {
+  const page = await open(t)
+  const id = await page.evaluate(() => {
+    const form = [...document.querySelectorAll('form.quiz')].find((it) => it.getBoundingClientRect().top > 3 * innerHeight && !it.querySelector('input'))
+    const links = [...document.querySelectorAll('main a[href], main summary')].filter((link) => link.compareDocumentPosition(form) & Node.DOCUMENT_POSITION_FOLLOWING && !link.closest('details:not([open]) > :not(summary), .end-matter'))
+    links.at(-1).focus({ preventScroll: true })
+    return form.id
+  })
+  await page.locator(`#${id} input`).first().waitFor({ state: 'attached' })
+  await page.keyboard.press('Tab')
+  assert.ok(await page.evaluate((name) => document.activeElement?.closest('form')?.id === name, id))
+})

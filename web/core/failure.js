@@ -1,5 +1,6 @@
 /** A figure that could not come to life says so beside its still, and offers to try again. */
 
+import { isReplaced, sayReplaced } from './edition.js'
 import { button, focusFirst } from './element.js'
 
 /**
@@ -17,16 +18,19 @@ export function showFailure(host, why, again) {
   button(document, words, 'Try again', async () => {
     await again()
     await decided(host)
-    // The button is gone, and the focus with it.
+    // The button has gone, and with it the focus.
     if (document.activeElement === document.body) focusFirst(host)
   })
   host.append(words)
+  isReplaced().then((replaced) => {
+    if (replaced && words.isConnected) sayReplaced(words)
+  })
 }
 
 /** @param {HTMLElement} host */
 export function hideFailure(host) {
   host.querySelector('.figure-failure')?.remove()
-  // What comes next begins where a figure begins.
+  // From here the figure starts as it did at first.
   if (host.dataset.state === 'failed') host.dataset.state = 'still'
 }
 

@@ -1,4 +1,6 @@
-/** A wasm module: fetched once, when first needed, and asked for again only by hand. */
+/** A wasm module: fetched once, when it is first needed; after a failure, fetched again when the reader asks. */
+
+import { fetchWithPatience } from './patience.js'
 
 /**
  * @template T
@@ -7,7 +9,7 @@
 
 /**
  * @template T
- * @param {(from: { module_or_path: URL }) => Promise<unknown>} init the module's own
+ * @param {(from: { module_or_path: Promise<Response> }) => Promise<unknown>} init the module's own
  * @param {T} module what it exports
  * @param {string} address of its binary, beside this script
  * @returns {() => Promise<Loaded<T>>} never throws: a failure is an answer, and the next call tries again
@@ -26,12 +28,14 @@ export function loader(init, module, address) {
   /** @returns {Promise<Loaded<T>>} */
   async function load() {
     if (typeof WebAssembly === 'undefined') return { ok: false, why: 'this browser does not run WebAssembly' }
+    const binary = fetchWithPatience(new URL(address, import.meta.url))
     try {
-      await init({ module_or_path: new URL(address, import.meta.url) })
+      await init({ module_or_path: binary })
       return { ok: true, module }
     } catch (error) {
-      const offline = error instanceof TypeError
-      return { ok: false, why: offline ? 'its module could not be fetched' : 'its module could not be started' }
+      if (error instanceof DOMException && error.name === 'AbortError') return { ok: false, why: 'the server does not answer' }
+      const unreachable = error instanceof TypeError
+      return { ok: false, why: unreachable ? 'its module could not be fetched' : 'its module could not be started' }
     }
   }
 }

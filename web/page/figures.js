@@ -2,6 +2,7 @@
 
 import { hideFailure, showFailure } from '../core/failure.js'
 import { defineFigure } from '../core/figure.js'
+import { inTime } from '../core/patience.js'
 
 /**
  * @param {HTMLElement} host
@@ -12,7 +13,7 @@ export async function awaken(host, widgets) {
   if (!load) return
   hideFailure(host)
   try {
-    defineFigure(await load())
+    defineFigure(await inTime(load()))
   } catch {
     showFailure(host, 'its script could not be fetched', () => awaken(host, widgets))
   }

@@ -1,10 +1,12 @@
 /**
- * What an address says of figures is looked over when the page opens, for the figures themselves may be far below: what
- * cannot be read is said at the top of the text, and what waits behind a question beside the question.
+ * Checks what the address says of figures when the page opens, because the figures themselves may be far below. A state that
+ * cannot be read, or that the figure's lab refuses, is named at the top of the text; a state of a figure that waits behind a
+ * question is mentioned beside the question.
  */
 
 import { button, part } from '../core/element.js'
 import { readState } from '../core/link.js'
+import { loadModule } from '../core/module.js'
 
 const MOST = 5
 
@@ -18,14 +20,32 @@ export async function links(widgets) {
       wrong.push(`The link names a figure that this page does not have: ${id.slice(0, 40)}.`)
       continue
     }
-    // Without its script a figure's lab has no name; the rest can be judged all the same.
+    // If the figure's script cannot be fetched, the name of its lab is unknown; the rest is checked all the same.
     const spec = await widgets[host.localName]?.().catch(() => null)
-    if (readState(location.href, id, spec?.name) === 'mangled') {
+    const state = readState(location.href, id, spec?.name)
+    if (state === 'mangled' || (state && spec && await isRefused(spec, state))) {
       const title = host.closest('figure')?.querySelector('.figure-title')?.textContent ?? id
       wrong.push(`The link’s state of the figure “${title}” could not be read: the figure shows its usual state.`)
     } else waits(id)
   }
   if (wrong.length > 0) notice(wrong)
+}
+
+/**
+ * Whether the lab refuses the parameters. If the module cannot be fetched nothing is known, and the figure will say so itself.
+ * @param {import('../core/spec.js').FigureSpec} spec
+ * @param {import('../core/link.js').State} state
+ */
+async function isRefused(spec, state) {
+  const loaded = await loadModule()
+  if (!loaded.ok) return false
+  try {
+    const labs = /** @type {any} */ (loaded.module)
+    labs[spec.lab].from({ ...state, step: 0 }).free()
+    return false
+  } catch {
+    return true
+  }
 }
 
 /** @param {string} id of a figure whose state is in the address */
@@ -52,6 +72,6 @@ function notice(wrong) {
   })
   main.prepend(box)
   const more = wrong.length > MOST ? ` And ${wrong.length - MOST} more.` : ''
-  // A status is heard when its words change, not when it comes with them.
+  // A screen reader speaks a status when its words change, not when it is added with them.
   setTimeout(() => { words.textContent = wrong.slice(0, MOST).join(' ') + more }, 50)
 }

@@ -3,10 +3,12 @@
  * fetched once when a reader first asks for it.
  */
 
+import { PATIENCE_MS } from '../core/patience.js'
+
 /** @type {Promise<void> | undefined} */
 let coming
 
-/** The formulas of this page in Thrun's letters, put beside Choset's. */
+/** Puts the formulas of this page in Thrun's letters beside those in Choset's. */
 export function thrun() {
   coming ??= fetched().then(
     (readings) => put(readings),
@@ -21,12 +23,28 @@ export function thrun() {
 /** @returns {Promise<string[]>} */
 async function fetched() {
   if (!document.querySelector('[data-thrun]')) return []
-  const response = await fetch('thrun.json')
-  if (!response.ok) throw new Error(`thrun.json: ${response.status}`)
-  const { version, readings } = await response.json()
-  // Of another build than the page: its numbers name other formulas.
-  if (version !== document.documentElement.dataset.readings) throw new Error('thrun.json', { cause: 'version' })
+  const answer = await fetch('thrun.json', { signal: AbortSignal.timeout(PATIENCE_MS) })
+  if (!answer.ok) throw new Error(`thrun.json: ${answer.status}`)
+  const { readings = await kept(answer.url) } = matching(await answer.json())
+  // Of another edition than the page: its numbers name other formulas.
+  if (!readings) throw new Error('thrun.json', { cause: 'version' })
   return readings
+}
+
+/** The readings of this page's edition, or none. @param {{ version: string, readings: string[] }} found @returns {{ readings?: string[] }} */
+function matching({ version, readings }) {
+  return version === document.documentElement.dataset.readings ? { readings } : {}
+}
+
+/** The page's own readings out of what was kept for reading offline, after a new edition has come. @param {string} address */
+async function kept(address) {
+  if (!('caches' in globalThis)) return undefined
+  for (const name of await caches.keys()) {
+    const answer = await (await caches.open(name)).match(address)
+    const { readings } = answer ? matching(await answer.json()) : {}
+    if (readings) return readings
+  }
+  return undefined
 }
 
 /** @param {string[]} readings as the book wrote them, by the number in `data-thrun` */

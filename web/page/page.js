@@ -4,6 +4,7 @@
  */
 
 import { hideFailure, showFailure } from '../core/failure.js'
+import { inTime } from '../core/patience.js'
 import { WIDGETS } from '../widgets/index.js'
 import { whenNear, whenRead } from './near.js'
 import { openForPrint } from './print.js'
@@ -57,7 +58,7 @@ function withoutQuizzes() {
 /** @param {HTMLElement} host @returns {Promise<void>} */
 async function bring(host) {
   try {
-    const { awaken } = await import('./figures.js')
+    const { awaken } = await inTime(import('./figures.js'))
     hideFailure(host)
     await awaken(host, WIDGETS)
   } catch {

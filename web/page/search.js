@@ -2,6 +2,7 @@
 
 import MiniSearch from 'minisearch'
 import { part } from '../core/element.js'
+import { PATIENCE_MS } from '../core/patience.js'
 
 /** @typedef {{ id: string, page: string, title: string, section: string, text: string }} Entry */
 
@@ -37,7 +38,7 @@ function build() {
   const show = async () => {
     ready ??= index().catch(() => null)
     const found = await ready
-    // Asked for again with the next letter: the network may be back.
+    // The next letter asks for it again: the network may be back.
     if (!found) ready = null
     list.replaceChildren()
     if (!found) return void (list.textContent = 'The index could not be fetched.')
@@ -65,7 +66,7 @@ function build() {
 }
 
 async function index() {
-  const answer = await fetch(rooted('search.json'))
+  const answer = await fetch(rooted('search.json'), { signal: AbortSignal.timeout(PATIENCE_MS) })
   if (!answer.ok) throw new Error(`search.json: ${answer.status}`)
   const found = new MiniSearch({ fields: ['title', 'text'], storeFields: ['page', 'title', 'section', 'text'] })
   found.addAll(await answer.json())
@@ -83,6 +84,13 @@ function result(hit, words) {
   const link = /** @type {HTMLAnchorElement} */ (part(document, item, 'a', ''))
   link.href = `${rooted(hit.page)}#${String(hit.id).split('#')[1] ?? ''}`
   part(document, link, 'strong', '').textContent = [hit.section, hit.title].filter(Boolean).join(' ')
+  // The index is newer than this page: the place it names is in the new edition, which a reload brings.
+  link.addEventListener('click', (event) => {
+    if (link.pathname !== location.pathname || document.getElementById(decodeURIComponent(link.hash.slice(1)))) return
+    event.preventDefault()
+    location.hash = link.hash
+    location.reload()
+  })
   const at = Math.max(0, hit.text.toLowerCase().indexOf(words.toLowerCase().split(/\s+/)[0]) - 60)
   part(document, link, 'span', '').textContent = `${at ? '…' : ''}${hit.text.slice(at, at + 160)}…`
   return item

@@ -1,7 +1,10 @@
 /**
- * Keeps the whole book: every file of this version is fetched once, into a store named for the place and the version, and
- * this place's older stores go. Pages come from the network while there is one, so that a new version shows at once; files
- * with a hash in their name never change and come from the store.
+ * Keeps the whole book for reading offline. Every file of this edition is fetched once, into a store named for the place and
+ * the edition. Pages come from the network while it answers, so that a new edition shows at once; files with a hash in their
+ * name never change and come from the store.
+ *
+ * A new edition's worker waits, as browsers have it, until no page of the old one is open, and only then clears the old
+ * store: an open page still finds the scripts of its own edition there, which are no longer on the server.
  */
 
 const VERSION = '__VERSION__'
@@ -9,8 +12,10 @@ const FILES = __PRECACHE__
 // Stores belong to the origin: another copy of the book, in a folder beside this one, has its own.
 const PREFIX = `book-${new URL(registration.scope).pathname}#`
 const STORE = PREFIX + VERSION
+/** How long the network may be silent before a reader sees the kept page, milliseconds. */
+const PATIENCE_MS = 2500
 
-addEventListener('install', (event) => event.waitUntil(fill().then(() => skipWaiting())))
+addEventListener('install', (event) => event.waitUntil(fill()))
 addEventListener('activate', (event) => event.waitUntil(clean().then(() => clients.claim())))
 
 async function fill() {
@@ -25,28 +30,42 @@ async function fill() {
 }
 
 async function clean() {
-  const names = await caches.keys()
-  await Promise.all(names.filter((name) => name.startsWith(PREFIX) && name !== STORE).map((name) => caches.delete(name)))
+  const old = (await ours()).filter((name) => name !== STORE)
+  await Promise.all(old.map((name) => caches.delete(name)))
+}
+
+/** The names of this copy's stores: of this edition first, then of those before and after it. */
+async function ours() {
+  const names = (await caches.keys()).filter((name) => name.startsWith(PREFIX))
+  return names.sort((a, b) => Number(b === STORE) - Number(a === STORE))
 }
 
 addEventListener('fetch', (event) => {
   const { request } = event
   const url = new URL(request.url)
   if (request.method !== 'GET' || !url.href.startsWith(registration.scope)) return
-  event.respondWith(isHashed(url.href) ? stored(request).then((answer) => answer ?? fetch(request)) : fresh(request))
+  event.respondWith(isHashed(url.href) ? lasting(request) : fresh(request))
 })
 
-async function fresh(request) {
-  try {
-    return await fetch(request)
-  } catch (error) {
-    const answer = await stored(request)
+/** A file that never changes: an open page may be of another edition than this worker. @param {Request} request */
+async function lasting(request) {
+  for (const name of await ours()) {
+    const answer = await (await caches.open(name)).match(request.url)
     if (answer) return answer
-    throw error
   }
+  return fetch(request)
 }
 
-/** A figure's state in the address does not make it another page, and a folder is its index. */
+/** From the network, unless it fails, is silent or has nothing but an error: then what is kept. @param {Request} request */
+async function fresh(request) {
+  const network = fetch(request)
+  const silence = new Promise((resolve) => { setTimeout(resolve, PATIENCE_MS) })
+  const answer = await Promise.race([network, silence]).catch(() => undefined)
+  if (answer && answer.status < 500 && answer.status !== 429) return answer
+  return await stored(request) ?? network
+}
+
+/** A figure's state in the address does not make it another page, and a folder is its index. @param {Request} request */
 async function stored(request) {
   const store = await caches.open(STORE)
   const plain = request.url.replace(/[?#].*$/, '')
