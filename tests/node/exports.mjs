@@ -169,7 +169,11 @@ export const CLASSES = {
     spoilt: 0.35,
     often: ['update', 'update', 'update'],
     least: { matched: 110, founded: 130, rejected: 60, 'at-landmark': 4 },
-    make: (dice) => [pose(dice), { W: covariance(2, dice), gate: gate(dice), found: dice.pick([50, 1e7]) }],
+    make: (dice) => {
+      const belief = pose(dice), W = covariance(2, dice), bound = gate(dice), founding = dice.pick([50, 1e7])
+      // A gate above the founding threshold is refused; at the threshold it does what a higher one would.
+      return [belief, { W, gate: bound && Math.min(bound, founding), found: founding }]
+    },
     methods: {
       predict: motion,
       update(dice, _, it) {

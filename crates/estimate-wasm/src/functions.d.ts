@@ -54,7 +54,7 @@ export interface SlamOptions {
     W: Matrix;
     /** A sighting whose χ² is greater is not used; null, or absent, for none. */
     gate?: number | null;
-    /** A sighting whose χ² is greater for every landmark founds a new one; far above the gate. */
+    /** A sighting whose χ² is greater for every landmark founds a new one; at least the gate, better far above it. */
     found: number;
 }
 /** The bearing is measured from the landmark. Left out, the landmark is associated, or founded. */

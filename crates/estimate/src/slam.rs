@@ -57,7 +57,7 @@ impl EkfSlam {
     ///
     /// # Errors
     /// [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`] for `belief.x`, `belief.P` or `W`;
-    /// [`Code::Limit`] for a threshold that is negative or NaN.
+    /// [`Code::Limit`] for a threshold that is negative or NaN, and for `found` below a finite gate.
     pub fn new(belief: &Gaussian<U3>, w: &Matrix2<f64>, thresholds: Thresholds) -> Result<Self, Error> {
         let dense = |m: &[f64], n: usize| DMatrix::from_column_slice(n, n, m);
         let x = validate::vector(DVector::from_column_slice(belief.x.as_slice()), 3, "belief.x")?;
@@ -68,6 +68,10 @@ impl EkfSlam {
             if !sound {
                 return Err(Error::new(Code::Limit, name, "is a squared distance: zero or more"));
             }
+        }
+        if thresholds.gate.is_finite() && thresholds.found < thresholds.gate {
+            let message = "is below the gate: a sighting between the two would be of a known landmark and of a new one";
+            return Err(Error::new(Code::Limit, "found", message));
         }
         Ok(Self {
             x: vec![x[0], x[1], wrap(x[2])],

@@ -4,6 +4,7 @@
 //! them; the median of five rounds is printed, and the ratio to the fastest peer. All four end at the same mean, or the
 //! program says so and fails: a library that computes something else is no peer.
 
+use nalgebra::U1;
 use std::hint::black_box;
 use std::time::Instant;
 

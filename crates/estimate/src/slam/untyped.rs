@@ -14,7 +14,8 @@ impl EkfSlam {
     ///
     /// # Errors
     /// Naming the argument: [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`],
-    /// [`Code::NotPositiveSemidefinite`], or [`Code::Limit`] for a threshold that is not positive.
+    /// [`Code::NotPositiveSemidefinite`], or [`Code::Limit`] for a threshold that is not positive and for `found` below the
+    /// gate.
     pub fn from_belief(belief: &Belief, w: DMatrix<f64>, gate: Option<f64>, found: f64) -> Result<Self, Error> {
         let x = validate::vector(belief.x.clone(), 3, "belief.x")?;
         let p = validate::matrix(belief.p.clone(), (3, 3), "belief.P")?;
@@ -70,6 +71,9 @@ mod tests {
         assert_eq!(refused(&belief(), &w, Some(-1.0), 50.0), (Code::Limit, "gate".into()));
         assert_eq!(refused(&belief(), &w, Some(f64::NAN), 50.0), (Code::NotFinite, "gate".into()));
         assert_eq!(refused(&belief(), &w, None, 0.0), (Code::Limit, "found".into()));
+        // Every sighting between the two thresholds would be both matched and new.
+        assert_eq!(refused(&belief(), &w, Some(100.0), 1.0), (Code::Limit, "found".into()));
+        assert!(EkfSlam::from_belief(&belief(), w.clone(), Some(50.0), 50.0).is_ok());
         let mut slam = EkfSlam::from_belief(&belief(), w, None, 50.0).expect("sound");
         let refused = |e: Result<(), Error>| e.expect_err("refused").argument.to_string();
         assert_eq!(refused(slam.predict_by(dvector![1.0], DMatrix::zeros(3, 3))), "u");

@@ -15,7 +15,7 @@ use nalgebra::{DMatrix, DVector};
 
 /// The largest residual of the Riccati equation, in the same unit: the recursion ends at a change of 10⁻¹², which is 4504 ε,
 /// and a correction may leave 5·10⁻¹⁴ of rounding, 225 ε, which an unstable F amplifies.
-const MOST_RICCATI: f64 = 20_000.0;
+const MOST_RICCATI: f64 = 50_000.0;
 
 /// What was counted and the largest residuals, each as a multiple of its unit: rounding times the size of the terms.
 #[derive(Debug, Default)]
