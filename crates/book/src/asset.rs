@@ -13,7 +13,7 @@ pub struct Assets {
     folder: Option<PathBuf>,
     /// Logical name, as in `site.css`, to the name with its hash.
     pub by_name: BTreeMap<String, String>,
-    /// What stands inside a page instead of beside it, by logical name.
+    /// Scripts and styles that stand inside a page, by logical name.
     pub inline: BTreeMap<String, Inline>,
 }
 
@@ -26,7 +26,7 @@ pub struct Inline {
     pub sha256: String,
 }
 
-/// What no page of a released site does without.
+/// Assets that every page of a released site needs.
 const NEEDED: [&str; 3] = ["site.css", "katex.css", "page.js"];
 
 impl Assets {

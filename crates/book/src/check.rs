@@ -15,7 +15,7 @@ pub struct Check {
     pub expected: String,
     /// The value it had, natively.
     pub actual: String,
-    /// How far they may part.
+    /// The largest difference allowed between the two.
     pub tolerance: String,
 }
 
@@ -54,7 +54,7 @@ pub struct Row {
     pub source: String,
 }
 
-/// Where the checks are tests.
+/// The file that holds the checks as tests.
 const TESTS: &str = "tests/thirteen_checks.rs";
 
 /// The rows of the page, which lies one level below the site's root.

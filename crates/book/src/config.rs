@@ -14,7 +14,7 @@ use crate::diagnostic::{BuildError, Diagnostics, Place};
 pub struct Config {
     /// Title of the book.
     pub title: String,
-    /// What the title leaves open.
+    /// Subtitle of the book.
     #[serde(default)]
     pub subtitle: String,
     /// Authors, in order.
@@ -52,10 +52,10 @@ pub struct Chapter {
     /// Title of that part.
     #[serde(default)]
     pub part_title: String,
-    /// For whom it is.
+    /// How hard it is, as in "Intermediate".
     #[serde(default)]
     pub difficulty: String,
-    /// How long it takes.
+    /// Reading time in minutes.
     #[serde(default)]
     pub reading_minutes: u32,
     /// A sentence or two, for the head of the page and for search engines.

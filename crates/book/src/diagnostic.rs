@@ -30,7 +30,7 @@ impl fmt::Display for Place {
 pub struct Diagnostic {
     /// Where.
     pub place: Place,
-    /// What is wrong, and where it helps what would be right.
+    /// What is wrong and, where it helps, what would be right.
     pub message: String,
 }
 

@@ -65,6 +65,12 @@ impl Dist {
         pages.map(|(path, bytes)| (path.clone(), String::from_utf8_lossy(bytes).into_owned())).collect()
     }
 
+    /// How many elements a page has; none if there is no such page.
+    pub fn elements(&self, path: &str) -> usize {
+        let page = self.files.get(path).map_or(&[][..], Vec::as_slice);
+        page.windows(2).filter(|pair| pair[0] == b'<' && pair[1].is_ascii_alphabetic()).count()
+    }
+
     /// What is wrong with links, ids and tags.
     pub fn faults(&self) -> Vec<String> {
         let files: BTreeSet<String> = self.files.keys().cloned().collect();

@@ -29,7 +29,7 @@ pub struct Labels {
 /// The checks of the chapter, which have a page of their own.
 pub const CHECKS: u8 = 13;
 
-/// Ids the template gives out.
+/// Ids that the page's template uses itself.
 const RESERVED: [&str; 5] = ["main", "search", "footnotes", "glossary", "numbers"];
 
 impl Labels {
@@ -50,7 +50,7 @@ impl Labels {
         labels
     }
 
-    /// The label of `id`; `check-7` names a check wherever it is asked for, `root` leading to the site's root.
+    /// The label of `id`. On every page `check-7` is a check; `root` leads from the page to the site's root.
     ///
     /// # Errors
     /// A message when nothing has this id.

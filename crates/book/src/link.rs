@@ -1,9 +1,9 @@
-//! A walk over the built site: every link leads somewhere, every id is given once, every tag is closed, nothing is
-//! fetched from elsewhere.
+//! Checks the built site: every link leads to something, every id is given once, every tag is closed, and nothing is fetched
+//! from other sites.
 
 use std::collections::{BTreeMap, BTreeSet};
 
-/// A page's tags, as far as links go.
+/// The ids and links of a page, and what is wrong with its tags.
 #[derive(Debug, Default)]
 struct Page {
     ids: BTreeSet<String>,
@@ -123,7 +123,7 @@ fn parse(html: &str) -> Page {
             page.faults.push(format!("a link in a link: <{tag}>"));
         }
         if !(VOID.contains(&name.as_str()) || tag.ends_with('/')) {
-            // What stands in a script or style is no markup.
+            // A script or a style holds no tags.
             if name == "script" || name == "style" {
                 rest = rest.find(&format!("</{name}>")).map_or("", |end| &rest[end..]);
             }

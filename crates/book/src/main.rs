@@ -35,22 +35,19 @@ impl Options {
             draft: false,
         };
         while let Some(argument) = arguments.next() {
-            let slot = match argument.as_str() {
-                "--out" => &mut options.out,
-                "--assets" => &mut options.assets,
-                "--stills" => &mut options.stills,
-                "--root" => &mut options.root,
-                "--draft" => {
-                    options.draft = true;
-                    continue;
-                }
-                "--strict" => {
-                    options.strict = true;
-                    continue;
-                }
-                other => return Err(format!("unknown argument `{other}`\n{USAGE}")),
+            let mut path = || {
+                let path = arguments.next().ok_or_else(|| format!("{argument} needs a path\n{USAGE}"));
+                path.map(PathBuf::from)
             };
-            *slot = arguments.next().ok_or_else(|| format!("{argument} needs a path\n{USAGE}"))?.into();
+            match argument.as_str() {
+                "--out" => options.out = path()?,
+                "--assets" => options.assets = path()?,
+                "--stills" => options.stills = path()?,
+                "--root" => options.root = path()?,
+                "--draft" => options.draft = true,
+                "--strict" => options.strict = true,
+                other => return Err(format!("unknown argument `{other}`\n{USAGE}")),
+            }
         }
         Ok(options)
     }
@@ -86,7 +83,12 @@ fn build(options: &Options) -> Result<String, BuildError> {
     dist.write(&options.out)?;
     let bytes: usize = dist.files.values().map(Vec::len).sum();
     let (files, seconds) = (dist.files.len(), start.elapsed().as_secs_f64());
-    Ok(format!("{}: {files} files, {} kB, in {seconds:.1} s", options.out.display(), bytes / 1000))
+    let chapters = site.config.chapters.iter().map(|chapter| {
+        let elements = dist.elements(&format!("{}/index.html", chapter.slug));
+        format!("; {}: {elements} elements", chapter.slug)
+    });
+    let chapters: String = chapters.collect();
+    Ok(format!("{}: {files} files, {} kB, in {seconds:.1} s{chapters}", options.out.display(), bytes / 1000))
 }
 
 fn main() -> ExitCode {

@@ -55,12 +55,12 @@ impl Element {
         }
     }
 
-    /// Italic letters with nothing after them.
+    /// Whether it is italic letters without any attribute, so that further letters can join it.
     pub fn is_letters(&self) -> bool {
         self.name == "i" && self.classes.is_empty() && self.rest.is_empty() && self.style.is_empty()
     }
 
-    /// Italic letters whose margin, if any, stands after them.
+    /// Whether it has no attribute but a margin behind it, so that it can join the letters before it.
     pub fn only_widens(&self) -> bool {
         self.classes.is_empty() && self.rest.is_empty() && self.style.iter().all(|(name, _)| name == "margin-right")
     }
@@ -131,7 +131,7 @@ fn opened(tag: &str) -> Element {
         }
         rest = after;
     }
-    // KaTeX keeps attributes in a hash map: two readings of one formula, or two builds, would seem to differ.
+    // KaTeX keeps attributes in a hash map: without an order, two builds of one formula would differ.
     element.rest.sort();
     element.style.sort();
     element

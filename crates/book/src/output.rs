@@ -46,7 +46,7 @@ impl Outputs {
         let root = self.root.as_ref().ok_or_else(|| format!("no output of `{example}`"))?;
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let mut command = Command::new(cargo);
-        // Unoptimized: what it prints is the same, and the tests have built it so already.
+        // Without optimization: the output is the same, and the tests have built the example already.
         command.current_dir(root).args(["run", "-q", "--example", example, "-p", "estimate"]);
         let output = command.output().map_err(|e| format!("`{}`: {e}", Self::command(example)))?;
         if !output.status.success() {

@@ -1,4 +1,4 @@
-//! Pages: a chapter or a single file rendered, with what goes around it.
+//! A chapter or a single file as HTML, with its contents, its entries of the search and its figures.
 
 use std::path::Path;
 
@@ -23,8 +23,8 @@ pub struct Text {
     pub search: Vec<Found>,
     /// What the text used.
     pub used: Used,
-    /// The formulas that read differently in Thrun's letters, as `data-thrun` counts them. They are a quarter of the
-    /// page's weight and stay out of it until a reader asks.
+    /// The formulas in Thrun's letters, where they differ, by the index in `data-thrun`. They are a quarter of the page's
+    /// weight, so a file of their own holds them until a reader asks.
     pub thrun: Vec<String>,
     /// Its figures, each for a page of its own.
     pub figures: Vec<Figure>,
@@ -47,11 +47,11 @@ pub struct Found {
     pub id: String,
     /// The page, from the site's root.
     pub page: String,
-    /// Title, without formulas.
+    /// Its title in words.
     pub title: String,
     /// Number, as in "15.2".
     pub section: String,
-    /// Words, without formulas.
+    /// Its words, without display formulas.
     pub text: String,
 }
 

@@ -197,7 +197,7 @@ impl Reader<'_> {
         let near = |raw: &RawNear| {
             let why = self.reason(&raw.value, raw.why.as_ref())?;
             let place = self.file.place(&raw.value);
-            // A given constant, such as the reading itself, or the id of a number.
+            // A value as it stands, or the id of a computed one.
             let id = raw.value.get_ref();
             let near = id.parse().or_else(|_| self.numbers.get(id).map(|number| number.value));
             let near: f64 = self.diagnostics.ok(&place, near)?;

@@ -15,7 +15,7 @@ use script::{accent, script};
 /// Classes that no style rule mentions.
 const INERT: [&str; 10] = ["mord", "mopen", "mclose", "mbin", "mrel", "mpunct", "minner", "mop", "mtight", "enclosing"];
 
-/// Whose children the style rules count on, so that these stay what they are.
+/// Classes whose style rules name their children, so that these must stay elements.
 const STRICT: [&str; 8] = ["hat", "delim-size1", "delim-size4", "katex-inner", "clap", "llap", "rlap", "mfrac"];
 
 /// A formula in one notation.
@@ -68,7 +68,7 @@ fn visit(node: &mut Node) {
     }
 }
 
-/// `strict`: the style rules count on the elements among `element`'s children.
+/// Makes the drawn half slim. With `strict`, style rules name the children of `element`, so that these stay elements.
 fn draw(element: &mut Element, strict: bool) {
     if let Some(simple) = script(element).or_else(|| accent(element)) {
         *element = simple;
@@ -112,7 +112,8 @@ fn draw(element: &mut Element, strict: bool) {
     join(&mut element.children);
 }
 
-/// A space becomes a margin of a sign beside it: of an operator if there is one, else of the sign before.
+/// Turns each empty box that keeps a distance into a margin of a sign beside it: of an operator if there is one, else of the
+/// sign before.
 fn spaced(children: Vec<Node>) -> Vec<Node> {
     let mut out: Vec<Node> = Vec::with_capacity(children.len());
     let mut children = children.into_iter().peekable();
@@ -144,14 +145,14 @@ fn is_operator(sign: &Element) -> bool {
     sign.has("mrel") || sign.has("mbin")
 }
 
-/// Operators between their usual spaces are known to the style sheet by KaTeX's name.
+/// The margins that KaTeX usually gives to an operator, and the class to which the style sheet gives the same margins.
 const USUAL: [(&str, &[(&str, &str)]); 3] = [
     ("mrel", &[("margin-left", ".2778em"), ("margin-right", ".2778em")]),
     ("mbin", &[("margin-left", ".2222em"), ("margin-right", ".2222em")]),
     ("mpunct", &[("margin-right", ".1667em")]),
 ];
 
-/// The class that says what the sign's margins say, instead of them.
+/// The class to use instead of the sign's margins, if these are the usual ones.
 fn usual(sign: &Element) -> Option<&'static str> {
     let same = |margins: &[(&str, &str)]| {
         margins.len() == sign.style.len() && margins.iter().all(|(name, value)| sign.get(name) == Some(value))
@@ -172,7 +173,7 @@ fn blank(width: f64) -> Node {
     Node::Element(Element { name: "span".into(), classes: vec!["mspace".into()], style, ..Element::default() })
 }
 
-/// A sign of the formula's own size, which a margin does not harm.
+/// The element, if it is a sign of the formula's own size: there a margin in ems has the length that KaTeX means.
 fn sign(node: &mut Node) -> Option<&mut Element> {
     let Node::Element(element) = node else { return None };
     let plain = |class: &String| INERT[..9].contains(&class.as_str()) || class.starts_with("math");
@@ -185,7 +186,7 @@ fn sign(node: &mut Node) -> Option<&mut Element> {
     sign.then_some(element)
 }
 
-/// A base's strut becomes a box that the style sheet draws before it.
+/// Replaces a base's strut by its height and depth as properties: the style sheet draws such a box before the base.
 fn strut(base: &mut Element) {
     let Some(Node::Element(first)) = base.children.first() else { return };
     if !base.has("katex-base") || !first.has("katex-strut") {
@@ -197,7 +198,7 @@ fn strut(base: &mut Element) {
     base.children.remove(0);
 }
 
-/// What hangs in a list hangs by margins: a box that is positioned costs the browser at every frame.
+/// Marks the rows of a list to be placed by margins: a positioned box costs the browser time in every frame.
 fn hang(place: &mut Node) {
     let Node::Element(place) = place else { return };
     for (name, value) in &mut place.style {
@@ -207,7 +208,7 @@ fn hang(place: &mut Node) {
     }
 }
 
-/// Neighbours that look alike become one.
+/// Joins neighbours that look alike.
 fn join(children: &mut Vec<Node>) {
     let mut out: Vec<Node> = Vec::with_capacity(children.len());
     for child in children.drain(..) {

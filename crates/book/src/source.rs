@@ -51,7 +51,7 @@ impl Sources {
         for entry in entries.flatten() {
             let path = format!("{folder}/{}", entry.file_name().to_string_lossy());
             if entry.path().is_dir() {
-                // The browser tests' packages are no source of ours.
+                // The packages of the browser tests are not our sources.
                 if !path.ends_with("node_modules") {
                     self.folder(root, &path)?;
                 }

@@ -20,7 +20,7 @@ const DRAWN: [&str; 14] = [
     "accent",
 ];
 
-/// Elements of MathML whose children stand in a row of their own accord.
+/// Elements of MathML that put their children in a row without an `mrow`.
 const ROWS: [&str; 7] = ["math", "semantics", "mrow", "mtd", "mstyle", "mpadded", "msqrt"];
 
 /// Drops the attributes and wrappers that say nothing to a reader.

@@ -2,7 +2,7 @@
 
 use crate::markup::{Element, Node, em, length};
 
-/// The places of a list that KaTeX lays out as a table: each a strut of a known height with what stands on it.
+/// The rows of a list that KaTeX lays out as a table: each with how far it is raised and what stands in it.
 fn places(table: &Element) -> Option<Vec<(&Element, f64, &Element)>> {
     let rows: Vec<&Element> = table.children.iter().filter_map(Node::element).collect();
     let list = rows.first()?.children.iter().find_map(|child| child.element().filter(|cell| cell.has("vlist")))?;
@@ -20,7 +20,7 @@ fn place(place: &Element) -> Option<(&Element, f64, &Element)> {
     strut.has("pstrut").then_some((place, raised, content))
 }
 
-/// A letter under its hat: two boxes in one place instead of a table.
+/// A letter and its hat as two boxes in one place, instead of a table.
 pub fn accent(element: &Element) -> Option<Element> {
     let [Node::Element(table)] = element.children.as_slice() else { return None };
     if !element.has("katex-accent") {
@@ -35,14 +35,14 @@ pub fn accent(element: &Element) -> Option<Element> {
     if (high - low).abs() > 1e-9 {
         hat.style.push(("top".into(), length(low - high)));
     } else if let Some(left) = hat.get("left").and_then(em) {
-        // A box in the middle goes half its margin to the side.
+        // A centred box moves by half of its margin.
         hat.style = vec![("margin-left".into(), length(2.0 * left))];
     }
     let children = vec![Node::Element((*letter).clone()), Node::Element(hat)];
     Some(Element { name: "span".into(), classes: vec!["hat".into()], children, ..Element::default() })
 }
 
-/// An exponent or an index alone: one element instead of a table.
+/// An exponent or an index that stands alone as one element, instead of a table.
 pub fn script(element: &Element) -> Option<Element> {
     let [Node::Element(table)] = element.children.as_slice() else { return None };
     if element.classes != ["msupsub"] {
