@@ -22,7 +22,7 @@ export const FUNCTIONS = {
       const size = sizes(dice)
       return [system(size, dice), { x: vector(size.n, dice), P: covariance(size.n, dice) }, vector(size.m, dice), vector(size.p, dice)]
     },
-    covariances: (answer) => [answer.predicted.P, answer.P],
+    covariances: (answer) => [answer.predicted.P, answer.S, answer.P],
   },
   kalmanReplay: {
     args(dice) {

@@ -3,8 +3,10 @@
 //! The algebra is that of the typed functions, over nalgebra's `Dyn` in place of its `Const`; what is added here is that
 //! every argument is checked and the culprit named.
 
+mod feet;
 mod replay;
 
+pub use feet::{euclidean_foot, mahalanobis_foot, most_likely_output};
 pub use replay::{MAX_LOG, Replayed, kalman_replay};
 
 use crate::error::{Code, Error};
@@ -15,11 +17,10 @@ use crate::placement;
 use crate::riccati::SteadyState;
 use crate::validate::{self, MAX_INPUTS, MAX_OUTPUTS, MAX_STATES, size};
 use filters::Gaussian;
-use filters::covariance::{is_finite, symmetric};
-use geom::{AffineSet, Ellipse};
+use filters::covariance::is_finite;
+use geom::Ellipse;
 use nalgebra::allocator::Allocator;
 use nalgebra::{Complex, DMatrix, DVector, DefaultAllocator, Dim, Dyn, Matrix2, OMatrix};
-use numerics::{MIN_PIVOT, Spd};
 
 /// A system whose sizes are known at run time only.
 pub type System = Lti<Dyn, Dyn, Dyn>;
@@ -105,6 +106,18 @@ pub fn observer_step(
 ///
 /// # Errors
 /// [`Code::Shape`] or [`Code::NotFinite`] naming K, [`Code::DidNotConverge`].
+///
+/// # Example
+/// ```
+/// let (typed, _) = estimate::rail::position_sensor();
+/// let rows = |m: &[f64], n: usize| nalgebra::DMatrix::from_column_slice(n, m.len() / n, m);
+/// let [f, v] = [typed.f, typed.v].map(|m| rows(m.as_slice(), 2));
+/// let (g, h) = (rows(typed.g.as_slice(), 2), rows(typed.h.as_slice(), 1));
+/// let sys = estimate::dynamic::System::new(f, g, h, v, rows(typed.w.as_slice(), 1))?;
+/// let found = estimate::dynamic::error_eigenvalues(&sys, nalgebra::dmatrix![0.9; 0.8])?;
+/// assert!((found[0].re - 0.5).abs() < 1e-14 && (found[1].re - 0.2).abs() < 1e-14);
+/// # Ok::<(), estimate::Error>(())
+/// ```
 pub fn error_eigenvalues(system: &System, k: DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     let k = system.gain(k)?;
     let m = error_matrix(&system.f, &system.h, &k);
@@ -117,6 +130,14 @@ pub fn error_eigenvalues(system: &System, k: DMatrix<f64>) -> Result<Vec<Complex
 /// # Errors
 /// [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`] or [`Code::Tolerance`] naming the argument,
 /// [`Code::DidNotConverge`].
+///
+/// # Example
+/// ```
+/// use nalgebra::dmatrix;
+/// let seen = estimate::dynamic::observability(dmatrix![1.0, 0.5; 0.0, 1.0], dmatrix![0.0, 1.0], 1e-9)?;
+/// assert_eq!((seen.rank, seen.n), (1, 2));
+/// # Ok::<(), estimate::Error>(())
+/// ```
 pub fn observability(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result<Observability, Error> {
     let (f, h) = pair(f, h)?;
     observability::analyze(&observability::observability_matrix(&f, &h), tolerance)
@@ -128,6 +149,15 @@ pub fn observability(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result
 /// # Errors
 /// [`Code::Limit`], [`Code::Shape`] or [`Code::NotFinite`] naming the argument, [`Code::Poles`], [`Code::Unobservable`],
 /// [`Code::NotPlaceable`], [`Code::DidNotConverge`].
+///
+/// # Example
+/// ```
+/// use nalgebra::dmatrix;
+/// let poles = [0.5, 0.2].map(estimate::Complex::from);
+/// let k = estimate::dynamic::place_observer_gain(dmatrix![1.0, 0.5; 0.0, 1.0], dmatrix![1.0, 0.0], &poles)?;
+/// assert!((k[0] - 0.9).abs() < 1e-14 && (k[1] - 0.8).abs() < 1e-14);
+/// # Ok::<(), estimate::Error>(())
+/// ```
 pub fn place_observer_gain(f: DMatrix<f64>, h: DMatrix<f64>, poles: &[Complex<f64>]) -> Result<DVector<f64>, Error> {
     let (f, h) = pair(f, h)?;
     if h.nrows() != 1 {
@@ -167,6 +197,13 @@ pub fn gain_schedule(system: &System, p0: DMatrix<f64>, steps: usize) -> Result<
 ///
 /// # Errors
 /// For `p` as [`validate::covariance`]; [`Code::Limit`] when `radius` is not positive, [`Code::NotFinite`] when it is not finite.
+///
+/// # Example
+/// ```
+/// let ellipse = estimate::dynamic::covariance_ellipse(nalgebra::dmatrix![4.0, 0.0; 0.0, 1.0], 2.0)?;
+/// assert_eq!((ellipse.semi_major, ellipse.semi_minor), (4.0, 2.0));
+/// # Ok::<(), estimate::Error>(())
+/// ```
 pub fn covariance_ellipse(p: DMatrix<f64>, radius: f64) -> Result<Ellipse, Error> {
     let p = validate::covariance(p, 2, "P")?;
     let radius = validate::finite(radius, "radius")?;
@@ -176,75 +213,6 @@ pub fn covariance_ellipse(p: DMatrix<f64>, radius: f64) -> Result<Ellipse, Error
     let ellipse = Ellipse::from_covariance(&Matrix2::new(p[(0, 0)], p[(0, 1)], p[(1, 0)], p[(1, 1)]), radius);
     validate::finite(ellipse.semi_major, "radius")?;
     Ok(ellipse)
-}
-
-/// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric.
-///
-/// # Errors
-/// [`Code::Limit`], [`Code::Shape`] or [`Code::NotFinite`] naming the argument,
-/// [`Code::InnovationNotPositiveDefinite`] when H has not full row rank.
-pub fn euclidean_foot(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Result<DVector<f64>, Error> {
-    let (omega, x) = affine(h, x, y)?;
-    omega.euclidean_foot(&x).ok_or_else(rows_repeat)
-}
-
-fn rows_repeat() -> Error {
-    Error::new(
-        Code::InnovationNotPositiveDefinite,
-        "H",
-        "HHᵀ is singular, or too large or small for floating point: the rows of H must be independent",
-    )
-}
-
-/// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `p`.
-///
-/// # Errors
-/// As [`euclidean_foot`], for H also [`Code::NotFinite`] when HPHᵀ overflows; for `p` as [`validate::covariance`], and
-/// [`Code::InnovationNotPositiveDefinite`] when H has full row rank but HPHᵀ is singular.
-pub fn mahalanobis_foot(
-    h: DMatrix<f64>,
-    p: DMatrix<f64>,
-    x: DVector<f64>,
-    y: DVector<f64>,
-) -> Result<DVector<f64>, Error> {
-    let (omega, x) = affine(h, x, y)?;
-    let p = validate::covariance(p, x.len(), "P")?;
-    let Some(foot) = omega.mahalanobis_foot(&p, &x) else {
-        let h = &omega.h;
-        overflow(&(h * (&p * h.transpose())), "H")?;
-        let independent = Spd::new(h * h.transpose()).is_some_and(|s| s.pivot() >= MIN_PIVOT);
-        return Err(if independent {
-            Error::new(
-                Code::InnovationNotPositiveDefinite,
-                "P",
-                "HPHᵀ is singular, or too small for floating point: P leaves no uncertainty in what H measures, so no step along it reaches Ω",
-            )
-        } else {
-            rows_repeat()
-        });
-    };
-    Ok(foot)
-}
-
-/// y*, the most likely output: the product of N(Hx̂, HPHᵀ) and N(y, W) peaks there (Theorem 8.2.1).
-///
-/// # Errors
-/// [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`]
-/// naming the argument; [`Code::InnovationNotPositiveDefinite`] when HPHᵀ + W is singular.
-pub fn most_likely_output(
-    h: DMatrix<f64>,
-    p: DMatrix<f64>,
-    w: DMatrix<f64>,
-    x: DVector<f64>,
-    y: DVector<f64>,
-) -> Result<DVector<f64>, Error> {
-    let (omega, x) = affine(h, x, y)?;
-    let p = validate::covariance(p, x.len(), "P")?;
-    let w = validate::covariance(w, omega.h.nrows(), "W")?;
-    let predicted = Gaussian { p: symmetric(&omega.h * p * omega.h.transpose()), x: &omega.h * &x };
-    overflow(&predicted.x, "x")?;
-    overflow(&predicted.p, "P")?;
-    Ok(predicted.product(&Gaussian { x: omega.y, p: w })?.x)
 }
 
 /// # Errors
@@ -265,15 +233,6 @@ fn pair(f: DMatrix<f64>, h: DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>)
     size(h.nrows(), MAX_OUTPUTS, "H")?;
     let p = h.nrows();
     Ok((validate::matrix(f, (n, n), "F")?, validate::matrix(h, (p, n), "H")?))
-}
-
-fn affine(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Result<(AffineSet<Dyn, Dyn>, DVector<f64>), Error> {
-    let (n, p) = (x.len(), h.nrows());
-    size(n, MAX_STATES, "x")?;
-    size(p, MAX_OUTPUTS, "H")?;
-    let h = validate::matrix(h, (p, n), "H")?;
-    let y = validate::vector(y, p, "y")?;
-    Ok((AffineSet { h, y }, validate::vector(x, n, "x")?))
 }
 
 #[cfg(test)]

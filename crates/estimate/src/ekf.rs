@@ -17,7 +17,23 @@ pub struct Sighting<const M: usize> {
     pub y: SVector<f64, M>,
 }
 
-/// A unicycle's belief about its pose, and how odometry and sightings change it.
+/// A unicycle's belief about its pose, changed by odometry and sightings.
+///
+/// # Example
+/// ```
+/// use estimate::kf::Gaussian;
+/// use estimate::landmarks::RangeBearing;
+/// use estimate::{ChosetEkf, Landmark, Sighting};
+/// use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
+/// let mut ekf = ChosetEkf::new(&Gaussian { x: Vector3::zeros(), p: Matrix3::identity() * 0.01 });
+/// ekf.predict(&Vector2::new(1.0, 0.0), &(Matrix3::identity() * 0.001))?; // Δs = 1 m
+/// let map = [Landmark { id: 1, x: 3.0, y: 0.0 }];
+/// let y = Vector2::new(1.9, core::f64::consts::PI); // seen from the landmark, the robot is in direction π
+/// let update = ekf.update(&RangeBearing { map: &map }, &Sighting { j: 0, y }, &(Matrix2::identity() * 0.01))?;
+/// assert!((update.innovation[0] + 0.1).abs() < 1e-12);
+/// assert!(ekf.pose().x() > 1.0, "nearer to the landmark than predicted");
+/// # Ok::<(), estimate::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChosetEkf {
     filter: Ekf<SE2, 3>,

@@ -10,8 +10,10 @@ use nalgebra::{SMatrix, SVector, U3, Vector1, Vector2};
 /// Nearer than this (metres) the robot stands on the landmark: there ρ has no derivative and β no value.
 pub const NEAREST: f64 = 1e-9;
 
-/// Δ = (x_r − x_ℓ, y_r − y_ℓ) and its length ρ; the two models share it, and its end where the robot stands on the
-/// landmark.
+/// Δ = (x_r − x_ℓ, y_r − y_ℓ) and its length ρ, for both models.
+///
+/// # Errors
+/// [`filters::Error::AtFeature`] where the robot stands on the landmark.
 #[inline]
 fn displacement(map: &[Landmark], x: &SE2, j: usize) -> Result<(f64, f64, f64), filters::Error> {
     let landmark = map.get(j).ok_or(filters::Error::OutOfRange(Parameter::Feature))?;
@@ -216,7 +218,7 @@ mod tests {
     }
 
     #[test]
-    fn straight_above_a_landmark_the_simple_row_stands_where_the_raw_one_falls() {
+    fn straight_above_a_landmark_the_simple_row_is_finite_and_the_raw_one_is_not() {
         let x = SE2::new(2.0, 3.0, 0.1);
         assert!(raw_bearing_row(&x, &MAP[0]).iter().any(|e| e.is_nan()));
         assert!((RangeBearing { map: &MAP }.jacobian(&x, 0).expect("apart")[(1, 0)] + 0.5).abs() < 1e-15);
@@ -253,7 +255,7 @@ mod tests {
     }
 
     #[test]
-    fn only_a_landmark_underfoot_is_passed_over() {
+    fn only_a_landmark_under_the_robot_is_skipped() {
         // Sure of y and of every range: what is read of the landmark ahead has no spread to compare with.
         let belief = Gaussian { x: Vector3::zeros(), p: Matrix3::from_diagonal(&Vector3::new(1.0, 0.0, 0.0)) };
         let map = [Landmark { id: 1, x: 3.0, y: 0.0 }, Landmark { id: 2, x: 0.0, y: 5.0 }];

@@ -1,6 +1,10 @@
 //! The EKF localizer for a caller without types: every argument checked, the culprit named, and the object as it was when
 //! a call is refused.
 
+mod reading;
+
+pub use reading::{Localized, Logged, Reading, SensorKind};
+
 use crate::dynamic::Belief;
 use crate::ekf::{ChosetEkf, Sighting};
 use crate::error::{Code, Error};
@@ -24,51 +28,6 @@ pub const MAX_LOG: usize = 1_000_000;
 enum Sensor {
     RangeBearing(SMatrix<f64, 2, 2>),
     Range(SMatrix<f64, 1, 1>),
-}
-
-/// Which sensor a localizer has.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub enum SensorKind {
-    /// Range and bearing; W is 2×2.
-    #[default]
-    RangeBearing,
-    /// Range alone; W is 1×1.
-    Range,
-}
-
-/// One reading.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
-    /// Metres, not negative.
-    pub range: f64,
-    /// Radians, from the landmark; any finite angle, taken on the circle. A range sensor has none.
-    pub bearing: Option<f64>,
-    /// The landmark's id; without one, the reading is associated.
-    pub landmark: Option<u32>,
-}
-
-/// One step of a log: how the robot moved, and what it then read.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Logged {
-    /// [Δs, Δθ], metres and radians.
-    pub u: [f64; 2],
-    /// The reading after the motion.
-    pub reading: Reading,
-}
-
-/// What became of a reading.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Localized {
-    /// Whether it was within the gate and corrected the belief.
-    pub accepted: bool,
-    /// The landmark it was of, or was nearest to.
-    pub landmark: u32,
-    /// ν.
-    pub innovation: DVector<f64>,
-    /// S.
-    pub s: DMatrix<f64>,
-    /// χ² = νᵀS⁻¹ν.
-    pub chi2: f64,
 }
 
 /// The localizer of §8.3 among known landmarks.

@@ -12,7 +12,17 @@ pub const MAX_ITERATIONS: usize = 100_000;
 /// The largest number of steps of a gain schedule.
 pub const MAX_STEPS: usize = 10_000;
 
-/// Where the recursion stood when both limits were reached, or the iterations ran out.
+/// The state of the recursion when both limits were reached, or the iterations ran out.
+///
+/// # Example
+/// ```
+/// let (sys, belief) = estimate::rail::position_sensor();
+/// let limit = sys.steady_state_gain(&belief.p, 10_000, 1e-12)?;
+/// assert!(limit.converged && (limit.r[0] - 0.5885825161812468).abs() < 1e-10);
+/// let gains = sys.gain_schedule(&belief.p, 50)?;
+/// assert!((gains[49] - limit.r).norm() < 1e-9);
+/// # Ok::<(), estimate::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct SteadyState<N: Dim, M: Dim>
 where

@@ -1,12 +1,14 @@
 //! Kalman SLAM: robot and map in one state (§8.4; Smith, Self and Cheeseman 1990).
 //!
-//! [`linear`] is the case of §8.4.1, which the plain `Kf` runs as it stands; [`EkfSlam`] is range and bearing on the
+//! [`linear_slam`] is the case of §8.4.1, which the plain `Kf` runs as it stands; [`EkfSlam`] is range and bearing on the
 //! unicycle (§8.4.2). A sighting touches five entries of the state, so nothing here ever forms HPHᵀ from dense matrices:
 //! S comes from a 5×5 block of P, association is O(1) per landmark, and an update costs O(N²). That a landmark is *founded*
 //! is what others call its initialization, or the augmentation of the state.
 
 mod correct;
-pub mod linear;
+mod found;
+mod judge;
+pub mod linear_slam;
 mod sighting;
 mod untyped;
 
@@ -14,12 +16,11 @@ use crate::error::{Code, Error};
 use crate::odometry::Unicycle;
 use crate::place::Place;
 use crate::validate;
-use filters::association::{Association, Candidate, Rule, Thresholds, associate};
+use filters::association::Thresholds;
 use filters::{Gaussian, MotionModel, Quantity};
 use geom::{SE2, wrap};
-use nalgebra::{DMatrix, DVector, Matrix2, Matrix2x3, Matrix3, U3, Vector2};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, U3, Vector2};
 use numerics::PackedSymmetric;
-use sighting::{Expected, founding};
 pub use sighting::{Outcome, Reading, Report};
 
 /// The largest map.
@@ -28,6 +29,21 @@ pub const MAX_LANDMARKS: usize = 500;
 pub const MAX_SIGHTINGS: usize = 100;
 
 /// A robot's belief about its pose and the landmarks it has met: `[x, y, θ, x₁, y₁, x₂, y₂, …]`.
+///
+/// # Example
+/// ```
+/// use estimate::kf::Gaussian;
+/// use estimate::slam::{EkfSlam, Outcome, Reading};
+/// use filters::association::Thresholds;
+/// use nalgebra::{Matrix2, Matrix3, Vector3};
+/// let belief = Gaussian { x: Vector3::zeros(), p: Matrix3::identity() * 1e-4 };
+/// let w = Matrix2::new(0.01, 0.0, 0.0, 0.0009);
+/// let mut slam = EkfSlam::new(&belief, &w, Thresholds { gate: 9.21, found: 50.0 })?;
+/// let reading = Reading { range: 3.0, bearing: 0.5, landmark: None };
+/// assert_eq!(slam.update(&[reading])?[0].outcome, Outcome::Founded);
+/// assert_eq!(slam.update(&[reading])?[0].outcome, Outcome::Matched);
+/// # Ok::<(), estimate::Error>(())
+/// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct EkfSlam {
     x: Vec<f64>,
@@ -241,99 +257,9 @@ impl EkfSlam {
         let used = self.ids.iter().chain(named).copied().chain(reports.iter().filter_map(|r| r.landmark));
         used.max().map_or(Some(1), |id| id.checked_add(1))
     }
-
-    /// What is expected of landmark `j` at the present estimate.
-    fn expected(&self, j: usize, reading: &Reading) -> Result<Expected, filters::Error> {
-        Expected::new(&self.x, &self.p, j, reading, &self.w)
-    }
-
-    /// What becomes of a reading; its expectation, when it is matched.
-    fn judged(&self, reading: &Reading, taken: &[usize], place: Place) -> Result<(Report, Option<Expected>), Error> {
-        reading.check().map_err(|e| place.field(e))?;
-        self.associated(reading, taken).map_err(|e| place.step(e.into()))
-    }
-
-    fn associated(&self, reading: &Reading, taken: &[usize]) -> Result<(Report, Option<Expected>), filters::Error> {
-        let weigh = |j| -> Result<Candidate<2>, filters::Error> {
-            let e = self.expected(j, reading)?;
-            Candidate::new(j, e.innovation, e.s, Rule::MaximumLikelihood)
-        };
-        let known = reading.landmark.and_then(|id| self.index(id));
-        let association = match (reading.landmark, known) {
-            (Some(_), Some(j)) => {
-                let candidate = weigh(j)?;
-                let within = candidate.d2 <= self.thresholds.gate;
-                if within { Association::Matched(candidate) } else { Association::Rejected(candidate) }
-            }
-            (Some(_), None) => Association::New,
-            (None, _) => {
-                let (mut candidates, mut barred) = (Vec::with_capacity(self.len()), Vec::new());
-                for j in 0..self.len() {
-                    match weigh(j) {
-                        Ok(candidate) if taken.contains(&j) => barred.push(candidate),
-                        Ok(candidate) => candidates.push(candidate),
-                        // Under the robot: no bearing to compare with.
-                        Err(filters::Error::AtFeature) => {}
-                        Err(e) => return Err(e),
-                    }
-                }
-                associate(&candidates, &barred, self.thresholds)
-            }
-        };
-        Ok(match association {
-            Association::Matched(c) => (self.report(Outcome::Matched, &c), Some(self.expected(c.j, reading)?)),
-            Association::Rejected(c) => (self.report(Outcome::Rejected, &c), None),
-            Association::New => {
-                let landmark = reading.landmark.or_else(|| self.free_id(&[], &[]));
-                (Report { outcome: Outcome::Founded, landmark, evidence: None }, None)
-            }
-        })
-    }
-
-    fn report(&self, outcome: Outcome, c: &Candidate<2>) -> Report {
-        Report { outcome, landmark: Some(self.ids[c.j]), evidence: Some((c.innovation, c.s, c.d2)) }
-    }
-
-    /// Appends a landmark where the reading puts it, with its covariance and its correlations with everything else.
-    fn found(&mut self, reading: &Reading, id: Option<u32>, place: Place) -> Result<(), Error> {
-        let unnamed = || place.field(Error::new(Code::Limit, "landmark", "no number is left to call it by"));
-        let id = id.ok_or_else(unnamed)?;
-        if self.len() == MAX_LANDMARKS {
-            return Err(Error::new(Code::Limit, "landmarks", "the map is full: it holds 500"));
-        }
-        let (position, by_pose, by_reading) = founding(&self.pose(), reading).map_err(|e| place.field(e))?;
-        let n = self.x.len();
-        // P_ℓ· = G_x P_r·, of which the new 2×2 corner is G_x P_rr G_xᵀ + G_z W G_zᵀ.
-        let cross =
-            |by: &Matrix2x3<f64>, a: usize, i: usize| (0..3).map(|k| by[(a, k)] * self.p.get(k, i)).sum::<f64>();
-        let rows = [0, 1].map(|a| (0..n).map(|i| cross(&by_pose, a, i)).collect::<Vec<f64>>());
-        let corner = filters::covariance::symmetric(
-            by_pose * self.pose_covariance() * by_pose.transpose() + by_reading * self.w * by_reading.transpose(),
-        );
-        let all = rows.iter().flatten().chain(corner.iter()).chain(position.iter());
-        if all.clone().any(|e| !e.is_finite()) {
-            let message = "is too large: the landmark that it would found has an infinite place or covariance";
-            return Err(place.field(Error::new(Code::NotFinite, "range", message)));
-        }
-        let largest = self.p.diagonal().fold(0.0, f64::max);
-        let reach = [0, 1].map(|a: usize| {
-            let pose: f64 = (0..3).map(|k| by_pose[(a, k)].abs() * self.p.get(k, k).sqrt()).sum();
-            pose + (0..2).map(|k| by_reading[(a, k)].abs() * self.w[(k, k)].sqrt()).sum::<f64>()
-        });
-        let after = largest.max(corner[(0, 0)]).max(corner[(1, 1)]);
-        let [first, second] = rows;
-        let scale = largest.max(reach[0] * reach[0]).max(reach[1] * reach[1]);
-        let sound = self.guarded(scale, after, |slam| {
-            slam.x.extend(position.iter());
-            slam.p.push_row(first.into_iter().chain([corner[(0, 0)]]));
-            slam.p.push_row(second.into_iter().chain([corner[(1, 0)], corner[(1, 1)]]));
-            slam.ids.push(id);
-        });
-        if sound { Ok(()) } else { Err(digits_lost()) }
-    }
 }
 
-/// P would hold rounding for digits: numbers of too different a size have met in it.
+/// The refusal of a change after which P would consist of rounding, since its terms differ too much in size.
 fn digits_lost() -> Error {
     let message = "would lose its digits: variances and distances of such different sizes do not fit in one matrix";
     Error::new(Code::NotPositiveSemidefinite, "P", message)

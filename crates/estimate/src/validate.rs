@@ -1,4 +1,4 @@
-//! The checks every argument from outside goes through.
+//! The checks that every argument from outside passes.
 
 use crate::error::{Code, Error};
 use filters::Gaussian;
@@ -144,7 +144,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_covariance_is_refused() {
+    fn a_matrix_that_is_no_covariance_is_refused() {
         assert_eq!(code(dmatrix![1.0, 2.0; 2.0, 1.0]), Err(Code::NotPositiveSemidefinite));
         assert_eq!(code(dmatrix![-1.0]), Err(Code::NotPositiveSemidefinite));
         assert_eq!(code(dmatrix![1.0, 0.0; 0.0, -1e-11]), Err(Code::NotPositiveSemidefinite));

@@ -16,7 +16,7 @@ pub enum Rule {
     ChiSquared,
 }
 
-/// Two thresholds on d²; one alone cannot both reject and found.
+/// Two thresholds on d². One alone cannot serve both for rejecting a sighting and for founding a feature.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Thresholds {
     /// A sighting farther than this from the feature it is taken for is not used.
@@ -141,7 +141,7 @@ mod tests {
     }
 
     #[test]
-    fn two_thresholds_part_three_outcomes() {
+    fn two_thresholds_separate_three_outcomes() {
         let thresholds = Thresholds { gate: 9.0, found: 50.0 };
         let at = |nu: f64| associate(&[candidate(4, nu, 1.0, Rule::ChiSquared)], &[], thresholds);
         assert!(matches!(at(3.0), Association::Matched(c) if c.j == 4));
@@ -182,7 +182,7 @@ mod tests {
     }
 
     #[test]
-    fn what_has_no_distance_is_refused() {
+    fn a_candidate_without_a_finite_distance_is_refused() {
         let rule = Rule::ChiSquared;
         assert!(Candidate::new(0, Vector1::new(1.0), Matrix1::new(0.0), rule).is_err());
         assert!(Candidate::new(0, Vector1::new(f64::NAN), Matrix1::new(1.0), rule).is_err());

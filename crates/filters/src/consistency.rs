@@ -1,4 +1,4 @@
-//! Is a filter as sure as it may be? NEES, NIS and their χ² bounds (Bar-Shalom, Li and Kirubarajan 2001, §5.4).
+//! Whether a filter's covariance matches its errors: NEES, NIS and their χ² bounds (Bar-Shalom, Li and Kirubarajan 2001, §5.4).
 
 use crate::covariance::finite;
 use crate::error::{Error, Parameter, Quantity};
@@ -112,7 +112,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_out_of_range_is_refused() {
+    fn arguments_out_of_range_are_refused() {
         for p in [0.0, 1.0, -0.1, f64::NAN] {
             assert_eq!(chi2_quantile(3, p), Err(Error::OutOfRange(Parameter::Probability)));
             assert_eq!(chi2_interval(3, 2, p), Err(Error::OutOfRange(Parameter::Probability)));

@@ -8,7 +8,7 @@ use crate::manifold::State;
 use crate::model::{MeasurementModel, MotionModel};
 use nalgebra::{Const, SMatrix, SVector};
 
-/// An extended Kalman filter holding its belief.
+/// An extended Kalman filter that holds its belief.
 ///
 /// # Example
 /// ```

@@ -215,7 +215,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_is_refused_and_the_belief_kept() {
+    fn numbers_that_are_not_finite_are_refused_and_the_belief_kept() {
         let mut kf = Kf::from(prior());
         let nan = Matrix2::new(1.0, f64::NAN, 0.0, 1.0);
         assert!(matches!(kf.predict::<U1>(&nan, &Matrix2::zeros(), None), Err(Error::NotFinite(_))));

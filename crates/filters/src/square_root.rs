@@ -116,9 +116,9 @@ mod tests {
         }
     }
 
-    /// Two outputs δ apart, their noise as small: what is trusted is a part of what is there.
+    /// Two outputs δ apart with noise as small: the bound on a pivot is relative to its column.
     #[test]
-    fn what_is_told_apart_does_not_depend_on_the_units() {
+    fn the_smallest_trusted_pivot_does_not_depend_on_units() {
         let of = |unit: f64, delta: f64| {
             let (p, c) = (DMatrix::identity(2, 2) * (unit * unit), dmatrix![1.0, 0.0; 1.0, delta]);
             correction(&p, &c, &(DMatrix::identity(2, 2) * (unit * unit * delta * delta)))

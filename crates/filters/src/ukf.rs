@@ -8,7 +8,7 @@ use crate::model::{MeasurementModel, MotionModel};
 use nalgebra::{Const, SMatrix, SVector};
 use numerics::Spd;
 
-/// Where the sigma points stand and what they weigh. The answer depends on it, so a result says which it used.
+/// Where the sigma points lie and what they weigh. The answer depends on it, so a result should name its choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SigmaPoints {
     /// Spread of the points about the mean, positive.
@@ -26,7 +26,23 @@ impl Default for SigmaPoints {
     }
 }
 
-/// An unscented Kalman filter holding its belief.
+/// An unscented Kalman filter that holds its belief.
+///
+/// # Example
+/// ```
+/// use filters::ukf::{SigmaPoints, Ukf};
+/// use filters::{Error, MeasurementModel};
+/// use nalgebra::{Matrix1, Vector1};
+/// struct Square;
+/// impl MeasurementModel<Vector1<f64>, 1, 1> for Square {
+///     fn h(&self, x: &Vector1<f64>, _: usize) -> Result<Vector1<f64>, Error> { Ok(Vector1::new(x[0] * x[0])) }
+///     fn jacobian(&self, x: &Vector1<f64>, _: usize) -> Result<Matrix1<f64>, Error> { Ok(Matrix1::new(2.0 * x[0])) }
+/// }
+/// let mut ukf = Ukf { x: Vector1::new(3.0), p: Matrix1::new(0.25), points: SigmaPoints::default() };
+/// let update = ukf.update(&Square, &Vector1::new(10.0), 0, &Matrix1::new(0.5))?;
+/// assert!((update.innovation[0] - 0.75).abs() < 1e-6); // 10 − E x², with E x² = μ² + σ²
+/// # Ok::<(), filters::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Ukf<X, const N: usize> {
     /// The mean μ.
@@ -216,7 +232,7 @@ mod tests {
     /// By hand: of x² the mean is met whatever the points, the variance found is 4μ²σ² + (α²κ + β)σ⁴, the covariance with x
     /// 2μσ².
     #[test]
-    fn each_scale_of_the_points_has_its_own_part_in_the_moments_of_a_square() {
+    fn alpha_beta_and_kappa_enter_the_moments_of_a_square_as_derived() {
         let (mu, var, q) = (3.0, 0.25, 0.5);
         let (points, fourth) = (SigmaPoints { alpha: 0.5, beta: 1.5, kappa: 3.0 }, 0.25 * 3.0 + 1.5);
         let spread = 4.0 * mu * mu * var + fourth * var * var;
@@ -254,7 +270,7 @@ mod tests {
     }
 
     #[test]
-    fn what_cannot_be_spread_is_refused_and_the_belief_kept() {
+    fn sigma_points_that_cannot_be_placed_are_refused_and_the_belief_kept() {
         for points in [
             SigmaPoints { alpha: 0.0, ..Default::default() },
             SigmaPoints { kappa: -2.0, ..Default::default() },

@@ -2,10 +2,10 @@
 //! claim is.
 
 pub(crate) mod jacobians;
-pub(crate) mod linear;
 pub(crate) mod maps;
 pub(crate) mod observability;
 pub(crate) mod problem9;
+pub(crate) mod rail;
 
 use crate::givens::Givens;
 use estimate::{Code, Error};
@@ -42,13 +42,13 @@ pub type CheckFn = fn(&Givens) -> Result<Check, Error>;
 
 /// Every check, in order.
 pub const CHECKS: &[CheckFn] = &[
-    linear::first_step,
-    linear::second_step,
-    linear::ranks,
-    linear::placed_eigenvalues,
-    linear::error_ratio,
-    linear::brute_force_gain,
-    linear::riccati_limits,
+    rail::first_step,
+    rail::second_step,
+    rail::ranks,
+    rail::placed_eigenvalues,
+    rail::error_ratio,
+    rail::brute_force_gain,
+    rail::riccati_limits,
     jacobians::agreement,
     observability::observability_ranks,
     observability::traces,

@@ -2,11 +2,11 @@
 
 mod ensembles;
 mod hook;
-mod linear;
 mod maps;
 #[cfg(test)]
 mod pinned;
 mod probe;
+mod rail;
 mod robot;
 
 use crate::givens::Givens;
@@ -82,7 +82,7 @@ impl Listing {
 /// Whatever the core answers; on the chapter's constants, nothing.
 pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
     let mut listing = Listing::new();
-    linear::list(givens, &mut listing)?;
+    rail::list(givens, &mut listing)?;
     robot::list(givens, &mut listing)?;
     hook::list(&mut listing)?;
     probe::list(givens, &mut listing)?;

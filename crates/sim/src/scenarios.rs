@@ -7,7 +7,7 @@
 use crate::paths::{LOOP, Rectangle, SQUARE};
 use crate::sensor::Sensor;
 use core::f64::consts::FRAC_PI_4;
-use estimate::slam::linear::Variances;
+use estimate::slam::linear_slam::Variances;
 use estimate::{Landmark, Wheels};
 
 /// Linear SLAM (§8.4.1): an omnidirectional robot that measures displacements to two landmarks.

@@ -115,7 +115,7 @@ fn the_culprit_is_named() {
 }
 
 #[test]
-fn what_overflows_is_called_as_the_caller_calls_it() {
+fn an_overflow_blames_the_argument_by_the_caller_s_name() {
     let blame = |e: Error| (e.code, e.argument.to_string());
     let not_finite = |argument: &str| (Code::NotFinite, argument.to_string());
     let (system, belief) = rail();
@@ -245,7 +245,7 @@ fn a_log_that_does_not_fit_is_refused_by_name() {
     let undriven = System { g: DMatrix::zeros(2, 0), ..system.clone() };
     assert_eq!(short(blame(&undriven, &belief, &[0.0], &[0.0])), (Code::Shape, "inputs".into()));
 
-    // What a step refuses it refuses as a step by itself does, and says which it was, from one.
+    // A refused step of a log has the code of the step by itself; the message counts the steps from one.
     let pushed = System { g: dmatrix![1e308; 1e308], ..system.clone() };
     assert_eq!(short(blame(&pushed, &belief, &[0.0, 10.0], &[0.0; 2])), (Code::NotFinite, "inputs".into()));
     let seen = System { h: dmatrix![1e308, 0.0], ..system.clone() };

@@ -9,7 +9,7 @@ use geom::wrap;
 use nalgebra::Vector2;
 use numerics::{MIN_PIVOT, Spd};
 
-/// Up to this many states P is looked over at every change.
+/// Up to this many states P is checked at every change.
 const ALWAYS: usize = 35;
 
 /// What an update will do, worked out before anything is touched.
@@ -19,8 +19,8 @@ struct Step {
     dx: Vec<f64>,
     /// νᵀS⁻¹ν.
     d2: f64,
-    /// The largest terms that were added up to the new variances, which may cancel: robot and landmark far more certain
-    /// of each other than of the world, or a nearly singular S.
+    /// The largest sum of sizes of the terms of a new variance. It is far above the variance where the terms cancel: when
+    /// robot and landmark know each other far better than the world, or S is nearly singular.
     scale: f64,
     /// The largest of the new variances.
     after: f64,
@@ -41,13 +41,12 @@ impl EkfSlam {
         if sound { Ok(()) } else { Err(filters::Error::InnovationNotPositiveDefinite.into()) }
     }
 
-    /// Makes a change to P in which terms of size `scale` were added up to variances of which the largest is `after`, and
-    /// keeps account of the rounding. Where that may show, P is looked over; the answer is whether it is still a covariance,
-    /// and if not all is as it was.
+    /// Changes P, and keeps account of the rounding: the change adds up terms of size `scale` to variances of which the
+    /// largest is `after`. Where the rounding may matter, P is checked. The answer is false when it is no covariance any
+    /// more; the change is then undone.
     pub(super) fn guarded(&mut self, scale: f64, after: f64, change: impl FnOnce(&mut Self)) -> bool {
         let rounding = numerics::hypot(self.rounding, f64::EPSILON * scale);
-        // A small state is always looked over, a large one rarely: in an ordinary run its variances never fall far below what
-        // they were.
+        // A small state is always checked, a large one rarely: in an ordinary run its variances do not fall far enough.
         let suspect = self.x.len() <= ALWAYS || rounding > (MAP_ROUNDING + 2.0 * self.resolution()) * after;
         let before = suspect.then(|| self.clone());
         change(self);
@@ -66,7 +65,7 @@ impl EkfSlam {
     }
 
     /// K and L = M − K S/2 for P − KMᵀ − MKᵀ + KSKᵀ = P − KLᵀ − LKᵀ, with M = PHᵀ: the covariance that this K leaves,
-    /// be K exact or not, as Joseph's form, from five columns of P.
+    /// whether K is exact or not, as Joseph's form does, from five columns of P.
     fn worked_out(&self, expected: &Expected, innovation: &Vector2<f64>) -> Result<Step, Error> {
         let n = self.x.len();
         let (mut m0, mut m1) = (vec![0.0; n], vec![0.0; n]);
@@ -86,7 +85,7 @@ impl EkfSlam {
         let k = [m0.clone(), m1.clone()];
         let mut step = Step { k, l: [m0, m1], dx: column, d2, scale: 0.0, after: 0.0 };
         let (mut before, mut after, mut largest) = (0.0_f64, 0.0_f64, 0.0_f64);
-        // What each row of H adds up, before anything cancels.
+        // The sum of sizes of the terms in each row of H.
         let columns = expected.columns();
         let spread = [0, 1].map(|a| {
             let seen = |b: usize| expected.h[(a, b)].abs() * self.p.get(columns[b], columns[b]).sqrt();
@@ -118,15 +117,15 @@ impl EkfSlam {
         Ok(step)
     }
 
-    /// The size below zero at which no eigenvalue of P lies, well within what a covariance is allowed; nothing when one does,
-    /// or when a landmark's own block is none.
+    /// A bound b, well within what a covariance is allowed, such that no eigenvalue of P lies below −b. `None` when there is
+    /// no such bound, or when a landmark's own block is no covariance.
     fn semidefinite_to(&self) -> Option<f64> {
         let largest = self.p.diagonal().fold(0.0, |a: f64, b| a.max(b.abs()));
         if largest == 0.0 {
             return Some(0.0);
         }
         let mut p = self.p.to_dense() / largest;
-        // What may be lost in all is a part of 1e-12. A factorization of n rows knows its pivots to n roundings itself.
+        // In all a part of 10⁻¹² may be lost. A factorization of n rows has n roundings in its pivots.
         let part = if self.x.len() <= ALWAYS {
             5.0 * MAP_ROUNDING
         } else {
@@ -139,8 +138,8 @@ impl EkfSlam {
         sound.then_some(part * largest)
     }
 
-    /// Whether each landmark's own block is a covariance by its own size: beside a robot that is lost by 10⁸ metres it could
-    /// be the rounding of the whole, and nothing else.
+    /// Whether each landmark's 2×2 block is a covariance relative to its own size. Beside a robot whose position is uncertain
+    /// by 10⁸ m, the whole P may pass while such a block consists of rounding.
     fn landmarks_are_covariances(&self) -> bool {
         self.landmarks().all(|mapped| {
             let (mean, half) =
@@ -150,7 +149,7 @@ impl EkfSlam {
         })
     }
 
-    /// A factorization of n rows knows its pivots to n roundings itself.
+    /// The rounding in the pivots of a factorization of n rows, as a part of the largest.
     fn resolution(&self) -> f64 {
         self.x.len() as f64 * f64::EPSILON
     }

@@ -1,7 +1,7 @@
 use super::*;
 
 #[test]
-fn what_may_lie_below_zero_is_a_part_of_the_largest_variance() {
+fn an_eigenvalue_may_be_negative_by_a_part_of_the_largest_variance() {
     let of = |a: f64, b: f64| semidefinite(&nalgebra::dmatrix![a, 0.0; 0.0, b]);
     assert!(of(1.0, 0.5) && of(0.0, 0.0) && of(1.0, 0.0));
     for largest in [1e-6, 1.0, 1e6] {
@@ -12,7 +12,7 @@ fn what_may_lie_below_zero_is_a_part_of_the_largest_variance() {
 }
 
 #[test]
-fn terms_are_counted_before_they_cancel_and_their_bound_is_one() {
+fn the_bound_on_the_terms_lies_above_the_terms() {
     let (p, k, c) =
         (nalgebra::dmatrix![4.0, 1.0; 1.0, 9.0], nalgebra::dmatrix![0.5; -2.0], nalgebra::dmatrix![3.0, -1.0]);
     assert_eq!((largest_variance(&p), largest_variance(&nalgebra::dmatrix![7.0, 0.0; 0.0, 3.0])), (9.0, 7.0));
@@ -24,7 +24,7 @@ fn terms_are_counted_before_they_cancel_and_their_bound_is_one() {
 }
 
 #[test]
-fn clamping_takes_what_is_negative_and_leaves_the_rest() {
+fn clamping_removes_negative_eigenvalues_only() {
     // Eigenvalues 2 ± √2 and −3, and a pair ±1 that shares its singular value.
     let m = nalgebra::dmatrix![3.0, 1.0, 0.0; 1.0, 1.0, 0.0; 0.0, 0.0, -3.0];
     let kept = nalgebra::dmatrix![3.0, 1.0, 0.0; 1.0, 1.0, 0.0; 0.0, 0.0, 0.0];
@@ -36,7 +36,7 @@ fn clamping_takes_what_is_negative_and_leaves_the_rest() {
 }
 
 #[test]
-fn what_is_plainly_positive_is_so_and_nothing_near_the_edge_is() {
+fn plainly_positive_accepts_no_singular_or_indefinite_matrix() {
     let of = |entries: &[f64]| {
         let n = (entries.len() as f64).sqrt() as usize;
         plainly_positive(&DMatrix::from_row_slice(n, n, entries))

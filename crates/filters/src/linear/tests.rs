@@ -3,7 +3,7 @@ use crate::error::Quantity;
 use nalgebra::{Matrix1, Matrix2, Matrix2x1, RowVector2, Vector2};
 
 #[test]
-fn noise_adds_to_what_the_dynamics_and_the_sensor_make_of_p() {
+fn predicted_and_innovation_covariance_are_their_formulas() {
     let p = Matrix2::new(3.0, 1.0, 1.0, 2.0);
     let (a, r) = (Matrix2::new(1.0, 2.0, 0.0, 1.0), Matrix2::new(0.5, 0.25, 0.25, 0.125));
     assert_eq!(predicted_covariance(&a, &p, &r), Ok(Matrix2::new(15.5, 5.25, 5.25, 2.125)));
@@ -17,9 +17,9 @@ fn the_complement_is_the_identity_less_the_gain_times_the_output() {
     assert_eq!(left, Matrix2::new(0.5, -1.0, -0.25, 0.5));
 }
 
-/// However precise the reading: its own variance is what it leaves, of its size at least, and never nothing.
+/// However precise the reading is, at least half of its own variance remains, and never zero.
 #[test]
-fn what_the_most_precise_reading_leaves_is_not_lost() {
+fn a_precise_reading_leaves_at_least_its_own_variance() {
     let p = Matrix2::new(3.0, 0.2, 0.2, 1.1);
     for h in [1.0, 0.2, 0.3, 7.0] {
         for w in [1e-20, 1e-26, 1e-31, 1e-33, 1e-36] {
@@ -33,7 +33,7 @@ fn what_the_most_precise_reading_leaves_is_not_lost() {
 
 /// Outputs δ = 1e-9 apart: no pivot is left of S, and square roots still have six digits.
 #[test]
-fn where_s_has_no_factor_an_innovation_has_no_distance() {
+fn d2_is_none_where_s_has_no_factor() {
     let delta = 1e-9;
     let (c, q) = (Matrix2::new(1.0, 0.0, 1.0, delta), Matrix2::identity() * (delta * delta));
     let gain = gain(&Matrix2::identity(), &c, &q).expect("square roots suffice");
@@ -41,7 +41,7 @@ fn where_s_has_no_factor_an_innovation_has_no_distance() {
 }
 
 #[test]
-fn a_prediction_says_what_is_not_finite_and_mends_what_cancels() {
+fn a_prediction_refuses_infinities_and_mends_cancelled_terms() {
     let (one, zero) = (Matrix2::identity(), Matrix2::zeros());
     assert_eq!(predicted_covariance(&one, &zero, &zero), Ok(zero));
     let refused = Err(Error::NotFinite(Quantity::PredictedCovariance));

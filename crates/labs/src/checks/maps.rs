@@ -6,7 +6,7 @@ use crate::mapping::chapter_run;
 use estimate::Error;
 use estimate::kf::Kf;
 use estimate::observability::{analyze, observability_matrix};
-use estimate::slam::linear::{LinearSlam, relative_trace};
+use estimate::slam::linear_slam::{LinearSlam, relative_trace};
 use nalgebra::{SVector, U1};
 
 /// The relative tolerance of the rank: the matrix holds zeros and ones only.

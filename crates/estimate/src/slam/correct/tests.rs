@@ -45,7 +45,7 @@ fn a_landmark_s_block_is_judged_by_its_own_size() {
 }
 
 #[test]
-fn how_far_below_zero_an_eigenvalue_may_lie_is_a_part_of_the_largest_variance() {
+fn a_negative_eigenvalue_is_allowed_up_to_a_part_of_the_largest_variance() {
     assert_eq!(diagonal(0, [0.0; 3], 0.0).semidefinite_to(), Some(0.0));
     for size in [1e-6, 1.0, 1e6] {
         // Few states, and more than are looked over at every change.
@@ -65,7 +65,7 @@ fn how_far_below_zero_an_eigenvalue_may_lie_is_a_part_of_the_largest_variance() 
 }
 
 #[test]
-fn a_small_map_is_always_looked_over_and_a_large_one_when_its_rounding_may_show() {
+fn a_small_map_is_checked_at_every_change_and_a_large_one_when_its_rounding_may_matter() {
     let break_it = |slam: &mut EkfSlam| slam.p.set(0, 0, -1.0);
     let mut small = slam(1);
     let before = small.clone();
@@ -90,9 +90,9 @@ fn a_small_map_is_always_looked_over_and_a_large_one_when_its_rounding_may_show(
     }
 }
 
-/// By dense matrices: what is left of each variance, and the terms it is left of.
+/// Compared with dense matrices: the new variances, and the terms that were added up to them.
 #[test]
-fn a_step_knows_the_largest_of_its_terms_and_of_what_is_left() {
+fn a_step_reports_its_largest_terms_and_its_largest_new_variance() {
     let mut map = slam(4);
     // All of it correlated: in a fresh map a second sighting says nothing of the other landmarks.
     let p = |i: usize, j: usize| if i == j { 1.0 + 0.1 * i as f64 } else { 0.05 + 0.04 * libm::cos((i * j) as f64) };
@@ -120,7 +120,7 @@ fn a_step_knows_the_largest_of_its_terms_and_of_what_is_left() {
 }
 
 #[test]
-fn what_would_leave_the_range_of_numbers_is_refused() {
+fn an_update_that_overflows_is_refused() {
     let reading = Reading { range: 4.0, bearing: 2.4, landmark: Some(0) };
     let refused = |slam: &mut EkfSlam, innovation: f64| {
         let (before, expected) = (slam.clone(), slam.expected(0, &reading).expect("apart"));

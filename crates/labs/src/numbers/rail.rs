@@ -1,7 +1,7 @@
 //! Numbers of the rail robot: the hand-checked steps, the picture, the knob and its limits.
 
 use super::Listing;
-use crate::checks::linear::{brute_force, error_ratios, hand_steps, placed};
+use crate::checks::rail::{brute_force, error_ratios, hand_steps, placed};
 use crate::givens::Givens;
 use crate::observer_bench::{equivalent_knob, knob_limit};
 use estimate::kf::Gaussian;
@@ -27,7 +27,7 @@ pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
 
 fn steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     for (k, step) in (1..).zip(hand_steps(givens)?) {
-        to.by("labs::checks::linear::hand_steps", (k <= 2).then_some(k))
+        to.by("labs::checks::rail::hand_steps", (k <= 2).then_some(k))
             .vector(&format!("step{k}.xpred"), step.predicted.x.iter(), "the predicted mean")
             .symmetric(&format!("step{k}.Ppred"), &step.predicted.p, "the predicted covariance")
             .add(format!("step{k}.nu"), step.innovation[0], "the innovation")
@@ -50,7 +50,7 @@ fn wrong_third_steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let right = linear::predicted_covariance(&sys.f, p, &sys.v)?;
     let no_v = linear::predicted_covariance(&sys.f, p, &Matrix2::zeros())?;
     let transposed = linear::predicted_covariance(&sys.f.transpose(), p, &sys.v)?;
-    to.by("labs::numbers::linear::wrong_third_steps", None)
+    to.by("labs::numbers::rail::wrong_third_steps", None)
         .add("step3.near.no-update", right[(0, 0)], "P₁₁ of the third step without its update")
         .add("step3.near.no-v", after(&no_v, sys.w[0])?, "P₁₁ of the third step when V is forgotten")
         .add("step3.near.no-w", after(&right, 0.0)?, "P₁₁ of the third step when W is forgotten")
@@ -75,7 +75,7 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .vector("picture.foot", foot.iter(), "the Mahalanobis foot on Ω")
         .by("filters::gaussian::product", Some(1))
         .add("picture.ystar", most_likely[0], "y*, the most likely output")
-        .by("labs::numbers::linear::picture", Some(1))
+        .by("labs::numbers::rail::picture", Some(1))
         .add("picture.drag", p[(0, 1)] / p[(1, 1)], "metres the position moves for each m/s the velocity is corrected")
         .add(
             "picture.correlation",
@@ -166,12 +166,12 @@ fn gains(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let w = SMatrix::<f64, 1, 1>::new(0.04);
     let Gain { k: r, p: joseph, .. } = linear::gain(&p, &h, &w)?;
     let short = linear::complement(&r, &h) * p;
-    to.by("labs::checks::linear::brute_force", Some(6))
+    to.by("labs::checks::rail::brute_force", Some(6))
         .add("brute.gain", gain, "the gain that a search finds")
         .add("brute.P", variance, "the variance that it leaves")
         .by("estimate::place_observer_gain", Some(4))
         .vector("placed.K", placed(givens)?.k.iter(), "the gain that places the eigenvalues")
-        .by("labs::checks::linear::error_ratios", Some(5))
+        .by("labs::checks::rail::error_ratios", Some(5))
         .add("placed.ratio.12", ratios[11], "the ratio of successive errors at step 12")
         .add("placed.ratio.40", ratios[39], "the ratio of successive errors at step 40")
         .by("filters::linear::complement", None)
@@ -185,7 +185,7 @@ fn noise(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let sys = &givens.velocity;
     let (t, v) = (sys.f[(0, 1)], sys.v);
     let (nees, nis) = (chi2_interval(3, 1, 0.95)?, chi2_interval(2, 1, 0.95)?);
-    to.by("labs::numbers::linear::noise", None)
+    to.by("labs::numbers::rail::noise", None)
         .add("V.kick.11", t * t * v[(1, 1)], "what a velocity kick of variance V₂₂ at the period's start adds to V₁₁")
         .add("V.rest.11", v[(0, 0)] - t * t * v[(1, 1)], "the part of V₁₁ that such a kick does not explain")
         .add(
