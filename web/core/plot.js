@@ -120,6 +120,14 @@ const LEAN = 0.5519150244935106
 const QUARTERS = /** @type {const} */ ([[1, 0], [0, 1], [-1, 0], [0, -1], [1, 0]])
 
 /**
+ * Says at which level the ellipses of a drawing stand. It is one level in every figure: (x − x̂)ᵀP⁻¹(x − x̂) = 1.
+ * @param {Pen} pen @param {number} x @param {number} y
+ */
+export function ellipseLevel(pen, x, y) {
+  pen.text('ellipse-level', { class: 'tick', x, y }, 'ellipses: 1 *σ*')
+}
+
+/**
  * The outline of an ellipse under the plane's scales: four cubics, which the scales keep.
  * @param {{ semiMajor: number, semiMinor: number, angle: number }} ellipse
  * @param {number[]} centre

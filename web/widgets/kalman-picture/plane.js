@@ -3,7 +3,7 @@
  * of its ellipse and the reading are handles.
  */
 
-import { axes, clipLine, dot, ellipsePath, evenPlane, meaning, segment } from '../../core/plot.js'
+import { axes, clipLine, dot, ellipseLevel, ellipsePath, evenPlane, meaning, segment } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -23,6 +23,7 @@ export function drawPlane({ pen, width, height }, frame, view) {
     axes(pen, plane, { x: 'position (m)', y: 'velocity (m/s)', ticks: [6, 6] })
     pen.window('scene', box, (to) => drawScene(to, plane, frame))
     names(pen, plane, frame)
+    ellipseLevel(pen, box.left, box.bottom + 32)
     pen.group('handles', {}, (to) => handles(to, plane, frame, view))
   })
 }

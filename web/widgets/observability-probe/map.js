@@ -1,6 +1,6 @@
 /** Room A from above: path, robot, estimate with its ellipse, landmarks to drag, and the direction no reading sees. */
 
-import { dot, ellipsePath, evenPlane, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
+import { dot, ellipseLevel, ellipsePath, evenPlane, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
 import { fixed } from '../../core/numbers.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
@@ -20,6 +20,7 @@ export function drawMap({ pen, width, height }, frame, view) {
       sightings(to, plane, frame)
       belief(to, plane, frame)
     })
+    ellipseLevel(pen, plane.x(0) + 2, box.bottom - 4)
     pen.group('handles', {}, (to) => handles(to, plane, frame, view))
   })
 }
@@ -51,8 +52,8 @@ function sightings(pen, plane, frame) {
 function belief(pen, plane, frame) {
   const { estimate, truth, ellipse, frozen, alongPath } = frame
   for (const { id, x, y, ellipse: spread } of frame.slam?.landmarks ?? []) {
-    pen.mark('path', `map${id}`, { ...meaning('outline', 'posterior'), d: ellipsePath(spread, [x, y], plane, 3) })
-    dot(pen, `founded${id}`, plane, [x, y], { ...meaning('full', 'posterior'), r: 3 })
+    pen.mark('path', `map${id}`, { ...meaning('outline', 'posterior'), d: ellipsePath(spread, [x, y], plane) })
+    dot(pen, `founded${id}`, plane, [x, y], { ...meaning('full', 'posterior'), r: 1.5 })
   }
   pen.mark('path', 'ellipse', { ...meaning('outline', 'posterior'), d: ellipsePath(ellipse, estimate, plane) })
   unseen(pen, plane, estimate, frozen, 'frozen', 'level')

@@ -4,7 +4,7 @@
  */
 
 import { Span, between } from '../../core/motion.js'
-import { axes, clipLine, dot, ellipsePath, halves, meaning, plane as planeOf, segment } from '../../core/plot.js'
+import { axes, clipLine, dot, ellipseLevel, ellipsePath, halves, meaning, plane as planeOf, segment } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').BenchFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -25,6 +25,7 @@ export function drawPhase({ pen, width, height }, frame, view) {
     axes(pen, plane, { x: 'position − truth (m)', y: 'velocity − truth (m/s)', ticks: [7, 5], zero: true })
     pen.window('scene', plane.box, (to) => drawScene(to, plane, frame, scene))
     legend(pen, plane, frame, scene)
+    ellipseLevel(pen, plane.box.left, plane.box.bottom + 32)
   })
   return moving
 }

@@ -1,7 +1,7 @@
 /** The corridor from above: where the robot is, where it believes to be, and how sure it claims to be. */
 
 import { Span } from '../../core/motion.js'
-import { dot, ellipsePath, evenPlane, halves, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
+import { dot, ellipseLevel, ellipsePath, evenPlane, halves, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -35,6 +35,7 @@ export function drawMap({ pen, width, height }, frame, view) {
       drawRobots(to, plane, frame)
     })
     drawNames(pen, plane, frame)
+    ellipseLevel(pen, box.left + 6, box.bottom - 6)
     pen.group('corner-names', {}, (into) => drawCornerNames(into, plane, frame), stamp)
   })
   return moving
