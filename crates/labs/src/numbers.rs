@@ -1,6 +1,8 @@
 //! Every number the prose prints, each with what computes it and the check that pins it.
 
+mod detectability;
 mod ensembles;
+mod exercises;
 mod hook;
 mod maps;
 #[cfg(test)]
@@ -8,6 +10,8 @@ mod pinned;
 mod probe;
 mod rail;
 mod robot;
+mod scenarios;
+mod wheel;
 
 use crate::givens::Givens;
 use estimate::Error;
@@ -83,10 +87,14 @@ impl Listing {
 pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
     let mut listing = Listing::new();
     rail::list(givens, &mut listing)?;
+    detectability::list(givens, &mut listing)?;
+    exercises::list(givens, &mut listing)?;
     robot::list(givens, &mut listing)?;
     hook::list(&mut listing)?;
+    wheel::list(&mut listing)?;
     probe::list(givens, &mut listing)?;
     maps::list(givens, &mut listing)?;
+    scenarios::list(givens, &mut listing);
     Ok(listing.numbers)
 }
 
