@@ -17,7 +17,7 @@ use crate::writer::Writer;
 
 /// Kinds of notes and what each is headed with.
 const NOTES: [(&str, &str); 4] = [
-    ("correction", "Where the source and the mathematics part"),
+    ("correction", "A common mistake"),
     ("honesty", "Said honestly"),
     ("hazard", "Take care"),
     ("aside", ""),
@@ -164,12 +164,12 @@ impl Writer<'_> {
             let message = format!("no exercise is of kind `{kind}`; there are {}", EXERCISES.join(", "));
             self.diagnostics.report(place, message);
         }
-        let level = difficulty.parse().ok().filter(|level| (1..=3).contains(level));
+        let level = difficulty.parse().ok().filter(|level| (1..=4).contains(level));
         if level.is_none() {
-            self.diagnostics.report(place, format!("difficulty is 1, 2 or 3, not `{difficulty}`"));
+            self.diagnostics.report(place, format!("difficulty is 1, 2, 3 or 4, not `{difficulty}`"));
         }
         let level = level.unwrap_or(1);
-        let dots = format!("{}{}", "●".repeat(level), "○".repeat(3 - level));
+        let dots = format!("{}{}", "●".repeat(level), "○".repeat(4 - level));
         context! { kind, level, dots, title => safe(self.title(text("title"), place)) }
     }
 

@@ -17,7 +17,10 @@ const CASES: [(&str, &str); 38] = [
     ("::leap[a]\n", "page.md:1: unknown directive `::leap`"),
     (":::derivation{#d title=\"t\"}\n::after[x]\n:::\n", "page.md:2: `::after` follows the steps"),
     (":::hint\nx\n:::\n", "page.md:1: `:::hint` stands in an exercise"),
-    (":::exercise{#e title=\"t\" kind=\"x\" difficulty=\"9\"}\n:::\n", "page.md:1: difficulty is 1, 2 or 3, not `9`"),
+    (
+        ":::exercise{#e title=\"t\" kind=\"x\" difficulty=\"9\"}\n:::\n",
+        "page.md:1: difficulty is 1, 2, 3 or 4, not `9`",
+    ),
     ("a\n{{number nope .3f}}\n", "page.md:2: unknown number `nope`"),
     ("{{number step1.nope .3f}}\n", "there are step1.S, step1.nu"),
     ("{{number step1.S 3f}}\n", "page.md:1: unknown number format `3f`"),

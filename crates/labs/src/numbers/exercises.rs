@@ -141,6 +141,8 @@ fn founded(to: &mut Listing) -> Result<(), Error> {
     to.by("estimate::slam::EkfSlam", None)
         .add("ex.found.x", p[(3, 3)], "variance of the founded landmark along the line of sight, m²")
         .add("ex.found.y", p[(4, 4)], "variance across it, m²")
+        .add("ex.found.bearing", 25.0 * w[(1, 1)], "the bearing's part of it at 5 m, m²")
+        .add("ex.found.fixed", p[(4, 4)] - 25.0 * pose.p[(2, 2)], "the same as if the heading were known, m²")
         .add("ex.found.heading", p[(4, 2)], "its covariance with the heading, m rad");
     Ok(())
 }
@@ -223,6 +225,8 @@ mod tests {
             ("ex.bias.both", 3.0),
             ("ex.found.x", 0.02),
             ("ex.found.y", 0.0425),
+            ("ex.found.bearing", 0.0225),
+            ("ex.found.fixed", 0.0325),
             ("ex.found.heading", 0.002),
             // (P⁻⁻¹ + 2 I)⁻¹ with P⁻ = [1.7 1.05; 1.05 2.1]: det P⁻ = 2.4675, det (P⁻ + I/2) = 4.6175.
             ("ex.batch.P.11", 0.5 * (1.7 * 2.6 - 1.05 * 1.05) / 4.6175),
