@@ -10,7 +10,7 @@ use estimate::slam::{EkfSlam, Reading};
 use estimate::{Error, Lti, Observer};
 use filters::association::Thresholds;
 use filters::linear::{self, Gain};
-use nalgebra::{Matrix1, Matrix2, Matrix2x3, Matrix3, RowVector3, Vector2, Vector3};
+use nalgebra::{Matrix1, Matrix2, Matrix2x3, Matrix3, RowVector3, U1, U2, Vector2, Vector3};
 
 const TOLERANCE: f64 = 1e-9;
 /// Rounds in which every recursion here has settled to the last digits.
@@ -56,7 +56,7 @@ fn constant(to: &mut Listing) -> Result<(), Error> {
 /// The row of a lamp's elevation: h(x) = atan(z/ρ) at Δx = 3 m, Δy = 4 m, z = 2 m.
 fn lamp(to: &mut Listing) {
     let [dx, dy, z] = LAMP;
-    let rho = geom::hypot(dx, dy);
+    let rho = numerics::hypot(dx, dy);
     let scale = -z / (rho * (rho * rho + z * z));
     to.by("labs::numbers::exercises::lamp", None)
         .add("ex.lamp.1", scale * dx, "∂h/∂x of the lamp's elevation, rad/m")
@@ -82,7 +82,7 @@ fn candidates(to: &mut Listing) {
 /// What the innovations of a filter look like whose model is not the robot's: mean over √S, correlation from one to the
 /// next, mean of ν²/S, all exact in the long run. The filter's V and W are the true ones times `v` and `w`; `force` is an
 /// acceleration (m/s²) that it does not know of.
-fn symptoms(sys: &Lti<2, 1, 1>, p0: &Matrix2<f64>, v: f64, w: f64, force: f64) -> Result<[f64; 3], Error> {
+fn symptoms(sys: &Lti<U2, U1, U1>, p0: &Matrix2<f64>, v: f64, w: f64, force: f64) -> Result<[f64; 3], Error> {
     let believed = Lti { v: sys.v * v, w: sys.w * w, ..*sys };
     let limit = believed.steady_state_gain(p0, LONG, 1e-14)?;
     let (k, claimed) = (limit.r, (sys.h * limit.p * sys.h.transpose() + believed.w)[0]);
@@ -193,7 +193,7 @@ fn other_gains(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use filters::nonlinear::central_differences;
+    use filters::central_differences;
     use std::collections::BTreeMap;
 
     fn answers() -> BTreeMap<String, f64> {
@@ -251,7 +251,7 @@ mod tests {
     #[test]
     fn the_lamp_s_row_is_its_elevation_s_derivative() {
         let [dx, dy, z] = LAMP;
-        let elevation = |x: &Vector2<f64>| Matrix1::new(libm::atan2(z, geom::hypot(x[0], x[1])));
+        let elevation = |x: &Vector2<f64>| Matrix1::new(libm::atan2(z, numerics::hypot(x[0], x[1])));
         let row = central_differences(elevation, |a, b| a - b, &Vector2::new(dx, dy), 1e-5);
         let n = answers();
         assert!((row[0] - n["ex.lamp.1"]).abs() < 1e-9 && (row[1] - n["ex.lamp.2"]).abs() < 1e-9);
@@ -277,7 +277,7 @@ mod tests {
         let steady = sys.steady_state_gain(&p0, LONG, 1e-14).expect("converges").r;
         let radius = |g: f64| {
             let roots = Observer { sys, k: steady * g, xhat: Vector2::zeros() }.error_eigs().expect("2×2");
-            geom::hypot(roots[0].re, roots[0].im)
+            numerics::hypot(roots[0].re, roots[0].im)
         };
         let best = n["ex.fastest.knob"];
         // The two eigenvalues meet here, and two that meet move like a root: 1e-3 of the knob is 3e-2 of the radius.

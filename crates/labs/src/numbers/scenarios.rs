@@ -52,13 +52,13 @@ fn probe(givens: &Givens, to: &mut Listing) {
 }
 
 fn slam(givens: &Givens, to: &mut Listing) {
-    let linear = &givens.linear_slam;
+    let linear = &givens.linear_slam.variances;
     to.by("sim::scenarios::LINEAR_SLAM", None)
         .add("const.linear.v", linear.v, "process variance in each coordinate of the robot, m²")
         .add("const.linear.w", linear.w, "variance of a displacement in each coordinate, m²")
         .add("const.linear.robot", linear.p0_robot, "first variance of each coordinate of the robot, m²")
         .add("const.linear.landmark", linear.p0_landmark, "first variance of each landmark coordinate, m²")
-        .add("const.linear.steps", f64::from(linear.steps), "steps");
+        .add("const.linear.steps", f64::from(givens.linear_slam.steps), "steps");
     let slam = &givens.range_bearing_slam;
     to.by("sim::scenarios::RANGE_BEARING_SLAM", None);
     sensor(to, "const.rbslam", &slam.sensor);

@@ -7,7 +7,7 @@ use estimate::landmarks::RangeBearing;
 use estimate::path_observability::PathStack;
 use estimate::{Error, Unicycle, slip_covariance};
 use filters::linear;
-use filters::nonlinear::{MeasurementModel, MotionModel};
+use filters::{MeasurementModel, MotionModel};
 use nalgebra::{Matrix2x4, Matrix4, Vector2};
 use sim::Apartment;
 use sim::scenarios::HOOK;
