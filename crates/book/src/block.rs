@@ -16,12 +16,8 @@ use crate::tree::Node;
 use crate::writer::Writer;
 
 /// Kinds of notes and what each is headed with.
-const NOTES: [(&str, &str); 4] = [
-    ("correction", "A common mistake"),
-    ("honesty", "Said honestly"),
-    ("hazard", "Take care"),
-    ("aside", ""),
-];
+const NOTES: [(&str, &str); 4] =
+    [("correction", "A common mistake"), ("honesty", "Said honestly"), ("hazard", "Take care"), ("aside", "")];
 
 /// Kinds of exercises.
 const EXERCISES: [&str; 3] = ["foundation", "conceptual", "practical"];

@@ -1,7 +1,7 @@
 //! Answers of the exercises.
 
 use super::Listing;
-use crate::checks::linear::hand_steps;
+use crate::checks::rail::hand_steps;
 use crate::givens::Givens;
 
 use estimate::kf::Gaussian;

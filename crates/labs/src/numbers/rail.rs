@@ -86,7 +86,7 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let ellipse = geom::Ellipse::from_covariance(p, 1.0);
     to.by("geom::Ellipse", None)
         .add("picture.axis", 1.0 / libm::tan(ellipse.angle), "metres the ellipse's long axis moves over for each m/s")
-        .by("labs::numbers::linear::picture", None);
+        .by("labs::numbers::rail::picture", None);
     for level in [1, 2, 3] {
         let inside = -libm::expm1(-0.5 * f64::from(level * level));
         to.add(format!("ellipse.inside.{level}"), inside, "the part of a plane Gaussian inside this many sigmas");
