@@ -1,8 +1,8 @@
 /**
- * Native controls with a visible label, and their value in words for those who hear it.
+ * Builds native controls with a visible label; screen readers say their value in words.
  *
- * A control shows one parameter and reports what the reader makes of it; it neither draws nor computes. How far it goes, and
- * in which steps, the lab says.
+ * A control shows one parameter and reports the value that the reader chooses. It computes nothing. The lab says how far the
+ * parameter goes, and in which steps.
  */
 
 import { SVG } from './element.js'
@@ -137,7 +137,7 @@ function range(document, control, change, limits) {
   let said = ''
 
   input.addEventListener('input', () => change(Number(input.value)))
-  // A finger that comes down here to scroll the page has moved the thumb before the browser knows: back it goes.
+  // A finger that comes down here to scroll the page moves the thumb before the browser knows better: it is put back.
   let before = input.value
   input.addEventListener('pointerdown', () => { before = input.value })
   input.addEventListener('pointercancel', () => {
@@ -243,7 +243,7 @@ function whole(document, _, change, { least, greatest }) {
     input,
     show(now) {
       newest = now
-      // Nobody can type into a field that every frame writes.
+      // A reader who types here would lose what was typed.
       if (document.activeElement !== input) write()
     },
   }

@@ -1,4 +1,4 @@
-/** A figure to take away: its panels as one SVG with the styles written in, its series as CSV. */
+/** Files of a figure: its panels as one SVG that holds its own styles, and its series as CSV. */
 
 import { SVG } from './element.js'
 

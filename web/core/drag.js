@@ -1,6 +1,6 @@
 /**
- * A handle under pointer and keys, after Red Blob Games: the pointer is captured, the offset of the first touch is kept,
- * and only the handle keeps the page from scrolling.
+ * Moves a handle by pointer and keys, as Red Blob Games describes it: the pointer is captured, the handle keeps its distance
+ * from the pointer, and only a finger on the handle does not scroll the page.
  */
 
 /**
@@ -17,7 +17,7 @@ const ARROWS = /** @type {Record<string, [number, number]>} */ ({
 
 /**
  * @param {Element} handle
- * @param {Element} frame what the pixels are counted in
+ * @param {Element} frame places are pixels from its upper left corner
  * @param {Dragged} dragged
  */
 export function drag(handle, frame, dragged) {
@@ -53,7 +53,7 @@ export function drag(handle, frame, dragged) {
   listen('pointercancel', release)
   listen('lostpointercapture', release)
 
-  // Some browsers start to scroll before they ask touch-action; this is for them.
+  // Some browsers start to scroll before they look at touch-action.
   handle.addEventListener('touchstart', (event) => event.preventDefault(), { passive: false })
   listen('keydown', (/** @type {KeyboardEvent} */ event) => {
     if (event.altKey || event.ctrlKey || event.metaKey) return

@@ -18,7 +18,7 @@ export function showFailure(host, why, again) {
   button(document, words, 'Try again', async () => {
     await again()
     await decided(host)
-    // The button has gone, and with it the focus.
+    // The button that had the focus is gone.
     if (document.activeElement === document.body) focusFirst(host)
   })
   host.append(words)
@@ -30,11 +30,11 @@ export function showFailure(host, why, again) {
 /** @param {HTMLElement} host */
 export function hideFailure(host) {
   host.querySelector('.figure-failure')?.remove()
-  // From here the figure starts as it did at first.
+  // The figure starts again from its still picture.
   if (host.dataset.state === 'failed') host.dataset.state = 'still'
 }
 
-/** Until the figure is alive, or has failed once more. @param {HTMLElement} host @returns {Promise<void>} */
+/** Waits until the figure is alive or has failed again. @param {HTMLElement} host @returns {Promise<void>} */
 function decided(host) {
   return new Promise((resolve) => {
     const look = () => {

@@ -1,4 +1,4 @@
-/** A handle's looks, the same in a still, and in a browser its life. */
+/** Draws handles. In a browser they answer to pointer and keys. */
 
 import { drag } from './drag.js'
 
@@ -6,7 +6,8 @@ import { drag } from './drag.js'
 /** @typedef {import('./pen.js').Pen} Pen */
 
 /**
- * A ring with a dot, 44 pixels to the touch. Draw handles last, in a group of their own, so that they keep the focus.
+ * Draws a ring with a dot, in a circle of 44 pixels that takes the finger. Draw the handles of a panel last, in a group of their
+ * own, so that they keep the focus.
  * @param {Pen} pen
  * @param {string} key
  * @param {HandleSpec} handle
@@ -23,9 +24,9 @@ export function drawHandle(pen, key, handle) {
 }
 
 /**
- * Handles that answer: each element is wired once and always asks the newest specification.
+ * Draws handles that answer. An element gets its listeners once; they read its newest specification.
  * @param {(patch: Record<string, unknown>) => void} change
- * @param {() => void} settle brings what was changed before into effect: a key steps on from there, not from the last frame
+ * @param {() => void} settle draws what was changed before, so that a key starts from there and not from the last frame
  */
 export function liveHandles(change, settle) {
   /** @type {WeakMap<Element, HandleSpec>} */

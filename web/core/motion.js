@@ -1,4 +1,4 @@
-/** Easing, tweens and a camera that follows: what moves between two frames. */
+/** Motion between two frames: easing, beliefs between two beliefs, and a camera that follows. */
 
 /** @typedef {{ semiMajor: number, semiMinor: number, angle: number }} Ellipse */
 /** @typedef {{ x: number[], ellipse: Ellipse }} Blob a mean and its ellipse */
@@ -21,7 +21,7 @@ export function mix(from, to, t) {
 }
 
 /**
- * Between two beliefs, the short way round.
+ * A belief between two others; its ellipse turns the short way round.
  * @template {Blob} B
  * @param {B} from
  * @param {B} to
@@ -43,7 +43,10 @@ export function between(from, to, t) {
   }
 }
 
-/** One axis of a camera: at once at first, then gliding after what has to be seen, and at rest while that fits well. */
+/**
+ * One axis of a camera. It shows the first range at once. It glides to another range when the present one is too small for the
+ * values or much too wide, and otherwise rests.
+ */
 export class Span {
   constructor() {
     /** @type {[number, number] | null} */

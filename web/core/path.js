@@ -1,11 +1,11 @@
 /**
- * Path data as short as the eye allows: points to a tenth of a pixel, none where a straight line passes within a sixth of
- * one, and steps instead of places. What a picture weighs in the page, and what a browser reads at every frame.
+ * Writes short path data: tenths of a pixel, each point relative to the one before, and no point that lies within a sixth of a
+ * pixel of the line. The page carries such data in its stills, and the browser reads it at every frame.
  */
 
 const NEAR = 0.16
 const MOST = 1e5
-/** A tenth of a pixel as it is written, for the steps that are common. */
+/** The text of the common steps, by their length in tenths of a pixel. */
 const STEPS = Array.from({ length: 4001 }, (_, i) => short((i - 2000) / 10))
 
 /** @param {number} value */
@@ -18,7 +18,7 @@ function written(tenths) {
   return STEPS[tenths + 2000] ?? short(tenths / 10)
 }
 
-/** To a tenth of a pixel, and no farther off than a drawing can reach. @param {number} value */
+/** Rounds to a tenth of a pixel, and keeps within what a browser can draw. @param {number} value */
 export function pixel(value) {
   return Math.round(Math.max(-MOST, Math.min(MOST, value)) * 10) / 10
 }
@@ -42,7 +42,7 @@ export class Outline {
     this.open = false
   }
 
-  /** Goes on straight. @param {number} x @param {number} y */
+  /** Adds a straight line. @param {number} x @param {number} y */
   line(x, y) {
     const dx = Math.round(pixel(x) * 10) - this.x
     const dy = Math.round(pixel(y) * 10) - this.y
@@ -54,10 +54,10 @@ export class Outline {
   }
 
   /**
-   * Goes on in a curve.
-   * @param {number} ax @param {number} ay where it leans at first
-   * @param {number} bx @param {number} by where it leans at last
-   * @param {number} x @param {number} y where it ends
+   * Adds a cubic curve.
+   * @param {number} ax @param {number} ay first control point
+   * @param {number} bx @param {number} by second control point
+   * @param {number} x @param {number} y end
    */
   curve(ax, ay, bx, by, x, y) {
     const [x0, y0] = [this.x, this.y]
@@ -83,9 +83,8 @@ let across = new Float64Array(2048)
 let down = new Float64Array(2048)
 
 /**
- * A line through points in data units. A point is left out where the straight line from the last one kept to the next
- * passes near enough. Written for its speed: a figure draws thousands of points at every frame, often before the browser
- * has compiled this.
+ * A line through points in data units. A point is left out where the line between its neighbours passes near enough. This is
+ * written for speed: a figure draws thousands of points in every frame, often before the browser has compiled the code.
  * @param {number} count
  * @param {import('./scale.js').Scale} x
  * @param {ArrayLike<number>} xs
@@ -118,7 +117,9 @@ export function pairs(points, x, y) {
   return traced(count)
 }
 
-/** Each new point narrows the directions in which all before it lie near the line. @param {number} count */
+/**
+ * Keeps a point only where the line needs it. From the last point kept, each point after it narrows the directions in which a
+ * straight line passes near all of them. @param {number} count */
 function traced(count) {
   const out = new Outline()
   let fromX = 0, fromY = 0, lastX = 0, lastY = 0

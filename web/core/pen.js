@@ -1,8 +1,8 @@
 /**
- * A pen draws a picture anew each time and keeps the elements it drew last time.
+ * Draws a picture again and again with the same elements.
  *
- * A mark is asked for by its key. Known from the last round, it is the same element with new attributes; asked for no
- * longer, it is gone; and marks always stand in the order they were asked for. The same calls draw a still in Node.
+ * A drawing asks for each mark by a key. If the last round had this key, its element gets the new attributes. An element that
+ * is not asked for again is removed, and the elements stand in the order of the calls. The same calls draw a still in Node.
  */
 
 import { SVG } from './element.js'
@@ -21,13 +21,13 @@ export class Pen {
     this.touched = 0
     /** @type {Element | null} */
     this.latest = null
-    /** The children as the last round left them; emptied when this round departs from them. @type {Element[]} */
+    /** The children in the order of the last round; empty once this round has asked for another order. @type {Element[]} */
     this.order = []
     this.next = 0
   }
 
   /**
-   * One round: everything that `paint` does not ask for again is removed.
+   * Draws one round. What `paint` does not ask for is removed.
    * @param {(pen: Pen) => void} paint
    */
   draw(paint) {
@@ -74,14 +74,14 @@ export class Pen {
    * @param {string} key
    * @param {Attributes} attributes
    * @param {(pen: Pen) => void} paint
-   * @param {string} [stamp] what the picture depends on: while it stays the same nothing is painted anew
+   * @param {string} [stamp] what the picture depends on: while this stays the same nothing is painted
    */
   group(key, attributes, paint, stamp) {
     return this.nest('g', key, attributes, paint, stamp)
   }
 
   /**
-   * A window in the same coordinates: what is drawn beyond its edges is cut off.
+   * Draws inside a window in the same coordinates, whose edges cut the drawing off.
    * @param {string} key
    * @param {import('./plot.js').Box} box
    * @param {(pen: Pen) => void} paint
@@ -137,8 +137,8 @@ export class Pen {
   }
 
   /**
-   * Puts an element behind the latest mark. An element already in the picture is never moved (that would cost it the
-   * focus): what stands before it goes to the end.
+   * Puts an element behind the latest mark. An element that is in the picture already is not moved, because that would cost it
+   * the focus; the elements before it go to the end instead.
    * @param {Element} element
    */
   place(element) {

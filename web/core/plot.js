@@ -1,11 +1,12 @@
 /**
- * Scales, axes and the shapes that figures share. Drawing only: an ellipse comes from the core as axes and angle.
+ * Draws axes and the shapes that figures share. An ellipse comes from the core, as its axes and angle.
  *
- * A mark's class says what it means (`prediction`, `posterior`, `measurement`, `truth`) and `data-kin` lights it up.
+ * The class of a mark says what it means (`prediction`, `posterior`, `measurement`, `truth`). `data-kin` says the same, so that a
+ * word of the text can light the mark up.
  */
 
 import { Outline, pairs, pixel, polyline } from './path.js'
-import { rounded, scaleLinear, scaleLog } from './scale.js'
+import { scaleLinear, scaleLog } from './scale.js'
 
 export { scaleLinear, scaleLog }
 
@@ -211,102 +212,4 @@ export function seriesPath({ x, y }, xs, ys) {
 /** Points as a path. @param {Plane} plane @param {number[][]} points */
 export function pointsPath({ x, y }, points) {
   return pairs(points, x, y)
-}
-
-/**
- * @typedef {object} Line one curve of a time plot
- * @property {string} key
- * @property {number[]} values
- * @property {Words} name written at its end
- * @property {Kin | null} [kin]
- * @property {string} [shape] a class for its dash: `solid`, `dashed`, `thin`
- *
- * @typedef {object} Rule a level that stays
- * @property {string} key
- * @property {number} at
- * @property {Words} [name]
- * @property {Kin | null} [kin]
- */
-
-/**
- * Curves over steps, named where they end.
- * @param {Pen} pen
- * @param {{ width: number, height: number }} size
- * @param {object} plot
- * @param {Words} plot.title with the unit
- * @param {number[]} plot.steps
- * @param {Line[]} plot.lines
- * @param {Rule[]} [plot.rules]
- * @param {boolean} [plot.log]
- * @param {[number, number]} [plot.include] values that are always in view
- * @param {number} [plot.least] steps the axis holds at least
- * @param {Words} [plot.unit] what the x axis counts
- * @returns {Plane}
- */
-export function timePlot(pen, size, plot) {
-  const box = { left: 44, top: 26, right: size.width - 34, bottom: size.height - 24 }
-  const first = plot.steps[0] ?? 0
-  const last = Math.max(plot.steps[plot.steps.length - 1] ?? 0, first + (plot.least ?? 20))
-  const plane = { box, x: scaleLinear([first, last], [box.left, box.right]), y: upright(plot, box) }
-  axes(pen, plane, { title: plot.title, ticks: [5, 4], zero: !plot.log })
-  pen.text('unit', { class: 'axis-name', x: size.width - 2, y: box.bottom + 15, 'text-anchor': 'end' }, plot.unit ?? '*k*')
-  for (const rule of plot.rules ?? []) {
-    const at = plane.y(rule.at)
-    pen.mark('line', `rule-${rule.key}`, { ...meaning('rule', rule.kin), x1: box.left, x2: box.right, y1: at, y2: at })
-    if (rule.name) pen.text(`rule-name-${rule.key}`, { class: 'rule-name', x: box.right + 4, y: at + 4 }, rule.name)
-  }
-  const ends = plot.lines.map(({ values }) => plane.y(values[values.length - 1]))
-  const spread = apart(ends, 13, box.top + 4, box.bottom - 2)
-  plot.lines.forEach((one, i) => {
-    const d = seriesPath(plane, plot.steps, one.values)
-    pen.mark('path', `line-${one.key}`, { ...meaning(`curve ${one.shape ?? 'solid'}`, one.kin), d })
-    if (!Number.isFinite(ends[i])) return
-    const x = plane.x(plot.steps[plot.steps.length - 1])
-    pen.mark('circle', `end-${one.key}`, { ...meaning('end', one.kin), cx: x, cy: ends[i], r: 2.5 })
-    pen.text(`name-${one.key}`, { class: `curve-name ${one.kin ?? ''}`, x: x + 6, y: spread[i] + 4 }, one.name)
-  })
-  return plane
-}
-
-/**
- * @param {{ lines: Line[], rules?: Rule[], log?: boolean, include?: number[] }} plot
- * @param {Box} box
- * @returns {Scale}
- */
-function upright({ lines, rules = [], include = [], log = false }, box) {
-  let [low, high] = [Infinity, -Infinity]
-  const see = (/** @type {number} */ value) => {
-    if (!Number.isFinite(value) || (log && !(value > 0))) return
-    if (value < low) low = value
-    if (value > high) high = value
-  }
-  for (const { values } of lines) values.forEach(see)
-  for (const { at } of rules) see(at)
-  include.forEach(see)
-  if (low > high) [low, high] = log ? [0.1, 1] : [0, 1]
-  if (high - low < 1e-9 * Math.abs(high) || high === low) high = low + Math.max(1e-6, Math.abs(low) * 0.1)
-  const range = /** @type {[number, number]} */ ([box.bottom, box.top])
-  if (log) {
-    const [from, to] = rounded(Math.log10(low / 1.1), Math.log10(high * 1.1), 5)
-    return scaleLog([10 ** from, 10 ** to], range)
-  }
-  return scaleLinear(rounded(low - (high - low) * 0.04, high + (high - low) * 0.04, 4), range)
-}
-
-/**
- * Moves labels apart so that none covers another.
- * @param {number[]} at
- * @param {number} gap
- * @param {number} low
- * @param {number} high
- */
-export function apart(at, gap, low, high) {
-  const order = at.map((_, i) => i).sort((i, j) => at[i] - at[j])
-  const moved = at.map((y) => Math.max(low, Math.min(high, y)))
-  for (let k = 1; k < order.length; k += 1) moved[order[k]] = Math.max(moved[order[k]], moved[order[k - 1]] + gap)
-  for (let k = order.length - 1; k >= 0; k -= 1) {
-    const ceiling = k === order.length - 1 ? high : moved[order[k + 1]] - gap
-    moved[order[k]] = Math.min(moved[order[k]], ceiling)
-  }
-  return moved
 }

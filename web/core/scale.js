@@ -1,6 +1,6 @@
 /**
- * Scales from data to pixels, linear and logarithmic, with round ticks: what the figures need of d3-scale, whose ticks
- * these are, at a thirtieth of its weight.
+ * Scales from data to pixels, linear and logarithmic, with round ticks. The ticks are those of d3-scale; the rest of d3-scale
+ * the figures do not need.
  */
 
 /**
@@ -60,7 +60,7 @@ function stepOf(low, high, count) {
 }
 
 /**
- * The domain, out to the next quarter of a tick's step: an axis that its values push only now and then.
+ * Widens a domain to the next quarter of a tick's step, so that an axis seldom changes while its values move a little.
  * @param {number} low @param {number} high @param {number} count
  * @returns {[number, number]}
  */

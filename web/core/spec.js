@@ -1,35 +1,35 @@
 /**
- * What a widget is: plain data and pure functions, in the order state, model, view, controls. `core/figure.js` gives it
- * life in a browser, `core/still.js` draws it in Node.
+ * The types of a widget: plain data and pure functions, in the order state, model, view, controls. `core/figure.js` runs it in
+ * a browser, `core/still.js` draws it in Node.
  */
 
 /** @typedef {Record<string, import('estimate-wasm').Parameter>} Limits what the lab knows of each parameter */
 
 /**
- * @typedef {object} Beat where a step's animation stands
+ * @typedef {object} Beat how far the animation of a step has come
  * @property {'predict' | 'update' | 'rest'} name
  * @property {number} t from 0 to 1, eased
  *
  * @typedef {object} HandleSpec a place the reader can move
  * @property {[number, number]} at pixels in its panel
- * @property {string} label what it moves, said
+ * @property {string} label what it moves, for screen readers
  * @property {import('./words.js').Words} [name] what it moves, written beside it
- * @property {[number, number]} [nameAt] where, from its middle; right of it if not given
+ * @property {[number, number]} [nameAt] where the name stands, from the middle of the handle; right of it if not given
  * @property {string} value its value in words
  * @property {import('./plot.js').Kin} [kin]
  * @property {number} [now] `aria-valuenow`; of a handle with two values, the one that Home and End change
  * @property {number} [min]
  * @property {number} [max]
  * @property {(x: number, y: number) => Record<string, unknown>} move pixels in its panel → a change of parameters
- * @property {(dx: number, dy: number) => Record<string, unknown>} nudge arrow keys: (±1, 0) or (0, ±1) (y upwards), times
- *   10 with Shift or Page; the widget's own small step is its business
- * @property {(end: 'home' | 'end') => Record<string, unknown>} [jump] Home and End
+ * @property {(dx: number, dy: number) => Record<string, unknown>} nudge what an arrow key changes: (±1, 0) or (0, ±1), y upwards,
+ *   times 10 with Shift and for the Page keys; the widget decides how far one step goes
+ * @property {(end: 'home' | 'end') => Record<string, unknown>} [jump] what Home and End change
  *
  * @typedef {object} View what a drawing may know besides the frame
  * @property {any} previous the frame of the step before, or null
  * @property {Beat} beat
  * @property {number} elapsed milliseconds since the last drawing; infinite for the first and for a still
- * @property {Record<string, any>} memory the figure's own, for cameras; empty at first
+ * @property {Record<string, any>} memory what the figure keeps between two drawings, its cameras; empty at first
  * @property {Limits} limits how far each parameter goes
  * @property {(pen: import('./pen.js').Pen, key: string, handle: HandleSpec) => void} handle draws a handle; alive only in a browser
  *
@@ -45,18 +45,19 @@
  * @property {string} tag the custom element
  * @property {string} lab its class in the module
  * @property {string} name the lab's name in a state
- * @property {{ params: Record<string, any>, step: number }} start shows the idea before anyone touches it
+ * @property {{ params: Record<string, any>, step: number }} start the state it opens in, which shows the idea already
  * @property {boolean} seeded whether `seed` is among the parameters
  * @property {boolean} [timeless] a lab without steps: no Play, Step, Reset, speed
  * @property {number} [pace] steps a second at speed 1; 2 if not given
  * @property {number} [stride] steps of one press on Step; 1 if not given
  * @property {boolean} [beats] whether a step is animated in two beats
- * @property {PanelSpec[]} panels the first is what the reader watches and drags: it is drawn at every turn, and may move between two frames
+ * @property {PanelSpec[]} panels the first is the one that the reader watches and drags: it is drawn first in every turn, and its
+ *   camera may move between two frames
  * @property {(frame: any) => Record<string, string>} describe each panel in words
  * @property {import('./controls.js').Control[]} controls
  * @property {(frame: any) => import('./shell.js').Readout[]} readouts the same keys each time
  * @property {(frame: any) => string} [verdict] the state in one sentence, shown
- * @property {(frame: any, previous: any) => string} announce what changed, said politely
+ * @property {(frame: any, previous: any) => string} announce what has changed, for screen readers
  * @property {(frame: any) => Record<string, number[]>} series columns of the CSV
  */
 

@@ -1,11 +1,14 @@
 /**
- * What a figure says: of its frames to a screen reader, when they have come to rest, and of what became of a press or a
- * link to everyone.
+ * What a figure says in words. A screen reader hears what the frame shows once the figure has come to rest. Notes say what
+ * became of a button or a link, and every reader sees them.
  */
 
 import { button, focusFirst } from './element.js'
 
-/** After the last change, milliseconds; of a run, which changes at every step, this long after the first. */
+/**
+ * A frame is announced this long after the last change, milliseconds. A run in play changes at every step: there the wait is
+ * longer, and counts from the first change.
+ */
 const PAUSE = 500
 const PAUSE_IN_PLAY = 4000
 /** How long a note stands. */
@@ -25,27 +28,27 @@ export class Voice {
     this.said = /** @type {any} */ (null)
     this.gist = ''
     this.speaking = 0
-    /** When to speak, and when the timer looks whether to. */
+    /** When to speak, and when the timer ends. */
     this.speakAt = 0
     this.wakesAt = 0
     /** @type {HTMLElement | null} */
     this.note = null
     /** @type {ReturnType<typeof setTimeout> | undefined} */
     this.noting = undefined
-    /** Whether what is noted stays until the reader does something. */
+    /** Whether the note stays until the reader does something. */
     this.lasting = false
     this.status = document.createElement('p')
     this.status.className = 'visually-hidden'
     this.status.setAttribute('role', 'status')
   }
 
-  /** @param {HTMLElement} note where words are shown @param {any} frame that needs none */
+  /** @param {HTMLElement} note where notes are shown @param {any} frame the first, of which nothing need be said */
   begin(note, frame) {
     this.note = note
     this.said = frame
   }
 
-  /** Speaks of the frame that there is then. */
+  /** Announces, after the pause, the frame that is on the screen by then. */
   soon() {
     const { playing } = this.present()
     if (playing && this.speaking) return
@@ -56,7 +59,7 @@ export class Voice {
     this.wait(now)
   }
 
-  /** One timer, that goes on where there was a change meanwhile, and not a new one at each. @param {number} now */
+  /** One timer serves many changes: when it ends it waits again if there was a change meanwhile. @param {number} now */
   wait(now) {
     this.wakesAt = this.speakAt
     this.speaking = window.setTimeout(() => {
@@ -70,7 +73,7 @@ export class Voice {
     this.speaking = 0
     const { frame, playing } = this.present()
     const words = this.spec.announce(frame, this.said)
-    // While it plays only what reads differently without its numbers is worth an interruption.
+    // While a run plays, words that differ only in their numbers are not announced again.
     const gist = words.replace(/[\d.]+/g, '')
     if (playing && gist === this.gist) return
     this.gist = gist
@@ -78,7 +81,11 @@ export class Voice {
     if (words) this.status.textContent = words
   }
 
-  /** @param {string} words said, and shown for a while @param {boolean} [lasting] or until dismissed, or the next action */
+  /**
+   * Says words, and shows them for a while.
+   * @param {string} words
+   * @param {boolean} [lasting] whether they stay until the reader dismisses them or does something else
+   */
   tell(words, lasting = false) {
     this.status.textContent = words
     const { note } = this
@@ -97,7 +104,7 @@ export class Voice {
     }, 'quiet')
   }
 
-  /** The reader does something: what was to stand until then goes. */
+  /** Takes a lasting note away, because the reader has done something. */
   hush() {
     if (this.lasting && this.note) this.note.textContent = ''
     this.lasting = false

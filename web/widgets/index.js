@@ -1,4 +1,4 @@
-/** Which script holds which figure. Each is fetched when the first of its kind comes near the screen. */
+/** The scripts of the figures. Each is fetched when the first figure of its kind comes near the screen. */
 
 /** @type {Record<string, () => Promise<import('../core/spec.js').FigureSpec>>} */
 export const WIDGETS = {

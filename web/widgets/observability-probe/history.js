@@ -1,6 +1,6 @@
 /** Trace, NEES and NIS over the run. */
 
-import { timePlot } from '../../core/plot.js'
+import { timePlot } from '../../core/time-plot.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
 /** @typedef {import('../../core/shell.js').Panel} Panel */

@@ -1,6 +1,6 @@
 /** Gain, variance and error over the last steps. */
 
-import { timePlot } from '../../core/plot.js'
+import { timePlot } from '../../core/time-plot.js'
 
 /** @typedef {import('estimate-wasm').BenchFrame} Frame */
 /** @typedef {import('../../core/shell.js').Panel} Panel */

@@ -31,7 +31,7 @@ export function drawPhase({ pen, width, height }, frame, view) {
 }
 
 /**
- * What is on the stage at this moment of the step, relative to the truth.
+ * What the panel shows at this moment of the step, relative to the truth.
  * @param {Frame} frame
  * @param {import('../../core/spec.js').View} view
  */

@@ -1,6 +1,6 @@
 /** Error against claimed σ over the last ticks. */
 
-import { timePlot } from '../../core/plot.js'
+import { timePlot } from '../../core/time-plot.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
 /** @typedef {import('../../core/shell.js').Panel} Panel */

@@ -1,4 +1,4 @@
-/** The corridor from above: where the robot is, where it believes to be, and how sure it claims to be. */
+/** The corridor from above: where the robot is, where it believes itself to be, and how sure it claims to be. */
 
 import { Span } from '../../core/motion.js'
 import { dot, ellipseLevel, ellipsePath, evenPlane, halves, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
@@ -24,7 +24,7 @@ export function drawMap({ pen, width, height }, frame, view) {
   const [x, y] = [across.now, up.now]
   const unit = Math.min(width / (x[1] - x[0]), height / (y[1] - y[0]))
   const plane = evenPlane(box, [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2], Math.min(width, height) / 2 / unit)
-  // What neither the robot's step nor the camera has moved is not drawn anew.
+  // While neither the robot nor the camera has moved, this is not drawn again.
   const stamp = [width, height, ...plane.x.domain, ...plane.y.domain].join(' ')
   pen.draw(() => {
     pen.window('scene', box, (to) => {
