@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { readFileSync } from 'node:fs'
 import { PNG } from 'pngjs'
-import { PAGES, PHONE, figure, open, walkDown } from './harness.mjs'
+import { FIGURE_PAGES, PAGES, PHONE, figure, open, walkDown } from './harness.mjs'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 
@@ -16,10 +16,11 @@ async function faults(page) {
 }
 
 const SOURCE = 'source/crates/estimate/src/kf.rs.html'
-for (const at of [...PAGES, SOURCE]) {
+for (const at of [...PAGES, ...FIGURE_PAGES, SOURCE]) {
   for (const theme of ['light', 'dark']) {
     test(`axe finds nothing on /${at} in ${theme}`, async (t) => {
       const page = await open(t, { at, theme })
+      if (at.startsWith('figure/')) await figure(page, at.split('/')[1])
       await walkDown(page)
       // Closed blocks are read too.
       await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))

@@ -1,9 +1,9 @@
 // From 320 px up nothing makes a page scroll sideways; what is wide scrolls inside its own box.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { PAGES, figure, open, unlock, walkDown } from './harness.mjs'
+import { FIGURE_PAGES, PAGES, figure, open, unlock, walkDown } from './harness.mjs'
 
-for (const at of PAGES) {
+for (const at of [...PAGES, ...FIGURE_PAGES]) {
   for (const width of [320, 390, 768, 1280]) {
     test(`/${at} fits ${width} px`, async (t) => {
       const page = await open(t, { at, viewport: { width, height: 800 }, touch: width < 500 })

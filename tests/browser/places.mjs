@@ -3,6 +3,7 @@ import assert from 'node:assert/strict'
 import { existsSync } from 'node:fs'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { WIDGETS } from '../../web/widgets/index.js'
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..')
 export const dist = path.join(root, 'dist')
@@ -10,6 +11,8 @@ export const dist = path.join(root, 'dist')
 export const BASE = '/shelf/robot-motion/'
 /** The pages a reader can land on, relative to the site's root. */
 export const PAGES = ['', 'kalman/', 'check/', 'hosting/']
+/** The pages that hold one figure each. */
+export const FIGURE_PAGES = Object.keys(WIDGETS).map((name) => `figure/${name}/`)
 export const CHROMIUM_FLAGS = [
   '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
   '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--force-color-profile=srgb',

@@ -1,25 +1,29 @@
-// Pictures of every widget and of three regions of the page, light and dark, desktop and phone, against references.
+// Pictures of every figure, on its own page, and of three regions of the chapter, light and dark, desktop and phone, against
+// references.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { DESKTOP, PHONE, figure, open, unlock } from './harness.mjs'
+import { DESKTOP, PHONE, open, openFigure } from './harness.mjs'
 import { TOLERANCE, compare, differenceOf, reference } from './snapshots.mjs'
+import { WIDGETS } from '../../web/widgets/index.js'
 
-const WIDGETS = ['odometry-hook', 'observer-bench', 'kalman-picture', 'observability-probe']
 const REGIONS = [['head', '.chapter-head'], ['derivation', 'details.derivation'], ['quiz', 'form.quiz']]
+const SIZES = [['desktop', DESKTOP], ['phone', PHONE]]
+/** On its own page a figure fills the window but for the margins. With these widths it is as wide as in the chapter. */
+const FIGURE_WIDTHS = { desktop: 880 + 36, phone: 358 + 36 }
+/** Tall enough for every figure: a picture of one that is taller than the window makes the page scroll as it is taken. */
+const TALL = 2400
 
-/** Wherever the text above ends: a part of a pixel lower every letter is another. */
+/** Moves a part so that it begins on a whole pixel: a part of a pixel lower every letter is drawn differently. */
 const onWholePixels = (part) => part.evaluate((it) => {
   it.style.position = 'relative'
   it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px`
 })
 
 for (const theme of ['light', 'dark']) {
-  for (const [size, viewport] of [['desktop', DESKTOP], ['phone', PHONE]]) {
-    test(`widgets and regions look as they did, ${theme}, ${size}`, { timeout: 180_000 }, async (t) => {
-      // Tall enough for every figure: a picture of one that is taller than the window makes the page scroll as it is taken.
-      const page = await open(t, { theme, viewport: { ...viewport, height: 2400 }, touch: size === 'phone' })
+  for (const [size, viewport] of SIZES) {
+    test(`regions of the chapter look as they did, ${theme}, ${size}`, { timeout: 180_000 }, async (t) => {
+      const page = await open(t, { theme, viewport: { ...viewport, height: TALL }, touch: size === 'phone' })
       await page.evaluate(() => document.fonts.ready)
-      // Before a figure's question is answered: an answer stays open.
       for (const [name, selector] of REGIONS) {
         const region = page.locator(selector).first()
         if (name === 'derivation') await region.evaluate((block) => { block.open = true })
@@ -27,21 +31,23 @@ for (const theme of ['light', 'dark']) {
         await onWholePixels(region)
         compare(await region.screenshot({ animations: 'disabled' }), `${name}-${theme}-${size}`)
       }
-      for (const tag of WIDGETS) {
-        const element = await figure(page, tag)
-        await unlock(page, await element.getAttribute('data-figure'))
-        await page.mouse.move(0, 0)
-        await onWholePixels(element)
-        compare(await element.screenshot({ animations: 'disabled' }), `${tag}-${theme}-${size}`)
-      }
     })
+    for (const tag of Object.keys(WIDGETS)) {
+      test(`the ${tag} looks as it did, ${theme}, ${size}`, async (t) => {
+        const { page, it } = await openFigure(t, tag, { theme, viewport: { width: FIGURE_WIDTHS[size], height: TALL }, touch: size === 'phone' })
+        await page.evaluate(() => document.fonts.ready)
+        await page.mouse.move(0, 0)
+        await onWholePixels(it)
+        compare(await it.screenshot({ animations: 'disabled' }), `${tag}-${theme}-${size}`)
+      })
+    }
   }
 }
 
 test('a figure that lost what is coloured in it is refused', (t) => {
-  for (const tag of WIDGETS) {
+  for (const tag of Object.keys(WIDGETS)) {
     for (const theme of ['light', 'dark']) {
-      for (const size of ['desktop', 'phone']) {
+      for (const [size] of SIZES) {
         const { whole, pale } = reference(`${tag}-${theme}-${size}`)
         assert.equal(differenceOf(whole, whole).part, 0)
         const { part } = differenceOf(pale, whole)

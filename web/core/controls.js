@@ -216,7 +216,7 @@ function toggle(document, control, change) {
   }
 }
 
-/** @param {Document} document @param {WholeControl} control @param {(value: number) => void} change @param {Parameter} limits @returns {Made} */
+/** @param {Document} document @param {WholeControl} _ @param {(value: number) => void} change @param {Parameter} limits @returns {Made} */
 function whole(document, _, change, { least, greatest }) {
   const input = document.createElement('input')
   input.setAttribute('type', 'number')
