@@ -7,6 +7,7 @@ use serde::Serialize;
 
 use crate::asset::Assets;
 use crate::diagnostic::BuildError;
+use crate::hash::fnv1a;
 use crate::link;
 use crate::page::Found;
 
@@ -99,9 +100,4 @@ impl Dist {
         }
         Ok(())
     }
-}
-
-/// The 64-bit FNV-1a hash.
-pub fn fnv1a(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |hash, &byte| (hash ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3))
 }

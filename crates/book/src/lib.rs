@@ -18,6 +18,7 @@ mod directive;
 mod dist;
 mod figure;
 mod glossary;
+mod hash;
 mod html;
 mod inline;
 mod label;

@@ -7,7 +7,7 @@ use toml::Spanned;
 
 use crate::config::{DataFile, Text};
 use crate::diagnostic::Diagnostics;
-use crate::dist::fnv1a;
+use crate::hash::fnv1a;
 use crate::number::{Format, Numbers};
 
 /// A question to answer before the explanation.

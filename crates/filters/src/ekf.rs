@@ -2,10 +2,10 @@
 
 use crate::covariance::{finite, mend};
 use crate::error::{Error, Quantity};
-use crate::kalman::Update;
 use crate::linear;
 use crate::manifold::State;
 use crate::model::{MeasurementModel, MotionModel};
+use crate::update::Update;
 use nalgebra::{Const, SMatrix, SVector};
 
 /// An extended Kalman filter that holds its belief.

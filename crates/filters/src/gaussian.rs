@@ -2,9 +2,9 @@
 
 use crate::covariance::{finite, is_finite};
 use crate::error::{Error, Quantity};
-use crate::kalman::Update;
 use crate::linear::{self, Gain};
 use crate::sizes::Sizes;
+use crate::update::Update;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 

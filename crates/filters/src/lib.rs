@@ -23,12 +23,14 @@ mod model;
 mod sizes;
 mod square_root;
 pub mod ukf;
+mod update;
 
 pub use differences::central_differences;
 pub use ekf::Ekf;
 pub use error::{Error, Parameter, Quantity};
 pub use gaussian::Gaussian;
-pub use kalman::{Kf, Update};
+pub use kalman::Kf;
 pub use manifold::State;
 pub use model::{MeasurementModel, MotionModel};
 pub use sizes::Sizes;
+pub use update::Update;

@@ -2,9 +2,9 @@
 
 use crate::covariance::{finite, symmetric};
 use crate::error::{Error, Parameter, Quantity};
-use crate::kalman::Update;
 use crate::manifold::State;
 use crate::model::{MeasurementModel, MotionModel};
+use crate::update::Update;
 use nalgebra::{Const, SMatrix, SVector};
 use numerics::Spd;
 

@@ -1,7 +1,7 @@
 //! One declaration for what a lab takes and what it hands out.
 //!
 //! A lab's parameters (`params!`), its frame (`record!`) and the words of its choices (`words!`) are declared once. From the
-//! declaration come the Rust type, its limits and defaults, its TypeScript with the doc comments ([`TYPESCRIPT`]), and its
+//! declaration come the Rust type, its limits and defaults, its TypeScript with the doc comments (`TYPESCRIPT`), and its
 //! [`Shape`], by which one function for all labs reads and writes its values. A new parameter is one line in its declaration,
 //! and its use in the lab.
 
@@ -14,7 +14,7 @@ pub(crate) mod typescript;
 pub use parameter::{Knob, Parameter, Params};
 pub use shape::{Field, Plain, Shape};
 pub use shown::Shown;
-pub use typescript::TYPESCRIPT;
+pub(crate) use typescript::{Type, written};
 
 pub(crate) use text::Text;
 

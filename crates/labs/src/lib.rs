@@ -17,8 +17,9 @@ mod picture;
 mod series;
 mod shapes;
 mod true_path;
+mod typescript;
 
-pub use declare::{Field, Knob, Parameter, Params, Plain, Shape, Shown, TYPESCRIPT};
+pub use declare::{Field, Knob, Parameter, Params, Plain, Shape, Shown};
 pub use estimate::localizer::SensorKind;
 pub use lab::{Digest, Experiment, Kind, Lab, MAX_STEP, State};
 pub use mapping::MapError;
@@ -35,3 +36,4 @@ pub use picture::{Foot, Picture, PictureFrame, PictureParams};
 pub use series::{Series, Track, Tracks, WINDOW};
 pub use shapes::{BenchBelief, EllipseShape, Root, ellipse_of};
 pub use true_path::TruePath;
+pub use typescript::TYPESCRIPT;

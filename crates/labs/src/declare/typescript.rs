@@ -1,9 +1,7 @@
-//! The labs' TypeScript, written from their declarations while the crate is compiled: no second copy is kept anywhere.
+//! TypeScript written from declarations while the crate is compiled: no second copy is kept anywhere.
 
 use super::parameter::Parameter;
-use super::shape::Plain;
 use super::text::{Text, same};
-use crate::{BenchFrame, BenchParams, HookFrame, HookParams, PictureFrame, PictureParams, ProbeFrame, ProbeParams};
 
 /// A type as TypeScript knows it.
 #[derive(Clone, Copy, Debug)]
@@ -50,27 +48,10 @@ pub struct Member {
     pub of: Type,
 }
 
-/// What the labs take and hand out.
-const ROOTS: &[Type] = &[
-    BenchParams::TYPE,
-    BenchFrame::TYPE,
-    HookParams::TYPE,
-    HookFrame::TYPE,
-    ProbeParams::TYPE,
-    ProbeFrame::TYPE,
-    PictureParams::TYPE,
-    PictureFrame::TYPE,
-];
-
-/// The interfaces of all labs, with their doc comments, limits and defaults. The names `Vector` and `Matrix` are left to
-/// whoever includes this.
-pub const TYPESCRIPT: &str = ALL.as_str();
-
-const ALL: &Text<20_000> = &written(ROOTS);
-
 type Found = [Option<&'static Declaration>; 64];
 
-const fn written(roots: &[Type]) -> Text<20_000> {
+/// The interfaces that these types are made of, each once. The names `Vector` and `Matrix` are left to whoever includes this.
+pub const fn written(roots: &[Type]) -> Text<20_000> {
     let (mut found, mut i): (Found, usize) = ([None; 64], 0);
     while i < roots.len() {
         collect(&roots[i], &mut found);
@@ -177,7 +158,7 @@ const fn put_type<const N: usize>(text: &mut Text<N>, of: &Type) {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
+    use crate::TYPESCRIPT;
 
     #[test]
     fn doc_comments_limits_and_defaults_are_kept() {
