@@ -63,11 +63,11 @@ test('the keys move the prediction of kalman-picture in Firefox, to the frame th
   // A question locks it until some answer is given.
   const id = await page.evaluate(() => document.querySelector('kalman-picture').dataset.figure)
   await page.evaluate((figure) => {
-    document.querySelector(`form.quiz[data-unlocks="${figure}"]`).scrollIntoView()
+    document.querySelector(`.quiz[data-unlocks="${figure}"]`).scrollIntoView()
   }, id)
-  await wait((figure) => document.querySelector(`form.quiz[data-unlocks="${figure}"] input`), id)
+  await wait((figure) => document.querySelector(`.quiz[data-unlocks="${figure}"] input`), id)
   await page.evaluate((figure) => {
-    const form = document.querySelector(`form.quiz[data-unlocks="${figure}"]`)
+    const form = document.querySelector(`.quiz[data-unlocks="${figure}"]`)
     form.querySelector('input').click()
     form.querySelector('[type=submit]').click()
   }, id)

@@ -98,7 +98,7 @@ export async function figure(page, tag) {
 
 /** Commits to some answer where a question locks the figure `id`. */
 export async function unlock(page, id) {
-  const form = page.locator(`form.quiz[data-unlocks="${id}"]`)
+  const form = page.locator(`.quiz[data-unlocks="${id}"]`)
   if (!(await form.count())) return
   // A question gets its controls when it comes near the screen.
   await form.scrollIntoViewIfNeeded()

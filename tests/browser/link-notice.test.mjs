@@ -58,7 +58,7 @@ test('a link that can be read brings no notice', async (t) => {
 
 test('a state behind a question is said beside the question', async (t) => {
   const page = await open(t, { at: `kalman/?fig-limit=${BENCH(20)}` })
-  const words = page.locator('form.quiz[data-unlocks="fig-limit"] .quiz-linked')
+  const words = page.locator('.quiz[data-unlocks="fig-limit"] .quiz-linked')
   await words.scrollIntoViewIfNeeded()
   await words.filter({ hasText: /waits/, visible: true }).waitFor()
   assert.equal(await page.locator('.quiz-linked').count(), 1)

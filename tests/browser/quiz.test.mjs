@@ -55,7 +55,7 @@ test('a choice is committed to before anything is explained, and a wrong one say
 
 test('every wrong choice of every question has a reason of its own', async (t) => {
   const page = await open(t)
-  const forms = await page.locator('form.quiz[data-kind=choice]').evaluateAll((all) => all.map((form) => ({ id: form.dataset.quiz, choices: form.querySelectorAll('.quiz-choice').length })))
+  const forms = await page.locator('.quiz[data-kind=choice]').evaluateAll((all) => all.map((form) => ({ id: form.dataset.quiz, choices: form.querySelectorAll('.quiz-choice').length })))
   assert.ok(forms.length >= 3)
   for (const { id, choices } of forms) {
     const it = await quiz(page, id)
@@ -143,7 +143,7 @@ test('answers are remembered after a reload, and forgotten one by one or all at 
   assert.equal(await third.input.inputValue(), '')
   await page.reload()
   await page.locator('#fig-picture .widget[inert]').waitFor()
-  assert.equal(await page.locator('form.quiz[data-answered]').count(), 0)
+  assert.equal(await page.locator('.quiz[data-answered]').count(), 0)
 })
 
 test('what is kept is checked: an answer that is none any more counts for nothing', async (t) => {
@@ -154,7 +154,7 @@ test('what is kept is checked: an answer that is none any more counts for nothin
   })
   await page.reload()
   await page.locator('#fig-picture .widget[inert]').waitFor()
-  assert.equal(await page.locator('form.quiz[data-answered]').count(), 0)
+  assert.equal(await page.locator('.quiz[data-answered]').count(), 0)
 })
 
 test('a number of thousands of digits is no answer, and stops nothing', async (t) => {
@@ -174,7 +174,7 @@ test('a number of thousands of digits is no answer, and stops nothing', async (t
 test('Tab leads into a question that is still far below the screen', async (t) => {
   const page = await open(t)
   const id = await page.evaluate(() => {
-    const form = [...document.querySelectorAll('form.quiz')].find((it) => it.getBoundingClientRect().top > 3 * innerHeight && !it.querySelector('input'))
+    const form = [...document.querySelectorAll('.quiz')].find((it) => it.getBoundingClientRect().top > 3 * innerHeight && !it.querySelector('input'))
     const links = [...document.querySelectorAll('main a[href], main summary')].filter((link) => link.compareDocumentPosition(form) & Node.DOCUMENT_POSITION_FOLLOWING && !link.closest('details:not([open]) > :not(summary), .end-matter'))
     links.at(-1).focus({ preventScroll: true })
     return form.id

@@ -6,7 +6,7 @@ import { DESKTOP, PHONE, open, openFigure } from './harness.mjs'
 import { TOLERANCE, compare, differenceOf, reference } from './snapshots.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
-const REGIONS = [['head', '.chapter-head'], ['derivation', 'details.derivation'], ['quiz', 'form.quiz']]
+const REGIONS = [['head', '.chapter-head'], ['derivation', 'details.derivation'], ['quiz', '.quiz']]
 const SIZES = [['desktop', DESKTOP], ['phone', PHONE]]
 /** On its own page a figure fills the window but for the margins. With these widths it is as wide as in the chapter. */
 const FIGURE_WIDTHS = { desktop: 880 + 36, phone: 358 + 36 }
@@ -28,6 +28,8 @@ for (const theme of ['light', 'dark']) {
         const region = page.locator(selector).first()
         if (name === 'derivation') await region.evaluate((block) => { block.open = true })
         await region.scrollIntoViewIfNeeded()
+        // A question gets its controls when it comes near the screen.
+        if (name === 'quiz') await region.locator('input').first().waitFor()
         await onWholePixels(region)
         compare(await region.screenshot({ animations: 'disabled' }), `${name}-${theme}-${size}`)
       }

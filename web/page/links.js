@@ -50,12 +50,12 @@ async function isRefused(spec, state) {
 
 /** @param {string} id of a figure whose state is in the address */
 function waits(id) {
-  const form = [...document.querySelectorAll('form.quiz')].find((quiz) => quiz instanceof HTMLElement && quiz.dataset.unlocks === id)
-  if (!form) return
+  const question = [...document.querySelectorAll('.quiz')].find((quiz) => quiz instanceof HTMLElement && quiz.dataset.unlocks === id)
+  if (!question) return
   const words = document.createElement('p')
   words.className = 'quiz-linked'
   words.textContent = 'You came by a link to a state of the figure below. It waits there until you have committed to an answer.'
-  form.querySelector('.quiz-actions')?.before(words)
+  question.querySelector('.quiz-actions')?.before(words)
 }
 
 /** @param {string[]} wrong */

@@ -9,23 +9,26 @@ const KEPT = 'quiz:'
 const LONGEST = 40
 
 export function quizzes() {
-  const all = /** @type {HTMLFormElement[]} */ ([...document.querySelectorAll('form.quiz')])
-  for (const form of all) lock(form, !isAnswer(form, recall(keyOf(form)) ?? ''))
-  whenNear('form.quiz', (form) => wake(/** @type {HTMLFormElement} */ (form)))
+  for (const question of questions()) lock(question, !isAnswer(question, recall(keyOf(question)) ?? ''))
+  whenNear('.quiz', (question) => wake(asForm(/** @type {HTMLElement} */ (question))))
   document.querySelector('[data-quiz-reset-all]')?.addEventListener('click', () => {
     forgetAll(KEPT)
-    for (const form of all) forget(form)
+    for (const question of questions()) forget(question)
   })
 }
 
-/** @param {HTMLFormElement} form */
-function keyOf(form) {
-  return `${KEPT}${form.dataset.quiz}:${form.dataset.hash}`
+/** Every question; those that have been near the screen are forms. */
+function questions() {
+  return /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.quiz'))
+}
+
+/** @param {HTMLElement} question */
+function keyOf({ dataset }) {
+  return `${KEPT}${dataset.quiz}:${dataset.hash}`
 }
 
 /** @param {HTMLFormElement} form */
 function wake(form) {
-  addControls(form)
   const kept = recall(keyOf(form))
   if (kept === null || !commit(form, kept)) lock(form, true)
   form.addEventListener('submit', (event) => {
@@ -47,10 +50,22 @@ function wake(form) {
 }
 
 /**
- * The page is written without form controls: Chromium lays out every part of a page that holds one as soon as the page is
- * read, and most questions are far below the screen then.
- * @param {HTMLFormElement} form
+ * The page is written without forms: Chromium lays out every part of a page that holds one as soon as the page is read, and
+ * most questions are far below the screen then. So a question becomes a form when it comes near.
+ * @param {HTMLElement} question
  */
+function asForm(question) {
+  const focused = question.contains(document.activeElement) ? document.activeElement : null
+  const form = document.createElement('form')
+  for (const { name, value } of question.attributes) form.setAttribute(name, value)
+  form.append(...question.childNodes)
+  addControls(form)
+  question.replaceWith(form)
+  if (focused instanceof HTMLElement) focused.focus({ preventScroll: true })
+  return form
+}
+
+/** @param {HTMLFormElement} form */
 function addControls(form) {
   for (const [i, label] of form.querySelectorAll('.quiz-choice').entries()) {
     const input = document.createElement('input')
@@ -91,7 +106,7 @@ function commit(form, answer) {
   return true
 }
 
-/** Whether a kept text still answers this question. @param {HTMLFormElement} form @param {string} answer */
+/** Whether a kept text still answers this question. @param {HTMLElement} form @param {string} answer */
 function isAnswer(form, answer) {
   if (form.dataset.kind !== 'choice') return number(answer) !== null
   return [...form.querySelectorAll('[data-choice]')].some((item) => item.getAttribute('data-choice') === answer)
@@ -131,12 +146,12 @@ export function number(text) {
   return Number.isFinite(value) ? value : null
 }
 
-/** @param {HTMLFormElement} form */
+/** @param {HTMLElement} form */
 function forget(form) {
   delete form.dataset.answered
   for (const input of form.querySelectorAll('input')) input.disabled = false
   for (const item of form.querySelectorAll('.is-yours')) item.classList.remove('is-yours')
-  form.reset()
+  if (form instanceof HTMLFormElement) form.reset()
   say(form, '')
   toggle(form, false)
   const answers = form.querySelector('details')
@@ -144,19 +159,19 @@ function forget(form) {
   lock(form, true)
 }
 
-/** @param {HTMLFormElement} form @param {boolean} answered */
+/** @param {HTMLElement} form @param {boolean} answered */
 function toggle(form, answered) {
   form.querySelector('[data-quiz-reset]')?.toggleAttribute('hidden', !answered)
   form.querySelector('[type="submit"]')?.toggleAttribute('hidden', answered)
 }
 
-/** @param {HTMLFormElement} form @param {string} words */
+/** @param {HTMLElement} form @param {string} words */
 function say(form, words) {
   const verdict = form.querySelector('.quiz-verdict')
   if (verdict) verdict.textContent = words
 }
 
-/** @param {HTMLFormElement} form @param {boolean} on */
+/** @param {HTMLElement} form @param {boolean} on */
 function lock(form, on) {
   const figure = form.dataset.unlocks ? document.getElementById(form.dataset.unlocks) : null
   const widget = figure?.querySelector('.widget')
