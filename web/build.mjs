@@ -72,7 +72,7 @@ const styles = await build({
 })
 collect(styles.metafile)
 
-// What stands inside a page, with the hash that its policy names.
+// Scripts and styles that a page carries inside itself, each with the hash that the page's policy must name.
 const inside = await build({ ...shared, write: false, entryPoints: { lost: join(web, 'page/lost.js') }, format: 'iife' })
 const insideStyle = await build({ ...shared, write: false, entryPoints: { lost: join(web, 'style/lost.css') } })
 const inline = Object.fromEntries([...inside.outputFiles, ...insideStyle.outputFiles].map(({ path, text: built }) => {
@@ -104,7 +104,7 @@ function collect({ outputs }) {
   }
 }
 
-/** KaTeX names the whole faces, in three formats; the page knows them as they are cut. */
+/** KaTeX's style sheet names whole font files in three formats; ours names the subsets that `subsetFonts` has cut. */
 function ownFaces() {
   return {
     name: 'own-faces',

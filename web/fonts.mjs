@@ -1,7 +1,7 @@
 /**
- * Cuts each face in two: the letters the built pages show (letters.json, which `scripts/letters` writes), and the others
- * a text could come to need. A page fetches the first; the second only where a letter of it turns up. What is cut is kept
- * until a font or the letters change.
+ * Cuts each font file into two subsets: the letters that the built pages show (letters.json, written by `scripts/letters`) and
+ * all other letters that a text may need. A page fetches the first subset, and the second only if a letter of it occurs.
+ * The subsets are kept until a font or the letters change.
  */
 
 import { createHash } from 'node:crypto'
@@ -20,7 +20,7 @@ const MORE = range(0xa0, 0xff) + 'ŁłŒœŠšŽžĆćČč–—‘’‚“”�
 const LATIN = ASCII + MORE
 const GREEK = 'ΓΔΘΛΞΠΣΦΨΩαβγδεζηθικλμνξπρσςτυφχψω'
 const MARKS = '\u0302\u0303\u0304\u0307'
-/** What the style sheets turn on, and what a browser does unasked. */
+/** The OpenType features that the style sheets turn on, and those that browsers apply by themselves. */
 const FEATURES = ['calt', 'ccmp', 'kern', 'liga', 'locl', 'mark', 'mkmk', 'rlig', 'rvrn', 'onum', 'lnum', 'tnum', 'pnum']
 
 /**
@@ -30,9 +30,9 @@ const FEATURES = ['calt', 'ccmp', 'kern', 'liga', 'locl', 'mark', 'mkmk', 'rlig'
  * @property {string} weight as in a style sheet
  * @property {string} style
  * @property {string} source
- * @property {string} always letters of the first part, seen or not: what a control or a search may write
- * @property {string} letters all it is cut down to; none: the face is left whole
- * @property {string} display what stands in its place while it is on its way
+ * @property {string} always letters that belong to the first subset even if no page shows them: a control or a search may
+ * @property {string} letters all letters of both subsets; if empty, the font is left whole
+ * @property {string} display the `font-display` of its rule
  * @property {Record<string, unknown>} axes
  */
 
@@ -80,7 +80,7 @@ export async function subsetFonts(folder) {
   return folder
 }
 
-/** Cuts one face and gives its rules: of two that hold a letter a browser takes the later. @param {string} folder @param {Face} face */
+/** Cuts one font file and returns its rules. Where two rules hold a letter, browsers take the later one. @param {string} folder @param {Face} face */
 async function cut(folder, face) {
   const source = readFileSync(find.resolve(face.source))
   const seen = new Set([...face.always, ...Object.entries(SEEN).filter(([key]) => isOf(face, key)).map(([, letters]) => letters).join('')])
@@ -96,7 +96,7 @@ async function cut(folder, face) {
 /** Whether `key`, as in `Text 600 normal`, is set in this face. @param {Face} face @param {string} key */
 function isOf({ family, weight, style }, key) {
   const [, its, at, slant] = /** @type {RegExpMatchArray} */ (key.match(/^(\S+) (\d+) (\w+)$/))
-  // What has but one weight or no italic is made bold or slanted from what there is.
+  // A font with one weight or without italics serves for the others too: the browser makes it bold or slanted.
   if (its !== family || (slant !== style && family !== 'Code')) return false
   return family.startsWith('KaTeX') ? at === weight : true
 }

@@ -1,6 +1,6 @@
 /**
- * Draws each figure's default state with its own view code over the module's Node build, into target/stills: by widget, and
- * by figure where the text opens one in a state of its own.
+ * Draws a still picture of each figure into target/stills, with the figure's own view code and the module's build for Node: one
+ * for each widget in its usual state, and one for each figure that the text opens in another state.
  */
 
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'

@@ -28,7 +28,7 @@ async function run(estimate) {
   for (const row of rows) empty(row)
   let [right, whole] = [0, 0]
   for (const row of rows) {
-    // The browser draws each row before the next check takes the thread.
+    // Lets the browser draw the row before the next check blocks the page.
     await new Promise((resolve) => setTimeout(resolve))
     const begin = performance.now()
     /** @type {Pick<Check, 'passed'> & { words: string }} */
@@ -61,7 +61,7 @@ function show(row, { passed, words }, time) {
   if (took) took.textContent = milliseconds(time)
 }
 
-/** A browser's clock may be as coarse as a tenth of a millisecond, or coarser. @param {number} time */
+/** Browsers round their clocks to a tenth of a millisecond or more, so a short time is only bounded. @param {number} time */
 function milliseconds(time) {
   return time < 0.05 ? '< 0.1 ms' : `${fixed(time, 1)} ms`
 }

@@ -1,4 +1,4 @@
-/** The contents follow the reader; on a small screen they come out when called. */
+/** The table of contents marks the section that is being read; on a small screen a button opens it. */
 
 export function follow() {
   const nav = /** @type {HTMLElement | null} */ (document.querySelector('.toc'))

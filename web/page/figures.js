@@ -1,4 +1,4 @@
-/** Fetches a figure's script and hands the element to it. */
+/** Fetches the script of a figure and lets it take over the element. */
 
 import { hideFailure, showFailure } from '../core/failure.js'
 import { defineFigure } from '../core/figure.js'

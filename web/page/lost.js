@@ -1,6 +1,6 @@
 /**
- * The page for an address that leads nowhere is served at that address, however deep, and so knows no way home: it asks
- * upwards, folder by folder, for a file that only the book's root has, and then points its links there.
+ * The page for an address that leads nowhere. A host serves it at that very address, at any depth, so it does not know where
+ * the book's root is. It asks each folder above it for a file that only the root has, and then points its links there.
  */
 
 const html = document.documentElement
@@ -8,10 +8,10 @@ try {
   const theme = localStorage.getItem('theme')
   if (theme === 'light' || theme === 'dark') html.dataset.theme = theme
 } catch {
-  // Without storage a page looks as everyone's does.
+  // Without storage the page has the usual theme.
 }
 
-/** More folders than this lie above no page of the book. */
+/** No page of the book lies deeper than this. */
 const MOST = 12
 
 /** The path of the book's root, or null. */
@@ -19,7 +19,7 @@ async function home() {
   const folders = [...location.pathname.matchAll(/\//g)].map(({ index }) => location.pathname.slice(0, index + 1))
   for (const folder of folders.slice(0, MOST).reverse()) {
     const answer = await fetch(location.origin + folder + html.dataset.sign, { method: 'HEAD' }).catch(() => null)
-    // Some hosts answer every address with a page.
+    // Some hosts answer every address with a page: only a style sheet is the file that was asked for.
     if (answer?.ok && answer.headers.get('content-type')?.startsWith('text/css')) return folder
   }
   return null

@@ -1,6 +1,6 @@
 /**
- * Thrun's letters. A page carries its formulas in Choset's; the other reading of those that differ is a file of its own,
- * fetched once when a reader first asks for it.
+ * The formulas in Thrun's letters. A page carries its formulas in Choset's letters. The formulas that read differently in
+ * Thrun's are in a file beside the page, which is fetched when a reader first switches.
  */
 
 import { PATIENCE_MS } from '../core/patience.js'

@@ -1,4 +1,4 @@
-/** On paper every section is open; afterwards each is as it was. */
+/** Unfolds every block before the page is printed, and folds those blocks again afterwards. */
 
 export function openForPrint() {
   /** @type {HTMLDetailsElement[]} */

@@ -1,4 +1,7 @@
-/** Predict first: commit to an answer, then read why. Answers are kept by question and content. */
+/**
+ * Questions: the reader commits to an answer and then reads why it is right or wrong. An answer is kept under the question's id
+ * and a hash of its content, so a changed question is asked again.
+ */
 
 import { button, part } from '../core/element.js'
 import { whenNear } from './near.js'

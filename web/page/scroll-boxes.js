@@ -1,4 +1,4 @@
-/** A box that scrolls sideways can be reached and scrolled by keys; one that fits is left alone. */
+/** Makes each box that scrolls sideways reachable by the Tab key, so that it can be scrolled by keys. Boxes that fit stay as they are. */
 
 export function scrollBoxes() {
   const boxes = [...document.querySelectorAll('.scroll-box')]

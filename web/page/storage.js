@@ -1,4 +1,4 @@
-/** The reader's own store, where there is one. */
+/** What the browser keeps for the reader between visits. Some browsers keep nothing, or forbid asking. */
 
 /** @param {string} key */
 export function recall(key) {
@@ -15,7 +15,7 @@ export function remember(key, value) {
     if (value === null) localStorage.removeItem(key)
     else localStorage.setItem(key, value)
   } catch {
-    // What cannot be kept is forgotten with the page.
+    // Where nothing can be kept, the choice holds until the page is closed.
   }
 }
 
@@ -24,6 +24,6 @@ export function forgetAll(prefix) {
   try {
     for (const key of Object.keys(localStorage)) if (key.startsWith(prefix)) localStorage.removeItem(key)
   } catch {
-    // Nothing was kept.
+    // Where nothing can be kept, there is nothing to forget.
   }
 }

@@ -1,4 +1,4 @@
-/** Theme and notation: two groups of buttons, remembered. */
+/** The switches for theme and notation: two groups of buttons whose choice is kept between visits. */
 
 import { recall, remember } from './storage.js'
 
@@ -19,7 +19,7 @@ export function switches() {
   if (root.dataset.notation === 'thrun') bringThrun()
 }
 
-/** Until the other letters are here the page shows Choset's; if they cannot be had it goes back to them, and says so. */
+/** Fetches Thrun's letters. Until they are here the page shows Choset's; if the fetch fails, the switch goes back and says why. */
 function bringThrun() {
   const back = /** @type {HTMLElement | null} */ (document.querySelector('[data-set-notation="choset"]'))
   say('')
@@ -29,7 +29,7 @@ function bringThrun() {
   })
 }
 
-/** @param {string} words beside the switches; what was said before goes */
+/** Shows a message beside the switches, in place of the one before. @param {string} words */
 export function say(words) {
   const tools = document.querySelector('.site-tools')
   let note = tools?.querySelector('[role=status]')

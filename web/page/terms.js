@@ -1,4 +1,7 @@
-/** A word or a number says what it is, and lights its kin in the nearest figure. */
+/**
+ * Words and numbers explain themselves: a popover shows the gloss of a term or the source of a number, and a coloured word
+ * highlights the marks of its colour in the nearest figure.
+ */
 
 const CALLERS = '.term, .number, .formula-numbers, [data-number]'
 const KINDS = ['prediction', 'posterior', 'measurement', 'truth']
@@ -8,7 +11,7 @@ export function terms() {
   box.className = 'popover'
   box.id = 'popover'
   box.hidden = true
-  // In a landmark, as all of the page: who goes from one to the next would not find it elsewhere.
+  // Inside a landmark, like everything on the page: a screen reader that moves by landmarks would miss it elsewhere.
   document.querySelector('main')?.append(box)
   /** @type {Element | null} */
   let owner = null
@@ -61,7 +64,7 @@ export function terms() {
       return
     }
     light(event.target)
-    // Enter follows the link to the entry; a click or a tap opens it here.
+    // A click or a tap opens the popover; Enter (detail 0) follows the link to the entry.
     if (event.detail === 0 || event.ctrlKey || event.metaKey || event.shiftKey) return
     event.preventDefault()
     if (owner === caller && pinned) return hide()
