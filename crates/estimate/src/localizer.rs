@@ -22,6 +22,8 @@ use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector2};
 pub const MAX_LANDMARKS: usize = 1000;
 /// The most steps of a log that is replayed in one call.
 pub const MAX_LOG: usize = 1_000_000;
+/// The most comparisons of a reading with a landmark in one log: each reading without a landmark's id is compared with all.
+pub const MAX_COMPARISONS: usize = 10_000_000;
 
 /// What the sensor reads, with its noise covariance W.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -182,8 +184,8 @@ impl EkfLocalizer {
     /// the steps. A reading beyond the gate leaves its step at the prediction.
     ///
     /// # Errors
-    /// As [`Self::predict`] and [`Self::update`], the argument naming the step; [`Code::Limit`] for no step or more than
-    /// [`MAX_LOG`]. The belief is then what it was before the log.
+    /// As [`Self::predict`] and [`Self::update`], the argument naming the step; [`Code::Limit`] for no step, more than
+    /// [`MAX_LOG`], or more than [`MAX_COMPARISONS`]. The belief is then what it was before the log.
     pub fn replay(
         &mut self,
         log: impl ExactSizeIterator<Item = Logged>,
@@ -193,7 +195,14 @@ impl EkfLocalizer {
         let v = validate::covariance(v, 3, "V")?;
         let v = Matrix3::from_fn(|i, j| v[(i, j)]);
         let (mut next, mut poses) = (self.clone(), Vec::with_capacity(log.len()));
+        let mut comparisons = 0;
         for (k, logged) in log.enumerate() {
+            comparisons += logged.reading.landmark.map_or(self.map.len(), |_| 1);
+            if comparisons > MAX_COMPARISONS {
+                let message =
+                    "compares too many readings with every landmark; name the landmarks, or replay the log in parts";
+                return Err(Error::new(Code::Limit, "log", message));
+            }
             next.step(&logged, &v, k)?;
             let pose = next.ekf.pose();
             poses.push([pose.x(), pose.y(), pose.theta()]);

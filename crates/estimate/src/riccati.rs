@@ -7,9 +7,9 @@ use filters::Sizes;
 use filters::linear::{self, Gain};
 use nalgebra::{DefaultAllocator, Dim, OMatrix};
 
-/// The largest number of iterations of a steady-state search.
+/// The largest number of iterations of a steady-state search; of a large system fewer, see [`validate::MAX_WORK`].
 pub const MAX_ITERATIONS: usize = 100_000;
-/// The largest number of steps of a gain schedule.
+/// The largest number of steps of a gain schedule; no system is too large for so many.
 pub const MAX_STEPS: usize = 10_000;
 
 /// The state of the recursion when both limits were reached, or the iterations ran out.
@@ -64,7 +64,8 @@ where
     /// the velocity sensor, the gain may converge all the same: the answer says which did.
     ///
     /// # Errors
-    /// [`crate::Code::Limit`] when `max_iterations` is 0 or above [`MAX_ITERATIONS`]; [`crate::Code::Tolerance`];
+    /// [`crate::Code::Limit`] when `max_iterations` is 0 or above [`MAX_ITERATIONS`] or what
+    /// [`validate::MAX_WORK`] leaves of them for a system of this size; [`crate::Code::Tolerance`];
     /// [`crate::Code::InnovationNotPositiveDefinite`]; [`crate::Code::NotFinite`] when P overflows.
     pub fn steady_state_gain(
         &self,
@@ -72,7 +73,8 @@ where
         max_iterations: usize,
         tolerance: f64,
     ) -> Result<SteadyState<N, M>, Error> {
-        let max_iterations = validate::count(max_iterations, MAX_ITERATIONS, "maxIterations")?;
+        let most = validate::affordable_steps(self.f.nrows(), self.h.nrows(), MAX_ITERATIONS);
+        let max_iterations = validate::count(max_iterations, most, "maxIterations")?;
         let tolerance = validate::tolerance(tolerance, "tolerance")?;
         let (p, r, mut posterior) = self.advance(p0)?;
         let mut state = SteadyState { r, p, converged: false, gain_converged: false, iterations: 1 };

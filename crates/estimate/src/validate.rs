@@ -11,6 +11,9 @@ pub const MAX_STATES: usize = 16;
 pub const MAX_OUTPUTS: usize = 8;
 /// The largest number of inputs of a run-time system.
 pub const MAX_INPUTS: usize = 8;
+/// The most work of one call, counted as (n + p)³ for each Kalman step of n states and p outputs: 10 000 steps of the largest
+/// run-time system. A page that calls must have an answer while its reader waits.
+pub const MAX_WORK: usize = 10_000 * (MAX_STATES + MAX_OUTPUTS).pow(3);
 
 /// `value`, when it is neither a NaN nor an infinity.
 ///
@@ -120,6 +123,12 @@ pub fn count(count: usize, cap: usize, argument: &'static str) -> Result<usize, 
     }
 }
 
+/// The most Kalman steps of `states` and `outputs` that one call takes: what [`MAX_WORK`] allows, and never more than `cap`.
+pub fn affordable_steps(states: usize, outputs: usize, cap: usize) -> usize {
+    let step = (states + outputs).saturating_pow(3).max(1);
+    (MAX_WORK / step).clamp(1, cap)
+}
+
 fn not_finite(argument: &'static str) -> Error {
     Error::new(Code::NotFinite, argument, "holds a NaN or an infinity; every number must be finite")
 }
@@ -159,6 +168,13 @@ mod tests {
         let m = covariance(dmatrix![1.0, 0.5 + 5e-10; 0.5, 1.0], 2, "P").expect("symmetric to 1e-9");
         assert_eq!(m[(0, 1)], m[(1, 0)]);
         assert!(covariance(dmatrix![1.0, 0.0; 0.0, -1e-13], 2, "P").is_ok());
+    }
+
+    #[test]
+    fn the_steps_of_a_call_shrink_with_the_size_of_the_system() {
+        assert_eq!(affordable_steps(2, 1, 100_000), 100_000);
+        assert_eq!(affordable_steps(MAX_STATES, MAX_OUTPUTS, 100_000), 10_000);
+        assert_eq!(affordable_steps(usize::MAX / 2, 1, 100_000), 1);
     }
 
     #[test]

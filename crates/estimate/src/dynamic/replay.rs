@@ -5,11 +5,12 @@ use super::{Belief, System};
 use crate::error::{Argument, Code, Error};
 use crate::kf::{belief_fits, kalman_step};
 use crate::lti::{Lti, SystemSizes};
+use crate::validate::affordable_steps;
 use filters::Gaussian;
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OMatrix, U1};
 
-/// The most steps of a log of a linear system.
+/// The most steps of a log of a linear system; of a large one fewer, see [`MAX_WORK`](crate::validate::MAX_WORK).
 pub const MAX_LOG: usize = 100_000;
 
 /// What a filtered log answers.
@@ -29,13 +30,16 @@ pub struct Replayed {
 /// # Errors
 /// Those of the step, saying at which, with `inputs` for u and `readings` for y; [`Code::Shape`] when the rows do not
 /// fit the system or each other, [`Code::NotFinite`] naming the number, [`Code::Limit`] for no step or more than
-/// [`MAX_LOG`].
+/// [`MAX_LOG`], or than [`MAX_WORK`](crate::validate::MAX_WORK) leaves for a system of this size: a longer log is replayed in
+/// parts, each from the last belief of the one before.
 pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings: &[f64]) -> Result<Replayed, Error> {
     let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
     belief_fits(belief, n)?;
     let steps = readings.len() / p;
-    if !(1..=MAX_LOG).contains(&steps) && readings.len().is_multiple_of(p) {
-        let message = format!("holds {steps} steps; a log has at least 1 and at most {MAX_LOG}");
+    let most = affordable_steps(n, p, MAX_LOG);
+    if !(1..=most).contains(&steps) && readings.len().is_multiple_of(p) {
+        let message =
+            format!("holds {steps} steps; of {n} states and {p} outputs at least 1 and at most {most} are accepted");
         return Err(Error::new(Code::Limit, "readings", message));
     }
     rows(readings, (steps, p), "readings")?;

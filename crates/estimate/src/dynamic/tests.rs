@@ -219,6 +219,23 @@ fn a_log_replayed_is_its_steps_one_by_one_bit_for_bit() {
     }
 }
 
+/// 16 states and 8 outputs: a call takes a tenth of the steps that a small system may ask for.
+#[test]
+fn a_large_system_is_given_fewer_steps() {
+    let (n, p) = (16, 8);
+    let (eye, wide) = (DMatrix::identity(n, n), DMatrix::identity(p, n));
+    let system = System::new(eye.clone(), DMatrix::zeros(n, 0), wide, eye.clone(), DMatrix::identity(p, p));
+    let system = system.expect("sound");
+    let refused = steady_state_gain(&system, eye.clone(), 10_001, 0.0).expect_err("too much work");
+    assert_eq!((refused.code, refused.argument.as_ref()), (Code::Limit, "maxIterations"));
+    let few = steady_state_gain(&system, eye.clone(), 10_000, 1e-9).expect("as many as are given by default");
+    assert!(few.gain_converged);
+    let belief = belief_from(DVector::zeros(n), eye).expect("sound");
+    let refused = kalman_replay(&system, &belief, &[], &vec![0.0; 10_001 * p]).expect_err("too much work");
+    assert_eq!((refused.code, refused.argument.as_ref()), (Code::Limit, "readings"));
+    assert!(refused.message.contains("of 16 states and 8 outputs at least 1 and at most 10000"), "{}", refused.message);
+}
+
 #[test]
 fn a_log_that_does_not_fit_is_refused_by_name() {
     let (system, belief) = rail();
