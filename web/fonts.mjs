@@ -49,7 +49,8 @@ const TEXT = [
 
 /** KaTeX's faces, whole where a formula may need any sign of them, else down to letters, digits and the signs in use. */
 const LETTERS = range(0x30, 0x39) + range(0x41, 0x5a) + range(0x61, 0x7a)
-const SIGNS = '±×÷¬ˉˆ˙˜ˇ´`¨˘˚^¯·°…′‵ℓℏℜℑ℘ℵ←↑→↓↔↕↦↩↪⇐⇑⇒⇓⇔⟵⟶⟷⟸⟹⟺∀∂∃∅∇∈∉∋∏∐∑−∓∗∘∙√∝∞∠∣∥∧∨∩∪∫∮∼≀≃≅≈≍≐≠≡≤≥≪≫≺≻⊂⊃⊆⊇⊎⊓⊔⊕⊖⊗⊘⊙⊢⊣⊤⊥⊨⋀⋁⋂⋃⋄⋅⋆⋮⋯⋱⌈⌉⌊⌋⟨⟩⟮⟯—–‖†‡\u200b\u0338\u20d7'
+// U+E020 is KaTeX's own: the stroke of ≠.
+const SIGNS = '±×÷¬ˉˆ˙˜ˇ´`¨˘˚^¯·°…′‵ℓℏℜℑ℘ℵ←↑→↓↔↕↦↩↪⇐⇑⇒⇓⇔⟵⟶⟷⟸⟹⟺∀∂∃∅∇∈∉∋∏∐∑−∓∗∘∙√∝∞∠∣∥∧∨∩∪∫∮∼≀≃≅≈≍≐≠≡≤≥≪≫≺≻⊂⊃⊆⊇⊎⊓⊔⊕⊖⊗⊘⊙⊢⊣⊤⊥⊨⋀⋁⋂⋃⋄⋅⋆⋮⋯⋱⌈⌉⌊⌋⟨⟩⟮⟯—–‖†‡\u00a0\u200b\u0338\u20d7\ue020'
 const KATEX = {
   'AMS-Regular': `${LETTERS}⊞⊟⊠⊡■□◼★∁∄∅∖≜≦≧⩽⩾⪅⪆`, 'Caligraphic-Bold': LETTERS, 'Caligraphic-Regular': LETTERS, 'Fraktur-Bold': LETTERS, 'Fraktur-Regular': LETTERS,
   'Main-Bold': ASCII + GREEK + SIGNS, 'Main-BoldItalic': ASCII + GREEK, 'Main-Italic': ASCII + GREEK, 'Main-Regular': ASCII + GREEK + SIGNS, 'Math-BoldItalic': `${LETTERS}${GREEK}ϵϑϕϖϱς∂ıȷℓ`,
