@@ -116,8 +116,8 @@ need_tool() {
   PATH=$home/bin:$PATH
 }
 
-# The tools run for seconds, so they are compiled quickly and not to be quick: a third of the time that their own settings
-# take. What an interrupted set-up has compiled is used by the next one.
+# The tools run for a second, so they are compiled quickly and not to be quick. What an interrupted set-up has compiled is used
+# by the next one.
 install_tool() {
   local program=$1 crate=$2 version=$3 home=$tools/$2-$3
   shift 3
@@ -126,14 +126,14 @@ install_tool() {
   # A failed or interrupted build leaves nothing that looks like a finished one: the folder gets its name at the end.
   rm -rf "$home".part*
   # No --locked: a lock file inside a crate can name a release that a registry mirror does not hold.
-  CARGO_TARGET_DIR=$tools/build CARGO_PROFILE_RELEASE_OPT_LEVEL=1 CARGO_PROFILE_RELEASE_LTO=off \
+  CARGO_TARGET_DIR=$tools/build CARGO_PROFILE_RELEASE_OPT_LEVEL=0 CARGO_PROFILE_RELEASE_LTO=off \
     CARGO_PROFILE_RELEASE_CODEGEN_UNITS=64 CARGO_PROFILE_RELEASE_DEBUG=0 \
     cargo install "$crate" --version "$version" --root "$home.part" --force "$@" >&2 || {
     rm -rf "$home.part"
     fail "$crate $version could not be built." \
       "Read the messages above; or put $program $version on PATH by other means and run this again."
   }
-  rm -rf "$home"
+  rm -rf "$home" "$tools/build"
   mv "$home.part" "$home"
 }
 

@@ -58,10 +58,10 @@ export class Rebuilder {
     return Buffer.from(page.toString('utf8').replace('</head>', `<script src="${SCRIPT}" defer></script></head>`))
   }
 
-  /** Looks for changes and builds after each, for ever. */
-  async watch() {
+  /** Looks for changes and builds after each. @param {AbortSignal} [until] for ever where there is none */
+  async watch(until) {
     let seen = await this.#look()
-    for (;;) {
+    while (!until?.aborted) {
       await new Promise((resolve) => setTimeout(resolve, INTERVAL))
       const now = await this.#look()
       const changed = [...now].filter(([file, mark]) => seen.get(file) !== mark).map(([file]) => file)
@@ -97,7 +97,7 @@ export class Rebuilder {
   /** Runs the build; what it said where it failed. @returns {Promise<string | undefined>} */
   #build() {
     return new Promise((resolve) => {
-      const build = spawn('scripts/build', { cwd: this.#root, stdio: ['ignore', 'inherit', 'pipe'] })
+      const build = spawn(path.join(this.#root, 'scripts/build'), { cwd: this.#root, stdio: ['ignore', 'inherit', 'pipe'] })
       let said = ''
       build.stderr.on('data', (part) => {
         process.stderr.write(part)

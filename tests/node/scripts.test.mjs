@@ -1,0 +1,82 @@
+// What the scripts share (scripts/common.sh): one at a time where they must be, tools set up whole or not at all, arguments
+// refused before any work.
+import { after, test } from 'node:test'
+import assert from 'node:assert/strict'
+import { spawn, spawnSync } from 'node:child_process'
+import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { once } from 'node:events'
+import { tmpdir } from 'node:os'
+import path from 'node:path'
+import { fileURLToPath } from 'node:url'
+
+const root = fileURLToPath(new URL('../..', import.meta.url))
+const home = mkdtempSync(path.join(tmpdir(), 'scripts-'))
+after(() => rmSync(home, { recursive: true }))
+
+/** Runs lines of bash after scripts/common.sh. */
+const bash = (lines, env = {}) => spawn('bash', ['-c', `. scripts/common.sh; ${lines}`], { cwd: root, env: { ...process.env, ...env } })
+const ended = async (program) => {
+  let said = ''
+  program.stderr.on('data', (part) => { said += part })
+  const [status] = await once(program, 'close')
+  return { status, said }
+}
+
+test('of two scripts under one lock the second waits, and says so', async () => {
+  const [lock, log] = [path.join(home, 'lock'), path.join(home, 'log')]
+  const run = (name) => bash(`work() { echo '${name} in' >>'${log}'; sleep 0.5; echo '${name} out' >>'${log}'; }; alone '${lock}' 'the other' work`)
+  const both = await Promise.all([ended(run('a')), ended(run('b'))])
+  assert.deepEqual(both.map(({ status }) => status), [0, 0])
+  const [first, second] = readFileSync(log, 'utf8')[0] === 'a' ? ['a', 'b'] : ['b', 'a']
+  assert.equal(readFileSync(log, 'utf8'), `${first} in\n${first} out\n${second} in\n${second} out\n`)
+  assert.match(both.map(({ said }) => said).join(''), /Waiting for the other to end/)
+})
+
+test('a lock ends with the script that held it, however it ends', async () => {
+  const lock = path.join(home, 'lock-killed')
+  const holder = bash(`alone '${lock}' 'the other' exec sleep 60`)
+  while (!readdirSync(home).includes('lock-killed')) await new Promise((resolve) => setTimeout(resolve, 50))
+  await new Promise((resolve) => setTimeout(resolve, 300))
+  const children = spawnSync('ps', ['-o', 'pid=', '--ppid', String(holder.pid)], { encoding: 'utf8' }).stdout.trim().split(/\s+/).filter(Boolean).map(Number)
+  for (const pid of [...children, holder.pid]) process.kill(pid, 'SIGKILL')
+  const { status } = await ended(bash(`alone '${lock}' 'the other' true`))
+  assert.equal(status, 0)
+})
+
+/** A cargo that installs a program or fails, in front of the real one. */
+function stub(name, body) {
+  const folder = path.join(home, name)
+  mkdirSync(folder)
+  writeFileSync(path.join(folder, 'cargo'), `#!/usr/bin/env bash\n${body}\n`, { mode: 0o755 })
+  return { PATH: `${folder}:${process.env.PATH}`, XDG_CACHE_HOME: path.join(folder, 'cache') }
+}
+
+test('a set-up that fails or was interrupted leaves nothing behind, and the next one succeeds', async () => {
+  const failing = stub('failing', 'exit 1')
+  const tools = path.join(failing.XDG_CACHE_HOME, 'robot-motion/tools')
+  mkdirSync(path.join(tools, 'a-tool-1.2.3.part-999/bin'), { recursive: true })
+  const failed = await ended(bash('need_tool a-tool a-tool 1.2.3', failing))
+  assert.equal(failed.status, 1)
+  assert.match(failed.said, /a-tool 1\.2\.3 could not be built/)
+  assert.deepEqual(readdirSync(tools).filter((name) => name.startsWith('a-tool')), [])
+
+  const working = stub('working', 'while [ "$1" != --root ]; do shift; done; mkdir -p "$2/bin"; printf "#!/bin/sh\\necho a-tool 1.2.3\\n" >"$2/bin/a-tool"; chmod +x "$2/bin/a-tool"')
+  const done = await ended(bash('need_tool a-tool a-tool 1.2.3; [ "$(a-tool --version)" = "a-tool 1.2.3" ]', working))
+  assert.equal(done.status, 0, done.said)
+  assert.deepEqual(readdirSync(path.join(working.XDG_CACHE_HOME, 'robot-motion/tools')).filter((name) => name.startsWith('a-tool')), ['a-tool-1.2.3'])
+})
+
+test('the module is compiled without the RUSTFLAGS of the user, who is told', async () => {
+  const quiet = stub('quiet', 'exit 0')
+  const { status, said } = await ended(bash('same_module_everywhere; [ -z "$(without_rustflags printenv RUSTFLAGS)" ]', { ...quiet, RUSTFLAGS: '-Ctarget-cpu=native' }))
+  assert.equal(status, 0, said)
+  assert.match(said, /RUSTFLAGS is set/)
+})
+
+test('an argument that a script does not know stops it at once', () => {
+  for (const [script, argument] of [['serve', '--prot=80'], ['test', 'browsers'], ['bench', 'everything']]) {
+    const { status, stderr } = spawnSync('bash', [`scripts/${script}`, argument], { cwd: root, encoding: 'utf8', timeout: 60_000 })
+    assert.equal(status, 1, script)
+    assert.match(stderr, /knows|know /, script)
+  }
+})
