@@ -1,5 +1,5 @@
 // The nginx example of the page on hosting, read from that page and run in nginx itself over a small site. Skipped where there is
-// no nginx; ./scripts/test fetches Debian's where it can (NGINX names one that is not in the usual places).
+// no nginx, which .ci/run installs (NGINX names one that is not in the usual places).
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'
@@ -12,11 +12,10 @@ import path from 'node:path'
 import { fileURLToPath } from 'node:url'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
-const fetched = path.join(root, 'target/nginx')
-const nginx = [process.env.NGINX, '/usr/sbin/nginx', '/usr/local/bin/nginx', '/opt/homebrew/bin/nginx', path.join(fetched, 'usr/sbin/nginx')]
+const nginx = [process.env.NGINX, '/usr/sbin/nginx', '/usr/local/bin/nginx', '/opt/homebrew/bin/nginx']
   .find((program) => program && existsSync(program))
 /** Which ending is of which type, as Debian's package says it. */
-const types = ['/etc/nginx/mime.types', '/usr/local/etc/nginx/mime.types', '/opt/homebrew/etc/nginx/mime.types', path.join(fetched, 'etc/nginx/mime.types')].find(existsSync)
+const types = ['/etc/nginx/mime.types', '/usr/local/etc/nginx/mime.types', '/opt/homebrew/etc/nginx/mime.types'].find(existsSync)
 const skip = nginx && types ? false : 'no nginx here; Debian: apt-get install nginx-light'
 
 const LONG = 'The quick brown fox jumps over the lazy dog. '.repeat(100)
