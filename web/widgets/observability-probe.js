@@ -23,7 +23,7 @@ function verdict(frame) {
   const { params, frozen, alongPath, slam } = frame
   if (slam) {
     const worst = slam.worst ? ` The worst stands ${fixed(slam.worst.error, 2)} m off, ${fixed(slam.worst.sigma, 1)} of its own σ.` : ''
-    return `The map is forgotten: ${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.${worst}`
+    return `The map is forgotten: ${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.${worst}${slam.full ? ' The map is full: it founds no more.' : ''}`
   }
   const many = params.count === 1 ? 'landmark' : 'landmarks'
   const what = `${NUMBERS[params.count]} ${many}, ${frame.sensor === 'range' ? 'range only' : 'range and bearing'}: rank ${frozen.rank} frozen, ${alongPath.rank} along the path.`

@@ -15,11 +15,19 @@ extern "C" {
     #[wasm_bindgen(js_namespace = Array, js_name = from)]
     pub(crate) fn list(numbers: &[f64]) -> JsValue;
 
+    // Short lists are quicker to make of their entries than of a view of the memory.
+    #[wasm_bindgen(js_namespace = Array, js_name = of)]
+    fn pair(first: f64, second: f64) -> JsValue;
+    #[wasm_bindgen(js_namespace = Array, js_name = of)]
+    fn triple(first: f64, second: f64, third: f64) -> JsValue;
+
+    #[wasm_bindgen(js_name = Object)]
+    type Fresh;
     // On a new object neither fails. A number is handed over as it is, without a place in the table of references.
-    #[wasm_bindgen(js_namespace = Reflect, js_name = set)]
-    fn put(object: &JsValue, name: &JsValue, value: &JsValue);
-    #[wasm_bindgen(js_namespace = Reflect, js_name = set)]
-    fn put_number(object: &JsValue, name: &JsValue, value: f64);
+    #[wasm_bindgen(method, structural, indexing_setter)]
+    fn put(this: &Fresh, name: &JsValue, value: &JsValue);
+    #[wasm_bindgen(method, structural, indexing_setter)]
+    fn put_number(this: &Fresh, name: &JsValue, value: f64);
 }
 
 type Names = Vec<(*const Field, &'static [JsValue])>;
@@ -93,7 +101,11 @@ impl<'a> Row<'a> {
 
     fn entries(&mut self, n: usize, entry: &'static Shape) -> JsValue {
         if matches!(entry, Shape::Number) {
-            return list(self.numbers(n));
+            return match *self.numbers(n) {
+                [first, second] => pair(first, second),
+                [first, second, third] => triple(first, second, third),
+                ref numbers => list(numbers),
+            };
         }
         let entries = Array::new();
         for _ in 0..n {
@@ -103,14 +115,14 @@ impl<'a> Row<'a> {
     }
 
     fn fields(&mut self, fields: &'static [Field]) -> JsValue {
-        let object = JsValue::from(js_sys::Object::new());
+        let object: Fresh = js_sys::Object::new().unchecked_into();
         for (field, name) in fields.iter().zip(names(fields)) {
             match field.shape {
-                Shape::Number | Shape::Whole => put_number(&object, name, self.number()),
-                ref shape => put(&object, name, &self.value(shape)),
+                Shape::Number | Shape::Whole => object.put_number(name, self.number()),
+                ref shape => object.put(name, &self.value(shape)),
             }
         }
-        object
+        object.into()
     }
 }
 
@@ -124,11 +136,11 @@ pub(crate) fn shown<T: labs::Plain>(value: &T) -> JsValue {
 
 /// An object of these fields.
 pub(crate) fn record(fields: &[(&str, JsValue)]) -> JsValue {
-    let object = JsValue::from(js_sys::Object::new());
+    let object: Fresh = js_sys::Object::new().unchecked_into();
     for (name, value) in fields {
-        put(&object, &(*name).into(), value);
+        object.put(&(*name).into(), value);
     }
-    object
+    object.into()
 }
 
 #[cfg(feature = "functions")]

@@ -257,6 +257,11 @@ impl EkfSlam {
         let used = self.ids.iter().chain(named).copied().chain(reports.iter().filter_map(|r| r.landmark));
         used.max().map_or(Some(1), |id| id.checked_add(1))
     }
+
+    /// From now on no sighting founds a landmark, unless it names a new one: what would have founded one is rejected.
+    pub fn close_map(&mut self) {
+        self.thresholds.found = f64::INFINITY;
+    }
 }
 
 /// The refusal of a change after which P would consist of rounding, since its terms differ too much in size.

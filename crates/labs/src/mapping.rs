@@ -58,6 +58,8 @@ pub(crate) struct Mapping {
     /// For each landmark of the map, which of the world's it was founded on.
     pub truth: Vec<usize>,
     pub tally: Tally,
+    /// How many landmarks the map may hold. When the next step could pass this, the map is closed.
+    pub most: usize,
     /// Sightings of the last step.
     last_seen: usize,
     world: Vec<Landmark>,
@@ -74,6 +76,7 @@ impl Mapping {
             slam,
             truth: Vec::new(),
             tally: Tally::default(),
+            most: usize::MAX,
             last_seen: 0,
             world: world.to_vec(),
             constants: *constants,
@@ -108,6 +111,9 @@ impl Mapping {
         if readings.is_empty() {
             return Ok(Vec::new());
         }
+        if self.is_full() {
+            self.slam.close_map();
+        }
         let reports = self.slam.update(&readings)?;
         let ids: Vec<u32> = self.slam.landmarks().map(|l| l.id).collect();
         let pairs = seen.into_iter().zip(reports);
@@ -117,6 +123,11 @@ impl Mapping {
                 Seen { truth, range: z.range, bearing: z.bearing, report }
             })
             .collect())
+    }
+
+    /// Whether the map founds no more landmarks: those of one more step might be too many.
+    pub fn is_full(&self) -> bool {
+        self.slam.landmarks().count() + self.world.len() > self.most
     }
 
     fn count(&mut self, truth: usize, report: &Report, ids: &[u32]) {

@@ -72,7 +72,9 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
     let p = symmetric(turn * Matrix2::from_diagonal(&axes) * turn.transpose());
     let sensor = rotation(params.tilt);
     let (along, h) = (sensor.column(0).into_owned(), RowVector2::new(sensor[(0, 1)], sensor[(1, 1)]));
-    let (y, w) = (Vector1::new(params.reading), Matrix1::new(params.noise));
+    // A variance whose square is lost below the smallest number has no digits to compute with, and no ellipse shows it.
+    let noise = if params.noise < 1e-150 { 0.0 } else { params.noise };
+    let (y, w) = (Vector1::new(params.reading), Matrix1::new(noise));
 
     let predicted = Gaussian { x, p };
     let (posterior, Update { innovation, s, k, .. }) = predicted.corrected(&y, &h, &w)?;

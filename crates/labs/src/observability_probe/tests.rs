@@ -142,3 +142,15 @@ fn every_arrangement_runs() {
         }
     }
 }
+
+/// Three landmarks so close together that a sighting of one is often taken for a new one.
+#[test]
+fn a_map_of_ghosts_is_closed_when_it_is_full() {
+    let params =
+        ProbeParams { count: 3, forget: true, landmarks: [[2.0, 3.0], [2.3, 3.0], [2.6, 3.0]], ..Default::default() };
+    let slam = |steps| at(params, steps).frame().slam.expect("a map");
+    let full = slam(10_000);
+    assert!(full.full && full.landmarks.len() <= MAX_MAP, "{} landmarks", full.landmarks.len());
+    assert!(full.spurious > 0);
+    assert!(!slam(1).full);
+}

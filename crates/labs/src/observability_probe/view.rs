@@ -106,6 +106,7 @@ fn map_shape(mapping: &Mapping) -> ProbeMap {
         rejected,
         wrong,
         spurious,
+        full: mapping.is_full(),
         worst: mapping.worst(),
     }
 }

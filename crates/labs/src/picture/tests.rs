@@ -78,3 +78,15 @@ fn steps_change_nothing() {
 fn drawn(frame: &PictureFrame) -> EllipseShape {
     ellipse_of(&Matrix2::new(frame.p[0][0], frame.p[0][1], frame.p[1][0], frame.p[1][1]))
 }
+
+#[test]
+fn every_noise_of_the_range_has_a_picture() {
+    for noise in [5e-324, 1e-310, 2.2e-308, 1e-300, 1e-160, 1e-154, 1e-20, 4.0] {
+        let frame = of(PictureParams { noise, ..PictureParams::default() });
+        let numbers = Params::numbers(&frame.params);
+        assert!(numbers.iter().all(|n| n.is_finite()) && frame.most_likely_output.is_finite(), "{noise}");
+        if noise < 1e-20 {
+            assert!((frame.most_likely_output - 2.7).abs() < 1e-15, "{noise}: {}", frame.most_likely_output);
+        }
+    }
+}
