@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use serde::{Deserialize, Serialize};
 
 use crate::diagnostic::BuildError;
+use crate::file;
 
 /// The assets of the site.
 #[derive(Clone, Debug, Default)]
@@ -54,12 +55,14 @@ impl Assets {
     /// # Errors
     /// [`BuildError::File`] when one cannot be read.
     pub fn files(&self) -> Result<Vec<(String, Vec<u8>)>, BuildError> {
-        let mut files = Vec::new();
-        if let Some(folder) = &self.folder {
-            collect(folder, "", &mut files)?;
-        }
-        files.retain(|(path, _)| !["manifest.json", "inline.json", "sw.js"].contains(&path.as_str()));
-        Ok(files)
+        let Some(folder) = &self.folder else { return Ok(Vec::new()) };
+        let mut names = file::below(folder)?;
+        names.retain(|name| !["manifest.json", "inline.json", "sw.js"].contains(&name.as_str()));
+        let read = |name: String| {
+            let path = folder.join(&name);
+            Ok((name, std::fs::read(&path).map_err(BuildError::file(&path))?))
+        };
+        names.into_iter().map(read).collect()
     }
 
     /// The service worker's template, where there is one.
@@ -75,23 +78,5 @@ impl Assets {
 
 /// A list by logical name.
 fn read<T: serde::de::DeserializeOwned>(path: &Path) -> Result<BTreeMap<String, T>, BuildError> {
-    let name = path.display().to_string();
-    let text = std::fs::read_to_string(path).map_err(|e| BuildError::File(name.clone(), e))?;
-    serde_json::from_str(&text).map_err(|e| BuildError::Missing(format!("{name}: {e}")))
-}
-
-fn collect(folder: &Path, below: &str, files: &mut Vec<(String, Vec<u8>)>) -> Result<(), BuildError> {
-    let fail = |path: &Path, e| BuildError::File(path.display().to_string(), e);
-    let mut entries: Vec<_> = std::fs::read_dir(folder).map_err(|e| fail(folder, e))?.flatten().collect();
-    entries.sort_by_key(std::fs::DirEntry::file_name);
-    for entry in entries {
-        let name = format!("{below}{}", entry.file_name().to_string_lossy());
-        let path = entry.path();
-        if path.is_dir() {
-            collect(&path, &format!("{name}/"), files)?;
-        } else {
-            files.push((name, std::fs::read(&path).map_err(|e| fail(&path, e))?));
-        }
-    }
-    Ok(())
+    serde_json::from_str(&file::read(path)?).map_err(|e| BuildError::Missing(format!("{}: {e}", path.display())))
 }

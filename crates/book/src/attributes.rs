@@ -20,40 +20,34 @@ impl Attributes {
         let mut attributes = Self::default();
         let mut rest = text.trim();
         while !rest.is_empty() {
-            if let Some(tail) = rest.strip_prefix('#') {
+            let (key, value, after) = if let Some(tail) = rest.strip_prefix('#') {
                 let (id, after) = word(tail);
-                if id.is_empty() || attributes.id.replace(id.to_string()).is_some() {
-                    return Err(format!("one id is expected in {{{text}}}"));
-                }
-                rest = after;
+                ("id", id, after)
             } else if let Some(tail) = rest.strip_prefix('.') {
                 let (class, after) = word(tail);
-                attributes.classes.push(class.to_string());
-                rest = after;
+                (".", class, after)
             } else {
-                let Some((key, tail)) = rest.split_once('=') else {
-                    return Err(format!("`{rest}` in {{{text}}} is neither #id, .class nor key=\"value\""));
-                };
+                let (key, tail) = rest
+                    .split_once('=')
+                    .ok_or_else(|| format!("`{rest}` in {{{text}}} is neither #id, .class nor key=\"value\""))?;
                 let (value, after) = match tail.chars().next().filter(|c| matches!(c, '"' | '\'')) {
                     Some(quote) => {
                         tail[1..].split_once(quote).ok_or_else(|| format!("a quote is not closed in {{{text}}}"))?
                     }
                     None => word(tail),
                 };
-                let key = key.trim();
-                if attributes.value(key).is_some() {
-                    return Err(format!("`{key}` stands twice in {{{text}}}"));
+                (key.trim(), value, after)
+            };
+            match key {
+                "." => attributes.classes.push(value.to_string()),
+                "id" if value.is_empty() || attributes.id.is_some() => {
+                    return Err(format!("one id is expected in {{{text}}}"));
                 }
-                attributes.values.push((key.to_string(), value.to_string()));
-                rest = after;
+                "id" => attributes.id = Some(value.to_string()),
+                key if attributes.value(key).is_some() => return Err(format!("`{key}` stands twice in {{{text}}}")),
+                key => attributes.values.push((key.to_string(), value.to_string())),
             }
-            rest = rest.trim_start();
-        }
-        if let Some(position) = attributes.values.iter().position(|(key, _)| key == "id") {
-            let (_, id) = attributes.values.remove(position);
-            if attributes.id.replace(id).is_some() {
-                return Err(format!("two ids in {{{text}}}"));
-            }
+            rest = after.trim_start();
         }
         Ok(attributes)
     }

@@ -2,16 +2,18 @@
 
 use std::path::Path;
 
+use labs::checks::Check;
 use minijinja::value::Serde;
 use minijinja::{Value, context};
 use serde::Serialize;
 
 use crate::asset::Assets;
-use crate::check::{self, Check};
+use crate::check;
 use crate::config::Chapter;
 use crate::diagnostic::{BuildError, Diagnostics};
 use crate::dist::Dist;
 use crate::figure::Figure;
+use crate::file;
 use crate::hash::fnv1a;
 use crate::page;
 use crate::site::Site;
@@ -56,7 +58,7 @@ impl Build<'_> {
         }
         for page in &config.pages {
             let path = format!("content/pages/{}.md", page.slug);
-            let file = std::fs::read_to_string(self.root.join(&path)).map_err(|e| BuildError::File(path.clone(), e))?;
+            let file = file::read(&self.root.join(&path))?;
             pages.text(None, &page.slug, &[(path, file)], &page.title, &page.description)?;
         }
         match self.diagnostics.check() {
@@ -64,7 +66,7 @@ impl Build<'_> {
             result => result?,
         }
         pages.page("cover", "index.html", &config.title, &config.description, context! {})?;
-        let checks = serde(check::rows(self.checks, &self.site.sources));
+        let checks = check::rows(self.checks, &self.site.sources);
         let about = "The checks that pin every number of the chapter, run again in your own browser.";
         pages.page("check", "check/", "Check this book", about, context! { checks })?;
         pages.page("404", "404.html", "Not found", "There is no such page in this book.", context! {})?;

@@ -1,32 +1,9 @@
 //! The page that runs the chapter's checks again in the reader's own browser.
 
-use serde::Serialize;
+use labs::checks::Check;
+use minijinja::{Value, context};
 
 use crate::source::Sources;
-
-/// A check as computed when the book was built.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
-pub struct Check {
-    /// 1 to 13.
-    pub id: u8,
-    /// What it claims.
-    pub title: String,
-    /// The value it should have.
-    pub expected: String,
-    /// The value it had, natively.
-    pub actual: String,
-    /// The largest difference allowed between the two.
-    pub tolerance: String,
-}
-
-impl From<labs::checks::Check> for Check {
-    fn from(check: labs::checks::Check) -> Self {
-        let list = |values: &[f64]| values.iter().map(|&value| short(value)).collect::<Vec<_>>().join(", ");
-        let title = check.title.to_string();
-        let (expected, actual) = (list(&check.expected), list(&check.actual));
-        Self { id: check.id, title, expected, actual, tolerance: short(check.tolerance) }
-    }
-}
 
 /// A value in six significant digits, as the page's script prints it too.
 fn short(value: f64) -> String {
@@ -44,24 +21,22 @@ fn short(value: f64) -> String {
     }
 }
 
-/// A row of the page.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-pub struct Row {
-    /// The check.
-    #[serde(flatten)]
-    pub check: Check,
-    /// The page of its test, at its line.
-    pub source: String,
-}
-
 /// The file that holds the checks as tests.
 const TESTS: &str = "tests/thirteen_checks.rs";
 
 /// The rows of the page, which lies one level below the site's root.
-pub fn rows(checks: &[Check], sources: &Sources) -> Vec<Row> {
+pub fn rows(checks: &[Check], sources: &Sources) -> Vec<Value> {
+    let list = |values: &[f64]| values.iter().map(|&value| short(value)).collect::<Vec<_>>().join(", ");
     let row = |check: &Check| {
         let line = sources.line_of(TESTS, &format!("fn check_{}_", check.id)).unwrap_or(1);
-        Row { check: check.clone(), source: format!("../source/{TESTS}.html#L{line}") }
+        context! {
+            id => check.id,
+            title => check.title,
+            expected => list(&check.expected),
+            actual => list(&check.actual),
+            tolerance => short(check.tolerance),
+            source => format!("../source/{TESTS}.html#L{line}"),
+        }
     };
     checks.iter().map(row).collect()
 }

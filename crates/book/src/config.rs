@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 use toml::Spanned;
 
 use crate::diagnostic::{BuildError, Diagnostics, Place};
+use crate::file;
 
 /// The book: its title page, its chapters, its pages.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
@@ -90,7 +91,7 @@ impl DataFile {
         let name = format!("content/{name}");
         let path = root.join(&name);
         let text = match path.exists() {
-            true => std::fs::read_to_string(&path).map_err(|e| BuildError::File(name.clone(), e))?,
+            true => file::read(&path)?,
             false => String::new(),
         };
         Ok(Self { name, text })

@@ -2,6 +2,7 @@
 
 use std::cell::RefCell;
 use std::fmt;
+use std::path::Path;
 
 /// A place in the content.
 #[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -95,6 +96,13 @@ impl fmt::Display for BuildError {
             Self::File(path, error) => write!(f, "{path}: {error}"),
             Self::Missing(what) => f.write_str(what),
         }
+    }
+}
+
+impl BuildError {
+    /// What becomes of an error of reading or writing `path`.
+    pub fn file(path: &Path) -> impl Fn(std::io::Error) -> Self {
+        |error| Self::File(path.display().to_string(), error)
     }
 }
 

@@ -83,20 +83,19 @@ impl Dist {
     /// # Errors
     /// [`BuildError`] when the folder is not ours, or a file cannot be written.
     pub fn write(&self, folder: &Path) -> Result<(), BuildError> {
-        let fail = |path: &Path, e| BuildError::File(path.display().to_string(), e);
         let used = std::fs::read_dir(folder).is_ok_and(|mut entries| entries.next().is_some());
         if used && !folder.join("precache.json").exists() {
             return Err(BuildError::Missing(format!("{} holds something else than a built site", folder.display())));
         }
         if used {
-            std::fs::remove_dir_all(folder).map_err(|e| fail(folder, e))?;
+            std::fs::remove_dir_all(folder).map_err(BuildError::file(folder))?;
         }
         for (path, bytes) in &self.files {
             let path: PathBuf = folder.join(path);
             if let Some(parent) = path.parent() {
-                std::fs::create_dir_all(parent).map_err(|e| fail(parent, e))?;
+                std::fs::create_dir_all(parent).map_err(BuildError::file(parent))?;
             }
-            std::fs::write(&path, bytes).map_err(|e| fail(&path, e))?;
+            std::fs::write(&path, bytes).map_err(BuildError::file(&path))?;
         }
         Ok(())
     }

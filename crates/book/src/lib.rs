@@ -17,6 +17,7 @@ mod diagnostic;
 mod directive;
 mod dist;
 mod figure;
+mod file;
 mod glossary;
 mod hash;
 mod html;
@@ -46,7 +47,6 @@ mod writer;
 
 pub use asset::Assets;
 pub use build::Build;
-pub use check::Check;
 pub use config::{Chapter, Config, Page};
 pub use diagnostic::{BuildError, Diagnostic, Diagnostics, Place};
 pub use dist::Dist;

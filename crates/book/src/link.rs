@@ -3,6 +3,8 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use html5gum::{DefaultEmitter, StartTag, Token, Tokenizer};
+
 /// The ids and links of a page, and what is wrong with its tags.
 #[derive(Debug, Default)]
 struct Page {
@@ -67,67 +69,53 @@ fn resolve(path: &str, address: &str) -> String {
     if address.is_empty() {
         return path.to_string();
     }
-    let mut parts: Vec<&str> = path.split('/').collect();
-    parts.pop();
-    for part in address.split('/') {
+    let folder = path.rfind('/').map_or("", |end| &path[..=end]);
+    let mut parts = Vec::new();
+    for part in folder.split_terminator('/').chain(address.split('/')) {
         match part {
             "." => {}
-            ".." => {
-                parts.pop();
-            }
+            ".." => drop(parts.pop()),
             part => parts.push(part),
         }
     }
-    let joined = parts.join("/");
-    if (address == ".." || address == "." || address.ends_with("/..")) && !joined.is_empty() {
-        format!("{joined}/")
-    } else {
-        joined
+    // An address that ends in dots names a folder.
+    if matches!(address.rsplit('/').next(), Some("." | "..")) && !parts.is_empty() {
+        parts.push("");
     }
+    parts.join("/")
 }
 
 fn parse(html: &str) -> Page {
     let mut page = Page::default();
     let mut open: Vec<String> = Vec::new();
-    let mut rest = html;
-    while let Some(start) = rest.find('<') {
-        rest = &rest[start + 1..];
-        if let Some(comment) = rest.strip_prefix("!--") {
-            rest = comment.find("-->").map_or("", |end| &comment[end + 3..]);
-            continue;
-        }
-        let end = tag_end(rest);
-        let tag = &rest[..end];
-        rest = rest.get(end + 1..).unwrap_or("");
-        if tag.starts_with('!') || tag.starts_with('?') {
-            continue;
-        }
-        if let Some(name) = tag.strip_prefix('/') {
-            let name = name.trim();
-            match open.pop() {
-                Some(last) if last == name => {}
-                last => {
-                    page.faults.push(format!("</{name}> closes <{}>", last.unwrap_or_default()));
+    let mut emitter = DefaultEmitter::default();
+    // What stands in a script or a style holds no tags.
+    emitter.naively_switch_states(true);
+    for Ok(token) in Tokenizer::new_with_emitter(html, emitter) {
+        match token {
+            Token::StartTag(tag) => {
+                let name = text(&tag.name);
+                attributes(&name, &tag, &mut page);
+                let inside = |outer: &str| open.iter().any(|element| element == outer);
+                if BLOCKS.contains(&name.as_str()) && inside("p") {
+                    page.faults.push(format!("<{name}> stands in a paragraph"));
+                }
+                if name == "a" && (inside("a") || inside("button")) {
+                    page.faults.push("a link in a link".into());
+                }
+                if !(VOID.contains(&name.as_str()) || tag.self_closing) {
+                    open.push(name);
+                }
+            }
+            Token::EndTag(tag) => {
+                let (name, last) = (text(&tag.name), open.pop().unwrap_or_default());
+                if name != last {
+                    page.faults.push(format!("</{name}> closes <{last}>"));
                     return page;
                 }
             }
-            continue;
-        }
-        let name = tag.split([' ', '\n', '/']).next().unwrap_or_default().to_string();
-        attributes(&name, tag, &mut page);
-        let inside = |outer: &str| open.iter().any(|element| element == outer);
-        if BLOCKS.contains(&name.as_str()) && inside("p") {
-            page.faults.push(format!("<{name}> stands in a paragraph"));
-        }
-        if name == "a" && (inside("a") || inside("button")) {
-            page.faults.push(format!("a link in a link: <{tag}>"));
-        }
-        if !(VOID.contains(&name.as_str()) || tag.ends_with('/')) {
-            // A script or a style holds no tags.
-            if name == "script" || name == "style" {
-                rest = rest.find(&format!("</{name}>")).map_or("", |end| &rest[end..]);
-            }
-            open.push(name);
+            Token::Error(error) => page.faults.push(format!("HTML: {}", *error)),
+            Token::String(_) | Token::Comment(_) | Token::Doctype(_) => {}
         }
     }
     if !open.is_empty() {
@@ -136,32 +124,17 @@ fn parse(html: &str) -> Page {
     page
 }
 
-/// The end of a tag, quotes respected.
-fn tag_end(text: &str) -> usize {
-    let mut quote = None;
-    for (at, c) in text.char_indices() {
-        match (quote, c) {
-            (None, '>') => return at,
-            (None, '"' | '\'') => quote = Some(c),
-            (Some(open), c) if c == open => quote = None,
-            _ => {}
-        }
-    }
-    text.len()
+fn text(bytes: &[u8]) -> String {
+    String::from_utf8_lossy(bytes).into_owned()
 }
 
-fn attributes(name: &str, tag: &str, page: &mut Page) {
-    let mut rest = tag;
-    while let Some(at) = rest.find("=\"") {
-        let key = rest[..at].rsplit([' ', '\n']).next().unwrap_or_default().to_string();
-        let value = &rest[at + 2..];
-        let end = value.find('"').unwrap_or(value.len());
-        let text = value[..end].replace("&amp;", "&").replace("&quot;", "\"").replace("&#39;", "'");
-        rest = value.get(end + 1..).unwrap_or("");
+fn attributes(name: &str, tag: &StartTag<()>, page: &mut Page) {
+    for (key, value) in &tag.attributes {
+        let (key, value) = (text(key), text(value));
         match key.as_str() {
-            "id" if !page.ids.insert(text.clone()) => page.faults.push(format!("the id `{text}` stands twice")),
-            "href" | "src" => page.links.push((name.to_string(), key, text)),
-            "aria-labelledby" | "aria-describedby" | "for" => page.links.push(("#ref".into(), key, text)),
+            "id" if !page.ids.insert(value.clone()) => page.faults.push(format!("the id `{value}` stands twice")),
+            "href" | "src" => page.links.push((name.to_string(), key, value)),
+            "aria-labelledby" | "aria-describedby" | "for" => page.links.push(("#ref".into(), key, value)),
             _ if key.starts_with("on") => page.faults.push(format!("a handler in the page: {key}")),
             _ => {}
         }
@@ -210,6 +183,7 @@ mod tests {
             ("<p>", "not closed"),
             ("<a href=\"#a\" id=\"a\"><a href=\"#a\">x</a></a>", "a link in a link"),
             ("<p onclick=\"x\"></p>", "handler"),
+            ("<p title=\"a\" title=\"b\"></p>", "HTML: duplicate-attribute"),
         ];
         for (html, expected) in cases {
             let faults = check(&[("index.html", html)]);

@@ -1,65 +1,42 @@
-//! Builds the site: `book [--out dist] [--assets target/assets] [--stills target/stills] [--root .] [--strict]
-//! [--draft]`.
-//!
-//! `--strict` refuses a site whose scripts, styles or stills have not been built; `--draft` writes the pages in spite of
-//! what is wrong with the content, and says what is.
+//! Builds the site; `book --help` lists the options.
 
 use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use book::{Assets, Build, BuildError, Check, Diagnostics, Number, Outputs, Site};
+use book::{Assets, Build, BuildError, Diagnostics, Outputs, Site};
+use clap::Parser;
 use labs::givens::Givens;
 
-const USAGE: &str =
-    "usage: book [--out dist] [--assets target/assets] [--stills target/stills] [--root .] [--strict] [--draft]";
-
-/// What the command line asks for.
+/// Builds the site.
+#[derive(Parser)]
 struct Options {
+    /// The folder to write; what was in it goes.
+    #[arg(long, default_value = "dist")]
     out: PathBuf,
+    /// The folder of the scripts, styles and fonts.
+    #[arg(long, default_value = "target/assets")]
     assets: PathBuf,
+    /// The folder of the figures' still pictures.
+    #[arg(long, default_value = "target/stills")]
     stills: PathBuf,
+    /// The repository.
+    #[arg(long, default_value = ".")]
     root: PathBuf,
+    /// Refuses a site whose scripts, styles or stills have not been built.
+    #[arg(long)]
     strict: bool,
+    /// Writes the pages in spite of what is wrong with the content, and says what is.
+    #[arg(long)]
     draft: bool,
-}
-
-impl Options {
-    fn parse(mut arguments: impl Iterator<Item = String>) -> Result<Self, String> {
-        let mut options = Self {
-            out: "dist".into(),
-            assets: "target/assets".into(),
-            stills: "target/stills".into(),
-            root: ".".into(),
-            strict: false,
-            draft: false,
-        };
-        while let Some(argument) = arguments.next() {
-            let mut path = || {
-                let path = arguments.next().ok_or_else(|| format!("{argument} needs a path\n{USAGE}"));
-                path.map(PathBuf::from)
-            };
-            match argument.as_str() {
-                "--out" => options.out = path()?,
-                "--assets" => options.assets = path()?,
-                "--stills" => options.stills = path()?,
-                "--root" => options.root = path()?,
-                "--draft" => options.draft = true,
-                "--strict" => options.strict = true,
-                other => return Err(format!("unknown argument `{other}`\n{USAGE}")),
-            }
-        }
-        Ok(options)
-    }
 }
 
 fn build(options: &Options) -> Result<String, BuildError> {
     let start = Instant::now();
     let diagnostics = Diagnostics::default();
     let failed = |e| BuildError::Missing(format!("the labs: {e}"));
-    let numbers =
-        labs::numbers::with_ensembles(&Givens::default()).map_err(failed)?.into_iter().map(Number::from).collect();
-    let checks: Vec<Check> = labs::checks::chapter_checks().map_err(failed)?.into_iter().map(Check::from).collect();
+    let numbers = labs::numbers::with_ensembles(&Givens::default()).map_err(failed)?.into_iter().collect();
+    let checks = labs::checks::chapter_checks().map_err(failed)?;
     let stills = book::load_stills(&options.stills, options.strict)?;
     let site = Site::load(&options.root, numbers, Outputs::of(&options.root), stills, &diagnostics)?;
     let assets = Assets::load(&options.assets, options.strict)?;
@@ -92,9 +69,7 @@ fn build(options: &Options) -> Result<String, BuildError> {
 }
 
 fn main() -> ExitCode {
-    let result =
-        Options::parse(std::env::args().skip(1)).and_then(|options| build(&options).map_err(|e| e.to_string()));
-    match result {
+    match build(&Options::parse()) {
         Ok(done) => {
             println!("{done}");
             ExitCode::SUCCESS

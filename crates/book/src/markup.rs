@@ -2,12 +2,16 @@
 
 use std::fmt::Write;
 
+use roxmltree::Document;
+
+use crate::html::{escape, escape_text};
+
 /// An element or a text of KaTeX's markup, which is XML.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Node {
     /// A tag and what it holds.
     Element(Element),
-    /// Text as it stands in the source.
+    /// Text.
     Text(String),
 }
 
@@ -81,60 +85,33 @@ pub fn length(value: f64) -> String {
     }
 }
 
-/// The nodes of `html`, which is well formed.
-pub fn parse(html: &str) -> Vec<Node> {
-    let mut open = vec![Element::default()];
-    let mut rest = html;
-    while let Some(start) = rest.find('<') {
-        let Some(end) = rest[start..].find('>').map(|end| start + end) else { break };
-        let (text, tag) = (&rest[..start], &rest[start + 1..end]);
-        rest = &rest[end + 1..];
-        if !text.is_empty() {
-            add(&mut open, Node::Text(text.into()));
-        }
-        if tag.starts_with('/') {
-            if let (Some(done), true) = (open.pop(), !open.is_empty()) {
-                add(&mut open, Node::Element(done));
-            }
-            continue;
-        }
-        let element = opened(tag.trim_end_matches('/'));
-        if tag.ends_with('/') {
-            add(&mut open, Node::Element(element));
-        } else {
-            open.push(element);
-        }
-    }
-    if !rest.is_empty() {
-        add(&mut open, Node::Text(rest.into()));
-    }
-    open.swap_remove(0).children
+/// The nodes of `html`, which is well formed as XML is.
+///
+/// # Errors
+/// A message when it is not.
+pub fn parse(html: &str) -> Result<Vec<Node>, String> {
+    let html = format!("<formula>{html}</formula>");
+    let document = Document::parse(&html).map_err(|error| format!("the markup of a formula: {error}"))?;
+    Ok(document.root_element().children().map(node).collect())
 }
 
-fn add(open: &mut [Element], node: Node) {
-    if let Some(parent) = open.last_mut() {
-        parent.children.push(node);
+fn node(read: roxmltree::Node<'_, '_>) -> Node {
+    if !read.is_element() {
+        return Node::Text(read.text().unwrap_or_default().into());
     }
-}
-
-/// An element from what stands between `<` and `>`.
-fn opened(tag: &str) -> Element {
-    let (name, mut rest) = tag.split_once(' ').unwrap_or((tag, ""));
-    let mut element = Element { name: name.into(), ..Element::default() };
-    while let Some((attribute, after)) = rest.split_once('=') {
-        let quote = if after.starts_with('\'') { '\'' } else { '"' };
-        let Some((value, after)) = after.get(1..).and_then(|value| value.split_once(quote)) else { break };
-        match attribute.trim() {
-            "class" => element.classes = value.split_whitespace().map(String::from).collect(),
-            "style" => element.style = declarations(value),
-            attribute => element.rest.push((attribute.into(), value.into())),
+    let mut element = Element { name: read.tag_name().name().into(), ..Element::default() };
+    for attribute in read.attributes() {
+        match (attribute.name(), attribute.value()) {
+            ("class", value) => element.classes = value.split_whitespace().map(String::from).collect(),
+            ("style", value) => element.style = declarations(value),
+            (name, value) => element.rest.push((name.into(), value.into())),
         }
-        rest = after;
     }
     // KaTeX keeps attributes in a hash map: without an order, two builds of one formula would differ.
     element.rest.sort();
     element.style.sort();
-    element
+    element.children = read.children().map(node).collect();
+    Node::Element(element)
 }
 
 fn declarations(style: &str) -> Vec<(String, String)> {
@@ -145,7 +122,7 @@ fn declarations(style: &str) -> Vec<(String, String)> {
 /// Writes a node.
 pub fn write(node: &Node, out: &mut String) {
     let element = match node {
-        Node::Text(text) => return out.push_str(text),
+        Node::Text(text) => return out.push_str(&escape_text(text)),
         Node::Element(element) => element,
     };
     out.push('<');
@@ -162,7 +139,7 @@ pub fn write(node: &Node, out: &mut String) {
         let _ = write!(out, " style=\"{}\"", style.join(";"));
     }
     for (name, value) in &element.rest {
-        let _ = write!(out, " {name}=\"{value}\"");
+        let _ = write!(out, " {name}=\"{}\"", escape(value));
     }
     out.push('>');
     element.children.iter().for_each(|child| write(child, out));

@@ -2,27 +2,7 @@
 
 use std::collections::BTreeMap;
 
-/// A computed number.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Number {
-    /// Dotted name, as in `step1.P.11`.
-    pub id: String,
-    /// The value.
-    pub value: f64,
-    /// What it is, in words.
-    pub about: String,
-    /// The function that computes it, as in `labs::numbers::hand_steps`.
-    pub source: String,
-    /// The check of the chapter that pins it.
-    pub check: Option<u8>,
-}
-
-impl From<labs::numbers::Number> for Number {
-    fn from(number: labs::numbers::Number) -> Self {
-        let labs::numbers::Number { id, value, about, source, check } = number;
-        Self { id, value, about: about.to_string(), source: source.to_string(), check }
-    }
-}
+pub use labs::numbers::Number;
 
 /// Every number the content may print, by id.
 #[derive(Clone, Debug, Default)]
@@ -70,18 +50,13 @@ impl Format {
     /// # Errors
     /// A message when `text` is none of these.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let digits = |digits: &str| digits.parse().ok().filter(|&n: &usize| n <= 17);
-        let format = if text == "int" {
-            Some(Self::Whole)
-        } else if let Some(rest) = text.strip_prefix("%.") {
-            digits(rest).map(Self::Percent)
-        } else if let Some(rest) = text.strip_prefix('.').and_then(|rest| rest.strip_suffix('f')) {
-            digits(rest).map(Self::Fixed)
-        } else if let Some(rest) = text.strip_prefix('.').and_then(|rest| rest.strip_suffix('e')) {
-            digits(rest).map(Self::Power)
-        } else {
-            None
-        };
+        let formats: [(&str, &str, fn(usize) -> Self); 3] =
+            [(".", "f", Self::Fixed), (".", "e", Self::Power), ("%.", "", Self::Percent)];
+        let with_decimals = formats.into_iter().find_map(|(start, end, format)| {
+            let decimals = text.strip_prefix(start)?.strip_suffix(end)?.parse().ok()?;
+            (decimals <= 17).then(|| format(decimals))
+        });
+        let format = if text == "int" { Some(Self::Whole) } else { with_decimals };
         format.ok_or_else(|| format!("unknown number format `{text}`; use .3f, .2e, %.1 or int"))
     }
 

@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use crate::diagnostic::{BuildError, Diagnostics, Place};
 use crate::figure::{self, Figure};
+use crate::file;
 use crate::label::Labels;
 use crate::parse::parse;
 use crate::site::Site;
@@ -60,17 +61,9 @@ pub struct Found {
 /// # Errors
 /// [`BuildError::File`] when the folder or a file cannot be read.
 pub fn files(root: &Path, folder: &str) -> Result<Vec<(String, String)>, BuildError> {
-    let read = |e| BuildError::File(folder.to_string(), e);
-    let entries = std::fs::read_dir(root.join(folder)).map_err(read)?;
-    let names = entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned());
-    let mut names: Vec<String> = names.filter(|name| name.ends_with(".md")).collect();
-    names.sort();
-    let file = |name: String| {
-        let path = format!("{folder}/{name}");
-        let text = std::fs::read_to_string(root.join(&path)).map_err(|e| BuildError::File(path.clone(), e))?;
-        Ok((path, text))
-    };
-    names.into_iter().map(file).collect()
+    let folder_path = root.join(folder);
+    let names = file::below(&folder_path)?.into_iter().filter(|name| name.ends_with(".md") && !name.contains('/'));
+    names.map(|name| Ok((format!("{folder}/{name}"), file::read(&folder_path.join(name))?))).collect()
 }
 
 /// Renders `files` as one page at `address`, its sections numbered under `chapter`.

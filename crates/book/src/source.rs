@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use crate::diagnostic::BuildError;
+use crate::file;
 
 /// Every Rust source a page may show or link, by its path from the repository's root.
 #[derive(Clone, Debug, Default)]
@@ -40,27 +41,14 @@ impl Sources {
     /// [`BuildError::File`] when a file cannot be read.
     pub fn load(root: &Path) -> Result<Self, BuildError> {
         let mut sources = Self::default();
-        for folder in FOLDERS {
-            sources.folder(root, folder)?;
-        }
-        Ok(sources)
-    }
-
-    fn folder(&mut self, root: &Path, folder: &str) -> Result<(), BuildError> {
-        let Ok(entries) = std::fs::read_dir(root.join(folder)) else { return Ok(()) };
-        for entry in entries.flatten() {
-            let path = format!("{folder}/{}", entry.file_name().to_string_lossy());
-            if entry.path().is_dir() {
-                // The packages of the browser tests are not our sources.
-                if !path.ends_with("node_modules") {
-                    self.folder(root, &path)?;
-                }
-            } else if path.ends_with(".rs") {
-                let text = std::fs::read_to_string(entry.path()).map_err(|e| BuildError::File(path.clone(), e))?;
-                self.insert(path, text);
+        for folder in FOLDERS.iter().filter(|folder| root.join(folder).is_dir()) {
+            for name in file::below(&root.join(folder))?.iter().filter(|name| name.ends_with(".rs")) {
+                let path = format!("{folder}/{name}");
+                let text = file::read(&root.join(&path))?;
+                sources.insert(path, text);
             }
         }
-        Ok(())
+        Ok(sources)
     }
 
     /// Adds a file.

@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use crate::diagnostic::BuildError;
+use crate::file;
 
 /// The custom elements a figure can hold.
 pub const WIDGETS: [&str; 4] = ["observer-bench", "odometry-hook", "observability-probe", "kalman-picture"];
@@ -38,9 +39,7 @@ pub fn load(folder: &Path, strict: bool) -> Result<Stills, BuildError> {
             }
             continue;
         }
-        let read =
-            |path: &Path| std::fs::read_to_string(path).map_err(|e| BuildError::File(path.display().to_string(), e));
-        stills.insert(name, Still { svg: read(&svg)?, words: read(&words)?.trim().to_string() });
+        stills.insert(name, Still { svg: file::read(&svg)?, words: file::read(&words)?.trim().to_string() });
     }
     Ok(stills)
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use minijinja::{Environment, UndefinedBehavior, Value};
 
 use crate::diagnostic::BuildError;
+use crate::file;
 use crate::html::escape;
 
 /// The templates of pages.
@@ -22,10 +23,8 @@ impl Templates {
     pub fn load(root: &Path) -> Result<Self, BuildError> {
         let folder = root.join("web/templates");
         let mut environment = environment();
-        let entries = std::fs::read_dir(&folder).map_err(|e| BuildError::File(folder.display().to_string(), e))?;
-        for entry in entries.flatten() {
-            let name = entry.file_name().to_string_lossy().into_owned();
-            let text = std::fs::read_to_string(entry.path()).map_err(|e| BuildError::File(name.clone(), e))?;
+        for name in file::below(&folder)? {
+            let text = file::read(&folder.join(&name))?;
             environment
                 .add_template_owned(name, text)
                 .map_err(|e| BuildError::Missing(format!("web/templates: {e}")))?;

@@ -148,7 +148,7 @@ impl<'a> Writer<'a> {
     /// Adds words, for the page and for the search.
     pub(crate) fn text(&mut self, text: &str) {
         self.words.push_str(text);
-        escape_text(text, &mut self.html);
+        self.push(&escape_text(text));
     }
 
     fn nodes(&mut self, nodes: &[Node]) {

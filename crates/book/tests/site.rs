@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use book::{Assets, Build, Check, Diagnostics, Dist, Number, Outputs, Site, Stills};
+use book::{Assets, Build, Diagnostics, Dist, Outputs, Site, Stills};
 use labs::givens::Givens;
 
 fn root() -> PathBuf {
@@ -13,14 +13,14 @@ fn root() -> PathBuf {
 
 /// The book's data with `numbers`.
 fn load(numbers: Vec<labs::numbers::Number>, diagnostics: &Diagnostics) -> Site {
-    let numbers = numbers.into_iter().map(Number::from).collect();
-    Site::load(&root(), numbers, Outputs::of(root()), Stills::new(), diagnostics).expect("the content is there")
+    Site::load(&root(), numbers.into_iter().collect(), Outputs::of(root()), Stills::new(), diagnostics)
+        .expect("the content is there")
 }
 
 static DIST: LazyLock<Dist> = LazyLock::new(|| {
     let diagnostics = Diagnostics::default();
     let site = load(labs::numbers::with_ensembles(&Givens::default()).expect("computed"), &diagnostics);
-    let checks: Vec<Check> = labs::checks::chapter_checks().expect("computed").into_iter().map(Check::from).collect();
+    let checks = labs::checks::chapter_checks().expect("computed");
     let (root, assets) = (root(), Assets::default());
     let build =
         Build { root: &root, site: &site, assets: &assets, checks: &checks, diagnostics: &diagnostics, draft: false };

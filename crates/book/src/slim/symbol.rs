@@ -65,6 +65,7 @@ mod tests {
              <span class=\"katex-html\" aria-hidden=\"true\"><span class=\"katex-base\"><span class=\"katex-strut\" \
              style=\"height:0.5em;\"></span>{drawn}</span></span></span>"
         ))
+        .unwrap()
         .html
     }
 
