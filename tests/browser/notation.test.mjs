@@ -6,7 +6,13 @@ import { figure, open } from './harness.mjs'
 const button = (page, name) => page.getByRole('group', { name: 'Notation' }).getByRole('button', { name, exact: true })
 const said = (page) => page.locator('.site-tools [role=status]')
 /** What the reader sees of a formula, a label or a readout. */
-const seen = (page) => page.evaluate(() => {
+const seen = async (page) => {
+  // A part of the text that is far from the screen shows no words.
+  await page.locator('observer-bench').first().scrollIntoViewIfNeeded()
+  await page.waitForFunction(() => document.querySelector('observer-bench .live dt').innerText.trim())
+  return page.evaluate(see)
+}
+const see = () => {
   const text = (element) => element.innerText.replace(/\s+/g, ' ').trim()
   const all = (selector) => [...document.querySelectorAll(selector)].map(text)
   return {
@@ -14,7 +20,7 @@ const seen = (page) => page.evaluate(() => {
     bench: { labels: all('observer-bench .control-name'), readouts: all('observer-bench .live dt'), drawn: [...document.querySelectorAll('observer-bench .live svg text')].filter((it) => it.checkVisibility()).map((it) => it.innerHTML.includes('in-thrun') ? [...it.children].filter((part) => getComputedStyle(part).display !== 'none').map((part) => part.textContent).join('') : it.textContent) },
     pressed: all('[data-set-notation][aria-pressed="true"]'),
   }
-})
+}
 const ask = async (page) => {
   await figure(page, 'observer-bench')
   // What is folded away is read too.

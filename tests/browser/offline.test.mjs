@@ -93,8 +93,8 @@ test('two copies on one origin keep a store each, and a new version takes the pl
     const both = ['book-/shelf/one/#first', 'book-/shelf/one/#second', 'book-/shelf/two/#other']
     await waitFor(page, async () => (await stores(page)).length === both.length)
     await page.evaluate(async () => {
-      const { waiting } = await navigator.serviceWorker.ready
-      while (waiting?.state !== 'installed') await new Promise((resolve) => setTimeout(resolve, 50))
+      const registration = await navigator.serviceWorker.ready
+      while (!registration.waiting) await new Promise((resolve) => setTimeout(resolve, 50))
     })
     assert.deepEqual(await stores(page), both, 'a page is open that may need files of the first edition')
     // No page of that copy is open any more.

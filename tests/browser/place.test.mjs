@@ -133,6 +133,22 @@ for (const [size, how] of Object.entries(SIZES)) {
   })
 }
 
+test('a reload leads to the place that was left, and not to the one that the address names', { timeout: 120_000 }, async (t) => {
+  const page = await open(t, { at: 'kalman/#ellipse' })
+  await settle(page)
+  await readTo(page, 'hand-steps')
+  const before = await mark(page)
+  await page.reload()
+  await settle(page)
+  near(await topOf(page, before.text), before.top, 'hand-steps')
+  // A script that scrolls after that is left alone.
+  await page.reload()
+  await page.waitForTimeout(200)
+  await page.evaluate(() => document.querySelector('[data-part="ekf"]').scrollIntoView({ behavior: 'instant' }))
+  await settle(page)
+  near(await page.locator('[data-part="ekf"]').evaluate((it) => it.getBoundingClientRect().top), 24, 'ekf')
+})
+
 test('words far below the screen are found in the page', async (t) => {
   const page = await open(t)
   const words = await page.evaluate(() => [...document.querySelectorAll('[data-part="slam"] p')].find((p) => !p.querySelector('.formula, .number') && p.textContent.length > 80).textContent.trim().split(/\s+/).slice(0, 4).join(' '))

@@ -9,6 +9,8 @@ const KEY = 'places'
 const MOST = 50
 /** Pixels below the upper edge of the window: what ends above this line has been read. */
 const LINE = 24
+/** For so many frames after the page has loaded the browser itself may still scroll, to the place that the address names. */
+const BROWSER_FRAMES = 3
 /** The place is asserted for this many frames after the page has loaded: fonts and parts nearby still find their sizes. */
 const FRAMES = 15
 const PATIENCE_MS = 10_000
@@ -130,6 +132,7 @@ function hold({ block, top, open }) {
   const mine = ++holding
   const began = performance.now()
   let left = FRAMES
+  let last = NaN
   const leave = () => { left = 0 }
   for (const input of ['wheel', 'touchstart', 'pointerdown', 'keydown']) addEventListener(input, leave, { once: true, passive: true })
   return new Promise((placed) => {
@@ -140,7 +143,10 @@ function hold({ block, top, open }) {
         for (const path of open) follow(path)?.setAttribute('open', '')
         const element = block === null ? null : follow(block)
         const off = element ? element.getBoundingClientRect().top - top : -scrollY
-        if (Math.abs(off) > 0.5) scrollBy({ top: off, behavior: 'instant' })
+        // The place is off by as much as the page has been scrolled: a script, or a reader's tool, wants to be elsewhere.
+        if (Math.abs(off) > 0.5 && left < FRAMES - BROWSER_FRAMES && Math.abs(off + scrollY - last) < 2) left = 0
+        else if (Math.abs(off) > 0.5) scrollBy({ top: off, behavior: 'instant' })
+        last = scrollY
         placed()
         if (document.readyState === 'complete') left--
       }
