@@ -107,6 +107,14 @@ export async function unlock(page, id) {
   await page.locator(`#${id} .widget:not([inert])`).waitFor()
 }
 
+/** Scrolls to a part of the page until what waits for the screen is there: laying out the parts above may move it away again. */
+export async function comeTo(page, selector, sign) {
+  for (let i = 0; ; i++) {
+    await page.evaluate((target) => document.querySelector(target).scrollIntoView({ block: 'center' }), selector)
+    if (await page.locator(sign).first().waitFor({ timeout: i < 10 ? 2000 : 20_000 }).then(() => true, (error) => { if (i >= 10) throw error })) return
+  }
+}
+
 /** Scrolls through the whole page, so that everything that waits for the screen has been on it. */
 export async function walkDown(page) {
   await page.evaluate(async () => {

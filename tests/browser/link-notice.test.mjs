@@ -2,7 +2,7 @@
 // stays said, what waits behind a question is said beside the question, and a copied link carries every figure as it is.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { figure, frameOf, open, openFigure, unlock, until } from './harness.mjs'
+import { figure, frameOf, open, openFigure, until } from './harness.mjs'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
 const BENCH = (step) => code([1, 'observer-bench', step, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }])
@@ -56,18 +56,15 @@ test('a link that can be read brings no notice', async (t) => {
   assert.equal(await bench.locator('.live .figure-note').innerText(), '')
 })
 
-test('a state behind a question is said beside the question', async (t) => {
+test('a figure whose state the link carries does not wait for its question', async (t) => {
   const page = await open(t, { at: `kalman/?fig-limit=${BENCH(20)}` })
-  const words = page.locator('.quiz[data-unlocks="fig-limit"] .quiz-linked')
-  await words.scrollIntoViewIfNeeded()
-  await words.filter({ hasText: /waits/, visible: true }).waitFor()
-  assert.equal(await page.locator('.quiz-linked').count(), 1)
-  await unlock(page, 'fig-limit')
-  assert.ok(!(await words.isVisible()))
+  await page.locator('#fig-picture .widget[inert]').waitFor({ state: 'attached' })
   const limit = page.locator('#fig-limit .widget')
   await limit.scrollIntoViewIfNeeded()
   await page.locator('#fig-limit .widget[data-state="live"]').waitFor()
   assert.equal((await frameOf(limit)).step, 20)
+  assert.ok(!(await limit.evaluate((widget) => widget.inert)))
+  assert.equal(await page.locator('#fig-limit .figure-locked').count(), 0)
 })
 
 test('a copied link carries the other figures of the address as they are, not as they were', async (t) => {

@@ -2,7 +2,7 @@
 // remembered until the reader forgets them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { figure, open } from './harness.mjs'
+import { comeTo, figure, open } from './harness.mjs'
 
 /** A question on the screen, with the controls that it gets there. */
 const quiz = async (page, id) => {
@@ -18,6 +18,8 @@ const quiz = async (page, id) => {
     input: form.getByRole('textbox', { name: 'Your answer' }),
   }
 }
+/** What the page compares an answer with. */
+const keyOf = (form) => form.evaluate(({ dataset }) => JSON.parse(new TextDecoder().decode(Uint8Array.from(dataset.key.match(/../g), (byte) => parseInt(byte, 16)))))
 /** What a reader sees: the explanation is open, or it is not. */
 const shown = ({ answer }) => answer.evaluate((block) => block.open && block.querySelector('.quiz-why').checkVisibility())
 const kept = (page) => page.evaluate(() => Object.fromEntries(Object.entries(localStorage).filter(([key]) => key.startsWith('quiz:'))))
@@ -35,7 +37,11 @@ test('a choice is committed to before anything is explained, and a wrong one say
   // The figure that would give it away waits too.
   const picture = page.locator('#fig-picture .widget')
   assert.ok(await picture.evaluate((widget) => widget.inert))
-  assert.match(await picture.innerText(), /First commit to an answer/)
+  const veil = page.locator('#fig-picture .figure-locked')
+  assert.match(await veil.innerText(), /First answer “Which foot\?”, then try it here/)
+  assert.equal(await veil.getByRole('link', { name: 'Which foot?' }).getAttribute('href'), '#quiz-which-foot')
+  const [over, under] = [await veil.boundingBox(), await picture.boundingBox()]
+  for (const side of ['x', 'y', 'width', 'height']) assert.ok(Math.abs(over[side] - under[side]) < 1, `the veil lies on the figure and no more: ${side}`)
 
   await it.form.getByRole('radio', { name: /Straight down/ }).check()
   assert.ok(!(await shown(it)), 'chosen is not committed')
@@ -68,6 +74,11 @@ test('every wrong choice of every question has a reason of its own', async (t) =
       if (answered === 'right') right++
       assert.equal(await it.verdict.innerText(), answered === 'right' ? 'Right.' : 'Not this time. Here is why.')
       const reason = await it.form.locator('.is-yours .quiz-reason').innerText()
+      assert.ok(await it.form.locator('details.quiz-answer > .details-body > .quiz-reasons > li').evaluateAll((all) => all.length === 1 && all[0].classList.contains('is-yours')), 'the own reason first')
+      assert.ok(!(await it.form.locator('.quiz-others').evaluate((block) => block.open)), 'the others are folded')
+      const marks = await it.form.locator('.quiz-choice').evaluateAll((all) => all.map((label) => label.querySelector('.quiz-mark').getAttribute('aria-label')))
+      assert.equal(marks.filter((mark) => mark === 'right').length, 1)
+      assert.equal(marks[i], answered)
       assert.ok(reason.length > 30, `${id}, choice ${i}`)
       reasons.add(reason)
       await it.again.click()
@@ -80,7 +91,7 @@ test('every wrong choice of every question has a reason of its own', async (t) =
 test('a number is right within its tolerance, in the ways people write numbers', async (t) => {
   const page = await open(t)
   const it = await quiz(page, 'third-step')
-  const { value, tolerance } = await it.form.locator('.quiz-value').evaluate((item) => ({ value: Number(item.dataset.value), tolerance: Number(item.dataset.tolerance) }))
+  const { values: [value], tolerance, near: [[mistaken]] } = await keyOf(it.form)
   assert.ok(value > 0 && tolerance > 0)
   const judged = async (text) => {
     await it.input.fill(text)
@@ -98,11 +109,11 @@ test('a number is right within its tolerance, in the ways people write numbers',
     assert.deepEqual(await judged(text), WRONG, text)
   }
   for (const text of ['much', '1/0', '1..2', '1/2/3', 'NaN', 'Infinity', '0x10', '<b>1</b>']) assert.deepEqual(await judged(text), NONE, text)
-  assert.deepEqual(await judged('  '), [null, 'Choose an answer first.'])
+  assert.deepEqual(await judged('  '), [null, 'Type a number first.'])
 
   // A wrong answer worth recognising is recognised.
-  const near = it.form.locator('.quiz-reasons li').first()
-  await it.input.fill(await near.getAttribute('data-value'))
+  const near = it.form.locator('[data-choice="0"]')
+  await it.input.fill(String(mistaken))
   await it.commit.click()
   assert.ok(await near.evaluate((item) => item.classList.contains('is-yours')))
   assert.match(await it.form.locator('.is-yours').innerText(), /predicted variance/)
@@ -137,6 +148,7 @@ test('answers are remembered after a reload, and forgotten one by one or all at 
   assert.ok(await page.locator('#fig-picture .widget').evaluate((widget) => widget.inert))
   assert.equal(Object.keys(await kept(page)).length, 1)
 
+  await comeTo(page, '[data-score]', '[data-score] h2')
   await page.getByRole('button', { name: 'Forget my answers to the questions' }).click()
   assert.deepEqual(await kept(page), {})
   assert.ok(!(await shown(third)))
@@ -182,4 +194,47 @@ test('Tab leads into a question that is still far below the screen', async (t) =
   await page.locator(`#${id} input`).first().waitFor({ state: 'attached' })
   await page.keyboard.press('Tab')
   assert.ok(await page.evaluate((name) => document.activeElement?.closest('form')?.id === name, id))
+})
+
+test('nothing in the options tells the right one', async (t) => {
+  const page = await open(t)
+  const told = await page.locator('.quiz').evaluateAll((all) => all.flatMap((quiz) => {
+    const options = [...quiz.querySelectorAll('.quiz-choice')].map((option) => ({ attributes: option.getAttributeNames().join(), marks: option.querySelectorAll('[data-number], .number, a').length }))
+    const odd = options.some((option) => option.attributes !== options[0].attributes || option.marks > 0)
+    return odd || quiz.querySelector('[data-right], [data-value], [data-tolerance]') || /right|value|least/.test(quiz.dataset.key) ? [quiz.id] : []
+  }))
+  assert.deepEqual(told, [])
+})
+
+test('a reader who skips is shown the answer and the figure, and may still try', async (t) => {
+  const page = await open(t)
+  const it = await quiz(page, 'which-foot')
+  await it.form.getByRole('button', { name: 'Skip, show me' }).press('Enter')
+  await it.verdict.filter({ hasText: 'Here is the answer.' }).waitFor()
+  assert.ok(await shown(it))
+  assert.equal(await it.form.getAttribute('data-answered'), 'shown')
+  const picture = page.locator('#fig-picture .widget')
+  assert.ok(!(await picture.evaluate((widget) => widget.inert)))
+  const way = it.form.getByRole('link', { name: /Try it in Figure/ })
+  assert.equal(await way.getAttribute('href'), '#fig-picture')
+  await page.reload()
+  await quiz(page, 'which-foot')
+  await page.locator('#quiz-which-foot[data-answered="shown"]').waitFor()
+  await it.again.click()
+  assert.ok(await picture.evaluate((widget) => widget.inert))
+  // The veil skips too.
+  await page.locator('#fig-picture .figure-locked').getByRole('button', { name: 'Skip, show me' }).click()
+  await page.locator('#quiz-which-foot[data-answered="shown"]').waitFor()
+  assert.ok(!(await picture.evaluate((widget) => widget.inert)))
+})
+
+test('no figure waits without scripts, nor on paper', async (t) => {
+  const silent = await open(t, { scripts: false })
+  assert.equal(await silent.locator('.widget[inert], .figure-locked').count(), 0)
+  assert.equal(await silent.locator('.quiz-actions:visible').count(), 0)
+  const page = await open(t)
+  await page.locator('#fig-picture .widget[inert]').waitFor({ state: 'attached' })
+  await page.emulateMedia({ media: 'print' })
+  assert.equal(await page.locator('.figure-locked:visible').count(), 0)
+  assert.equal(await page.locator('#fig-picture .still').evaluate((still) => getComputedStyle(still).filter), 'none')
 })

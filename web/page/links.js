@@ -1,7 +1,6 @@
 /**
  * Checks what the address says of figures when the page opens, because the figures themselves may be far below. A state that
- * cannot be read, or that the figure's lab refuses, is named at the top of the text; a state of a figure that waits behind a
- * question is mentioned beside the question.
+ * cannot be read, or that the figure's lab refuses, is named at the top of the text.
  */
 
 import { button, part } from '../core/element.js'
@@ -26,7 +25,7 @@ export async function links(widgets) {
     if (state === 'mangled' || (state && spec && await isRefused(spec, state))) {
       const title = host.closest('figure')?.querySelector('.figure-title')?.textContent ?? id
       wrong.push(`The link’s state of the figure “${title}” could not be read: the figure shows its usual state.`)
-    } else waits(id)
+    }
   }
   if (wrong.length > 0) notice(wrong)
 }
@@ -46,16 +45,6 @@ async function isRefused(spec, state) {
   } catch {
     return true
   }
-}
-
-/** @param {string} id of a figure whose state is in the address */
-function waits(id) {
-  const question = [...document.querySelectorAll('.quiz')].find((quiz) => quiz instanceof HTMLElement && quiz.dataset.unlocks === id)
-  if (!question) return
-  const words = document.createElement('p')
-  words.className = 'quiz-linked'
-  words.textContent = 'You came by a link to a state of the figure below. It waits there until you have committed to an answer.'
-  question.querySelector('.quiz-actions')?.before(words)
 }
 
 /** @param {string[]} wrong */

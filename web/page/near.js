@@ -22,12 +22,15 @@ export function whenNear(selector, act) {
     eye.observe(element)
   })
   // The next press of Tab may lead further than that: into this part of the text, or one of its neighbours.
-  document.addEventListener('focusin', ({ target }) => {
+  const reach = (/** @type {EventTarget | null} */ target) => {
     const here = target instanceof Element ? target.closest('main section') : null
     for (const part of [here, here?.previousElementSibling, here?.nextElementSibling]) {
       for (const element of waiting) if (part?.contains(element)) come(element)
     }
-  })
+  }
+  document.addEventListener('focusin', ({ target }) => reach(target))
+  // The focus may have been there before this script.
+  reach(document.activeElement)
 }
 
 /**

@@ -1,23 +1,26 @@
-/**
- * Questions: the reader commits to an answer and then reads why it is right or wrong. An answer is kept under the question's id
- * and a hash of its content, so a changed question is asked again.
- */
+/** Questions: the reader commits to an answer and then reads why it is right or wrong. */
 
 import { button, part } from '../core/element.js'
+import { LONGEST, judge, keyOf, unmet } from './answer.js'
+import { lock } from './lock.js'
 import { whenNear } from './near.js'
-import { forgetAll, recall, remember } from './storage.js'
+import { SHOWN, count, forgetRecords, keep, standing } from './record.js'
+import { score, showScore } from './score.js'
+import { frameOf, lookAt, stopWatching } from './watch.js'
 
-const KEPT = 'quiz:'
-/** Letters of the longest number that anybody needs to type. */
-const LONGEST = 40
+/** The answer to a question about a figure's state, once the figure has been in it. */
+const MET = 'met'
 
 export function quizzes() {
-  for (const question of questions()) lock(question, !isAnswer(question, recall(keyOf(question)) ?? ''))
+  for (const question of questions()) lock(question, !isAnswer(question, standing(question)), () => skip(question.id))
   whenNear('.quiz', (question) => wake(asForm(/** @type {HTMLElement} */ (question))))
-  document.querySelector('[data-quiz-reset-all]')?.addEventListener('click', () => {
-    forgetAll(KEPT)
-    for (const question of questions()) forget(question)
-  })
+  whenNear('[data-score]', () => score(forgetEverything))
+}
+
+function forgetEverything() {
+  forgetRecords()
+  for (const question of questions()) forget(question)
+  showScore()
 }
 
 /** Every question; those that have been near the screen are forms. */
@@ -25,31 +28,88 @@ function questions() {
   return /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.quiz'))
 }
 
-/** @param {HTMLElement} question */
-function keyOf({ dataset }) {
-  return `${KEPT}${dataset.quiz}:${dataset.hash}`
+/** @param {HTMLFormElement} form */
+function wake(form) {
+  const kept = standing(form)
+  if (kept === null || !commit(form, kept)) lock(form, true, () => skip(form.id))
+  form.addEventListener('submit', (event) => {
+    event.preventDefault()
+    if (form.dataset.kind === 'state') return check(form)
+    const choice = form.dataset.kind === 'choice'
+    const answer = String(new FormData(form).get(choice ? (form.querySelector('input')?.name ?? '') : 'answer') ?? '').trim()
+    const wanted = entriesOf(form)
+    if (answer === '') return say(form, choice ? 'Choose an answer first.' : wanted > 1 ? `Type ${wanted} numbers first.` : 'Type a number first.')
+    if (!commit(form, answer)) return say(form, wanted > 1 ? `That is not ${wanted} numbers, or all are zero.` : 'That is not a number.')
+    count(form, form.dataset.answered === 'right')
+    finish(form, answer)
+  })
+  form.querySelector('[data-quiz-skip]')?.addEventListener('click', () => skip(form.id))
+  form.querySelector('[data-quiz-look]')?.addEventListener('click', () => lookAt(form, keyOf(form), () => solve(form)))
+  form.querySelector('[data-quiz-reset]')?.addEventListener('click', () => {
+    keep(form, null)
+    forget(form)
+    showScore()
+    const first = /** @type {HTMLElement | null} */ (form.querySelector('input') ?? form.querySelector('[type="submit"]'))
+    first?.focus()
+  })
+}
+
+/** Looks whether the figure is in the state that is asked for. @param {HTMLFormElement} form */
+function check(form) {
+  const frame = frameOf(form)
+  if (!frame) return say(form, 'The figure does not run yet. Look at it first.')
+  const missing = unmet(keyOf(form), frame)
+  if (missing.length === 0) {
+    solve(form)
+    return focusVerdict(form)
+  }
+  count(form, false)
+  showScore()
+  say(form, 'Not yet. In the figure:')
+  const list = part(document, /** @type {Element} */ (form.querySelector('.quiz-verdict')), 'ul', 'quiz-missing')
+  for (const i of missing) part(document, list, 'li', '').append(...copyOf(form, i))
+}
+
+/** The words of a condition. @param {HTMLElement} form @param {number} i */
+function copyOf(form, i) {
+  return [...(form.querySelector(`[data-condition="${i}"]`)?.cloneNode(true).childNodes ?? [])]
 }
 
 /** @param {HTMLFormElement} form */
-function wake(form) {
-  const kept = recall(keyOf(form))
-  if (kept === null || !commit(form, kept)) lock(form, true)
-  form.addEventListener('submit', (event) => {
-    event.preventDefault()
-    const answer = new FormData(form).get(form.dataset.kind === 'choice' ? (form.querySelector('input')?.name ?? '') : 'answer')
-    if (typeof answer !== 'string' || answer.trim() === '') return say(form, 'Choose an answer first.')
-    if (!commit(form, answer.trim())) return say(form, 'That is not a number.')
-    remember(keyOf(form), answer.trim())
-    // The button that had the focus is gone.
-    const verdict = /** @type {HTMLElement | null} */ (form.querySelector('.quiz-verdict'))
-    verdict?.setAttribute('tabindex', '-1')
-    verdict?.focus({ preventScroll: true })
-  })
-  form.querySelector('[data-quiz-reset]')?.addEventListener('click', () => {
-    remember(keyOf(form), null)
-    forget(form)
-    form.querySelector('input')?.focus()
-  })
+function solve(form) {
+  if (form.dataset.answered) return
+  commit(form, MET)
+  count(form, true)
+  keep(form, MET)
+  showScore()
+}
+
+/** Shows the answer to a reader who does not want to try. @param {string} id */
+function skip(id) {
+  const question = /** @type {HTMLElement | null} */ (document.getElementById(id))
+  if (!question) return
+  keep(question, SHOWN)
+  if (question instanceof HTMLFormElement) {
+    const focused = question.contains(document.activeElement)
+    commit(question, SHOWN)
+    if (focused) focusVerdict(question)
+  }
+  else lock(question, false)
+  showScore()
+}
+
+/** @param {HTMLFormElement} form @param {string} answer */
+function finish(form, answer) {
+  keep(form, answer)
+  showScore()
+  focusVerdict(form)
+}
+
+/** The button that had the focus is gone. @param {HTMLElement} form */
+function focusVerdict(form) {
+  const verdict = /** @type {HTMLElement | null} */ (form.querySelector('.quiz-verdict'))
+  verdict?.setAttribute('tabindex', '-1')
+  verdict?.focus({ preventScroll: true })
 }
 
 /**
@@ -78,17 +138,48 @@ function addControls(form) {
   const label = form.querySelector('.quiz-number label')
   if (label) {
     const input = /** @type {HTMLInputElement} */ (part(document, label, 'input', ''))
-    Object.assign(input, { type: 'text', inputMode: 'decimal', autocomplete: 'off', name: 'answer', maxLength: LONGEST })
+    const entries = entriesOf(form)
+    const inputMode = entries > 1 ? 'text' : 'decimal'
+    Object.assign(input, { type: 'text', inputMode, autocomplete: 'off', name: 'answer', maxLength: entries * LONGEST })
   }
   const actions = form.querySelector('.quiz-actions')
   if (!actions) return
+  const state = form.dataset.kind === 'state'
   const commit = part(document, actions, 'button', '')
   commit.setAttribute('type', 'submit')
-  commit.textContent = 'Commit'
+  commit.textContent = state ? 'Check the figure' : 'Commit'
+  actions.append(' ')
+  if (state) {
+    button(document, actions, 'Look at the figure', () => {}, '').toggleAttribute('data-quiz-look', true)
+    actions.append(' ')
+  }
+  button(document, actions, 'Skip, show me', () => {}, '').toggleAttribute('data-quiz-skip', true)
   actions.append(' ')
   const again = button(document, actions, 'Try again', () => {}, '')
   again.toggleAttribute('data-quiz-reset', true)
   again.hidden = true
+}
+
+/** How many numbers are asked for; 0 if none. @param {HTMLElement} form */
+function entriesOf(form) {
+  return Number(form.querySelector('.quiz-number')?.getAttribute('data-entries') ?? 0)
+}
+
+/** Whether a text is an answer to this question, and if so, whether it is right. @param {HTMLElement} form @param {string} answer */
+function verdictOn(form, answer) {
+  const key = keyOf(form)
+  if (form.dataset.kind === 'state') return answer === MET ? { right: true, mine: -1 } : null
+  if (form.dataset.kind === 'choice') {
+    const mine = [...form.querySelectorAll('[data-choice]')].findIndex((item) => item.getAttribute('data-choice') === answer)
+    return mine < 0 ? null : { right: mine === key.right, mine }
+  }
+  const judged = judge(key, answer)
+  return judged && { right: judged.right, mine: judged.near }
+}
+
+/** @param {HTMLElement} form @param {string | null} answer */
+function isAnswer(form, answer) {
+  return answer !== null && (answer === SHOWN || verdictOn(form, answer) !== null)
 }
 
 /**
@@ -97,11 +188,18 @@ function addControls(form) {
  * @param {string} answer
  */
 function commit(form, answer) {
-  const right = form.dataset.kind === 'choice' ? choose(form, answer) : estimate(form, answer)
-  if (right === null) return false
-  form.dataset.answered = right ? 'right' : 'wrong'
-  say(form, right ? 'Right.' : 'Not this time. Here is why.')
-  for (const input of form.querySelectorAll('input')) input.disabled = true
+  const verdict = answer === SHOWN ? null : verdictOn(form, answer)
+  if (answer !== SHOWN && !verdict) return false
+  form.dataset.answered = verdict ? (verdict.right ? 'right' : 'wrong') : SHOWN
+  say(form, verdict ? (verdict.right ? 'Right.' : 'Not this time. Here is why.') : 'Here is the answer.')
+  const inputs = [...form.querySelectorAll('input')]
+  for (const input of inputs) {
+    if (input.type === 'radio') input.checked = input.value === answer
+    else if (verdict) input.value = answer
+    input.disabled = true
+  }
+  if (form.dataset.kind === 'choice') markChoices(form)
+  if (form.querySelector('.quiz-reasons')) fold(form, verdict?.mine ?? -1, verdict !== null)
   toggle(form, true)
   const answers = form.querySelector('details')
   if (answers) answers.open = true
@@ -109,82 +207,60 @@ function commit(form, answer) {
   return true
 }
 
-/** Whether a kept text still answers this question. @param {HTMLElement} form @param {string} answer */
-function isAnswer(form, answer) {
-  if (form.dataset.kind !== 'choice') return number(answer) !== null
-  return [...form.querySelectorAll('[data-choice]')].some((item) => item.getAttribute('data-choice') === answer)
+/** The marks of the answers, on the choices too. @param {HTMLElement} form */
+function markChoices(form) {
+  for (const [i, label] of form.querySelectorAll('.quiz-choice').entries()) {
+    const mark = form.querySelector(`[data-choice="${i}"] .quiz-mark`)
+    if (mark) label.append(mark.cloneNode(true))
+  }
 }
 
-/** @param {HTMLFormElement} form @param {string} answer */
-function choose(form, answer) {
-  const input = [...form.querySelectorAll('input')].find(({ value }) => value === answer)
-  const reason = [...form.querySelectorAll('[data-choice]')].find((item) => item.getAttribute('data-choice') === answer)
-  if (!input || !reason) return null
-  input.checked = true
-  reason.classList.add('is-yours')
-  return reason.hasAttribute('data-right')
+/** The reader's own reason stands first, and the others are folded. @param {HTMLElement} form @param {number} mine @param {boolean} folded */
+function fold(form, mine, folded) {
+  const list = /** @type {Element} */ (form.querySelector('.quiz-reasons'))
+  const reasons = [...list.children]
+  reasons[mine]?.classList.add('is-yours')
+  if (!folded) return
+  const others = document.createElement('details')
+  others.className = 'quiz-others'
+  part(document, others, 'summary', '').textContent = mine < 0 ? 'Answers that are often given' : 'The other answers'
+  part(document, part(document, others, 'div', 'details-body'), 'ul', 'quiz-reasons').append(...reasons.filter((_, i) => i !== mine))
+  list.after(others)
 }
 
-/** @param {HTMLFormElement} form @param {string} answer */
-function estimate(form, answer) {
-  const value = number(answer)
-  if (value === null) return null
-  const input = form.querySelector('input')
-  if (input) input.value = answer
-  const near = (/** @type {Element | null} */ item) => item !== null && Math.abs(value - Number(item.getAttribute('data-value'))) <= Number(item.getAttribute('data-tolerance'))
-  const right = near(form.querySelector('.quiz-value'))
-  if (!right) [...form.querySelectorAll('.quiz-reasons li')].find(near)?.classList.add('is-yours')
-  return right
-}
-
-/**
- * A decimal with point or comma, or a fraction.
- * @param {string} text
- */
-export function number(text) {
-  if (text.length > LONGEST) return null
-  const parts = text.replace(/\u2212/g, '-').replace(',', '.').split('/').map((word) => word.trim())
-  if (parts.length > 2 || parts.some((word) => !/^[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?$/i.test(word))) return null
-  const value = parts.length === 2 ? Number(parts[0]) / Number(parts[1]) : Number(parts[0])
-  return Number.isFinite(value) ? value : null
+/** @param {HTMLElement} form */
+function unfold(form) {
+  const list = form.querySelector('.quiz-reasons')
+  const reasons = [...form.querySelectorAll('[data-choice]')]
+  reasons.sort((a, b) => Number(a.getAttribute('data-choice')) - Number(b.getAttribute('data-choice')))
+  list?.append(...reasons)
+  form.querySelector('.quiz-others')?.remove()
 }
 
 /** @param {HTMLElement} form */
 function forget(form) {
   delete form.dataset.answered
   for (const input of form.querySelectorAll('input')) input.disabled = false
+  for (const mark of form.querySelectorAll('.quiz-choice .quiz-mark')) mark.remove()
   for (const item of form.querySelectorAll('.is-yours')) item.classList.remove('is-yours')
+  unfold(form)
+  stopWatching(form)
   if (form instanceof HTMLFormElement) form.reset()
   say(form, '')
   toggle(form, false)
   const answers = form.querySelector('details')
   if (answers) answers.open = false
-  lock(form, true)
+  lock(form, true, () => skip(form.id))
 }
 
 /** @param {HTMLElement} form @param {boolean} answered */
 function toggle(form, answered) {
   form.querySelector('[data-quiz-reset]')?.toggleAttribute('hidden', !answered)
-  form.querySelector('[type="submit"]')?.toggleAttribute('hidden', answered)
+  for (const control of form.querySelectorAll('[type="submit"], [data-quiz-skip], [data-quiz-look]')) control.toggleAttribute('hidden', answered)
 }
 
 /** @param {HTMLElement} form @param {string} words */
 function say(form, words) {
   const verdict = form.querySelector('.quiz-verdict')
   if (verdict) verdict.textContent = words
-}
-
-/** @param {HTMLElement} form @param {boolean} on */
-function lock(form, on) {
-  const figure = form.dataset.unlocks ? document.getElementById(form.dataset.unlocks) : null
-  const widget = figure?.querySelector('.widget')
-  if (!widget) return
-  widget.toggleAttribute('data-locked', on)
-  widget.toggleAttribute('inert', on)
-  widget.querySelector('.figure-locked')?.remove()
-  if (!on) return
-  const words = document.createElement('p')
-  words.className = 'figure-locked'
-  words.textContent = 'First commit to an answer; then try it here.'
-  widget.append(words)
 }

@@ -6,7 +6,9 @@ use minijinja::{Value, context};
 
 use crate::config::Text;
 use crate::diagnostic::Place;
-use crate::quiz::{Answer, Choice, Quiz};
+use crate::quiz::state::State;
+use crate::quiz::values::Values;
+use crate::quiz::{Answer, Choice};
 use crate::template::safe;
 use crate::writer::Writer;
 
@@ -18,19 +20,24 @@ impl Writer<'_> {
         if !self.used.quizzes.insert(id.to_string()) {
             self.diagnostics.report(place, format!("the quiz `{id}` is asked twice"));
         }
-        let unlocks = quiz.unlocks.as_ref().map(|figure| {
-            self.diagnostics.ok(&figure.place, self.labels.get(&figure.markdown, self.root));
-            &figure.markdown
-        });
+        let unlocks = quiz.unlocks.as_ref().and_then(|figure| self.figure_link(figure));
+        let checks = self.inside.last().is_some_and(|parent| parent == "exercise");
         let title = quiz.title.as_ref().map(|title| safe(self.title(&title.markdown, &title.place)));
         let prompt = self.part(&quiz.prompt);
         let answer = match &quiz.answer {
             Answer::Choice(choices) => self.choices(choices),
-            Answer::Number { .. } => self.value(quiz),
+            Answer::Values(values) => self.values(values),
+            Answer::State(state) => self.state(state),
         };
         let why = self.part(&quiz.why);
-        let hash = format!("{:016x}", quiz.hash);
-        self.fill("quiz", context! { id, hash, unlocks, title, prompt, why, ..answer }, place)
+        let (hash, key) = (format!("{:016x}", quiz.hash), quiz.answer.key());
+        self.fill("quiz", context! { id, hash, key, unlocks, checks, title, prompt, why, ..answer }, place)
+    }
+
+    /// A figure's id, and what a cross-reference calls it.
+    fn figure_link(&mut self, figure: &Text) -> Option<Value> {
+        let label = self.diagnostics.ok(&figure.place, self.labels.get(&figure.markdown, self.root))?;
+        Some(context! { id => figure.markdown.clone(), label => label.text })
     }
 
     /// A part of the quiz, in paragraphs.
@@ -40,29 +47,34 @@ impl Writer<'_> {
 
     fn choices(&mut self, choices: &[Choice]) -> Value {
         let choice = |choice: &Choice| {
-            let text = safe(self.title(&choice.text.markdown, &choice.text.place));
-            context! { text, right => choice.right, why => self.part(&choice.why) }
+            let text = self.title(&choice.text.markdown, &choice.text.place);
+            context! { asked => safe(unmarked(&text)), text => safe(text), right => choice.right, why => self.part(&choice.why) }
         };
         context! { kind => "choice", choices => choices.iter().map(choice).collect::<Vec<_>>() }
     }
 
-    fn value(&mut self, quiz: &Quiz) -> Value {
-        let Answer::Number { id, value, tolerance, format, unit, near } = &quiz.answer else { return context! {} };
-        self.used.numbers.insert(id.clone());
-        let print = |value: f64| safe(format.html(value).unwrap_or_default());
-        let near = near.iter().map(|near| {
-            let (value, printed) = (near.value.to_string(), print(near.value));
-            context! { value, printed, why => self.part(&near.why) }
+    fn values(&mut self, values: &Values) -> Value {
+        self.used.numbers.extend(values.ids.iter().cloned());
+        let near = values.near.iter().map(|near| {
+            let printed = safe(values.print(&near.value));
+            context! { printed, why => self.part(&near.why) }
         });
         let near: Vec<_> = near.collect();
-        context! {
-            kind => "number",
-            number => id,
-            value => value.to_string(),
-            printed => print(*value),
-            tolerance => tolerance.to_string(),
-            unit,
-            near,
-        }
+        let printed = safe(values.print(&values.right));
+        let (entries, direction, unit) = (values.ids.len(), values.direction, &values.unit);
+        context! { kind => "values", number => values.ids[0].clone(), printed, entries, direction, unit, near }
     }
+
+    fn state(&mut self, state: &State) -> Value {
+        let todo: Vec<_> = state.conditions.iter().map(|condition| self.part(&condition.todo)).collect();
+        context! { kind => "state", figure => self.figure_link(&state.figure), todo }
+    }
+}
+
+/// Choices look alike: a computed number among them is not marked as one.
+fn unmarked(html: &str) -> String {
+    let html = html.replace(" class=\"number\"", "");
+    let mut parts = html.split(" data-number=\"");
+    let first = parts.next().unwrap_or_default().to_string();
+    parts.fold(first, |html, part| html + part.split_once('"').map_or(part, |(_, rest)| rest))
 }

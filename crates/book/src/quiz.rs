@@ -3,12 +3,18 @@
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
+use serde_json::json;
 use toml::Spanned;
 
 use crate::config::{DataFile, Text};
 use crate::diagnostic::Diagnostics;
 use crate::hash::fnv1a;
-use crate::number::{Format, Numbers};
+use crate::number::Numbers;
+use state::{RawCondition, State};
+use values::Values;
+
+pub mod state;
+pub mod values;
 
 /// A question to answer before the explanation.
 #[derive(Clone, Debug)]
@@ -34,21 +40,22 @@ pub struct Quiz {
 pub enum Answer {
     /// By choosing.
     Choice(Vec<Choice>),
-    /// By a number.
-    Number {
-        /// Id of the right number.
-        id: String,
-        /// Its value.
-        value: f64,
-        /// How far off is still right.
-        tolerance: f64,
-        /// How it is printed.
-        format: Format,
-        /// Its unit.
-        unit: String,
-        /// Wrong answers worth recognising, tried in order.
-        near: Vec<Near>,
-    },
+    /// By a number, or by the entries of a vector.
+    Values(Values),
+    /// By setting a figure.
+    State(State),
+}
+
+impl Answer {
+    /// What the page compares a reader's answer with, as JSON in hexadecimal digits: nobody reads it in passing.
+    pub fn key(&self) -> String {
+        let key = match self {
+            Self::Choice(choices) => json!({ "right": choices.iter().position(|choice| choice.right) }),
+            Self::Values(values) => values.key(),
+            Self::State(state) => state.key(),
+        };
+        key.to_string().bytes().map(|byte| format!("{byte:02x}")).collect()
+    }
 }
 
 /// One choice.
@@ -59,15 +66,6 @@ pub struct Choice {
     /// Whether it is the right one.
     pub right: bool,
     /// Why it is right or wrong, in Markdown.
-    pub why: Text,
-}
-
-/// A wrong number with its reason.
-#[derive(Clone, Debug)]
-pub struct Near {
-    /// The wrong value.
-    pub value: f64,
-    /// Why it is wrong, in Markdown.
     pub why: Text,
 }
 
@@ -88,6 +86,8 @@ struct RawQuiz {
     answer: Option<Spanned<String>>,
     tolerance: Option<f64>,
     #[serde(default)]
+    direction: bool,
+    #[serde(default)]
     unit: String,
     format: Option<String>,
     why: Spanned<String>,
@@ -96,6 +96,10 @@ struct RawQuiz {
     choice: Vec<RawChoice>,
     #[serde(default)]
     near: Vec<RawNear>,
+    figure: Option<Spanned<String>>,
+    widget: Option<Spanned<String>>,
+    #[serde(default)]
+    condition: Vec<RawCondition>,
 }
 
 #[derive(Clone, Copy, Deserialize, PartialEq)]
@@ -103,6 +107,8 @@ struct RawQuiz {
 enum Kind {
     Choice,
     Number,
+    Vector,
+    State,
 }
 
 #[derive(Deserialize)]
@@ -131,7 +137,8 @@ pub fn quizzes(file: &DataFile, numbers: &Numbers, diagnostics: &Diagnostics) ->
         let reader = Reader { file, numbers, diagnostics, raw };
         let answer = match raw.kind.get_ref() {
             Kind::Choice => reader.choice(),
-            Kind::Number => reader.number(),
+            Kind::Number | Kind::Vector => reader.values(),
+            Kind::State => reader.state(),
         };
         let Some(answer) = diagnostics.ok(&place, answer.map_err(|error| format!("quiz `{id}`: {error}"))) else {
             continue;
@@ -161,9 +168,7 @@ struct Reader<'a> {
 
 impl Reader<'_> {
     fn choice(&self) -> Result<Answer, String> {
-        if self.raw.answer.is_some() || !self.raw.near.is_empty() || self.raw.tolerance.is_some() {
-            return Err("a question with choices has no answer, near or tolerance".into());
-        }
+        self.only(&["choice"])?;
         let right = self.raw.choice.iter().filter(|choice| choice.right).count();
         if self.raw.choice.len() < 2 || right != 1 {
             let count = self.raw.choice.len();
@@ -184,31 +189,21 @@ impl Reader<'_> {
         Ok(Answer::Choice(choices))
     }
 
-    fn number(&self) -> Result<Answer, String> {
-        if !self.raw.choice.is_empty() {
-            return Err("a question for a number has no choices".into());
-        }
-        let id = self.raw.answer.as_ref().ok_or("the answer is missing: the id of a number")?.get_ref();
-        let value = self.numbers.get(id)?.value;
-        let tolerance =
-            self.raw.tolerance.filter(|&tolerance| tolerance > 0.0).ok_or("a positive tolerance is missing")?;
-        let format = Format::parse(self.raw.format.as_deref().unwrap_or(".3f"))?;
-        format.html(value)?;
-        let near = |raw: &RawNear| {
-            let why = self.reason(&raw.value, raw.why.as_ref())?;
-            let place = self.file.place(&raw.value);
-            // A value as it stands, or the id of a computed one.
-            let id = raw.value.get_ref();
-            let near = id.parse().or_else(|_| self.numbers.get(id).map(|number| number.value));
-            let near: f64 = self.diagnostics.ok(&place, near)?;
-            if (near - value).abs() <= tolerance {
-                self.diagnostics
-                    .report(&place, format!("`{id}` is wrong by no more than the tolerance: a right answer"));
-            }
-            Some(Near { value: near, why })
-        };
-        let near = self.raw.near.iter().filter_map(near).collect();
-        Ok(Answer::Number { id: id.clone(), value, tolerance, format, unit: self.raw.unit.clone(), near })
+    /// Refuses what belongs to questions of another kind.
+    fn only(&self, allowed: &[&str]) -> Result<(), String> {
+        let raw = self.raw;
+        let given = [
+            ("choice", !raw.choice.is_empty()),
+            ("answer", raw.answer.is_some()),
+            ("tolerance", raw.tolerance.is_some()),
+            ("direction", raw.direction),
+            ("near", !raw.near.is_empty()),
+            ("figure", raw.figure.is_some()),
+            ("widget", raw.widget.is_some()),
+            ("condition", !raw.condition.is_empty()),
+        ];
+        let stray = given.iter().find(|(name, given)| *given && !allowed.contains(name));
+        stray.map_or(Ok(()), |(name, _)| Err(format!("a question of this kind has no `{name}`")))
     }
 
     /// The reason of a choice; every one needs its own.
@@ -232,12 +227,8 @@ fn hash(raw: &RawQuiz, answer: &Answer) -> u64 {
                 parts.extend([choice.text.markdown.clone(), choice.right.to_string(), choice.why.markdown.clone()]);
             }
         }
-        Answer::Number { value, tolerance, format, unit, near, .. } => {
-            parts.extend([format.html(*value).unwrap_or_default(), tolerance.to_string(), unit.clone()]);
-            for near in near {
-                parts.extend([format.html(near.value).unwrap_or_default(), near.why.markdown.clone()]);
-            }
-        }
+        Answer::Values(values) => parts.extend(values.parts()),
+        Answer::State(state) => parts.extend(state.parts()),
     }
     fnv1a(parts.join("\u{0}").as_bytes())
 }

@@ -1,0 +1,168 @@
+// Exercises: each has an answer that the page checks, a vector counts up to sign and length where it should, the page
+// recognises a figure's state, and what the reader has answered stands at the chapter's end and in a file.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { comeTo, figure, open, unlock } from './harness.mjs'
+
+const keyOf = (form) => form.evaluate(({ dataset }) => JSON.parse(new TextDecoder().decode(Uint8Array.from(dataset.key.match(/../g), (byte) => parseInt(byte, 16)))))
+
+/** A question on the screen, with the controls that it gets there. */
+const check = async (page, id) => {
+  const form = page.locator(`#quiz-${id}`)
+  await comeTo(page, `#quiz-${id}`, `form#quiz-${id}`)
+  return { form, verdict: form.locator('.quiz-verdict'), again: form.getByRole('button', { name: 'Try again' }), commit: form.locator('[type=submit]'), input: form.getByRole('textbox') }
+}
+/** The chapter's end, filled. */
+const end = async (page) => {
+  const box = page.locator('[data-score]')
+  await comeTo(page, '[data-score]', '[data-score] h2')
+  return box
+}
+/** Answers a question rightly or wrongly. */
+const answer = async (page, id, right) => {
+  const it = await check(page, id)
+  const key = await keyOf(it.form)
+  if (key.values) await it.input.fill(key.values.map((value) => (right ? value : value + 7)).join(' '))
+  else await it.form.locator('input').nth(right ? key.right : key.right === 0 ? 1 : 0).check()
+  await it.commit.click()
+  assert.equal(await it.form.getAttribute('data-answered'), right ? 'right' : 'wrong', id)
+  return it
+}
+
+test('every exercise is checked, and every right answer of it is taken', async (t) => {
+  const page = await open(t)
+  const exercises = await page.locator('.exercise').evaluateAll((all) => all.map((it) => ({ id: it.id, checks: [...it.querySelectorAll('.quiz')].map(({ dataset }) => [dataset.quiz, dataset.kind]) })))
+  assert.ok(exercises.length >= 15)
+  for (const { id, checks } of exercises) {
+    assert.ok(checks.length > 0, `${id} is checked`)
+    for (const [name, kind] of checks) if (kind !== 'state') await answer(page, name, true)
+  }
+})
+
+test('a vector is right up to sign and length, in the ways people write vectors', async (t) => {
+  const page = await open(t)
+  const it = await check(page, 'unseen-direction')
+  const judged = async (text) => {
+    await it.input.fill(text)
+    await it.input.press('Enter')
+    const answered = await it.form.getAttribute('data-answered')
+    const said = await it.verdict.innerText()
+    if (answered) await it.again.click()
+    return answered ?? said
+  }
+  for (const text of ['1, 2, -1', '[1 2 −1]', '(-0.5; -1; 0.5)', '-0,5; -1; 0,5', '1e3,2e3,-1e3', '1/2 1 -1/2', '1e300 2e300 -1e300', '0.4082, 0.8165, -0.4082']) assert.equal(await judged(text), 'right', text)
+  for (const text of ['1, 2, 1', '1 0 -1', '0, 0, 1', '1, 2, -1.1']) assert.equal(await judged(text), 'wrong', text)
+  for (const text of ['1, 2', '1 2 -1 0', 'a b c', '0 0 0', '1, 2, NaN', ',,']) assert.equal(await judged(text), 'That is not 3 numbers, or all are zero.', text)
+  assert.equal(await judged(' '), 'Type 3 numbers first.')
+  // A wrong vector worth recognising is recognised, whatever its length.
+  await it.input.fill('-2 0 2')
+  await it.commit.click()
+  assert.match(await it.form.locator('.is-yours').innerText(), /second row/)
+  assert.match(await it.form.locator('.quiz-value').innerText(), /Right is.*\[1, 2, −1\].*up to sign and length/)
+})
+
+test('the page recognises the collinear trap in the figure, and names what is missing', async (t) => {
+  const page = await open(t)
+  const it = await check(page, 'collinear-state')
+  await it.commit.click()
+  await it.verdict.filter({ hasText: 'does not run yet' }).waitFor()
+  await it.form.getByRole('button', { name: 'Look at the figure' }).press('Enter')
+  const probe = await figure(page, 'observability-probe')
+  const watch = page.locator('#fig-probe .quiz-watch')
+  await watch.filter({ hasText: 'waits for its state' }).waitFor()
+  await watch.getByRole('link', { name: 'Back to the exercise' }).click()
+  await it.commit.click()
+  await it.verdict.filter({ hasText: 'Show two landmarks.' }).waitFor()
+  assert.equal(await it.form.getAttribute('data-answered'), null)
+  await probe.scrollIntoViewIfNeeded()
+  await probe.evaluate((host) => host.figure.change({ count: 2, sensor: 'range' }))
+  await page.waitForFunction(() => { const host = document.querySelector('#fig-probe .widget'); return host.settled && host.frame.params.count === 2 })
+  assert.equal(await it.form.getAttribute('data-answered'), null, 'two landmarks alone are no trap')
+  await probe.getByRole('button', { name: 'Put the last landmark in line' }).click()
+  await watch.filter({ hasText: 'This is the state' }).waitFor()
+  assert.equal(await it.form.getAttribute('data-answered'), 'right')
+  await page.reload()
+  await check(page, 'collinear-state')
+  await page.locator('#quiz-collinear-state[data-answered="right"]').waitFor()
+})
+
+test('the page recognises the fastest knob, reached by keys', async (t) => {
+  const page = await open(t)
+  await unlock(page, 'fig-bench')
+  const it = await check(page, 'fastest-state')
+  const { conditions } = await keyOf(it.form)
+  const { least, most } = conditions.find(({ path }) => path === 'params.gain')
+  assert.ok(Math.abs(most - least - 0.04) < 1e-9)
+  const bench = await figure(page, 'observer-bench')
+  await bench.evaluate((host) => host.figure.change({ sensor: 'position', mode: 'fixed', gain: 1 }))
+  await page.waitForFunction(() => { const host = document.querySelector('#fig-bench .widget'); return host.settled && host.frame.params.sensor === 'position' })
+  await it.form.scrollIntoViewIfNeeded()
+  await it.commit.click()
+  assert.deepEqual(await it.form.locator('.quiz-missing li').allInnerTexts(), ['Turn the knob to where the two eigenvalues meet.'])
+  await figure(page, 'observer-bench')
+  const slider = bench.getByRole('slider', { name: /gain/i })
+  await slider.focus()
+  for (let i = 0; i < 200 && Number(await slider.inputValue()) < (least + most) / 2 - 0.005; i++) await page.keyboard.press('ArrowRight')
+  await page.waitForFunction((wanted) => { const host = document.querySelector('#fig-bench .widget'); return host.settled && host.frame.params.gain > wanted }, least)
+  await it.form.scrollIntoViewIfNeeded()
+  await it.commit.focus()
+  await page.keyboard.press('Enter')
+  await it.verdict.filter({ hasText: 'Right.' }).waitFor()
+})
+
+test('the chapter ends with what is answered, gives it out as a file, and forgets it', async (t) => {
+  const page = await open(t)
+  const box = await end(page)
+  const words = box.locator('.score-words')
+  assert.match(await words.innerText(), /Predictions: 0 of \d+ answered, 0 right at once, 0 right after more tries\.\s+Exercises: 0 of 15 answered/)
+  const all = await box.locator('.score-open a').count()
+  await answer(page, 'which-foot', true)
+  const lamp = await answer(page, 'lamp-row', false)
+  await lamp.again.click()
+  await answer(page, 'lamp-row', true)
+  await answer(page, 'founded', false)
+  await answer(page, 'unseen-rank', true)
+  await (await check(page, 'constant')).form.getByRole('button', { name: 'Skip, show me' }).click()
+
+  await page.reload()
+  await end(page)
+  assert.match(await words.innerText(), /Predictions: 1 of \d+ answered, 1 right at once, 0 right after more tries\.\s+Exercises: 2 of 15 answered, 0 right at once, 1 right after more tries\./)
+  const left = await box.locator('.score-open a').evaluateAll((links) => links.map((link) => link.getAttribute('href')))
+  assert.equal(left.length, all - 3)
+  assert.ok(left.includes('#ex-unseen') && left.includes('#ex-constant') && !left.includes('#ex-lamp') && !left.includes('#quiz-which-foot'))
+  assert.ok(await page.evaluate((addresses) => addresses.every((address) => document.querySelector(address)), left))
+
+  const waits = page.waitForEvent('download')
+  await box.getByRole('button', { name: 'Save my answers as a file' }).click()
+  const file = await waits
+  assert.equal(file.suggestedFilename(), 'kalman-answers.json')
+  const saved = JSON.parse(readFileSync(await file.path(), 'utf8'))
+  assert.equal(saved.chapter.slug, 'kalman')
+  assert.ok(!Number.isNaN(Date.parse(saved.date)))
+  const of = (id) => { const { grade, answered, right, tries, shown } = saved.exercises.find((it) => it.id === id); return { grade, answered, right, tries, shown } }
+  assert.deepEqual(of('ex-lamp'), { grade: 2, answered: true, right: true, tries: 2, shown: false })
+  assert.deepEqual(of('ex-found'), { grade: 2, answered: true, right: false, tries: 1, shown: false })
+  assert.deepEqual(of('ex-constant'), { grade: 1, answered: false, right: false, tries: 0, shown: true })
+  assert.deepEqual(of('ex-unseen'), { grade: 2, answered: false, right: false, tries: 1, shown: false })
+
+  await box.getByRole('button', { name: 'Forget my answers to the questions' }).click()
+  await words.filter({ hasText: 'Exercises: 0 of 15 answered' }).waitFor()
+  assert.deepEqual(await page.evaluate(() => Object.keys(localStorage).filter((key) => /^(quiz|tries):/.test(key))), [])
+})
+
+test('where the browser keeps nothing, answers last until the page is closed, and the page says so', async (t) => {
+  const page = await open(t, { prepare: (it) => it.addInitScript(() => {
+    const refuse = () => { throw new DOMException('refused', 'SecurityError') }
+    Object.defineProperty(window, 'localStorage', { get: refuse })
+  }) })
+  await answer(page, 'lamp-row', true)
+  const box = await end(page)
+  assert.match(await box.innerText(), /Exercises: 1 of 15 answered, 1 right at once/)
+  assert.match(await box.innerText(), /your answers last until you close the page/)
+})
+
+test('without scripts the chapter ends without an empty box', async (t) => {
+  const page = await open(t, { scripts: false })
+  assert.equal(await page.locator('[data-score]').evaluate((box) => box.getBoundingClientRect().height), 0)
+})

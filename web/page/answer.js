@@ -1,0 +1,85 @@
+/** Compares a reader's answer with a question's key. The key stands encoded in the page, so that nobody reads it in passing. */
+
+/** Letters of the longest number that anybody needs to type. */
+export const LONGEST = 40
+
+/**
+ * @typedef {{ path: string, is?: string, least?: number, most?: number }} Condition of a figure's frame
+ * @typedef {{ right?: number, values?: number[], tolerance?: number, direction?: boolean, near?: number[][],
+ *   conditions?: Condition[] }} Key
+ */
+
+/** @param {HTMLElement} question @returns {Key} */
+export function keyOf({ dataset }) {
+  const bytes = (dataset.key ?? '').match(/../g) ?? []
+  return JSON.parse(new TextDecoder().decode(Uint8Array.from(bytes, (byte) => parseInt(byte, 16))) || '{}')
+}
+
+/**
+ * The verdict on numbers, and which of the well-known wrong answers they are; null when the text holds other than the key
+ * asks for.
+ * @param {Key} key
+ * @param {string} text
+ */
+export function judge({ values = [], tolerance = 0, direction = false, near = [] }, text) {
+  const given = values.length > 1 ? vector(text) : [number(text)]
+  if (given.length !== values.length || given.includes(null)) return null
+  const entries = /** @type {number[]} */ (given)
+  if (direction && entries.every((entry) => entry === 0)) return null
+  const meets = (/** @type {number[]} */ wanted) => gap(entries, wanted, direction) <= tolerance
+  return meets(values) ? { right: true, near: -1 } : { right: false, near: near.findIndex(meets) }
+}
+
+/**
+ * The largest distance between entries; of unit vectors, with the better sign, if only the direction counts.
+ * @param {number[]} a
+ * @param {number[]} b
+ * @param {boolean} direction
+ * @returns {number}
+ */
+function gap(a, b, direction) {
+  if (!direction) return Math.max(...a.map((entry, i) => Math.abs(entry - b[i])))
+  const [of, to] = [unit(a), unit(b)]
+  return Math.min(...[1, -1].map((sign) => gap(of.map((entry) => sign * entry), to, false)))
+}
+
+/** @param {number[]} v */
+function unit(v) {
+  const largest = Math.max(...v.map(Math.abs)) || 1
+  const scaled = v.map((entry) => entry / largest)
+  const length = Math.hypot(...scaled) || 1
+  return scaled.map((entry) => entry / length)
+}
+
+/** Numbers between spaces, commas or semicolons; with semicolons or spaces a comma may be a decimal one. @param {string} text */
+function vector(text) {
+  if (text.length > 8 * LONGEST) return []
+  const inner = text.trim().replace(/^[[(]|[\])]$/g, '').replace(/\s*\/\s*/g, '/').trim()
+  const between = inner.includes(';') ? /\s*;\s*/ : /,\s/.test(inner) || !/\s/.test(inner) ? /\s*,\s*/ : /\s+/
+  return inner.split(between).map(number)
+}
+
+/**
+ * A decimal with point or comma, or a fraction.
+ * @param {string} text
+ */
+export function number(text) {
+  if (text.length > LONGEST) return null
+  const parts = text.replace(/\u2212/g, '-').replace(',', '.').split('/').map((word) => word.trim())
+  if (parts.length > 2 || parts.some((word) => !/^[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?$/i.test(word))) return null
+  const value = parts.length === 2 ? Number(parts[0]) / Number(parts[1]) : Number(parts[0])
+  return Number.isFinite(value) ? value : null
+}
+
+/**
+ * The indices of the conditions that a frame does not meet.
+ * @param {Key} key
+ * @param {any} frame
+ */
+export function unmet({ conditions = [] }, frame) {
+  return conditions.flatMap(({ path, is, least = -Infinity, most = Infinity }, i) => {
+    const value = path.split('.').reduce((at, name) => at?.[name], frame)
+    const met = is === undefined ? typeof value === 'number' && value >= least && value <= most : String(value) === is
+    return met ? [] : [i]
+  })
+}

@@ -1,0 +1,50 @@
+/** Watches a figure until it is in the state that an exercise asks for, and leads there and back. */
+
+import { part } from '../core/element.js'
+import { unmet } from './answer.js'
+
+const EVERY_MS = 400
+
+/** The frame on the screen of a question's figure; null while the figure is not running. @param {HTMLElement} question */
+export function frameOf(question) {
+  const widget = /** @type {any} */ (document.getElementById(question.dataset.figureId ?? '')?.querySelector('.widget') ?? null)
+  return widget?.settled ? widget.frame : null
+}
+
+/**
+ * Leads to the figure of a question, and calls `met` when the figure comes into the wanted state.
+ * @param {HTMLElement} question
+ * @param {import('./answer.js').Key} key
+ * @param {() => void} met
+ */
+export function lookAt(question, key, met) {
+  const figure = document.getElementById(question.dataset.figureId ?? '')
+  const widget = /** @type {HTMLElement | null} */ (figure?.querySelector('.widget') ?? null)
+  if (!figure || !widget) return
+  figure.querySelector('.quiz-watch')?.remove()
+  const words = document.createElement('p')
+  words.className = 'quiz-watch'
+  const status = part(document, words, 'span', '')
+  status.setAttribute('role', 'status')
+  status.textContent = 'The exercise waits for its state here. '
+  const back = /** @type {HTMLAnchorElement} */ (part(document, words, 'a', ''))
+  back.href = `#${question.id}`
+  back.textContent = 'Back to the exercise'
+  widget.after(words)
+  figure.scrollIntoView({ block: 'start' })
+  widget.tabIndex = -1
+  widget.focus({ preventScroll: true })
+  const timer = setInterval(() => {
+    if (!words.isConnected) return clearInterval(timer)
+    const frame = frameOf(question)
+    if (!frame || unmet(key, frame).length > 0) return
+    clearInterval(timer)
+    status.textContent = 'This is the state that the exercise asks for. '
+    met()
+  }, EVERY_MS)
+}
+
+/** @param {HTMLElement} question */
+export function stopWatching(question) {
+  document.getElementById(question.dataset.figureId ?? '')?.querySelector('.quiz-watch')?.remove()
+}
