@@ -115,8 +115,12 @@ impl Writer<'_> {
     /// A block of `templates/blocks.html`, filled.
     pub(crate) fn fill(&mut self, template: &str, values: Value, place: &Place) -> String {
         self.words.push(' ');
-        let html = self.site.blocks.fill(template, values);
-        self.diagnostics.ok(place, html).unwrap_or_default()
+        self.fill_inline(template, values, place) + "\n"
+    }
+
+    /// A piece within a line of `templates/blocks.html`, filled.
+    pub(crate) fn fill_inline(&self, template: &str, values: Value, place: &Place) -> String {
+        self.diagnostics.ok(place, self.site.blocks.fill(template, values)).unwrap_or_default()
     }
 
     fn note(&mut self, kind: &str, title: &str, place: &Place) -> Value {

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use labs::checks::Check;
-use minijinja::value::Serde;
 use minijinja::{Value, context};
 use serde::Serialize;
 
@@ -17,7 +16,7 @@ use crate::file;
 use crate::hash::fnv1a;
 use crate::page;
 use crate::site::Site;
-use crate::template::{Templates, safe};
+use crate::template::{Templates, safe, serde};
 
 /// Everything a build needs.
 pub struct Build<'a> {
@@ -170,9 +169,4 @@ impl Pages<'_> {
         self.dist.put(&path, html.into_bytes());
         Ok(())
     }
-}
-
-/// A value for a template.
-fn serde(value: impl Serialize) -> Value {
-    Value::from(Serde(value))
 }

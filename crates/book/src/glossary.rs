@@ -11,92 +11,77 @@ use crate::diagnostic::Diagnostics;
 /// The four meanings that have a colour.
 pub const KINDS: [&str; 4] = ["prediction", "posterior", "measurement", "truth"];
 
-/// A glossed term.
-#[derive(Clone, Debug)]
-pub struct Term {
+/// A glossed term, its texts as the file has them or, with their places, as the book uses them.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct Term<T = Text> {
+    /// What the text calls it by.
+    pub key: T,
     /// The term as the glossary heads it.
     pub name: String,
     /// What it is, in Markdown.
-    pub gloss: Text,
+    pub gloss: T,
     /// Its symbol in Choset's letters, TeX; may be empty.
+    #[serde(default)]
     pub choset: String,
     /// Its symbol in Thrun's letters, TeX; may be empty.
+    #[serde(default)]
     pub thrun: String,
     /// The meaning whose colour it has.
-    pub kin: Option<String>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RawTerm {
-    key: Spanned<String>,
-    name: String,
-    gloss: Spanned<String>,
-    #[serde(default)]
-    choset: String,
-    #[serde(default)]
-    thrun: String,
-    kin: Option<Spanned<String>>,
+    pub kin: Option<T>,
 }
 
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct RawGlossary {
+struct Terms {
     #[serde(default)]
-    term: Vec<RawTerm>,
+    term: Vec<Term<Spanned<String>>>,
 }
 
 /// The glossary, by key.
 pub fn glossary(file: &DataFile, diagnostics: &Diagnostics) -> BTreeMap<String, Term> {
-    let raw: RawGlossary = file.parse(diagnostics);
     let mut terms = BTreeMap::new();
-    for raw in raw.term {
-        let (place, key) = (file.place(&raw.key), raw.key.into_inner());
-        if let Some(kin) = raw.kin.as_ref().filter(|kin| !KINDS.contains(&kin.get_ref().as_str())) {
-            diagnostics.report(&file.place(kin), format!("kin of `{key}` is none of {}", KINDS.join(", ")));
+    for Term { key, name, gloss, choset, thrun, kin } in file.parse::<Terms>(diagnostics).term {
+        let (key, gloss) = (Text::of(&key, file), Text::of(&gloss, file));
+        let kin = kin.map(|kin| Text::of(&kin, file));
+        let Text { markdown: called, place } = key.clone();
+        if let Some(kin) = kin.as_ref().filter(|kin| !KINDS.contains(&kin.markdown.as_str())) {
+            diagnostics.report(&kin.place, format!("kin of `{called}` is none of {}", KINDS.join(", ")));
         }
-        let gloss = Text::of(&raw.gloss, file);
-        let kin = raw.kin.map(Spanned::into_inner);
-        let term = Term { name: raw.name, gloss, choset: raw.choset, thrun: raw.thrun, kin };
-        if terms.insert(key.clone(), term).is_some() {
-            diagnostics.report(&place, format!("two terms are called `{key}`"));
+        let term = Term { key, name, gloss, choset, thrun, kin };
+        if terms.insert(called.clone(), term).is_some() {
+            diagnostics.report(&place, format!("two terms are called `{called}`"));
         }
     }
     terms
 }
 
 /// A row of the notation table.
-#[derive(Clone, Debug)]
-pub struct NotationRow {
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct NotationRow<T = Text> {
     /// TeX in Choset's letters.
-    pub choset: Text,
+    pub choset: T,
     /// TeX in Thrun's letters.
-    pub thrun: Text,
+    pub thrun: T,
     /// What both mean, in Markdown.
-    pub meaning: Text,
+    pub meaning: T,
 }
 
 #[derive(Default, Deserialize)]
-struct RawNotation {
+struct Notation {
     #[serde(default)]
-    row: Vec<RawRow>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RawRow {
-    choset: Spanned<String>,
-    thrun: Spanned<String>,
-    meaning: Spanned<String>,
+    row: Vec<NotationRow<Spanned<String>>>,
 }
 
 /// The rows of the notation table.
 pub fn notation(file: &DataFile, diagnostics: &Diagnostics) -> Vec<NotationRow> {
-    let raw: RawNotation = file.parse(diagnostics);
-    let row = |raw: &RawRow| NotationRow {
-        choset: Text::of(&raw.choset, file),
-        thrun: Text::of(&raw.thrun, file),
-        meaning: Text::of(&raw.meaning, file),
+    let text = |text: &Spanned<String>| Text::of(text, file);
+    let rows = file.parse::<Notation>(diagnostics).row;
+    let row = |row: &NotationRow<_>| NotationRow {
+        choset: text(&row.choset),
+        thrun: text(&row.thrun),
+        meaning: text(&row.meaning),
     };
-    raw.row.iter().map(row).collect()
+    rows.iter().map(row).collect()
 }

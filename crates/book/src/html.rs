@@ -9,8 +9,3 @@ pub fn escape(text: &str) -> String {
 pub fn escape_text(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
-
-/// ` id="…"` or nothing.
-pub fn id_attribute(id: Option<&str>) -> String {
-    id.map(|id| format!(" id=\"{}\"", escape(id))).unwrap_or_default()
-}

@@ -2,12 +2,15 @@
 
 use std::collections::BTreeSet;
 
+use minijinja::context;
+
 use crate::attributes::Attributes;
 use crate::diagnostic::Place;
 use crate::glossary::KINDS;
-use crate::html::{escape, id_attribute};
+use crate::html::escape;
 use crate::number::Format;
 use crate::piece::{NumberRef, Piece, Tex};
+use crate::template::safe;
 use crate::tex::Style;
 use crate::tree::Node;
 use crate::writer::Writer;
@@ -33,10 +36,7 @@ impl Writer<'_> {
                     }
                 }
             }
-            Piece::Span(attributes) => {
-                let (open, close) = self.span_tags(attributes, place);
-                format!("{open}{}{close}", self.write(&node.children))
-            }
+            Piece::Span(attributes) => self.words_of(attributes, node),
             _ => self.own_block(piece, node),
         };
         self.push(&html);
@@ -60,26 +60,21 @@ impl Writer<'_> {
                 let next = readings.len();
                 // Equal readings share an index.
                 let n = *readings.entry(thrun.html).or_insert(next);
-                (format!("<{tag} class=\"in-choset\">{choset}</{tag}>"), format!(" data-thrun=\"{n}\""))
+                (format!("<{tag} class=\"in-choset\">{choset}</{tag}>"), Some(n))
             }
-            _ => (choset, String::new()),
+            _ => (choset, None),
         };
-        let Some(first) = ids.first() else {
-            if formula.choset.plain && other.is_empty() {
-                return (html, String::new());
+        if formula.choset.plain && other.is_none() && ids.is_empty() {
+            return (html, String::new());
+        }
+        let numbers = ids.iter().cloned().collect::<Vec<_>>().join(" ");
+        let link = match ids.first() {
+            Some(first) if !self.plain => {
+                self.fill_inline("formula_numbers", context! { first, numbers => &numbers }, place)
             }
-            return (format!("<{tag} class=\"formula\"{other}>{html}</{tag}>"), String::new());
+            _ => String::new(),
         };
-        let list = escape(&ids.iter().cloned().collect::<Vec<_>>().join(" "));
-        let link = match self.plain {
-            true => String::new(),
-            false => format!(
-                "<a class=\"formula-numbers\" href=\"#number-{}\" data-numbers=\"{list}\" \
-                 aria-label=\"Where these numbers come from\"></a>",
-                escape(first)
-            ),
-        };
-        (format!("<{tag} class=\"formula\"{other} data-numbers=\"{list}\">{html}</{tag}>"), link)
+        (self.fill_inline("formula", context! { tag, numbers, thrun => other, html => safe(html) }, place), link)
     }
 
     /// TeX with its numbers filled in, and their ids.
@@ -119,11 +114,11 @@ impl Writer<'_> {
     fn number(&mut self, number: &NumberRef, place: &Place) -> String {
         let Some(printed) = self.printed(number, Format::html, place) else { return "?".into() };
         self.words.push_str(&printed.replace("<sup>", "^").replace("</sup>", ""));
-        let id = escape(&number.id);
-        match self.plain {
-            true => format!("<span class=\"number\" data-number=\"{id}\">{printed}</span>"),
-            false => format!("<a class=\"number\" href=\"#number-{id}\" data-number=\"{id}\">{printed}</a>"),
-        }
+        self.fill_inline(
+            "computed",
+            context! { id => &number.id, printed => safe(printed), plain => self.plain },
+            place,
+        )
     }
 
     fn reference(&mut self, id: &str, place: &Place) -> Option<String> {
@@ -132,11 +127,7 @@ impl Writer<'_> {
             self.diagnostics.report(place, format!("`{id}` has no number to refer to; write [words](#{id})"));
         }
         self.words.push_str(&label.text);
-        let text = escape(&label.text);
-        Some(match self.plain {
-            true => format!("<span class=\"ref\">{text}</span>"),
-            false => format!("<a class=\"ref\" href=\"{}\">{text}</a>", escape(&label.href)),
-        })
+        Some(self.fill_inline("ref", context! { text => label.text, href => label.href, plain => self.plain }, place))
     }
 
     fn citation(&mut self, works: &[(String, Option<String>)], place: &Place) -> String {
@@ -145,26 +136,23 @@ impl Writer<'_> {
             let work = self.site.references.get(key).ok_or_else(|| format!("unknown citation `@{key}`"));
             let Some(work) = self.diagnostics.ok(place, work) else { continue };
             self.used.references.insert(key.clone());
-            let locator = locator.as_ref().map(|locator| format!(", {locator}")).unwrap_or_default();
-            words.push(format!("{}{locator}", work.label()));
-            let (label, locator) = (escape(&work.label()), escape(&locator));
-            cited.push(match self.plain {
-                true => format!("{label}{locator}"),
-                false => format!("<a class=\"citation\" href=\"#ref-{}\">{label}</a>{locator}", escape(key)),
-            });
+            words.push([work.label()].into_iter().chain(locator.clone()).collect::<Vec<_>>().join(", "));
+            cited.push((key.clone(), work.label(), locator.clone()));
         }
         self.words.push_str(&format!("({})", words.join("; ")));
-        format!("<span class=\"cite\">({})</span>", cited.join("; "))
+        self.fill_inline("cite", context! { works => cited, plain => self.plain }, place)
     }
 
-    /// The tags around coloured words or a glossed term.
-    fn span_tags(&mut self, attributes: &Attributes, place: &Place) -> (String, &'static str) {
-        let id = id_attribute(attributes.id.as_deref());
+    /// Coloured words, a glossed term, or words with an id.
+    fn words_of(&mut self, attributes: &Attributes, node: &Node) -> String {
+        let place = &node.place;
+        let body = self.write(&node.children);
+        let id = attributes.id.as_deref();
         let [class] = attributes.classes.as_slice() else {
-            if !attributes.classes.is_empty() || attributes.id.is_none() {
+            if !attributes.classes.is_empty() || id.is_none() {
                 self.diagnostics.report(place, "a span has one class");
             }
-            return (format!("<span{id}>"), "</span>");
+            return self.fill_inline("span", context! { id, body => safe(body) }, place);
         };
         let key = match class.as_str() {
             "term" => attributes.value("key").unwrap_or_default(),
@@ -172,22 +160,20 @@ impl Writer<'_> {
             other => {
                 let known = KINDS.join(", .");
                 self.diagnostics.report(place, format!("unknown class `.{other}`; there are .term and .{known}"));
-                return (String::new(), "");
+                return body;
             }
         };
         let term = self.site.glossary.get(key);
         if term.is_none() && class == "term" {
             self.diagnostics.report(place, format!("unknown glossary key `{key}`"));
         }
-        let kin = if class == "term" { term.and_then(|term| term.kin.as_deref()) } else { Some(key) };
-        let colour = kin.map(|kin| format!(" term-{kin}")).unwrap_or_default();
-        let data = kin.map(|kin| format!(" data-kin=\"{kin}\"")).unwrap_or_default();
-        if term.is_none() || self.plain {
-            return (format!("<span{id} class=\"word{colour}\"{data}>"), "</span>");
+        let of_term = term.and_then(|term| term.kin.as_ref()).map(|kin| kin.markdown.as_str());
+        let kin = if class == "term" { of_term } else { Some(key) };
+        let link = term.is_some() && !self.plain;
+        if link {
+            self.used.terms.insert(key.to_string());
         }
-        self.used.terms.insert(key.to_string());
-        let key = escape(key);
-        (format!("<a{id} class=\"term{colour}\" href=\"#gloss-{key}\" data-term=\"{key}\"{data}>"), "</a>")
+        self.fill_inline("word", context! { id, key, kin, link, body => safe(body) }, place)
     }
 
     /// The tags around a link's words.

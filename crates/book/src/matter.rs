@@ -6,7 +6,7 @@ use minijinja::context;
 
 use crate::diagnostic::Place;
 use crate::syntax;
-use crate::template::safe;
+use crate::template::{safe, serde};
 use crate::writer::Writer;
 
 impl Writer<'_> {
@@ -14,7 +14,7 @@ impl Writer<'_> {
     pub(crate) fn reference_list(&mut self) -> String {
         let mut works: Vec<_> = self.site.references.iter().collect();
         works.sort_by_key(|(_, work)| work.label().to_lowercase());
-        let works: Vec<_> = works.into_iter().map(|(key, work)| (key.clone(), safe(work.entry()))).collect();
+        let works: Vec<_> = works.into_iter().map(|(key, work)| (key.clone(), serde(work))).collect();
         self.fill("references", context! { works }, &Place::new("content/references.toml", 1))
     }
 
@@ -34,6 +34,26 @@ impl Writer<'_> {
         }
         html += &glossary;
         html + &self.number_list()
+    }
+
+    /// The index of a footnote, given at its first mention.
+    pub(crate) fn footnote(&mut self, file: &str, label: &str) -> usize {
+        let key = (file.to_string(), label.to_string());
+        self.footnotes.iter().position(|(known, _)| *known == key).unwrap_or_else(|| {
+            self.footnotes.push((key, String::new()));
+            self.footnotes.len() - 1
+        })
+    }
+
+    /// The footnotes of the page as list items, in order of mention.
+    fn footnotes(&self) -> Vec<String> {
+        let item = |(i, (_, html)): (usize, &(_, String))| {
+            // The way back stands in the last paragraph.
+            let (html, end) = html.trim().strip_suffix("</p>").map_or((html.trim(), ""), |html| (html, "</p>"));
+            let values = context! { n => i + 1, html => safe(html.to_string()), end => safe(end.to_string()) };
+            self.fill_inline("footnote", values, &Place::new("footnotes", 1))
+        };
+        self.footnotes.iter().enumerate().map(item).collect()
     }
 
     fn section(&mut self, id: &str, title: &str, body: String) -> String {
@@ -66,7 +86,7 @@ impl Writer<'_> {
         let symbols = safe(symbols.collect::<Vec<_>>().join(" · "));
         self.fill(
             "gloss",
-            context! { key => key.to_string(), kin => term.kin.clone(), name => term.name.clone(), gloss, symbols },
+            context! { key => key.to_string(), kin => term.kin.as_ref().map(|kin| kin.markdown.clone()), name => term.name.clone(), gloss, symbols },
             place,
         )
     }

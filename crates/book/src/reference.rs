@@ -2,15 +2,13 @@
 
 use std::collections::BTreeMap;
 
-use serde::Deserialize;
-
-use crate::html::escape;
+use serde::{Deserialize, Serialize};
 
 /// The works, by key.
 pub type References = BTreeMap<String, Reference>;
 
 /// One work.
-#[derive(Clone, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Reference {
     /// Authors as printed in the list.
@@ -49,34 +47,14 @@ impl Reference {
         };
         format!("{names}\u{a0}{}", self.year)
     }
-
-    /// The entry of the list, as HTML.
-    pub fn entry(&self) -> String {
-        let mut entry = format!(
-            "<span class=\"reference-authors\">{}</span> ({}). <cite>{}</cite>.",
-            escape(&self.authors.join(", ")),
-            self.year,
-            escape(&self.title)
-        );
-        if !self.venue.is_empty() {
-            entry += &format!(" {}.", escape(&self.venue));
-        }
-        let link = match (self.doi.as_str(), self.url.as_str()) {
-            ("", "") => String::new(),
-            ("", url) => format!(" <a class=\"reference-link\" href=\"{0}\">{0}</a>", escape(url)),
-            (doi, _) => format!(" <a class=\"reference-link\" href=\"https://doi.org/{0}\">doi:{0}</a>", escape(doi)),
-        };
-        entry += &link;
-        if !self.note.is_empty() {
-            entry += &format!(" <span class=\"reference-note\">{}</span>", escape(&self.note));
-        }
-        entry
-    }
 }
 
 #[cfg(test)]
 mod tests {
+    use minijinja::context;
+
     use super::*;
+    use crate::template::{Blocks, serde};
 
     #[test]
     fn a_citation_names_up_to_two_authors() {
@@ -87,6 +65,8 @@ mod tests {
         assert_eq!(work("['R. E. Kalman']").label(), "Kalman\u{a0}1960");
         assert_eq!(work("['R. E. Kalman', 'R. S. Bucy']").label(), "Kalman and Bucy\u{a0}1960");
         assert_eq!(work("['S. Thrun', 'W. Burgard', 'D. Fox']").label(), "Thrun et al.\u{a0}1960");
-        assert!(work("['R. E. Kalman']").entry().contains("https://doi.org/10.1/x"));
+        let works = vec![("kalman".to_string(), serde(work("['R. E. Kalman']")))];
+        let list = Blocks::default().fill("references", context! { works }).unwrap();
+        assert!(list.contains("https://doi.org/10.1/x"), "{list}");
     }
 }

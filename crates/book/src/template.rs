@@ -2,7 +2,9 @@
 
 use std::path::Path;
 
+use minijinja::value::Serde;
 use minijinja::{Environment, UndefinedBehavior, Value};
+use serde::Serialize;
 
 use crate::diagnostic::BuildError;
 use crate::file;
@@ -61,15 +63,20 @@ impl Default for Blocks {
 }
 
 impl Blocks {
-    /// The macro `name` filled with `values`, and the end of its last line.
+    /// The macro `name` filled with `values`.
     ///
     /// # Errors
     /// A message when there is no such macro or it asks for a value it is not given.
     pub fn fill(&self, name: &str, values: Value) -> Result<String, String> {
         let macros = self.environment.get_template("blocks.html").and_then(|it| it.render_captured(()));
         let block = macros.and_then(|mut macros| macros.with_state_mut(|state| state.call_macro(name, &[values])));
-        block.map(|block| block + "\n").map_err(|e| format!("templates/blocks.html: {e:#}"))
+        block.map_err(|e| format!("templates/blocks.html: {e:#}"))
     }
+}
+
+/// A value for a template.
+pub fn serde(value: impl Serialize) -> Value {
+    Value::from(Serde(value))
 }
 
 /// HTML that a template takes as it is.

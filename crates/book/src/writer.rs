@@ -67,7 +67,7 @@ pub struct Writer<'a> {
     /// The directives that are open, outermost first.
     pub(crate) inside: Vec<String>,
     /// Footnotes in order of mention: file and label, and HTML once the definition has been seen.
-    footnotes: Vec<((String, String), String)>,
+    pub(crate) footnotes: Vec<((String, String), String)>,
     /// Whether the latest formula is a box, and not text.
     pub(crate) boxed: bool,
     html: String,
@@ -124,20 +124,6 @@ impl<'a> Writer<'a> {
         self.plain = plain;
         self.words.push(' ');
         html
-    }
-
-    /// The footnotes of the page as list items, in order of mention.
-    pub fn footnotes(&self) -> Vec<String> {
-        let item = |(i, (_, html)): (usize, &(_, String))| {
-            let n = i + 1;
-            let back = format!(
-                "<a class=\"footnote-back\" href=\"#fnref-{n}\" aria-label=\"Back to the text\">\u{21a9}\u{fe0e}</a>"
-            );
-            // The way back stands in the last paragraph.
-            let (html, end) = html.trim().strip_suffix("</p>").map_or((html.trim(), ""), |html| (html, "</p>"));
-            format!("<li id=\"fn-{n}\">{html} {back}{end}</li>")
-        };
-        self.footnotes.iter().enumerate().map(item).collect()
     }
 
     /// Adds HTML.
@@ -207,9 +193,8 @@ impl<'a> Writer<'a> {
 
     /// A block between its tags.
     fn block(&mut self, open: &str, children: &[Node], close: &str) {
-        self.begin(open);
-        self.nodes(children);
-        self.push(close);
+        self.begin("");
+        self.span(open, children, close);
         self.words.push(' ');
     }
 
@@ -308,14 +293,5 @@ impl<'a> Writer<'a> {
             self.push(if head { "</tr></thead><tbody>\n" } else { "</tr>\n" });
         }
         self.push("</tbody></table>\n</div>\n");
-    }
-
-    /// The index of a footnote, given at its first mention.
-    fn footnote(&mut self, file: &str, label: &str) -> usize {
-        let key = (file.to_string(), label.to_string());
-        self.footnotes.iter().position(|(known, _)| *known == key).unwrap_or_else(|| {
-            self.footnotes.push((key, String::new()));
-            self.footnotes.len() - 1
-        })
     }
 }
