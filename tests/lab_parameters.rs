@@ -4,16 +4,13 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use estimate::validate;
-use labs::{
-    BenchParams, HookParams, Lab, Mode, ObservabilityProbe, ObserverBench, OdometryHook, Picture, PictureParams,
-    ProbeParams, Sensor, SensorKind,
-};
+use labs::{Lab, ObservabilityProbe, ObserverBench, OdometryHook, Params, Picture, ProbeParams, Shape};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use serde_json::Value;
 
 /// A number as callers send them: mostly within `sound`, sometimes at the edge of the representable, sometimes none.
-fn number(sound: std::ops::Range<f64>) -> impl Strategy<Value = f64> {
+fn number(sound: impl Strategy<Value = f64> + 'static) -> impl Strategy<Value = f64> {
     let edges = vec![0.0, -0.0, -1.0, 1e-9, 1e9, 1e154, 1e308, -1e308, f64::MIN_POSITIVE, 5e-324];
     prop_oneof![
         16 => sound,
@@ -70,68 +67,66 @@ fn answers_or_refuses<L: Lab<Params: PartialEq + std::fmt::Debug>>(
     Ok(())
 }
 
-fn bench() -> impl Strategy<Value = BenchParams> {
-    let sensor = prop::sample::select(vec![Sensor::Velocity, Sensor::Position]);
-    let mode = prop::sample::select(vec![Mode::Fixed, Mode::Filter]);
-    (sensor, mode, number(0.0..6.0), any::<u32>()).prop_map(|(sensor, mode, gain, seed)| BenchParams {
-        sensor,
-        mode,
-        gain,
-        seed,
-    })
+/// The numbers of one value as callers send them: mostly within the limits that its parameter declares.
+fn values(shape: &'static Shape, limits: [f64; 2]) -> BoxedStrategy<Vec<f64>> {
+    let [least, greatest] = limits;
+    let one = |number| vec![number];
+    match shape {
+        Shape::Number => {
+            let sound = if (greatest - least).is_finite() { least..greatest } else { -10.0..10.0 };
+            // A third near zero, as far as the limits let it be: W and tolerances are small there.
+            let near = 0_f64.clamp(least, greatest);
+            let small = sound.clone().prop_map(move |x| near + 0.1 * (x - near));
+            number(prop_oneof![2 => sound, 1 => small]).prop_map(one).boxed()
+        }
+        Shape::Whole => {
+            let outside = [(least - 1.0).max(0.0), (greatest + 1.0).min(f64::from(u32::MAX))];
+            prop_oneof![
+                8 => (least as u32..=greatest.min(least + 300.0) as u32).prop_map(f64::from),
+                4 => (least as u32..=greatest as u32).prop_map(f64::from),
+                1 => prop::sample::select(outside.to_vec()),
+            ]
+            .prop_map(one)
+            .boxed()
+        }
+        Shape::Flag => any::<bool>().prop_map(move |flag| one(f64::from(flag))).boxed(),
+        Shape::Word(words) => (0..words.len()).prop_map(move |index| one(index as f64)).boxed(),
+        Shape::Maybe(value) => {
+            let present = values(value, limits).prop_map(|row| [vec![1.0], row].concat());
+            prop_oneof![Just(one(0.0)), present].boxed()
+        }
+        Shape::Exactly(n, entry) => {
+            prop::collection::vec(values(entry, limits), *n).prop_map(|rows| rows.concat()).boxed()
+        }
+        Shape::Text | Shape::List(_) | Shape::Record(_) => unreachable!("no parameter holds a {shape:?}"),
+    }
 }
 
-fn hook() -> impl Strategy<Value = HookParams> {
-    (number(0.0..0.01), number(0.0..0.005), any::<bool>(), any::<u32>())
-        .prop_map(|(bias, slip, fixes, seed)| HookParams { bias, slip, fixes, seed })
+/// Parameters of a lab, drawn from their declaration: a new parameter is drawn here without another line.
+fn of<P: Params + std::fmt::Debug>() -> impl Strategy<Value = P> {
+    let each: Vec<_> = P::PARAMETERS.iter().map(|known| values(&known.shape, [known.least, known.greatest])).collect();
+    each.prop_map(|rows| P::read(&mut rows.concat().iter()))
 }
 
+/// The Probe's parameters, with landmarks on the course itself too, where the robot drives over them.
 fn probe() -> impl Strategy<Value = ProbeParams> {
-    // On the course itself too, where the robot drives over a landmark.
-    let landmark =
-        || prop_oneof![4 => [number(0.0..6.0), number(0.0..6.0)], 1 => Just([1.5, 1.5]), 1 => Just([3.0, 1.5])];
-    let sensor = prop::sample::select(vec![SensorKind::Range, SensorKind::RangeBearing]);
-    let stop = prop_oneof![Just(None), (0..300_u32).prop_map(Some)];
-    let landmarks = [landmark(), landmark(), landmark()];
-    (landmarks, 0..5_u32, sensor, stop, any::<bool>(), number(0.0..0.1), any::<u32>()).prop_map(
-        |(landmarks, count, sensor, stop, forget, tolerance, seed)| ProbeParams {
-            landmarks,
-            count,
-            sensor,
-            stop,
-            forget,
-            tolerance,
-            seed,
-        },
-    )
-}
-
-fn picture() -> impl Strategy<Value = PictureParams> {
-    let axes = [number(0.1..3.0), number(0.1..3.0)];
-    let rest = [number(-3.0..3.0), number(-3.0..3.0), number(0.0..2.0), number(-1.5..1.5)];
-    ([number(-3.0..3.0), number(-3.0..3.0)], axes, rest).prop_map(
-        |(mean, [semi_major, semi_minor], [angle, reading, noise, tilt])| PictureParams {
-            mean,
-            semi_major,
-            semi_minor,
-            angle,
-            reading,
-            noise,
-            tilt,
-        },
-    )
+    let place = || prop_oneof![4 => Just(None), 2 => prop::sample::select(vec![Some([1.5, 1.5]), Some([3.0, 1.5])])];
+    (of::<ProbeParams>(), [place(), place(), place()]).prop_map(|(params, places)| {
+        let landmarks = std::array::from_fn(|i| places[i].unwrap_or(params.landmarks[i]));
+        ProbeParams { landmarks, ..params }
+    })
 }
 
 proptest! {
     #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
 
     #[test]
-    fn the_bench(first in bench(), second in bench(), steps in 1..200_u32) {
+    fn the_bench(first in of(), second in of(), steps in 1..200_u32) {
         answers_or_refuses::<ObserverBench>(first, second, steps)?;
     }
 
     #[test]
-    fn the_hook(first in hook(), second in hook(), steps in 1..200_u32) {
+    fn the_hook(first in of(), second in of(), steps in 1..200_u32) {
         answers_or_refuses::<OdometryHook>(first, second, steps)?;
     }
 
@@ -141,7 +136,7 @@ proptest! {
     }
 
     #[test]
-    fn the_picture(first in picture(), second in picture(), steps in 1..3_u32) {
+    fn the_picture(first in of(), second in of(), steps in 1..3_u32) {
         answers_or_refuses::<Picture>(first, second, steps)?;
     }
 }

@@ -9,7 +9,7 @@ fn at(params: BenchParams, steps: u32) -> ObserverBench {
 }
 
 fn with(sensor: Sensor, mode: Mode, gain: f64) -> BenchParams {
-    BenchParams { sensor, mode, gain, seed: 1 }
+    BenchParams { sensor, mode, gain, ..BenchParams::default() }
 }
 
 #[test]
