@@ -12,6 +12,8 @@ export async function readItAll(page) {
   await page.locator('[data-set-notation="thrun"]').click()
   await page.waitForFunction(() => document.documentElement.classList.contains('two-notations'))
   await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))
+  // All parts are laid out first: with every block open they are far higher than noted, and each would push the next figure away.
+  await page.evaluate(() => document.querySelectorAll('.chapter > section').forEach((part) => { part.style.contentVisibility = 'visible' }))
   for (const widget of await page.locator('.widget').all()) {
     await widget.scrollIntoViewIfNeeded()
     await widget.and(page.locator('[data-state="live"]')).waitFor()

@@ -23,7 +23,7 @@ pub struct Heading {
     pub number: String,
     /// Its title as HTML, without links.
     pub html: String,
-    /// Where its title and the text below it begin in [`Writer::words`].
+    /// Where its title and the text below it begin among the words.
     #[serde(skip)]
     pub words: (usize, usize),
 }
