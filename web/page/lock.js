@@ -2,6 +2,7 @@
 
 import { button, part } from '../core/element.js'
 import { readState } from '../core/link.js'
+import { onceNear } from './near.js'
 
 /**
  * @param {HTMLElement} question
@@ -32,6 +33,7 @@ function veil(question, skip) {
   link.href = `#${question.id}`
   link.textContent = title
   words.append('First answer “', link, '”, then try it here.')
-  button(document, cover, 'Skip, show me', skip)
+  // A form control far below would have the browser lay its part of the text out.
+  onceNear(cover, () => button(document, cover, 'Skip, show me', skip))
   return cover
 }

@@ -33,6 +33,16 @@ export function whenNear(selector, act) {
   reach(document.activeElement)
 }
 
+/** Calls `act` once, when `element` comes near the screen. @param {Element} element @param {() => void} act */
+export function onceNear(element, act) {
+  const eye = new IntersectionObserver((entries) => {
+    if (!entries.some(({ isIntersecting }) => isIntersecting)) return
+    eye.disconnect()
+    act()
+  }, { rootMargin: NEAR })
+  eye.observe(element)
+}
+
 /**
  * While the page is still being read, its elements are looked for once per frame. The last one found then may be incomplete:
  * an element is complete when something follows it.
