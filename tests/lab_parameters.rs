@@ -98,7 +98,7 @@ fn values(shape: &'static Shape, limits: [f64; 2]) -> BoxedStrategy<Vec<f64>> {
         Shape::Exactly(n, entry) => {
             prop::collection::vec(values(entry, limits), *n).prop_map(|rows| rows.concat()).boxed()
         }
-        Shape::Text | Shape::List(_) | Shape::Record(_) => unreachable!("no parameter holds a {shape:?}"),
+        Shape::Text | Shape::List(_) | Shape::Record(..) => unreachable!("no parameter holds a {shape:?}"),
     }
 }
 

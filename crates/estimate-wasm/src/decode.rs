@@ -181,7 +181,7 @@ impl<'a> Arg<'a> {
                     self.entry(i)?.shaped(p, entry, to)?;
                 }
             }
-            Shape::Text | Shape::List(_) | Shape::Record(_) => return Err(self.wrong_type("a parameter")),
+            Shape::Text | Shape::List(_) | Shape::Record(..) => return Err(self.wrong_type("a parameter")),
         }
         Ok(())
     }

@@ -88,7 +88,7 @@ impl<'a> Row<'a> {
                 let length = self.number() as usize;
                 self.entries(length, entry)
             }
-            Shape::Record(fields) => self.fields(fields),
+            Shape::Record(_, fields) => self.fields(fields),
         }
     }
 

@@ -84,8 +84,7 @@ pub fn error_eigenvalues(
     #[wasm_bindgen(js_name = K, unchecked_param_type = "Matrix")] k: &JsValue,
 ) -> Result<JsValue, JsValue> {
     let answer = || dynamic::error_eigenvalues(&system_of(system)?, Arg::new(k, "K").matrix()?);
-    let roots: Vec<_> = answer().map_err(thrown)?.into_iter().map(labs::Root::from).collect();
-    Ok(shown(&roots))
+    Ok(shown(&answer().map_err(thrown)?))
 }
 
 /// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out); at most
@@ -175,7 +174,7 @@ pub fn covariance_ellipse(
     #[wasm_bindgen(unchecked_optional_param_type = "number")] radius: &JsValue,
 ) -> Result<JsValue, JsValue> {
     let answer = || dynamic::covariance_ellipse(Arg::new(p, "P").matrix()?, number_or(radius, "radius", 1.0)?);
-    Ok(shown(&labs::EllipseShape::from(answer().map_err(thrown)?)))
+    Ok(shown(&answer().map_err(thrown)?))
 }
 
 /// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric; at most 16 states and 8 outputs.

@@ -51,7 +51,7 @@ fn read(shape: &Shape, value: &Value, to: &mut Vec<f64>) -> Option<()> {
             let entries = value.as_array().filter(|entries| entries.len() == *n)?;
             entries.iter().try_for_each(|each| read(entry, each, to))?;
         }
-        Shape::Text | Shape::List(_) | Shape::Record(_) => return None,
+        Shape::Text | Shape::List(_) | Shape::Record(..) => return None,
     }
     Some(())
 }

@@ -14,22 +14,26 @@ pub(crate) mod typescript;
 pub use parameter::{Knob, Parameter, Params};
 pub use shape::{Field, Plain, Shape};
 pub use shown::Shown;
-pub(crate) use typescript::{Type, written};
-
 pub(crate) use text::Text;
+pub(crate) use typescript::{About, Interface, written};
 
-/// Declares a plain struct: each field has a doc comment and a type that is [`Plain`]. TypeScript calls a field by its name in
-/// camelCase, or by the name in `#[name = "…"]`; it calls the struct by its own name, or by `#[typescript = "…"]`.
+/// Declares plain structs: each field has a doc comment and a type that is [`Plain`]. TypeScript calls a field by its name in
+/// camelCase, or by the name in `#[name = "…"]`. Their interfaces are the constant `INTERFACES`.
 macro_rules! record {
-    ($(#[doc = $about:literal])+ $(#[typescript = $alias:literal])? $(#[derive($($derived:ident),*)])?
-     pub struct $name:ident { $($(#[doc = $doc:literal])+ $(#[name = $key:literal])? pub $field:ident: $type:ty,)* }) => {
-        $(#[doc = $about])+
-        #[derive(Clone, Debug, PartialEq $($(, $derived)*)?)]
-        pub struct $name { $($(#[doc = $doc])+ pub $field: $type,)* }
-        $crate::declare::described! {
-            [$($about)+] $name as $crate::declare::name!($name $($alias)?); &[];
-            { $([$($doc)+] $field: $type as $crate::declare::name!($field $($key)?), "";)* }
-        }
+    ($($(#[doc = $about:literal])+ $(#[derive($($derived:ident),*)])?
+     pub struct $name:ident { $($(#[doc = $doc:literal])+ $(#[name = $key:literal])? pub $field:ident: $type:ty,)* })+) => {
+        $(
+            $(#[doc = $about])+
+            #[derive(Clone, Debug, PartialEq $($(, $derived)*)?)]
+            pub struct $name { $($(#[doc = $doc])+ pub $field: $type,)* }
+            $crate::declare::described! {
+                $(#[doc = $about])+
+                $name as stringify!($name); &[], &[];
+                { $($(#[doc = $doc])+ $field: $type as $crate::declare::name!($field $($key)?);)* }
+            }
+        )+
+        /// The interfaces of these records.
+        pub(crate) const INTERFACES: &[$crate::declare::About] = &[$(<$name as $crate::declare::Interface>::ABOUT),+];
     };
 }
 
@@ -49,8 +53,9 @@ macro_rules! params {
             }
         }
         $crate::declare::described! {
-            [$($about)+] $name as stringify!($name); <$name as $crate::declare::Params>::PARAMETERS;
-            { $([$($doc)+] $field: $type as $crate::declare::name!($field), $crate::declare::default_word!($default);)* }
+            $(#[doc = $about])+
+            $name as stringify!($name); <$name as $crate::declare::Params>::PARAMETERS, &[$(stringify!($default)),*];
+            { $($(#[doc = $doc])+ $field: $type as $crate::declare::name!($field);)* }
         }
         impl $crate::declare::Params for $name {
             const PARAMETERS: &'static [$crate::declare::Parameter] = &[$(
@@ -89,7 +94,6 @@ macro_rules! worded {
     ($name:ident { $($variant:ident = $word:literal,)+ }) => {
         impl $crate::declare::Plain for $name {
             const SHAPE: $crate::declare::Shape = $crate::declare::Shape::Word(&[$($word),+]);
-            const TYPE: $crate::declare::typescript::Type = $crate::declare::typescript::Type::Words(&[$($word),+]);
 
             fn write(&self, to: &mut Vec<f64>) {
                 let all = [$($name::$variant),+];
@@ -109,28 +113,25 @@ macro_rules! worded {
 
 /// Describes a struct that is declared elsewhere, or by one of the macros above.
 macro_rules! described {
-    ([$($about:literal)+] $name:ident as $alias:expr; $parameters:expr;
-     { $([$($doc:literal)+] $field:ident: $type:ty as $key:expr, $default:expr;)* }) => {
+    ($(#[doc = $about:literal])+ $name:ident as $alias:expr; $parameters:expr, $defaults:expr;
+     { $($(#[doc = $doc:literal])+ $field:ident: $type:ty as $key:expr;)* }) => {
         impl $crate::declare::Plain for $name {
-            const SHAPE: $crate::declare::Shape = $crate::declare::Shape::Record(&[$(
+            const SHAPE: $crate::declare::Shape = $crate::declare::Shape::Record($alias, &[$(
                 $crate::declare::Field { name: $key, shape: <$type as $crate::declare::Plain>::SHAPE },
             )*]);
-            const TYPE: $crate::declare::typescript::Type =
-                $crate::declare::typescript::Type::Record(&$crate::declare::typescript::Declaration {
-                    name: $alias,
-                    about: &[$($about),+],
-                    members: &[$($crate::declare::typescript::Member {
-                        name: $key,
-                        about: &[$($doc),+],
-                        default: $default,
-                        of: <$type as $crate::declare::Plain>::TYPE,
-                    },)*],
-                    parameters: $parameters,
-                });
 
             fn write(&self, to: &mut Vec<f64>) {
                 $($crate::declare::Plain::write(&self.$field, to);)*
             }
+        }
+        impl $crate::declare::Interface for $name {
+            const ABOUT: $crate::declare::About = $crate::declare::About {
+                shape: <$name as $crate::declare::Plain>::SHAPE,
+                record: concat!($($about),+),
+                fields: &[$(concat!($($doc),+)),*],
+                parameters: $parameters,
+                defaults: $defaults,
+            };
         }
     };
 }
@@ -146,20 +147,7 @@ macro_rules! name {
     };
 }
 
-/// A default as TypeScript's documentation shows it: a literal, or nothing where it is computed.
-macro_rules! default_word {
-    (None) => {
-        "null"
-    };
-    ($default:literal) => {
-        stringify!($default)
-    };
-    ($default:tt) => {
-        ""
-    };
-}
-
-pub(crate) use {default_word, described, name, params, record, worded, words};
+pub(crate) use {described, name, params, record, worded, words};
 
 /// `snake_case` as camelCase.
 pub(crate) const fn camel_case(name: &str) -> Text<40> {

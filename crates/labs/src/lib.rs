@@ -34,6 +34,6 @@ pub use odometry_hook::{
 };
 pub use picture::{Foot, Picture, PictureFrame, PictureParams};
 pub use series::{Series, Track, Tracks, WINDOW};
-pub use shapes::{BenchBelief, EllipseShape, Root, ellipse_of};
+pub use shapes::{BenchBelief, ellipse_of};
 pub use true_path::TruePath;
 pub use typescript::TYPESCRIPT;

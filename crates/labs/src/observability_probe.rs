@@ -4,10 +4,10 @@
 //! The robot drives its square exactly; what its filter takes for the motion is off by a draw from V at every tick. So
 //! the true path, and with it the rank along it, does not depend on a seed.
 
-mod frame;
+pub(crate) mod frame;
 mod localize;
 mod params;
-mod ranks;
+pub(crate) mod ranks;
 mod snap;
 mod view;
 

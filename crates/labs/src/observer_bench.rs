@@ -1,6 +1,6 @@
 //! The Observer Bench: the rail robot of §8.2.6 under an observer whose gain the reader sets, or the filter does.
 
-mod frame;
+pub(crate) mod frame;
 mod params;
 
 pub use frame::{BenchFrame, BenchSeries, Feet};
@@ -8,10 +8,10 @@ pub use params::{BenchParams, Mode, Sensor};
 
 use crate::declare::Params;
 use crate::lab::{Digest, Lab};
-use crate::shapes::{Root, pair, root};
+use crate::shapes::root;
 use estimate::kf::{Gaussian, kalman_step};
 use estimate::rail::{dead_reckoning, position_sensor};
-use estimate::{Error, Lti, Observer};
+use estimate::{Complex, Error, Lti, Observer};
 use geom::AffineSet;
 use nalgebra::{Matrix1, Matrix2, U1, U2, Vector1, Vector2};
 use sim::Noise;
@@ -136,8 +136,8 @@ impl Lab for ObserverBench {
     fn frame(&self) -> BenchFrame {
         let observer = Observer { sys: self.system, k: self.gain, xhat: self.posterior.x };
         // Two real or conjugate roots: a 2×2 has them in closed form, so the iteration that could fail is not run.
-        let roots: Vec<Root> = observer.error_eigs().unwrap_or_default().into_iter().map(Root::from).collect();
-        let eigenvalues = [0, 1].map(|i| roots.get(i).copied().unwrap_or(Root { re: f64::NAN, im: f64::NAN }));
+        let nan = [Complex::new(f64::NAN, f64::NAN); 2];
+        let eigenvalues = observer.error_eigs().ok().and_then(|roots| roots.try_into().ok()).unwrap_or(nan);
         let modulus = eigenvalues.map(|l| numerics::hypot(l.re, l.im));
         let pinned = (self.params.sensor == Sensor::Velocity)
             .then(|| eigenvalues.iter().position(|l| l.re == 1.0 && l.im == 0.0))
@@ -152,20 +152,20 @@ impl Lab for ObserverBench {
             time: f64::from(self.step) * self.period(),
             params: self.params,
             diverged: self.diverged,
-            truth: pair(&self.truth),
+            truth: self.truth.into(),
             reading: self.reading,
             predicted: (&self.predicted).into(),
             posterior: (&self.posterior).into(),
             innovation,
             s,
-            r: pair(&self.gain),
-            filter_gain: pair(&self.filter_gain),
-            steady_gain: pair(&self.steady),
-            h: [self.system.h[0], self.system.h[1]],
+            r: self.gain.into(),
+            filter_gain: self.filter_gain.into(),
+            steady_gain: self.steady.into(),
+            h: self.system.h.transpose().into(),
             most_likely_output: self.most_likely_output(spread),
             feet: omega.and_then(|o| {
-                let euclidean = pair(&o.euclidean_foot(&self.predicted.x)?);
-                let mahalanobis = pair(&o.mahalanobis_foot(&self.predicted.p, &self.predicted.x)?);
+                let euclidean = o.euclidean_foot(&self.predicted.x)?.into();
+                let mahalanobis = o.mahalanobis_foot(&self.predicted.p, &self.predicted.x)?.into();
                 Some(Feet { euclidean, mahalanobis })
             }),
             spectral_radius: modulus[0],

@@ -4,7 +4,7 @@
 //! the bias. Landmark fixes, when they are on, are one range and bearing of each mapped corner as it comes within reach.
 
 mod drive;
-mod frame;
+pub(crate) mod frame;
 mod params;
 
 pub(crate) use drive::Drive;

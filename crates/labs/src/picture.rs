@@ -1,6 +1,6 @@
 //! The Picture: a prediction, the states that explain a reading, and the two ways of stepping onto them (§8.2.2–8.2.4).
 
-mod frame;
+pub(crate) mod frame;
 mod params;
 
 pub use frame::{Foot, PictureFrame};
@@ -8,7 +8,7 @@ pub use params::PictureParams;
 
 use crate::declare::Params;
 use crate::lab::{Digest, Lab};
-use crate::shapes::{pair, rows};
+use crate::shapes::rows;
 use estimate::kf::Gaussian;
 use estimate::{Code, Error};
 use filters::Update;
@@ -88,12 +88,12 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
         let scaled = metric.solve(&step);
         let distance = step.dot(&scaled).max(0.0).sqrt();
         Foot {
-            at: pair(&at),
+            at: at.into(),
             residual: -set.residual(&at)[0],
             euclidean: along.dot(&step),
             mahalanobis: along.dot(&scaled),
             distance,
-            ellipse: Ellipse::from_covariance(&p, distance).into(),
+            ellipse: Ellipse::from_covariance(&p, distance),
         }
     };
     Ok(PictureFrame {
@@ -101,11 +101,11 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
         params,
         predicted: (&predicted).into(),
         posterior: (&posterior).into(),
-        h: [h[0], h[1]],
-        along: pair(&along),
+        h: h.transpose().into(),
+        along: along.into(),
         innovation: innovation[0],
         s: s[0],
-        r: pair(&k),
+        r: k.into(),
         expected_output: expected.x[0],
         expected_variance: expected.p[0],
         most_likely_output: most_likely[0],

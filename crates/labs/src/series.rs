@@ -1,6 +1,5 @@
 //! A number over time, its last few hundred values: a long run keeps its memory.
 
-use crate::declare::typescript::Type;
 use crate::declare::{Plain, Shape, record};
 use std::collections::VecDeque;
 
@@ -29,7 +28,6 @@ pub struct Series<const MOST: usize = WINDOW>(VecDeque<f64>);
 
 impl<const MOST: usize> Plain for Series<MOST> {
     const SHAPE: Shape = VecDeque::<f64>::SHAPE;
-    const TYPE: Type = VecDeque::<f64>::TYPE;
 
     fn write(&self, to: &mut Vec<f64>) {
         self.0.write(to);
@@ -66,6 +64,15 @@ record! {
         pub x: VecDeque<f64>,
         /// Metres.
         pub y: VecDeque<f64>,
+    }
+
+    /// Where the robot was and where it believed to be, in the fewest positions that miss none by more than a millimetre.
+    #[derive(Default)]
+    pub struct Tracks {
+        /// True positions.
+        pub truth: Track,
+        /// Estimated positions.
+        pub estimate: Track,
     }
 }
 
@@ -120,17 +127,6 @@ fn squared_distance(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     let part = if length > 0.0 { ((to[0] * along[0] + to[1] * along[1]) / length).clamp(0.0, 1.0) } else { 0.0 };
     let off = [to[0] - part * along[0], to[1] - part * along[1]];
     off[0] * off[0] + off[1] * off[1]
-}
-
-record! {
-    /// Where the robot was and where it believed to be, in the fewest positions that miss none by more than a millimetre.
-    #[derive(Default)]
-    pub struct Tracks {
-        /// True positions.
-        pub truth: Track,
-        /// Estimated positions.
-        pub estimate: Track,
-    }
 }
 
 impl Tracks {

@@ -1,36 +1,41 @@
 //! Plain values for a view: rows of numbers, ellipses.
 
 use crate::declare::shape::put;
-use crate::declare::typescript::Type;
-use crate::declare::{Plain, Shape, record};
+use crate::declare::{Plain, Shape, described, record};
 use estimate::kf::Gaussian;
 use estimate::{Complex, Error};
 use geom::Ellipse;
-use nalgebra::{Matrix2, Matrix3, SMatrix, SVector, U2, Vector2};
+use nalgebra::{Matrix2, SMatrix, SVector, U2};
 
-record! {
+described! {
     /// An ellipse as a view draws it.
-    #[typescript = "Ellipse"]
-    #[derive(Copy)]
-    pub struct EllipseShape {
+    Ellipse as "Ellipse"; &[], &[];
+    {
         /// Half the long axis.
-        pub semi_major: f64,
+        semi_major: f64 as "semiMajor";
         /// Half the short axis.
-        pub semi_minor: f64,
+        semi_minor: f64 as "semiMinor";
         /// Angle of the long axis, radians in (−π/2, π/2].
-        pub angle: f64,
+        angle: f64 as "angle";
     }
 }
 
-impl From<Ellipse> for EllipseShape {
-    fn from(e: Ellipse) -> Self {
-        Self { semi_major: e.semi_major, semi_minor: e.semi_minor, angle: e.angle }
+type Root = Complex<f64>;
+
+described! {
+    /// A complex number.
+    Root as "Complex"; &[], &[];
+    {
+        /// Real part.
+        re: f64 as "re";
+        /// Imaginary part.
+        im: f64 as "im";
     }
 }
 
 /// The one-sigma ellipse of a 2×2 covariance.
-pub fn ellipse_of(p: &Matrix2<f64>) -> EllipseShape {
-    Ellipse::from_covariance(p, 1.0).into()
+pub fn ellipse_of(p: &Matrix2<f64>) -> Ellipse {
+    Ellipse::from_covariance(p, 1.0)
 }
 
 record! {
@@ -43,44 +48,19 @@ record! {
         #[name = "P"]
         pub p: [[f64; 2]; 2],
         /// Its one-sigma ellipse.
-        pub ellipse: EllipseShape,
+        pub ellipse: Ellipse,
     }
 }
 
 impl From<&Gaussian<U2>> for BenchBelief {
     fn from(belief: &Gaussian<U2>) -> Self {
-        Self { x: pair(&belief.x), p: rows(&belief.p), ellipse: ellipse_of(&belief.p) }
+        Self { x: belief.x.into(), p: rows(&belief.p), ellipse: ellipse_of(&belief.p) }
     }
 }
 
-record! {
-    /// A complex number.
-    #[typescript = "Complex"]
-    #[derive(Copy)]
-    pub struct Root {
-        /// Real part.
-        pub re: f64,
-        /// Imaginary part.
-        pub im: f64,
-    }
-}
-
-impl From<Complex<f64>> for Root {
-    fn from(c: Complex<f64>) -> Self {
-        Self { re: c.re, im: c.im }
-    }
-}
-
-pub(crate) fn pair(v: &Vector2<f64>) -> [f64; 2] {
-    [v[0], v[1]]
-}
-
-pub(crate) fn rows(m: &Matrix2<f64>) -> [[f64; 2]; 2] {
-    [[m[(0, 0)], m[(0, 1)]], [m[(1, 0)], m[(1, 1)]]]
-}
-
-pub(crate) fn rows3(m: &Matrix3<f64>) -> [[f64; 3]; 3] {
-    [0, 1, 2].map(|i| [0, 1, 2].map(|j| m[(i, j)]))
+/// The rows of a square matrix.
+pub(crate) fn rows<const N: usize>(m: &SMatrix<f64, N, N>) -> [[f64; N]; N] {
+    m.transpose().into()
 }
 
 /// One entry or two, for sensors of one output and of two. On the stack: a lab makes thousands, and draws the last.
@@ -99,7 +79,6 @@ impl<T> OneOrTwo<T> {
 
 impl<T: Plain + 'static> Plain for OneOrTwo<T> {
     const SHAPE: Shape = Shape::List(&T::SHAPE);
-    const TYPE: Type = Type::Array(&T::TYPE);
 
     fn write(&self, to: &mut Vec<f64>) {
         put(to, self.count as f64);

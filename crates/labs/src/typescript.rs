@@ -1,21 +1,27 @@
 //! The labs' TypeScript: every type that a lab takes or hands out.
 
-use crate::declare::{Plain, Text, Type, written};
-use crate::{BenchFrame, BenchParams, HookFrame, HookParams, PictureFrame, PictureParams, ProbeFrame, ProbeParams};
+use crate::declare::{About, Interface, Text, written};
+use crate::{BenchParams, HookParams, PictureParams, ProbeParams};
+use crate::{mapping, observability_probe, observer_bench, odometry_hook, picture, series, shapes};
+use estimate::{Complex, Landmark};
+use geom::Ellipse;
+use sim::Room;
 
-/// What the labs take and hand out.
-const ROOTS: &[Type] = &[
-    BenchParams::TYPE,
-    BenchFrame::TYPE,
-    HookParams::TYPE,
-    HookFrame::TYPE,
-    ProbeParams::TYPE,
-    ProbeFrame::TYPE,
-    PictureParams::TYPE,
-    PictureFrame::TYPE,
+/// What the labs take and hand out, and what that is made of.
+const ALL: &[&[About]] = &[
+    &[BenchParams::ABOUT, HookParams::ABOUT, ProbeParams::ABOUT, PictureParams::ABOUT],
+    &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT, Room::ABOUT],
+    shapes::INTERFACES,
+    series::INTERFACES,
+    mapping::INTERFACES,
+    observer_bench::frame::INTERFACES,
+    odometry_hook::frame::INTERFACES,
+    observability_probe::frame::INTERFACES,
+    observability_probe::ranks::INTERFACES,
+    picture::frame::INTERFACES,
 ];
 
 /// The interfaces of all labs, with their doc comments, limits and defaults. `Vector` and `Matrix` are not among them.
-pub const TYPESCRIPT: &str = ALL.as_str();
+pub const TYPESCRIPT: &str = WRITTEN.as_str();
 
-const ALL: &Text<20_000> = &written(ROOTS);
+const WRITTEN: &Text<20_000> = &written(ALL);

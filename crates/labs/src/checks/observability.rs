@@ -36,11 +36,7 @@ pub(crate) fn five_cases(givens: &Givens) -> Result<Vec<Case>, Error> {
     let between = Landmark { id: 9, x: 0.5 * (crossing.x() + first.x), y: 0.5 * (crossing.y() + first.y) };
     let case = |about, landmarks: &[Landmark], sight, moving| -> Result<Case, Error> {
         let drive = moments(givens, landmarks, middle - AROUND..=middle + AROUND, moving);
-        let now = drive.get(AROUND as usize).cloned().into_iter().collect::<Vec<_>>();
-        let frozen = match now.first() {
-            Some(now) => frozen_ranks(now, sight, false, TOLERANCE)?,
-            None => ProbeRanks::none(),
-        };
+        let frozen = frozen_ranks(&drive[AROUND as usize], sight, false, TOLERANCE)?;
         Ok(Case { about, frozen, path: stacked_ranks(drive.iter(), sight, false, TOLERANCE)? })
     };
     Ok(vec![

@@ -38,8 +38,7 @@ impl Parameter {
         unit: &'static str,
         bounds: &'static str,
     ) -> Self {
-        let Self { name, shape, .. } = self;
-        Self { name, shape, least, greatest, step, unit, bounds }
+        Self { least, greatest, step, unit, bounds, ..self }
     }
 
     /// Finds the first number out of bounds: where it stands in the parameter, and what is wrong with it.
@@ -64,7 +63,7 @@ impl Parameter {
                 Some((String::new(), code))
             }
             Shape::Flag | Shape::Word(_) => from.next().and(None),
-            Shape::Text | Shape::List(_) | Shape::Record(_) => None,
+            Shape::Text | Shape::List(_) | Shape::Record(..) => None,
         }
     }
 }

@@ -3,7 +3,6 @@
 //! A view wants objects, a program JSON, a hash bits: each reads the row along the [`Shape`], so that one function serves all
 //! frames where a generic one would be compiled for each.
 
-use super::typescript::Type;
 use std::collections::VecDeque;
 
 /// What a row of numbers holds.
@@ -25,8 +24,8 @@ pub enum Shape {
     List(&'static Shape),
     /// As many entries as stated here.
     Exactly(usize, &'static Shape),
-    /// Each field in turn.
-    Record(&'static [Field]),
+    /// Each field in turn, of a record of this name.
+    Record(&'static str, &'static [Field]),
 }
 
 /// A field of a record.
@@ -42,8 +41,6 @@ pub struct Field {
 pub trait Plain {
     /// What [`Plain::write`] writes.
     const SHAPE: Shape;
-    /// The same for TypeScript.
-    const TYPE: Type;
 
     /// Appends the value's numbers.
     fn write(&self, to: &mut Vec<f64>);
@@ -57,10 +54,9 @@ pub(crate) fn put(to: &mut Vec<f64>, number: f64) {
 
 /// Single numbers.
 macro_rules! number {
-    ($($type:ty: $shape:ident, $typescript:ident;)*) => {$(
+    ($($type:ty: $shape:ident;)*) => {$(
         impl Plain for $type {
             const SHAPE: Shape = Shape::$shape;
-            const TYPE: Type = Type::$typescript;
 
             fn write(&self, to: &mut Vec<f64>) {
                 put(to, f64::from(*self));
@@ -69,11 +65,10 @@ macro_rules! number {
     )*};
 }
 
-number! { f64: Number, Number; u32: Whole, Number; bool: Flag, Boolean; }
+number! { f64: Number; u32: Whole; bool: Flag; }
 
 impl Plain for usize {
     const SHAPE: Shape = Shape::Whole;
-    const TYPE: Type = Type::Number;
 
     fn write(&self, to: &mut Vec<f64>) {
         put(to, *self as f64);
@@ -82,7 +77,6 @@ impl Plain for usize {
 
 impl Plain for &'static str {
     const SHAPE: Shape = Shape::Text;
-    const TYPE: Type = Type::Text;
 
     fn write(&self, to: &mut Vec<f64>) {
         put(to, self.chars().count() as f64);
@@ -92,7 +86,6 @@ impl Plain for &'static str {
 
 impl<T: Plain> Plain for Option<T> {
     const SHAPE: Shape = Shape::Maybe(&T::SHAPE);
-    const TYPE: Type = Type::Maybe(&T::TYPE);
 
     fn write(&self, to: &mut Vec<f64>) {
         put(to, f64::from(self.is_some()));
@@ -104,7 +97,6 @@ impl<T: Plain> Plain for Option<T> {
 
 impl<T: Plain, const N: usize> Plain for [T; N] {
     const SHAPE: Shape = Shape::Exactly(N, &T::SHAPE);
-    const TYPE: Type = Type::Array(&T::TYPE);
 
     fn write(&self, to: &mut Vec<f64>) {
         self.iter().for_each(|entry| entry.write(to));
@@ -116,7 +108,6 @@ macro_rules! list {
     ($($type:ty),*) => {$(
         impl<T: Plain + 'static> Plain for $type {
             const SHAPE: Shape = Shape::List(&T::SHAPE);
-            const TYPE: Type = Type::Array(&T::TYPE);
 
             fn write(&self, to: &mut Vec<f64>) {
                 put(to, self.len() as f64);

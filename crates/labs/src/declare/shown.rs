@@ -1,7 +1,7 @@
 //! Plain values through serde, for programs that want JSON.
 
 use super::shape::{Plain, Shape};
-use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
+use serde::{Serialize, Serializer};
 use std::cell::RefCell;
 use std::slice::Iter;
 
@@ -33,11 +33,7 @@ impl Row<'_> {
     }
 
     fn entries<S: Serializer>(&self, n: usize, entry: &'static Shape, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut list = serializer.serialize_seq(Some(n))?;
-        for _ in 0..n {
-            list.serialize_element(&self.of(entry))?;
-        }
-        list.end()
+        serializer.collect_seq((0..n).map(|_| self.of(entry)))
     }
 }
 
@@ -57,12 +53,8 @@ impl Serialize for Row<'_> {
             Shape::Maybe(value) => self.of(value).serialize(serializer),
             Shape::List(entry) => self.entries(self.next() as usize, entry, serializer),
             Shape::Exactly(n, entry) => self.entries(*n, entry, serializer),
-            Shape::Record(fields) => {
-                let mut map = serializer.serialize_map(Some(fields.len()))?;
-                for field in *fields {
-                    map.serialize_entry(field.name, &self.of(&field.shape))?;
-                }
-                map.end()
+            Shape::Record(_, fields) => {
+                serializer.collect_map(fields.iter().map(|field| (field.name, self.of(&field.shape))))
             }
         }
     }

@@ -24,6 +24,13 @@ impl<const N: usize> Text<N> {
         self.len = end;
     }
 
+    pub const fn put_all(&mut self, mut parts: &[&str]) {
+        while let [part, rest @ ..] = parts {
+            self.put(part);
+            parts = rest;
+        }
+    }
+
     /// A number with as many decimals as it needs, at most nine.
     pub const fn put_number(&mut self, value: f64) {
         if value < 0.0 {
@@ -55,15 +62,6 @@ impl<const N: usize> Text<N> {
             Err(_) => panic!("texts are joined whole"),
         }
     }
-}
-
-/// Whether two texts are the same.
-pub(crate) const fn same(a: &str, b: &str) -> bool {
-    let (a, b, mut i) = (a.as_bytes(), b.as_bytes(), 0);
-    while i < a.len() && i < b.len() && a[i] == b[i] {
-        i += 1;
-    }
-    i == a.len() && i == b.len()
 }
 
 #[cfg(test)]

@@ -1,155 +1,95 @@
 //! TypeScript written from declarations while the crate is compiled: no second copy is kept anywhere.
 
 use super::parameter::Parameter;
-use super::text::{Text, same};
+use super::shape::{Plain, Shape};
+use super::text::Text;
 
-/// A type as TypeScript knows it.
-#[derive(Clone, Copy, Debug)]
-pub enum Type {
-    /// `number`.
-    Number,
-    /// `boolean`.
-    Boolean,
-    /// `string`.
-    Text,
-    /// `"a" | "b"`.
-    Words(&'static [&'static str]),
-    /// `… | null`.
-    Maybe(&'static Type),
-    /// `…[]`; `Vector` and `Matrix` for numbers.
-    Array(&'static Type),
-    /// An interface.
-    Record(&'static Declaration),
-}
-
-/// An interface.
-#[derive(Debug)]
-pub struct Declaration {
-    /// Its name.
-    pub name: &'static str,
-    /// The lines of its doc comment.
-    pub about: &'static [&'static str],
-    /// Its members.
-    pub members: &'static [Member],
-    /// The limits of each, where they are parameters.
+/// What an interface of TypeScript says beside its shape. It is kept apart from the shape, so that no program carries these
+/// words.
+pub(crate) struct About {
+    /// A record.
+    pub shape: Shape,
+    /// The record's doc comment.
+    pub record: &'static str,
+    /// The doc comment of each field.
+    pub fields: &'static [&'static str],
+    /// The limits of each field, where the fields are parameters.
     pub parameters: &'static [Parameter],
+    /// The default of each, as it is written in the declaration.
+    pub defaults: &'static [&'static str],
 }
 
-/// A member of an interface.
-#[derive(Debug)]
-pub struct Member {
-    /// Its name.
-    pub name: &'static str,
-    /// The lines of its doc comment.
-    pub about: &'static [&'static str],
-    /// Its default; empty where there is none to show.
-    pub default: &'static str,
-    /// Its type.
-    pub of: Type,
+/// A record that TypeScript knows as an interface.
+pub(crate) trait Interface: Plain {
+    /// Shape and doc comments.
+    const ABOUT: About;
 }
 
-type Found = [Option<&'static Declaration>; 64];
-
-/// The interfaces that these types are made of, each once. The names `Vector` and `Matrix` are left to whoever includes this.
-pub const fn written(roots: &[Type]) -> Text<20_000> {
-    let (mut found, mut i): (Found, usize) = ([None; 64], 0);
-    while i < roots.len() {
-        collect(&roots[i], &mut found);
-        i += 1;
-    }
+/// These interfaces. The names `Vector` and `Matrix` are left to whoever includes this.
+pub(crate) const fn written(mut groups: &[&[About]]) -> Text<20_000> {
     let mut text = Text::new();
-    i = 0;
-    while let Some(declaration) = found[i] {
-        put_declaration(&mut text, declaration);
-        i += 1;
+    while let [group, rest @ ..] = groups {
+        let mut i = 0;
+        while i < group.len() {
+            put_interface(&mut text, &group[i]);
+            i += 1;
+        }
+        groups = rest;
     }
     text
 }
 
-/// Adds the interfaces that `of` speaks of, each once.
-const fn collect(of: &Type, found: &mut Found) {
-    match of {
-        Type::Maybe(inner) | Type::Array(inner) => collect(inner, found),
-        Type::Record(declaration) => {
-            let mut i = 0;
-            while let Some(known) = found[i] {
-                if same(known.name, declaration.name) {
-                    return;
-                }
-                i += 1;
-            }
-            found[i] = Some(declaration);
-            i = 0;
-            while i < declaration.members.len() {
-                collect(&declaration.members[i].of, found);
-                i += 1;
-            }
-        }
-        Type::Number | Type::Boolean | Type::Text | Type::Words(_) => {}
-    }
-}
-
-const fn put_declaration<const N: usize>(text: &mut Text<N>, declaration: &Declaration) {
-    text.put("/**");
-    put_lines(text, declaration.about);
-    text.put(" */\nexport interface ");
-    text.put(declaration.name);
-    text.put(" {\n");
+const fn put_interface<const N: usize>(text: &mut Text<N>, about: &About) {
+    let Shape::Record(name, fields) = about.shape else { panic!("an interface is of a record") };
+    text.put_all(&["/**", about.record, " */\nexport interface ", name, " {\n"]);
     let mut i = 0;
-    while i < declaration.members.len() {
-        let member = &declaration.members[i];
-        text.put("    /**");
-        put_lines(text, member.about);
-        if i < declaration.parameters.len() && !declaration.parameters[i].bounds.is_empty() {
-            text.put(" Goes ");
-            text.put(declaration.parameters[i].bounds);
-            text.put(".");
+    while i < fields.len() {
+        text.put_all(&["    /**", about.fields[i]]);
+        if i < about.parameters.len() {
+            put_limits(text, about.parameters[i].bounds, about.defaults[i]);
         }
-        if !member.default.is_empty() {
-            text.put(" Default ");
-            text.put(member.default);
-            text.put(".");
-        }
-        text.put(" */\n    ");
-        text.put(member.name);
-        text.put(": ");
-        put_type(text, &member.of);
+        text.put_all(&[" */\n    ", fields[i].name, ": "]);
+        put_type(text, &fields[i].shape);
         text.put(";\n");
         i += 1;
     }
     text.put("}\n");
 }
 
-const fn put_lines<const N: usize>(text: &mut Text<N>, lines: &[&str]) {
-    let mut i = 0;
-    while i < lines.len() {
-        text.put(lines[i]);
-        i += 1;
+/// The limits of a parameter, and its default if it is a literal.
+const fn put_limits<const N: usize>(text: &mut Text<N>, bounds: &str, default: &str) {
+    if !bounds.is_empty() {
+        text.put_all(&[" Goes ", bounds, "."]);
+    }
+    match default.as_bytes() {
+        [b'(', ..] => {}
+        b"None" => text.put(" Default null."),
+        _ => text.put_all(&[" Default ", default, "."]),
     }
 }
 
-const fn put_type<const N: usize>(text: &mut Text<N>, of: &Type) {
-    match of {
-        Type::Number => text.put("number"),
-        Type::Boolean => text.put("boolean"),
-        Type::Text => text.put("string"),
-        Type::Record(declaration) => text.put(declaration.name),
-        Type::Array(Type::Number) => text.put("Vector"),
-        Type::Array(Type::Array(Type::Number)) => text.put("Matrix"),
-        Type::Array(entry) => {
-            put_type(text, entry);
-            text.put("[]");
-        }
-        Type::Maybe(value) => {
+const fn put_type<const N: usize>(text: &mut Text<N>, shape: &Shape) {
+    match shape {
+        Shape::Number | Shape::Whole => text.put("number"),
+        Shape::Flag => text.put("boolean"),
+        Shape::Text => text.put("string"),
+        Shape::Record(name, _) => text.put(name),
+        Shape::Exactly(_, entry) | Shape::List(entry) => match entry {
+            Shape::Number | Shape::Whole => text.put("Vector"),
+            Shape::Exactly(_, Shape::Number) | Shape::List(Shape::Number) => text.put("Matrix"),
+            _ => {
+                put_type(text, entry);
+                text.put("[]");
+            }
+        },
+        Shape::Maybe(value) => {
             put_type(text, value);
             text.put(" | null");
         }
-        Type::Words(words) => {
+        Shape::Word(words) => {
             let mut i = 0;
             while i < words.len() {
-                text.put(if i == 0 { "\"" } else { " | \"" });
-                text.put(words[i]);
-                text.put("\"");
+                text.put_all(&[if i == 0 { "\"" } else { " | \"" }, words[i], "\""]);
                 i += 1;
             }
         }

@@ -5,8 +5,9 @@ use super::ranks::ProbeRanks;
 use crate::declare::{record, words};
 use crate::mapping::MapError;
 use crate::series::{Series, Tracks};
-use crate::shapes::{EllipseShape, Innovation, InnovationCovariance};
+use crate::shapes::{Innovation, InnovationCovariance};
 use estimate::localizer::SensorKind;
+use geom::Ellipse;
 
 record! {
     /// One picture of the Probe.
@@ -33,7 +34,7 @@ record! {
         #[name = "P"]
         pub p: [[f64; 3]; 3],
         /// The one-sigma ellipse of its position.
-        pub ellipse: EllipseShape,
+        pub ellipse: Ellipse,
         /// Truth less estimate, the heading the short way round.
         pub error: [f64; 3],
         /// All three landmarks, shown or not.
@@ -63,9 +64,7 @@ record! {
         /// The map, when it had to be founded.
         pub slam: Option<ProbeMap>,
     }
-}
 
-record! {
     /// A rectangle with a corner at the origin.
     #[derive(Copy)]
     pub struct RoomShape {
@@ -74,9 +73,7 @@ record! {
         /// Metres.
         pub height: f64,
     }
-}
 
-record! {
     /// A landmark of the room.
     #[derive(Copy)]
     pub struct ProbeLandmark {
@@ -87,23 +84,7 @@ record! {
         /// Whether the robot sees it.
         pub shown: bool,
     }
-}
 
-words! {
-    /// What became of a sighting in the Probe.
-    pub enum Fate {
-        /// Known map: it corrected the estimate.
-        Accepted = "accepted",
-        /// Forgotten map: it corrected estimate and map.
-        Matched = "matched",
-        /// It founded a landmark.
-        Founded = "founded",
-        /// It was not used.
-        Rejected = "rejected",
-    }
-}
-
-record! {
     /// One sighting.
     #[derive(Copy)]
     pub struct ProbeSighting {
@@ -125,9 +106,7 @@ record! {
         /// Where the landmark it was taken for is believed to be: the end of the association line.
         pub to: Option<[f64; 2]>,
     }
-}
 
-record! {
     /// tr P and its parts, beside the reference: two range-only landmarks, no noise drawn.
     #[derive(Copy)]
     pub struct Traces {
@@ -144,9 +123,7 @@ record! {
         /// rad².
         pub reference_heading: f64,
     }
-}
 
-record! {
     /// Means over the run so far.
     #[derive(Copy)]
     pub struct Means {
@@ -155,9 +132,7 @@ record! {
         /// All νᵀS⁻¹ν over all their degrees of freedom: expected 1.
         pub nis_per_dof: Option<f64>,
     }
-}
 
-record! {
     /// Numbers over the last steps; NaN where there is none.
     #[derive(Default)]
     pub struct ProbeSeries {
@@ -178,9 +153,7 @@ record! {
         /// Its degrees of freedom.
         pub nis_dof: Series,
     }
-}
 
-record! {
     /// The map of a robot that had none.
     pub struct ProbeMap {
         /// Its landmarks, in the order in which they were founded.
@@ -202,9 +175,7 @@ record! {
         /// The landmark farthest from its true place.
         pub worst: Option<MapError>,
     }
-}
 
-record! {
     /// A landmark of the map.
     #[derive(Copy)]
     pub struct MapLandmark {
@@ -218,12 +189,26 @@ record! {
         #[name = "P"]
         pub p: [[f64; 2]; 2],
         /// One sigma.
-        pub ellipse: EllipseShape,
+        pub ellipse: Ellipse,
         /// Which of the room's landmarks it was founded on.
         pub truth: usize,
         /// Metres from there.
         pub error: f64,
         /// The same in its own standard deviations.
         pub sigma: f64,
+    }
+}
+
+words! {
+    /// What became of a sighting in the Probe.
+    pub enum Fate {
+        /// Known map: it corrected the estimate.
+        Accepted = "accepted",
+        /// Forgotten map: it corrected estimate and map.
+        Matched = "matched",
+        /// It founded a landmark.
+        Founded = "founded",
+        /// It was not used.
+        Rejected = "rejected",
     }
 }

@@ -24,7 +24,8 @@ pub(crate) struct Moment {
 }
 
 record! {
-    /// A rank with what stands behind it, as a view draws it.
+    /// A rank with what stands behind it, as a view draws it. The default stands where no rank could be found.
+    #[derive(Default)]
     pub struct ProbeRanks {
         /// Singular values above the tolerance.
         pub rank: usize,
@@ -145,19 +146,4 @@ pub(crate) fn stacked_ranks<'m>(
     }
     let found = stack.analyze(tolerance)?;
     Ok(ProbeRanks::new(found.start, &found.now, found.steps))
-}
-
-impl ProbeRanks {
-    /// What is shown where no rank could be found.
-    pub(crate) fn none() -> Self {
-        Self {
-            rank: 0,
-            n: 0,
-            singular_values: Vec::new(),
-            relative: Vec::new(),
-            nullspace: Vec::new(),
-            directions: Vec::new(),
-            steps: 0,
-        }
-    }
 }

@@ -4,7 +4,7 @@ use super::frame::{Fate, MapLandmark, Means, ProbeFrame, ProbeLandmark, ProbeMap
 use super::ranks::{ProbeRanks, frozen_ranks, stacked_ranks};
 use super::{ObservabilityProbe, Who};
 use crate::mapping::{Mapping, Seen, Tally};
-use crate::shapes::{ellipse_of, innovation, rows, rows3};
+use crate::shapes::{ellipse_of, innovation, rows};
 use crate::true_path::parts;
 use estimate::slam::Outcome;
 use filters::consistency::chi2_interval;
@@ -13,8 +13,6 @@ use std::sync::LazyLock;
 
 pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
     let (pose, p) = probe.who.belief();
-    let error = probe.truth.boxminus(pose);
-    let vector = |v: nalgebra::Vector3<f64>| [v[0], v[1], v[2]];
     let shown = probe.shown.len();
     let landmark = |i: usize| {
         let [x, y] = probe.params.landmarks[i];
@@ -32,11 +30,11 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
         room: RoomShape { width: PROBE.room, height: PROBE.room },
         square: PROBE.course.corners(),
         moving: probe.moving(),
-        truth: vector(probe.truth.to_vector()),
-        estimate: vector(pose.to_vector()),
-        p: rows3(&p),
+        truth: probe.truth.to_vector().into(),
+        estimate: pose.to_vector().into(),
+        p: rows(&p),
         ellipse: ellipse_of(&p.fixed_view::<2, 2>(0, 0).into_owned()),
-        error: vector(error),
+        error: probe.truth.boxminus(pose).into(),
         landmarks: [0, 1, 2].map(landmark),
         sightings: probe.sightings.clone(),
         frozen,
@@ -80,7 +78,7 @@ fn both_ranks(probe: &ObservabilityProbe) -> [ProbeRanks; 2] {
     let tolerance = probe.params.tolerance;
     let frozen = frozen_ranks(&probe.believed(), sight, mapped, tolerance);
     let along_path = stacked_ranks(probe.moments.iter(), sight, mapped, tolerance);
-    [frozen, along_path].map(|ranks| ranks.unwrap_or_else(|_| ProbeRanks::none()))
+    [frozen, along_path].map(|ranks| ranks.unwrap_or_default())
 }
 
 fn map_shape(mapping: &Mapping) -> ProbeMap {
@@ -127,6 +125,6 @@ pub(super) fn mapped_sighting(seen: &Seen, mapping: &Mapping) -> ProbeSighting {
             Outcome::Founded => Fate::Founded,
             Outcome::Rejected => Fate::Rejected,
         },
-        to: place.map(|l| [l.position[0], l.position[1]]),
+        to: place.map(|l| l.position.into()),
     }
 }

@@ -3,7 +3,8 @@
 use super::BenchParams;
 use crate::declare::record;
 use crate::series::Series;
-use crate::shapes::{BenchBelief, Root};
+use crate::shapes::BenchBelief;
+use estimate::Complex;
 
 /// How many of the last steps the Bench draws.
 pub const DRAWN: usize = 120;
@@ -47,7 +48,7 @@ record! {
         /// The points of Ω nearest to the prediction.
         pub feet: Option<Feet>,
         /// Of (I − KH)F, by decreasing modulus.
-        pub eigenvalues: [Root; 2],
+        pub eigenvalues: [Complex<f64>; 2],
         /// The modulus of each.
         pub modulus: [f64; 2],
         /// Which of them a gain can move and has moved out of the unit disc.
@@ -65,9 +66,7 @@ record! {
         /// The last steps.
         pub series: BenchSeries,
     }
-}
 
-record! {
     /// The two nearest points of Ω.
     #[derive(Copy)]
     pub struct Feet {
@@ -76,9 +75,7 @@ record! {
         /// In the metric of P(k+1 | k).
         pub mahalanobis: [f64; 2],
     }
-}
 
-record! {
     /// Numbers over the last steps.
     #[derive(Default)]
     pub struct BenchSeries {

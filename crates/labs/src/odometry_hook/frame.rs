@@ -3,11 +3,11 @@
 use super::HookParams;
 use crate::declare::{described, record};
 use crate::series::{Series, Tracks, keep};
-use crate::shapes::{EllipseShape, ellipse_of};
+use crate::shapes::{ellipse_of, rows};
 use estimate::Landmark;
 use estimate::kf::Gaussian;
-use geom::SE2;
-use nalgebra::{Matrix2, U3};
+use geom::{Ellipse, SE2};
+use nalgebra::U3;
 use sim::scenarios::HOOK;
 use sim::{Apartment, Room};
 use std::collections::VecDeque;
@@ -42,7 +42,7 @@ record! {
         #[name = "P"]
         pub p: [[f64; 3]; 3],
         /// The one-sigma ellipse of the claimed position.
-        pub ellipse: EllipseShape,
+        pub ellipse: Ellipse,
         /// The belief of this tick before its fixes.
         pub predicted: PoseBelief,
         /// [Δs, Δθ] as the encoders say; absent at step 0.
@@ -64,29 +64,7 @@ record! {
         /// Numbers over the last lap and a half.
         pub series: HookSeries,
     }
-}
 
-described! {
-    ["A rectangular room."] Room as "Room"; &[];
-    {
-        ["Its name."] name: &'static str as "name", "";
-        ["West wall, metres."] x: f64 as "x", "";
-        ["South wall, metres."] y: f64 as "y", "";
-        ["West to east, metres."] width: f64 as "width", "";
-        ["South to north, metres."] height: f64 as "height", "";
-    }
-}
-
-described! {
-    ["A mapped landmark; ids are whole numbers below 2³², each given once."] Landmark as "Landmark"; &[];
-    {
-        ["Its name in the map."] id: u32 as "id", "";
-        ["Metres."] x: f64 as "x", "";
-        ["Metres."] y: f64 as "y", "";
-    }
-}
-
-record! {
     /// The apartment and the course.
     pub struct World {
         /// [x₁, y₁, x₂, y₂] of each wall.
@@ -101,17 +79,7 @@ record! {
         /// How far the sensor reaches.
         pub reach: f64,
     }
-}
 
-impl World {
-    pub(crate) fn of(home: &Apartment) -> Self {
-        let walls = home.walls.iter().map(|w| [w.from[0], w.from[1], w.to[0], w.to[1]]).collect();
-        let course = HOOK.course.corners();
-        Self { walls, rooms: home.rooms, corners: home.corners, course, reach: HOOK.sensor.reach }
-    }
-}
-
-record! {
     /// A belief over a pose.
     #[derive(Copy)]
     pub struct PoseBelief {
@@ -121,20 +89,9 @@ record! {
         #[name = "P"]
         pub p: [[f64; 3]; 3],
         /// The one-sigma ellipse of the position.
-        pub ellipse: EllipseShape,
+        pub ellipse: Ellipse,
     }
-}
 
-impl From<&Gaussian<U3>> for PoseBelief {
-    fn from(belief: &Gaussian<U3>) -> Self {
-        let p = &belief.p;
-        let position = Matrix2::new(p[(0, 0)], p[(0, 1)], p[(1, 0)], p[(1, 1)]);
-        let rows = [0, 1, 2].map(|i| [p[(i, 0)], p[(i, 1)], p[(i, 2)]]);
-        Self { x: belief.x.into(), p: rows, ellipse: ellipse_of(&position) }
-    }
-}
-
-record! {
     /// A corner as read in one tick.
     #[derive(Copy)]
     pub struct CornerSighting {
@@ -149,9 +106,7 @@ record! {
         /// The bearing read, from the landmark.
         pub bearing: f64,
     }
-}
 
-record! {
     /// The last corner that was read.
     #[derive(Copy)]
     pub struct LastSighting {
@@ -170,9 +125,7 @@ record! {
         /// From where.
         pub from: [f64; 2],
     }
-}
 
-record! {
     /// An error of a pose.
     #[derive(Copy)]
     pub struct Quality {
@@ -181,9 +134,7 @@ record! {
         /// Estimated minus true heading, the short way round.
         pub heading: f64,
     }
-}
 
-record! {
     /// What is claimed of it.
     #[derive(Copy)]
     pub struct Spread {
@@ -192,9 +143,7 @@ record! {
         /// One sigma of the heading.
         pub heading: f64,
     }
-}
 
-record! {
     /// How many claimed sigmas the error is.
     #[derive(Copy)]
     pub struct Ratio {
@@ -203,16 +152,7 @@ record! {
         /// Absent while nothing is claimed.
         pub heading: Option<f64>,
     }
-}
 
-impl Quality {
-    pub(crate) fn over(self, sigma: Spread) -> Ratio {
-        let ratio = |error: f64, sigma: f64| (sigma > 0.0).then(|| error.abs() / sigma);
-        Ratio { position: ratio(self.position, sigma.position), heading: ratio(self.heading, sigma.heading) }
-    }
-}
-
-record! {
     /// The estimate at one tick of the past.
     #[derive(Copy)]
     pub struct Stop {
@@ -221,11 +161,9 @@ record! {
         /// Where the robot believed to be.
         pub x: [f64; 2],
         /// And how surely.
-        pub ellipse: EllipseShape,
+        pub ellipse: Ellipse,
     }
-}
 
-record! {
     /// Numbers over time.
     #[derive(Default)]
     pub struct HookSeries {
@@ -239,6 +177,58 @@ record! {
         pub sigma_position: Series,
         /// Claimed sigma of the heading.
         pub sigma_heading: Series,
+    }
+}
+
+described! {
+    /// A rectangular room.
+    Room as "Room"; &[], &[];
+    {
+        /// Its name.
+        name: &'static str as "name";
+        /// West wall, metres.
+        x: f64 as "x";
+        /// South wall, metres.
+        y: f64 as "y";
+        /// West to east, metres.
+        width: f64 as "width";
+        /// South to north, metres.
+        height: f64 as "height";
+    }
+}
+
+described! {
+    /// A mapped landmark; ids are whole numbers below 2³², each given once.
+    Landmark as "Landmark"; &[], &[];
+    {
+        /// Its name in the map.
+        id: u32 as "id";
+        /// Metres.
+        x: f64 as "x";
+        /// Metres.
+        y: f64 as "y";
+    }
+}
+
+impl World {
+    pub(crate) fn of(home: &Apartment) -> Self {
+        let walls = home.walls.iter().map(|w| [w.from[0], w.from[1], w.to[0], w.to[1]]).collect();
+        let course = HOOK.course.corners();
+        Self { walls, rooms: home.rooms, corners: home.corners, course, reach: HOOK.sensor.reach }
+    }
+}
+
+impl From<&Gaussian<U3>> for PoseBelief {
+    fn from(belief: &Gaussian<U3>) -> Self {
+        let position = belief.p.fixed_view::<2, 2>(0, 0).into_owned();
+        Self { x: belief.x.into(), p: rows(&belief.p), ellipse: ellipse_of(&position) }
+    }
+}
+
+impl Quality {
+    pub(crate) fn over(self, sigma: Spread) -> Ratio {
+        let ratio = |error: f64, sigma: f64| (sigma > 0.0).then(|| error.abs() / sigma);
+        Ratio { position: ratio(self.position, sigma.position), heading: ratio(self.heading, sigma.heading) }
     }
 }
 

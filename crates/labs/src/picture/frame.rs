@@ -2,7 +2,8 @@
 
 use super::PictureParams;
 use crate::declare::record;
-use crate::shapes::{BenchBelief, EllipseShape};
+use crate::shapes::BenchBelief;
+use geom::Ellipse;
 
 record! {
     /// A step from the prediction, in both metrics.
@@ -19,11 +20,9 @@ record! {
         /// ‖Δx‖ in that metric: how many ellipses away the step leads.
         pub distance: f64,
         /// The equidistant ellipse through that point.
-        pub ellipse: EllipseShape,
+        pub ellipse: Ellipse,
     }
-}
 
-record! {
     /// The picture.
     pub struct PictureFrame {
         /// Always 0: nothing here goes by steps.

@@ -1,5 +1,5 @@
 use super::*;
-use crate::shapes::{EllipseShape, ellipse_of};
+use crate::shapes::ellipse_of;
 
 fn of(params: PictureParams) -> PictureFrame {
     Picture::new(params).expect("in reach").frame()
@@ -75,7 +75,7 @@ fn steps_change_nothing() {
 }
 
 /// The ellipse that `P` of a picture draws.
-fn drawn(frame: &PictureFrame) -> EllipseShape {
+fn drawn(frame: &PictureFrame) -> Ellipse {
     ellipse_of(&Matrix2::new(frame.p[0][0], frame.p[0][1], frame.p[1][0], frame.p[1][1]))
 }
 
