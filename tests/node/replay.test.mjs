@@ -8,6 +8,21 @@ const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm
 const rail = { F: [[1, 0.5], [0, 1]], G: [[0], [0.5]], H: [[1, 0]], V: [[0.2, 0.05], [0.05, 0.1]], W: [[0.5]] }
 const belief = { x: [2, 4], P: [[1, 0], [0, 2]] }
 
+/** −½(ln det 2πS + νᵀS⁻¹ν) of one output or two, by the formulas for a 2×2. */
+function logDensity(nu, S) {
+  if (nu.length === 1) return -0.5 * (Math.log(2 * Math.PI * S[0][0]) + nu[0] ** 2 / S[0][0])
+  const det = S[0][0] * S[1][1] - S[0][1] ** 2
+  const square = (S[1][1] * nu[0] ** 2 - 2 * S[0][1] * nu[0] * nu[1] + S[0][0] * nu[1] ** 2) / det
+  return -0.5 * (Math.log((2 * Math.PI) ** 2 * det) + square)
+}
+
+test('a log whose innovation is nearly singular is filtered and has no likelihood', () => {
+  const copies = { F: [[1, 0], [0, 1]], G: [[0], [0]], H: [[1, 0], [1, 1e-8]], V: [[0, 0], [0, 0]], W: [[1e-16, 0], [0, 1e-16]] }
+  const log = core.kalmanReplay(copies, { x: [0, 0], P: [[1, 0], [0, 1]] }, new Float64Array(1), Float64Array.of(0.3, 0.3))
+  assert.equal(log.logLikelihood, null)
+  assert.ok(Number.isFinite(log.x[0]))
+})
+
 test('kalmanReplay is kalmanStep, for the rail robot and for another size', () => {
   const both = { ...rail, H: [[1, 0], [0, 1]], W: [[0.5, 0.1], [0.1, 0.4]] }
   for (const system of [rail, both]) {
@@ -16,14 +31,16 @@ test('kalmanReplay is kalmanStep, for the rail robot and for another size', () =
     const inputs = Float64Array.from({ length: steps }, (_, k) => Math.sin(k))
     const readings = Float64Array.from({ length: steps * outputs }, (_, k) => Math.cos(0.3 * k))
     const log = core.kalmanReplay(system, belief, inputs, readings)
-    let state = belief
+    let [state, likelihood] = [belief, 0]
     for (let k = 0; k < steps; k++) {
       state = core.kalmanStep(system, state, [inputs[k]], [...readings.slice(k * outputs, (k + 1) * outputs)])
+      likelihood += logDensity(state.innovation, state.S)
       assert.deepEqual([...log.x.slice(2 * k, 2 * k + 2)], state.x)
       assert.deepEqual([...log.variances.slice(2 * k, 2 * k + 2)], [state.P[0][0], state.P[1][1]])
     }
     assert.deepEqual(log.P, state.P)
     assert.equal(log.x.length, 2 * steps)
+    assert.ok(Math.abs(log.logLikelihood / likelihood - 1) < 1e-13, `${log.logLikelihood} against ${likelihood}`)
   }
 })
 

@@ -21,6 +21,8 @@ export interface KalmanReplay {
     variances: Float64Array;
     /** P(k | k) after the last step. */
     P: Matrix;
+    /** Σ −½(ln det 2πS + νᵀS⁻¹ν) over the steps; null where an S is too near to singular, or the sum too large for a number. */
+    logLikelihood: number | null;
 }
 export interface Observability { rank: number; n: number; singularValues: Vector; nullspace: Vector[] }
 export interface SteadyState {

@@ -53,9 +53,11 @@ pub fn kalman_replay(
         let readings = Arg::new(readings, "readings").floats(most(MAX_OUTPUTS))?;
         dynamic::kalman_replay(&system, &belief, &inputs, &readings)
     };
-    let Replayed { x, variances, p } = answer().map_err(thrown)?;
+    let Replayed { x, variances, p, log_likelihood } = answer().map_err(thrown)?;
     let answer = js_sys::Object::new();
-    let parts = [("x", floats(&x)), ("variances", floats(&variances)), ("P", plain(&rows(&p))?)];
+    let likelihood = log_likelihood.map_or(JsValue::NULL, JsValue::from_f64);
+    let parts =
+        [("x", floats(&x)), ("variances", floats(&variances)), ("P", plain(&rows(&p))?), ("logLikelihood", likelihood)];
     for (name, part) in parts {
         js_sys::Reflect::set(&answer, &name.into(), &part)?;
     }

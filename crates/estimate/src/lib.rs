@@ -7,6 +7,7 @@
 //! - [`Lti`], [`Observer`], [`place_observer_gain`]: linear systems, the fixed-gain observer, and where its poles may go;
 //! - [`kf`]: one Kalman step; [`rail`]: the rail robot of §8.2.6;
 //! - [`riccati`]: the gain as a schedule, and its limit;
+//! - [`likelihood`]: how likely a log is, and the noise under which it is likeliest;
 //! - [`observability`]: ranks, with the singular values and null directions behind them;
 //! - [`odometry_delta`], [`landmarks`], [`ChosetEkf`]: from encoder counts to localization among known landmarks;
 //! - [`slam`]: robot and map in one state, linear and range–bearing;
@@ -22,6 +23,7 @@ mod error;
 pub mod kf;
 mod landmark;
 pub mod landmarks;
+pub mod likelihood;
 pub mod localizer;
 mod lti;
 pub mod observability;

@@ -3,6 +3,7 @@
 //! - [`Spd`]: the factor LDLᵀ of a positive definite matrix, and solves with it;
 //! - [`eigenvalues`] and [`singular_values`]: iterations that end on every finite matrix;
 //! - [`PackedSymmetric`]: one triangle of a symmetric matrix that grows by rows;
+//! - [`maximum`]: where a smooth function of a few variables is greatest;
 //! - [`hypot`], [`all_finite`], [`power_of_two`]: single numbers.
 //!
 //! Transcendental functions go through `libm`, so an answer has the same bits on every platform. Square roots are the
@@ -12,6 +13,7 @@ mod eigen;
 mod error;
 mod finite;
 mod hypot;
+mod maximum;
 mod packed;
 mod power_of_two;
 mod singular;
@@ -21,6 +23,7 @@ pub use eigen::{eigenvalues, eigenvalues_in_closed_form};
 pub use error::Error;
 pub use finite::all_finite;
 pub use hypot::hypot;
+pub use maximum::{Maximum, maximum};
 pub use packed::PackedSymmetric;
 pub use power_of_two::power_of_two;
 pub use singular::{Singular, singular_values};

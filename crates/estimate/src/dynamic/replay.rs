@@ -4,6 +4,7 @@
 use super::{Belief, System};
 use crate::error::{Argument, Code, Error};
 use crate::kf::{belief_fits, kalman_step};
+use crate::likelihood::log_density;
 use crate::lti::{Lti, SystemSizes};
 use crate::validate::affordable_steps;
 use filters::Gaussian;
@@ -22,6 +23,8 @@ pub struct Replayed {
     pub variances: Vec<f64>,
     /// P(k | k) after the last step, n×n.
     pub p: DMatrix<f64>,
+    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over the steps; nothing where [`log_density`] has no answer at one of them.
+    pub log_likelihood: Option<f64>,
 }
 
 /// One [`kalman_step`] for each row of `readings` (steps × p, row by row), with the row of `inputs`
@@ -94,15 +97,18 @@ where
     let mut belief = Gaussian { x: sized(n, U1, belief.x.as_slice()), p: sized(n, n, belief.p.as_slice()) };
     let numbers = log.steps * n.value();
     let (mut x, mut variances) = (Vec::with_capacity(numbers), Vec::with_capacity(numbers));
+    let mut log_likelihood = Some(0.0);
     for k in 0..log.steps {
         let u = sized(m, U1, &log.inputs[k * m.value()..(k + 1) * m.value()]);
         let y = sized(p, U1, &log.readings[k * p.value()..(k + 1) * p.value()]);
-        belief = kalman_step(&sys, &belief, &u, &y).map_err(|e| at_step(e, k + 1))?.posterior;
+        let step = kalman_step(&sys, &belief, &u, &y).map_err(|e| at_step(e, k + 1))?;
+        log_likelihood = log_likelihood.and_then(|sum| Some(sum + log_density(&step.innovation, &step.s)?));
+        belief = step.posterior;
         x.extend(belief.x.iter());
         variances.extend((0..n.value()).map(|i| belief.p[(i, i)]));
     }
     let p = DMatrix::from_column_slice(n.value(), n.value(), belief.p.as_slice());
-    Ok(Replayed { x, variances, p })
+    Ok(Replayed { x, variances, p, log_likelihood: log_likelihood.filter(|sum| sum.is_finite()) })
 }
 
 /// Why step `k` was refused, with the names that the arguments of a log have.

@@ -1,6 +1,7 @@
 use super::*;
 use crate::Lti;
 use crate::kf::kalman_step;
+use crate::likelihood::log_density;
 use crate::rail::{dead_reckoning, position_sensor};
 use crate::validate::belief as belief_from;
 use nalgebra::{SMatrix, U1, U2, Vector1, dmatrix, dvector};
@@ -190,12 +191,15 @@ fn log_of(system: &System, belief: &Belief) -> (Vec<f64>, Vec<f64>, Replayed) {
     let (m, p, steps) = (system.g.ncols(), system.h.nrows(), 60);
     let wave = |a: f64, count: usize| (0..count).map(|i| libm::sin(a * i as f64)).collect::<Vec<_>>();
     let (inputs, readings) = (wave(0.3, steps * m), wave(1.7, steps * p));
-    let mut there = Replayed { x: vec![], variances: vec![], p: belief.p.clone() };
+    let mut there = Replayed { x: vec![], variances: vec![], p: belief.p.clone(), log_likelihood: Some(0.0) };
     let mut belief = belief.clone();
     for k in 0..steps {
         let (u, y) = (&inputs[k * m..(k + 1) * m], &readings[k * p..(k + 1) * p]);
         let (u, y) = (DVector::from_column_slice(u), DVector::from_column_slice(y));
-        belief = kalman_step(system, &belief, &u, &y).expect("pd").posterior;
+        let step = kalman_step(system, &belief, &u, &y).expect("pd");
+        there.log_likelihood =
+            there.log_likelihood.zip(log_density(&step.innovation, &step.s)).map(|(sum, one)| sum + one);
+        belief = step.posterior;
         there.x.extend(belief.x.iter());
         there.variances.extend(belief.p.diagonal().iter());
     }
@@ -217,6 +221,19 @@ fn a_log_replayed_is_its_steps_one_by_one_bit_for_bit() {
         let (inputs, readings, there) = log_of(&system, belief);
         assert_eq!(kalman_replay(&system, belief, &inputs, &readings), Ok(there));
     }
+}
+
+/// Two outputs that are copies but for 10⁻⁸: square roots filter the log, and its likelihood has no digits.
+#[test]
+fn a_log_with_a_nearly_singular_innovation_is_filtered_and_has_no_likelihood() {
+    let delta = 1e-8;
+    let h = dmatrix![1.0, 0.0; 1.0, delta];
+    let eye = DMatrix::identity(2, 2);
+    let system = System::new(eye.clone(), DMatrix::zeros(2, 0), h, 0.0 * &eye, delta * delta * &eye).expect("sound");
+    let belief = belief_from(dvector![0.0, 0.0], eye).expect("sound");
+    let filtered = kalman_replay(&system, &belief, &[], &[0.3, 0.3]).expect("square roots suffice");
+    assert_eq!(filtered.log_likelihood, None);
+    assert!(filtered.x[0].is_finite());
 }
 
 /// 16 states and 8 outputs: a call takes a tenth of the steps that a small system may ask for.
