@@ -120,7 +120,8 @@ pub fn associate_ml(
     w: &SMatrix<f64, 2, 2>,
     gate: f64,
 ) -> Result<Option<usize>, Error> {
-    nearest(&RangeBearing { map }, y, belief, map.len(), w, Rule::MaximumLikelihood, gate)
+    let best = best(&RangeBearing { map }, y, belief, map.len(), w, Rule::MaximumLikelihood, Some(gate))?;
+    Ok(best.matched().map(|candidate| candidate.j))
 }
 // ANCHOR_END: associate
 
@@ -135,22 +136,8 @@ pub fn associate_chi2(
     w: &SMatrix<f64, 1, 1>,
     gate: f64,
 ) -> Result<Option<usize>, Error> {
-    nearest(&RangeOnly { map }, y, belief, map.len(), w, Rule::ChiSquared, gate)
-}
-
-fn nearest<const M: usize>(
-    model: &impl MeasurementModel<SE2, 3, M>,
-    y: &SVector<f64, M>,
-    belief: &Gaussian<U3>,
-    landmarks: usize,
-    w: &SMatrix<f64, M, M>,
-    rule: Rule,
-    gate: f64,
-) -> Result<Option<usize>, Error> {
-    match best(model, y, belief, landmarks, w, rule, Some(gate))? {
-        Association::Matched(candidate) => Ok(Some(candidate.j)),
-        _ => Ok(None),
-    }
+    let best = best(&RangeOnly { map }, y, belief, map.len(), w, Rule::ChiSquared, Some(gate))?;
+    Ok(best.matched().map(|candidate| candidate.j))
 }
 
 /// The best candidate among all landmarks, and whether it is within the gate. A landmark that the estimate stands on has no

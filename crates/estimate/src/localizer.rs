@@ -32,6 +32,12 @@ enum Sensor {
     Range(SMatrix<f64, 1, 1>),
 }
 
+/// Whether a reading was accepted, and the landmark it was judged against.
+enum Judged {
+    RangeBearing(bool, Candidate<2>),
+    Range(bool, Candidate<1>),
+}
+
 /// The localizer of §8.3 among known landmarks.
 ///
 /// # Example
@@ -134,34 +140,42 @@ impl EkfLocalizer {
     /// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`].
     pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
         let before = self.ekf;
-        self.judge(&reading, Place::Alone, localized, localized).inspect_err(|_| self.ekf = before)
+        let judged = self.judge(&reading, Place::Alone).inspect_err(|_| self.ekf = before)?;
+        Ok(match judged {
+            Judged::RangeBearing(accepted, best) => self.localized(accepted, &best),
+            Judged::Range(accepted, best) => self.localized(accepted, &best),
+        })
     }
 
-    /// Judges a reading, corrects the belief when it is accepted, and answers what `both` or `one` makes of the outcome: `both`
-    /// for a sensor of range and bearing, `one` for a sensor of ranges. On an error the belief may already be corrected, and
-    /// the caller restores it.
-    fn judge<T>(
-        &mut self,
-        reading: &Reading,
-        place: Place,
-        both: impl Fn(&[Landmark], bool, &Candidate<2>) -> T,
-        one: impl Fn(&[Landmark], bool, &Candidate<1>) -> T,
-    ) -> Result<T, Error> {
+    /// Judges a reading, and corrects the belief when it is accepted. On an error the belief may already be corrected, and the
+    /// caller restores it.
+    #[inline]
+    fn judge(&mut self, reading: &Reading, place: Place) -> Result<Judged, Error> {
         let (range, bearing, j) = self.checked(reading).map_err(|e| place.field(e))?;
-        let (map, count) = (&self.map, self.map.len());
+        let (map, count, gate) = (&self.map, self.map.len(), self.gate);
         match &self.sensor {
             Sensor::RangeBearing(w) => {
                 let (y, model) = (Vector2::new(range, wrap(bearing)), RangeBearing { map });
-                let how = (j, Rule::MaximumLikelihood, self.gate);
-                locate(&mut self.ekf, &model, count, y, w, how, |accepted, best| both(map, accepted, best))
+                locate(&mut self.ekf, &model, count, y, w, (j, Rule::MaximumLikelihood, gate))
+                    .map(|(accepted, best)| Judged::RangeBearing(accepted, best))
             }
             Sensor::Range(w) => {
                 let (y, model) = (SVector::<f64, 1>::new(range), RangeOnly { map });
-                let how = (j, Rule::ChiSquared, self.gate);
-                locate(&mut self.ekf, &model, count, y, w, how, |accepted, best| one(map, accepted, best))
+                locate(&mut self.ekf, &model, count, y, w, (j, Rule::ChiSquared, gate))
+                    .map(|(accepted, best)| Judged::Range(accepted, best))
             }
         }
         .map_err(|e| place.step(e))
+    }
+
+    fn localized<const M: usize>(&self, accepted: bool, best: &Candidate<M>) -> Localized {
+        Localized {
+            accepted,
+            landmark: self.map[best.j].id,
+            innovation: DVector::from_fn(M, |i, _| best.innovation[i]),
+            s: DMatrix::from_fn(M, M, |i, k| best.s[(i, k)]),
+            chi2: best.d2,
+        }
     }
 
     /// Range, bearing (0 where the sensor has none) and the landmark's place on the map.
@@ -218,7 +232,7 @@ impl EkfLocalizer {
             return Err(place.field(Error::new(Code::NotFinite, "u", "must hold finite numbers")));
         }
         self.moved(&u, v, place)?;
-        self.judge(&logged.reading, place, |_, _, _| (), |_, _, _| ())
+        self.judge(&logged.reading, place).map(|_| ())
     }
 
     /// Which sensor it has.
@@ -242,28 +256,17 @@ impl EkfLocalizer {
     }
 }
 
-fn localized<const M: usize>(map: &[Landmark], accepted: bool, best: &Candidate<M>) -> Localized {
-    Localized {
-        accepted,
-        landmark: map[best.j].id,
-        innovation: DVector::from_fn(M, |i, _| best.innovation[i]),
-        s: DMatrix::from_fn(M, M, |i, k| best.s[(i, k)]),
-        chi2: best.d2,
-    }
-}
-
-/// Judges the reading `y` against landmark `j`, or against all `count`, corrects the filter when it is within the gate, and
-/// answers what `tell` makes of it.
+/// Judges the reading `y` against landmark `j`, or against all `count`, and corrects the filter when it is within the gate.
+/// Answers whether it was, and the landmark that it was judged against.
 #[inline]
-fn locate<const M: usize, T>(
+fn locate<const M: usize>(
     ekf: &mut ChosetEkf,
     model: &impl MeasurementModel<SE2, 3, M>,
     count: usize,
     y: SVector<f64, M>,
     w: &SMatrix<f64, M, M>,
     (j, rule, gate): (Option<usize>, Rule, Option<f64>),
-    tell: impl FnOnce(bool, &Candidate<M>) -> T,
-) -> Result<T, Error> {
+) -> Result<(bool, Candidate<M>), Error> {
     let (accepted, best) = match (j, gate) {
         (Some(j), None) => {
             // Nothing is judged before the correction, and its S serves for χ².
@@ -272,7 +275,7 @@ fn locate<const M: usize, T>(
                 Some(d2) => Candidate { j, innovation, s, d2, cost: d2 },
                 None => Candidate::new(j, innovation, s, Rule::ChiSquared)?,
             };
-            return Ok(tell(true, &best));
+            return Ok((true, best));
         }
         // There is nothing to choose from, hence no use for the costlier rule.
         (Some(j), Some(gate)) => {
@@ -288,7 +291,7 @@ fn locate<const M: usize, T>(
     if accepted {
         ekf.update(model, &Sighting { j: best.j, y }, w)?;
     }
-    Ok(tell(accepted, &best))
+    Ok((accepted, best))
 }
 
 #[cfg(test)]

@@ -78,6 +78,13 @@ pub enum Association<const M: usize> {
     New,
 }
 
+impl<const M: usize> Association<M> {
+    /// The feature that the sighting is of, if it is of a known one.
+    pub fn matched(self) -> Option<Candidate<M>> {
+        if let Self::Matched(candidate) = self { Some(candidate) } else { None }
+    }
+}
+
 /// Chooses among the candidates: of those within the gate the one of least cost. Where none is, the sighting is of a new
 /// feature if even the nearest is beyond `thresholds.found` (or there is none), and rejected otherwise. Those `taken`, by
 /// another sighting of the same moment, are not chosen, and are features all the same: near one of them nothing is new.
@@ -86,22 +93,13 @@ pub fn associate<const M: usize>(
     taken: &[Candidate<M>],
     thresholds: Thresholds,
 ) -> Association<M> {
-    let mut best: Option<Candidate<M>> = None;
-    let mut nearest: Option<Candidate<M>> = None;
-    for &candidate in candidates {
-        if candidate.d2 <= thresholds.gate && best.is_none_or(|b| candidate.cost < b.cost) {
-            best = Some(candidate);
-        }
-    }
-    for &candidate in candidates.iter().chain(taken) {
-        if nearest.is_none_or(|n| candidate.d2 < n.d2) {
-            nearest = Some(candidate);
-        }
-    }
+    let within = candidates.iter().filter(|c| c.d2 <= thresholds.gate);
+    let best = within.min_by(|a, b| a.cost.total_cmp(&b.cost));
+    let nearest = candidates.iter().chain(taken).min_by(|a, b| a.d2.total_cmp(&b.d2));
     match (nearest, best) {
         (Some(nearest), _) if nearest.d2 > thresholds.found => Association::New,
-        (_, Some(best)) => Association::Matched(best),
-        (Some(nearest), None) => Association::Rejected(nearest),
+        (_, Some(best)) => Association::Matched(*best),
+        (Some(nearest), None) => Association::Rejected(*nearest),
         (None, None) => Association::New,
     }
 }

@@ -21,7 +21,7 @@
 use crate::error::{Error, Quantity};
 use crate::sizes::Sizes;
 use nalgebra::allocator::Allocator;
-use nalgebra::{DMatrix, DefaultAllocator, Dim, OMatrix};
+use nalgebra::{DMatrix, DefaultAllocator, Dim, Matrix, OMatrix, RawStorage, RawStorageMut, SquareMatrix};
 use numerics::{Spd, power_of_two, singular_values};
 
 /// A caller's covariance may differ from its transpose by this part of its largest entry.
@@ -87,10 +87,7 @@ pub fn accepted(m: DMatrix<f64>) -> Result<DMatrix<f64>, NotCovariance> {
 }
 
 /// True when no entry is a NaN or an infinity.
-pub fn is_finite<R: Dim, C: Dim>(m: &OMatrix<f64, R, C>) -> bool
-where
-    DefaultAllocator: Allocator<R, C>,
-{
+pub fn is_finite<R: Dim, C: Dim>(m: &Matrix<f64, R, C, impl RawStorage<f64, R, C>>) -> bool {
     numerics::all_finite(m.iter())
 }
 
@@ -158,20 +155,14 @@ fn mended(predicted: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
 }
 
 /// A copy whose size is known at run time only, for a rare way that is compiled once.
-pub(crate) fn at_run_time<R: Dim, C: Dim>(m: &OMatrix<f64, R, C>) -> DMatrix<f64>
-where
-    DefaultAllocator: Allocator<R, C>,
-{
+pub(crate) fn at_run_time<R: Dim, C: Dim>(m: &Matrix<f64, R, C, impl RawStorage<f64, R, C>>) -> DMatrix<f64> {
     DMatrix::from_iterator(m.nrows(), m.ncols(), m.iter().copied())
 }
 
 /// Copies the answer of a rare way into `m`, entry by entry: assigned as a whole, the usual matrix would have to be in
 /// memory as well.
 #[inline(always)]
-pub(crate) fn copy<R: Dim, C: Dim>(m: &mut OMatrix<f64, R, C>, answer: &DMatrix<f64>)
-where
-    DefaultAllocator: Allocator<R, C>,
-{
+pub(crate) fn copy<R: Dim, C: Dim>(m: &mut Matrix<f64, R, C, impl RawStorageMut<f64, R, C>>, answer: &DMatrix<f64>) {
     for j in 0..m.ncols() {
         for i in 0..m.nrows() {
             m[(i, j)] = answer[(i, j)];
@@ -185,10 +176,7 @@ where
 /// The elimination multiplies where [`Spd`] divides, so that a filter's next step does not wait for three divisions in a
 /// row. Its rounding is that of a change in the last digits of the diagonal.
 #[inline]
-pub(crate) fn plainly_positive<N: Dim>(p: &OMatrix<f64, N, N>) -> bool
-where
-    DefaultAllocator: Allocator<N, N>,
-{
+pub(crate) fn plainly_positive<N: Dim>(p: &SquareMatrix<f64, N, impl RawStorage<f64, N, N>>) -> bool {
     let in_range = |minor: f64| (f64::MIN_POSITIVE..=f64::MAX).contains(&minor);
     let eliminated = |i: usize, j: usize| p[(0, 0)] * p[(i, j)] - p[(i, 0)] * p[(j, 0)];
     match p.nrows() {
@@ -240,18 +228,12 @@ pub fn clamped(m: &DMatrix<f64>) -> Option<DMatrix<f64>> {
 }
 
 /// The largest entry on the diagonal of `p`, or 0 when none is positive.
-pub(crate) fn largest_variance<N: Dim>(p: &OMatrix<f64, N, N>) -> f64
-where
-    DefaultAllocator: Allocator<N, N>,
-{
+pub(crate) fn largest_variance<N: Dim>(p: &SquareMatrix<f64, N, impl RawStorage<f64, N, N>>) -> f64 {
     (0..p.nrows()).fold(0.0, |largest, i| if p[(i, i)] > largest { p[(i, i)] } else { largest })
 }
 
 /// The largest terms of Joseph's form whose rounding does not show in a `posterior`.
-pub(crate) fn tolerated<N: Dim>(posterior: &OMatrix<f64, N, N>) -> f64
-where
-    DefaultAllocator: Allocator<N, N>,
-{
+pub(crate) fn tolerated<N: Dim>(posterior: &SquareMatrix<f64, N, impl RawStorage<f64, N, N>>) -> f64 {
     MAX_ROUNDING / f64::EPSILON * largest_variance(posterior)
 }
 

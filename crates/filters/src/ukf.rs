@@ -53,40 +53,47 @@ pub struct Ukf<X, const N: usize> {
     pub points: SigmaPoints,
 }
 
-/// The deviations of the transformed points from the transformed mean point, with their weighted moments.
-struct Transformed<const N: usize, const M: usize> {
-    /// Of the 2n outer points: those along + and − each column of the root.
+/// The sigma points about a mean, with their weights: the mean itself, and one along + and − each column.
+struct Spread<const N: usize> {
+    /// √(n + λ) times the columns of Σ's Cholesky root.
+    columns: [SVector<f64, N>; N],
+    /// The weight of each of the 2n outer points.
+    outer: f64,
+    /// The weight of the centre in a covariance.
+    centre: f64,
+}
+
+/// What a function makes of the sigma points.
+struct Image<const N: usize, const M: usize> {
+    /// The deviations of the outer points' images from that of the centre.
     deviations: [[SVector<f64, M>; 2]; N],
     /// Their weighted mean.
     mean: SVector<f64, M>,
-    weights: Weights,
 }
 
-#[derive(Clone, Copy)]
-struct Weights {
-    outer: f64,
-    centre_covariance: f64,
-}
-
-impl<const N: usize, const M: usize> Transformed<N, M> {
-    fn new(deviations: [[SVector<f64, M>; 2]; N], weights: Weights) -> Self {
+impl<const N: usize> Spread<N> {
+    fn image<const M: usize>(
+        &self,
+        deviation: impl Fn(&SVector<f64, N>) -> Result<SVector<f64, M>, Error>,
+    ) -> Result<Image<N, M>, Error> {
+        let mut deviations = [[SVector::<f64, M>::zeros(); 2]; N];
+        for (pair, column) in deviations.iter_mut().zip(&self.columns) {
+            *pair = [deviation(column)?, deviation(&-column)?];
+        }
         let sum: SVector<f64, M> = deviations.iter().flatten().sum();
-        Self { mean: sum * weights.outer, deviations, weights }
+        Ok(Image { mean: sum * self.outer, deviations })
     }
 
     /// Σ wᵢ (aᵢ − ā)(bᵢ − b̄)ᵀ over all 2n + 1 points, the centre's deviation being zero.
-    fn covariance<const L: usize>(&self, other: &Transformed<N, L>) -> SMatrix<f64, M, L> {
-        let mut sum = self.mean * other.mean.transpose() * self.weights.centre_covariance;
-        for (a, b) in self.deviations.iter().flatten().zip(other.deviations.iter().flatten()) {
-            sum += (a - self.mean) * (b - other.mean).transpose() * self.weights.outer;
-        }
-        sum
+    fn covariance<const M: usize, const L: usize>(&self, a: &Image<N, M>, b: &Image<N, L>) -> SMatrix<f64, M, L> {
+        let centre = a.mean * b.mean.transpose() * self.centre;
+        let pairs = a.deviations.iter().flatten().zip(b.deviations.iter().flatten());
+        pairs.fold(centre, |sum, (i, j)| sum + (i - a.mean) * (j - b.mean).transpose() * self.outer)
     }
 }
 
 impl<X: State<N>, const N: usize> Ukf<X, N> {
-    /// √(n + λ) times the columns of Σ's Cholesky root, and the weights.
-    fn spread(&self) -> Result<([SVector<f64, N>; N], Weights), Error> {
+    fn spread(&self) -> Result<Spread<N>, Error> {
         let SigmaPoints { alpha, beta, kappa } = self.points;
         let n = N as f64;
         let scale = alpha * alpha * (n + kappa); // n + λ
@@ -96,22 +103,9 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         }
         let p = finite(self.p, Quantity::Covariance)?;
         let root = Spd::new(p).ok_or(Error::OutOfRange(Parameter::Covariance))?.root() * scale.sqrt();
+        let columns = core::array::from_fn(|i| root.column(i).into_owned());
         let centre_mean = (scale - n) / scale;
-        let weights = Weights { outer: 0.5 / scale, centre_covariance: centre_mean + 1.0 - alpha * alpha + beta };
-        Ok((core::array::from_fn(|i| root.column(i).into_owned()), weights))
-    }
-
-    /// The 2n outer points sent through `deviation`.
-    fn transformed<const M: usize>(
-        columns: &[SVector<f64, N>; N],
-        weights: Weights,
-        deviation: impl Fn(&SVector<f64, N>) -> Result<SVector<f64, M>, Error>,
-    ) -> Result<Transformed<N, M>, Error> {
-        let mut deviations = [[SVector::<f64, M>::zeros(); 2]; N];
-        for (pair, column) in deviations.iter_mut().zip(columns) {
-            *pair = [deviation(column)?, deviation(&-column)?];
-        }
-        Ok(Transformed::new(deviations, weights))
+        Ok(Spread { columns, outer: 0.5 / scale, centre: centre_mean + 1.0 - alpha * alpha + beta })
     }
 
     /// The belief after x⁺ = f(x, u) + noise of covariance R.
@@ -125,15 +119,15 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         u: &SVector<f64, U>,
         r: &SMatrix<f64, N, N>,
     ) -> Result<(), Error> {
-        let (columns, weights) = self.spread()?;
+        let spread = self.spread()?;
         let centre = model.f(&self.x, u);
-        let moved = Self::transformed(&columns, weights, |d| Ok(model.f(&self.x.boxplus(d), u).boxminus(&centre)))?;
+        let moved = spread.image(|d| Ok(model.f(&self.x.boxplus(d), u).boxminus(&centre)))?;
         let x = centre.boxplus(&moved.mean);
         if !x.is_finite() {
             return Err(Error::NotFinite(Quantity::PredictedMean));
         }
-        let p = finite(symmetric(moved.covariance(&moved) + r), Quantity::PredictedCovariance)?;
-        *self = Self { x, p, points: self.points };
+        let p = finite(symmetric(spread.covariance(&moved, &moved) + r), Quantity::PredictedCovariance)?;
+        (self.x, self.p) = (x, p);
         Ok(())
     }
 
@@ -149,23 +143,22 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         j: usize,
         q: &SMatrix<f64, M, M>,
     ) -> Result<Update<Const<N>, Const<M>>, Error> {
-        let (columns, weights) = self.spread()?;
+        let spread = self.spread()?;
         let centre = model.h(&self.x, j)?;
-        let seen =
-            Self::transformed(&columns, weights, |d| Ok(model.residual(&model.h(&self.x.boxplus(d), j)?, &centre)))?;
-        let states = Self::transformed(&columns, weights, |d| Ok(*d))?;
+        let seen = spread.image(|d| Ok(model.residual(&model.h(&self.x.boxplus(d), j)?, &centre)))?;
+        let states = spread.image(|d| Ok(*d))?;
 
         let innovation = finite(model.residual(z, &(centre + seen.mean)), Quantity::Innovation)?;
-        let s = finite(symmetric(seen.covariance(&seen) + q), Quantity::InnovationCovariance)?;
+        let s = finite(symmetric(spread.covariance(&seen, &seen) + q), Quantity::InnovationCovariance)?;
         let spd = Spd::new(s).ok_or(Error::InnovationNotPositiveDefinite)?;
-        let k = spd.solve(&states.covariance(&seen).transpose()).transpose();
+        let k = spd.solve(&spread.covariance(&states, &seen).transpose()).transpose();
         let d2 = spd.squared_length(&innovation);
         let x = self.x.boxplus(&(k * innovation));
         if !x.is_finite() {
             return Err(Error::NotFinite(Quantity::Mean));
         }
         let p = finite(symmetric(self.p - k * s * k.transpose()), Quantity::Covariance)?;
-        *self = Self { x, p, points: self.points };
+        (self.x, self.p) = (x, p);
         Ok(Update { innovation, s, k, d2: Some(d2).filter(|d2| d2.is_finite()) })
     }
 }

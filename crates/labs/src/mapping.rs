@@ -97,14 +97,9 @@ impl Mapping {
     /// The robot stands at `truth`, and every landmark is seen.
     #[inline(never)]
     pub fn look(&mut self, truth: SE2, noise: &mut Noise) -> Result<Vec<Seen>, Error> {
-        let mut seen = Vec::with_capacity(self.world.len());
-        for (truth_index, landmark) in self.world.iter().enumerate() {
-            let z = self.constants.sensor.sight(truth, landmark, noise);
-            // Underfoot a landmark has no bearing.
-            if z.range > 0.0 {
-                seen.push((truth_index, z));
-            }
-        }
+        let sighted = self.world.iter().map(|landmark| self.constants.sensor.sight(truth, landmark, noise));
+        // Underfoot a landmark has no bearing.
+        let seen: Vec<_> = sighted.enumerate().filter(|(_, z)| z.range > 0.0).collect();
         let readings: Vec<Reading> =
             seen.iter().map(|(_, z)| Reading { range: z.range, bearing: z.bearing, landmark: None }).collect();
         self.last_seen = readings.len();

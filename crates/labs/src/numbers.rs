@@ -15,6 +15,7 @@ mod wheel;
 
 use crate::givens::Givens;
 use estimate::Error;
+use nalgebra::SMatrix;
 
 /// A number of the prose.
 #[derive(Clone, Debug, PartialEq)]
@@ -57,13 +58,12 @@ impl Listing {
         self
     }
 
-    /// The entries of a symmetric 2×2 as `id.11`, `id.12`, `id.22`.
-    pub fn symmetric(&mut self, id: &str, m: &nalgebra::Matrix2<f64>, about: &'static str) -> &mut Self {
-        self.add(format!("{id}.11"), m[(0, 0)], about).add(format!("{id}.12"), m[(0, 1)], about).add(
-            format!("{id}.22"),
-            m[(1, 1)],
-            about,
-        )
+    /// The upper triangle of a symmetric matrix as `id.11`, `id.12`, ….
+    pub fn symmetric<const N: usize>(&mut self, id: &str, m: &SMatrix<f64, N, N>, about: &'static str) -> &mut Self {
+        for (i, j) in (0..N).flat_map(|i| (i..N).map(move |j| (i, j))) {
+            self.add(format!("{id}.{}{}", i + 1, j + 1), m[(i, j)], about);
+        }
+        self
     }
 
     /// The entries of a vector as `id.1`, `id.2`, ….

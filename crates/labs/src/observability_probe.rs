@@ -28,7 +28,7 @@ use estimate::localizer::SensorKind;
 use estimate::{Code, Error};
 use filters::consistency::nees;
 use geom::SE2;
-use localize::Localizer;
+use localize::{Evidence, Localizer};
 use nalgebra::{Matrix3, Vector2};
 use sim::Noise;
 use sim::paths::Tick;
@@ -86,8 +86,7 @@ pub struct ObservabilityProbe {
     moments: VecDeque<Moment>,
     sightings: Vec<ProbeSighting>,
     nees: Option<f64>,
-    nis: Option<f64>,
-    nis_dof: u32,
+    nis: Evidence,
     sums: Sums,
     series: ProbeSeries,
     tracks: Tracks,
@@ -129,7 +128,6 @@ impl Lab for ObservabilityProbe {
             sightings: Vec::new(),
             nees: None,
             nis: None,
-            nis_dof: 0,
             sums: Sums::default(),
             series: ProbeSeries::default(),
             tracks: Tracks::default(),
@@ -162,13 +160,12 @@ impl Lab for ObservabilityProbe {
         self.reference.step(tick)?;
         match &mut self.who {
             Who::Localizer(localizer) => {
-                let evidence = localizer.step(tick, self.truth, &mut self.noise, &mut self.sightings)?;
-                (self.nis, self.nis_dof) = evidence.map_or((None, 0), |(nis, dof)| (Some(nis), dof));
+                self.nis = localizer.step(tick, self.truth, &mut self.noise, &mut self.sightings)?;
             }
             Who::Mapper(mapping) => {
                 let seen = mapping.step(tick, self.truth, &mut self.noise)?;
                 self.sightings = seen.iter().map(|s| view::mapped_sighting(s, mapping)).collect();
-                (self.nis, self.nis_dof) = mapping.nis().map_or((None, 0), |(nis, dof)| (Some(nis), dof));
+                self.nis = mapping.nis();
             }
         }
         self.judge();
@@ -214,9 +211,9 @@ impl ObservabilityProbe {
             self.sums.nees += nees;
             self.sums.nees_steps += 1;
         }
-        if let Some(nis) = self.nis {
+        if let Some((nis, dof)) = self.nis {
             self.sums.nis += nis;
-            self.sums.nis_dof += self.nis_dof;
+            self.sums.nis_dof += dof;
         }
     }
 
@@ -258,8 +255,9 @@ impl ObservabilityProbe {
         series.trace_heading.push(heading);
         series.reference.push(self.reference.trace());
         series.nees.push(self.nees.unwrap_or(f64::NAN));
-        series.nis.push(self.nis.unwrap_or(f64::NAN));
-        series.nis_dof.push(f64::from(self.nis_dof));
+        let (nis, dof) = self.nis.unwrap_or((f64::NAN, 0));
+        series.nis.push(nis);
+        series.nis_dof.push(f64::from(dof));
         self.tracks.truth.push(self.truth.x(), self.truth.y(), TRACK);
         self.tracks.estimate.push(pose.x(), pose.y(), TRACK);
         self.digest.take(self.truth.to_vector().as_slice());
@@ -267,7 +265,7 @@ impl ObservabilityProbe {
         self.digest.take(p.as_slice());
         self.digest.take(self.reference.p.as_slice());
         self.digest.take(self.nees.as_slice());
-        self.digest.take(self.nis.as_slice());
+        self.digest.take(self.nis.map(|(nis, _)| nis).as_slice());
         if let Who::Mapper(mapping) = &self.who {
             for landmark in mapping.slam.landmarks() {
                 self.digest.take(landmark.position.as_slice());

@@ -3,7 +3,7 @@
 use crate::odometry::Unicycle;
 use filters::{MeasurementModel, MotionModel, State};
 use geom::SE2;
-use nalgebra::{Matrix3, Matrix4, SMatrix, SVector, Vector4};
+use nalgebra::{Matrix4, SMatrix, SVector, Vector4};
 
 /// A pose, and the ε by which its ranges read long.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -30,20 +30,13 @@ impl State<4> for PoseAndScale {
     }
 }
 
-/// A state with a pose from which ranges are read, and perhaps the scale of those ranges.
+/// A state with a pose from which ranges are read, and perhaps the scale of those ranges: `[x, y, θ]` or `[x, y, θ, ε]`.
 pub trait Scalable<const N: usize>: State<N> {
     /// The pose.
     fn pose(&self) -> SE2;
 
     /// ε, where it is part of the state.
     fn epsilon(&self) -> Option<f64>;
-
-    /// The Jacobian (m×n) in this state of a sensor whose Jacobian in the pose is `c` and whose first output, the range,
-    /// changes by ρ with ε.
-    fn widened<const M: usize>(c: SMatrix<f64, M, 3>, rho: f64) -> SMatrix<f64, M, N>;
-
-    /// The covariance in this state of a noise of covariance `v` in the pose alone.
-    fn of_pose(v: &Matrix3<f64>) -> SMatrix<f64, N, N>;
 }
 
 impl Scalable<3> for SE2 {
@@ -53,14 +46,6 @@ impl Scalable<3> for SE2 {
 
     fn epsilon(&self) -> Option<f64> {
         None
-    }
-
-    fn widened<const M: usize>(c: SMatrix<f64, M, 3>, _: f64) -> SMatrix<f64, M, 3> {
-        c
-    }
-
-    fn of_pose(v: &Matrix3<f64>) -> Matrix3<f64> {
-        *v
     }
 }
 
@@ -72,19 +57,13 @@ impl Scalable<4> for PoseAndScale {
     fn epsilon(&self) -> Option<f64> {
         Some(self.epsilon)
     }
+}
 
-    fn widened<const M: usize>(c: SMatrix<f64, M, 3>, rho: f64) -> SMatrix<f64, M, 4> {
-        let mut wide = SMatrix::<f64, M, 4>::zeros();
-        wide.fixed_columns_mut::<3>(0).copy_from(&c);
-        wide[(0, 3)] = rho;
-        wide
-    }
-
-    fn of_pose(v: &Matrix3<f64>) -> Matrix4<f64> {
-        let mut wide = Matrix4::zeros();
-        wide.fixed_view_mut::<3, 3>(0, 0).copy_from(v);
-        wide
-    }
+/// A matrix in the coordinates of a pose, zero in every other coordinate of a larger state.
+pub(crate) fn of_pose<const R: usize, const C: usize, const M: usize, const N: usize>(
+    m: &SMatrix<f64, R, C>,
+) -> SMatrix<f64, M, N> {
+    SMatrix::from_fn(|i, j| if i < R && j < C { m[(i, j)] } else { 0.0 })
 }
 
 /// The unicycle's motion leaves the scale as it is: F = diag(F_pose, 1).
@@ -94,7 +73,7 @@ impl MotionModel<PoseAndScale, 4, 2> for Unicycle {
     }
 
     fn jacobian(&self, x: &PoseAndScale, u: &SVector<f64, 2>) -> Matrix4<f64> {
-        let mut f = PoseAndScale::of_pose(&self.jacobian(&x.pose, u));
+        let mut f: Matrix4<f64> = of_pose(&self.jacobian(&x.pose, u));
         f[(3, 3)] = 1.0;
         f
     }
@@ -133,7 +112,11 @@ where
         for k in 0..3 {
             c[(0, k)] *= factor;
         }
-        Ok((y, X::widened(c, rho)))
+        let mut c: SMatrix<f64, M, N> = of_pose(&c);
+        if N > 3 {
+            c[(0, 3)] = rho;
+        }
+        Ok((y, c))
     }
 
     fn residual(&self, z: &SVector<f64, M>, expected: &SVector<f64, M>) -> SVector<f64, M> {
@@ -145,12 +128,6 @@ where
 pub(crate) fn first_covariance<const N: usize>() -> SMatrix<f64, N, N> {
     const SIGMA: [f64; 4] = [0.2, 0.2, 0.1, 0.1];
     SMatrix::from_fn(|i, j| if i == j { SIGMA[i] * SIGMA[i] } else { 0.0 })
-}
-
-/// `[x, y, θ]` or `[x, y, θ, ε]`.
-pub(crate) fn coordinates<X: Scalable<N>, const N: usize>(x: &X) -> SVector<f64, N> {
-    let (pose, epsilon) = (x.pose().to_vector(), x.epsilon().unwrap_or(0.0));
-    SVector::from_fn(|i, _| if i < 3 { pose[i] } else { epsilon })
 }
 
 #[cfg(test)]

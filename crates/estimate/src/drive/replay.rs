@@ -1,6 +1,6 @@
 //! The replay of a drive, row by row.
 
-use crate::drive::model::{PoseAndScale, Scalable, Scaled, coordinates, first_covariance};
+use crate::drive::model::{PoseAndScale, Scalable, Scaled, first_covariance, of_pose};
 use crate::drive::row::{Drive, Event, Motion, Row};
 use crate::drive::settings::Settings;
 use crate::drive::summary::{Errors, Innovations, Summary};
@@ -206,9 +206,14 @@ impl Replay {
 
     /// The estimated pose.
     pub fn pose(&self) -> SE2 {
+        self.estimate().0
+    }
+
+    /// The pose, and ε where it is learned.
+    fn estimate(&self) -> (SE2, Option<f64>) {
         match &self.filter {
-            Filter::Given(ekf) => ekf.x,
-            Filter::Learning(ekf) => ekf.x.pose,
+            Filter::Given(ekf) => (ekf.x, None),
+            Filter::Learning(ekf) => (ekf.x.pose, Some(ekf.x.epsilon)),
         }
     }
 
@@ -227,11 +232,7 @@ impl Replay {
 
     /// What the replay says of itself so far.
     pub fn summary(&self) -> Summary {
-        let p = self.covariance();
-        let (epsilon, x) = match &self.filter {
-            Filter::Given(ekf) => (None, DVector::from_column_slice(coordinates(&ekf.x).as_slice())),
-            Filter::Learning(ekf) => (Some(ekf.x.epsilon), DVector::from_column_slice(coordinates(&ekf.x).as_slice())),
-        };
+        let (p, (pose, epsilon)) = (self.covariance(), self.estimate());
         Summary {
             used: self.innovations.count(),
             refused: self.refused,
@@ -242,7 +243,7 @@ impl Replay {
             lag1: self.innovations.lag1(),
             epsilon,
             epsilon_sigma: epsilon.map(|_| p[(3, 3)].max(0.0).sqrt()),
-            x,
+            x: DVector::from_iterator(p.nrows(), pose.to_vector().iter().copied().chain(epsilon)),
             trace: p[(0, 0)] + p[(1, 1)] + p[(2, 2)],
         }
     }
@@ -257,7 +258,7 @@ fn predict<X: Scalable<N>, const N: usize>(
 where
     Unicycle: MotionModel<X, N, 2>,
 {
-    let v = X::of_pose(&Unicycle::process_covariance(&ekf.x.pose(), input));
+    let v = of_pose(&Unicycle::process_covariance(&ekf.x.pose(), input));
     Ok(ekf.predict(&Unicycle, u, &v)?)
 }
 

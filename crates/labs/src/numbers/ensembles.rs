@@ -13,27 +13,21 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     percentiles(to, "ensemble.probe.trace.one", &one.trace, "the pose trace with one range-only landmark");
     percentiles(to, "ensemble.probe.trace.two", &two.trace, "the pose trace with two");
     percentiles(to, "ensemble.probe.nees", &two.nees, "the mean NEES of a run with two landmarks");
-    percentiles(to, "ensemble.probe.nees.one", &one.nees, "the mean NEES of a run with one landmark");
     let (low, high) = chi2_interval(3, PROBE.steps, 0.9).map_err(Error::from)?;
     to.by("filters::consistency::chi2_interval", None)
         .add("ensemble.probe.nees.band.low", low, "below it one run in twenty, were its steps independent")
         .add("ensemble.probe.nees.band.high", high, "above it one run in twenty, were its steps independent");
 
     let runs = slam(RANGE_BEARING_SLAM.found, SEEDS)?;
-    let later = f64::from(3 * RANGE_BEARING_SLAM.poses) - 3.0;
     to.by("labs::ensembles::slam", Some(12));
     percentiles(to, "ensemble.rbslam.matched", &runs.matched, "sightings matched in a run");
     percentiles(to, "ensemble.rbslam.worst", &runs.worst, "the worst landmark's error of a run, m");
     percentiles(to, "ensemble.rbslam.sigma", &runs.sigma, "the same in its own standard deviations");
-    to.add("ensemble.rbslam.matched.min", runs.matched.min(), "the fewest")
-        .add("ensemble.rbslam.matched.max", runs.matched.max(), "the most")
-        .add(
-            "ensemble.rbslam.matched.share",
-            runs.matched.median() / later,
-            "the median as a share of what was to match",
-        )
-        .add("ensemble.rbslam.spurious", f64::from(runs.spurious), "landmarks founded twice, in all runs together")
-        .add("ensemble.rbslam.wrong", f64::from(runs.wrong), "wrong matches, in all runs together");
+    to.add("ensemble.rbslam.spurious", f64::from(runs.spurious), "landmarks founded twice, in all runs together").add(
+        "ensemble.rbslam.wrong",
+        f64::from(runs.wrong),
+        "wrong matches, in all runs together",
+    );
     let mut with_spurious = Vec::new();
     for found in [15.0, 20.0, 25.0, 30.0] {
         with_spurious.push((found, slam(found, SEEDS)?.with_spurious));

@@ -24,12 +24,10 @@ pub(crate) struct Means {
     pub sigma: [f64; 2],
 }
 
-/// One run, driven for so many ticks.
+/// One run with the figure's slip, driven for so many ticks.
 fn driven(bias: f64, fixes: bool, seed: u32, ticks: u32) -> Result<Drive, Error> {
-    let mut drive = Drive::new(HookParams { bias, slip: HOOK.slip, fixes, seed })?;
-    for _ in 0..ticks {
-        drive.advance()?;
-    }
+    let mut drive = Drive::new(HookParams { bias, fixes, seed, ..HookParams::default() })?;
+    (0..ticks).try_for_each(|_| drive.advance())?;
     Ok(drive)
 }
 
@@ -37,20 +35,15 @@ fn driven(bias: f64, fixes: bool, seed: u32, ticks: u32) -> Result<Drive, Error>
 pub(crate) fn means<const N: usize>(bias: f64, fixes: bool, ticks: [u32; N], seeds: u32) -> Result<[Means; N], Error> {
     let mut means = [Means::default(); N];
     for seed in 1..=seeds {
-        let (mut drive, mut driven_so_far) = (driven(bias, fixes, seed, 0)?, 0);
+        let mut drive = driven(bias, fixes, seed, 0)?;
         for (mean, tick) in means.iter_mut().zip(ticks) {
-            for _ in driven_so_far..tick {
-                drive.advance()?;
-            }
-            driven_so_far = tick;
+            (drive.step..tick).try_for_each(|_| drive.advance())?;
             let (error, sigma) = drive.quality();
             mean.heading += error.heading.abs() / f64::from(seeds);
-            for (sum, value) in mean.error.iter_mut().zip([error.position, error.heading]) {
-                *sum += value * value / f64::from(seeds);
-            }
-            for (sum, value) in mean.sigma.iter_mut().zip([sigma.position, sigma.heading]) {
-                *sum += value * value / f64::from(seeds);
-            }
+            mean.error[0] += error.position * error.position / f64::from(seeds);
+            mean.error[1] += error.heading * error.heading / f64::from(seeds);
+            mean.sigma[0] += sigma.position * sigma.position / f64::from(seeds);
+            mean.sigma[1] += sigma.heading * sigma.heading / f64::from(seeds);
         }
     }
     Ok(means.map(|m| Means { error: m.error.map(f64::sqrt), sigma: m.sigma.map(f64::sqrt), ..m }))
@@ -68,8 +61,6 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     let lap = HOOK.course.lap();
     let [[half], [one]] = [means(BIASES[0], false, [lap], SEEDS)?, means(BIASES[1], false, [lap], SEEDS)?];
     let [honest, biased] = [means(0.0, true, [LATE, lap], SEEDS)?, means(BIASES[0], true, [LATE, lap], SEEDS)?];
-    let shown = HookParams::default();
-    let shown = driven(shown.bias, true, shown.seed, LATE)?.quality().0;
     to.by("labs::numbers::hook::bias_for", None)
         .add("hook.bias.45", bias_for(FRAC_PI_4), "the bias that turns the estimate by 45° in a lap")
         .by("labs::numbers::hook::means", None)
@@ -89,7 +80,6 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
                 .add(format!("{id}.heading.ratio"), ratio[1], "error over claim");
         }
     }
-    to.add("hook.late.shown", shown.heading.abs().to_degrees(), "heading error there in the figure's run, degrees");
     Ok(())
 }
 
@@ -99,8 +89,8 @@ mod tests {
 
     #[test]
     fn the_closed_form_is_what_the_encoders_do() {
-        let mut drive =
-            Drive::new(HookParams { bias: bias_for(FRAC_PI_4), slip: 0.0, fixes: false, seed: 1 }).expect("sound");
+        let params = HookParams { bias: bias_for(FRAC_PI_4), slip: 0.0, ..HookParams::default() };
+        let mut drive = Drive::new(params).expect("sound");
         for _ in 0..HOOK.course.lap() {
             drive.advance().expect("finite");
         }

@@ -6,7 +6,7 @@ use crate::checks::problem9::{WIDE, displacement, ekf, gap};
 use crate::givens::Givens;
 use estimate::Error;
 use filters::ukf::SigmaPoints;
-use nalgebra::{Matrix3, Vector2};
+use nalgebra::Vector2;
 
 pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     to.by("labs::checks::jacobians::raw_gap", Some(8))
@@ -15,13 +15,6 @@ pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .add("jacobian.central.gap", central_gap()?, "the largest difference of a Jacobian from central differences");
     problem9(givens, to)?;
     wrong_problem9(givens, to)
-}
-
-/// The upper triangle of a symmetric 3×3 as `id.11`, `id.12`, ….
-fn symmetric(to: &mut Listing, id: &str, m: &Matrix3<f64>, about: &'static str) {
-    for (i, j) in [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)] {
-        to.add(format!("{id}.{}{}", i + 1, j + 1), m[(i, j)], about);
-    }
 }
 
 fn problem9(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
@@ -36,10 +29,10 @@ fn problem9(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .add("problem9.nu", step.innovation, "the innovation")
         .add("problem9.S", step.s, "the innovation's variance")
         .vector("problem9.R", step.r.iter(), "the Kalman gain")
-        .vector("problem9.x", step.posterior.x.to_vector().iter(), "the corrected pose");
-    symmetric(to, "problem9.Ppred", &step.predicted.p, "the predicted covariance");
-    symmetric(to, "problem9.P", &step.posterior.p, "the corrected covariance");
-    to.by("labs::checks::problem9::gap", Some(13))
+        .vector("problem9.x", step.posterior.x.to_vector().iter(), "the corrected pose")
+        .symmetric("problem9.Ppred", &step.predicted.p, "the predicted covariance")
+        .symmetric("problem9.P", &step.posterior.p, "the corrected covariance")
+        .by("labs::checks::problem9::gap", Some(13))
         .vector("problem9.ukf.gap", gap(problem, SigmaPoints::default())?.iter(), "UKF − EKF, α = 10⁻³, β = 2, κ = 0")
         .vector("problem9.ukf.gap.wide", gap(problem, WIDE)?.iter(), "UKF − EKF, α = 1, β = 0, κ = 0");
     Ok(())

@@ -78,8 +78,7 @@ fn robot_part(c: &DVector<f64>) -> [f64; 3] {
 /// The rows of H over the pose, and over the map's coordinates too when the map is part of the state. A landmark
 /// underfoot has none.
 pub(crate) fn output_rows(pose: &SE2, landmarks: &[Landmark], sight: SensorKind, mapped: bool) -> DMatrix<f64> {
-    let n = 3 + if mapped { 2 * landmarks.len() } else { 0 };
-    let mut rows = Vec::new();
+    let mut h = DMatrix::zeros(0, 3 + if mapped { 2 * landmarks.len() } else { 0 });
     for j in 0..landmarks.len() {
         let block = match sight {
             SensorKind::Range => RangeOnly { map: landmarks }.jacobian(pose, j).map(|h| h.resize_vertically(1, 0.0)),
@@ -88,17 +87,14 @@ pub(crate) fn output_rows(pose: &SE2, landmarks: &[Landmark], sight: SensorKind,
             }
         };
         let Ok(block) = block else { continue };
-        for i in 0..block.nrows() {
-            let mut row = DVector::zeros(n);
-            row.fixed_rows_mut::<3>(0).copy_from(&block.row(i).transpose());
-            if mapped {
-                row[3 + 2 * j] = -block[(i, 0)];
-                row[4 + 2 * j] = -block[(i, 1)];
-            }
-            rows.push(row.transpose());
+        let (from, outputs) = (h.nrows(), block.nrows());
+        h = h.resize_vertically(from + outputs, 0.0);
+        h.view_mut((from, 0), (outputs, 3)).copy_from(&block);
+        if mapped {
+            h.view_mut((from, 3 + 2 * j), (outputs, 2)).copy_from(&-block.columns(0, 2));
         }
     }
-    if rows.is_empty() { DMatrix::zeros(0, n) } else { DMatrix::from_rows(&rows) }
+    h
 }
 
 fn motion(moment: &Moment, n: usize) -> DMatrix<f64> {
