@@ -4,6 +4,7 @@
 //! and carries it through the input's Jacobian (V = B M Bᵀ), and its ranges may be scaled and offset: a radio that reads 7 % long
 //! says y = 1.07 ρ. The scale is given, or it is a fourth state that the filter learns.
 
+mod line;
 mod model;
 mod replay;
 mod row;
@@ -11,6 +12,7 @@ mod settings;
 mod summary;
 mod truth;
 
+pub use line::{Line, Points};
 pub use model::{PoseAndScale, Scalable, Scaled};
 pub use replay::{Judged, Replay};
 pub use row::{Drive, Event, Motion, Row};

@@ -10,6 +10,7 @@
 //! - [`consistency`]: NEES, NIS and their χ² bounds.
 
 pub mod association;
+mod autocorrelation;
 pub mod consistency;
 pub mod covariance;
 mod differences;
@@ -25,6 +26,7 @@ mod square_root;
 pub mod ukf;
 mod update;
 
+pub use autocorrelation::Autocorrelation;
 pub use differences::central_differences;
 pub use ekf::Ekf;
 pub use error::{Error, Parameter, Quantity};

@@ -125,10 +125,10 @@ pub struct Kind {
     pub params: Shape,
     /// What the numbers of its frame are.
     pub frame: Shape,
+    /// The last step that a run can reach.
+    pub last_step: u32,
     /// The parameters it has where none are given.
     pub defaults: fn() -> Vec<f64>,
-    /// The lab at a step.
-    pub open: fn(&[f64], u32) -> Result<Box<dyn Experiment>, Error>,
 }
 
 impl Kind {
@@ -139,12 +139,18 @@ impl Kind {
             parameters: L::Params::PARAMETERS,
             params: L::Params::SHAPE,
             frame: L::Frame::SHAPE,
+            last_step: MAX_STEP,
             defaults: || L::Params::default().numbers(),
-            open: |params, step| {
-                Ok(Box::new(L::from_state(State { params: L::Params::read(&mut params.iter()), step })?))
-            },
         }
     }
+}
+
+/// The lab `L` at a step, by the numbers of its parameters.
+///
+/// # Errors
+/// As [`Lab::from_state`].
+pub fn open<L: Lab + 'static>(params: &[f64], step: u32) -> Result<Box<dyn Experiment>, Error> {
+    Ok(Box::new(L::from_state(State { params: L::Params::read(&mut params.iter()), step })?))
 }
 
 /// A [`Lab`] by its numbers alone: parameters and frame are rows of numbers, as [`Kind`] describes them.

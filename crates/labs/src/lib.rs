@@ -14,6 +14,7 @@ mod observability_probe;
 mod observer_bench;
 mod odometry_hook;
 mod picture;
+mod robot_log;
 mod series;
 mod shapes;
 mod true_path;
@@ -21,7 +22,7 @@ mod typescript;
 
 pub use declare::{Field, Knob, Parameter, Params, Plain, Shape, Shown};
 pub use estimate::localizer::SensorKind;
-pub use lab::{Digest, Experiment, Kind, Lab, MAX_STEP, State};
+pub use lab::{Digest, Experiment, Kind, Lab, MAX_STEP, State, open};
 pub use mapping::MapError;
 pub use observability_probe::{
     Fate, MapLandmark, Means, ObservabilityProbe, PATH_STEPS, ProbeFrame, ProbeLandmark, ProbeMap, ProbeParams,
@@ -33,6 +34,10 @@ pub use odometry_hook::{
     Stop, World,
 };
 pub use picture::{Foot, Picture, PictureFrame, PictureParams};
+pub use robot_log::{
+    LogBands, LogCorrelation, LogErrors, LogFrame, LogHistogram, LogInnovations, LogNis, LogParams, LogRanges,
+    LogSighting, LogSummary, LogTracks, LoggedDrive, RobotLog,
+};
 pub use series::{Series, Track, Tracks, WINDOW};
 pub use shapes::{BenchBelief, ellipse_of};
 pub use true_path::TruePath;

@@ -1,16 +1,17 @@
 //! The labs' TypeScript: every type that a lab takes or hands out.
 
 use crate::declare::{About, Interface, Text, written};
-use crate::{BenchParams, HookParams, PictureParams, ProbeParams};
-use crate::{mapping, observability_probe, observer_bench, odometry_hook, picture, series, shapes};
+use crate::{BenchParams, HookParams, LogParams, PictureParams, ProbeParams};
+use crate::{mapping, observability_probe, observer_bench, odometry_hook, picture, robot_log, series, shapes};
+use estimate::drive::Line;
 use estimate::{Complex, Landmark};
 use geom::Ellipse;
 use sim::Room;
 
 /// What the labs take and hand out, and what that is made of.
 const ALL: &[&[About]] = &[
-    &[BenchParams::ABOUT, HookParams::ABOUT, ProbeParams::ABOUT, PictureParams::ABOUT],
-    &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT, Room::ABOUT],
+    &[BenchParams::ABOUT, HookParams::ABOUT, ProbeParams::ABOUT, PictureParams::ABOUT, LogParams::ABOUT],
+    &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT, Line::ABOUT, Room::ABOUT],
     shapes::INTERFACES,
     series::INTERFACES,
     mapping::INTERFACES,
@@ -19,9 +20,10 @@ const ALL: &[&[About]] = &[
     observability_probe::frame::INTERFACES,
     observability_probe::ranks::INTERFACES,
     picture::frame::INTERFACES,
+    robot_log::frame::INTERFACES,
 ];
 
 /// The interfaces of all labs, with their doc comments, limits and defaults. `Vector` and `Matrix` are not among them.
 pub const TYPESCRIPT: &str = WRITTEN.as_str();
 
-const WRITTEN: &Text<20_000> = &written(ALL);
+const WRITTEN: &Text<30_000> = &written(ALL);

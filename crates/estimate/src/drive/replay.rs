@@ -225,6 +225,11 @@ impl Replay {
         }
     }
 
+    /// When the replay starts, s: rows before are skipped.
+    pub fn start(&self) -> f64 {
+        self.start
+    }
+
     /// The time that the estimate is of, s.
     pub fn time(&self) -> f64 {
         self.time

@@ -1,0 +1,226 @@
+//! What the figure on a robot's log shows.
+
+use super::LogParams;
+use crate::declare::{described, record};
+use crate::series::Track;
+use estimate::Landmark;
+use estimate::drive::{Line, Summary};
+use geom::Ellipse;
+
+record! {
+    /// A sighting that the filter looked at.
+    #[derive(Copy)]
+    pub struct LogSighting {
+        /// When, seconds since the log's first row.
+        pub time: f64,
+        /// The id of the landmark.
+        pub landmark: u32,
+        /// Where the landmark stands, metres.
+        pub at: [f64; 2],
+        /// Where the estimate was, metres.
+        pub from: [f64; 2],
+        /// Whether it corrected the estimate.
+        pub used: bool,
+    }
+
+    /// Where the robot was, where its wheels alone say it was, and where the filter believes it was, up to now.
+    #[derive(Default)]
+    pub struct LogTracks {
+        /// True positions; empty without a truth.
+        pub truth: Track,
+        /// Dead reckoning.
+        pub reckoning: Track,
+        /// The estimate.
+        pub estimate: Track,
+    }
+
+    /// What ranges read, against what they should read: every so many of them.
+    #[derive(Default)]
+    pub struct LogRanges {
+        /// Seconds since the log's first row.
+        pub time: Vec<f64>,
+        /// The range from the true position; without a truth from the dead-reckoned one. Metres.
+        pub range: Vec<f64>,
+        /// The range that was read, less that range. Metres.
+        pub residual: Vec<f64>,
+    }
+
+    /// What the filter made of readings: every so many of them.
+    #[derive(Default)]
+    pub struct LogInnovations {
+        /// Seconds since the log's first row.
+        pub time: Vec<f64>,
+        /// ν/√S of the range.
+        pub normalized: Vec<f64>,
+        /// The range that the filter expected, metres.
+        pub expected: Vec<f64>,
+        /// ν, the range that was read less the expected one, metres.
+        pub innovation: Vec<f64>,
+        /// Whether the reading was used.
+        pub used: Vec<bool>,
+    }
+
+    /// The error of the position against what the filter claims.
+    #[derive(Default)]
+    pub struct LogErrors {
+        /// Seconds since the log's first row.
+        pub time: Vec<f64>,
+        /// The distance between estimate and truth, metres; empty without a truth.
+        pub error: Vec<f64>,
+        /// Twice the claimed σ of the position, metres.
+        pub bound: Vec<f64>,
+    }
+
+    /// The normalized innovations squared, averaged over blocks of used readings.
+    #[derive(Default)]
+    pub struct LogNis {
+        /// How many used readings a block has.
+        pub block: u32,
+        /// When each block ended, seconds since the log's first row.
+        pub time: Vec<f64>,
+        /// The mean of νᵀS⁻¹ν for each output: 1 is expected.
+        pub mean: Vec<f64>,
+        /// The lower end of the band that holds 95 of 100 such means.
+        pub low: Vec<f64>,
+        /// The upper end.
+        pub high: Vec<f64>,
+    }
+
+    /// How the normalized innovations of the used readings are distributed.
+    #[derive(Default)]
+    pub struct LogHistogram {
+        /// Where the first bin begins, in σ.
+        pub from: f64,
+        /// How wide a bin is, in σ.
+        pub width: f64,
+        /// The density in each bin; what lies beyond the ends is in none.
+        pub density: Vec<f64>,
+        /// The share that lies beyond the ends.
+        pub beyond: f64,
+        /// The density of N(0, 1) at the ends and the middle of each bin.
+        pub normal: Vec<f64>,
+    }
+
+    /// The autocorrelation of the normalized innovations, from one used reading to later ones.
+    #[derive(Default)]
+    pub struct LogCorrelation {
+        /// At the lags 1, 2, …; empty while there are too few readings.
+        pub values: Vec<f64>,
+        /// The half-width of the band that holds 95 of 100 values of a white series.
+        pub band: f64,
+    }
+
+    /// What the replay says of itself so far; null where there is nothing to say it of.
+    pub struct LogSummary {
+        /// Sightings that corrected the estimate.
+        pub used: u32,
+        /// Sightings that did not.
+        pub refused: u32,
+        /// Root of the mean squared error of the position at the rows of motion, metres.
+        pub rmse: Option<f64>,
+        /// The largest error of the position, metres.
+        pub worst: Option<f64>,
+        /// The mean over the used sightings of νᵀS⁻¹ν for each output: 1 is expected.
+        pub nis: Option<f64>,
+        /// The mean over the used sightings of ν/√S of the range: 0 is expected.
+        pub mean_innovation: Option<f64>,
+        /// The autocorrelation of ν/√S from one used sighting to the next: 0 is expected.
+        pub lag1: Option<f64>,
+        /// The learned ε.
+        pub epsilon: Option<f64>,
+        /// Its standard deviation.
+        pub epsilon_sigma: Option<f64>,
+        /// The state [x, y, θ] in metres and radians; and ε where it is learned.
+        pub x: Vec<f64>,
+        /// The trace of the pose's covariance, m² and rad² added up.
+        pub trace: f64,
+    }
+
+    /// How far the statistics of a filter whose model holds stay from what is expected, in 95 of 100 runs of this length.
+    #[derive(Copy)]
+    pub struct LogBands {
+        /// Of the NIS for each output: from, to.
+        pub nis: [f64; 2],
+        /// Of the mean of ν/√S, either side of 0.
+        pub mean: f64,
+    }
+
+    /// A robot's log, replayed up to a row.
+    pub struct LogFrame {
+        /// Rows of motion and sightings that were taken.
+        pub step: u32,
+        /// The parameters.
+        pub params: LogParams,
+        /// Rows of motion and sightings in the log.
+        pub rows: u32,
+        /// Seconds since the log's first row.
+        pub time: f64,
+        /// From the log's first row to its last, seconds.
+        pub duration: f64,
+        /// The landmarks.
+        pub landmarks: Vec<Landmark>,
+        /// Whether the log has bearings.
+        pub bearings: bool,
+        /// Where the robot is, metres; null without a truth.
+        pub truth: Option<[f64; 2]>,
+        /// Where its wheels alone say it is: metres, metres, radians.
+        pub reckoning: [f64; 3],
+        /// The estimated pose: metres, metres, radians.
+        pub estimate: [f64; 3],
+        /// P of the pose, by rows.
+        #[name = "P"]
+        pub p: [[f64; 3]; 3],
+        /// The one-sigma ellipse of the estimated position.
+        pub ellipse: Ellipse,
+        /// The sighting that was looked at last.
+        pub sighting: Option<LogSighting>,
+        /// Where it has been.
+        pub tracks: LogTracks,
+        /// Every how many sightings one is among `ranges` and `innovations`.
+        pub every: u32,
+        /// What ranges read.
+        pub ranges: LogRanges,
+        /// The line through (range, residual) of all ranges.
+        pub range_line: Option<Line>,
+        /// What the filter made of them.
+        pub innovations: LogInnovations,
+        /// The line through (expected range, ν) of all used ranges.
+        pub innovation_line: Option<Line>,
+        /// Error and claim.
+        pub errors: LogErrors,
+        /// NIS over time.
+        pub nis: LogNis,
+        /// The distribution of ν/√S.
+        pub histogram: LogHistogram,
+        /// Its autocorrelation.
+        pub correlation: LogCorrelation,
+        /// The summary so far.
+        pub summary: LogSummary,
+        /// How far its statistics may stray; null without a used sighting.
+        pub bands: Option<LogBands>,
+        /// The RMS error of dead reckoning so far, metres.
+        pub reckoned_rmse: Option<f64>,
+    }
+}
+
+described! {
+    /// A straight line through points, with the least squared distances along y.
+    Line as "FittedLine"; &[], &[];
+    {
+        /// y for each x.
+        slope: f64 as "slope";
+        /// y at x = 0.
+        offset: f64 as "offset";
+        /// R², the share of the variance of y that it explains.
+        r2: f64 as "r2";
+    }
+}
+
+impl From<Summary> for LogSummary {
+    fn from(summary: Summary) -> Self {
+        let Summary { used, refused, rmse, worst, nis, mean_innovation, lag1, epsilon, epsilon_sigma, x, trace } =
+            summary;
+        let x = x.iter().copied().collect();
+        Self { used, refused, rmse, worst, nis, mean_innovation, lag1, epsilon, epsilon_sigma, x, trace }
+    }
+}

@@ -1,0 +1,151 @@
+use super::*;
+use std::fmt::Write;
+
+fn logged(text: &str) -> Arc<LoggedDrive> {
+    Arc::new(LoggedDrive::new(robot_log::parse(text).expect("a sound log").drive))
+}
+
+fn plaza() -> Arc<LoggedDrive> {
+    logged(include_str!("../../../../content/logs/plaza1.csv"))
+}
+
+fn whole(logged: &Arc<LoggedDrive>, params: LogParams) -> RobotLog {
+    let mut lab = RobotLog::new(Arc::clone(logged), params).expect("sound parameters");
+    lab.run_all().expect("a sound log");
+    lab
+}
+
+/// A circle of ten metres about a landmark in its middle, seen at every second row.
+fn circle(rows: u32) -> String {
+    let mut text = String::from("L,3,0,10\n");
+    for i in 1..=rows / 2 {
+        let time = f64::from(i) * 0.1;
+        let _ = writeln!(text, "O,{time},0.1,0.01\nR,{time},3,{}", 10.0 + 0.1 * libm::sin(f64::from(i)));
+    }
+    text
+}
+
+#[test]
+fn a_run_is_the_same_in_one_call_and_in_many() {
+    let plaza = plaza();
+    let params = LogParams { gate: Some(0.999), learn: true, ..LogParams::default() };
+    let at_once = whole(&plaza, params);
+    let mut in_parts = RobotLog::new(Arc::clone(&plaza), params).expect("sound parameters");
+    for n in [1, 16, 5000, 100_000] {
+        in_parts.run(n).expect("a sound log");
+    }
+    assert_eq!((in_parts.step, in_parts.digest), (plaza.rows(), at_once.digest));
+    assert_eq!(in_parts.frame(), at_once.frame());
+    let mut changed = whole(&plaza, LogParams::default());
+    changed.set_params(&params.numbers()).expect("sound parameters");
+    assert_eq!(changed.frame(), at_once.frame());
+    let before = RobotLog::at(Arc::clone(&plaza), params, 5017).expect("within the log");
+    let mut after = before.clone();
+    after.run_all().expect("a sound log");
+    assert_eq!(after.frame(), at_once.frame());
+    assert_ne!(before.frame(), after.frame());
+}
+
+#[test]
+fn what_is_refused_changes_nothing() {
+    let plaza = plaza();
+    let mut lab = RobotLog::at(Arc::clone(&plaza), LogParams::default(), 100).expect("within the log");
+    let before = lab.frame();
+    let bad = |change: fn(&mut LogParams)| {
+        let mut params = LogParams::default();
+        change(&mut params);
+        params
+    };
+    for (params, argument) in [
+        (bad(|p| p.gate = Some(9.21)), "gate"),
+        (bad(|p| p.gate = Some(0.0)), "gate"),
+        (bad(|p| p.gate = Some(f64::NAN)), "gate"),
+        (bad(|p| p.sigma_range = 0.0), "sigmaRange"),
+        (bad(|p| p.sigma_distance = -0.1), "sigmaDistance"),
+        (bad(|p| p.scale = f64::INFINITY), "scale"),
+        (bad(|p| p.offset = f64::NAN), "offset"),
+    ] {
+        assert_eq!(lab.set_params(&params.numbers()).expect_err("refused").argument, argument);
+        assert_eq!(RobotLog::new(Arc::clone(&plaza), params).expect_err("refused").argument, argument);
+    }
+    for n in [0, RobotLog::LAST_STEP + 1] {
+        assert_eq!(lab.run(n).expect_err("refused").argument, "n");
+    }
+    let beyond = RobotLog::at(Arc::clone(&plaza), LogParams::default(), plaza.rows() + 1);
+    assert_eq!(beyond.expect_err("refused").argument, "step");
+    assert_eq!(lab.frame(), before);
+}
+
+#[test]
+fn numbers_beyond_floating_point_are_refused_at_their_row() {
+    let far = logged("L,1,0,5\nO,1,1,0\nR,1,1,5\nO,2,1e300,0\nR,2,1,5\nO,3,1,0\n");
+    let mut lab = RobotLog::at(Arc::clone(&far), LogParams::default(), 2).expect("within the log");
+    let before = (lab.step, lab.digest, lab.frame());
+    assert!(lab.run_all().is_err());
+    assert_eq!((lab.step, lab.digest, lab.frame()), before);
+}
+
+#[test]
+fn a_frame_stays_small_however_long_the_log_is() {
+    let numbers = |rows| {
+        let lab = whole(&logged(&circle(rows)), LogParams::default());
+        let mut numbers = Vec::new();
+        lab.frame().write(&mut numbers);
+        assert!(numbers.iter().all(|number| number.is_finite()));
+        numbers.len()
+    };
+    assert!(numbers(40_000) < 10_000 && numbers(160_000) < 10_000, "{} {}", numbers(40_000), numbers(160_000));
+}
+
+#[test]
+fn a_log_without_truth_is_held_against_dead_reckoning() {
+    let text = circle(400);
+    let lab = whole(&logged(&text), LogParams { sigma_range: 0.1, ..LogParams::default() });
+    let frame = lab.frame();
+    assert_eq!((frame.truth, frame.summary.rmse, frame.reckoned_rmse), (None, None, None));
+    assert!(frame.tracks.truth.is_empty() && frame.errors.error.is_empty() && !frame.errors.bound.is_empty());
+    // Dead reckoning drives the circle on which every range is 10 m, so what is read less that is the reading's own wave.
+    assert!(frame.ranges.range.iter().all(|range| (range - 10.0).abs() < 0.1), "{:?}", frame.ranges.range);
+    assert_eq!(frame.summary.used, 200);
+    let held = whole(&logged(&text), LogParams { sightings: false, ..LogParams::default() }).frame();
+    assert_eq!((held.summary.used, held.bands, held.sighting), (0, None, None));
+    assert_eq!(held.ranges, frame.ranges, "what is read does not depend on the filter");
+    assert!(held.innovations.time.is_empty() && held.correlation.values.is_empty());
+}
+
+#[test]
+fn the_statistics_of_the_frame_are_those_of_the_summary() {
+    let LogFrame { summary, correlation, nis, histogram, bands, innovations, .. } =
+        whole(&plaza(), LogParams::default()).frame();
+    let near = |a: f64, b: f64, by: f64| assert!((a - b).abs() < by, "{a} against {b}");
+    near(correlation.values[0], summary.lag1.expect("sightings were used"), 1e-12);
+    // The blocks leave a rest of less than one block out.
+    let mean = nis.mean.iter().sum::<f64>() / nis.mean.len() as f64;
+    near(mean, summary.nis.expect("sightings were used"), 0.1);
+    let within: f64 = histogram.density.iter().sum::<f64>() * histogram.width;
+    near(within + histogram.beyond, 1.0, 1e-12);
+    let Some(LogBands { nis: [low, high], mean }) = bands else { panic!("sightings were used") };
+    assert!(low < 1.0 && 1.0 < high && mean > 0.0 && high - low < 0.1);
+    assert!(innovations.used.iter().all(|used| *used));
+}
+
+#[test]
+fn bearings_and_velocities_are_replayed_too() {
+    let mut text = String::from("L,1,5,5\nL,2,-5,5\nG,0,0,0,0\nV,0,1,0.1\n");
+    let mut pose = [0.0, 0.0, 0.0_f64];
+    for i in 1..=200 {
+        pose = [pose[0] + 0.05 * libm::cos(pose[2]), pose[1] + 0.05 * libm::sin(pose[2]), pose[2] + 0.005];
+        let to = |x: f64, y: f64| {
+            let (dx, dy) = (x - pose[0], y - pose[1]);
+            (dx.hypot(dy), libm::atan2(dy, dx) - pose[2])
+        };
+        let (id, (range, bearing)) = if i % 2 == 0 { (1, to(5.0, 5.0)) } else { (2, to(-5.0, 5.0)) };
+        let time = 0.05 * f64::from(i);
+        let _ = writeln!(text, "B,{time},{id},{range},{bearing}\nG,{time},{},{},{}", pose[0], pose[1], pose[2]);
+    }
+    text.push_str("V,10,0,0\n");
+    let lab = whole(&logged(&text), LogParams::default());
+    let frame = lab.frame();
+    assert!(frame.bearings && frame.summary.rmse.expect("there is a truth") < 0.1, "{:?}", frame.summary);
+    assert_eq!(frame.summary.used, 200);
+}
