@@ -14,8 +14,8 @@ import { styleHeights } from './heights.mjs'
 const web = dirname(fileURLToPath(import.meta.url))
 const root = dirname(web)
 const out = join(root, 'target/assets')
-/** The module whole, and with the labs alone: what the figures need. */
-const pkg = { whole: join(root, 'target/pkg/web'), figures: join(root, 'target/pkg/figures') }
+/** The module whole, with the labs of most figures alone, and with the lab that replays a log. @type {Record<string, string>} */
+const pkg = { whole: join(root, 'target/pkg/web'), figures: join(root, 'target/pkg/figures'), log: join(root, 'target/pkg/log') }
 
 /** Logical name → file name. @type {Record<string, string>} */
 const manifest = {}
@@ -37,9 +37,9 @@ const shared = {
 const wasm = {
   name: 'wasm',
   setup(to) {
-    const folder = (path) => (path.startsWith('estimate-wasm/figures') ? pkg.figures : pkg.whole)
-    to.onResolve({ filter: /^estimate-wasm(\/figures)?$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm.js') }))
-    to.onResolve({ filter: /^estimate-wasm(\/figures)?\/wasm$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm_bg.wasm') }))
+    const folder = (path) => pkg[path.split('/')[1] ?? 'whole'] ?? pkg.whole
+    to.onResolve({ filter: /^estimate-wasm(\/figures|\/log)?$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm.js') }))
+    to.onResolve({ filter: /^estimate-wasm(\/figures|\/log)?\/wasm$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm_bg.wasm') }))
   },
 }
 

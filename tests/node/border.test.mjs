@@ -20,7 +20,10 @@ const refused = (call, code, argument) =>
 
 const pose = { x: [0, 0, 0], P: [[0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]] }
 const W = [[0.01, 0], [0, 0.001]]
+const LOG = core.RobotLog.parse('L,7,3,4\nO,0.5,0.1,0.02\nR,0.5,7,4.9\nO,1,0.1,0\nR,1,7,4.8\n')
 const objects = {
+  DriveLog: LOG,
+  RobotLog: new core.RobotLog(LOG),
   EkfLocalizer: new core.EkfLocalizer(pose, [{ id: 1, x: 2, y: 1 }], { W }),
   EkfSlam: new core.EkfSlam(pose, { W, gate: 9.21, found: 50 }),
   ...Object.fromEntries(['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture'].map((name) => [name, new core[name]()])),
@@ -40,7 +43,7 @@ test('a method of one class refuses an object of every other', () => {
     }
   }
   assert.ok(calls > 100, `${calls} calls`)
-  for (const object of Object.values(objects)) (object.frame ?? object.belief).call(object)
+  for (const object of Object.values(objects)) (object.frame ?? object.belief ?? object.contents).call(object)
 })
 
 test('a refusal leaves nothing behind in the table of references', () => {

@@ -219,6 +219,22 @@ for (const name of LABS) {
   }
 }
 
+const LOG = ['L,1,5,5', 'L,2,-5,5', ...Array.from({ length: 40 }, (_, i) => `O,${i},0.4,0.05\nR,${i},${1 + (i % 2)},${5 + (i % 7) / 5}\nB,${i},${2 - (i % 2)},6,0.3`)].join('\n')
+CLASSES.RobotLog = {
+  ...CLASSES.Picture,
+  before: (core) => [core.RobotLog.parse(LOG)],
+  make: (dice, fresh) => (dice.uniform() < 0.3 ? [] : [fresh().state().params]),
+  methods: { ...CLASSES.Picture.methods, run: (dice) => [1 + dice.below(50)], runAll: () => [], summary: () => [] },
+}
+CLASSES.DriveLog = {
+  construct: (core) => (text) => core.RobotLog.parse(text),
+  make: () => [LOG],
+  spoilt: 0.7,
+  methods: { contents: () => [], handle: () => [] },
+  look: (it) => it.contents(),
+  covariances: () => [],
+}
+
 /** Every square matrix under a key P, however deep. */
 function covariancesIn(value, found = []) {
   if (Array.isArray(value)) value.forEach((inner) => covariancesIn(inner, found))

@@ -10,7 +10,7 @@ const { name, cases, seed, beat } = workerData
 const ticks = new Int32Array(beat)
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 const CODES = new Set(['not-finite', 'shape', 'not-symmetric', 'not-positive-semidefinite', 'innovation-not-positive-definite',
-  'unobservable', 'poles', 'tolerance', 'index', 'at-landmark', 'not-placeable', 'limit', 'type', 'did-not-converge'])
+  'unobservable', 'poles', 'tolerance', 'index', 'at-landmark', 'not-placeable', 'limit', 'type', 'did-not-converge', 'log'])
 
 const say = (value) => {
   try {
@@ -75,11 +75,14 @@ if (FUNCTIONS[name]) {
 } else {
   const Class = core[name]
   const { make, methods, look, covariances, answered = () => [], outcomes = () => [], chain = 12, spoilt = 1, often = [], lab } = CLASSES[name]
-  const fresh = () => new Class()
-  vast(make(dice, fresh), `new ${name}`, (args) => new Class(...args))
+  // What stands before the arguments that are spoilt: a log.
+  const before = CLASSES[name].before?.(core) ?? []
+  const construct = CLASSES[name].construct?.(core) ?? ((...args) => new Class(...before, ...args))
+  const fresh = () => construct()
+  vast(make(dice, fresh), `new ${name}`, (args) => construct(...args))
   for (const [method, args] of Object.entries(methods)) {
     const meant = make(dice, fresh)
-    const it = new Class(...meant)
+    const it = construct(...meant)
     vast(args(dice, fresh, it, meant), `${name}.${method}`, (args) => it[method](...args))
     it.free()
   }
@@ -87,7 +90,7 @@ if (FUNCTIONS[name]) {
     const meant = make(dice, fresh)
     const given = dice.uniform() < spoilt ? spoil(meant, dice) : meant
     i++
-    const made = judged(`new ${name}(${say(given)})`, () => new Class(...given))
+    const made = judged(`new ${name}(${say(given)})`, () => construct(...given))
     if (!made) continue
     let it = made.answer
     let told = `new ${name}(${say(given)})`
@@ -96,7 +99,7 @@ if (FUNCTIONS[name]) {
       if (typeof it[method] !== 'function') { fault('no such method', `${name}.${method}`); continue }
       const valid = methods[method](dice, fresh, it, meant)
       const args = dice.uniform() < spoilt ? spoil(valid, dice) : valid
-      const before = look(it)
+      const shown = look(it)
       const call = `${told}; .${method}(${say(args)})`
       const back = judged(call, () => it[method](...args))
       if (back) {
@@ -104,14 +107,14 @@ if (FUNCTIONS[name]) {
         outcomes(back.answer).forEach(count)
         holds([...covariances(it), ...answered(back.answer)], call)
         if (method === 'set' || method === 'run') told = call.slice(-900)
-      } else if (!isDeepStrictEqual(look(it), before)) fault('changed by a call it refused', call)
+      } else if (!isDeepStrictEqual(look(it), shown)) fault('changed by a call it refused', call)
     }
     if (lab) {
       const state = it.state()
       const [bent] = spoil([state], dice)
-      const restored = judged(`${name}.from(${say(bent)})`, () => Class.from(bent))
+      const restored = judged(`${name}.from(${say(bent)})`, () => Class.from(...before, bent))
       restored?.answer.free()
-      const twin = judged(`${name}.from(${say(state)})`, () => Class.from(state))
+      const twin = judged(`${name}.from(${say(state)})`, () => Class.from(...before, state))
       if (!twin) fault('does not take back its own state', say(state))
       else if (!isDeepStrictEqual(twin.answer.frame(), it.frame())) fault('its state restores another frame', say(state))
       twin?.answer.free()

@@ -145,6 +145,12 @@ impl<'a> Arg<'a> {
         self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }
 
+    /// A text.
+    #[cfg(feature = "log")]
+    pub fn text(&self) -> Result<String, Error> {
+        self.value.as_string().ok_or_else(|| self.wrong_type("a text"))
+    }
+
     /// One of the given words: its index.
     pub fn word(&self, words: &[&'static str]) -> Result<usize, Error> {
         if !self.value.is_string() {

@@ -26,9 +26,23 @@ pub(crate) fn name(code: Code) -> &'static str {
 
 /// The `EstimateError` to throw.
 pub(crate) fn thrown(error: Error) -> JsValue {
-    let js = js_sys::Error::new(&error.to_string());
+    named(&error.to_string(), name(error.code), &error.argument)
+}
+
+/// The `EstimateError` of a text that is no log.
+#[cfg(feature = "log")]
+pub(crate) fn thrown_at(message: &str, line: u32, column: u32) -> JsValue {
+    let js = named(&format!("line {line}, column {column}: {message}"), "log", "text");
+    for (key, value) in [("line", line), ("column", column)] {
+        let _ = Reflect::set(&js, &key.into(), &value.into());
+    }
+    js
+}
+
+fn named(message: &str, code: &str, argument: &str) -> JsValue {
+    let js = js_sys::Error::new(message);
     js.set_name("EstimateError");
-    for (key, value) in [("code", name(error.code)), ("argument", error.argument.as_ref())] {
+    for (key, value) in [("code", code), ("argument", argument)] {
         // Fails on a frozen object only, which a new Error is not.
         let _ = Reflect::set(&js, &key.into(), &value.into());
     }

@@ -4,8 +4,8 @@ use crate::decode::Arg;
 use crate::encode::{Row, record};
 use crate::errors::thrown;
 use crate::object::Held;
-use estimate::{Code, Error};
-use labs::{Experiment, Kind, MAX_STEP, Parameter, Shape};
+use estimate::Error;
+use labs::{Experiment, Kind, Parameter, Shape};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -15,32 +15,36 @@ const TYPES: &str = labs::TYPESCRIPT;
 const VERSION: u32 = 1;
 
 /// A lab of any kind.
-type AnyLab = Box<dyn Experiment>;
+pub(crate) type AnyLab = Box<dyn Experiment>;
+/// Makes a lab of the numbers of its parameters, at a step.
+pub(crate) type Open<'a> = &'a dyn Fn(&[f64], u32) -> Result<AnyLab, Error>;
 
 /// A lab's class, which all of its methods name.
 pub(crate) struct Class {
     pub name: &'static str,
-    pub kind: Kind,
+    pub kind: &'static Kind,
 }
 
 impl Class {
-    pub fn open(&'static self, params: &JsValue) -> Result<Held, JsValue> {
+    /// A lab at step 0, made by `open` of the parameters that `params` has; of its defaults where there are none.
+    pub fn open(&'static self, params: &JsValue, open: Open<'_>) -> Result<Held, JsValue> {
         let arg = Arg::new(params, "params");
         let defaults = (self.kind.defaults)();
         let numbers = if arg.is_undefined() { Ok(defaults) } else { self.decode(&arg, &defaults) };
-        let lab = numbers.and_then(|numbers| (self.kind.open)(&numbers, 0).map_err(|e| self.blame(e, "params")));
+        let lab = numbers.and_then(|numbers| open(&numbers, 0).map_err(|e| self.blame(e, "params")));
         Ok(Held::new(self.name, lab.map_err(thrown)?))
     }
 
-    pub fn open_state(&'static self, state: &JsValue) -> Result<Held, JsValue> {
+    /// A lab in a state, made by `open`.
+    pub fn open_state(&'static self, state: &JsValue, open: Open<'_>) -> Result<Held, JsValue> {
         let read = || -> Result<AnyLab, Error> {
             let arg = Arg::new(state, "state");
             arg.only(["version", "lab", "params", "step"].into_iter())?;
             arg.field("version")?.whole(VERSION, VERSION)?;
             arg.field("lab")?.word(&[self.kind.name])?;
-            let step = arg.field("step")?.whole(0, MAX_STEP)?;
+            let step = arg.field("step")?.whole(0, self.kind.last_step)?;
             let numbers = self.decode(&arg.field("params")?, &(self.kind.defaults)())?;
-            (self.kind.open)(&numbers, step).map_err(|e| self.blame(e, "state.params"))
+            open(&numbers, step).map_err(|e| self.blame(e, "state.params"))
         };
         Ok(Held::new(self.name, read().map_err(thrown)?))
     }
@@ -53,7 +57,7 @@ impl Class {
 
     pub fn run(&'static self, held: &Held, n: &JsValue) -> Result<(), JsValue> {
         held.is(self.name)?;
-        let n = Arg::new(n, "n").whole(1, MAX_STEP).map_err(thrown)?;
+        let n = Arg::new(n, "n").whole(1, self.kind.last_step).map_err(thrown)?;
         self.advance(held, n)
     }
 
@@ -148,36 +152,22 @@ fn copy(shape: &Shape, from: &mut std::slice::Iter<'_, f64>, to: &mut Vec<f64>) 
     }
 }
 
-/// The class of a lab, with the TypeScript names of its partial parameters, its frame and its state:
-/// `lab_class!("What it is.", Name: labs::Name, "Partial<Params>", "Frame", "LabState<Params>")`. What it is comes as plain
-/// text: of a doc comment that has gone through a macro, wasm-bindgen writes the quotes too.
-macro_rules! lab_class {
-    ($doc:tt, $name:ident: $lab:ty, $partial:tt, $frame:tt, $state:tt) => {
+/// What the classes of all labs can do: `lab_face!("What it is.", Name: its kind, "Partial<Params>", "Frame", "LabState<Params>")`,
+/// with the TypeScript names of its partial parameters, its frame and its state. What it is comes as plain text: of a doc comment
+/// that has gone through a macro, wasm-bindgen writes the quotes too.
+macro_rules! lab_face {
+    ($doc:tt, $name:ident: $kind:expr, $partial:tt, $frame:tt, $state:tt) => {
         #[doc = $doc]
         #[wasm_bindgen]
         #[repr(transparent)]
         pub struct $name($crate::object::Held);
 
         impl $name {
-            const CLASS: &'static $crate::lab::Class =
-                &$crate::lab::Class { name: stringify!($name), kind: labs::Kind::of::<$lab>() };
+            const CLASS: &'static $crate::lab::Class = &$crate::lab::Class { name: stringify!($name), kind: $kind };
         }
 
         #[wasm_bindgen]
         impl $name {
-            /// The lab at step 0; what `params` leaves out takes its default.
-            #[wasm_bindgen(constructor)]
-            pub fn new(
-                #[wasm_bindgen(unchecked_optional_param_type = $partial)] params: &JsValue,
-            ) -> Result<$name, JsValue> {
-                Self::CLASS.open(params).map(Self)
-            }
-
-            /// The lab in a state that `state()` answered.
-            pub fn from(#[wasm_bindgen(unchecked_param_type = $state)] state: &JsValue) -> Result<$name, JsValue> {
-                Self::CLASS.open_state(state).map(Self)
-            }
-
             /// The parameters: how far each goes, in which steps, and its default.
             #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
             pub fn parameters() -> JsValue {
@@ -187,7 +177,7 @@ macro_rules! lab_class {
             /// The last step a run can reach.
             #[wasm_bindgen(js_name = lastStep)]
             pub fn last_step() -> u32 {
-                labs::MAX_STEP
+                Self::CLASS.kind.last_step
             }
 
             /// Changes the parameters given, and replays the run to the present step.
@@ -203,7 +193,7 @@ macro_rules! lab_class {
                 Self::CLASS.advance(&self.0, 1)
             }
 
-            /// `n` steps, at most to step 100 000.
+            /// `n` steps, at most to the last step.
             pub fn run(&self, #[wasm_bindgen(unchecked_param_type = "number")] n: &JsValue) -> Result<(), JsValue> {
                 Self::CLASS.run(&self.0, n)
             }
@@ -229,40 +219,36 @@ macro_rules! lab_class {
     };
 }
 
-lab_class! {
-    "The rail robot of §8.2.6 under an observer whose gain the reader sets, or the filter does.",
-    ObserverBench: labs::ObserverBench, "Partial<BenchParams>", "BenchFrame", "LabState<BenchParams>"
+/// The class of a lab that is a function of its parameters and its step alone.
+#[cfg(feature = "figures")]
+macro_rules! lab_class {
+    ($doc:tt, $name:ident: $lab:ty, $partial:tt, $frame:tt, $state:tt) => {
+        lab_face! { $doc, $name: const { &labs::Kind::of::<$lab>() }, $partial, $frame, $state }
+
+        #[wasm_bindgen]
+        impl $name {
+            /// The lab at step 0; what `params` leaves out takes its default.
+            #[wasm_bindgen(constructor)]
+            pub fn new(
+                #[wasm_bindgen(unchecked_optional_param_type = $partial)] params: &JsValue,
+            ) -> Result<$name, JsValue> {
+                Self::CLASS.open(params, &labs::open::<$lab>).map(Self)
+            }
+
+            /// The lab in a state that `state()` answered.
+            pub fn from(#[wasm_bindgen(unchecked_param_type = $state)] state: &JsValue) -> Result<$name, JsValue> {
+                Self::CLASS.open_state(state, &labs::open::<$lab>).map(Self)
+            }
+        }
+    };
 }
 
-lab_class! {
-    "A loop of the corridor on encoders with a biased wheel, with or without fixes from the mapped corners.",
-    OdometryHook: labs::OdometryHook, "Partial<HookParams>", "HookFrame", "LabState<HookParams>"
-}
+#[cfg(feature = "log")]
+pub(crate) use lab_face;
 
-lab_class! {
-    "Rusty on a square in room A: which landmarks does it take to know where it is?",
-    ObservabilityProbe: labs::ObservabilityProbe, "Partial<ProbeParams>", "ProbeFrame", "LabState<ProbeParams>"
-}
+#[cfg(feature = "figures")]
+pub use figures::{ObservabilityProbe, ObserverBench, OdometryHook, Picture};
 
-lab_class! {
-    "A prediction, the states that explain a reading, and the two ways of stepping onto them.",
-    Picture: labs::Picture, "Partial<PictureParams>", "PictureFrame", "LabState<PictureParams>"
-}
-
-#[wasm_bindgen]
-impl ObservabilityProbe {
-    /// Where landmark `j` (from 0) must stand to be in line with the estimate and the nearest other landmark shown.
-    #[wasm_bindgen(js_name = collinearPoint, unchecked_return_type = "Vector")]
-    pub fn collinear_point(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "number")] j: &JsValue,
-    ) -> Result<JsValue, JsValue> {
-        self.0.is(Self::CLASS.name)?;
-        let j = Arg::new(j, "j").whole(0, 2).map_err(thrown)?;
-        let point = self.0.read(Self::CLASS.name, |lab: &AnyLab| {
-            let probe = lab.as_any().downcast_ref::<labs::ObservabilityProbe>();
-            probe.map_or_else(|| Err(Error::new(Code::Type, "this", "is no Probe")), |probe| probe.collinear_point(j))
-        })?;
-        Ok(crate::encode::list(&point.map_err(thrown)?))
-    }
-}
+/// The labs of the chapter's simulated robots.
+#[cfg(feature = "figures")]
+mod figures;

@@ -24,6 +24,8 @@ mod errors;
 mod functions;
 mod lab;
 mod object;
+#[cfg(feature = "log")]
+mod robot_log;
 
 #[cfg(feature = "functions")]
 pub use checks::{chapter_check, chapter_checks};
@@ -33,7 +35,10 @@ pub use ekf_localizer::EkfLocalizer;
 pub use ekf_slam::EkfSlam;
 #[cfg(feature = "functions")]
 pub use functions::*;
+#[cfg(feature = "figures")]
 pub use lab::{ObservabilityProbe, ObserverBench, OdometryHook, Picture};
+#[cfg(feature = "log")]
+pub use robot_log::{DriveLog, RobotLog};
 
 use wasm_bindgen::prelude::*;
 

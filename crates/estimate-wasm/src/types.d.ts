@@ -10,7 +10,7 @@ export interface EstimateError extends Error {
     name: "EstimateError";
     code: "not-finite" | "shape" | "not-symmetric" | "not-positive-semidefinite" | "innovation-not-positive-definite"
         | "unobservable" | "poles" | "tolerance" | "index" | "at-landmark" | "not-placeable" | "limit" | "type"
-        | "did-not-converge";
+        | "did-not-converge" | "log";
     /** The argument to blame, as a path: "y", "system.F", "state.params.gain". */
     argument: string;
 }

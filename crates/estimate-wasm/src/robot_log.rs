@@ -1,0 +1,178 @@
+//! A robot's log: read once, replayed by as many labs as one likes.
+
+use crate::decode::Arg;
+use crate::encode::{Row, record};
+use crate::errors::{thrown, thrown_at};
+use crate::lab::{AnyLab, lab_face};
+use crate::object::Held;
+use estimate::drive::Motion;
+use estimate::{Code, Error, Landmark};
+use js_sys::JsString;
+use labs::{LogSummary, LoggedDrive, Plain};
+use std::cell::RefCell;
+use std::sync::{Arc, Weak};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What a log holds. */
+export interface LogContents {
+    /** All rows of the file, landmarks and truth among them; comments and blank lines are none. */
+    rows: number;
+    /** The rows of motion and sightings, which a replay takes. */
+    steps: number;
+    /** The first and the last time of these, seconds. */
+    span: [number, number];
+    /** The landmarks, at known places. */
+    landmarks: Landmark[];
+    /** How the robot's motion is logged: by O rows or by V rows. */
+    motion: "odometry" | "velocity";
+    /** Whether a sighting has a bearing. */
+    bearings: boolean;
+    /** Whether it is known where the robot really was. */
+    truth: boolean;
+}
+/** Why a text is no log: an EstimateError with the code "log", and where the fault is. */
+export interface LogError extends EstimateError { code: "log"; argument: "text"; line: number; column: number }
+"#;
+
+#[wasm_bindgen]
+extern "C" {
+    type Foreign;
+    // One that may answer nothing: where it throws, it leaves nothing behind in the table of references.
+    #[wasm_bindgen(method, catch)]
+    fn handle(this: &Foreign) -> Result<Option<JsValue>, JsValue>;
+}
+
+thread_local! {
+    /// The logs that are in use, by their handles.
+    static LOGS: RefCell<Vec<(f64, Weak<LoggedDrive>)>> = const { RefCell::new(Vec::new()) };
+}
+
+/// A log that was read, kept in the module's memory until `free()` and for as long as a lab replays it.
+#[wasm_bindgen]
+#[repr(transparent)]
+pub struct DriveLog(Held);
+
+/// What a [`DriveLog`] holds.
+struct Kept {
+    handle: f64,
+    logged: Arc<LoggedDrive>,
+    rows: usize,
+}
+
+const LOG: &str = "DriveLog";
+
+#[wasm_bindgen]
+impl DriveLog {
+    /// What the log holds.
+    #[wasm_bindgen(unchecked_return_type = "LogContents")]
+    pub fn contents(&self) -> Result<JsValue, JsValue> {
+        self.0.read(LOG, |held: &Kept| {
+            let (drive, [first, last]) = (held.logged.drive(), held.logged.span());
+            let mut numbers = Vec::new();
+            held.logged.drive().landmarks.write(&mut numbers);
+            let landmarks = Row::new(&numbers).value(&<Vec<Landmark> as Plain>::SHAPE);
+            record(&[
+                ("rows", (held.rows as f64).into()),
+                ("steps", held.logged.rows().into()),
+                ("span", crate::encode::list(&[first, last])),
+                ("landmarks", landmarks),
+                ("motion", if drive.motion == Motion::Odometry { "odometry" } else { "velocity" }.into()),
+                ("bearings", held.logged.bearings().into()),
+                ("truth", (!drive.truth.poses().is_empty()).into()),
+            ])
+        })
+    }
+
+    /// The number by which a lab knows this log.
+    pub fn handle(&self) -> Result<f64, JsValue> {
+        self.0.read(LOG, |held: &Kept| held.handle)
+    }
+}
+
+/// The log behind a value of JavaScript.
+fn logged(log: &JsValue) -> Result<Arc<LoggedDrive>, Error> {
+    let handle = log.unchecked_ref::<Foreign>().handle().ok().flatten().and_then(|handle| handle.as_f64());
+    let known = LOGS.with_borrow(|logs| {
+        let (_, known) = logs.iter().find(|(known, _)| Some(*known) == handle)?;
+        known.upgrade()
+    });
+    known.ok_or_else(|| Error::new(Code::Type, "log", "is no log; it must be what RobotLog.parse has answered"))
+}
+
+lab_face! {
+    "A robot that really drove: a log, replayed under the reader's settings. A step is a row of motion or of a sighting.",
+    RobotLog: labs::RobotLog::KIND, "Partial<LogParams>", "LogFrame", "LabState<LogParams>"
+}
+
+#[wasm_bindgen]
+impl RobotLog {
+    /// Reads a log. What is no log throws a `LogError`, which says in which line and column.
+    #[wasm_bindgen(unchecked_return_type = "DriveLog")]
+    pub fn parse(#[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue) -> Result<DriveLog, JsValue> {
+        let text = text_of(text)?;
+        let robot_log::Log { drive, count } =
+            robot_log::parse(&text).map_err(|e| thrown_at(&e.message, e.line, e.column))?;
+        let logged = Arc::new(LoggedDrive::new(drive));
+        let handle = LOGS.with_borrow_mut(|logs| {
+            let handle = logs.last().map_or(1.0, |(last, _)| last + 1.0);
+            logs.retain(|(_, log)| log.strong_count() > 0);
+            logs.push((handle, Arc::downgrade(&logged)));
+            handle
+        });
+        Ok(DriveLog(Held::new(LOG, Kept { handle, logged, rows: count })))
+    }
+
+    /// The log before its first row; what `params` leaves out takes its default.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "Partial<LogParams>")] params: &JsValue,
+    ) -> Result<RobotLog, JsValue> {
+        let log = logged(log).map_err(thrown)?;
+        Self::CLASS.open(params, &opener(&log)).map(Self)
+    }
+
+    /// The lab in a state that `state()` answered.
+    pub fn from(
+        #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "LabState<LogParams>")] state: &JsValue,
+    ) -> Result<RobotLog, JsValue> {
+        let log = logged(log).map_err(thrown)?;
+        Self::CLASS.open_state(state, &opener(&log)).map(Self)
+    }
+
+    /// All rows that are left.
+    #[wasm_bindgen(js_name = runAll)]
+    pub fn run_all(&self) -> Result<(), JsValue> {
+        Self::CLASS.advance(&self.0, labs::RobotLog::LAST_STEP)
+    }
+
+    /// What the replay says of itself so far.
+    #[wasm_bindgen(unchecked_return_type = "LogSummary")]
+    pub fn summary(&self) -> Result<JsValue, JsValue> {
+        let numbers = self.0.read(Self::CLASS.name, |lab: &AnyLab| {
+            let mut numbers = Vec::new();
+            if let Some(lab) = lab.as_any().downcast_ref::<labs::RobotLog>() {
+                lab.summary().write(&mut numbers);
+            }
+            numbers
+        })?;
+        Ok(Row::new(&numbers).value(&LogSummary::SHAPE))
+    }
+}
+
+/// What makes a lab of this log.
+fn opener(log: &Arc<LoggedDrive>) -> impl Fn(&[f64], u32) -> Result<AnyLab, Error> + '_ {
+    |params, step| Ok(Box::new(labs::RobotLog::at(Arc::clone(log), labs::Params::read(&mut params.iter()), step)?))
+}
+
+/// A text; one that is too long is refused before it is copied.
+fn text_of(text: &JsValue) -> Result<String, JsValue> {
+    let too_long = || thrown_at(&format!("the log has more than {} bytes", robot_log::MAX_BYTES), 1, 1);
+    match text.dyn_ref::<JsString>() {
+        Some(string) if string.length() as usize > robot_log::MAX_BYTES => Err(too_long()),
+        _ => Arg::new(text, "text").text().map_err(thrown),
+    }
+}
