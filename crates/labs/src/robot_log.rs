@@ -17,7 +17,7 @@ pub use params::LogParams;
 
 use crate::declare::{Params, Plain};
 use crate::lab::{Digest, Experiment, Kind};
-use crate::shapes::{ellipse_of, rows3};
+use crate::shapes::{ellipse_of, rows};
 use estimate::drive::{Event, Judged, Replay, Row, Settings};
 use estimate::{Code, Error};
 use nalgebra::{Matrix2, Matrix3};
@@ -192,7 +192,7 @@ impl RobotLog {
             truth,
             reckoning: pose(reckoning),
             estimate: pose(replay),
-            p: rows3(&p),
+            p: rows(&p),
             ellipse: ellipse_of(&position),
             sighting: record.sighting,
             tracks,

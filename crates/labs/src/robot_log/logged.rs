@@ -58,14 +58,6 @@ impl LoggedDrive {
         self.bearings
     }
 
-<<<<<<< HEAD
-=======
-    /// The landmarks.
-    pub fn landmarks(&self) -> Vec<LogLandmark> {
-        self.drive.landmarks.iter().map(|it| LogLandmark { id: it.id, x: it.x, y: it.y }).collect()
-    }
-
->>>>>>> a5723ec (RobotLog and DriveLog in the module, in a build of its own for the figure of the log)
     /// The true positions up to `time`.
     pub(super) fn truth_until(&self, time: f64) -> Track {
         let count = self.truth_times.partition_point(|at| *at <= time);
