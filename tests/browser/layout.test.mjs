@@ -30,6 +30,62 @@ for (const at of [...PAGES, ...FIGURE_PAGES]) {
   }
 }
 
+test('a line never begins with the mark behind a formula, nor ends with the one before it, and no formula loses its full stop', async (t) => {
+  const page = await open(t)
+  for (const width of [320, 390, 768, 1280]) {
+    await page.setViewportSize({ width, height: 800 })
+    await page.evaluate(async () => {
+      document.querySelectorAll('details').forEach((block) => { block.open = true })
+      document.querySelectorAll('main > article > section, .end-matter').forEach((part) => { part.style.contentVisibility = 'visible' })
+      await document.fonts.ready
+      // Sizes are looked at once a frame.
+      for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
+    })
+    const { torn, cut, seen } = await page.evaluate(() => {
+      /** The text in the same block next to an element, before or behind it. */
+      const beside = (element, step) => {
+        const walker = document.createTreeWalker(element.closest('p, li, dd, td, th, figcaption, summary, div'), NodeFilter.SHOW_TEXT)
+        walker.currentNode = element
+        let node = step === 'previousNode' ? walker.previousNode() : walker.nextNode()
+        while (node && element.contains(node)) node = walker[step]()
+        return node
+      }
+      const place = (node, at) => {
+        const range = document.createRange()
+        range.setStart(node, at)
+        range.setEnd(node, at + 1)
+        return range.getBoundingClientRect()
+      }
+      let seen = 0
+      const torn = [...document.querySelectorAll('main .katex')].flatMap((formula) => {
+        if (formula.closest('.katex-display') || !formula.checkVisibility()) return []
+        const boxes = [...formula.querySelectorAll('.katex-base')]
+        const [first, last] = [(boxes[0] ?? formula).getClientRects()[0], [...(boxes.at(-1) ?? formula).getClientRects()].at(-1)]
+        const [behind, before] = [beside(formula, 'nextNode'), beside(formula, 'previousNode')]
+        const found = []
+        if (/^[.,;:!?)’”-]/.test(behind?.data ?? '')) {
+          seen++
+          if (place(behind, 0).left < last.right - 2) found.push(`${formula.textContent} | ${behind.data.slice(0, 12)}`)
+        }
+        if (/[([‘“]$/.test(before?.data ?? '')) {
+          seen++
+          if (place(before, before.data.length - 1).right > first.left + 2) found.push(`${before.data.slice(-12)} | ${formula.textContent}`)
+        }
+        return found
+      })
+      // A formula that is too wide by its full stop alone would show no sign that there is more.
+      const cut = [...document.querySelectorAll('.equation-body')].filter((box) => {
+        const over = box.scrollWidth - box.clientWidth
+        return over > 0 && over < 24
+      }).map((box) => `${box.scrollWidth - box.clientWidth} px: ${box.textContent.slice(-40)}`)
+      return { torn, cut, seen }
+    })
+    assert.ok(seen > 150, `${seen} marks at ${width} px`)
+    assert.deepEqual(torn, [], `torn at ${width} px`)
+    assert.deepEqual(cut, [], `cut at ${width} px`)
+  }
+})
+
 test('the contents called up on a phone are whole', async (t) => {
   const page = await open(t, { viewport: { width: 320, height: 640 }, touch: true })
   await page.locator('[data-open-contents]').tap()

@@ -169,7 +169,7 @@ test('a number shows what computes it and which check pins it, hovered, focused,
   }
   // In the text, by mouse.
   const pinned = page.locator('main p a.number').filter({ visible: true })
-  const ids = await pinned.evaluateAll((all) => all.map((number) => number.dataset.number))
+  const ids = await pinned.evaluateAll((all) => all.map((number) => number.hash.replace('#number-', '')))
   const at = await page.evaluate((all) => all.findIndex((id) => document.getElementById(`number-${id}`).querySelector('.number-check')), ids)
   assert.ok(at >= 0, 'there is a number in the text that a check pins')
   await pinned.nth(at).scrollIntoViewIfNeeded()
@@ -205,12 +205,11 @@ test('a number shows what computes it and which check pins it, hovered, focused,
 
 test('every number printed is its entry\'s value, rounded', async (t) => {
   const page = await open(t)
-  const all = await page.evaluate(() => [...document.querySelectorAll('main [data-number]')].map((printed) => ({
-    id: printed.dataset.number,
-    text: printed.textContent,
-    value: document.getElementById(`number-${printed.dataset.number}`)?.querySelector('.number-value')?.textContent,
-    source: Boolean(document.getElementById(`number-${printed.dataset.number}`)?.querySelector('.number-source')),
-  })))
+  const all = await page.evaluate(() => [...document.querySelectorAll('main :is([data-number], a.number)')].map((printed) => {
+    const id = printed.dataset.number ?? printed.hash.replace('#number-', '')
+    const entry = document.getElementById(`number-${id}`)
+    return { id, text: printed.textContent, value: entry?.querySelector('.number-value')?.textContent, source: Boolean(entry?.querySelector('.number-source')) }
+  }))
   assert.ok(all.length > 150, `${all.length} numbers`)
   let read = 0
   for (const { id, text, value, source } of all) {

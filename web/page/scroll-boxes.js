@@ -1,17 +1,26 @@
-/** Makes each box that scrolls sideways reachable by the Tab key, so that it can be scrolled by keys. Boxes that fit stay as they are. */
+/**
+ * Makes each box that scrolls sideways reachable by the Tab key, so that it can be scrolled by keys. Boxes that fit stay as they are. A
+ * formula that is a little too wide is set a little smaller: cut off at its full stop it would not look as if there were more.
+ */
+
+/** The least size to which a formula is shrunk. */
+const LEAST = 0.9
 
 export function scrollBoxes() {
-  const boxes = [...document.querySelectorAll('.scroll-box')]
-  const check = (/** @type {Element[]} */ some) => {
-    const wide = some.map((box) => box.scrollWidth > box.clientWidth + 1)
-    some.forEach((box, i) => {
-      if (wide[i] === box.hasAttribute('tabindex')) return
-      if (wide[i]) {
-        const name = box.matches('pre') ? 'Code' : box.querySelector('table') ? 'Table' : 'Formula'
-        for (const [key, value] of [['tabindex', '0'], ['role', 'group'], ['aria-label', `${name}, scrolls sideways`]]) box.setAttribute(key, value)
-      } else for (const key of ['tabindex', 'role', 'aria-label']) box.removeAttribute(key)
-    })
+  const boxes = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.scroll-box')])
+  const check = (/** @type {HTMLElement[]} */ some) => {
+    for (const box of some) if (box.style.fontSize) box.style.fontSize = ''
+    const room = some.map((box) => (box.scrollWidth > box.clientWidth + 1 ? box.clientWidth / box.scrollWidth : 1))
+    for (const [i, box] of some.entries()) {
+      const name = box.matches('pre') ? 'Code' : box.querySelector('table') ? 'Table' : 'Formula'
+      const shrinks = name === 'Formula' && room[i] < 1 && room[i] > LEAST
+      if (shrinks) box.style.fontSize = `${Math.floor(100 * room[i]) - 1}%`
+      const wide = room[i] < 1 && !shrinks
+      if (wide === box.hasAttribute('tabindex')) continue
+      if (wide) for (const [key, value] of [['tabindex', '0'], ['role', 'group'], ['aria-label', `${name}, scrolls sideways`]]) box.setAttribute(key, value)
+      else for (const key of ['tabindex', 'role', 'aria-label']) box.removeAttribute(key)
+    }
   }
-  const eye = new ResizeObserver((entries) => check(entries.map(({ target }) => target)))
+  const eye = new ResizeObserver((entries) => check(entries.map(({ target }) => /** @type {HTMLElement} */ (target))))
   for (const box of boxes) eye.observe(box)
 }

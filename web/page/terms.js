@@ -79,7 +79,9 @@ export function terms() {
 /** @param {Element} box @param {Element} caller */
 function fill(box, caller) {
   const { term, number, numbers } = /** @type {HTMLElement} */ (caller).dataset
-  const ids = term ? [`gloss-${term}`] : (numbers?.split(' ') ?? [number]).map((id) => `number-${id}`)
+  // A number in the text names its entry in its address alone.
+  const linked = /** @type {Partial<HTMLAnchorElement>} */ (caller).hash?.slice(1) ?? ''
+  const ids = term ? [`gloss-${term}`] : numbers ? numbers.split(' ').map((id) => `number-${id}`) : [number ? `number-${number}` : linked]
   const entries = ids.map((id) => document.getElementById(id)).filter((entry) => entry !== null)
   if (!entries.length) return false
   const copies = entries.slice(0, 4).map((entry) => {

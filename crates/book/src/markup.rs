@@ -1,6 +1,8 @@
 //! The markup of a formula as a tree: well-formed spans and MathML, read, changed and written.
 
+use std::collections::HashMap;
 use std::fmt::Write;
+use std::sync::LazyLock;
 
 use roxmltree::Document;
 
@@ -75,15 +77,27 @@ pub fn em(value: &str) -> Option<f64> {
     value.strip_suffix("em")?.parse().ok()
 }
 
-/// In ems, to four decimals, without a zero before the point.
+/// A length in ems.
 pub fn length(value: f64) -> String {
-    let text = format!("{:.4}", value);
+    format!("{value}em")
+}
+
+/// A length in ems as the page has it: to two decimals, which is a tenth of a pixel, and without a zero before the point.
+fn short(value: f64) -> String {
+    let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');
     match text {
-        "" | "0" | "-0" => "0".into(),
+        "0" | "-0" => "0".into(),
         _ => format!("{}em", text.replacen("0.", ".", usize::from(text.trim_start_matches('-').starts_with("0.")))),
     }
 }
+
+/// The classes that `formulas.css` has for styles that many elements have, by style.
+static CLASSES: LazyLock<HashMap<&str, &str>> = LazyLock::new(|| {
+    let rule = |line: &'static str| line.strip_prefix('.')?.strip_suffix(" !important }")?.split_once(" { ");
+    let rules = include_str!("../../../web/style/formulas.css").lines().filter_map(rule);
+    rules.map(|(class, style)| (style, class)).collect()
+});
 
 /// The nodes of `html`, which is well formed as XML is.
 ///
@@ -127,16 +141,19 @@ pub fn write(node: &Node, out: &mut String) {
     };
     out.push('<');
     out.push_str(&element.name);
-    if !element.classes.is_empty() {
-        let _ = write!(out, " class=\"{}\"", element.classes.join(" "));
-    }
-    let style = element.style.iter().map(|(name, value)| (name, em(value).map_or_else(|| value.clone(), length)));
+    let style = element.style.iter().map(|(name, value)| (name, em(value).map_or_else(|| value.clone(), short)));
     let style: Vec<String> = style
         .filter(|(name, value)| value != "0" || *name == "top")
         .map(|(name, value)| format!("{name}:{value}"))
         .collect();
-    if !style.is_empty() {
-        let _ = write!(out, " style=\"{}\"", style.join(";"));
+    let style = style.join(";");
+    let class = CLASSES.get(style.as_str());
+    let classes: Vec<&str> = element.classes.iter().map(String::as_str).chain(class.copied()).collect();
+    if !classes.is_empty() {
+        let _ = write!(out, " class=\"{}\"", classes.join(" "));
+    }
+    if !style.is_empty() && class.is_none() {
+        let _ = write!(out, " style=\"{style}\"");
     }
     for (name, value) in &element.rest {
         let _ = write!(out, " {name}=\"{}\"", escape(value));

@@ -43,6 +43,14 @@ pub struct Used {
     pub listed_references: bool,
 }
 
+/// The marks that belong to the formula before them, and to the one behind them.
+const CLOSING: [char; 10] = ['.', ',', ';', ':', '!', '?', ')', '’', '”', '-'];
+const OPENING: [char; 4] = ['(', '[', '‘', '“'];
+
+fn is_formula(node: &Node) -> bool {
+    matches!(node.kind, Kind::Piece(Piece::Math(_)))
+}
+
 /// Writes the texts of one page.
 pub struct Writer<'a> {
     /// What the pages share.
@@ -143,16 +151,10 @@ impl<'a> Writer<'a> {
             let follows = |is: fn(&Node) -> bool| nodes.get(i + 1).is_some_and(is);
             match &node.kind {
                 Kind::Text(text) => {
-                    // A browser would break the line between a formula's box and the full stop behind it.
-                    let formula = |node: &Node| matches!(node.kind, Kind::Piece(Piece::Math(_)));
-                    if self.boxed
-                        && before.is_some_and(formula)
-                        && text.starts_with(['.', ',', ';', ':', '!', '?', ')', '’', '”', '-'])
-                    {
-                        self.html.push('\u{2060}');
-                    }
-                    self.text(text);
+                    let text = if before.is_some_and(is_formula) { text.trim_start_matches(CLOSING) } else { text };
+                    self.text(if follows(is_formula) { text.trim_end_matches(OPENING) } else { text });
                 }
+                Kind::Piece(piece @ Piece::Math(_)) => self.held(piece, node, before, nodes.get(i + 1)),
                 Kind::Code(code) => {
                     self.push("<code>");
                     self.text(code);
@@ -180,6 +182,25 @@ impl<'a> Writer<'a> {
                 }
                 Kind::Piece(piece) => self.piece(piece, node),
             }
+        }
+    }
+
+    /// A formula and the marks that touch it, between which a browser would break the line.
+    fn held(&mut self, piece: &Piece, node: &Node, before: Option<&Node>, after: Option<&Node>) {
+        let text = |node: Option<&'_ Node>| match node.map(|node| &node.kind) {
+            Some(Kind::Text(text)) => text.clone(),
+            _ => String::new(),
+        };
+        let (left, right) = (text(before), text(after));
+        let left = &left[left.trim_end_matches(OPENING).len()..];
+        let right = &right[..right.len() - right.trim_start_matches(CLOSING).len()];
+        let start = self.html.len();
+        self.text(left);
+        self.piece(piece, node);
+        self.text(right);
+        if self.boxed && !(left.is_empty() && right.is_empty()) {
+            self.html.insert_str(start, "<span class=\"held\">");
+            self.push("</span>");
         }
     }
 

@@ -89,7 +89,9 @@ fn hand_steps(givens: &Givens) -> BTreeSet<String> {
     let files: Vec<_> = files.into_iter().filter(|(path, _)| path.contains("hand-steps")).collect();
     assert_eq!(files.len(), 1);
     let body = book::text(&site, &files, Some(15), "kalman/", &diagnostics).body;
+    // A number names its entry in `data-number`, or in its address where it is a link.
     let body = body.split("<section class=\"end-matter").next().unwrap_or_default();
+    let body = body.replace("href=\"#number-", "data-number=\"");
     let digits = |part: &str| {
         let (id, rest) = part.split_once('"')?;
         // In a formula the digits are in spans of their own.
