@@ -52,19 +52,17 @@ impl System {
         v: DMatrix<f64>,
         w: DMatrix<f64>,
     ) -> Result<Self, Error> {
-        let n = f.nrows();
-        size(n, MAX_STATES, "F")?;
-        size(h.nrows(), MAX_OUTPUTS, "H")?;
+        let (f, h) = pair(f, h)?;
         if g.ncols() > MAX_INPUTS {
             return Err(Error::new(Code::Limit, "G", format!("has {} inputs; at most {MAX_INPUTS}", g.ncols())));
         }
-        let (m, p) = (g.ncols(), h.nrows());
+        let (n, m, p) = (f.nrows(), g.ncols(), h.nrows());
         Ok(Self {
-            f: validate::matrix(f, (n, n), "F")?,
             g: validate::matrix(g, (n, m), "G")?,
-            h: validate::matrix(h, (p, n), "H")?,
             v: validate::covariance(v, n, "V")?,
             w: validate::covariance(w, p, "W")?,
+            f,
+            h,
         })
     }
 
@@ -161,11 +159,8 @@ pub fn observability(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result
 pub fn place_observer_gain(f: DMatrix<f64>, h: DMatrix<f64>, poles: &[Complex<f64>]) -> Result<DVector<f64>, Error> {
     let (f, h) = pair(f, h)?;
     if h.nrows() != 1 {
-        return Err(Error::new(
-            Code::Shape,
-            "H",
-            format!("has {} outputs; Ackermann's formula is for a single one", h.nrows()),
-        ));
+        let message = format!("has {} outputs; Ackermann's formula is for a single one", h.nrows());
+        return Err(Error::new(Code::Shape, "H", message));
     }
     placement::place(&f, &h, poles)
 }
@@ -227,6 +222,7 @@ where
     Err(Error::new(Code::NotFinite, argument, "is too large, with the numbers beside it: a product overflows"))
 }
 
+/// The checked matrices F and H of a system.
 fn pair(f: DMatrix<f64>, h: DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
     let n = f.nrows();
     size(n, MAX_STATES, "F")?;

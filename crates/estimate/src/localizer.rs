@@ -83,15 +83,13 @@ impl EkfLocalizer {
         let p = validate::covariance(belief.p, 3, "belief.P")?;
         validate::count(landmarks.len(), MAX_LANDMARKS, "landmarks")?;
         for (i, landmark) in landmarks.iter().enumerate() {
+            let place = Place::Entry("landmarks", i);
             if landmarks[..i].iter().any(|earlier| earlier.id == landmark.id) {
                 let message = format!("is {}, as another landmark's; ids are unique", landmark.id);
-                return Err(Error::new(Code::Index, format!("landmarks[{i}].id"), message));
+                return Err(place.field(Error::new(Code::Index, "id", message)));
             }
             for (value, name) in [(landmark.x, "x"), (landmark.y, "y")] {
-                if !value.is_finite() {
-                    let message = "is a NaN or an infinity; every number must be finite";
-                    return Err(Error::new(Code::NotFinite, format!("landmarks[{i}].{name}"), message));
-                }
+                validate::finite(value, name).map_err(|e| place.field(e))?;
             }
         }
         if let Some(gate) = gate

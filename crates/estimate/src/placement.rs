@@ -44,14 +44,10 @@ pub(crate) fn place(f: &DMatrix<f64>, h: &DMatrix<f64>, poles: &[Complex<f64>]) 
     let factors = real_factors(poles, n)?;
     let seen = analyze(&observability_matrix(f, h), RANK_TOLERANCE)?;
     if seen.rank < n {
-        return Err(Error::new(
-            Code::Unobservable,
-            "H",
-            format!(
-                "(F, H) has observability rank {} of {n}: no gain moves the eigenvalues of the unseen part",
-                seen.rank
-            ),
-        ));
+        let rank = seen.rank;
+        let message =
+            format!("(F, H) has observability rank {rank} of {n}: no gain moves the eigenvalues of the unseen part");
+        return Err(Error::new(Code::Unobservable, "H", message));
     }
     let hf = h * f;
     let reached = analyze(&observability_matrix(f, &hf), RANK_TOLERANCE)?;

@@ -12,6 +12,7 @@ pub mod linear_slam;
 mod sighting;
 mod untyped;
 
+use crate::dynamic::Belief;
 use crate::error::{Code, Error};
 use crate::odometry::Unicycle;
 use crate::place::Place;
@@ -76,9 +77,15 @@ impl EkfSlam {
     /// [`Code::Limit`] for a threshold that is negative or NaN, and for `found` below a finite gate.
     pub fn new(belief: &Gaussian<U3>, w: &Matrix2<f64>, thresholds: Thresholds) -> Result<Self, Error> {
         let dense = |m: &[f64], n: usize| DMatrix::from_column_slice(n, n, m);
-        let x = validate::vector(DVector::from_column_slice(belief.x.as_slice()), 3, "belief.x")?;
-        let p = validate::covariance(dense(belief.p.as_slice(), 3), 3, "belief.P")?;
-        let w = validate::covariance(dense(w.as_slice(), 2), 2, "W")?;
+        let belief = Belief { x: DVector::from_column_slice(belief.x.as_slice()), p: dense(belief.p.as_slice(), 3) };
+        Self::checked(belief, dense(w.as_slice(), 2), thresholds)
+    }
+
+    /// [`Self::new`] for shapes known at run time only.
+    fn checked(belief: Belief, w: DMatrix<f64>, thresholds: Thresholds) -> Result<Self, Error> {
+        let x = validate::vector(belief.x, 3, "belief.x")?;
+        let p = validate::covariance(belief.p, 3, "belief.P")?;
+        let w = validate::covariance(w, 2, "W")?;
         for (threshold, name) in [(thresholds.gate, "gate"), (thresholds.found, "found")] {
             let sound = threshold >= 0.0;
             if !sound {

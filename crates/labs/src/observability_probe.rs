@@ -108,12 +108,15 @@ impl Lab for ObservabilityProbe {
         let shown = params.shown();
         let mut noise = Noise::new(u64::from(params.seed));
         let truth = PROBE.course.start();
-        let who = if params.forget {
+        let (who, sightings) = if params.forget {
             let mut mapping = Mapping::new(&shown, &RANGE_BEARING_SLAM)?;
             mapping.most = MAX_MAP;
-            Who::Mapper(Box::new(mapping))
+            // A map begins where its robot first looks about.
+            let seen = mapping.look(truth, &mut noise)?;
+            let sightings = seen.iter().map(|s| view::mapped_sighting(s, &mapping)).collect();
+            (Who::Mapper(Box::new(mapping)), sightings)
         } else {
-            Who::Localizer(Localizer::new(truth, Arc::clone(&shown), params.sight(), &mut noise))
+            (Who::Localizer(Localizer::new(truth, Arc::clone(&shown), params.sight(), &mut noise)), Vec::new())
         };
         let mut probe = Self {
             params,
@@ -125,7 +128,7 @@ impl Lab for ObservabilityProbe {
             who,
             reference: TruePath::new(&PROBE, 2, SensorKind::Range),
             moments: VecDeque::new(),
-            sightings: Vec::new(),
+            sightings,
             nees: None,
             nis: None,
             sums: Sums::default(),
@@ -133,14 +136,7 @@ impl Lab for ObservabilityProbe {
             tracks: Tracks::default(),
             digest: Digest::default(),
         };
-        if let Who::Mapper(mapping) = &mut probe.who {
-            // A map begins where its robot first looks about.
-            let seen = mapping.look(truth, &mut probe.noise)?;
-            probe.sightings = seen.iter().map(|s| view::mapped_sighting(s, mapping)).collect();
-        }
-        probe.judge();
-        probe.remember();
-        probe.record();
+        probe.note();
         Ok(probe)
     }
 
@@ -168,9 +164,7 @@ impl Lab for ObservabilityProbe {
                 self.nis = mapping.nis();
             }
         }
-        self.judge();
-        self.remember();
-        self.record();
+        self.note();
         Ok(())
     }
 
@@ -201,6 +195,13 @@ impl ObservabilityProbe {
     /// What the next step drives.
     fn next_tick(&self) -> Tick {
         if self.moving() { PROBE.course.tick(self.driven) } else { Tick { ds: 0.0, dtheta: 0.0 } }
+    }
+
+    /// Keeps what the present step says.
+    fn note(&mut self) {
+        self.judge();
+        self.remember();
+        self.record();
     }
 
     /// Compares with the truth.

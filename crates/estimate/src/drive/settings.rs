@@ -1,6 +1,7 @@
 //! What a replay is told about the robot and its sensors.
 
 use crate::error::{Code, Error};
+use crate::validate::finite;
 
 /// The noise of motion and sightings, the gate, and the calibration of the ranges.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -45,29 +46,18 @@ impl Settings {
     /// # Errors
     /// [`Code::NotFinite`] or [`Code::Limit`] naming the first setting that is out of bounds.
     pub(crate) fn check(&self) -> Result<(), Error> {
-        let at_least_0 = [("sigmaDistance", self.sigma_distance), ("sigmaTurn", self.sigma_turn)];
-        let above_0 = [("sigmaRange", self.sigma_range), ("sigmaBearing", self.sigma_bearing)];
-        let all = at_least_0.into_iter().chain(above_0).chain([("scale", self.scale), ("offset", self.offset)]);
-        for (name, value) in all {
-            if !value.is_finite() {
-                return Err(Error::new(Code::NotFinite, name, "is not finite"));
-            }
+        let limit = |sound, name: &'static str, message: &'static str| {
+            if sound { Ok(()) } else { Err(Error::new(Code::Limit, name, message)) }
+        };
+        for (name, sigma) in [("sigmaDistance", self.sigma_distance), ("sigmaTurn", self.sigma_turn)] {
+            limit(finite(sigma, name)? >= 0.0, name, "is negative; a standard deviation is at least 0")?;
         }
-        let limit = |name, message| Err(Error::new(Code::Limit, name, message));
-        if let Some((name, _)) = at_least_0.iter().find(|(_, sigma)| *sigma < 0.0) {
-            return limit(*name, "is negative; a standard deviation is at least 0");
+        for (name, sigma) in [("sigmaRange", self.sigma_range), ("sigmaBearing", self.sigma_bearing)] {
+            limit(finite(sigma, name)? > 0.0, name, "is not positive; a sensor's standard deviation is above 0")?;
         }
-        if let Some((name, _)) = above_0.iter().find(|(_, sigma)| *sigma <= 0.0) {
-            return limit(*name, "is not positive; a sensor's standard deviation is above 0");
-        }
-        if self.scale <= -1.0 {
-            return limit("scale", "is -1 or less; ranges would not grow with the distance");
-        }
-        match self.gate {
-            Some(p) if !(p > 0.0 && p < 1.0) => {
-                limit("gate", "is no probability; it must lie between 0 and 1, or be absent")
-            }
-            _ => Ok(()),
-        }
+        finite(self.offset, "offset")?;
+        limit(finite(self.scale, "scale")? > -1.0, "scale", "is -1 or less; ranges would not grow with the distance")?;
+        let probable = self.gate.is_none_or(|p| p > 0.0 && p < 1.0);
+        limit(probable, "gate", "is no probability; it must lie between 0 and 1, or be absent")
     }
 }

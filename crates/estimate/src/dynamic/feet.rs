@@ -31,11 +31,8 @@ pub fn euclidean_foot(h: DMatrix<f64>, x: DVector<f64>, y: DVector<f64>) -> Resu
 }
 
 fn rows_repeat() -> Error {
-    Error::new(
-        Code::InnovationNotPositiveDefinite,
-        "H",
-        "HHᵀ is singular, or too large or small for floating point: the rows of H must be independent",
-    )
+    let message = "HHᵀ is singular, or too large or small for floating point: the rows of H must be independent";
+    Error::new(Code::InnovationNotPositiveDefinite, "H", message)
 }
 
 /// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `p`.
@@ -55,15 +52,12 @@ pub fn mahalanobis_foot(
         let h = &omega.h;
         overflow(&(h * (&p * h.transpose())), "H")?;
         let independent = Spd::new(h * h.transpose()).is_some_and(|s| s.pivot() >= MIN_PIVOT);
-        return Err(if independent {
-            Error::new(
-                Code::InnovationNotPositiveDefinite,
-                "P",
-                "HPHᵀ is singular, or too small for floating point: P leaves no uncertainty in what H measures, so no step along it reaches Ω",
-            )
-        } else {
-            rows_repeat()
-        });
+        if !independent {
+            return Err(rows_repeat());
+        }
+        let message = "HPHᵀ is singular, or too small for floating point: P leaves no uncertainty in what H measures, so no \
+                       step along it reaches Ω";
+        return Err(Error::new(Code::InnovationNotPositiveDefinite, "P", message));
     };
     Ok(foot)
 }

@@ -47,10 +47,9 @@ pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings:
     }
     rows(readings, (steps, p), "readings")?;
     rows(inputs, (steps, m), "inputs")?;
-    let log = Log { inputs, readings, steps };
     match (n, m, p) {
-        (2, 1, 1) => filtered(system, belief, &log, (Const::<2>, Const::<1>, Const::<1>)),
-        _ => filtered(system, belief, &log, (Dyn(n), Dyn(m), Dyn(p))),
+        (2, 1, 1) => filtered(system, belief, inputs, readings, (Const::<2>, Const::<1>, Const::<1>)),
+        _ => filtered(system, belief, inputs, readings, (Dyn(n), Dyn(m), Dyn(p))),
     }
 }
 
@@ -71,17 +70,12 @@ fn rows(numbers: &[f64], (steps, each): (usize, usize), name: &str) -> Result<()
     }
 }
 
-struct Log<'a> {
-    inputs: &'a [f64],
-    readings: &'a [f64],
-    steps: usize,
-}
-
 /// The log filtered with matrices of the sizes (n, m, p).
 fn filtered<N: Dim, U: Dim, M: Dim>(
     system: &System,
     belief: &Belief,
-    log: &Log<'_>,
+    inputs: &[f64],
+    readings: &[f64],
     (n, m, p): (N, U, M),
 ) -> Result<Replayed, Error>
 where
@@ -95,12 +89,13 @@ where
         w: sized(p, p, system.w.as_slice()),
     };
     let mut belief = Gaussian { x: sized(n, U1, belief.x.as_slice()), p: sized(n, n, belief.p.as_slice()) };
-    let numbers = log.steps * n.value();
+    let steps = readings.len() / p.value();
+    let numbers = steps * n.value();
     let (mut x, mut variances) = (Vec::with_capacity(numbers), Vec::with_capacity(numbers));
     let mut log_likelihood = Some(0.0);
-    for k in 0..log.steps {
-        let u = sized(m, U1, &log.inputs[k * m.value()..(k + 1) * m.value()]);
-        let y = sized(p, U1, &log.readings[k * p.value()..(k + 1) * p.value()]);
+    for k in 0..steps {
+        let u = sized(m, U1, &inputs[k * m.value()..(k + 1) * m.value()]);
+        let y = sized(p, U1, &readings[k * p.value()..(k + 1) * p.value()]);
         let step = kalman_step(&sys, &belief, &u, &y).map_err(|e| at_step(e, k + 1))?;
         log_likelihood = log_likelihood.and_then(|sum| Some(sum + log_density(&step.innovation, &step.s)?));
         belief = step.posterior;

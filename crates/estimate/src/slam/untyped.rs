@@ -4,9 +4,8 @@ use super::EkfSlam;
 use crate::dynamic::Belief;
 use crate::error::{Code, Error};
 use crate::validate;
-use filters::Gaussian;
 use filters::association::Thresholds;
-use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Vector2, Vector3};
+use nalgebra::{DMatrix, DVector, Matrix3, Vector2};
 
 impl EkfSlam {
     /// A robot with a belief over [x, y, θ] and an empty map; W is 2×2, the gate an upper bound on χ² (or none), and a
@@ -17,17 +16,12 @@ impl EkfSlam {
     /// [`Code::NotPositiveSemidefinite`], or [`Code::Limit`] for a threshold that is not positive and for `found` below the
     /// gate.
     pub fn from_belief(belief: &Belief, w: DMatrix<f64>, gate: Option<f64>, found: f64) -> Result<Self, Error> {
-        let x = validate::vector(belief.x.clone(), 3, "belief.x")?;
-        let p = validate::matrix(belief.p.clone(), (3, 3), "belief.P")?;
-        let w = validate::matrix(w, (2, 2), "W")?;
         for (threshold, name) in gate.iter().map(|g| (*g, "gate")).chain([(found, "found")]) {
             if validate::finite(threshold, name)? <= 0.0 {
                 return Err(Error::new(Code::Limit, name, "is not positive; a threshold on χ² is"));
             }
         }
-        let belief = Gaussian { x: Vector3::new(x[0], x[1], x[2]), p: Matrix3::from_fn(|i, j| p[(i, j)]) };
-        let thresholds = Thresholds { gate: gate.unwrap_or(f64::INFINITY), found };
-        Self::new(&belief, &Matrix2::from_fn(|i, j| w[(i, j)]), thresholds)
+        Self::checked(belief.clone(), w, Thresholds { gate: gate.unwrap_or(f64::INFINITY), found })
     }
 
     /// The pose moves by `u` = [Δs, Δθ]; `v` is 3×3, in the pose.

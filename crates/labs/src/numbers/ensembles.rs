@@ -23,22 +23,15 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     percentiles(to, "ensemble.rbslam.matched", &runs.matched, "sightings matched in a run");
     percentiles(to, "ensemble.rbslam.worst", &runs.worst, "the worst landmark's error of a run, m");
     percentiles(to, "ensemble.rbslam.sigma", &runs.sigma, "the same in its own standard deviations");
-    to.add("ensemble.rbslam.spurious", f64::from(runs.spurious), "landmarks founded twice, in all runs together").add(
-        "ensemble.rbslam.wrong",
-        f64::from(runs.wrong),
-        "wrong matches, in all runs together",
-    );
+    to.add("ensemble.rbslam.spurious", f64::from(runs.spurious), "landmarks founded twice, in all runs together");
+    to.add("ensemble.rbslam.wrong", f64::from(runs.wrong), "wrong matches, in all runs together");
     let mut with_spurious = Vec::new();
     for found in [15.0, 20.0, 25.0, 30.0] {
         with_spurious.push((found, slam(found, SEEDS)?.with_spurious));
     }
-    // The largest threshold tried at which a ghost still appeared.
+    let about = "the greatest threshold for founding, of 15, 20, 25 and 30, that founds ghosts";
     let low = with_spurious.iter().rev().find(|(_, n)| *n > 0).map_or(f64::NAN, |(found, _)| *found);
-    to.add(
-        "ensemble.rbslam.found.low",
-        low,
-        "the greatest threshold for founding, of 15, 20, 25 and 30, that founds ghosts",
-    );
+    to.add("ensemble.rbslam.found.low", low, about);
     Ok(())
 }
 

@@ -70,6 +70,7 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let no_foot = || Error::new(estimate::Code::InnovationNotPositiveDefinite, "P", "Ω has no foot");
     let euclid = omega.euclidean_foot(&prediction.x).ok_or_else(no_foot)?;
     let foot = omega.mahalanobis_foot(p, &prediction.x).ok_or_else(no_foot)?;
+    let correlation = p[(0, 1)] / (p[(0, 0)] * p[(1, 1)]).sqrt();
     to.by("geom::AffineSet", Some(1))
         .vector("picture.euclid", euclid.iter(), "the Euclidean foot on Ω")
         .vector("picture.foot", foot.iter(), "the Mahalanobis foot on Ω")
@@ -77,11 +78,7 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .add("picture.ystar", most_likely[0], "y*, the most likely output")
         .by("labs::numbers::rail::picture", Some(1))
         .add("picture.drag", p[(0, 1)] / p[(1, 1)], "metres the position moves for each m/s the velocity is corrected")
-        .add(
-            "picture.correlation",
-            p[(0, 1)] / (p[(0, 0)] * p[(1, 1)]).sqrt(),
-            "the correlation of position and velocity in the prediction",
-        )
+        .add("picture.correlation", correlation, "the correlation of position and velocity in the prediction")
         .vector("picture.sigma", p.diagonal().map(f64::sqrt).iter(), "a standard deviation of the prediction: m, m/s");
     let ellipse = geom::Ellipse::from_covariance(p, 1.0);
     to.by("geom::Ellipse", None)
@@ -100,38 +97,34 @@ fn limits(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         let posterior = linear::gain(&limit.p, &sys.h, &sys.w)?.p;
         let observer = Observer { sys: *sys, k: limit.r, xhat: Vector2::zeros() };
         let eigenvalues = observer.error_eigs()?;
+        let (first, second) = (eigenvalues[0], eigenvalues[1]);
+        let modulus = numerics::hypot(first.re, first.im);
         to.by("estimate::Lti::steady_state_gain", Some(7))
             .vector(&format!("{name}.Rinf"), limit.r.iter(), "the limit of the gain")
             .by("estimate::Observer::error_eigs", Some(7))
-            .add(format!("{name}.eig.re"), eigenvalues[0].re, "real part of the first eigenvalue of (I − R∞H)F")
-            .add(format!("{name}.eig.im"), eigenvalues[0].im.abs(), "its imaginary part")
-            .add(
-                format!("{name}.modulus"),
-                numerics::hypot(eigenvalues[0].re, eigenvalues[0].im),
-                "the larger modulus of the eigenvalues of (I − R∞H)F",
-            )
-            .add(format!("{name}.eig.1"), eigenvalues[0].re, "the first eigenvalue of (I − R∞H)F, its real part")
-            .add(format!("{name}.eig.2"), eigenvalues[1].re, "the second eigenvalue of (I − R∞H)F, its real part")
+            .add(format!("{name}.eig.re"), first.re, "real part of the first eigenvalue of (I − R∞H)F")
+            .add(format!("{name}.eig.im"), first.im.abs(), "its imaginary part")
+            .add(format!("{name}.modulus"), modulus, "the larger modulus of the eigenvalues of (I − R∞H)F")
+            .add(format!("{name}.eig.1"), first.re, "the first eigenvalue of (I − R∞H)F, its real part")
+            .add(format!("{name}.eig.2"), second.re, "the second eigenvalue of (I − R∞H)F, its real part")
             .by("estimate::Lti::steady_state_gain", Some(7))
             .add(format!("{name}.limit.Ppred.22"), limit.p[(1, 1)], "limit of the predicted velocity variance, m²/s²")
             .add(format!("{name}.limit.P.22"), posterior[(1, 1)], "limit of the corrected velocity variance, m²/s²")
             .add(format!("rank.{name}"), sys.observability(1e-9)?.rank as f64, "the observability rank");
         if name == "position" {
+            let about = "iterations until gain and covariance stand still to 1e-12";
             to.add("position.limit.P.11", posterior[(0, 0)], "limit of the corrected position variance, m²").add(
                 "steady.position.iterations",
                 limit.iterations as f64,
-                "iterations until gain and covariance stand still to 1e-12",
+                about,
             );
         } else {
             let before = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS - 1, LIMIT_TOLERANCE)?;
-            to.add(
-                "velocity.growth",
-                limit.p[(0, 0)] - before.p[(0, 0)],
-                "what the position variance gains a step in the limit, m²",
-            );
-            to.add(
+            let growth = limit.p[(0, 0)] - before.p[(0, 0)];
+            let settled = gain_iterations(sys, givens)? as f64;
+            to.add("velocity.growth", growth, "what the position variance gains a step in the limit, m²").add(
                 "steady.velocity.gain.iterations",
-                gain_iterations(sys, givens)? as f64,
+                settled,
                 "iterations until the gain stands still to 1e-12",
             );
         }
@@ -158,11 +151,7 @@ fn knobs(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
                 "the knob at which the observer turns unstable",
             )
             .by("labs::observer_bench::equivalent_knob", Some(7))
-            .vector(
-                &format!("knob.{name}"),
-                knobs.iter(),
-                "HR(k) / HR∞, the knob that takes over the same share of the innovation",
-            );
+            .vector(&format!("knob.{name}"), &knobs, "HR(k) / HR∞, the knob of the same share of the innovation");
     }
     Ok(())
 }
@@ -193,14 +182,11 @@ fn noise(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let sys = &givens.velocity;
     let (t, v) = (sys.f[(0, 1)], sys.v);
     let (nees, nis) = (chi2_interval(3, 1, 0.95)?, chi2_interval(2, 1, 0.95)?);
+    let of_variance = (2.0_f64 / 99.0).sqrt();
     to.by("labs::numbers::rail::noise", None)
         .add("V.kick.11", t * t * v[(1, 1)], "what a velocity kick of variance V₂₂ at the period's start adds to V₁₁")
         .add("V.rest.11", v[(0, 0)] - t * t * v[(1, 1)], "the part of V₁₁ that such a kick does not explain")
-        .add(
-            "tuning.variance.relative",
-            (2.0_f64 / 99.0).sqrt(),
-            "relative standard error of a variance from 100 samples",
-        )
+        .add("tuning.variance.relative", of_variance, "relative standard error of a variance from 100 samples")
         .by("filters::consistency::chi2_quantile", None)
         .add("gate.99", chi2_quantile(2, 0.99)?, "the 99 % quantile of χ² with 2 degrees of freedom")
         .by("filters::consistency::chi2_interval", None)

@@ -1,9 +1,39 @@
-//! Numbers of the prose that no check holds, against what is known of them without the core: closed forms, and the
-//! covariance recursion of the rail robot written out in numbers.
+//! The list of numbers, and the numbers of the prose that no check holds, against what is known of them without the core: closed
+//! forms, and the covariance recursion of the rail robot written out in numbers.
 
-use super::numbers;
-use crate::givens::Givens;
+use super::*;
 use std::collections::BTreeMap;
+
+fn by_id(givens: &Givens) -> BTreeMap<String, f64> {
+    numbers(givens).expect("computed").into_iter().map(|n| (n.id, n.value)).collect()
+}
+
+#[test]
+fn ids_are_unique_and_every_number_is_finite() {
+    let all = numbers(&Givens::default()).expect("computed");
+    assert_eq!(by_id(&Givens::default()).len(), all.len());
+    for number in all {
+        assert!(number.value.is_finite(), "{}", number.id);
+        assert!(!number.source.is_empty() && !number.about.is_empty(), "{}", number.id);
+    }
+}
+
+#[test]
+fn a_changed_matrix_or_reading_moves_the_numbers_that_depend_on_it() {
+    let before = by_id(&Givens::default());
+    let mut givens = Givens::default();
+    givens.velocity.v[(1, 1)] *= 1.01;
+    let after = by_id(&givens);
+    for id in ["step1.P.22", "step3.P.11", "velocity.Rinf.2", "knob.limit.velocity"] {
+        assert_ne!(before[id], after[id], "{id}");
+    }
+    assert_eq!(before["position.Rinf.1"], after["position.Rinf.1"]);
+    let mut givens = Givens::default();
+    givens.readings[1] += 0.1;
+    let after = by_id(&givens);
+    assert_ne!(before["step2.x.1"], after["step2.x.1"]);
+    assert_eq!(before["step2.P.11"], after["step2.P.11"], "no covariance depends on a reading");
+}
 
 /// T = 0.5 s, V and W of the rail robot (§8.2.6).
 const T: f64 = 0.5;
