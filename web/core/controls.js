@@ -23,7 +23,7 @@ import { writeHtml } from './words.js'
  * @property {(value: number, frame: any) => string} words the value as shown and as said
  * @property {(frame: any) => Notch[]} [notches]
  * @property {(params: any, frame: any) => any} [get] what it shows, if not the parameter of its name
- * @property {(value: any, params: any) => Record<string, unknown>} [set] the change it makes, likewise
+ * @property {(value: any, params: any, frame: any) => Record<string, unknown>} [set] the change it makes, likewise
  * @property {(params: any) => boolean} [enabled]
  *
  * @typedef {object} ChoiceControl
@@ -32,7 +32,7 @@ import { writeHtml } from './words.js'
  * @property {Words} label
  * @property {{ value: any, label: string }[]} options
  * @property {(params: any, frame: any) => any} [get]
- * @property {(value: any, params: any) => Record<string, unknown>} [set]
+ * @property {(value: any, params: any, frame: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
  *
  * @typedef {object} ToggleControl
@@ -42,7 +42,7 @@ import { writeHtml } from './words.js'
  * @property {any} [on] true if not given
  * @property {any} [off] false if not given
  * @property {(params: any, frame: any) => any} [get]
- * @property {(value: any, params: any) => Record<string, unknown>} [set]
+ * @property {(value: any, params: any, frame: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
  *
  * @typedef {object} WholeControl
@@ -50,7 +50,7 @@ import { writeHtml } from './words.js'
  * @property {string} name
  * @property {Words} label
  * @property {(params: any, frame: any) => any} [get]
- * @property {(value: any, params: any) => Record<string, unknown>} [set]
+ * @property {(value: any, params: any, frame: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
  *
  * @typedef {object} ActionControl a button that changes parameters
@@ -79,7 +79,7 @@ export function buildControl(document, control, change, limits) {
   const name = document.createElement('span')
   name.className = 'control-name'
   writeHtml(name, control.label)
-  const made = BUILD[control.kind](document, /** @type {any} */ (control), (value) => change({}, ({ params }) => control.set?.(value, params) ?? { [control.name]: value }), limits[control.name])
+  const made = BUILD[control.kind](document, /** @type {any} */ (control), (value) => change({}, (frame) => control.set?.(value, frame.params, frame) ?? { [control.name]: value }), limits[control.name])
   if (control.kind === 'toggle') label.append(made.body, name)
   else label.append(name, made.body)
   return {

@@ -10,7 +10,7 @@ const MINUS = '\u2212'
 export function fixed(value, decimals = 2) {
   if (value === null || value === undefined || Number.isNaN(value)) return '–'
   if (!Number.isFinite(value)) return value > 0 ? '∞' : `${MINUS}∞`
-  if (Math.abs(value) >= 1e5) return value.toExponential(1).replace('-', MINUS).replace('e+', ' × 10^').replace(/\^(\d+)$/, (_, power) => raised(power))
+  if (Math.abs(value) >= 1e4) return value.toExponential(1).replace('-', MINUS).replace('e+', ' × 10^').replace(/\^(\d+)$/, (_, power) => raised(power))
   const text = value.toFixed(decimals)
   return Number(text) === 0 ? text.replace('-', '') : text.replace('-', MINUS)
 }

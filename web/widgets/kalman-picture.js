@@ -15,11 +15,16 @@ const start = { params: {}, step: 0 }
 // Model: the lab `Picture` in the module. What follows only reads its frame.
 
 /** @param {Frame} frame */
-function verdict({ params, euclideanFoot, mahalanobisFoot }) {
-  const round = Math.abs(params.semiMajor - params.semiMinor) < 1e-9
-  if (round) return 'The ellipse is a circle: both metrics agree, and the two feet are one point.'
-  const apart = `The gray foot is ${fixed(euclideanFoot.distance, 2)} standard deviations away, the purple one ${fixed(mahalanobisFoot.distance, 2)}.`
-  return params.noise === 0 ? `${apart} The sensor is perfect: Ω and Ω* are one line.` : apart
+function verdict(frame) {
+  return frame.params.noise === 0 ? `${ofTheFeet(frame)} The sensor is perfect: Ω and Ω* are one line.` : ofTheFeet(frame)
+}
+
+/** @param {Frame} frame */
+function ofTheFeet({ params, innovation, euclideanFoot: gray, mahalanobisFoot: purple }) {
+  if (Math.abs(innovation) < 5e-4) return 'The reading is the one expected: there is nothing to correct.'
+  if (Math.abs(params.semiMajor - params.semiMinor) < 1e-9) return 'The ellipse is a circle: both metrics agree, and the two feet are one point.'
+  if (Math.hypot(gray.at[0] - purple.at[0], gray.at[1] - purple.at[1]) < 5e-3) return 'The two feet are one point here, to two decimals.'
+  return `The gray foot is ${fixed(gray.distance, 2)} standard deviations away, the purple one ${fixed(purple.distance, 2)}.`
 }
 
 /** @param {Frame} frame */

@@ -16,21 +16,29 @@ const start = { params: {}, step: 240 }
 
 // Model: the lab `ObservabilityProbe` in the module. What follows only reads its frame.
 
-const NUMBERS = ['no', 'One', 'Two', 'Three']
+const NUMBERS = ['no', 'one', 'two', 'three']
+const capital = (/** @type {string} */ words) => words[0].toUpperCase() + words.slice(1)
 
 /** @param {Frame} frame */
-function verdict(frame) {
-  const { params, frozen, alongPath, slam } = frame
+function verdict({ params, sensor, frozen, alongPath, slam }) {
   if (slam) {
     const worst = slam.worst ? ` The worst stands ${fixed(slam.worst.error, 2)} m off, ${fixed(slam.worst.sigma, 1)} of its own σ.` : ''
     return `The map is forgotten: ${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.${worst}${slam.full ? ' The map is full: it founds no more.' : ''}`
   }
-  const many = params.count === 1 ? 'landmark' : 'landmarks'
-  const what = `${NUMBERS[params.count]} ${many}, ${frame.sensor === 'range' ? 'range only' : 'range and bearing'}: rank ${frozen.rank} frozen, ${alongPath.rank} along the path.`
-  if (alongPath.rank === 3) return frozen.rank < 3 ? `${what} The blind moment passes: driving on shows what it hid.` : `${what} Every direction is seen.`
-  if (frozen.rank === 3) return `${what} The frozen test is too kind: turn the pose about the landmark, and no reading changes.`
-  const hidden = 3 - alongPath.rank
-  return `${what} ${NUMBERS[hidden]} ${hidden === 1 ? 'direction is' : 'directions are'} never seen, and the ellipse keeps ${hidden === 1 ? 'it' : 'them'}.`
+  const what = `${capital(NUMBERS[params.count])} ${params.count === 1 ? 'landmark' : 'landmarks'}, ${sensor === 'range' ? 'range only' : 'range and bearing'}: rank ${frozen.rank} frozen at this pose`
+  if (alongPath.steps === 0) return `${what}. No path is driven yet, so there is no rank along it.`
+  return `${what}, ${alongPath.rank} along the last ${alongPath.steps === 1 ? 'step' : `${alongPath.steps} steps`}. ${ofTheRanks(params.count, frozen.rank, alongPath)}`
+}
+
+/** What two ranks of three say together. @param {number} count @param {number} frozen @param {import('estimate-wasm').ProbeRanks} path */
+function ofTheRanks(count, frozen, { rank, relative }) {
+  const directions = (/** @type {number} */ many) => `${NUMBERS[many]} ${many === 1 ? 'direction' : 'directions'}`
+  if (rank === 3) return frozen === 3 ? 'Every direction of the pose is seen.' : `This pose alone hides ${directions(3 - frozen)}, and the path has shown ${frozen === 2 ? 'it' : 'them'}.`
+  const hidden = 3 - rank
+  if (frozen === 3) return count === 1 ? 'The frozen test is too kind: turn the pose about the landmark, and no reading changes.' : `The frozen test counts ${directions(hidden)} more than the path has shown.`
+  // What is hidden is so up to rounding; what a coarse tolerance leaves out is only seen badly.
+  if (relative[rank] >= 1e-9) return `${capital(directions(hidden))} of the pose ${hidden === 1 ? 'falls' : 'fall'} below the tolerance.`
+  return `${capital(directions(hidden))} of the pose ${hidden === 1 ? 'is' : 'are'} hidden: no reading along the path changes with ${hidden === 1 ? 'it' : 'them'}.`
 }
 
 /** @param {Frame} frame */
@@ -40,7 +48,7 @@ function describe(frame) {
   const landmarks = frame.landmarks.filter(({ shown }) => shown).map(({ x, y }, i) => `${i + 1} at ${fixed(x, 1)}, ${fixed(y, 1)}`).join('; ')
   return {
     map: `Room A, 6 by 6 metres, step ${frame.step}. Landmarks: ${landmarks}. The estimate stands at ${fixed(estimate[0], 2)}, ${fixed(estimate[1], 2)}, off by ${fixed(Math.hypot(error[0], error[1]), 2)} metres; its ellipse has half-axes of ${fixed(ellipse.semiMajor, 2)} and ${fixed(ellipse.semiMinor, 2)} metres.`,
-    ranks: `Singular values on a logarithmic scale. Frozen: ${ranks(frozen)}. Along the path: ${ranks(alongPath)}.`,
+    ranks: `Singular values on a logarithmic scale. Frozen: ${ranks(frozen)}. Along the path: ${alongPath.steps === 0 ? 'no step yet' : ranks(alongPath)}.`,
     trace: `Trace of the pose covariance over time, now ${fixed(trace.total, 3)}; with two landmarks it would be ${fixed(trace.reference, 3)}.`,
     nees: `Normalized estimation error over time, mean ${fixed(mean.nees, 1)}; 3 is expected.`,
     nis: `Normalized innovation over time, mean ${fixed(mean.nisPerDof, 1)} for each degree of freedom; 1 is expected.`,
@@ -56,7 +64,7 @@ function readouts({ frozen, alongPath, trace, mean, slam, step }) {
   return [
     { key: 'step', label: 'Step', value: String(step) },
     { key: 'frozen', label: 'Rank, frozen', value: of(frozen) },
-    { key: 'path', label: 'Rank, along the path', value: of(alongPath) },
+    { key: 'path', label: 'Rank, along the path', value: alongPath.steps === 0 ? '–' : of(alongPath) },
     { key: 'trace', label: { choset: 'tr *P*', thrun: 'tr Σ' }, value: fixed(trace.total, 3), kin: 'posterior' },
     { key: 'position', label: 'of it position', value: fixed(trace.position, 3), unit: 'm²', kin: 'posterior' },
     { key: 'heading', label: 'and heading', value: fixed(trace.heading, 4), unit: 'rad²', kin: 'posterior' },
@@ -94,13 +102,19 @@ const controls = [
   {
     kind: 'action', name: 'line', label: 'Put the last landmark in line',
     change: (/** @type {Frame} */ { params }, lab) => {
-      if (params.count < 2) return { count: 2 }
+      if (params.count < 2) {
+        // A line takes a second landmark; the lab puts it there once it is shown.
+        const two = lab.constructor.from({ ...lab.state(), params: { ...params, count: 2 } })
+        const at = Array.from(two.collinearPoint(1))
+        two.free()
+        return { count: 2, landmarks: params.landmarks.map((point, i) => (i === 1 ? at : point)) }
+      }
       const last = params.count - 1
       const at = Array.from(lab.collinearPoint(last))
       return { landmarks: params.landmarks.map((point, i) => (i === last ? at : point)) }
     },
   },
-  { kind: 'action', name: 'halt', label: 'Stop the robot / drive on', change: (/** @type {Frame} */ { params, step }) => ({ stop: params.stop === null ? step : null }) },
+  { kind: 'toggle', name: 'stop', label: 'stop the robot', get: (params) => params.stop !== null, set: (on, _, { step }) => ({ stop: on ? step : null }) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */

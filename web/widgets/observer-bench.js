@@ -16,21 +16,25 @@ const start = { params: {}, step: 12 }
 
 // Model: the lab `ObserverBench` in the module. What follows only reads its frame.
 
+/** A factor with two decimals, or three where two would make it 1. @param {number} modulus */
+function rate(modulus) {
+  const words = fixed(modulus, 2)
+  return words === '1.00' ? fixed(modulus, 3) : words
+}
+
 /** @param {Frame} frame */
 function verdict(frame) {
-  const { pinned, stable, spectralRadius, diverged, params } = frame
-  if (diverged) return `The estimate has left every bound: the run stopped. A gain below ${fixed(frame.stableUpTo, 2)} R∞ brings it back.`
-  const modulus = pinned === null ? spectralRadius : frame.modulus[1 - pinned]
-  if (!stable) return `Unstable: spectral radius ${fixed(modulus, 2)}. The error grows by that factor at each step.`
-  if (pinned !== null && params.gain === 0 && params.mode === 'fixed') return 'Dead reckoning: no reading is used, and nothing takes an error back.'
+  const { pinned, diverged, params, modulus, spectralRadius, stableUpTo } = frame
+  if (diverged) return `The estimate has left every bound, and the run has stopped. Turn the gain below ${fixed(stableUpTo, 2)}.`
+  if (params.mode === 'fixed' && params.gain === 0) return 'Dead reckoning: no reading is used, and nothing takes an error back.'
+  const factor = rate(pinned === null ? spectralRadius : modulus[1 - pinned])
+  const other = pinned === null ? '' : ' The other eigenvalue is 1 for every gain: no gain takes a position error back.'
   // R(k) changes at every step. The eigenvalues of one step's matrix say what would happen if that gain were kept.
-  if (params.mode === 'filter') {
-    const kept = `If the filter kept this step's gain, ${pinned === null ? 'every' : 'a velocity'} error would shrink by the factor ${fixed(modulus, 2)} a step in the long run.`
-    return pinned === null ? kept : `${kept} The other frozen eigenvalue is 1 for every gain: no gain takes a position error back.`
-  }
-  if (pinned !== null) return `Velocity errors die out (factor ${fixed(modulus, 2)}). The other eigenvalue is pinned at 1, and the spectral radius with it: no gain takes a position error back.`
-  if (params.gain === 0 && params.mode === 'fixed') return 'Dead reckoning: no reading is used, and nothing takes an error back.'
-  return `Stable: spectral radius ${fixed(modulus, 2)}. Every error dies out by that factor a step.`
+  if (params.mode === 'filter') return `If the filter kept this step's gain, ${pinned === null ? 'every' : 'a velocity'} error would shrink by the factor ${factor} a step in the long run.${other}`
+  if (Number(factor) === 1) return `At the limit of stability: the factor a step is ${factor}, and an error neither dies out nor grows.`
+  if (Number(factor) > 1) return `Unstable: in the long run the error grows by the factor ${factor} a step.`
+  if (pinned === null) return `Stable: in the long run every error shrinks by the factor ${factor} a step.`
+  return `A velocity error shrinks by the factor ${factor} a step.${other}`
 }
 
 /** @param {Frame} frame */
@@ -43,7 +47,7 @@ function describe(frame) {
   const last = (/** @type {number[]} */ values) => fixed(values[values.length - 1], 2)
   const { series } = frame
   return {
-    phase: `Phase plane at step ${frame.step}, seen from the truth: the prediction's ellipse, ${spread(predicted)} wide, and the estimate's, ${spread(posterior)}; the estimate is off by ${fixed(off[0], 2)} metres and ${fixed(off[1], 2)} metres a second.`,
+    phase: `Phase plane at step ${frame.step}, seen from the truth: the prediction's ellipse, with standard deviations of ${spread(predicted)}, and the estimate's, of ${spread(posterior)}; the estimate is off by ${fixed(off[0], 2)} metres and ${fixed(off[1], 2)} metres a second.`,
     disc: `Unit disc: the ${frame.params.mode === 'filter' ? 'frozen ' : ''}eigenvalues of the error dynamics are ${eigen}${frame.pinned === null ? '' : ', one of them pinned at 1'}.`,
     gain: `Gain over time, now ${last(series.r1)} and ${last(series.r2)}.`,
     variance: `Variances over time, now ${last(series.p11)} and ${last(series.p22)}.`,
@@ -54,10 +58,9 @@ function describe(frame) {
 /** @param {Frame} frame @param {Frame} before */
 function announce(frame, before) {
   const { params } = frame
-  const step = frame.step === before.step ? '' : `Step ${frame.step}: `
-  if (frame.diverged || params.sensor !== before.params.sensor || frame.stable !== before.stable) return `${step}${verdict(frame)}`
-  const knob = params.mode === 'filter' ? `equivalent knob ${fixed(frame.equivalentKnob, 3)}` : `gain ${fixed(params.gain, 2)} R∞, ${verdict(frame)}`
-  return `${step}${knob}`
+  const step = frame.step === before.step ? '' : `Step ${frame.step}. `
+  if (frame.diverged || params.sensor !== before.params.sensor || frame.stable !== before.stable) return step + verdict(frame)
+  return params.mode === 'filter' ? `${step}Equivalent knob ${fixed(frame.equivalentKnob, 3)}.` : `${step}Gain ${fixed(params.gain, 2)}. ${verdict(frame)}`
 }
 
 // View: five panels, each in a file of the folder, and what is said beside them.

@@ -36,21 +36,24 @@ function verdict(frame) {
   const heading = `The heading is ${against(`${fixed(Math.abs(degrees(error.heading)), 1)}°`, ratio.heading)}.`
   const position = `position is ${against(`${fixed(error.position, 2)} m`, ratio.position)}`
   if (!params.fixes) {
-    const outrun = (ratio.position ?? Infinity) > 2 ? ': the error has outrun the ellipse' : ''
+    const outrun = error.position > 0.005 && (ratio.position ?? Infinity) > 2 ? ': the error has outrun the ellipse' : ''
     return `Dead reckoning: the ${position}${outrun}. ${heading}`
   }
   if (!lastSighting) return `No corner seen yet: the ${position}. ${heading}`
   return `With fixes, the ${position}. ${heading}`
 }
 
+/** @param {number} ticks */
+const ago = (ticks) => (ticks === 0 ? 'in this tick' : ticks === 1 ? 'one tick ago' : `${ticks} ticks ago`)
+
 /** @param {Frame} frame */
 function describe(frame) {
   const { error, sigma, params, step, lap } = frame
   const track = params.fixes ? 'the estimate corrected by mapped corners' : 'the dead-reckoned track'
-  const seen = frame.lastSighting ? ` Corner ${frame.lastSighting.landmark + 1} was seen last, ${step - frame.lastSighting.step} ticks ago.` : ''
+  const seen = frame.lastSighting ? ` Corner ${frame.lastSighting.landmark + 1} was seen last, ${ago(step - frame.lastSighting.step)}.` : ''
   const turn = (/** @type {number} */ angle) => `${fixed(Math.abs(degrees(angle)), 1)} degrees`
   return {
-    map: `Map of the corridor's loop at tick ${step}, ${lap} whole ${lap === 1 ? 'lap' : 'laps'} driven: the true track and ${track}, ${fixed(error.position, 2)} metres apart now, with an ellipse of semi-axes ${fixed(frame.ellipse.semiMajor, 2)} and ${fixed(frame.ellipse.semiMinor, 2)} metres.${seen}`,
+    map: `Map of the corridor's loop at tick ${step}, ${lap === 1 ? 'one whole lap' : `${lap} whole laps`} driven: the true track and ${track}, ${fixed(error.position, 2)} metres apart now, with an ellipse of semi-axes ${fixed(frame.ellipse.semiMajor, 2)} and ${fixed(frame.ellipse.semiMinor, 2)} metres.${seen}`,
     position: `Position error over time, now ${fixed(error.position, 2)} metres against a claimed σ of ${fixed(sigma.position, 2)}.`,
     heading: `Heading error over time, now ${turn(error.heading)} against a claimed σ of ${turn(sigma.heading)}.`,
   }
