@@ -30,7 +30,7 @@ console.log(`target/stills: ${readdirSync(out).filter((name) => name.endsWith('.
 
 /** @param {string} name @param {import('./core/spec.js').FigureSpec} spec @param {{ step?: number, params?: object }} given */
 function draw(name, spec, given) {
-  const state = { step: given.step ?? spec.start.step, params: { ...spec.start.params, ...given.params } }
+  const state = { step: given.step ?? spec.still ?? spec.start.step, params: { ...spec.start.params, ...given.params } }
   const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, ...state })
   const { document } = parseHTML('<!doctype html><html><body></body></html>')
   const { html, words } = drawStill(document, spec, lab.frame(), estimate[spec.lab].parameters())

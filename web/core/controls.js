@@ -20,6 +20,8 @@ import { writeHtml } from './words.js'
  * @property {Words} label
  * @property {(value: number, limits: Parameter) => number} [scale] a number of the parameter as one of the slider; the same if not given
  * @property {number} [step] in the slider's numbers; the parameter's if not given
+ * @property {[number, number]} [ends] of the slider, in its numbers; the parameter's limits if not given
+ * @property {boolean} [wide] whether it takes the room of two controls
  * @property {(value: number, frame: any) => string} words the value as shown and as said
  * @property {(frame: any) => Notch[]} [notches]
  * @property {(params: any, frame: any) => any} [get] what it shows, if not the parameter of its name
@@ -75,7 +77,7 @@ import { writeHtml } from './words.js'
 export function buildControl(document, control, change, limits) {
   if (control.kind === 'action') return action(document, control, change)
   const label = document.createElement('label')
-  label.className = `control control-${control.kind}`
+  label.className = `control control-${control.kind}${control.kind === 'range' && control.wide ? ' is-wide' : ''}`
   const name = document.createElement('span')
   name.className = 'control-name'
   writeHtml(name, control.label)
@@ -116,7 +118,7 @@ const BUILD = { range, choice, toggle, whole }
 /** @param {Document} document @param {RangeControl} control @param {(value: number) => void} change @param {Parameter} limits @returns {Made} */
 function range(document, control, change, limits) {
   const { scale = (/** @type {number} */ value) => value } = control
-  const [min, max] = [scale(limits.least, limits), scale(limits.greatest, limits)]
+  const [min, max] = control.ends ?? [scale(limits.least, limits), scale(limits.greatest, limits)]
   const step = control.step ?? scale(limits.step, limits)
   const body = document.createElement('span')
   body.className = 'control-body'
@@ -170,8 +172,11 @@ function range(document, control, change, limits) {
         for (const [i, notch] of (control.notches?.(frame) ?? []).entries()) {
           if (notch.at < min || notch.at > max) continue
           const x = share(notch.at)
+          // A name at an end of the slider stays over the slider.
+          const part = (notch.at - min) / (max - min)
+          const anchor = part < 0.12 ? 'start' : part > 0.88 ? 'end' : 'middle'
           pen.mark('line', `line${i}`, { class: `notch ${notch.kind ?? 'plain'}`, x1: x, x2: x, y1: 0, y2: 6 })
-          pen.text(`name${i}`, { class: `notch-name ${notch.kind ?? 'plain'}`, x, y: 18, 'text-anchor': 'middle' }, notch.name)
+          pen.text(`name${i}`, { class: `notch-name ${notch.kind ?? 'plain'}`, x, y: 18, 'text-anchor': anchor, dx: anchor === 'start' ? -6 : anchor === 'end' ? 6 : null }, notch.name)
         }
       })
     },

@@ -132,7 +132,7 @@ class Figure {
     if (!loaded.ok) return this.fail(loaded.why)
     try {
       const { lab, linked, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
-      this.run = new Run(lab, this.spec.pace ?? 2)
+      this.run = new Run(lab, this.spec.pace ?? 2, undefined, this.spec.lap)
       if (linked) this.run.open(linked.lab, linked.step, MANGLED)
       this.live(this.run)
       if (mangled) this.voice.tell(MANGLED, true)

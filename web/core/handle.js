@@ -16,8 +16,8 @@ export function drawHandle(pen, key, handle) {
   const [x, y] = handle.at
   return pen.group(key, { class: `handle ${handle.kin ?? ''}`.trim(), 'data-kin': handle.kin, transform: `translate(${Math.round(x * 10) / 10} ${Math.round(y * 10) / 10})` }, (to) => {
     to.mark('circle', 'reach', { class: 'handle-reach', r: 22 })
-    to.mark('circle', 'ring', { class: 'handle-ring', r: 10 })
-    to.mark('circle', 'dot', { class: 'handle-dot', r: 3.5 })
+    to.mark('circle', 'ring', { class: 'handle-ring', r: handle.small ? 6.5 : 10 })
+    to.mark('circle', 'dot', { class: 'handle-dot', r: handle.small ? 2.5 : 3.5 })
     const [nx, ny] = handle.nameAt ?? [15, 4]
     if (handle.name) to.text('name', { class: 'handle-name', x: nx, y: ny, 'text-anchor': nx < 0 ? 'end' : 'start' }, handle.name)
   })

@@ -17,7 +17,16 @@ export function fixed(value, decimals = 2) {
 
 /** @param {string} digits */
 function raised(digits) {
-  return [...digits].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]).join('')
+  return [...digits].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)])).join('')
+}
+
+/** A positive number by its power of ten: `10⁻⁶`, or `3 × 10⁻⁴`. @param {number} value @param {string} [times] */
+export function power(value, times = ' × ') {
+  if (!(value > 0)) return '0'
+  const exponent = Math.floor(Math.log10(value) + 1e-9)
+  if (exponent === 0) return value.toFixed(value < 1.05 ? 0 : 1)
+  const lead = Math.round(value / 10 ** exponent)
+  return `${lead > 1 && lead < 10 ? `${lead}${times}` : ''}10${raised(String(exponent))}`
 }
 
 /**

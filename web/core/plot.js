@@ -76,17 +76,18 @@ export function halves({ semiMajor, semiMinor, angle }) {
  * @param {{ x?: Words, y?: Words, title?: Words, ticks?: [number, number], grid?: boolean, zero?: boolean }} [names]
  */
 export function axes(pen, { x, y, box }, names = {}) {
-  const [nx, ny] = names.ticks ?? [5, 5]
+  const across = apart(x, names.ticks?.[0] ?? 5, box.left, box.right, 26)
+  const up = apart(y, names.ticks?.[1] ?? 5, box.top, box.bottom, 15)
   const stamp = JSON.stringify([x.domain, y.domain, box, names])
   pen.group('axes', { class: 'axes' }, (to) => {
-    const format = { x: x.words(nx), y: y.words(ny) }
+    const format = { x: x.words(across.count), y: y.words(up.count) }
     let grid = ''
-    for (const value of shown(y.ticks(ny), y, box.top, box.bottom)) {
+    for (const value of up.ticks) {
       const at = pixel(y(value))
       grid += `M${box.left} ${at}H${box.right}`
       to.text(`ty${value}`, { class: 'tick', x: box.left - 6, y: at + 4, 'text-anchor': 'end' }, format.y(value))
     }
-    for (const value of shown(x.ticks(nx), x, box.left, box.right)) {
+    for (const value of across.ticks) {
       const at = pixel(x(value))
       grid += `M${at} ${box.top}V${box.bottom}`
       to.text(`tx${value}`, { class: 'tick', x: at, y: box.bottom + 15, 'text-anchor': 'middle' }, format.x(value))
@@ -108,6 +109,21 @@ function inside(at, low, high) {
   return at >= low && at <= high
 }
 
+/**
+ * At most so many ticks, and no two of them nearer than `gap` pixels: on a small plot there are fewer.
+ * @param {Scale} scale @param {number} most @param {number} low @param {number} high @param {number} gap
+ */
+function apart(scale, most, low, high, gap) {
+  for (let count = most; ; count -= 1) {
+    const ticks = shown(scale.ticks(count), scale, low, high)
+    const near = ticks.some((value, i) => i > 0 && Math.abs(scale(value) - scale(ticks[i - 1])) < gap)
+    if (!near) return { ticks, count }
+    if (count > 1) continue
+    let last = Infinity
+    return { count, ticks: ticks.filter((value) => Math.abs(scale(value) - last) >= gap && ((last = scale(value)), true)) }
+  }
+}
+
 /** @param {number[]} ticks @param {Scale} scale @param {number} low @param {number} high */
 function shown(ticks, scale, low, high) {
   const all = ticks.filter((value) => inside(scale(value), low - 0.5, high + 0.5))
@@ -126,6 +142,33 @@ const QUARTERS = /** @type {const} */ ([[1, 0], [0, 1], [-1, 0], [0, -1], [1, 0]
  */
 export function ellipseLevel(pen, x, y) {
   pen.text('ellipse-level', { class: 'tick', x, y }, 'ellipses: 1 *σ*')
+}
+
+/**
+ * A bar that says how long a metre is on a map: 1, 2 or 5 times a power of ten metres, about as long as a finger is wide.
+ * @param {Pen} pen @param {Plane} plane @param {number} right its right end @param {number} y
+ */
+export function scaleBar(pen, { x }, right, y) {
+  const metre = x(1) - x(0)
+  const least = 40 / metre
+  const tens = 10 ** Math.floor(Math.log10(least))
+  const long = tens * /** @type {number} */ ([1, 2, 5, 10].find((times) => times * tens >= least))
+  const left = right - long * metre
+  pen.mark('path', 'scale-bar', { class: 'scale-bar', d: `M${pixel(left)} ${y - 8}v4h${pixel(long * metre)}v-4` })
+  pen.text('scale-bar-name', { class: 'tick', x: left - 5, y, 'text-anchor': 'end' }, `${long} m`)
+}
+
+/**
+ * An arrow between two points in data units; none where it would be shorter than its head.
+ * @param {Pen} pen @param {string} key @param {Plane} plane @param {number[]} from @param {number[]} to @param {Kin} kin
+ */
+export function arrow(pen, key, plane, from, to, kin) {
+  const [x1, y1, x2, y2] = [plane.x(from[0]), plane.y(from[1]), plane.x(to[0]), plane.y(to[1])].map(pixel)
+  const long = Math.hypot(x2 - x1, y2 - y1)
+  if (long < 8) return
+  const [u, v] = [(x2 - x1) / long, (y2 - y1) / long]
+  const barb = (/** @type {number} */ side) => `${pixel(x2 - 9 * u + side * 4.5 * v)} ${pixel(y2 - 9 * v - side * 4.5 * u)}`
+  pen.mark('path', key, { ...meaning('arrow', kin), d: `M${x1} ${y1}L${x2} ${y2}M${barb(1)}L${x2} ${y2}L${barb(-1)}` })
 }
 
 /**

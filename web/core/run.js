@@ -33,10 +33,12 @@ export class Run {
    * @param {any} lab
    * @param {number} pace steps a second at speed 1
    * @param {Pace} [calls]
+   * @param {number} [lap] play stops at each multiple of so many steps
    */
-  constructor(lab, pace, calls = new Pace()) {
+  constructor(lab, pace, calls = new Pace(), lap = LAST_STEP) {
     this.lab = lab
     this.pace = pace
+    this.lap = lap
     this.calls = calls
     this.frame = lab.frame()
     this.step = lab.state().step
@@ -93,9 +95,17 @@ export class Run {
     return this.busy ? { ...state, params: this.asked ?? state.params, step: this.goal } : state
   }
 
-  /** @param {Record<string, unknown>} patch */
-  change(patch) {
-    this.patch = { ...this.patch, ...patch }
+  /** @param {Record<string, unknown>} patch parameters, and `step` where the run is to go to one */
+  change({ step, ...patch }) {
+    if (typeof step === 'number') this.goTo(step)
+    if (step === undefined || Object.keys(patch).length > 0) this.patch = { ...this.patch, ...patch }
+  }
+
+  /** @param {number} step where the run has been already it is replayed */
+  goTo(step) {
+    this.playing = false
+    this.goal = Math.max(0, Math.min(LAST_STEP, Math.round(step)))
+    if (this.goal < this.step || this.replay) this.patch ??= {}
   }
 
   /** @param {number} steps */
@@ -211,12 +221,13 @@ export class Run {
 
   /** @param {number} now @param {number} elapsed @param {boolean} calm @param {number} budget @returns {{ moved: Outcome['moved'], ended: boolean }} */
   takeSteps(now, elapsed, calm, budget) {
-    if (this.playing && this.step === this.goal) this.goal = Math.min(LAST_STEP, this.step + this.dueSteps(now, elapsed, calm))
     const before = this.step
+    const end = Math.min(LAST_STEP, (Math.floor(this.step / this.lap) + 1) * this.lap)
+    if (this.playing && this.step === this.goal) this.goal = Math.min(end, this.step + this.dueSteps(now, elapsed, calm))
     if (this.step < this.goal) this.step += this.calls.run(this.lab, this.goal - this.step, budget)
     const ended = this.step === LAST_STEP && (this.playing || this.atEnd || before < LAST_STEP)
     this.atEnd = false
-    if (ended) this.playing = false
+    if (ended || (this.playing && this.step === end)) this.playing = false
     // Where motion is not wanted nothing is shown of the way to the step asked for.
     if (this.step === before || (calm && this.step < this.goal)) return { moved: 'nothing', ended }
     this.frame = this.lab.frame()

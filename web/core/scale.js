@@ -3,6 +3,8 @@
  * the figures do not need.
  */
 
+import { power } from './numbers.js'
+
 /**
  * @typedef {((value: number) => number) & {
  *   domain: [number, number], log: boolean, invert: (pixel: number) => number,
@@ -47,7 +49,7 @@ export function scaleLog(domain, [from, to]) {
     },
     invert: (/** @type {number} */ pixel) => Math.exp(low + (pixel - from) / slope),
     ticks: (/** @type {number} */ count) => logTicks(domain[0], domain[1], count),
-    words: () => String,
+    words: () => (/** @type {number} */ value) => (value >= 1e4 || value < 1e-3 ? power(value, '·') : String(value)),
   })
 }
 
@@ -99,10 +101,19 @@ function logTicks(low, high, count) {
 
 /** Ticks with the decimals of their step, a true minus and thousands apart. @param {number} low @param {number} high @param {number} count */
 function inWords(low, high, count) {
-  const { factor, power } = stepOf(low, high, count)
-  const decimals = Math.max(0, -Math.floor(power + Math.log10(factor)))
+  const { factor, power: tens } = stepOf(low, high, count)
+  const decimals = Math.max(0, -Math.floor(tens + Math.log10(factor)))
+  const large = Math.max(Math.abs(low), Math.abs(high)) >= 1e4
   return (/** @type {number} */ value) => {
-    const text = Math.abs(value).toFixed(decimals).replace(/\B(?=(\d{3})+(?!\d))(?<!\.\d*)/g, ',')
+    const text = large ? inTens(Math.abs(value)) : Math.abs(value).toFixed(decimals).replace(/\B(?=(\d{3})+(?!\d))(?<!\.\d*)/g, ',')
     return value < 0 && Number(text.replace(',', '')) !== 0 ? `\u2212${text}` : text
   }
+}
+
+/** A large tick: `1.5·10⁵`. @param {number} value */
+function inTens(value) {
+  if (value === 0) return '0'
+  const exponent = Math.floor(Math.log10(value) + 1e-9)
+  const lead = Number((value / 10 ** exponent).toFixed(2))
+  return `${lead === 1 ? '' : `${lead}·`}${power(10 ** exponent)}`
 }

@@ -51,7 +51,7 @@ export class Share {
   async embed() {
     const { host, id } = this
     const figure = host.closest('figure')
-    const title = figure?.querySelector('.figure-title')?.textContent?.trim() ?? id
+    const title = figure?.querySelector('.figure-title')?.textContent?.replace(/\s+/g, ' ').trim() ?? id
     const height = (figure ?? host).getBoundingClientRect().height + ROOM
     const text = markup({ page: pageOf(document, this.spec.tag), id, title, height }, this.run.state())
     this.show('Markup that shows this figure, in this state, on another page', text)

@@ -5,12 +5,14 @@
 
 import { buildControl } from './controls.js'
 import { SVG, button, part } from './element.js'
+import { placed } from './layout.js'
 import { Pen } from './pen.js'
+import { Readouts } from './readouts.js'
 import { writeHtml } from './words.js'
 
 /** @typedef {import('./words.js').Words} Words */
 /** @typedef {{ svg: Element, pen: Pen, width: number, height: number }} Panel pixels */
-/** @typedef {{ key: string, label: Words, value: string, unit?: string, kin?: import('./plot.js').Kin, note?: string }} Readout */
+/** @typedef {import('./readouts.js').Readout} Readout */
 
 /**
  * What the reader does to a running figure.
@@ -38,6 +40,7 @@ export const SPEEDS = [0.5, 1, 2, 5, 10]
  */
 export function buildShell(document, spec, into, orders, parameters) {
   into.replaceChildren()
+  into.setAttribute('style', placed(spec.layout))
   /** @type {import('./spec.js').Limits} */
   const limits = Object.fromEntries(parameters.map((parameter) => [parameter.name, parameter]))
   /** @type {Record<string, Panel>} */
@@ -45,6 +48,7 @@ export function buildShell(document, spec, into, orders, parameters) {
   for (const { name, width, height, handles } of spec.panels) {
     const svg = document.createElementNS(SVG, 'svg')
     svg.setAttribute('class', `panel panel-${name}`)
+    svg.setAttribute('style', `grid-area:${name}`)
     svg.setAttribute('viewBox', `0 0 ${width} ${height}`)
     svg.setAttribute('width', String(width))
     svg.setAttribute('height', String(height))
@@ -54,33 +58,45 @@ export function buildShell(document, spec, into, orders, parameters) {
   }
 
   const verdict = part(document, into, 'p', 'verdict')
+  const change = orders.change
+  /** @type {HTMLButtonElement | null} */
+  let invitation = null
+  if (spec.invite) {
+    invitation = button(document, into, '', orders.play, 'button invite')
+    invitation.setAttribute('style', `grid-area:${spec.panels[0].name}`)
+    writeHtml(invitation, spec.invite)
+  }
+  const tries = spec.tries ?? []
+  if (tries.length > 0) {
+    const list = part(document, into, 'p', 'tries')
+    part(document, list, 'span', 'tries-lead').textContent = 'Try this:'
+    for (const { label, change: make } of tries) {
+      list.append(' ')
+      writeHtml(button(document, list, '', () => change({}, make), 'try'), label)
+    }
+  }
   const controls = part(document, into, 'div', 'controls')
   const run = document.createElement('div')
-  run.className = 'transport'
-  run.setAttribute('role', 'group')
-  run.setAttribute('aria-label', 'Run')
-  const play = button(document, run, 'Play', orders.play, 'button play')
-  button(document, run, 'Step', orders.step)
-  button(document, run, 'Reset', orders.reset)
+  run.className = 'run'
+  const transport = part(document, run, 'div', 'transport')
+  transport.setAttribute('role', 'group')
+  transport.setAttribute('aria-label', 'Run')
+  const play = button(document, transport, 'Play', orders.play, 'button play')
+  button(document, transport, 'Step', orders.step)
+  button(document, transport, 'Reset', orders.reset)
   if (!spec.timeless) controls.append(run)
-  const change = orders.change
   const shown = spec.controls.map((control) => buildControl(document, control, change, limits))
-  controls.append(...shown.map(({ element }) => element))
-  const settings = document.createElement('div')
-  settings.className = 'settings'
+  part(document, controls, 'div', 'params').append(...shown.map(({ element }) => element))
   const options = SPEEDS.map((value) => ({ value, label: `${value === 0.5 ? '½' : value}×` }))
   const speed = buildControl(document, { kind: 'choice', name: 'speed', label: 'Speed', options, set: (rate) => (orders.speed(rate), {}) }, (_, make) => void make?.({}, null), {})
-  if (!spec.timeless) settings.append(speed.element)
+  run.append(speed.element)
   if (spec.seeded) {
     const seed = buildControl(document, { kind: 'whole', name: 'seed', label: 'Seed' }, change, limits)
     shown.push(seed)
-    settings.append(seed.element)
+    run.append(seed.element)
   }
-  if (settings.firstChild) controls.append(settings)
 
-  const readouts = part(document, into, 'dl', 'readouts')
-  /** @type {Map<string, { box: Element, value: Element, said: string }>} */
-  const kept = new Map()
+  const readouts = new Readouts(document, into)
   let [playing, said] = [false, '']
   const tools = /** @type {HTMLElement} */ (part(document, into, 'div', 'figure-tools'))
   button(document, tools, 'Copy link to this state', orders.link, 'quiet')
@@ -107,27 +123,23 @@ export function buildShell(document, spec, into, orders, parameters) {
     show(frame, life, params = frame.params) {
       if (playing !== life.playing) play.textContent = life.playing ? 'Pause' : 'Play'
       playing = life.playing
+      if (invitation) invite(invitation, frame.step > 0 || playing, play)
       speed.show({ speed: life.rate }, frame)
       for (const control of shown) control.show(params, frame)
       const judged = spec.verdict?.(frame) ?? ''
       if (said !== judged) verdict.textContent = said = judged
-      for (const readout of spec.readouts(frame)) {
-        let held = kept.get(readout.key)
-        if (!held) kept.set(readout.key, (held = buildReadout(document, readouts, readout)))
-        const text = readout.unit ? `${readout.value} ${readout.unit}` : readout.value
-        if (held.said === text) continue
-        held.value.textContent = text
-        held.said = text
-      }
+      readouts.show(spec.readouts(frame))
     },
   }
 }
 
-/** @param {Document} document @param {Element} into @param {Readout} readout */
-function buildReadout(document, into, readout) {
-  const box = part(document, into, 'div', `readout ${readout.kin ?? ''}`.trim())
-  if (readout.kin) box.setAttribute('data-kin', readout.kin)
-  writeHtml(part(document, box, 'dt', ''), readout.label)
-  const value = part(document, box, 'dd', '')
-  return { box, value, said: '' }
+/**
+ * The one button of a figure that has not begun, over its first panel. When it goes, Play has the focus.
+ * @param {HTMLButtonElement} button @param {boolean} gone @param {HTMLButtonElement} play
+ */
+function invite(button, gone, play) {
+  if (button.hidden === gone) return
+  const focused = gone && button.ownerDocument.activeElement === button
+  button.hidden = gone
+  if (focused) play.focus({ preventScroll: true })
 }

@@ -16,11 +16,13 @@
  * @property {import('./words.js').Words} [name] what it moves, written beside it
  * @property {[number, number]} [nameAt] where the name stands, from the middle of the handle; right of it if not given
  * @property {string} value its value in words
+ * @property {boolean} [small] drawn small; the finger has the same room
  * @property {import('./plot.js').Kin} [kin]
  * @property {number} [now] `aria-valuenow`; of a handle with two values, the one that Home and End change
  * @property {number} [min]
  * @property {number} [max]
- * @property {(x: number, y: number) => Record<string, unknown>} move pixels in its panel → a change of parameters
+ * @property {(x: number, y: number) => Record<string, unknown>} move pixels in its panel → a change of parameters; `step` among
+ *   them is none, the run goes there
  * @property {(dx: number, dy: number) => Record<string, unknown>} nudge what an arrow key changes: (±1, 0) or (0, ±1), y upwards,
  *   times 10 with Shift and for the Page keys; the widget decides how far one step goes
  * @property {(end: 'home' | 'end') => Record<string, unknown>} [jump] what Home and End change
@@ -41,11 +43,21 @@
  * @property {(panel: import('./shell.js').Panel, frame: any, view: View) => boolean | void} draw true while it still moves;
  *   `frame.params` are what the reader has asked for: while a long run is computed the rest of the frame is of the run before
  *
+ * @typedef {object} Try
+ * @property {string} name unique
+ * @property {import('./words.js').Words} label
+ * @property {(frame: any, lab: any) => Record<string, unknown>} change parameters, and `step` where the run is to go to one
+ *
  * @typedef {object} FigureSpec
  * @property {string} tag the custom element
  * @property {string} lab its class in the module
  * @property {string} name the lab's name in a state
- * @property {{ params: Record<string, any>, step: number }} start the state it opens in, which shows the idea already
+ * @property {{ params: Record<string, any>, step: number }} start the state it opens in
+ * @property {number} [still] the step of the still, which readers without scripts see and paper has; the start's if not given
+ * @property {import('./layout.js').Layout} layout where the panels stand
+ * @property {Try[]} [tries] what to try: phrases that set the figure
+ * @property {import('./words.js').Words} [invite] what the button over the first panel says at step 0; it plays
+ * @property {number} [lap] play stops at each multiple of so many steps
  * @property {boolean} seeded whether `seed` is among the parameters
  * @property {boolean} [timeless] a lab without steps: no Play, Step, Reset, speed
  * @property {number} [pace] steps a second at speed 1; 2 if not given

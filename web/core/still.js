@@ -30,10 +30,20 @@ export function drawStill(document, spec, frame, parameters) {
     svg.setAttribute('aria-hidden', 'true')
     svg.setAttribute('focusable', 'false')
   }
-  for (const part of into.querySelectorAll('.controls, .readouts, .figure-tools, .verdict')) part.setAttribute('aria-hidden', 'true')
+  for (const part of into.querySelectorAll('.tries, .controls, .readouts, .figure-tools, .verdict')) part.setAttribute('aria-hidden', 'true')
+  for (const part of into.querySelectorAll('.invite, .more dl')) part.remove()
   for (const control of into.querySelectorAll('button, input, select')) control.replaceWith(likeness(document, control))
+  for (const more of into.querySelectorAll('.more')) more.replaceWith(closed(document, more))
   const said = Object.values(spec.describe(frame)).join(' ')
   return { html: into.innerHTML, words: `${said} ${spec.verdict?.(frame) ?? ''}`.trim() }
+}
+
+/** What stands for a block that cannot be unfolded. @param {Document} document @param {Element} block */
+function closed(document, block) {
+  const likeness = document.createElement('div')
+  likeness.setAttribute('class', block.getAttribute('class') ?? '')
+  likeness.append(...block.querySelector('summary')?.childNodes ?? [])
+  return likeness
 }
 
 /**

@@ -26,6 +26,15 @@ import { rounded, scaleLinear, scaleLog } from './scale.js'
  */
 
 /**
+ * @typedef {object} Cursor
+ * @property {number} step
+ * @property {string} label for screen readers
+ * @property {string} value in words
+ * @property {number} stride of an arrow key, steps
+ * @property {import('./spec.js').View} view
+ */
+
+/**
  * Draws curves over steps.
  * @param {Pen} pen
  * @param {{ width: number, height: number }} size
@@ -38,6 +47,7 @@ import { rounded, scaleLinear, scaleLog } from './scale.js'
  * @param {[number, number]} [plot.include] values that are always in view
  * @param {number} [plot.least] how many steps the axis shows at least
  * @param {Words} [plot.unit] what the horizontal axis counts
+ * @param {Cursor} [plot.cursor] the step that the other panels show; by it the reader moves them
  * @returns {Plane}
  */
 export function timePlot(pen, size, plot) {
@@ -62,7 +72,23 @@ export function timePlot(pen, size, plot) {
     pen.mark('circle', `end-${one.key}`, { ...meaning('end', one.kin), cx: x, cy: ends[i], r: 2.5 })
     pen.text(`name-${one.key}`, { class: `curve-name ${one.kin ?? ''}`, x: x + 6, y: spread[i] + 4 }, one.name)
   })
+  if (plot.cursor) drawCursor(pen, plane, plot.steps, plot.cursor)
   return plane
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {number[]} steps @param {Cursor} cursor */
+function drawCursor(pen, { box, x }, steps, { step, label, value, stride, view }) {
+  const at = x(step)
+  // To the right of the curves it drives on, as far as the axis goes.
+  const [first, last] = [steps[0] ?? 0, Math.floor(x.domain[1])]
+  const to = (/** @type {number} */ wanted) => ({ step: Math.round(Math.max(first, Math.min(last, wanted))) })
+  pen.mark('line', 'cursor', { class: 'cursor', x1: at, x2: at, y1: box.top, y2: box.bottom })
+  pen.group('handles', {}, (into) => view.handle(into, 'cursor', {
+    at: [at, box.bottom], small: true, label, value, now: step, min: first, max: last,
+    move: (px) => to(x.invert(px)),
+    nudge: (dx, dy) => to(step + stride * (dx || dy)),
+    jump: (end) => to(end === 'home' ? first : last),
+  }))
 }
 
 /**

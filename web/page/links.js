@@ -23,7 +23,7 @@ export async function links(widgets) {
     const spec = await widgets[host.localName]?.().catch(() => null)
     const state = readState(location.href, id, spec?.name)
     if (state === 'mangled' || (state && spec && await isRefused(spec, state))) {
-      const title = host.closest('figure')?.querySelector('.figure-title')?.textContent ?? id
+      const title = host.closest('figure')?.querySelector('.figure-title')?.lastChild?.textContent?.trim() ?? id
       wrong.push(`The link’s state of the figure “${title}” could not be read: the figure shows its usual state.`)
     }
   }

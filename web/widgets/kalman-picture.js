@@ -41,16 +41,19 @@ function describe(frame) {
 function readouts({ innovation, mostLikelyOutput, R, euclideanFoot: gray, mahalanobisFoot: purple, update }) {
   /** Rounding leaves a last digit of either sign; what is printed is zero. */
   const zero = (/** @type {number} */ value) => fixed(Math.abs(value) < 5e-4 ? 0 : value, 3)
+  const [byRuler, byMetric] = ['by the ruler', { choset: 'in the metric of *P*', thrun: 'in the metric of Σ' }]
+  /** ⟨a, Δx⟩ of a foot. @param {string} key @param {import('../core/words.js').Words} label @param {number} value @param {string} foot @param {import('../core/words.js').Words} metric @param {'truth' | 'posterior'} kin @returns {import('../core/shell.js').Readout} */
+  const cell = (key, label, value, foot, metric, kin) => ({ key, label, value: zero(value), zero: Math.abs(value) < 5e-4, cell: [foot, metric], kin })
   return [
+    cell('gray-euclid', 'Gray ⟨*a*, Δ*x*⟩, ruler', gray.euclidean, 'gray foot', byRuler, 'truth'),
+    cell('gray-mahalanobis', { choset: 'Gray ⟨*a*, Δ*x*⟩, metric of *P*', thrun: 'Gray ⟨*a*, Δ*x*⟩, metric of Σ' }, gray.mahalanobis, 'gray foot', byMetric, 'truth'),
+    cell('purple-euclid', 'Purple ⟨*a*, Δ*x*⟩, ruler', purple.euclidean, 'purple foot', byRuler, 'posterior'),
+    cell('purple-mahalanobis', { choset: 'Purple ⟨*a*, Δ*x*⟩, metric of *P*', thrun: 'Purple ⟨*a*, Δ*x*⟩, metric of Σ' }, purple.mahalanobis, 'purple foot', byMetric, 'posterior'),
     { key: 'innovation', label: 'Innovation *ν*', value: fixed(innovation, 3), kin: 'measurement' },
     { key: 'likely', label: { choset: '*y*^{∗}', thrun: '*z*^{∗}' }, value: fixed(mostLikelyOutput, 3), kin: 'measurement' },
     { key: 'gain', label: { choset: 'Gain *R* (Thrun *K*)', thrun: 'Gain *K* (Choset *R*)' }, value: `[${fixed(R[0], 3)}, ${fixed(R[1], 3)}]`, kin: 'posterior' },
-    { key: 'gray-euclid', label: 'Gray ⟨*a*, Δ*x*⟩, ruler', value: zero(gray.euclidean), kin: 'truth' },
-    { key: 'gray-mahalanobis', label: { choset: 'Gray ⟨*a*, Δ*x*⟩, metric of *P*', thrun: 'Gray ⟨*a*, Δ*x*⟩, metric of Σ' }, value: zero(gray.mahalanobis), kin: 'truth' },
-    { key: 'purple-euclid', label: 'Purple ⟨*a*, Δ*x*⟩, ruler', value: zero(purple.euclidean), kin: 'posterior' },
-    { key: 'purple-mahalanobis', label: { choset: 'Purple ⟨*a*, Δ*x*⟩, metric of *P*', thrun: 'Purple ⟨*a*, Δ*x*⟩, metric of Σ' }, value: zero(purple.mahalanobis), kin: 'posterior' },
-    { key: 'residual', label: { choset: '*H*Δ*x* − *ν* of both', thrun: '*C*Δ*x* − *ν* of both' }, value: `${zero(gray.residual)}, ${zero(purple.residual)}`, kin: 'measurement' },
     { key: 'update', label: 'Update', value: `[${fixed(update.at[0], 3)}, ${fixed(update.at[1], 3)}]`, kin: 'posterior' },
+    { key: 'residual', label: { choset: '*H*Δ*x* − *ν* of both', thrun: '*C*Δ*x* − *ν* of both' }, value: `${zero(gray.residual)}, ${zero(purple.residual)}`, kin: 'measurement', more: true },
   ]
 }
 
@@ -69,14 +72,20 @@ const controls = [
     notches: () => [{ at: 0, name: '0' }, { at: 0.5, name: 'step 1' }],
   },
   {
-    kind: 'range', name: 'tilt', label: 'Turn of the sensor, degrees',
+    kind: 'range', name: 'tilt', label: 'Turn of the sensor, degrees', ends: [-90, 0],
     words: (value) => `${fixed(value, 0)}°`,
     notches: () => [{ at: -90, name: 'position' }, { at: 0, name: 'velocity' }],
     scale: (value) => value / degree,
     set: (value) => ({ tilt: value * degree }),
   },
-  { kind: 'action', name: 'round', label: 'Make it a circle', change: (/** @type {Frame} */ { params }) => ({ semiMajor: params.semiMinor }) },
-  { kind: 'action', name: 'again', label: 'As in step 1', change: (_, lab) => defaults(lab) },
+]
+
+/** @type {import('../core/spec.js').Try[]} */
+const tries = [
+  { name: 'perfect', label: 'Sensor noise to zero', change: () => ({ noise: 0 }) },
+  { name: 'round', label: 'Make it a circle', change: (/** @type {Frame} */ { params }) => ({ semiMajor: params.semiMinor }) },
+  { name: 'position', label: 'Measure the position', change: () => ({ tilt: -90 * degree }) },
+  { name: 'again', label: 'As in step 1', change: (_, lab) => defaults(lab) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */
@@ -88,6 +97,12 @@ export const kalmanPicture = {
   seeded: false,
   timeless: true,
   panels: [{ name: 'plane', width: 600, height: 500, handles: true, draw: drawPlane }],
+  layout: {
+    narrow: ['plane', 'verdict', 'readouts'],
+    medium: ['plane verdict', 'plane readouts'],
+    columns: { medium: '8fr 5fr' },
+  },
+  tries,
   describe,
   controls,
   readouts,

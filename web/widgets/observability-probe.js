@@ -3,10 +3,10 @@
  * directions of its pose do the readings see, frozen at this pose and along the path driven?
  */
 
-import { fixed } from '../core/numbers.js'
+import { fixed, power } from '../core/numbers.js'
 import { drawMap } from './observability-probe/map.js'
 import { drawConsistency, drawTrace } from './observability-probe/history.js'
-import { drawRanks, power } from './observability-probe/ranks.js'
+import { drawRanks } from './observability-probe/ranks.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
 
@@ -62,16 +62,16 @@ function readouts({ frozen, alongPath, trace, mean, slam, step }) {
   const of = (/** @type {import('estimate-wasm').ProbeRanks} */ { rank, n }) => `${rank} of ${n}`
   const counts = slam ? `${slam.matched} / ${slam.founded} / ${slam.rejected}` : '–'
   return [
-    { key: 'step', label: 'Step', value: String(step) },
+    { key: 'path', label: 'Rank, along the path', value: alongPath.steps === 0 ? '–' : of(alongPath), headline: true },
     { key: 'frozen', label: 'Rank, frozen', value: of(frozen) },
-    { key: 'path', label: 'Rank, along the path', value: alongPath.steps === 0 ? '–' : of(alongPath) },
-    { key: 'trace', label: { choset: 'tr *P*', thrun: 'tr Σ' }, value: fixed(trace.total, 3), kin: 'posterior' },
-    { key: 'position', label: 'of it position', value: fixed(trace.position, 3), unit: 'm²', kin: 'posterior' },
-    { key: 'heading', label: 'and heading', value: fixed(trace.heading, 4), unit: 'rad²', kin: 'posterior' },
-    { key: 'reference', label: 'two landmarks', value: fixed(trace.reference, 3), kin: 'truth' },
-    { key: 'nees', label: 'Mean NEES (expected 3)', value: fixed(mean.nees, 2) },
-    { key: 'nis', label: 'Mean NIS per output (expected 1)', value: fixed(mean.nisPerDof, 2) },
-    { key: 'map', label: 'Matched / founded / rejected', value: counts, kin: 'measurement' },
+    { key: 'trace', label: { choset: 'Spread, tr *P*', thrun: 'Spread, tr Σ' }, value: fixed(trace.total, 3), kin: 'posterior' },
+    { key: 'reference', label: 'with two landmarks', value: fixed(trace.reference, 3), kin: 'truth' },
+    { key: 'step', label: 'Step', value: String(step) },
+    { key: 'position', label: 'Variance of the position', value: fixed(trace.position, 3), unit: 'm²', kin: 'posterior', more: true },
+    { key: 'heading', label: 'Variance of the heading', value: fixed(trace.heading, 4), unit: 'rad²', kin: 'posterior', more: true },
+    { key: 'nees', label: 'Mean NEES (expected 3)', value: fixed(mean.nees, 2), more: true },
+    { key: 'nis', label: 'Mean NIS per output (expected 1)', value: fixed(mean.nisPerDof, 2), more: true },
+    { key: 'map', label: 'Matched / founded / rejected', value: counts, kin: 'measurement', more: true },
   ]
 }
 
@@ -91,6 +91,7 @@ const controls = [
     enabled: (params) => !params.forget,
   },
   { kind: 'toggle', name: 'forget', label: 'forget the map' },
+  { kind: 'toggle', name: 'stop', label: 'stop the robot', get: (params) => params.stop !== null, set: (on, _, { step }) => ({ stop: on ? step : null }) },
   {
     kind: 'range', name: 'tolerance', label: 'Rank tolerance, part of the largest', step: 0.5,
     words: (value) => power(10 ** value),
@@ -99,8 +100,13 @@ const controls = [
     scale: (value, { step }) => Math.log10(Math.max(value, step)),
     set: (value) => ({ tolerance: 10 ** value }),
   },
+]
+
+/** @type {import('../core/spec.js').Try[]} */
+const tries = [
+  { name: 'two', label: 'Two landmarks', change: (_, lab) => ({ count: 2, landmarks: lab.constructor.parameters().find((/** @type {{ name: string }} */ { name }) => name === 'landmarks').default }) },
   {
-    kind: 'action', name: 'line', label: 'Put the last landmark in line',
+    name: 'line', label: 'Put the last landmark in line',
     change: (/** @type {Frame} */ { params }, lab) => {
       if (params.count < 2) {
         // A line takes a second landmark; the lab puts it there once it is shown.
@@ -114,7 +120,7 @@ const controls = [
       return { landmarks: params.landmarks.map((point, i) => (i === last ? at : point)) }
     },
   },
-  { kind: 'toggle', name: 'stop', label: 'stop the robot', get: (params) => params.stop !== null, set: (on, _, { step }) => ({ stop: on ? step : null }) },
+  { name: 'bearing', label: 'One landmark, range and bearing', change: () => ({ count: 1, sensor: 'range-bearing', forget: false }) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */
@@ -133,6 +139,13 @@ export const observabilityProbe = {
     { name: 'nees', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nees') },
     { name: 'nis', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nis') },
   ],
+  layout: {
+    narrow: ['map', 'ranks', 'verdict', 'tries', 'controls', 'readouts', 'trace', 'nees', 'nis'],
+    medium: ['map verdict', 'map ranks', 'trace nees', 'nis tries'],
+    wide: ['map verdict', 'map ranks', 'map trace', 'nees nis'],
+    columns: { medium: '1fr 1fr' },
+  },
+  tries,
   describe,
   controls,
   readouts,

@@ -69,13 +69,13 @@ function announce(frame, before) {
 function readouts(frame) {
   const pair = (/** @type {number[]} */ [a, b]) => `[${fixed(a, 3)}, ${fixed(b, 3)}]`
   return [
+    { key: 'knob', label: 'Equivalent knob', value: fixed(frame.equivalentKnob, 3), headline: true },
     { key: 'step', label: 'Step', value: String(frame.step) },
     { key: 'gain', label: { choset: 'Gain *R* (Thrun *K*)', thrun: 'Gain *K* (Choset *R*)' }, value: pair(frame.R), kin: 'posterior' },
     { key: 'steady', label: { choset: '*R*_∞', thrun: '*K*_∞' }, value: pair(frame.steadyGain), kin: 'posterior' },
-    { key: 'knob', label: 'Equivalent knob', value: fixed(frame.equivalentKnob, 3) },
-    { key: 'innovation', label: 'Innovation *ν*', value: fixed(frame.innovation, 3), unit: frame.params.sensor === 'velocity' ? 'm/s' : 'm', kin: 'measurement' },
-    { key: 'p11', label: { choset: '*P*_{11}', thrun: 'Σ_{11}' }, value: fixed(frame.posterior.P[0][0], 3), unit: 'm²', kin: 'posterior' },
     { key: 'error', label: 'Position error', value: fixed(frame.truth[0] - frame.posterior.x[0], 2), unit: 'm', kin: 'truth' },
+    { key: 'innovation', label: 'Innovation *ν*', value: fixed(frame.innovation, 3), unit: frame.params.sensor === 'velocity' ? 'm/s' : 'm', kin: 'measurement', more: true },
+    { key: 'p11', label: { choset: '*P*_{11}', thrun: 'Σ_{11}' }, value: fixed(frame.posterior.P[0][0], 3), unit: 'm²', kin: 'posterior', more: true },
   ]
 }
 
@@ -84,7 +84,7 @@ function readouts(frame) {
 /** @type {import('../core/controls.js').Control[]} */
 const controls = [
   {
-    kind: 'range', name: 'gain', label: { choset: 'Gain *g*, in units of *R*_∞', thrun: 'Gain *g*, in units of *K*_∞' },
+    kind: 'range', name: 'gain', wide: true, label: { choset: 'Gain *g*, in units of *R*_∞', thrun: 'Gain *g*, in units of *K*_∞' },
     get: (params, frame) => (params.mode === 'filter' ? frame.equivalentKnob : params.gain),
     words: (value) => fixed(value, 2),
     notches: (/** @type {Frame} */ frame) => [
@@ -96,6 +96,13 @@ const controls = [
   },
   { kind: 'toggle', name: 'mode', label: 'let the filter choose', on: 'filter', off: 'fixed' },
   { kind: 'choice', name: 'sensor', label: 'Sensor', options: [{ value: 'velocity', label: 'velocity' }, { value: 'position', label: 'position' }] },
+]
+
+/** @type {import('../core/spec.js').Try[]} */
+const tries = [
+  { name: 'past', label: 'Turn the gain past its limit', change: (/** @type {Frame} */ { stableUpTo }) => ({ mode: 'fixed', gain: Math.min(6, Math.ceil(stableUpTo * 10 + 1) / 10) }) },
+  { name: 'reckon', label: 'Use no reading at all', change: () => ({ mode: 'fixed', gain: 0 }) },
+  { name: 'filter', label: 'Let the filter choose, from the start', change: () => ({ mode: 'filter', step: 0 }) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */
@@ -113,6 +120,13 @@ export const observerBench = {
     { name: 'variance', width: 312, height: 190, draw: drawVariance },
     { name: 'error', width: 312, height: 190, draw: drawError },
   ],
+  layout: {
+    narrow: ['phase', 'disc', 'verdict', 'tries', 'controls', 'readouts', 'gain', 'variance', 'error'],
+    medium: ['phase disc', 'phase verdict', 'gain variance', 'error tries'],
+    wide: ['phase phase disc', 'phase phase verdict', 'gain variance error'],
+    columns: { medium: '1fr 1fr', wide: '1fr 1fr 1fr' },
+  },
+  tries,
   describe,
   controls,
   readouts,

@@ -9,9 +9,11 @@ import { drawMap } from './odometry-hook/map.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
 
-// State: one whole lap, so that the picture shows the error before anyone plays.
+// State: at the start of a lap. The still shows the whole lap, with the error.
 
-const start = { params: {}, step: 640 }
+/** Ticks of a lap. */
+const LAP = 640
+const start = { params: {}, step: 0 }
 
 // Model: the lab `OdometryHook` in the module. What follows only reads its frame.
 
@@ -70,13 +72,13 @@ function announce(frame, before) {
 function readouts({ step, error, sigma, ratio }) {
   const angle = (/** @type {number} */ value) => fixed(degrees(value), 1)
   return [
-    { key: 'step', label: 'Tick', value: String(step) },
-    { key: 'position', label: 'Position error', value: fixed(error.position, 2), unit: 'm', kin: 'truth' },
+    { key: 'position', label: 'Position error', value: fixed(error.position, 2), unit: 'm', kin: 'truth', headline: true },
     { key: 'position-sigma', label: 'claimed *σ*', value: fixed(sigma.position, 2), unit: 'm' },
     { key: 'position-ratio', label: 'error / *σ*', value: fixed(ratio.position, 1) },
     { key: 'heading', label: 'Heading error', value: angle(error.heading), unit: '°', kin: 'truth' },
     { key: 'heading-sigma', label: 'claimed *σ*', value: angle(sigma.heading), unit: '°' },
     { key: 'heading-ratio', label: 'error / *σ*', value: fixed(ratio.heading, 1) },
+    { key: 'step', label: 'Tick', value: String(step) },
   ]
 }
 
@@ -89,20 +91,36 @@ const controls = [
   { kind: 'toggle', name: 'fixes', label: 'landmark fixes' },
 ]
 
+/** @type {import('../core/spec.js').Try[]} */
+const tries = [
+  { name: 'lap', label: 'Show the whole lap', change: () => ({ step: LAP }) },
+  { name: 'honest', label: 'Give the wheels no bias', change: () => ({ bias: 0, step: LAP }) },
+  { name: 'fixes', label: 'Correct by the corners', change: () => ({ fixes: true, step: LAP }) },
+]
+
 /** @type {import('../core/spec.js').FigureSpec} */
 export const odometryHook = {
   tag: 'odometry-hook',
   lab: 'OdometryHook',
   name: 'odometry-hook',
   start,
+  still: LAP,
+  invite: 'Drive one lap',
+  lap: LAP,
   seeded: true,
   pace: 40,
   stride: 10,
   panels: [
     { name: 'map', width: 590, height: 430, draw: drawMap },
-    { name: 'position', width: 350, height: 205, draw: drawPosition },
-    { name: 'heading', width: 350, height: 205, draw: drawHeading },
+    { name: 'position', width: 350, height: 205, handles: true, draw: drawPosition },
+    { name: 'heading', width: 350, height: 205, handles: true, draw: drawHeading },
   ],
+  layout: {
+    narrow: ['map', 'verdict', 'tries', 'controls', 'readouts', 'position', 'heading'],
+    medium: ['map position', 'map heading', 'verdict verdict'],
+    columns: { medium: '59fr 41fr', wide: '62fr 38fr' },
+  },
+  tries,
   describe,
   controls,
   readouts,

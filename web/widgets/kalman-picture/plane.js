@@ -3,11 +3,17 @@
  * of its ellipse and the reading are handles.
  */
 
+import { clear, drawLabels } from '../../core/labels.js'
 import { axes, clipLine, dot, ellipseLevel, ellipsePath, evenPlane, meaning, segment } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
 /** @typedef {import('../../core/plot.js').Plane} Plane */
+
+/** The middle of the axes, and how far they reach from it: the first that is far enough. */
+const CENTRE = /** @type {[number, number]} */ ([3.7, 3.7])
+const REACHES = [3, 4.5, 6, 9, 12, 18]
+const LEAST = REACHES[0]
 
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, value))
 
@@ -18,14 +24,28 @@ const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type
  */
 export function drawPlane({ pen, width, height }, frame, view) {
   const box = { left: 44, top: 30, right: width - 14, bottom: height - 42 }
-  const plane = evenPlane(box, [3.7, 3.7], 3)
+  const short = Math.min(box.right - box.left, box.bottom - box.top)
+  const shape = [(box.right - box.left) / short, (box.bottom - box.top) / short]
+  const plane = evenPlane(box, CENTRE, (view.memory.reach = reachOf(frame, shape, view.memory.reach ?? LEAST)))
   pen.draw(() => {
     axes(pen, plane, { x: 'position (m)', y: 'velocity (m/s)', ticks: [6, 6] })
     pen.window('scene', box, (to) => drawScene(to, plane, frame))
-    names(pen, plane, frame)
+    const grips = handlesOf(plane, frame, view)
+    names(pen, plane, frame, grips)
     ellipseLevel(pen, box.left, box.bottom + 32)
-    pen.group('handles', {}, (to) => handles(to, plane, frame, view))
+    pen.group('handles', {}, (to) => {
+      for (const [key, grip] of Object.entries(grips)) view.handle(to, key, { ...grip, name: undefined })
+    })
   })
+}
+
+/** How far the axes reach from their middle: as far as the feet, and no nearer than before while that is about enough.
+ * @param {Frame} frame @param {number[]} shape how much longer than the shorter one each axis is @param {number} before */
+function reachOf({ params, euclideanFoot, mahalanobisFoot, update }, shape, before) {
+  const points = [params.mean, euclideanFoot.at, mahalanobisFoot.at, update.at]
+  const far = Math.max(...points.flatMap((at) => at.map((value, i) => Math.abs(value - CENTRE[i]) / shape[i])))
+  const wanted = REACHES.find((reach) => reach >= far) ?? far
+  return wanted > before || wanted < before / 2 ? wanted : before
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
@@ -59,22 +79,30 @@ function squareCorner(pen, { x, y }, { params, euclideanFoot, H, along }) {
   pen.mark('path', 'corner', { ...meaning('way', 'truth'), d: `M${px + ux} ${py + uy}L${px + ux + vx} ${py + uy + vy}L${px + vx} ${py + vy}` })
 }
 
-/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function names(pen, plane, frame) {
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {Record<string, import('../../core/spec.js').HandleSpec>} grips */
+function names(pen, plane, frame, grips) {
   const { box, x, y } = plane
-  const beside = (/** @type {string} */ key, /** @type {number[]} */ at, /** @type {string} */ kin, /** @type {import('../../core/words.js').Words} */ words, dx = 9, dy = 16) =>
-    pen.text(key, { class: `mark-name ${kin}`, x: clamp(x(at[0]) + dx, box.left + 4, box.right - 60), y: clamp(y(at[1]) + dy, box.top + 12, box.bottom - 6) }, words)
+  const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const lefter = frame.mahalanobisFoot.at[0] < frame.euclideanFoot.at[0]
-  beside('gray-name', frame.euclideanFoot.at, 'truth', 'gray foot', lefter ? 10 : -66, 18)
-  beside('purple-name', frame.mahalanobisFoot.at, 'posterior', 'purple foot', lefter ? -84 : 10, 18)
-  beside('update-name', frame.update.at, 'posterior', 'update', lefter ? -56 : 10, -8)
-  const upper = frame.params.reading > frame.mostLikelyOutput ? -1 : 1
-  const line = (/** @type {string} */ key, /** @type {number} */ output, /** @type {import('../../core/words.js').Words} */ words, /** @type {number} */ side) => {
-    const end = clipLine(frame.H, output, plane)?.reduce((a, b) => (b[0] > a[0] ? b : a))
-    if (end) pen.text(key, { class: 'mark-name measurement', x: clamp(x(end[0]) - 6, box.left + 70, box.right - 6), y: clamp(y(end[1]) + (side > 0 ? 15 : -7), box.top + 14, box.bottom - 6), 'text-anchor': 'end' }, words)
+  /** @type {import('../../core/labels.js').Label[]} */
+  const labels = Object.entries(grips).map(([key, { at, name = '', kin }]) => ({ key: `${key}-name`, words: name, at, kin, name: `handle-name ${kin}`, gap: 15, sides: ['right', 'above-right'] }))
+  labels.push(
+    { key: 'gray-name', words: 'gray foot', at: at(frame.euclideanFoot.at), kin: 'truth', sides: lefter ? ['below-right', 'right'] : ['below-left', 'left'] },
+    { key: 'purple-name', words: 'purple foot', at: at(frame.mahalanobisFoot.at), kin: 'posterior', sides: lefter ? ['below-left', 'left'] : ['below-right', 'right'] },
+    { key: 'update-name', words: 'update', at: at(frame.update.at), kin: 'posterior', sides: lefter ? ['above-left', 'left'] : ['above-right', 'right'] },
+  )
+  const line = (/** @type {string} */ key, /** @type {number} */ output, /** @type {import('../../core/words.js').Words} */ words, /** @type {boolean} */ over) => {
+    const ends = clipLine(frame.H, output, plane)
+    if (!ends) return
+    const [from, to] = ends[0][0] <= ends[1][0] ? ends : [ends[1], ends[0]]
+    const mark = from.map((value, i) => value + 0.93 * (to[i] - value))
+    labels.push({ key, words, at: at(mark), gap: 5, kin: 'measurement', sides: over ? ['above', 'above-right', 'above-left'] : ['below', 'below-right', 'below-left'] })
   }
+  const upper = frame.params.reading > frame.mostLikelyOutput
   line('omega-name', frame.params.reading, { choset: 'Ω: *Hx* = *y*', thrun: 'Ω: *Cx* = *z*' }, upper)
-  if (frame.params.noise > 0) line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', -upper)
+  if (frame.params.noise > 0) line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', !upper)
+  const marks = [frame.euclideanFoot.at, frame.mahalanobisFoot.at, frame.update.at].map((place) => clear(at(place), 4))
+  drawLabels(pen, box, labels, [...marks, ...Object.values(grips).map((grip) => clear(grip.at, 11))])
 }
 
 /** A place on the reading's line to hold it by; where no part of the line is in the drawing, the one nearest to its middle.
@@ -91,8 +119,9 @@ function onLine(plane, { H, params: { reading } }) {
   return middle.map((value, i) => value + away * H[i])
 }
 
-/** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view */
-function handles(pen, plane, frame, view) {
+/** The handles by their keys. @param {Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view
+ * @returns {Record<string, import('../../core/spec.js').HandleSpec>} */
+function handlesOf(plane, frame, view) {
   const { box, x, y } = plane
   const { mean, semiMajor, semiMinor, angle, reading } = frame.params
   const [c, s] = [Math.cos(angle), Math.sin(angle)]
@@ -106,15 +135,17 @@ function handles(pen, plane, frame, view) {
   const axis = view.limits.semiMajor
   const length = (/** @type {number} */ value) => clamp(value, axis.least, axis.greatest)
 
-  view.handle(pen, 'mean', {
+  /** @type {Record<string, import('../../core/spec.js').HandleSpec>} */
+  const grips = {}
+  grips.mean = {
     at: [x(mean[0]), y(mean[1])], label: 'Prediction', name: 'prediction', kin: 'prediction',
     value: `at ${words(mean[0])} metres, ${words(mean[1])} metres a second`,
     now: mean[0], min: x.invert(box.left + 8), max: x.invert(box.right - 8),
     move: (px, py) => ({ mean: data(px, py) }),
     nudge: (dx, dy) => ({ mean: held([mean[0] + 0.05 * dx, mean[1] + 0.05 * dy]) }),
     jump: (end) => ({ mean: data(end === 'home' ? box.left : box.right, y(mean[1])) }),
-  })
-  view.handle(pen, 'major', {
+  }
+  grips.major = {
     at: inside([x(mean[0] + semiMajor * c), y(mean[1] + semiMajor * s)]), label: 'First axis of the ellipse', name: 'turn, stretch', kin: 'prediction',
     value: `${words(semiMajor)} long, at ${Math.round((angle * 180) / Math.PI)} degrees`, now: semiMajor, min: axis.least, max: axis.greatest,
     move: (px, py) => {
@@ -123,22 +154,23 @@ function handles(pen, plane, frame, view) {
     },
     nudge: (dx, dy) => ({ angle: angle + (dx * Math.PI) / 180, semiMajor: length(semiMajor + 0.05 * dy) }),
     jump: (end) => ({ semiMajor: end === 'home' ? axis.least : axis.greatest }),
-  })
-  view.handle(pen, 'minor', {
+  }
+  grips.minor = {
     at: inside([x(mean[0] - semiMinor * s), y(mean[1] + semiMinor * c)]), label: 'Second axis of the ellipse', name: 'stretch', kin: 'prediction',
     value: `${words(semiMinor)} long`, now: semiMinor, min: axis.least, max: axis.greatest,
     move: (px, py) => ({ semiMinor: length(Math.abs(-(x.invert(px) - mean[0]) * s + (y.invert(py) - mean[1]) * c)) }),
     nudge: (dx, dy) => ({ semiMinor: length(semiMinor + 0.05 * (dx + dy)) }),
     jump: (end) => ({ semiMinor: end === 'home' ? axis.least : axis.greatest }),
-  })
+  }
   const at = onLine(plane, frame)
   const { least, greatest } = view.limits.reading
   const output = (/** @type {number[]} */ point) => clamp(frame.H[0] * point[0] + frame.H[1] * point[1], least, greatest)
-  view.handle(pen, 'reading', {
+  grips.reading = {
     at: inside([x(at[0]), y(at[1])]), label: 'Reading', name: { choset: '*y*', thrun: '*z*' }, kin: 'measurement',
     value: words(reading), now: reading, min: least, max: greatest,
     move: (px, py) => ({ reading: output(data(px, py)) }),
     nudge: (dx, dy) => ({ reading: clamp(reading + 0.05 * (Math.abs(frame.H[1]) > 0.5 ? dy || dx : dx || dy), least, greatest) }),
     jump: (end) => ({ reading: end === 'home' ? least : greatest }),
-  })
+  }
+  return grips
 }

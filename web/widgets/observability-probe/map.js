@@ -1,6 +1,7 @@
 /** Room A from above: path, robot, estimate with its ellipse, landmarks to drag, and the direction no reading sees. */
 
-import { dot, ellipseLevel, ellipsePath, evenPlane, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
+import { clear, drawLabels } from '../../core/labels.js'
+import { dot, ellipseLevel, ellipsePath, evenPlane, meaning, pointsPath, scaleBar, segment, seriesPath } from '../../core/plot.js'
 import { fixed } from '../../core/numbers.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
@@ -9,6 +10,8 @@ import { fixed } from '../../core/numbers.js'
 
 /** Half the length of a drawn direction, metres. */
 const ARM = 0.9
+/** A direction that turns by more than this for each metre, radians, is drawn as a turn in place. */
+const IN_PLACE = 20
 
 /** @param {import('../../core/shell.js').Panel} panel @param {Frame} frame @param {import('../../core/spec.js').View} view */
 export function drawMap({ pen, width, height }, frame, view) {
@@ -20,7 +23,9 @@ export function drawMap({ pen, width, height }, frame, view) {
       sightings(to, plane, frame)
       belief(to, plane, frame)
     })
+    drawNames(pen, plane, frame)
     ellipseLevel(pen, plane.x(0) + 2, box.bottom - 4)
+    scaleBar(pen, plane, plane.x(frame.room.width), box.bottom - 4)
     pen.group('handles', {}, (to) => handles(to, plane, frame, view))
   })
 }
@@ -50,41 +55,49 @@ function sightings(pen, plane, frame) {
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function belief(pen, plane, frame) {
-  const { estimate, truth, ellipse, frozen, alongPath } = frame
+  const { estimate, truth, ellipse } = frame
   for (const { id, x, y, ellipse: spread } of frame.slam?.landmarks ?? []) {
     pen.mark('path', `map${id}`, { ...meaning('outline', 'posterior'), d: ellipsePath(spread, [x, y], plane) })
     dot(pen, `founded${id}`, plane, [x, y], { ...meaning('full', 'posterior'), r: 1.5 })
   }
   pen.mark('path', 'ellipse', { ...meaning('outline', 'posterior'), d: ellipsePath(ellipse, estimate, plane) })
-  unseen(pen, plane, estimate, frozen, 'frozen', 'level')
-  unseen(pen, plane, estimate, alongPath, 'along the path', 'direction')
+  for (const { key, shape, ends } of hidden(frame)) {
+    if (ends) segment(pen, key, plane, ends[0], ends[1], { class: shape })
+    else pen.mark('circle', key, { class: shape, fill: 'none', cx: plane.x(estimate[0]), cy: plane.y(estimate[1]), r: 20 })
+  }
   dot(pen, 'estimate', plane, estimate, { ...meaning('full', 'posterior'), r: 4 })
   const [x, y, turn] = [plane.x(truth[0]), plane.y(truth[1]), (-truth[2] * 180) / Math.PI]
   pen.mark('path', 'robot', { class: 'robot', d: 'M11 0L-7 7L-4 0L-7 -7Z', transform: `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${turn.toFixed(2)})` })
 }
 
 /**
- * The directions that no output sees: a line through the estimate and, where the heading takes part, how it turns.
- * @param {Pen} pen @param {Plane} plane @param {number[]} at
- * @param {import('estimate-wasm').ProbeRanks} ranks @param {string} name @param {string} shape
+ * The directions that no output sees: a line through the estimate, with how the heading turns along it, or a turn in place. Of
+ * several hidden directions any mix is hidden too: two of a basis are drawn.
+ * @param {Frame} frame
+ * @returns {{ key: string, shape: string, words: string, ends: number[][] | null }[]}
  */
-function unseen(pen, plane, at, { directions }, name, shape) {
-  directions.slice(0, 2).forEach(([dx, dy, turn], i) => {
-    const key = `${name}${i}`
-    const ends = [-ARM, ARM].map((arm) => [at[0] + arm * dx, at[1] + arm * dy])
-    if (dx !== 0 || dy !== 0) segment(pen, key, plane, ends[0], ends[1], { class: shape })
-    else pen.mark('circle', key, { class: shape, fill: 'none', cx: plane.x(at[0]), cy: plane.y(at[1]), r: 20 })
-    const degrees = (turn * 180) / Math.PI
-    // Of several hidden directions any mix is hidden too: these are two of a basis.
+function hidden({ estimate: at, frozen, alongPath }) {
+  return [{ name: 'frozen', shape: 'level', ranks: frozen }, { name: 'along the path', shape: 'direction', ranks: alongPath }].flatMap(({ name, shape, ranks: { directions } }) => directions.slice(0, 2).map(([dx, dy, turn], i) => {
     const among = directions.length > 1 ? `${name}, one of ${directions.length}` : name
-    const words = Math.abs(degrees) < 0.05 ? among : `${among}, ${fixed(Math.abs(degrees), 0)}° a metre`
-    const side = name === 'frozen' ? 0 : 1
-    const end = ends[side]
-    // Kept inside the panel, whose edge would cut it: a letter is about 6.4 pixels wide.
-    const [x, long] = [plane.x(end[0]), words.length * 6.4]
-    const kept = end[0] < at[0] ? Math.max(x, plane.box.left + long) : Math.min(x, plane.box.right - long)
-    pen.text(`${key}-name`, { class: 'mark-name', x: kept, y: plane.y(end[1]) + (plane.y(end[1]) > plane.y(at[1]) ? 15 : -6), 'text-anchor': end[0] < at[0] ? 'end' : 'start' }, words)
-  })
+    const inPlace = (dx === 0 && dy === 0) || Math.abs(turn) > IN_PLACE
+    const degrees = Math.round(Math.abs(turn * 180) / Math.PI)
+    return {
+      key: `${name}${i}`, shape,
+      words: inPlace ? `${among}: a turn` : degrees === 0 ? among : `${among}, ${degrees}° a metre`,
+      ends: inPlace ? null : [-ARM, ARM].map((arm) => [at[0] + arm * dx, at[1] + arm * dy]),
+    }
+  }))
+}
+
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawNames(pen, plane, frame) {
+  const { box, x, y } = plane
+  const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
+  const landmarks = frame.params.landmarks.slice(0, frame.params.count).map(at)
+  drawLabels(pen, box, [
+    ...landmarks.map((mark, i) => ({ key: `landmark-name${i}`, words: String(i + 1), at: mark, kin: 'measurement', name: 'handle-name measurement', gap: 15 })),
+    ...hidden(frame).map(({ key, words, ends }, i) => ({ key: `${key}-name`, words, at: at(ends?.[i % 2] ?? frame.estimate), gap: ends ? 8 : 24 })),
+  ], [...landmarks.map((mark) => clear(mark, 11)), clear(at(frame.estimate), 8), { left: x(0), top: y(0) + 2, right: x(frame.room.width), bottom: box.bottom }])
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view */
@@ -96,8 +109,7 @@ function handles(pen, plane, frame, view) {
       landmarks: landmarks.map((point, j) => (j === i ? [clamp(px, frame.room.width), clamp(py, frame.room.height)] : point)),
     })
     view.handle(pen, `landmark${i}`, {
-      at: [plane.x(x), plane.y(y)], label: `Landmark ${i + 1}`, name: String(i + 1), kin: 'measurement',
-      nameAt: [x > frame.room.width / 2 ? -22 : 15, y > frame.room.height / 2 ? 22 : -14],
+      at: [plane.x(x), plane.y(y)], label: `Landmark ${i + 1}`, kin: 'measurement',
       value: `at ${fixed(x, 2)}, ${fixed(y, 2)} metres`, now: x, min: 0, max: frame.room.width,
       move: (px, py) => put(plane.x.invert(px), plane.y.invert(py)),
       nudge: (dx, dy) => put(x + 0.05 * dx, y + 0.05 * dy),

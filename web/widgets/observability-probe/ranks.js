@@ -1,5 +1,6 @@
 /** Singular values over the largest, on a logarithmic scale against the tolerance: what counts as seen, and by how much. */
 
+import { power } from '../../core/numbers.js'
 import { scaleLog } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
@@ -7,24 +8,17 @@ import { scaleLog } from '../../core/plot.js'
 /** Zero stands at the scale's left end. */
 const FLOOR = 1e-17
 
-/** `10⁻⁶`, or `3 × 10⁻⁴`. @param {number} value */
-export function power(value) {
-  if (!(value > 0)) return '0'
-  const exponent = Math.floor(Math.log10(value) + 1e-9)
-  if (exponent === 0) return value.toFixed(value < 1.05 ? 0 : 1)
-  const digits = [...String(Math.abs(exponent))].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]).join('')
-  const lead = Math.round(value / 10 ** exponent)
-  return `${lead > 1 && lead < 10 ? `${lead} × ` : ''}10${exponent < 0 ? '⁻' : ''}${digits}`
-}
-
 /** @param {import('../../core/shell.js').Panel} panel @param {Frame} frame */
 export function drawRanks({ pen, width, height }, { frozen, alongPath, params }) {
-  const box = { left: 12, top: 34, right: width - 16, bottom: height - 40 }
+  const box = { left: 12, top: 28, right: width - 16, bottom: height - 38 }
   const x = scaleLog([FLOOR, 1.6], [box.left, box.right])
   const place = (/** @type {number} */ value) => x(Math.max(value, FLOOR))
+  // The two rows share the height, each with its name above it.
+  const row = (box.bottom - box.top) / 2
+  const past = alongPath.steps === 0 ? 'along the path: no step yet' : `along the last ${alongPath.steps === 1 ? 'step' : `${alongPath.steps} steps`}: rank ${alongPath.rank} of ${alongPath.n}`
   const rows = [
-    { key: 'frozen', ranks: frozen, name: `frozen at this pose: rank ${frozen.rank} of ${frozen.n}`, y: box.top + 42 },
-    { key: 'path', ranks: alongPath, name: `along the last ${alongPath.steps} steps: rank ${alongPath.rank} of ${alongPath.n}`, y: box.bottom - 24 },
+    { key: 'frozen', ranks: frozen, name: `frozen at this pose: rank ${frozen.rank} of ${frozen.n}`, y: box.top + row - 12 },
+    { key: 'path', ranks: alongPath, name: past, y: box.bottom - 12 },
   ]
   pen.draw(() => {
     pen.text('title', { class: 'plot-title', x: box.left, y: 18 }, 'singular values, over the largest')
@@ -35,11 +29,12 @@ export function drawRanks({ pen, width, height }, { frozen, alongPath, params })
     }
     pen.text('zero', { class: 'tick', x: box.left, y: box.bottom + 16, 'text-anchor': 'middle' }, '0')
     const level = place(params.tolerance)
-    pen.mark('line', 'tolerance', { class: 'level', x1: level, x2: level, y1: box.top - 6, y2: box.bottom + 4 })
+    pen.mark('line', 'tolerance', { class: 'level', x1: level, x2: level, y1: box.top, y2: box.bottom + 4 })
     pen.text('tolerance-name', { class: 'rule-name', x: level, y: box.bottom + 33, 'text-anchor': level > width - 70 ? 'end' : level < 70 ? 'start' : 'middle' }, 'tolerance')
     for (const { key, ranks, name, y } of rows) {
       pen.mark('line', `${key}-base`, { class: 'axis', x1: box.left, x2: box.right, y1: y, y2: y })
-      pen.text(`${key}-name`, { class: 'mark-name', x: box.left, y: y - 14 }, name)
+      pen.text(`${key}-name`, { class: 'mark-name', x: box.left, y: y - 12 }, name)
+      if (key === 'path' && alongPath.steps === 0) continue
       ranks.relative.forEach((value, i) => {
         const seen = i < ranks.rank
         pen.mark('circle', `${key}-${i}`, { class: seen ? 'mark full' : 'mark hollow', cx: place(value), cy: y, r: 6 })

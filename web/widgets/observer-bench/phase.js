@@ -1,10 +1,11 @@
 /**
- * The phase plane, seen from the truth: where prediction, the reading's line and the estimate stand against the true
- * state. Both sensors measure along an axis, so each axis may have its own scale and the gray foot still looks square.
+ * The phase plane, seen from the truth: where prediction, the reading's line and the estimate stand against the true state. An
+ * arrow leads from the prediction to the estimate: the correction, which the knob makes longer or shorter.
  */
 
+import { clear, drawLabels } from '../../core/labels.js'
 import { Span, between } from '../../core/motion.js'
-import { axes, clipLine, dot, ellipseLevel, ellipsePath, halves, meaning, plane as planeOf, segment } from '../../core/plot.js'
+import { arrow, axes, clipLine, dot, ellipseLevel, ellipsePath, halves, meaning, plane as planeOf, segment } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').BenchFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -22,9 +23,9 @@ export function drawPhase({ pen, width, height }, frame, view) {
   const moving = [across.follow(...scene.across, view.elapsed), up.follow(...scene.up, view.elapsed)].includes(true)
   const plane = planeOf({ left: 48, top: 30, right: width - 14, bottom: height - 42 }, across.now, up.now)
   pen.draw(() => {
-    axes(pen, plane, { x: 'position − truth (m)', y: 'velocity − truth (m/s)', ticks: [7, 5], zero: true })
+    axes(pen, plane, { x: 'position − truth (m)', y: 'velocity − truth (m/s)', ticks: [width < 420 ? 4 : 7, 5], zero: true })
     pen.window('scene', plane.box, (to) => drawScene(to, plane, frame, scene))
-    legend(pen, plane, frame, scene)
+    names(pen, plane, frame, scene)
     ellipseLevel(pen, plane.box.left, plane.box.bottom + 32)
   })
   return moving
@@ -44,60 +45,44 @@ function stage(frame, { beat, previous }) {
   const posterior = from(frame, frame.posterior)
   const before = previous ? from(previous, previous.posterior) : predicted
   const orange = beat.name === 'predict' ? between(before, predicted, beat.t) : predicted
-  const purple = beat.name === 'rest' ? posterior : beat.name === 'update' ? between(predicted, posterior, beat.t) : null
-  const shown = purple ? [orange, purple] : [orange, before]
+  // While the prediction moves the estimate of the step before stays where it was.
+  const purple = beat.name === 'rest' ? posterior : beat.name === 'update' ? between(predicted, posterior, beat.t) : before
   const reach = (/** @type {0 | 1} */ axis, /** @type {number} */ least) => {
-    const ends = shown.flatMap(({ x, ellipse }) => [x[axis] - halves(ellipse)[axis], x[axis] + halves(ellipse)[axis]])
+    const ends = [orange, purple].flatMap(({ x, ellipse }) => [x[axis] - halves(ellipse)[axis], x[axis] + halves(ellipse)[axis]])
     return /** @type {[number, number]} */ ([Math.min(-least, ...ends), Math.max(least, ...ends)])
   }
-  return { orange, purple, across: reach(0, 0.5), up: reach(1, 0.25), reading: frame.feet !== null && beat.name !== 'predict' }
+  const reading = beat.name === 'predict' || frame.reading === null ? null : frame.reading - (frame.H[0] * frame.truth[0] + frame.H[1] * frame.truth[1])
+  return { orange, purple, corrects: beat.name !== 'predict', across: reach(0, 0.5), up: reach(1, 0.25), reading }
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {ReturnType<typeof stage>} scene */
-function drawScene(pen, plane, frame, { orange, purple, reading }) {
-  const relative = (/** @type {number} */ output) => output - (frame.H[0] * frame.truth[0] + frame.H[1] * frame.truth[1])
-  const { feet } = frame
-  if (reading && feet && frame.reading !== null && frame.mostLikelyOutput !== null) {
-    const omega = clipLine(frame.H, relative(frame.reading), plane)
-    const likely = clipLine(frame.H, relative(frame.mostLikelyOutput), plane)
-    if (likely) segment(pen, 'likely', plane, ...likely, meaning('line dashed', 'measurement'))
-    if (omega) segment(pen, 'omega', plane, ...omega, meaning('line', 'measurement'))
-  }
+function drawScene(pen, plane, frame, { orange, purple, corrects, reading }) {
+  const line = reading === null ? null : clipLine(frame.H, reading, plane)
+  if (line) segment(pen, 'omega', plane, ...line, meaning('line', 'measurement'))
   pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(orange.ellipse, orange.x, plane) })
-  if (purple) pen.mark('path', 'posterior', { ...meaning('outline', 'posterior'), d: ellipsePath(purple.ellipse, purple.x, plane) })
-  if (reading && feet) {
-    const foot = (/** @type {number[]} */ at) => at.map((value, i) => value - frame.truth[i])
-    segment(pen, 'euclid', plane, orange.x, foot(feet.euclidean), meaning('way dashed', 'truth'))
-    segment(pen, 'mahalanobis', plane, orange.x, foot(feet.mahalanobis), meaning('way', 'posterior'))
-    dot(pen, 'foot-euclid', plane, foot(feet.euclidean), { ...meaning('foot', 'truth'), r: 3.5 })
-    dot(pen, 'foot-mahalanobis', plane, foot(feet.mahalanobis), { ...meaning('foot', 'posterior'), r: 3.5 })
-  }
+  pen.mark('path', 'posterior', { ...meaning('outline', 'posterior'), d: ellipsePath(purple.ellipse, purple.x, plane) })
   const [x, y] = [plane.x(0), plane.y(0)]
   pen.mark('path', 'truth', { ...meaning('cross', 'truth'), d: `M${x - 7} ${y}H${x + 7}M${x} ${y - 7}V${y + 7}` })
   dot(pen, 'prediction-mean', plane, orange.x, meaning('hollow', 'prediction'))
-  if (purple) dot(pen, 'posterior-mean', plane, purple.x, meaning('full', 'posterior'))
+  if (corrects) arrow(pen, 'correction', plane, orange.x, purple.x, 'posterior')
+  dot(pen, 'posterior-mean', plane, purple.x, meaning('full', 'posterior'))
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {ReturnType<typeof stage>} scene */
-function legend(pen, { box, x, y }, frame, { orange, purple, reading }) {
-  const clamp = (/** @type {number} */ at, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, at))
-  pen.text('truth-name', { class: 'mark-name truth', x: x(0) + 10, y: y(0) + 16 }, 'truth')
-  const beside = (/** @type {string} */ key, /** @type {number[]} */ at, /** @type {string} */ kin, /** @type {string} */ words, /** @type {number} */ side) => {
-    const px = clamp(x(at[0]) + side * 11, box.left + (side < 0 ? 70 : 8), box.right - (side < 0 ? 8 : 70))
-    pen.text(key, { class: `mark-name ${kin}`, x: px, y: clamp(y(at[1]) + 4.5, box.top + 12, box.bottom - 6), 'text-anchor': side < 0 ? 'end' : 'start' }, words)
-  }
-  const side = purple && purple.x[0] < orange.x[0] ? 1 : -1
-  beside('prediction-name', orange.x, 'prediction', 'prediction', side)
-  if (purple) beside('posterior-name', purple.x, 'posterior', 'estimate', -side)
-  if (!reading || frame.reading === null || frame.mostLikelyOutput === null) return
-  const line = (/** @type {string} */ key, /** @type {number} */ output, /** @type {import('../../core/words.js').Words} */ words, /** @type {number} */ side) => {
-    const at = output - (frame.H[0] * frame.truth[0] + frame.H[1] * frame.truth[1])
+function names(pen, { box, x, y }, frame, { orange, purple, reading }) {
+  const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
+  const lefter = purple.x[0] < orange.x[0]
+  /** @type {import('../../core/labels.js').Label[]} */
+  const labels = [
+    { key: 'prediction-name', words: 'prediction', at: at(orange.x), kin: 'prediction', sides: lefter ? ['right', 'below'] : ['left', 'below'] },
+    { key: 'posterior-name', words: 'estimate', at: at(purple.x), kin: 'posterior', sides: lefter ? ['left', 'above'] : ['right', 'above'] },
+    { key: 'truth-name', words: 'truth', at: at([0, 0]), kin: 'truth', sides: ['below-right'] },
+  ]
+  if (reading !== null) {
     const flat = frame.H[0] === 0
-    const where = flat ? { x: box.right - 6, y: y(at / frame.H[1]) + side, 'text-anchor': 'end' } : { x: x(at / frame.H[0]) + (side < 0 ? 5 : -5), y: box.top + 14, 'text-anchor': side < 0 ? 'start' : 'end' }
-    const within = flat ? where.y > box.top + 6 && where.y < box.bottom - 2 : where.x > box.left && where.x < box.right
-    if (within) pen.text(key, { class: 'mark-name measurement', ...where }, words)
+    const end = /** @type {[number, number]} */ (flat ? [box.right - 40, y(reading / frame.H[1])] : [x(reading / frame.H[0]), box.top + 8])
+    const within = end[0] > box.left && end[0] < box.right && end[1] > box.top && end[1] < box.bottom
+    if (within) labels.push({ key: 'omega-name', words: { choset: 'Ω: *Hx* = *y*', thrun: 'Ω: *Cx* = *z*' }, at: end, gap: 4, kin: 'measurement', sides: flat ? ['above', 'below'] : ['right', 'left'] })
   }
-  const upper = (frame.reading > frame.mostLikelyOutput) === (frame.H[0] === 0)
-  line('omega-name', frame.reading, { choset: 'Ω: *Hx* = *y*', thrun: 'Ω: *Cx* = *z*' }, upper ? -6 : 14)
-  line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', upper ? 14 : -6)
+  drawLabels(pen, box, labels, [clear(at(orange.x), 5), clear(at(purple.x), 5), clear(at([0, 0]), 6)])
 }

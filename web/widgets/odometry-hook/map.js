@@ -1,7 +1,8 @@
 /** The corridor from above: where the robot is, where it believes itself to be, and how sure it claims to be. */
 
+import { clear, drawLabels } from '../../core/labels.js'
 import { Span } from '../../core/motion.js'
-import { dot, ellipseLevel, ellipsePath, evenPlane, halves, meaning, pointsPath, segment, seriesPath } from '../../core/plot.js'
+import { dot, ellipseLevel, ellipsePath, evenPlane, halves, meaning, pointsPath, scaleBar, segment, seriesPath } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -10,6 +11,7 @@ import { dot, ellipseLevel, ellipsePath, evenPlane, halves, meaning, pointsPath,
 /** Ticks a sightline takes to fade. */
 const FLASH = 40
 const NOSE = 17
+const FOOT = 20
 
 /**
  * @param {import('../../core/shell.js').Panel} panel
@@ -22,8 +24,10 @@ export function drawMap({ pen, width, height }, frame, view) {
   const moving = [0, 1].map((axis) => (axis ? up : across).follow(...reach(frame, axis), view.elapsed)).includes(true)
   const box = { left: 0, top: 0, right: width, bottom: height }
   const [x, y] = [across.now, up.now]
-  const unit = Math.min(width / (x[1] - x[0]), height / (y[1] - y[0]))
-  const plane = evenPlane(box, [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2], Math.min(width, height) / 2 / unit)
+  // Below the map is a line for what the ellipses mean and how long a metre is.
+  const place = { ...box, bottom: height - FOOT }
+  const unit = Math.min(width / (x[1] - x[0]), place.bottom / (y[1] - y[0]))
+  const plane = evenPlane(place, [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2], Math.min(width, place.bottom) / 2 / unit)
   // While neither the robot nor the camera has moved, this is not drawn again.
   const stamp = [width, height, ...plane.x.domain, ...plane.y.domain].join(' ')
   pen.draw(() => {
@@ -36,7 +40,7 @@ export function drawMap({ pen, width, height }, frame, view) {
     })
     drawNames(pen, plane, frame)
     ellipseLevel(pen, box.left + 6, box.bottom - 6)
-    pen.group('corner-names', {}, (into) => drawCornerNames(into, plane, frame), stamp)
+    scaleBar(pen, plane, box.right - 8, box.bottom - 6)
   })
   return moving
 }
@@ -124,20 +128,14 @@ function robot(pen, key, plane, [px, py, heading], shape, kin) {
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawNames(pen, { x, y, box }, frame) {
-  const { truth, estimate } = frame
+  const { truth, estimate, world } = frame
+  const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const above = truth[1] >= estimate[1]
-  const clamp = (/** @type {number} */ at, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, at))
-  const truthAt = { x: clamp(x(truth[0]), 32, box.right - 32), y: clamp(y(truth[1]) + (above ? -13 : 24), 12, box.bottom - 5) }
-  pen.text('truth-name', { class: 'mark-name truth', ...truthAt, 'text-anchor': 'middle' }, 'truth')
-  const right = x(estimate[0]) < box.right - 100
-  const estimateAt = { x: x(estimate[0]) + (right ? 24 : -24), y: clamp(y(estimate[1]) + 5, 12, box.bottom - 5), 'text-anchor': right ? 'start' : 'end' }
-  pen.text('estimate-name', { class: `mark-name ${kinOf(frame)}`, ...estimateAt }, frame.params.fixes ? 'estimate' : 'odometry')
-}
-
-/** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function drawCornerNames(pen, { x, y }, { world }) {
-  for (const { id, x: cx, y: cy } of world.corners) {
-    const left = cx > 5
-    pen.text(`corner-name${id}`, { class: 'label', x: x(cx) + (left ? 8 : -8), y: y(cy) + 4, 'text-anchor': left ? 'start' : 'end' }, String(id + 1))
-  }
+  const corners = world.corners.map((corner) => at([corner.x, corner.y]))
+  const middle = corners.reduce((sum, [cx]) => sum + cx / corners.length, 0)
+  drawLabels(pen, box, [
+    { key: 'truth-name', words: 'truth', at: at(truth), kin: 'truth', gap: 13, sides: above ? ['above', 'left'] : ['below', 'left'] },
+    { key: 'estimate-name', words: frame.params.fixes ? 'estimate' : 'odometry', at: at(estimate), kin: kinOf(frame), gap: 20, sides: ['right', 'left', above ? 'below' : 'above'] },
+    ...corners.map((corner, i) => ({ key: `corner-name${i}`, words: String(world.corners[i].id + 1), at: corner, name: 'label', gap: 8, sides: /** @type {import('../../core/labels.js').Side[]} */ ([corner[0] > middle ? 'right' : 'left']) })),
+  ], [...corners.map((corner) => clear(corner, 5)), clear(at(truth), 8), clear(at(estimate), 8)])
 }
