@@ -115,15 +115,26 @@ export async function comeTo(page, selector, sign) {
   }
 }
 
-/** Scrolls through the whole page, so that everything that waits for the screen has been on it. */
+/** Scrolls through the whole page, so that everything that waits for the screen has been on it, and every figure is alive. */
 export async function walkDown(page) {
+  // What the page does when it is idle comes first: some of its scripts begin to watch the screen then.
+  await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve)))
+  await page.waitForLoadState('networkidle')
   await page.evaluate(async () => {
-    for (let y = 0; y < document.documentElement.scrollHeight; y += innerHeight / 2) {
-      scrollTo(0, y)
-      await new Promise((resolve) => setTimeout(resolve, 60))
+    const frame = () => new Promise((resolve) => requestAnimationFrame(resolve))
+    // A screen at each frame. The page grows and shrinks as its parts are laid out: each step goes on from where the last one led.
+    for (let from = -1; scrollY > from;) {
+      from = scrollY
+      scrollBy({ top: innerHeight, behavior: 'instant' })
+      await frame()
     }
-    scrollTo(0, 0)
   })
+  // A figure comes to life only while it is near the screen.
+  for (const widget of await page.locator('.widget').all()) {
+    await widget.scrollIntoViewIfNeeded()
+    await widget.and(page.locator('[data-state="live"]')).waitFor()
+  }
+  await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }))
 }
 
 /** The frame on a figure's screen, and its state. */
