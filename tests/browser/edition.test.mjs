@@ -105,8 +105,16 @@ test('without a store an open page says that there is a new edition, and a reloa
   })
 })
 
+/** Half of the chapter, and nothing after it. */
+const half = (_, response) => {
+  const whole = readFileSync(path.join(dist, 'kalman/index.html'))
+  response.writeHead(200, { 'content-type': 'text/html', 'content-length': whole.length })
+  response.write(whole.subarray(0, whole.length / 2))
+}
+
 for (const [what, answer] of [
   ['hangs', () => {}],
+  ['hangs in the middle of a page', half],
   ['fails', (_, response) => response.writeHead(503).end('Not now.')],
 ]) {
   test(`where the server ${what} the kept page is shown`, { timeout: 120_000 }, async (t) => {
@@ -120,7 +128,7 @@ for (const [what, answer] of [
           const began = Date.now()
           await page.goto(url + at, { waitUntil: 'commit', timeout: 15_000 })
           t.diagnostic(`/${at} after ${((Date.now() - began) / 1000).toFixed(1)} s`)
-          await page.locator('h1').first().waitFor()
+          await page.locator('.site-footer').waitFor({ state: 'attached', timeout: 10_000 })
           assert.ok((await page.locator('h1').first().textContent()).length > 3 && !(await page.getByText('Not now.').count()))
         }
         await page.goto(`${url}kalman/`)

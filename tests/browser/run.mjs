@@ -1,6 +1,6 @@
-// Runs the browser tests: as many files at a time as there are processors, and after them, one by one, those whose verdict
-// depends on how busy the machine is. Each file starts a browser of its own: that costs half a second of a processor, and files
-// that ran in one browser would share its clipboard and its crashes.
+// Runs the browser tests: one file more at a time than there are processors, since a test often waits for the page; and after them,
+// one by one, those whose verdict depends on how busy the machine is. Each file starts a browser of its own: that costs half a
+// second of a processor, and files that ran in one browser would share its clipboard and its crashes.
 //   node tests/browser/run.mjs [NAME …]   only the files of these names, e.g. quiz probe
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'
@@ -11,7 +11,7 @@ import { fileURLToPath } from 'node:url'
 
 const folder = path.dirname(fileURLToPath(import.meta.url))
 /** They count what a page does within a time, or put a whole machine's load on it. */
-const ALONE = new Set(['bench', 'layout', 'lighthouse', 'firefox'])
+const ALONE = new Set(['bench', 'lighthouse', 'firefox'])
 
 const all = readdirSync(folder).filter((file) => file.endsWith('.test.mjs')).map((file) => file.replace('.test.mjs', ''))
 const wanted = process.argv.slice(2)
@@ -22,7 +22,7 @@ for (const name of wanted) {
 }
 const names = wanted.length > 0 ? wanted : all
 
-const beside = await run(names.filter((name) => !ALONE.has(name)), Math.min(4, os.availableParallelism()))
+const beside = await run(names.filter((name) => !ALONE.has(name)), Math.min(4, os.availableParallelism() + 1))
 const alone = await run(names.filter((name) => ALONE.has(name)), 1)
 process.exitCode = beside && alone ? 0 : 1
 

@@ -44,6 +44,24 @@ test('a getter may call the module, or throw', () => {
   refused(() => core.kalmanStep(rail, { get x() { throw new Error('no') }, P: [[1]] }, [0], [2.7]), 'type', 'belief.x', /threw/)
 })
 
+test('a field is read once, whatever it answers', () => {
+  for (const answer of [null, undefined, 3]) {
+    const reads = []
+    const noting = new Proxy({ gate: answer, W: rail.W }, { get: (of, key) => (reads.push(key), of[key]) })
+    try { new core.EkfLocalizer({ x: [0, 0, 0], P: [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }, [], noting) } catch {}
+    assert.deepEqual(reads.filter((key) => key === 'gate'), ['gate'], `a gate of ${answer}`)
+    let asked = 0
+    const lab = new core.ObservabilityProbe({ get stop() { asked++; return answer } })
+    assert.equal(asked, 1, `a getter that answers ${answer}`)
+    assert.equal(lab.state().params.stop, answer ?? null)
+    lab.free()
+  }
+  // A field that holds null is told from one that is not there.
+  refused(() => core.covarianceEllipse(null), 'type', 'P', /is null/)
+  refused(() => core.kalmanStep(rail, { x: null, P: [[1]] }, [0], [2.7]), 'type', 'belief.x', /is null/)
+  refused(() => core.kalmanStep(rail, { P: [[1]] }, [0], [2.7]), 'type', 'belief.x', /is undefined/)
+})
+
 test('a first call that ends without stack leaves a module that works', () => {
   const program = `
     const core = require(process.argv[1])
@@ -54,4 +72,35 @@ test('a first call that ends without stack leaves a module that works', () => {
   for (let size = 300; size < 320; size += 2) {
     assert.equal(execFileSync(process.execPath, [`--stack-size=${size}`, '-e', program, file], { encoding: 'utf8' }), '2', `${size} kB`)
   }
+})
+
+test('an object in the middle of whose call the stack ended may be lost; its state, the others and the functions are not', () => {
+  const program = `
+    const core = require(process.argv[1])
+    const lost = []
+    for (let round = 0; round < 20; round++) {
+      const bench = new core.ObserverBench({ gain: 0.7 })
+      bench.run(50)
+      const [state, digest] = [bench.state(), bench.digest()]
+      let over = false
+      // On the way up there is ever more stack: the call ends without any at several depths, and then it does not.
+      const down = () => {
+        try { down() } catch (error) {
+          if (!over) try { bench.step(); over = true } catch (refusal) { over = refusal.name === 'EstimateError' }
+          throw error
+        }
+      }
+      try { down() } catch {}
+      let answer = 'works'
+      try { bench.frame() } catch ({ code, argument, message }) { answer = code + ' ' + argument + ' ' + message }
+      lost.push(answer)
+      const twin = core.ObserverBench.from(state)
+      if (twin.digest() !== digest || core.covarianceEllipse([[4, 0], [0, 1]]).semiMajor !== 2) throw new Error('the module is lost')
+      twin.free()
+    }
+    process.stdout.write(JSON.stringify(lost))`
+  const answers = [300, 984].flatMap((size) => JSON.parse(execFileSync(process.execPath, [`--stack-size=${size}`, '-e', program, file], { encoding: 'utf8' })))
+  const stuck = answers.filter((answer) => answer !== 'works')
+  for (const answer of stuck) assert.match(answer, /^type this .*in the middle of a call/)
+  assert.ok(stuck.length > 0, 'it is not lost any more: the note on RangeError in the types can go')
 })

@@ -6,6 +6,9 @@ import { PATIENCE_MS } from '../core/patience.js'
 
 /** @typedef {{ id: string, page: string, title: string, section: string, text: string }} Entry */
 
+/** Said where there is no index. */
+const NO_INDEX = 'The search needs a list of all the words of this book, and that could not be fetched: are you offline? The next letter you type asks for it again.'
+
 /** @type {HTMLDialogElement | null} */
 let dialog = null
 
@@ -41,7 +44,7 @@ function build() {
     // The next letter asks for it again: the network may be back.
     if (!found) ready = null
     list.replaceChildren()
-    if (!found) return void (list.textContent = 'The index could not be fetched.')
+    if (!found) return void (list.textContent = count.textContent = NO_INDEX)
     const words = input.value.trim()
     const hits = words ? found.search(words, { prefix: true, fuzzy: 0.15, boost: { title: 3 }, combineWith: 'AND' }).slice(0, 12) : []
     for (const hit of hits) list.append(result(hit, words))

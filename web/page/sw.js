@@ -12,7 +12,7 @@ const FILES = __PRECACHE__
 // Stores belong to the origin: another copy of the book, in a folder beside this one, has its own.
 const PREFIX = `book-${new URL(registration.scope).pathname}#`
 const STORE = PREFIX + VERSION
-/** How long the network may be silent before a reader sees the kept page, milliseconds. */
+/** How long the network may take for a page before a reader sees the kept one, milliseconds. */
 const PATIENCE_MS = 2500
 
 addEventListener('install', (event) => event.waitUntil(fill()))
@@ -56,13 +56,19 @@ async function lasting(request) {
   return fetch(request)
 }
 
-/** From the network, unless it fails, is silent or has nothing but an error: then what is kept. @param {Request} request */
+/** From the network, unless it fails, takes too long or has nothing but an error: then what is kept. @param {Request} request */
 async function fresh(request) {
-  const network = fetch(request)
+  const network = fetch(request).then(whole)
   const silence = new Promise((resolve) => { setTimeout(resolve, PATIENCE_MS) })
   const answer = await Promise.race([network, silence]).catch(() => undefined)
   if (answer && answer.status < 500 && answer.status !== 429) return answer
   return await stored(request) ?? network
+}
+
+/** An answer of which everything has come: a server may send the beginning of a page and then hang. @param {Response} answer */
+async function whole(answer) {
+  await answer.clone().arrayBuffer()
+  return answer
 }
 
 /** A figure's state in the address does not make it another page, and a folder is its index. @param {Request} request */

@@ -27,8 +27,8 @@ extern "C" {
     fn get(of: &JsValue, name: &JsValue) -> Result<Option<JsValue>, JsValue>;
     #[wasm_bindgen(catch, js_namespace = Reflect, js_name = get)]
     fn get_entry(of: &JsValue, index: u32) -> Result<Option<JsValue>, JsValue>;
-    #[wasm_bindgen(catch, js_namespace = Reflect, js_name = has)]
-    fn has(of: &JsValue, name: &JsValue) -> Result<bool, JsValue>;
+    #[wasm_bindgen(catch, js_namespace = Object, js_name = getOwnPropertyDescriptor)]
+    fn descriptor(of: &JsValue, name: &JsValue) -> Result<Option<JsValue>, JsValue>;
     #[wasm_bindgen(catch, js_namespace = Reflect, js_name = ownKeys)]
     fn own_keys(of: &JsValue) -> Result<Option<Array>, JsValue>;
 }
@@ -192,7 +192,7 @@ impl<'a> Arg<'a> {
         Ok(())
     }
 
-    /// The field `name` of an object; undefined when there is none.
+    /// The field `name` of an object; undefined when there is none. It is read once, since reading may run a caller's code.
     #[inline(never)]
     pub fn field(&self, name: &'static str) -> Result<Arg<'_>, Error> {
         self.object()?;
@@ -200,9 +200,9 @@ impl<'a> Arg<'a> {
         let name = self::name(name);
         let read = || match get(&self.value, name)? {
             Some(value) => Ok(value),
-            // Nothing: null, or undefined.
-            None if has(&self.value, name)? => js_sys::Reflect::get(&self.value, name),
-            None => Ok(JsValue::UNDEFINED),
+            // Null or undefined: the description of a field tells which. That of a getter does not, and counts as undefined.
+            None => descriptor(&self.value, name)?
+                .map_or(Ok(JsValue::UNDEFINED), |it| js_sys::Reflect::get(&it, self::name("value"))),
         };
         let value = read()
             .map_err(|_: JsValue| Error::new(Code::Type, path.to_string(), "could not be read: reading it threw"))?;

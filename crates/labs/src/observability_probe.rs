@@ -72,7 +72,7 @@ struct Sums {
 }
 
 /// The lab.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ObservabilityProbe {
     params: ProbeParams,
     shown: Arc<[Landmark]>,

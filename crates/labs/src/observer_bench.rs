@@ -26,7 +26,7 @@ const STEADY_ITERATIONS: usize = 500;
 static STEADY: [OnceLock<(Lti<U2, U1, U1>, Vector2<f64>)>; 2] = [const { OnceLock::new() }; 2];
 
 /// The lab.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct ObserverBench {
     params: BenchParams,
     system: Lti<U2, U1, U1>,

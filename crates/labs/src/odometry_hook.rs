@@ -17,7 +17,7 @@ use frame::Record;
 use sim::scenarios::HOOK;
 
 /// The lab.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct OdometryHook {
     drive: Drive,
     record: Record,

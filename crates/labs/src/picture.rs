@@ -18,7 +18,7 @@ use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
 use numerics::Spd;
 
 /// The lab. It has no steps: [`Lab::run`] counts them and changes nothing else.
-#[derive(Debug)]
+#[derive(Clone, Debug)]
 pub struct Picture {
     frame: PictureFrame,
     digest: Digest,

@@ -2,6 +2,7 @@
 
 use super::*;
 use crate::declare::params;
+use std::cell::Cell;
 
 params! {
     /// Of a lab that gets stuck.
@@ -12,11 +13,16 @@ params! {
 }
 
 /// Takes nothing in at the step it cannot take, but has moved on by then.
-#[derive(Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 struct Stuck {
     params: StuckParams,
     steps: u32,
     taken: Vec<u32>,
+}
+
+thread_local! {
+    /// How many steps all labs of a test have computed.
+    static COMPUTED: Cell<u32> = const { Cell::new(0) };
 }
 
 impl Lab for Stuck {
@@ -37,6 +43,7 @@ impl Lab for Stuck {
     }
 
     fn advance(&mut self) -> Result<(), Error> {
+        COMPUTED.set(COMPUTED.get() + 1);
         self.steps += 1;
         if self.steps == self.params.at {
             return Err(Error::new(Code::DidNotConverge, "lab", "is stuck"));
@@ -66,6 +73,15 @@ fn a_run_that_is_refused_leaves_the_lab_as_it_was() {
     assert_eq!(lab.taken.len(), 6);
     assert_eq!(lab.set(StuckParams { at: 3 }).expect_err("stuck before").code, Code::DidNotConverge);
     assert_eq!((lab.params.at, lab.steps), (7, 6));
+}
+
+#[test]
+fn a_run_that_is_refused_is_not_played_again() {
+    let mut lab = Stuck::new(StuckParams { at: 60_001 }).expect("any");
+    lab.run(60_000).expect("not yet");
+    let before = COMPUTED.get();
+    lab.run(1).expect_err("stuck");
+    assert_eq!(COMPUTED.get() - before, 1);
 }
 
 #[test]

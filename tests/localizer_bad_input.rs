@@ -1,6 +1,8 @@
 //! Whatever the localizer is given, it answers or refuses: no panic, no change by a refused call, and after every accepted
 //! one a covariance that is one.
 
+#![cfg(not(target_arch = "wasm32"))]
+
 use estimate::dynamic::Belief;
 use estimate::localizer::{EkfLocalizer, Reading, SensorKind};
 use estimate::{Landmark, validate};
