@@ -32,7 +32,7 @@ proptest! {
 
     /// Whatever is sent: no panic, a refusal changes nothing, and what is accepted leaves a covariance.
     #[test]
-    fn nonsense_never_harms(
+    fn random_numbers_are_taken_or_refused_and_a_refusal_changes_nothing(
         (p, w, v) in (square(3), square(2), square(3)),
         steps in prop::collection::vec((number(12), number(12), number(12), number(12), 0..4_u32, any::<bool>()), 1..25),
     ) {

@@ -4,7 +4,7 @@ use core::fmt;
 use filters::{Parameter, Quantity};
 use std::borrow::Cow;
 
-/// The kinds of error, one for each thing a caller can do something about.
+/// The kinds of error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Code {
     /// A number is a NaN or an infinity, or finite arguments overflowed into one.

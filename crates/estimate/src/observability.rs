@@ -92,7 +92,7 @@ mod tests {
     }
 
     #[test]
-    fn no_output_sees_nothing() {
+    fn a_zero_output_observes_no_direction() {
         let none = analyze(&DMatrix::zeros(3, 3), 0.0).expect("found");
         assert_eq!((none.rank, none.nullspace.len()), (0, 3));
     }

@@ -1,4 +1,4 @@
-//! The Luenberger observer with a fixed gain (App. J.4, discretized as in J.5): the knob.
+//! The Luenberger observer with a fixed gain (App. J.4, discretized as in J.5).
 
 use crate::error::Error;
 use crate::lti::{Lti, SystemSizes};
@@ -100,7 +100,7 @@ mod tests {
     }
 
     #[test]
-    fn without_a_gain_it_is_dead_reckoning() {
+    fn an_observer_without_gain_is_dead_reckoning() {
         let mut o = observer([0.0, 0.0]);
         o.step(&Vector1::new(2.0), &Vector1::new(99.0));
         assert_eq!(o.xhat, Vector2::new(4.0, 5.0));

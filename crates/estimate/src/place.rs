@@ -26,8 +26,8 @@ impl Place {
         error
     }
 
-    /// A filter's error at the reading. Only the range can have made a mean or an innovation infinite, since a bearing is
-    /// taken on the circle. W and P are not of the reading.
+    /// A filter's error at the reading. An infinite mean or innovation comes from the range, since a bearing is
+    /// taken on the circle. W and P are no part of the reading.
     #[cold]
     pub fn step(self, error: Error) -> Error {
         error.called(|argument| match argument {

@@ -171,7 +171,7 @@ mod tests {
     }
 
     #[test]
-    fn of_equals_the_first_is_chosen_and_the_bounds_themselves_are_within() {
+    fn of_two_equal_candidates_the_first_is_chosen_and_bounds_are_inclusive() {
         let at = |j, nu| candidate(j, nu, 1.0, Rule::ChiSquared);
         let thresholds = Thresholds { gate: 9.0, found: 49.0 };
         assert!(matches!(associate(&[at(3, 2.0), at(1, -2.0)], &[], thresholds), Association::Matched(c) if c.j == 3));

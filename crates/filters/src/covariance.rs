@@ -2,9 +2,9 @@
 //!
 //! A covariance is symmetric and has no negative eigenvalue. Products like AΣAᵀ have both properties on paper; in
 //! floating point each entry is off by a few units in the last place of the *largest* term of its sum. Where the terms
-//! cancel, that may leave an eigenvalue below zero. It is harmless beside the variances it came with, and fatal later: a
-//! filter may shrink those by any factor and leave the negative one standing. So every covariance is looked at where it
-//! enters and where it is carried on. One of three things happens: it is **accepted** as it is; it is **mended**, which
+//! cancel, that may leave an eigenvalue below zero. It does no harm while it is small beside
+//! the variances, but a filter may shrink those by any factor and leave the negative eigenvalue as it is. So every covariance is
+//! checked where it enters and where it is carried on. One of three things happens: it is **accepted** as it is; it is **mended**, which
 //! takes the negative eigenvalues away or computes it anew from square roots; or it is **refused** with an error.
 //!
 //! | tolerance | is a part of | where it is asked | within it | beyond it |

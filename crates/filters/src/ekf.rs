@@ -120,7 +120,7 @@ mod tests {
     }
 
     #[test]
-    fn on_a_linear_system_it_is_the_linear_filter() {
+    fn on_a_linear_system_the_ekf_is_the_kalman_filter() {
         let belief = Gaussian { x: Vector2::new(2.0, 4.0), p: Matrix2::new(1.0, 0.0, 0.0, 2.0) };
         let (r, q) = (Matrix2::new(0.2, 0.05, 0.05, 0.1), Matrix1::new(0.5));
         let mut ekf = Ekf { x: belief.x, p: belief.p };

@@ -12,7 +12,7 @@ use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 use numerics::{MIN_PIVOT, Spd};
 
 /// Σ̄ = A Σ Aᵀ + R (n×n), exactly symmetric and, to rounding, positive semidefinite even where the terms all but cancel.
-/// Of Σ and R, which are symmetric, one triangle is read.
+/// Σ and R are symmetric, and one triangle of each is read.
 ///
 /// # Errors
 /// [`Error::NotFinite`] when an argument is not finite or a product overflows.

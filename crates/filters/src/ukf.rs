@@ -8,7 +8,7 @@ use crate::update::Update;
 use nalgebra::{Const, SMatrix, SVector};
 use numerics::Spd;
 
-/// Where the sigma points lie and what they weigh. The answer depends on it, so a result should name its choice.
+/// Where the sigma points lie and what they weigh. The answer depends on this choice, so a result should name it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SigmaPoints {
     /// Spread of the points about the mean, positive.

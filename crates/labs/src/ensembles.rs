@@ -1,4 +1,5 @@
-//! What 500 seeds say, beside which a single run is quoted. Run natively only: in the page a check is one run.
+//! Statistics over 500 seeds, beside which the chapter quotes single runs. They are computed natively only; in the page a check
+//! is a single run.
 
 use crate::lab::Lab;
 use crate::mapping::chapter_run;
@@ -24,7 +25,7 @@ impl Spread {
         Self { sorted }
     }
 
-    /// The value that a share `p` of all lies at or below: the nearest in rank, so always one of the runs. NaN when empty.
+    /// The value at or below which a share `p` of all lies, by nearest rank: always the value of one run. NaN when empty.
     pub fn percentile(&self, p: f64) -> f64 {
         let last = self.sorted.len().saturating_sub(1) as f64;
         self.sorted.get(libm::round(p.clamp(0.0, 1.0) * last) as usize).copied().unwrap_or(f64::NAN)
@@ -56,8 +57,8 @@ impl Spread {
     }
 }
 
-/// Each seed's answer, computed on as many threads as the machine offers. The order is that of the seeds, so what is made
-/// of it does not depend on the threads.
+/// Each seed's answer, computed on as many threads as the machine offers, in the order of the seeds: nothing depends on how many
+/// threads there are.
 ///
 /// # Errors
 /// The first error of any seed.
@@ -146,7 +147,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn percentiles_are_runs() {
+    fn a_percentile_is_the_value_of_one_run() {
         let spread = Spread::new((0..101).rev().map(f64::from));
         assert_eq!((spread.min(), spread.percentile(0.05), spread.median(), spread.max()), (0.0, 5.0, 50.0, 100.0));
         assert_eq!((spread.mean(), spread.share_below(9.5)), (50.0, 10.0 / 101.0));

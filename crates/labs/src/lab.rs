@@ -8,7 +8,7 @@ use std::any::Any;
 /// long a call lasts, which nothing can interrupt.
 pub const MAX_STEP: u32 = 100_000;
 
-/// All it takes to find a lab again: parameters and step.
+/// What restores a lab: its parameters and its step.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct State<P> {
     /// The parameters, the seed among them.
@@ -62,7 +62,7 @@ pub trait Lab: Clone {
             let message = format!("is {n}; it must be at least 1, and the run ends at step {MAX_STEP}");
             return Err(Error::new(Code::Limit, "n", message));
         }
-        // A copy, although a run can be played again: that could take a hundred thousand times as long as the step refused.
+        // The lab is copied, although it could be replayed: a replay can take a hundred thousand times as long as the refused step.
         let before = self.clone();
         (0..n).try_for_each(|_| self.advance()).inspect_err(|_| *self = before)
     }
@@ -211,7 +211,7 @@ impl<L: Lab + 'static> Experiment for L {
 
 /// A hash of the bits of the numbers a run computes, in their order: for each, a multiplication by an odd constant and a
 /// fold of the high half into the low one. Both can be undone, so that two runs that differ in one number never agree at
-/// it. A word at a time: a replay takes in thousands of numbers between two pictures.
+/// it. It works on whole words, because a replay hashes thousands of numbers between two pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Digest(u64);
 
@@ -225,7 +225,7 @@ impl Digest {
     /// 2⁶⁴ over the golden ratio.
     const FACTOR: u64 = 0x9e37_79b9_7f4a_7c15;
 
-    /// Takes every number in, by its bits.
+    /// Mixes the bits of every number into the hash.
     #[inline(never)]
     pub fn take(&mut self, numbers: &[f64]) {
         for number in numbers {

@@ -13,7 +13,7 @@ use sim::Noise;
 use sim::paths::Tick;
 use sim::scenarios::RangeBearingSlam;
 
-/// How sightings have fared.
+/// Counts of what became of the sightings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(crate) struct Tally {
     /// All of them.
@@ -98,7 +98,7 @@ impl Mapping {
     #[inline(never)]
     pub fn look(&mut self, truth: SE2, noise: &mut Noise) -> Result<Vec<Seen>, Error> {
         let sighted = self.world.iter().map(|landmark| self.constants.sensor.sight(truth, landmark, noise));
-        // Underfoot a landmark has no bearing.
+        // A landmark under the robot has no bearing.
         let seen: Vec<_> = sighted.enumerate().filter(|(_, z)| z.range > 0.0).collect();
         let readings: Vec<Reading> =
             seen.iter().map(|(_, z)| Reading { range: z.range, bearing: z.bearing, landmark: None }).collect();
@@ -120,7 +120,7 @@ impl Mapping {
             .collect())
     }
 
-    /// Whether the map founds no more landmarks: those of one more step might be too many.
+    /// Whether the map founds no more landmarks, because those of one more step could be too many.
     pub fn is_full(&self) -> bool {
         self.slam.landmarks().count() + self.world.len() > self.most
     }

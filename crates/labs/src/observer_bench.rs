@@ -19,7 +19,7 @@ use std::sync::OnceLock;
 
 /// Beyond this error (m or m/s) or root of variance a run has diverged, and stands still.
 const DIVERGED: f64 = 1e6;
-/// Iterations for R∞; the velocity sensor's P never converges, its gain has long before these run out.
+/// Iterations granted to R∞. The velocity sensor's P never converges; its gain converges long before the last of them.
 const STEADY_ITERATIONS: usize = 500;
 /// R∞ of each sensor's system, once for all runs: a reader who turns the knob asks for it at every move. A run whose system is
 /// another computes its own.
@@ -37,7 +37,7 @@ pub struct ObserverBench {
     step: u32,
     diverged: bool,
     truth: Vector2<f64>,
-    /// The filter's own belief, whoever chooses the gain: its covariance is the schedule.
+    /// The belief of the Kalman filter, which runs along also when the reader chooses the gain.
     filter: Gaussian<U2>,
     filter_gain: Vector2<f64>,
     gain: Vector2<f64>,

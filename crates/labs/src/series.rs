@@ -1,9 +1,9 @@
-//! A number over time, its last few hundred values: a long run keeps its memory.
+//! The last few hundred values of a number over time: a long run needs no more memory than a short one.
 
 use crate::declare::{Plain, Shape, record};
 use std::collections::VecDeque;
 
-/// How far a track may be from where it was, metres.
+/// How far a position that is left out may lie from the outline, metres.
 const NEAR: f64 = 1e-3;
 /// How many of the last values a series keeps, if not stated otherwise.
 pub const WINDOW: usize = 240;
@@ -66,7 +66,7 @@ record! {
         pub y: VecDeque<f64>,
     }
 
-    /// Where the robot was and where it believed to be, in the fewest positions that miss none by more than a millimetre.
+    /// Where the robot was and where it believed to be; positions within a millimetre of the lines between others are left out.
     #[derive(Default)]
     pub struct Tracks {
         /// True positions.
@@ -82,8 +82,8 @@ impl Track {
         keep_number(&mut self.y, y, most);
     }
 
-    /// The same course in as few positions as miss none by more than a millimetre, a small part of a pixel in every figure:
-    /// the first, the last, and between them what is farthest from the line so far (Ramer 1972; Douglas and Peucker 1973).
+    /// The same course in fewer positions, the first and the last among them. Each that is left out lies within a millimetre of
+    /// the lines between those kept, a small part of a pixel in every figure (Ramer 1972; Douglas and Peucker 1973).
     pub(crate) fn outlined(&self) -> Self {
         let points: Vec<[f64; 2]> = self.x.iter().zip(&self.y).map(|(x, y)| [*x, *y]).collect();
         let mut kept = vec![false; points.len()];
@@ -120,7 +120,7 @@ impl Track {
     }
 }
 
-/// From `p` to the straight line between `a` and `b`, squared.
+/// The squared distance from `p` to the straight line between `a` and `b`.
 fn squared_distance(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
     let (along, to) = ([b[0] - a[0], b[1] - a[1]], [p[0] - a[0], p[1] - a[1]]);
     let length = along[0] * along[0] + along[1] * along[1];
@@ -130,7 +130,7 @@ fn squared_distance(p: [f64; 2], a: [f64; 2], b: [f64; 2]) -> f64 {
 }
 
 impl Tracks {
-    /// Both courses as a frame carries them, in as few positions as miss none by more than a millimetre.
+    /// Both courses as a frame carries them; see [`Track::outlined`].
     pub(crate) fn outlined(&self) -> Self {
         Self { truth: self.truth.outlined(), estimate: self.estimate.outlined() }
     }

@@ -1,5 +1,5 @@
-//! The covariance a localizer would have were its Jacobians taken on the true path: no noise is drawn, so no seed enters.
-//! What the chapter quotes as *the* trace of the Probe, and the reference its figure draws.
+//! The covariance of a localizer whose Jacobians are taken on the true path. No noise is drawn, so it depends on no seed: the
+//! chapter quotes its trace as that of the Probe, and the figure draws it as the reference.
 
 use crate::declare::worded;
 use estimate::Landmark;

@@ -15,7 +15,7 @@ mod tests {
     use super::power_of_two;
 
     #[test]
-    fn it_exceeds_the_size_and_is_at_most_twice_as_large() {
+    fn the_power_exceeds_the_size_and_is_at_most_twice_as_large() {
         assert_eq!([0.0, 1.0, 1.5, 3.0, 4.0].map(power_of_two), [1.0, 2.0, 2.0, 4.0, 8.0]);
         assert!([5e-324, f64::MAX].map(power_of_two).iter().all(|p| p.is_normal() && p.recip().is_normal()));
     }

@@ -176,7 +176,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_not_finite_has_no_answer() {
+    fn a_matrix_that_is_not_finite_has_no_singular_values() {
         assert_eq!(singular_values(dmatrix![f64::NAN]), Err(Error::NotFinite));
         assert_eq!(singular_values(dmatrix![1.0, f64::INFINITY]), Err(Error::NotFinite));
     }

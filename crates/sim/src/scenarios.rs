@@ -1,8 +1,8 @@
 //! Every constant of every experiment with the robot, in one place.
 //!
-//! The book that this chapter follows prints results of runs without the constants behind them. Many sets of round
-//! numbers reproduce those results, so a match would prove nothing about a set: these are the chapter's own, chosen
-//! round and physically plausible, and what they give is what the chapter prints.
+//! The book that this chapter follows prints results of runs without the constants behind them, and many sets of round
+//! numbers reproduce those results. The constants here are therefore the chapter's own, round and physically plausible, and the
+//! chapter prints what they give.
 
 use crate::paths::{LOOP, Rectangle, SQUARE};
 use crate::sensor::Sensor;

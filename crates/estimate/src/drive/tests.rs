@@ -1,4 +1,4 @@
-//! The replay against what its parts do by themselves, and its refusals.
+//! The replay compared with its parts by themselves, and what it refuses.
 
 use super::*;
 use crate::{Code, Landmark};

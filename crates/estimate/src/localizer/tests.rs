@@ -21,7 +21,7 @@ fn reading(landmark: Option<u32>) -> Reading {
 }
 
 #[test]
-fn a_reading_finds_the_landmark_that_it_would_have_named() {
+fn a_reading_without_an_id_is_associated_with_its_landmark() {
     let (mut named, mut found) = (both(Some(9.21)), both(Some(9.21)));
     let answer = named.update(reading(Some(8))).expect("pd");
     assert!(answer.accepted && answer.landmark == 8);
@@ -72,7 +72,7 @@ fn a_log_replayed_is_its_steps_one_by_one() {
 }
 
 #[test]
-fn a_range_alone_has_no_bearing() {
+fn a_range_sensor_refuses_a_bearing() {
     let new = |w| EkfLocalizer::new(belief(), map(), w, None, SensorKind::Range);
     let mut ekf = new(dmatrix![0.01]).expect("sound");
     assert_eq!((ekf.sensor(), both(None).sensor()), (SensorKind::Range, SensorKind::RangeBearing));

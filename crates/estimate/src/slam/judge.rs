@@ -42,7 +42,7 @@ impl EkfSlam {
                     match weigh(j) {
                         Ok(candidate) if taken.contains(&j) => barred.push(candidate),
                         Ok(candidate) => candidates.push(candidate),
-                        // Under the robot: no bearing to compare with.
+                        // A landmark under the robot has no bearing to compare with.
                         Err(filters::Error::AtFeature) => {}
                         Err(e) => return Err(e),
                     }

@@ -60,7 +60,7 @@ mod tests {
     const CONSTANTS: Variances = Variances { v: 0.01, w: 0.04, p0_robot: 0.01, p0_landmark: 4.0 };
 
     #[test]
-    fn its_rank_is_two_short_and_the_missing_directions_shift_the_world() {
+    fn linear_slam_has_rank_two_too_few_and_the_missing_directions_shift_the_world() {
         let slam = LinearSlam::<6, 4>::new(&CONSTANTS);
         let q = crate::observability::observability_matrix(&slam.f, &slam.h);
         let seen = analyze(&q, 1e-9).expect("found");

@@ -55,7 +55,7 @@ pub struct Report {
     pub evidence: Option<(Vector2<f64>, Matrix2<f64>, f64)>,
 }
 
-/// A landmark's expected sighting: everything about it that five entries of the state decide.
+/// What is expected of a sighting of a landmark; it depends on five entries of the state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Expected {
     pub j: usize,

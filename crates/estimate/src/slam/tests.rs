@@ -57,7 +57,7 @@ fn founding_carries_the_pose_s_uncertainty_and_its_correlations() {
             assert!((p[(3 + a, 3 + b)] - corner[(a, b)]).abs() < 1e-9);
         }
     }
-    // It is seen where it was founded.
+    // A second reading at the same place expects what was read.
     let again = slam.clone().update(&[Reading { landmark: None, ..given }]).expect("sound");
     assert!(again[0].evidence.expect("matched").0.amax() < 1e-14);
 }
@@ -99,7 +99,7 @@ fn one_step_never_matches_a_landmark_twice() {
     let reports = slam.update(&[one, Reading { range: 3.02, ..one }]).expect("sound");
     assert_eq!([reports[0].outcome, reports[1].outcome], [Outcome::Matched, Outcome::Rejected]);
     assert_eq!((reports[1].landmark, slam.len()), (Some(1), 1));
-    // Far from all that is known a landmark is new, whatever else was matched.
+    // A sighting far from every known landmark is of a new one, whatever else was matched.
     let reports = slam.update(&[one, Reading { bearing: 3.0, ..one }]).expect("sound");
     assert_eq!((reports[1].outcome, reports[1].landmark), (Outcome::Founded, Some(2)));
 }
@@ -117,7 +117,7 @@ fn no_two_landmarks_share_a_name() {
         assert_eq!((refused.code, refused.argument.as_ref()), (Code::Index, "sightings[1].landmark"));
         assert_eq!((slam.len(), slam.belief().1), (usize::from(known), before));
     }
-    // A number handed out keeps clear of those that are named later in the step.
+    // A number that the map gives is none of those that later sightings of the step name.
     let mut slam = slam();
     slam.update(&[at(0.0, None), at(2.0, Some(1))]).expect("founded");
     assert_eq!(slam.landmarks().map(|l| l.id).collect::<Vec<_>>(), [2, 1]);

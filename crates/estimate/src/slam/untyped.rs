@@ -50,7 +50,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_no_argument_is_refused_by_name() {
+    fn bad_arguments_are_refused_by_name() {
         let w = dmatrix![0.01, 0.0; 0.0, 0.001];
         let refused = |b: &Belief, w: &DMatrix<f64>, gate, found| {
             let e = EkfSlam::from_belief(b, w.clone(), gate, found).expect_err("refused");

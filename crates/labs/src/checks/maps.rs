@@ -42,7 +42,7 @@ pub(crate) fn linear_slam(givens: &Givens, steps: u32) -> Result<LinearRun, Erro
     Ok(LinearRun { rank, states: 6, absolute: p[(2, 2)] + p[(3, 3)], shape: ends(&shape), relative })
 }
 
-/// Where tr Cov(x_ℓ1) comes to rest. It falls like a + b/k, so two values tell a.
+/// The limit of tr Cov(x_ℓ1). It falls like a + b/k after k steps, so two values determine a.
 pub(crate) fn linear_limit(givens: &Givens) -> Result<f64, Error> {
     let [once, twice] = [linear_slam(givens, 2000)?.absolute, linear_slam(givens, 4000)?.absolute];
     Ok(2.0 * twice - once)

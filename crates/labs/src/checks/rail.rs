@@ -97,7 +97,7 @@ pub(crate) fn brute_force(givens: &Givens) -> (f64, f64) {
     let [p, h, w] = givens.scalar.map(Matrix1::new);
     let cost = |k: f64| linear::joseph(&p, &SMatrix::<f64, 1, 1>::new(k), &h, &w)[0];
     let (mut best, mut width) = (0.0, 10.0);
-    // Near its minimum a parabola is flat to the root of the rounding: eight digits of K are there to be found.
+    // Near its minimum a parabola is flat within the root of the rounding, so only eight digits of K can be found.
     for _ in 0..60 {
         let grid = (-10..=10).map(|i| best + width * f64::from(i) / 10.0);
         best = grid.min_by(|a, b| cost(*a).total_cmp(&cost(*b))).unwrap_or(best);

@@ -20,7 +20,7 @@ pub struct Parameter {
     pub step: f64,
     /// Its unit; empty for none.
     pub unit: &'static str,
-    /// The limits in words; empty where any number will do.
+    /// The limits in words; empty where every number is accepted.
     pub bounds: &'static str,
 }
 
@@ -41,7 +41,7 @@ impl Parameter {
         Self { least, greatest, step, unit, bounds, ..self }
     }
 
-    /// Finds the first number out of bounds: where it stands in the parameter, and what is wrong with it.
+    /// The first number out of bounds: its place in the parameter, and what is wrong with it.
     fn fault(&self, shape: &Shape, from: &mut Iter<'_, f64>) -> Option<(String, Code)> {
         match shape {
             Shape::Exactly(n, entry) => {
@@ -82,12 +82,12 @@ pub(crate) const fn bounds([least, greatest]: [f64; 2], unit: &str) -> Text<64> 
     text
 }
 
-/// What a parameter can be.
+/// A type that a parameter can have.
 pub trait Knob: Plain {
     /// The least and greatest value of the type, and the step in which a reader changes it.
     const LIMITS: [f64; 3];
 
-    /// Takes the value's numbers, as [`Plain::write`] has put them.
+    /// Reads the value from its numbers, in the order in which [`Plain::write`] wrote them.
     fn read(from: &mut Iter<'_, f64>) -> Self;
 }
 
@@ -136,7 +136,7 @@ pub trait Params: Plain + Clone + Default {
     /// Each parameter, in the order of its numbers.
     const PARAMETERS: &'static [Parameter];
 
-    /// Takes the parameters' numbers, as [`Plain::write`] has put them.
+    /// Reads the parameters from their numbers, in the order in which [`Plain::write`] wrote them.
     fn read(from: &mut Iter<'_, f64>) -> Self;
 
     /// The parameters' numbers.

@@ -5,7 +5,7 @@ use serde::{Serialize, Serializer};
 use std::cell::RefCell;
 use std::slice::Iter;
 
-/// A plain value, serialized as TypeScript knows it: names in camelCase, choices as words, nothing as null.
+/// A plain value, serialized as TypeScript knows it: names in camelCase, choices as words, an absent value as null.
 #[derive(Debug)]
 pub struct Shown<'a, T>(pub &'a T);
 

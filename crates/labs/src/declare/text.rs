@@ -69,7 +69,7 @@ mod tests {
     use super::*;
 
     #[test]
-    fn numbers_read_as_one_would_write_them() {
+    fn numbers_are_written_with_the_decimals_they_need() {
         let written = |value: f64| {
             let mut text = Text::<32>::new();
             text.put_number(value);

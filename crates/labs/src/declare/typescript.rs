@@ -126,7 +126,7 @@ mod tests {
     }
 
     #[test]
-    fn what_is_written_for_rust_s_own_documentation_does_not_slip_in() {
+    fn no_link_of_rustdoc_is_in_typescript() {
         assert!(!TYPESCRIPT.contains("[`"), "a link of rustdoc is none in TypeScript");
     }
 }

@@ -5,14 +5,14 @@ use crate::declare::params;
 use std::cell::Cell;
 
 params! {
-    /// Of a lab that gets stuck.
+    /// The parameters of a lab that gets stuck.
     pub struct StuckParams {
         /// The step that it cannot take.
         pub at: u32 = 7;
     }
 }
 
-/// Takes nothing in at the step it cannot take, but has moved on by then.
+/// Counts the step that it cannot take before it refuses it.
 #[derive(Clone, Debug, PartialEq)]
 struct Stuck {
     params: StuckParams,
@@ -85,7 +85,7 @@ fn a_run_that_is_refused_is_not_played_again() {
 }
 
 #[test]
-fn the_digest_tells_bits_and_order() {
+fn the_digest_depends_on_every_bit_and_on_the_order() {
     let of = |numbers: &[f64]| {
         let mut digest = Digest::default();
         digest.take(numbers);

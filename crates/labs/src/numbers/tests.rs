@@ -88,7 +88,7 @@ fn expected() -> Vec<(String, f64)> {
 }
 
 #[test]
-fn what_no_check_holds_is_what_the_closed_forms_say() {
+fn numbers_without_a_check_agree_with_closed_forms() {
     let all = numbers(&Givens::default()).expect("computed");
     let computed: BTreeMap<_, _> = all.into_iter().map(|n| (n.id, n.value)).collect();
     for (id, value) in expected() {
@@ -100,7 +100,7 @@ fn what_no_check_holds_is_what_the_closed_forms_say() {
 
 /// The table's own formulas, against values computed elsewhere (exact fractions and a decimal arithmetic of 60 digits).
 #[test]
-fn the_closed_forms_are_those_of_another_computation() {
+fn the_closed_forms_agree_with_values_computed_elsewhere() {
     let table: BTreeMap<_, _> = expected().into_iter().collect();
     let elsewhere = [
         ("knob.velocity.1", 2.254501722962935),

@@ -16,7 +16,7 @@ use sim::scenarios::HOOK;
 const FIRST_SIGMA: f64 = 0.01;
 const TOLERANCE: f64 = 1e-9;
 
-/// What a lap leaves.
+/// What is known after a lap.
 struct Lap {
     /// The rank of the readings along the lap, of four states.
     rank: usize,

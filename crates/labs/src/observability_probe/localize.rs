@@ -36,7 +36,7 @@ impl Localizer {
         Self { ekf: ChosetEkf::new(&belief), landmarks, sight }
     }
 
-    /// The robot has driven `tick` and stands at `truth`; what became of its sightings comes in `sightings`, anew.
+    /// The robot has driven `tick` and stands at `truth`. `sightings` is filled anew with what became of its sightings.
     pub fn step(
         &mut self,
         tick: Tick,
@@ -44,7 +44,7 @@ impl Localizer {
         noise: &mut Noise,
         sightings: &mut Vec<ProbeSighting>,
     ) -> Result<Evidence, Error> {
-        // Drawn whether it moves or not, so that a seed means the same sightings either way.
+        // Drawn also at rest, so that a seed gives the same sightings whether the robot moves or not.
         let off = drawn(PROBE.v_sigma, noise);
         let moving = tick.ds != 0.0 || tick.dtheta != 0.0;
         let (off, v) = if moving { (off, squares(PROBE.v_sigma)) } else { (Vector3::zeros(), Matrix3::zeros()) };

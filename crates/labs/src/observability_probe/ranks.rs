@@ -12,7 +12,7 @@ use geom::SE2;
 use nalgebra::{DMatrix, DVector, Vector2};
 use std::sync::Arc;
 
-/// One moment of a drive: where, what was in the map then, and the input that led on.
+/// One moment of a drive: the pose, the map at that time, and the input of the step that followed.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Moment {
     /// Where readings and motion are linearized.
@@ -60,8 +60,8 @@ impl ProbeRanks {
     }
 }
 
-/// The first three components, of length 1 in the plane. A direction has no sign: the first of size faces the positive
-/// side.
+/// The first three components, scaled to length 1 in the plane. A direction has no sign: this one is turned so that its first
+/// component of any size is positive.
 fn robot_part(c: &DVector<f64>) -> [f64; 3] {
     let planar = numerics::hypot(c[0], c[1]);
     let scale = if planar > 1e-9 {
@@ -76,7 +76,7 @@ fn robot_part(c: &DVector<f64>) -> [f64; 3] {
 }
 
 /// The rows of H over the pose, and over the map's coordinates too when the map is part of the state. A landmark
-/// underfoot has none.
+/// under the robot has no row.
 pub(crate) fn output_rows(pose: &SE2, landmarks: &[Landmark], sight: SensorKind, mapped: bool) -> DMatrix<f64> {
     let mut h = DMatrix::zeros(0, 3 + if mapped { 2 * landmarks.len() } else { 0 });
     for j in 0..landmarks.len() {
@@ -103,7 +103,7 @@ fn motion(moment: &Moment, n: usize) -> DMatrix<f64> {
     f
 }
 
-/// The pair (F, H) of one moment as if it lasted.
+/// The ranks of the pair (F, H) of one moment, as if that moment lasted.
 ///
 /// # Errors
 /// As [`frozen`].
@@ -119,7 +119,7 @@ pub(crate) fn frozen_ranks(
     Ok(ProbeRanks::new(found, &now, 0))
 }
 
-/// The stack along a drive, its last moment's motion left out.
+/// The ranks of the stack along a drive. The motion that follows the last moment is left out.
 ///
 /// # Errors
 /// As [`PathStack::analyze`].

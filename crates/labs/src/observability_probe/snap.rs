@@ -1,4 +1,4 @@
-//! Snapping: no hand drags a landmark to exactly in line with another and the robot.
+//! Snaps a landmark onto the line through the robot and another landmark, where no hand can drag it exactly.
 
 use super::{ObservabilityProbe, ProbeParams};
 use crate::lab::{Lab, State};
@@ -6,7 +6,7 @@ use estimate::{Code, Error};
 use nalgebra::Vector2;
 use sim::scenarios::PROBE;
 
-/// A landmark moved by less than this (metres) in a round stands.
+/// A landmark that a round moves by less than this (metres) has settled.
 const SETTLED: f64 = 1e-13;
 /// Rounds granted; each moves the landmark by a small part of what the last one did.
 const ROUNDS: usize = 40;

@@ -11,7 +11,7 @@ fn with(count: u32, sensor: SensorKind) -> ProbeParams {
 }
 
 #[test]
-fn one_range_bearing_landmark_is_seen_through_by_the_path_alone() {
+fn one_range_bearing_landmark_has_rank_three_frozen_and_two_along_the_path() {
     let frame = at(with(1, SensorKind::RangeBearing), 100).frame();
     assert_eq!((frame.frozen.rank, frame.along_path.rank), (3, 2));
     // The invisible turn about the landmark: [−Δy, Δx, 1] at the true pose.
@@ -79,14 +79,14 @@ fn the_forgotten_map_is_founded_once_and_matched_after() {
     assert_eq!((slam.sightings, slam.founded, slam.spurious, slam.wrong), (600, 3, 0, 0));
     assert_eq!(slam.matched + slam.rejected, 597);
     assert_eq!(frame.sensor, SensorKind::RangeBearing);
-    // Nobody can tell where the world is, nor which way it faces: three directions of nine.
+    // A shift and a turn of the whole world change no reading: three directions of nine are unseen.
     assert_eq!((frame.along_path.n, frame.along_path.rank), (9, 6));
     assert_eq!(frame.sightings.len(), 3);
     assert!(frame.sightings.iter().all(|s| s.to.is_some()));
 }
 
 #[test]
-fn a_state_is_all_it_takes() {
+fn a_lab_opened_from_its_state_is_the_same_lab() {
     for forget in [false, true] {
         let probe = at(ProbeParams { forget, count: 2, seed: 9, ..Default::default() }, 130);
         let again = ObservabilityProbe::from_state(probe.state()).expect("a state of its own");
@@ -97,7 +97,7 @@ fn a_state_is_all_it_takes() {
 }
 
 #[test]
-fn long_runs_keep_their_memory() {
+fn memory_is_bounded_however_long_the_run() {
     let probe = at(Default::default(), 3000);
     let frame = probe.frame();
     assert_eq!((frame.series.trace.len(), probe.tracks.truth.len()), (crate::WINDOW, TRACK));
@@ -107,7 +107,7 @@ fn long_runs_keep_their_memory() {
 }
 
 #[test]
-fn what_is_no_parameter_is_refused_by_name() {
+fn bad_parameters_are_refused_by_name() {
     let base = ProbeParams::default();
     let mut outside = base;
     outside.landmarks[1][0] = 6.5;

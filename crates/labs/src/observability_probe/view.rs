@@ -61,8 +61,8 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
     }
 }
 
-/// Where 95 % of single draws of χ² lie, for 0 to 6 degrees of freedom: three landmarks read twice. The quantiles are an
-/// iteration each and never change, and a frame needs several.
+/// Where 95 % of single draws of χ² lie, for 0 to 6 degrees of freedom: three landmarks read twice. They are
+/// computed once, because each quantile takes an iteration and a frame needs several.
 static BANDS: LazyLock<[[f64; 2]; 7]> = LazyLock::new(|| {
     std::array::from_fn(|dof| {
         let interval = chi2_interval(dof as u32, 1, 0.95).ok().filter(|_| dof > 0);
@@ -70,8 +70,8 @@ static BANDS: LazyLock<[[f64; 2]; 7]> = LazyLock::new(|| {
     })
 });
 
-/// Frozen at the present estimate, after the update, and along the true path. A rank that cannot be found (it can, on
-/// finite poses) is shown as none.
+/// Frozen at the present estimate, after the update, and along the true path. On finite poses both are found; otherwise an empty
+/// one is shown.
 fn both_ranks(probe: &ObservabilityProbe) -> [ProbeRanks; 2] {
     let sight = probe.params.sight();
     let mapped = matches!(probe.who, Who::Mapper(_));

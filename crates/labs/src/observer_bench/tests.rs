@@ -23,7 +23,7 @@ fn the_velocity_sensor_pins_an_eigenvalue_at_one() {
 }
 
 #[test]
-fn the_knob_s_limit_parts_stable_from_unstable() {
+fn the_knob_s_limit_separates_stable_from_unstable() {
     for sensor in [Sensor::Velocity, Sensor::Position] {
         let limit = ObserverBench::new(with(sensor, Mode::Fixed, 1.0)).expect("sound").frame().stable_up_to;
         for (gain, stable) in [(0.999 * limit, true), (1.001 * limit, false), (0.01, true)] {
@@ -81,7 +81,7 @@ fn the_equivalent_knob_does_not_depend_on_the_unit_of_time() {
 }
 
 #[test]
-fn one_knob_is_the_filter_s_limit() {
+fn with_the_knob_at_one_the_observer_ends_where_the_filter_ends() {
     let fixed = at(with(Sensor::Position, Mode::Fixed, 1.0), 200).frame();
     let filter = at(with(Sensor::Position, Mode::Filter, 1.0), 200).frame();
     assert_eq!(fixed.truth, filter.truth, "the seed fixes truth and readings");
@@ -111,7 +111,7 @@ fn a_change_replays_the_whole_run() {
 }
 
 #[test]
-fn what_is_out_of_bounds_is_refused_and_the_lab_kept() {
+fn bad_parameters_are_refused_and_the_lab_is_kept() {
     let mut bench = at(BenchParams::default(), 5);
     let before = bench.frame();
     for gain in [-0.1, 6.1] {

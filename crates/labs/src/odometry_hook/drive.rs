@@ -112,7 +112,7 @@ impl Drive {
             })
             .collect();
         match self.ekf.update_stacked(&RangeBearing { map }, &sightings, &self.w) {
-            // On the corner itself a sighting says nothing that could be linearized: it is left aside.
+            // Where the estimate stands on the corner its sighting cannot be linearized, and is left out.
             Err(error) if error.code != Code::AtLandmark => Err(error),
             _ => Ok(()),
         }

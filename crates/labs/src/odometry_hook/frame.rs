@@ -14,11 +14,11 @@ use std::collections::VecDeque;
 
 /// Poses kept in a track: one lap and its start.
 const TRACK: usize = 641;
-/// An ellipse is kept every so many ticks …
+/// Ticks from one kept ellipse to the next.
 const TRAIL_EVERY: u32 = 40;
-/// … for one lap.
+/// Ellipses kept: those of one lap.
 const TRAIL: usize = 17;
-/// A point of the series is kept every so many ticks, so that its window spans a lap and a half.
+/// Ticks from one point of the series to the next, so that its window spans a lap and a half.
 const SERIES_EVERY: u32 = 4;
 
 record! {
@@ -135,7 +135,7 @@ record! {
         pub heading: f64,
     }
 
-    /// What is claimed of it.
+    /// One sigma of a pose, as the filter claims it.
     #[derive(Copy)]
     pub struct Spread {
         /// The root of the position's trace.
@@ -160,7 +160,7 @@ record! {
         pub step: u32,
         /// Where the robot believed to be.
         pub x: [f64; 2],
-        /// And how surely.
+        /// The one-sigma ellipse there.
         pub ellipse: Ellipse,
     }
 

@@ -24,7 +24,7 @@ fn without_bias_and_slip_the_estimate_is_the_truth_to_a_tick() {
 fn with_bias_the_error_outruns_the_claim() {
     let frame = at(with(0.005, false), 640).frame();
     assert!(frame.ratio.heading.expect("a claim") > 2.0 && frame.ratio.position.expect("a claim") > 2.0);
-    // What is claimed knows the slip alone: √640 ticks of √2 mm over 0.40 m.
+    // The claim covers the slip alone: √640 ticks of √2 mm over 0.40 m.
     let claimed = (640.0 * 2.0_f64).sqrt() * 0.001 / 0.4;
     assert!((frame.sigma.heading - claimed).abs() < 1e-12);
 }
@@ -68,7 +68,7 @@ fn memory_is_one_lap_however_long_the_run() {
     let hook = at(with(0.005, true), 3000);
     let (tracks, frame) = (&hook.record.tracks, hook.frame());
     assert_eq!((tracks.truth.len(), tracks.estimate.len(), frame.trail.len()), (641, 641, 17));
-    // Of the truth the corners are left, and the two ends of the window.
+    // Of the true course the corners are kept, and the two ends of the window.
     assert!(frame.tracks.truth.len() <= 7 && frame.tracks.estimate.len() < 100, "{:?}", frame.tracks);
     let ends = |track: &crate::series::Track| (track.x.front().copied(), track.y.back().copied());
     assert_eq!(ends(&frame.tracks.estimate), ends(&tracks.estimate));

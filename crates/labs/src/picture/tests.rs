@@ -54,7 +54,7 @@ fn axes_may_change_places_and_the_ellipse_stays_what_it_is() {
 }
 
 #[test]
-fn what_is_out_of_reach_is_refused_by_name() {
+fn bad_parameters_of_the_picture_are_refused_by_name() {
     let default = PictureParams::default();
     let refused = |params| Picture::new(params).expect_err("refused");
     assert_eq!(refused(PictureParams { semi_minor: 0.0, ..default }).argument, "semiMinor");

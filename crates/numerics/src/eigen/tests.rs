@@ -96,7 +96,7 @@ fn huge_and_tiny_matrices_scale() {
 }
 
 #[test]
-fn what_is_not_square_or_not_finite_is_refused() {
+fn a_matrix_that_is_not_square_or_not_finite_is_refused() {
     assert_eq!(eigenvalues(&DMatrix::zeros(2, 3)).expect_err("2 × 3"), Error::NotSquare);
     let nan = dmatrix![1.0, f64::NAN, 0.0; 0.0, 1.0, 0.0; 0.0, 0.0, 1.0];
     assert_eq!(eigenvalues(&nan).expect_err("NaN"), Error::NotFinite);

@@ -48,7 +48,7 @@ fn a_landmark_s_block_is_judged_by_its_own_size() {
 fn a_negative_eigenvalue_is_allowed_up_to_a_part_of_the_largest_variance() {
     assert_eq!(diagonal(0, [0.0; 3], 0.0).semidefinite_to(), Some(0.0));
     for size in [1e-6, 1.0, 1e6] {
-        // Few states, and more than are looked over at every change.
+        // A few states, and more than are checked at every change.
         for (landmarks, part) in [(1, 1e-12), (17, 2e-14 + 37.0 * f64::EPSILON)] {
             let of = |eigenvalue: f64| diagonal(landmarks, [size, 0.5 * size, eigenvalue * size], 0.1 * size);
             let bound = of(-0.5 * part).semidefinite_to().expect("semidefinite but for rounding");
@@ -74,7 +74,7 @@ fn a_small_map_is_checked_at_every_change_and_a_large_one_when_its_rounding_may_
     assert!(small.guarded(0.0, 1.0, |slam| slam.p.set(0, 0, 1.0)));
     assert!((small.rounding - 1e-12).abs() < 1e-24, "what was verified is kept");
 
-    // 37 states: looked over when the rounding is above 2e-13 and twice 37 ε of the largest variance.
+    // 37 states: checked when the rounding is above 2e-13 and twice 37 ε of the largest variance.
     let large = slam(17);
     let most = 2e-13 + 2.0 * 37.0 * f64::EPSILON;
     let looked_over = |after: f64, part: f64, had: f64| {
