@@ -9,7 +9,7 @@ use estimate::Landmark;
 use estimate::localizer::SensorKind;
 use geom::SE2;
 use nalgebra::Vector2;
-use sim::paths::Tick;
+use sim::paths::{Rectangle, Tick};
 
 /// The relative tolerance of the checks' ranks: far above rounding, far below every singular value that is not zero.
 const TOLERANCE: f64 = 1e-9;
@@ -35,7 +35,7 @@ pub(crate) fn five_cases(givens: &Givens) -> Result<Vec<Case>, Error> {
     // Halfway from the robot to the first landmark.
     let between = Landmark { id: 9, x: 0.5 * (crossing.x() + first.x), y: 0.5 * (crossing.y() + first.y) };
     let case = |about, landmarks: &[Landmark], sight, moving| -> Result<Case, Error> {
-        let drive = moments(givens, landmarks, middle - AROUND..=middle + AROUND, moving);
+        let drive = moments(&probe.course, middle, landmarks, moving);
         let frozen = frozen_ranks(&drive[AROUND as usize], sight, false, TOLERANCE)?;
         Ok(Case { about, frozen, path: stacked_ranks(drive.iter(), sight, false, TOLERANCE)? })
     };
@@ -48,19 +48,14 @@ pub(crate) fn five_cases(givens: &Givens) -> Result<Vec<Case>, Error> {
     ])
 }
 
-/// The moments of the Probe's course between two ticks; stopped, the robot stays at the middle one.
-fn moments(givens: &Givens, landmarks: &[Landmark], ticks: std::ops::RangeInclusive<u32>, moving: bool) -> Vec<Moment> {
-    let course = &givens.probe.course;
-    let middle = (ticks.start() + ticks.end()) / 2;
-    let place = |k: u32| course.poses().nth(k as usize).unwrap_or(course.start());
-    ticks
-        .map(|k| {
-            let (pose, tick): (SE2, Tick) =
-                if moving { (place(k), course.tick(k)) } else { (place(middle), Tick { ds: 0.0, dtheta: 0.0 }) };
-            let u = Vector2::new(tick.ds, tick.dtheta);
-            Moment { pose, landmarks: landmarks.into(), u }
-        })
-        .collect()
+/// The moments of a course about tick `middle`; stopped, the robot stays where it is then.
+fn moments(course: &Rectangle, middle: u32, landmarks: &[Landmark], moving: bool) -> Vec<Moment> {
+    let poses: Vec<SE2> = course.poses().take((middle + AROUND + 1) as usize).collect();
+    let moment = |k: u32| {
+        let (at, tick) = if moving { (k, course.tick(k)) } else { (middle, Tick { ds: 0.0, dtheta: 0.0 }) };
+        Moment { pose: poses[at as usize], landmarks: landmarks.into(), u: Vector2::new(tick.ds, tick.dtheta) }
+    };
+    (middle - AROUND..=middle + AROUND).map(moment).collect()
 }
 
 /// Check 9: the frozen ranks, and beside them what the path really shows.

@@ -5,11 +5,11 @@ use crate::checks::rail::{brute_force, error_ratios, hand_steps, placed};
 use crate::givens::Givens;
 use crate::observer_bench::{equivalent_knob, knob_limit};
 use estimate::kf::Gaussian;
-use estimate::{Error, Lti, Observer};
+use estimate::{Error, Observer};
 use filters::consistency::{chi2_interval, chi2_quantile};
 use filters::linear::{self, Gain};
 use geom::AffineSet;
-use nalgebra::{Matrix2, RowVector2, SMatrix, U1, U2, Vector1, Vector2};
+use nalgebra::{Matrix2, RowVector2, SMatrix, Vector1, Vector2};
 
 const LIMIT_TOLERANCE: f64 = 1e-12;
 const LIMIT_ITERATIONS: usize = 10_000;
@@ -19,7 +19,6 @@ pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     wrong_third_steps(givens, to)?;
     picture(givens, to)?;
     limits(givens, to)?;
-    knobs(givens, to)?;
     gains(givens, to)?;
     noise(givens, to)?;
     Ok(())
@@ -92,66 +91,43 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
 }
 
 fn limits(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    let p0 = &givens.belief.p;
     for (name, sys) in [("position", &givens.position), ("velocity", &givens.velocity)] {
-        let limit = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS, LIMIT_TOLERANCE)?;
+        let limit = sys.steady_state_gain(p0, LIMIT_ITERATIONS, LIMIT_TOLERANCE)?;
         let posterior = linear::gain(&limit.p, &sys.h, &sys.w)?.p;
-        let observer = Observer { sys: *sys, k: limit.r, xhat: Vector2::zeros() };
-        let eigenvalues = observer.error_eigs()?;
+        let eigenvalues = Observer { sys: *sys, k: limit.r, xhat: Vector2::zeros() }.error_eigs()?;
         let (first, second) = (eigenvalues[0], eigenvalues[1]);
         let modulus = numerics::hypot(first.re, first.im);
+        let gains = sys.gain_schedule(p0, 500)?;
+        let knobs: Vec<f64> = gains.iter().take(8).map(|r| equivalent_knob(sys, r, &limit.r)).collect();
         to.by("estimate::Lti::steady_state_gain", Some(7))
             .vector(&format!("{name}.Rinf"), limit.r.iter(), "the limit of the gain")
+            .add(format!("{name}.limit.Ppred.22"), limit.p[(1, 1)], "limit of the predicted velocity variance, m²/s²")
+            .add(format!("{name}.limit.P.22"), posterior[(1, 1)], "limit of the corrected velocity variance, m²/s²")
+            .add(format!("rank.{name}"), sys.observability(1e-9)?.rank as f64, "the observability rank")
             .by("estimate::Observer::error_eigs", Some(7))
             .add(format!("{name}.eig.re"), first.re, "real part of the first eigenvalue of (I − R∞H)F")
             .add(format!("{name}.eig.im"), first.im.abs(), "its imaginary part")
             .add(format!("{name}.modulus"), modulus, "the larger modulus of the eigenvalues of (I − R∞H)F")
             .add(format!("{name}.eig.1"), first.re, "the first eigenvalue of (I − R∞H)F, its real part")
             .add(format!("{name}.eig.2"), second.re, "the second eigenvalue of (I − R∞H)F, its real part")
-            .by("estimate::Lti::steady_state_gain", Some(7))
-            .add(format!("{name}.limit.Ppred.22"), limit.p[(1, 1)], "limit of the predicted velocity variance, m²/s²")
-            .add(format!("{name}.limit.P.22"), posterior[(1, 1)], "limit of the corrected velocity variance, m²/s²")
-            .add(format!("rank.{name}"), sys.observability(1e-9)?.rank as f64, "the observability rank");
-        if name == "position" {
-            let about = "iterations until gain and covariance stand still to 1e-12";
-            to.add("position.limit.P.11", posterior[(0, 0)], "limit of the corrected position variance, m²").add(
-                "steady.position.iterations",
-                limit.iterations as f64,
-                about,
-            );
-        } else {
-            let before = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS - 1, LIMIT_TOLERANCE)?;
-            let growth = limit.p[(0, 0)] - before.p[(0, 0)];
-            let settled = gain_iterations(sys, givens)? as f64;
-            to.add("velocity.growth", growth, "what the position variance gains a step in the limit, m²").add(
-                "steady.velocity.gain.iterations",
-                settled,
-                "iterations until the gain stands still to 1e-12",
-            );
-        }
-    }
-    Ok(())
-}
-
-/// The first step at which the gain moves by no more than the tolerance.
-fn gain_iterations(sys: &Lti<U2, U1, U1>, givens: &Givens) -> Result<usize, Error> {
-    let gains = sys.gain_schedule(&givens.belief.p, 500)?;
-    let settled = gains.windows(2).position(|g| (g[1] - g[0]).amax() <= LIMIT_TOLERANCE * g[1].amax());
-    Ok(settled.map_or(gains.len(), |i| i + 2))
-}
-
-fn knobs(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
-    for (name, sys) in [("position", &givens.position), ("velocity", &givens.velocity)] {
-        let steady = sys.steady_state_gain(&givens.belief.p, LIMIT_ITERATIONS, LIMIT_TOLERANCE)?.r;
-        let schedule = sys.gain_schedule(&givens.belief.p, 8)?;
-        let knobs: Vec<f64> = schedule.iter().map(|r| equivalent_knob(sys, r, &steady)).collect();
-        to.by("labs::observer_bench::knob_limit", Some(7))
-            .add(
-                format!("knob.limit.{name}"),
-                knob_limit(sys, &steady),
-                "the knob at which the observer turns unstable",
-            )
             .by("labs::observer_bench::equivalent_knob", Some(7))
-            .vector(&format!("knob.{name}"), &knobs, "HR(k) / HR∞, the knob of the same share of the innovation");
+            .vector(&format!("knob.{name}"), &knobs, "HR(k) / HR∞, the knob of the same share of the innovation")
+            .by("labs::observer_bench::knob_limit", Some(7))
+            .add(format!("knob.limit.{name}"), knob_limit(sys, &limit.r), "the knob at which it turns unstable")
+            .by("estimate::Lti::steady_state_gain", Some(7));
+        if name == "position" {
+            let (variance, steps) = (posterior[(0, 0)], limit.iterations as f64);
+            to.add("position.limit.P.11", variance, "limit of the corrected position variance, m²");
+            to.add("steady.position.iterations", steps, "iterations until gain and covariance stand still to 1e-12");
+        } else {
+            let before = sys.steady_state_gain(p0, LIMIT_ITERATIONS - 1, LIMIT_TOLERANCE)?;
+            let growth = limit.p[(0, 0)] - before.p[(0, 0)];
+            let still = |pair: &[Vector2<f64>]| (pair[1] - pair[0]).amax() <= LIMIT_TOLERANCE * pair[1].amax();
+            let steps = gains.windows(2).position(still).map_or(gains.len(), |i| i + 2) as f64;
+            to.add("velocity.growth", growth, "what the position variance gains a step in the limit, m²");
+            to.add("steady.velocity.gain.iterations", steps, "iterations until the gain stands still to 1e-12");
+        }
     }
     Ok(())
 }
