@@ -1,6 +1,6 @@
 /**
  * Draws a still picture of each figure into target/stills, with the figure's own view code and the module's build for Node: one
- * for each widget in its usual state, and one for each figure that the text opens in another state.
+ * for each widget in its usual state, one for each figure that the text opens in another state, and the drawings that do not move.
  */
 
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
@@ -8,7 +8,10 @@ import { createRequire } from 'node:module'
 import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { parseHTML } from 'linkedom'
+import { SVG } from './core/element.js'
+import { Pen } from './core/pen.js'
 import { drawStill } from './core/still.js'
+import { DRAWINGS } from './drawings/index.js'
 import { WIDGETS } from './widgets/index.js'
 
 const root = dirname(dirname(fileURLToPath(import.meta.url)))
@@ -26,15 +29,31 @@ for (const path of readdirSync(join(root, 'content'), { recursive: true })) {
     if (WIDGETS[tag]) draw(id, await WIDGETS[tag](), JSON.parse(start))
   }
 }
+for (const [name, { lab, name: known, width, height, draw: paint, describe }] of Object.entries(DRAWINGS)) {
+  const run = estimate[lab].from({ version: 1, lab: known, step: 0, params: {} })
+  const svg = emptyPage().createElementNS(SVG, 'svg')
+  for (const [key, value] of Object.entries({ class: 'panel', viewBox: `0 0 ${width} ${height}`, 'aria-hidden': 'true', focusable: 'false' })) svg.setAttribute(key, value)
+  paint(new Pen(svg), run.frame())
+  write(name, svg.outerHTML, describe(run.frame()))
+  run.free()
+}
 console.log(`target/stills: ${readdirSync(out).filter((name) => name.endsWith('.svg')).join(', ')}`)
 
 /** @param {string} name @param {import('./core/spec.js').FigureSpec} spec @param {{ step?: number, params?: object }} given */
 function draw(name, spec, given) {
   const state = { step: given.step ?? spec.still ?? spec.start.step, params: { ...spec.start.params, ...given.params } }
   const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, ...state })
-  const { document } = parseHTML('<!doctype html><html><body></body></html>')
-  const { html, words } = drawStill(document, spec, lab.frame(), estimate[spec.lab].parameters())
-  writeFileSync(join(out, `${name}.svg`), html)
-  writeFileSync(join(out, `${name}.txt`), `${words}\n`)
+  const { html, words } = drawStill(emptyPage(), spec, lab.frame(), estimate[spec.lab].parameters())
+  write(name, html, words)
   lab.free()
+}
+
+function emptyPage() {
+  return parseHTML('<!doctype html><html><body></body></html>').document
+}
+
+/** @param {string} name @param {string} svg @param {string} words */
+function write(name, svg, words) {
+  writeFileSync(join(out, `${name}.svg`), svg)
+  writeFileSync(join(out, `${name}.txt`), `${words}\n`)
 }

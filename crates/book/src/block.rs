@@ -8,7 +8,7 @@ use crate::diagnostic::Place;
 use crate::directive;
 use crate::output::Outputs;
 use crate::piece::{Piece, Tex};
-use crate::still::WIDGETS;
+use crate::still::{DRAWINGS, WIDGETS};
 use crate::syntax;
 use crate::template::safe;
 use crate::tex::Style;
@@ -133,9 +133,14 @@ impl Writer<'_> {
     }
 
     fn figure(&mut self, id: &str, attributes: &Attributes, place: &Place) -> Value {
-        let widget = attributes.value("widget").unwrap_or_default();
-        if !WIDGETS.contains(&widget) {
-            self.diagnostics.report(place, format!("no widget is called `{widget}`; there are {}", WIDGETS.join(", ")));
+        let (widget, drawing) = (attributes.value("widget"), attributes.value("drawing"));
+        let name = widget.or(drawing).unwrap_or_default();
+        let known: &[&str] = if widget.is_some() { &WIDGETS } else { &DRAWINGS };
+        if widget.is_some() == drawing.is_some() {
+            self.diagnostics.report(place, "a figure has a widget or a drawing");
+        } else if !known.contains(&name) {
+            let kind = if widget.is_some() { "widget" } else { "drawing" };
+            self.diagnostics.report(place, format!("no {kind} is called `{name}`; there are {}", known.join(", ")));
         }
         let start = attributes.value("start");
         if let Some(start) = start {
@@ -143,7 +148,7 @@ impl Writer<'_> {
             self.diagnostics.ok(place, read.map_err(|error| format!("`start` is no JSON object: {error}")));
         }
         let title = safe(self.title(attributes.value("title").unwrap_or_default(), place));
-        let still = self.site.stills.get(id).or_else(|| self.site.stills.get(widget)).cloned().unwrap_or_default();
+        let still = self.site.stills.get(id).or_else(|| self.site.stills.get(name)).cloned().unwrap_or_default();
         context! { widget, title, start, still => safe(still.svg), words => still.words }
     }
 

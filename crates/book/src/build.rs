@@ -108,6 +108,7 @@ impl Pages<'_> {
             body => safe(text.body),
             contents => serde(text.contents),
             readings => &version,
+            reading => text.reading,
         };
         self.page(if chapter.is_some() { "chapter" } else { "page" }, &address, title, description, extra)?;
         self.dist.search.extend(text.search);

@@ -56,9 +56,6 @@ pub struct Chapter {
     /// How hard it is, as in "Intermediate".
     #[serde(default)]
     pub difficulty: String,
-    /// Reading time in minutes.
-    #[serde(default)]
-    pub reading_minutes: u32,
     /// A sentence or two, for the head of the page and for search engines.
     pub description: String,
 }

@@ -33,6 +33,7 @@ mod parse;
 mod piece;
 mod question;
 mod quiz;
+mod reading;
 mod reference;
 mod scan;
 mod site;

@@ -9,6 +9,7 @@ use crate::figure::{self, Figure};
 use crate::file;
 use crate::label::Labels;
 use crate::parse::parse;
+use crate::reading::Reading;
 use crate::site::Site;
 use crate::tree::Node;
 use crate::writer::{Heading, Used, Writer};
@@ -29,6 +30,8 @@ pub struct Text {
     pub thrun: Vec<String>,
     /// Its figures, each for a page of its own.
     pub figures: Vec<Figure>,
+    /// How long it takes to read, and to work its exercises.
+    pub reading: [String; 2],
 }
 
 /// An entry of the table of contents.
@@ -94,6 +97,7 @@ pub fn text(
         used: writer.used,
         thrun: thrun.into_iter().map(|(html, _)| html).collect(),
         figures: figure::figures(site, &texts, &labels, diagnostics),
+        reading: Reading::of(&texts.concat()).words(),
     }
 }
 

@@ -9,6 +9,9 @@ use crate::file;
 /// The custom elements a figure can hold.
 pub const WIDGETS: [&str; 4] = ["observer-bench", "odometry-hook", "observability-probe", "kalman-picture"];
 
+/// The drawings that do not move, of `web/drawings`.
+pub const DRAWINGS: [&str; 1] = ["covariance"];
+
 /// A still picture and what it shows in words.
 #[derive(Clone, Debug, Default)]
 pub struct Still {
@@ -21,14 +24,14 @@ pub struct Still {
 /// The stills, by widget; by figure where one opens in a state of its own.
 pub type Stills = BTreeMap<String, Still>;
 
-/// Reads each `<name>.svg` and `<name>.txt` of `folder`; a widget's that is missing is an error when `strict`.
+/// Reads each `<name>.svg` and `<name>.txt` of `folder`; one of a widget or a drawing that is missing is an error when `strict`.
 ///
 /// # Errors
 /// [`BuildError`] when a file is missing under `strict`, or cannot be read.
 pub fn load(folder: &Path, strict: bool) -> Result<Stills, BuildError> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let drawn = entries.filter_map(|entry| entry.file_name().to_str()?.strip_suffix(".svg").map(String::from));
-    let names: BTreeSet<String> = drawn.chain(WIDGETS.map(String::from)).collect();
+    let names: BTreeSet<String> = drawn.chain(WIDGETS.iter().chain(&DRAWINGS).map(|name| name.to_string())).collect();
     let mut stills = Stills::new();
     for name in names {
         let [svg, words] = ["svg", "txt"].map(|extension| folder.join(format!("{name}.{extension}")));
