@@ -4,7 +4,9 @@
 #![cfg(not(target_arch = "wasm32"))]
 
 use estimate::validate;
-use labs::{Lab, ObservabilityProbe, ObserverBench, OdometryHook, Params, Picture, ProbeParams, Shape};
+use labs::{
+    Lab, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, Params, Picture, ProbeParams, Shape, Tune,
+};
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use serde_json::Value;
@@ -138,5 +140,15 @@ proptest! {
     #[test]
     fn the_picture(first in of(), second in of(), steps in 1..3_u32) {
         answers_or_refuses::<Picture>(first, second, steps)?;
+    }
+
+    #[test]
+    fn the_loop(first in of(), second in of(), steps in 1..60_u32) {
+        answers_or_refuses::<LoopClosure>(first, second, steps)?;
+    }
+
+    #[test]
+    fn the_tuning(first in of(), second in of(), steps in 1..3_u32) {
+        answers_or_refuses::<Tune>(first, second, steps)?;
     }
 }

@@ -198,7 +198,7 @@ export const CLASSES = {
 }
 
 /** The labs of the page share one face; their parameters are what `state()` says of a fresh one. */
-export const LABS = ['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture']
+export const LABS = ['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture', 'LoopClosure', 'Tune']
 for (const name of LABS) {
   CLASSES[name] = {
     lab: true,
@@ -218,6 +218,8 @@ for (const name of LABS) {
     covariances: (it) => covariancesIn(it.frame()),
   }
 }
+
+CLASSES.Tune.methods.likelihoodRow = (dice) => [dice.below(4), 4 + dice.below(5), 1 + dice.below(5)]
 
 const LOG = ['L,1,5,5', 'L,2,-5,5', ...Array.from({ length: 40 }, (_, i) => `O,${i},0.4,0.05\nR,${i},${1 + (i % 2)},${5 + (i % 7) / 5}\nB,${i},${2 - (i % 2)},6,0.3`)].join('\n')
 CLASSES.RobotLog = {

@@ -220,7 +220,7 @@ macro_rules! lab_face {
 }
 
 /// The class of a lab that is a function of its parameters and its step alone.
-#[cfg(feature = "figures")]
+#[cfg(any(feature = "figures", feature = "late"))]
 macro_rules! lab_class {
     ($doc:tt, $name:ident: $lab:ty, $partial:tt, $frame:tt, $state:tt) => {
         lab_face! { $doc, $name: const { &labs::Kind::of::<$lab>() }, $partial, $frame, $state }
@@ -252,3 +252,10 @@ pub use figures::{ObservabilityProbe, ObserverBench, OdometryHook, Picture};
 /// The labs of the chapter's simulated robots.
 #[cfg(feature = "figures")]
 mod figures;
+
+#[cfg(feature = "late")]
+pub use late::{LoopClosure, Tune};
+
+/// The labs of figures late in the chapter.
+#[cfg(feature = "late")]
+mod late;

@@ -37,6 +37,8 @@ pub use ekf_localizer::EkfLocalizer;
 pub use ekf_slam::EkfSlam;
 #[cfg(feature = "functions")]
 pub use functions::*;
+#[cfg(feature = "late")]
+pub use lab::{LoopClosure, Tune};
 #[cfg(feature = "figures")]
 pub use lab::{ObservabilityProbe, ObserverBench, OdometryHook, Picture};
 #[cfg(feature = "log")]

@@ -9,6 +9,7 @@ mod correct;
 mod found;
 mod judge;
 pub mod linear_slam;
+mod prior;
 mod sighting;
 mod untyped;
 

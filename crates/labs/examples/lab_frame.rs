@@ -2,7 +2,9 @@
 //! and prints the frame this machine's own code computes for it, for the test that compares every readout of a figure in
 //! the page with it. A number that is not finite is printed as null.
 
-use labs::{Lab, ObservabilityProbe, ObserverBench, OdometryHook, Params, Picture, Shape, Shown, State};
+use labs::{
+    Lab, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, Params, Picture, Shape, Shown, State, Tune,
+};
 use serde_json::Value;
 use std::error::Error;
 use std::io::Read;
@@ -21,6 +23,8 @@ fn main() -> Answer<()> {
         OdometryHook::NAME => print::<OdometryHook>(step, &params),
         ObservabilityProbe::NAME => print::<ObservabilityProbe>(step, &params),
         Picture::NAME => print::<Picture>(step, &params),
+        LoopClosure::NAME => print::<LoopClosure>(step, &params),
+        Tune::NAME => print::<Tune>(step, &params),
         _ => Err(format!("there is no lab {lab}").into()),
     }
 }

@@ -2,8 +2,10 @@
 //! is a single run.
 
 use crate::lab::Lab;
+pub use crate::loop_closure::{LoopEnsemble, loops};
 use crate::mapping::chapter_run;
 use crate::observability_probe::{ObservabilityProbe, ProbeParams};
+pub use crate::tune::{FitEnsemble, fits};
 use estimate::Error;
 use estimate::localizer::SensorKind;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM, RangeBearingSlam};
@@ -29,6 +31,16 @@ impl Spread {
     pub fn percentile(&self, p: f64) -> f64 {
         let last = self.sorted.len().saturating_sub(1) as f64;
         self.sorted.get(libm::round(p.clamp(0.0, 1.0) * last) as usize).copied().unwrap_or(f64::NAN)
+    }
+
+    /// How many values there are.
+    pub fn len(&self) -> usize {
+        self.sorted.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.sorted.is_empty()
     }
 
     /// The least.

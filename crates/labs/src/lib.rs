@@ -8,6 +8,7 @@ mod declare;
 pub mod ensembles;
 pub mod givens;
 mod lab;
+mod loop_closure;
 mod mapping;
 pub mod numbers;
 mod observability_probe;
@@ -18,11 +19,15 @@ mod robot_log;
 mod series;
 mod shapes;
 mod true_path;
+mod tune;
 mod typescript;
 
 pub use declare::{Field, Knob, Parameter, Params, Plain, Shape, Shown};
 pub use estimate::localizer::SensorKind;
 pub use lab::{Digest, Experiment, Kind, Lab, MAX_STEP, State, open};
+pub use loop_closure::{
+    LoopClosure, LoopFrame, LoopGate, LoopMoment, LoopParams, LoopSeries, LoopSighting, LoopThresholds,
+};
 pub use mapping::MapError;
 pub use observability_probe::{
     Fate, MapLandmark, Means, ObservabilityProbe, PATH_STEPS, ProbeFrame, ProbeLandmark, ProbeMap, ProbeParams,
@@ -41,4 +46,5 @@ pub use robot_log::{
 pub use series::{Series, Track, Tracks, WINDOW};
 pub use shapes::{BenchBelief, ellipse_of};
 pub use true_path::TruePath;
+pub use tune::{MAX_MAP_SIZE, Tune, TuneBand, TuneFit, TuneFrame, TuneParams, TuneVerdict};
 pub use typescript::TYPESCRIPT;

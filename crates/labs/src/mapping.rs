@@ -63,7 +63,7 @@ pub(crate) struct Mapping {
     /// Sightings of the last step.
     last_seen: usize,
     world: Vec<Landmark>,
-    constants: RangeBearingSlam,
+    pub constants: RangeBearingSlam,
 }
 
 impl Mapping {
@@ -83,23 +83,33 @@ impl Mapping {
         })
     }
 
-    /// The robot has driven `tick` and stands at `truth`; its odometry says so with noise, and every landmark is seen.
+    /// The robot has driven `tick` and stands at `truth`: its odometry says so with noise, and then it looks about.
     pub fn step(&mut self, tick: Tick, truth: SE2, noise: &mut Noise) -> Result<Vec<Seen>, Error> {
+        self.drive(tick, noise)?;
+        self.look(truth, noise)
+    }
+
+    /// The robot has driven `tick`, and its odometry says so with noise.
+    pub fn drive(&mut self, tick: Tick, noise: &mut Noise) -> Result<(), Error> {
         let moving = tick.ds != 0.0 || tick.dtheta != 0.0;
         let sigma = self.constants.u_sigma.map(|s| if moving { s } else { 0.0 });
         let u = Vector2::new(tick.ds + sigma[0] * noise.normal(), tick.dtheta + sigma[1] * noise.normal());
         let input = Matrix2::from_diagonal(&Vector2::from(sigma.map(|s| s * s)));
         let v = estimate::Unicycle::process_covariance(&self.slam.pose(), &input);
-        self.slam.predict(&u, &v)?;
-        self.look(truth, noise)
+        self.slam.predict(&u, &v)
     }
 
-    /// The robot stands at `truth`, and every landmark is seen.
+    /// The robot stands at `truth`, and sees every landmark that is within reach and that no wall hides.
     #[inline(never)]
     pub fn look(&mut self, truth: SE2, noise: &mut Noise) -> Result<Vec<Seen>, Error> {
-        let sighted = self.world.iter().map(|landmark| self.constants.sensor.sight(truth, landmark, noise));
+        let RangeBearingSlam { sensor, home, .. } = &self.constants;
+        let visible = |landmark: &Landmark| {
+            sensor.reaches(truth, landmark) && home.is_none_or(|home| home.in_sight(truth, landmark))
+        };
+        let near = self.world.iter().enumerate().filter(|(_, landmark)| visible(landmark));
+        let sighted = near.map(|(index, landmark)| (index, sensor.sight(truth, landmark, noise)));
         // A landmark under the robot has no bearing.
-        let seen: Vec<_> = sighted.enumerate().filter(|(_, z)| z.range > 0.0).collect();
+        let seen: Vec<_> = sighted.filter(|(_, z)| z.range > 0.0).collect();
         let readings: Vec<Reading> =
             seen.iter().map(|(_, z)| Reading { range: z.range, bearing: z.bearing, landmark: None }).collect();
         self.last_seen = readings.len();
@@ -172,7 +182,7 @@ impl Mapping {
 /// # Errors
 /// Whatever the core answers; on the chapter's constants, nothing.
 pub(crate) fn chapter_run(constants: &RangeBearingSlam, seed: u32) -> Result<Mapping, Error> {
-    let mut mapping = Mapping::new(&constants.landmarks, constants)?;
+    let mut mapping = Mapping::new(constants.landmarks, constants)?;
     let mut noise = Noise::new(u64::from(seed));
     let mut pose = constants.course.start();
     mapping.look(pose, &mut noise)?;

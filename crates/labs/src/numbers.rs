@@ -4,11 +4,13 @@ mod detectability;
 mod ensembles;
 mod exercises;
 mod hook;
+mod loops;
 mod maps;
 mod probe;
 mod rail;
 mod robot;
 mod scenarios;
+mod tune;
 mod wheel;
 
 use crate::givens::Givens;
@@ -103,6 +105,8 @@ pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
 pub fn with_ensembles(givens: &Givens) -> Result<Vec<Number>, Error> {
     let mut listing = Listing::new();
     ensembles::list(&mut listing)?;
+    loops::list(&mut listing)?;
+    tune::list(&mut listing)?;
     Ok(numbers(givens)?.into_iter().chain(listing.numbers).collect())
 }
 

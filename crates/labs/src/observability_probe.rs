@@ -17,6 +17,7 @@ pub use frame::{
 pub use params::ProbeParams;
 pub use ranks::ProbeRanks;
 pub(crate) use ranks::{Moment, frozen_ranks, stacked_ranks};
+pub(crate) use view::{map_shape, mapped_sighting};
 
 use crate::declare::Params;
 use crate::lab::{Digest, Lab};

@@ -1,8 +1,10 @@
 //! The labs' TypeScript: every type that a lab takes or hands out.
 
 use crate::declare::{About, Interface, Text, written};
-use crate::{BenchParams, HookParams, LogParams, PictureParams, ProbeParams};
-use crate::{mapping, observability_probe, observer_bench, odometry_hook, picture, robot_log, series, shapes};
+use crate::{BenchParams, HookParams, LogParams, LoopParams, PictureParams, ProbeParams, TuneParams};
+use crate::{
+    loop_closure, mapping, observability_probe, observer_bench, odometry_hook, picture, robot_log, series, shapes, tune,
+};
 use estimate::drive::Line;
 use estimate::{Complex, Landmark};
 use geom::Ellipse;
@@ -10,7 +12,15 @@ use sim::Room;
 
 /// What the labs take and hand out, and what that is made of.
 const ALL: &[&[About]] = &[
-    &[BenchParams::ABOUT, HookParams::ABOUT, ProbeParams::ABOUT, PictureParams::ABOUT, LogParams::ABOUT],
+    &[
+        BenchParams::ABOUT,
+        HookParams::ABOUT,
+        ProbeParams::ABOUT,
+        PictureParams::ABOUT,
+        LogParams::ABOUT,
+        LoopParams::ABOUT,
+        TuneParams::ABOUT,
+    ],
     &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT, Line::ABOUT, Room::ABOUT],
     shapes::INTERFACES,
     series::INTERFACES,
@@ -21,9 +31,11 @@ const ALL: &[&[About]] = &[
     observability_probe::ranks::INTERFACES,
     picture::frame::INTERFACES,
     robot_log::frame::INTERFACES,
+    loop_closure::frame::INTERFACES,
+    tune::frame::INTERFACES,
 ];
 
 /// The interfaces of all labs, with their doc comments, limits and defaults. `Vector` and `Matrix` are not among them.
 pub const TYPESCRIPT: &str = WRITTEN.as_str();
 
-const WRITTEN: &Text<30_000> = &written(ALL);
+const WRITTEN: &Text<40_000> = &written(ALL);

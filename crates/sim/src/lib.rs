@@ -3,7 +3,7 @@
 //! - [`Apartment`]: rooms, walls, and the corners on the map;
 //! - [`Rusty`]: a differential drive and its encoders;
 //! - [`Sensor`]: noisy range and bearing to a landmark within its reach;
-//! - [`paths`]: the two courses that the chapter drives;
+//! - [`paths`]: the courses that the chapter drives;
 //! - [`scenarios`]: every constant of every experiment, with where it comes from;
 //! - [`Noise`]: seeded normal numbers with the same bits everywhere.
 

@@ -1,4 +1,4 @@
-//! The two courses of the chapter, as ticks: a length along the heading, then a turn on the spot.
+//! The courses of the chapter, as ticks: a length along the heading, then a turn on the spot.
 
 use core::f64::consts::FRAC_PI_2;
 use geom::SE2;
@@ -39,6 +39,9 @@ pub const SQUARE: Rectangle = Rectangle { start: [1.5, 1.5, 0.0], ticks: [30, 30
 
 /// The corridor's loop: 10 × 6 m from (0, 0), 640 ticks of 0.05 m a lap.
 pub const LOOP: Rectangle = Rectangle { start: [0.0, 0.0, 0.0], ticks: [200, 120], ds: 0.05 };
+
+/// The same loop in longer ticks, 128 of 0.25 m a lap.
+pub const CORRIDOR: Rectangle = Rectangle { ticks: [40, 24], ds: 0.25, ..LOOP };
 
 impl Rectangle {
     /// Where the course begins.
@@ -88,7 +91,7 @@ mod tests {
 
     #[test]
     fn a_lap_closes() {
-        for (course, ticks) in [(SQUARE, 120), (LOOP, 640)] {
+        for (course, ticks) in [(SQUARE, 120), (LOOP, 640), (CORRIDOR, 128)] {
             assert_eq!(course.lap(), ticks);
             let end = course.poses().nth(ticks as usize).expect("it goes on for ever");
             assert!(end.boxminus(course.start()).norm() < 1e-12);

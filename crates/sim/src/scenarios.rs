@@ -4,7 +4,8 @@
 //! numbers reproduce those results. The constants here are therefore the chapter's own, round and physically plausible, and the
 //! chapter prints what they give.
 
-use crate::paths::{LOOP, Rectangle, SQUARE};
+use crate::apartment::Apartment;
+use crate::paths::{CORRIDOR, LOOP, Rectangle, SQUARE};
 use crate::sensor::Sensor;
 use core::f64::consts::FRAC_PI_4;
 use estimate::slam::linear_slam::Variances;
@@ -59,18 +60,20 @@ pub const PROBE: Probe = Probe {
     p0_sigma: [0.1, 0.1, 0.05],
 };
 
-/// Range–bearing SLAM (§8.4.2) on the Probe's square.
+/// Range–bearing SLAM (§8.4.2) on a course.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RangeBearingSlam {
     /// The course.
     pub course: Rectangle,
-    /// Poses at which all landmarks are seen: 600 sightings, three of them founding.
+    /// Poses of the quoted run.
     pub poses: u32,
-    /// The true landmarks: the Probe's.
-    pub landmarks: [Landmark; 3],
+    /// The true landmarks.
+    pub landmarks: &'static [Landmark],
+    /// The apartment whose walls hide landmarks; none in the open.
+    pub home: Option<Apartment>,
     /// Noise of the input [Δs, Δθ] per tick, one sigma each, metres and radians; V = G diag(σ²) Gᵀ.
     pub u_sigma: [f64; 2],
-    /// The sensor: 0.1 m and 1.7°.
+    /// The sensor.
     pub sensor: Sensor,
     /// χ² beyond which a sighting is not a known landmark's: the 99 % quantile of two degrees of freedom.
     pub gate: f64,
@@ -79,16 +82,62 @@ pub struct RangeBearingSlam {
     pub found: f64,
 }
 
-/// The chapter's range–bearing SLAM. The first pose is the map's origin by definition, so its P₀ is zero.
+/// The chapter's range–bearing SLAM: the Probe's square and landmarks, all seen at every pose, which makes 600 sightings, three of
+/// them founding; a sensor of 0.1 m and 1.7°. The first pose is the map's origin by definition, so its P₀ is zero.
 pub const RANGE_BEARING_SLAM: RangeBearingSlam = RangeBearingSlam {
     course: SQUARE,
     poses: 200,
-    landmarks: PROBE.landmarks,
+    landmarks: &PROBE.landmarks,
+    home: None,
     u_sigma: [0.02, 0.01],
     sensor: Sensor { range_sigma: 0.1, bearing_sigma: 0.03, reach: 12.0 },
     gate: 9.21,
     found: 50.0,
 };
+
+/// A loop of the corridor with a sensor of short reach: four landmarks at most are in sight at once, and the first ones come into
+/// sight again at the end of a lap. The quoted run is a lap; its odometry is good to 2 cm and 0.4° a tick.
+pub const LOOP_CLOSURE: RangeBearingSlam = RangeBearingSlam {
+    course: CORRIDOR,
+    poses: 129,
+    landmarks: &WALL_MARKS,
+    home: Some(Apartment::new()),
+    u_sigma: [0.02, 0.007],
+    sensor: Sensor { range_sigma: 0.1, bearing_sigma: 0.03, reach: 2.5 },
+    gate: RANGE_BEARING_SLAM.gate,
+    found: RANGE_BEARING_SLAM.found,
+};
+
+/// What the robot of [`LOOP_CLOSURE`] recognizes on the corridor's walls, from the start on around the loop.
+const WALL_MARKS: [Landmark; 15] = [
+    Landmark { id: 0, x: 1.5, y: -1.0 },
+    Landmark { id: 1, x: 4.0, y: 1.0 },
+    Landmark { id: 2, x: 6.0, y: -1.0 },
+    Landmark { id: 3, x: 8.5, y: 1.0 },
+    Landmark { id: 4, x: 11.0, y: -0.5 },
+    Landmark { id: 5, x: 11.0, y: 2.0 },
+    Landmark { id: 6, x: 9.0, y: 4.0 },
+    Landmark { id: 7, x: 11.0, y: 6.5 },
+    Landmark { id: 8, x: 9.0, y: 7.0 },
+    Landmark { id: 9, x: 6.0, y: 5.0 },
+    Landmark { id: 10, x: 4.5, y: 7.0 },
+    Landmark { id: 11, x: 1.5, y: 5.0 },
+    Landmark { id: 12, x: -1.0, y: 6.5 },
+    Landmark { id: 13, x: 1.0, y: 3.0 },
+    Landmark { id: 14, x: -1.0, y: 1.5 },
+];
+
+/// A log of the rail robot with its position sensor (§8.2.6), whose V = q V₀ and W are to be found from it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Tuning {
+    /// The decimal logarithms of the true q and W are drawn evenly from this far to either side of 0.
+    pub hidden: f64,
+    /// Those of the filter may be this far to either side.
+    pub reach: f64,
+}
+
+/// The chapter's hidden noise: q and W (m²) each from a tenth to ten.
+pub const TUNING: Tuning = Tuning { hidden: 1.0, reach: 2.0 };
 
 /// The odometry hook: a lap of the corridor on encoders.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -141,7 +190,6 @@ pub const PROBLEM_9: Problem9 =
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::Apartment;
 
     #[test]
     fn the_probe_s_landmarks_and_course_are_in_its_room() {
@@ -150,6 +198,22 @@ mod tests {
             assert!((0.0..=PROBE.room).contains(&l.x) && (0.0..=PROBE.room).contains(&l.y));
         }
         assert_eq!(PROBE.steps, 2 * PROBE.course.lap());
+    }
+
+    #[test]
+    fn a_robot_of_short_reach_sees_one_to_four_marks_and_the_first_ones_again_after_most_of_a_lap() {
+        let (home, course) = (Apartment::new(), LOOP_CLOSURE.course);
+        let seen: Vec<Vec<u32>> = course
+            .poses()
+            .take(course.lap() as usize)
+            .map(|pose| {
+                let near = |l: &&Landmark| LOOP_CLOSURE.sensor.reaches(pose, l) && home.in_sight(pose, l);
+                LOOP_CLOSURE.landmarks.iter().filter(near).map(|l| l.id).collect()
+            })
+            .collect();
+        assert!(seen.iter().all(|now| (1..=4).contains(&now.len())), "{seen:?}");
+        let again = seen.iter().rposition(|now| now.contains(&0)).expect("seen from the start");
+        assert!(seen[30..110].iter().all(|now| !now.contains(&0) && !now.contains(&14)), "{again} {seen:?}");
     }
 
     #[test]

@@ -2,11 +2,24 @@
 
 use super::EkfSlam;
 use super::sighting::{Expected, Outcome, Reading, Report};
-use crate::error::Error;
+use crate::error::{Code, Error};
 use crate::place::Place;
 use filters::association::{Association, Candidate, Rule, associate};
+use nalgebra::{Matrix2, Vector2};
 
 impl EkfSlam {
+    /// What a sighting of this landmark is expected to be, [ρ, β], and the covariance S (2×2) of its innovation: the gate about
+    /// it is {z : (z − ẑ)ᵀS⁻¹(z − ẑ) ≤ gate}.
+    ///
+    /// # Errors
+    /// [`Code::Index`] for a number that is not in the map, [`Code::AtLandmark`] where the estimate stands on the landmark.
+    pub fn expected_sighting(&self, id: u32) -> Result<(Vector2<f64>, Matrix2<f64>), Error> {
+        let unknown = || Error::new(Code::Index, "landmark", "is not in the map");
+        let j = self.index(id).ok_or_else(unknown)?;
+        let expected = self.expected(j, &Reading { range: 0.0, bearing: 0.0, landmark: None })?;
+        Ok((-expected.innovation, expected.s))
+    }
+
     /// What is expected of landmark `j` at the present estimate.
     pub(super) fn expected(&self, j: usize, reading: &Reading) -> Result<Expected, filters::Error> {
         Expected::new(&self.x, &self.p, j, reading, &self.w)

@@ -35,7 +35,7 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     Ok(())
 }
 
-fn percentiles(to: &mut Listing, id: &str, spread: &Spread, about: &'static str) {
+pub(super) fn percentiles(to: &mut Listing, id: &str, spread: &Spread, about: &'static str) {
     for (name, p) in [("p05", 0.05), ("p50", 0.5), ("p90", 0.9), ("p95", 0.95)] {
         to.add(format!("{id}.{name}"), spread.percentile(p), about);
     }

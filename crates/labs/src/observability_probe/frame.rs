@@ -170,7 +170,7 @@ record! {
         pub wrong: u32,
         /// Of the founded, those of a landmark that was in the map already.
         pub spurious: u32,
-        /// Whether the map holds as many landmarks as the Probe lets it; further sightings found none.
+        /// Whether the map holds as many landmarks as it may; further sightings found none.
         pub full: bool,
         /// The landmark farthest from its true place.
         pub worst: Option<MapError>,

@@ -81,7 +81,7 @@ fn both_ranks(probe: &ObservabilityProbe) -> [ProbeRanks; 2] {
     [frozen, along_path].map(|ranks| ranks.unwrap_or_default())
 }
 
-fn map_shape(mapping: &Mapping) -> ProbeMap {
+pub(crate) fn map_shape(mapping: &Mapping) -> ProbeMap {
     let errors = mapping.errors();
     let Tally { sightings, matched, founded, rejected, wrong, spurious } = mapping.tally;
     let landmarks = mapping.slam.landmarks().zip(&mapping.truth).zip(&errors);
@@ -110,7 +110,7 @@ fn map_shape(mapping: &Mapping) -> ProbeMap {
 }
 
 /// A sighting of a robot without a map, after the step that used it.
-pub(super) fn mapped_sighting(seen: &Seen, mapping: &Mapping) -> ProbeSighting {
+pub(crate) fn mapped_sighting(seen: &Seen, mapping: &Mapping) -> ProbeSighting {
     let evidence = seen.report.evidence;
     let place = mapping.slam.landmarks().find(|l| Some(l.id) == seen.report.landmark);
     ProbeSighting {
