@@ -120,7 +120,7 @@ impl Writer<'_> {
 
     /// A piece within a line of `templates/blocks.html`, filled.
     pub(crate) fn fill_inline(&self, template: &str, values: Value, place: &Place) -> String {
-        self.diagnostics.ok(place, self.site.blocks.fill(template, values)).unwrap_or_default()
+        self.diagnostics.ok(place, self.site.templates.fill(template, values)).unwrap_or_default()
     }
 
     fn note(&mut self, kind: &str, title: &str, place: &Place) -> Value {

@@ -1,9 +1,10 @@
 //! `content/book.toml`, and how the data files beside it are read.
 
+use std::cell::RefCell;
 use std::path::Path;
 
 use serde::de::DeserializeOwned;
-use serde::{Deserialize, Serialize};
+use serde::{Deserialize, Deserializer, Serialize};
 use toml::Spanned;
 
 use crate::diagnostic::{BuildError, Diagnostics, Place};
@@ -72,11 +73,17 @@ pub struct Page {
     pub description: String,
 }
 
-/// A data file of `content/`, and its text for finding lines.
+/// A data file of `content/`.
+#[derive(Clone, Debug, Default)]
 pub struct DataFile {
     /// Path from the root, as errors name it.
-    pub name: String,
+    name: String,
     text: String,
+}
+
+thread_local! {
+    /// The file that is being parsed: each [`Text`] of it asks where it stands.
+    static PARSED: RefCell<DataFile> = RefCell::default();
 }
 
 impl DataFile {
@@ -87,42 +94,37 @@ impl DataFile {
     pub fn read(root: &Path, name: &str) -> Result<Self, BuildError> {
         let name = format!("content/{name}");
         let path = root.join(&name);
-        let text = match path.exists() {
-            true => file::read(&path)?,
-            false => String::new(),
-        };
+        let text = if path.exists() { file::read(&path)? } else { String::new() };
         Ok(Self { name, text })
     }
 
     /// A data file from memory.
+    #[cfg(test)]
     pub fn from_text(name: &str, text: &str) -> Self {
         Self { name: name.to_string(), text: text.to_string() }
     }
 
     /// The file as `T`, or a complaint with its line.
     pub fn parse<T: DeserializeOwned + Default>(&self, diagnostics: &Diagnostics) -> T {
+        PARSED.set(self.clone());
         toml::from_str(&self.text).unwrap_or_else(|error: toml::de::Error| {
-            let line = error.span().map_or(1, |span| self.line(span.start));
-            diagnostics.report(&Place::new(self.name.clone(), line), error.message());
+            let place = self.place(error.span().map_or(0, |span| span.start));
+            diagnostics.report(&place, error.message());
             T::default()
         })
     }
 
-    /// Where a value stands; for a string over several lines, its first line of text.
-    pub fn place<T>(&self, value: &Spanned<T>) -> Place {
-        let start = value.span().start;
+    /// The place of a byte; for a string over several lines, its first line of text.
+    fn place(&self, start: usize) -> Place {
         let opening = self.text.get(start..start + 4).unwrap_or("");
         let below = usize::from(opening == "'''\n" || opening == "\"\"\"\n");
-        Place::new(self.name.clone(), self.line(start) + below)
-    }
-
-    fn line(&self, offset: usize) -> usize {
-        self.text.get(..offset).unwrap_or("").matches('\n').count() + 1
+        let line = self.text.get(..start).unwrap_or("").matches('\n').count() + 1;
+        Place::new(self.name.clone(), line + below)
     }
 }
 
 /// A piece of Markdown in a data file.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Default)]
 pub struct Text {
     /// The Markdown.
     pub markdown: String,
@@ -130,9 +132,10 @@ pub struct Text {
     pub place: Place,
 }
 
-impl Text {
-    /// The text of `value` in `file`.
-    pub fn of(value: &Spanned<String>, file: &DataFile) -> Self {
-        Self { markdown: value.get_ref().clone(), place: file.place(value) }
+impl<'de> Deserialize<'de> for Text {
+    fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Self, D::Error> {
+        let value = Spanned::<String>::deserialize(from)?;
+        let place = PARSED.with_borrow(|file| file.place(value.span().start));
+        Ok(Self { markdown: value.into_inner(), place })
     }
 }

@@ -5,7 +5,7 @@ use std::fmt;
 use std::path::Path;
 
 /// A place in the content.
-#[derive(Clone, Debug, PartialEq, Eq, PartialOrd, Ord)]
+#[derive(Clone, Debug, Default, PartialEq, Eq, PartialOrd, Ord)]
 pub struct Place {
     /// Path from the repository's root.
     pub file: String,

@@ -35,12 +35,16 @@ const RESERVED: [&str; 5] = ["main", "search", "footnotes", "glossary", "numbers
 impl Labels {
     /// Numbers everything in `texts`, the sections under `chapter` (no numbers when `None`).
     pub fn collect(texts: &[Vec<Node>], chapter: Option<u32>, diagnostics: &Diagnostics) -> Self {
-        let mut counters = Counters { chapter, ..Counters::default() };
-        let mut collector = Collector { labels: Self::default(), diagnostics };
-        for text in texts {
-            let mut derivation = String::new();
-            tree::walk(text, &mut |node| collector.node(node, &mut counters, &mut derivation));
-        }
+        let mut collector = Collector {
+            labels: Self::default(),
+            diagnostics,
+            chapter,
+            section: 0,
+            subsection: 0,
+            directives: BTreeMap::new(),
+            derivation: String::new(),
+        };
+        texts.iter().for_each(|text| tree::walk(text, &mut |node| collector.node(node)));
         let labels = collector.labels;
         for id in RESERVED {
             if let Some((_, place)) = labels.by_id.get(id) {
@@ -69,39 +73,46 @@ impl Labels {
     }
 }
 
-/// Labels in the making.
+/// Labels in the making, and the numbers given out so far.
 struct Collector<'a> {
     labels: Labels,
     diagnostics: &'a Diagnostics,
+    chapter: Option<u32>,
+    section: usize,
+    subsection: usize,
+    directives: BTreeMap<&'static str, usize>,
+    /// The number of the latest derivation.
+    derivation: String,
 }
 
 impl Collector<'_> {
-    /// Labels one node; `derivation` is the number of the latest derivation.
-    fn node(&mut self, node: &Node, counters: &mut Counters, derivation: &mut String) {
+    fn node(&mut self, node: &Node) {
         match &node.kind {
             Kind::Element(Tag::Heading { level, id, .. }) => {
                 if !matches!(level, HeadingLevel::H2 | HeadingLevel::H3 | HeadingLevel::H4) {
                     self.diagnostics.report(&node.place, "headings of a page are ##, ### or ####");
                 }
-                let number = counters.section(*level);
+                let number = self.next_section(*level);
                 match id {
                     Some(id) => self.insert(id, "Section", &number, &node.place),
                     None => self.diagnostics.report(&node.place, "this heading has no {#id}"),
                 }
             }
             Kind::Piece(Piece::Directive { name, attributes }) => {
-                let word = directive::word(name);
-                let number = word.map(|word| counters.next(word)).unwrap_or_default();
+                let word = directive::word(name).unwrap_or_default();
+                let counter = self.directives.entry(word).or_default();
+                *counter += 1;
+                let number = if word.is_empty() { String::new() } else { counter.to_string() };
                 if let Some(id) = &attributes.id {
                     let id = if name == "quiz" { format!("quiz-{id}") } else { id.clone() };
-                    self.insert(&id, word.unwrap_or_default(), &number, &node.place);
+                    self.insert(&id, word, &number, &node.place);
                 }
                 if name == "derivation" {
-                    *derivation = number;
+                    self.derivation = number;
                 }
             }
             Kind::Piece(Piece::Step { id: Some(id), number, .. }) => {
-                let text = format!("Derivation\u{a0}{derivation}, step\u{a0}{number}");
+                let text = format!("Derivation\u{a0}{}, step\u{a0}{number}", self.derivation);
                 self.put(id, text, &number.to_string(), &node.place);
             }
             Kind::Piece(Piece::Span(attributes)) => {
@@ -126,38 +137,16 @@ impl Collector<'_> {
             self.labels.by_id.insert(id.to_string(), (label, place.clone()));
         }
     }
-}
 
-/// Numbers given out so far.
-#[derive(Default)]
-struct Counters {
-    chapter: Option<u32>,
-    section: usize,
-    subsection: usize,
-    directives: BTreeMap<&'static str, usize>,
-}
-
-impl Counters {
-    fn next(&mut self, kind: &'static str) -> String {
-        let counter = self.directives.entry(kind).or_default();
-        *counter += 1;
-        counter.to_string()
-    }
-
-    fn section(&mut self, level: HeadingLevel) -> String {
+    fn next_section(&mut self, level: HeadingLevel) -> String {
         let Some(chapter) = self.chapter else { return String::new() };
         match level {
-            HeadingLevel::H2 => {
-                self.section += 1;
-                self.subsection = 0;
-                format!("{chapter}.{}", self.section)
-            }
-            HeadingLevel::H3 => {
-                self.subsection += 1;
-                format!("{chapter}.{}.{}", self.section, self.subsection)
-            }
-            _ => String::new(),
+            HeadingLevel::H2 => (self.section, self.subsection) = (self.section + 1, 0),
+            HeadingLevel::H3 => self.subsection += 1,
+            _ => return String::new(),
         }
+        let sub = if level == HeadingLevel::H3 { format!(".{}", self.subsection) } else { String::new() };
+        format!("{chapter}.{}{sub}", self.section)
     }
 }
 

@@ -20,16 +20,16 @@ impl Writer<'_> {
         if !self.used.quizzes.insert(id.to_string()) {
             self.diagnostics.report(place, format!("the quiz `{id}` is asked twice"));
         }
-        let unlocks = quiz.unlocks.as_ref().and_then(|figure| self.figure_link(figure));
+        let unlocks = quiz.asked.unlocks.as_ref().and_then(|figure| self.figure_link(figure));
         let checks = self.inside.last().is_some_and(|parent| parent == "exercise");
-        let title = quiz.title.as_ref().map(|title| safe(self.title(&title.markdown, &title.place)));
-        let prompt = self.part(&quiz.prompt);
+        let title = quiz.asked.title.as_ref().map(|title| safe(self.title(&title.markdown, &title.place)));
+        let prompt = self.part(&quiz.asked.prompt);
         let answer = match &quiz.answer {
             Answer::Choice(choices) => self.choices(choices),
             Answer::Values(values) => self.values(values),
             Answer::State(state) => self.state(state),
         };
-        let why = self.part(&quiz.why);
+        let why = self.part(&quiz.asked.why);
         let (hash, key) = (format!("{:016x}", quiz.hash), quiz.answer.key());
         self.fill("quiz", context! { id, hash, key, unlocks, checks, title, prompt, why, ..answer }, place)
     }
@@ -66,7 +66,7 @@ impl Writer<'_> {
     }
 
     fn state(&mut self, state: &State) -> Value {
-        let todo: Vec<_> = state.conditions.iter().map(|condition| self.part(&condition.todo)).collect();
+        let todo: Vec<_> = state.todo.iter().map(|todo| self.part(todo)).collect();
         context! { kind => "state", figure => self.figure_link(&state.figure), todo }
     }
 }

@@ -4,7 +4,6 @@ use std::collections::BTreeMap;
 
 use serde::Deserialize;
 use serde_json::json;
-use toml::Spanned;
 
 use crate::config::{DataFile, Text};
 use crate::diagnostic::Diagnostics;
@@ -16,21 +15,13 @@ use values::Values;
 pub mod state;
 pub mod values;
 
-/// A question to answer before the explanation.
+/// A question.
 #[derive(Clone, Debug)]
 pub struct Quiz {
-    /// Name; the element's id is `quiz-<id>`.
-    pub id: String,
-    /// Title, in Markdown.
-    pub title: Option<Text>,
-    /// The question, in Markdown.
-    pub prompt: Text,
+    /// What it asks and explains.
+    pub asked: Asked,
     /// How it is answered.
     pub answer: Answer,
-    /// The explanation, in Markdown.
-    pub why: Text,
-    /// The figure that stays locked until the reader has committed.
-    pub unlocks: Option<Text>,
     /// Hash of all that a reader is asked and told.
     pub hash: u64,
 }
@@ -52,57 +43,66 @@ impl Answer {
         let key = match self {
             Self::Choice(choices) => json!({ "right": choices.iter().position(|choice| choice.right) }),
             Self::Values(values) => values.key(),
-            Self::State(state) => state.key(),
+            Self::State(state) => state.key.clone(),
         };
         key.to_string().bytes().map(|byte| format!("{byte:02x}")).collect()
     }
 }
 
 /// One choice.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
 pub struct Choice {
     /// The choice, in Markdown.
     pub text: Text,
     /// Whether it is the right one.
+    #[serde(default)]
     pub right: bool,
     /// Why it is right or wrong, in Markdown.
+    #[serde(default)]
     pub why: Text,
 }
 
 #[derive(Default, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct RawFile {
+struct File {
     #[serde(default)]
-    quiz: Vec<RawQuiz>,
+    quiz: Vec<Asked>,
 }
 
-#[derive(Deserialize)]
+/// A question as the file has it.
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
-struct RawQuiz {
-    id: Spanned<String>,
-    title: Option<Spanned<String>>,
-    prompt: Spanned<String>,
-    kind: Spanned<Kind>,
-    answer: Option<Spanned<String>>,
+pub struct Asked {
+    /// Name; the element's id is `quiz-<id>`.
+    id: Text,
+    /// Title, in Markdown.
+    pub title: Option<Text>,
+    /// The question, in Markdown.
+    pub prompt: Text,
+    kind: Kind,
+    /// The explanation, in Markdown.
+    pub why: Text,
+    /// The figure that stays locked until the reader has committed.
+    pub unlocks: Option<Text>,
+    answer: Option<String>,
     tolerance: Option<f64>,
     #[serde(default)]
     direction: bool,
     #[serde(default)]
     unit: String,
     format: Option<String>,
-    why: Spanned<String>,
-    unlocks: Option<Spanned<String>>,
     #[serde(default)]
-    choice: Vec<RawChoice>,
+    choice: Vec<Choice>,
     #[serde(default)]
     near: Vec<RawNear>,
-    figure: Option<Spanned<String>>,
-    widget: Option<Spanned<String>>,
+    figure: Option<Text>,
+    widget: Option<String>,
     #[serde(default)]
     condition: Vec<RawCondition>,
 }
 
-#[derive(Clone, Copy, Deserialize, PartialEq)]
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
 #[serde(rename_all = "lowercase")]
 enum Kind {
     Choice,
@@ -111,31 +111,21 @@ enum Kind {
     State,
 }
 
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct RawChoice {
-    text: Spanned<String>,
-    #[serde(default)]
-    right: bool,
-    why: Option<Spanned<String>>,
-}
-
-#[derive(Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct RawNear {
-    value: Spanned<String>,
-    why: Option<Spanned<String>>,
+    value: Text,
+    #[serde(default)]
+    why: Text,
 }
 
 /// The questions by id; what is wrong with them goes to `diagnostics`.
 pub fn quizzes(file: &DataFile, numbers: &Numbers, diagnostics: &Diagnostics) -> BTreeMap<String, Quiz> {
-    let raw: RawFile = file.parse(diagnostics);
     let mut quizzes = BTreeMap::new();
-    for raw in &raw.quiz {
-        let id = raw.id.get_ref().clone();
-        let place = file.place(&raw.id);
-        let reader = Reader { file, numbers, diagnostics, raw };
-        let answer = match raw.kind.get_ref() {
+    for asked in file.parse::<File>(diagnostics).quiz {
+        let Text { markdown: id, place } = asked.id.clone();
+        let reader = Reader { numbers, diagnostics, asked: &asked };
+        let answer = match asked.kind {
             Kind::Choice => reader.choice(),
             Kind::Number | Kind::Vector => reader.values(),
             Kind::State => reader.state(),
@@ -143,16 +133,8 @@ pub fn quizzes(file: &DataFile, numbers: &Numbers, diagnostics: &Diagnostics) ->
         let Some(answer) = diagnostics.ok(&place, answer.map_err(|error| format!("quiz `{id}`: {error}"))) else {
             continue;
         };
-        let quiz = Quiz {
-            hash: hash(raw, &answer),
-            title: raw.title.as_ref().map(|title| Text::of(title, file)),
-            prompt: Text::of(&raw.prompt, file),
-            why: Text::of(&raw.why, file),
-            unlocks: raw.unlocks.as_ref().map(|unlocks| Text::of(unlocks, file)),
-            id: id.clone(),
-            answer,
-        };
-        if quizzes.insert(id.clone(), quiz).is_some() {
+        let hash = hash(&asked, &answer);
+        if quizzes.insert(id.clone(), Quiz { asked, answer, hash }).is_some() {
             diagnostics.report(&place, format!("two quizzes are called `{id}`"));
         }
     }
@@ -160,67 +142,60 @@ pub fn quizzes(file: &DataFile, numbers: &Numbers, diagnostics: &Diagnostics) ->
 }
 
 struct Reader<'a> {
-    file: &'a DataFile,
     numbers: &'a Numbers,
     diagnostics: &'a Diagnostics,
-    raw: &'a RawQuiz,
+    asked: &'a Asked,
 }
 
 impl Reader<'_> {
     fn choice(&self) -> Result<Answer, String> {
         self.only(&["choice"])?;
-        let right = self.raw.choice.iter().filter(|choice| choice.right).count();
-        if self.raw.choice.len() < 2 || right != 1 {
-            let count = self.raw.choice.len();
+        let choices = &self.asked.choice;
+        let (count, right) = (choices.len(), choices.iter().filter(|choice| choice.right).count());
+        if count < 2 || right != 1 {
             return Err(format!(
                 "{count} choices, {right} of them right; two or more with exactly one right are wanted"
             ));
         }
-        let choice = |raw: &RawChoice| {
-            let why = self.reason(&raw.text, raw.why.as_ref())?;
-            Some(Choice { text: Text::of(&raw.text, self.file), right: raw.right, why })
-        };
-        let choices: Vec<_> = self.raw.choice.iter().filter_map(choice).collect();
         for (i, one) in choices.iter().enumerate() {
+            self.needs_reason(&one.text, &one.why);
             if choices[..i].iter().any(|other| other.text.markdown == one.text.markdown) {
                 return Err(format!("the choice `{}` stands twice", one.text.markdown));
             }
         }
-        Ok(Answer::Choice(choices))
+        Ok(Answer::Choice(choices.clone()))
     }
 
     /// Refuses what belongs to questions of another kind.
     fn only(&self, allowed: &[&str]) -> Result<(), String> {
-        let raw = self.raw;
+        let asked = self.asked;
         let given = [
-            ("choice", !raw.choice.is_empty()),
-            ("answer", raw.answer.is_some()),
-            ("tolerance", raw.tolerance.is_some()),
-            ("direction", raw.direction),
-            ("near", !raw.near.is_empty()),
-            ("figure", raw.figure.is_some()),
-            ("widget", raw.widget.is_some()),
-            ("condition", !raw.condition.is_empty()),
+            ("choice", !asked.choice.is_empty()),
+            ("answer", asked.answer.is_some()),
+            ("tolerance", asked.tolerance.is_some()),
+            ("direction", asked.direction),
+            ("near", !asked.near.is_empty()),
+            ("figure", asked.figure.is_some()),
+            ("widget", asked.widget.is_some()),
+            ("condition", !asked.condition.is_empty()),
         ];
         let stray = given.iter().find(|(name, given)| *given && !allowed.contains(name));
         stray.map_or(Ok(()), |(name, _)| Err(format!("a question of this kind has no `{name}`")))
     }
 
-    /// The reason of a choice; every one needs its own.
-    fn reason(&self, of: &Spanned<String>, why: Option<&Spanned<String>>) -> Option<Text> {
-        let why = why.filter(|why| !why.get_ref().trim().is_empty());
-        if why.is_none() {
-            let message = format!("quiz `{}`: `{}` has no reason (why)", self.raw.id.get_ref(), of.get_ref());
-            self.diagnostics.report(&self.file.place(of), message);
+    /// Every choice and every well-known wrong answer needs a reason of its own.
+    fn needs_reason(&self, of: &Text, why: &Text) {
+        if why.markdown.trim().is_empty() {
+            let message = format!("quiz `{}`: `{}` has no reason (why)", self.asked.id.markdown, of.markdown);
+            self.diagnostics.report(&of.place, message);
         }
-        why.map(|why| Text::of(why, self.file))
     }
 }
 
 /// FNV-1a over everything a reader is asked and told.
-fn hash(raw: &RawQuiz, answer: &Answer) -> u64 {
-    let mut parts = vec![raw.id.get_ref().clone(), raw.prompt.get_ref().clone(), raw.why.get_ref().clone()];
-    parts.extend(raw.title.as_ref().map(|title| title.get_ref().clone()));
+fn hash(asked: &Asked, answer: &Answer) -> u64 {
+    let texts = [Some(&asked.id), Some(&asked.prompt), Some(&asked.why), asked.title.as_ref()];
+    let mut parts: Vec<String> = texts.into_iter().flatten().map(|text| text.markdown.clone()).collect();
     match answer {
         Answer::Choice(choices) => {
             for choice in choices {

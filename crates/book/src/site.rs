@@ -6,14 +6,14 @@ use std::path::Path;
 use crate::code::Highlighter;
 use crate::config::{Config, DataFile};
 use crate::diagnostic::{BuildError, Diagnostics};
-use crate::glossary::{self, NotationRow, Term};
+use crate::glossary::{self, Notation, NotationRow, Term};
 use crate::number::Numbers;
 use crate::output::Outputs;
 use crate::quiz::{self, Quiz};
 use crate::reference::References;
 use crate::source::Sources;
 use crate::still::Stills;
-use crate::template::Blocks;
+use crate::template::Templates;
 use crate::tex::Typesetter;
 
 /// The data a page draws on.
@@ -40,8 +40,8 @@ pub struct Site {
     pub stills: Stills,
     /// Colours code.
     pub highlighter: Highlighter,
-    /// What the blocks look like.
-    pub blocks: Blocks,
+    /// What blocks look like.
+    pub templates: Templates,
 }
 
 impl Site {
@@ -63,11 +63,11 @@ impl Site {
             typesetter: Typesetter::new(&macros.parse(diagnostics)),
             references: data("references.toml")?.parse(diagnostics),
             glossary: glossary::glossary(&data("glossary.toml")?, diagnostics),
-            notation: glossary::notation(&data("notation.toml")?, diagnostics),
+            notation: data("notation.toml")?.parse::<Notation>(diagnostics).row,
             quizzes: quiz::quizzes(&data("quizzes.toml")?, &numbers, diagnostics),
             sources: Sources::load(root)?,
             highlighter: Highlighter::default(),
-            blocks: Blocks::default(),
+            templates: Templates::load(root)?,
             config,
             numbers,
             outputs,

@@ -66,14 +66,10 @@ impl Values {
 
 impl Reader<'_> {
     pub(super) fn values(&self) -> Result<Answer, String> {
-        let raw = self.raw;
-        let vector = *raw.kind.get_ref() == Kind::Vector;
-        self.only(if vector {
-            &["answer", "tolerance", "near", "direction"]
-        } else {
-            &["answer", "tolerance", "near"]
-        })?;
-        let ids = raw.answer.as_ref().ok_or("the answer is missing: the id of a number")?.get_ref();
+        let raw = self.asked;
+        let vector = raw.kind == Kind::Vector;
+        self.only(&["answer", "tolerance", "near", "direction"][..if vector { 4 } else { 3 }])?;
+        let ids = raw.answer.as_ref().ok_or("the answer is missing: the id of a number")?;
         let ids: Vec<_> = ids.split(',').map(|id| id.trim().to_string()).collect();
         if vector != (ids.len() > 1) {
             return Err(format!("{} entries; a number has one, a vector more", ids.len()));
@@ -99,19 +95,21 @@ impl Reader<'_> {
         Ok(Answer::Values(values))
     }
 
-    fn near(&self, raw: &RawNear, values: &Values) -> Option<Near> {
-        let why = self.reason(&raw.value, raw.why.as_ref())?;
-        let place = self.file.place(&raw.value);
-        let text = raw.value.get_ref();
-        // Each entry is a value as it stands, or the id of a computed one.
-        let entry = |id: &str| id.parse().or_else(|_| self.numbers.get(id).map(|number| number.value));
-        let value = text.split(',').map(|id| entry(id.trim())).collect::<Result<Vec<f64>, _>>();
-        let value = self.diagnostics.ok(&place, value)?;
+    fn near(&self, RawNear { value: text, why }: &RawNear, values: &Values) -> Option<Near> {
+        self.needs_reason(text, why);
+        let value = text.markdown.split(',').map(|id| self.value(id.trim())).collect::<Result<Vec<f64>, _>>();
+        let value = self.diagnostics.ok(&text.place, value)?;
+        let report = |what: &str| self.diagnostics.report(&text.place, format!("`{}` {what}", text.markdown));
         if value.len() != values.right.len() {
-            self.diagnostics.report(&place, format!("`{text}` has not as many entries as the answer"));
+            report("has not as many entries as the answer");
         } else if values.gap(&value) <= values.tolerance {
-            self.diagnostics.report(&place, format!("`{text}` is wrong by no more than the tolerance: a right answer"));
+            report("is wrong by no more than the tolerance: a right answer");
         }
-        Some(Near { value, why })
+        Some(Near { value, why: why.clone() })
+    }
+
+    /// A value as it stands, or the computed number of this id.
+    pub(super) fn value(&self, text: &str) -> Result<f64, String> {
+        text.parse().or_else(|_| self.numbers.get(text).map(|number| number.value))
     }
 }
