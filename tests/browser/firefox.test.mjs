@@ -16,6 +16,9 @@ const firefox = [process.env.FIREFOX, '/usr/bin/firefox-esr', '/usr/bin/firefox'
 const notice = 'no Firefox here; Debian: apt-get install firefox-esr'
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
+// Before any test, since cargo may have to compile it, or to wait for another cargo: no test's time is spent on that.
+const native = firefox ? execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' }) : ''
+
 let browser, site, page
 const complaints = []
 if (firefox) {
@@ -107,7 +110,6 @@ test('a figure lives in a sandboxed frame of another origin in Firefox, and tell
 })
 
 test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
-  const native = execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
   const shown = ([tag]) => existsSync(path.join(root, `web/widgets/${tag}.js`))
   for (const [tag, hash, given] of native.trim().split('\n').map((line) => line.split(' ')).filter(shown)) {
     await alive(tag)

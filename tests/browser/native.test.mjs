@@ -19,6 +19,9 @@ function native(link, id) {
   return { text, frame: JSON.parse(frame) }
 }
 
+// Before any test, since cargo may have to compile it: no test's time is spent on that.
+execFileSync('cargo', ['build', '--quiet', '--locked', '-p', 'labs', '--example', 'lab_frame'], { cwd: root })
+
 /** JSON knows neither NaN nor infinity. */
 function finite(value) {
   if (typeof value === 'number') return Number.isFinite(value) ? value : null

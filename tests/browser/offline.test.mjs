@@ -58,7 +58,13 @@ test('after one visit every page, figure and check works without a network, in b
     const files = JSON.parse(readFileSync(path.join(dist, 'precache.json'), 'utf8')).map((file) => file.url)
     const pages = files.filter((at) => /(\/|\.html)$/.test(at))
     assert.ok(pages.length > 10, `${pages}`)
+    // Every page is there, byte by byte; the pages of the sources, of one kind, are not all shown.
     for (const at of pages) {
+      const kept = await page.evaluate(async (address) => (await fetch(address)).text(), url + at)
+      assert.ok(kept === readFileSync(path.join(dist, at.endsWith('.html') ? at : `${at}index.html`), 'utf8'), `/${at} is kept as it is`)
+    }
+    const sources = pages.filter((at) => at.startsWith('source/'))
+    for (const at of pages.filter((one) => !sources.slice(3).includes(one))) {
       await page.goto(url + at)
       assert.ok((await page.locator('h1').first().textContent()).length > 3, `/${at}`)
     }
