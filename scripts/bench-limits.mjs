@@ -12,6 +12,8 @@ const [N, P, M] = [16, 8, 8]
 const diagonal = (rows, columns, value) => Array.from({ length: rows }, (_, i) => Array.from({ length: columns }, (_, j) => (i === j ? value : 0)))
 /** A chain of integrators that never settles within the tolerance 0. */
 const F = diagonal(N, N, 1).map((row, i) => row.map((entry, j) => (j === i + 1 ? 1 : entry)))
+/** Each state takes the place of the one before it: one output sees them all, and any poles can be had. */
+const ring = diagonal(N, N, 0).map((row, i) => row.map((_, j) => (j === (i + 1) % N ? 1 : 0)))
 const system = { F, G: diagonal(N, M, 1), H: diagonal(P, N, 1), V: diagonal(N, N, 0.1), W: diagonal(P, P, 0.5) }
 const belief = { x: Array(N).fill(0), P: diagonal(N, N, 1) }
 
@@ -29,16 +31,25 @@ function greatMap() {
   return () => slam.update(sights(0))
 }
 
+/** Three landmarks so close together that ghosts of them have filled the Probe's map. */
+function fullProbe() {
+  const lab = new core.ObservabilityProbe({ count: 3, forget: true, landmarks: [[2, 3], [2.3, 3], [2.6, 3]] })
+  lab.run(10_000)
+  if (!lab.frame().slam.full) throw new Error('the map of the Probe is not full')
+  return () => lab.frame()
+}
+
 const calls = {
   'steadyStateGain, 16 states, 10 000 iterations': () => core.steadyStateGain(system, belief.P, 10_000, 0),
   'gainSchedule, 16 states, 10 000 steps': () => core.gainSchedule(system, belief.P, 10_000),
   'kalmanReplay, 16 states, 10 000 steps': () => core.kalmanReplay(system, belief, new Float64Array(10_000 * M), new Float64Array(10_000 * P)),
   'observability, 16 states, 8 outputs': () => core.observability(F, system.H),
   'errorEigenvalues, 16 states': () => core.errorEigenvalues(system, diagonal(N, P, 0.3)),
-  'placeObserverGain, 16 states': () => core.placeObserverGain(F, [diagonal(1, N, 1)[0]], Array.from({ length: N }, (_, i) => 0.9 - i / 40)),
+  'placeObserverGain, 16 states': () => core.placeObserverGain(ring, [diagonal(1, N, 1)[0]], Array.from({ length: N }, (_, i) => 0.9 - i / 40)),
   'EkfLocalizer.replay, 1 000 000 steps, 1000 landmarks': () => new core.EkfLocalizer(pose, beacons(1000), { W: [[1, 0], [0, 1]], gate: null, sensor: 'range-bearing' }).replay(log, ids, diagonal(3, 3, 1e-4)),
   'EkfLocalizer.update, 1000 landmarks to choose from': () => new core.EkfLocalizer(pose, beacons(1000), { W: [[1, 0], [0, 1]], gate: null, sensor: 'range-bearing' }).update({ range: 10, bearing: 3 }),
   'EkfSlam.update, 500 landmarks, 100 sightings': greatMap(),
+  'ObservabilityProbe.frame, its map full': fullProbe(),
   'chapterChecks': () => core.chapterChecks(),
 }
 for (const [name, Lab] of Object.entries({ OdometryHook: core.OdometryHook, ObserverBench: core.ObserverBench, Picture: core.Picture, ObservabilityProbe: core.ObservabilityProbe })) {

@@ -30,7 +30,8 @@ const shared = {
   assetNames: '[name]-[hash]',
   metafile: true,
   logLevel: 'warning',
-  logOverride: { 'empty-import-meta': 'silent' },
+  // wasm-bindgen names a script of ours once for each of its functions.
+  logOverride: { 'empty-import-meta': 'silent', 'duplicate-object-key': 'silent' },
 }
 
 /** A module's glue and the address of its binary. */

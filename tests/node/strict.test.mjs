@@ -62,6 +62,28 @@ test('a field is read once, whatever it answers', () => {
   refused(() => core.kalmanStep(rail, { P: [[1]] }, [0], [2.7]), 'type', 'belief.x', /is undefined/)
 })
 
+test('a getter within an array may make the memory of the module grow', () => {
+  const still = { x: [0, 0, 0], P: [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }
+  const ekf = new core.EkfLocalizer(still, [{ id: 0, x: 1, y: 0 }], { W: [[1]], sensor: 'range' })
+  // 32 MB are copied in before they are found not to fit.
+  const grow = () => refused(() => ekf.replay(new Float64Array(4_000_000), new Uint32Array(1), still.P), 'shape', 'log')
+  const row = Object.defineProperty([0, 1], 0, { get: () => (grow(), 0) })
+  assert.deepEqual(core.covarianceEllipse([[4, 0], row]), core.covarianceEllipse([[4, 0], [0, 1]]))
+})
+
+test('of a matrix, every entry is a number of its own: nothing is coerced and nothing is skipped', () => {
+  const hole = [0, 1]
+  delete hole[0]
+  for (const [entry, code] of [['0', 'type'], [null, 'type'], [undefined, 'type'], [[0], 'type'], [{ valueOf: () => 0 }, 'type'], [0n, 'type'], [NaN, 'not-finite'], [Infinity, 'not-finite']]) {
+    refused(() => core.covarianceEllipse([[4, 0], [entry, 1]]), code, code === 'type' ? 'P[1][0]' : 'P')
+  }
+  refused(() => core.covarianceEllipse([[4, 0], hole]), 'type', 'P[1][0]')
+  refused(() => core.covarianceEllipse([4, 0]), 'type', 'P[0]', /an array/)
+  refused(() => core.covarianceEllipse([[4, 0], 0]), 'type', 'P[1]', /an array/)
+  refused(() => core.covarianceEllipse([[4, 0], [0]]), 'shape', 'P', /ragged/)
+  refused(() => core.euclideanFoot([[1, 0]], [[1, 2]], [3]), 'type', 'x[0]', /a number/)
+})
+
 test('a first call that ends without stack leaves a module that works', () => {
   const program = `
     const core = require(process.argv[1])

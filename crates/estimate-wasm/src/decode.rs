@@ -1,11 +1,12 @@
 //! Strict decoding of JavaScript values: nothing is coerced, every step that could run a caller's code (a getter, a
 //! proxy) may fail, and every refusal names the culprit.
 
+use crate::names::name;
 use estimate::{Code, Error};
 use js_sys::{Array, JsString};
 use labs::{Parameter, Shape};
 use std::borrow::Cow;
-use std::cell::{Cell, RefCell};
+use std::cell::Cell;
 use std::fmt;
 use wasm_bindgen::prelude::*;
 
@@ -35,24 +36,8 @@ extern "C" {
 
 #[cfg(feature = "functions")]
 mod matrix;
-
-thread_local! {
-    /// The names of fields as JavaScript has them: making one of a name takes longer than reading the field.
-    static NAMES: RefCell<Vec<(&'static str, &'static JsValue)>> = const { RefCell::new(Vec::new()) };
-}
-
-/// `text` as a JavaScript string, made once for each name in the code.
-#[inline(never)]
-fn name(text: &'static str) -> &'static JsValue {
-    let known =
-        NAMES.with_borrow(|names| names.iter().find(|(known, _)| std::ptr::eq(*known, text)).map(|(_, made)| *made));
-    known.unwrap_or_else(|| {
-        // Not while the list is borrowed: a call that ends in the engine, out of stack, would never give it back.
-        let made: &'static JsValue = Box::leak(Box::new(text.into()));
-        NAMES.with_borrow_mut(|names| names.push((text, made)));
-        made
-    })
-}
+#[cfg(feature = "functions")]
+mod plain;
 
 /// Where in a call's arguments a value was found; spelt out for an error only.
 #[derive(Clone, Copy)]
@@ -197,7 +182,7 @@ impl<'a> Arg<'a> {
     pub fn field(&self, name: &'static str) -> Result<Arg<'_>, Error> {
         self.object()?;
         let path = Path::Field(&self.path, name);
-        let name = self::name(name);
+        let name = crate::names::name(name);
         let read = || match get(&self.value, name)? {
             Some(value) => Ok(value),
             // Null or undefined: the description of a field tells which. That of a getter does not, and counts as undefined.

@@ -1,13 +1,12 @@
 //! The EKF localizer's class.
 
 use crate::decode::Arg;
-use crate::encode::{numbers, plain, rows};
+use crate::encode::{list, record, rows};
 use crate::errors::thrown;
-use crate::functions::{BeliefAnswer, belief_of};
+use crate::functions::{belief_of, shown_belief};
 use crate::object::Held;
 use estimate::localizer::{EkfLocalizer as Localizer, Localized, Logged, MAX_LOG, Reading, SensorKind};
 use estimate::{Code, Error, Landmark};
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 /// The EKF over the pose [x, y, θ] among known landmarks (§8.3), at most 1000 of them.
@@ -17,26 +16,14 @@ pub struct EkfLocalizer(Held);
 
 const CLASS: &str = "EkfLocalizer";
 
-#[derive(Serialize)]
-struct UpdateAnswer {
-    outcome: &'static str,
-    landmark: u32,
-    innovation: Vec<f64>,
-    #[serde(rename = "S")]
-    s: Vec<Vec<f64>>,
-    chi2: f64,
-}
-
-impl From<Localized> for UpdateAnswer {
-    fn from(answer: Localized) -> Self {
-        Self {
-            outcome: if answer.accepted { "accepted" } else { "rejected" },
-            landmark: answer.landmark,
-            innovation: numbers(&answer.innovation),
-            s: rows(&answer.s),
-            chi2: answer.chi2,
-        }
-    }
+fn shown(answer: &Localized) -> JsValue {
+    record(&[
+        ("outcome", if answer.accepted { "accepted" } else { "rejected" }.into()),
+        ("landmark", answer.landmark.into()),
+        ("innovation", list(answer.innovation.as_slice())),
+        ("S", rows(&answer.s)),
+        ("chi2", answer.chi2.into()),
+    ])
 }
 
 #[wasm_bindgen]
@@ -91,7 +78,7 @@ impl EkfLocalizer {
             "range" | "bearing" | "landmark" => e.within("reading"),
             _ => e,
         };
-        plain(&UpdateAnswer::from(self.write(|ekf| ekf.update(reading).map_err(blame))?))
+        self.write(|ekf| ekf.update(reading).map_err(blame)).map(|answer| shown(&answer))
     }
 
     /// Predicts and corrects once for each step of a log of at most 1 000 000 steps, in one call where thousands would cross
@@ -128,8 +115,7 @@ impl EkfLocalizer {
     /// The present belief, θ in (−π, π].
     #[wasm_bindgen(unchecked_return_type = "Belief")]
     pub fn belief(&self) -> Result<JsValue, JsValue> {
-        let belief = self.0.read(CLASS, Localizer::belief)?;
-        plain(&BeliefAnswer::from(&belief))
+        self.0.read(CLASS, Localizer::belief).map(|belief| shown_belief(&belief))
     }
 
     fn write<T>(&self, f: impl FnOnce(&mut Localizer) -> Result<T, Error>) -> Result<T, JsValue> {

@@ -1,13 +1,13 @@
 //! The class of range–bearing SLAM.
 
 use crate::decode::Arg;
-use crate::encode::{plain, rows};
+use crate::encode::{list, record, rows};
 use crate::errors::thrown;
 use crate::functions::belief_of;
 use crate::object::Held;
 use estimate::Error;
-use estimate::slam::{EkfSlam as Slam, Outcome, Reading, Report};
-use serde::Serialize;
+use estimate::slam::{EkfSlam as Slam, Mapped, Outcome, Reading, Report};
+use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
 /// Range–bearing SLAM on the unicycle (§8.4.2): the state [x, y, θ, x₁, y₁, …] grows to at most 500 landmarks; at most
@@ -18,47 +18,29 @@ pub struct EkfSlam(Held);
 
 const CLASS: &str = "EkfSlam";
 
-#[derive(Serialize)]
-struct Answer {
-    outcome: &'static str,
-    landmark: Option<u32>,
-    innovation: Option<[f64; 2]>,
-    #[serde(rename = "S")]
-    s: Option<[[f64; 2]; 2]>,
-    chi2: Option<f64>,
+fn shown(report: &Report) -> JsValue {
+    let outcome = match report.outcome {
+        Outcome::Matched => "matched",
+        Outcome::Founded => "founded",
+        Outcome::Rejected => "rejected",
+    };
+    let evidence = report.evidence.as_ref();
+    record(&[
+        ("outcome", outcome.into()),
+        ("landmark", report.landmark.map_or(JsValue::NULL, JsValue::from)),
+        ("innovation", evidence.map_or(JsValue::NULL, |(nu, ..)| list(nu.as_slice()))),
+        ("S", evidence.map_or(JsValue::NULL, |(_, s, _)| rows(s))),
+        ("chi2", evidence.map_or(JsValue::NULL, |(.., chi2)| (*chi2).into())),
+    ])
 }
 
-impl From<&Report> for Answer {
-    fn from(report: &Report) -> Self {
-        Self {
-            outcome: match report.outcome {
-                Outcome::Matched => "matched",
-                Outcome::Founded => "founded",
-                Outcome::Rejected => "rejected",
-            },
-            landmark: report.landmark,
-            innovation: report.evidence.map(|(nu, ..)| nu.into()),
-            // Symmetric: columns are rows.
-            s: report.evidence.map(|(_, s, _)| s.into()),
-            chi2: report.evidence.map(|(.., chi2)| chi2),
-        }
-    }
-}
-
-#[derive(Serialize)]
-struct BeliefAnswer {
-    x: Vec<f64>,
-    #[serde(rename = "P")]
-    p: Vec<Vec<f64>>,
-}
-
-#[derive(Serialize)]
-struct LandmarkAnswer {
-    id: u32,
-    x: f64,
-    y: f64,
-    #[serde(rename = "P")]
-    p: [[f64; 2]; 2],
+fn shown_landmark(landmark: &Mapped) -> JsValue {
+    record(&[
+        ("id", landmark.id.into()),
+        ("x", landmark.position[0].into()),
+        ("y", landmark.position[1].into()),
+        ("P", rows(&landmark.p)),
+    ])
 }
 
 #[wasm_bindgen]
@@ -110,29 +92,27 @@ impl EkfSlam {
             _ => e,
         };
         let reports = self.write(|slam| slam.update(&readings).map_err(blame))?;
-        let answers: Vec<Answer> = reports.iter().map(Answer::from).collect();
-        match answers.as_slice() {
-            [one] if !several => plain(one),
-            all => plain(all),
-        }
+        Ok(match reports.as_slice() {
+            [one] if !several => shown(one),
+            all => all.iter().map(shown).collect::<Array>().into(),
+        })
     }
 
     /// The whole belief: x and P over pose and map.
     #[wasm_bindgen(unchecked_return_type = "Belief")]
     pub fn belief(&self) -> Result<JsValue, JsValue> {
-        let answer = self.0.read(CLASS, |slam: &Slam| {
+        let (x, p) = self.0.read(CLASS, |slam: &Slam| {
             let (x, p) = slam.belief();
-            BeliefAnswer { x: x.to_vec(), p: rows(&p) }
+            (x.to_vec(), p)
         })?;
-        plain(&answer)
+        Ok(record(&[("x", list(&x)), ("P", rows(&p))]))
     }
 
     /// The map, in the order in which it was founded.
     #[wasm_bindgen(unchecked_return_type = "MappedLandmark[]")]
     pub fn landmarks(&self) -> Result<JsValue, JsValue> {
-        let answer =
-            |l: estimate::slam::Mapped| LandmarkAnswer { id: l.id, x: l.position[0], y: l.position[1], p: l.p.into() };
-        plain(&self.0.read(CLASS, |slam: &Slam| slam.landmarks().map(answer).collect::<Vec<_>>())?)
+        let landmarks: Vec<Mapped> = self.0.read(CLASS, |slam: &Slam| slam.landmarks().collect())?;
+        Ok(landmarks.iter().map(shown_landmark).collect::<Array>().into())
     }
 
     fn write<T>(&self, f: impl FnOnce(&mut Slam) -> Result<T, Error>) -> Result<T, JsValue> {

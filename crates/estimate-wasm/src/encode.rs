@@ -1,25 +1,24 @@
 //! Plain JavaScript values from the core's answers.
 
+use crate::names::{name, of_fields};
 use js_sys::Array;
 use labs::{Field, Shape};
-use std::cell::RefCell;
 use std::slice::Iter;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("types.d.ts");
 
+#[wasm_bindgen(module = "/js/lists.js")]
+extern "C" {
+    fn pair(first: f64, second: f64) -> JsValue;
+    fn triple(first: f64, second: f64, third: f64) -> JsValue;
+}
+
 #[wasm_bindgen]
 extern "C" {
-    /// The numbers as an array: one call for all of them.
     #[wasm_bindgen(js_namespace = Array, js_name = from)]
-    pub(crate) fn list(numbers: &[f64]) -> JsValue;
-
-    // Short lists are quicker to make of their entries than of a view of the memory.
-    #[wasm_bindgen(js_namespace = Array, js_name = of)]
-    fn pair(first: f64, second: f64) -> JsValue;
-    #[wasm_bindgen(js_namespace = Array, js_name = of)]
-    fn triple(first: f64, second: f64, third: f64) -> JsValue;
+    fn long(numbers: &[f64]) -> JsValue;
 
     #[wasm_bindgen(js_name = Object)]
     type Fresh;
@@ -28,26 +27,6 @@ extern "C" {
     fn put(this: &Fresh, name: &JsValue, value: &JsValue);
     #[wasm_bindgen(method, structural, indexing_setter)]
     fn put_number(this: &Fresh, name: &JsValue, value: f64);
-}
-
-type Names = Vec<(*const Field, &'static [JsValue])>;
-
-thread_local! {
-    /// The names of each record's fields as JavaScript has them: making a string takes longer than writing a field.
-    static NAMES: RefCell<Names> = const { RefCell::new(Vec::new()) };
-}
-
-/// The names of a record's fields, made once.
-fn names(fields: &'static [Field]) -> &'static [JsValue] {
-    let key = fields.as_ptr();
-    let known = NAMES.with_borrow(|all| all.iter().find(|(known, _)| *known == key).map(|(_, names)| *names));
-    known.unwrap_or_else(|| {
-        // Not while the list is borrowed: a call that ends in the engine, out of stack, would never give it back.
-        let made: Vec<JsValue> = fields.iter().map(|field| field.name.into()).collect();
-        let made: &'static [JsValue] = Vec::leak(made);
-        NAMES.with_borrow_mut(|all| all.push((key, made)));
-        made
-    })
 }
 
 /// A row of numbers that is read along a shape.
@@ -101,11 +80,7 @@ impl<'a> Row<'a> {
 
     fn entries(&mut self, n: usize, entry: &'static Shape) -> JsValue {
         if matches!(entry, Shape::Number) {
-            return match *self.numbers(n) {
-                [first, second] => pair(first, second),
-                [first, second, third] => triple(first, second, third),
-                ref numbers => list(numbers),
-            };
+            return list(self.numbers(n));
         }
         let entries = Array::new();
         for _ in 0..n {
@@ -116,7 +91,7 @@ impl<'a> Row<'a> {
 
     fn fields(&mut self, fields: &'static [Field]) -> JsValue {
         let object: Fresh = js_sys::Object::new().unchecked_into();
-        for (field, name) in fields.iter().zip(names(fields)) {
+        for (field, name) in fields.iter().zip(of_fields(fields)) {
             match field.shape {
                 Shape::Number | Shape::Whole => object.put_number(name, self.number()),
                 ref shape => object.put(name, &self.value(shape)),
@@ -126,53 +101,77 @@ impl<'a> Row<'a> {
     }
 }
 
-/// A plain value.
-#[cfg(feature = "functions")]
-pub(crate) fn shown<T: labs::Plain>(value: &T) -> JsValue {
-    let mut numbers = Vec::new();
-    value.write(&mut numbers);
-    Row::new(&numbers).value(&T::SHAPE)
+/// The numbers as an array.
+pub(crate) fn list(numbers: &[f64]) -> JsValue {
+    match *numbers {
+        [first, second] => pair(first, second),
+        [first, second, third] => triple(first, second, third),
+        _ => long(numbers),
+    }
 }
 
 /// An object of these fields.
-pub(crate) fn record(fields: &[(&str, JsValue)]) -> JsValue {
+pub(crate) fn record(fields: &[(&'static str, JsValue)]) -> JsValue {
     let object: Fresh = js_sys::Object::new().unchecked_into();
-    for (name, value) in fields {
-        object.put(&(*name).into(), value);
+    for (field, value) in fields {
+        object.put(name(field), value);
     }
     object.into()
 }
 
 #[cfg(feature = "functions")]
-pub(crate) use answers::{floats, numbers, plain, rows};
+pub(crate) use answers::{Arrays, rows, shown};
 
 #[cfg(feature = "functions")]
 mod answers {
-    use crate::errors::thrown;
-    use estimate::{Code, Error};
-    use nalgebra::{DMatrix, DVector};
-    use serde::Serialize;
-    use serde_wasm_bindgen::Serializer;
+    use super::Row;
+    use nalgebra::{Dim, Matrix, RawStorage};
     use wasm_bindgen::prelude::*;
 
-    /// `value` as a plain object: maps as objects, what is absent as null.
-    pub(crate) fn plain<T: Serialize + ?Sized>(value: &T) -> Result<JsValue, JsValue> {
-        let serializer = Serializer::new().serialize_maps_as_objects(true).serialize_missing_as_null(true);
-        value.serialize(&serializer).map_err(|e| thrown(Error::new(Code::Type, "answer", e.to_string())))
+    #[wasm_bindgen(module = "/js/arrays.js")]
+    extern "C" {
+        #[wasm_bindgen(js_name = matrixOf)]
+        fn matrix_of(entries: &[f64], rows: usize) -> JsValue;
+        #[wasm_bindgen(js_name = putFields)]
+        fn put_fields(object: &JsValue, names: &JsValue, from: &[f64]);
     }
 
-    /// A matrix by rows.
-    pub(crate) fn rows(m: &DMatrix<f64>) -> Vec<Vec<f64>> {
-        m.row_iter().map(|row| row.iter().copied().collect()).collect()
+    fn by_rows<R: Dim, C: Dim, S: RawStorage<f64, R, C>>(m: &Matrix<f64, R, C, S>) -> impl Iterator<Item = f64> {
+        (0..m.nrows()).flat_map(move |i| (0..m.ncols()).map(move |j| m[(i, j)]))
     }
 
-    /// Numbers as a Float64Array.
-    pub(crate) fn floats(numbers: &[f64]) -> JsValue {
-        js_sys::Float64Array::from(numbers).into()
+    /// A matrix as an array of rows.
+    pub(crate) fn rows<R: Dim, C: Dim, S: RawStorage<f64, R, C>>(m: &Matrix<f64, R, C, S>) -> JsValue {
+        matrix_of(&by_rows(m).collect::<Vec<f64>>(), m.nrows())
     }
 
-    /// A vector as its numbers.
-    pub(crate) fn numbers(v: &DVector<f64>) -> Vec<f64> {
-        v.iter().copied().collect()
+    /// Vectors and matrices that cross over together, as `arrays.js` describes them.
+    #[derive(Default)]
+    pub(crate) struct Arrays(Vec<f64>);
+
+    impl Arrays {
+        pub fn vector(mut self, entries: &[f64]) -> Self {
+            self.0.extend([-1.0, entries.len() as f64]);
+            self.0.extend(entries);
+            self
+        }
+
+        pub fn matrix<R: Dim, C: Dim, S: RawStorage<f64, R, C>>(mut self, m: &Matrix<f64, R, C, S>) -> Self {
+            self.0.extend([m.nrows() as f64, m.ncols() as f64]);
+            self.0.extend(by_rows(m));
+            self
+        }
+
+        /// Puts them on an object, under these names.
+        pub fn put(self, object: &JsValue, names: &'static [&'static str]) {
+            put_fields(object, crate::names::array(names), &self.0);
+        }
+    }
+
+    /// A plain value.
+    pub(crate) fn shown<T: labs::Plain>(value: &T) -> JsValue {
+        let mut numbers = Vec::new();
+        value.write(&mut numbers);
+        Row::new(&numbers).value(&T::SHAPE)
     }
 }

@@ -1,13 +1,13 @@
 //! The linear functions: decode, call, encode.
 
 use crate::decode::Arg;
-use crate::encode::{floats, list, numbers, plain, rows, shown};
+use crate::encode::{Arrays, list, record, rows, shown};
 use crate::errors::thrown;
 use estimate::dynamic::{self, Belief, Replayed, System};
 use estimate::validate::{self, MAX_INPUTS, MAX_OUTPUTS};
 use estimate::{Complex, Error, kf};
+use js_sys::{Array, Float64Array};
 use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -26,14 +26,15 @@ pub fn kalman_step(
         kf::kalman_step(&system, &belief, &Arg::new(u, "u").vector()?, &Arg::new(y, "y").vector()?)
     };
     let kf::KalmanStep { predicted, innovation, s, r, posterior } = step().map_err(thrown)?;
-    plain(&StepAnswer {
-        predicted: (&predicted).into(),
-        innovation: numbers(&innovation),
-        s: rows(&s),
-        r: rows(&r),
-        x: numbers(&posterior.x),
-        p: rows(&posterior.p),
-    })
+    let answer = record(&[("predicted", shown_belief(&predicted))]);
+    Arrays::default()
+        .vector(innovation.as_slice())
+        .matrix(&s)
+        .matrix(&r)
+        .vector(posterior.x.as_slice())
+        .matrix(&posterior.p)
+        .put(&answer, &["innovation", "S", "R", "x", "P"]);
+    Ok(answer)
 }
 
 /// A `kalmanStep` for each row of a log of at most 100 000 steps (of a large system as many as keep steps · (n + p)³ within
@@ -54,14 +55,13 @@ pub fn kalman_replay(
         dynamic::kalman_replay(&system, &belief, &inputs, &readings)
     };
     let Replayed { x, variances, p, log_likelihood } = answer().map_err(thrown)?;
-    let answer = js_sys::Object::new();
-    let likelihood = log_likelihood.map_or(JsValue::NULL, JsValue::from_f64);
-    let parts =
-        [("x", floats(&x)), ("variances", floats(&variances)), ("P", plain(&rows(&p))?), ("logLikelihood", likelihood)];
-    for (name, part) in parts {
-        js_sys::Reflect::set(&answer, &name.into(), &part)?;
-    }
-    Ok(answer.into())
+    let floats = |numbers: &[f64]| Float64Array::from(numbers).into();
+    Ok(record(&[
+        ("x", floats(&x)),
+        ("variances", floats(&variances)),
+        ("P", rows(&p)),
+        ("logLikelihood", log_likelihood.map_or(JsValue::NULL, JsValue::from_f64)),
+    ]))
 }
 
 /// One step of the observer with the fixed gain `K`: F x + G u + K (y − H (F x + G u)).
@@ -102,12 +102,12 @@ pub fn observability(
         dynamic::observability(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, tolerance)
     };
     let seen = answer().map_err(thrown)?;
-    plain(&ObservabilityAnswer {
-        rank: seen.rank,
-        n: seen.n,
-        singular_values: &seen.singular_values,
-        nullspace: seen.nullspace.iter().map(numbers).collect(),
-    })
+    Ok(record(&[
+        ("rank", seen.rank.into()),
+        ("n", seen.n.into()),
+        ("singularValues", list(&seen.singular_values)),
+        ("nullspace", seen.nullspace.iter().map(|v| list(v.as_slice())).collect::<Array>().into()),
+    ]))
 }
 
 /// The gain K that gives (I − KH)F the eigenvalues `poles`, for a single output (Ackermann on (F, HF)) and at most 16 states.
@@ -124,7 +124,7 @@ pub fn place_observer_gain(
         dynamic::place_observer_gain(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, &poles)
     };
     let k: DVector<f64> = answer().map_err(thrown)?;
-    plain(&rows(&DMatrix::from_column_slice(k.len(), 1, k.as_slice())))
+    Ok(rows(&DMatrix::from_column_slice(k.len(), 1, k.as_slice())))
 }
 
 /// The limit of the gain from P(0 | 0) = `P0`; at most 100 000 iterations (of a large system fewer, as in `kalmanReplay`; 10 000 when
@@ -145,13 +145,13 @@ pub fn steady_state_gain(
         dynamic::steady_state_gain(&system_of(system)?, Arg::new(p0, "P0").matrix()?, iterations as usize, tolerance)
     };
     let limit = answer().map_err(thrown)?;
-    plain(&SteadyStateAnswer {
-        r: rows(&limit.r),
-        p: rows(&limit.p),
-        converged: limit.converged,
-        gain_converged: limit.gain_converged,
-        iterations: limit.iterations,
-    })
+    Ok(record(&[
+        ("R", rows(&limit.r)),
+        ("P", rows(&limit.p)),
+        ("converged", limit.converged.into()),
+        ("gainConverged", limit.gain_converged.into()),
+        ("iterations", limit.iterations.into()),
+    ]))
 }
 
 /// R(1), …, R(steps) from P(0 | 0) = `P0`; at most 10 000 steps.
@@ -165,8 +165,7 @@ pub fn gain_schedule(
         let steps = Arg::new(steps, "steps").whole(1, estimate::riccati::MAX_STEPS as u32)?;
         dynamic::gain_schedule(&system_of(system)?, Arg::new(p0, "P0").matrix()?, steps as usize)
     };
-    let gains: Vec<_> = answer().map_err(thrown)?.iter().map(rows).collect();
-    plain(&gains)
+    Ok(answer().map_err(thrown)?.iter().map(rows).collect::<Array>().into())
 }
 
 /// The ellipse {x : xᵀP⁻¹x = radius²} of a 2×2 covariance; the radius is 1 when left out.
@@ -233,60 +232,34 @@ fn number_or(value: &JsValue, name: &'static str, default: f64) -> Result<f64, E
 
 fn system_of(value: &JsValue) -> Result<System, Error> {
     let arg = Arg::new(value, "system");
-    let (f, g, h) = (arg.field("F")?.tall()?, arg.field("G")?.wide()?, arg.field("H")?.tall()?);
-    let (v, w) = (arg.field("V")?.matrix()?, arg.field("W")?.matrix()?);
+    let plain = arg.plain_fields(&["F", "G", "H", "V", "W"], |arrays| {
+        Some((arrays.matrix()?, arrays.matrix()?, arrays.matrix()?, arrays.matrix()?, arrays.matrix()?))
+    });
+    let (f, g, h, v, w) = match plain {
+        Some(matrices) => matrices,
+        None => (
+            arg.field("F")?.tall()?,
+            arg.field("G")?.wide()?,
+            arg.field("H")?.tall()?,
+            arg.field("V")?.matrix()?,
+            arg.field("W")?.matrix()?,
+        ),
+    };
     System::new(f, g, h, v, w).map_err(|e| e.within("system"))
 }
 
 /// `{ x, P }`.
 pub(crate) fn belief_of(arg: &Arg<'_>) -> Result<Belief, Error> {
-    validate::belief(arg.field("x")?.vector()?, arg.field("P")?.matrix()?).map_err(|e| e.within("belief"))
+    let (x, p) = match arg.plain_fields(&["x", "P"], |arrays| Some((arrays.vector()?, arrays.matrix()?))) {
+        Some(arrays) => arrays,
+        None => (arg.field("x")?.vector()?, arg.field("P")?.matrix()?),
+    };
+    validate::belief(x, p).map_err(|e| e.within("belief"))
 }
 
-/// A belief, encoded.
-#[derive(Serialize)]
-pub(crate) struct BeliefAnswer {
-    x: Vec<f64>,
-    #[serde(rename = "P")]
-    p: Vec<Vec<f64>>,
-}
-
-impl From<&Belief> for BeliefAnswer {
-    fn from(belief: &Belief) -> Self {
-        Self { x: numbers(&belief.x), p: rows(&belief.p) }
-    }
-}
-
-#[derive(Serialize)]
-struct StepAnswer {
-    predicted: BeliefAnswer,
-    innovation: Vec<f64>,
-    #[serde(rename = "S")]
-    s: Vec<Vec<f64>>,
-    #[serde(rename = "R")]
-    r: Vec<Vec<f64>>,
-    x: Vec<f64>,
-    #[serde(rename = "P")]
-    p: Vec<Vec<f64>>,
-}
-
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct ObservabilityAnswer<'a> {
-    rank: usize,
-    n: usize,
-    singular_values: &'a [f64],
-    nullspace: Vec<Vec<f64>>,
-}
-
-#[derive(Serialize)]
-#[serde(rename_all = "camelCase")]
-struct SteadyStateAnswer {
-    #[serde(rename = "R")]
-    r: Vec<Vec<f64>>,
-    #[serde(rename = "P")]
-    p: Vec<Vec<f64>>,
-    converged: bool,
-    gain_converged: bool,
-    iterations: usize,
+/// A belief as `{ x, P }`.
+pub(crate) fn shown_belief(belief: &Belief) -> JsValue {
+    let object = record(&[]);
+    Arrays::default().vector(belief.x.as_slice()).matrix(&belief.p).put(&object, &["x", "P"]);
+    object
 }

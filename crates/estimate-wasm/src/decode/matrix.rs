@@ -1,6 +1,7 @@
 //! Vectors, matrices and typed arrays as arguments.
 
-use super::{Arg, name};
+use super::Arg;
+use crate::names::name;
 use estimate::{Code, Complex, Error};
 use js_sys::Reflect;
 use nalgebra::{DMatrix, DVector};
@@ -8,7 +9,7 @@ use wasm_bindgen::prelude::*;
 
 /// The most rows, and the most columns, of a matrix: no argument of any call has more. What has more is refused by its
 /// lengths, since rows × columns entries of the longest arrays would take a minute to read, or more memory than there is.
-const MAX_SIDE: u32 = estimate::validate::MAX_STATES as u32;
+pub(super) const MAX_SIDE: u32 = estimate::validate::MAX_STATES as u32;
 
 #[wasm_bindgen]
 extern "C" {
@@ -39,7 +40,10 @@ impl Arg<'_> {
 
     /// A vector.
     pub fn vector(&self) -> Result<DVector<f64>, Error> {
-        self.numbers().map(DVector::from_vec)
+        match self.plain(|arrays| arrays.vector()) {
+            Some(vector) => Ok(vector),
+            None => self.numbers().map(DVector::from_vec),
+        }
     }
 
     /// An array of rows of one length. One too large is of the wrong shape: another argument says what its sides must be.
@@ -59,6 +63,9 @@ impl Arg<'_> {
 
     /// A matrix of at most [`MAX_SIDE`] rows and columns; the codes are for one with too many of either.
     fn matrix_within(&self, tall: Code, wide: Code) -> Result<DMatrix<f64>, Error> {
+        if let Some(matrix) = self.plain(|arrays| arrays.matrix()) {
+            return Ok(matrix);
+        }
         let side = |length: u32, code: Code, of: &str| match length {
             0..=MAX_SIDE => Ok(length),
             _ => Err(self.refuse(code, format!("has {length} {of}; at most {MAX_SIDE} are accepted"))),

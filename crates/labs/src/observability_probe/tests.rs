@@ -154,3 +154,13 @@ fn a_map_of_ghosts_is_closed_when_it_is_full() {
     assert!(full.spurious > 0);
     assert!(!slam(1).full);
 }
+
+#[test]
+fn the_bands_are_the_intervals_of_chi_squared_to_the_last_bit() {
+    let bits = |band: [f64; 2]| band.map(f64::to_bits);
+    assert!(view::BANDS[0].iter().all(|bound| bound.is_nan()), "nothing is read, and no bound is known");
+    for (dof, band) in (1..).zip(&view::BANDS[1..]) {
+        let (low, high) = filters::consistency::chi2_interval(dof, 1, 0.95).expect("in range");
+        assert_eq!(bits(*band), bits([low, high]), "{dof} degrees of freedom: {band:?}, and not [{low:?}, {high:?}]");
+    }
+}

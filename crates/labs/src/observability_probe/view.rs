@@ -7,9 +7,7 @@ use crate::mapping::{Mapping, Seen, Tally};
 use crate::shapes::{ellipse_of, innovation, rows};
 use crate::true_path::parts;
 use estimate::slam::Outcome;
-use filters::consistency::chi2_interval;
 use sim::scenarios::PROBE;
-use std::sync::LazyLock;
 
 pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
     let (pose, p) = probe.who.belief();
@@ -51,7 +49,7 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
         nis: probe.nis.map(|(nis, _)| nis),
         nis_dof: probe.nis.map_or(0, |(_, dof)| dof),
         mean: Means { nees: probe.mean_nees(), nis_per_dof: mean(probe.sums.nis, probe.sums.nis_dof) },
-        bands: *BANDS,
+        bands: BANDS,
         series: probe.series.clone(),
         tracks: probe.tracks.outlined(),
         slam: match &probe.who {
@@ -61,14 +59,17 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
     }
 }
 
-/// Where 95 % of single draws of χ² lie, for 0 to 6 degrees of freedom: three landmarks read twice. They are
-/// computed once, because each quantile takes an iteration and a frame needs several.
-static BANDS: LazyLock<[[f64; 2]; 7]> = LazyLock::new(|| {
-    std::array::from_fn(|dof| {
-        let interval = chi2_interval(dof as u32, 1, 0.95).ok().filter(|_| dof > 0);
-        interval.map_or([f64::NAN; 2], |(low, high)| [low, high])
-    })
-});
+/// Where 95 % of single draws of χ² lie, for 0 to 6 degrees of freedom: three landmarks read twice. A table, which a test holds to
+/// `chi2_interval` bit by bit: the quantiles' functions would be a fortieth of all that a reader of the figures fetches.
+pub(super) const BANDS: [[f64; 2]; 7] = [
+    [f64::NAN; 2],
+    [0.0009820691171752583, 5.023886187314889],
+    [0.05063561596857977, 7.377758907714865],
+    [0.21579528262389827, 9.348403604496138],
+    [0.4844185570879301, 11.143286781877789],
+    [0.831211613486664, 12.83250199341188],
+    [1.2373442457912047, 14.449375335447915],
+];
 
 /// Frozen at the present estimate, after the update, and along the true path. On finite poses both are found; otherwise an empty
 /// one is shown.

@@ -1,0 +1,62 @@
+//! The usual way of vectors and matrices: plain arrays of finite numbers, read in one call. Of any other the answer is nothing, and
+//! the strict way, entry by entry, says what is wrong.
+
+use super::Arg;
+use super::matrix::MAX_SIDE;
+use nalgebra::{DMatrix, DVector};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(module = "/js/arrays.js")]
+extern "C" {
+    #[wasm_bindgen(js_name = readArray)]
+    fn read_array(array: &JsValue, to: &mut [f64]) -> bool;
+    #[wasm_bindgen(js_name = readFields)]
+    fn read_fields(object: &JsValue, names: &JsValue, to: &mut [f64]) -> bool;
+}
+
+/// Room for the largest matrix.
+const ROOM: usize = 2 + (MAX_SIDE * MAX_SIDE) as usize;
+
+/// Arrays one behind another, as `arrays.js` describes them.
+pub(crate) struct Plain<'a>(&'a [f64]);
+
+impl Plain<'_> {
+    /// The next array, which must be a vector.
+    pub fn vector(&mut self) -> Option<DVector<f64>> {
+        let [-1.0, length, rest @ ..] = self.0 else { return None };
+        let (entries, rest) = rest.split_at_checked(*length as usize)?;
+        self.0 = rest;
+        Some(DVector::from_column_slice(entries))
+    }
+
+    /// The next array, which must be a matrix.
+    pub fn matrix(&mut self) -> Option<DMatrix<f64>> {
+        let [rows, columns, rest @ ..] = self.0 else { return None };
+        if *rows < 0.0 {
+            return None;
+        }
+        let (rows, columns) = (*rows as usize, *columns as usize);
+        let (entries, rest) = rest.split_at_checked(rows * columns)?;
+        self.0 = rest;
+        Some(DMatrix::from_row_slice(rows, columns, entries))
+    }
+}
+
+impl Arg<'_> {
+    /// What `take` finds in this argument.
+    pub fn plain<T>(&self, take: impl FnOnce(&mut Plain<'_>) -> Option<T>) -> Option<T> {
+        let mut room = [0.0; ROOM];
+        if read_array(&self.value, &mut room) { take(&mut Plain(&room)) } else { None }
+    }
+
+    /// What `take` finds in the fields `names`, at most five of them.
+    pub fn plain_fields<T>(
+        &self,
+        names: &'static [&'static str],
+        take: impl FnOnce(&mut Plain<'_>) -> Option<T>,
+    ) -> Option<T> {
+        let mut room = [0.0; 5 * ROOM];
+        let read = read_fields(&self.value, crate::names::array(names), &mut room);
+        if read { take(&mut Plain(&room)) } else { None }
+    }
+}
