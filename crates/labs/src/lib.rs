@@ -18,6 +18,7 @@ mod picture;
 mod robot_log;
 mod series;
 mod shapes;
+mod spread;
 mod true_path;
 mod tune;
 mod typescript;

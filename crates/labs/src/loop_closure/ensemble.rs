@@ -1,8 +1,8 @@
 //! The corridor's loop over many seeds.
 
 use super::{LoopClosure, LoopParams};
-use crate::ensembles::{Spread, over_seeds};
 use crate::lab::Lab;
+use crate::spread::{Spread, over_seeds};
 use estimate::Error;
 use sim::scenarios::LOOP_CLOSURE;
 

@@ -1,8 +1,8 @@
 //! Fits of the noise levels over many seeds.
 
 use super::{TWO_STATES, Tune, TuneParams};
-use crate::ensembles::{Spread, over_seeds};
 use crate::lab::Lab;
+use crate::spread::{Spread, over_seeds};
 use core::f64::consts::LN_10;
 use estimate::Error;
 use nalgebra::Vector2;
