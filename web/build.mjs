@@ -10,6 +10,7 @@ import { fileURLToPath } from 'node:url'
 import { build } from 'esbuild'
 import { subsetFonts } from './fonts.mjs'
 import { styleHeights } from './heights.mjs'
+import { vignette } from './vignette.mjs'
 
 const web = dirname(fileURLToPath(import.meta.url))
 const root = dirname(web)
@@ -80,6 +81,7 @@ const inline = Object.fromEntries([...inside.outputFiles, ...insideStyle.outputF
   const text = built.trim()
   return [`lost${extname(path)}`, { text, sha256: createHash('sha256').update(text).digest('base64') }]
 }))
+inline['vignette.svg'] = { text: vignette(join(root, 'target/pkg/node')), sha256: '' }
 writeFileSync(join(out, 'inline.json'), `${JSON.stringify(inline, null, 2)}\n`)
 
 for (const file of readdirSync(out).filter((name) => name.endsWith('.woff2'))) {

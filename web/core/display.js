@@ -9,6 +9,8 @@ import { STEP_MS, ease } from './motion.js'
 const PATIENCE = 4
 /** … but for this long at most, milliseconds; then one of them is drawn all the same. Readouts wait likewise. */
 const LAG = 200
+/** A figure narrower than this, pixels, keeps the size it had. */
+const LEAST_WIDTH = 120
 /** While a run plays the labels, which only screen readers read, are written this seldom, milliseconds. */
 const LABELS_MS = 500
 
@@ -51,6 +53,8 @@ export class Display {
   }
 
   measure() {
+    // In a frame that is folded away there is nothing to draw on.
+    if (this.shell.into.getBoundingClientRect().width < LEAST_WIDTH) return
     for (const panel of Object.values(this.shell.panels)) {
       const { width, height } = panel.svg.getBoundingClientRect()
       if (width < 1 || (Math.abs(panel.width - width) < 0.5 && Math.abs(panel.height - height) < 0.5)) continue

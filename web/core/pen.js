@@ -87,7 +87,7 @@ export class Pen {
    * @param {(pen: Pen) => void} paint
    */
   window(key, { left, top, right, bottom }, paint) {
-    const [width, height] = [right - left, bottom - top]
+    const [width, height] = [Math.max(0, right - left), Math.max(0, bottom - top)]
     return this.nest('svg', key, { x: left, y: top, width, height, viewBox: [left, top, width, height].join(' '), class: 'window' }, paint)
   }
 

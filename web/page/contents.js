@@ -1,4 +1,6 @@
-/** The table of contents marks the section that is being read; on a small screen a button opens it. */
+/** The table of contents marks the section that is being read; on a small screen a button opens it over the text. */
+
+import { bar } from './bar.js'
 
 export function follow() {
   const nav = /** @type {HTMLElement | null} */ (document.querySelector('.toc'))
@@ -13,6 +15,7 @@ export function follow() {
     parts.at(-1)?.headings.push([heading, link])
   }
   const above = (/** @type {Element} */ element) => element.getBoundingClientRect().top <= innerHeight * 0.3
+  const tell = bar()
   /** @type {HTMLAnchorElement | undefined} */
   let current
   const update = () => {
@@ -25,6 +28,7 @@ export function follow() {
     current?.removeAttribute('aria-current')
     current = link
     link?.setAttribute('aria-current', 'location')
+    tell(link)
     if (link && getComputedStyle(nav).position === 'sticky') {
       const top = link.offsetTop - nav.clientHeight / 2
       nav.scrollTo({ top })
@@ -45,17 +49,20 @@ export function follow() {
 
 /** @param {HTMLElement} nav */
 function drawer(nav) {
-  const button = document.querySelector('[data-open-contents]')
-  if (!button) return
-  const close = () => {
-    nav.removeAttribute('data-open')
-    button.setAttribute('aria-expanded', 'false')
+  const buttons = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-open-contents]')])
+  /** The button that opened it. @type {HTMLElement | undefined} */
+  let opener
+  const expanded = (/** @type {boolean} */ on) => {
+    nav.toggleAttribute('data-open', on)
+    for (const button of buttons) button.setAttribute('aria-expanded', String(on))
   }
-  button.addEventListener('click', () => {
+  const close = () => expanded(false)
+  for (const button of buttons) button.addEventListener('click', () => {
     if (nav.hasAttribute('data-open')) return close()
-    nav.setAttribute('data-open', '')
-    button.setAttribute('aria-expanded', 'true')
-    nav.querySelector('a')?.focus()
+    opener = button
+    expanded(true)
+    const here = nav.querySelector('[aria-current]') ?? nav.querySelector('a')
+    if (here instanceof HTMLElement) here.focus()
   })
   nav.addEventListener('click', (event) => {
     if (event.target instanceof Element && event.target.closest('a')) close()
@@ -63,10 +70,10 @@ function drawer(nav) {
   document.addEventListener('keydown', (event) => {
     if (event.key !== 'Escape' || !nav.hasAttribute('data-open')) return
     close()
-    if (button instanceof HTMLElement) button.focus()
+    opener?.focus({ preventScroll: true })
   })
   document.addEventListener('pointerdown', (event) => {
-    const inside = event.target instanceof Node && (nav.contains(event.target) || button.contains(event.target))
+    const inside = event.target instanceof Node && (nav.contains(event.target) || buttons.some((button) => button.contains(/** @type {Node} */ (event.target))))
     if (!inside) close()
   })
 }

@@ -94,7 +94,17 @@ function result(hit, words) {
     location.hash = link.hash
     location.reload()
   })
-  const at = Math.max(0, hit.text.toLowerCase().indexOf(words.toLowerCase().split(/\s+/)[0]) - 60)
-  part(document, link, 'span', '').textContent = `${at ? '…' : ''}${hit.text.slice(at, at + 160)}…`
+  excerpt(part(document, link, 'span', ''), hit.text, words.toLowerCase().split(/\s+/)[0])
   return item
+}
+
+/** The words around a hit, which is marked. @param {Element} into @param {string} text @param {string} word */
+function excerpt(into, text, word) {
+  const hit = text.toLowerCase().indexOf(word)
+  const from = Math.max(0, hit - 60)
+  const to = from + 160
+  if (hit < 0) return into.append(`${text.slice(0, to)}…`)
+  into.append(`${from ? '…' : ''}${text.slice(from, hit)}`)
+  part(document, into, 'mark', '').textContent = text.slice(hit, hit + word.length)
+  into.append(`${text.slice(hit + word.length, to)}${to < text.length ? '…' : ''}`)
 }

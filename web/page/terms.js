@@ -3,8 +3,10 @@
  * highlights the marks of its colour in the nearest figure.
  */
 
-const CALLERS = '.term, .number, .formula-numbers, [data-number]'
 const KINDS = ['prediction', 'posterior', 'measurement', 'truth']
+/** A coloured symbol of a formula explains itself as a word does. */
+const SYMBOLS = KINDS.map((kind) => `.term-${kind}`).join()
+const CALLERS = `.term, .number, .formula-numbers, [data-number], ${SYMBOLS}`
 
 export function terms() {
   const box = document.createElement('div')
@@ -64,6 +66,8 @@ export function terms() {
       return
     }
     light(event.target)
+    // A symbol within a link leads where the link leads.
+    if (caller.matches(SYMBOLS) && !caller.matches('a') && caller.closest('a, button, label, summary')) return
     // A click or a tap opens the popover; Enter (detail 0) follows the link to the entry.
     if (event.detail === 0 || event.ctrlKey || event.metaKey || event.shiftKey) return
     event.preventDefault()
@@ -81,7 +85,8 @@ function fill(box, caller) {
   const { term, number, numbers } = /** @type {HTMLElement} */ (caller).dataset
   // A number in the text names its entry in its address alone.
   const linked = /** @type {Partial<HTMLAnchorElement>} */ (caller).hash?.slice(1) ?? ''
-  const ids = term ? [`gloss-${term}`] : numbers ? numbers.split(' ').map((id) => `number-${id}`) : [number ? `number-${number}` : linked]
+  const kind = KINDS.find((one) => caller.classList.contains(`term-${one}`))
+  const ids = term ?? (!number && !numbers && kind) ? [`gloss-${term ?? kind}`] : numbers ? numbers.split(' ').map((id) => `number-${id}`) : [number ? `number-${number}` : linked]
   const entries = ids.map((id) => document.getElementById(id)).filter((entry) => entry !== null)
   if (!entries.length) return false
   const copies = entries.slice(0, 4).map((entry) => {
