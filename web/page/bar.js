@@ -47,7 +47,7 @@ export function bar() {
     const y = scrollY
     // A jump, as a link makes one, is neither: the bar would cover what it led to.
     if (y < header.offsetHeight || Math.abs(y - last) > innerHeight * 0.8) show(false)
-    else if (y - turned > TURN && !box.contains(document.activeElement)) show(false)
+    else if (y - turned > TURN && !box.querySelector(':focus-visible')) show(false)
     else if (turned - y > TURN) show(true)
     // Where the direction last changed.
     if (Math.sign(y - last) !== way && y !== last) {

@@ -39,10 +39,10 @@ export function drawPlane({ pen, width, height }, frame, view) {
   })
 }
 
-/** How far the axes reach from their middle: as far as the feet, and no nearer than before while that is about enough.
+/** How far the axes reach from their middle: as far as prediction and line, and no nearer than before while that is about enough.
  * @param {Frame} frame @param {number[]} shape how much longer than the shorter one each axis is @param {number} before */
-function reachOf({ params, euclideanFoot, mahalanobisFoot, update }, shape, before) {
-  const points = [params.mean, euclideanFoot.at, mahalanobisFoot.at, update.at]
+function reachOf({ params, euclideanFoot }, shape, before) {
+  const points = [params.mean, euclideanFoot.at]
   const far = Math.max(...points.flatMap((at) => at.map((value, i) => Math.abs(value - CENTRE[i]) / shape[i])))
   const wanted = REACHES.find((reach) => reach >= far) ?? far
   return wanted > before || wanted < before / 2 ? wanted : before
