@@ -1,7 +1,5 @@
 /** The table of contents marks the section that is being read; on a small screen a button opens it over the text. */
 
-import { bar } from './bar.js'
-
 export function follow() {
   const nav = /** @type {HTMLElement | null} */ (document.querySelector('.toc'))
   if (!nav) return
@@ -15,7 +13,7 @@ export function follow() {
     parts.at(-1)?.headings.push([heading, link])
   }
   const above = (/** @type {Element} */ element) => element.getBoundingClientRect().top <= innerHeight * 0.3
-  const tell = bar()
+  let tell = (/** @type {HTMLAnchorElement | undefined} */ _) => {}
   /** @type {HTMLAnchorElement | undefined} */
   let current
   const update = () => {
@@ -45,19 +43,26 @@ export function follow() {
   }, { passive: true })
   update()
   drawer(nav)
+  // Nobody needs the bar who has not scrolled.
+  addEventListener('scroll', () => import('./bar.js').then(({ bar }) => {
+    tell = bar()
+    tell(current)
+  }, () => {}), { once: true, passive: true })
 }
 
 /** @param {HTMLElement} nav */
 function drawer(nav) {
-  const buttons = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-open-contents]')])
+  const OPENS = '[data-open-contents]'
   /** The button that opened it. @type {HTMLElement | undefined} */
   let opener
   const expanded = (/** @type {boolean} */ on) => {
     nav.toggleAttribute('data-open', on)
-    for (const button of buttons) button.setAttribute('aria-expanded', String(on))
+    for (const button of document.querySelectorAll(OPENS)) button.setAttribute('aria-expanded', String(on))
   }
   const close = () => expanded(false)
-  for (const button of buttons) button.addEventListener('click', () => {
+  document.addEventListener('click', ({ target }) => {
+    const button = target instanceof Element ? target.closest(OPENS) : null
+    if (!(button instanceof HTMLElement)) return
     if (nav.hasAttribute('data-open')) return close()
     opener = button
     expanded(true)
@@ -73,7 +78,7 @@ function drawer(nav) {
     opener?.focus({ preventScroll: true })
   })
   document.addEventListener('pointerdown', (event) => {
-    const inside = event.target instanceof Node && (nav.contains(event.target) || buttons.some((button) => button.contains(/** @type {Node} */ (event.target))))
+    const inside = event.target instanceof Element && (nav.contains(event.target) || event.target.closest(OPENS))
     if (!inside) close()
   })
 }
