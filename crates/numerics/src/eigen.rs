@@ -9,8 +9,9 @@ use core::cmp::Ordering;
 use nalgebra::linalg::Hessenberg;
 use nalgebra::{Complex, DMatrix, Vector3};
 
-/// Iterations granted to one eigenvalue or pair; two or three are usual.
-const MAX_ITERATIONS: usize = 100;
+/// Iterations granted to one eigenvalue or pair; two or three are usual, and some matrices with a repeated eigenvalue need more than
+/// a hundred. As many as LAPACK's `dlahqr` grants a small matrix.
+const MAX_ITERATIONS: usize = 300;
 /// Every so many iterations without an eigenvalue the shifts are exceptional.
 const EXCEPTIONAL: usize = 10;
 

@@ -101,3 +101,19 @@ fn a_matrix_that_is_not_square_or_not_finite_is_refused() {
     let nan = dmatrix![1.0, f64::NAN, 0.0; 0.0, 1.0, 0.0; 0.0, 0.0, 1.0];
     assert_eq!(eigenvalues(&nan).expect_err("NaN"), Error::NotFinite);
 }
+
+/// Each has a repeated eigenvalue, and needs more than a hundred iterations.
+#[test]
+fn small_whole_matrices_that_need_many_iterations_have_their_eigenvalues() {
+    let all = [
+        dmatrix![1.0, 1.0, -3.0, 0.0; 1.0, 1.0, -2.0, -1.0; -1.0, 0.0, -1.0, 1.0; 2.0, 1.0, -3.0, -1.0],
+        dmatrix![-1.0, 0.0, 0.0, -2.0, 1.0; 0.0, -3.0, 1.0, -1.0, 1.0; 0.0, -2.0, 0.0, -1.0, 1.0; 0.0, -1.0, 0.0, -2.0, 1.0; 0.0, -1.0, 1.0, -1.0, -1.0],
+        dmatrix![-2.0, 4.0, 4.0, 1.0, 0.0; -1.0, 3.0, 1.0, 0.0, 0.0; -1.0, 0.0, 3.0, 1.0, 0.0; -3.0, 4.0, 3.0, 2.0, 0.0; 0.0, 0.0, 0.0, 0.0, 0.0],
+        dmatrix![-2.0, 1.0, 0.0, 0.0, 0.0; -1.0, 0.0, 0.0, 0.0, 0.0; 0.0, 0.0, 1.0, 0.0, 0.0; 1.0, -1.0, -2.0, 0.0, 1.0; 3.0, -3.0, -2.0, -1.0, 2.0],
+    ];
+    for m in all {
+        let found = eigenvalues(&m).expect("found");
+        let sum: f64 = found.iter().map(|l| l.re).sum();
+        assert!((sum - m.trace()).abs() < 1e-12, "{m}{found:?}");
+    }
+}
