@@ -4,14 +4,14 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { readFileSync } from 'node:fs'
 import { PNG } from 'pngjs'
-import { FIGURE_PAGES, PAGES, PHONE, figure, open, walkDown } from './harness.mjs'
+import { FIGURE_PAGES, PAGES, PHONE, comeTo, figure, open, walkDown } from './harness.mjs'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 
-/** What axe finds on the page as it stands. */
-async function faults(page) {
+/** What axe finds on the page as it stands, or in its parts that a selector names. */
+async function faults(page, within) {
   await page.evaluate(axe)
-  const { violations } = await page.evaluate(() => globalThis.axe.run(document, { resultTypes: ['violations'] }))
+  const { violations } = await page.evaluate((parts) => globalThis.axe.run(parts ?? document, { resultTypes: ['violations'] }), within)
   return violations.map((rule) => `${rule.id}: ${rule.help}\n` + rule.nodes.slice(0, 4).map((node) => `    ${node.target.join(' ')} ${node.any.concat(node.all, node.none)[0]?.message ?? ''}`).join('\n')).join('\n')
 }
 
@@ -88,6 +88,27 @@ for (const theme of ['light', 'dark']) {
     await page.locator('.toc[data-open]').waitFor()
     await alone(page)
     assert.equal(await faults(page), '')
+  })
+}
+
+for (const theme of ['light', 'dark']) {
+  test(`axe finds nothing in answered questions, the exercises around them and the progress, in ${theme}`, async (t) => {
+    const page = await open(t, { theme })
+    const answer = async (id, give) => {
+      await comeTo(page, `#quiz-${id}`, `form#quiz-${id}`)
+      const form = page.locator(`#quiz-${id}`)
+      await give(form)
+      await form.locator('[type=submit]').click()
+      return form.getAttribute('data-answered')
+    }
+    const choose = (words) => (form) => form.locator('.quiz-choice').filter({ hasText: words }).locator('input').check()
+    const type = (text) => (form) => form.getByRole('textbox').fill(text)
+    assert.equal(await answer('position-error', choose('None.')), 'right')
+    assert.equal(await answer('unseen-detectable', choose('does not grow')), 'wrong')
+    assert.equal(await answer('unseen-direction', type('1 2 -1')), 'right')
+    assert.equal(await answer('constant', type('0.2')), 'wrong')
+    await comeTo(page, '[data-score]', '[data-score] h2')
+    assert.equal(await faults(page, ['#quiz-position-error', '#ex-unseen', '#ex-constant', '[data-score]']), '')
   })
 }
 

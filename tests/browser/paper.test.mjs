@@ -70,3 +70,22 @@ test('in print the figures are stills and nothing to press is left', async (t) =
   assert.deepEqual(seen.controls, [])
   assert.ok(seen.stills.length >= 1 && seen.stills.every((count) => count >= 1), `pictures in each figure: ${seen.stills}`)
 })
+
+test('on paper a question has its reasons, an exercise its answer, a drawing its lines, and there is no progress', async (t) => {
+  const page = await open(t)
+  await walkDown(page)
+  await page.emulateMedia({ media: 'print' })
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
+  const hidden = await page.evaluate(() => {
+    const printed = (element) => element?.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && element.getClientRects().length > 0
+    const lacks = (all, part) => [...document.querySelectorAll(all)].filter((it) => !printed(it.querySelector(part))).map((it) => it.id)
+    return {
+      reasons: lacks('.quiz', '.quiz-why'),
+      prompts: lacks('.quiz', '.quiz-prompt'),
+      answers: lacks('.exercise', '.answer .details-body'),
+      drawings: lacks('.figure-drawing', '.drawing svg .mark'),
+      progress: [...document.querySelectorAll('.score')].filter(printed).length,
+    }
+  })
+  assert.deepEqual(hidden, { reasons: [], prompts: [], answers: [], drawings: [], progress: 0 })
+})
