@@ -29,6 +29,11 @@ for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP
     await page.mouse.move(viewport.width / 2, 400)
     await wheel(page, 400)
     assert.equal(await shown(page), false, 'reading on')
+    for (const by of [-20, -20, -20, 60]) {
+      await page.evaluate((top) => scrollBy({ top, behavior: 'instant' }), by)
+      await page.waitForTimeout(100)
+      if (by < 0) assert.equal(await shown(page), false, 'the page itself has scrolled')
+    }
     await page.evaluate(() => { globalThis.shifts = [] })
     await wheel(page, -120)
     assert.equal(await shown(page), true, 'scrolling up')

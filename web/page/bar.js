@@ -7,6 +7,9 @@ import { button, part } from '../core/element.js'
 
 /** Pixels in one direction that tell reading on from going back. */
 const TURN = 12
+/** How long after the reader's hand a scroll is still the reader's, milliseconds. */
+const HAND_MS = 1500
+const UPWARDS = ['ArrowUp', 'PageUp', 'Home', ' ']
 
 /** Builds the bar. @returns {(link: HTMLAnchorElement | undefined) => void} tells it the section */
 export function bar() {
@@ -43,12 +46,19 @@ export function bar() {
     box.toggleAttribute('data-shown', on)
     root.toggleAttribute('data-bar', on)
   }
+  // A page that finds its sizes scrolls too, after a jump: only the reader's own scrolling brings the bar.
+  let hand = -Infinity
+  const scrolls = (/** @type {Event} */ event) => {
+    const upwards = event instanceof KeyboardEvent ? UPWARDS.includes(event.key) : event instanceof WheelEvent ? event.deltaY < 0 : event.type === 'touchmove' || event.target === root
+    if (upwards) hand = event.timeStamp
+  }
+  for (const kind of ['wheel', 'touchmove', 'keydown', 'pointerdown']) addEventListener(kind, scrolls, { passive: true })
   addEventListener('scroll', () => {
     const y = scrollY
     // A jump, as a link makes one, is neither: the bar would cover what it led to.
     if (y < header.offsetHeight || Math.abs(y - last) > innerHeight * 0.8) show(false)
     else if (y - turned > TURN && !box.querySelector(':focus-visible')) show(false)
-    else if (turned - y > TURN) show(true)
+    else if (turned - y > TURN && performance.now() - hand < HAND_MS) show(true)
     // Where the direction last changed.
     if (Math.sign(y - last) !== way && y !== last) {
       way = Math.sign(y - last)
