@@ -72,7 +72,10 @@ test('a link to the last step of all opens in many short calls, to the bits of o
 test('fast play reaches the last step, and stops there', async (t) => {
   const { it: hook } = await openFigure(t, 'odometry-hook', { query: `?fig-odometry=${code([1, 'odometry-hook', 99_700, {}])}`, motion: 'no-preference' })
   await hook.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })
-  await hook.getByRole('button', { name: 'Play' }).click()
+  await hook.getByRole('button', { name: 'Play', exact: true }).click()
+  // Play stops at the end of each lap of 640 ticks.
+  await until(hook, ({ step }) => step === 99_840, 'the end of a lap', 30_000)
+  await hook.getByRole('button', { name: 'Play', exact: true }).click()
   await until(hook, ({ step }) => step === 100_000, 'the last step', 30_000)
   await hook.getByRole('button', { name: 'Play', exact: true }).waitFor()
   await hook.locator('.live .figure-note').getByText(/ends here/).waitFor()
