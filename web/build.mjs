@@ -45,6 +45,21 @@ const wasm = {
   },
 }
 
+/** A worker's script, bundled by itself, and its address. */
+const worker = {
+  name: 'worker',
+  setup(to) {
+    to.onResolve({ filter: /^robot-log-worker$/ }, ({ path }) => ({ path, namespace: 'worker' }))
+    to.onLoad({ filter: /.*/, namespace: 'worker' }, async () => {
+      const { metafile } = await build({
+        ...shared, entryPoints: { 'log-worker': join(web, 'widgets/robot-log/worker.js') }, format: 'esm', loader: { '.wasm': 'file' }, plugins: [wasm],
+      })
+      const [script] = Object.keys(metafile.outputs).filter((path) => metafile.outputs[path].entryPoint)
+      return { contents: `export default ${JSON.stringify(`./${basename(script)}`)}` }
+    })
+  },
+}
+
 rmSync(out, { recursive: true, force: true })
 mkdirSync(out, { recursive: true })
 for (const folder of Object.values(pkg)) {
@@ -58,8 +73,8 @@ const scripts = await build({
   entryPoints: { page: join(web, 'page/page.js'), figure: join(web, 'page/figure.js') },
   format: 'esm',
   splitting: true,
-  loader: { '.wasm': 'file' },
-  plugins: [wasm],
+  loader: { '.wasm': 'file', '.csv': 'file' },
+  plugins: [wasm, worker],
 })
 collect(scripts.metafile)
 const early = await build({ ...shared, entryPoints: { early: join(web, 'page/early.js'), theme: join(web, 'page/theme.js') }, format: 'iife' })

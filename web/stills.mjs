@@ -42,7 +42,8 @@ console.log(`target/stills: ${readdirSync(out).filter((name) => name.endsWith('.
 /** @param {string} name @param {import('./core/spec.js').FigureSpec} spec @param {{ step?: number, params?: object }} given */
 function draw(name, spec, given) {
   const state = { step: given.step ?? spec.still ?? spec.start.step, params: { ...spec.start.params, ...given.params } }
-  const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, ...state })
+  const log = spec.log ? [estimate[spec.lab].parse(readFileSync(join(root, spec.log), 'utf8'))] : []
+  const lab = estimate[spec.lab].from(...log, { version: 1, lab: spec.name, ...state })
   const { html, words } = drawStill(emptyPage(), spec, lab.frame(), estimate[spec.lab].parameters())
   write(name, html, words)
   lab.free()

@@ -21,6 +21,7 @@ import { writeHtml } from './words.js'
  * @property {(value: number, limits: Parameter) => number} [scale] a number of the parameter as one of the slider; the same if not given
  * @property {number} [step] in the slider's numbers; the parameter's if not given
  * @property {[number, number]} [ends] of the slider, in its numbers; the parameter's limits if not given
+ * @property {(frame: any) => boolean} [shown] whether there is anything to set; always if not given
  * @property {boolean} [wide] whether it takes the room of two controls
  * @property {(value: number, frame: any) => string} words the value as shown and as said
  * @property {(frame: any) => Notch[]} [notches]
@@ -89,6 +90,7 @@ export function buildControl(document, control, change, limits) {
     show(params, frame) {
       const disabled = control.enabled ? !control.enabled(params) : false
       if (made.input.disabled !== disabled) made.input.disabled = disabled
+      if (control.kind === 'range' && control.shown) label.hidden = !control.shown(frame)
       made.show(control.get ? control.get(params, frame) : params[control.name], frame)
     },
   }

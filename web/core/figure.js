@@ -10,7 +10,7 @@ import { Display } from './display.js'
 import { focusFirst } from './element.js'
 import { hideFailure, showFailure } from './failure.js'
 import { liveHandles } from './handle.js'
-import { LAST_STEP, openLab } from './link.js'
+import { openLab } from './link.js'
 import { loadModule } from './module.js'
 import { STEP_MS } from './motion.js'
 import { Progress } from './progress.js'
@@ -128,6 +128,7 @@ class Figure {
   async start() {
     this.host.dataset.state = 'loading'
     hideFailure(this.host)
+    if (this.spec.open) return this.opened(await this.spec.open(this.id, this.host.dataset.start))
     const loaded = await loadModule()
     if (!loaded.ok) return this.fail(loaded.why)
     try {
@@ -139,6 +140,14 @@ class Figure {
     } catch (error) {
       this.fail(error instanceof Error ? error.message : 'its lab could not be started')
     }
+  }
+
+  /** A run that the widget has opened itself. @param {import('./spec.js').Opened} opened */
+  opened(opened) {
+    if (!opened.ok) return this.fail(opened.why)
+    this.run = opened.run
+    this.live(opened.run)
+    if (opened.mangled) this.voice.tell(MANGLED, true)
   }
 
   /** @param {Run} run */
@@ -156,7 +165,7 @@ class Figure {
       speed: (rate) => this.order(() => { run.rate = rate }),
       change: (patch, make) => this.change(make ? make(run.wanted, run.lab) : patch),
       ...share.orders,
-    }, run.lab.constructor.parameters())
+    }, run.parameters())
     share.tools = this.shell.tools
     this.progress = new Progress(into, () => {
       run.cancel()
@@ -223,7 +232,7 @@ class Figure {
     const outcome = run.turn(now, elapsed, this.calm.matches, budget)
     if (outcome.moved !== 'nothing') this.take(outcome.moved, now)
     if (outcome.refused !== null) this.voice.tell(outcome.refused, outcome.refused === MANGLED)
-    if (outcome.ended) this.voice.tell(`The run ends here, at step ${LAST_STEP.toLocaleString('en')}. Reset starts it again.`)
+    if (outcome.ended) this.voice.tell(`The run ends here, at step ${run.last.toLocaleString('en')}. Reset starts it again.`)
     display.wanted = run.wanted
     if (progress.show(run.progress, now)) this.voice.status.textContent = progress.words.textContent
     const moving = display.paint(now, this.glide(elapsed))

@@ -3,6 +3,8 @@
 const VERSION = 1
 /** The last step that a lab runs to. */
 export const LAST_STEP = 100_000
+/** The last step of any lab: a log may be longer. */
+const MOST_STEPS = 2_000_000
 const MAX_LENGTH = 4000
 
 /** @typedef {{ version: number, lab: string, params: Record<string, unknown>, step: number }} State */
@@ -39,7 +41,7 @@ export function readState(address, figure, lab) {
     const value = JSON.parse(new TextDecoder('utf-8', { fatal: true }).decode(bytes))
     if (!Array.isArray(value) || value.length !== 4) return 'mangled'
     const [version, name, step, params] = value
-    const whole = Number.isInteger(step) && step >= 0 && step <= LAST_STEP
+    const whole = Number.isInteger(step) && step >= 0 && step <= MOST_STEPS
     const object = typeof params === 'object' && params !== null && !Array.isArray(params)
     if (version !== VERSION || (lab !== undefined && name !== lab) || !whole || !object) return 'mangled'
     return { version, lab: name, step, params }
@@ -63,7 +65,8 @@ export function openLab(module, spec, figure, given) {
   const page = JSON.parse(given ?? '{}')
   const lab = Lab.from({ version: VERSION, lab: spec.name, step: page.step ?? spec.start.step, params: { ...spec.start.params, ...page.params } })
   const state = readState(location.href, figure, spec.name)
-  if (state === null || state === 'mangled') return { lab, linked: null, mangled: state === 'mangled' }
+  if (state === null) return { lab, linked: null, mangled: false }
+  if (state === 'mangled' || state.step > LAST_STEP) return { lab, linked: null, mangled: true }
   try {
     return { lab, linked: { lab: Lab.from({ ...state, step: 0 }), step: state.step }, mangled: false }
   } catch {

@@ -61,6 +61,16 @@ export class Run {
     this.stepped = -Infinity
   }
 
+  /** The last step of all. */
+  get last() {
+    return LAST_STEP
+  }
+
+  /** What the lab knows of each parameter. @returns {import('estimate-wasm').Parameter[]} */
+  parameters() {
+    return this.lab.constructor.parameters()
+  }
+
   /** The parameters that the reader has asked for, when the screen does not show them yet. */
   get asked() {
     return this.patch || this.replay ? { ...(this.replay ?? this.frame).params, ...this.patch } : null

@@ -58,6 +58,8 @@
  * @property {Try[]} [tries] what to try: phrases that set the figure
  * @property {import('./words.js').Words} [invite] what the button over the first panel says at step 0; it plays
  * @property {number} [lap] play stops at each multiple of so many steps
+ * @property {(figure: string, given: string | undefined) => Promise<Opened>} [open] opens the run where the lab is not in the page
+ * @property {string} [log] the log that its lab replays, in the repository
  * @property {boolean} seeded whether `seed` is among the parameters
  * @property {boolean} [timeless] a lab without steps: no Play, Step, Reset, speed
  * @property {number} [pace] steps a second at speed 1; 2 if not given
@@ -72,5 +74,7 @@
  * @property {(frame: any, previous: any) => string} announce what has changed, for screen readers
  * @property {(frame: any) => Record<string, number[]>} series columns of the CSV
  */
+
+/** @typedef {{ ok: true, run: any, mangled: boolean } | { ok: false, why: string }} Opened */
 
 export {}

@@ -4,6 +4,24 @@ declare module 'estimate-wasm/wasm' {
   export default address
 }
 
+declare module 'estimate-wasm/log/wasm' {
+  /** Where the binary with the lab of logs lies, relative to the script that imports this. */
+  const address: string
+  export default address
+}
+
+declare module 'robot-log-worker' {
+  /** Where the worker's script lies, relative to the script that imports this. */
+  const address: string
+  export default address
+}
+
+declare module '*.csv' {
+  /** Where the log lies, relative to the script that imports this. */
+  const address: string
+  export default address
+}
+
 declare module 'estimate-wasm/figures/wasm' {
   /** Where the binary with the labs alone lies, relative to the script that imports this. */
   const address: string

@@ -5,5 +5,6 @@ export const WIDGETS = {
   'observability-probe': () => import('./observability-probe.js').then((module) => module.observabilityProbe),
   'kalman-picture': () => import('./kalman-picture.js').then((module) => module.kalmanPicture),
   'observer-bench': () => import('./observer-bench.js').then((module) => module.observerBench),
+  'robot-log': () => import('./robot-log.js').then((module) => module.robotLog),
   'odometry-hook': () => import('./odometry-hook.js').then((module) => module.odometryHook),
 }

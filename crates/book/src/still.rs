@@ -7,7 +7,8 @@ use crate::diagnostic::BuildError;
 use crate::file;
 
 /// The custom elements a figure can hold.
-pub const WIDGETS: [&str; 4] = ["observer-bench", "odometry-hook", "observability-probe", "kalman-picture"];
+pub const WIDGETS: [&str; 5] =
+    ["observer-bench", "odometry-hook", "observability-probe", "kalman-picture", "robot-log"];
 
 /// The drawings that do not move, of `web/drawings`.
 pub const DRAWINGS: [&str; 1] = ["covariance"];

@@ -1,0 +1,7 @@
+/** The lab that replays a log, for a page that may start no worker. */
+
+import init, * as estimate from 'estimate-wasm/log'
+import address from 'estimate-wasm/log/wasm'
+import { loader } from '../../core/start.js'
+
+export const loadLog = loader(init, estimate, address)

@@ -1,0 +1,86 @@
+/** What the readings are worth: their errors against the range, their distribution, and whether one tells the next. */
+
+import { fixed } from '../../core/numbers.js'
+import { axes, meaning, plane as planeOf, seriesPath } from '../../core/plot.js'
+import { rounded } from '../../core/scale.js'
+import { band, empty } from './history.js'
+import { drawCrosses, drawPoints } from './points.js'
+
+/** @typedef {import('estimate-wasm').LogFrame} Frame */
+/** @typedef {import('../../core/shell.js').Panel} Panel */
+/** @typedef {import('../../core/pen.js').Pen} Pen */
+
+/** Errors of ranges reach from −this to this at least, metres; at most three times as far. */
+const LEAST = 3
+
+/** @param {Panel} panel @param {Frame} frame */
+export function drawRanges(panel, frame) {
+  const { range, residual } = frame.ranges
+  const known = frame.truth ? 'true' : 'dead-reckoned'
+  scatter(panel, `range read less ${known} (m)`, `${known} range (m)`, range, residual, frame.rangeLine, () => true)
+}
+
+/** @param {Panel} panel @param {Frame} frame */
+export function drawInner(panel, frame) {
+  const { expected, innovation, used } = frame.innovations
+  scatter(panel, 'the filter’s innovation *ν* (m)', 'expected range (m)', expected, innovation, frame.innovationLine, (i) => used[i])
+}
+
+/**
+ * @param {Panel} panel @param {string} title @param {string} across @param {number[]} xs @param {number[]} ys
+ * @param {{ slope: number, offset: number, r2: number } | null} line @param {(i: number) => boolean} used
+ */
+function scatter({ pen, width, height }, title, across, xs, ys, line, used) {
+  const box = { left: 36, top: 26, right: width - 10, bottom: height - 38 }
+  const most = Math.min(3 * LEAST, ys.reduce((sum, y) => Math.max(sum, Math.abs(y)), LEAST))
+  const plane = planeOf(box, [0, xs.reduce((sum, x) => Math.max(sum, x), 10) * 1.02], rounded(-most, most, 4))
+  pen.draw(() => {
+    axes(pen, plane, { title, x: across, ticks: [5, 4], zero: true })
+    if (xs.length === 0) return empty(pen, plane, 'no range is used')
+    drawPoints(pen, 'used', plane, xs, ys, 'measurement', used)
+    drawCrosses(pen, 'refused', plane, xs, ys, (i) => !used(i))
+    if (!line) return
+    const [from, to] = plane.x.domain
+    pen.window('fit', box, (into) => {
+      into.mark('path', 'line', { ...meaning('curve fit'), d: seriesPath(plane, [from, to], [from, to].map((x) => line.offset + line.slope * x)) })
+    })
+    pen.text('slope', { class: 'label', x: box.right - 4, y: box.top + 12, 'text-anchor': 'end' }, `slope ${fixed(line.slope, 3)}, *R*^{2} = ${fixed(line.r2, 2)}`)
+  })
+}
+
+/** @param {Panel} panel @param {Frame} frame */
+export function drawHistogram({ pen, width, height }, { histogram, summary }) {
+  const { from, width: bin, density, normal } = histogram
+  const to = from + bin * density.length
+  const box = { left: 36, top: 26, right: width - 10, bottom: height - 38 }
+  const plane = planeOf(box, [from, to], [0, Math.max(0.45, ...density) * 1.05])
+  pen.draw(() => {
+    axes(pen, plane, { title: 'density of *ν*/√*S* beside N(0, 1)', x: '*σ*', ticks: [5, 4] })
+    if (summary.used === 0) empty(pen, plane, 'no range is used')
+    const floor = box.bottom
+    let d = ''
+    for (const [i, value] of density.entries()) {
+      if (value > 0) d += `M${plane.x(from + i * bin)} ${floor}V${Math.round(plane.y(value) * 10) / 10}H${Math.round(plane.x(from + (i + 1) * bin) * 10) / 10}V${floor}Z`
+    }
+    pen.mark('path', 'bars', { ...meaning('area bars', 'measurement'), d })
+    pen.mark('path', 'normal', { ...meaning('curve fit'), d: seriesPath(plane, normal.map((_, i) => from + (i * bin) / 2), normal) })
+  })
+}
+
+/** @param {Panel} panel @param {Frame} frame */
+export function drawCorrelation({ pen, width, height }, { correlation }) {
+  const { values, band: half } = correlation
+  const box = { left: 40, top: 26, right: width - 12, bottom: height - 38 }
+  const [low, high] = [Math.min(-0.3, ...values), Math.max(0.5, ...values)]
+  const plane = planeOf(box, [0, 21], rounded(low, high, 4))
+  pen.draw(() => {
+    axes(pen, plane, { title: 'autocorrelation of the innovations and its 95 % band', x: 'lag, used readings', ticks: [5, 4], zero: true })
+    if (values.length === 0) return empty(pen, plane, 'no range is used')
+    band(pen, plane, -half, half)
+    for (const [i, value] of values.entries()) {
+      const x = plane.x(i + 1)
+      pen.mark('line', `lag${i}`, { ...meaning('lag', 'measurement'), x1: x, x2: x, y1: plane.y(0), y2: plane.y(value) })
+      pen.mark('circle', `tip${i}`, { ...meaning('end', 'measurement'), cx: x, cy: plane.y(value), r: 3 })
+    }
+  })
+}

@@ -1,0 +1,82 @@
+/** What the figure of a log says: each sentence follows from the numbers of the frame. */
+
+import { fixed } from '../../core/numbers.js'
+
+/** @typedef {import('estimate-wasm').LogFrame} Frame */
+
+/** A mean this far from 0, in σ, is called a bias: a radio off by a fifth of its own noise. */
+export const BIAS = 0.2
+/** Two RMS errors nearer than this, as a ratio, are called alike. */
+export const ALIKE = 0.05
+
+/** @param {number} share */
+export function percent(share) {
+  const value = 100 * share
+  if (value > 0 && value < 0.095) return `${fixed(value, 2)} %`
+  return `${fixed(value, value < 9.95 && value !== 0 ? 1 : 0)} %`
+}
+
+/** Seconds as minutes and seconds. @param {number} seconds */
+export function clock(seconds) {
+  const whole = Math.floor(seconds)
+  return `${Math.floor(whole / 60)} min ${whole % 60} s`
+}
+
+/** @param {Frame} frame */
+export function verdict(frame) {
+  const { params, step, summary } = frame
+  if (step === 0) return 'Before the first row of the log.'
+  const { used, refused } = summary
+  if (!params.sightings) return `Dead reckoning: the wheels alone, no range is used.${errorOf(frame, false)}`
+  if (used + refused === 0) return `No range has been read yet.${errorOf(frame, false)}`
+  if (used === 0) return `The gate has refused every range so far: this is dead reckoning.${errorOf(frame, false)}`
+  return [errorOf(frame, true), gateOf(frame), learnedOf(frame), meanOf(frame), nisOf(frame), lagOf(frame)].join('').trim()
+}
+
+/** @param {Frame} frame @param {boolean} compared */
+function errorOf({ summary, reckonedRmse }, compared) {
+  if (summary.rmse === null) return compared ? '' : ' There is no truth to hold it against.'
+  const rmse = ` The RMS error of the position is ${fixed(summary.rmse, 2)} m`
+  if (!compared || reckonedRmse === null) return `${rmse}.`
+  const ratio = summary.rmse / reckonedRmse
+  const than = `${fixed(reckonedRmse, 2)} m of dead reckoning`
+  if (!(Math.abs(ratio - 1) > ALIKE)) return `${rmse}, about the ${than}.`
+  return `${rmse}, ${ratio > 1 ? 'worse' : 'better'} than the ${than}.`
+}
+
+/** @param {Frame} frame */
+function gateOf({ params, summary: { used, refused } }) {
+  if (params.gate === null) return ''
+  const [share, expected] = [refused / (used + refused), 1 - params.gate]
+  // Five times as many as expected, and more than chance explains where few are expected.
+  const many = share > 5 * expected && refused > 5 * expected * (used + refused) + 5
+  return ` The gate has refused ${percent(share)} of the readings, where ${percent(expected)} is expected${many ? ': it hides a fault of the model' : ''}.`
+}
+
+/** @param {Frame} frame */
+function learnedOf({ summary: { epsilon, epsilonSigma } }) {
+  if (epsilon === null) return ''
+  return ` The learned scale is ${fixed(100 * epsilon, 2)} ± ${fixed(100 * (epsilonSigma ?? NaN), 2)} %.`
+}
+
+/** @param {Frame} frame */
+function meanOf({ summary: { meanInnovation: mean }, bands }) {
+  if (mean === null || !bands || Math.abs(mean) < BIAS || Math.abs(mean) <= bands.mean) return ''
+  return ` The innovations’ mean is ${fixed(mean, 1)} of their σ: a bias, not noise.`
+}
+
+/** @param {Frame} frame */
+function nisOf({ summary: { nis }, bands }) {
+  if (nis === null || !bands) return ''
+  const [low, high] = bands.nis
+  const band = `its band from ${fixed(low, 2)} to ${fixed(high, 2)}`
+  if (nis > high) return ` NIS is ${fixed(nis, 2)}, above ${band}: the filter claims more than its readings bear out.`
+  if (nis < low) return ` NIS is ${fixed(nis, 2)}, below ${band}: the readings are better than claimed.`
+  return ` NIS is ${fixed(nis, 2)}, within ${band}.`
+}
+
+/** @param {Frame} frame */
+function lagOf({ summary: { lag1 }, correlation }) {
+  if (lag1 === null || Math.abs(lag1) <= correlation.band) return ''
+  return ` Neighbouring innovations are correlated (${fixed(lag1, 2)}).`
+}

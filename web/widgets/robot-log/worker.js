@@ -1,0 +1,8 @@
+/** The worker that reads and replays logs. What it is sent stays in it: it fetches its module and nothing else. */
+
+import init, * as estimate from 'estimate-wasm/log'
+import address from 'estimate-wasm/log/wasm'
+import { loader } from '../../core/start.js'
+import { attend } from './attend.js'
+
+attend(/** @type {any} */ (self), loader(init, estimate, address))
