@@ -42,7 +42,7 @@ pub use odometry_hook::{
 pub use picture::{Foot, Picture, PictureFrame, PictureParams};
 pub use robot_log::{
     LogBands, LogCorrelation, LogErrors, LogFrame, LogHistogram, LogInnovations, LogNis, LogParams, LogRanges,
-    LogSighting, LogSummary, LogTracks, LoggedDrive, RobotLog,
+    LogSighting, LogSummary, LogTimeline, LogTracks, LoggedDrive, RobotLog,
 };
 pub use series::{Series, Track, Tracks, WINDOW};
 pub use shapes::{BenchBelief, ellipse_of};

@@ -10,7 +10,7 @@ mod record;
 
 pub use frame::{
     LogBands, LogCorrelation, LogErrors, LogFrame, LogHistogram, LogInnovations, LogNis, LogRanges, LogSighting,
-    LogSummary, LogTracks,
+    LogSummary, LogTimeline, LogTracks,
 };
 pub use logged::LoggedDrive;
 pub use params::LogParams;
@@ -187,6 +187,7 @@ impl RobotLog {
             rows: logged.rows(),
             time: time - first,
             duration: last - first,
+            timeline: logged.timeline(),
             landmarks: logged.drive().landmarks.clone(),
             bearings: logged.bearings(),
             truth,

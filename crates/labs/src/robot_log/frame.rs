@@ -34,6 +34,15 @@ record! {
         pub estimate: Track,
     }
 
+    /// How many rows are taken by when: by this a reader goes to a time.
+    #[derive(Default)]
+    pub struct LogTimeline {
+        /// Seconds since the log's first row, from the first to the last.
+        pub time: Vec<f64>,
+        /// Rows of motion and sightings up to then.
+        pub step: Vec<u32>,
+    }
+
     /// What ranges read, against what they should read: every so many of them.
     #[derive(Default)]
     pub struct LogRanges {
@@ -157,6 +166,8 @@ record! {
         pub time: f64,
         /// From the log's first row to its last, seconds.
         pub duration: f64,
+        /// Rows over time, of the whole log.
+        pub timeline: LogTimeline,
         /// The landmarks.
         pub landmarks: Vec<Landmark>,
         /// Whether the log has bearings.

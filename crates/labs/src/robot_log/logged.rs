@@ -1,11 +1,14 @@
 //! A log in memory, once for all labs that replay it.
 
+use super::frame::LogTimeline;
 use crate::series::Track;
 use estimate::drive::{Drive, Event};
 
 /// At most so many positions of a track, and so many readings, are in a frame.
 const MOST_POSITIONS: u32 = 600;
 const MOST_READINGS: u32 = 480;
+/// The timeline has at most so many moments.
+const MOST_MOMENTS: u32 = 240;
 /// NIS is averaged over so many blocks of readings, of so many readings at least.
 const BLOCKS: u32 = 60;
 const LEAST_BLOCK: u32 = 20;
@@ -20,6 +23,7 @@ pub struct LoggedDrive {
     /// The truth as a frame draws it, and the times of its positions.
     truth: Track,
     truth_times: Vec<f64>,
+    timeline: LogTimeline,
 }
 
 impl LoggedDrive {
@@ -35,7 +39,8 @@ impl LoggedDrive {
             truth.push(pose.x, pose.y, usize::MAX);
             truth_times.push(pose.time);
         }
-        Self { drive, motions, sightings, bearings, truth, truth_times }
+        let timeline = timeline(&drive);
+        Self { drive, motions, sightings, bearings, truth, truth_times, timeline }
     }
 
     /// What the log says.
@@ -65,6 +70,10 @@ impl LoggedDrive {
         Track { x: of(&self.truth.x), y: of(&self.truth.y) }
     }
 
+    pub(super) fn timeline(&self) -> LogTimeline {
+        self.timeline.clone()
+    }
+
     /// Every how many rows of motion one is kept.
     pub(super) fn motion_stride(&self) -> u32 {
         stride(self.motions, MOST_POSITIONS)
@@ -79,6 +88,18 @@ impl LoggedDrive {
     pub(super) fn block(&self) -> u32 {
         self.sightings.div_ceil(BLOCKS).max(LEAST_BLOCK)
     }
+}
+
+fn timeline(drive: &Drive) -> LogTimeline {
+    let rows = drive.rows.len() as u32;
+    let first = drive.rows.first().map_or(0.0, |row| row.time);
+    let mut timeline = LogTimeline::default();
+    let stride = stride(rows, MOST_MOMENTS);
+    for step in (1..rows).step_by(stride as usize).chain([rows]).filter(|step| *step > 0) {
+        timeline.time.push(drive.rows[step as usize - 1].time - first);
+        timeline.step.push(step);
+    }
+    timeline
 }
 
 fn stride(count: u32, most: u32) -> u32 {

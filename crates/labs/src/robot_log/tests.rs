@@ -130,6 +130,17 @@ fn the_statistics_of_the_frame_are_those_of_the_summary() {
 }
 
 #[test]
+fn the_timeline_leads_to_every_part_of_the_log() {
+    let plaza = plaza();
+    let LogTimeline { time, step } = plaza.timeline();
+    assert!(time.len() <= 241 && time.windows(2).all(|pair| pair[0] <= pair[1]));
+    assert_eq!((step[0], step[step.len() - 1]), (1, plaza.rows()));
+    let at = RobotLog::at(Arc::clone(&plaza), LogParams::default(), step[100]).expect("within the log");
+    assert_eq!(at.frame().time, time[100]);
+    assert_eq!(logged("O,5,1,0\n").timeline().step, [1]);
+}
+
+#[test]
 fn bearings_and_velocities_are_replayed_too() {
     let mut text = String::from("L,1,5,5\nL,2,-5,5\nG,0,0,0,0\nV,0,1,0.1\n");
     let mut pose = [0.0, 0.0, 0.0_f64];
