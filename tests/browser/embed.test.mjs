@@ -8,7 +8,7 @@ import { stage, watch } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
-const FIRST = { 'odometry-hook': 'fig-odometry', 'observer-bench': 'fig-bench', 'kalman-picture': 'fig-picture', 'observability-probe': 'fig-probe' }
+const FIRST = { 'odometry-hook': 'fig-odometry', 'observer-bench': 'fig-bench', 'kalman-picture': 'fig-picture', 'observability-probe': 'fig-probe', 'robot-log': 'fig-log' }
 
 /** A page around one frame, served from a port of its own. It keeps every message it gets and gives the frame its height. */
 async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }) {

@@ -10,7 +10,7 @@ import { WIDGETS } from '../../web/widgets/index.js'
 import { dice as seeded } from '../node/nonsense.mjs'
 
 const SEED = Number(process.env.PROBE_SEED ?? Math.floor(Math.random() * 2 ** 32))
-const ROUNDS = { 'observability-probe': 6, 'observer-bench': 3, 'odometry-hook': 3, 'kalman-picture': 3 }
+const ROUNDS = { 'observability-probe': 6, 'observer-bench': 3, 'odometry-hook': 3, 'kalman-picture': 3, 'robot-log': 2 }
 
 /** The frame that this machine's own code computes for a state, given as a copied link carries it. */
 function native(link, id) {

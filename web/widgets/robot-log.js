@@ -61,7 +61,7 @@ function readouts(frame) {
     { key: 'nis', label: 'NIS for each output', value: fixed(summary.nis, 2), kin: 'measurement' },
     { key: 'mean', label: 'Mean of *ν*/√*S*', value: fixed(summary.meanInnovation, 2), kin: 'measurement' },
     { key: 'lag1', label: 'Lag 1', value: fixed(summary.lag1, 2), kin: 'measurement' },
-    { key: 'epsilon', label: 'Learned *ε*', value: summary.epsilon === null ? '–' : `${fixed(100 * summary.epsilon, 2)} ± ${fixed(100 * (summary.epsilonSigma ?? NaN), 2)}`, unit: '%', kin: 'posterior' },
+    { key: 'epsilon', label: 'Learned *ε*', value: summary.epsilon === null ? '–' : `${fixed(100 * summary.epsilon, 2)} ± ${fixed(100 * (summary.epsilonSigma ?? NaN), 2)} %`, kin: 'posterior' },
     { key: 'worst', label: 'Worst error', value: fixed(summary.worst, 2), unit: 'm', kin: 'truth', more: true },
     { key: 'used', label: 'Readings used', value: String(used), more: true },
     { key: 'slope', label: 'Slope of the range’s error', value: fixed(rangeLine?.slope, 3), kin: 'measurement', more: true },
@@ -94,10 +94,10 @@ const controls = [
   { kind: 'choice', name: 'gate', label: 'Gate', options: GATES.map((value) => ({ value, label: value === null ? 'off' : `${fixed(100 * value, 1)} %` })) },
   { kind: 'range', name: 'scale', label: 'Scale *ε* of the ranges', ends: [-0.2, 0.2], step: 0.001, words: (value) => `${fixed(100 * value, 1)} %`, enabled: ({ learn }) => !learn },
   { kind: 'range', name: 'offset', label: 'Offset of the ranges', ends: [-5, 5], step: 0.1, words: (value) => `${fixed(value, 1)} m` },
-  logarithmic('sigmaRange', '*σ_ρ*, of a range', [-1, 1], 'm', 2),
-  { ...logarithmic('sigmaBearing', '*σ_β*, of a bearing', [-3, 0], 'rad', 3), shown: (/** @type {Frame} */ frame) => frame.bearings },
-  logarithmic('sigmaDistance', '*σ_d*, of the distance', [-3, 0], 'm/√s', 3),
-  logarithmic('sigmaTurn', '*σ_θ*, of the turn', [-3, 0], 'rad/√s', 3),
+  logarithmic('sigmaRange', '*σ*_ρ, of a range', [-1, 1], 'm', 2),
+  { ...logarithmic('sigmaBearing', '*σ*_β, of a bearing', [-3, 0], 'rad', 3), shown: (/** @type {Frame} */ frame) => frame.bearings },
+  logarithmic('sigmaDistance', '*σ*_d, of the distance', [-3, 0], 'm/√s', 3),
+  logarithmic('sigmaTurn', '*σ*_θ, of the turn', [-3, 0], 'rad/√s', 3),
 ]
 
 const usual = { sightings: true, gate: null, scale: 0, offset: 0, learn: false }

@@ -3,11 +3,13 @@
 //! the page with it. A number that is not finite is printed as null.
 
 use labs::{
-    Lab, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, Params, Picture, Shape, Shown, State, Tune,
+    Lab, LogParams, LoggedDrive, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, Params, Picture,
+    RobotLog, Shape, Shown, State, Tune,
 };
 use serde_json::Value;
 use std::error::Error;
 use std::io::Read;
+use std::sync::Arc;
 
 type Answer<T> = Result<T, Box<dyn Error>>;
 
@@ -25,19 +27,32 @@ fn main() -> Answer<()> {
         Picture::NAME => print::<Picture>(step, &params),
         LoopClosure::NAME => print::<LoopClosure>(step, &params),
         Tune::NAME => print::<Tune>(step, &params),
+        RobotLog::NAME => print_log(step, &params),
         _ => Err(format!("there is no lab {lab}").into()),
     }
 }
 
 fn print<L: Lab>(step: u32, params: &Value) -> Answer<()> {
+    let lab = L::from_state(State { params: given(params)?, step })?;
+    println!("{}", serde_json::to_string(&Shown(&lab.frame()))?);
+    Ok(())
+}
+
+/// The lab of the log that the page fetches.
+fn print_log(step: u32, params: &Value) -> Answer<()> {
+    let log = robot_log::parse(include_str!("../../../content/logs/plaza1.csv"))?;
+    let lab = RobotLog::at(Arc::new(LoggedDrive::new(log.drive)), given::<LogParams>(params)?, step)?;
+    println!("{}", serde_json::to_string(&Shown(&lab.frame()))?);
+    Ok(())
+}
+
+fn given<P: Params>(params: &Value) -> Answer<P> {
     let mut numbers = Vec::new();
-    for parameter in L::Params::PARAMETERS {
+    for parameter in P::PARAMETERS {
         read(&parameter.shape, &params[parameter.name], &mut numbers)
             .ok_or_else(|| format!("no {}", parameter.name))?;
     }
-    let lab = L::from_state(State { params: L::Params::read(&mut numbers.iter()), step })?;
-    println!("{}", serde_json::to_string(&Shown(&lab.frame()))?);
-    Ok(())
+    Ok(P::read(&mut numbers.iter()))
 }
 
 /// Appends the numbers of a parameter, every one of which must be there.

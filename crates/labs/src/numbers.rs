@@ -4,6 +4,7 @@ mod detectability;
 mod ensembles;
 mod exercises;
 mod hook;
+mod log;
 mod loops;
 mod maps;
 mod probe;
@@ -92,6 +93,7 @@ pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
     robot::list(givens, &mut listing)?;
     hook::list(&mut listing)?;
     wheel::list(&mut listing)?;
+    log::list(&mut listing)?;
     probe::list(givens, &mut listing)?;
     maps::list(givens, &mut listing)?;
     scenarios::list(givens, &mut listing);

@@ -60,9 +60,9 @@ function reach({ landmarks, tracks, estimate }, axis) {
 function drawTracks(pen, plane, { tracks, params, ellipse, estimate }) {
   const track = (/** @type {string} */ key, /** @type {string} */ shape, /** @type {import('../../core/plot.js').Kin} */ kin, /** @type {{ x: number[], y: number[] }} */ { x, y }) =>
     pen.mark('path', `${key}-track`, { ...meaning(shape, kin), d: seriesPath(plane, x, y) })
-  track('truth', 'track', 'truth', tracks.truth)
-  track('reckoning', 'track dashed', 'prediction', tracks.reckoning)
-  if (params.sightings) track('estimate', 'track', 'posterior', tracks.estimate)
+  track('truth', 'track fine', 'truth', tracks.truth)
+  track('reckoning', 'track fine dashed', 'prediction', tracks.reckoning)
+  if (params.sightings) track('estimate', 'track fine', 'posterior', tracks.estimate)
   pen.mark('path', 'ellipse', { ...meaning('outline', kinOf(params)), d: ellipsePath(ellipse, estimate, plane) })
 }
 

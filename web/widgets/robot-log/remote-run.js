@@ -96,7 +96,6 @@ export class RemoteRun {
 
   /** @param {boolean} on at the log's end it plays from the start */
   play(on) {
-    this.playing = on
     this.due = 0
     if (on && this.goal === this.last) this.reset()
     this.playing = on

@@ -44,7 +44,7 @@ function scatter({ pen, width, height }, title, across, xs, ys, line, used) {
     pen.window('fit', box, (into) => {
       into.mark('path', 'line', { ...meaning('curve fit'), d: seriesPath(plane, [from, to], [from, to].map((x) => line.offset + line.slope * x)) })
     })
-    pen.text('slope', { class: 'label', x: box.right - 4, y: box.top + 12, 'text-anchor': 'end' }, `slope ${fixed(line.slope, 3)}, *R*^{2} = ${fixed(line.r2, 2)}`)
+    pen.text('slope', { class: 'label', x: box.right - 4, y: box.bottom - 6, 'text-anchor': 'end' }, `slope ${fixed(line.slope, 3)}, *R*^{2} = ${fixed(line.r2, 2)}`)
   })
 }
 
@@ -56,7 +56,7 @@ export function drawHistogram({ pen, width, height }, { histogram, summary }) {
   const plane = planeOf(box, [from, to], [0, Math.max(0.45, ...density) * 1.05])
   pen.draw(() => {
     axes(pen, plane, { title: 'density of *ν*/√*S* beside N(0, 1)', x: '*σ*', ticks: [5, 4] })
-    if (summary.used === 0) empty(pen, plane, 'no range is used')
+    if (summary.used === 0) return empty(pen, plane, 'no range is used')
     const floor = box.bottom
     let d = ''
     for (const [i, value] of density.entries()) {

@@ -1,6 +1,6 @@
 //! Answers that are states of a figure: conditions on its frame, which the build holds against the frame's shape.
 
-use labs::{Lab, ObservabilityProbe, ObserverBench, OdometryHook, Picture, Plain, Shape};
+use labs::{Lab, LogFrame, ObservabilityProbe, ObserverBench, OdometryHook, Picture, Plain, Shape};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -86,6 +86,7 @@ fn frame(widget: &str) -> Option<Shape> {
         "odometry-hook" => of::<OdometryHook>(),
         "observability-probe" => of::<ObservabilityProbe>(),
         "kalman-picture" => of::<Picture>(),
+        "robot-log" => LogFrame::SHAPE,
         _ => return None,
     })
 }

@@ -122,3 +122,24 @@ fn the_closed_forms_agree_with_values_computed_elsewhere() {
     assert!((recursion(true, 400)[399].0[1] - v[1]).abs() < 1e-14, "{v:?}");
     assert!((recursion(true, 3)[2].1 - table["step3.P.11"]).abs() < 1e-14);
 }
+
+#[test]
+fn the_log_s_story_holds() {
+    let n = by_id(&Givens::default());
+    assert!(n["log.reckoned.rmse"] < n["log.raw.rmse"] && n["log.raw.rmse"] < n["log.gated.rmse"], "worse with ranges");
+    assert!(n["log.scaled.rmse"] < n["log.reckoned.rmse"] / 5.0 && n["log.learned.rmse"] < n["log.offset.rmse"]);
+    assert!(
+        n["log.offset.mean"].abs() < 0.01 && n["log.offset.nis"] > n["log.offset.band.high"],
+        "an offset zeroes the mean alone"
+    );
+    assert!(n["log.raw.refused"] == 0.0 && n["log.gated.refused"] > 0.5);
+    assert!(n["log.line.truth.r2"] > 0.7 && n["log.line.inner.slope"] < 0.0, "the filter hides the line");
+    // Four states; one beacon leaves the turn about it unseen, which does not touch the scale.
+    assert_eq!((n["log.rank.all"], n["log.rank.one"]), (4.0, 3.0));
+    assert!(n["log.unseen.one"] < 1e-9);
+    assert!(n["log.tuned.band.low"] < n["log.tuned.nis"] && n["log.tuned.nis"] < n["log.tuned.band.high"]);
+    let refused = |beacon: u32| n[&format!("log.wrong.{beacon}.refused")];
+    assert!(
+        refused(1) > 0.9 && refused(6) > 0.9 && refused(0) < 0.01 && refused(5) < 0.01 && n["log.wrong.mended"] < 0.001
+    );
+}

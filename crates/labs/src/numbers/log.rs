@@ -1,0 +1,197 @@
+//! Numbers of the real robot's log: the replays that the text goes through.
+
+use super::Listing;
+use crate::robot_log::{LogFrame, LogParams, LoggedDrive, RobotLog};
+use estimate::drive::{Drive, Event, Judged, PoseAndScale, Replay, Scaled, Settings};
+use estimate::landmarks::RangeOnly;
+use estimate::path_observability::PathStack;
+use estimate::{Code, Error, Landmark, Unicycle};
+use filters::{MeasurementModel, MotionModel};
+use geom::SE2;
+use nalgebra::{SMatrix, Vector2};
+use std::sync::Arc;
+
+/// The log, as the figure fetches it.
+const PLAZA: &str = include_str!("../../../../content/logs/plaza1.csv");
+/// The gate that the text tries.
+const GATE: f64 = 0.999;
+/// The offset, metres, and the scale that it tries.
+const OFFSET: f64 = 2.4;
+const SCALE: f64 = 0.069;
+/// The beacons that have each other's number in the log with a mistake.
+const SWAPPED: [u32; 2] = [1, 6];
+/// The rank test takes so much of the drive.
+const TESTED_ROWS: usize = 4000;
+const TOLERANCE: f64 = 1e-9;
+
+pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
+    let log = robot_log::parse(PLAZA).map_err(|e| Error::new(Code::Type, "plaza1.csv", e.to_string()))?;
+    let logged = Arc::new(LoggedDrive::new(log.drive));
+    drive(&logged, to);
+    replays(&logged, to)?;
+    for (name, beacons) in [("all", logged.drive().landmarks.len()), ("one", 1)] {
+        let (rank, unseen) = learned_scale(&logged, beacons)?;
+        to.by("estimate::path_observability::PathStack", None)
+            .add(format!("log.rank.{name}"), rank as f64, "the rank along the drive with ε in the state, of 4")
+            .add(format!("log.unseen.{name}"), unseen, "the largest |ε| of an unseen direction of length 1");
+    }
+    Ok(())
+}
+
+fn drive(logged: &LoggedDrive, to: &mut Listing) {
+    let [first, last] = logged.span();
+    let poses = logged.drive().truth.poses();
+    let legs = poses.windows(2).map(|pair| numerics::hypot(pair[1].x - pair[0].x, pair[1].y - pair[0].y));
+    let sightings = logged.drive().rows.iter().filter(|row| !row.event.is_motion()).count();
+    to.by("labs::LoggedDrive", None)
+        .add("log.minutes", ((last - first) / 60.0).round(), "how long the drive took")
+        .add("log.km", legs.sum::<f64>() / 1000.0, "how far the robot drove, by its true positions")
+        .add("log.ranges", sightings as f64, "ranges in the log")
+        .add("log.beacons", logged.drive().landmarks.len() as f64, "radio beacons");
+}
+
+fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
+    let usual = LogParams::default();
+    let whole = |params| RobotLog::at(Arc::clone(logged), params, logged.rows()).map(|lab| lab.frame());
+    let off = || Error::new(Code::Limit, "plaza1.csv", "has no truth, or no range was used");
+    to.by("labs::RobotLog", None);
+    let reckoned = whole(LogParams { sightings: false, ..usual })?;
+    to.add("log.reckoned.rmse", reckoned.summary.rmse.ok_or_else(off)?, "RMS error of dead reckoning, m");
+    to.add("log.reckoned.worst", reckoned.summary.worst.ok_or_else(off)?, "its largest error, m");
+    let raw = whole(usual)?;
+    let gated = whole(LogParams { gate: Some(GATE), ..usual })?;
+    let offset = whole(LogParams { offset: OFFSET, ..usual })?;
+    let scaled = whole(LogParams { scale: SCALE, ..usual })?;
+    let learned = whole(LogParams { learn: true, ..usual })?;
+    let tuned = usual.sigma_range * scaled.summary.nis.ok_or_else(off)?.sqrt();
+    let calibrated = whole(LogParams { scale: SCALE, sigma_range: (100.0 * tuned).round() / 100.0, ..usual })?;
+    for (name, frame) in [
+        ("raw", &raw),
+        ("gated", &gated),
+        ("offset", &offset),
+        ("scaled", &scaled),
+        ("learned", &learned),
+        ("tuned", &calibrated),
+    ] {
+        summary(name, frame, to).ok_or_else(off)?;
+    }
+    wrong(logged, to)?;
+    to.by("labs::RobotLog", None)
+        .add("log.given.gate", GATE, "the gate's probability that the text tries")
+        .add("log.given.offset", OFFSET, "the offset that it tries, m")
+        .add("log.given.scale", SCALE, "the scale that it tries")
+        .add(
+            "log.gate.expected",
+            1.0 - GATE,
+            "the share of readings that the gate refuses of a filter whose model holds",
+        )
+        .add("log.tuned.sigma", calibrated.params.sigma_range, "σ_ρ at which NIS is near 1, m");
+    for (name, line) in [("truth", raw.range_line), ("inner", raw.innovation_line)] {
+        let line = line.ok_or_else(off)?;
+        to.add(
+            format!("log.line.{name}.slope"),
+            line.slope,
+            "the slope of the line through ranges and what is off of them",
+        )
+        .add(format!("log.line.{name}.offset"), line.offset, "its value at 0, m")
+        .add(format!("log.line.{name}.r2"), line.r2, "R², the share of the variance that it explains");
+    }
+    to.add("log.learned.epsilon", learned.summary.epsilon.ok_or_else(off)?, "the learned scale").add(
+        "log.learned.sigma",
+        learned.summary.epsilon_sigma.ok_or_else(off)?,
+        "its standard deviation",
+    );
+    Ok(())
+}
+
+/// The log with a mistake: a beacon a metre off, and two beacons that have each other's number.
+fn wrong(logged: &LoggedDrive, to: &mut Listing) -> Result<(), Error> {
+    let off = || Error::new(Code::Limit, "plaza1.csv", "has other beacons than the text says");
+    let calibrated = LogParams { scale: SCALE, ..LogParams::default() };
+    let mut moved = logged.drive().clone();
+    let beacon = moved.landmarks.first_mut().ok_or_else(off)?;
+    beacon.y += 1.0;
+    let id = beacon.id;
+    let moved = Arc::new(LoggedDrive::new(moved));
+    let frame = RobotLog::at(Arc::clone(&moved), calibrated, moved.rows())?.frame();
+    to.by("labs::RobotLog", None).add("log.moved.id", f64::from(id), "the beacon that is moved");
+    summary("moved", &frame, to).ok_or_else(off)?;
+    let gated = Settings { gate: Some(GATE), ..Settings::from(calibrated) };
+    let sound = judged(logged.drive(), gated)?;
+    let refused = sound.iter().filter(|(_, judged)| !judged.used).count() as f64 / sound.len() as f64;
+    to.add("log.wrong.mended", refused, "the share of refused readings with the right map");
+    let mut swapped = logged.drive().clone();
+    let place = |of: u32| swapped.landmarks.iter().position(|it| it.id == of);
+    let (a, b) = (place(SWAPPED[0]).ok_or_else(off)?, place(SWAPPED[1]).ok_or_else(off)?);
+    let (first, second) = (swapped.landmarks[a], swapped.landmarks[b]);
+    swapped.landmarks[a] = Landmark { id: first.id, ..second };
+    swapped.landmarks[b] = Landmark { id: second.id, ..first };
+    let found = judged(&swapped, gated)?;
+    for (i, beacon) in swapped.landmarks.iter().enumerate() {
+        let its: Vec<&Judged> = found.iter().filter(|(j, _)| *j == i).map(|(_, judged)| judged).collect();
+        let count = its.len() as f64;
+        let refused = its.iter().filter(|judged| !judged.used).count() as f64 / count;
+        let mean = its.iter().map(|judged| judged.innovation).sum::<f64>() / count;
+        to.add(format!("log.wrong.{}.readings", beacon.id), count, "a beacon's readings in the log with a mistake")
+            .add(format!("log.wrong.{}.refused", beacon.id), refused, "the share of them that the gate refuses")
+            .add(format!("log.wrong.{}.mean", beacon.id), mean, "the mean of all their innovations, m");
+    }
+    Ok(())
+}
+
+/// Each sighting's landmark, and what became of it.
+fn judged(drive: &Drive, settings: Settings) -> Result<Vec<(usize, Judged)>, Error> {
+    let mut replay = Replay::new(drive, settings)?;
+    let mut all = Vec::new();
+    for row in &drive.rows {
+        let judged = replay.take(drive, row)?;
+        if let (Event::Range { landmark, .. }, Some(judged)) = (row.event, judged) {
+            all.push((landmark, judged));
+        }
+    }
+    Ok(all)
+}
+
+fn summary(name: &str, frame: &LogFrame, to: &mut Listing) -> Option<()> {
+    let s = &frame.summary;
+    let bands = frame.bands?;
+    to.add(format!("log.{name}.rmse"), s.rmse?, "RMS error of the position, m")
+        .add(format!("log.{name}.nis"), s.nis?, "NIS for each output, 1 is expected")
+        .add(format!("log.{name}.mean"), s.mean_innovation?, "mean of ν/√S, 0 is expected")
+        .add(format!("log.{name}.lag1"), s.lag1?, "its autocorrelation at lag 1, 0 is expected")
+        .add(
+            format!("log.{name}.refused"),
+            f64::from(s.refused) / f64::from(s.used + s.refused),
+            "share of refused readings",
+        )
+        .add(format!("log.{name}.band.low"), bands.nis[0], "the lower end of the 95 % band of NIS")
+        .add(format!("log.{name}.band.high"), bands.nis[1], "its upper end");
+    Some(())
+}
+
+/// The rank of the readings along the drive, by the wheels alone, with ε among four states; and ε in the unseen directions.
+fn learned_scale(logged: &LoggedDrive, beacons: usize) -> Result<(usize, f64), Error> {
+    let drive = logged.drive();
+    let map: &[Landmark] = &drive.landmarks;
+    let start = drive.truth.poses().first().map_or(SE2::new(0.0, 0.0, 0.0), |at| SE2::new(at.x, at.y, at.theta));
+    let mut state = PoseAndScale { pose: start, epsilon: 0.0 };
+    let mut stack = PathStack::new(4);
+    let sensor = Scaled { sensor: RangeOnly { map }, scale: 0.0, offset: 0.0 };
+    for row in drive.rows.iter().take(TESTED_ROWS) {
+        match row.event {
+            Event::Odometry { distance, turn } => {
+                let u = Vector2::new(distance, turn);
+                stack.advance(&MotionModel::<PoseAndScale, 4, 2>::jacobian(&Unicycle, &state, &u));
+                state = Unicycle.f(&state, &u);
+            }
+            Event::Range { landmark, .. } if landmark < beacons => {
+                let h: SMatrix<f64, 1, 4> = sensor.jacobian(&state, landmark)?;
+                stack.observe(&h);
+            }
+            _ => {}
+        }
+    }
+    let seen = stack.analyze(TOLERANCE)?.start;
+    let unseen = seen.nullspace.iter().map(|direction| direction[3].abs()).fold(0.0, f64::max);
+    Ok((seen.rank, unseen))
+}
