@@ -85,10 +85,12 @@ for (const name of Object.keys(WIDGETS)) {
       const grip = await handle.locator('.handle-dot').boundingBox()
       await page.mouse.move(grip.x + 3, grip.y + 3)
       await page.mouse.down()
-      // One of two ways may be closed: a handle may stand at its end.
+      // Inwards: a handle may stand at its end.
+      const panel = await handle.locator('xpath=ancestor::*[contains(@class, "panel")][1]').boundingBox()
+      const inwards = grip.x > panel.x + panel.width / 2 ? -1 : 1
       await changes(it, async () => {
-        await page.mouse.move(grip.x - 40, grip.y - 25, { steps: 4 })
-        await page.mouse.move(grip.x + 40, grip.y + 25, { steps: 8 })
+        await page.mouse.move(grip.x - 40 * inwards, grip.y - 25, { steps: 4 })
+        await page.mouse.move(grip.x + 40 * inwards, grip.y + 25, { steps: 8 })
       }, 'a handle that is dragged')
       await page.mouse.up()
       await changes(it, () => handle.press('ArrowLeft'), 'an arrow on a handle')
