@@ -41,7 +41,7 @@ const alone = (page, ...selectors) => page.evaluate((kept) => {
 /** What a reader can call up, and what it is read with. */
 const CALLED_UP = {
   'the search open': async (page) => {
-    await page.locator('[data-open-search]').click()
+    await page.locator('[data-open-search]').first().click()
     await page.locator('dialog.search input').fill('innovation')
     await page.locator('dialog.search li a').first().waitFor()
     await alone(page)

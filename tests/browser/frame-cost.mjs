@@ -4,8 +4,8 @@
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist } from './places.mjs'
+import { WIDGETS } from '../../web/widgets/index.js'
 
-const WIDGETS = ['odometry-hook', 'observer-bench', 'kalman-picture', 'observability-probe']
 const SECONDS = 6
 /** Before the count: a browser compiles what it has run a while. */
 const WARM = 4
@@ -15,7 +15,7 @@ const site = await serve({ folder: dist, base: BASE })
 const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
 console.log('| widget, at 6× throttle | frames | script, median | script, 95 % | main thread, mean |\n|---|---:|---:|---:|---:|')
 try {
-  for (const tag of WIDGETS) {
+  for (const tag of Object.keys(WIDGETS)) {
     const context = await browser.newContext({ viewport: DESKTOP, serviceWorkers: 'block', reducedMotion: 'no-preference' })
     const page = await context.newPage()
     await page.goto(site.url + 'kalman/')

@@ -5,7 +5,8 @@ import assert from 'node:assert/strict'
 import { PHONE, figure, openFigure } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
-const KNOBS = '.live :is(svg [role=slider], input[type=range]:enabled)'
+/** Not the sliders that a figure hides where there is nothing to set. */
+const KNOBS = '.live :is(svg [role=slider], input[type=range]:enabled):not([hidden] *)'
 
 for (const tag of Object.keys(WIDGETS)) {
   test(`every handle and slider of the ${tag} is large, named, reached by Tab and moved by keys`, async (t) => {

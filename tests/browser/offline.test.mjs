@@ -8,8 +8,8 @@ import path from 'node:path'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, figure, watch } from './harness.mjs'
+import { WIDGETS } from '../../web/widgets/index.js'
 
-const WIDGETS = ['odometry-hook', 'observer-bench', 'kalman-picture', 'observability-probe']
 const copies = mkdtempSync(path.join(tmpdir(), 'book-copies-'))
 after(() => rmSync(copies, { recursive: true, force: true }))
 
@@ -69,10 +69,10 @@ test('after one visit every page, figure and check works without a network, in b
       assert.ok((await page.locator('h1').first().textContent()).length > 3, `/${at}`)
     }
     await page.goto(url + 'kalman/')
-    for (const tag of WIDGETS) await figure(page, tag)
+    for (const tag of Object.keys(WIDGETS)) await figure(page, tag)
     await page.locator('[data-set-notation="thrun"]').click()
     await page.waitForFunction(() => document.documentElement.classList.contains('two-notations'))
-    await page.locator('[data-open-search]').click()
+    await page.locator('[data-open-search]').first().click()
     await page.locator('dialog.search input').fill('innovation')
     await page.locator('dialog.search li a').first().waitFor()
     await page.goto(url + 'check/')

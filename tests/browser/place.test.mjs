@@ -19,14 +19,15 @@ const settle = (page) => page.evaluate(async () => {
     last = now
   }
 })
-/** The first paragraph on the screen, and where it begins. */
+/**
+ * The first paragraph that begins on the screen, and where. Where a figure fills the screen it is the last one above: what stands
+ * below moves when the figure comes alive and grows.
+ */
 const mark = (page) => page.evaluate(() => {
-  for (const section of document.querySelectorAll('.chapter > section')) {
-    if (section.getBoundingClientRect().bottom < 0) continue
-    const p = [...section.querySelectorAll('p')].find((it) => it.checkVisibility() && it.textContent.trim().length > 40 && !it.closest('.widget') && it.getBoundingClientRect().top > 30)
-    if (p) return { text: p.textContent.trim().slice(0, 60), top: p.getBoundingClientRect().top }
-  }
-  return null
+  const all = [...document.querySelectorAll('.chapter > section p')]
+    .filter((it) => it.checkVisibility() && it.textContent.trim().length > 40 && !it.closest('.widget'))
+    .map((it) => ({ text: it.textContent.trim().slice(0, 60), top: it.getBoundingClientRect().top }))
+  return all.find(({ top }) => top > 30 && top < innerHeight) ?? all.filter(({ top }) => top <= 30).at(-1) ?? null
 })
 const topOf = (page, text) => page.evaluate((words) => [...document.querySelectorAll('.chapter p')].find((p) => p.textContent.trim().startsWith(words))?.getBoundingClientRect().top, text)
 /** Scrolls as a reader does, from where the page is, to the middle of a part. */
@@ -121,7 +122,7 @@ for (const [size, how] of Object.entries(SIZES)) {
 
   test(`a hit of the search leads to its heading, ${size}`, { timeout: 120_000 }, async (t) => {
     const page = await open(t, how)
-    await page.locator('[data-open-search]').click()
+    await page.locator('[data-open-search]').first().click()
     const dialog = page.getByRole('dialog', { name: 'Search' })
     await dialog.getByRole('searchbox').fill('associate')
     const hit = dialog.locator('.search-results a').first()
@@ -173,4 +174,27 @@ test('a part that is not laid out has nearly its real height, and holds no form 
     const wrong = seen.filter(({ guess, real }) => Math.abs(guess - real) > Math.max(200, 0.15 * real))
     assert.deepEqual(wrong, [], 'run ./scripts/heights and build again')
   }
+})
+
+test('a figure that comes alive while it is read stays where it is, and grows downwards', { timeout: 120_000 }, async (t) => {
+  let answer
+  const asked = new Promise((resolve) => { answer = resolve })
+  const page = await open(t, { ...SIZES.phone, prepare: (it) => it.route('**/*.wasm', async (route) => {
+    await asked
+    await route.continue()
+  }) })
+  const probe = page.locator('#fig-probe')
+  const box = () => probe.evaluate((it) => it.getBoundingClientRect().toJSON())
+  for (let i = 0; i < 5; i++) {
+    await probe.evaluate((it) => scrollBy({ top: it.getBoundingClientRect().top + it.getBoundingClientRect().height * 0.6, behavior: 'instant' }))
+    await page.waitForTimeout(100)
+  }
+  const before = await box()
+  assert.ok(before.top < 0 && before.bottom > 100, 'its end is on the screen')
+  answer()
+  await probe.locator('[data-state=live]').waitFor()
+  await page.waitForTimeout(300)
+  const now = await box()
+  assert.ok(now.height > before.height + LINE, 'it has grown')
+  near(now.top, before.top, 'its upper edge')
 })

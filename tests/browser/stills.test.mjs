@@ -150,6 +150,6 @@ test('questions and search whose scripts are lost leave nothing to press in vain
   await page.waitForFunction(() => document.querySelectorAll('.quiz[data-answered]').length > 0)
   assert.equal(await page.locator('.quiz button:visible').count(), 0)
   assert.ok(await page.locator('.quiz-answer summary').first().isVisible(), 'the answers can be opened')
-  await page.locator('[data-open-search]').click()
+  await page.locator('[data-open-search]').first().click()
   await page.getByText('The search could not be fetched.').waitFor()
 })

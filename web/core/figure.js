@@ -175,6 +175,7 @@ class Figure {
     this.display = new Display(this.spec, this.shell, this.handle)
     this.display.take(run.frame, null, -Infinity)
     this.voice.begin(this.shell.note, run.frame)
+    keepTop(this.host)
     this.host.append(into, this.voice.status)
     this.host.dataset.state = 'live'
     this.resized = new ResizeObserver(() => this.measure())
@@ -261,4 +262,18 @@ class Figure {
     if (Number.isFinite(elapsed)) return elapsed
     return this.display?.drawn.size ? 16 : Infinity
   }
+}
+
+/**
+ * Keeps the upper edge of what is about to grow where it is, if any of it is on the screen. A browser would keep what stands
+ * below it and scroll the figure away from under the reader's eyes.
+ * @param {Element} host
+ */
+function keepTop(host) {
+  const { top, bottom } = host.getBoundingClientRect()
+  if (bottom < 0 || top > innerHeight) return
+  const root = document.documentElement
+  root.style.setProperty('overflow-anchor', 'none')
+  // The figure has its new height after the next layout, and a browser scrolls to its anchor after that one.
+  requestAnimationFrame(() => requestAnimationFrame(() => root.style.removeProperty('overflow-anchor')))
 }

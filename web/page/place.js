@@ -134,6 +134,9 @@ function hold({ block, top, open }) {
   let left = FRAMES
   let last = NaN
   const leave = () => { left = 0 }
+  // Meanwhile the browser must not keep another place: that of what stands below a figure that comes alive and grows.
+  document.documentElement.classList.add('place-held')
+  const end = () => document.documentElement.classList.remove('place-held')
   for (const input of ['wheel', 'touchstart', 'pointerdown', 'keydown']) addEventListener(input, leave, { once: true, passive: true })
   return new Promise((placed) => {
     const assert = () => {
@@ -148,10 +151,12 @@ function hold({ block, top, open }) {
         else if (Math.abs(off) > 0.5) scrollBy({ top: off, behavior: 'instant' })
         last = scrollY
         placed()
-        if (document.readyState === 'complete') left--
+        const coming = element?.closest('.figure-widget')?.querySelector('.widget[data-state=loading]')
+        if (document.readyState === 'complete' && !coming && left > 0) left--
       }
       if (left > 0 && performance.now() - began < PATIENCE_MS) return void requestAnimationFrame(assert)
       holding = 0
+      end()
       placed()
     }
     requestAnimationFrame(assert)

@@ -11,6 +11,9 @@ use crate::parse::parse;
 use crate::piece::Piece;
 use crate::site::Site;
 use crate::tree::{Kind, Node};
+use held::{after_formula, before_formula, is_formula};
+
+mod held;
 
 /// A heading of the table of contents.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
@@ -41,14 +44,6 @@ pub struct Used {
     pub quizzes: BTreeSet<String>,
     /// Whether the page lists its references itself.
     pub listed_references: bool,
-}
-
-/// The marks that belong to the formula before them, and to the one behind them.
-const CLOSING: [char; 10] = ['.', ',', ';', ':', '!', '?', ')', '’', '”', '-'];
-const OPENING: [char; 4] = ['(', '[', '‘', '“'];
-
-fn is_formula(node: &Node) -> bool {
-    matches!(node.kind, Kind::Piece(Piece::Math(_)))
 }
 
 /// Writes the texts of one page.
@@ -151,8 +146,8 @@ impl<'a> Writer<'a> {
             let follows = |is: fn(&Node) -> bool| nodes.get(i + 1).is_some_and(is);
             match &node.kind {
                 Kind::Text(text) => {
-                    let text = if before.is_some_and(is_formula) { text.trim_start_matches(CLOSING) } else { text };
-                    self.text(if follows(is_formula) { text.trim_end_matches(OPENING) } else { text });
+                    let text = if before.is_some_and(is_formula) { after_formula(text) } else { text };
+                    self.text(if follows(is_formula) { before_formula(text) } else { text });
                 }
                 Kind::Piece(piece @ Piece::Math(_)) => self.held(piece, node, before, nodes.get(i + 1)),
                 Kind::Code(code) => {
@@ -182,25 +177,6 @@ impl<'a> Writer<'a> {
                 }
                 Kind::Piece(piece) => self.piece(piece, node),
             }
-        }
-    }
-
-    /// A formula and the marks that touch it, between which a browser would break the line.
-    fn held(&mut self, piece: &Piece, node: &Node, before: Option<&Node>, after: Option<&Node>) {
-        let text = |node: Option<&'_ Node>| match node.map(|node| &node.kind) {
-            Some(Kind::Text(text)) => text.clone(),
-            _ => String::new(),
-        };
-        let (left, right) = (text(before), text(after));
-        let left = &left[left.trim_end_matches(OPENING).len()..];
-        let right = &right[..right.len() - right.trim_start_matches(CLOSING).len()];
-        let start = self.html.len();
-        self.text(left);
-        self.piece(piece, node);
-        self.text(right);
-        if self.boxed && !(left.is_empty() && right.is_empty()) {
-            self.html.insert_str(start, "<span class=\"held\">");
-            self.push("</span>");
         }
     }
 
@@ -296,19 +272,23 @@ impl<'a> Writer<'a> {
 
     fn table(&mut self, columns: &[Alignment], rows: &[Node]) {
         self.push("<div class=\"table-box scroll-box\"><table>");
+        // Under an empty corner the cells of the first column name their rows.
+        let corner = rows.first().and_then(|row| row.children.first()).is_some_and(|cell| cell.children.is_empty());
         for row in rows {
             let head = matches!(row.kind, Kind::Element(Tag::TableHead));
             self.push(if head { "<thead><tr>" } else { "<tr>" });
-            for (cell, column) in row.children.iter().zip(columns) {
-                // The empty corner of a table heads nothing.
-                let tag = if head && !cell.children.is_empty() { "th" } else { "td" };
+            for (i, (cell, column)) in row.children.iter().zip(columns).enumerate() {
+                let names_row = corner && i == 0 && !head;
+                let heads = !cell.children.is_empty() && (head || names_row);
+                let scope = if heads && names_row { " scope=\"row\"" } else { "" };
+                let tag = if heads { "th" } else { "td" };
                 let style = match column {
                     Alignment::None => "",
                     Alignment::Left => " style=\"text-align: left\"",
                     Alignment::Center => " style=\"text-align: center\"",
                     Alignment::Right => " style=\"text-align: right\"",
                 };
-                self.span(&format!("<{tag}{style}>"), &cell.children, &format!("</{tag}>"));
+                self.span(&format!("<{tag}{scope}{style}>"), &cell.children, &format!("</{tag}>"));
                 self.words.push(' ');
             }
             self.push(if head { "</tr></thead><tbody>\n" } else { "</tr>\n" });
