@@ -29,7 +29,7 @@ function check(words, { params, step, summary, reckonedRmse, bands, correlation 
   const says = (pattern, when) => assert.equal(pattern.test(words), Boolean(when), `${pattern}: ${words}`)
   const heard = step > 0 && params.sightings && used > 0
   says(/Before the first row/, step === 0)
-  says(/Dead reckoning: the wheels alone/, step > 0 && !params.sightings)
+  says(/Dead reckoning: odometry alone/, step > 0 && !params.sightings)
   says(/No range has been read/, step > 0 && params.sightings && used + refused === 0)
   says(/refused every range/, step > 0 && params.sightings && used === 0 && refused > 0)
   says(/ worse than /, heard && rmse !== null && rmse / reckonedRmse > 1.05)

@@ -11,7 +11,7 @@ import { clock, percent, verdict } from './robot-log/words.js'
 
 /** @typedef {import('estimate-wasm').LogFrame} Frame */
 
-// State: the whole drive, by the wheels alone.
+// State: the whole drive, by odometry alone.
 
 const start = { params: { sightings: false }, step: 13_186 }
 

@@ -27,7 +27,7 @@ export function verdict(frame) {
   const { params, step, summary } = frame
   if (step === 0) return 'Before the first row of the log.'
   const { used, refused } = summary
-  if (!params.sightings) return `Dead reckoning: the wheels alone, no range is used.${errorOf(frame, false)}`
+  if (!params.sightings) return `Dead reckoning: odometry alone, no range is used.${errorOf(frame, false)}`
   if (used + refused === 0) return `No range has been read yet.${errorOf(frame, false)}`
   if (used === 0) return `The gate has refused every range so far: this is dead reckoning.${errorOf(frame, false)}`
   return [errorOf(frame, true), gateOf(frame), learnedOf(frame), meanOf(frame), nisOf(frame), lagOf(frame)].join('').trim()

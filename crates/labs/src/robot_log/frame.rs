@@ -23,7 +23,7 @@ record! {
         pub used: bool,
     }
 
-    /// Where the robot was, where its wheels alone say it was, and where the filter believes it was, up to now.
+    /// Where the robot was, where its odometry alone says it was, and where the filter believes it was, up to now.
     #[derive(Default)]
     pub struct LogTracks {
         /// True positions; empty without a truth.
@@ -174,7 +174,7 @@ record! {
         pub bearings: bool,
         /// Where the robot is, metres; null without a truth.
         pub truth: Option<[f64; 2]>,
-        /// Where its wheels alone say it is: metres, metres, radians.
+        /// Where its odometry alone says it is: metres, metres, radians.
         pub reckoning: [f64; 3],
         /// The estimated pose: metres, metres, radians.
         pub estimate: [f64; 3],
