@@ -41,6 +41,8 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
       // Sizes are looked at once a frame.
       for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
     })
+    // Wide displays are set smaller once the new width is known.
+    await page.waitForFunction(() => [...document.querySelectorAll('.equation-body')].every((box) => box.scrollWidth <= box.clientWidth || box.scrollWidth - box.clientWidth >= 24), null, { timeout: 10_000 }).catch(() => {})
     const { torn, cut, seen } = await page.evaluate(() => {
       /** The text in the same block next to an element, before or behind it. */
       const beside = (element, step) => {
