@@ -4,7 +4,7 @@ use crate::decode::Arg;
 use crate::encode::{Row, record};
 use crate::errors::thrown;
 use crate::object::Held;
-use estimate::Error;
+use estimate::{Code, Error};
 use labs::{Experiment, Kind, Parameter, Shape};
 use wasm_bindgen::prelude::*;
 
@@ -47,6 +47,16 @@ impl Class {
             open(&numbers, step).map_err(|e| self.blame(e, "state.params"))
         };
         Ok(Held::new(self.name, read().map_err(thrown)?))
+    }
+
+    /// What `f` answers of the lab itself, for what one kind of lab has beyond the others.
+    pub fn lab<L: Experiment + 'static, A>(
+        &'static self,
+        held: &Held,
+        f: impl FnOnce(&L) -> Result<A, Error>,
+    ) -> Result<A, JsValue> {
+        let other = || Error::new(Code::Type, "this", "is a lab of another kind");
+        held.read(self.name, |lab: &AnyLab| lab.as_any().downcast_ref().ok_or_else(other).and_then(f))?.map_err(thrown)
     }
 
     pub fn set(&'static self, held: &Held, params: &JsValue) -> Result<(), JsValue> {

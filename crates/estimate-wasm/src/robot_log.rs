@@ -152,12 +152,10 @@ impl RobotLog {
     /// What the replay says of itself so far.
     #[wasm_bindgen(unchecked_return_type = "LogSummary")]
     pub fn summary(&self) -> Result<JsValue, JsValue> {
-        let numbers = self.0.read(Self::CLASS.name, |lab: &AnyLab| {
-            let mut numbers = Vec::new();
-            if let Some(lab) = lab.as_any().downcast_ref::<labs::RobotLog>() {
-                lab.summary().write(&mut numbers);
-            }
-            numbers
+        let mut numbers = Vec::new();
+        Self::CLASS.lab(&self.0, |lab: &labs::RobotLog| {
+            lab.summary().write(&mut numbers);
+            Ok(())
         })?;
         Ok(Row::new(&numbers).value(&LogSummary::SHAPE))
     }

@@ -13,7 +13,7 @@ mod summary;
 mod truth;
 
 pub use line::{Line, Points};
-pub use model::{PoseAndScale, Scalable, Scaled};
+pub use model::{FIRST_SIGMA, PoseAndScale, Scalable, Scaled};
 pub use replay::{Judged, Replay};
 pub use row::{Drive, Event, Motion, Row};
 pub use settings::Settings;

@@ -1,8 +1,8 @@
 /** The corridor from above: where the robot is, where it believes itself to be, and how sure it claims to be. */
 
+import { followed } from '../../core/camera.js'
 import { clear, drawLabels } from '../../core/labels.js'
-import { Span } from '../../core/motion.js'
-import { dot, ellipseLevel, ellipsePath, evenPlane, halves, meaning, pointsPath, scaleBar, segment, seriesPath } from '../../core/plot.js'
+import { dot, ellipseLevel, ellipsePath, halves, meaning, pointsPath, scaleBar, segment, seriesPath } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -20,14 +20,9 @@ const FOOT = 20
  * @returns {boolean} whether the camera still moves
  */
 export function drawMap({ pen, width, height }, frame, view) {
-  const [across, up] = (view.memory.map ??= [new Span(), new Span()])
-  const moving = [0, 1].map((axis) => (axis ? up : across).follow(...reach(frame, axis), view.elapsed)).includes(true)
   const box = { left: 0, top: 0, right: width, bottom: height }
-  const [x, y] = [across.now, up.now]
   // Below the map is a line for what the ellipses mean and how long a metre is.
-  const place = { ...box, bottom: height - FOOT }
-  const unit = Math.min(width / (x[1] - x[0]), place.bottom / (y[1] - y[0]))
-  const plane = evenPlane(place, [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2], Math.min(width, place.bottom) / 2 / unit)
+  const { plane, moving } = followed(view, { ...box, bottom: height - FOOT }, (axis) => seen(frame, axis))
   // While neither the robot nor the camera has moved, this is not drawn again.
   const stamp = [width, height, ...plane.x.domain, ...plane.y.domain].join(' ')
   pen.draw(() => {
@@ -45,18 +40,11 @@ export function drawMap({ pen, width, height }, frame, view) {
   return moving
 }
 
-/** What has to be seen: the course with its corridor, and both tracks. @param {Frame} frame @param {number} axis @returns {[number, number]} */
-function reach({ world, tracks, estimate, ellipse }, axis) {
+/** What has to be seen: the estimate with its ellipse, the course with its corridor, and the estimate's track. @param {Frame} frame @param {number} axis */
+function seen({ world, tracks, estimate, ellipse }, axis) {
+  const at = axis ? 'y' : 'x'
   const half = halves(ellipse)[axis] + 0.5
-  let [low, high] = [estimate[axis] - half, estimate[axis] + half]
-  const see = (/** @type {number} */ at) => {
-    if (at < low) low = at
-    if (at > high) high = at
-  }
-  for (const corner of world.corners) see(axis ? corner.y : corner.x)
-  for (const at of axis ? tracks.estimate.y : tracks.estimate.x) see(at)
-  const spare = (high - low) * 0.09 // the camera adds its own margin
-  return [low + spare, high - spare]
+  return [[estimate[axis] - half, estimate[axis] + half], world.corners.map((corner) => corner[at]), tracks.estimate[at]]
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */

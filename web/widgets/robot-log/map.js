@@ -1,8 +1,8 @@
 /** The lawn from above, with the beacons, the three tracks, and a timeline by which the reader goes to a moment of the drive. */
 
+import { followed } from '../../core/camera.js'
 import { drawLabels, clear } from '../../core/labels.js'
-import { Span } from '../../core/motion.js'
-import { dot, ellipseLevel, ellipsePath, evenPlane, meaning, scaleBar, segment, seriesPath } from '../../core/plot.js'
+import { dot, ellipseLevel, ellipsePath, meaning, scaleBar, segment, seriesPath } from '../../core/plot.js'
 import { scaleLinear } from '../../core/scale.js'
 import { clock } from './words.js'
 
@@ -23,12 +23,8 @@ const NOSE = 15
  * @returns {boolean} whether the camera still moves
  */
 export function drawMap({ pen, width, height }, frame, view) {
-  const [across, up] = (view.memory.map ??= [new Span(), new Span()])
-  const moving = [0, 1].map((axis) => (axis ? up : across).follow(...reach(frame, axis), view.elapsed)).includes(true)
   const box = { left: 0, top: 0, right: width, bottom: height - TIMELINE }
-  const [x, y] = [across.now, up.now]
-  const unit = Math.min((box.right - box.left) / (x[1] - x[0]), (box.bottom - box.top) / (y[1] - y[0]))
-  const plane = evenPlane(box, [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2], Math.min(box.right, box.bottom) / 2 / unit)
+  const { plane, moving } = followed(view, box, (axis) => seen(frame, axis))
   pen.draw(() => {
     pen.window('scene', box, (to) => {
       drawTracks(to, plane, frame)
@@ -43,17 +39,10 @@ export function drawMap({ pen, width, height }, frame, view) {
   return moving
 }
 
-/** What has to be seen: the landmarks and the tracks. @param {Frame} frame @param {number} axis @returns {[number, number]} */
-function reach({ landmarks, tracks, estimate }, axis) {
-  let [low, high] = [estimate[axis] - 1, estimate[axis] + 1]
-  const see = (/** @type {number} */ at) => {
-    if (at < low) low = at
-    if (at > high) high = at
-  }
-  for (const landmark of landmarks) see(axis ? landmark.y : landmark.x)
-  for (const track of Object.values(tracks)) for (const at of axis ? track.y : track.x) see(at)
-  const spare = (high - low) * 0.09 // the camera adds its own margin
-  return [low + spare, high - spare]
+/** What has to be seen: the robot, the landmarks and the tracks. @param {Frame} frame @param {number} axis */
+function seen({ landmarks, tracks, estimate }, axis) {
+  const at = axis ? 'y' : 'x'
+  return [[estimate[axis] - 1, estimate[axis] + 1], landmarks.map((landmark) => landmark[at]), ...Object.values(tracks).map((track) => track[at])]
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */

@@ -1,9 +1,7 @@
 //! The classes of the labs with simulated robots.
 
-use super::AnyLab;
 use crate::decode::Arg;
 use crate::errors::thrown;
-use estimate::{Code, Error};
 use wasm_bindgen::prelude::*;
 
 lab_class! {
@@ -36,10 +34,7 @@ impl ObservabilityProbe {
     ) -> Result<JsValue, JsValue> {
         self.0.is(Self::CLASS.name)?;
         let j = Arg::new(j, "j").whole(0, 2).map_err(thrown)?;
-        let point = self.0.read(Self::CLASS.name, |lab: &AnyLab| {
-            let probe = lab.as_any().downcast_ref::<labs::ObservabilityProbe>();
-            probe.map_or_else(|| Err(Error::new(Code::Type, "this", "is no Probe")), |probe| probe.collinear_point(j))
-        })?;
-        Ok(crate::encode::list(&point.map_err(thrown)?))
+        let point = Self::CLASS.lab(&self.0, |probe: &labs::ObservabilityProbe| probe.collinear_point(j))?;
+        Ok(crate::encode::list(&point))
     }
 }

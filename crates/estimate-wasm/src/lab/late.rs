@@ -1,10 +1,8 @@
 //! The classes of the labs whose figures stand late in the chapter.
 
-use super::AnyLab;
 use crate::decode::Arg;
 use crate::encode::list;
 use crate::errors::thrown;
-use estimate::{Code, Error};
 use wasm_bindgen::prelude::*;
 
 lab_class! {
@@ -34,11 +32,8 @@ impl Tune {
         let most = labs::MAX_MAP_SIZE as u32;
         let (rows, columns) = (whole(rows, "rows", 1, most)?, whole(columns, "columns", 1, most)?);
         let row = whole(row, "row", 0, rows - 1)?;
-        let values = self.0.read(Self::CLASS.name, |lab: &AnyLab| {
-            let tune = lab.as_any().downcast_ref::<labs::Tune>();
-            let tune = tune.ok_or_else(|| Error::new(Code::Type, "this", "is no Tune"))?;
-            tune.likelihood_row(row as usize, rows as usize, columns as usize)
-        })?;
-        Ok(list(&values.map_err(thrown)?))
+        let [row, rows, columns] = [row, rows, columns].map(|number| number as usize);
+        let values = Self::CLASS.lab(&self.0, |tune: &labs::Tune| tune.likelihood_row(row, rows, columns))?;
+        Ok(list(&values))
     }
 }

@@ -124,10 +124,12 @@ where
     }
 }
 
-/// The start of a replay at `pose`: 0.2 m, 0.2 m and 0.1 rad uncertain, ε by 0.1.
+/// How uncertain x, y, θ and ε are at the start of a replay: standard deviations in m, m, rad, and a number.
+pub const FIRST_SIGMA: [f64; 4] = [0.2, 0.2, 0.1, 0.1];
+
+/// The covariance at the start of a replay.
 pub(crate) fn first_covariance<const N: usize>() -> SMatrix<f64, N, N> {
-    const SIGMA: [f64; 4] = [0.2, 0.2, 0.1, 0.1];
-    SMatrix::from_fn(|i, j| if i == j { SIGMA[i] * SIGMA[i] } else { 0.0 })
+    SMatrix::from_fn(|i, j| if i == j { FIRST_SIGMA[i] * FIRST_SIGMA[i] } else { 0.0 })
 }
 
 #[cfg(test)]

@@ -2,7 +2,7 @@
 
 use super::Listing;
 use crate::robot_log::{LogFrame, LogParams, LoggedDrive, RobotLog};
-use estimate::drive::{Drive, Event, Judged, PoseAndScale, Replay, Scaled, Settings};
+use estimate::drive::{Drive, Event, FIRST_SIGMA, Judged, PoseAndScale, Replay, Scaled, Settings};
 use estimate::landmarks::RangeOnly;
 use estimate::path_observability::PathStack;
 use estimate::{Code, Error, Landmark, Unicycle};
@@ -28,6 +28,7 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     let log = robot_log::parse(PLAZA).map_err(|e| Error::new(Code::Type, "plaza1.csv", e.to_string()))?;
     let logged = Arc::new(LoggedDrive::new(log.drive));
     drive(&logged, to);
+    constants(to);
     replays(&logged, to)?;
     for (name, beacons) in [("all", logged.drive().landmarks.len()), ("one", 1)] {
         let (rank, unseen) = learned_scale(&logged, beacons)?;
@@ -48,6 +49,16 @@ fn drive(logged: &LoggedDrive, to: &mut Listing) {
         .add("log.km", legs.sum::<f64>() / 1000.0, "how far the robot drove, by its true positions")
         .add("log.ranges", sightings as f64, "ranges in the log")
         .add("log.beacons", logged.drive().landmarks.len() as f64, "radio beacons");
+}
+
+/// What the filter of the log is given, for the table of constants.
+fn constants(to: &mut Listing) {
+    let usual = LogParams::default();
+    to.by("labs::LogParams", None)
+        .add("const.log.distance", usual.sigma_distance, "standard deviation of the distance driven in a second, m")
+        .add("const.log.turn", usual.sigma_turn, "of the turn in a second, rad")
+        .add("const.log.range", usual.sigma_range, "of a range, m")
+        .vector("const.log.p0", &FIRST_SIGMA, "first uncertainty, standard deviation: m, m, rad, and the scale");
 }
 
 fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
