@@ -25,6 +25,10 @@ const TYPES = {
 }
 const PACKED = new Set(['.html', '.css', '.js', '.mjs', '.json', '.webmanifest', '.svg', '.wasm', '.txt', '.xml'])
 
+/** The policy of a page's meta element does not bind a worker that is fetched by its address: the answer that brings it does. */
+export const WORKER_POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'"
+const WORKERS = /^(sw|[\w-]+-worker-\w+)\.js$/
+
 /**
  * @typedef {object} Live what answers addresses of its own and may add to pages
  * @property {(request: import('node:http').IncomingMessage, response: import('node:http').ServerResponse, pathname: string) => boolean} answer
@@ -68,6 +72,7 @@ export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1', 
       response.setHeader('vary', 'accept-encoding')
       // A name that carries its content's hash never changes its content.
       response.setHeader('cache-control', /[-.][0-9A-Za-z]{8,}\.\w+$/.test(file) ? 'public, max-age=31536000, immutable' : 'no-cache')
+      if (WORKERS.test(path.basename(file))) response.setHeader('content-security-policy', WORKER_POLICY)
       if (request.headers['if-none-match'] === tag) return response.writeHead(304).end()
       response.setHeader('content-type', TYPES[extension] ?? 'application/octet-stream')
       let sent = body

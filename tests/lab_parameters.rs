@@ -5,7 +5,8 @@
 
 use estimate::validate;
 use labs::{
-    Lab, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, Params, Picture, ProbeParams, Shape, Tune,
+    BugMuseum, Lab, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, OwnParams, OwnSystem, Params,
+    Picture, ProbeParams, Shape, Tune,
 };
 use nalgebra::DMatrix;
 use proptest::prelude::*;
@@ -119,6 +120,16 @@ fn probe() -> impl Strategy<Value = ProbeParams> {
     })
 }
 
+/// A system of the reader's own; for half of them V and W are made covariances, of which few are drawn.
+fn own_system() -> impl Strategy<Value = OwnParams> {
+    (of::<OwnParams>(), any::<bool>()).prop_map(|(params, sound)| {
+        let square = |m: [[f64; 4]; 4]| {
+            std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| m[i][k] * m[j][k]).sum::<f64>()))
+        };
+        if sound { OwnParams { v: square(params.v), w: square(params.w), ..params } } else { params }
+    })
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
 
@@ -150,5 +161,15 @@ proptest! {
     #[test]
     fn the_tuning(first in of(), second in of(), steps in 1..3_u32) {
         answers_or_refuses::<Tune>(first, second, steps)?;
+    }
+
+    #[test]
+    fn the_museum(first in of(), second in of(), steps in 1..300_u32) {
+        answers_or_refuses::<BugMuseum>(first, second, steps)?;
+    }
+
+    #[test]
+    fn a_system_of_the_reader_s_own(first in own_system(), second in own_system(), steps in 1..60_u32) {
+        answers_or_refuses::<OwnSystem>(first, second, steps)?;
     }
 }

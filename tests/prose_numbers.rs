@@ -21,7 +21,7 @@ fn prose() -> Vec<(PathBuf, String)> {
             let path = entry.expect("an entry").path();
             if path.is_dir() {
                 folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "md") {
+            } else if path.extension().is_some_and(|extension| extension == "md") && !path.ends_with("LICENSE.md") {
                 files.push(path);
             }
         }
@@ -75,13 +75,16 @@ fn allowed() -> BTreeSet<String> {
     lines.flat_map(|line| line.split('"').skip(1).step_by(2).map(String::from).collect::<Vec<_>>()).collect()
 }
 
+/// What a question's answer is held against: how far off it may be, and between what a figure's value must lie.
+const BOUNDS: [&str; 4] = ["tolerance", "within", "least", "most"];
+
 /// The decimals of a file, with their lines.
 fn spelled_out(text: &str) -> Vec<(usize, String)> {
     let text = without(&without(text, "```", "```"), "{{", "}}");
     let mut found = Vec::new();
     for (i, line) in text.lines().enumerate() {
         let line = without(&without(&without(line, "`", "`"), "](", ")"), "eq=\"", "\"");
-        if !line.starts_with("tolerance") && !line.starts_with('#') {
+        if !BOUNDS.iter().any(|bound| line.starts_with(bound)) && !line.starts_with('#') {
             found.extend(decimals(&line).into_iter().map(|decimal| (i + 1, decimal)));
         }
     }

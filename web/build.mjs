@@ -15,8 +15,11 @@ import { vignette } from './vignette.mjs'
 const web = dirname(fileURLToPath(import.meta.url))
 const root = dirname(web)
 const out = join(root, 'target/assets')
-/** The module whole, with the labs of most figures alone, and with the lab that replays a log. @type {Record<string, string>} */
-const pkg = { whole: join(root, 'target/pkg/web'), figures: join(root, 'target/pkg/figures'), log: join(root, 'target/pkg/log') }
+/** The module whole, and its builds with the labs of some figures alone: see scripts/build. @type {Record<string, string>} */
+const pkg = { whole: join(root, 'target/pkg/web'), ...Object.fromEntries(['figures', 'late', 'log', 'system'].map((name) => [name, join(root, 'target/pkg', name)])) }
+
+/** KaTeX has a rule for each change from one of eleven sizes to another; formulas here change among these (crates/book/src/slim.rs). */
+const OTHER_SIZES = /\.katex \.fontsize-ensurer\.reset-size(?!(?:6\.size[13]|3\.size1),)\d+\.size\d+,[^{}]*\{[^}]*\}/g
 
 /** Logical name → file name. @type {Record<string, string>} */
 const manifest = {}
@@ -40,19 +43,19 @@ const wasm = {
   name: 'wasm',
   setup(to) {
     const folder = (path) => pkg[path.split('/')[1] ?? 'whole'] ?? pkg.whole
-    to.onResolve({ filter: /^estimate-wasm(\/figures|\/log)?$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm.js') }))
-    to.onResolve({ filter: /^estimate-wasm(\/figures|\/log)?\/wasm$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm_bg.wasm') }))
+    to.onResolve({ filter: /^estimate-wasm(\/figures|\/late|\/log|\/system)?$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm.js') }))
+    to.onResolve({ filter: /^estimate-wasm(\/figures|\/late|\/log|\/system)?\/wasm$/ }, ({ path }) => ({ path: join(folder(path), 'estimate_wasm_bg.wasm') }))
   },
 }
 
-/** A worker's script, bundled by itself, and its address. */
+/** The script of a widget's worker, bundled by itself, and its address. */
 const worker = {
   name: 'worker',
   setup(to) {
-    to.onResolve({ filter: /^robot-log-worker$/ }, ({ path }) => ({ path, namespace: 'worker' }))
-    to.onLoad({ filter: /.*/, namespace: 'worker' }, async () => {
+    to.onResolve({ filter: /^(robot-log|tune-me)-worker$/ }, ({ path }) => ({ path, namespace: 'worker' }))
+    to.onLoad({ filter: /.*/, namespace: 'worker' }, async ({ path: name }) => {
       const { metafile } = await build({
-        ...shared, entryPoints: { 'log-worker': join(web, 'widgets/robot-log/worker.js') }, format: 'esm', loader: { '.wasm': 'file' }, plugins: [wasm],
+        ...shared, entryPoints: { [name]: join(web, 'widgets', name.replace(/-worker$/, ''), 'worker.js') }, format: 'esm', loader: { '.wasm': 'file' }, plugins: [wasm],
       })
       const [script] = Object.keys(metafile.outputs).filter((path) => metafile.outputs[path].entryPoint)
       return { contents: `export default ${JSON.stringify(`./${basename(script)}`)}` }
@@ -82,7 +85,7 @@ collect(early.metafile)
 
 const styles = await build({
   ...shared,
-  entryPoints: { site: join(web, 'style/site.css'), figure: join(web, 'style/figure.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
+  entryPoints: { site: join(web, 'style/site.css'), figure: join(web, 'style/figure.css'), log: join(web, 'style/log.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
   loader: { '.woff2': 'file' },
   alias: { 'cut-fonts': fonts, 'part-heights': styleHeights(join(root, 'target/heights')) },
   plugins: [ownFaces()],
@@ -128,7 +131,7 @@ function ownFaces() {
     name: 'own-faces',
     setup(to) {
       to.onLoad({ filter: /katex\.min\.css$/ }, ({ path }) => ({
-        contents: `@import 'cut-fonts/formulas.css';\n${readFileSync(path, 'utf8').replace(/@font-face\{[^}]*\}/g, '')}${readFileSync(join(web, 'style/formulas.css'), 'utf8')}`,
+        contents: `@import 'cut-fonts/formulas.css';\n${readFileSync(path, 'utf8').replace(/@font-face\{[^}]*\}/g, '').replace(OTHER_SIZES, '')}${readFileSync(join(web, 'style/formulas.css'), 'utf8')}`,
         loader: 'css',
         resolveDir: dirname(path),
       }))

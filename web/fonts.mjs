@@ -81,6 +81,24 @@ export async function subsetFonts(folder) {
   return folder
 }
 
+/**
+ * Rules of faces that a picture holds in itself, as data, because it can fetch nothing.
+ * @param {string} folder where the cut faces are kept
+ * @param {string} name of the picture
+ * @param {Record<string, Set<string>>} letters the picture's, by family and style as in `Plain normal`
+ */
+export async function heldFaces(folder, name, letters) {
+  mkdirSync(folder, { recursive: true })
+  let css = ''
+  for (const face of TEXT) {
+    const its = [...letters[`${face.family} ${face.style}`] ?? []].filter((letter) => face.letters.includes(letter)).sort()
+    if (its.length === 0) continue
+    const rule = await part(folder, { ...face, axes: { wght: 400 } }, readFileSync(find.resolve(face.source)), `${name}-${face.name}`, its)
+    css += rule.trim().replace(/url\((.+?)\)/, (_, file) => `url(data:font/woff2;base64,${readFileSync(join(folder, file)).toString('base64')})`)
+  }
+  return css
+}
+
 /** Cuts one font file and returns its rules. Where two rules hold a letter, browsers take the later one. @param {string} folder @param {Face} face */
 async function cut(folder, face) {
   const source = readFileSync(find.resolve(face.source))

@@ -1,6 +1,7 @@
 /**
  * Draws a still picture of each figure into target/stills, with the figure's own view code and the module's build for Node: one
  * for each widget in its usual state, one for each figure that the text opens in another state, and the drawings that do not move.
+ * Each figure's still is there once more, in target/stills/apart, with its panels in a file beside it.
  */
 
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
@@ -8,7 +9,9 @@ import { createRequire } from 'node:module'
 import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { parseHTML } from 'linkedom'
+import { apart } from './apart.mjs'
 import { SVG } from './core/element.js'
+import { coarse } from './core/path.js'
 import { Pen } from './core/pen.js'
 import { drawStill } from './core/still.js'
 import { DRAWINGS } from './drawings/index.js'
@@ -19,14 +22,15 @@ const out = join(root, 'target/stills')
 const estimate = createRequire(import.meta.url)(join(root, 'target/pkg/node/estimate_wasm.js'))
 
 rmSync(out, { recursive: true, force: true })
-mkdirSync(out, { recursive: true })
-for (const [tag, load] of Object.entries(WIDGETS)) draw(tag, await load(), {})
+mkdirSync(join(out, 'apart'), { recursive: true })
+coarse()
+for (const [tag, load] of Object.entries(WIDGETS)) await draw(tag, await load(), {})
 
 for (const path of readdirSync(join(root, 'content'), { recursive: true })) {
   if (!String(path).endsWith('.md')) continue
   const text = readFileSync(join(root, 'content', String(path)), 'utf8')
   for (const [, id, tag, start] of text.matchAll(/^:::figure\{#(\S+) widget="([^"]+)".* start='([^']+)'.*\}$/gm)) {
-    if (WIDGETS[tag]) draw(id, await WIDGETS[tag](), JSON.parse(start))
+    if (WIDGETS[tag]) await draw(id, await WIDGETS[tag](), JSON.parse(start))
   }
 }
 for (const [name, { lab, name: known, width, height, draw: paint, describe }] of Object.entries(DRAWINGS)) {
@@ -40,12 +44,14 @@ for (const [name, { lab, name: known, width, height, draw: paint, describe }] of
 console.log(`target/stills: ${readdirSync(out).filter((name) => name.endsWith('.svg')).join(', ')}`)
 
 /** @param {string} name @param {import('./core/spec.js').FigureSpec} spec @param {{ step?: number, params?: object }} given */
-function draw(name, spec, given) {
+async function draw(name, spec, given) {
   const state = { step: given.step ?? spec.still ?? spec.start.step, params: { ...spec.start.params, ...given.params } }
   const log = spec.log ? [estimate[spec.lab].parse(readFileSync(join(root, spec.log), 'utf8'))] : []
   const lab = estimate[spec.lab].from(...log, { version: 1, lab: spec.name, ...state })
-  const { html, words } = drawStill(emptyPage(), spec, lab.frame(), estimate[spec.lab].parameters())
-  write(name, html, words)
+  const { still, words } = drawStill(emptyPage(), spec, lab.frame(), estimate[spec.lab].parameters(), spec.aside?.whole(lab))
+  write(name, still.outerHTML, words)
+  writeFileSync(join(out, 'apart', `${name}.svg`), await apart(still, name, join(root, 'target/fonts')))
+  writeFileSync(join(out, 'apart', `${name}.html`), still.outerHTML)
   lab.free()
 }
 

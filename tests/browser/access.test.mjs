@@ -48,7 +48,7 @@ const CALLED_UP = {
   },
   'Thrun\'s letters': async (page) => {
     await page.locator('[data-set-notation="thrun"]').click()
-    await page.waitForFunction(() => document.documentElement.classList.contains('two-notations'))
+    await page.waitForFunction(() => document.documentElement.dataset.letters === 'thrun')
     // Parts of the text are laid out, and what scrolls in them gets its name, when a reader comes near them.
     await walkDown(page)
   },

@@ -48,6 +48,8 @@ for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP
     await page.locator('.bar').getByRole('button', { name: /Letters: Choset/ }).click()
     await page.waitForFunction(() => document.documentElement.dataset.notation === 'thrun')
     await page.locator('.bar').getByRole('button', { name: /Letters: Thrun/ }).click()
+    await page.locator('.bar').getByRole('button', { name: /Letters: Common/ }).click()
+    await page.locator('.bar').getByRole('button', { name: /Letters: Choset/ }).waitFor()
     if (device === 'phone') {
       const contents = page.locator('.bar').getByRole('button', { name: 'Contents' })
       // By keys: from the section's link one Tab leads there.

@@ -3,20 +3,35 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { existsSync } from 'node:fs'
+import { existsSync, readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
-import { openFigure, root } from './harness.mjs'
+import { openFigure, root, until } from './harness.mjs'
 
 const LABS = {
   'observer-bench': 'ObserverBench', 'odometry-hook': 'OdometryHook', 'observability-probe': 'ObservabilityProbe',
-  'loop-closure': 'LoopClosure', tune: 'Tune',
+  'loop-closure': 'LoopClosure', tune: 'Tune', 'bug-museum': 'BugMuseum', 'own-system': 'OwnSystem',
 }
 const native = execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
   .trim().split('\n').map((line) => line.split(' '))
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
-for (const [tag, hash, given] of native) {
+const log = core.RobotLog.parse(readFileSync(path.join(root, 'content/logs/plaza1.csv'), 'utf8'))
+
+for (const [tag, hash, given] of native.filter(([tag]) => tag === 'robot-log')) {
+  test(`10,000 rows of the log with ${given} have the hash ${hash} in Node and in a worker of Chromium`, async (t) => {
+    const state = { version: 1, lab: tag, params: JSON.parse(given), step: 10_000 }
+    const lab = core.RobotLog.from(log, state)
+    assert.equal(lab.digest(), hash, 'in Node')
+    lab.free()
+    const code = Buffer.from(JSON.stringify([1, tag, state.step, state.params])).toString('base64url')
+    const { it } = await openFigure(t, tag, { query: `?fig-log=${code}` })
+    await until(it, ({ step }) => step === state.step, 'the state of the link')
+    assert.equal(await it.evaluate((element) => element.figure.run.digest), hash, 'in the worker')
+  })
+}
+
+for (const [tag, hash, given] of native.filter(([tag]) => tag !== 'robot-log')) {
   const shown = existsSync(path.join(root, `web/widgets/${tag}.js`))
   test(`10,000 steps of ${tag} with ${given} have the hash ${hash} in Node${shown ? ' and in Chromium' : ''}`, async (t) => {
     const params = JSON.parse(given)

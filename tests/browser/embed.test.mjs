@@ -8,7 +8,7 @@ import { stage, watch } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
-const FIRST = { 'odometry-hook': 'fig-odometry', 'observer-bench': 'fig-bench', 'kalman-picture': 'fig-picture', 'observability-probe': 'fig-probe', 'robot-log': 'fig-log' }
+const FIRST = { 'odometry-hook': 'fig-odometry', 'observer-bench': 'fig-bench', 'kalman-picture': 'fig-picture', 'observability-probe': 'fig-probe', 'robot-log': 'fig-log', 'tune-me': 'fig-tune', 'close-loop': 'fig-loop', 'bug-museum': 'fig-museum', 'own-system': 'fig-own' }
 
 /** A page around one frame, served from a port of its own. It keeps every message it gets and gives the frame its height. */
 async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }) {
@@ -74,7 +74,7 @@ for (const name of Object.keys(WIDGETS)) {
     assert.ok((await page.evaluate(() => messages)).every(({ ours, data }) => ours && data.type === 'robot-motion:height' && Number.isInteger(data.height)))
 
     // By mouse and by keys.
-    const slider = it.locator('.live input[type=range]:enabled').first()
+    const slider = it.locator('.live input[type=range]:enabled:visible').first()
     await slider.scrollIntoViewIfNeeded()
     const { x, y, width, height } = await slider.boundingBox()
     await changes(it, () => page.mouse.click(x + 0.31 * width, y + height / 2), 'a click on a slider')
@@ -135,7 +135,7 @@ for (const name of Object.keys(WIDGETS)) {
     const own = await context.newPage()
     await own.goto(`${site.url}figure/${name}/`)
     const it = await lively(own, own, name)
-    await changes(it, () => it.locator('.live input[type=range]:enabled').first().press('Shift+ArrowRight'), 'an arrow')
+    await changes(it, () => it.locator('.live input[type=range]:enabled:visible').first().press('Shift+ArrowRight'), 'an arrow')
     const there = await stateOf(it)
     await it.getByRole('button', { name: 'Embed' }).click()
     const box = it.locator('.copy-box textarea')
@@ -155,11 +155,13 @@ for (const name of Object.keys(WIDGETS)) {
     assert.ok(title.length > 5 && sandbox.includes('allow-scripts') && !sandbox.includes('allow-same-origin'))
     assert.equal(await inner().evaluate(() => self.origin), 'null')
     // The way back to its place in the chapter.
-    const way = frame.getByRole('link', { name: /chapter 15/ })
-    assert.equal(await way.evaluate(({ href }) => href), `${site.url}kalman/#${FIRST[name]}`)
+    const place = name === 'own-system' ? 'system/' : 'kalman/'
+    const way = frame.locator('.figure-source').getByRole('link')
+    assert.match(await way.textContent(), place === 'kalman/' ? /chapter 15/ : /Your own system/)
+    assert.equal(await way.evaluate(({ href }) => href), `${site.url}${place}#${FIRST[name]}`)
     const [opened] = await Promise.all([page.context().waitForEvent('page'), way.click()])
     await opened.waitForLoadState('domcontentloaded')
-    assert.ok(opened.url().startsWith(`${site.url}kalman/`) && opened.url().endsWith(`#${FIRST[name]}`))
+    assert.ok(opened.url().startsWith(`${site.url}${place}`) && opened.url().endsWith(`#${FIRST[name]}`))
     await opened.close()
   })
 }
@@ -184,6 +186,22 @@ test('a long run in a frame is computed in slices, without a worker', async (t) 
   await probe.getByText(/Computing step [\d,]+ of 60,000/).first().waitFor()
   await probe.getByRole('button', { name: 'Cancel' }).click()
   assert.equal(JSON.parse(await stateOf(probe)).step, 240)
+})
+
+test('in a frame the map of the likelihood is filled in slices, without a worker, and the loop is driven', async (t) => {
+  const { site } = await stage()
+  const { page, frame } = await around(t, { src: `${site.url}figure/tune-me/` })
+  const tune = await lively(page, frame, 'tune-me')
+  await tune.evaluate(async (host) => { while (host.figure.beside.value?.rows !== host.figure.beside.value?.size || !host.figure.beside.value) await new Promise((resolve) => requestAnimationFrame(resolve)) })
+  assert.ok(await tune.locator('.live .panel-map .likely.contour').getAttribute('d'))
+  assert.equal(page.workers().length, 0)
+
+  const other = await around(t, { src: `${site.url}figure/close-loop/?fig-loop=${code([1, 'loop-closure', 112, {}])}` })
+  const loop = await lively(other.page, other.frame, 'close-loop')
+  assert.equal(JSON.parse(await stateOf(loop)).step, 112)
+  await loop.getByRole('button', { name: 'Step', exact: true }).click()
+  await loop.locator('.live .verdict').filter({ hasText: /landmarks’ mean σ shrank from/ }).waitFor()
+  assert.equal(other.page.workers().length, 0)
 })
 
 test('a figure\'s own page takes a theme of its address, and is whole without scripts', async (t) => {

@@ -3,7 +3,8 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
-import { comeTo, figure, open, unlock } from './harness.mjs'
+import path from 'node:path'
+import { comeTo, figure, open, root, unlock } from './harness.mjs'
 
 const keyOf = (form) => form.evaluate(({ dataset }) => JSON.parse(new TextDecoder().decode(Uint8Array.from(dataset.key.match(/../g), (byte) => parseInt(byte, 16)))))
 
@@ -146,6 +147,10 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   assert.deepEqual(of('ex-found'), { grade: 2, answered: true, right: false, tries: 1, shown: false })
   assert.deepEqual(of('ex-constant'), { grade: 1, answered: false, right: false, tries: 0, shown: true })
   assert.deepEqual(of('ex-unseen'), { grade: 2, answered: false, right: false, tries: 1, shown: false })
+  // A teacher reads on the page for teachers what the file holds.
+  const told = readFileSync(path.join(root, 'content/pages/teaching.md'), 'utf8')
+  const fields = [saved, saved.chapter, saved.exercises[0], saved.exercises[0].checks[0], saved.predictions[0]].flatMap(Object.keys)
+  assert.deepEqual(fields.filter((field) => !told.includes(`\`${field}\``)), [])
 
   await box.getByRole('button', { name: 'Forget my answers to the questions' }).click()
   await words.filter({ hasText: `Exercises: 0 of ${count} answered` }).waitFor()

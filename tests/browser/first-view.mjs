@@ -48,7 +48,7 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   console.log('| first view of the chapter, compressed | |\n|---|---:|')
   for (const [kind, bytes] of [...kinds].sort((a, b) => b[1] - a[1])) console.log(`| ${kind} | ${kilo(bytes).trim()} |`)
   console.log(`| **together** | **${kilo(sizes.reduce((sum, [, bytes]) => sum + bytes, 0)).trim()}** |`)
-  for (const [folder, what] of [['web', 'The module'], ['figures', 'With the labs alone, as the figures fetch it']]) {
+  for (const [folder, what] of [['web', 'The module'], ['figures', 'With the labs alone, as most figures fetch it'], ['late', 'With the labs of the late figures'], ['system', 'With the lab of a system of one\'s own'], ['log', 'With the lab that replays a log']]) {
     const binary = readFileSync(path.join(root, 'target/pkg', folder, 'estimate_wasm_bg.wasm'))
     console.log(`\n${what}: ${kilo(gzipSync(binary, { level: 9 }).length).trim()} with gzip -9.`)
   }

@@ -59,14 +59,14 @@ for (const tag of Object.keys(WIDGETS)) {
   })
 }
 
-for (const tag of ['kalman-picture', 'observability-probe']) {
+for (const tag of ['kalman-picture', 'observability-probe', 'tune-me', 'close-loop']) {
   test(`a finger on a handle of the ${tag} moves it and not the page; beside it, the page`, async (t) => {
     const { page, it } = await openFigure(t, tag, { viewport: PHONE, touch: true })
     const wire = await page.context().newCDPSession(page)
-    const swipe = async (x, y, far) => {
-      const touch = (type, at) => wire.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: at }] })
-      await touch('touchStart', y)
-      for (let i = 1; i <= 8; i++) await touch('touchMove', y + (far * i) / 8)
+    const swipe = async (x, y, far, sideways = 0) => {
+      const touch = (type, part) => wire.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: x + sideways * part, y: y + far * part }] })
+      await touch('touchStart', 0)
+      for (let i = 1; i <= 8; i++) await touch('touchMove', i / 8)
       await touch('touchEnd')
       await page.waitForTimeout(400)
     }
@@ -87,6 +87,8 @@ for (const tag of ['kalman-picture', 'observability-probe']) {
       await swipe(x, y, -70)
       // At its upper end it goes down.
       if ((await value()) === before) await swipe(x, y, 70)
+      // Along an axis only the way sideways counts.
+      if ((await value()) === before) await swipe(x, y, 0, x > PHONE.width / 2 ? -70 : 70)
       assert.equal(await page.evaluate(() => scrollY), top, `${name} holds the page`)
       assert.notEqual(await value(), before, `${name} moves`)
     }
@@ -122,7 +124,7 @@ test('on a slow machine plots, numbers and labels come after the hand, and come'
   await page.mouse.down()
   for (let i = 1; i <= 12; i++) await page.mouse.move(x - 4 * i, y + 3 * i)
   await page.mouse.up()
-  const shown = () => it.evaluate((host) => [...host.querySelectorAll('.live .readouts, .live .panel')].map((part) => `${part.getAttribute('aria-label')} ${part.textContent} ${part.querySelector('[class*=curve]')?.getAttribute('d')}`))
+  const shown = () => it.evaluate((host) => [...host.querySelectorAll('.live .readouts, .live .panel')].filter((part) => part.checkVisibility()).map((part) => `${part.getAttribute('aria-label')} ${part.textContent} ${part.querySelector('[class*=curve]')?.getAttribute('d')}`))
   const settled = () => it.evaluate((host) => new Promise((done) => {
     const look = () => (host.settled ? done(true) : requestAnimationFrame(look))
     requestAnimationFrame(look)

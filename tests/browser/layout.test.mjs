@@ -30,6 +30,59 @@ for (const at of [...PAGES, ...FIGURE_PAGES]) {
   }
 }
 
+for (const at of PAGES) {
+  test(`/${at}: the footer begins where the text does, and no name of code is broken in a table`, async (t) => {
+    const page = await open(t, { at })
+    for (const width of [390, 768, 1024, 1280, 1440]) {
+      await page.setViewportSize({ width, height: 800 })
+      const { text, footer, broken } = await page.evaluate(() => ({
+        text: document.querySelector('main :is(h1, h2)').getBoundingClientRect().left,
+        footer: document.querySelector('.site-footer a').getBoundingClientRect().left,
+        broken: [...document.querySelectorAll('main :is(td, th) > code')].filter((code) => /^[^\s,-]+$/.test(code.textContent) && code.getClientRects().length > 1).map((code) => code.textContent),
+      }))
+      assert.ok(Math.abs(text - footer) <= 12, `${width} px: the text begins at ${text}, the footer at ${footer}`)
+      assert.deepEqual(broken, [], `${width} px`)
+    }
+  })
+}
+
+test('on a phone each letter of the table of letters is whole, and what it means has the whole width', async (t) => {
+  const page = await open(t, { viewport: { width: 390, height: 800 } })
+  for (const width of [320, 390, 600]) {
+    await page.setViewportSize({ width, height: 800 })
+    const faults = await page.evaluate(async () => {
+      const part = document.querySelector('[data-part="notation"]')
+      part.style.contentVisibility = 'visible'
+      await document.fonts.ready
+      return [...part.querySelectorAll('tbody tr')].flatMap((row) => {
+        const cells = [...row.children].map((cell) => ({ words: cell.textContent, over: cell.scrollWidth - cell.clientWidth, ...cell.getBoundingClientRect().toJSON() }))
+        const meaning = cells.pop()
+        const whole = row.getBoundingClientRect().width
+        return [
+          ...cells.filter(({ over }) => over > 1).map(({ words, over }) => `${words} is ${over} px too wide`),
+          ...(meaning.width < 0.9 * whole || meaning.top < cells.at(-1).bottom - 1 ? [`${meaning.words.slice(0, 30)} takes ${Math.round(meaning.width)} of ${Math.round(whole)} px`] : []),
+        ]
+      })
+    })
+    assert.deepEqual(faults, [], `${width} px`)
+  }
+})
+
+for (const at of FIGURE_PAGES) {
+  test(`/${at}: the controls are within reach of what they move`, async (t) => {
+    const page = await open(t, { at })
+    await walkDown(page)
+    for (const width of [768, 900, 1280]) {
+      await page.setViewportSize({ width, height: 800 })
+      const reach = await page.evaluate(() => {
+        const [panel, controls] = ['.live .panel', '.live .controls'].map((part) => document.querySelector(part).getBoundingClientRect())
+        return Math.round(Math.max(panel.bottom, controls.bottom) - Math.min(panel.top, controls.top))
+      })
+      assert.ok(reach < 1700, `${width} px: ${reach} px from the first panel to the last control`)
+    }
+  })
+}
+
 test('a line never begins with the mark behind a formula, nor ends with the one before it, and no formula loses its full stop', async (t) => {
   const page = await open(t)
   for (const width of [320, 390, 768, 1280]) {

@@ -1,4 +1,4 @@
-// The letters of each face that a reader of the chapter meets: in both notations, in every figure alive. A program writes
+// The letters of each face that a reader of the chapter meets: in every notation, in every figure alive. A program writes
 // them to web/letters.json, after which fonts.mjs cuts the faces; a test sees that no page needs more.
 import { writeFileSync } from 'node:fs'
 import path from 'node:path'
@@ -7,10 +7,12 @@ import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from './places.mjs'
 
-/** Walks the chapter in both notations until every figure is alive. @param {import('playwright-core').Page} page */
+/** Walks the chapter in every notation until every figure is alive. @param {import('playwright-core').Page} page */
 export async function readItAll(page) {
-  await page.locator('[data-set-notation="thrun"]').click()
-  await page.waitForFunction(() => document.documentElement.classList.contains('two-notations'))
+  for (const notation of ['thrun', 'common']) {
+    await page.locator(`[data-set-notation="${notation}"]`).click()
+    await page.waitForFunction((it) => document.documentElement.dataset.letters === it, notation)
+  }
   await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))
   // All parts are laid out first: with every block open they are far higher than noted, and each would push the next figure away.
   await page.evaluate(() => document.querySelectorAll('.chapter > section').forEach((part) => { part.style.contentVisibility = 'visible' }))

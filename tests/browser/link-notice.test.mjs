@@ -2,7 +2,7 @@
 // stays said, what waits behind a question is said beside the question, and a copied link carries every figure as it is.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { figure, frameOf, open, openFigure, until } from './harness.mjs'
+import { comeTo, figure, frameOf, open, openFigure, until } from './harness.mjs'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
 const BENCH = (step) => code([1, 'observer-bench', step, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }])
@@ -58,7 +58,8 @@ test('a link that can be read brings no notice', async (t) => {
 
 test('a figure whose state the link carries does not wait for its question', async (t) => {
   const page = await open(t, { at: `kalman/?fig-limit=${BENCH(20)}` })
-  await page.locator('#fig-picture .widget[inert]').waitFor({ state: 'attached' })
+  // The script of the questions, which lock their figures, comes with the first of them.
+  await comeTo(page, '.quiz[data-unlocks="fig-picture"]', '#fig-picture .widget[inert]')
   const limit = page.locator('#fig-limit .widget')
   await limit.scrollIntoViewIfNeeded()
   await page.locator('#fig-limit .widget[data-state="live"]').waitFor()

@@ -2,7 +2,8 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
-import { dragSlider, figure, frameOf, open, openFigure, stage, stateOf, unlock, until } from './harness.mjs'
+import { SITE, hashes, kept, lost } from '../node/kept-links.mjs'
+import { comeTo, dragSlider, figure, frameOf, open, openFigure, stage, stateOf, unlock, until } from './harness.mjs'
 
 const copied = async (page, bench) => {
   await bench.getByRole('button', { name: 'Copy link to this state' }).click()
@@ -62,14 +63,14 @@ test('the figure and its series can be taken along', async (t) => {
   assert.doesNotMatch(svg.text, /var\(--/, 'the colours are in the file')
 })
 
-for (const [tag, id] of [['odometry-hook', 'fig-odometry'], ['kalman-picture', 'fig-picture'], ['observability-probe', 'fig-probe']]) {
+for (const [tag, id] of [['odometry-hook', 'fig-odometry'], ['kalman-picture', 'fig-picture'], ['observability-probe', 'fig-probe'], ['tune-me', 'fig-tune'], ['close-loop', 'fig-loop']]) {
   test(`state, picture and series of the ${tag} can be taken along`, async (t) => {
     const { page, it: widget } = await openFigure(t, tag)
     const before = await stateOf(widget)
     const step = widget.getByRole('button', { name: 'Step' })
     if (await step.count()) await step.click()
     // Off its usual place, and with digits that no control would give.
-    await widget.locator('.live input[type=range]:enabled').first().press('Shift+ArrowRight')
+    await widget.locator('.live input[type=range]:enabled:visible').first().press('Shift+ArrowRight')
     await page.waitForFunction(([name, was]) => JSON.stringify(document.querySelector(name).state) !== was && document.querySelector(name).settled, [tag, JSON.stringify(before)])
     await page.waitForTimeout(300)
     const there = { frame: await frameOf(widget), state: await stateOf(widget) }
@@ -102,4 +103,24 @@ for (const [tag, id] of [['odometry-hook', 'fig-odometry'], ['kalman-picture', '
     assert.deepEqual(await stateOf(restored), there.state)
     assert.deepEqual(await frameOf(restored), there.frame)
   })
+}
+
+// Figures of one page in one address, as a reader's address comes to hold them; tests/node/kept-links.test.mjs opens every link.
+for (const { version, links } of kept()) {
+  for (const page of new Set(links.map(({ address }) => address.split('?')[0]))) {
+    test(`the page ${page} opens links of ${version}`, { timeout: 240_000 }, async (t) => {
+      const there = links.filter(({ address }) => address.startsWith(page))
+      const last = there.filter(({ figure: id }, i) => there.findLastIndex((link) => link.figure === id) === i)
+      const query = new URLSearchParams(last.flatMap(({ address }) => [...new URL(address, SITE).searchParams]))
+      const opened = await open(t, { at: `${page}?${query}` })
+      for (const { figure: id, widget, state, frame } of last) {
+        const element = opened.locator(`#${id} ${widget}`)
+        await comeTo(opened, `#${id}`, `#${id} ${widget}[data-state=live]`)
+        await opened.waitForFunction(([where, step]) => { const it = document.querySelector(where); return it.settled && it.state.step === step }, [`#${id} ${widget}`, state.step])
+        assert.equal(await element.getByText(/could not be read/).count(), 0, id)
+        assert.deepEqual(lost(state.params, (await stateOf(element)).params), [], id)
+        assert.deepEqual(lost(frame, hashes(await frameOf(element))), [], id)
+      }
+    })
+  }
 }

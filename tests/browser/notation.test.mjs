@@ -16,7 +16,7 @@ const see = () => {
   const text = (element) => element.innerText.replace(/\s+/g, ' ').trim()
   const all = (selector) => [...document.querySelectorAll(selector)].map(text)
   return {
-    formulas: [...document.querySelectorAll('[data-thrun]')].map((formula) => [...formula.children].filter((reading) => getComputedStyle(reading).display !== 'none').map((reading) => reading.className)),
+    formulas: [...document.querySelectorAll('[data-other]')].map((formula) => [...formula.children].filter((reading) => getComputedStyle(reading).display !== 'none').map((reading) => reading.className)),
     bench: { labels: all('observer-bench .control-name'), readouts: all('observer-bench .live dt'), drawn: [...document.querySelectorAll('observer-bench .live svg text')].filter((it) => it.checkVisibility()).map((it) => it.innerHTML.includes('in-thrun') ? [...it.children].filter((part) => getComputedStyle(part).display !== 'none').map((part) => part.textContent).join('') : it.textContent) },
     pressed: all('[data-set-notation][aria-pressed="true"]'),
   }
@@ -27,11 +27,11 @@ const ask = async (page) => {
   await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))
   return seen(page)
 }
-const thrunIsThere = (page) => page.waitForFunction(() => document.documentElement.classList.contains('two-notations'))
+const letters = (page, notation) => page.waitForFunction((it) => document.documentElement.dataset.letters === it, notation)
 
-test('the switch turns formulas, labels and readouts to Thrun\'s letters, and back', async (t) => {
+test('the switch turns formulas, labels and readouts to other letters, and back', async (t) => {
   const fetched = []
-  const page = await open(t, { prepare: async (it) => it.on('request', (request) => { if (request.url().endsWith('thrun.json')) fetched.push(request.url()) }) })
+  const page = await open(t, { prepare: async (it) => it.on('request', (request) => { if (/(thrun|common)\.json$/.test(request.url())) fetched.push(request.url().split('/').pop()) }) })
   const choset = await ask(page)
   assert.deepEqual(choset.pressed, ['Choset'])
   assert.ok(choset.formulas.length > 100)
@@ -40,7 +40,7 @@ test('the switch turns formulas, labels and readouts to Thrun\'s letters, and ba
   assert.deepEqual(fetched, [], 'not fetched before it is asked for')
 
   await button(page, 'Thrun').click()
-  await thrunIsThere(page)
+  await letters(page, 'thrun')
   const thrun = await seen(page)
   assert.deepEqual(thrun.pressed, ['Thrun'])
   assert.equal(thrun.formulas.length, choset.formulas.length)
@@ -51,28 +51,39 @@ test('the switch turns formulas, labels and readouts to Thrun\'s letters, and ba
 
   await button(page, 'Choset').click()
   assert.deepEqual(await seen(page), choset)
+  await button(page, 'Common').click()
+  await letters(page, 'common')
+  const common = await seen(page)
+  assert.deepEqual(common.pressed, ['Common'])
+  assert.equal(common.formulas.length, choset.formulas.length)
+  assert.ok(common.formulas.every((shown) => shown.length === 1 && shown[0] === 'in-common'), 'every formula shows one reading')
+  assert.ok(common.bench.readouts.includes('P11') && common.bench.readouts.some((label) => label.startsWith('Gain K')), common.bench.readouts.join('; '))
+  assert.ok(common.bench.readouts.some((label) => label.includes('ỹ')), common.bench.readouts.join('; '))
+
   await button(page, 'Thrun').click()
   assert.deepEqual(await seen(page), thrun)
-  assert.equal(fetched.length, 1, 'fetched once')
+  assert.deepEqual(fetched, ['thrun.json', 'common.json'], 'each fetched once')
 })
 
 test('what a formula says in the other letters is another formula, and nothing is left over', async (t) => {
   const page = await open(t)
   await button(page, 'Thrun').click()
-  await thrunIsThere(page)
-  const pairs = await page.evaluate(() => [...document.querySelectorAll('[data-thrun]')].map((formula) => [...formula.children].map((reading) => reading.querySelector('math')?.textContent ?? reading.textContent)))
-  assert.ok(pairs.every((readings) => readings.length === 2), 'two readings each')
-  const same = pairs.filter(([a, b]) => a === b)
+  await letters(page, 'thrun')
+  await button(page, 'Common').click()
+  await letters(page, 'common')
+  const all = await page.evaluate(() => [...document.querySelectorAll('[data-other]')].map((formula) => [...formula.children].map((reading) => reading.querySelector('math')?.textContent ?? reading.textContent)))
+  assert.ok(all.every((readings) => readings.length === 3), 'three readings each')
+  const same = all.filter(([choset, thrun, common]) => choset === thrun && choset === common)
   assert.deepEqual(same, [], 'what does not differ is there once')
-  assert.ok(pairs.every((readings) => readings.every((reading) => reading.length > 0)))
+  assert.ok(all.every((readings) => readings.every((reading) => reading.length > 0)))
 })
 
 test('the letters are remembered after a reload and on the next page', async (t) => {
   const page = await open(t)
   await button(page, 'Thrun').click()
-  await thrunIsThere(page)
+  await letters(page, 'thrun')
   await page.reload()
-  await thrunIsThere(page)
+  await letters(page, 'thrun')
   const again = await ask(page)
   assert.deepEqual(again.pressed, ['Thrun'])
   assert.ok(again.formulas.every((shown) => shown.length === 1 && shown[0] === 'in-thrun'))
@@ -87,7 +98,7 @@ test('the keys work the switch', async (t) => {
   await button(page, 'Choset').focus()
   await page.keyboard.press('Tab')
   await page.keyboard.press('Enter')
-  await thrunIsThere(page)
+  await letters(page, 'thrun')
   assert.equal(await button(page, 'Thrun').getAttribute('aria-pressed'), 'true')
   assert.equal(await button(page, 'Choset').getAttribute('aria-pressed'), 'false')
 })
@@ -104,7 +115,7 @@ test('where the other letters cannot be fetched the page stays with Choset\'s', 
   // When they can be had, the next press has them.
   await page.unroute('**/thrun.json')
   await button(page, 'Thrun').click()
-  await thrunIsThere(page)
+  await letters(page, 'thrun')
   assert.equal(await said(page).textContent(), '')
 })
 
@@ -121,11 +132,11 @@ test('letters of another build than the page\'s are not put in: their numbers na
   await button(page, 'Thrun').click()
   await said(page).filter({ hasText: 'reload this page' }).waitFor()
   assert.equal(await button(page, 'Choset').getAttribute('aria-pressed'), 'true')
-  assert.equal(await page.locator('[data-thrun] > .in-thrun').count(), 0)
+  assert.equal(await page.locator('[data-other] > .in-thrun').count(), 0)
   assert.ok((await ask(page)).formulas.every((shown) => shown.length === 1 && shown[0] === 'in-choset'))
   // The page of that build has them.
   await page.unroute('**/thrun.json')
   await page.reload()
   await button(page, 'Thrun').click()
-  await thrunIsThere(page)
+  await letters(page, 'thrun')
 })

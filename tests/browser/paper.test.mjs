@@ -3,6 +3,10 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { getDocument } from 'pdfjs-dist/legacy/build/pdf.mjs'
 import { open, walkDown } from './harness.mjs'
+import { printed, reproducible } from './pdf.mjs'
+
+/** The chapter has about 57 pages. What makes it longer by more than a few is looked at on paper first. */
+const PAGES_AT_MOST = 59
 
 /** The text of each page. */
 async function pages(pdf) {
@@ -13,6 +17,26 @@ async function pages(pdf) {
     texts.push(items.map((item) => item.str + (item.hasEOL ? ' ' : '')).join(''))
   }
   return texts
+}
+
+/** Whether a PDF has a structure for screen readers, a title, a language, and a bookmark for each section; and no address of the server. */
+async function isTaggedWithBookmarks(pdf, sections) {
+  const document = await getDocument({ data: new Uint8Array(pdf), verbosity: 0, isEvalSupported: false, useSystemFonts: false }).promise
+  assert.equal((await document.getMarkInfo())?.Marked, true)
+  const { info } = await document.getMetadata()
+  assert.match(info.Title, /Kalman/)
+  assert.match(info.Language, /^en/)
+  const titles = []
+  const collect = (items) => items.forEach((item) => { titles.push(plain(item.title)); collect(item.items) })
+  collect(await document.getOutline())
+  assert.ok(sections.length >= 10)
+  assert.deepEqual(sections.map((it) => plain(it).replace(/#$/, '')).filter((it) => !titles.some((title) => title.includes(it) || it.includes(title))), [], 'sections without a bookmark')
+  const kinds = JSON.stringify(await (await document.getPage(1)).getStructTree())
+  assert.ok(kinds.includes('"role":"H1"') && kinds.includes('"role":"P"'), kinds.slice(0, 300))
+  for (let i = 1; i <= document.numPages; i++) {
+    const links = await (await document.getPage(i)).getAnnotations()
+    assert.deepEqual(links.map(({ url }) => url).filter((url) => url?.includes('127.0.0.1')), [], `page ${i}`)
+  }
 }
 
 const plain = (text) => text.replace(/[\s\u00ad\u200b]+/g, '').normalize('NFKC')
@@ -28,12 +52,19 @@ test('a PDF of the chapter has every section open and no controls', { timeout: 1
   await walkDown(page)
   const closed = await firstWords(page)
   assert.ok(closed.length >= 5, `only ${closed.length} closed blocks were found`)
-  const texts = await pages(await page.pdf({ format: 'A4', printBackground: true }))
+  const addresses = await page.locator('main a[href^="http"]').evaluateAll((all) => all.map((link) => link.href))
+  const sections = await page.locator('main h2:not(.score-title)').allTextContents()
+  const pdf = await printed(page)
+  const texts = await pages(pdf)
   const whole = plain(texts.join(' '))
   t.diagnostic(`${texts.length} pages`)
+  assert.ok(texts.length <= PAGES_AT_MOST, `${texts.length} pages`)
+  // Each choice has a box to tick, also that of a question which has not been on the screen.
+  assert.equal(texts.join('').split('☐').length - 1, await page.locator('.quiz-choice').count())
   assert.deepEqual(closed.filter((words) => !whole.includes(plain(words))), [], 'these are not on paper')
+  // Drawings are printed also where they are files that come late, each with its words.
+  for (const words of ['gain R(k) and its knob g', 'below the maximum:', 'density of', 'of the heading (degrees)']) assert.ok(whole.includes(plain(words)), `${words} is not on paper`)
   // Links lead nowhere on paper: their addresses are printed, each once.
-  const addresses = await page.locator('main a[href^="http"]').evaluateAll((all) => all.map((link) => link.href))
   assert.ok(addresses.some((address) => address.startsWith('https://doi.org/')))
   const missing = addresses.filter((address) => whole.split(plain(address)).length !== 2)
   assert.deepEqual(missing, [], 'these are not on paper, or twice')
@@ -45,6 +76,23 @@ test('a PDF of the chapter has every section open and no controls', { timeout: 1
   // What introduces something stands on its page.
   const lonely = texts.slice(0, -1).filter((text) => /(Answer|Worked answer|Starter|Hint|\.rs)\s*$/.test(text)).map((text) => text.slice(-60))
   assert.deepEqual(lonely, [])
+  const kept = reproducible(pdf)
+  assert.equal(kept.length, pdf.length)
+  await isTaggedWithBookmarks(kept, sections)
+})
+
+test('two prints of a page are the same file', async (t) => {
+  const prints = []
+  for (const before of [0, 5]) {
+    const page = await open(t, { at: 'teaching/' })
+    // Another browser's numbers for what is tagged; another second.
+    await page.evaluate((count) => { for (let i = 0; i < count; i++) document.body.append(document.createElement('p')) }, before)
+    await page.evaluate(() => { for (const p of document.querySelectorAll('body > p:empty')) p.remove() })
+    await page.waitForTimeout(1100)
+    prints.push(await printed(page))
+  }
+  assert.ok(!prints[0].equals(prints[1]), 'the browser dates what it prints')
+  assert.ok(reproducible(prints[0]).equals(reproducible(prints[1])))
 })
 
 test('with scripts off what is closed on the screen is open on paper', { timeout: 120_000 }, async (t) => {
@@ -53,6 +101,13 @@ test('with scripts off what is closed on the screen is open on paper', { timeout
   assert.ok(closed.length >= 5, `only ${closed.length} closed blocks were found`)
   const whole = plain((await pages(await page.pdf({ format: 'A4', printBackground: true }))).join(' '))
   assert.deepEqual(closed.filter((words) => !whole.includes(plain(words))), [], 'these are not on paper')
+  assert.ok(whole.includes('belowthemaximum:'), 'a drawing far down the page is on paper')
+})
+
+test('a page printed at once has the drawings that nobody has come near', { timeout: 120_000 }, async (t) => {
+  const page = await open(t)
+  const whole = plain((await pages(await page.pdf({ format: 'A4', printBackground: true }))).join(' '))
+  for (const words of ['below the maximum:', 'of the heading (degrees)']) assert.ok(whole.includes(plain(words)), `${words} is not on paper`)
 })
 
 test('in print the figures are stills and nothing to press is left', async (t) => {
@@ -64,7 +119,7 @@ test('in print the figures are stills and nothing to press is left', async (t) =
     const visible = (element) => element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && element.getClientRects().length > 0
     return {
       controls: [...document.querySelectorAll('button, input, select, textarea')].filter(visible).map((element) => element.outerHTML.slice(0, 120)),
-      stills: [...document.querySelectorAll('figure.figure-widget')].map((figure) => [...figure.querySelectorAll('svg')].filter(visible).length),
+      stills: [...document.querySelectorAll('figure.figure-widget')].map((figure) => [...figure.querySelectorAll('.still > .panel')].filter(visible).length),
     }
   })
   assert.deepEqual(seen.controls, [])
@@ -89,4 +144,24 @@ test('on paper a question has its reasons, an exercise its answer, a drawing its
     }
   })
   assert.deepEqual(hidden, { reasons: 0, prompts: [], answers: 0, drawings: [], progress: 0 })
+})
+
+test('on paper no formula is wider than its column', async (t) => {
+  // As wide as a sheet between its margins.
+  const page = await open(t, { viewport: { width: 688, height: 1000 } })
+  await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
+  await page.emulateMedia({ media: 'print' })
+  const { wide, seen } = await page.evaluate(async () => {
+    await document.fonts.ready
+    const boxes = [...document.querySelectorAll('.chapter .equation-body')].filter((box) => box.getClientRects().length > 0)
+    const wide = boxes.flatMap((box) => {
+      const range = document.createRange()
+      range.selectNodeContents(box.querySelector('.katex-html'))
+      const over = range.getBoundingClientRect().width - box.clientWidth
+      return over > 1 ? [`${Math.round(over)} px: ${box.textContent.slice(0, 60)}`] : []
+    })
+    return { wide, seen: boxes.length }
+  })
+  assert.ok(seen > 60, `${seen} formulas`)
+  assert.deepEqual(wide, [])
 })

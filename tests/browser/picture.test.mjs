@@ -198,3 +198,69 @@ test('where P is a multiple of I the two feet meet, and nowhere else', async (t)
   const back = await until(it, ({ params }) => params.semiMajor !== params.semiMinor, 'as it was')
   assert.deepEqual(back, start)
 })
+
+test('on the output axis both opinions are dragged and pressed, and y* stays their balance', async (t) => {
+  const { page, it } = await picture(t)
+  /** The weights 1/variance balance about y*, and the page says what part is taken over. */
+  const balanced = async () => {
+    const frame = await holds(it)
+    const { params: { reading, noise }, expectedOutput, expectedVariance, mostLikelyOutput, share } = frame
+    assert.ok(close((mostLikelyOutput - expectedOutput) * noise, (reading - mostLikelyOutput) * expectedVariance, 1e-9))
+    assert.equal(await it.locator('.live .readout').filter({ hasText: 'taken over' }).locator('dd').textContent(), share.toFixed(3))
+    return frame
+  }
+  const start = await balanced()
+  await pull(page, handle(it, 'Expected output'), -40, 0)
+  const moved = await until(it, ({ expectedOutput }) => expectedOutput < start.expectedOutput - 0.3, 'the prediction follows')
+  assert.deepEqual([moved.params.mean[0], moved.params.semiMajor, moved.params.reading], [start.params.mean[0], start.params.semiMajor, start.params.reading], 'it moves along H alone')
+  await pull(page, handle(it, 'Output that is read'), 60, 0)
+  const read = await until(it, ({ params }) => params.reading > start.params.reading + 0.3, 'the reading follows')
+  assert.deepEqual(read.params.mean, moved.params.mean)
+  await balanced()
+  const [wide, blur] = [handle(it, 'Standard deviation of the expected output'), handle(it, 'Standard deviation of the reading')]
+  await wide.press('ArrowRight')
+  const wider = await until(it, ({ expectedVariance }) => close(Math.sqrt(expectedVariance), Math.sqrt(read.expectedVariance) + 0.05, 1e-6), 'an arrow widens the bell')
+  assert.ok(close(wider.params.semiMajor / wider.params.semiMinor, read.params.semiMajor / read.params.semiMinor), 'the ellipse keeps its shape')
+  await blur.press('End')
+  await until(it, ({ params }) => params.noise === 4, 'End')
+  await balanced()
+  await blur.press('Home')
+  await until(it, ({ params }) => params.noise === 0, 'Home')
+  await balanced()
+})
+
+test('a guess is dropped before the answer shows, stays on the line, and is judged when it shows', async (t) => {
+  const { page, it } = await picture(t)
+  const answer = () => it.locator('.live :is(.mark.foot.posterior, .mark.outline.posterior)').count()
+  assert.ok(await answer() > 0)
+  await it.getByRole('button', { name: 'Drop a guess first' }).click()
+  await until(it, ({ params }) => params.sealed && params.guess === 0, 'sealed')
+  assert.equal(await answer(), 0, 'nothing gives it away')
+  for (const label of [/^Update/, /^Gain|gain/]) assert.equal(await it.locator('.live .readout-strip .readout').filter({ hasText: label }).first().locator('dd').textContent(), '–')
+  const guess = handle(it, 'Your guess')
+  await pull(page, guess, -50, 40)
+  const dropped = await until(it, ({ params }) => params.guess < -0.3, 'it follows the mouse')
+  assert.ok(close(dropped.guess.at[1], dropped.params.reading), 'and stays on the line')
+  await guess.press('ArrowRight')
+  await until(it, ({ params }) => close(params.guess, dropped.params.guess + 0.05), 'an arrow')
+  await it.getByRole('checkbox', { name: 'hide the answer' }).uncheck()
+  const shown = await until(it, ({ params }) => !params.sealed, 'the answer')
+  assert.ok(await answer() > 0 && shown.guess.density <= 1)
+  assert.match(await it.locator('.live .verdict').innerText(), /Your guess is/)
+})
+
+test('an ellipse grows from nothing, says what it holds, and touches the line where the purple foot is', async (t) => {
+  const { it } = await picture(t)
+  const slider = it.getByRole('slider', { name: /Grow an ellipse/ })
+  await slider.press('ArrowRight')
+  await until(it, ({ params }) => close(params.radius, 0.05), 'it begins')
+  while (!/touches Ω\./.test(await it.locator('.live .verdict').innerText())) {
+    const { radius } = (await frameOf(it)).params
+    assert.ok(radius < 2, 'it comes to the line')
+    await slider.press('ArrowRight')
+    await until(it, ({ params }) => close(params.radius, radius + 0.05), 'it grows')
+  }
+  const { params, mahalanobisFoot, inside } = await frameOf(it)
+  assert.ok(Math.abs(params.radius - mahalanobisFoot.distance) < 0.026)
+  assert.equal(await it.locator('.live .readout').filter({ hasText: 'Inside' }).locator('dd').textContent(), `${Math.round(100 * inside)} %`)
+})

@@ -10,7 +10,7 @@ export const dist = path.join(root, 'dist')
 /** Served from a sub-path, as a project page of a static host would be. */
 export const BASE = '/shelf/robot-motion/'
 /** The pages a reader can land on, relative to the site's root. */
-export const PAGES = ['', 'kalman/', 'check/', 'hosting/']
+export const PAGES = ['', 'kalman/', 'kalman/numbers/', 'check/', 'hosting/', 'log/', 'system/', 'teaching/']
 /** The pages that hold one figure each. */
 export const FIGURE_PAGES = Object.keys(WIDGETS).map((name) => `figure/${name}/`)
 export const CHROMIUM_FLAGS = [

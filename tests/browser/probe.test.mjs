@@ -49,3 +49,31 @@ test('a landmark moves by mouse and by keys, and the rank panel follows the geom
   // A crossing is momentary: along the path the rank stays.
   assert.deepEqual(await ranks(probe), [2, 3])
 })
+
+test('the mix of the dials that no reading shows is found by keys, and a second landmark parts the curves', async (t) => {
+  const { it: probe } = await openFigure(t, 'observability-probe')
+  const strips = () => probe.locator('.live :is(.panel-ranges, .panel-bearings):not([hidden])').count()
+  assert.equal(await strips(), 0, 'calm at first')
+  await probe.getByRole('button', { name: 'Turn the world' }).click()
+  await until(probe, ({ ghost }) => ghost?.rangeGap > 0.5, 'the ghost reads other ranges')
+  assert.equal(await strips(), 1)
+  assert.equal(await probe.locator('.live :is(.panel-nees, .panel-nis):not([hidden])').count(), 0)
+  const dial = probe.getByRole('slider', { name: /on the spot/ })
+  for (let degrees = 1; degrees <= 10; degrees++) {
+    await dial.press('ArrowRight')
+    await until(probe, ({ params }) => Math.abs(params.ghostTurn - (degrees * Math.PI) / 180) < 1e-9, `${degrees}°`)
+  }
+  const found = await frameOf(probe)
+  assert.ok(found.ghost.rangeGap < 1e-9 && found.ghost.moved > 0.5)
+  assert.match(await probe.locator('.live .verdict').innerText(), /It reads what the robot reads/)
+  const readout = (label) => probe.locator('.live .readout').filter({ hasText: label }).locator('dd').textContent()
+  assert.equal(await readout('Mixed by hand'), await readout('Null vector'))
+  await probe.getByRole('combobox', { name: 'Sensor' }).selectOption({ label: 'range and bearing' })
+  await until(probe, ({ ghost }) => ghost.bearingGap !== null && ghost.bearingGap < 1e-9, 'bearings agree too')
+  assert.equal(await strips(), 2)
+  await probe.getByRole('combobox', { name: 'Landmarks' }).selectOption({ label: 'two' })
+  await until(probe, ({ ghost }) => ghost.rangeGap > 0.5, 'a second landmark shows the turn')
+  await probe.getByRole('checkbox', { name: 'let a ghost drive along' }).uncheck()
+  await until(probe, ({ ghost }) => ghost === null, 'gone')
+  assert.equal(await strips(), 0)
+})

@@ -154,7 +154,7 @@ test('answers are remembered after a reload, and forgotten one by one or all at 
   assert.ok(!(await shown(third)))
   assert.equal(await third.input.inputValue(), '')
   await page.reload()
-  await page.locator('#fig-picture .widget[inert]').waitFor()
+  await comeTo(page, '#fig-picture', '#fig-picture .widget[inert]')
   assert.equal(await page.locator('.quiz[data-answered]').count(), 0)
 })
 
@@ -165,7 +165,7 @@ test('what is kept is checked: an answer that is none any more counts for nothin
     localStorage.setItem('quiz:third-step:0123456789abcdef', '0.7')
   })
   await page.reload()
-  await page.locator('#fig-picture .widget[inert]').waitFor()
+  await comeTo(page, '#fig-picture', '#fig-picture .widget[inert]')
   assert.equal(await page.locator('.quiz[data-answered]').count(), 0)
 })
 
@@ -233,7 +233,7 @@ test('no figure waits without scripts, nor on paper', async (t) => {
   assert.equal(await silent.locator('.widget[inert], .figure-locked').count(), 0)
   assert.equal(await silent.locator('.quiz-actions:visible').count(), 0)
   const page = await open(t)
-  await page.locator('#fig-picture .widget[inert]').waitFor({ state: 'attached' })
+  await comeTo(page, '#fig-picture', '#fig-picture .widget[inert]')
   await page.emulateMedia({ media: 'print' })
   assert.equal(await page.locator('.figure-locked:visible').count(), 0)
   assert.equal(await page.locator('#fig-picture .still').evaluate((still) => getComputedStyle(still).filter), 'none')

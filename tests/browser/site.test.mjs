@@ -5,6 +5,7 @@ import { createHash } from 'node:crypto'
 import { existsSync, readFileSync, readdirSync, statSync } from 'node:fs'
 import { homedir } from 'node:os'
 import path from 'node:path'
+import { WORKER_POLICY } from '../../scripts/static-server.mjs'
 import { dist, root } from './places.mjs'
 
 const files = readdirSync(dist, { recursive: true }).map(String).filter((file) => statSync(path.join(dist, file)).isFile())
@@ -72,6 +73,11 @@ test('every page carries the strict policy, a title, a description and a languag
 test('the page on hosting prints that policy', () => {
   const words = unescape(text.get('hosting/index.html').replace(/<[^>]*>/g, ''))
   assert.ok(words.includes(`Content-Security-Policy: ${POLICY}\n`))
+})
+
+test('the page on hosting prints the policy of workers', () => {
+  const words = unescape(text.get('hosting/index.html').replace(/<[^>]*>/g, ''))
+  assert.ok(words.includes(`Content-Security-Policy: ${WORKER_POLICY}\n`))
 })
 
 test('nothing in the site names a folder of the machine that built it, or where its sources came from', () => {

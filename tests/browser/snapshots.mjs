@@ -9,8 +9,14 @@ import { root } from './places.mjs'
 
 const kept = path.join(root, 'tests/browser/snapshots')
 const results = path.join(root, 'target/snapshots')
-/** The part of the ink that may differ visibly. Two runs of one browser do not differ at all; another machine's may a little. */
-export const TOLERANCE = 0.01
+/**
+ * The part of the ink that may differ visibly. Two runs of one browser do not differ at all; another machine's may a little. A picture
+ * with much gray, as that of a map, has less colour for its ink, and may differ less.
+ */
+export const tolerance = (/** @type {PNG} */ whole) => Math.min(0.01, colour(whole) / 5)
+
+/** How much of a picture's ink is coloured. */
+export const colour = (/** @type {PNG} */ whole) => differenceOf(paled(whole), whole).part
 
 /** Compares `shot` (a PNG) with the reference `name`; with UPDATE_SNAPSHOTS=1 it becomes the reference. */
 export function compare(shot, name) {
@@ -31,7 +37,7 @@ export function compare(shot, name) {
     assert.fail(`${name} is ${now.width} × ${now.height}, the reference ${then.width} × ${then.height}: see target/snapshots/`)
   }
   const { part, difference } = differenceOf(now, then)
-  if (part > TOLERANCE) {
+  if (part > tolerance(then)) {
     keep('now', shot)
     keep('difference', PNG.sync.write(difference))
     assert.fail(`${name} differs in ${(100 * part).toFixed(1)} % of its ink: see target/snapshots/`)
@@ -47,9 +53,11 @@ export function differenceOf(now, then) {
   return { part: differing / pixelsOf(b).inked, difference }
 }
 
-/** The reference `name`, and the same without what is coloured in it. */
-export function reference(name) {
-  const whole = PNG.sync.read(readFileSync(path.join(kept, `${name}.png`)))
+/** The reference `name`. */
+export const reference = (name) => PNG.sync.read(readFileSync(path.join(kept, `${name}.png`)))
+
+/** A picture without what is coloured in it. */
+function paled(whole) {
   const pale = crop(whole, whole.width, whole.height)
   const { paper } = pixelsOf(whole)
   const pixels = new Uint32Array(pale.data.buffer, pale.data.byteOffset, pale.data.length / 4)
@@ -57,7 +65,7 @@ export function reference(name) {
     const [red, green, blue] = [pale.data[4 * i], pale.data[4 * i + 1], pale.data[4 * i + 2]]
     if (Math.max(red, green, blue) - Math.min(red, green, blue) > 50) pixels[i] = paper
   }
-  return { whole, pale }
+  return pale
 }
 
 /** How many pixels are not of the background, the colour most of them have. */

@@ -4,20 +4,41 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
 import path from 'node:path'
-import { PHONE, dist, open } from './harness.mjs'
+import { PNG } from 'pngjs'
+import { FIGURE_PAGES, PHONE, dist, open, openFigure } from './harness.mjs'
+import { differenceOf } from './snapshots.mjs'
 
-const stills = (page) => page.evaluate(() => [...document.querySelectorAll('figure.figure-widget')].map((figure) => ({
-  id: figure.id,
-  drawn: [...figure.querySelectorAll('.still svg')].some((svg) => { const box = svg.getBoundingClientRect(); return box.width > 100 && box.height > 80 }),
-  marks: figure.querySelectorAll('.still svg :is(path, line, circle)').length,
-  words: figure.querySelector('.still-text')?.textContent.trim().length ?? 0,
-  caption: figure.querySelector('figcaption')?.textContent.trim().length ?? 0,
-})))
+/** How each figure's still is drawn: panels that show, drawn in the page or as images that have come, and how much they hold. */
+async function stills(page) {
+  // Where scripts are on, an image waits until it is near the screen.
+  await page.evaluate(() => { for (const image of document.querySelectorAll('.still > img')) image.loading = 'eager' })
+  for (let i = 0; i < 100 && !(await page.evaluate(() => [...document.querySelectorAll('.still > img')].every((image) => image.complete))); i++) await page.waitForTimeout(100)
+  return page.evaluate(() => {
+    /** Of an image, the pixels that it inks, in hundreds. */
+    const inked = (image) => {
+      const canvas = document.createElement('canvas')
+      Object.assign(canvas, { width: 300, height: 200 })
+      const brush = canvas.getContext('2d')
+      if (image.naturalWidth > 0) brush.drawImage(image, 0, 0, 300, 200)
+      return brush.getImageData(0, 0, 300, 200).data.filter((value, i) => i % 4 === 3 && value > 60).length / 100
+    }
+    return [...document.querySelectorAll('figure.figure-widget')].map((figure) => {
+      const panels = [...figure.querySelectorAll('.still > .panel')].filter((panel) => { const box = panel.getBoundingClientRect(); return box.width > 100 && box.height > 80 })
+      return {
+        id: figure.id,
+        panels: panels.length,
+        marks: Math.min(...panels.map((panel) => (panel.localName === 'img' ? inked(panel) : panel.querySelectorAll('path, line, circle').length))),
+        words: figure.querySelector('.still-text')?.textContent.trim().length ?? 0,
+        caption: figure.querySelector('figcaption')?.textContent.trim().length ?? 0,
+      }
+    })
+  })
+}
 
 function judge(figures) {
   assert.ok(figures.length >= 1, 'there are figures')
-  for (const { id, drawn, marks, words, caption } of figures) {
-    assert.ok(drawn && marks > 5, `${id} is drawn`)
+  for (const { id, panels, marks, words, caption } of figures) {
+    assert.ok(panels > 0 && marks > 5, `${id} is drawn: ${panels} panels, the least with ${marks} marks`)
     assert.ok(words > 40, `${id} is described`)
     assert.ok(caption > 20, `${id} has a caption`)
   }
@@ -30,6 +51,81 @@ test('with scripts off every figure is a still with words, and the page is whole
   const pictures = await page.locator('figure.figure-widget .still').evaluateAll((all) => all.map((still) => still.innerHTML))
   assert.equal(new Set(pictures).size, pictures.length, 'each figure shows its own state')
   assert.ok((await page.locator('main p').count()) > 30)
+})
+
+test('drawings that are files follow the theme and the notation, and a search in the page finds their words', async (t) => {
+  const page = await open(t, { expected: [/\.wasm|Failed to load|ERR_FAILED/i], prepare: (it) => it.route('**/*.wasm', (route) => route.abort()) })
+  const gain = page.locator('#fig-bench .still > .panel-gain')
+  await gain.scrollIntoViewIfNeeded()
+  await page.locator('#fig-bench .figure-failure').waitFor()
+  const shot = async () => {
+    await page.waitForFunction(() => [...document.querySelectorAll('#fig-bench .still > img')].every((image) => image.complete && image.naturalWidth > 0))
+    await page.waitForTimeout(300)
+    return PNG.sync.read(await gain.screenshot())
+  }
+  /** The brightness of most of its pixels, and of its ink. */
+  const tones = ({ data }) => {
+    const all = Array.from({ length: data.length / 4 }, (_, i) => (data[4 * i] + data[4 * i + 1] + data[4 * i + 2]) / 3).sort((a, b) => a - b)
+    const paper = all[all.length >> 1]
+    return { paper, ink: Math.abs(all[0] - paper) > Math.abs(all[all.length - 1] - paper) ? all[0] : all[all.length - 1] }
+  }
+  const light = await shot()
+  const day = tones(light)
+  assert.ok(day.paper > 200 && day.ink < 150, JSON.stringify(day))
+  await page.locator('[data-set-theme="dark"]').click()
+  const dark = await shot()
+  const night = tones(dark)
+  assert.ok(night.paper < 50 && night.ink > 130, JSON.stringify(night))
+  await page.locator('[data-set-notation="thrun"]').click()
+  await page.waitForFunction(() => document.documentElement.dataset.letters === 'thrun')
+  assert.ok(differenceOf(await shot(), dark).part > 0.005, 'R(k) became K')
+  await page.locator('[data-set-notation="choset"]').click()
+  await page.waitForFunction(() => document.documentElement.dataset.letters === 'choset')
+  assert.equal(differenceOf(await shot(), dark).part, 0)
+  const found = await page.evaluate(() => (getSelection().removeAllRanges(), find('gain R(k) and its knob g,') ? getSelection().anchorNode.parentElement.closest('figure')?.id : null))
+  assert.equal(found, 'fig-bench')
+})
+
+/** How high a figure is, and which of its panels lie over one another. */
+const laid = (page, part) => page.locator('.widget').evaluate((widget, of) => {
+  const boxes = [...widget.querySelectorAll(`${of} > .panel`)].map((panel) => [panel.getAttribute('class'), panel.getBoundingClientRect()])
+  const over = boxes.flatMap(([name, a], i) => boxes.slice(i + 1).filter(([, b]) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1).map(([other]) => `${name} and ${other}`))
+  return { height: widget.getBoundingClientRect().height, over }
+}, part)
+
+for (const width of [320, 390, 768, 1280]) {
+  test(`at ${width} px a still has the places and the height of the figure that comes to life`, { timeout: 120_000 }, async (t) => {
+    for (const at of FIGURE_PAGES) {
+      let release
+      const released = new Promise((resolve) => { release = resolve })
+      const page = await open(t, { at, viewport: { width, height: 900 }, prepare: (it) => it.route('**/*.wasm', async (route) => { await released; await route.continue() }) })
+      await page.evaluate(() => document.fonts.ready)
+      const still = await laid(page, '.still')
+      release()
+      await page.locator('.widget[data-state="live"]').waitFor()
+      const live = await laid(page, '.live')
+      assert.deepEqual([still.over, live.over], [[], []], at)
+      // A sentence may be a line longer in the one than in the other.
+      assert.ok(Math.abs(still.height - live.height) <= 30, `${at}: the still is ${still.height} px high, the figure ${live.height}`)
+    }
+  })
+}
+
+test('a figure in a frame that is folded away keeps its drawing, and goes on where it was', async (t) => {
+  const { page, it } = await openFigure(t, 'observer-bench')
+  const sizes = () => it.evaluate((widget) => [...widget.querySelectorAll('.live .panel')].map((panel) => panel.getAttribute('viewBox')))
+  const before = await sizes()
+  for (const width of ['1px', '90px']) {
+    await page.locator('main').evaluate((main, to) => { main.style.width = to }, width)
+    await it.getByRole('button', { name: 'Step' }).evaluate((button) => button.click())
+    await page.waitForTimeout(200)
+    assert.deepEqual(await sizes(), before, width)
+    const negative = await it.evaluate((widget) => [...widget.querySelectorAll('.live svg [width], .live svg [height]')].filter((part) => Number(part.getAttribute('width') ?? 0) < 0 || Number(part.getAttribute('height') ?? 0) < 0).length)
+    assert.equal(negative, 0, width)
+  }
+  await page.locator('main').evaluate((main) => { main.style.width = '' })
+  await page.waitForTimeout(200)
+  assert.deepEqual(await sizes(), before)
 })
 
 test('where the module cannot be fetched the figure says so, and tries again', async (t) => {
@@ -147,6 +243,7 @@ test('questions and search whose scripts are lost leave nothing to press in vain
       for (const chunk of [quizzes, search]) await it.route(chunk, (route) => route.abort())
     },
   })
+  await page.locator('.quiz').first().scrollIntoViewIfNeeded()
   await page.waitForFunction(() => document.querySelectorAll('.quiz[data-answered]').length > 0)
   assert.equal(await page.locator('.quiz button:visible').count(), 0)
   assert.ok(await page.locator('.quiz-answer summary').first().isVisible(), 'the answers can be opened')

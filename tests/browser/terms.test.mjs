@@ -73,6 +73,9 @@ test('a coloured symbol in a formula lights its kin as its word does', async (t)
   await listening(page)
   for (const kind of KINDS.slice(0, 3)) {
     const it = page.locator(`main p .katex .term-${kind} i`).locator('visible=true').first()
+    // What the symbol before has opened may lie over this one.
+    await page.mouse.move(2, 2)
+    await popover(page).waitFor({ state: 'hidden' })
     await it.scrollIntoViewIfNeeded()
     await rest(page)
     const { x, y, width, height } = await it.boundingBox()
@@ -157,6 +160,27 @@ test('a finger opens a word and a number, and a tap elsewhere closes them', asyn
   }
 })
 
+/** The list of the chapter's numbers, by id. */
+const entries = (page) => page.evaluate(async () => {
+  const list = new DOMParser().parseFromString(await (await fetch('numbers/')).text(), 'text/html')
+  return Object.fromEntries([...list.querySelectorAll('.number-entry')].map((entry) => [entry.id.replace('number-', ''), {
+    value: entry.querySelector('.number-value')?.textContent, source: Boolean(entry.querySelector('.number-source')), check: Boolean(entry.querySelector('.number-check')),
+  }]))
+})
+
+test('a number whose list cannot be fetched says so, and is explained once the list is there', async (t) => {
+  const page = await open(t, { expected: [/numbers\/|Failed to load|ERR_FAILED/], prepare: (it) => it.route('**/kalman/numbers/', (route) => route.abort()) })
+  await listening(page)
+  const number = page.locator('main p a.number').first()
+  await number.focus()
+  await popover(page).getByText('could not be fetched').waitFor()
+  await page.keyboard.press('Escape')
+  await page.unroute('**/kalman/numbers/')
+  await number.evaluate((it) => it.blur())
+  await number.focus()
+  await popover(page).locator('.number-source').waitFor()
+})
+
 test('a number shows what computes it and which check pins it, hovered, focused, and inside a formula', async (t) => {
   const page = await open(t)
   await listening(page)
@@ -170,7 +194,8 @@ test('a number shows what computes it and which check pins it, hovered, focused,
   // In the text, by mouse.
   const pinned = page.locator('main p a.number').filter({ visible: true })
   const ids = await pinned.evaluateAll((all) => all.map((number) => number.hash.replace('#number-', '')))
-  const at = await page.evaluate((all) => all.findIndex((id) => document.getElementById(`number-${id}`).querySelector('.number-check')), ids)
+  const listed = await entries(page)
+  const at = ids.findIndex((id) => listed[id].check)
   assert.ok(at >= 0, 'there is a number in the text that a check pins')
   await pinned.nth(at).scrollIntoViewIfNeeded()
   await pinned.nth(at).hover()
@@ -197,19 +222,17 @@ test('a number shows what computes it and which check pins it, hovered, focused,
   await mark.focus()
   assert.ok(await mark.evaluate((it) => it.getBoundingClientRect().width > 5 && getComputedStyle(it).opacity === '1'), 'what has the focus is to be seen')
   await says((await mark.getAttribute('data-numbers')).split(' ')[0])
-  // Enter goes to the list of all numbers, opened there.
+  // Enter goes to the list of all numbers.
   await page.keyboard.press('Enter')
-  await page.waitForURL(/#number-/)
+  await page.waitForURL(/\/numbers\/#number-/)
   assert.ok(await page.evaluate(() => document.getElementById(decodeURIComponent(location.hash.slice(1))).checkVisibility()), 'the entry is to be seen')
 })
 
 test('every number printed is its entry\'s value, rounded', async (t) => {
   const page = await open(t)
-  const all = await page.evaluate(() => [...document.querySelectorAll('main :is([data-number], a.number)')].map((printed) => {
-    const id = printed.dataset.number ?? printed.hash.replace('#number-', '')
-    const entry = document.getElementById(`number-${id}`)
-    return { id, text: printed.textContent, value: entry?.querySelector('.number-value')?.textContent, source: Boolean(entry?.querySelector('.number-source')) }
-  }))
+  const listed = await entries(page)
+  const printed = await page.evaluate(() => [...document.querySelectorAll('main :is([data-number], a.number)')].map((number) => ({ id: number.dataset.number ?? number.hash.replace('#number-', ''), text: number.textContent })))
+  const all = printed.map(({ id, text }) => ({ id, text, ...listed[id] }))
   assert.ok(all.length > 150, `${all.length} numbers`)
   let read = 0
   for (const { id, text, value, source } of all) {

@@ -1,8 +1,12 @@
 // What the fuzz test knows of each export: how to make valid arguments, and where an answer holds a covariance.
+import { logClasses } from './log-exports.mjs'
 import { covariance } from './nonsense.mjs'
 
 const vector = (n, dice) => Array.from({ length: n }, () => dice.normal() * 10 ** dice.below(3))
 const matrix = (rows, columns, dice) => Array.from({ length: rows }, () => vector(columns, dice))
+
+/** A vector as a program may hand it over. */
+const row = (n, dice) => (dice.uniform() < 0.5 ? vector(n, dice) : Float64Array.from(vector(n, dice)))
 
 function sizes(dice) {
   return { n: 1 + dice.below(4), p: 1 + dice.below(2), m: 1 + dice.below(2) }
@@ -13,6 +17,15 @@ function system({ n, p, m }, dice) {
     F: matrix(n, n, dice).map((row) => row.map((a) => a / 20)), G: matrix(n, m, dice), H: matrix(p, n, dice),
     V: covariance(n, dice), W: covariance(p, dice),
   }
+}
+
+/** F and a matrix beside it, as often of zeros and ones as of anything: deadbeat and unseen directions are rare otherwise. */
+function pair(dice, shape) {
+  const { n } = sizes(dice)
+  const entry = dice.uniform() < 0.5 ? () => dice.below(2) : dice.normal
+  const [rows, columns] = shape(n)
+  const of = (height, width) => Array.from({ length: height }, () => Array.from({ length: width }, entry))
+  return [of(n, n), of(rows, columns), ...dice.pick([[], [0], [1e-3]])]
 }
 
 /** name → valid arguments, the covariances in an answer, and for what is slow how many calls will do. */
@@ -63,6 +76,28 @@ export const FUNCTIONS = {
       const n = 1 + dice.below(3)
       const poles = n === 2 && dice.uniform() < 0.5 ? [{ re: 0.3, im: 0.2 }, { re: 0.3, im: -0.2 }] : Array.from({ length: n }, () => dice.uniform())
       return [matrix(n, n, dice), matrix(1, n, dice), poles]
+    },
+  },
+  detectability: {
+    args: (dice) => pair(dice, (n) => [1 + dice.below(2), n]),
+  },
+  stabilizability: {
+    args: (dice) => pair(dice, (n) => [n, 1 + dice.below(2)]),
+  },
+  noiseReach: {
+    args(dice) {
+      const [f] = pair(dice, (n) => [1, n])
+      return [f, covariance(f.length, dice), ...dice.pick([[], [1e-6]])]
+    },
+  },
+  riccatiLimit: {
+    args: (dice) => [system(sizes(dice), dice), ...dice.pick([[], [1e-6]])],
+  },
+  placeMovable: {
+    args(dice) {
+      const n = 1 + dice.below(3)
+      const poles = n === 2 && dice.uniform() < 0.5 ? [{ re: 0.3, im: 0.2 }, { re: 0.3, im: -0.2 }] : Array.from({ length: n }, () => dice.uniform())
+      return [matrix(n, n, dice), matrix(1 + dice.below(2), n, dice), poles, ...dice.pick([[], [1e-6]])]
     },
   },
   steadyStateGain: {
@@ -127,6 +162,24 @@ const WORLD = [{ x: 4, y: 1 }, { x: -3, y: 2 }, { x: 1, y: -4 }, { x: -2, y: -3 
  * had: without it a test that no longer reaches anything would pass.
  */
 export const CLASSES = {
+  KalmanFilter: {
+    chain: 30,
+    spoilt: 0.35,
+    often: ['step', 'update'],
+    least: { 'a reading judged': 300 },
+    make(dice) {
+      const size = dice.uniform() < 0.5 ? { n: 2, p: 1 + dice.below(2), m: 1 } : sizes(dice)
+      return [system(size, dice), { x: vector(size.n, dice), P: covariance(size.n, dice) }]
+    },
+    methods: {
+      predict: (dice, _, it, [{ G }]) => [row(G[0].length, dice)],
+      update: (dice, _, it, [{ H }]) => [row(H.length, dice)],
+      step: (dice, _, it, [{ G, H }]) => [row(G[0].length, dice), row(H.length, dice)],
+    },
+    look: ({ x, P, logLikelihood, nis }) => [x, P, logLikelihood, nis],
+    covariances: (it) => [it.P],
+    outcomes: (_, it) => (it?.nis === null ? [] : ['a reading judged']),
+  },
   EkfLocalizer: {
     chain: 30,
     spoilt: 0.35,
@@ -198,7 +251,7 @@ export const CLASSES = {
 }
 
 /** The labs of the page share one face; their parameters are what `state()` says of a fresh one. */
-export const LABS = ['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture', 'LoopClosure', 'Tune']
+export const LABS = ['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture', 'LoopClosure', 'Tune', 'BugMuseum', 'OwnSystem']
 for (const name of LABS) {
   CLASSES[name] = {
     lab: true,
@@ -221,21 +274,7 @@ for (const name of LABS) {
 
 CLASSES.Tune.methods.likelihoodRow = (dice) => [dice.below(4), 4 + dice.below(5), 1 + dice.below(5)]
 
-const LOG = ['L,1,5,5', 'L,2,-5,5', ...Array.from({ length: 40 }, (_, i) => `O,${i},0.4,0.05\nR,${i},${1 + (i % 2)},${5 + (i % 7) / 5}\nB,${i},${2 - (i % 2)},6,0.3`)].join('\n')
-CLASSES.RobotLog = {
-  ...CLASSES.Picture,
-  before: (core) => [core.RobotLog.parse(LOG)],
-  make: (dice, fresh) => (dice.uniform() < 0.3 ? [] : [fresh().state().params]),
-  methods: { ...CLASSES.Picture.methods, run: (dice) => [1 + dice.below(50)], runAll: () => [], summary: () => [] },
-}
-CLASSES.DriveLog = {
-  construct: (core) => (text) => core.RobotLog.parse(text),
-  make: () => [LOG],
-  spoilt: 0.7,
-  methods: { contents: () => [], handle: () => [] },
-  look: (it) => it.contents(),
-  covariances: () => [],
-}
+Object.assign(CLASSES, logClasses(CLASSES.Picture))
 
 /** Every square matrix under a key P, however deep. */
 function covariancesIn(value, found = []) {

@@ -104,7 +104,7 @@ if (FUNCTIONS[name]) {
       const back = judged(call, () => it[method](...args))
       if (back) {
         count(`${method}()`)
-        outcomes(back.answer).forEach(count)
+        outcomes(back.answer, it).forEach(count)
         holds([...covariances(it), ...answered(back.answer)], call)
         if (method === 'set' || method === 'run') told = call.slice(-900)
       } else if (!isDeepStrictEqual(look(it), shown)) fault('changed by a call it refused', call)

@@ -10,6 +10,7 @@ import { get } from 'node:http'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { WORKER_POLICY } from '../../scripts/static-server.mjs'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 const nginx = [process.env.NGINX, '/usr/sbin/nginx', '/usr/local/bin/nginx', '/opt/homebrew/bin/nginx']
@@ -22,7 +23,7 @@ const LONG = 'The quick brown fox jumps over the lazy dog. '.repeat(100)
 const FILES = {
   'index.html': LONG, '404.html': `lost ${LONG}`, 'sw.js': LONG, 'search.json': LONG,
   'kalman/index.html': LONG, 'figure/bench/index.html': LONG,
-  'assets/page-A1B2C3D4.js': LONG, 'assets/site-A1B2C3D4.css': LONG, 'assets/module-A1B2C3D4.wasm': LONG,
+  'assets/page-A1B2C3D4.js': LONG, 'assets/robot-log-worker-A1B2C3D4.js': LONG, 'assets/site-A1B2C3D4.css': LONG, 'assets/module-A1B2C3D4.wasm': LONG,
   'assets/icon-A1B2C3D4.svg': LONG, 'assets/manifest-A1B2C3D4.webmanifest': LONG, 'assets/text-A1B2C3D4.woff2': LONG,
 }
 
@@ -114,6 +115,10 @@ test('figures may be embedded by anybody, pages by their own site', { skip }, as
     assert.equal(headers['content-security-policy'], undefined, at)
     assert.equal(headers['access-control-allow-origin'], '*', at)
   }
+})
+
+test('workers come with the policy of workers', { skip }, async () => {
+  for (const at of ['sw.js', 'assets/robot-log-worker-A1B2C3D4.js']) assert.equal((await ask(at)).headers['content-security-policy'], WORKER_POLICY, at)
 })
 
 test('an address that leads nowhere is answered by the book\'s page for it, with its status', { skip }, async () => {

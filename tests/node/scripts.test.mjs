@@ -3,7 +3,7 @@
 import { after, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { spawn, spawnSync } from 'node:child_process'
-import { mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { cpSync, existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
 import { once } from 'node:events'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
@@ -73,8 +73,48 @@ test('the module is compiled without the RUSTFLAGS of the user, who is told', as
   assert.match(said, /RUSTFLAGS is set/)
 })
 
+/** The scripts and the crates in a folder of their own, where a build harms nothing. */
+function copy(name) {
+  const folder = path.join(home, name)
+  for (const one of ['scripts', 'crates', 'tests/Cargo.toml', 'tests/src', 'Cargo.toml', 'Cargo.lock', '.cargo', 'rustfmt.toml', 'web/package.json', 'web/package-lock.json']) {
+    if (existsSync(path.join(root, one))) cpSync(path.join(root, one), path.join(folder, one), { recursive: true, filter: (from) => !/\/(target|node_modules)$/.test(from) })
+  }
+  return folder
+}
+/** Builds the module in such a copy. */
+const buildIn = (folder, env) => spawnSync('bash', ['scripts/build', '--module'], { cwd: folder, encoding: 'utf8', timeout: 60_000, env: { ...process.env, ...env } })
+
+test('the build takes the module from the folder that CARGO_BUILD_TARGET_DIR names, and cargo is always told --locked', () => {
+  const folder = copy('elsewhere')
+  const [elsewhere, log] = [path.join(home, 'cargo target'), path.join(home, 'cargo-log')]
+  const real = spawnSync('bash', ['-c', 'command -v cargo'], { encoding: 'utf8' }).stdout.trim()
+  // It compiles nothing: a build leaves a file where cargo would, tools cannot be had, and all else is the real cargo's.
+  const env = stub('compiling', `printf '%s\\n' "$*" >>'${log}'
+case $1 in install) exit 1 ;; build) ;; *) exec '${real}' "$@" ;; esac
+built="$CARGO_BUILD_TARGET_DIR/wasm32-unknown-unknown/release"
+mkdir -p "$built"; echo compiled >"$built/estimate_wasm.wasm"; echo 'x: Cargo.toml' >"$built/estimate_wasm.d"`)
+  for (const tool of ['npm', 'wasm-bindgen']) writeFileSync(path.join(home, 'compiling', tool), '#!/bin/sh\nexit 1\n', { mode: 0o755 })
+  const { stderr } = buildIn(folder, { ...env, CARGO_BUILD_TARGET_DIR: elsewhere, CARGO_TARGET_DIR: undefined })
+  // Without tools it ends there; the module is taken by then.
+  assert.equal(existsSync(path.join(folder, 'target/pkg/whole.wasm')) && readFileSync(path.join(folder, 'target/pkg/whole.wasm'), 'utf8'), 'compiled\n', stderr)
+  const calls = readFileSync(log, 'utf8').trim().split('\n').filter((call) => !/^install|--version/.test(call))
+  assert.ok(calls.some((call) => call.startsWith('build')) && calls.some((call) => call.startsWith('metadata')), `${calls}`)
+  assert.deepEqual(calls.filter((call) => !call.split(' ').includes('--locked')), [])
+})
+
+test('a Cargo.lock that lags behind the manifests stops the build, and is left as it was', () => {
+  const folder = copy('lagging')
+  const [manifest, lock] = ['Cargo.toml', 'Cargo.lock'].map((name) => path.join(folder, name))
+  writeFileSync(manifest, readFileSync(manifest, 'utf8').replace(/^version = "(\d+\.\d+)\.\d+"/m, 'version = "$1.999"'))
+  const before = readFileSync(lock, 'utf8')
+  const { status, stderr } = buildIn(folder, {})
+  assert.notEqual(status, 0)
+  assert.match(stderr, /--locked|Cargo\.lock/)
+  assert.equal(readFileSync(lock, 'utf8'), before)
+})
+
 test('an argument that a script does not know stops it at once', () => {
-  for (const [script, argument] of [['serve', '--prot=80'], ['test', 'browsers'], ['bench', 'everything']]) {
+  for (const [script, argument] of [['serve', '--prot=80'], ['build', '--modul'], ['release', '--quick'], ['test', 'browsers'], ['bench', 'everything']]) {
     const { status, stderr } = spawnSync('bash', [`scripts/${script}`, argument], { cwd: root, encoding: 'utf8', timeout: 60_000 })
     assert.equal(status, 1, script)
     assert.match(stderr, /knows|know /, script)

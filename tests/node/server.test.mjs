@@ -9,7 +9,7 @@ import { once } from 'node:events'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { serve } from '../../scripts/static-server.mjs'
+import { WORKER_POLICY, serve } from '../../scripts/static-server.mjs'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 
@@ -21,7 +21,7 @@ before(async () => {
   writeFileSync(path.join(home, 'site/index.html'), '<p>cover'.repeat(100))
   writeFileSync(path.join(home, 'site/kalman/index.html'), '<p>chapter')
   writeFileSync(path.join(home, 'site/module.wasm'), Buffer.from([0, 97, 115, 109]))
-  writeFileSync(path.join(home, 'site/page-A1B2C3D4.js'), 'export {}')
+  for (const name of ['page-A1B2C3D4.js', 'robot-log-worker-A1B2C3D4.js', 'sw.js']) writeFileSync(path.join(home, 'site', name), 'export {}')
   symlinkSync(path.join(home, 'secret.txt'), path.join(home, 'site/link.txt'))
   site = await serve({ folder: path.join(home, 'site'), base: '/sub/path/' })
 })
@@ -49,6 +49,11 @@ test('pages, folders and types', async () => {
   const folder = await get('/sub/path/kalman?a=1')
   assert.deepEqual([folder.status, folder.headers.location], [308, '/sub/path/kalman/?a=1'])
   assert.equal((await get('/sub/path')).headers.location, '/sub/path/')
+})
+
+test('workers come with the policy of workers, and scripts of a page without', async () => {
+  const policy = async (name) => (await get(`/sub/path/${name}`)).headers['content-security-policy']
+  assert.deepEqual(await Promise.all(['sw.js', 'robot-log-worker-A1B2C3D4.js', 'page-A1B2C3D4.js'].map(policy)), [WORKER_POLICY, WORKER_POLICY, undefined])
 })
 
 test('nothing outside the folder', async () => {

@@ -28,3 +28,21 @@ test('a job that may write neither checks out nor runs code of the repository', 
     }
   }
 })
+
+test('on a tag the release is made by the script that a person runs, with the releases before it at hand', () => {
+  const text = readFileSync(path.join(folder, 'release.yml'), 'utf8')
+  assert.match(text, /^ {4}tags: \['v\*'\]$/m)
+  assert.match(text, /^ +- run: scripts\/release$/m)
+  assert.match(text, /^ +fetch-depth: 0$/m)
+  assert.match(text, /^ +path: target\/releases$/m)
+})
+
+test('what the step bare needs is installed wherever the tests run', () => {
+  const script = readFileSync(path.join(folder, '../../scripts/test'), 'utf8')
+  const [, target] = /\btarget=(\S+)/.exec(script)
+  for (const name of ['test.yml', 'release.yml']) {
+    const text = readFileSync(path.join(folder, name), 'utf8')
+    assert.ok(text.includes(`rustup target add ${target}\n`), name)
+    assert.match(text, /rustup toolchain install "\$\(sed -n 's\/\^rust-version/, name)
+  }
+})

@@ -3,8 +3,10 @@
 import { Span } from './motion.js'
 import { evenPlane } from './plot.js'
 
-/** Of the range of the values so much is left out at either end, because a `Span` adds a margin of its own. */
-const SPARE = 0.09
+/** Room beside what has to be seen, as a part of its range. */
+const MARGIN = 0.025
+/** Room for a mark that stands at the edge, pixels. */
+const MARK = 5
 
 /**
  * @param {import('./spec.js').View} view what remembers the camera between two frames
@@ -15,10 +17,10 @@ const SPARE = 0.09
 export function followed(view, box, values) {
   /** @type {Span[]} */
   const spans = (view.memory.map ??= [new Span(), new Span()])
-  const moving = spans.map((span, axis) => span.follow(...range(values(axis)), view.elapsed)).includes(true)
+  const moving = spans.map((span, axis) => span.follow(...range(values(axis)), view.elapsed, MARGIN)).includes(true)
   const [x, y] = spans.map(({ now }) => /** @type {[number, number]} */ (now))
   const [width, height] = [box.right - box.left, box.bottom - box.top]
-  const unit = Math.min(width / (x[1] - x[0]), height / (y[1] - y[0]))
+  const unit = Math.min((width - 2 * MARK) / (x[1] - x[0]), (height - 2 * MARK) / (y[1] - y[0]))
   return { plane: evenPlane(box, [(x[0] + x[1]) / 2, (y[0] + y[1]) / 2], Math.min(width, height) / 2 / unit), moving }
 }
 
@@ -31,6 +33,5 @@ function range(all) {
       if (value > high) high = value
     }
   }
-  const spare = (high - low) * SPARE
-  return [low + spare, high - spare]
+  return [low, high]
 }

@@ -63,7 +63,12 @@ import { writeHtml } from './words.js'
  * @property {(frame: any, lab: any) => Record<string, unknown>} change computed by the lab, not here
  * @property {(params: any) => boolean} [enabled]
  *
- * @typedef {RangeControl | ChoiceControl | ToggleControl | WholeControl | ActionControl} Control
+ * @typedef {object} CustomControl what only one figure has, such as the matrices of a system
+ * @property {'custom'} kind
+ * @property {string} name unique; no parameter
+ * @property {(document: Document, change: (patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void) => Shown} build
+ *
+ * @typedef {RangeControl | ChoiceControl | ToggleControl | WholeControl | ActionControl | CustomControl} Control
  */
 
 /** @typedef {{ element: HTMLElement, show: (params: any, frame: any) => void }} Shown */
@@ -77,6 +82,7 @@ import { writeHtml } from './words.js'
  */
 export function buildControl(document, control, change, limits) {
   if (control.kind === 'action') return action(document, control, change)
+  if (control.kind === 'custom') return control.build(document, change)
   const label = document.createElement('label')
   label.className = `control control-${control.kind}${control.kind === 'range' && control.wide ? ' is-wide' : ''}`
   const name = document.createElement('span')

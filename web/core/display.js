@@ -30,11 +30,13 @@ export class Display {
     this.wanted = null
     /** @type {any} */
     this.previous = null
+    /** What has been computed beside the run. @type {any} */
+    this.aside = null
     this.beatStart = -Infinity
     this.memory = {}
     /** Whether the first panel is still moving, by its camera or by the animation of a step. */
     this.moving = false
-    /** What each panel shows. @type {Map<string, { frame: any, width: number }>} */
+    /** What each panel shows. @type {Map<string, { frame: any, width: number, aside: any }>} */
     this.drawn = new Map()
     /** Which of the other panels is drawn next. */
     this.next = 0
@@ -74,7 +76,7 @@ export class Display {
   paint(now, glide) {
     const beat = this.beat(now)
     const [first] = this.spec.panels
-    const view = { previous: this.previous, beat, elapsed: glide, memory: this.memory, limits: this.shell.limits, handle: this.handle }
+    const view = { previous: this.previous, beat, elapsed: glide, memory: this.memory, aside: this.aside, limits: this.shell.limits, handle: this.handle }
     if (this.moving || beat.name !== 'rest' || !this.shows(first.name)) {
       this.moving = first.draw(this.shell.panels[first.name], this.wanted, view) === true || beat.name !== 'rest'
       this.showed(first.name)
@@ -120,8 +122,8 @@ export class Display {
    */
   drawOthers(began) {
     const { shell, frame } = this
-    const others = this.spec.panels.slice(1)
-    const view = { previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: this.memory, limits: shell.limits, handle: this.handle }
+    const others = this.spec.panels.slice(1).filter(({ shown }) => shown?.(frame) ?? true)
+    const view = { previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: this.memory, aside: this.aside, limits: shell.limits, handle: this.handle }
     for (let seen = 0; seen < others.length; seen += 1) {
       const { name, draw } = others[this.next % others.length]
       if (!this.shows(name)) {
@@ -139,16 +141,20 @@ export class Display {
   /** Whether a panel shows the present frame at its present size. @param {string} name */
   shows(name) {
     const last = this.drawn.get(name)
-    return last?.frame === this.due(name) && last?.width === this.shell.panels[name].width
+    const { frame, width, aside } = this.due(name)
+    return last?.frame === frame && last?.width === width && last?.aside === aside
   }
 
   /** @param {string} name */
   showed(name) {
-    this.drawn.set(name, { frame: this.due(name), width: this.shell.panels[name].width })
+    this.drawn.set(name, this.due(name))
   }
 
   /** What a panel has to show: the first one has the handles, which follow the reader at once. @param {string} name */
   due(name) {
-    return name === this.spec.panels[0].name ? this.wanted : this.frame
+    const { panels } = this.spec
+    const frame = name === panels[0].name ? this.wanted : this.frame
+    const aside = panels.find((panel) => panel.name === name)?.aside ? this.aside : null
+    return { frame, width: this.shell.panels[name].width, aside }
   }
 }

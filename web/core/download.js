@@ -23,7 +23,7 @@ export function asSvg(shell, title) {
   paper.setAttribute('height', '100%')
   paper.setAttribute('fill', getComputedStyle(document.body).backgroundColor)
   let [right, bottom] = [0, 0]
-  for (const panel of shell.querySelectorAll('svg.panel')) {
+  for (const panel of shell.querySelectorAll('svg.panel:not([hidden])')) {
     const box = panel.getBoundingClientRect()
     const copy = /** @type {Element} */ (panel.cloneNode(true))
     inline(panel, copy)

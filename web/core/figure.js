@@ -54,8 +54,8 @@ export function defineFigure(spec) {
 
     /** Whether nothing is left to compute and every panel shows the frame. While a run plays the answer is true. */
     get settled() {
-      const { run, behind } = this.figure ?? {}
-      return Boolean(run?.playing || (run && !run.busy && !behind))
+      const { run, behind, beside } = this.figure ?? {}
+      return Boolean(run?.playing || (run && !run.busy && !behind && !beside?.progress))
     }
 
     /** Parameters and step, as a link carries them. */
@@ -79,6 +79,8 @@ class Figure {
     this.display = null
     /** @type {Progress | null} */
     this.progress = null
+    /** @type {import('./spec.js').Beside | null} */
+    this.beside = null
     this.near = false
     /** When the last turn was; NaN when the figure has come to rest since. */
     this.turned = NaN
@@ -129,7 +131,7 @@ class Figure {
     this.host.dataset.state = 'loading'
     hideFailure(this.host)
     if (this.spec.open) return this.opened(await this.spec.open(this.id, this.host.dataset.start))
-    const loaded = await loadModule()
+    const loaded = await (this.spec.load ?? loadModule)()
     if (!loaded.ok) return this.fail(loaded.why)
     try {
       const { lab, linked, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
@@ -167,8 +169,11 @@ class Figure {
       ...share.orders,
     }, run.parameters())
     share.tools = this.shell.tools
+    this.beside = this.spec.aside?.open(() => this.ask()) ?? null
+    this.beside?.follow(run.frame)
     this.progress = new Progress(into, () => {
-      run.cancel()
+      if (run.progress) run.cancel()
+      else this.beside?.cancel()
       this.ask()
       focusFirst(this.host)
     })
@@ -235,7 +240,8 @@ class Figure {
     if (outcome.refused !== null) this.voice.tell(outcome.refused, outcome.refused === MANGLED)
     if (outcome.ended) this.voice.tell(`The run ends here, at step ${run.last.toLocaleString('en')}. Reset starts it again.`)
     display.wanted = run.wanted
-    if (progress.show(run.progress, now)) this.voice.status.textContent = progress.words.textContent
+    display.aside = this.beside?.value ?? null
+    if (progress.show(run.progress ?? this.beside?.progress ?? null, now)) this.voice.status.textContent = progress.words.textContent
     const moving = display.paint(now, this.glide(elapsed))
     // Both, whatever the first answers.
     const [unlabelled, undrawn] = [display.label(now, began, run), display.drawOthers(began)]
@@ -253,7 +259,9 @@ class Figure {
     const slow = !run.playing || run.rate * run.pace <= 1000 / STEP_MS
     const inBeats = stepped && slow && spec.beats && !this.calm.matches
     display.take(run.frame, stepped ? display.frame : null, inBeats ? now : -Infinity)
+    this.beside?.follow(run.frame)
     this.voice.soon()
+    this.host.dispatchEvent(new Event('frame'))
   }
 
   /** How long a camera has had to move: before the first picture any time, so that it is in place at once. @param {number} elapsed */

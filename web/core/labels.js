@@ -6,7 +6,7 @@
  * figure has them.
  */
 
-import { plain } from './words.js'
+import { readings, unmarked } from './words.js'
 
 /** @typedef {import('./plot.js').Box} Box */
 /** @typedef {'right' | 'left' | 'above' | 'below' | 'above-right' | 'above-left' | 'below-right' | 'below-left'} Side */
@@ -33,9 +33,8 @@ const BROAD = /[mwMWΩ–—%]/
 
 /** About how wide a text is at 13 pixels. @param {import('./words.js').Words} words */
 export function widthOf(words) {
-  const [a, b] = [plain(words), plain(words, 'thrun')]
   const wide = (/** @type {string} */ text) => [...text].reduce((sum, letter) => sum + (NARROW.test(letter) ? 4.4 : BROAD.test(letter) ? 11.5 : /[A-Z]/.test(letter) ? 8.4 : 7.1), 0)
-  return Math.max(wide(a), wide(b)) + 2
+  return Math.max(...readings(words).map((reading) => wide(unmarked(reading)))) + 2
 }
 
 /** A circle that names keep clear of. @param {number[]} at @param {number} r @returns {Box} */

@@ -59,12 +59,13 @@ export class Span {
    * @param {number} low
    * @param {number} high
    * @param {number} elapsed
+   * @param {number} [margin] room on either side, as a part of the range
    * @returns {boolean} whether it still moves
    */
-  follow(low, high, elapsed) {
+  follow(low, high, elapsed, margin = 0.14) {
     const wide = high - low || 1
     const [from, to] = this.goal
-    if (!this.now || low < from || high > to || wide < (to - from) / 2.4) this.goal = [low - wide * 0.14, high + wide * 0.14]
+    if (!this.now || low < from || high > to || wide < (to - from) / 2.4) this.goal = [low - wide * margin, high + wide * margin]
     this.now ??= this.goal
     const t = 1 - Math.exp(-elapsed / 110)
     const next = /** @type {[number, number]} */ (this.now.map((value, i) => mix(value, this.goal[i], t)))

@@ -1,9 +1,11 @@
 /**
  * Writes short path data: tenths of a pixel, each point relative to the one before, and no point that lies within a sixth of a
- * pixel of the line. The page carries such data in its stills, and the browser reads it at every frame.
+ * pixel of the line. The browser reads such data at every frame. The page carries its stills in whole pixels.
  */
 
-const NEAR = 0.16
+/** How far a line may pass from a point that is left out, pixels, and how many places a pixel has. */
+let near = 0.16
+let places = 10
 const MOST = 1e5
 /** The text of the common steps, by their length in tenths of a pixel. */
 const STEPS = Array.from({ length: 4001 }, (_, i) => short((i - 2000) / 10))
@@ -18,9 +20,15 @@ function written(tenths) {
   return STEPS[tenths + 2000] ?? short(tenths / 10)
 }
 
-/** Rounds to a tenth of a pixel, and keeps within what a browser can draw. @param {number} value */
+/** Rounds to a place of a pixel, and keeps within what a browser can draw. @param {number} value */
 export function pixel(value) {
-  return Math.round(Math.max(-MOST, Math.min(MOST, value)) * 10) / 10
+  return Math.round(Math.max(-MOST, Math.min(MOST, value)) * places) / places
+}
+
+/** From now on, draws in whole pixels: for a still, which a reader sees for a moment or on paper. */
+export function coarse() {
+  near = 0.5
+  places = 1
 }
 
 /** Writes one path, point by point. */
@@ -144,7 +152,7 @@ function traced(count) {
     let vx = px - fromX
     let vy = py - fromY
     let length = Math.sqrt(vx * vx + vy * vy)
-    if (far >= 0 && (length < far - NEAR || leftX * vy - leftY * vx > 0 || rightX * vy - rightY * vx < 0)) {
+    if (far >= 0 && (length < far - near || leftX * vy - leftY * vx > 0 || rightX * vy - rightY * vx < 0)) {
       out.line(lastX, lastY)
       fromX = lastX
       fromY = lastY
@@ -153,9 +161,9 @@ function traced(count) {
       vy = py - fromY
       length = Math.sqrt(vx * vx + vy * vy)
     }
-    if (length > NEAR) {
-      const sx = (-vy / length) * NEAR
-      const sy = (vx / length) * NEAR
+    if (length > near) {
+      const sx = (-vy / length) * near
+      const sy = (vx / length) * near
       if (far < 0 || leftX * (vy + sy) - leftY * (vx + sx) < 0) {
         leftX = vx + sx
         leftY = vy + sy

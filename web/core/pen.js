@@ -62,10 +62,9 @@ export class Pen {
    */
   text(key, attributes, words) {
     const held = this.hold('text', key, attributes)
-    const said = typeof words === 'string' ? words : `${words.choset}\n${words.thrun}`
-    if (held.said !== said) {
+    if (held.said !== words) {
       writeSvg(held.element, words)
-      held.said = said
+      held.said = words
     }
     return held.element
   }

@@ -110,10 +110,11 @@ function inside(at, low, high) {
 }
 
 /**
- * At most so many ticks, and no two of them nearer than `gap` pixels: on a small plot there are fewer.
+ * At most so many ticks, and no two of them nearer than `gap` pixels: on a small plot there are fewer. None if `most` is 0.
  * @param {Scale} scale @param {number} most @param {number} low @param {number} high @param {number} gap
  */
 function apart(scale, most, low, high, gap) {
+  if (most === 0) return { ticks: [], count: 1 }
   for (let count = most; ; count -= 1) {
     const ticks = shown(scale.ticks(count), scale, low, high)
     const near = ticks.some((value, i) => i > 0 && Math.abs(scale(value) - scale(ticks[i - 1])) < gap)

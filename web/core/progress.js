@@ -2,6 +2,8 @@
 
 import { button, part } from './element.js'
 
+/** @typedef {{ step: number, of: number, unit?: string }} Work how far a computation has come, in steps if no unit is given */
+
 /** A computation that is over sooner than this, milliseconds, shows no bar. */
 const PATIENCE = 250
 /** The words change this often, milliseconds, so that they can be read. */
@@ -16,7 +18,7 @@ export class Progress {
     const { ownerDocument: document } = into
     this.box = /** @type {HTMLElement} */ (part(document, part(document, into, 'div', 'progress-place'), 'div', 'progress'))
     this.bar = /** @type {HTMLProgressElement} */ (part(document, this.box, 'progress', ''))
-    this.bar.setAttribute('aria-label', 'Steps computed')
+    this.bar.setAttribute('aria-label', 'Computed')
     this.words = part(document, this.box, 'span', '')
     button(document, this.box, 'Cancel', cancel)
     this.box.hidden = true
@@ -26,7 +28,7 @@ export class Progress {
   }
 
   /**
-   * @param {{ step: number, of: number } | null} progress null when nothing is being computed
+   * @param {Work | null} progress null when nothing is being computed
    * @param {number} now
    * @returns {boolean} whether the bar has appeared with this call
    */
@@ -50,7 +52,7 @@ export class Progress {
   }
 }
 
-/** @param {{ step: number, of: number }} progress */
-function wordsOf({ step, of }) {
-  return `Computing step ${step.toLocaleString('en')} of ${of.toLocaleString('en')}`
+/** @param {Work} progress */
+function wordsOf({ step, of, unit = 'step' }) {
+  return `Computing ${unit} ${step.toLocaleString('en')} of ${of.toLocaleString('en')}`
 }

@@ -19,6 +19,8 @@ import { plain, writeHtml } from './words.js'
  * @property {[Words, Words]} [cell] row and column of the table that it stands in
  * @property {boolean} [zero] whether it is a zero to be marked: a right angle
  * @property {boolean} [more] whether it waits behind “more”
+ * @property {boolean} [wide] whether it takes the room of two
+ * @property {boolean} [shown] whether it is there; always if not given
  */
 
 export class Readouts {
@@ -39,6 +41,8 @@ export class Readouts {
     for (const readout of readouts) {
       let held = this.kept.get(readout.key)
       if (!held) this.kept.set(readout.key, (held = this.build(readout)))
+      const hidden = readout.shown === false
+      if (held.box.hasAttribute('hidden') !== hidden) held.box.toggleAttribute('hidden', hidden)
       const text = readout.unit ? `${readout.value} ${readout.unit}` : readout.value
       if (held.said === text) continue
       held.value.textContent = text
@@ -50,7 +54,7 @@ export class Readouts {
   /** @param {Readout} readout */
   build(readout) {
     const { document } = this
-    const names = ['readout', readout.kin, readout.headline && 'is-headline']
+    const names = ['readout', readout.kin, readout.headline && 'is-headline', readout.wide && 'is-wide']
     const box = part(document, this.list(readout), 'div', names.filter(Boolean).join(' '))
     if (readout.kin) box.setAttribute('data-kin', readout.kin)
     writeHtml(part(document, box, 'dt', readout.cell ? 'visually-hidden' : ''), readout.label)

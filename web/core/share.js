@@ -27,7 +27,8 @@ export class Share {
     this.tools = null
     this.orders = {
       link: () => this.link(),
-      embed: () => this.embed(),
+      // Another page has no log of the reader's.
+      embed: host.closest('.own-log') ? null : () => this.embed(),
       // A frame without an origin of its own may not save files, and no browser tells the page so.
       download: self.origin === 'null' ? null : (/** @type {'svg' | 'csv'} */ kind) => this.download(kind),
     }

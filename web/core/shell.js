@@ -8,7 +8,7 @@ import { SVG, button, part } from './element.js'
 import { placed } from './layout.js'
 import { Pen } from './pen.js'
 import { Readouts } from './readouts.js'
-import { writeHtml } from './words.js'
+import { held, writeHtml } from './words.js'
 
 /** @typedef {import('./words.js').Words} Words */
 /** @typedef {{ svg: Element, pen: Pen, width: number, height: number }} Panel pixels */
@@ -23,7 +23,7 @@ import { writeHtml } from './words.js'
  * @property {(rate: number) => void} speed
  * @property {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} change
  * @property {() => void} link
- * @property {() => void} embed
+ * @property {(() => void) | null} embed null where the figure shows what another page does not have
  * @property {((kind: 'svg' | 'csv') => void) | null} download null where the page may not save files
  */
 
@@ -100,7 +100,7 @@ export function buildShell(document, spec, into, orders, parameters) {
   let [playing, said] = [false, '']
   const tools = /** @type {HTMLElement} */ (part(document, into, 'div', 'figure-tools'))
   button(document, tools, 'Copy link to this state', orders.link, 'quiet')
-  button(document, tools, 'Embed', orders.embed, 'quiet')
+  if (orders.embed) button(document, tools, 'Embed', orders.embed, 'quiet')
   const { download } = orders
   if (download) {
     button(document, tools, 'Download SVG', () => download('svg'), 'quiet')
@@ -127,7 +127,14 @@ export function buildShell(document, spec, into, orders, parameters) {
       speed.show({ speed: life.rate }, frame)
       for (const control of shown) control.show(params, frame)
       const judged = spec.verdict?.(frame) ?? ''
-      if (said !== judged) verdict.textContent = said = judged
+      if (said !== judged) verdict.textContent = held(said = judged)
+      for (const { name, shown: there } of spec.panels) {
+        const hidden = there ? !there(frame) : false
+        if (panels[name].svg.hasAttribute('hidden') === hidden) continue
+        panels[name].svg.toggleAttribute('hidden', hidden)
+        // Nothing that is hidden is left for a key or a finger.
+        if (hidden) panels[name].pen.draw(() => {})
+      }
       readouts.show(spec.readouts(frame))
     },
   }

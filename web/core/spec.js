@@ -33,6 +33,7 @@
  * @property {number} elapsed milliseconds since the last drawing; infinite for the first and for a still
  * @property {Record<string, any>} memory what the figure keeps between two drawings, its cameras; empty at first
  * @property {Limits} limits how far each parameter goes
+ * @property {any} aside what has been computed beside the run, as far as it has come; null before
  * @property {(pen: import('./pen.js').Pen, key: string, handle: HandleSpec) => void} handle draws a handle; alive only in a browser
  *
  * @typedef {object} PanelSpec
@@ -40,6 +41,8 @@
  * @property {number} width on a wide page, pixels
  * @property {number} height
  * @property {boolean} [handles] whether something in it can be dragged
+ * @property {(frame: any) => boolean} [shown] whether it is there; always if not given, and the first panel always is
+ * @property {boolean} [aside] whether it shows what is computed beside the run
  * @property {(panel: import('./shell.js').Panel, frame: any, view: View) => boolean | void} draw true while it still moves;
  *   `frame.params` are what the reader has asked for: while a long run is computed the rest of the frame is of the run before
  *
@@ -58,7 +61,10 @@
  * @property {Try[]} [tries] what to try: phrases that set the figure
  * @property {import('./words.js').Words} [invite] what the button over the first panel says at step 0; it plays
  * @property {number} [lap] play stops at each multiple of so many steps
+ * @property {() => Promise<import('./start.js').Loaded<any>>} [load] fetches the module that holds the lab; that of most figures if
+ *   not given
  * @property {(figure: string, given: string | undefined) => Promise<Opened>} [open] opens the run where the lab is not in the page
+ * @property {Aside} [aside] what is computed beside the run and is no part of its frame
  * @property {string} [log] the log that its lab replays, in the repository
  * @property {boolean} seeded whether `seed` is among the parameters
  * @property {boolean} [timeless] a lab without steps: no Play, Step, Reset, speed
@@ -67,12 +73,24 @@
  * @property {boolean} [beats] whether a step is animated in two beats
  * @property {PanelSpec[]} panels the first is the one that the reader watches and drags: it is drawn first in every turn, and its
  *   camera may move between two frames
- * @property {(frame: any) => Record<string, string>} describe each panel in words
+ * @property {(frame: any) => Record<string, string>} describe each panel in words; empty for one that is not there
  * @property {import('./controls.js').Control[]} controls
  * @property {(frame: any) => import('./shell.js').Readout[]} readouts the same keys each time
  * @property {(frame: any) => string} [verdict] the state in one sentence, shown
  * @property {(frame: any, previous: any) => string} announce what has changed, for screen readers
  * @property {(frame: any) => Record<string, number[]>} series columns of the CSV
+ */
+
+/**
+ * @typedef {object} Aside
+ * @property {(lab: any) => any} whole computes all of it at once, for a still
+ * @property {(changed: () => void) => Beside} open begins it; `changed` is called when there is more of it
+ *
+ * @typedef {object} Beside what is being computed beside a run
+ * @property {any} value what `view.aside` gives to the panels, another object after each change
+ * @property {import('./progress.js').Work | null} progress how far it has come; null when nothing is left to compute
+ * @property {(frame: any) => void} follow tells it which frame is on the screen
+ * @property {() => void} cancel gives the rest up
  */
 
 /** @typedef {{ ok: true, run: any, mangled: boolean } | { ok: false, why: string }} Opened */

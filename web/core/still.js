@@ -13,17 +13,19 @@ const nothing = () => {}
  * @param {import('./spec.js').FigureSpec} spec
  * @param {any} frame
  * @param {import('estimate-wasm').Parameter[]} parameters the lab's
- * @returns {{ html: string, words: string }}
+ * @param {any} [aside] what is computed beside the run
+ * @returns {{ still: Element, words: string }}
  */
-export function drawStill(document, spec, frame, parameters) {
+export function drawStill(document, spec, frame, parameters, aside = null) {
   const into = document.createElement('div')
+  into.className = 'still'
   const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, embed: nothing, download: nothing }
   const shell = buildShell(document, spec, into, orders, parameters)
   const view = {
-    previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: {}, limits: shell.limits,
+    previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: {}, aside, limits: shell.limits,
     handle: (/** @type {any} */ pen, /** @type {string} */ key, /** @type {any} */ handle) => void drawHandle(pen, key, handle),
   }
-  for (const { name, draw } of spec.panels) draw(shell.panels[name], frame, view)
+  for (const { name, draw, shown } of spec.panels) if (shown?.(frame) ?? true) draw(shell.panels[name], frame, view)
   shell.show(frame, { rate: 1, playing: false })
   for (const { svg } of Object.values(shell.panels)) {
     svg.removeAttribute('role')
@@ -34,8 +36,8 @@ export function drawStill(document, spec, frame, parameters) {
   for (const part of into.querySelectorAll('.invite, .more dl')) part.remove()
   for (const control of into.querySelectorAll('button, input, select')) control.replaceWith(likeness(document, control))
   for (const more of into.querySelectorAll('.more')) more.replaceWith(closed(document, more))
-  const said = Object.values(spec.describe(frame)).join(' ')
-  return { html: into.innerHTML, words: `${said} ${spec.verdict?.(frame) ?? ''}`.trim() }
+  const said = Object.values(spec.describe(frame)).filter(Boolean).join(' ')
+  return { still: into, words: `${said} ${spec.verdict?.(frame) ?? ''}`.trim() }
 }
 
 /** What stands for a block that cannot be unfolded. @param {Document} document @param {Element} block */
@@ -54,10 +56,11 @@ function closed(document, block) {
  */
 function likeness(document, control) {
   const span = document.createElement('span')
+  if (control.hasAttribute('hidden')) span.setAttribute('hidden', '')
   const kind = control.localName === 'input' ? control.getAttribute('type') : control.localName
   span.setAttribute('class', `${control.getAttribute('class') ?? ''} like-${kind}`.trim())
   if (kind === 'button') span.append(...control.childNodes)
-  if (kind === 'number') span.append(control.getAttribute('value') ?? '')
+  if (kind === 'number' || kind === 'text') span.append(control.getAttribute('value') ?? '')
   if (kind === 'checkbox' && control.hasAttribute('checked')) span.append('✓')
   if (kind === 'range') {
     const [min, max, value] = ['min', 'max', 'value'].map((name) => Number(control.getAttribute(name)))

@@ -1,15 +1,36 @@
 /**
  * Labels with symbols in them.
  *
- * A label may use a small notation: `*R*_1` is an italic R with the index 1; `_{12}` and `^{⊤}` take more than one letter.
- * Where the two books use different letters a label is `{ choset, thrun }`. Both are written into the page, and its style
- * shows one of them.
+ * A label may use a small notation: `*g*_1` is an italic g with the index 1; `_{12}` and `^{⊤}` take more than one letter.
+ * A symbol that the notations write with different letters stands under its name in braces, as in `Gain {R}`. Where a letter is a
+ * name that has to stay, as in a file's format, `*V*{also V}` adds the reader's own: V (Q). All readings are written into the
+ * page, and its style shows one of them.
  */
 
 import { SVG } from './element.js'
 
-/** @typedef {string | { choset: string, thrun: string }} Words */
+/** @typedef {string} Words */
 /** @typedef {{ kind: 'plain' | 'symbol' | 'sub' | 'sup', text: string }} Piece */
+
+/** The notations that a page can be read in, as `crates/book/src/notation.rs` has them; the first is the page's own. */
+const NOTATIONS = ['choset', 'thrun', 'common']
+
+/** Symbols by their names in `content/macros.toml`, in the letters of each notation. */
+export const SYMBOLS = /** @type {Record<string, string[]>} */ ({
+  F: ['*F*', '*A*', '*F*'], G: ['*G*', '*B*', '*B*'], H: ['*H*', '*C*', '*H*'], V: ['*V*', '*R*', '*Q*'], W: ['*W*', '*Q*', '*R*'],
+  K: ['*K*', '*L*', '*L*'], R: ['*R*', '*K*', '*K*'], Rk: ['*R*(*k*)', '*K*_t', '*K*_k'],
+  y: ['*y*', '*z*', '*z*'], P: ['*P*', 'Σ', '*P*'], Pk: ['*P*(*k* | *k*)', 'Σ_t', '*P*_{k|k}'], Pstart: ['*P*(0 | 0)', 'Σ_0', '*P*_{0|0}'], innov: ['*ν*', '*ν*', '*ỹ*'], k: ['*k*', '*t*', '*k*'],
+})
+
+/** The words in the letters of each notation. @param {Words} words */
+export function readings(words) {
+  // Symbols beside each other are one word in italics.
+  const read = (/** @type {number} */ n) => words
+    .replace(/\{(\w+)\}/g, (marked, name) => SYMBOLS[name]?.[n] ?? marked)
+    .replace(/\{also (\w+)\}/g, (_, name) => (SYMBOLS[name][n] === SYMBOLS[name][0] ? '' : ` (${SYMBOLS[name][n]})`))
+    .replaceAll('**', '')
+  return NOTATIONS.map((_, n) => read(n))
+}
 
 /**
  * @param {string} words
@@ -28,14 +49,14 @@ export function pieces(words) {
   return found
 }
 
-/**
- * The words without their marks, as the name that a screen reader says.
- * @param {Words} words
- * @param {'choset' | 'thrun'} [notation]
- */
-export function plain(words, notation = 'choset') {
-  return pieces(typeof words === 'string' ? words : words[notation]).map((piece) => piece.text).join('')
-}
+/** The words without their marks, as the name that a screen reader says, in the page's own letters. @param {Words} words */
+export const plain = (words) => unmarked(readings(words)[0])
+
+/** @param {string} words in the letters of one notation */
+export const unmarked = (words) => pieces(words).map((piece) => piece.text).join('')
+
+/** Words in which a unit stays on the line of its number. @param {string} words */
+export const held = (words) => words.replace(/(?<=\d) (?=(?:%|m|m\/s|m²|s|rad)(?![\p{L}\d]))/gu, '\u00a0')
 
 const ELEMENTS = { plain: 'span', symbol: 'i', sub: 'sub', sup: 'sup' }
 
@@ -90,7 +111,7 @@ export function writeSvg(into, words) {
  * @returns {[string, string | null][]}
  */
 function variants(words) {
-  if (typeof words === 'string') return [[words, null]]
-  if (words.choset === words.thrun) return [[words.choset, null]]
-  return [[words.choset, 'in-choset'], [words.thrun, 'in-thrun']]
+  const all = readings(words)
+  if (all.every((one) => one === all[0])) return [[all[0], null]]
+  return all.map((one, n) => [one, `in-${NOTATIONS[n]}`])
 }

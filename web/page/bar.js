@@ -24,14 +24,15 @@ export function bar() {
   const search = button(document, box, 'Search', () => {}, '')
   search.toggleAttribute('data-open-search', true)
   search.setAttribute('aria-haspopup', 'dialog')
-  const other = () => /** @type {HTMLElement | null} */ (document.querySelector('[data-set-notation][aria-pressed="false"]'))
-  if (other()) {
+  const notations = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-set-notation]')])
+  if (notations.length) {
+    const chosen = () => notations.findIndex((it) => it.getAttribute('aria-pressed') === 'true')
     const letters = button(document, box, '', () => {
-      other()?.click()
+      notations[(chosen() + 1) % notations.length].click()
       name()
     }, '')
     const name = () => {
-      const now = document.documentElement.dataset.notation === 'thrun' ? 'Thrun' : 'Choset'
+      const now = notations[chosen()].textContent
       letters.textContent = now
       letters.setAttribute('aria-label', `Letters: ${now}. Change them`)
     }

@@ -43,11 +43,13 @@ export function follow() {
   }, { passive: true })
   update()
   drawer(nav)
-  // Nobody needs the bar who has not scrolled.
-  addEventListener('scroll', () => import('./bar.js').then(({ bar }) => {
+  // Nobody needs the bar who has not scrolled; a reader may have scrolled before this script came.
+  const bring = () => import('./bar.js').then(({ bar }) => {
     tell = bar()
     tell(current)
-  }, () => {}), { once: true, passive: true })
+  }, () => {})
+  if (scrollY > 0) bring()
+  else addEventListener('scroll', bring, { once: true, passive: true })
 }
 
 /** @param {HTMLElement} nav */

@@ -12,7 +12,7 @@ try {
   const theme = localStorage.getItem('theme')
   if (theme === 'light' || theme === 'dark') root.dataset.theme = theme
   const notation = localStorage.getItem('notation')
-  if (notation === 'thrun') root.dataset.notation = notation
+  if (notation) root.dataset.notation = notation
 } catch {
   // Without storage the page begins with the usual settings.
 }
@@ -25,7 +25,9 @@ addEventListener('error', ({ target }) => {
 }, true)
 
 const show = () => root.classList.remove('waiting')
-const faces = ['400 1em Text', 'italic 400 1em Text', '400 1em Plain'].map((face) => document.fonts.load(face))
+const faces = ['400 1em Text', 'italic 400 1em Text', '400 1em Plain']
+// A short page may show a formula at once, which other faces make wider or narrower; the chapter begins with text.
+if (root.dataset.page === 'page' && document.querySelector('link[rel="preload"][href*="KaTeX"]')) faces.push('400 1em KaTeX_Main', 'italic 400 1em KaTeX_Math')
 root.classList.add('waiting')
 setTimeout(show, 1200)
-Promise.all([...faces, keepPlace()]).then(show, show)
+Promise.all([...faces.map((face) => document.fonts.load(face)), keepPlace()]).then(show, show)

@@ -1,39 +1,49 @@
 /**
- * The formulas in Thrun's letters. A page carries its formulas in Choset's letters. The formulas that read differently in
- * Thrun's are in a file beside the page, which is fetched when a reader first switches.
+ * The letters of a notation. A page carries its formulas in Choset's letters. The formulas that read differently in another
+ * notation are in a file beside the page, which is fetched when a reader first chooses that notation.
  */
 
 import { PATIENCE_MS } from '../core/patience.js'
 
-/** @type {Promise<void> | undefined} */
-let coming
+const root = document.documentElement
+/** What has been fetched or is on its way. @type {Map<string, Promise<void>>} */
+const coming = new Map()
 
-/** Puts the formulas of this page in Thrun's letters beside those in Choset's. */
-export function thrun() {
-  coming ??= fetched().then(
-    (readings) => put(readings),
-    (error) => {
-      coming = undefined
-      throw error
-    },
-  )
-  return coming
+/** Shows the page in the letters of a notation, unless the reader has chosen another meanwhile. @param {string} notation */
+export async function show(notation) {
+  if (notation !== 'choset') await here(notation)
+  if (root.dataset.notation !== notation) return
+  root.dataset.letters = notation
+  for (const image of /** @type {NodeListOf<HTMLImageElement>} */ (document.querySelectorAll('img.panel'))) {
+    image.src = image.src.replace(/(-thrun|-common)?$/, notation === 'choset' ? '' : `-${notation}`)
+  }
 }
 
-/** @returns {Promise<string[]>} */
-async function fetched() {
-  if (!document.querySelector('[data-thrun]')) return []
-  const answer = await fetch('thrun.json', { signal: AbortSignal.timeout(PATIENCE_MS) })
-  if (!answer.ok) throw new Error(`thrun.json: ${answer.status}`)
+/** @param {string} notation */
+function here(notation) {
+  const known = coming.get(notation)
+  if (known) return known
+  const put = fetched(notation).then((readings) => write(notation, readings))
+  coming.set(notation, put)
+  put.catch(() => coming.delete(notation))
+  return put
+}
+
+/** @param {string} notation @returns {Promise<string[]>} */
+async function fetched(notation) {
+  if (!document.querySelector('[data-other]')) return []
+  const file = `${notation}.json`
+  const answer = await fetch(file, { signal: AbortSignal.timeout(PATIENCE_MS) })
+  if (!answer.ok) throw new Error(`${file}: ${answer.status}`)
   const { readings = await kept(answer.url) } = matching(await answer.json())
   // Of another edition than the page: its numbers name other formulas.
-  if (!readings) throw new Error('thrun.json', { cause: 'version' })
+  if (!readings) throw new Error(file, { cause: 'version' })
   return readings
 }
 
 /** The readings of this page's edition, or none. @param {{ version: string, readings: string[] }} found @returns {{ readings?: string[] }} */
 function matching({ version, readings }) {
-  return version === document.documentElement.dataset.readings ? { readings } : {}
+  return version === root.dataset.readings ? { readings } : {}
 }
 
 /** The page's own readings out of what was kept for reading offline, after a new edition has come. @param {string} address */
@@ -47,16 +57,19 @@ async function kept(address) {
   return undefined
 }
 
-/** @param {string[]} readings as the book wrote them, by the number in `data-thrun` */
-function put(readings) {
+/**
+ * @param {string} notation
+ * @param {string[]} readings as the book wrote them, by the number in `data-other`; empty where the page's own letters stand
+ */
+function write(notation, readings) {
   const page = readings.map((html) => `<div>${html}</div>`).join('')
   const parsed = [...new DOMParser().parseFromString(page, 'text/html').body.children]
-  for (const formula of document.querySelectorAll('[data-thrun]')) {
-    const other = parsed[Number(formula.getAttribute('data-thrun'))]
+  for (const formula of document.querySelectorAll('[data-other]')) {
+    const other = parsed[Number(formula.getAttribute('data-other'))]
+    const letters = other.childNodes.length > 0 ? other : /** @type {Element} */ (formula.querySelector('.in-choset'))
     const reading = document.createElement(formula.localName)
-    reading.className = 'in-thrun'
-    reading.append(...[...other.childNodes].map((node) => document.importNode(node, true)))
+    reading.className = `in-${notation}`
+    reading.append(...[...letters.childNodes].map((node) => document.importNode(node, true)))
     formula.append(reading)
   }
-  document.documentElement.classList.add('two-notations')
 }

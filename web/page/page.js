@@ -36,17 +36,31 @@ whenRead(() => {
   for (const waiting of document.querySelectorAll('[data-needs-js]')) waiting.removeAttribute('hidden')
   switches()
   if ([...new URLSearchParams(location.search).keys()].some((key) => key.startsWith('fig-'))) import('./links.js').then(({ links }) => links(WIDGETS))
-  if (document.querySelector('.quiz')) import('./quiz.js').then(({ quizzes }) => quizzes(), withoutQuizzes)
+  questions()
+  if (document.querySelector('.own-log')) import('./log.js').then(({ ownLog }) => ownLog(), withoutLog)
 })
 idle(() => {
-  import('./contents.js').then(({ follow }) => follow())
-  import('./terms.js').then(({ terms }) => terms())
-  import('./scroll-boxes.js').then(({ scrollBoxes }) => scrollBoxes())
-  import('./offline.js').then(({ offline }) => offline())
+  import('./later.js').then(({ later }) => later())
 })
 
 function search() {
   import('./search.js').then(({ openSearch }) => openSearch(), () => say('The search could not be fetched.'))
+}
+
+/** Brings the script of the questions when one of them, a figure that waits for its answer or the place of the score comes near. */
+function questions() {
+  const locks = [...document.querySelectorAll('.quiz[data-unlocks]')].map((quiz) => `#${quiz.getAttribute('data-unlocks')}`)
+  let coming = false
+  whenNear(['.quiz', '[data-score]', ...locks].join(), () => {
+    if (!coming) import('./quiz.js').then(({ quizzes }) => quizzes(), withoutQuizzes)
+    coming = true
+  })
+}
+
+/** A log whose script is lost cannot be opened, and the page says so. */
+function withoutLog() {
+  const [intake, words] = ['.log-intake', '.log-without'].map((place) => document.querySelector(place))
+  if (intake && words) intake.textContent = words.textContent
 }
 
 /** Questions whose script is lost are as they are without scripts: nothing to press, and the answers there. */

@@ -1,9 +1,14 @@
 /**
  * Before the page is printed every block is unfolded, and the answers go from their questions to the end, where a reader of paper
- * looks them up. Afterwards all is as it was.
+ * looks them up. Formulas that are wider than a column of paper are set smaller. Afterwards all is as it was.
  */
 
 import { part } from '../core/element.js'
+
+/** The width of a column of paper, of what is indented in it, and of an equation's number, in letters' heights (web/style/print.css). */
+const COLUMN = 26
+const INDENTED = 24.4
+const NUMBER = 2.9
 
 export function openForPrint() {
   /** @type {HTMLDetailsElement[]} */
@@ -13,6 +18,7 @@ export function openForPrint() {
     opened = [...document.querySelectorAll('details')].filter((block) => !block.open)
     for (const block of opened) block.open = true
     back = answersApart()
+    fitFormulas()
   })
   addEventListener('afterprint', () => {
     for (const block of opened) block.open = false
@@ -41,5 +47,20 @@ function answersApart() {
   return () => {
     for (const { answer, place } of places) place.replaceWith(answer)
     end.remove()
+  }
+}
+
+/** Tells the style how much smaller each displayed formula has to be on paper; on a screen it makes no difference. */
+function fitFormulas() {
+  for (const box of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.chapter .equation-body'))) {
+    const drawn = box.querySelector('.katex-html')
+    if (!drawn) continue
+    const range = document.createRange()
+    range.selectNodeContents(drawn)
+    const wide = range.getBoundingClientRect().width / Number.parseFloat(getComputedStyle(box).fontSize)
+    const room = (box.closest('.derivation, .definition, .note, .quiz, details') ? INDENTED : COLUMN) - (box.parentElement?.matches('.numbered') ? NUMBER : 0)
+    if (wide > room) box.style.setProperty('--on-paper', (Math.floor((100 * room) / wide) / 100).toString())
+    // In another notation it may fit.
+    else box.style.removeProperty('--on-paper')
   }
 }

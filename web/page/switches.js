@@ -10,22 +10,27 @@ export function switches() {
     else root.dataset.theme = value
     remember('theme', value === 'auto' ? null : value)
   })
-  group('notation', recall('notation') === 'thrun' ? 'thrun' : 'choset', (value) => {
+  const known = [...document.querySelectorAll('[data-set-notation]')].map((it) => it.getAttribute('data-set-notation') ?? '')
+  const notation = known.find((it) => it === recall('notation')) ?? 'choset'
+  group('notation', notation, (value) => {
     root.dataset.notation = value
     remember('notation', value)
-    if (value === 'thrun') bringThrun()
-    else say('')
+    bring(value)
   })
-  if (root.dataset.notation === 'thrun') bringThrun()
+  if (notation !== 'choset') bring(notation)
 }
 
-/** Fetches Thrun's letters. Until they are here the page shows Choset's; if the fetch fails, the switch goes back and says why. */
-function bringThrun() {
-  const back = /** @type {HTMLElement | null} */ (document.querySelector('[data-set-notation="choset"]'))
+/**
+ * Shows the letters of a notation. Those that are not the page's own are fetched; until they are here the letters stay as they
+ * are, and if the fetch fails, the switch goes back to the page's own and says why.
+ * @param {string} notation
+ */
+function bring(notation) {
+  const own = /** @type {HTMLElement | null} */ (document.querySelector('[data-set-notation="choset"]'))
   say('')
-  import('./notation.js').then(({ thrun }) => thrun()).catch((error) => {
-    back?.click()
-    say(error.cause === 'version' ? 'The book has changed since: reload this page for Thrun’s letters.' : 'Thrun’s letters could not be fetched.')
+  import('./notation.js').then(({ show }) => show(notation)).catch((error) => {
+    own?.click()
+    say(error.cause === 'version' ? 'The book has changed since: reload this page for these letters.' : 'These letters could not be fetched.')
   })
 }
 

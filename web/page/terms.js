@@ -3,6 +3,8 @@
  * highlights the marks of its colour in the nearest figure.
  */
 
+import { PATIENCE_MS } from '../core/patience.js'
+
 const KINDS = ['prediction', 'posterior', 'measurement', 'truth']
 /** A coloured symbol of a formula explains itself as a word does. */
 const SYMBOLS = KINDS.map((kind) => `.term-${kind}`).join()
@@ -28,12 +30,18 @@ export function terms() {
     pinned = false
     box.hidden = true
   }
-  const show = (/** @type {Element} */ caller) => {
+  const show = async (/** @type {Element} */ caller) => {
     clearTimeout(timer)
     if (owner === caller) return
     hide()
-    if (!fill(box, caller)) return
     owner = caller
+    const entries = await entriesOf(caller)
+    // The reader may have moved on meanwhile.
+    if (owner !== caller) return
+    if (entries.length === 0) return hide()
+    const list = document.createElement('dl')
+    list.append(...entries)
+    box.replaceChildren(list)
     if (caller.matches('a')) caller.setAttribute('aria-describedby', 'popover')
     box.hidden = false
     place(box, caller)
@@ -80,24 +88,50 @@ export function terms() {
   })
 }
 
-/** @param {Element} box @param {Element} caller */
-function fill(box, caller) {
+/** What explains a word or a number, as copies without ids. @param {Element} caller @returns {Promise<Element[]>} */
+async function entriesOf(caller) {
   const { term, number, numbers } = /** @type {HTMLElement} */ (caller).dataset
-  // A number in the text names its entry in its address alone.
-  const linked = /** @type {Partial<HTMLAnchorElement>} */ (caller).hash?.slice(1) ?? ''
   const kind = KINDS.find((one) => caller.classList.contains(`term-${one}`))
-  const ids = term ?? (!number && !numbers && kind) ? [`gloss-${term ?? kind}`] : numbers ? numbers.split(' ').map((id) => `number-${id}`) : [number ? `number-${number}` : linked]
-  const entries = ids.map((id) => document.getElementById(id)).filter((entry) => entry !== null)
-  if (!entries.length) return false
-  const copies = entries.slice(0, 4).map((entry) => {
-    const copy = /** @type {Element} */ (entry.cloneNode(true))
+  if (term ?? (!number && !numbers && kind)) return copies(document, [`gloss-${term ?? kind}`])
+  // A number in the text names its entry in its address alone.
+  const linked = /** @type {Partial<HTMLAnchorElement>} */ (caller).hash?.replace('#number-', '') ?? ''
+  const ids = (numbers ?? number ?? linked).split(' ').slice(0, MOST).map((id) => `number-${id}`)
+  listed ??= listOfNumbers().catch(() => {
+    listed = null
+    return LOST
+  })
+  const found = await listed
+  return found === LOST ? [lost()] : copies(found, ids)
+}
+
+/** The page that lists the numbers of this one, fetched when a reader first asks for one. @type {Promise<Document> | null} */
+let listed = null
+const LOST = document.implementation.createHTMLDocument('')
+/** A popover explains at most so many numbers of a formula. */
+const MOST = 4
+
+async function listOfNumbers() {
+  const address = new URL('numbers/', location.href)
+  const answer = await fetch(address, { signal: AbortSignal.timeout(PATIENCE_MS) })
+  if (!answer.ok) throw new Error(`${address}: ${answer.status}`)
+  const page = new DOMParser().parseFromString(await answer.text(), 'text/html')
+  for (const link of page.querySelectorAll('a')) link.href = new URL(link.getAttribute('href') ?? '', address).href
+  return page
+}
+
+/** @param {Document} from @param {string[]} ids */
+function copies(from, ids) {
+  return ids.map((id) => from.getElementById(id)).filter((entry) => entry !== null).map((entry) => {
+    const copy = document.importNode(entry, true)
     for (const part of [copy, ...copy.querySelectorAll('[id]')]) part.removeAttribute('id')
     return copy
   })
-  const list = document.createElement('dl')
-  list.append(...copies)
-  box.replaceChildren(list)
-  return true
+}
+
+function lost() {
+  const words = document.createElement('dd')
+  words.textContent = 'What computes this number is in a list that could not be fetched: are you offline?'
+  return words
 }
 
 /** @param {HTMLElement} box @param {Element} caller */

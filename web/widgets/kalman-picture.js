@@ -4,6 +4,7 @@
  */
 
 import { fixed } from '../core/numbers.js'
+import { drawAxis } from './kalman-picture/axis.js'
 import { drawPlane } from './kalman-picture/plane.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
@@ -16,7 +17,39 @@ const start = { params: {}, step: 0 }
 
 /** @param {Frame} frame */
 function verdict(frame) {
-  return frame.params.noise === 0 ? `${ofTheFeet(frame)} The sensor is perfect: Ω and Ω* are one line.` : ofTheFeet(frame)
+  const { guess, sealed, noise } = frame.params
+  const grown = ofTheGrown(frame)
+  if (sealed) return `The answer is hidden: ${guess === null ? 'drop a guess, or show it' : 'drag your guess along the green line, then show it'}.${grown}`
+  return `${ofTheFeet(frame)}${ofTheWeights(frame)}${noise === 0 ? ' The sensor is perfect: Ω and Ω* are one line.' : ''}${ofTheGuess(frame)}${grown}`
+}
+
+/** @param {Frame} frame */
+function ofTheGuess({ guess, mahalanobisFoot: purple }) {
+  if (!guess) return ''
+  const off = Math.hypot(guess.at[0] - purple.at[0], guess.at[1] - purple.at[1])
+  if (off < 0.026) return ' Your guess is the purple foot, the most probable point of the line.'
+  const times = 1 / guess.density
+  return ` Your guess is ${fixed(off, 2)} away from the purple foot, which is ${times < 1000 ? fixed(times, 2) : 'more than 999'} times as probable.`
+}
+
+/** How the two opinions weigh against each other: each weighs one over its variance. @param {Frame} frame */
+function ofTheWeights({ params: { noise }, expectedVariance }) {
+  if (noise === 0) return ''
+  const times = expectedVariance / noise
+  if (Math.abs(times - 1) < 0.005) return ' Reading and expected output weigh the same: y* lies half way.'
+  return times > 1 ? ` The reading weighs ${fixed(times, 2)} times as much as the expected output.` : ` The expected output weighs ${fixed(1 / times, 2)} times as much as the reading.`
+}
+
+/** Within half a step of the slider the ellipse touches a line. */
+const TOUCHES = 0.026
+
+/** @param {Frame} frame */
+function ofTheGrown({ params, inside, mahalanobisFoot, update }) {
+  const { radius, noise, sealed } = params
+  if (radius === 0) return ''
+  const reaches = (/** @type {string} */ line, /** @type {number} */ distance) => `${Math.abs(radius - distance) <= TOUCHES ? 'touches' : radius < distance ? 'does not reach' : 'crosses'} ${line}`
+  const both = [...(noise > 0 && !sealed ? [reaches('Ω*', update.distance)] : []), reaches('Ω', mahalanobisFoot.distance)]
+  return ` Grown to ${fixed(radius, 2)} σ, the ellipse holds ${fixed(100 * inside, 0)} % of the probability; it ${both.join(' and ')}.`
 }
 
 /** @param {Frame} frame */
@@ -30,30 +63,40 @@ function ofTheFeet({ params, innovation, euclideanFoot: gray, mahalanobisFoot: p
 /** @param {Frame} frame */
 function describe(frame) {
   const point = (/** @type {number[]} */ [x, v]) => `${fixed(x, 2)} metres and ${fixed(v, 2)} metres a second`
+  const { params, expectedOutput, expectedVariance, mostLikelyOutput } = frame
+  const answer = params.sealed ? 'the answer is hidden' : `the Mahalanobis foot at ${point(frame.mahalanobisFoot.at)}; on the line of the most likely output ${fixed(mostLikelyOutput, 2)} the Kalman update at ${point(frame.posterior.x)}`
   return {
-    plane: `Plane of position and velocity: a prediction at ${point(frame.params.mean)} with its ellipse; the line of states that explain the reading ${fixed(frame.params.reading, 2)}; the perpendicular foot at ${point(frame.euclideanFoot.at)}, the Mahalanobis foot at ${point(frame.mahalanobisFoot.at)}; on the line of the most likely output ${fixed(frame.mostLikelyOutput, 2)} the Kalman update at ${point(frame.posterior.x)}.`,
+    plane: `Plane of position and velocity: a prediction at ${point(params.mean)} with its ellipse; the line of states that explain the reading ${fixed(params.reading, 2)}; the perpendicular foot at ${point(frame.euclideanFoot.at)}; ${answer}.`,
+    axis: `Axis of the output: a bell about the expected output ${fixed(expectedOutput, 2)} with a standard deviation of ${fixed(Math.sqrt(expectedVariance), 2)}, one about the reading ${fixed(params.reading, 2)} with ${fixed(Math.sqrt(params.noise), 2)}, and their product about ${fixed(mostLikelyOutput, 2)}.`,
   }
 }
 
-// View: one panel, in kalman-picture/plane.js.
+// View: two panels, in the folder's files.
 
 /** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
-function readouts({ innovation, mostLikelyOutput, R, euclideanFoot: gray, mahalanobisFoot: purple, update }) {
+function readouts({ params: { sealed, radius, noise }, innovation, mostLikelyOutput, mostLikelyVariance, expectedVariance, share, inside, R, euclideanFoot: gray, mahalanobisFoot: purple, update }) {
+  /** What would tell where the purple foot stands, or the update. @param {string} value */
+  const answer = (value) => (sealed ? '–' : value)
   /** Rounding leaves a last digit of either sign; what is printed is zero. */
   const zero = (/** @type {number} */ value) => fixed(Math.abs(value) < 5e-4 ? 0 : value, 3)
-  const [byRuler, byMetric] = ['by the ruler', { choset: 'in the metric of *P*', thrun: 'in the metric of Σ' }]
+  /** One over a variance. @param {number} variance */
+  const weight = (variance) => (variance === 0 ? '∞' : fixed(1 / variance, 3))
+  const [byRuler, byMetric] = ['by the ruler', 'in the metric of {P}']
   /** ⟨a, Δx⟩ of a foot. @param {string} key @param {import('../core/words.js').Words} label @param {number} value @param {string} foot @param {import('../core/words.js').Words} metric @param {'truth' | 'posterior'} kin @returns {import('../core/shell.js').Readout} */
-  const cell = (key, label, value, foot, metric, kin) => ({ key, label, value: zero(value), zero: Math.abs(value) < 5e-4, cell: [foot, metric], kin })
+  const cell = (key, label, value, foot, metric, kin) => ({ key, label, value: kin === 'posterior' ? answer(zero(value)) : zero(value), zero: !(sealed && kin === 'posterior') && Math.abs(value) < 5e-4, cell: [foot, metric], kin })
   return [
     cell('gray-euclid', 'Gray ⟨*a*, Δ*x*⟩, ruler', gray.euclidean, 'gray foot', byRuler, 'truth'),
-    cell('gray-mahalanobis', { choset: 'Gray ⟨*a*, Δ*x*⟩, metric of *P*', thrun: 'Gray ⟨*a*, Δ*x*⟩, metric of Σ' }, gray.mahalanobis, 'gray foot', byMetric, 'truth'),
+    cell('gray-mahalanobis', 'Gray ⟨*a*, Δ*x*⟩, metric of {P}', gray.mahalanobis, 'gray foot', byMetric, 'truth'),
     cell('purple-euclid', 'Purple ⟨*a*, Δ*x*⟩, ruler', purple.euclidean, 'purple foot', byRuler, 'posterior'),
-    cell('purple-mahalanobis', { choset: 'Purple ⟨*a*, Δ*x*⟩, metric of *P*', thrun: 'Purple ⟨*a*, Δ*x*⟩, metric of Σ' }, purple.mahalanobis, 'purple foot', byMetric, 'posterior'),
-    { key: 'innovation', label: 'Innovation *ν*', value: fixed(innovation, 3), kin: 'measurement' },
-    { key: 'likely', label: { choset: '*y*^{∗}', thrun: '*z*^{∗}' }, value: fixed(mostLikelyOutput, 3), kin: 'measurement' },
-    { key: 'gain', label: { choset: 'Gain *R* (Thrun *K*)', thrun: 'Gain *K* (Choset *R*)' }, value: `[${fixed(R[0], 3)}, ${fixed(R[1], 3)}]`, kin: 'posterior' },
-    { key: 'update', label: 'Update', value: `[${fixed(update.at[0], 3)}, ${fixed(update.at[1], 3)}]`, kin: 'posterior' },
-    { key: 'residual', label: { choset: '*H*Δ*x* − *ν* of both', thrun: '*C*Δ*x* − *ν* of both' }, value: `${zero(gray.residual)}, ${zero(purple.residual)}`, kin: 'measurement', more: true },
+    cell('purple-mahalanobis', 'Purple ⟨*a*, Δ*x*⟩, metric of {P}', purple.mahalanobis, 'purple foot', byMetric, 'posterior'),
+    { key: 'innovation', label: 'Innovation {innov}', value: fixed(innovation, 3), kin: 'measurement' },
+    { key: 'likely', label: '{y}^{∗}', value: fixed(mostLikelyOutput, 3), kin: 'measurement' },
+    { key: 'weights', label: 'Weights 1/*σ*^{2}: expected + reading = product', value: `${weight(expectedVariance)} + ${weight(noise)} = ${weight(mostLikelyVariance)}`, wide: true, kin: 'measurement' },
+    { key: 'gain', label: 'Gain {R}', value: answer(`[${fixed(R[0], 3)}, ${fixed(R[1], 3)}]`), kin: 'posterior' },
+    { key: 'update', label: 'Update', value: answer(`[${fixed(update.at[0], 3)}, ${fixed(update.at[1], 3)}]`), kin: 'posterior' },
+    { key: 'share', label: 'Part of {innov} taken over', value: fixed(share, 3), kin: 'posterior' },
+    { key: 'inside', label: 'Inside the grown ellipse', value: `${fixed(100 * inside, 0)} %`, kin: 'prediction', shown: radius > 0 },
+    { key: 'residual', label: '{H}Δ*x* − {innov} of both', value: `${zero(gray.residual)}, ${zero(purple.residual)}`, kin: 'measurement', more: true },
   ]
 }
 
@@ -67,10 +110,12 @@ const defaults = (lab) => Object.fromEntries(lab.constructor.parameters().map((/
 /** @type {import('../core/controls.js').Control[]} */
 const controls = [
   {
-    kind: 'range', name: 'noise', label: { choset: 'Sensor noise *W* (Thrun *Q*)', thrun: 'Sensor noise *Q* (Choset *W*)' },
+    kind: 'range', name: 'noise', label: 'Sensor noise {W}',
     words: (value) => fixed(value, 2),
-    notches: () => [{ at: 0, name: '0' }, { at: 0.5, name: 'step 1' }],
+    notches: () => [{ at: 0, name: '' }, { at: 0.5, name: 'step 1' }],
   },
+  { kind: 'range', name: 'radius', label: 'Grow an ellipse, in *σ*', words: (value) => fixed(value, 2), notches: () => [{ at: 0, name: '0' }, { at: 1, name: '1' }] },
+  { kind: 'toggle', name: 'sealed', label: 'hide the answer', set: (on, params) => ({ sealed: on, guess: on ? params.guess ?? 0 : params.guess }) },
   {
     kind: 'range', name: 'tilt', label: 'Turn of the sensor, degrees', ends: [-90, 0],
     words: (value) => `${fixed(value, 0)}°`,
@@ -80,9 +125,18 @@ const controls = [
   },
 ]
 
+/** As noisy a sensor as the expectation is uncertain; an ellipse too large for that shrinks. @param {Frame} frame @param {any} lab */
+function equalOpinions({ expectedVariance, params: { semiMajor, semiMinor } }, lab) {
+  const { greatest } = lab.constructor.parameters().find((/** @type {import('estimate-wasm').Parameter} */ { name }) => name === 'noise')
+  const shrink = Math.sqrt(Math.min(1, greatest / expectedVariance))
+  return { noise: Math.min(greatest, expectedVariance), semiMajor: semiMajor * shrink, semiMinor: semiMinor * shrink }
+}
+
 /** @type {import('../core/spec.js').Try[]} */
 const tries = [
+  { name: 'guess', label: 'Drop a guess first', change: () => ({ sealed: true, guess: 0, radius: 0 }) },
   { name: 'perfect', label: 'Sensor noise to zero', change: () => ({ noise: 0 }) },
+  { name: 'equal', label: 'Two equal opinions', change: equalOpinions },
   { name: 'round', label: 'Make it a circle', change: (/** @type {Frame} */ { params }) => ({ semiMajor: params.semiMinor }) },
   { name: 'position', label: 'Measure the position', change: () => ({ tilt: -90 * degree }) },
   { name: 'again', label: 'As in step 1', change: (_, lab) => defaults(lab) },
@@ -96,10 +150,10 @@ export const kalmanPicture = {
   start,
   seeded: false,
   timeless: true,
-  panels: [{ name: 'plane', width: 600, height: 500, handles: true, draw: drawPlane }],
+  panels: [{ name: 'plane', width: 600, height: 500, handles: true, draw: drawPlane }, { name: 'axis', width: 370, height: 260, handles: true, draw: drawAxis }],
   layout: {
-    narrow: ['plane', 'verdict', 'readouts'],
-    medium: ['plane verdict', 'plane readouts'],
+    narrow: ['plane', 'verdict', 'axis', 'tries', 'controls', 'readouts'],
+    medium: ['plane verdict', 'plane axis', 'plane tries', 'controls controls', 'readouts readouts'],
     columns: { medium: '8fr 5fr' },
   },
   tries,

@@ -3,9 +3,11 @@
  * directions of its pose do the readings see, frozen at this pose and along the path driven?
  */
 
+import { loadLate } from '../core/late.js'
 import { fixed, power } from '../core/numbers.js'
 import { drawMap } from './observability-probe/map.js'
 import { drawConsistency, drawTrace } from './observability-probe/history.js'
+import { drawBearings, drawRanges, ofTheGhost, sketch } from './observability-probe/ghost.js'
 import { drawRanks } from './observability-probe/ranks.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
@@ -20,7 +22,9 @@ const NUMBERS = ['no', 'one', 'two', 'three']
 const capital = (/** @type {string} */ words) => words[0].toUpperCase() + words.slice(1)
 
 /** @param {Frame} frame */
-function verdict({ params, sensor, frozen, alongPath, slam }) {
+function verdict(frame) {
+  const { params, sensor, frozen, alongPath, slam } = frame
+  if (frame.ghost) return ofTheGhost(frame)
   if (slam) {
     const worst = slam.worst ? ` The worst stands ${fixed(slam.worst.error, 2)} m off, ${fixed(slam.worst.sigma, 1)} of its own σ.` : ''
     return `The map is forgotten: ${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.${worst}${slam.full ? ' The map is full: it founds no more.' : ''}`
@@ -43,30 +47,39 @@ function ofTheRanks(count, frozen, { rank, relative }) {
 
 /** @param {Frame} frame */
 function describe(frame) {
-  const { estimate, error, ellipse, frozen, alongPath, trace, mean } = frame
+  const { estimate, error, ellipse, frozen, alongPath, trace, mean, ghost } = frame
   const ranks = (/** @type {import('estimate-wasm').ProbeRanks} */ r) => `rank ${r.rank} of ${r.n}, smallest over largest singular value ${power(r.relative[r.relative.length - 1])}`
   const landmarks = frame.landmarks.filter(({ shown }) => shown).map(({ x, y }, i) => `${i + 1} at ${fixed(x, 1)}, ${fixed(y, 1)}`).join('; ')
   return {
-    map: `Room A, 6 by 6 metres, step ${frame.step}. Landmarks: ${landmarks}. The estimate stands at ${fixed(estimate[0], 2)}, ${fixed(estimate[1], 2)}, off by ${fixed(Math.hypot(error[0], error[1]), 2)} metres; its ellipse has half-axes of ${fixed(ellipse.semiMajor, 2)} and ${fixed(ellipse.semiMinor, 2)} metres.`,
+    map: `Room A, 6 by 6 metres, step ${frame.step}. Landmarks: ${landmarks}. The estimate stands at ${fixed(estimate[0], 2)}, ${fixed(estimate[1], 2)}, off by ${fixed(Math.hypot(error[0], error[1]), 2)} metres; its ellipse has half-axes of ${fixed(ellipse.semiMajor, 2)} and ${fixed(ellipse.semiMinor, 2)} metres.${ghost ? ` A ghost stands at ${fixed(ghost.pose[0], 2)}, ${fixed(ghost.pose[1], 2)}.` : ''}`,
     ranks: `Singular values on a logarithmic scale. Frozen: ${ranks(frozen)}. Along the path: ${alongPath.steps === 0 ? 'no step yet' : ranks(alongPath)}.`,
     trace: `Trace of the pose covariance over time, now ${fixed(trace.total, 3)}; with two landmarks it would be ${fixed(trace.reference, 3)}.`,
-    nees: `Normalized estimation error over time, mean ${fixed(mean.nees, 1)}; 3 is expected.`,
-    nis: `Normalized innovation over time, mean ${fixed(mean.nisPerDof, 1)} for each degree of freedom; 1 is expected.`,
+    ranges: ghost ? `Ranges over time, of the robot and of the ghost; they differ by up to ${fixed(ghost.rangeGap, 3)} metres.` : '',
+    bearings: ghost && ghost.bearingGap !== null ? `Bearings over time, of the robot and of the ghost; they differ by up to ${fixed((ghost.bearingGap * 180) / Math.PI, 1)} degrees.` : '',
+    nees: ghost ? '' : `Normalized estimation error over time, mean ${fixed(mean.nees, 1)}; 3 is expected.`,
+    nis: ghost ? '' : `Normalized innovation over time, mean ${fixed(mean.nisPerDof, 1)} for each degree of freedom; 1 is expected.`,
   }
 }
 
-// View: five panels, each in a file of the folder, and what is said beside them.
+// View: seven panels, each in a file of the folder, and what is said beside them.
 
 /** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
-function readouts({ frozen, alongPath, trace, mean, slam, step }) {
+function readouts({ frozen, alongPath, trace, mean, slam, step, ghost }) {
+  /** [dx, dy, dθ] with the position's part 1 m long, if it has one. @param {number[] | null | undefined} c */
+  const vector = (c) => (c ? `[${c.map((entry) => fixed(entry, 2)).join(', ')}]` : '–')
+  const haunted = Boolean(ghost)
   const of = (/** @type {import('estimate-wasm').ProbeRanks} */ { rank, n }) => `${rank} of ${n}`
   const counts = slam ? `${slam.matched} / ${slam.founded} / ${slam.rejected}` : '–'
   return [
     { key: 'path', label: 'Rank, along the path', value: alongPath.steps === 0 ? '–' : of(alongPath), headline: true },
     { key: 'frozen', label: 'Rank, frozen', value: of(frozen) },
-    { key: 'trace', label: { choset: 'Spread, tr *P*', thrun: 'Spread, tr Σ' }, value: fixed(trace.total, 3), kin: 'posterior' },
+    { key: 'trace', label: 'Spread, tr {P}', value: fixed(trace.total, 3), kin: 'posterior' },
     { key: 'reference', label: 'with two landmarks', value: fixed(trace.reference, 3), kin: 'truth' },
     { key: 'step', label: 'Step', value: String(step) },
+    { key: 'by-hand', label: 'Mixed by hand', value: vector(ghost?.byHand), wide: true, shown: haunted },
+    { key: 'computed', label: 'Null vector, along the path', value: alongPath.directions.length === 1 ? vector(alongPath.directions[0]) : '–', wide: true, shown: haunted },
+    { key: 'range-gap', label: 'Ranges differ by', value: fixed(ghost?.rangeGap, 3), unit: 'm', kin: 'measurement', shown: haunted },
+    { key: 'bearing-gap', label: 'Bearings differ by', value: fixed(ghost && ghost.bearingGap !== null ? (ghost.bearingGap * 180) / Math.PI : null, 1), unit: '°', kin: 'measurement', shown: haunted && ghost?.bearingGap !== null },
     { key: 'position', label: 'Variance of the position', value: fixed(trace.position, 3), unit: 'm²', kin: 'posterior', more: true },
     { key: 'heading', label: 'Variance of the heading', value: fixed(trace.heading, 4), unit: 'rad²', kin: 'posterior', more: true },
     { key: 'nees', label: 'Mean NEES (expected 3)', value: fixed(mean.nees, 2), more: true },
@@ -76,6 +89,14 @@ function readouts({ frozen, alongPath, trace, mean, slam, step }) {
 }
 
 // Controls. The landmarks are handles on the map.
+
+const degree = Math.PI / 180
+
+/** A dial of the ghost, in degrees. @param {string} name @param {import('../core/words.js').Words} label @returns {import('../core/controls.js').Control} */
+const dial = (name, label) => ({
+  kind: 'range', name, label, shown: ({ ghost }) => Boolean(ghost),
+  words: (value) => `${fixed(value, 0)}°`, scale: (value) => Math.round(value / degree), step: 1, set: (value) => ({ [name]: value * degree }),
+})
 
 /** @type {import('../core/controls.js').Control[]} */
 const controls = [
@@ -92,6 +113,10 @@ const controls = [
   },
   { kind: 'toggle', name: 'forget', label: 'forget the map' },
   { kind: 'toggle', name: 'stop', label: 'stop the robot', get: (params) => params.stop !== null, set: (on, _, { step }) => ({ stop: on ? step : null }) },
+  { kind: 'toggle', name: 'ghost', label: 'let a ghost drive along', enabled: (params) => !params.forget },
+  dial('ghostAround', 'Ghost, about landmark 1'),
+  { kind: 'range', name: 'ghostShift', label: 'Ghost, shifted east', words: (value) => `${fixed(value, 2)} m`, shown: ({ ghost }) => Boolean(ghost) },
+  dial('ghostTurn', 'Ghost, on the spot'),
   {
     kind: 'range', name: 'tolerance', label: 'Rank tolerance, part of the largest', step: 0.5,
     words: (value) => power(10 ** value),
@@ -121,6 +146,7 @@ const tries = [
     },
   },
   { name: 'bearing', label: 'One landmark, range and bearing', change: () => ({ count: 1, sensor: 'range-bearing', forget: false }) },
+  { name: 'ghost', label: 'Turn the world', change: () => ({ count: 1, forget: false, ghost: true, ghostAround: 10 * degree, ghostShift: 0, ghostTurn: 0 }) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */
@@ -129,6 +155,7 @@ export const observabilityProbe = {
   lab: 'ObservabilityProbe',
   name: 'observability-probe',
   start,
+  load: loadLate,
   seeded: true,
   pace: 20,
   stride: 1,
@@ -136,13 +163,15 @@ export const observabilityProbe = {
     { name: 'map', width: 470, height: 470, handles: true, draw: drawMap },
     { name: 'ranks', width: 460, height: 230, draw: drawRanks },
     { name: 'trace', width: 460, height: 200, draw: drawTrace },
-    { name: 'nees', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nees') },
-    { name: 'nis', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nis') },
+    { name: 'nees', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nees'), shown: ({ ghost }) => !ghost },
+    { name: 'nis', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nis'), shown: ({ ghost }) => !ghost },
+    { name: 'ranges', width: 460, height: 200, draw: drawRanges, shown: ({ ghost }) => Boolean(ghost) },
+    { name: 'bearings', width: 460, height: 200, draw: drawBearings, shown: ({ ghost }) => Boolean(ghost && ghost.bearingGap !== null) },
   ],
   layout: {
-    narrow: ['map', 'ranks', 'verdict', 'tries', 'controls', 'readouts', 'trace', 'nees', 'nis'],
-    medium: ['map verdict', 'map ranks', 'trace nees', 'nis tries'],
-    wide: ['map verdict', 'map ranks', 'map trace', 'nees nis'],
+    narrow: ['map', 'ranks', 'verdict', 'tries', 'ranges', 'bearings', 'controls', 'readouts', 'trace', 'nees', 'nis'],
+    medium: ['map verdict', 'map ranks', 'ranges bearings', 'trace nees', 'nis tries'],
+    wide: ['map verdict', 'map ranks', 'map trace', 'ranges bearings', 'nees nis'],
     columns: { medium: '1fr 1fr' },
   },
   tries,
@@ -151,5 +180,5 @@ export const observabilityProbe = {
   readouts,
   verdict,
   announce: (frame) => verdict(frame),
-  series: (frame) => frame.series,
+  series: sketch,
 }

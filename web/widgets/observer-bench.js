@@ -71,11 +71,11 @@ function readouts(frame) {
   return [
     { key: 'knob', label: 'Equivalent knob', value: fixed(frame.equivalentKnob, 3), headline: true },
     { key: 'step', label: 'Step', value: String(frame.step) },
-    { key: 'gain', label: { choset: 'Gain *R* (Thrun *K*)', thrun: 'Gain *K* (Choset *R*)' }, value: pair(frame.R), kin: 'posterior' },
-    { key: 'steady', label: { choset: '*R*_∞', thrun: '*K*_∞' }, value: pair(frame.steadyGain), kin: 'posterior' },
+    { key: 'gain', label: 'Gain {R}', value: pair(frame.R), kin: 'posterior' },
+    { key: 'steady', label: '{R}_∞', value: pair(frame.steadyGain), kin: 'posterior' },
     { key: 'error', label: 'Position error', value: fixed(frame.truth[0] - frame.posterior.x[0], 2), unit: 'm', kin: 'truth' },
-    { key: 'innovation', label: 'Innovation *ν*', value: fixed(frame.innovation, 3), unit: frame.params.sensor === 'velocity' ? 'm/s' : 'm', kin: 'measurement', more: true },
-    { key: 'p11', label: { choset: '*P*_{11}', thrun: 'Σ_{11}' }, value: fixed(frame.posterior.P[0][0], 3), unit: 'm²', kin: 'posterior', more: true },
+    { key: 'innovation', label: 'Innovation {innov}', value: fixed(frame.innovation, 3), unit: frame.params.sensor === 'velocity' ? 'm/s' : 'm', kin: 'measurement', more: true },
+    { key: 'p11', label: '{P}_{11}', value: fixed(frame.posterior.P[0][0], 3), unit: 'm²', kin: 'posterior', more: true },
   ]
 }
 
@@ -84,12 +84,12 @@ function readouts(frame) {
 /** @type {import('../core/controls.js').Control[]} */
 const controls = [
   {
-    kind: 'range', name: 'gain', wide: true, label: { choset: 'Gain *g*, in units of *R*_∞', thrun: 'Gain *g*, in units of *K*_∞' },
+    kind: 'range', name: 'gain', wide: true, label: 'Gain *g*, in units of {R}_∞',
     get: (params, frame) => (params.mode === 'filter' ? frame.equivalentKnob : params.gain),
     words: (value) => fixed(value, 2),
     notches: (/** @type {Frame} */ frame) => [
       { at: 0, name: '0' },
-      { at: 1, name: { choset: '*R*_∞', thrun: '*K*_∞' } },
+      { at: 1, name: '{R}_∞' },
       { at: frame.stableUpTo, name: `diverges past ${fixed(frame.stableUpTo, 2)}`, kind: 'limit' },
     ],
     enabled: (params) => params.mode === 'fixed',
@@ -122,9 +122,9 @@ export const observerBench = {
   ],
   layout: {
     narrow: ['phase', 'disc', 'verdict', 'tries', 'controls', 'readouts', 'gain', 'variance', 'error'],
-    medium: ['phase disc', 'phase verdict', 'gain variance', 'error tries'],
+    medium: ['phase phase phase phase disc disc', 'phase phase phase phase verdict verdict', 'gain gain gain variance variance variance', 'error error error tries tries tries'],
     wide: ['phase phase disc', 'phase phase verdict', 'gain variance error'],
-    columns: { medium: '1fr 1fr', wide: '1fr 1fr 1fr' },
+    columns: { medium: Array(6).fill('1fr').join(' '), wide: '1fr 1fr 1fr' },
   },
   tries,
   describe,

@@ -4,7 +4,7 @@
  */
 
 import { fixed } from '../core/numbers.js'
-import { drawHeading, drawPosition } from './odometry-hook/history.js'
+import { drawHeading, drawPosition, drawWheel } from './odometry-hook/history.js'
 import { drawMap } from './odometry-hook/map.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
@@ -31,8 +31,22 @@ function against(off, ratio) {
   return `off by ${off}, ${times(ratio)}`
 }
 
+/** A part of a whole. @param {number} part */
+const percent = (part) => `${fixed(100 * part, 2)} %`
+
+/** What is known of the wheel, where its bias is a state. @param {Frame} frame */
+function ofTheWheel({ wheel }) {
+  if (!wheel) return ''
+  if (wheel.rank === 0) return ` No reading is used, so the bias stays at ${percent(wheel.epsilon)}, with a σ of ${percent(wheel.sigma)}.`
+  if (wheel.rank < 4) return ` The readings so far have rank ${wheel.rank} of 4: they do not tell the bias from the pose.`
+  return ` The bias is learned as ${percent(wheel.epsilon)}, with a σ of ${percent(wheel.sigma)}; in truth it is ${percent(wheel.truth)}.`
+}
+
 /** @param {Frame} frame */
-function verdict(frame) {
+const verdict = (frame) => `${ofThePose(frame)}${ofTheWheel(frame)}`
+
+/** @param {Frame} frame */
+function ofThePose(frame) {
   const { error, ratio, params, step, lastSighting } = frame
   if (step === 0) return 'At the start the pose is known exactly.'
   const heading = `The heading is ${against(`${fixed(Math.abs(degrees(error.heading)), 1)}°`, ratio.heading)}.`
@@ -58,6 +72,7 @@ function describe(frame) {
     map: `Map of the corridor's loop at tick ${step}, ${lap === 1 ? 'one whole lap' : `${lap} whole laps`} driven: the true track and ${track}, ${fixed(error.position, 2)} metres apart now, with an ellipse of semi-axes ${fixed(frame.ellipse.semiMajor, 2)} and ${fixed(frame.ellipse.semiMinor, 2)} metres.${seen}`,
     position: `Position error over time, now ${fixed(error.position, 2)} metres against a claimed σ of ${fixed(sigma.position, 2)}.`,
     heading: `Heading error over time, now ${turn(error.heading)} against a claimed σ of ${turn(sigma.heading)}.`,
+    wheel: frame.wheel ? `Learned bias of the right wheel over time, now ${percent(frame.wheel.epsilon)} with a claimed σ of ${percent(frame.wheel.sigma)}; in truth ${percent(frame.wheel.truth)}.` : '',
   }
 }
 
@@ -69,15 +84,18 @@ function announce(frame, before) {
 // View: the map and the two errors against what is claimed, in the folder's files, and what is said beside them.
 
 /** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
-function readouts({ step, error, sigma, ratio }) {
+function readouts({ step, error, sigma, ratio, wheel }) {
   const angle = (/** @type {number} */ value) => fixed(degrees(value), 1)
   return [
     { key: 'position', label: 'Position error', value: fixed(error.position, 2), unit: 'm', kin: 'truth', headline: true },
-    { key: 'position-sigma', label: 'claimed *σ*', value: fixed(sigma.position, 2), unit: 'm' },
-    { key: 'position-ratio', label: 'error / *σ*', value: fixed(ratio.position, 1) },
+    { key: 'position-sigma', label: 'its claimed *σ*', value: fixed(sigma.position, 2), unit: 'm' },
+    { key: 'position-ratio', label: 'position: error / *σ*', value: fixed(ratio.position, 1) },
     { key: 'heading', label: 'Heading error', value: angle(error.heading), unit: '°', kin: 'truth' },
-    { key: 'heading-sigma', label: 'claimed *σ*', value: angle(sigma.heading), unit: '°' },
-    { key: 'heading-ratio', label: 'error / *σ*', value: fixed(ratio.heading, 1) },
+    { key: 'heading-sigma', label: 'its claimed *σ*', value: angle(sigma.heading), unit: '°' },
+    { key: 'heading-ratio', label: 'heading: error / *σ*', value: fixed(ratio.heading, 1) },
+    { key: 'wheel', label: 'Learned bias', value: fixed(wheel && 100 * wheel.epsilon, 2), unit: '%', kin: 'posterior', shown: Boolean(wheel) },
+    { key: 'wheel-sigma', label: 'its claimed *σ*', value: fixed(wheel && 100 * wheel.sigma, 2), unit: '%', shown: Boolean(wheel) },
+    { key: 'rank', label: 'Directions that the readings show', value: `${wheel?.rank ?? 0} of 4`, shown: Boolean(wheel) },
     { key: 'step', label: 'Tick', value: String(step) },
   ]
 }
@@ -89,6 +107,7 @@ const controls = [
   { kind: 'range', name: 'bias', label: 'Wheel-radius bias', words: (value) => `${fixed(value * 100, 2)} %` },
   { kind: 'range', name: 'slip', label: 'Slip per wheel and tick', words: (value) => `${fixed(value * 1000, 1)} mm` },
   { kind: 'toggle', name: 'fixes', label: 'landmark fixes' },
+  { kind: 'toggle', name: 'learn', label: 'learn the wheel’s bias' },
 ]
 
 /** @type {import('../core/spec.js').Try[]} */
@@ -96,6 +115,7 @@ const tries = [
   { name: 'lap', label: 'Show the whole lap', change: () => ({ step: LAP }) },
   { name: 'honest', label: 'Give the wheels no bias', change: () => ({ bias: 0, step: LAP }) },
   { name: 'fixes', label: 'Correct by the corners', change: () => ({ fixes: true, step: LAP }) },
+  { name: 'learn', label: 'Learn the wheel', change: () => ({ fixes: true, learn: true, step: LAP }) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */
@@ -114,10 +134,11 @@ export const odometryHook = {
     { name: 'map', width: 590, height: 430, draw: drawMap },
     { name: 'position', width: 350, height: 205, handles: true, draw: drawPosition },
     { name: 'heading', width: 350, height: 205, handles: true, draw: drawHeading },
+    { name: 'wheel', width: 350, height: 205, handles: true, draw: drawWheel, shown: ({ wheel }) => Boolean(wheel) },
   ],
   layout: {
-    narrow: ['map', 'verdict', 'tries', 'controls', 'readouts', 'position', 'heading'],
-    medium: ['map position', 'map heading', 'verdict verdict'],
+    narrow: ['map', 'verdict', 'tries', 'controls', 'readouts', 'position', 'heading', 'wheel'],
+    medium: ['map position', 'map heading', 'verdict wheel'],
     columns: { medium: '59fr 41fr', wide: '62fr 38fr' },
   },
   tries,

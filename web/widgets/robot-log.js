@@ -59,7 +59,7 @@ function readouts(frame) {
     { key: 'reckoned', label: 'of dead reckoning', value: fixed(reckonedRmse, 2), unit: 'm', kin: 'prediction' },
     { key: 'refused', label: 'Readings refused', value: share },
     { key: 'nis', label: 'NIS for each output', value: fixed(summary.nis, 2), kin: 'measurement' },
-    { key: 'mean', label: 'Mean of *ν*/√*S*', value: fixed(summary.meanInnovation, 2), kin: 'measurement' },
+    { key: 'mean', label: 'Mean of {innov}/√*S*', value: fixed(summary.meanInnovation, 2), kin: 'measurement' },
     { key: 'lag1', label: 'Lag 1', value: fixed(summary.lag1, 2), kin: 'measurement' },
     { key: 'epsilon', label: 'Learned *ε*', value: summary.epsilon === null ? '–' : `${fixed(100 * summary.epsilon, 2)} ± ${fixed(100 * (summary.epsilonSigma ?? NaN), 2)} %`, kin: 'posterior' },
     { key: 'worst', label: 'Worst error', value: fixed(summary.worst, 2), unit: 'm', kin: 'truth', more: true },
@@ -68,7 +68,7 @@ function readouts(frame) {
     { key: 'offset', label: 'Its value at 0', value: fixed(rangeLine?.offset, 2), unit: 'm', kin: 'measurement', more: true },
     { key: 'r2', label: 'Its *R*^{2}', value: fixed(rangeLine?.r2, 2), kin: 'measurement', more: true },
     { key: 'time', label: 'Time', value: clock(frame.time), more: true },
-    { key: 'step', label: 'Rows of the log', value: String(frame.step), more: true },
+    { key: 'step', label: 'Rows replayed, without the truth and the landmarks', value: frame.step.toLocaleString('en'), more: true },
   ]
 }
 
@@ -107,7 +107,7 @@ const tries = [
   { name: 'raw', label: 'Switch the ranges on', change: () => usual },
   { name: 'gate', label: 'Gate them', change: () => ({ ...usual, gate: 0.999 }) },
   { name: 'offset', label: 'Take an offset off', change: () => ({ ...usual, offset: 2.4 }) },
-  { name: 'scale', label: 'Scale them', change: () => ({ ...usual, scale: 0.069 }) },
+  { name: 'scale', label: 'Scale them', change: ({ rangeLine }) => ({ ...usual, scale: Number((rangeLine?.slope ?? 0).toFixed(3)) }) },
   { name: 'learn', label: 'Let the filter learn the scale', change: () => ({ ...usual, learn: true }) },
 ]
 
@@ -134,14 +134,20 @@ export const robotLog = {
   ],
   layout: {
     narrow: ['map', 'verdict', 'tries', 'controls', 'readouts', 'innovations', 'ranges', 'inner', 'histogram', 'correlation', 'nis', 'errors'],
-    medium: ['map map', 'verdict verdict', 'innovations errors', 'ranges inner', 'histogram correlation', 'nis nis'],
+    medium: [
+      'map map map map map map map innovations innovations innovations innovations innovations', 'map map map map map map map errors errors errors errors errors',
+      'verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict',
+      'ranges ranges ranges ranges ranges ranges inner inner inner inner inner inner',
+      'correlation correlation correlation correlation correlation correlation nis nis nis nis nis nis',
+      'histogram histogram histogram histogram histogram histogram tries tries tries tries tries tries',
+    ],
     wide: [
       'map map map map map map map innovations innovations innovations innovations innovations', 'map map map map map map map errors errors errors errors errors',
       'verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict',
       'ranges ranges ranges ranges inner inner inner inner histogram histogram histogram histogram',
       'correlation correlation correlation correlation correlation correlation nis nis nis nis nis nis',
     ],
-    columns: { medium: '1fr 1fr', wide: Array(12).fill('1fr').join(' ') },
+    columns: { medium: Array(12).fill('1fr').join(' ') },
   },
   tries,
   describe,

@@ -4,14 +4,16 @@
 use minijinja::{Value, context};
 
 use crate::attributes::Attributes;
+use crate::code::marked;
 use crate::diagnostic::Place;
 use crate::directive;
+use crate::inline::source_href;
+use crate::notation::Row;
 use crate::output::Outputs;
 use crate::piece::{Piece, Tex};
 use crate::still::{DRAWINGS, WIDGETS};
-use crate::syntax;
 use crate::template::safe;
-use crate::tex::Style;
+use crate::tex::{Formula, Style};
 use crate::tree::Node;
 use crate::writer::Writer;
 
@@ -49,7 +51,7 @@ impl Writer<'_> {
                 };
                 let command = Outputs::command(example);
                 self.words.push_str(&format!("{command} {text} "));
-                self.fill("output", context! { command, text => text.trim_end() }, place)
+                self.fill("output", context! { command, text => safe(marked(text.trim_end())) }, place)
             }
             _ => String::new(),
         }
@@ -72,6 +74,9 @@ impl Writer<'_> {
         let in_exercise = self.inside.last().is_some_and(|parent| parent == "exercise");
         if matches!(name, "hint" | "answer" | "starter") && !in_exercise {
             self.diagnostics.report(place, format!("`:::{name}` stands in an exercise"));
+        }
+        if name == "answer" && !self.site.answers {
+            return String::new();
         }
         let id = attributes.id.as_deref().unwrap_or_default();
         let text = |key: &str| attributes.value(key).unwrap_or_default();
@@ -104,6 +109,7 @@ impl Writer<'_> {
                 self.used.listed_references = true;
                 return self.reference_list();
             }
+            "own-log" => ("own_log", context! {}),
             _ => ("margin", context! {}),
         };
         self.inside.push(name.to_string());
@@ -149,7 +155,18 @@ impl Writer<'_> {
         }
         let title = safe(self.title(attributes.value("title").unwrap_or_default(), place));
         let still = self.site.stills.get(id).or_else(|| self.site.stills.get(name)).cloned().unwrap_or_default();
-        context! { widget, title, start, still => safe(still.svg), words => still.words }
+        // The first figure is there at once; the drawings of the others come when a reader comes near.
+        let later = self.used.widget && widget.is_some();
+        self.used.widget |= widget.is_some();
+        let html = match still.apart.filter(|_| later) {
+            Some(apart) => {
+                let html = apart.html(self.root);
+                self.used.pictures.insert(apart.file, apart.picture);
+                html
+            }
+            None => still.svg,
+        };
+        context! { widget, title, start, still => safe(html), words => still.words }
     }
 
     fn algorithm(&mut self, attributes: &Attributes, place: &Place) -> Value {
@@ -184,22 +201,23 @@ impl Writer<'_> {
         };
         self.words.push_str(&format!("{path} {} ", listing.code));
         let code = safe(self.site.highlighter.html(&listing.code, "rust"));
-        let href = safe(self.source_href(path, listing.line));
+        let href = safe(source_href(self.root, path, listing.line));
         self.fill("listing", context! { href, path, code }, place)
     }
 
-    /// The two conventions side by side: each in its own letters, whatever the reader has chosen.
-    fn notation(&mut self) -> Vec<[Value; 3]> {
+    /// The notations side by side: each in its own letters, whatever the reader has chosen.
+    fn notation(&mut self) -> Vec<Vec<Value>> {
         let site = self.site;
-        let row = |row: &crate::glossary::NotationRow| {
-            let letters = |writer: &mut Self, text: &crate::config::Text| {
-                let tex = writer.diagnostics.ok(&text.place, syntax::formula(&text.markdown)).unwrap_or_default();
-                writer.symbol(&tex, &text.place)
-            };
-            let (choset, thrun) = (letters(self, &row.choset), letters(self, &row.thrun));
+        let row = |row: &Row| {
+            let symbol = self.site.typesetter.render(&row.symbol.markdown, Style::Inline);
+            let symbol = self.diagnostics.ok(&row.symbol.place, symbol);
+            if let Some(formula) = &symbol {
+                self.words.push_str(&formula.own().letters);
+                self.words.push(' ');
+            }
             let meaning = self.inline(&row.meaning.markdown, &row.meaning.place);
             self.words.push(' ');
-            [choset, thrun, meaning].map(safe)
+            symbol.into_iter().flat_map(Formula::html).chain([meaning]).map(safe).collect()
         };
         site.notation.iter().map(row).collect()
     }

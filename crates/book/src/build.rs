@@ -14,6 +14,7 @@ use crate::dist::Dist;
 use crate::figure::Figure;
 use crate::file;
 use crate::hash::fnv1a;
+use crate::notation::NOTATIONS;
 use crate::page;
 use crate::site::Site;
 use crate::template::{Templates, safe, serde};
@@ -30,16 +31,18 @@ pub struct Build<'a> {
     pub checks: &'a [Check],
     /// Where complaints go.
     pub diagnostics: &'a Diagnostics,
+    /// Whether a PDF of each chapter will be beside it.
+    pub pdf: bool,
     /// Whether to go on in spite of complaints, printing them.
     pub draft: bool,
 }
 
-/// A page's formulas in Thrun's letters. The page names the version it was built with: it picks its readings by number,
-/// and a tab left open over a deploy would pick them from another page's.
+/// A page's formulas in the letters of another notation. The page names the version it was built with: it picks its readings
+/// by number, and a tab left open over a deploy would pick them from another page's.
 #[derive(Debug, Serialize)]
-struct Readings {
-    version: String,
-    readings: Vec<String>,
+struct Readings<'a> {
+    version: &'a str,
+    readings: Vec<&'a str>,
 }
 
 impl Build<'_> {
@@ -53,12 +56,16 @@ impl Build<'_> {
         for chapter in &config.chapters {
             let files = page::files(self.root, &format!("content/{}", chapter.slug))?;
             let figures = pages.text(Some(chapter), &chapter.slug, &files, &chapter.title, &chapter.description)?;
-            pages.figures(chapter, &figures)?;
+            pages.figures(&chapter.slug, &format!("chapter {}: {}", chapter.number, chapter.title), &figures)?;
+            if self.pdf {
+                pages.dist.elsewhere.insert(format!("{0}/{0}.pdf", chapter.slug));
+            }
         }
         for page in &config.pages {
             let path = format!("content/pages/{}.md", page.slug);
             let file = file::read(&self.root.join(&path))?;
-            pages.text(None, &page.slug, &[(path, file)], &page.title, &page.description)?;
+            let figures = pages.text(None, &page.slug, &[(path, file)], &page.title, &page.description)?;
+            pages.figures(&page.slug, &page.title, &figures)?;
         }
         match self.diagnostics.check() {
             Err(error) if self.draft => eprintln!("{error}"),
@@ -69,8 +76,8 @@ impl Build<'_> {
         let about = "The checks that pin every number of the chapter, run again in your own browser.";
         pages.page("check", "check/", "Check this book", about, context! { checks })?;
         pages.page("404", "404.html", "Not found", "There is no such page in this book.", context! {})?;
-        for (path, text) in self.site.sources.iter() {
-            pages.source(path, text)?;
+        for (path, text) in self.site.sources.pages(self.site.answers) {
+            pages.source(path, &text)?;
         }
         let mut dist = pages.dist;
         dist.put("search.json", serde_json::to_vec(&dist.search)?);
@@ -102,7 +109,7 @@ impl Pages<'_> {
         let address = format!("{slug}/");
         let number = chapter.map(|chapter| chapter.number);
         let text = page::text(self.build.site, files, number, &address, self.build.diagnostics);
-        let version = format!("{:016x}", fnv1a(text.thrun.join("\0").as_bytes()));
+        let version = format!("{:016x}", fnv1a(text.readings.concat().join("\0").as_bytes()));
         let extra = context! {
             chapter => serde(chapter),
             body => safe(text.body),
@@ -112,22 +119,34 @@ impl Pages<'_> {
         };
         self.page(if chapter.is_some() { "chapter" } else { "page" }, &address, title, description, extra)?;
         self.dist.search.extend(text.search);
-        let readings = Readings { version, readings: text.thrun };
-        self.dist.put(&format!("{address}thrun.json"), serde_json::to_vec(&readings)?);
+        for (file, picture) in text.used.pictures {
+            self.dist.put(&format!("assets/{file}"), picture.into_bytes());
+        }
+        if !text.numbers.is_empty() {
+            let about = format!("What computes each number that {title} prints, and which check pins it.");
+            let extra = context! { body => safe(text.numbers), of => title };
+            self.page("numbers", &format!("{address}numbers/"), "Where the numbers come from", &about, extra)?;
+        }
+        for (n, (notation, _)) in NOTATIONS[1..].iter().enumerate() {
+            let readings = text.readings.iter().map(|others| others[n].as_str()).collect();
+            let readings = Readings { version: &version, readings };
+            self.dist.put(&format!("{address}{notation}.json"), serde_json::to_vec(&readings)?);
+        }
         Ok(text.figures)
     }
 
-    /// A page for each widget of a chapter: its first figure in its usual state, or else its first figure.
-    fn figures(&mut self, chapter: &Chapter, figures: &[Figure]) -> Result<(), BuildError> {
+    /// A page for each widget of the text at `slug`, whose name is `from`: its first figure in its usual state, or else its first
+    /// figure.
+    fn figures(&mut self, slug: &str, from: &str, figures: &[Figure]) -> Result<(), BuildError> {
         let usual = figures.iter().filter(|figure| figure.start.is_none());
         for figure in usual.chain(figures) {
             let address = format!("figure/{}/", figure.widget);
             if self.dist.files.contains_key(&format!("{address}index.html")) {
                 continue;
             }
-            let about = format!("{}: a figure of the chapter {}, alive.", figure.name, chapter.title);
+            let about = format!("{}: a figure of {from}, alive.", figure.name);
             let formulas = figure.caption.contains("class=\"katex");
-            let extra = context! { figure => serde(figure), chapter => serde(chapter), formulas };
+            let extra = context! { figure => serde(figure), slug, from, formulas };
             self.page("figure", &address, &figure.name, &about, extra)?;
         }
         Ok(())
@@ -160,6 +179,9 @@ impl Pages<'_> {
             assets => serde(self.build.assets.hrefs(&root)),
             inline => serde(&self.build.assets.inline),
             root,
+            notations => serde(NOTATIONS),
+            answers => self.build.site.answers,
+            pdf => self.build.pdf,
             paper => serde(&self.templates.paper),
             book => serde(&self.build.site.config),
             title,

@@ -98,12 +98,33 @@ impl Runs {
         let span = |(class, text): &(Option<&str>, String)| match (class, text.trim_end_matches('\n')) {
             (_, "") => String::new(),
             (Some(class), text) if !text.trim().is_empty() => {
-                format!("<span class=\"c-{class}\">{}</span>", escape(text))
+                format!("<span class=\"c-{class}\">{}</span>", marked(text))
             }
-            (_, text) => escape(text),
+            (_, text) => marked(text),
         };
         self.runs.iter().map(span).collect()
     }
+}
+
+/// The marks over a letter that the face of code lacks, with the class that draws each.
+const MARKS: [(char, &str); 2] = [('\u{302}', "c-hat"), ('\u{304}', "c-bar")];
+
+/// `text` as HTML. A letter under a mark is a box of its own: a mark of another face would stand beside its letter.
+pub(crate) fn marked(text: &str) -> String {
+    let mut html = String::new();
+    let mut letters = text.chars().peekable();
+    while let Some(letter) = letters.next() {
+        let over = letters.peek().and_then(|next| MARKS.iter().find(|(mark, _)| mark == next));
+        match over {
+            Some((mark, class)) => {
+                letters.next();
+                html +=
+                    &format!("<span class=\"{class}\">{letter}<span class=\"visually-hidden\">{mark}</span></span>");
+            }
+            None => html += &escape(letter.encode_utf8(&mut [0; 4])),
+        }
+    }
+    html
 }
 
 #[cfg(test)]
@@ -117,6 +138,12 @@ mod tests {
         for part in ["c-keyword\">pub", "c-function\">wrap", "c-type\">f64", "c-number\">2.0"] {
             assert!(html.contains(part), "{part} in {html}");
         }
+    }
+
+    #[test]
+    fn a_letter_under_a_mark_is_one_box() {
+        let html = Highlighter::default().html("x\u{302}⁺ < y", "");
+        assert_eq!(html, "<span class=\"c-hat\">x<span class=\"visually-hidden\">\u{302}</span></span>⁺ &lt; y");
     }
 
     #[test]

@@ -16,6 +16,8 @@ use crate::page::Found;
 pub struct Dist {
     /// Every file by its path.
     pub files: BTreeMap<String, Vec<u8>>,
+    /// Paths of files that somebody else puts beside these, so that links may lead to them.
+    pub(crate) elsewhere: BTreeSet<String>,
     /// What the search finds.
     pub(crate) search: Vec<Found>,
 }
@@ -74,7 +76,7 @@ impl Dist {
 
     /// What is wrong with links, ids and tags.
     pub fn faults(&self) -> Vec<String> {
-        let files: BTreeSet<String> = self.files.keys().cloned().collect();
+        let files: BTreeSet<String> = self.files.keys().chain(&self.elsewhere).cloned().collect();
         link::faults(&self.pages(), &files)
     }
 

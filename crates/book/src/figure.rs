@@ -44,7 +44,7 @@ pub fn figures(site: &Site, texts: &[Vec<Node>], labels: &Labels, diagnostics: &
                 let mut writer = Writer::new(site, labels, diagnostics, ROOT);
                 // The page has no glossary and no notation switch, and its one link leads to the chapter.
                 writer.plain = true;
-                writer.thrun = None;
+                writer.readings = None;
                 figures.extend(figure(&mut writer, node));
             }
         });

@@ -1,4 +1,4 @@
-//! `content/glossary.toml` and `content/notation.toml`: the terms, and the two notations side by side.
+//! `content/glossary.toml`: the terms that a reader may touch.
 
 use std::collections::BTreeMap;
 
@@ -20,12 +20,8 @@ pub struct Term {
     pub name: String,
     /// What it is, in Markdown.
     pub gloss: Text,
-    /// Its symbol in Choset's letters, TeX; may be empty.
-    #[serde(default)]
-    pub choset: String,
-    /// Its symbol in Thrun's letters, TeX; may be empty.
-    #[serde(default)]
-    pub thrun: String,
+    /// Its symbol, TeX in the letters of the reader's notation.
+    pub symbol: Option<String>,
     /// The meaning whose colour it has.
     pub kin: Option<Text>,
 }
@@ -50,25 +46,4 @@ pub fn glossary(file: &DataFile, diagnostics: &Diagnostics) -> BTreeMap<String, 
         }
     }
     terms
-}
-
-/// A row of the notation table.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct NotationRow {
-    /// TeX in Choset's letters.
-    pub choset: Text,
-    /// TeX in Thrun's letters.
-    pub thrun: Text,
-    /// What both mean, in Markdown.
-    pub meaning: Text,
-}
-
-/// The rows of the notation table.
-#[derive(Default, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct Notation {
-    /// The rows, in order.
-    #[serde(default)]
-    pub row: Vec<NotationRow>,
 }

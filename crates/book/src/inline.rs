@@ -8,12 +8,17 @@ use crate::attributes::Attributes;
 use crate::diagnostic::Place;
 use crate::glossary::KINDS;
 use crate::html::escape;
+use crate::notation::NOTATIONS;
 use crate::number::Format;
 use crate::piece::{NumberRef, Piece, Tex};
 use crate::template::safe;
 use crate::tex::Style;
 use crate::tree::Node;
 use crate::writer::Writer;
+
+/// Classes of words that have no colour of a meaning: a common mistake, told in a box that corrects it, and where a line of an
+/// algorithm comes from.
+const SPANS: [&str; 2] = ["claim", "from"];
 
 impl Writer<'_> {
     /// A piece, wherever it stands.
@@ -27,44 +32,34 @@ impl Writer<'_> {
             Piece::Number(number) => self.number(number, place),
             Piece::Ref(id) => self.reference(id, place).unwrap_or_default(),
             Piece::Cite(works) => self.citation(works, place),
-            Piece::Notation { choset, thrun } => {
-                let (choset, thrun) = (self.inline(choset, place), self.inline(thrun, place));
-                match choset == thrun || self.thrun.is_none() {
-                    true => choset,
-                    false => {
-                        format!("<span class=\"in-choset\">{choset}</span><span class=\"in-thrun\">{thrun}</span>")
-                    }
-                }
-            }
             Piece::Span(attributes) => self.words_of(attributes, node),
             _ => self.own_block(piece, node),
         };
         self.push(&html);
     }
 
-    /// A formula in Choset's letters, with the index of its other reading where there is one and its computed digits
+    /// A formula in the page's own letters, with the index of its other readings where there are any and its computed digits
     /// marked; and a link to these numbers for the keyboard, if it has any.
     pub(crate) fn formula(&mut self, tex: &[Tex], style: Style, place: &Place) -> (String, String) {
         let (tex, ids) = self.tex(tex, place);
         let Some(formula) = self.diagnostics.ok(place, self.site.typesetter.render(&tex, style)) else {
             return Default::default();
         };
-        if style == Style::Inline {
-            self.words.push_str(&formula.choset.letters);
-        }
+        let space = if style == Style::Display { " " } else { "" };
+        self.words.push_str(&format!("{space}{}{space}", formula.own().letters));
         let tag = if style == Style::Display { "div" } else { "span" };
-        let choset = formula.choset.html;
-        self.boxed = !formula.choset.plain || formula.thrun.as_ref().is_some_and(|thrun| !thrun.plain);
-        let (html, other) = match (formula.thrun, &mut self.thrun) {
-            (Some(thrun), Some(readings)) => {
+        let own = formula.own();
+        self.boxed = !formula.plain();
+        let (html, others) = match (formula.others(), &mut self.readings) {
+            (Some(others), Some(readings)) => {
                 let next = readings.len();
                 // Equal readings share an index.
-                let n = *readings.entry(thrun.html).or_insert(next);
-                (format!("<{tag} class=\"in-choset\">{choset}</{tag}>"), Some(n))
+                let n = *readings.entry(others).or_insert(next);
+                (format!("<{tag} class=\"in-{}\">{}</{tag}>", NOTATIONS[0].0, own.html), Some(n))
             }
-            _ => (choset, None),
+            _ => (own.html.clone(), None),
         };
-        if formula.choset.plain && other.is_none() && ids.is_empty() {
+        if own.plain && others.is_none() && ids.is_empty() {
             return (html, String::new());
         }
         let numbers = ids.iter().cloned().collect::<Vec<_>>().join(" ");
@@ -74,7 +69,7 @@ impl Writer<'_> {
             }
             _ => String::new(),
         };
-        (self.fill_inline("formula", context! { tag, numbers, thrun => other, html => safe(html) }, place), link)
+        (self.fill_inline("formula", context! { tag, numbers, other => others, html => safe(html) }, place), link)
     }
 
     /// TeX with its numbers filled in, and their ids.
@@ -143,7 +138,7 @@ impl Writer<'_> {
         self.fill_inline("cite", context! { works => cited, plain => self.plain }, place)
     }
 
-    /// Coloured words, a glossed term, or words with an id.
+    /// Coloured words, a glossed term, words with an id or a part to play.
     fn words_of(&mut self, attributes: &Attributes, node: &Node) -> String {
         let place = &node.place;
         let body = self.write(&node.children);
@@ -154,12 +149,17 @@ impl Writer<'_> {
             }
             return self.fill_inline("span", context! { id, body => safe(body) }, place);
         };
+        if SPANS.contains(&class.as_str()) {
+            return self.fill_inline("span", context! { id, class, body => safe(body) }, place);
+        }
         let key = match class.as_str() {
             "term" => attributes.value("key").unwrap_or_default(),
             kind if KINDS.contains(&kind) => kind,
             other => {
                 let known = KINDS.join(", .");
-                self.diagnostics.report(place, format!("unknown class `.{other}`; there are .term and .{known}"));
+                let spans = SPANS.join(", .");
+                self.diagnostics
+                    .report(place, format!("unknown class `.{other}`; there are .term, .{spans} and .{known}"));
                 return body;
             }
         };
@@ -189,7 +189,7 @@ impl Writer<'_> {
         } else if let Some(source) = href.strip_prefix("source:") {
             let (path, anchor) = source.split_once('#').map_or((source, None), |(path, anchor)| (path, Some(anchor)));
             let listing = self.diagnostics.ok(place, self.site.sources.listing(path, anchor));
-            let href = self.source_href(path, listing.map_or(1, |listing| listing.line));
+            let href = source_href(self.root, path, listing.map_or(1, |listing| listing.line));
             format!("<a class=\"source-link\" href=\"{href}\">")
         } else if href.starts_with("https://") || href.starts_with("http://") {
             format!("<a class=\"external\" href=\"{}\">", escape(href))
@@ -198,9 +198,9 @@ impl Writer<'_> {
         };
         (open, "</a>")
     }
+}
 
-    /// The page of a source, at a line.
-    pub fn source_href(&self, path: &str, line: usize) -> String {
-        format!("{}source/{}.html#L{line}", self.root, escape(path))
-    }
+/// The page of a source, at a line, from a page `root` below the site's root.
+pub(crate) fn source_href(root: &str, path: &str, line: usize) -> String {
+    format!("{root}source/{}.html#L{line}", escape(path))
 }

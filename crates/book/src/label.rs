@@ -30,7 +30,7 @@ pub struct Labels {
 pub const CHECKS: u8 = 13;
 
 /// Ids that the page's template uses itself.
-const RESERVED: [&str; 5] = ["main", "search", "footnotes", "glossary", "numbers"];
+const RESERVED: [&str; 4] = ["main", "search", "footnotes", "glossary"];
 
 impl Labels {
     /// Numbers everything in `texts`, the sections under `chapter` (no numbers when `None`).

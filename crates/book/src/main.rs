@@ -26,6 +26,12 @@ struct Options {
     /// Refuses a site whose scripts, styles or stills have not been built.
     #[arg(long)]
     strict: bool,
+    /// Leaves the answers to questions and exercises out; the pages then check nothing.
+    #[arg(long)]
+    no_answers: bool,
+    /// Links to a PDF of each chapter, which somebody puts beside it: `kalman/kalman.pdf`.
+    #[arg(long)]
+    pdf: bool,
     /// Writes the pages in spite of what is wrong with the content, and says what is.
     #[arg(long)]
     draft: bool,
@@ -38,7 +44,8 @@ fn build(options: &Options) -> Result<String, BuildError> {
     let numbers = labs::numbers::with_ensembles(&Givens::default()).map_err(failed)?.into_iter().collect();
     let checks = labs::checks::chapter_checks().map_err(failed)?;
     let stills = book::load_stills(&options.stills, options.strict)?;
-    let site = Site::load(&options.root, numbers, Outputs::of(&options.root), stills, &diagnostics)?;
+    let mut site = Site::load(&options.root, numbers, Outputs::of(&options.root), stills, &diagnostics)?;
+    site.answers = !options.no_answers;
     let assets = Assets::load(&options.assets, options.strict)?;
     let build = Build {
         root: &options.root,
@@ -46,6 +53,7 @@ fn build(options: &Options) -> Result<String, BuildError> {
         assets: &assets,
         checks: &checks,
         diagnostics: &diagnostics,
+        pdf: options.pdf,
         draft: options.draft,
     };
     let dist = build.run()?;

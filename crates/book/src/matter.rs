@@ -1,10 +1,11 @@
-//! End matter of a page: references, footnotes, terms, and where the numbers come from.
+//! End matter of a page: references, footnotes and terms; and the list of its numbers, which is a page of its own.
 
 use std::collections::BTreeMap;
 
 use minijinja::context;
 
 use crate::diagnostic::Place;
+use crate::inline::source_href;
 use crate::syntax;
 use crate::template::{safe, serde};
 use crate::writer::Writer;
@@ -21,7 +22,6 @@ impl Writer<'_> {
     /// The sections after the text.
     pub fn end_matter(&mut self) -> String {
         let mut html = String::new();
-        // The glosses may use numbers and terms themselves, so they come before the numbers.
         let glossary = self.glossary();
         if !self.used.listed_references && !self.used.references.is_empty() {
             let list = self.reference_list();
@@ -32,8 +32,7 @@ impl Writer<'_> {
             let list = format!("<ol class=\"footnote-list\">{}</ol>", notes.concat());
             html += &self.section("footnotes", "Notes", list);
         }
-        html += &glossary;
-        html + &self.number_list()
+        html + &glossary
     }
 
     /// The index of a footnote, given at its first mention.
@@ -78,20 +77,21 @@ impl Writer<'_> {
         let Some(term) = self.site.glossary.get(key) else { return String::new() };
         let place = &term.gloss.place;
         let gloss = safe(self.inline(&term.gloss.markdown, place));
-        let symbols = [("Choset", &term.choset), ("Thrun", &term.thrun)].into_iter().filter(|(_, tex)| !tex.is_empty());
-        let symbols = symbols.map(|(name, tex)| {
+        let symbol = term.symbol.as_ref().map(|tex| {
             let tex = self.diagnostics.ok(place, syntax::formula(tex)).unwrap_or_default();
-            format!("{name} {}", self.symbol(&tex, place))
+            safe(self.symbol(&tex, place))
         });
-        let symbols = safe(symbols.collect::<Vec<_>>().join(" · "));
         self.fill(
             "gloss",
-            context! { key => key.to_string(), kin => term.kin.as_ref().map(|kin| kin.markdown.clone()), name => term.name.clone(), gloss, symbols },
+            context! { key => key.to_string(), kin => term.kin.as_ref().map(|kin| kin.markdown.clone()), name => term.name.clone(), gloss, symbol },
             place,
         )
     }
 
-    fn number_list(&mut self) -> String {
+    /// The numbers used so far, for a page below this one: what each is, what computes it, and which check pins it. Empty
+    /// where there are none.
+    pub fn numbers(&mut self) -> String {
+        let root = format!("../{}", self.root);
         let used: Vec<_> = self.used.numbers.iter().filter_map(|id| self.site.numbers.get(id).ok()).collect();
         if used.is_empty() {
             return String::new();
@@ -104,12 +104,11 @@ impl Writer<'_> {
                 value => number.value.to_string(),
                 about => number.about.trim_end_matches('.'),
                 source => source.map(|_| number.source),
-                href => source.map(|(path, line)| safe(self.source_href(path, line))),
+                href => source.map(|(path, line)| safe(source_href(&root, path, line))),
                 check => number.check,
             }
         });
         let entries: Vec<_> = entries.collect();
-        let list = self.fill("numbers", context! { entries, root => self.root }, &Place::new("numbers", 1));
-        self.section("numbers", "Where the numbers come from", list.trim_end().to_string())
+        self.fill("numbers", context! { entries, root }, &Place::new("numbers", 1))
     }
 }

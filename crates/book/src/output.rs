@@ -26,7 +26,7 @@ impl Outputs {
 
     /// The command a reader types.
     pub fn command(example: &str) -> String {
-        format!("cargo run --example {example} -p estimate")
+        format!("cargo run --example {example} -p robot-motion-estimate")
     }
 
     /// What `example` prints.
@@ -47,7 +47,7 @@ impl Outputs {
         let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
         let mut command = Command::new(cargo);
         // Without optimization: the output is the same, and the tests have built the example already.
-        command.current_dir(root).args(["run", "-q", "--example", example, "-p", "estimate"]);
+        command.current_dir(root).args(["run", "-q", "--example", example, "-p", "robot-motion-estimate"]);
         let output = command.output().map_err(|e| format!("`{}`: {e}", Self::command(example)))?;
         if !output.status.success() {
             let stderr = String::from_utf8_lossy(&output.stderr);

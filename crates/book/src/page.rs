@@ -25,11 +25,13 @@ pub struct Text {
     pub search: Vec<Found>,
     /// What the text used.
     pub used: Used,
-    /// The formulas in Thrun's letters, where they differ, by the index in `data-thrun`. They are a quarter of the page's
-    /// weight, so a file of their own holds them until a reader asks.
-    pub thrun: Vec<String>,
+    /// The formulas in the letters of the other notations, where any of these differs, by the index in `data-other`;
+    /// empty where that notation reads as the page does. A file for each holds them until a reader asks.
+    pub readings: Vec<Vec<String>>,
     /// Its figures, each for a page of its own.
     pub figures: Vec<Figure>,
+    /// The list of the numbers it prints, for a page of its own; empty where it prints none.
+    pub numbers: String,
     /// How long it takes to read, and to work its exercises.
     pub reading: [String; 2],
 }
@@ -55,7 +57,7 @@ pub struct Found {
     pub title: String,
     /// Number, as in "15.2".
     pub section: String,
-    /// Its words, without display formulas.
+    /// Its words.
     pub text: String,
 }
 
@@ -88,15 +90,17 @@ pub fn text(
     }
     let search = search(&writer, address);
     body += &writer.end_matter();
-    let mut thrun: Vec<(String, usize)> = writer.thrun.take().unwrap_or_default().into_iter().collect();
-    thrun.sort_by_key(|(_, n)| *n);
+    let numbers = writer.numbers();
+    let mut readings: Vec<_> = writer.readings.take().unwrap_or_default().into_iter().collect();
+    readings.sort_by_key(|(_, n)| *n);
     Text {
         body,
         contents: contents(&writer.headings),
         search,
         used: writer.used,
-        thrun: thrun.into_iter().map(|(html, _)| html).collect(),
+        readings: readings.into_iter().map(|(html, _)| html).collect(),
         figures: figure::figures(site, &texts, &labels, diagnostics),
+        numbers,
         reading: Reading::of(&texts.concat()).words(),
     }
 }

@@ -15,13 +15,6 @@ pub enum Piece {
     Ref(String),
     /// `[@key, locator; @key]`: each key with its locator
     Cite(Vec<(String, Option<String>)>),
-    /// `{{notation choset|thrun}}`, both in Markdown
-    Notation {
-        /// What Choset's readers see.
-        choset: String,
-        /// What Thrun's readers see.
-        thrun: String,
-    },
     /// `[words]{…}`
     Span(Attributes),
     /// `:::name{…}`

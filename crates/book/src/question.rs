@@ -1,6 +1,7 @@
-//! A quiz as a form: without scripts the answer opens on demand, with them it waits for the reader's own. The page's
-//! script makes the controls when the question comes near the screen: a browser lays out every part of the page that holds
-//! a form control as soon as the page is read, however far below the screen it is.
+//! A question: without scripts the answer opens on demand, with them it waits for the reader's own. A book built without
+//! answers asks, and neither checks nor tells. The page's script makes the controls when the question comes near the screen: a
+//! browser lays out every part of the page that holds a form control as soon as the page is read, however far below the
+//! screen it is.
 
 use minijinja::{Value, context};
 
@@ -20,7 +21,10 @@ impl Writer<'_> {
         if !self.used.quizzes.insert(id.to_string()) {
             self.diagnostics.report(place, format!("the quiz `{id}` is asked twice"));
         }
-        let unlocks = quiz.asked.unlocks.as_ref().and_then(|figure| self.figure_link(figure));
+        let answers = self.site.answers;
+        // Nothing is locked behind a question that the page does not check.
+        let unlocks = quiz.asked.unlocks.as_ref().filter(|_| answers);
+        let unlocks = unlocks.and_then(|figure| self.figure_link(figure));
         let checks = self.inside.last().is_some_and(|parent| parent == "exercise");
         let title = quiz.asked.title.as_ref().map(|title| safe(self.title(&title.markdown, &title.place)));
         let prompt = self.part(&quiz.asked.prompt);
@@ -29,6 +33,9 @@ impl Writer<'_> {
             Answer::Values(values) => self.values(values),
             Answer::State(state) => self.state(state),
         };
+        if !answers {
+            return self.fill("question", context! { id, checks, title, prompt, ..answer }, place);
+        }
         let why = self.part(&quiz.asked.why);
         let (hash, key) = (format!("{:016x}", quiz.hash), quiz.answer.key());
         self.fill("quiz", context! { id, hash, key, unlocks, checks, title, prompt, why, ..answer }, place)
@@ -48,12 +55,20 @@ impl Writer<'_> {
     fn choices(&mut self, choices: &[Choice]) -> Value {
         let choice = |choice: &Choice| {
             let text = self.title(&choice.text.markdown, &choice.text.place);
-            context! { asked => safe(unmarked(&text)), text => safe(text), right => choice.right, why => self.part(&choice.why) }
+            let asked = safe(unmarked(&text));
+            if !self.site.answers {
+                return context! { asked };
+            }
+            context! { asked, text => safe(text), right => choice.right, why => self.part(&choice.why) }
         };
         context! { kind => "choice", choices => choices.iter().map(choice).collect::<Vec<_>>() }
     }
 
     fn values(&mut self, values: &Values) -> Value {
+        let (entries, direction, unit) = (values.ids.len(), values.direction, &values.unit);
+        if !self.site.answers {
+            return context! { kind => "values", entries, direction, unit };
+        }
         self.used.numbers.extend(values.ids.iter().cloned());
         let near = values.near.iter().map(|near| {
             let printed = safe(values.print(&near.value));
@@ -61,12 +76,12 @@ impl Writer<'_> {
         });
         let near: Vec<_> = near.collect();
         let printed = safe(values.print(&values.right));
-        let (entries, direction, unit) = (values.ids.len(), values.direction, &values.unit);
         context! { kind => "values", number => values.ids[0].clone(), printed, entries, direction, unit, near }
     }
 
     fn state(&mut self, state: &State) -> Value {
-        let todo: Vec<_> = state.todo.iter().map(|todo| self.part(todo)).collect();
+        let told = if self.site.answers { state.todo.as_slice() } else { &[] };
+        let todo: Vec<_> = told.iter().map(|todo| self.part(todo)).collect();
         context! { kind => "state", figure => self.figure_link(&state.figure), todo }
     }
 }

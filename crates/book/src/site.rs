@@ -6,7 +6,8 @@ use std::path::Path;
 use crate::code::Highlighter;
 use crate::config::{Config, DataFile};
 use crate::diagnostic::{BuildError, Diagnostics};
-use crate::glossary::{self, Notation, NotationRow, Term};
+use crate::glossary::{self, Term};
+use crate::notation::{self, Row};
 use crate::number::Numbers;
 use crate::output::Outputs;
 use crate::quiz::{self, Quiz};
@@ -29,7 +30,9 @@ pub struct Site {
     /// Terms.
     pub glossary: BTreeMap<String, Term>,
     /// Rows of the notation table.
-    pub notation: Vec<NotationRow>,
+    pub notation: Vec<Row>,
+    /// Whether the pages hold the answers to questions and exercises, and check the reader's.
+    pub answers: bool,
     /// Questions.
     pub quizzes: BTreeMap<String, Quiz>,
     /// Compiled sources.
@@ -63,8 +66,9 @@ impl Site {
             typesetter: Typesetter::new(&macros.parse(diagnostics)),
             references: data("references.toml")?.parse(diagnostics),
             glossary: glossary::glossary(&data("glossary.toml")?, diagnostics),
-            notation: data("notation.toml")?.parse::<Notation>(diagnostics).row,
+            notation: data("notation.toml")?.parse::<notation::Table>(diagnostics).row,
             quizzes: quiz::quizzes(&data("quizzes.toml")?, &numbers, diagnostics),
+            answers: true,
             sources: Sources::load(root)?,
             highlighter: Highlighter::default(),
             templates: Templates::load(root)?,

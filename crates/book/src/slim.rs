@@ -4,6 +4,7 @@
 //! exponent or index that stands alone becomes one `sup` or `sub` where KaTeX lays out a table of seven boxes. The half that
 //! is read is `mathml`'s. What is one symbol is text (`symbol`). `web/style/formulas.css` knows the elements this makes.
 
+mod letters;
 mod mathml;
 mod script;
 mod symbol;
@@ -35,9 +36,9 @@ pub struct Reading {
 /// A message when `html` is not well formed.
 pub fn slim(html: &str) -> Result<Reading, String> {
     let mut nodes = parse(html)?;
+    nodes.iter().try_for_each(known_size)?;
     nodes.iter_mut().for_each(visit);
-    let mut letters = String::new();
-    nodes.iter().for_each(|node| collect(node, &mut letters));
+    let letters = letters::letters(&nodes);
     let symbol = symbol::symbol(&nodes);
     let plain = symbol.is_some();
     if let Some(symbol) = symbol {
@@ -48,15 +49,16 @@ pub fn slim(html: &str) -> Result<Reading, String> {
     Ok(Reading { html: out, letters, plain })
 }
 
-/// Adds the letters of the MathML in `node`.
-fn collect(node: &Node, letters: &mut String) {
-    match node {
-        Node::Text(text) => letters.push_str(text),
-        Node::Element(element) if !element.has("katex-html") => {
-            element.children.iter().for_each(|child| collect(child, letters));
-        }
-        Node::Element(_) => {}
+/// The changes of size that the style sheet keeps of KaTeX's hundred (`web/build.mjs`).
+const SIZES: [[&str; 2]; 3] = [["reset-size6", "size3"], ["reset-size6", "size1"], ["reset-size3", "size1"]];
+
+fn known_size(node: &Node) -> Result<(), String> {
+    let Node::Element(element) = node else { return Ok(()) };
+    let changes = element.classes.iter().any(|class| class.starts_with("reset-size"));
+    if changes && !SIZES.iter().any(|size| size.iter().all(|class| element.has(class))) {
+        return Err(format!("TeX: the style sheet has no change of size `{}`", element.classes.join(" ")));
     }
+    element.children.iter().try_for_each(known_size)
 }
 
 fn visit(node: &mut Node) {
@@ -239,6 +241,13 @@ fn join(children: &mut Vec<Node>) {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_change_of_size_that_the_style_sheet_does_not_have_is_an_error() {
+        let sized = |size: &str| slim(&format!("<span class=\"katex-sizing reset-size6 {size}\">x</span>"));
+        assert!(sized("size3").is_ok());
+        assert!(sized("size7").unwrap_err().contains("size7"));
+    }
 
     #[test]
     fn attributes_are_in_one_order_whatever_the_hash_map_says() {

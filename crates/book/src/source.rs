@@ -1,5 +1,6 @@
 //! The compiled sources: listings by anchor, and where a function stands.
 
+use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::path::Path;
 
@@ -54,6 +55,11 @@ impl Sources {
     /// Adds a file.
     pub fn insert(&mut self, path: impl Into<String>, text: impl Into<String>) {
         self.files.insert(path.into(), text.into());
+    }
+
+    /// Path and text of each file as its page shows it: a book without answers has empty lines where an exercise is solved.
+    pub fn pages(&self, answers: bool) -> impl Iterator<Item = (&str, Cow<'_, str>)> {
+        self.iter().map(move |(path, text)| (path, if answers { text.into() } else { without_answers(text).into() }))
     }
 
     /// Path and text of each file.
@@ -126,6 +132,18 @@ impl Sources {
     pub fn line_of(&self, path: &str, needle: &str) -> Option<usize> {
         Some(self.files.get(path)?.lines().position(|line| line.contains(needle))? + 1)
     }
+}
+
+/// A text without the lines of its anchors `answer`; the lines behind them keep their numbers.
+fn without_answers(text: &str) -> String {
+    let mut inside = false;
+    let kept = text.lines().map(|line| {
+        inside |= line.trim() == "// ANCHOR: answer";
+        let kept = if inside { "" } else { line };
+        inside &= line.trim() != "// ANCHOR_END: answer";
+        format!("{kept}\n")
+    });
+    kept.collect()
 }
 
 fn is_anchor(line: &str) -> bool {

@@ -5,10 +5,20 @@ use std::path::Path;
 
 use crate::diagnostic::BuildError;
 use crate::file;
+use crate::hash::fnv1a;
 
 /// The custom elements a figure can hold.
-pub const WIDGETS: [&str; 5] =
-    ["observer-bench", "odometry-hook", "observability-probe", "kalman-picture", "robot-log"];
+pub const WIDGETS: [&str; 9] = [
+    "observer-bench",
+    "odometry-hook",
+    "observability-probe",
+    "kalman-picture",
+    "robot-log",
+    "tune-me",
+    "close-loop",
+    "bug-museum",
+    "own-system",
+];
 
 /// The drawings that do not move, of `web/drawings`.
 pub const DRAWINGS: [&str; 1] = ["covariance"];
@@ -20,6 +30,34 @@ pub struct Still {
     pub svg: String,
     /// Description for those who do not see it.
     pub words: String,
+    /// The same with its panels in a file of their own, for figures that a page's first view does not show; a drawing has none.
+    pub apart: Option<Apart>,
+}
+
+/// A still whose panels are images, each a view of one file.
+#[derive(Clone, Debug)]
+pub struct Apart {
+    /// Inline HTML, in which [`FILE`] stands for the file's address.
+    html: String,
+    /// The file's name among the assets, with a hash of what it holds.
+    pub file: String,
+    /// The file.
+    pub picture: String,
+}
+
+/// What `web/apart.mjs` writes for the file's address.
+const FILE: &str = "src=\"picture.svg";
+
+impl Apart {
+    /// The still called `name`: HTML with the images, and the file.
+    pub fn new(name: &str, html: String, picture: String) -> Self {
+        Self { html, file: format!("still-{name}-{:016x}.svg", fnv1a(picture.as_bytes())), picture }
+    }
+
+    /// Inline HTML for a page `root` below the site's root.
+    pub fn html(&self, root: &str) -> String {
+        self.html.replace(FILE, &format!("src=\"{root}assets/{}", self.file))
+    }
 }
 
 /// The stills, by widget; by figure where one opens in a state of its own.
@@ -43,7 +81,12 @@ pub fn load(folder: &Path, strict: bool) -> Result<Stills, BuildError> {
             }
             continue;
         }
-        stills.insert(name, Still { svg: file::read(&svg)?, words: file::read(&words)?.trim().to_string() });
+        let [html, picture] = ["html", "svg"].map(|extension| folder.join(format!("apart/{name}.{extension}")));
+        let apart = match html.exists() {
+            true => Some(Apart::new(&name, file::read(&html)?, file::read(&picture)?)),
+            false => None,
+        };
+        stills.insert(name, Still { svg: file::read(&svg)?, words: file::read(&words)?.trim().to_string(), apart });
     }
     Ok(stills)
 }

@@ -77,15 +77,8 @@ pub fn inline(text: &str) -> Result<Piece, String> {
     match name {
         "number" => number(argument).map(Piece::Number),
         "ref" => Ok(Piece::Ref(argument.to_string())),
-        "notation" => {
-            let (choset, thrun) =
-                argument.split_once('|').ok_or_else(|| format!("`{{{{{text}}}}}` needs `choset|thrun`"))?;
-            Ok(Piece::Notation { choset: choset.trim().to_string(), thrun: thrun.trim().to_string() })
-        }
         "listing" | "output" => Err(format!("`{{{{{name}}}}}` stands on a line of its own")),
-        other => {
-            Err(format!("unknown directive `{{{{{other}}}}}`; there are number, ref, notation, listing and output"))
-        }
+        other => Err(format!("unknown directive `{{{{{other}}}}}`; there are number, ref, listing and output")),
     }
 }
 

@@ -1,4 +1,4 @@
-//! Formulas: TeX to HTML with MathML, once in Choset's letters and once in Thrun's.
+//! Formulas: TeX to HTML with MathML, once in the letters of each notation.
 
 use std::collections::BTreeMap;
 
@@ -6,26 +6,19 @@ use katex::macros::MacroDefinition;
 use katex::{KatexContext, Settings, TrustSetting};
 use serde::Deserialize;
 
+use crate::notation::{COUNT, Letters};
 use crate::slim::{Reading, slim};
 
 /// `content/macros.toml`.
 #[derive(Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Macros {
-    /// Read the same in either notation.
+    /// Read the same in every notation.
     #[serde(default)]
-    both: BTreeMap<String, String>,
-    /// Read twice.
+    all: BTreeMap<String, String>,
+    /// Read once in each notation.
     #[serde(default)]
     switch: BTreeMap<String, Letters>,
-}
-
-/// One symbol in the two notations.
-#[derive(Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-struct Letters {
-    choset: String,
-    thrun: String,
 }
 
 /// Where a formula stands.
@@ -37,39 +30,36 @@ pub enum Style {
     Display,
 }
 
-/// Renders formulas with the macros of both notations.
+/// Renders formulas with the macros of each notation.
 pub struct Typesetter {
     context: KatexContext,
-    /// Settings for Choset and Thrun, each inline and display.
-    settings: [[Settings; 2]; 2],
+    /// Settings of each notation, inline and display.
+    settings: [[Settings; 2]; COUNT],
 }
 
 impl Typesetter {
     /// A typesetter that knows `macros`.
     pub fn new(macros: &Macros) -> Self {
-        let settings = |pick: fn(&Letters) -> &String, display: bool| {
-            let both = macros.both.iter();
-            let all = both.chain(macros.switch.iter().map(|(name, letters)| (name, pick(letters))));
+        let settings = |notation: usize, display: bool| {
+            let switch = macros.switch.iter().map(|(name, letters)| (name, letters.of(notation)));
+            let all = macros.all.iter().map(|(name, tex)| (name, tex.as_str())).chain(switch);
             let definitions =
-                all.map(|(name, tex)| (format!("\\{name}"), MacroDefinition::String(tex.clone()))).collect();
+                all.map(|(name, tex)| (format!("\\{name}"), MacroDefinition::String(tex.to_string()))).collect();
             // Trust admits \htmlClass and \htmlData; the formulas are the book's own.
             Settings::builder().display_mode(display).macros(definitions).trust(TrustSetting::Bool(true)).build()
         };
-        let pair = |pick| [settings(pick, false), settings(pick, true)];
-        Self { context: KatexContext::default(), settings: [pair(|l| &l.choset), pair(|l| &l.thrun)] }
+        let pair = |notation| [settings(notation, false), settings(notation, true)];
+        Self { context: KatexContext::default(), settings: std::array::from_fn(pair) }
     }
 
-    /// The formula in Choset's and in Thrun's letters; one answer when the two read the same.
+    /// The formula in the letters of each notation.
     ///
     /// # Errors
     /// KaTeX's message.
     pub fn render(&self, tex: &str, style: Style) -> Result<Formula, String> {
         let display = usize::from(style == Style::Display);
-        let [choset, thrun] = &self.settings;
-        let choset = self.one(tex, &choset[display])?;
-        let thrun = self.one(tex, &thrun[display])?;
-        let thrun = if thrun == choset { None } else { Some(thrun) };
-        Ok(Formula { choset, thrun })
+        let readings = self.settings.iter().map(|settings| self.one(tex, &settings[display]));
+        Ok(Formula { readings: readings.collect::<Result<_, _>>()? })
     }
 
     fn one(&self, tex: &str, settings: &Settings) -> Result<Reading, String> {
@@ -82,10 +72,32 @@ impl Typesetter {
 /// A rendered formula.
 #[derive(Debug)]
 pub struct Formula {
-    /// In Choset's letters.
-    pub choset: Reading,
-    /// In Thrun's letters, where they differ.
-    pub thrun: Option<Reading>,
+    /// Its readings, in the order of [`crate::notation::NOTATIONS`].
+    readings: Vec<Reading>,
+}
+
+impl Formula {
+    /// In the page's own letters.
+    pub fn own(&self) -> &Reading {
+        &self.readings[0]
+    }
+
+    /// In the letters of the other notations, if any of these reads differently: empty where one reads as the page's own.
+    pub fn others(&self) -> Option<Vec<String>> {
+        let (own, others) = self.readings.split_first()?;
+        let html = |reading: &Reading| if reading == own { String::new() } else { reading.html.clone() };
+        others.iter().any(|reading| reading != own).then(|| others.iter().map(html).collect())
+    }
+
+    /// Whether it is plain text, without boxes, in every notation.
+    pub fn plain(&self) -> bool {
+        self.readings.iter().all(|reading| reading.plain)
+    }
+
+    /// Its readings as HTML, in the order of [`crate::notation::NOTATIONS`].
+    pub fn html(self) -> impl Iterator<Item = String> {
+        self.readings.into_iter().map(|reading| reading.html)
+    }
 }
 
 #[cfg(test)]
@@ -94,7 +106,7 @@ mod tests {
 
     fn typesetter() -> Typesetter {
         let macros = r"
-            [both]
+            [all]
             pred = '\htmlClass{term-prediction}{#1}'
             [switch]
             F = { choset = 'F', thrun = 'A' }
@@ -102,11 +114,11 @@ mod tests {
         Typesetter::new(&toml::from_str(macros).unwrap())
     }
 
-    /// The one reading of a formula that both notations share.
+    /// The one reading of a formula that all notations share.
     fn same(typesetter: &Typesetter, tex: &str, style: Style) -> String {
         let formula = typesetter.render(tex, style).unwrap();
-        assert!(formula.thrun.is_none(), "{formula:?}");
-        formula.choset.html
+        assert!(formula.others().is_none(), "{formula:?}");
+        formula.own().html.clone()
     }
 
     #[test]
@@ -119,11 +131,13 @@ mod tests {
     }
 
     #[test]
-    fn switched_letters_are_rendered_in_both_notations_and_keep_their_colour() {
+    fn switched_letters_are_rendered_in_every_notation_and_keep_their_colour() {
         let formula = typesetter().render(r"\pred{\F} = 1", Style::Inline).unwrap();
-        let (choset, thrun) = (formula.choset.html, formula.thrun.expect("two readings").html);
-        assert!(choset.contains("<mi>F</mi>") && thrun.contains("<mi>A</mi>"));
-        assert!(choset.contains("term-prediction"));
+        let [thrun, common] = formula.others().expect("other readings").try_into().unwrap();
+        let own = &formula.own().html;
+        assert!(own.contains("<mi>F</mi>") && thrun.contains("<mi>A</mi>"));
+        assert_eq!(common, "", "a notation that is not given has the page's own letters");
+        assert!(own.contains("term-prediction"));
     }
 
     #[test]
@@ -131,7 +145,7 @@ mod tests {
         for _ in 0..20 {
             let formula =
                 typesetter().render(r"x_{k+1|k+1} = \begin{aligned} a &= b \end{aligned}", Style::Display).unwrap();
-            assert!(formula.thrun.is_none(), "{formula:?}");
+            assert!(formula.others().is_none(), "{formula:?}");
         }
     }
 

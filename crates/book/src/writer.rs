@@ -1,6 +1,6 @@
 //! The tree to HTML: CommonMark's elements. What is ours is written by `inline`, `block` and `question`.
 
-use std::collections::{BTreeSet, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use pulldown_cmark::{Alignment, CodeBlockKind, HeadingLevel, Tag};
 
@@ -11,7 +11,6 @@ use crate::parse::parse;
 use crate::piece::Piece;
 use crate::site::Site;
 use crate::tree::{Kind, Node};
-use held::{after_formula, before_formula, is_formula};
 
 mod held;
 
@@ -44,6 +43,10 @@ pub struct Used {
     pub quizzes: BTreeSet<String>,
     /// Whether the page lists its references itself.
     pub listed_references: bool,
+    /// Whether a figure that moves has come.
+    pub widget: bool,
+    /// Stills' panels in files of their own, by name among the assets.
+    pub pictures: BTreeMap<String, String>,
 }
 
 /// Writes the texts of one page.
@@ -62,10 +65,10 @@ pub struct Writer<'a> {
     pub headings: Vec<Heading>,
     /// Used so far.
     pub used: Used,
-    /// Formulas in Thrun's letters, where they differ, with their index on the page; `None` for a page that has Choset's
-    /// letters alone.
-    pub thrun: Option<HashMap<String, usize>>,
-    /// The words of the page for the search: no tags, no display formulas.
+    /// Formulas in the letters of the other notations, where any of these differs, with their index on the page; `None` for a
+    /// page that has its own letters alone.
+    pub readings: Option<HashMap<Vec<String>, usize>>,
+    /// The words of the page for the search, without tags.
     pub words: String,
     /// The directives that are open, outermost first.
     pub(crate) inside: Vec<String>,
@@ -87,7 +90,7 @@ impl<'a> Writer<'a> {
             plain: false,
             headings: Vec::new(),
             used: Used::default(),
-            thrun: Some(HashMap::new()),
+            readings: Some(HashMap::new()),
             words: String::new(),
             inside: Vec::new(),
             footnotes: Vec::new(),
@@ -145,10 +148,7 @@ impl<'a> Writer<'a> {
             let before = i.checked_sub(1).and_then(|before| nodes.get(before));
             let follows = |is: fn(&Node) -> bool| nodes.get(i + 1).is_some_and(is);
             match &node.kind {
-                Kind::Text(text) => {
-                    let text = if before.is_some_and(is_formula) { after_formula(text) } else { text };
-                    self.text(if follows(is_formula) { before_formula(text) } else { text });
-                }
+                Kind::Text(text) => self.beside(text, before, nodes.get(i + 1)),
                 Kind::Piece(piece @ Piece::Math(_)) => self.held(piece, node, before, nodes.get(i + 1)),
                 Kind::Code(code) => {
                     self.push("<code>");

@@ -38,8 +38,15 @@ fn the_worker_lists_every_file_and_its_version_follows_them() {
         let mut site = common::site(&diagnostics);
         site.config.chapters.clear();
         let root = common::fixtures().join("../../../..");
-        let build =
-            Build { root: &root, site: &site, assets: &assets, checks: &[], diagnostics: &diagnostics, draft: false };
+        let build = Build {
+            root: &root,
+            site: &site,
+            assets: &assets,
+            checks: &[],
+            diagnostics: &diagnostics,
+            pdf: false,
+            draft: false,
+        };
         build.run().unwrap_or_else(|error| panic!("{error}"))
     };
     let dist = build("1");

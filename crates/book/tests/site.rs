@@ -1,30 +1,17 @@
 //! The book itself: it builds, nothing in it leads astray, and its numbers move with what they are computed from.
 
+mod whole;
+
 use std::collections::BTreeSet;
-use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
-use book::{Assets, Build, Diagnostics, Dist, Outputs, Site, Stills};
+use book::{Diagnostics, Dist};
 use labs::givens::Givens;
-
-fn root() -> PathBuf {
-    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
-}
-
-/// The book's data with `numbers`.
-fn load(numbers: Vec<labs::numbers::Number>, diagnostics: &Diagnostics) -> Site {
-    Site::load(&root(), numbers.into_iter().collect(), Outputs::of(root()), Stills::new(), diagnostics)
-        .expect("the content is there")
-}
+use whole::{build, load, root};
 
 static DIST: LazyLock<Dist> = LazyLock::new(|| {
     let diagnostics = Diagnostics::default();
-    let site = load(labs::numbers::with_ensembles(&Givens::default()).expect("computed"), &diagnostics);
-    let checks = labs::checks::chapter_checks().expect("computed");
-    let (root, assets) = (root(), Assets::default());
-    let build =
-        Build { root: &root, site: &site, assets: &assets, checks: &checks, diagnostics: &diagnostics, draft: false };
-    build.run().unwrap_or_else(|error| panic!("{error}"))
+    build(&load(labs::numbers::with_ensembles(&Givens::default()).expect("computed"), &diagnostics), &diagnostics)
 });
 
 #[test]
@@ -67,15 +54,21 @@ fn every_question_is_asked_and_every_work_is_cited() {
     let site = load(labs::numbers::numbers(&Givens::default()).expect("computed"), &diagnostics);
     let files = book::files(&root(), "content/kalman").expect("the chapter is there");
     let text = book::text(&site, &files, Some(15), "kalman/", &diagnostics);
-    let asked: Vec<_> = site.quizzes.keys().filter(|id| !text.used.quizzes.contains(*id)).collect();
-    assert!(asked.is_empty(), "never asked: {asked:?}");
+    let mut asked = text.used.quizzes.clone();
+    for page in &site.config.pages {
+        let path = format!("content/pages/{}.md", page.slug);
+        let file = (path.clone(), std::fs::read_to_string(root().join(&path)).expect("the page is there"));
+        asked.extend(book::text(&site, &[file], None, &format!("{}/", page.slug), &diagnostics).used.quizzes);
+    }
+    let never: Vec<_> = site.quizzes.keys().filter(|id| !asked.contains(*id)).collect();
+    assert!(never.is_empty(), "never asked: {never:?}");
     let cited: Vec<_> = site.references.keys().filter(|key| !text.used.references.contains(*key)).collect();
     assert!(cited.is_empty(), "never cited: {cited:?}");
 }
 
 #[test]
 fn every_computed_number_of_the_page_says_where_it_comes_from() {
-    let html = &DIST.pages()["kalman/index.html"];
+    let html = &DIST.pages()["kalman/numbers/index.html"];
     let entries = html.matches("class=\"number-entry\"").count();
     assert!(entries > 100, "{entries}");
     assert_eq!(html.matches("class=\"number-source\"").count(), entries);
@@ -90,8 +83,7 @@ fn hand_steps(givens: &Givens) -> BTreeSet<String> {
     assert_eq!(files.len(), 1);
     let body = book::text(&site, &files, Some(15), "kalman/", &diagnostics).body;
     // A number names its entry in `data-number`, or in its address where it is a link.
-    let body = body.split("<section class=\"end-matter").next().unwrap_or_default();
-    let body = body.replace("href=\"#number-", "data-number=\"");
+    let body = body.replace("href=\"numbers/#number-", "data-number=\"");
     let digits = |part: &str| {
         let (id, rest) = part.split_once('"')?;
         // In a formula the digits are in spans of their own.
@@ -124,14 +116,16 @@ fn the_page_moves_with_a_matrix_a_reading_and_the_first_belief() {
 }
 
 #[test]
-fn each_widget_of_the_chapter_has_a_page_that_leads_back_to_its_place() {
+fn each_widget_has_a_page_that_leads_back_to_its_place() {
     let pages = DIST.pages();
     for widget in book::WIDGETS {
         let html = &pages[&format!("figure/{widget}/index.html")];
         assert_eq!(html.matches(&format!("<{widget} class=\"widget\"")).count(), 1, "{widget}");
         let id = html.split("data-figure=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default();
-        assert!(html.contains(&format!("<a href=\"../../kalman/#{id}\">")), "{widget}: {id}");
-        assert!(pages["kalman/index.html"].contains(&format!("data-figure=\"{id}\"")), "{widget}: {id}");
+        let place = html.split("<a href=\"../../").nth(1).and_then(|rest| rest.split_once(&format!("#{id}\">")));
+        let (page, _) = place.unwrap_or_else(|| panic!("{widget}: no link to {id}"));
+        let page = format!("{page}index.html");
+        assert!(pages[&page].contains(&format!("data-figure=\"{id}\"")), "{widget}: {id} in {page}");
         assert_eq!(html.matches("<a ").count(), 1, "{widget}: its caption has no links of its own");
     }
 }

@@ -43,6 +43,26 @@ export function readArray(array, to) {
   }
 }
 
+/**
+ * Writes the numbers of a short array or Float64Array.
+ *
+ * @param {any} array @param {Float64Array} to @returns {number} how many; -1 of what is not plain
+ */
+export function readNumbers(array, to) {
+  try {
+    const length = array instanceof Float64Array ? array.length : lengthOf(array)
+    if (!(length <= to.length)) return -1
+    for (let i = 0; i < length; i++) {
+      const number = array[i]
+      if (!Number.isFinite(number)) return -1
+      to[i] = number
+    }
+    return length <= to.length ? length : -1
+  } catch {
+    return -1
+  }
+}
+
 /** The length of a short array; NaN of what is none. @param {any} array */
 function lengthOf(array) {
   if (!Array.isArray(array)) return NaN

@@ -2,7 +2,7 @@
 
 use crate::decode::Arg;
 use crate::encode::{list, record, rows};
-use crate::errors::thrown;
+use crate::errors::Thrown;
 use crate::functions::{belief_of, shown_belief};
 use crate::object::Held;
 use estimate::localizer::{EkfLocalizer as Localizer, Localized, Logged, MAX_LOG, Reading, SensorKind};
@@ -34,26 +34,20 @@ impl EkfLocalizer {
         #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Landmark[]")] landmarks: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "LocalizerOptions")] options: &JsValue,
-    ) -> Result<EkfLocalizer, JsValue> {
-        let read = || -> Result<Localizer, Error> {
-            let belief = belief_of(&Arg::new(belief, "belief"))?;
-            let map = Arg::new(landmarks, "landmarks").entries()?.iter().map(landmark).collect::<Result<_, _>>()?;
-            let options = Arg::new(options, "options");
-            options.only(["W", "gate", "sensor"].into_iter())?;
-            let gate = options.field("gate")?.number_or_null()?;
-            let mut sensor = SensorKind::default();
-            let kind = |a: &Arg<'_>| {
-                let kinds = [SensorKind::Range, SensorKind::RangeBearing];
-                a.word(&["range", "range-bearing"]).map(|i| kinds[i])
-            };
-            options.given("sensor", kind, &mut sensor)?;
-            let w = options.field("W")?.matrix()?;
-            Localizer::new(belief, map, w, gate, sensor).map_err(|e| match e.argument.as_ref() {
-                "W" | "gate" => e.within("options"),
-                _ => e,
-            })
+    ) -> Result<EkfLocalizer, Thrown> {
+        let belief = belief_of(&Arg::new(belief, "belief"))?;
+        let map = Arg::new(landmarks, "landmarks").entries()?.iter().map(landmark).collect::<Result<_, _>>()?;
+        let options = Arg::new(options, "options");
+        options.only(["W", "gate", "sensor"].into_iter())?;
+        let gate = options.field("gate")?.number_or_null()?;
+        let mut sensor = SensorKind::default();
+        let kind = |a: &Arg<'_>| {
+            let kinds = [SensorKind::Range, SensorKind::RangeBearing];
+            a.word(&["range", "range-bearing"]).map(|i| kinds[i])
         };
-        read().map(|ekf| Self(Held::new(CLASS, ekf))).map_err(thrown)
+        options.given("sensor", kind, &mut sensor)?;
+        let ekf = Localizer::new(belief, map, options.field("W")?.matrix()?, gate, sensor);
+        Ok(Self(Held::new(CLASS, ekf.map_err(|e| e.part_of("options", &["W", "gate"]))?)))
     }
 
     /// The pose moves by `u` = [Δs, Δθ] along the old heading; `V`, 3×3, is the process noise in the state.
@@ -61,8 +55,8 @@ impl EkfLocalizer {
         &self,
         #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
         #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
-    ) -> Result<(), JsValue> {
-        let (u, v) = (Arg::new(u, "u").vector().map_err(thrown)?, Arg::new(v, "V").matrix().map_err(thrown)?);
+    ) -> Result<(), Thrown> {
+        let (u, v) = (Arg::new(u, "u").vector()?, Arg::new(v, "V").matrix()?);
         self.write(|ekf| ekf.predict(u, v))
     }
 
@@ -72,12 +66,9 @@ impl EkfLocalizer {
     pub fn update(
         &self,
         #[wasm_bindgen(unchecked_param_type = "LandmarkReading")] reading: &JsValue,
-    ) -> Result<JsValue, JsValue> {
-        let reading = read(&Arg::new(reading, "reading")).map_err(thrown)?;
-        let blame = |e: Error| match e.argument.as_ref() {
-            "range" | "bearing" | "landmark" => e.within("reading"),
-            _ => e,
-        };
+    ) -> Result<JsValue, Thrown> {
+        let reading = read(&Arg::new(reading, "reading"))?;
+        let blame = |e: Error| e.part_of("reading", &["range", "bearing", "landmark"]);
         self.write(|ekf| ekf.update(reading).map_err(blame)).map(|answer| shown(&answer))
     }
 
@@ -90,11 +81,11 @@ impl EkfLocalizer {
         #[wasm_bindgen(unchecked_param_type = "Float64Array")] log: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Uint32Array")] landmarks: &JsValue,
         #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
-    ) -> Result<Vec<f64>, JsValue> {
+    ) -> Result<Vec<f64>, Thrown> {
         let most = MAX_LOG as u32;
-        let landmarks = Arg::new(landmarks, "landmarks").wholes(most).map_err(thrown)?;
-        let numbers = Arg::new(log, "log").floats(4 * most).map_err(thrown)?;
-        let v = Arg::new(v, "V").matrix().map_err(thrown)?;
+        let landmarks = Arg::new(landmarks, "landmarks").wholes(most)?;
+        let numbers = Arg::new(log, "log").floats(4 * most)?;
+        let v = Arg::new(v, "V").matrix()?;
         self.write(|ekf| {
             let width = match ekf.sensor() {
                 SensorKind::RangeBearing => 4,
@@ -114,11 +105,11 @@ impl EkfLocalizer {
 
     /// The present belief, θ in (−π, π].
     #[wasm_bindgen(unchecked_return_type = "Belief")]
-    pub fn belief(&self) -> Result<JsValue, JsValue> {
+    pub fn belief(&self) -> Result<JsValue, Thrown> {
         self.0.read(CLASS, Localizer::belief).map(|belief| shown_belief(&belief))
     }
 
-    fn write<T>(&self, f: impl FnOnce(&mut Localizer) -> Result<T, Error>) -> Result<T, JsValue> {
+    fn write<T>(&self, f: impl FnOnce(&mut Localizer) -> Result<T, Error>) -> Result<T, Thrown> {
         self.0.write(CLASS, f)
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::decode::Arg;
 use crate::encode::{list, record, rows};
-use crate::errors::thrown;
+use crate::errors::Thrown;
 use crate::functions::belief_of;
 use crate::object::Held;
 use estimate::Error;
@@ -50,19 +50,13 @@ impl EkfSlam {
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "SlamOptions")] options: &JsValue,
-    ) -> Result<EkfSlam, JsValue> {
-        let read = || -> Result<Slam, Error> {
-            let belief = belief_of(&Arg::new(belief, "belief"))?;
-            let options = Arg::new(options, "options");
-            options.only(["W", "gate", "found"].into_iter())?;
-            let gate = options.field("gate")?.number_or_null()?;
-            let (w, found) = (options.field("W")?.matrix()?, options.field("found")?.number()?);
-            Slam::from_belief(&belief, w, gate, found).map_err(|e| match e.argument.as_ref() {
-                "W" | "gate" | "found" => e.within("options"),
-                _ => e,
-            })
-        };
-        read().map(|slam| Self(Held::new(CLASS, slam))).map_err(thrown)
+    ) -> Result<EkfSlam, Thrown> {
+        let belief = belief_of(&Arg::new(belief, "belief"))?;
+        let options = Arg::new(options, "options");
+        options.only(["W", "gate", "found"].into_iter())?;
+        let gate = options.field("gate")?.number_or_null()?;
+        let slam = Slam::from_belief(&belief, options.field("W")?.matrix()?, gate, options.field("found")?.number()?);
+        Ok(Self(Held::new(CLASS, slam.map_err(|e| e.part_of("options", &["W", "gate", "found"]))?)))
     }
 
     /// The pose moves by `u` = [Δs, Δθ] along the old heading; `V`, 3×3, is the process noise in the pose.
@@ -70,8 +64,8 @@ impl EkfSlam {
         &self,
         #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
         #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
-    ) -> Result<(), JsValue> {
-        let (u, v) = (Arg::new(u, "u").vector().map_err(thrown)?, Arg::new(v, "V").matrix().map_err(thrown)?);
+    ) -> Result<(), Thrown> {
+        let (u, v) = (Arg::new(u, "u").vector()?, Arg::new(v, "V").matrix()?);
         self.write(|slam| slam.predict_by(u, v))
     }
 
@@ -80,17 +74,14 @@ impl EkfSlam {
     pub fn update(
         &self,
         #[wasm_bindgen(unchecked_param_type = "SlamSighting | SlamSighting[]")] sightings: &JsValue,
-    ) -> Result<JsValue, JsValue> {
+    ) -> Result<JsValue, Thrown> {
         let arg = Arg::new(sightings, "sightings");
-        let several = arg.array().map_err(thrown)?;
+        let several = arg.array()?;
         let read = || if several { arg.entries()?.iter().map(sighting).collect() } else { Ok(vec![sighting(&arg)?]) };
-        let readings: Vec<Reading> = read().map_err(thrown)?;
+        let readings: Vec<Reading> = read()?;
         // The core counts sightings where there are several; an array of one is counted too.
         let whole = if several { "sightings[0]" } else { "sightings" };
-        let blame = |e: Error| match e.argument.as_ref() {
-            "range" | "bearing" | "landmark" => e.within(whole),
-            _ => e,
-        };
+        let blame = |e: Error| e.part_of(whole, &["range", "bearing", "landmark"]);
         let reports = self.write(|slam| slam.update(&readings).map_err(blame))?;
         Ok(match reports.as_slice() {
             [one] if !several => shown(one),
@@ -100,7 +91,7 @@ impl EkfSlam {
 
     /// The whole belief: x and P over pose and map.
     #[wasm_bindgen(unchecked_return_type = "Belief")]
-    pub fn belief(&self) -> Result<JsValue, JsValue> {
+    pub fn belief(&self) -> Result<JsValue, Thrown> {
         let (x, p) = self.0.read(CLASS, |slam: &Slam| {
             let (x, p) = slam.belief();
             (x.to_vec(), p)
@@ -110,12 +101,12 @@ impl EkfSlam {
 
     /// The map, in the order in which it was founded.
     #[wasm_bindgen(unchecked_return_type = "MappedLandmark[]")]
-    pub fn landmarks(&self) -> Result<JsValue, JsValue> {
+    pub fn landmarks(&self) -> Result<JsValue, Thrown> {
         let landmarks: Vec<Mapped> = self.0.read(CLASS, |slam: &Slam| slam.landmarks().collect())?;
         Ok(landmarks.iter().map(shown_landmark).collect::<Array>().into())
     }
 
-    fn write<T>(&self, f: impl FnOnce(&mut Slam) -> Result<T, Error>) -> Result<T, JsValue> {
+    fn write<T>(&self, f: impl FnOnce(&mut Slam) -> Result<T, Error>) -> Result<T, Thrown> {
         self.0.write(CLASS, f)
     }
 }

@@ -24,19 +24,33 @@ pub(crate) fn name(code: Code) -> &'static str {
     }
 }
 
-/// The `EstimateError` to throw.
-pub(crate) fn thrown(error: Error) -> JsValue {
-    named(&error.to_string(), name(error.code), &error.argument)
+/// An `EstimateError`, as an export throws it: `?` makes it of an error of the core.
+pub struct Thrown(JsValue);
+
+impl From<Thrown> for JsValue {
+    fn from(Thrown(error): Thrown) -> Self {
+        error
+    }
 }
 
-/// The `EstimateError` of a text that is no log.
-#[cfg(feature = "log")]
-pub(crate) fn thrown_at(message: &str, line: u32, column: u32) -> JsValue {
-    let js = named(&format!("line {line}, column {column}: {message}"), "log", "text");
-    for (key, value) in [("line", line), ("column", column)] {
-        let _ = Reflect::set(&js, &key.into(), &value.into());
+impl From<Error> for Thrown {
+    #[cold]
+    #[inline(never)]
+    fn from(error: Error) -> Self {
+        Self(named(&error.to_string(), name(error.code), &error.argument))
     }
-    js
+}
+
+/// A text that is no log.
+#[cfg(feature = "log")]
+impl From<robot_log::Error> for Thrown {
+    fn from(robot_log::Error { file, line, column, message }: robot_log::Error) -> Self {
+        let js = named(&format!("line {line}, column {column}: {message}"), "log", "text");
+        for (key, value) in [("file", file as u32), ("line", line), ("column", column)] {
+            let _ = Reflect::set(&js, &key.into(), &value.into());
+        }
+        Self(js)
+    }
 }
 
 fn named(message: &str, code: &str, argument: &str) -> JsValue {

@@ -2,12 +2,12 @@
 
 use crate::decode::Arg;
 use crate::encode::{Arrays, list, record, rows, shown};
-use crate::errors::thrown;
+use crate::errors::Thrown;
 use estimate::dynamic::{self, Belief, Replayed, System};
 use estimate::validate::{self, MAX_INPUTS, MAX_OUTPUTS};
 use estimate::{Complex, Error, kf};
 use js_sys::{Array, Float64Array};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -20,12 +20,10 @@ pub fn kalman_step(
     #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let step = || -> Result<_, Error> {
-        let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
-        kf::kalman_step(&system, &belief, &Arg::new(u, "u").vector()?, &Arg::new(y, "y").vector()?)
-    };
-    let kf::KalmanStep { predicted, innovation, s, r, posterior } = step().map_err(thrown)?;
+) -> Result<JsValue, Thrown> {
+    let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
+    let (u, y) = (Arg::new(u, "u").vector()?, Arg::new(y, "y").vector()?);
+    let kf::KalmanStep { predicted, innovation, s, r, posterior } = kf::kalman_step(&system, &belief, &u, &y)?;
     let answer = record(&[("predicted", shown_belief(&predicted))]);
     Arrays::default()
         .vector(innovation.as_slice())
@@ -46,15 +44,12 @@ pub fn kalman_replay(
     #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Float64Array")] inputs: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Float64Array")] readings: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let answer = || -> Result<_, Error> {
-        let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
-        let most = |each: usize| (dynamic::MAX_LOG * each) as u32;
-        let inputs = Arg::new(inputs, "inputs").floats(most(MAX_INPUTS))?;
-        let readings = Arg::new(readings, "readings").floats(most(MAX_OUTPUTS))?;
-        dynamic::kalman_replay(&system, &belief, &inputs, &readings)
-    };
-    let Replayed { x, variances, p, log_likelihood } = answer().map_err(thrown)?;
+) -> Result<JsValue, Thrown> {
+    let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
+    let most = |each: usize| (dynamic::MAX_LOG * each) as u32;
+    let inputs = Arg::new(inputs, "inputs").floats(most(MAX_INPUTS))?;
+    let readings = Arg::new(readings, "readings").floats(most(MAX_OUTPUTS))?;
+    let Replayed { x, variances, p, log_likelihood } = dynamic::kalman_replay(&system, &belief, &inputs, &readings)?;
     let floats = |numbers: &[f64]| Float64Array::from(numbers).into();
     Ok(record(&[
         ("x", floats(&x)),
@@ -72,11 +67,10 @@ pub fn observer_step(
     #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
-) -> Result<JsValue, JsValue> {
-    vector(|| {
-        let (k, x) = (Arg::new(k, "K").matrix()?, Arg::new(x, "x").vector()?);
-        dynamic::observer_step(&system_of(system)?, k, x, Arg::new(u, "u").vector()?, Arg::new(y, "y").vector()?)
-    })
+) -> Result<JsValue, Thrown> {
+    let (k, x) = (Arg::new(k, "K").matrix()?, Arg::new(x, "x").vector()?);
+    let (system, u, y) = (system_of(system)?, Arg::new(u, "u").vector()?, Arg::new(y, "y").vector()?);
+    Ok(list(dynamic::observer_step(&system, k, x, u, y)?.as_slice()))
 }
 
 /// The eigenvalues of (I − KH)F, by decreasing modulus, then decreasing imaginary part.
@@ -84,9 +78,8 @@ pub fn observer_step(
 pub fn error_eigenvalues(
     #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
     #[wasm_bindgen(js_name = K, unchecked_param_type = "Matrix")] k: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let answer = || dynamic::error_eigenvalues(&system_of(system)?, Arg::new(k, "K").matrix()?);
-    Ok(shown(&answer().map_err(thrown)?))
+) -> Result<JsValue, Thrown> {
+    Ok(shown(&dynamic::error_eigenvalues(&system_of(system)?, Arg::new(k, "K").matrix()?)?))
 }
 
 /// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out); at most
@@ -96,12 +89,9 @@ pub fn observability(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
     #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let answer = || {
-        let tolerance = number_or(tolerance, "tolerance", 1e-9)?;
-        dynamic::observability(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, tolerance)
-    };
-    let seen = answer().map_err(thrown)?;
+) -> Result<JsValue, Thrown> {
+    let tolerance = number_or(tolerance, "tolerance", 1e-9)?;
+    let seen = dynamic::observability(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, tolerance)?;
     Ok(record(&[
         ("rank", seen.rank.into()),
         ("n", seen.n.into()),
@@ -117,13 +107,9 @@ pub fn place_observer_gain(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
     #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "(number | Complex)[]")] poles: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let answer = || {
-        let poles: Vec<Complex<f64>> =
-            Arg::new(poles, "poles").entries()?.iter().map(Arg::complex).collect::<Result<_, _>>()?;
-        dynamic::place_observer_gain(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, &poles)
-    };
-    let k: DVector<f64> = answer().map_err(thrown)?;
+) -> Result<JsValue, Thrown> {
+    let poles = poles_of(poles)?;
+    let k = dynamic::place_observer_gain(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, &poles)?;
     Ok(rows(&DMatrix::from_column_slice(k.len(), 1, k.as_slice())))
 }
 
@@ -135,16 +121,14 @@ pub fn steady_state_gain(
     #[wasm_bindgen(js_name = P0, unchecked_param_type = "Matrix")] p0: &JsValue,
     #[wasm_bindgen(js_name = maxIterations, unchecked_optional_param_type = "number")] max_iterations: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let answer = || {
-        let iterations = match Arg::new(max_iterations, "maxIterations") {
-            a if a.is_undefined() => 10_000,
-            a => a.whole(1, estimate::riccati::MAX_ITERATIONS as u32)?,
-        };
-        let tolerance = number_or(tolerance, "tolerance", 1e-12)?;
-        dynamic::steady_state_gain(&system_of(system)?, Arg::new(p0, "P0").matrix()?, iterations as usize, tolerance)
+) -> Result<JsValue, Thrown> {
+    let iterations = match Arg::new(max_iterations, "maxIterations") {
+        a if a.is_undefined() => 10_000,
+        a => a.whole(1, estimate::riccati::MAX_ITERATIONS as u32)?,
     };
-    let limit = answer().map_err(thrown)?;
+    let tolerance = number_or(tolerance, "tolerance", 1e-12)?;
+    let (system, p0) = (system_of(system)?, Arg::new(p0, "P0").matrix()?);
+    let limit = dynamic::steady_state_gain(&system, p0, iterations as usize, tolerance)?;
     Ok(record(&[
         ("R", rows(&limit.r)),
         ("P", rows(&limit.p)),
@@ -160,12 +144,10 @@ pub fn gain_schedule(
     #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
     #[wasm_bindgen(js_name = P0, unchecked_param_type = "Matrix")] p0: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "number")] steps: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let answer = || {
-        let steps = Arg::new(steps, "steps").whole(1, estimate::riccati::MAX_STEPS as u32)?;
-        dynamic::gain_schedule(&system_of(system)?, Arg::new(p0, "P0").matrix()?, steps as usize)
-    };
-    Ok(answer().map_err(thrown)?.iter().map(rows).collect::<Array>().into())
+) -> Result<JsValue, Thrown> {
+    let steps = Arg::new(steps, "steps").whole(1, estimate::riccati::MAX_STEPS as u32)?;
+    let gains = dynamic::gain_schedule(&system_of(system)?, Arg::new(p0, "P0").matrix()?, steps as usize)?;
+    Ok(gains.iter().map(rows).collect::<Array>().into())
 }
 
 /// The ellipse {x : xᵀP⁻¹x = radius²} of a 2×2 covariance; the radius is 1 when left out.
@@ -173,9 +155,8 @@ pub fn gain_schedule(
 pub fn covariance_ellipse(
     #[wasm_bindgen(js_name = P, unchecked_param_type = "Matrix")] p: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] radius: &JsValue,
-) -> Result<JsValue, JsValue> {
-    let answer = || dynamic::covariance_ellipse(Arg::new(p, "P").matrix()?, number_or(radius, "radius", 1.0)?);
-    Ok(shown(&answer().map_err(thrown)?))
+) -> Result<JsValue, Thrown> {
+    Ok(shown(&dynamic::covariance_ellipse(Arg::new(p, "P").matrix()?, number_or(radius, "radius", 1.0)?)?))
 }
 
 /// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric; at most 16 states and 8 outputs.
@@ -184,11 +165,9 @@ pub fn euclidean_foot(
     #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
-) -> Result<JsValue, JsValue> {
-    vector(|| {
-        let h = Arg::new(h, "H").tall()?;
-        dynamic::euclidean_foot(h, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
-    })
+) -> Result<JsValue, Thrown> {
+    let (h, x, y) = (Arg::new(h, "H").tall()?, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?);
+    Ok(list(dynamic::euclidean_foot(h, x, y)?.as_slice()))
 }
 
 /// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `P`; at most 16 states and 8 outputs.
@@ -198,11 +177,9 @@ pub fn mahalanobis_foot(
     #[wasm_bindgen(js_name = P, unchecked_param_type = "Matrix")] p: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
-) -> Result<JsValue, JsValue> {
-    vector(|| {
-        let (h, p) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?);
-        dynamic::mahalanobis_foot(h, p, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
-    })
+) -> Result<JsValue, Thrown> {
+    let (h, p) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?);
+    Ok(list(dynamic::mahalanobis_foot(h, p, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)?.as_slice()))
 }
 
 /// y*, the most likely output: where the product of N(Hx, HPHᵀ) and N(y, W) peaks (Theorem 8.2.1); at most 16
@@ -214,23 +191,23 @@ pub fn most_likely_output(
     #[wasm_bindgen(js_name = W, unchecked_param_type = "Matrix")] w: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
-) -> Result<JsValue, JsValue> {
-    vector(|| {
-        let (h, p, w) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?, Arg::new(w, "W").matrix()?);
-        dynamic::most_likely_output(h, p, w, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)
-    })
+) -> Result<JsValue, Thrown> {
+    let (h, p, w) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?, Arg::new(w, "W").matrix()?);
+    let (x, y) = (Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?);
+    Ok(list(dynamic::most_likely_output(h, p, w, x, y)?.as_slice()))
 }
 
-fn vector(answer: impl FnOnce() -> Result<DVector<f64>, Error>) -> Result<JsValue, JsValue> {
-    answer().map(|v| list(v.as_slice())).map_err(thrown)
+/// Poles: real numbers, or complex ones `{ re, im }`.
+pub(crate) fn poles_of(value: &JsValue) -> Result<Vec<Complex<f64>>, Error> {
+    Arg::new(value, "poles").entries()?.iter().map(Arg::complex).collect()
 }
 
-fn number_or(value: &JsValue, name: &'static str, default: f64) -> Result<f64, Error> {
+pub(crate) fn number_or(value: &JsValue, name: &'static str, default: f64) -> Result<f64, Error> {
     let arg = Arg::new(value, name);
     if arg.is_undefined() { Ok(default) } else { arg.number() }
 }
 
-fn system_of(value: &JsValue) -> Result<System, Error> {
+pub(crate) fn system_of(value: &JsValue) -> Result<System, Error> {
     let arg = Arg::new(value, "system");
     let plain = arg.plain_fields(&["F", "G", "H", "V", "W"], |arrays| {
         Some((arrays.matrix()?, arrays.matrix()?, arrays.matrix()?, arrays.matrix()?, arrays.matrix()?))

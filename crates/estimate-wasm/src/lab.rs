@@ -2,9 +2,9 @@
 
 use crate::decode::Arg;
 use crate::encode::{Row, record};
-use crate::errors::thrown;
+use crate::errors::Thrown;
 use crate::object::Held;
-use estimate::{Code, Error};
+use estimate::Error;
 use labs::{Experiment, Kind, Parameter, Shape};
 use wasm_bindgen::prelude::*;
 
@@ -27,61 +27,59 @@ pub(crate) struct Class {
 
 impl Class {
     /// A lab at step 0, made by `open` of the parameters that `params` has; of its defaults where there are none.
-    pub fn open(&'static self, params: &JsValue, open: Open<'_>) -> Result<Held, JsValue> {
+    pub fn open(&'static self, params: &JsValue, open: Open<'_>) -> Result<Held, Thrown> {
         let arg = Arg::new(params, "params");
         let defaults = (self.kind.defaults)();
         let numbers = if arg.is_undefined() { Ok(defaults) } else { self.decode(&arg, &defaults) };
         let lab = numbers.and_then(|numbers| open(&numbers, 0).map_err(|e| self.blame(e, "params")));
-        Ok(Held::new(self.name, lab.map_err(thrown)?))
+        Ok(Held::new(self.name, lab?))
     }
 
     /// A lab in a state, made by `open`.
-    pub fn open_state(&'static self, state: &JsValue, open: Open<'_>) -> Result<Held, JsValue> {
-        let read = || -> Result<AnyLab, Error> {
-            let arg = Arg::new(state, "state");
-            arg.only(["version", "lab", "params", "step"].into_iter())?;
-            arg.field("version")?.whole(VERSION, VERSION)?;
-            arg.field("lab")?.word(&[self.kind.name])?;
-            let step = arg.field("step")?.whole(0, self.kind.last_step)?;
-            let numbers = self.decode(&arg.field("params")?, &(self.kind.defaults)())?;
-            open(&numbers, step).map_err(|e| self.blame(e, "state.params"))
-        };
-        Ok(Held::new(self.name, read().map_err(thrown)?))
+    pub fn open_state(&'static self, state: &JsValue, open: Open<'_>) -> Result<Held, Thrown> {
+        let arg = Arg::new(state, "state");
+        arg.only(["version", "lab", "params", "step"].into_iter())?;
+        arg.field("version")?.whole(VERSION, VERSION)?;
+        arg.field("lab")?.word(&[self.kind.name])?;
+        let step = arg.field("step")?.whole(0, self.kind.last_step)?;
+        let numbers = self.decode(&arg.field("params")?, &(self.kind.defaults)())?;
+        Ok(Held::new(self.name, open(&numbers, step).map_err(|e| self.blame(e, "state.params"))?))
     }
 
     /// What `f` answers of the lab itself, for what one kind of lab has beyond the others.
+    #[cfg(any(feature = "late", feature = "log"))]
     pub fn lab<L: Experiment + 'static, A>(
         &'static self,
         held: &Held,
         f: impl FnOnce(&L) -> Result<A, Error>,
-    ) -> Result<A, JsValue> {
-        let other = || Error::new(Code::Type, "this", "is a lab of another kind");
-        held.read(self.name, |lab: &AnyLab| lab.as_any().downcast_ref().ok_or_else(other).and_then(f))?.map_err(thrown)
+    ) -> Result<A, Thrown> {
+        let other = || Error::new(estimate::Code::Type, "this", "is a lab of another kind");
+        Ok(held.read(self.name, |lab: &AnyLab| lab.as_any().downcast_ref().ok_or_else(other).and_then(f))??)
     }
 
-    pub fn set(&'static self, held: &Held, params: &JsValue) -> Result<(), JsValue> {
+    pub fn set(&'static self, held: &Held, params: &JsValue) -> Result<(), Thrown> {
         let (base, _) = held.read(self.name, |lab: &AnyLab| lab.state_numbers())?;
-        let numbers = self.decode(&Arg::new(params, "params"), &base).map_err(thrown)?;
+        let numbers = self.decode(&Arg::new(params, "params"), &base)?;
         held.write(self.name, |lab: &mut AnyLab| lab.set_params(&numbers).map_err(|e| self.blame(e, "params")))
     }
 
-    pub fn run(&'static self, held: &Held, n: &JsValue) -> Result<(), JsValue> {
+    pub fn run(&'static self, held: &Held, n: &JsValue) -> Result<(), Thrown> {
         held.is(self.name)?;
-        let n = Arg::new(n, "n").whole(1, self.kind.last_step).map_err(thrown)?;
+        let n = Arg::new(n, "n").whole(1, self.kind.last_step)?;
         self.advance(held, n)
     }
 
-    pub fn advance(&'static self, held: &Held, n: u32) -> Result<(), JsValue> {
+    pub fn advance(&'static self, held: &Held, n: u32) -> Result<(), Thrown> {
         let blame = |e: Error| if e.argument == "n" { e } else { self.blame(e, "params") };
         held.write(self.name, |lab: &mut AnyLab| lab.run_on(n).map_err(blame))
     }
 
-    pub fn frame(&'static self, held: &Held) -> Result<JsValue, JsValue> {
+    pub fn frame(&'static self, held: &Held) -> Result<JsValue, Thrown> {
         let numbers = held.read(self.name, |lab: &AnyLab| lab.frame_numbers())?;
         Ok(Row::new(&numbers).value(&self.kind.frame))
     }
 
-    pub fn state(&'static self, held: &Held) -> Result<JsValue, JsValue> {
+    pub fn state(&'static self, held: &Held) -> Result<JsValue, Thrown> {
         let (params, step) = held.read(self.name, |lab: &AnyLab| lab.state_numbers())?;
         Ok(record(&[
             ("version", VERSION.into()),
@@ -91,7 +89,7 @@ impl Class {
         ]))
     }
 
-    pub fn digest(&'static self, held: &Held) -> Result<String, JsValue> {
+    pub fn digest(&'static self, held: &Held) -> Result<String, Thrown> {
         held.read(self.name, |lab: &AnyLab| format!("{:016x}", lab.hash()))
     }
 
@@ -119,7 +117,7 @@ impl Class {
     }
 
     /// `base` with the parameters that `arg` has; a field that is unknown, or no parameter at all, is refused.
-    fn decode(&self, arg: &Arg<'_>, base: &[f64]) -> Result<Vec<f64>, Error> {
+    pub fn decode(&self, arg: &Arg<'_>, base: &[f64]) -> Result<Vec<f64>, Error> {
         arg.only(self.kind.parameters.iter().map(|p| p.name))?;
         let (mut old, mut numbers) = (base.iter(), Vec::new());
         for p in self.kind.parameters {
@@ -194,35 +192,38 @@ macro_rules! lab_face {
             pub fn set(
                 &self,
                 #[wasm_bindgen(unchecked_param_type = $partial)] params: &JsValue,
-            ) -> Result<(), JsValue> {
+            ) -> Result<(), $crate::errors::Thrown> {
                 Self::CLASS.set(&self.0, params)
             }
 
             /// One step.
-            pub fn step(&self) -> Result<(), JsValue> {
+            pub fn step(&self) -> Result<(), $crate::errors::Thrown> {
                 Self::CLASS.advance(&self.0, 1)
             }
 
             /// `n` steps, at most to the last step.
-            pub fn run(&self, #[wasm_bindgen(unchecked_param_type = "number")] n: &JsValue) -> Result<(), JsValue> {
+            pub fn run(
+                &self,
+                #[wasm_bindgen(unchecked_param_type = "number")] n: &JsValue,
+            ) -> Result<(), $crate::errors::Thrown> {
                 Self::CLASS.run(&self.0, n)
             }
 
             /// What there is to draw.
             #[wasm_bindgen(unchecked_return_type = $frame)]
-            pub fn frame(&self) -> Result<JsValue, JsValue> {
+            pub fn frame(&self) -> Result<JsValue, $crate::errors::Thrown> {
                 Self::CLASS.frame(&self.0)
             }
 
             /// Parameters and step: all it takes to find this lab again.
             #[wasm_bindgen(unchecked_return_type = $state)]
-            pub fn state(&self) -> Result<JsValue, JsValue> {
+            pub fn state(&self) -> Result<JsValue, $crate::errors::Thrown> {
                 Self::CLASS.state(&self.0)
             }
 
             /// A hash of what the run has recorded at every step (truth, readings, estimates, covariances and their
             /// comparison), bit for bit, in hexadecimal.
-            pub fn digest(&self) -> Result<String, JsValue> {
+            pub fn digest(&self) -> Result<String, $crate::errors::Thrown> {
                 Self::CLASS.digest(&self.0)
             }
         }
@@ -230,7 +231,7 @@ macro_rules! lab_face {
 }
 
 /// The class of a lab that is a function of its parameters and its step alone.
-#[cfg(any(feature = "figures", feature = "late"))]
+#[cfg(any(feature = "figures", feature = "late", feature = "system"))]
 macro_rules! lab_class {
     ($doc:tt, $name:ident: $lab:ty, $partial:tt, $frame:tt, $state:tt) => {
         lab_face! { $doc, $name: const { &labs::Kind::of::<$lab>() }, $partial, $frame, $state }
@@ -241,12 +242,14 @@ macro_rules! lab_class {
             #[wasm_bindgen(constructor)]
             pub fn new(
                 #[wasm_bindgen(unchecked_optional_param_type = $partial)] params: &JsValue,
-            ) -> Result<$name, JsValue> {
+            ) -> Result<$name, $crate::errors::Thrown> {
                 Self::CLASS.open(params, &labs::open::<$lab>).map(Self)
             }
 
             /// The lab in a state that `state()` answered.
-            pub fn from(#[wasm_bindgen(unchecked_param_type = $state)] state: &JsValue) -> Result<$name, JsValue> {
+            pub fn from(
+                #[wasm_bindgen(unchecked_param_type = $state)] state: &JsValue,
+            ) -> Result<$name, $crate::errors::Thrown> {
                 Self::CLASS.open_state(state, &labs::open::<$lab>).map(Self)
             }
         }
@@ -257,15 +260,22 @@ macro_rules! lab_class {
 pub(crate) use lab_face;
 
 #[cfg(feature = "figures")]
-pub use figures::{ObservabilityProbe, ObserverBench, OdometryHook, Picture};
+pub use figures::{ObserverBench, OdometryHook, Picture};
 
 /// The labs of the chapter's simulated robots.
 #[cfg(feature = "figures")]
 mod figures;
 
 #[cfg(feature = "late")]
-pub use late::{LoopClosure, Tune};
+pub use late::{BugMuseum, LoopClosure, ObservabilityProbe, Tune};
 
 /// The labs of figures late in the chapter.
 #[cfg(feature = "late")]
 mod late;
+
+#[cfg(feature = "system")]
+pub use system::OwnSystem;
+
+/// The lab of a system of the reader's own.
+#[cfg(feature = "system")]
+mod system;

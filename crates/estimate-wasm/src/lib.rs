@@ -14,6 +14,8 @@
 //! typed array, say so where they stand.
 
 #[cfg(feature = "functions")]
+mod analysis;
+#[cfg(feature = "functions")]
 mod checks;
 mod decode;
 #[cfg(feature = "functions")]
@@ -24,26 +26,30 @@ mod encode;
 mod errors;
 #[cfg(feature = "functions")]
 mod functions;
+#[cfg(feature = "functions")]
+mod kalman_filter;
 mod lab;
+#[cfg(feature = "log")]
+mod log_files;
+#[cfg(feature = "log")]
+mod log_table;
 mod names;
 mod object;
 #[cfg(feature = "log")]
 mod robot_log;
 
 #[cfg(feature = "functions")]
-pub use checks::{chapter_check, chapter_checks};
-#[cfg(feature = "functions")]
-pub use ekf_localizer::EkfLocalizer;
-#[cfg(feature = "functions")]
-pub use ekf_slam::EkfSlam;
-#[cfg(feature = "functions")]
-pub use functions::*;
-#[cfg(feature = "late")]
-pub use lab::{LoopClosure, Tune};
-#[cfg(feature = "figures")]
-pub use lab::{ObservabilityProbe, ObserverBench, OdometryHook, Picture};
+pub use self::{
+    analysis::*, checks::*, ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
+};
 #[cfg(feature = "log")]
-pub use robot_log::{DriveLog, RobotLog};
+pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog, robot_log::RobotLog};
+#[cfg(feature = "system")]
+pub use lab::OwnSystem;
+#[cfg(feature = "late")]
+pub use lab::{BugMuseum, LoopClosure, ObservabilityProbe, Tune};
+#[cfg(feature = "figures")]
+pub use lab::{ObserverBench, OdometryHook, Picture};
 
 use wasm_bindgen::prelude::*;
 

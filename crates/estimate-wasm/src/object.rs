@@ -3,11 +3,10 @@
 //! JavaScript can call a method of one class on an object of another. All classes therefore hold the same Rust type, which
 //! says what it is: such a call finds a sound object, and is refused.
 
-use crate::errors::thrown;
+use crate::errors::Thrown;
 use estimate::{Code, Error};
 use std::any::Any;
 use std::cell::RefCell;
-use wasm_bindgen::prelude::*;
 
 /// An object behind a shared reference: arguments are decoded before it is borrowed, so that a getter of a caller's object
 /// which calls back into it finds it free.
@@ -22,7 +21,7 @@ impl Held {
     }
 
     /// What `f` answers of the object, which must be of this class.
-    pub fn read<T: Any, A>(&self, class: &'static str, f: impl FnOnce(&T) -> A) -> Result<A, JsValue> {
+    pub fn read<T: Any, A>(&self, class: &'static str, f: impl FnOnce(&T) -> A) -> Result<A, Thrown> {
         self.is(class)?;
         let inner = self.inner.try_borrow().map_err(|_| busy())?;
         inner.downcast_ref().map(f).ok_or_else(|| foreign(self.class, class))
@@ -33,27 +32,27 @@ impl Held {
         &self,
         class: &'static str,
         f: impl FnOnce(&mut T) -> Result<A, Error>,
-    ) -> Result<A, JsValue> {
+    ) -> Result<A, Thrown> {
         self.is(class)?;
         let mut inner = self.inner.try_borrow_mut().map_err(|_| busy())?;
         let object = inner.downcast_mut().ok_or_else(|| foreign(self.class, class))?;
-        f(object).map_err(thrown)
+        Ok(f(object)?)
     }
 
     /// Refuses an object of another class.
-    pub fn is(&self, class: &'static str) -> Result<(), JsValue> {
+    pub fn is(&self, class: &'static str) -> Result<(), Thrown> {
         if self.class == class { Ok(()) } else { Err(foreign(self.class, class)) }
     }
 }
 
 #[cold]
-fn foreign(found: &str, wanted: &str) -> JsValue {
+fn foreign(found: &str, wanted: &str) -> Thrown {
     let message = ["is an object of the class ", found, "; this is a method of ", wanted].concat();
-    thrown(Error::new(Code::Type, "this", message))
+    Error::new(Code::Type, "this", message).into()
 }
 
 /// What a call from within a call is told.
 #[cold]
-fn busy() -> JsValue {
-    thrown(Error::new(Code::Type, "this", "is in the middle of a call"))
+fn busy() -> Thrown {
+    Error::new(Code::Type, "this", "is in the middle of a call").into()
 }

@@ -2,13 +2,13 @@
 
 use crate::decode::Arg;
 use crate::encode::{Row, record};
-use crate::errors::{thrown, thrown_at};
+use crate::errors::Thrown;
 use crate::lab::{AnyLab, lab_face};
 use crate::object::Held;
-use estimate::drive::Motion;
+use estimate::drive::{Motion, Summary};
 use estimate::{Code, Error, Landmark};
-use js_sys::JsString;
-use labs::{LogSummary, LoggedDrive, Plain};
+use js_sys::{Array, JsString};
+use labs::{LogParams, LoggedDrive, Params, Plain};
 use std::cell::RefCell;
 use std::sync::{Arc, Weak};
 use wasm_bindgen::prelude::*;
@@ -31,9 +31,11 @@ export interface LogContents {
     bearings: boolean;
     /** Whether it is known where the robot really was. */
     truth: boolean;
+    /** What was left out of the log's files or added to them, in sentences. */
+    notes: string[];
 }
-/** Why a text is no log: an EstimateError with the code "log", and where the fault is. */
-export interface LogError extends EstimateError { code: "log"; argument: "text"; line: number; column: number }
+/** Why a text is no log: an EstimateError with the code "log", and where the fault is; `file` counts from 0, the others from 1. */
+export interface LogError extends EstimateError { code: "log"; argument: "text"; file: number; line: number; column: number }
 "#;
 
 #[wasm_bindgen]
@@ -59,6 +61,7 @@ struct Kept {
     handle: f64,
     logged: Arc<LoggedDrive>,
     rows: usize,
+    notes: Vec<String>,
 }
 
 const LOG: &str = "DriveLog";
@@ -67,7 +70,7 @@ const LOG: &str = "DriveLog";
 impl DriveLog {
     /// What the log holds.
     #[wasm_bindgen(unchecked_return_type = "LogContents")]
-    pub fn contents(&self) -> Result<JsValue, JsValue> {
+    pub fn contents(&self) -> Result<JsValue, Thrown> {
         self.0.read(LOG, |held: &Kept| {
             let (drive, [first, last]) = (held.logged.drive(), held.logged.span());
             let mut numbers = Vec::new();
@@ -81,18 +84,33 @@ impl DriveLog {
                 ("motion", if drive.motion == Motion::Odometry { "odometry" } else { "velocity" }.into()),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
+                ("notes", held.notes.iter().map(|note| JsValue::from_str(note)).collect::<Array>().into()),
             ])
         })
     }
 
     /// The number by which a lab knows this log.
-    pub fn handle(&self) -> Result<f64, JsValue> {
+    pub fn handle(&self) -> Result<f64, Thrown> {
         self.0.read(LOG, |held: &Kept| held.handle)
     }
 }
 
+impl DriveLog {
+    /// A log that was read, and what was left out of it.
+    pub(crate) fn keep(robot_log::Log { drive, count }: robot_log::Log, notes: Vec<String>) -> Self {
+        let logged = Arc::new(LoggedDrive::new(drive));
+        let handle = LOGS.with_borrow_mut(|logs| {
+            let handle = logs.last().map_or(1.0, |(last, _)| last + 1.0);
+            logs.retain(|(_, log)| log.strong_count() > 0);
+            logs.push((handle, Arc::downgrade(&logged)));
+            handle
+        });
+        Self(Held::new(LOG, Kept { handle, logged, rows: count, notes }))
+    }
+}
+
 /// The log behind a value of JavaScript.
-fn logged(log: &JsValue) -> Result<Arc<LoggedDrive>, Error> {
+pub(crate) fn logged(log: &JsValue) -> Result<Arc<LoggedDrive>, Error> {
     let handle = log.unchecked_ref::<Foreign>().handle().ok().flatten().and_then(|handle| handle.as_f64());
     let known = LOGS.with_borrow(|logs| {
         let (_, known) = logs.iter().find(|(known, _)| Some(*known) == handle)?;
@@ -110,18 +128,9 @@ lab_face! {
 impl RobotLog {
     /// Reads a log. What is no log throws a `LogError`, which says in which line and column.
     #[wasm_bindgen(unchecked_return_type = "DriveLog")]
-    pub fn parse(#[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue) -> Result<DriveLog, JsValue> {
+    pub fn parse(#[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue) -> Result<DriveLog, Thrown> {
         let text = text_of(text)?;
-        let robot_log::Log { drive, count } =
-            robot_log::parse(&text).map_err(|e| thrown_at(&e.message, e.line, e.column))?;
-        let logged = Arc::new(LoggedDrive::new(drive));
-        let handle = LOGS.with_borrow_mut(|logs| {
-            let handle = logs.last().map_or(1.0, |(last, _)| last + 1.0);
-            logs.retain(|(_, log)| log.strong_count() > 0);
-            logs.push((handle, Arc::downgrade(&logged)));
-            handle
-        });
-        Ok(DriveLog(Held::new(LOG, Kept { handle, logged, rows: count })))
+        Ok(DriveLog::keep(robot_log::parse(&text)?, Vec::new()))
     }
 
     /// The log before its first row; what `params` leaves out takes its default.
@@ -129,8 +138,8 @@ impl RobotLog {
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "Partial<LogParams>")] params: &JsValue,
-    ) -> Result<RobotLog, JsValue> {
-        let log = logged(log).map_err(thrown)?;
+    ) -> Result<RobotLog, Thrown> {
+        let log = logged(log)?;
         Self::CLASS.open(params, &opener(&log)).map(Self)
     }
 
@@ -138,39 +147,48 @@ impl RobotLog {
     pub fn from(
         #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "LabState<LogParams>")] state: &JsValue,
-    ) -> Result<RobotLog, JsValue> {
-        let log = logged(log).map_err(thrown)?;
+    ) -> Result<RobotLog, Thrown> {
+        let log = logged(log)?;
         Self::CLASS.open_state(state, &opener(&log)).map(Self)
     }
 
     /// All rows that are left.
     #[wasm_bindgen(js_name = runAll)]
-    pub fn run_all(&self) -> Result<(), JsValue> {
+    pub fn run_all(&self) -> Result<(), Thrown> {
         Self::CLASS.advance(&self.0, labs::RobotLog::LAST_STEP)
     }
 
     /// What the replay says of itself so far.
     #[wasm_bindgen(unchecked_return_type = "LogSummary")]
-    pub fn summary(&self) -> Result<JsValue, JsValue> {
+    pub fn summary(&self) -> Result<JsValue, Thrown> {
         let mut numbers = Vec::new();
         Self::CLASS.lab(&self.0, |lab: &labs::RobotLog| {
             lab.summary().write(&mut numbers);
             Ok(())
         })?;
-        Ok(Row::new(&numbers).value(&LogSummary::SHAPE))
+        Ok(Row::new(&numbers).value(&Summary::SHAPE))
+    }
+}
+
+impl RobotLog {
+    /// The numbers of the parameters that `params` has; what it leaves out takes its default.
+    pub(crate) fn params(params: &JsValue) -> Result<Vec<f64>, Error> {
+        Self::CLASS.decode(&Arg::new(params, "params"), &LogParams::default().numbers())
     }
 }
 
 /// What makes a lab of this log.
 fn opener(log: &Arc<LoggedDrive>) -> impl Fn(&[f64], u32) -> Result<AnyLab, Error> + '_ {
-    |params, step| Ok(Box::new(labs::RobotLog::at(Arc::clone(log), labs::Params::read(&mut params.iter()), step)?))
+    |params, step| Ok(Box::new(labs::RobotLog::at(Arc::clone(log), Params::read(&mut params.iter()), step)?))
 }
 
 /// A text; one that is too long is refused before it is copied.
-fn text_of(text: &JsValue) -> Result<String, JsValue> {
-    let too_long = || thrown_at(&format!("the log has more than {} bytes", robot_log::MAX_BYTES), 1, 1);
+pub(crate) fn text_of(text: &JsValue) -> Result<String, Thrown> {
     match text.dyn_ref::<JsString>() {
-        Some(string) if string.length() as usize > robot_log::MAX_BYTES => Err(too_long()),
-        _ => Arg::new(text, "text").text().map_err(thrown),
+        Some(string) if string.length() as usize > robot_log::MAX_BYTES => {
+            let message = format!("the log has more than {} bytes", robot_log::MAX_BYTES);
+            Err(robot_log::Error { file: 0, line: 1, column: 1, message }.into())
+        }
+        _ => Ok(Arg::new(text, "text").text()?),
     }
 }

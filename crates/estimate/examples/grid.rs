@@ -2,7 +2,7 @@
 //! refusal not true.
 //!
 //! ```sh
-//! cargo run --release -p estimate --example grid [systems]
+//! cargo run --release -p robot-motion-estimate --example grid [systems]
 //! ```
 
 #[path = "../tests/grid/mod.rs"]

@@ -3,10 +3,14 @@
 //! The algebra is that of the typed functions, over nalgebra's `Dyn` in place of its `Const`; what is added here is that
 //! every argument is checked and the culprit named.
 
+mod analysis;
 mod feet;
+mod filter;
 mod replay;
 
+pub use analysis::{detectability, movable, noise_input, noise_reach, riccati_limit, stabilizability};
 pub use feet::{euclidean_foot, mahalanobis_foot, most_likely_output};
+pub use filter::KalmanFilter;
 pub use replay::{MAX_LOG, Replayed, kalman_replay};
 
 use crate::error::{Code, Error};
@@ -16,6 +20,8 @@ use crate::observer::{Observer, error_matrix};
 use crate::placement;
 use crate::riccati::SteadyState;
 use crate::validate::{self, MAX_INPUTS, MAX_OUTPUTS, MAX_STATES, size};
+use alloc::format;
+use alloc::vec::Vec;
 use filters::Gaussian;
 use filters::covariance::is_finite;
 use geom::Ellipse;
@@ -142,7 +148,7 @@ pub fn observability(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result
 }
 
 /// The gain that gives (I − KH)F the eigenvalues `poles`, for a single output; see
-/// [`place_observer_gain`](crate::place_observer_gain).
+/// [`place_observer_gain`](crate::place_observer_gain). For several outputs, or where not all eigenvalues can be moved, see [`movable`].
 ///
 /// # Errors
 /// [`Code::Limit`], [`Code::Shape`] or [`Code::NotFinite`] naming the argument, [`Code::Poles`], [`Code::Unobservable`],
@@ -162,7 +168,7 @@ pub fn place_observer_gain(f: DMatrix<f64>, h: DMatrix<f64>, poles: &[Complex<f6
         let message = format!("has {} outputs; Ackermann's formula is for a single one", h.nrows());
         return Err(Error::new(Code::Shape, "H", message));
     }
-    placement::place(&f, &h, poles)
+    Ok(placement::place(&f, &h, poles)?.column(0).into_owned())
 }
 
 /// The limit of the gain from `p0` = P(0 | 0); see [`Lti::steady_state_gain`](crate::Lti::steady_state_gain).

@@ -4,9 +4,9 @@ use crate::error::Error;
 use crate::odometry::Unicycle;
 use filters::covariance::finite;
 use filters::linear::{self, Gain};
-use filters::{Ekf, Gaussian, MeasurementModel, Quantity, Update};
+use filters::{Ekf, Gaussian, MeasurementModel, Quantity, State, Update};
 use geom::SE2;
-use nalgebra::{Const, DMatrix, DVector, Dyn, Matrix3, OMatrix, SMatrix, SVector, U3, Vector2};
+use nalgebra::{Const, DMatrix, DVector, Matrix3, SMatrix, SVector, U3, Vector2};
 
 /// A reading `y` of landmark `j`.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -36,7 +36,7 @@ pub struct Sighting<const M: usize> {
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ChosetEkf {
-    filter: Ekf<SE2, 3>,
+    pub(crate) filter: Ekf<SE2, 3>,
 }
 
 impl ChosetEkf {
@@ -97,21 +97,7 @@ impl ChosetEkf {
         sightings: &[Sighting<M>],
         w: &SMatrix<f64, M, M>,
     ) -> Result<(DVector<f64>, DMatrix<f64>), Error> {
-        let rows = M * sightings.len();
-        let mut h = OMatrix::<f64, Dyn, Const<3>>::zeros(rows);
-        let (mut nu, mut w_all) = (DVector::zeros(rows), DMatrix::zeros(rows, rows));
-        for (i, sighting) in sightings.iter().enumerate() {
-            let (expected, jacobian) = model.linearized(&self.filter.x, sighting.j)?;
-            h.fixed_rows_mut::<M>(M * i).copy_from(&jacobian);
-            nu.fixed_rows_mut::<M>(M * i).copy_from(&model.residual(&sighting.y, &expected));
-            w_all.fixed_view_mut::<M, M>(M * i, M * i).copy_from(w);
-        }
-        let nu = finite(nu, Quantity::Innovation)?;
-        let Gain { k, s, p, .. } = linear::gain(&self.filter.p, &h, &w_all)?;
-        let step: SVector<f64, 3> = k * &nu;
-        let x = self.filter.x.boxplus(&finite(step, Quantity::Mean)?);
-        self.filter = Ekf { x, p };
-        Ok((nu, s))
+        update_stacked(&mut self.filter, model, sightings, w)
     }
     // ANCHOR_END: update
 
@@ -138,6 +124,37 @@ impl ChosetEkf {
         Ok(())
     }
 }
+
+// ANCHOR: stacked
+/// [`ChosetEkf::update_stacked`] for a filter of any state.
+///
+/// The gain is computed at sizes known at run time only: a copy of it for each state would weigh on every page that computes.
+///
+/// # Errors
+/// As [`ChosetEkf::update`].
+pub fn update_stacked<X: State<N>, const N: usize, const M: usize>(
+    filter: &mut Ekf<X, N>,
+    model: &impl MeasurementModel<X, N, M>,
+    sightings: &[Sighting<M>],
+    w: &SMatrix<f64, M, M>,
+) -> Result<(DVector<f64>, DMatrix<f64>), Error> {
+    let rows = M * sightings.len();
+    let (mut h, p) = (DMatrix::zeros(rows, N), DMatrix::from_column_slice(N, N, filter.p.as_slice()));
+    let (mut nu, mut w_all) = (DVector::zeros(rows), DMatrix::zeros(rows, rows));
+    for (i, sighting) in sightings.iter().enumerate() {
+        let (expected, jacobian) = model.linearized(&filter.x, sighting.j)?;
+        h.view_mut((M * i, 0), (M, N)).copy_from(&jacobian);
+        nu.fixed_rows_mut::<M>(M * i).copy_from(&model.residual(&sighting.y, &expected));
+        w_all.fixed_view_mut::<M, M>(M * i, M * i).copy_from(w);
+    }
+    let nu = finite(nu, Quantity::Innovation)?;
+    let Gain { k, s, p, .. } = linear::gain(&p, &h, &w_all)?;
+    let step = k * &nu;
+    let x = filter.x.boxplus(&finite(SVector::from_fn(|i, _| step[i]), Quantity::Mean)?);
+    *filter = Ekf { x, p: SMatrix::from_fn(|i, j| p[(i, j)]) };
+    Ok((nu, s))
+}
+// ANCHOR_END: stacked
 
 #[cfg(test)]
 mod tests {

@@ -1,8 +1,11 @@
 //! What can go wrong, which argument is to blame, and what would have been accepted.
 
+use alloc::borrow::Cow;
+use alloc::boxed::Box;
+use alloc::format;
+use alloc::string::ToString;
 use core::fmt;
 use filters::{Parameter, Quantity};
-use std::borrow::Cow;
 
 /// The kinds of error.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -111,6 +114,12 @@ impl Error {
     pub fn within(mut self, whole: &str) -> Self {
         self.argument = format!("{whole}.{}", self.argument).into();
         self
+    }
+
+    /// The same error where its argument is one of the `parts` of `whole`; any other error as it is.
+    #[must_use]
+    pub fn part_of(self, whole: &str, parts: &[&str]) -> Self {
+        if parts.contains(&&*self.argument) { self.within(whole) } else { self }
     }
 
     /// The same error, where a filter's step refused, with the caller's `name` of the argument to blame.

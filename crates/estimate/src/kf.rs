@@ -2,6 +2,7 @@
 
 use crate::error::{Argument, Code, Error};
 use crate::lti::{Lti, SystemSizes};
+use alloc::format;
 use filters::Sizes;
 pub use filters::{Gaussian, Kf};
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};

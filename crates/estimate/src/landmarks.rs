@@ -2,6 +2,7 @@
 
 use crate::error::{Code, Error};
 use crate::landmark::Landmark;
+use alloc::vec::Vec;
 use filters::association::{Association, Candidate, Rule, Thresholds, associate};
 use filters::{Gaussian, MeasurementModel, Parameter};
 use geom::{SE2, angle_diff, wrap};

@@ -1,3 +1,7 @@
+#![doc = include_str!("../README.md")]
+//!
+//! # What is where
+//!
 //! The chapter's observers and filters, in Choset's letters (Principles of Robot Motion, chapter 8 and appendix J).
 //!
 //! The letters collide with the sister volume's in the worst place: Choset's R is the Kalman *gain* and his V and W are
@@ -9,13 +13,23 @@
 //! - [`riccati`]: the gain as a schedule, and its limit;
 //! - [`likelihood`]: how likely a log is, and the noise under which it is likeliest;
 //! - [`observability`]: ranks, with the singular values and null directions behind them;
+//! - [`Detectability`], [`Reachability`], [`RiccatiLimit`]: whether what is unseen dies out, what noise reaches, and whether P settles, each with
+//!   a [`Verdict`] within a tolerance;
 //! - [`odometry_delta`], [`landmarks`], [`ChosetEkf`]: from encoder counts to localization among known landmarks;
+//! - [`RightWheel`]: the same with the fraction by which a wheel is believed too large as a fourth state;
 //! - [`slam`]: robot and map in one state, linear and range–bearing;
 //! - [`path_observability`]: the rank test frozen at one pose, and along the path driven;
 //! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked;
 //! - [`drive`]: a logged drive, and its replay with input noise, calibrated ranges, and a scale that the filter learns;
 //! - [`localizer`]: the EKF localizer for a caller without types, with every argument checked.
 
+#![cfg_attr(not(feature = "std"), no_std)]
+
+extern crate alloc;
+
+mod balance;
+mod decay;
+mod detectability;
 pub mod drive;
 pub mod dynamic;
 mod ekf;
@@ -33,15 +47,28 @@ pub mod path_observability;
 mod place;
 mod placement;
 pub mod rail;
+mod reachability;
 pub mod riccati;
+mod riccati_limit;
 pub mod slam;
+mod staircase;
 pub mod validate;
+mod verdict;
+mod wheel;
 
-pub use ekf::{ChosetEkf, Sighting};
+pub use detectability::Detectability;
+pub use ekf::{ChosetEkf, Sighting, update_stacked};
 pub use error::{Code, Error};
+pub use filters;
+pub use geom;
 pub use landmark::Landmark;
 pub use lti::{Lti, SystemSizes};
+pub use nalgebra;
 pub use nalgebra::Complex;
 pub use observer::{Observer, error_matrix};
 pub use odometry::{Ticks, Unicycle, Wheels, odometry_delta, slip_covariance};
-pub use placement::place_observer_gain;
+pub use placement::{Movable, place_observer_gain};
+pub use reachability::Reachability;
+pub use riccati_limit::RiccatiLimit;
+pub use verdict::Verdict;
+pub use wheel::{FromPose, RightWheel};

@@ -12,6 +12,8 @@ use crate::landmark::Landmark;
 use crate::landmarks::{RangeBearing, RangeOnly, best, candidate};
 use crate::place::Place;
 use crate::validate;
+use alloc::format;
+use alloc::vec::Vec;
 use filters::association::{Association, Candidate, Rule};
 use filters::covariance::is_finite;
 use filters::{Gaussian, MeasurementModel, Update};
@@ -146,8 +148,8 @@ impl EkfLocalizer {
     }
 
     /// Judges a reading, and corrects the belief when it is accepted. On an error the belief may already be corrected, and the
-    /// caller restores it.
-    #[inline]
+    /// caller restores it. Always in line: of a step in a log nobody asks for the answer, which then is not written down.
+    #[inline(always)]
     fn judge(&mut self, reading: &Reading, place: Place) -> Result<Judged, Error> {
         let (range, bearing, j) = self.checked(reading).map_err(|e| place.field(e))?;
         let (map, count, gate) = (&self.map, self.map.len(), self.gate);
@@ -256,7 +258,7 @@ impl EkfLocalizer {
 
 /// Judges the reading `y` against landmark `j`, or against all `count`, and corrects the filter when it is within the gate.
 /// Answers whether it was, and the landmark that it was judged against.
-#[inline]
+#[inline(always)]
 fn locate<const M: usize>(
     ekf: &mut ChosetEkf,
     model: &impl MeasurementModel<SE2, 3, M>,
@@ -267,8 +269,9 @@ fn locate<const M: usize>(
 ) -> Result<(bool, Candidate<M>), Error> {
     let (accepted, best) = match (j, gate) {
         (Some(j), None) => {
-            // Nothing is judged before the correction, and its S serves for χ².
-            let Update { innovation, s, d2, .. } = ekf.update(model, &Sighting { j, y }, w)?;
+            // Nothing is judged before the correction, and its S serves for χ². The filter itself is asked: the answer of
+            // `ChosetEkf::update`, with another kind of error, would be copied in memory.
+            let Update { innovation, s, d2, .. } = ekf.filter.update(model, &y, j, w)?;
             let best = match d2 {
                 Some(d2) => Candidate { j, innovation, s, d2, cost: d2 },
                 None => Candidate::new(j, innovation, s, Rule::ChiSquared)?,

@@ -2,6 +2,7 @@
 
 use crate::error::{Code, Error};
 use crate::validate;
+use alloc::vec::Vec;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix};
 use numerics::singular_values;

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::lti::{Lti, SystemSizes};
+use alloc::vec::Vec;
 use filters::{Sizes, linear};
 use nalgebra::{Complex, DMatrix, DefaultAllocator, Dim, OMatrix, OVector};
 

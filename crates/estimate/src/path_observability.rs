@@ -6,6 +6,7 @@
 
 use crate::error::Error;
 use crate::observability::{Observability, analyze, observability_matrix};
+use alloc::vec::Vec;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, OMatrix};
 

@@ -1,7 +1,9 @@
 //! Where a reading stands in its caller's arguments, so that an error can name it.
 
 use crate::error::{Argument, Error};
-use std::borrow::Cow;
+use alloc::borrow::Cow;
+use alloc::borrow::ToOwned;
+use alloc::format;
 
 /// A reading by itself, or an entry of a list: `log[3]`, `sightings[1]`.
 #[derive(Clone, Copy)]

@@ -3,6 +3,7 @@
 use crate::error::{Argument, Error};
 use crate::lti::{Lti, SystemSizes};
 use crate::validate;
+use alloc::vec::Vec;
 use filters::Sizes;
 use filters::linear::{self, Gain};
 use nalgebra::{DefaultAllocator, Dim, OMatrix};

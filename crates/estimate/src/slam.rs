@@ -18,11 +18,14 @@ use crate::error::{Code, Error};
 use crate::odometry::Unicycle;
 use crate::place::Place;
 use crate::validate;
+use alloc::vec;
+use alloc::vec::Vec;
 use filters::association::Thresholds;
 use filters::{Gaussian, MotionModel, Quantity};
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, U3, Vector2};
 use numerics::PackedSymmetric;
+use numerics::sqrt;
 pub use sighting::{Outcome, Reading, Report};
 
 /// The largest map.
@@ -166,7 +169,7 @@ impl EkfSlam {
         if !cross_is_finite {
             return Err(filters::Error::NotFinite(Quantity::PredictedCovariance).into());
         }
-        let sigma = [0, 1, 2].map(|i| self.p.get(i, i).sqrt());
+        let sigma = [0, 1, 2].map(|i| sqrt(self.p.get(i, i)));
         let largest = self.p.diagonal().fold(0.0, f64::max);
         let reach = [0, 1].map(|a: usize| sigma[a] + f[(a, 2)].abs() * sigma[2]).map(|r| r * r);
         let after = self.p.diagonal().skip(3).chain(block.diagonal().iter().copied()).fold(0.0, f64::max);

@@ -1,6 +1,7 @@
 //! The checks that every argument from outside passes.
 
 use crate::error::{Code, Error};
+use alloc::format;
 use filters::Gaussian;
 use filters::covariance::{NotCovariance, accepted, is_finite};
 use nalgebra::{DMatrix, DVector, Dyn};
@@ -28,10 +29,19 @@ pub fn finite(value: f64, argument: &'static str) -> Result<f64, Error> {
 /// # Errors
 /// [`Code::Shape`] or [`Code::NotFinite`] blaming `argument`.
 pub fn vector(v: DVector<f64>, len: usize, argument: &'static str) -> Result<DVector<f64>, Error> {
-    if v.len() != len {
-        return Err(Error::new(Code::Shape, argument, format!("has {} entries; it needs {len}", v.len())));
+    entries(v.as_slice(), len, argument)?;
+    Ok(v)
+}
+
+/// Whether `numbers` are `len` finite ones.
+///
+/// # Errors
+/// [`Code::Shape`] or [`Code::NotFinite`] blaming `argument`.
+pub fn entries(numbers: &[f64], len: usize, argument: &'static str) -> Result<(), Error> {
+    if numbers.len() != len {
+        return Err(Error::new(Code::Shape, argument, format!("has {} entries; it needs {len}", numbers.len())));
     }
-    if is_finite(&v) { Ok(v) } else { Err(not_finite(argument)) }
+    if numbers.iter().all(|number| number.is_finite()) { Ok(()) } else { Err(not_finite(argument)) }
 }
 
 /// `m`, when it is finite and `rows` × `columns`.

@@ -1,4 +1,4 @@
-//! What `cargo run --example dead_reckoning -p estimate` prints: the five lines that the chapter prints, to the letter. The
+//! What `cargo run --example dead_reckoning -p robot-motion-estimate` prints: the five lines that the chapter prints, to the letter. The
 //! program itself is run and not a copy of what it does, since the chapter shows its source as it stands.
 
 use std::process::Command;
@@ -18,7 +18,8 @@ fn the_example_prints_the_five_lines_of_the_chapter() {
     let folder = here.ancestors().nth(2).expect("in a folder of the target's").join("examples");
     let program = folder.join(format!("dead_reckoning{}", std::env::consts::EXE_SUFFIX));
     let run = Command::new(&program).output();
-    let run = run.unwrap_or_else(|e| panic!("{}: {e}; `cargo test -p estimate` builds it", program.display()));
+    let run =
+        run.unwrap_or_else(|e| panic!("{}: {e}; `cargo test -p robot-motion-estimate` builds it", program.display()));
     assert!(run.status.success(), "{}", String::from_utf8_lossy(&run.stderr));
     assert_eq!(String::from_utf8(run.stdout).expect("text"), LINES);
 }

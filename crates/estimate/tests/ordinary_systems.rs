@@ -1,4 +1,4 @@
-//! A hundredth of `cargo run --release -p estimate --example grid`.
+//! A hundredth of `cargo run --release -p robot-motion-estimate --example grid`.
 
 mod grid;
 

@@ -1,6 +1,8 @@
 //! The autocorrelation of a series, by sums alone: a series of any length costs constant memory (Bar-Shalom, Li and Kirubarajan
 //! 2001, §5.4.2, for innovations).
 
+use numerics::sqrt;
+
 /// The mean and the autocorrelation of a series x₀, x₁, … at the lags 1 to `LAGS`:
 /// r(l) = Σ cᵢcᵢ₊ₗ / Σ cᵢ², with cᵢ the values less their mean.
 ///
@@ -84,7 +86,7 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
 
     /// The half-width that r(l) of a white series stays within in 95 of 100 cases, for long series: 1.96 / √n. `None` of no value.
     pub fn band(&self) -> Option<f64> {
-        (self.count > 0).then(|| 1.96 / f64::from(self.count).sqrt())
+        (self.count > 0).then(|| 1.96 / sqrt(f64::from(self.count)))
     }
 }
 

@@ -22,6 +22,7 @@ use crate::error::{Error, Quantity};
 use crate::sizes::Sizes;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DefaultAllocator, Dim, Matrix, OMatrix, RawStorage, RawStorageMut, SquareMatrix};
+use numerics::sqrt;
 use numerics::{Spd, power_of_two, singular_values};
 
 /// A caller's covariance may differ from its transpose by this part of its largest entry.
@@ -254,7 +255,7 @@ where
 
 /// The largest variance that (I − KC) Σ̄ (I − KC)ᵀ would have if nothing cancelled: its rounding is a part of that.
 pub(crate) fn largest_terms(p: &DMatrix<f64>, k: &DMatrix<f64>, c: &DMatrix<f64>) -> f64 {
-    let sigma = |i: usize| p[(i, i)].max(0.0).sqrt();
+    let sigma = |i: usize| sqrt(p[(i, i)].max(0.0));
     let spread = |a: usize| (0..p.nrows()).map(|j| c[(a, j)].abs() * sigma(j)).sum::<f64>();
     let terms = |i: usize| sigma(i) + (0..c.nrows()).map(|a| k[(i, a)].abs() * spread(a)).sum::<f64>();
     (0..p.nrows()).map(|i| terms(i) * terms(i)).fold(0.0, f64::max)

@@ -1,3 +1,7 @@
+#![doc = include_str!("../README.md")]
+//!
+//! # What is where
+//!
 //! The sister volume's filters, in Thrun's letters: A, B, C the system, R the process covariance, Q the measurement
 //! covariance, K the gain, μ and Σ (here `x` and `p`) the belief.
 //!
@@ -8,6 +12,10 @@
 //!   [`ukf`], the unscented one;
 //! - [`association`]: which feature a sighting is of;
 //! - [`consistency`]: NEES, NIS and their χ² bounds.
+
+#![cfg_attr(not(feature = "std"), no_std)]
+
+extern crate alloc;
 
 pub mod association;
 mod autocorrelation;
@@ -34,5 +42,6 @@ pub use gaussian::Gaussian;
 pub use kalman::Kf;
 pub use manifold::State;
 pub use model::{MeasurementModel, MotionModel};
+pub use nalgebra;
 pub use sizes::Sizes;
 pub use update::Update;

@@ -14,7 +14,9 @@ use crate::covariance::{
     SEMIDEFINITE_TOLERANCE, bound_on_terms, finite, largest_terms, positive_when_raised, semidefinite, tolerated,
 };
 use crate::error::{Error, Quantity};
+use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector};
+use numerics::sqrt;
 use numerics::{MIN_PIVOT, Singular, Spd, singular_values};
 
 /// The smallest |Sᵢᵢ^{½}| relative to its column that still leaves six digits of the answer.
@@ -93,7 +95,7 @@ fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     if sizes[0] > 0.0 && !positive_when_raised(&s, SEMIDEFINITE_TOLERANCE * sizes[0]) {
         return Err(Error::InnovationNotPositiveDefinite);
     }
-    Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(sizes).map(f64::sqrt)))
+    Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(sizes).map(sqrt)))
 }
 
 #[cfg(test)]

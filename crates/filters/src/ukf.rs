@@ -7,6 +7,7 @@ use crate::model::{MeasurementModel, MotionModel};
 use crate::update::Update;
 use nalgebra::{Const, SMatrix, SVector};
 use numerics::Spd;
+use numerics::sqrt;
 
 /// Where the sigma points lie and what they weigh. The answer depends on this choice, so a result should name it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -102,7 +103,7 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
             return Err(Error::OutOfRange(Parameter::SigmaPoints));
         }
         let p = finite(self.p, Quantity::Covariance)?;
-        let root = Spd::new(p).ok_or(Error::OutOfRange(Parameter::Covariance))?.root() * scale.sqrt();
+        let root = Spd::new(p).ok_or(Error::OutOfRange(Parameter::Covariance))?.root() * sqrt(scale);
         let columns = core::array::from_fn(|i| root.column(i).into_owned());
         let centre_mean = (scale - n) / scale;
         Ok(Spread { columns, outer: 0.5 / scale, centre: centre_mean + 1.0 - alpha * alpha + beta })

@@ -2,6 +2,7 @@
 
 use core::f64::consts::FRAC_PI_2;
 use nalgebra::Matrix2;
+use numerics::sqrt;
 
 /// An ellipse about the origin: half-axes in the unit of the state, angle of the major axis in (−π/2, π/2].
 ///
@@ -41,10 +42,10 @@ impl Ellipse {
         let det = libm::fma(a, c, -bb) - libm::fma(b, b, -bb);
         let minor = (det / major).max(0.0);
         let angle = 0.5 * libm::atan2(b, half_difference);
-        let root = scale.sqrt();
+        let root = sqrt(scale);
         Self {
-            semi_major: radius * (root * major.sqrt()),
-            semi_minor: radius * (root * minor.sqrt()),
+            semi_major: radius * (root * sqrt(major)),
+            semi_minor: radius * (root * sqrt(minor)),
             // + 0.0 turns the −0 of a circle into 0.
             angle: if angle <= -FRAC_PI_2 { FRAC_PI_2 } else { angle + 0.0 },
         }

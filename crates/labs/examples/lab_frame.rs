@@ -3,8 +3,8 @@
 //! the page with it. A number that is not finite is printed as null.
 
 use labs::{
-    Lab, LogParams, LoggedDrive, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, Params, Picture,
-    RobotLog, Shape, Shown, State, Tune,
+    BugMuseum, Lab, LogParams, LoggedDrive, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, OwnSystem,
+    Params, Picture, RobotLog, Shape, Shown, State, Tune,
 };
 use serde_json::Value;
 use std::error::Error;
@@ -26,7 +26,9 @@ fn main() -> Answer<()> {
         ObservabilityProbe::NAME => print::<ObservabilityProbe>(step, &params),
         Picture::NAME => print::<Picture>(step, &params),
         LoopClosure::NAME => print::<LoopClosure>(step, &params),
+        OwnSystem::NAME => print::<OwnSystem>(step, &params),
         Tune::NAME => print::<Tune>(step, &params),
+        BugMuseum::NAME => print::<BugMuseum>(step, &params),
         RobotLog::NAME => print_log(step, &params),
         _ => Err(format!("there is no lab {lab}").into()),
     }

@@ -1,18 +1,16 @@
 //! Statistics over 500 seeds, beside which the chapter quotes single runs. They are computed natively only; in the page a check
 //! is a single run.
 
+pub use crate::bug_museum::{FIGURES, Figures, PANELS, Sight, Symptoms, bands, diagnosed, museum_run, museum_runs};
 use crate::lab::Lab;
 pub use crate::loop_closure::{LoopEnsemble, loops};
 use crate::mapping::chapter_run;
 use crate::observability_probe::{ObservabilityProbe, ProbeParams};
-pub use crate::spread::{Spread, over_seeds};
+pub use crate::spread::{SEEDS, Spread, over_seeds};
 pub use crate::tune::{FitEnsemble, fits};
 use estimate::Error;
 use estimate::localizer::SensorKind;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM, RangeBearingSlam};
-
-/// Seeds of an ensemble: 0, 1, 2, ….
-pub const SEEDS: u32 = 500;
 
 /// The Probe's run over the seeds.
 #[derive(Clone, Debug, PartialEq)]

@@ -107,6 +107,28 @@ pub trait Lab: Clone {
     }
 }
 
+/// What a [`Lab`] says that keeps `params`, `step` and `digest` in fields of these names: its own name, its types, and these three.
+macro_rules! kept {
+    ($name:literal, $params:ty, $frame:ty) => {
+        const NAME: &'static str = $name;
+        type Params = $params;
+        type Frame = $frame;
+
+        fn params(&self) -> &$params {
+            &self.params
+        }
+
+        fn steps(&self) -> u32 {
+            self.step
+        }
+
+        fn digest(&self) -> u64 {
+            self.digest.value()
+        }
+    };
+}
+pub(crate) use kept;
+
 /// What is known of a lab before there is one. With [`Experiment`] it lets one piece of code serve all labs, where a generic
 /// one would be compiled for each.
 #[derive(Debug)]

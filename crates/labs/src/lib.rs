@@ -3,6 +3,7 @@
 //! A lab is a function of its parameters (the seed is one) and its step, to the last bit; see [`Lab`]. What the prose
 //! prints comes from [`numbers`], what the chapter checks from [`checks`], and what was chosen from [`givens`].
 
+mod bug_museum;
 pub mod checks;
 mod declare;
 pub mod ensembles;
@@ -14,6 +15,7 @@ pub mod numbers;
 mod observability_probe;
 mod observer_bench;
 mod odometry_hook;
+mod own_system;
 mod picture;
 mod robot_log;
 mod series;
@@ -23,6 +25,9 @@ mod true_path;
 mod tune;
 mod typescript;
 
+pub use bug_museum::{
+    Bug, BugMuseum, MuseumAnswer, MuseumFigure, MuseumFrame, MuseumParams, MuseumReadings, MuseumSeries, MuseumSighting,
+};
 pub use declare::{Field, Knob, Parameter, Params, Plain, Shape, Shown};
 pub use estimate::localizer::SensorKind;
 pub use lab::{Digest, Experiment, Kind, Lab, MAX_STEP, State, open};
@@ -31,18 +36,19 @@ pub use loop_closure::{
 };
 pub use mapping::MapError;
 pub use observability_probe::{
-    Fate, MapLandmark, Means, ObservabilityProbe, PATH_STEPS, ProbeFrame, ProbeLandmark, ProbeMap, ProbeParams,
-    ProbeRanks, ProbeSeries, ProbeSighting, RoomShape, Traces,
+    Fate, Ghost, GhostReadings, MapLandmark, Means, ObservabilityProbe, PATH_STEPS, ProbeFrame, ProbeLandmark,
+    ProbeMap, ProbeParams, ProbeRanks, ProbeSeries, ProbeSighting, RoomShape, Traces,
 };
 pub use observer_bench::{BenchFrame, BenchParams, BenchSeries, Feet, Mode, ObserverBench, Sensor};
 pub use odometry_hook::{
     CornerSighting, HookFrame, HookParams, HookSeries, LastSighting, OdometryHook, PoseBelief, Quality, Ratio, Spread,
-    Stop, World,
+    Stop, WheelBelief, World,
 };
-pub use picture::{Foot, Picture, PictureFrame, PictureParams};
+pub use own_system::{GainBy, OwnEigenvalue, OwnFrame, OwnParams, OwnRank, OwnReach, OwnSeries, OwnSystem};
+pub use picture::{Foot, Guess, Picture, PictureFrame, PictureParams};
 pub use robot_log::{
-    LogBands, LogCorrelation, LogErrors, LogFrame, LogHistogram, LogInnovations, LogNis, LogParams, LogRanges,
-    LogSighting, LogSummary, LogTimeline, LogTracks, LoggedDrive, RobotLog,
+    LogBands, LogCorrelation, LogErrors, LogFrame, LogHistogram, LogInnovations, LogLandmark, LogNis, LogParams,
+    LogRanges, LogSighting, LogTable, LogTableKind, LogTimeline, LogTracks, LoggedDrive, RobotLog,
 };
 pub use series::{Series, Track, Tracks, WINDOW};
 pub use shapes::{BenchBelief, ellipse_of};

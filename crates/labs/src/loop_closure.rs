@@ -1,6 +1,6 @@
 //! The corridor's loop: a robot of short reach founds landmarks on its way round, and sees the first ones again at the end.
 //!
-//! What ties the far end of the map to its beginning is the cross-covariances. The wrong filter, whose cross-covariances are
+//! The cross-covariances tie the far end of the map to its beginning. The wrong filter, whose cross-covariances are
 //! dropped after every step, is put together here from the right one.
 
 mod ensemble;
@@ -13,7 +13,7 @@ pub use frame::{LoopFrame, LoopGate, LoopMoment, LoopSeries, LoopSighting, LoopT
 pub use params::LoopParams;
 
 use crate::declare::Params;
-use crate::lab::{Digest, Lab};
+use crate::lab::{Digest, Lab, kept};
 use crate::mapping::{Mapping, Seen};
 use crate::series::Tracks;
 use crate::true_path::sensor_covariance;
@@ -62,9 +62,7 @@ pub struct LoopClosure {
 }
 
 impl Lab for LoopClosure {
-    const NAME: &'static str = "loop-closure";
-    type Params = LoopParams;
-    type Frame = LoopFrame;
+    kept! { "loop-closure", LoopParams, LoopFrame }
 
     fn new(params: LoopParams) -> Result<Self, Error> {
         params.check()?;
@@ -91,14 +89,6 @@ impl Lab for LoopClosure {
         Ok(lab)
     }
 
-    fn params(&self) -> &LoopParams {
-        &self.params
-    }
-
-    fn steps(&self) -> u32 {
-        self.step
-    }
-
     fn advance(&mut self) -> Result<(), Error> {
         let tick = LOOP_CLOSURE.course.tick(self.step);
         self.truth = tick.drive(self.truth);
@@ -110,10 +100,6 @@ impl Lab for LoopClosure {
 
     fn frame(&self) -> LoopFrame {
         view::frame(self)
-    }
-
-    fn digest(&self) -> u64 {
-        self.digest.value()
     }
 }
 

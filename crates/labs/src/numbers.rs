@@ -7,6 +7,7 @@ mod hook;
 mod log;
 mod loops;
 mod maps;
+mod museum;
 mod probe;
 mod rail;
 mod robot;
@@ -97,19 +98,28 @@ pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
     probe::list(givens, &mut listing)?;
     maps::list(givens, &mut listing)?;
     scenarios::list(givens, &mut listing);
+    museum::constants(&mut listing);
     Ok(listing.numbers)
 }
 
-/// All numbers, and those of the ensembles too, which take a second or two on an optimized build.
+/// All numbers, and those of the ensembles too, which take some seconds on an optimized build: each topic has a thread to itself.
 ///
 /// # Errors
 /// As [`numbers`].
 pub fn with_ensembles(givens: &Givens) -> Result<Vec<Number>, Error> {
-    let mut listing = Listing::new();
-    ensembles::list(&mut listing)?;
-    loops::list(&mut listing)?;
-    tune::list(&mut listing)?;
-    Ok(numbers(givens)?.into_iter().chain(listing.numbers).collect())
+    let topics = [ensembles::list, loops::list, tune::list, museum::list];
+    let listed = |list: fn(&mut Listing) -> Result<(), Error>| {
+        let mut listing = Listing::new();
+        list(&mut listing).map(|()| listing.numbers)
+    };
+    std::thread::scope(|scope| {
+        let threads = topics.map(|list| scope.spawn(move || listed(list)));
+        let mut all = numbers(givens)?;
+        for thread in threads {
+            all.extend(thread.join().unwrap_or_else(|panic| std::panic::resume_unwind(panic))?);
+        }
+        Ok(all)
+    })
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@
 //! path, and with it the rank along the path, depends on no seed.
 
 pub(crate) mod frame;
+mod ghost;
 mod localize;
 mod params;
 pub(crate) mod ranks;
@@ -12,7 +13,8 @@ mod snap;
 mod view;
 
 pub use frame::{
-    Fate, MapLandmark, Means, ProbeFrame, ProbeLandmark, ProbeMap, ProbeSeries, ProbeSighting, RoomShape, Traces,
+    Fate, Ghost, GhostReadings, MapLandmark, Means, ProbeFrame, ProbeLandmark, ProbeMap, ProbeSeries, ProbeSighting,
+    RoomShape, Traces,
 };
 pub use params::ProbeParams;
 pub use ranks::ProbeRanks;
@@ -20,7 +22,7 @@ pub(crate) use ranks::{Moment, frozen_ranks, stacked_ranks};
 pub(crate) use view::{map_shape, mapped_sighting};
 
 use crate::declare::Params;
-use crate::lab::{Digest, Lab};
+use crate::lab::{Digest, Lab, kept};
 use crate::mapping::Mapping;
 use crate::series::Tracks;
 use crate::true_path::{TruePath, parts};
@@ -29,6 +31,7 @@ use estimate::localizer::SensorKind;
 use estimate::{Code, Error};
 use filters::consistency::nees;
 use geom::SE2;
+use ghost::Haunting;
 use localize::{Evidence, Localizer};
 use nalgebra::{Matrix3, Vector2};
 use sim::Noise;
@@ -83,6 +86,7 @@ pub struct ObservabilityProbe {
     driven: u32,
     truth: SE2,
     who: Who,
+    haunting: Option<Haunting>,
     reference: TruePath,
     /// The last moments on the true path, the present one last.
     moments: VecDeque<Moment>,
@@ -96,9 +100,7 @@ pub struct ObservabilityProbe {
 }
 
 impl Lab for ObservabilityProbe {
-    const NAME: &'static str = "observability-probe";
-    type Params = ProbeParams;
-    type Frame = ProbeFrame;
+    kept! { "observability-probe", ProbeParams, ProbeFrame }
 
     fn new(params: ProbeParams) -> Result<Self, Error> {
         params.check().map_err(|mut error| {
@@ -128,6 +130,7 @@ impl Lab for ObservabilityProbe {
             driven: 0,
             truth,
             who,
+            haunting: (params.ghost && !params.forget).then(|| Haunting::new(&params, truth)),
             reference: TruePath::new(&PROBE, 2, SensorKind::Range),
             moments: VecDeque::new(),
             sightings,
@@ -142,17 +145,12 @@ impl Lab for ObservabilityProbe {
         Ok(probe)
     }
 
-    fn params(&self) -> &ProbeParams {
-        &self.params
-    }
-
-    fn steps(&self) -> u32 {
-        self.step
-    }
-
     fn advance(&mut self) -> Result<(), Error> {
         let tick = self.next_tick();
         self.truth = tick.drive(self.truth);
+        if let Some(ghost) = &mut self.haunting {
+            ghost.drive(tick);
+        }
         self.driven += u32::from(self.moving());
         self.step += 1;
         self.reference.step(tick)?;
@@ -172,10 +170,6 @@ impl Lab for ObservabilityProbe {
 
     fn frame(&self) -> ProbeFrame {
         view::frame(self)
-    }
-
-    fn digest(&self) -> u64 {
-        self.digest.value()
     }
 }
 
@@ -204,6 +198,10 @@ impl ObservabilityProbe {
         self.judge();
         self.remember();
         self.record();
+        if let Some(ghost) = &mut self.haunting {
+            ghost.compare(self.truth, &self.shown, TRACK);
+            self.digest.take(&ghost.numbers());
+        }
     }
 
     /// Compares with the truth.

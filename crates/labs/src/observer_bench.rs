@@ -7,7 +7,7 @@ pub use frame::{BenchFrame, BenchSeries, Feet};
 pub use params::{BenchParams, Mode, Sensor};
 
 use crate::declare::Params;
-use crate::lab::{Digest, Lab};
+use crate::lab::{Digest, Lab, kept};
 use crate::shapes::root;
 use estimate::kf::{Gaussian, kalman_step};
 use estimate::rail::{dead_reckoning, position_sensor};
@@ -49,9 +49,7 @@ pub struct ObserverBench {
 }
 
 impl Lab for ObserverBench {
-    const NAME: &'static str = "observer-bench";
-    type Params = BenchParams;
-    type Frame = BenchFrame;
+    kept! { "observer-bench", BenchParams, BenchFrame }
 
     fn new(params: BenchParams) -> Result<Self, Error> {
         params.check()?;
@@ -94,14 +92,6 @@ impl Lab for ObserverBench {
         };
         bench.record();
         Ok(bench)
-    }
-
-    fn params(&self) -> &BenchParams {
-        &self.params
-    }
-
-    fn steps(&self) -> u32 {
-        self.step
     }
 
     fn advance(&mut self) -> Result<(), Error> {
@@ -180,10 +170,6 @@ impl Lab for ObserverBench {
             equivalent_knob: self.equivalent_knob(),
             series: self.series.clone(),
         }
-    }
-
-    fn digest(&self) -> u64 {
-        self.digest.value()
     }
 }
 

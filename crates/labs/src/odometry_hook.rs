@@ -1,14 +1,18 @@
 //! The odometry hook: a loop of the corridor on encoders, with a wheel that is not as large as the software believes.
 //!
 //! Truth keeps to the loop; the estimate follows the encoders, and its claimed covariance knows of the slip and not of
-//! the bias. Landmark fixes, when they are on, are one range and bearing of each mapped corner as it comes within reach.
+//! the bias, unless the bias is a fourth state. Landmark fixes, when they are on, are one range and bearing of each mapped corner as
+//! it comes within reach.
 
 mod drive;
 pub(crate) mod frame;
+mod learning;
 mod params;
 
 pub(crate) use drive::Drive;
-pub use frame::{CornerSighting, HookFrame, HookSeries, LastSighting, PoseBelief, Quality, Ratio, Spread, Stop, World};
+pub use frame::{
+    CornerSighting, HookFrame, HookSeries, LastSighting, PoseBelief, Quality, Ratio, Spread, Stop, WheelBelief, World,
+};
 pub use params::HookParams;
 
 use crate::lab::{Digest, Lab};
@@ -70,6 +74,7 @@ impl Lab for OdometryHook {
             error,
             sigma,
             ratio: error.over(sigma),
+            wheel: drive.wheel(),
             tracks: self.record.tracks.outlined(),
             trail: self.record.trail.clone(),
             series: self.record.series.clone(),
@@ -85,7 +90,7 @@ impl OdometryHook {
     fn note(&mut self) {
         let drive = &self.drive;
         let belief = drive.belief();
-        self.record.take(drive.step, drive.truth(), &belief, drive.quality());
+        self.record.take(drive.step, drive.truth(), &belief, drive.quality(), drive.wheel());
         self.digest.take(drive.truth().to_vector().as_slice());
         for seen in &drive.seen {
             self.digest.take(&[seen.range, seen.bearing]);
@@ -93,6 +98,9 @@ impl OdometryHook {
         for belief in [&drive.predicted, &belief] {
             self.digest.take(belief.x.as_slice());
             self.digest.take(belief.p.as_slice());
+        }
+        if let Some(wheel) = drive.wheel() {
+            self.digest.take(&[wheel.epsilon, wheel.sigma]);
         }
     }
 }

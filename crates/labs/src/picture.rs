@@ -3,12 +3,12 @@
 pub(crate) mod frame;
 mod params;
 
-pub use frame::{Foot, PictureFrame};
+pub use frame::{Foot, Guess, PictureFrame};
 pub use params::PictureParams;
 
 use crate::declare::Params;
 use crate::lab::{Digest, Lab};
-use crate::shapes::rows;
+use crate::shapes::{inside, rows};
 use estimate::kf::Gaussian;
 use estimate::{Code, Error};
 use filters::Update;
@@ -79,7 +79,7 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
     let predicted = Gaussian { x, p };
     let (posterior, Update { innovation, s, k, .. }) = predicted.corrected(&y, &h, &w)?;
     let expected = Gaussian { x: h * x, p: h * p * h.transpose() };
-    let most_likely = expected.product(&Gaussian { x: y, p: w })?.x;
+    let Gaussian { x: most_likely, p: most_likely_variance } = expected.product(&Gaussian { x: y, p: w })?;
     let no_foot = || Error::new(Code::InnovationNotPositiveDefinite, "semiMinor", "leaves no foot on the line");
     let (omega, omega_star) = (AffineSet { h, y }, AffineSet { h, y: most_likely });
     let metric = Spd::new(p).ok_or_else(no_foot)?;
@@ -96,6 +96,12 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
             ellipse: Ellipse::from_covariance(&p, distance),
         }
     };
+    let gray = omega.euclidean_foot(&x).ok_or_else(no_foot)?;
+    let purple = foot(&omega, omega.mahalanobis_foot(&p, &x).ok_or_else(no_foot)?);
+    let guess = params.guess.map(|place| {
+        let Foot { at, distance, .. } = foot(&omega, gray + along * place);
+        Guess { at, distance, density: libm::exp(0.5 * (purple.distance * purple.distance - distance * distance)) }
+    });
     Ok(PictureFrame {
         step: 0,
         params,
@@ -109,8 +115,12 @@ fn picture(params: PictureParams) -> Result<PictureFrame, Error> {
         expected_output: expected.x[0],
         expected_variance: expected.p[0],
         most_likely_output: most_likely[0],
-        euclidean_foot: foot(&omega, omega.euclidean_foot(&x).ok_or_else(no_foot)?),
-        mahalanobis_foot: foot(&omega, omega.mahalanobis_foot(&p, &x).ok_or_else(no_foot)?),
+        most_likely_variance: most_likely_variance[0],
+        share: (h * k)[0],
+        inside: inside(params.radius),
+        guess,
+        euclidean_foot: foot(&omega, gray),
+        mahalanobis_foot: purple,
         update: foot(&omega_star, omega_star.mahalanobis_foot(&p, &x).ok_or_else(no_foot)?),
         p: rows(&p),
     })

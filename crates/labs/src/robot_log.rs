@@ -7,18 +7,20 @@ pub(crate) mod frame;
 mod logged;
 mod params;
 mod record;
+mod table;
 
 pub use frame::{
-    LogBands, LogCorrelation, LogErrors, LogFrame, LogHistogram, LogInnovations, LogNis, LogRanges, LogSighting,
-    LogSummary, LogTimeline, LogTracks,
+    LogBands, LogCorrelation, LogErrors, LogFrame, LogHistogram, LogInnovations, LogLandmark, LogNis, LogRanges,
+    LogSighting, LogTimeline, LogTracks,
 };
 pub use logged::LoggedDrive;
 pub use params::LogParams;
+pub use table::{LogTable, LogTableKind};
 
 use crate::declare::{Params, Plain};
 use crate::lab::{Digest, Experiment, Kind};
 use crate::shapes::{ellipse_of, rows};
-use estimate::drive::{Event, Judged, Replay, Row, Settings};
+use estimate::drive::{Event, Judged, Replay, Row, Settings, Summary};
 use estimate::{Code, Error};
 use nalgebra::{Matrix2, Matrix3};
 use record::{At, Record};
@@ -142,7 +144,7 @@ impl RobotLog {
             }
         };
         let Some(place) = drive.landmarks.get(landmark) else { return Ok(()) };
-        self.record.sighted(logged, &at, [place.x, place.y], range, judged.as_ref());
+        self.record.sighted(logged, &at, (landmark, [place.x, place.y]), range, judged.as_ref());
         if let Some(judged) = judged {
             let (used, time, from) = (judged.used, at.time, at.estimate);
             self.record.sighting = Some(LogSighting { time, landmark: place.id, at: [place.x, place.y], from, used });
@@ -151,8 +153,8 @@ impl RobotLog {
     }
 
     /// What the replay says of itself so far.
-    pub fn summary(&self) -> LogSummary {
-        self.replay.summary().into()
+    pub fn summary(&self) -> Summary {
+        self.replay.summary()
     }
 
     /// The present frame.
@@ -206,6 +208,7 @@ impl RobotLog {
             nis: record.nis(logged),
             histogram: record.histogram(),
             correlation: record.correlation(),
+            by_landmark: record.by_landmark(logged),
             summary: self.summary(),
             bands: record.bands(),
             reckoned_rmse: reckoning.summary().rmse,

@@ -1,11 +1,13 @@
 //! Plain values for a view: rows of numbers, ellipses.
 
 use crate::declare::shape::put;
-use crate::declare::{Plain, Shape, described, record};
+use crate::declare::{Plain, Shape, described, record, worded};
 use estimate::kf::Gaussian;
-use estimate::{Complex, Error};
+use estimate::{Complex, Error, RiccatiLimit, Verdict};
+use filters::consistency::chi2_interval;
 use geom::Ellipse;
 use nalgebra::{Matrix2, SMatrix, SVector, U2};
+use std::sync::LazyLock;
 
 described! {
     /// An ellipse as a view draws it.
@@ -33,9 +35,32 @@ described! {
     }
 }
 
+worded! {
+    Verdict { Yes = "yes", No = "no", Undecided = "undecided", }
+}
+
+worded! {
+    RiccatiLimit {
+        FromEveryStart = "from-every-start",
+        FromLargeStart = "from-large-start",
+        None = "none",
+        DependsOnStart = "depends-on-start",
+        Undecided = "undecided",
+    }
+}
+
+/// Where 95 % of single values of χ² with 3 degrees of freedom lie, as the NEES of a pose does.
+pub(crate) static POSE_BAND: LazyLock<[f64; 2]> =
+    LazyLock::new(|| chi2_interval(3, 1, 0.95).map_or([f64::NAN; 2], |(low, high)| [low, high]));
+
 /// The one-sigma ellipse of a 2×2 covariance.
 pub fn ellipse_of(p: &Matrix2<f64>) -> Ellipse {
     Ellipse::from_covariance(p, 1.0)
+}
+
+/// The probability that a Gaussian of two states gives to its ellipse of so many standard deviations, 1 − exp(−radius²/2).
+pub(crate) fn inside(radius: f64) -> f64 {
+    1.0 - libm::exp(-0.5 * radius * radius)
 }
 
 record! {

@@ -2,6 +2,9 @@
 
 use estimate::Error;
 
+/// Seeds of an ensemble: 0, 1, 2, ….
+pub const SEEDS: u32 = 500;
+
 /// A number over an ensemble.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spread {

@@ -11,7 +11,7 @@ pub use frame::{TuneBand, TuneFit, TuneFrame, TuneVerdict};
 pub use params::TuneParams;
 
 use crate::declare::Params;
-use crate::lab::{Digest, Lab};
+use crate::lab::{Digest, Lab, kept};
 use core::f64::consts::LN_10;
 use estimate::kf::kalman_step;
 use estimate::likelihood::{NoiseFit, log_density, log_likelihood};
@@ -67,29 +67,19 @@ pub struct Tune {
     fit: Option<NoiseFit>,
     last_band: TuneBand,
     digest: Digest,
-    steps: u32,
+    step: u32,
 }
 
 impl Lab for Tune {
-    const NAME: &'static str = "tune";
-    type Params = TuneParams;
-    type Frame = TuneFrame;
+    kept! { "tune", TuneParams, TuneFrame }
 
     fn new(params: TuneParams) -> Result<Self, Error> {
         params.check()?;
         Self::on(Rc::new(Log::new(params.seed, params.length)?), params)
     }
 
-    fn params(&self) -> &TuneParams {
-        &self.params
-    }
-
-    fn steps(&self) -> u32 {
-        self.steps
-    }
-
     fn advance(&mut self) -> Result<(), Error> {
-        self.steps += 1;
+        self.step += 1;
         Ok(())
     }
 
@@ -98,7 +88,7 @@ impl Lab for Tune {
         params.check()?;
         let same = (params.seed, params.length as usize) == (self.log.seed, self.log.entries.len());
         let log = if same { Rc::clone(&self.log) } else { Rc::new(Log::new(params.seed, params.length)?) };
-        *self = Self { steps: self.steps, ..Self::on(log, params)? };
+        *self = Self { step: self.step, ..Self::on(log, params)? };
         Ok(())
     }
 
@@ -142,10 +132,6 @@ impl Lab for Tune {
             }),
         }
     }
-
-    fn digest(&self) -> u64 {
-        self.digest.value()
-    }
 }
 
 impl Tune {
@@ -165,7 +151,7 @@ impl Tune {
             digest.take(&[fit.q, fit.w, fit.log_likelihood]);
             digest.take(fit.information.as_slice());
         }
-        Ok(Self { params, last_band: band(params.length)?, log, filtered, fit, digest, steps: 0 })
+        Ok(Self { params, last_band: band(params.length)?, log, filtered, fit, digest, step: 0 })
     }
 
     /// The log-likelihood with these decimal logarithms of q and W.

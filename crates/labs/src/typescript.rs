@@ -1,11 +1,14 @@
 //! The labs' TypeScript: every type that a lab takes or hands out.
 
 use crate::declare::{About, Interface, Text, written};
-use crate::{BenchParams, HookParams, LogParams, LoopParams, PictureParams, ProbeParams, TuneParams};
 use crate::{
-    loop_closure, mapping, observability_probe, observer_bench, odometry_hook, picture, robot_log, series, shapes, tune,
+    BenchParams, HookParams, LogParams, LoopParams, MuseumParams, OwnParams, PictureParams, ProbeParams, TuneParams,
 };
-use estimate::drive::Line;
+use crate::{
+    bug_museum, loop_closure, mapping, observability_probe, observer_bench, odometry_hook, own_system, picture,
+    robot_log, series, shapes, tune,
+};
+use estimate::drive::{Line, Summary};
 use estimate::{Complex, Landmark};
 use geom::Ellipse;
 use sim::Room;
@@ -20,8 +23,10 @@ const ALL: &[&[About]] = &[
         LogParams::ABOUT,
         LoopParams::ABOUT,
         TuneParams::ABOUT,
+        MuseumParams::ABOUT,
+        OwnParams::ABOUT,
     ],
-    &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT, Line::ABOUT, Room::ABOUT],
+    &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT, Line::ABOUT, Summary::ABOUT, Room::ABOUT],
     shapes::INTERFACES,
     series::INTERFACES,
     mapping::INTERFACES,
@@ -33,9 +38,11 @@ const ALL: &[&[About]] = &[
     robot_log::frame::INTERFACES,
     loop_closure::frame::INTERFACES,
     tune::frame::INTERFACES,
+    bug_museum::frame::INTERFACES,
+    own_system::frame::INTERFACES,
 ];
 
 /// The interfaces of all labs, with their doc comments, limits and defaults. `Vector` and `Matrix` are not among them.
 pub const TYPESCRIPT: &str = WRITTEN.as_str();
 
-const WRITTEN: &Text<40_000> = &written(ALL);
+const WRITTEN: &Text<60_000> = &written(ALL);

@@ -4,7 +4,9 @@
 //! two zeros of the diagonal is never negligible to them.
 
 use crate::error::Error;
+use crate::sqrt;
 use crate::{all_finite, hypot, power_of_two};
+use alloc::vec::Vec;
 use core::cmp::Ordering;
 use nalgebra::linalg::Hessenberg;
 use nalgebra::{Complex, DMatrix, Vector3};
@@ -109,7 +111,7 @@ fn of_two_by_two(m: &DMatrix<f64>) -> [Complex<f64>; 2] {
     let lost_of_bc = libm::fma(b, c, -bc);
     let discriminant =
         libm::fma(half_difference, half_difference, bc) + (lost_of_bc + 2.0 * half_difference * lost_of_difference);
-    let root = discriminant.abs().sqrt();
+    let root = sqrt(discriminant.abs());
     if discriminant < 0.0 {
         let (re, im) = (scale * half_trace, scale * root);
         return [Complex::new(re, im), Complex::new(re, -im)];

@@ -1,5 +1,7 @@
 //! The length of a vector in the plane.
 
+use crate::sqrt;
+
 /// √(x² + y²) without overflow.
 ///
 /// Squares of ordinary size go through the machine's square root, which IEEE 754 rounds correctly everywhere; `libm`
@@ -13,7 +15,7 @@
 #[inline]
 pub fn hypot(x: f64, y: f64) -> f64 {
     let squared = x * x + y * y;
-    if (1e-280..1e280).contains(&squared) { squared.sqrt() } else { scaled(x, y) }
+    if (1e-280..1e280).contains(&squared) { sqrt(squared) } else { scaled(x, y) }
 }
 
 #[cold]

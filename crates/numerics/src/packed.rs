@@ -1,5 +1,6 @@
 //! A symmetric matrix of which only the lower triangle is stored, row after row. A map that grows appends rows.
 
+use alloc::vec::Vec;
 use nalgebra::DMatrix;
 
 /// A symmetric n×n matrix in n(n + 1)/2 numbers.

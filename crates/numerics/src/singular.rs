@@ -14,7 +14,9 @@
 //! level of its rounding.
 
 use crate::error::Error;
+use crate::sqrt;
 use crate::{all_finite, hypot, power_of_two};
+use alloc::vec::Vec;
 use nalgebra::DMatrix;
 
 /// Sweeps over all pairs of columns; seven or eight suffice for sixteen of them.
@@ -98,7 +100,7 @@ fn orthogonalize(
     negligible: f64,
 ) -> bool {
     let (pp, qq, pq) = (a.column(p).norm_squared(), a.column(q).norm_squared(), a.column(p).dot(&a.column(q)));
-    if pq.abs() <= negligible || pq.abs() <= tolerance * pp.sqrt() * qq.sqrt() {
+    if pq.abs() <= negligible || pq.abs() <= tolerance * sqrt(pp) * sqrt(qq) {
         return false;
     }
     let zeta = (qq - pp) / (2.0 * pq);

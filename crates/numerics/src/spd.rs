@@ -1,5 +1,6 @@
 //! A factorization of symmetric positive definite matrices, with solves and a measure of how near to singular they are.
 
+use crate::sqrt;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 
@@ -81,7 +82,7 @@ where
     pub fn root(&self) -> OMatrix<f64, M, M> {
         let mut root = self.factor.lower_triangle();
         for j in 0..root.ncols() {
-            let sigma = (1.0 / root[(j, j)]).sqrt();
+            let sigma = sqrt(1.0 / root[(j, j)]);
             for i in j + 1..root.nrows() {
                 root[(i, j)] *= sigma;
             }

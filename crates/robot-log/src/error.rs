@@ -5,6 +5,8 @@ use core::fmt;
 /// Why a log was refused. The whole log is refused: half a log would be filtered as if it were the drive.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
+    /// The file, counted from 0 in the order in which they were given; 0 where there is one.
+    pub file: usize,
     /// The line, counted from 1.
     pub line: u32,
     /// The character in the line at which the fault begins, counted from 1.
@@ -15,7 +17,12 @@ pub struct Error {
 
 impl Error {
     pub(crate) fn new(line: u32, column: u32, message: impl Into<String>) -> Self {
-        Self { line, column, message: message.into() }
+        Self { file: 0, line, column, message: message.into() }
+    }
+
+    /// The same fault in another file.
+    pub(crate) fn within(self, file: usize) -> Self {
+        Self { file, ..self }
     }
 }
 

@@ -16,6 +16,9 @@
 //! motion before sightings, then by line. What a log says is an [`estimate::drive::Drive`], which
 //! [`estimate::drive::Replay`] filters.
 //!
+//! [`Files`] reads what others write: tables of motion, sightings, landmarks and truth with or without a header, in their units, among
+//! them the five files of a UTIAS MRCLAM data set. How a file is read is guessed and can be corrected.
+//!
 //! # Example
 //! ```
 //! use estimate::drive::Event;
@@ -27,8 +30,19 @@
 
 mod error;
 mod fields;
+mod files;
+mod gathering;
+mod guess;
+mod log;
 mod parse;
+mod reading;
+mod role;
 mod row;
+mod source;
+mod table;
 
 pub use error::Error;
-pub use parse::{Log, MAX_BYTES, MAX_LANDMARKS, MAX_ROWS, parse};
+pub use files::{File, Files, MAX_FILES};
+pub use log::{Log, MAX_BYTES, MAX_LANDMARKS, MAX_ROWS, Understood};
+pub use parse::parse;
+pub use role::{ANGLES, LENGTHS, Quantity, Role, TIMES, Units, Value};

@@ -76,17 +76,25 @@ fn unknown_letter(line: &Line<'_>) -> Error {
     Error::new(line.number, column, message)
 }
 
-fn finite(line: &Line<'_>, field: Field<'_>, name: &str) -> Result<f64, Error> {
+/// A number; in a table whose fields no commas part, a comma may be its decimal point.
+pub(crate) fn number(text: &str) -> Option<f64> {
+    text.parse().ok().or_else(|| {
+        let (whole, fraction) = text.split_once(',')?;
+        fraction.starts_with(|c: char| c.is_ascii_digit()).then(|| format!("{whole}.{fraction}").parse().ok())?
+    })
+}
+
+pub(crate) fn finite(line: &Line<'_>, field: Field<'_>, name: &str) -> Result<f64, Error> {
     let wrong = |message: String| Error::new(line.number, field.column, message);
-    match field.text.parse::<f64>() {
-        Ok(number) if number.is_finite() => Ok(number),
+    match number(field.text) {
+        Some(number) if number.is_finite() => Ok(number),
         _ if field.text.is_empty() => Err(wrong(format!("{name} is missing; a number was expected"))),
         _ if field.text.starts_with(['"', '\'']) => Err(wrong(quoted(field.text))),
         _ => Err(wrong(format!("{name} is {}; a finite number was expected", shown(field.text)))),
     }
 }
 
-fn in_bounds(line: &Line<'_>, field: Field<'_>, time: f64) -> Result<f64, Error> {
+pub(crate) fn in_bounds(line: &Line<'_>, field: Field<'_>, time: f64) -> Result<f64, Error> {
     if time.abs() <= MAX_TIME {
         // -0 becomes 0, so that the two are one time.
         return Ok(time + 0.0);

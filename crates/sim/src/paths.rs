@@ -1,6 +1,6 @@
 //! The courses of the chapter, as ticks: a length along the heading, then a turn on the spot.
 
-use core::f64::consts::FRAC_PI_2;
+use core::f64::consts::{FRAC_PI_2, PI};
 use geom::SE2;
 use nalgebra::Vector3;
 
@@ -42,6 +42,37 @@ pub const LOOP: Rectangle = Rectangle { start: [0.0, 0.0, 0.0], ticks: [200, 120
 
 /// The same loop in longer ticks, 128 of 0.25 m a lap.
 pub const CORRIDOR: Rectangle = Rectangle { ticks: [40, 24], ds: 0.25, ..LOOP };
+
+/// Two straights joined by two half circles, driven counter-clockwise for ever.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Stadium {
+    /// Where the first straight begins, and its direction.
+    pub start: [f64; 3],
+    /// Ticks of a straight.
+    pub straight: u32,
+    /// Ticks of a half circle, each with an equal part of its turn.
+    pub bend: u32,
+    /// Metres a tick.
+    pub ds: f64,
+}
+
+impl Stadium {
+    /// Where the course begins.
+    pub fn start(&self) -> SE2 {
+        SE2::new(self.start[0], self.start[1], self.start[2])
+    }
+
+    /// Ticks a lap.
+    pub fn lap(&self) -> u32 {
+        2 * (self.straight + self.bend)
+    }
+
+    /// Tick `k` of the course, counted from 0.
+    pub fn tick(&self, k: u32) -> Tick {
+        let turns = k % (self.straight + self.bend) >= self.straight;
+        Tick { ds: self.ds, dtheta: if turns { PI / f64::from(self.bend) } else { 0.0 } }
+    }
+}
 
 impl Rectangle {
     /// Where the course begins.

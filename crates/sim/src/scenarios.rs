@@ -5,7 +5,7 @@
 //! chapter prints what they give.
 
 use crate::apartment::Apartment;
-use crate::paths::{CORRIDOR, LOOP, Rectangle, SQUARE};
+use crate::paths::{CORRIDOR, LOOP, Rectangle, SQUARE, Stadium};
 use crate::sensor::Sensor;
 use core::f64::consts::FRAC_PI_4;
 use estimate::slam::linear_slam::Variances;
@@ -127,6 +127,45 @@ const WALL_MARKS: [Landmark; 15] = [
     Landmark { id: 14, x: -1.0, y: 1.5 },
 ];
 
+/// A filter with a bug in it: a robot drives laps of a stadium and sights one of three landmarks at a time.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BugMuseum {
+    /// The course.
+    pub course: Stadium,
+    /// Steps of a run: what is said of a run is said of these.
+    pub steps: u32,
+    /// The landmarks. At step k the robot looks for number k modulo 3.
+    pub landmarks: [Landmark; 3],
+    /// Noise of the input [Δs, Δθ] per tick, one sigma each, metres and radians; V = G diag(σ²) Gᵀ.
+    pub u_sigma: [f64; 2],
+    /// The sensor.
+    pub sensor: Sensor,
+    /// The share of readings that are wrong, as when a landmark is taken for another or an echo came by a detour: too long by
+    /// one to two metres, and off by up to half a radian.
+    pub outliers: f64,
+    /// χ² beyond which a reading is refused.
+    pub gate: f64,
+    /// First uncertainty, one sigma each of x, y and heading; the first estimate is drawn from it.
+    pub p0_sigma: [f64; 3],
+}
+
+/// The chapter's museum. On either straight the robot drives towards a landmark in line with it, so that the landmark's bearing
+/// lies on the cut at ±π all the way; on the second the heading does so too. No landmark is within reach from everywhere.
+pub const BUG_MUSEUM: BugMuseum = BugMuseum {
+    course: Stadium { start: [0.0, 0.0, 0.0], straight: 16, bend: 8, ds: 0.25 },
+    steps: 240,
+    landmarks: [
+        Landmark { id: 0, x: 6.0, y: 0.0 },
+        Landmark { id: 1, x: -2.0, y: 1.257 },
+        Landmark { id: 2, x: 2.0, y: 2.5 },
+    ],
+    u_sigma: [0.02, 0.03],
+    sensor: Sensor { range_sigma: 0.1, bearing_sigma: 0.03, reach: 4.0 },
+    outliers: 0.05,
+    gate: RANGE_BEARING_SLAM.gate,
+    p0_sigma: [0.1, 0.1, 0.05],
+};
+
 /// A log of the rail robot with its position sensor (§8.2.6), whose V = q V₀ and W are to be found from it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tuning {
@@ -154,6 +193,8 @@ pub struct Hook {
     pub sensor: Sensor,
     /// The right wheel's nominal radius exceeds its true one by this fraction.
     pub bias: f64,
+    /// First standard deviation of the bias for a filter that learns it: the largest bias that the figure offers.
+    pub bias_sigma: f64,
 }
 
 /// The chapter's odometry hook.
@@ -164,6 +205,7 @@ pub const HOOK: Hook = Hook {
     slip: 0.001,
     sensor: Sensor { range_sigma: 0.1, bearing_sigma: 0.035, reach: 2.0 },
     bias: 0.005,
+    bias_sigma: 0.01,
 };
 
 /// Choset's Problem 9 (chapter 8): one EKF step of the unicycle with a sensor of x₁, all constants his.

@@ -1,6 +1,7 @@
 /**
  * The plane of position and velocity, one scale on both axes: here a right angle looks like one. Prediction, the two axes
- * of its ellipse and the reading are handles.
+ * of its ellipse and the reading are handles; so are the reader's guess and the radius of the ellipse that grows. While the answer is
+ * sealed, nothing that gives it away is drawn.
  */
 
 import { clear, drawLabels } from '../../core/labels.js'
@@ -14,6 +15,8 @@ import { axes, clipLine, dot, ellipseLevel, ellipsePath, evenPlane, meaning, seg
 const CENTRE = /** @type {[number, number]} */ ([3.7, 3.7])
 const REACHES = [3, 4.5, 6, 9, 12, 18]
 const LEAST = REACHES[0]
+/** The growing ellipse gets a handle where that is in the drawing and keeps so many pixels from the prediction's. */
+const CLEAR = 24
 
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, value))
 
@@ -52,21 +55,25 @@ function reachOf({ params, euclideanFoot }, shape, before) {
 function drawScene(pen, plane, frame) {
   const { mean, reading } = frame.params
   const { euclideanFoot: gray, mahalanobisFoot: purple, update, predicted, posterior } = frame
-  const lines = { likely: ['line dashed', frame.mostLikelyOutput], omega: ['line', reading] }
+  const { sealed, radius } = frame.params
+  const lines = { ...(sealed ? {} : { likely: ['line dashed', frame.mostLikelyOutput] }), omega: ['line', reading] }
   for (const [key, [shape, output]] of Object.entries(lines)) {
     const ends = clipLine(frame.H, /** @type {number} */ (output), plane)
     if (ends) segment(pen, key, plane, ...ends, meaning(/** @type {string} */ (shape), 'measurement'))
   }
   pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(predicted.ellipse, mean, plane) })
-  // Ellipses of equal probability grow until one touches the line, and that is where the purple foot stands.
-  for (const part of [1 / 3, 2 / 3, 1]) {
+  // Ellipses of equal probability grow until one touches the line, and that is where the purple foot stands. The reader may let one
+  // grow instead.
+  if (radius > 0) pen.mark('path', 'grown', { ...meaning('curve', 'prediction'), d: ellipsePath(predicted.ellipse, mean, plane, radius) })
+  for (const part of radius > 0 || sealed ? [] : [1 / 3, 2 / 3, 1]) {
     pen.mark('path', `equal${part}`, { ...meaning(part === 1 ? 'curve' : 'curve thin', 'prediction'), d: ellipsePath(purple.ellipse, mean, plane, part) })
   }
-  pen.mark('path', 'posterior', { ...meaning('outline', 'posterior'), d: ellipsePath(posterior.ellipse, posterior.x, plane) })
+  if (!sealed) pen.mark('path', 'posterior', { ...meaning('outline', 'posterior'), d: ellipsePath(posterior.ellipse, posterior.x, plane) })
   segment(pen, 'gray', plane, mean, gray.at, meaning('way dashed', 'truth'))
-  segment(pen, 'purple', plane, mean, purple.at, meaning('way', 'posterior'))
+  if (!sealed) segment(pen, 'purple', plane, mean, purple.at, meaning('way', 'posterior'))
   squareCorner(pen, plane, frame)
   dot(pen, 'gray-foot', plane, gray.at, { ...meaning('foot', 'truth'), r: 4 })
+  if (sealed) return
   dot(pen, 'purple-foot', plane, purple.at, { ...meaning('foot', 'posterior'), r: 4 })
   dot(pen, 'update', plane, update.at, meaning('full', 'posterior'))
 }
@@ -86,8 +93,9 @@ function names(pen, plane, frame, grips) {
   const lefter = frame.mahalanobisFoot.at[0] < frame.euclideanFoot.at[0]
   /** @type {import('../../core/labels.js').Label[]} */
   const labels = Object.entries(grips).map(([key, { at, name = '', kin }]) => ({ key: `${key}-name`, words: name, at, kin, name: `handle-name ${kin}`, gap: 15, sides: ['right', 'above-right'] }))
-  labels.push(
-    { key: 'gray-name', words: 'gray foot', at: at(frame.euclideanFoot.at), kin: 'truth', sides: lefter ? ['below-right', 'right'] : ['below-left', 'left'] },
+  const { sealed } = frame.params
+  labels.push({ key: 'gray-name', words: 'gray foot', at: at(frame.euclideanFoot.at), kin: 'truth', sides: lefter ? ['below-right', 'right'] : ['below-left', 'left'] })
+  if (!sealed) labels.push(
     { key: 'purple-name', words: 'purple foot', at: at(frame.mahalanobisFoot.at), kin: 'posterior', sides: lefter ? ['below-left', 'left'] : ['below-right', 'right'] },
     { key: 'update-name', words: 'update', at: at(frame.update.at), kin: 'posterior', sides: lefter ? ['above-left', 'left'] : ['above-right', 'right'] },
   )
@@ -99,9 +107,9 @@ function names(pen, plane, frame, grips) {
     labels.push({ key, words, at: at(mark), gap: 5, kin: 'measurement', sides: over ? ['above', 'above-right', 'above-left'] : ['below', 'below-right', 'below-left'] })
   }
   const upper = frame.params.reading > frame.mostLikelyOutput
-  line('omega-name', frame.params.reading, { choset: 'Ω: *Hx* = *y*', thrun: 'Ω: *Cx* = *z*' }, upper)
-  if (frame.params.noise > 0) line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', !upper)
-  const marks = [frame.euclideanFoot.at, frame.mahalanobisFoot.at, frame.update.at].map((place) => clear(at(place), 4))
+  line('omega-name', frame.params.reading, 'Ω: {H}*x* = {y}', upper)
+  if (frame.params.noise > 0 && !sealed) line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', !upper)
+  const marks = [frame.euclideanFoot.at, ...(sealed ? [] : [frame.mahalanobisFoot.at, frame.update.at])].map((place) => clear(at(place), 4))
   drawLabels(pen, box, labels, [...marks, ...Object.values(grips).map((grip) => clear(grip.at, 11))])
 }
 
@@ -166,11 +174,41 @@ function handlesOf(plane, frame, view) {
   const { least, greatest } = view.limits.reading
   const output = (/** @type {number[]} */ point) => clamp(frame.H[0] * point[0] + frame.H[1] * point[1], least, greatest)
   grips.reading = {
-    at: inside([x(at[0]), y(at[1])]), label: 'Reading', name: { choset: '*y*', thrun: '*z*' }, kin: 'measurement',
+    at: inside([x(at[0]), y(at[1])]), label: 'Reading', name: '{y}', kin: 'measurement',
     value: words(reading), now: reading, min: least, max: greatest,
     move: (px, py) => ({ reading: output(data(px, py)) }),
     nudge: (dx, dy) => ({ reading: clamp(reading + 0.05 * (Math.abs(frame.H[1]) > 0.5 ? dy || dx : dx || dy), least, greatest) }),
     jump: (end) => ({ reading: end === 'home' ? least : greatest }),
   }
+  if (frame.params.guess !== null) grips.guess = guessed(plane, frame, view, inside)
+  const { radius } = frame.params
+  const end = [x(mean[0] - radius * semiMajor * c), y(mean[1] - radius * semiMajor * s)]
+  const [ex, ey] = inside(end)
+  if (radius * semiMajor * (x(1) - x(0)) > CLEAR && ex === end[0] && ey === end[1]) {
+    const grow = view.limits.radius
+    grips.grow = {
+      at: [ex, ey], label: 'Radius of the growing ellipse', name: box.right - box.left > 250 ? 'grow' : undefined, kin: 'prediction',
+      value: `${words(radius)} standard deviations`, now: radius, min: grow.least, max: grow.greatest,
+      move: (px, py) => ({ radius: clamp(((mean[0] - x.invert(px)) * c + (mean[1] - y.invert(py)) * s) / semiMajor, 0.05, grow.greatest) }),
+      nudge: (dx, dy) => ({ radius: clamp(radius + 0.05 * (dx || dy), 0.05, grow.greatest) }),
+      jump: (end) => ({ radius: end === 'home' ? 0.05 : grow.greatest }),
+    }
+  }
   return grips
+}
+
+/** The reader's guess, which stays on the line. @param {Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view
+ * @param {(at: number[]) => [number, number]} inside @returns {import('../../core/spec.js').HandleSpec} */
+function guessed({ x, y }, { params, euclideanFoot, along }, view, inside) {
+  const guess = /** @type {number} */ (params.guess)
+  const { least, greatest } = view.limits.guess
+  const put = (/** @type {number} */ place) => ({ guess: clamp(place, least, greatest) })
+  const at = euclideanFoot.at.map((value, i) => value + guess * along[i])
+  return {
+    at: inside([x(at[0]), y(at[1])]), label: 'Your guess', name: 'your guess', kin: 'measurement',
+    value: `at ${at[0].toFixed(2)} metres, ${at[1].toFixed(2)} metres a second`, now: guess, min: least, max: greatest,
+    move: (px, py) => put((x.invert(px) - euclideanFoot.at[0]) * along[0] + (y.invert(py) - euclideanFoot.at[1]) * along[1]),
+    nudge: (dx, dy) => put(guess + 0.05 * (Math.abs(along[0]) > 0.5 ? dx || dy : dy || dx)),
+    jump: (end) => put(end === 'home' ? -3 : 3),
+  }
 }

@@ -8,7 +8,7 @@ import { timePlot } from '../../core/time-plot.js'
 /** @param {Panel} panel @param {Frame} frame */
 export function drawTrace(panel, { series }) {
   panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: { choset: 'tr *P* (m² and rad² added)', thrun: 'tr Σ (m² and rad² added)' },
+    title: 'tr {P} (m² and rad² added)',
     steps: series.step,
     log: true,
     lines: [

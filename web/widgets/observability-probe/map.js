@@ -31,12 +31,13 @@ export function drawMap({ pen, width, height }, frame, view) {
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function room(pen, plane, { room: { width, height }, square, tracks }) {
+function room(pen, plane, { room: { width, height }, square, tracks, ghost }) {
   const [x, y] = [plane.x(0), plane.y(height)]
   pen.mark('rect', 'floor', { class: 'floor', x, y, width: plane.x(width) - x, height: plane.y(0) - y })
   pen.mark('path', 'walls', { class: 'wall', d: `${pointsPath(plane, [[0, 0], [width, 0], [width, height], [0, height]])}Z` })
   pen.mark('path', 'square', { class: 'grid', fill: 'none', d: `${pointsPath(plane, square)}Z` })
   pen.mark('path', 'track-truth', { ...meaning('track', 'truth'), d: seriesPath(plane, tracks.truth.x, tracks.truth.y) })
+  if (ghost) pen.mark('path', 'track-ghost', { ...meaning('track ghost dashed'), d: seriesPath(plane, ghost.track.x, ghost.track.y) })
   pen.mark('path', 'track-estimate', { ...meaning('track', 'posterior'), d: seriesPath(plane, tracks.estimate.x, tracks.estimate.y) })
 }
 
@@ -66,8 +67,14 @@ function belief(pen, plane, frame) {
     else pen.mark('circle', key, { class: shape, fill: 'none', cx: plane.x(estimate[0]), cy: plane.y(estimate[1]), r: 20 })
   }
   dot(pen, 'estimate', plane, estimate, { ...meaning('full', 'posterior'), r: 4 })
-  const [x, y, turn] = [plane.x(truth[0]), plane.y(truth[1]), (-truth[2] * 180) / Math.PI]
-  pen.mark('path', 'robot', { class: 'robot', d: 'M11 0L-7 7L-4 0L-7 -7Z', transform: `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${turn.toFixed(2)})` })
+  if (frame.ghost) robot(pen, 'ghost', plane, frame.ghost.pose)
+  robot(pen, 'robot', plane, truth)
+}
+
+/** @param {Pen} pen @param {string} key @param {Plane} plane @param {number[]} pose */
+function robot(pen, key, plane, pose) {
+  const [x, y, turn] = [plane.x(pose[0]), plane.y(pose[1]), (-pose[2] * 180) / Math.PI]
+  pen.mark('path', key, { class: key === 'ghost' ? 'robot ghost' : 'robot', d: 'M11 0L-7 7L-4 0L-7 -7Z', transform: `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${turn.toFixed(2)})` })
 }
 
 /**
@@ -96,6 +103,7 @@ function drawNames(pen, plane, frame) {
   const landmarks = frame.params.landmarks.slice(0, frame.params.count).map(at)
   drawLabels(pen, box, [
     ...landmarks.map((mark, i) => ({ key: `landmark-name${i}`, words: String(i + 1), at: mark, kin: 'measurement', name: 'handle-name measurement', gap: 15 })),
+    ...(frame.ghost ? [{ key: 'ghost-name', words: 'ghost', at: at(frame.ghost.pose), gap: 13 }] : []),
     ...hidden(frame).map(({ key, words, ends }, i) => ({ key: `${key}-name`, words, at: at(ends?.[i % 2] ?? frame.estimate), gap: ends ? 8 : 24 })),
   ], [...landmarks.map((mark) => clear(mark, 11)), clear(at(frame.estimate), 8), { left: x(0), top: y(0) + 2, right: x(frame.room.width), bottom: box.bottom }])
 }

@@ -6,9 +6,9 @@ import { complex, fixed } from '../../core/numbers.js'
 const REACH = 1.32
 /** A gain set by hand and the filter's gain have letters of their own in both conventions. */
 const TITLE = {
-  fixed: { choset: 'eigenvalues of (*I* − *KH*)*F*', thrun: 'eigenvalues of (*I* − *LC*)*A*' },
+  fixed: 'eigenvalues of (*I* − {K}{H}){F}',
   // The filter's gain changes at every step, so its eigenvalues are those of one step's matrix as if it stayed.
-  filter: { choset: 'frozen eigenvalues of (*I* − *RH*)*F*', thrun: 'frozen eigenvalues of (*I* − *KC*)*A*' },
+  filter: 'frozen eigenvalues of (*I* − {R}{H}){F}',
 }
 
 /**

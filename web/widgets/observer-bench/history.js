@@ -10,14 +10,14 @@ export function drawGain(panel, frame) {
   const { step, r1, r2, knob } = frame.series
   const [s1, s2] = frame.steadyGain
   panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: { choset: 'gain *R*(*k*) and its knob *g*', thrun: 'gain *K*_t and its knob *g*' },
+    title: 'gain {Rk} and its knob *g*',
     steps: step,
     include: [0, 1],
-    unit: { choset: '*k*', thrun: '*t*' },
+    unit: '{k}',
     rules: [{ key: '1', at: s1 }, { key: '2', at: s2 }],
     lines: [
-      { key: '1', values: r1, name: { choset: '*R*_1', thrun: '*K*_1' }, kin: 'posterior' },
-      { key: '2', values: r2, name: { choset: '*R*_2', thrun: '*K*_2' }, kin: 'posterior', shape: 'dashed' },
+      { key: '1', values: r1, name: '{R}_1', kin: 'posterior' },
+      { key: '2', values: r2, name: '{R}_2', kin: 'posterior', shape: 'dashed' },
       { key: 'knob', values: knob, name: '*g*', kin: null, shape: 'thin' },
     ],
   }))
@@ -31,10 +31,10 @@ export function drawVariance(panel, frame) {
     steps: step,
     log: true,
     include: [0.2, 4],
-    unit: { choset: '*k*', thrun: '*t*' },
+    unit: '{k}',
     lines: [
-      { key: '1', values: p11, name: { choset: '*P*_{11}', thrun: 'Σ_{11}' }, kin: 'posterior' },
-      { key: '2', values: p22, name: { choset: '*P*_{22}', thrun: 'Σ_{22}' }, kin: 'posterior', shape: 'dashed' },
+      { key: '1', values: p11, name: '{P}_{11}', kin: 'posterior' },
+      { key: '2', values: p22, name: '{P}_{22}', kin: 'posterior', shape: 'dashed' },
     ],
   }))
 }
@@ -46,7 +46,7 @@ export function drawError(panel, frame) {
     title: 'error (m, m/s)',
     steps: step,
     include: [-1, 1],
-    unit: { choset: '*k*', thrun: '*t*' },
+    unit: '{k}',
     lines: [
       { key: '1', values: e1, name: '*e*_1', kin: 'truth' },
       { key: '2', values: e2, name: '*e*_2', kin: 'truth', shape: 'dashed' },

@@ -82,7 +82,7 @@ function names(pen, { box, x, y }, frame, { orange, purple, reading }) {
     const flat = frame.H[0] === 0
     const end = /** @type {[number, number]} */ (flat ? [box.right - 40, y(reading / frame.H[1])] : [x(reading / frame.H[0]), box.top + 8])
     const within = end[0] > box.left && end[0] < box.right && end[1] > box.top && end[1] < box.bottom
-    if (within) labels.push({ key: 'omega-name', words: { choset: 'Ω: *Hx* = *y*', thrun: 'Ω: *Cx* = *z*' }, at: end, gap: 4, kin: 'measurement', sides: flat ? ['above', 'below'] : ['right', 'left'] })
+    if (within) labels.push({ key: 'omega-name', words: 'Ω: {H}*x* = {y}', at: end, gap: 4, kin: 'measurement', sides: flat ? ['above', 'below'] : ['right', 'left'] })
   }
   drawLabels(pen, box, labels, [clear(at(orange.x), 5), clear(at(purple.x), 5), clear(at([0, 0]), 6)])
 }

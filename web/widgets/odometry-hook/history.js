@@ -1,4 +1,4 @@
-/** Error against claimed σ over the last ticks. A cursor stands at the tick that the map shows; the reader moves the robot by it. */
+/** Error against claimed σ over the last ticks, and the bias of the wheel where it is a state. A cursor stands at the tick that the map shows; the reader moves the robot by it. */
 
 import { timePlot } from '../../core/time-plot.js'
 
@@ -20,6 +20,29 @@ export function drawHeading(panel, frame, view) {
   draw(panel, frame, view, 'heading: error *e* and claimed *σ* (°)', ({ heading, sigmaHeading }) => [degrees(heading), degrees(sigmaHeading)], 5)
 }
 
+/** The learned bias within one σ on either side, and the true one. @param {Panel} panel @param {Frame} frame @param {View} view */
+export function drawWheel(panel, frame, view) {
+  const { series, wheel } = farthest(frame, view)
+  const within = (/** @type {number} */ sigmas) => series.epsilon.map((/** @type {number} */ value, /** @type {number} */ i) => 100 * (value + sigmas * series.sigmaEpsilon[i]))
+  panel.pen.draw((pen) => void timePlot(pen, panel, {
+    title: 'bias of the wheel, learned and true (%)',
+    steps: series.step,
+    least: 640,
+    include: [-1, 1],
+    unit: '{k}',
+    lines: [
+      { key: 'upper', values: within(1), name: '+*σ*', kin: 'posterior', shape: 'thin' },
+      { key: 'lower', values: within(-1), name: '−*σ*', kin: 'posterior', shape: 'thin' },
+      { key: 'learned', values: within(0), name: 'bias', kin: 'posterior' },
+      { key: 'true', values: series.step.map(() => 100 * (wheel?.truth ?? NaN)), name: 'true', kin: 'truth', shape: 'dashed' },
+    ],
+    cursor: cursorAt(frame, view),
+  }))
+}
+
+/** @param {Frame} frame @param {View} view @returns {import('../../core/time-plot.js').Cursor} */
+const cursorAt = ({ step }, view) => ({ step, label: 'Tick shown on the map', value: `tick ${step}`, stride: STRIDE, view })
+
 /** The frame whose curves are drawn: of one run the one that has come farthest, so that a reader can go back and on again. @param {Frame} frame @param {View} view */
 function farthest(frame, { memory }) {
   const run = JSON.stringify(frame.params)
@@ -37,11 +60,11 @@ function draw(panel, frame, view, title, pick, least) {
     steps: series.step,
     least: 640,
     include: [0, least],
-    unit: { choset: '*k*', thrun: '*t*' },
+    unit: '{k}',
     lines: [
       { key: 'sigma', values: sigma, name: '*σ*', kin: frame.params.fixes ? 'posterior' : 'prediction', shape: frame.params.fixes ? 'solid' : 'dashed' },
       { key: 'error', values: error, name: '*e*', kin: 'truth' },
     ],
-    cursor: { step: frame.step, label: 'Tick shown on the map', value: `tick ${frame.step}`, stride: STRIDE, view },
+    cursor: cursorAt(frame, view),
   }))
 }

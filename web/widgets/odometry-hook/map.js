@@ -1,8 +1,9 @@
 /** The corridor from above: where the robot is, where it believes itself to be, and how sure it claims to be. */
 
 import { followed } from '../../core/camera.js'
+import { drawBuilding, drawRobot } from '../../core/corridor.js'
 import { clear, drawLabels } from '../../core/labels.js'
-import { dot, ellipseLevel, ellipsePath, halves, meaning, pointsPath, scaleBar, segment, seriesPath } from '../../core/plot.js'
+import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
@@ -10,7 +11,6 @@ import { dot, ellipseLevel, ellipsePath, halves, meaning, pointsPath, scaleBar, 
 
 /** Ticks a sightline takes to fade. */
 const FLASH = 40
-const NOSE = 17
 const FOOT = 20
 
 /**
@@ -27,7 +27,7 @@ export function drawMap({ pen, width, height }, frame, view) {
   const stamp = [width, height, ...plane.x.domain, ...plane.y.domain].join(' ')
   pen.draw(() => {
     pen.window('scene', box, (to) => {
-      to.group('building', {}, (into) => drawBuilding(into, plane, frame), stamp)
+      to.group('building', {}, (into) => drawPlace(into, plane, frame), stamp)
       to.group('trail', {}, (into) => drawTrail(into, plane, frame), `${stamp} ${JSON.stringify(frame.params)} ${stops(frame).map(({ step }) => step)}`)
       drawTracks(to, plane, frame)
       drawSight(to, plane, frame)
@@ -48,14 +48,9 @@ function seen({ world, tracks, estimate, ellipse }, axis) {
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function drawBuilding(pen, plane, { world }) {
+function drawPlace(pen, plane, { world }) {
   const { x, y } = plane
-  for (const room of world.rooms) {
-    const [left, top] = [x(room.x), y(room.y + room.height)]
-    pen.mark('rect', `room${room.name}`, { class: 'room', x: left, y: top, width: x(room.x + room.width) - left, height: y(room.y) - top })
-  }
-  const walls = world.walls.map(([x1, y1, x2, y2]) => pointsPath(plane, [[x1, y1], [x2, y2]])).join('')
-  pen.mark('path', 'walls', { class: 'wall', 'stroke-opacity': 0.4, d: walls })
+  drawBuilding(pen, plane, world)
   for (const { id, x: cx, y: cy } of world.corners) {
     pen.mark('rect', `corner${id}`, { class: 'corner', x: x(cx) - 4, y: y(cy) - 4, width: 8, height: 8 })
   }
@@ -102,16 +97,8 @@ function drawSight(pen, plane, { step, lastSighting, params }) {
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawRobots(pen, plane, frame) {
   const kin = kinOf(frame)
-  robot(pen, 'truth', plane, frame.truth, 'hollow', 'truth')
-  robot(pen, 'estimate', plane, frame.estimate, frame.params.fixes ? 'full' : 'hollow', kin)
-}
-
-/** @param {Pen} pen @param {string} key @param {Plane} plane @param {number[]} pose @param {string} shape @param {import('../../core/plot.js').Kin} kin */
-function robot(pen, key, plane, [px, py, heading], shape, kin) {
-  const [x, y] = [plane.x(px), plane.y(py)]
-  const [c, s] = [Math.cos(heading), -Math.sin(heading)]
-  pen.mark('line', `${key}-nose`, { ...meaning('line', kin), x1: x, y1: y, x2: x + NOSE * c, y2: y + NOSE * s })
-  dot(pen, `${key}-body`, plane, [px, py], { ...meaning(shape, kin), r: 6.5 })
+  drawRobot(pen, 'truth', plane, frame.truth, 'hollow', 'truth')
+  drawRobot(pen, 'estimate', plane, frame.estimate, frame.params.fixes ? 'full' : 'hollow', kin)
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */

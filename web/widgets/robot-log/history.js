@@ -1,8 +1,9 @@
 /** Innovations, errors and NIS over the minutes of the drive. */
 
 import { axes, meaning, plane as planeOf, seriesPath } from '../../core/plot.js'
+import { drawCrosses, drawPoints } from '../../core/points.js'
 import { rounded } from '../../core/scale.js'
-import { drawCrosses, drawPoints } from './points.js'
+import { band, empty, rule } from '../../core/statistics.js'
 
 /** @typedef {import('estimate-wasm').LogFrame} Frame */
 /** @typedef {import('../../core/shell.js').Panel} Panel */
@@ -18,7 +19,7 @@ const LEAST = 4
 export function drawInnovations(panel, frame) {
   const { time, normalized, used } = frame.innovations
   const most = Math.min(3 * LEAST, normalized.reduce((sum, value) => Math.max(sum, Math.abs(value)), LEAST))
-  draw(panel, frame, [-most, most], `innovations *ν*/√*S*${frame.every > 1 ? `, every ${ordinal(frame.every)}` : ''}`, (pen, plane) => {
+  draw(panel, frame, [-most, most], `innovations {innov}/√*S*${frame.every > 1 ? `, every ${ordinal(frame.every)}` : ''}`, (pen, plane) => {
     band(pen, plane, -2, 2)
     rule(pen, plane, 'high', 2)
     rule(pen, plane, 'low', -2)
@@ -45,9 +46,9 @@ export function drawErrors(panel, frame) {
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawNis(panel, frame) {
-  const { time, mean, low, high, block } = frame.nis
+  const { time, mean, low, high } = frame.nis
   const most = Math.max(2, ...mean, ...high)
-  draw(panel, frame, [0, most], `NIS for each output, by ${block} readings, and its 95 % band`, (pen, plane) => {
+  draw(panel, frame, [0, most], 'NIS for each output, and its 95 % band', (pen, plane) => {
     if (mean.length === 0) return empty(pen, plane, 'too few ranges are used')
     band(pen, plane, Math.min(...low), Math.max(...high))
     rule(pen, plane, 'one', 1)
@@ -58,29 +59,14 @@ export function drawNis(panel, frame) {
 
 /** @param {Panel} panel @param {Frame} frame @param {[number, number]} up @param {string} title @param {(pen: Pen, plane: Plane) => void} paint */
 function draw({ pen, width, height }, frame, [low, high], title, paint) {
-  const box = { left: 40, top: 26, right: width - 12, bottom: height - 24 }
+  // The unit stands behind the last tick.
+  const box = { left: 40, top: 26, right: width - 32, bottom: height - 24 }
   const plane = planeOf(box, [0, Math.max(frame.duration / 60, 1e-3)], rounded(low, high + (high - low) * 0.02, 4))
   pen.draw(() => {
     axes(pen, plane, { title, ticks: [5, 4], zero: low < 0 })
     pen.text('unit', { class: 'axis-name', x: width - 2, y: box.bottom + 15, 'text-anchor': 'end' }, 'min')
     paint(pen, plane)
   })
-}
-
-/** @param {Pen} pen @param {Plane} plane @param {number} low @param {number} high */
-export function band(pen, { box, y }, low, high) {
-  const [top, bottom] = [Math.max(box.top, y(high)), Math.min(box.bottom, y(low))]
-  pen.mark('rect', 'band', { class: 'band', x: box.left, y: top, width: box.right - box.left, height: Math.max(0, bottom - top) })
-}
-
-/** @param {Pen} pen @param {Plane} plane @param {string} key @param {number} at */
-function rule(pen, { box, y }, key, at) {
-  pen.mark('line', `rule-${key}`, { ...meaning('rule'), x1: box.left, x2: box.right, y1: y(at), y2: y(at) })
-}
-
-/** @param {Pen} pen @param {Plane} plane @param {string} words */
-export function empty(pen, { box }, words) {
-  pen.text('empty', { class: 'label', x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 + 4, 'text-anchor': 'middle' }, words)
 }
 
 /** @param {number} n */

@@ -10,8 +10,9 @@ import { clock } from './words.js'
 /** @typedef {import('../../core/pen.js').Pen} Pen */
 /** @typedef {import('../../core/plot.js').Plane} Plane */
 
-/** The room of the timeline, pixels. */
+/** The room of the timeline, and of the scale bar above it, pixels. */
 const TIMELINE = 46
+const FOOT = 20
 /** How long a sighting's line stays, seconds of the log. */
 const FLASH = 1.5
 const NOSE = 15
@@ -24,7 +25,7 @@ const NOSE = 15
  */
 export function drawMap({ pen, width, height }, frame, view) {
   const box = { left: 0, top: 0, right: width, bottom: height - TIMELINE }
-  const { plane, moving } = followed(view, box, (axis) => seen(frame, axis))
+  const { plane, moving } = followed(view, { ...box, bottom: box.bottom - FOOT }, (axis) => seen(frame, axis))
   pen.draw(() => {
     pen.window('scene', box, (to) => {
       drawTracks(to, plane, frame)

@@ -1,10 +1,11 @@
 /** Starts the worker of a log's figure, gives it the log, and waits for the first frame. */
 
 import { readState } from '../../core/link.js'
-import { PATIENCE_MS, fetchWithPatience } from '../../core/patience.js'
+import { fetchWithPatience } from '../../core/patience.js'
+import { openPort } from '../../core/port.js'
 import { RemoteRun } from './remote-run.js'
 
-/** @typedef {import('./remote-run.js').Port} Port */
+/** @typedef {import('../../core/port.js').Port} Port */
 /** @typedef {{ ok: true, run: RemoteRun, mangled: boolean } | { ok: false, why: string }} Opened */
 
 /**
@@ -17,18 +18,19 @@ import { RemoteRun } from './remote-run.js'
 export async function openRun(log, spec, id, given) {
   try {
     const [port, bytes] = await Promise.all([start(), fetchWithPatience(new URL(log, import.meta.url)).then((answer) => answer.arrayBuffer())])
-    const read = await ask(port, { kind: 'log', bytes: new Uint8Array(bytes) })
+    const read = await ask(port, { kind: 'files', files: [new File([bytes], spec.log?.split('/').pop() ?? 'log.csv')] })
     if (read.kind !== 'log') return { ok: false, why: read.why ?? `its log is wrong: ${read.message}` }
     const page = JSON.parse(given ?? '{}')
     const usual = { params: { ...spec.start.params, ...page.params }, step: page.step ?? spec.start.step }
     const linked = readState(location.href, id, spec.name)
-    const wish = linked === null || linked === 'mangled' ? usual : linked
+    const wish = linked === null || linked === 'mangled' ? usual : { ...linked, step: Math.min(linked.step, read.contents.steps) }
     let there = await ask(port, { kind: 'go', id: 0, ...wish })
     const mangled = linked === 'mangled' || there.kind === 'refused'
     if (there.kind === 'refused') there = await ask(port, { kind: 'go', id: 0, ...usual })
     if (there.kind !== 'there') return { ok: false, why: there.why ?? there.message }
     const run = new RemoteRun(port, there.frame, read.parameters, spec.pace ?? 2)
     run.digest = there.digest
+    run.contents = read.contents
     return { ok: true, run, mangled }
   } catch (error) {
     if (error instanceof DOMException && error.name === 'AbortError') return { ok: false, why: 'the server does not answer' }
@@ -46,35 +48,11 @@ function ask(port, message) {
   })
 }
 
-/**
- * A worker; where a page may start none (a frame without an origin of its own), the same code in the page itself, which computes in
- * chunks all the same.
- * @returns {Promise<Port>}
- */
+/** @returns {Promise<Port>} */
 async function start() {
   const { default: address } = await import('robot-log-worker')
-  try {
-    return await started(new Worker(new URL(address, import.meta.url), { type: 'module' }))
-  } catch {
-    const { port1, port2 } = new MessageChannel()
-    const [{ attend }, { loadLog }] = await Promise.all([import('./attend.js'), import('./module.js')])
-    attend(port2, loadLog)
-    return port1
-  }
-}
-
-/** Waits until the worker says that it runs. @param {Worker} worker @returns {Promise<Port>} */
-function started(worker) {
-  return new Promise((resolve, reject) => {
-    const timer = setTimeout(() => reject(new Error('its worker does not answer')), 3 * PATIENCE_MS)
-    worker.onerror = () => {
-      clearTimeout(timer)
-      reject(new Error('its worker could not be started'))
-    }
-    worker.onmessage = () => {
-      clearTimeout(timer)
-      resolve(worker)
-    }
-    worker.postMessage({ kind: 'hello' })
+  return openPort(address, async () => {
+    const [{ serve }, { loadLog }] = await Promise.all([import('./server.js'), import('./module.js')])
+    return (port) => serve(port, loadLog)
   })
 }

@@ -4,7 +4,7 @@
  */
 
 /** @typedef {import('../../core/run.js').Outcome} Outcome */
-/** @typedef {{ postMessage: (message: any) => void, onmessage: ((event: MessageEvent) => void) | null }} Port */
+/** @typedef {import('../../core/port.js').Port} Port */
 
 /** Where motion is not wanted a run in play goes on in lumps, and each picture stays this long, milliseconds. */
 const STILL_MS = 500
@@ -22,6 +22,8 @@ export class RemoteRun {
     this.known = parameters
     this.pace = pace
     this.digest = ''
+    /** What the log holds. @type {any} */
+    this.contents = null
     this.goal = frame.step
     /** @type {Record<string, unknown> | null} */
     this.patch = null
@@ -39,6 +41,8 @@ export class RemoteRun {
     this.progress = null
     /** @type {any} */
     this.remembered = null
+    /** Who waits for a log to be read or a table to be written, first come first served. @type {((answer: any) => void)[]} */
+    this.waiting = []
     port.onmessage = ({ data }) => this.hear(data)
   }
 
@@ -113,8 +117,40 @@ export class RemoteRun {
     this.goal = this.frame.step
   }
 
+  /**
+   * Gives the worker a log, or asks it to read the log otherwise. A log that was read is replayed to its end with the present
+   * settings; one that is wrong leaves the run as it is.
+   * @param {{ kind: 'files', files: File[] } | { kind: 'reading', change: import('./server.js').Change }} message
+   * @returns {Promise<any>} what the worker says of it
+   */
+  async read(message) {
+    const answer = await this.request(message)
+    if (answer.kind !== 'log') return answer
+    this.contents = answer.contents
+    const params = this.asked
+    this.cancel()
+    this.patch = params
+    this.wantsReset = true
+    this.goal = answer.contents.steps
+    return answer
+  }
+
+  /** The replay as a table. @param {'track' | 'innovations'} table @returns {Promise<any>} */
+  table(table) {
+    return this.request({ kind: 'table', params: this.asked ?? this.frame.params, table })
+  }
+
+  /** @param {any} message @returns {Promise<any>} */
+  request(message) {
+    return new Promise((resolve) => {
+      this.waiting.push(resolve)
+      this.port.postMessage(message)
+    })
+  }
+
   /** @param {any} message */
   hear(message) {
+    if (message.id === undefined) return this.waiting.shift()?.(message)
     if (message.id !== this.sent?.id) return
     if (message.kind === 'progress') this.progress = { step: message.step, of: message.of }
     else this.answer = message

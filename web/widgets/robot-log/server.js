@@ -3,15 +3,19 @@
  *
  * | told | answers |
  * |---|---|
- * | `{ kind: 'log', bytes }` | `{ kind: 'log', contents, parameters }`, or `{ kind: 'no-log', line, column, message }` |
+ * | `{ kind: 'files', files }`, the log as `File`s | `{ kind: 'log', contents, parameters, files }`, or `{ kind: 'no-log', files, file, line, column, message, shown }` |
+ * | `{ kind: 'reading', change }`, to read one of them otherwise | the same |
  * | `{ kind: 'go', id, params, step }` | `{ kind: 'progress', id, step, of }` on the way; then `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }` |
  * | `{ kind: 'cancel' }` | nothing more about the replay that was under way |
+ * | `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'` | `{ kind: 'table', text }`, a `Blob` of CSV, or `{ kind: 'no-table', message }` |
  *
  * A replay is computed in chunks, and between two of them the worker reads its messages. A later `go` replaces an earlier one, unless
  * that one is nearly there: a slider that is dragged over a long log is still answered now and then.
  */
 
+import { attend } from '../../core/attend.js'
 import { Pace } from '../../core/pace.js'
+import { decode } from './text.js'
 
 /** How long the worker computes without reading its messages, milliseconds. */
 const CHUNK_MS = 24
@@ -21,7 +25,16 @@ const NEARLY_THERE_MS = 150
 const PROGRESS_MS = 50
 
 /** @typedef {{ id: number, params: Record<string, unknown>, step: number | null }} Wish */
+/** Rows of a table that are written in one go. */
+const TABLE_ROWS = 5000
+/** The most characters of a faulty line that are shown. */
+const MOST_SHOWN = 200
+
+/** @typedef {{ file: number, role?: string, value?: string, column?: number | null, unit?: string }} Change how one file is read */
 /** @typedef {{ wish: Wish, lab: any, of: number, from: number, began: number, told: number }} Replay */
+
+/** Answers what comes through a port. @param {import('../../core/port.js').Port} port @param {() => Promise<import('../../core/start.js').Loaded<any>>} load */
+export const serve = (port, load) => attend(port, load, (module, tell, soon) => new Server(module, tell, soon))
 
 export class Server {
   /**
@@ -36,6 +49,14 @@ export class Server {
     this.soon = soon
     this.clock = clock
     this.calls = new Pace(clock)
+    /** The files of the log that was read last, as long as one of them is a table that can be read otherwise. @type {any} */
+    this.files = null
+    /** Their texts, from which a faulty line is shown. @type {string[] | null} */
+    this.texts = null
+    /** Sentences about their encodings. @type {string[]} */
+    this.notes = []
+    /** What is read next waits for this. @type {Promise<unknown>} */
+    this.reading = Promise.resolve()
     /** @type {any} */
     this.log = null
     /** The lab that was shown last. @type {any} */
@@ -48,26 +69,91 @@ export class Server {
 
   /** @param {any} message */
   take(message) {
-    if (message.kind === 'log') this.read(message.bytes)
+    if (message.kind === 'files') this.reading = this.reading.then(() => this.open(message.files))
+    if (message.kind === 'reading') this.reading = this.reading.then(() => this.reread(message.change))
+    if (message.kind === 'table') this.reading = this.reading.then(() => this.table(message))
     if (message.kind === 'go') this.go(message)
     if (message.kind === 'cancel') this.cancel()
   }
 
-  /** Reads a log. One that is wrong leaves the log before in its place. @param {Uint8Array} bytes */
-  read(bytes) {
-    const { RobotLog } = this.module
+  /** Opens the files of a log. @param {Blob[]} given `File`s */
+  async open(given) {
+    const files = new this.module.LogFiles()
+    /** @type {string[]} */
+    const texts = []
+    const notes = []
     try {
-      // What is no UTF-8 becomes U+FFFD, which no log may hold.
-      const log = RobotLog.parse(new TextDecoder().decode(bytes))
+      for (const file of given) {
+        const { name } = /** @type {File} */ (file)
+        const { text, note } = decode(name, await file.arrayBuffer())
+        texts.push(text)
+        if (note) notes.push(note)
+        files.add(name, text)
+      }
+      this.files?.free()
+      this.files = files
+      this.texts = texts
+      this.notes = notes
+      this.read()
+    } catch (error) {
+      const unread = !(/** @type {any} */ (error).code === 'log')
+      const message = unread ? 'the file could not be read; it may be a folder, or gone' : wordsOf(error)
+      this.tell({ kind: 'no-log', files: files.files(), file: given.length > texts.length ? texts.length : texts.length - 1, line: 1, column: 1, message, shown: '' })
+      files.free()
+    }
+  }
+
+  /** Reads one of the files otherwise. @param {Change} change */
+  reread({ file, role, value, column, unit }) {
+    const { files } = this
+    if (!files) return
+    try {
+      if (role !== undefined) files.setRole(file, role)
+      if (value !== undefined) files.setColumn(file, value, column)
+      if (unit !== undefined) files.setUnit(file, unit)
+    } finally {
+      this.read()
+    }
+  }
+
+  /** Reads the files. What is no log leaves the log before in its place. */
+  read() {
+    const { files } = this
+    const shown = files.files()
+    try {
+      const log = files.read()
       this.cancel()
       this.log?.free()
       this.lab?.free()
       this.lab = null
       this.log = log
-      this.tell({ kind: 'log', contents: log.contents(), parameters: RobotLog.parameters() })
+      if (shown.every((/** @type {any} */ { role }) => role === 'log')) {
+        files.free()
+        this.files = this.texts = null
+      }
+      const contents = log.contents()
+      contents.notes.unshift(...this.notes)
+      this.tell({ kind: 'log', contents, parameters: this.module.RobotLog.parameters(), files: shown })
     } catch (error) {
-      const { line = 1, column = 1, message } = /** @type {any} */ (error)
-      this.tell({ kind: 'no-log', line, column, message })
+      const { file = 0, line = 1, column = 1, message } = /** @type {any} */ (error)
+      const words = String(message).replace(/^line \d+, column \d+: /, '')
+      this.tell({ kind: 'no-log', files: shown, file, line, column, message: words, shown: lineOf(this.texts?.[file] ?? '', line) })
+    }
+  }
+
+  /** Writes the replay as CSV, a part at a time; a `go` that comes meanwhile is answered between two parts. @param {{ params: any, table: string }} wish */
+  async table({ params, table: kind }) {
+    try {
+      const table = new this.module.LogTable(this.log, params, kind)
+      const parts = []
+      for (let part = table.next(TABLE_ROWS); part !== undefined; part = table.next(TABLE_ROWS)) {
+        parts.push(part)
+        await new Promise((resolve) => this.soon(() => resolve(undefined)))
+      }
+      table.free()
+      this.tell({ kind: 'table', text: new Blob(parts, { type: 'text/csv' }) })
+    } catch (error) {
+      this.tell({ kind: 'no-table', message: wordsOf(error) })
     }
   }
 
@@ -155,4 +241,13 @@ export class Server {
 /** @param {unknown} error */
 function wordsOf(error) {
   return error instanceof Error ? error.message : 'The log could not be replayed.'
+}
+
+/** The line of a text with this number, counted from 1. @param {string} text @param {number} line */
+function lineOf(text, line) {
+  const mark = text.includes('\n') ? '\n' : '\r'
+  let from = 0
+  for (let i = 1; i < line; i += 1) from = text.indexOf(mark, from) + 1
+  const end = text.indexOf(mark, from)
+  return text.slice(from, Math.min(end < 0 ? text.length : end, from + MOST_SHOWN)).replace(/\r$/, '')
 }

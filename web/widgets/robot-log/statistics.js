@@ -2,9 +2,9 @@
 
 import { fixed } from '../../core/numbers.js'
 import { axes, meaning, plane as planeOf, seriesPath } from '../../core/plot.js'
+import { drawCrosses, drawPoints } from '../../core/points.js'
 import { rounded } from '../../core/scale.js'
-import { band, empty } from './history.js'
-import { drawCrosses, drawPoints } from './points.js'
+import { drawLags, empty } from '../../core/statistics.js'
 
 /** @typedef {import('estimate-wasm').LogFrame} Frame */
 /** @typedef {import('../../core/shell.js').Panel} Panel */
@@ -23,7 +23,7 @@ export function drawRanges(panel, frame) {
 /** @param {Panel} panel @param {Frame} frame */
 export function drawInner(panel, frame) {
   const { expected, innovation, used } = frame.innovations
-  scatter(panel, 'the filter’s innovation *ν* (m)', 'expected range (m)', expected, innovation, frame.innovationLine, (i) => used[i])
+  scatter(panel, 'the filter’s innovation {innov} (m)', 'expected range (m)', expected, innovation, frame.innovationLine, (i) => used[i])
 }
 
 /**
@@ -55,7 +55,7 @@ export function drawHistogram({ pen, width, height }, { histogram, summary }) {
   const box = { left: 36, top: 26, right: width - 10, bottom: height - 38 }
   const plane = planeOf(box, [from, to], [0, Math.max(0.45, ...density) * 1.05])
   pen.draw(() => {
-    axes(pen, plane, { title: 'density of *ν*/√*S* beside N(0, 1)', x: '*σ*', ticks: [5, 4] })
+    axes(pen, plane, { title: 'density of {innov}/√*S* beside N(0, 1)', x: '*σ*', ticks: [5, 4] })
     if (summary.used === 0) return empty(pen, plane, 'no range is used')
     const floor = box.bottom
     let d = ''
@@ -68,19 +68,6 @@ export function drawHistogram({ pen, width, height }, { histogram, summary }) {
 }
 
 /** @param {Panel} panel @param {Frame} frame */
-export function drawCorrelation({ pen, width, height }, { correlation }) {
-  const { values, band: half } = correlation
-  const box = { left: 40, top: 26, right: width - 12, bottom: height - 38 }
-  const [low, high] = [Math.min(-0.3, ...values), Math.max(0.5, ...values)]
-  const plane = planeOf(box, [0, 21], rounded(low, high, 4))
-  pen.draw(() => {
-    axes(pen, plane, { title: 'autocorrelation of the innovations and its 95 % band', x: 'lag, used readings', ticks: [5, 4], zero: true })
-    if (values.length === 0) return empty(pen, plane, 'no range is used')
-    band(pen, plane, -half, half)
-    for (const [i, value] of values.entries()) {
-      const x = plane.x(i + 1)
-      pen.mark('line', `lag${i}`, { ...meaning('lag', 'measurement'), x1: x, x2: x, y1: plane.y(0), y2: plane.y(value) })
-      pen.mark('circle', `tip${i}`, { ...meaning('end', 'measurement'), cx: x, cy: plane.y(value), r: 3 })
-    }
-  })
+export function drawCorrelation(panel, { correlation }) {
+  drawLags(panel, correlation, { title: 'autocorrelation of {innov}/√*S* and its 95 % band', lag: 'lag, used readings', none: 'no range is used' })
 }

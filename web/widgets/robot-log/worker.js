@@ -3,6 +3,6 @@
 import init, * as estimate from 'estimate-wasm/log'
 import address from 'estimate-wasm/log/wasm'
 import { loader } from '../../core/start.js'
-import { attend } from './attend.js'
+import { serve } from './server.js'
 
-attend(/** @type {any} */ (self), loader(init, estimate, address))
+serve(/** @type {any} */ (self), loader(init, estimate, address))

@@ -1,6 +1,9 @@
 //! Answers that are states of a figure: conditions on its frame, which the build holds against the frame's shape.
 
-use labs::{Lab, LogFrame, ObservabilityProbe, ObserverBench, OdometryHook, Picture, Plain, Shape};
+use labs::{
+    BugMuseum, Lab, LogFrame, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, OwnSystem, Picture, Plain,
+    Shape, Tune,
+};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -86,7 +89,11 @@ fn frame(widget: &str) -> Option<Shape> {
         "odometry-hook" => of::<OdometryHook>(),
         "observability-probe" => of::<ObservabilityProbe>(),
         "kalman-picture" => of::<Picture>(),
+        "own-system" => of::<OwnSystem>(),
         "robot-log" => LogFrame::SHAPE,
+        "tune-me" => of::<Tune>(),
+        "close-loop" => of::<LoopClosure>(),
+        "bug-museum" => of::<BugMuseum>(),
         _ => return None,
     })
 }

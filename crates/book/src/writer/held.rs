@@ -1,4 +1,4 @@
-//! A formula and the punctuation that touches it. A browser would break the line between them.
+//! What a browser must not break a line between: a formula and the punctuation that touches it, a number and its unit.
 
 use super::Writer;
 use crate::piece::Piece;
@@ -8,21 +8,46 @@ use crate::tree::{Kind, Node};
 const CLOSING: [char; 10] = ['.', ',', ';', ':', '!', '?', ')', '’', '”', '-'];
 const OPENING: [char; 4] = ['(', '[', '‘', '“'];
 
-pub(super) fn is_formula(node: &Node) -> bool {
+fn is_formula(node: &Node) -> bool {
     matches!(node.kind, Kind::Piece(Piece::Math(_)))
 }
 
-/// What is left of a text behind a formula when the formula has taken its marks.
-pub(super) fn after_formula(text: &str) -> &str {
-    text.trim_start_matches(CLOSING)
+/// What is left of a text behind a formula when the formula has taken its marks, or its unit.
+fn after_formula(text: &str) -> &str {
+    match text.strip_prefix(' ').and_then(unit) {
+        Some((_, rest)) => rest,
+        None => text.trim_start_matches(CLOSING),
+    }
 }
 
 /// What is left of a text before a formula when the formula has taken its marks.
-pub(super) fn before_formula(text: &str) -> &str {
+fn before_formula(text: &str) -> &str {
     text.trim_end_matches(OPENING)
 }
 
+/// Units that stand behind a number.
+const UNITS: [&str; 14] =
+    ["m", "m²", "m/s", "m²/s", "m²/s²", "m/√s", "mm", "s", "s²", "ms", "min", "rad", "rad²", "rad/√s"];
+
+/// The unit that a text begins with, and the rest.
+fn unit(text: &str) -> Option<(&str, &str)> {
+    let end = text.find(|c: char| c.is_whitespace() || ",;.:)".contains(c)).unwrap_or(text.len());
+    UNITS.contains(&&text[..end]).then(|| text.split_at(end))
+}
+
 impl Writer<'_> {
+    /// A text between two neighbours: without the marks that a formula beside it has taken, and with no break between a number
+    /// and its unit.
+    pub(super) fn beside(&mut self, text: &str, before: Option<&Node>, after: Option<&Node>) {
+        let text = if before.is_some_and(is_formula) { after_formula(text) } else { text };
+        let text = if after.is_some_and(is_formula) { before_formula(text) } else { text };
+        let number = before.is_some_and(|it| matches!(it.kind, Kind::Piece(Piece::Number(_))));
+        match text.strip_prefix(' ').filter(|rest| number && unit(rest).is_some()) {
+            Some(rest) => self.text(&format!("\u{a0}{rest}")),
+            None => self.text(text),
+        }
+    }
+
     /// A formula and the marks that touch it, between which a browser would break the line.
     pub(super) fn held(&mut self, piece: &Piece, node: &Node, before: Option<&Node>, after: Option<&Node>) {
         let text = |node: Option<&'_ Node>| match node.map(|node| &node.kind) {
@@ -31,11 +56,11 @@ impl Writer<'_> {
         };
         let (left, right) = (text(before), text(after));
         let left = &left[before_formula(&left).len()..];
-        let right = &right[..right.len() - after_formula(&right).len()];
+        let right = right[..right.len() - after_formula(&right).len()].replace(' ', "\u{a0}");
         let start = self.html.len();
         self.text(left);
         self.piece(piece, node);
-        self.text(right);
+        self.text(&right);
         if self.boxed && !(left.is_empty() && right.is_empty()) {
             self.html.insert_str(start, "<span class=\"held\">");
             self.push("</span>");

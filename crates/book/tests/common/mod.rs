@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use book::{Diagnostics, Number, Outputs, Site, Still, Stills};
+use book::{Apart, Diagnostics, Number, Outputs, Site, Still, Stills};
 
 /// The folder of fixtures.
 pub fn fixtures() -> PathBuf {
@@ -20,7 +20,8 @@ pub fn site(diagnostics: &Diagnostics) -> Site {
         number("step3.S", 1.0, None),
         number("share", 0.00945, None),
     ];
-    let still = Still { svg: "<svg viewBox=\"0 0 4 3\"></svg>".into(), words: "A still.".into() };
+    let apart = Apart::new("observer-bench", "<img src=\"picture.svg#phase\" alt=\"\">".into(), "<svg></svg>".into());
+    let still = Still { svg: "<svg viewBox=\"0 0 4 3\"></svg>".into(), words: "A still.".into(), apart: Some(apart) };
     let stills: Stills = [("observer-bench".to_string(), still)].into();
     let outputs = Outputs::fixed([("demo", "x < 1\n")]);
     let root = fixtures().join("site");
@@ -39,5 +40,5 @@ pub fn render(markdown: &str) -> (String, String) {
     let file = ("page.md".to_string(), markdown.to_string());
     let text = book::text(&site, &[file], Some(7), "one/", &diagnostics);
     let errors = diagnostics.check().err().map(|error| error.to_string()).unwrap_or_default();
-    (text.body, errors)
+    (text.body + &text.numbers, errors)
 }

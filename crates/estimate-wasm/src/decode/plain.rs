@@ -3,6 +3,7 @@
 
 use super::Arg;
 use super::matrix::MAX_SIDE;
+use estimate::{Code, Error};
 use nalgebra::{DMatrix, DVector};
 use wasm_bindgen::prelude::*;
 
@@ -10,6 +11,8 @@ use wasm_bindgen::prelude::*;
 extern "C" {
     #[wasm_bindgen(js_name = readArray)]
     fn read_array(array: &JsValue, to: &mut [f64]) -> bool;
+    #[wasm_bindgen(js_name = readNumbers)]
+    fn read_numbers(array: &JsValue, to: &mut [f64]) -> i32;
     #[wasm_bindgen(js_name = readFields)]
     fn read_fields(object: &JsValue, names: &JsValue, to: &mut [f64]) -> bool;
 }
@@ -47,6 +50,21 @@ impl Arg<'_> {
     pub fn plain<T>(&self, take: impl FnOnce(&mut Plain<'_>) -> Option<T>) -> Option<T> {
         let mut room = [0.0; ROOM];
         if read_array(&self.value, &mut room) { take(&mut Plain(&room)) } else { None }
+    }
+
+    /// The numbers of a short array or Float64Array.
+    pub fn short(&self) -> Result<Vec<f64>, Error> {
+        let mut room = [0.0; MAX_SIDE as usize];
+        // -1 is beyond any room.
+        let length = read_numbers(&self.value, &mut room) as usize;
+        match room.get(..length) {
+            Some(numbers) => Ok(numbers.to_vec()),
+            None if self.array()? => self.numbers(),
+            None => self.floats(MAX_SIDE).map_err(|error| match error.code {
+                Code::Type => self.wrong_type("an array of numbers or a Float64Array"),
+                _ => error,
+            }),
+        }
     }
 
     /// What `take` finds in the fields `names`, at most five of them.

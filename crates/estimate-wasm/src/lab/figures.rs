@@ -1,7 +1,5 @@
-//! The classes of the labs with simulated robots.
+//! The classes of the labs that the first figures of the chapter show.
 
-use crate::decode::Arg;
-use crate::errors::thrown;
 use wasm_bindgen::prelude::*;
 
 lab_class! {
@@ -15,26 +13,6 @@ lab_class! {
 }
 
 lab_class! {
-    "Rusty on a square in room A: which landmarks does it take to know where it is?",
-    ObservabilityProbe: labs::ObservabilityProbe, "Partial<ProbeParams>", "ProbeFrame", "LabState<ProbeParams>"
-}
-
-lab_class! {
     "A prediction, the states that explain a reading, and the two ways of stepping onto them.",
     Picture: labs::Picture, "Partial<PictureParams>", "PictureFrame", "LabState<PictureParams>"
-}
-
-#[wasm_bindgen]
-impl ObservabilityProbe {
-    /// Where landmark `j` (from 0) must stand to be in line with the estimate and the nearest other landmark shown.
-    #[wasm_bindgen(js_name = collinearPoint, unchecked_return_type = "Vector")]
-    pub fn collinear_point(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "number")] j: &JsValue,
-    ) -> Result<JsValue, JsValue> {
-        self.0.is(Self::CLASS.name)?;
-        let j = Arg::new(j, "j").whole(0, 2).map_err(thrown)?;
-        let point = Self::CLASS.lab(&self.0, |probe: &labs::ObservabilityProbe| probe.collinear_point(j))?;
-        Ok(crate::encode::list(&point))
-    }
 }

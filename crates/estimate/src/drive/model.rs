@@ -5,7 +5,8 @@ use filters::{MeasurementModel, MotionModel, State};
 use geom::SE2;
 use nalgebra::{Matrix4, SMatrix, SVector, Vector4};
 
-/// A pose, and the ε by which its ranges read long.
+/// A pose, and a number ε that calibrates one of the robot's sensors: by how much its ranges read long, or by how much a wheel is
+/// believed too large ([`RightWheel`](crate::RightWheel)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseAndScale {
     /// The pose.

@@ -12,6 +12,7 @@ use filters::consistency::chi2_quantile;
 use filters::{Ekf, MeasurementModel, MotionModel};
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix2, SMatrix, SVector, Vector1, Vector2};
+use numerics::sqrt;
 
 /// What became of a sighting.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -152,7 +153,7 @@ impl Replay {
         match sighting {
             Ok(judged) => {
                 if judged.used {
-                    let n = judged.innovation / judged.variance.sqrt();
+                    let n = judged.innovation / sqrt(judged.variance);
                     self.innovations.take(n, judged.d2 / f64::from(judged.outputs));
                 } else {
                     self.refused += 1;
@@ -209,6 +210,11 @@ impl Replay {
         self.estimate().0
     }
 
+    /// The learned ε; `None` where it is given.
+    pub fn epsilon(&self) -> Option<f64> {
+        self.estimate().1
+    }
+
     /// The pose, and ε where it is learned.
     fn estimate(&self) -> (SE2, Option<f64>) {
         match &self.filter {
@@ -247,7 +253,7 @@ impl Replay {
             mean_innovation: self.innovations.mean(),
             lag1: self.innovations.lag1(),
             epsilon,
-            epsilon_sigma: epsilon.map(|_| p[(3, 3)].max(0.0).sqrt()),
+            epsilon_sigma: epsilon.map(|_| sqrt(p[(3, 3)].max(0.0))),
             x: DVector::from_iterator(p.nrows(), pose.to_vector().iter().copied().chain(epsilon)),
             trace: p[(0, 0)] + p[(1, 1)] + p[(2, 2)],
         }

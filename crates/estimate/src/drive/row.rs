@@ -2,6 +2,7 @@
 
 use crate::Landmark;
 use crate::drive::truth::Truth;
+use alloc::vec::Vec;
 
 /// What happened in a row.
 #[derive(Clone, Copy, Debug, PartialEq)]

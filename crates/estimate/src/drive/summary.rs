@@ -2,6 +2,7 @@
 
 use filters::Autocorrelation;
 use nalgebra::DVector;
+use numerics::sqrt;
 
 /// The summary of a replay. What cannot be said is `None`: errors without a truth, statistics without a used sighting.
 #[derive(Clone, Debug, PartialEq)]
@@ -47,7 +48,7 @@ impl Errors {
     }
 
     pub fn rmse(&self) -> Option<f64> {
-        (self.count > 0).then(|| (self.squares / f64::from(self.count)).sqrt())
+        (self.count > 0).then(|| sqrt(self.squares / f64::from(self.count)))
     }
 
     pub fn worst(&self) -> Option<f64> {

@@ -1,5 +1,7 @@
 //! Where the robot really was, as far as it is known.
 
+use alloc::vec::Vec;
+
 /// A pose at a time.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pose {

@@ -1,15 +1,16 @@
 //! A log of a linear system, filtered in one call: for sizes known at run time, and at the pace of typed code for the
 //! chapter's own.
 
+use super::filter::Filter;
 use super::{Belief, System};
 use crate::error::{Argument, Code, Error};
-use crate::kf::{belief_fits, kalman_step};
-use crate::likelihood::log_density;
-use crate::lti::{Lti, SystemSizes};
+use crate::kf::belief_fits;
+use crate::lti::SystemSizes;
 use crate::validate::affordable_steps;
-use filters::Gaussian;
-use nalgebra::allocator::Allocator;
-use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn, OMatrix, U1};
+use alloc::borrow::ToOwned;
+use alloc::format;
+use alloc::vec::Vec;
+use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn};
 
 /// The most steps of a log of a linear system; of a large one fewer, see [`MAX_WORK`](crate::validate::MAX_WORK).
 pub const MAX_LOG: usize = 100_000;
@@ -23,11 +24,12 @@ pub struct Replayed {
     pub variances: Vec<f64>,
     /// P(k | k) after the last step, n×n.
     pub p: DMatrix<f64>,
-    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over the steps; nothing where [`log_density`] has no answer at one of them.
+    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over the steps; nothing where [`log_density`](crate::likelihood::log_density) has no answer at
+    /// one of them.
     pub log_likelihood: Option<f64>,
 }
 
-/// One [`kalman_step`] for each row of `readings` (steps × p, row by row), with the row of `inputs`
+/// One [`kalman_step`](crate::kf::kalman_step) for each row of `readings` (steps × p, row by row), with the row of `inputs`
 /// (steps × m) beside it.
 ///
 /// # Errors
@@ -81,29 +83,19 @@ fn filtered<N: Dim, U: Dim, M: Dim>(
 where
     DefaultAllocator: SystemSizes<N, U, M>,
 {
-    let sys = Lti {
-        f: sized(n, n, system.f.as_slice()),
-        g: sized(n, m, system.g.as_slice()),
-        h: sized(p, n, system.h.as_slice()),
-        v: sized(n, n, system.v.as_slice()),
-        w: sized(p, p, system.w.as_slice()),
-    };
-    let mut belief = Gaussian { x: sized(n, U1, belief.x.as_slice()), p: sized(n, n, belief.p.as_slice()) };
+    let mut filter = Filter::new(system, belief, (n, m, p));
     let steps = readings.len() / p.value();
     let numbers = steps * n.value();
     let (mut x, mut variances) = (Vec::with_capacity(numbers), Vec::with_capacity(numbers));
-    let mut log_likelihood = Some(0.0);
     for k in 0..steps {
-        let u = sized(m, U1, &inputs[k * m.value()..(k + 1) * m.value()]);
-        let y = sized(p, U1, &readings[k * p.value()..(k + 1) * p.value()]);
-        let step = kalman_step(&sys, &belief, &u, &y).map_err(|e| at_step(e, k + 1))?;
-        log_likelihood = log_likelihood.and_then(|sum| Some(sum + log_density(&step.innovation, &step.s)?));
-        belief = step.posterior;
-        x.extend(belief.x.iter());
-        variances.extend((0..n.value()).map(|i| belief.p[(i, i)]));
+        let u = &inputs[k * m.value()..(k + 1) * m.value()];
+        let y = &readings[k * p.value()..(k + 1) * p.value()];
+        filter.step(u, y).map_err(|e| at_step(e, k + 1))?;
+        x.extend(filter.belief.x.iter());
+        variances.extend((0..n.value()).map(|i| filter.belief.p[(i, i)]));
     }
-    let p = DMatrix::from_column_slice(n.value(), n.value(), belief.p.as_slice());
-    Ok(Replayed { x, variances, p, log_likelihood: log_likelihood.filter(|sum| sum.is_finite()) })
+    let p = DMatrix::from_column_slice(n.value(), n.value(), filter.belief.p.as_slice());
+    Ok(Replayed { x, variances, p, log_likelihood: filter.log_likelihood })
 }
 
 /// Why step `k` was refused, with the names that the arguments of a log have.
@@ -118,11 +110,4 @@ fn at_step(error: Error, k: usize) -> Error {
     });
     error.message = format!("{}; at step {k}", error.message).into();
     error
-}
-
-fn sized<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R, C>
-where
-    DefaultAllocator: Allocator<R, C>,
-{
-    OMatrix::from_iterator_generic(rows, columns, entries.iter().copied())
 }

@@ -3,10 +3,13 @@
 use super::EkfSlam;
 use super::sighting::Expected;
 use crate::error::Error;
+use alloc::vec;
+use alloc::vec::Vec;
 use filters::Quantity;
 use filters::covariance::{MAP_ROUNDING, SEMIDEFINITE_TOLERANCE};
 use geom::wrap;
 use nalgebra::Vector2;
+use numerics::sqrt;
 use numerics::{MIN_PIVOT, Spd};
 
 /// Up to this many states P is checked at every change.
@@ -88,8 +91,8 @@ impl EkfSlam {
         // The sum of sizes of the terms in each row of H.
         let columns = expected.columns();
         let spread = [0, 1].map(|a| {
-            let seen = |b: usize| expected.h[(a, b)].abs() * self.p.get(columns[b], columns[b]).sqrt();
-            (0..5).map(seen).sum::<f64>() + self.w[(a, a)].sqrt()
+            let seen = |b: usize| expected.h[(a, b)].abs() * sqrt(self.p.get(columns[b], columns[b]));
+            (0..5).map(seen).sum::<f64>() + sqrt(self.w[(a, a)])
         });
         for i in 0..n {
             let m = Vector2::new(step.l[0][i], step.l[1][i]);
@@ -104,7 +107,7 @@ impl EkfSlam {
             before = before.max(variance);
             after = after.max(variance - 2.0 * k.dot(&l));
             largest = largest.max(k.amax()).max(l.amax());
-            let terms = variance.max(0.0).sqrt() + k[0].abs() * spread[0] + k[1].abs() * spread[1];
+            let terms = sqrt(variance.max(0.0)) + k[0].abs() * spread[0] + k[1].abs() * spread[1];
             step.scale = step.scale.max(terms * terms);
         }
         let x_is_finite = self.x.iter().zip(&step.dx).all(|(x, dx)| (x + dx).is_finite());

@@ -4,8 +4,10 @@ use super::sighting::founding;
 use super::{EkfSlam, MAX_LANDMARKS, Reading, digits_lost};
 use crate::error::{Code, Error};
 use crate::place::Place;
+use alloc::vec::Vec;
 use filters::covariance::symmetric;
 use nalgebra::Matrix2x3;
+use numerics::sqrt;
 
 impl EkfSlam {
     /// Appends a landmark where the reading puts it, with its covariance and its correlations with everything else.
@@ -31,8 +33,8 @@ impl EkfSlam {
         }
         let largest = self.p.diagonal().fold(0.0, f64::max);
         let reach = [0, 1].map(|a: usize| {
-            let pose: f64 = (0..3).map(|k| by_pose[(a, k)].abs() * self.p.get(k, k).sqrt()).sum();
-            pose + (0..2).map(|k| by_reading[(a, k)].abs() * self.w[(k, k)].sqrt()).sum::<f64>()
+            let pose: f64 = (0..3).map(|k| by_pose[(a, k)].abs() * sqrt(self.p.get(k, k))).sum();
+            pose + (0..2).map(|k| by_reading[(a, k)].abs() * sqrt(self.w[(k, k)])).sum::<f64>()
         });
         let after = largest.max(corner[(0, 0)]).max(corner[(1, 1)]);
         let [first, second] = rows;

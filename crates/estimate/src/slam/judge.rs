@@ -4,6 +4,7 @@ use super::EkfSlam;
 use super::sighting::{Expected, Outcome, Reading, Report};
 use crate::error::{Code, Error};
 use crate::place::Place;
+use alloc::vec::Vec;
 use filters::association::{Association, Candidate, Rule, associate};
 use nalgebra::{Matrix2, Vector2};
 

@@ -4,6 +4,8 @@ use super::{EkfSlam, MAX_LANDMARKS, Mapped};
 use crate::error::{Code, Error};
 use crate::place::Place;
 use crate::validate;
+use alloc::format;
+use alloc::vec;
 use filters::Gaussian;
 use filters::association::Thresholds;
 use nalgebra::{DMatrix, DVector, Matrix2, U3};

@@ -109,13 +109,8 @@ pub(crate) fn brute_force(givens: &Givens) -> (f64, f64) {
 /// Check 6: a search over K that knows no calculus finds the Kalman gain.
 pub(super) fn brute_force_gain(givens: &Givens) -> Result<Check, Error> {
     let (k, p) = brute_force(givens);
-    Ok(Check::new(
-        6,
-        "The gain found by brute force, and its variance",
-        vec![17.0 / 22.0, 17.0 / 44.0],
-        vec![k, p],
-        1e-7,
-    ))
+    let expected = vec![17.0 / 22.0, 17.0 / 44.0];
+    Ok(Check::new(6, "The gain found by brute force, and its variance", expected, vec![k, p], 1e-7))
 }
 
 /// Check 7: R∞ and the eigenvalues of both sensors, and that P converges with one of them only.

@@ -3,6 +3,7 @@
 //! A view wants objects, a program JSON, a hash bits: each reads the row along the [`Shape`], so that one function serves all
 //! frames where a generic one would be compiled for each.
 
+use nalgebra::DVector;
 use std::collections::VecDeque;
 
 /// What a row of numbers holds.
@@ -118,3 +119,12 @@ macro_rules! list {
 }
 
 list!(Vec<T>, VecDeque<T>, &'static [T]);
+
+impl Plain for DVector<f64> {
+    const SHAPE: Shape = <&[f64]>::SHAPE;
+
+    fn write(&self, to: &mut Vec<f64>) {
+        put(to, self.len() as f64);
+        to.extend(self.iter());
+    }
+}

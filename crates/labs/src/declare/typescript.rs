@@ -26,7 +26,7 @@ pub(crate) trait Interface: Plain {
 }
 
 /// These interfaces. The names `Vector` and `Matrix` are left to whoever includes this.
-pub(crate) const fn written(mut groups: &[&[About]]) -> Text<40_000> {
+pub(crate) const fn written(mut groups: &[&[About]]) -> Text<60_000> {
     let mut text = Text::new();
     while let [group, rest @ ..] = groups {
         let mut i = 0;

@@ -104,7 +104,7 @@ fn a_sighting_s_place_on_the_chi2_axis_says_what_becomes_of_it() {
 }
 
 #[test]
-fn a_state_is_all_it_takes() {
+fn a_state_restores_the_run_to_the_last_bit() {
     for correlated in [true, false] {
         let mut lab =
             LoopClosure::new(LoopParams { correlated, seed: 9, found: 12.0, ..Default::default() }).expect("sound");
@@ -125,7 +125,7 @@ fn long_runs_keep_their_memory() {
 }
 
 #[test]
-fn what_is_no_parameter_is_refused_by_name() {
+fn a_parameter_out_of_bounds_is_refused_by_name() {
     let base = LoopParams::default();
     for (params, code, argument) in [
         (LoopParams { gate: 0.0, ..base }, Code::Limit, "gate"),

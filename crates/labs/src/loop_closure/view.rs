@@ -4,10 +4,9 @@ use super::frame::{LoopFrame, LoopGate, LoopSighting, LoopThresholds};
 use super::{LoopClosure, Weighed};
 use crate::observability_probe::{map_shape, mapped_sighting};
 use crate::odometry_hook::World;
-use crate::shapes::{ellipse_of, rows};
+use crate::shapes::{POSE_BAND, ellipse_of, rows};
 use core::f64::consts::TAU;
 use estimate::slam::{EkfSlam, Mapped};
-use filters::consistency::chi2_interval;
 use geom::SE2;
 use nalgebra::{DMatrix, Vector2};
 use numerics::Spd;
@@ -17,10 +16,6 @@ use std::sync::LazyLock;
 
 /// Places on the edge of a gate, the first once more at the end.
 const EDGE: usize = 49;
-
-/// Where 95 % of single values of χ² with 3 degrees of freedom lie.
-static NEES_BAND: LazyLock<[f64; 2]> =
-    LazyLock::new(|| chi2_interval(3, 1, 0.95).map_or([f64::NAN; 2], |(low, high)| [low, high]));
 
 /// The unit circle.
 static CIRCLE: LazyLock<[Vector2<f64>; EDGE]> = LazyLock::new(|| {
@@ -48,7 +43,7 @@ pub(super) fn frame(lab: &LoopClosure) -> LoopFrame {
         error: lab.truth.boxminus(pose).into(),
         nees: lab.nees,
         mean_nees: lab.mean_nees(),
-        nees_band: *NEES_BAND,
+        nees_band: *POSE_BAND,
         thresholds: LoopThresholds {
             gate: constants.gate,
             found: constants.found,

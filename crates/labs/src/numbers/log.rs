@@ -1,8 +1,8 @@
 //! Numbers of the real robot's log: the replays that the text goes through.
 
 use super::Listing;
-use crate::robot_log::{LogFrame, LogParams, LoggedDrive, RobotLog};
-use estimate::drive::{Drive, Event, FIRST_SIGMA, Judged, PoseAndScale, Replay, Scaled, Settings};
+use crate::robot_log::{LogFrame, LogLandmark, LogParams, LoggedDrive, RobotLog};
+use estimate::drive::{Event, FIRST_SIGMA, Line, PoseAndScale, Scaled};
 use estimate::landmarks::RangeOnly;
 use estimate::path_observability::PathStack;
 use estimate::{Code, Error, Landmark, Unicycle};
@@ -13,20 +13,18 @@ use std::sync::Arc;
 
 /// The log, as the figure fetches it.
 const PLAZA: &str = include_str!("../../../../content/logs/plaza1.csv");
+/// The same log, copied with the mistake that an exercise asks for: two beacons have each other's number.
+const COPIED: &str = include_str!("../../../../content/logs/plaza1-copied.csv");
 /// The gate that the text tries.
 const GATE: f64 = 0.999;
-/// The offset, metres, and the scale that it tries.
+/// The offset that it tries, metres.
 const OFFSET: f64 = 2.4;
-const SCALE: f64 = 0.069;
-/// The beacons that have each other's number in the log with a mistake.
-const SWAPPED: [u32; 2] = [1, 6];
 /// The rank test takes so much of the drive.
 const TESTED_ROWS: usize = 4000;
 const TOLERANCE: f64 = 1e-9;
 
 pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
-    let log = robot_log::parse(PLAZA).map_err(|e| Error::new(Code::Type, "plaza1.csv", e.to_string()))?;
-    let logged = Arc::new(LoggedDrive::new(log.drive));
+    let logged = read("plaza1.csv", PLAZA)?;
     drive(&logged, to);
     constants(to);
     replays(&logged, to)?;
@@ -37,6 +35,16 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
             .add(format!("log.unseen.{name}"), unseen, "the largest |ε| of an unseen direction of length 1");
     }
     Ok(())
+}
+
+fn read(name: &'static str, text: &str) -> Result<Arc<LoggedDrive>, Error> {
+    let log = robot_log::parse(text).map_err(|e| Error::new(Code::Type, name, e.to_string()))?;
+    Ok(Arc::new(LoggedDrive::new(log.drive)))
+}
+
+/// The frame at the end of a log.
+fn whole(logged: &Arc<LoggedDrive>, params: LogParams) -> Result<LogFrame, Error> {
+    RobotLog::at(Arc::clone(logged), params, logged.rows()).map(|lab| lab.frame())
 }
 
 fn drive(logged: &LoggedDrive, to: &mut Listing) {
@@ -63,7 +71,7 @@ fn constants(to: &mut Listing) {
 
 fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
     let usual = LogParams::default();
-    let whole = |params| RobotLog::at(Arc::clone(logged), params, logged.rows()).map(|lab| lab.frame());
+    let whole = |params| whole(logged, params);
     let off = || Error::new(Code::Limit, "plaza1.csv", "has no truth, or no range was used");
     to.by("labs::RobotLog", None);
     let reckoned = whole(LogParams { sightings: false, ..usual })?;
@@ -72,10 +80,13 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
     let raw = whole(usual)?;
     let gated = whole(LogParams { gate: Some(GATE), ..usual })?;
     let offset = whole(LogParams { offset: OFFSET, ..usual })?;
-    let scaled = whole(LogParams { scale: SCALE, ..usual })?;
+    // As the figure does it: the slope of what is off of the ranges, in steps of the slider.
+    let line = raw.range_line.ok_or_else(off)?;
+    let scale = (1000.0 * line.slope).round() / 1000.0;
+    let scaled = whole(LogParams { scale, ..usual })?;
     let learned = whole(LogParams { learn: true, ..usual })?;
     let tuned = usual.sigma_range * scaled.summary.nis.ok_or_else(off)?.sqrt();
-    let calibrated = whole(LogParams { scale: SCALE, sigma_range: (100.0 * tuned).round() / 100.0, ..usual })?;
+    let calibrated = whole(LogParams { scale, sigma_range: (100.0 * tuned).round() / 100.0, ..usual })?;
     for (name, frame) in [
         ("raw", &raw),
         ("gated", &gated),
@@ -86,95 +97,75 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
     ] {
         summary(name, frame, to).ok_or_else(off)?;
     }
-    wrong(logged, to)?;
+    wrong(logged, LogParams { scale, ..usual }, to)?;
     to.by("labs::RobotLog", None)
         .add("log.given.gate", GATE, "the gate's probability that the text tries")
         .add("log.given.offset", OFFSET, "the offset that it tries, m")
-        .add("log.given.scale", SCALE, "the scale that it tries")
-        .add(
-            "log.gate.expected",
-            1.0 - GATE,
-            "the share of readings that the gate refuses of a filter whose model holds",
-        )
+        .add("log.given.scale", scale, "the scale that it tries: the slope of the line, rounded")
+        .add("log.scatter", scatter(logged, line), "how far ranges scatter about the line against the true range, m")
+        .add("log.gate.expected", 1.0 - GATE, "share of readings that the gate refuses where the model holds")
         .add("log.tuned.sigma", calibrated.params.sigma_range, "σ_ρ at which NIS is near 1, m");
     for (name, line) in [("truth", raw.range_line), ("inner", raw.innovation_line)] {
         let line = line.ok_or_else(off)?;
-        to.add(
-            format!("log.line.{name}.slope"),
-            line.slope,
-            "the slope of the line through ranges and what is off of them",
-        )
-        .add(format!("log.line.{name}.offset"), line.offset, "its value at 0, m")
-        .add(format!("log.line.{name}.r2"), line.r2, "R², the share of the variance that it explains");
+        to.add(format!("log.line.{name}.slope"), line.slope, "the slope of the line through errors over ranges")
+            .add(format!("log.line.{name}.offset"), line.offset, "its value at 0, m")
+            .add(format!("log.line.{name}.r2"), line.r2, "R², the share of the variance that it explains");
     }
-    to.add("log.learned.epsilon", learned.summary.epsilon.ok_or_else(off)?, "the learned scale").add(
-        "log.learned.sigma",
-        learned.summary.epsilon_sigma.ok_or_else(off)?,
-        "its standard deviation",
-    );
+    let (epsilon, sigma) = learned.summary.epsilon.zip(learned.summary.epsilon_sigma).ok_or_else(off)?;
+    to.add("log.learned.epsilon", epsilon, "the learned scale");
+    to.add("log.learned.sigma", sigma, "its standard deviation");
     Ok(())
 }
 
-/// The log with a mistake: a beacon a metre off, and two beacons that have each other's number.
-fn wrong(logged: &LoggedDrive, to: &mut Listing) -> Result<(), Error> {
+/// The standard deviation of the ranges about the line that says how far they are off.
+fn scatter(logged: &LoggedDrive, line: Line) -> f64 {
+    let drive = logged.drive();
+    let (mut count, mut squares) = (0.0, 0.0);
+    for row in &drive.rows {
+        let Event::Range { landmark, range } = row.event else { continue };
+        let Some([x, y]) = drive.truth.position(row.time) else { continue };
+        let known = numerics::hypot(drive.landmarks[landmark].x - x, drive.landmarks[landmark].y - y);
+        let off = range - known - line.offset - line.slope * known;
+        count += 1.0;
+        squares += off * off;
+    }
+    (squares / count).sqrt()
+}
+
+/// The log with a mistake: a beacon a metre off, and the copy in which two beacons have each other's number.
+fn wrong(logged: &Arc<LoggedDrive>, calibrated: LogParams, to: &mut Listing) -> Result<(), Error> {
     let off = || Error::new(Code::Limit, "plaza1.csv", "has other beacons than the text says");
-    let calibrated = LogParams { scale: SCALE, ..LogParams::default() };
     let mut moved = logged.drive().clone();
     let beacon = moved.landmarks.first_mut().ok_or_else(off)?;
     beacon.y += 1.0;
     let id = beacon.id;
-    let moved = Arc::new(LoggedDrive::new(moved));
-    let frame = RobotLog::at(Arc::clone(&moved), calibrated, moved.rows())?.frame();
+    let frame = whole(&Arc::new(LoggedDrive::new(moved)), calibrated)?;
     to.by("labs::RobotLog", None).add("log.moved.id", f64::from(id), "the beacon that is moved");
     summary("moved", &frame, to).ok_or_else(off)?;
-    let gated = Settings { gate: Some(GATE), ..Settings::from(calibrated) };
-    let sound = judged(logged.drive(), gated)?;
-    let refused = sound.iter().filter(|(_, judged)| !judged.used).count() as f64 / sound.len() as f64;
-    to.add("log.wrong.mended", refused, "the share of refused readings with the right map");
-    let mut swapped = logged.drive().clone();
-    let place = |of: u32| swapped.landmarks.iter().position(|it| it.id == of);
-    let (a, b) = (place(SWAPPED[0]).ok_or_else(off)?, place(SWAPPED[1]).ok_or_else(off)?);
-    let (first, second) = (swapped.landmarks[a], swapped.landmarks[b]);
-    swapped.landmarks[a] = Landmark { id: first.id, ..second };
-    swapped.landmarks[b] = Landmark { id: second.id, ..first };
-    let found = judged(&swapped, gated)?;
-    for (i, beacon) in swapped.landmarks.iter().enumerate() {
-        let its: Vec<&Judged> = found.iter().filter(|(j, _)| *j == i).map(|(_, judged)| judged).collect();
-        let count = its.len() as f64;
-        let refused = its.iter().filter(|judged| !judged.used).count() as f64 / count;
-        let mean = its.iter().map(|judged| judged.innovation).sum::<f64>() / count;
-        to.add(format!("log.wrong.{}.readings", beacon.id), count, "a beacon's readings in the log with a mistake")
-            .add(format!("log.wrong.{}.refused", beacon.id), refused, "the share of them that the gate refuses")
-            .add(format!("log.wrong.{}.mean", beacon.id), mean, "the mean of all their innovations, m");
+    let gated = LogParams { gate: Some(GATE), ..calibrated };
+    let share = |used: u32, refused: u32| f64::from(refused) / f64::from(used + refused);
+    let sound = whole(logged, gated)?.summary;
+    let copied = whole(&read("plaza1-copied.csv", COPIED)?, gated)?;
+    to.add("log.wrong.mended", share(sound.used, sound.refused), "the share of refused readings with the right map")
+        .add("log.wrong.mended.rmse", sound.rmse.ok_or_else(off)?, "RMS error of the position with it, m")
+        .add("log.wrong.rmse", copied.summary.rmse.ok_or_else(off)?, "the same of the log with a mistake, m");
+    for LogLandmark { id, used, refused, mean_innovation } in copied.by_landmark {
+        let (readings, mean) = (f64::from(used + refused), mean_innovation.ok_or_else(off)?);
+        to.add(format!("log.wrong.{id}.readings"), readings, "a beacon's readings in the log with a mistake")
+            .add(format!("log.wrong.{id}.refused"), share(used, refused), "the share of them that the gate refuses")
+            .add(format!("log.wrong.{id}.mean"), mean, "the mean of all their innovations, m");
     }
     Ok(())
 }
 
-/// Each sighting's landmark, and what became of it.
-fn judged(drive: &Drive, settings: Settings) -> Result<Vec<(usize, Judged)>, Error> {
-    let mut replay = Replay::new(drive, settings)?;
-    let mut all = Vec::new();
-    for row in &drive.rows {
-        let judged = replay.take(drive, row)?;
-        if let (Event::Range { landmark, .. }, Some(judged)) = (row.event, judged) {
-            all.push((landmark, judged));
-        }
-    }
-    Ok(all)
-}
-
 fn summary(name: &str, frame: &LogFrame, to: &mut Listing) -> Option<()> {
     let s = &frame.summary;
-    let bands = frame.bands?;
+    let (bands, refused) = (frame.bands?, f64::from(s.refused) / f64::from(s.used + s.refused));
     to.add(format!("log.{name}.rmse"), s.rmse?, "RMS error of the position, m")
         .add(format!("log.{name}.nis"), s.nis?, "NIS for each output, 1 is expected")
         .add(format!("log.{name}.mean"), s.mean_innovation?, "mean of ν/√S, 0 is expected")
         .add(format!("log.{name}.lag1"), s.lag1?, "its autocorrelation at lag 1, 0 is expected")
-        .add(
-            format!("log.{name}.refused"),
-            f64::from(s.refused) / f64::from(s.used + s.refused),
-            "share of refused readings",
-        )
+        .add(format!("log.{name}.refused"), refused, "share of refused readings")
         .add(format!("log.{name}.band.low"), bands.nis[0], "the lower end of the 95 % band of NIS")
         .add(format!("log.{name}.band.high"), bands.nis[1], "its upper end");
     Some(())

@@ -4,6 +4,7 @@ use super::Listing;
 use super::ensembles::percentiles;
 use crate::ensembles::{SEEDS, loops};
 use estimate::Error;
+use filters::consistency::chi2_quantile;
 
 pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     for (name, correlated) in [("right", true), ("apart", false)] {
@@ -14,18 +15,24 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
         percentiles(to, &id("error"), &runs.error, "the error of the position after a lap, m");
         percentiles(to, &id("sigma"), &runs.sigma, "one sigma of it in a coordinate as claimed, m");
         to.add(id("nees.mean"), runs.nees.mean(), "the mean of the runs' mean NEES")
-            .add(
-                id("above"),
-                runs.above.median(),
-                "the share of a lap's steps whose NEES is above its 95 % band, in the median",
-            )
+            .add(id("above"), runs.above.median(), "median share of a lap's steps with NEES above its 95 % band")
             .add(
                 id("shrinks"),
                 runs.shrinks.median(),
-                "the factor by which closing the loop shrinks the landmarks' mean sigma",
+                "median factor by which the closure shrinks the map's mean sigma",
             )
             .add(id("ghosts"), f64::from(runs.with_ghosts), "runs in which a landmark was founded twice")
             .add(id("wrong"), f64::from(runs.with_wrong), "runs with a wrong match");
     }
+    exercises(to)
+}
+
+/// χ² of a right sighting has two degrees of freedom: it is above g with the probability exp(−g/2).
+fn exercises(to: &mut Listing) -> Result<(), Error> {
+    let rare = 1e-6;
+    to.by("labs::numbers::loops::exercises", None)
+        .add("ex.ghost", -2.0 * libm::log(rare), "χ² that a right sighting exceeds once in a million")
+        .add("ex.ghost.one", chi2_quantile(1, 1.0 - rare)?, "the same with one degree of freedom")
+        .add("ex.ghost.half", -libm::log(rare), "the same with exp(−g) in place of exp(−g/2)");
     Ok(())
 }

@@ -4,13 +4,17 @@ use super::Listing;
 use crate::checks::observability::five_cases;
 use crate::givens::Givens;
 use crate::lab::Lab;
-use crate::observability_probe::{ObservabilityProbe, ProbeParams};
+use crate::observability_probe::{Moment, ObservabilityProbe, ProbeParams, stacked_ranks};
 use crate::true_path::after;
-use estimate::Error;
 use estimate::localizer::SensorKind;
+use estimate::{Error, Landmark};
+use geom::SE2;
+use nalgebra::Vector2;
+use std::sync::Arc;
 
 pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     ranks(givens, to)?;
+    turned(to)?;
     traces(givens, to)?;
     runs(givens, to)
 }
@@ -20,6 +24,21 @@ fn ranks(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     for (i, case) in (1..).zip(five_cases(givens)?) {
         to.add(format!("probe.frozen.{i}"), case.frozen.rank as f64, case.about);
         to.add(format!("probe.path.{i}"), case.path.rank as f64, case.about);
+    }
+    Ok(())
+}
+
+/// The exercise: a straight drive that ends 3 m west and 4 m north of its one landmark, and the direction that it never shows.
+fn turned(to: &mut Listing) -> Result<(), Error> {
+    let landmarks: Arc<[Landmark]> = [Landmark { id: 0, x: 3.0, y: -4.0 }].into();
+    let moments: Vec<Moment> = [-1.0, -0.5, 0.0]
+        .map(|x| Moment { pose: SE2::new(x, 0.0, 0.0), landmarks: Arc::clone(&landmarks), u: Vector2::new(0.5, 0.0) })
+        .into();
+    let ranks = stacked_ranks(moments.iter(), SensorKind::Range, false, 1e-9)?;
+    to.by("labs::observability_probe::stacked_ranks", None).add("ex.ghost.rank", ranks.rank as f64, "its rank");
+    if let [c] = &ranks.directions[..] {
+        to.vector("ex.ghost.c", c.map(|e| e / c[2]).iter(), "its unseen direction, scaled to end with 1");
+        to.vector("ex.ghost.tangent", [c[0] / c[2], c[1] / c[2], 0.0].iter(), "the same with the heading left alone");
     }
     Ok(())
 }

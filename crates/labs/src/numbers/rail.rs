@@ -4,9 +4,10 @@ use super::Listing;
 use crate::checks::rail::{brute_force, error_ratios, hand_steps, placed};
 use crate::givens::Givens;
 use crate::observer_bench::{equivalent_knob, knob_limit};
+use crate::shapes::inside;
 use estimate::kf::Gaussian;
 use estimate::{Error, Observer};
-use filters::consistency::{chi2_interval, chi2_quantile};
+use filters::consistency::{chi2_interval, chi2_quantile, mahalanobis_squared};
 use filters::linear::{self, Gain};
 use geom::AffineSet;
 use nalgebra::{Matrix2, RowVector2, SMatrix, Vector1, Vector2};
@@ -64,7 +65,7 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let y = Vector1::new(givens.readings[0]);
     let spread = sys.h * p * sys.h.transpose();
     let expected = Gaussian { x: sys.h * prediction.x, p: spread };
-    let most_likely = expected.product(&Gaussian { x: y, p: sys.w })?.x;
+    let Gaussian { x: most_likely, p: product } = expected.product(&Gaussian { x: y, p: sys.w })?;
     let omega = AffineSet { h: sys.h, y };
     let no_foot = || Error::new(estimate::Code::InnovationNotPositiveDefinite, "P", "Ω has no foot");
     let euclid = omega.euclidean_foot(&prediction.x).ok_or_else(no_foot)?;
@@ -84,9 +85,23 @@ fn picture(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .add("picture.axis", 1.0 / libm::tan(ellipse.angle), "metres the ellipse's long axis moves over for each m/s")
         .by("labs::numbers::rail::picture", None);
     for level in [1, 2, 3] {
-        let inside = -libm::expm1(-0.5 * f64::from(level * level));
+        let inside = inside(f64::from(level));
         to.add(format!("ellipse.inside.{level}"), inside, "the part of a plane Gaussian inside this many sigmas");
     }
+    let away = |at: Vector2<f64>| mahalanobis_squared(&(at - prediction.x), p).map(f64::sqrt);
+    let (touch, gray) = (away(foot)?, away(euclid)?);
+    let density = libm::exp(0.5 * (touch * touch - gray * gray));
+    to.add("picture.touch", touch, "radius of the first ellipse that touches Ω, standard deviations")
+        .add("picture.touch.inside", 100.0 * inside(touch), "the probability inside it, per cent")
+        .add("picture.sigma.inside", 100.0 * inside(1.0), "the probability inside the 1σ ellipse, per cent")
+        .add("picture.gray", gray, "how many standard deviations away the Euclidean foot is")
+        .add("picture.gray.density", density, "the density at the Euclidean foot over that at the Mahalanobis foot")
+        .add("picture.touch.even", 0.5 * touch, "radius of the ellipse that touches Ω* where y* lies in the middle")
+        .add("balance.even", 0.5, "the part of the innovation that is then taken over")
+        .add("balance.expected", 1.0 / spread[0], "weight of the expected output, 1/variance")
+        .add("balance.read", 1.0 / sys.w[0], "weight of the reading, 1/variance")
+        .add("balance.variance", product[0], "variance of the most likely output")
+        .add("picture.even", spread[0], "the W with which y* lies in the middle, the variance of the expected output");
     Ok(())
 }
 

@@ -2,13 +2,14 @@
 
 use super::Listing;
 use crate::givens::Givens;
-use sim::scenarios::HOOK;
+use sim::scenarios::{HOOK, LOOP_CLOSURE, TUNING};
 use sim::{Sensor, paths::Rectangle};
 
 pub(super) fn list(givens: &Givens, to: &mut Listing) {
     hook(to);
     probe(givens, to);
     slam(givens, to);
+    late(to);
 }
 
 fn course(to: &mut Listing, id: &str, course: &Rectangle) {
@@ -34,7 +35,8 @@ fn hook(to: &mut Listing) {
         .add("const.hook.radius", HOOK.wheels.radius, "nominal radius of a wheel, m")
         .add("const.hook.counts", HOOK.wheels.ticks_per_turn, "encoder counts a turn")
         .add("const.hook.slip", HOOK.slip, "standard deviation of a wheel's slip in a tick, m")
-        .add("const.hook.bias", HOOK.bias, "by how much the right wheel is believed too large");
+        .add("const.hook.bias", HOOK.bias, "by how much the right wheel is believed too large")
+        .add("const.hook.bias.sigma", HOOK.bias_sigma, "first standard deviation of a bias that is learned");
 }
 
 fn probe(givens: &Givens, to: &mut Listing) {
@@ -66,4 +68,18 @@ fn slam(givens: &Givens, to: &mut Listing) {
         .vector("const.rbslam.u", &slam.u_sigma, "noise of the input a tick, standard deviation: m, rad")
         .add("const.rbslam.gate", slam.gate, "the gate on χ²")
         .add("const.rbslam.found", slam.found, "χ² above which a sighting founds a landmark");
+}
+
+fn late(to: &mut Listing) {
+    to.by("sim::scenarios::TUNING", None)
+        .add("const.tune.hidden", libm::exp10(TUNING.hidden), "the greatest hidden q and W; the least is one over it")
+        .add("const.tune.reach", libm::exp10(TUNING.reach), "the filter's greatest q and W; the least is one over it")
+        .by("sim::scenarios::LOOP_CLOSURE", None);
+    course(to, "const.loop", &LOOP_CLOSURE.course);
+    sensor(to, "const.loop", &LOOP_CLOSURE.sensor);
+    to.vector("const.loop.u", &LOOP_CLOSURE.u_sigma, "noise of the input a tick, standard deviation: m, rad").add(
+        "const.loop.landmarks",
+        LOOP_CLOSURE.landmarks.len() as f64,
+        "landmarks on the corridor's walls",
+    );
 }

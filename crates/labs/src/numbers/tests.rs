@@ -138,8 +138,49 @@ fn the_log_s_story_holds() {
     assert_eq!((n["log.rank.all"], n["log.rank.one"]), (4.0, 3.0));
     assert!(n["log.unseen.one"] < 1e-9);
     assert!(n["log.tuned.band.low"] < n["log.tuned.nis"] && n["log.tuned.nis"] < n["log.tuned.band.high"]);
+    assert!(
+        (n["log.scatter"] / n["log.tuned.sigma"] - 1.0).abs() < 0.1,
+        "the truth says of the radios what the filter says"
+    );
     let refused = |beacon: u32| n[&format!("log.wrong.{beacon}.refused")];
     assert!(
         refused(1) > 0.9 && refused(6) > 0.9 && refused(0) < 0.01 && refused(5) < 0.01 && n["log.wrong.mended"] < 0.001
     );
+    assert!(
+        n["log.wrong.mended.rmse"] < n["log.wrong.rmse"] && n["log.wrong.rmse"] < n["log.reckoned.rmse"] / 3.0,
+        "with two beacons exchanged the estimate stays near the true track: {}",
+        n["log.wrong.rmse"]
+    );
+}
+
+#[test]
+fn the_direction_that_a_drive_past_one_landmark_hides_is_a_turn_about_it() {
+    let n = by_id(&Givens::default());
+    // [−Δy, Δx, 1] at Δx = −3 m, Δy = 4 m.
+    let c = [1, 2, 3].map(|i| n[&format!("ex.ghost.c.{i}")]);
+    assert!([-4.0, -3.0, 1.0].iter().zip(c).all(|(a, b)| (a - b).abs() < 1e-9), "{c:?}");
+    assert_eq!(n["ex.ghost.rank"], 2.0);
+}
+
+#[test]
+fn the_ellipse_that_touches_the_line_is_the_step_s_innovation_in_standard_deviations() {
+    let n = by_id(&Givens::default());
+    // ν = −1.3 and HP⁻Hᵀ = 2.1; the gray foot is 1.3 m/s below the mean: det P⁻ = 2.4675, (P⁻⁻¹)₂₂ = 1.7/2.4675.
+    let (touch, gray) = ((1.69_f64 / 2.1).sqrt(), (1.69 * 1.7 / 2.4675_f64).sqrt());
+    assert!((n["picture.touch"] - touch).abs() < 1e-12 && (n["picture.gray"] - gray).abs() < 1e-12);
+    assert!((n["picture.touch.inside"] - 100.0 * (1.0 - (-0.5 * touch * touch).exp())).abs() < 1e-9);
+    assert!((n["picture.gray.density"] - (0.5 * (touch * touch - gray * gray)).exp()).abs() < 1e-12);
+    assert!((n["picture.even"] - 2.1).abs() < 1e-12 && (n["picture.touch.even"] - 0.5 * touch).abs() < 1e-12);
+    assert!((n["balance.variance"] - 1.0 / (1.0 / 2.1 + 2.0)).abs() < 1e-12 && (n["balance.read"] - 2.0).abs() < 1e-15);
+    assert!((n["balance.expected"] - 1.0 / 2.1).abs() < 1e-12);
+}
+
+#[test]
+fn a_filter_with_the_least_q_is_in_its_nis_band_and_wrong() {
+    let mut to = Listing::new();
+    tune::in_band(&mut to).expect("computed");
+    let n: BTreeMap<_, _> = to.numbers.iter().map(|n| (n.id.as_str(), n.value)).collect();
+    assert!(1.0 < n["ex.band.W.least"] && n["ex.band.W.least"] < n["ex.band.W.most"] && n["ex.band.W.most"] < 5.0);
+    assert!(n["ex.band.lag1"] > 0.8, "innovations alike: {}", n["ex.band.lag1"]);
+    assert!(n["ex.band.lacking"] > 100.0 && n["ex.band.nees"] > 10.0, "{} {}", n["ex.band.lacking"], n["ex.band.nees"]);
 }

@@ -4,7 +4,7 @@ use super::ProbeParams;
 use super::ranks::ProbeRanks;
 use crate::declare::{record, words};
 use crate::mapping::MapError;
-use crate::series::{Series, Tracks};
+use crate::series::{Series, Track, Tracks};
 use crate::shapes::{Innovation, InnovationCovariance};
 use estimate::localizer::SensorKind;
 use geom::Ellipse;
@@ -63,6 +63,39 @@ record! {
         pub tracks: Tracks,
         /// The map, when it had to be founded.
         pub slam: Option<ProbeMap>,
+        /// The ghost, where one drives along.
+        pub ghost: Option<Ghost>,
+    }
+
+    /// A copy of the robot that started elsewhere and drove the same ticks, and what it would have read without noise.
+    pub struct Ghost {
+        /// Its pose.
+        pub pose: [f64; 3],
+        /// Its last positions.
+        pub track: Track,
+        /// The farthest that it has been from the robot, metres.
+        pub moved: f64,
+        /// The largest difference of a range from the robot's so far, metres.
+        pub range_gap: f64,
+        /// The largest difference of a bearing so far, radians, where bearings are read.
+        pub bearing_gap: Option<f64>,
+        /// The three dials as a direction at the robot's present pose, scaled as the directions of a rank; none where all are at zero.
+        pub by_hand: Option<[f64; 3]>,
+        /// What both read of each landmark shown.
+        pub readings: Vec<GhostReadings>,
+    }
+
+    /// What robot and ghost read of a landmark over the last steps, without noise; the steps are those of the series.
+    #[derive(Default)]
+    pub struct GhostReadings {
+        /// The robot's ranges, metres.
+        pub range: Series,
+        /// The ghost's.
+        pub ghost_range: Series,
+        /// The robot's bearings, radians.
+        pub bearing: Series,
+        /// The ghost's.
+        pub ghost_bearing: Series,
     }
 
     /// A rectangle with a corner at the origin.

@@ -2,6 +2,7 @@
 
 use crate::declare::params;
 use crate::lab::MAX_STEP;
+use core::f64::consts::PI;
 use estimate::Landmark;
 use estimate::localizer::SensorKind;
 use sim::scenarios::PROBE;
@@ -20,6 +21,14 @@ params! {
         pub stop: Option<u32> = None, from 0.0 to (MAX_STEP as f64) by 1.0;
         /// Whether the robot has lost its map and must found it anew, with range and bearing whatever the sensor.
         pub forget: bool = false;
+        /// Whether a ghost of the robot drives along, from a start of its own; not where the map is forgotten.
+        pub ghost: bool = false;
+        /// By how much the ghost's start is turned about the first landmark, its heading left alone.
+        pub ghost_around: f64 = 0.0, from (-PI / 9.0) to (PI / 9.0) by (PI / 180.0) in "rad";
+        /// How far it is shifted to the east.
+        pub ghost_shift: f64 = 0.0, from (-1.0) to 1.0 by 0.05 in "m";
+        /// By how much it is turned on the spot.
+        pub ghost_turn: f64 = 0.0, from (-PI / 9.0) to (PI / 9.0) by (PI / 180.0) in "rad";
         /// Below this part of the largest a singular value counts as zero.
         pub tolerance: f64 = 1e-6, from 0.0 to 1.0 by 1e-16;
         /// Fixes all noise.

@@ -54,15 +54,15 @@ impl ProbeRanks {
             relative: found.singular_values.iter().map(relative).collect(),
             singular_values: found.singular_values,
             nullspace: found.nullspace.iter().map(|c| c.iter().copied().collect()).collect(),
-            directions: now.iter().map(robot_part).collect(),
+            directions: now.iter().map(|c| direction([c[0], c[1], c[2]])).collect(),
             steps,
         }
     }
 }
 
-/// The first three components, scaled to length 1 in the plane. A direction has no sign: this one is turned so that its first
+/// A displacement [dx, dy, dθ] scaled to length 1 in the plane. A direction has no sign: this one is turned so that its first
 /// component of any size is positive.
-fn robot_part(c: &DVector<f64>) -> [f64; 3] {
+pub(super) fn direction(c: [f64; 3]) -> [f64; 3] {
     let planar = numerics::hypot(c[0], c[1]);
     let scale = if planar > 1e-9 {
         planar
@@ -72,7 +72,7 @@ fn robot_part(c: &DVector<f64>) -> [f64; 3] {
         return [0.0; 3];
     };
     let facing = if c[0].abs() > 1e-9 * planar { c[0] } else { c[1] + c[2] };
-    [c[0], c[1], c[2]].map(|e| e / libm::copysign(scale, facing))
+    c.map(|e| e / libm::copysign(scale, facing))
 }
 
 /// The rows of H over the pose, and over the map's coordinates too when the map is part of the state. A landmark

@@ -164,3 +164,51 @@ fn the_bands_are_the_intervals_of_chi_squared_to_the_last_bit() {
         assert_eq!(bits(*band), bits([low, high]), "{dof} degrees of freedom: {band:?}, and not [{low:?}, {high:?}]");
     }
 }
+
+fn haunted(count: u32, sensor: SensorKind, [around, shift, turn]: [f64; 3]) -> ProbeParams {
+    let ghost =
+        ProbeParams { ghost: true, ghost_around: around, ghost_shift: shift, ghost_turn: turn, ..Default::default() };
+    ProbeParams { count, sensor, ..ghost }
+}
+
+#[test]
+fn turned_about_the_one_landmark_with_its_heading_the_ghost_reads_what_the_robot_reads() {
+    for sensor in [SensorKind::Range, SensorKind::RangeBearing] {
+        let frame = at(haunted(1, sensor, [0.2, 0.0, 0.2]), 240).frame();
+        let ghost = frame.ghost.expect("it drives along");
+        // Rounding of a drive of 240 steps; the ghost is more than a metre away.
+        assert!(ghost.range_gap < 1e-12 && ghost.bearing_gap.unwrap_or(0.0) < 1e-12 && ghost.moved > 1.0, "{ghost:?}");
+        let (by_hand, computed) = (ghost.by_hand.expect("a direction"), frame.along_path.directions[0]);
+        assert!((0..3).all(|i| (by_hand[i] - computed[i]).abs() < 1e-6), "{by_hand:?} and {computed:?}");
+        assert_eq!(ghost.bearing_gap.is_some(), sensor == SensorKind::RangeBearing);
+        assert_eq!(ghost.readings[0].range.len(), frame.series.step.len());
+    }
+}
+
+#[test]
+fn any_other_mix_changes_a_reading_and_a_second_landmark_leaves_no_mix() {
+    let gap = |params| at(params, 240).frame().ghost.expect("it drives along").range_gap;
+    for dials in [[0.2, 0.0, 0.0], [0.0, 0.2, 0.0], [0.0, 0.0, 0.2], [0.2, 0.0, 0.1], [0.2, 0.0, -0.2], [0.2, 0.1, 0.2]]
+    {
+        assert!(gap(haunted(1, SensorKind::Range, dials)) > 0.05, "{dials:?}");
+    }
+    assert!(gap(haunted(2, SensorKind::Range, [0.2, 0.0, 0.2])) > 0.5);
+    // With the heading left alone the range is that of the start, and the bearing already is another.
+    let start = at(haunted(1, SensorKind::RangeBearing, [0.2, 0.0, 0.2]), 240);
+    let alone = ObservabilityProbe::new(haunted(1, SensorKind::RangeBearing, [0.2, 0.0, 0.0])).expect("sound");
+    let ghost = alone.frame().ghost.expect("it stands there");
+    assert!(ghost.range_gap < 1e-14 && (ghost.bearing_gap.expect("read") - 0.2).abs() < 1e-14);
+    assert_eq!(
+        start.frame().tracks,
+        at(with(1, SensorKind::RangeBearing), 240).frame().tracks,
+        "the robot knows of no ghost"
+    );
+}
+
+#[test]
+fn there_is_no_ghost_unless_one_is_wanted_and_none_without_a_map() {
+    assert_eq!(at(Default::default(), 5).frame().ghost, None);
+    assert_eq!(at(ProbeParams { forget: true, ..haunted(1, SensorKind::Range, [0.1; 3]) }, 5).frame().ghost, None);
+    let still = at(haunted(1, SensorKind::Range, [0.0; 3]), 50).frame().ghost.expect("it drives along");
+    assert_eq!((still.by_hand, still.moved, still.range_gap), (None, 0.0, 0.0));
+}

@@ -56,6 +56,7 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
             Who::Localizer(_) => None,
             Who::Mapper(mapping) => Some(map_shape(mapping)),
         },
+        ghost: probe.haunting.as_ref().map(|ghost| ghost.frame(probe.truth, probe.params.sight())),
     }
 }
 

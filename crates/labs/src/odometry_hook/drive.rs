@@ -1,7 +1,8 @@
 //! The run of the odometry hook: truth, encoders, sensor and filter, without a memory of the past.
 
 use super::HookParams;
-use super::frame::{CornerSighting, LastSighting, Quality, Spread};
+use super::frame::{CornerSighting, LastSighting, Quality, Spread, WheelBelief};
+use super::learning::Learning;
 use crate::declare::Params;
 use estimate::kf::Gaussian;
 use estimate::landmarks::RangeBearing;
@@ -10,6 +11,13 @@ use geom::{SE2, angle_diff};
 use nalgebra::{Matrix2, Matrix3, U3, Vector2};
 use sim::scenarios::HOOK;
 use sim::{Apartment, Noise, Rusty};
+
+/// The filter, with or without the wheel's bias in its state.
+#[derive(Clone, Debug)]
+enum Filter {
+    Pose(ChosetEkf),
+    Learning(Box<Learning>),
+}
 
 /// The run itself.
 #[derive(Clone, Debug)]
@@ -23,7 +31,7 @@ pub(crate) struct Drive {
     pub step: u32,
     input_covariance: Matrix2<f64>,
     w: Matrix2<f64>,
-    ekf: ChosetEkf,
+    filter: Filter,
     pub(crate) predicted: Gaussian<U3>,
     pub(crate) u: Option<Vector2<f64>>,
     pub(crate) seen: Vec<CornerSighting>,
@@ -47,7 +55,11 @@ impl Drive {
             step: 0,
             input_covariance: slip_covariance(&HOOK.wheels, params.slip),
             w: Matrix2::from_diagonal(&sigma.component_mul(&sigma)),
-            ekf: ChosetEkf::new(&belief),
+            filter: if params.learn {
+                Filter::Learning(Box::new(Learning::new(start)))
+            } else {
+                Filter::Pose(ChosetEkf::new(&belief))
+            },
             predicted: belief,
             u: None,
             seen: Vec::new(),
@@ -61,17 +73,34 @@ impl Drive {
     }
 
     pub(crate) fn belief(&self) -> Gaussian<U3> {
-        self.ekf.belief()
+        match &self.filter {
+            Filter::Pose(ekf) => ekf.belief(),
+            Filter::Learning(learning) => learning.belief(),
+        }
+    }
+
+    /// What is believed of the wheel, where its bias is a state.
+    pub(crate) fn wheel(&self) -> Option<WheelBelief> {
+        match &self.filter {
+            Filter::Pose(_) => None,
+            // The encoder counts 1 + bias where the wheel rolls 1.
+            Filter::Learning(learning) => Some(learning.wheel(self.params.bias / (1.0 + self.params.bias))),
+        }
     }
 
     pub(crate) fn advance(&mut self) -> Result<(), Error> {
-        let counted = self.rusty.drive(HOOK.course.tick(self.step), &mut self.slip);
+        let (tick, from) = (HOOK.course.tick(self.step), self.truth());
+        let counted = self.rusty.drive(tick, &mut self.slip);
         self.step += 1;
         let u = odometry_delta(&HOOK.wheels, counted);
-        let v = Unicycle::process_covariance(&self.ekf.pose(), &self.input_covariance);
-        self.ekf.predict(&u, &v)?;
+        match &mut self.filter {
+            Filter::Pose(ekf) => {
+                ekf.predict(&u, &Unicycle::process_covariance(&ekf.pose(), &self.input_covariance))?;
+            }
+            Filter::Learning(learning) => learning.predict(&u, &self.input_covariance, (from, tick))?,
+        }
         self.u = Some(u);
-        self.predicted = self.ekf.belief();
+        self.predicted = self.belief();
         self.look();
         self.fix()
     }
@@ -102,7 +131,8 @@ impl Drive {
         if !self.params.fixes || self.seen.is_empty() {
             return Ok(());
         }
-        let map = self.home.corners;
+        let (map, truth) = (self.home.corners, self.truth());
+        let model = RangeBearing { map };
         let sightings: Vec<Sighting<2>> = self
             .seen
             .iter()
@@ -111,7 +141,11 @@ impl Drive {
                 Some(Sighting { j, y: Vector2::new(seen.range, seen.bearing) })
             })
             .collect();
-        match self.ekf.update_stacked(&RangeBearing { map }, &sightings, &self.w) {
+        let fixed = match &mut self.filter {
+            Filter::Pose(ekf) => ekf.update_stacked(&model, &sightings, &self.w).map(|_| ()),
+            Filter::Learning(learning) => sightings.iter().try_for_each(|s| learning.update(model, s, &self.w, truth)),
+        };
+        match fixed {
             // Where the estimate stands on the corner its sighting cannot be linearized, and is left out.
             Err(error) if error.code != Code::AtLandmark => Err(error),
             _ => Ok(()),
@@ -120,12 +154,11 @@ impl Drive {
 
     /// The error, what is claimed of it, and their ratio.
     pub(crate) fn quality(&self) -> (Quality, Spread) {
-        let (truth, Gaussian { p, .. }) = (self.truth(), self.belief());
-        let off = self.ekf.pose().boxminus(truth);
-        let error = Quality {
-            position: numerics::hypot(off[0], off[1]),
-            heading: angle_diff(self.ekf.pose().theta(), truth.theta()),
-        };
+        let (truth, Gaussian { x, p }) = (self.truth(), self.belief());
+        let pose = SE2::from_vector(&x);
+        let off = pose.boxminus(truth);
+        let error =
+            Quality { position: numerics::hypot(off[0], off[1]), heading: angle_diff(pose.theta(), truth.theta()) };
         let sigma = Spread { position: (p[(0, 0)] + p[(1, 1)]).max(0.0).sqrt(), heading: p[(2, 2)].max(0.0).sqrt() };
         (error, sigma)
     }

@@ -57,6 +57,8 @@ record! {
         pub sigma: Spread,
         /// |error| over sigma.
         pub ratio: Ratio,
+        /// The right wheel's bias, where it is a state.
+        pub wheel: Option<WheelBelief>,
         /// The course of the last lap.
         pub tracks: Tracks,
         /// Ellipses along the last lap.
@@ -153,6 +155,19 @@ record! {
         pub heading: Option<f64>,
     }
 
+    /// What a filter that learns the right wheel's bias believes of it.
+    #[derive(Copy)]
+    pub struct WheelBelief {
+        /// ε̂: the part of what the encoder counts that the wheel did not roll.
+        pub epsilon: f64,
+        /// One sigma of it.
+        pub sigma: f64,
+        /// The true ε.
+        pub truth: f64,
+        /// The rank, of four states, of all readings used so far, stacked along the true path.
+        pub rank: usize,
+    }
+
     /// The estimate at one tick of the past.
     #[derive(Copy)]
     pub struct Stop {
@@ -177,6 +192,10 @@ record! {
         pub sigma_position: Series,
         /// Claimed sigma of the heading.
         pub sigma_heading: Series,
+        /// ε̂, where the wheel's bias is a state.
+        pub epsilon: Series,
+        /// Claimed sigma of ε̂.
+        pub sigma_epsilon: Series,
     }
 }
 
@@ -241,7 +260,14 @@ pub(crate) struct Record {
 }
 
 impl Record {
-    pub fn take(&mut self, step: u32, truth: SE2, belief: &Gaussian<U3>, (error, sigma): (Quality, Spread)) {
+    pub fn take(
+        &mut self,
+        step: u32,
+        truth: SE2,
+        belief: &Gaussian<U3>,
+        (error, sigma): (Quality, Spread),
+        wheel: Option<WheelBelief>,
+    ) {
         let x = [belief.x[0], belief.x[1]];
         self.tracks.truth.push(truth.x(), truth.y(), TRACK);
         self.tracks.estimate.push(x[0], x[1], TRACK);
@@ -255,6 +281,10 @@ impl Record {
             series.heading.push(error.heading.abs());
             series.sigma_position.push(sigma.position);
             series.sigma_heading.push(sigma.heading);
+            if let Some(wheel) = wheel {
+                series.epsilon.push(wheel.epsilon);
+                series.sigma_epsilon.push(wheel.sigma);
+            }
         }
     }
 }

@@ -13,6 +13,8 @@ params! {
         pub slip: f64 = (HOOK.slip), from 0.0 to 0.005 by 0.0001 in "m";
         /// Whether sightings of the corners correct the estimate.
         pub fixes: bool = false;
+        /// Whether the right wheel's bias is a fourth state, which the filter learns.
+        pub learn: bool = false;
         /// Fixes slip and sensor noise.
         pub seed: u32 = 1;
     }

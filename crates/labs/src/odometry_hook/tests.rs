@@ -90,3 +90,52 @@ fn a_change_replays_the_run_and_bad_parameters_change_nothing() {
     assert_eq!(hook.set(with(f64::NAN, true)).expect_err("NaN").code, Code::NotFinite);
     assert_eq!(hook.digest(), before);
 }
+
+fn learning(bias: f64, fixes: bool) -> HookParams {
+    HookParams { learn: true, ..with(bias, fixes) }
+}
+
+#[test]
+fn with_fixes_the_bias_becomes_known_and_the_heading_s_claim_holds_again_before_a_corner() {
+    // Tick 505 is the last before the fourth corner comes within reach.
+    let (plain, learnt) = (at(with(0.005, true), 505).frame(), at(learning(0.005, true), 505).frame());
+    let wheel = learnt.wheel.expect("the bias is a state");
+    assert!(
+        (wheel.epsilon - wheel.truth).abs() < 3.0 * wheel.sigma && wheel.sigma < 0.2 * HOOK.bias_sigma,
+        "{wheel:?}"
+    );
+    assert!((wheel.truth - 0.005 / 1.005).abs() < 1e-15);
+    assert!(plain.ratio.heading.expect("a claim") > 2.0, "{:?}", plain.ratio);
+    assert!(learnt.ratio.heading.expect("a claim") < 1.0, "{:?}", learnt.ratio);
+    assert_eq!(plain.wheel, None);
+    assert_eq!((plain.truth, plain.u, plain.sightings), (learnt.truth, learnt.u, learnt.sightings));
+}
+
+#[test]
+fn without_fixes_nothing_is_learned_of_the_bias_but_the_claim_contains_the_error() {
+    let frame = at(learning(0.005, false), 640).frame();
+    let wheel = frame.wheel.expect("the bias is a state");
+    assert_eq!((wheel.epsilon, wheel.rank), (0.0, 0));
+    assert!((wheel.sigma - HOOK.bias_sigma).abs() < 1e-15);
+    assert!(
+        frame.ratio.heading.expect("a claim") < 1.0
+            && at(with(0.005, false), 640).frame().ratio.heading.expect("a claim") > 2.0
+    );
+}
+
+#[test]
+fn each_corner_shows_two_more_of_the_four_states() {
+    // Corners are read at ticks 1, 186 and 306; the first one shows no bias, since hardly anything has been driven.
+    let rank = |steps| at(learning(0.005, true), steps).frame().wheel.expect("a state").rank;
+    assert_eq!([1, 185, 186, 306, 640].map(rank), [2, 2, 4, 4, 4]);
+}
+
+#[test]
+fn a_bias_that_is_a_state_has_a_series_beside_the_others() {
+    let frame = at(learning(0.005, true), 400).frame();
+    let lengths = [&frame.series.step, &frame.series.epsilon, &frame.series.sigma_epsilon].map(|series| series.len());
+    assert_eq!(lengths, [101; 3]);
+    let memory = at(learning(0.005, true), 3000);
+    assert_eq!(memory.frame().series.epsilon.len(), crate::WINDOW);
+    assert!(at(with(0.005, true), 400).frame().series.epsilon.is_empty());
+}

@@ -23,6 +23,17 @@ record! {
         pub ellipse: Ellipse,
     }
 
+    /// A point of Ω, judged by the belief.
+    #[derive(Copy)]
+    pub struct Guess {
+        /// Where it is.
+        pub at: [f64; 2],
+        /// How many ellipses away it is.
+        pub distance: f64,
+        /// Its density over that of the most probable point of Ω.
+        pub density: f64,
+    }
+
     /// The picture.
     pub struct PictureFrame {
         /// Always 0: nothing here goes by steps.
@@ -52,6 +63,14 @@ record! {
         pub expected_variance: f64,
         /// y*.
         pub most_likely_output: f64,
+        /// The variance of y*, that of the product of both opinions: HP⁻HᵀW/S.
+        pub most_likely_variance: f64,
+        /// HR: the part of the innovation that y* takes over, 0 for none of it and 1 for all.
+        pub share: f64,
+        /// The probability inside the reader's ellipse, 1 − exp(−radius²/2).
+        pub inside: f64,
+        /// The reader's guess on Ω, where there is one.
+        pub guess: Option<Guess>,
         /// The perpendicular foot on Ω.
         pub euclidean_foot: Foot,
         /// The Mahalanobis foot on Ω.

@@ -22,6 +22,12 @@ params! {
         pub noise: f64 = 0.5, from 0.0 to 4.0 by 0.05;
         /// Turn of the sensor: H = [−sin, cos], so 0 measures the velocity and −π/2 the position.
         pub tilt: f64 = 0.0, from (-FRAC_PI_2) to FRAC_PI_2 by (PI / 180.0) in "rad";
+        /// Radius of an ellipse about x̂⁻ that the reader lets grow, in standard deviations; 0 for none.
+        pub radius: f64 = 0.0, from 0.0 to 6.0 by 0.05;
+        /// The reader's guess at the estimate: its place on Ω, from the perpendicular foot along the line.
+        pub guess: Option<f64> = None, from (-200.0) to 200.0 by 0.05;
+        /// Whether a view keeps the answer to itself while the reader guesses.
+        pub sealed: bool = false;
     }
 }
 

@@ -90,3 +90,46 @@ fn every_noise_of_the_range_has_a_picture() {
         }
     }
 }
+
+#[test]
+fn the_most_likely_output_is_where_two_weights_of_one_over_the_variance_balance() {
+    for (noise, tilt, reading) in [(0.5, 0.0, 2.7), (2.1, 0.0, 2.7), (4.0, -0.7, -3.0), (0.05, 1.2, 6.0)] {
+        let frame = of(PictureParams { noise, tilt, reading, ..PictureParams::default() });
+        let (left, right) = (frame.most_likely_output - frame.expected_output, reading - frame.most_likely_output);
+        assert!((left / frame.expected_variance - right / noise).abs() < 1e-12);
+        assert!((1.0 / frame.most_likely_variance - 1.0 / frame.expected_variance - 1.0 / noise).abs() < 1e-9);
+        assert!((left - frame.share * frame.innovation).abs() < 1e-12);
+    }
+    assert!((of(PictureParams { noise: 2.1, ..PictureParams::default() }).share - 0.5).abs() < 1e-14);
+    assert_eq!(of(PictureParams { noise: 0.0, ..PictureParams::default() }).most_likely_variance, 0.0);
+}
+
+#[test]
+fn the_reader_s_ellipse_holds_what_random_points_of_the_belief_say() {
+    let mut noise = sim::Noise::new(3);
+    let draws: Vec<f64> = (0..20_000).map(|_| noise.normal().powi(2) + noise.normal().powi(2)).collect();
+    for radius in [0.0, 0.5, 1.0, 2.0, 3.0] {
+        let inside = of(PictureParams { radius, ..PictureParams::default() }).inside;
+        let counted = draws.iter().filter(|d2| **d2 <= radius * radius).count() as f64 / draws.len() as f64;
+        // Three standard errors of a frequency of 20 000 draws.
+        assert!((inside - counted).abs() < 0.011, "{radius}: {inside} and {counted}");
+    }
+    assert!(
+        (of(PictureParams { radius: 1.0, ..PictureParams::default() }).inside - 0.393_469_340_287_366_6).abs() < 1e-15
+    );
+}
+
+#[test]
+fn no_guess_on_the_line_is_as_probable_as_the_purple_foot() {
+    let purple = of(PictureParams::default());
+    assert_eq!(purple.guess, None);
+    // The purple foot is at 3.35 m and the gray one at 4 m.
+    for (place, at) in [(0.0, 4.0), (-0.65, 3.35), (2.0, 6.0), (-3.0, 1.0)] {
+        let frame = of(PictureParams { guess: Some(place), sealed: true, ..PictureParams::default() });
+        let guess = frame.guess.expect("given");
+        assert!((guess.at[0] - at).abs() < 1e-14 && (guess.at[1] - 2.7).abs() < 1e-14);
+        assert!(guess.density <= 1.0 + 1e-12 && guess.distance >= purple.mahalanobis_foot.distance - 1e-12);
+        assert_eq!((guess.density > 1.0 - 1e-9), place == -0.65, "{guess:?}");
+        assert_eq!(frame.update, purple.update, "a guess changes no answer");
+    }
+}

@@ -6,6 +6,7 @@ use crate::series::Track;
 use estimate::Landmark;
 use estimate::drive::{Line, Summary};
 use geom::Ellipse;
+use nalgebra::DVector;
 
 record! {
     /// A sighting that the filter looked at.
@@ -119,30 +120,16 @@ record! {
         pub band: f64,
     }
 
-    /// What the replay says of itself so far; null where there is nothing to say it of.
-    pub struct LogSummary {
-        /// Sightings that corrected the estimate.
+    /// What the filter made of the readings of one landmark: one that is displaced or taken for another stands out.
+    pub struct LogLandmark {
+        /// The id of the landmark.
+        pub id: u32,
+        /// Readings of it that corrected the estimate.
         pub used: u32,
-        /// Sightings that did not.
+        /// Readings of it that did not.
         pub refused: u32,
-        /// Root of the mean squared error of the position at the rows of motion, metres.
-        pub rmse: Option<f64>,
-        /// The largest error of the position, metres.
-        pub worst: Option<f64>,
-        /// The mean over the used sightings of νᵀS⁻¹ν for each output: 1 is expected.
-        pub nis: Option<f64>,
-        /// The mean over the used sightings of ν/√S of the range: 0 is expected.
+        /// The mean innovation ν of all of them, metres; null without a reading.
         pub mean_innovation: Option<f64>,
-        /// The autocorrelation of ν/√S from one used sighting to the next: 0 is expected.
-        pub lag1: Option<f64>,
-        /// The learned ε.
-        pub epsilon: Option<f64>,
-        /// Its standard deviation.
-        pub epsilon_sigma: Option<f64>,
-        /// The state [x, y, θ] in metres and radians; and ε where it is learned.
-        pub x: Vec<f64>,
-        /// The trace of the pose's covariance, m² and rad² added up.
-        pub trace: f64,
     }
 
     /// How far the statistics of a filter whose model holds stay from what is expected, in 95 of 100 runs of this length.
@@ -205,8 +192,10 @@ record! {
         pub histogram: LogHistogram,
         /// Its autocorrelation.
         pub correlation: LogCorrelation,
+        /// The readings of each landmark; empty while no reading has been looked at.
+        pub by_landmark: Vec<LogLandmark>,
         /// The summary so far.
-        pub summary: LogSummary,
+        pub summary: Summary,
         /// How far its statistics may stray; null without a used sighting.
         pub bands: Option<LogBands>,
         /// The RMS error of dead reckoning so far, metres.
@@ -227,11 +216,31 @@ described! {
     }
 }
 
-impl From<Summary> for LogSummary {
-    fn from(summary: Summary) -> Self {
-        let Summary { used, refused, rmse, worst, nis, mean_innovation, lag1, epsilon, epsilon_sigma, x, trace } =
-            summary;
-        let x = x.iter().copied().collect();
-        Self { used, refused, rmse, worst, nis, mean_innovation, lag1, epsilon, epsilon_sigma, x, trace }
+described! {
+    /// What the replay says of itself so far; null where there is nothing to say it of.
+    Summary as "LogSummary"; &[], &[];
+    {
+        /// Sightings that corrected the estimate.
+        used: u32 as "used";
+        /// Sightings that did not.
+        refused: u32 as "refused";
+        /// Root of the mean squared error of the position at the rows of motion, metres.
+        rmse: Option<f64> as "rmse";
+        /// The largest error of the position, metres.
+        worst: Option<f64> as "worst";
+        /// The mean over the used sightings of νᵀS⁻¹ν for each output: 1 is expected.
+        nis: Option<f64> as "nis";
+        /// The mean over the used sightings of ν/√S of the range: 0 is expected.
+        mean_innovation: Option<f64> as "meanInnovation";
+        /// The autocorrelation of ν/√S from one used sighting to the next: 0 is expected.
+        lag1: Option<f64> as "lag1";
+        /// The learned ε.
+        epsilon: Option<f64> as "epsilon";
+        /// Its standard deviation.
+        epsilon_sigma: Option<f64> as "epsilonSigma";
+        /// The state [x, y, θ] in metres and radians; and ε where it is learned.
+        x: DVector<f64> as "x";
+        /// The trace of the pose's covariance, m² and rad² added up.
+        trace: f64 as "trace";
     }
 }

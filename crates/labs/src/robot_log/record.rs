@@ -1,6 +1,8 @@
 //! What a replay has shown so far, in constant memory: long logs are thinned, sums are kept whole.
 
-use super::frame::{LogBands, LogCorrelation, LogErrors, LogHistogram, LogInnovations, LogNis, LogRanges, LogSighting};
+use super::frame::{
+    LogBands, LogCorrelation, LogErrors, LogHistogram, LogInnovations, LogLandmark, LogNis, LogRanges, LogSighting,
+};
 use super::logged::LoggedDrive;
 use crate::series::Track;
 use estimate::drive::{Judged, Line, Points};
@@ -30,6 +32,8 @@ pub(super) struct Record {
     nis: Blocks,
     bins: [u32; BINS],
     normalized: Autocorrelation<LAGS>,
+    /// For each landmark: readings used and refused, and the sum of their innovations.
+    landmarks: Vec<(u32, u32, f64)>,
     pub sighting: Option<LogSighting>,
     /// Rows of motion and sightings so far.
     motions: u32,
@@ -62,8 +66,15 @@ impl Record {
         }
     }
 
-    /// Takes a sighting of the landmark at `place` that read `range`, and what the filter made of it.
-    pub fn sighted(&mut self, logged: &LoggedDrive, at: &At, place: [f64; 2], range: f64, judged: Option<&Judged>) {
+    /// Takes a sighting that read `range` of the landmark with this index and place, and what the filter made of it.
+    pub fn sighted(
+        &mut self,
+        logged: &LoggedDrive,
+        at: &At,
+        (landmark, place): (usize, [f64; 2]),
+        range: f64,
+        judged: Option<&Judged>,
+    ) {
         let kept = self.sightings.is_multiple_of(logged.sighting_stride());
         self.sightings += 1;
         let known = distance(at.truth.unwrap_or(at.reckoning), place);
@@ -74,6 +85,10 @@ impl Record {
             self.ranges.residual.push(range - known);
         }
         let Some(judged) = judged else { return };
+        self.landmarks.resize(logged.drive().landmarks.len(), (0, 0, 0.0));
+        let (used, refused, sum) = &mut self.landmarks[landmark];
+        *if judged.used { used } else { refused } += 1;
+        *sum += judged.innovation;
         let normalized = judged.innovation / judged.variance.sqrt();
         let expected = range - judged.innovation;
         if kept {
@@ -128,6 +143,17 @@ impl Record {
             values: (1..=LAGS).map_while(|lag| self.normalized.at(lag)).collect(),
             band: self.normalized.band().unwrap_or(0.0),
         }
+    }
+
+    pub fn by_landmark(&self, logged: &LoggedDrive) -> Vec<LogLandmark> {
+        let seen = logged.drive().landmarks.iter().zip(&self.landmarks);
+        seen.map(|(landmark, &(used, refused, sum))| LogLandmark {
+            id: landmark.id,
+            used,
+            refused,
+            mean_innovation: (used + refused > 0).then(|| sum / f64::from(used + refused)),
+        })
+        .collect()
     }
 
     pub fn bands(&self) -> Option<LogBands> {

@@ -85,7 +85,7 @@ fn a_shorter_log_is_the_beginning_of_a_longer_one() {
 }
 
 #[test]
-fn what_is_no_parameter_or_no_row_is_refused_by_name() {
+fn a_parameter_or_a_row_out_of_bounds_is_refused_by_name() {
     let base = TuneParams::default();
     for (params, code, argument) in [
         (TuneParams { log_q: 2.1, ..base }, Code::Limit, "logQ"),

@@ -1,0 +1,122 @@
+//! A book built without answers: none of its files holds the words of one, or a number that only an answer has.
+
+mod whole;
+
+use book::Diagnostics;
+use labs::givens::Givens;
+use whole::{build, load, root};
+
+fn read(path: &str) -> String {
+    std::fs::read_to_string(root().join(path)).expect(path)
+}
+
+/// Words with one space between them.
+fn flat(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}
+
+/// Long runs of plain words in Markdown: what no formula, number or mark interrupts, so that HTML shows it as it is.
+fn runs(markdown: &str) -> Vec<String> {
+    let parts = markdown.split(|c: char| !(c.is_ascii_alphanumeric() || " \n,.;:".contains(c)));
+    parts.map(flat).filter(|run| run.len() > 30 && run.contains(' ')).collect()
+}
+
+/// The words of the answers: reasons and explanations of the questions, and worked answers of the exercises.
+fn words_of_answers() -> Vec<String> {
+    let quizzes: toml::Table = read("content/quizzes.toml").parse().expect("questions");
+    let mut words = Vec::new();
+    for quiz in quizzes["quiz"].as_array().expect("questions") {
+        words.extend(runs(quiz["why"].as_str().expect("a reason")));
+        for kind in ["choice", "near", "condition"] {
+            for part in quiz.get(kind).and_then(toml::Value::as_array).into_iter().flatten() {
+                words.extend(part.get("why").and_then(toml::Value::as_str).into_iter().flat_map(runs));
+            }
+        }
+    }
+    for (_, text) in book::files(&root(), "content/kalman").expect("the chapter") {
+        for answer in text.split(":::answer").skip(1) {
+            words.extend(runs(answer.split("\n:::").next().unwrap_or_default()));
+        }
+    }
+    words
+}
+
+/// What a page shows, without its tags: colours part the words of code.
+fn shown(html: &str) -> String {
+    let text: String = html.split('<').map(|part| part.split_once('>').map_or(part, |(_, text)| text)).collect();
+    flat(
+        &text
+            .replace("&lt;", "<")
+            .replace("&gt;", ">")
+            .replace("&quot;", "\"")
+            .replace("&#x27;", "'")
+            .replace("&amp;", "&"),
+    )
+}
+
+/// The lines of code that solve an exercise and stand nowhere else in its file, by the file's path.
+fn code_of_answers(site: &book::Site) -> Vec<(String, String)> {
+    let mut lines = Vec::new();
+    for (path, text) in site.sources.iter().filter(|(_, text)| text.contains("// ANCHOR: answer")) {
+        let answer = site.sources.listing(path, Some("answer")).expect("an answer").code;
+        let long = answer.lines().map(str::trim).filter(|line| line.len() > 20 && text.matches(line).count() == 1);
+        lines.extend(long.map(|line| (path.to_string(), line.to_string())));
+    }
+    lines
+}
+
+#[test]
+fn a_book_without_answers_holds_no_word_of_them_and_no_number_that_only_they_have() {
+    let diagnostics = Diagnostics::default();
+    let mut site = load(labs::numbers::with_ensembles(&Givens::default()).expect("computed"), &diagnostics);
+    let files = book::files(&root(), "content/kalman").expect("the chapter");
+    let words = words_of_answers();
+    // The words are found where they are: otherwise finding none of them would say nothing. (A list or a table parts some.)
+    let whole = flat(&book::text(&site, &files, Some(15), "kalman/", &diagnostics).body);
+    let found = words.iter().filter(|run| whole.contains(run.as_str())).count();
+    assert!(words.len() > 100 && found > words.len() * 3 / 4, "{found} of {}", words.len());
+
+    let code = code_of_answers(&site);
+    let page = |path: &str| format!("source/{path}.html");
+    let dist = build(&site, &diagnostics);
+    assert!(code.len() > 10, "{code:?}");
+    for (path, line) in &code {
+        let html = String::from_utf8(dist.files[&page(path)].clone()).expect("text");
+        assert!(shown(&html).contains(line), "the whole book shows {line}");
+    }
+
+    site.answers = false;
+    let dist = build(&site, &diagnostics);
+    assert!(dist.faults().is_empty(), "{}", dist.faults().join("\n"));
+
+    let chapter = String::from_utf8(dist.files["kalman/index.html"].clone()).expect("text");
+    assert!(chapter.matches("class=\"quiz-open\"").count() > 10, "the questions are asked");
+    for left in ["data-key", "data-score", "quiz-answer", "Worked answer", "data-unlocks"] {
+        assert!(!chapter.contains(left), "{left}");
+    }
+    for (path, bytes) in &dist.files {
+        let Ok(text) = std::str::from_utf8(bytes) else { continue };
+        let visible = if path.ends_with(".html") { shown(text) } else { String::new() };
+        for (_, line) in &code {
+            assert!(!visible.contains(line), "{path} shows {line}");
+        }
+        let text = flat(text);
+        for run in &words {
+            assert!(!text.contains(run), "{path} says: {run}");
+        }
+    }
+
+    // A number that the questions ask for, and that the text does not print besides, is listed nowhere.
+    let used = book::text(&site, &files, Some(15), "kalman/", &diagnostics).used.numbers;
+    let quizzes: toml::Table = read("content/quizzes.toml").parse().expect("questions");
+    let asked = quizzes["quiz"].as_array().expect("questions").iter().filter_map(|quiz| quiz.get("answer"));
+    let asked = asked.filter_map(toml::Value::as_str).flat_map(|ids| ids.split(',')).map(str::trim);
+    let hidden: Vec<_> = asked.filter(|id| !used.contains(*id)).collect();
+    assert!(hidden.len() > 5, "{hidden:?}");
+    for (path, bytes) in &dist.files {
+        let Ok(text) = std::str::from_utf8(bytes) else { continue };
+        for id in &hidden {
+            assert!(!text.contains(&format!("number-{id}\"")), "{path} lists {id}");
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! The linear Kalman filter's class, for programs that filter as they read.
+
+use crate::decode::Arg;
+use crate::encode::{list, rows};
+use crate::errors::Thrown;
+use crate::functions::{belief_of, system_of};
+use crate::object::Held;
+use estimate::dynamic::KalmanFilter as Filter;
+use wasm_bindgen::prelude::*;
+
+/// A Kalman filter that holds its system and its belief: x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, with Cov v = V and
+/// Cov w = W. An input or a reading is an array of numbers or a Float64Array.
+#[wasm_bindgen]
+#[repr(transparent)]
+pub struct KalmanFilter(Held);
+
+const CLASS: &str = "KalmanFilter";
+
+#[wasm_bindgen]
+impl KalmanFilter {
+    /// The filter of `system` with the belief before the first step.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+    ) -> Result<KalmanFilter, Thrown> {
+        let filter = Filter::new(&system_of(system)?, &belief_of(&Arg::new(belief, "belief"))?)?;
+        Ok(Self(Held::new(CLASS, filter)))
+    }
+
+    /// x = F x + G u, P = F P Fᵀ + V. A system without inputs needs no `u`.
+    pub fn predict(
+        &self,
+        #[wasm_bindgen(unchecked_optional_param_type = "Vector | Float64Array")] u: &JsValue,
+    ) -> Result<(), Thrown> {
+        let u = if u.is_undefined() { Vec::new() } else { Arg::new(u, "u").short()? };
+        self.0.write(CLASS, |filter: &mut Filter| filter.predict(&u))
+    }
+
+    /// Corrects the belief by the reading `y`.
+    pub fn update(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
+    ) -> Result<(), Thrown> {
+        let y = Arg::new(y, "y").short()?;
+        self.0.write(CLASS, |filter: &mut Filter| filter.update(&y))
+    }
+
+    /// Predicts with `u` and corrects by `y`, both or neither: a `kalmanStep`, to the last bit.
+    pub fn step(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
+    ) -> Result<(), Thrown> {
+        let (u, y) = (Arg::new(u, "u").short()?, Arg::new(y, "y").short()?);
+        self.0.write(CLASS, |filter: &mut Filter| filter.step(&u, &y))
+    }
+
+    /// The mean.
+    #[wasm_bindgen(getter, unchecked_return_type = "Vector")]
+    pub fn x(&self) -> Result<JsValue, Thrown> {
+        self.read(|filter| list(filter.x()))
+    }
+
+    /// The covariance.
+    #[wasm_bindgen(getter = P, unchecked_return_type = "Matrix")]
+    pub fn p(&self) -> Result<JsValue, Thrown> {
+        self.read(|filter| rows(&filter.belief().p))
+    }
+
+    /// Σ −½(ln det 2πS + νᵀS⁻¹ν) over all readings; null where an S was too near to singular, or the sum is too large for a number.
+    #[wasm_bindgen(getter = logLikelihood, unchecked_return_type = "number | null")]
+    pub fn log_likelihood(&self) -> Result<JsValue, Thrown> {
+        self.read(|filter| number_or_null(filter.log_likelihood()))
+    }
+
+    /// The normalized innovation squared νᵀS⁻¹ν of the last reading; null before the first, and where S was too near to singular.
+    #[wasm_bindgen(getter, unchecked_return_type = "number | null")]
+    pub fn nis(&self) -> Result<JsValue, Thrown> {
+        self.read(|filter| number_or_null(filter.nis()))
+    }
+
+    fn read(&self, shown: impl FnOnce(&Filter) -> JsValue) -> Result<JsValue, Thrown> {
+        self.0.read(CLASS, shown)
+    }
+}
+
+fn number_or_null(number: Option<f64>) -> JsValue {
+    number.map_or(JsValue::NULL, JsValue::from_f64)
+}

@@ -1,0 +1,89 @@
+//! What noise or inputs reach, and whether what they do not reach dies out by itself: reachability and stabilizability, which are
+//! observability and detectability of the transposed pair (Anderson and Moore, Optimal Filtering, appendix C).
+
+use crate::detectability::detectability;
+use crate::error::Error;
+use crate::verdict::Verdict;
+use alloc::vec::Vec;
+use nalgebra::{Complex, DMatrix, DVector};
+use numerics::singular_values;
+use numerics::sqrt;
+
+/// Eigenvalues of a matrix of correlations below this part of the largest are rounding: see
+/// [`validate::covariance`](crate::validate::covariance).
+const ROUNDING: f64 = 1e-12;
+
+/// What a pair (F, B) of dynamics and inputs moves.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Reachability {
+    /// Whether every combination of the states is moved.
+    pub reachable: Verdict,
+    /// Whether every combination that is not moved dies out by itself.
+    pub stabilizable: Verdict,
+    /// Orthonormal c for which cᵀx counts as not moved: less than the tolerance.
+    pub unreached: Vec<DVector<f64>>,
+    /// The eigenvalues of F that belong to them, by decreasing modulus.
+    pub modes: Vec<Complex<f64>>,
+}
+
+/// Whether (`f`, `b`), n×n and n×m and finite, is reachable, and whether it is stabilizable.
+///
+/// # Errors
+/// As [`detectability`].
+pub(crate) fn reachability(f: &DMatrix<f64>, b: &DMatrix<f64>, tolerance: f64) -> Result<Reachability, Error> {
+    let dual = detectability(&f.transpose(), &b.transpose(), tolerance)?;
+    Ok(Reachability {
+        reachable: dual.observable,
+        stabilizable: dual.detectable,
+        unreached: dual.unseen,
+        modes: dual.modes,
+    })
+}
+
+/// A matrix B with V = BBᵀ, n×n: the directions and sizes of the noise.
+///
+/// The correlations are taken apart and not V itself, so that no unit makes a variance negligible.
+///
+/// # Errors
+/// As [`singular_values`], blaming V.
+pub(crate) fn noise_input(v: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+    let n = v.nrows();
+    let sigma = v.diagonal().map(|variance| sqrt(variance.max(0.0)));
+    let over = |i: usize, j: usize| if sigma[i] * sigma[j] > 0.0 { v[(i, j)] / sigma[i] / sigma[j] } else { 0.0 };
+    let found = singular_values(DMatrix::from_fn(n, n, over)).map_err(|e| Error::of_matrix(e, "V"))?;
+    let largest = found.values.first().copied().unwrap_or(0.0);
+    let root = |size: f64| if size > ROUNDING * largest { sqrt(size) } else { 0.0 };
+    Ok(DMatrix::from_fn(n, n, |i, j| sigma[i] * found.directions[(i, j)] * root(found.values[j])))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use Verdict::{No, Yes};
+    use nalgebra::dmatrix;
+
+    #[test]
+    fn the_noise_of_a_covariance_is_found_in_any_units() {
+        let v = dmatrix![1e-14, 0.0; 0.0, 1e6];
+        let b = noise_input(&v).expect("found");
+        assert!((&b * b.transpose() - &v).amax() < 1e-9);
+        assert!(b.row(0).amax() > 0.0);
+        // Rank one but for rounding: one direction and no second one.
+        let g = dmatrix![0.125; 0.5];
+        let b = noise_input(&(&g * g.transpose() * 0.1)).expect("found");
+        assert_eq!(b.column(1).amax(), 0.0);
+        assert_eq!(noise_input(&DMatrix::zeros(2, 2)).expect("found"), DMatrix::zeros(2, 2));
+    }
+
+    #[test]
+    fn kicks_of_the_velocity_reach_the_position_and_not_the_other_way_round() {
+        let f = dmatrix![1.0, 0.5; 0.0, 1.0];
+        let reached = |b: &DMatrix<f64>| reachability(&f, b, 1e-9).expect("found");
+        assert_eq!(reached(&dmatrix![0.0; 1.0]).reachable, Yes);
+        let of_position = reached(&dmatrix![1.0; 0.0]);
+        assert_eq!((of_position.reachable, of_position.stabilizable), (No, No));
+        assert_eq!(of_position.unreached[0].map(f64::abs), nalgebra::dvector![0.0, 1.0]);
+        let decaying = reachability(&dmatrix![1.0, 0.5; 0.0, 0.9], &dmatrix![1.0; 0.0], 1e-9).expect("found");
+        assert_eq!((decaying.reachable, decaying.stabilizable), (No, Yes));
+    }
+}

@@ -1,0 +1,144 @@
+//! A log while it is read: rows from one file or from several, checked against one another at the end.
+
+use crate::error::Error;
+use crate::fields::Line;
+use crate::log::{Log, MAX_LANDMARKS, MAX_ROWS};
+use estimate::Landmark;
+use estimate::drive::{Drive, Event, Motion, Pose, Row, Truth};
+use std::collections::HashMap;
+
+/// A place in the files of a log: file, line and column.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    pub file: usize,
+    pub line: u32,
+    pub column: u32,
+}
+
+impl Place {
+    /// The beginning of a line, or of one of its fields.
+    pub fn of(file: usize, line: &Line<'_>, field: usize) -> Self {
+        Self { file, line: line.number, column: line.fields.get(field).map_or(line.end, |field| field.column) }
+    }
+
+    pub fn refuse(self, message: impl Into<String>) -> Error {
+        Error::new(self.line, self.column, message).within(self.file)
+    }
+}
+
+/// What is done with a sighting of a landmark that no row places.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Unplaced {
+    /// The log is refused, with what was expected.
+    Refused(&'static str),
+    /// The sighting is left out and counted: it is of another robot, or there is no file of landmarks.
+    LeftOut,
+}
+
+/// The rows read so far.
+#[derive(Default)]
+pub(crate) struct Gathering {
+    landmarks: Vec<Landmark>,
+    /// The index of each landmark by its id.
+    index: HashMap<u32, usize>,
+    poses: Vec<Pose>,
+    rows: Vec<Row>,
+    motion: Option<Motion>,
+    /// The sightings: the row's index, its landmark's id, and where the id stands. A landmark's row may stand behind them.
+    sightings: Vec<(usize, u32, Place)>,
+    count: usize,
+    last: Option<Place>,
+}
+
+impl Gathering {
+    /// Counts a row that begins at `place`.
+    pub fn begin(&mut self, place: Place) -> Result<(), Error> {
+        self.count += 1;
+        self.last = Some(place);
+        if self.count > MAX_ROWS {
+            return Err(place.refuse(format!("the log has more than {MAX_ROWS} rows")));
+        }
+        Ok(())
+    }
+
+    /// A landmark, whose id stands at `place`.
+    pub fn landmark(&mut self, place: Place, landmark: Landmark) -> Result<(), Error> {
+        if self.landmarks.len() == MAX_LANDMARKS {
+            return Err(Place { column: 1, ..place }.refuse(format!("the log has more than {MAX_LANDMARKS} landmarks")));
+        }
+        if self.index.insert(landmark.id, self.landmarks.len()).is_some() {
+            let message = format!("landmark {} stands here for the second time; each has one row", landmark.id);
+            return Err(place.refuse(message));
+        }
+        self.landmarks.push(landmark);
+        Ok(())
+    }
+
+    pub fn truth(&mut self, pose: Pose) {
+        self.poses.push(pose);
+    }
+
+    /// A row of motion, which begins at `place`.
+    pub fn motion(&mut self, place: Place, row: Row) -> Result<(), Error> {
+        let motion = match row.event {
+            Event::Velocity { .. } => Motion::Velocity,
+            _ => Motion::Odometry,
+        };
+        if *self.motion.get_or_insert(motion) != motion {
+            return Err(place.refuse("the log has O rows and V rows; a log moves by one kind"));
+        }
+        self.rows.push(row);
+        Ok(())
+    }
+
+    /// A sighting of the landmark `id`, which stands at `place`.
+    pub fn sighting(&mut self, place: Place, row: Row, id: u32) {
+        self.sightings.push((self.rows.len(), id, place));
+        self.rows.push(row);
+    }
+
+    /// Whether a landmark has been placed.
+    pub fn has_landmarks(&self) -> bool {
+        !self.landmarks.is_empty()
+    }
+
+    /// The log, and how many sightings were left out of it.
+    ///
+    /// # Errors
+    /// There is no motion, or a sighting is of a landmark without a place and these are refused.
+    pub fn finish(mut self, unplaced: Unplaced) -> Result<(Log, usize), Error> {
+        let mut left_out = Vec::new();
+        for (at, id, place) in self.sightings {
+            match self.index.get(&id) {
+                Some(known) => match &mut self.rows[at].event {
+                    Event::Range { landmark, .. } | Event::RangeBearing { landmark, .. } => *landmark = *known,
+                    Event::Odometry { .. } | Event::Velocity { .. } => {}
+                },
+                None => match unplaced {
+                    Unplaced::LeftOut => left_out.push(at),
+                    Unplaced::Refused(wanted) => {
+                        return Err(place.refuse(format!("there is no landmark {id}; {wanted}")));
+                    }
+                },
+            }
+        }
+        if !left_out.is_empty() {
+            let (mut i, mut out) = (0, left_out.iter().copied().peekable());
+            self.rows.retain(|_| {
+                i += 1;
+                out.next_if_eq(&(i - 1)).is_none()
+            });
+        }
+        let Some(motion) = self.motion else {
+            let last = self.last.unwrap_or(Place { file: 0, line: 1, column: 1 });
+            let message = "the log has no motion; O rows or V rows were expected";
+            return Err(Place { column: 1, ..last }.refuse(message));
+        };
+        // The sort is stable: rows of one time and kind stay in the order of their lines.
+        let sighting = |row: &Row| !row.event.is_motion();
+        self.rows.sort_by(|a, b| a.time.total_cmp(&b.time).then(sighting(a).cmp(&sighting(b))));
+        let truth = Truth::new(self.poses);
+        let drive = Drive { landmarks: self.landmarks, truth, rows: self.rows, motion };
+        Ok((Log { drive, count: self.count }, left_out.len()))
+    }
+}

@@ -1,0 +1,28 @@
+//! A log that was read, and how large one may be.
+
+use estimate::drive::Drive;
+
+/// The greatest size of a log, bytes.
+pub const MAX_BYTES: usize = 64_000_000;
+/// The most rows of a log.
+pub const MAX_ROWS: usize = 2_000_000;
+/// The most landmarks of a log.
+pub const MAX_LANDMARKS: usize = 500;
+
+/// A log that was read.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Log {
+    /// What it says.
+    pub drive: Drive,
+    /// All rows of the file, landmarks and truth among them.
+    pub count: usize,
+}
+
+/// A log that was read from files, and what was left out of it.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Understood {
+    /// The log.
+    pub log: Log,
+    /// What was left out or added, in sentences.
+    pub notes: Vec<String>,
+}

@@ -1,0 +1,126 @@
+//! A file of numbers in columns, which commas, semicolons, tabs or blanks part.
+
+use crate::error::Error;
+use crate::fields::{Field, Line};
+use crate::row::number;
+
+/// The most columns of a table.
+const MAX_COLUMNS: usize = 64;
+
+/// What parts the fields of a line.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Separator {
+    Char(char),
+    /// One blank or more, tabs among them.
+    Blanks,
+}
+
+/// A table before its rows are read: its separator, and what its columns are called.
+#[derive(Clone, Debug, PartialEq, Eq)]
+pub(crate) struct Table {
+    separator: Separator,
+    /// What the columns are called: by the line above the numbers, by the last comment above them, or by their number.
+    pub names: Vec<String>,
+    /// Lines up to the header, which is no row.
+    skipped: u32,
+}
+
+impl Table {
+    /// The table that a text begins with; `None` of a text that has no line but comments.
+    pub fn new(text: &str) -> Option<Self> {
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let (mut comment, mut first) = ("", None);
+        for (i, line) in text.lines().enumerate() {
+            match line.trim() {
+                "" => {}
+                line if line.starts_with('#') => comment = line.trim_start_matches('#'),
+                line => {
+                    first = Some((i as u32, line));
+                    break;
+                }
+            }
+        }
+        let (above, line) = first?;
+        let separator = separator(line);
+        let fields: Vec<&str> =
+            split(line, separator).map(|(_, field)| unquoted(field)).take(MAX_COLUMNS + 1).collect();
+        if !fields.iter().all(|field| is_number(field)) {
+            let names = fields.into_iter().map(String::from).collect();
+            return Some(Self { separator, names, skipped: above + 1 });
+        }
+        let named: Vec<String> = [Separator::Char(','), Separator::Char(';'), Separator::Char('\t')]
+            .into_iter()
+            .map(|separator| split(comment, separator).map(|(_, name)| name.to_string()).collect())
+            .chain([wide(comment), split(comment, Separator::Blanks).map(|(_, name)| name.to_string()).collect()])
+            .find(|names: &Vec<String>| names.len() == fields.len() && names.iter().all(|name| !name.is_empty()))
+            .unwrap_or_else(|| (1..=fields.len()).map(|i| format!("column {i}")).collect());
+        // Numbers have no blanks in them, so that tabs among blanks are blanks too.
+        let separator = if separator == Separator::Char('\t') { Separator::Blanks } else { separator };
+        Some(Self { separator, names: named, skipped: above })
+    }
+
+    /// The lines of numbers; `text` must be the one that the table was made of.
+    pub fn lines<'t>(&self, text: &'t str) -> impl Iterator<Item = Result<Line<'t>, Error>> + use<'t> {
+        let Self { separator, skipped, .. } = *self;
+        let columns = self.names.len();
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let numbered = text.lines().enumerate().map(|(i, line)| (i as u32 + 1, line));
+        let rows = numbered.filter(move |(number, line)| *number > skipped && !is_empty(line));
+        rows.map(move |(number, line)| {
+            let column = |byte: usize| line[..byte].chars().count() as u32 + 1;
+            let found = split(line, separator).take(MAX_COLUMNS + 1);
+            let fields: Vec<Field<'t>> =
+                found.map(|(at, text)| Field { text: unquoted(text), column: column(at) }).collect();
+            let end = column(line.trim_end().len());
+            if fields.len() != columns {
+                let found = fields.len();
+                let column = fields.get(columns).map_or(end, |extra| extra.column);
+                return Err(Error::new(number, column, format!("the row has {found} fields; {columns} were expected")));
+            }
+            Ok(Line { number, fields, end })
+        })
+    }
+}
+
+/// What parts the fields of a table's first line: what makes numbers of them; between names, what stands there.
+fn separator(line: &str) -> Separator {
+    const ALL: [Separator; 4] = [Separator::Char(';'), Separator::Char(','), Separator::Char('\t'), Separator::Blanks];
+    let parts = |by: Separator| split(line, by).nth(1).is_some();
+    let numbers = |by: Separator| split(line, by).all(|(_, field)| is_number(unquoted(field)));
+    let found = ALL.into_iter().find(|by| parts(*by) && numbers(*by));
+    found.or_else(|| ALL.into_iter().find(|by| parts(*by))).unwrap_or(Separator::Blanks)
+}
+
+/// Whether a field may be among numbers: a row may leave one out.
+fn is_number(field: &str) -> bool {
+    field.is_empty() || number(field).is_some()
+}
+
+fn is_empty(line: &str) -> bool {
+    let line = line.trim();
+    line.is_empty() || line.starts_with('#')
+}
+
+/// The fields of a line without the blanks around them, each with the byte at which it begins.
+fn split(line: &str, separator: Separator) -> Box<dyn Iterator<Item = (usize, &str)> + '_> {
+    let at = |part: &str| part.as_ptr() as usize - line.as_ptr() as usize;
+    match separator {
+        Separator::Blanks => Box::new(line.split_whitespace().map(move |field| (at(field), field))),
+        Separator::Char(c) => Box::new(line.split(c).map(move |field| {
+            let field = field.trim();
+            (at(field), field)
+        })),
+    }
+}
+
+/// The names of columns that stand two blanks or more apart, so that a name may have blanks in it.
+fn wide(comment: &str) -> Vec<String> {
+    let parts = comment.split("  ").flat_map(|part| part.split('\t')).map(str::trim);
+    parts.filter(|part| !part.is_empty()).map(String::from).collect()
+}
+
+/// A field without a pair of quotes around it, as spreadsheets write names.
+fn unquoted(field: &str) -> &str {
+    let inner = |quote: char| field.strip_prefix(quote).and_then(|field| field.strip_suffix(quote));
+    inner('"').or_else(|| inner('\'')).map_or(field, str::trim)
+}

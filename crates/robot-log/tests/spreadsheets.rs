@@ -1,0 +1,120 @@
+//! Tables as spreadsheets and other programs write them: decimal commas, other line ends, empty files, units that nobody names. Each is
+//! read as it was meant, or refused with words that say what to do.
+
+use estimate::drive::Event;
+use robot_log::{Files, Role, Understood};
+
+fn files(of: &[(&str, &str)]) -> Files {
+    let mut files = Files::default();
+    for (name, text) in of {
+        files.add(name, text).expect(name);
+    }
+    files
+}
+
+fn read(of: &[(&str, &str)]) -> Understood {
+    files(of).read().expect("sound")
+}
+
+/// Rows of a table, one for each of `count` tenths of a second.
+fn rows(count: u32, row: impl Fn(f64) -> String) -> String {
+    (0..count).map(|i| row(f64::from(i) / 10.0) + "\n").collect()
+}
+
+#[test]
+fn a_decimal_comma_is_read_where_no_commas_part_the_fields() {
+    let of = |text: String| read(&[("velocities.csv", &text)]).log;
+    let plain = of(rows(20, |t| format!("{t},0.5,-0.25")));
+    for separator in [";", "\t", " ", "; ", ",\t"] {
+        let comma = |number: f64| match separator {
+            ",\t" => number.to_string(),
+            _ => number.to_string().replace('.', ","),
+        };
+        let body = rows(20, |t| [t, 0.5, -0.25].map(comma).join(separator));
+        assert_eq!(of(body.clone()), plain, "parted by {separator:?}");
+        let head = ["time", "v", "omega"].join(separator);
+        assert_eq!(of(format!("{head}\n{body}")), plain, "parted by {separator:?}, with a header");
+    }
+    let error = files(&[("wheels.csv", "time;v;omega\n1.000,5;1;0\n")]).read().expect_err("a point for thousands");
+    assert_eq!((error.line, error.column, error.message.contains("'1.000,5'")), (2, 1, true), "{error}");
+}
+
+#[test]
+fn a_carriage_return_alone_ends_a_line() {
+    let table = format!("time,v,omega\n{}", rows(20, |t| format!("{t},0.5,0.1")));
+    assert_eq!(read(&[("wheels.csv", &table.replace('\n', "\r"))]), read(&[("wheels.csv", &table)]));
+    let own = "L,7,3,4\nO,0.5,0.1,0\nR,1,7,4.9\n";
+    assert_eq!(read(&[("mine.csv", &own.replace('\n', "\r"))]), read(&[("mine.csv", own)]));
+    let error = files(&[("mine.csv", "O,0,0,0\rO,1,x,0\r")]).read().expect_err("a fault in the second line");
+    assert_eq!((error.line, error.column), (2, 5), "{error}");
+}
+
+#[test]
+fn an_empty_file_and_a_table_without_rows_are_named() {
+    let motion = ("wheels.csv", "time,v,omega\n0,1,0\n1,1,0\n");
+    for text in ["", "\u{feff}", "\r\n \n"] {
+        let error = files(&[motion, ("map.csv", text)]).read().expect_err("empty");
+        assert_eq!((error.file, error.message.as_str()), (1, "the file is empty"), "{text:?}");
+    }
+    let mut unused = files(&[motion, ("map.csv", "")]);
+    assert!(
+        unused.set_role(1, Role::Unused) && unused.read().is_ok(),
+        "an empty file that is not used does not matter"
+    );
+    let error = files(&[("wheels.csv", "time,v,omega\n")]).read().expect_err("no rows");
+    assert_eq!((error.file, error.message.as_str()), (0, "the file has no row of numbers"));
+    assert!(files(&[motion, ("seen.csv", "time,landmark,range\n")]).read().is_ok(), "a robot may have seen nothing");
+}
+
+#[test]
+fn millimetres_and_degrees_are_known_by_what_a_robot_can_do_from_row_to_row() {
+    let body = rows(20, |t| format!("{t},50,4"));
+    let odometry = files(&[("odo.csv", &format!("time,distance,turn\n{body}"))]);
+    let units = odometry.files()[0].units();
+    assert_eq!((units.length, units.angle), ("mm", "deg"), "50 m and 4 rad in a tenth of a second are too much");
+    let seen = files(&[("radio.csv", "time,beacon,range\n0,1,2500\n1,1,480\n")]);
+    assert_eq!(seen.files()[0].units().length, "mm");
+}
+
+#[test]
+fn sightings_of_unknown_landmarks_ask_for_the_list_of_barcodes() {
+    let of = [
+        ("odometry.csv", "t,v,omega\n0,1,0\n1,1,0\n"),
+        ("seen.csv", "t,id,range\n0.5,63,2\n"),
+        ("landmarks.csv", "id,x,y\n6,1,2\n"),
+    ];
+    let error = files(&of).read().expect_err("63 is a barcode");
+    assert_eq!((error.file, error.line, error.column), (1, 2, 5));
+    assert!(error.message.contains("no landmark 63") && error.message.contains("barcodes"), "{error}");
+}
+
+#[test]
+fn times_that_cannot_belong_together_are_noted() {
+    let motion = ("odometry.csv", "t,v,omega\n0,1,0\n1,1,0\n");
+    let truth = ("truth.csv", "t,x,y,theta\n1700000000,0,0,0\n1700000001,1,0,0\n");
+    let notes = read(&[motion, truth]).notes;
+    assert!(
+        notes.len() == 1 && notes[0].starts_with("The true positions are all before the motion or after it"),
+        "{notes:?}"
+    );
+    let seen = ("seen.csv", "t,id,range\n-5,6,2\n-4,6,2\n");
+    let notes = read(&[motion, seen, ("landmarks.csv", "id,x,y\n6,1,2\n")]).notes;
+    assert!(
+        notes.len() == 1 && notes[0].starts_with("The sightings are all before the motion or after it"),
+        "{notes:?}"
+    );
+    let notes = read(&[("odometry.csv", "0.05,0,0.01\n0.05,0.1,0.01\n")]).notes;
+    assert!(notes.len() == 1 && notes[0].contains("the same time"), "{notes:?}");
+    assert!(read(&[motion]).notes.is_empty());
+}
+
+#[test]
+fn swapped_columns_are_known_by_their_names_and_corrected_without_names() {
+    let named = read(&[("wheels.csv", "omega,time,v\n0.1,0,0.5\n0.1,1,0.5\n")]).log;
+    let mut files = files(&[("odometry.csv", "0.1,0,0.5\n0.1,1,0.5\n")]);
+    for (value, column) in [("time", 1), ("v", 2), ("omega", 0)] {
+        assert!(files.set_column(0, value, Some(column)));
+    }
+    assert_eq!(files.read().expect("sound").log, named);
+    assert_eq!(named.drive.rows[1].event, Event::Velocity { v: 0.5, omega: 0.1 });
+}

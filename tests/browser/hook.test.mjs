@@ -1,0 +1,30 @@
+// The odometry figure with the wheel's bias as a state: what is learned, by the reader's own hand.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { frameOf, openFigure, until } from './harness.mjs'
+
+test('the plot of the wheel comes with the switch, and the bias is learned with fixes and not without', async (t) => {
+  const { it } = await openFigure(t, 'odometry-hook')
+  const plot = it.locator('.live .panel-wheel:not([hidden])')
+  assert.equal(await plot.count(), 0, 'calm at first')
+  assert.equal(await it.locator('.live .readout').filter({ hasText: 'Learned bias' }).isVisible(), false)
+  await it.getByRole('button', { name: 'Learn the wheel' }).click()
+  const learned = await until(it, ({ step, wheel }) => step === 640 && wheel, 'a lap')
+  assert.ok(Math.abs(learned.wheel.epsilon - learned.wheel.truth) < 3 * learned.wheel.sigma && learned.wheel.sigma < 0.0013, JSON.stringify(learned.wheel))
+  assert.equal(await plot.count(), 1)
+  assert.ok(await plot.locator('.mark.curve').count() >= 4)
+  // The dot below the plot goes back in the drive, by keys.
+  const cursor = plot.getByRole('slider', { name: 'Tick shown on the map' })
+  await cursor.press('Home')
+  await until(it, ({ step, wheel }) => step === 0 && wheel.epsilon === 0, 'Home')
+  await cursor.press('End')
+  await until(it, ({ step }) => step === 640, 'End')
+  await it.getByRole('checkbox', { name: 'landmark fixes' }).uncheck()
+  const blind = await until(it, ({ params }) => !params.fixes, 'without fixes')
+  assert.deepEqual([blind.wheel.epsilon, blind.wheel.rank], [0, 0])
+  await it.getByRole('checkbox', { name: /learn the wheel/ }).uncheck()
+  await until(it, ({ wheel }) => wheel === null, 'as it was')
+  assert.equal(await plot.count(), 0)
+  assert.equal(await it.locator('.live .panel-wheel [role=slider]').count(), 0, 'no handle is left in what is hidden')
+  assert.equal((await frameOf(it)).params.learn, false)
+})

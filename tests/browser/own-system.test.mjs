@@ -1,0 +1,124 @@
+// The page of a system of one's own: what is typed, pasted and dragged becomes a system, and what cannot be one is named.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { PHONE, figure, frameOf, open, openFigure, until } from './harness.mjs'
+
+const TAG = 'own-system'
+const cell = (it, matrix, row, column) => it.getByRole('textbox', { name: `${matrix}, row ${row}, column ${column}` })
+const fault = (it) => it.locator('.live .own-fault')
+
+test('a number that is typed changes the system at once, and a covariance stays symmetric', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  await cell(it, 'F', 1, 2).fill('1/4')
+  assert.equal((await until(it, ({ params }) => params.f[0][1] === 0.25, 'the fraction is taken')).params.f[0][1], 0.25)
+  await cell(it, 'V', 1, 2).fill('0.001')
+  const { params } = await until(it, ({ params }) => params.v[0][1] === 0.001, 'the entry is taken')
+  assert.equal(params.v[1][0], 0.001)
+  assert.equal(await cell(it, 'V', 2, 1).inputValue(), '0.001')
+  assert.equal(await fault(it).textContent(), '')
+})
+
+test('each fault is named while it is typed, and the figure keeps the last system', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  const before = (await frameOf(it)).params
+  for (const [matrix, row, column, text, words] of [
+    ['F', 1, 2, 'x', /^F, row 1, column 2: “x” is not a number\.$/], ['H', 1, 1, '', /^H, row 1, column 1: a number is missing\.$/],
+    ['W', 1, 1, '-1', /^W .*negative eigenvalue/], ['V', 1, 2, '7', /^V .*negative eigenvalue/], ['F', 1, 1, '1e400', /is not a number/],
+  ]) {
+    const box = cell(it, matrix, row, column)
+    const good = await box.inputValue()
+    await box.fill(text)
+    await assert.doesNotReject(fault(it).filter({ hasText: words }).waitFor(), `${matrix} ${text}`)
+    assert.equal(await box.inputValue(), text, 'what was typed stays')
+    await box.fill(good)
+    await fault(it).filter({ hasText: /^$/ }).waitFor({ state: 'attached' })
+  }
+  assert.deepEqual((await frameOf(it)).params, before)
+})
+
+test('a system that is pasted is taken, its faults are named, and a preset replaces it', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  await it.getByRole('button', { name: 'Paste a system' }).click()
+  const area = it.locator('.own-paste textarea')
+  assert.match(await area.inputValue(), /^F = \[1 0\.5; 0 1\]\n/)
+  await area.fill('F = [1 0; 0 0.5]\nH = [1 0]\nV = [1 0; 0 1]')
+  await fault(it).filter({ hasText: 'W, the noise of a reading, is missing.' }).waitFor()
+  await area.fill('F = [1 0; 0 0.5]\nH = [1 0]\nV = [1 0; 0 1]\nW = 2')
+  const frame = await until(it, ({ params }) => params.w[0][0] === 2, 'the system is taken')
+  assert.deepEqual([frame.params.inputs, frame.observable, frame.detectable], [0, 'no', 'yes'])
+  await it.locator('.verdict').filter({ hasText: 'x₂ is never seen' }).waitFor()
+  await it.getByRole('combobox', { name: 'Preset' }).selectOption('Bias plus sensor')
+  await it.locator('.verdict').filter({ hasText: 'value − bias is never seen' }).waitFor()
+  await it.getByLabel('Name of x2').fill('offset')
+  await it.locator('.verdict').filter({ hasText: 'value − offset is never seen' }).waitFor()
+})
+
+test('an eigenvalue that is dragged goes there, its conjugate follows, and by hand the reader goes on from its gain', async (t) => {
+  const { page, it } = await openFigure(t, TAG)
+  await it.getByRole('combobox', { name: 'Gain' }).selectOption('by placement')
+  const handle = it.getByRole('slider', { name: /^Eigenvalue 1/ })
+  await handle.waitFor()
+  const box = await handle.locator('.handle-dot').boundingBox()
+  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
+  await page.mouse.down()
+  await page.mouse.move(box.x + box.width / 2 - 20, box.y - 50, { steps: 4 })
+  await page.mouse.up()
+  const { eigenvalues, params, K } = await until(it, ({ params }) => params.poles[0][1] > 0.1, 'the pole leaves the real line')
+  const [re, im] = params.poles[0]
+  assert.deepEqual(eigenvalues.map((l) => [l.re, l.im].map((x) => Math.round(100 * x) / 100)), [[re, im], [re, -im]])
+  await it.getByRole('combobox', { name: 'Gain' }).selectOption('by hand')
+  const byHand = await until(it, ({ params }) => params.gain === 'hand', 'by hand')
+  assert.deepEqual(byHand.K, K)
+  assert.equal(await it.locator('.control-range:visible').filter({ hasText: /^K/ }).count(), 2, 'a slider for each entry')
+  assert.equal(await cell(it, 'K', 1, 1).inputValue(), String(K[0][0]))
+})
+
+test('the tolerance is dragged, and a verdict that it does not decide says so', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  await cell(it, 'F', 2, 1).fill('0')
+  await cell(it, 'F', 1, 2).fill('0.00001')
+  await until(it, ({ params, rank }) => params.f[0][1] === 1e-5 && rank.rank === 2, 'a weak coupling')
+  const level = it.getByRole('slider', { name: 'Tolerance of the rank' })
+  await level.focus()
+  await level.press('End')
+  const frame = await until(it, ({ params }) => params.logTolerance === -1, 'at the end')
+  assert.equal(frame.rank.rank, 1)
+})
+
+test('a link holds the system, its names and the step', async (t) => {
+  const { page, it } = await openFigure(t, TAG)
+  await it.getByRole('combobox', { name: 'Preset' }).selectOption('DC motor, 0.05 s')
+  await until(it, ({ params }) => params.states === 3, 'three states')
+  await it.getByRole('button', { name: 'Copy link to this state' }).click()
+  await it.getByText('Link copied.').first().waitFor()
+  const before = await frameOf(it)
+  await page.goto(await page.evaluate(() => navigator.clipboard.readText()))
+  const again = await figure(page, TAG)
+  await until(again, ({ params }) => params.states === 3, 'the state is back')
+  assert.deepEqual(await frameOf(again), before)
+  assert.equal(await again.getByLabel('Name of x2').inputValue(), 'speed')
+})
+
+test('each program can be copied', async (t) => {
+  const { page, it } = await openFigure(t, TAG)
+  for (const [language, sign] of [['Rust', 'use estimate::dynamic'], ['JavaScript', "require('robot-motion')"], ['numpy', 'import numpy as np']]) {
+    await it.getByRole('button', { name: `Copy as ${language}` }).click()
+    await it.getByText(`The system in ${language}, copied`).waitFor()
+    const text = await page.evaluate(() => navigator.clipboard.readText())
+    assert.ok(text.includes(sign), text.slice(0, 80))
+    assert.equal(await it.locator('.own-paste textarea').inputValue(), text)
+  }
+})
+
+for (const width of [320, 390, 1280]) {
+  test(`four states and four readings fit a page ${width} px wide`, async (t) => {
+    const page = await open(t, { at: 'system/', viewport: { ...PHONE, width } })
+    const it = await figure(page, TAG)
+    for (const [name, count] of [['States', '4'], ['Inputs', '4'], ['Readings', '4']]) await it.getByRole('combobox', { name, exact: true }).selectOption(count)
+    await until(it, ({ params }) => params.readings === 4 && params.states === 4, 'four of each')
+    assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width)
+    const cells = await it.locator('.own-matrix:not([hidden]) input:visible').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({ width, height, right }) => ({ width, height, right })))
+    assert.equal(cells.length, 16 * 5)
+    for (const one of cells) assert.ok(one.height >= 44 && one.width >= 44 && one.right <= width, JSON.stringify(one))
+  })
+}

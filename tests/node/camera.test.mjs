@@ -1,0 +1,47 @@
+// The camera of a map keeps in sight what has to be seen, also while that grows by little at a time.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
+import { followed } from '../../web/core/camera.js'
+import { seen } from '../../web/widgets/close-loop/map.js'
+
+const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
+const box = (right, bottom) => ({ left: 0, top: 0, right, bottom })
+/** As wide as its map, wider and narrower. */
+const BOXES = [box(560, 360), box(560, 300), box(480, 400)]
+/** The radius of a mark, pixels. */
+const MARK = 5
+
+/** Where a point lies on the panel when the camera has arrived. */
+function arrived(view, values, box) {
+  for (;;) {
+    const { plane, moving } = followed(view, box, values)
+    if (!moving) return plane
+  }
+}
+
+test('a value that wanders out by small steps is never beyond the edge', () => {
+  const view = { memory: {}, elapsed: 16 }
+  for (let far = 1; far < 2; far += 0.01) {
+    const { x } = arrived(view, () => [[-1, far]], BOXES[0])
+    assert.ok(x(far) <= BOXES[0].right - MARK && x(-1) >= MARK, `${far}: ${x(far)}`)
+  }
+})
+
+test('Close the loop keeps every sighting in sight, from the start to the end of the lap', () => {
+  for (const box of BOXES) {
+    const lab = new core.LoopClosure({})
+    const view = { memory: {}, elapsed: 16 }
+    for (let step = 0; step < 130; step += 1) {
+      const frame = lab.frame()
+      const { x, y } = arrived(view, (axis) => seen(frame, axis), box)
+      for (const { at } of frame.sightings) {
+        const [across, down] = [x(at[0]), y(at[1])]
+        assert.ok(across >= MARK && across <= box.right - MARK && down >= MARK && down <= box.bottom - MARK, `${box.right} × ${box.bottom}, step ${step}: ${across}, ${down}`)
+      }
+      lab.run(1)
+    }
+    assert.ok(lab.frame().step === 130)
+    lab.free()
+  }
+})

@@ -1,0 +1,102 @@
+/** The report on a log: its facts, the settings, the results, and the readings of each landmark. */
+
+import { button, part } from '../core/element.js'
+import { fixed } from '../core/numbers.js'
+import { writeHtml } from '../core/words.js'
+import { clock, percent } from '../widgets/robot-log/words.js'
+
+/** @typedef {import('estimate-wasm/log').LogContents} LogContents */
+/** @typedef {import('estimate-wasm/log').LogFrame} Frame */
+/** @typedef {import('../core/words.js').Words} Words */
+
+export class Report {
+  /** @param {HTMLElement} into @param {{ table: (kind: 'track' | 'innovations') => void, print: () => void }} orders */
+  constructor(into, { table, print }) {
+    /** @type {LogContents | null} */
+    this.contents = null
+    /** @type {string[]} */
+    this.names = []
+    const actions = part(document, into, 'p', 'log-actions')
+    button(document, actions, 'Print the report', print)
+    button(document, actions, 'Download the track', () => table('track'))
+    button(document, actions, 'Download the innovations', () => table('innovations'))
+    this.note = part(document, actions, 'span', 'log-note')
+    this.note.setAttribute('role', 'status')
+    this.box = part(document, into, 'div', 'log-tables')
+  }
+
+  /** @param {string} words */
+  say(words) {
+    this.note.textContent = words
+  }
+
+  /** @param {LogContents} contents @param {string[]} names of the files */
+  take(contents, names) {
+    this.contents = contents
+    this.names = names
+  }
+
+  /** What the log holds. @returns {[string, string][]} */
+  facts() {
+    const { contents, names } = this
+    if (!contents) return []
+    const { rows, span, landmarks, motion, bearings, truth } = contents
+    return [
+      ['Files', names.join(', ')],
+      ['Rows', rows.toLocaleString('en')],
+      ['Duration', clock(span[1] - span[0])],
+      ['Motion', motion === 'velocity' ? 'velocities' : 'distances and turns'],
+      ['Landmarks', `${landmarks.length}${landmarks.length > 0 && bearings ? ', with bearings' : ''}`],
+      ['True track', truth ? 'known' : 'not known'],
+    ]
+  }
+
+  /** @param {any} figure with its specification and its run */
+  show({ run, spec }) {
+    /** @type {Frame} */
+    const frame = run.frame
+    this.say('')
+    this.box.replaceChildren()
+    this.table('The log', [], this.facts())
+    this.table('Settings', [], settings(spec.controls, frame))
+    this.table('Results', [], spec.readouts(frame).map((/** @type {any} */ { label, value, unit }) => [label, unit ? `${value} ${unit}` : value]))
+    if (frame.byLandmark.length > 0) {
+      this.table('By landmark', ['Landmark', 'Readings', 'Refused', 'Mean innovation'], frame.byLandmark.map(({ id, used, refused, meanInnovation }) => [
+        String(id), String(used + refused), used + refused > 0 ? percent(refused / (used + refused)) : '–', `${fixed(meanInnovation, 2)} m`,
+      ]))
+    }
+  }
+
+  /** @param {string} title @param {string[]} heads @param {Words[][]} rows the first cell of each is its head */
+  table(title, heads, rows) {
+    const table = part(document, part(document, this.box, 'div', 'table-box'), 'table', 'log-table')
+    part(document, table, 'caption', '').textContent = title
+    if (heads.length > 0) {
+      const head = part(document, part(document, table, 'thead', ''), 'tr', '')
+      for (const name of heads) headCell(head, 'col', name)
+    }
+    const body = part(document, table, 'tbody', '')
+    for (const [name, ...cells] of rows) {
+      const row = part(document, body, 'tr', '')
+      headCell(row, 'row', name)
+      for (const cell of cells) part(document, row, 'td', '').textContent = String(cell)
+    }
+  }
+}
+
+/** @param {Element} row @param {'row' | 'col'} scope @param {Words} words */
+function headCell(row, scope, words) {
+  const cell = part(document, row, 'th', '')
+  cell.setAttribute('scope', scope)
+  writeHtml(cell, words)
+}
+
+/** What the controls are set to, in words. @param {any[]} controls @param {any} frame @returns {Words[][]} */
+function settings(controls, frame) {
+  return controls.filter(({ shown }) => !shown || shown(frame)).map((control) => {
+    const value = frame.params[control.name]
+    if (control.kind === 'toggle') return [control.label, value ? 'yes' : 'no']
+    if (control.kind === 'choice') return [control.label, control.options.find((/** @type {any} */ option) => option.value === value)?.label ?? (value === null ? 'off' : percent(value))]
+    return [control.label, control.words(value, frame)]
+  })
+}

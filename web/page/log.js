@@ -1,0 +1,208 @@
+/**
+ * The page for a log of the reader's own: files are chosen, dropped or pasted and go to the worker of the figure, which reads them.
+ * What it has understood is shown for correction, what is wrong is shown where it stands. Nothing is sent anywhere.
+ */
+
+import example from '../../content/logs/example.csv'
+import copied from '../../content/logs/plaza1-copied.csv'
+import mower from '../../content/logs/plaza1.csv'
+import { save } from '../core/download.js'
+import { part } from '../core/element.js'
+import { fetchWithPatience } from '../core/patience.js'
+import { WIDGETS } from '../widgets/index.js'
+import { awaken } from './figures.js'
+import { FileForm } from './log-files.js'
+import { Report } from './log-report.js'
+
+/** Larger files are refused before they are read, bytes. */
+const MOST_BYTES = 64_000_000
+/** Logs of ours, by the name that the page and an address give them. @type {Record<string, { file: string, address: string }>} */
+const EXAMPLES = {
+  small: { file: 'example.csv', address: example },
+  mower: { file: 'plaza1.csv', address: mower },
+  copied: { file: 'plaza1-copied.csv', address: copied },
+}
+
+export function ownLog() {
+  const place = document.querySelector('.own-log')
+  if (place) new OwnLog(/** @type {HTMLElement} */ (place))
+}
+
+class OwnLog {
+  /** @param {HTMLElement} place */
+  constructor(place) {
+    this.figure = /** @type {HTMLElement & { figure: any }} */ (place.querySelector('robot-log'))
+    this.report = new Report(/** @type {HTMLElement} */ (place.querySelector('.log-report')), {
+      table: (kind) => this.download(kind),
+      print: () => this.print(),
+    })
+    // The page has the controls from the start, so that nothing moves when this script comes.
+    this.choose(place)
+    this.text = /** @type {HTMLTextAreaElement} */ (place.querySelector('.log-paste textarea'))
+    this.press(place, '.log-paste button', () => this.give([new File([this.text.value], 'pasted rows')]))
+    this.examples(place)
+    this.answer = /** @type {HTMLElement} */ (place.querySelector('.log-answer'))
+    this.form = new FileForm(/** @type {HTMLElement} */ (place.querySelector('.log-files')), (change) => this.take({ kind: 'reading', change }))
+    this.dropped()
+    // A name with a letter that the page has not shown yet would fetch a face later on: from now on nothing is fetched.
+    for (const face of document.fonts) if (/Plain|Code|Text/.test(face.family)) face.load().catch(() => {})
+    this.figure.addEventListener('frame', () => this.report.show(this.figure.figure))
+    this.run().then(({ contents }) => {
+      if (!this.report.contents) this.report.take(contents, [EXAMPLES.mower.file])
+      this.report.show(this.figure.figure)
+    }, () => {})
+    const wanted = EXAMPLES[new URL(location.href).searchParams.get('example') ?? '']
+    if (wanted) this.open(wanted)
+  }
+
+  // What the reader gives.
+
+  /** @param {Element} box @param {string} selector of its button @param {() => void} press */
+  press(box, selector, press) {
+    box.querySelector(selector)?.addEventListener('click', press)
+  }
+
+  /** @param {Element} place */
+  choose(place) {
+    const input = /** @type {HTMLInputElement} */ (place.querySelector('.log-drop input'))
+    this.press(place, '.log-drop button', () => input.click())
+    input.addEventListener('change', () => {
+      if (input.files?.length) this.give([...input.files])
+      // The same file may be chosen again once it has been mended.
+      input.value = ''
+    })
+  }
+
+  /** @param {Element} place */
+  examples(place) {
+    for (const box of place.querySelectorAll('.log-example')) {
+      const one = EXAMPLES[/** @type {HTMLElement} */ (box).dataset.example ?? '']
+      this.press(box, 'button', () => this.open(one))
+      const link = /** @type {HTMLAnchorElement} */ (box.querySelector('a'))
+      link.href = addressOf(one).href
+      link.download = one.file
+    }
+  }
+
+  /** Takes files that are dropped anywhere: a browser would leave the page for them. */
+  dropped() {
+    const over = (/** @type {DragEvent} */ event) => {
+      if (!event.dataTransfer?.types.includes('Files')) return
+      event.preventDefault()
+      document.documentElement.toggleAttribute('data-dragged', event.type === 'dragover')
+      if (event.type === 'drop' && event.dataTransfer.files.length > 0) this.give([...event.dataTransfer.files])
+    }
+    for (const kind of /** @type {const} */ (['dragover', 'dragleave', 'drop'])) document.addEventListener(kind, over)
+  }
+
+  /** @param {{ file: string, address: string }} one of ours */
+  async open(one) {
+    this.say(`Fetching ${one.file} …`)
+    try {
+      const bytes = await fetchWithPatience(addressOf(one)).then((answer) => answer.arrayBuffer())
+      await this.give([new File([bytes], one.file)])
+    } catch {
+      this.say(`${one.file} could not be fetched.`)
+    }
+  }
+
+  // What the worker makes of it.
+
+  /** @param {File[]} files */
+  give(files) {
+    const bytes = files.reduce((sum, { size }) => sum + size, 0)
+    if (bytes > MOST_BYTES) return this.say(`The files have ${Math.ceil(bytes / 1e6)} MB; at most ${MOST_BYTES / 1e6} MB can be read.`)
+    this.names = files.map(({ name }) => name)
+    return this.take({ kind: 'files', files })
+  }
+
+  /** @param {Parameters<import('../widgets/robot-log/remote-run.js').RemoteRun['read']>[0]} message */
+  async take(message) {
+    this.say('Reading the log …')
+    try {
+      const run = await this.run()
+      const answer = await run.read(message)
+      this.form.show(answer.files)
+      if (answer.kind === 'log') this.understood(answer)
+      else this.wrong(answer)
+      this.figure.figure.ask()
+    } catch (error) {
+      this.say(error instanceof Error ? error.message : 'The log could not be read.')
+    }
+  }
+
+  /** The figure's run, once the figure is alive. @returns {Promise<import('../widgets/robot-log/remote-run.js').RemoteRun>} */
+  async run() {
+    const { figure } = this
+    await awaken(figure, WIDGETS)
+    if (figure.dataset.state === 'still') figure.figure.start()
+    while (!figure.figure?.run) {
+      if (figure.dataset.state === 'failed') throw new Error('The figure below could not start, and reads no log. Try again there first.')
+      await new Promise((resolve) => setTimeout(resolve, 50))
+    }
+    return figure.figure.run
+  }
+
+  /** @param {any} answer */
+  understood({ contents, files }) {
+    this.report.take(contents, files.map((/** @type {any} */ { name }) => name))
+    this.say(this.report.facts().map(([name, value]) => `${name}: ${value}`).join('. ') + '.')
+    for (const note of contents.notes) part(document, this.answer, 'p', '').textContent = note
+  }
+
+  /** @param {any} answer */
+  wrong({ files, file, line, column, message, shown }) {
+    const name = files[file]?.name ?? this.names?.[file] ?? 'the log'
+    this.say('')
+    const words = part(document, this.answer, 'p', 'log-wrong')
+    words.textContent = `${name}, line ${line}, column ${column}: ${message}.`
+    if (shown) {
+      const lines = part(document, this.answer, 'pre', 'log-line')
+      const before = [...shown].slice(0, column - 1)
+      lines.append(before.join(''))
+      part(document, lines, 'mark', '').textContent = [...shown][column - 1] ?? ' '
+      lines.append([...shown].slice(column).join(''))
+    }
+    const tables = files.some((/** @type {any} */ { role }) => role !== 'log')
+    part(document, this.answer, 'p', '').textContent = `The figure keeps the previous log. ${tables ? 'Mend the file, or correct below how the files are read.' : 'Mend the file and open it again.'}`
+    if (name === 'pasted rows') this.point(line, column)
+  }
+
+  /** Puts the cursor of the pasted rows where the fault is. @param {number} line @param {number} column */
+  point(line, column) {
+    const { text } = this
+    const lines = text.value.split('\n')
+    const from = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0)
+    const at = from + Math.max(0, [...lines[line - 1] ?? ''].slice(0, column - 1).join('').length)
+    text.focus()
+    text.setSelectionRange(at, from + (lines[line - 1]?.length ?? 0))
+  }
+
+  /** @param {string} words */
+  say(words) {
+    this.answer.replaceChildren()
+    if (words) part(document, this.answer, 'p', '').textContent = words
+  }
+
+  // What the reader takes away.
+
+  /** @param {'track' | 'innovations'} kind */
+  async download(kind) {
+    const run = await this.run()
+    const { text, message } = await run.table(kind)
+    if (text) save(`${kind}.csv`, 'text/csv', text)
+    else this.report.say(message)
+  }
+
+  print() {
+    const { dataset } = document.documentElement
+    dataset.report = ''
+    addEventListener('afterprint', () => { delete dataset.report }, { once: true })
+    print()
+  }
+}
+
+/** @param {{ address: string }} one */
+function addressOf({ address }) {
+  return new URL(address, import.meta.url)
+}

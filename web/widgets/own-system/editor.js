@@ -1,0 +1,268 @@
+/**
+ * Where the reader types or pastes a system. What is typed goes to the lab as soon as it is a system; until then the fault is named and
+ * the figure keeps the last one.
+ */
+
+import { button, part } from '../../core/element.js'
+import { copied } from '../../core/copy.js'
+import { writeHtml } from '../../core/words.js'
+import { javascript, numpy, rust } from './copy-as.js'
+import { givenName, lettersOf } from './names.js'
+import { MATRICES, PRESETS, paramsOf, partOf, sizeOf, systemOf } from './presets.js'
+import { faultOf, numberOf, readSystem } from './read.js'
+
+/** @typedef {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} Change */
+
+const MOST = 4
+const MEANINGS = /** @type {Record<string, import('../../core/words.js').Words>} */ ({
+  F: '*F*{also F}: what a step does',
+  G: '*G*{also G}: what an input does',
+  H: '*H*{also H}: what a reading tells',
+  V: '*V*{also V}: noise of a step',
+  W: '*W*{also W}: noise of a reading',
+  K: '*K*{also K}: the gain by hand',
+})
+const SIZES = [{ name: 'states', label: 'States', from: 1 }, { name: 'inputs', label: 'Inputs', from: 0 }, { name: 'readings', label: 'Readings', from: 1 }]
+const LANGUAGES = { Rust: rust, JavaScript: javascript, numpy }
+
+/** @param {Document} document @param {Change} change */
+export function buildEditor(document, change) {
+  const element = document.createElement('div')
+  element.setAttribute('class', 'own-editor')
+  const top = part(document, element, 'div', 'own-row')
+  const preset = select(document, top, 'Preset', ['your own', ...PRESETS.map(({ name }) => name)])
+  preset.addEventListener('change', () => {
+    const chosen = PRESETS[preset.selectedIndex - 1]
+    if (chosen) propose('', () => paramsOf(chosen))
+  })
+  const sizes = SIZES.map(({ name, label, from }) => {
+    const input = select(document, top, label, Array.from({ length: MOST + 1 - from }, (_, i) => String(i + from)))
+    input.addEventListener('change', () => {
+      const count = input.selectedIndex + from
+      propose('', ({ params }) => ({ [name]: count, ...grown(name, count, params) }))
+    })
+    return { name, from, input }
+  })
+
+  const names = part(document, element, 'div', 'own-row')
+  const named = Array.from({ length: MOST }, (_, i) => {
+    const label = part(document, names, 'label', 'control own-name')
+    writeHtml(part(document, label, 'span', 'control-name'), `Name of *x*_${i + 1}`)
+    const input = textBox(document, label)
+    input.setAttribute('maxlength', '12')
+    input.addEventListener('input', () => change({}, ({ params }) => ({ names: params.names.map((/** @type {number[]} */ name, /** @type {number} */ j) => (j === i ? lettersOf(input.value) : name)) })))
+    return { label, input }
+  })
+
+  const grids = part(document, element, 'div', 'own-grids')
+  const matrices = [...MATRICES, 'K'].map((name) => {
+    const group = part(document, grids, 'div', 'own-matrix')
+    group.setAttribute('role', 'group')
+    writeHtml(part(document, group, 'span', 'control-name'), MEANINGS[name])
+    group.setAttribute('aria-label', `Matrix ${name}`)
+    const grid = part(document, group, 'div', 'own-cells')
+    const cells = Array.from({ length: MOST }, (_, i) => Array.from({ length: MOST }, (_, j) => {
+      const input = textBox(document, grid)
+      input.setAttribute('inputmode', 'decimal')
+      input.setAttribute('aria-label', `${name}, row ${i + 1}, column ${j + 1}`)
+      input.addEventListener('input', () => typed(name, i, j))
+      return input
+    }))
+    const none = part(document, group, 'span', 'own-none')
+    none.textContent = 'none'
+    return { name, group, grid, cells, none }
+  })
+
+  const fault = part(document, element, 'p', 'own-fault')
+  fault.setAttribute('role', 'status')
+  const tools = part(document, element, 'div', 'own-row own-tools')
+  button(document, tools, 'Paste a system', () => openPaste(), 'quiet')
+  for (const [language, write] of Object.entries(LANGUAGES)) button(document, tools, `Copy as ${language}`, () => change({}, (frame) => (give(language, write(frame)), {})), 'quiet')
+  const box = part(document, element, 'div', 'own-box')
+
+  /** The matrix whose typed text the lab has refused, or that holds no numbers. */
+  let wrong = ''
+
+  /** @param {string} name @param {number} i @param {number} j */
+  function typed(name, i, j) {
+    const { cells } = /** @type {typeof matrices[0]} */ (matrices.find((each) => each.name === name))
+    // A covariance is symmetric: the other of two entries follows.
+    if ((name === 'V' || name === 'W') && i !== j) write(cells[j][i], cells[i][j].value)
+    propose(name, ({ params }) => {
+      const [rows, columns] = sizeOf(name, params)
+      const entries = params[name.toLowerCase()].map((/** @type {number[]} */ row) => [...row])
+      for (let r = 0; r < rows; r += 1) {
+        for (let c = 0; c < columns; c += 1) {
+          entries[r][c] = numberOf(cells[r][c].value)
+          const bad = !Number.isFinite(entries[r][c])
+          cells[r][c].toggleAttribute('aria-invalid', false)
+          if (bad) cells[r][c].setAttribute('aria-invalid', 'true')
+          if (bad) throw new Error(`${name}, row ${r + 1}, column ${c + 1}: ${faultOf(cells[r][c].value)}`)
+        }
+      }
+      return { [name.toLowerCase()]: entries }
+    })
+  }
+
+  /**
+   * Asks the lab whether a change makes a system, and makes it if so.
+   * @param {string} name the matrix that is being typed, if one
+   * @param {(frame: any) => Record<string, unknown>} make
+   */
+  function propose(name, make) {
+    change({}, (frame, lab) => {
+      try {
+        const patch = make(frame)
+        lab.constructor.from({ ...lab.state(), params: { ...frame.params, ...patch }, step: 0 }).free()
+        say('', '')
+        return patch
+      } catch (error) {
+        say(name, wordsOf(error))
+        return {}
+      }
+    })
+  }
+
+  /** @param {string} name @param {string} words */
+  function say(name, words) {
+    wrong = words === '' ? '' : name
+    if (fault.textContent !== words) fault.textContent = words
+    for (const { name: each, group, cells } of matrices) {
+      group.toggleAttribute('data-wrong', each === wrong)
+      if (words === '') cells.flat().forEach((cell) => cell.removeAttribute('aria-invalid'))
+    }
+  }
+
+  function openPaste() {
+    box.replaceChildren()
+    const label = part(document, box, 'label', 'own-paste')
+    part(document, label, 'span', 'control-name').textContent = 'F, G, H, V and W in JSON, MATLAB or numpy notation'
+    const area = /** @type {HTMLTextAreaElement} */ (part(document, label, 'textarea', ''))
+    area.rows = 7
+    area.spellcheck = false
+    change({}, (frame) => {
+      area.value = Object.entries(systemOf(frame.params)).map(([name, m]) => `${name} = [${m.map((row) => row.join(' ')).join('; ')}]`).filter((line) => !line.endsWith('= []') && !/\[[; ]*\]$/.test(line)).join('\n')
+      return {}
+    })
+    area.addEventListener('input', () => {
+      const read = readSystem(area.value)
+      if (read.ok) propose('', () => paramsOf(read.system))
+      else say('', read.fault)
+    })
+    button(document, box, 'Close', () => {
+      box.replaceChildren()
+      say('', '')
+    })
+    area.focus()
+    area.select()
+  }
+
+  /** @param {string} language @param {string} text */
+  async function give(language, text) {
+    box.replaceChildren()
+    const label = part(document, box, 'label', 'own-paste')
+    const said = part(document, label, 'span', 'control-name')
+    said.textContent = `The system in ${language}`
+    const area = /** @type {HTMLTextAreaElement} */ (part(document, label, 'textarea', 'own-code'))
+    area.readOnly = true
+    area.rows = 10
+    area.value = text
+    button(document, box, 'Close', () => box.replaceChildren())
+    area.focus({ preventScroll: true })
+    area.select()
+    if (await copied(text)) said.textContent = `The system in ${language}, copied`
+  }
+
+  return {
+    element,
+    /** @param {any} params */
+    show(params) {
+      const chosen = PRESETS.findIndex((one) => same(paramsOf(one), params)) + 1
+      choose(preset, chosen)
+      for (const { name, from, input } of sizes) choose(input, params[name] - from)
+      named.forEach(({ label, input }, i) => {
+        label.toggleAttribute('hidden', i >= params.states)
+        if (document.activeElement !== input) write(input, givenName(params, i))
+      })
+      for (const { name, group, grid, cells, none } of matrices) {
+        const [rows, columns] = sizeOf(name, params)
+        group.toggleAttribute('hidden', name === 'K' && params.gain !== 'hand')
+        grid.setAttribute('style', `--columns:${Math.max(1, columns)}`)
+        none.toggleAttribute('hidden', columns > 0)
+        const entries = partOf(name, params)
+        cells.forEach((row, i) => row.forEach((cell, j) => {
+          cell.toggleAttribute('hidden', i >= rows || j >= columns)
+          // What is being typed stays as it is typed, and so does what could not be read.
+          if (i >= rows || j >= columns || name === wrong || document.activeElement === cell) return
+          if (numberOf(cell.value) !== entries[i][j] || cell.value === '') write(cell, String(entries[i][j]))
+        }))
+      }
+    },
+  }
+}
+
+/**
+ * What a new state, input or reading needs to make a system: the diagonal of F and of W may not be empty.
+ * @param {string} name @param {number} count @param {any} params
+ */
+function grown(name, count, params) {
+  const copy = (/** @type {number[][]} */ m) => m.map((row) => [...row])
+  if (name === 'states') {
+    const f = copy(params.f)
+    for (let i = params.states; i < count; i += 1) if (f[i].every((entry) => entry === 0)) f[i][i] = 1
+    return { f }
+  }
+  if (name !== 'readings') return {}
+  const [h, w] = [copy(params.h), copy(params.w)]
+  for (let i = params.readings; i < count; i += 1) {
+    if (h[i].every((entry) => entry === 0) && i < params.states) h[i][i] = 1
+    if (w[i].every((entry) => entry === 0)) w[i][i] = 1
+  }
+  return { h, w }
+}
+
+/** Whether the parameters hold this system. @param {any} system @param {any} params */
+function same(system, params) {
+  return ['states', 'inputs', 'readings'].every((name) => system[name] === params[name])
+    && MATRICES.every((name) => String(partOf(name, system)) === String(partOf(name, params)))
+}
+
+/** @param {Document} document @param {Element} into @param {string} words @param {string[]} options @returns {HTMLSelectElement} */
+function select(document, into, words, options) {
+  const label = part(document, into, 'label', 'control')
+  part(document, label, 'span', 'control-name').textContent = words
+  const input = /** @type {HTMLSelectElement} */ (part(document, label, 'select', ''))
+  for (const words of options) part(document, input, 'option', '').textContent = words
+  return input
+}
+
+/** @param {HTMLSelectElement} input @param {number} index */
+function choose(input, index) {
+  for (const [i, option] of [...input.options].entries()) {
+    if (option.hasAttribute('selected') !== (i === index)) option.toggleAttribute('selected', i === index)
+  }
+  if (input.selectedIndex !== index) input.options[index].selected = true
+}
+
+/** @param {Document} document @param {Element} into @returns {HTMLInputElement} */
+function textBox(document, into) {
+  const input = /** @type {HTMLInputElement} */ (part(document, into, 'input', ''))
+  input.setAttribute('type', 'text')
+  input.setAttribute('autocomplete', 'off')
+  input.setAttribute('spellcheck', 'false')
+  return input
+}
+
+/** @param {HTMLInputElement} input @param {string} text */
+function write(input, text) {
+  input.setAttribute('value', text)
+  input.value = text
+}
+
+/** What the lab says of a system that it refuses, with the letter of the matrix. @param {unknown} error */
+function wordsOf(error) {
+  const { message, argument } = /** @type {{ message: string, argument?: string }} */ (error)
+  const place = argument?.split('.').pop() ?? ''
+  const letter = /^[fghvwk]\b/.test(place) ? `${place.charAt(0).toUpperCase()} ` : ''
+  return `${letter}${message}`
+}

@@ -1,0 +1,42 @@
+/** The names of the states, which a link carries as Unicode numbers, and directions of the state in words. */
+
+const MOST = 12
+
+/** A name as its numbers; letters that mean something in a label's notation are left out. @param {string} name */
+export function lettersOf(name) {
+  const letters = [...name.replace(/[*_^{}\n]/g, '')].slice(0, MOST).map((letter) => letter.codePointAt(0) ?? 0)
+  return [...letters, ...Array(MOST - letters.length).fill(0)]
+}
+
+/** What the reader has called state `i`; empty where nothing. @param {any} params @param {number} i */
+export function givenName(params, i) {
+  return params.names[i].filter((/** @type {number} */ code) => code >= 32 && code <= 0x10ffff && !(code >= 0xd800 && code < 0xe000)).map((/** @type {number} */ code) => String.fromCodePoint(code)).join('').replace(/[*_^{}]/g, '').trim()
+}
+
+/** @param {any} params @param {number} i */
+export function nameOf(params, i) {
+  return givenName(params, i) || `x${'₁₂₃₄'[i]}`
+}
+
+/** A number with at most three digits that say something, small and large ones by their power of ten. @param {number} value */
+export function short(value) {
+  const size = Math.abs(value)
+  const text = size !== 0 && (size < 0.01 || size >= 1e4) ? value.toExponential(1).replace('e+', 'e') : String(Number(value.toPrecision(3)))
+  return text.replace(/-/g, '−')
+}
+
+/** A sum of states: `position + 0.5 · velocity`. @param {number[]} direction @param {any} params */
+export function sumOf(direction, params) {
+  const parts = direction.flatMap((factor, i) => (factor === 0 ? [] : [{ factor, name: nameOf(params, i) }]))
+  return parts.map(({ factor, name }, k) => {
+    const size = Math.abs(factor)
+    const sign = k === 0 ? (factor < 0 ? '−' : '') : factor < 0 ? ' − ' : ' + '
+    return `${sign}${Math.abs(size - 1) < 5e-4 ? '' : `${short(size)} · `}${name}`
+  }).join('')
+}
+
+/** Several of them: `a`, `a and b`, `a, b and c`. @param {number[][]} directions @param {any} params */
+export function sumsOf(directions, params) {
+  const all = directions.map((direction) => sumOf(direction, params))
+  return all.length < 2 ? all.join('') : `${all.slice(0, -1).join(', ')} and ${all[all.length - 1]}`
+}

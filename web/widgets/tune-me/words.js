@@ -1,0 +1,63 @@
+/** What the figure of tuned noise says: each sentence follows from the numbers of the frame. */
+
+import { fixed } from '../../core/numbers.js'
+
+/** @typedef {import('estimate-wasm').TuneFrame} Frame */
+
+/** A noise level that is given by its decimal logarithm, to two digits. @param {number} log */
+export function level(log) {
+  const value = 10 ** log
+  return value >= 9.95 ? fixed(value, 0) : value >= 0.995 ? fixed(value, 1) : value >= 0.0995 ? fixed(value, 2) : fixed(value, 3)
+}
+
+/** The factor between two noise levels, as a number from 1 on. @param {number} logs their difference */
+export const factor = (logs) => fixed(10 ** Math.abs(logs), Math.abs(logs) < 1 ? 2 : 0)
+
+/** @param {Frame} frame */
+export function verdict(frame) {
+  return [nisOf(frame), lagOf(frame), fitOf(frame), truthOf(frame)].join(' ').trim()
+}
+
+/** The last mean of NIS and its band. @param {Frame} frame */
+export function last({ meanNis, meanNisBand }) {
+  const { low, high } = meanNisBand[meanNisBand.length - 1]
+  return { mean: meanNis[meanNis.length - 1], low, high }
+}
+
+/** @param {Frame} frame */
+function nisOf(frame) {
+  const { mean, low, high } = last(frame)
+  const band = `its band from ${fixed(low, 2)} to ${fixed(high, 2)}`
+  if (mean > high) return `The mean NIS is ${fixed(mean, 2)}, above ${band}: the innovations are larger than the filter expects, so its noise as a whole is too small.`
+  if (mean < low) return `The mean NIS is ${fixed(mean, 2)}, below ${band}: the innovations are smaller than the filter expects, so its noise as a whole is too large.`
+  return `The mean NIS is ${fixed(mean, 2)}, within ${band}.`
+}
+
+/** @param {Frame} frame */
+function lagOf({ autocorrelation: [first], autocorrelationBand: band }) {
+  const beyond = `${fixed(first, 2)}, beyond ±${fixed(band, 2)}`
+  if (first > band) return `Neighbouring innovations tend to the same side (${beyond}): the filter trusts its motion too much, a sign of too small a q/W.`
+  if (first < -band) return `Neighbouring innovations tend to opposite sides (${beyond}): the filter trusts its sensor too much, a sign of too large a q/W.`
+  return `Neighbouring innovations are uncorrelated, within ±${fixed(band, 2)}.`
+}
+
+/** @param {Frame} frame */
+function fitOf({ fit, verdict: truth }) {
+  if (!fit) return ''
+  const less = `The log-likelihood is ${fixed(fit.lacking / 2, 1)} below its maximum`
+  const inside = fit.lacking <= fit.limit ? 'inside' : 'outside'
+  const held = fit.held.some(Boolean) ? ' The likeliest noise lies at the end of a range, and may lie beyond.' : ''
+  return `${less}, ${inside} the 95 % region, which ends at ${fixed(fit.limit / 2, 1)}.${held}${truth ? '' : ' The truth is still sealed.'}`
+}
+
+/** @param {Frame} frame */
+function truthOf({ params, fit, verdict: truth }) {
+  if (!truth || !fit) return ''
+  const [q, w] = [params.logQ - truth.logQ, params.logW - truth.logW]
+  const off = `The true q is ${level(truth.logQ)} and the true sensor noise ${level(truth.logW)} m²: yours are off by the factors ${factor(q)} and ${factor(w)}.`
+  const tells = fit.sigma
+    ? ` By its likelihood this log tells q to a factor of ${factor(fit.sigma[0])} and the sensor noise to one of ${factor(fit.sigma[1])} (one σ).`
+    : ' How well this log tells them cannot be said at the end of a range.'
+  const nees = ` The mean NEES of your filter is ${fixed(truth.meanNees, 1)}; 2 is expected.`
+  return `${off}${tells}${nees}`
+}
