@@ -27,7 +27,7 @@ impl Ellipse {
     ///
     /// Only the lower triangle of `p` is read. λ₂ is det P / λ₁, since the difference of the trace and λ₁ would have no
     /// correct digit of a thin ellipse's width. The determinant's products are not rounded before they are subtracted (a
-    /// fused multiply-add). A λ₂ that rounding makes negative is taken as zero.
+    /// fused multiply-add). A negative eigenvalue is taken as zero: rounding can make one, and so can a wrong filter.
     pub fn from_covariance(p: &Matrix2<f64>, radius: f64) -> Self {
         let largest = p[(0, 0)].abs().max(p[(1, 1)].abs()).max(p[(1, 0)].abs());
         if largest == 0.0 {
@@ -37,7 +37,7 @@ impl Ellipse {
         let scale = libm::ldexp(1.0, libm::frexp(largest).1 - 1);
         let (a, b, c) = (p[(0, 0)] / scale, p[(1, 0)] / scale, p[(1, 1)] / scale);
         let half_difference = 0.5 * (a - c);
-        let major = 0.5 * (a + c) + numerics::hypot(half_difference, b);
+        let major = (0.5 * (a + c) + numerics::hypot(half_difference, b)).max(0.0);
         let bb = b * b;
         let det = libm::fma(a, c, -bb) - libm::fma(b, b, -bb);
         let minor = (det / major).max(0.0);
@@ -101,9 +101,11 @@ mod tests {
     }
 
     #[test]
-    fn singular_zero_and_huge_covariances_have_answers() {
+    fn singular_zero_negative_and_huge_covariances_have_answers() {
         assert_eq!(of(1.0, 1.0, 1.0).semi_minor, 0.0);
         assert_eq!(of(0.0, 0.0, 0.0), Ellipse { semi_major: 0.0, semi_minor: 0.0, angle: 0.0 });
+        assert_eq!(of(-1.0, 0.0, -4.0), Ellipse { semi_major: 0.0, semi_minor: 0.0, angle: 0.0 });
+        assert_eq!((of(4.0, 0.0, -1.0).semi_major, of(4.0, 0.0, -1.0).semi_minor), (2.0, 0.0));
         let e = of(1e308, 0.0, 1e300);
         assert!((e.semi_major / 1e154 - 1.0).abs() < 1e-15 && (e.semi_minor / 1e150 - 1.0).abs() < 1e-12);
     }

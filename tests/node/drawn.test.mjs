@@ -1,0 +1,108 @@
+// What a figure draws are numbers: no attribute of a drawing is NaN, infinite or undefined, whatever the state. Each figure goes
+// through random states, with the cameras and the beats of a living one, drawn by the code that draws it in a browser.
+// DRAWN_SEED=7 repeats the states of a run that failed.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
+import { drawHandle } from '../../web/core/handle.js'
+import { buildShell } from '../../web/core/shell.js'
+import { WIDGETS } from '../../web/widgets/index.js'
+import { LOG, estimate } from './claims.mjs'
+import { dice as seeded } from './nonsense.mjs'
+
+const { parseHTML } = createRequire(new URL('../../web/package.json', import.meta.url))('linkedom')
+const SEED = Number(process.env.DRAWN_SEED ?? Math.floor(Math.random() * 2 ** 32))
+const STATES = Number(process.env.DRAWN_STATES ?? 60)
+const STEPS = [0, 1, 2, 3, 12, 40, 250, 700]
+/** What belongs together in a system of the reader's own. */
+const MATRICES = ['states', 'inputs', 'readings', 'f', 'g', 'h', 'v', 'w', 'k', 'shown', 'names']
+const nothing = () => {}
+
+/** A value of a parameter, now and then at an end of its range. @param {import('estimate-wasm').Parameter} parameter */
+function value({ default: usual, least, greatest, words }, dice) {
+  const number = (like) => {
+    const chance = dice.uniform()
+    if (chance < 0.1) return like
+    const at = chance < 0.2 ? least : chance < 0.3 ? greatest : least + dice.uniform() ** 3 * (greatest - least)
+    return Number.isInteger(like) && Number.isInteger(least) && Number.isInteger(greatest) ? Math.round(at) : at
+  }
+  const any = (like) => {
+    if (typeof like === 'number') return number(like)
+    if (typeof like === 'boolean') return dice.uniform() < 0.5
+    if (Array.isArray(like)) return like.map(any)
+    return words ? dice.pick(words) : like
+  }
+  return any(usual)
+}
+
+/** The matrices of a system of the reader's own: sizes by lot, entries of any magnitude, V and W covariances. */
+function system(dice) {
+  const [states, inputs, readings] = [1 + dice.below(4), dice.below(5), 1 + dice.below(4)]
+  const magnitude = 10 ** (dice.uniform() < 0.7 ? 0 : dice.uniform() * 24 - 12)
+  const matrix = (rows, columns, entry) => Array.from({ length: 4 }, (_, i) => Array.from({ length: 4 }, (_, j) => (i < rows && j < columns ? entry(i, j) : 0)))
+  const any = () => (dice.uniform() < 0.3 ? dice.pick([0, 1, -1]) : dice.normal())
+  const covariance = (size) => {
+    const factor = matrix(size, size, any)
+    return matrix(size, size, (i, j) => magnitude * factor[i].reduce((sum, value, k) => sum + value * factor[j][k], 0))
+  }
+  const params = { states, inputs, readings, f: matrix(states, states, any), g: matrix(states, inputs, any), h: matrix(readings, states, any) }
+  return { ...params, v: covariance(states), w: covariance(readings), k: matrix(states, readings, any), shown: 1 + dice.below(states), gain: dice.pick(['filter', 'filter', 'hand', 'placement']) }
+}
+
+/** Faults of what stands in a picture. @param {Element} svg */
+function faults(svg) {
+  const found = []
+  for (const element of svg.querySelectorAll('*')) {
+    for (const { name, value } of element.attributes) {
+      if (name !== 'data-kin' && /NaN|Infinity|undefined|\[object/.test(value)) found.push(`<${element.localName} ${name}="${value.slice(0, 60)}">`)
+    }
+  }
+  return found
+}
+
+for (const [tag, load] of Object.entries(WIDGETS)) {
+  test(`the ${tag} draws numbers alone, in every state`, async (t) => {
+    t.diagnostic(`DRAWN_SEED=${SEED} repeats it`)
+    const spec = await load()
+    const dice = seeded(SEED)
+    const { document } = parseHTML('<!doctype html><html><body></body></html>')
+    const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, embed: nothing, download: nothing }
+    const parameters = estimate[spec.lab].parameters()
+    const shell = buildShell(document, spec, document.createElement('div'), orders, parameters)
+    const memory = {}
+    let previous = null
+    let drawn = 0
+    for (let turn = 0; turn < STATES; turn += 1) {
+      const log = spec.log ? [estimate[spec.lab].parse(LOG)] : []
+      const moved = parameters.filter(({ name }) => dice.uniform() < 0.5 && !(tag === 'own-system' && MATRICES.includes(name)))
+      const params = { ...Object.fromEntries(moved.map((parameter) => [parameter.name, value(parameter, dice)])), ...(tag === 'own-system' ? system(dice) : {}) }
+      const where = `DRAWN_SEED=${SEED}, turn ${turn}, ${JSON.stringify(params)}`
+      let lab
+      try {
+        lab = estimate[spec.lab].from(...log, { version: 1, lab: spec.name, step: 0, params })
+      } catch {
+        continue // The lab refuses what does not go together, and a refusal draws nothing.
+      }
+      for (const step of [dice.pick(STEPS), dice.pick(STEPS)].sort((a, b) => a - b)) {
+        if (!spec.timeless && step > lab.state().step) lab.run(step - lab.state().step)
+        const frame = lab.frame()
+        const view = {
+          previous: dice.uniform() < 0.5 ? previous : null, memory, limits: shell.limits, aside: turn % 8 === 0 ? spec.aside?.whole(lab) ?? null : null,
+          beat: dice.pick([{ name: 'rest', t: 1 }, { name: 'predict', t: dice.uniform() }, { name: 'update', t: dice.uniform() }]),
+          elapsed: dice.pick([0, 16, 300, Infinity]),
+          handle: (pen, key, handle) => void drawHandle(pen, key, handle),
+        }
+        for (const { name, draw, shown } of spec.panels) {
+          if (!(shown?.(frame) ?? true)) continue
+          draw(shell.panels[name], frame, view)
+          assert.deepEqual(faults(shell.panels[name].svg), [], `${name} at step ${step}, ${where}`)
+        }
+        previous = frame
+        drawn += 1
+      }
+      lab.free()
+    }
+    t.diagnostic(`${drawn} states were drawn`)
+    assert.ok(drawn > STATES, 'most of the states are such as a reader can reach')
+  })
+}
