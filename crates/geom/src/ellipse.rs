@@ -30,14 +30,18 @@ impl Ellipse {
     /// fused multiply-add). A negative eigenvalue is taken as zero: rounding can make one, and so can a wrong filter.
     pub fn from_covariance(p: &Matrix2<f64>, radius: f64) -> Self {
         let largest = p[(0, 0)].abs().max(p[(1, 1)].abs()).max(p[(1, 0)].abs());
+        let point = Self { semi_major: 0.0, semi_minor: 0.0, angle: 0.0 };
         if largest == 0.0 {
-            return Self { semi_major: 0.0, semi_minor: 0.0, angle: 0.0 };
+            return point;
         }
         // Scaled by the largest entry's power of two, no product here can overflow and no digit is lost.
         let scale = libm::ldexp(1.0, libm::frexp(largest).1 - 1);
         let (a, b, c) = (p[(0, 0)] / scale, p[(1, 0)] / scale, p[(1, 1)] / scale);
         let half_difference = 0.5 * (a - c);
-        let major = (0.5 * (a + c) + numerics::hypot(half_difference, b)).max(0.0);
+        let major = 0.5 * (a + c) + numerics::hypot(half_difference, b);
+        if major <= 0.0 {
+            return point;
+        }
         let bb = b * b;
         let det = libm::fma(a, c, -bb) - libm::fma(b, b, -bb);
         let minor = (det / major).max(0.0);
