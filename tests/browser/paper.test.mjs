@@ -2,7 +2,8 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { getDocument } from 'pdfjs-dist/legacy/build/pdf.mjs'
-import { open, walkDown } from './harness.mjs'
+import { open, openFigure, walkDown } from './harness.mjs'
+import { WIDGETS } from '../../web/widgets/index.js'
 import { printed, reproducible } from './pdf.mjs'
 
 /** The chapter has about 57 pages. What makes it longer by more than a few is looked at on paper first. */
@@ -165,3 +166,19 @@ test('on paper no formula is wider than its column', async (t) => {
   assert.ok(seen > 60, `${seen} formulas`)
   assert.deepEqual(wide, [])
 })
+
+for (const tag of Object.keys(WIDGETS)) {
+  test(`the page of the ${tag} prints what the figure shows, and no control`, async (t) => {
+    const { page, it: element } = await openFigure(t, tag, { theme: 'dark' })
+    await page.emulateMedia({ media: 'print', colorScheme: 'dark' })
+    const { controls, panels, ground } = await element.evaluate((it) => ({
+      controls: [...it.querySelectorAll('button, input, select, summary')].filter((control) => control.checkVisibility()).map((control) => control.textContent || control.ariaLabel),
+      panels: [...it.querySelectorAll('.live .panel')].filter((panel) => panel.checkVisibility()).length,
+      ground: getComputedStyle(document.body).getPropertyValue('--ink'),
+    }))
+    assert.deepEqual(controls, [])
+    assert.ok(panels > 0, 'its panels')
+    const light = await page.evaluate(() => { document.documentElement.dataset.theme = 'light'; return getComputedStyle(document.body).getPropertyValue('--ink') })
+    assert.equal(ground, light, 'ink for paper, also of a dark page')
+  })
+}
