@@ -1,6 +1,6 @@
 // What a figure draws are numbers: no attribute of a drawing is NaN, infinite or undefined, whatever the state. Each figure goes
 // through random states, with the cameras and the beats of a living one, drawn by the code that draws it in a browser.
-// DRAWN_SEED=7 repeats the states of a run that failed.
+// Two runs of one commit visit the same states; DRAWN_SEED=7 looks elsewhere, and DRAWN_STATES=1000 at more of them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
@@ -11,7 +11,7 @@ import { LOG, estimate } from './claims.mjs'
 import { dice as seeded } from './nonsense.mjs'
 
 const { parseHTML } = createRequire(new URL('../../web/package.json', import.meta.url))('linkedom')
-const SEED = Number(process.env.DRAWN_SEED ?? Math.floor(Math.random() * 2 ** 32))
+const SEED = Number(process.env.DRAWN_SEED ?? 1)
 const STATES = Number(process.env.DRAWN_STATES ?? 60)
 const STEPS = [0, 1, 2, 3, 12, 40, 250, 700]
 /** What belongs together in a system of the reader's own. */
@@ -62,7 +62,6 @@ function faults(svg) {
 
 for (const [tag, load] of Object.entries(WIDGETS)) {
   test(`the ${tag} draws numbers alone, in every state`, async (t) => {
-    t.diagnostic(`DRAWN_SEED=${SEED} repeats it`)
     const spec = await load()
     const dice = seeded(SEED)
     const { document } = parseHTML('<!doctype html><html><body></body></html>')
