@@ -154,8 +154,9 @@ impl Pages<'_> {
 
     /// A source with its lines numbered.
     fn source(&mut self, path: &str, text: &str) -> Result<(), BuildError> {
-        let lines = self.build.site.highlighter.lines(text, "rust").into_iter().enumerate();
-        let code = lines.map(|(i, line)| {
+        let site = self.build.site;
+        let lines = || Ok(site.highlighter.lines(text, "rust"));
+        let code = site.kept.or::<_, BuildError>(path, text, lines)?.into_iter().enumerate().map(|(i, line)| {
             let n = i + 1;
             format!("<a class=\"line-number\" id=\"L{n}\" href=\"#L{n}\">{n}</a>{line}\n")
         });

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use book::{Assets, Build, BuildError, Diagnostics, Outputs, Site};
+use book::{Assets, Build, BuildError, Diagnostics, Kept, Outputs, Site};
 use clap::Parser;
 use labs::givens::Givens;
 
@@ -20,6 +20,9 @@ struct Options {
     /// The folder of the figures' still pictures.
     #[arg(long, default_value = "target/stills")]
     stills: PathBuf,
+    /// The folder for what the next build need not compute again.
+    #[arg(long, default_value = "target/kept")]
+    kept: PathBuf,
     /// The repository.
     #[arg(long, default_value = ".")]
     root: PathBuf,
@@ -41,11 +44,14 @@ fn build(options: &Options) -> Result<String, BuildError> {
     let start = Instant::now();
     let diagnostics = Diagnostics::default();
     let failed = |e| BuildError::Missing(format!("the labs: {e}"));
-    let numbers = labs::numbers::with_ensembles(&Givens::default()).map_err(failed)?.into_iter().collect();
+    let kept = Kept::by_this_program(&options.kept);
+    let numbers = kept.or("numbers", "", || labs::numbers::with_ensembles(&Givens::default())).map_err(failed)?;
     let checks = labs::checks::chapter_checks().map_err(failed)?;
     let stills = book::load_stills(&options.stills, options.strict)?;
-    let mut site = Site::load(&options.root, numbers, Outputs::of(&options.root), stills, &diagnostics)?;
+    let mut site =
+        Site::load(&options.root, numbers.into_iter().collect(), Outputs::of(&options.root), stills, &diagnostics)?;
     site.answers = !options.no_answers;
+    site.kept = kept;
     let assets = Assets::load(&options.assets, options.strict)?;
     let build = Build {
         root: &options.root,

@@ -97,13 +97,13 @@ impl Writer<'_> {
             return String::new();
         }
         let entries = used.into_iter().map(|number| {
-            let place = Place::new(number.source, 1);
-            let source = self.diagnostics.ok(&place, self.site.sources.function(number.source));
+            let place = Place::new(&*number.source, 1);
+            let source = self.diagnostics.ok(&place, self.site.sources.function(&number.source));
             context! {
                 id => number.id.clone(),
                 value => number.value.to_string(),
                 about => number.about.trim_end_matches('.'),
-                source => source.map(|_| number.source),
+                source => source.map(|_| &number.source),
                 href => source.map(|(path, line)| safe(source_href(&root, path, line))),
                 check => number.check,
             }

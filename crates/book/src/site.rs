@@ -7,6 +7,7 @@ use crate::code::Highlighter;
 use crate::config::{Config, DataFile};
 use crate::diagnostic::{BuildError, Diagnostics};
 use crate::glossary::{self, Term};
+use crate::kept::Kept;
 use crate::notation::{self, Row};
 use crate::number::Numbers;
 use crate::output::Outputs;
@@ -35,6 +36,8 @@ pub struct Site {
     pub answers: bool,
     /// Questions.
     pub quizzes: BTreeMap<String, Quiz>,
+    /// What an earlier build computed.
+    pub kept: Kept,
     /// Compiled sources.
     pub sources: Sources,
     /// Program output.
@@ -69,6 +72,7 @@ impl Site {
             notation: data("notation.toml")?.parse::<notation::Table>(diagnostics).row,
             quizzes: quiz::quizzes(&data("quizzes.toml")?, &numbers, diagnostics),
             answers: true,
+            kept: Kept::nothing(),
             sources: Sources::load(root)?,
             highlighter: Highlighter::default(),
             templates: Templates::load(root)?,

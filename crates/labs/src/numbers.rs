@@ -18,18 +18,20 @@ mod wheel;
 use crate::givens::Givens;
 use estimate::Error;
 use nalgebra::SMatrix;
+use serde::{Deserialize, Serialize};
+use std::borrow::Cow;
 
 /// A number of the prose.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Number {
     /// Its name in the text: dotted, as `step1.P.11`.
     pub id: String,
     /// Its value.
     pub value: f64,
     /// What it is, for a reader who asks.
-    pub about: &'static str,
+    pub about: Cow<'static, str>,
     /// The function that computes it.
-    pub source: &'static str,
+    pub source: Cow<'static, str>,
     /// The check that pins it, if one does.
     pub check: Option<u8>,
 }
@@ -56,7 +58,7 @@ impl Listing {
 
     pub fn add(&mut self, id: impl Into<String>, value: f64, about: &'static str) -> &mut Self {
         let (source, check) = (self.source, self.check);
-        self.numbers.push(Number { id: id.into(), value, about, source, check });
+        self.numbers.push(Number { id: id.into(), value, about: about.into(), source: source.into(), check });
         self
     }
 

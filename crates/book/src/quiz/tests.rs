@@ -2,7 +2,7 @@ use super::*;
 use crate::number::Number;
 
 fn read(text: &str) -> (BTreeMap<String, Quiz>, String) {
-    let number = |id: &str, value| Number { id: id.into(), value, about: "", source: "", check: None };
+    let number = |id: &str, value| Number { id: id.into(), value, about: "".into(), source: "".into(), check: None };
     let numbers = [number("a", 1.873), number("b", 3.05), number("c", 1.874)].into_iter().collect();
     let diagnostics = Diagnostics::default();
     let quizzes = quizzes(&DataFile::from_text("q.toml", text), &numbers, &diagnostics);

@@ -11,8 +11,13 @@ pub fn fixtures() -> PathBuf {
 
 /// The small site.
 pub fn site(diagnostics: &Diagnostics) -> Site {
-    let number =
-        |id: &str, value, check| Number { id: id.into(), value, about: "a number.", source: "demo::half", check };
+    let number = |id: &str, value, check| Number {
+        id: id.into(),
+        value,
+        about: "a number.".into(),
+        source: "demo::half".into(),
+        check,
+    };
     let numbers = [
         number("step1.nu", -1.3, Some(1)),
         number("step1.S", 2.6, Some(1)),
