@@ -16,7 +16,7 @@ const see = () => {
   const text = (element) => element.innerText.replace(/\s+/g, ' ').trim()
   const all = (selector) => [...document.querySelectorAll(selector)].map(text)
   return {
-    formulas: [...document.querySelectorAll('[data-other]')].map((formula) => [...formula.children].filter((reading) => getComputedStyle(reading).display !== 'none').map((reading) => reading.className)),
+    formulas: [...document.querySelectorAll('[data-other]')].map((formula) => [...formula.children].filter((reading) => getComputedStyle(reading).display !== 'none').map((reading) => (/in-\w+/.exec(reading.className) ?? ['in-choset'])[0])),
     bench: { labels: all('observer-bench .control-name'), readouts: all('observer-bench .live dt'), drawn: [...document.querySelectorAll('observer-bench .live svg text')].filter((it) => it.checkVisibility()).map((it) => it.innerHTML.includes('in-thrun') ? [...it.children].filter((part) => getComputedStyle(part).display !== 'none').map((part) => part.textContent).join('') : it.textContent) },
     pressed: all('[data-set-notation][aria-pressed="true"]'),
   }

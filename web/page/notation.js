@@ -58,6 +58,7 @@ async function kept(address) {
 }
 
 /**
+ * The reading of a formula in the page's own letters is its first element; the others stand behind it.
  * @param {string} notation
  * @param {string[]} readings as the book wrote them, by the number in `data-other`; empty where the page's own letters stand
  */
@@ -65,11 +66,9 @@ function write(notation, readings) {
   const page = readings.map((html) => `<div>${html}</div>`).join('')
   const parsed = [...new DOMParser().parseFromString(page, 'text/html').body.children]
   for (const formula of document.querySelectorAll('[data-other]')) {
-    const other = parsed[Number(formula.getAttribute('data-other'))]
-    const letters = other.childNodes.length > 0 ? other : /** @type {Element} */ (formula.querySelector('.in-choset'))
-    const reading = document.createElement(formula.localName)
-    reading.className = `in-${notation}`
-    reading.append(...[...letters.childNodes].map((node) => document.importNode(node, true)))
+    const other = parsed[Number(formula.getAttribute('data-other'))].firstElementChild
+    const reading = document.importNode(other ?? /** @type {Element} */ (formula.firstElementChild), true)
+    reading.classList.add(`in-${notation}`)
     formula.append(reading)
   }
 }

@@ -8,7 +8,6 @@ use crate::attributes::Attributes;
 use crate::diagnostic::Place;
 use crate::glossary::KINDS;
 use crate::html::escape;
-use crate::notation::NOTATIONS;
 use crate::number::Format;
 use crate::piece::{NumberRef, Piece, Tex};
 use crate::template::safe;
@@ -50,15 +49,12 @@ impl Writer<'_> {
         let tag = if style == Style::Display { "div" } else { "span" };
         let own = formula.own();
         self.boxed = !formula.plain();
-        let (html, others) = match (formula.others(), &mut self.readings) {
-            (Some(others), Some(readings)) => {
-                let next = readings.len();
-                // Equal readings share an index.
-                let n = *readings.entry(others).or_insert(next);
-                (format!("<{tag} class=\"in-{}\">{}</{tag}>", NOTATIONS[0].0, own.html), Some(n))
-            }
-            _ => (own.html.clone(), None),
-        };
+        let others = formula.others().zip(self.readings.as_mut()).map(|(others, readings)| {
+            let next = readings.len();
+            // Equal readings share an index.
+            *readings.entry(others).or_insert(next)
+        });
+        let html = own.html.clone();
         if own.plain && others.is_none() && ids.is_empty() {
             return (html, String::new());
         }

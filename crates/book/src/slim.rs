@@ -67,6 +67,13 @@ fn visit(node: &mut Node) {
         read(element);
     } else if element.has("katex-html") {
         draw(element, false);
+    } else if element.has("katex-mathml")
+        && let [Node::Element(math)] = element.children.as_mut_slice()
+    {
+        // The class that hides the MathML from the eye stands on the MathML itself.
+        math.classes.append(&mut element.classes);
+        *element = std::mem::take(math);
+        read(element);
     } else {
         element.children.iter_mut().for_each(visit);
     }

@@ -125,7 +125,9 @@ mod tests {
     fn a_formula_without_switched_letters_is_rendered_once() {
         let html = same(&typesetter(), "x^2", Style::Inline);
         assert!(
-            html.contains("<math>") && html.contains("aria-hidden=\"true\"") && !html.contains("annotation"),
+            html.contains("<math class=\"katex-mathml\">")
+                && html.contains("aria-hidden=\"true\"")
+                && !html.contains("annotation"),
             "{html}"
         );
     }
