@@ -246,3 +246,20 @@ test('a link to a log of another length shows the end of this one', async (t) =>
   const { step, params } = await stateOf(it)
   assert.deepEqual([step, params.gate, params.sightings], [13_186, 0.99, true])
 })
+
+for (const width of [390, 900, 1280]) {
+  test(`the letters of the printed report have one size in every panel, from a window of ${width} px`, async (t) => {
+    const { page } = await openLog(t, { viewport: { width, height: 900 }, touch: width < 500, prepare: (it) => it.addInitScript(() => { globalThis.print = () => { globalThis.printed = true } }) })
+    await page.getByRole('button', { name: 'Print the report' }).click()
+    await page.waitForFunction(() => globalThis.printed)
+    await page.emulateMedia({ media: 'print' })
+    const { scales, right } = await page.evaluate(() => {
+      const panels = [...document.querySelectorAll('robot-log .live > .panel')].filter((it) => it.checkVisibility())
+      return { scales: panels.map((it) => it.getScreenCTM().a), right: Math.max(...panels.map((it) => it.getBoundingClientRect().right)) - document.querySelector('.own-log').getBoundingClientRect().left }
+    })
+    assert.ok(scales.length >= 6, `${scales.length} panels`)
+    assert.ok(Math.max(...scales) / Math.min(...scales) < 1.02, scales.join(', '))
+    // As wide as a sheet of A4 between its margins.
+    assert.ok(right <= 688, `${right} px wide`)
+  })
+}

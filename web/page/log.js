@@ -16,6 +16,8 @@ import { Report } from './log-report.js'
 
 /** Larger files are refused before they are read, bytes. */
 const MOST_BYTES = 64_000_000
+/** How long printing waits for the figure, milliseconds. */
+const DRAWN_MS = 2000
 /** Logs of ours, by the name that the page and an address give them. @type {Record<string, { file: string, address: string }>} */
 const EXAMPLES = {
   small: { file: 'example.csv', address: example },
@@ -194,11 +196,19 @@ class OwnLog {
     else this.report.say(message)
   }
 
-  print() {
+  async print() {
     const { dataset } = document.documentElement
     dataset.report = ''
     addEventListener('afterprint', () => { delete dataset.report }, { once: true })
+    await this.drawn()
     print()
+  }
+
+  /** Waits until every panel is drawn for the report's width, so that letters have one size in all of them. */
+  async drawn() {
+    const panels = /** @type {SVGSVGElement[]} */ ([...this.figure.querySelectorAll('.live > .panel')])
+    const fits = () => panels.every(({ clientWidth, viewBox }) => clientWidth === 0 || Math.abs(clientWidth - viewBox.baseVal.width) < 2)
+    for (const until = performance.now() + DRAWN_MS; !fits() && performance.now() < until;) await new Promise(requestAnimationFrame)
   }
 }
 
