@@ -40,6 +40,20 @@ async function isTaggedWithBookmarks(pdf, sections) {
   }
 }
 
+/** Which of these words stand on paper with nothing of their column right below them. */
+async function alone(pdf, names) {
+  const document = await getDocument({ data: new Uint8Array(pdf), verbosity: 0, isEvalSupported: false, useSystemFonts: false }).promise
+  const found = []
+  for (let i = 1; i <= document.numPages; i++) {
+    const items = (await (await document.getPage(i)).getTextContent()).items.filter(({ str }) => str.trim())
+    for (const [n, { str, transform: [, , , , x, y] }] of items.entries()) {
+      const next = items[n + 1]?.transform
+      if (names.has(str.trim()) && !(next && Math.abs(next[4] - x) < 12 && next[5] < y && next[5] > y - 24)) found.push(`page ${i}: ${str}`)
+    }
+  }
+  return found
+}
+
 const plain = (text) => text.replace(/[\s\u00ad\u200b]+/g, '').normalize('NFKC')
 
 /** The first words of each block that is closed on the screen. */
@@ -77,6 +91,8 @@ test('a PDF of the chapter has every section open and no controls', { timeout: 1
   // What introduces something stands on its page.
   const lonely = texts.slice(0, -1).filter((text) => /(Answer|Worked answer|Starter|Hint|\.rs)\s*$/.test(text)).map((text) => text.slice(-60))
   assert.deepEqual(lonely, [])
+  const kinds = await page.locator('.note-kind:has(+ .note-title)').allTextContents()
+  assert.deepEqual(await alone(pdf, new Set(kinds.map((it) => it.trim()))), [], 'kinds of notes without their titles')
   const kept = reproducible(pdf)
   assert.equal(kept.length, pdf.length)
   await isTaggedWithBookmarks(kept, sections)
@@ -128,7 +144,8 @@ test('in print the figures are stills and nothing to press is left', async (t) =
 })
 
 test('on paper a question has its reasons, an exercise its answer, a drawing its lines, and there is no progress', async (t) => {
-  const page = await open(t)
+  // As wide as a sheet between its margins.
+  const page = await open(t, { viewport: { width: 688, height: 1000 } })
   await walkDown(page)
   await page.emulateMedia({ media: 'print' })
   await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
@@ -142,9 +159,13 @@ test('on paper a question has its reasons, an exercise its answer, a drawing its
       answers: document.querySelectorAll('.exercise').length - [...document.querySelectorAll('.answers > .answer .details-body')].filter(printed).length,
       drawings: lacks('.figure-drawing', '.drawing svg .mark'),
       progress: [...document.querySelectorAll('.score')].filter(printed).length,
+      // No two answers have the same name.
+      twice: [...document.querySelectorAll('.answer-of')].map((it) => it.textContent).filter((name, i, all) => all.indexOf(name) < i),
+      // Pixels of paper: five points are 6.67.
+      small: [...document.querySelectorAll('.still svg.panel')].filter(printed).filter((panel) => panel.getScreenCTM().a * 12 < 6.67).map((panel) => `${panel.closest('figure').id} ${panel.getAttribute('class')}`),
     }
   })
-  assert.deepEqual(hidden, { reasons: 0, prompts: [], answers: 0, drawings: [], progress: 0 })
+  assert.deepEqual(hidden, { reasons: 0, prompts: [], answers: 0, drawings: [], progress: 0, twice: [], small: [] })
 })
 
 test('on paper no formula is wider than its column', async (t) => {

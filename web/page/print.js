@@ -38,9 +38,7 @@ function answersApart() {
   const places = answers.map((answer) => {
     const place = document.createComment('')
     answer.before(place)
-    const of = answer.closest('.exercise') ?? answer.closest('.quiz')
-    const words = [...of?.querySelectorAll('.exercise-head > span, legend > span') ?? []].slice(0, 2).map((name) => name.textContent?.trim())
-    part(document, end, 'h3', 'answer-of').textContent = words.join(': ')
+    part(document, end, 'h3', 'answer-of').textContent = nameOf(answer)
     end.append(answer)
     return { answer, place }
   })
@@ -48,6 +46,15 @@ function answersApart() {
     for (const { answer, place } of places) place.replaceWith(answer)
     end.remove()
   }
+}
+
+/** What an answer belongs to: an exercise or a question, and of a question in an exercise the exercise's number. @param {Element} answer */
+function nameOf(answer) {
+  const [exercise, question] = ['.exercise', '.quiz'].map((kind) => answer.closest(kind))
+  const words = (/** @type {Element | null} */ of, /** @type {string} */ parts) => [...of?.querySelectorAll(parts) ?? []].slice(0, 2).map((name) => name.textContent?.trim())
+  const [asked, title] = words(question, 'legend > span')
+  const [number] = words(exercise, '.exercise-head > span')
+  return [number ?? asked, question ? title : 'worked answer'].filter(Boolean).join(': ')
 }
 
 /** Tells the style how much smaller each displayed formula has to be on paper; on a screen it makes no difference. */
