@@ -3,7 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import path from 'node:path'
-import { open, root } from './harness.mjs'
+import { PHONE, open, root } from './harness.mjs'
 
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
@@ -16,6 +16,14 @@ test('one check by its number is that check of the thirteen, to the last bit', (
   }
   for (const id of [0, 14, -1, 2 ** 40]) assert.throws(() => core.chapterCheck(id), { name: 'EstimateError', code: 'index', argument: 'id' })
   for (const id of ['1', null, undefined, 1.5]) assert.throws(() => core.chapterCheck(id), { name: 'EstimateError', code: 'type', argument: 'id' })
+})
+
+test('on a phone the values of the build and of the browser are on the screen', async (t) => {
+  const page = await open(t, { at: 'check/', viewport: PHONE, touch: true })
+  await page.getByRole('button', { name: 'Run the checks here' }).tap()
+  await page.getByRole('status').filter({ hasText: /^13 of 13/ }).waitFor({ timeout: 60_000 })
+  const beyond = await page.locator('[data-check] > *').evaluateAll((all) => all.filter((cell) => cell.getBoundingClientRect().right > innerWidth).map((cell) => cell.textContent))
+  assert.deepEqual(beyond, [])
 })
 
 test('the thirteen checks pass in the browser, each with its time and the values of the build', async (t) => {
