@@ -112,6 +112,45 @@ for (const theme of ['light', 'dark']) {
   })
 }
 
+test('by keys the first stop leads past the head, and each stop after it is on the screen with nothing over it', async (t) => {
+  const page = await open(t)
+  await page.waitForLoadState('networkidle')
+  await page.keyboard.press('Tab')
+  assert.equal(await page.evaluate(() => document.activeElement.textContent), 'Skip to the text')
+  assert.ok((await page.locator('.skip-link').boundingBox()).x >= 0)
+  await page.keyboard.press('Enter')
+  assert.ok(await page.evaluate(() => document.activeElement === document.querySelector('main')))
+  for (let stop = 0; stop < 120; stop++) {
+    await page.keyboard.press('Tab')
+    const fault = await page.evaluate(() => {
+      const it = document.activeElement
+      const { left, top, width, height } = it.getClientRects()[0] ?? new DOMRect()
+      const over = document.elementFromPoint(left + width / 2, top + height / 2)
+      const seen = it.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && over && (over.contains(it) || it.contains(over))
+      return seen ? null : `${it.outerHTML.slice(0, 90)} at ${Math.round(left)}, ${Math.round(top)}, under ${over?.outerHTML.slice(0, 60)}`
+    })
+    assert.equal(fault, null)
+  }
+})
+
+test('in forced colours no paper is painted between the letters of a formula', async (t) => {
+  const page = await open(t, { prepare: (it) => it.emulateMedia({ forcedColors: 'active' }) })
+  assert.deepEqual(await page.locator('.katex-html').evaluateAll((all) => [...new Set(all.map((it) => getComputedStyle(it).forcedColorAdjust))]), ['none'])
+})
+
+test('on a phone what stands alone and leads somewhere is at least 24 px wide and high', async (t) => {
+  const page = await open(t, { viewport: PHONE, touch: true })
+  await walkDown(page)
+  const small = await page.evaluate(() => {
+    const alone = (it) => it.matches('button, select, summary, textarea, :is(td, th) > a:not(.formula-numbers), .listing-path a, .quiz-figure a, .heading-link, .equation-number, input:not([type="radio"], [type="checkbox"])')
+    return [...document.querySelectorAll('a, button, input, select, textarea, summary')].filter((it) => alone(it) && it.checkVisibility({ visibilityProperty: true })).flatMap((it) => {
+      const { width, height } = it.getBoundingClientRect()
+      return width > 0 && (width < 24 || height < 24) && it.getClientRects().length === 1 ? [`${it.outerHTML.slice(0, 80)}: ${width} × ${height}`] : []
+    })
+  })
+  assert.deepEqual(small.slice(0, 10), [])
+})
+
 test('in forced colours a figure has its own paper, a slider its track, and the focus its ring', async (t) => {
   const page = await open(t, { theme: 'dark', prepare: (it) => it.emulateMedia({ forcedColors: 'active', colorScheme: 'dark' }) })
   await page.locator('[data-set-theme="light"]').click()

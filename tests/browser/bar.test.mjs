@@ -72,3 +72,15 @@ for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP
     assert.equal(await shown(page), false, 'a jump')
   })
 }
+
+test('the contents on a phone close when the Tab key leads out of them', async (t) => {
+  const page = await open(t, { viewport: PHONE, touch: true })
+  await page.locator('.site-header [data-open-contents]').focus()
+  await page.keyboard.press('Enter')
+  await page.locator('.toc[data-open]').waitFor()
+  await page.locator('.toc a').last().focus()
+  assert.equal(await page.locator('.toc[data-open]').count(), 1, 'they stay while a reader goes through them')
+  await page.keyboard.press('Tab')
+  assert.equal(await page.locator('.toc[data-open]').count(), 0)
+  assert.ok(await page.evaluate(() => document.activeElement?.closest('main')), 'the focus is in the text')
+})

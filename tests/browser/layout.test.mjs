@@ -1,7 +1,7 @@
 // From 320 px up nothing makes a page scroll sideways; what is wide scrolls inside its own box.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { FIGURE_PAGES, PAGES, figure, open, unlock, walkDown } from './harness.mjs'
+import { FIGURE_PAGES, PAGES, PHONE, figure, open, unlock, walkDown } from './harness.mjs'
 
 for (const at of [...PAGES, ...FIGURE_PAGES]) {
   for (const width of [320, 390, 768, 1280]) {
@@ -139,6 +139,16 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
     assert.deepEqual(torn, [], `torn at ${width} px`)
     assert.deepEqual(cut, [], `cut at ${width} px`)
   }
+})
+
+test('on a phone letters and colours stand in one row below the name of the book and the search', async (t) => {
+  const page = await open(t, { at: 'hosting/', viewport: PHONE, touch: true })
+  const tops = await page.locator('.site-header').evaluate((head) => ['.site-place', '[data-open-search]', '[data-set-notation]', '[data-set-theme]'].map((part) => {
+    const { top, height } = head.querySelector(part).getBoundingClientRect()
+    return Math.round((top + height / 2) / 8)
+  }))
+  const [name, search, letters, colours] = tops
+  assert.ok(name === search && letters === colours && letters > name, tops.join(', '))
 })
 
 test('the contents called up on a phone are whole', async (t) => {

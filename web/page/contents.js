@@ -79,6 +79,10 @@ function drawer(nav) {
     close()
     opener?.focus({ preventScroll: true })
   })
+  // Whoever goes on with the Tab key is in the text again, which it must not cover.
+  nav.addEventListener('focusout', ({ relatedTarget }) => {
+    if (nav.hasAttribute('data-open') && relatedTarget instanceof Element && !nav.contains(relatedTarget) && !relatedTarget.closest(OPENS)) close()
+  })
   document.addEventListener('pointerdown', (event) => {
     const inside = event.target instanceof Element && (nav.contains(event.target) || event.target.closest(OPENS))
     if (!inside) close()
