@@ -15,13 +15,15 @@ fn read(path: &Path) -> String {
 /// The Markdown files and the questions.
 fn prose() -> Vec<(PathBuf, String)> {
     let mut folders = vec![content()];
-    let mut files = vec![content().join("quizzes.toml"), content().join("glossary.toml")];
+    let mut files = vec![content().join("glossary.toml")];
     while let Some(folder) = folders.pop() {
         for entry in std::fs::read_dir(&folder).expect("content is there") {
             let path = entry.expect("an entry").path();
             if path.is_dir() {
                 folders.push(path);
-            } else if path.extension().is_some_and(|extension| extension == "md") && !path.ends_with("LICENSE.md") {
+            } else if path.extension().is_some_and(|extension| extension == "md") && !path.ends_with("LICENSE.md")
+                || folder.ends_with("quizzes")
+            {
                 files.push(path);
             }
         }

@@ -98,6 +98,15 @@ impl DataFile {
         Ok(Self { name, text })
     }
 
+    /// Reads every file of `content/<folder>/` whose name ends in `.toml`.
+    ///
+    /// # Errors
+    /// As [`Self::read`].
+    pub fn all(root: &Path, folder: &str) -> Result<Vec<Self>, BuildError> {
+        let names = file::below(&root.join("content").join(folder))?.into_iter().filter(|name| name.ends_with(".toml"));
+        names.map(|name| Self::read(root, &format!("{folder}/{name}"))).collect()
+    }
+
     /// A data file from memory.
     #[cfg(test)]
     pub fn from_text(name: &str, text: &str) -> Self {

@@ -1,4 +1,4 @@
-//! `content/quizzes.toml`: questions, checked at build.
+//! `content/quizzes/`: questions, checked at build.
 
 use std::collections::BTreeMap;
 
@@ -119,10 +119,10 @@ struct RawNear {
     why: Text,
 }
 
-/// The questions by id; what is wrong with them goes to `diagnostics`.
-pub fn quizzes(file: &DataFile, numbers: &Numbers, diagnostics: &Diagnostics) -> BTreeMap<String, Quiz> {
+/// The questions of all `files` by id; what is wrong with them goes to `diagnostics`.
+pub fn quizzes(files: &[DataFile], numbers: &Numbers, diagnostics: &Diagnostics) -> BTreeMap<String, Quiz> {
     let mut quizzes = BTreeMap::new();
-    for asked in file.parse::<File>(diagnostics).quiz {
+    for asked in files.iter().flat_map(|file| file.parse::<File>(diagnostics).quiz) {
         let Text { markdown: id, place } = asked.id.clone();
         let reader = Reader { numbers, diagnostics, asked: &asked };
         let answer = match asked.kind {

@@ -70,7 +70,7 @@ impl Site {
             references: data("references.toml")?.parse(diagnostics),
             glossary: glossary::glossary(&data("glossary.toml")?, diagnostics),
             notation: data("notation.toml")?.parse::<notation::Table>(diagnostics).row,
-            quizzes: quiz::quizzes(&data("quizzes.toml")?, &numbers, diagnostics),
+            quizzes: quiz::quizzes(&DataFile::all(root, "quizzes")?, &numbers, diagnostics),
             answers: true,
             kept: Kept::nothing(),
             sources: Sources::load(root)?,

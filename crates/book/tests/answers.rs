@@ -6,10 +6,6 @@ use book::Diagnostics;
 use labs::givens::Givens;
 use whole::{build, load, root};
 
-fn read(path: &str) -> String {
-    std::fs::read_to_string(root().join(path)).expect(path)
-}
-
 /// Words with one space between them.
 fn flat(text: &str) -> String {
     text.split_whitespace().collect::<Vec<_>>().join(" ")
@@ -21,11 +17,22 @@ fn runs(markdown: &str) -> Vec<String> {
     parts.map(flat).filter(|run| run.len() > 30 && run.contains(' ')).collect()
 }
 
+/// The questions of `content/quizzes/`.
+fn questions() -> Vec<toml::Value> {
+    let files = std::fs::read_dir(root().join("content/quizzes")).expect("questions");
+    let read = |file: std::io::Result<std::fs::DirEntry>| {
+        let text = std::fs::read_to_string(file.expect("an entry").path()).expect("a file of questions");
+        let mut table: toml::Table = text.parse().expect("questions");
+        let Some(toml::Value::Array(quizzes)) = table.remove("quiz") else { panic!("no questions") };
+        quizzes
+    };
+    files.flat_map(read).collect()
+}
+
 /// The words of the answers: reasons and explanations of the questions, and worked answers of the exercises.
 fn words_of_answers() -> Vec<String> {
-    let quizzes: toml::Table = read("content/quizzes.toml").parse().expect("questions");
     let mut words = Vec::new();
-    for quiz in quizzes["quiz"].as_array().expect("questions") {
+    for quiz in &questions() {
         words.extend(runs(quiz["why"].as_str().expect("a reason")));
         for kind in ["choice", "near", "condition"] {
             for part in quiz.get(kind).and_then(toml::Value::as_array).into_iter().flatten() {
@@ -108,8 +115,8 @@ fn a_book_without_answers_holds_no_word_of_them_and_no_number_that_only_they_hav
 
     // A number that the questions ask for, and that the text does not print besides, is listed nowhere.
     let used = book::text(&site, &files, Some(15), "kalman/", &diagnostics).used.numbers;
-    let quizzes: toml::Table = read("content/quizzes.toml").parse().expect("questions");
-    let asked = quizzes["quiz"].as_array().expect("questions").iter().filter_map(|quiz| quiz.get("answer"));
+    let questions = questions();
+    let asked = questions.iter().filter_map(|quiz| quiz.get("answer"));
     let asked = asked.filter_map(toml::Value::as_str).flat_map(|ids| ids.split(',')).map(str::trim);
     let hidden: Vec<_> = asked.filter(|id| !used.contains(*id)).collect();
     assert!(hidden.len() > 5, "{hidden:?}");

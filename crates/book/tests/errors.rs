@@ -42,7 +42,7 @@ const CASES: [(&str, &str); 39] = [
         ":::figure{#fig-bench widget=\"observer-bench\"}\n:::\n:::quiz{id=\"foot\"}\n:::\n:::quiz{id=\"foot\"}\n:::\n",
         "page.md:5: the id `quiz-foot` is taken by page.md:3",
     ),
-    (":::quiz{id=\"foot\"}\n:::\n", "content/quizzes.toml:6: nothing here has the id `fig-bench`"),
+    (":::quiz{id=\"foot\"}\n:::\n", "content/quizzes/feet.toml:6: nothing here has the id `fig-bench`"),
     ("## A {#a}\n\n## B {#a}\n", "page.md:3: the id `a` is taken by page.md:1"),
     ("## A\n", "page.md:1: this heading has no {#id}"),
     ("# A {#a}\n", "page.md:1: headings of a page are ##, ### or ####"),

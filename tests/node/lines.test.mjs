@@ -1,0 +1,37 @@
+// A file of code or content is one noun, and has at most 300 lines; the table of scripts/lines names files that are there.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { spawnSync } from 'node:child_process'
+import { cpSync, mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
+import { tmpdir } from 'node:os'
+import path from 'node:path'
+import { fileURLToPath } from 'node:url'
+
+const script = fileURLToPath(new URL('../../scripts/lines', import.meta.url))
+const lines = (/** @type {string} */ one) => spawnSync(process.execPath, [one, '--check'], { encoding: 'utf8' })
+
+test('no file of content, code, styles, scripts or tests has more than 300 lines', () => {
+  const { status, stdout } = lines(script)
+  assert.equal(status, 0, stdout)
+})
+
+test('the parts that scripts/lines prints sum to all code', () => {
+  const [crates, parts] = lines(script).stdout.split('\n\n').map((block) => block.split('\n').map((row) => Number(/\d+$/.exec(row))))
+  assert.ok(crates.length > 5 && parts.length > 5)
+  assert.equal(parts.reduce((sum, count) => sum + count, 0), crates.at(-1))
+})
+
+test('a file of 301 lines and a part without its file are faults, and what others fill is not counted', (t) => {
+  const root = mkdtempSync(path.join(tmpdir(), 'lines '))
+  t.after(() => rmSync(root, { recursive: true }))
+  for (const folder of ['content', 'crates/a/src', 'docs', 'scripts', 'tests', 'web/node_modules']) mkdirSync(path.join(root, folder), { recursive: true })
+  cpSync(script, path.join(root, 'scripts/lines'))
+  writeFileSync(path.join(root, 'content/short.md'), 'line\n'.repeat(300))
+  writeFileSync(path.join(root, 'content/long.md'), 'line\n'.repeat(301))
+  writeFileSync(path.join(root, 'web/node_modules/long.js'), 'line\n'.repeat(301))
+  const { status, stdout } = lines(path.join(root, 'scripts/lines'))
+  assert.equal(status, 1)
+  assert.match(stdout, /^content\/long\.md: 301 lines, over 300$/m)
+  assert.doesNotMatch(stdout, /short|node_modules/)
+  assert.match(stdout, /^scripts\/lines: there is no labs\/tune$/m)
+})
