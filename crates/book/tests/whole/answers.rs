@@ -1,10 +1,8 @@
 //! A book built without answers: none of its files holds the words of one, or a number that only an answer has.
 
-mod whole;
-
 use book::Diagnostics;
-use labs::givens::Givens;
-use whole::{build, load, root};
+
+use crate::{DIST, NUMBERS, build, load, root};
 
 /// Words with one space between them.
 fn flat(text: &str) -> String {
@@ -75,7 +73,7 @@ fn code_of_answers(site: &book::Site) -> Vec<(String, String)> {
 #[test]
 fn a_book_without_answers_holds_no_word_of_them_and_no_number_that_only_they_have() {
     let diagnostics = Diagnostics::default();
-    let mut site = load(labs::numbers::with_ensembles(&Givens::default()).expect("computed"), &diagnostics);
+    let mut site = load(NUMBERS.clone(), &diagnostics);
     let files = book::files(&root(), "content/kalman").expect("the chapter");
     let words = words_of_answers();
     // The words are found where they are: otherwise finding none of them would say nothing. (A list or a table parts some.)
@@ -85,10 +83,9 @@ fn a_book_without_answers_holds_no_word_of_them_and_no_number_that_only_they_hav
 
     let code = code_of_answers(&site);
     let page = |path: &str| format!("source/{path}.html");
-    let dist = build(&site, &diagnostics);
     assert!(code.len() > 10, "{code:?}");
     for (path, line) in &code {
-        let html = String::from_utf8(dist.files[&page(path)].clone()).expect("text");
+        let html = String::from_utf8(DIST.files[&page(path)].clone()).expect("text");
         assert!(shown(&html).contains(line), "the whole book shows {line}");
     }
 

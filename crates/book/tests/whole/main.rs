@@ -1,0 +1,38 @@
+//! The book itself, built whole. The tests share its numbers, whose ensembles take some seconds, and one build with them.
+
+mod answers;
+mod site;
+
+use std::path::{Path, PathBuf};
+use std::sync::LazyLock;
+
+use book::{Assets, Build, Diagnostics, Dist, Number, Outputs, Site, Stills};
+use labs::givens::Givens;
+
+/// Every number that the book prints.
+static NUMBERS: LazyLock<Vec<Number>> =
+    LazyLock::new(|| labs::numbers::with_ensembles(&Givens::default()).expect("computed"));
+
+/// The site.
+static DIST: LazyLock<Dist> = LazyLock::new(|| {
+    let diagnostics = Diagnostics::default();
+    build(&load(NUMBERS.clone(), &diagnostics), &diagnostics)
+});
+
+/// The repository.
+fn root() -> PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
+}
+
+/// The book's data with `numbers`.
+fn load(numbers: Vec<Number>, diagnostics: &Diagnostics) -> Site {
+    Site::load(&root(), numbers.into_iter().collect(), Outputs::of(root()), Stills::new(), diagnostics)
+        .expect("the content is there")
+}
+
+/// Its pages.
+fn build(site: &Site, diagnostics: &Diagnostics) -> Dist {
+    let (root, assets, checks) = (root(), Assets::default(), labs::checks::chapter_checks().expect("computed"));
+    let build = Build { root: &root, site, assets: &assets, checks: &checks, diagnostics, pdf: false, draft: false };
+    build.run().unwrap_or_else(|error| panic!("{error}"))
+}
