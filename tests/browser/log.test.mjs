@@ -263,3 +263,13 @@ for (const width of [390, 900, 1280]) {
     assert.ok(right <= 688, `${right} px wide`)
   })
 }
+
+test('on the page no title of a plot reaches out of its panel', async (t) => {
+  const { page } = await openLog(t)
+  for (const width of [640, 768, 900, 1024]) {
+    await page.setViewportSize({ width, height: 900 })
+    await page.waitForFunction(() => [...document.querySelectorAll('robot-log .live > .panel')].every(({ clientWidth, viewBox }) => Math.abs(clientWidth - viewBox.baseVal.width) < 2))
+    const cut = await page.locator('robot-log .live .plot-title').evaluateAll((all) => all.filter((title) => title.getBoundingClientRect().right > title.closest('.panel').getBoundingClientRect().right + 2).map((title) => title.textContent))
+    assert.deepEqual(cut, [], `${width} px`)
+  }
+})

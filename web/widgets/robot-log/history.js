@@ -34,7 +34,7 @@ export function drawInnovations(panel, frame) {
 export function drawErrors(panel, frame) {
   const { time, error, bound } = frame.errors
   const most = Math.max(0.5, ...error, Math.min(bound.reduce((sum, value) => Math.max(sum, value), 0), 3 * Math.max(0.5, ...error)))
-  draw(panel, frame, [0, most], 'error of the position and claimed 2 *σ* (m)', (pen, plane) => {
+  draw(panel, frame, [0, most], 'error and claimed 2 *σ* (m)', (pen, plane) => {
     const kin = frame.params.sightings ? 'posterior' : 'prediction'
     pen.window('curves', plane.box, (to) => {
       to.mark('path', 'bound', { ...meaning(frame.params.sightings ? 'curve' : 'curve dashed', kin), d: seriesPath(plane, minutes(time), bound) })
