@@ -71,3 +71,24 @@ test('a count over seeds can be stopped on its way, and says what it has', async
   assert.ok(stopped.step < 500 && stopped.of === 500, JSON.stringify(stopped))
   await until(it, ({ params, seeds: now }) => params.bug === 'unwrapped-innovation' && now === 500, 'the count before stays')
 })
+
+test('the figures of a run stand beside the switch that changes them', async (t) => {
+  for (const viewport of [{ width: 1280, height: 900 }, { width: 900, height: 1100 }, { width: 390, height: 844 }]) {
+    const { it } = await openFigure(t, 'bug-museum', { viewport })
+    const [figures, bug] = [await it.locator('.live .panel-figures').boundingBox(), await it.getByRole('combobox', { name: 'Bug' }).boundingBox()]
+    const reach = bug.y + bug.height - figures.y
+    assert.ok(reach < viewport.height - 60, `at ${viewport.width} px the two take ${reach} px of ${viewport.height}`)
+  }
+})
+
+test('what names a hidden bug is there while there is one, in the place of the switches', async (t) => {
+  const { it } = await openFigure(t, 'bug-museum')
+  const [bug, guess, back] = [it.getByRole('combobox', { name: 'Bug' }), it.getByRole('combobox', { name: 'It is' }), it.getByRole('button', { name: 'Back to the switches' })]
+  assert.deepEqual([await bug.count(), await guess.count(), await back.count()], [1, 0, 0])
+  await it.getByRole('button', { name: 'Hide a bug' }).click()
+  await guess.waitFor()
+  assert.deepEqual([await bug.count(), await it.getByRole('combobox', { name: 'and' }).count()], [0, 0])
+  await back.press('Enter')
+  await bug.waitFor()
+  assert.ok(await bug.evaluate((select) => select === document.activeElement), 'the button that had the focus is gone, and the first switch has it')
+})

@@ -21,13 +21,13 @@ import { writeHtml } from './words.js'
  * @property {(value: number, limits: Parameter) => number} [scale] a number of the parameter as one of the slider; the same if not given
  * @property {number} [step] in the slider's numbers; the parameter's if not given
  * @property {[number, number]} [ends] of the slider, in its numbers; the parameter's limits if not given
- * @property {(frame: any) => boolean} [shown] whether there is anything to set; always if not given
  * @property {boolean} [wide] whether it takes the room of two controls
  * @property {(value: number, frame: any) => string} words the value as shown and as said
  * @property {(frame: any) => Notch[]} [notches]
  * @property {(params: any, frame: any) => any} [get] what it shows, if not the parameter of its name
  * @property {(value: any, params: any, frame: any) => Record<string, unknown>} [set] the change it makes, likewise
  * @property {(params: any) => boolean} [enabled]
+ * @property {(frame: any) => boolean} [shown] whether there is anything to set; always if not given
  *
  * @typedef {object} ChoiceControl
  * @property {'choice'} kind
@@ -37,6 +37,7 @@ import { writeHtml } from './words.js'
  * @property {(params: any, frame: any) => any} [get]
  * @property {(value: any, params: any, frame: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
+ * @property {(frame: any) => boolean} [shown] whether there is anything to set; always if not given
  *
  * @typedef {object} ToggleControl
  * @property {'toggle'} kind
@@ -47,6 +48,7 @@ import { writeHtml } from './words.js'
  * @property {(params: any, frame: any) => any} [get]
  * @property {(value: any, params: any, frame: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
+ * @property {(frame: any) => boolean} [shown] whether there is anything to set; always if not given
  *
  * @typedef {object} WholeControl
  * @property {'whole'} kind
@@ -55,6 +57,7 @@ import { writeHtml } from './words.js'
  * @property {(params: any, frame: any) => any} [get]
  * @property {(value: any, params: any, frame: any) => Record<string, unknown>} [set]
  * @property {(params: any) => boolean} [enabled]
+ * @property {(frame: any) => boolean} [shown] whether there is anything to set; always if not given
  *
  * @typedef {object} ActionControl a button that changes parameters
  * @property {'action'} kind
@@ -62,6 +65,7 @@ import { writeHtml } from './words.js'
  * @property {Words} label
  * @property {(frame: any, lab: any) => Record<string, unknown>} change computed by the lab, not here
  * @property {(params: any) => boolean} [enabled]
+ * @property {(frame: any) => boolean} [shown] whether there is anything to set; always if not given
  *
  * @typedef {object} CustomControl what only one figure has, such as the matrices of a system
  * @property {'custom'} kind
@@ -96,7 +100,7 @@ export function buildControl(document, control, change, limits) {
     show(params, frame) {
       const disabled = control.enabled ? !control.enabled(params) : false
       if (made.input.disabled !== disabled) made.input.disabled = disabled
-      if (control.kind === 'range' && control.shown) label.hidden = !control.shown(frame)
+      reveal(label, control.shown?.(frame) ?? true)
       made.show(control.get ? control.get(params, frame) : params[control.name], frame)
     },
   }
@@ -111,10 +115,24 @@ function action(document, control, change) {
   button.addEventListener('click', () => change({}, control.change))
   return {
     element: button,
-    show(params) {
+    show(params, frame) {
       button.disabled = control.enabled ? !control.enabled(params) : false
+      reveal(button, control.shown?.(frame) ?? true)
     },
   }
+}
+
+/**
+ * Shows a control or hides it. The focus of one that goes is taken by the first that is there.
+ * @param {HTMLElement} element @param {boolean} there
+ */
+function reveal(element, there) {
+  if (element.hidden === !there) return
+  const focused = !there && element.contains(element.ownerDocument.activeElement)
+  element.hidden = !there
+  if (!focused) return
+  const other = /** @type {HTMLElement | null | undefined} */ (element.parentElement?.querySelector(':scope > button:not([hidden], :disabled), :scope > :not([hidden]) :is(input, select):not(:disabled)'))
+  other?.focus({ preventScroll: true })
 }
 
 /**

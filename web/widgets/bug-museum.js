@@ -64,7 +64,9 @@ function readouts({ figures, driven, steps, seeds, params }) {
 // Controls: the switches, and what it takes to hide a bug and to name it.
 
 const fresh = { guess: 'none', secondGuess: 'none', committed: false }
-const open = (/** @type {any} */ { lot }) => lot === 0
+// The switches and the names to guess take turns: a hidden bug has no switch, and without one there is nothing to name.
+const open = (/** @type {Frame} */ { params }) => params.lot === 0
+const drawn = (/** @type {Frame} */ { params }) => params.lot !== 0
 const hidden = (/** @type {any} */ { lot, committed }) => lot !== 0 && !committed
 
 const nextSeed = (/** @type {{ seed: number }} */ { seed }) => (seed % 4294967295) + 1
@@ -88,8 +90,10 @@ function commit({ params }, lab) {
 
 /** @type {import('../core/controls.js').Control[]} */
 const controls = [
-  { kind: 'choice', name: 'bug', label: 'Bug', options: NAMES, enabled: open },
-  { kind: 'choice', name: 'second', label: 'and another', options: NAMES, enabled: open },
+  { kind: 'choice', name: 'bug', label: 'Bug', options: NAMES, shown: open },
+  { kind: 'choice', name: 'second', label: 'and another', options: NAMES, shown: open },
+  { kind: 'choice', name: 'guess', label: 'It is', options: NAMES, shown: drawn, enabled: hidden },
+  { kind: 'choice', name: 'secondGuess', label: 'and', options: NAMES, shown: ({ params }) => params.lot !== 0 && params.pair, enabled: hidden },
   { kind: 'toggle', name: 'many', label: 'count over seeds', set: (many, _, frame) => ({ many, step: many ? SEEDS : frame.steps }) },
   {
     kind: 'range', name: 'step', label: 'Step of the run, or seeds', ends: [0, SEEDS], step: 1,
@@ -99,11 +103,9 @@ const controls = [
   },
   { kind: 'action', name: 'again', label: 'Another run', change: ({ params }) => ({ seed: nextSeed(params) }) },
   { kind: 'action', name: 'hide', label: 'Hide a bug', change: draw(false) },
-  { kind: 'choice', name: 'guess', label: 'It is', options: NAMES, enabled: hidden },
-  { kind: 'choice', name: 'secondGuess', label: 'and', options: NAMES, enabled: (params) => hidden(params) && params.pair },
-  { kind: 'action', name: 'name', label: 'Name it', change: commit, enabled: (params) => hidden(params) && params.guess !== 'none' && (!params.pair || params.secondGuess !== 'none') },
+  { kind: 'action', name: 'name', label: 'Name it', change: commit, shown: drawn, enabled: (params) => hidden(params) && params.guess !== 'none' && (!params.pair || params.secondGuess !== 'none') },
   { kind: 'action', name: 'pair', label: `Hide two bugs (after ${UNLOCKS} right in a row)`, change: draw(true), enabled: ({ named }) => named >= UNLOCKS },
-  { kind: 'action', name: 'open', label: 'Back to the switches', change: () => ({ ...fresh, lot: 0, pair: false }), enabled: ({ lot }) => lot !== 0 },
+  { kind: 'action', name: 'open', label: 'Back to the switches', change: () => ({ ...fresh, lot: 0, pair: false }), shown: drawn },
 ]
 
 /** @param {string} bug */
@@ -138,8 +140,9 @@ export const bugMuseum = {
     { name: 'covariance', width: 460, height: 260, draw: drawCovariance },
   ],
   layout: {
-    narrow: ['map', 'verdict', 'tries', 'controls', 'figures', 'readouts', 'errors', 'nees', 'nis', 'innovations', 'correlation', 'covariance'],
-    medium: ['map figures', 'verdict verdict', 'errors innovations', 'nees nis', 'correlation covariance'],
+    // The switches stand at the figures of the run, which are what a bug changes; the plots that explain it follow.
+    narrow: ['map', 'verdict', 'figures', 'tries', 'controls', 'readouts', 'errors', 'nees', 'nis', 'innovations', 'correlation', 'covariance'],
+    medium: ['map figures', 'verdict verdict', 'tries tries', 'controls controls', 'readouts readouts', 'errors innovations', 'nees nis', 'correlation covariance'],
     columns: { medium: '1fr 1fr' },
   },
   tries,
