@@ -28,7 +28,9 @@ test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the tr
   const { rows, size, highest, top } = await map()
   assert.equal(rows, size)
   assert.ok(highest < top && highest > top - 1)
-  assert.ok(await it.locator('.live .panel-map .likely.contour').getAttribute('d'))
+  assert.ok(await it.locator('.live .panel-map .likely').first().getAttribute('d'))
+  const closed = it.locator('.live .panel-map .contour')
+  assert.equal(await closed.count(), 0, 'a line about the likeliest noise would give it away')
 
   const ring = it.getByRole('slider', { name: 'The filter’s noise' })
   const { x, y, width, height } = await ring.locator('.handle-dot').boundingBox()
@@ -50,6 +52,7 @@ test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the tr
   await settled(it)
   const fitted = await frameOf(it)
   assert.ok(fitted.fit.lacking < 0.1 && fitted.verdict === null)
+  assert.ok(await closed.getAttribute('d'))
   await it.getByLabel('commit: open the truth').check()
   await settled(it)
   assert.match(await it.locator('.live .verdict').innerText(), /The true q is/)

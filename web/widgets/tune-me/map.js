@@ -30,7 +30,7 @@ export function drawMap({ pen, width, height }, frame, view) {
   const logs = planeOf(box, [logQ.least, logQ.greatest], [logW.least, logW.greatest])
   const levels = { box, x: scaleLog([10 ** logQ.least, 10 ** logQ.greatest], [box.left, box.right]), y: scaleLog([10 ** logW.least, 10 ** logW.greatest], [box.bottom, box.top]) }
   pen.draw(() => {
-    pen.window('likelihood', box, (to) => drawLikelihood(to, box, view.aside))
+    pen.window('likelihood', box, (to) => drawLikelihood(to, box, view.aside, frame.fit !== null))
     axes(pen, levels, { title: 'log-likelihood; {W}, m²', x: '*q*', ticks: [5, 5], grid: false })
     drawLegend(pen, box, height - 12)
     pen.window('marks', box, (to) => drawMarks(to, logs, frame))
@@ -39,8 +39,11 @@ export function drawMap({ pen, width, height }, frame, view) {
   })
 }
 
-/** @param {Pen} pen @param {Box} box @param {Likelihood | null} map */
-function drawLikelihood(pen, box, map) {
+/**
+ * The closed line is drawn with the likeliest noise, which it would give away.
+ * @param {Pen} pen @param {Box} box @param {Likelihood | null} map @param {boolean} found
+ */
+function drawLikelihood(pen, box, map, found) {
   // Two rows are the least that has a contour.
   if (!map || map.rows < 2) return
   const { size, rows, values, top, limit } = map
@@ -49,7 +52,7 @@ function drawLikelihood(pen, box, map) {
   pen.group('colours', {}, (to) => {
     for (const below of LEVELS) to.mark('path', `below${below}`, { class: 'likely', d: path(below) })
   }, `${map.rows} ${top} ${JSON.stringify(box)}`)
-  pen.mark('path', 'contour', { class: 'likely contour', d: path(limit / 2) })
+  if (found) pen.mark('path', 'contour', { class: 'likely contour', d: path(limit / 2) })
 }
 
 /** Polygons in cells of the map as one path. @param {{ coordinates: number[][][][] }} polygons @param {Box} box @param {number} size */
