@@ -77,3 +77,12 @@ test('the mix of the dials that no reading shows is found by keys, and a second 
   await until(probe, ({ ghost }) => ghost === null, 'gone')
   assert.equal(await strips(), 0)
 })
+
+test('before the first step no direction is drawn along a path that is not there', async (t) => {
+  const { it } = await openFigure(t, 'observability-probe')
+  const names = () => it.locator('.live .panel-map text').filter({ hasText: 'along the path' }).count()
+  assert.equal(await names(), 1)
+  await it.getByRole('button', { name: 'Reset' }).click()
+  await until(it, ({ step }) => step === 0, 'the start')
+  assert.equal(await names(), 0)
+})

@@ -84,7 +84,9 @@ function robot(pen, key, plane, pose) {
  * @returns {{ key: string, shape: string, words: string, ends: number[][] | null }[]}
  */
 function hidden({ estimate: at, frozen, alongPath }) {
-  return [{ name: 'frozen', shape: 'level', ranks: frozen }, { name: 'along the path', shape: 'direction', ranks: alongPath }].flatMap(({ name, shape, ranks: { directions } }) => directions.slice(0, 2).map(([dx, dy, turn], i) => {
+  // Before the first step there is no path, and nothing is said of one.
+  const driven = alongPath.steps > 0 ? [{ name: 'along the path', shape: 'direction', ranks: alongPath }] : []
+  return [{ name: 'frozen', shape: 'level', ranks: frozen }, ...driven].flatMap(({ name, shape, ranks: { directions } }) => directions.slice(0, 2).map(([dx, dy, turn], i) => {
     const among = directions.length > 1 ? `${name}, one of ${directions.length}` : name
     const inPlace = (dx === 0 && dy === 0) || Math.abs(turn) > IN_PLACE
     const degrees = Math.round(Math.abs(turn * 180) / Math.PI)
