@@ -37,6 +37,17 @@ test('a section is found by words of its title and by words of its text', async 
   assert.ok(await page.evaluate(() => document.querySelector(location.hash).checkVisibility()))
 })
 
+test('words of the text come before names in code, which are found too', async (t) => {
+  const page = await open(t)
+  await page.keyboard.press('/')
+  await field(page).waitFor()
+  await ask(page, 'innovation')
+  const hits = (await results(page).evaluateAll((links) => links.map((link) => link.innerText)))
+  assert.deepEqual(hits.slice(0, 6).filter((words) => /\/\/\/|::|fn /.test(words)), [], 'a reader who asks what an innovation is reads prose first')
+  await ask(page, 'associate_ml')
+  assert.match(await results(page).first().innerText(), /associate_ml/)
+})
+
 test('the keys open it, walk through it, follow a place and close it', async (t) => {
   const page = await open(t)
   await page.keyboard.press('/')

@@ -4,7 +4,7 @@ import MiniSearch from 'minisearch'
 import { part } from '../core/element.js'
 import { PATIENCE_MS } from '../core/patience.js'
 
-/** @typedef {{ id: string, page: string, title: string, section: string, text: string }} Entry */
+/** @typedef {{ id: string, page: string, title: string, section: string, text: string, code?: string }} Entry */
 
 /** Said where there is no index. */
 const NO_INDEX = 'The search needs a list of all the words of this book, and that could not be fetched: are you offline? The next letter you type asks for it again.'
@@ -46,7 +46,7 @@ function build() {
     list.replaceChildren()
     if (!found) return void (list.textContent = count.textContent = NO_INDEX)
     const words = input.value.trim()
-    const hits = words ? found.search(words, { prefix: true, fuzzy: 0.15, boost: { title: 3 }, combineWith: 'AND' }).slice(0, 12) : []
+    const hits = words ? found.search(words, { prefix: true, fuzzy: 0.15, boost: { title: 3, code: 0.2 }, combineWith: 'AND' }).slice(0, 12) : []
     for (const hit of hits) list.append(result(hit, words))
     count.textContent = words ? `${hits.length} places found` : ''
     if (words && !hits.length) list.textContent = 'Nothing found.'
@@ -71,7 +71,7 @@ function build() {
 async function index() {
   const answer = await fetch(rooted('search.json'), { signal: AbortSignal.timeout(PATIENCE_MS) })
   if (!answer.ok) throw new Error(`search.json: ${answer.status}`)
-  const found = new MiniSearch({ fields: ['title', 'text'], storeFields: ['page', 'title', 'section', 'text'] })
+  const found = new MiniSearch({ fields: ['title', 'text', 'code'], storeFields: ['page', 'title', 'section', 'text', 'code'] })
   found.addAll(await answer.json())
   return found
 }
@@ -94,7 +94,9 @@ function result(hit, words) {
     location.hash = link.hash
     location.reload()
   })
-  excerpt(part(document, link, 'span', ''), hit.text, words.toLowerCase().split(/\s+/)[0])
+  const word = words.toLowerCase().split(/\s+/)[0]
+  const inText = hit.text.toLowerCase().includes(word) || !hit.code?.toLowerCase().includes(word)
+  excerpt(part(document, link, 'span', ''), inText ? hit.text : hit.code, word)
   return item
 }
 

@@ -10,6 +10,7 @@ use crate::directive;
 use crate::inline::source_href;
 use crate::notation::Row;
 use crate::output::Outputs;
+use crate::page::CODE;
 use crate::piece::{Piece, Tex};
 use crate::still::{DRAWINGS, WIDGETS};
 use crate::template::safe;
@@ -50,7 +51,7 @@ impl Writer<'_> {
                     return String::new();
                 };
                 let command = Outputs::command(example);
-                self.words.push_str(&format!("{command} {text} "));
+                self.words.push_str(&format!("{CODE}{command} {text}{CODE} "));
                 self.fill("output", context! { command, text => safe(marked(text.trim_end())) }, place)
             }
             _ => String::new(),
@@ -199,7 +200,7 @@ impl Writer<'_> {
         let Some(listing) = self.diagnostics.ok(place, self.site.sources.listing(path, anchor)) else {
             return String::new();
         };
-        self.words.push_str(&format!("{path} {} ", listing.code));
+        self.words.push_str(&format!("{CODE}{path} {}{CODE} ", listing.code));
         let code = safe(self.site.highlighter.html(&listing.code, "rust"));
         let href = safe(source_href(self.root, path, listing.line));
         self.fill("listing", context! { href, path, code }, place)

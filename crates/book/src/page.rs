@@ -57,8 +57,11 @@ pub struct Found {
     pub title: String,
     /// Number, as in "15.2".
     pub section: String,
-    /// Its words.
+    /// Its words, without its code.
     pub text: String,
+    /// Its listings and what its programs print.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub code: String,
 }
 
 /// The Markdown files of a chapter, in order: path from the root and text.
@@ -128,18 +131,25 @@ fn contents(headings: &[Heading]) -> Vec<Section> {
     sections
 }
 
+/// Stands before and after code among the words: a search weighs a name in code less than a word of the text.
+pub(crate) const CODE: char = '\u{1e}';
+
 /// What the search finds in the text written so far: each heading with the words up to the next.
 fn search(writer: &Writer<'_>, address: &str) -> Vec<Found> {
-    let words = |from: usize, to: usize| {
-        writer.words.get(from..to).unwrap_or_default().split_whitespace().collect::<Vec<_>>().join(" ")
+    let spaced = |words: String| words.split_whitespace().collect::<Vec<_>>().join(" ");
+    // Every second part is code.
+    let parts = |from: usize, to: usize, first: usize| {
+        let between = writer.words.get(from..to).unwrap_or_default();
+        spaced(between.split(CODE).skip(first).step_by(2).collect::<Vec<_>>().join(" "))
     };
     let ends = writer.headings.iter().skip(1).map(|next| next.words.0).chain([writer.words.len()]);
     let found = |(heading, end): (&Heading, usize)| Found {
         id: format!("{address}#{}", heading.id),
         page: address.to_string(),
-        title: words(heading.words.0, heading.words.1),
+        title: parts(heading.words.0, heading.words.1, 0),
         section: heading.number.clone(),
-        text: words(heading.words.1, end),
+        text: parts(heading.words.1, end, 0),
+        code: parts(heading.words.1, end, 1),
     };
     writer.headings.iter().zip(ends).map(found).collect()
 }

@@ -26,13 +26,20 @@ fn before_formula(text: &str) -> &str {
 }
 
 /// Units that stand behind a number.
-const UNITS: [&str; 14] =
-    ["m", "m²", "m/s", "m²/s", "m²/s²", "m/√s", "mm", "s", "s²", "ms", "min", "rad", "rad²", "rad/√s"];
+const UNITS: [&str; 17] =
+    ["%", "cm", "km", "m", "m²", "m/s", "m²/s", "m²/s²", "m/√s", "mm", "s", "s²", "ms", "min", "rad", "rad²", "rad/√s"];
 
 /// The unit that a text begins with, and the rest.
 fn unit(text: &str) -> Option<(&str, &str)> {
     let end = text.find(|c: char| c.is_whitespace() || ",;.:)".contains(c)).unwrap_or(text.len());
     UNITS.contains(&&text[..end]).then(|| text.split_at(end))
+}
+
+/// `text` with no break between a number and its unit.
+fn bound(text: &str) -> String {
+    let bytes = text.as_bytes();
+    let binds = |i: usize| i > 0 && bytes[i - 1].is_ascii_digit() && unit(&text[i + 1..]).is_some();
+    text.char_indices().map(|(i, c)| if c == ' ' && binds(i) { '\u{a0}' } else { c }).collect()
 }
 
 impl Writer<'_> {
@@ -43,8 +50,8 @@ impl Writer<'_> {
         let text = if after.is_some_and(is_formula) { before_formula(text) } else { text };
         let number = before.is_some_and(|it| matches!(it.kind, Kind::Piece(Piece::Number(_))));
         match text.strip_prefix(' ').filter(|rest| number && unit(rest).is_some()) {
-            Some(rest) => self.text(&format!("\u{a0}{rest}")),
-            None => self.text(text),
+            Some(rest) => self.text(&format!("\u{a0}{}", bound(rest))),
+            None => self.text(&bound(text)),
         }
     }
 
