@@ -202,3 +202,28 @@ for (const tag of ['observer-bench', 'odometry-hook', 'observability-probe']) {
     assert.equal(places.length, 1, `it was at ${places}`)
   })
 }
+
+test('a box that goes on beyond an edge fades there', async (t) => {
+  const page = await open(t, { viewport: { width: 390, height: 844 }, touch: true })
+  const box = page.locator('pre.scroll-box').first()
+  await box.scrollIntoViewIfNeeded()
+  await page.waitForFunction((element) => element.hasAttribute('tabindex'), await box.elementHandle())
+  const marks = () => box.evaluate((element) => [element.hasAttribute('data-before'), element.hasAttribute('data-after'), getComputedStyle(element).maskImage !== 'none'])
+  assert.deepEqual(await marks(), [false, true, true])
+  await box.evaluate((element) => element.scrollTo({ left: element.scrollWidth }))
+  await page.waitForFunction((element) => element.hasAttribute('data-before'), await box.elementHandle())
+  assert.deepEqual(await marks(), [true, false, true])
+  await page.setViewportSize({ width: 2000, height: 900 })
+  await box.evaluate((element) => { element.style.width = '3000px' })
+  await page.waitForFunction((element) => !element.hasAttribute('data-before'), await box.elementHandle())
+  assert.deepEqual(await marks(), [false, false, false])
+})
+
+for (const [at, id] of [['kalman/', '#fig-odometry'], ['system/', '#fig-own'], ['log/', '#fig-own-log']]) test(`/${at}: a figure takes the room that there is beside the column`, async (t) => {
+  const page = await open(t, { at })
+  for (const [width, least] of [[768, 690], [900, 820], [1024, 660], [1280, 900], [1440, 960]]) {
+    await page.setViewportSize({ width, height: 900 })
+    const { left, right, over } = await page.locator(id).evaluate((figure) => ({ ...figure.getBoundingClientRect().toJSON(), over: document.documentElement.scrollWidth - innerWidth }))
+    assert.ok(right - left >= least && left >= 0 && right <= width && over <= 0, `${width} px: from ${left} to ${right}`)
+  }
+})

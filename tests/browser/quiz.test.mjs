@@ -42,6 +42,7 @@ test('a choice is committed to before anything is explained, and a wrong one say
   assert.equal(await veil.getByRole('link', { name: 'Which foot?' }).getAttribute('href'), '#quiz-which-foot')
   const [over, under] = [await veil.boundingBox(), await picture.boundingBox()]
   for (const side of ['x', 'y', 'width', 'height']) assert.ok(Math.abs(over[side] - under[side]) < 1, `the veil lies on the figure and no more: ${side}`)
+  assert.ok(over.height < 360, `the veil is ${over.height} px high`)
 
   await it.form.getByRole('radio', { name: /Straight down/ }).check()
   assert.ok(!(await shown(it)), 'chosen is not committed')
@@ -54,6 +55,10 @@ test('a choice is committed to before anything is explained, and a wrong one say
   assert.ok(await mine.isVisible())
   assert.match(await mine.innerText(), /Straight down.*nearest point for a ruler/s)
   assert.ok(!(await picture.evaluate((widget) => widget.inert)), 'the figure is free')
+  assert.ok((await picture.boundingBox()).height > 500, 'all of it is there')
+  const others = it.form.locator('.quiz-others')
+  assert.ok(!(await others.evaluate((block) => block.open)))
+  assert.match(await others.locator('summary').evaluate((summary) => getComputedStyle(summary, '::before').content), /\u25b8/, 'what opens has the mark of what opens')
   assert.ok(await it.form.getByRole('radio').first().isDisabled(), 'an answer given stands')
   assert.ok(!(await it.commit.isVisible()))
   assert.ok(await it.verdict.evaluate((verdict) => document.activeElement === verdict), 'the focus is at what was said, not lost with the button')

@@ -107,7 +107,8 @@ function names(pen, plane, frame, grips) {
     labels.push({ key, words, at: at(mark), gap: 5, kin: 'measurement', sides: over ? ['above', 'above-right', 'above-left'] : ['below', 'below-right', 'below-left'] })
   }
   const upper = frame.params.reading > frame.mostLikelyOutput
-  line('omega-name', frame.params.reading, 'Ω: {H}*x* = {y}', upper)
+  // On a phone the equation has no room beside the foot's name and would lie on both lines.
+  line('omega-name', frame.params.reading, box.right - box.left < 360 ? 'Ω' : 'Ω: {H}*x* = {y}', upper)
   if (frame.params.noise > 0 && !sealed) line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', !upper)
   const marks = [frame.euclideanFoot.at, ...(sealed ? [] : [frame.mahalanobisFoot.at, frame.update.at])].map((place) => clear(at(place), 4))
   drawLabels(pen, box, labels, [...marks, ...Object.values(grips).map((grip) => clear(grip.at, 11))])
