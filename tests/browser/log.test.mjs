@@ -119,6 +119,45 @@ test('a fault is shown with its file, line and column, and in pasted rows at the
   assert.equal((await frameOf(it)).rows, rows, 'the figure keeps what it showed')
 })
 
+test('each kind of fault is shown with its file, line and column', async (t) => {
+  const { choose, answer } = await openLog(t)
+  const faults = [
+    ['X,1,2,3', 1, /'X' is no row's letter; L, G, O, V, R or B was expected/], ['O,1,2', 6, /has 3 fields; 4 were expected: O,t,distance,turn/],
+    ['O,1,2,3,4', 9, /has 5 fields; 4 were expected/], ['O,1,nan,3', 5, /distance is 'nan'; a finite number/], ['O,1,1e999,3', 5, /finite number/],
+    ['L,7,1,1', 3, /landmark 7 stands here for the second time/], ['R,1,8,2', 5, /there is no landmark 8; a landmark that is seen needs a row with its place\.$/m],
+    ['R,1,7,-2', 7, /a range of at least 0/], ['V,1,2,3', 1, /O rows and V rows/], ['O,1e12,1,1', 3, /times within/], ['R,1,"7",2', 5, /is quoted/],
+    ['O;1;1;0', 1, /';' was found between the fields/], ['R,1.5,7.0,2', 7, /whole number/], ['R,1,\u0001,2', 5, /control character/],
+  ]
+  for (const [i, [row, column, words]] of faults.entries()) {
+    await choose(file(`fault-${i}.csv`, `${SMALL}${row}\n`))
+    await answer.getByText(`fault-${i}.csv, line 6, column ${column}: `).waitFor()
+    assert.match(await answer.locator('.log-wrong').innerText(), words)
+  }
+  await choose(file('still.csv', 'L,7,3,4\nR,1,7,2\n# the end\n'))
+  await answer.getByText('still.csv, line 2, column 1: the log has no motion; O rows or V rows were expected.').waitFor()
+  const picture = { name: 'picture.png', mimeType: 'image/png', buffer: Buffer.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13]) }
+  await choose(picture)
+  await answer.getByText('picture.png, line 1, column 1: a control character or one outside UTF-8 was found').waitFor()
+  await choose(file('nothing.csv', ''))
+  await answer.getByText('nothing.csv, line 1, column 1: the file is empty.').waitFor()
+})
+
+test('a file of motion that is missing is no fault of another file', async (t) => {
+  const { choose, answer } = await openLog(t)
+  await choose(...MRCLAM.slice(1))
+  const roles = ['Robot1_Measurement.dat is read as sightings', 'Barcodes.dat is read as barcodes', 'Landmark_Groundtruth.dat is read as landmarks', 'Robot1_Groundtruth.dat is read as truth']
+  await answer.getByText(`The robot's motion is missing: ${roles.join(', ')}; a file of velocities or of odometry was expected.`, { exact: true }).waitFor()
+  assert.match(await answer.innerText(), /Open the missing file together with these, or correct below/)
+  assert.equal(await answer.locator('.log-line').count(), 0, 'no line is shown as wrong')
+})
+
+test('the page says from the start whose log its figure shows', async (t) => {
+  const { answer, choose } = await openLog(t, { viewport: PHONE })
+  await answer.getByText('The figure shows the mower’s log until you open another. Files: plaza1.csv. Rows: 15,123.').waitFor()
+  await choose(file('diary.txt', 'Dear diary,\ntoday it drove.\n'), file('wheels.csv', 'time,v,omega\n0,1,0\n1,1,0\n'))
+  await answer.getByText('diary.txt is not used.').waitFor()
+})
+
 test('files are chosen with the keyboard, and an example is at hand', async (t) => {
   const { page, it } = await openLog(t)
   const [chooser] = await Promise.all([page.waitForEvent('filechooser'), page.getByRole('button', { name: 'Choose files' }).press('Enter')])

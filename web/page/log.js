@@ -51,6 +51,7 @@ class OwnLog {
     this.figure.addEventListener('frame', () => this.report.show(this.figure.figure))
     this.run().then(({ contents }) => {
       if (!this.report.contents) this.report.take(contents, [EXAMPLES.mower.file])
+      if (!this.answer.hasChildNodes()) this.say(`The figure shows the mower’s log until you open another. ${this.facts()}`)
       this.report.show(this.figure.figure)
     }, () => {})
     const wanted = EXAMPLES[new URL(location.href).searchParams.get('example') ?? '']
@@ -145,19 +146,25 @@ class OwnLog {
     return figure.figure.run
   }
 
+  /** What the log holds, in sentences. */
+  facts() {
+    return this.report.facts().map(([name, value]) => `${name}: ${value}.`).join(' ')
+  }
+
   /** @param {any} answer */
   understood({ contents, files }) {
     this.report.take(contents, files.map((/** @type {any} */ { name }) => name))
-    this.say(this.report.facts().map(([name, value]) => `${name}: ${value}`).join('. ') + '.')
+    this.say(this.facts())
     for (const note of contents.notes) part(document, this.answer, 'p', '').textContent = note
   }
 
   /** @param {any} answer */
   wrong({ files, file, line, column, message, shown }) {
     const name = files[file]?.name ?? this.names?.[file] ?? 'the log'
+    const place = line === 0 ? '' : `${name}, line ${line}, column ${column}: `
     this.say('')
     const words = part(document, this.answer, 'p', 'log-wrong')
-    words.textContent = `${name}, line ${line}, column ${column}: ${message}.`
+    words.textContent = `${place || message[0].toUpperCase()}${place ? message : message.slice(1)}.`
     if (shown) {
       const lines = part(document, this.answer, 'pre', 'log-line')
       const before = [...shown].slice(0, column - 1)
@@ -166,8 +173,10 @@ class OwnLog {
       lines.append([...shown].slice(column).join(''))
     }
     const tables = files.some((/** @type {any} */ { role }) => role !== 'log')
-    part(document, this.answer, 'p', '').textContent = `The figure keeps the previous log. ${tables ? 'Mend the file, or correct below how the files are read.' : 'Mend the file and open it again.'}`
-    if (name === 'pasted rows') this.point(line, column)
+    const mend = place ? 'Mend the file' : 'Open the missing file together with these'
+    const again = tables ? ', or correct below how the files are read' : place ? ' and open it again' : ''
+    part(document, this.answer, 'p', '').textContent = `The figure keeps the previous log. ${mend}${again}.`
+    if (place && name === 'pasted rows') this.point(line, column)
   }
 
   /** Puts the cursor of the pasted rows where the fault is. @param {number} line @param {number} column */

@@ -44,9 +44,9 @@ impl From<Error> for Thrown {
 /// A text that is no log.
 #[cfg(feature = "log")]
 impl From<robot_log::Error> for Thrown {
-    fn from(robot_log::Error { file, line, column, message }: robot_log::Error) -> Self {
-        let js = named(&format!("line {line}, column {column}: {message}"), "log", "text");
-        for (key, value) in [("file", file as u32), ("line", line), ("column", column)] {
+    fn from(error: robot_log::Error) -> Self {
+        let js = named(&error.to_string(), "log", "text");
+        for (key, value) in [("file", error.file as u32), ("line", error.line), ("column", error.column)] {
             let _ = Reflect::set(&js, &key.into(), &value.into());
         }
         Self(js)

@@ -129,8 +129,8 @@ impl Files {
     /// The log that the files make.
     ///
     /// # Errors
-    /// As [`parse`](crate::parse), naming the file; a value that a role needs has no column; there is no file of motion; a file is
-    /// empty.
+    /// As [`parse`](crate::parse), naming the file; a value that a role needs has no column; a file is empty. Where no file has the
+    /// robot's motion, the fault is of all together, and the message says what each was read as.
     pub fn read(&self) -> Result<Understood, Error> {
         let empty = |file: &File| file.text.trim_matches([' ', '\n', '\r', '\t', '\u{feff}']).is_empty();
         if let Some(at) = self.files.iter().position(|file| file.role() != Role::Unused && empty(file)) {
@@ -138,8 +138,7 @@ impl Files {
         }
         let moves = |file: &File| matches!(file.role(), Role::Log | Role::Velocities | Role::Odometry);
         if !self.files.iter().any(moves) {
-            let message = "no file has the robot's motion; one that is read as velocities or odometry was expected";
-            return Err(Error::new(1, 1, message));
+            return Err(self.without_motion());
         }
         let mut reading = Reading::new(self.barcodes()?);
         for (i, file) in self.files.iter().enumerate() {
@@ -149,7 +148,27 @@ impl Files {
                 role => file.rows(i, |row| reading.take(role, row))?,
             }
         }
-        reading.finish()
+        // One file in the book's own format is refused at its last row; several have no row that stands for all of them.
+        if self.files.len() > 1 && !reading.to.has_motion() {
+            return Err(self.without_motion());
+        }
+        let mut read = reading.finish()?;
+        let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
+        read.notes.extend(unused.map(|file| format!("{} is not used.", file.name)));
+        Ok(read)
+    }
+
+    /// No file has the robot's motion: what each was read as instead.
+    fn without_motion(&self) -> Error {
+        let read = self.files.iter().map(|file| match file.role() {
+            Role::Log => format!("{} has no O rows and no V rows", file.name),
+            Role::Unused => format!("{} is not used", file.name),
+            role => format!("{} is read as {}", file.name, role.name()),
+        });
+        let read = read.collect::<Vec<_>>().join(", ");
+        Error::of_all(format!(
+            "the robot's motion is missing: {read}; a file of velocities or of odometry was expected"
+        ))
     }
 
     /// The landmark that carries each barcode, where a file says so.

@@ -7,6 +7,10 @@ use estimate::Landmark;
 use estimate::drive::{Drive, Event, Motion, Pose, Row, Truth};
 use std::collections::HashMap;
 
+/// What a sighting of an unknown landmark asks for, and what it asks for in a table.
+const PLACED: &str = "a landmark that is seen needs a row with its place";
+const LISTED: &str = "and sightings that name barcodes need the list of these";
+
 /// A place in the files of a log: file, line and column.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
@@ -29,10 +33,21 @@ impl Place {
 /// What is done with a sighting of a landmark that no row places.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Unplaced {
-    /// The log is refused, with what was expected.
-    Refused(&'static str),
-    /// The sighting is left out and counted: it is of another robot, or there is no file of landmarks.
+    /// The log is refused: it is in the book's own format, which is strict.
+    Refused,
+    /// The log is refused if it has landmarks and no barcodes; else the sighting is left out and counted: it is of another robot, or
+    /// there is no file of landmarks.
     LeftOut,
+}
+
+/// A sighting whose landmark is looked up once all rows have been read.
+struct Sighting {
+    /// The row's index.
+    row: usize,
+    /// Its landmark's id, and where that stands.
+    id: u32,
+    place: Place,
+    unplaced: Unplaced,
 }
 
 /// The rows read so far.
@@ -44,8 +59,8 @@ pub(crate) struct Gathering {
     poses: Vec<Pose>,
     rows: Vec<Row>,
     motion: Option<Motion>,
-    /// The sightings: the row's index, its landmark's id, and where the id stands. A landmark's row may stand behind them.
-    sightings: Vec<(usize, u32, Place)>,
+    /// The sightings. A landmark's row may stand behind them.
+    sightings: Vec<Sighting>,
     count: usize,
     last: Option<Place>,
 }
@@ -92,9 +107,14 @@ impl Gathering {
     }
 
     /// A sighting of the landmark `id`, which stands at `place`.
-    pub fn sighting(&mut self, place: Place, row: Row, id: u32) {
-        self.sightings.push((self.rows.len(), id, place));
+    pub fn sighting(&mut self, place: Place, row: Row, id: u32, unplaced: Unplaced) {
+        self.sightings.push(Sighting { row: self.rows.len(), id, place, unplaced });
         self.rows.push(row);
+    }
+
+    /// Whether there is a row of motion.
+    pub fn has_motion(&self) -> bool {
+        self.motion.is_some()
     }
 
     /// Whether a landmark has been placed.
@@ -102,23 +122,24 @@ impl Gathering {
         !self.landmarks.is_empty()
     }
 
-    /// The log, and how many sightings were left out of it.
+    /// The log, and how many sightings were left out of it. With `barcodes`, a sighting of an unknown landmark is of another robot.
     ///
     /// # Errors
-    /// There is no motion, or a sighting is of a landmark without a place and these are refused.
-    pub fn finish(mut self, unplaced: Unplaced) -> Result<(Log, usize), Error> {
+    /// There is no motion, or a sighting is of a landmark without a place and is not left out.
+    pub fn finish(mut self, barcodes: bool) -> Result<(Log, usize), Error> {
         let mut left_out = Vec::new();
-        for (at, id, place) in self.sightings {
+        for Sighting { row, id, place, unplaced } in self.sightings {
             match self.index.get(&id) {
-                Some(known) => match &mut self.rows[at].event {
+                Some(known) => match &mut self.rows[row].event {
                     Event::Range { landmark, .. } | Event::RangeBearing { landmark, .. } => *landmark = *known,
                     Event::Odometry { .. } | Event::Velocity { .. } => {}
                 },
                 None => match unplaced {
-                    Unplaced::LeftOut => left_out.push(at),
-                    Unplaced::Refused(wanted) => {
-                        return Err(place.refuse(format!("there is no landmark {id}; {wanted}")));
+                    Unplaced::LeftOut if barcodes || self.landmarks.is_empty() => left_out.push(row),
+                    Unplaced::LeftOut => {
+                        return Err(place.refuse(format!("there is no landmark {id}; {PLACED}, {LISTED}")));
                     }
+                    Unplaced::Refused => return Err(place.refuse(format!("there is no landmark {id}; {PLACED}"))),
                 },
             }
         }

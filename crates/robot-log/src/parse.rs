@@ -19,7 +19,7 @@ pub fn parse(text: &str) -> Result<Log, Error> {
     }
     let mut to = Gathering::default();
     gather(text, 0, &mut to)?;
-    to.finish(Unplaced::Refused("a landmark that is seen needs a row with its place")).map(|(log, _)| log)
+    to.finish(false).map(|(log, _)| log)
 }
 
 /// Takes the rows of a file that is in the book's own format.
@@ -35,7 +35,7 @@ pub(crate) fn gather(text: &str, file: usize, to: &mut Gathering) -> Result<(), 
             Read::Landmark(landmark) => to.landmark(place(1), landmark)?,
             Read::Truth(pose) => to.truth(pose),
             Read::Motion(row) => to.motion(start, row)?,
-            Read::Sighting(row, id) => to.sighting(place(2), row, id),
+            Read::Sighting(row, id) => to.sighting(place(2), row, id, Unplaced::Refused),
         }
     }
     Ok(())

@@ -14,10 +14,6 @@ use std::collections::HashMap;
 /// Where the truth has no heading, it is the direction to the next true position that is so far away, m.
 const HEADING_OVER: f64 = 0.2;
 
-/// What a sighting of an unknown landmark asks for.
-const UNPLACED: &str =
-    "a landmark that is seen needs a row with its place, and sightings that name barcodes need the list of these";
-
 /// A row of a table, with the column of each value.
 pub(crate) struct Cells<'a> {
     pub file: usize,
@@ -112,7 +108,7 @@ impl Reading {
                     None => Event::Range { landmark: 0, range },
                 };
                 match self.carried.as_ref().map_or(Some(&seen), |carried| carried.get(&seen)) {
-                    Some(id) => self.to.sighting(cells.place(1), Row { time, event }, *id),
+                    Some(id) => self.to.sighting(cells.place(1), Row { time, event }, *id, Unplaced::LeftOut),
                     None => self.unlisted += 1,
                 }
             }
@@ -128,9 +124,8 @@ impl Reading {
             headed(&mut self.without_heading).into_iter().for_each(|pose| self.to.truth(pose));
             notes.push(format!("The truth has no heading; the first {HEADING_OVER} m of its way gives the first one."));
         }
-        let (mapped, barcodes) = (self.to.has_landmarks(), self.carried.is_some());
-        let unplaced = if barcodes || !mapped { Unplaced::LeftOut } else { Unplaced::Refused(UNPLACED) };
-        let (log, left_out) = self.to.finish(unplaced)?;
+        let mapped = self.to.has_landmarks();
+        let (log, left_out) = self.to.finish(self.carried.is_some())?;
         notes.extend(times(&log.drive));
         if self.unlisted > 0 {
             notes.push(format!("{} left out: no list has the barcode.", readings(self.unlisted)));

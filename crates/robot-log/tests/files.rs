@@ -202,7 +202,49 @@ fn a_fault_in_a_table_is_told_with_its_file_line_and_column() {
     assert!(files.set_column(0, "v", None));
     assert_refused(&files, 0, [1, 1], "no column has been chosen for v");
     assert!(files.set_role(0, Role::Unused));
-    assert_refused(&files, 0, [1, 1], "no file has the robot's motion");
+    assert_refused(&files, 0, [0, 0], "wheels.csv is not used, map.csv is read as landmarks");
+}
+
+#[test]
+fn where_no_file_has_the_motion_each_is_told_with_what_it_was_read_as() {
+    let [_, seen, codes, map, truth] = MRCLAM;
+    let message = "the robot's motion is missing: Robot1_Measurement.dat is read as sightings, Barcodes.dat is read as barcodes, \
+                   Landmark_Groundtruth.dat is read as landmarks, Robot1_Groundtruth.dat is read as truth; \
+                   a file of velocities or of odometry was expected";
+    let error = files(&[seen, codes, map, truth]).read().expect_err("no motion");
+    assert_eq!((error.line, error.column, error.to_string().as_str()), (0, 0, message));
+    // A log in the book's own format beside a table: neither has a row that stands for both.
+    assert_refused(
+        &files(&[("mine.csv", "L,6,3,4\n"), truth]),
+        0,
+        [0, 0],
+        "mine.csv has no O rows and no V rows, Robot1_Ground",
+    );
+    assert_refused(
+        &files(&[("diary.txt", "Dear diary,\ntoday it drove.\n")]),
+        0,
+        [0, 0],
+        "missing: diary.txt is not used;",
+    );
+}
+
+#[test]
+fn a_file_that_is_not_used_is_told() {
+    let Understood { notes, .. } = read(&[("diary.txt", "Dear diary,\ntoday it drove.\n"), MRCLAM[0]]);
+    assert_eq!(notes, ["diary.txt is not used."]);
+}
+
+#[test]
+fn a_sighting_of_no_landmark_is_refused_in_the_books_own_format_also_without_any_landmark() {
+    let text = "O,1,0,0\nR,0.7,8,4.9\n";
+    let error = robot_log::parse(text).expect_err("no landmark");
+    assert_refused(
+        &files(&[("mine.csv", text)]),
+        0,
+        [2, 7],
+        "there is no landmark 8; a landmark that is seen needs a row",
+    );
+    assert_eq!(files(&[("mine.csv", text)]).read(), Err(error));
 }
 
 #[test]

@@ -4,6 +4,7 @@
  * | told | answers |
  * |---|---|
  * | `{ kind: 'files', files }`, the log as `File`s | `{ kind: 'log', contents, parameters, files }`, or `{ kind: 'no-log', files, file, line, column, message, shown }` |
+ * | | with `line` 0 where the fault is of all files together |
  * | `{ kind: 'reading', change }`, to read one of them otherwise | the same |
  * | `{ kind: 'go', id, params, step }` | `{ kind: 'progress', id, step, of }` on the way; then `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }` |
  * | `{ kind: 'cancel' }` | nothing more about the replay that was under way |
@@ -137,7 +138,7 @@ export class Server {
     } catch (error) {
       const { file = 0, line = 1, column = 1, message } = /** @type {any} */ (error)
       const words = String(message).replace(/^line \d+, column \d+: /, '')
-      this.tell({ kind: 'no-log', files: shown, file, line, column, message: words, shown: lineOf(this.texts?.[file] ?? '', line) })
+      this.tell({ kind: 'no-log', files: shown, file, line, column, message: words, shown: line === 0 ? '' : lineOf(this.texts?.[file] ?? '', line) })
     }
   }
 
