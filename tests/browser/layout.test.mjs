@@ -227,3 +227,20 @@ for (const [at, id] of [['kalman/', '#fig-odometry'], ['system/', '#fig-own'], [
     assert.ok(right - left >= least && left >= 0 && right <= width && over <= 0, `${width} px: from ${left} to ${right}`)
   }
 })
+
+// Until our faces are here each size of letters asks the system for a face, and on Linux the page waits for each answer.
+test('the page of a figure asks for its faces at once, and its drawings set letters in few sizes', async (t) => {
+  for (const at of FIGURE_PAGES) {
+    const page = await open(t, { at })
+    const early = await page.evaluate(async () => {
+      await document.fonts.ready
+      const linked = [...document.querySelectorAll('link[rel=preload][as=font]')].map(({ href }) => href)
+      return performance.getEntriesByType('resource').filter(({ name, initiatorType }) => linked.includes(name) && initiatorType === 'link').map(({ name }) => name.match(/assets\/(.*)-/)[1])
+    })
+    assert.deepEqual(early.sort(), ['sans', 'serif-italic', 'serif-upright'], at)
+    const loaded = await page.evaluate(() => [...document.fonts].filter(({ status }) => status === 'loaded').map(({ family, style }) => `${family} ${style}`))
+    for (const face of ['Plain normal', 'Text normal', 'Text italic']) assert.ok(loaded.includes(face), `${at} uses ${face}`)
+    const drawn = await page.locator('.panel').evaluateAll((all) => [...new Set(all.map((panel) => getComputedStyle(panel).textRendering))])
+    assert.deepEqual(drawn, ['geometricprecision'], at)
+  }
+})
