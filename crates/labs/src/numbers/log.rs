@@ -2,7 +2,7 @@
 
 use super::Listing;
 use crate::robot_log::{LogFrame, LogLandmark, LogParams, LoggedDrive, RobotLog};
-use estimate::drive::{Event, FIRST_SIGMA, Line, PoseAndScale, Scaled};
+use estimate::drive::{Event, FIRST_SIGMA, Line, Points, PoseAndScale, Scaled};
 use estimate::landmarks::RangeOnly;
 use estimate::path_observability::PathStack;
 use estimate::{Code, Error, Landmark, Unicycle};
@@ -57,6 +57,20 @@ fn drive(logged: &LoggedDrive, to: &mut Listing) {
         .add("log.km", legs.sum::<f64>() / 1000.0, "how far the robot drove, by its true positions")
         .add("log.ranges", sightings as f64, "ranges in the log")
         .add("log.beacons", logged.drive().landmarks.len() as f64, "radio beacons");
+    let (length, middle) = gap(logged);
+    to.add("log.gap.seconds", length.round(), "the longest time without a range, s").add(
+        "log.gap.minute",
+        (middle / 60.0).round(),
+        "its middle, in minutes of the drive",
+    );
+}
+
+/// The longest time without a range, and its middle, seconds.
+fn gap(logged: &LoggedDrive) -> (f64, f64) {
+    let rows = &logged.drive().rows;
+    let times: Vec<f64> = rows.iter().filter(|row| !row.event.is_motion()).map(|row| row.time).collect();
+    let gaps = times.windows(2).map(|pair| (pair[1] - pair[0], f64::midpoint(pair[0], pair[1]) - logged.span()[0]));
+    gaps.fold((0.0, 0.0), |longest, gap| if gap.0 > longest.0 { gap } else { longest })
 }
 
 /// What the filter of the log is given, for the table of constants.
@@ -105,7 +119,8 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
         .add("log.scatter", scatter(logged, line), "how far ranges scatter about the line against the true range, m")
         .add("log.gate.expected", 1.0 - GATE, "share of readings that the gate refuses where the model holds")
         .add("log.tuned.sigma", calibrated.params.sigma_range, "σ_ρ at which NIS is near 1, m");
-    for (name, line) in [("truth", raw.range_line), ("inner", raw.innovation_line)] {
+    let reckoned = reckoned_line(logged);
+    for (name, line) in [("truth", raw.range_line), ("inner", raw.innovation_line), ("reckoned", reckoned)] {
         let line = line.ok_or_else(off)?;
         to.add(format!("log.line.{name}.slope"), line.slope, "the slope of the line through errors over ranges")
             .add(format!("log.line.{name}.offset"), line.offset, "its value at 0, m")
@@ -115,6 +130,25 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
     to.add("log.learned.epsilon", epsilon, "the learned scale");
     to.add("log.learned.sigma", sigma, "its standard deviation");
     Ok(())
+}
+
+/// The line of the panel of ranges for a log without a truth: how far they are off of the dead-reckoned ones.
+fn reckoned_line(logged: &LoggedDrive) -> Option<Line> {
+    let drive = logged.drive();
+    let first = drive.truth.poses().first()?;
+    let (mut pose, mut points) = (SE2::new(first.x, first.y, first.theta), Points::default());
+    for row in &drive.rows {
+        match row.event {
+            Event::Odometry { distance, turn } => pose = Unicycle.f(&pose, &Vector2::new(distance, turn)),
+            Event::Range { landmark, range } => {
+                let at = drive.landmarks[landmark];
+                let known = numerics::hypot(at.x - pose.x(), at.y - pose.y());
+                points.take(known, range - known);
+            }
+            _ => {}
+        }
+    }
+    points.line()
 }
 
 /// The standard deviation of the ranges about the line that says how far they are off.

@@ -134,6 +134,9 @@ fn the_log_s_story_holds() {
     );
     assert!(n["log.raw.refused"] == 0.0 && n["log.gated.refused"] > 0.5);
     assert!(n["log.line.truth.r2"] > 0.7 && n["log.line.inner.slope"] < 0.0, "the filter hides the line");
+    let (slope, r2) = (n["log.line.reckoned.slope"], n["log.line.reckoned.r2"]);
+    assert!((slope - 0.068).abs() < 1e-3 && (r2 - 0.27).abs() < 0.01, "dead reckoning blurs it: {slope}, {r2}");
+    assert!(n["log.gap.seconds"] > 90.0 && n["log.gap.minute"] == 17.0, "the claimed error rises where no range comes");
     // Four states; one beacon leaves the turn about it unseen, which does not touch the scale.
     assert_eq!((n["log.rank.all"], n["log.rank.one"]), (4.0, 3.0));
     assert!(n["log.unseen.one"] < 1e-9);
