@@ -31,11 +31,13 @@ for (const at of [...PAGES, ...FIGURE_PAGES, SOURCE]) {
 }
 
 /**
- * Takes the sections out of the chapter that hold none of these elements: axe measures everything that is laid out, and what is
- * called up over the chapter changes nothing in them.
+ * Takes the sections out of the chapter, and the blocks of these except headings, that hold none of these elements: axe measures
+ * everything that is laid out, and what is called up over the chapter changes nothing in them.
  */
 const alone = (page, ...selectors) => page.evaluate((kept) => {
-  for (const section of document.querySelectorAll('.chapter > section')) section.hidden = !kept.some((selector) => section.querySelector(selector))
+  const holds = (block) => kept.some((selector) => block.matches(selector) || block.querySelector(selector))
+  for (const section of document.querySelectorAll('.chapter > section')) section.hidden = !holds(section)
+  for (const block of document.querySelectorAll('.chapter > section > :not(h2, h3, h4)')) block.hidden = !holds(block)
 }, selectors)
 
 /** What a reader can call up, and what it is read with. */
@@ -49,6 +51,7 @@ const CALLED_UP = {
   'Thrun\'s letters': async (page) => {
     await page.locator('[data-set-notation="thrun"]').click()
     await page.waitForFunction(() => document.documentElement.dataset.letters === 'thrun')
+    await alone(page, '.in-thrun', '.widget')
     // Parts of the text are laid out, and what scrolls in them gets its name, when a reader comes near them.
     await walkDown(page)
   },
