@@ -244,3 +244,20 @@ test('the page of a figure asks for its faces at once, and its drawings set lett
     assert.deepEqual(drawn, ['geometricprecision'], at)
   }
 })
+
+test('statements of one display stand below one another on a phone, and what letters mean has room at every width', async (t) => {
+  const page = await open(t, { viewport: { width: 390, height: 844 }, touch: true })
+  await walkDown(page)
+  const boxes = await page.locator('.chapter .statements').evaluateAll((all) => all.filter((box) => box.checkVisibility()).map((box) => {
+    const range = document.createRange()
+    const widths = [...box.querySelectorAll('.katex-html')].map((formula) => { range.selectNodeContents(formula); return range.getBoundingClientRect().width })
+    return { fits: Math.max(...widths) < box.clientWidth, scrolls: box.scrollWidth > box.clientWidth + 1, words: box.textContent.slice(0, 40) }
+  }))
+  assert.ok(boxes.filter(({ fits }) => fits).length >= 8, `${boxes.length} displays of several statements`)
+  assert.deepEqual(boxes.filter(({ fits, scrolls }) => fits && scrolls), [])
+  for (const width of [320, 390, 700, 900, 1100, 1280]) {
+    await page.setViewportSize({ width, height: 900 })
+    const narrow = await page.locator('[data-part=notation] > .table-box tbody td:last-child').evaluateAll((all) => Math.min(...all.map((cell) => cell.clientWidth)))
+    assert.ok(narrow >= 230, `${width} px: ${narrow}`)
+  }
+})

@@ -53,6 +53,7 @@ function system(dice) {
 function faults(svg) {
   const found = []
   for (const element of svg.querySelectorAll('*')) {
+    if (!element.children.length && /NaN|undefined|\[object/.test(element.textContent)) found.push(`<${element.localName}>${element.textContent}`)
     for (const { name, value } of element.attributes) {
       if (name !== 'data-kin' && /NaN|Infinity|undefined|\[object/.test(value)) found.push(`<${element.localName} ${name}="${value.slice(0, 60)}">`)
     }
@@ -79,7 +80,8 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
       let lab
       try {
         lab = estimate[spec.lab].from(...log, { version: 1, lab: spec.name, step: 0, params })
-      } catch {
+      } catch (error) {
+        assert.equal(error.name, 'EstimateError', where)
         continue // The lab refuses what does not go together, and a refusal draws nothing.
       }
       for (const step of [dice.pick(STEPS), dice.pick(STEPS)].sort((a, b) => a - b)) {

@@ -79,7 +79,7 @@ function drawer(nav) {
     close()
     opener?.focus({ preventScroll: true })
   })
-  // Whoever goes on with the Tab key is in the text again, which it must not cover.
+  // Whoever leaves the contents by the Tab key is in the text again, and they must not cover it.
   nav.addEventListener('focusout', ({ relatedTarget }) => {
     if (nav.hasAttribute('data-open') && relatedTarget instanceof Element && !nav.contains(relatedTarget) && !relatedTarget.closest(OPENS)) close()
   })

@@ -17,7 +17,8 @@ export function lock(question, on, skip = () => {}) {
   // Who follows a link to a state of the figure wants to see that state.
   const linked = readState(location.href, id)
   const locked = on && (linked === null || linked === 'mangled')
-  // A veil is short, but on a page that has just come up it takes away nothing that a reader may be looking at, nor what stands above.
+  // A veiled figure is cut short; but on a page that has just come up, only one below the screen: what a reader sees, and what stands
+  // above, keeps its height.
   if (locked && !widget.hasAttribute('data-locked')) widget.toggleAttribute('data-short', question instanceof HTMLFormElement || isBelow(widget))
   if (!locked) widget.removeAttribute('data-short')
   widget.toggleAttribute('data-locked', locked)

@@ -59,7 +59,7 @@ export class Report {
     this.box.replaceChildren()
     this.table('The log', [], this.facts())
     this.table('Settings', [], settings(spec.controls, frame))
-    this.table('Results', [], spec.readouts(frame).map((/** @type {any} */ { label, value, unit }) => [label, unit ? `${value} ${unit}` : value]))
+    this.table('Results', [], spec.readouts(frame).map((/** @type {any} */ { label, value, unit }) => [label, unit ? `${value}\u00a0${unit}` : value]))
     if (frame.byLandmark.length > 0) {
       this.table('By landmark', ['Landmark', 'Readings', 'Refused', 'Mean innovation'], frame.byLandmark.map(({ id, used, refused, meanInnovation }) => [
         String(id), String(used + refused), used + refused > 0 ? percent(refused / (used + refused)) : '–', `${fixed(meanInnovation, 2)} m`,

@@ -164,7 +164,7 @@ class OwnLog {
     const place = line === 0 ? '' : `${name}, line ${line}, column ${column}: `
     this.say('')
     const words = part(document, this.answer, 'p', 'log-wrong')
-    words.textContent = `${place || message[0].toUpperCase()}${place ? message : message.slice(1)}.`
+    words.textContent = place ? `${place}${message}.` : `${message[0].toUpperCase()}${message.slice(1)}.`
     if (shown) {
       const lines = part(document, this.answer, 'pre', 'log-line')
       const before = [...shown].slice(0, column - 1)
@@ -173,7 +173,8 @@ class OwnLog {
       lines.append([...shown].slice(column).join(''))
     }
     const tables = files.some((/** @type {any} */ { role }) => role !== 'log')
-    const mend = place ? 'Mend the file' : 'Open the missing file together with these'
+    const open = `Open the missing file together with ${files.length === 1 ? 'this one' : 'these'}`
+    const mend = place ? 'Mend the file' : name === 'pasted rows' ? 'Paste rows of motion too' : open
     const again = tables ? ', or correct below how the files are read' : place ? ' and open it again' : ''
     part(document, this.answer, 'p', '').textContent = `The figure keeps the previous log. ${mend}${again}.`
     if (place && name === 'pasted rows') this.point(line, column)
@@ -207,6 +208,7 @@ class OwnLog {
 
   async print() {
     const { dataset } = document.documentElement
+    if ('report' in dataset) return // It is being drawn for paper already.
     dataset.report = ''
     addEventListener('afterprint', () => { delete dataset.report }, { once: true })
     await this.drawn()

@@ -60,11 +60,12 @@ function nameOf(answer) {
 /** Tells the style how much smaller each displayed formula has to be on paper; on a screen it makes no difference. */
 function fitFormulas() {
   for (const box of /** @type {NodeListOf<HTMLElement>} */ (document.querySelectorAll('.chapter .equation-body'))) {
-    const drawn = box.querySelector('.katex-html')
-    if (!drawn) continue
-    const range = document.createRange()
-    range.selectNodeContents(drawn)
-    const wide = range.getBoundingClientRect().width / Number.parseFloat(getComputedStyle(box).fontSize)
+    const widths = [...box.querySelectorAll('.katex-html')].map((drawn) => {
+      const range = document.createRange()
+      range.selectNodeContents(drawn)
+      return range.getBoundingClientRect().width
+    })
+    const wide = Math.max(0, ...widths) / Number.parseFloat(getComputedStyle(box).fontSize)
     const room = (box.closest('.derivation, .definition, .note, .quiz, details') ? INDENTED : COLUMN) - (box.parentElement?.matches('.numbered') ? NUMBER : 0)
     if (wide > room) box.style.setProperty('--on-paper', (Math.floor((100 * room) / wide) / 100).toString())
     // In another notation it may fit.

@@ -50,13 +50,13 @@ function readouts({ step, nees, meanNees, error, series, map, thresholds, closur
   const last = (/** @type {number[]} */ values) => values[values.length - 1]
   return [
     { key: 'mean-nees', label: 'Mean NEES', value: fixed(meanNees, 1), kin: 'truth', headline: true },
-    { key: 'nees', label: 'NEES now', value: fixed(nees, 1), kin: 'truth', more: true },
     { key: 'error', label: 'Error', value: fixed(Math.hypot(error[0], error[1]), 2), unit: 'm', kin: 'truth' },
     { key: 'sigma', label: 'Claimed *σ*', value: fixed(last(series.sigma), 3), unit: 'm', kin: 'posterior' },
     { key: 'map-sigma', label: 'Mean *σ* of the map', value: fixed(last(series.mapSigma), 3), unit: 'm', kin: 'posterior' },
     { key: 'landmarks', label: 'Landmarks', value: String(map.landmarks.length), kin: 'posterior' },
     { key: 'ghosts', label: 'Ghosts', value: String(map.spurious), kin: 'truth' },
     { key: 'wrong', label: 'Wrong matches', value: String(map.wrong), kin: 'truth' },
+    { key: 'nees', label: 'NEES now', value: fixed(nees, 1), kin: 'truth', more: true },
     { key: 'matched', label: 'Sightings matched', value: `${map.matched} of ${map.sightings}`, more: true },
     { key: 'passes', label: 'Right sightings that pass the gate', value: percent(thresholds.passes), more: true },
     { key: 'strays', label: 'and that would found a ghost', value: percent(thresholds.ghosts), more: true },

@@ -64,9 +64,9 @@ function ofTheFeet({ params, innovation, euclideanFoot: gray, mahalanobisFoot: p
 function describe(frame) {
   const point = (/** @type {number[]} */ [x, v]) => `${fixed(x, 2)} metres and ${fixed(v, 2)} metres a second`
   const { params, expectedOutput, expectedVariance, mostLikelyOutput } = frame
-  const answer = params.sealed ? 'the answer is hidden' : `the Mahalanobis foot at ${point(frame.mahalanobisFoot.at)}; on the line of the most likely output ${fixed(mostLikelyOutput, 2)} the Kalman update at ${point(frame.posterior.x)}`
+  const answer = params.sealed ? 'the answer is hidden' : `the perpendicular foot at ${point(frame.euclideanFoot.at)}; the Mahalanobis foot at ${point(frame.mahalanobisFoot.at)}; on the line of the most likely output ${fixed(mostLikelyOutput, 2)} the Kalman update at ${point(frame.posterior.x)}`
   return {
-    plane: `Plane of position and velocity: a prediction at ${point(params.mean)} with its ellipse; the line of states that explain the reading ${fixed(params.reading, 2)}; the perpendicular foot at ${point(frame.euclideanFoot.at)}; ${answer}.`,
+    plane: `Plane of position and velocity: a prediction at ${point(params.mean)} with its ellipse; the line of states that explain the reading ${fixed(params.reading, 2)}; ${answer}.`,
     axis: `Axis of the output: a bell about the expected output ${fixed(expectedOutput, 2)} with a standard deviation of ${fixed(Math.sqrt(expectedVariance), 2)}, one about the reading ${fixed(params.reading, 2)} with ${fixed(Math.sqrt(params.noise), 2)}, and their product about ${fixed(mostLikelyOutput, 2)}.`,
   }
 }
@@ -83,7 +83,7 @@ function readouts({ params: { sealed, radius, noise }, innovation, mostLikelyOut
   const weight = (variance) => (variance === 0 ? '∞' : fixed(1 / variance, 3))
   const [byRuler, byMetric] = ['by the ruler', 'in the metric of {P}']
   /** ⟨a, Δx⟩ of a foot. @param {string} key @param {import('../core/words.js').Words} label @param {number} value @param {string} foot @param {import('../core/words.js').Words} metric @param {'truth' | 'posterior'} kin @returns {import('../core/shell.js').Readout} */
-  const cell = (key, label, value, foot, metric, kin) => ({ key, label, value: kin === 'posterior' ? answer(zero(value)) : zero(value), zero: !(sealed && kin === 'posterior') && Math.abs(value) < 5e-4, cell: [foot, metric], kin })
+  const cell = (key, label, value, foot, metric, kin) => ({ key, label, value: answer(zero(value)), zero: !sealed && Math.abs(value) < 5e-4, cell: [foot, metric], kin })
   return [
     cell('gray-euclid', 'Gray ⟨*a*, Δ*x*⟩, ruler', gray.euclidean, 'gray foot', byRuler, 'truth'),
     cell('gray-mahalanobis', 'Gray ⟨*a*, Δ*x*⟩, metric of {P}', gray.mahalanobis, 'gray foot', byMetric, 'truth'),
@@ -103,6 +103,8 @@ function readouts({ params: { sealed, radius, noise }, innovation, mostLikelyOut
 // Controls. Prediction, axes and reading are handles in the drawing.
 
 const degree = Math.PI / 180
+/** Where a guess is dropped: on neither foot. */
+const GUESS = 1
 
 /** @param {any} lab @returns {Record<string, unknown>} */
 const defaults = (lab) => Object.fromEntries(lab.constructor.parameters().map((/** @type {import('estimate-wasm').Parameter} */ parameter) => [parameter.name, parameter.default]))
@@ -115,7 +117,7 @@ const controls = [
     notches: () => [{ at: 0, name: '' }, { at: 0.5, name: 'step 1' }],
   },
   { kind: 'range', name: 'radius', label: 'Grow an ellipse, in *σ*', words: (value) => fixed(value, 2), notches: () => [{ at: 0, name: '0' }, { at: 1, name: '1' }] },
-  { kind: 'toggle', name: 'sealed', label: 'hide the answer', set: (on, params) => ({ sealed: on, guess: on ? params.guess ?? 0 : params.guess }) },
+  { kind: 'toggle', name: 'sealed', label: 'hide the answer', set: (on, params) => ({ sealed: on, guess: on ? params.guess ?? GUESS : params.guess }) },
   {
     kind: 'range', name: 'tilt', label: 'Turn of the sensor, degrees', ends: [-90, 0],
     words: (value) => `${fixed(value, 0)}°`,
@@ -134,7 +136,7 @@ function equalOpinions({ expectedVariance, params: { semiMajor, semiMinor } }, l
 
 /** @type {import('../core/spec.js').Try[]} */
 const tries = [
-  { name: 'guess', label: 'Drop a guess first', change: () => ({ sealed: true, guess: 0, radius: 0 }) },
+  { name: 'guess', label: 'Drop a guess first', change: () => ({ sealed: true, guess: GUESS, radius: 0 }) },
   { name: 'perfect', label: 'Sensor noise to zero', change: () => ({ noise: 0 }) },
   { name: 'equal', label: 'Two equal opinions', change: equalOpinions },
   { name: 'round', label: 'Make it a circle', change: (/** @type {Frame} */ { params }) => ({ semiMajor: params.semiMinor }) },

@@ -13,6 +13,7 @@ use crate::output::Outputs;
 use crate::page::CODE;
 use crate::piece::{Piece, Tex};
 use crate::still::{DRAWINGS, WIDGETS};
+use crate::syntax::statements;
 use crate::template::safe;
 use crate::tex::{Formula, Style};
 use crate::tree::Node;
@@ -37,9 +38,12 @@ impl Writer<'_> {
                 self.fill("after", context! { title, body }, place)
             }
             Piece::DisplayMath(tex) => {
+                let statements = statements(tex);
+                let class = if statements.len() > 1 { " statements" } else { "" };
                 // The link to the numbers stays outside the box that scrolls.
-                let (formula, link) = self.formula(tex, Style::Display, place);
-                let body = format!("<div class=\"equation-body scroll-box\">{formula}</div>{link}");
+                let (formula, link): (String, String) =
+                    statements.iter().map(|tex| self.formula(tex, Style::Display, place)).unzip();
+                let body = format!("<div class=\"equation-body scroll-box{class}\">{formula}</div>{link}");
                 match self.inside.last().is_some_and(|name| name == "equation") {
                     true => body,
                     false => format!("<div class=\"equation\">{body}</div>\n"),

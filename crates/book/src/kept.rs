@@ -1,5 +1,5 @@
-//! What an earlier run of the same program computed from the same input, in files: the numbers of the ensembles take twenty
-//! seconds, and the pages of the sources some more. A change of prose needs neither again.
+//! What an earlier run of the same program computed from the same input, in files: the numbers of the ensembles and
+//! the coloured sources are most of a build's time, and a change of prose needs neither again.
 
 use std::path::{Path, PathBuf};
 

@@ -59,7 +59,7 @@ pub struct Found {
     pub section: String,
     /// Its words, without its code.
     pub text: String,
-    /// Its listings and what its programs print.
+    /// Its listings, its other blocks of code and what its programs print.
     #[serde(skip_serializing_if = "String::is_empty")]
     pub code: String,
 }

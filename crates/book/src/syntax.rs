@@ -104,6 +104,35 @@ pub fn formula(tex: &str) -> Result<Vec<Tex>, String> {
     Ok(parts)
 }
 
+/// The statements of a displayed formula: what `\qquad` parts outside of all braces and environments. Where a line has no room for
+/// all of them, a page puts them below one another.
+pub fn statements(tex: &[Tex]) -> Vec<Vec<Tex>> {
+    let (mut statements, mut statement, mut depth) = (Vec::new(), Vec::new(), 0);
+    for part in tex {
+        let Tex::Source(source) = part else {
+            statement.push(part.clone());
+            continue;
+        };
+        let mut from = 0;
+        for (i, _) in source.match_indices(['{', '}', '\\']) {
+            let rest = &source[i..];
+            depth += i32::from(rest.starts_with('{') || rest.starts_with("\\begin"));
+            depth -= i32::from(rest.starts_with('}') || rest.starts_with("\\end"));
+            if depth == 0 && rest.starts_with(SPACE) {
+                statement.push(Tex::Source(source[from..i].into()));
+                statements.push(std::mem::take(&mut statement));
+                from = i + SPACE.len();
+            }
+        }
+        statement.push(Tex::Source(source[from..].into()));
+    }
+    statements.push(statement);
+    statements
+}
+
+/// What stands between two statements of a display.
+const SPACE: &str = "\\qquad";
+
 /// `@key, locator; @key` between brackets.
 pub fn citation(inside: &str) -> Result<Piece, String> {
     let keys = inside.split(';').map(|one| {
@@ -114,4 +143,26 @@ pub fn citation(inside: &str) -> Result<Piece, String> {
         })
     });
     Ok(Piece::Cite(keys.collect::<Result<_, String>>()?))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_display_is_parted_between_its_statements_and_nowhere_else() {
+        let parts = |tex: &str| {
+            let tex = formula(tex).unwrap();
+            let all = statements(&tex);
+            all.iter()
+                .map(|statement| statement.iter().map(|part| format!("{part:?}")).collect::<String>())
+                .collect::<Vec<_>>()
+        };
+        let one = |tex: &str| format!("{:?}", Tex::Source(tex.into()));
+        assert_eq!(parts("a"), [one("a")]);
+        assert_eq!(parts("a,\\qquad\\frac{b}{c}\\qquad d"), [one("a,"), one("\\frac{b}{c}"), one(" d")]);
+        assert_eq!(parts("\\text{a\\qquad b}").len(), 1);
+        assert_eq!(parts("\\begin{aligned} a \\qquad b \\end{aligned}").len(), 1);
+        assert_eq!(parts("a = {{number x.y .2f}},\\qquad b").len(), 2);
+    }
 }

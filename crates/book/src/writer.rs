@@ -7,6 +7,7 @@ use pulldown_cmark::{Alignment, CodeBlockKind, HeadingLevel, Tag};
 use crate::diagnostic::{Diagnostics, Place};
 use crate::html::{escape, escape_text};
 use crate::label::Labels;
+use crate::page::CODE;
 use crate::parse::parse;
 use crate::piece::Piece;
 use crate::site::Site;
@@ -261,7 +262,7 @@ impl<'a> Writer<'a> {
         };
         let code: String =
             children.iter().map(|child| if let Kind::Text(text) = &child.kind { text } else { "" }).collect();
-        self.words.push_str(&code);
+        self.words.push_str(&format!("{CODE}{code}{CODE} "));
         let class = match language {
             "" => String::new(),
             language => format!(" class=\"language-{}\"", escape(language)),

@@ -35,7 +35,8 @@ fn the_page_of_a_figure_has_choset_s_letters_and_no_links() {
 
 #[test]
 fn code_is_found_apart_from_the_text() {
-    let markdown = "## One {#one}\n\nBefore `x`.\n\n{{listing crates/demo/src/lib.rs#half}}\n\nAfter.\n";
+    let markdown =
+        "## One {#one}\n\nBefore `x`.\n\n{{listing crates/demo/src/lib.rs#half}}\n\n```sh\nserve it\n```\n\nAfter.\n";
     let diagnostics = Diagnostics::default();
     let site = common::site(&diagnostics);
     let file = ("page.md".to_string(), markdown.to_string());
@@ -43,16 +44,18 @@ fn code_is_found_apart_from_the_text() {
     let [section] = found.as_slice() else { panic!("one section: {found:?}") };
     assert_eq!(section.text, "Before x. After.");
     assert!(section.code.starts_with("crates/demo/src/lib.rs ") && section.code.contains("pub fn"), "{}", section.code);
+    assert!(section.code.ends_with("serve it"), "{}", section.code);
 }
 
 #[test]
 fn no_line_breaks_between_a_number_and_its_unit() {
-    let markdown = "## One {#one}\n\nA bias of 0.5 % over 30 cm, {{number step1.S .1f}} m, at $2$ s; in 2 ways.\n";
+    let markdown =
+        "## One {#one}\n\nA bias of 0.5 % over 30 cm, {{number step1.S .1f}} m, at $2$ s; in 2 ways, “30 s”.\n";
     let diagnostics = Diagnostics::default();
     let site = common::site(&diagnostics);
     let file = ("page.md".to_string(), markdown.to_string());
     let html = book::text(&site, &[file], Some(7), "one/", &diagnostics).body;
-    for bound in ["0.5\u{a0}%", "30\u{a0}cm,", "\u{a0}m, at"] {
+    for bound in ["0.5\u{a0}%", "30\u{a0}cm,", "\u{a0}m, at", "\u{a0}s;", "30\u{a0}s”"] {
         assert!(html.contains(bound), "{bound}: {html}");
     }
     assert!(html.contains("in 2 ways"));

@@ -44,7 +44,8 @@ impl Ellipse {
         }
         let bb = b * b;
         let det = libm::fma(a, c, -bb) - libm::fma(b, b, -bb);
-        let minor = (det / major).max(0.0);
+        // Where both are negative, rounding can leave a little of λ₁; λ₂ is never the larger.
+        let minor = (det / major).max(0.0).min(major);
         let angle = 0.5 * libm::atan2(b, half_difference);
         let root = sqrt(scale);
         Self {
@@ -109,6 +110,8 @@ mod tests {
         assert_eq!(of(1.0, 1.0, 1.0).semi_minor, 0.0);
         assert_eq!(of(0.0, 0.0, 0.0), Ellipse { semi_major: 0.0, semi_minor: 0.0, angle: 0.0 });
         assert_eq!(of(-1.0, 0.0, -4.0), Ellipse { semi_major: 0.0, semi_minor: 0.0, angle: 0.0 });
+        let e = of(-7.0, 0.77, -0.084_700_000_000_000_07);
+        assert!(e.semi_minor <= e.semi_major && e.semi_major < 1e-7, "{e:?}");
         assert_eq!((of(4.0, 0.0, -1.0).semi_major, of(4.0, 0.0, -1.0).semi_minor), (2.0, 0.0));
         let e = of(1e308, 0.0, 1e300);
         assert!((e.semi_major / 1e154 - 1.0).abs() < 1e-15 && (e.semi_minor / 1e150 - 1.0).abs() < 1e-12);

@@ -3,7 +3,7 @@
  * stand two weights, each 1/variance heavy: y* is where their beam balances. Means and widths are handles.
  */
 
-import { drawLabels } from '../../core/labels.js'
+import { clear, drawLabels, widthOf } from '../../core/labels.js'
 import { axes, meaning, plane as planeOf } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
@@ -22,6 +22,7 @@ const LEAST = 0.012
 const BEAM = 46
 const HEAVIEST = 11
 
+const TITLE = 'two opinions about the output {y}'
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, value))
 
 /** @param {import('../../core/shell.js').Panel} panel @param {Frame} frame @param {import('../../core/spec.js').View} view */
@@ -38,7 +39,7 @@ export function drawAxis({ pen, width, height }, frame, view) {
   const least = Math.max(narrow, Math.min(...bells.map(({ sigma }) => sigma)))
   const top = (/** @type {number} */ sigma) => least / Math.max(least, sigma)
   pen.draw(() => {
-    axes(pen, plane, { title: 'two opinions about the output {y}', ticks: [5, 0] })
+    axes(pen, plane, { title: TITLE, ticks: [5, 0] })
     pen.window('bells', { ...box, bottom: box.bottom + 1 }, (to) => {
       for (const { key, kin, mean, sigma } of bells) to.mark('path', key, { ...meaning(kin === 'prediction' ? 'outline' : 'curve', kin), d: bell(plane, mean, Math.max(sigma, narrow / 3), top(sigma)) })
     })
@@ -46,7 +47,8 @@ export function drawAxis({ pen, width, height }, frame, view) {
     const { x, y } = plane
     const at = (/** @type {Bell} */ { mean, sigma }) => /** @type {[number, number]} */ ([x(mean), y(top(sigma))])
     const grips = handles(plane, frame, view, bells, top)
-    drawLabels(pen, { ...box, top: 14 }, bells.map((one) => ({ key: `${one.key}-name`, words: one.words, at: at(one), kin: one.kin, gap: one.key === 'product' ? 6 : 14, sides: one.mean < frame.mostLikelyOutput ? ['left', 'above-left'] : ['right', 'above-right'] })), Object.values(grips).map(({ at: [px, py] }) => ({ left: px - 9, right: px + 9, top: py - 9, bottom: py + 9 })))
+    const title = { left: 0, right: box.left + widthOf(TITLE), top: 0, bottom: box.top - 6 }
+    drawLabels(pen, { ...box, top: 14 }, bells.map((one) => ({ key: `${one.key}-name`, words: one.words, at: at(one), kin: one.kin, gap: one.key === 'product' ? 6 : 14, sides: one.mean < frame.mostLikelyOutput ? ['left', 'above-left'] : ['right', 'above-right'] })), [title, ...Object.values(grips).map(({ at }) => clear(at, 9))])
     pen.group('handles', {}, (to) => {
       for (const [key, grip] of Object.entries(grips)) view.handle(to, key, grip)
     })

@@ -69,11 +69,11 @@ function drawScene(pen, plane, frame) {
     pen.mark('path', `equal${part}`, { ...meaning(part === 1 ? 'curve' : 'curve thin', 'prediction'), d: ellipsePath(purple.ellipse, mean, plane, part) })
   }
   if (!sealed) pen.mark('path', 'posterior', { ...meaning('outline', 'posterior'), d: ellipsePath(posterior.ellipse, posterior.x, plane) })
+  if (sealed) return
   segment(pen, 'gray', plane, mean, gray.at, meaning('way dashed', 'truth'))
-  if (!sealed) segment(pen, 'purple', plane, mean, purple.at, meaning('way', 'posterior'))
+  segment(pen, 'purple', plane, mean, purple.at, meaning('way', 'posterior'))
   squareCorner(pen, plane, frame)
   dot(pen, 'gray-foot', plane, gray.at, { ...meaning('foot', 'truth'), r: 4 })
-  if (sealed) return
   dot(pen, 'purple-foot', plane, purple.at, { ...meaning('foot', 'posterior'), r: 4 })
   dot(pen, 'update', plane, update.at, meaning('full', 'posterior'))
 }
@@ -94,21 +94,22 @@ function names(pen, plane, frame, grips) {
   /** @type {import('../../core/labels.js').Label[]} */
   const labels = Object.entries(grips).map(([key, { at, name = '', kin }]) => ({ key: `${key}-name`, words: name, at, kin, name: `handle-name ${kin}`, gap: 15, sides: ['right', 'above-right'] }))
   const { sealed } = frame.params
-  labels.push({ key: 'gray-name', words: 'gray foot', at: at(frame.euclideanFoot.at), kin: 'truth', sides: lefter ? ['below-right', 'right'] : ['below-left', 'left'] })
   if (!sealed) labels.push(
+    { key: 'gray-name', words: 'gray foot', at: at(frame.euclideanFoot.at), kin: 'truth', sides: lefter ? ['below-right', 'right'] : ['below-left', 'left'] },
     { key: 'purple-name', words: 'purple foot', at: at(frame.mahalanobisFoot.at), kin: 'posterior', sides: lefter ? ['below-left', 'left'] : ['below-right', 'right'] },
     { key: 'update-name', words: 'update', at: at(frame.update.at), kin: 'posterior', sides: lefter ? ['above-left', 'left'] : ['above-right', 'right'] },
   )
-  const line = (/** @type {string} */ key, /** @type {number} */ output, /** @type {import('../../core/words.js').Words} */ words, /** @type {boolean} */ over) => {
+  const line = (/** @type {string} */ key, /** @type {number} */ output, /** @type {import('../../core/words.js').Words} */ words, /** @type {boolean} */ over, place = 0.93) => {
     const ends = clipLine(frame.H, output, plane)
     if (!ends) return
     const [from, to] = ends[0][0] <= ends[1][0] ? ends : [ends[1], ends[0]]
-    const mark = from.map((value, i) => value + 0.93 * (to[i] - value))
+    const mark = from.map((value, i) => value + place * (to[i] - value))
     labels.push({ key, words, at: at(mark), gap: 5, kin: 'measurement', sides: over ? ['above', 'above-right', 'above-left'] : ['below', 'below-right', 'below-left'] })
   }
   const upper = frame.params.reading > frame.mostLikelyOutput
   // On a phone the equation has no room beside the foot's name and would lie on both lines.
-  line('omega-name', frame.params.reading, box.right - box.left < 360 ? 'Ω' : 'Ω: {H}*x* = {y}', upper)
+  const narrow = box.right - box.left < 360
+  line('omega-name', frame.params.reading, narrow ? 'Ω' : 'Ω: {H}*x* = {y}', upper, narrow ? 0.84 : 0.93)
   if (frame.params.noise > 0 && !sealed) line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', !upper)
   const marks = [frame.euclideanFoot.at, ...(sealed ? [] : [frame.mahalanobisFoot.at, frame.update.at])].map((place) => clear(at(place), 4))
   drawLabels(pen, box, labels, [...marks, ...Object.values(grips).map((grip) => clear(grip.at, 11))])

@@ -2,7 +2,7 @@
 
 import { followed } from '../../core/camera.js'
 import { drawLabels, clear } from '../../core/labels.js'
-import { dot, ellipseLevel, ellipsePath, meaning, scaleBar, segment, seriesPath } from '../../core/plot.js'
+import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../core/plot.js'
 import { scaleLinear } from '../../core/scale.js'
 import { clock } from './words.js'
 
@@ -40,10 +40,17 @@ export function drawMap({ pen, width, height }, frame, view) {
   return moving
 }
 
-/** What has to be seen: the robot, the landmarks and the tracks. @param {Frame} frame @param {number} axis */
-function seen({ landmarks, tracks, estimate }, axis) {
+/**
+ * What has to be seen: the landmarks, the tracks, and the robot with its ellipse, but of an ellipse that grows without end no more than
+ * half of what the landmarks and the true track take.
+ * @param {Frame} frame @param {number} axis
+ */
+function seen({ landmarks, tracks, estimate, ellipse }, axis) {
   const at = axis ? 'y' : 'x'
-  return [[estimate[axis] - 1, estimate[axis] + 1], landmarks.map((landmark) => landmark[at]), ...Object.values(tracks).map((track) => track[at])]
+  const fixed = [...landmarks.map((landmark) => landmark[at]), ...tracks.truth[at]]
+  const extent = fixed.reduce(([low, high], value) => [Math.min(low, value), Math.max(high, value)], [estimate[axis], estimate[axis]])
+  const half = 1 + Math.min(halves(ellipse)[axis], (extent[1] - extent[0]) / 2)
+  return [[estimate[axis] - half, estimate[axis] + half], landmarks.map((landmark) => landmark[at]), ...Object.values(tracks).map((track) => track[at])]
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */

@@ -19,7 +19,7 @@ export function percent(share) {
 /** Seconds as minutes and seconds. @param {number} seconds */
 export function clock(seconds) {
   const whole = Math.floor(seconds)
-  return `${Math.floor(whole / 60)} min ${whole % 60} s`
+  return `${Math.floor(whole / 60)}\u00a0min ${whole % 60}\u00a0s`
 }
 
 /** @param {Frame} frame */

@@ -31,7 +31,7 @@ const UNITS: [&str; 17] =
 
 /// The unit that a text begins with, and the rest.
 fn unit(text: &str) -> Option<(&str, &str)> {
-    let end = text.find(|c: char| c.is_whitespace() || ",;.:)".contains(c)).unwrap_or(text.len());
+    let end = text.find(|c: char| c.is_whitespace() || (c != '-' && CLOSING.contains(&c))).unwrap_or(text.len());
     UNITS.contains(&&text[..end]).then(|| text.split_at(end))
 }
 

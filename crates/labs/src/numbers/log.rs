@@ -61,7 +61,7 @@ fn drive(logged: &LoggedDrive, to: &mut Listing) {
     to.add("log.gap.seconds", length.round(), "the longest time without a range, s").add(
         "log.gap.minute",
         (middle / 60.0).round(),
-        "its middle, in minutes of the drive",
+        "the middle of the longest time without a range, in minutes of the drive",
     );
 }
 
@@ -122,17 +122,21 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
     let reckoned = reckoned_line(logged);
     for (name, line) in [("truth", raw.range_line), ("inner", raw.innovation_line), ("reckoned", reckoned)] {
         let line = line.ok_or_else(off)?;
+        to.by(if name == "reckoned" { "labs::numbers::log::reckoned_line" } else { "labs::RobotLog" }, None);
         to.add(format!("log.line.{name}.slope"), line.slope, "the slope of the line through errors over ranges")
             .add(format!("log.line.{name}.offset"), line.offset, "its value at 0, m")
             .add(format!("log.line.{name}.r2"), line.r2, "R², the share of the variance that it explains");
     }
     let (epsilon, sigma) = learned.summary.epsilon.zip(learned.summary.epsilon_sigma).ok_or_else(off)?;
-    to.add("log.learned.epsilon", epsilon, "the learned scale");
-    to.add("log.learned.sigma", sigma, "its standard deviation");
+    to.by("labs::RobotLog", None).add("log.learned.epsilon", epsilon, "the learned scale").add(
+        "log.learned.sigma",
+        sigma,
+        "its standard deviation",
+    );
     Ok(())
 }
 
-/// The line of the panel of ranges for a log without a truth: how far they are off of the dead-reckoned ones.
+/// The line through how far the ranges are off from those of dead reckoning, which starts at the first true pose.
 fn reckoned_line(logged: &LoggedDrive) -> Option<Line> {
     let drive = logged.drive();
     let first = drive.truth.poses().first()?;
