@@ -9,3 +9,6 @@ pub fn escape(text: &str) -> String {
 pub fn escape_text(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;")
 }
+
+/// Stands before and after code among the words: a search weighs a name in code less than a word of the text.
+pub(crate) const CODE: char = '\u{1e}';

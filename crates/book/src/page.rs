@@ -7,6 +7,7 @@ use serde::Serialize;
 use crate::diagnostic::{BuildError, Diagnostics, Place};
 use crate::figure::{self, Figure};
 use crate::file;
+use crate::html::CODE;
 use crate::label::Labels;
 use crate::parse::parse;
 use crate::reading::Reading;
@@ -130,9 +131,6 @@ fn contents(headings: &[Heading]) -> Vec<Section> {
     }
     sections
 }
-
-/// Stands before and after code among the words: a search weighs a name in code less than a word of the text.
-pub(crate) const CODE: char = '\u{1e}';
 
 /// What the search finds in the text written so far: each heading with the words up to the next.
 fn search(writer: &Writer<'_>, address: &str) -> Vec<Found> {

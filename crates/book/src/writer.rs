@@ -5,9 +5,8 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use pulldown_cmark::{Alignment, CodeBlockKind, HeadingLevel, Tag};
 
 use crate::diagnostic::{Diagnostics, Place};
-use crate::html::{escape, escape_text};
+use crate::html::{CODE, escape, escape_text};
 use crate::label::Labels;
-use crate::page::CODE;
 use crate::parse::parse;
 use crate::piece::Piece;
 use crate::site::Site;
