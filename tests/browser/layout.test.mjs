@@ -261,3 +261,24 @@ test('statements of one display stand below one another on a phone, and what let
     assert.ok(narrow >= 230, `${width} px: ${narrow}`)
   }
 })
+
+test('on a phone no formula and no table has to be scrolled in any letters, and on a desk no listing', async (t) => {
+  const page = await open(t, { viewport: { width: 390, height: 844 }, touch: true })
+  const show = () => page.evaluate(async () => {
+    document.querySelectorAll('details').forEach((block) => { block.open = true })
+    document.querySelectorAll('main > article > section, .end-matter').forEach((part) => { part.style.contentVisibility = 'visible' })
+    await document.fonts.ready
+    for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
+  })
+  const wide = (selector) => page.locator(selector).evaluateAll((all) => all.filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => `${box.scrollWidth} px in ${box.clientWidth}: ${box.textContent.slice(0, 60)}`))
+  await show()
+  for (const notation of ['Choset', 'Thrun', 'Common']) {
+    await page.locator(`[data-set-notation]`, { hasText: notation }).first().evaluate((button) => button.click())
+    await page.waitForFunction((it) => document.documentElement.dataset.letters === it, notation.toLowerCase())
+    await show()
+    assert.deepEqual(await wide('main :is(.equation-body, .table-box)'), [], notation)
+  }
+  await page.setViewportSize({ width: 1440, height: 900 })
+  await show()
+  assert.deepEqual(await wide('.chapter > section > .listing > pre'), [])
+})

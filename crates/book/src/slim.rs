@@ -5,6 +5,7 @@
 //! is read is `mathml`'s. What is one symbol is text (`symbol`). `web/style/formulas.css` knows the elements this makes.
 
 mod letters;
+mod lines;
 mod mathml;
 mod script;
 mod symbol;
@@ -37,7 +38,7 @@ pub struct Reading {
 pub fn slim(html: &str) -> Result<Reading, String> {
     let mut nodes = parse(html)?;
     nodes.iter().try_for_each(known_size)?;
-    nodes.iter_mut().for_each(visit);
+    nodes.iter_mut().for_each(|node| visit(node, false));
     let letters = letters::letters(&nodes);
     let symbol = symbol::symbol(&nodes);
     let plain = symbol.is_some();
@@ -61,11 +62,12 @@ fn known_size(node: &Node) -> Result<(), String> {
     element.children.iter().try_for_each(known_size)
 }
 
-fn visit(node: &mut Node) {
+fn visit(node: &mut Node, display: bool) {
     let Node::Element(element) = node else { return };
     if element.name == "math" {
         read(element);
     } else if element.has("katex-html") {
+        lines::bases(element, display);
         draw(element, false);
     } else if element.has("katex-mathml")
         && let [Node::Element(math)] = element.children.as_mut_slice()
@@ -75,7 +77,8 @@ fn visit(node: &mut Node) {
         *element = std::mem::take(math);
         read(element);
     } else {
-        element.children.iter_mut().for_each(visit);
+        let display = display || element.has("katex-display");
+        element.children.iter_mut().for_each(|child| visit(child, display));
     }
 }
 

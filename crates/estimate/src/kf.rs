@@ -138,7 +138,8 @@ mod tests {
         for (sys, mut belief) in [dead_reckoning(), position_sensor()] {
             let mut observer = Observer { sys, k: Vector2::zeros(), xhat: belief.x };
             for k in 0..400 {
-                let (u, y) = (Vector1::new(libm::cos(0.7 * f64::from(k))), Vector1::new(libm::sin(f64::from(k * k))));
+                let u = Vector1::new(libm::cos(0.7 * f64::from(k)));
+                let y = Vector1::new(libm::sin(f64::from(k * k)));
                 let step = kalman_step(&sys, &belief, &u, &y).expect("S is positive");
                 observer.k = step.r;
                 observer.step(&u, &y);

@@ -3,7 +3,7 @@
 use crate::markup::{Element, Node, em, length};
 
 /// The rows of a list that KaTeX lays out as a table: each with how far it is raised and what stands in it.
-fn places(table: &Element) -> Option<Vec<(&Element, f64, &Element)>> {
+pub(super) fn places(table: &Element) -> Option<Vec<(&Element, f64, &Element)>> {
     let rows: Vec<&Element> = table.children.iter().filter_map(Node::element).collect();
     let list = rows.first()?.children.iter().find_map(|child| child.element().filter(|cell| cell.has("vlist")))?;
     let below = rows.get(1).and_then(|row| row.children.first()?.element());
