@@ -64,6 +64,7 @@ test('a choice is committed to before anything is explained, and a wrong one say
   assert.match(await others.locator('summary').evaluate((summary) => getComputedStyle(summary, '::before').content), /\u25b8/, 'what opens has the mark of what opens')
   assert.ok(await it.form.getByRole('radio').first().isDisabled(), 'an answer given stands')
   assert.ok(!(await it.commit.isVisible()))
+  assert.ok(await it.form.evaluate((form) => form.querySelector('.quiz-answer').getBoundingClientRect().bottom <= form.querySelector('[data-quiz-reset]').getBoundingClientRect().top), 'another try comes behind the reasons')
   assert.ok(await it.verdict.evaluate((verdict) => document.activeElement === verdict), 'the focus is at what was said, not lost with the button')
 })
 

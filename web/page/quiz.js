@@ -253,8 +253,11 @@ function forget(form) {
   lock(form, true, () => skip(form.id))
 }
 
-/** @param {HTMLElement} form @param {boolean} answered */
+/** The buttons to answer with stand before the verdict, the one to try again behind the answer. @param {HTMLElement} form @param {boolean} answered */
 function toggle(form, answered) {
+  const actions = form.querySelector('.quiz-actions')
+  if (actions && answered) form.append(actions)
+  else if (actions) form.querySelector('.quiz-verdict')?.before(actions)
   form.querySelector('[data-quiz-reset]')?.toggleAttribute('hidden', !answered)
   for (const control of form.querySelectorAll('[type="submit"], [data-quiz-skip], [data-quiz-look]')) control.toggleAttribute('hidden', answered)
 }

@@ -118,7 +118,7 @@ const controls = [
   { kind: 'range', name: 'ghostShift', label: 'Ghost, shifted east', words: (value) => `${fixed(value, 2)} m`, shown: ({ ghost }) => Boolean(ghost) },
   dial('ghostTurn', 'Ghost, on the spot'),
   {
-    kind: 'range', name: 'tolerance', label: 'Rank tolerance, part of the largest', step: 0.5,
+    kind: 'range', name: 'tolerance', label: 'Relative rank tolerance', step: 0.5,
     words: (value) => power(10 ** value),
     notches: () => [{ at: -6, name: '10^{−6}' }, { at: 0, name: '1' }],
     // In powers of ten, as far down as the parameter's own step.

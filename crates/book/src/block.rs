@@ -7,6 +7,7 @@ use crate::attributes::Attributes;
 use crate::code::marked;
 use crate::diagnostic::Place;
 use crate::directive;
+use crate::found::Entry;
 use crate::html::CODE;
 use crate::inline::source_href;
 use crate::notation::Row;
@@ -87,6 +88,7 @@ impl Writer<'_> {
         let text = |key: &str| attributes.value(key).unwrap_or_default();
         let label = self.labels.get(id, self.root).ok();
         let number = label.as_ref().map(|label| label.number.clone());
+        let title_starts = self.words.len();
         // A definition without an id has no number to show.
         let label = label.map(|label| label.text).unwrap_or_default();
         if name != "quiz" {
@@ -117,9 +119,19 @@ impl Writer<'_> {
             "own-log" => ("own_log", context! {}),
             _ => ("margin", context! {}),
         };
+        let section = self.headings.last().map(|heading| (heading.id.clone(), heading.number.clone()));
+        let section = section.filter(|_| matches!(name, "definition" | "exercise") && !id.is_empty());
+        if section.is_some() {
+            let words = (title_starts, self.words.len());
+            self.entries.push(Entry { id: id.to_string(), section: String::new(), words });
+        }
         self.inside.push(name.to_string());
         let body = safe(self.write(&node.children));
         self.inside.pop();
+        // What follows belongs to the section again.
+        if let Some((id, section)) = section {
+            self.entries.push(Entry { id, section, words: (self.words.len(), self.words.len()) });
+        }
         self.fill(template, context! { id, label, body, ..own }, place)
     }
 

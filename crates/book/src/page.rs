@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::diagnostic::{BuildError, Diagnostics, Place};
 use crate::figure::{self, Figure};
 use crate::file;
-use crate::html::CODE;
+use crate::found::{Found, found};
 use crate::label::Labels;
 use crate::parse::parse;
 use crate::reading::Reading;
@@ -47,24 +47,6 @@ pub struct Section {
     pub sections: Vec<Heading>,
 }
 
-/// A section as the search sees it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Found {
-    /// Page and id.
-    pub id: String,
-    /// The page, from the site's root.
-    pub page: String,
-    /// Its title in words.
-    pub title: String,
-    /// Number, as in "15.2".
-    pub section: String,
-    /// Its words, without its code.
-    pub text: String,
-    /// Its listings, its other blocks of code and what its programs print.
-    #[serde(skip_serializing_if = "String::is_empty")]
-    pub code: String,
-}
-
 /// The Markdown files of a chapter, in order: path from the root and text.
 ///
 /// # Errors
@@ -92,7 +74,7 @@ pub fn text(
     for (text, (path, _)) in texts.iter().zip(files) {
         body += &format!("<section data-part=\"{}\">\n{}</section>\n", part(path), writer.write(text));
     }
-    let search = search(&writer, address);
+    let search = found(&writer.entries, &writer.words, address);
     body += &writer.end_matter();
     let numbers = writer.numbers();
     let mut readings: Vec<_> = writer.readings.take().unwrap_or_default().into_iter().collect();
@@ -130,26 +112,6 @@ fn contents(headings: &[Heading]) -> Vec<Section> {
         }
     }
     sections
-}
-
-/// What the search finds in the text written so far: each heading with the words up to the next.
-fn search(writer: &Writer<'_>, address: &str) -> Vec<Found> {
-    let spaced = |words: String| words.split_whitespace().collect::<Vec<_>>().join(" ");
-    // Every second part is code.
-    let parts = |from: usize, to: usize, first: usize| {
-        let between = writer.words.get(from..to).unwrap_or_default();
-        spaced(between.split(CODE).skip(first).step_by(2).collect::<Vec<_>>().join(" "))
-    };
-    let ends = writer.headings.iter().skip(1).map(|next| next.words.0).chain([writer.words.len()]);
-    let found = |(heading, end): (&Heading, usize)| Found {
-        id: format!("{address}#{}", heading.id),
-        page: address.to_string(),
-        title: parts(heading.words.0, heading.words.1, 0),
-        section: heading.number.clone(),
-        text: parts(heading.words.1, end, 0),
-        code: parts(heading.words.1, end, 1),
-    };
-    writer.headings.iter().zip(ends).map(found).collect()
 }
 
 #[cfg(test)]

@@ -5,6 +5,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 use pulldown_cmark::{Alignment, CodeBlockKind, HeadingLevel, Tag};
 
 use crate::diagnostic::{Diagnostics, Place};
+use crate::found::Entry;
 use crate::html::{CODE, escape, escape_text};
 use crate::label::Labels;
 use crate::parse::parse;
@@ -25,9 +26,6 @@ pub struct Heading {
     pub number: String,
     /// Its title as HTML, without links.
     pub html: String,
-    /// Where its title and the text below it begin among the words.
-    #[serde(skip)]
-    pub words: (usize, usize),
 }
 
 /// What a page has used, for its end matter.
@@ -63,6 +61,8 @@ pub struct Writer<'a> {
     pub plain: bool,
     /// Headings so far.
     pub headings: Vec<Heading>,
+    /// Where what the search finds begins among the words.
+    pub entries: Vec<Entry>,
     /// Used so far.
     pub used: Used,
     /// Formulas in the letters of the other notations, where any of these differs, with their index on the page; `None` for a
@@ -89,6 +89,7 @@ impl<'a> Writer<'a> {
             root,
             plain: false,
             headings: Vec::new(),
+            entries: Vec::new(),
             used: Used::default(),
             readings: Some(HashMap::new()),
             words: String::new(),
@@ -250,7 +251,8 @@ impl<'a> Writer<'a> {
         self.push(&format!("<{level} id=\"{id}\">{mark}{html} {link}</{level}>\n"));
         if level <= HeadingLevel::H3 {
             let words = (title_starts, self.words.len());
-            self.headings.push(Heading { level: level as u8, id, number, html, words });
+            self.entries.push(Entry { id: id.clone(), section: number.clone(), words });
+            self.headings.push(Heading { level: level as u8, id, number, html });
         }
     }
 
