@@ -282,3 +282,18 @@ test('on a phone no formula and no table has to be scrolled in any letters, and 
   await show()
   assert.deepEqual(await wide('.chapter > section > .listing > pre'), [])
 })
+
+test('no note in the margin pushes the next heading down', async (t) => {
+  const page = await open(t, { viewport: { width: 1440, height: 900 } })
+  const holes = await page.evaluate(async () => {
+    document.querySelectorAll('main > article > section, .end-matter').forEach((part) => { part.style.contentVisibility = 'visible' })
+    await document.fonts.ready
+    return [...document.querySelectorAll('.chapter :is(h2, h3, h4)')].flatMap((heading) => {
+      let before = heading.previousElementSibling ?? heading.parentElement.previousElementSibling?.lastElementChild
+      while (before && getComputedStyle(before).float !== 'none') before = before.previousElementSibling
+      const hole = before ? heading.getBoundingClientRect().top - before.getBoundingClientRect().bottom : 0
+      return hole > 120 ? [`${Math.round(hole)} px before ${heading.textContent}`] : []
+    })
+  })
+  assert.deepEqual(holes, [])
+})

@@ -44,6 +44,7 @@ test('words of the text come before names in code, which are found too', async (
   await ask(page, 'innovation')
   const hits = (await results(page).evaluateAll((links) => links.map((link) => link.innerText)))
   assert.ok(hits.length >= 6, `${hits.length} hits`)
+  assert.match(hits[0], /^Definition \d+ Innovation/, 'the definition comes before exercises that use the word')
   assert.deepEqual(hits.slice(0, 6).filter((words) => /\/\/\/|::|fn /.test(words)), [], 'a reader who asks what an innovation is reads prose first')
   await ask(page, 'associate_ml')
   assert.match(await results(page).first().innerText(), /associate_ml/)

@@ -31,6 +31,7 @@ export function bar() {
       notations[(chosen() + 1) % notations.length].click()
       name()
     }, '')
+    letters.toggleAttribute('data-letters', true)
     const name = () => {
       const now = notations[chosen()].textContent
       letters.textContent = now

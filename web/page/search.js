@@ -4,7 +4,7 @@ import MiniSearch from 'minisearch'
 import { part } from '../core/element.js'
 import { PATIENCE_MS } from '../core/patience.js'
 
-/** @typedef {{ id: string, page: string, title: string, section: string, text: string, code?: string }} Entry */
+/** @typedef {{ id: string, page: string, of?: string, title: string, section: string, text: string, code?: string }} Entry */
 
 /** Said where there is no index. */
 const NO_INDEX = 'The search needs a list of all the words of this book, and that could not be fetched: are you offline? The next letter you type asks for it again.'
@@ -71,7 +71,7 @@ function build() {
 async function index() {
   const answer = await fetch(rooted('search.json'), { signal: AbortSignal.timeout(PATIENCE_MS) })
   if (!answer.ok) throw new Error(`search.json: ${answer.status}`)
-  const found = new MiniSearch({ fields: ['title', 'text', 'code'], storeFields: ['page', 'title', 'section', 'text', 'code'] })
+  const found = new MiniSearch({ fields: ['title', 'text', 'code'], storeFields: ['page', 'of', 'title', 'section', 'text', 'code'] })
   found.addAll(await answer.json())
   return found
 }
@@ -86,7 +86,7 @@ function result(hit, words) {
   const item = document.createElement('li')
   const link = /** @type {HTMLAnchorElement} */ (part(document, item, 'a', ''))
   link.href = `${rooted(hit.page)}#${String(hit.id).split('#')[1] ?? ''}`
-  part(document, link, 'strong', '').textContent = [hit.section, hit.title].filter(Boolean).join(' ')
+  part(document, link, 'strong', '').textContent = [hit.section, hit.of && `${hit.of} ·`, hit.title].filter(Boolean).join(' ')
   // The index is newer than this page: the place it names is in the new edition, which a reload brings.
   link.addEventListener('click', (event) => {
     if (link.pathname !== location.pathname || document.getElementById(decodeURIComponent(link.hash.slice(1)))) return
@@ -103,7 +103,8 @@ function result(hit, words) {
 /** The words around a hit, which is marked. @param {Element} into @param {string} text @param {string} word */
 function excerpt(into, text, word) {
   const hit = text.toLowerCase().indexOf(word)
-  const from = Math.max(0, hit - 60)
+  // An excerpt begins with a word.
+  const from = hit <= 60 ? 0 : text.lastIndexOf(' ', hit - 60) + 1
   const to = from + 160
   if (hit < 0) return into.append(`${text.slice(0, to)}…`)
   into.append(`${from ? '…' : ''}${text.slice(from, hit)}`)

@@ -13,6 +13,7 @@ use crate::diagnostic::{BuildError, Diagnostics};
 use crate::dist::Dist;
 use crate::figure::Figure;
 use crate::file;
+use crate::found::Found;
 use crate::hash::fnv1a;
 use crate::notation::NOTATIONS;
 use crate::page;
@@ -118,7 +119,9 @@ impl Pages<'_> {
             reading => text.reading,
         };
         self.page(if chapter.is_some() { "chapter" } else { "page" }, &address, title, description, extra)?;
-        self.dist.search.extend(text.search);
+        // A place of another page than a chapter is told with the page's title.
+        let of = if chapter.is_some() { "" } else { title };
+        self.dist.search.extend(text.search.into_iter().map(|found| Found { of: of.into(), ..found }));
         for (file, picture) in text.used.pictures {
             self.dist.put(&format!("assets/{file}"), picture.into_bytes());
         }

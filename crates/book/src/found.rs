@@ -22,6 +22,9 @@ pub struct Found {
     pub id: String,
     /// The page, from the site's root.
     pub page: String,
+    /// The title of the page, if that is no chapter.
+    #[serde(skip_serializing_if = "String::is_empty")]
+    pub of: String,
     /// Its title in words.
     pub title: String,
     /// Number of the section, as in "15.2".
@@ -54,6 +57,7 @@ pub fn found(entries: &[Entry], words: &str, address: &str) -> Vec<Found> {
             None => found.push(Found {
                 id,
                 page: address.to_string(),
+                of: String::new(),
                 title: parts(starts, begins, 0),
                 section: entry.section.clone(),
                 text,
