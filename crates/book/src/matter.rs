@@ -8,7 +8,7 @@ use crate::diagnostic::Place;
 use crate::inline::source_href;
 use crate::syntax;
 use crate::template::{safe, serde};
-use crate::writer::Writer;
+use crate::writer::{Heading, Writer};
 
 impl Writer<'_> {
     /// Every work of `references.toml`, by author and year.
@@ -56,6 +56,8 @@ impl Writer<'_> {
     }
 
     fn section(&mut self, id: &str, title: &str, body: String) -> String {
+        let (number, html) = (String::new(), title.to_string());
+        self.headings.push(Heading { level: 2, id: id.to_string(), number, html });
         self.fill("end", context! { id, title, body => safe(body) }, &Place::new(title, 1))
     }
 
