@@ -3,9 +3,12 @@
 // Two runs of one commit visit the same states; DRAWN_SEED=7 looks elsewhere, and DRAWN_STATES=1000 at more of them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { drawHandle } from '../../web/core/handle.js'
+import { Readouts } from '../../web/core/readouts.js'
 import { buildShell } from '../../web/core/shell.js'
+import { writeSvg } from '../../web/core/words.js'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { LOG, estimate } from './claims.mjs'
 import { dice as seeded } from './nonsense.mjs'
@@ -107,3 +110,61 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
     assert.ok(drawn > STATES, 'most of the states are such as a reader can reach')
   })
 }
+
+test('what follows an index or a power stands on the line of what is before it', () => {
+  const { document } = parseHTML('<!doctype html><html><body></body></html>')
+  const css = readFileSync(new URL('../../web/style/ink.css', import.meta.url), 'utf8')
+  const size = (name) => (name ? Number(css.match(new RegExp(`\\.${name}\\b[^{]*\\{[^}]*font-size: ([\\d.]+)em`))[1]) : 1)
+  for (const words of ['slope 0.07, *R*^{2} = 0.78', '*K*_t + 1', 'χ_1^{2} *y*', '*P*_{0|0}*H*']) {
+    const text = document.createElement('text')
+    writeSvg(text, words)
+    const last = text.lastChild
+    const low = [...text.children].reduce((sum, span) => sum + Number((span.getAttribute('dy') ?? '0em').slice(0, -2)) * size(span.getAttribute('class')), 0)
+    assert.ok(!['sub', 'sup'].includes(last.getAttribute('class')) && Math.abs(low) < 0.02, `${words} ends ${low} em below its line`)
+  }
+})
+
+test('what has no value has no unit', () => {
+  const { document } = parseHTML('<!doctype html><html><body></body></html>')
+  const readouts = new Readouts(document, document.body)
+  const shown = (value) => {
+    readouts.show([{ key: 'rmse', label: 'RMS error', value, unit: 'm' }])
+    return document.querySelector('dd').textContent
+  }
+  assert.deepEqual([shown('0.37'), shown('–'), shown('∞')], ['0.37 m', '–', '∞ m'])
+})
+
+test('a panel of a log says why it is empty, and one alone says what to do', async () => {
+  const spec = await WIDGETS['robot-log']()
+  const texts = (params, step, log = LOG) => {
+    const { document } = parseHTML('<!doctype html><html><body></body></html>')
+    const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, embed: nothing, download: nothing }
+    const shell = buildShell(document, spec, document.createElement('div'), orders, estimate.RobotLog.parameters())
+    const frame = estimate.RobotLog.from(estimate.RobotLog.parse(log), { version: 1, lab: 'robot-log', params, step }).frame()
+    for (const { name, draw } of spec.panels.slice(1)) draw(shell.panels[name], frame, {})
+    return Object.fromEntries(spec.panels.map(({ name }) => [name, [...shell.panels[name].svg.querySelectorAll('text')].map(({ textContent }) => textContent).join('\n')]))
+  }
+  const begun = texts({ sightings: true }, 0)
+  for (const name of ['innovations', 'ranges', 'inner', 'correlation', 'nis']) assert.match(begun[name], /no reading so far/, name)
+  assert.match(begun.errors, /nothing is driven yet/)
+  const reckoned = texts({ sightings: false }, 400)
+  assert.equal(Object.values(reckoned).filter((text) => text.includes('switch the ranges on')).length, 1)
+  assert.doesNotMatch(reckoned.errors, /no truth|driven/)
+  assert.match(texts({ sightings: false }, 400, LOG.replace(/^G.*\n/gm, '')).errors, /there is no truth/)
+})
+
+test('the claimed 2 σ of dead reckoning stays in its panel', async () => {
+  const spec = await WIDGETS['robot-log']()
+  const { document } = parseHTML('<!doctype html><html><body></body></html>')
+  const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, embed: nothing, download: nothing }
+  const { panels: { errors } } = buildShell(document, spec, document.createElement('div'), orders, estimate.RobotLog.parameters())
+  const { draw } = spec.panels.find(({ name }) => name === 'errors')
+  for (const params of [{ sightings: false }, { sightings: true, learn: true }]) {
+    const lab = estimate.RobotLog.from(estimate.RobotLog.parse(LOG), { version: 1, lab: 'robot-log', params, step: 4000 })
+    draw(errors, lab.frame(), {})
+    // One stroke: its first point, and from each point the way to the next.
+    const ways = errors.svg.querySelector('path.curve').getAttribute('d').match(/-?(\d+\.?\d*|\.\d+)/g).map(Number).filter((_, i) => i % 2 === 1)
+    const heights = ways.map((_, i) => ways.slice(0, i + 1).reduce((sum, way) => sum + way))
+    assert.ok(heights.length > 20 && Math.min(...heights) >= 26 && Math.max(...heights) <= 212, `${heights.length} points from ${Math.min(...heights)} to ${Math.max(...heights)}`)
+  }
+})

@@ -43,7 +43,8 @@ export class Readouts {
       if (!held) this.kept.set(readout.key, (held = this.build(readout)))
       const hidden = readout.shown === false
       if (held.box.hasAttribute('hidden') !== hidden) held.box.toggleAttribute('hidden', hidden)
-      const text = readout.unit ? `${readout.value} ${readout.unit}` : readout.value
+      // What has no value yet is a dash, which has no unit.
+      const text = readout.unit && readout.value !== '–' ? `${readout.value} ${readout.unit}` : readout.value
       if (held.said === text) continue
       held.value.textContent = text
       held.said = text

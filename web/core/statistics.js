@@ -17,9 +17,9 @@ export function rule(pen, { box, y }, key, at) {
   pen.mark('line', `rule-${key}`, { ...meaning('rule'), x1: box.left, x2: box.right, y1: y(at), y2: y(at) })
 }
 
-/** Says why a plot has nothing to show. @param {Pen} pen @param {Plane} plane @param {string} words */
+/** Says why a plot has nothing to show, above a line through its middle. @param {Pen} pen @param {Plane} plane @param {string} words */
 export function empty(pen, { box }, words) {
-  pen.text('empty', { class: 'label', x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 + 4, 'text-anchor': 'middle' }, words)
+  pen.text('empty', { class: 'label', x: (box.left + box.right) / 2, y: (box.top + box.bottom) / 2 - 10, 'text-anchor': 'middle' }, words)
 }
 
 /**
@@ -27,9 +27,10 @@ export function empty(pen, { box }, words) {
  * @param {import('./shell.js').Panel} panel
  * @param {{ values: number[], band: number }} correlation
  * @param {{ title: import('./words.js').Words, lag: import('./words.js').Words, none: string }} words
+ * @param {number} margin right of the plot, pixels: that of the plots above and below it
  */
-export function drawLags({ pen, width, height }, { values, band: half }, words) {
-  const box = { left: 40, top: 26, right: width - 12, bottom: height - 38 }
+export function drawLags({ pen, width, height }, { values, band: half }, words, margin) {
+  const box = { left: 40, top: 26, right: width - margin, bottom: height - 38 }
   const [low, high] = [Math.min(-0.3, ...values), Math.max(0.5, ...values)]
   const plane = planeOf(box, [0, 21], rounded(low, high, 4))
   pen.draw(() => {

@@ -58,6 +58,10 @@ export const unmarked = (words) => pieces(words).map((piece) => piece.text).join
 /** Words in which a unit stays on the line of its number. @param {string} words */
 export const held = (words) => words.replace(/(?<=\d) (?=(?:%|m|m\/s|m²|s|rad)(?![\p{L}\d]))/gu, '\u00a0')
 
+/** How far a piece of a label is lifted, in letters of the label, and how large its own are: `web/style/ink.css` says the same. */
+const LIFT = { plain: 0, symbol: 0, sub: 0.19, sup: -0.3 }
+const SIZE = { plain: 1, symbol: 1.06, sub: 0.75, sup: 0.75 }
+
 const ELEMENTS = { plain: 'span', symbol: 'i', sub: 'sub', sup: 'sup' }
 
 /**
@@ -96,12 +100,12 @@ export function writeSvg(into, words) {
       continue
     }
     for (const { kind, text } of parts) {
-      const at = kind === 'sub' ? 0.25 : kind === 'sup' ? -0.4 : 0
       const span = holder.appendChild(ownerDocument.createElementNS(SVG, 'tspan'))
       if (kind !== 'plain') span.setAttribute('class', kind)
-      if (at !== lift) span.setAttribute('dy', `${Math.round((at - lift) * 100) / 100}em`)
+      // An em of `dy` is one of the piece's own letters.
+      if (LIFT[kind] !== lift) span.setAttribute('dy', `${Math.round(((LIFT[kind] - lift) / SIZE[kind]) * 100) / 100}em`)
       span.append(text)
-      lift = at
+      lift = LIFT[kind]
     }
   }
 }

@@ -5,43 +5,46 @@ import { axes, meaning, plane as planeOf, seriesPath } from '../../core/plot.js'
 import { drawCrosses, drawPoints } from '../../core/points.js'
 import { rounded } from '../../core/scale.js'
 import { drawLags, empty } from '../../core/statistics.js'
+import { expecting } from './words.js'
 
 /** @typedef {import('estimate-wasm').LogFrame} Frame */
 /** @typedef {import('../../core/shell.js').Panel} Panel */
-/** @typedef {import('../../core/pen.js').Pen} Pen */
 
 /** Errors of ranges reach from −this to this at least, metres; at most three times as far. */
 const LEAST = 3
+/** The room below the points for what the line says, pixels. */
+const FOOT = 20
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawRanges(panel, frame) {
   const { range, residual } = frame.ranges
   const known = frame.truth ? 'true' : 'dead-reckoned'
-  scatter(panel, `range read less ${known} (m)`, `${known} range (m)`, range, residual, frame.rangeLine, () => true)
+  scatter(panel, `range read less ${known} (m)`, `${known} range (m)`, range, residual, frame.rangeLine, () => true, 'no reading so far')
 }
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawInner(panel, frame) {
   const { expected, innovation, used } = frame.innovations
-  scatter(panel, 'the filter’s innovation {innov} (m)', 'expected range (m)', expected, innovation, frame.innovationLine, (i) => used[i])
+  scatter(panel, 'the filter’s innovation {innov} (m)', 'expected range (m)', expected, innovation, frame.innovationLine, (i) => used[i], expecting(frame, 'no slope if the model is right'))
 }
 
 /**
  * @param {Panel} panel @param {string} title @param {string} across @param {number[]} xs @param {number[]} ys
  * @param {{ slope: number, offset: number, r2: number } | null} line @param {(i: number) => boolean} used
+ * @param {string} none what it says without a point
  */
-function scatter({ pen, width, height }, title, across, xs, ys, line, used) {
+function scatter({ pen, width, height }, title, across, xs, ys, line, used, none) {
   const box = { left: 36, top: 26, right: width - 10, bottom: height - 38 }
   const most = Math.min(3 * LEAST, ys.reduce((sum, y) => Math.max(sum, Math.abs(y)), LEAST))
-  const plane = planeOf(box, [0, xs.reduce((sum, x) => Math.max(sum, x), 10) * 1.02], rounded(-most, most, 4))
+  const plane = planeOf({ ...box, bottom: box.bottom - FOOT }, [0, xs.reduce((sum, x) => Math.max(sum, x), 10) * 1.02], rounded(-most, most, 4))
   pen.draw(() => {
-    axes(pen, plane, { title, x: across, ticks: [5, 4], zero: true })
-    if (xs.length === 0) return empty(pen, plane, 'no range is used')
+    axes(pen, { ...plane, box }, { title, x: across, ticks: [5, 4], zero: true })
+    if (xs.length === 0) return empty(pen, plane, none)
     drawPoints(pen, 'used', plane, xs, ys, 'measurement', used)
     drawCrosses(pen, 'refused', plane, xs, ys, (i) => !used(i))
     if (!line) return
     const [from, to] = plane.x.domain
-    pen.window('fit', box, (into) => {
+    pen.window('fit', plane.box, (into) => {
       into.mark('path', 'line', { ...meaning('curve fit'), d: seriesPath(plane, [from, to], [from, to].map((x) => line.offset + line.slope * x)) })
     })
     pen.text('slope', { class: 'label', x: box.right - 4, y: box.bottom - 6, 'text-anchor': 'end' }, `slope ${fixed(line.slope, 3)}, *R*^{2} = ${fixed(line.r2, 2)}`)
@@ -49,14 +52,13 @@ function scatter({ pen, width, height }, title, across, xs, ys, line, used) {
 }
 
 /** @param {Panel} panel @param {Frame} frame */
-export function drawHistogram({ pen, width, height }, { histogram, summary }) {
+export function drawHistogram({ pen, width, height }, { histogram }) {
   const { from, width: bin, density, normal } = histogram
   const to = from + bin * density.length
   const box = { left: 36, top: 26, right: width - 10, bottom: height - 38 }
   const plane = planeOf(box, [from, to], [0, Math.max(0.45, ...density) * 1.05])
   pen.draw(() => {
     axes(pen, plane, { title: 'density of {innov}/√*S* beside N(0, 1)', x: '*σ*', ticks: [5, 4] })
-    if (summary.used === 0) return empty(pen, plane, 'no range is used')
     const floor = box.bottom
     let d = ''
     for (const [i, value] of density.entries()) {
@@ -68,6 +70,6 @@ export function drawHistogram({ pen, width, height }, { histogram, summary }) {
 }
 
 /** @param {Panel} panel @param {Frame} frame */
-export function drawCorrelation(panel, { correlation }) {
-  drawLags(panel, correlation, { title: 'autocorrelation of {innov}/√*S* and its 95 % band', lag: 'lag, used readings', none: 'no range is used' })
+export function drawCorrelation(panel, frame) {
+  drawLags(panel, frame.correlation, { title: 'autocorrelation of {innov}/√*S* and its 95 % band', lag: 'lag, used readings', none: expecting(frame, 'within its band if the model is right') }, 12)
 }

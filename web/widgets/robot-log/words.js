@@ -22,6 +22,16 @@ export function clock(seconds) {
   return `${Math.floor(whole / 60)}\u00a0min ${whole % 60}\u00a0s`
 }
 
+/** Why a panel of readings has none to show. @param {Frame} frame */
+export function unread({ params, summary: { used, refused } }) {
+  if (!params.sightings) return 'switch the ranges on'
+  if (used + refused === 0) return 'no reading so far'
+  return used === 0 ? 'every reading is refused' : 'too few readings so far'
+}
+
+/** What a panel that waits for the first reading will be judged by; one panel alone says what to do. @param {Frame} frame @param {string} expected */
+export const expecting = (frame, expected) => (frame.params.sightings ? unread(frame) : expected)
+
 /** @param {Frame} frame */
 export function verdict(frame) {
   const { params, step, summary } = frame

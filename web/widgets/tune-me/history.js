@@ -12,6 +12,9 @@ import { last } from './words.js'
 /** @typedef {import('../../core/pen.js').Pen} Pen */
 /** @typedef {import('../../core/plot.js').Plane} Plane */
 
+/** Right of each plot, pixels: the unit stands there. */
+const MARGIN = 26
+
 const counted = (/** @type {number[]} */ values) => values.map((_, i) => i + 1)
 
 /** @param {Panel} panel @param {Frame} frame */
@@ -25,7 +28,7 @@ export function drawInnovations(panel, { innovations, twoSigma }) {
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawCorrelation(panel, { autocorrelation: values, autocorrelationBand }) {
-  drawLags(panel, { values, band: autocorrelationBand }, { title: 'autocorrelation of {innov}/√*S* and its 95 % band', lag: 'lag, readings', none: '' })
+  drawLags(panel, { values, band: autocorrelationBand }, { title: 'autocorrelation of {innov}/√*S* and its 95 % band', lag: 'lag, readings', none: '' }, MARGIN)
 }
 
 /** @param {Panel} panel @param {Frame} frame */
@@ -53,7 +56,7 @@ export function drawNees(panel, { innovations, verdict }) {
 
 /** @param {Panel} panel @param {number} readings @param {[number, number]} up @param {string} title @param {(pen: Pen, plane: Plane) => void} paint */
 function draw({ pen, width, height }, readings, [low, high], title, paint) {
-  const box = { left: 40, top: 26, right: width - 26, bottom: height - 24 }
+  const box = { left: 40, top: 26, right: width - MARGIN, bottom: height - 24 }
   const plane = planeOf(box, [0, readings], rounded(low, high + (high - low) * 0.02, 4))
   pen.draw(() => {
     axes(pen, plane, { title, ticks: [5, 4], zero: low < 0 })
