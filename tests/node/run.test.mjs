@@ -223,3 +223,29 @@ test('where motion is not wanted a run is not shown between two lumps', () => {
   assert.deepEqual(outcomes.map(({ moved }) => moved).filter((moved) => moved !== 'nothing'), ['steps'])
   assert.equal(run.frame.step, 600)
 })
+
+test('play stops where the run ends, and begins it anew from there', () => {
+  const lab = estimate.BugMuseum.from({ version: 1, lab: 'bug-museum', params: {}, step: 230 })
+  const run = new Run(lab, 200, new Pace(ticking()), 240, ({ steps }) => steps)
+  const play = () => {
+    run.play(true)
+    for (let turns = 0; run.playing; turns++) {
+      assert.ok(turns < 1000, 'it stops')
+      run.turn(turns * 16, 16, false)
+    }
+    return run.step
+  }
+  assert.equal(play(), 240)
+  run.advance(5)
+  finish(run)
+  assert.equal(run.step, 240, 'a step leads no further')
+  run.play(true)
+  run.turn(0, 16, false)
+  run.turn(16, 16, false)
+  assert.ok(run.step < 100, `from the start, now at ${run.step}`)
+  while (run.playing) run.turn(32, 16, false)
+  assert.equal(run.step, 240)
+  run.change({ step: 400 })
+  finish(run)
+  assert.equal(run.step, 400, 'a reader\'s link or slider goes where it says')
+})

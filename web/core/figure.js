@@ -135,7 +135,7 @@ class Figure {
     if (!loaded.ok) return this.fail(loaded.why)
     try {
       const { lab, linked, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
-      this.run = new Run(lab, this.spec.pace ?? 2, undefined, this.spec.lap)
+      this.run = new Run(lab, this.spec.pace ?? 2, undefined, this.spec.lap, this.spec.end)
       if (linked) this.run.open(linked.lab, linked.step, MANGLED)
       this.live(this.run)
       if (mangled) this.voice.tell(MANGLED, true)

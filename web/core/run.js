@@ -34,11 +34,13 @@ export class Run {
    * @param {number} pace steps a second at speed 1
    * @param {Pace} [calls]
    * @param {number} [lap] play stops at each multiple of so many steps
+   * @param {(frame: any) => number} [end] the step that a run has no more behind
    */
-  constructor(lab, pace, calls = new Pace(), lap = LAST_STEP) {
+  constructor(lab, pace, calls = new Pace(), lap = LAST_STEP, end = () => LAST_STEP) {
     this.lab = lab
     this.pace = pace
     this.lap = lap
+    this.end = end
     this.calls = calls
     this.frame = lab.frame()
     this.step = lab.state().step
@@ -122,7 +124,7 @@ export class Run {
   advance(steps) {
     this.playing = false
     this.atEnd = this.goal === LAST_STEP
-    this.goal = Math.min(LAST_STEP, this.goal + steps)
+    this.goal = Math.max(this.goal, Math.min(this.end(this.frame), LAST_STEP, this.goal + steps))
   }
 
   reset() {
@@ -131,8 +133,9 @@ export class Run {
     this.goal = 0
   }
 
-  /** @param {boolean} on */
+  /** @param {boolean} on at the end of the run it plays from the start */
   play(on) {
+    if (on && this.goal >= this.end(this.frame) && this.goal < LAST_STEP) this.reset()
     this.playing = on
     this.due = on ? 1 : 0
     if (!on && !this.replay) this.goal = this.step
@@ -232,7 +235,7 @@ export class Run {
   /** @param {number} now @param {number} elapsed @param {boolean} calm @param {number} budget @returns {{ moved: Outcome['moved'], ended: boolean }} */
   takeSteps(now, elapsed, calm, budget) {
     const before = this.step
-    const end = Math.min(LAST_STEP, (Math.floor(this.step / this.lap) + 1) * this.lap)
+    const end = Math.max(this.step, Math.min(LAST_STEP, this.end(this.frame), (Math.floor(this.step / this.lap) + 1) * this.lap))
     if (this.playing && this.step === this.goal) this.goal = Math.min(end, this.step + this.dueSteps(now, elapsed, calm))
     if (this.step < this.goal) this.step += this.calls.run(this.lab, this.goal - this.step, budget)
     const ended = this.step === LAST_STEP && (this.playing || this.atEnd || before < LAST_STEP)

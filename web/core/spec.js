@@ -61,6 +61,7 @@
  * @property {Try[]} [tries] what to try: phrases that set the figure
  * @property {import('./words.js').Words} [invite] what the button over the first panel says at step 0; it plays
  * @property {number} [lap] play stops at each multiple of so many steps
+ * @property {(frame: any) => number} [end] the step that a run has no more behind: play stops there, and begins the run anew from there
  * @property {() => Promise<import('./start.js').Loaded<any>>} [load] fetches the module that holds the lab; that of most figures if
  *   not given
  * @property {(figure: string, given: string | undefined) => Promise<Opened>} [open] opens the run where the lab is not in the page

@@ -64,7 +64,7 @@ function readouts({ figures, driven, steps, seeds, params }) {
 // Controls: the switches, and what it takes to hide a bug and to name it.
 
 const fresh = { guess: 'none', secondGuess: 'none', committed: false }
-// The switches and the names to guess take turns: a hidden bug has no switch, and without one there is nothing to name.
+// The switches and the names to guess take turns in the same places: a hidden bug has no switch, and without one there is nothing to name.
 const open = (/** @type {Frame} */ { params }) => params.lot === 0
 const drawn = (/** @type {Frame} */ { params }) => params.lot !== 0
 const hidden = (/** @type {any} */ { lot, committed }) => lot !== 0 && !committed
@@ -93,7 +93,7 @@ const controls = [
   { kind: 'choice', name: 'bug', label: 'Bug', options: NAMES, shown: open },
   { kind: 'choice', name: 'second', label: 'and another', options: NAMES, shown: open },
   { kind: 'choice', name: 'guess', label: 'It is', options: NAMES, shown: drawn, enabled: hidden },
-  { kind: 'choice', name: 'secondGuess', label: 'and', options: NAMES, shown: ({ params }) => params.lot !== 0 && params.pair, enabled: hidden },
+  { kind: 'choice', name: 'secondGuess', label: 'and', options: NAMES, shown: drawn, enabled: (params) => params.pair && hidden(params) },
   { kind: 'toggle', name: 'many', label: 'count over seeds', set: (many, _, frame) => ({ many, step: many ? SEEDS : frame.steps }) },
   {
     kind: 'range', name: 'step', label: 'Step of the run, or seeds', ends: [0, SEEDS], step: 1,
@@ -103,8 +103,9 @@ const controls = [
   },
   { kind: 'action', name: 'again', label: 'Another run', change: ({ params }) => ({ seed: nextSeed(params) }) },
   { kind: 'action', name: 'hide', label: 'Hide a bug', change: draw(false) },
-  { kind: 'action', name: 'name', label: 'Name it', change: commit, shown: drawn, enabled: (params) => hidden(params) && params.guess !== 'none' && (!params.pair || params.secondGuess !== 'none') },
   { kind: 'action', name: 'pair', label: `Hide two bugs (after ${UNLOCKS} right in a row)`, change: draw(true), enabled: ({ named }) => named >= UNLOCKS },
+  // Behind those that stay, so that no other comes under the pointer.
+  { kind: 'action', name: 'name', label: 'Name it', change: commit, shown: drawn, enabled: (params) => hidden(params) && params.guess !== 'none' && (!params.pair || params.secondGuess !== 'none') },
   { kind: 'action', name: 'open', label: 'Back to the switches', change: () => ({ ...fresh, lot: 0, pair: false }), shown: drawn },
 ]
 
@@ -129,6 +130,7 @@ export const bugMuseum = {
   seeded: true,
   pace: 20,
   lap: 240,
+  end: ({ params, steps }) => (params.many ? SEEDS : steps),
   panels: [
     { name: 'map', width: 520, height: 330, draw: drawMap },
     { name: 'figures', width: 420, height: 330, draw: drawFigures },

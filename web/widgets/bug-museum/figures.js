@@ -11,9 +11,12 @@ import { FIGURES, outside, shown } from './words.js'
 /** @typedef {import('estimate-wasm').MuseumFigure} Figure */
 /** @typedef {import('../../core/shell.js').Panel} Panel */
 
+/** How wide a share is, with the dot beside it, pixels. */
+const SHARE = 38
+
 /** The autocorrelation of range and bearing at each lag, beside each other. @param {Panel} panel @param {Frame} frame */
 export function drawCorrelation({ pen, width, height }, { correlationRange, correlationBearing, correlationBand }) {
-  const box = { left: 46, top: 26, right: width - 12, bottom: height - 38 }
+  const box = { left: 46, top: 26, right: width - 30, bottom: height - 38 }
   const all = [...correlationRange, ...correlationBearing]
   const plane = planeOf(box, [0, 11], rounded(Math.min(-0.3, ...all), Math.max(0.6, ...all), 4))
   pen.draw(() => {
@@ -50,14 +53,15 @@ export function drawFigures({ pen, width, height }, frame) {
       pen.text(`name${i}`, { class: 'tick', x: 0, y: y + 4 }, FIGURES[i].label)
       pen.mark('line', `line${i}`, { class: 'grid', x1: left, x2: right, y1: y, y2: y })
       const [below, above] = figure.beyond
+      const at = Math.max(left + 4, Math.min(right - 4, left + third * figure.place))
       if (seeds > 0) {
         pen.mark('path', `bars${i}`, { ...meaning('area bars', 'posterior'), d: bars(figure.counts, left, right, y + row / 2 - 1, row / 2 - 1) })
         // On a phone there is no room for both: the bars say it there.
-        if (below > 0 && row > 16) pen.text(`below${i}`, { class: 'tick', x: left, y: y - 3 }, percent(below))
-        if (above > 0 && row > 16) pen.text(`above${i}`, { class: 'tick', x: right, y: y - 3, 'text-anchor': 'end' }, percent(above))
+        // Beside the run's own value, where that lies at an end.
+        if (below > 0 && row > 16) pen.text(`below${i}`, { class: 'rule-name', x: at < left + SHARE ? at + 7 : left, y: y + 4 }, percent(below))
+        if (above > 0 && row > 16) pen.text(`above${i}`, { class: 'rule-name', x: at > right - SHARE ? at - 7 : right, y: y + 4, 'text-anchor': 'end' }, percent(above))
       }
       const far = done && outside(figure)
-      const at = Math.max(left + 4, Math.min(right - 4, left + third * figure.place))
       if (driven > 0) pen.mark('circle', `dot${i}`, { class: far ? 'mark eigenvalue outside' : 'mark full posterior', cx: at, cy: y, r: 4 })
       pen.text(`value${i}`, { class: 'tick', x: width, y: y + 4, 'text-anchor': 'end' }, shown(i, figure.value))
     }

@@ -107,14 +107,14 @@ export function drawCovariance(panel, frame) {
   const { step, least, asymmetry } = frame.series
   draw(panel, frame, [
     {
-      title: 'smallest eigenvalue of *P*, scaled', up: [-1, 0.5],
+      title: 'smallest eigenvalue of {P}, scaled', up: [-1, 0.5],
       paint: (pen, plane) => {
         band(pen, plane, frame.figures[12].band[0], 1)
         pen.mark('path', 'least', { ...meaning('curve', 'posterior'), d: seriesPath(plane, step, held(plane, least)) })
       },
     },
     {
-      title: 'asymmetry of *P*', up: [1e-18, 1], log: true,
+      title: 'asymmetry of {P}', up: [1e-18, 1], log: true,
       paint: (pen, plane) => {
         pen.mark('path', 'asymmetry', { ...meaning('curve', 'posterior'), d: seriesPath(plane, step, asymmetry) })
         if (asymmetry.every((value) => value === 0)) pen.text('none', { class: 'label', x: (plane.box.left + plane.box.right) / 2, y: (plane.box.top + plane.box.bottom) / 2 + 4, 'text-anchor': 'middle' }, 'none, to the last bit')

@@ -40,7 +40,7 @@ export const FIGURES = [
   { name: 'lagRange', label: 'lag 1, range', decimals: 2 },
   { name: 'lagBearing', label: 'lag 1, bearing', decimals: 2 },
   { name: 'least', label: 'smallest eigenvalue', decimals: 2 },
-  { name: 'asymmetry', label: 'asymmetry of *P*', decimals: 1 },
+  { name: 'asymmetry', label: 'asymmetry of {P}', decimals: 1 },
 ]
 
 /** A figure's value as shown. @param {number} i @param {number | null} value */
