@@ -48,14 +48,20 @@ test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the tr
   assert.ok(Math.abs(params.logW - dragged.params.logW - 0.02) < 1e-9 && Math.abs(params.logQ - dragged.params.logQ - 0.2) < 1e-9)
 
   assert.equal(await it.locator('.live .readout').filter({ hasText: 'Mean NEES' }).locator('dd').innerText(), 'sealed')
-  await it.getByRole('button', { name: 'Fit', exact: true }).click()
+  await it.getByRole('button', { name: 'Fit the noise' }).click()
   await settled(it)
   const fitted = await frameOf(it)
   assert.ok(fitted.fit.lacking < 0.1 && fitted.verdict === null)
   assert.ok(await closed.getAttribute('d'))
-  await it.getByLabel('commit: open the truth').check()
+  const [box, likeliest] = [it.getByLabel('commit: open the truth'), it.getByLabel('show the likeliest')]
+  await likeliest.uncheck()
+  await settled(it)
+  const from = await box.evaluate((input) => input.getBoundingClientRect().top - input.closest('.live').getBoundingClientRect().top)
+  await box.check()
   await settled(it)
   assert.match(await it.locator('.live .verdict').innerText(), /The true q is/)
+  assert.deepEqual([await likeliest.isChecked(), await likeliest.isDisabled()], [true, true], 'it is drawn with the truth')
+  assert.equal(await box.evaluate((input) => input.getBoundingClientRect().top - input.closest('.live').getBoundingClientRect().top), from, 'the box stays under the pointer')
 
   await it.getByRole('button', { name: 'Another log' }).click()
   await settled(it)

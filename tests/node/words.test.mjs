@@ -205,8 +205,10 @@ check('tune-me', {
   const nis = (frame, mean, low, high) => [[mean, lastOf(frame).mean], [low, lastOf(frame).low], [high, lastOf(frame).high]].every(([text, value]) => prints(text, value))
   const lag = ({ autocorrelation: [first], autocorrelationBand }, printed, band) => prints(printed, first) && prints(band, autocorrelationBand)
   return [
-    [/^The mean NIS is ([\d.]+), above its band from ([\d.]+) to ([\d.]+): the innovations are larger than the filter expects, so its noise as a whole is too small\.$/, (frame, ...said) => nis(frame, ...said) && lastOf(frame).mean > lastOf(frame).high],
-    [/^The mean NIS is ([\d.]+), below its band from ([\d.]+) to ([\d.]+): the innovations are smaller than the filter expects, so its noise as a whole is too large\.$/, (frame, ...said) => nis(frame, ...said) && lastOf(frame).mean < lastOf(frame).low],
+    [/^The mean NIS is ([\d.]+), above its band from ([\d.]+) to ([\d.]+): the innovations are larger than the filter expects, so its noise as a whole is too small\.$/, (frame, ...said) => !frame.verdict && nis(frame, ...said) && lastOf(frame).mean > lastOf(frame).high],
+    [/^The mean NIS is ([\d.]+), below its band from ([\d.]+) to ([\d.]+): the innovations are smaller than the filter expects, so its noise as a whole is too large\.$/, (frame, ...said) => !frame.verdict && nis(frame, ...said) && lastOf(frame).mean < lastOf(frame).low],
+    [/^The mean NIS is ([\d.]+), above its band from ([\d.]+) to ([\d.]+)\.$/, (frame, ...said) => frame.verdict && nis(frame, ...said) && lastOf(frame).mean > lastOf(frame).high],
+    [/^The mean NIS is ([\d.]+), below its band from ([\d.]+) to ([\d.]+)\.$/, (frame, ...said) => frame.verdict && nis(frame, ...said) && lastOf(frame).mean < lastOf(frame).low],
     [/^The mean NIS is ([\d.]+), within its band from ([\d.]+) to ([\d.]+)\.$/, (frame, ...said) => nis(frame, ...said) && lastOf(frame).mean >= lastOf(frame).low && lastOf(frame).mean <= lastOf(frame).high],
     [/^Neighbouring innovations tend to the same side \(([\d.]+), beyond ±([\d.]+)\): the filter trusts its motion too much, a sign of too small a q\/W\.$/, (frame, first, band) => lag(frame, first, band) && (frame.params.length < 200 || ratio(frame) < 0) && frame.autocorrelation[0] > frame.autocorrelationBand],
     [/^Neighbouring innovations tend to opposite sides \(([\u2212\d.]+), beyond ±([\d.]+)\): the filter trusts its sensor too much, a sign of too large a q\/W\.$/, (frame, first, band) => lag(frame, first, band) && (frame.params.length < 200 || ratio(frame) > 0) && frame.autocorrelation[0] < -frame.autocorrelationBand],
@@ -216,7 +218,7 @@ check('tune-me', {
     [/^The truth is still sealed\.$/, ({ params, verdict }) => verdict === null && !params.committed],
     [/^The true q is ([\d.]+) and the true sensor noise ([\d.]+) m²: yours are off by the factors ([\d.]+) and ([\d.]+)\.$/, ({ params, verdict }, q, w, offQ, offW) => params.committed
       && level(q, verdict.logQ) && level(w, verdict.logW) && times(offQ, params.logQ - verdict.logQ) && times(offW, params.logW - verdict.logW)],
-    [/^By its likelihood this log tells q to a factor of ([\d.]+) and the sensor noise to one of ([\d.]+) \(one σ\)\.$/, ({ fit }, q, w) => fit.sigma && times(q, fit.sigma[0]) && times(w, fit.sigma[1])],
+    [/^By its likelihood this log tells them to factors of ([\d.]+) and ([\d.]+) \(one σ\)\.$/, ({ fit }, q, w) => fit.sigma && times(q, fit.sigma[0]) && times(w, fit.sigma[1])],
     [/^How well this log tells them cannot be said at the end of a range\.$/, ({ fit }) => fit.sigma === null && fit.held.includes(true)],
     [/^The mean NEES of your filter is ([\d.]+); 2 is expected\.$/, ({ verdict }, mean) => prints(mean, verdict.meanNees)],
   ]

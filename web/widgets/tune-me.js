@@ -65,10 +65,11 @@ function readouts(frame) {
 const controls = [
   { kind: 'range', name: 'logQ', label: '*q*, with {V} = *q*{V}_0', words: level },
   { kind: 'range', name: 'logW', label: '{W} of the filter', words: (value) => `${level(value)} m²` },
+  // Who has committed sees the likeliest beside the truth.
+  { kind: 'toggle', name: 'fit', label: 'show the likeliest', get: ({ fit, committed }) => fit || committed, enabled: ({ committed }) => !committed },
+  { kind: 'toggle', name: 'committed', label: 'commit: open the truth' },
   { kind: 'range', name: 'length', label: 'Readings of the log', words: (value) => String(value) },
   { kind: 'whole', name: 'seed', label: 'Log number', set: (seed) => ({ seed, ...sealed }) },
-  { kind: 'toggle', name: 'fit', label: 'show the likeliest' },
-  { kind: 'toggle', name: 'committed', label: 'commit: open the truth' },
 ]
 
 const sealed = { fit: false, committed: false }
@@ -88,7 +89,7 @@ function likeliest(_, lab) {
 const tries = [
   { name: 'motion', label: 'Trust the motion', change: () => ({ logQ: -1.5, logW: 0.5 }) },
   { name: 'sensor', label: 'Trust the sensor', change: () => ({ logQ: 0.5, logW: -1.5 }) },
-  { name: 'fit', label: 'Fit', change: likeliest },
+  { name: 'fit', label: 'Fit the noise', change: likeliest },
   { name: 'next', label: 'Another log', change: ({ params }) => ({ seed: (params.seed + 1) % 2 ** 32, logQ: 0, logW: 0, ...sealed }) },
 ]
 

@@ -15,7 +15,7 @@ export const factor = (logs) => fixed(10 ** Math.abs(logs), Math.abs(logs) < 1 ?
 
 /** @param {Frame} frame */
 export function verdict(frame) {
-  return [nisOf(frame), lagOf(frame), fitOf(frame), truthOf(frame)].join(' ').trim()
+  return [nisOf(frame), lagOf(frame), fitOf(frame), truthOf(frame)].filter(Boolean).join(' ')
 }
 
 /** The last mean of NIS and its band. @param {Frame} frame */
@@ -28,13 +28,16 @@ export function last({ meanNis, meanNisBand }) {
 function nisOf(frame) {
   const { mean, low, high } = last(frame)
   const band = `its band from ${fixed(low, 2)} to ${fixed(high, 2)}`
+  // Beside the truth nobody needs the signs of it.
+  if (frame.verdict) return `The mean NIS is ${fixed(mean, 2)}, ${mean > high ? 'above' : mean < low ? 'below' : 'within'} ${band}.`
   if (mean > high) return `The mean NIS is ${fixed(mean, 2)}, above ${band}: the innovations are larger than the filter expects, so its noise as a whole is too small.`
   if (mean < low) return `The mean NIS is ${fixed(mean, 2)}, below ${band}: the innovations are smaller than the filter expects, so its noise as a whole is too large.`
   return `The mean NIS is ${fixed(mean, 2)}, within ${band}.`
 }
 
 /** @param {Frame} frame */
-function lagOf({ autocorrelation: [first], autocorrelationBand: band }) {
+function lagOf({ autocorrelation: [first], autocorrelationBand: band, verdict: truth }) {
+  if (truth) return ''
   const beyond = `${fixed(first, 2)}, beyond ±${fixed(band, 2)}`
   if (first > band) return `Neighbouring innovations tend to the same side (${beyond}): the filter trusts its motion too much, a sign of too small a q/W.`
   if (first < -band) return `Neighbouring innovations tend to opposite sides (${beyond}): the filter trusts its sensor too much, a sign of too large a q/W.`
@@ -56,7 +59,7 @@ function truthOf({ params, fit, verdict: truth }) {
   const [q, w] = [params.logQ - truth.logQ, params.logW - truth.logW]
   const off = `The true q is ${level(truth.logQ)} and the true sensor noise ${level(truth.logW)} m²: yours are off by the factors ${factor(q)} and ${factor(w)}.`
   const tells = fit.sigma
-    ? ` By its likelihood this log tells q to a factor of ${factor(fit.sigma[0])} and the sensor noise to one of ${factor(fit.sigma[1])} (one σ).`
+    ? ` By its likelihood this log tells them to factors of ${factor(fit.sigma[0])} and ${factor(fit.sigma[1])} (one σ).`
     : ' How well this log tells them cannot be said at the end of a range.'
   const nees = ` The mean NEES of your filter is ${fixed(truth.meanNees, 1)}; 2 is expected.`
   return `${off}${tells}${nees}`
