@@ -63,7 +63,8 @@ export function timePlot(pen, size, plot) {
     if (rule.name) pen.text(`rule-name-${rule.key}`, { class: 'rule-name', x: box.right + 4, y: at + 4 }, rule.name)
   }
   const ends = plot.lines.map(({ values }) => plane.y(values[values.length - 1]))
-  const spread = apart(ends, 13, box.top + 4, box.bottom - 2)
+  // Above the axis, which would strike a name through.
+  const spread = apart(ends, 15, box.top + 4, box.bottom - 8)
   plot.lines.forEach((one, i) => {
     const d = seriesPath(plane, plot.steps, one.values)
     pen.mark('path', `line-${one.key}`, { ...meaning(`curve ${one.shape ?? 'solid'}`, one.kin), d })

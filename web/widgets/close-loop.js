@@ -59,7 +59,7 @@ function readouts({ step, nees, meanNees, error, series, map, thresholds, closur
     { key: 'nees', label: 'NEES now', value: fixed(nees, 1), kin: 'truth', more: true },
     { key: 'matched', label: 'Sightings matched', value: `${map.matched} of ${map.sightings}`, more: true },
     { key: 'passes', label: 'Right sightings that pass the gate', value: percent(thresholds.passes), more: true },
-    { key: 'strays', label: 'and that would found a ghost', value: percent(thresholds.ghosts), more: true },
+    { key: 'strays', label: 'Right sightings that would found a ghost', value: percent(thresholds.ghosts), more: true },
     { key: 'worst', label: 'Worst landmark', value: fixed(map.worst?.error, 2), unit: 'm', kin: 'truth', more: true },
     { key: 'closed', label: 'Loop closed at step', value: closure ? String(closure.step) : '–', more: true },
     { key: 'step', label: 'Step', value: String(step), more: true },

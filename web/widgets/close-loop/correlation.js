@@ -6,6 +6,8 @@ import { widthOf } from '../../core/labels.js'
 /** @typedef {import('estimate-wasm').LoopFrame} Frame */
 
 const SHADES = 10
+/** How large a tick's letters are, in letters of a label. */
+const TICK = 12 / 13
 
 /** @param {import('../../core/shell.js').Panel} panel @param {Frame} frame */
 export function drawHeat({ pen, width, height }, { correlation, map, landmarks }) {
@@ -35,7 +37,7 @@ export function drawHeat({ pen, width, height }, { correlation, map, landmarks }
     for (const [i, d] of shades.entries()) pen.mark('path', `shade${i}`, { class: 'heat', 'fill-opacity': Math.round(100 * ((i + 1) / SHADES)) / 100, d })
     pen.mark('path', 'below', { class: 'heat-below', d: below })
     // Where the cells are small every other one has a name, or fewer.
-    const [rows, columns] = [Math.ceil(15 / cell), Math.ceil((widthOf('15') + 3) / cell)]
+    const [rows, columns] = [Math.ceil(15 / cell), Math.ceil((TICK * widthOf('15') + 1) / cell)]
     for (let i = 0; i < n; i += 1) {
       const words = i === 0 ? 'R' : String(map.landmarks[i - 1].truth + 1)
       const middle = (i + 0.5) * cell

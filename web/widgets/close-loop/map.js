@@ -84,8 +84,14 @@ function drawRobots(pen, plane, { truth, estimate, ellipse }) {
   drawRobot(pen, 'estimate', plane, estimate, 'full', 'posterior')
 }
 
+/** What names keep clear of along a line. @param {[number, number]} from @param {[number, number]} to */
+function along([x1, y1], [x2, y2]) {
+  const parts = Math.ceil(Math.hypot(x2 - x1, y2 - y1) / 8)
+  return Array.from({ length: parts }, (_, i) => clear([x1 + ((x2 - x1) * (i + 0.5)) / parts, y1 + ((y2 - y1) * (i + 0.5)) / parts], 4))
+}
+
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function drawNames(pen, { x, y, box }, { truth, estimate, landmarks }) {
+function drawNames(pen, { x, y, box }, { truth, estimate, landmarks, predicted, sightings }) {
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const places = landmarks.map((landmark) => at([landmark.x, landmark.y]))
   /** @type {import('../../core/labels.js').Label[]} */
@@ -94,5 +100,6 @@ function drawNames(pen, { x, y, box }, { truth, estimate, landmarks }) {
     { key: 'estimate-name', words: 'estimate', at: at(estimate), kin: 'posterior', gap: 20 },
     ...places.map((place, i) => ({ key: `name${i}`, words: String(landmarks[i].id + 1), at: place, name: 'label', gap: 8 })),
   ]
-  drawLabels(pen, box, names, [...places.map((place) => clear(place, 5)), clear(at(truth), 8), clear(at(estimate), 8)])
+  const sights = sightings.flatMap((sighting) => along(at(predicted), at(sighting.at)))
+  drawLabels(pen, box, names, [...places.map((place) => clear(place, 5)), clear(at(truth), 8), clear(at(estimate), 8), ...sights])
 }

@@ -1,6 +1,7 @@
 /** The χ² axis with the gate and the threshold for founding, and where the last sightings fell on it. */
 
 import { fixed } from '../../core/numbers.js'
+import { widthOf } from '../../core/labels.js'
 import { pixel } from '../../core/path.js'
 import { meaning, scaleLog } from '../../core/plot.js'
 
@@ -49,9 +50,9 @@ export function drawThresholds({ pen, width, height }, frame, view) {
 /** What becomes of a sighting in each part of the axis, where the part has room for the word. @param {import('../../core/pen.js').Pen} pen @param {import('../../core/plot.js').Box} box @param {number} gate @param {number} found */
 function drawNames(pen, { left, right, top, bottom }, gate, found) {
   const y = top + (bottom - top) / 2 + 4
-  const parts = /** @type {[string, number, number, string][]} */ ([['matched', left, gate, 'matched'], ['refused', gate, found, 'not used'], ['founded', found, right, right - found > 108 ? 'new landmark' : 'new']])
+  const parts = /** @type {[string, number, number, string][]} */ ([['matched', left, gate, 'matched'], ['refused', gate, found, 'not used'], ['founded', found, right, right - found > widthOf('new landmark') + 8 ? 'new landmark' : 'new']])
   for (const [key, from, to, words] of parts) {
-    if (to - from > 64) pen.text(`${key}-name`, { class: 'label', x: (from + to) / 2, y, 'text-anchor': 'middle' }, words)
+    if (to - from > widthOf(words) + 8) pen.text(`${key}-name`, { class: 'label', x: (from + to) / 2, y, 'text-anchor': 'middle' }, words)
   }
 }
 
