@@ -30,7 +30,8 @@ export function lookAt(question, key, met) {
   const back = /** @type {HTMLAnchorElement} */ (part(document, words, 'a', ''))
   back.href = `#${question.id}`
   back.textContent = 'Back to the exercise'
-  widget.after(words)
+  // Above the picture, where the page now goes to, and in sight as long as the figure is.
+  widget.before(words)
   figure.scrollIntoView({ block: 'start' })
   widget.tabIndex = -1
   widget.focus({ preventScroll: true })
