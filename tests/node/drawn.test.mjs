@@ -1,4 +1,4 @@
-// What a figure draws are numbers: no attribute of a drawing is NaN, infinite or undefined, whatever the state. Each figure goes
+// What a figure draws are numbers and the reader's letters: no attribute of a drawing is NaN, infinite or undefined, whatever the state. Each figure goes
 // through random states, with the cameras and the beats of a living one, drawn by the code that draws it in a browser.
 // Two runs of one commit visit the same states; DRAWN_SEED=7 looks elsewhere, and DRAWN_STATES=1000 at more of them.
 import { test } from 'node:test'
@@ -57,6 +57,8 @@ function faults(svg) {
   const found = []
   for (const element of svg.querySelectorAll('*')) {
     if (!element.children.length && /NaN|undefined|\[object/.test(element.textContent)) found.push(`<${element.localName}>${element.textContent}`)
+    // Such a letter is another in another notation, and has to be written in all of them.
+    if (element.classList.contains('symbol') && /^[FGHKPVW]$/.test(element.textContent) && !element.closest('[class^=in-]')) found.push(`${element.textContent} in ${element.parentElement.textContent}`)
     for (const { name, value } of element.attributes) {
       if (name !== 'data-kin' && /NaN|Infinity|undefined|\[object/.test(value)) found.push(`<${element.localName} ${name}="${value.slice(0, 60)}">`)
     }
