@@ -229,6 +229,37 @@ test('on the output axis both opinions are dragged and pressed, and y* stays the
   await balanced()
 })
 
+test('while a bell is dragged the output axis keeps its scale: an even drag changes the value evenly, and ends at the edge', async (t) => {
+  const { page, it } = await picture(t)
+  const ticks = () => it.locator('.live .panel-axis .tick').allTextContents()
+  const places = await ticks()
+  for (const [label, read, side] of [['Expected output', ({ expectedOutput }) => expectedOutput, 1], ['Output that is read', ({ params }) => params.reading, -1]]) {
+    const grip = handle(it, label)
+    await grip.scrollIntoViewIfNeeded()
+    const box = await grip.locator('.handle-dot').boundingBox()
+    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2]
+    const values = [read(await frameOf(it))]
+    await page.mouse.move(x, y)
+    await page.mouse.down()
+    for (let i = 1; i <= 12; i++) {
+      await page.mouse.move(x + side * 40 * i, y)
+      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))))
+      values.push(read(await until(it, () => true, 'settled')))
+      assert.deepEqual(await ticks(), places, `${label} at ${values.at(-1)}`)
+    }
+    const stride = values[1] - values[0]
+    const end = values.at(-1)
+    for (const [i, value] of values.entries()) assert.ok(close(value, values[0] + stride * i, 0.02) || close(value, end), `${label}: ${values}`)
+    assert.ok(Math.abs(end - 3.7) < 4.6 && close(end, values.at(-2)), `it stops at the edge: ${values}`)
+    await page.mouse.up()
+    // Once it is let go, the bell comes into view as a whole; the phrase brings the first view back.
+    const domain = async () => JSON.stringify(await ticks())
+    for (let i = 0; (await domain()) === JSON.stringify(places); i++) { assert.ok(i < 50, 'a new scale'); await page.waitForTimeout(40) }
+    await it.getByRole('button', { name: 'As in step 1' }).click()
+    for (let i = 0; (await domain()) !== JSON.stringify(places); i++) { assert.ok(i < 50, 'the scale of the first view'); await page.waitForTimeout(40) }
+  }
+})
+
 test('a guess is dropped before the answer shows, stays on the line, and is judged when it shows', async (t) => {
   const { page, it } = await picture(t)
   const answer = () => it.locator('.live :is(.mark.foot.posterior, .mark.outline.posterior)').count()
@@ -243,7 +274,8 @@ test('a guess is dropped before the answer shows, stays on the line, and is judg
   assert.ok(close(dropped.guess.at[1], dropped.params.reading), 'and stays on the line')
   await guess.press('ArrowRight')
   await until(it, ({ params }) => close(params.guess, dropped.params.guess + 0.05), 'an arrow')
-  await it.getByRole('checkbox', { name: 'hide the answer' }).uncheck()
+  assert.match(await it.locator('.live .verdict').innerText(), /then choose “Show the answer”/)
+  await it.getByRole('button', { name: 'Show the answer' }).click()
   const shown = await until(it, ({ params }) => !params.sealed, 'the answer')
   assert.ok(await answer() > 0 && shown.guess.density <= 1)
   assert.match(await it.locator('.live .verdict').innerText(), /Your guess is/)

@@ -54,7 +54,9 @@ export class Display {
     this.beatStart = beatStart
   }
 
-  measure() {
+  /** @param {boolean} [anew] whether every panel is to be drawn again */
+  measure(anew) {
+    if (anew) for (const shown of this.drawn.values()) shown.width = NaN
     // In a frame that is folded away there is nothing to draw on.
     if (this.shell.into.getBoundingClientRect().width < LEAST_WIDTH) return
     for (const panel of Object.values(this.shell.panels)) {

@@ -9,6 +9,7 @@
  * @property {(x: number, y: number) => void} move
  * @property {(dx: number, dy: number) => void} nudge
  * @property {(end: 'home' | 'end') => void} [jump]
+ * @property {() => void} [drop] the pointer has let go
  */
 
 const ARROWS = /** @type {Record<string, [number, number]>} */ ({
@@ -46,8 +47,10 @@ export function drag(handle, frame, dragged) {
     dragged.move(x + held.dx, y + held.dy)
   })
   const release = () => {
+    if (!held) return
     held = null
     handle.classList.remove('dragging')
+    dragged.drop?.()
   }
   listen('pointerup', release)
   listen('pointercancel', release)

@@ -93,7 +93,7 @@ class Figure {
     this.eye = undefined
     /** @type {ResizeObserver | undefined} */
     this.resized = undefined
-    this.handle = liveHandles((patch) => this.change(patch), () => this.settle())
+    this.handle = liveHandles((patch) => this.change(patch), () => this.settle(), () => this.measure(true))
     this.voice = new Voice(host, spec, () => ({ frame: this.run?.frame, playing: this.run?.playing ?? false }))
   }
 
@@ -194,8 +194,9 @@ class Figure {
     showFailure(this.host, why, () => this.start())
   }
 
-  measure() {
-    this.display?.measure()
+  /** @param {boolean} [anew] whether the panels are drawn again even at their old size: a scale may have waited for the hand */
+  measure(anew) {
+    this.display?.measure(anew)
     this.ask()
   }
 

@@ -27,8 +27,9 @@ export function drawHandle(pen, key, handle) {
  * Draws handles that answer. An element gets its listeners once; they read its newest specification.
  * @param {(patch: Record<string, unknown>) => void} change
  * @param {() => void} settle draws what was changed before, so that a key starts from there and not from the last frame
+ * @param {() => void} drop the reader has let a handle go
  */
-export function liveHandles(change, settle) {
+export function liveHandles(change, settle, drop) {
   /** @type {WeakMap<Element, HandleSpec>} */
   const newest = new WeakMap()
   return (/** @type {Pen} */ pen, /** @type {string} */ key, /** @type {HandleSpec} */ handle) => {
@@ -45,6 +46,7 @@ export function liveHandles(change, settle) {
     drag(element, /** @type {SVGElement} */ (element).ownerSVGElement ?? element, {
       at: () => spec().at,
       move: (x, y) => change(spec().move(x, y)),
+      drop,
       nudge: (dx, dy) => {
         settle()
         change(spec().nudge(dx, dy))

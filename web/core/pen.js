@@ -27,6 +27,14 @@ export class Pen {
   }
 
   /**
+   * Whether the reader holds a handle of this picture. Its scale stays until the hand lets go: on a scale that follows the handle, the
+   * pointer would mean more at every move, and the handle would run away.
+   */
+  get held() {
+    return this.root.querySelector('.dragging') !== null
+  }
+
+  /**
    * Draws one round. What `paint` does not ask for is removed.
    * @param {(pen: Pen) => void} paint
    */

@@ -5,7 +5,7 @@
 
 import { fixed } from '../core/numbers.js'
 import { drawAxis } from './kalman-picture/axis.js'
-import { drawPlane } from './kalman-picture/plane.js'
+import { GROWN, drawPlane } from './kalman-picture/plane.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
 
@@ -19,7 +19,7 @@ const start = { params: {}, step: 0 }
 function verdict(frame) {
   const { guess, sealed, noise } = frame.params
   const grown = ofTheGrown(frame)
-  if (sealed) return `The answer is hidden: ${guess === null ? 'drop a guess, or show it' : 'drag your guess along the green line, then show it'}.${grown}`
+  if (sealed) return `The answer is hidden: ${guess === null ? 'drop a guess' : 'drag your guess along the green line'}, then choose “Show the answer”.${grown}`
   return `${ofTheFeet(frame)}${ofTheWeights(frame)}${noise === 0 ? ' The sensor is perfect: Ω and Ω* are one line.' : ''}${ofTheGuess(frame)}${grown}`
 }
 
@@ -40,6 +40,9 @@ function ofTheWeights({ params: { noise }, expectedVariance }) {
   return times > 1 ? ` The reading weighs ${fixed(times, 2)} times as much as the expected output.` : ` The expected output weighs ${fixed(1 / times, 2)} times as much as the reading.`
 }
 
+/** A part of the probability in words: no ellipse holds all of it. @param {number} part */
+const share = (part) => (part < 0.995 ? `${fixed(100 * part, 0)} %` : 'more than 99 %')
+
 /** Within half a step of the slider the ellipse touches a line. */
 const TOUCHES = 0.026
 
@@ -49,7 +52,7 @@ function ofTheGrown({ params, inside, mahalanobisFoot, update }) {
   if (radius === 0) return ''
   const reaches = (/** @type {string} */ line, /** @type {number} */ distance) => `${Math.abs(radius - distance) <= TOUCHES ? 'touches' : radius < distance ? 'does not reach' : 'crosses'} ${line}`
   const both = [...(noise > 0 && !sealed ? [reaches('Ω*', update.distance)] : []), reaches('Ω', mahalanobisFoot.distance)]
-  return ` Grown to ${fixed(radius, 2)} σ, the ellipse holds ${fixed(100 * inside, 0)} % of the probability; it ${both.join(' and ')}.`
+  return ` Grown to ${fixed(radius, 2)} σ, the ellipse holds ${share(inside)} of the probability; it ${both.join(' and ')}.`
 }
 
 /** @param {Frame} frame */
@@ -74,7 +77,7 @@ function describe(frame) {
 // View: two panels, in the folder's files.
 
 /** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
-function readouts({ params: { sealed, radius, noise }, innovation, mostLikelyOutput, mostLikelyVariance, expectedVariance, share, inside, R, euclideanFoot: gray, mahalanobisFoot: purple, update }) {
+function readouts({ params: { sealed, radius, noise }, innovation, mostLikelyOutput, mostLikelyVariance, expectedVariance, share: taken, inside, R, euclideanFoot: gray, mahalanobisFoot: purple, update }) {
   /** What would tell where the purple foot stands, or the update. @param {string} value */
   const answer = (value) => (sealed ? '–' : value)
   /** Rounding leaves a last digit of either sign; what is printed is zero. */
@@ -94,8 +97,8 @@ function readouts({ params: { sealed, radius, noise }, innovation, mostLikelyOut
     { key: 'weights', label: 'Weights 1/*σ*^{2}: expected + reading = product', value: `${weight(expectedVariance)} + ${weight(noise)} = ${weight(mostLikelyVariance)}`, wide: true, kin: 'measurement' },
     { key: 'gain', label: 'Gain {R}', value: answer(`[${fixed(R[0], 3)}, ${fixed(R[1], 3)}]`), kin: 'posterior' },
     { key: 'update', label: 'Update', value: answer(`[${fixed(update.at[0], 3)}, ${fixed(update.at[1], 3)}]`), kin: 'posterior' },
-    { key: 'share', label: 'Part of {innov} taken over', value: fixed(share, 3), kin: 'posterior' },
-    { key: 'inside', label: 'Inside the grown ellipse', value: `${fixed(100 * inside, 0)} %`, kin: 'prediction', shown: radius > 0 },
+    { key: 'share', label: 'Part of {innov} taken over', value: fixed(taken, 3), kin: 'posterior' },
+    { key: 'inside', label: 'Inside the grown ellipse', value: share(inside), kin: 'prediction', shown: radius > 0 },
     { key: 'residual', label: '{H}Δ*x* − {innov} of both', value: `${zero(gray.residual)}, ${zero(purple.residual)}`, kin: 'measurement', more: true },
   ]
 }
@@ -114,9 +117,9 @@ const controls = [
   {
     kind: 'range', name: 'noise', label: 'Sensor noise {W}',
     words: (value) => fixed(value, 2),
-    notches: () => [{ at: 0, name: '' }, { at: 0.5, name: 'step 1' }],
+    notches: () => [{ at: 0.5, name: 'step 1' }],
   },
-  { kind: 'range', name: 'radius', label: 'Grow an ellipse, in *σ*', words: (value) => fixed(value, 2), notches: () => [{ at: 0, name: '0' }, { at: 1, name: '1' }] },
+  { kind: 'range', name: 'radius', label: 'Grow an ellipse, in *σ*', ends: [0, GROWN], words: (value) => fixed(value, 2), notches: () => [{ at: 0, name: '0' }, { at: 1, name: '1' }] },
   { kind: 'toggle', name: 'sealed', label: 'hide the answer', set: (on, params) => ({ sealed: on, guess: on ? params.guess ?? GUESS : params.guess }) },
   {
     kind: 'range', name: 'tilt', label: 'Turn of the sensor, degrees', ends: [-90, 0],
@@ -134,13 +137,24 @@ function equalOpinions({ expectedVariance, params: { semiMajor, semiMinor } }, l
   return { noise: Math.min(greatest, expectedVariance), semiMajor: semiMajor * shrink, semiMinor: semiMinor * shrink }
 }
 
+/** The answer is to be seen, and nothing else lies over it. */
+const shown = { sealed: false, guess: null, radius: 0 }
+
+/** A guess to be put before the answer shows. Of a circle both feet are one point, and there would be nothing to guess. @param {Frame} frame @param {any} lab */
+function guessFirst({ params }, lab) {
+  const { semiMajor, semiMinor, angle } = Math.abs(params.semiMajor - params.semiMinor) < 1e-9 ? defaults(lab) : params
+  return { sealed: true, guess: GUESS, radius: 0, semiMajor, semiMinor, angle }
+}
+
+// Each phrase sets all that it speaks of, so that it shows the same after any other.
 /** @type {import('../core/spec.js').Try[]} */
 const tries = [
-  { name: 'guess', label: 'Drop a guess first', change: () => ({ sealed: true, guess: GUESS, radius: 0 }) },
-  { name: 'perfect', label: 'Sensor noise to zero', change: () => ({ noise: 0 }) },
-  { name: 'equal', label: 'Two equal opinions', change: equalOpinions },
-  { name: 'round', label: 'Make it a circle', change: (/** @type {Frame} */ { params }) => ({ semiMajor: params.semiMinor }) },
-  { name: 'position', label: 'Measure the position', change: () => ({ tilt: -90 * degree }) },
+  { name: 'guess', label: 'Drop a guess first', change: guessFirst },
+  { name: 'show', label: 'Show the answer', change: () => ({ sealed: false }) },
+  { name: 'perfect', label: 'Sensor noise to zero', change: () => ({ ...shown, noise: 0 }) },
+  { name: 'equal', label: 'Two equal opinions', change: (frame, lab) => ({ ...shown, ...equalOpinions(frame, lab) }) },
+  { name: 'round', label: 'Make it a circle', change: (/** @type {Frame} */ { params }) => ({ ...shown, semiMajor: params.semiMinor }) },
+  { name: 'position', label: 'Measure the position', change: () => ({ ...shown, tilt: -90 * degree }) },
   { name: 'again', label: 'As in step 1', change: (_, lab) => defaults(lab) },
 ]
 
@@ -154,7 +168,7 @@ export const kalmanPicture = {
   timeless: true,
   panels: [{ name: 'plane', width: 600, height: 500, handles: true, draw: drawPlane }, { name: 'axis', width: 370, height: 260, handles: true, draw: drawAxis }],
   layout: {
-    narrow: ['plane', 'verdict', 'axis', 'tries', 'controls', 'readouts'],
+    narrow: ['plane', 'verdict', 'tries', 'axis', 'controls', 'readouts'],
     medium: ['plane verdict', 'plane axis', 'plane tries', 'controls controls', 'readouts readouts'],
     columns: { medium: '8fr 5fr' },
   },

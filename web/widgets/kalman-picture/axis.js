@@ -1,6 +1,6 @@
 /**
  * The axis of the output: two opinions about it, that of the prediction and that of the reading, and their product. Below the axis
- * stand two weights, each 1/variance heavy: y* is where their beam balances. Means and widths are handles.
+ * two weights stand on a beam, each 1/variance heavy: y* is where it balances. Means and widths are handles.
  */
 
 import { clear, drawLabels, widthOf } from '../../core/labels.js'
@@ -29,9 +29,8 @@ const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type
 export function drawAxis({ pen, width, height }, frame, view) {
   const bells = bellsOf(frame)
   const far = Math.max(...bells.slice(0, 2).map(({ mean, sigma }) => Math.abs(mean - CENTRE) + 2 * sigma))
-  const wanted = REACHES.find((reach) => reach >= far) ?? far
-  const before = view.memory.output ?? REACHES[0]
-  const reach = (view.memory.output = wanted > before || wanted < before / 2 ? wanted : before)
+  if (!pen.held) view.memory.output = REACHES.find((reach) => reach >= far) ?? far
+  const reach = view.memory.output
   const box = { left: 14, top: 30, right: width - 14, bottom: height - BEAM - 22 }
   const plane = planeOf(box, [CENTRE - reach, CENTRE + reach], [0, 1.12])
   const narrow = LEAST * reach
@@ -60,7 +59,7 @@ function bellsOf({ expectedOutput, expectedVariance, mostLikelyOutput, mostLikel
   return [
     { key: 'expected', kin: 'prediction', mean: expectedOutput, sigma: Math.sqrt(expectedVariance), words: 'expected' },
     { key: 'read', kin: 'measurement', mean: reading, sigma: Math.sqrt(noise), words: 'reading' },
-    { key: 'product', kin: 'posterior', mean: mostLikelyOutput, sigma: Math.sqrt(mostLikelyVariance), words: '{y}^{∗}' },
+    { key: 'product', kin: 'posterior', mean: mostLikelyOutput, sigma: Math.sqrt(mostLikelyVariance), words: 'product' },
   ]
 }
 
@@ -77,9 +76,14 @@ function balance(pen, { x, box }, { mostLikelyOutput }, [expected, read]) {
   pen.mark('line', 'beam', { class: 'direction', x1: held(expected.mean), x2: held(read.mean), y1: y, y2: y })
   // Areas are as the weights 1/variance are; the heavier one has the largest circle.
   const lightest = Math.max(1e-9, Math.min(expected.sigma, read.sigma))
-  for (const { key, kin, mean, sigma } of [expected, read]) pen.mark('circle', `${key}-weight`, { ...meaning('full', kin), cx: held(mean), cy: y, r: Math.max(2, (HEAVIEST * lightest) / Math.max(lightest, sigma)) })
+  for (const { key, kin, mean, sigma } of [expected, read]) {
+    const r = Math.max(2, (HEAVIEST * lightest) / Math.max(lightest, sigma))
+    pen.mark('circle', `${key}-weight`, { ...meaning('full', kin), cx: held(mean), cy: y - r, r })
+  }
   const at = held(mostLikelyOutput)
-  pen.mark('path', 'fulcrum', { ...meaning('full', 'posterior'), d: `M${at.toFixed(1)} ${y}l7 13h-14Z` })
+  pen.mark('path', 'fulcrum', { ...meaning('full', 'measurement'), d: `M${at.toFixed(1)} ${y}l7 13h-14Z` })
+  const left = at > box.right - 28
+  pen.text('fulcrum-name', { class: 'mark-name measurement', x: at + (left ? -11 : 11), y: y + 15, 'text-anchor': left ? 'end' : 'start' }, '{y}^{∗}')
 }
 
 /** @param {import('../../core/plot.js').Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view @param {Bell[]} bells @param {(sigma: number) => number} top
@@ -90,10 +94,12 @@ function handles({ x, y, box }, { params, H, expectedOutput }, { limits }, [expe
   const inside = (/** @type {number} */ px, /** @type {number} */ py) => /** @type {[number, number]} */ ([clamp(px, box.left, box.right), py])
   const { least, greatest } = limits.reading
   const axis = limits.semiMajor
-  const [low, high] = [x.invert(box.left), x.invert(box.right)]
-  /** The prediction moves along H until it expects this output. @param {number} output */
-  const expect = (output) => ({ mean: mean.map((value, i) => value + (clamp(output, low, high) - expectedOutput) * H[i]) })
-  const read_ = (/** @type {number} */ output) => ({ reading: clamp(output, least, greatest) })
+  // As far as the axis is in sight, and no farther than a reading can be.
+  const [low, high] = [Math.max(x.invert(box.left), Math.min(least, expectedOutput)), Math.min(x.invert(box.right), Math.max(greatest, expectedOutput))]
+  const output = (/** @type {number} */ px) => x.invert(clamp(px, box.left, box.right))
+  /** The prediction moves along H until it expects this output. @param {number} wanted */
+  const expect = (wanted) => ({ mean: mean.map((value, i) => value + (clamp(wanted, low, high) - expectedOutput) * H[i]) })
+  const read_ = (/** @type {number} */ wanted) => ({ reading: clamp(wanted, least, greatest) })
   /** Both axes of the ellipse grow by one factor until the expected output is spread so far. @param {number} sigma */
   const widen = (sigma) => {
     const factor = clamp(sigma / expected.sigma, axis.least / Math.min(semiMajor, semiMinor), axis.greatest / Math.max(semiMajor, semiMinor))
@@ -106,19 +112,19 @@ function handles({ x, y, box }, { params, H, expectedOutput }, { limits }, [expe
   return {
     'expected-mean': {
       at: inside(x(expected.mean), y(top(expected.sigma))), small: true, label: 'Expected output', kin: 'prediction', value: words(expected.mean), now: expected.mean, min: low, max: high,
-      move: (px) => expect(x.invert(px)), nudge: (dx, dy) => expect(expectedOutput + 0.05 * (dx || dy)), jump: (end) => expect(end === 'home' ? low : high),
+      move: (px) => expect(output(px)), nudge: (dx, dy) => expect(expectedOutput + 0.05 * (dx || dy)), jump: (end) => expect(end === 'home' ? low : high),
     },
     'expected-width': {
       at: inside(x(expected.mean + away * expected.sigma), flank(expected)), small: true, label: 'Standard deviation of the expected output', kin: 'prediction', value: words(expected.sigma), now: expected.sigma, min: 0, max: axis.greatest,
-      move: (px) => widen(away * (x.invert(px) - expected.mean)), nudge: (dx, dy) => widen(expected.sigma + 0.05 * (dx || dy)), jump: (end) => widen(end === 'home' ? 0 : Infinity),
+      move: (px) => widen(away * (output(px) - expected.mean)), nudge: (dx, dy) => widen(expected.sigma + 0.05 * (dx || dy)), jump: (end) => widen(end === 'home' ? 0 : Infinity),
     },
     'read-mean': {
       at: inside(x(reading), y(top(read.sigma))), small: true, label: 'Output that is read', kin: 'measurement', value: words(reading), now: reading, min: least, max: greatest,
-      move: (px) => read_(x.invert(px)), nudge: (dx, dy) => read_(reading + 0.05 * (dx || dy)), jump: (end) => read_(end === 'home' ? least : greatest),
+      move: (px) => read_(output(px)), nudge: (dx, dy) => read_(reading + 0.05 * (dx || dy)), jump: (end) => read_(end === 'home' ? least : greatest),
     },
     'read-width': {
       at: inside(x(reading - away * read.sigma), flank(read)), small: true, label: 'Standard deviation of the reading', kin: 'measurement', value: words(read.sigma), now: read.sigma, min: 0, max: Math.sqrt(limits.noise.greatest),
-      move: (px) => blur(-away * (x.invert(px) - reading)), nudge: (dx, dy) => blur(read.sigma + 0.05 * (dx || dy)), jump: (end) => blur(end === 'home' ? 0 : Infinity),
+      move: (px) => blur(-away * (output(px) - reading)), nudge: (dx, dy) => blur(read.sigma + 0.05 * (dx || dy)), jump: (end) => blur(end === 'home' ? 0 : Infinity),
     },
   }
 }

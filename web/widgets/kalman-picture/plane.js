@@ -14,10 +14,13 @@ import { axes, clipLine, dot, ellipseLevel, ellipsePath, evenPlane, meaning, seg
 /** The middle of the axes, and how far they reach from it: the first that is far enough. */
 const CENTRE = /** @type {[number, number]} */ ([3.7, 3.7])
 const REACHES = [3, 4.5, 6, 9, 12, 18]
-const LEAST = REACHES[0]
 /** The growing ellipse gets a handle where that is in the drawing and keeps so many pixels from the prediction's. */
 const CLEAR = 24
 
+/** How far an ellipse grows, in standard deviations: within three of them lies almost everything, and the drawing shows hardly more. */
+export const GROWN = 3
+
+const within = (/** @type {number[]} */ [px, py], /** @type {import('../../core/plot.js').Box} */ { left, top, right, bottom }, margin = 0) => px >= left + margin && px <= right - margin && py >= top + margin && py <= bottom - margin
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, value))
 
 /**
@@ -29,7 +32,8 @@ export function drawPlane({ pen, width, height }, frame, view) {
   const box = { left: 44, top: 30, right: width - 14, bottom: height - 42 }
   const short = Math.min(box.right - box.left, box.bottom - box.top)
   const shape = [(box.right - box.left) / short, (box.bottom - box.top) / short]
-  const plane = evenPlane(box, CENTRE, (view.memory.reach = reachOf(frame, shape, view.memory.reach ?? LEAST)))
+  if (!pen.held) view.memory.reach = reachOf(frame, shape)
+  const plane = evenPlane(box, CENTRE, view.memory.reach)
   pen.draw(() => {
     axes(pen, plane, { x: 'position (m)', y: 'velocity (m/s)', ticks: [6, 6] })
     pen.window('scene', box, (to) => drawScene(to, plane, frame))
@@ -42,13 +46,13 @@ export function drawPlane({ pen, width, height }, frame, view) {
   })
 }
 
-/** How far the axes reach from their middle: as far as prediction and line, and no nearer than before while that is about enough.
- * @param {Frame} frame @param {number[]} shape how much longer than the shorter one each axis is @param {number} before */
-function reachOf({ params, euclideanFoot }, shape, before) {
+/** How far the axes reach from their middle: as far as prediction and line.
+ * @param {Frame} frame @param {number[]} shape how much longer than the shorter one each axis is */
+function reachOf({ params, euclideanFoot }, shape) {
   const points = [params.mean, euclideanFoot.at]
   const far = Math.max(...points.flatMap((at) => at.map((value, i) => Math.abs(value - CENTRE[i]) / shape[i])))
-  const wanted = REACHES.find((reach) => reach >= far) ?? far
-  return wanted > before || wanted < before / 2 ? wanted : before
+  // A little farther, so that nothing of a handle lies beyond the edge.
+  return REACHES.find((reach) => reach >= 1.02 * far) ?? 1.02 * far
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
@@ -86,19 +90,27 @@ function squareCorner(pen, { x, y }, { params, euclideanFoot, H, along }) {
   pen.mark('path', 'corner', { ...meaning('way', 'truth'), d: `M${px + ux} ${py + uy}L${px + ux + vx} ${py + uy + vy}L${px + vx} ${py + vy}` })
 }
 
+/** The name of a handle. @param {[string, import('../../core/spec.js').HandleSpec]} grip @returns {import('../../core/labels.js').Label} */
+function ofGrip([key, { at, name = '', kin }]) {
+  return { key: `${key}-name`, words: name, at, kin, name: `handle-name ${kin}`, gap: 15, sides: ['right', 'above-right'] }
+}
+
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {Record<string, import('../../core/spec.js').HandleSpec>} grips */
 function names(pen, plane, frame, grips) {
   const { box, x, y } = plane
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const lefter = frame.mahalanobisFoot.at[0] < frame.euclideanFoot.at[0]
   /** @type {import('../../core/labels.js').Label[]} */
-  const labels = Object.entries(grips).map(([key, { at, name = '', kin }]) => ({ key: `${key}-name`, words: name, at, kin, name: `handle-name ${kin}`, gap: 15, sides: ['right', 'above-right'] }))
+  const labels = Object.entries(grips).filter(([key]) => key !== 'guess').map(ofGrip)
   const { sealed } = frame.params
-  if (!sealed) labels.push(
+  // What lies outside the drawing has no name in it.
+  if (!sealed) labels.push(.../** @type {import('../../core/labels.js').Label[]} */ ([
     { key: 'gray-name', words: 'gray foot', at: at(frame.euclideanFoot.at), kin: 'truth', sides: lefter ? ['below-right', 'right'] : ['below-left', 'left'] },
     { key: 'purple-name', words: 'purple foot', at: at(frame.mahalanobisFoot.at), kin: 'posterior', sides: lefter ? ['below-left', 'left'] : ['below-right', 'right'] },
     { key: 'update-name', words: 'update', at: at(frame.update.at), kin: 'posterior', sides: lefter ? ['above-left', 'left'] : ['above-right', 'right'] },
-  )
+  ]).filter((label) => within(label.at, box)))
+  // A guess is put near the feet, whose names keep their places.
+  if (grips.guess) labels.push(ofGrip(['guess', grips.guess]))
   const line = (/** @type {string} */ key, /** @type {number} */ output, /** @type {import('../../core/words.js').Words} */ words, /** @type {boolean} */ over, place = 0.93) => {
     const ends = clipLine(frame.H, output, plane)
     if (!ends) return
@@ -142,6 +154,12 @@ function handlesOf(plane, frame, view) {
     return [x.invert(at[0]), y.invert(at[1])]
   }
   const held = (/** @type {number[]} */ at) => data(x(at[0]), y(at[1]))
+  /** An end of the first axis, so many times as far from the middle. @param {number} times */
+  const first = (times) => [x(mean[0] + times * semiMajor * c), y(mean[1] + times * semiMajor * s)]
+  /** An end of the second. @param {number} times */
+  const second = (times) => [x(mean[0] - times * semiMinor * s), y(mean[1] + times * semiMinor * c)]
+  /** An axis is held by the end that is in the drawing. @param {(times: number) => number[]} end */
+  const side = (end) => (within(end(1), box) || !within(end(-1), box) ? 1 : -1)
   const axis = view.limits.semiMajor
   const length = (/** @type {number} */ value) => clamp(value, axis.least, axis.greatest)
 
@@ -156,19 +174,22 @@ function handlesOf(plane, frame, view) {
     jump: (end) => ({ mean: data(end === 'home' ? box.left : box.right, y(mean[1])) }),
   }
   grips.major = {
-    at: inside([x(mean[0] + semiMajor * c), y(mean[1] + semiMajor * s)]), label: 'First axis of the ellipse', name: 'turn, stretch', kin: 'prediction',
+    at: inside(first(side(first))), label: 'First axis of the ellipse', name: 'turn, stretch', kin: 'prediction',
     value: `${words(semiMajor)} long, at ${Math.round((angle * 180) / Math.PI)} degrees`, now: semiMajor, min: axis.least, max: axis.greatest,
     move: (px, py) => {
-      const [dx, dy] = [x.invert(px) - mean[0], y.invert(py) - mean[1]]
+      const [dx, dy] = data(px, py).map((value, i) => value - mean[i])
       return { semiMajor: length(Math.hypot(dx, dy)), angle: Math.atan2(dy, dx) }
     },
     nudge: (dx, dy) => ({ angle: angle + (dx * Math.PI) / 180, semiMajor: length(semiMajor + 0.05 * dy) }),
     jump: (end) => ({ semiMajor: end === 'home' ? axis.least : axis.greatest }),
   }
   grips.minor = {
-    at: inside([x(mean[0] - semiMinor * s), y(mean[1] + semiMinor * c)]), label: 'Second axis of the ellipse', name: 'stretch', kin: 'prediction',
+    at: inside(second(side(second))), label: 'Second axis of the ellipse', name: 'stretch', kin: 'prediction',
     value: `${words(semiMinor)} long`, now: semiMinor, min: axis.least, max: axis.greatest,
-    move: (px, py) => ({ semiMinor: length(Math.abs(-(x.invert(px) - mean[0]) * s + (y.invert(py) - mean[1]) * c)) }),
+    move: (px, py) => {
+      const [dx, dy] = data(px, py).map((value, i) => value - mean[i])
+      return { semiMinor: length(Math.abs(dy * c - dx * s)) }
+    },
     nudge: (dx, dy) => ({ semiMinor: length(semiMinor + 0.05 * (dx + dy)) }),
     jump: (end) => ({ semiMinor: end === 'home' ? axis.least : axis.greatest }),
   }
@@ -184,16 +205,19 @@ function handlesOf(plane, frame, view) {
   }
   if (frame.params.guess !== null) grips.guess = guessed(plane, frame, view, inside)
   const { radius } = frame.params
-  const end = [x(mean[0] - radius * semiMajor * c), y(mean[1] - radius * semiMajor * s)]
-  const [ex, ey] = inside(end)
-  if (radius * semiMajor * (x(1) - x(0)) > CLEAR && ex === end[0] && ey === end[1]) {
-    const grow = view.limits.radius
+  const other = -side(first)
+  const [ex, ey] = first(other * radius)
+  if (radius * semiMajor * (x(1) - x(0)) > CLEAR && within([ex, ey], box, 8)) {
+    const grow = (/** @type {number} */ value) => ({ radius: clamp(value, 0.05, GROWN) })
     grips.grow = {
       at: [ex, ey], label: 'Radius of the growing ellipse', name: box.right - box.left > 250 ? 'grow' : undefined, kin: 'prediction',
-      value: `${words(radius)} standard deviations`, now: radius, min: grow.least, max: grow.greatest,
-      move: (px, py) => ({ radius: clamp(((mean[0] - x.invert(px)) * c + (mean[1] - y.invert(py)) * s) / semiMajor, 0.05, grow.greatest) }),
-      nudge: (dx, dy) => ({ radius: clamp(radius + 0.05 * (dx || dy), 0.05, grow.greatest) }),
-      jump: (end) => ({ radius: end === 'home' ? 0.05 : grow.greatest }),
+      value: `${words(radius)} standard deviations`, now: radius, min: 0, max: GROWN,
+      move: (px, py) => {
+        const [dx, dy] = data(px, py).map((value, i) => value - mean[i])
+        return grow((other * (dx * c + dy * s)) / semiMajor)
+      },
+      nudge: (dx, dy) => grow(radius + 0.05 * (dx || dy)),
+      jump: (end) => grow(end === 'home' ? 0 : GROWN),
     }
   }
   return grips
