@@ -196,3 +196,36 @@ test('a seed can be typed while the figure plays', async (t) => {
   await seed.evaluate((input) => input.blur())
   assert.equal(await seed.inputValue(), '4711')
 })
+
+test('no name of an eigenvalue lies across the unit circle, and that of the reading’s line on no ellipse, at any width', async (t) => {
+  const { page, it } = await openFigure(t, 'observer-bench')
+  const faults = () => it.evaluate((host) => {
+    const box = (text) => {
+      const { left, right, top, bottom } = text.getBoundingClientRect()
+      return { words: text.textContent, left: left + 1, right: right - 1, top: top + 0.2 * (bottom - top), bottom: bottom - 0.2 * (bottom - top) }
+    }
+    const live = host.querySelector('.live')
+    const rim = live.querySelector('.disc-rim').getBoundingClientRect()
+    const [cx, cy, r] = [(rim.left + rim.right) / 2, (rim.top + rim.bottom) / 2, rim.width / 2]
+    const across = [...live.querySelectorAll('.eigenvalue-name')].map(box).filter(({ left, right, top, bottom }) => {
+      const far = Math.hypot(Math.max(cx - left, right - cx), Math.max(cy - top, bottom - cy))
+      const near = Math.hypot(Math.max(0, left - cx, cx - right), Math.max(0, top - cy, cy - bottom))
+      return near < r && far > r
+    })
+    const omega = [...live.querySelectorAll('.panel-phase .mark-name.measurement')].map(box)
+    const matrix = live.querySelector('.panel-phase .outline').getScreenCTM()
+    const on = omega.filter(({ left, right, top, bottom }) => [...live.querySelectorAll('.panel-phase .outline')].some((path) => Array.from({ length: 200 }, (_, i) => path.getPointAtLength((i * path.getTotalLength()) / 200).matrixTransform(matrix)).some(({ x, y }) => x > left && x < right && y > top && y < bottom)))
+    return [...across, ...on].map(({ words }) => words)
+  })
+  for (const width of [390, 768, 1440]) {
+    await page.setViewportSize({ width, height: 900 })
+    for (const change of [{ sensor: 'velocity', gain: 1, step: 12 }, { gain: 5.57 }, { gain: 6 }, { gain: 0 }, { sensor: 'position', gain: 1 }, { gain: 0.3 }, { gain: 3.1 }, { gain: 6 }]) {
+      await it.evaluate(async (host, change) => {
+        host.figure.change(change)
+        await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
+        do await new Promise((resolve) => requestAnimationFrame(resolve)); while (host.figure.asked || !host.settled)
+      }, change)
+      assert.deepEqual(await faults(), [], `${width} px, ${JSON.stringify(change)}`)
+    }
+  }
+})

@@ -22,7 +22,7 @@ check('observer-bench', {
   [/^Stable: in the long run every error shrinks by the factor ([\d.]+) a step\.$/, (frame, factor) => frame.stable && frame.pinned === null && number(factor) < 1 && prints(factor, frame.spectralRadius) && frame.params.mode === 'fixed'],
   [/^A velocity error shrinks by the factor ([\d.]+) a step\.$/, (frame, factor) => frame.stable && frame.pinned !== null && number(factor) < 1 && prints(factor, moving(frame)) && frame.params.mode === 'fixed'],
   [/^The other eigenvalue is 1 for every gain: no gain takes a position error back\.$/, ({ pinned, modulus }) => pinned !== null && Math.abs(modulus[pinned] - 1) < 1e-9],
-  [/^If the filter kept this step's gain, (every|a velocity) error would shrink by the factor ([\d.]+) a step in the long run\.$/, (frame, which, factor) => frame.params.mode === 'filter' && (which === 'every') === (frame.pinned === null) && number(factor) < 1 && prints(factor, moving(frame))],
+  [/^If the filter kept this step’s gain, (every|a velocity) error would shrink by the factor ([\d.]+) a step in the long run\.$/, (frame, which, factor) => frame.params.mode === 'filter' && (which === 'every') === (frame.pinned === null) && number(factor) < 1 && prints(factor, moving(frame))],
 ])
 
 check('bug-museum', {
@@ -91,7 +91,7 @@ check('odometry-hook', {
 
 check('kalman-picture', {
   mean: [[4, 4], [4, 2.7], [-3, 6]], semiMajor: [0.15, 1.005, 1.7230432137127605, 3], semiMinor: [0.15, 1, 3],
-  radius: [0, 0.9], guess: [null, -0.65], sealed: [false, true],
+  radius: [0, 0.9, 6], guess: [null, -0.65], sealed: [false, true],
   angle: [0, 0.8795089160498338, Math.PI / 2], reading: [-8, 2.7, 4], noise: [0, 0.5, 4], tilt: [-Math.PI / 2, -0.7, 0, 0.3],
 }, [0], () => {
   const apart = ({ euclideanFoot: a, mahalanobisFoot: b }) => Math.hypot(a.at[0] - b.at[0], a.at[1] - b.at[1])
@@ -100,12 +100,12 @@ check('kalman-picture', {
     [/^The ellipse is a circle: both metrics agree, and the two feet are one point\.$/, (frame) => Math.abs(frame.P[0][0] - frame.P[1][1]) < 1e-9 && Math.abs(frame.P[0][1]) < 1e-9 && apart(frame) < 1e-9],
     [/^The two feet are one point here, to two decimals\.$/, (frame) => apart(frame) < 0.0051],
     [/^The reading is the one expected: there is nothing to correct\.$/, (frame) => Math.abs(frame.innovation) < 5e-4 && Math.hypot(...frame.posterior.x.map((value, i) => value - frame.params.mean[i])) < 5e-3],
-    [/^The answer is hidden: (?:drop a guess, or|drag your guess along the green line, then) show it\.$/, ({ params }) => params.sealed],
+    [/^The answer is hidden: (drop|drag) (?:a guess|your guess along the green line), then choose “Show the answer”\.$/, ({ params }, what) => params.sealed && (what === 'drag') === (params.guess !== null)],
     [/^Your guess is the purple foot, the most probable point of the line\.$/, ({ guess, mahalanobisFoot: { at } }) => Math.hypot(guess.at[0] - at[0], guess.at[1] - at[1]) < 0.03],
     [/^Your guess is ([\d.]+) away from the purple foot, which is (more than 999|[\d.]+) times as probable\.$/, ({ guess, params, mahalanobisFoot: { at } }, away, times) => !params.sealed && prints(away, Math.hypot(guess.at[0] - at[0], guess.at[1] - at[1])) && (times === 'more than 999' ? guess.density < 1 / 999 : prints(times, 1 / guess.density))],
-    [/^Grown to ([\d.]+) σ, the ellipse holds (\d+) % of the probability; it (?:(touches|does not reach|crosses) Ω\* and )?(touches|does not reach|crosses) Ω\.$/, (frame, radius, inside, star, omega) => {
+    [/^Grown to ([\d.]+) σ, the ellipse holds (more than 99|\d+) % of the probability; it (?:(touches|does not reach|crosses) Ω\* and )?(touches|does not reach|crosses) Ω\.$/, (frame, radius, inside, star, omega) => {
       const stands = (word, distance) => word === (Math.abs(frame.params.radius - distance) <= 0.026 ? 'touches' : frame.params.radius < distance ? 'does not reach' : 'crosses')
-      return prints(radius, frame.params.radius) && prints(inside, 100 * frame.inside) && stands(omega, frame.mahalanobisFoot.distance) && (star === undefined ? frame.params.noise === 0 || frame.params.sealed : stands(star, frame.update.distance))
+      return prints(radius, frame.params.radius) && (inside === 'more than 99' ? frame.inside >= 0.995 : number(inside) < 100 && prints(inside, 100 * frame.inside)) && stands(omega, frame.mahalanobisFoot.distance) && (star === undefined ? frame.params.noise === 0 || frame.params.sealed : stands(star, frame.update.distance))
     }],
     [/^Reading and expected output weigh the same: y\* lies half way\.$/, ({ params, expectedOutput, expectedVariance, mostLikelyOutput }) => Math.abs(expectedVariance / params.noise - 1) < 0.0051
       && Math.abs(mostLikelyOutput - (params.reading + expectedOutput) / 2) <= 0.0013 * Math.abs(params.reading - expectedOutput) + 1e-9],

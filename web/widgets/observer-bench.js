@@ -30,7 +30,7 @@ function verdict(frame) {
   const factor = rate(pinned === null ? spectralRadius : modulus[1 - pinned])
   const other = pinned === null ? '' : ' The other eigenvalue is 1 for every gain: no gain takes a position error back.'
   // R(k) changes at every step. The eigenvalues of one step's matrix say what would happen if that gain were kept.
-  if (params.mode === 'filter') return `If the filter kept this step's gain, ${pinned === null ? 'every' : 'a velocity'} error would shrink by the factor ${factor} a step in the long run.${other}`
+  if (params.mode === 'filter') return `If the filter kept this step’s gain, ${pinned === null ? 'every' : 'a velocity'} error would shrink by the factor ${factor} a step in the long run.${other}`
   if (Number(factor) === 1) return `At the limit of stability: the factor a step is ${factor}, and an error neither dies out nor grows.`
   if (Number(factor) > 1) return `Unstable: in the long run the error grows by the factor ${factor} a step.`
   if (pinned === null) return `Stable: in the long run every error shrinks by the factor ${factor} a step.`
@@ -47,11 +47,11 @@ function describe(frame) {
   const last = (/** @type {number[]} */ values) => fixed(values[values.length - 1], 2)
   const { series } = frame
   return {
-    phase: `Phase plane at step ${frame.step}, seen from the truth: the prediction's ellipse, with standard deviations of ${spread(predicted)}, and the estimate's, of ${spread(posterior)}; the estimate is off by ${fixed(off[0], 2)} metres and ${fixed(off[1], 2)} metres a second.`,
+    phase: `Phase plane at step ${frame.step}, seen from the truth: the prediction’s ellipse, with standard deviations of ${spread(predicted)}, and the estimate’s, of ${spread(posterior)}; the estimate is off by ${fixed(off[0], 2)} metres and ${fixed(off[1], 2)} metres a second.`,
     disc: `Unit disc: the ${frame.params.mode === 'filter' ? 'frozen ' : ''}eigenvalues of the error dynamics are ${eigen}${frame.pinned === null ? '' : ', one of them pinned at 1'}.`,
     gain: `Gain over time, now ${last(series.r1)} and ${last(series.r2)}.`,
     variance: `Variances over time, now ${last(series.p11)} and ${last(series.p22)}.`,
-    error: `Errors over time, now ${last(series.e1)} and ${last(series.e2)}.`,
+    error: `Errors over time, truth minus estimate, now ${last(series.e1)} and ${last(series.e2)}.`,
   }
 }
 
@@ -73,7 +73,7 @@ function readouts(frame) {
     { key: 'step', label: 'Step', value: String(frame.step) },
     { key: 'gain', label: 'Gain {R}', value: pair(frame.R), kin: 'posterior' },
     { key: 'steady', label: '{R}_∞', value: pair(frame.steadyGain), kin: 'posterior' },
-    { key: 'error', label: 'Position error', value: fixed(frame.truth[0] - frame.posterior.x[0], 2), unit: 'm', kin: 'truth' },
+    { key: 'error', label: 'Position error: truth − estimate', value: fixed(frame.truth[0] - frame.posterior.x[0], 2), unit: 'm', wide: true, kin: 'truth' },
     { key: 'innovation', label: 'Innovation {innov}', value: fixed(frame.innovation, 3), unit: frame.params.sensor === 'velocity' ? 'm/s' : 'm', kin: 'measurement', more: true },
     { key: 'p11', label: '{P}_{11}', value: fixed(frame.posterior.P[0][0], 3), unit: 'm²', kin: 'posterior', more: true },
   ]

@@ -69,7 +69,7 @@ function describe(frame) {
   const seen = frame.lastSighting ? ` Corner ${frame.lastSighting.landmark + 1} was seen last, ${ago(step - frame.lastSighting.step)}.` : ''
   const turn = (/** @type {number} */ angle) => `${fixed(Math.abs(degrees(angle)), 1)} degrees`
   return {
-    map: `Map of the corridor's loop at tick ${step}, ${lap === 1 ? 'one whole lap' : `${lap} whole laps`} driven: the true track and ${track}, ${fixed(error.position, 2)} metres apart now, with an ellipse of semi-axes ${fixed(frame.ellipse.semiMajor, 2)} and ${fixed(frame.ellipse.semiMinor, 2)} metres.${seen}`,
+    map: `Map of the corridor’s loop at tick ${step}, ${lap === 1 ? 'one whole lap' : `${lap} whole laps`} driven: the true track and ${track}, ${fixed(error.position, 2)} metres apart now, with an ellipse of semi-axes ${fixed(frame.ellipse.semiMajor, 2)} and ${fixed(frame.ellipse.semiMinor, 2)} metres.${seen}`,
     position: `Position error over time, now ${fixed(error.position, 2)} metres against a claimed σ of ${fixed(sigma.position, 2)}.`,
     heading: `Heading error over time, now ${turn(error.heading)} against a claimed σ of ${turn(sigma.heading)}.`,
     wheel: frame.wheel ? `Learned bias of the right wheel over time, now ${percent(frame.wheel.epsilon)} with a claimed σ of ${percent(frame.wheel.sigma)}; in truth ${percent(frame.wheel.truth)}.` : '',

@@ -1,9 +1,13 @@
 /** The unit disc with the eigenvalues of the error dynamics. */
 
+import { clear, drawLabels, widthOf } from '../../core/labels.js'
 import { dot, evenPlane, meaning } from '../../core/plot.js'
 import { complex, fixed } from '../../core/numbers.js'
 
+/** @typedef {import('estimate-wasm').BenchFrame} Frame */
+
 const REACH = 1.32
+const PINNED = '1, pinned'
 /** A gain set by hand and the filter's gain have letters of their own in both conventions. */
 const TITLE = {
   fixed: 'eigenvalues of (*I* − {K}{H}){F}',
@@ -13,7 +17,7 @@ const TITLE = {
 
 /**
  * @param {import('../../core/shell.js').Panel} panel
- * @param {import('estimate-wasm').BenchFrame} frame
+ * @param {Frame} frame
  */
 export function drawDisc({ pen, width, height }, frame) {
   const plane = evenPlane({ left: 14, top: 30, right: width - 14, bottom: height - 12 }, [0, 0], REACH)
@@ -26,26 +30,44 @@ export function drawDisc({ pen, width, height }, frame) {
     for (const at of frame.pinned === null ? [-1, 1] : [-1]) pen.text(`tick${at}`, { class: 'tick', x: x(at) + (at < 0 ? 5 : -5), y: y(0) + 15, 'text-anchor': at < 0 ? 'start' : 'end' }, fixed(at, 0))
     pen.text('tick-i', { class: 'tick', x: x(0) + 5, y: y(1) + 14 }, 'i')
     pen.mark('circle', 'rim', { class: 'disc-rim', cx: x(0), cy: y(0), r: x(1) - x(0) })
-    frame.eigenvalues.forEach((value, i) => eigenvalue(pen, plane, frame, value, i))
+    const seen = frame.eigenvalues.map((value, i) => eigenvalue(pen, plane, frame, value, i))
+    drawLabels(pen, { left: 2, top: 22, right: width - 2, bottom: height - 2 }, seen.flatMap(({ label }) => label ?? []), [...seen.map(({ at }) => clear(at, 8)), ...free(pen, plane, frame, width)])
   })
 }
 
-/** @param {import('../../core/pen.js').Pen} pen @param {import('../../core/plot.js').Plane} plane @param {import('estimate-wasm').BenchFrame} frame @param {import('estimate-wasm').Complex} value @param {number} i */
+/**
+ * What the names keep clear of: the rim, the real axis and its ticks, and the name of an eigenvalue that stays at 1, which stands outside
+ * the circle as near as the panel has room.
+ * @param {import('../../core/pen.js').Pen} pen @param {import('../../core/plot.js').Plane} plane @param {Frame} frame @param {number} width
+ * @returns {import('../../core/plot.js').Box[]}
+ */
+function free(pen, { x, y, box }, frame, width) {
+  const [cx, cy, r] = [x(0), y(0), x(1) - x(0)]
+  const rim = Array.from({ length: 120 }, (_, i) => clear([cx + r * Math.cos((i * Math.PI) / 60), cy + r * Math.sin((i * Math.PI) / 60)], 2))
+  const real = { left: box.left, right: box.right, top: cy - 1, bottom: cy + 1 }
+  const ticks = [{ left: cx - r, right: cx - r + 20, top: cy + 2, bottom: cy + 18 }, { left: cx + r - 14, right: cx + r, top: cy + 2, bottom: cy + 18 }]
+  if (frame.pinned === null) return [...rim, real, ...ticks]
+  const left = Math.min(x(1) + 4, width - 2 - widthOf(PINNED))
+  const top = cy + Math.max(16, Math.sqrt(Math.max(0, r ** 2 - Math.max(0, left - 3 - cx) ** 2)))
+  pen.text('pinned-name', { class: 'eigenvalue-name', x: left, y: top + 12 }, PINNED)
+  return [...rim, real, ticks[0], clear([x(1), cy], 12), { left, right: width, top, bottom: top + 15 }]
+}
+
+/** Draws an eigenvalue. @param {import('../../core/pen.js').Pen} pen @param {import('../../core/plot.js').Plane} plane @param {Frame} frame @param {import('estimate-wasm').Complex} value @param {number} i
+ * @returns {{ at: [number, number], label?: import('../../core/labels.js').Label }} where it stands, and what is written beside it */
 function eigenvalue(pen, plane, frame, value, i) {
   const { x, y, box } = plane
   const pinned = frame.pinned === i
   const outside = frame.outside[i]
   const re = Math.max(x.invert(box.left + 7), Math.min(x.invert(box.right - 7), value.re))
   const off = re !== value.re
+  const at = /** @type {[number, number]} */ ([x(re), y(value.im)])
   const name = `eigenvalue ${outside ? 'outside' : ''} ${pinned ? 'pinned' : ''}`.replace(/ +/g, ' ').trim()
-  if (pinned) pen.mark('circle', `ring${i}`, { class: 'pinned-ring', cx: x(re), cy: y(value.im), r: 11 })
-  if (off) pen.mark('path', `off${i}`, { class: name, d: `M${x(re) + 3} ${y(0) - 6}L${x(re) - 6} ${y(0)}L${x(re) + 3} ${y(0) + 6}Z` })
+  if (pinned) pen.mark('circle', `ring${i}`, { class: 'pinned-ring', cx: at[0], cy: at[1], r: 11 })
+  if (off) pen.mark('path', `off${i}`, { class: name, d: `M${at[0] + 3} ${y(0) - 6}L${at[0] - 6} ${y(0)}L${at[0] + 3} ${y(0) + 6}Z` })
   else dot(pen, `dot${i}`, plane, [re, value.im], { ...meaning(name), r: 5.5 })
   const pair = value.im !== 0
-  if (pair && i > 0) return
-  const words = pinned ? '1, pinned' : pair ? `${fixed(value.re, 2)} ± ${fixed(Math.abs(value.im), 2)} i` : complex(value, 2)
-  const left = x(re) > (box.left + box.right) / 2 + 20
-  const near = frame.eigenvalues.some((other, j) => j < i && other.im === 0 && Math.abs(other.re - value.re) < 0.5)
-  const dy = pinned || (near && frame.pinned === null) ? 30 : -13
-  pen.text(`name${i}`, { class: `eigenvalue-name${outside ? ' outside' : ''}`, x: x(re) + (left ? 8 : off ? 4 : 0), y: y(value.im) + dy, 'text-anchor': left ? 'end' : off ? 'start' : 'middle' }, words)
+  if (pinned || (pair && i > 0)) return { at }
+  const words = pair ? `${fixed(value.re, 2)} ± ${fixed(Math.abs(value.im), 2)} i` : complex(value, 2)
+  return { at, label: { key: `name${i}`, words, at, name: `eigenvalue-name${outside ? ' outside' : ''}`, gap: 12, sides: ['above', 'above-left', 'above-right', 'below', 'below-left', 'below-right'] } }
 }

@@ -43,7 +43,7 @@ export function drawVariance(panel, frame) {
 export function drawError(panel, frame) {
   const { step, e1, e2 } = frame.series
   panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: 'error (m, m/s)',
+    title: 'error: truth − estimate (m, m/s)',
     steps: step,
     include: [-1, 1],
     unit: '{k}',

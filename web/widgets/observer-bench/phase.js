@@ -3,7 +3,7 @@
  * arrow leads from the prediction to the estimate: the correction, which the knob makes longer or shorter.
  */
 
-import { clear, drawLabels } from '../../core/labels.js'
+import { clear, drawLabels, widthOf } from '../../core/labels.js'
 import { Span, between } from '../../core/motion.js'
 import { arrow, axes, clipLine, dot, ellipseLevel, ellipsePath, halves, meaning, plane as planeOf, segment } from '../../core/plot.js'
 
@@ -80,9 +80,26 @@ function names(pen, { box, x, y }, frame, { orange, purple, reading }) {
   ]
   if (reading !== null) {
     const flat = frame.H[0] === 0
-    const end = /** @type {[number, number]} */ (flat ? [box.right - 40, y(reading / frame.H[1])] : [x(reading / frame.H[0]), box.top + 8])
+    const words = 'Ω: {H}*x* = {y}'
+    const half = widthOf(words) / 2
+    const ends = /** @type {[number, number][]} */ (flat ? [box.right - half - 2, box.left + half + 4].map((px) => [px, y(reading / frame.H[1])]) : [box.top + 10, box.bottom - 10].map((py) => [x(reading / frame.H[0]), py]))
+    // At the end that is farther from the ellipses, unless the usual one is clear of them.
+    const free = (/** @type {number[]} */ [px, py]) => Math.min(...[orange, purple].flatMap((belief) => outline(belief).map((point) => {
+      const [dx, dy] = [Math.abs(x(point[0]) - px) - (flat ? half : 2 * half), Math.abs(y(point[1]) - py) - (flat ? 18 : 8)]
+      return Math.max(dx, dy)
+    })))
+    const end = free(ends[0]) > 0 || free(ends[0]) >= free(ends[1]) ? ends[0] : ends[1]
     const within = end[0] > box.left && end[0] < box.right && end[1] > box.top && end[1] < box.bottom
-    if (within) labels.push({ key: 'omega-name', words: 'Ω: {H}*x* = {y}', at: end, gap: 4, kin: 'measurement', sides: flat ? ['above', 'below'] : ['right', 'left'] })
+    if (within) labels.push({ key: 'omega-name', words, at: end, gap: 4, kin: 'measurement', sides: flat ? ['above', 'below'] : ['right', 'left'] })
   }
   drawLabels(pen, box, labels, [clear(at(orange.x), 5), clear(at(purple.x), 5), clear(at([0, 0]), 6)])
+}
+
+/** Points of an ellipse's outline. @param {{ x: number[], ellipse: import('estimate-wasm').BenchBelief['ellipse'] }} belief */
+function outline({ x, ellipse: { semiMajor, semiMinor, angle } }) {
+  const [c, s] = [Math.cos(angle), Math.sin(angle)]
+  return Array.from({ length: 48 }, (_, i) => {
+    const [a, b] = [semiMajor * Math.cos((i * Math.PI) / 24), semiMinor * Math.sin((i * Math.PI) / 24)]
+    return [x[0] + a * c - b * s, x[1] + a * s + b * c]
+  })
 }

@@ -65,7 +65,7 @@ export function describe(frame) {
     disc: `Unit disc: the eigenvalues of (I − KH)F are ${roots.join(', ')}.`,
     ranks: `Singular values of the observability matrix, over the largest: ${rank.relative.map((value) => power(value)).join(', ')}; the tolerance is ${power(tolerance)}, the rank ${rank.rank} of ${params.states}.`,
     run: `A simulated run at step ${frame.step}: state ${i + 1} is ${fixed(truth[i], 2)}, its estimate ${fixed(estimate[i], 2)} ± ${fixed(2 * Math.sqrt(Math.max(0, P[i][i])), 2)}.`,
-    gain: `The filter's gain R(k) for state ${i + 1}: ${R ? R[i].map((value) => fixed(value, 3)).join(', ') : 'none before the first step'}.`,
+    gain: `The filter’s gain R(k) for state ${i + 1}: ${R ? R[i].map((value) => fixed(value, 3)).join(', ') : 'none before the first step'}.`,
     variance: `Variances P(k) over time, now ${P.map((row, j) => fixed(row[j], 3)).join(', ')}.`,
   }
 }
