@@ -63,8 +63,10 @@ export function timePlot(pen, size, plot) {
     if (rule.name) pen.text(`rule-name-${rule.key}`, { class: 'rule-name', x: box.right + 4, y: at + 4 }, rule.name)
   }
   const ends = plot.lines.map(({ values }) => plane.y(values[values.length - 1]))
-  // Above the axis, which would strike a name through.
-  const spread = apart(ends, 15, box.top + 4, box.bottom - 8)
+  // Above the axis, which would strike a name through; where there is little room, nearer to it and to one another.
+  const between = ends.length - 1
+  const low = Math.max(box.bottom - 8, Math.min(box.bottom - 2, box.top + 4 + 13 * between))
+  const spread = apart(ends, Math.max(13, Math.min(15, (low - box.top - 4) / between)), box.top + 4, low)
   plot.lines.forEach((one, i) => {
     const d = seriesPath(plane, plot.steps, one.values)
     pen.mark('path', `line-${one.key}`, { ...meaning(`curve ${one.shape ?? 'solid'}`, one.kin), d })
