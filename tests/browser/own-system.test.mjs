@@ -110,6 +110,49 @@ test('each program can be copied', async (t) => {
   }
 })
 
+test('whoever copies while an entry is wrong learns that the copy is of the system before', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  await cell(it, 'F', 1, 1).fill('abc')
+  assert.deepEqual(await it.locator('.own-matrix input[aria-invalid]').evaluateAll((all) => all.map((one) => one.getAttribute('aria-label'))), ['F, row 1, column 1'])
+  assert.equal(await it.locator('.own-matrix[data-wrong]').count(), 0, 'the other entries are not marked')
+  await it.getByRole('button', { name: 'Copy as numpy' }).click()
+  await it.getByText('The last system without a fault, in numpy, copied').waitFor()
+  assert.equal(await cell(it, 'F', 1, 1).inputValue(), 'abc')
+  await it.getByRole('button', { name: 'Copy link to this state' }).click()
+  await it.getByText('Link copied. It holds the last state without a fault.').first().waitFor()
+  await it.getByRole('button', { name: 'Embed' }).click()
+  await it.getByText('Markup copied. It holds the last state without a fault.').first().waitFor()
+  await cell(it, 'F', 1, 1).fill('1')
+  await it.getByRole('button', { name: 'Copy link to this state' }).click()
+  await it.getByText('Link copied.', { exact: true }).first().waitFor()
+})
+
+test('a change of the system from elsewhere takes the place of what could not be read', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  await cell(it, 'F', 1, 1).fill('abc')
+  await fault(it).filter({ hasText: 'is not a number' }).waitFor()
+  await it.getByRole('button', { name: 'Add a bias to a sensor' }).click()
+  await it.locator('.verdict').filter({ hasText: 'value − bias is never seen' }).waitFor()
+  assert.deepEqual([await fault(it).textContent(), await cell(it, 'F', 1, 1).inputValue()], ['', '1'])
+  await it.getByRole('button', { name: 'Paste a system' }).click()
+  const area = it.locator('.own-paste textarea')
+  await area.fill('F = [1 2; 3]')
+  await fault(it).filter({ hasText: 'F: row 2 has 1 number, row 1 has 2.' }).waitFor()
+  await it.getByRole('button', { name: 'Read the velocity alone' }).click()
+  await fault(it).filter({ hasText: /^$/ }).waitFor({ state: 'attached' })
+  assert.match(await area.inputValue(), /^F = \[1 0\.5; 0 1\]\n.*\nH = \[0 1\]/)
+})
+
+test('the state in the plots is chosen by its name', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  const choice = it.getByRole('combobox', { name: 'State in the plots' })
+  await choice.selectOption('velocity')
+  assert.equal((await until(it, ({ params }) => params.shown === 2, 'the velocity')).params.states, 2)
+  await it.getByLabel('Name of x2').fill('')
+  await choice.locator('option', { hasText: 'x₂' }).waitFor({ state: 'attached' })
+  assert.deepEqual(await choice.locator('option:not([hidden])').allTextContents(), ['position', 'x₂'])
+})
+
 for (const width of [320, 390, 1280]) {
   test(`four states and four readings fit a page ${width} px wide`, async (t) => {
     const page = await open(t, { at: 'system/', viewport: { ...PHONE, width } })

@@ -42,11 +42,16 @@ export class Share {
       if (new URL(link).searchParams.has(id)) link = withState(link, id, other.state)
     }
     link = withState(link, this.id, this.run.state())
-    if (await copied(link)) return this.voice.tell('Link copied.')
+    if (await copied(link)) return this.voice.tell(`Link copied.${this.before()}`)
     // A frame has no address bar.
     if (parent !== window) return this.show('Link to this state', link)
     history.replaceState(null, '', link)
-    this.voice.tell('The link is in the address bar.')
+    this.voice.tell(`The link is in the address bar.${this.before()}`)
+  }
+
+  /** What is typed and could not be taken is not in what is copied. */
+  before() {
+    return this.host.querySelector('[data-wrong]') ? ' It holds the last state without a fault.' : ''
   }
 
   async embed() {
@@ -56,7 +61,7 @@ export class Share {
     const height = (figure ?? host).getBoundingClientRect().height + ROOM
     const text = markup({ page: pageOf(document, this.spec.tag), id, title, height }, this.run.state())
     this.show('Markup that shows this figure, in this state, on another page', text)
-    if (await copied(text)) this.voice.tell('Markup copied.')
+    if (await copied(text)) this.voice.tell(`Markup copied.${this.before()}`)
   }
 
   /** @param {string} name @param {string} text */

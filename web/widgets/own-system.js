@@ -11,6 +11,7 @@ import { drawGain, drawRun, drawVariance } from './own-system/history.js'
 import { short } from './own-system/names.js'
 import { PRESETS, paramsOf } from './own-system/presets.js'
 import { drawRanks } from './own-system/ranks.js'
+import { buildShown } from './own-system/shown.js'
 import { describe, shownState, verdict } from './own-system/words.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
@@ -51,7 +52,7 @@ function readouts(frame) {
     { key: 'noise', label: 'Noise reaches all', value: noise.reachable },
     { key: 'stabilizable', label: 'Stabilizable by noise', value: noise.stabilizable },
     { key: 'input', label: 'Inputs reach all', value: input.reachable },
-    { key: 'settled', label: 'P settles', value: settled === null ? (tried === null ? 'never' : `not in ${tried}`) : `in ${settled} steps` },
+    { key: 'settled', label: 'Covariance settles', value: settled === null ? (tried === null ? 'never' : `not in ${tried}`) : `in ${settled} steps` },
     { key: 'tolerance', label: 'Tolerance', value: power(frame.tolerance), more: true },
     { key: 'gain', label: 'Gain, by rows', value: frame.K.map((row) => row.map(short).join(', ')).join('; '), more: true },
     { key: 'movable', label: 'Eigenvalues a gain moves', value: `${frame.movable} of ${params.states}`, more: true },
@@ -87,7 +88,7 @@ const controls = [
     set: (value, params, frame) => (value === 'hand' ? { gain: value, k: params.k.map((/** @type {number[]} */ row, /** @type {number} */ i) => row.map((old, j) => frame.K[i]?.[j] ?? old)) } : { gain: value }),
   },
   ...[0, 1, 2, 3].flatMap((i) => [0, 1, 2, 3].map((j) => entry(i, j))),
-  { kind: 'choice', name: 'shown', label: 'State in the plots', options: [1, 2, 3, 4].map((value) => ({ value, label: `x${'₁₂₃₄'[value - 1]}` })) },
+  { kind: 'custom', name: 'shown', build: buildShown },
   {
     kind: 'range', name: 'start', label: '{Pstart}, times *I*', ends: [-3, 4], step: 0.1,
     scale: (value) => Math.log10(Math.max(value, 1e-3)), set: (value) => ({ start: Number((10 ** value).toPrecision(3)) }), words: (_, frame) => short(frame.params.start),

@@ -7,6 +7,7 @@ import { button, part } from '../../core/element.js'
 import { copied } from '../../core/copy.js'
 import { writeHtml } from '../../core/words.js'
 import { javascript, numpy, rust } from './copy-as.js'
+import { choose, select, textBox, write } from './fields.js'
 import { givenName, lettersOf } from './names.js'
 import { MATRICES, PRESETS, paramsOf, partOf, sizeOf, systemOf } from './presets.js'
 import { faultOf, numberOf, readSystem } from './read.js'
@@ -80,8 +81,12 @@ export function buildEditor(document, change) {
   for (const [language, write] of Object.entries(LANGUAGES)) button(document, tools, `Copy as ${language}`, () => change({}, (frame) => (give(language, write(frame)), {})), 'quiet')
   const box = part(document, element, 'div', 'own-box')
 
-  /** The matrix whose typed text the lab has refused, or that holds no numbers. */
+  /** Where the fault is: in a matrix that is typed, or in what is pasted. */
   let wrong = ''
+  /** The system that the reader has made here last, and the one that is shown. */
+  let [made, shown] = ['', '']
+  /** Where a system is pasted, and the system that its text was last. @type {{ area: HTMLTextAreaElement, is: string } | null} */
+  let pasted = null
 
   /** @param {string} name @param {number} i @param {number} j */
   function typed(name, i, j) {
@@ -89,6 +94,7 @@ export function buildEditor(document, change) {
     // A covariance is symmetric: the other of two entries follows.
     if ((name === 'V' || name === 'W') && i !== j) write(cells[j][i], cells[i][j].value)
     propose(name, ({ params }) => {
+      let first = ''
       const [rows, columns] = sizeOf(name, params)
       const entries = params[name.toLowerCase()].map((/** @type {number[]} */ row) => [...row])
       for (let r = 0; r < rows; r += 1) {
@@ -97,16 +103,17 @@ export function buildEditor(document, change) {
           const bad = !Number.isFinite(entries[r][c])
           cells[r][c].toggleAttribute('aria-invalid', false)
           if (bad) cells[r][c].setAttribute('aria-invalid', 'true')
-          if (bad) throw new Error(`${name}, row ${r + 1}, column ${c + 1}: ${faultOf(cells[r][c].value)}`)
+          if (bad) first ||= `${name}, row ${r + 1}, column ${c + 1}: ${faultOf(cells[r][c].value)}`
         }
       }
+      if (first) throw new Error(first)
       return { [name.toLowerCase()]: entries }
     })
   }
 
   /**
    * Asks the lab whether a change makes a system, and makes it if so.
-   * @param {string} name the matrix that is being typed, if one
+   * @param {string} name the matrix that is being typed, if one, or `paste`
    * @param {(frame: any) => Record<string, unknown>} make
    */
   function propose(name, make) {
@@ -115,6 +122,7 @@ export function buildEditor(document, change) {
         const patch = make(frame)
         lab.constructor.from({ ...lab.state(), params: { ...frame.params, ...patch }, step: 0 }).free()
         say('', '')
+        made = keyOf({ ...frame.params, ...patch })
         return patch
       } catch (error) {
         say(name, wordsOf(error))
@@ -127,31 +135,31 @@ export function buildEditor(document, change) {
   function say(name, words) {
     wrong = words === '' ? '' : name
     if (fault.textContent !== words) fault.textContent = words
+    element.toggleAttribute('data-wrong', words !== '')
     for (const { name: each, group, cells } of matrices) {
-      group.toggleAttribute('data-wrong', each === wrong)
-      if (words === '') cells.flat().forEach((cell) => cell.removeAttribute('aria-invalid'))
+      if (each !== wrong) cells.flat().forEach((cell) => cell.removeAttribute('aria-invalid'))
+      // An entry that is no number is marked itself; of a matrix that the lab refuses, every entry may be at fault.
+      group.toggleAttribute('data-wrong', each === wrong && !cells.flat().some((cell) => cell.hasAttribute('aria-invalid')))
     }
   }
 
   function openPaste() {
-    box.replaceChildren()
-    const label = part(document, box, 'label', 'own-paste')
-    part(document, label, 'span', 'control-name').textContent = 'F, G, H, V and W in JSON, MATLAB or numpy notation'
-    const area = /** @type {HTMLTextAreaElement} */ (part(document, label, 'textarea', ''))
+    const area = openBox('F, G, H, V and W in JSON, MATLAB or numpy notation, read while you type', '', () => {
+      pasted = null
+      if (wrong === 'paste') say('', '')
+    })
     area.rows = 7
     area.spellcheck = false
-    change({}, (frame) => {
-      area.value = Object.entries(systemOf(frame.params)).map(([name, m]) => `${name} = [${m.map((row) => row.join(' ')).join('; ')}]`).filter((line) => !line.endsWith('= []') && !/\[[; ]*\]$/.test(line)).join('\n')
+    change({}, ({ params }) => {
+      pasted = { area, is: keyOf(params) }
+      area.value = written(params)
       return {}
     })
     area.addEventListener('input', () => {
       const read = readSystem(area.value)
-      if (read.ok) propose('', () => paramsOf(read.system))
-      else say('', read.fault)
-    })
-    button(document, box, 'Close', () => {
-      box.replaceChildren()
-      say('', '')
+      if (!read.ok) return say('paste', read.fault)
+      propose('paste', () => paramsOf(read.system))
+      if (wrong === '') pasted = { area, is: made }
     })
     area.focus()
     area.select()
@@ -159,24 +167,44 @@ export function buildEditor(document, change) {
 
   /** @param {string} language @param {string} text */
   async function give(language, text) {
-    box.replaceChildren()
-    const label = part(document, box, 'label', 'own-paste')
-    const said = part(document, label, 'span', 'control-name')
-    said.textContent = `The system in ${language}`
-    const area = /** @type {HTMLTextAreaElement} */ (part(document, label, 'textarea', 'own-code'))
+    const name = wrong === '' ? `The system in ${language}` : `The last system without a fault, in ${language}`
+    if (wrong === 'paste') say('', '')
+    pasted = null
+    const area = openBox(name, 'own-code', () => {})
     area.readOnly = true
     area.rows = 10
     area.value = text
-    button(document, box, 'Close', () => box.replaceChildren())
     area.focus({ preventScroll: true })
     area.select()
-    if (await copied(text)) said.textContent = `The system in ${language}, copied`
+    if (await copied(text) && area.previousSibling) area.previousSibling.textContent = `${name}, copied`
+  }
+
+  /** @param {string} name @param {string} kind @param {() => void} closed */
+  function openBox(name, kind, closed) {
+    box.replaceChildren()
+    const label = part(document, box, 'label', 'own-paste')
+    part(document, label, 'span', 'control-name').textContent = name
+    const area = /** @type {HTMLTextAreaElement} */ (part(document, label, 'textarea', kind))
+    button(document, box, 'Close', () => {
+      box.replaceChildren()
+      closed()
+    })
+    return area
   }
 
   return {
     element,
     /** @param {any} params */
     show(params) {
+      const now = keyOf(params)
+      // A system that comes from elsewhere takes the place of what could not be read here.
+      const foreign = shown !== '' && now !== shown && now !== made
+      if (foreign) say('', '')
+      if (pasted && pasted.is !== now) {
+        pasted.area.value = written(params)
+        pasted.is = now
+      }
+      shown = now
       const chosen = PRESETS.findIndex((one) => same(paramsOf(one), params)) + 1
       choose(preset, chosen)
       for (const { name, from, input } of sizes) choose(input, params[name] - from)
@@ -193,7 +221,7 @@ export function buildEditor(document, change) {
         cells.forEach((row, i) => row.forEach((cell, j) => {
           cell.toggleAttribute('hidden', i >= rows || j >= columns)
           // What is being typed stays as it is typed, and so does what could not be read.
-          if (i >= rows || j >= columns || name === wrong || document.activeElement === cell) return
+          if (i >= rows || j >= columns || name === wrong || (document.activeElement === cell && !foreign)) return
           if (numberOf(cell.value) !== entries[i][j] || cell.value === '') write(cell, String(entries[i][j]))
         }))
       }
@@ -221,42 +249,20 @@ function grown(name, count, params) {
   return { h, w }
 }
 
+/** A system as one string, which tells it from others. @param {any} params */
+function keyOf(params) {
+  return JSON.stringify([params.states, params.inputs, params.readings, ...[...MATRICES, 'K'].map((name) => partOf(name, params))])
+}
+
+/** A system as it may be pasted; what is empty is left out. @param {any} params */
+function written(params) {
+  return Object.entries(systemOf(params)).filter(([, m]) => m[0].length > 0).map(([name, m]) => `${name} = [${m.map((row) => row.join(' ')).join('; ')}]`).join('\n')
+}
+
 /** Whether the parameters hold this system. @param {any} system @param {any} params */
 function same(system, params) {
   return ['states', 'inputs', 'readings'].every((name) => system[name] === params[name])
     && MATRICES.every((name) => String(partOf(name, system)) === String(partOf(name, params)))
-}
-
-/** @param {Document} document @param {Element} into @param {string} words @param {string[]} options @returns {HTMLSelectElement} */
-function select(document, into, words, options) {
-  const label = part(document, into, 'label', 'control')
-  part(document, label, 'span', 'control-name').textContent = words
-  const input = /** @type {HTMLSelectElement} */ (part(document, label, 'select', ''))
-  for (const words of options) part(document, input, 'option', '').textContent = words
-  return input
-}
-
-/** @param {HTMLSelectElement} input @param {number} index */
-function choose(input, index) {
-  for (const [i, option] of [...input.options].entries()) {
-    if (option.hasAttribute('selected') !== (i === index)) option.toggleAttribute('selected', i === index)
-  }
-  if (input.selectedIndex !== index) input.options[index].selected = true
-}
-
-/** @param {Document} document @param {Element} into @returns {HTMLInputElement} */
-function textBox(document, into) {
-  const input = /** @type {HTMLInputElement} */ (part(document, into, 'input', ''))
-  input.setAttribute('type', 'text')
-  input.setAttribute('autocomplete', 'off')
-  input.setAttribute('spellcheck', 'false')
-  return input
-}
-
-/** @param {HTMLInputElement} input @param {string} text */
-function write(input, text) {
-  input.setAttribute('value', text)
-  input.value = text
 }
 
 /** What the lab says of a system that it refuses, with the letter of the matrix. @param {unknown} error */

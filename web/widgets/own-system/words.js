@@ -38,11 +38,11 @@ function reached({ noise, params }) {
 function limit({ limit: kind, settled, tried }) {
   const run = settled !== null && kind === 'none' ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.` : settled !== null ? ` From this start it settles in ${settled} steps.` : tried === null ? ' From this start it outgrows every number.' : ` From this start it has not settled after ${tried} steps.`
   return {
-    'from-every-start': 'P tends to one limit from every start, because the system is detectable and noise reaches all that does not die out.',
-    'from-large-start': 'P tends to a limit from every large enough start, because the system is detectable; noise does not reach all that does not die out, or whether it does is undecided; so a smaller start may lead elsewhere, and the filter may in the end stop correcting what noise does not reach.',
-    none: 'P has no limit: something unseen does not die out, and noise feeds it, so its variance grows without end.',
-    'depends-on-start': 'Whether P has a limit depends on the start: something unseen does not die out, and noise does not reach all of that.',
-    undecided: 'Whether P has a limit is undecided within the tolerance.',
+    'from-every-start': 'The covariance tends to one limit from every start, because the system is detectable and noise reaches all that does not die out.',
+    'from-large-start': 'The covariance tends to a limit from every large enough start, because the system is detectable; noise does not reach all that does not die out, or whether it does is undecided; so a smaller start may lead elsewhere, and the filter may in the end stop correcting what noise does not reach.',
+    none: 'The covariance has no limit: something unseen does not die out, and noise feeds it, so its variance grows without end.',
+    'depends-on-start': 'Whether the covariance has a limit depends on the start: something unseen does not die out, and noise does not reach all of that.',
+    undecided: 'Whether the covariance has a limit is undecided within the tolerance.',
   }[kind] + run
 }
 
@@ -53,7 +53,7 @@ function stability({ params, placed, spectralRadius, movable, eigenvalues, diver
   const who = { filter: 'With the filter’s gain', hand: 'With this gain', placement: 'With the gain that places them' }[params.gain]
   const stuck = eigenvalues.length - movable
   const fixedOnes = stuck === 0 ? '' : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
-  return `${who} the eigenvalues of (I − KH)F reach the modulus ${fixed(spectralRadius, 3)}${spectralRadius < 1 ? '' : ', so an error need not die out'}.${fixedOnes}`
+  return `${who} the eigenvalues of the error’s matrix reach the modulus ${fixed(spectralRadius, 3)}${spectralRadius < 1 ? '' : ', so an error need not die out'}.${fixedOnes}`
 }
 
 /** @param {Frame} frame */
@@ -62,11 +62,11 @@ export function describe(frame) {
   const i = shownState(params)
   const roots = eigenvalues.map(({ re, im }) => (im === 0 ? fixed(re, 3) : `${fixed(re, 3)} ${im < 0 ? '−' : '+'} ${fixed(Math.abs(im), 3)} i`))
   return {
-    disc: `Unit disc: the eigenvalues of (I − KH)F are ${roots.join(', ')}.`,
+    disc: `Unit disc: the eigenvalues of the error’s matrix are ${roots.join(', ')}.`,
     ranks: `Singular values of the observability matrix, over the largest: ${rank.relative.map((value) => power(value)).join(', ')}; the tolerance is ${power(tolerance)}, the rank ${rank.rank} of ${params.states}.`,
     run: `A simulated run at step ${frame.step}: state ${i + 1} is ${fixed(truth[i], 2)}, its estimate ${fixed(estimate[i], 2)} ± ${fixed(2 * Math.sqrt(Math.max(0, P[i][i])), 2)}.`,
-    gain: `The filter’s gain R(k) for state ${i + 1}: ${R ? R[i].map((value) => fixed(value, 3)).join(', ') : 'none before the first step'}.`,
-    variance: `Variances P(k) over time, now ${P.map((row, j) => fixed(row[j], 3)).join(', ')}.`,
+    gain: `The filter’s gain for state ${i + 1}: ${R ? R[i].map((value) => fixed(value, 3)).join(', ') : 'none before the first step'}.`,
+    variance: `Variances over time, now ${P.map((row, j) => fixed(row[j], 3)).join(', ')}.`,
   }
 }
 
