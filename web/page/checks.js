@@ -34,8 +34,8 @@ async function run(estimate) {
     /** @type {Pick<Check, 'passed'> & { words: string }} */
     let found
     try {
-      const { passed, actual } = estimate.chapterCheck(Number(row.dataset.check))
-      found = { passed, words: actual.map(short).join(', ') }
+      const { passed, actual, tolerance } = estimate.chapterCheck(Number(row.dataset.check))
+      found = { passed, words: actual.map((value) => short(value, tolerance)).join(', ') }
     } catch (error) {
       found = { passed: false, words: error instanceof Error ? error.message : 'could not run' }
     }
@@ -63,14 +63,14 @@ function show(row, { passed, words }, time) {
 
 /** Browsers round their clocks to a tenth of a millisecond or more, so a short time is only bounded. @param {number} time */
 function milliseconds(time) {
-  return time < 0.05 ? '< 0.1 ms' : `${fixed(time, 1)} ms`
+  return time < 0.05 ? '<\u00a00.1\u00a0ms' : `${fixed(time, 1)}\u00a0ms`
 }
 
-/** Six significant digits, as the book prints the values of the build. @param {number} value */
-function short(value) {
+/** Seven significant digits, but none beyond the tolerance, as the book prints the values of the build. @param {number} value @param {number} tolerance */
+function short(value, tolerance) {
   const size = Math.abs(value)
   const plain = value === 0 || (size >= 1e-4 && size < 1e6)
-  const decimals = value === 0 ? 0 : Math.max(0, Math.min(12, 5 - Math.floor(Math.log10(size))))
+  const decimals = value === 0 ? 0 : Math.max(0, Math.min(12, 6 - Math.floor(Math.log10(size)), tolerance < 1 ? Math.ceil(-Math.log10(tolerance) - 1e-9) : 12))
   const [digits, power] = plain ? [value.toFixed(decimals)] : value.toExponential(5).split('e')
   const lean = digits.includes('.') ? digits.replace(/\.?0+$/, '') : digits
   return (power === undefined ? lean : `${lean}e${power.replace('+', '')}`).replaceAll('-', '\u2212')

@@ -112,6 +112,7 @@ impl Pages<'_> {
         let text = page::text(self.build.site, files, number, &address, self.build.diagnostics);
         let version = format!("{:016x}", fnv1a(text.readings.concat().join("\0").as_bytes()));
         let extra = context! {
+            letters => !text.readings.is_empty(),
             chapter => serde(chapter),
             body => safe(text.body),
             contents => serde(text.contents),

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use minijinja::context;
+use minijinja::{Value, context};
 
 use crate::diagnostic::Place;
 use crate::inline::source_href;
@@ -98,19 +98,28 @@ impl Writer<'_> {
         if used.is_empty() {
             return String::new();
         }
+        let names: Vec<_> =
+            used.iter().map(|number| number.id.split('.').next().unwrap_or_default().to_string()).collect();
         let entries = used.into_iter().map(|number| {
             let place = Place::new(&*number.source, 1);
             let source = self.diagnostics.ok(&place, self.site.sources.function(&number.source));
             context! {
                 id => number.id.clone(),
                 value => number.value.to_string(),
-                about => number.about.trim_end_matches('.'),
+                about => number.about.trim_end_matches('.').replace('\'', "\u{2019}"),
                 source => source.map(|_| &number.source),
                 href => source.map(|(path, line)| safe(source_href(&root, path, line))),
                 check => number.check,
             }
         });
-        let entries: Vec<_> = entries.collect();
-        self.fill("numbers", context! { entries, root }, &Place::new("numbers", 1))
+        // Numbers of one computation have the first word of their names in common.
+        let mut groups: Vec<(String, Vec<Value>)> = Vec::new();
+        for (name, entry) in names.into_iter().zip(entries) {
+            match groups.last_mut() {
+                Some((group, entries)) if *group == name => entries.push(entry),
+                _ => groups.push((name, vec![entry])),
+            }
+        }
+        self.fill("numbers", context! { groups, root }, &Place::new("numbers", 1))
     }
 }
