@@ -13,6 +13,9 @@ test('the plot of the wheel comes with the switch, and the bias is learned with 
   assert.ok(Math.abs(learned.wheel.epsilon - learned.wheel.truth) < 3 * learned.wheel.sigma && learned.wheel.sigma < 0.0013, JSON.stringify(learned.wheel))
   assert.equal(await plot.count(), 1)
   assert.ok(await plot.locator('.mark.curve').count() >= 4)
+  // The size of the heading's error, as its plot has it.
+  assert.match(await it.locator('.live .readout').filter({ hasText: 'Heading error' }).locator('dd').textContent(), /^[\d.]+°$/)
+  assert.equal(await it.locator('.live .verdict i').filter({ hasText: 'σ' }).count(), 3, 'a σ of the status is the σ of the labels')
   // The dot below the plot goes back in the drive, by keys.
   const cursor = plot.getByRole('slider', { name: 'Tick shown on the map' })
   await cursor.press('Home')
@@ -22,9 +25,12 @@ test('the plot of the wheel comes with the switch, and the bias is learned with 
   await it.getByRole('checkbox', { name: 'landmark fixes' }).uncheck()
   const blind = await until(it, ({ params }) => !params.fixes, 'without fixes')
   assert.deepEqual([blind.wheel.epsilon, blind.wheel.rank], [0, 0])
-  await it.getByRole('checkbox', { name: /learn the wheel/ }).uncheck()
+  const box = it.getByRole('checkbox', { name: /learn the wheel/ })
+  const { y } = await box.boundingBox()
+  await box.uncheck()
   await until(it, ({ wheel }) => wheel === null, 'as it was')
   assert.equal(await plot.count(), 0)
+  assert.ok(Math.abs((await box.boundingBox()).y - y) < 4, 'the box stays under the pointer')
   assert.equal(await it.locator('.live .panel-wheel [role=slider]').count(), 0, 'no handle is left in what is hidden')
   assert.equal((await frameOf(it)).params.learn, false)
 })

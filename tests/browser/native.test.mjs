@@ -100,13 +100,13 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
       assert.deepEqual(finite(await frameOf(element)), run.frame, where)
       const shown = await element.locator('.live').evaluate((live) => ({
         readouts: [...live.querySelectorAll('.readout')].map((box) => [(box.querySelector('dt .in-choset') ?? box.querySelector('dt')).textContent, box.querySelector('dd').textContent]),
-        verdict: live.querySelector('.verdict').textContent,
+        verdict: [...live.querySelector('.verdict').childNodes].map((part) => (/in-(?!choset)/.test(part.className) ? '' : part.textContent)).join(''),
         panels: Object.fromEntries([...live.querySelectorAll('.panel')].map((svg) => [/panel-(\S+)/.exec(svg.getAttribute('class'))[1], svg.getAttribute('aria-label')])),
       }))
-      const said = spec.readouts(run.frame).map(({ label, value, unit }) => [plain(label), unit ? `${value} ${unit}` : value])
+      const said = spec.readouts(run.frame).map(({ label, value, unit }) => [plain(label), unit ? `${value}${unit === '°' ? '' : ' '}${unit}` : value])
       assert.ok(said.length >= 7, `${tag} has readouts`)
       assert.deepEqual(shown.readouts, said, where)
-      assert.equal(shown.verdict, held(spec.verdict(run.frame)), where)
+      assert.equal(shown.verdict, held(plain(spec.verdict(run.frame))), where)
       assert.deepEqual(shown.panels, spec.describe(run.frame), where)
     }
   })

@@ -78,9 +78,24 @@ test('the mix of the dials that no reading shows is found by keys, and a second 
   assert.equal(await strips(), 0)
 })
 
+test('dashes stay dashes after two laps: a closed track is drawn once', async (t) => {
+  const { it } = await openFigure(t, 'observability-probe')
+  await it.getByRole('button', { name: 'Turn the world' }).click()
+  await until(it, ({ ghost }) => ghost, 'a ghost')
+  const laps = () => it.locator('.live .panel-map').evaluate((map) => ['.mark.track.truth', '.mark.track.ghost'].map((track) => {
+    const { width } = map.querySelector('.floor').getBBox()
+    // The square has half the side of the room.
+    return map.querySelector(track).getTotalLength() / (2 * width)
+  }))
+  for (const share of await laps()) assert.ok(Math.abs(share - 1) < 0.01, `${share} laps are drawn`)
+  await it.getByRole('button', { name: 'Step' }).click()
+  await until(it, ({ step }) => step === 241, 'one step more')
+  for (const share of await laps()) assert.ok(Math.abs(share - 1) < 0.01, `${share} laps are drawn`)
+})
+
 test('before the first step no direction is drawn along a path that is not there', async (t) => {
   const { it } = await openFigure(t, 'observability-probe')
-  const names = () => it.locator('.live .panel-map text').filter({ hasText: 'along the path' }).count()
+  const names = () => it.locator('.live .panel-map text').filter({ hasText: /^path/ }).count()
   assert.equal(await names(), 1)
   await it.getByRole('button', { name: 'Reset' }).click()
   await until(it, ({ step }) => step === 0, 'the start')

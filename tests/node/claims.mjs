@@ -3,6 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
+import { plain } from '../../web/core/words.js'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 export const estimate = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
@@ -36,7 +37,7 @@ function falsehoods(spec, all, claims) {
   const found = new Set()
   for (const frame of all) {
     const where = `${JSON.stringify(frame.params)} at step ${frame.step}`
-    const words = spec.verdict(frame)
+    const words = plain(spec.verdict(frame))
     for (const sentence of sentences(words)) {
       const claim = claims.filter(([pattern]) => pattern.test(sentence))
       if (claim.length !== 1) found.add(`“${sentence}” is none of the claims, or several; ${where}`)

@@ -83,9 +83,12 @@ check('odometry-hook', {
     [/^No corner seen yet: the position is (off .*)\.$/, (frame, words) => frame.params.fixes && frame.lastSighting === null && off(frame, words, 'position')],
     [/^With fixes, the position is (off .*)\.$/, (frame, words) => frame.params.fixes && frame.lastSighting !== null && off(frame, words, 'position')],
     [/^The heading is (off .*)\.$/, (frame, words) => off(frame, words, 'heading')],
-    [/^No reading is used, so the bias stays at ([−\d.]+) %, with a σ of ([\d.]+) %\.$/, ({ params, step, wheel }, bias, sigma) => params.learn && (!params.fixes || step === 0) && wheel.rank === 0 && number(bias) === 0 && prints(bias, 100 * wheel.epsilon) && prints(sigma, 100 * wheel.sigma)],
+    [/^No reading is used, so the bias stays at ([−\d.]+) %, with a σ of ([\d.]+) %\.$/, ({ params, wheel }, bias, sigma) => params.learn && !params.fixes && wheel.rank === 0 && number(bias) === 0 && prints(sigma, 100 * wheel.sigma)],
+    [/^No reading yet: the bias is taken as ([−\d.]+) %, with a σ of ([\d.]+) %\.$/, ({ params, step, wheel }, bias, sigma) => params.learn && params.fixes && step === 0 && wheel.rank === 0 && number(bias) === 0 && prints(sigma, 100 * wheel.sigma)],
     [/^The readings so far have rank (\d) of 4: they do not tell the bias from the pose\.$/, ({ params, step, wheel }, rank) => params.learn && params.fixes && step < 186 && Number(rank) === wheel.rank && wheel.rank < 4],
-    [/^The bias is learned as ([−\d.]+) %, with a σ of ([\d.]+) %; in truth it is ([\d.]+) %\.$/, ({ params, wheel }, bias, sigma, truth) => params.learn && params.fixes && wheel.rank === 4 && prints(bias, 100 * wheel.epsilon) && prints(sigma, 100 * wheel.sigma) && prints(truth, 100 * wheel.truth)],
+    [/^The bias is learned as ([−\d.]+) %, with a σ of ([\d.]+) %; in truth it is ([\d.]+) %\.$/, ({ params, wheel }, bias, sigma, truth) => params.learn && params.fixes && wheel.rank === 4
+      // What is learned and what is true are said in the words of the slider, as parts of the true radius.
+      && prints(truth, 100 * params.bias) && prints(truth, 100 * (1 / (1 - wheel.truth) - 1)) && prints(bias, 100 * (1 / (1 - wheel.epsilon) - 1)) && prints(sigma, (100 * wheel.sigma) / (1 - wheel.epsilon) ** 2)],
   ]
 })
 
@@ -168,7 +171,7 @@ check('observability-probe', {
   [/^The frozen test counts (\w+) directions? more than the path has shown\.$/, ({ frozen, alongPath }, more) => frozen.rank === 3 && many(more) === 3 - alongPath.rank && alongPath.steps > 0],
   [/^(\w+) directions? of the pose (?:is|are) hidden: no reading along the path changes with (?:it|them)\.$/, ({ frozen, alongPath }, hidden) => frozen.rank < 3 && many(hidden) === 3 - alongPath.rank && alongPath.relative.slice(alongPath.rank).every((value) => value < 1e-9)],
   [/^(\w+) directions? of the pose (?:falls|fall) below the tolerance\.$/, ({ frozen, alongPath }, hidden) => frozen.rank < 3 && many(hidden) === 3 - alongPath.rank && alongPath.relative.slice(alongPath.rank).some((value) => value >= 1e-9)],
-  [/^The map is forgotten: (\d+) founded, (\d+) matched, (\d+) rejected\.$/, ({ slam }, founded, matched, rejected) => slam && slam.founded === Number(founded) && slam.matched === Number(matched) && slam.rejected === Number(rejected)],
+  [/^The map is forgotten, and ranges with bearings found it anew: (\d+) founded, (\d+) matched, (\d+) rejected\.$/, ({ slam }, founded, matched, rejected) => slam && slam.founded === Number(founded) && slam.matched === Number(matched) && slam.rejected === Number(rejected)],
   [/^The worst stands ([\d.]+) m off, ([\d.]+) of its own σ\.$/, ({ slam }, error, sigma) => prints(error, slam.worst.error) && prints(sigma, slam.worst.sigma)],
   [/^The map is full: it founds no more\.$/, ({ slam }) => slam.full],
 ])
@@ -184,7 +187,7 @@ check('observability-probe', {
   [/^Its first readings are those of the robot; let it drive\.$/, ({ ghost, step }) => step === 0 && ghost.rangeGap < 1e-9],
   [/^It reads what the robot reads: no filter can tell the two apart\.$/, ({ ghost, params, step }) => step > 0 && params.count === 1 && ghost.rangeGap < 1e-9
     && params.ghostAround === params.ghostTurn && params.ghostShift === 0 && ghost.byHand.every(Number.isFinite)],
-  [/^The map is forgotten: \d+ founded, \d+ matched, \d+ rejected\.$/, ({ slam, ghost }) => slam && !ghost],
+  [/^The map is forgotten, and ranges with bearings found it anew: \d+ founded, \d+ matched, \d+ rejected\.$/, ({ slam, ghost }) => slam && !ghost],
   [/^The worst stands [\d.]+ m off, [\d.]+ of its own σ\.$/, ({ slam }) => slam.worst],
 ])
 

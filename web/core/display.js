@@ -36,7 +36,7 @@ export class Display {
     this.memory = {}
     /** Whether the first panel is still moving, by its camera or by the animation of a step. */
     this.moving = false
-    /** What each panel shows. @type {Map<string, { frame: any, width: number, aside: any }>} */
+    /** What each panel shows. @type {Map<string, { frame: any, width: number, height: number, aside: any }>} */
     this.drawn = new Map()
     /** Which of the other panels is drawn next. */
     this.next = 0
@@ -48,6 +48,7 @@ export class Display {
 
   /** @param {any} frame to be shown @param {any} previous the one a step led from @param {number} beatStart when its animation starts */
   take(frame, previous, beatStart) {
+    this.shell.fit(frame)
     this.frame = frame
     this.wanted = frame
     this.previous = previous
@@ -62,9 +63,9 @@ export class Display {
     for (const panel of Object.values(this.shell.panels)) {
       const { width, height } = panel.svg.getBoundingClientRect()
       if (width < 1 || (Math.abs(panel.width - width) < 0.5 && Math.abs(panel.height - height) < 0.5)) continue
-      const usual = this.spec.panels.find(({ name }) => panel.svg.classList.contains(`panel-${name}`))
+      const usual = ['height', 'width'].map((side) => Number(panel.svg.getAttribute(side)))
       panel.width = width
-      panel.height = usual ? (width * usual.height) / usual.width : height
+      panel.height = (width * usual[0]) / usual[1]
       panel.svg.setAttribute('viewBox', `0 0 ${panel.width} ${panel.height}`)
     }
   }
@@ -143,8 +144,8 @@ export class Display {
   /** Whether a panel shows the present frame at its present size. @param {string} name */
   shows(name) {
     const last = this.drawn.get(name)
-    const { frame, width, aside } = this.due(name)
-    return last?.frame === frame && last?.width === width && last?.aside === aside
+    const { frame, width, height, aside } = this.due(name)
+    return last?.frame === frame && last?.width === width && last?.height === height && last?.aside === aside
   }
 
   /** @param {string} name */
@@ -157,6 +158,7 @@ export class Display {
     const { panels } = this.spec
     const frame = name === panels[0].name ? this.wanted : this.frame
     const aside = panels.find((panel) => panel.name === name)?.aside ? this.aside : null
-    return { frame, width: this.shell.panels[name].width, aside }
+    const { width, height } = this.shell.panels[name]
+    return { frame, width, height, aside }
   }
 }

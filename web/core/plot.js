@@ -73,7 +73,7 @@ export function halves({ semiMajor, semiMinor, angle }) {
  * Ticks, faint grid and the names of the axes.
  * @param {Pen} pen
  * @param {Plane} plane
- * @param {{ x?: Words, y?: Words, title?: Words, ticks?: [number, number], grid?: boolean, zero?: boolean }} [names]
+ * @param {{ x?: Words, y?: Words, title?: Words, ticks?: [number, number], grid?: boolean, zero?: boolean, drop?: number }} [names] `drop` from the axis to the feet of its numbers
  */
 export function axes(pen, { x, y, box }, names = {}) {
   const across = apart(x, names.ticks?.[0] ?? 5, box.left, box.right, 26)
@@ -90,7 +90,7 @@ export function axes(pen, { x, y, box }, names = {}) {
     for (const value of across.ticks) {
       const at = pixel(x(value))
       grid += `M${at} ${box.top}V${box.bottom}`
-      to.text(`tx${value}`, { class: 'tick', x: at, y: box.bottom + 15, 'text-anchor': 'middle' }, format.x(value))
+      to.text(`tx${value}`, { class: 'tick', x: at, y: box.bottom + (names.drop ?? 15), 'text-anchor': 'middle' }, format.x(value))
     }
     if (names.grid !== false) to.mark('path', 'grid', { class: 'grid', d: grid })
     to.mark('path', 'axis', { class: 'axis', d: `M${box.left} ${box.top}V${box.bottom}H${box.right}` })

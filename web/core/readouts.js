@@ -20,6 +20,7 @@ import { plain, writeHtml } from './words.js'
  * @property {boolean} [zero] whether it is a zero to be marked: a right angle
  * @property {boolean} [more] whether it waits behind “more”
  * @property {boolean} [wide] whether it takes the room of two
+ * @property {boolean} [row] whether it begins a row
  * @property {boolean} [shown] whether it is there; always if not given
  */
 
@@ -43,8 +44,8 @@ export class Readouts {
       if (!held) this.kept.set(readout.key, (held = this.build(readout)))
       const hidden = readout.shown === false
       if (held.box.hasAttribute('hidden') !== hidden) held.box.toggleAttribute('hidden', hidden)
-      // What has no value yet is a dash, which has no unit.
-      const text = readout.unit && readout.value !== '–' ? `${readout.value} ${readout.unit}` : readout.value
+      // What has no value yet is a dash, which has no unit; a degree sign stands at its number.
+      const text = readout.unit && readout.value !== '–' ? `${readout.value}${readout.unit === '°' ? '' : ' '}${readout.unit}` : readout.value
       if (held.said === text) continue
       held.value.textContent = text
       held.said = text
@@ -59,6 +60,7 @@ export class Readouts {
     const box = part(document, this.list(readout), 'div', names.filter(Boolean).join(' '))
     if (readout.kin) box.setAttribute('data-kin', readout.kin)
     writeHtml(part(document, box, 'dt', readout.cell ? 'visually-hidden' : ''), readout.label)
+    if (readout.row) box.setAttribute('style', readout.wide ? 'grid-column:1/span 2' : 'grid-column:1')
     if (readout.cell) box.setAttribute('style', `grid-area:${this.place('rows', readout.cell[0])}/${this.place('columns', readout.cell[1])}`)
     return { box, value: part(document, box, 'dd', ''), said: '' }
   }

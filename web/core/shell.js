@@ -45,7 +45,8 @@ export function buildShell(document, spec, into, orders, parameters) {
   const limits = Object.fromEntries(parameters.map((parameter) => [parameter.name, parameter]))
   /** @type {Record<string, Panel>} */
   const panels = {}
-  for (const { name, width, height, handles } of spec.panels) {
+  for (const { name, width, height: tall, handles } of spec.panels) {
+    const height = typeof tall === 'function' ? 0 : tall
     const svg = document.createElementNS(SVG, 'svg')
     svg.setAttribute('class', `panel panel-${name}`)
     svg.setAttribute('style', `grid-area:${name}`)
@@ -110,6 +111,17 @@ export function buildShell(document, spec, into, orders, parameters) {
 
   return {
     panels,
+    /** Gives the panels whose height goes with the frame their height. @param {any} frame */
+    fit(frame) {
+      for (const { name, width, height } of spec.panels) {
+        if (typeof height !== 'function') continue
+        const [panel, tall] = [panels[name], String(height(frame))]
+        if (panel.svg.getAttribute('height') === tall) continue
+        panel.svg.setAttribute('height', tall)
+        panel.height = (panel.width * Number(tall)) / width
+        panel.svg.setAttribute('viewBox', `0 0 ${panel.width} ${panel.height}`)
+      }
+    },
     limits,
     play,
     note,
@@ -127,7 +139,7 @@ export function buildShell(document, spec, into, orders, parameters) {
       speed.show({ speed: life.rate }, frame)
       for (const control of shown) control.show(params, frame)
       const judged = spec.verdict?.(frame) ?? ''
-      if (said !== judged) verdict.textContent = held(said = judged)
+      if (said !== judged) writeHtml(verdict, held(said = judged).replaceAll('σ', '*σ*'))
       for (const { name, shown: there } of spec.panels) {
         const hidden = there ? !there(frame) : false
         if (panels[name].svg.hasAttribute('hidden') === hidden) continue

@@ -39,7 +39,7 @@
  * @typedef {object} PanelSpec
  * @property {string} name
  * @property {number} width on a wide page, pixels
- * @property {number} height
+ * @property {number | ((frame: any) => number)} height
  * @property {boolean} [handles] whether something in it can be dragged
  * @property {(frame: any) => boolean} [shown] whether it is there; always if not given, and the first panel always is
  * @property {boolean} [aside] whether it shows what is computed beside the run
@@ -77,7 +77,7 @@
  * @property {(frame: any) => Record<string, string>} describe each panel in words; empty for one that is not there
  * @property {import('./controls.js').Control[]} controls
  * @property {(frame: any) => import('./shell.js').Readout[]} readouts the same keys each time
- * @property {(frame: any) => string} [verdict] the state in one sentence, shown
+ * @property {(frame: any) => import('./words.js').Words} [verdict] the state in one sentence, shown; every σ is set as a symbol
  * @property {(frame: any, previous: any) => string} announce what has changed, for screen readers
  * @property {(frame: any) => Record<string, number[]>} series columns of the CSV
  */

@@ -5,6 +5,7 @@
 
 import { drawHandle } from './handle.js'
 import { buildShell } from './shell.js'
+import { plain } from './words.js'
 
 const nothing = () => {}
 
@@ -25,6 +26,7 @@ export function drawStill(document, spec, frame, parameters, aside = null) {
     previous: null, beat: /** @type {const} */ ({ name: 'rest', t: 1 }), elapsed: Infinity, memory: {}, aside, limits: shell.limits,
     handle: (/** @type {any} */ pen, /** @type {string} */ key, /** @type {any} */ handle) => void drawHandle(pen, key, handle),
   }
+  shell.fit(frame)
   for (const { name, draw, shown } of spec.panels) if (shown?.(frame) ?? true) draw(shell.panels[name], frame, view)
   shell.show(frame, { rate: 1, playing: false })
   for (const { svg } of Object.values(shell.panels)) {
@@ -37,7 +39,7 @@ export function drawStill(document, spec, frame, parameters, aside = null) {
   for (const control of into.querySelectorAll('button, input, select')) control.replaceWith(likeness(document, control))
   for (const more of into.querySelectorAll('.more')) more.replaceWith(closed(document, more))
   const said = Object.values(spec.describe(frame)).filter(Boolean).join(' ')
-  return { still: into, words: `${said} ${spec.verdict?.(frame) ?? ''}`.trim() }
+  return { still: into, words: `${said} ${plain(spec.verdict?.(frame) ?? '')}`.trim() }
 }
 
 /** What stands for a block that cannot be unfolded. @param {Document} document @param {Element} block */

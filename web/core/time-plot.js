@@ -3,6 +3,11 @@
 import { axes, meaning, seriesPath } from './plot.js'
 import { rounded, scaleLinear, scaleLog } from './scale.js'
 
+/** A name that stands farther from the end of its curve than this, pixels, is led to it. */
+const FAR = 4
+/** The handle of a cursor and what keeps clear of it, pixels. */
+const HANDLE = 9
+
 /** @typedef {import('./pen.js').Pen} Pen */
 /** @typedef {import('./words.js').Words} Words */
 /** @typedef {import('./plot.js').Kin} Kin */
@@ -54,26 +59,34 @@ export function timePlot(pen, size, plot) {
   const box = { left: 44, top: 26, right: size.width - 34, bottom: size.height - 24 }
   const first = plot.steps[0] ?? 0
   const last = Math.max(plot.steps[plot.steps.length - 1] ?? 0, first + (plot.least ?? 20))
-  const plane = { box, x: scaleLinear([first, last], [box.left, box.right]), y: upright(plot, box) }
-  axes(pen, plane, { title: plot.title, ticks: [5, 4], zero: !plot.log })
-  pen.text('unit', { class: 'axis-name', x: size.width - 2, y: box.bottom + 15, 'text-anchor': 'end' }, plot.unit ?? '*k*')
+  // The handle of a cursor hides neither the numbers of the upright axis nor those below it.
+  const [aside, drop] = plot.cursor ? [HANDLE, 19] : [0, 15]
+  const plane = { box, x: scaleLinear([first, last], [box.left + aside, box.right]), y: upright(plot, box) }
+  axes(pen, plane, { title: plot.title, ticks: [5, 4], zero: !plot.log, drop })
+  pen.text('unit', { class: 'axis-name', x: size.width - 2, y: box.bottom + drop, 'text-anchor': 'end' }, plot.unit ?? '*k*')
   for (const rule of plot.rules ?? []) {
     const at = plane.y(rule.at)
     pen.mark('line', `rule-${rule.key}`, { ...meaning('rule', rule.kin), x1: box.left, x2: box.right, y1: at, y2: at })
     if (rule.name) pen.text(`rule-name-${rule.key}`, { class: 'rule-name', x: box.right + 4, y: at + 4 }, rule.name)
   }
   const ends = plot.lines.map(({ values }) => plane.y(values[values.length - 1]))
-  // Above the axis, which would strike a name through; where there is little room, nearer to it and to one another.
-  const between = ends.length - 1
-  const low = Math.max(box.bottom - 8, Math.min(box.bottom - 2, box.top + 4 + 13 * between))
-  const spread = apart(ends, Math.max(13, Math.min(15, (low - box.top - 4) / between)), box.top + 4, low)
+  const x = plane.x(plot.steps[plot.steps.length - 1])
+  const held = plot.cursor && Math.abs(plane.x(plot.cursor.step) - x) < 3 * HANDLE
+  const named = plot.lines.flatMap(({ name }, i) => (name && Number.isFinite(ends[i]) ? [i] : []))
+  // Above the axis, which would strike a name through, and above the handle; where there is little room, nearer to it and to one another.
+  const between = named.length - 1
+  const low = held ? box.bottom - HANDLE - 4 : Math.max(box.bottom - 8, Math.min(box.bottom - 2, box.top + 4 + 13 * between))
+  const spread = apart(named.map((i) => ends[i]), Math.max(13, Math.min(15, (low - box.top - 4) / between)), box.top + 4, low)
   plot.lines.forEach((one, i) => {
     const d = seriesPath(plane, plot.steps, one.values)
     pen.mark('path', `line-${one.key}`, { ...meaning(`curve ${one.shape ?? 'solid'}`, one.kin), d })
     if (!Number.isFinite(ends[i])) return
-    const x = plane.x(plot.steps[plot.steps.length - 1])
     pen.mark('circle', `end-${one.key}`, { ...meaning('end', one.kin), cx: x, cy: ends[i], r: 2.5 })
-    pen.text(`name-${one.key}`, { class: `curve-name ${one.kin ?? ''}`, x: x + 6, y: spread[i] + 4 }, one.name)
+    const y = spread[named.indexOf(i)]
+    if (y === undefined) return
+    const far = Math.abs(y - ends[i]) > FAR
+    if (far) pen.mark('line', `lead-${one.key}`, { class: `leader ${one.kin ?? ''}`, x1: x, y1: ends[i], x2: x + 8, y2: y })
+    pen.text(`name-${one.key}`, { class: `curve-name ${one.kin ?? ''}`, x: x + (far ? 9 : 6), y: y + 4 }, one.name)
   })
   if (plot.cursor) drawCursor(pen, plane, plot.steps, plot.cursor)
   return plane

@@ -4,6 +4,7 @@
  */
 
 import { button, focusFirst } from './element.js'
+import { plain } from './words.js'
 
 /**
  * A frame is announced this long after the last change, milliseconds. A run in play changes at every step: there the wait is
@@ -72,7 +73,7 @@ export class Voice {
   announce() {
     this.speaking = 0
     const { frame, playing } = this.present()
-    const words = this.spec.announce(frame, this.said)
+    const words = plain(this.spec.announce(frame, this.said))
     // While a run plays, words that differ only in their numbers are not announced again.
     const gist = words.replace(/[\d.]+/g, '')
     if (playing && gist === this.gist) return

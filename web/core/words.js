@@ -37,7 +37,8 @@ export function readings(words) {
  * @returns {Piece[]}
  */
 export function pieces(words) {
-  const pattern = /\*([^*]+)\*|_\{([^}]+)\}|_(.)|\^\{([^}]+)\}|([^*_^]+)/gu
+  // A star with no letter behind it is a star, as in Ω*.
+  const pattern = /\*(?![ .,:;)])([^*]+)\*|_\{([^}]+)\}|_(.)|\^\{([^}]+)\}|([^*_^]+|\*)/gu
   /** @type {Piece[]} */
   const found = []
   for (const [, symbol, subs, sub, sup, plain] of words.matchAll(pattern)) {

@@ -5,6 +5,7 @@
 
 import { loadLate } from '../core/late.js'
 import { fixed } from '../core/numbers.js'
+import { usual } from '../core/usual.js'
 import { drawHeat } from './close-loop/correlation.js'
 import { drawErrors, drawNees } from './close-loop/history.js'
 import { drawMap } from './close-loop/map.js'
@@ -86,10 +87,10 @@ const controls = [
 
 /** @type {import('../core/spec.js').Try[]} */
 const tries = [
-  { name: 'before', label: 'Stop just before the loop closes', change: () => ({ step: 112 }) },
-  { name: 'apart', label: 'Drop the cross-covariances', change: () => ({ correlated: false, step: LAP }) },
+  { name: 'before', label: 'Stop just before the loop closes', change: (_, lab) => ({ ...usual(lab, 'gate', 'found', 'correlated'), step: 112 }) },
+  { name: 'apart', label: 'Drop the cross-covariances', change: (_, lab) => ({ ...usual(lab, 'gate', 'found'), correlated: false, step: LAP }) },
   { name: 'crossed', label: 'Let the thresholds cross', change: () => ({ gate: 12, found: 8, correlated: true, step: LAP }) },
-  { name: 'again', label: 'As at first', change: (_, lab) => ({ ...Object.fromEntries(lab.constructor.parameters().map((/** @type {import('estimate-wasm').Parameter} */ { name, default: value }) => [name, value])), step: LAP }) },
+  { name: 'again', label: 'As at first', change: (_, lab) => ({ ...usual(lab), step: LAP }) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */

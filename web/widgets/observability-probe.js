@@ -5,7 +5,9 @@
 
 import { loadLate } from '../core/late.js'
 import { fixed, power } from '../core/numbers.js'
+import { usual } from '../core/usual.js'
 import { drawMap } from './observability-probe/map.js'
+import { turns } from './observability-probe/hidden.js'
 import { drawConsistency, drawTrace } from './observability-probe/history.js'
 import { drawBearings, drawRanges, ofTheGhost, sketch } from './observability-probe/ghost.js'
 import { drawRanks } from './observability-probe/ranks.js'
@@ -27,7 +29,7 @@ function verdict(frame) {
   if (frame.ghost) return ofTheGhost(frame)
   if (slam) {
     const worst = slam.worst ? ` The worst stands ${fixed(slam.worst.error, 2)} m off, ${fixed(slam.worst.sigma, 1)} of its own σ.` : ''
-    return `The map is forgotten: ${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.${worst}${slam.full ? ' The map is full: it founds no more.' : ''}`
+    return `The map is forgotten, and ranges with bearings found it anew: ${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.${worst}${slam.full ? ' The map is full: it founds no more.' : ''}`
   }
   const what = `${capital(NUMBERS[params.count])} ${params.count === 1 ? 'landmark' : 'landmarks'}, ${sensor === 'range' ? 'range only' : 'range and bearing'}: rank ${frozen.rank} frozen at this pose`
   if (alongPath.steps === 0) return `${what}. No path is driven yet, so there is no rank along it.`
@@ -76,6 +78,8 @@ function readouts({ frozen, alongPath, trace, mean, slam, step, ghost }) {
     { key: 'trace', label: 'Spread, tr {P}', value: fixed(trace.total, 3), kin: 'posterior' },
     { key: 'reference', label: 'with two landmarks', value: fixed(trace.reference, 3), kin: 'truth' },
     { key: 'step', label: 'Step', value: String(step) },
+    { key: 'path-turns', label: 'Stroke path: the heading turns', value: turns(alongPath), wide: true, row: true },
+    { key: 'frozen-turns', label: 'Stroke frozen: the heading turns', value: turns(frozen), wide: true },
     { key: 'by-hand', label: 'Mixed by hand', value: vector(ghost?.byHand), wide: true, shown: haunted },
     { key: 'computed', label: 'Null vector, along the path', value: alongPath.directions.length === 1 ? vector(alongPath.directions[0]) : '–', wide: true, shown: haunted },
     { key: 'range-gap', label: 'Ranges differ by', value: fixed(ghost?.rangeGap, 3), unit: 'm', kin: 'measurement', shown: haunted },
@@ -113,7 +117,7 @@ const controls = [
   },
   { kind: 'toggle', name: 'forget', label: 'forget the map' },
   { kind: 'toggle', name: 'stop', label: 'stop the robot', get: (params) => params.stop !== null, set: (on, _, { step }) => ({ stop: on ? step : null }) },
-  { kind: 'toggle', name: 'ghost', label: 'let a ghost drive along', enabled: (params) => !params.forget },
+  { kind: 'toggle', name: 'ghost', label: 'let a ghost drive along (with the map)', enabled: (params) => !params.forget },
   dial('ghostAround', 'Ghost, about landmark 1'),
   { kind: 'range', name: 'ghostShift', label: 'Ghost, shifted east', words: (value) => `${fixed(value, 2)} m`, shown: ({ ghost }) => Boolean(ghost) },
   dial('ghostTurn', 'Ghost, on the spot'),
@@ -127,26 +131,26 @@ const controls = [
   },
 ]
 
+/** What the phrases change, as it is at first. @param {any} lab */
+const plainly = (lab) => usual(lab, 'sensor', 'forget', 'ghost')
+
 /** @type {import('../core/spec.js').Try[]} */
 const tries = [
-  { name: 'two', label: 'Two landmarks', change: (_, lab) => ({ count: 2, landmarks: lab.constructor.parameters().find((/** @type {{ name: string }} */ { name }) => name === 'landmarks').default }) },
+  { name: 'two', label: 'Two landmarks', change: (_, lab) => ({ ...plainly(lab), ...usual(lab, 'landmarks'), count: 2 }) },
   {
     name: 'line', label: 'Put the last landmark in line',
     change: (/** @type {Frame} */ { params }, lab) => {
-      if (params.count < 2) {
-        // A line takes a second landmark; the lab puts it there once it is shown.
-        const two = lab.constructor.from({ ...lab.state(), params: { ...params, count: 2 } })
-        const at = Array.from(two.collinearPoint(1))
-        two.free()
-        return { count: 2, landmarks: params.landmarks.map((point, i) => (i === 1 ? at : point)) }
-      }
-      const last = params.count - 1
-      const at = Array.from(lab.collinearPoint(last))
-      return { landmarks: params.landmarks.map((point, i) => (i === last ? at : point)) }
+      // A line takes a second landmark, and ranges alone see that it is one; the lab puts it there as it will be shown.
+      const shown = { ...plainly(lab), count: Math.max(2, params.count) }
+      const other = lab.constructor.from({ ...lab.state(), params: { ...params, ...shown } })
+      const last = shown.count - 1
+      const at = Array.from(other.collinearPoint(last))
+      other.free()
+      return { ...shown, landmarks: params.landmarks.map((point, i) => (i === last ? at : point)) }
     },
   },
-  { name: 'bearing', label: 'One landmark, range and bearing', change: () => ({ count: 1, sensor: 'range-bearing', forget: false }) },
-  { name: 'ghost', label: 'Turn the world', change: () => ({ count: 1, forget: false, ghost: true, ghostAround: 10 * degree, ghostShift: 0, ghostTurn: 0 }) },
+  { name: 'bearing', label: 'One landmark, range and bearing', change: (_, lab) => ({ ...plainly(lab), count: 1, sensor: 'range-bearing' }) },
+  { name: 'ghost', label: 'Turn the world', change: (_, lab) => ({ ...plainly(lab), count: 1, ghost: true, ghostAround: 10 * degree, ghostShift: 0, ghostTurn: 0 }) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */

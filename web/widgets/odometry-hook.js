@@ -4,6 +4,8 @@
  */
 
 import { fixed } from '../core/numbers.js'
+import { usual } from '../core/usual.js'
+import { learned } from './odometry-hook/bias.js'
 import { drawHeading, drawPosition, drawWheel } from './odometry-hook/history.js'
 import { drawMap } from './odometry-hook/map.js'
 
@@ -35,11 +37,13 @@ function against(off, ratio) {
 const percent = (part) => `${fixed(100 * part, 2)} %`
 
 /** What is known of the wheel, where its bias is a state. @param {Frame} frame */
-function ofTheWheel({ wheel }) {
+function ofTheWheel({ wheel, params }) {
   if (!wheel) return ''
-  if (wheel.rank === 0) return ` No reading is used, so the bias stays at ${percent(wheel.epsilon)}, with a σ of ${percent(wheel.sigma)}.`
+  const { bias, sigma } = learned(wheel.epsilon, wheel.sigma)
+  const stands = `${percent(bias)}, with a σ of ${percent(sigma)}`
+  if (wheel.rank === 0) return params.fixes ? ` No reading yet: the bias is taken as ${stands}.` : ` No reading is used, so the bias stays at ${stands}.`
   if (wheel.rank < 4) return ` The readings so far have rank ${wheel.rank} of 4: they do not tell the bias from the pose.`
-  return ` The bias is learned as ${percent(wheel.epsilon)}, with a σ of ${percent(wheel.sigma)}; in truth it is ${percent(wheel.truth)}.`
+  return ` The bias is learned as ${stands}; in truth it is ${percent(params.bias)}.`
 }
 
 /** @param {Frame} frame */
@@ -68,11 +72,12 @@ function describe(frame) {
   const track = params.fixes ? 'the estimate corrected by mapped corners' : 'the dead-reckoned track'
   const seen = frame.lastSighting ? ` Corner ${frame.lastSighting.landmark + 1} was seen last, ${ago(step - frame.lastSighting.step)}.` : ''
   const turn = (/** @type {number} */ angle) => `${fixed(Math.abs(degrees(angle)), 1)} degrees`
+  const wheel = frame.wheel && learned(frame.wheel.epsilon, frame.wheel.sigma)
   return {
     map: `Map of the corridor’s loop at tick ${step}, ${lap === 1 ? 'one whole lap' : `${lap} whole laps`} driven: the true track and ${track}, ${fixed(error.position, 2)} metres apart now, with an ellipse of semi-axes ${fixed(frame.ellipse.semiMajor, 2)} and ${fixed(frame.ellipse.semiMinor, 2)} metres.${seen}`,
     position: `Position error over time, now ${fixed(error.position, 2)} metres against a claimed σ of ${fixed(sigma.position, 2)}.`,
     heading: `Heading error over time, now ${turn(error.heading)} against a claimed σ of ${turn(sigma.heading)}.`,
-    wheel: frame.wheel ? `Learned bias of the right wheel over time, now ${percent(frame.wheel.epsilon)} with a claimed σ of ${percent(frame.wheel.sigma)}; in truth ${percent(frame.wheel.truth)}.` : '',
+    wheel: wheel ? `Learned bias of the right wheel over time, now ${percent(wheel.bias)} with a claimed σ of ${percent(wheel.sigma)}; in truth ${percent(params.bias)}.` : '',
   }
 }
 
@@ -85,18 +90,20 @@ function announce(frame, before) {
 
 /** @param {Frame} frame @returns {import('../core/shell.js').Readout[]} */
 function readouts({ step, error, sigma, ratio, wheel }) {
-  const angle = (/** @type {number} */ value) => fixed(degrees(value), 1)
+  // As the plots have it, an error is a size.
+  const angle = (/** @type {number} */ value) => fixed(Math.abs(degrees(value)), 1)
+  const known = wheel && learned(wheel.epsilon, wheel.sigma)
   return [
     { key: 'position', label: 'Position error', value: fixed(error.position, 2), unit: 'm', kin: 'truth', headline: true },
-    { key: 'position-sigma', label: 'its claimed *σ*', value: fixed(sigma.position, 2), unit: 'm' },
-    { key: 'position-ratio', label: 'position: error / *σ*', value: fixed(ratio.position, 1) },
+    { key: 'position-sigma', label: '*σ* of the position', value: fixed(sigma.position, 2), unit: 'm' },
     { key: 'heading', label: 'Heading error', value: angle(error.heading), unit: '°', kin: 'truth' },
-    { key: 'heading-sigma', label: 'its claimed *σ*', value: angle(sigma.heading), unit: '°' },
+    { key: 'heading-sigma', label: '*σ* of the heading', value: angle(sigma.heading), unit: '°' },
+    { key: 'position-ratio', label: 'position: error / *σ*', value: fixed(ratio.position, 1) },
     { key: 'heading-ratio', label: 'heading: error / *σ*', value: fixed(ratio.heading, 1) },
-    { key: 'wheel', label: 'Learned bias', value: fixed(wheel && 100 * wheel.epsilon, 2), unit: '%', kin: 'posterior', shown: Boolean(wheel) },
-    { key: 'wheel-sigma', label: 'its claimed *σ*', value: fixed(wheel && 100 * wheel.sigma, 2), unit: '%', shown: Boolean(wheel) },
-    { key: 'rank', label: 'Directions that the readings show', value: `${wheel?.rank ?? 0} of 4`, shown: Boolean(wheel) },
     { key: 'step', label: 'Tick', value: String(step) },
+    { key: 'wheel', label: 'Learned bias', value: fixed(known && 100 * known.bias, 2), unit: '%', kin: 'posterior', shown: Boolean(wheel), row: true },
+    { key: 'wheel-sigma', label: '*σ* of the bias', value: fixed(known && 100 * known.sigma, 2), unit: '%', shown: Boolean(wheel) },
+    { key: 'rank', label: 'Directions that the readings show', value: `${wheel?.rank ?? 0} of 4`, shown: Boolean(wheel) },
   ]
 }
 
@@ -110,13 +117,19 @@ const controls = [
   { kind: 'toggle', name: 'learn', label: 'learn the wheel’s bias' },
 ]
 
+/** A lap of the usual wheel on encoders alone, but for what is said. @param {Record<string, unknown>} [but] @returns {import('../core/spec.js').Try['change']} */
+const lap = (but) => (_, lab) => ({ ...usual(lab, 'bias', 'fixes', 'learn'), step: LAP, ...but })
+
 /** @type {import('../core/spec.js').Try[]} */
 const tries = [
-  { name: 'lap', label: 'Show the whole lap', change: () => ({ step: LAP }) },
-  { name: 'honest', label: 'Give the wheels no bias', change: () => ({ bias: 0, step: LAP }) },
-  { name: 'fixes', label: 'Correct by the corners', change: () => ({ fixes: true, step: LAP }) },
-  { name: 'learn', label: 'Learn the wheel', change: () => ({ fixes: true, learn: true, step: LAP }) },
+  { name: 'lap', label: 'Show the whole lap', change: lap() },
+  { name: 'honest', label: 'Give the wheels no bias', change: lap({ bias: 0 }) },
+  { name: 'fixes', label: 'Correct by the corners', change: lap({ fixes: true }) },
+  { name: 'learn', label: 'Learn the wheel', change: lap({ fixes: true, learn: true }) },
 ]
+
+/** Two plots are as high as the map, and so are three: what stands below stays where it is when the third comes. @param {Frame} frame */
+const tall = ({ wheel }) => (wheel ? 410 / 3 : 205)
 
 /** @type {import('../core/spec.js').FigureSpec} */
 export const odometryHook = {
@@ -132,13 +145,13 @@ export const odometryHook = {
   stride: 10,
   panels: [
     { name: 'map', width: 590, height: 430, draw: drawMap },
-    { name: 'position', width: 350, height: 205, handles: true, draw: drawPosition },
-    { name: 'heading', width: 350, height: 205, handles: true, draw: drawHeading },
-    { name: 'wheel', width: 350, height: 205, handles: true, draw: drawWheel, shown: ({ wheel }) => Boolean(wheel) },
+    { name: 'position', width: 350, height: tall, handles: true, draw: drawPosition },
+    { name: 'heading', width: 350, height: tall, handles: true, draw: drawHeading },
+    { name: 'wheel', width: 350, height: tall, handles: true, draw: drawWheel, shown: ({ wheel }) => Boolean(wheel) },
   ],
   layout: {
     narrow: ['map', 'verdict', 'tries', 'controls', 'readouts', 'position', 'heading', 'wheel'],
-    medium: ['map position', 'map heading', 'verdict wheel'],
+    medium: ['map position', 'map heading', 'map wheel', 'verdict verdict'],
     columns: { medium: '59fr 41fr', wide: '62fr 38fr' },
   },
   tries,

@@ -29,13 +29,13 @@ export function drawConsistency(panel, { series, bands }, which) {
   const [dof] = dofs
   const steady = dofs.length === 1
   panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: which === 'nees' ? 'NEES, and where 95 % should lie' : 'NIS, and where 95 % should lie',
+    title: which === 'nees' ? 'NEES, and where 95 % should lie' : dofs.length > 1 ? 'NIS; its band dips where a sighting is unused' : 'NIS, and where 95 % should lie',
     steps: series.step,
     include: [0, 1.2 * high],
     rules: steady ? [{ key: 'low', at: bands[dof][0] }, { key: 'high', at: bands[dof][1], name: '95 %' }, { key: 'mean', at: dof, name: String(dof) }] : [],
     lines: [
       { key: which, values: series[which], name: '', kin: which === 'nees' ? 'posterior' : 'measurement', shape: 'thin' },
-      ...(steady ? [] : [{ key: 'low', values: end(0), name: '', shape: 'thin' }, { key: 'high', values: end(1), name: '95 %', shape: 'thin' }]),
+      ...(steady ? [] : [{ key: 'low', values: end(0), name: '', shape: 'thin' }, { key: 'high', values: end(1), name: '95 %', shape: 'thin' }, { key: 'mean', values: series.nisDof, name: String(series.nisDof.at(-1)), shape: 'thin' }]),
     ],
   }))
 }

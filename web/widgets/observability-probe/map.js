@@ -3,15 +3,12 @@
 import { clear, drawLabels } from '../../core/labels.js'
 import { dot, ellipseLevel, ellipsePath, evenPlane, meaning, pointsPath, scaleBar, segment, seriesPath } from '../../core/plot.js'
 import { fixed } from '../../core/numbers.js'
+import { hidden } from './hidden.js'
+import { lap } from './lap.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
 /** @typedef {import('../../core/pen.js').Pen} Pen */
 /** @typedef {import('../../core/plot.js').Plane} Plane */
-
-/** Half the length of a drawn direction, metres. */
-const ARM = 0.9
-/** A direction that turns by more than this for each metre, radians, is drawn as a turn in place. */
-const IN_PLACE = 20
 
 /** @param {import('../../core/shell.js').Panel} panel @param {Frame} frame @param {import('../../core/spec.js').View} view */
 export function drawMap({ pen, width, height }, frame, view) {
@@ -36,10 +33,15 @@ function room(pen, plane, { room: { width, height }, square, tracks, ghost }) {
   pen.mark('rect', 'floor', { class: 'floor', x, y, width: plane.x(width) - x, height: plane.y(0) - y })
   pen.mark('path', 'walls', { class: 'wall', d: `${pointsPath(plane, [[0, 0], [width, 0], [width, height], [0, height]])}Z` })
   pen.mark('path', 'square', { class: 'grid', fill: 'none', d: `${pointsPath(plane, square)}Z` })
-  pen.mark('path', 'track-truth', { ...meaning('track', 'truth'), d: seriesPath(plane, tracks.truth.x, tracks.truth.y) })
-  if (ghost) pen.mark('path', 'track-ghost', { ...meaning('track ghost dashed'), d: seriesPath(plane, ghost.track.x, ghost.track.y) })
+  // A dashed line is drawn once: the dashes of a second lap would fill the gaps of the first.
+  const dashed = (/** @type {{ x: number[], y: number[] }} */ track) => pointsPath(plane, lap(track, tracks.truth, square))
+  pen.mark('path', 'track-truth', { ...meaning('track', 'truth'), d: dashed(tracks.truth) })
+  if (ghost) pen.mark('path', 'track-ghost', { ...meaning('track ghost dashed'), d: dashed(ghost.track) })
   pen.mark('path', 'track-estimate', { ...meaning('track', 'posterior'), d: seriesPath(plane, tracks.estimate.x, tracks.estimate.y) })
 }
+
+/** @param {Plane} plane @param {Frame} frame */
+const inside = ({ x, y }, { room: { width, height } }) => ({ left: x(0), top: y(height), right: x(width), bottom: y(0) })
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function sightings(pen, plane, frame) {
@@ -47,10 +49,11 @@ function sightings(pen, plane, frame) {
     const at = frame.landmarks[landmark]
     const rejected = outcome === 'rejected'
     segment(pen, `sight${landmark}`, plane, frame.truth, to ?? [at.x, at.y], meaning(rejected ? 'way dashed' : 'sight', 'measurement'))
-    if (frame.sensor === 'range') {
-      // All the places from which this range is read.
-      pen.mark('circle', `ring${landmark}`, { ...meaning('curve thin', 'measurement'), cx: plane.x(at.x), cy: plane.y(at.y), r: plane.x(range) - plane.x(0) })
-    }
+    if (frame.sensor !== 'range') continue
+    // All the places of the room from which this range is read.
+    pen.window(`ring${landmark}`, inside(plane, frame), (to) => {
+      to.mark('circle', 'ring', { ...meaning('curve thin', 'measurement'), cx: plane.x(at.x), cy: plane.y(at.y), r: plane.x(range) - plane.x(0) })
+    })
   }
 }
 
@@ -77,37 +80,30 @@ function robot(pen, key, plane, pose) {
   pen.mark('path', key, { class: key === 'ghost' ? 'robot ghost' : 'robot', d: 'M11 0L-7 7L-4 0L-7 -7Z', transform: `translate(${x.toFixed(2)} ${y.toFixed(2)}) rotate(${turn.toFixed(2)})` })
 }
 
-/**
- * The directions that no output sees: a line through the estimate, with how the heading turns along it, or a turn in place. Of
- * several hidden directions any mix is hidden too: two of a basis are drawn.
- * @param {Frame} frame
- * @returns {{ key: string, shape: string, words: string, ends: number[][] | null }[]}
- */
-function hidden({ estimate: at, frozen, alongPath }) {
-  // Before the first step there is no path, and nothing is said of one.
-  const driven = alongPath.steps > 0 ? [{ name: 'along the path', shape: 'direction', ranks: alongPath }] : []
-  return [{ name: 'frozen', shape: 'level', ranks: frozen }, ...driven].flatMap(({ name, shape, ranks: { directions } }) => directions.slice(0, 2).map(([dx, dy, turn], i) => {
-    const among = directions.length > 1 ? `${name}, one of ${directions.length}` : name
-    const inPlace = (dx === 0 && dy === 0) || Math.abs(turn) > IN_PLACE
-    const degrees = Math.round(Math.abs(turn * 180) / Math.PI)
-    return {
-      key: `${name}${i}`, shape,
-      words: inPlace ? `${among}: a turn` : degrees === 0 ? among : `${among}, ${degrees}° a metre`,
-      ends: inPlace ? null : [-ARM, ARM].map((arm) => [at[0] + arm * dx, at[1] + arm * dy]),
-    }
-  }))
+/** What names keep clear of along a line. @param {number[]} from @param {number[]} to @param {number} r */
+function along([x1, y1], [x2, y2], r) {
+  const count = Math.max(1, Math.ceil(Math.hypot(x2 - x1, y2 - y1) / (2 * r)))
+  return Array.from({ length: count + 1 }, (_, i) => clear([x1 + ((x2 - x1) * i) / count, y1 + ((y2 - y1) * i) / count], r))
 }
+
+/** The same along a closed line. @param {number[][]} corners @param {number} r */
+const around = (corners, r) => corners.flatMap((corner, i) => along(corner, corners[(i + 1) % corners.length], r))
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawNames(pen, plane, frame) {
   const { box, x, y } = plane
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const landmarks = frame.params.landmarks.slice(0, frame.params.count).map(at)
+  const strokes = hidden(frame)
+  const { left, top, right, bottom } = inside(plane, frame)
   drawLabels(pen, box, [
     ...landmarks.map((mark, i) => ({ key: `landmark-name${i}`, words: String(i + 1), at: mark, kin: 'measurement', name: 'handle-name measurement', gap: 15 })),
     ...(frame.ghost ? [{ key: 'ghost-name', words: 'ghost', at: at(frame.ghost.pose), gap: 13 }] : []),
-    ...hidden(frame).map(({ key, words, ends }, i) => ({ key: `${key}-name`, words, at: at(ends?.[i % 2] ?? frame.estimate), gap: ends ? 8 : 24 })),
-  ], [...landmarks.map((mark) => clear(mark, 11)), clear(at(frame.estimate), 8), { left: x(0), top: y(0) + 2, right: x(frame.room.width), bottom: box.bottom }])
+    ...strokes.map(({ key, words, ends }, i) => ({ key: `${key}-name`, words, at: at(ends?.[i % 2] ?? frame.estimate), gap: ends ? 8 : 24 })),
+  ], [
+    ...landmarks.map((mark) => clear(mark, 11)), clear(at(frame.estimate), 8), ...strokes.flatMap(({ ends }) => (ends ? along(at(ends[0]), at(ends[1]), 3) : [])),
+    ...around(frame.square.map(at), 5), ...around([[left, top], [right, top], [right, bottom], [left, bottom]], 3), { left, top: bottom + 2, right, bottom: box.bottom },
+  ])
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view */

@@ -1,6 +1,7 @@
 /** Error against claimed σ over the last ticks, and the bias of the wheel where it is a state. A cursor stands at the tick that the map shows; the reader moves the robot by it. */
 
 import { timePlot } from '../../core/time-plot.js'
+import { learned } from './bias.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
 /** @typedef {import('../../core/shell.js').Panel} Panel */
@@ -22,10 +23,13 @@ export function drawHeading(panel, frame, view) {
 
 /** The learned bias within one σ on either side, and the true one. @param {Panel} panel @param {Frame} frame @param {View} view */
 export function drawWheel(panel, frame, view) {
-  const { series, wheel } = farthest(frame, view)
-  const within = (/** @type {number} */ sigmas) => series.epsilon.map((/** @type {number} */ value, /** @type {number} */ i) => 100 * (value + sigmas * series.sigmaEpsilon[i]))
+  const { series, params } = farthest(frame, view)
+  const within = (/** @type {number} */ sigmas) => series.epsilon.map((/** @type {number} */ value, /** @type {number} */ i) => {
+    const { bias, sigma } = learned(value, series.sigmaEpsilon[i])
+    return 100 * (bias + sigmas * sigma)
+  })
   panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: 'bias of the wheel, learned and true (%)',
+    title: 'bias of the wheel: learned, true dashed (%)',
     steps: series.step,
     least: 640,
     include: [-1, 1],
@@ -33,8 +37,9 @@ export function drawWheel(panel, frame, view) {
     lines: [
       { key: 'upper', values: within(1), name: '+*σ*', kin: 'posterior', shape: 'thin' },
       { key: 'lower', values: within(-1), name: '−*σ*', kin: 'posterior', shape: 'thin' },
-      { key: 'learned', values: within(0), name: 'bias', kin: 'posterior' },
-      { key: 'true', values: series.step.map(() => 100 * (wheel?.truth ?? NaN)), name: 'true', kin: 'truth', shape: 'dashed' },
+      // Within so narrow a band there is no room for their names; the title tells them apart.
+      { key: 'learned', values: within(0), name: '', kin: 'posterior' },
+      { key: 'true', values: series.step.map(() => 100 * params.bias), name: '', kin: 'truth', shape: 'dashed' },
     ],
     cursor: cursorAt(frame, view),
   }))

@@ -39,8 +39,8 @@ function nisOf(frame) {
 function lagOf({ autocorrelation: [first], autocorrelationBand: band, verdict: truth }) {
   if (truth) return ''
   const beyond = `${fixed(first, 2)}, beyond ±${fixed(band, 2)}`
-  if (first > band) return `Neighbouring innovations tend to the same side (${beyond}): the filter trusts its motion too much, a sign of too small a q/W.`
-  if (first < -band) return `Neighbouring innovations tend to opposite sides (${beyond}): the filter trusts its sensor too much, a sign of too large a q/W.`
+  if (first > band) return `Neighbouring innovations tend to the same side (${beyond}): the filter trusts its motion too much, a sign of too small a *q*/{W}.`
+  if (first < -band) return `Neighbouring innovations tend to opposite sides (${beyond}): the filter trusts its sensor too much, a sign of too large a *q*/{W}.`
   return `Neighbouring innovations are uncorrelated, within ±${fixed(band, 2)}.`
 }
 
@@ -57,7 +57,7 @@ function fitOf({ fit, verdict: truth }) {
 function truthOf({ params, fit, verdict: truth }) {
   if (!truth || !fit) return ''
   const [q, w] = [params.logQ - truth.logQ, params.logW - truth.logW]
-  const off = `The true q is ${level(truth.logQ)} and the true sensor noise ${level(truth.logW)} m²: yours are off by the factors ${factor(q)} and ${factor(w)}.`
+  const off = `The true *q* is ${level(truth.logQ)} and the true sensor noise ${level(truth.logW)} m²: yours are off by the factors ${factor(q)} and ${factor(w)}.`
   const tells = fit.sigma
     ? ` By its likelihood this log tells them to factors of ${factor(fit.sigma[0])} and ${factor(fit.sigma[1])} (one σ).`
     : ' How well this log tells them cannot be said at the end of a range.'

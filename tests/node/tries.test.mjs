@@ -1,0 +1,52 @@
+// A phrase to try gives what it gives from a fresh figure, whatever phrase was pressed before it.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { WIDGETS } from '../../web/widgets/index.js'
+import { estimate } from './claims.mjs'
+
+/** Phrases that build on the state by their own words: what is counted or fitted is what the reader has before them. */
+const RELATIVE = { 'bug-museum': ['seeds'], 'tune-me': ['fit', 'next'] }
+/** What a phrase may leave as it was: marks that are shown beside what it sets, and what its run does not read. */
+const BESIDE = { 'tune-me': ['fit', 'committed', 'seed'], 'own-system': ['poles'], 'observability-probe': ['landmarks', 'ghostAround', 'ghostShift', 'ghostTurn'] }
+
+for (const tag of ['odometry-hook', 'close-loop', 'tune-me', 'bug-museum', 'own-system', 'observability-probe']) {
+  test(`each phrase of the ${tag} gives the same after every other`, async () => {
+    const spec = await WIDGETS[tag]()
+    const phrases = spec.tries.filter(({ name }) => !RELATIVE[tag]?.includes(name))
+    const usual = Object.fromEntries(estimate[spec.lab].parameters().map(({ name, default: value }) => [name, value]))
+    const first = { params: { ...usual, ...spec.start.params }, step: spec.start.step }
+    const pressed = ({ params, step }, { change }) => {
+      const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, step, params })
+      const { step: to = step, ...changed } = change(lab.frame(), lab)
+      lab.free()
+      return { params: { ...params, ...changed }, step: to }
+    }
+    const seen = ({ params, step }) => ({ step, params: Object.fromEntries(Object.entries(params).filter(([name]) => !BESIDE[tag]?.includes(name))) })
+    const said = ({ params, step }) => {
+      const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, step, params })
+      const words = spec.verdict(lab.frame())
+      lab.free()
+      return words
+    }
+    assert.ok(phrases.length >= 2)
+    for (const phrase of phrases) {
+      const fresh = pressed(first, phrase)
+      for (const other of spec.tries) {
+        const after = pressed(pressed(first, other), phrase)
+        assert.deepEqual(seen(after), seen(fresh), `“${phrase.label}” after “${other.label}”`)
+        if (tag !== 'tune-me') assert.equal(said(after), said(fresh), `“${phrase.label}” after “${other.label}”`)
+      }
+    }
+  })
+}
+
+test('the figure that learns the wheel opens in a state that every phrase changes', async () => {
+  const spec = await WIDGETS['odometry-hook']()
+  const lab = estimate.OdometryHook.from({ version: 1, lab: spec.name, step: spec.start.step, params: { fixes: true, learn: true } })
+  for (const { label, change } of spec.tries) {
+    const { step, ...changed } = change(lab.frame(), lab)
+    const { params, step: now } = lab.frame()
+    assert.ok(step !== now || Object.entries(changed).some(([name, value]) => params[name] !== value), label)
+  }
+  lab.free()
+})
