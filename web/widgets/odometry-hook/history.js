@@ -29,7 +29,7 @@ export function drawWheel(panel, frame, view) {
     return 100 * (bias + sigmas * sigma)
   })
   panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: 'bias of the wheel: learned, true dashed (%)',
+    title: 'wheel’s bias: learned, true dashed (%)',
     steps: series.step,
     least: 640,
     include: [-1, 1],
