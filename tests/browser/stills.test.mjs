@@ -168,12 +168,16 @@ for (const [what, word] of [['its own script', 'tag:"observer-bench"'], ['the sc
     judge(await stills(page))
     await again.press('Enter')
     await page.waitForTimeout(300)
-    assert.equal(await bench.getAttribute('data-state'), 'failed', 'and fails again')
+    // And fails again, where a part of the script is lost after a reload.
+    await page.locator('observer-bench[data-state="failed"]').first().waitFor()
+    await again.waitFor()
     await page.unroute(chunk)
     await again.press('Enter')
+    // A browser that remembers the failure is not asked twice: the page is loaded again, at the figure.
     await page.locator('observer-bench[data-state="live"]').first().waitFor({ timeout: 8000 })
     assert.equal(await again.count(), 0)
-    await page.waitForFunction(() => document.activeElement?.closest('observer-bench .live'))
+    await page.waitForFunction(() => document.activeElement?.closest('observer-bench .live') || location.hash === '#fig-bench')
+    assert.ok(await bench.evaluate((it) => { const { top, bottom } = it.getBoundingClientRect(); return top < innerHeight && bottom > 0 }), 'the reader is where the figure is')
   })
 }
 
@@ -248,5 +252,5 @@ test('questions and search whose scripts are lost leave nothing to press in vain
   assert.equal(await page.locator('.quiz button:visible').count(), 0)
   assert.ok(await page.locator('.quiz-answer summary').first().isVisible(), 'the answers can be opened')
   await page.locator('[data-open-search]').first().click()
-  await page.getByText('The search could not be fetched.').waitFor()
+  await page.getByText(/^The search could not be fetched/).waitFor()
 })

@@ -1,5 +1,6 @@
 /** Fetches the script of a figure and lets it take over the element. */
 
+import { reloadIfThere } from '../core/again.js'
 import { hideFailure, showFailure } from '../core/failure.js'
 import { defineFigure } from '../core/figure.js'
 import { inTime } from '../core/patience.js'
@@ -7,14 +8,16 @@ import { inTime } from '../core/patience.js'
 /**
  * @param {HTMLElement} host
  * @param {typeof import('../widgets/index.js').WIDGETS} widgets
+ * @param {boolean} [again] whether the reader asks for it after a failure
  */
-export async function awaken(host, widgets) {
+export async function awaken(host, widgets, again = false) {
   const load = widgets[host.localName]
   if (!load) return
   hideFailure(host)
   try {
     defineFigure(await inTime(load()))
-  } catch {
-    showFailure(host, 'its script could not be fetched', () => awaken(host, widgets))
+  } catch (error) {
+    showFailure(host, 'its script could not be fetched', () => awaken(host, widgets, true))
+    if (again) await reloadIfThere(error, host.dataset.figure)
   }
 }

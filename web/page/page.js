@@ -18,7 +18,7 @@ whenNear('.widget', (host) => bring(/** @type {HTMLElement} */ (host)))
 const PRESSES = {
   'data-open-search': search,
   'data-print': () => print(),
-  'data-run-checks': (button) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (button)), () => say('The checks could not be fetched.')),
+  'data-run-checks': (button) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (button)), () => say('The checks could not be fetched: reload this page for them.')),
 }
 document.addEventListener('click', ({ target }) => {
   for (const [attribute, act] of Object.entries(PRESSES)) {
@@ -44,7 +44,7 @@ idle(() => {
 })
 
 function search() {
-  import('./search.js').then(({ openSearch }) => openSearch(), () => say('The search could not be fetched.'))
+  import('./search.js').then(({ openSearch }) => openSearch(), () => say('The search could not be fetched: reload this page for it.'))
 }
 
 /** Brings the script of the questions when one of them, a figure that waits for its answer or the place of the score comes near. */
@@ -69,14 +69,15 @@ function withoutQuizzes() {
   for (const quiz of document.querySelectorAll('.quiz')) quiz.setAttribute('data-answered', '')
 }
 
-/** @param {HTMLElement} host @returns {Promise<void>} */
-async function bring(host) {
+/** @param {HTMLElement} host @param {boolean} [again] whether the reader asks for it after a failure @returns {Promise<void>} */
+async function bring(host, again = false) {
   try {
     const { awaken } = await inTime(import('./figures.js'))
     hideFailure(host)
     await awaken(host, WIDGETS)
-  } catch {
-    showFailure(host, 'its script could not be fetched', () => bring(host))
+  } catch (error) {
+    showFailure(host, 'its script could not be fetched', () => bring(host, true))
+    if (again) await import('../core/again.js').then(({ reloadIfThere }) => reloadIfThere(error, host.dataset.figure), () => location.reload())
   }
 }
 
