@@ -43,6 +43,8 @@ for (const tag of ['odometry-hook', 'close-loop', 'tune-me', 'bug-museum', 'own-
 test('the figure that learns the wheel opens in a state that every phrase changes', async () => {
   const spec = await WIDGETS['odometry-hook']()
   const lab = estimate.OdometryHook.from({ version: 1, lab: spec.name, step: spec.start.step, params: { fixes: true, learn: true } })
+  // What the phrases call usual is what the lab has at first.
+  for (const { name, default: value } of estimate.OdometryHook.parameters()) assert.ok([undefined, value].includes(spec.tries[0].change(lab.frame(), lab)[name]), name)
   for (const { label, change } of spec.tries) {
     const { step, ...changed } = change(lab.frame(), lab)
     const { params, step: now } = lab.frame()

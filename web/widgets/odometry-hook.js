@@ -4,7 +4,6 @@
  */
 
 import { fixed } from '../core/numbers.js'
-import { usual } from '../core/usual.js'
 import { learned } from './odometry-hook/bias.js'
 import { drawHeading, drawPosition, drawWheel } from './odometry-hook/history.js'
 import { drawMap } from './odometry-hook/map.js'
@@ -118,7 +117,7 @@ const controls = [
 ]
 
 /** A lap of the usual wheel on encoders alone, but for what is said. @param {Record<string, unknown>} [but] @returns {import('../core/spec.js').Try['change']} */
-const lap = (but) => (_, lab) => ({ ...usual(lab, 'bias', 'fixes', 'learn'), step: LAP, ...but })
+const lap = (but) => () => ({ bias: 0.005, fixes: false, learn: false, step: LAP, ...but })
 
 /** @type {import('../core/spec.js').Try[]} */
 const tries = [
