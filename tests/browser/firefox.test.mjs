@@ -188,7 +188,7 @@ test('in Firefox a log that is dropped is filtered in a worker, and a long repla
   await page.keyboard.press(' ')
   await wait(() => { const { frame, settled } = document.querySelector('robot-log'); return settled && frame.params.sightings && frame.summary.used === 2 })
   await drop('broken.csv', 'O,0,0,0\nO,1,x,0\n')
-  await wait(() => document.querySelector('.log-answer').textContent.includes('broken.csv, line 2, column 5'))
+  await wait(() => document.querySelector('.log-answer').textContent.includes('broken.csv, line 2, character 5'))
   await drop('long.csv', 900_000)
   // At the first frame that shows it: the replay is over in a second.
   await page.evaluate(() => new Promise((resolve) => {

@@ -104,11 +104,11 @@ test('a table is guessed, shown and corrected by keys', async (t) => {
   assert.equal((await frameOf(it)).rows, 40, 'the figure keeps what it showed')
 })
 
-test('a fault is shown with its file, line and column, and in pasted rows at the cursor', async (t) => {
+test('a fault is shown with its file, line and character, and in pasted rows at the cursor', async (t) => {
   const { page, it, choose, answer } = await openLog(t)
   const { rows } = await frameOf(it)
   await choose(file('broken.csv', `${SMALL}R,2,7,x\n`))
-  await answer.getByText('broken.csv, line 6, column 7').waitFor()
+  await answer.getByText('broken.csv, line 6, character 7').waitFor()
   assert.equal(await page.locator('.log-line').innerText(), 'R,2,7,x')
   assert.equal(await page.locator('.log-line mark').innerText(), 'x')
   await page.locator('.log-paste summary').click()
@@ -119,7 +119,7 @@ test('a fault is shown with its file, line and column, and in pasted rows at the
   assert.equal((await frameOf(it)).rows, rows, 'the figure keeps what it showed')
 })
 
-test('each kind of fault is shown with its file, line and column', async (t) => {
+test('each kind of fault is shown with its file, line and character', async (t) => {
   const { choose, answer } = await openLog(t)
   const faults = [
     ['X,1,2,3', 1, /'X' is no row's letter; L, G, O, V, R or B was expected/], ['O,1,2', 6, /has 3 fields; 4 were expected: O,t,distance,turn/],
@@ -130,16 +130,16 @@ test('each kind of fault is shown with its file, line and column', async (t) => 
   ]
   for (const [i, [row, column, words]] of faults.entries()) {
     await choose(file(`fault-${i}.csv`, `${SMALL}${row}\n`))
-    await answer.getByText(`fault-${i}.csv, line 6, column ${column}: `).waitFor()
+    await answer.getByText(`fault-${i}.csv, line 6, character ${column}: `).waitFor()
     assert.match(await answer.locator('.log-wrong').innerText(), words)
   }
   await choose(file('still.csv', 'L,7,3,4\nR,1,7,2\n# the end\n'))
-  await answer.getByText('still.csv, line 2, column 1: the log has no motion; O rows or V rows were expected.').waitFor()
+  await answer.getByText('still.csv, line 2, character 1: the log has no motion; O rows or V rows were expected.').waitFor()
   const picture = { name: 'picture.png', mimeType: 'image/png', buffer: Buffer.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13]) }
   await choose(picture)
-  await answer.getByText('picture.png, line 1, column 1: a control character or one outside UTF-8 was found').waitFor()
+  await answer.getByText('picture.png, line 1, character 1: a control character or one outside UTF-8 was found').waitFor()
   await choose(file('nothing.csv', ''))
-  await answer.getByText('nothing.csv, line 1, column 1: the file is empty.').waitFor()
+  await answer.getByText('nothing.csv, line 1, character 1: the file is empty.').waitFor()
 })
 
 test('a file of motion that is missing is no fault of another file', async (t) => {
@@ -201,6 +201,29 @@ test('the copy with the mistake shows which beacons are taken for one another', 
   assert.ok(share.get(1) > 0.9 && share.get(6) > 0.9 && share.get(0) < 0.01 && share.get(5) < 0.01)
   const table = await page.locator('.log-table', { hasText: 'By landmark' }).innerText()
   assert.match(table, /Refused/)
+})
+
+test('the report has a heading and a place in the contents, and its lines stand by themselves', async (t) => {
+  const { page, choose, it } = await openLog(t)
+  await page.getByRole('heading', { name: /^Report/, level: 2 }).waitFor()
+  assert.deepEqual((await page.locator('.toc li').allInnerTexts()).slice(0, 3), ['Open a log', 'Report', 'This book’s format'])
+  await choose(file('mine.csv', `L,10,0,5\n${SMALL}R,1,10,5\n`))
+  await until(it, ({ rows }) => rows === 5, 'the log')
+  await it.locator('.live').getByLabel('ranges correct the estimate').check()
+  const column = (title) => page.locator('.log-table', { hasText: title }).locator('tbody th').allInnerTexts()
+  await page.waitForFunction(() => document.querySelector('.log-table.has-heads tbody tr:nth-child(2)'))
+  assert.deepEqual(await column('By landmark'), ['7', '10'])
+  for (const words of [...await column('Settings'), ...await column('Results')]) assert.ok(!/^(of|Its|Lag|[a-z])\b/.test(words) || /^σ/.test(words), words)
+})
+
+test('no rows in the box are asked for, and a fault in pasted rows is mended there', async (t) => {
+  const { page, answer } = await openLog(t)
+  await page.locator('.log-paste summary').click()
+  await page.getByRole('button', { name: 'Read these rows' }).click()
+  await answer.getByText('The box has no rows.').waitFor()
+  await page.locator('.log-paste textarea').fill(`${SMALL}O,1,x,3\n`)
+  await page.getByRole('button', { name: 'Read these rows' }).click()
+  await answer.getByText('Mend the rows and read them again.').waitFor()
 })
 
 test('the report prints with the figure as it is', async (t) => {

@@ -5,18 +5,27 @@ export function follow() {
   if (!nav) return
   /** The parts of the text with their headings and the links to these. @type {{ part: Element, headings: [Element, HTMLAnchorElement][] }[]} */
   const parts = []
-  for (const link of nav.querySelectorAll('a')) {
-    const heading = document.getElementById(decodeURIComponent(link.hash.slice(1)))
-    const part = heading?.closest('main section')
-    if (!heading || !part) continue
-    if (parts.at(-1)?.part !== part) parts.push({ part, headings: [] })
-    parts.at(-1)?.headings.push([heading, link])
+  let known = 0
+  /** The script of a page may add an entry of its own, such as that of a report. */
+  const collect = () => {
+    const links = nav.querySelectorAll('a')
+    if (links.length === known) return
+    known = links.length
+    parts.length = 0
+    for (const link of links) {
+      const heading = document.getElementById(decodeURIComponent(link.hash.slice(1)))
+      const part = heading?.closest('main section')
+      if (!heading || !part) continue
+      if (parts.at(-1)?.part !== part) parts.push({ part, headings: [] })
+      parts.at(-1)?.headings.push([heading, link])
+    }
   }
   const above = (/** @type {Element} */ element) => element.getBoundingClientRect().top <= innerHeight * 0.3
   let tell = (/** @type {HTMLAnchorElement | undefined} */ _) => {}
   /** @type {HTMLAnchorElement | undefined} */
   let current
   const update = () => {
+    collect()
     // The box of a part is known before its content is laid out, and the last one that has begun is on the screen: measuring
     // only its headings makes the browser lay out nothing that it had put off.
     const begun = parts.filter(({ part }) => above(part))

@@ -16,6 +16,7 @@ export class Report {
     this.contents = null
     /** @type {string[]} */
     this.names = []
+    headed(into)
     const actions = part(document, into, 'p', 'log-actions')
     button(document, actions, 'Print the report', print)
     button(document, actions, 'Download the track', () => table('track'))
@@ -59,17 +60,18 @@ export class Report {
     this.box.replaceChildren()
     this.table('The log', [], this.facts())
     this.table('Settings', [], settings(spec.controls, frame))
-    this.table('Results', [], spec.readouts(frame).map((/** @type {any} */ { label, value, unit }) => [label, unit ? `${value}\u00a0${unit}` : value]))
+    this.table('Results', [], spec.readouts(frame).map((/** @type {any} */ { key, label, value, unit }) => [ALONE[key] ?? label, unit ? `${grouped(value)}\u00a0${unit}` : grouped(value)]))
     if (frame.byLandmark.length > 0) {
-      this.table('By landmark', ['Landmark', 'Readings', 'Refused', 'Mean innovation'], frame.byLandmark.map(({ id, used, refused, meanInnovation }) => [
-        String(id), String(used + refused), used + refused > 0 ? percent(refused / (used + refused)) : '–', `${fixed(meanInnovation, 2)} m`,
+      const landmarks = [...frame.byLandmark].sort((a, b) => a.id - b.id)
+      this.table('By landmark', ['Landmark', 'Readings', 'Refused', 'Mean innovation'], landmarks.map(({ id, used, refused, meanInnovation }) => [
+        String(id), grouped(String(used + refused)), used + refused > 0 ? percent(refused / (used + refused)) : '–', `${fixed(meanInnovation, 2)} m`,
       ]))
     }
   }
 
   /** @param {string} title @param {string[]} heads @param {Words[][]} rows the first cell of each is its head */
   table(title, heads, rows) {
-    const table = part(document, part(document, this.box, 'div', 'table-box'), 'table', 'log-table')
+    const table = part(document, part(document, this.box, 'div', 'table-box'), 'table', heads.length > 0 ? 'log-table has-heads' : 'log-table')
     part(document, table, 'caption', '').textContent = title
     if (heads.length > 0) {
       const head = part(document, part(document, table, 'thead', ''), 'tr', '')
@@ -84,6 +86,35 @@ export class Report {
   }
 }
 
+/** What a line of the table is called where the figure's name of it leans on its neighbours. @type {Record<string, Words>} */
+const ALONE = {
+  reckoned: 'RMS error of dead reckoning', lag1: 'Autocorrelation at lag 1', offset: 'Range’s error at 0 m', r2: '*R*^{2} of the line of the range’s error',
+}
+const SETTINGS = /** @type {Record<string, Words>} */ ({ sightings: 'Ranges correct the estimate', learn: 'Learn the scale *ε*' })
+
+/** A whole number with commas between its thousands, as the others on the page. @param {string} value */
+function grouped(value) {
+  return /^\d{4,}$/.test(value) ? Number(value).toLocaleString('en') : value
+}
+
+/** The heading, and its entry in the contents after that of the section it is in. @param {HTMLElement} into */
+function headed(into) {
+  const heading = part(document, into, 'h2', '')
+  heading.id = 'report'
+  heading.append('Report ')
+  const link = part(document, heading, 'a', 'heading-link')
+  link.setAttribute('href', '#report')
+  link.setAttribute('aria-label', 'Link to this section')
+  link.textContent = '#'
+  const before = document.querySelector('.toc a[href="#open"]')?.closest('li')
+  if (!before) return
+  const entry = document.createElement('li')
+  const to = part(document, entry, 'a', '')
+  to.setAttribute('href', '#report')
+  to.textContent = 'Report'
+  before.after(entry)
+}
+
 /** @param {Element} row @param {'row' | 'col'} scope @param {Words} words */
 function headCell(row, scope, words) {
   const cell = part(document, row, 'th', '')
@@ -95,7 +126,8 @@ function headCell(row, scope, words) {
 function settings(controls, frame) {
   return controls.filter(({ shown }) => !shown || shown(frame)).map((control) => {
     const value = frame.params[control.name]
-    if (control.kind === 'toggle') return [control.label, value ? 'yes' : 'no']
+    const label = SETTINGS[control.name] ?? control.label
+    if (control.kind === 'toggle') return [label, value ? 'yes' : 'no']
     if (control.kind === 'choice') return [control.label, control.options.find((/** @type {any} */ option) => option.value === value)?.label ?? (value === null ? 'off' : percent(value))]
     return [control.label, control.words(value, frame)]
   })

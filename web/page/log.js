@@ -18,6 +18,8 @@ import { Report } from './log-report.js'
 const MOST_BYTES = 64_000_000
 /** How long printing waits for the figure, milliseconds. */
 const DRAWN_MS = 2000
+/** What pasted rows are called, as a file has its name. */
+const PASTED = 'pasted rows'
 /** Logs of ours, by the name that the page and an address give them. @type {Record<string, { file: string, address: string }>} */
 const EXAMPLES = {
   small: { file: 'example.csv', address: example },
@@ -41,7 +43,7 @@ class OwnLog {
     // The page has the controls from the start, so that nothing moves when this script comes.
     this.choose(place)
     this.text = /** @type {HTMLTextAreaElement} */ (place.querySelector('.log-paste textarea'))
-    this.press(place, '.log-paste button', () => this.give([new File([this.text.value], 'pasted rows')]))
+    this.press(place, '.log-paste button', () => this.pasted())
     this.examples(place)
     this.answer = /** @type {HTMLElement} */ (place.querySelector('.log-answer'))
     this.form = new FileForm(/** @type {HTMLElement} */ (place.querySelector('.log-files')), (change) => this.take({ kind: 'reading', change }))
@@ -74,6 +76,12 @@ class OwnLog {
       // The same file may be chosen again once it has been mended.
       input.value = ''
     })
+  }
+
+  pasted() {
+    const { value } = this.text
+    if (value.trim() === '') return this.say('The box has no rows. Paste rows of a log or of a table into it first.')
+    this.give([new File([value], PASTED)])
   }
 
   /** @param {Element} place */
@@ -161,7 +169,7 @@ class OwnLog {
   /** @param {any} answer */
   wrong({ files, file, line, column, message, shown }) {
     const name = files[file]?.name ?? this.names?.[file] ?? 'the log'
-    const place = line === 0 ? '' : `${name}, line ${line}, column ${column}: `
+    const place = line === 0 ? '' : `${name}, line ${line}, character ${column}: `
     this.say('')
     const words = part(document, this.answer, 'p', 'log-wrong')
     words.textContent = place ? `${place}${message}.` : `${message[0].toUpperCase()}${message.slice(1)}.`
@@ -174,10 +182,11 @@ class OwnLog {
     }
     const tables = files.some((/** @type {any} */ { role }) => role !== 'log')
     const open = `Open the missing file together with ${files.length === 1 ? 'this one' : 'these'}`
-    const mend = place ? 'Mend the file' : name === 'pasted rows' ? 'Paste rows of motion too' : open
-    const again = tables ? ', or correct below how the files are read' : place ? ' and open it again' : ''
+    const pasted = name === PASTED
+    const mend = place ? `Mend the ${pasted ? 'rows' : 'file'}` : pasted ? 'Paste rows of motion too' : open
+    const again = tables ? `, or correct below how ${pasted ? 'they' : 'the files'} are read` : place ? ` and ${pasted ? 'read them' : 'open it'} again` : ''
     part(document, this.answer, 'p', '').textContent = `The figure keeps the previous log. ${mend}${again}.`
-    if (place && name === 'pasted rows') this.point(line, column)
+    if (place && pasted) this.point(line, column)
   }
 
   /** Puts the cursor of the pasted rows where the fault is. @param {number} line @param {number} column */
