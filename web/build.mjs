@@ -21,6 +21,9 @@ const pkg = { whole: join(root, 'target/pkg/web'), ...Object.fromEntries(['figur
 /** KaTeX has a rule for each change from one of eleven sizes to another; formulas here change among these (crates/book/src/slim.rs). */
 const OTHER_SIZES = /\.katex \.fontsize-ensurer\.reset-size(?!(?:6\.size[13]|3\.size1),)\d+\.size\d+,[^{}]*\{[^}]*\}/g
 
+/** Selectors of what no formula of the book needs, and of the MathML, for which we have a rule of our own. */
+const LEFT_OUT = new RegExp(`\\.(?:${[...JSON.parse(readFileSync(join(web, 'style/katex-left-out.json'), 'utf8')), 'katex-mathml'].join('|')})(?![\\w-])`)
+
 /** Logical name → file name. @type {Record<string, string>} */
 const manifest = {}
 
@@ -85,7 +88,7 @@ collect(early.metafile)
 
 const styles = await build({
   ...shared,
-  entryPoints: { site: join(web, 'style/site.css'), figure: join(web, 'style/figure.css'), log: join(web, 'style/log.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
+  entryPoints: { site: join(web, 'style/site.css'), pages: join(web, 'style/pages.css'), figure: join(web, 'style/figure.css'), log: join(web, 'style/log.css'), katex: join(web, 'node_modules/katex/dist/katex.min.css') },
   loader: { '.woff2': 'file' },
   alias: { 'cut-fonts': fonts, 'part-heights': styleHeights(join(root, 'target/heights')) },
   plugins: [ownFaces()],
@@ -131,7 +134,7 @@ function ownFaces() {
     name: 'own-faces',
     setup(to) {
       to.onLoad({ filter: /katex\.min\.css$/ }, ({ path }) => ({
-        contents: `@import 'cut-fonts/formulas.css';\n${readFileSync(path, 'utf8').replace(/@font-face\{[^}]*\}/g, '').replace(OTHER_SIZES, '')}${readFileSync(join(web, 'style/formulas.css'), 'utf8')}`,
+        contents: `@import 'cut-fonts/formulas.css';\n${readFileSync(path, 'utf8').replace(/@font-face\{[^}]*\}/g, '').replace(OTHER_SIZES, '').replace(/([^{}]+)\{[^{}]*\}/g, (rule, selectors) => (selectors.split(',').every((one) => LEFT_OUT.test(one)) ? '' : rule)).replaceAll('.katex-base', '.base')}${readFileSync(join(web, 'style/formulas.css'), 'utf8')}`,
         loader: 'css',
         resolveDir: dirname(path),
       }))

@@ -114,7 +114,7 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
       let seen = 0
       const torn = [...document.querySelectorAll('main .katex')].flatMap((formula) => {
         if (formula.closest('.katex-display') || !formula.checkVisibility()) return []
-        const boxes = [...formula.querySelectorAll('.katex-base')]
+        const boxes = [...formula.querySelectorAll('.base')]
         const [first, last] = [(boxes[0] ?? formula).getClientRects()[0], [...(boxes.at(-1) ?? formula).getClientRects()].at(-1)]
         const [behind, before] = [beside(formula, 'nextNode'), beside(formula, 'previousNode')]
         const found = []

@@ -2,8 +2,9 @@
 //!
 //! In the half that is drawn, elements go that no style rule mentions, spaces become margins of the sign beside them, and an
 //! exponent or index that stands alone becomes one `sup` or `sub` where KaTeX lays out a table of seven boxes. The half that
-//! is read is `mathml`'s. What is one symbol is text (`symbol`). `web/style/formulas.css` knows the elements this makes.
+//! is read is `mathml`'s. What is one symbol is text (`symbol`). `formulas.css` knows the elements this makes.
 
+mod known;
 mod letters;
 mod lines;
 mod mathml;
@@ -11,6 +12,7 @@ mod script;
 mod symbol;
 
 use crate::markup::{Element, Node, em, length, parse, write};
+use known::known;
 use mathml::read;
 use script::{accent, script};
 
@@ -37,7 +39,7 @@ pub struct Reading {
 /// A message when `html` is not well formed.
 pub fn slim(html: &str) -> Result<Reading, String> {
     let mut nodes = parse(html)?;
-    nodes.iter().try_for_each(known_size)?;
+    nodes.iter().try_for_each(known)?;
     nodes.iter_mut().for_each(|node| visit(node, false));
     let letters = letters::letters(&nodes);
     let symbol = symbol::symbol(&nodes);
@@ -50,18 +52,6 @@ pub fn slim(html: &str) -> Result<Reading, String> {
     Ok(Reading { html: out, letters, plain })
 }
 
-/// The changes of size that the style sheet keeps of KaTeX's hundred (`web/build.mjs`).
-const SIZES: [[&str; 2]; 3] = [["reset-size6", "size3"], ["reset-size6", "size1"], ["reset-size3", "size1"]];
-
-fn known_size(node: &Node) -> Result<(), String> {
-    let Node::Element(element) = node else { return Ok(()) };
-    let changes = element.classes.iter().any(|class| class.starts_with("reset-size"));
-    if changes && !SIZES.iter().any(|size| size.iter().all(|class| element.has(class))) {
-        return Err(format!("TeX: the style sheet has no change of size `{}`", element.classes.join(" ")));
-    }
-    element.children.iter().try_for_each(known_size)
-}
-
 fn visit(node: &mut Node, display: bool) {
     let Node::Element(element) = node else { return };
     if element.name == "math" {
@@ -72,8 +62,7 @@ fn visit(node: &mut Node, display: bool) {
     } else if element.has("katex-mathml")
         && let [Node::Element(math)] = element.children.as_mut_slice()
     {
-        // The class that hides the MathML from the eye stands on the MathML itself.
-        math.classes.append(&mut element.classes);
+        // The style sheet hides the MathML from the eye without a class.
         *element = std::mem::take(math);
         read(element);
     } else {
@@ -207,10 +196,11 @@ const LINE: (f64, f64) = (0.915, 0.284);
 /// Replaces a base's strut by its height and depth as properties: the style sheet draws such a box before the base. A strut that
 /// reaches no farther than the line does goes.
 fn strut(base: &mut Element) {
-    let Some(Node::Element(first)) = base.children.first() else { return };
-    if !base.has("katex-base") || !first.has("katex-strut") {
+    if !base.has("katex-base") {
         return;
     }
+    base.classes = vec!["base".into()];
+    let Some(first) = base.children.first().and_then(Node::element).filter(|it| it.has("katex-strut")) else { return };
     let size = |name| first.get(name).and_then(em).unwrap_or_default();
     let (height, depth) = (size("height"), -size("vertical-align"));
     let needed = height - depth > LINE.0 || depth > LINE.1;
@@ -271,7 +261,7 @@ mod tests {
         let drawn = "<span class=\"katex-html\"><span class=\"katex-base\"><span class=\"katex-strut\" style=\"height:0.5em;vertical-align:-0.1em;\"></span><span class=\"mord mathnormal\">a</span><span class=\"mord mathnormal\" style=\"margin-right:0.1389em;\">b</span><span class=\"mspace\" style=\"margin-right:0.2222em;\"></span><span class=\"mbin\">+</span><span class=\"mspace\" style=\"margin-right:0.2222em;\"></span><span class=\"mord\">1</span><span class=\"mclose\">)</span></span></span>";
         assert_eq!(
             slim(drawn).unwrap().html,
-            "<span class=\"katex-html\"><span class=\"katex-base\"><i class=\"r14\">ab</i><span class=\"mbin\">+</span>1)</span></span>"
+            "<span class=\"katex-html\"><span class=\"base\"><i class=\"r14\">ab</i><span class=\"mbin\">+</span>1)</span></span>"
         );
     }
 

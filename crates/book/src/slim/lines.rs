@@ -172,7 +172,7 @@ mod tests {
         let inside: String = element.children.iter().map(drawn).collect();
         match element.classes.first().map(String::as_str) {
             _ if element.name == "math" => String::new(),
-            Some("katex-base") => format!("|{inside}"),
+            Some("base") => format!("|{inside}"),
             Some("line") => format!("{inside}\n"),
             _ => inside,
         }
