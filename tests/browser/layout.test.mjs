@@ -142,7 +142,7 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
 })
 
 test('on a phone letters and colours stand in one row below the name of the book and the search', async (t) => {
-  const page = await open(t, { at: 'hosting/', viewport: PHONE, touch: true })
+  const page = await open(t, { at: 'log/', viewport: PHONE, touch: true })
   const tops = await page.locator('.site-header').evaluate((head) => ['.site-place', '[data-open-search]', '[data-set-notation]', '[data-set-theme]'].map((part) => {
     const { top, height } = head.querySelector(part).getBoundingClientRect()
     return Math.round((top + height / 2) / 8)

@@ -36,7 +36,8 @@ async function shuffle(page, element, dice) {
   const live = element.locator('.live')
   for (const select of await live.locator('select').all()) {
     if ((await select.locator('xpath=ancestor::label').innerText()).startsWith('Speed') || await select.isDisabled()) continue
-    await select.selectOption({ index: dice.below(await select.locator('option').count()) })
+    const open = await select.locator('option').evaluateAll((all) => all.flatMap((option, i) => (option.disabled ? [] : [i])))
+    await select.selectOption({ index: open[dice.below(open.length)] })
     await settled(element)
   }
   for (const box of await live.locator('input[type=checkbox]').all()) {

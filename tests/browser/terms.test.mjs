@@ -198,6 +198,9 @@ test('a number shows what computes it and which check pins it, hovered, focused,
   const at = ids.findIndex((id) => listed[id].check)
   assert.ok(at >= 0, 'there is a number in the text that a check pins')
   await pinned.nth(at).scrollIntoViewIfNeeded()
+  // A part of the text that comes near is laid out, and a figure in it comes to life.
+  await page.waitForLoadState('networkidle')
+  await page.waitForTimeout(500)
   await pinned.nth(at).hover()
   assert.match(await says(ids[at]), /\/check\/(index\.html)?#check-\d+$/)
   // The mouse can go into it and follow the link to the check.

@@ -44,7 +44,7 @@ function wake(form) {
     finish(form, answer)
   })
   form.querySelector('[data-quiz-skip]')?.addEventListener('click', () => skip(form.id))
-  form.querySelector('[data-quiz-look]')?.addEventListener('click', () => lookAt(form, keyOf(form), () => solve(form)))
+  form.querySelector('[data-quiz-look]')?.addEventListener('click', () => lookAt(form, keyOf(form), () => { if (!form.dataset.answered) solve(form) }))
   form.querySelector('[data-quiz-reset]')?.addEventListener('click', () => {
     keep(form, null)
     forget(form)
@@ -259,7 +259,7 @@ function toggle(form, answered) {
   if (actions && answered) form.append(actions)
   else if (actions) form.querySelector('.quiz-verdict')?.before(actions)
   form.querySelector('[data-quiz-reset]')?.toggleAttribute('hidden', !answered)
-  for (const control of form.querySelectorAll('[type="submit"], [data-quiz-skip], [data-quiz-look]')) control.toggleAttribute('hidden', answered)
+  for (const control of form.querySelectorAll('[type="submit"], [data-quiz-skip]')) control.toggleAttribute('hidden', answered)
 }
 
 /** @param {HTMLElement} form @param {string} words */

@@ -90,8 +90,9 @@ function commit({ params }, lab) {
 
 /** @type {import('../core/controls.js').Control[]} */
 const controls = [
-  { kind: 'choice', name: 'bug', label: 'Bug', options: NAMES, shown: open },
-  { kind: 'choice', name: 'second', label: 'and another', options: NAMES, shown: open },
+  // A bug is there once.
+  { kind: 'choice', name: 'bug', label: 'Bug', options: NAMES, shown: open, set: (bug, { second }) => ({ bug, second: second === bug ? 'none' : second }) },
+  { kind: 'choice', name: 'second', label: 'and another', options: NAMES, shown: open, set: (second, { bug }) => ({ second: second === bug ? 'none' : second }) },
   { kind: 'choice', name: 'guess', label: 'It is', options: NAMES, shown: drawn, enabled: hidden },
   { kind: 'choice', name: 'secondGuess', label: 'and', options: NAMES, shown: drawn, enabled: (params) => params.pair && hidden(params) },
   { kind: 'toggle', name: 'many', label: 'count over seeds', set: (many, _, frame) => ({ many, step: many ? SEEDS : frame.steps }) },

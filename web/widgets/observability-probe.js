@@ -169,8 +169,8 @@ export const observabilityProbe = {
     { name: 'trace', width: 460, height: 200, draw: drawTrace },
     { name: 'nees', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nees'), shown: ({ ghost }) => !ghost },
     { name: 'nis', width: 460, height: 180, draw: (panel, frame) => drawConsistency(panel, frame, 'nis'), shown: ({ ghost }) => !ghost },
-    { name: 'ranges', width: 460, height: 200, draw: drawRanges, shown: ({ ghost }) => Boolean(ghost) },
-    { name: 'bearings', width: 460, height: 200, draw: drawBearings, shown: ({ ghost }) => Boolean(ghost && ghost.bearingGap !== null) },
+    { name: 'ranges', width: 460, height: 180, draw: drawRanges, shown: ({ ghost }) => Boolean(ghost) },
+    { name: 'bearings', width: 460, height: 180, draw: drawBearings, shown: ({ ghost }) => Boolean(ghost && ghost.bearingGap !== null) },
   ],
   layout: {
     narrow: ['map', 'ranks', 'verdict', 'tries', 'ranges', 'bearings', 'controls', 'readouts', 'trace', 'nees', 'nis'],

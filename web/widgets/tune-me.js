@@ -111,7 +111,8 @@ export const tuneMe = {
     { name: 'nees', width: 460, height: 220, draw: drawNees },
   ],
   layout: {
-    narrow: ['map', 'verdict', 'tries', 'controls', 'innovations', 'correlation', 'nis', 'nees', 'readouts'],
+    // The sentence is longer or shorter with what is shown: it stands below what a finger is on.
+    narrow: ['map', 'tries', 'controls', 'verdict', 'innovations', 'correlation', 'nis', 'nees', 'readouts'],
     medium: ['map map map map innovations innovations innovations', 'map map map map correlation correlation correlation', 'map map map map nis nis nis', 'verdict verdict verdict verdict nees nees nees'],
     wide: ['map innovations', 'map correlation', 'verdict verdict', 'nis nees'],
     columns: { medium: Array(7).fill('1fr').join(' '), wide: '1fr 1fr' },

@@ -43,7 +43,16 @@ impl Highlighter {
         let syntax = syntax.unwrap_or_else(|| self.syntaxes.find_syntax_plain_text());
         let mut state = ParseState::new(syntax);
         let mut stack = ScopeStack::new();
-        code.lines().map(|line| self.line(line, &mut state, &mut stack)).collect()
+        // Code in a comment keeps its lines, as the code around it does; the text of a comment goes on in the next line.
+        let mut example = false;
+        let mut line = |line: &str| {
+            let html = self.line(line, &mut state, &mut stack);
+            let fence = line.trim_start().starts_with("//") && line.contains("```");
+            let inside = example || fence;
+            example ^= fence;
+            if inside { html.replace("\"c-comment\"", "\"c-comment c-example\"") } else { html }
+        };
+        code.lines().map(&mut line).collect()
     }
 
     /// The whole of `code` as HTML.

@@ -116,7 +116,10 @@ function names(pen, plane, frame, grips) {
     if (!ends) return
     const [from, to] = ends[0][0] <= ends[1][0] ? ends : [ends[1], ends[0]]
     const mark = from.map((value, i) => value + place * (to[i] - value))
-    labels.push({ key, words, at: at(mark), gap: 5, kin: 'measurement', sides: over ? ['above', 'above-right', 'above-left'] : ['below', 'below-right', 'below-left'] })
+    // Beside a steep line there is room, above its end there is none.
+    const steep = Math.abs(x(to[0]) - x(from[0])) < Math.abs(y(to[1]) - y(from[1]))
+    const [beside, along] = [over ? ['right', 'left'] : ['left', 'right'], over ? ['above', 'above-right', 'above-left'] : ['below', 'below-right', 'below-left']]
+    labels.push({ key, words, at: at(mark), gap: 5, kin: 'measurement', sides: /** @type {import('../../core/labels.js').Side[]} */ (steep ? beside : along) })
   }
   const upper = frame.params.reading > frame.mostLikelyOutput
   // On a phone the equation has no room beside the foot's name and would lie on both lines.
