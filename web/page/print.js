@@ -17,6 +17,8 @@ export function openForPrint() {
   addEventListener('beforeprint', () => {
     opened = [...document.querySelectorAll('details')].filter((block) => !block.open)
     for (const block of opened) block.open = true
+    // Not every way of printing fetches what nobody has come near; the next print has it then.
+    for (const image of /** @type {NodeListOf<HTMLImageElement>} */ (document.querySelectorAll('img[loading=lazy]'))) image.loading = 'eager'
     back = answersApart()
     fitFormulas()
   })
