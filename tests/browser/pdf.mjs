@@ -17,7 +17,10 @@ export async function printed(page) {
     for (const link of document.querySelectorAll('a[href]')) {
       if (link.origin === location.origin && link.pathname !== location.pathname) link.removeAttribute('href')
     }
+    // Headless Chromium 148 does not fetch what is to come late.
+    for (const image of document.querySelectorAll('img[loading=lazy]')) image.loading = 'eager'
   })
+  await page.waitForFunction(() => [...document.images].every((image) => image.complete))
   return page.pdf({ format: 'A4', printBackground: true, tagged: true, outline: true })
 }
 
