@@ -198,3 +198,25 @@ test('a figure that comes alive while it is read stays where it is, and is as hi
   near(now.height, before.height, 'its height')
   near(now.top, before.top, 'its upper edge')
 })
+
+for (const [size, how] of Object.entries(SIZES)) {
+  test(`a text is not moved by a figure above it that comes alive, ${size}`, { timeout: 120_000 }, async (t) => {
+    let answer
+    const asked = new Promise((resolve) => { answer = resolve })
+    const page = await open(t, { ...how, prepare: (it) => it.route('**/*.wasm', async (route) => {
+      await asked
+      await route.continue()
+    }) })
+    const bench = page.locator('#fig-bench')
+    const top = () => bench.evaluate((it) => it.closest('section').nextElementSibling.getBoundingClientRect().top)
+    for (let i = 0; i < 5; i++) {
+      await bench.evaluate((it) => scrollBy({ top: it.querySelector('.widget').getBoundingClientRect().bottom + 40, behavior: 'instant' }))
+      await page.waitForTimeout(100)
+    }
+    const before = await top()
+    answer()
+    await bench.locator('[data-state=live]').waitFor()
+    await page.waitForTimeout(600)
+    near(await top(), before, 'the next part')
+  })
+}

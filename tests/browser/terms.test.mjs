@@ -18,6 +18,15 @@ const nearest = (element) => element.evaluate((word) => {
 /** A word of each colour that stands near a figure, in the text. */
 const word = (page, kind) => page.locator(`main p a.term.term-${kind}`).first()
 const rest = (page) => page.mouse.move(2, 2)
+/** Waits until an element has kept its place for a second: a part of the text that comes near is laid out, and a figure in it comes to life. */
+const resting = (it) => it.evaluate(async (element) => {
+  let [y, since] = [NaN, 0]
+  while (performance.now() - since < 1000) {
+    const { top } = element.getBoundingClientRect()
+    if (top !== y) [y, since] = [top, performance.now()]
+    await new Promise(requestAnimationFrame)
+  }
+})
 
 test('hovering a coloured word lights its kin in the nearest figure and shows what it means', async (t) => {
   const page = await open(t)
@@ -198,9 +207,7 @@ test('a number shows what computes it and which check pins it, hovered, focused,
   const at = ids.findIndex((id) => listed[id].check)
   assert.ok(at >= 0, 'there is a number in the text that a check pins')
   await pinned.nth(at).scrollIntoViewIfNeeded()
-  // A part of the text that comes near is laid out, and a figure in it comes to life.
-  await page.waitForLoadState('networkidle')
-  await page.waitForTimeout(500)
+  await resting(pinned.nth(at))
   await pinned.nth(at).hover()
   assert.match(await says(ids[at]), /\/check\/(index\.html)?#check-\d+$/)
   // The mouse can go into it and follow the link to the check.
@@ -216,6 +223,7 @@ test('a number shows what computes it and which check pins it, hovered, focused,
   // Digits inside a formula.
   const digits = page.locator('main .katex [data-number]:not(math *)').locator('visible=true').first()
   await digits.scrollIntoViewIfNeeded()
+  await resting(digits)
   await digits.hover()
   await says(await digits.getAttribute('data-number'))
   await rest(page)

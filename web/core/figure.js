@@ -279,10 +279,22 @@ class Figure {
  * @param {Element} host
  */
 function keepTop(host) {
-  const { top, bottom } = host.getBoundingClientRect()
-  if (bottom < 0 || top > innerHeight) return
+  const { top, bottom, height } = host.getBoundingClientRect()
+  if (bottom < 0) return keepHeight(host, height)
+  if (top > innerHeight) return
   const root = document.documentElement
   root.style.setProperty('overflow-anchor', 'none')
   // The figure has its new height after the next layout, and a browser scrolls to its anchor after that one.
   requestAnimationFrame(() => requestAnimationFrame(() => root.style.removeProperty('overflow-anchor')))
+}
+
+/**
+ * Until its words are in it, a figure is lower than it was. Chromium 148 scrolls back by that much when the figure stands above the
+ * screen, and does not scroll forth again when the words have come.
+ * @param {Element} host @param {number} height
+ */
+function keepHeight(host, height) {
+  const { style } = /** @type {HTMLElement} */ (host)
+  style.setProperty('min-height', `${height}px`)
+  requestAnimationFrame(() => requestAnimationFrame(() => style.removeProperty('min-height')))
 }
