@@ -71,7 +71,7 @@ test('the page recognises the collinear trap in the figure, and names what is mi
   await it.form.getByRole('button', { name: 'Look at the figure' }).press('Enter')
   const probe = await figure(page, 'observability-probe')
   const watch = page.locator('#fig-probe .quiz-watch')
-  await watch.filter({ hasText: 'waits for its state' }).waitFor()
+  await watch.filter({ hasText: 'tells you when' }).waitFor()
   const inView = () => watch.evaluate((bar) => { const { top, bottom } = bar.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight })
   assert.ok(await inView(), 'the way back is on the screen')
   await probe.locator('.live .figure-tools').scrollIntoViewIfNeeded()

@@ -184,7 +184,7 @@ check('observability-probe', {
   [/^The ghost has been up to ([\d.]+) m from the robot\.$/, ({ ghost }, moved) => prints(moved, ghost.moved)],
   [/^Its ranges differ by up to ([\d.]+) m(?: and its bearings by ([\d.]+)°)?\.$/, ({ ghost, sensor }, ranges, bearings) => prints(ranges, ghost.rangeGap) && (ghost.rangeGap > 1e-9 || ghost.bearingGap > 1e-9)
     && (sensor === 'range') === (bearings === undefined) && (bearings === undefined || prints(bearings, (ghost.bearingGap * 180) / Math.PI))],
-  [/^Its first readings are those of the robot; let it drive\.$/, ({ ghost, step }) => step === 0 && ghost.rangeGap < 1e-9],
+  [/^The ghost begins ([\d.]+) m from the robot: let both drive\.$/, ({ ghost, step }, moved) => step === 0 && prints(moved, ghost.moved)],
   [/^It reads what the robot reads: no filter can tell the two apart\.$/, ({ ghost, params, step }) => step > 0 && params.count === 1 && ghost.rangeGap < 1e-9
     && params.ghostAround === params.ghostTurn && params.ghostShift === 0 && ghost.byHand.every(Number.isFinite)],
   [/^The map is forgotten, and ranges with bearings found it anew: \d+ founded, \d+ matched, \d+ rejected\.$/, ({ slam, ghost }) => slam && !ghost],
@@ -233,8 +233,10 @@ check('close-loop', {
   gate: [0.5, 9.21, 100], found: [0.5, 6, 50], correlated: [true, false], seed: [1, 2, 5],
 }, [0, 1, 60, 112, 113, 128, 300], () => [
   [/^At the start the pose is known exactly, and (\w+) landmarks? in reach (?:is|are) founded\.$/, ({ step, map, P }, founded) => step === 0 && counted(founded) === map.founded && P.flat().every((entry) => entry === 0)],
-  [/^The map has (\w+) landmarks?; (\d+) of (\w+) sightings? (?:was|were) not used\.$/, ({ step, map, closure }, landmarks, rejected, all) => step > 0 && closure === null && counted(landmarks) === map.landmarks.length
+  [/^The map has (\w+) landmarks?; ([1-9]\d*) of (\w+) sightings? (?:was|were) not used\.$/, ({ step, map, closure }, landmarks, rejected, all) => step > 0 && closure === null && counted(landmarks) === map.landmarks.length
     && counted(all) === map.sightings && Number(rejected) === map.rejected && map.matched + map.founded + map.rejected === map.sightings],
+  [/^The map has (\w+) landmarks?; (?:all (\d+) sightings were|(1|no) sightings? was) used\.$/, ({ step, map, closure }, landmarks, many, few) => step > 0 && closure === null && counted(landmarks) === map.landmarks.length
+    && counted(many ?? few) === map.sightings && map.rejected === 0 && map.matched + map.founded === map.sightings],
   [/^(\d+) landmarks? (?:is a ghost|are ghosts), founded though the map had (?:it|them) already(?:; (\d+) sightings? (?:was|were) matched to the wrong landmark)?(; the map is full and founds no more)?\.$/, ({ map }, spurious, wrong, full) =>
     Number(spurious) === map.spurious && Number(wrong ?? 0) === map.wrong && Boolean(full) === map.full && new Set(map.landmarks.map(({ truth }) => truth)).size === map.landmarks.length - map.spurious],
   [/^(\d+) sightings? (?:was|were) matched to the wrong landmark(; the map is full and founds no more)?\.$/, ({ map }, wrong, full) => map.spurious === 0 && Number(wrong) === map.wrong && Boolean(full) === map.full],

@@ -26,7 +26,7 @@ export function lookAt(question, key, met) {
   words.className = 'quiz-watch'
   const status = part(document, words, 'span', '')
   status.setAttribute('role', 'status')
-  status.textContent = 'The exercise waits for its state here. '
+  status.textContent = 'This line tells you when the figure is in the state that the exercise asks for. '
   const back = /** @type {HTMLAnchorElement} */ (part(document, words, 'a', ''))
   back.href = `#${question.id}`
   back.textContent = 'Back to the exercise'

@@ -16,7 +16,14 @@ export function verdict(frame) {
 function mapOf({ step, map, closure }) {
   if (closure) return ''
   if (step === 0) return `At the start the pose is known exactly, and ${count(map.landmarks.length, 'landmark')} in reach ${map.landmarks.length === 1 ? 'is' : 'are'} founded.`
-  return `The map has ${count(map.landmarks.length, 'landmark')}; ${map.rejected} of ${count(map.sightings, 'sighting')} ${map.rejected === 1 ? 'was' : 'were'} not used.`
+  return `The map has ${count(map.landmarks.length, 'landmark')}; ${useOf(map)}.`
+}
+
+/** How many of the sightings were used. @param {Frame['map']} map */
+function useOf({ sightings, rejected }) {
+  const all = count(sightings, 'sighting')
+  if (rejected > 0) return `${rejected} of ${all} ${rejected === 1 ? 'was' : 'were'} not used`
+  return sightings < 2 ? `${all} was used` : `all ${all} were used`
 }
 
 /** @param {Frame} frame */

@@ -12,10 +12,10 @@ const degrees = (/** @type {number} */ angle) => (angle * 180) / Math.PI
 export function ofTheGhost({ ghost, params, step }) {
   if (!ghost?.byHand) return 'The ghost drives where the robot drives: turn one of its dials.'
   const { moved, rangeGap, bearingGap } = ghost
+  if (step === 0) return `The ghost begins ${fixed(moved, 2)} m from the robot: let both drive.`
   const where = `The ghost has been up to ${fixed(moved, 2)} m from the robot.`
   const bearings = bearingGap === null ? '' : ` and its bearings by ${fixed(degrees(bearingGap), 1)}°`
   if (rangeGap > 1e-9 || (bearingGap ?? 0) > 1e-9) return `${where} Its ranges differ by up to ${fixed(rangeGap, 2)} m${bearings}.`
-  if (step === 0) return `${where} Its first readings are those of the robot; let it drive.`
   return `${where} It reads what the robot reads${params.count === 1 ? '' : ' of every landmark'}: no filter can tell the two apart.`
 }
 
