@@ -142,3 +142,23 @@ test('on a slow machine plots, numbers and labels come after the hand, and come'
   assert.deepEqual(late, fresh)
   assert.ok(late.length > 3 && late.every((words) => words.length > 20))
 })
+
+test('a slider is as long at one value as at another, so that its thumb stays under the finger', async (t) => {
+  const { it } = await openFigure(t, 'tune-me')
+  const lengths = await it.evaluate(async (host) => {
+    const found = []
+    for (const slider of host.querySelectorAll('.live input[type=range]')) {
+      const lengths = new Set()
+      for (let i = 0; i <= 20; i++) {
+        slider.value = String(Number(slider.min) + ((Number(slider.max) - Number(slider.min)) * i) / 20)
+        slider.dispatchEvent(new Event('input'))
+        for (let frames = 0; frames < 3; frames++) await new Promise(requestAnimationFrame)
+        lengths.add(slider.getBoundingClientRect().width)
+      }
+      found.push([...lengths])
+    }
+    return found
+  })
+  assert.equal(lengths.length, 3)
+  for (const one of lengths) assert.equal(one.length, 1, `${one} px`)
+})

@@ -165,3 +165,17 @@ for (const width of [320, 390, 1280]) {
     for (const one of cells) assert.ok(one.height >= 44 && one.width >= 44 && one.right <= width, JSON.stringify(one))
   })
 }
+
+test('what is pressed stays under the finger on a phone, though the matrices above it grow', async (t) => {
+  const { it } = await openFigure(t, TAG, { viewport: PHONE, touch: true })
+  for (const [phrase, states] of [['Place the eigenvalues yourself', 3], ['Read the velocity alone', 2], ['Place the eigenvalues yourself', 3]]) {
+    const button = it.locator('.live .tries').getByRole('button', { name: phrase })
+    await button.scrollIntoViewIfNeeded()
+    const top = () => button.evaluate((pressed) => pressed.getBoundingClientRect().top)
+    const before = await top()
+    await button.tap()
+    await until(it, ({ params }) => params.states === states, phrase)
+    await it.page().waitForTimeout(300)
+    assert.ok(Math.abs(await top() - before) < 2, `${phrase}: ${before} px from the top, ${await top()} afterwards`)
+  }
+})

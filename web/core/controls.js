@@ -141,6 +141,9 @@ function reveal(element, there) {
  */
 const BUILD = { range, choice, toggle, whole }
 
+/** So many letters have room beside every slider, and from so many values the longest words are found. */
+const [LETTERS, SAMPLES] = [4, 40]
+
 /** @param {Document} document @param {RangeControl} control @param {(value: number) => void} change @param {Parameter} limits @returns {Made} */
 function range(document, control, change, limits) {
   const { scale = (/** @type {number} */ value) => value } = control
@@ -163,6 +166,15 @@ function range(document, control, change, limits) {
   body.append(track, value)
   const pen = new Pen(notches)
   let said = ''
+  let room = 0
+  /** The slider is as wide at one value as at another, or the thumb would run away from the finger. @param {number} letters */
+  const keepRoom = (letters) => {
+    if (letters <= room) return
+    room = letters
+    if (room > LETTERS) value.setAttribute('style', `min-width:${room}ch`)
+  }
+  /** The longest words, of values all along the slider. @param {any} frame */
+  const longest = (frame) => Math.max(...Array.from({ length: SAMPLES + 1 }, (_, i) => control.words(Math.min(max, min + step * Math.round(((max - min) * i) / SAMPLES / step)), frame).length))
 
   input.addEventListener('input', () => change(Number(input.value)))
   // A finger that comes down here to scroll the page moves the thumb before the browser knows better: it is put back.
@@ -190,6 +202,8 @@ function range(document, control, change, limits) {
       }
       const words = control.words(now, frame)
       if (said !== words) {
+        if (said === '') keepRoom(longest(frame))
+        keepRoom(words.length)
         said = value.textContent = words
         input.setAttribute('aria-valuetext', words)
       }

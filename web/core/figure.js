@@ -10,6 +10,7 @@ import { Display } from './display.js'
 import { focusFirst } from './element.js'
 import { hideFailure, showFailure } from './failure.js'
 import { liveHandles } from './handle.js'
+import { keepPressed, keepTop } from './keep.js'
 import { openLab } from './link.js'
 import { loadModule } from './module.js'
 import { STEP_MS } from './motion.js'
@@ -181,6 +182,7 @@ class Figure {
     this.display.take(run.frame, null, -Infinity)
     this.voice.begin(this.shell.note, run.frame)
     keepTop(this.host)
+    keepPressed(into, () => run.busy && !run.playing)
     this.host.append(into, this.voice.status)
     this.host.dataset.state = 'live'
     this.resized = new ResizeObserver(() => this.measure())
@@ -271,30 +273,4 @@ class Figure {
     if (Number.isFinite(elapsed)) return elapsed
     return this.display?.drawn.size ? 16 : Infinity
   }
-}
-
-/**
- * Keeps the upper edge of what is about to grow where it is, if any of it is on the screen. A browser would keep what stands
- * below it and scroll the figure away from under the reader's eyes.
- * @param {Element} host
- */
-function keepTop(host) {
-  const { top, bottom, height } = host.getBoundingClientRect()
-  if (bottom < 0) return keepHeight(host, height)
-  if (top > innerHeight) return
-  const root = document.documentElement
-  root.style.setProperty('overflow-anchor', 'none')
-  // The figure has its new height after the next layout, and a browser scrolls to its anchor after that one.
-  requestAnimationFrame(() => requestAnimationFrame(() => root.style.removeProperty('overflow-anchor')))
-}
-
-/**
- * Until its words are in it, a figure is lower than it was. Chromium 148 scrolls back by that much when the figure stands above the
- * screen, and does not scroll forth again when the words have come.
- * @param {Element} host @param {number} height
- */
-function keepHeight(host, height) {
-  const { style } = /** @type {HTMLElement} */ (host)
-  style.setProperty('min-height', `${height}px`)
-  requestAnimationFrame(() => requestAnimationFrame(() => style.removeProperty('min-height')))
 }

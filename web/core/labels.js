@@ -37,8 +37,11 @@ export function widthOf(words) {
   return Math.max(...readings(words).map((reading) => wide(unmarked(reading)))) + 2
 }
 
-/** A circle that names keep clear of. @param {number[]} at @param {number} r @returns {Box} */
+/** A disc that names keep clear of. @param {number[]} at @param {number} r @returns {Box} */
 export const clear = ([x, y], r) => ({ left: x - r, top: y - r, right: x + r, bottom: y + r })
+
+/** The line of a circle that names keep clear of. @param {number[]} at its middle @param {number} r @returns {Box[]} */
+export const rim = ([x, y], r) => Array.from({ length: 120 }, (_, i) => clear([x + r * Math.cos((i * Math.PI) / 60), y + r * Math.sin((i * Math.PI) / 60)], 2))
 
 /**
  * @param {import('./pen.js').Pen} pen

@@ -143,8 +143,8 @@ export const bugMuseum = {
     { name: 'covariance', width: 460, height: 260, draw: drawCovariance },
   ],
   layout: {
-    // The switches stand at the figures of the run, which are what a bug changes; the plots that explain it follow.
-    narrow: ['map', 'verdict', 'figures', 'tries', 'controls', 'readouts', 'errors', 'nees', 'nis', 'innovations', 'correlation', 'covariance'],
+    // The switches stand at the figures of the run, which are what a bug changes, and at what is said of a name; the plots that explain it follow.
+    narrow: ['map', 'figures', 'tries', 'controls', 'verdict', 'readouts', 'errors', 'nees', 'nis', 'innovations', 'correlation', 'covariance'],
     medium: ['map figures', 'verdict verdict', 'tries tries', 'controls controls', 'readouts readouts', 'errors innovations', 'nees nis', 'correlation covariance'],
     columns: { medium: '1fr 1fr' },
   },

@@ -29,7 +29,7 @@ function ofTheGuess({ guess, mahalanobisFoot: purple }) {
   const off = Math.hypot(guess.at[0] - purple.at[0], guess.at[1] - purple.at[1])
   if (off < 0.026) return ' Your guess is the purple foot, the most probable point of the line.'
   const times = 1 / guess.density
-  return ` Your guess is ${fixed(off, 2)} away from the purple foot, which is ${times < 1000 ? fixed(times, 2) : 'more than 999'} times as probable.`
+  return ` The purple foot is ${times < 1000 ? fixed(times, 2) : 'more than 999'} times as probable as your guess.`
 }
 
 /** How the two opinions weigh against each other: each weighs one over its variance. @param {Frame} frame */

@@ -150,7 +150,7 @@ const tries = [
     },
   },
   { name: 'bearing', label: 'One landmark, range and bearing', change: (_, lab) => ({ ...plainly(lab), count: 1, sensor: 'range-bearing' }) },
-  { name: 'ghost', label: 'Turn the world', change: (_, lab) => ({ ...plainly(lab), count: 1, ghost: true, ghostAround: 10 * degree, ghostShift: 0, ghostTurn: 0 }) },
+  { name: 'ghost', label: 'Turn the world', change: (_, lab) => ({ ...plainly(lab), count: 1, sensor: 'range-bearing', ghost: true, ghostAround: 10 * degree, ghostShift: 0, ghostTurn: 0 }) },
 ]
 
 /** @type {import('../core/spec.js').FigureSpec} */

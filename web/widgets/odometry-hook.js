@@ -149,7 +149,8 @@ export const odometryHook = {
     { name: 'wheel', width: 350, height: tall, handles: true, draw: drawWheel, shown: ({ wheel }) => Boolean(wheel) },
   ],
   layout: {
-    narrow: ['map', 'verdict', 'tries', 'controls', 'readouts', 'position', 'heading', 'wheel'],
+    // The plots move the robot on the map, and the switches change the plots.
+    narrow: ['map', 'verdict', 'tries', 'position', 'heading', 'wheel', 'controls', 'readouts'],
     medium: ['map position', 'map heading', 'map wheel', 'verdict verdict'],
     columns: { medium: '59fr 41fr', wide: '62fr 38fr' },
   },

@@ -1,6 +1,6 @@
 /** The unit disc with the eigenvalues of the error dynamics. */
 
-import { clear, drawLabels, widthOf } from '../../core/labels.js'
+import { clear, drawLabels, rim, widthOf } from '../../core/labels.js'
 import { dot, evenPlane, meaning } from '../../core/plot.js'
 import { complex, fixed } from '../../core/numbers.js'
 
@@ -43,14 +43,13 @@ export function drawDisc({ pen, width, height }, frame) {
  */
 function free(pen, { x, y, box }, frame, width) {
   const [cx, cy, r] = [x(0), y(0), x(1) - x(0)]
-  const rim = Array.from({ length: 120 }, (_, i) => clear([cx + r * Math.cos((i * Math.PI) / 60), cy + r * Math.sin((i * Math.PI) / 60)], 2))
   const real = { left: box.left, right: box.right, top: cy - 1, bottom: cy + 1 }
   const ticks = [{ left: cx - r, right: cx - r + 20, top: cy + 2, bottom: cy + 18 }, { left: cx + r - 14, right: cx + r, top: cy + 2, bottom: cy + 18 }]
-  if (frame.pinned === null) return [...rim, real, ...ticks]
+  if (frame.pinned === null) return [...rim([cx, cy], r), real, ...ticks]
   const left = Math.min(x(1) + 4, width - 2 - widthOf(PINNED))
   const top = cy + Math.max(16, Math.sqrt(Math.max(0, r ** 2 - Math.max(0, left - 3 - cx) ** 2)))
   pen.text('pinned-name', { class: 'eigenvalue-name', x: left, y: top + 12 }, PINNED)
-  return [...rim, real, ticks[0], clear([x(1), cy], 12), { left, right: width, top, bottom: top + 15 }]
+  return [...rim([cx, cy], r), real, ticks[0], clear([x(1), cy], 12), { left, right: width, top, bottom: top + 15 }]
 }
 
 /** Draws an eigenvalue. @param {import('../../core/pen.js').Pen} pen @param {import('../../core/plot.js').Plane} plane @param {Frame} frame @param {import('estimate-wasm').Complex} value @param {number} i

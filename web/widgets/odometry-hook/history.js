@@ -35,9 +35,9 @@ export function drawWheel(panel, frame, view) {
     include: [-1, 1],
     unit: '{k}',
     lines: [
-      { key: 'upper', values: within(1), name: '+*σ*', kin: 'posterior', shape: 'thin' },
-      { key: 'lower', values: within(-1), name: '−*σ*', kin: 'posterior', shape: 'thin' },
-      // Within so narrow a band there is no room for their names; the title tells them apart.
+      { key: 'upper', values: within(1), name: '±*σ*', kin: 'posterior', shape: 'thin' },
+      // Within so narrow a band there is no room for more names; the title tells the lines apart.
+      { key: 'lower', values: within(-1), name: '', kin: 'posterior', shape: 'thin' },
       { key: 'learned', values: within(0), name: '', kin: 'posterior' },
       { key: 'true', values: series.step.map(() => 100 * params.bias), name: '', kin: 'truth', shape: 'dashed' },
     ],

@@ -1,7 +1,7 @@
 /** The unit disc with the eigenvalues of (I − KH)F; where the reader places them, with handles. */
 
 import { complex, fixed } from '../../core/numbers.js'
-import { clear, drawLabels } from '../../core/labels.js'
+import { clear, drawLabels, rim } from '../../core/labels.js'
 import { dot, evenPlane, meaning } from '../../core/plot.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
@@ -37,7 +37,7 @@ export function drawDisc({ pen, width, height }, frame, view) {
       words: value.im > 0 ? `${fixed(value.re, 2)} ± ${fixed(value.im, 2)} i` : complex(value, 3), sides: /** @type {import('../../core/labels.js').Side[]} */ (['above', 'below']),
     }))
     const taken = seen.map(({ at }) => clear([x(at[0]), y(at[1])], placing ? 11 : 7))
-    drawLabels(pen, box, labels, taken)
+    drawLabels(pen, box, labels, [...taken, ...rim([x(0), y(0)], x(1) - x(0))])
     if (frame.params.gain !== 'placement') return
     pen.group('handles', {}, (into) => poles(frame).forEach((pole) => view.handle(into, `pole${pole.index}`, handleOf(pole, plane, frame))))
   })

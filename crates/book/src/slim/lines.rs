@@ -109,7 +109,12 @@ fn open(sign: &Node) -> i32 {
     let Node::Element(sign) = sign else { return 0 };
     let large = sign.children.iter().any(|it| it.element().is_some_and(|it| it.has("delimsizing")));
     let own = i32::from(sign.has("mopen")) - i32::from(sign.has("mclose"));
-    if large { 0 } else { own + sign.children.iter().map(open).sum::<i32>() }
+    match own {
+        _ if large => 0,
+        0 => sign.children.iter().map(open).sum(),
+        // A bracket with an exponent holds the bracket alone.
+        own => own,
+    }
 }
 
 fn breaks(sign: &Node) -> bool {
@@ -181,6 +186,11 @@ mod tests {
     #[test]
     fn a_line_of_text_goes_on_behind_an_operator_and_never_between_brackets() {
         assert_eq!(lines("a = b (c + d) + e", false), ["|a=|b(c+d)+|e"]);
+    }
+
+    #[test]
+    fn a_bracket_with_an_exponent_closes_one_bracket() {
+        assert_eq!(lines("(a - b)^2 + (c - d)", false), ["|(a−b)2+|(c−d)"]);
     }
 
     #[test]
