@@ -91,8 +91,10 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
     const dice = seeded(SEED)
     for (let round = 1; round <= Number(process.env.PROBE_ROUNDS ?? ROUNDS[tag]); round++) {
       await shuffle(page, element, dice)
+      // What was said of the link of the round before may still stand there.
+      await page.evaluate(() => navigator.clipboard.writeText(''))
       await element.getByRole('button', { name: 'Copy link to this state' }).click()
-      await element.getByText('Link copied.').first().waitFor()
+      await page.waitForFunction(async () => (await navigator.clipboard.readText()) !== '')
       const link = await page.evaluate(() => navigator.clipboard.readText())
       const run = native(link, id)
       const where = `PROBE_SEED=${SEED}, round ${round}, ${run.text}`

@@ -28,6 +28,8 @@ function keepHeight(host, height) {
 
 /** For so many frames after the figure has answered its parts may still find their sizes. */
 const FRAMES = 12
+/** So long a figure may need to answer, milliseconds. */
+const PATIENCE_MS = 3000
 
 /**
  * Keeps what the reader presses in a figure under the finger: above it matrices grow and sentences get longer.
@@ -35,17 +37,22 @@ const FRAMES = 12
  */
 export function keepPressed(into, busy) {
   let [presses, left] = [0, 0]
+  const { documentElement: page } = into.ownerDocument
   for (const input of ['wheel', 'touchmove', 'keydown']) into.ownerDocument.addEventListener(input, () => { left = 0 }, { passive: true })
   into.addEventListener('click', (event) => {
     const pressed = event.target instanceof Element ? event.target.closest('button, label') : null
     if (!pressed) return
     const mine = ++presses
     const { top } = pressed.getBoundingClientRect()
+    const began = performance.now()
+    let y = page.scrollTop
     left = FRAMES
     const keep = () => {
       const now = pressed.getBoundingClientRect()
-      if (mine !== presses || left <= 0 || now.height === 0) return
+      // Who scrolls meanwhile wants to be elsewhere, and a figure out of sight does not answer.
+      if (mine !== presses || left <= 0 || now.height === 0 || page.scrollTop !== y || performance.now() - began > PATIENCE_MS) return
       if (Math.abs(now.top - top) >= 1) scrollBy({ top: now.top - top, behavior: 'instant' })
+      y = page.scrollTop
       if (!busy()) left--
       requestAnimationFrame(keep)
     }
