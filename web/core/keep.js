@@ -36,9 +36,8 @@ const PATIENCE_MS = 3000
  * @param {Element} into @param {() => boolean} busy whether the figure has still to answer
  */
 export function keepPressed(into, busy) {
-  let [presses, left] = [0, 0]
+  let presses = 0
   const { documentElement: page } = into.ownerDocument
-  for (const input of ['wheel', 'touchmove', 'keydown']) into.ownerDocument.addEventListener(input, () => { left = 0 }, { passive: true })
   into.addEventListener('click', (event) => {
     const pressed = event.target instanceof Element ? event.target.closest('button, label') : null
     if (!pressed) return
@@ -46,11 +45,11 @@ export function keepPressed(into, busy) {
     const { top } = pressed.getBoundingClientRect()
     const began = performance.now()
     let y = page.scrollTop
-    left = FRAMES
+    let left = FRAMES
     const keep = () => {
       const now = pressed.getBoundingClientRect()
       // Who scrolls meanwhile wants to be elsewhere, and a figure out of sight does not answer.
-      if (mine !== presses || left <= 0 || now.height === 0 || page.scrollTop !== y || performance.now() - began > PATIENCE_MS) return
+      if (mine !== presses || left === 0 || now.height === 0 || page.scrollTop !== y || performance.now() - began > PATIENCE_MS) return
       if (Math.abs(now.top - top) >= 1) scrollBy({ top: now.top - top, behavior: 'instant' })
       y = page.scrollTop
       if (!busy()) left--
