@@ -13,13 +13,50 @@ const { Matrix, inverse } = peers('ml-matrix')
 const ROUNDS = 7
 
 const line = {
-  F: [[1, 0.5], [0, 1]], H: [[1, 0]], V: [[0.2, 0.05], [0.05, 0.1]], W: [[0.5]],
-  x: [2, 4], P: [[1, 0], [0, 2]],
+  F: [
+    [1, 0.5],
+    [0, 1],
+  ],
+  H: [[1, 0]],
+  V: [
+    [0.2, 0.05],
+    [0.05, 0.1],
+  ],
+  W: [[0.5]],
+  x: [2, 4],
+  P: [
+    [1, 0],
+    [0, 2],
+  ],
 }
 const plane = {
-  F: [[1, 0, 0.5, 0], [0, 1, 0, 0.5], [0, 0, 1, 0], [0, 0, 0, 1]], H: [[1, 0, 0, 0], [0, 1, 0, 0]],
-  V: [[0.2, 0, 0.05, 0], [0, 0.2, 0, 0.05], [0.05, 0, 0.1, 0], [0, 0.05, 0, 0.1]], W: [[0.5, 0], [0, 0.5]],
-  x: [2, 2, 4, 4], P: [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 2, 0], [0, 0, 0, 2]],
+  F: [
+    [1, 0, 0.5, 0],
+    [0, 1, 0, 0.5],
+    [0, 0, 1, 0],
+    [0, 0, 0, 1],
+  ],
+  H: [
+    [1, 0, 0, 0],
+    [0, 1, 0, 0],
+  ],
+  V: [
+    [0.2, 0, 0.05, 0],
+    [0, 0.2, 0, 0.05],
+    [0.05, 0, 0.1, 0],
+    [0, 0.05, 0, 0.1],
+  ],
+  W: [
+    [0.5, 0],
+    [0, 0.5],
+  ],
+  x: [2, 2, 4, 4],
+  P: [
+    [1, 0, 0, 0],
+    [0, 1, 0, 0],
+    [0, 0, 2, 0],
+    [0, 0, 0, 2],
+  ],
 }
 const reading = (step) => (step % 7) * 0.3 - 0.9
 
@@ -54,7 +91,12 @@ const filters = {
   'kalman-filter'({ F, H, V, W, x, P }, steps) {
     const filter = new Npm({
       observation: { dimension: H.length, stateProjection: H, covariance: W },
-      dynamic: { dimension: x.length, transition: F, covariance: V, init: { mean: x.map((entry) => [entry]), covariance: P, index: -1 } },
+      dynamic: {
+        dimension: x.length,
+        transition: F,
+        covariance: V,
+        init: { mean: x.map((entry) => [entry]), covariance: P, index: -1 },
+      },
     })
     let corrected = null
     for (let step = 0; step < steps; step++) {
@@ -67,10 +109,14 @@ const filters = {
 const STEPS = { KalmanFilter: 100_000, 'ml-matrix': 20_000, 'kalman-filter': 10_000 }
 const median = (values) => values.sort((a, b) => a - b)[values.length >> 1]
 
-for (const [title, model] of [['2 states, 1 reading', line], ['4 states, 2 readings', plane]]) {
+for (const [title, model] of [
+  ['2 states, 1 reading', line],
+  ['4 states, 2 readings', plane],
+]) {
   const means = Object.values(filters).map((run) => run(model, 500))
   for (const mean of means) {
-    if (!mean.every((entry, i) => Math.abs(entry - means[0][i]) < 1e-9)) throw new Error(`the filters disagree: ${JSON.stringify(means)}`)
+    if (!mean.every((entry, i) => Math.abs(entry - means[0][i]) < 1e-9))
+      throw new Error(`the filters disagree: ${JSON.stringify(means)}`)
   }
   const times = Object.fromEntries(Object.keys(filters).map((name) => [name, []]))
   for (let round = -1; round < ROUNDS; round++) {
@@ -84,6 +130,8 @@ for (const [title, model] of [['2 states, 1 reading', line], ['4 states, 2 readi
   const ours = median(times.KalmanFilter)
   console.log(`\n| a step of ${title} | µs | of KalmanFilter's |\n|---|---:|---:|`)
   for (const [name, values] of Object.entries(times)) {
-    console.log(`| ${name === 'KalmanFilter' ? '`KalmanFilter`' : `npm's \`${name}\``} | ${median(values).toFixed(2)} | ${(median(values) / ours).toFixed(1)}× |`)
+    console.log(
+      `| ${name === 'KalmanFilter' ? '`KalmanFilter`' : `npm's \`${name}\``} | ${median(values).toFixed(2)} | ${(median(values) / ours).toFixed(1)}× |`,
+    )
   }
 }

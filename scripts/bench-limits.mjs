@@ -9,7 +9,8 @@ const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/est
 
 /** The greatest system: 16 states, 8 outputs, 8 inputs. */
 const [N, P, M] = [16, 8, 8]
-const diagonal = (rows, columns, value) => Array.from({ length: rows }, (_, i) => Array.from({ length: columns }, (_, j) => (i === j ? value : 0)))
+const diagonal = (rows, columns, value) =>
+  Array.from({ length: rows }, (_, i) => Array.from({ length: columns }, (_, j) => (i === j ? value : 0)))
 /** A chain of integrators that never settles within the tolerance 0. */
 const F = diagonal(N, N, 1).map((row, i) => row.map((entry, j) => (j === i + 1 ? 1 : entry)))
 /** Each state takes the place of the one before it: one output sees them all, and any poles can be had. */
@@ -18,22 +19,43 @@ const system = { F, G: diagonal(N, M, 1), H: diagonal(P, N, 1), V: diagonal(N, N
 const belief = { x: Array(N).fill(0), P: diagonal(N, N, 1) }
 
 const pose = { x: [0, 0, 0], P: diagonal(3, 3, 0.01) }
-const beacons = (count) => Array.from({ length: count }, (_, id) => ({ id, x: 10 + (id % 40), y: Math.floor(id / 40) - 10 }))
+const beacons = (count) =>
+  Array.from({ length: count }, (_, id) => ({ id, x: 10 + (id % 40), y: Math.floor(id / 40) - 10 }))
 const LOG = 1_000_000
 const log = new Float64Array(4 * LOG).map((_, i) => [0, 0, 10, 3][i % 4])
 const ids = new Uint32Array(LOG).map((_, i) => i % 1000)
 
 /** A map of 500 landmarks, founded 100 at a time, and a step that sights 100 of them again. */
 function greatMap() {
-  const slam = new core.EkfSlam(pose, { W: [[0.01, 0], [0, 0.001]], gate: 1000, found: 1000 })
-  const sights = (from) => Array.from({ length: 100 }, (_, i) => ({ range: 10 + i, bearing: ((from + i) % 628) / 100 - 3.14, landmark: from + i }))
+  const slam = new core.EkfSlam(pose, {
+    W: [
+      [0.01, 0],
+      [0, 0.001],
+    ],
+    gate: 1000,
+    found: 1000,
+  })
+  const sights = (from) =>
+    Array.from({ length: 100 }, (_, i) => ({
+      range: 10 + i,
+      bearing: ((from + i) % 628) / 100 - 3.14,
+      landmark: from + i,
+    }))
   for (let from = 0; from < 500; from += 100) slam.update(sights(from))
   return () => slam.update(sights(0))
 }
 
 /** Three landmarks so close together that ghosts of them have filled the Probe's map. */
 function fullProbe() {
-  const lab = new core.ObservabilityProbe({ count: 3, forget: true, landmarks: [[2, 3], [2.3, 3], [2.6, 3]] })
+  const lab = new core.ObservabilityProbe({
+    count: 3,
+    forget: true,
+    landmarks: [
+      [2, 3],
+      [2.3, 3],
+      [2.6, 3],
+    ],
+  })
   lab.run(10_000)
   if (!lab.frame().slam.full) throw new Error('the map of the Probe is not full')
   return () => lab.frame()
@@ -42,17 +64,44 @@ function fullProbe() {
 const calls = {
   'steadyStateGain, 16 states, 10 000 iterations': () => core.steadyStateGain(system, belief.P, 10_000, 0),
   'gainSchedule, 16 states, 10 000 steps': () => core.gainSchedule(system, belief.P, 10_000),
-  'kalmanReplay, 16 states, 10 000 steps': () => core.kalmanReplay(system, belief, new Float64Array(10_000 * M), new Float64Array(10_000 * P)),
+  'kalmanReplay, 16 states, 10 000 steps': () =>
+    core.kalmanReplay(system, belief, new Float64Array(10_000 * M), new Float64Array(10_000 * P)),
   'observability, 16 states, 8 outputs': () => core.observability(F, system.H),
   'errorEigenvalues, 16 states': () => core.errorEigenvalues(system, diagonal(N, P, 0.3)),
-  'placeObserverGain, 16 states': () => core.placeObserverGain(ring, [diagonal(1, N, 1)[0]], Array.from({ length: N }, (_, i) => 0.9 - i / 40)),
-  'EkfLocalizer.replay, 1 000 000 steps, 1000 landmarks': () => new core.EkfLocalizer(pose, beacons(1000), { W: [[1, 0], [0, 1]], gate: null, sensor: 'range-bearing' }).replay(log, ids, diagonal(3, 3, 1e-4)),
-  'EkfLocalizer.update, 1000 landmarks to choose from': () => new core.EkfLocalizer(pose, beacons(1000), { W: [[1, 0], [0, 1]], gate: null, sensor: 'range-bearing' }).update({ range: 10, bearing: 3 }),
+  'placeObserverGain, 16 states': () =>
+    core.placeObserverGain(
+      ring,
+      [diagonal(1, N, 1)[0]],
+      Array.from({ length: N }, (_, i) => 0.9 - i / 40),
+    ),
+  'EkfLocalizer.replay, 1 000 000 steps, 1000 landmarks': () =>
+    new core.EkfLocalizer(pose, beacons(1000), {
+      W: [
+        [1, 0],
+        [0, 1],
+      ],
+      gate: null,
+      sensor: 'range-bearing',
+    }).replay(log, ids, diagonal(3, 3, 1e-4)),
+  'EkfLocalizer.update, 1000 landmarks to choose from': () =>
+    new core.EkfLocalizer(pose, beacons(1000), {
+      W: [
+        [1, 0],
+        [0, 1],
+      ],
+      gate: null,
+      sensor: 'range-bearing',
+    }).update({ range: 10, bearing: 3 }),
   'EkfSlam.update, 500 landmarks, 100 sightings': greatMap(),
   'ObservabilityProbe.frame, its map full': fullProbe(),
-  'chapterChecks': () => core.chapterChecks(),
+  chapterChecks: () => core.chapterChecks(),
 }
-for (const [name, Lab] of Object.entries({ OdometryHook: core.OdometryHook, ObserverBench: core.ObserverBench, Picture: core.Picture, ObservabilityProbe: core.ObservabilityProbe })) {
+for (const [name, Lab] of Object.entries({
+  OdometryHook: core.OdometryHook,
+  ObserverBench: core.ObserverBench,
+  Picture: core.Picture,
+  ObservabilityProbe: core.ObservabilityProbe,
+})) {
   calls[`${name}, 1000 steps of its default run`] = () => {
     const lab = new Lab()
     lab.run(1000)

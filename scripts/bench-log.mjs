@@ -11,12 +11,17 @@ const plaza = path.join(root, 'content/logs/plaza1.csv')
 /** The module's instance, which shows its memory. @type {WebAssembly.Instance} */
 let instance
 const { Instance } = WebAssembly
-WebAssembly.Instance = /** @type {any} */ (function (module, imports) { return (instance = new Instance(module, imports)) })
+WebAssembly.Instance = /** @type {any} */ (
+  (module, imports) => (instance = new Instance(module, imports))
+)
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const ROUNDS = 3
 const TIMES = 20
 
-execFileSync('cargo', ['build', '--release', '--quiet', '--locked', '--example', 'log_pace', '-p', 'labs'], { cwd: root, stdio: 'inherit' })
+execFileSync('cargo', ['build', '--release', '--quiet', '--locked', '--example', 'log_pace', '-p', 'labs'], {
+  cwd: root,
+  stdio: 'inherit',
+})
 const pace = path.join(process.env.CARGO_TARGET_DIR ?? path.join(root, 'target'), 'release/examples/log_pace')
 const log = core.RobotLog.parse(readFileSync(plaza, 'utf8'))
 const { steps } = log.contents()
@@ -35,7 +40,9 @@ function inModule() {
 
 /** A million rows: the log written one time behind the other. */
 function parsing() {
-  const text = readFileSync(plaza, 'utf8').split('\n').filter((line) => /^[OR]/.test(line))
+  const text = readFileSync(plaza, 'utf8')
+    .split('\n')
+    .filter((line) => /^[OR]/.test(line))
   const rows = ['L,0,-46.623,11.026', 'L,1,11.036,-6.959', 'L,6,22.053,23.848', 'L,5,-17.665,59.009']
   for (let i = 0; rows.length < 1_000_000; i++) {
     for (const line of text) {
@@ -75,8 +82,14 @@ for (let round = 0; round < ROUNDS; round++) {
   note('lab, module', module.lab)
   if (!peer) continue
   try {
-    const filterpy = JSON.parse(execFileSync(process.env.PYTHON ?? 'python3', [path.join(root, 'scripts/bench-log.py'), plaza], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore'] }))
-    if (Math.abs(filterpy.rmse - native.rmse) > 1e-6 || Math.abs(module.rmse - native.rmse) > 1e-9) throw new Error(`other errors: ${filterpy.rmse}, ${module.rmse}, ${native.rmse}`)
+    const filterpy = JSON.parse(
+      execFileSync(process.env.PYTHON ?? 'python3', [path.join(root, 'scripts/bench-log.py'), plaza], {
+        encoding: 'utf8',
+        stdio: ['ignore', 'pipe', 'ignore'],
+      }),
+    )
+    if (Math.abs(filterpy.rmse - native.rmse) > 1e-6 || Math.abs(module.rmse - native.rmse) > 1e-9)
+      throw new Error(`other errors: ${filterpy.rmse}, ${module.rmse}, ${native.rmse}`)
     note('filterpy', filterpy.filterpy)
   } catch (error) {
     if (/other errors/.test(error.message)) throw error
@@ -91,5 +104,12 @@ for (const [name, all] of Object.entries(rates)) {
   console.log(`| ${name} | ${Math.round(median(all)).toLocaleString('en')} | ${times} |`)
 }
 const { read, replayed, memory } = parsing()
-console.log(`A log of 1,000,000 rows in the module: read in ${read.toFixed(1)} s, replayed in ${replayed.toFixed(1)} s.`)
-console.log(`The module's memory: ${memory[0].toFixed(1)} MB with the log read, ${memory.slice(1, 5).map((size) => size.toFixed(1)).join(', ')} MB after each quarter of the replay, ${memory[5].toFixed(1)} MB with a frame.`)
+console.log(
+  `A log of 1,000,000 rows in the module: read in ${read.toFixed(1)} s, replayed in ${replayed.toFixed(1)} s.`,
+)
+console.log(
+  `The module's memory: ${memory[0].toFixed(1)} MB with the log read, ${memory
+    .slice(1, 5)
+    .map((size) => size.toFixed(1))
+    .join(', ')} MB after each quarter of the replay, ${memory[5].toFixed(1)} MB with a frame.`,
+)

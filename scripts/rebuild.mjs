@@ -49,7 +49,9 @@ export class Rebuilder {
     }
     const script = { [SCRIPT]: PAGE, '/sw.js': WORKER }[pathname]
     if (script === undefined) return false
-    response.writeHead(200, { 'content-type': 'text/javascript; charset=utf-8', 'cache-control': 'no-store' }).end(script)
+    response
+      .writeHead(200, { 'content-type': 'text/javascript; charset=utf-8', 'cache-control': 'no-store' })
+      .end(script)
     return true
   }
 
@@ -68,7 +70,9 @@ export class Rebuilder {
       const gone = [...seen.keys()].filter((file) => !now.has(file))
       seen = now
       if (changed.length + gone.length === 0) continue
-      console.log(`› Changed: ${[...changed, ...gone].slice(0, 5).join(', ')}${changed.length + gone.length > 5 ? ', …' : ''}`)
+      console.log(
+        `› Changed: ${[...changed, ...gone].slice(0, 5).join(', ')}${changed.length + gone.length > 5 ? ', …' : ''}`,
+      )
       const begun = Date.now()
       const fault = await this.#build()
       if (fault === undefined) console.log(`› Built in ${((Date.now() - begun) / 1000).toFixed(1)} s\n`)
@@ -97,7 +101,10 @@ export class Rebuilder {
   /** Runs the build; what it said where it failed. @returns {Promise<string | undefined>} */
   #build() {
     return new Promise((resolve) => {
-      const build = spawn(path.join(this.#root, 'scripts/build'), { cwd: this.#root, stdio: ['ignore', 'inherit', 'pipe'] })
+      const build = spawn(path.join(this.#root, 'scripts/build'), {
+        cwd: this.#root,
+        stdio: ['ignore', 'inherit', 'pipe'],
+      })
       let said = ''
       build.stderr.on('data', (part) => {
         process.stderr.write(part)

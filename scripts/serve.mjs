@@ -15,7 +15,9 @@ const first = wanted === undefined ? 8015 : Number(wanted)
 for (let at = first; ; at++) {
   try {
     const { url } = await serve({ folder: path.join(root, 'dist'), port: at, live: rebuilder })
-    console.log(`\n  The chapter is at ${url}kalman/   (the cover: ${url})\n  ${watching ? 'Sources are watched. ' : ''}Ctrl-C stops.\n`)
+    console.log(
+      `\n  The chapter is at ${url}kalman/   (the cover: ${url})\n  ${watching ? 'Sources are watched. ' : ''}Ctrl-C stops.\n`,
+    )
     break
   } catch (error) {
     if (error?.code === 'EADDRINUSE' && wanted === undefined && at < first + 50) continue

@@ -71,7 +71,10 @@ export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1', 
       response.setHeader('access-control-allow-origin', '*')
       response.setHeader('vary', 'accept-encoding')
       // A name that carries its content's hash never changes its content.
-      response.setHeader('cache-control', /[-.][0-9A-Za-z]{8,}\.\w+$/.test(file) ? 'public, max-age=31536000, immutable' : 'no-cache')
+      response.setHeader(
+        'cache-control',
+        /[-.][0-9A-Za-z]{8,}\.\w+$/.test(file) ? 'public, max-age=31536000, immutable' : 'no-cache',
+      )
       if (WORKERS.test(path.basename(file))) response.setHeader('content-security-policy', WORKER_POLICY)
       if (request.headers['if-none-match'] === tag) return response.writeHead(304).end()
       response.setHeader('content-type', TYPES[extension] ?? 'application/octet-stream')
@@ -97,7 +100,11 @@ export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1', 
   const address = /** @type {import('node:net').AddressInfo} */ (server.address())
   return {
     url: `http://${host}:${address.port}${base}`,
-    close: () => new Promise((resolve) => { server.close(() => resolve()); server.closeAllConnections() }),
+    close: () =>
+      new Promise((resolve) => {
+        server.close(() => resolve())
+        server.closeAllConnections()
+      }),
   }
 }
 
@@ -112,11 +119,16 @@ function readAddress(target) {
 
 /** Whether an Accept-Encoding header takes gzip: a coding or `*` without `q=0`. @param {string} header */
 function takesGzip(header) {
-  const weights = new Map(header.toLowerCase().split(',').map((part) => {
-    const [coding, ...parameters] = part.split(';').map((word) => word.trim())
-    const weight = parameters.find((word) => word.startsWith('q='))
-    return [coding, weight ? Number(weight.slice(2)) : 1]
-  }))
+  const weights = new Map(
+    header
+      .toLowerCase()
+      .split(',')
+      .map((part) => {
+        const [coding, ...parameters] = part.split(';').map((word) => word.trim())
+        const weight = parameters.find((word) => word.startsWith('q='))
+        return [coding, weight ? Number(weight.slice(2)) : 1]
+      }),
+  )
   return (weights.get('gzip') ?? weights.get('*') ?? 0) > 0
 }
 

@@ -11,8 +11,20 @@ const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.mi
 /** What axe finds on the page as it stands, or in its parts that a selector names. */
 async function faults(page, within) {
   await page.evaluate(axe)
-  const { violations } = await page.evaluate((parts) => globalThis.axe.run(parts ?? document, { resultTypes: ['violations'] }), within)
-  return violations.map((rule) => `${rule.id}: ${rule.help}\n` + rule.nodes.slice(0, 4).map((node) => `    ${node.target.join(' ')} ${node.any.concat(node.all, node.none)[0]?.message ?? ''}`).join('\n')).join('\n')
+  const { violations } = await page.evaluate(
+    (parts) => globalThis.axe.run(parts ?? document, { resultTypes: ['violations'] }),
+    within,
+  )
+  return violations
+    .map(
+      (rule) =>
+        `${rule.id}: ${rule.help}\n` +
+        rule.nodes
+          .slice(0, 4)
+          .map((node) => `    ${node.target.join(' ')} ${node.any.concat(node.all, node.none)[0]?.message ?? ''}`)
+          .join('\n'),
+    )
+    .join('\n')
 }
 
 const SOURCE = 'source/crates/estimate/src/kf.rs.html'
@@ -22,7 +34,11 @@ for (const at of [...PAGES, ...FIGURE_PAGES, SOURCE]) {
       const page = await open(t, { at, theme })
       if (at.startsWith('figure/')) await figure(page, at.split('/')[1])
       // Closed blocks are read too.
-      await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))
+      await page.evaluate(() =>
+        document.querySelectorAll('details').forEach((block) => {
+          block.open = true
+        }),
+      )
       // Parts of the text are laid out, and what scrolls in them gets its name, when a reader comes near them.
       await walkDown(page)
       assert.equal(await faults(page), '')
@@ -34,11 +50,12 @@ for (const at of [...PAGES, ...FIGURE_PAGES, SOURCE]) {
  * Takes the sections out of the chapter, and the blocks of these except headings, that hold none of these elements: axe measures
  * everything that is laid out, and what is called up over the chapter changes nothing in them.
  */
-const alone = (page, ...selectors) => page.evaluate((kept) => {
-  const holds = (block) => kept.some((selector) => block.matches(selector) || block.querySelector(selector))
-  for (const section of document.querySelectorAll('.chapter > section')) section.hidden = !holds(section)
-  for (const block of document.querySelectorAll('.chapter > section > :not(h2, h3, h4)')) block.hidden = !holds(block)
-}, selectors)
+const alone = (page, ...selectors) =>
+  page.evaluate((kept) => {
+    const holds = (block) => kept.some((selector) => block.matches(selector) || block.querySelector(selector))
+    for (const section of document.querySelectorAll('.chapter > section')) section.hidden = !holds(section)
+    for (const block of document.querySelectorAll('.chapter > section > :not(h2, h3, h4)')) block.hidden = !holds(block)
+  }, selectors)
 
 /** What a reader can call up, and what it is read with. */
 const CALLED_UP = {
@@ -48,7 +65,7 @@ const CALLED_UP = {
     await page.locator('dialog.search li a').first().waitFor()
     await alone(page)
   },
-  'Thrun\'s letters': async (page) => {
+  "Thrun's letters": async (page) => {
     await page.locator('[data-set-notation="thrun"]').click()
     await page.waitForFunction(() => document.documentElement.dataset.letters === 'thrun')
     await alone(page, '.in-thrun', '.widget')
@@ -63,7 +80,7 @@ const CALLED_UP = {
     // The others fade.
     await page.waitForTimeout(400)
     await alone(page, ':focus', '[data-lit]')
-    assert.ok(await page.locator('.popover').isVisible() && await page.locator('.widget[data-lit]').isVisible())
+    assert.ok((await page.locator('.popover').isVisible()) && (await page.locator('.widget[data-lit]').isVisible()))
   },
 }
 for (const theme of ['light', 'dark']) {
@@ -129,8 +146,13 @@ test('by keys the first stop leads past the head, and each stop after it is on t
       const it = document.activeElement
       const { left, top, width, height } = it.getClientRects()[0] ?? new DOMRect()
       const over = document.elementFromPoint(left + width / 2, top + height / 2)
-      const seen = it.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && over && (over.contains(it) || it.contains(over))
-      return seen ? null : `${it.outerHTML.slice(0, 90)} at ${Math.round(left)}, ${Math.round(top)}, under ${over?.outerHTML.slice(0, 60)}`
+      const seen =
+        it.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
+        over &&
+        (over.contains(it) || it.contains(over))
+      return seen
+        ? null
+        : `${it.outerHTML.slice(0, 90)} at ${Math.round(left)}, ${Math.round(top)}, under ${over?.outerHTML.slice(0, 60)}`
     })
     assert.equal(fault, null)
   }
@@ -138,43 +160,67 @@ test('by keys the first stop leads past the head, and each stop after it is on t
 
 test('in forced colours no paper is painted between the letters of a formula', async (t) => {
   const page = await open(t, { prepare: (it) => it.emulateMedia({ forcedColors: 'active' }) })
-  assert.deepEqual(await page.locator('.katex-html').evaluateAll((all) => [...new Set(all.map((it) => getComputedStyle(it).forcedColorAdjust))]), ['none'])
+  assert.deepEqual(
+    await page
+      .locator('.katex-html')
+      .evaluateAll((all) => [...new Set(all.map((it) => getComputedStyle(it).forcedColorAdjust))]),
+    ['none'],
+  )
 })
 
 test('on a phone what stands alone and leads somewhere is at least 24 px wide and high', async (t) => {
   const page = await open(t, { viewport: PHONE, touch: true })
   await walkDown(page)
   const small = await page.evaluate(() => {
-    const alone = (it) => it.matches('button, select, summary, textarea, :is(td, th) > a:not(.formula-numbers), .listing-path a, .quiz-figure a, .heading-link, .equation-number, input:not([type="radio"], [type="checkbox"])')
-    return [...document.querySelectorAll('a, button, input, select, textarea, summary')].filter((it) => alone(it) && it.checkVisibility({ visibilityProperty: true })).flatMap((it) => {
-      const { width, height } = it.getBoundingClientRect()
-      return width > 0 && (width < 24 || height < 24) && it.getClientRects().length === 1 ? [`${it.outerHTML.slice(0, 80)}: ${width} × ${height}`] : []
-    })
+    const alone = (it) =>
+      it.matches(
+        'button, select, summary, textarea, :is(td, th) > a:not(.formula-numbers), .listing-path a, .quiz-figure a, .heading-link, .equation-number, input:not([type="radio"], [type="checkbox"])',
+      )
+    return [...document.querySelectorAll('a, button, input, select, textarea, summary')]
+      .filter((it) => alone(it) && it.checkVisibility({ visibilityProperty: true }))
+      .flatMap((it) => {
+        const { width, height } = it.getBoundingClientRect()
+        return width > 0 && (width < 24 || height < 24) && it.getClientRects().length === 1
+          ? [`${it.outerHTML.slice(0, 80)}: ${width} × ${height}`]
+          : []
+      })
   })
   assert.deepEqual(small.slice(0, 10), [])
 })
 
 test('in forced colours a figure has its own paper, a slider its track, and the focus its ring', async (t) => {
-  const page = await open(t, { theme: 'dark', prepare: (it) => it.emulateMedia({ forcedColors: 'active', colorScheme: 'dark' }) })
+  const page = await open(t, {
+    theme: 'dark',
+    prepare: (it) => it.emulateMedia({ forcedColors: 'active', colorScheme: 'dark' }),
+  })
   await page.locator('[data-set-theme="light"]').click()
   const bench = await figure(page, 'observer-bench')
   const { paper, ink } = await bench.evaluate((it) => ({
     paper: getComputedStyle(it.querySelector('.live .panel')).backgroundColor,
     ink: getComputedStyle(it.querySelector('.live .axis')).stroke,
   }))
-  const light = (colour) => colour.match(/[\d.]+/g).slice(0, 3).reduce((sum, value) => sum + Number(value), 0) / 765
+  const light = (colour) =>
+    colour
+      .match(/[\d.]+/g)
+      .slice(0, 3)
+      .reduce((sum, value) => sum + Number(value), 0) / 765
   assert.ok(!/, 0\)$/.test(paper) && Math.abs(light(paper) - light(ink)) > 0.3, `ink ${ink} on ${paper}`)
 
   const slider = bench.getByRole('slider', { name: /gain/i })
   await slider.focus()
   await page.keyboard.press('Home')
-  const { style, width } = await slider.evaluate((it) => { const { outlineStyle: style, outlineWidth: width } = getComputedStyle(it); return { style, width } })
+  const { style, width } = await slider.evaluate((it) => {
+    const { outlineStyle: style, outlineWidth: width } = getComputedStyle(it)
+    return { style, width }
+  })
   assert.deepEqual({ style, width }, { style: 'solid', width: '2px' })
   await slider.evaluate((it) => it.blur())
   const picture = PNG.sync.read(await slider.screenshot())
   // Down a column far from the thumb: paper, track, paper.
   const x = Math.round(picture.width * 0.6)
-  const column = Array.from({ length: picture.height }, (_, y) => light([...picture.data.subarray(4 * (picture.width * y + x), 4 * (picture.width * y + x) + 3)].join(' ')))
+  const column = Array.from({ length: picture.height }, (_, y) =>
+    light([...picture.data.subarray(4 * (picture.width * y + x), 4 * (picture.width * y + x) + 3)].join(' ')),
+  )
   const middle = column.slice(Math.round(picture.height * 0.35), Math.round(picture.height * 0.65))
   assert.ok(Math.max(...middle) - Math.min(...middle) > 0.5, 'there is a track')
 })

@@ -3,7 +3,10 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { DESKTOP, PHONE, open } from './harness.mjs'
 
-const shown = (page) => page.locator('.bar').evaluate((bar) => bar.hasAttribute('data-shown') && getComputedStyle(bar).visibility === 'visible')
+const shown = (page) =>
+  page
+    .locator('.bar')
+    .evaluate((bar) => bar.hasAttribute('data-shown') && getComputedStyle(bar).visibility === 'visible')
 /** Scrolls by the wheel, as a hand does: in steps. */
 async function wheel(page, by) {
   for (let i = 0; i < 6; i++) {
@@ -17,13 +20,20 @@ for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP
   test(`scrolling up brings the bar on a ${device}, reading on sends it away, and the page does not move`, async (t) => {
     const page = await open(t, {
       viewport,
-      prepare: (made) => made.addInitScript(() => {
-        globalThis.shifts = []
-        new PerformanceObserver((list) => globalThis.shifts.push(...list.getEntries().map(({ value }) => value))).observe({ type: 'layout-shift', buffered: true })
-      }),
+      prepare: (made) =>
+        made.addInitScript(() => {
+          globalThis.shifts = []
+          new PerformanceObserver((list) =>
+            globalThis.shifts.push(...list.getEntries().map(({ value }) => value)),
+          ).observe({ type: 'layout-shift', buffered: true })
+        }),
     })
     await page.locator('.toc [aria-current]').waitFor({ state: 'attached' })
-    await page.evaluate(() => document.querySelector('#mathematics, h2[id] ~ h3[id], main section:nth-of-type(7)').scrollIntoView({ behavior: 'instant' }))
+    await page.evaluate(() =>
+      document
+        .querySelector('#mathematics, h2[id] ~ h3[id], main section:nth-of-type(7)')
+        .scrollIntoView({ behavior: 'instant' }),
+    )
     await page.waitForTimeout(600)
     await page.locator('.bar').waitFor({ state: 'attached' })
     await page.mouse.move(viewport.width / 2, 400)
@@ -34,22 +44,39 @@ for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP
       await page.waitForTimeout(100)
       if (by < 0) assert.equal(await shown(page), false, 'the page itself has scrolled')
     }
-    await page.evaluate(() => { globalThis.shifts = [] })
+    await page.evaluate(() => {
+      globalThis.shifts = []
+    })
     await wheel(page, -120)
     assert.equal(await shown(page), true, 'scrolling up')
     assert.deepEqual(await page.evaluate(() => globalThis.shifts), [], 'nothing moves when it comes')
     // It names the section that the contents mark.
-    assert.equal(await page.locator('.bar-section').textContent(), await page.locator('.toc [aria-current]').textContent())
+    assert.equal(
+      await page.locator('.bar-section').textContent(),
+      await page.locator('.toc [aria-current]').textContent(),
+    )
     assert.ok((await page.locator('.bar').boundingBox()).height <= 48)
 
     await page.locator('.bar').getByRole('button', { name: 'Search' }).click()
     await page.getByRole('dialog', { name: 'Search' }).waitFor()
     await page.keyboard.press('Escape')
-    await page.locator('.bar').getByRole('button', { name: /Letters: Choset/ }).click()
+    await page
+      .locator('.bar')
+      .getByRole('button', { name: /Letters: Choset/ })
+      .click()
     await page.waitForFunction(() => document.documentElement.dataset.notation === 'thrun')
-    await page.locator('.bar').getByRole('button', { name: /Letters: Thrun/ }).click()
-    await page.locator('.bar').getByRole('button', { name: /Letters: Common/ }).click()
-    await page.locator('.bar').getByRole('button', { name: /Letters: Choset/ }).waitFor()
+    await page
+      .locator('.bar')
+      .getByRole('button', { name: /Letters: Thrun/ })
+      .click()
+    await page
+      .locator('.bar')
+      .getByRole('button', { name: /Letters: Common/ })
+      .click()
+    await page
+      .locator('.bar')
+      .getByRole('button', { name: /Letters: Choset/ })
+      .waitFor()
     if (device === 'phone') {
       const contents = page.locator('.bar').getByRole('button', { name: 'Contents' })
       // By keys: from the section's link one Tab leads there.
@@ -67,7 +94,9 @@ for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP
     await wheel(page, 300)
     assert.equal(await shown(page), false, 'reading on again')
     // A link leads to a heading that nothing covers.
-    await page.evaluate(() => { location.hash = '#problem' })
+    await page.evaluate(() => {
+      location.hash = '#problem'
+    })
     await page.waitForTimeout(600)
     assert.equal(await shown(page), false, 'a jump')
   })

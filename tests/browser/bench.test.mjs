@@ -5,23 +5,30 @@ import assert from 'node:assert/strict'
 import { PHONE, dragSlider, frameOf, openFigure, stateOf, until } from './harness.mjs'
 
 const knob = (bench) => bench.getByRole('slider', { name: /gain/i })
-const moving = (frame) => Math.max(...frame.eigenvalues.filter((_, i) => i !== frame.pinned).map(({ re, im }) => Math.hypot(re, im)))
+const moving = (frame) =>
+  Math.max(...frame.eigenvalues.filter((_, i) => i !== frame.pinned).map(({ re, im }) => Math.hypot(re, im)))
 const close = (a, b, tolerance) => Math.abs(a - b) <= tolerance
 
 /** The eigenvalues drawn in the disc's panel: each one's class, and its distance from the disc's centre in radii. */
-const drawn = (bench) => bench.locator('.live .panel-disc').evaluate((svg) => {
-  const middle = (mark) => {
-    const { x, y, width, height } = mark.getBBox()
-    return { x: x + width / 2, y: y + height / 2, radius: width / 2 }
-  }
-  const disc = middle(svg.querySelector('circle.disc'))
-  return [...svg.querySelectorAll('.mark.eigenvalue')].map((mark) => {
-    const { x, y } = middle(mark)
-    return { outside: mark.classList.contains('outside'), modulus: Math.hypot(x - disc.x, y - disc.y) / disc.radius }
+const drawn = (bench) =>
+  bench.locator('.live .panel-disc').evaluate((svg) => {
+    const middle = (mark) => {
+      const { x, y, width, height } = mark.getBBox()
+      return { x: x + width / 2, y: y + height / 2, radius: width / 2 }
+    }
+    const disc = middle(svg.querySelector('circle.disc'))
+    return [...svg.querySelectorAll('.mark.eigenvalue')].map((mark) => {
+      const { x, y } = middle(mark)
+      return { outside: mark.classList.contains('outside'), modulus: Math.hypot(x - disc.x, y - disc.y) / disc.radius }
+    })
   })
-})
 /** The text of the readout with this label. */
-const readout = (bench, label) => bench.locator('.live .readout').filter({ has: bench.page().locator('dt', { hasText: label }) }).locator('dd').textContent()
+const readout = (bench, label) =>
+  bench
+    .locator('.live .readout')
+    .filter({ has: bench.page().locator('dt', { hasText: label }) })
+    .locator('dd')
+    .textContent()
 
 test('dragging the knob drives the eigenvalue out of the disc', async (t) => {
   const { page, it: bench } = await openFigure(t, 'observer-bench')
@@ -30,15 +37,24 @@ test('dragging the knob drives the eigenvalue out of the disc', async (t) => {
   const inside = await drawn(bench)
   assert.equal(inside.length, 2)
   // The pinned one is drawn on the rim.
-  assert.ok(inside.every(({ outside, modulus }) => !outside && modulus < 1 + 1e-3), JSON.stringify(inside))
+  assert.ok(
+    inside.every(({ outside, modulus }) => !outside && modulus < 1 + 1e-3),
+    JSON.stringify(inside),
+  )
   await dragSlider(page, knob(bench), 5.9)
   const frame = await until(bench, ({ params }) => params.gain > before.stableUpTo, 'the knob is past its limit')
   assert.ok(!frame.stable && moving(frame) > 1, `modulus ${moving(frame)}`)
-  await bench.getByText(/unstable/i).first().waitFor()
+  await bench
+    .getByText(/unstable/i)
+    .first()
+    .waitFor()
   const left = (await drawn(bench)).filter(({ outside }) => outside)
   assert.equal(left.length, 1, 'one eigenvalue is drawn as outside')
   // Places in the picture are rounded to parts of a pixel.
-  assert.ok(left[0].modulus > 1 && close(left[0].modulus, moving(frame), 0.01), `drawn at ${left[0].modulus}, computed as ${moving(frame)}`)
+  assert.ok(
+    left[0].modulus > 1 && close(left[0].modulus, moving(frame), 0.01),
+    `drawn at ${left[0].modulus}, computed as ${moving(frame)}`,
+  )
 })
 
 test('the filter, when it may choose, ends where the knob says 1', async (t) => {
@@ -84,18 +100,28 @@ test('a finger turns the knob', async (t) => {
   await slider.scrollIntoViewIfNeeded()
   const { x, y, width, height } = await slider.boundingBox()
   const wire = await page.context().newCDPSession(page)
-  const touch = (type, at) => wire.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: at, y: y + height / 2 }] })
+  const touch = (type, at) =>
+    wire.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: type === 'touchEnd' ? [] : [{ x: at, y: y + height / 2 }],
+    })
   const from = x + 8 + ((width - 16) * 1) / 6
   await touch('touchStart', from)
   for (let i = 1; i <= 8; i++) await touch('touchMove', from + ((x + width - 12 - from) * i) / 8)
   await touch('touchEnd')
-  const { params: { gain } } = await until(bench, ({ params }) => params.gain > 5, 'the finger has turned the knob')
+  const {
+    params: { gain },
+  } = await until(bench, ({ params }) => params.gain > 5, 'the finger has turned the knob')
 
   // Upwards it scrolls the page, and the knob stays where it was.
   assert.ok(height >= 44, `${height} px to the touch`)
   const box = await slider.boundingBox()
   const top = await page.evaluate(() => scrollY)
-  const swipe = (type, up) => wire.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: box.x + box.width / 2, y: box.y + box.height / 2 - up }] })
+  const swipe = (type, up) =>
+    wire.send('Input.dispatchTouchEvent', {
+      type,
+      touchPoints: type === 'touchEnd' ? [] : [{ x: box.x + box.width / 2, y: box.y + box.height / 2 - up }],
+    })
   await swipe('touchStart', 0)
   for (let i = 1; i <= 8; i++) await swipe('touchMove', 15 * i)
   await swipe('touchEnd')
@@ -113,7 +139,10 @@ test('a change is the whole run as it would have been, and a step is announced',
   assert.equal(frame.pinned, null)
   await bench.getByRole('button', { name: 'Step' }).click()
   await until(bench, (now) => now.step === step + 1, 'one step')
-  await page.waitForFunction((n) => document.querySelector('observer-bench [role=status]')?.textContent.includes(`Step ${n}`), step + 1)
+  await page.waitForFunction(
+    (n) => document.querySelector('observer-bench [role=status]')?.textContent.includes(`Step ${n}`),
+    step + 1,
+  )
   assert.deepEqual((await stateOf(bench)).params, frame.params)
 })
 
@@ -124,10 +153,15 @@ test('with reduced motion a step shows at once; without, in two beats', async (t
     // Every outline of the ellipse that the step shows, frame by frame.
     const seen = await bench.evaluate(async (it) => {
       const ellipses = new Set()
-      const look = () => ellipses.add([...it.querySelectorAll('.live .panel-phase .mark.outline')].map((mark) => mark.getAttribute('d') ?? mark.outerHTML).join())
+      const look = () =>
+        ellipses.add(
+          [...it.querySelectorAll('.live .panel-phase .mark.outline')]
+            .map((mark) => mark.getAttribute('d') ?? mark.outerHTML)
+            .join(),
+        )
       look()
       ;[...it.querySelectorAll('.live button')].find((button) => button.textContent === 'Step').click()
-      for (const until = performance.now() + 900; performance.now() < until;) {
+      for (const until = performance.now() + 900; performance.now() < until; ) {
         await new Promise((resolve) => requestAnimationFrame(resolve))
         look()
       }
@@ -190,7 +224,9 @@ test('a seed can be typed while the figure plays', async (t) => {
   await page.keyboard.press('Enter')
   await until(bench, ({ params }) => params.seed === 4711, 'the seed typed')
   // What is left unsaid in it gives way to what holds, when the field is left.
-  await seed.evaluate((input) => { input.value = '' })
+  await seed.evaluate((input) => {
+    input.value = ''
+  })
   await page.waitForTimeout(300)
   assert.equal(await seed.inputValue(), '')
   await seed.evaluate((input) => input.blur())
@@ -199,31 +235,54 @@ test('a seed can be typed while the figure plays', async (t) => {
 
 test('no name of an eigenvalue lies across the unit circle, and that of the reading’s line on no ellipse, at any width', async (t) => {
   const { page, it } = await openFigure(t, 'observer-bench')
-  const faults = () => it.evaluate((host) => {
-    const box = (text) => {
-      const { left, right, top, bottom } = text.getBoundingClientRect()
-      return { words: text.textContent, left: left + 1, right: right - 1, top: top + 0.2 * (bottom - top), bottom: bottom - 0.2 * (bottom - top) }
-    }
-    const live = host.querySelector('.live')
-    const rim = live.querySelector('.disc-rim').getBoundingClientRect()
-    const [cx, cy, r] = [(rim.left + rim.right) / 2, (rim.top + rim.bottom) / 2, rim.width / 2]
-    const across = [...live.querySelectorAll('.eigenvalue-name')].map(box).filter(({ left, right, top, bottom }) => {
-      const far = Math.hypot(Math.max(cx - left, right - cx), Math.max(cy - top, bottom - cy))
-      const near = Math.hypot(Math.max(0, left - cx, cx - right), Math.max(0, top - cy, cy - bottom))
-      return near < r && far > r
+  const faults = () =>
+    it.evaluate((host) => {
+      const box = (text) => {
+        const { left, right, top, bottom } = text.getBoundingClientRect()
+        return {
+          words: text.textContent,
+          left: left + 1,
+          right: right - 1,
+          top: top + 0.2 * (bottom - top),
+          bottom: bottom - 0.2 * (bottom - top),
+        }
+      }
+      const live = host.querySelector('.live')
+      const rim = live.querySelector('.disc-rim').getBoundingClientRect()
+      const [cx, cy, r] = [(rim.left + rim.right) / 2, (rim.top + rim.bottom) / 2, rim.width / 2]
+      const across = [...live.querySelectorAll('.eigenvalue-name')].map(box).filter(({ left, right, top, bottom }) => {
+        const far = Math.hypot(Math.max(cx - left, right - cx), Math.max(cy - top, bottom - cy))
+        const near = Math.hypot(Math.max(0, left - cx, cx - right), Math.max(0, top - cy, cy - bottom))
+        return near < r && far > r
+      })
+      const omega = [...live.querySelectorAll('.panel-phase .mark-name.measurement')].map(box)
+      const matrix = live.querySelector('.panel-phase .outline').getScreenCTM()
+      const on = omega.filter(({ left, right, top, bottom }) =>
+        [...live.querySelectorAll('.panel-phase .outline')].some((path) =>
+          Array.from({ length: 200 }, (_, i) =>
+            path.getPointAtLength((i * path.getTotalLength()) / 200).matrixTransform(matrix),
+          ).some(({ x, y }) => x > left && x < right && y > top && y < bottom),
+        ),
+      )
+      return [...across, ...on].map(({ words }) => words)
     })
-    const omega = [...live.querySelectorAll('.panel-phase .mark-name.measurement')].map(box)
-    const matrix = live.querySelector('.panel-phase .outline').getScreenCTM()
-    const on = omega.filter(({ left, right, top, bottom }) => [...live.querySelectorAll('.panel-phase .outline')].some((path) => Array.from({ length: 200 }, (_, i) => path.getPointAtLength((i * path.getTotalLength()) / 200).matrixTransform(matrix)).some(({ x, y }) => x > left && x < right && y > top && y < bottom)))
-    return [...across, ...on].map(({ words }) => words)
-  })
   for (const width of [390, 768, 1440]) {
     await page.setViewportSize({ width, height: 900 })
-    for (const change of [{ sensor: 'velocity', gain: 1, step: 12 }, { gain: 5.57 }, { gain: 6 }, { gain: 0 }, { sensor: 'position', gain: 1 }, { gain: 0.3 }, { gain: 3.1 }, { gain: 6 }]) {
+    for (const change of [
+      { sensor: 'velocity', gain: 1, step: 12 },
+      { gain: 5.57 },
+      { gain: 6 },
+      { gain: 0 },
+      { sensor: 'position', gain: 1 },
+      { gain: 0.3 },
+      { gain: 3.1 },
+      { gain: 6 },
+    ]) {
       await it.evaluate(async (host, change) => {
         host.figure.change(change)
         await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
-        do await new Promise((resolve) => requestAnimationFrame(resolve)); while (host.figure.asked || !host.settled)
+        do await new Promise((resolve) => requestAnimationFrame(resolve))
+        while (host.figure.asked || !host.settled)
       }, change)
       assert.deepEqual(await faults(), [], `${width} px, ${JSON.stringify(change)}`)
     }

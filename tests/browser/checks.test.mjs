@@ -9,20 +9,32 @@ const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/est
 
 test('one check by its number is that check of the thirteen, to the last bit', () => {
   const all = core.chapterChecks()
-  assert.deepEqual(all.map(({ id }) => id), Array.from({ length: 13 }, (_, i) => i + 1))
+  assert.deepEqual(
+    all.map(({ id }) => id),
+    Array.from({ length: 13 }, (_, i) => i + 1),
+  )
   for (const check of all) {
     assert.ok(check.passed, check.title)
     assert.deepEqual(core.chapterCheck(check.id), check)
   }
-  for (const id of [0, 14, -1, 2 ** 40]) assert.throws(() => core.chapterCheck(id), { name: 'EstimateError', code: 'index', argument: 'id' })
-  for (const id of ['1', null, undefined, 1.5]) assert.throws(() => core.chapterCheck(id), { name: 'EstimateError', code: 'type', argument: 'id' })
+  for (const id of [0, 14, -1, 2 ** 40])
+    assert.throws(() => core.chapterCheck(id), { name: 'EstimateError', code: 'index', argument: 'id' })
+  for (const id of ['1', null, undefined, 1.5])
+    assert.throws(() => core.chapterCheck(id), { name: 'EstimateError', code: 'type', argument: 'id' })
 })
 
 test('on a phone the values of the build and of the browser are on the screen', async (t) => {
   const page = await open(t, { at: 'check/', viewport: PHONE, touch: true })
   await page.getByRole('button', { name: 'Run the checks here' }).tap()
-  await page.getByRole('status').filter({ hasText: /^13 of 13/ }).waitFor({ timeout: 60_000 })
-  const beyond = await page.locator('[data-check] > *').evaluateAll((all) => all.filter((cell) => cell.getBoundingClientRect().right > innerWidth).map((cell) => cell.textContent))
+  await page
+    .getByRole('status')
+    .filter({ hasText: /^13 of 13/ })
+    .waitFor({ timeout: 60_000 })
+  const beyond = await page
+    .locator('[data-check] > *')
+    .evaluateAll((all) =>
+      all.filter((cell) => cell.getBoundingClientRect().right > innerWidth).map((cell) => cell.textContent),
+    )
   assert.deepEqual(beyond, [])
 })
 
@@ -31,21 +43,40 @@ test('the thirteen checks pass in the browser, each with its time and the values
   // How many rows had their values when the browser had its turn.
   await page.evaluate(() => {
     globalThis.seen = []
-    new MutationObserver(() => globalThis.seen.push(document.querySelectorAll('[data-passed]').length))
-      .observe(document.querySelector('.checks'), { subtree: true, attributes: true, attributeFilter: ['data-passed'] })
+    new MutationObserver(() => globalThis.seen.push(document.querySelectorAll('[data-passed]').length)).observe(
+      document.querySelector('.checks'),
+      { subtree: true, attributes: true, attributeFilter: ['data-passed'] },
+    )
   })
   const button = page.getByRole('button', { name: 'Run the checks here' })
   const summary = page.getByRole('status')
   await button.click()
-  await summary.filter({ hasText: /^13 of 13 checks pass in this browser; together they took [\d.]+\sms\.$/ }).waitFor({ timeout: 60_000 })
-  assert.deepEqual(await page.evaluate(() => globalThis.seen), Array.from({ length: 13 }, (_, i) => i + 1), 'the browser has its turn after each')
+  await summary
+    .filter({ hasText: /^13 of 13 checks pass in this browser; together they took [\d.]+\sms\.$/ })
+    .waitFor({ timeout: 60_000 })
+  assert.deepEqual(
+    await page.evaluate(() => globalThis.seen),
+    Array.from({ length: 13 }, (_, i) => i + 1),
+    'the browser has its turn after each',
+  )
 
-  const rows = await page.locator('[data-check]').evaluateAll((all) => all.map((row) => ({
-    id: Number(row.dataset.check), passed: row.dataset.passed,
-    ...Object.fromEntries(['title', 'expected', 'native', 'here', 'tolerance', 'time'].map((cell) => [cell, row.querySelector(`.check-${cell}`).textContent])),
-    source: row.querySelector('a').href,
-  })))
-  assert.deepEqual(rows.map(({ id }) => id), core.chapterChecks().map(({ id }) => id))
+  const rows = await page.locator('[data-check]').evaluateAll((all) =>
+    all.map((row) => ({
+      id: Number(row.dataset.check),
+      passed: row.dataset.passed,
+      ...Object.fromEntries(
+        ['title', 'expected', 'native', 'here', 'tolerance', 'time'].map((cell) => [
+          cell,
+          row.querySelector(`.check-${cell}`).textContent,
+        ]),
+      ),
+      source: row.querySelector('a').href,
+    })),
+  )
+  assert.deepEqual(
+    rows.map(({ id }) => id),
+    core.chapterChecks().map(({ id }) => id),
+  )
   let whole = 0
   for (const { id, passed, native, here, expected, tolerance, time } of rows) {
     assert.equal(passed, 'true', `check ${id}`)
@@ -61,7 +92,12 @@ test('the thirteen checks pass in the browser, each with its time and the values
   const read = (text) => text.replace('✓ ', '').replaceAll('−', '-').split(', ').map(Number)
   for (const { id, here } of rows) {
     const { actual, tolerance } = core.chapterCheck(id)
-    read(here).forEach((value, i) => assert.ok(Math.abs(value - actual[i]) <= 1e-6 * Math.abs(actual[i]) + Math.min(tolerance, 1e-6), `check ${id}: ${value} is ${actual[i]}`))
+    read(here).forEach((value, i) =>
+      assert.ok(
+        Math.abs(value - actual[i]) <= 1e-6 * Math.abs(actual[i]) + Math.min(tolerance, 1e-6),
+        `check ${id}: ${value} is ${actual[i]}`,
+      ),
+    )
   }
 
   // Each source is the test, at its line.
@@ -69,12 +105,17 @@ test('the thirteen checks pass in the browser, each with its time and the values
     const [address, line] = source.split('#')
     const text = await (await page.request.get(address)).text()
     assert.ok(text.includes(`id="${line}"`), `check ${id}: ${line}`)
-    const at = text.slice(text.indexOf(`id="${line}"`)).slice(0, 600).replace(/<[^>]*>/g, '')
+    const at = text
+      .slice(text.indexOf(`id="${line}"`))
+      .slice(0, 600)
+      .replace(/<[^>]*>/g, '')
     assert.ok(at.includes(`fn check_${id}_`), `check ${id} is at ${line}: ${at.slice(0, 90)}`)
   }
 
   // Once more: the old values go, and they come again.
-  await summary.evaluate((said) => { said.textContent = '' })
+  await summary.evaluate((said) => {
+    said.textContent = ''
+  })
   await button.click()
   await summary.filter({ hasText: /^13 of 13/ }).waitFor({ timeout: 60_000 })
   assert.equal(await page.locator('[data-passed="true"]').count(), 13)
@@ -82,7 +123,8 @@ test('the thirteen checks pass in the browser, each with its time and the values
 
 test('a module that cannot be fetched is said, and the button works again', async (t) => {
   const page = await open(t, {
-    at: 'check/', expected: [/\.wasm/, /failed to fetch|Failed to load|ERR_FAILED/i],
+    at: 'check/',
+    expected: [/\.wasm/, /failed to fetch|Failed to load|ERR_FAILED/i],
     prepare: (it) => it.route('**/*.wasm', (route) => route.abort()),
   })
   const button = page.getByRole('button', { name: 'Run the checks here' })
@@ -90,5 +132,8 @@ test('a module that cannot be fetched is said, and the button works again', asyn
   await page.getByRole('status').filter({ hasText: 'its module could not be fetched' }).waitFor()
   await page.unroute('**/*.wasm')
   await button.click()
-  await page.getByRole('status').filter({ hasText: /^13 of 13/ }).waitFor({ timeout: 60_000 })
+  await page
+    .getByRole('status')
+    .filter({ hasText: /^13 of 13/ })
+    .waitFor({ timeout: 60_000 })
 })

@@ -9,11 +9,21 @@ import path from 'node:path'
 import { openFigure, root, until } from './harness.mjs'
 
 const LABS = {
-  'observer-bench': 'ObserverBench', 'odometry-hook': 'OdometryHook', 'observability-probe': 'ObservabilityProbe',
-  'loop-closure': 'LoopClosure', tune: 'Tune', 'bug-museum': 'BugMuseum', 'own-system': 'OwnSystem',
+  'observer-bench': 'ObserverBench',
+  'odometry-hook': 'OdometryHook',
+  'observability-probe': 'ObservabilityProbe',
+  'loop-closure': 'LoopClosure',
+  tune: 'Tune',
+  'bug-museum': 'BugMuseum',
+  'own-system': 'OwnSystem',
 }
-const native = execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' })
-  .trim().split('\n').map((line) => line.split(' '))
+const native = execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], {
+  cwd: root,
+  encoding: 'utf8',
+})
+  .trim()
+  .split('\n')
+  .map((line) => line.split(' '))
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
 const log = core.RobotLog.parse(readFileSync(path.join(root, 'content/logs/plaza1.csv'), 'utf8'))

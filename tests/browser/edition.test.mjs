@@ -17,14 +17,19 @@ after(() => rmSync(copies, { recursive: true, force: true }))
 function publish(folder) {
   const assets = path.join(folder, 'assets')
   const names = readdirSync(assets).filter((name) => /-[A-Z0-9]{8}\.(js|wasm)$/.test(name))
-  const renamed = new Map(names.map((name) => [name, name.replace(/-([A-Z0-9]{8})\./, (_, hash) => `-${[...hash].reverse().join('')}.`)]))
+  const renamed = new Map(
+    names.map((name) => [name, name.replace(/-([A-Z0-9]{8})\./, (_, hash) => `-${[...hash].reverse().join('')}.`)]),
+  )
   for (const [from, to] of renamed) renameSync(path.join(assets, from), path.join(assets, to))
-  for (const file of readdirSync(folder, { recursive: true }).map(String).filter((name) => /\.(html|js|json)$/.test(name))) {
+  for (const file of readdirSync(folder, { recursive: true })
+    .map(String)
+    .filter((name) => /\.(html|js|json)$/.test(name))) {
     const at = path.join(folder, file)
     let text = readFileSync(at, 'utf8')
     for (const [from, to] of renamed) text = text.replaceAll(from, to)
     if (/(thrun|common)\.json$/.test(file)) text = text.replace(/"version":"[0-9a-f]/, (start) => `${start}0`)
-    if (file.endsWith('.html')) text = text.replace(/data-readings="[0-9a-f]/, (start) => `${start}0`).replace(/<h1>/, '<h1 data-edition="new">')
+    if (file.endsWith('.html'))
+      text = text.replace(/data-readings="[0-9a-f]/, (start) => `${start}0`).replace(/<h1>/, '<h1 data-edition="new">')
     if (file === 'sw.js') text = text.replace(/VERSION = (['"])[^'"]*/, 'VERSION = $1second')
     writeFileSync(at, text)
   }
@@ -47,10 +52,11 @@ async function visit(worker, act) {
 }
 
 /** Waits until the whole book is kept for reading offline. */
-const kept = (page) => page.evaluate(async () => {
-  const { active } = await navigator.serviceWorker.ready
-  while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
-})
+const kept = (page) =>
+  page.evaluate(async () => {
+    const { active } = await navigator.serviceWorker.ready
+    while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
+  })
 
 test('a page that is open while a new edition is published goes on whole', { timeout: 240_000 }, async () => {
   await visit(true, async ({ page, context, folder, url }) => {
@@ -65,7 +71,8 @@ test('a page that is open while a new edition is published goes on whole', { tim
     await other.evaluate(async () => {
       const registration = await navigator.serviceWorker.ready
       await registration.update()
-      while (!registration.waiting && !(await caches.keys()).every((name) => name.endsWith('second'))) await new Promise((resolve) => setTimeout(resolve, 50))
+      while (!registration.waiting && !(await caches.keys()).every((name) => name.endsWith('second')))
+        await new Promise((resolve) => setTimeout(resolve, 50))
     })
     // Figures that slept, the search and the other letters.
     await figure(page, 'odometry-hook')
@@ -82,7 +89,9 @@ test('a page that is open while a new edition is published goes on whole', { tim
   })
 })
 
-test('without a store an open page says that there is a new edition, and a reload loses nothing', { timeout: 240_000 }, async () => {
+test('without a store an open page says that there is a new edition, and a reload loses nothing', {
+  timeout: 240_000,
+}, async () => {
   await visit(false, async ({ page, folder, url }) => {
     await page.goto(`${url}kalman/`)
     const hook = await figure(page, 'odometry-hook')
@@ -102,7 +111,10 @@ test('without a store an open page says that there is a new edition, and a reloa
     await page.locator('h1[data-edition=new]').waitFor({ state: 'attached' })
     await page.locator('observability-probe[data-state=live]').first().waitFor({ timeout: 20_000 })
     await page.waitForTimeout(1000)
-    assert.ok(Math.abs(await top() - before) < 29, `the place: ${await top()} px from the top after, ${before} before`)
+    assert.ok(
+      Math.abs((await top()) - before) < 29,
+      `the place: ${await top()} px from the top after, ${before} before`,
+    )
     assert.deepEqual(await stateOf(await figure(page, 'odometry-hook')), state, 'the figure as it was')
   })
 })
@@ -131,7 +143,9 @@ for (const [what, answer] of [
           await page.goto(url + at, { waitUntil: 'commit', timeout: 15_000 })
           t.diagnostic(`/${at} after ${((Date.now() - began) / 1000).toFixed(1)} s`)
           await page.locator('.site-footer').waitFor({ state: 'attached', timeout: 10_000 })
-          assert.ok((await page.locator('h1').first().textContent()).length > 3 && !(await page.getByText('Not now.').count()))
+          assert.ok(
+            (await page.locator('h1').first().textContent()).length > 3 && !(await page.getByText('Not now.').count()),
+          )
         }
         await page.goto(`${url}kalman/`)
         await figure(page, 'odometry-hook')
@@ -158,7 +172,11 @@ test('a module that never answers is said, and comes when it is asked for again'
 
 test('a script of a figure that never answers is said', { timeout: 120_000 }, async () => {
   await visit(false, async ({ page, url }) => {
-    const chunk = readdirSync(path.join(dist, 'assets')).find((name) => name.endsWith('.js') && readFileSync(path.join(dist, 'assets', name), 'utf8').includes('customElements.define('))
+    const chunk = readdirSync(path.join(dist, 'assets')).find(
+      (name) =>
+        name.endsWith('.js') &&
+        readFileSync(path.join(dist, 'assets', name), 'utf8').includes('customElements.define('),
+    )
     await page.route(`**/${chunk}`, () => {})
     await page.goto(`${url}kalman/`, { waitUntil: 'domcontentloaded' })
     const hook = page.locator('odometry-hook').first()

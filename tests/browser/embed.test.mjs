@@ -8,11 +8,23 @@ import { stage, watch } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
-const FIRST = { 'odometry-hook': 'fig-odometry', 'observer-bench': 'fig-bench', 'kalman-picture': 'fig-picture', 'observability-probe': 'fig-probe', 'robot-log': 'fig-log', 'tune-me': 'fig-tune', 'close-loop': 'fig-loop', 'bug-museum': 'fig-museum', 'own-system': 'fig-own' }
+const FIRST = {
+  'odometry-hook': 'fig-odometry',
+  'observer-bench': 'fig-bench',
+  'kalman-picture': 'fig-picture',
+  'observability-probe': 'fig-probe',
+  'robot-log': 'fig-log',
+  'tune-me': 'fig-tune',
+  'close-loop': 'fig-loop',
+  'bug-museum': 'fig-museum',
+  'own-system': 'fig-own',
+}
 
 /** A page around one frame, served from a port of its own. It keeps every message it gets and gives the frame its height. */
 async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }) {
-  const frame = markup ?? `<iframe src="${src}" title="A figure" sandbox="${sandbox}" width="${width}" height="300" style="border: 0"></iframe>`
+  const frame =
+    markup ??
+    `<iframe src="${src}" title="A figure" sandbox="${sandbox}" width="${width}" height="300" style="border: 0"></iframe>`
   const html = `<!doctype html><html lang="en"><title>Somebody else's page</title><h1>Somebody else's page</h1>${frame}
     <script>
       messages = []
@@ -22,7 +34,11 @@ async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }
         if (source === frame.contentWindow && data.type === 'robot-motion:height') frame.height = data.height
       })
     </script>`
-  const server = createServer((request, response) => response.writeHead(request.url === '/' ? 200 : 204, { 'content-type': 'text/html' }).end(request.url === '/' ? html : undefined))
+  const server = createServer((request, response) =>
+    response
+      .writeHead(request.url === '/' ? 200 : 204, { 'content-type': 'text/html' })
+      .end(request.url === '/' ? html : undefined),
+  )
   server.listen(0, '127.0.0.1')
   await once(server, 'listening')
   const home = `http://127.0.0.1:${server.address().port}/`
@@ -46,10 +62,12 @@ async function lively(page, frame, name) {
   await frame.locator(`${name}[data-state="live"]`).waitFor({ timeout: 20_000 })
   return it
 }
-const stateOf = (it) => it.evaluate(async (host) => {
-  do await new Promise((resolve) => requestAnimationFrame(resolve)); while (!host.settled)
-  return JSON.stringify(host.state)
-})
+const stateOf = (it) =>
+  it.evaluate(async (host) => {
+    do await new Promise((resolve) => requestAnimationFrame(resolve))
+    while (!host.settled)
+    return JSON.stringify(host.state)
+  })
 async function changes(it, act, what) {
   const before = await stateOf(it)
   await act()
@@ -69,9 +87,15 @@ for (const name of Object.keys(WIDGETS)) {
     assert.equal(await frame.locator('[inert], [data-locked], .figure-locked').count(), 0, 'no question locks it')
 
     // Its height: the frame gets it, and then nothing in it scrolls.
-    await page.waitForFunction(() => messages.some(({ data, ours }) => ours && data.type === 'robot-motion:height' && data.height > 300))
+    await page.waitForFunction(() =>
+      messages.some(({ data, ours }) => ours && data.type === 'robot-motion:height' && data.height > 300),
+    )
     await inner().waitForFunction(() => document.documentElement.scrollHeight <= innerHeight + 1)
-    assert.ok((await page.evaluate(() => messages)).every(({ ours, data }) => ours && data.type === 'robot-motion:height' && Number.isInteger(data.height)))
+    assert.ok(
+      (await page.evaluate(() => messages)).every(
+        ({ ours, data }) => ours && data.type === 'robot-motion:height' && Number.isInteger(data.height),
+      ),
+    )
 
     // By mouse and by keys.
     const slider = it.locator('.live input[type=range]:enabled:visible').first()
@@ -88,10 +112,14 @@ for (const name of Object.keys(WIDGETS)) {
       // Inwards: a handle may stand at its end.
       const panel = await handle.locator('xpath=ancestor::*[contains(@class, "panel")][1]').boundingBox()
       const inwards = grip.x > panel.x + panel.width / 2 ? -1 : 1
-      await changes(it, async () => {
-        await page.mouse.move(grip.x - 40 * inwards, grip.y - 25, { steps: 4 })
-        await page.mouse.move(grip.x + 40 * inwards, grip.y + 25, { steps: 8 })
-      }, 'a handle that is dragged')
+      await changes(
+        it,
+        async () => {
+          await page.mouse.move(grip.x - 40 * inwards, grip.y - 25, { steps: 4 })
+          await page.mouse.move(grip.x + 40 * inwards, grip.y + 25, { steps: 8 })
+        },
+        'a handle that is dragged',
+      )
       await page.mouse.up()
       await changes(it, () => handle.press('ArrowLeft'), 'an arrow on a handle')
     }
@@ -99,18 +127,33 @@ for (const name of Object.keys(WIDGETS)) {
     if (await step.count()) await changes(it, () => step.click(), 'Step')
 
     // Its faces are there: the figure is written in the book's own letters.
-    assert.ok(await inner().evaluate(async () => (await document.fonts.ready, [...document.fonts].some(({ status }) => status === 'loaded'))))
+    assert.ok(
+      await inner().evaluate(
+        async () => (await document.fonts.ready, [...document.fonts].some(({ status }) => status === 'loaded')),
+      ),
+    )
 
     // The theme of its address, and then the one it is told.
     const theme = () => inner().evaluate(() => document.documentElement.dataset.theme ?? 'auto')
     assert.equal(await theme(), 'dark')
     for (const wanted of ['light', 'auto', 'dark']) {
-      await page.evaluate((value) => document.querySelector('iframe').contentWindow.postMessage({ type: 'robot-motion:theme', theme: value }, '*'), wanted)
+      await page.evaluate(
+        (value) =>
+          document.querySelector('iframe').contentWindow.postMessage({ type: 'robot-motion:theme', theme: value }, '*'),
+        wanted,
+      )
       await inner().waitForFunction((value) => (document.documentElement.dataset.theme ?? 'auto') === value, wanted)
     }
     // Nothing else is believed.
     const before = await stateOf(it)
-    for (const data of [{ type: 'robot-motion:theme', theme: 'pink' }, { type: 'robot-motion:state', step: 3 }, 'light', null, 7, { type: 'robot-motion:theme' }]) {
+    for (const data of [
+      { type: 'robot-motion:theme', theme: 'pink' },
+      { type: 'robot-motion:state', step: 3 },
+      'light',
+      null,
+      7,
+      { type: 'robot-motion:theme' },
+    ]) {
       await page.evaluate((value) => document.querySelector('iframe').contentWindow.postMessage(value, '*'), data)
     }
     // Nor a message of another window.
@@ -130,28 +173,46 @@ for (const name of Object.keys(WIDGETS)) {
 
   test(`the markup that the ${name} offers shows the same state on another page`, async (t) => {
     const { browser, site } = await stage()
-    const context = await browser.newContext({ viewport: { width: 1000, height: 900 }, reducedMotion: 'reduce', permissions: ['clipboard-read', 'clipboard-write'], serviceWorkers: 'block' })
+    const context = await browser.newContext({
+      viewport: { width: 1000, height: 900 },
+      reducedMotion: 'reduce',
+      permissions: ['clipboard-read', 'clipboard-write'],
+      serviceWorkers: 'block',
+    })
     t.after(() => context.close())
     const own = await context.newPage()
     await own.goto(`${site.url}figure/${name}/`)
     const it = await lively(own, own, name)
-    await changes(it, () => it.locator('.live input[type=range]:enabled:visible').first().press('Shift+ArrowRight'), 'an arrow')
+    await changes(
+      it,
+      () => it.locator('.live input[type=range]:enabled:visible').first().press('Shift+ArrowRight'),
+      'an arrow',
+    )
     const there = await stateOf(it)
     await it.getByRole('button', { name: 'Embed' }).click()
     const box = it.locator('.copy-box textarea')
     const markup = await box.inputValue()
-    assert.ok(await box.evaluate((area) => area === document.activeElement && area.selectionEnd === area.value.length), 'it is selected')
+    assert.ok(
+      await box.evaluate((area) => area === document.activeElement && area.selectionEnd === area.value.length),
+      'it is selected',
+    )
     await it.getByText('Markup copied.').first().waitFor()
     assert.equal(await own.evaluate(() => navigator.clipboard.readText()), markup)
     await box.press('Escape')
     assert.equal(await it.locator('.copy-box').count(), 0)
-    assert.ok(await own.evaluate((tag) => Boolean(document.activeElement?.closest(`${tag} .live`)), name), 'the focus stays in the figure')
+    assert.ok(
+      await own.evaluate((tag) => Boolean(document.activeElement?.closest(`${tag} .live`)), name),
+      'the focus stays in the figure',
+    )
     assert.match(markup, /^<iframe [^<>]*><\/iframe>$/)
 
     const { page, frame, inner } = await around(t, { markup })
     const shown = await lively(page, frame, name)
     assert.equal(await stateOf(shown), there)
-    const { title, sandbox } = await page.evaluate(() => { const { title, sandbox } = document.querySelector('iframe'); return { title, sandbox: String(sandbox) } })
+    const { title, sandbox } = await page.evaluate(() => {
+      const { title, sandbox } = document.querySelector('iframe')
+      return { title, sandbox: String(sandbox) }
+    })
     assert.ok(title.length > 5 && sandbox.includes('allow-scripts') && !sandbox.includes('allow-same-origin'))
     assert.equal(await inner().evaluate(() => self.origin), 'null')
     // The way back to its place in the chapter.
@@ -168,9 +229,15 @@ for (const name of Object.keys(WIDGETS)) {
 
 test('in a frame a link to a state is shown where the clipboard is closed, and there is nothing to download', async (t) => {
   const { site } = await stage()
-  const { page, frame } = await around(t, { src: `${site.url}figure/observer-bench/?fig-limit=${code([1, 'observer-bench', 20, { gain: 2.5 }])}` })
+  const { page, frame } = await around(t, {
+    src: `${site.url}figure/observer-bench/?fig-limit=${code([1, 'observer-bench', 20, { gain: 2.5 }])}`,
+  })
   const bench = await lively(page, frame, 'observer-bench')
-  assert.deepEqual([JSON.parse(await stateOf(bench)).step, JSON.parse(await stateOf(bench)).params.gain], [20, 2.5], 'a state under the other name of the figure')
+  assert.deepEqual(
+    [JSON.parse(await stateOf(bench)).step, JSON.parse(await stateOf(bench)).params.gain],
+    [20, 2.5],
+    'a state under the other name of the figure',
+  )
   assert.equal(await bench.getByRole('button', { name: /Download/ }).count(), 0)
   await bench.getByRole('button', { name: 'Copy link to this state' }).click()
   const link = new URL(await bench.locator('.copy-box textarea').inputValue())
@@ -180,10 +247,26 @@ test('in a frame a link to a state is shown where the clipboard is closed, and t
 
 test('a long run in a frame is computed in slices, without a worker', async (t) => {
   const { site } = await stage()
-  const state = code([1, 'observability-probe', 60_000, { count: 3, forget: true, landmarks: [[2, 3], [2.3, 3], [2.6, 3]] }])
+  const state = code([
+    1,
+    'observability-probe',
+    60_000,
+    {
+      count: 3,
+      forget: true,
+      landmarks: [
+        [2, 3],
+        [2.3, 3],
+        [2.6, 3],
+      ],
+    },
+  ])
   const { page, frame } = await around(t, { src: `${site.url}figure/observability-probe/?fig-probe=${state}` })
   const probe = await lively(page, frame, 'observability-probe')
-  await probe.getByText(/Computing step [\d,]+ of 60,000/).first().waitFor()
+  await probe
+    .getByText(/Computing step [\d,]+ of 60,000/)
+    .first()
+    .waitFor()
   await probe.getByRole('button', { name: 'Cancel' }).click()
   assert.equal(JSON.parse(await stateOf(probe)).step, 240)
 })
@@ -192,7 +275,10 @@ test('in a frame the map of the likelihood is filled in slices, without a worker
   const { site } = await stage()
   const { page, frame } = await around(t, { src: `${site.url}figure/tune-me/` })
   const tune = await lively(page, frame, 'tune-me')
-  await tune.evaluate(async (host) => { while (host.figure.beside.value?.rows !== host.figure.beside.value?.size || !host.figure.beside.value) await new Promise((resolve) => requestAnimationFrame(resolve)) })
+  await tune.evaluate(async (host) => {
+    while (host.figure.beside.value?.rows !== host.figure.beside.value?.size || !host.figure.beside.value)
+      await new Promise((resolve) => requestAnimationFrame(resolve))
+  })
   assert.ok(await tune.locator('.live .panel-map .likely').first().getAttribute('d'))
   assert.equal(page.workers().length, 0)
 
@@ -200,14 +286,23 @@ test('in a frame the map of the likelihood is filled in slices, without a worker
   const loop = await lively(other.page, other.frame, 'close-loop')
   assert.equal(JSON.parse(await stateOf(loop)).step, 112)
   await loop.getByRole('button', { name: 'Step', exact: true }).click()
-  await loop.locator('.live .verdict').filter({ hasText: /landmarks’ mean σ shrank from/ }).waitFor()
+  await loop
+    .locator('.live .verdict')
+    .filter({ hasText: /landmarks’ mean σ shrank from/ })
+    .waitFor()
   assert.equal(other.page.workers().length, 0)
 })
 
-test('a figure\'s own page takes a theme of its address, and is whole without scripts', async (t) => {
+test("a figure's own page takes a theme of its address, and is whole without scripts", async (t) => {
   const { browser, site } = await stage()
-  for (const [theme, paper] of [['light', 'rgb(255, 253, 248)'], ['dark', 'rgb(20, 22, 26)']]) {
-    const context = await browser.newContext({ colorScheme: theme === 'light' ? 'dark' : 'light', serviceWorkers: 'block' })
+  for (const [theme, paper] of [
+    ['light', 'rgb(255, 253, 248)'],
+    ['dark', 'rgb(20, 22, 26)'],
+  ]) {
+    const context = await browser.newContext({
+      colorScheme: theme === 'light' ? 'dark' : 'light',
+      serviceWorkers: 'block',
+    })
     t.after(() => context.close())
     const page = await context.newPage()
     await page.goto(`${site.url}figure/observer-bench/?theme=${theme}`)

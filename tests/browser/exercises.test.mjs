@@ -6,13 +6,22 @@ import { readFileSync } from 'node:fs'
 import path from 'node:path'
 import { comeTo, figure, open, root, unlock } from './harness.mjs'
 
-const keyOf = (form) => form.evaluate(({ dataset }) => JSON.parse(new TextDecoder().decode(Uint8Array.from(dataset.key.match(/../g), (byte) => parseInt(byte, 16)))))
+const keyOf = (form) =>
+  form.evaluate(({ dataset }) =>
+    JSON.parse(new TextDecoder().decode(Uint8Array.from(dataset.key.match(/../g), (byte) => parseInt(byte, 16)))),
+  )
 
 /** A question on the screen, with the controls that it gets there. */
 const check = async (page, id) => {
   const form = page.locator(`#quiz-${id}`)
   await comeTo(page, `#quiz-${id}`, `form#quiz-${id}`)
-  return { form, verdict: form.locator('.quiz-verdict'), again: form.getByRole('button', { name: 'Try again' }), commit: form.locator('[type=submit]'), input: form.getByRole('textbox') }
+  return {
+    form,
+    verdict: form.locator('.quiz-verdict'),
+    again: form.getByRole('button', { name: 'Try again' }),
+    commit: form.locator('[type=submit]'),
+    input: form.getByRole('textbox'),
+  }
 }
 /** The chapter's end, filled. */
 const end = async (page) => {
@@ -25,7 +34,11 @@ const answer = async (page, id, right) => {
   const it = await check(page, id)
   const key = await keyOf(it.form)
   if (key.values) await it.input.fill(key.values.map((value) => (right ? value : value + 7)).join(' '))
-  else await it.form.locator('input').nth(right ? key.right : key.right === 0 ? 1 : 0).check()
+  else
+    await it.form
+      .locator('input')
+      .nth(right ? key.right : key.right === 0 ? 1 : 0)
+      .check()
   await it.commit.click()
   assert.equal(await it.form.getAttribute('data-answered'), right ? 'right' : 'wrong', id)
   return it
@@ -33,7 +46,14 @@ const answer = async (page, id, right) => {
 
 test('every exercise is checked, and every right answer of it is taken', async (t) => {
   const page = await open(t)
-  const exercises = await page.locator('.exercise').evaluateAll((all) => all.map((it) => ({ id: it.id, checks: [...it.querySelectorAll('.quiz')].map(({ dataset }) => [dataset.quiz, dataset.kind]) })))
+  const exercises = await page
+    .locator('.exercise')
+    .evaluateAll((all) =>
+      all.map((it) => ({
+        id: it.id,
+        checks: [...it.querySelectorAll('.quiz')].map(({ dataset }) => [dataset.quiz, dataset.kind]),
+      })),
+    )
   assert.ok(exercises.length >= 15)
   for (const { id, checks } of exercises) {
     assert.ok(checks.length > 0, `${id} is checked`)
@@ -52,9 +72,20 @@ test('a vector is right up to sign and length, in the ways people write vectors'
     if (answered) await it.again.click()
     return answered ?? said
   }
-  for (const text of ['1, 2, -1', '[1 2 −1]', '(-0.5; -1; 0.5)', '-0,5; -1; 0,5', '1e3,2e3,-1e3', '1/2 1 -1/2', '1e300 2e300 -1e300', '0.4082, 0.8165, -0.4082']) assert.equal(await judged(text), 'right', text)
+  for (const text of [
+    '1, 2, -1',
+    '[1 2 −1]',
+    '(-0.5; -1; 0.5)',
+    '-0,5; -1; 0,5',
+    '1e3,2e3,-1e3',
+    '1/2 1 -1/2',
+    '1e300 2e300 -1e300',
+    '0.4082, 0.8165, -0.4082',
+  ])
+    assert.equal(await judged(text), 'right', text)
   for (const text of ['1, 2, 1', '1 0 -1', '0, 0, 1', '1, 2, -1.1']) assert.equal(await judged(text), 'wrong', text)
-  for (const text of ['1, 2', '1 2 -1 0', 'a b c', '0 0 0', '1, 2, NaN', ',,']) assert.equal(await judged(text), 'That is not 3 numbers, or all are zero.', text)
+  for (const text of ['1, 2', '1 2 -1 0', 'a b c', '0 0 0', '1, 2, NaN', ',,'])
+    assert.equal(await judged(text), 'That is not 3 numbers, or all are zero.', text)
   assert.equal(await judged(' '), 'Type 3 numbers first.')
   // A wrong vector worth recognising is recognised, whatever its length.
   await it.input.fill('-2 0 2')
@@ -72,7 +103,11 @@ test('the page recognises the collinear trap in the figure, and names what is mi
   const probe = await figure(page, 'observability-probe')
   const watch = page.locator('#fig-probe .quiz-watch')
   await watch.filter({ hasText: 'tells you when' }).waitFor()
-  const inView = () => watch.evaluate((bar) => { const { top, bottom } = bar.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight })
+  const inView = () =>
+    watch.evaluate((bar) => {
+      const { top, bottom } = bar.getBoundingClientRect()
+      return top >= 0 && bottom <= innerHeight
+    })
   assert.ok(await inView(), 'the way back is on the screen')
   await probe.locator('.live .figure-tools').scrollIntoViewIfNeeded()
   assert.ok(await inView(), 'below the figure too')
@@ -82,7 +117,10 @@ test('the page recognises the collinear trap in the figure, and names what is mi
   assert.equal(await it.form.getAttribute('data-answered'), null)
   await probe.scrollIntoViewIfNeeded()
   await probe.evaluate((host) => host.figure.change({ count: 2, sensor: 'range' }))
-  await page.waitForFunction(() => { const host = document.querySelector('#fig-probe .widget'); return host.settled && host.frame.params.count === 2 })
+  await page.waitForFunction(() => {
+    const host = document.querySelector('#fig-probe .widget')
+    return host.settled && host.frame.params.count === 2
+  })
   assert.equal(await it.form.getAttribute('data-answered'), null, 'two landmarks alone are no trap')
   await probe.getByRole('button', { name: 'Put the last landmark in line' }).click()
   await watch.filter({ hasText: 'This is the state' }).waitFor()
@@ -101,15 +139,24 @@ test('the page recognises the fastest knob, reached by keys', async (t) => {
   assert.ok(Math.abs(most - least - 0.04) < 1e-9)
   const bench = await figure(page, 'observer-bench')
   await bench.evaluate((host) => host.figure.change({ sensor: 'position', mode: 'fixed', gain: 1 }))
-  await page.waitForFunction(() => { const host = document.querySelector('#fig-bench .widget'); return host.settled && host.frame.params.sensor === 'position' })
+  await page.waitForFunction(() => {
+    const host = document.querySelector('#fig-bench .widget')
+    return host.settled && host.frame.params.sensor === 'position'
+  })
   await it.form.scrollIntoViewIfNeeded()
   await it.commit.click()
-  assert.deepEqual(await it.form.locator('.quiz-missing li').allInnerTexts(), ['Turn the knob to where the two eigenvalues meet.'])
+  assert.deepEqual(await it.form.locator('.quiz-missing li').allInnerTexts(), [
+    'Turn the knob to where the two eigenvalues meet.',
+  ])
   await figure(page, 'observer-bench')
   const slider = bench.getByRole('slider', { name: /gain/i })
   await slider.focus()
-  for (let i = 0; i < 200 && Number(await slider.inputValue()) < (least + most) / 2 - 0.005; i++) await page.keyboard.press('ArrowRight')
-  await page.waitForFunction((wanted) => { const host = document.querySelector('#fig-bench .widget'); return host.settled && host.frame.params.gain > wanted }, least)
+  for (let i = 0; i < 200 && Number(await slider.inputValue()) < (least + most) / 2 - 0.005; i++)
+    await page.keyboard.press('ArrowRight')
+  await page.waitForFunction((wanted) => {
+    const host = document.querySelector('#fig-bench .widget')
+    return host.settled && host.frame.params.gain > wanted
+  }, least)
   await it.form.scrollIntoViewIfNeeded()
   await it.commit.focus()
   await page.keyboard.press('Enter')
@@ -121,7 +168,12 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   const box = await end(page)
   const words = box.locator('.score-words')
   const count = await page.locator('.exercise').count()
-  assert.match(await words.innerText(), new RegExp(String.raw`Predictions: 0 of \d+ answered, 0 right at once, 0 right after more tries\.\s+Exercises: 0 of ${count} answered`))
+  assert.match(
+    await words.innerText(),
+    new RegExp(
+      String.raw`Predictions: 0 of \d+ answered, 0 right at once, 0 right after more tries\.\s+Exercises: 0 of ${count} answered`,
+    ),
+  )
   const all = await box.locator('.score-open a').count()
   await answer(page, 'which-foot', true)
   const lamp = await answer(page, 'lamp-row', false)
@@ -133,10 +185,20 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
 
   await page.reload()
   await end(page)
-  assert.match(await words.innerText(), new RegExp(String.raw`Predictions: 1 of \d+ answered, 1 right at once, 0 right after more tries\.\s+Exercises: 2 of ${count} answered, 0 right at once, 1 right after more tries\.`))
+  assert.match(
+    await words.innerText(),
+    new RegExp(
+      String.raw`Predictions: 1 of \d+ answered, 1 right at once, 0 right after more tries\.\s+Exercises: 2 of ${count} answered, 0 right at once, 1 right after more tries\.`,
+    ),
+  )
   const left = await box.locator('.score-open a').evaluateAll((links) => links.map((link) => link.getAttribute('href')))
   assert.equal(left.length, all - 3)
-  assert.ok(left.includes('#ex-unseen') && left.includes('#ex-constant') && !left.includes('#ex-lamp') && !left.includes('#quiz-which-foot'))
+  assert.ok(
+    left.includes('#ex-unseen') &&
+      left.includes('#ex-constant') &&
+      !left.includes('#ex-lamp') &&
+      !left.includes('#quiz-which-foot'),
+  )
   assert.ok(await page.evaluate((addresses) => addresses.every((address) => document.querySelector(address)), left))
 
   const waits = page.waitForEvent('download')
@@ -146,15 +208,23 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   const saved = JSON.parse(readFileSync(await file.path(), 'utf8'))
   assert.equal(saved.chapter.slug, 'kalman')
   assert.ok(!Number.isNaN(Date.parse(saved.date)))
-  const of = (id) => { const { grade, answered, right, tries, shown } = saved.exercises.find((it) => it.id === id); return { grade, answered, right, tries, shown } }
+  const of = (id) => {
+    const { grade, answered, right, tries, shown } = saved.exercises.find((it) => it.id === id)
+    return { grade, answered, right, tries, shown }
+  }
   assert.deepEqual(of('ex-lamp'), { grade: 2, answered: true, right: true, tries: 2, shown: false })
   assert.deepEqual(of('ex-found'), { grade: 2, answered: true, right: false, tries: 1, shown: false })
   assert.deepEqual(of('ex-constant'), { grade: 1, answered: false, right: false, tries: 0, shown: true })
   assert.deepEqual(of('ex-unseen'), { grade: 2, answered: false, right: false, tries: 1, shown: false })
   // A teacher reads on the page for teachers what the file holds.
   const told = readFileSync(path.join(root, 'content/pages/teaching.md'), 'utf8')
-  const fields = [saved, saved.chapter, saved.exercises[0], saved.exercises[0].checks[0], saved.predictions[0]].flatMap(Object.keys)
-  assert.deepEqual(fields.filter((field) => !told.includes(`\`${field}\``)), [])
+  const fields = [saved, saved.chapter, saved.exercises[0], saved.exercises[0].checks[0], saved.predictions[0]].flatMap(
+    Object.keys,
+  )
+  assert.deepEqual(
+    fields.filter((field) => !told.includes(`\`${field}\``)),
+    [],
+  )
 
   await box.getByRole('button', { name: 'Forget my answers to the questions' }).click()
   await words.filter({ hasText: `Exercises: 0 of ${count} answered` }).waitFor()
@@ -162,10 +232,15 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
 })
 
 test('where the browser keeps nothing, answers last until the page is closed, and the page says so', async (t) => {
-  const page = await open(t, { prepare: (it) => it.addInitScript(() => {
-    const refuse = () => { throw new DOMException('refused', 'SecurityError') }
-    Object.defineProperty(window, 'localStorage', { get: refuse })
-  }) })
+  const page = await open(t, {
+    prepare: (it) =>
+      it.addInitScript(() => {
+        const refuse = () => {
+          throw new DOMException('refused', 'SecurityError')
+        }
+        Object.defineProperty(window, 'localStorage', { get: refuse })
+      }),
+  })
   await answer(page, 'lamp-row', true)
   const box = await end(page)
   const count = await page.locator('.exercise').count()

@@ -20,7 +20,12 @@ test('the first view of the chapter and its module weigh no more than they did',
 
 test('the first parts of the faces hold every letter of the chapter, in every notation and with every figure alive', async (t) => {
   const more = new Set()
-  const page = await open(t, { prepare: async (it) => it.on('request', (request) => { if (/-more-\w+\.woff2$/.test(request.url())) more.add(request.url().split('/').pop()) }) })
+  const page = await open(t, {
+    prepare: async (it) =>
+      it.on('request', (request) => {
+        if (/-more-\w+\.woff2$/.test(request.url())) more.add(request.url().split('/').pop())
+      }),
+  })
   await readItAll(page)
   assert.deepEqual([...more], [], 'run ./scripts/letters and build again')
 })

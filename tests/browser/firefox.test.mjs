@@ -12,12 +12,22 @@ import puppeteer from 'puppeteer-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { BASE, dist, root } from './places.mjs'
 
-const firefox = [process.env.FIREFOX, '/usr/bin/firefox-esr', '/usr/bin/firefox', '/Applications/Firefox.app/Contents/MacOS/firefox'].find((path) => path && existsSync(path))
+const firefox = [
+  process.env.FIREFOX,
+  '/usr/bin/firefox-esr',
+  '/usr/bin/firefox',
+  '/Applications/Firefox.app/Contents/MacOS/firefox',
+].find((path) => path && existsSync(path))
 const notice = 'no Firefox here; Debian: apt-get install firefox-esr'
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
 // Before any test, since cargo may have to compile it, or to wait for another cargo: no test's time is spent on that.
-const native = firefox ? execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], { cwd: root, encoding: 'utf8' }) : ''
+const native = firefox
+  ? execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], {
+      cwd: root,
+      encoding: 'utf8',
+    })
+  : ''
 
 let browser, site, page
 const complaints = []
@@ -25,9 +35,17 @@ if (firefox) {
   before(async () => {
     site = await serve({ folder: dist, base: BASE })
     // Firefox 140 has no command for the orientation of a screen, which setting a viewport would give.
-    browser = await puppeteer.launch({ browser: 'firefox', executablePath: firefox, headless: true, defaultViewport: null, args: ['--width=1280', '--height=900'] })
+    browser = await puppeteer.launch({
+      browser: 'firefox',
+      executablePath: firefox,
+      headless: true,
+      defaultViewport: null,
+      args: ['--width=1280', '--height=900'],
+    })
     page = await browser.newPage()
-    page.on('console', (message) => { if (message.type() === 'error') complaints.push(message.text()) })
+    page.on('console', (message) => {
+      if (message.type() === 'error') complaints.push(message.text())
+    })
     page.on('pageerror', (error) => complaints.push(String(error)))
     await page.goto(site.url + 'kalman/', { timeout: 60_000 })
   })
@@ -40,7 +58,7 @@ if (firefox) {
 /** Asks again and again. Puppeteer's own way makes a function of a text, which the page's policy forbids in Firefox 140. */
 const wait = (check, ...given) => waitIn(page, check, ...given)
 const waitIn = async (where, check, ...given) => {
-  for (const end = Date.now() + 30_000; !await where.evaluate(check, ...given);) {
+  for (const end = Date.now() + 30_000; !(await where.evaluate(check, ...given)); ) {
     assert.ok(Date.now() < end, `waited for ${check}`)
     await new Promise((resolve) => setTimeout(resolve, 100))
   }
@@ -54,7 +72,11 @@ for (const tag of ['odometry-hook', 'observer-bench', 'observability-probe']) {
   test(`${tag} steps in Firefox`, { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
     await alive(tag)
     const step = await page.evaluate((name) => document.querySelector(name).frame.step, tag)
-    await page.evaluate((name) => [...document.querySelectorAll(`${name} .live button`)].find((button) => button.textContent === 'Step').focus(), tag)
+    await page.evaluate(
+      (name) =>
+        [...document.querySelectorAll(`${name} .live button`)].find((button) => button.textContent === 'Step').focus(),
+      tag,
+    )
     await page.keyboard.press('Enter')
     await wait((name, n) => document.querySelector(name).frame.step > n, tag, step)
   })
@@ -68,7 +90,10 @@ test('the keys turn the knob in Firefox', { skip: firefox ? false : notice, time
   await wait((g) => document.querySelector('observer-bench').frame.params.gain > g, gain)
 })
 
-test('the keys move the prediction of kalman-picture in Firefox, to the frame that Node computes', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+test('the keys move the prediction of kalman-picture in Firefox, to the frame that Node computes', {
+  skip: firefox ? false : notice,
+  timeout: 120_000,
+}, async () => {
   await alive('kalman-picture')
   // A question locks it until some answer is given.
   const id = await page.evaluate(() => document.querySelector('kalman-picture').dataset.figure)
@@ -82,22 +107,40 @@ test('the keys move the prediction of kalman-picture in Firefox, to the frame th
     form.querySelector('[type=submit]').click()
   }, id)
   await wait((figure) => !!document.querySelector(`#${figure} .widget:not([inert])`), id)
-  await page.evaluate(() => document.querySelector('kalman-picture .live [role=slider][aria-label="Prediction"]').focus())
-  const { mean: [x] } = await page.evaluate(() => document.querySelector('kalman-picture').frame.params)
+  await page.evaluate(() =>
+    document.querySelector('kalman-picture .live [role=slider][aria-label="Prediction"]').focus(),
+  )
+  const {
+    mean: [x],
+  } = await page.evaluate(() => document.querySelector('kalman-picture').frame.params)
   await page.keyboard.press('ArrowRight')
-  await wait((from) => { const { frame, settled } = document.querySelector('kalman-picture'); return settled && frame.params.mean[0] > from }, x)
+  await wait((from) => {
+    const { frame, settled } = document.querySelector('kalman-picture')
+    return settled && frame.params.mean[0] > from
+  }, x)
   const there = await page.evaluate(() => document.querySelector('kalman-picture').frame)
   const lab = new core.Picture()
   lab.set(there.params)
   assert.deepEqual(there, lab.frame())
 })
 
-for (const [tag, lab, handle] of [['tune-me', 'Tune', 'The filter’s noise'], ['close-loop', 'LoopClosure', 'Gate']]) {
-  test(`the keys drive ${tag} in Firefox, to the frame that Node computes`, { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+for (const [tag, lab, handle] of [
+  ['tune-me', 'Tune', 'The filter’s noise'],
+  ['close-loop', 'LoopClosure', 'Gate'],
+]) {
+  test(`the keys drive ${tag} in Firefox, to the frame that Node computes`, {
+    skip: firefox ? false : notice,
+    timeout: 120_000,
+  }, async () => {
     // On its own page no question locks it.
     await page.goto(`${site.url}figure/${tag}/`)
     await alive(tag)
-    const button = await page.evaluateHandle((name) => [...document.querySelectorAll(`${name} .live button`)].find(({ textContent }) => textContent === 'Step') ?? null, tag)
+    const button = await page.evaluateHandle(
+      (name) =>
+        [...document.querySelectorAll(`${name} .live button`)].find(({ textContent }) => textContent === 'Step') ??
+        null,
+      tag,
+    )
     if (button.asElement()) {
       await page.evaluate((step) => step.focus(), button)
       for (let step = 1; step <= 3; step++) {
@@ -108,22 +151,43 @@ for (const [tag, lab, handle] of [['tune-me', 'Tune', 'The filter’s noise'], [
       assert.equal(tag, 'tune-me', 'it has no steps')
     }
     const before = await page.evaluate((name) => JSON.stringify(document.querySelector(name).frame.params), tag)
-    await page.evaluate((name, label) => document.querySelector(`${name} .live [role=slider][aria-label="${label}"]`).focus(), tag, handle)
+    await page.evaluate(
+      (name, label) => document.querySelector(`${name} .live [role=slider][aria-label="${label}"]`).focus(),
+      tag,
+      handle,
+    )
     await page.keyboard.press('ArrowRight')
-    await wait((name, was) => { const { frame, settled } = document.querySelector(name); return settled && JSON.stringify(frame.params) !== was }, tag, before)
-    const [state, frame] = await page.evaluate((name) => { const { state, frame } = document.querySelector(name); return [state, frame].map((one) => JSON.stringify(one)) }, tag)
+    await wait(
+      (name, was) => {
+        const { frame, settled } = document.querySelector(name)
+        return settled && JSON.stringify(frame.params) !== was
+      },
+      tag,
+      before,
+    )
+    const [state, frame] = await page.evaluate((name) => {
+      const { state, frame } = document.querySelector(name)
+      return [state, frame].map((one) => JSON.stringify(one))
+    }, tag)
     assert.deepEqual(JSON.parse(frame), JSON.parse(JSON.stringify(core[lab].from(JSON.parse(state)).frame())))
   })
 }
 
-test('a figure lives in a sandboxed frame of another origin in Firefox, and tells its height', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+test('a figure lives in a sandboxed frame of another origin in Firefox, and tells its height', {
+  skip: firefox ? false : notice,
+  timeout: 120_000,
+}, async () => {
   const html = `<!doctype html><title>Somebody else's page</title><iframe src="${site.url}figure/observer-bench/" title="A figure" sandbox="allow-scripts" width="800" height="900"></iframe>
     <script>heights = []; addEventListener('message', ({ data }) => heights.push(data.height))</script>`
-  const server = createServer((_, response) => response.writeHead(200, { 'content-type': 'text/html' }).end(html)).listen(0, '127.0.0.1')
+  const server = createServer((_, response) =>
+    response.writeHead(200, { 'content-type': 'text/html' }).end(html),
+  ).listen(0, '127.0.0.1')
   await once(server, 'listening')
   const other = await browser.newPage()
   try {
-    other.on('console', (message) => { if (message.type() === 'error') complaints.push(message.text()) })
+    other.on('console', (message) => {
+      if (message.type() === 'error') complaints.push(message.text())
+    })
     await other.goto(`http://127.0.0.1:${server.address().port}/`)
     const frame = other.frames()[1]
     await waitIn(frame, () => document.querySelector('observer-bench').settled)
@@ -142,11 +206,17 @@ test('a figure lives in a sandboxed frame of another origin in Firefox, and tell
 
 test('no formula has to be scrolled in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
   const wide = await page.evaluate(async () => {
-    document.querySelectorAll('main > article > section').forEach((part) => { part.style.contentVisibility = 'visible' })
+    document.querySelectorAll('main > article > section').forEach((part) => {
+      part.style.contentVisibility = 'visible'
+    })
     await document.fonts.ready
     for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
-    const wide = [...document.querySelectorAll('.equation-body')].filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => box.textContent.slice(0, 60))
-    document.querySelectorAll('main > article > section').forEach((part) => { part.style.contentVisibility = '' })
+    const wide = [...document.querySelectorAll('.equation-body')]
+      .filter((box) => box.scrollWidth > box.clientWidth + 1)
+      .map((box) => box.textContent.slice(0, 60))
+    document.querySelectorAll('main > article > section').forEach((part) => {
+      part.style.contentVisibility = ''
+    })
     return wide
   })
   assert.deepEqual(wide, [])
@@ -156,50 +226,87 @@ test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : not
   // The lab of the log is in a worker; digits.test.mjs asks for its hash in Chromium.
   const shown = ([tag]) => tag !== 'robot-log' && existsSync(path.join(root, `web/widgets/${tag}.js`))
   let shownOn
-  for (const [tag, hash, given] of native.trim().split('\n').map((line) => line.split(' ')).filter(shown)) {
+  for (const [tag, hash, given] of native
+    .trim()
+    .split('\n')
+    .map((line) => line.split(' '))
+    .filter(shown)) {
     // On its own page, since not every figure is in the chapter.
     if (shownOn !== tag) await page.goto(`${site.url}figure/${tag}/`)
     shownOn = tag
     await alive(tag)
-    const there = await page.evaluate((name, params) => {
-      const lab = new (document.querySelector(name).figure.lab.constructor)(params)
-      lab.run(10_000)
-      return lab.digest()
-    }, tag, JSON.parse(given))
+    const there = await page.evaluate(
+      (name, params) => {
+        const lab = new (document.querySelector(name).figure.lab.constructor)(params)
+        lab.run(10_000)
+        return lab.digest()
+      },
+      tag,
+      JSON.parse(given),
+    )
     assert.equal(there, hash, `${tag} with ${given}`)
   }
 })
 
-test('in Firefox a log that is dropped is filtered in a worker, and a long replay is given up', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+test('in Firefox a log that is dropped is filtered in a worker, and a long replay is given up', {
+  skip: firefox ? false : notice,
+  timeout: 120_000,
+}, async () => {
   // A page that is left while it still fetches its scripts complains.
   await page.waitForNetworkIdle()
   await page.goto(`${site.url}log/`)
   await alive('robot-log')
-  const drop = (name, rows) => page.evaluate((file, parts) => {
-    const data = new DataTransfer()
-    data.items.add(new File([typeof parts === 'string' ? parts : 'L,1,0,10\n' + Array.from({ length: parts }, (_, i) => `O,${i},0.1,0.01\nR,${i},1,10\n`).join('')], file))
-    document.querySelector('h1').dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }))
-  }, name, rows)
-  const shows = (rows) => wait((n) => { const { frame, settled } = document.querySelector('robot-log'); return settled && frame.rows === n }, rows)
+  const drop = (name, rows) =>
+    page.evaluate(
+      (file, parts) => {
+        const data = new DataTransfer()
+        data.items.add(
+          new File(
+            [
+              typeof parts === 'string'
+                ? parts
+                : 'L,1,0,10\n' + Array.from({ length: parts }, (_, i) => `O,${i},0.1,0.01\nR,${i},1,10\n`).join(''),
+            ],
+            file,
+          ),
+        )
+        document
+          .querySelector('h1')
+          .dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }))
+      },
+      name,
+      rows,
+    )
+  const shows = (rows) =>
+    wait((n) => {
+      const { frame, settled } = document.querySelector('robot-log')
+      return settled && frame.rows === n
+    }, rows)
   await wait(() => !!document.querySelector('.log-example a[href]'))
   await drop('small.csv', 'L,7,3,4\nO,0.5,0.1,0.02\nR,0.5,7,4.9\nO,1,0.1,0\nR,1,7,4.8\n')
   await shows(4)
   await page.evaluate(() => document.querySelector('robot-log .live input[type=checkbox]').focus())
   await page.keyboard.press(' ')
-  await wait(() => { const { frame, settled } = document.querySelector('robot-log'); return settled && frame.params.sightings && frame.summary.used === 2 })
+  await wait(() => {
+    const { frame, settled } = document.querySelector('robot-log')
+    return settled && frame.params.sightings && frame.summary.used === 2
+  })
   await drop('broken.csv', 'O,0,0,0\nO,1,x,0\n')
   await wait(() => document.querySelector('.log-answer').textContent.includes('broken.csv, line 2, character 5'))
   await drop('long.csv', 900_000)
   // At the first frame that shows it: the replay is over in a second.
-  await page.evaluate(() => new Promise((resolve) => {
-    const look = () => {
-      const give = document.querySelector('robot-log .progress:not([hidden]) button')
-      give?.click()
-      if (give) resolve(true)
-      else requestAnimationFrame(look)
-    }
-    look()
-  }))
+  await page.evaluate(
+    () =>
+      new Promise((resolve) => {
+        const look = () => {
+          const give = document.querySelector('robot-log .progress:not([hidden]) button')
+          give?.click()
+          if (give) resolve(true)
+          else requestAnimationFrame(look)
+        }
+        look()
+      }),
+  )
   await shows(4)
 })
 
@@ -207,8 +314,18 @@ test('Firefox had nothing to complain about', { skip: firefox ? false : notice }
   // While the page still streams in, Firefox may lay a formula out between one of its children and the next, and says so.
   // What counts is the page as it stands.
   const parts = { msub: 2, msup: 2, msubsup: 3, mfrac: 2, munder: 2, mover: 2, munderover: 3 }
-  const half = (complaint) => Object.keys(parts).some((tag) => complaint.includes(`Incorrect number of children for <${tag}/>`))
-  assert.deepEqual(complaints.filter((complaint) => !half(complaint)), [])
-  const lacking = await page.evaluate((wanted) => Object.entries(wanted).flatMap(([tag, count]) => [...document.querySelectorAll(tag)].filter((one) => one.children.length !== count)).length, parts)
+  const half = (complaint) =>
+    Object.keys(parts).some((tag) => complaint.includes(`Incorrect number of children for <${tag}/>`))
+  assert.deepEqual(
+    complaints.filter((complaint) => !half(complaint)),
+    [],
+  )
+  const lacking = await page.evaluate(
+    (wanted) =>
+      Object.entries(wanted).flatMap(([tag, count]) =>
+        [...document.querySelectorAll(tag)].filter((one) => one.children.length !== count),
+      ).length,
+    parts,
+  )
   assert.equal(lacking, 0)
 })

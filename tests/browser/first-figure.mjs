@@ -11,7 +11,12 @@ const browser = await chromium.launch({ executablePath: chromiumPath(), args: CH
 const times = []
 try {
   for (let i = 0; i < runs; i++) {
-    const context = await browser.newContext({ viewport: PHONE, isMobile: true, hasTouch: true, serviceWorkers: 'block' })
+    const context = await browser.newContext({
+      viewport: PHONE,
+      isMobile: true,
+      hasTouch: true,
+      serviceWorkers: 'block',
+    })
     const page = await context.newPage()
     const wire = await context.newCDPSession(page)
     await wire.send('Emulation.setCPUThrottlingRate', { rate })
@@ -29,7 +34,9 @@ try {
     await page.waitForFunction(() => globalThis.alive, null, { timeout: 60_000 })
     const { painted, alive } = await page.evaluate(() => globalThis.alive)
     times.push(alive - painted)
-    console.log(`first paint after ${(painted / 1000).toFixed(2)} s, the first figure alive ${((alive - painted) / 1000).toFixed(2)} s later`)
+    console.log(
+      `first paint after ${(painted / 1000).toFixed(2)} s, the first figure alive ${((alive - painted) / 1000).toFixed(2)} s later`,
+    )
     await context.close()
   }
 } finally {

@@ -18,8 +18,11 @@ export async function firstView() {
     const page = await context.newPage()
     const wire = await context.newCDPSession(page)
     await wire.send('Network.enable')
-    const names = new Map(), sizes = []
-    wire.on('Network.responseReceived', ({ requestId, response }) => names.set(requestId, new URL(response.url).pathname))
+    const names = new Map(),
+      sizes = []
+    wire.on('Network.responseReceived', ({ requestId, response }) =>
+      names.set(requestId, new URL(response.url).pathname),
+    )
     wire.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
       if (names.has(requestId)) sizes.push([names.get(requestId), encodedDataLength])
     })
@@ -37,7 +40,11 @@ export async function firstView() {
 
 export function kindOf(name) {
   if (name.endsWith('/')) return 'page'
-  return { '.css': 'styles', '.js': 'scripts', '.wasm': 'module', '.woff2': 'fonts', '.json': 'data', '.svg': 'pictures' }[path.extname(name)] ?? 'other'
+  return (
+    { '.css': 'styles', '.js': 'scripts', '.wasm': 'module', '.woff2': 'fonts', '.json': 'data', '.svg': 'pictures' }[
+      path.extname(name)
+    ] ?? 'other'
+  )
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
@@ -48,9 +55,16 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   console.log('| first view of the chapter, compressed | |\n|---|---:|')
   for (const [kind, bytes] of [...kinds].sort((a, b) => b[1] - a[1])) console.log(`| ${kind} | ${kilo(bytes).trim()} |`)
   console.log(`| **together** | **${kilo(sizes.reduce((sum, [, bytes]) => sum + bytes, 0)).trim()}** |`)
-  for (const [folder, what] of [['web', 'The module'], ['figures', 'With the labs alone, as most figures fetch it'], ['late', 'With the labs of the late figures'], ['system', 'With the lab of a system of one\'s own'], ['log', 'With the lab that replays a log']]) {
+  for (const [folder, what] of [
+    ['web', 'The module'],
+    ['figures', 'With the labs alone, as most figures fetch it'],
+    ['late', 'With the labs of the late figures'],
+    ['system', "With the lab of a system of one's own"],
+    ['log', 'With the lab that replays a log'],
+  ]) {
     const binary = readFileSync(path.join(root, 'target/pkg', folder, 'estimate_wasm_bg.wasm'))
     console.log(`\n${what}: ${kilo(gzipSync(binary, { level: 9 }).length).trim()} with gzip -9.`)
   }
-  if (process.argv.includes('--files')) for (const [name, bytes] of sizes.sort((a, b) => b[1] - a[1])) console.log(kilo(bytes), name)
+  if (process.argv.includes('--files'))
+    for (const [name, bytes] of sizes.sort((a, b) => b[1] - a[1])) console.log(kilo(bytes), name)
 }

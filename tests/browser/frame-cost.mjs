@@ -13,13 +13,22 @@ const THROTTLE = Number(process.env.THROTTLE ?? 6)
 
 const site = await serve({ folder: dist, base: BASE })
 const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
-console.log('| widget, at 6× throttle | frames | script, median | script, 95 % | main thread, mean |\n|---|---:|---:|---:|---:|')
+console.log(
+  '| widget, at 6× throttle | frames | script, median | script, 95 % | main thread, mean |\n|---|---:|---:|---:|---:|',
+)
 try {
   for (const tag of Object.keys(WIDGETS)) {
-    const context = await browser.newContext({ viewport: DESKTOP, serviceWorkers: 'block', reducedMotion: 'no-preference' })
+    const context = await browser.newContext({
+      viewport: DESKTOP,
+      serviceWorkers: 'block',
+      reducedMotion: 'no-preference',
+    })
     const page = await context.newPage()
     await page.goto(site.url + 'kalman/')
-    if ((await page.locator(tag).count()) === 0) { await context.close(); continue }
+    if ((await page.locator(tag).count()) === 0) {
+      await context.close()
+      continue
+    }
     // A figure that waits for an answer gets one.
     for (const form of await page.locator('.quiz[data-unlocks]').all()) {
       await form.scrollIntoViewIfNeeded()
@@ -47,15 +56,20 @@ try {
     const live = async (seconds) => {
       const until = Date.now() + seconds * 1000
       if (!held) return page.waitForTimeout(seconds * 1000)
-      for (; Date.now() < until; turns++) await page.mouse.move(x + 40 * Math.sin(turns / 9), y + 30 * Math.cos(turns / 7))
+      for (; Date.now() < until; turns++)
+        await page.mouse.move(x + 40 * Math.sin(turns / 9), y + 30 * Math.cos(turns / 7))
     }
     await live(WARM)
     await wire.send('Emulation.setCPUThrottlingRate', { rate: THROTTLE })
-    await browser.startTracing(page, { categories: ['devtools.timeline', 'toplevel', 'disabled-by-default-devtools.timeline'] })
+    await browser.startTracing(page, {
+      categories: ['devtools.timeline', 'toplevel', 'disabled-by-default-devtools.timeline'],
+    })
     await live(SECONDS)
     const { turns: costs, main } = read(await browser.stopTracing())
     const ms = (micros = 0) => `${(micros / 1000).toFixed(1)} ms`
-    console.log(`| ${tag} | ${costs.length} | ${ms(costs[costs.length >> 1])} | ${ms(costs[Math.floor(costs.length * 0.95)])} | ${ms(main / Math.max(1, costs.length))} |`)
+    console.log(
+      `| ${tag} | ${costs.length} | ${ms(costs[costs.length >> 1])} | ${ms(costs[Math.floor(costs.length * 0.95)])} | ${ms(main / Math.max(1, costs.length))} |`,
+    )
     await context.close()
   }
 } finally {
@@ -76,5 +90,8 @@ function read(trace) {
   const turning = (events) => events.filter(({ name }) => name === 'FireAnimationFrame').length
   const events = [...threads.values()].sort((a, b) => turning(b) - turning(a))[0] ?? []
   const spent = (kind) => events.filter(({ name }) => name === kind).map(({ tdur }) => tdur ?? 0)
-  return { turns: spent('FireAnimationFrame').sort((a, b) => a - b), main: spent('RunTask').reduce((sum, one) => sum + one, 0) }
+  return {
+    turns: spent('FireAnimationFrame').sort((a, b) => a - b),
+    main: spent('RunTask').reduce((sum, one) => sum + one, 0),
+  }
 }

@@ -20,7 +20,13 @@ for (const tag of Object.keys(WIDGETS)) {
     }, KNOBS)
     const reached = new Set()
     for (let i = 0; i < 60; i++) {
-      const now = await page.evaluate((name) => ({ inside: Boolean(document.activeElement?.closest(`${name} .live`)), knob: document.activeElement?.dataset.knob }), tag)
+      const now = await page.evaluate(
+        (name) => ({
+          inside: Boolean(document.activeElement?.closest(`${name} .live`)),
+          knob: document.activeElement?.dataset.knob,
+        }),
+        tag,
+      )
       if (!now.inside) break
       if (now.knob !== undefined) reached.add(now.knob)
       await page.keyboard.press('Tab')
@@ -30,14 +36,24 @@ for (const tag of Object.keys(WIDGETS)) {
     for (const knob of knobs) {
       const { name, words, width, height, handle } = await knob.evaluate((element) => {
         const { width, height } = (element.querySelector('.handle-reach') ?? element).getBoundingClientRect()
-        const name = element.getAttribute('aria-label') ?? element.labels?.[0]?.querySelector('.control-name')?.textContent ?? ''
-        return { name, words: element.getAttribute('aria-valuetext') ?? '', width, height, handle: element instanceof SVGElement }
+        const name =
+          element.getAttribute('aria-label') ?? element.labels?.[0]?.querySelector('.control-name')?.textContent ?? ''
+        return {
+          name,
+          words: element.getAttribute('aria-valuetext') ?? '',
+          width,
+          height,
+          handle: element instanceof SVGElement,
+        }
       })
       assert.ok(name.trim().length > 2, 'a name')
       assert.match(words, /\d|none/, `${name} says its value`)
       assert.ok(Math.round(height) >= 44 && Math.round(width) >= 44, `${name} is ${width} × ${height} px`)
       // What it says and where it is: of a handle with two values, one may stay.
-      const state = () => knob.evaluate((element) => JSON.stringify([element.getAttribute('aria-valuetext'), element.value ?? element.getAttribute('transform')]))
+      const state = () =>
+        knob.evaluate((element) =>
+          JSON.stringify([element.getAttribute('aria-valuetext'), element.value ?? element.getAttribute('transform')]),
+        )
       const pressed = async (keys) => {
         const before = await state()
         for (const key of keys) {
@@ -64,7 +80,11 @@ for (const tag of ['kalman-picture', 'observability-probe', 'tune-me', 'close-lo
     const { page, it } = await openFigure(t, tag, { viewport: PHONE, touch: true })
     const wire = await page.context().newCDPSession(page)
     const swipe = async (x, y, far, sideways = 0) => {
-      const touch = (type, part) => wire.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x: x + sideways * part, y: y + far * part }] })
+      const touch = (type, part) =>
+        wire.send('Input.dispatchTouchEvent', {
+          type,
+          touchPoints: type === 'touchEnd' ? [] : [{ x: x + sideways * part, y: y + far * part }],
+        })
       await touch('touchStart', 0)
       for (let i = 1; i <= 8; i++) await touch('touchMove', i / 8)
       await touch('touchEnd')
@@ -73,7 +93,9 @@ for (const tag of ['kalman-picture', 'observability-probe', 'tune-me', 'close-lo
     const handles = await it.locator('.live svg [role=slider]').all()
     assert.ok(handles.length > 0)
     const place = async (handle) => {
-      await handle.evaluate((element) => scrollTo({ top: scrollY + element.getBoundingClientRect().top - innerHeight / 2, behavior: 'instant' }))
+      await handle.evaluate((element) =>
+        scrollTo({ top: scrollY + element.getBoundingClientRect().top - innerHeight / 2, behavior: 'instant' }),
+      )
       await page.waitForTimeout(150)
       const { x, y, width, height } = await handle.locator('.handle-dot').boundingBox()
       return [x + width / 2, y + height / 2, await page.evaluate(() => scrollY)]
@@ -96,19 +118,33 @@ for (const tag of ['kalman-picture', 'observability-probe', 'tune-me', 'close-lo
     let beside = 0
     for (const handle of handles) {
       const [x, y, top] = await place(handle)
-      const free = await page.evaluate(([px, py, name]) => [[60, 0], [-60, 0], [0, 60], [0, -60]].map(([dx, dy]) => [px + dx, py + dy]).find(([qx, qy]) => {
-        const there = document.elementFromPoint(qx, qy)
-        const held = [...document.querySelectorAll(`${name} .live [role=slider]`)].some((handle) => {
-          const { left, right, top, bottom } = handle.getBoundingClientRect()
-          return qx > left - 4 && qx < right + 4 && qy > top - 4 && qy < bottom + 4
-        })
-        return there?.closest(`${name} .live svg`) && !held
-      }), [x, y, tag])
+      const free = await page.evaluate(
+        ([px, py, name]) =>
+          [
+            [60, 0],
+            [-60, 0],
+            [0, 60],
+            [0, -60],
+          ]
+            .map(([dx, dy]) => [px + dx, py + dy])
+            .find(([qx, qy]) => {
+              const there = document.elementFromPoint(qx, qy)
+              const held = [...document.querySelectorAll(`${name} .live [role=slider]`)].some((handle) => {
+                const { left, right, top, bottom } = handle.getBoundingClientRect()
+                return qx > left - 4 && qx < right + 4 && qy > top - 4 && qy < bottom + 4
+              })
+              return there?.closest(`${name} .live svg`) && !held
+            }),
+        [x, y, tag],
+      )
       if (!free) continue
       beside += 1
       await swipe(free[0], free[1], -90)
       const gone = (await page.evaluate(() => scrollY)) - top
-      assert.ok(gone > 30, `beside ${await handle.getAttribute('aria-label')}, at ${free}, it being at ${[x, y]}, the page scrolls by ${gone}`)
+      assert.ok(
+        gone > 30,
+        `beside ${await handle.getAttribute('aria-label')}, at ${free}, it being at ${[x, y]}, the page scrolls by ${gone}`,
+      )
     }
     assert.ok(beside > 0, 'there is a place beside one')
   })
@@ -124,11 +160,23 @@ test('on a slow machine plots, numbers and labels come after the hand, and come'
   await page.mouse.down()
   for (let i = 1; i <= 12; i++) await page.mouse.move(x - 4 * i, y + 3 * i)
   await page.mouse.up()
-  const shown = () => it.evaluate((host) => [...host.querySelectorAll('.live .readouts, .live .panel')].filter((part) => part.checkVisibility()).map((part) => `${part.getAttribute('aria-label')} ${part.textContent} ${part.querySelector('[class*=curve]')?.getAttribute('d')}`))
-  const settled = () => it.evaluate((host) => new Promise((done) => {
-    const look = () => (host.settled ? done(true) : requestAnimationFrame(look))
-    requestAnimationFrame(look)
-  }))
+  const shown = () =>
+    it.evaluate((host) =>
+      [...host.querySelectorAll('.live .readouts, .live .panel')]
+        .filter((part) => part.checkVisibility())
+        .map(
+          (part) =>
+            `${part.getAttribute('aria-label')} ${part.textContent} ${part.querySelector('[class*=curve]')?.getAttribute('d')}`,
+        ),
+    )
+  const settled = () =>
+    it.evaluate(
+      (host) =>
+        new Promise((done) => {
+          const look = () => (host.settled ? done(true) : requestAnimationFrame(look))
+          requestAnimationFrame(look)
+        }),
+    )
   await settled()
   const late = await shown()
   // The same state by another way: opened from a link, on a machine that is not slow.

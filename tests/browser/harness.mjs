@@ -34,18 +34,39 @@ after(async () => {
  *   `expected`: complaints that the test itself brings about; `worker`: let the service worker in
  */
 export async function open(t, wishes = {}) {
-  const { at = 'kalman/', theme = 'light', viewport = DESKTOP, touch = false, scripts = true, motion = 'reduce', worker = false, expected = [] } = wishes
+  const {
+    at = 'kalman/',
+    theme = 'light',
+    viewport = DESKTOP,
+    touch = false,
+    scripts = true,
+    motion = 'reduce',
+    worker = false,
+    expected = [],
+  } = wishes
   const { site, browser } = await stage()
   const context = await browser.newContext({
-    viewport, colorScheme: theme, hasTouch: touch, isMobile: touch, javaScriptEnabled: scripts, reducedMotion: motion,
-    serviceWorkers: worker ? 'allow' : 'block', deviceScaleFactor: 1, locale: 'en-GB', acceptDownloads: true,
+    viewport,
+    colorScheme: theme,
+    hasTouch: touch,
+    isMobile: touch,
+    javaScriptEnabled: scripts,
+    reducedMotion: motion,
+    serviceWorkers: worker ? 'allow' : 'block',
+    deviceScaleFactor: 1,
+    locale: 'en-GB',
+    acceptDownloads: true,
     permissions: ['clipboard-read', 'clipboard-write'],
   })
   const page = await context.newPage()
   const complaints = watch(page, site.url)
   t.after(async () => {
     await context.close()
-    assert.deepEqual(complaints.filter((line) => !expected.some((pattern) => pattern.test(line))), [], 'the page complained')
+    assert.deepEqual(
+      complaints.filter((line) => !expected.some((pattern) => pattern.test(line))),
+      [],
+      'the page complained',
+    )
   })
   await wishes.prepare?.(page)
   await page.goto(site.url + at, { waitUntil: 'load' })
@@ -75,7 +96,8 @@ export function watch(page, ...homes) {
   page.on('crash', () => complaints.push('the page crashed'))
   page.on('request', (request) => {
     const url = request.url()
-    if (!homes.some((home) => url.startsWith(home)) && !/^(data|blob|about):/.test(url)) complaints.push(`foreign request: ${url}`)
+    if (!homes.some((home) => url.startsWith(home)) && !/^(data|blob|about):/.test(url))
+      complaints.push(`foreign request: ${url}`)
   })
   page.on('response', (response) => {
     if (response.status() >= 400) complaints.push(`${response.status()}: ${response.url()}`)
@@ -111,7 +133,19 @@ export async function unlock(page, id) {
 export async function comeTo(page, selector, sign) {
   for (let i = 0; ; i++) {
     await page.evaluate((target) => document.querySelector(target).scrollIntoView({ block: 'center' }), selector)
-    if (await page.locator(sign).first().waitFor({ timeout: i < 10 ? 2000 : 20_000 }).then(() => true, (error) => { if (i >= 10) throw error })) return
+    if (
+      await page
+        .locator(sign)
+        .first()
+        .waitFor({ timeout: i < 10 ? 2000 : 20_000 })
+        .then(
+          () => true,
+          (error) => {
+            if (i >= 10) throw error
+          },
+        )
+    )
+      return
   }
 }
 
@@ -123,7 +157,7 @@ export async function walkDown(page) {
   await page.evaluate(async () => {
     const frame = () => new Promise((resolve) => requestAnimationFrame(resolve))
     // A screen at each frame. The page grows and shrinks as its parts are laid out: each step goes on from where the last one led.
-    for (let from = -1; scrollY > from;) {
+    for (let from = -1; scrollY > from; ) {
       from = scrollY
       scrollBy({ top: innerHeight, behavior: 'instant' })
       await frame()
@@ -147,7 +181,8 @@ export async function until(element, wanted, what, patience = 8000) {
   for (;;) {
     const { frame, settled } = await element.evaluate((it) => ({ frame: it.frame, settled: it.settled }))
     if (frame && settled && wanted(frame)) return frame
-    if (Date.now() > deadline) assert.fail(`${what}; the frame's parameters are ${JSON.stringify(frame?.params)} at step ${frame?.step}`)
+    if (Date.now() > deadline)
+      assert.fail(`${what}; the frame's parameters are ${JSON.stringify(frame?.params)} at step ${frame?.step}`)
     await new Promise((resolve) => setTimeout(resolve, 40))
   }
 }
@@ -156,7 +191,11 @@ export async function until(element, wanted, what, patience = 8000) {
 export async function dragSlider(page, slider, value) {
   await slider.scrollIntoViewIfNeeded()
   const { x, y, width, height } = await slider.boundingBox()
-  const { min, max, now } = await slider.evaluate((input) => ({ min: Number(input.min), max: Number(input.max), now: Number(input.value) }))
+  const { min, max, now } = await slider.evaluate((input) => ({
+    min: Number(input.min),
+    max: Number(input.max),
+    now: Number(input.value),
+  }))
   // A thumb's middle runs from half a thumb inside one end to half a thumb inside the other.
   const thumb = 16
   const at = (v) => x + thumb / 2 + ((width - thumb) * (v - min)) / (max - min)

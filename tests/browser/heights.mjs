@@ -1,11 +1,11 @@
-// Notes how high each part of each chapter is, in web/heights.json: a browser that has put off laying out a part takes that
+// Notes how high each part of each chapter is, in web/build/heights.json: a browser that has put off laying out a part takes that
 // height for it. Run by scripts/heights.
 import { writeFileSync } from 'node:fs'
 import path from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { WIDTHS } from '../../web/heights.mjs'
+import { WIDTHS } from '../../web/build/heights.mjs'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, root } from './places.mjs'
 
 /** Chapters by the folder they are served from. */
@@ -18,7 +18,12 @@ export async function partHeights(page) {
     document.body.getBoundingClientRect()
     await document.fonts.ready
   })
-  return page.evaluate(() => [...document.querySelectorAll('.chapter > section')].map((part) => [part.dataset.part, Math.round(part.getBoundingClientRect().height)]))
+  return page.evaluate(() =>
+    [...document.querySelectorAll('.chapter > section')].map((part) => [
+      part.dataset.part,
+      Math.round(part.getBoundingClientRect().height),
+    ]),
+  )
 }
 
 async function heights() {
@@ -29,7 +34,11 @@ async function heights() {
     for (const chapter of CHAPTERS) {
       found[chapter] = {}
       for (const width of WIDTHS) {
-        const page = await browser.newPage({ viewport: { width, height: 800 }, isMobile: width < 700, serviceWorkers: 'block' })
+        const page = await browser.newPage({
+          viewport: { width, height: 800 },
+          isMobile: width < 700,
+          serviceWorkers: 'block',
+        })
         await page.goto(`${site.url}${chapter}/`)
         for (const [part, height] of await partHeights(page)) (found[chapter][part] ??= []).push(height)
         await page.close()
@@ -44,7 +53,14 @@ async function heights() {
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const found = await heights()
-  const lines = Object.entries(found).map(([chapter, parts]) => `  "${chapter}": {\n${Object.entries(parts).map(([part, at]) => `    "${part}": ${JSON.stringify(at)}`).join(',\n')}\n  }`)
-  writeFileSync(path.join(root, 'web/heights.json'), `{\n${lines.join(',\n')}\n}\n`)
-  console.log(`web/heights.json: ${Object.values(found).reduce((sum, parts) => sum + Object.keys(parts).length, 0)} parts at ${WIDTHS.join(', ')} px; ./scripts/build puts them into the style`)
+  const lines = Object.entries(found).map(
+    ([chapter, parts]) =>
+      `  "${chapter}": {\n${Object.entries(parts)
+        .map(([part, at]) => `    "${part}": ${JSON.stringify(at)}`)
+        .join(',\n')}\n  }`,
+  )
+  writeFileSync(path.join(root, 'web/build/heights.json'), `{\n${lines.join(',\n')}\n}\n`)
+  console.log(
+    `web/build/heights.json: ${Object.values(found).reduce((sum, parts) => sum + Object.keys(parts).length, 0)} parts at ${WIDTHS.join(', ')} px; ./scripts/build puts them into the style`,
+  )
 }

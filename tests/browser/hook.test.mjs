@@ -10,12 +10,22 @@ test('the plot of the wheel comes with the switch, and the bias is learned with 
   assert.equal(await it.locator('.live .readout').filter({ hasText: 'Learned bias' }).isVisible(), false)
   await it.getByRole('button', { name: 'Learn the wheel' }).click()
   const learned = await until(it, ({ step, wheel }) => step === 640 && wheel, 'a lap')
-  assert.ok(Math.abs(learned.wheel.epsilon - learned.wheel.truth) < 3 * learned.wheel.sigma && learned.wheel.sigma < 0.0013, JSON.stringify(learned.wheel))
+  assert.ok(
+    Math.abs(learned.wheel.epsilon - learned.wheel.truth) < 3 * learned.wheel.sigma && learned.wheel.sigma < 0.0013,
+    JSON.stringify(learned.wheel),
+  )
   assert.equal(await plot.count(), 1)
-  assert.ok(await plot.locator('.mark.curve').count() >= 4)
+  assert.ok((await plot.locator('.mark.curve').count()) >= 4)
   // The size of the heading's error, as its plot has it.
-  assert.match(await it.locator('.live .readout').filter({ hasText: 'Heading error' }).locator('dd').textContent(), /^[\d.]+°$/)
-  assert.equal(await it.locator('.live .verdict i').filter({ hasText: 'σ' }).count(), 3, 'a σ of the status is the σ of the labels')
+  assert.match(
+    await it.locator('.live .readout').filter({ hasText: 'Heading error' }).locator('dd').textContent(),
+    /^[\d.]+°$/,
+  )
+  assert.equal(
+    await it.locator('.live .verdict i').filter({ hasText: 'σ' }).count(),
+    3,
+    'a σ of the status is the σ of the labels',
+  )
   // The dot below the plot goes back in the drive, by keys.
   const cursor = plot.getByRole('slider', { name: 'Tick shown on the map' })
   await cursor.press('Home')

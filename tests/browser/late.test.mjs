@@ -6,14 +6,21 @@ import { readFileSync } from 'node:fs'
 import path from 'node:path'
 import { comeTo, figure, frameOf, open, openFigure, root, unlock } from './harness.mjs'
 
-const settled = (it) => it.evaluate(async (host) => {
-  do await new Promise((resolve) => requestAnimationFrame(resolve)); while (host.figure.asked || !host.settled)
-})
+const settled = (it) =>
+  it.evaluate(async (host) => {
+    do await new Promise((resolve) => requestAnimationFrame(resolve))
+    while (host.figure.asked || !host.settled)
+  })
 
 test('the module with the labs of late figures is fetched when one of them comes near, and not before', async (t) => {
   const late = readFileSync(path.join(root, 'target/pkg/late/estimate_wasm_bg.wasm')).length
   const sizes = []
-  const page = await open(t, { prepare: async (it) => it.on('response', async (response) => { if (response.url().endsWith('.wasm')) sizes.push((await response.body()).length) }) })
+  const page = await open(t, {
+    prepare: async (it) =>
+      it.on('response', async (response) => {
+        if (response.url().endsWith('.wasm')) sizes.push((await response.body()).length)
+      }),
+  })
   await figure(page, 'odometry-hook')
   assert.ok(sizes.length === 1 && !sizes.includes(late), `${sizes}`)
   await comeTo(page, 'tune-me', 'tune-me[data-state="live"]')
@@ -24,7 +31,11 @@ test('the module with the labs of late figures is fetched when one of them comes
 test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the truth is sealed until the reader commits', async (t) => {
   const { page, it } = await openFigure(t, 'tune-me')
   await settled(it)
-  const map = () => it.evaluate((host) => { const { rows, size, values, top } = host.figure.beside.value; return { rows, size, highest: Math.max(...values), top } })
+  const map = () =>
+    it.evaluate((host) => {
+      const { rows, size, values, top } = host.figure.beside.value
+      return { rows, size, highest: Math.max(...values), top }
+    })
   const { rows, size, highest, top } = await map()
   assert.equal(rows, size)
   assert.ok(highest < top && highest > top - 1)
@@ -45,7 +56,10 @@ test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the tr
   await ring.press('Shift+ArrowRight')
   await settled(it)
   const { params } = await frameOf(it)
-  assert.ok(Math.abs(params.logW - dragged.params.logW - 0.02) < 1e-9 && Math.abs(params.logQ - dragged.params.logQ - 0.2) < 1e-9)
+  assert.ok(
+    Math.abs(params.logW - dragged.params.logW - 0.02) < 1e-9 &&
+      Math.abs(params.logQ - dragged.params.logQ - 0.2) < 1e-9,
+  )
 
   assert.equal(await it.locator('.live .readout').filter({ hasText: 'Mean NEES' }).locator('dd').innerText(), 'sealed')
   await it.getByRole('button', { name: 'Fit the noise' }).click()
@@ -56,12 +70,24 @@ test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the tr
   const [box, likeliest] = [it.getByLabel('commit: open the truth'), it.getByLabel('show the likeliest')]
   await likeliest.uncheck()
   await settled(it)
-  const from = await box.evaluate((input) => input.getBoundingClientRect().top - input.closest('.live').getBoundingClientRect().top)
+  const from = await box.evaluate(
+    (input) => input.getBoundingClientRect().top - input.closest('.live').getBoundingClientRect().top,
+  )
   await box.check()
   await settled(it)
   assert.match(await it.locator('.live .verdict').innerText(), /The true q is/)
-  assert.deepEqual([await likeliest.isChecked(), await likeliest.isDisabled()], [true, true], 'it is drawn with the truth')
-  assert.equal(await box.evaluate((input) => input.getBoundingClientRect().top - input.closest('.live').getBoundingClientRect().top), from, 'the box stays under the pointer')
+  assert.deepEqual(
+    [await likeliest.isChecked(), await likeliest.isDisabled()],
+    [true, true],
+    'it is drawn with the truth',
+  )
+  assert.equal(
+    await box.evaluate(
+      (input) => input.getBoundingClientRect().top - input.closest('.live').getBoundingClientRect().top,
+    ),
+    from,
+    'the box stays under the pointer',
+  )
 
   await it.getByRole('button', { name: 'Another log' }).click()
   await settled(it)
@@ -104,7 +130,10 @@ test('Close the loop: both thresholds are dragged on their axis, and where they 
   await page.mouse.up()
   await settled(it)
   const frame = await frameOf(it)
-  assert.ok(frame.params.found < frame.params.gate && frame.thresholds.gate === frame.params.found, 'the gate ends where founding begins')
+  assert.ok(
+    frame.params.found < frame.params.gate && frame.thresholds.gate === frame.params.found,
+    'the gate ends where founding begins',
+  )
   assert.ok(frame.map.spurious > 0)
   assert.equal(await it.locator('.live .panel-map .ghost').count(), frame.map.spurious)
   const before = frame.params.found
@@ -115,7 +144,14 @@ test('Close the loop: both thresholds are dragged on their axis, and where they 
 
 for (const [id, tag, figureId, wrong, right, todo] of [
   ['tune-in-band', 'tune-me', 'fig-tune', { logQ: -2, logW: -1 }, { logW: 0.3 }, 'Bring the mean NIS into its band.'],
-  ['loop-ghost', 'close-loop', 'fig-loop', { correlated: false, seed: 1, step: 128 }, { seed: 2 }, 'There is no ghost yet.'],
+  [
+    'loop-ghost',
+    'close-loop',
+    'fig-loop',
+    { correlated: false, seed: 1, step: 128 },
+    { seed: 2 },
+    'There is no ghost yet.',
+  ],
 ]) {
   test(`the page recognises the state that ${id} asks for, and names what is missing`, async (t) => {
     const page = await open(t)

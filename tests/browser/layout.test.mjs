@@ -8,7 +8,11 @@ for (const at of [...PAGES, ...FIGURE_PAGES]) {
     test(`/${at} fits ${width} px`, async (t) => {
       const page = await open(t, { at, viewport: { width, height: 800 }, touch: width < 500 })
       await walkDown(page)
-      await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))
+      await page.evaluate(() =>
+        document.querySelectorAll('details').forEach((block) => {
+          block.open = true
+        }),
+      )
       const { over, culprits } = await page.evaluate(() => {
         const wide = document.documentElement.clientWidth
         const boxed = (element) => {
@@ -22,7 +26,10 @@ for (const at of [...PAGES, ...FIGURE_PAGES]) {
           culprits: [...document.querySelectorAll('body *')]
             .filter((element) => element.getBoundingClientRect().right > wide + 1 && !boxed(element))
             .slice(0, 8)
-            .map((element) => `${element.tagName.toLowerCase()}.${element.getAttribute('class') ?? ''} → ${Math.round(element.getBoundingClientRect().right)}`),
+            .map(
+              (element) =>
+                `${element.tagName.toLowerCase()}.${element.getAttribute('class') ?? ''} → ${Math.round(element.getBoundingClientRect().right)}`,
+            ),
         }
       })
       assert.ok(over <= 0, `${over} px too wide:\n${culprits.join('\n')}`)
@@ -38,7 +45,9 @@ for (const at of PAGES) {
       const { text, footer, broken } = await page.evaluate(() => ({
         text: document.querySelector('main :is(h1, h2)').getBoundingClientRect().left,
         footer: document.querySelector('.site-footer a').getBoundingClientRect().left,
-        broken: [...document.querySelectorAll('main :is(td, th) > code')].filter((code) => /^[^\s,-]+$/.test(code.textContent) && code.getClientRects().length > 1).map((code) => code.textContent),
+        broken: [...document.querySelectorAll('main :is(td, th) > code')]
+          .filter((code) => /^[^\s,-]+$/.test(code.textContent) && code.getClientRects().length > 1)
+          .map((code) => code.textContent),
       }))
       assert.ok(Math.abs(text - footer) <= 12, `${width} px: the text begins at ${text}, the footer at ${footer}`)
       assert.deepEqual(broken, [], `${width} px`)
@@ -55,12 +64,18 @@ test('on a phone each letter of the table of letters is whole, and what it means
       part.style.contentVisibility = 'visible'
       await document.fonts.ready
       return [...part.querySelectorAll('tbody tr')].flatMap((row) => {
-        const cells = [...row.children].map((cell) => ({ words: cell.textContent, over: cell.scrollWidth - cell.clientWidth, ...cell.getBoundingClientRect().toJSON() }))
+        const cells = [...row.children].map((cell) => ({
+          words: cell.textContent,
+          over: cell.scrollWidth - cell.clientWidth,
+          ...cell.getBoundingClientRect().toJSON(),
+        }))
         const meaning = cells.pop()
         const whole = row.getBoundingClientRect().width
         return [
           ...cells.filter(({ over }) => over > 1).map(({ words, over }) => `${words} is ${over} px too wide`),
-          ...(meaning.width < 0.9 * whole || meaning.top < cells.at(-1).bottom - 1 ? [`${meaning.words.slice(0, 30)} takes ${Math.round(meaning.width)} of ${Math.round(whole)} px`] : []),
+          ...(meaning.width < 0.9 * whole || meaning.top < cells.at(-1).bottom - 1
+            ? [`${meaning.words.slice(0, 30)} takes ${Math.round(meaning.width)} of ${Math.round(whole)} px`]
+            : []),
         ]
       })
     })
@@ -75,7 +90,9 @@ for (const at of FIGURE_PAGES) {
     for (const width of [768, 900, 1280]) {
       await page.setViewportSize({ width, height: 800 })
       const reach = await page.evaluate(() => {
-        const [panel, controls] = ['.live .panel', '.live .controls'].map((part) => document.querySelector(part).getBoundingClientRect())
+        const [panel, controls] = ['.live .panel', '.live .controls'].map((part) =>
+          document.querySelector(part).getBoundingClientRect(),
+        )
         return Math.round(Math.max(panel.bottom, controls.bottom) - Math.min(panel.top, controls.top))
       })
       assert.ok(reach < 1700, `${width} px: ${reach} px from the first panel to the last control`)
@@ -88,18 +105,34 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
   for (const width of [320, 390, 768, 1280]) {
     await page.setViewportSize({ width, height: 800 })
     await page.evaluate(async () => {
-      document.querySelectorAll('details').forEach((block) => { block.open = true })
-      document.querySelectorAll('main > article > section, .end-matter').forEach((part) => { part.style.contentVisibility = 'visible' })
+      document.querySelectorAll('details').forEach((block) => {
+        block.open = true
+      })
+      document.querySelectorAll('main > article > section, .end-matter').forEach((part) => {
+        part.style.contentVisibility = 'visible'
+      })
       await document.fonts.ready
       // Sizes are looked at once a frame.
       for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
     })
     // Wide displays are set smaller once the new width is known.
-    await page.waitForFunction(() => [...document.querySelectorAll('.equation-body')].every((box) => box.scrollWidth <= box.clientWidth || box.scrollWidth - box.clientWidth >= 24), null, { timeout: 10_000 }).catch(() => {})
+    await page
+      .waitForFunction(
+        () =>
+          [...document.querySelectorAll('.equation-body')].every(
+            (box) => box.scrollWidth <= box.clientWidth || box.scrollWidth - box.clientWidth >= 24,
+          ),
+        null,
+        { timeout: 10_000 },
+      )
+      .catch(() => {})
     const { torn, cut, seen } = await page.evaluate(() => {
       /** The text in the same block next to an element, before or behind it. */
       const beside = (element, step) => {
-        const walker = document.createTreeWalker(element.closest('p, li, dd, td, th, figcaption, summary, div'), NodeFilter.SHOW_TEXT)
+        const walker = document.createTreeWalker(
+          element.closest('p, li, dd, td, th, figcaption, summary, div'),
+          NodeFilter.SHOW_TEXT,
+        )
         walker.currentNode = element
         let node = step === 'previousNode' ? walker.previousNode() : walker.nextNode()
         while (node && element.contains(node)) node = walker[step]()
@@ -115,7 +148,10 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
       const torn = [...document.querySelectorAll('main .katex')].flatMap((formula) => {
         if (formula.closest('.katex-display') || !formula.checkVisibility()) return []
         const boxes = [...formula.querySelectorAll('.base')]
-        const [first, last] = [(boxes[0] ?? formula).getClientRects()[0], [...(boxes.at(-1) ?? formula).getClientRects()].at(-1)]
+        const [first, last] = [
+          (boxes[0] ?? formula).getClientRects()[0],
+          [...(boxes.at(-1) ?? formula).getClientRects()].at(-1),
+        ]
         const [behind, before] = [beside(formula, 'nextNode'), beside(formula, 'previousNode')]
         const found = []
         if (/^[.,;:!?)’”-]/.test(behind?.data ?? '')) {
@@ -124,15 +160,18 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
         }
         if (/[([‘“]$/.test(before?.data ?? '')) {
           seen++
-          if (place(before, before.data.length - 1).right > first.left + 2) found.push(`${before.data.slice(-12)} | ${formula.textContent}`)
+          if (place(before, before.data.length - 1).right > first.left + 2)
+            found.push(`${before.data.slice(-12)} | ${formula.textContent}`)
         }
         return found
       })
       // A formula that is too wide by its full stop alone would show no sign that there is more.
-      const cut = [...document.querySelectorAll('.equation-body')].filter((box) => {
-        const over = box.scrollWidth - box.clientWidth
-        return over > 0 && over < 24
-      }).map((box) => `${box.scrollWidth - box.clientWidth} px: ${box.textContent.slice(-40)}`)
+      const cut = [...document.querySelectorAll('.equation-body')]
+        .filter((box) => {
+          const over = box.scrollWidth - box.clientWidth
+          return over > 0 && over < 24
+        })
+        .map((box) => `${box.scrollWidth - box.clientWidth} px: ${box.textContent.slice(-40)}`)
       return { torn, cut, seen }
     })
     assert.ok(seen > 150, `${seen} marks at ${width} px`)
@@ -143,10 +182,12 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
 
 test('on a phone letters and colours stand in one row below the name of the book and the search', async (t) => {
   const page = await open(t, { at: 'log/', viewport: PHONE, touch: true })
-  const tops = await page.locator('.site-header').evaluate((head) => ['.site-place', '[data-open-search]', '[data-set-notation]', '[data-set-theme]'].map((part) => {
-    const { top, height } = head.querySelector(part).getBoundingClientRect()
-    return Math.round((top + height / 2) / 8)
-  }))
+  const tops = await page.locator('.site-header').evaluate((head) =>
+    ['.site-place', '[data-open-search]', '[data-set-notation]', '[data-set-theme]'].map((part) => {
+      const { top, height } = head.querySelector(part).getBoundingClientRect()
+      return Math.round((top + height / 2) / 8)
+    }),
+  )
   const [name, search, letters, colours] = tops
   assert.ok(name === search && letters === colours && letters > name, tops.join(', '))
 })
@@ -154,7 +195,9 @@ test('on a phone letters and colours stand in one row below the name of the book
 test('the contents called up on a phone are whole', async (t) => {
   const page = await open(t, { viewport: { width: 320, height: 640 }, touch: true })
   await page.locator('[data-open-contents]').tap()
-  const cut = await page.locator('.toc[data-open] :is(a, .toc-number)').evaluateAll((all) => all.filter((part) => part.getBoundingClientRect().left < 0).map((part) => part.textContent))
+  const cut = await page
+    .locator('.toc[data-open] :is(a, .toc-number)')
+    .evaluateAll((all) => all.filter((part) => part.getBoundingClientRect().left < 0).map((part) => part.textContent))
   assert.deepEqual(cut, [])
 })
 
@@ -162,21 +205,24 @@ test('a line of the text is as long as an eye can follow', async (t) => {
   const page = await open(t)
   await page.evaluate(() => document.fonts.ready)
   // The letters between one line's box and the next, in paragraphs of words alone; a paragraph's last line ends where it will.
-  const lengths = await page.evaluate(() => [...document.querySelectorAll('.chapter > section > p')].flatMap((p) => {
-    if (p.querySelector('.katex, .number, .formula-numbers')) return []
-    const lines = new Map()
-    const walker = document.createTreeWalker(p, NodeFilter.SHOW_TEXT)
-    for (let node; (node = walker.nextNode());) {
-      for (let i = 0; i < node.data.length; i++) {
-        const range = document.createRange()
-        range.setStart(node, i)
-        range.setEnd(node, i + 1)
-        const box = range.getBoundingClientRect()
-        if (node.data[i] !== '\u00ad' && box.width > 0) lines.set(Math.round(box.bottom / 8), (lines.get(Math.round(box.bottom / 8)) ?? 0) + 1)
+  const lengths = await page.evaluate(() =>
+    [...document.querySelectorAll('.chapter > section > p')].flatMap((p) => {
+      if (p.querySelector('.katex, .number, .formula-numbers')) return []
+      const lines = new Map()
+      const walker = document.createTreeWalker(p, NodeFilter.SHOW_TEXT)
+      for (let node; (node = walker.nextNode()); ) {
+        for (let i = 0; i < node.data.length; i++) {
+          const range = document.createRange()
+          range.setStart(node, i)
+          range.setEnd(node, i + 1)
+          const box = range.getBoundingClientRect()
+          if (node.data[i] !== '\u00ad' && box.width > 0)
+            lines.set(Math.round(box.bottom / 8), (lines.get(Math.round(box.bottom / 8)) ?? 0) + 1)
+        }
       }
-    }
-    return [...lines.values()].slice(0, -1)
-  }))
+      return [...lines.values()].slice(0, -1)
+    }),
+  )
   const median = lengths.sort((a, b) => a - b)[Math.floor(lengths.length / 2)]
   t.diagnostic(`${lengths.length} lines, ${median} characters in the middle`)
   assert.ok(lengths.length > 50)
@@ -190,10 +236,12 @@ for (const tag of ['observer-bench', 'odometry-hook', 'observability-probe']) {
     await unlock(page, await widget.getAttribute('data-figure'))
     await widget.getByRole('button', { name: 'Play' }).click()
     // Where the figure fills the window there is nothing else to hold the place by.
-    await widget.evaluate((element) => scrollTo({ top: scrollY + element.getBoundingClientRect().top - 20, behavior: 'instant' }))
+    await widget.evaluate((element) =>
+      scrollTo({ top: scrollY + element.getBoundingClientRect().top - 20, behavior: 'instant' }),
+    )
     const places = await page.evaluate(async () => {
       const seen = new Set()
-      for (const until = performance.now() + 3000; performance.now() < until;) {
+      for (const until = performance.now() + 3000; performance.now() < until; ) {
         await new Promise((resolve) => requestAnimationFrame(resolve))
         seen.add(scrollY)
       }
@@ -208,25 +256,51 @@ test('a box that goes on beyond an edge fades there', async (t) => {
   const box = page.locator('pre.scroll-box').first()
   await box.scrollIntoViewIfNeeded()
   await page.waitForFunction((element) => element.hasAttribute('tabindex'), await box.elementHandle())
-  const marks = () => box.evaluate((element) => [element.hasAttribute('data-before'), element.hasAttribute('data-after'), getComputedStyle(element).maskImage !== 'none'])
+  const marks = () =>
+    box.evaluate((element) => [
+      element.hasAttribute('data-before'),
+      element.hasAttribute('data-after'),
+      getComputedStyle(element).maskImage !== 'none',
+    ])
   assert.deepEqual(await marks(), [false, true, true])
   await box.evaluate((element) => element.scrollTo({ left: element.scrollWidth }))
   await page.waitForFunction((element) => element.hasAttribute('data-before'), await box.elementHandle())
   assert.deepEqual(await marks(), [true, false, true])
   await page.setViewportSize({ width: 2000, height: 900 })
-  await box.evaluate((element) => { element.style.width = '3000px' })
+  await box.evaluate((element) => {
+    element.style.width = '3000px'
+  })
   await page.waitForFunction((element) => !element.hasAttribute('data-before'), await box.elementHandle())
   assert.deepEqual(await marks(), [false, false, false])
 })
 
-for (const [at, id] of [['kalman/', '#fig-odometry'], ['system/', '#fig-own'], ['log/', '#fig-own-log']]) test(`/${at}: a figure takes the room that there is beside the column`, async (t) => {
-  const page = await open(t, { at })
-  for (const [width, least] of [[768, 690], [900, 820], [1024, 660], [1280, 890], [1440, 960]]) {
-    await page.setViewportSize({ width, height: 900 })
-    const { left, right, over } = await page.locator(id).evaluate((figure) => ({ ...figure.getBoundingClientRect().toJSON(), over: document.documentElement.scrollWidth - innerWidth }))
-    assert.ok(right - left >= least && left >= 0 && right <= width && over <= 0, `${width} px: from ${left} to ${right}`)
-  }
-})
+for (const [at, id] of [
+  ['kalman/', '#fig-odometry'],
+  ['system/', '#fig-own'],
+  ['log/', '#fig-own-log'],
+])
+  test(`/${at}: a figure takes the room that there is beside the column`, async (t) => {
+    const page = await open(t, { at })
+    for (const [width, least] of [
+      [768, 690],
+      [900, 820],
+      [1024, 660],
+      [1280, 890],
+      [1440, 960],
+    ]) {
+      await page.setViewportSize({ width, height: 900 })
+      const { left, right, over } = await page
+        .locator(id)
+        .evaluate((figure) => ({
+          ...figure.getBoundingClientRect().toJSON(),
+          over: document.documentElement.scrollWidth - innerWidth,
+        }))
+      assert.ok(
+        right - left >= least && left >= 0 && right <= width && over <= 0,
+        `${width} px: from ${left} to ${right}`,
+      )
+    }
+  })
 
 // Until our faces are here each size of letters asks the system for a face, and on Linux the page waits for each answer.
 test('the page of a figure asks for its faces at once, and its drawings set letters in few sizes', async (t) => {
@@ -235,12 +309,20 @@ test('the page of a figure asks for its faces at once, and its drawings set lett
     const early = await page.evaluate(async () => {
       await document.fonts.ready
       const linked = [...document.querySelectorAll('link[rel=preload][as=font]')].map(({ href }) => href)
-      return performance.getEntriesByType('resource').filter(({ name, initiatorType }) => linked.includes(name) && initiatorType === 'link').map(({ name }) => name.match(/assets\/(.*)-/)[1])
+      return performance
+        .getEntriesByType('resource')
+        .filter(({ name, initiatorType }) => linked.includes(name) && initiatorType === 'link')
+        .map(({ name }) => name.match(/assets\/(.*)-/)[1])
     })
     assert.deepEqual(early.sort(), ['sans', 'serif-italic', 'serif-upright'], at)
-    const loaded = await page.evaluate(() => [...document.fonts].filter(({ status }) => status === 'loaded').map(({ family, style }) => `${family} ${style}`))
-    for (const face of ['Plain normal', 'Text normal', 'Text italic']) assert.ok(loaded.includes(face), `${at} uses ${face}`)
-    const drawn = await page.locator('.panel').evaluateAll((all) => [...new Set(all.map((panel) => getComputedStyle(panel).textRendering))])
+    const loaded = await page.evaluate(() =>
+      [...document.fonts].filter(({ status }) => status === 'loaded').map(({ family, style }) => `${family} ${style}`),
+    )
+    for (const face of ['Plain normal', 'Text normal', 'Text italic'])
+      assert.ok(loaded.includes(face), `${at} uses ${face}`)
+    const drawn = await page
+      .locator('.panel')
+      .evaluateAll((all) => [...new Set(all.map((panel) => getComputedStyle(panel).textRendering))])
     assert.deepEqual(drawn, ['geometricprecision'], at)
   }
 })
@@ -248,32 +330,63 @@ test('the page of a figure asks for its faces at once, and its drawings set lett
 test('statements of one display stand below one another on a phone, and what letters mean has room at every width', async (t) => {
   const page = await open(t, { viewport: { width: 390, height: 844 }, touch: true })
   await walkDown(page)
-  const boxes = await page.locator('.chapter .statements').evaluateAll((all) => all.filter((box) => box.checkVisibility()).map((box) => {
-    const range = document.createRange()
-    const widths = [...box.querySelectorAll('.katex-html')].map((formula) => { range.selectNodeContents(formula); return range.getBoundingClientRect().width })
-    return { fits: Math.max(...widths) < box.clientWidth, scrolls: box.scrollWidth > box.clientWidth + 1, words: box.textContent.slice(0, 40) }
-  }))
+  const boxes = await page.locator('.chapter .statements').evaluateAll((all) =>
+    all
+      .filter((box) => box.checkVisibility())
+      .map((box) => {
+        const range = document.createRange()
+        const widths = [...box.querySelectorAll('.katex-html')].map((formula) => {
+          range.selectNodeContents(formula)
+          return range.getBoundingClientRect().width
+        })
+        return {
+          fits: Math.max(...widths) < box.clientWidth,
+          scrolls: box.scrollWidth > box.clientWidth + 1,
+          words: box.textContent.slice(0, 40),
+        }
+      }),
+  )
   assert.ok(boxes.filter(({ fits }) => fits).length >= 8, `${boxes.length} displays of several statements`)
-  assert.deepEqual(boxes.filter(({ fits, scrolls }) => fits && scrolls), [])
+  assert.deepEqual(
+    boxes.filter(({ fits, scrolls }) => fits && scrolls),
+    [],
+  )
   for (const width of [320, 390, 700, 900, 1100, 1280]) {
     await page.setViewportSize({ width, height: 900 })
-    const narrow = await page.locator('[data-part=notation] > .table-box tbody td:last-child').evaluateAll((all) => Math.min(...all.map((cell) => cell.clientWidth)))
+    const narrow = await page
+      .locator('[data-part=notation] > .table-box tbody td:last-child')
+      .evaluateAll((all) => Math.min(...all.map((cell) => cell.clientWidth)))
     assert.ok(narrow >= 230, `${width} px: ${narrow}`)
   }
 })
 
 test('on a phone no formula and no table has to be scrolled in any letters, and on a desk no listing', async (t) => {
   const page = await open(t, { viewport: { width: 390, height: 844 }, touch: true })
-  const show = () => page.evaluate(async () => {
-    document.querySelectorAll('details').forEach((block) => { block.open = true })
-    document.querySelectorAll('main > article > section, .end-matter').forEach((part) => { part.style.contentVisibility = 'visible' })
-    await document.fonts.ready
-    for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
-  })
-  const wide = (selector) => page.locator(selector).evaluateAll((all) => all.filter((box) => box.scrollWidth > box.clientWidth + 1).map((box) => `${box.scrollWidth} px in ${box.clientWidth}: ${box.textContent.slice(0, 60)}`))
+  const show = () =>
+    page.evaluate(async () => {
+      document.querySelectorAll('details').forEach((block) => {
+        block.open = true
+      })
+      document.querySelectorAll('main > article > section, .end-matter').forEach((part) => {
+        part.style.contentVisibility = 'visible'
+      })
+      await document.fonts.ready
+      for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
+    })
+  const wide = (selector) =>
+    page
+      .locator(selector)
+      .evaluateAll((all) =>
+        all
+          .filter((box) => box.scrollWidth > box.clientWidth + 1)
+          .map((box) => `${box.scrollWidth} px in ${box.clientWidth}: ${box.textContent.slice(0, 60)}`),
+      )
   await show()
   for (const notation of ['Choset', 'Thrun', 'Common']) {
-    await page.locator(`[data-set-notation]`, { hasText: notation }).first().evaluate((button) => button.click())
+    await page
+      .locator(`[data-set-notation]`, { hasText: notation })
+      .first()
+      .evaluate((button) => button.click())
     await page.waitForFunction((it) => document.documentElement.dataset.letters === it, notation.toLowerCase())
     await show()
     assert.deepEqual(await wide('main :is(.equation-body, .table-box)'), [], notation)
@@ -286,7 +399,9 @@ test('on a phone no formula and no table has to be scrolled in any letters, and 
 test('no note in the margin pushes the next heading down', async (t) => {
   const page = await open(t, { viewport: { width: 1440, height: 900 } })
   const holes = await page.evaluate(async () => {
-    document.querySelectorAll('main > article > section, .end-matter').forEach((part) => { part.style.contentVisibility = 'visible' })
+    document.querySelectorAll('main > article > section, .end-matter').forEach((part) => {
+      part.style.contentVisibility = 'visible'
+    })
     await document.fonts.ready
     return [...document.querySelectorAll('.chapter :is(h2, h3, h4)')].flatMap((heading) => {
       let before = heading.previousElementSibling ?? heading.parentElement.previousElementSibling?.lastElementChild

@@ -1,5 +1,5 @@
 // The letters of each face that a reader of the chapter meets: in every notation, in every figure alive. A program writes
-// them to web/letters.json, after which fonts.mjs cuts the faces; a test sees that no page needs more.
+// them to web/build/letters.json, after which fonts.mjs cuts the faces; a test sees that no page needs more.
 import { writeFileSync } from 'node:fs'
 import path from 'node:path'
 import { pathToFileURL } from 'node:url'
@@ -13,9 +13,17 @@ export async function readItAll(page) {
     await page.locator(`[data-set-notation="${notation}"]`).click()
     await page.waitForFunction((it) => document.documentElement.dataset.letters === it, notation)
   }
-  await page.evaluate(() => document.querySelectorAll('details').forEach((block) => { block.open = true }))
+  await page.evaluate(() =>
+    document.querySelectorAll('details').forEach((block) => {
+      block.open = true
+    }),
+  )
   // All parts are laid out first: with every block open they are far higher than noted, and each would push the next figure away.
-  await page.evaluate(() => document.querySelectorAll('.chapter > section').forEach((part) => { part.style.contentVisibility = 'visible' }))
+  await page.evaluate(() =>
+    document.querySelectorAll('.chapter > section').forEach((part) => {
+      part.style.contentVisibility = 'visible'
+    }),
+  )
   for (const widget of await page.locator('.widget').all()) {
     await widget.scrollIntoViewIfNeeded()
     await widget.and(page.locator('[data-state="live"]')).waitFor()
@@ -54,7 +62,9 @@ async function letters() {
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const seen = await letters()
-  const file = path.join(root, 'web/letters.json')
+  const file = path.join(root, 'web/build/letters.json')
   writeFileSync(file, `${JSON.stringify(seen, null, 2)}\n`)
-  console.log(`web/letters.json: ${Object.values(seen).reduce((sum, all) => sum + [...all].length, 0)} letters in ${Object.keys(seen).length} faces; ./scripts/build cuts the faces to them`)
+  console.log(
+    `web/build/letters.json: ${Object.values(seen).reduce((sum, all) => sum + [...all].length, 0)} letters in ${Object.keys(seen).length} faces; ./scripts/build cuts the faces to them`,
+  )
 }

@@ -15,9 +15,13 @@ export async function tower() {
   const { port } = probe.address()
   probe.close()
   const site = await serve({ folder: dist, base: BASE })
-  const browser = await chromium.launch({ executablePath: chromiumPath(), args: [...CHROMIUM_FLAGS, `--remote-debugging-port=${port}`] })
+  const browser = await chromium.launch({
+    executablePath: chromiumPath(),
+    args: [...CHROMIUM_FLAGS, `--remote-debugging-port=${port}`],
+  })
   return {
-    run: async (at, options = {}) => (await lighthouse(site.url + at, { port, output: 'json', logLevel: 'error', ...options })).lhr,
+    run: async (at, options = {}) =>
+      (await lighthouse(site.url + at, { port, output: 'json', logLevel: 'error', ...options })).lhr,
     close: async () => {
       await browser.close()
       await site.close()
@@ -30,7 +34,13 @@ export function performanceOf({ categories, audits }) {
   const shown = (name, what) => `${what} ${audits[name].displayValue}`
   return {
     score: Math.round((categories.performance.score ?? 0) * 100),
-    words: [shown('first-contentful-paint', 'first paint'), shown('largest-contentful-paint', 'largest'), shown('speed-index', 'speed index'), shown('total-blocking-time', 'blocking'), shown('cumulative-layout-shift', 'shift')].join(', '),
+    words: [
+      shown('first-contentful-paint', 'first paint'),
+      shown('largest-contentful-paint', 'largest'),
+      shown('speed-index', 'speed index'),
+      shown('total-blocking-time', 'blocking'),
+      shown('cumulative-layout-shift', 'shift'),
+    ].join(', '),
   }
 }
 

@@ -6,7 +6,7 @@ import { PAGES } from './places.mjs'
 
 let run, close
 before(async () => {
-  ({ run, close } = await tower())
+  ;({ run, close } = await tower())
 })
 after(() => close?.())
 
@@ -16,11 +16,23 @@ for (const at of PAGES) {
     const { categories, audits } = report
     const score = (name) => Math.round((categories[name].score ?? 0) * 100)
     const performance = performanceOf(report)
-    t.diagnostic(`performance ${performance.score} (${performance.words}), accessibility ${score('accessibility')}, best practices ${score('best-practices')}, SEO ${score('seo')}`)
+    t.diagnostic(
+      `performance ${performance.score} (${performance.words}), accessibility ${score('accessibility')}, best practices ${score('best-practices')}, SEO ${score('seo')}`,
+    )
     for (const name of ['accessibility', 'best-practices', 'seo']) {
-      const failed = categories[name].auditRefs.map(({ id }) => audits[id]).filter((audit) => audit.score !== null && audit.score < 1 && audit.scoreDisplayMode !== 'informative')
-      assert.equal(score(name), 100, `${name}: ${failed.map((audit) => audit.id + ' ' + JSON.stringify(audit.details?.items?.slice(0, 3) ?? '')).join('; ')}`)
+      const failed = categories[name].auditRefs
+        .map(({ id }) => audits[id])
+        .filter((audit) => audit.score !== null && audit.score < 1 && audit.scoreDisplayMode !== 'informative')
+      assert.equal(
+        score(name),
+        100,
+        `${name}: ${failed.map((audit) => audit.id + ' ' + JSON.stringify(audit.details?.items?.slice(0, 3) ?? '')).join('; ')}`,
+      )
     }
-    assert.equal(audits['cumulative-layout-shift'].numericValue, 0, JSON.stringify(audits['layout-shifts']?.details?.items?.slice(0, 5)))
+    assert.equal(
+      audits['cumulative-layout-shift'].numericValue,
+      0,
+      JSON.stringify(audits['layout-shifts']?.details?.items?.slice(0, 5)),
+    )
   })
 }

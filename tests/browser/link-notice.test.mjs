@@ -10,7 +10,9 @@ const notice = (page) => page.locator('main > .link-notice')
 
 test('a link without a hash that cannot be read says so where the page opens, until it is dismissed', async (t) => {
   const page = await open(t, { at: 'kalman/?fig-bench=cut' })
-  await notice(page).getByText(/Turn the gain.*could not be read/).waitFor()
+  await notice(page)
+    .getByText(/Turn the gain.*could not be read/)
+    .waitFor()
   assert.equal(await page.evaluate(() => scrollY), 0)
   assert.equal(await notice(page).locator('[role=status]').count(), 1)
   // The figure's own stays as well, longer than what is said in passing, until something is done.
@@ -25,7 +27,10 @@ test('a link without a hash that cannot be read says so where the page opens, un
   assert.equal(await notice(page).count(), 0)
 })
 
-for (const [tag, id] of [['observer-bench', 'fig-bench'], ['kalman-picture', 'fig-picture']]) {
+for (const [tag, id] of [
+  ['observer-bench', 'fig-bench'],
+  ['kalman-picture', 'fig-picture'],
+]) {
   test(`the notice of the ${tag} can be dismissed, and the focus stays in the figure`, async (t) => {
     const { page, it: element } = await openFigure(t, tag, { query: `?${id}=cut` })
     await element.getByRole('button', { name: 'Dismiss' }).press('Enter')
@@ -36,7 +41,9 @@ for (const [tag, id] of [['observer-bench', 'fig-bench'], ['kalman-picture', 'fi
 
 test('a link with a parameter out of bounds says so where the page opens', async (t) => {
   const page = await open(t, { at: `kalman/?fig-bench=${code([1, 'observer-bench', 3, { gain: 1e9 }])}` })
-  await notice(page).getByText(/Turn the gain.*could not be read/).waitFor()
+  await notice(page)
+    .getByText(/Turn the gain.*could not be read/)
+    .waitFor()
   assert.equal(await page.evaluate(() => scrollY), 0)
 })
 
@@ -45,7 +52,13 @@ test('a link to a figure that is not there says so, in plain text', async (t) =>
   await notice(page).getByText('does not have: fig-nope').waitFor()
   assert.ok((await notice(page).innerText()).includes('fig-<img src'))
   assert.equal(await notice(page).locator('img').count(), 0)
-  assert.ok(await notice(page).evaluate((it) => { const { top, bottom } = it.getBoundingClientRect(); return top >= 0 && bottom <= innerHeight }), 'it is on the screen, wherever the page opens')
+  assert.ok(
+    await notice(page).evaluate((it) => {
+      const { top, bottom } = it.getBoundingClientRect()
+      return top >= 0 && bottom <= innerHeight
+    }),
+    'it is on the screen, wherever the page opens',
+  )
 })
 
 test('a link that can be read brings no notice', async (t) => {

@@ -34,15 +34,23 @@ for (const [what, mangle] of [
   ['of another version', () => btoa(JSON.stringify([99, 'observer-bench', 3, {}])).replace(/=+$/, '')],
   ['of another lab', () => btoa(JSON.stringify([1, 'odometry-hook', 3, {}])).replace(/=+$/, '')],
   ['out of bounds', () => btoa(JSON.stringify([1, 'observer-bench', 3, { gain: 1e9 }])).replace(/=+$/, '')],
-  ['of the wrong kind', () => btoa(JSON.stringify([1, 'observer-bench', 3, { gain: '1', sensor: 7, seed: -1 }])).replace(/=+$/, '')],
+  [
+    'of the wrong kind',
+    () => btoa(JSON.stringify([1, 'observer-bench', 3, { gain: '1', sensor: 7, seed: -1 }])).replace(/=+$/, ''),
+  ],
   ['far too long', () => 'A'.repeat(9_000)],
   ['with a step beyond all', () => btoa(JSON.stringify([1, 'observer-bench', 1e15, {}])).replace(/=+$/, '')],
 ]) {
   test(`a link ${what} gives the usual figure and a notice`, async (t) => {
-    const good = btoa(JSON.stringify([1, 'observer-bench', 3, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }])).replace(/=+$/, '')
+    const good = btoa(
+      JSON.stringify([1, 'observer-bench', 3, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }]),
+    ).replace(/=+$/, '')
     const { it: bench } = await openFigure(t, 'observer-bench', { query: `?fig-bench=${mangle(good)}` })
     assert.equal((await frameOf(bench)).step, 12)
-    await bench.getByText(/could not be read/).first().waitFor()
+    await bench
+      .getByText(/could not be read/)
+      .first()
+      .waitFor()
   })
 }
 
@@ -63,7 +71,13 @@ test('the figure and its series can be taken along', async (t) => {
   assert.doesNotMatch(svg.text, /var\(--/, 'the colours are in the file')
 })
 
-for (const [tag, id] of [['odometry-hook', 'fig-odometry'], ['kalman-picture', 'fig-picture'], ['observability-probe', 'fig-probe'], ['tune-me', 'fig-tune'], ['close-loop', 'fig-loop']]) {
+for (const [tag, id] of [
+  ['odometry-hook', 'fig-odometry'],
+  ['kalman-picture', 'fig-picture'],
+  ['observability-probe', 'fig-probe'],
+  ['tune-me', 'fig-tune'],
+  ['close-loop', 'fig-loop'],
+]) {
   test(`state, picture and series of the ${tag} can be taken along`, async (t) => {
     const { page, it: widget } = await openFigure(t, tag)
     const before = await stateOf(widget)
@@ -71,20 +85,30 @@ for (const [tag, id] of [['odometry-hook', 'fig-odometry'], ['kalman-picture', '
     if (await step.count()) await step.click()
     // Off its usual place, and with digits that no control would give.
     await widget.locator('.live input[type=range]:enabled:visible').first().press('Shift+ArrowRight')
-    await page.waitForFunction(([name, was]) => JSON.stringify(document.querySelector(name).state) !== was && document.querySelector(name).settled, [tag, JSON.stringify(before)])
+    await page.waitForFunction(
+      ([name, was]) =>
+        JSON.stringify(document.querySelector(name).state) !== was && document.querySelector(name).settled,
+      [tag, JSON.stringify(before)],
+    )
     await page.waitForTimeout(300)
     const there = { frame: await frameOf(widget), state: await stateOf(widget) }
     assert.notDeepEqual(there.state.params, before.params)
     const link = await copied(page, widget)
 
     const take = async (name) => {
-      const [download] = await Promise.all([page.waitForEvent('download'), widget.getByRole('button', { name }).click()])
+      const [download] = await Promise.all([
+        page.waitForEvent('download'),
+        widget.getByRole('button', { name }).click(),
+      ])
       assert.equal(download.suggestedFilename().replace(/\.\w+$/, ''), id)
       return readFileSync(await download.path(), 'utf8')
     }
     const [head, ...rows] = (await take('Download CSV')).trim().split(/\r?\n/)
     const columns = head.split(',')
-    assert.ok(columns.length > 1 && rows.length > 0 && rows.every((row) => row.split(',').length === columns.length), head)
+    assert.ok(
+      columns.length > 1 && rows.length > 0 && rows.every((row) => row.split(',').length === columns.length),
+      head,
+    )
     for (const [name, values] of Object.entries(there.frame.series ?? {})) {
       const at = columns.indexOf(name)
       if (at < 0 || !Array.isArray(values) || typeof values.at(-1) !== 'number') continue
@@ -116,7 +140,13 @@ for (const { version, links } of kept()) {
       for (const { figure: id, widget, state, frame } of last) {
         const element = opened.locator(`#${id} ${widget}`)
         await comeTo(opened, `#${id}`, `#${id} ${widget}[data-state=live]`)
-        await opened.waitForFunction(([where, step]) => { const it = document.querySelector(where); return it.settled && it.state.step === step }, [`#${id} ${widget}`, state.step])
+        await opened.waitForFunction(
+          ([where, step]) => {
+            const it = document.querySelector(where)
+            return it.settled && it.state.step === step
+          },
+          [`#${id} ${widget}`, state.step],
+        )
         assert.equal(await element.getByText(/could not be read/).count(), 0, id)
         assert.deepEqual(lost(state.params, (await stateOf(element)).params), [], id)
         assert.deepEqual(lost(frame, hashes(await frameOf(element))), [], id)

@@ -15,7 +15,8 @@ for (const touch of [false, true]) {
       const session = await page.context().newCDPSession(page)
       const at = (px) => [{ x: px, y: y + height / 2 }]
       await session.send('Input.dispatchTouchEvent', { type: 'touchStart', touchPoints: at(x + width / 2) })
-      for (let i = 1; i <= 8; i++) await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(x + width / 2 - 12 * i) })
+      for (let i = 1; i <= 8; i++)
+        await session.send('Input.dispatchTouchEvent', { type: 'touchMove', touchPoints: at(x + width / 2 - 12 * i) })
       await session.send('Input.dispatchTouchEvent', { type: 'touchEnd', touchPoints: [] })
       await until(it, ({ step }) => step < rows * 0.9 && step > 0, 'the finger led back')
       return

@@ -10,7 +10,9 @@ const [at = 'figure/robot-log/', least = '50'] = process.argv.slice(2)
 const site = await serve({ folder: dist, base: BASE })
 const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
 const page = await browser.newPage({ viewport: DESKTOP })
-await browser.startTracing(page, { categories: ['toplevel', 'devtools.timeline', 'v8', 'disabled-by-default-devtools.timeline'] })
+await browser.startTracing(page, {
+  categories: ['toplevel', 'devtools.timeline', 'v8', 'disabled-by-default-devtools.timeline'],
+})
 await page.goto(site.url + at)
 // Nothing is asked of the page meanwhile: what the driver brings into a page for a question takes a long task itself.
 await new Promise((resolve) => setTimeout(resolve, 5000))
@@ -18,14 +20,22 @@ const { traceEvents: all } = JSON.parse(await browser.stopTracing())
 await browser.close()
 await site.close()
 
-const mains = new Set(all.filter(({ name, args }) => name === 'thread_name' && args.name === 'CrRendererMain').map(({ pid, tid }) => `${pid} ${tid}`))
-const spans = all.filter(({ ph, dur, pid, tid }) => ph === 'X' && dur > 0 && mains.has(`${pid} ${tid}`)).sort((a, b) => a.ts - b.ts || b.dur - a.dur)
+const mains = new Set(
+  all
+    .filter(({ name, args }) => name === 'thread_name' && args.name === 'CrRendererMain')
+    .map(({ pid, tid }) => `${pid} ${tid}`),
+)
+const spans = all
+  .filter(({ ph, dur, pid, tid }) => ph === 'X' && dur > 0 && mains.has(`${pid} ${tid}`))
+  .sort((a, b) => a.ts - b.ts || b.dur - a.dur)
 const start = spans[0].ts
 const tasks = spans.filter(({ name, dur }) => name === 'ThreadControllerImpl::RunTask' && dur >= 1000 * Number(least))
 for (const task of tasks.sort((a, b) => b.dur - a.dur)) {
   const own = new Map()
   const open = []
-  for (const span of spans.filter(({ pid, tid, ts, dur }) => pid === task.pid && tid === task.tid && ts >= task.ts && ts + dur <= task.ts + task.dur)) {
+  for (const span of spans.filter(
+    ({ pid, tid, ts, dur }) => pid === task.pid && tid === task.tid && ts >= task.ts && ts + dur <= task.ts + task.dur,
+  )) {
     while (open.length && open.at(-1).ts + open.at(-1).dur <= span.ts) open.pop()
     const parent = open.at(-1)
     if (parent) own.set(parent.label, own.get(parent.label) - span.dur)
@@ -34,7 +44,12 @@ for (const task of tasks.sort((a, b) => b.dur - a.dur)) {
     own.set(label, (own.get(label) ?? 0) + span.dur)
     open.push({ ...span, label })
   }
-  const parts = [...own].filter(([, time]) => time > 2000).sort((a, b) => b[1] - a[1]).map(([label, time]) => `${(time / 1000).toFixed(0)} ${label}`)
-  console.log(`${(task.dur / 1000).toFixed(0)} ms, ${((task.tdur ?? 0) / 1000).toFixed(0)} of the processor, at ${((task.ts - start) / 1000).toFixed(0)} ms: ${parts.join('; ')}`)
+  const parts = [...own]
+    .filter(([, time]) => time > 2000)
+    .sort((a, b) => b[1] - a[1])
+    .map(([label, time]) => `${(time / 1000).toFixed(0)} ${label}`)
+  console.log(
+    `${(task.dur / 1000).toFixed(0)} ms, ${((task.tdur ?? 0) / 1000).toFixed(0)} of the processor, at ${((task.ts - start) / 1000).toFixed(0)} ms: ${parts.join('; ')}`,
+  )
 }
 if (tasks.length === 0) console.log(`no task above ${least} ms`)

@@ -6,17 +6,31 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { frameOf, openFigure, root, stateOf } from './harness.mjs'
-import { held, plain } from '../../web/core/words.js'
+import { held, plain } from '../../web/draw/words.js'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { dice as seeded } from '../node/nonsense.mjs'
 
 const SEED = Number(process.env.PROBE_SEED ?? 1)
-const ROUNDS = { 'observability-probe': 6, 'observer-bench': 3, 'odometry-hook': 3, 'kalman-picture': 3, 'robot-log': 2, 'tune-me': 3, 'close-loop': 3, 'bug-museum': 3, 'own-system': 3 }
+const ROUNDS = {
+  'observability-probe': 6,
+  'observer-bench': 3,
+  'odometry-hook': 3,
+  'kalman-picture': 3,
+  'robot-log': 2,
+  'tune-me': 3,
+  'close-loop': 3,
+  'bug-museum': 3,
+  'own-system': 3,
+}
 
 /** The frame that this machine's own code computes for a state, given as a copied link carries it. */
 function native(link, id) {
   const text = Buffer.from(new URL(link).searchParams.get(id), 'base64url').toString()
-  const frame = execFileSync('cargo', ['run', '--quiet', '--locked', '-p', 'labs', '--example', 'lab_frame'], { cwd: root, input: text, maxBuffer: 2 ** 26 })
+  const frame = execFileSync('cargo', ['run', '--quiet', '--locked', '-p', 'labs', '--example', 'lab_frame'], {
+    cwd: root,
+    input: text,
+    maxBuffer: 2 ** 26,
+  })
   return { text, frame: JSON.parse(frame) }
 }
 
@@ -35,8 +49,11 @@ function finite(value) {
 async function shuffle(page, element, dice) {
   const live = element.locator('.live')
   for (const select of await live.locator('select').all()) {
-    if ((await select.locator('xpath=ancestor::label').innerText()).startsWith('Speed') || await select.isDisabled()) continue
-    const open = await select.locator('option').evaluateAll((all) => all.flatMap((option, i) => (option.disabled ? [] : [i])))
+    if ((await select.locator('xpath=ancestor::label').innerText()).startsWith('Speed') || (await select.isDisabled()))
+      continue
+    const open = await select
+      .locator('option')
+      .evaluateAll((all) => all.flatMap((option, i) => (option.disabled ? [] : [i])))
     await select.selectOption({ index: open[dice.below(open.length)] })
     await settled(element)
   }
@@ -52,11 +69,14 @@ async function shuffle(page, element, dice) {
     }, dice.uniform())
   }
   const handles = live.locator('svg [role=slider]').locator('visible=true')
-  for (let i = 0; i < await handles.count(); i++) {
+  for (let i = 0; i < (await handles.count()); i++) {
     const handle = handles.nth(i)
     await handle.scrollIntoViewIfNeeded()
     const grip = await handle.locator('.handle-dot').boundingBox()
-    const panel = await handle.evaluate((it) => { const { left, top, width, height } = it.ownerSVGElement.getBoundingClientRect(); return { left, top, width, height } })
+    const panel = await handle.evaluate((it) => {
+      const { left, top, width, height } = it.ownerSVGElement.getBoundingClientRect()
+      return { left, top, width, height }
+    })
     const middle = [grip.x + grip.width / 2, grip.y + grip.height / 2]
     const goal = [panel.left + dice.uniform() * panel.width, panel.top + dice.uniform() * panel.height]
     await page.mouse.move(...middle)
@@ -78,7 +98,8 @@ async function shuffle(page, element, dice) {
 /** Waits until nothing is left to compute, and what was computed is on the screen. */
 async function settled(element) {
   await element.evaluate(async (it) => {
-    do await new Promise((resolve) => requestAnimationFrame(resolve)); while (it.figure.asked || !it.settled)
+    do await new Promise((resolve) => requestAnimationFrame(resolve))
+    while (it.figure.asked || !it.settled)
   })
 }
 
@@ -102,11 +123,26 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
       assert.notDeepEqual(await stateOf(element), start, where)
       assert.deepEqual(finite(await frameOf(element)), run.frame, where)
       const shown = await element.locator('.live').evaluate((live) => ({
-        readouts: [...live.querySelectorAll('.readout')].map((box) => [(box.querySelector('dt .in-choset') ?? box.querySelector('dt')).textContent, box.querySelector('dd').textContent]),
-        verdict: [...live.querySelector('.verdict').childNodes].map((part) => (/in-(?!choset)/.test(part.className) ? '' : part.textContent)).join(''),
-        panels: Object.fromEntries([...live.querySelectorAll('.panel')].map((svg) => [/panel-(\S+)/.exec(svg.getAttribute('class'))[1], svg.getAttribute('aria-label')])),
+        readouts: [...live.querySelectorAll('.readout')].map((box) => [
+          (box.querySelector('dt .in-choset') ?? box.querySelector('dt')).textContent,
+          box.querySelector('dd').textContent,
+        ]),
+        verdict: [...live.querySelector('.verdict').childNodes]
+          .map((part) => (/in-(?!choset)/.test(part.className) ? '' : part.textContent))
+          .join(''),
+        panels: Object.fromEntries(
+          [...live.querySelectorAll('.panel')].map((svg) => [
+            /panel-(\S+)/.exec(svg.getAttribute('class'))[1],
+            svg.getAttribute('aria-label'),
+          ]),
+        ),
       }))
-      const said = spec.readouts(run.frame).map(({ label, value, unit }) => [plain(label), unit && value !== '–' ? `${value}${unit === '°' ? '' : ' '}${unit}` : value])
+      const said = spec
+        .readouts(run.frame)
+        .map(({ label, value, unit }) => [
+          plain(label),
+          unit && value !== '–' ? `${value}${unit === '°' ? '' : ' '}${unit}` : value,
+        ])
       assert.ok(said.length >= 7, `${tag} has readouts`)
       assert.deepEqual(shown.readouts, said, where)
       assert.equal(shown.verdict, held(plain(spec.verdict(run.frame))), where)
@@ -115,10 +151,34 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
   })
 }
 
-test('the comparison sees a difference in the last bit, in a zero\'s sign and in a missing number', () => {
-  const frame = { P: [[0.1, 0], [0, NaN]] }
-  assert.deepEqual(finite(frame), { P: [[0.1, 0], [0, null]] })
-  for (const other of [{ P: [[0.1 + 2 ** -56, 0], [0, null]] }, { P: [[0.1, -0], [0, null]] }, { P: [[0.1, 0], [0]] }]) {
+test("the comparison sees a difference in the last bit, in a zero's sign and in a missing number", () => {
+  const frame = {
+    P: [
+      [0.1, 0],
+      [0, NaN],
+    ],
+  }
+  assert.deepEqual(finite(frame), {
+    P: [
+      [0.1, 0],
+      [0, null],
+    ],
+  })
+  for (const other of [
+    {
+      P: [
+        [0.1 + 2 ** -56, 0],
+        [0, null],
+      ],
+    },
+    {
+      P: [
+        [0.1, -0],
+        [0, null],
+      ],
+    },
+    { P: [[0.1, 0], [0]] },
+  ]) {
     assert.notDeepEqual(finite(frame), other)
   }
 })

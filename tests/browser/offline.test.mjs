@@ -34,10 +34,11 @@ async function visit(folder, base, act) {
   }
 }
 
-const kept = (page) => page.evaluate(async () => {
-  const { active } = await navigator.serviceWorker.ready
-  while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
-})
+const kept = (page) =>
+  page.evaluate(async () => {
+    const { active } = await navigator.serviceWorker.ready
+    while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
+  })
 const waitFor = async (page, met) => {
   for (let waits = 0; waits < 600 && !(await met()); waits++) await page.waitForTimeout(100)
 }
@@ -45,12 +46,15 @@ const stores = async (page) => (await page.evaluate(() => caches.keys())).sort()
 
 /** Another version of the copy in `folder`, as a deploy would bring it. */
 function deploy(folder, version) {
-  const edit = (file, change) => writeFileSync(path.join(folder, file), change(readFileSync(path.join(folder, file), 'utf8')))
+  const edit = (file, change) =>
+    writeFileSync(path.join(folder, file), change(readFileSync(path.join(folder, file), 'utf8')))
   edit('index.html', (html) => html.replace(/<h1>[^<]*/, `<h1>Version ${version}`))
   edit('sw.js', (script) => script.replace(/VERSION = (['"])[^'"]*/, `VERSION = $1${version}`))
 }
 
-test('after one visit every page, figure and check works without a network, in both letters', { timeout: 240_000 }, async () => {
+test('after one visit every page, figure and check works without a network, in both letters', {
+  timeout: 240_000,
+}, async () => {
   await visit(dist, BASE, async ({ page, url, unplug }) => {
     await page.goto(url + 'kalman/')
     await kept(page)
@@ -61,7 +65,10 @@ test('after one visit every page, figure and check works without a network, in b
     // Every page is there, byte by byte; the pages of the sources, of one kind, are not all shown.
     for (const at of pages) {
       const kept = await page.evaluate(async (address) => (await fetch(address)).text(), url + at)
-      assert.ok(kept === readFileSync(path.join(dist, at.endsWith('.html') ? at : `${at}index.html`), 'utf8'), `/${at} is kept as it is`)
+      assert.ok(
+        kept === readFileSync(path.join(dist, at.endsWith('.html') ? at : `${at}index.html`), 'utf8'),
+        `/${at} is kept as it is`,
+      )
     }
     const sources = pages.filter((at) => at.startsWith('source/'))
     for (const at of pages.filter((one) => !sources.slice(3).includes(one))) {
@@ -80,11 +87,16 @@ test('after one visit every page, figure and check works without a network, in b
     await page.locator('dialog.search li a').first().waitFor()
     await page.goto(url + 'check/')
     await page.locator('[data-run-checks]').click()
-    await page.getByRole('status').filter({ hasText: /^13 of 13 checks pass/ }).waitFor({ timeout: 60_000 })
+    await page
+      .getByRole('status')
+      .filter({ hasText: /^13 of 13 checks pass/ })
+      .waitFor({ timeout: 60_000 })
   })
 })
 
-test('two copies on one origin keep a store each, and a new version takes the place of its own alone', { timeout: 240_000 }, async () => {
+test('two copies on one origin keep a store each, and a new version takes the place of its own alone', {
+  timeout: 240_000,
+}, async () => {
   const [one, two] = ['one', 'two'].map((name) => path.join(copies, name))
   for (const folder of [one, two]) cpSync(dist, folder, { recursive: true })
   deploy(one, 'first')
@@ -98,7 +110,9 @@ test('two copies on one origin keep a store each, and a new version takes the pl
 
     deploy(one, 'second')
     await page.goto(url + 'one/')
-    await page.evaluate(async () => { await (await navigator.serviceWorker.ready).update() })
+    await page.evaluate(async () => {
+      await (await navigator.serviceWorker.ready).update()
+    })
     const both = ['book-/shelf/one/#first', 'book-/shelf/one/#second', 'book-/shelf/two/#other']
     await waitFor(page, async () => (await stores(page)).length === both.length)
     await page.evaluate(async () => {
@@ -111,7 +125,10 @@ test('two copies on one origin keep a store each, and a new version takes the pl
     await waitFor(page, async () => (await stores(page)).length < both.length)
     assert.deepEqual(await stores(page), ['book-/shelf/one/#second', 'book-/shelf/two/#other'])
     await unplug()
-    for (const [at, version] of [['one/', 'second'], ['two/', 'other']]) {
+    for (const [at, version] of [
+      ['one/', 'second'],
+      ['two/', 'other'],
+    ]) {
       await page.goto(url + at)
       assert.equal(await page.locator('h1').textContent(), `Version ${version}`)
       await page.goto(`${url}${at}kalman/`)

@@ -22,8 +22,11 @@ test('each fault is named while it is typed, and the figure keeps the last syste
   const { it } = await openFigure(t, TAG)
   const before = (await frameOf(it)).params
   for (const [matrix, row, column, text, words] of [
-    ['F', 1, 2, 'x', /^F, row 1, column 2: “x” is not a number\.$/], ['H', 1, 1, '', /^H, row 1, column 1: a number is missing\.$/],
-    ['W', 1, 1, '-1', /^W .*negative eigenvalue/], ['V', 1, 2, '7', /^V .*negative eigenvalue/], ['F', 1, 1, '1e400', /is not a number/],
+    ['F', 1, 2, 'x', /^F, row 1, column 2: “x” is not a number\.$/],
+    ['H', 1, 1, '', /^H, row 1, column 1: a number is missing\.$/],
+    ['W', 1, 1, '-1', /^W .*negative eigenvalue/],
+    ['V', 1, 2, '7', /^V .*negative eigenvalue/],
+    ['F', 1, 1, '1e400', /is not a number/],
   ]) {
     const box = cell(it, matrix, row, column)
     const good = await box.inputValue()
@@ -63,13 +66,27 @@ test('an eigenvalue that is dragged goes there, its conjugate follows, and by ha
   await page.mouse.down()
   await page.mouse.move(box.x + box.width / 2 - 20, box.y - 50, { steps: 4 })
   await page.mouse.up()
-  const { eigenvalues, params, K } = await until(it, ({ params }) => params.poles[0][1] > 0.1, 'the pole leaves the real line')
+  const { eigenvalues, params, K } = await until(
+    it,
+    ({ params }) => params.poles[0][1] > 0.1,
+    'the pole leaves the real line',
+  )
   const [re, im] = params.poles[0]
-  assert.deepEqual(eigenvalues.map((l) => [l.re, l.im].map((x) => Math.round(100 * x) / 100)), [[re, im], [re, -im]])
+  assert.deepEqual(
+    eigenvalues.map((l) => [l.re, l.im].map((x) => Math.round(100 * x) / 100)),
+    [
+      [re, im],
+      [re, -im],
+    ],
+  )
   await it.getByRole('combobox', { name: 'Gain' }).selectOption('by hand')
   const byHand = await until(it, ({ params }) => params.gain === 'hand', 'by hand')
   assert.deepEqual(byHand.K, K)
-  assert.equal(await it.locator('.control-range:visible').filter({ hasText: /^K/ }).count(), 2, 'a slider for each entry')
+  assert.equal(
+    await it.locator('.control-range:visible').filter({ hasText: /^K/ }).count(),
+    2,
+    'a slider for each entry',
+  )
   assert.equal(await cell(it, 'K', 1, 1).inputValue(), String(K[0][0]))
 })
 
@@ -101,7 +118,11 @@ test('a link holds the system, its names and the step', async (t) => {
 
 test('each program can be copied', async (t) => {
   const { page, it } = await openFigure(t, TAG)
-  for (const [language, sign] of [['Rust', 'use estimate::dynamic'], ['JavaScript', "require('robot-motion')"], ['numpy', 'import numpy as np']]) {
+  for (const [language, sign] of [
+    ['Rust', 'use estimate::dynamic'],
+    ['JavaScript', "require('robot-motion')"],
+    ['numpy', 'import numpy as np'],
+  ]) {
     await it.getByRole('button', { name: `Copy as ${language}` }).click()
     await it.getByText(`The system in ${language}, copied`).waitFor()
     const text = await page.evaluate(() => navigator.clipboard.readText())
@@ -113,7 +134,12 @@ test('each program can be copied', async (t) => {
 test('whoever copies while an entry is wrong learns that the copy is of the system before', async (t) => {
   const { it } = await openFigure(t, TAG)
   await cell(it, 'F', 1, 1).fill('abc')
-  assert.deepEqual(await it.locator('.own-matrix input[aria-invalid]').evaluateAll((all) => all.map((one) => one.getAttribute('aria-label'))), ['F, row 1, column 1'])
+  assert.deepEqual(
+    await it
+      .locator('.own-matrix input[aria-invalid]')
+      .evaluateAll((all) => all.map((one) => one.getAttribute('aria-label'))),
+    ['F, row 1, column 1'],
+  )
   assert.equal(await it.locator('.own-matrix[data-wrong]').count(), 0, 'the other entries are not marked')
   await it.getByRole('button', { name: 'Copy as numpy' }).click()
   await it.getByText('The last system without a fault, in numpy, copied').waitFor()
@@ -157,10 +183,19 @@ for (const width of [320, 390, 1280]) {
   test(`four states and four readings fit a page ${width} px wide`, async (t) => {
     const page = await open(t, { at: 'system/', viewport: { ...PHONE, width } })
     const it = await figure(page, TAG)
-    for (const [name, count] of [['States', '4'], ['Inputs', '4'], ['Readings', '4']]) await it.getByRole('combobox', { name, exact: true }).selectOption(count)
+    for (const [name, count] of [
+      ['States', '4'],
+      ['Inputs', '4'],
+      ['Readings', '4'],
+    ])
+      await it.getByRole('combobox', { name, exact: true }).selectOption(count)
     await until(it, ({ params }) => params.readings === 4 && params.states === 4, 'four of each')
     assert.ok((await page.evaluate(() => document.documentElement.scrollWidth)) <= width)
-    const cells = await it.locator('.own-matrix:not([hidden]) input:visible').evaluateAll((all) => all.map((one) => one.getBoundingClientRect()).map(({ width, height, right }) => ({ width, height, right })))
+    const cells = await it
+      .locator('.own-matrix:not([hidden]) input:visible')
+      .evaluateAll((all) =>
+        all.map((one) => one.getBoundingClientRect()).map(({ width, height, right }) => ({ width, height, right })),
+      )
     assert.equal(cells.length, 16 * 5)
     for (const one of cells) assert.ok(one.height >= 44 && one.width >= 44 && one.right <= width, JSON.stringify(one))
   })
@@ -168,7 +203,11 @@ for (const width of [320, 390, 1280]) {
 
 test('what is pressed stays under the finger on a phone, though the matrices above it grow', async (t) => {
   const { it } = await openFigure(t, TAG, { viewport: PHONE, touch: true })
-  for (const [phrase, states] of [['Place the eigenvalues yourself', 3], ['Read the velocity alone', 2], ['Place the eigenvalues yourself', 3]]) {
+  for (const [phrase, states] of [
+    ['Place the eigenvalues yourself', 3],
+    ['Read the velocity alone', 2],
+    ['Place the eigenvalues yourself', 3],
+  ]) {
     const button = it.locator('.live .tries').getByRole('button', { name: phrase })
     await button.scrollIntoViewIfNeeded()
     const top = () => button.evaluate((pressed) => pressed.getBoundingClientRect().top)
@@ -176,6 +215,6 @@ test('what is pressed stays under the finger on a phone, though the matrices abo
     await button.tap()
     await until(it, ({ params }) => params.states === states, phrase)
     await it.page().waitForTimeout(300)
-    assert.ok(Math.abs(await top() - before) < 2, `${phrase}: ${before} px from the top, ${await top()} afterwards`)
+    assert.ok(Math.abs((await top()) - before) < 2, `${phrase}: ${before} px from the top, ${await top()} afterwards`)
   }
 })

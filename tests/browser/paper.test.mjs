@@ -11,7 +11,12 @@ const PAGES_AT_MOST = 59
 
 /** The text of each page. */
 async function pages(pdf) {
-  const document = await getDocument({ data: new Uint8Array(pdf), verbosity: 0, isEvalSupported: false, useSystemFonts: false }).promise
+  const document = await getDocument({
+    data: new Uint8Array(pdf),
+    verbosity: 0,
+    isEvalSupported: false,
+    useSystemFonts: false,
+  }).promise
   const texts = []
   for (let i = 1; i <= document.numPages; i++) {
     const { items } = await (await document.getPage(i)).getTextContent()
@@ -22,32 +27,62 @@ async function pages(pdf) {
 
 /** Whether a PDF has a structure for screen readers, a title, a language, and a bookmark for each section; and no address of the server. */
 async function isTaggedWithBookmarks(pdf, sections) {
-  const document = await getDocument({ data: new Uint8Array(pdf), verbosity: 0, isEvalSupported: false, useSystemFonts: false }).promise
+  const document = await getDocument({
+    data: new Uint8Array(pdf),
+    verbosity: 0,
+    isEvalSupported: false,
+    useSystemFonts: false,
+  }).promise
   assert.equal((await document.getMarkInfo())?.Marked, true)
   const { info } = await document.getMetadata()
   assert.match(info.Title, /Kalman/)
   assert.match(info.Language, /^en/)
   const titles = []
-  const collect = (items) => items.forEach((item) => { titles.push(plain(item.title)); collect(item.items) })
+  const collect = (items) =>
+    items.forEach((item) => {
+      titles.push(plain(item.title))
+      collect(item.items)
+    })
   collect(await document.getOutline())
   assert.ok(sections.length >= 10)
-  assert.deepEqual(sections.map((it) => plain(it).replace(/#$/, '')).filter((it) => !titles.some((title) => title.includes(it) || it.includes(title))), [], 'sections without a bookmark')
+  assert.deepEqual(
+    sections
+      .map((it) => plain(it).replace(/#$/, ''))
+      .filter((it) => !titles.some((title) => title.includes(it) || it.includes(title))),
+    [],
+    'sections without a bookmark',
+  )
   const kinds = JSON.stringify(await (await document.getPage(1)).getStructTree())
   assert.ok(kinds.includes('"role":"H1"') && kinds.includes('"role":"P"'), kinds.slice(0, 300))
   for (let i = 1; i <= document.numPages; i++) {
     const links = await (await document.getPage(i)).getAnnotations()
-    assert.deepEqual(links.map(({ url }) => url).filter((url) => url?.includes('127.0.0.1')), [], `page ${i}`)
+    assert.deepEqual(
+      links.map(({ url }) => url).filter((url) => url?.includes('127.0.0.1')),
+      [],
+      `page ${i}`,
+    )
   }
 }
 
 /** Which of these words stand on paper with nothing of their column right below them. */
 async function alone(pdf, names) {
-  const document = await getDocument({ data: new Uint8Array(pdf), verbosity: 0, isEvalSupported: false, useSystemFonts: false }).promise
+  const document = await getDocument({
+    data: new Uint8Array(pdf),
+    verbosity: 0,
+    isEvalSupported: false,
+    useSystemFonts: false,
+  }).promise
   const found = []
   let seen = 0
   for (let i = 1; i <= document.numPages; i++) {
     const items = (await (await document.getPage(i)).getTextContent()).items.filter(({ str }) => str.trim())
-    for (const [n, { str, transform: [, , , , x, y] }] of items.entries()) {
+    for (const [
+      n,
+      {
+        str,
+        transform: [, , , , x, y],
+      },
+    ] of items.entries()) {
       if (!names.has(str.trim())) continue
       seen += 1
       const next = items[n + 1]?.transform
@@ -60,10 +95,15 @@ async function alone(pdf, names) {
 const plain = (text) => text.replace(/[\s\u00ad\u200b]+/g, '').normalize('NFKC')
 
 /** The first words of each block that is closed on the screen. */
-const firstWords = (page) => page.evaluate(() => [...document.querySelectorAll('main details:not(.numbers)')].flatMap((block) => {
-  const first = [...block.querySelectorAll('p')].find((p) => !p.closest('summary') && !p.querySelector('.katex, .number, a') && p.textContent.trim().length > 30)
-  return first ? [first.textContent.trim().slice(0, 24)] : []
-}))
+const firstWords = (page) =>
+  page.evaluate(() =>
+    [...document.querySelectorAll('main details:not(.numbers)')].flatMap((block) => {
+      const first = [...block.querySelectorAll('p')].find(
+        (p) => !p.closest('summary') && !p.querySelector('.katex, .number, a') && p.textContent.trim().length > 30,
+      )
+      return first ? [first.textContent.trim().slice(0, 24)] : []
+    }),
+  )
 
 test('a PDF of the chapter has every section open and no controls', { timeout: 120_000 }, async (t) => {
   const page = await open(t)
@@ -79,20 +119,37 @@ test('a PDF of the chapter has every section open and no controls', { timeout: 1
   assert.ok(texts.length <= PAGES_AT_MOST, `${texts.length} pages`)
   // Each choice has a box to tick, also that of a question which has not been on the screen.
   assert.equal(texts.join('').split('☐').length - 1, await page.locator('.quiz-choice').count())
-  assert.deepEqual(closed.filter((words) => !whole.includes(plain(words))), [], 'these are not on paper')
+  assert.deepEqual(
+    closed.filter((words) => !whole.includes(plain(words))),
+    [],
+    'these are not on paper',
+  )
   // Drawings are printed also where they are files that come late, each with its words.
-  for (const words of ['gain R(k) and its knob g', 'below the maximum:', 'density of', 'of the heading (degrees)']) assert.ok(whole.includes(plain(words)), `${words} is not on paper`)
+  for (const words of ['gain R(k) and its knob g', 'below the maximum:', 'density of', 'of the heading (degrees)'])
+    assert.ok(whole.includes(plain(words)), `${words} is not on paper`)
   // Links lead nowhere on paper: their addresses are printed, each once.
   assert.ok(addresses.some((address) => address.startsWith('https://doi.org/')))
   const missing = addresses.filter((address) => whole.split(plain(address)).length !== 2)
   assert.deepEqual(missing, [], 'these are not on paper, or twice')
   // A figure's name, its picture and its words stay together.
-  const figures = await page.locator('figure.figure-widget').evaluateAll((all) => all.map((it) => [(it.querySelector('.figure-title')?.lastChild ?? it.querySelector('figcaption .label')).textContent.trim(), it.querySelector('figcaption').textContent.trim().slice(0, 16)]))
+  const figures = await page
+    .locator('figure.figure-widget')
+    .evaluateAll((all) =>
+      all.map((it) => [
+        (it.querySelector('.figure-title')?.lastChild ?? it.querySelector('figcaption .label')).textContent.trim(),
+        it.querySelector('figcaption').textContent.trim().slice(0, 16),
+      ]),
+    )
   assert.ok(figures.length >= 4)
-  const torn = figures.filter(([title, words]) => !texts.some((text) => plain(text).includes(plain(title)) && plain(text).includes(plain(words))))
+  const torn = figures.filter(
+    ([title, words]) => !texts.some((text) => plain(text).includes(plain(title)) && plain(text).includes(plain(words))),
+  )
   assert.deepEqual(torn, [], 'titles and captions on two pages')
   // What introduces something stands on its page.
-  const lonely = texts.slice(0, -1).filter((text) => /(Answer|Worked answer|Starter|Hint|\.rs)\s*$/.test(text)).map((text) => text.slice(-60))
+  const lonely = texts
+    .slice(0, -1)
+    .filter((text) => /(Answer|Worked answer|Starter|Hint|\.rs)\s*$/.test(text))
+    .map((text) => text.slice(-60))
   assert.deepEqual(lonely, [])
   const kinds = await page.locator('.note-kind:has(+ .note-title)').allTextContents()
   const { found, seen } = await alone(pdf, new Set(kinds.map((it) => it.trim())))
@@ -108,8 +165,12 @@ test('two prints of a page are the same file', async (t) => {
   for (const before of [0, 5]) {
     const page = await open(t, { at: 'teaching/' })
     // Another browser's numbers for what is tagged; another second.
-    await page.evaluate((count) => { for (let i = 0; i < count; i++) document.body.append(document.createElement('p')) }, before)
-    await page.evaluate(() => { for (const p of document.querySelectorAll('body > p:empty')) p.remove() })
+    await page.evaluate((count) => {
+      for (let i = 0; i < count; i++) document.body.append(document.createElement('p'))
+    }, before)
+    await page.evaluate(() => {
+      for (const p of document.querySelectorAll('body > p:empty')) p.remove()
+    })
     await page.waitForTimeout(1100)
     prints.push(await printed(page))
   }
@@ -122,7 +183,11 @@ test('with scripts off what is closed on the screen is open on paper', { timeout
   const closed = await firstWords(page)
   assert.ok(closed.length >= 5, `only ${closed.length} closed blocks were found`)
   const whole = plain((await pages(await page.pdf({ format: 'A4', printBackground: true }))).join(' '))
-  assert.deepEqual(closed.filter((words) => !whole.includes(plain(words))), [], 'these are not on paper')
+  assert.deepEqual(
+    closed.filter((words) => !whole.includes(plain(words))),
+    [],
+    'these are not on paper',
+  )
   assert.ok(whole.includes('belowthemaximum:'), 'a drawing far down the page is on paper')
 })
 
@@ -133,7 +198,8 @@ test('a page has on paper the drawings that nobody has come near', { timeout: 12
   await page.waitForLoadState('networkidle')
   await page.waitForFunction(() => [...document.querySelectorAll('img.panel')].every((image) => image.complete))
   const whole = plain((await pages(await page.pdf({ format: 'A4', printBackground: true }))).join(' '))
-  for (const words of ['below the maximum:', 'of the heading (degrees)']) assert.ok(whole.includes(plain(words)), `${words} is not on paper`)
+  for (const words of ['below the maximum:', 'of the heading (degrees)'])
+    assert.ok(whole.includes(plain(words)), `${words} is not on paper`)
 })
 
 test('in print the figures are stills and nothing to press is left', async (t) => {
@@ -142,14 +208,23 @@ test('in print the figures are stills and nothing to press is left', async (t) =
   await page.emulateMedia({ media: 'print' })
   await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
   const seen = await page.evaluate(() => {
-    const visible = (element) => element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && element.getClientRects().length > 0
+    const visible = (element) =>
+      element.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
+      element.getClientRects().length > 0
     return {
-      controls: [...document.querySelectorAll('button, input, select, textarea')].filter(visible).map((element) => element.outerHTML.slice(0, 120)),
-      stills: [...document.querySelectorAll('figure.figure-widget')].map((figure) => [...figure.querySelectorAll('.still > .panel')].filter(visible).length),
+      controls: [...document.querySelectorAll('button, input, select, textarea')]
+        .filter(visible)
+        .map((element) => element.outerHTML.slice(0, 120)),
+      stills: [...document.querySelectorAll('figure.figure-widget')].map(
+        (figure) => [...figure.querySelectorAll('.still > .panel')].filter(visible).length,
+      ),
     }
   })
   assert.deepEqual(seen.controls, [])
-  assert.ok(seen.stills.length >= 1 && seen.stills.every((count) => count >= 1), `pictures in each figure: ${seen.stills}`)
+  assert.ok(
+    seen.stills.length >= 1 && seen.stills.every((count) => count >= 1),
+    `pictures in each figure: ${seen.stills}`,
+  )
 })
 
 test('on paper a question has its reasons, an exercise its answer, a drawing its lines, and there is no progress', async (t) => {
@@ -159,19 +234,32 @@ test('on paper a question has its reasons, an exercise its answer, a drawing its
   await page.emulateMedia({ media: 'print' })
   await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
   const hidden = await page.evaluate(() => {
-    const printed = (element) => element?.checkVisibility({ visibilityProperty: true, opacityProperty: true }) && element.getClientRects().length > 0
-    const lacks = (all, part) => [...document.querySelectorAll(all)].filter((it) => !printed(it.querySelector(part))).map((it) => it.id)
+    const printed = (element) =>
+      element?.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
+      element.getClientRects().length > 0
+    const lacks = (all, part) =>
+      [...document.querySelectorAll(all)].filter((it) => !printed(it.querySelector(part))).map((it) => it.id)
     return {
       // Answers stand at the end, apart from their questions.
-      reasons: document.querySelectorAll('.quiz').length - [...document.querySelectorAll('.answers > .quiz-answer')].filter((it) => printed(it.querySelector('.quiz-why'))).length,
+      reasons:
+        document.querySelectorAll('.quiz').length -
+        [...document.querySelectorAll('.answers > .quiz-answer')].filter((it) => printed(it.querySelector('.quiz-why')))
+          .length,
       prompts: lacks('.quiz', '.quiz-prompt'),
-      answers: document.querySelectorAll('.exercise').length - [...document.querySelectorAll('.answers > .answer .details-body')].filter(printed).length,
+      answers:
+        document.querySelectorAll('.exercise').length -
+        [...document.querySelectorAll('.answers > .answer .details-body')].filter(printed).length,
       drawings: lacks('.figure-drawing', '.drawing svg .mark'),
       progress: [...document.querySelectorAll('.score')].filter(printed).length,
       // No two answers have the same name.
-      twice: [...document.querySelectorAll('.answer-of')].map((it) => it.textContent).filter((name, i, all) => all.indexOf(name) < i),
+      twice: [...document.querySelectorAll('.answer-of')]
+        .map((it) => it.textContent)
+        .filter((name, i, all) => all.indexOf(name) < i),
       // Pixels of paper: five points are 6.67.
-      small: [...document.querySelectorAll('.still svg.panel')].filter(printed).filter((panel) => panel.getScreenCTM().a * 12 < 6.67).map((panel) => `${panel.closest('figure').id} ${panel.getAttribute('class')}`),
+      small: [...document.querySelectorAll('.still svg.panel')]
+        .filter(printed)
+        .filter((panel) => panel.getScreenCTM().a * 12 < 6.67)
+        .map((panel) => `${panel.closest('figure').id} ${panel.getAttribute('class')}`),
     }
   })
   assert.deepEqual(hidden, { reasons: 0, prompts: [], answers: 0, drawings: [], progress: 0, twice: [], small: [] })
@@ -184,13 +272,17 @@ test('on paper no formula is wider than its column', async (t) => {
   await page.emulateMedia({ media: 'print' })
   const { wide, seen } = await page.evaluate(async () => {
     await document.fonts.ready
-    const boxes = [...document.querySelectorAll('.chapter .equation-body')].filter((box) => box.getClientRects().length > 0)
-    const wide = boxes.flatMap((box) => [...box.querySelectorAll('.katex-html')].flatMap((formula) => {
-      const range = document.createRange()
-      range.selectNodeContents(formula)
-      const over = range.getBoundingClientRect().width - box.clientWidth
-      return over > 1 ? [`${Math.round(over)} px: ${formula.textContent.slice(0, 60)}`] : []
-    }))
+    const boxes = [...document.querySelectorAll('.chapter .equation-body')].filter(
+      (box) => box.getClientRects().length > 0,
+    )
+    const wide = boxes.flatMap((box) =>
+      [...box.querySelectorAll('.katex-html')].flatMap((formula) => {
+        const range = document.createRange()
+        range.selectNodeContents(formula)
+        const over = range.getBoundingClientRect().width - box.clientWidth
+        return over > 1 ? [`${Math.round(over)} px: ${formula.textContent.slice(0, 60)}`] : []
+      }),
+    )
     return { wide, seen: boxes.length }
   })
   assert.ok(seen > 60, `${seen} formulas`)
@@ -202,13 +294,18 @@ for (const tag of Object.keys(WIDGETS)) {
     const { page, it: element } = await openFigure(t, tag, { theme: 'dark' })
     await page.emulateMedia({ media: 'print', colorScheme: 'dark' })
     const { controls, panels, ground } = await element.evaluate((it) => ({
-      controls: [...it.querySelectorAll('button, input, select, summary')].filter((control) => control.checkVisibility()).map((control) => control.textContent || control.ariaLabel),
+      controls: [...it.querySelectorAll('button, input, select, summary')]
+        .filter((control) => control.checkVisibility())
+        .map((control) => control.textContent || control.ariaLabel),
       panels: [...it.querySelectorAll('.live .panel')].filter((panel) => panel.checkVisibility()).length,
       ground: getComputedStyle(document.body).getPropertyValue('--ink'),
     }))
     assert.deepEqual(controls, [])
     assert.ok(panels > 0, 'its panels')
-    const light = await page.evaluate(() => { document.documentElement.dataset.theme = 'light'; return getComputedStyle(document.body).getPropertyValue('--ink') })
+    const light = await page.evaluate(() => {
+      document.documentElement.dataset.theme = 'light'
+      return getComputedStyle(document.body).getPropertyValue('--ink')
+    })
     assert.equal(ground, light, 'ink for paper, also of a dark page')
   })
 }

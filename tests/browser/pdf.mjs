@@ -31,11 +31,17 @@ export async function printed(page) {
  */
 export function reproducible(pdf) {
   const commit = spawnSync('git', ['log', '-1', '--format=%ct'], { cwd: root, encoding: 'utf8' }).stdout
-  const time = new Date(1000 * Number(process.env.SOURCE_DATE_EPOCH || commit || 0)).toISOString().replace(/\D/g, '').slice(0, 14)
+  const time = new Date(1000 * Number(process.env.SOURCE_DATE_EPOCH || commit || 0))
+    .toISOString()
+    .replace(/\D/g, '')
+    .slice(0, 14)
   const text = pdf.toString('latin1').replace(/(\/(?:CreationDate|ModDate) \(D:)\d{14}\+00'00'/g, `$1${time}+00'00'`)
   const tags = /(?<=\(node)\d{8}(?=\))/g
   const ranks = new Map([...new Set(text.match(tags))].sort().map((tag, i) => [tag, String(i + 1).padStart(8, '0')]))
-  return Buffer.from(text.replace(tags, (tag) => ranks.get(tag)), 'latin1')
+  return Buffer.from(
+    text.replace(tags, (tag) => ranks.get(tag)),
+    'latin1',
+  )
 }
 
 async function pdfs() {

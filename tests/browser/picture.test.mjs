@@ -12,10 +12,11 @@ const noise = (picture) => picture.getByRole('slider', { name: /Sensor noise/ })
 const picture = (t) => openFigure(t, 'kalman-picture')
 
 /** Pixels of one unit, by the drawing's own margins and reach. */
-const unitOf = (it) => it.locator('.live .panel-plane').evaluate((svg) => {
-  const { width, height } = svg.viewBox.baseVal
-  return Math.min((width - 58) / 2, (height - 72) / 2) / 3
-})
+const unitOf = (it) =>
+  it.locator('.live .panel-plane').evaluate((svg) => {
+    const { width, height } = svg.viewBox.baseVal
+    return Math.min((width - 58) / 2, (height - 72) / 2) / 3
+  })
 
 /** Drags a handle by so many pixels. */
 async function pull(page, grip, dx, dy) {
@@ -34,11 +35,20 @@ async function holds(it) {
   const frame = await frameOf(it)
   const { euclideanFoot: gray, mahalanobisFoot: purple, update } = frame
   for (const [name, value] of Object.entries({
-    'gray residual': gray.residual, 'purple residual': purple.residual, 'update residual': update.residual,
-    'gray by the ruler': gray.euclidean, 'purple by P': purple.mahalanobis, 'update by P': update.mahalanobis,
-  })) assert.ok(close(value, 0), `${name} is ${value} at ${JSON.stringify(frame.params)}`)
+    'gray residual': gray.residual,
+    'purple residual': purple.residual,
+    'update residual': update.residual,
+    'gray by the ruler': gray.euclidean,
+    'purple by P': purple.mahalanobis,
+    'update by P': update.mahalanobis,
+  }))
+    assert.ok(close(value, 0), `${name} is ${value} at ${JSON.stringify(frame.params)}`)
   assert.ok(purple.distance <= gray.distance + 1e-12, 'no point of the line is nearer in the metric of P')
-  assert.deepEqual(update.at.map((value, i) => close(value, frame.posterior.x[i])), [true, true], 'the update is the filter\'s')
+  assert.deepEqual(
+    update.at.map((value, i) => close(value, frame.posterior.x[i])),
+    [true, true],
+    "the update is the filter's",
+  )
   const readout = (label) => it.locator('.live .readout').filter({ hasText: label }).locator('dd').textContent()
   assert.equal(await readout('of both'), '0.000, 0.000')
   assert.equal(await readout(/^Gray.*ruler/s), '0.000')
@@ -53,9 +63,21 @@ test('the prediction moves by mouse and by keys, and both feet stay on the line'
   const start = (await holds(it)).params.mean
   assert.deepEqual(start, [4, 4])
   await pull(page, mean, -70, 45)
-  await until(it, ({ params }) => close(params.mean[0], start[0] - 70 / unit, 0.02) && close(params.mean[1], start[1] - 45 / unit, 0.02), 'it follows the mouse')
+  await until(
+    it,
+    ({ params }) =>
+      close(params.mean[0], start[0] - 70 / unit, 0.02) && close(params.mean[1], start[1] - 45 / unit, 0.02),
+    'it follows the mouse',
+  )
   const dragged = (await holds(it)).params.mean
-  for (const [key, dx, dy] of [['ArrowRight', 0.05, 0], ['ArrowUp', 0, 0.05], ['ArrowLeft', -0.05, 0], ['ArrowDown', 0, -0.05], ['Shift+ArrowUp', 0, 0.5], ['PageDown', 0, -0.5]]) {
+  for (const [key, dx, dy] of [
+    ['ArrowRight', 0.05, 0],
+    ['ArrowUp', 0, 0.05],
+    ['ArrowLeft', -0.05, 0],
+    ['ArrowDown', 0, -0.05],
+    ['Shift+ArrowUp', 0, 0.5],
+    ['PageDown', 0, -0.5],
+  ]) {
     const { mean: before } = (await frameOf(it)).params
     await mean.press(key)
     await until(it, ({ params }) => close(params.mean[0], before[0] + dx) && close(params.mean[1], before[1] + dy), key)
@@ -63,13 +85,21 @@ test('the prediction moves by mouse and by keys, and both feet stay on the line'
   const keyed = (await holds(it)).params.mean
   assert.ok(apart(dragged, keyed) < 1e-9, 'there and back')
   await mean.press('End')
-  const { params: { mean: right } } = await until(it, ({ params }) => params.mean[0] > keyed[0] + 1, 'End')
-  assert.ok(close(right[1], keyed[1]) && close(Number(await mean.getAttribute('aria-valuenow')), right[0], 1e-6), 'to the right edge, no higher')
+  const {
+    params: { mean: right },
+  } = await until(it, ({ params }) => params.mean[0] > keyed[0] + 1, 'End')
+  assert.ok(
+    close(right[1], keyed[1]) && close(Number(await mean.getAttribute('aria-valuenow')), right[0], 1e-6),
+    'to the right edge, no higher',
+  )
   await mean.press('Home')
   await until(it, ({ params }) => params.mean[0] < keyed[0] - 1, 'Home')
   await mean.press('End')
   await until(it, ({ params }) => close(params.mean[0], right[0]), 'End again')
-  assert.equal(await mean.getAttribute('aria-valuetext'), `at ${right[0].toFixed(2)} metres, ${right[1].toFixed(2)} metres a second`)
+  assert.equal(
+    await mean.getAttribute('aria-valuetext'),
+    `at ${right[0].toFixed(2)} metres, ${right[1].toFixed(2)} metres a second`,
+  )
 })
 
 test('the axes of the covariance turn and stretch, by mouse and by keys', async (t) => {
@@ -78,12 +108,23 @@ test('the axes of the covariance turn and stretch, by mouse and by keys', async 
   const unit = await unitOf(it)
   const { params: before } = await frameOf(it)
   await pull(page, first, 30, 50)
-  const end = [before.semiMajor * Math.cos(before.angle) + 30 / unit, before.semiMajor * Math.sin(before.angle) - 50 / unit]
-  await until(it, ({ params }) => close(params.semiMajor, Math.hypot(...end), 0.03) && close(params.angle, Math.atan2(end[1], end[0]), 0.03), 'the end of the axis follows the mouse')
+  const end = [
+    before.semiMajor * Math.cos(before.angle) + 30 / unit,
+    before.semiMajor * Math.sin(before.angle) - 50 / unit,
+  ]
+  await until(
+    it,
+    ({ params }) =>
+      close(params.semiMajor, Math.hypot(...end), 0.03) && close(params.angle, Math.atan2(end[1], end[0]), 0.03),
+    'the end of the axis follows the mouse',
+  )
   // P has the axes that are drawn.
   const { params, P } = await holds(it)
   const [c, s] = [Math.cos(params.angle), Math.sin(params.angle)]
-  assert.ok(close(P[0][0], (params.semiMajor * c) ** 2 + (params.semiMinor * s) ** 2) && close(P[0][1], (params.semiMajor ** 2 - params.semiMinor ** 2) * c * s))
+  assert.ok(
+    close(P[0][0], (params.semiMajor * c) ** 2 + (params.semiMinor * s) ** 2) &&
+      close(P[0][1], (params.semiMajor ** 2 - params.semiMinor ** 2) * c * s),
+  )
 
   await first.press('ArrowRight')
   await until(it, (frame) => close(frame.params.angle, params.angle + Math.PI / 180), 'an arrow turns it by a degree')
@@ -99,7 +140,14 @@ test('the axes of the covariance turn and stretch, by mouse and by keys', async 
   const now = (await frameOf(it)).params
   const across = [-Math.sin(now.angle), Math.cos(now.angle)]
   await pull(page, second, 40 * across[0], -40 * across[1])
-  await until(it, (frame) => close(frame.params.semiMinor, now.semiMinor + 40 / unit, 0.03) && frame.params.semiMajor === now.semiMajor && frame.params.angle === now.angle, 'the second axis follows the mouse')
+  await until(
+    it,
+    (frame) =>
+      close(frame.params.semiMinor, now.semiMinor + 40 / unit, 0.03) &&
+      frame.params.semiMajor === now.semiMajor &&
+      frame.params.angle === now.angle,
+    'the second axis follows the mouse',
+  )
   const { semiMinor } = (await holds(it)).params
   await second.press('ArrowUp')
   await until(it, (frame) => close(frame.params.semiMinor, semiMinor + 0.05), 'an arrow')
@@ -113,13 +161,18 @@ test('the reading moves its line, by mouse and by keys, and never loses its hand
   const reading = handle(it, 'Reading')
   const unit = await unitOf(it)
   const start = (await frameOf(it)).params.reading
-  const line = () => it.locator('.live .mark.line.measurement:not(.dashed)').evaluate((mark) => ['x1', 'y1', 'x2', 'y2'].map((name) => Number(mark.getAttribute(name))))
+  const line = () =>
+    it
+      .locator('.live .mark.line.measurement:not(.dashed)')
+      .evaluate((mark) => ['x1', 'y1', 'x2', 'y2'].map((name) => Number(mark.getAttribute(name))))
   const before = await line()
   await pull(page, reading, 0, -60)
   await until(it, ({ params }) => close(params.reading, start + 60 / unit, 0.02), 'it follows the mouse')
   const after = await line()
   assert.ok(close(after[1], before[1] - 60, 1) && close(after[3], before[3] - 60, 1), 'the line went along')
-  const { params: { reading: dragged } } = await holds(it)
+  const {
+    params: { reading: dragged },
+  } = await holds(it)
   await reading.press('ArrowUp')
   await until(it, ({ params }) => close(params.reading, dragged + 0.05), 'an arrow')
   await reading.press('Shift+ArrowDown')
@@ -135,7 +188,9 @@ test('the reading moves its line, by mouse and by keys, and never loses its hand
   let far = await frameOf(it)
   while (far.params.reading < 8) far = await press('PageUp', Math.min(8, far.params.reading + 0.5))
   const [, y1] = await line()
-  const { top, height } = await it.locator('.live .panel-plane').evaluate((svg) => ({ top: 0, height: svg.viewBox.baseVal.height }))
+  const { top, height } = await it
+    .locator('.live .panel-plane')
+    .evaluate((svg) => ({ top: 0, height: svg.viewBox.baseVal.height }))
   assert.ok(y1 > top && y1 < height, `the line is at ${y1} of ${height}`)
   assert.ok(await reading.evaluate((grip) => grip === document.activeElement), 'the handle has the focus still')
   assert.ok(close(far.mahalanobisFoot.residual, 0) && close(far.euclideanFoot.residual, 0))
@@ -146,16 +201,33 @@ test('the reading moves its line, by mouse and by keys, and never loses its hand
 test('as W goes to 0 the two lines become one, by mouse and by keys', async (t) => {
   const { page, it } = await picture(t)
   const slider = noise(it)
-  const lines = () => it.locator('.live').evaluate((live) => ['.mark.line.measurement:not(.dashed)', '.mark.line.dashed.measurement'].map((mark) => ['x1', 'y1', 'x2', 'y2'].map((name) => Number(live.querySelector(mark).getAttribute(name)))))
-  const gap = async () => { const [omega, star] = await lines(); return Math.max(...omega.map((value, i) => Math.abs(value - star[i]))) }
-  const between = ({ params, mostLikelyOutput, expectedOutput }) => Math.abs(mostLikelyOutput - params.reading) + Math.abs(mostLikelyOutput - expectedOutput)
+  const lines = () =>
+    it
+      .locator('.live')
+      .evaluate((live) =>
+        ['.mark.line.measurement:not(.dashed)', '.mark.line.dashed.measurement'].map((mark) =>
+          ['x1', 'y1', 'x2', 'y2'].map((name) => Number(live.querySelector(mark).getAttribute(name))),
+        ),
+      )
+  const gap = async () => {
+    const [omega, star] = await lines()
+    return Math.max(...omega.map((value, i) => Math.abs(value - star[i])))
+  }
+  const between = ({ params, mostLikelyOutput, expectedOutput }) =>
+    Math.abs(mostLikelyOutput - params.reading) + Math.abs(mostLikelyOutput - expectedOutput)
 
   const start = await holds(it)
-  assert.ok(await gap() > 5, 'with noise they are two')
-  assert.ok(close(between(start), Math.abs(start.params.reading - start.expectedOutput)), 'the most likely output lies between reading and prediction')
+  assert.ok((await gap()) > 5, 'with noise they are two')
+  assert.ok(
+    close(between(start), Math.abs(start.params.reading - start.expectedOutput)),
+    'the most likely output lies between reading and prediction',
+  )
   await dragSlider(page, slider, 3.5)
   const loud = await until(it, ({ params }) => params.noise > 3, 'W grows')
-  assert.ok(Math.abs(loud.mostLikelyOutput - loud.expectedOutput) < Math.abs(start.mostLikelyOutput - start.expectedOutput), 'a noisy sensor is believed less')
+  assert.ok(
+    Math.abs(loud.mostLikelyOutput - loud.expectedOutput) < Math.abs(start.mostLikelyOutput - start.expectedOutput),
+    'a noisy sensor is believed less',
+  )
   await holds(it)
 
   await dragSlider(page, slider, 0)
@@ -179,15 +251,21 @@ test('as W goes to 0 the two lines become one, by mouse and by keys', async (t) 
 
 test('where P is a multiple of I the two feet meet, and nowhere else', async (t) => {
   const { it } = await picture(t)
-  const feet = () => it.locator('.live').evaluate((live) => ['truth', 'posterior'].map((kin) => { const foot = live.querySelector(`.mark.foot.${kin}`); return [Number(foot.getAttribute('cx')), Number(foot.getAttribute('cy'))] }))
+  const feet = () =>
+    it.locator('.live').evaluate((live) =>
+      ['truth', 'posterior'].map((kin) => {
+        const foot = live.querySelector(`.mark.foot.${kin}`)
+        return [Number(foot.getAttribute('cx')), Number(foot.getAttribute('cy'))]
+      }),
+    )
   const start = await frameOf(it)
   assert.ok(apart(start.euclideanFoot.at, start.mahalanobisFoot.at) > 0.1)
-  assert.ok(apart(...await feet()) > 5)
+  assert.ok(apart(...(await feet())) > 5)
   await it.getByRole('button', { name: 'Make it a circle' }).click()
   const round = await until(it, ({ params }) => params.semiMajor === params.semiMinor, 'a circle')
   assert.ok(close(round.P[0][1], 0, 1e-12) && close(round.P[0][0], round.P[1][1], 1e-12), 'P is a multiple of I')
   assert.ok(apart(round.euclideanFoot.at, round.mahalanobisFoot.at) < 1e-12)
-  assert.ok(apart(...await feet()) <= 0.1)
+  assert.ok(apart(...(await feet())) <= 0.1)
   assert.match(await it.locator('.live .verdict').innerText(), /both metrics agree/)
   await holds(it)
   // A turned sensor changes nothing about that.
@@ -204,23 +282,50 @@ test('on the output axis both opinions are dragged and pressed, and y* stays the
   /** The weights 1/variance balance about y*, and the page says what part is taken over. */
   const balanced = async () => {
     const frame = await holds(it)
-    const { params: { reading, noise }, expectedOutput, expectedVariance, mostLikelyOutput, share } = frame
+    const {
+      params: { reading, noise },
+      expectedOutput,
+      expectedVariance,
+      mostLikelyOutput,
+      share,
+    } = frame
     assert.ok(close((mostLikelyOutput - expectedOutput) * noise, (reading - mostLikelyOutput) * expectedVariance, 1e-9))
-    assert.equal(await it.locator('.live .readout').filter({ hasText: 'taken over' }).locator('dd').textContent(), share.toFixed(3))
+    assert.equal(
+      await it.locator('.live .readout').filter({ hasText: 'taken over' }).locator('dd').textContent(),
+      share.toFixed(3),
+    )
     return frame
   }
   const start = await balanced()
   await pull(page, handle(it, 'Expected output'), -40, 0)
-  const moved = await until(it, ({ expectedOutput }) => expectedOutput < start.expectedOutput - 0.3, 'the prediction follows')
-  assert.deepEqual([moved.params.mean[0], moved.params.semiMajor, moved.params.reading], [start.params.mean[0], start.params.semiMajor, start.params.reading], 'it moves along H alone')
+  const moved = await until(
+    it,
+    ({ expectedOutput }) => expectedOutput < start.expectedOutput - 0.3,
+    'the prediction follows',
+  )
+  assert.deepEqual(
+    [moved.params.mean[0], moved.params.semiMajor, moved.params.reading],
+    [start.params.mean[0], start.params.semiMajor, start.params.reading],
+    'it moves along H alone',
+  )
   await pull(page, handle(it, 'Output that is read'), 60, 0)
   const read = await until(it, ({ params }) => params.reading > start.params.reading + 0.3, 'the reading follows')
   assert.deepEqual(read.params.mean, moved.params.mean)
   await balanced()
-  const [wide, blur] = [handle(it, 'Standard deviation of the expected output'), handle(it, 'Standard deviation of the reading')]
+  const [wide, blur] = [
+    handle(it, 'Standard deviation of the expected output'),
+    handle(it, 'Standard deviation of the reading'),
+  ]
   await wide.press('ArrowRight')
-  const wider = await until(it, ({ expectedVariance }) => close(Math.sqrt(expectedVariance), Math.sqrt(read.expectedVariance) + 0.05, 1e-6), 'an arrow widens the bell')
-  assert.ok(close(wider.params.semiMajor / wider.params.semiMinor, read.params.semiMajor / read.params.semiMinor), 'the ellipse keeps its shape')
+  const wider = await until(
+    it,
+    ({ expectedVariance }) => close(Math.sqrt(expectedVariance), Math.sqrt(read.expectedVariance) + 0.05, 1e-6),
+    'an arrow widens the bell',
+  )
+  assert.ok(
+    close(wider.params.semiMajor / wider.params.semiMinor, read.params.semiMajor / read.params.semiMinor),
+    'the ellipse keeps its shape',
+  )
   await blur.press('End')
   await until(it, ({ params }) => params.noise === 4, 'End')
   await balanced()
@@ -233,7 +338,10 @@ test('while a bell is dragged the output axis keeps its scale: an even drag chan
   const { page, it } = await picture(t)
   const ticks = () => it.locator('.live .panel-axis .tick').allTextContents()
   const places = await ticks()
-  for (const [label, read, side] of [['Expected output', ({ expectedOutput }) => expectedOutput, 1], ['Output that is read', ({ params }) => params.reading, -1]]) {
+  for (const [label, read, side] of [
+    ['Expected output', ({ expectedOutput }) => expectedOutput, 1],
+    ['Output that is read', ({ params }) => params.reading, -1],
+  ]) {
     const grip = handle(it, label)
     await grip.scrollIntoViewIfNeeded()
     const box = await grip.locator('.handle-dot').boundingBox()
@@ -249,25 +357,36 @@ test('while a bell is dragged the output axis keeps its scale: an even drag chan
     }
     const stride = values[1] - values[0]
     const end = values.at(-1)
-    for (const [i, value] of values.entries()) assert.ok(close(value, values[0] + stride * i, 0.02) || close(value, end), `${label}: ${values}`)
+    for (const [i, value] of values.entries())
+      assert.ok(close(value, values[0] + stride * i, 0.02) || close(value, end), `${label}: ${values}`)
     assert.ok(Math.abs(end - 3.7) < 4.6 && close(end, values.at(-2)), `it stops at the edge: ${values}`)
     await page.mouse.up()
     // Once it is let go, the bell comes into view as a whole; the phrase brings the first view back.
     const domain = async () => JSON.stringify(await ticks())
-    for (let i = 0; (await domain()) === JSON.stringify(places); i++) { assert.ok(i < 50, 'a new scale'); await page.waitForTimeout(40) }
+    for (let i = 0; (await domain()) === JSON.stringify(places); i++) {
+      assert.ok(i < 50, 'a new scale')
+      await page.waitForTimeout(40)
+    }
     await it.getByRole('button', { name: 'As in step 1' }).click()
-    for (let i = 0; (await domain()) !== JSON.stringify(places); i++) { assert.ok(i < 50, 'the scale of the first view'); await page.waitForTimeout(40) }
+    for (let i = 0; (await domain()) !== JSON.stringify(places); i++) {
+      assert.ok(i < 50, 'the scale of the first view')
+      await page.waitForTimeout(40)
+    }
   }
 })
 
 test('a guess is dropped before the answer shows, stays on the line, and is judged when it shows', async (t) => {
   const { page, it } = await picture(t)
   const answer = () => it.locator('.live :is(.mark.foot.posterior, .mark.outline.posterior)').count()
-  assert.ok(await answer() > 0)
+  assert.ok((await answer()) > 0)
   await it.getByRole('button', { name: 'Drop a guess first' }).click()
   await until(it, ({ params }) => params.sealed && params.guess === 1, 'sealed')
   assert.equal(await answer(), 0, 'nothing gives it away')
-  for (const label of [/^Update/, /^Gain|gain/]) assert.equal(await it.locator('.live .readout-strip .readout').filter({ hasText: label }).first().locator('dd').textContent(), '–')
+  for (const label of [/^Update/, /^Gain|gain/])
+    assert.equal(
+      await it.locator('.live .readout-strip .readout').filter({ hasText: label }).first().locator('dd').textContent(),
+      '–',
+    )
   const guess = handle(it, 'Your guess')
   await pull(page, guess, -110, 40)
   const dropped = await until(it, ({ params }) => params.guess < -0.3, 'it follows the mouse')
@@ -277,7 +396,7 @@ test('a guess is dropped before the answer shows, stays on the line, and is judg
   assert.match(await it.locator('.live .verdict').innerText(), /then choose “Show the answer”/)
   await it.getByRole('button', { name: 'Show the answer' }).click()
   const shown = await until(it, ({ params }) => !params.sealed, 'the answer')
-  assert.ok(await answer() > 0 && shown.guess.density <= 1)
+  assert.ok((await answer()) > 0 && shown.guess.density <= 1)
   assert.match(await it.locator('.live .verdict').innerText(), /as your guess\./)
 })
 
@@ -294,5 +413,8 @@ test('an ellipse grows from nothing, says what it holds, and touches the line wh
   }
   const { params, mahalanobisFoot, inside } = await frameOf(it)
   assert.ok(Math.abs(params.radius - mahalanobisFoot.distance) < 0.026)
-  assert.equal(await it.locator('.live .readout').filter({ hasText: 'Inside' }).locator('dd').textContent(), `${Math.round(100 * inside)} %`)
+  assert.equal(
+    await it.locator('.live .readout').filter({ hasText: 'Inside' }).locator('dd').textContent(),
+    `${Math.round(100 * inside)} %`,
+  )
 })

@@ -4,7 +4,7 @@ import path from 'node:path'
 import { chromium } from 'playwright-core'
 import { PNG } from 'pngjs'
 import { serve } from '../../scripts/static-server.mjs'
-import { withState } from '../../web/core/link.js'
+import { withState } from '../../web/figure/state-in-url.js'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, root } from './places.mjs'
 
 /** Name of the picture, how many pixels it has for one of the page, the figure with its id, its lab, and the state to show. */
@@ -20,7 +20,13 @@ try {
   for (const theme of ['light', 'dark']) {
     for (const [name, deviceScaleFactor, widget, id, lab, step, params] of PICTURES) {
       // As wide as in the chapter.
-      const page = await browser.newPage({ viewport: { width: 880 + 36, height: 1600 }, deviceScaleFactor, colorScheme: theme, reducedMotion: 'reduce', serviceWorkers: 'block' })
+      const page = await browser.newPage({
+        viewport: { width: 880 + 36, height: 1600 },
+        deviceScaleFactor,
+        colorScheme: theme,
+        reducedMotion: 'reduce',
+        serviceWorkers: 'block',
+      })
       await page.goto(withState(`${site.url}figure/${widget}/`, id, { version: 1, lab, step, params }))
       const figure = page.locator(`${widget}[data-state=live]`)
       await figure.waitFor()
@@ -28,10 +34,17 @@ try {
       await page.evaluate(() => document.fonts.ready)
       const { x, y, width } = await figure.boundingBox()
       const below = await figure.locator('.live .readouts').boundingBox()
-      const shot = PNG.sync.read(await page.screenshot({ animations: 'disabled', clip: { x: x - 8, y: y - 8, width: width + 16, height: below.y - y } }))
+      const shot = PNG.sync.read(
+        await page.screenshot({
+          animations: 'disabled',
+          clip: { x: x - 8, y: y - 8, width: width + 16, height: below.y - y },
+        }),
+      )
       const file = path.join(root, 'content/images', `${name}-${theme}.png`)
       writeFileSync(file, PNG.sync.write(shot, { colorType: 2, deflateLevel: 9, filterType: -1 }))
-      console.log(`content/images/${name}-${theme}.png: ${shot.width} × ${shot.height}, ${Math.round(statSync(file).size / 1000)} kB`)
+      console.log(
+        `content/images/${name}-${theme}.png: ${shot.width} × ${shot.height}, ${Math.round(statSync(file).size / 1000)} kB`,
+      )
       await page.close()
     }
   }

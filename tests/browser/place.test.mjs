@@ -9,41 +9,54 @@ const LINE = 29
 const SIZES = { desktop: { viewport: DESKTOP }, phone: { viewport: PHONE, touch: true } }
 
 /** Waits until nothing has moved for some frames. */
-const settle = (page) => page.evaluate(async () => {
-  await document.fonts.ready
-  let [still, last] = [0, NaN]
-  for (let i = 0; i < 400 && still < 30; i++) {
-    await new Promise((resolve) => requestAnimationFrame(resolve))
-    const now = scrollY + document.documentElement.scrollHeight / 1e6
-    still = now === last && document.readyState === 'complete' ? still + 1 : 0
-    last = now
-  }
-})
+const settle = (page) =>
+  page.evaluate(async () => {
+    await document.fonts.ready
+    let [still, last] = [0, NaN]
+    for (let i = 0; i < 400 && still < 30; i++) {
+      await new Promise((resolve) => requestAnimationFrame(resolve))
+      const now = scrollY + document.documentElement.scrollHeight / 1e6
+      still = now === last && document.readyState === 'complete' ? still + 1 : 0
+      last = now
+    }
+  })
 /**
  * The first paragraph that begins on the screen, and where. Where a figure fills the screen it is the last one above: what stands
  * below moves when the figure comes alive and grows.
  */
-const mark = (page) => page.evaluate(() => {
-  const all = [...document.querySelectorAll('.chapter > section p')]
-    .filter((it) => it.checkVisibility() && it.textContent.trim().length > 40 && !it.closest('.widget'))
-    .map((it) => ({ text: it.textContent.trim().slice(0, 60), top: it.getBoundingClientRect().top }))
-  return all.find(({ top }) => top > 30 && top < innerHeight) ?? all.filter(({ top }) => top <= 30).at(-1) ?? null
-})
-const topOf = (page, text) => page.evaluate((words) => [...document.querySelectorAll('.chapter p')].find((p) => p.textContent.trim().startsWith(words))?.getBoundingClientRect().top, text)
+const mark = (page) =>
+  page.evaluate(() => {
+    const all = [...document.querySelectorAll('.chapter > section p')]
+      .filter((it) => it.checkVisibility() && it.textContent.trim().length > 40 && !it.closest('.widget'))
+      .map((it) => ({ text: it.textContent.trim().slice(0, 60), top: it.getBoundingClientRect().top }))
+    return all.find(({ top }) => top > 30 && top < innerHeight) ?? all.filter(({ top }) => top <= 30).at(-1) ?? null
+  })
+const topOf = (page, text) =>
+  page.evaluate(
+    (words) =>
+      [...document.querySelectorAll('.chapter p')]
+        .find((p) => p.textContent.trim().startsWith(words))
+        ?.getBoundingClientRect().top,
+    text,
+  )
 /** Scrolls as a reader does, from where the page is, to the middle of a part. */
 const readTo = async (page, part, share = 0.5) => {
-  await page.evaluate(async ([name, at]) => {
-    const section = document.querySelector(`[data-part="${name}"]`)
-    for (let i = 0; i < 3; i++) {
-      const { top, height } = section.getBoundingClientRect()
-      scrollTo({ top: scrollY + top + height * at, behavior: 'instant' })
-      await new Promise((resolve) => setTimeout(resolve, 120))
-    }
-  }, [part, share])
+  await page.evaluate(
+    async ([name, at]) => {
+      const section = document.querySelector(`[data-part="${name}"]`)
+      for (let i = 0; i < 3; i++) {
+        const { top, height } = section.getBoundingClientRect()
+        scrollTo({ top: scrollY + top + height * at, behavior: 'instant' })
+        await new Promise((resolve) => setTimeout(resolve, 120))
+      }
+    },
+    [part, share],
+  )
   await settle(page)
   await page.waitForTimeout(400)
 }
-const near = (now, then, what) => assert.ok(Math.abs(now - then) < LINE, `${what}: ${now} px from the top, ${then} before`)
+const near = (now, then, what) =>
+  assert.ok(Math.abs(now - then) < LINE, `${what}: ${now} px from the top, ${then} before`)
 
 for (const [size, how] of Object.entries(SIZES)) {
   test(`a reload leaves the reader where the reader was, ${size}`, { timeout: 180_000 }, async (t) => {
@@ -58,7 +71,9 @@ for (const [size, how] of Object.entries(SIZES)) {
     }
   })
 
-  test(`derivations unfolded above the place stay unfolded, and the place with them, ${size}`, { timeout: 180_000 }, async (t) => {
+  test(`derivations unfolded above the place stay unfolded, and the place with them, ${size}`, {
+    timeout: 180_000,
+  }, async (t) => {
     const page = await open(t, how)
     const all = page.locator('details.derivation')
     const ids = await all.evaluateAll((blocks) => blocks.slice(0, 4).map((block) => block.id))
@@ -67,17 +82,25 @@ for (const [size, how] of Object.entries(SIZES)) {
       await page.locator(`#${id} > summary`).click()
     }
     // Inside one of them.
-    await page.locator(`#${ids[2]} .step`).last().evaluate((step) => scrollTo({ top: scrollY + step.getBoundingClientRect().top - 60, behavior: 'instant' }))
+    await page
+      .locator(`#${ids[2]} .step`)
+      .last()
+      .evaluate((step) => scrollTo({ top: scrollY + step.getBoundingClientRect().top - 60, behavior: 'instant' }))
     await settle(page)
     await page.waitForTimeout(400)
     const before = await mark(page)
     await page.reload()
     await settle(page)
     near(await topOf(page, before.text), before.top, ids[2])
-    assert.deepEqual(await page.locator('details.derivation[open]').evaluateAll((blocks) => blocks.map((block) => block.id)), ids)
+    assert.deepEqual(
+      await page.locator('details.derivation[open]').evaluateAll((blocks) => blocks.map((block) => block.id)),
+      ids,
+    )
   })
 
-  test(`the way back from another page, and from another place of this one, leads to the line that was left, ${size}`, { timeout: 180_000 }, async (t) => {
+  test(`the way back from another page, and from another place of this one, leads to the line that was left, ${size}`, {
+    timeout: 180_000,
+  }, async (t) => {
     const page = await open(t, how)
     const { site } = await stage()
     await readTo(page, 'algorithms')
@@ -89,7 +112,11 @@ for (const [size, how] of Object.entries(SIZES)) {
     // By a link within the page, and back.
     await page.evaluate(() => document.querySelector('.toc a[href="#hand-steps"]').click())
     await settle(page)
-    near(await page.locator('#hand-steps').evaluate((it) => it.getBoundingClientRect().top), 24, 'the link of the contents')
+    near(
+      await page.locator('#hand-steps').evaluate((it) => it.getBoundingClientRect().top),
+      24,
+      'the link of the contents',
+    )
     await page.goBack()
     await settle(page)
     near(await topOf(page, before.text), before.top, 'back within the page')
@@ -104,7 +131,12 @@ for (const [size, how] of Object.entries(SIZES)) {
       await settle(page)
       const { top, bottom, height, end } = await page.evaluate((name) => {
         const { top, bottom } = document.getElementById(name).getBoundingClientRect()
-        return { top, bottom, height: innerHeight, end: Math.abs(scrollY + innerHeight - document.documentElement.scrollHeight) < 2 }
+        return {
+          top,
+          bottom,
+          height: innerHeight,
+          end: Math.abs(scrollY + innerHeight - document.documentElement.scrollHeight) < 2,
+        }
       }, id)
       if (end) assert.ok(top >= 0 && bottom <= height, `${id} is on the last screen`)
       else near(top, 24, id)
@@ -134,7 +166,9 @@ for (const [size, how] of Object.entries(SIZES)) {
   })
 }
 
-test('a reload leads to the place that was left, and not to the one that the address names', { timeout: 120_000 }, async (t) => {
+test('a reload leads to the place that was left, and not to the one that the address names', {
+  timeout: 120_000,
+}, async (t) => {
   const page = await open(t, { at: 'kalman/#ellipse' })
   await settle(page)
   await readTo(page, 'hand-steps')
@@ -152,41 +186,63 @@ test('a reload leads to the place that was left, and not to the one that the add
 
 test('words far below the screen are found in the page', async (t) => {
   const page = await open(t)
-  const words = await page.evaluate(() => [...document.querySelectorAll('[data-part="slam"] p')].find((p) => !p.querySelector('.formula, .number') && p.textContent.length > 80).textContent.trim().split(/\s+/).slice(0, 4).join(' '))
+  const words = await page.evaluate(() =>
+    [...document.querySelectorAll('[data-part="slam"] p')]
+      .find((p) => !p.querySelector('.formula, .number') && p.textContent.length > 80)
+      .textContent.trim()
+      .split(/\s+/)
+      .slice(0, 4)
+      .join(' '),
+  )
   assert.ok(await page.evaluate((some) => find(some), words), `“${words}”`)
   await settle(page)
-  assert.ok(await page.evaluate(() => scrollY) > 2000)
+  assert.ok((await page.evaluate(() => scrollY)) > 2000)
 })
 
 test('a part that is not laid out has nearly its real height, and holds no form control', async (t) => {
   for (const how of Object.values(SIZES)) {
     const page = await open(t, how)
     await settle(page)
-    const seen = await page.evaluate(() => [...document.querySelectorAll('.chapter > section')].map((part) => {
-      const far = part.getBoundingClientRect().top > 5 * innerHeight
-      const controls = part.querySelectorAll('button, input, select, textarea').length
-      const guess = part.getBoundingClientRect().height
-      part.style.contentVisibility = 'visible'
-      return { name: part.dataset.part, far, controls, guess, real: part.getBoundingClientRect().height }
-    }))
+    const seen = await page.evaluate(() =>
+      [...document.querySelectorAll('.chapter > section')].map((part) => {
+        const far = part.getBoundingClientRect().top > 5 * innerHeight
+        const controls = part.querySelectorAll('button, input, select, textarea').length
+        const guess = part.getBoundingClientRect().height
+        part.style.contentVisibility = 'visible'
+        return { name: part.dataset.part, far, controls, guess, real: part.getBoundingClientRect().height }
+      }),
+    )
     assert.ok(seen.filter(({ far }) => far).length > 10)
-    assert.deepEqual(seen.filter(({ far, controls }) => far && controls > 0), [])
+    assert.deepEqual(
+      seen.filter(({ far, controls }) => far && controls > 0),
+      [],
+    )
     const wrong = seen.filter(({ guess, real }) => Math.abs(guess - real) > Math.max(200, 0.15 * real))
     assert.deepEqual(wrong, [], 'run ./scripts/heights and build again')
   }
 })
 
-test('a figure that comes alive while it is read stays where it is, and is as high as its still', { timeout: 120_000 }, async (t) => {
+test('a figure that comes alive while it is read stays where it is, and is as high as its still', {
+  timeout: 120_000,
+}, async (t) => {
   let answer
-  const asked = new Promise((resolve) => { answer = resolve })
-  const page = await open(t, { ...SIZES.phone, prepare: (it) => it.route('**/*.wasm', async (route) => {
-    await asked
-    await route.continue()
-  }) })
+  const asked = new Promise((resolve) => {
+    answer = resolve
+  })
+  const page = await open(t, {
+    ...SIZES.phone,
+    prepare: (it) =>
+      it.route('**/*.wasm', async (route) => {
+        await asked
+        await route.continue()
+      }),
+  })
   const probe = page.locator('#fig-probe')
   const box = () => probe.evaluate((it) => it.getBoundingClientRect().toJSON())
   for (let i = 0; i < 5; i++) {
-    await probe.evaluate((it) => scrollBy({ top: it.getBoundingClientRect().top + it.getBoundingClientRect().height * 0.6, behavior: 'instant' }))
+    await probe.evaluate((it) =>
+      scrollBy({ top: it.getBoundingClientRect().top + it.getBoundingClientRect().height * 0.6, behavior: 'instant' }),
+    )
     await page.waitForTimeout(100)
   }
   const before = await box()
@@ -202,15 +258,23 @@ test('a figure that comes alive while it is read stays where it is, and is as hi
 for (const [size, how] of Object.entries(SIZES)) {
   test(`a text is not moved by a figure above it that comes alive, ${size}`, { timeout: 120_000 }, async (t) => {
     let answer
-    const asked = new Promise((resolve) => { answer = resolve })
-    const page = await open(t, { ...how, prepare: (it) => it.route('**/*.wasm', async (route) => {
-      await asked
-      await route.continue()
-    }) })
+    const asked = new Promise((resolve) => {
+      answer = resolve
+    })
+    const page = await open(t, {
+      ...how,
+      prepare: (it) =>
+        it.route('**/*.wasm', async (route) => {
+          await asked
+          await route.continue()
+        }),
+    })
     const bench = page.locator('#fig-bench')
     const top = () => bench.evaluate((it) => it.closest('section').nextElementSibling.getBoundingClientRect().top)
     for (let i = 0; i < 5; i++) {
-      await bench.evaluate((it) => scrollBy({ top: it.querySelector('.widget').getBoundingClientRect().bottom + 40, behavior: 'instant' }))
+      await bench.evaluate((it) =>
+        scrollBy({ top: it.querySelector('.widget').getBoundingClientRect().bottom + 40, behavior: 'instant' }),
+      )
       await page.waitForTimeout(100)
     }
     const before = await top()

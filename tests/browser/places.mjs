@@ -14,8 +14,15 @@ export const PAGES = ['', 'kalman/', 'kalman/numbers/', 'check/', 'hosting/', 'l
 /** The pages that hold one figure each. */
 export const FIGURE_PAGES = Object.keys(WIDGETS).map((name) => `figure/${name}/`)
 export const CHROMIUM_FLAGS = [
-  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
-  '--disable-component-update', '--disable-sync', '--disable-dev-shm-usage', '--force-color-profile=srgb',
+  '--no-sandbox',
+  '--disable-gpu',
+  '--disable-quic',
+  '--no-first-run',
+  '--disable-background-networking',
+  '--disable-component-update',
+  '--disable-sync',
+  '--disable-dev-shm-usage',
+  '--force-color-profile=srgb',
 ]
 export const PHONE = { width: 390, height: 844 }
 export const DESKTOP = { width: 1280, height: 900 }

@@ -25,10 +25,16 @@ test('a landmark moves by mouse and by keys, and the rank panel follows the geom
   assert.ok(keyed[0] < start[0] && keyed[1] === start[1])
   // Each press counts, however many come before the next frame.
   await landmark.evaluate((handle) => {
-    for (let i = 0; i < 8; i++) handle.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true, cancelable: true }))
-    for (let i = 0; i < 12; i++) handle.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', bubbles: true, cancelable: true }))
+    for (let i = 0; i < 8; i++)
+      handle.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowRight', bubbles: true, cancelable: true }))
+    for (let i = 0; i < 12; i++)
+      handle.dispatchEvent(new KeyboardEvent('keydown', { key: 'ArrowLeft', bubbles: true, cancelable: true }))
   })
-  await until(probe, ({ params }) => Math.abs(params.landmarks[0][0] - (start[0] - 12 * 0.05)) < 1e-9, 'twelve steps from the wall')
+  await until(
+    probe,
+    ({ params }) => Math.abs(params.landmarks[0][0] - (start[0] - 12 * 0.05)) < 1e-9,
+    'twelve steps from the wall',
+  )
 
   await landmark.scrollIntoViewIfNeeded()
   const box = await landmark.boundingBox()
@@ -82,11 +88,14 @@ test('dashes stay dashes after two laps: a closed track is drawn once', async (t
   const { it } = await openFigure(t, 'observability-probe')
   await it.getByRole('button', { name: 'Turn the world' }).click()
   await until(it, ({ ghost }) => ghost, 'a ghost')
-  const laps = () => it.locator('.live .panel-map').evaluate((map) => ['.mark.track.truth', '.mark.track.ghost'].map((track) => {
-    const { width } = map.querySelector('.floor').getBBox()
-    // The square has half the side of the room.
-    return map.querySelector(track).getTotalLength() / (2 * width)
-  }))
+  const laps = () =>
+    it.locator('.live .panel-map').evaluate((map) =>
+      ['.mark.track.truth', '.mark.track.ghost'].map((track) => {
+        const { width } = map.querySelector('.floor').getBBox()
+        // The square has half the side of the room.
+        return map.querySelector(track).getTotalLength() / (2 * width)
+      }),
+    )
   for (const share of await laps()) assert.ok(Math.abs(share - 1) < 0.01, `${share} laps are drawn`)
   await it.getByRole('button', { name: 'Step' }).click()
   await until(it, ({ step }) => step === 241, 'one step more')

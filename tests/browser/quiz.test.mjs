@@ -19,10 +19,15 @@ const quiz = async (page, id) => {
   }
 }
 /** What the page compares an answer with. */
-const keyOf = (form) => form.evaluate(({ dataset }) => JSON.parse(new TextDecoder().decode(Uint8Array.from(dataset.key.match(/../g), (byte) => parseInt(byte, 16)))))
+const keyOf = (form) =>
+  form.evaluate(({ dataset }) =>
+    JSON.parse(new TextDecoder().decode(Uint8Array.from(dataset.key.match(/../g), (byte) => parseInt(byte, 16)))),
+  )
 /** What a reader sees: the explanation is open, or it is not. */
-const shown = ({ answer }) => answer.evaluate((block) => block.open && block.querySelector('.quiz-why').checkVisibility())
-const kept = (page) => page.evaluate(() => Object.fromEntries(Object.entries(localStorage).filter(([key]) => key.startsWith('quiz:'))))
+const shown = ({ answer }) =>
+  answer.evaluate((block) => block.open && block.querySelector('.quiz-why').checkVisibility())
+const kept = (page) =>
+  page.evaluate(() => Object.fromEntries(Object.entries(localStorage).filter(([key]) => key.startsWith('quiz:'))))
 
 test('a choice is committed to before anything is explained, and a wrong one says why', async (t) => {
   const page = await open(t)
@@ -44,7 +49,8 @@ test('a choice is committed to before anything is explained, and a wrong one say
   assert.match(await veil.innerText(), /First answer “Which foot\?”, then try it here/)
   assert.equal(await veil.getByRole('link', { name: 'Which foot?' }).getAttribute('href'), '#quiz-which-foot')
   const [over, under] = [await veil.boundingBox(), await picture.boundingBox()]
-  for (const side of ['x', 'y', 'width', 'height']) assert.ok(Math.abs(over[side] - under[side]) < 1, `the veil lies on the figure and no more: ${side}`)
+  for (const side of ['x', 'y', 'width', 'height'])
+    assert.ok(Math.abs(over[side] - under[side]) < 1, `the veil lies on the figure and no more: ${side}`)
   assert.ok(over.height < 360, `the veil is ${over.height} px high`)
 
   await it.form.getByRole('radio', { name: /Straight down/ }).check()
@@ -61,16 +67,34 @@ test('a choice is committed to before anything is explained, and a wrong one say
   assert.ok((await picture.boundingBox()).height > 500, 'all of it is there')
   const others = it.form.locator('.quiz-others')
   assert.ok(!(await others.evaluate((block) => block.open)))
-  assert.match(await others.locator('summary').evaluate((summary) => getComputedStyle(summary, '::before').content), /\u25b8/, 'what opens has the mark of what opens')
+  assert.match(
+    await others.locator('summary').evaluate((summary) => getComputedStyle(summary, '::before').content),
+    /\u25b8/,
+    'what opens has the mark of what opens',
+  )
   assert.ok(await it.form.getByRole('radio').first().isDisabled(), 'an answer given stands')
   assert.ok(!(await it.commit.isVisible()))
-  assert.ok(await it.form.evaluate((form) => form.querySelector('.quiz-answer').getBoundingClientRect().bottom <= form.querySelector('[data-quiz-reset]').getBoundingClientRect().top), 'another try comes behind the reasons')
-  assert.ok(await it.verdict.evaluate((verdict) => document.activeElement === verdict), 'the focus is at what was said, not lost with the button')
+  assert.ok(
+    await it.form.evaluate(
+      (form) =>
+        form.querySelector('.quiz-answer').getBoundingClientRect().bottom <=
+        form.querySelector('[data-quiz-reset]').getBoundingClientRect().top,
+    ),
+    'another try comes behind the reasons',
+  )
+  assert.ok(
+    await it.verdict.evaluate((verdict) => document.activeElement === verdict),
+    'the focus is at what was said, not lost with the button',
+  )
 })
 
 test('every wrong choice of every question has a reason of its own', async (t) => {
   const page = await open(t)
-  const forms = await page.locator('.quiz[data-kind=choice]').evaluateAll((all) => all.map((form) => ({ id: form.dataset.quiz, choices: form.querySelectorAll('.quiz-choice').length })))
+  const forms = await page
+    .locator('.quiz[data-kind=choice]')
+    .evaluateAll((all) =>
+      all.map((form) => ({ id: form.dataset.quiz, choices: form.querySelectorAll('.quiz-choice').length })),
+    )
   assert.ok(forms.length >= 3)
   for (const { id, choices } of forms) {
     const it = await quiz(page, id)
@@ -83,9 +107,16 @@ test('every wrong choice of every question has a reason of its own', async (t) =
       if (answered === 'right') right++
       assert.equal(await it.verdict.innerText(), answered === 'right' ? 'Right.' : 'Not this time. Here is why.')
       const reason = await it.form.locator('.is-yours .quiz-reason').innerText()
-      assert.ok(await it.form.locator('details.quiz-answer > .details-body > .quiz-reasons > li').evaluateAll((all) => all.length === 1 && all[0].classList.contains('is-yours')), 'the own reason first')
+      assert.ok(
+        await it.form
+          .locator('details.quiz-answer > .details-body > .quiz-reasons > li')
+          .evaluateAll((all) => all.length === 1 && all[0].classList.contains('is-yours')),
+        'the own reason first',
+      )
       assert.ok(!(await it.form.locator('.quiz-others').evaluate((block) => block.open)), 'the others are folded')
-      const marks = await it.form.locator('.quiz-choice').evaluateAll((all) => all.map((label) => label.querySelector('.quiz-mark').getAttribute('aria-label')))
+      const marks = await it.form
+        .locator('.quiz-choice')
+        .evaluateAll((all) => all.map((label) => label.querySelector('.quiz-mark').getAttribute('aria-label')))
       assert.equal(marks.filter((mark) => mark === 'right').length, 1)
       assert.equal(marks[i], answered)
       assert.ok(reason.length > 30, `${id}, choice ${i}`)
@@ -100,7 +131,11 @@ test('every wrong choice of every question has a reason of its own', async (t) =
 test('a number is right within its tolerance, in the ways people write numbers', async (t) => {
   const page = await open(t)
   const it = await quiz(page, 'third-step')
-  const { values: [value], tolerance, near: [[mistaken]] } = await keyOf(it.form)
+  const {
+    values: [value],
+    tolerance,
+    near: [[mistaken]],
+  } = await keyOf(it.form)
   assert.ok(value > 0 && tolerance > 0)
   const judged = async (text) => {
     await it.input.fill(text)
@@ -110,14 +145,33 @@ test('a number is right within its tolerance, in the ways people write numbers',
     if (answered) await it.again.click()
     return [answered, said]
   }
-  const [RIGHT, WRONG, NONE] = [['right', 'Right.'], ['wrong', 'Not this time. Here is why.'], [null, 'That is not a number.']]
-  for (const text of [String(value), String(value + 0.9 * tolerance), String(value - 0.9 * tolerance), String(value).replace('.', ','), `${value * 8}/8`, ` ${value.toFixed(4)} `, value.toExponential()]) {
+  const [RIGHT, WRONG, NONE] = [
+    ['right', 'Right.'],
+    ['wrong', 'Not this time. Here is why.'],
+    [null, 'That is not a number.'],
+  ]
+  for (const text of [
+    String(value),
+    String(value + 0.9 * tolerance),
+    String(value - 0.9 * tolerance),
+    String(value).replace('.', ','),
+    `${value * 8}/8`,
+    ` ${value.toFixed(4)} `,
+    value.toExponential(),
+  ]) {
     assert.deepEqual(await judged(text), RIGHT, text)
   }
-  for (const text of [String(value + 1.1 * tolerance), String(value - 1.1 * tolerance), String(-value), `−${value}`, '0']) {
+  for (const text of [
+    String(value + 1.1 * tolerance),
+    String(value - 1.1 * tolerance),
+    String(-value),
+    `−${value}`,
+    '0',
+  ]) {
     assert.deepEqual(await judged(text), WRONG, text)
   }
-  for (const text of ['much', '1/0', '1..2', '1/2/3', 'NaN', 'Infinity', '0x10', '<b>1</b>']) assert.deepEqual(await judged(text), NONE, text)
+  for (const text of ['much', '1/0', '1..2', '1/2/3', 'NaN', 'Infinity', '0x10', '<b>1</b>'])
+    assert.deepEqual(await judged(text), NONE, text)
   assert.deepEqual(await judged('  '), [null, 'Type a number first.'])
 
   // A wrong answer worth recognising is recognised.
@@ -153,7 +207,13 @@ test('answers are remembered after a reload, and forgotten one by one or all at 
   assert.ok(!(await shown(foot)) && !(await foot.form.getAttribute('data-answered')))
   assert.equal(await foot.form.locator('input:checked').count(), 0)
   assert.equal(await foot.verdict.innerText(), '')
-  assert.ok(await foot.form.locator('input').first().evaluate((input) => input === document.activeElement), 'the focus is where to begin again')
+  assert.ok(
+    await foot.form
+      .locator('input')
+      .first()
+      .evaluate((input) => input === document.activeElement),
+    'the focus is where to begin again',
+  )
   assert.ok(await page.locator('#fig-picture .widget').evaluate((widget) => widget.inert))
   assert.equal(Object.keys(await kept(page)).length, 1)
 
@@ -195,8 +255,14 @@ test('a number of thousands of digits is no answer, and stops nothing', async (t
 test('Tab leads into a question that is still far below the screen', async (t) => {
   const page = await open(t)
   const id = await page.evaluate(() => {
-    const form = [...document.querySelectorAll('.quiz')].find((it) => it.getBoundingClientRect().top > 3 * innerHeight && !it.querySelector('input'))
-    const links = [...document.querySelectorAll('main a[href], main summary')].filter((link) => link.compareDocumentPosition(form) & Node.DOCUMENT_POSITION_FOLLOWING && !link.closest('details:not([open]) > :not(summary), .end-matter'))
+    const form = [...document.querySelectorAll('.quiz')].find(
+      (it) => it.getBoundingClientRect().top > 3 * innerHeight && !it.querySelector('input'),
+    )
+    const links = [...document.querySelectorAll('main a[href], main summary')].filter(
+      (link) =>
+        link.compareDocumentPosition(form) & Node.DOCUMENT_POSITION_FOLLOWING &&
+        !link.closest('details:not([open]) > :not(summary), .end-matter'),
+    )
     links.at(-1).focus({ preventScroll: true })
     return form.id
   })
@@ -207,11 +273,20 @@ test('Tab leads into a question that is still far below the screen', async (t) =
 
 test('nothing in the options tells the right one', async (t) => {
   const page = await open(t)
-  const told = await page.locator('.quiz').evaluateAll((all) => all.flatMap((quiz) => {
-    const options = [...quiz.querySelectorAll('.quiz-choice')].map((option) => ({ attributes: option.getAttributeNames().join(), marks: option.querySelectorAll('[data-number], .number, a').length }))
-    const odd = options.some((option) => option.attributes !== options[0].attributes || option.marks > 0)
-    return odd || quiz.querySelector('[data-right], [data-value], [data-tolerance]') || /right|value|least/.test(quiz.dataset.key) ? [quiz.id] : []
-  }))
+  const told = await page.locator('.quiz').evaluateAll((all) =>
+    all.flatMap((quiz) => {
+      const options = [...quiz.querySelectorAll('.quiz-choice')].map((option) => ({
+        attributes: option.getAttributeNames().join(),
+        marks: option.querySelectorAll('[data-number], .number, a').length,
+      }))
+      const odd = options.some((option) => option.attributes !== options[0].attributes || option.marks > 0)
+      return odd ||
+        quiz.querySelector('[data-right], [data-value], [data-tolerance]') ||
+        /right|value|least/.test(quiz.dataset.key)
+        ? [quiz.id]
+        : []
+    }),
+  )
   assert.deepEqual(told, [])
 })
 
@@ -249,13 +324,29 @@ test('no figure waits without scripts, nor on paper', async (t) => {
 })
 
 test('a veil on a page that comes up at a place below it moves nothing', async (t) => {
-  const page = await open(t, { at: 'kalman/#bugs', viewport: { width: 390, height: 844 }, touch: true, prepare: (it) => it.addInitScript(() => {
-    globalThis.shifts = 0
-    new PerformanceObserver((list) => list.getEntries().forEach(({ value }) => { globalThis.shifts += value })).observe({ type: 'layout-shift', buffered: true })
-  }) })
+  const page = await open(t, {
+    at: 'kalman/#bugs',
+    viewport: { width: 390, height: 844 },
+    touch: true,
+    prepare: (it) =>
+      it.addInitScript(() => {
+        globalThis.shifts = 0
+        new PerformanceObserver((list) =>
+          list.getEntries().forEach(({ value }) => {
+            globalThis.shifts += value
+          }),
+        ).observe({ type: 'layout-shift', buffered: true })
+      }),
+  })
   await page.locator('#fig-museum .figure-locked').waitFor({ state: 'attached' })
   await page.waitForTimeout(500)
-  const { shifts, top } = await page.evaluate(() => ({ shifts: globalThis.shifts, top: document.querySelector('#bugs').getBoundingClientRect().top }))
+  const { shifts, top } = await page.evaluate(() => ({
+    shifts: globalThis.shifts,
+    top: document.querySelector('#bugs').getBoundingClientRect().top,
+  }))
   assert.ok(shifts < 0.01 && Math.abs(top - 24) < 2, `shifts ${shifts}, the heading at ${top}`)
-  assert.ok(await page.locator('#fig-picture .widget').evaluate((widget) => !widget.hasAttribute('data-short')), 'what stands above keeps its height')
+  assert.ok(
+    await page.locator('#fig-picture .widget').evaluate((widget) => !widget.hasAttribute('data-short')),
+    'what stands above keeps its height',
+  )
 })

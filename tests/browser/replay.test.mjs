@@ -9,19 +9,29 @@ import { frameOf, open, openFigure, root, stateOf, until } from './harness.mjs'
 const estimate = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
 /** Three landmarks in a heap, and a robot that has forgotten its map: each step corrects all that it has founded. */
-const HEAP = { count: 3, forget: true, landmarks: [[2, 3], [2.3, 3], [2.6, 3]] }
-const probeAt = (step, params) => `figure/observability-probe/?fig-probe=${code([1, 'observability-probe', step, params])}`
+const HEAP = {
+  count: 3,
+  forget: true,
+  landmarks: [
+    [2, 3],
+    [2.3, 3],
+    [2.6, 3],
+  ],
+}
+const probeAt = (step, params) =>
+  `figure/observability-probe/?fig-probe=${code([1, 'observability-probe', step, params])}`
 
 /** Notes at every animation frame what the bar of the figure `tag` says. */
-const noteBar = (page, tag) => page.addInitScript((name) => {
-  globalThis.bars = []
-  const look = () => {
-    requestAnimationFrame(look)
-    const box = document.querySelector(`${name} .live .progress:not([hidden])`)
-    if (box) globalThis.bars.push(box.querySelector('progress').value)
-  }
-  look()
-}, tag)
+const noteBar = (page, tag) =>
+  page.addInitScript((name) => {
+    globalThis.bars = []
+    const look = () => {
+      requestAnimationFrame(look)
+      const box = document.querySelector(`${name} .live .progress:not([hidden])`)
+      if (box) globalThis.bars.push(box.querySelector('progress').value)
+    }
+    look()
+  }, tag)
 
 /** The figure alive, whatever it still computes. */
 async function alive(page, tag) {
@@ -43,26 +53,44 @@ test('a link to step 100,000 of a crowded map leaves the page responsive, and ca
   await page.waitForFunction(() => new Set(globalThis.bars).size >= 4)
   await probe.getByRole('button', { name: 'Cancel' }).press('Enter')
   const bars = await page.evaluate(() => globalThis.bars)
-  assert.ok(bars.every((value, i) => i === 0 || value >= bars[i - 1]), 'the bar only grows')
+  assert.ok(
+    bars.every((value, i) => i === 0 || value >= bars[i - 1]),
+    'the bar only grows',
+  )
   const frame = await until(probe, ({ params }) => !params.forget, 'the usual figure stays')
   assert.equal(frame.step, 240)
   assert.ok(!(await probe.locator('.live .progress').isVisible()))
   assert.ok(!(await probe.getByRole('checkbox', { name: 'forget the map' }).isChecked()))
-  assert.ok(await page.evaluate(() => Boolean(document.activeElement?.closest('observability-probe .live'))), 'the focus stays in the figure')
+  assert.ok(
+    await page.evaluate(() => Boolean(document.activeElement?.closest('observability-probe .live'))),
+    'the focus stays in the figure',
+  )
   await probe.getByRole('button', { name: 'Step' }).click()
   await until(probe, ({ step }) => step === 241, 'it goes on from there')
 })
 
 test('a link to the last step of all opens in many short calls, to the bits of one', async (t) => {
-  const page = await open(t, { at: probeAt(100_000, { count: 2 }), motion: 'no-preference', prepare: (it) => noteBar(it, 'observability-probe') })
+  const page = await open(t, {
+    at: probeAt(100_000, { count: 2 }),
+    motion: 'no-preference',
+    prepare: (it) => noteBar(it, 'observability-probe'),
+  })
   const probe = await alive(page, 'observability-probe')
   await until(probe, ({ step }) => step === 100_000, 'it arrives', 120_000)
-  const whole = estimate.ObservabilityProbe.from({ version: 1, lab: 'observability-probe', params: { count: 2 }, step: 100_000 })
+  const whole = estimate.ObservabilityProbe.from({
+    version: 1,
+    lab: 'observability-probe',
+    params: { count: 2 },
+    step: 100_000,
+  })
   assert.equal(await probe.evaluate((it) => it.figure.lab.digest()), whole.digest())
   assert.deepEqual(await stateOf(probe), whole.state())
   // The run ends here, in a reader's words.
   await probe.getByRole('button', { name: 'Play' }).click()
-  await probe.locator('.live .figure-note').getByText(/ends here, at step 100,000/).waitFor()
+  await probe
+    .locator('.live .figure-note')
+    .getByText(/ends here, at step 100,000/)
+    .waitFor()
   assert.ok(await probe.getByRole('button', { name: 'Play' }).isVisible(), 'it does not play')
   await probe.getByRole('button', { name: 'Step' }).click()
   assert.match(await probe.locator('.live .figure-note').innerText(), /ends here/)
@@ -70,7 +98,10 @@ test('a link to the last step of all opens in many short calls, to the bits of o
 })
 
 test('fast play reaches the last step, and stops there', async (t) => {
-  const { it: hook } = await openFigure(t, 'odometry-hook', { query: `?fig-odometry=${code([1, 'odometry-hook', 99_700, {}])}`, motion: 'no-preference' })
+  const { it: hook } = await openFigure(t, 'odometry-hook', {
+    query: `?fig-odometry=${code([1, 'odometry-hook', 99_700, {}])}`,
+    motion: 'no-preference',
+  })
   await hook.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })
   await hook.getByRole('button', { name: 'Play', exact: true }).click()
   // Play stops at the end of each lap of 640 ticks.
@@ -78,7 +109,10 @@ test('fast play reaches the last step, and stops there', async (t) => {
   await hook.getByRole('button', { name: 'Play', exact: true }).click()
   await until(hook, ({ step }) => step === 100_000, 'the last step', 30_000)
   await hook.getByRole('button', { name: 'Play', exact: true }).waitFor()
-  await hook.locator('.live .figure-note').getByText(/ends here/).waitFor()
+  await hook
+    .locator('.live .figure-note')
+    .getByText(/ends here/)
+    .waitFor()
 })
 
 test('a change during a long replay supersedes it; a key moves the knob on from where it was', async (t) => {
@@ -101,7 +135,12 @@ test('a change during a long replay supersedes it; a key moves the knob on from 
   const landmark = probe.locator('.live [aria-label*="Landmark 1"]').first()
   const before = (await frameOf(probe)).params.landmarks[0][0]
   for (let i = 0; i < 3; i++) await landmark.press('ArrowLeft')
-  const { params } = await until(probe, (frame) => frame.params.seed === 5 && frame.params.landmarks[0][0] < before - 0.12, 'both changes hold', 60_000)
+  const { params } = await until(
+    probe,
+    (frame) => frame.params.seed === 5 && frame.params.landmarks[0][0] < before - 0.12,
+    'both changes hold',
+    60_000,
+  )
   assert.ok(Math.abs(params.landmarks[0][0] - (before - 0.15)) < 1e-9, 'each press counts')
   const calls = await page.evaluate(() => globalThis.calls)
   t.diagnostic(`${calls.length} calls, the longest of ${Math.max(...calls)} steps`)

@@ -13,7 +13,9 @@ const folder = path.dirname(fileURLToPath(import.meta.url))
 /** They count what a page does within a time, or put a whole machine's load on it. */
 const ALONE = new Set(['bench', 'lighthouse', 'firefox'])
 
-const all = readdirSync(folder).filter((file) => file.endsWith('.test.mjs')).map((file) => file.replace('.test.mjs', ''))
+const all = readdirSync(folder)
+  .filter((file) => file.endsWith('.test.mjs'))
+  .map((file) => file.replace('.test.mjs', ''))
 const wanted = process.argv.slice(2)
 for (const name of wanted) {
   if (all.includes(name)) continue
@@ -22,15 +24,23 @@ for (const name of wanted) {
 }
 const names = wanted.length > 0 ? wanted : all
 
-const beside = await run(names.filter((name) => !ALONE.has(name)), Math.min(4, os.availableParallelism() + 1))
-const alone = await run(names.filter((name) => ALONE.has(name)), 1)
+const beside = await run(
+  names.filter((name) => !ALONE.has(name)),
+  Math.min(4, os.availableParallelism() + 1),
+)
+const alone = await run(
+  names.filter((name) => ALONE.has(name)),
+  1,
+)
 process.exitCode = beside && alone ? 0 : 1
 
 /** Whether all tests of these files passed. @param {string[]} some @param {number} workers how many files at a time */
 async function run(some, workers) {
   if (some.length === 0) return true
   const files = some.map((name) => path.join(folder, `${name}.test.mjs`))
-  const tests = spawn(process.execPath, ['--test', `--test-concurrency=${workers}`, '--test-reporter=spec', ...files], { stdio: 'inherit' })
+  const tests = spawn(process.execPath, ['--test', `--test-concurrency=${workers}`, '--test-reporter=spec', ...files], {
+    stdio: 'inherit',
+  })
   const [status] = await once(tests, 'close')
   return status === 0
 }

@@ -12,7 +12,10 @@ const results = (page) => dialog(page).locator('.search-results li a')
 /** Types a query, and waits until what is shown answers it. */
 async function ask(page, words) {
   await field(page).fill(words)
-  await dialog(page).getByRole('status').filter({ hasText: /\d+ places found/ }).waitFor({ state: 'attached' })
+  await dialog(page)
+    .getByRole('status')
+    .filter({ hasText: /\d+ places found/ })
+    .waitFor({ state: 'attached' })
   await page.waitForTimeout(50)
 }
 
@@ -20,16 +23,23 @@ test('a section is found by words of its title and by words of its text', async 
   const page = await open(t)
   await page.getByRole('button', { name: 'Search' }).click()
   await field(page).waitFor()
-  for (const { title, id } of index.filter(({ page: where, title: name }) => where === 'kalman/' && name.length > 8).slice(0, 12)) {
+  for (const { title, id } of index
+    .filter(({ page: where, title: name }) => where === 'kalman/' && name.length > 8)
+    .slice(0, 12)) {
     await ask(page, title)
     const found = await results(page).evaluateAll((links) => links.map((link) => link.href))
-    assert.ok(found.some((href) => href.endsWith(id)), `${title} leads to ${found}`)
+    assert.ok(
+      found.some((href) => href.endsWith(id)),
+      `${title} leads to ${found}`,
+    )
   }
   // A word misspelt, and the beginning of one.
   await ask(page, 'luenbergr')
-  assert.ok(await results(page).count() >= 1)
+  assert.ok((await results(page).count()) >= 1)
   await ask(page, 'mahalan')
-  const [first] = await results(page).evaluateAll((links) => links.map((link) => ({ href: link.href, words: link.innerText })))
+  const [first] = await results(page).evaluateAll((links) =>
+    links.map((link) => ({ href: link.href, words: link.innerText })),
+  )
   assert.match(first.words, /mahalan/i)
   await results(page).first().click()
   await page.waitForURL(first.href)
@@ -42,10 +52,14 @@ test('words of the text come before names in code, which are found too', async (
   await page.keyboard.press('/')
   await field(page).waitFor()
   await ask(page, 'innovation')
-  const hits = (await results(page).evaluateAll((links) => links.map((link) => link.innerText)))
+  const hits = await results(page).evaluateAll((links) => links.map((link) => link.innerText))
   assert.ok(hits.length >= 6, `${hits.length} hits`)
   assert.match(hits[0], /^Definition \d+ Innovation/, 'the definition comes before exercises that use the word')
-  assert.deepEqual(hits.slice(0, 6).filter((words) => /\/\/\/|::|fn /.test(words)), [], 'a reader who asks what an innovation is reads prose first')
+  assert.deepEqual(
+    hits.slice(0, 6).filter((words) => /\/\/\/|::|fn /.test(words)),
+    [],
+    'a reader who asks what an innovation is reads prose first',
+  )
   await ask(page, 'associate_ml')
   assert.match(await results(page).first().innerText(), /associate_ml/)
 })
@@ -61,9 +75,17 @@ test('the keys open it, walk through it, follow a place and close it', async (t)
   // Tab reaches every place in turn.
   await page.keyboard.press('Tab')
   await page.keyboard.press('Tab')
-  assert.ok(await results(page).first().evaluate((link) => link === document.activeElement))
+  assert.ok(
+    await results(page)
+      .first()
+      .evaluate((link) => link === document.activeElement),
+  )
   await page.keyboard.press('Tab')
-  assert.ok(await results(page).nth(1).evaluate((link) => link === document.activeElement))
+  assert.ok(
+    await results(page)
+      .nth(1)
+      .evaluate((link) => link === document.activeElement),
+  )
   // Escape closes, the focus returns, and a second time the words are there to be changed.
   await page.keyboard.press('Escape')
   assert.ok(!(await dialog(page).isVisible()))
@@ -98,23 +120,58 @@ test('a slash typed into a field is a slash', async (t) => {
 
 test('whatever is typed stays words', async (t) => {
   const page = await open(t)
-  await page.evaluate(() => { globalThis.struck = 0 })
+  await page.evaluate(() => {
+    globalThis.struck = 0
+  })
   await page.keyboard.press('/')
   await field(page).waitFor()
-  const before = await page.evaluate(() => [...document.querySelectorAll('dialog *')].map((element) => element.localName).sort().join(' '))
-  for (const words of ['<img src=x onerror="struck=1">', '"><script>struck=1</script>', '<b>kalman</b>', '&lt;b&gt;', "'); struck=1; ('", '$& \\0 (', '%3Cb%3E', '.*+?^${}()|[]\\', '\u202e\u0000', 'a'.repeat(5000)]) {
+  const before = await page.evaluate(() =>
+    [...document.querySelectorAll('dialog *')]
+      .map((element) => element.localName)
+      .sort()
+      .join(' '),
+  )
+  for (const words of [
+    '<img src=x onerror="struck=1">',
+    '"><script>struck=1</script>',
+    '<b>kalman</b>',
+    '&lt;b&gt;',
+    "'); struck=1; ('",
+    '$& \\0 (',
+    '%3Cb%3E',
+    '.*+?^${}()|[]\\',
+    '\u202e\u0000',
+    'a'.repeat(5000),
+  ]) {
     await field(page).fill(words)
     await page.waitForTimeout(60)
-    const seen = await page.evaluate(() => ({ struck: globalThis.struck, names: [...new Set([...document.querySelectorAll('dialog *')].map((element) => element.localName))].sort() }))
+    const seen = await page.evaluate(() => ({
+      struck: globalThis.struck,
+      names: [...new Set([...document.querySelectorAll('dialog *')].map((element) => element.localName))].sort(),
+    }))
     assert.equal(seen.struck, 0, words)
-    assert.deepEqual(seen.names.filter((name) => !['a', 'button', 'form', 'input', 'label', 'li', 'ol', 'p', 'span', 'strong'].includes(name)), [], words)
+    assert.deepEqual(
+      seen.names.filter(
+        (name) => !['a', 'button', 'form', 'input', 'label', 'li', 'ol', 'p', 'span', 'strong'].includes(name),
+      ),
+      [],
+      words,
+    )
   }
   // Nothing found is said; an emptied field shows nothing.
   await field(page).fill('zzzzqqqq')
   await dialog(page).getByText('Nothing found.').waitFor()
   await field(page).fill('')
   await page.waitForTimeout(60)
-  assert.equal(await page.evaluate(() => [...document.querySelectorAll('dialog *')].map((element) => element.localName).sort().join(' ')), before)
+  assert.equal(
+    await page.evaluate(() =>
+      [...document.querySelectorAll('dialog *')]
+        .map((element) => element.localName)
+        .sort()
+        .join(' '),
+    ),
+    before,
+  )
   assert.equal(await dialog(page).locator('.search-results').innerText(), '')
 })
 
@@ -124,18 +181,23 @@ test('the search leads from every page to every other, and its text is as the re
   await page.getByRole('button', { name: 'Search' }).click()
   await field(page).waitFor()
   await ask(page, 'compression')
-  const href = await results(page).first().evaluate((link) => link.href)
+  const href = await results(page)
+    .first()
+    .evaluate((link) => link.href)
   assert.equal(href, `${site.url}hosting/#compression`)
   await results(page).first().click()
   await page.waitForURL(href)
   // Code in the text is words too, never markup.
-  const marked = index.filter(({ text, title }) => /<\/?[a-z]+[^>]*>/.test(title) || /<(script|img|span|div)/.test(text)).map(({ id }) => id)
+  const marked = index
+    .filter(({ text, title }) => /<\/?[a-z]+[^>]*>/.test(title) || /<(script|img|span|div)/.test(text))
+    .map(({ id }) => id)
   assert.deepEqual(marked, [])
 })
 
 test('where the index cannot be fetched the search says so', async (t) => {
   const page = await open(t, {
-    expected: [/search\.json/, /ERR_FAILED/], prepare: (it) => it.route('**/search.json', (route) => route.abort()),
+    expected: [/search\.json/, /ERR_FAILED/],
+    prepare: (it) => it.route('**/search.json', (route) => route.abort()),
   })
   await page.getByRole('button', { name: 'Search' }).click()
   await field(page).fill('kalman')

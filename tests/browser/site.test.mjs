@@ -8,19 +8,29 @@ import path from 'node:path'
 import { WORKER_POLICY } from '../../scripts/static-server.mjs'
 import { dist, root } from './places.mjs'
 
-const files = readdirSync(dist, { recursive: true }).map(String).filter((file) => statSync(path.join(dist, file)).isFile())
+const files = readdirSync(dist, { recursive: true })
+  .map(String)
+  .filter((file) => statSync(path.join(dist, file)).isFile())
 const html = files.filter((file) => file.endsWith('.html'))
 const text = new Map(html.map((file) => [file, readFileSync(path.join(dist, file), 'utf8')]))
 const anchors = new Map()
 /** What every page may do, and nothing else. */
-const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; style-src-attr 'unsafe-inline'; font-src 'self'; img-src 'self' data:; connect-src 'self'; manifest-src 'self'; worker-src 'self'; base-uri 'none'; form-action 'none'"
+const POLICY =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self'; style-src-attr 'unsafe-inline'; font-src 'self'; img-src 'self' data:; connect-src 'self'; manifest-src 'self'; worker-src 'self'; base-uri 'none'; form-action 'none'"
 /** The page for lost addresses has its script and its style inside, each named by its hash. */
-const POLICY_OF_LOST = "default-src 'none'; script-src '#'; style-src '#'; connect-src 'self'; img-src data:; base-uri 'none'; form-action 'none'"
-const unescape = (value) => value.replace(/&amp;/g, '&').replace(/&#x27;|&#39;/g, "'").replace(/&quot;/g, '"').replace(/&#x2F;|&#47;/gi, '/')
+const POLICY_OF_LOST =
+  "default-src 'none'; script-src '#'; style-src '#'; connect-src 'self'; img-src data:; base-uri 'none'; form-action 'none'"
+const unescape = (value) =>
+  value
+    .replace(/&amp;/g, '&')
+    .replace(/&#x27;|&#39;/g, "'")
+    .replace(/&quot;/g, '"')
+    .replace(/&#x2F;|&#47;/gi, '/')
 
 /** The ids of a page. */
 function idsOf(file) {
-  if (!anchors.has(file)) anchors.set(file, new Set([...text.get(file).matchAll(/\sid="([^"]*)"/g)].map((match) => unescape(match[1]))))
+  if (!anchors.has(file))
+    anchors.set(file, new Set([...text.get(file).matchAll(/\sid="([^"]*)"/g)].map((match) => unescape(match[1]))))
   return anchors.get(file)
 }
 
@@ -30,13 +40,25 @@ test('every link, script, style and picture of every page is there', () => {
     for (const [, , raw] of text.get(file).matchAll(/<[^>]*?\s(href|src)="([^"]*)"/g)) {
       const address = unescape(raw)
       if (/^(https?:|mailto:|data:)/.test(address)) continue
-      if (address.startsWith('/')) { broken.push(`${file}: ${address} is not relative`); continue }
+      if (address.startsWith('/')) {
+        broken.push(`${file}: ${address} is not relative`)
+        continue
+      }
       const [where, fragment] = address.split('#')
-      let target = path.posix.normalize(path.posix.join(path.posix.dirname(file), decodeURIComponent(where.split('?')[0])))
+      let target = path.posix.normalize(
+        path.posix.join(path.posix.dirname(file), decodeURIComponent(where.split('?')[0])),
+      )
       if (where.split('?')[0] === '') target = file
-      else if (where.endsWith('/') || target === '.' || (existsSync(path.join(dist, target)) && statSync(path.join(dist, target)).isDirectory())) target = path.posix.join(target, 'index.html')
-      if (target.startsWith('..') || !existsSync(path.join(dist, target))) broken.push(`${file}: ${address} leads nowhere`)
-      else if (fragment && text.has(target) && !idsOf(target).has(decodeURIComponent(fragment))) broken.push(`${file}: ${address} has no such place`)
+      else if (
+        where.endsWith('/') ||
+        target === '.' ||
+        (existsSync(path.join(dist, target)) && statSync(path.join(dist, target)).isDirectory())
+      )
+        target = path.posix.join(target, 'index.html')
+      if (target.startsWith('..') || !existsSync(path.join(dist, target)))
+        broken.push(`${file}: ${address} leads nowhere`)
+      else if (fragment && text.has(target) && !idsOf(target).has(decodeURIComponent(fragment)))
+        broken.push(`${file}: ${address} has no such place`)
     }
   }
   assert.deepEqual(broken.slice(0, 40), [])
@@ -64,7 +86,10 @@ test('every page carries the strict policy, a title, a description and a languag
     // What stands inside a page is named in its policy by its hash; only the page for lost addresses has any.
     for (const [, tag, body] of page.matchAll(/<(script|style)(?![^>]*\ssrc=)[^>]*>([^]+?)<\/\1>/g)) {
       assert.equal(file, '404.html', `${file} has an inline ${tag}`)
-      assert.ok(policy.includes(`'sha256-${createHash('sha256').update(body).digest('base64')}'`), `${file}: an inline ${tag} that the policy does not name`)
+      assert.ok(
+        policy.includes(`'sha256-${createHash('sha256').update(body).digest('base64')}'`),
+        `${file}: an inline ${tag} that the policy does not name`,
+      )
     }
     assert.doesNotMatch(page, /<[^>]+\son[a-z]+="/, `${file} has an inline handler`)
   }
@@ -93,7 +118,9 @@ test('nothing in the site names another host to load from', () => {
   const loads = []
   for (const file of files.filter((name) => /\.(html|css)$/.test(name))) {
     const body = readFileSync(path.join(dist, file), 'utf8')
-    for (const [found] of body.matchAll(/<(?:script|link|img|iframe|source)[^>]*(?:src|href)="https?:[^"]*"|url\(["']?https?:[^)]*\)|@import[^;]*https?:[^;]*/g)) {
+    for (const [found] of body.matchAll(
+      /<(?:script|link|img|iframe|source)[^>]*(?:src|href)="https?:[^"]*"|url\(["']?https?:[^)]*\)|@import[^;]*https?:[^;]*/g,
+    )) {
       if (!/rel="(canonical|license|author)"/.test(found)) loads.push(`${file}: ${found}`)
     }
   }

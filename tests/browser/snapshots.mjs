@@ -34,7 +34,9 @@ export function compare(shot, name) {
   }
   if (Math.abs(now.width - then.width) > 2 || Math.abs(now.height - then.height) > 0.03 * then.height) {
     keep('now', shot)
-    assert.fail(`${name} is ${now.width} × ${now.height}, the reference ${then.width} × ${then.height}: see target/snapshots/`)
+    assert.fail(
+      `${name} is ${now.width} × ${now.height}, the reference ${then.width} × ${then.height}: see target/snapshots/`,
+    )
   }
   const { part, difference } = differenceOf(now, then)
   if (part > tolerance(then)) {

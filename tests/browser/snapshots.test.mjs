@@ -6,29 +6,44 @@ import { DESKTOP, PHONE, open, openFigure } from './harness.mjs'
 import { colour, compare, differenceOf, reference, tolerance } from './snapshots.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
-const REGIONS = [['head', '.chapter-head'], ['derivation', 'details.derivation'], ['quiz', '.quiz']]
-const SIZES = [['desktop', DESKTOP], ['phone', PHONE]]
+const REGIONS = [
+  ['head', '.chapter-head'],
+  ['derivation', 'details.derivation'],
+  ['quiz', '.quiz'],
+]
+const SIZES = [
+  ['desktop', DESKTOP],
+  ['phone', PHONE],
+]
 /** On its own page a figure fills the window but for the margins. With these widths it is as wide as in the chapter. */
 const FIGURE_WIDTHS = { desktop: 880 + 36, phone: 358 + 36 }
 /** Tall enough for every figure: a picture of one that is taller than the window makes the page scroll as it is taken. */
 const TALL = 2400
 
 /** Moves a part so that it begins on a whole pixel: a part of a pixel lower every letter is drawn differently. */
-const onWholePixels = (part) => part.evaluate((it) => {
-  it.style.position = 'relative'
-  it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px`
-})
+const onWholePixels = (part) =>
+  part.evaluate((it) => {
+    it.style.position = 'relative'
+    it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px`
+  })
 
 for (const theme of ['light', 'dark']) {
   for (const [size, viewport] of SIZES) {
     test(`regions of the chapter look as they did, ${theme}, ${size}`, { timeout: 180_000 }, async (t) => {
       const page = await open(t, { theme, viewport: { ...viewport, height: TALL }, touch: size === 'phone' })
       // All sections are laid out first: one above the region that came to be laid out later would move it by parts of a pixel.
-      await page.evaluate(() => document.querySelectorAll('.chapter > section').forEach((section) => { section.style.contentVisibility = 'visible' }))
+      await page.evaluate(() =>
+        document.querySelectorAll('.chapter > section').forEach((section) => {
+          section.style.contentVisibility = 'visible'
+        }),
+      )
       await page.evaluate(() => document.fonts.ready)
       for (const [name, selector] of REGIONS) {
         const region = page.locator(selector).first()
-        if (name === 'derivation') await region.evaluate((block) => { block.open = true })
+        if (name === 'derivation')
+          await region.evaluate((block) => {
+            block.open = true
+          })
         await region.scrollIntoViewIfNeeded()
         // A question gets its controls when it comes near the screen.
         if (name === 'quiz') await region.locator('input').first().waitFor()
@@ -38,7 +53,11 @@ for (const theme of ['light', 'dark']) {
     })
     for (const tag of Object.keys(WIDGETS)) {
       test(`the ${tag} looks as it did, ${theme}, ${size}`, async (t) => {
-        const { page, it } = await openFigure(t, tag, { theme, viewport: { width: FIGURE_WIDTHS[size], height: TALL }, touch: size === 'phone' })
+        const { page, it } = await openFigure(t, tag, {
+          theme,
+          viewport: { width: FIGURE_WIDTHS[size], height: TALL },
+          touch: size === 'phone',
+        })
         await page.evaluate(() => document.fonts.ready)
         await page.mouse.move(0, 0)
         await onWholePixels(it)
@@ -56,7 +75,10 @@ test('a figure that lost what is coloured in it is refused', (t) => {
         assert.equal(differenceOf(whole, whole).part, 0)
         const part = colour(whole)
         t.diagnostic(`${tag}-${theme}-${size}: ${(100 * part).toFixed(1)} % of its ink`)
-        assert.ok(part > 0.01 && part > 4 * tolerance(whole), `${tag}-${theme}-${size} would differ in ${(100 * part).toFixed(1)} % of its ink`)
+        assert.ok(
+          part > 0.01 && part > 4 * tolerance(whole),
+          `${tag}-${theme}-${size} would differ in ${(100 * part).toFixed(1)} % of its ink`,
+        )
       }
     }
   }

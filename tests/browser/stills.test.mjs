@@ -11,8 +11,16 @@ import { differenceOf } from './snapshots.mjs'
 /** How each figure's still is drawn: panels that show, drawn in the page or as images that have come, and how much they hold. */
 async function stills(page) {
   // Where scripts are on, an image waits until it is near the screen.
-  await page.evaluate(() => { for (const image of document.querySelectorAll('.still > img')) image.loading = 'eager' })
-  for (let i = 0; i < 100 && !(await page.evaluate(() => [...document.querySelectorAll('.still > img')].every((image) => image.complete))); i++) await page.waitForTimeout(100)
+  await page.evaluate(() => {
+    for (const image of document.querySelectorAll('.still > img')) image.loading = 'eager'
+  })
+  for (
+    let i = 0;
+    i < 100 &&
+    !(await page.evaluate(() => [...document.querySelectorAll('.still > img')].every((image) => image.complete)));
+    i++
+  )
+    await page.waitForTimeout(100)
   return page.evaluate(() => {
     /** Of an image, the pixels that it inks, in hundreds. */
     const inked = (image) => {
@@ -23,11 +31,18 @@ async function stills(page) {
       return brush.getImageData(0, 0, 300, 200).data.filter((value, i) => i % 4 === 3 && value > 60).length / 100
     }
     return [...document.querySelectorAll('figure.figure-widget')].map((figure) => {
-      const panels = [...figure.querySelectorAll('.still > .panel')].filter((panel) => { const box = panel.getBoundingClientRect(); return box.width > 100 && box.height > 80 })
+      const panels = [...figure.querySelectorAll('.still > .panel')].filter((panel) => {
+        const box = panel.getBoundingClientRect()
+        return box.width > 100 && box.height > 80
+      })
       return {
         id: figure.id,
         panels: panels.length,
-        marks: Math.min(...panels.map((panel) => (panel.localName === 'img' ? inked(panel) : panel.querySelectorAll('path, line, circle').length))),
+        marks: Math.min(
+          ...panels.map((panel) =>
+            panel.localName === 'img' ? inked(panel) : panel.querySelectorAll('path, line, circle').length,
+          ),
+        ),
         words: figure.querySelector('.still-text')?.textContent.trim().length ?? 0,
         caption: figure.querySelector('figcaption')?.textContent.trim().length ?? 0,
       }
@@ -47,27 +62,46 @@ function judge(figures) {
 test('with scripts off every figure is a still with words, and the page is whole', async (t) => {
   const page = await open(t, { scripts: false })
   judge(await stills(page))
-  assert.equal(await page.locator('button:visible, input:visible, select:visible').count(), 0, 'nothing to press that would not answer')
-  const pictures = await page.locator('figure.figure-widget .still').evaluateAll((all) => all.map((still) => still.innerHTML))
+  assert.equal(
+    await page.locator('button:visible, input:visible, select:visible').count(),
+    0,
+    'nothing to press that would not answer',
+  )
+  const pictures = await page
+    .locator('figure.figure-widget .still')
+    .evaluateAll((all) => all.map((still) => still.innerHTML))
   assert.equal(new Set(pictures).size, pictures.length, 'each figure shows its own state')
   assert.ok((await page.locator('main p').count()) > 30)
 })
 
 test('drawings that are files follow the theme and the notation, and a search in the page finds their words', async (t) => {
-  const page = await open(t, { expected: [/\.wasm|Failed to load|ERR_FAILED/i], prepare: (it) => it.route('**/*.wasm', (route) => route.abort()) })
+  const page = await open(t, {
+    expected: [/\.wasm|Failed to load|ERR_FAILED/i],
+    prepare: (it) => it.route('**/*.wasm', (route) => route.abort()),
+  })
   const gain = page.locator('#fig-bench .still > .panel-gain')
   await gain.scrollIntoViewIfNeeded()
   await page.locator('#fig-bench .figure-failure').waitFor()
   const shot = async () => {
-    await page.waitForFunction(() => [...document.querySelectorAll('#fig-bench .still > img')].every((image) => image.complete && image.naturalWidth > 0))
+    await page.waitForFunction(() =>
+      [...document.querySelectorAll('#fig-bench .still > img')].every(
+        (image) => image.complete && image.naturalWidth > 0,
+      ),
+    )
     await page.waitForTimeout(300)
     return PNG.sync.read(await gain.screenshot())
   }
   /** The brightness of most of its pixels, and of its ink. */
   const tones = ({ data }) => {
-    const all = Array.from({ length: data.length / 4 }, (_, i) => (data[4 * i] + data[4 * i + 1] + data[4 * i + 2]) / 3).sort((a, b) => a - b)
+    const all = Array.from(
+      { length: data.length / 4 },
+      (_, i) => (data[4 * i] + data[4 * i + 1] + data[4 * i + 2]) / 3,
+    ).sort((a, b) => a - b)
     const paper = all[all.length >> 1]
-    return { paper, ink: Math.abs(all[0] - paper) > Math.abs(all[all.length - 1] - paper) ? all[0] : all[all.length - 1] }
+    return {
+      paper,
+      ink: Math.abs(all[0] - paper) > Math.abs(all[all.length - 1] - paper) ? all[0] : all[all.length - 1],
+    }
   }
   const light = await shot()
   const day = tones(light)
@@ -82,23 +116,49 @@ test('drawings that are files follow the theme and the notation, and a search in
   await page.locator('[data-set-notation="choset"]').click()
   await page.waitForFunction(() => document.documentElement.dataset.letters === 'choset')
   assert.equal(differenceOf(await shot(), dark).part, 0)
-  const found = await page.evaluate(() => (getSelection().removeAllRanges(), find('gain R(k) and its knob g,') ? getSelection().anchorNode.parentElement.closest('figure')?.id : null))
+  const found = await page.evaluate(
+    () => (
+      getSelection().removeAllRanges(),
+      find('gain R(k) and its knob g,') ? getSelection().anchorNode.parentElement.closest('figure')?.id : null
+    ),
+  )
   assert.equal(found, 'fig-bench')
 })
 
 /** How high a figure is, and which of its panels lie over one another. */
-const laid = (page, part) => page.locator('.widget').evaluate((widget, of) => {
-  const boxes = [...widget.querySelectorAll(`${of} > .panel`)].map((panel) => [panel.getAttribute('class'), panel.getBoundingClientRect()])
-  const over = boxes.flatMap(([name, a], i) => boxes.slice(i + 1).filter(([, b]) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1).map(([other]) => `${name} and ${other}`))
-  return { height: widget.getBoundingClientRect().height, over }
-}, part)
+const laid = (page, part) =>
+  page.locator('.widget').evaluate((widget, of) => {
+    const boxes = [...widget.querySelectorAll(`${of} > .panel`)].map((panel) => [
+      panel.getAttribute('class'),
+      panel.getBoundingClientRect(),
+    ])
+    const over = boxes.flatMap(([name, a], i) =>
+      boxes
+        .slice(i + 1)
+        .filter(([, b]) => a.left < b.right - 1 && b.left < a.right - 1 && a.top < b.bottom - 1 && b.top < a.bottom - 1)
+        .map(([other]) => `${name} and ${other}`),
+    )
+    return { height: widget.getBoundingClientRect().height, over }
+  }, part)
 
 for (const width of [320, 390, 768, 1280]) {
-  test(`at ${width} px a still has the places and the height of the figure that comes to life`, { timeout: 120_000 }, async (t) => {
+  test(`at ${width} px a still has the places and the height of the figure that comes to life`, {
+    timeout: 120_000,
+  }, async (t) => {
     for (const at of FIGURE_PAGES) {
       let release
-      const released = new Promise((resolve) => { release = resolve })
-      const page = await open(t, { at, viewport: { width, height: 900 }, prepare: (it) => it.route('**/*.wasm', async (route) => { await released; await route.continue() }) })
+      const released = new Promise((resolve) => {
+        release = resolve
+      })
+      const page = await open(t, {
+        at,
+        viewport: { width, height: 900 },
+        prepare: (it) =>
+          it.route('**/*.wasm', async (route) => {
+            await released
+            await route.continue()
+          }),
+      })
       await page.evaluate(() => document.fonts.ready)
       const still = await laid(page, '.still')
       release()
@@ -106,24 +166,37 @@ for (const width of [320, 390, 768, 1280]) {
       const live = await laid(page, '.live')
       assert.deepEqual([still.over, live.over], [[], []], at)
       // A sentence may be a line longer in the one than in the other.
-      assert.ok(Math.abs(still.height - live.height) <= 30, `${at}: the still is ${still.height} px high, the figure ${live.height}`)
+      assert.ok(
+        Math.abs(still.height - live.height) <= 30,
+        `${at}: the still is ${still.height} px high, the figure ${live.height}`,
+      )
     }
   })
 }
 
 test('a figure in a frame that is folded away keeps its drawing, and goes on where it was', async (t) => {
   const { page, it } = await openFigure(t, 'observer-bench')
-  const sizes = () => it.evaluate((widget) => [...widget.querySelectorAll('.live .panel')].map((panel) => panel.getAttribute('viewBox')))
+  const sizes = () =>
+    it.evaluate((widget) => [...widget.querySelectorAll('.live .panel')].map((panel) => panel.getAttribute('viewBox')))
   const before = await sizes()
   for (const width of ['1px', '90px']) {
-    await page.locator('main').evaluate((main, to) => { main.style.width = to }, width)
+    await page.locator('main').evaluate((main, to) => {
+      main.style.width = to
+    }, width)
     await it.getByRole('button', { name: 'Step' }).evaluate((button) => button.click())
     await page.waitForTimeout(200)
     assert.deepEqual(await sizes(), before, width)
-    const negative = await it.evaluate((widget) => [...widget.querySelectorAll('.live svg [width], .live svg [height]')].filter((part) => Number(part.getAttribute('width') ?? 0) < 0 || Number(part.getAttribute('height') ?? 0) < 0).length)
+    const negative = await it.evaluate(
+      (widget) =>
+        [...widget.querySelectorAll('.live svg [width], .live svg [height]')].filter(
+          (part) => Number(part.getAttribute('width') ?? 0) < 0 || Number(part.getAttribute('height') ?? 0) < 0,
+        ).length,
+    )
     assert.equal(negative, 0, width)
   }
-  await page.locator('main').evaluate((main) => { main.style.width = '' })
+  await page.locator('main').evaluate((main) => {
+    main.style.width = ''
+  })
   await page.waitForTimeout(200)
   assert.deepEqual(await sizes(), before)
 })
@@ -138,7 +211,11 @@ test('where the module cannot be fetched the figure says so, and tries again', a
   const again = bench.getByRole('button', { name: /try again/i })
   await again.waitFor()
   judge(await stills(page))
-  assert.deepEqual(await bench.locator(':is(button, input, select):visible').allTextContents(), ['Try again'], 'nothing else to press')
+  assert.deepEqual(
+    await bench.locator(':is(button, input, select):visible').allTextContents(),
+    ['Try again'],
+    'nothing else to press',
+  )
   await page.unroute('**/*.wasm')
   await again.press('Enter')
   await page.locator('observer-bench[data-state="live"]').first().waitFor()
@@ -149,12 +226,20 @@ test('where the module cannot be fetched the figure says so, and tries again', a
 // A figure's script is a part of the page's without a name; what tells it is the custom element it defines.
 const chunkOf = (word) => {
   const folder = path.join(dist, 'assets')
-  const [name, ...more] = readdirSync(folder).filter((file) => /^[\w-]+\.js$/.test(file) && !file.startsWith('page-') && readFileSync(path.join(folder, file), 'utf8').includes(word))
+  const [name, ...more] = readdirSync(folder).filter(
+    (file) =>
+      /^[\w-]+\.js$/.test(file) &&
+      !file.startsWith('page-') &&
+      readFileSync(path.join(folder, file), 'utf8').includes(word),
+  )
   assert.ok(name && more.length === 0, `one part holds ${word}`)
   return `**/${name}`
 }
 
-for (const [what, word] of [['its own script', 'tag:"observer-bench"'], ['the script of all figures', 'customElements.define(']]) {
+for (const [what, word] of [
+  ['its own script', 'tag:"observer-bench"'],
+  ['the script of all figures', 'customElements.define('],
+]) {
   test(`a figure without ${what} says so, and comes to life when it is there again`, async (t) => {
     const chunk = chunkOf(word)
     const page = await open(t, {
@@ -176,14 +261,23 @@ for (const [what, word] of [['its own script', 'tag:"observer-bench"'], ['the sc
     // A browser that remembers the failure is not asked twice: the page is loaded again, at the figure.
     await page.locator('observer-bench[data-state="live"]').first().waitFor({ timeout: 8000 })
     assert.equal(await again.count(), 0)
-    await page.waitForFunction(() => document.activeElement?.closest('observer-bench .live') || location.hash === '#fig-bench')
-    assert.ok(await bench.evaluate((it) => { const { top, bottom } = it.getBoundingClientRect(); return top < innerHeight && bottom > 0 }), 'the reader is where the figure is')
+    await page.waitForFunction(
+      () => document.activeElement?.closest('observer-bench .live') || location.hash === '#fig-bench',
+    )
+    assert.ok(
+      await bench.evaluate((it) => {
+        const { top, bottom } = it.getBoundingClientRect()
+        return top < innerHeight && bottom > 0
+      }),
+      'the reader is where the figure is',
+    )
   })
 }
 
 test('with the script of the page lost it is a page without scripts', async (t) => {
   const page = await open(t, {
-    viewport: PHONE, touch: true,
+    viewport: PHONE,
+    touch: true,
     expected: [/page-|Failed to load|ERR_FAILED/],
     prepare: async (it) => {
       await it.addInitScript(() => localStorage.setItem('notation', 'thrun'))
@@ -191,13 +285,26 @@ test('with the script of the page lost it is a page without scripts', async (t) 
     },
   })
   await page.locator('.toc a').first().waitFor({ timeout: 4000 })
-  assert.equal(await page.locator('button:visible, input:visible, select:visible').count(), 0, 'nothing to press that would not answer')
-  assert.equal(await page.locator('html').getAttribute('data-notation'), 'choset', 'the notation of the formulas in the page')
+  assert.equal(
+    await page.locator('button:visible, input:visible, select:visible').count(),
+    0,
+    'nothing to press that would not answer',
+  )
+  assert.equal(
+    await page.locator('html').getAttribute('data-notation'),
+    'choset',
+    'the notation of the formulas in the page',
+  )
   judge(await stills(page))
 })
 
 test('where there is no WebAssembly the figures are stills', async (t) => {
-  const page = await open(t, { prepare: (it) => it.addInitScript(() => { delete globalThis.WebAssembly }) })
+  const page = await open(t, {
+    prepare: (it) =>
+      it.addInitScript(() => {
+        delete globalThis.WebAssembly
+      }),
+  })
   const bench = page.locator('observer-bench').first()
   await bench.scrollIntoViewIfNeeded()
   await bench.getByText(/WebAssembly/).waitFor()
@@ -206,10 +313,22 @@ test('where there is no WebAssembly the figures are stills', async (t) => {
 
 test('a figure works while it is near the screen, and the module is fetched once, when it is needed', async (t) => {
   const fetched = []
-  const page = await open(t, { motion: 'no-preference', prepare: async (it) => it.on('request', (request) => { if (request.url().endsWith('.wasm')) fetched.push(request.url()) }) })
+  const page = await open(t, {
+    motion: 'no-preference',
+    prepare: async (it) =>
+      it.on('request', (request) => {
+        if (request.url().endsWith('.wasm')) fetched.push(request.url())
+      }),
+  })
   // Before anyone scrolls, with the page at rest.
   await page.waitForLoadState('networkidle')
-  assert.deepEqual(await page.locator('.widget').evaluateAll((all) => all.filter((it) => it.getBoundingClientRect().top < innerHeight + 900).length), 0, 'no figure is near')
+  assert.deepEqual(
+    await page
+      .locator('.widget')
+      .evaluateAll((all) => all.filter((it) => it.getBoundingClientRect().top < innerHeight + 900).length),
+    0,
+    'no figure is near',
+  )
   assert.deepEqual(fetched, [])
   const bench = page.locator('observer-bench').first()
   await bench.scrollIntoViewIfNeeded()
@@ -219,10 +338,11 @@ test('a figure works while it is near the screen, and the module is fetched once
   const start = await step()
   await page.waitForFunction((n) => document.querySelector('observer-bench').frame.step > n, start)
   // A hidden tab: here the document only says so, and frames would go on.
-  const hide = (hidden) => page.evaluate((it) => {
-    Object.defineProperty(document, 'hidden', { configurable: true, get: () => it })
-    document.dispatchEvent(new Event('visibilitychange'))
-  }, hidden)
+  const hide = (hidden) =>
+    page.evaluate((it) => {
+      Object.defineProperty(document, 'hidden', { configurable: true, get: () => it })
+      document.dispatchEvent(new Event('visibilitychange'))
+    }, hidden)
   await hide(true)
   await page.waitForTimeout(200)
   const hidden = await step()

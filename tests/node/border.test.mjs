@@ -16,29 +16,76 @@ WebAssembly.Instance = class extends Instance {
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 WebAssembly.Instance = Instance
 const refused = (call, code, argument) =>
-  assert.throws(call, (error) => error.name === 'EstimateError' && error.code === code && error.argument === argument && error.message.length < 400)
+  assert.throws(
+    call,
+    (error) =>
+      error.name === 'EstimateError' &&
+      error.code === code &&
+      error.argument === argument &&
+      error.message.length < 400,
+  )
 
-const pose = { x: [0, 0, 0], P: [[0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]] }
-const W = [[0.01, 0], [0, 0.001]]
+const pose = {
+  x: [0, 0, 0],
+  P: [
+    [0.01, 0, 0],
+    [0, 0.01, 0],
+    [0, 0, 0.01],
+  ],
+}
+const W = [
+  [0.01, 0],
+  [0, 0.001],
+]
 const LOG = core.RobotLog.parse('L,7,3,4\nO,0.5,0.1,0.02\nR,0.5,7,4.9\nO,1,0.1,0\nR,1,7,4.8\n')
-const rail = { F: [[1, 0.5], [0, 1]], G: [[0], [0.5]], H: [[1, 0]], V: [[0.2, 0.05], [0.05, 0.1]], W: [[0.5]] }
+const rail = {
+  F: [
+    [1, 0.5],
+    [0, 1],
+  ],
+  G: [[0], [0.5]],
+  H: [[1, 0]],
+  V: [
+    [0.2, 0.05],
+    [0.05, 0.1],
+  ],
+  W: [[0.5]],
+}
 const objects = {
   DriveLog: LOG,
   RobotLog: new core.RobotLog(LOG),
-  KalmanFilter: new core.KalmanFilter(rail, { x: [2, 4], P: [[1, 0], [0, 2]] }),
+  KalmanFilter: new core.KalmanFilter(rail, {
+    x: [2, 4],
+    P: [
+      [1, 0],
+      [0, 2],
+    ],
+  }),
   LogFiles: new core.LogFiles(),
   LogTable: new core.LogTable(LOG, {}, 'track'),
   EkfLocalizer: new core.EkfLocalizer(pose, [{ id: 1, x: 2, y: 1 }], { W }),
   EkfSlam: new core.EkfSlam(pose, { W, gate: 9.21, found: 50 }),
-  ...Object.fromEntries(['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture'].map((name) => [name, new core[name]()])),
+  ...Object.fromEntries(
+    ['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture'].map((name) => [name, new core[name]()]),
+  ),
 }
 
 test('a method or a property of one class refuses an object of every other', () => {
   let calls = 0
-  const arguments_ = { set: [{}], run: [1], collinearPoint: [0], predict: [[0, 0], pose.P], step: [[0], [0]], update: [{ range: 1, bearing: 0 }], replay: [new Float64Array(4), new Uint32Array(1), pose.P] }
+  const arguments_ = {
+    set: [{}],
+    run: [1],
+    collinearPoint: [0],
+    predict: [[0, 0], pose.P],
+    step: [[0], [0]],
+    update: [{ range: 1, bearing: 0 }],
+    replay: [new Float64Array(4), new Uint32Array(1), pose.P],
+  }
   const own = { KalmanFilter: { predict: [[0]], update: [[0]] } }
   for (const name of Object.keys(objects)) {
-    const methods = Object.getOwnPropertyNames(core[name].prototype).filter((method) => !['constructor', 'free', '__destroy_into_raw'].includes(method))
+    const methods = Object.getOwnPropertyNames(core[name].prototype).filter(
+      (method) => !['constructor', 'free', '__destroy_into_raw'].includes(method),
+    )
     for (const method of methods) {
       for (const [other, object] of Object.entries(objects)) {
         if (other === name) continue
@@ -50,19 +97,42 @@ test('a method or a property of one class refuses an object of every other', () 
   }
   assert.ok(calls > 100, `${calls} calls`)
   for (const object of Object.values(objects)) {
-    const look = [object.frame, object.belief, object.contents, object.files].find(Boolean) ?? (() => object.x ?? object.next(1))
+    const look =
+      [object.frame, object.belief, object.contents, object.files].find(Boolean) ?? (() => object.x ?? object.next(1))
     look.call(object)
   }
 })
 
 test('a refusal leaves nothing behind in the table of references', () => {
   const { EkfLocalizer: ekf, ObserverBench: bench } = objects
-  const throwing = { get gain() { throw new Error('no') } }
-  const proxy = new Proxy({}, { ownKeys() { throw new Error('no') } })
-  const list = new Proxy([], { get() { throw new Error('no') } })
+  const throwing = {
+    get gain() {
+      throw new Error('no')
+    },
+  }
+  const proxy = new Proxy(
+    {},
+    {
+      ownKeys() {
+        throw new Error('no')
+      },
+    },
+  )
+  const list = new Proxy([], {
+    get() {
+      throw new Error('no')
+    },
+  })
   const refusals = [
-    () => ekf.replay([], [], []), () => bench.set(throwing), () => bench.set(proxy), () => bench.set({ gain: '1' }), () => bench.set({ other: 1 }),
-    () => ekf.predict(list, pose.P), () => bench.run(0.5), () => core.ObserverBench.from({ version: 2 }), () => core.EkfSlam.prototype.belief.call(ekf),
+    () => ekf.replay([], [], []),
+    () => bench.set(throwing),
+    () => bench.set(proxy),
+    () => bench.set({ gain: '1' }),
+    () => bench.set({ other: 1 }),
+    () => ekf.predict(list, pose.P),
+    () => bench.run(0.5),
+    () => core.ObserverBench.from({ version: 2 }),
+    () => core.EkfSlam.prototype.belief.call(ekf),
   ]
   // A table that grew would double; a million refusals are far more than its length.
   const table = raw.__wbindgen_externrefs
@@ -85,10 +155,35 @@ test('a refusal leaves nothing behind in the table of references', () => {
 test('a culprit is named as the caller wrote it', () => {
   const { ObserverBench: Bench, ObservabilityProbe: Probe } = core
   refused(() => new Bench({ gain: 7 }), 'limit', 'params.gain')
-  refused(() => Bench.from({ version: 1, lab: 'observer-bench', step: 0, params: { gain: -1 } }), 'limit', 'state.params.gain')
+  refused(
+    () => Bench.from({ version: 1, lab: 'observer-bench', step: 0, params: { gain: -1 } }),
+    'limit',
+    'state.params.gain',
+  )
   refused(() => Bench.from({ version: 1, lab: 'observer-bench', step: -1, params: {} }), 'limit', 'state.step')
-  refused(() => new Probe({ landmarks: [[1, 2], [3, '4'], [5, 6]] }), 'type', 'params.landmarks[1][1]')
-  refused(() => new Probe({ landmarks: [[1, 2], [3, 4]] }), 'shape', 'params.landmarks')
+  refused(
+    () =>
+      new Probe({
+        landmarks: [
+          [1, 2],
+          [3, '4'],
+          [5, 6],
+        ],
+      }),
+    'type',
+    'params.landmarks[1][1]',
+  )
+  refused(
+    () =>
+      new Probe({
+        landmarks: [
+          [1, 2],
+          [3, 4],
+        ],
+      }),
+    'shape',
+    'params.landmarks',
+  )
   refused(() => new Probe({ landmarks: [[1, 2], [3, 4], [5]] }), 'shape', 'params.landmarks[2]')
   assert.throws(() => new Bench([]), /is an array; it must be an object/)
 })
@@ -108,7 +203,11 @@ test('a lab says how far its parameters go, and takes what it says', () => {
       for (const end of [p.least, p.greatest]) {
         if (Math.abs(end) < 1e300) lab.set({ [p.name]: end })
       }
-      if (p.greatest < 2 ** 31) assert.throws(() => lab.set({ [p.name]: p.greatest + Math.max(1, p.step) }), ({ code }) => code === 'limit' || code === 'tolerance')
+      if (p.greatest < 2 ** 31)
+        assert.throws(
+          () => lab.set({ [p.name]: p.greatest + Math.max(1, p.step) }),
+          ({ code }) => code === 'limit' || code === 'tolerance',
+        )
     }
     for (const p of parameters.filter(({ words }) => words)) for (const word of p.words) lab.set({ [p.name]: word })
     lab.free()

@@ -2,7 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { followed } from '../../web/core/camera.js'
+import { followed } from '../../web/draw/camera.js'
 import { seen } from '../../web/widgets/close-loop/map.js'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
@@ -37,7 +37,10 @@ test('Close the loop keeps every sighting in sight, from the start to the end of
       const { x, y } = arrived(view, (axis) => seen(frame, axis), box)
       for (const { at } of frame.sightings) {
         const [across, down] = [x(at[0]), y(at[1])]
-        assert.ok(across >= MARK && across <= box.right - MARK && down >= MARK && down <= box.bottom - MARK, `${box.right} × ${box.bottom}, step ${step}: ${across}, ${down}`)
+        assert.ok(
+          across >= MARK && across <= box.right - MARK && down >= MARK && down <= box.bottom - MARK,
+          `${box.right} × ${box.bottom}, step ${step}: ${across}, ${down}`,
+        )
       }
       lab.run(1)
     }

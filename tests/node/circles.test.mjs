@@ -7,8 +7,10 @@ import path from 'node:path'
 import { fileURLToPath } from 'node:url'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
-const below = (folder, ending) => readdirSync(folder, { recursive: true, encoding: 'utf8' })
-  .filter((name) => name.endsWith(ending) && !name.split(path.sep).includes('node_modules'))
+const below = (folder, ending) =>
+  readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter(
+    (name) => name.endsWith(ending) && !name.split(path.sep).includes('node_modules'),
+  )
 
 /** The circles of a graph, each once, as the names along it. @param {Map<string, Set<string>>} graph */
 export function circles(graph) {
@@ -37,15 +39,22 @@ function paths(tree) {
     if (letter === ',' && depth === 0) parts.push('')
     else parts[parts.length - 1] += letter
   }
-  return parts.filter((part) => part.trim()).flatMap((part) => paths(part.trim()).map((rest) => tree.slice(0, open).trim() + rest))
+  return parts
+    .filter((part) => part.trim())
+    .flatMap((part) => paths(part.trim()).map((rest) => tree.slice(0, open).trim() + rest))
 }
 
 /** What a crate's modules import of one another. @param {string} source its folder src */
 function crateGraph(source) {
-  const code = new Map(below(source, '.rs').filter((name) => path.basename(name) !== 'tests.rs').map((name) => {
-    const [text] = readFileSync(path.join(source, name), 'utf8').split(/^\s*#\[cfg\(test\)\]/m)
-    return [name.replace(/\.rs$/, '').split(path.sep), text.replace(/\/\/.*$/gm, '')]
-  }).map(([module, text]) => [module.join('::'), text]))
+  const code = new Map(
+    below(source, '.rs')
+      .filter((name) => path.basename(name) !== 'tests.rs')
+      .map((name) => {
+        const [text] = readFileSync(path.join(source, name), 'utf8').split(/^\s*#\[cfg\(test\)\]/m)
+        return [name.replace(/\.rs$/, '').split(path.sep), text.replace(/\/\/.*$/gm, '')]
+      })
+      .map(([module, text]) => [module.join('::'), text]),
+  )
   const top = (name) => name.split('::')[0]
   // A name that the crate hands out at its root, by the module it comes from.
   const handedOut = new Map()
@@ -80,18 +89,31 @@ function scriptGraph(folder) {
   for (const name of below(folder, '.js')) {
     const file = path.join(folder, name)
     const text = readFileSync(file, 'utf8').replace(/^\s*(\/\/|\/?\*).*$/gm, '')
-    const used = [...text.matchAll(/^(?:import|export)\b[^'"`]*?['"](\.[^'"]+)['"]/gm)].map(([, one]) => path.relative(folder, path.resolve(path.dirname(file), one)))
+    const used = [...text.matchAll(/^(?:import|export)\b[^'"`]*?['"](\.[^'"]+)['"]/gm)].map(([, one]) =>
+      path.relative(folder, path.resolve(path.dirname(file), one)),
+    )
     graph.set(name, new Set(used.filter((one) => existsSync(path.join(folder, one)))))
   }
   return graph
 }
 
 test('a circle is found', () => {
-  assert.deepEqual(circles(new Map([['a', new Set(['b'])], ['b', new Set(['c'])], ['c', new Set(['b'])]])), ['b → c → b'])
+  assert.deepEqual(
+    circles(
+      new Map([
+        ['a', new Set(['b'])],
+        ['b', new Set(['c'])],
+        ['c', new Set(['b'])],
+      ]),
+    ),
+    ['b → c → b'],
+  )
   assert.deepEqual(paths('crate::{a::{B, c::D}, e as f}'), ['crate::a::B', 'crate::a::c::D', 'crate::e'])
 })
 
-for (const crate of readdirSync(path.join(root, 'crates')).filter((name) => existsSync(path.join(root, 'crates', name, 'src')))) {
+for (const crate of readdirSync(path.join(root, 'crates')).filter((name) =>
+  existsSync(path.join(root, 'crates', name, 'src')),
+)) {
   test(`the modules of ${crate} import one another without a circle`, () => {
     assert.deepEqual(circles(crateGraph(path.join(root, 'crates', crate, 'src'))), [])
   })

@@ -3,24 +3,28 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { plain } from '../../web/core/words.js'
+import { plain } from '../../web/draw/words.js'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 export const estimate = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 export const LOG = readFileSync(new URL('../../content/logs/plaza1.csv', import.meta.url), 'utf8')
 export const number = (text) => Number(text.replace('\u2212', '-').replace('∞', 'Infinity'))
 /** Whether a printed number is this value, rounded. */
-export const prints = (text, value) => Math.abs(number(text) - value) <= 0.51 * 10 ** -(text.split('.')[1]?.length ?? 0) + 1e-9 * Math.abs(value)
+export const prints = (text, value) =>
+  Math.abs(number(text) - value) <= 0.51 * 10 ** -(text.split('.')[1]?.length ?? 0) + 1e-9 * Math.abs(value)
 
 /** Every choice of one value for each name. @returns {Record<string, unknown>[]} */
 function grid(axes) {
-  return Object.entries(axes).reduce((all, [name, values]) => all.flatMap((one) => values.map((value) => ({ ...one, [name]: value }))), [{}])
+  return Object.entries(axes).reduce(
+    (all, [name, values]) => all.flatMap((one) => values.map((value) => ({ ...one, [name]: value }))),
+    [{}],
+  )
 }
 
 /** The frames of a widget's lab over a grid. */
 function* frames(spec, axes, steps) {
   for (const params of grid(axes)) {
-    let lab = estimate[spec.lab].from({ version: 1, lab: spec.name, step: 0, params })
+    const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, step: 0, params })
     for (const step of steps) {
       if (step > lab.state().step) lab.run(step - lab.state().step)
       yield lab.frame()
@@ -41,19 +45,26 @@ function falsehoods(spec, all, claims) {
     for (const sentence of sentences(words)) {
       const claim = claims.filter(([pattern]) => pattern.test(sentence))
       if (claim.length !== 1) found.add(`“${sentence}” is none of the claims, or several; ${where}`)
-      else if (!claim[0][1](frame, ...sentence.match(claim[0][0]).slice(1))) found.add(`“${sentence}” is false; ${where}`)
+      else if (!claim[0][1](frame, ...sentence.match(claim[0][0]).slice(1)))
+        found.add(`“${sentence}” is false; ${where}`)
     }
-    const others = [...Object.values(spec.describe(frame)), spec.announce(frame, frame), spec.announce(frame, { ...frame, step: frame.step + 1 })]
+    const others = [
+      ...Object.values(spec.describe(frame)),
+      spec.announce(frame, frame),
+      spec.announce(frame, { ...frame, step: frame.step + 1 }),
+    ]
     for (const said of [words, ...others]) {
-      if (/undefined|NaN|null|[a-z]'[a-z]|\[object|\d{5}|  |\b1 (steps|ticks|laps|directions)\b/.test(said)) found.add(`“${said}” is no sentence; ${where}`)
+      if (/undefined|NaN|null|[a-z]'[a-z]|\[object|\d{5}| {2}|\b1 (steps|ticks|laps|directions)\b/.test(said))
+        found.add(`“${said}” is no sentence; ${where}`)
     }
   }
   return [...found].slice(0, 12)
 }
 
-export const check = (tag, axes, steps, claims) => test(`what the ${tag} says is true, in every state`, async () => {
-  const spec = await WIDGETS[tag]()
-  const all = [...frames(spec, axes, steps)]
-  assert.ok(all.length > 60)
-  assert.deepEqual(falsehoods(spec, all, claims(spec)), [])
-})
+export const check = (tag, axes, steps, claims) =>
+  test(`what the ${tag} says is true, in every state`, async () => {
+    const spec = await WIDGETS[tag]()
+    const all = [...frames(spec, axes, steps)]
+    assert.ok(all.length > 60)
+    assert.deepEqual(falsehoods(spec, all, claims(spec)), [])
+  })

@@ -5,10 +5,10 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { drawHandle } from '../../web/core/handle.js'
-import { Readouts } from '../../web/core/readouts.js'
-import { buildShell } from '../../web/core/shell.js'
-import { writeSvg } from '../../web/core/words.js'
+import { drawHandle } from '../../web/figure/handle.js'
+import { Readouts } from '../../web/figure/readouts.js'
+import { buildShell } from '../../web/figure/shell.js'
+import { writeSvg } from '../../web/draw/words.js'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { LOG, estimate } from './claims.mjs'
 import { dice as seeded } from './nonsense.mjs'
@@ -42,25 +42,49 @@ function value({ default: usual, least, greatest, words }, dice) {
 function system(dice) {
   const [states, inputs, readings] = [1 + dice.below(4), dice.below(5), 1 + dice.below(4)]
   const magnitude = 10 ** (dice.uniform() < 0.7 ? 0 : dice.uniform() * 24 - 12)
-  const matrix = (rows, columns, entry) => Array.from({ length: 4 }, (_, i) => Array.from({ length: 4 }, (_, j) => (i < rows && j < columns ? entry(i, j) : 0)))
+  const matrix = (rows, columns, entry) =>
+    Array.from({ length: 4 }, (_, i) =>
+      Array.from({ length: 4 }, (_, j) => (i < rows && j < columns ? entry(i, j) : 0)),
+    )
   const any = () => (dice.uniform() < 0.3 ? dice.pick([0, 1, -1]) : dice.normal())
   const covariance = (size) => {
     const factor = matrix(size, size, any)
     return matrix(size, size, (i, j) => magnitude * factor[i].reduce((sum, value, k) => sum + value * factor[j][k], 0))
   }
-  const params = { states, inputs, readings, f: matrix(states, states, any), g: matrix(states, inputs, any), h: matrix(readings, states, any) }
-  return { ...params, v: covariance(states), w: covariance(readings), k: matrix(states, readings, any), shown: 1 + dice.below(states), gain: dice.pick(['filter', 'filter', 'hand', 'placement']) }
+  const params = {
+    states,
+    inputs,
+    readings,
+    f: matrix(states, states, any),
+    g: matrix(states, inputs, any),
+    h: matrix(readings, states, any),
+  }
+  return {
+    ...params,
+    v: covariance(states),
+    w: covariance(readings),
+    k: matrix(states, readings, any),
+    shown: 1 + dice.below(states),
+    gain: dice.pick(['filter', 'filter', 'hand', 'placement']),
+  }
 }
 
 /** Faults of what stands in a picture. @param {Element} svg */
 function faults(svg) {
   const found = []
   for (const element of svg.querySelectorAll('*')) {
-    if (!element.children.length && /NaN|undefined|\[object/.test(element.textContent)) found.push(`<${element.localName}>${element.textContent}`)
+    if (!element.children.length && /NaN|undefined|\[object/.test(element.textContent))
+      found.push(`<${element.localName}>${element.textContent}`)
     // Such a letter is another in another notation, and has to be written in all of them.
-    if (element.classList.contains('symbol') && /^[FGHKPVW]$/.test(element.textContent) && !element.closest('[class^=in-]')) found.push(`${element.textContent} in ${element.parentElement.textContent}`)
+    if (
+      element.classList.contains('symbol') &&
+      /^[FGHKPVW]$/.test(element.textContent) &&
+      !element.closest('[class^=in-]')
+    )
+      found.push(`${element.textContent} in ${element.parentElement.textContent}`)
     for (const { name, value } of element.attributes) {
-      if (name !== 'data-kin' && /NaN|Infinity|undefined|\[object/.test(value)) found.push(`<${element.localName} ${name}="${value.slice(0, 60)}">`)
+      if (name !== 'data-kin' && /NaN|Infinity|undefined|\[object/.test(value))
+        found.push(`<${element.localName} ${name}="${value.slice(0, 60)}">`)
     }
   }
   return found
@@ -71,7 +95,16 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
     const spec = await load()
     const dice = seeded(SEED)
     const { document } = parseHTML('<!doctype html><html><body></body></html>')
-    const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, embed: nothing, download: nothing }
+    const orders = {
+      play: nothing,
+      step: nothing,
+      reset: nothing,
+      speed: nothing,
+      change: nothing,
+      link: nothing,
+      embed: nothing,
+      download: nothing,
+    }
     const parameters = estimate[spec.lab].parameters()
     const shell = buildShell(document, spec, document.createElement('div'), orders, parameters)
     const memory = {}
@@ -79,8 +112,13 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
     let drawn = 0
     for (let turn = 0; turn < STATES; turn += 1) {
       const log = spec.log ? [estimate[spec.lab].parse(LOG)] : []
-      const moved = parameters.filter(({ name }) => dice.uniform() < 0.5 && !(tag === 'own-system' && MATRICES.includes(name)))
-      const params = { ...Object.fromEntries(moved.map((parameter) => [parameter.name, value(parameter, dice)])), ...(tag === 'own-system' ? system(dice) : {}) }
+      const moved = parameters.filter(
+        ({ name }) => dice.uniform() < 0.5 && !(tag === 'own-system' && MATRICES.includes(name)),
+      )
+      const params = {
+        ...Object.fromEntries(moved.map((parameter) => [parameter.name, value(parameter, dice)])),
+        ...(tag === 'own-system' ? system(dice) : {}),
+      }
       const where = `DRAWN_SEED=${SEED}, turn ${turn}, ${JSON.stringify(params)}`
       let lab
       try {
@@ -93,8 +131,15 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
         if (!spec.timeless && step > lab.state().step) lab.run(step - lab.state().step)
         const frame = lab.frame()
         const view = {
-          previous: dice.uniform() < 0.5 ? previous : null, memory, limits: shell.limits, aside: turn % 8 === 0 ? spec.aside?.whole(lab) ?? null : null,
-          beat: dice.pick([{ name: 'rest', t: 1 }, { name: 'predict', t: dice.uniform() }, { name: 'update', t: dice.uniform() }]),
+          previous: dice.uniform() < 0.5 ? previous : null,
+          memory,
+          limits: shell.limits,
+          aside: turn % 8 === 0 ? (spec.aside?.whole(lab) ?? null) : null,
+          beat: dice.pick([
+            { name: 'rest', t: 1 },
+            { name: 'predict', t: dice.uniform() },
+            { name: 'update', t: dice.uniform() },
+          ]),
           elapsed: dice.pick([0, 16, 300, Infinity]),
           handle: (pen, key, handle) => void drawHandle(pen, key, handle),
         }
@@ -116,13 +161,20 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
 test('what follows an index or a power stands on the line of what is before it', () => {
   const { document } = parseHTML('<!doctype html><html><body></body></html>')
   const css = readFileSync(new URL('../../web/style/ink.css', import.meta.url), 'utf8')
-  const size = (name) => (name ? Number(css.match(new RegExp(`\\.${name}\\b[^{]*\\{[^}]*font-size: ([\\d.]+)em`))[1]) : 1)
+  const size = (name) =>
+    name ? Number(css.match(new RegExp(`\\.${name}\\b[^{]*\\{[^}]*font-size: ([\\d.]+)em`))[1]) : 1
   for (const words of ['slope 0.07, *R*^{2} = 0.78', '*K*_t + 1', 'χ_1^{2} *y*', '*P*_{0|0}*H*']) {
     const text = document.createElement('text')
     writeSvg(text, words)
     const last = text.lastChild
-    const low = [...text.children].reduce((sum, span) => sum + Number((span.getAttribute('dy') ?? '0em').slice(0, -2)) * size(span.getAttribute('class')), 0)
-    assert.ok(!['sub', 'sup'].includes(last.getAttribute('class')) && Math.abs(low) < 0.02, `${words} ends ${low} em below its line`)
+    const low = [...text.children].reduce(
+      (sum, span) => sum + Number((span.getAttribute('dy') ?? '0em').slice(0, -2)) * size(span.getAttribute('class')),
+      0,
+    )
+    assert.ok(
+      !['sub', 'sup'].includes(last.getAttribute('class')) && Math.abs(low) < 0.02,
+      `${words} ends ${low} em below its line`,
+    )
   }
 })
 
@@ -140,14 +192,34 @@ test('a panel of a log says why it is empty, and one alone says what to do', asy
   const spec = await WIDGETS['robot-log']()
   const texts = (params, step, log = LOG) => {
     const { document } = parseHTML('<!doctype html><html><body></body></html>')
-    const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, embed: nothing, download: nothing }
+    const orders = {
+      play: nothing,
+      step: nothing,
+      reset: nothing,
+      speed: nothing,
+      change: nothing,
+      link: nothing,
+      embed: nothing,
+      download: nothing,
+    }
     const shell = buildShell(document, spec, document.createElement('div'), orders, estimate.RobotLog.parameters())
-    const frame = estimate.RobotLog.from(estimate.RobotLog.parse(log), { version: 1, lab: 'robot-log', params, step }).frame()
+    const frame = estimate.RobotLog.from(estimate.RobotLog.parse(log), {
+      version: 1,
+      lab: 'robot-log',
+      params,
+      step,
+    }).frame()
     for (const { name, draw } of spec.panels.slice(1)) draw(shell.panels[name], frame, {})
-    return Object.fromEntries(spec.panels.map(({ name }) => [name, [...shell.panels[name].svg.querySelectorAll('text')].map(({ textContent }) => textContent).join('\n')]))
+    return Object.fromEntries(
+      spec.panels.map(({ name }) => [
+        name,
+        [...shell.panels[name].svg.querySelectorAll('text')].map(({ textContent }) => textContent).join('\n'),
+      ]),
+    )
   }
   const begun = texts({ sightings: true }, 0)
-  for (const name of ['innovations', 'ranges', 'inner', 'correlation', 'nis']) assert.match(begun[name], /no reading so far/, name)
+  for (const name of ['innovations', 'ranges', 'inner', 'correlation', 'nis'])
+    assert.match(begun[name], /no reading so far/, name)
   assert.match(begun.errors, /nothing is driven yet/)
   const reckoned = texts({ sightings: false }, 400)
   assert.equal(Object.values(reckoned).filter((text) => text.includes('switch the ranges on')).length, 1)
@@ -158,15 +230,39 @@ test('a panel of a log says why it is empty, and one alone says what to do', asy
 test('the claimed 2 σ of dead reckoning stays in its panel', async () => {
   const spec = await WIDGETS['robot-log']()
   const { document } = parseHTML('<!doctype html><html><body></body></html>')
-  const orders = { play: nothing, step: nothing, reset: nothing, speed: nothing, change: nothing, link: nothing, embed: nothing, download: nothing }
-  const { panels: { errors } } = buildShell(document, spec, document.createElement('div'), orders, estimate.RobotLog.parameters())
+  const orders = {
+    play: nothing,
+    step: nothing,
+    reset: nothing,
+    speed: nothing,
+    change: nothing,
+    link: nothing,
+    embed: nothing,
+    download: nothing,
+  }
+  const {
+    panels: { errors },
+  } = buildShell(document, spec, document.createElement('div'), orders, estimate.RobotLog.parameters())
   const { draw } = spec.panels.find(({ name }) => name === 'errors')
   for (const params of [{ sightings: false }, { sightings: true, learn: true }]) {
-    const lab = estimate.RobotLog.from(estimate.RobotLog.parse(LOG), { version: 1, lab: 'robot-log', params, step: 4000 })
+    const lab = estimate.RobotLog.from(estimate.RobotLog.parse(LOG), {
+      version: 1,
+      lab: 'robot-log',
+      params,
+      step: 4000,
+    })
     draw(errors, lab.frame(), {})
     // One stroke: its first point, and from each point the way to the next.
-    const ways = errors.svg.querySelector('path.curve').getAttribute('d').match(/-?(\d+\.?\d*|\.\d+)/g).map(Number).filter((_, i) => i % 2 === 1)
+    const ways = errors.svg
+      .querySelector('path.curve')
+      .getAttribute('d')
+      .match(/-?(\d+\.?\d*|\.\d+)/g)
+      .map(Number)
+      .filter((_, i) => i % 2 === 1)
     const heights = ways.map((_, i) => ways.slice(0, i + 1).reduce((sum, way) => sum + way))
-    assert.ok(heights.length > 20 && Math.min(...heights) >= 26 && Math.max(...heights) <= 212, `${heights.length} points from ${Math.min(...heights)} to ${Math.max(...heights)}`)
+    assert.ok(
+      heights.length > 20 && Math.min(...heights) >= 26 && Math.max(...heights) <= 212,
+      `${heights.length} points from ${Math.min(...heights)} to ${Math.max(...heights)}`,
+    )
   }
 })

@@ -14,8 +14,11 @@ function sizes(dice) {
 
 function system({ n, p, m }, dice) {
   return {
-    F: matrix(n, n, dice).map((row) => row.map((a) => a / 20)), G: matrix(n, m, dice), H: matrix(p, n, dice),
-    V: covariance(n, dice), W: covariance(p, dice),
+    F: matrix(n, n, dice).map((row) => row.map((a) => a / 20)),
+    G: matrix(n, m, dice),
+    H: matrix(p, n, dice),
+    V: covariance(n, dice),
+    W: covariance(p, dice),
   }
 }
 
@@ -33,7 +36,12 @@ export const FUNCTIONS = {
   kalmanStep: {
     args(dice) {
       const size = sizes(dice)
-      return [system(size, dice), { x: vector(size.n, dice), P: covariance(size.n, dice) }, vector(size.m, dice), vector(size.p, dice)]
+      return [
+        system(size, dice),
+        { x: vector(size.n, dice), P: covariance(size.n, dice) },
+        vector(size.m, dice),
+        vector(size.p, dice),
+      ]
     },
     covariances: (answer) => [answer.predicted.P, answer.S, answer.P],
   },
@@ -51,7 +59,13 @@ export const FUNCTIONS = {
   observerStep: {
     args(dice) {
       const size = sizes(dice)
-      return [system(size, dice), matrix(size.n, size.p, dice), vector(size.n, dice), vector(size.m, dice), vector(size.p, dice)]
+      return [
+        system(size, dice),
+        matrix(size.n, size.p, dice),
+        vector(size.n, dice),
+        vector(size.m, dice),
+        vector(size.p, dice),
+      ]
     },
   },
   errorEigenvalues: {
@@ -59,7 +73,8 @@ export const FUNCTIONS = {
       const size = sizes(dice)
       // Small whole numbers too: deadbeat matrices are where eigenvalue iterations hang.
       const plain = dice.uniform() < 0.5
-      const whole = (rows, columns) => Array.from({ length: rows }, () => Array.from({ length: columns }, () => dice.below(2)))
+      const whole = (rows, columns) =>
+        Array.from({ length: rows }, () => Array.from({ length: columns }, () => dice.below(2)))
       const it = system(size, dice)
       if (plain) Object.assign(it, { F: whole(size.n, size.n), H: whole(size.p, size.n) })
       return [it, plain ? whole(size.n, size.p) : matrix(size.n, size.p, dice)]
@@ -68,13 +83,21 @@ export const FUNCTIONS = {
   observability: {
     args(dice) {
       const { n, p } = sizes(dice)
-      return dice.uniform() < 0.5 ? [matrix(n, n, dice), matrix(p, n, dice)] : [matrix(n, n, dice), matrix(p, n, dice), 1e-9]
+      return dice.uniform() < 0.5
+        ? [matrix(n, n, dice), matrix(p, n, dice)]
+        : [matrix(n, n, dice), matrix(p, n, dice), 1e-9]
     },
   },
   placeObserverGain: {
     args(dice) {
       const n = 1 + dice.below(3)
-      const poles = n === 2 && dice.uniform() < 0.5 ? [{ re: 0.3, im: 0.2 }, { re: 0.3, im: -0.2 }] : Array.from({ length: n }, () => dice.uniform())
+      const poles =
+        n === 2 && dice.uniform() < 0.5
+          ? [
+              { re: 0.3, im: 0.2 },
+              { re: 0.3, im: -0.2 },
+            ]
+          : Array.from({ length: n }, () => dice.uniform())
       return [matrix(n, n, dice), matrix(1, n, dice), poles]
     },
   },
@@ -96,7 +119,13 @@ export const FUNCTIONS = {
   placeMovable: {
     args(dice) {
       const n = 1 + dice.below(3)
-      const poles = n === 2 && dice.uniform() < 0.5 ? [{ re: 0.3, im: 0.2 }, { re: 0.3, im: -0.2 }] : Array.from({ length: n }, () => dice.uniform())
+      const poles =
+        n === 2 && dice.uniform() < 0.5
+          ? [
+              { re: 0.3, im: 0.2 },
+              { re: 0.3, im: -0.2 },
+            ]
+          : Array.from({ length: n }, () => dice.uniform())
       return [matrix(n, n, dice), matrix(1 + dice.below(2), n, dice), poles, ...dice.pick([[], [1e-6]])]
     },
   },
@@ -152,7 +181,12 @@ function seen([x, y, theta], at, dice) {
 }
 
 /** What there is to be mapped: few places, so that they are seen again. */
-const WORLD = [{ x: 4, y: 1 }, { x: -3, y: 2 }, { x: 1, y: -4 }, { x: -2, y: -3 }]
+const WORLD = [
+  { x: 4, y: 1 },
+  { x: -3, y: 2 },
+  { x: 1, y: -4 },
+  { x: -2, y: -3 },
+]
 
 /**
  * name → how to make one; what it can be told, given the object and what it was made of; what it must not change when it
@@ -187,7 +221,11 @@ export const CLASSES = {
     least: { accepted: 200, rejected: 45, 'at-landmark': 5, 'accepted by range': 70, 'rejected by range': 12 },
     make(dice) {
       const belief = pose(dice)
-      const landmarks = Array.from({ length: 1 + dice.below(4) }, (_, id) => ({ id: id + 1, x: dice.normal() * 5, y: dice.normal() * 5 }))
+      const landmarks = Array.from({ length: 1 + dice.below(4) }, (_, id) => ({
+        id: id + 1,
+        x: dice.normal() * 5,
+        y: dice.normal() * 5,
+      }))
       // Under the robot there is no bearing, nor a gradient of the range.
       if (dice.uniform() < 0.4) Object.assign(landmarks[0], { x: belief.x[0], y: belief.x[1] })
       const sensor = dice.pick(['range-bearing', 'range'])
@@ -198,24 +236,37 @@ export const CLASSES = {
       update(dice, _, it, [, landmarks, { sensor }]) {
         const landmark = dice.pick(landmarks)
         const { range, bearing } = seen(it.belief().x, landmark, dice)
-        return [{ range, ...(sensor === 'range' ? {} : { bearing }), ...(dice.uniform() < 0.6 ? { landmark: landmark.id } : {}) }]
+        return [
+          {
+            range,
+            ...(sensor === 'range' ? {} : { bearing }),
+            ...(dice.uniform() < 0.6 ? { landmark: landmark.id } : {}),
+          },
+        ]
       },
       replay(dice, _, it, [, landmarks, { sensor }]) {
         const steps = 1 + dice.below(4)
         const landmark = dice.pick(landmarks)
-        const log = Float64Array.from(Array.from({ length: steps }, () => {
-          const { range, bearing } = seen(it.belief().x, landmark, dice)
-          return [dice.normal() * 0.1, dice.normal() * 0.1, range, ...(sensor === 'range' ? [] : [bearing])]
-        }).flat())
+        const log = Float64Array.from(
+          Array.from({ length: steps }, () => {
+            const { range, bearing } = seen(it.belief().x, landmark, dice)
+            return [dice.normal() * 0.1, dice.normal() * 0.1, range, ...(sensor === 'range' ? [] : [bearing])]
+          }).flat(),
+        )
         if (dice.uniform() < 0.3) log[dice.below(log.length)] = dice.pick([NaN, Infinity, -1, 1e308, 5e-324])
-        return [log, Uint32Array.from({ length: steps }, () => (dice.uniform() < 0.95 ? landmark.id : 9)), covariance(3, dice)]
+        return [
+          log,
+          Uint32Array.from({ length: steps }, () => (dice.uniform() < 0.95 ? landmark.id : 9)),
+          covariance(3, dice),
+        ]
       },
       belief: () => [],
     },
     look: (it) => it.belief(),
     covariances: (it) => [it.belief().P],
     answered: (answer) => (answer?.S ? [answer.S] : []),
-    outcomes: (answer) => (answer?.outcome ? [answer.outcome, ...(answer.S.length === 1 ? [`${answer.outcome} by range`] : [])] : []),
+    outcomes: (answer) =>
+      answer?.outcome ? [answer.outcome, ...(answer.S.length === 1 ? [`${answer.outcome} by range`] : [])] : [],
   },
   EkfSlam: {
     chain: 30,
@@ -223,7 +274,10 @@ export const CLASSES = {
     often: ['update', 'update', 'update'],
     least: { matched: 110, founded: 130, rejected: 60, 'at-landmark': 4 },
     make: (dice) => {
-      const belief = pose(dice), W = covariance(2, dice), bound = gate(dice), founding = dice.pick([50, 1e7])
+      const belief = pose(dice),
+        W = covariance(2, dice),
+        bound = gate(dice),
+        founding = dice.pick([50, 1e7])
       // A gate above the founding threshold is refused; at the threshold it does what a higher one would.
       return [belief, { W, gate: bound && Math.min(bound, founding), found: founding }]
     },
@@ -251,7 +305,16 @@ export const CLASSES = {
 }
 
 /** The labs of the page share one face; their parameters are what `state()` says of a fresh one. */
-export const LABS = ['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture', 'LoopClosure', 'Tune', 'BugMuseum', 'OwnSystem']
+export const LABS = [
+  'ObserverBench',
+  'OdometryHook',
+  'ObservabilityProbe',
+  'Picture',
+  'LoopClosure',
+  'Tune',
+  'BugMuseum',
+  'OwnSystem',
+]
 for (const name of LABS) {
   CLASSES[name] = {
     lab: true,

@@ -13,10 +13,15 @@ const SEED = Number(process.env.FUZZ_SEED ?? 1)
 const PATIENCE = 30_000
 
 // `start` is run by the loader itself.
-const exported = Object.keys(core).filter((name) => typeof core[name] === 'function' && !name.startsWith('_') && name !== 'start')
+const exported = Object.keys(core).filter(
+  (name) => typeof core[name] === 'function' && !name.startsWith('_') && name !== 'start',
+)
 
 test('the fuzz knows every export', () => {
-  assert.deepEqual(exported.filter((name) => !FUNCTIONS[name] && !CLASSES[name]), [])
+  assert.deepEqual(
+    exported.filter((name) => !FUNCTIONS[name] && !CLASSES[name]),
+    [],
+  )
 })
 
 for (const name of exported.filter((name) => FUNCTIONS[name] || CLASSES[name])) {
@@ -27,7 +32,10 @@ for (const name of exported.filter((name) => FUNCTIONS[name] || CLASSES[name])) 
     assert.equal(faults.length, 0, `${faults.length} faults, the first:\n${faults.slice(0, 5).join('\n')}`)
     assert.ok(accepted > 0, 'nothing was answered: the valid arguments of the test are not valid')
     for (const [what, least] of Object.entries(expected(name))) {
-      assert.ok((tally[what] ?? 0) >= (least * cases) / 1500, `${what} came up ${tally[what] ?? 0} times in ${cases} cases`)
+      assert.ok(
+        (tally[what] ?? 0) >= (least * cases) / 1500,
+        `${what} came up ${tally[what] ?? 0} times in ${cases} cases`,
+      )
     }
   })
 }
@@ -42,7 +50,9 @@ function hammer(name, cases) {
   return new Promise((resolve) => {
     const beat = new SharedArrayBuffer(4)
     const ticks = new Int32Array(beat)
-    const worker = new Worker(new URL('./hammer.mjs', import.meta.url), { workerData: { name, cases, seed: SEED, beat } })
+    const worker = new Worker(new URL('./hammer.mjs', import.meta.url), {
+      workerData: { name, cases, seed: SEED, beat },
+    })
     const faults = []
     let call = 'nothing yet'
     let seen = -1

@@ -9,19 +9,45 @@ import { dice as seeded, matrices, notCovariance, spoil } from './nonsense.mjs'
 const { name, cases, seed, beat } = workerData
 const ticks = new Int32Array(beat)
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
-const CODES = new Set(['not-finite', 'shape', 'not-symmetric', 'not-positive-semidefinite', 'innovation-not-positive-definite',
-  'unobservable', 'poles', 'tolerance', 'index', 'at-landmark', 'not-placeable', 'limit', 'type', 'did-not-converge', 'log'])
+const CODES = new Set([
+  'not-finite',
+  'shape',
+  'not-symmetric',
+  'not-positive-semidefinite',
+  'innovation-not-positive-definite',
+  'unobservable',
+  'poles',
+  'tolerance',
+  'index',
+  'at-landmark',
+  'not-placeable',
+  'limit',
+  'type',
+  'did-not-converge',
+  'log',
+])
 
 const say = (value) => {
   try {
-    return JSON.stringify(value, (_, inner) => (typeof inner === 'number' && !Number.isFinite(inner) ? String(inner) : typeof inner === 'bigint' || typeof inner === 'symbol' || typeof inner === 'function' ? String(inner) : inner))?.slice(0, 600)
-  } catch { return String(value) }
+    return JSON.stringify(value, (_, inner) =>
+      typeof inner === 'number' && !Number.isFinite(inner)
+        ? String(inner)
+        : typeof inner === 'bigint' || typeof inner === 'symbol' || typeof inner === 'function'
+          ? String(inner)
+          : inner,
+    )?.slice(0, 600)
+  } catch {
+    return String(value)
+  }
 }
 const fault = (what, call) => parentPort.postMessage({ fault: `${what}\n    in ${call}` })
-let accepted = 0, refused = 0
+let accepted = 0,
+  refused = 0
 /** How often each outcome, each code and each method's answer has come up. */
 const tally = {}
-const count = (what) => { tally[what] = (tally[what] ?? 0) + 1 }
+const count = (what) => {
+  tally[what] = (tally[what] ?? 0) + 1
+}
 
 /** Calls, and judges how it came back; undefined where it threw as it should. */
 function judged(call, run) {
@@ -37,7 +63,8 @@ function judged(call, run) {
     if (error?.name !== 'EstimateError') fault(`threw ${error?.name ?? typeof error}: ${error?.message ?? error}`, call)
     else if (!CODES.has(error.code)) fault(`unknown code ${error.code}`, call)
     else if (typeof error.argument !== 'string' || error.argument === '') fault('no argument named', call)
-    else if (typeof error.message !== 'string' || error.message.length < 10) fault(`says too little: ${error.message}`, call)
+    else if (typeof error.message !== 'string' || error.message.length < 10)
+      fault(`says too little: ${error.message}`, call)
     return undefined
   }
 }
@@ -55,7 +82,10 @@ const VAST = new Array(10_000).fill(new Array(10_000).fill(0))
 /** Puts a vast matrix, and one of a vast row, in the place of each matrix in the arguments: each is refused, before it is read. */
 function vast(args, of, run) {
   for (const { place, put } of matrices(args)) {
-    for (const [size, value] of [['10 000 × 10 000', VAST], ['1 × 10 000', VAST.slice(0, 1)]]) {
+    for (const [size, value] of [
+      ['10 000 × 10 000', VAST],
+      ['1 × 10 000', VAST.slice(0, 1)],
+    ]) {
       const call = `${of} with ${size} for ${place}`
       if (judged(call, () => run(put(value)))) fault('read a vast matrix', call)
     }
@@ -74,7 +104,18 @@ if (FUNCTIONS[name]) {
   }
 } else {
   const Class = core[name]
-  const { make, methods, look, covariances, answered = () => [], outcomes = () => [], chain = 12, spoilt = 1, often = [], lab } = CLASSES[name]
+  const {
+    make,
+    methods,
+    look,
+    covariances,
+    answered = () => [],
+    outcomes = () => [],
+    chain = 12,
+    spoilt = 1,
+    often = [],
+    lab,
+  } = CLASSES[name]
   // What stands before the arguments that are spoilt: a log.
   const before = CLASSES[name].before?.(core) ?? []
   const construct = CLASSES[name].construct?.(core) ?? ((...args) => new Class(...before, ...args))
@@ -92,11 +133,14 @@ if (FUNCTIONS[name]) {
     i++
     const made = judged(`new ${name}(${say(given)})`, () => construct(...given))
     if (!made) continue
-    let it = made.answer
+    const it = made.answer
     let told = `new ${name}(${say(given)})`
     for (let turns = dice.below(chain); turns > 0; turns--, i++) {
       const method = dice.pick([...Object.keys(methods), ...often])
-      if (typeof it[method] !== 'function') { fault('no such method', `${name}.${method}`); continue }
+      if (typeof it[method] !== 'function') {
+        fault('no such method', `${name}.${method}`)
+        continue
+      }
       const valid = methods[method](dice, fresh, it, meant)
       const args = dice.uniform() < spoilt ? spoil(valid, dice) : valid
       const shown = look(it)
@@ -116,7 +160,8 @@ if (FUNCTIONS[name]) {
       restored?.answer.free()
       const twin = judged(`${name}.from(${say(state)})`, () => Class.from(...before, state))
       if (!twin) fault('does not take back its own state', say(state))
-      else if (!isDeepStrictEqual(twin.answer.frame(), it.frame())) fault('its state restores another frame', say(state))
+      else if (!isDeepStrictEqual(twin.answer.frame(), it.frame()))
+        fault('its state restores another frame', say(state))
       twin?.answer.free()
     }
     it.free()

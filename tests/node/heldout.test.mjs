@@ -24,8 +24,15 @@ test('the module gives the verdicts of exact arithmetic, and leaves open only wh
     }
     if (hardly('detectable') || hardly('stabilizable')) continue
     const limit = core.riccatiLimit({ F, G, H, V, W }, TOLERANCE)
-    const expected = system.detectable ? (system.stabilizable ? 'from-every-start' : 'from-large-start') : system.stabilizable ? 'none' : 'depends-on-start'
-    if (limit !== expected && !(limit === 'undecided' && Math.min(margin('detectable'), margin('stabilizable')) < NEAR)) faults.push(`${name}: ${limit}, ${expected} expected`)
+    const expected = system.detectable
+      ? system.stabilizable
+        ? 'from-every-start'
+        : 'from-large-start'
+      : system.stabilizable
+        ? 'none'
+        : 'depends-on-start'
+    if (limit !== expected && !(limit === 'undecided' && Math.min(margin('detectable'), margin('stabilizable')) < NEAR))
+      faults.push(`${name}: ${limit}, ${expected} expected`)
   }
   assert.ok(SYSTEMS.length > 120)
   assert.deepEqual(faults, [])

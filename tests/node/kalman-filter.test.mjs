@@ -6,19 +6,77 @@ import { runInNewContext } from 'node:vm'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
-const rail = { F: [[1, 0.5], [0, 1]], G: [[0], [0.5]], H: [[1, 0]], V: [[0.2, 0.05], [0.05, 0.1]], W: [[0.5]] }
-const both = { ...rail, H: [[1, 0], [0, 1]], W: [[0.5, 0.1], [0.1, 0.4]] }
-const belief = { x: [2, 4], P: [[1, 0], [0, 2]] }
-const three = {
-  F: [[1, 0.5, 0.1], [0, 1, 0.5], [0, 0, 0.9]], G: [[0, 0.1], [0.5, 0], [0, 1]], H: [[1, 0, 0]],
-  V: [[0.1, 0, 0], [0, 0.1, 0], [0, 0, 0.1]], W: [[0.3]],
+const rail = {
+  F: [
+    [1, 0.5],
+    [0, 1],
+  ],
+  G: [[0], [0.5]],
+  H: [[1, 0]],
+  V: [
+    [0.2, 0.05],
+    [0.05, 0.1],
+  ],
+  W: [[0.5]],
 }
-const wide = { x: [1, 2, 3], P: [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }
+const both = {
+  ...rail,
+  H: [
+    [1, 0],
+    [0, 1],
+  ],
+  W: [
+    [0.5, 0.1],
+    [0.1, 0.4],
+  ],
+}
+const belief = {
+  x: [2, 4],
+  P: [
+    [1, 0],
+    [0, 2],
+  ],
+}
+const three = {
+  F: [
+    [1, 0.5, 0.1],
+    [0, 1, 0.5],
+    [0, 0, 0.9],
+  ],
+  G: [
+    [0, 0.1],
+    [0.5, 0],
+    [0, 1],
+  ],
+  H: [[1, 0, 0]],
+  V: [
+    [0.1, 0, 0],
+    [0, 0.1, 0],
+    [0, 0, 0.1],
+  ],
+  W: [[0.3]],
+}
+const wide = {
+  x: [1, 2, 3],
+  P: [
+    [1, 0, 0],
+    [0, 1, 0],
+    [0, 0, 1],
+  ],
+}
 const refused = (call, code, argument) =>
-  assert.throws(call, (error) => error.name === 'EstimateError' && error.code === code && error.argument === argument, `${code} ${argument}`)
+  assert.throws(
+    call,
+    (error) => error.name === 'EstimateError' && error.code === code && error.argument === argument,
+    `${code} ${argument}`,
+  )
 
 test('its steps are those of kalmanStep, and its likelihood that of kalmanReplay', () => {
-  for (const [system, start] of [[rail, belief], [both, belief], [three, wide]]) {
+  for (const [system, start] of [
+    [rail, belief],
+    [both, belief],
+    [three, wide],
+  ]) {
     const [m, p, steps] = [system.G[0].length, system.H.length, 30]
     const inputs = Float64Array.from({ length: steps * m }, (_, k) => Math.sin(k))
     const readings = Float64Array.from({ length: steps * p }, (_, k) => 2 + Math.cos(0.3 * k))
@@ -57,13 +115,25 @@ test('a number, a text, a hole or a wrong length is refused by name, and the fil
   filter.step([0.1], [3])
   const shown = () => [filter.x, filter.P, filter.logLikelihood, filter.nis]
   const before = shown()
-  const throwing = new Proxy([], { get() { throw new Error('no') } })
+  const throwing = new Proxy([], {
+    get() {
+      throw new Error('no')
+    },
+  })
   for (const [call, code, argument] of [
-    [() => filter.predict(0.1), 'type', 'u'], [() => filter.predict(null), 'type', 'u'], [() => filter.predict('0.1'), 'type', 'u'],
-    [() => filter.predict([1, 2]), 'shape', 'u'], [() => filter.predict(['1']), 'type', 'u[0]'], [() => filter.update(new Array(1)), 'type', 'y[0]'],
-    [() => filter.update(Float32Array.of(1)), 'type', 'y'], [() => filter.update(Float64Array.of(NaN)), 'not-finite', 'y'],
-    [() => filter.update([Infinity]), 'not-finite', 'y'], [() => filter.update(new Float64Array(17)), 'limit', 'y'],
-    [() => filter.update(new Float64Array(16)), 'shape', 'y'], [() => filter.step(throwing, [1]), 'type', 'u'], [() => filter.step([0]), 'type', 'y'],
+    [() => filter.predict(0.1), 'type', 'u'],
+    [() => filter.predict(null), 'type', 'u'],
+    [() => filter.predict('0.1'), 'type', 'u'],
+    [() => filter.predict([1, 2]), 'shape', 'u'],
+    [() => filter.predict(['1']), 'type', 'u[0]'],
+    [() => filter.update(new Array(1)), 'type', 'y[0]'],
+    [() => filter.update(Float32Array.of(1)), 'type', 'y'],
+    [() => filter.update(Float64Array.of(NaN)), 'not-finite', 'y'],
+    [() => filter.update([Infinity]), 'not-finite', 'y'],
+    [() => filter.update(new Float64Array(17)), 'limit', 'y'],
+    [() => filter.update(new Float64Array(16)), 'shape', 'y'],
+    [() => filter.step(throwing, [1]), 'type', 'u'],
+    [() => filter.step([0]), 'type', 'y'],
   ]) {
     refused(call, code, argument)
     assert.deepEqual(shown(), before)
@@ -80,7 +150,12 @@ test('a step whose correction is refused after its prediction leaves the filter 
 
 test('a getter that calls back into the filter finds it whole, and a typed array of another realm is read', () => {
   const filter = new core.KalmanFilter(rail, belief)
-  const u = new Proxy([0.1], { get: (of, key) => { if (key === '0') filter.update([3]); return of[key] } })
+  const u = new Proxy([0.1], {
+    get: (of, key) => {
+      if (key === '0') filter.update([3])
+      return of[key]
+    },
+  })
   filter.predict(u)
   const twin = new core.KalmanFilter(rail, belief)
   twin.update(runInNewContext('Float64Array.of(3)'))

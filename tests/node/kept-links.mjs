@@ -6,7 +6,7 @@ import { readFileSync, readdirSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
-import { withState } from '../../web/core/link.js'
+import { withState } from '../../web/figure/state-in-url.js'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { dice as seeded } from './nonsense.mjs'
 
@@ -18,9 +18,12 @@ const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/est
 export const SITE = 'https://book.example/'
 
 /** The kept links: `{ version, links: [{ figure, widget, address, state, frame }] }` for each release. */
-export const kept = () => readdirSync(folder).filter((name) => name.endsWith('.json')).map((name) => JSON.parse(readFileSync(path.join(folder, name), 'utf8')))
+export const kept = () =>
+  readdirSync(folder)
+    .filter((name) => name.endsWith('.json'))
+    .map((name) => JSON.parse(readFileSync(path.join(folder, name), 'utf8')))
 
-/** The lab of a figure in some state. @param {import('../../web/core/spec.js').FigureSpec} spec */
+/** The lab of a figure in some state. @param {import('../../web/figure/spec.js').FigureSpec} spec */
 export const opened = (spec, state) => core[spec.lab].from(...logs(spec), state)
 const parsed = new Map()
 function logs(spec) {
@@ -36,7 +39,11 @@ export function hashes(frame) {
     if (name === 'params') return
     if (value !== null && typeof value === 'object' && !Array.isArray(value) && !ArrayBuffer.isView(value)) {
       for (const [key, inner] of Object.entries(value)) collect(inner, name ? `${name}.${key}` : key)
-    } else found[name] = createHash('sha256').update(JSON.stringify(value, exact) ?? 'undefined').digest('hex').slice(0, 12)
+    } else
+      found[name] = createHash('sha256')
+        .update(JSON.stringify(value, exact) ?? 'undefined')
+        .digest('hex')
+        .slice(0, 12)
   }
   collect(frame, '')
   return found
@@ -44,18 +51,22 @@ export function hashes(frame) {
 /** Typed arrays as arrays, and what JSON does not know in words. */
 const exact = (_, value) => {
   if (ArrayBuffer.isView(value)) return [...value]
-  return typeof value === 'number' && (!Number.isFinite(value) || Object.is(value, -0)) ? `${Object.is(value, -0) ? '-' : ''}${value}` : value
+  return typeof value === 'number' && (!Number.isFinite(value) || Object.is(value, -0))
+    ? `${Object.is(value, -0) ? '-' : ''}${value}`
+    : value
 }
 
 /** What `had` holds and `has` does not hold as it was. What is new since then does not matter. */
-export const lost = (had, has) => Object.keys(had).filter((name) => JSON.stringify(had[name]) !== JSON.stringify(has[name]))
+export const lost = (had, has) =>
+  Object.keys(had).filter((name) => JSON.stringify(had[name]) !== JSON.stringify(has[name]))
 
 /** A value within the limits of a parameter. */
 function drawn({ name, least, greatest, step, default: usual, words }, dice) {
   if (words) return dice.pick(words)
   if (typeof usual === 'boolean') return dice.uniform() < 0.5
   if (usual === null && dice.uniform() < 0.5) return null
-  const [from, to] = name === 'gate' && usual === null ? [0.5, 1] : [Math.max(least, -10), step >= 1 ? greatest : Math.min(greatest, 10)]
+  const [from, to] =
+    name === 'gate' && usual === null ? [0.5, 1] : [Math.max(least, -10), step >= 1 ? greatest : Math.min(greatest, 10)]
   const one = () => {
     const value = from + dice.uniform() * (to - from)
     return step >= 1 ? Math.floor(value) : value
@@ -68,11 +79,14 @@ function drawn({ name, least, greatest, step, default: usual, words }, dice) {
 async function keep() {
   const version = /^version = "(.+)"$/m.exec(readFileSync(path.join(root, 'Cargo.toml'), 'utf8'))[1]
   const file = path.join(folder, `${version}.json`)
-  if (spawnSync('git', ['rev-parse', '--verify', '--quiet', `v${version}`], { cwd: root }).status === 0) throw new Error(`${version} is released; its links stay as they are`)
+  if (spawnSync('git', ['rev-parse', '--verify', '--quiet', `v${version}`], { cwd: root }).status === 0)
+    throw new Error(`${version} is released; its links stay as they are`)
   const dice = seeded(1)
   const links = []
   for (const [page, text] of pages()) {
-    for (const [, figure, widget, start] of text.matchAll(/^:::figure\{#(\S+) widget="([^"]+)"[^\n]*?(?: start='([^'\n]+)')?\}$/gm)) {
+    for (const [, figure, widget, start] of text.matchAll(
+      /^:::figure\{#(\S+) widget="([^"]+)"[^\n]*?(?: start='([^'\n]+)')?\}$/gm,
+    )) {
       // The page of one's own log opens no log by itself.
       if (!WIDGETS[widget] || page === 'log/') continue
       const spec = await WIDGETS[widget]()
@@ -80,7 +94,8 @@ async function keep() {
       for (let count = 0, tries = 0; count < 4; tries++) {
         if (tries > 400) throw new Error(`${figure}: no state by lot is accepted`)
         const usual = { ...spec.start.params, ...given.params }
-        const step = count === 0 ? given.step ?? spec.start.step : dice.below(spec.start.step > 1000 ? spec.start.step : 400)
+        const step =
+          count === 0 ? (given.step ?? spec.start.step) : dice.below(spec.start.step > 1000 ? spec.start.step : 400)
         const params = { ...usual }
         if (count > 0) {
           for (const parameter of core[spec.lab].parameters()) {
@@ -95,7 +110,13 @@ async function keep() {
           continue
         }
         const state = lab.state()
-        links.push({ figure, widget, address: withState(SITE + page, figure, state).slice(SITE.length), state, frame: hashes(lab.frame()) })
+        links.push({
+          figure,
+          widget,
+          address: withState(SITE + page, figure, state).slice(SITE.length),
+          state,
+          frame: hashes(lab.frame()),
+        })
         lab.free()
         count++
       }
@@ -109,8 +130,17 @@ async function keep() {
 /** Each page of the book by its address, with its Markdown. */
 function pages() {
   const read = (name) => readFileSync(path.join(root, 'content', name), 'utf8')
-  const chapter = readdirSync(path.join(root, 'content/kalman')).sort().map((name) => read(`kalman/${name}`)).join('\n')
-  return [['kalman/', chapter], ...readdirSync(path.join(root, 'content/pages')).map((name) => [`${path.basename(name, '.md')}/`, read(`pages/${name}`)])]
+  const chapter = readdirSync(path.join(root, 'content/kalman'))
+    .sort()
+    .map((name) => read(`kalman/${name}`))
+    .join('\n')
+  return [
+    ['kalman/', chapter],
+    ...readdirSync(path.join(root, 'content/pages')).map((name) => [
+      `${path.basename(name, '.md')}/`,
+      read(`pages/${name}`),
+    ]),
+  ]
 }
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) await keep()

@@ -2,7 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { existsSync, readFileSync } from 'node:fs'
-import { readState } from '../../web/core/link.js'
+import { readState } from '../../web/figure/state-in-url.js'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { SITE, hashes, kept, lost, opened } from './kept-links.mjs'
 
@@ -13,7 +13,9 @@ test('links of this version are kept, several for every figure', () => {
   const ours = kept().find((one) => one.version === version)
   assert.ok(ours, 'node tests/node/kept-links.mjs keeps them')
   for (const widget of Object.keys(WIDGETS)) {
-    const states = new Set(ours.links.filter((link) => link.widget === widget).map(({ state }) => JSON.stringify(state)))
+    const states = new Set(
+      ours.links.filter((link) => link.widget === widget).map(({ state }) => JSON.stringify(state)),
+    )
     assert.ok(states.size >= 4, `${widget}: ${states.size}`)
   }
 })
@@ -24,7 +26,11 @@ for (const { version: of, links } of kept()) {
       const page = new URL(address, SITE).pathname.slice(1)
       const file = new URL(`dist/${page}index.html`, root)
       assert.ok(existsSync(file), `${page} is a page`)
-      assert.match(readFileSync(file, 'utf8'), new RegExp(`id="${figure}"[^]{0,400}<${widget}\\b`), `${page} has ${widget} as ${figure}`)
+      assert.match(
+        readFileSync(file, 'utf8'),
+        new RegExp(`id="${figure}"[^]{0,400}<${widget}\\b`),
+        `${page} has ${widget} as ${figure}`,
+      )
       const spec = await WIDGETS[widget]()
       const read = readState(SITE + address, figure, spec.name)
       assert.deepEqual(read, state, address)
@@ -40,6 +46,9 @@ for (const { version: of, links } of kept()) {
 test('a parameter and a number that are gone or changed are found, and what is new is not held against a release', () => {
   const had = hashes({ step: 3, series: { x: Float64Array.of(0.1, NaN), y: [0] }, params: { gain: 1 } })
   assert.deepEqual(lost(had, hashes({ step: 3, series: { x: [0.1, NaN], y: [0], z: [1] }, words: 'new' })), [])
-  assert.deepEqual(lost(had, hashes({ step: 3, series: { x: [0.1 + 2 ** -56, NaN], y: [-0] } })), ['series.x', 'series.y'])
+  assert.deepEqual(lost(had, hashes({ step: 3, series: { x: [0.1 + 2 ** -56, NaN], y: [-0] } })), [
+    'series.x',
+    'series.y',
+  ])
   assert.deepEqual(lost({ gain: 1, gate: null }, { gain: 1 }), ['gate'])
 })

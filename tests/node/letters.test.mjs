@@ -7,12 +7,23 @@ import { readFileSync } from 'node:fs'
 const read = (path) => readFileSync(new URL(`../../${path}`, import.meta.url), 'utf8')
 
 /** The ranges of each face of the built style sheet; none where a face is whole. */
-const faces = [...read('target/fonts/formulas.css').matchAll(/font-family:(\w+);font-weight:(\d+);font-style:(\w+)[^}]*?(?:unicode-range:([^;}]*))?}/g)]
-  .map(([, family, weight, style, range]) => ({ key: `${family} ${weight} ${style}`, runs: range?.split(',').map((run) => run.slice(2).split('-').map((code) => parseInt(code, 16))) }))
+const faces = [
+  ...read('target/fonts/formulas.css').matchAll(
+    /font-family:(\w+);font-weight:(\d+);font-style:(\w+)[^}]*?(?:unicode-range:([^;}]*))?}/g,
+  ),
+].map(([, family, weight, style, range]) => ({
+  key: `${family} ${weight} ${style}`,
+  runs: range?.split(',').map((run) =>
+    run
+      .slice(2)
+      .split('-')
+      .map((code) => parseInt(code, 16)),
+  ),
+}))
 
 test('every sign that a formula shows is in the face it is set in', () => {
   const missing = []
-  for (const [key, letters] of Object.entries(JSON.parse(read('web/letters.json')))) {
+  for (const [key, letters] of Object.entries(JSON.parse(read('web/build/letters.json')))) {
     const parts = faces.filter((face) => face.key === key)
     if (!key.startsWith('KaTeX') || parts.length === 0) continue
     for (const letter of letters) {

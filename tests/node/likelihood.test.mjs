@@ -13,8 +13,20 @@ const lab = (params) => estimate.Tune.from({ version: 1, lab: 'tune', step: 0, p
 function serving(tick) {
   const [told, waiting] = [[], []]
   let now = 0
-  const server = new Server(estimate, (message) => told.push(message), (act) => waiting.push(act), () => (now += tick))
-  return { server, told, waiting, run: () => { while (waiting.length) waiting.shift()() } }
+  const server = new Server(
+    estimate,
+    (message) => told.push(message),
+    (act) => waiting.push(act),
+    () => (now += tick),
+  )
+  return {
+    server,
+    told,
+    waiting,
+    run: () => {
+      while (waiting.length) waiting.shift()()
+    },
+  }
 }
 
 test('a map is filled in chunks, by rows, from the least W on, to the bit', () => {
@@ -27,7 +39,10 @@ test('a map is filled in chunks, by rows, from the least W on, to the bit', () =
   assert.deepEqual(top, { kind: 'top', id: 4, top: fit.logLikelihood, limit: fit.limit })
   assert.ok(rows.length > 3 && rows.every(({ kind, id }) => kind === 'rows' && id === 4))
   const own = lab({ seed: 3, length: 30 })
-  assert.deepEqual(rows.flatMap(({ values }) => values), Array.from({ length: 12 }, (_, row) => [...own.likelihoodRow(row, 12, 12)]).flat())
+  assert.deepEqual(
+    rows.flatMap(({ values }) => values),
+    Array.from({ length: 12 }, (_, row) => [...own.likelihoodRow(row, 12, 12)]).flat(),
+  )
   assert.equal(server.work, null)
 })
 
@@ -51,8 +66,20 @@ function filling() {
   const sent = []
   const port = { postMessage: (message) => sent.push(message), onmessage: null }
   let changes = 0
-  const map = new Filling(() => { changes += 1 }, async () => port)
-  return { map, sent, port, changes: () => changes, answer: (data) => port.onmessage({ data }), soon: () => new Promise((resolve) => setImmediate(resolve)) }
+  const map = new Filling(
+    () => {
+      changes += 1
+    },
+    async () => port,
+  )
+  return {
+    map,
+    sent,
+    port,
+    changes: () => changes,
+    answer: (data) => port.onmessage({ data }),
+    soon: () => new Promise((resolve) => setImmediate(resolve)),
+  }
 }
 const frame = (params) => ({ params: { seed: 1, length: 200, fit: false, ...params } })
 
@@ -61,7 +88,10 @@ test('a figure asks for a map once for each log, and shows rows as they come', a
   map.follow(frame({ logQ: 0 }))
   map.follow(frame({ logQ: 1 }))
   await soon()
-  assert.deepEqual(sent.map(({ kind, params }) => [kind, params]), [['fill', { seed: 1, length: 200 }]])
+  assert.deepEqual(
+    sent.map(({ kind, params }) => [kind, params]),
+    [['fill', { seed: 1, length: 200 }]],
+  )
   const { id, size } = sent[0]
   assert.deepEqual(map.progress, { step: 0, of: size, unit: 'row' })
   answer({ kind: 'top', id, top: -5, limit: 6 })
@@ -94,7 +124,12 @@ test('a cancelled map keeps its rows, and Fit or another log fills it again', as
 })
 
 test('where nothing can compute the map the figure goes on without it', async () => {
-  const map = new Filling(() => {}, async () => { throw new Error('no worker') })
+  const map = new Filling(
+    () => {},
+    async () => {
+      throw new Error('no worker')
+    },
+  )
   map.follow(frame({}))
   await new Promise((resolve) => setImmediate(resolve))
   assert.deepEqual([map.progress, map.value], [null, null])

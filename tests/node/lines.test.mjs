@@ -16,15 +16,21 @@ test('no file of content, code, styles, scripts or tests has more than 300 lines
 })
 
 test('the parts that scripts/lines prints sum to all code', () => {
-  const [crates, parts] = lines(script).stdout.split('\n\n').map((block) => block.split('\n').map((row) => Number(/\d+$/.exec(row))))
+  const [crates, parts] = lines(script)
+    .stdout.split('\n\n')
+    .map((block) => block.split('\n').map((row) => Number(/\d+$/.exec(row))))
   assert.ok(crates.length > 5 && parts.length > 5)
-  assert.equal(parts.reduce((sum, count) => sum + count, 0), crates.at(-1))
+  assert.equal(
+    parts.reduce((sum, count) => sum + count, 0),
+    crates.at(-1),
+  )
 })
 
 test('a file of 301 lines and a part without its file are faults, and what others fill is not counted', (t) => {
   const root = mkdtempSync(path.join(tmpdir(), 'lines '))
   t.after(() => rmSync(root, { recursive: true }))
-  for (const folder of ['content', 'crates/a/src', 'docs', 'scripts', 'tests', 'web/node_modules']) mkdirSync(path.join(root, folder), { recursive: true })
+  for (const folder of ['content', 'crates/a/src', 'docs', 'scripts', 'tests', 'web/node_modules'])
+    mkdirSync(path.join(root, folder), { recursive: true })
   cpSync(script, path.join(root, 'scripts/lines'))
   writeFileSync(path.join(root, 'content/short.md'), 'line\n'.repeat(300))
   writeFileSync(path.join(root, 'content/long.md'), 'line\n'.repeat(301))

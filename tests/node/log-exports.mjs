@@ -1,9 +1,20 @@
 // What the fuzz test knows of the exports that read and replay logs, as `exports.mjs` says it of the others.
 
-const LOG = ['L,1,5,5', 'L,2,-5,5', ...Array.from({ length: 40 }, (_, i) => `O,${i},0.4,0.05\nR,${i},${1 + (i % 2)},${5 + (i % 7) / 5}\nB,${i},${2 - (i % 2)},6,0.3`)].join('\n')
+const LOG = [
+  'L,1,5,5',
+  'L,2,-5,5',
+  ...Array.from(
+    { length: 40 },
+    (_, i) => `O,${i},0.4,0.05\nR,${i},${1 + (i % 2)},${5 + (i % 7) / 5}\nB,${i},${2 - (i % 2)},6,0.3`,
+  ),
+].join('\n')
 const TABLES = [
-  'time_ms,v,omega\n0,0.4,0.05\n100,0.4,0.05\n', '# Time [s]    Subject #    range [m]    bearing [rad]\n0.05 \t 6 \t 2.0 \t 0.1\n', 'id;x;y\n6;1;2\n',
-  '# Subject #    Barcode #\n 6 \t 6\n', 't,x,y\n0,0,0\n1,1,0\n', LOG,
+  'time_ms,v,omega\n0,0.4,0.05\n100,0.4,0.05\n',
+  '# Time [s]    Subject #    range [m]    bearing [rad]\n0.05 \t 6 \t 2.0 \t 0.1\n',
+  'id;x;y\n6;1;2\n',
+  '# Subject #    Barcode #\n 6 \t 6\n',
+  't,x,y\n0,0,0\n1,1,0\n',
+  LOG,
 ]
 const ROLES = ['log', 'velocities', 'odometry', 'sightings', 'landmarks', 'truth', 'barcodes', 'unused']
 
@@ -30,7 +41,11 @@ export const logClasses = (lab) => ({
       add: (dice) => [`${dice.below(9)}.csv`, dice.pick(TABLES)],
       files: () => [],
       setRole: (dice) => [dice.below(3), dice.pick(ROLES)],
-      setColumn: (dice) => [dice.pick([0, 0, 0, 1, 2]), dice.pick(['time', 'time', 'v', 'omega', 'x', 'range', 'landmark']), dice.pick([null, 0, 1, 2])],
+      setColumn: (dice) => [
+        dice.pick([0, 0, 0, 1, 2]),
+        dice.pick(['time', 'time', 'v', 'omega', 'x', 'range', 'landmark']),
+        dice.pick([null, 0, 1, 2]),
+      ],
       setUnit: (dice) => [dice.below(3), dice.pick(['ms', 's', 'mm', 'deg'])],
       read: () => [],
     },

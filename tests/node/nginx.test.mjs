@@ -13,18 +13,30 @@ import { fileURLToPath } from 'node:url'
 import { WORKER_POLICY } from '../../scripts/static-server.mjs'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
-const nginx = [process.env.NGINX, '/usr/sbin/nginx', '/usr/local/bin/nginx', '/opt/homebrew/bin/nginx']
-  .find((program) => program && existsSync(program))
+const nginx = [process.env.NGINX, '/usr/sbin/nginx', '/usr/local/bin/nginx', '/opt/homebrew/bin/nginx'].find(
+  (program) => program && existsSync(program),
+)
 /** Which ending is of which type, as Debian's package says it. */
-const types = ['/etc/nginx/mime.types', '/usr/local/etc/nginx/mime.types', '/opt/homebrew/etc/nginx/mime.types'].find(existsSync)
+const types = ['/etc/nginx/mime.types', '/usr/local/etc/nginx/mime.types', '/opt/homebrew/etc/nginx/mime.types'].find(
+  existsSync,
+)
 const skip = nginx && types ? false : 'no nginx here; Debian: apt-get install nginx-light'
 
 const LONG = 'The quick brown fox jumps over the lazy dog. '.repeat(100)
 const FILES = {
-  'index.html': LONG, '404.html': `lost ${LONG}`, 'sw.js': LONG, 'search.json': LONG,
-  'kalman/index.html': LONG, 'figure/bench/index.html': LONG,
-  'assets/page-A1B2C3D4.js': LONG, 'assets/robot-log-worker-A1B2C3D4.js': LONG, 'assets/site-A1B2C3D4.css': LONG, 'assets/module-A1B2C3D4.wasm': LONG,
-  'assets/icon-A1B2C3D4.svg': LONG, 'assets/manifest-A1B2C3D4.webmanifest': LONG, 'assets/text-A1B2C3D4.woff2': LONG,
+  'index.html': LONG,
+  '404.html': `lost ${LONG}`,
+  'sw.js': LONG,
+  'search.json': LONG,
+  'kalman/index.html': LONG,
+  'figure/bench/index.html': LONG,
+  'assets/page-A1B2C3D4.js': LONG,
+  'assets/robot-log-worker-A1B2C3D4.js': LONG,
+  'assets/site-A1B2C3D4.css': LONG,
+  'assets/module-A1B2C3D4.wasm': LONG,
+  'assets/icon-A1B2C3D4.svg': LONG,
+  'assets/manifest-A1B2C3D4.webmanifest': LONG,
+  'assets/text-A1B2C3D4.woff2': LONG,
 }
 
 let home, server, port
@@ -37,13 +49,18 @@ before(async () => {
     writeFileSync(file, text)
   }
   const page = readFileSync(path.join(root, 'content/pages/hosting.md'), 'utf8')
-  const [, example] = page.match(/^```nginx\n([\s\S]*?)^```$/m) ?? assert.fail('the page on hosting has no nginx example')
+  const [, example] =
+    page.match(/^```nginx\n([\s\S]*?)^```$/m) ?? assert.fail('the page on hosting has no nginx example')
   const free = createServer().listen(0, '127.0.0.1')
   await once(free, 'listening')
   port = /** @type {import('node:net').AddressInfo} */ (free.address()).port
   free.close()
-  const folders = ['client_body', 'proxy', 'fastcgi', 'uwsgi', 'scgi'].map((name) => `${name}_temp_path ${home}/${name};`).join(' ')
-  writeFileSync(path.join(home, 'nginx.conf'), `
+  const folders = ['client_body', 'proxy', 'fastcgi', 'uwsgi', 'scgi']
+    .map((name) => `${name}_temp_path ${home}/${name};`)
+    .join(' ')
+  writeFileSync(
+    path.join(home, 'nginx.conf'),
+    `
     daemon off; master_process off; pid ${home}/pid; error_log ${home}/errors;
     events {}
     http {
@@ -51,12 +68,21 @@ before(async () => {
       server { listen 127.0.0.1:${port}; root ${home}/site; absolute_redirect off;
         ${example}
       }
-    }`)
-  server = spawn(nginx, ['-p', home, '-c', path.join(home, 'nginx.conf'), '-e', path.join(home, 'errors')], { stdio: 'inherit' })
+    }`,
+  )
+  server = spawn(nginx, ['-p', home, '-c', path.join(home, 'nginx.conf'), '-e', path.join(home, 'errors')], {
+    stdio: 'inherit',
+  })
   for (let tries = 0; ; tries++) {
-    const up = await ask('').then(() => true, () => false)
+    const up = await ask('').then(
+      () => true,
+      () => false,
+    )
     if (up) break
-    assert.ok(tries < 100 && server.exitCode === null, `nginx does not answer: ${existsSync(path.join(home, 'errors')) ? readFileSync(path.join(home, 'errors'), 'utf8') : ''}`)
+    assert.ok(
+      tries < 100 && server.exitCode === null,
+      `nginx does not answer: ${existsSync(path.join(home, 'errors')) ? readFileSync(path.join(home, 'errors'), 'utf8') : ''}`,
+    )
     await new Promise((resolve) => setTimeout(resolve, 100))
   }
 })
@@ -73,17 +99,25 @@ function ask(at, headers = { 'accept-encoding': 'gzip' }) {
   return new Promise((resolve, reject) => {
     get({ host: '127.0.0.1', port, path: `/robot-motion/${at}`, headers, agent: false }, (response) => {
       let text = ''
-      response.on('data', (part) => { text += part })
+      response.on('data', (part) => {
+        text += part
+      })
       response.on('end', () => resolve({ status: response.statusCode ?? 0, headers: response.headers, text }))
     }).on('error', reject)
   })
 }
 
-test('types, also those that Debian\'s list lacks', { skip }, async () => {
+test("types, also those that Debian's list lacks", { skip }, async () => {
   const wanted = {
-    '': /^text\/html/, 'kalman/': /^text\/html/, 'search.json': /^application\/json/, 'assets/page-A1B2C3D4.js': /^(text|application)\/javascript/,
-    'assets/site-A1B2C3D4.css': /^text\/css/, 'assets/module-A1B2C3D4.wasm': /^application\/wasm$/, 'assets/icon-A1B2C3D4.svg': /^image\/svg\+xml/,
-    'assets/manifest-A1B2C3D4.webmanifest': /^application\/manifest\+json/, 'assets/text-A1B2C3D4.woff2': /^font\/woff2/,
+    '': /^text\/html/,
+    'kalman/': /^text\/html/,
+    'search.json': /^application\/json/,
+    'assets/page-A1B2C3D4.js': /^(text|application)\/javascript/,
+    'assets/site-A1B2C3D4.css': /^text\/css/,
+    'assets/module-A1B2C3D4.wasm': /^application\/wasm$/,
+    'assets/icon-A1B2C3D4.svg': /^image\/svg\+xml/,
+    'assets/manifest-A1B2C3D4.webmanifest': /^application\/manifest\+json/,
+    'assets/text-A1B2C3D4.woff2': /^font\/woff2/,
   }
   for (const [at, type] of Object.entries(wanted)) assert.match((await ask(at)).headers['content-type'] ?? '', type, at)
 })
@@ -110,7 +144,12 @@ test('figures may be embedded by anybody, pages by their own site', { skip }, as
     assert.equal(headers['content-security-policy'], "frame-ancestors 'self'", at)
     assert.equal(headers['access-control-allow-origin'], undefined, at)
   }
-  for (const at of ['figure/bench/', 'assets/page-A1B2C3D4.js', 'assets/module-A1B2C3D4.wasm', 'assets/text-A1B2C3D4.woff2']) {
+  for (const at of [
+    'figure/bench/',
+    'assets/page-A1B2C3D4.js',
+    'assets/module-A1B2C3D4.wasm',
+    'assets/text-A1B2C3D4.woff2',
+  ]) {
     const { headers } = await ask(at)
     assert.equal(headers['content-security-policy'], undefined, at)
     assert.equal(headers['access-control-allow-origin'], '*', at)
@@ -118,10 +157,11 @@ test('figures may be embedded by anybody, pages by their own site', { skip }, as
 })
 
 test('workers come with the policy of workers', { skip }, async () => {
-  for (const at of ['sw.js', 'assets/robot-log-worker-A1B2C3D4.js']) assert.equal((await ask(at)).headers['content-security-policy'], WORKER_POLICY, at)
+  for (const at of ['sw.js', 'assets/robot-log-worker-A1B2C3D4.js'])
+    assert.equal((await ask(at)).headers['content-security-policy'], WORKER_POLICY, at)
 })
 
-test('an address that leads nowhere is answered by the book\'s page for it, with its status', { skip }, async () => {
+test("an address that leads nowhere is answered by the book's page for it, with its status", { skip }, async () => {
   for (const at of ['none', 'kalman/none/at/all', 'assets/none.js']) {
     const { status, text } = await ask(at, { 'accept-encoding': 'identity' })
     assert.equal(status, 404, at)

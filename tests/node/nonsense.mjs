@@ -15,9 +15,50 @@ export function dice(seed) {
   return { uniform, below, pick, normal }
 }
 
-const NUMBERS = [NaN, Infinity, -Infinity, 1e308, -1e308, 5e-324, 2.2e-310, -0, 0, -1, 0.5, 1.7, 1e-8, 1e24, 4294967296, 9007199254740993]
-const OTHERS = [undefined, null, '3', '', 'NaN', true, {}, [], [[]], [1], [[1]], [[1, 2], [3]], [[NaN]], 'range', () => 1, 10n, new Date(0),
-  new Float64Array([1, 2]), { x: 1 }, { valueOf: () => 7 }, new Array(5), [undefined], Symbol.iterator, new Map([['x', 1]])]
+const NUMBERS = [
+  NaN,
+  Infinity,
+  -Infinity,
+  1e308,
+  -1e308,
+  5e-324,
+  2.2e-310,
+  -0,
+  0,
+  -1,
+  0.5,
+  1.7,
+  1e-8,
+  1e24,
+  4294967296,
+  9007199254740993,
+]
+const OTHERS = [
+  undefined,
+  null,
+  '3',
+  '',
+  'NaN',
+  true,
+  {},
+  [],
+  [[]],
+  [1],
+  [[1]],
+  [[1, 2], [3]],
+  [[NaN]],
+  'range',
+  () => 1,
+  10n,
+  new Date(0),
+  new Float64Array([1, 2]),
+  { x: 1 },
+  { valueOf: () => 7 },
+  new Array(5),
+  [undefined],
+  Symbol.iterator,
+  new Map([['x', 1]]),
+]
 
 /** Something that does not belong where a number, or anything, was asked for. */
 export function junk(dice) {
@@ -53,7 +94,8 @@ function spoilOnce(value, dice) {
     const chance = dice.uniform()
     if (chance < 0.08) return value.concat([copy(value[0])])
     if (chance < 0.16) return value.slice(0, -1)
-    if (chance < 0.19 && value.length < 100 && !(value[0]?.length > 100)) return Array.from({ length: 10_000 }, () => copy(value[0]))
+    if (chance < 0.19 && value.length < 100 && !(value[0]?.length > 100))
+      return Array.from({ length: 10_000 }, () => copy(value[0]))
   } else if (dice.uniform() < 0.1) {
     delete value[key]
     return value
@@ -89,7 +131,9 @@ export function covariance(n, dice) {
   const factor = Array.from({ length: n }, () => Array.from({ length: n }, dice.normal))
   const scale = 10 ** (dice.uniform() * 8 - 6)
   const p = factor.map((a) => factor.map((b) => scale * a.reduce((sum, ai, i) => sum + ai * b[i], 0)))
-  p.forEach((row, i) => { row[i] += scale * 1e-3 })
+  p.forEach((row, i) => {
+    row[i] += scale * 1e-3
+  })
   return p
 }
 
@@ -99,7 +143,8 @@ export function notCovariance(p) {
   const largest = Math.max(...p.flat().map(Math.abs))
   if (!p.flat().every(Number.isFinite)) return 'not finite'
   const a = p.map((row) => row.slice())
-  for (let i = 0; i < n; i++) for (let j = 0; j < i; j++) if (Math.abs(a[i][j] - a[j][i]) > 1e-9 * largest) return 'not symmetric'
+  for (let i = 0; i < n; i++)
+    for (let j = 0; j < i; j++) if (Math.abs(a[i][j] - a[j][i]) > 1e-9 * largest) return 'not symmetric'
   if (largest === 0) return null
   for (const row of a) for (let j = 0; j < n; j++) row[j] /= largest
   for (let sweep = 0; sweep < 60; sweep++) {

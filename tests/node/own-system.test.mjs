@@ -15,11 +15,24 @@ const root = fileURLToPath(new URL('../..', import.meta.url))
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const open = (params, step = 0) => core.OwnSystem.from({ version: 1, lab: 'own-system', step, params })
 
-const SYSTEM = { F: [[1, 0.5], [0, 1]], G: [[0], [0.5]], H: [[1, 0]], V: [[0.2, 0.05], [0.05, 0.1]], W: [[0.5]] }
+const SYSTEM = {
+  F: [
+    [1, 0.5],
+    [0, 1],
+  ],
+  G: [[0], [0.5]],
+  H: [[1, 0]],
+  V: [
+    [0.2, 0.05],
+    [0.05, 0.1],
+  ],
+  W: [[0.5]],
+}
 
 test('a system is read in JSON, in MATLAB and in numpy notation', () => {
   const texts = [
-    JSON.stringify(SYSTEM), JSON.stringify(SYSTEM, null, 2),
+    JSON.stringify(SYSTEM),
+    JSON.stringify(SYSTEM, null, 2),
     'F = [1 0.5; 0 1];\nG = [0; .5] % the input\nH = [1, 0]\nV = [0.2 0.05\n 0.05 0.1]\nW = 0.5',
     'import numpy as np\nF = np.array([[1., 1/2], [0, 1]])  # dynamics\nG = np.array([[0], [5e-1]])\nH = np.array([[1, 0]])\nV = np.array([[.2, .05],\n              [.05, .1]])\nW = np.array([[0.5]])',
     'F = np.array([[1, 0.5], [0, 1]]); G = np.array([0, 0.5]); H = np.array([1, 0]); V = np.array([[0.2, 0.05], [0.05, 0.1]]); W = 0.5',
@@ -30,7 +43,13 @@ test('a system is read in JSON, in MATLAB and in numpy notation', () => {
 })
 
 test('a system is read as engineers have it: with comments, continued lines, transposes, factors, printed or made', () => {
-  const half = { ...SYSTEM, V: [[0.01, 0], [0, 0.01]] }
+  const half = {
+    ...SYSTEM,
+    V: [
+      [0.01, 0],
+      [0, 0.01],
+    ],
+  }
   for (const text of [
     "F = [1 0.5; 0 1];% dynamics\r\nG = [0 0.5]';%input\r\nH = [1 0];\r\nV = 0.01*eye(2);\r\nW = .5;\r\n",
     'F = [1 0.5; ...  the first row\n 0 1]\nG=[0;0.5]; H=[1 0]; V=diag([0.01 0.01]); W=1/2',
@@ -43,18 +62,28 @@ test('a system is read as engineers have it: with comments, continued lines, tra
     'F = [1 .5; 0 1]; G = [0; .5]; H = [1 0]; V = 0.01*(eye(2)); W = 0.5',
     'F = [1 .5; 0 1]; G = [0; .5]; H = [1 0]; V = 0.01*diag(ones(2, 1)); W = 0.5*np.ones((1, 1))',
     'F = [1 .5; 0 1]; G = [0; .5]; H = [1 0]; V = 0.01 * np.diag(np.ones(2)); W = np.array(np.eye(1))/2',
-  ]) assert.deepEqual(readSystem(text), { ok: true, system: half }, text)
+  ])
+    assert.deepEqual(readSystem(text), { ok: true, system: half }, text)
 })
 
 test('a decimal comma, a product of matrices and a name of another book are told as what they are', () => {
   const whole = 'F = [1 0.5; 0 1]\nH = [1 0]\nV = [1 0; 0 1]\nW = 1'
   for (const [text, fault] of [
-    [whole.replace('0.5', '0,5'), /^F: row 2 has 2 numbers, row 1 has 3\. A comma stands between numbers: write 0\.5 for 0,5\.$/],
-    [whole.replace('[1 0; 0 1]', '[1 0; 0 1] + eye(2)'), /^V: “\+ eye\(2\)” is not understood here/], [whole.replace('[1 0; 0 1]', '[1 0; 0 1]*[1 0; 0 1]'), /^V: “\*” is not understood/],
-    [whole.replace('[1 0; 0 1]', 'eye(n)'), /^V: “eye\(n\)” is not understood/], [whole.replace('[1 0; 0 1]', 'eye(2)/0'), /^V: “\/ 0” is not understood/], [whole.replace('[1 0; 0 1]', 'np.diag((1, 1))'), /^V: “, 1\)\)” is not understood/],
-    [whole.replace('[1 0.5; 0 1]', '[1 0.5 2; 0 1 2]'), /^F is 2 × 3; it has to be square\.$/], [whole.replace('1 0.5', '1,,0.5'), /^F, row 1, column 2: a number is missing\.$/],
-    [whole.replace('[1 0; 0 1]', 'eye(2) W'), /^V: “W” is not understood/], [whole.replace('[1 0; 0 1]', '[1 0; 0 1]2'), /^V: “2” is not understood/],
-    [whole.replace('W = 1', 'W = 2 3'), /^W: “3” is not understood/], [whole.replace('[1 0; 0 1]', '0.1 eye(2)'), /^V: “eye\(2\)” is not understood/],
+    [
+      whole.replace('0.5', '0,5'),
+      /^F: row 2 has 2 numbers, row 1 has 3\. A comma stands between numbers: write 0\.5 for 0,5\.$/,
+    ],
+    [whole.replace('[1 0; 0 1]', '[1 0; 0 1] + eye(2)'), /^V: “\+ eye\(2\)” is not understood here/],
+    [whole.replace('[1 0; 0 1]', '[1 0; 0 1]*[1 0; 0 1]'), /^V: “\*” is not understood/],
+    [whole.replace('[1 0; 0 1]', 'eye(n)'), /^V: “eye\(n\)” is not understood/],
+    [whole.replace('[1 0; 0 1]', 'eye(2)/0'), /^V: “\/ 0” is not understood/],
+    [whole.replace('[1 0; 0 1]', 'np.diag((1, 1))'), /^V: “, 1\)\)” is not understood/],
+    [whole.replace('[1 0.5; 0 1]', '[1 0.5 2; 0 1 2]'), /^F is 2 × 3; it has to be square\.$/],
+    [whole.replace('1 0.5', '1,,0.5'), /^F, row 1, column 2: a number is missing\.$/],
+    [whole.replace('[1 0; 0 1]', 'eye(2) W'), /^V: “W” is not understood/],
+    [whole.replace('[1 0; 0 1]', '[1 0; 0 1]2'), /^V: “2” is not understood/],
+    [whole.replace('W = 1', 'W = 2 3'), /^W: “3” is not understood/],
+    [whole.replace('[1 0; 0 1]', '0.1 eye(2)'), /^V: “eye\(2\)” is not understood/],
     ['{"F":[[1,0],[0,1]],"H":[[1,0,0]],"V":[[1,0],[0,1]],"W":[[1]]}', /needs to be 1 × 2\.$/],
     ['A = [1 2; 3 4]\nC = [1 0]', /^No matrix was found\. What is called A, B and C elsewhere is F, G and H here/],
   ]) {
@@ -68,14 +97,19 @@ test('a decimal comma, a product of matrices and a name of another book are told
 test('what is wrong with a pasted system is named with its matrix', () => {
   const whole = 'F = [1 0.5; 0 1]\nH = [1 0]\nV = [1 0; 0 1]\nW = 1'
   for (const [text, fault] of [
-    ['', /No matrix was found/], ['hello = 3', /No matrix was found/],
+    ['', /No matrix was found/],
+    ['hello = 3', /No matrix was found/],
     [whole.replace('W = 1', ''), /^W, the noise of a reading, is missing\.$/],
     [whole.replace('1 0.5;', '1 0.5 3;'), /^F: row 2 has 2 numbers, row 1 has 3\.$/],
     [whole.replace('0.5', 'x'), /^F, row 1, column 2: “x” is not a number\.$/],
     [whole.replace('H = [1 0]', 'H = [1 0 0]'), /^H is 1 × 3; .* it needs to be 1 × 2\.$/],
     [whole.replace('F = [1 0.5; 0 1]', 'F = [1 0.5; 0 1'), /^F: a bracket is not closed\.$/],
-    [`${whole}\nF = 1`, /^F is given twice\.$/], [whole.replace('[1 0.5; 0 1]', '[]'), /^F is empty\.$/],
-    [whole.replace('[1 0.5; 0 1]', '[1 0 0 0 0; 0 1 0 0 0; 0 0 1 0 0; 0 0 0 1 0; 0 0 0 0 1]'), /^F is 5 × 5; at most 4 × 4/],
+    [`${whole}\nF = 1`, /^F is given twice\.$/],
+    [whole.replace('[1 0.5; 0 1]', '[]'), /^F is empty\.$/],
+    [
+      whole.replace('[1 0.5; 0 1]', '[1 0 0 0 0; 0 1 0 0 0; 0 0 1 0 0; 0 0 0 1 0; 0 0 0 0 1]'),
+      /^F is 5 × 5; at most 4 × 4/,
+    ],
     [whole.replace('0.5', '1e999'), /is not a number/],
   ]) {
     const read = readSystem(text)
@@ -86,20 +120,28 @@ test('what is wrong with a pasted system is named with its matrix', () => {
 
 test('a number may have a true minus sign, an exponent or be a fraction', () => {
   assert.deepEqual(['1', '−2.5', '.5', '1e-3', '1/4', ' 7 '].map(numberOf), [1, -2.5, 0.5, 1e-3, 0.25, 7])
-  for (const text of ['', 'a', '1,5', '1/0', '1/2/3', '0x10', '--1', 'Infinity']) assert.ok(Number.isNaN(numberOf(text)), text)
+  for (const text of ['', 'a', '1,5', '1/0', '1/2/3', '0x10', '--1', 'Infinity'])
+    assert.ok(Number.isNaN(numberOf(text)), text)
 })
 
 test('a name comes back from its numbers, and a direction is a sum of names', () => {
   const params = { names: ['position', 'a_b*c', '', 'Lageänderung viel zu lang'].map(lettersOf) }
-  assert.deepEqual([0, 1, 2, 3].map((i) => nameOf(params, i)), ['position', 'abc', 'x₃', 'Lageänderung'])
+  assert.deepEqual(
+    [0, 1, 2, 3].map((i) => nameOf(params, i)),
+    ['position', 'abc', 'x₃', 'Lageänderung'],
+  )
   assert.equal(sumOf([1, 0, -0.5, 0.0012], params), 'position − 0.5 · x₃ + 1.2e−3 · Lageänderung')
 })
 
 test('every preset is a system that the lab takes, and gets the verdicts its name promises', () => {
   const expected = {
-    'Constant velocity, 0.5 s': ['yes', 'yes', 'from-every-start'], 'Constant velocity, velocity read': ['no', 'no', 'none'],
-    'Constant acceleration, 0.5 s': ['yes', 'yes', 'from-every-start'], 'Pendulum, 0.1 s': ['yes', 'yes', 'from-every-start'],
-    'DC motor, 0.05 s': ['yes', 'yes', 'from-every-start'], 'Bias plus sensor': ['no', 'no', 'depends-on-start'], 'Two tanks, 1 s': ['yes', 'yes', 'from-every-start'],
+    'Constant velocity, 0.5 s': ['yes', 'yes', 'from-every-start'],
+    'Constant velocity, velocity read': ['no', 'no', 'none'],
+    'Constant acceleration, 0.5 s': ['yes', 'yes', 'from-every-start'],
+    'Pendulum, 0.1 s': ['yes', 'yes', 'from-every-start'],
+    'DC motor, 0.05 s': ['yes', 'yes', 'from-every-start'],
+    'Bias plus sensor': ['no', 'no', 'depends-on-start'],
+    'Two tanks, 1 s': ['yes', 'yes', 'from-every-start'],
   }
   for (const preset of PRESETS) {
     const { observable, detectable, limit, params } = open(paramsOf(preset)).frame()
@@ -115,42 +157,102 @@ test('the functions of the module and the lab give one answer', () => {
     const { F, H, V } = preset
     const seen = core.detectability(F, H, frame.tolerance)
     const noise = core.noiseReach(F, V, frame.tolerance)
-    assert.deepEqual([seen.observable, seen.detectable, noise.reachable, noise.stabilizable], [frame.observable, frame.detectable, frame.noise.reachable, frame.noise.stabilizable])
+    assert.deepEqual(
+      [seen.observable, seen.detectable, noise.reachable, noise.stabilizable],
+      [frame.observable, frame.detectable, frame.noise.reachable, frame.noise.stabilizable],
+    )
     assert.equal(core.riccatiLimit(preset, frame.tolerance), frame.limit)
-    const { K, fixed } = core.placeMovable(F, H, Array.from({ length: frame.movable }, (_, i) => 0.1 * (i + 1)))
+    const { K, fixed } = core.placeMovable(
+      F,
+      H,
+      Array.from({ length: frame.movable }, (_, i) => 0.1 * (i + 1)),
+    )
     const found = core.errorEigenvalues(preset, K).map(({ re }) => re)
-    for (let i = 0; i < frame.movable; i++) assert.ok(found.some((re) => Math.abs(re - 0.1 * (i + 1)) < 1e-6), `${preset.name}: ${found}`)
+    for (let i = 0; i < frame.movable; i++)
+      assert.ok(
+        found.some((re) => Math.abs(re - 0.1 * (i + 1)) < 1e-6),
+        `${preset.name}: ${found}`,
+      )
     assert.equal(fixed.length, F.length - frame.movable)
   }
-  assert.deepEqual(core.stabilizability([[1, 0.5], [0, 1]], [[0], [0.5]]).reachable, 'yes')
+  assert.deepEqual(
+    core.stabilizability(
+      [
+        [1, 0.5],
+        [0, 1],
+      ],
+      [[0], [0.5]],
+    ).reachable,
+    'yes',
+  )
 })
 
 /** The states whose programs are run: one of each kind. */
 const STATES = [
-  paramsOf(PRESETS[0]), { ...paramsOf(PRESETS[1]), gain: 'hand', k: [[0.1, 0, 0, 0], [0.7, 0, 0, 0], [0, 0, 0, 0], [0, 0, 0, 0]] },
-  { ...paramsOf(PRESETS[2]), gain: 'placement', poles: [[0.4, 0.3], [0, 0], [0.2, 0], [0, 0]] }, { ...paramsOf(PRESETS[5]), inputs: 0, start: 4 }, paramsOf(PRESETS[4]),
+  paramsOf(PRESETS[0]),
+  {
+    ...paramsOf(PRESETS[1]),
+    gain: 'hand',
+    k: [
+      [0.1, 0, 0, 0],
+      [0.7, 0, 0, 0],
+      [0, 0, 0, 0],
+      [0, 0, 0, 0],
+    ],
+  },
+  {
+    ...paramsOf(PRESETS[2]),
+    gain: 'placement',
+    poles: [
+      [0.4, 0.3],
+      [0, 0],
+      [0.2, 0],
+      [0, 0],
+    ],
+  },
+  { ...paramsOf(PRESETS[5]), inputs: 0, start: 4 },
+  paramsOf(PRESETS[4]),
 ]
 
 /** What a program prints, against the frame. @param {string} printed @param {any} params @param {boolean} verdicts */
 function compare(printed, params, verdicts) {
   const frame = open(params).frame()
   const numbers = (text) => [...text.matchAll(/-?\d+\.?\d*(?:e[+-]?\d+)?/g)].map(([one]) => Number(one))
-  const close = (a, b, what) => assert.ok(a.length === b.length && a.every((one, i) => Math.abs(one - b[i]) <= 1e-7 * (1 + Math.abs(b[i]))), `${what}: ${a} and ${b}`)
+  const close = (a, b, what) =>
+    assert.ok(
+      a.length === b.length && a.every((one, i) => Math.abs(one - b[i]) <= 1e-7 * (1 + Math.abs(b[i]))),
+      `${what}: ${a} and ${b}`,
+    )
   const lines = printed.trim().split('\n')
   const [rank, ...values] = numbers(lines[0])
   assert.equal(rank, frame.rank.rank)
   close(values, frame.rank.singularValues, 'singular values')
   // Of equal moduli the order may differ from one library to the next.
   const roots = lines.filter((line) => line.startsWith('eigenvalue')).map(numbers)
-  for (const { re, im } of frame.eigenvalues) assert.ok(roots.some(([x, y]) => Math.hypot(x - re, y - im) < 1e-6), `${re} + ${im} i among ${roots}`)
+  for (const { re, im } of frame.eigenvalues)
+    assert.ok(
+      roots.some(([x, y]) => Math.hypot(x - re, y - im) < 1e-6),
+      `${re} + ${im} i among ${roots}`,
+    )
   const gains = lines.filter((line) => line.startsWith('gain')).map(numbers)
   const run = open(params, 5).frame().series.gain
   assert.equal(gains.length, 5)
-  gains.forEach((gain, k) => close(gain, run.slice(0, params.states).flatMap((row) => row.slice(0, params.readings).map((series) => series[k + 1])), `gain ${k + 1}`))
+  gains.forEach((gain, k) =>
+    close(
+      gain,
+      run.slice(0, params.states).flatMap((row) => row.slice(0, params.readings).map((series) => series[k + 1])),
+      `gain ${k + 1}`,
+    ),
+  )
   if (!verdicts) return
   const words = lines.slice(1, 4).join('\n').toLowerCase()
-  assert.equal(words.replace(/fromeverystart/, 'from-every-start').replace(/dependsonstart/, 'depends-on-start').replace(/fromlargestart/, 'from-large-start'),
-    `observable ${frame.observable}, detectable ${frame.detectable}\nreached by noise ${frame.noise.reachable}, stabilizable ${frame.noise.stabilizable}\nlimit ${frame.limit}`)
+  assert.equal(
+    words
+      .replace(/fromeverystart/, 'from-every-start')
+      .replace(/dependsonstart/, 'depends-on-start')
+      .replace(/fromlargestart/, 'from-large-start'),
+    `observable ${frame.observable}, detectable ${frame.detectable}\nreached by noise ${frame.noise.reachable}, stabilizable ${frame.noise.stabilizable}\nlimit ${frame.limit}`,
+  )
 }
 
 const programs = path.join(root, 'target/own-system')
@@ -158,7 +260,10 @@ mkdirSync(path.join(programs, 'src/bin'), { recursive: true })
 
 test('a system copied as JavaScript prints what the figure shows', () => {
   for (const params of STATES) {
-    const text = javascript(open(params).frame()).replace("'robot-motion'", JSON.stringify(path.join(root, 'target/pkg/node/estimate_wasm.js')))
+    const text = javascript(open(params).frame()).replace(
+      "'robot-motion'",
+      JSON.stringify(path.join(root, 'target/pkg/node/estimate_wasm.js')),
+    )
     const file = path.join(programs, 'system.cjs')
     writeFileSync(file, text)
     compare(execFileSync(process.execPath, [file], { encoding: 'utf8' }), params, true)
@@ -180,15 +285,22 @@ function python() {
 
 test('a system copied as numpy prints what the figure shows', { timeout: 120_000 }, () => {
   const program = python()
-  for (const params of STATES) compare(execFileSync(program, ['-c', numpy(open(params).frame())], { encoding: 'utf8' }), params, false)
+  for (const params of STATES)
+    compare(execFileSync(program, ['-c', numpy(open(params).frame())], { encoding: 'utf8' }), params, false)
 })
 
 test('a system copied as Rust prints what the figure shows', { timeout: 600_000 }, () => {
   // A package of its own beside the workspace, with the versions that the workspace has.
-  writeFileSync(path.join(programs, 'Cargo.toml'), `[package]\nname = "own-system"\nversion = "0.1.0"\nedition = "2024"\n\n[workspace]\n\n[dependencies]\nestimate = { package = "robot-motion-estimate", path = "../../crates/estimate" }
-nalgebra = { version = "0.35", default-features = false, features = ["alloc", "macros", "libm-force"] }\n\n[profile.dev]\nopt-level = 1\ndebug = "line-tables-only"\n\n[profile.dev.package."*"]\ndebug = false\n`)
-  if (!existsSync(path.join(programs, 'Cargo.lock'))) copyFileSync(path.join(root, 'Cargo.lock'), path.join(programs, 'Cargo.lock'))
+  writeFileSync(
+    path.join(programs, 'Cargo.toml'),
+    `[package]\nname = "own-system"\nversion = "0.1.0"\nedition = "2024"\n\n[workspace]\n\n[dependencies]\nestimate = { package = "robot-motion-estimate", path = "../../crates/estimate" }
+nalgebra = { version = "0.35", default-features = false, features = ["alloc", "macros", "libm-force"] }\n\n[profile.dev]\nopt-level = 1\ndebug = "line-tables-only"\n\n[profile.dev.package."*"]\ndebug = false\n`,
+  )
+  if (!existsSync(path.join(programs, 'Cargo.lock')))
+    copyFileSync(path.join(root, 'Cargo.lock'), path.join(programs, 'Cargo.lock'))
   STATES.forEach((params, i) => writeFileSync(path.join(programs, `src/bin/system${i}.rs`), rust(open(params).frame())))
   execFileSync('cargo', ['build', '--quiet', '--offline'], { cwd: programs, stdio: ['ignore', 'inherit', 'inherit'] })
-  STATES.forEach((params, i) => compare(execFileSync(path.join(programs, `target/debug/system${i}`), { encoding: 'utf8' }), params, true))
+  STATES.forEach((params, i) =>
+    compare(execFileSync(path.join(programs, `target/debug/system${i}`), { encoding: 'utf8' }), params, true),
+  )
 })

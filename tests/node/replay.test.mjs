@@ -5,8 +5,26 @@ import { createRequire } from 'node:module'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
-const rail = { F: [[1, 0.5], [0, 1]], G: [[0], [0.5]], H: [[1, 0]], V: [[0.2, 0.05], [0.05, 0.1]], W: [[0.5]] }
-const belief = { x: [2, 4], P: [[1, 0], [0, 2]] }
+const rail = {
+  F: [
+    [1, 0.5],
+    [0, 1],
+  ],
+  G: [[0], [0.5]],
+  H: [[1, 0]],
+  V: [
+    [0.2, 0.05],
+    [0.05, 0.1],
+  ],
+  W: [[0.5]],
+}
+const belief = {
+  x: [2, 4],
+  P: [
+    [1, 0],
+    [0, 2],
+  ],
+}
 
 /** −½(ln det 2πS + νᵀS⁻¹ν) of one output or two, by the formulas for a 2×2. */
 function logDensity(nu, S) {
@@ -17,14 +35,53 @@ function logDensity(nu, S) {
 }
 
 test('a log whose innovation is nearly singular is filtered and has no likelihood', () => {
-  const copies = { F: [[1, 0], [0, 1]], G: [[0], [0]], H: [[1, 0], [1, 1e-8]], V: [[0, 0], [0, 0]], W: [[1e-16, 0], [0, 1e-16]] }
-  const log = core.kalmanReplay(copies, { x: [0, 0], P: [[1, 0], [0, 1]] }, new Float64Array(1), Float64Array.of(0.3, 0.3))
+  const copies = {
+    F: [
+      [1, 0],
+      [0, 1],
+    ],
+    G: [[0], [0]],
+    H: [
+      [1, 0],
+      [1, 1e-8],
+    ],
+    V: [
+      [0, 0],
+      [0, 0],
+    ],
+    W: [
+      [1e-16, 0],
+      [0, 1e-16],
+    ],
+  }
+  const log = core.kalmanReplay(
+    copies,
+    {
+      x: [0, 0],
+      P: [
+        [1, 0],
+        [0, 1],
+      ],
+    },
+    new Float64Array(1),
+    Float64Array.of(0.3, 0.3),
+  )
   assert.equal(log.logLikelihood, null)
   assert.ok(Number.isFinite(log.x[0]))
 })
 
 test('kalmanReplay is kalmanStep, for the rail robot and for another size', () => {
-  const both = { ...rail, H: [[1, 0], [0, 1]], W: [[0.5, 0.1], [0.1, 0.4]] }
+  const both = {
+    ...rail,
+    H: [
+      [1, 0],
+      [0, 1],
+    ],
+    W: [
+      [0.5, 0.1],
+      [0.1, 0.4],
+    ],
+  }
   for (const system of [rail, both]) {
     const steps = 40
     const outputs = system.H.length
@@ -50,13 +107,41 @@ test('kalmanReplay takes typed arrays only, and names what does not fit', () => 
   refused(() => core.kalmanReplay(rail, belief, [0], new Float64Array(1)), 'type', 'inputs')
   refused(() => core.kalmanReplay(rail, belief, new Float64Array(2), new Float64Array(1)), 'shape', 'inputs')
   refused(() => core.kalmanReplay(rail, belief, new Float64Array(1), Float64Array.of(NaN)), 'not-finite', 'readings[0]')
-  refused(() => core.kalmanReplay(rail, belief, new Float64Array(100_001), new Float64Array(100_001)), 'limit', 'readings')
+  refused(
+    () => core.kalmanReplay(rail, belief, new Float64Array(100_001), new Float64Array(100_001)),
+    'limit',
+    'readings',
+  )
 })
 
 test('EkfLocalizer.replay is predict and update', () => {
-  const made = () => new core.EkfLocalizer({ x: [1.5, 1.5, 0], P: [[0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]] },
-    [{ id: 1, x: 6, y: 6 }, { id: 2, x: 0, y: 6 }], { W: [[0.01, 0], [0, 0.001]], gate: 50 })
-  const V = [[1e-4, 0, 0], [0, 1e-4, 0], [0, 0, 1e-4]]
+  const made = () =>
+    new core.EkfLocalizer(
+      {
+        x: [1.5, 1.5, 0],
+        P: [
+          [0.01, 0, 0],
+          [0, 0.01, 0],
+          [0, 0, 0.01],
+        ],
+      },
+      [
+        { id: 1, x: 6, y: 6 },
+        { id: 2, x: 0, y: 6 },
+      ],
+      {
+        W: [
+          [0.01, 0],
+          [0, 0.001],
+        ],
+        gate: 50,
+      },
+    )
+  const V = [
+    [1e-4, 0, 0],
+    [0, 1e-4, 0],
+    [0, 0, 1e-4],
+  ]
   const [logged, stepped] = [made(), made()]
   const log = Float64Array.from([0.1, 0.05, 6.3, -2.4, 0.1, 0.05, 4.8, -1.3, 0.1, 0.05, 6.1, -2.5])
   const ids = Uint32Array.from([1, 2, 1])

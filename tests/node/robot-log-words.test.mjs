@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { robotLog } from '../../web/widgets/robot-log.js'
+import { robotLog } from '../../web/widgets/robot-log/index.js'
 import { RemoteRun } from '../../web/widgets/robot-log/remote-run.js'
 import { Server } from '../../web/widgets/robot-log/server.js'
 
@@ -16,11 +16,26 @@ const LOGS = {
   plaza: text,
   'no truth': text.replace(/^G.*\n/gm, ''),
   'no ranges': text.replace(/^R.*\n/gm, ''),
-  bearings: ['L,1,5,5', 'L,2,-5,5', ...Array.from({ length: 60 }, (_, i) => `O,${i},0.1,0\nB,${i},${1 + (i % 2)},${7 - i / 50},${0.7 + i / 90}`)].join('\n'),
+  bearings: [
+    'L,1,5,5',
+    'L,2,-5,5',
+    ...Array.from({ length: 60 }, (_, i) => `O,${i},0.1,0\nB,${i},${1 + (i % 2)},${7 - i / 50},${0.7 + i / 90}`),
+  ].join('\n'),
 }
 const GRID = [
-  { sightings: false }, {}, { gate: 0.999 }, { gate: 0.95 }, { gate: 1e-9 }, { offset: 2.4 }, { scale: 0.069 }, { scale: 0.069, gate: 0.99 }, { scale: 0.069, sigmaRange: 0.54 },
-  { learn: true }, { learn: true, gate: 0.999, sigmaRange: 0.1 }, { scale: -0.2 }, { sigmaRange: 10, sigmaDistance: 1 },
+  { sightings: false },
+  {},
+  { gate: 0.999 },
+  { gate: 0.95 },
+  { gate: 1e-9 },
+  { offset: 2.4 },
+  { scale: 0.069 },
+  { scale: 0.069, gate: 0.99 },
+  { scale: 0.069, sigmaRange: 0.54 },
+  { learn: true },
+  { learn: true, gate: 0.999, sigmaRange: 0.1 },
+  { scale: -0.2 },
+  { sigmaRange: 10, sigmaDistance: 1 },
 ]
 
 /** Each claim, and when it is made. */
@@ -54,10 +69,17 @@ for (const [name, log] of Object.entries(LOGS)) {
         const lab = RobotLog.from(drive, { version: 1, lab: 'robot-log', params, step: Math.min(step, steps) })
         const frame = lab.frame()
         check(robotLog.verdict(frame), frame)
-        const said = [...Object.values(robotLog.describe(frame)), ...robotLog.readouts(frame).map(({ value }) => value), robotLog.announce(frame, before ?? frame)]
+        const said = [
+          ...Object.values(robotLog.describe(frame)),
+          ...robotLog.readouts(frame).map(({ value }) => value),
+          robotLog.announce(frame, before ?? frame),
+        ]
         for (const words of said) assert.ok(words && !/NaN|undefined|null|Infinity/.test(words), words)
         const columns = Object.values(robotLog.series(frame))
-        assert.ok(columns.every(({ length }) => length === columns[0].length), 'every column of the CSV has as many rows')
+        assert.ok(
+          columns.every(({ length }) => length === columns[0].length),
+          'every column of the CSV has as many rows',
+        )
         before = frame
         lab.free()
       }
@@ -69,17 +91,30 @@ for (const [name, log] of Object.entries(LOGS)) {
 async function served(log = text, clock = undefined) {
   const told = []
   const acts = []
-  const server = new Server(core, (message) => told.push(structuredClone(message)), (act) => acts.push(act), clock)
+  const server = new Server(
+    core,
+    (message) => told.push(structuredClone(message)),
+    (act) => acts.push(act),
+    clock,
+  )
   server.take({ kind: 'files', files: [new File([log], 'log.csv')] })
   await server.reading
-  const finish = () => { while (acts.length) acts.shift()() }
+  const finish = () => {
+    while (acts.length) acts.shift()()
+  }
   return { server, told, acts, finish }
 }
 
-test('the server answers with the lab\'s own frame, however it is led there', async () => {
+test("the server answers with the lab's own frame, however it is led there", async () => {
   const { server, told, finish } = await served()
   assert.equal(told[0].contents.steps, 13_186)
-  for (const [params, step] of [[{ sightings: false }, null], [{}, 5000], [{}, 9000], [{}, 300], [{ gate: 0.99 }, null]]) {
+  for (const [params, step] of [
+    [{ sightings: false }, null],
+    [{}, 5000],
+    [{}, 9000],
+    [{}, 300],
+    [{ gate: 0.99 }, null],
+  ]) {
     server.take({ kind: 'go', id: told.length, params, step })
     finish()
     const { kind, frame, digest } = told.at(-1)
@@ -110,19 +145,39 @@ test('a table in another encoding is read and said to be; a file that is no text
   const { server, told } = await served()
   const table = 'time [s];v;yaw rate [°/s]\r\n0;0,5;1\r\n1;0,5;2\r\n'
   const wide = Buffer.from(`\ufeff${table}`, 'utf16le')
-  const files = { 'utf-16le': wide, 'utf-16be': Buffer.from(wide).swap16(), 'windows-1252': Buffer.from(table, 'latin1'), 'utf-8': Buffer.from(table) }
+  const files = {
+    'utf-16le': wide,
+    'utf-16be': Buffer.from(wide).swap16(),
+    'windows-1252': Buffer.from(table, 'latin1'),
+    'utf-8': Buffer.from(table),
+  }
   for (const [encoding, bytes] of Object.entries(files)) {
     server.take({ kind: 'files', files: [new File([bytes], 'wheels.csv')] })
     await server.reading
-    const { kind, contents, files: [shown], message } = told.at(-1)
+    const {
+      kind,
+      contents,
+      files: [shown],
+      message,
+    } = told.at(-1)
     assert.equal(kind, 'log', `${encoding}: ${message}`)
     assert.deepEqual([contents.rows, shown.angle, shown.header[2]], [2, 'deg', 'yaw rate [°/s]'], encoding)
-    assert.deepEqual(contents.notes, encoding === 'utf-8' ? [] : [`wheels.csv is no UTF-8 and was read as ${encoding.toUpperCase()}.`])
+    assert.deepEqual(
+      contents.notes,
+      encoding === 'utf-8' ? [] : [`wheels.csv is no UTF-8 and was read as ${encoding.toUpperCase()}.`],
+    )
   }
-  for (const bytes of [[0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13], [0x4f, 0, 0x2c, 0, 0xd8, 0]]) {
+  for (const bytes of [
+    [0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13],
+    [0x4f, 0, 0x2c, 0, 0xd8, 0],
+  ]) {
     server.take({ kind: 'files', files: [new File([Uint8Array.from(bytes)], 'picture.png')] })
     await server.reading
-    assert.deepEqual([told.at(-1).kind, told.at(-1).message.includes('plain text in UTF-8')], ['no-log', true], told.at(-1).message)
+    assert.deepEqual(
+      [told.at(-1).kind, told.at(-1).message.includes('plain text in UTF-8')],
+      ['no-log', true],
+      told.at(-1).message,
+    )
   }
 })
 
@@ -144,7 +199,10 @@ test('what the lab refuses is told, and the next wish is answered', async () => 
 })
 
 test('a long replay is told of on its way, and cancelled between two chunks', async () => {
-  const rows = ['L,1,0,10', ...Array.from({ length: 300_000 }, (_, i) => `O,${i / 10},0.1,0.01\nR,${i / 10},1,10`)].join('\n')
+  const rows = [
+    'L,1,0,10',
+    ...Array.from({ length: 300_000 }, (_, i) => `O,${i / 10},0.1,0.01\nR,${i / 10},1,10`),
+  ].join('\n')
   // Each look at this clock finds it ten milliseconds later, so that a chunk is short on every machine.
   let now = 0
   const { server, told, acts, finish } = await served(rows, () => (now += 10))
@@ -161,7 +219,13 @@ test('a long replay is told of on its way, and cancelled between two chunks', as
 })
 
 test('the run in the page follows the worker, and the newest wish wins', () => {
-  const port = { sent: [], onmessage: null, postMessage(message) { this.sent.push(message) } }
+  const port = {
+    sent: [],
+    onmessage: null,
+    postMessage(message) {
+      this.sent.push(message)
+    },
+  }
   const lab = RobotLog.from(RobotLog.parse(text), { version: 1, lab: 'robot-log', params: {}, step: 100 })
   const run = new RemoteRun(port, lab.frame(), RobotLog.parameters(), 200)
   run.change({ scale: 0.05 })
@@ -194,14 +258,25 @@ test('a file that is guessed wrongly is read otherwise, and its log replayed', a
   const wheels = `a,b,c\n${Array.from({ length: 50 }, (_, i) => `${100 * i},${500},${i % 3}`).join('\n')}\n`
   server.take({ kind: 'files', files: [new File([wheels], 'run.csv')] })
   await server.reading
-  assert.deepEqual([told.at(-1).kind, told.at(-1).files[0].role, told.at(-1).files[0].header], ['no-log', 'unused', ['a', 'b', 'c']])
-  for (const change of [{ file: 0, role: 'velocities' }, { file: 0, unit: 'mm' }, { file: 0, unit: 'ms' }, { file: 0, unit: 'deg' }]) {
+  assert.deepEqual(
+    [told.at(-1).kind, told.at(-1).files[0].role, told.at(-1).files[0].header],
+    ['no-log', 'unused', ['a', 'b', 'c']],
+  )
+  for (const change of [
+    { file: 0, role: 'velocities' },
+    { file: 0, unit: 'mm' },
+    { file: 0, unit: 'ms' },
+    { file: 0, unit: 'deg' },
+  ]) {
     server.take({ kind: 'reading', change })
     await server.reading
     assert.equal(told.at(-1).kind, 'log')
   }
   assert.deepEqual(told.at(-1).contents.span, [0, 4.9])
-  assert.deepEqual(told.at(-1).files[0].values.map(({ column }) => column), [0, 1, 2])
+  assert.deepEqual(
+    told.at(-1).files[0].values.map(({ column }) => column),
+    [0, 1, 2],
+  )
   server.take({ kind: 'reading', change: { file: 0, value: 'v', column: null } })
   await server.reading
   assert.match(told.at(-1).message, /no column has been chosen for v/)
@@ -214,7 +289,9 @@ test('a replay is written as a table while wishes are answered', async () => {
   const { server, told, acts, finish } = await served()
   server.take({ kind: 'table', params: {}, table: 'innovations' })
   let done = false
-  server.reading.then(() => { done = true })
+  server.reading.then(() => {
+    done = true
+  })
   await Promise.resolve()
   server.take({ kind: 'go', id: 5, params: {}, step: 20 })
   while (!done) {
@@ -228,8 +305,19 @@ test('a replay is written as a table while wishes are answered', async () => {
 })
 
 test('a run takes another log, and one that is wrong leaves it as it was', async () => {
-  const port = { sent: [], onmessage: null, postMessage(message) { this.sent.push(message) } }
-  const lab = RobotLog.from(RobotLog.parse(text), { version: 1, lab: 'robot-log', params: { gate: 0.99 }, step: 13_186 })
+  const port = {
+    sent: [],
+    onmessage: null,
+    postMessage(message) {
+      this.sent.push(message)
+    },
+  }
+  const lab = RobotLog.from(RobotLog.parse(text), {
+    version: 1,
+    lab: 'robot-log',
+    params: { gate: 0.99 },
+    step: 13_186,
+  })
   const run = new RemoteRun(port, lab.frame(), RobotLog.parameters(), 200)
   const wrong = run.read({ kind: 'files', files: [] })
   port.onmessage({ data: { kind: 'no-log', message: 'no' } })

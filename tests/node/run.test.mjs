@@ -3,11 +3,19 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { CALL_MS, FIRST_CALL, Pace } from '../../web/core/pace.js'
-import { Run } from '../../web/core/run.js'
+import { CALL_MS, FIRST_CALL, Pace } from '../../web/figure/time-slices.js'
+import { Run } from '../../web/figure/run.js'
 
 const estimate = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
-const MAP = { count: 3, forget: true, landmarks: [[2, 3], [2.3, 3], [2.6, 3]] }
+const MAP = {
+  count: 3,
+  forget: true,
+  landmarks: [
+    [2, 3],
+    [2.3, 3],
+    [2.6, 3],
+  ],
+}
 const LAST = 100_000
 
 /** A clock by which each call of a lab takes just as long as it should, so that a turn is over after a few short calls. */
@@ -38,8 +46,15 @@ function finish(run, most = 100_000) {
   return outcomes
 }
 
-const runOf = (name, params, step) => new Run(estimate[name].from({ version: 1, lab: nameOf(name), params, step }), 20, new Pace(ticking()))
-const nameOf = (name) => ({ ObservabilityProbe: 'observability-probe', ObserverBench: 'observer-bench', OdometryHook: 'odometry-hook', Picture: 'picture' })[name]
+const runOf = (name, params, step) =>
+  new Run(estimate[name].from({ version: 1, lab: nameOf(name), params, step }), 20, new Pace(ticking()))
+const nameOf = (name) =>
+  ({
+    ObservabilityProbe: 'observability-probe',
+    ObserverBench: 'observer-bench',
+    OdometryHook: 'odometry-hook',
+    Picture: 'picture',
+  })[name]
 
 for (const [what, cost] of [
   ['each step costs the same', () => 0.5],
@@ -54,7 +69,8 @@ for (const [what, cost] of [
       taken += pace.run(lab, 20_000 - taken, 24)
       const longest = 2 * CALL_MS + cost(taken) * FIRST_CALL
       // A lab whose cost jumps is measured once before calls become shorter.
-      if (what !== 'a step is dear from one on') assert.ok(time.now - before <= 24 + longest, `${time.now - before} ms in one turn`)
+      if (what !== 'a step is dear from one on')
+        assert.ok(time.now - before <= 24 + longest, `${time.now - before} ms in one turn`)
     }
     assert.equal(taken, 20_000)
     assert.ok(time.calls.length > 20, `${time.calls.length} calls`)
@@ -72,7 +88,9 @@ test('where the clock is too coarse to see a call, calls at most double', () => 
 })
 
 for (const [name, params, step] of [
-  ['ObservabilityProbe', MAP, 1500], ['ObservabilityProbe', { count: 2 }, 9000], ['OdometryHook', { fixes: true }, 20_000],
+  ['ObservabilityProbe', MAP, 1500],
+  ['ObservabilityProbe', { count: 2 }, 9000],
+  ['OdometryHook', { fixes: true }, 20_000],
   ['ObserverBench', { gain: 0.7 }, 20_000],
 ]) {
   test(`a replay of the ${name} to step ${step} in slices has the bits of one call`, () => {
@@ -87,7 +105,7 @@ for (const [name, params, step] of [
   })
 }
 
-test('the old picture stays until the replay is over, and the reader\'s parameters are known at once', () => {
+test("the old picture stays until the replay is over, and the reader's parameters are known at once", () => {
   const run = runOf('ObserverBench', { gain: 1 }, 20_000)
   const { frame } = run
   run.change({ gain: 0.5 })
@@ -209,7 +227,12 @@ test('a lab that refuses a step of a replay leaves the run as it was', () => {
   const { frame } = run
   run.change({ gain: 0.5 })
   run.turn(0, 16, false)
-  run.replay.lab = { run: () => { throw new Error('stuck') }, free: () => {} }
+  run.replay.lab = {
+    run: () => {
+      throw new Error('stuck')
+    },
+    free: () => {},
+  }
   assert.equal(run.turn(16, 16, false).refused, 'stuck')
   assert.ok(!run.busy && run.frame === frame && run.state().params.gain === 1)
 })
@@ -220,7 +243,10 @@ test('where motion is not wanted a run is not shown between two lumps', () => {
   const outcomes = []
   while (run.busy) outcomes.push(run.turn(0, 16, true))
   assert.ok(outcomes.length > 1)
-  assert.deepEqual(outcomes.map(({ moved }) => moved).filter((moved) => moved !== 'nothing'), ['steps'])
+  assert.deepEqual(
+    outcomes.map(({ moved }) => moved).filter((moved) => moved !== 'nothing'),
+    ['steps'],
+  )
   assert.equal(run.frame.step, 600)
 })
 
@@ -247,5 +273,5 @@ test('play stops where the run ends, and begins it anew from there', () => {
   assert.equal(run.step, 240)
   run.change({ step: 400 })
   finish(run)
-  assert.equal(run.step, 400, 'a reader\'s link or slider goes where it says')
+  assert.equal(run.step, 400, "a reader's link or slider goes where it says")
 })

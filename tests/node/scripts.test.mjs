@@ -14,19 +14,28 @@ const home = mkdtempSync(path.join(tmpdir(), 'scripts-'))
 after(() => rmSync(home, { recursive: true }))
 
 /** Runs lines of bash after scripts/common.sh. */
-const bash = (lines, env = {}) => spawn('bash', ['-c', `. scripts/common.sh; ${lines}`], { cwd: root, env: { ...process.env, ...env } })
+const bash = (lines, env = {}) =>
+  spawn('bash', ['-c', `. scripts/common.sh; ${lines}`], { cwd: root, env: { ...process.env, ...env } })
 const ended = async (program) => {
   let said = ''
-  program.stderr.on('data', (part) => { said += part })
+  program.stderr.on('data', (part) => {
+    said += part
+  })
   const [status] = await once(program, 'close')
   return { status, said }
 }
 
 test('of two scripts under one lock the second waits, and says so', async () => {
   const [lock, log] = [path.join(home, 'lock'), path.join(home, 'log')]
-  const run = (name) => bash(`work() { echo '${name} in' >>'${log}'; sleep 0.5; echo '${name} out' >>'${log}'; }; alone '${lock}' 'the other' work`)
+  const run = (name) =>
+    bash(
+      `work() { echo '${name} in' >>'${log}'; sleep 0.5; echo '${name} out' >>'${log}'; }; alone '${lock}' 'the other' work`,
+    )
   const both = await Promise.all([ended(run('a')), ended(run('b'))])
-  assert.deepEqual(both.map(({ status }) => status), [0, 0])
+  assert.deepEqual(
+    both.map(({ status }) => status),
+    [0, 0],
+  )
   const [first, second] = readFileSync(log, 'utf8')[0] === 'a' ? ['a', 'b'] : ['b', 'a']
   assert.equal(readFileSync(log, 'utf8'), `${first} in\n${first} out\n${second} in\n${second} out\n`)
   assert.match(both.map(({ said }) => said).join(''), /Waiting for the other to end/)
@@ -37,7 +46,11 @@ test('a lock ends with the script that held it, however it ends', async () => {
   const holder = bash(`alone '${lock}' 'the other' exec sleep 60`)
   while (!readdirSync(home).includes('lock-killed')) await new Promise((resolve) => setTimeout(resolve, 50))
   await new Promise((resolve) => setTimeout(resolve, 300))
-  const children = spawnSync('ps', ['-o', 'pid=', '--ppid', String(holder.pid)], { encoding: 'utf8' }).stdout.trim().split(/\s+/).filter(Boolean).map(Number)
+  const children = spawnSync('ps', ['-o', 'pid=', '--ppid', String(holder.pid)], { encoding: 'utf8' })
+    .stdout.trim()
+    .split(/\s+/)
+    .filter(Boolean)
+    .map(Number)
   for (const pid of [...children, holder.pid]) process.kill(pid, 'SIGKILL')
   const { status } = await ended(bash(`alone '${lock}' 'the other' true`))
   assert.equal(status, 0)
@@ -58,17 +71,31 @@ test('a set-up that fails or was interrupted leaves nothing behind, and the next
   const failed = await ended(bash('need_tool a-tool a-tool 1.2.3', failing))
   assert.equal(failed.status, 1)
   assert.match(failed.said, /a-tool 1\.2\.3 could not be built/)
-  assert.deepEqual(readdirSync(tools).filter((name) => name.startsWith('a-tool')), [])
+  assert.deepEqual(
+    readdirSync(tools).filter((name) => name.startsWith('a-tool')),
+    [],
+  )
 
-  const working = stub('working', 'while [ "$1" != --root ]; do shift; done; mkdir -p "$2/bin"; printf "#!/bin/sh\\necho a-tool 1.2.3\\n" >"$2/bin/a-tool"; chmod +x "$2/bin/a-tool"')
+  const working = stub(
+    'working',
+    'while [ "$1" != --root ]; do shift; done; mkdir -p "$2/bin"; printf "#!/bin/sh\\necho a-tool 1.2.3\\n" >"$2/bin/a-tool"; chmod +x "$2/bin/a-tool"',
+  )
   const done = await ended(bash('need_tool a-tool a-tool 1.2.3; [ "$(a-tool --version)" = "a-tool 1.2.3" ]', working))
   assert.equal(done.status, 0, done.said)
-  assert.deepEqual(readdirSync(path.join(working.XDG_CACHE_HOME, 'robot-motion/tools')).filter((name) => name.startsWith('a-tool')), ['a-tool-1.2.3'])
+  assert.deepEqual(
+    readdirSync(path.join(working.XDG_CACHE_HOME, 'robot-motion/tools')).filter((name) => name.startsWith('a-tool')),
+    ['a-tool-1.2.3'],
+  )
 })
 
 test('the module is compiled without the RUSTFLAGS of the user, who is told', async () => {
   const quiet = stub('quiet', 'exit 0')
-  const { status, said } = await ended(bash('same_module_everywhere; [ -z "$(without_rustflags printenv RUSTFLAGS)" ]', { ...quiet, RUSTFLAGS: '-Ctarget-cpu=native' }))
+  const { status, said } = await ended(
+    bash('same_module_everywhere; [ -z "$(without_rustflags printenv RUSTFLAGS)" ]', {
+      ...quiet,
+      RUSTFLAGS: '-Ctarget-cpu=native',
+    }),
+  )
   assert.equal(status, 0, said)
   assert.match(said, /RUSTFLAGS is set/)
 })
@@ -76,30 +103,69 @@ test('the module is compiled without the RUSTFLAGS of the user, who is told', as
 /** The scripts and the crates in a folder of their own, where a build harms nothing. */
 function copy(name) {
   const folder = path.join(home, name)
-  for (const one of ['scripts', 'crates', 'tests/Cargo.toml', 'tests/src', 'Cargo.toml', 'Cargo.lock', '.cargo', 'rustfmt.toml', 'web/package.json', 'web/package-lock.json']) {
-    if (existsSync(path.join(root, one))) cpSync(path.join(root, one), path.join(folder, one), { recursive: true, filter: (from) => !/\/(target|node_modules)$/.test(from) })
+  for (const one of [
+    'scripts',
+    'crates',
+    'tests/Cargo.toml',
+    'tests/src',
+    'Cargo.toml',
+    'Cargo.lock',
+    '.cargo',
+    'rustfmt.toml',
+    'web/package.json',
+    'web/package-lock.json',
+  ]) {
+    if (existsSync(path.join(root, one)))
+      cpSync(path.join(root, one), path.join(folder, one), {
+        recursive: true,
+        filter: (from) => !/\/(target|node_modules)$/.test(from),
+      })
   }
   return folder
 }
 /** Builds the module in such a copy. */
-const buildIn = (folder, env) => spawnSync('bash', ['scripts/build', '--module'], { cwd: folder, encoding: 'utf8', timeout: 60_000, env: { ...process.env, ...env } })
+const buildIn = (folder, env) =>
+  spawnSync('bash', ['scripts/build', '--module'], {
+    cwd: folder,
+    encoding: 'utf8',
+    timeout: 60_000,
+    env: { ...process.env, ...env },
+  })
 
 test('the build takes the module from the folder that CARGO_BUILD_TARGET_DIR names, and cargo is always told --locked', () => {
   const folder = copy('elsewhere')
   const [elsewhere, log] = [path.join(home, 'cargo target'), path.join(home, 'cargo-log')]
   const real = spawnSync('bash', ['-c', 'command -v cargo'], { encoding: 'utf8' }).stdout.trim()
   // It compiles nothing: a build leaves a file where cargo would, tools cannot be had, and all else is the real cargo's.
-  const env = stub('compiling', `printf '%s\\n' "$*" >>'${log}'
+  const env = stub(
+    'compiling',
+    `printf '%s\\n' "$*" >>'${log}'
 case $1 in install) exit 1 ;; build) ;; *) exec '${real}' "$@" ;; esac
 built="$CARGO_BUILD_TARGET_DIR/wasm32-unknown-unknown/release"
-mkdir -p "$built"; echo compiled >"$built/estimate_wasm.wasm"; echo 'x: Cargo.toml' >"$built/estimate_wasm.d"`)
-  for (const tool of ['npm', 'wasm-bindgen']) writeFileSync(path.join(home, 'compiling', tool), '#!/bin/sh\nexit 1\n', { mode: 0o755 })
+mkdir -p "$built"; echo compiled >"$built/estimate_wasm.wasm"; echo 'x: Cargo.toml' >"$built/estimate_wasm.d"`,
+  )
+  for (const tool of ['npm', 'wasm-bindgen'])
+    writeFileSync(path.join(home, 'compiling', tool), '#!/bin/sh\nexit 1\n', { mode: 0o755 })
   const { stderr } = buildIn(folder, { ...env, CARGO_BUILD_TARGET_DIR: elsewhere, CARGO_TARGET_DIR: undefined })
   // Without tools it ends there; the module is taken by then.
-  assert.equal(existsSync(path.join(folder, 'target/pkg/whole.wasm')) && readFileSync(path.join(folder, 'target/pkg/whole.wasm'), 'utf8'), 'compiled\n', stderr)
-  const calls = readFileSync(log, 'utf8').trim().split('\n').filter((call) => !/^install|--version/.test(call))
-  assert.ok(calls.some((call) => call.startsWith('build')) && calls.some((call) => call.startsWith('metadata')), `${calls}`)
-  assert.deepEqual(calls.filter((call) => !call.split(' ').includes('--locked')), [])
+  assert.equal(
+    existsSync(path.join(folder, 'target/pkg/whole.wasm')) &&
+      readFileSync(path.join(folder, 'target/pkg/whole.wasm'), 'utf8'),
+    'compiled\n',
+    stderr,
+  )
+  const calls = readFileSync(log, 'utf8')
+    .trim()
+    .split('\n')
+    .filter((call) => !/^install|--version/.test(call))
+  assert.ok(
+    calls.some((call) => call.startsWith('build')) && calls.some((call) => call.startsWith('metadata')),
+    `${calls}`,
+  )
+  assert.deepEqual(
+    calls.filter((call) => !call.split(' ').includes('--locked')),
+    [],
+  )
 })
 
 test('a Cargo.lock that lags behind the manifests stops the build, and is left as it was', () => {
@@ -114,8 +180,18 @@ test('a Cargo.lock that lags behind the manifests stops the build, and is left a
 })
 
 test('an argument that a script does not know stops it at once', () => {
-  for (const [script, argument] of [['serve', '--prot=80'], ['build', '--modul'], ['release', '--quick'], ['test', 'browsers'], ['bench', 'everything']]) {
-    const { status, stderr } = spawnSync('bash', [`scripts/${script}`, argument], { cwd: root, encoding: 'utf8', timeout: 60_000 })
+  for (const [script, argument] of [
+    ['serve', '--prot=80'],
+    ['build', '--modul'],
+    ['release', '--quick'],
+    ['test', 'browsers'],
+    ['bench', 'everything'],
+  ]) {
+    const { status, stderr } = spawnSync('bash', [`scripts/${script}`, argument], {
+      cwd: root,
+      encoding: 'utf8',
+      timeout: 60_000,
+    })
     assert.equal(status, 1, script)
     assert.match(stderr, /knows|know /, script)
   }

@@ -21,7 +21,8 @@ before(async () => {
   writeFileSync(path.join(home, 'site/index.html'), '<p>cover'.repeat(100))
   writeFileSync(path.join(home, 'site/kalman/index.html'), '<p>chapter')
   writeFileSync(path.join(home, 'site/module.wasm'), Buffer.from([0, 97, 115, 109]))
-  for (const name of ['page-A1B2C3D4.js', 'robot-log-worker-A1B2C3D4.js', 'sw.js']) writeFileSync(path.join(home, 'site', name), 'export {}')
+  for (const name of ['page-A1B2C3D4.js', 'robot-log-worker-A1B2C3D4.js', 'sw.js'])
+    writeFileSync(path.join(home, 'site', name), 'export {}')
   symlinkSync(path.join(home, 'secret.txt'), path.join(home, 'site/link.txt'))
   site = await serve({ folder: path.join(home, 'site'), base: '/sub/path/' })
 })
@@ -37,8 +38,12 @@ function get(at, headers = {}, method = 'GET') {
     request({ hostname, port, path: at, headers, method }, (response) => {
       const parts = []
       response.on('data', (part) => parts.push(part))
-      response.on('end', () => resolve({ status: response.statusCode, headers: response.headers, body: Buffer.concat(parts) }))
-    }).on('error', reject).end()
+      response.on('end', () =>
+        resolve({ status: response.statusCode, headers: response.headers, body: Buffer.concat(parts) }),
+      )
+    })
+      .on('error', reject)
+      .end()
   })
 }
 
@@ -53,12 +58,29 @@ test('pages, folders and types', async () => {
 
 test('workers come with the policy of workers, and scripts of a page without', async () => {
   const policy = async (name) => (await get(`/sub/path/${name}`)).headers['content-security-policy']
-  assert.deepEqual(await Promise.all(['sw.js', 'robot-log-worker-A1B2C3D4.js', 'page-A1B2C3D4.js'].map(policy)), [WORKER_POLICY, WORKER_POLICY, undefined])
+  assert.deepEqual(await Promise.all(['sw.js', 'robot-log-worker-A1B2C3D4.js', 'page-A1B2C3D4.js'].map(policy)), [
+    WORKER_POLICY,
+    WORKER_POLICY,
+    undefined,
+  ])
 })
 
 test('nothing outside the folder', async () => {
-  for (const at of ['/sub/path/../secret.txt', '/sub/path/../../secret.txt', '/sub/path/%2e%2e/secret.txt', '/sub/path/..%2fsecret.txt', '/sub/path/kalman/..%2f..%2f..%2fsecret.txt',
-    '/sub/path/link.txt', '/secret.txt', '/', '/sub/', '/sub/path/none', '/sub/path/%00', '/sub/path/%zz', '/sub/path/module.wasm/x']) {
+  for (const at of [
+    '/sub/path/../secret.txt',
+    '/sub/path/../../secret.txt',
+    '/sub/path/%2e%2e/secret.txt',
+    '/sub/path/..%2fsecret.txt',
+    '/sub/path/kalman/..%2f..%2f..%2fsecret.txt',
+    '/sub/path/link.txt',
+    '/secret.txt',
+    '/',
+    '/sub/',
+    '/sub/path/none',
+    '/sub/path/%00',
+    '/sub/path/%zz',
+    '/sub/path/module.wasm/x',
+  ]) {
     const { status, body } = await get(at)
     assert.equal(status, 404, at)
     assert.ok(!body.toString().includes('secret'), at)
@@ -82,7 +104,9 @@ async function raw(line) {
   const socket = connect(Number(port), hostname)
   socket.write(`${line}\r\nHost: ${hostname}\r\nConnection: close\r\n\r\n`)
   let text = ''
-  socket.on('data', (part) => { text += part })
+  socket.on('data', (part) => {
+    text += part
+  })
   await once(socket, 'close')
   return text.split('\r\n')[0]
 }
@@ -99,10 +123,15 @@ test('a redirect never leads to another host', async () => {
   const { hostname, port } = new URL(other.url)
   try {
     for (const at of ['/.//kalman', '//kalman', '/..//kalman', '/x/..//kalman']) {
-      const response = await new Promise((resolve, reject) => request({ hostname, port, path: at }, resolve).on('error', reject).end())
+      const response = await new Promise((resolve, reject) =>
+        request({ hostname, port, path: at }, resolve).on('error', reject).end(),
+      )
       response.resume()
       const { location } = response.headers
-      assert.ok(location === undefined || new URL(location, other.url).host === `${hostname}:${port}`, `${at} leads to ${location}`)
+      assert.ok(
+        location === undefined || new URL(location, other.url).host === `${hostname}:${port}`,
+        `${at} leads to ${location}`,
+      )
     }
   } finally {
     await other.close()
@@ -110,7 +139,8 @@ test('a redirect never leads to another host', async () => {
 })
 
 test('gzip is sent to whom it was not refused', async () => {
-  const coding = async (accepted) => (await get('/sub/path/', { 'accept-encoding': accepted })).headers['content-encoding']
+  const coding = async (accepted) =>
+    (await get('/sub/path/', { 'accept-encoding': accepted })).headers['content-encoding']
   assert.equal(await coding('gzip;q=0'), undefined)
   assert.equal(await coding('br, gzip; q=0.0'), undefined)
   assert.equal(await coding('x-gzip-like'), undefined)
@@ -127,7 +157,11 @@ test('any page may fetch what a figure on it needs', async () => {
 
 test('a port that is none is refused before anything is built', () => {
   for (const port of ['abc', '-1', '65536', '80.5', '', '1e3']) {
-    const { status, stderr } = spawnSync('bash', ['scripts/serve', `--port=${port}`], { cwd: root, encoding: 'utf8', timeout: 20_000 })
+    const { status, stderr } = spawnSync('bash', ['scripts/serve', `--port=${port}`], {
+      cwd: root,
+      encoding: 'utf8',
+      timeout: 20_000,
+    })
     assert.equal(status, 1, port)
     assert.match(stderr, /whole number from 0 to 65535/, port)
     assert.doesNotMatch(stderr, /1\/4|The module/, port)

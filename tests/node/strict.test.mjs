@@ -8,13 +8,45 @@ import { fileURLToPath } from 'node:url'
 const file = fileURLToPath(new URL('../../target/pkg/node/estimate_wasm.js', import.meta.url))
 const core = createRequire(import.meta.url)(file)
 
-const rail = { F: [[1, 0.5], [0, 1]], G: [[0], [0.5]], H: [[1, 0]], V: [[0.2, 0.05], [0.05, 0.1]], W: [[0.5]] }
-const belief = { x: [2, 4], P: [[1, 0], [0, 2]] }
+const rail = {
+  F: [
+    [1, 0.5],
+    [0, 1],
+  ],
+  G: [[0], [0.5]],
+  H: [[1, 0]],
+  V: [
+    [0.2, 0.05],
+    [0.05, 0.1],
+  ],
+  W: [[0.5]],
+}
+const belief = {
+  x: [2, 4],
+  P: [
+    [1, 0],
+    [0, 2],
+  ],
+}
 const refused = (call, code, argument, message = /./) =>
-  assert.throws(call, (error) => error.name === 'EstimateError' && error.code === code && error.argument === argument && message.test(error.message))
+  assert.throws(
+    call,
+    (error) =>
+      error.name === 'EstimateError' &&
+      error.code === code &&
+      error.argument === argument &&
+      message.test(error.message),
+  )
 
 test('an array is as long as a whole number says', () => {
-  const long = (length) => new Proxy([[1, 0], [0, 1]], { get: (rows, key) => (key === 'length' ? length : rows[key]) })
+  const long = (length) =>
+    new Proxy(
+      [
+        [1, 0],
+        [0, 1],
+      ],
+      { get: (rows, key) => (key === 'length' ? length : rows[key]) },
+    )
   for (const length of [2.5, -1, Infinity, NaN, '2', undefined]) {
     refused(() => core.covarianceEllipse(long(length)), 'type', 'P', /no whole number/)
   }
@@ -31,7 +63,9 @@ test('a typed array is what its class says, and as long', () => {
   }
   assert.deepEqual(replay(new Boastful([2.7])), replay(Float64Array.of(2.7)))
   const view = Object.setPrototypeOf(new DataView(new ArrayBuffer(8)), Float64Array.prototype)
-  view[Symbol.iterator] = function* () { yield '2.7' }
+  view[Symbol.iterator] = function* () {
+    yield '2.7'
+  }
   const bytes = Object.setPrototypeOf(new Uint8Array(1), Float64Array.prototype)
   for (const other of [view, bytes, new Float32Array(1), new Proxy(one, {}), [2.7], null, undefined, '2.7']) {
     refused(() => replay(other), 'type', 'readings', /Float64Array/)
@@ -39,19 +73,65 @@ test('a typed array is what its class says, and as long', () => {
 })
 
 test('a getter may call the module, or throw', () => {
-  const P = { get x() { return core.kalmanStep(rail, belief, [0], [2.7]).x }, P: [[1, 0], [0, 2]] }
+  const P = {
+    get x() {
+      return core.kalmanStep(rail, belief, [0], [2.7]).x
+    },
+    P: [
+      [1, 0],
+      [0, 2],
+    ],
+  }
   assert.deepEqual(core.kalmanStep(rail, P, [0], [2.7]), core.kalmanStep(rail, { ...P }, [0], [2.7]))
-  refused(() => core.kalmanStep(rail, { get x() { throw new Error('no') }, P: [[1]] }, [0], [2.7]), 'type', 'belief.x', /threw/)
+  refused(
+    () =>
+      core.kalmanStep(
+        rail,
+        {
+          get x() {
+            throw new Error('no')
+          },
+          P: [[1]],
+        },
+        [0],
+        [2.7],
+      ),
+    'type',
+    'belief.x',
+    /threw/,
+  )
 })
 
 test('a field is read once, whatever it answers', () => {
   for (const answer of [null, undefined, 3]) {
     const reads = []
     const noting = new Proxy({ gate: answer, W: rail.W }, { get: (of, key) => (reads.push(key), of[key]) })
-    try { new core.EkfLocalizer({ x: [0, 0, 0], P: [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }, [], noting) } catch {}
-    assert.deepEqual(reads.filter((key) => key === 'gate'), ['gate'], `a gate of ${answer}`)
+    try {
+      new core.EkfLocalizer(
+        {
+          x: [0, 0, 0],
+          P: [
+            [1, 0, 0],
+            [0, 1, 0],
+            [0, 0, 1],
+          ],
+        },
+        [],
+        noting,
+      )
+    } catch {}
+    assert.deepEqual(
+      reads.filter((key) => key === 'gate'),
+      ['gate'],
+      `a gate of ${answer}`,
+    )
     let asked = 0
-    const lab = new core.ObservabilityProbe({ get stop() { asked++; return answer } })
+    const lab = new core.ObservabilityProbe({
+      get stop() {
+        asked++
+        return answer
+      },
+    })
     assert.equal(asked, 1, `a getter that answers ${answer}`)
     assert.equal(lab.state().params.stop, answer ?? null)
     lab.free()
@@ -63,19 +143,49 @@ test('a field is read once, whatever it answers', () => {
 })
 
 test('a getter within an array may make the memory of the module grow', () => {
-  const still = { x: [0, 0, 0], P: [[1, 0, 0], [0, 1, 0], [0, 0, 1]] }
+  const still = {
+    x: [0, 0, 0],
+    P: [
+      [1, 0, 0],
+      [0, 1, 0],
+      [0, 0, 1],
+    ],
+  }
   const ekf = new core.EkfLocalizer(still, [{ id: 0, x: 1, y: 0 }], { W: [[1]], sensor: 'range' })
   // 32 MB are copied in before they are found not to fit.
   const grow = () => refused(() => ekf.replay(new Float64Array(4_000_000), new Uint32Array(1), still.P), 'shape', 'log')
   const row = Object.defineProperty([0, 1], 0, { get: () => (grow(), 0) })
-  assert.deepEqual(core.covarianceEllipse([[4, 0], row]), core.covarianceEllipse([[4, 0], [0, 1]]))
+  assert.deepEqual(
+    core.covarianceEllipse([[4, 0], row]),
+    core.covarianceEllipse([
+      [4, 0],
+      [0, 1],
+    ]),
+  )
 })
 
 test('of a matrix, every entry is a number of its own: nothing is coerced and nothing is skipped', () => {
   const hole = [0, 1]
   delete hole[0]
-  for (const [entry, code] of [['0', 'type'], [null, 'type'], [undefined, 'type'], [[0], 'type'], [{ valueOf: () => 0 }, 'type'], [0n, 'type'], [NaN, 'not-finite'], [Infinity, 'not-finite']]) {
-    refused(() => core.covarianceEllipse([[4, 0], [entry, 1]]), code, code === 'type' ? 'P[1][0]' : 'P')
+  for (const [entry, code] of [
+    ['0', 'type'],
+    [null, 'type'],
+    [undefined, 'type'],
+    [[0], 'type'],
+    [{ valueOf: () => 0 }, 'type'],
+    [0n, 'type'],
+    [NaN, 'not-finite'],
+    [Infinity, 'not-finite'],
+  ]) {
+    refused(
+      () =>
+        core.covarianceEllipse([
+          [4, 0],
+          [entry, 1],
+        ]),
+      code,
+      code === 'type' ? 'P[1][0]' : 'P',
+    )
   }
   refused(() => core.covarianceEllipse([[4, 0], hole]), 'type', 'P[1][0]')
   refused(() => core.covarianceEllipse([4, 0]), 'type', 'P[0]', /an array/)
@@ -92,7 +202,11 @@ test('a first call that ends without stack leaves a module that works', () => {
     try { down() } catch {}
     process.stdout.write(String(call().semiMajor))`
   for (let size = 300; size < 320; size += 2) {
-    assert.equal(execFileSync(process.execPath, [`--stack-size=${size}`, '-e', program, file], { encoding: 'utf8' }), '2', `${size} kB`)
+    assert.equal(
+      execFileSync(process.execPath, [`--stack-size=${size}`, '-e', program, file], { encoding: 'utf8' }),
+      '2',
+      `${size} kB`,
+    )
   }
 })
 
@@ -121,7 +235,9 @@ test('an object in the middle of whose call the stack ended may be lost; its sta
       twin.free()
     }
     process.stdout.write(JSON.stringify(lost))`
-  const answers = [300, 984].flatMap((size) => JSON.parse(execFileSync(process.execPath, [`--stack-size=${size}`, '-e', program, file], { encoding: 'utf8' })))
+  const answers = [300, 984].flatMap((size) =>
+    JSON.parse(execFileSync(process.execPath, [`--stack-size=${size}`, '-e', program, file], { encoding: 'utf8' })),
+  )
   const stuck = answers.filter((answer) => answer !== 'works')
   for (const answer of stuck) assert.match(answer, /^type this .*in the middle of a call/)
   assert.ok(stuck.length > 0, 'it is not lost any more: the note on RangeError in the types can go')

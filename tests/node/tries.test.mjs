@@ -8,7 +8,11 @@ import { estimate } from './claims.mjs'
 /** Phrases that build on the state by their own words: what is counted or fitted is what the reader has before them. */
 const RELATIVE = { 'bug-museum': ['seeds'], 'tune-me': ['fit', 'next'] }
 /** What a phrase may leave as it was: marks that are shown beside what it sets, and what its run does not read. */
-const BESIDE = { 'tune-me': ['fit', 'committed', 'seed'], 'own-system': ['poles'], 'observability-probe': ['landmarks', 'ghostAround', 'ghostShift', 'ghostTurn'] }
+const BESIDE = {
+  'tune-me': ['fit', 'committed', 'seed'],
+  'own-system': ['poles'],
+  'observability-probe': ['landmarks', 'ghostAround', 'ghostShift', 'ghostTurn'],
+}
 
 for (const tag of ['odometry-hook', 'close-loop', 'tune-me', 'bug-museum', 'own-system', 'observability-probe']) {
   test(`each phrase of the ${tag} gives the same after every other`, async () => {
@@ -22,7 +26,10 @@ for (const tag of ['odometry-hook', 'close-loop', 'tune-me', 'bug-museum', 'own-
       lab.free()
       return { params: { ...params, ...changed }, step: to }
     }
-    const seen = ({ params, step }) => ({ step, params: Object.fromEntries(Object.entries(params).filter(([name]) => !BESIDE[tag]?.includes(name))) })
+    const seen = ({ params, step }) => ({
+      step,
+      params: Object.fromEntries(Object.entries(params).filter(([name]) => !BESIDE[tag]?.includes(name))),
+    })
     const said = ({ params, step }) => {
       const lab = estimate[spec.lab].from({ version: 1, lab: spec.name, step, params })
       const words = spec.verdict(lab.frame())
@@ -43,9 +50,15 @@ for (const tag of ['odometry-hook', 'close-loop', 'tune-me', 'bug-museum', 'own-
 
 test('the figure that learns the wheel opens in a state that every phrase changes', async () => {
   const spec = await WIDGETS['odometry-hook']()
-  const lab = estimate.OdometryHook.from({ version: 1, lab: spec.name, step: spec.start.step, params: { fixes: true, learn: true } })
+  const lab = estimate.OdometryHook.from({
+    version: 1,
+    lab: spec.name,
+    step: spec.start.step,
+    params: { fixes: true, learn: true },
+  })
   // What the phrases call usual is what the lab has at first.
-  for (const { name, default: value } of estimate.OdometryHook.parameters()) assert.ok([undefined, value].includes(spec.tries[0].change(lab.frame(), lab)[name]), name)
+  for (const { name, default: value } of estimate.OdometryHook.parameters())
+    assert.ok([undefined, value].includes(spec.tries[0].change(lab.frame(), lab)[name]), name)
   for (const { label, change } of spec.tries) {
     const { step, ...changed } = change(lab.frame(), lab)
     const { params, step: now } = lab.frame()
@@ -56,18 +69,36 @@ test('the figure that learns the wheel opens in a state that every phrase change
 
 /** What each phrase speaks of, of the frame that it leads to. */
 const SPEAKS_OF = {
-  guess: ({ params: { sealed, guess, radius, semiMajor, semiMinor } }) => ({ sealed, guess, radius, round: Math.abs(semiMajor - semiMinor) < 1e-9 }),
+  guess: ({ params: { sealed, guess, radius, semiMajor, semiMinor } }) => ({
+    sealed,
+    guess,
+    radius,
+    round: Math.abs(semiMajor - semiMinor) < 1e-9,
+  }),
   show: ({ params: { sealed } }) => ({ sealed }),
   perfect: ({ params: { sealed, guess, radius, noise } }) => ({ sealed, guess, radius, noise }),
-  equal: ({ params: { sealed, guess, radius }, mostLikelyVariance, expectedVariance }) => ({ sealed, guess, radius, half: (mostLikelyVariance / expectedVariance).toFixed(9) }),
-  round: ({ params: { sealed, guess, radius }, euclideanFoot, mahalanobisFoot }) => ({ sealed, guess, radius, apart: Math.hypot(...euclideanFoot.at.map((value, i) => value - mahalanobisFoot.at[i])) < 1e-9 }),
+  equal: ({ params: { sealed, guess, radius }, mostLikelyVariance, expectedVariance }) => ({
+    sealed,
+    guess,
+    radius,
+    half: (mostLikelyVariance / expectedVariance).toFixed(9),
+  }),
+  round: ({ params: { sealed, guess, radius }, euclideanFoot, mahalanobisFoot }) => ({
+    sealed,
+    guess,
+    radius,
+    apart: Math.hypot(...euclideanFoot.at.map((value, i) => value - mahalanobisFoot.at[i])) < 1e-9,
+  }),
   position: ({ params: { sealed, guess, radius }, H }) => ({ sealed, guess, radius, H }),
   again: (frame) => frame,
 }
 
 test('a phrase of the Picture shows the same after any other', async () => {
   const spec = await WIDGETS['kalman-picture']()
-  assert.deepEqual(spec.tries.map(({ name }) => name), Object.keys(SPEAKS_OF))
+  assert.deepEqual(
+    spec.tries.map(({ name }) => name),
+    Object.keys(SPEAKS_OF),
+  )
   const open = (params) => estimate.Picture.from({ version: 1, lab: spec.name, step: 0, params })
   const after = (params, phrase) => {
     const lab = open(params)
@@ -78,11 +109,18 @@ test('a phrase of the Picture shows the same after any other', async () => {
   const frameAt = (params) => open(params).frame()
   for (const phrase of spec.tries) {
     const fresh = SPEAKS_OF[phrase.name](frameAt(after({}, phrase)))
-    const before = [...spec.tries.map((other) => [other.name, after({}, other)]), ['a state of a reader', { radius: 2, guess: 0.4, sealed: true, noise: 3, semiMajor: 1, semiMinor: 2 }]]
+    const before = [
+      ...spec.tries.map((other) => [other.name, after({}, other)]),
+      ['a state of a reader', { radius: 2, guess: 0.4, sealed: true, noise: 3, semiMajor: 1, semiMinor: 2 }],
+    ]
     for (const [name, params] of before) {
       const frame = frameAt(after(params, phrase))
       assert.deepEqual(SPEAKS_OF[phrase.name](frame), fresh, `“${phrase.label}” after ${name}`)
-      assert.equal(spec.verdict(frame).startsWith('The answer is hidden'), phrase.name === 'guess', `“${phrase.label}” after ${name}`)
+      assert.equal(
+        spec.verdict(frame).startsWith('The answer is hidden'),
+        phrase.name === 'guess',
+        `“${phrase.label}” after ${name}`,
+      )
     }
   }
 })

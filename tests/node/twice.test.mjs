@@ -18,31 +18,50 @@ after(() => rmSync(other, { recursive: true }))
 /** Every file below a folder, by its path there. */
 function files(folder) {
   const names = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile())
-  return new Map(names.map((entry) => {
-    const file = path.join(entry.parentPath ?? entry.path, entry.name)
-    return [path.relative(folder, file), readFileSync(file)]
-  }))
+  return new Map(
+    names.map((entry) => {
+      const file = path.join(entry.parentPath ?? entry.path, entry.name)
+      return [path.relative(folder, file), readFileSync(file)]
+    }),
+  )
 }
 
 test('a build in another folder writes the same site', { timeout: 300_000 }, () => {
   assert.ok(existsSync(path.join(root, 'dist/index.html')), 'dist/ has no site yet: run ./scripts/build')
   for (const name of SOURCES) {
-    cpSync(path.join(root, name), path.join(other, name), { recursive: true, filter: (from) => !/[/\\](node_modules|target)$/.test(from) })
+    cpSync(path.join(root, name), path.join(other, name), {
+      recursive: true,
+      filter: (from) => !/[/\\](node_modules|target)$/.test(from),
+    })
   }
   // Copied, not linked: the bundler follows links, and a file outside the folder would have another name in its hashes.
   const unused = /[/\\]node_modules[/\\](binaryen|typescript)$/
-  cpSync(path.join(root, 'web/node_modules'), path.join(other, 'web/node_modules'), { recursive: true, filter: (from) => !unused.test(from) })
+  cpSync(path.join(root, 'web/node_modules'), path.join(other, 'web/node_modules'), {
+    recursive: true,
+    filter: (from) => !unused.test(from),
+  })
   mkdirSync(path.join(other, 'target'))
   cpSync(path.join(root, 'target/pkg'), path.join(other, 'target/pkg'), { recursive: true })
-  for (const script of ['web/build.mjs', 'web/stills.mjs']) execFileSync(process.execPath, [path.join(other, script)], { cwd: other, stdio: 'pipe' })
+  for (const script of ['web/build/build.mjs', 'web/build/stills.mjs'])
+    execFileSync(process.execPath, [path.join(other, script)], { cwd: other, stdio: 'pipe' })
 
   // The book prints what examples print, and runs them by cargo: with the programs compiled here, since cargo would compile all
   // crates again in another folder.
   const cargo = path.join(other, 'cargo')
   writeFileSync(cargo, `#!/bin/sh\ncd '${root}' && exec cargo "$@"\n`, { mode: 0o755 })
-  const { target_directory: target } = JSON.parse(execFileSync('cargo', ['metadata', '--no-deps', '--locked', '--format-version', '1'], { cwd: root, encoding: 'utf8', maxBuffer: 2 ** 26 }))
+  const { target_directory: target } = JSON.parse(
+    execFileSync('cargo', ['metadata', '--no-deps', '--locked', '--format-version', '1'], {
+      cwd: root,
+      encoding: 'utf8',
+      maxBuffer: 2 ** 26,
+    }),
+  )
   execFileSync('cargo', ['build', '--quiet', '--locked', '-p', 'book'], { cwd: root, stdio: 'pipe' })
-  execFileSync(path.join(target, 'debug/book'), ['--strict', '--out', 'site'], { cwd: other, stdio: 'pipe', env: { ...process.env, CARGO: cargo } })
+  execFileSync(path.join(target, 'debug/book'), ['--strict', '--out', 'site'], {
+    cwd: other,
+    stdio: 'pipe',
+    env: { ...process.env, CARGO: cargo },
+  })
 
   const [here, there] = [files(path.join(root, 'dist')), files(path.join(other, 'site'))]
   assert.deepEqual([...there.keys()].sort(), [...here.keys()].sort())

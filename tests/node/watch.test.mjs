@@ -11,11 +11,16 @@ let home, site, events
 const stop = new AbortController()
 before(async () => {
   home = mkdtempSync(path.join(tmpdir(), 'watch-'))
-  for (const folder of ['content', 'scripts', 'dist', 'web/node_modules']) mkdirSync(path.join(home, folder), { recursive: true })
+  for (const folder of ['content', 'scripts', 'dist', 'web/node_modules'])
+    mkdirSync(path.join(home, folder), { recursive: true })
   writeFileSync(path.join(home, 'content/a.md'), 'one')
   writeFileSync(path.join(home, 'dist/index.html'), '<!doctype html><head></head><p>page')
   // It fails where the text says so.
-  writeFileSync(path.join(home, 'scripts/build'), '#!/bin/sh\nif grep -q wrong content/a.md; then echo "a.md:1: wrong" >&2; exit 1; fi\n', { mode: 0o755 })
+  writeFileSync(
+    path.join(home, 'scripts/build'),
+    '#!/bin/sh\nif grep -q wrong content/a.md; then echo "a.md:1: wrong" >&2; exit 1; fi\n',
+    { mode: 0o755 },
+  )
   const rebuilder = new Rebuilder(home)
   site = await serve({ folder: path.join(home, 'dist'), live: rebuilder })
   rebuilder.watch(stop.signal)

@@ -15,7 +15,10 @@ const { chromium } = createRequire(new URL('../browser/package.json', import.met
 export const run = promisify(execFile)
 
 const packed = path.join(root, 'target/npm')
-export const tarball = path.join(packed, readdirSync(packed).find((name) => name.endsWith('.tgz')) ?? 'nothing: run ./scripts/package')
+export const tarball = path.join(
+  packed,
+  readdirSync(packed).find((name) => name.endsWith('.tgz')) ?? 'nothing: run ./scripts/package',
+)
 const home = realpathSync(mkdtempSync(path.join(tmpdir(), 'package-')))
 after(() => rmSync(home, { recursive: true, force: true }))
 
@@ -23,7 +26,8 @@ after(() => rmSync(home, { recursive: true, force: true }))
 export async function folder(name, files = {}) {
   const place = path.join(home, name)
   mkdirSync(place)
-  for (const [file, text] of Object.entries({ 'package.json': '{ "private": true }', ...files })) writeFileSync(path.join(place, file), text)
+  for (const [file, text] of Object.entries({ 'package.json': '{ "private": true }', ...files }))
+    writeFileSync(path.join(place, file), text)
   await run('npm', ['install', '--offline', '--no-audit', '--no-fund', '--loglevel=error', tarball], { cwd: place })
   return place
 }
@@ -35,10 +39,16 @@ export const installed = (place) => path.join(place, 'node_modules', NAME)
 export const node = async (place, file) => (await run(process.execPath, [file], { cwd: place })).stdout.trim()
 
 /** The examples of the package's README and of the book's: file name → text. */
-const readmes = ['crates/estimate-wasm/README.md', 'README.md'].map((name) => readFileSync(path.join(root, name), 'utf8')).join('\n')
-export const EXAMPLES = Object.fromEntries([...readmes.matchAll(/^```\w+ file=(\S+)\n([\s\S]*?)^```$/gm)].map(([, file, text]) => [file, text]))
+const readmes = ['crates/estimate-wasm/README.md', 'README.md']
+  .map((name) => readFileSync(path.join(root, name), 'utf8'))
+  .join('\n')
+export const EXAMPLES = Object.fromEntries(
+  [...readmes.matchAll(/^```\w+ file=(\S+)\n([\s\S]*?)^```$/gm)].map(([, file, text]) => [file, text]),
+)
 /** The package's name, from the one place where it stands. */
-export const NAME = /\[package\.metadata\.npm\]\nname = "(.+)"/.exec(readFileSync(path.join(root, 'crates/estimate-wasm/Cargo.toml'), 'utf8'))[1]
+export const NAME = /\[package\.metadata\.npm\]\nname = "(.+)"/.exec(
+  readFileSync(path.join(root, 'crates/estimate-wasm/Cargo.toml'), 'utf8'),
+)[1]
 
 /** Serves a folder, opens a page of it in Chromium, and answers what the page puts into `window.answer`. */
 export async function answerOf(place, page = 'index.html') {
@@ -47,13 +57,23 @@ export async function answerOf(place, page = 'index.html') {
   try {
     const tab = await browser.newPage()
     const faults = []
-    tab.on('console', (message) => { if (['error', 'warning'].includes(message.type())) faults.push(message.text()) })
+    tab.on('console', (message) => {
+      if (['error', 'warning'].includes(message.type())) faults.push(message.text())
+    })
     tab.on('pageerror', (error) => faults.push(String(error)))
-    tab.on('request', (request) => { if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(server.url)) faults.push(request.url()) })
+    tab.on('request', (request) => {
+      if (!/^(data|blob):/.test(request.url()) && !request.url().startsWith(server.url)) faults.push(request.url())
+    })
     await tab.goto(server.url + page)
-    const failed = new Promise((_, reject) => { tab.on('pageerror', (error) => reject(error)) })
-    const answered = tab.waitForFunction(() => window.answer, null, { timeout: 60_000 }).then((handle) => handle.jsonValue())
-    const answer = await Promise.race([answered, failed]).catch((error) => { throw new Error(`${error.message}\n${faults.join('\n')}`) })
+    const failed = new Promise((_, reject) => {
+      tab.on('pageerror', (error) => reject(error))
+    })
+    const answered = tab
+      .waitForFunction(() => window.answer, null, { timeout: 60_000 })
+      .then((handle) => handle.jsonValue())
+    const answer = await Promise.race([answered, failed]).catch((error) => {
+      throw new Error(`${error.message}\n${faults.join('\n')}`)
+    })
     if (faults.length > 0) throw new Error(faults.join('\n'))
     return answer
   } finally {

@@ -26,11 +26,28 @@ const place = await folder('node', { ...EXAMPLES, 'reference.mjs': NODE_REFERENC
 
 test('the package holds what its README and manifest name, and nothing of this machine', () => {
   const files = readdirSync(installed(place)).sort()
-  assert.deepEqual(files, ['LICENSE-APACHE', 'LICENSE-MIT', 'README.md', 'THIRD-PARTY.txt', 'digests.json', 'estimate.wasm', 'index.d.cts', 'index.d.ts', 'index.js',
-    'node.cjs', 'node.js', 'package.json', 'slim.cjs', 'slim.d.cts', 'slim.d.ts', 'slim.js'])
+  assert.deepEqual(files, [
+    'LICENSE-APACHE',
+    'LICENSE-MIT',
+    'README.md',
+    'THIRD-PARTY.txt',
+    'digests.json',
+    'estimate.wasm',
+    'index.d.cts',
+    'index.d.ts',
+    'index.js',
+    'node.cjs',
+    'node.js',
+    'package.json',
+    'slim.cjs',
+    'slim.d.cts',
+    'slim.d.ts',
+    'slim.js',
+  ])
   for (const file of files) {
     const bytes = readFileSync(path.join(installed(place), file), 'latin1')
-    for (const secret of [root, homedir()]) assert.ok(!bytes.includes(secret) || secret.length < 6, `${file} names ${secret}`)
+    for (const secret of [root, homedir()])
+      assert.ok(!bytes.includes(secret) || secret.length < 6, `${file} names ${secret}`)
   }
   const manifest = JSON.parse(readFileSync(path.join(installed(place), 'package.json'), 'utf8'))
   assert.equal(manifest.name, NAME)
@@ -41,38 +58,54 @@ test('the package holds what its README and manifest name, and nothing of this m
 
 test('publint and arethetypeswrong find nothing wrong', async () => {
   await run(bin('tests/package', 'publint'), ['run', tarball, '--strict'])
-  await run(bin('tests/package', 'attw'), [tarball, '--profile', 'node16', '--exclude-entrypoints', 'estimate.wasm', '--format', 'ascii']).catch((error) => { throw new Error(error.stdout) })
+  await run(bin('tests/package', 'attw'), [
+    tarball,
+    '--profile',
+    'node16',
+    '--exclude-entrypoints',
+    'estimate.wasm',
+    '--format',
+    'ascii',
+  ]).catch((error) => {
+    throw new Error(error.stdout)
+  })
 })
 
-test('Node imports it: the README\'s filter runs', async () => {
+test("Node imports it: the README's filter runs", async () => {
   const lines = (await node(place, 'track.mjs')).split('\n')
   assert.match(lines[0], /^\[ 5\.\d+, \d\.\d+ \]$/)
   assert.ok(Number(lines.at(-1)) < 0)
 })
 
-test('the filter of the book\'s README is that of the package\'s', async () => {
+test("the filter of the book's README is that of the package's", async () => {
   const lines = (await node(place, 'track.mjs')).split('\n')
   assert.ok((await node(place, 'rail.mjs')).startsWith(`${lines[0]} `))
 })
 
-test('Node requires it: the README\'s step is its step by hand', async () => {
+test("Node requires it: the README's step is its step by hand", async () => {
   const lines = (await node(place, 'step.cjs')).split('\n')
   assert.equal(lines[0], '[ 1.5 ] [ [ 1 ] ] [ [ 0.5 ] ] [ 3 ]')
 })
 
 test('imported and required it is one module', async () => {
-  writeFileSync(path.join(place, 'both.mjs'), `import { createRequire } from 'node:module'
+  writeFileSync(
+    path.join(place, 'both.mjs'),
+    `import { createRequire } from 'node:module'
 import * as imported from '${NAME}'
 const required = createRequire(import.meta.url)('${NAME}')
-console.log(Object.keys(required).every((name) => required[name] === imported[name]), Object.keys(imported).filter((name) => !required[name] && name !== 'default').length)`)
+console.log(Object.keys(required).every((name) => required[name] === imported[name]), Object.keys(imported).filter((name) => !required[name] && name !== 'default').length)`,
+  )
   assert.equal(await node(place, 'both.mjs'), 'true 0')
 })
 
 test('the slim entry runs on bytes that its caller brings, imported and required', async () => {
   assert.equal(await node(place, 'slim.mjs'), '1')
-  writeFileSync(path.join(place, 'slim.cjs'), `const { initSync, observability } = require('${NAME}/slim')
+  writeFileSync(
+    path.join(place, 'slim.cjs'),
+    `const { initSync, observability } = require('${NAME}/slim')
 initSync({ module: require('node:fs').readFileSync(require.resolve('${NAME}/estimate.wasm')) })
-console.log(observability([[1, 0.5], [0, 1]], [[1, 0]]).rank)`)
+console.log(observability([[1, 0.5], [0, 1]], [[1, 0]]).rank)`,
+  )
   assert.equal(await node(place, 'slim.cjs'), '2')
 })
 
@@ -98,13 +131,16 @@ window.answer = { x: filter.x, P: filter.P, robot, runs: digests.length, others 
 const built = (main) => `<!doctype html><meta charset="utf-8"><link rel="icon" href="data:,">${main}`
 
 async function asInNode(answer) {
-  writeFileSync(path.join(place, 'expected.mjs'), `${EXAMPLES['track.mjs'].replace(/console\.log.*\n/g, '')}
+  writeFileSync(
+    path.join(place, 'expected.mjs'),
+    `${EXAMPLES['track.mjs'].replace(/console\.log.*\n/g, '')}
 import { EkfLocalizer } from '${NAME}'
 const belief = { x: [0, 0, 0], P: [[0.04, 0, 0], [0, 0.04, 0], [0, 0, 0.01]] }
 const robot = new EkfLocalizer(belief, [{ id: 7, x: 2, y: 0 }], { W: [[0.01, 0], [0, 0.01]], gate: 9.21 })
 robot.predict([1, 0], [[0.01, 0, 0], [0, 0.01, 0], [0, 0, 0.01]])
 const { outcome } = robot.update({ range: 0.9, bearing: Math.PI })
-console.log(JSON.stringify({ x: filter.x, P: filter.P, robot: { outcome, pose: robot.belief().x } }))`)
+console.log(JSON.stringify({ x: filter.x, P: filter.P, robot: { outcome, pose: robot.belief().x } }))`,
+  )
   const expected = JSON.parse(await node(place, 'expected.mjs'))
   assert.deepEqual({ x: answer.x, P: answer.P, robot: answer.robot }, expected)
   assert.equal(expected.robot.outcome, 'accepted')
@@ -124,8 +160,16 @@ test('webpack builds it, with a worker, under a strict policy: the same bits in 
   const { default: webpack } = await import('webpack')
   const at = await folder('webpack', { 'main.js': MAIN, 'worker.js': EXAMPLES['worker.js'] })
   const stats = await new Promise((resolve, reject) => {
-    webpack({ mode: 'production', context: at, entry: './main.js', output: { path: path.join(at, 'dist'), publicPath: 'auto' }, performance: false },
-      (error, done) => (error ? reject(error) : resolve(done)))
+    webpack(
+      {
+        mode: 'production',
+        context: at,
+        entry: './main.js',
+        output: { path: path.join(at, 'dist'), publicPath: 'auto' },
+        performance: false,
+      },
+      (error, done) => (error ? reject(error) : resolve(done)),
+    )
   })
   assert.ok(!stats.hasErrors() && !stats.hasWarnings(), stats.toString('errors-warnings'))
   writeFileSync(path.join(at, 'dist/index.html'), built(`${POLICY}<script defer src="./main.js"></script>`))
@@ -164,8 +208,20 @@ test('TypeScript takes its declarations, strictly, by node16 and by bundler', as
     'common.cts': `import { KalmanFilter, kalmanStep, type KalmanStep } from '${NAME}'\nimport slim = require('${NAME}/slim')\nexport const loader = slim.default${TYPED}`,
     'bundled.ts': `import { KalmanFilter, kalmanStep, type KalmanStep } from '${NAME}'\nimport init from '${NAME}/slim'\nexport const load = init${TYPED}`,
   })
-  const strict = ['--strict', '--noEmit', '--noUncheckedIndexedAccess', '--exactOptionalPropertyTypes', '--target', 'es2022', '--lib', 'es2022,dom']
-  const tsc = (...args) => run(bin('web', 'tsc'), [...strict, ...args], { cwd: at }).catch((error) => { throw new Error(error.stdout) })
+  const strict = [
+    '--strict',
+    '--noEmit',
+    '--noUncheckedIndexedAccess',
+    '--exactOptionalPropertyTypes',
+    '--target',
+    'es2022',
+    '--lib',
+    'es2022,dom',
+  ]
+  const tsc = (...args) =>
+    run(bin('web', 'tsc'), [...strict, ...args], { cwd: at }).catch((error) => {
+      throw new Error(error.stdout)
+    })
   await tsc('--module', 'node16', '--moduleResolution', 'node16', 'esm.mts', 'common.cts')
   await tsc('--module', 'esnext', '--moduleResolution', 'bundler', 'bundled.ts')
 })

@@ -3,8 +3,8 @@
  * the second, and the long axis, which is another line. It is the predicted covariance of the Picture's lab as it starts.
  */
 
-import { fixed } from '../core/numbers.js'
-import { axes, ellipseLevel, ellipsePath, evenPlane, halves, meaning, segment } from '../core/plot.js'
+import { fixed } from '../draw/numbers.js'
+import { axes, ellipseLevel, ellipsePath, evenPlane, halves, meaning, segment } from '../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
 
@@ -25,7 +25,7 @@ function describe(frame) {
 }
 
 /**
- * @param {import('../core/pen.js').Pen} pen
+ * @param {import('../draw/pen.js').Pen} pen
  * @param {Frame} frame
  */
 function draw(pen, frame) {
@@ -36,16 +36,30 @@ function draw(pen, frame) {
   pen.draw(() => {
     axes(pen, plane, { x: 'position error (m)', y: 'velocity error (m/s)', ticks: [5, 5], zero: true })
     ellipseLevel(pen, box.left, box.bottom + 32)
-    pen.mark('path', 'ellipse', { ...meaning('outline', 'prediction'), d: ellipsePath(frame.predicted.ellipse, [0, 0], plane) })
+    pen.mark('path', 'ellipse', {
+      ...meaning('outline', 'prediction'),
+      d: ellipsePath(frame.predicted.ellipse, [0, 0], plane),
+    })
     // From the ellipse to the axes: one standard deviation on each.
     segment(pen, 'position', plane, [position, -REACH], [position, frame.P[0][1] / position], meaning('way dashed'))
-    segment(pen, 'velocity', plane, [x.domain[0], velocity], [frame.P[0][1] / velocity, velocity], meaning('way dashed'))
+    segment(
+      pen,
+      'velocity',
+      plane,
+      [x.domain[0], velocity],
+      [frame.P[0][1] / velocity, velocity],
+      meaning('way dashed'),
+    )
     const line = (/** @type {string} */ key, /** @type {number} */ slope, /** @type {string} */ shape) =>
       segment(pen, key, plane, [-slope * LINE, -LINE], [slope * LINE, LINE], meaning(shape))
     line('axis', axis, 'way dashed')
     line('regression', regression, 'line')
-    const name = (/** @type {string} */ key, /** @type {number[]} */ at, /** @type {string} */ words, anchor = 'start') =>
-      pen.text(key, { class: 'mark-name', x: x(at[0]), y: y(at[1]), 'text-anchor': anchor }, words)
+    const name = (
+      /** @type {string} */ key,
+      /** @type {number[]} */ at,
+      /** @type {string} */ words,
+      anchor = 'start',
+    ) => pen.text(key, { class: 'mark-name', x: x(at[0]), y: y(at[1]), 'text-anchor': anchor }, words)
     name('position-name', [position + 0.06, -1.86], `*σ* = ${fixed(position, 2)} m`)
     name('velocity-name', [x.domain[0] + 0.08, velocity + 0.09], `*σ* = ${fixed(velocity, 2)} m/s`)
     name('axis-name', [axis * LINE + 0.08, LINE - 0.14], `long axis: ${fixed(axis, 2)} s`)

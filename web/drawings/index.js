@@ -10,7 +10,7 @@ import { drawing as covariance } from './covariance.js'
  * @property {string} name the lab's name in a state
  * @property {number} width
  * @property {number} height
- * @property {(pen: import('../core/pen.js').Pen, frame: any) => void} draw
+ * @property {(pen: import('../draw/pen.js').Pen, frame: any) => void} draw
  * @property {(frame: any) => string} describe what it shows in words
  */
 

@@ -40,7 +40,15 @@ export function judge({ values = [], tolerance = 0, direction = false, near = []
 function gap(a, b, direction) {
   if (!direction) return Math.max(...a.map((entry, i) => Math.abs(entry - b[i])))
   const [of, to] = [unit(a), unit(b)]
-  return Math.min(...[1, -1].map((sign) => gap(of.map((entry) => sign * entry), to, false)))
+  return Math.min(
+    ...[1, -1].map((sign) =>
+      gap(
+        of.map((entry) => sign * entry),
+        to,
+        false,
+      ),
+    ),
+  )
 }
 
 /** @param {number[]} v */
@@ -54,7 +62,11 @@ function unit(v) {
 /** Numbers between spaces, commas or semicolons; with semicolons or spaces a comma may be a decimal one. @param {string} text */
 function vector(text) {
   if (text.length > 8 * LONGEST) return []
-  const inner = text.trim().replace(/^[[(]|[\])]$/g, '').replace(/\s*\/\s*/g, '/').trim()
+  const inner = text
+    .trim()
+    .replace(/^[[(]|[\])]$/g, '')
+    .replace(/\s*\/\s*/g, '/')
+    .trim()
   const between = inner.includes(';') ? /\s*;\s*/ : /,\s/.test(inner) || !/\s/.test(inner) ? /\s*,\s*/ : /\s+/
   return inner.split(between).map(number)
 }
@@ -65,7 +77,11 @@ function vector(text) {
  */
 export function number(text) {
   if (text.length > LONGEST) return null
-  const parts = text.replace(/\u2212/g, '-').replace(',', '.').split('/').map((word) => word.trim())
+  const parts = text
+    .replace(/\u2212/g, '-')
+    .replace(',', '.')
+    .split('/')
+    .map((word) => word.trim())
   if (parts.length > 2 || parts.some((word) => !/^[-+]?(\d+(\.\d*)?|\.\d+)(e[-+]?\d+)?$/i.test(word))) return null
   const value = parts.length === 2 ? Number(parts[0]) / Number(parts[1]) : Number(parts[0])
   return Number.isFinite(value) ? value : null

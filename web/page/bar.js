@@ -3,7 +3,7 @@
  * It comes when the reader scrolls up, and goes while the reader reads on; it lies over the text and moves nothing.
  */
 
-import { button, part } from '../core/element.js'
+import { button, part } from '../draw/dom.js'
 
 /** Pixels in one direction that tell reading on from going back. */
 const TURN = 12
@@ -27,10 +27,16 @@ export function bar() {
   const notations = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-set-notation]')])
   if (notations.length) {
     const chosen = () => notations.findIndex((it) => it.getAttribute('aria-pressed') === 'true')
-    const letters = button(document, box, '', () => {
-      notations[(chosen() + 1) % notations.length].click()
-      name()
-    }, '')
+    const letters = button(
+      document,
+      box,
+      '',
+      () => {
+        notations[(chosen() + 1) % notations.length].click()
+        name()
+      },
+      '',
+    )
     letters.toggleAttribute('data-letters', true)
     const name = () => {
       const now = notations[chosen()].textContent
@@ -51,23 +57,33 @@ export function bar() {
   // A page that finds its sizes scrolls too, after a jump: only the reader's own scrolling brings the bar.
   let hand = -Infinity
   const scrolls = (/** @type {Event} */ event) => {
-    const upwards = event instanceof KeyboardEvent ? UPWARDS.includes(event.key) : event instanceof WheelEvent ? event.deltaY < 0 : event.type === 'touchmove' || event.target === root
+    const upwards =
+      event instanceof KeyboardEvent
+        ? UPWARDS.includes(event.key)
+        : event instanceof WheelEvent
+          ? event.deltaY < 0
+          : event.type === 'touchmove' || event.target === root
     if (upwards) hand = event.timeStamp
   }
-  for (const kind of ['wheel', 'touchmove', 'keydown', 'pointerdown']) addEventListener(kind, scrolls, { passive: true })
-  addEventListener('scroll', () => {
-    const y = scrollY
-    // A jump, as a link makes one, is neither: the bar would cover what it led to.
-    if (y < header.offsetHeight || Math.abs(y - last) > innerHeight * 0.8) show(false)
-    else if (y - turned > TURN && !box.querySelector(':focus-visible')) show(false)
-    else if (turned - y > TURN && performance.now() - hand < HAND_MS) show(true)
-    // Where the direction last changed.
-    if (Math.sign(y - last) !== way && y !== last) {
-      way = Math.sign(y - last)
-      turned = last
-    }
-    last = y
-  }, { passive: true })
+  for (const kind of ['wheel', 'touchmove', 'keydown', 'pointerdown'])
+    addEventListener(kind, scrolls, { passive: true })
+  addEventListener(
+    'scroll',
+    () => {
+      const y = scrollY
+      // A jump, as a link makes one, is neither: the bar would cover what it led to.
+      if (y < header.offsetHeight || Math.abs(y - last) > innerHeight * 0.8) show(false)
+      else if (y - turned > TURN && !box.querySelector(':focus-visible')) show(false)
+      else if (turned - y > TURN && performance.now() - hand < HAND_MS) show(true)
+      // Where the direction last changed.
+      if (Math.sign(y - last) !== way && y !== last) {
+        way = Math.sign(y - last)
+        turned = last
+      }
+      last = y
+    },
+    { passive: true },
+  )
   addEventListener('hashchange', () => show(false))
 
   return (link) => {

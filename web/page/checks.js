@@ -1,7 +1,7 @@
 /** The chapter's checks, run one after another in the reader's own browser. */
 
-import { loadWhole } from '../core/whole.js'
-import { fixed } from '../core/numbers.js'
+import { loadWhole } from '../load/whole.js'
+import { fixed } from '../draw/numbers.js'
 
 /** @typedef {import('estimate-wasm').Check} Check */
 
@@ -22,7 +22,7 @@ function say(words) {
   if (summary) summary.textContent = words
 }
 
-/** @param {import('../core/whole.js').Whole} estimate */
+/** @param {import('../load/whole.js').Whole} estimate */
 async function run(estimate) {
   const rows = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-check]')])
   for (const row of rows) empty(row)
@@ -70,7 +70,13 @@ function milliseconds(time) {
 function short(value, tolerance) {
   const size = Math.abs(value)
   const plain = value === 0 || (size >= 1e-4 && size < 1e6)
-  const decimals = value === 0 ? 0 : Math.max(0, Math.min(12, 6 - Math.floor(Math.log10(size)), tolerance < 1 ? Math.ceil(-Math.log10(tolerance) - 1e-9) : 12))
+  const decimals =
+    value === 0
+      ? 0
+      : Math.max(
+          0,
+          Math.min(12, 6 - Math.floor(Math.log10(size)), tolerance < 1 ? Math.ceil(-Math.log10(tolerance) - 1e-9) : 12),
+        )
   const [digits, power] = plain ? [value.toFixed(decimals)] : value.toExponential(5).split('e')
   const lean = digits.includes('.') ? digits.replace(/\.?0+$/, '') : digits
   return (power === undefined ? lean : `${lean}e${power.replace('+', '')}`).replaceAll('-', '\u2212')

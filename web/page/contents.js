@@ -29,7 +29,10 @@ export function follow() {
     // The box of a part is known before its content is laid out, and the last one that has begun is on the screen: measuring
     // only its headings makes the browser lay out nothing that it had put off.
     const begun = parts.filter(({ part }) => above(part))
-    const passed = begun.pop()?.headings.filter(([heading]) => above(heading)).pop()
+    const passed = begun
+      .pop()
+      ?.headings.filter(([heading]) => above(heading))
+      .pop()
     const link = (passed ?? begun.pop()?.headings.at(-1) ?? parts[0]?.headings[0])?.[1]
     if (link === current) return
     current?.removeAttribute('aria-current')
@@ -42,21 +45,29 @@ export function follow() {
     }
   }
   let asked = false
-  addEventListener('scroll', () => {
-    if (asked) return
-    asked = true
-    requestAnimationFrame(() => {
-      asked = false
-      update()
-    })
-  }, { passive: true })
+  addEventListener(
+    'scroll',
+    () => {
+      if (asked) return
+      asked = true
+      requestAnimationFrame(() => {
+        asked = false
+        update()
+      })
+    },
+    { passive: true },
+  )
   update()
   drawer(nav)
   // Nobody needs the bar who has not scrolled; a reader may have scrolled before this script came.
-  const bring = () => import('./bar.js').then(({ bar }) => {
-    tell = bar()
-    tell(current)
-  }, () => {})
+  const bring = () =>
+    import('./bar.js').then(
+      ({ bar }) => {
+        tell = bar()
+        tell(current)
+      },
+      () => {},
+    )
   if (scrollY > 0) bring()
   else addEventListener('scroll', bring, { once: true, passive: true })
 }
@@ -90,7 +101,13 @@ function drawer(nav) {
   })
   // Whoever leaves the contents by the Tab key is in the text again, and they must not cover it.
   nav.addEventListener('focusout', ({ relatedTarget }) => {
-    if (nav.hasAttribute('data-open') && relatedTarget instanceof Element && !nav.contains(relatedTarget) && !relatedTarget.closest(OPENS)) close()
+    if (
+      nav.hasAttribute('data-open') &&
+      relatedTarget instanceof Element &&
+      !nav.contains(relatedTarget) &&
+      !relatedTarget.closest(OPENS)
+    )
+      close()
   })
   document.addEventListener('pointerdown', (event) => {
     const inside = event.target instanceof Element && (nav.contains(event.target) || event.target.closest(OPENS))

@@ -1,9 +1,9 @@
 /** Fetches the script of a figure and lets it take over the element. */
 
-import { reloadIfThere } from '../core/again.js'
-import { hideFailure, showFailure } from '../core/failure.js'
-import { defineFigure } from '../core/figure.js'
-import { inTime } from '../core/patience.js'
+import { reloadIfThere } from '../load/reload-if-back.js'
+import { hideFailure, showFailure } from '../figure/failure.js'
+import { defineFigure } from '../figure/figure.js'
+import { inTime } from '../load/timeouts.js'
 
 /**
  * @param {HTMLElement} host

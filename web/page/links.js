@@ -3,9 +3,9 @@
  * cannot be read, or that the figure's lab refuses, is named at the top of the text.
  */
 
-import { button, part } from '../core/element.js'
-import { readState } from '../core/link.js'
-import { loadModule } from '../core/module.js'
+import { button, part } from '../draw/dom.js'
+import { readState } from '../figure/state-in-url.js'
+import { loadModule } from '../load/module.js'
 
 const MOST = 5
 
@@ -22,7 +22,7 @@ export async function links(widgets) {
     // If the figure's script cannot be fetched, the name of its lab is unknown; the rest is checked all the same.
     const spec = await widgets[host.localName]?.().catch(() => null)
     const state = readState(location.href, id, spec?.name)
-    if (state === 'mangled' || (state && spec && await isRefused(spec, state))) {
+    if (state === 'mangled' || (state && spec && (await isRefused(spec, state)))) {
       const title = host.closest('figure')?.querySelector('.figure-title')?.lastChild?.textContent?.trim() ?? id
       wrong.push(`The link’s state of the figure “${title}” could not be read: the figure shows its usual state.`)
     }
@@ -32,8 +32,8 @@ export async function links(widgets) {
 
 /**
  * Whether the lab refuses the parameters. If the module cannot be fetched nothing is known, and the figure will say so itself.
- * @param {import('../core/spec.js').FigureSpec} spec
- * @param {import('../core/link.js').State} state
+ * @param {import('../figure/spec.js').FigureSpec} spec
+ * @param {import('../figure/state-in-url.js').State} state
  */
 async function isRefused(spec, state) {
   const loaded = await loadModule()
@@ -62,5 +62,7 @@ function notice(wrong) {
   main.prepend(box)
   const more = wrong.length > MOST ? ` And ${wrong.length - MOST} more.` : ''
   // A screen reader speaks a status when its words change, not when it is added with them.
-  setTimeout(() => { words.textContent = wrong.slice(0, MOST).join(' ') + more }, 50)
+  setTimeout(() => {
+    words.textContent = wrong.slice(0, MOST).join(' ') + more
+  }, 50)
 }

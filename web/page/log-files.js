@@ -1,13 +1,19 @@
 /** How the files of a log are read, for correction: what each is, which column holds which value, and in which units. */
 
-import { part } from '../core/element.js'
+import { part } from '../draw/dom.js'
 
 /** @typedef {import('estimate-wasm/log').LogFile} LogFile */
 /** @typedef {import('../widgets/robot-log/server.js').Change} Change */
 
 const ROLES = {
-  log: 'a log in this book’s format', velocities: 'velocities', odometry: 'odometry', sightings: 'sightings', landmarks: 'landmarks',
-  truth: 'truth', barcodes: 'barcodes', unused: 'not used',
+  log: 'a log in this book’s format',
+  velocities: 'velocities',
+  odometry: 'odometry',
+  sightings: 'sightings',
+  landmarks: 'landmarks',
+  truth: 'truth',
+  barcodes: 'barcodes',
+  unused: 'not used',
 }
 /** The units that a file may be in, and the values that have them. */
 const UNITS = [
@@ -55,13 +61,25 @@ export class FileForm {
     }
     choice('read as', Object.entries(ROLES), role, (value) => ({ file: i, role: value }))
     /** @type {[string, string][]} */
-    const columns = [['', '–'], ...header.map((column, at) => /** @type {[string, string]} */ ([String(at), column || `column ${at + 1}`]))]
+    const columns = [
+      ['', '–'],
+      ...header.map((column, at) => /** @type {[string, string]} */ ([String(at), column || `column ${at + 1}`])),
+    ]
     for (const { name: value, column } of values) {
-      choice(NAMES[value] ?? value, columns, column === null ? '' : String(column), (at) => ({ file: i, value, column: at === '' ? null : Number(at) }))
+      choice(NAMES[value] ?? value, columns, column === null ? '' : String(column), (at) => ({
+        file: i,
+        value,
+        column: at === '' ? null : Number(at),
+      }))
     }
     for (const { name: of, units: all, values: having } of UNITS) {
       if (!values.some(({ name: value }) => having.includes(value))) continue
-      choice(`unit of ${of}`, all.map((unit) => [unit, NAMES[unit] ?? unit]), units[/** @type {'time'} */ (of)], (unit) => ({ file: i, unit }))
+      choice(
+        `unit of ${of}`,
+        all.map((unit) => [unit, NAMES[unit] ?? unit]),
+        units[/** @type {'time'} */ (of)],
+        (unit) => ({ file: i, unit }),
+      )
     }
   }
 }

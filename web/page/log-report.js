@@ -1,13 +1,13 @@
 /** The report on a log: its facts, the settings, the results, and the readings of each landmark. */
 
-import { button, part } from '../core/element.js'
-import { fixed } from '../core/numbers.js'
-import { writeHtml } from '../core/words.js'
+import { button, part } from '../draw/dom.js'
+import { fixed } from '../draw/numbers.js'
+import { writeHtml } from '../draw/words.js'
 import { clock, percent } from '../widgets/robot-log/words.js'
 
 /** @typedef {import('estimate-wasm/log').LogContents} LogContents */
 /** @typedef {import('estimate-wasm/log').LogFrame} Frame */
-/** @typedef {import('../core/words.js').Words} Words */
+/** @typedef {import('../draw/words.js').Words} Words */
 
 export class Report {
   /** @param {HTMLElement} into @param {{ table: (kind: 'track' | 'innovations') => void, print: () => void }} orders */
@@ -60,18 +60,39 @@ export class Report {
     this.box.replaceChildren()
     this.table('The log', [], this.facts())
     this.table('Settings', [], settings(spec.controls, frame))
-    this.table('Results', [], spec.readouts(frame).map((/** @type {any} */ { key, label, value, unit }) => [ALONE[key] ?? label, unit ? `${grouped(value)}\u00a0${unit}` : grouped(value)]))
+    this.table(
+      'Results',
+      [],
+      spec
+        .readouts(frame)
+        .map((/** @type {any} */ { key, label, value, unit }) => [
+          ALONE[key] ?? label,
+          unit ? `${grouped(value)}\u00a0${unit}` : grouped(value),
+        ]),
+    )
     if (frame.byLandmark.length > 0) {
       const landmarks = [...frame.byLandmark].sort((a, b) => a.id - b.id)
-      this.table('By landmark', ['Landmark', 'Readings', 'Refused', 'Mean innovation'], landmarks.map(({ id, used, refused, meanInnovation }) => [
-        String(id), grouped(String(used + refused)), used + refused > 0 ? percent(refused / (used + refused)) : '–', `${fixed(meanInnovation, 2)} m`,
-      ]))
+      this.table(
+        'By landmark',
+        ['Landmark', 'Readings', 'Refused', 'Mean innovation'],
+        landmarks.map(({ id, used, refused, meanInnovation }) => [
+          String(id),
+          grouped(String(used + refused)),
+          used + refused > 0 ? percent(refused / (used + refused)) : '–',
+          `${fixed(meanInnovation, 2)} m`,
+        ]),
+      )
     }
   }
 
   /** @param {string} title @param {string[]} heads @param {Words[][]} rows the first cell of each is its head */
   table(title, heads, rows) {
-    const table = part(document, part(document, this.box, 'div', 'table-box'), 'table', heads.length > 0 ? 'log-table has-heads' : 'log-table')
+    const table = part(
+      document,
+      part(document, this.box, 'div', 'table-box'),
+      'table',
+      heads.length > 0 ? 'log-table has-heads' : 'log-table',
+    )
     part(document, table, 'caption', '').textContent = title
     if (heads.length > 0) {
       const head = part(document, part(document, table, 'thead', ''), 'tr', '')
@@ -88,9 +109,15 @@ export class Report {
 
 /** What a line of the table is called where the figure's name of it leans on its neighbours. @type {Record<string, Words>} */
 const ALONE = {
-  reckoned: 'RMS error of dead reckoning', lag1: 'Autocorrelation at lag 1', offset: 'Range’s error at 0 m', r2: '*R*^{2} of the line of the range’s error',
+  reckoned: 'RMS error of dead reckoning',
+  lag1: 'Autocorrelation at lag 1',
+  offset: 'Range’s error at 0 m',
+  r2: '*R*^{2} of the line of the range’s error',
 }
-const SETTINGS = /** @type {Record<string, Words>} */ ({ sightings: 'Ranges correct the estimate', learn: 'Learn the scale *ε*' })
+const SETTINGS = /** @type {Record<string, Words>} */ ({
+  sightings: 'Ranges correct the estimate',
+  learn: 'Learn the scale *ε*',
+})
 
 /** A whole number with commas between its thousands, as the others on the page. @param {string} value */
 function grouped(value) {
@@ -124,11 +151,18 @@ function headCell(row, scope, words) {
 
 /** What the controls are set to, in words. @param {any[]} controls @param {any} frame @returns {Words[][]} */
 function settings(controls, frame) {
-  return controls.filter(({ shown }) => !shown || shown(frame)).map((control) => {
-    const value = frame.params[control.name]
-    const label = SETTINGS[control.name] ?? control.label
-    if (control.kind === 'toggle') return [label, value ? 'yes' : 'no']
-    if (control.kind === 'choice') return [control.label, control.options.find((/** @type {any} */ option) => option.value === value)?.label ?? (value === null ? 'off' : percent(value))]
-    return [control.label, control.words(value, frame)]
-  })
+  return controls
+    .filter(({ shown }) => !shown || shown(frame))
+    .map((control) => {
+      const value = frame.params[control.name]
+      const label = SETTINGS[control.name] ?? control.label
+      if (control.kind === 'toggle') return [label, value ? 'yes' : 'no']
+      if (control.kind === 'choice')
+        return [
+          control.label,
+          control.options.find((/** @type {any} */ option) => option.value === value)?.label ??
+            (value === null ? 'off' : percent(value)),
+        ]
+      return [control.label, control.words(value, frame)]
+    })
 }

@@ -6,9 +6,9 @@
 import example from '../../content/logs/example.csv'
 import copied from '../../content/logs/plaza1-copied.csv'
 import mower from '../../content/logs/plaza1.csv'
-import { save } from '../core/download.js'
-import { part } from '../core/element.js'
-import { fetchWithPatience } from '../core/patience.js'
+import { save } from '../figure/download.js'
+import { part } from '../draw/dom.js'
+import { fetchWithPatience } from '../load/timeouts.js'
 import { WIDGETS } from '../widgets/index.js'
 import { awaken } from './figures.js'
 import { FileForm } from './log-files.js'
@@ -46,16 +46,22 @@ class OwnLog {
     this.press(place, '.log-paste button', () => this.pasted())
     this.examples(place)
     this.answer = /** @type {HTMLElement} */ (place.querySelector('.log-answer'))
-    this.form = new FileForm(/** @type {HTMLElement} */ (place.querySelector('.log-files')), (change) => this.take({ kind: 'reading', change }))
+    this.form = new FileForm(/** @type {HTMLElement} */ (place.querySelector('.log-files')), (change) =>
+      this.take({ kind: 'reading', change }),
+    )
     this.dropped()
     // A name with a letter that the page has not shown yet would fetch a face later on: from now on nothing is fetched.
     for (const face of document.fonts) if (/Plain|Code|Text/.test(face.family)) face.load().catch(() => {})
     this.figure.addEventListener('frame', () => this.report.show(this.figure.figure))
-    this.run().then(({ contents }) => {
-      if (!this.report.contents) this.report.take(contents, [EXAMPLES.mower.file])
-      if (!this.answer.hasChildNodes()) this.say(`The figure shows the mower’s log until you open another. ${this.facts()}`)
-      this.report.show(this.figure.figure)
-    }, () => {})
+    this.run().then(
+      ({ contents }) => {
+        if (!this.report.contents) this.report.take(contents, [EXAMPLES.mower.file])
+        if (!this.answer.hasChildNodes())
+          this.say(`The figure shows the mower’s log until you open another. ${this.facts()}`)
+        this.report.show(this.figure.figure)
+      },
+      () => {},
+    )
     const wanted = EXAMPLES[new URL(location.href).searchParams.get('example') ?? '']
     if (wanted) this.open(wanted)
   }
@@ -122,7 +128,8 @@ class OwnLog {
   /** @param {File[]} files */
   give(files) {
     const bytes = files.reduce((sum, { size }) => sum + size, 0)
-    if (bytes > MOST_BYTES) return this.say(`The files have ${Math.ceil(bytes / 1e6)} MB; at most ${MOST_BYTES / 1e6} MB can be read.`)
+    if (bytes > MOST_BYTES)
+      return this.say(`The files have ${Math.ceil(bytes / 1e6)} MB; at most ${MOST_BYTES / 1e6} MB can be read.`)
     this.names = files.map(({ name }) => name)
     return this.take({ kind: 'files', files })
   }
@@ -148,7 +155,8 @@ class OwnLog {
     await awaken(figure, WIDGETS)
     if (figure.dataset.state === 'still') figure.figure.start()
     while (!figure.figure?.run) {
-      if (figure.dataset.state === 'failed') throw new Error('The figure below could not start, and reads no log. Try again there first.')
+      if (figure.dataset.state === 'failed')
+        throw new Error('The figure below could not start, and reads no log. Try again there first.')
       await new Promise((resolve) => setTimeout(resolve, 50))
     }
     return figure.figure.run
@@ -156,12 +164,18 @@ class OwnLog {
 
   /** What the log holds, in sentences. */
   facts() {
-    return this.report.facts().map(([name, value]) => `${name}: ${value}.`).join(' ')
+    return this.report
+      .facts()
+      .map(([name, value]) => `${name}: ${value}.`)
+      .join(' ')
   }
 
   /** @param {any} answer */
   understood({ contents, files }) {
-    this.report.take(contents, files.map((/** @type {any} */ { name }) => name))
+    this.report.take(
+      contents,
+      files.map((/** @type {any} */ { name }) => name),
+    )
     this.say(this.facts())
     for (const note of contents.notes) part(document, this.answer, 'p', '').textContent = note
   }
@@ -184,7 +198,11 @@ class OwnLog {
     const open = `Open the missing file together with ${files.length === 1 ? 'this one' : 'these'}`
     const pasted = name === PASTED
     const mend = place ? `Mend the ${pasted ? 'rows' : 'file'}` : pasted ? 'Paste rows of motion too' : open
-    const again = tables ? `, or correct below how ${pasted ? 'they' : 'the files'} are read` : place ? ` and ${pasted ? 'read them' : 'open it'} again` : ''
+    const again = tables
+      ? `, or correct below how ${pasted ? 'they' : 'the files'} are read`
+      : place
+        ? ` and ${pasted ? 'read them' : 'open it'} again`
+        : ''
     part(document, this.answer, 'p', '').textContent = `The figure keeps the previous log. ${mend}${again}.`
     if (place && pasted) this.point(line, column)
   }
@@ -194,7 +212,7 @@ class OwnLog {
     const { text } = this
     const lines = text.value.split('\n')
     const from = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0)
-    const at = from + Math.max(0, [...lines[line - 1] ?? ''].slice(0, column - 1).join('').length)
+    const at = from + Math.max(0, [...(lines[line - 1] ?? '')].slice(0, column - 1).join('').length)
     text.focus()
     text.setSelectionRange(at, from + (lines[line - 1]?.length ?? 0))
   }
@@ -219,7 +237,13 @@ class OwnLog {
     const { dataset } = document.documentElement
     if ('report' in dataset) return // It is being drawn for paper already.
     dataset.report = ''
-    addEventListener('afterprint', () => { delete dataset.report }, { once: true })
+    addEventListener(
+      'afterprint',
+      () => {
+        delete dataset.report
+      },
+      { once: true },
+    )
     await this.drawn()
     print()
   }
@@ -227,8 +251,10 @@ class OwnLog {
   /** Waits until every panel is drawn for the report's width, so that letters have one size in all of them. */
   async drawn() {
     const panels = /** @type {SVGSVGElement[]} */ ([...this.figure.querySelectorAll('.live > .panel')])
-    const fits = () => panels.every(({ clientWidth, viewBox }) => clientWidth === 0 || Math.abs(clientWidth - viewBox.baseVal.width) < 2)
-    for (const until = performance.now() + DRAWN_MS; !fits() && performance.now() < until;) await new Promise(requestAnimationFrame)
+    const fits = () =>
+      panels.every(({ clientWidth, viewBox }) => clientWidth === 0 || Math.abs(clientWidth - viewBox.baseVal.width) < 2)
+    for (const until = performance.now() + DRAWN_MS; !fits() && performance.now() < until; )
+      await new Promise(requestAnimationFrame)
   }
 }
 

@@ -3,7 +3,7 @@
  * notation are in a file beside the page, which is fetched when a reader first chooses that notation.
  */
 
-import { PATIENCE_MS } from '../core/patience.js'
+import { PATIENCE_MS } from '../load/timeouts.js'
 
 const root = document.documentElement
 /** What has been fetched or is on its way. @type {Map<string, Promise<void>>} */

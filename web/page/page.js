@@ -3,10 +3,10 @@
  * read, so that the first figure does not wait for the last section.
  */
 
-import { hideFailure, showFailure } from '../core/failure.js'
-import { inTime } from '../core/patience.js'
+import { hideFailure, showFailure } from '../figure/failure.js'
+import { inTime } from '../load/timeouts.js'
 import { WIDGETS } from '../widgets/index.js'
-import { whenNear, whenRead } from './near.js'
+import { whenNear, whenRead } from './when-near.js'
 import { openForPrint } from './print.js'
 import { say, switches } from './switches.js'
 
@@ -18,7 +18,11 @@ whenNear('.widget', (host) => bring(/** @type {HTMLElement} */ (host)))
 const PRESSES = {
   'data-open-search': search,
   'data-print': () => print(),
-  'data-run-checks': (button) => import('./checks.js').then(({ check }) => check(/** @type {HTMLButtonElement} */ (button)), () => say('The checks could not be fetched: reload this page for them.')),
+  'data-run-checks': (button) =>
+    import('./checks.js').then(
+      ({ check }) => check(/** @type {HTMLButtonElement} */ (button)),
+      () => say('The checks could not be fetched: reload this page for them.'),
+    ),
 }
 document.addEventListener('click', ({ target }) => {
   for (const [attribute, act] of Object.entries(PRESSES)) {
@@ -27,7 +31,9 @@ document.addEventListener('click', ({ target }) => {
   }
 })
 document.addEventListener('keydown', (event) => {
-  const typing = event.target instanceof Element && event.target.closest('select, textarea, input:not([type="radio"], [type="checkbox"], [type="range"])')
+  const typing =
+    event.target instanceof Element &&
+    event.target.closest('select, textarea, input:not([type="radio"], [type="checkbox"], [type="range"])')
   if (event.key !== '/' || typing || event.ctrlKey || event.metaKey || event.altKey) return
   event.preventDefault()
   search()
@@ -35,21 +41,27 @@ document.addEventListener('keydown', (event) => {
 whenRead(() => {
   for (const waiting of document.querySelectorAll('[data-needs-js]')) waiting.removeAttribute('hidden')
   switches()
-  if ([...new URLSearchParams(location.search).keys()].some((key) => key.startsWith('fig-'))) import('./links.js').then(({ links }) => links(WIDGETS))
+  if ([...new URLSearchParams(location.search).keys()].some((key) => key.startsWith('fig-')))
+    import('./links.js').then(({ links }) => links(WIDGETS))
   questions()
   if (document.querySelector('.own-log')) import('./log.js').then(({ ownLog }) => ownLog(), withoutLog)
 })
 idle(() => {
-  import('./later.js').then(({ later }) => later())
+  import('./when-idle.js').then(({ later }) => later())
 })
 
 function search() {
-  import('./search.js').then(({ openSearch }) => openSearch(), () => say('The search could not be fetched: reload this page for it.'))
+  import('./search.js').then(
+    ({ openSearch }) => openSearch(),
+    () => say('The search could not be fetched: reload this page for it.'),
+  )
 }
 
 /** Brings the script of the questions when one of them, a figure that waits for its answer or the place of the score comes near. */
 function questions() {
-  const locks = [...document.querySelectorAll('.quiz[data-unlocks]')].map((quiz) => `#${quiz.getAttribute('data-unlocks')}`)
+  const locks = [...document.querySelectorAll('.quiz[data-unlocks]')].map(
+    (quiz) => `#${quiz.getAttribute('data-unlocks')}`,
+  )
   let coming = false
   whenNear(['.quiz', '[data-score]', ...locks].join(), () => {
     if (!coming) import('./quiz.js').then(({ quizzes }) => quizzes(), withoutQuizzes)
@@ -77,13 +89,18 @@ async function bring(host, again = false) {
     await awaken(host, WIDGETS)
   } catch (error) {
     showFailure(host, 'its script could not be fetched', () => bring(host, true))
-    if (again) await import('../core/again.js').then(({ reloadIfThere }) => reloadIfThere(error, host.dataset.figure), () => location.reload())
+    if (again)
+      await import('../load/reload-if-back.js').then(
+        ({ reloadIfThere }) => reloadIfThere(error, host.dataset.figure),
+        () => location.reload(),
+      )
   }
 }
 
 /** @param {() => void} act */
 function idle(act) {
-  const start = () => ('requestIdleCallback' in window ? requestIdleCallback(act, { timeout: 2000 }) : setTimeout(act, 200))
+  const start = () =>
+    'requestIdleCallback' in window ? requestIdleCallback(act, { timeout: 2000 }) : setTimeout(act, 200)
   if (document.readyState === 'complete') start()
   else addEventListener('load', start, { once: true })
 }

@@ -15,7 +15,8 @@ const BROWSER_FRAMES = 3
 const FRAMES = 15
 const PATIENCE_MS = 10_000
 /** What holds blocks; everything else is a block. */
-const HOLDERS = 'main, article, section, div:not(.scroll-box), ol, ul, li, dl, details, figure, blockquote, table, tbody'
+const HOLDERS =
+  'main, article, section, div:not(.scroll-box), ol, ul, li, dl, details, figure, blockquote, table, tbody'
 
 /** @typedef {{ block: string | null, top: number, open: string[] }} Place `block` is null at the very top of the page */
 
@@ -31,10 +32,14 @@ export function keepPlace() {
   history.scrollRestoration = 'manual'
   /** @type {ReturnType<typeof setTimeout> | undefined} */
   let soon
-  addEventListener('scroll', () => {
-    clearTimeout(soon)
-    soon = setTimeout(note, 250)
-  }, { passive: true })
+  addEventListener(
+    'scroll',
+    () => {
+      clearTimeout(soon)
+      soon = setTimeout(note, 250)
+    },
+    { passive: true },
+  )
   // A link within the page begins a new entry; what is left is noted before.
   addEventListener('click', note, true)
   addEventListener('pagehide', note)
@@ -106,7 +111,8 @@ function pathTo(element) {
   const way = []
   for (let at = /** @type {Element | null} */ (element); at; at = at.parentElement) {
     const part = at.getAttribute('data-part')
-    if (at.id || part) return [at.id ? `#${CSS.escape(at.id)}` : `[data-part="${CSS.escape(part ?? '')}"]`, ...way].join('>')
+    if (at.id || part)
+      return [at.id ? `#${CSS.escape(at.id)}` : `[data-part="${CSS.escape(part ?? '')}"]`, ...way].join('>')
     way.unshift([...(at.parentElement?.children ?? [])].indexOf(at))
   }
   return ''
@@ -133,11 +139,14 @@ function hold({ block, top, open }) {
   const began = performance.now()
   let left = FRAMES
   let last = NaN
-  const leave = () => { left = 0 }
+  const leave = () => {
+    left = 0
+  }
   // Meanwhile the browser must not keep another place: that of what stands below a figure that comes alive and grows.
   document.documentElement.classList.add('place-held')
   const end = () => document.documentElement.classList.remove('place-held')
-  for (const input of ['wheel', 'touchstart', 'pointerdown', 'keydown']) addEventListener(input, leave, { once: true, passive: true })
+  for (const input of ['wheel', 'touchstart', 'pointerdown', 'keydown'])
+    addEventListener(input, leave, { once: true, passive: true })
   return new Promise((placed) => {
     const assert = () => {
       if (mine !== holding) return placed()

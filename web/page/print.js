@@ -3,7 +3,7 @@
  * looks them up. Formulas that are wider than a column of paper are set smaller. Afterwards all is as it was.
  */
 
-import { part } from '../core/element.js'
+import { part } from '../draw/dom.js'
 
 /** The width of a column of paper, of what is indented in it, and of an equation's number, in letters' heights (web/style/print.css). */
 const COLUMN = 26
@@ -18,7 +18,8 @@ export function openForPrint() {
     opened = [...document.querySelectorAll('details')].filter((block) => !block.open)
     for (const block of opened) block.open = true
     // Not every way of printing fetches what nobody has come near; the next print has it then.
-    for (const image of /** @type {NodeListOf<HTMLImageElement>} */ (document.querySelectorAll('img[loading=lazy]'))) image.loading = 'eager'
+    for (const image of /** @type {NodeListOf<HTMLImageElement>} */ (document.querySelectorAll('img[loading=lazy]')))
+      image.loading = 'eager'
     back = answersApart()
     fitFormulas()
   })
@@ -53,7 +54,8 @@ function answersApart() {
 /** What an answer belongs to: an exercise or a question, and of a question in an exercise the exercise's number. @param {Element} answer */
 function nameOf(answer) {
   const [exercise, question] = ['.exercise', '.quiz'].map((kind) => answer.closest(kind))
-  const words = (/** @type {Element | null} */ of, /** @type {string} */ parts) => [...of?.querySelectorAll(parts) ?? []].slice(0, 2).map((name) => name.textContent?.trim())
+  const words = (/** @type {Element | null} */ of, /** @type {string} */ parts) =>
+    [...(of?.querySelectorAll(parts) ?? [])].slice(0, 2).map((name) => name.textContent?.trim())
   const [asked, title] = words(question, 'legend > span')
   const [number] = words(exercise, '.exercise-head > span')
   return [number ?? asked, question ? title : 'worked answer'].filter(Boolean).join(': ')
@@ -68,7 +70,9 @@ function fitFormulas() {
       return range.getBoundingClientRect().width
     })
     const wide = Math.max(0, ...widths) / Number.parseFloat(getComputedStyle(box).fontSize)
-    const room = (box.closest('.derivation, .definition, .note, .quiz, details') ? INDENTED : COLUMN) - (box.parentElement?.matches('.numbered') ? NUMBER : 0)
+    const room =
+      (box.closest('.derivation, .definition, .note, .quiz, details') ? INDENTED : COLUMN) -
+      (box.parentElement?.matches('.numbered') ? NUMBER : 0)
     if (wide > room) box.style.setProperty('--on-paper', (Math.floor((100 * room) / wide) / 100).toString())
     // In another notation it may fit.
     else box.style.removeProperty('--on-paper')

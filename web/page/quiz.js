@@ -1,10 +1,10 @@
 /** Questions: the reader commits to an answer and then reads why it is right or wrong. */
 
-import { button, part } from '../core/element.js'
+import { button, part } from '../draw/dom.js'
 import { LONGEST, judge, keyOf, unmet } from './answer.js'
-import { lock } from './lock.js'
-import { whenNear } from './near.js'
-import { SHOWN, count, forgetRecords, keep, standing } from './record.js'
+import { lock } from './veil.js'
+import { whenNear } from './when-near.js'
+import { SHOWN, count, forgetRecords, keep, standing } from './answers-kept.js'
 import { score, showScore } from './score.js'
 import { frameOf, lookAt, stopWatching } from './watch.js'
 
@@ -36,20 +36,33 @@ function wake(form) {
     event.preventDefault()
     if (form.dataset.kind === 'state') return check(form)
     const choice = form.dataset.kind === 'choice'
-    const answer = String(new FormData(form).get(choice ? (form.querySelector('input')?.name ?? '') : 'answer') ?? '').trim()
+    const answer = String(
+      new FormData(form).get(choice ? (form.querySelector('input')?.name ?? '') : 'answer') ?? '',
+    ).trim()
     const wanted = entriesOf(form)
-    if (answer === '') return say(form, choice ? 'Choose an answer first.' : wanted > 1 ? `Type ${wanted} numbers first.` : 'Type a number first.')
-    if (!commit(form, answer)) return say(form, wanted > 1 ? `That is not ${wanted} numbers, or all are zero.` : 'That is not a number.')
+    if (answer === '')
+      return say(
+        form,
+        choice ? 'Choose an answer first.' : wanted > 1 ? `Type ${wanted} numbers first.` : 'Type a number first.',
+      )
+    if (!commit(form, answer))
+      return say(form, wanted > 1 ? `That is not ${wanted} numbers, or all are zero.` : 'That is not a number.')
     count(form, form.dataset.answered === 'right')
     finish(form, answer)
   })
   form.querySelector('[data-quiz-skip]')?.addEventListener('click', () => skip(form.id))
-  form.querySelector('[data-quiz-look]')?.addEventListener('click', () => lookAt(form, keyOf(form), () => { if (!form.dataset.answered) solve(form) }))
+  form.querySelector('[data-quiz-look]')?.addEventListener('click', () =>
+    lookAt(form, keyOf(form), () => {
+      if (!form.dataset.answered) solve(form)
+    }),
+  )
   form.querySelector('[data-quiz-reset]')?.addEventListener('click', () => {
     keep(form, null)
     forget(form)
     showScore()
-    const first = /** @type {HTMLElement | null} */ (form.querySelector('input') ?? form.querySelector('[type="submit"]'))
+    const first = /** @type {HTMLElement | null} */ (
+      form.querySelector('input') ?? form.querySelector('[type="submit"]')
+    )
     first?.focus()
   })
 }
@@ -93,8 +106,7 @@ function skip(id) {
     const focused = question.contains(document.activeElement)
     commit(question, SHOWN)
     if (focused) focusVerdict(question)
-  }
-  else lock(question, false)
+  } else lock(question, false)
   showScore()
 }
 
@@ -170,7 +182,9 @@ function verdictOn(form, answer) {
   const key = keyOf(form)
   if (form.dataset.kind === 'state') return answer === MET ? { right: true, mine: -1 } : null
   if (form.dataset.kind === 'choice') {
-    const mine = [...form.querySelectorAll('[data-choice]')].findIndex((item) => item.getAttribute('data-choice') === answer)
+    const mine = [...form.querySelectorAll('[data-choice]')].findIndex(
+      (item) => item.getAttribute('data-choice') === answer,
+    )
     return mine < 0 ? null : { right: mine === key.right, mine }
   }
   const judged = judge(key, answer)
@@ -224,7 +238,9 @@ function fold(form, mine, folded) {
   const others = document.createElement('details')
   others.className = 'quiz-others'
   part(document, others, 'summary', '').textContent = mine < 0 ? 'Answers that are often given' : 'The other answers'
-  part(document, part(document, others, 'div', 'details-body'), 'ul', 'quiz-reasons').append(...reasons.filter((_, i) => i !== mine))
+  part(document, part(document, others, 'div', 'details-body'), 'ul', 'quiz-reasons').append(
+    ...reasons.filter((_, i) => i !== mine),
+  )
   list.after(others)
 }
 
@@ -259,7 +275,8 @@ function toggle(form, answered) {
   if (actions && answered) form.append(actions)
   else if (actions) form.querySelector('.quiz-verdict')?.before(actions)
   form.querySelector('[data-quiz-reset]')?.toggleAttribute('hidden', !answered)
-  for (const control of form.querySelectorAll('[type="submit"], [data-quiz-skip]')) control.toggleAttribute('hidden', answered)
+  for (const control of form.querySelectorAll('[type="submit"], [data-quiz-skip]'))
+    control.toggleAttribute('hidden', answered)
 }
 
 /** @param {HTMLElement} form @param {string} words */

@@ -1,8 +1,8 @@
 /** How far the reader has come with the questions of the chapter: shown at its end, and given out as a file. */
 
-import { save } from '../core/download.js'
-import { button, part } from '../core/element.js'
-import { tried } from './record.js'
+import { save } from '../figure/download.js'
+import { button, part } from '../draw/dom.js'
+import { tried } from './answers-kept.js'
 import { outlasts } from './storage.js'
 
 /** Fills the place at the chapter's end. @param {() => void} reset forgets every answer */
@@ -63,15 +63,24 @@ function chapter() {
 /** What the file holds. */
 export function report() {
   const questions = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.quiz')])
-  const predictions = questions.filter((it) => !it.closest('.exercise')).map((it) => ({
-    ...summary([it]), id: it.dataset.quiz ?? '', title: titleOf(it, 'legend .title'), address: `#${it.id}`,
-  }))
+  const predictions = questions
+    .filter((it) => !it.closest('.exercise'))
+    .map((it) => ({
+      ...summary([it]),
+      id: it.dataset.quiz ?? '',
+      title: titleOf(it, 'legend .title'),
+      address: `#${it.id}`,
+    }))
   const blocks = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.exercise')])
   const exercises = blocks.map((it) => {
     const checks = questions.filter((question) => it.contains(question))
     return {
-      ...summary(checks), id: it.id, title: `${titleOf(it, '.exercise-head .label')}: ${titleOf(it, '.exercise-head .title')}`,
-      address: `#${it.id}`, grade: Number(it.dataset.difficulty), checks: checks.map((check) => ({ id: check.dataset.quiz, ...tried(check) })),
+      ...summary(checks),
+      id: it.id,
+      title: `${titleOf(it, '.exercise-head .label')}: ${titleOf(it, '.exercise-head .title')}`,
+      address: `#${it.id}`,
+      grade: Number(it.dataset.difficulty),
+      checks: checks.map((check) => ({ id: check.dataset.quiz, ...tried(check) })),
     }
   })
   return { chapter: chapter(), date: new Date().toISOString(), exercises, predictions }
@@ -82,10 +91,21 @@ function summary(questions) {
   const all = questions.map(tried)
   const [answered, right] = [all.every((one) => one.answered), all.every((one) => one.right)]
   const tries = all.reduce((sum, one) => sum + one.tries, 0)
-  return { answered, right, atOnce: right && all.every((one) => one.tries === 1), tries, shown: all.some((one) => one.shown) }
+  return {
+    answered,
+    right,
+    atOnce: right && all.every((one) => one.tries === 1),
+    tries,
+    shown: all.some((one) => one.shown),
+  }
 }
 
 /** @param {HTMLElement} from @param {string} selector */
 function titleOf(from, selector) {
-  return from.querySelector(selector)?.textContent?.replace(/\u00a0/g, ' ').trim() ?? ''
+  return (
+    from
+      .querySelector(selector)
+      ?.textContent?.replace(/\u00a0/g, ' ')
+      .trim() ?? ''
+  )
 }

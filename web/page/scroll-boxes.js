@@ -13,7 +13,9 @@ export function scrollBoxes() {
     for (const box of some) if (box.style.fontSize) box.style.fontSize = ''
     // All are measured before one is changed.
     const sizes = some.map(({ scrollLeft, scrollWidth, clientWidth }) => ({ scrollLeft, scrollWidth, clientWidth }))
-    const room = sizes.map(({ scrollWidth, clientWidth }) => (scrollWidth > clientWidth + 1 ? clientWidth / scrollWidth : 1))
+    const room = sizes.map(({ scrollWidth, clientWidth }) =>
+      scrollWidth > clientWidth + 1 ? clientWidth / scrollWidth : 1,
+    )
     for (const [i, box] of some.entries()) {
       const name = box.matches('pre') ? 'Code' : box.querySelector('table') ? 'Table' : 'Formula'
       const shrinks = name === 'Formula' && room[i] < 1 && room[i] > LEAST
@@ -21,7 +23,13 @@ export function scrollBoxes() {
       const wide = room[i] < 1 && !shrinks
       fade(box, wide ? sizes[i] : null)
       if (wide === box.hasAttribute('tabindex')) continue
-      if (wide) for (const [key, value] of [['tabindex', '0'], ['role', 'group'], ['aria-label', `${name}, scrolls sideways`]]) box.setAttribute(key, value)
+      if (wide)
+        for (const [key, value] of [
+          ['tabindex', '0'],
+          ['role', 'group'],
+          ['aria-label', `${name}, scrolls sideways`],
+        ])
+          box.setAttribute(key, value)
       else for (const key of ['tabindex', 'role', 'aria-label']) box.removeAttribute(key)
     }
   }

@@ -1,13 +1,14 @@
 /** Search: the index is fetched and built when the reader first asks. */
 
 import MiniSearch from 'minisearch'
-import { part } from '../core/element.js'
-import { PATIENCE_MS } from '../core/patience.js'
+import { part } from '../draw/dom.js'
+import { PATIENCE_MS } from '../load/timeouts.js'
 
 /** @typedef {{ id: string, page: string, of?: string, title: string, section: string, text: string, code?: string }} Entry */
 
 /** Said where there is no index. */
-const NO_INDEX = 'The search needs a list of all the words of this book, and that could not be fetched: are you offline? The next letter you type asks for it again.'
+const NO_INDEX =
+  'The search needs a list of all the words of this book, and that could not be fetched: are you offline? The next letter you type asks for it again.'
 
 /** @type {HTMLDialogElement | null} */
 let dialog = null
@@ -46,7 +47,11 @@ function build() {
     list.replaceChildren()
     if (!found) return void (list.textContent = count.textContent = NO_INDEX)
     const words = input.value.trim()
-    const hits = words ? found.search(words, { prefix: true, fuzzy: 0.15, boost: { title: 3, code: 0.2 }, combineWith: 'AND' }).slice(0, 12) : []
+    const hits = words
+      ? found
+          .search(words, { prefix: true, fuzzy: 0.15, boost: { title: 3, code: 0.2 }, combineWith: 'AND' })
+          .slice(0, 12)
+      : []
     for (const hit of hits) list.append(result(hit, words))
     count.textContent = words ? `${hits.length} places found` : ''
     if (words && !hits.length) list.textContent = 'Nothing found.'
@@ -71,7 +76,10 @@ function build() {
 async function index() {
   const answer = await fetch(rooted('search.json'), { signal: AbortSignal.timeout(PATIENCE_MS) })
   if (!answer.ok) throw new Error(`search.json: ${answer.status}`)
-  const found = new MiniSearch({ fields: ['title', 'text', 'code'], storeFields: ['page', 'of', 'title', 'section', 'text', 'code'] })
+  const found = new MiniSearch({
+    fields: ['title', 'text', 'code'],
+    storeFields: ['page', 'of', 'title', 'section', 'text', 'code'],
+  })
   found.addAll(await answer.json())
   return found
 }
@@ -86,7 +94,9 @@ function result(hit, words) {
   const item = document.createElement('li')
   const link = /** @type {HTMLAnchorElement} */ (part(document, item, 'a', ''))
   link.href = `${rooted(hit.page)}#${String(hit.id).split('#')[1] ?? ''}`
-  part(document, link, 'strong', '').textContent = [hit.section, hit.of && `${hit.of} ·`, hit.title].filter(Boolean).join(' ')
+  part(document, link, 'strong', '').textContent = [hit.section, hit.of && `${hit.of} ·`, hit.title]
+    .filter(Boolean)
+    .join(' ')
   // The index is newer than this page: the place it names is in the new edition, which a reload brings.
   link.addEventListener('click', (event) => {
     if (link.pathname !== location.pathname || document.getElementById(decodeURIComponent(link.hash.slice(1)))) return

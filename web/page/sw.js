@@ -20,13 +20,15 @@ addEventListener('activate', (event) => event.waitUntil(clean().then(() => clien
 
 async function fill() {
   const store = await caches.open(STORE)
-  await Promise.all(FILES.map(async ({ url }) => {
-    const address = new URL(url, registration.scope).href
-    const known = isHashed(address) ? await caches.match(address) : undefined
-    const answer = known ?? await fetch(address, { cache: isHashed(address) ? 'default' : 'no-cache' })
-    if (!answer.ok) throw new Error(`${url}: ${answer.status}`)
-    await store.put(address, answer)
-  }))
+  await Promise.all(
+    FILES.map(async ({ url }) => {
+      const address = new URL(url, registration.scope).href
+      const known = isHashed(address) ? await caches.match(address) : undefined
+      const answer = known ?? (await fetch(address, { cache: isHashed(address) ? 'default' : 'no-cache' }))
+      if (!answer.ok) throw new Error(`${url}: ${answer.status}`)
+      await store.put(address, answer)
+    }),
+  )
 }
 
 async function clean() {
@@ -59,10 +61,12 @@ async function lasting(request) {
 /** From the network, unless it fails, takes too long or has nothing but an error: then what is kept. @param {Request} request */
 async function fresh(request) {
   const network = fetch(request).then(whole)
-  const silence = new Promise((resolve) => { setTimeout(resolve, PATIENCE_MS) })
+  const silence = new Promise((resolve) => {
+    setTimeout(resolve, PATIENCE_MS)
+  })
   const answer = await Promise.race([network, silence]).catch(() => undefined)
   if (answer && answer.status < 500 && answer.status !== 429) return answer
-  return await stored(request) ?? network
+  return (await stored(request)) ?? network
 }
 
 /** An answer of which everything has come: a server may send the beginning of a page and then hang. @param {Response} answer */

@@ -10,7 +10,9 @@ export function switches() {
     else root.dataset.theme = value
     remember('theme', value === 'auto' ? null : value)
   })
-  const known = [...document.querySelectorAll('[data-set-notation]')].map((it) => it.getAttribute('data-set-notation') ?? '')
+  const known = [...document.querySelectorAll('[data-set-notation]')].map(
+    (it) => it.getAttribute('data-set-notation') ?? '',
+  )
   const notation = known.find((it) => it === recall('notation')) ?? 'choset'
   group('notation', notation, (value) => {
     root.dataset.notation = value
@@ -28,10 +30,16 @@ export function switches() {
 function bring(notation) {
   const own = /** @type {HTMLElement | null} */ (document.querySelector('[data-set-notation="choset"]'))
   say('')
-  import('./notation.js').then(({ show }) => show(notation)).catch((error) => {
-    own?.click()
-    say(error.cause === 'version' ? 'The book has changed since: reload this page for these letters.' : 'These letters could not be fetched.')
-  })
+  import('./notation.js')
+    .then(({ show }) => show(notation))
+    .catch((error) => {
+      own?.click()
+      say(
+        error.cause === 'version'
+          ? 'The book has changed since: reload this page for these letters.'
+          : 'These letters could not be fetched.',
+      )
+    })
 }
 
 /** Shows a message beside the switches, in place of the one before. @param {string} words */
@@ -54,7 +62,8 @@ export function say(words) {
 function group(name, now, choose) {
   const buttons = [...document.querySelectorAll(`[data-set-${name}]`)]
   const show = (/** @type {string} */ value) => {
-    for (const button of buttons) button.setAttribute('aria-pressed', String(button.getAttribute(`data-set-${name}`) === value))
+    for (const button of buttons)
+      button.setAttribute('aria-pressed', String(button.getAttribute(`data-set-${name}`) === value))
   }
   for (const button of buttons) {
     button.addEventListener('click', () => {

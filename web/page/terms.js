@@ -3,7 +3,7 @@
  * highlights the marks of its colour in the nearest figure.
  */
 
-import { PATIENCE_MS } from '../core/patience.js'
+import { PATIENCE_MS } from '../load/timeouts.js'
 
 const KINDS = ['prediction', 'posterior', 'measurement', 'truth']
 /** A coloured symbol of a formula explains itself as a word does. */
@@ -50,7 +50,8 @@ export function terms() {
     clearTimeout(timer)
     timer = setTimeout(act, wait)
   }
-  const callerOf = (/** @type {EventTarget | null} */ target) => (target instanceof Element ? target.closest(CALLERS) : null)
+  const callerOf = (/** @type {EventTarget | null} */ target) =>
+    target instanceof Element ? target.closest(CALLERS) : null
 
   document.addEventListener('pointerover', (event) => {
     if (event.pointerType !== 'mouse') return
@@ -95,7 +96,10 @@ async function entriesOf(caller) {
   if (term ?? (!number && !numbers && kind)) return copies(document, [`gloss-${term ?? kind}`])
   // A number in the text names its entry in its address alone.
   const linked = /** @type {Partial<HTMLAnchorElement>} */ (caller).hash?.replace('#number-', '') ?? ''
-  const ids = (numbers ?? number ?? linked).split(' ').slice(0, MOST).map((id) => `number-${id}`)
+  const ids = (numbers ?? number ?? linked)
+    .split(' ')
+    .slice(0, MOST)
+    .map((id) => `number-${id}`)
   listed ??= listOfNumbers().catch(() => {
     listed = null
     return LOST
@@ -121,11 +125,14 @@ async function listOfNumbers() {
 
 /** @param {Document} from @param {string[]} ids */
 function copies(from, ids) {
-  return ids.map((id) => from.getElementById(id)).filter((entry) => entry !== null).map((entry) => {
-    const copy = document.importNode(entry, true)
-    for (const part of [copy, ...copy.querySelectorAll('[id]')]) part.removeAttribute('id')
-    return copy
-  })
+  return ids
+    .map((id) => from.getElementById(id))
+    .filter((entry) => entry !== null)
+    .map((entry) => {
+      const copy = document.importNode(entry, true)
+      for (const part of [copy, ...copy.querySelectorAll('[id]')]) part.removeAttribute('id')
+      return copy
+    })
 }
 
 function lost() {
@@ -161,7 +168,11 @@ function kinOf(element) {
   if (element.closest('.widget')) return null
   const holder = element.closest('[data-kin], .term-prediction, .term-posterior, .term-measurement, .term-truth')
   if (!holder) return null
-  return /** @type {HTMLElement} */ (holder).dataset.kin ?? KINDS.find((kind) => holder.classList.contains(`term-${kind}`)) ?? null
+  return (
+    /** @type {HTMLElement} */ (holder).dataset.kin ??
+    KINDS.find((kind) => holder.classList.contains(`term-${kind}`)) ??
+    null
+  )
 }
 
 /**
@@ -177,7 +188,9 @@ function nearest(element) {
     return Math.max(top - y, y - bottom, 0)
   }
   const widgets = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.widget')])
-  const found = widgets.map((widget) => ({ widget, atLeast: away(widget.closest('section') ?? widget) })).sort((a, b) => a.atLeast - b.atLeast)
+  const found = widgets
+    .map((widget) => ({ widget, atLeast: away(widget.closest('section') ?? widget) }))
+    .sort((a, b) => a.atLeast - b.atLeast)
   let [best, least] = [/** @type {HTMLElement | null} */ (null), Infinity]
   for (const { widget, atLeast } of found) {
     if (atLeast >= least) break

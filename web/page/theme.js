@@ -6,8 +6,12 @@ const theme = new URLSearchParams(location.search).get('theme')
 if (theme === 'light' || theme === 'dark') root.dataset.theme = theme
 
 // Without its script the page is as it is for readers without scripts: a still picture with nothing to press.
-addEventListener('error', ({ target }) => {
-  if (target instanceof HTMLScriptElement) root.classList.remove('js')
-}, true)
+addEventListener(
+  'error',
+  ({ target }) => {
+    if (target instanceof HTMLScriptElement) root.classList.remove('js')
+  },
+  true,
+)
 
 export {}

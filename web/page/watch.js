@@ -1,13 +1,15 @@
 /** Watches a figure until it is in the state that an exercise asks for, and leads there and back. */
 
-import { part } from '../core/element.js'
+import { part } from '../draw/dom.js'
 import { unmet } from './answer.js'
 
 const EVERY_MS = 400
 
 /** The frame on the screen of a question's figure; null while the figure is not running. @param {HTMLElement} question */
 export function frameOf(question) {
-  const widget = /** @type {any} */ (document.getElementById(question.dataset.figureId ?? '')?.querySelector('.widget') ?? null)
+  const widget = /** @type {any} */ (
+    document.getElementById(question.dataset.figureId ?? '')?.querySelector('.widget') ?? null
+  )
   return widget?.settled ? widget.frame : null
 }
 
@@ -47,5 +49,8 @@ export function lookAt(question, key, met) {
 
 /** @param {HTMLElement} question */
 export function stopWatching(question) {
-  document.getElementById(question.dataset.figureId ?? '')?.querySelector('.quiz-watch')?.remove()
+  document
+    .getElementById(question.dataset.figureId ?? '')
+    ?.querySelector('.quiz-watch')
+    ?.remove()
 }

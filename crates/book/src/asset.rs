@@ -45,7 +45,7 @@ impl Assets {
         let inline = folder.join("inline.json");
         let inline = if inline.exists() || strict { read(&inline)? } else { BTreeMap::new() };
         if let Some(missing) = NEEDED.iter().find(|asset| strict && !by_name.contains_key(**asset)) {
-            return Err(BuildError::Missing(format!("{name} names no {missing}: run `node web/build.mjs`")));
+            return Err(BuildError::Missing(format!("{name} names no {missing}: run `node web/build/build.mjs`")));
         }
         Ok(Self { folder: Some(folder.to_path_buf()), by_name, inline })
     }

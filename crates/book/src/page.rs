@@ -91,7 +91,7 @@ pub fn text(
     }
 }
 
-/// The name of a part of a text: its file's, without folder, order and ending. `web/heights.json` knows it by this name.
+/// The name of a part of a text: its file's, without folder, order and ending. `web/build/heights.json` knows it by this name.
 fn part(path: &str) -> &str {
     let name = path.rsplit('/').next().unwrap_or(path).trim_end_matches(".md");
     name.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start_matches('-')

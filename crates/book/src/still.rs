@@ -45,7 +45,7 @@ pub struct Apart {
     pub picture: String,
 }
 
-/// What `web/apart.mjs` writes for the file's address.
+/// What `web/build/apart.mjs` writes for the file's address.
 const FILE: &str = "src=\"picture.svg";
 
 impl Apart {
@@ -76,7 +76,7 @@ pub fn load(folder: &Path, strict: bool) -> Result<Stills, BuildError> {
         let [svg, words] = ["svg", "txt"].map(|extension| folder.join(format!("{name}.{extension}")));
         if let Some(missing) = [&svg, &words].into_iter().find(|path| !path.exists()) {
             if strict {
-                let message = format!("no still {}: run `node web/stills.mjs`", missing.display());
+                let message = format!("no still {}: run `node web/build/stills.mjs`", missing.display());
                 return Err(BuildError::Missing(message));
             }
             continue;

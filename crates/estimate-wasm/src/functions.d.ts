@@ -1,85 +1,109 @@
 /** x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, Cov v = V, Cov w = W; at most 16 states, 8 inputs, 8 outputs. */
-export interface System { F: Matrix; G: Matrix; H: Matrix; V: Matrix; W: Matrix }
+export interface System {
+  F: Matrix
+  G: Matrix
+  H: Matrix
+  V: Matrix
+  W: Matrix
+}
 export interface KalmanStep {
-    /** x(k+1 | k), P(k+1 | k) */
-    predicted: Belief;
-    /** y − H x(k+1 | k) */
-    innovation: Vector;
-    /** H P(k+1 | k) Hᵀ + W */
-    S: Matrix;
-    /** The Kalman gain P Hᵀ S⁻¹ (Thrun: K) */
-    R: Matrix;
-    /** x(k+1 | k+1) */
-    x: Vector;
-    /** P(k+1 | k+1) */
-    P: Matrix;
+  /** x(k+1 | k), P(k+1 | k) */
+  predicted: Belief
+  /** y − H x(k+1 | k) */
+  innovation: Vector
+  /** H P(k+1 | k) Hᵀ + W */
+  S: Matrix
+  /** The Kalman gain P Hᵀ S⁻¹ (Thrun: K) */
+  R: Matrix
+  /** x(k+1 | k+1) */
+  x: Vector
+  /** P(k+1 | k+1) */
+  P: Matrix
 }
 export interface KalmanReplay {
-    /** x(k | k) after each step, row by row. */
-    x: Float64Array;
-    /** The diagonal of P(k | k), in the same order. */
-    variances: Float64Array;
-    /** P(k | k) after the last step. */
-    P: Matrix;
-    /** Σ −½(ln det 2πS + νᵀS⁻¹ν) over the steps; null where an S is too near to singular, or the sum too large for a number. */
-    logLikelihood: number | null;
+  /** x(k | k) after each step, row by row. */
+  x: Float64Array
+  /** The diagonal of P(k | k), in the same order. */
+  variances: Float64Array
+  /** P(k | k) after the last step. */
+  P: Matrix
+  /** Σ −½(ln det 2πS + νᵀS⁻¹ν) over the steps; null where an S is too near to singular, or the sum too large for a number. */
+  logLikelihood: number | null
 }
-export interface Observability { rank: number; n: number; singularValues: Vector; nullspace: Vector[] }
+export interface Observability {
+  rank: number
+  n: number
+  singularValues: Vector
+  nullspace: Vector[]
+}
 export interface SteadyState {
-    /** The last gain. */
-    R: Matrix;
-    /** P(k+1 | k). */
-    P: Matrix;
-    converged: boolean;
-    gainConverged: boolean;
-    iterations: number;
+  /** The last gain. */
+  R: Matrix
+  /** P(k+1 | k). */
+  P: Matrix
+  converged: boolean
+  gainConverged: boolean
+  iterations: number
 }
 export interface LocalizerOptions {
-    /** Noise covariance of a reading: 2×2 for range and bearing, 1×1 for a range alone. */
-    W: Matrix;
-    /** A reading whose χ² is greater is left aside; null, or absent, for none. */
-    gate?: number | null;
-    /** Default "range-bearing". */
-    sensor?: "range-bearing" | "range";
+  /** Noise covariance of a reading: 2×2 for range and bearing, 1×1 for a range alone. */
+  W: Matrix
+  /** A reading whose χ² is greater is left aside; null, or absent, for none. */
+  gate?: number | null
+  /** Default "range-bearing". */
+  sensor?: 'range-bearing' | 'range'
 }
 /** The bearing is measured from the landmark: atan2(y_r − y_ℓ, x_r − x_ℓ) − θ_r. Left out, the landmark is associated. */
-export interface LandmarkReading { range: number; bearing?: number; landmark?: number }
+export interface LandmarkReading {
+  range: number
+  bearing?: number
+  landmark?: number
+}
 export interface LandmarkUpdate {
-    outcome: "accepted" | "rejected";
-    landmark: number;
-    innovation: Vector;
-    S: Matrix;
-    chi2: number;
+  outcome: 'accepted' | 'rejected'
+  landmark: number
+  innovation: Vector
+  S: Matrix
+  chi2: number
 }
 export interface SlamOptions {
-    /** Noise covariance of a sighting, 2×2. */
-    W: Matrix;
-    /** A sighting whose χ² is greater is not used; null, or absent, for none. */
-    gate?: number | null;
-    /** A sighting whose χ² is greater for every landmark founds a new one; at least the gate, better far above it. */
-    found: number;
+  /** Noise covariance of a sighting, 2×2. */
+  W: Matrix
+  /** A sighting whose χ² is greater is not used; null, or absent, for none. */
+  gate?: number | null
+  /** A sighting whose χ² is greater for every landmark founds a new one; at least the gate, better far above it. */
+  found: number
 }
 /** The bearing is measured from the landmark. Left out, the landmark is associated, or founded. */
-export interface SlamSighting { range: number; bearing: number; landmark?: number }
-export interface SlamUpdate {
-    outcome: "matched" | "founded" | "rejected";
-    /** The landmark matched, founded, or (when rejected) nearest. */
-    landmark: number | null;
-    /** Against it, at the prediction; null for a new one. */
-    innovation: Vector | null;
-    S: Matrix | null;
-    chi2: number | null;
+export interface SlamSighting {
+  range: number
+  bearing: number
+  landmark?: number
 }
-export interface MappedLandmark { id: number; x: number; y: number; P: Matrix }
+export interface SlamUpdate {
+  outcome: 'matched' | 'founded' | 'rejected'
+  /** The landmark matched, founded, or (when rejected) nearest. */
+  landmark: number | null
+  /** Against it, at the prediction; null for a new one. */
+  innovation: Vector | null
+  S: Matrix | null
+  chi2: number | null
+}
+export interface MappedLandmark {
+  id: number
+  x: number
+  y: number
+  P: Matrix
+}
 export interface Check {
-    /** 1 to 13, the chapter's numbering. */
-    id: number;
-    title: string;
-    /** What the chapter claims. */
-    expected: Vector;
-    /** The same numbers, computed just now. */
-    actual: Vector;
-    /** The largest difference allowed. */
-    tolerance: number;
-    passed: boolean;
+  /** 1 to 13, the chapter's numbering. */
+  id: number
+  title: string
+  /** What the chapter claims. */
+  expected: Vector
+  /** The same numbers, computed just now. */
+  actual: Vector
+  /** The largest difference allowed. */
+  tolerance: number
+  passed: boolean
 }

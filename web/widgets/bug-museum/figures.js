@@ -1,15 +1,15 @@
 /** The autocorrelation of the innovations, and the figures of the run on a right filter's bands. */
 
-import { widthOf } from '../../core/labels.js'
-import { axes, meaning, plane as planeOf } from '../../core/plot.js'
-import { pixel } from '../../core/path.js'
-import { rounded } from '../../core/scale.js'
-import { band } from '../../core/statistics.js'
+import { widthOf } from '../../draw/labels.js'
+import { axes, meaning, plane as planeOf } from '../../draw/plot.js'
+import { pixel } from '../../draw/path.js'
+import { rounded } from '../../draw/scale.js'
+import { band } from '../../draw/statistics.js'
 import { FIGURES, outside, shown } from './words.js'
 
 /** @typedef {import('estimate-wasm').MuseumFrame} Frame */
 /** @typedef {import('estimate-wasm').MuseumFigure} Figure */
-/** @typedef {import('../../core/shell.js').Panel} Panel */
+/** @typedef {import('../../figure/shell.js').Panel} Panel */
 
 /** How wide a share is, with the dot beside it, pixels. */
 const SHARE = 38
@@ -22,10 +22,19 @@ export function drawCorrelation({ pen, width, height }, { correlationRange, corr
   pen.draw(() => {
     axes(pen, plane, { title: 'autocorrelation; bearings hollow', x: 'lag, used readings', ticks: [5, 4], zero: true })
     if (correlationBand !== null) band(pen, plane, -correlationBand, correlationBand)
-    for (const [shape, values, shift] of /** @type {const} */ ([['full', correlationRange, -0.15], ['hollow', correlationBearing, 0.15]])) {
+    for (const [shape, values, shift] of /** @type {const} */ ([
+      ['full', correlationRange, -0.15],
+      ['hollow', correlationBearing, 0.15],
+    ])) {
       for (const [i, value] of values.entries()) {
         const x = plane.x(i + 1 + shift)
-        pen.mark('line', `${shape}${i}`, { ...meaning('lag', 'measurement'), x1: x, x2: x, y1: plane.y(0), y2: plane.y(value) })
+        pen.mark('line', `${shape}${i}`, {
+          ...meaning('lag', 'measurement'),
+          x1: x,
+          x2: x,
+          y1: plane.y(0),
+          y2: plane.y(value),
+        })
         pen.mark('circle', `${shape}-tip${i}`, { ...meaning(shape, 'measurement'), cx: x, cy: plane.y(value), r: 3 })
       }
     }
@@ -44,25 +53,50 @@ export function drawFigures({ pen, width, height }, frame) {
   const third = (right - left) / 3
   const done = driven >= steps
   pen.draw(() => {
-    pen.text('title', { class: 'plot-title', x: left + 1.5 * third, y: 14, 'text-anchor': 'middle' }, 'a right filter’s 95 % and 99 % bands')
+    pen.text(
+      'title',
+      { class: 'plot-title', x: left + 1.5 * third, y: 14, 'text-anchor': 'middle' },
+      'a right filter’s 95 % and 99 % bands',
+    )
     pen.mark('rect', 'band', { class: 'band', x: left + third, y: top, width: third, height: row * figures.length })
     for (const [i, figure] of figures.entries()) {
       const y = top + (i + 0.5) * row
       const [least, greatest] = figure.widePlace
-      pen.mark('rect', `wide${i}`, { class: 'band', x: left + third * least, y: y - row / 2, width: third * (greatest - least), height: row })
+      pen.mark('rect', `wide${i}`, {
+        class: 'band',
+        x: left + third * least,
+        y: y - row / 2,
+        width: third * (greatest - least),
+        height: row,
+      })
       pen.text(`name${i}`, { class: 'tick', x: 0, y: y + 4 }, FIGURES[i].label)
       pen.mark('line', `line${i}`, { class: 'grid', x1: left, x2: right, y1: y, y2: y })
       const [below, above] = figure.beyond
       const at = Math.max(left + 4, Math.min(right - 4, left + third * figure.place))
       if (seeds > 0) {
-        pen.mark('path', `bars${i}`, { ...meaning('area bars', 'posterior'), d: bars(figure.counts, left, right, y + row / 2 - 1, row / 2 - 1) })
+        pen.mark('path', `bars${i}`, {
+          ...meaning('area bars', 'posterior'),
+          d: bars(figure.counts, left, right, y + row / 2 - 1, row / 2 - 1),
+        })
         // On a phone there is no room for both: the bars say it there.
         // Beside the run's own value, where that lies at an end.
-        if (below > 0 && row > 16) pen.text(`below${i}`, { class: 'rule-name', x: at < left + SHARE ? at + 7 : left, y: y + 4 }, percent(below))
-        if (above > 0 && row > 16) pen.text(`above${i}`, { class: 'rule-name', x: at > right - SHARE ? at - 7 : right, y: y + 4, 'text-anchor': 'end' }, percent(above))
+        if (below > 0 && row > 16)
+          pen.text(`below${i}`, { class: 'rule-name', x: at < left + SHARE ? at + 7 : left, y: y + 4 }, percent(below))
+        if (above > 0 && row > 16)
+          pen.text(
+            `above${i}`,
+            { class: 'rule-name', x: at > right - SHARE ? at - 7 : right, y: y + 4, 'text-anchor': 'end' },
+            percent(above),
+          )
       }
       const far = done && outside(figure)
-      if (driven > 0) pen.mark('circle', `dot${i}`, { class: far ? 'mark eigenvalue outside' : 'mark full posterior', cx: at, cy: y, r: 4 })
+      if (driven > 0)
+        pen.mark('circle', `dot${i}`, {
+          class: far ? 'mark eigenvalue outside' : 'mark full posterior',
+          cx: at,
+          cy: y,
+          r: 4,
+        })
       pen.text(`value${i}`, { class: 'tick', x: width, y: y + 4, 'text-anchor': 'end' }, shown(i, figure.value))
     }
   })
@@ -71,7 +105,10 @@ export function drawFigures({ pen, width, height }, frame) {
 /** A bar for each part of a scale, on one base; the highest is as high as there is room. @param {number[]} counts @param {number} left @param {number} right @param {number} base @param {number} high */
 function bars(counts, left, right, base, high) {
   const [wide, most] = [(right - left) / counts.length, Math.max(...counts)]
-  const bar = (/** @type {number} */ count, /** @type {number} */ i) => (count === 0 ? '' : `M${pixel(left + i * wide)} ${pixel(base)}v${pixel(-Math.max(1, (high * count) / most))}h${pixel(wide - 0.5)}V${pixel(base)}z`)
+  const bar = (/** @type {number} */ count, /** @type {number} */ i) =>
+    count === 0
+      ? ''
+      : `M${pixel(left + i * wide)} ${pixel(base)}v${pixel(-Math.max(1, (high * count) / most))}h${pixel(wide - 0.5)}V${pixel(base)}z`
   return counts.map(bar).join('')
 }
 

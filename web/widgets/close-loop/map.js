@@ -1,21 +1,21 @@
 /** The corridor from above: the map that the robot makes, its gates about the sightings it expects, and the truth. */
 
-import { followed } from '../../core/camera.js'
-import { drawBuilding, drawRobot } from '../../core/corridor.js'
-import { clear, drawLabels } from '../../core/labels.js'
-import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../core/plot.js'
+import { followed } from '../../draw/camera.js'
+import { drawBuilding, drawRobot } from '../../draw/building.js'
+import { clear, drawLabels } from '../../draw/labels.js'
+import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../draw/plot.js'
 import { ghosts } from './ghosts.js'
 
 /** @typedef {import('estimate-wasm').LoopFrame} Frame */
-/** @typedef {import('../../core/pen.js').Pen} Pen */
-/** @typedef {import('../../core/plot.js').Plane} Plane */
+/** @typedef {import('../../draw/pen.js').Pen} Pen */
+/** @typedef {import('../../draw/plot.js').Plane} Plane */
 
 const FOOT = 20
 
 /**
- * @param {import('../../core/shell.js').Panel} panel
+ * @param {import('../../figure/shell.js').Panel} panel
  * @param {Frame} frame
- * @param {import('../../core/spec.js').View} view
+ * @param {import('../../figure/spec.js').View} view
  * @returns {boolean} whether the camera still moves
  */
 export function drawMap({ pen, width, height }, frame, view) {
@@ -23,7 +23,12 @@ export function drawMap({ pen, width, height }, frame, view) {
   const { plane, moving } = followed(view, { ...box, bottom: height - FOOT }, (axis) => seen(frame, axis))
   pen.draw(() => {
     pen.window('scene', box, (to) => {
-      to.group('building', {}, (into) => drawPlace(into, plane, frame), [width, height, ...plane.x.domain, ...plane.y.domain].join(' '))
+      to.group(
+        'building',
+        {},
+        (into) => drawPlace(into, plane, frame),
+        [width, height, ...plane.x.domain, ...plane.y.domain].join(' '),
+      )
       drawTracks(to, plane, frame)
       drawLandmarks(to, plane, frame)
       drawSightings(to, plane, frame)
@@ -39,7 +44,13 @@ export function drawMap({ pen, width, height }, frame, view) {
 /** What has to be seen: the true landmarks, the map, the estimate and what it sights. @param {Frame} frame @param {number} axis */
 export function seen({ landmarks, map, estimate, sightings, tracks }, axis) {
   const at = axis ? 'y' : 'x'
-  return [[estimate[axis] - 0.5, estimate[axis] + 0.5], sightings.map((sighting) => sighting.at[axis]), landmarks.map((landmark) => landmark[at]), map.landmarks.flatMap((landmark) => [-1, 1].map((side) => landmark[at] + side * halves(landmark.ellipse)[axis])), tracks.estimate[at]]
+  return [
+    [estimate[axis] - 0.5, estimate[axis] + 0.5],
+    sightings.map((sighting) => sighting.at[axis]),
+    landmarks.map((landmark) => landmark[at]),
+    map.landmarks.flatMap((landmark) => [-1, 1].map((side) => landmark[at] + side * halves(landmark.ellipse)[axis])),
+    tracks.estimate[at],
+  ]
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
@@ -53,8 +64,14 @@ function drawPlace(pen, plane, { world, landmarks }) {
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawTracks(pen, plane, { tracks }) {
-  pen.mark('path', 'truth-track', { ...meaning('track', 'truth'), d: seriesPath(plane, tracks.truth.x, tracks.truth.y) })
-  pen.mark('path', 'estimate-track', { ...meaning('track', 'posterior'), d: seriesPath(plane, tracks.estimate.x, tracks.estimate.y) })
+  pen.mark('path', 'truth-track', {
+    ...meaning('track', 'truth'),
+    d: seriesPath(plane, tracks.truth.x, tracks.truth.y),
+  })
+  pen.mark('path', 'estimate-track', {
+    ...meaning('track', 'posterior'),
+    d: seriesPath(plane, tracks.estimate.x, tracks.estimate.y),
+  })
 }
 
 /** The map: each landmark with its ellipse, a ghost with a cross. @param {Pen} pen @param {Plane} plane @param {Frame} frame */
@@ -63,16 +80,25 @@ function drawLandmarks(pen, plane, frame) {
   for (const { id, x, y, ellipse } of frame.map.landmarks) {
     pen.mark('path', `ellipse${id}`, { ...meaning('outline', 'posterior'), d: ellipsePath(ellipse, [x, y], plane) })
     const [px, py] = [plane.x(x), plane.y(y)]
-    if (spooky.has(id)) pen.mark('path', `ghost${id}`, { class: 'mark refused ghost', d: `M${px - 4} ${py - 4}l8 8m0-8l-8 8` })
+    if (spooky.has(id))
+      pen.mark('path', `ghost${id}`, { class: 'mark refused ghost', d: `M${px - 4} ${py - 4}l8 8m0-8l-8 8` })
     else dot(pen, `landmark${id}`, plane, [x, y], { ...meaning('full', 'posterior'), r: 3 })
   }
 }
 
 /** The gates of this step, and each sighting as a line from the predicted pose to where it puts its landmark. @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawSightings(pen, plane, { gates, sightings, predicted }) {
-  for (const { id, x, y } of gates) pen.mark('path', `gate${id}`, { ...meaning('outline gate', 'prediction'), d: `${seriesPath(plane, x, y)}Z` })
+  for (const { id, x, y } of gates)
+    pen.mark('path', `gate${id}`, { ...meaning('outline gate', 'prediction'), d: `${seriesPath(plane, x, y)}Z` })
   for (const [i, { at, outcome }] of sightings.entries()) {
-    segment(pen, `sight${i}`, plane, predicted, at, meaning(outcome === 'rejected' ? 'line dashed' : 'line', 'measurement'))
+    segment(
+      pen,
+      `sight${i}`,
+      plane,
+      predicted,
+      at,
+      meaning(outcome === 'rejected' ? 'line dashed' : 'line', 'measurement'),
+    )
     dot(pen, `seen${i}`, plane, at, { ...meaning(outcome === 'founded' ? 'full' : 'hollow', 'measurement'), r: 4 })
   }
 }
@@ -87,19 +113,32 @@ function drawRobots(pen, plane, { truth, estimate, ellipse }) {
 /** What names keep clear of along a line. @param {[number, number]} from @param {[number, number]} to */
 function along([x1, y1], [x2, y2]) {
   const parts = Math.ceil(Math.hypot(x2 - x1, y2 - y1) / 8)
-  return Array.from({ length: parts }, (_, i) => clear([x1 + ((x2 - x1) * (i + 0.5)) / parts, y1 + ((y2 - y1) * (i + 0.5)) / parts], 4))
+  return Array.from({ length: parts }, (_, i) =>
+    clear([x1 + ((x2 - x1) * (i + 0.5)) / parts, y1 + ((y2 - y1) * (i + 0.5)) / parts], 4),
+  )
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawNames(pen, { x, y, box }, { truth, estimate, landmarks, predicted, sightings }) {
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const places = landmarks.map((landmark) => at([landmark.x, landmark.y]))
-  /** @type {import('../../core/labels.js').Label[]} */
+  /** @type {import('../../draw/labels.js').Label[]} */
   const names = [
     { key: 'truth-name', words: 'truth', at: at(truth), kin: 'truth', gap: 13 },
     { key: 'estimate-name', words: 'estimate', at: at(estimate), kin: 'posterior', gap: 20 },
-    ...places.map((place, i) => ({ key: `name${i}`, words: String(landmarks[i].id + 1), at: place, name: 'label', gap: 8 })),
+    ...places.map((place, i) => ({
+      key: `name${i}`,
+      words: String(landmarks[i].id + 1),
+      at: place,
+      name: 'label',
+      gap: 8,
+    })),
   ]
   const sights = sightings.flatMap((sighting) => along(at(predicted), at(sighting.at)))
-  drawLabels(pen, box, names, [...places.map((place) => clear(place, 5)), clear(at(truth), 8), clear(at(estimate), 8), ...sights])
+  drawLabels(pen, box, names, [
+    ...places.map((place) => clear(place, 5)),
+    clear(at(truth), 8),
+    clear(at(estimate), 8),
+    ...sights,
+  ])
 }

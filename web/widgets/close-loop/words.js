@@ -1,6 +1,6 @@
 /** What the figure of the loop says: each sentence follows from the numbers of the frame. */
 
-import { fixed } from '../../core/numbers.js'
+import { fixed } from '../../draw/numbers.js'
 
 /** @typedef {import('estimate-wasm').LoopFrame} Frame */
 
@@ -15,7 +15,8 @@ export function verdict(frame) {
 /** @param {Frame} frame */
 function mapOf({ step, map, closure }) {
   if (closure) return ''
-  if (step === 0) return `At the start the pose is known exactly, and ${count(map.landmarks.length, 'landmark')} in reach ${map.landmarks.length === 1 ? 'is' : 'are'} founded.`
+  if (step === 0)
+    return `At the start the pose is known exactly, and ${count(map.landmarks.length, 'landmark')} in reach ${map.landmarks.length === 1 ? 'is' : 'are'} founded.`
   return `The map has ${count(map.landmarks.length, 'landmark')}; ${useOf(map)}.`
 }
 
@@ -29,8 +30,18 @@ function useOf({ sightings, rejected }) {
 /** @param {Frame} frame */
 function faultsOf({ map }) {
   const found = []
-  if (map.spurious > 0) found.push(count(map.spurious, 'landmark is a ghost, founded though the map had it already', 'landmarks are ghosts, founded though the map had them already'))
-  if (map.wrong > 0) found.push(count(map.wrong, 'sighting was matched to the wrong landmark', 'sightings were matched to the wrong landmark'))
+  if (map.spurious > 0)
+    found.push(
+      count(
+        map.spurious,
+        'landmark is a ghost, founded though the map had it already',
+        'landmarks are ghosts, founded though the map had them already',
+      ),
+    )
+  if (map.wrong > 0)
+    found.push(
+      count(map.wrong, 'sighting was matched to the wrong landmark', 'sightings were matched to the wrong landmark'),
+    )
   if (map.full) found.push('the map is full and founds no more')
   if (found.length === 0) return ''
   const all = found.join('; ')
@@ -42,7 +53,8 @@ function closureOf({ closure, lap }) {
   if (!closure) return lap > 0 ? 'No landmark that was long out of sight has been recognized.' : ''
   const { step, landmark, before, after } = closure
   const [from, to] = [before, after].map((sigma) => fixed(sigma, 3))
-  const change = from === to ? `hardly changed, ${to} m` : `${before > after ? 'shrank' : 'grew'} from ${from} to ${to} m`
+  const change =
+    from === to ? `hardly changed, ${to} m` : `${before > after ? 'shrank' : 'grew'} from ${from} to ${to} m`
   return `At step ${step} landmark ${landmark + 1} was recognized again, and the landmarks’ mean σ ${change}.`
 }
 

@@ -4,12 +4,12 @@
  * sealed, nothing that gives it away is drawn.
  */
 
-import { clear, drawLabels } from '../../core/labels.js'
-import { axes, clipLine, dot, ellipseLevel, ellipsePath, evenPlane, meaning, segment } from '../../core/plot.js'
+import { clear, drawLabels } from '../../draw/labels.js'
+import { axes, clipLine, dot, ellipseLevel, ellipsePath, evenPlane, meaning, segment } from '../../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
-/** @typedef {import('../../core/pen.js').Pen} Pen */
-/** @typedef {import('../../core/plot.js').Plane} Plane */
+/** @typedef {import('../../draw/pen.js').Pen} Pen */
+/** @typedef {import('../../draw/plot.js').Plane} Plane */
 
 /** The middle of the axes, and how far they reach from it: the first that is far enough. */
 const CENTRE = /** @type {[number, number]} */ ([3.7, 3.7])
@@ -20,13 +20,18 @@ const CLEAR = 24
 /** How far an ellipse grows, in standard deviations: within three of them lies almost everything, and the drawing shows hardly more. */
 export const GROWN = 3
 
-const within = (/** @type {number[]} */ [px, py], /** @type {import('../../core/plot.js').Box} */ { left, top, right, bottom }, margin = 0) => px >= left + margin && px <= right - margin && py >= top + margin && py <= bottom - margin
-const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, value))
+const within = (
+  /** @type {number[]} */ [px, py],
+  /** @type {import('../../draw/plot.js').Box} */ { left, top, right, bottom },
+  margin = 0,
+) => px >= left + margin && px <= right - margin && py >= top + margin && py <= bottom - margin
+const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
+  Math.max(low, Math.min(high, value))
 
 /**
- * @param {import('../../core/shell.js').Panel} panel
+ * @param {import('../../figure/shell.js').Panel} panel
  * @param {Frame} frame
- * @param {import('../../core/spec.js').View} view
+ * @param {import('../../figure/spec.js').View} view
  */
 export function drawPlane({ pen, width, height }, frame, view) {
   const box = { left: 44, top: 30, right: width - 14, bottom: height - 42 }
@@ -68,11 +73,22 @@ function drawScene(pen, plane, frame) {
   pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(predicted.ellipse, mean, plane) })
   // Ellipses of equal probability grow until one touches the line, and that is where the purple foot stands. The reader may let one
   // grow instead.
-  if (radius > 0) pen.mark('path', 'grown', { ...meaning('curve', 'prediction'), d: ellipsePath(predicted.ellipse, mean, plane, radius) })
+  if (radius > 0)
+    pen.mark('path', 'grown', {
+      ...meaning('curve', 'prediction'),
+      d: ellipsePath(predicted.ellipse, mean, plane, radius),
+    })
   for (const part of radius > 0 || sealed ? [] : [1 / 3, 2 / 3, 1]) {
-    pen.mark('path', `equal${part}`, { ...meaning(part === 1 ? 'curve' : 'curve thin', 'prediction'), d: ellipsePath(purple.ellipse, mean, plane, part) })
+    pen.mark('path', `equal${part}`, {
+      ...meaning(part === 1 ? 'curve' : 'curve thin', 'prediction'),
+      d: ellipsePath(purple.ellipse, mean, plane, part),
+    })
   }
-  if (!sealed) pen.mark('path', 'posterior', { ...meaning('outline', 'posterior'), d: ellipsePath(posterior.ellipse, posterior.x, plane) })
+  if (!sealed)
+    pen.mark('path', 'posterior', {
+      ...meaning('outline', 'posterior'),
+      d: ellipsePath(posterior.ellipse, posterior.x, plane),
+    })
   if (sealed) return
   segment(pen, 'gray', plane, mean, gray.at, meaning('way dashed', 'truth'))
   segment(pen, 'purple', plane, mean, purple.at, meaning('way', 'posterior'))
@@ -87,46 +103,98 @@ function squareCorner(pen, { x, y }, { params, euclideanFoot, H, along }) {
   const [px, py] = [x(euclideanFoot.at[0]), y(euclideanFoot.at[1])]
   const back = Math.sign(params.mean[0] * H[0] + params.mean[1] * H[1] - params.reading) || 1
   const [ux, uy, vx, vy] = [9 * along[0], -9 * along[1], 9 * back * H[0], -9 * back * H[1]]
-  pen.mark('path', 'corner', { ...meaning('way', 'truth'), d: `M${px + ux} ${py + uy}L${px + ux + vx} ${py + uy + vy}L${px + vx} ${py + vy}` })
+  pen.mark('path', 'corner', {
+    ...meaning('way', 'truth'),
+    d: `M${px + ux} ${py + uy}L${px + ux + vx} ${py + uy + vy}L${px + vx} ${py + vy}`,
+  })
 }
 
-/** The name of a handle. @param {[string, import('../../core/spec.js').HandleSpec]} grip @returns {import('../../core/labels.js').Label} */
+/** The name of a handle. @param {[string, import('../../figure/spec.js').HandleSpec]} grip @returns {import('../../draw/labels.js').Label} */
 function ofGrip([key, { at, name = '', kin }]) {
-  return { key: `${key}-name`, words: name, at, kin, name: `handle-name ${kin}`, gap: 15, sides: ['right', 'above-right'] }
+  return {
+    key: `${key}-name`,
+    words: name,
+    at,
+    kin,
+    name: `handle-name ${kin}`,
+    gap: 15,
+    sides: ['right', 'above-right'],
+  }
 }
 
-/** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {Record<string, import('../../core/spec.js').HandleSpec>} grips */
+/** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {Record<string, import('../../figure/spec.js').HandleSpec>} grips */
 function names(pen, plane, frame, grips) {
   const { box, x, y } = plane
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const lefter = frame.mahalanobisFoot.at[0] < frame.euclideanFoot.at[0]
-  /** @type {import('../../core/labels.js').Label[]} */
-  const labels = Object.entries(grips).filter(([key]) => key !== 'guess').map(ofGrip)
+  /** @type {import('../../draw/labels.js').Label[]} */
+  const labels = Object.entries(grips)
+    .filter(([key]) => key !== 'guess')
+    .map(ofGrip)
   const { sealed } = frame.params
   // What lies outside the drawing has no name in it.
-  if (!sealed) labels.push(.../** @type {import('../../core/labels.js').Label[]} */ ([
-    { key: 'gray-name', words: 'gray foot', at: at(frame.euclideanFoot.at), kin: 'truth', sides: lefter ? ['below-right', 'right'] : ['below-left', 'left'] },
-    { key: 'purple-name', words: 'purple foot', at: at(frame.mahalanobisFoot.at), kin: 'posterior', sides: lefter ? ['below-left', 'left'] : ['below-right', 'right'] },
-    { key: 'update-name', words: 'update', at: at(frame.update.at), kin: 'posterior', sides: lefter ? ['above-left', 'left'] : ['above-right', 'right'] },
-  ]).filter((label) => within(label.at, box)))
+  if (!sealed)
+    labels.push(
+      .../** @type {import('../../draw/labels.js').Label[]} */ ([
+        {
+          key: 'gray-name',
+          words: 'gray foot',
+          at: at(frame.euclideanFoot.at),
+          kin: 'truth',
+          sides: lefter ? ['below-right', 'right'] : ['below-left', 'left'],
+        },
+        {
+          key: 'purple-name',
+          words: 'purple foot',
+          at: at(frame.mahalanobisFoot.at),
+          kin: 'posterior',
+          sides: lefter ? ['below-left', 'left'] : ['below-right', 'right'],
+        },
+        {
+          key: 'update-name',
+          words: 'update',
+          at: at(frame.update.at),
+          kin: 'posterior',
+          sides: lefter ? ['above-left', 'left'] : ['above-right', 'right'],
+        },
+      ]).filter((label) => within(label.at, box)),
+    )
   // A guess is put near the feet, whose names keep their places.
   if (grips.guess) labels.push(ofGrip(['guess', grips.guess]))
-  const line = (/** @type {string} */ key, /** @type {number} */ output, /** @type {import('../../core/words.js').Words} */ words, /** @type {boolean} */ over, place = 0.93) => {
+  const line = (
+    /** @type {string} */ key,
+    /** @type {number} */ output,
+    /** @type {import('../../draw/words.js').Words} */ words,
+    /** @type {boolean} */ over,
+    place = 0.93,
+  ) => {
     const ends = clipLine(frame.H, output, plane)
     if (!ends) return
     const [from, to] = ends[0][0] <= ends[1][0] ? ends : [ends[1], ends[0]]
     const mark = from.map((value, i) => value + place * (to[i] - value))
     // Beside a steep line there is room, above its end there is none.
     const steep = Math.abs(x(to[0]) - x(from[0])) < Math.abs(y(to[1]) - y(from[1]))
-    const [beside, along] = [over ? ['right', 'left'] : ['left', 'right'], over ? ['above', 'above-right', 'above-left'] : ['below', 'below-right', 'below-left']]
-    labels.push({ key, words, at: at(mark), gap: 5, kin: 'measurement', sides: /** @type {import('../../core/labels.js').Side[]} */ (steep ? beside : along) })
+    const [beside, along] = [
+      over ? ['right', 'left'] : ['left', 'right'],
+      over ? ['above', 'above-right', 'above-left'] : ['below', 'below-right', 'below-left'],
+    ]
+    labels.push({
+      key,
+      words,
+      at: at(mark),
+      gap: 5,
+      kin: 'measurement',
+      sides: /** @type {import('../../draw/labels.js').Side[]} */ (steep ? beside : along),
+    })
   }
   const upper = frame.params.reading > frame.mostLikelyOutput
   // On a phone the equation has no room beside the foot's name and would lie on both lines.
   const narrow = box.right - box.left < 360
   line('omega-name', frame.params.reading, narrow ? 'Ω' : 'Ω: {H}*x* = {y}', upper, narrow ? 0.84 : 0.93)
   if (frame.params.noise > 0 && !sealed) line('likely-name', frame.mostLikelyOutput, 'Ω^{∗}', !upper)
-  const marks = [frame.euclideanFoot.at, ...(sealed ? [] : [frame.mahalanobisFoot.at, frame.update.at])].map((place) => clear(at(place), 4))
+  const marks = [frame.euclideanFoot.at, ...(sealed ? [] : [frame.mahalanobisFoot.at, frame.update.at])].map((place) =>
+    clear(at(place), 4),
+  )
   drawLabels(pen, box, labels, [...marks, ...Object.values(grips).map((grip) => clear(grip.at, 11))])
 }
 
@@ -144,14 +212,15 @@ function onLine(plane, { H, params: { reading } }) {
   return middle.map((value, i) => value + away * H[i])
 }
 
-/** The handles by their keys. @param {Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view
- * @returns {Record<string, import('../../core/spec.js').HandleSpec>} */
+/** The handles by their keys. @param {Plane} plane @param {Frame} frame @param {import('../../figure/spec.js').View} view
+ * @returns {Record<string, import('../../figure/spec.js').HandleSpec>} */
 function handlesOf(plane, frame, view) {
   const { box, x, y } = plane
   const { mean, semiMajor, semiMinor, angle, reading } = frame.params
   const [c, s] = [Math.cos(angle), Math.sin(angle)]
   const words = (/** @type {number} */ value) => value.toFixed(2)
-  const inside = (/** @type {number[]} */ [px, py]) => /** @type {[number, number]} */ ([clamp(px, box.left + 8, box.right - 8), clamp(py, box.top + 8, box.bottom - 8)])
+  const inside = (/** @type {number[]} */ [px, py]) =>
+    /** @type {[number, number]} */ ([clamp(px, box.left + 8, box.right - 8), clamp(py, box.top + 8, box.bottom - 8)])
   const data = (/** @type {number} */ px, /** @type {number} */ py) => {
     const at = inside([px, py])
     return [x.invert(at[0]), y.invert(at[1])]
@@ -166,19 +235,30 @@ function handlesOf(plane, frame, view) {
   const axis = view.limits.semiMajor
   const length = (/** @type {number} */ value) => clamp(value, axis.least, axis.greatest)
 
-  /** @type {Record<string, import('../../core/spec.js').HandleSpec>} */
+  /** @type {Record<string, import('../../figure/spec.js').HandleSpec>} */
   const grips = {}
   grips.mean = {
-    at: [x(mean[0]), y(mean[1])], label: 'Prediction', name: 'prediction', kin: 'prediction',
+    at: [x(mean[0]), y(mean[1])],
+    label: 'Prediction',
+    name: 'prediction',
+    kin: 'prediction',
     value: `at ${words(mean[0])} metres, ${words(mean[1])} metres a second`,
-    now: mean[0], min: x.invert(box.left + 8), max: x.invert(box.right - 8),
+    now: mean[0],
+    min: x.invert(box.left + 8),
+    max: x.invert(box.right - 8),
     move: (px, py) => ({ mean: data(px, py) }),
     nudge: (dx, dy) => ({ mean: held([mean[0] + 0.05 * dx, mean[1] + 0.05 * dy]) }),
     jump: (end) => ({ mean: data(end === 'home' ? box.left : box.right, y(mean[1])) }),
   }
   grips.major = {
-    at: inside(first(side(first))), label: 'First axis of the ellipse', name: 'turn, stretch', kin: 'prediction',
-    value: `${words(semiMajor)} long, at ${Math.round((angle * 180) / Math.PI)} degrees`, now: semiMajor, min: axis.least, max: axis.greatest,
+    at: inside(first(side(first))),
+    label: 'First axis of the ellipse',
+    name: 'turn, stretch',
+    kin: 'prediction',
+    value: `${words(semiMajor)} long, at ${Math.round((angle * 180) / Math.PI)} degrees`,
+    now: semiMajor,
+    min: axis.least,
+    max: axis.greatest,
     move: (px, py) => {
       const [dx, dy] = data(px, py).map((value, i) => value - mean[i])
       return { semiMajor: length(Math.hypot(dx, dy)), angle: Math.atan2(dy, dx) }
@@ -187,8 +267,14 @@ function handlesOf(plane, frame, view) {
     jump: (end) => ({ semiMajor: end === 'home' ? axis.least : axis.greatest }),
   }
   grips.minor = {
-    at: inside(second(side(second))), label: 'Second axis of the ellipse', name: 'stretch', kin: 'prediction',
-    value: `${words(semiMinor)} long`, now: semiMinor, min: axis.least, max: axis.greatest,
+    at: inside(second(side(second))),
+    label: 'Second axis of the ellipse',
+    name: 'stretch',
+    kin: 'prediction',
+    value: `${words(semiMinor)} long`,
+    now: semiMinor,
+    min: axis.least,
+    max: axis.greatest,
     move: (px, py) => {
       const [dx, dy] = data(px, py).map((value, i) => value - mean[i])
       return { semiMinor: length(Math.abs(dy * c - dx * s)) }
@@ -198,12 +284,21 @@ function handlesOf(plane, frame, view) {
   }
   const at = onLine(plane, frame)
   const { least, greatest } = view.limits.reading
-  const output = (/** @type {number[]} */ point) => clamp(frame.H[0] * point[0] + frame.H[1] * point[1], least, greatest)
+  const output = (/** @type {number[]} */ point) =>
+    clamp(frame.H[0] * point[0] + frame.H[1] * point[1], least, greatest)
   grips.reading = {
-    at: inside([x(at[0]), y(at[1])]), label: 'Reading', name: '{y}', kin: 'measurement',
-    value: words(reading), now: reading, min: least, max: greatest,
+    at: inside([x(at[0]), y(at[1])]),
+    label: 'Reading',
+    name: '{y}',
+    kin: 'measurement',
+    value: words(reading),
+    now: reading,
+    min: least,
+    max: greatest,
     move: (px, py) => ({ reading: output(data(px, py)) }),
-    nudge: (dx, dy) => ({ reading: clamp(reading + 0.05 * (Math.abs(frame.H[1]) > 0.5 ? dy || dx : dx || dy), least, greatest) }),
+    nudge: (dx, dy) => ({
+      reading: clamp(reading + 0.05 * (Math.abs(frame.H[1]) > 0.5 ? dy || dx : dx || dy), least, greatest),
+    }),
     jump: (end) => ({ reading: end === 'home' ? least : greatest }),
   }
   if (frame.params.guess !== null) grips.guess = guessed(plane, frame, view, inside)
@@ -213,8 +308,14 @@ function handlesOf(plane, frame, view) {
   if (radius * semiMajor * (x(1) - x(0)) > CLEAR && within([ex, ey], box, 8)) {
     const grow = (/** @type {number} */ value) => ({ radius: clamp(value, 0.05, GROWN) })
     grips.grow = {
-      at: [ex, ey], label: 'Radius of the growing ellipse', name: box.right - box.left > 250 ? 'grow' : undefined, kin: 'prediction',
-      value: `${words(radius)} standard deviations`, now: radius, min: 0, max: GROWN,
+      at: [ex, ey],
+      label: 'Radius of the growing ellipse',
+      name: box.right - box.left > 250 ? 'grow' : undefined,
+      kin: 'prediction',
+      value: `${words(radius)} standard deviations`,
+      now: radius,
+      min: 0,
+      max: GROWN,
       move: (px, py) => {
         const [dx, dy] = data(px, py).map((value, i) => value - mean[i])
         return grow((other * (dx * c + dy * s)) / semiMajor)
@@ -226,17 +327,24 @@ function handlesOf(plane, frame, view) {
   return grips
 }
 
-/** The reader's guess, which stays on the line. @param {Plane} plane @param {Frame} frame @param {import('../../core/spec.js').View} view
- * @param {(at: number[]) => [number, number]} inside @returns {import('../../core/spec.js').HandleSpec} */
+/** The reader's guess, which stays on the line. @param {Plane} plane @param {Frame} frame @param {import('../../figure/spec.js').View} view
+ * @param {(at: number[]) => [number, number]} inside @returns {import('../../figure/spec.js').HandleSpec} */
 function guessed({ x, y }, { params, euclideanFoot, along }, view, inside) {
   const guess = /** @type {number} */ (params.guess)
   const { least, greatest } = view.limits.guess
   const put = (/** @type {number} */ place) => ({ guess: clamp(place, least, greatest) })
   const at = euclideanFoot.at.map((value, i) => value + guess * along[i])
   return {
-    at: inside([x(at[0]), y(at[1])]), label: 'Your guess', name: 'your guess', kin: 'measurement',
-    value: `at ${at[0].toFixed(2)} metres, ${at[1].toFixed(2)} metres a second`, now: guess, min: least, max: greatest,
-    move: (px, py) => put((x.invert(px) - euclideanFoot.at[0]) * along[0] + (y.invert(py) - euclideanFoot.at[1]) * along[1]),
+    at: inside([x(at[0]), y(at[1])]),
+    label: 'Your guess',
+    name: 'your guess',
+    kin: 'measurement',
+    value: `at ${at[0].toFixed(2)} metres, ${at[1].toFixed(2)} metres a second`,
+    now: guess,
+    min: least,
+    max: greatest,
+    move: (px, py) =>
+      put((x.invert(px) - euclideanFoot.at[0]) * along[0] + (y.invert(py) - euclideanFoot.at[1]) * along[1]),
     nudge: (dx, dy) => put(guess + 0.05 * (Math.abs(along[0]) > 0.5 ? dx || dy : dy || dx)),
     jump: (end) => put(end === 'home' ? -3 : 3),
   }

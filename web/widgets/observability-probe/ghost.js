@@ -1,10 +1,10 @@
 /** The ghost, which starts elsewhere and drives the same ticks: what it reads beside what the robot reads, both without noise. */
 
-import { fixed } from '../../core/numbers.js'
-import { timePlot } from '../../core/time-plot.js'
+import { fixed } from '../../draw/numbers.js'
+import { timePlot } from '../../draw/time-plot.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
-/** @typedef {import('../../core/shell.js').Panel} Panel */
+/** @typedef {import('../../figure/shell.js').Panel} Panel */
 
 const degrees = (/** @type {number} */ angle) => (angle * 180) / Math.PI
 
@@ -15,7 +15,8 @@ export function ofTheGhost({ ghost, params, step }) {
   if (step === 0) return `The ghost begins ${fixed(moved, 2)} m from the robot: let both drive.`
   const where = `The ghost has been up to ${fixed(moved, 2)} m from the robot.`
   const bearings = bearingGap === null ? '' : ` and its bearings by ${fixed(degrees(bearingGap), 1)}°`
-  if (rangeGap > 1e-9 || (bearingGap ?? 0) > 1e-9) return `${where} Its ranges differ by up to ${fixed(rangeGap, 2)} m${bearings}.`
+  if (rangeGap > 1e-9 || (bearingGap ?? 0) > 1e-9)
+    return `${where} Its ranges differ by up to ${fixed(rangeGap, 2)} m${bearings}.`
   return `${where} It reads what the robot reads${params.count === 1 ? '' : ' of every landmark'}: no filter can tell the two apart.`
 }
 
@@ -26,22 +27,28 @@ export function drawRanges(panel, frame) {
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawBearings(panel, frame) {
-  draw(panel, frame, 'bearings: robot, and ghost dashed (°)', ({ bearing, ghostBearing }) => [bearing.map(degrees), ghostBearing.map(degrees)])
+  draw(panel, frame, 'bearings: robot, and ghost dashed (°)', ({ bearing, ghostBearing }) => [
+    bearing.map(degrees),
+    ghostBearing.map(degrees),
+  ])
 }
 
 /** @param {Panel} panel @param {Frame} frame @param {string} title @param {(readings: import('estimate-wasm').GhostReadings) => number[][]} pick */
 function draw(panel, { ghost, series }, title, pick) {
-  panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title,
-    steps: series.step,
-    lines: (ghost?.readings ?? []).flatMap((readings, i) => {
-      const [robot, copy] = pick(readings)
-      return [
-        { key: `robot${i}`, values: robot, name: String(i + 1), kin: /** @type {const} */ ('measurement') },
-        { key: `ghost${i}`, values: copy, name: '', shape: 'ghost dashed' },
-      ]
-    }),
-  }))
+  panel.pen.draw(
+    (pen) =>
+      void timePlot(pen, panel, {
+        title,
+        steps: series.step,
+        lines: (ghost?.readings ?? []).flatMap((readings, i) => {
+          const [robot, copy] = pick(readings)
+          return [
+            { key: `robot${i}`, values: robot, name: String(i + 1), kin: /** @type {const} */ ('measurement') },
+            { key: `ghost${i}`, values: copy, name: '', shape: 'ghost dashed' },
+          ]
+        }),
+      }),
+  )
 }
 
 /** Columns of the CSV. @param {Frame} frame @returns {Record<string, number[]>} */

@@ -21,11 +21,15 @@ const inPlace = ([dx, dy, turn]) => (dx === 0 && dy === 0) || Math.abs(turn) > I
 export function hidden({ estimate: [x, y], frozen, alongPath }) {
   // Before the first step there is no path, and nothing is said of one.
   const driven = alongPath.steps > 0 ? [{ name: 'path', shape: 'direction', ranks: alongPath }] : []
-  return [{ name: 'frozen', shape: 'level', ranks: frozen }, ...driven].flatMap(({ name, shape, ranks: { directions } }) => directions.slice(0, DRAWN).map((direction, i) => ({
-    key: `${name}${i}`, shape,
-    words: directions.length > 1 ? `${name} ${i + 1}` : name,
-    ends: inPlace(direction) ? null : [-ARM, ARM].map((arm) => [x + arm * direction[0], y + arm * direction[1]]),
-  })))
+  return [{ name: 'frozen', shape: 'level', ranks: frozen }, ...driven].flatMap(
+    ({ name, shape, ranks: { directions } }) =>
+      directions.slice(0, DRAWN).map((direction, i) => ({
+        key: `${name}${i}`,
+        shape,
+        words: directions.length > 1 ? `${name} ${i + 1}` : name,
+        ends: inPlace(direction) ? null : [-ARM, ARM].map((arm) => [x + arm * direction[0], y + arm * direction[1]]),
+      })),
+  )
 }
 
 /** How the heading turns along the hidden directions that are drawn. @param {Ranks} ranks */

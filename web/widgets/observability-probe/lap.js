@@ -12,7 +12,11 @@ const NEAR = 1e-6
  */
 export function lap({ x, y }, truth, square) {
   const points = x.map((value, i) => [value, y[i]])
-  const whole = square.reduce((sum, [cx, cy], i) => sum + Math.hypot(square[(i + 1) % square.length][0] - cx, square[(i + 1) % square.length][1] - cy), 0)
+  const whole = square.reduce(
+    (sum, [cx, cy], i) =>
+      sum + Math.hypot(square[(i + 1) % square.length][0] - cx, square[(i + 1) % square.length][1] - cy),
+    0,
+  )
   const corner = truth.x.findIndex((value, i) => Math.hypot(value - square[0][0], truth.y[i] - square[0][1]) < NEAR)
   return once(points.slice(Math.max(0, corner)), whole) ?? once(points, whole) ?? points
 }

@@ -1,55 +1,67 @@
 /** Gain, variance and error over the last steps. */
 
-import { timePlot } from '../../core/time-plot.js'
+import { timePlot } from '../../draw/time-plot.js'
 
 /** @typedef {import('estimate-wasm').BenchFrame} Frame */
-/** @typedef {import('../../core/shell.js').Panel} Panel */
+/** @typedef {import('../../figure/shell.js').Panel} Panel */
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawGain(panel, frame) {
   const { step, r1, r2, knob } = frame.series
   const [s1, s2] = frame.steadyGain
-  panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: 'gain {Rk} and its knob *g*',
-    steps: step,
-    include: [0, 1],
-    unit: '{k}',
-    rules: [{ key: '1', at: s1 }, { key: '2', at: s2 }],
-    lines: [
-      { key: '1', values: r1, name: '{R}_1', kin: 'posterior' },
-      { key: '2', values: r2, name: '{R}_2', kin: 'posterior', shape: 'dashed' },
-      { key: 'knob', values: knob, name: '*g*', kin: null, shape: 'thin' },
-    ],
-  }))
+  panel.pen.draw(
+    (pen) =>
+      void timePlot(pen, panel, {
+        title: 'gain {Rk} and its knob *g*',
+        steps: step,
+        include: [0, 1],
+        unit: '{k}',
+        rules: [
+          { key: '1', at: s1 },
+          { key: '2', at: s2 },
+        ],
+        lines: [
+          { key: '1', values: r1, name: '{R}_1', kin: 'posterior' },
+          { key: '2', values: r2, name: '{R}_2', kin: 'posterior', shape: 'dashed' },
+          { key: 'knob', values: knob, name: '*g*', kin: null, shape: 'thin' },
+        ],
+      }),
+  )
 }
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawVariance(panel, frame) {
   const { step, p11, p22 } = frame.series
-  panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: 'variance (m², m²/s²)',
-    steps: step,
-    log: true,
-    include: [0.2, 4],
-    unit: '{k}',
-    lines: [
-      { key: '1', values: p11, name: '{P}_{11}', kin: 'posterior' },
-      { key: '2', values: p22, name: '{P}_{22}', kin: 'posterior', shape: 'dashed' },
-    ],
-  }))
+  panel.pen.draw(
+    (pen) =>
+      void timePlot(pen, panel, {
+        title: 'variance (m², m²/s²)',
+        steps: step,
+        log: true,
+        include: [0.2, 4],
+        unit: '{k}',
+        lines: [
+          { key: '1', values: p11, name: '{P}_{11}', kin: 'posterior' },
+          { key: '2', values: p22, name: '{P}_{22}', kin: 'posterior', shape: 'dashed' },
+        ],
+      }),
+  )
 }
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawError(panel, frame) {
   const { step, e1, e2 } = frame.series
-  panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: 'error: truth − estimate (m, m/s)',
-    steps: step,
-    include: [-1, 1],
-    unit: '{k}',
-    lines: [
-      { key: '1', values: e1, name: '*e*_1', kin: 'truth' },
-      { key: '2', values: e2, name: '*e*_2', kin: 'truth', shape: 'dashed' },
-    ],
-  }))
+  panel.pen.draw(
+    (pen) =>
+      void timePlot(pen, panel, {
+        title: 'error: truth − estimate (m, m/s)',
+        steps: step,
+        include: [-1, 1],
+        unit: '{k}',
+        lines: [
+          { key: '1', values: e1, name: '*e*_1', kin: 'truth' },
+          { key: '2', values: e2, name: '*e*_2', kin: 'truth', shape: 'dashed' },
+        ],
+      }),
+  )
 }

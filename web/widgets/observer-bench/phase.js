@@ -3,18 +3,29 @@
  * arrow leads from the prediction to the estimate: the correction, which the knob makes longer or shorter.
  */
 
-import { clear, drawLabels, widthOf } from '../../core/labels.js'
-import { Span, between } from '../../core/motion.js'
-import { arrow, axes, clipLine, dot, ellipseLevel, ellipsePath, halves, meaning, plane as planeOf, segment } from '../../core/plot.js'
+import { clear, drawLabels, widthOf } from '../../draw/labels.js'
+import { Span, between } from '../../figure/motion.js'
+import {
+  arrow,
+  axes,
+  clipLine,
+  dot,
+  ellipseLevel,
+  ellipsePath,
+  halves,
+  meaning,
+  plane as planeOf,
+  segment,
+} from '../../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').BenchFrame} Frame */
-/** @typedef {import('../../core/pen.js').Pen} Pen */
-/** @typedef {import('../../core/plot.js').Plane} Plane */
+/** @typedef {import('../../draw/pen.js').Pen} Pen */
+/** @typedef {import('../../draw/plot.js').Plane} Plane */
 
 /**
- * @param {import('../../core/shell.js').Panel} panel
+ * @param {import('../../figure/shell.js').Panel} panel
  * @param {Frame} frame
- * @param {import('../../core/spec.js').View} view
+ * @param {import('../../figure/spec.js').View} view
  * @returns {boolean} whether the camera still moves
  */
 export function drawPhase({ pen, width, height }, frame, view) {
@@ -23,7 +34,12 @@ export function drawPhase({ pen, width, height }, frame, view) {
   const moving = [across.follow(...scene.across, view.elapsed), up.follow(...scene.up, view.elapsed)].includes(true)
   const plane = planeOf({ left: 48, top: 30, right: width - 14, bottom: height - 42 }, across.now, up.now)
   pen.draw(() => {
-    axes(pen, plane, { x: 'position − truth (m)', y: 'velocity − truth (m/s)', ticks: [width < 420 ? 4 : 7, 5], zero: true })
+    axes(pen, plane, {
+      x: 'position − truth (m)',
+      y: 'velocity − truth (m/s)',
+      ticks: [width < 420 ? 4 : 7, 5],
+      zero: true,
+    })
     pen.window('scene', plane.box, (to) => drawScene(to, plane, frame, scene))
     names(pen, plane, frame, scene)
     ellipseLevel(pen, plane.box.left, plane.box.bottom + 32)
@@ -34,7 +50,7 @@ export function drawPhase({ pen, width, height }, frame, view) {
 /**
  * What the panel shows at this moment of the step, relative to the truth.
  * @param {Frame} frame
- * @param {import('../../core/spec.js').View} view
+ * @param {import('../../figure/spec.js').View} view
  */
 function stage(frame, { beat, previous }) {
   const from = (/** @type {Frame} */ at, /** @type {import('estimate-wasm').BenchBelief} */ belief) => ({
@@ -46,12 +62,19 @@ function stage(frame, { beat, previous }) {
   const before = previous ? from(previous, previous.posterior) : predicted
   const orange = beat.name === 'predict' ? between(before, predicted, beat.t) : predicted
   // While the prediction moves the estimate of the step before stays where it was.
-  const purple = beat.name === 'rest' ? posterior : beat.name === 'update' ? between(predicted, posterior, beat.t) : before
+  const purple =
+    beat.name === 'rest' ? posterior : beat.name === 'update' ? between(predicted, posterior, beat.t) : before
   const reach = (/** @type {0 | 1} */ axis, /** @type {number} */ least) => {
-    const ends = [orange, purple].flatMap(({ x, ellipse }) => [x[axis] - halves(ellipse)[axis], x[axis] + halves(ellipse)[axis]])
+    const ends = [orange, purple].flatMap(({ x, ellipse }) => [
+      x[axis] - halves(ellipse)[axis],
+      x[axis] + halves(ellipse)[axis],
+    ])
     return /** @type {[number, number]} */ ([Math.min(-least, ...ends), Math.max(least, ...ends)])
   }
-  const reading = beat.name === 'predict' || frame.reading === null ? null : frame.reading - (frame.H[0] * frame.truth[0] + frame.H[1] * frame.truth[1])
+  const reading =
+    beat.name === 'predict' || frame.reading === null
+      ? null
+      : frame.reading - (frame.H[0] * frame.truth[0] + frame.H[1] * frame.truth[1])
   return { orange, purple, corrects: beat.name !== 'predict', across: reach(0, 0.5), up: reach(1, 0.25), reading }
 }
 
@@ -59,7 +82,10 @@ function stage(frame, { beat, previous }) {
 function drawScene(pen, plane, frame, { orange, purple, corrects, reading }) {
   const line = reading === null ? null : clipLine(frame.H, reading, plane)
   if (line) segment(pen, 'omega', plane, ...line, meaning('line', 'measurement'))
-  pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(orange.ellipse, orange.x, plane) })
+  pen.mark('path', 'predicted', {
+    ...meaning('outline', 'prediction'),
+    d: ellipsePath(orange.ellipse, orange.x, plane),
+  })
   pen.mark('path', 'posterior', { ...meaning('outline', 'posterior'), d: ellipsePath(purple.ellipse, purple.x, plane) })
   const [x, y] = [plane.x(0), plane.y(0)]
   pen.mark('path', 'truth', { ...meaning('cross', 'truth'), d: `M${x - 7} ${y}H${x + 7}M${x} ${y - 7}V${y + 7}` })
@@ -72,25 +98,57 @@ function drawScene(pen, plane, frame, { orange, purple, corrects, reading }) {
 function names(pen, { box, x, y }, frame, { orange, purple, reading }) {
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const lefter = purple.x[0] < orange.x[0]
-  /** @type {import('../../core/labels.js').Label[]} */
+  /** @type {import('../../draw/labels.js').Label[]} */
   const labels = [
-    { key: 'prediction-name', words: 'prediction', at: at(orange.x), kin: 'prediction', sides: lefter ? ['right', 'below'] : ['left', 'below'] },
-    { key: 'posterior-name', words: 'estimate', at: at(purple.x), kin: 'posterior', sides: lefter ? ['left', 'above'] : ['right', 'above'] },
+    {
+      key: 'prediction-name',
+      words: 'prediction',
+      at: at(orange.x),
+      kin: 'prediction',
+      sides: lefter ? ['right', 'below'] : ['left', 'below'],
+    },
+    {
+      key: 'posterior-name',
+      words: 'estimate',
+      at: at(purple.x),
+      kin: 'posterior',
+      sides: lefter ? ['left', 'above'] : ['right', 'above'],
+    },
     { key: 'truth-name', words: 'truth', at: at([0, 0]), kin: 'truth', sides: ['below-right'] },
   ]
   if (reading !== null) {
     const flat = frame.H[0] === 0
     const words = 'Ω: {H}*x* = {y}'
     const half = widthOf(words) / 2
-    const ends = /** @type {[number, number][]} */ (flat ? [box.right - half - 2, box.left + half + 4].map((px) => [px, y(reading / frame.H[1])]) : [box.top + 10, box.bottom - 10].map((py) => [x(reading / frame.H[0]), py]))
+    const ends = /** @type {[number, number][]} */ (
+      flat
+        ? [box.right - half - 2, box.left + half + 4].map((px) => [px, y(reading / frame.H[1])])
+        : [box.top + 10, box.bottom - 10].map((py) => [x(reading / frame.H[0]), py])
+    )
     // At the end that is farther from the ellipses, unless the usual one is clear of them.
-    const free = (/** @type {number[]} */ [px, py]) => Math.min(...[orange, purple].flatMap((belief) => outline(belief).map((point) => {
-      const [dx, dy] = [Math.abs(x(point[0]) - px) - (flat ? half : 2 * half), Math.abs(y(point[1]) - py) - (flat ? 18 : 8)]
-      return Math.max(dx, dy)
-    })))
+    const free = (/** @type {number[]} */ [px, py]) =>
+      Math.min(
+        ...[orange, purple].flatMap((belief) =>
+          outline(belief).map((point) => {
+            const [dx, dy] = [
+              Math.abs(x(point[0]) - px) - (flat ? half : 2 * half),
+              Math.abs(y(point[1]) - py) - (flat ? 18 : 8),
+            ]
+            return Math.max(dx, dy)
+          }),
+        ),
+      )
     const end = free(ends[0]) > 0 || free(ends[0]) >= free(ends[1]) ? ends[0] : ends[1]
     const within = end[0] > box.left && end[0] < box.right && end[1] > box.top && end[1] < box.bottom
-    if (within) labels.push({ key: 'omega-name', words, at: end, gap: 4, kin: 'measurement', sides: flat ? ['above', 'below'] : ['right', 'left'] })
+    if (within)
+      labels.push({
+        key: 'omega-name',
+        words,
+        at: end,
+        gap: 4,
+        kin: 'measurement',
+        sides: flat ? ['above', 'below'] : ['right', 'left'],
+      })
   }
   drawLabels(pen, box, labels, [clear(at(orange.x), 5), clear(at(purple.x), 5), clear(at([0, 0]), 6)])
 }

@@ -1,22 +1,22 @@
 /** The corridor from above: where the robot is, where it believes itself to be, and how sure it claims to be. */
 
-import { followed } from '../../core/camera.js'
-import { drawBuilding, drawRobot } from '../../core/corridor.js'
-import { clear, drawLabels } from '../../core/labels.js'
-import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../core/plot.js'
+import { followed } from '../../draw/camera.js'
+import { drawBuilding, drawRobot } from '../../draw/building.js'
+import { clear, drawLabels } from '../../draw/labels.js'
+import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
-/** @typedef {import('../../core/pen.js').Pen} Pen */
-/** @typedef {import('../../core/plot.js').Plane} Plane */
+/** @typedef {import('../../draw/pen.js').Pen} Pen */
+/** @typedef {import('../../draw/plot.js').Plane} Plane */
 
 /** Ticks a sightline takes to fade. */
 const FLASH = 40
 const FOOT = 20
 
 /**
- * @param {import('../../core/shell.js').Panel} panel
+ * @param {import('../../figure/shell.js').Panel} panel
  * @param {Frame} frame
- * @param {import('../../core/spec.js').View} view
+ * @param {import('../../figure/spec.js').View} view
  * @returns {boolean} whether the camera still moves
  */
 export function drawMap({ pen, width, height }, frame, view) {
@@ -28,7 +28,12 @@ export function drawMap({ pen, width, height }, frame, view) {
   pen.draw(() => {
     pen.window('scene', box, (to) => {
       to.group('building', {}, (into) => drawPlace(into, plane, frame), stamp)
-      to.group('trail', {}, (into) => drawTrail(into, plane, frame), `${stamp} ${JSON.stringify(frame.params)} ${stops(frame).map(({ step }) => step)}`)
+      to.group(
+        'trail',
+        {},
+        (into) => drawTrail(into, plane, frame),
+        `${stamp} ${JSON.stringify(frame.params)} ${stops(frame).map(({ step }) => step)}`,
+      )
       drawTracks(to, plane, frame)
       drawSight(to, plane, frame)
       drawRobots(to, plane, frame)
@@ -44,7 +49,11 @@ export function drawMap({ pen, width, height }, frame, view) {
 function seen({ world, tracks, estimate, ellipse }, axis) {
   const at = axis ? 'y' : 'x'
   const half = halves(ellipse)[axis] + 0.5
-  return [[estimate[axis] - half, estimate[axis] + half], world.corners.map((corner) => corner[at]), tracks.estimate[at]]
+  return [
+    [estimate[axis] - half, estimate[axis] + half],
+    world.corners.map((corner) => corner[at]),
+    tracks.estimate[at],
+  ]
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
@@ -77,10 +86,19 @@ function drawTrail(pen, plane, frame) {
 function drawTracks(pen, plane, frame) {
   const { tracks } = frame
   const kin = kinOf(frame)
-  pen.mark('path', 'truth-track', { ...meaning('track', 'truth'), d: seriesPath(plane, tracks.truth.x, tracks.truth.y) })
-  pen.mark('path', 'estimate-track', { ...meaning('track', kin), d: seriesPath(plane, tracks.estimate.x, tracks.estimate.y) })
+  pen.mark('path', 'truth-track', {
+    ...meaning('track', 'truth'),
+    d: seriesPath(plane, tracks.truth.x, tracks.truth.y),
+  })
+  pen.mark('path', 'estimate-track', {
+    ...meaning('track', kin),
+    d: seriesPath(plane, tracks.estimate.x, tracks.estimate.y),
+  })
   if (frame.params.fixes && frame.sightings.length) {
-    pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(frame.predicted.ellipse, frame.predicted.x, plane) })
+    pen.mark('path', 'predicted', {
+      ...meaning('outline', 'prediction'),
+      d: ellipsePath(frame.predicted.ellipse, frame.predicted.x, plane),
+    })
   }
   pen.mark('path', 'ellipse', { ...meaning('outline', kin), d: ellipsePath(frame.ellipse, frame.estimate, plane) })
 }
@@ -90,7 +108,10 @@ function drawSight(pen, plane, { step, lastSighting, params }) {
   if (!lastSighting || step - lastSighting.step >= FLASH) return
   const { from, x, y } = lastSighting
   const opacity = 1 - (step - lastSighting.step) / FLASH
-  segment(pen, 'sight', plane, from, [x, y], { ...meaning(params.fixes ? 'line' : 'line dashed', 'measurement'), 'stroke-opacity': opacity })
+  segment(pen, 'sight', plane, from, [x, y], {
+    ...meaning(params.fixes ? 'line' : 'line dashed', 'measurement'),
+    'stroke-opacity': opacity,
+  })
   dot(pen, 'seen', plane, [x, y], { ...meaning('sight', 'measurement'), r: 9, 'stroke-opacity': opacity })
 }
 
@@ -108,9 +129,35 @@ function drawNames(pen, { x, y, box }, frame) {
   const above = truth[1] >= estimate[1]
   const corners = world.corners.map((corner) => at([corner.x, corner.y]))
   const middle = corners.reduce((sum, [cx]) => sum + cx / corners.length, 0)
-  drawLabels(pen, box, [
-    { key: 'truth-name', words: 'truth', at: at(truth), kin: 'truth', gap: 13, sides: above ? ['above', 'left'] : ['below', 'left'] },
-    { key: 'estimate-name', words: frame.params.fixes ? 'estimate' : 'odometry', at: at(estimate), kin: kinOf(frame), gap: 20, sides: ['right', 'left', above ? 'below' : 'above'] },
-    ...corners.map((corner, i) => ({ key: `corner-name${i}`, words: String(world.corners[i].id + 1), at: corner, name: 'label', gap: 8, sides: /** @type {import('../../core/labels.js').Side[]} */ ([corner[0] > middle ? 'right' : 'left']) })),
-  ], [...corners.map((corner) => clear(corner, 5)), clear(at(truth), 8), clear(at(estimate), 8)])
+  drawLabels(
+    pen,
+    box,
+    [
+      {
+        key: 'truth-name',
+        words: 'truth',
+        at: at(truth),
+        kin: 'truth',
+        gap: 13,
+        sides: above ? ['above', 'left'] : ['below', 'left'],
+      },
+      {
+        key: 'estimate-name',
+        words: frame.params.fixes ? 'estimate' : 'odometry',
+        at: at(estimate),
+        kin: kinOf(frame),
+        gap: 20,
+        sides: ['right', 'left', above ? 'below' : 'above'],
+      },
+      ...corners.map((corner, i) => ({
+        key: `corner-name${i}`,
+        words: String(world.corners[i].id + 1),
+        at: corner,
+        name: 'label',
+        gap: 8,
+        sides: /** @type {import('../../draw/labels.js').Side[]} */ ([corner[0] > middle ? 'right' : 'left']),
+      })),
+    ],
+    [...corners.map((corner) => clear(corner, 5)), clear(at(truth), 8), clear(at(estimate), 8)],
+  )
 }

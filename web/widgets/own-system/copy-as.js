@@ -10,7 +10,8 @@ function parts(frame) {
 }
 
 /** @param {number} number as Rust writes a float */
-const float = (number) => (Number.isInteger(number) && Math.abs(number) < 1e15 ? number.toFixed(1) : String(number).replace('e+', 'e'))
+const float = (number) =>
+  Number.isInteger(number) && Math.abs(number) < 1e15 ? number.toFixed(1) : String(number).replace('e+', 'e')
 
 /** @param {number[][]} m */
 function inRust(m) {
@@ -57,7 +58,9 @@ fn main() -> Result<(), estimate::Error> {
 /** @param {Frame} frame */
 export function javascript(frame) {
   const { F, G, H, V, W, K, start, tolerance } = parts(frame)
-  const written = Object.entries({ F, G, H, V, W }).map(([name, m]) => `  ${name}: ${JSON.stringify(m)},`).join('\n')
+  const written = Object.entries({ F, G, H, V, W })
+    .map(([name, m]) => `  ${name}: ${JSON.stringify(m)},`)
+    .join('\n')
   return `const core = require('robot-motion')
 
 const system = {
@@ -83,7 +86,12 @@ for (const R of core.gainSchedule(system, P0, 5)) console.log('gain', JSON.strin
 export function numpy(frame) {
   const { F, G, H, V, W, K, start, tolerance } = parts(frame)
   const n = F.length
-  const written = Object.entries({ F, G, H, V, W, K }).map(([name, m]) => `${name} = ${m[0].length === 0 ? `np.zeros((${m.length}, 0))` : `np.array(${JSON.stringify(m).replace(/,/g, ', ')}, dtype=float)`}`).join('\n')
+  const written = Object.entries({ F, G, H, V, W, K })
+    .map(
+      ([name, m]) =>
+        `${name} = ${m[0].length === 0 ? `np.zeros((${m.length}, 0))` : `np.array(${JSON.stringify(m).replace(/,/g, ', ')}, dtype=float)`}`,
+    )
+    .join('\n')
   return `import numpy as np
 
 ${written}

@@ -1,23 +1,27 @@
 /** The unit disc with the eigenvalues of (I − KH)F; where the reader places them, with handles. */
 
-import { complex, fixed } from '../../core/numbers.js'
-import { clear, drawLabels, rim } from '../../core/labels.js'
-import { dot, evenPlane, meaning } from '../../core/plot.js'
+import { complex, fixed } from '../../draw/numbers.js'
+import { clear, drawLabels, rim } from '../../draw/labels.js'
+import { dot, evenPlane, meaning } from '../../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
-/** @typedef {import('../../core/spec.js').HandleSpec} HandleSpec */
+/** @typedef {import('../../figure/spec.js').HandleSpec} HandleSpec */
 
 const REACH = 1.32
 /** A pole this near to the real line is put on it, in its own units. */
 const SNAP = 0.05
 
-/** @param {import('../../core/shell.js').Panel} panel @param {Frame} frame @param {import('../../core/spec.js').View} view */
+/** @param {import('../../figure/shell.js').Panel} panel @param {Frame} frame @param {import('../../figure/spec.js').View} view */
 export function drawDisc({ pen, width, height }, frame, view) {
   const plane = evenPlane({ left: 14, top: 30, right: width - 14, bottom: height - 12 }, [0, 0], REACH)
   const { x, y, box } = plane
-  const inside = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) => Math.max(low, Math.min(high, value))
+  const inside = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
+    Math.max(low, Math.min(high, value))
   const seen = frame.eigenvalues.map((value) => {
-    const at = /** @type {[number, number]} */ ([inside(value.re, x.invert(box.left + 7), x.invert(box.right - 7)), inside(value.im, y.invert(box.bottom - 7), y.invert(box.top + 7))])
+    const at = /** @type {[number, number]} */ ([
+      inside(value.re, x.invert(box.left + 7), x.invert(box.right - 7)),
+      inside(value.im, y.invert(box.bottom - 7), y.invert(box.top + 7)),
+    ])
     return { ...value, at, off: at[0] !== value.re || at[1] !== value.im }
   })
   const placing = frame.params.gain === 'placement' && frame.placed === true
@@ -29,17 +33,30 @@ export function drawDisc({ pen, width, height }, frame, view) {
     pen.mark('circle', 'rim', { class: 'disc-rim', cx: x(0), cy: y(0), r: x(1) - x(0) })
     seen.forEach(({ at, fixed: stays, modulus, off }, i) => {
       if (stays) pen.mark('circle', `ring${i}`, { class: 'pinned-ring', cx: x(at[0]), cy: y(at[1]), r: 11 })
-      dot(pen, `dot${i}`, plane, at, { ...meaning(`eigenvalue${modulus >= 1 ? ' outside' : ''}${off ? ' hollow' : ''}`), r: 5.5 })
+      dot(pen, `dot${i}`, plane, at, {
+        ...meaning(`eigenvalue${modulus >= 1 ? ' outside' : ''}${off ? ' hollow' : ''}`),
+        r: 5.5,
+      })
     })
-    const shown = seen.filter(({ im }, i) => im > 0 || (im === 0 && !seen.slice(0, i).some((other) => other.im === 0 && fixed(other.re, 3) === fixed(seen[i].re, 3))))
+    const shown = seen.filter(
+      ({ im }, i) =>
+        im > 0 ||
+        (im === 0 && !seen.slice(0, i).some((other) => other.im === 0 && fixed(other.re, 3) === fixed(seen[i].re, 3))),
+    )
     const labels = shown.map((value, i) => ({
-      key: `name${i}`, at: /** @type {[number, number]} */ ([x(value.at[0]), y(value.at[1])]), gap: placing ? 15 : 11, name: `eigenvalue-name${value.modulus >= 1 ? ' outside' : ''}`,
-      words: value.im > 0 ? `${fixed(value.re, 2)} ± ${fixed(value.im, 2)} i` : complex(value, 3), sides: /** @type {import('../../core/labels.js').Side[]} */ (['above', 'below']),
+      key: `name${i}`,
+      at: /** @type {[number, number]} */ ([x(value.at[0]), y(value.at[1])]),
+      gap: placing ? 15 : 11,
+      name: `eigenvalue-name${value.modulus >= 1 ? ' outside' : ''}`,
+      words: value.im > 0 ? `${fixed(value.re, 2)} ± ${fixed(value.im, 2)} i` : complex(value, 3),
+      sides: /** @type {import('../../draw/labels.js').Side[]} */ (['above', 'below']),
     }))
     const taken = seen.map(({ at }) => clear([x(at[0]), y(at[1])], placing ? 11 : 7))
     drawLabels(pen, box, labels, [...taken, ...rim([x(0), y(0)], x(1) - x(0))])
     if (frame.params.gain !== 'placement') return
-    pen.group('handles', {}, (into) => poles(frame).forEach((pole) => view.handle(into, `pole${pole.index}`, handleOf(pole, plane, frame))))
+    pen.group('handles', {}, (into) =>
+      poles(frame).forEach((pole) => view.handle(into, `pole${pole.index}`, handleOf(pole, plane, frame))),
+    )
   })
 }
 
@@ -60,7 +77,7 @@ function poles({ params, movable }) {
 
 /**
  * @param {{ index: number, re: number, im: number, room: boolean }} pole
- * @param {import('../../core/plot.js').Plane} plane
+ * @param {import('../../draw/plot.js').Plane} plane
  * @param {Frame} frame
  * @returns {HandleSpec}
  */
@@ -75,10 +92,16 @@ function handleOf({ index, re, im, room }, { x, y }, { params }) {
     return { poles: next }
   }
   return {
-    at: [x(re), y(im)], small: true, label: `Eigenvalue ${index + 1}${im ? ' and its conjugate' : ''}`, value: im ? `${fixed(re, 2)} ± ${fixed(im, 2)} i` : fixed(re, 2),
-    now: re, min: -1.3, max: 1.3,
+    at: [x(re), y(im)],
+    small: true,
+    label: `Eigenvalue ${index + 1}${im ? ' and its conjugate' : ''}`,
+    value: im ? `${fixed(re, 2)} ± ${fixed(im, 2)} i` : fixed(re, 2),
+    now: re,
+    min: -1.3,
+    max: 1.3,
     move: (px, py) => put(x.invert(px), y.invert(py)),
-    nudge: (dx, dy) => put(re + 0.01 * dx, dy === 0 ? im : im === 0 ? SNAP * Math.sign(dy) : im + 0.01 * dy < SNAP ? 0 : im + 0.01 * dy),
+    nudge: (dx, dy) =>
+      put(re + 0.01 * dx, dy === 0 ? im : im === 0 ? SNAP * Math.sign(dy) : im + 0.01 * dy < SNAP ? 0 : im + 0.01 * dy),
     jump: (end) => put(end === 'home' ? -0.95 : 0.95, im),
   }
 }

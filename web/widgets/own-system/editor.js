@@ -3,9 +3,9 @@
  * the figure keeps the last one.
  */
 
-import { button, part } from '../../core/element.js'
-import { copied } from '../../core/copy.js'
-import { writeHtml } from '../../core/words.js'
+import { button, part } from '../../draw/dom.js'
+import { copied } from '../../figure/clipboard.js'
+import { writeHtml } from '../../draw/words.js'
 import { javascript, numpy, rust } from './copy-as.js'
 import { choose, select, textBox, write } from './fields.js'
 import { givenName, lettersOf } from './names.js'
@@ -15,7 +15,7 @@ import { faultOf, numberOf, readSystem } from './read.js'
 /** @typedef {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} Change */
 
 const MOST = 4
-const MEANINGS = /** @type {Record<string, import('../../core/words.js').Words>} */ ({
+const MEANINGS = /** @type {Record<string, import('../../draw/words.js').Words>} */ ({
   F: '*F*{also F}: what a step does',
   G: '*G*{also G}: what an input does',
   H: '*H*{also H}: what a reading tells',
@@ -23,7 +23,11 @@ const MEANINGS = /** @type {Record<string, import('../../core/words.js').Words>}
   W: '*W*{also W}: noise of a reading',
   K: '*K*{also K}: the gain by hand',
 })
-const SIZES = [{ name: 'states', label: 'States', from: 1 }, { name: 'inputs', label: 'Inputs', from: 0 }, { name: 'readings', label: 'Readings', from: 1 }]
+const SIZES = [
+  { name: 'states', label: 'States', from: 1 },
+  { name: 'inputs', label: 'Inputs', from: 0 },
+  { name: 'readings', label: 'Readings', from: 1 },
+]
 const LANGUAGES = { Rust: rust, JavaScript: javascript, numpy }
 
 /** @param {Document} document @param {Change} change */
@@ -37,7 +41,12 @@ export function buildEditor(document, change) {
     if (chosen) propose('', () => paramsOf(chosen))
   })
   const sizes = SIZES.map(({ name, label, from }) => {
-    const input = select(document, top, label, Array.from({ length: MOST + 1 - from }, (_, i) => String(i + from)))
+    const input = select(
+      document,
+      top,
+      label,
+      Array.from({ length: MOST + 1 - from }, (_, i) => String(i + from)),
+    )
     input.addEventListener('change', () => {
       const count = input.selectedIndex + from
       propose('', ({ params }) => ({ [name]: count, ...grown(name, count, params) }))
@@ -51,7 +60,13 @@ export function buildEditor(document, change) {
     writeHtml(part(document, label, 'span', 'control-name'), `Name of *x*_${i + 1}`)
     const input = textBox(document, label)
     input.setAttribute('maxlength', '12')
-    input.addEventListener('input', () => change({}, ({ params }) => ({ names: params.names.map((/** @type {number[]} */ name, /** @type {number} */ j) => (j === i ? lettersOf(input.value) : name)) })))
+    input.addEventListener('input', () =>
+      change({}, ({ params }) => ({
+        names: params.names.map((/** @type {number[]} */ name, /** @type {number} */ j) =>
+          j === i ? lettersOf(input.value) : name,
+        ),
+      })),
+    )
     return { label, input }
   })
 
@@ -62,13 +77,15 @@ export function buildEditor(document, change) {
     writeHtml(part(document, group, 'span', 'control-name'), MEANINGS[name])
     group.setAttribute('aria-label', `Matrix ${name}`)
     const grid = part(document, group, 'div', 'own-cells')
-    const cells = Array.from({ length: MOST }, (_, i) => Array.from({ length: MOST }, (_, j) => {
-      const input = textBox(document, grid)
-      input.setAttribute('inputmode', 'decimal')
-      input.setAttribute('aria-label', `${name}, row ${i + 1}, column ${j + 1}`)
-      input.addEventListener('input', () => typed(name, i, j))
-      return input
-    }))
+    const cells = Array.from({ length: MOST }, (_, i) =>
+      Array.from({ length: MOST }, (_, j) => {
+        const input = textBox(document, grid)
+        input.setAttribute('inputmode', 'decimal')
+        input.setAttribute('aria-label', `${name}, row ${i + 1}, column ${j + 1}`)
+        input.addEventListener('input', () => typed(name, i, j))
+        return input
+      }),
+    )
     const none = part(document, group, 'span', 'own-none')
     none.textContent = 'none'
     return { name, group, grid, cells, none }
@@ -78,7 +95,14 @@ export function buildEditor(document, change) {
   fault.setAttribute('role', 'status')
   const tools = part(document, element, 'div', 'own-row own-tools')
   button(document, tools, 'Paste a system', () => openPaste(), 'quiet')
-  for (const [language, write] of Object.entries(LANGUAGES)) button(document, tools, `Copy as ${language}`, () => change({}, (frame) => (give(language, write(frame)), {})), 'quiet')
+  for (const [language, write] of Object.entries(LANGUAGES))
+    button(
+      document,
+      tools,
+      `Copy as ${language}`,
+      () => change({}, (frame) => (give(language, write(frame)), {})),
+      'quiet',
+    )
   const box = part(document, element, 'div', 'own-box')
 
   /** Where the fault is: in a matrix that is typed, or in what is pasted. */
@@ -139,7 +163,10 @@ export function buildEditor(document, change) {
     for (const { name: each, group, cells } of matrices) {
       if (each !== wrong) cells.flat().forEach((cell) => cell.removeAttribute('aria-invalid'))
       // An entry that is no number is marked itself; of a matrix that the lab refuses, every entry may be at fault.
-      group.toggleAttribute('data-wrong', each === wrong && !cells.flat().some((cell) => cell.hasAttribute('aria-invalid')))
+      group.toggleAttribute(
+        'data-wrong',
+        each === wrong && !cells.flat().some((cell) => cell.hasAttribute('aria-invalid')),
+      )
     }
   }
 
@@ -176,7 +203,7 @@ export function buildEditor(document, change) {
     area.value = text
     area.focus({ preventScroll: true })
     area.select()
-    if (await copied(text) && area.previousSibling) area.previousSibling.textContent = `${name}, copied`
+    if ((await copied(text)) && area.previousSibling) area.previousSibling.textContent = `${name}, copied`
   }
 
   /** @param {string} name @param {string} kind @param {() => void} closed */
@@ -218,12 +245,14 @@ export function buildEditor(document, change) {
         grid.setAttribute('style', `--columns:${Math.max(1, columns)}`)
         none.toggleAttribute('hidden', columns > 0)
         const entries = partOf(name, params)
-        cells.forEach((row, i) => row.forEach((cell, j) => {
-          cell.toggleAttribute('hidden', i >= rows || j >= columns)
-          // What is being typed stays as it is typed, and so does what could not be read.
-          if (i >= rows || j >= columns || name === wrong || (document.activeElement === cell && !foreign)) return
-          if (numberOf(cell.value) !== entries[i][j] || cell.value === '') write(cell, String(entries[i][j]))
-        }))
+        cells.forEach((row, i) =>
+          row.forEach((cell, j) => {
+            cell.toggleAttribute('hidden', i >= rows || j >= columns)
+            // What is being typed stays as it is typed, and so does what could not be read.
+            if (i >= rows || j >= columns || name === wrong || (document.activeElement === cell && !foreign)) return
+            if (numberOf(cell.value) !== entries[i][j] || cell.value === '') write(cell, String(entries[i][j]))
+          }),
+        )
       }
     },
   }
@@ -251,18 +280,28 @@ function grown(name, count, params) {
 
 /** A system as one string, which tells it from others. @param {any} params */
 function keyOf(params) {
-  return JSON.stringify([params.states, params.inputs, params.readings, ...[...MATRICES, 'K'].map((name) => partOf(name, params))])
+  return JSON.stringify([
+    params.states,
+    params.inputs,
+    params.readings,
+    ...[...MATRICES, 'K'].map((name) => partOf(name, params)),
+  ])
 }
 
 /** A system as it may be pasted; what is empty is left out. @param {any} params */
 function written(params) {
-  return Object.entries(systemOf(params)).filter(([, m]) => m[0].length > 0).map(([name, m]) => `${name} = [${m.map((row) => row.join(' ')).join('; ')}]`).join('\n')
+  return Object.entries(systemOf(params))
+    .filter(([, m]) => m[0].length > 0)
+    .map(([name, m]) => `${name} = [${m.map((row) => row.join(' ')).join('; ')}]`)
+    .join('\n')
 }
 
 /** Whether the parameters hold this system. @param {any} system @param {any} params */
 function same(system, params) {
-  return ['states', 'inputs', 'readings'].every((name) => system[name] === params[name])
-    && MATRICES.every((name) => String(partOf(name, system)) === String(partOf(name, params)))
+  return (
+    ['states', 'inputs', 'readings'].every((name) => system[name] === params[name]) &&
+    MATRICES.every((name) => String(partOf(name, system)) === String(partOf(name, params)))
+  )
 }
 
 /** What the lab says of a system that it refuses, with the letter of the matrix. @param {unknown} error */

@@ -1,6 +1,6 @@
 /** The fields of the editor: lists to choose from and boxes to type in. */
 
-import { part } from '../../core/element.js'
+import { part } from '../../draw/dom.js'
 
 /** @param {Document} document @param {Element} into @param {string} words @param {string[]} options @returns {HTMLSelectElement} */
 export function select(document, into, words, options) {

@@ -1,11 +1,11 @@
 /** A simulated run, the filter's gain and the variances over the last steps. */
 
-import { timePlot } from '../../core/time-plot.js'
+import { timePlot } from '../../draw/time-plot.js'
 import { givenName } from './names.js'
 import { shownState } from './words.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
-/** @typedef {import('../../core/shell.js').Panel} Panel */
+/** @typedef {import('../../figure/shell.js').Panel} Panel */
 
 const SHAPES = ['solid', 'dashed', 'thin', 'thin dashed']
 
@@ -17,18 +17,21 @@ export function drawRun(panel, frame) {
   const i = shownState(frame.params)
   const { step, truth, estimate, sigma } = frame.series
   const edge = (/** @type {number} */ sign) => estimate[i].map((value, k) => value + sign * 2 * sigma[i][k])
-  panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: `a simulated run: ${title(frame, i)}, and ±2 *σ*`,
-    steps: step,
-    include: [-1, 1],
-    unit: '{k}',
-    lines: [
-      { key: 'above', values: edge(1), name: '', kin: 'posterior', shape: 'thin' },
-      { key: 'below', values: edge(-1), name: '', kin: 'posterior', shape: 'thin' },
-      { key: 'truth', values: truth[i], name: '*x*', kin: 'truth' },
-      { key: 'estimate', values: estimate[i], name: '*x̂*', kin: 'posterior' },
-    ],
-  }))
+  panel.pen.draw(
+    (pen) =>
+      void timePlot(pen, panel, {
+        title: `a simulated run: ${title(frame, i)}, and ±2 *σ*`,
+        steps: step,
+        include: [-1, 1],
+        unit: '{k}',
+        lines: [
+          { key: 'above', values: edge(1), name: '', kin: 'posterior', shape: 'thin' },
+          { key: 'below', values: edge(-1), name: '', kin: 'posterior', shape: 'thin' },
+          { key: 'truth', values: truth[i], name: '*x*', kin: 'truth' },
+          { key: 'estimate', values: estimate[i], name: '*x̂*', kin: 'posterior' },
+        ],
+      }),
+  )
 }
 
 /** @param {Panel} panel @param {Frame} frame */
@@ -36,24 +39,44 @@ export function drawGain(panel, frame) {
   const i = shownState(frame.params)
   const { step, gain } = frame.series
   const known = gain[i].slice(0, frame.params.readings)
-  panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: `the filter’s gain {Rk} for ${title(frame, i)}`,
-    steps: step,
-    include: [0, 0.1],
-    unit: '{k}',
-    lines: known.map((values, j) => ({ key: String(j), values, name: `{R}_{${i + 1}${j + 1}}`, kin: /** @type {const} */ ('posterior'), shape: SHAPES[j] })),
-  }))
+  panel.pen.draw(
+    (pen) =>
+      void timePlot(pen, panel, {
+        title: `the filter’s gain {Rk} for ${title(frame, i)}`,
+        steps: step,
+        include: [0, 0.1],
+        unit: '{k}',
+        lines: known.map((values, j) => ({
+          key: String(j),
+          values,
+          name: `{R}_{${i + 1}${j + 1}}`,
+          kin: /** @type {const} */ ('posterior'),
+          shape: SHAPES[j],
+        })),
+      }),
+  )
 }
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawVariance(panel, frame) {
   const { step, variance } = frame.series
-  panel.pen.draw((pen) => void timePlot(pen, panel, {
-    title: 'variances {Pk}',
-    steps: step,
-    log: true,
-    include: [0.5, 2],
-    unit: '{k}',
-    lines: variance.slice(0, frame.params.states).map((values, j) => ({ key: String(j), values, name: `{P}_{${j + 1}${j + 1}}`, kin: /** @type {const} */ ('posterior'), shape: SHAPES[j] })),
-  }))
+  panel.pen.draw(
+    (pen) =>
+      void timePlot(pen, panel, {
+        title: 'variances {Pk}',
+        steps: step,
+        log: true,
+        include: [0.5, 2],
+        unit: '{k}',
+        lines: variance
+          .slice(0, frame.params.states)
+          .map((values, j) => ({
+            key: String(j),
+            values,
+            name: `{P}_{${j + 1}${j + 1}}`,
+            kin: /** @type {const} */ ('posterior'),
+            shape: SHAPES[j],
+          })),
+      }),
+  )
 }

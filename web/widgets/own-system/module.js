@@ -2,6 +2,6 @@
 
 import init, * as estimate from 'estimate-wasm/system'
 import address from 'estimate-wasm/system/wasm'
-import { loader } from '../../core/start.js'
+import { loader } from '../../load/loader.js'
 
 export const loadSystem = loader(init, estimate, address)

@@ -10,7 +10,12 @@ export function lettersOf(name) {
 
 /** What the reader has called state `i`; empty where nothing. @param {any} params @param {number} i */
 export function givenName(params, i) {
-  return params.names[i].filter((/** @type {number} */ code) => code >= 32 && code <= 0x10ffff && !(code >= 0xd800 && code < 0xe000)).map((/** @type {number} */ code) => String.fromCodePoint(code)).join('').replace(/[*_^{}]/g, '').trim()
+  return params.names[i]
+    .filter((/** @type {number} */ code) => code >= 32 && code <= 0x10ffff && !(code >= 0xd800 && code < 0xe000))
+    .map((/** @type {number} */ code) => String.fromCodePoint(code))
+    .join('')
+    .replace(/[*_^{}]/g, '')
+    .trim()
 }
 
 /** @param {any} params @param {number} i */
@@ -21,18 +26,23 @@ export function nameOf(params, i) {
 /** A number with at most three digits that say something, small and large ones by their power of ten. @param {number} value */
 export function short(value) {
   const size = Math.abs(value)
-  const text = size !== 0 && (size < 0.01 || size >= 1e4) ? value.toExponential(1).replace('e+', 'e') : String(Number(value.toPrecision(3)))
+  const text =
+    size !== 0 && (size < 0.01 || size >= 1e4)
+      ? value.toExponential(1).replace('e+', 'e')
+      : String(Number(value.toPrecision(3)))
   return text.replace(/-/g, '−')
 }
 
 /** A sum of states: `position + 0.5 · velocity`. @param {number[]} direction @param {any} params */
 export function sumOf(direction, params) {
   const parts = direction.flatMap((factor, i) => (factor === 0 ? [] : [{ factor, name: nameOf(params, i) }]))
-  return parts.map(({ factor, name }, k) => {
-    const size = Math.abs(factor)
-    const sign = k === 0 ? (factor < 0 ? '−' : '') : factor < 0 ? ' − ' : ' + '
-    return `${sign}${Math.abs(size - 1) < 5e-4 ? '' : `${short(size)} · `}${name}`
-  }).join('')
+  return parts
+    .map(({ factor, name }, k) => {
+      const size = Math.abs(factor)
+      const sign = k === 0 ? (factor < 0 ? '−' : '') : factor < 0 ? ' − ' : ' + '
+      return `${sign}${Math.abs(size - 1) < 5e-4 ? '' : `${short(size)} · `}${name}`
+    })
+    .join('')
 }
 
 /** Several of them: `a`, `a and b`, `a, b and c`. @param {number[][]} directions @param {any} params */

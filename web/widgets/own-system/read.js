@@ -7,7 +7,12 @@
 const NAMES = ['F', 'G', 'H', 'V', 'W']
 const MOST = 4
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i
-const MEANT = /** @type {Record<string, string>} */ ({ F: 'the dynamics', H: 'what a reading tells', V: 'the noise of the motion', W: 'the noise of a reading' })
+const MEANT = /** @type {Record<string, string>} */ ({
+  F: 'the dynamics',
+  H: 'what a reading tells',
+  V: 'the noise of the motion',
+  W: 'the noise of a reading',
+})
 
 /** @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices */
 
@@ -25,7 +30,11 @@ export function readSystem(text) {
 
 /** A number as a reader types it: a decimal, also by a true minus sign, or a fraction of two. @param {string} text @returns {number} NaN of what is none */
 export function numberOf(text) {
-  const [above, below, more] = text.trim().replace(/[−–]/g, '-').split('/').map((part) => part.trim())
+  const [above, below, more] = text
+    .trim()
+    .replace(/[−–]/g, '-')
+    .split('/')
+    .map((part) => part.trim())
   if (more !== undefined || !NUMBER.test(above)) return NaN
   if (below === undefined) return Number(above)
   return NUMBER.test(below) && Number(below) !== 0 ? Number(above) / Number(below) : NaN
@@ -35,7 +44,12 @@ class Fault extends Error {}
 
 /** Lines that go on after `…` are joined. @param {string} text */
 function withoutComments(text) {
-  return text.replace(/\r\n?/g, '\n').replace(/^\s*%\{\s*\n[^]*?^\s*%\}.*$/gm, '').replace(/\/\*[^]*?\*\//g, '').replace(/("(?:[^"\\\n]|\\.)*")|(?:[%#]|\/\/).*$/gm, '$1').replace(/(\.\.\.|…)[^\n]*\n/g, ' ')
+  return text
+    .replace(/\r\n?/g, '\n')
+    .replace(/^\s*%\{\s*\n[^]*?^\s*%\}.*$/gm, '')
+    .replace(/\/\*[^]*?\*\//g, '')
+    .replace(/("(?:[^"\\\n]|\\.)*")|(?:[%#]|\/\/).*$/gm, '$1')
+    .replace(/(\.\.\.|…)[^\n]*\n/g, ' ')
 }
 
 /** What is wrong with a text that is no number. @param {string} text */
@@ -58,7 +72,9 @@ function system(text) {
     found[name] = new Value(text.slice(match.index + match[0].length), name).read()
   }
   if (Object.keys(found).length === 0) {
-    const hint = others.has('A') ? 'What is called A, B and C elsewhere is F, G and H here; V and W are the covariances of the motion and of a reading.' : 'Write F = …, G = …, H = …, V = …, W = …, in JSON, MATLAB or numpy notation.'
+    const hint = others.has('A')
+      ? 'What is called A, B and C elsewhere is F, G and H here; V and W are the covariances of the motion and of a reading.'
+      : 'Write F = …, G = …, H = …, V = …, W = …, in JSON, MATLAB or numpy notation.'
     throw new Fault(`No matrix was found. ${hint}`)
   }
   for (const [name, meant] of Object.entries(MEANT)) if (!found[name]) throw new Fault(`${name}, ${meant}, is missing.`)
@@ -67,19 +83,30 @@ function system(text) {
   if (found.G?.length === 1 && n > 1 && found.G[0].length === n) found.G = transposed(found.G)
   const p = found.H.length
   const m = found.G?.[0]?.length ?? 0
-  const sizes = /** @type {Record<string, [number, number]>} */ ({ F: [n, n], G: [n, m], H: [p, n], V: [n, n], W: [p, p] })
+  const sizes = /** @type {Record<string, [number, number]>} */ ({
+    F: [n, n],
+    G: [n, m],
+    H: [p, n],
+    V: [n, n],
+    W: [p, p],
+  })
   for (const name of NAMES.filter((each) => found[each])) {
     const [rows, columns] = [found[name].length, found[name][0].length]
-    if (rows > MOST || columns > MOST) throw new Fault(`${name} is ${rows} × ${columns}; at most ${MOST} × ${MOST} are shown here.${hintOf(text)}`)
+    if (rows > MOST || columns > MOST)
+      throw new Fault(`${name} is ${rows} × ${columns}; at most ${MOST} × ${MOST} are shown here.${hintOf(text)}`)
     const [height, width] = sizes[name]
-    const why = name === 'F' ? 'it has to be square' : `with F ${n} × ${found.F[0].length} and H ${p} × ${found.H[0].length} it needs to be ${height} × ${width}`
+    const why =
+      name === 'F'
+        ? 'it has to be square'
+        : `with F ${n} × ${found.F[0].length} and H ${p} × ${found.H[0].length} it needs to be ${height} × ${width}`
     if (rows !== height || columns !== width) throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}`)
   }
   return /** @type {any} */ ({ G: found.F.map(() => []), ...found })
 }
 
 /** Numbers like 0,5 are two numbers here. @param {string} text */
-const hintOf = (text) => (/\d,\d/.test(text) && !/\d\.\d|,\s|\[\s*\[/.test(text) ? ' A comma stands between numbers: write 0.5 for 0,5.' : '')
+const hintOf = (text) =>
+  /\d,\d/.test(text) && !/\d\.\d|,\s|\[\s*\[/.test(text) ? ' A comma stands between numbers: write 0.5 for 0,5.' : ''
 
 /** @param {number[][]} m */
 const transposed = (m) => m[0].map((_, j) => m.map((row) => row[j]))
@@ -101,13 +128,15 @@ class Value {
 
   read() {
     // As MATLAB prints a matrix: rows of numbers below the name, and above them a factor of all, if there is one.
-    const printed = this.take(/^[^\S\n]*\n\s*(?:([-+.\deE]+)\s*\*[^\S\n]*\n\s*)?(?=[-+.\d])((?:[-+.\deE \t]+(?:\n|$))+)/)
+    const printed = this.take(
+      /^[^\S\n]*\n\s*(?:([-+.\deE]+)\s*\*[^\S\n]*\n\s*)?(?=[-+.\d])((?:[-+.\deE \t]+(?:\n|$))+)/,
+    )
     if (printed) {
       const factor = printed[1] === undefined ? 1 : this.entry(printed[1], 1, 1)
       return this.rows(printed[2].trim().split('\n')).map((row) => row.map((entry) => factor * entry))
     }
     let value = this.factor()
-    for (let sign; (sign = this.take(/^[^\S\n]*(\.?[*/])\s*/)?.[1]);) {
+    for (let sign; (sign = this.take(/^[^\S\n]*(\.?[*/])\s*/)?.[1]); ) {
       const next = this.factor()
       const [one, other] = next.length === 1 && next[0].length === 1 ? [next, value] : [value, next]
       if (one.length !== 1 || one[0].length !== 1 || (sign.endsWith('/') && one !== next)) this.refuse(`${sign}`)
@@ -122,7 +151,9 @@ class Value {
 
   /** @param {string} words @returns {never} */
   refuse(words) {
-    throw new Fault(`${this.name}: “${words.trim().split('\n')[0].slice(0, 20)}” is not understood here; write the numbers that come of it.`)
+    throw new Fault(
+      `${this.name}: “${words.trim().split('\n')[0].slice(0, 20)}” is not understood here; write the numbers that come of it.`,
+    )
   }
 
   /** @returns {number[][]} */
@@ -139,7 +170,7 @@ class Value {
     if (!call) return null
     const [, numpy, kind = ''] = call
     if (/eye|identity|zeros|ones/.test(kind)) return this.filled(kind, numpy !== undefined)
-    const inner = this.rest.startsWith('[') ? this.bracketed() : this.made() ?? this.scalar()
+    const inner = this.rest.startsWith('[') ? this.bracketed() : (this.made() ?? this.scalar())
     if (!this.take(/^\s*(?:,\s*dtype\s*=\s*[\w.]+\s*)?,?\s*\)/)) {
       if (this.rest.includes(')')) this.refuse(this.rest)
       throw new Fault(`${this.name}: a bracket is not closed.`)
@@ -160,7 +191,9 @@ class Value {
     // In numpy one size makes a row of numbers.
     const [rows, columns] = sizes[2] ? [first, Number(sizes[2])] : numpy && !square ? [1, first] : [first, first]
     if (rows === 0 || columns === 0) throw new Fault(`${this.name} is empty.`)
-    return Array.from({ length: rows }, (_, i) => Array.from({ length: columns }, (_, j) => (kind === 'ones' || (square && i === j) ? 1 : 0)))
+    return Array.from({ length: rows }, (_, i) =>
+      Array.from({ length: columns }, (_, j) => (kind === 'ones' || (square && i === j) ? 1 : 0)),
+    )
   }
 
   scalar() {
@@ -180,16 +213,30 @@ class Value {
     const inner = this.rest.slice(1, end)
     this.rest = this.rest.slice(end + 1)
     const nested = inner.includes('[')
-    if (nested && inner.replace(/\[[^[\]]*\]/g, '').replace(/[\s,;]/g, '') !== '') throw new Fault(`${this.name} is not a list of rows.`)
-    return this.rows(nested ? [...inner.matchAll(/\[([^[\]]*)\]/g)].map(([, line]) => line) : inner.split(/;|\n/).filter((line) => line.trim() !== ''))
+    if (nested && inner.replace(/\[[^[\]]*\]/g, '').replace(/[\s,;]/g, '') !== '')
+      throw new Fault(`${this.name} is not a list of rows.`)
+    return this.rows(
+      nested
+        ? [...inner.matchAll(/\[([^[\]]*)\]/g)].map(([, line]) => line)
+        : inner.split(/;|\n/).filter((line) => line.trim() !== ''),
+    )
   }
 
   /** @param {string[]} lines */
   rows(lines) {
-    const rows = lines.map((line, i) => line.trim().replace(/\s*,$/, '').split(/\s*,\s*|\s+/).map((word, j) => this.entry(word, i + 1, j + 1)))
+    const rows = lines.map((line, i) =>
+      line
+        .trim()
+        .replace(/\s*,$/, '')
+        .split(/\s*,\s*|\s+/)
+        .map((word, j) => this.entry(word, i + 1, j + 1)),
+    )
     if (rows.length === 0) throw new Fault(`${this.name} is empty.`)
     const uneven = rows.findIndex((row) => row.length !== rows[0].length)
-    if (uneven > 0) throw new Fault(`${this.name}: row ${uneven + 1} has ${rows[uneven].length} ${rows[uneven].length === 1 ? 'number' : 'numbers'}, row 1 has ${rows[0].length}.${hintOf(lines.join(';'))}`)
+    if (uneven > 0)
+      throw new Fault(
+        `${this.name}: row ${uneven + 1} has ${rows[uneven].length} ${rows[uneven].length === 1 ? 'number' : 'numbers'}, row 1 has ${rows[0].length}.${hintOf(lines.join(';'))}`,
+      )
     return rows
   }
 

@@ -1,6 +1,6 @@
 /** What a frame says in sentences. Every sentence is a function of the frame. */
 
-import { fixed, power } from '../../core/numbers.js'
+import { fixed, power } from '../../draw/numbers.js'
 import { sumsOf } from './names.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
@@ -13,17 +13,28 @@ export function verdict(frame) {
 /** @param {Frame} frame */
 function seen({ rank, observable, params, tolerance }) {
   const n = params.states
-  if (rank.rank === n && observable === 'no') return 'Not observable: the rank is full only because rounding errors exceed so small a tolerance.'
-  if (rank.rank === n) return observable === 'yes' ? 'Observable: the readings tell every direction of the state.' : `The rank is full, but whether the system is observable is undecided within the tolerance of ${power(tolerance)}.`
-  if (observable === 'yes') return 'Observable in units that fit each state; in the units given, the singular values lie too far apart for the rank to say so.'
+  if (rank.rank === n && observable === 'no')
+    return 'Not observable: the rank is full only because rounding errors exceed so small a tolerance.'
+  if (rank.rank === n)
+    return observable === 'yes'
+      ? 'Observable: the readings tell every direction of the state.'
+      : `The rank is full, but whether the system is observable is undecided within the tolerance of ${power(tolerance)}.`
+  if (observable === 'yes')
+    return 'Observable in units that fit each state; in the units given, the singular values lie too far apart for the rank to say so.'
   const hidden = sumsOf(rank.directions, params)
-  return observable === 'no' ? `Not observable: ${hidden} ${rank.directions.length > 1 ? 'are' : 'is'} never seen.` : `${upper(hidden)} ${rank.directions.length > 1 ? 'count' : 'counts'} as unseen: less is read of it than the tolerance of ${power(tolerance)}, so whether the system is observable is undecided.`
+  return observable === 'no'
+    ? `Not observable: ${hidden} ${rank.directions.length > 1 ? 'are' : 'is'} never seen.`
+    : `${upper(hidden)} ${rank.directions.length > 1 ? 'count' : 'counts'} as unseen: less is read of it than the tolerance of ${power(tolerance)}, so whether the system is observable is undecided.`
 }
 
 /** @param {Frame} frame */
 function dies({ observable, detectable }) {
   if (observable === 'yes') return ''
-  return { yes: 'Detectable: what is not seen dies out by itself.', no: 'Not detectable: what is not seen does not die out.', undecided: 'Whether it is detectable is undecided within the tolerance.' }[detectable]
+  return {
+    yes: 'Detectable: what is not seen dies out by itself.',
+    no: 'Not detectable: what is not seen does not die out.',
+    undecided: 'Whether it is detectable is undecided within the tolerance.',
+  }[detectable]
 }
 
 /** @param {Frame} frame */
@@ -36,23 +47,40 @@ function reached({ noise, params }) {
 
 /** @param {Frame} frame */
 function limit({ limit: kind, settled, tried }) {
-  const run = settled !== null && kind === 'none' ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.` : settled !== null ? ` From this start it settles in ${settled} steps.` : tried === null ? ' From this start it outgrows every number.' : ` From this start it has not settled after ${tried} steps.`
-  return {
-    'from-every-start': 'The covariance tends to one limit from every start, because the system is detectable and noise reaches all that does not die out.',
-    'from-large-start': 'The covariance tends to a limit from every large enough start, because the system is detectable; noise does not reach all that does not die out, or whether it does is undecided; so a smaller start may lead elsewhere, and the filter may in the end stop correcting what noise does not reach.',
-    none: 'The covariance has no limit: something unseen does not die out, and noise feeds it, so its variance grows without end.',
-    'depends-on-start': 'Whether the covariance has a limit depends on the start: something unseen does not die out, and noise does not reach all of that.',
-    undecided: 'Whether the covariance has a limit is undecided within the tolerance.',
-  }[kind] + run
+  const run =
+    settled !== null && kind === 'none'
+      ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.`
+      : settled !== null
+        ? ` From this start it settles in ${settled} steps.`
+        : tried === null
+          ? ' From this start it outgrows every number.'
+          : ` From this start it has not settled after ${tried} steps.`
+  return (
+    {
+      'from-every-start':
+        'The covariance tends to one limit from every start, because the system is detectable and noise reaches all that does not die out.',
+      'from-large-start':
+        'The covariance tends to a limit from every large enough start, because the system is detectable; noise does not reach all that does not die out, or whether it does is undecided; so a smaller start may lead elsewhere, and the filter may in the end stop correcting what noise does not reach.',
+      none: 'The covariance has no limit: something unseen does not die out, and noise feeds it, so its variance grows without end.',
+      'depends-on-start':
+        'Whether the covariance has a limit depends on the start: something unseen does not die out, and noise does not reach all of that.',
+      undecided: 'Whether the covariance has a limit is undecided within the tolerance.',
+    }[kind] + run
+  )
 }
 
 /** @param {Frame} frame */
 function stability({ params, placed, spectralRadius, movable, eigenvalues, diverged }) {
   if (diverged) return 'The simulated run has left every bound and stands still.'
   if (placed === false) return 'No gain was found that puts the eigenvalues there, so the gain is 0.'
-  const who = { filter: 'With the filter’s gain', hand: 'With this gain', placement: 'With the gain that places them' }[params.gain]
+  const who = { filter: 'With the filter’s gain', hand: 'With this gain', placement: 'With the gain that places them' }[
+    params.gain
+  ]
   const stuck = eigenvalues.length - movable
-  const fixedOnes = stuck === 0 ? '' : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
+  const fixedOnes =
+    stuck === 0
+      ? ''
+      : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
   return `${who} the eigenvalues of the error’s matrix reach the modulus ${fixed(spectralRadius, 3)}${spectralRadius < 1 ? '' : ', so an error need not die out'}.${fixedOnes}`
 }
 
@@ -60,7 +88,9 @@ function stability({ params, placed, spectralRadius, movable, eigenvalues, diver
 export function describe(frame) {
   const { eigenvalues, rank, tolerance, truth, estimate, params, R, P } = frame
   const i = shownState(params)
-  const roots = eigenvalues.map(({ re, im }) => (im === 0 ? fixed(re, 3) : `${fixed(re, 3)} ${im < 0 ? '−' : '+'} ${fixed(Math.abs(im), 3)} i`))
+  const roots = eigenvalues.map(({ re, im }) =>
+    im === 0 ? fixed(re, 3) : `${fixed(re, 3)} ${im < 0 ? '−' : '+'} ${fixed(Math.abs(im), 3)} i`,
+  )
   return {
     disc: `Unit disc: the eigenvalues of the error’s matrix are ${roots.join(', ')}.`,
     ranks: `Singular values of the observability matrix, over the largest: ${rank.relative.map((value) => power(value)).join(', ')}; the tolerance is ${power(tolerance)}, the rank ${rank.rank} of ${params.states}.`,

@@ -2,6 +2,6 @@
 
 import init, * as estimate from 'estimate-wasm/log'
 import address from 'estimate-wasm/log/wasm'
-import { loader } from '../../core/start.js'
+import { loader } from '../../load/loader.js'
 
 export const loadLog = loader(init, estimate, address)

@@ -3,8 +3,8 @@
  * what the reader has asked for, and takes what has come back.
  */
 
-/** @typedef {import('../../core/run.js').Outcome} Outcome */
-/** @typedef {import('../../core/port.js').Port} Port */
+/** @typedef {import('../../figure/run.js').Outcome} Outcome */
+/** @typedef {import('../../load/worker-port.js').Port} Port */
 
 /** Where motion is not wanted a run in play goes on in lumps, and each picture stays this long, milliseconds. */
 const STILL_MS = 500
@@ -159,7 +159,8 @@ export class RemoteRun {
   /** @param {number} now @param {number} elapsed @param {boolean} calm @returns {Outcome} */
   turn(now, elapsed, calm) {
     const outcome = this.receive()
-    if (this.playing && !this.sent && this.goal === this.frame.step) this.goal = Math.min(this.last, this.goal + this.dueSteps(now, elapsed, calm))
+    if (this.playing && !this.sent && this.goal === this.frame.step)
+      this.goal = Math.min(this.last, this.goal + this.dueSteps(now, elapsed, calm))
     this.send()
     return outcome
   }
@@ -190,7 +191,11 @@ export class RemoteRun {
     // While steps are played the worker is asked again once it has answered.
     if (sent && !patch && !this.wantsReset && this.playing) return
     const params = this.asked ?? frame.params
-    const moved = this.wantsReset ? 'reset' : patch || sent?.moved === 'replay' || goal < frame.step ? 'replay' : 'steps'
+    const moved = this.wantsReset
+      ? 'reset'
+      : patch || sent?.moved === 'replay' || goal < frame.step
+        ? 'replay'
+        : 'steps'
     this.sent = { id: (this.id += 1), params, step: goal, moved }
     this.answer = null
     this.patch = null

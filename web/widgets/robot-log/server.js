@@ -14,8 +14,8 @@
  * that one is nearly there: a slider that is dragged over a long log is still answered now and then.
  */
 
-import { attend } from '../../core/attend.js'
-import { Pace } from '../../core/pace.js'
+import { attend } from '../../load/worker-server.js'
+import { Pace } from '../../figure/time-slices.js'
 import { decode } from './text.js'
 
 /** How long the worker computes without reading its messages, milliseconds. */
@@ -34,7 +34,7 @@ const MOST_SHOWN = 200
 /** @typedef {{ file: number, role?: string, value?: string, column?: number | null, unit?: string }} Change how one file is read */
 /** @typedef {{ wish: Wish, lab: any, of: number, from: number, began: number, told: number }} Replay */
 
-/** Answers what comes through a port. @param {import('../../core/port.js').Port} port @param {() => Promise<import('../../core/start.js').Loaded<any>>} load */
+/** Answers what comes through a port. @param {import('../../load/worker-port.js').Port} port @param {() => Promise<import('../../load/loader.js').Loaded<any>>} load */
 export const serve = (port, load) => attend(port, load, (module, tell, soon) => new Server(module, tell, soon))
 
 export class Server {
@@ -97,9 +97,17 @@ export class Server {
       this.notes = notes
       this.read()
     } catch (error) {
-      const unread = !(/** @type {any} */ (error).code === 'log')
+      const unread = !(/** @type {any} */ ((error).code === 'log'))
       const message = unread ? 'the file could not be read; it may be a folder, or gone' : wordsOf(error)
-      this.tell({ kind: 'no-log', files: files.files(), file: given.length > texts.length ? texts.length : texts.length - 1, line: 1, column: 1, message, shown: '' })
+      this.tell({
+        kind: 'no-log',
+        files: files.files(),
+        file: given.length > texts.length ? texts.length : texts.length - 1,
+        line: 1,
+        column: 1,
+        message,
+        shown: '',
+      })
       files.free()
     }
   }
@@ -138,7 +146,15 @@ export class Server {
     } catch (error) {
       const { file = 0, line = 1, column = 1, message } = /** @type {any} */ (error)
       const words = String(message).replace(/^line \d+, column \d+: /, '')
-      this.tell({ kind: 'no-log', files: shown, file, line, column, message: words, shown: line === 0 ? '' : lineOf(this.texts?.[file] ?? '', line) })
+      this.tell({
+        kind: 'no-log',
+        files: shown,
+        file,
+        line,
+        column,
+        message: words,
+        shown: line === 0 ? '' : lineOf(this.texts?.[file] ?? '', line),
+      })
     }
   }
 
@@ -187,8 +203,11 @@ export class Server {
     try {
       const of = wish.step ?? this.log.contents().steps
       const now = lab?.state()
-      const on = now && now.step <= of && JSON.stringify(now.params) === JSON.stringify({ ...now.params, ...wish.params })
-      const next = on ? lab : this.module.RobotLog.from(this.log, { version: 1, lab: 'robot-log', params: wish.params, step: 0 })
+      const on =
+        now && now.step <= of && JSON.stringify(now.params) === JSON.stringify({ ...now.params, ...wish.params })
+      const next = on
+        ? lab
+        : this.module.RobotLog.from(this.log, { version: 1, lab: 'robot-log', params: wish.params, step: 0 })
       const from = on ? now.step : 0
       const began = this.clock()
       this.replay = { wish, lab: next, of, from, began, told: began }

@@ -1,14 +1,14 @@
 /** What the readings are worth: their errors against the range, their distribution, and whether one tells the next. */
 
-import { fixed } from '../../core/numbers.js'
-import { axes, meaning, plane as planeOf, seriesPath } from '../../core/plot.js'
-import { drawCrosses, drawPoints } from '../../core/points.js'
-import { rounded } from '../../core/scale.js'
-import { drawLags, empty } from '../../core/statistics.js'
+import { fixed } from '../../draw/numbers.js'
+import { axes, meaning, plane as planeOf, seriesPath } from '../../draw/plot.js'
+import { drawCrosses, drawPoints } from '../../draw/points.js'
+import { rounded } from '../../draw/scale.js'
+import { drawLags, empty } from '../../draw/statistics.js'
 import { expecting } from './words.js'
 
 /** @typedef {import('estimate-wasm').LogFrame} Frame */
-/** @typedef {import('../../core/shell.js').Panel} Panel */
+/** @typedef {import('../../figure/shell.js').Panel} Panel */
 
 /** Errors of ranges reach from −this to this at least, metres; at most three times as far. */
 const LEAST = 3
@@ -19,13 +19,31 @@ const FOOT = 20
 export function drawRanges(panel, frame) {
   const { range, residual } = frame.ranges
   const known = frame.truth ? 'true' : 'dead-reckoned'
-  scatter(panel, `range read less ${known} (m)`, `${known} range (m)`, range, residual, frame.rangeLine, () => true, 'no reading so far')
+  scatter(
+    panel,
+    `range read less ${known} (m)`,
+    `${known} range (m)`,
+    range,
+    residual,
+    frame.rangeLine,
+    () => true,
+    'no reading so far',
+  )
 }
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawInner(panel, frame) {
   const { expected, innovation, used } = frame.innovations
-  scatter(panel, 'the filter’s innovation {innov} (m)', 'expected range (m)', expected, innovation, frame.innovationLine, (i) => used[i], expecting(frame, 'no slope if the model is right'))
+  scatter(
+    panel,
+    'the filter’s innovation {innov} (m)',
+    'expected range (m)',
+    expected,
+    innovation,
+    frame.innovationLine,
+    (i) => used[i],
+    expecting(frame, 'no slope if the model is right'),
+  )
 }
 
 /**
@@ -35,8 +53,15 @@ export function drawInner(panel, frame) {
  */
 function scatter({ pen, width, height }, title, across, xs, ys, line, used, none) {
   const box = { left: 36, top: 26, right: width - 10, bottom: height - 38 }
-  const most = Math.min(3 * LEAST, ys.reduce((sum, y) => Math.max(sum, Math.abs(y)), LEAST))
-  const plane = planeOf({ ...box, bottom: box.bottom - FOOT }, [0, xs.reduce((sum, x) => Math.max(sum, x), 10) * 1.02], rounded(-most, most, 4))
+  const most = Math.min(
+    3 * LEAST,
+    ys.reduce((sum, y) => Math.max(sum, Math.abs(y)), LEAST),
+  )
+  const plane = planeOf(
+    { ...box, bottom: box.bottom - FOOT },
+    [0, xs.reduce((sum, x) => Math.max(sum, x), 10) * 1.02],
+    rounded(-most, most, 4),
+  )
   pen.draw(() => {
     axes(pen, { ...plane, box }, { title, x: across, ticks: [5, 4], zero: true })
     if (xs.length === 0) return empty(pen, plane, none)
@@ -45,9 +70,20 @@ function scatter({ pen, width, height }, title, across, xs, ys, line, used, none
     if (!line) return
     const [from, to] = plane.x.domain
     pen.window('fit', plane.box, (into) => {
-      into.mark('path', 'line', { ...meaning('curve fit'), d: seriesPath(plane, [from, to], [from, to].map((x) => line.offset + line.slope * x)) })
+      into.mark('path', 'line', {
+        ...meaning('curve fit'),
+        d: seriesPath(
+          plane,
+          [from, to],
+          [from, to].map((x) => line.offset + line.slope * x),
+        ),
+      })
     })
-    pen.text('slope', { class: 'label', x: box.right - 4, y: box.bottom - 6, 'text-anchor': 'end' }, `slope ${fixed(line.slope, 3)}, *R*^{2} = ${fixed(line.r2, 2)}`)
+    pen.text(
+      'slope',
+      { class: 'label', x: box.right - 4, y: box.bottom - 6, 'text-anchor': 'end' },
+      `slope ${fixed(line.slope, 3)}, *R*^{2} = ${fixed(line.r2, 2)}`,
+    )
   })
 }
 
@@ -62,14 +98,31 @@ export function drawHistogram({ pen, width, height }, { histogram }) {
     const floor = box.bottom
     let d = ''
     for (const [i, value] of density.entries()) {
-      if (value > 0) d += `M${plane.x(from + i * bin)} ${floor}V${Math.round(plane.y(value) * 10) / 10}H${Math.round(plane.x(from + (i + 1) * bin) * 10) / 10}V${floor}Z`
+      if (value > 0)
+        d += `M${plane.x(from + i * bin)} ${floor}V${Math.round(plane.y(value) * 10) / 10}H${Math.round(plane.x(from + (i + 1) * bin) * 10) / 10}V${floor}Z`
     }
     pen.mark('path', 'bars', { ...meaning('area bars', 'measurement'), d })
-    pen.mark('path', 'normal', { ...meaning('curve fit'), d: seriesPath(plane, normal.map((_, i) => from + (i * bin) / 2), normal) })
+    pen.mark('path', 'normal', {
+      ...meaning('curve fit'),
+      d: seriesPath(
+        plane,
+        normal.map((_, i) => from + (i * bin) / 2),
+        normal,
+      ),
+    })
   })
 }
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawCorrelation(panel, frame) {
-  drawLags(panel, frame.correlation, { title: 'autocorrelation of {innov}/√*S* and its 95 % band', lag: 'lag, used readings', none: expecting(frame, 'within its band if the model is right') }, 12)
+  drawLags(
+    panel,
+    frame.correlation,
+    {
+      title: 'autocorrelation of {innov}/√*S* and its 95 % band',
+      lag: 'lag, used readings',
+      none: expecting(frame, 'within its band if the model is right'),
+    },
+    12,
+  )
 }

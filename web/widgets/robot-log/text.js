@@ -13,11 +13,16 @@ export function decode(name, bytes) {
   try {
     return { text: new TextDecoder('utf-8', { fatal: true }).decode(bytes), note: '' }
   } catch {
-    return all.includes(0) ? { text: new TextDecoder().decode(bytes), note: '' } : inAnother(name, 'windows-1252', bytes)
+    return all.includes(0)
+      ? { text: new TextDecoder().decode(bytes), note: '' }
+      : inAnother(name, 'windows-1252', bytes)
   }
 }
 
 /** @param {string} name @param {string} encoding @param {ArrayBuffer} bytes */
 function inAnother(name, encoding, bytes) {
-  return { text: new TextDecoder(encoding).decode(bytes), note: `${name} is no UTF-8 and was read as ${encoding.toUpperCase()}.` }
+  return {
+    text: new TextDecoder(encoding).decode(bytes),
+    note: `${name} is no UTF-8 and was read as ${encoding.toUpperCase()}.`,
+  }
 }

@@ -1,6 +1,6 @@
 /** What the figure of a log says: each sentence follows from the numbers of the frame. */
 
-import { fixed } from '../../core/numbers.js'
+import { fixed } from '../../draw/numbers.js'
 
 /** @typedef {import('estimate-wasm').LogFrame} Frame */
 
@@ -40,7 +40,9 @@ export function verdict(frame) {
   if (!params.sightings) return `Dead reckoning: odometry alone, no range is used.${errorOf(frame, false)}`
   if (used + refused === 0) return `No range has been read yet.${errorOf(frame, false)}`
   if (used === 0) return `The gate has refused every range so far: this is dead reckoning.${errorOf(frame, false)}`
-  return [errorOf(frame, true), gateOf(frame), learnedOf(frame), meanOf(frame), nisOf(frame), lagOf(frame)].join('').trim()
+  return [errorOf(frame, true), gateOf(frame), learnedOf(frame), meanOf(frame), nisOf(frame), lagOf(frame)]
+    .join('')
+    .trim()
 }
 
 /** @param {Frame} frame @param {boolean} compared */

@@ -1,16 +1,16 @@
 /** Innovations, NIS and NEES over the readings of the log. */
 
-import { polyline } from '../../core/path.js'
-import { axes, meaning, plane as planeOf, seriesPath } from '../../core/plot.js'
-import { drawPoints } from '../../core/points.js'
-import { rounded } from '../../core/scale.js'
-import { band, drawLags, empty, rule } from '../../core/statistics.js'
+import { polyline } from '../../draw/path.js'
+import { axes, meaning, plane as planeOf, seriesPath } from '../../draw/plot.js'
+import { drawPoints } from '../../draw/points.js'
+import { rounded } from '../../draw/scale.js'
+import { band, drawLags, empty, rule } from '../../draw/statistics.js'
 import { last } from './words.js'
 
 /** @typedef {import('estimate-wasm').TuneFrame} Frame */
-/** @typedef {import('../../core/shell.js').Panel} Panel */
-/** @typedef {import('../../core/pen.js').Pen} Pen */
-/** @typedef {import('../../core/plot.js').Plane} Plane */
+/** @typedef {import('../../figure/shell.js').Panel} Panel */
+/** @typedef {import('../../draw/pen.js').Pen} Pen */
+/** @typedef {import('../../draw/plot.js').Plane} Plane */
 
 /** Right of each plot, pixels: the unit stands there. */
 const MARGIN = 26
@@ -21,24 +21,43 @@ const counted = (/** @type {number[]} */ values) => values.map((_, i) => i + 1)
 export function drawInnovations(panel, { innovations, twoSigma }) {
   const most = Math.max(...innovations.map(Math.abs), Math.min(...twoSigma) * 1.2)
   draw(panel, innovations.length, [-most, most], 'innovations {innov} (m) and ±2√*S*', (pen, plane) => {
-    between(pen, plane, counted(twoSigma), twoSigma.map((value) => -value), twoSigma)
+    between(
+      pen,
+      plane,
+      counted(twoSigma),
+      twoSigma.map((value) => -value),
+      twoSigma,
+    )
     drawPoints(pen, 'innovations', plane, counted(innovations), innovations, 'measurement')
   })
 }
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawCorrelation(panel, { autocorrelation: values, autocorrelationBand }) {
-  drawLags(panel, { values, band: autocorrelationBand }, { title: 'autocorrelation of {innov}/√*S* and its 95 % band', lag: 'lag, readings', none: '' }, MARGIN)
+  drawLags(
+    panel,
+    { values, band: autocorrelationBand },
+    { title: 'autocorrelation of {innov}/√*S* and its 95 % band', lag: 'lag, readings', none: '' },
+    MARGIN,
+  )
 }
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawNis(panel, frame) {
   const { nis, meanNis, meanNisBand } = frame
   draw(panel, nis.length, [0, Math.max(4, 2 * last(frame).mean)], 'NIS, its mean so far and band', (pen, plane) => {
-    between(pen, plane, meanNisBand.map(({ readings }) => readings), meanNisBand.map(({ low }) => low), meanNisBand.map(({ high }) => high))
+    between(
+      pen,
+      plane,
+      meanNisBand.map(({ readings }) => readings),
+      meanNisBand.map(({ low }) => low),
+      meanNisBand.map(({ high }) => high),
+    )
     rule(pen, plane, 'one', 1)
     drawPoints(pen, 'nis', plane, counted(nis), nis, 'measurement')
-    pen.window('mean', plane.box, (to) => to.mark('path', 'mean', { ...meaning('curve', 'measurement'), d: seriesPath(plane, counted(meanNis), meanNis) }))
+    pen.window('mean', plane.box, (to) =>
+      to.mark('path', 'mean', { ...meaning('curve', 'measurement'), d: seriesPath(plane, counted(meanNis), meanNis) }),
+    )
   })
 }
 
@@ -69,5 +88,7 @@ function draw({ pen, width, height }, readings, [low, high], title, paint) {
 function between(pen, { x, y, box }, xs, lows, highs) {
   const across = [...xs, ...[...xs].reverse()]
   const up = [...highs, ...[...lows].reverse()]
-  pen.window('between', box, (to) => to.mark('path', 'band', { class: 'band', d: `${polyline(up.length, x, across, y, up)}Z` }))
+  pen.window('between', box, (to) =>
+    to.mark('path', 'band', { class: 'band', d: `${polyline(up.length, x, across, y, up)}Z` }),
+  )
 }

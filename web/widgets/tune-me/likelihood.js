@@ -1,6 +1,6 @@
 /** The map of a log's likelihood as a figure sees it: filled row by row by a worker, anew for each log. */
 
-import { openPort } from '../../core/port.js'
+import { openPort } from '../../load/worker-port.js'
 
 /** Cells to a side. */
 const SIZE = 96
@@ -17,14 +17,16 @@ const STILL_SIZE = 40
  * @property {boolean} stopped whether the reader has cancelled the rest
  */
 
-/** @typedef {import('../../core/port.js').Port} Port */
+/** @typedef {import('../../load/worker-port.js').Port} Port */
 
-/** @type {import('../../core/spec.js').Aside} */
+/** @type {import('../../figure/spec.js').Aside} */
 export const likelihood = {
   whole(lab) {
     const fitted = lab.constructor.from({ ...lab.state(), params: { ...lab.state().params, fit: true } })
     const { logLikelihood: top, limit } = fitted.frame().fit
-    const values = Array.from({ length: STILL_SIZE }, (_, row) => [...fitted.likelihoodRow(row, STILL_SIZE, STILL_SIZE)]).flat()
+    const values = Array.from({ length: STILL_SIZE }, (_, row) => [
+      ...fitted.likelihoodRow(row, STILL_SIZE, STILL_SIZE),
+    ]).flat()
     fitted.free()
     return { size: STILL_SIZE, rows: STILL_SIZE, values, top, limit, stopped: false }
   },
@@ -35,7 +37,10 @@ export const likelihood = {
 async function begin() {
   const { default: address } = await import('tune-me-worker')
   return openPort(address, async () => {
-    const [{ serve }, { loadLateModule }] = await Promise.all([import('./server.js'), import('../../core/late-module.js')])
+    const [{ serve }, { loadLateModule }] = await Promise.all([
+      import('./server.js'),
+      import('../../load/late-module.js'),
+    ])
     return (port) => serve(port, loadLateModule)
   })
 }
@@ -55,7 +60,7 @@ export class Filling {
     this.filling = false
   }
 
-  /** @returns {import('../../core/progress.js').Work | null} */
+  /** @returns {import('../../figure/progress.js').Work | null} */
   get progress() {
     return this.filling ? { step: this.value?.rows ?? 0, of: SIZE, unit: 'row' } : null
   }

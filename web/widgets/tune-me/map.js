@@ -1,16 +1,16 @@
 /** The map of the log-likelihood over q and W, with the noise that the reader has chosen, the likeliest and, when it is unsealed, the true. */
 
 import { contours } from 'd3-contour'
-import { clear, drawLabels, widthOf } from '../../core/labels.js'
-import { dot, ellipsePath, axes, meaning, plane as planeOf, scaleLog, segment } from '../../core/plot.js'
-import { Outline } from '../../core/path.js'
+import { clear, drawLabels, widthOf } from '../../draw/labels.js'
+import { dot, ellipsePath, axes, meaning, plane as planeOf, scaleLog, segment } from '../../draw/plot.js'
+import { Outline } from '../../draw/path.js'
 import { level } from './words.js'
 
 /** @typedef {import('estimate-wasm').TuneFrame} Frame */
 /** @typedef {import('./likelihood.js').Likelihood} Likelihood */
-/** @typedef {import('../../core/pen.js').Pen} Pen */
-/** @typedef {import('../../core/plot.js').Box} Box */
-/** @typedef {import('../../core/plot.js').Plane} Plane */
+/** @typedef {import('../../draw/pen.js').Pen} Pen */
+/** @typedef {import('../../draw/plot.js').Box} Box */
+/** @typedef {import('../../draw/plot.js').Plane} Plane */
 
 /** Edges of the colours: how far the log-likelihood lies below its maximum. */
 const LEVELS = [1000, 300, 100, 30, 10]
@@ -20,15 +20,19 @@ const LEVEL_WIDTH = 46
 const STEP = 0.02
 
 /**
- * @param {import('../../core/shell.js').Panel} panel
+ * @param {import('../../figure/shell.js').Panel} panel
  * @param {Frame} frame
- * @param {import('../../core/spec.js').View} view
+ * @param {import('../../figure/spec.js').View} view
  */
 export function drawMap({ pen, width, height }, frame, view) {
   const box = { left: 44, top: 26, right: width - 12, bottom: height - 62 }
   const { logQ, logW } = view.limits
   const logs = planeOf(box, [logQ.least, logQ.greatest], [logW.least, logW.greatest])
-  const levels = { box, x: scaleLog([10 ** logQ.least, 10 ** logQ.greatest], [box.left, box.right]), y: scaleLog([10 ** logW.least, 10 ** logW.greatest], [box.bottom, box.top]) }
+  const levels = {
+    box,
+    x: scaleLog([10 ** logQ.least, 10 ** logQ.greatest], [box.left, box.right]),
+    y: scaleLog([10 ** logW.least, 10 ** logW.greatest], [box.bottom, box.top]),
+  }
   pen.draw(() => {
     pen.window('likelihood', box, (to) => drawLikelihood(to, box, view.aside, frame.fit !== null))
     axes(pen, levels, { title: 'log-likelihood; {W}, m²', x: '*q*', ticks: [5, 5], grid: false })
@@ -49,9 +53,14 @@ function drawLikelihood(pen, box, map, found) {
   const { size, rows, values, top, limit } = map
   const contour = contours().size([size, rows])
   const path = (/** @type {number} */ below) => outline(contour.contour(values, top - below), box, size)
-  pen.group('colours', {}, (to) => {
-    for (const below of LEVELS) to.mark('path', `below${below}`, { class: 'likely', d: path(below) })
-  }, `${map.rows} ${top} ${JSON.stringify(box)}`)
+  pen.group(
+    'colours',
+    {},
+    (to) => {
+      for (const below of LEVELS) to.mark('path', `below${below}`, { class: 'likely', d: path(below) })
+    },
+    `${map.rows} ${top} ${JSON.stringify(box)}`,
+  )
   if (found) pen.mark('path', 'contour', { class: 'likely contour', d: path(limit / 2) })
 }
 
@@ -62,7 +71,10 @@ function outline({ coordinates }, { left, right, top, bottom }, size) {
   for (const ring of coordinates.flat()) {
     out.data = ''
     for (const [i, [x, y]] of ring.entries()) {
-      const at = /** @type {[number, number]} */ ([left + (x / size) * (right - left), bottom - (y / size) * (bottom - top)])
+      const at = /** @type {[number, number]} */ ([
+        left + (x / size) * (right - left),
+        bottom - (y / size) * (bottom - top),
+      ])
       if (i === 0) out.move(...at)
       else out.line(...at)
     }
@@ -82,7 +94,8 @@ function drawLegend(pen, box, y) {
   for (const [i, below] of LEVELS.entries()) {
     const x = from + i * step
     // As many coats as the map has there.
-    for (let coat = 0; coat <= i; coat += 1) pen.mark('rect', `swatch${below}-${coat}`, { class: 'likely', x, y: y - 10, width: 10, height: 12 })
+    for (let coat = 0; coat <= i; coat += 1)
+      pen.mark('rect', `swatch${below}-${coat}`, { class: 'likely', x, y: y - 10, width: 10, height: 12 })
     pen.text(`swatch-name${below}`, { class: 'tick', x: x + 13, y }, `${below}`)
   }
 }
@@ -107,23 +120,34 @@ function drawMarks(pen, plane, { fit, verdict }) {
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawNames(pen, { x, y, box }, { params, fit, verdict }) {
-  const at = (/** @type {{ logQ: number, logW: number }} */ { logQ, logW }) => /** @type {[number, number]} */ ([x(logQ), y(logW)])
-  /** @type {import('../../core/labels.js').Label[]} */
+  const at = (/** @type {{ logQ: number, logW: number }} */ { logQ, logW }) =>
+    /** @type {[number, number]} */ ([x(logQ), y(logW)])
+  /** @type {import('../../draw/labels.js').Label[]} */
   const names = [{ key: 'chosen-name', words: 'yours', at: at(params), gap: 15 }]
   if (verdict) names.push({ key: 'truth-name', words: 'truth', at: at(verdict), kin: 'truth', gap: 11 })
   if (fit) names.push({ key: 'fit-name', words: 'likeliest', at: at(fit), kin: 'posterior', gap: 10 })
-  drawLabels(pen, box, names, [clear(at(params), 11), ...(fit ? [clear(at(fit), 5)] : []), ...(verdict ? [clear(at(verdict), 7)] : [])])
+  drawLabels(pen, box, names, [
+    clear(at(params), 11),
+    ...(fit ? [clear(at(fit), 5)] : []),
+    ...(verdict ? [clear(at(verdict), 7)] : []),
+  ])
 }
 
-/** @param {Frame} frame @param {import('../../core/spec.js').View} view @param {Plane} plane @returns {import('../../core/spec.js').HandleSpec} */
+/** @param {Frame} frame @param {import('../../figure/spec.js').View} view @param {Plane} plane @returns {import('../../figure/spec.js').HandleSpec} */
 function handleOf({ params }, { limits: { logQ, logW } }, { x, y }) {
-  const snap = (/** @type {number} */ value, /** @type {import('estimate-wasm').Parameter} */ { least, greatest }) => Math.round(Math.max(least, Math.min(greatest, value)) / STEP) * STEP
-  const to = (/** @type {number} */ q, /** @type {number} */ w) => ({ logQ: Number(snap(q, logQ).toFixed(2)), logW: Number(snap(w, logW).toFixed(2)) })
+  const snap = (/** @type {number} */ value, /** @type {import('estimate-wasm').Parameter} */ { least, greatest }) =>
+    Math.round(Math.max(least, Math.min(greatest, value)) / STEP) * STEP
+  const to = (/** @type {number} */ q, /** @type {number} */ w) => ({
+    logQ: Number(snap(q, logQ).toFixed(2)),
+    logW: Number(snap(w, logW).toFixed(2)),
+  })
   return {
     at: [x(params.logQ), y(params.logW)],
     label: 'The filter’s noise',
     value: `q ${level(params.logQ)}, sensor noise ${level(params.logW)} square metres`,
-    now: params.logQ, min: logQ.least, max: logQ.greatest,
+    now: params.logQ,
+    min: logQ.least,
+    max: logQ.greatest,
     move: (px, py) => to(x.invert(px), y.invert(py)),
     nudge: (dx, dy) => to(params.logQ + dx * STEP, params.logW + dy * STEP),
     jump: (end) => to(end === 'home' ? logQ.least : logQ.greatest, params.logW),

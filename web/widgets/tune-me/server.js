@@ -9,14 +9,14 @@
  * Between two chunks it reads its messages. A later `fill` replaces an earlier one.
  */
 
-import { attend } from '../../core/attend.js'
+import { attend } from '../../load/worker-server.js'
 
 /** How long it computes without reading its messages, milliseconds. */
 const CHUNK_MS = 24
 
 /** @typedef {{ id: number, lab: any, size: number, row: number }} Work */
 
-/** Answers what comes through a port. @param {import('../../core/port.js').Port} port @param {() => Promise<import('../../core/start.js').Loaded<any>>} load */
+/** Answers what comes through a port. @param {import('../../load/worker-port.js').Port} port @param {() => Promise<import('../../load/loader.js').Loaded<any>>} load */
 export const serve = (port, load) => attend(port, load, (module, tell, soon) => new Server(module, tell, soon))
 
 export class Server {

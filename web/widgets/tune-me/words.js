@@ -1,13 +1,19 @@
 /** What the figure of tuned noise says: each sentence follows from the numbers of the frame. */
 
-import { fixed } from '../../core/numbers.js'
+import { fixed } from '../../draw/numbers.js'
 
 /** @typedef {import('estimate-wasm').TuneFrame} Frame */
 
 /** A noise level that is given by its decimal logarithm, to two digits. @param {number} log */
 export function level(log) {
   const value = 10 ** log
-  return value >= 9.95 ? fixed(value, 0) : value >= 0.995 ? fixed(value, 1) : value >= 0.0995 ? fixed(value, 2) : fixed(value, 3)
+  return value >= 9.95
+    ? fixed(value, 0)
+    : value >= 0.995
+      ? fixed(value, 1)
+      : value >= 0.0995
+        ? fixed(value, 2)
+        : fixed(value, 3)
 }
 
 /** The factor between two noise levels, as a number from 1 on. @param {number} logs their difference */
@@ -29,9 +35,12 @@ function nisOf(frame) {
   const { mean, low, high } = last(frame)
   const band = `its band from ${fixed(low, 2)} to ${fixed(high, 2)}`
   // Beside the truth nobody needs the signs of it.
-  if (frame.verdict) return `The mean NIS is ${fixed(mean, 2)}, ${mean > high ? 'above' : mean < low ? 'below' : 'within'} ${band}.`
-  if (mean > high) return `The mean NIS is ${fixed(mean, 2)}, above ${band}: the innovations are larger than the filter expects, so its noise as a whole is too small.`
-  if (mean < low) return `The mean NIS is ${fixed(mean, 2)}, below ${band}: the innovations are smaller than the filter expects, so its noise as a whole is too large.`
+  if (frame.verdict)
+    return `The mean NIS is ${fixed(mean, 2)}, ${mean > high ? 'above' : mean < low ? 'below' : 'within'} ${band}.`
+  if (mean > high)
+    return `The mean NIS is ${fixed(mean, 2)}, above ${band}: the innovations are larger than the filter expects, so its noise as a whole is too small.`
+  if (mean < low)
+    return `The mean NIS is ${fixed(mean, 2)}, below ${band}: the innovations are smaller than the filter expects, so its noise as a whole is too large.`
   return `The mean NIS is ${fixed(mean, 2)}, within ${band}.`
 }
 
@@ -39,8 +48,10 @@ function nisOf(frame) {
 function lagOf({ autocorrelation: [first], autocorrelationBand: band, verdict: truth }) {
   if (truth) return ''
   const beyond = `${fixed(first, 2)}, beyond ±${fixed(band, 2)}`
-  if (first > band) return `Neighbouring innovations tend to the same side (${beyond}): the filter trusts its motion too much, a sign of too small a *q*/{W}.`
-  if (first < -band) return `Neighbouring innovations tend to opposite sides (${beyond}): the filter trusts its sensor too much, a sign of too large a *q*/{W}.`
+  if (first > band)
+    return `Neighbouring innovations tend to the same side (${beyond}): the filter trusts its motion too much, a sign of too small a *q*/{W}.`
+  if (first < -band)
+    return `Neighbouring innovations tend to opposite sides (${beyond}): the filter trusts its sensor too much, a sign of too large a *q*/{W}.`
   return `Neighbouring innovations are uncorrelated, within ±${fixed(band, 2)}.`
 }
 

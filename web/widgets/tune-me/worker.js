@@ -2,7 +2,7 @@
 
 import init, * as estimate from 'estimate-wasm/late'
 import address from 'estimate-wasm/late/wasm'
-import { loader } from '../../core/start.js'
+import { loader } from '../../load/loader.js'
 import { serve } from './server.js'
 
 serve(/** @type {any} */ (self), loader(init, estimate, address))

@@ -1,0 +1,82 @@
+/**
+ * Draws a still picture of each figure into target/stills, with the figure's own view code and the module's build for Node: one
+ * for each widget in its usual state, one for each figure that the text opens in another state, and the drawings that do not move.
+ * Each figure's still is there once more, in target/stills/apart, with its panels in a file beside it.
+ */
+
+import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { dirname, join } from 'node:path'
+import { fileURLToPath } from 'node:url'
+import { parseHTML } from 'linkedom'
+import { apart } from './apart.mjs'
+import { SVG } from '../draw/dom.js'
+import { coarse } from '../draw/path.js'
+import { Pen } from '../draw/pen.js'
+import { drawStill } from '../figure/still.js'
+import { DRAWINGS } from '../drawings/index.js'
+import { WIDGETS } from '../widgets/index.js'
+
+const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))))
+const out = join(root, 'target/stills')
+const estimate = createRequire(import.meta.url)(join(root, 'target/pkg/node/estimate_wasm.js'))
+
+rmSync(out, { recursive: true, force: true })
+mkdirSync(join(out, 'apart'), { recursive: true })
+coarse()
+for (const [tag, load] of Object.entries(WIDGETS)) await draw(tag, await load(), {})
+
+for (const path of readdirSync(join(root, 'content'), { recursive: true })) {
+  if (!String(path).endsWith('.md')) continue
+  const text = readFileSync(join(root, 'content', String(path)), 'utf8')
+  for (const [, id, tag, start] of text.matchAll(/^:::figure\{#(\S+) widget="([^"]+)".* start='([^']+)'.*\}$/gm)) {
+    if (WIDGETS[tag]) await draw(id, await WIDGETS[tag](), JSON.parse(start))
+  }
+}
+for (const [name, { lab, name: known, width, height, draw: paint, describe }] of Object.entries(DRAWINGS)) {
+  const run = estimate[lab].from({ version: 1, lab: known, step: 0, params: {} })
+  const svg = emptyPage().createElementNS(SVG, 'svg')
+  for (const [key, value] of Object.entries({
+    class: 'panel',
+    viewBox: `0 0 ${width} ${height}`,
+    'aria-hidden': 'true',
+    focusable: 'false',
+  }))
+    svg.setAttribute(key, value)
+  paint(new Pen(svg), run.frame())
+  write(name, svg.outerHTML, describe(run.frame()))
+  run.free()
+}
+console.log(
+  `target/stills: ${readdirSync(out)
+    .filter((name) => name.endsWith('.svg'))
+    .join(', ')}`,
+)
+
+/** @param {string} name @param {import('../figure/spec.js').FigureSpec} spec @param {{ step?: number, params?: object }} given */
+async function draw(name, spec, given) {
+  const state = { step: given.step ?? spec.still ?? spec.start.step, params: { ...spec.start.params, ...given.params } }
+  const log = spec.log ? [estimate[spec.lab].parse(readFileSync(join(root, spec.log), 'utf8'))] : []
+  const lab = estimate[spec.lab].from(...log, { version: 1, lab: spec.name, ...state })
+  const { still, words } = drawStill(
+    emptyPage(),
+    spec,
+    lab.frame(),
+    estimate[spec.lab].parameters(),
+    spec.aside?.whole(lab),
+  )
+  write(name, still.outerHTML, words)
+  writeFileSync(join(out, 'apart', `${name}.svg`), await apart(still, name, join(root, 'target/fonts')))
+  writeFileSync(join(out, 'apart', `${name}.html`), still.outerHTML)
+  lab.free()
+}
+
+function emptyPage() {
+  return parseHTML('<!doctype html><html><body></body></html>').document
+}
+
+/** @param {string} name @param {string} svg @param {string} words */
+function write(name, svg, words) {
+  writeFileSync(join(out, `${name}.svg`), svg)
+  writeFileSync(join(out, `${name}.txt`), `${words}\n`)
+}

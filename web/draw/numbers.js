@@ -1,0 +1,45 @@
+/** Numbers as a reader sees them, in a readout, a label or an announcement. */
+
+const MINUS = '\u2212'
+
+/**
+ * Writes a number with a fixed number of decimals and a true minus sign. Infinity is `∞`, a missing number a dash.
+ * @param {number | null | undefined} value
+ * @param {number} [decimals]
+ */
+export function fixed(value, decimals = 2) {
+  if (value === null || value === undefined || Number.isNaN(value)) return '–'
+  if (!Number.isFinite(value)) return value > 0 ? '∞' : `${MINUS}∞`
+  if (Math.abs(value) >= 1e4)
+    return value
+      .toExponential(1)
+      .replace('-', MINUS)
+      .replace('e+', ' × 10^')
+      .replace(/\^(\d+)$/, (_, power) => raised(power))
+  const text = value.toFixed(decimals)
+  return Number(text) === 0 ? text.replace('-', '') : text.replace('-', MINUS)
+}
+
+/** @param {string} digits */
+function raised(digits) {
+  return [...digits].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)])).join('')
+}
+
+/** A positive number by its power of ten: `10⁻⁶`, or `3 × 10⁻⁴`. @param {number} value @param {string} [times] */
+export function power(value, times = ' × ') {
+  if (!(value > 0)) return '0'
+  const exponent = Math.floor(Math.log10(value) + 1e-9)
+  if (exponent === 0) return value.toFixed(value < 1.05 ? 0 : 1)
+  const lead = Math.round(value / 10 ** exponent)
+  return `${lead > 1 && lead < 10 ? `${lead}${times}` : ''}10${raised(String(exponent))}`
+}
+
+/**
+ * Writes one complex number, as in `0.634 + 0.097 i`.
+ * @param {{ re: number, im: number }} value
+ * @param {number} [decimals]
+ */
+export function complex(value, decimals = 3) {
+  if (Math.abs(value.im) < 10 ** -decimals / 2) return fixed(value.re, decimals)
+  return `${fixed(value.re, decimals)} ${value.im < 0 ? MINUS : '+'} ${fixed(Math.abs(value.im), decimals)} i`
+}

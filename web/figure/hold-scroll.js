@@ -1,0 +1,71 @@
+/** Keeps in place what the reader reads, or has just pressed, while a figure changes its height. */
+
+/**
+ * Keeps the upper edge of what is about to grow where it is, if any of it is on the screen. A browser would keep what stands
+ * below it and scroll the figure away from under the reader's eyes.
+ * @param {Element} host
+ */
+export function keepTop(host) {
+  const { top, bottom, height } = host.getBoundingClientRect()
+  if (bottom < 0) return keepHeight(host, height)
+  if (top > innerHeight) return
+  const root = document.documentElement
+  root.style.setProperty('overflow-anchor', 'none')
+  // The figure has its new height after the next layout, and a browser scrolls to its anchor after that one.
+  requestAnimationFrame(() => requestAnimationFrame(() => root.style.removeProperty('overflow-anchor')))
+}
+
+/**
+ * Until its words are in it, a figure is lower than it was. Chromium 148 scrolls back by that much when the figure stands above the
+ * screen, and does not scroll forth again when the words have come.
+ * @param {Element} host @param {number} height
+ */
+function keepHeight(host, height) {
+  const { style } = /** @type {HTMLElement} */ (host)
+  style.setProperty('min-height', `${height}px`)
+  requestAnimationFrame(() => requestAnimationFrame(() => style.removeProperty('min-height')))
+}
+
+/** For so many frames after the figure has answered its parts may still find their sizes. */
+const FRAMES = 12
+/** So long a figure may need to answer, milliseconds. */
+const PATIENCE_MS = 3000
+
+/**
+ * Keeps what the reader presses in a figure under the finger: above it matrices grow and sentences get longer.
+ * @param {Element} into @param {() => boolean} busy whether the figure has still to answer
+ */
+export function keepPressed(into, busy) {
+  let presses = 0
+  const { documentElement: page } = into.ownerDocument
+  into.addEventListener(
+    'click',
+    (event) => {
+      const pressed = event.target instanceof Element ? event.target.closest('button, label') : null
+      if (!pressed) return
+      const mine = ++presses
+      const { top } = pressed.getBoundingClientRect()
+      const began = performance.now()
+      let y = page.scrollTop
+      let left = FRAMES
+      const keep = () => {
+        const now = pressed.getBoundingClientRect()
+        // Who scrolls meanwhile wants to be elsewhere, and a figure out of sight does not answer.
+        if (
+          mine !== presses ||
+          left === 0 ||
+          now.height === 0 ||
+          page.scrollTop !== y ||
+          performance.now() - began > PATIENCE_MS
+        )
+          return
+        if (Math.abs(now.top - top) >= 1) scrollBy({ top: now.top - top, behavior: 'instant' })
+        y = page.scrollTop
+        if (!busy()) left--
+        requestAnimationFrame(keep)
+      }
+      requestAnimationFrame(keep)
+    },
+    true,
+  )
+}

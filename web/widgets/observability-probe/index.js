@@ -1,0 +1,321 @@
+/**
+ * The Observability Probe: Rusty drives a square in room A and localizes itself by landmarks that the reader places. Which
+ * directions of its pose do the readings see, frozen at this pose and along the path driven?
+ */
+
+import { loadLate } from '../../load/late.js'
+import { fixed, power } from '../../draw/numbers.js'
+import { usual } from '../../figure/defaults.js'
+import { drawMap } from './map.js'
+import { turns } from './hidden.js'
+import { drawConsistency, drawTrace } from './history.js'
+import { drawBearings, drawRanges, ofTheGhost, sketch } from './ghost.js'
+import { drawRanks } from './ranks.js'
+
+/** @typedef {import('estimate-wasm').ProbeFrame} Frame */
+
+// State: what a reader can change, and where the figure starts: two laps with one landmark.
+
+const start = { params: {}, step: 240 }
+
+// Model: the lab `ObservabilityProbe` in the module. What follows only reads its frame.
+
+const NUMBERS = ['no', 'one', 'two', 'three']
+const capital = (/** @type {string} */ words) => words[0].toUpperCase() + words.slice(1)
+
+/** @param {Frame} frame */
+function verdict(frame) {
+  const { params, sensor, frozen, alongPath, slam } = frame
+  if (frame.ghost) return ofTheGhost(frame)
+  if (slam) {
+    const worst = slam.worst
+      ? ` The worst stands ${fixed(slam.worst.error, 2)} m off, ${fixed(slam.worst.sigma, 1)} of its own σ.`
+      : ''
+    return `The map is forgotten, and ranges with bearings found it anew: ${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.${worst}${slam.full ? ' The map is full: it founds no more.' : ''}`
+  }
+  const what = `${capital(NUMBERS[params.count])} ${params.count === 1 ? 'landmark' : 'landmarks'}, ${sensor === 'range' ? 'range only' : 'range and bearing'}: rank ${frozen.rank} frozen at this pose`
+  if (alongPath.steps === 0) return `${what}. No path is driven yet, so there is no rank along it.`
+  return `${what}, ${alongPath.rank} along the last ${alongPath.steps === 1 ? 'step' : `${alongPath.steps} steps`}. ${ofTheRanks(params.count, frozen.rank, alongPath)}`
+}
+
+/** What two ranks of three say together. @param {number} count @param {number} frozen @param {import('estimate-wasm').ProbeRanks} path */
+function ofTheRanks(count, frozen, { rank, relative }) {
+  const directions = (/** @type {number} */ many) => `${NUMBERS[many]} ${many === 1 ? 'direction' : 'directions'}`
+  if (rank === 3)
+    return frozen === 3
+      ? 'Every direction of the pose is seen.'
+      : `This pose alone hides ${directions(3 - frozen)}, and the path has shown ${frozen === 2 ? 'it' : 'them'}.`
+  const hidden = 3 - rank
+  if (frozen === 3)
+    return count === 1
+      ? 'The frozen test is too kind: turn the pose about the landmark, and no reading changes.'
+      : `The frozen test counts ${directions(hidden)} more than the path has shown.`
+  // What is hidden is so up to rounding; what a coarse tolerance leaves out is only seen badly.
+  if (relative[rank] >= 1e-9)
+    return `${capital(directions(hidden))} of the pose ${hidden === 1 ? 'falls' : 'fall'} below the tolerance.`
+  return `${capital(directions(hidden))} of the pose ${hidden === 1 ? 'is' : 'are'} hidden: no reading along the path changes with ${hidden === 1 ? 'it' : 'them'}.`
+}
+
+/** @param {Frame} frame */
+function describe(frame) {
+  const { estimate, error, ellipse, frozen, alongPath, trace, mean, ghost } = frame
+  const ranks = (/** @type {import('estimate-wasm').ProbeRanks} */ r) =>
+    `rank ${r.rank} of ${r.n}, smallest over largest singular value ${power(r.relative[r.relative.length - 1])}`
+  const landmarks = frame.landmarks
+    .filter(({ shown }) => shown)
+    .map(({ x, y }, i) => `${i + 1} at ${fixed(x, 1)}, ${fixed(y, 1)}`)
+    .join('; ')
+  return {
+    map: `Room A, 6 by 6 metres, step ${frame.step}. Landmarks: ${landmarks}. The estimate stands at ${fixed(estimate[0], 2)}, ${fixed(estimate[1], 2)}, off by ${fixed(Math.hypot(error[0], error[1]), 2)} metres; its ellipse has half-axes of ${fixed(ellipse.semiMajor, 2)} and ${fixed(ellipse.semiMinor, 2)} metres.${ghost ? ` A ghost stands at ${fixed(ghost.pose[0], 2)}, ${fixed(ghost.pose[1], 2)}.` : ''}`,
+    ranks: `Singular values on a logarithmic scale. Frozen: ${ranks(frozen)}. Along the path: ${alongPath.steps === 0 ? 'no step yet' : ranks(alongPath)}.`,
+    trace: `Trace of the pose covariance over time, now ${fixed(trace.total, 3)}; with two landmarks it would be ${fixed(trace.reference, 3)}.`,
+    ranges: ghost
+      ? `Ranges over time, of the robot and of the ghost; they differ by up to ${fixed(ghost.rangeGap, 3)} metres.`
+      : '',
+    bearings:
+      ghost && ghost.bearingGap !== null
+        ? `Bearings over time, of the robot and of the ghost; they differ by up to ${fixed((ghost.bearingGap * 180) / Math.PI, 1)} degrees.`
+        : '',
+    nees: ghost ? '' : `Normalized estimation error over time, mean ${fixed(mean.nees, 1)}; 3 is expected.`,
+    nis: ghost
+      ? ''
+      : `Normalized innovation over time, mean ${fixed(mean.nisPerDof, 1)} for each degree of freedom; 1 is expected.`,
+  }
+}
+
+// View: seven panels, each in a file of the folder, and what is said beside them.
+
+/** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
+function readouts({ frozen, alongPath, trace, mean, slam, step, ghost }) {
+  /** [dx, dy, dθ] with the position's part 1 m long, if it has one. @param {number[] | null | undefined} c */
+  const vector = (c) => (c ? `[${c.map((entry) => fixed(entry, 2)).join(', ')}]` : '–')
+  const haunted = Boolean(ghost)
+  const of = (/** @type {import('estimate-wasm').ProbeRanks} */ { rank, n }) => `${rank} of ${n}`
+  const counts = slam ? `${slam.matched} / ${slam.founded} / ${slam.rejected}` : '–'
+  return [
+    { key: 'path', label: 'Rank, along the path', value: alongPath.steps === 0 ? '–' : of(alongPath), headline: true },
+    { key: 'frozen', label: 'Rank, frozen', value: of(frozen) },
+    { key: 'trace', label: 'Spread, tr {P}', value: fixed(trace.total, 3), kin: 'posterior' },
+    { key: 'reference', label: 'with two landmarks', value: fixed(trace.reference, 3), kin: 'truth' },
+    { key: 'step', label: 'Step', value: String(step) },
+    { key: 'path-turns', label: 'Stroke path: the heading turns', value: turns(alongPath), wide: true, row: true },
+    { key: 'frozen-turns', label: 'Stroke frozen: the heading turns', value: turns(frozen), wide: true },
+    { key: 'by-hand', label: 'Mixed by hand', value: vector(ghost?.byHand), wide: true, shown: haunted },
+    {
+      key: 'computed',
+      label: 'Null vector, along the path',
+      value: alongPath.directions.length === 1 ? vector(alongPath.directions[0]) : '–',
+      wide: true,
+      shown: haunted,
+    },
+    {
+      key: 'range-gap',
+      label: 'Ranges differ by',
+      value: fixed(ghost?.rangeGap, 3),
+      unit: 'm',
+      kin: 'measurement',
+      shown: haunted,
+    },
+    {
+      key: 'bearing-gap',
+      label: 'Bearings differ by',
+      value: fixed(ghost && ghost.bearingGap !== null ? (ghost.bearingGap * 180) / Math.PI : null, 1),
+      unit: '°',
+      kin: 'measurement',
+      shown: haunted && ghost?.bearingGap !== null,
+    },
+    {
+      key: 'position',
+      label: 'Variance of the position',
+      value: fixed(trace.position, 3),
+      unit: 'm²',
+      kin: 'posterior',
+      more: true,
+    },
+    {
+      key: 'heading',
+      label: 'Variance of the heading',
+      value: fixed(trace.heading, 4),
+      unit: 'rad²',
+      kin: 'posterior',
+      more: true,
+    },
+    { key: 'nees', label: 'Mean NEES (expected 3)', value: fixed(mean.nees, 2), more: true },
+    { key: 'nis', label: 'Mean NIS per output (expected 1)', value: fixed(mean.nisPerDof, 2), more: true },
+    { key: 'map', label: 'Matched / founded / rejected', value: counts, kin: 'measurement', more: true },
+  ]
+}
+
+// Controls. The landmarks are handles on the map.
+
+const degree = Math.PI / 180
+
+/** A dial of the ghost, in degrees. @param {string} name @param {import('../../draw/words.js').Words} label @returns {import('../../figure/controls.js').Control} */
+const dial = (name, label) => ({
+  kind: 'range',
+  name,
+  label,
+  shown: ({ ghost }) => Boolean(ghost),
+  words: (value) => `${fixed(value, 0)}°`,
+  scale: (value) => Math.round(value / degree),
+  step: 1,
+  set: (value) => ({ [name]: value * degree }),
+})
+
+/** @type {import('../../figure/controls.js').Control[]} */
+const controls = [
+  {
+    kind: 'choice',
+    name: 'count',
+    label: 'Landmarks',
+    options: [
+      { value: 1, label: 'one' },
+      { value: 2, label: 'two' },
+      { value: 3, label: 'three' },
+    ],
+  },
+  {
+    kind: 'choice',
+    name: 'sensor',
+    label: 'Sensor',
+    options: [
+      { value: 'range', label: 'range only' },
+      { value: 'range-bearing', label: 'range and bearing' },
+    ],
+    // A map is founded on ranges and bearings.
+    get: (_, frame) => frame.sensor,
+    enabled: (params) => !params.forget,
+  },
+  { kind: 'toggle', name: 'forget', label: 'forget the map' },
+  {
+    kind: 'toggle',
+    name: 'stop',
+    label: 'stop the robot',
+    get: (params) => params.stop !== null,
+    set: (on, _, { step }) => ({ stop: on ? step : null }),
+  },
+  {
+    kind: 'toggle',
+    name: 'ghost',
+    label: 'let a ghost drive along (with the map)',
+    enabled: (params) => !params.forget,
+  },
+  dial('ghostAround', 'Ghost, about landmark 1'),
+  {
+    kind: 'range',
+    name: 'ghostShift',
+    label: 'Ghost, shifted east',
+    words: (value) => `${fixed(value, 2)} m`,
+    shown: ({ ghost }) => Boolean(ghost),
+  },
+  dial('ghostTurn', 'Ghost, on the spot'),
+  {
+    kind: 'range',
+    name: 'tolerance',
+    label: 'Relative rank tolerance',
+    step: 0.5,
+    words: (value) => power(10 ** value),
+    notches: () => [
+      { at: -6, name: '10^{−6}' },
+      { at: 0, name: '1' },
+    ],
+    // In powers of ten, as far down as the parameter's own step.
+    scale: (value, { step }) => Math.log10(Math.max(value, step)),
+    set: (value) => ({ tolerance: 10 ** value }),
+  },
+]
+
+/** What the phrases change, as it is at first. @param {any} lab */
+const plainly = (lab) => usual(lab, 'sensor', 'forget', 'ghost')
+
+/** @type {import('../../figure/spec.js').Try[]} */
+const tries = [
+  {
+    name: 'two',
+    label: 'Two landmarks',
+    change: (_, lab) => ({ ...plainly(lab), ...usual(lab, 'landmarks'), count: 2 }),
+  },
+  {
+    name: 'line',
+    label: 'Put the last landmark in line',
+    change: (/** @type {Frame} */ { params }, lab) => {
+      // A line takes a second landmark, and ranges alone see that it is one; the lab puts it there as it will be shown.
+      const shown = { ...plainly(lab), count: Math.max(2, params.count) }
+      const other = lab.constructor.from({ ...lab.state(), params: { ...params, ...shown } })
+      const last = shown.count - 1
+      const at = Array.from(other.collinearPoint(last))
+      other.free()
+      return { ...shown, landmarks: params.landmarks.map((point, i) => (i === last ? at : point)) }
+    },
+  },
+  {
+    name: 'bearing',
+    label: 'One landmark, range and bearing',
+    change: (_, lab) => ({ ...plainly(lab), count: 1, sensor: 'range-bearing' }),
+  },
+  {
+    name: 'ghost',
+    label: 'Turn the world',
+    change: (_, lab) => ({
+      ...plainly(lab),
+      count: 1,
+      sensor: 'range-bearing',
+      ghost: true,
+      ghostAround: 10 * degree,
+      ghostShift: 0,
+      ghostTurn: 0,
+    }),
+  },
+]
+
+/** @type {import('../../figure/spec.js').FigureSpec} */
+export const observabilityProbe = {
+  tag: 'observability-probe',
+  lab: 'ObservabilityProbe',
+  name: 'observability-probe',
+  start,
+  load: loadLate,
+  seeded: true,
+  pace: 20,
+  stride: 1,
+  panels: [
+    { name: 'map', width: 470, height: 470, handles: true, draw: drawMap },
+    { name: 'ranks', width: 460, height: 230, draw: drawRanks },
+    { name: 'trace', width: 460, height: 200, draw: drawTrace },
+    {
+      name: 'nees',
+      width: 460,
+      height: 180,
+      draw: (panel, frame) => drawConsistency(panel, frame, 'nees'),
+      shown: ({ ghost }) => !ghost,
+    },
+    {
+      name: 'nis',
+      width: 460,
+      height: 180,
+      draw: (panel, frame) => drawConsistency(panel, frame, 'nis'),
+      shown: ({ ghost }) => !ghost,
+    },
+    { name: 'ranges', width: 460, height: 180, draw: drawRanges, shown: ({ ghost }) => Boolean(ghost) },
+    {
+      name: 'bearings',
+      width: 460,
+      height: 180,
+      draw: drawBearings,
+      shown: ({ ghost }) => Boolean(ghost && ghost.bearingGap !== null),
+    },
+  ],
+  layout: {
+    narrow: ['map', 'ranks', 'verdict', 'tries', 'ranges', 'bearings', 'controls', 'readouts', 'trace', 'nees', 'nis'],
+    medium: ['map verdict', 'map ranks', 'ranges bearings', 'trace nees', 'nis tries'],
+    wide: ['map verdict', 'map ranks', 'map trace', 'ranges bearings', 'nees nis'],
+    columns: { medium: '1fr 1fr' },
+  },
+  tries,
+  describe,
+  controls,
+  readouts,
+  verdict,
+  announce: (frame) => verdict(frame),
+  series: sketch,
+}
