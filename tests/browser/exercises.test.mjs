@@ -46,14 +46,12 @@ const answer = async (page, id, right) => {
 
 test('every exercise is checked, and every right answer of it is taken', async (t) => {
   const page = await open(t)
-  const exercises = await page
-    .locator('.exercise')
-    .evaluateAll((all) =>
-      all.map((it) => ({
-        id: it.id,
-        checks: [...it.querySelectorAll('.quiz')].map(({ dataset }) => [dataset.quiz, dataset.kind]),
-      })),
-    )
+  const exercises = await page.locator('.exercise').evaluateAll((all) =>
+    all.map((it) => ({
+      id: it.id,
+      checks: [...it.querySelectorAll('.quiz')].map(({ dataset }) => [dataset.quiz, dataset.kind]),
+    })),
+  )
   assert.ok(exercises.length >= 15)
   for (const { id, checks } of exercises) {
     assert.ok(checks.length > 0, `${id} is checked`)

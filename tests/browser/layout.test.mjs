@@ -289,12 +289,10 @@ for (const [at, id] of [
       [1440, 960],
     ]) {
       await page.setViewportSize({ width, height: 900 })
-      const { left, right, over } = await page
-        .locator(id)
-        .evaluate((figure) => ({
-          ...figure.getBoundingClientRect().toJSON(),
-          over: document.documentElement.scrollWidth - innerWidth,
-        }))
+      const { left, right, over } = await page.locator(id).evaluate((figure) => ({
+        ...figure.getBoundingClientRect().toJSON(),
+        over: document.documentElement.scrollWidth - innerWidth,
+      }))
       assert.ok(
         right - left >= least && left >= 0 && right <= width && over <= 0,
         `${width} px: from ${left} to ${right}`,

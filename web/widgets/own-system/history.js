@@ -68,15 +68,13 @@ export function drawVariance(panel, frame) {
         log: true,
         include: [0.5, 2],
         unit: '{k}',
-        lines: variance
-          .slice(0, frame.params.states)
-          .map((values, j) => ({
-            key: String(j),
-            values,
-            name: `{P}_{${j + 1}${j + 1}}`,
-            kin: /** @type {const} */ ('posterior'),
-            shape: SHAPES[j],
-          })),
+        lines: variance.slice(0, frame.params.states).map((values, j) => ({
+          key: String(j),
+          values,
+          name: `{P}_{${j + 1}${j + 1}}`,
+          kin: /** @type {const} */ ('posterior'),
+          shape: SHAPES[j],
+        })),
       }),
   )
 }

@@ -97,7 +97,7 @@ export class Server {
       this.notes = notes
       this.read()
     } catch (error) {
-      const unread = !(/** @type {any} */ ((error).code === 'log'))
+      const unread = /** @type {any} */ (error).code !== 'log'
       const message = unread ? 'the file could not be read; it may be a folder, or gone' : wordsOf(error)
       this.tell({
         kind: 'no-log',
