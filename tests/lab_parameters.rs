@@ -3,6 +3,9 @@
 
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "src/draws.rs"]
+mod draws;
+
 use estimate::validate;
 use labs::{
     BugMuseum, Lab, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, OwnParams, OwnSystem, Params,
@@ -131,7 +134,7 @@ fn own_system() -> impl Strategy<Value = OwnParams> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 500, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(draws::cases(100))]
 
     #[test]
     fn the_bench(first in of(), second in of(), steps in 1..200_u32) {

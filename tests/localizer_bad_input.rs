@@ -3,6 +3,9 @@
 
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "src/draws.rs"]
+mod draws;
+
 use estimate::dynamic::Belief;
 use estimate::localizer::{EkfLocalizer, Reading, SensorKind};
 use estimate::{Landmark, validate};
@@ -63,7 +66,7 @@ fn localizer() -> impl Strategy<Value = Option<EkfLocalizer>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 2000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(draws::cases(2000))]
 
     #[test]
     fn a_localizer_answers_or_refuses(ekf in localizer(), calls in prop::collection::vec(call(), 1..8)) {

@@ -3,6 +3,9 @@
 
 #![cfg(not(target_arch = "wasm32"))]
 
+#[path = "src/draws.rs"]
+mod draws;
+
 use estimate::slam::{EkfSlam, Reading};
 use estimate::validate;
 use nalgebra::{DMatrix, dvector};
@@ -28,7 +31,7 @@ fn square(n: usize) -> impl Strategy<Value = DMatrix<f64>> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig { cases: 1000, failure_persistence: None, ..ProptestConfig::default() })]
+    #![proptest_config(draws::cases(1000))]
 
     /// Whatever is sent: no panic, a refusal changes nothing, and what is accepted leaves a covariance.
     #[test]

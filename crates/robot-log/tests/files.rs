@@ -3,6 +3,9 @@
 use estimate::Landmark;
 use estimate::drive::{Event, Motion};
 use proptest::prelude::*;
+
+#[path = "../../../tests/src/draws.rs"]
+mod draws;
 use robot_log::{Error, Files, Role, Understood, Units};
 
 /// The five files of a small drive in the form of the UTIAS MRCLAM data sets: robot 1 sees landmarks 6 and 7 and robot 2.
@@ -258,8 +261,14 @@ fn too_many_files_are_refused() {
 }
 
 proptest! {
+    #![proptest_config(draws::cases(256))]
+
     #[test]
-    fn no_text_makes_the_reading_of_files_panic(name in "\\PC{0,20}", texts in prop::collection::vec("(\\PC|[,;\t\n #0-9.]){0,120}", 1..4), role in 0_usize..8) {
+    fn no_text_makes_the_reading_of_files_panic(
+        name in draws::text("abz.csv_", 20),
+        texts in prop::collection::vec(draws::text("tx,;\t\n #0123456789.", 120), 1..4),
+        role in 0_usize..8,
+    ) {
         let mut files = Files::default();
         for text in &texts {
             files.add(&name, text).expect("few and short");

@@ -3,6 +3,9 @@
 use estimate::Landmark;
 use estimate::drive::{Event, Motion};
 use proptest::prelude::*;
+
+#[path = "../../../tests/src/draws.rs"]
+mod draws;
 use robot_log::parse;
 
 const SOUND: &str = "\
@@ -68,10 +71,28 @@ fn lines(n: usize) -> Vec<String> {
     lines
 }
 
+#[test]
+fn a_byte_order_mark_behind_a_comment_is_a_fault_with_its_place() {
+    let error = parse("# c\n\u{feff}L,1,0,0\nO,0,1,0\n").expect_err("no row begins with a mark");
+    assert_eq!((error.line, error.column), (2, 1));
+}
+
 proptest! {
+    #![proptest_config(draws::cases(2000))]
+
     #[test]
-    fn no_text_makes_the_parser_panic(text in "\\PC{0,200}") {
+    fn no_text_makes_the_parser_panic(text in draws::text("LGORVB#,.-0123456789 \n", 200)) {
         let _ = parse(&text);
+    }
+
+    /// Behind comments and blank lines, where a log begins for its reader.
+    #[test]
+    fn no_text_behind_a_comment_makes_the_parser_panic(
+        head in prop::sample::select(vec!["# c\n", "\n", " \r\n", "L,1,0,0\n"]),
+        mark in draws::character("LO#,"),
+        text in draws::text("LGORVB#,.-0123456789 \n", 60),
+    ) {
+        let _ = parse(&format!("{head}{mark}{text}"));
     }
 
     #[test]
