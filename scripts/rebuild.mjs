@@ -39,7 +39,7 @@ export class Rebuilder {
   }
 
   /** Answers what belongs to watching; false where the address is another. */
-  answer(request, response, pathname) {
+  answer(_request, response, pathname) {
     if (pathname === EVENTS) {
       response.writeHead(200, { 'content-type': 'text/event-stream', 'cache-control': 'no-store' })
       response.write(': open\n\n')

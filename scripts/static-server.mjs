@@ -52,12 +52,12 @@ export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1', 
       if (!url) return answer(response, 400, 'That address cannot be read.')
       const wanted = decodeURIComponent(url.pathname)
       if (live?.answer(request, response, wanted)) return
-      if (wanted + '/' === base) return redirect(response, base)
+      if (`${wanted}/` === base) return redirect(response, base)
       if (!wanted.startsWith(base) || wanted.includes('\0')) return answer(response, 404, 'Not found.')
       let file = path.join(root, wanted.slice(base.length))
       if ((await stat(file)).isDirectory()) {
         // One slash in front: a browser reads two as the name of another host.
-        if (!wanted.endsWith('/')) return redirect(response, url.pathname.replace(/^\/+/, '/') + '/' + url.search)
+        if (!wanted.endsWith('/')) return redirect(response, `${url.pathname.replace(/^\/+/, '/')}/${url.search}`)
         file = path.join(file, 'index.html')
       }
       file = await realpath(file)
@@ -141,7 +141,7 @@ async function lost(root, response) {
 
 function answer(response, status, text) {
   if (response.headersSent) return response.destroy()
-  response.writeHead(status, { 'content-type': 'text/plain; charset=utf-8' }).end(text + '\n')
+  response.writeHead(status, { 'content-type': 'text/plain; charset=utf-8' }).end(`${text}\n`)
 }
 
 function redirect(response, location) {

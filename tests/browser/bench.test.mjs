@@ -58,7 +58,7 @@ test('dragging the knob drives the eigenvalue out of the disc', async (t) => {
 })
 
 test('the filter, when it may choose, ends where the knob says 1', async (t) => {
-  const { page, it: bench } = await openFigure(t, 'observer-bench')
+  const { it: bench } = await openFigure(t, 'observer-bench')
   await bench.getByRole('button', { name: 'Reset' }).click()
   await until(bench, ({ step }) => step === 0, 'reset goes to step 0')
   await bench.getByRole('checkbox', { name: /let the filter choose/i }).check()
@@ -174,7 +174,7 @@ test('with reduced motion a step shows at once; without, in two beats', async (t
 })
 
 test('with reduced motion a run goes on in lumps, two pictures a second', async (t) => {
-  const { page, it: hook } = await openFigure(t, 'odometry-hook', { motion: 'reduce' })
+  const { it: hook } = await openFigure(t, 'odometry-hook', { motion: 'reduce' })
   await hook.getByRole('button', { name: 'Reset' }).click()
   await until(hook, ({ step }) => step === 0, 'reset')
   await hook.getByRole('button', { name: 'Play' }).click()
@@ -195,7 +195,7 @@ test('with reduced motion a run goes on in lumps, two pictures a second', async 
 })
 
 test('the seed makes another run, and the same one again', async (t) => {
-  const { page, it: bench } = await openFigure(t, 'observer-bench')
+  const { it: bench } = await openFigure(t, 'observer-bench')
   const seed = bench.getByRole('spinbutton', { name: 'Seed' })
   const first = await frameOf(bench)
   await seed.fill('7')

@@ -57,7 +57,7 @@ async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }
 }
 
 /** The figure in the frame, alive, and its state as it is when nothing is left to compute. */
-async function lively(page, frame, name) {
+async function lively(frame, name) {
   const it = frame.locator(name)
   await frame.locator(`${name}[data-state="live"]`).waitFor({ timeout: 20_000 })
   return it
@@ -82,7 +82,7 @@ for (const name of Object.keys(WIDGETS)) {
   test(`the ${name} lives in a sandboxed frame of another origin`, async (t) => {
     const { site } = await stage()
     const { page, frame, inner } = await around(t, { src: `${site.url}figure/${name}/?theme=dark` })
-    const it = await lively(page, frame, name)
+    const it = await lively(frame, name)
     assert.equal(await inner().evaluate(() => self.origin), 'null', 'it has no origin of its own')
     assert.equal(await frame.locator('[inert], [data-locked], .figure-locked').count(), 0, 'no question locks it')
 
@@ -166,7 +166,7 @@ for (const name of Object.keys(WIDGETS)) {
   test(`the ${name} fits a frame of 320 px`, async (t) => {
     const { site } = await stage()
     const { page, frame, inner } = await around(t, { src: `${site.url}figure/${name}/`, width: 320 })
-    await lively(page, frame, name)
+    await lively(frame, name)
     assert.equal(await inner().evaluate(() => innerWidth), 320)
     assert.ok(await inner().evaluate(() => document.documentElement.scrollWidth <= 320), 'nothing scrolls sideways')
   })
@@ -182,7 +182,7 @@ for (const name of Object.keys(WIDGETS)) {
     t.after(() => context.close())
     const own = await context.newPage()
     await own.goto(`${site.url}figure/${name}/`)
-    const it = await lively(own, own, name)
+    const it = await lively(own, name)
     await changes(
       it,
       () => it.locator('.live input[type=range]:enabled:visible').first().press('Shift+ArrowRight'),
@@ -207,7 +207,7 @@ for (const name of Object.keys(WIDGETS)) {
     assert.match(markup, /^<iframe [^<>]*><\/iframe>$/)
 
     const { page, frame, inner } = await around(t, { markup })
-    const shown = await lively(page, frame, name)
+    const shown = await lively(frame, name)
     assert.equal(await stateOf(shown), there)
     const { title, sandbox } = await page.evaluate(() => {
       const { title, sandbox } = document.querySelector('iframe')
@@ -229,10 +229,10 @@ for (const name of Object.keys(WIDGETS)) {
 
 test('in a frame a link to a state is shown where the clipboard is closed, and there is nothing to download', async (t) => {
   const { site } = await stage()
-  const { page, frame } = await around(t, {
+  const { frame } = await around(t, {
     src: `${site.url}figure/observer-bench/?fig-limit=${code([1, 'observer-bench', 20, { gain: 2.5 }])}`,
   })
-  const bench = await lively(page, frame, 'observer-bench')
+  const bench = await lively(frame, 'observer-bench')
   assert.deepEqual(
     [JSON.parse(await stateOf(bench)).step, JSON.parse(await stateOf(bench)).params.gain],
     [20, 2.5],
@@ -261,8 +261,8 @@ test('a long run in a frame is computed in slices, without a worker', async (t) 
       ],
     },
   ])
-  const { page, frame } = await around(t, { src: `${site.url}figure/observability-probe/?fig-probe=${state}` })
-  const probe = await lively(page, frame, 'observability-probe')
+  const { frame } = await around(t, { src: `${site.url}figure/observability-probe/?fig-probe=${state}` })
+  const probe = await lively(frame, 'observability-probe')
   await probe
     .getByText(/Computing step [\d,]+ of 60,000/)
     .first()
@@ -274,7 +274,7 @@ test('a long run in a frame is computed in slices, without a worker', async (t) 
 test('in a frame the map of the likelihood is filled in slices, without a worker, and the loop is driven', async (t) => {
   const { site } = await stage()
   const { page, frame } = await around(t, { src: `${site.url}figure/tune-me/` })
-  const tune = await lively(page, frame, 'tune-me')
+  const tune = await lively(frame, 'tune-me')
   await tune.evaluate(async (host) => {
     while (host.figure.beside.value?.rows !== host.figure.beside.value?.size || !host.figure.beside.value)
       await new Promise((resolve) => requestAnimationFrame(resolve))
@@ -283,7 +283,7 @@ test('in a frame the map of the likelihood is filled in slices, without a worker
   assert.equal(page.workers().length, 0)
 
   const other = await around(t, { src: `${site.url}figure/close-loop/?fig-loop=${code([1, 'loop-closure', 112, {}])}` })
-  const loop = await lively(other.page, other.frame, 'close-loop')
+  const loop = await lively(other.frame, 'close-loop')
   assert.equal(JSON.parse(await stateOf(loop)).step, 112)
   await loop.getByRole('button', { name: 'Step', exact: true }).click()
   await loop

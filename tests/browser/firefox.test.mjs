@@ -47,7 +47,7 @@ if (firefox) {
       if (message.type() === 'error') complaints.push(message.text())
     })
     page.on('pageerror', (error) => complaints.push(String(error)))
-    await page.goto(site.url + 'kalman/', { timeout: 60_000 })
+    await page.goto(`${site.url}kalman/`, { timeout: 60_000 })
   })
   after(async () => {
     await browser?.close()
@@ -265,7 +265,7 @@ test('in Firefox a log that is dropped is filtered in a worker, and a long repla
             [
               typeof parts === 'string'
                 ? parts
-                : 'L,1,0,10\n' + Array.from({ length: parts }, (_, i) => `O,${i},0.1,0.01\nR,${i},1,10\n`).join(''),
+                : `L,1,0,10\n${Array.from({ length: parts }, (_, i) => `O,${i},0.1,0.01\nR,${i},1,10\n`).join('')}`,
             ],
             file,
           ),

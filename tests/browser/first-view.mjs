@@ -26,7 +26,7 @@ export async function firstView() {
     wire.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
       if (names.has(requestId)) sizes.push([names.get(requestId), encodedDataLength])
     })
-    await page.goto(site.url + 'kalman/', { waitUntil: 'networkidle' })
+    await page.goto(`${site.url}kalman/`, { waitUntil: 'networkidle' })
     const first = page.locator('.widget').first()
     await first.scrollIntoViewIfNeeded()
     await page.waitForTimeout(1500)
@@ -49,7 +49,7 @@ export function kindOf(name) {
 
 if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const sizes = await firstView()
-  const kilo = (bytes) => (bytes / 1000).toFixed(1).padStart(7) + ' kB'
+  const kilo = (bytes) => `${(bytes / 1000).toFixed(1).padStart(7)} kB`
   const kinds = new Map()
   for (const [name, bytes] of sizes) kinds.set(kindOf(name), (kinds.get(kindOf(name)) ?? 0) + bytes)
   console.log('| first view of the chapter, compressed | |\n|---|---:|')

@@ -24,7 +24,7 @@ try {
       reducedMotion: 'no-preference',
     })
     const page = await context.newPage()
-    await page.goto(site.url + 'kalman/')
+    await page.goto(`${site.url}kalman/`)
     if ((await page.locator(tag).count()) === 0) {
       await context.close()
       continue

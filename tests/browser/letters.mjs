@@ -37,7 +37,7 @@ async function letters() {
   const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
   try {
     const page = await browser.newPage({ viewport: DESKTOP, serviceWorkers: 'block' })
-    await page.goto(site.url + 'kalman/')
+    await page.goto(`${site.url}kalman/`)
     await readItAll(page)
     const seen = await page.evaluate(() => {
       /** @type {Record<string, Set<string>>} */

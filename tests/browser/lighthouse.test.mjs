@@ -26,7 +26,7 @@ for (const at of PAGES) {
       assert.equal(
         score(name),
         100,
-        `${name}: ${failed.map((audit) => audit.id + ' ' + JSON.stringify(audit.details?.items?.slice(0, 3) ?? '')).join('; ')}`,
+        `${name}: ${failed.map((audit) => `${audit.id} ${JSON.stringify(audit.details?.items?.slice(0, 3) ?? '')}`).join('; ')}`,
       )
     }
     assert.equal(

@@ -56,7 +56,7 @@ test('after one visit every page, figure and check works without a network, in b
   timeout: 240_000,
 }, async () => {
   await visit(dist, BASE, async ({ page, url, unplug }) => {
-    await page.goto(url + 'kalman/')
+    await page.goto(`${url}kalman/`)
     await kept(page)
     await unplug()
     const files = JSON.parse(readFileSync(path.join(dist, 'precache.json'), 'utf8')).map((file) => file.url)
@@ -75,17 +75,17 @@ test('after one visit every page, figure and check works without a network, in b
       await page.goto(url + at)
       assert.ok((await page.locator('h1').first().textContent()).length > 3, `/${at}`)
     }
-    await page.goto(url + 'kalman/')
+    await page.goto(`${url}kalman/`)
     for (const tag of Object.keys(WIDGETS).filter((name) => name !== 'own-system')) await figure(page, tag)
-    await page.goto(url + 'system/')
+    await page.goto(`${url}system/`)
     await figure(page, 'own-system')
-    await page.goto(url + 'kalman/')
+    await page.goto(`${url}kalman/`)
     await page.locator('[data-set-notation="thrun"]').click()
     await page.waitForFunction(() => document.documentElement.dataset.letters === 'thrun')
     await page.locator('[data-open-search]').first().click()
     await page.locator('dialog.search input').fill('innovation')
     await page.locator('dialog.search li a').first().waitFor()
-    await page.goto(url + 'check/')
+    await page.goto(`${url}check/`)
     await page.locator('[data-run-checks]').click()
     await page
       .getByRole('status')
@@ -109,7 +109,7 @@ test('two copies on one origin keep a store each, and a new version takes the pl
     assert.deepEqual(await stores(page), ['book-/shelf/one/#first', 'book-/shelf/two/#other'])
 
     deploy(one, 'second')
-    await page.goto(url + 'one/')
+    await page.goto(`${url}one/`)
     await page.evaluate(async () => {
       await (await navigator.serviceWorker.ready).update()
     })
@@ -121,7 +121,7 @@ test('two copies on one origin keep a store each, and a new version takes the pl
     })
     assert.deepEqual(await stores(page), both, 'a page is open that may need files of the first edition')
     // No page of that copy is open any more.
-    await page.goto(url + 'two/')
+    await page.goto(`${url}two/`)
     await waitFor(page, async () => (await stores(page)).length < both.length)
     assert.deepEqual(await stores(page), ['book-/shelf/one/#second', 'book-/shelf/two/#other'])
     await unplug()

@@ -20,7 +20,7 @@ const POLICY =
 /** The page for lost addresses has its script and its style inside, each named by its hash. */
 const POLICY_OF_LOST =
   "default-src 'none'; script-src '#'; style-src '#'; connect-src 'self'; img-src data:; base-uri 'none'; form-action 'none'"
-const unescape = (value) =>
+const unescaped = (value) =>
   value
     .replace(/&amp;/g, '&')
     .replace(/&#x27;|&#39;/g, "'")
@@ -30,7 +30,7 @@ const unescape = (value) =>
 /** The ids of a page. */
 function idsOf(file) {
   if (!anchors.has(file))
-    anchors.set(file, new Set([...text.get(file).matchAll(/\sid="([^"]*)"/g)].map((match) => unescape(match[1]))))
+    anchors.set(file, new Set([...text.get(file).matchAll(/\sid="([^"]*)"/g)].map((match) => unescaped(match[1]))))
   return anchors.get(file)
 }
 
@@ -38,7 +38,7 @@ test('every link, script, style and picture of every page is there', () => {
   const broken = []
   for (const file of html) {
     for (const [, , raw] of text.get(file).matchAll(/<[^>]*?\s(href|src)="([^"]*)"/g)) {
-      const address = unescape(raw)
+      const address = unescaped(raw)
       if (/^(https?:|mailto:|data:)/.test(address)) continue
       if (address.startsWith('/')) {
         broken.push(`${file}: ${address} is not relative`)
@@ -84,7 +84,7 @@ test('every page carries the strict policy, a title, a description and a languag
     assert.match(page, /<title>[^<]{4,}<\/title>/, file)
     if (!file.startsWith('source/')) assert.match(page, /<meta name="description" content="[^"]{20,}"/, file)
     // What stands inside a page is named in its policy by its hash; only the page for lost addresses has any.
-    for (const [, tag, body] of page.matchAll(/<(script|style)(?![^>]*\ssrc=)[^>]*>([^]+?)<\/\1>/g)) {
+    for (const [, tag, body] of page.matchAll(/<(script|style)(?![^>]*\ssrc=)[^>]*>([\s\S]+?)<\/\1>/g)) {
       assert.equal(file, '404.html', `${file} has an inline ${tag}`)
       assert.ok(
         policy.includes(`'sha256-${createHash('sha256').update(body).digest('base64')}'`),
@@ -96,12 +96,12 @@ test('every page carries the strict policy, a title, a description and a languag
 })
 
 test('the page on hosting prints that policy', () => {
-  const words = unescape(text.get('hosting/index.html').replace(/<[^>]*>/g, ''))
+  const words = unescaped(text.get('hosting/index.html').replace(/<[^>]*>/g, ''))
   assert.ok(words.includes(`Content-Security-Policy: ${POLICY}\n`))
 })
 
 test('the page on hosting prints the policy of workers', () => {
-  const words = unescape(text.get('hosting/index.html').replace(/<[^>]*>/g, ''))
+  const words = unescaped(text.get('hosting/index.html').replace(/<[^>]*>/g, ''))
   assert.ok(words.includes(`Content-Security-Policy: ${WORKER_POLICY}\n`))
 })
 

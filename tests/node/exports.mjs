@@ -206,9 +206,9 @@ export const CLASSES = {
       return [system(size, dice), { x: vector(size.n, dice), P: covariance(size.n, dice) }]
     },
     methods: {
-      predict: (dice, _, it, [{ G }]) => [row(G[0].length, dice)],
-      update: (dice, _, it, [{ H }]) => [row(H.length, dice)],
-      step: (dice, _, it, [{ G, H }]) => [row(G[0].length, dice), row(H.length, dice)],
+      predict: (dice, _, _it, [{ G }]) => [row(G[0].length, dice)],
+      update: (dice, _, _it, [{ H }]) => [row(H.length, dice)],
+      step: (dice, _, _it, [{ G, H }]) => [row(G[0].length, dice), row(H.length, dice)],
     },
     look: ({ x, P, logLikelihood, nis }) => [x, P, logLikelihood, nis],
     covariances: (it) => [it.P],

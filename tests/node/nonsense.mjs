@@ -31,7 +31,7 @@ const NUMBERS = [
   1e-8,
   1e24,
   4294967296,
-  9007199254740993,
+  2 ** 53 + 2,
 ]
 const OTHERS = [
   undefined,

@@ -86,7 +86,7 @@ test('the Rust examples of the READMEs ask for no crate but their own', () => {
     ['README.md', 'estimate'],
     ...core.map((name) => [`crates/${name}/README.md`, name]),
   ]) {
-    const examples = [...read(file).matchAll(/^```rust\n([^]*?)^```$/gm)].map(([, text]) => text)
+    const examples = [...read(file).matchAll(/^```rust\n([\s\S]*?)^```$/gm)].map(([, text]) => text)
     assert.ok(examples.length > 0, file)
     for (const example of examples) {
       const roots = [

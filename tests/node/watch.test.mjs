@@ -24,7 +24,7 @@ before(async () => {
   const rebuilder = new Rebuilder(home)
   site = await serve({ folder: path.join(home, 'dist'), live: rebuilder })
   rebuilder.watch(stop.signal)
-  const response = await fetch(site.url + '.live/events')
+  const response = await fetch(`${site.url}.live/events`)
   events = response.body.pipeThrough(new TextDecoderStream()).getReader()
   assert.match((await events.read()).value, /^: open/)
 })
@@ -43,8 +43,8 @@ const told = async () => {
 
 test('a page is sent with the script that waits for a build, and the worker keeps nothing', async () => {
   assert.match(await (await fetch(site.url)).text(), /<script src="\/\.live\/reload\.js" defer><\/script><\/head>/)
-  assert.match((await fetch(site.url + '.live/reload.js')).headers.get('content-type'), /^text\/javascript/)
-  assert.match(await (await fetch(site.url + 'sw.js')).text(), /unregister/)
+  assert.match((await fetch(`${site.url}.live/reload.js`)).headers.get('content-type'), /^text\/javascript/)
+  assert.match(await (await fetch(`${site.url}sw.js`)).text(), /unregister/)
 })
 
 test('a change is built and told, a fault with its words, and the repair too', { timeout: 60_000 }, async () => {

@@ -16,7 +16,7 @@ const SEEN = JSON.parse(readFileSync(new URL('letters.json', import.meta.url), '
 
 const range = (from, to) => String.fromCodePoint(...Array.from({ length: to - from + 1 }, (_, i) => from + i))
 const ASCII = range(0x20, 0x7e)
-const MORE = range(0xa0, 0xff) + 'ŁłŒœŠšŽžĆćČč–—‘’‚“”„†•…‰‹›€™−×÷≤≥≠≈∞√∂∑∏∫◊°²³µ⁰¹⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉←↑→↓↔⇒'
+const MORE = `${range(0xa0, 0xff)}ŁłŒœŠšŽžĆćČč–—‘’‚“”„†•…‰‹›€™−×÷≤≥≠≈∞√∂∑∏∫◊°²³µ⁰¹⁴⁵⁶⁷⁸⁹₀₁₂₃₄₅₆₇₈₉←↑→↓↔⇒`
 const LATIN = ASCII + MORE
 const GREEK = 'ΓΔΘΛΞΠΣΦΨΩαβγδεζηθικλμνξπρσςτυφχψω'
 const MARKS = '\u0302\u0303\u0304\u0307'

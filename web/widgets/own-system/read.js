@@ -46,8 +46,8 @@ class Fault extends Error {}
 function withoutComments(text) {
   return text
     .replace(/\r\n?/g, '\n')
-    .replace(/^\s*%\{\s*\n[^]*?^\s*%\}.*$/gm, '')
-    .replace(/\/\*[^]*?\*\//g, '')
+    .replace(/^\s*%\{\s*\n[\s\S]*?^\s*%\}.*$/gm, '')
+    .replace(/\/\*[\s\S]*?\*\//g, '')
     .replace(/("(?:[^"\\\n]|\\.)*")|(?:[%#]|\/\/).*$/gm, '$1')
     .replace(/(\.\.\.|…)[^\n]*\n/g, ' ')
 }
