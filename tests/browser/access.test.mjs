@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { readFileSync } from 'node:fs'
 import { PNG } from 'pngjs'
-import { FIGURE_PAGES, PAGES, PHONE, comeTo, figure, open, walkDown } from './harness.mjs'
+import { comeTo, figure, FIGURE_PAGES, open, PAGES, PHONE, quiet, walkDown } from './harness.mjs'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 
@@ -78,7 +78,7 @@ const CALLED_UP = {
     await page.locator('.popover:not([hidden])').waitFor()
     await page.locator('.widget[data-lit]').waitFor({ state: 'attached' })
     // The others fade.
-    await page.waitForTimeout(400)
+    await quiet(page)
     await alone(page, ':focus', '[data-lit]')
     assert.ok((await page.locator('.popover').isVisible()) && (await page.locator('.widget[data-lit]').isVisible()))
   },

@@ -1,7 +1,7 @@
 // A reader far down the page scrolls up a little, and has section, contents, search and letters at hand; reading on, the bar goes.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { DESKTOP, PHONE, open } from './harness.mjs'
+import { DESKTOP, open, PHONE, quiet } from './harness.mjs'
 
 const shown = (page) =>
   page
@@ -11,9 +11,9 @@ const shown = (page) =>
 async function wheel(page, by) {
   for (let i = 0; i < 6; i++) {
     await page.mouse.wheel(0, by / 6)
-    await page.waitForTimeout(50)
+    await quiet(page, 3)
   }
-  await page.waitForTimeout(250)
+  await quiet(page)
 }
 
 for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP })) {
@@ -34,14 +34,14 @@ for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP
         .querySelector('#mathematics, h2[id] ~ h3[id], main section:nth-of-type(7)')
         .scrollIntoView({ behavior: 'instant' }),
     )
-    await page.waitForTimeout(600)
+    await quiet(page)
     await page.locator('.bar').waitFor({ state: 'attached' })
     await page.mouse.move(viewport.width / 2, 400)
     await wheel(page, 400)
     assert.equal(await shown(page), false, 'reading on')
     for (const by of [-20, -20, -20, 60]) {
       await page.evaluate((top) => scrollBy({ top, behavior: 'instant' }), by)
-      await page.waitForTimeout(100)
+      await quiet(page)
       if (by < 0) assert.equal(await shown(page), false, 'the page itself has scrolled')
     }
     await page.evaluate(() => {
@@ -97,7 +97,7 @@ for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP
     await page.evaluate(() => {
       location.hash = '#problem'
     })
-    await page.waitForTimeout(600)
+    await quiet(page)
     assert.equal(await shown(page), false, 'a jump')
   })
 }

@@ -2,7 +2,7 @@
 // and by touch.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { PHONE, dragSlider, frameOf, openFigure, stateOf, until } from './harness.mjs'
+import { dragSlider, frameOf, openFigure, PHONE, quiet, stateOf, until } from './harness.mjs'
 
 const knob = (bench) => bench.getByRole('slider', { name: /gain/i })
 const moving = (frame) =>
@@ -126,7 +126,7 @@ test('a finger turns the knob', async (t) => {
   for (let i = 1; i <= 8; i++) await swipe('touchMove', 15 * i)
   await swipe('touchEnd')
   await page.waitForFunction((y) => scrollY > y + 50, top)
-  await page.waitForTimeout(150)
+  await quiet(page)
   assert.equal((await frameOf(bench)).params.gain, gain)
 })
 
@@ -149,7 +149,7 @@ test('a change is the whole run as it would have been, and a step is announced',
 test('with reduced motion a step shows at once; without, in two beats', async (t) => {
   for (const motion of ['reduce', 'no-preference']) {
     const { page, it: bench } = await openFigure(t, 'observer-bench', { motion })
-    await page.waitForTimeout(300)
+    await quiet(page)
     // Every outline of the ellipse that the step shows, frame by frame.
     const seen = await bench.evaluate(async (it) => {
       const ellipses = new Set()
@@ -218,16 +218,16 @@ test('a seed can be typed while the figure plays', async (t) => {
   await page.keyboard.press('Backspace')
   for (const digit of '4711') {
     await page.keyboard.press(digit)
-    await page.waitForTimeout(200)
+    await quiet(page, 3)
   }
-  assert.ok((await frameOf(bench)).step > step, 'it plays meanwhile')
+  await until(bench, (frame) => frame.step > step, 'it plays meanwhile')
   await page.keyboard.press('Enter')
   await until(bench, ({ params }) => params.seed === 4711, 'the seed typed')
   // What is left unsaid in it gives way to what holds, when the field is left.
   await seed.evaluate((input) => {
     input.value = ''
   })
-  await page.waitForTimeout(300)
+  await quiet(page)
   assert.equal(await seed.inputValue(), '')
   await seed.evaluate((input) => input.blur())
   assert.equal(await seed.inputValue(), '4711')

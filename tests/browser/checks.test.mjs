@@ -29,7 +29,7 @@ test('on a phone the values of the build and of the browser are on the screen', 
   await page
     .getByRole('status')
     .filter({ hasText: /^13 of 13/ })
-    .waitFor({ timeout: 60_000 })
+    .waitFor()
   const beyond = await page
     .locator('[data-check] > *')
     .evaluateAll((all) =>
@@ -51,9 +51,7 @@ test('the thirteen checks pass in the browser, each with its time and the values
   const button = page.getByRole('button', { name: 'Run the checks here' })
   const summary = page.getByRole('status')
   await button.click()
-  await summary
-    .filter({ hasText: /^13 of 13 checks pass in this browser; together they took [\d.]+\sms\.$/ })
-    .waitFor({ timeout: 60_000 })
+  await summary.filter({ hasText: /^13 of 13 checks pass in this browser; together they took [\d.]+\sms\.$/ }).waitFor()
   assert.deepEqual(
     await page.evaluate(() => globalThis.seen),
     Array.from({ length: 13 }, (_, i) => i + 1),
@@ -117,7 +115,7 @@ test('the thirteen checks pass in the browser, each with its time and the values
     said.textContent = ''
   })
   await button.click()
-  await summary.filter({ hasText: /^13 of 13/ }).waitFor({ timeout: 60_000 })
+  await summary.filter({ hasText: /^13 of 13/ }).waitFor()
   assert.equal(await page.locator('[data-passed="true"]').count(), 13)
 })
 
@@ -135,5 +133,5 @@ test('a module that cannot be fetched is said, and the button works again', asyn
   await page
     .getByRole('status')
     .filter({ hasText: /^13 of 13/ })
-    .waitFor({ timeout: 60_000 })
+    .waitFor()
 })

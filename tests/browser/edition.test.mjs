@@ -6,9 +6,8 @@ import { cpSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, wri
 import { createServer } from 'node:http'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
-import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, figure, stateOf, unlock } from './harness.mjs'
+import { BASE, dist, figure, launch, quiet, stateOf, unlock } from './harness.mjs'
 
 const copies = mkdtempSync(path.join(tmpdir(), 'book-editions-'))
 after(() => rmSync(copies, { recursive: true, force: true }))
@@ -40,7 +39,7 @@ async function visit(worker, act) {
   const folder = mkdtempSync(path.join(copies, 'site-'))
   cpSync(dist, folder, { recursive: true })
   const site = await serve({ folder, base: BASE })
-  const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
+  const browser = await launch()
   try {
     const context = await browser.newContext({ reducedMotion: 'reduce', serviceWorkers: worker ? 'allow' : 'block' })
     const page = await context.newPage()
@@ -58,7 +57,7 @@ const kept = (page) =>
     while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
   })
 
-test('a page that is open while a new edition is published goes on whole', { timeout: 240_000 }, async () => {
+test('a page that is open while a new edition is published goes on whole', async () => {
   await visit(true, async ({ page, context, folder, url }) => {
     await page.goto(`${url}kalman/`)
     await kept(page)
@@ -89,28 +88,26 @@ test('a page that is open while a new edition is published goes on whole', { tim
   })
 })
 
-test('without a store an open page says that there is a new edition, and a reload loses nothing', {
-  timeout: 240_000,
-}, async () => {
+test('without a store an open page says that there is a new edition, and a reload loses nothing', async () => {
   await visit(false, async ({ page, folder, url }) => {
     await page.goto(`${url}kalman/`)
     const hook = await figure(page, 'odometry-hook')
     await hook.getByRole('button', { name: 'Step' }).click()
-    await page.waitForTimeout(600)
+    await quiet(page)
     const state = await stateOf(hook)
     publish(folder)
     const probe = page.locator('observability-probe').first()
     await probe.scrollIntoViewIfNeeded()
-    await probe.getByText(/new edition/).waitFor({ timeout: 20_000 })
+    await probe.getByText(/new edition/).waitFor()
     const top = () => probe.evaluate((it) => it.getBoundingClientRect().top)
     const reload = probe.getByRole('button', { name: 'Reload' })
     await reload.scrollIntoViewIfNeeded()
-    await page.waitForTimeout(500)
+    await quiet(page)
     const before = await top()
     await reload.click()
     await page.locator('h1[data-edition=new]').waitFor({ state: 'attached' })
-    await page.locator('observability-probe[data-state=live]').first().waitFor({ timeout: 20_000 })
-    await page.waitForTimeout(1000)
+    await page.locator('observability-probe[data-state=live]').first().waitFor()
+    await quiet(page, 90)
     assert.ok(
       Math.abs((await top()) - before) < 29,
       `the place: ${await top()} px from the top after, ${before} before`,
@@ -131,7 +128,7 @@ for (const [what, answer] of [
   ['hangs in the middle of a page', half],
   ['fails', (_, response) => response.writeHead(503).end('Not now.')],
 ]) {
-  test(`where the server ${what} the kept page is shown`, { timeout: 120_000 }, async (t) => {
+  test(`where the server ${what} the kept page is shown`, async (t) => {
     await visit(true, async ({ page, url, site }) => {
       await page.goto(`${url}kalman/`)
       await kept(page)
@@ -140,9 +137,9 @@ for (const [what, answer] of [
       try {
         for (const at of ['kalman/', 'hosting/']) {
           const began = Date.now()
-          await page.goto(url + at, { waitUntil: 'commit', timeout: 15_000 })
+          await page.goto(url + at, { waitUntil: 'commit' })
           t.diagnostic(`/${at} after ${((Date.now() - began) / 1000).toFixed(1)} s`)
-          await page.locator('.site-footer').waitFor({ state: 'attached', timeout: 10_000 })
+          await page.locator('.site-footer').waitFor({ state: 'attached' })
           assert.ok(
             (await page.locator('h1').first().textContent()).length > 3 && !(await page.getByText('Not now.').count()),
           )
@@ -157,20 +154,20 @@ for (const [what, answer] of [
   })
 }
 
-test('a module that never answers is said, and comes when it is asked for again', { timeout: 120_000 }, async () => {
+test('a module that never answers is said, and comes when it is asked for again', async () => {
   await visit(false, async ({ page, url }) => {
     await page.route('**/*.wasm', () => {})
     await page.goto(`${url}kalman/`)
     const hook = page.locator('odometry-hook').first()
     await hook.scrollIntoViewIfNeeded()
-    await hook.getByText(/does not answer/).waitFor({ timeout: 20_000 })
+    await hook.getByText(/does not answer/).waitFor()
     await page.unroute('**/*.wasm')
     await hook.getByRole('button', { name: 'Try again' }).click()
-    await page.locator('odometry-hook[data-state=live]').first().waitFor({ timeout: 20_000 })
+    await page.locator('odometry-hook[data-state=live]').first().waitFor()
   })
 })
 
-test('a script of a figure that never answers is said', { timeout: 120_000 }, async () => {
+test('a script of a figure that never answers is said', async () => {
   await visit(false, async ({ page, url }) => {
     const chunk = readdirSync(path.join(dist, 'assets')).find(
       (name) =>
@@ -181,6 +178,6 @@ test('a script of a figure that never answers is said', { timeout: 120_000 }, as
     await page.goto(`${url}kalman/`, { waitUntil: 'domcontentloaded' })
     const hook = page.locator('odometry-hook').first()
     await hook.scrollIntoViewIfNeeded()
-    await hook.getByText(/could not be fetched/).waitFor({ timeout: 20_000 })
+    await hook.getByText(/could not be fetched/).waitFor()
   })
 })

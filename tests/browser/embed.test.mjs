@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
 import { once } from 'node:events'
-import { stage, watch } from './harness.mjs'
+import { quiet, stage, watch } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
@@ -59,7 +59,7 @@ async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }
 /** The figure in the frame, alive, and its state as it is when nothing is left to compute. */
 async function lively(frame, name) {
   const it = frame.locator(name)
-  await frame.locator(`${name}[data-state="live"]`).waitFor({ timeout: 20_000 })
+  await frame.locator(`${name}[data-state="live"]`).waitFor()
   return it
 }
 const stateOf = (it) =>
@@ -158,14 +158,14 @@ for (const name of Object.keys(WIDGETS)) {
     }
     // Nor a message of another window.
     await inner().evaluate(() => postMessage({ type: 'robot-motion:theme', theme: 'light' }, '*'))
-    await page.waitForTimeout(200)
+    await quiet(page)
     assert.equal(await theme(), 'dark')
     assert.equal(await stateOf(it), before)
   })
 
   test(`the ${name} fits a frame of 320 px`, async (t) => {
     const { site } = await stage()
-    const { page, frame, inner } = await around(t, { src: `${site.url}figure/${name}/`, width: 320 })
+    const { frame, inner } = await around(t, { src: `${site.url}figure/${name}/`, width: 320 })
     await lively(frame, name)
     assert.equal(await inner().evaluate(() => innerWidth), 320)
     assert.ok(await inner().evaluate(() => document.documentElement.scrollWidth <= 320), 'nothing scrolls sideways')

@@ -10,7 +10,7 @@ import { createRequire } from 'node:module'
 import path from 'node:path'
 import puppeteer from 'puppeteer-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, dist, root } from './places.mjs'
+import { BASE, dist, HANGS_MS, root } from './places.mjs'
 
 const firefox = [
   process.env.FIREFOX,
@@ -47,7 +47,7 @@ if (firefox) {
       if (message.type() === 'error') complaints.push(message.text())
     })
     page.on('pageerror', (error) => complaints.push(String(error)))
-    await page.goto(`${site.url}kalman/`, { timeout: 60_000 })
+    await page.goto(`${site.url}kalman/`, { timeout: HANGS_MS })
   })
   after(async () => {
     await browser?.close()
@@ -58,7 +58,7 @@ if (firefox) {
 /** Asks again and again. Puppeteer's own way makes a function of a text, which the page's policy forbids in Firefox 140. */
 const wait = (check, ...given) => waitIn(page, check, ...given)
 const waitIn = async (where, check, ...given) => {
-  for (const end = Date.now() + 30_000; !(await where.evaluate(check, ...given)); ) {
+  for (const end = Date.now() + HANGS_MS; !(await where.evaluate(check, ...given)); ) {
     assert.ok(Date.now() < end, `waited for ${check}`)
     await new Promise((resolve) => setTimeout(resolve, 100))
   }
@@ -69,7 +69,7 @@ const alive = async (tag) => {
 }
 
 for (const tag of ['odometry-hook', 'observer-bench', 'observability-probe']) {
-  test(`${tag} steps in Firefox`, { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+  test(`${tag} steps in Firefox`, { skip: firefox ? false : notice }, async () => {
     await alive(tag)
     const step = await page.evaluate((name) => document.querySelector(name).frame.step, tag)
     await page.evaluate(
@@ -82,7 +82,7 @@ for (const tag of ['odometry-hook', 'observer-bench', 'observability-probe']) {
   })
 }
 
-test('the keys turn the knob in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+test('the keys turn the knob in Firefox', { skip: firefox ? false : notice }, async () => {
   await alive('observer-bench')
   await page.evaluate(() => document.querySelector('observer-bench .live input[type=range]').focus())
   const gain = await page.evaluate(() => document.querySelector('observer-bench').frame.params.gain)
@@ -92,7 +92,6 @@ test('the keys turn the knob in Firefox', { skip: firefox ? false : notice, time
 
 test('the keys move the prediction of kalman-picture in Firefox, to the frame that Node computes', {
   skip: firefox ? false : notice,
-  timeout: 120_000,
 }, async () => {
   await alive('kalman-picture')
   // A question locks it until some answer is given.
@@ -130,7 +129,6 @@ for (const [tag, lab, handle] of [
 ]) {
   test(`the keys drive ${tag} in Firefox, to the frame that Node computes`, {
     skip: firefox ? false : notice,
-    timeout: 120_000,
   }, async () => {
     // On its own page no question locks it.
     await page.goto(`${site.url}figure/${tag}/`)
@@ -175,7 +173,6 @@ for (const [tag, lab, handle] of [
 
 test('a figure lives in a sandboxed frame of another origin in Firefox, and tells its height', {
   skip: firefox ? false : notice,
-  timeout: 120_000,
 }, async () => {
   const html = `<!doctype html><title>Somebody else's page</title><iframe src="${site.url}figure/observer-bench/" title="A figure" sandbox="allow-scripts" width="800" height="900"></iframe>
     <script>heights = []; addEventListener('message', ({ data }) => heights.push(data.height))</script>`
@@ -204,7 +201,7 @@ test('a figure lives in a sandboxed frame of another origin in Firefox, and tell
   }
 })
 
-test('no formula has to be scrolled in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+test('no formula has to be scrolled in Firefox', { skip: firefox ? false : notice }, async () => {
   const wide = await page.evaluate(async () => {
     document.querySelectorAll('main > article > section').forEach((part) => {
       part.style.contentVisibility = 'visible'
@@ -222,7 +219,7 @@ test('no formula has to be scrolled in Firefox', { skip: firefox ? false : notic
   assert.deepEqual(wide, [])
 })
 
-test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice, timeout: 120_000 }, async () => {
+test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice }, async () => {
   // The lab of the log is in a worker; digits.test.mjs asks for its hash in Chromium.
   const shown = ([tag]) => tag !== 'robot-log' && existsSync(path.join(root, `web/widgets/${tag}.js`))
   let shownOn
@@ -250,7 +247,6 @@ test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : not
 
 test('in Firefox a log that is dropped is filtered in a worker, and a long replay is given up', {
   skip: firefox ? false : notice,
-  timeout: 120_000,
 }, async () => {
   // A page that is left while it still fetches its scripts complains.
   await page.waitForNetworkIdle()

@@ -2,7 +2,7 @@
 // moved by the keys; and under a finger only the handle itself holds the page.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { PHONE, figure, openFigure } from './harness.mjs'
+import { figure, openFigure, PHONE, quiet } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 /** Not the sliders that a figure hides where there is nothing to set. */
@@ -58,10 +58,8 @@ for (const tag of Object.keys(WIDGETS)) {
         const before = await state()
         for (const key of keys) {
           await knob.press(key)
-          for (let i = 0; i < 15; i++) {
-            if ((await state()) !== before) return
-            await page.waitForTimeout(40)
-          }
+          await quiet(page, 3)
+          if ((await state()) !== before) return
         }
         assert.fail(`${name} stays at ${before} under ${keys}`)
       }
@@ -88,7 +86,7 @@ for (const tag of ['kalman-picture', 'observability-probe', 'tune-me', 'close-lo
       await touch('touchStart', 0)
       for (let i = 1; i <= 8; i++) await touch('touchMove', i / 8)
       await touch('touchEnd')
-      await page.waitForTimeout(400)
+      await quiet(page)
     }
     const handles = await it.locator('.live svg [role=slider]').all()
     assert.ok(handles.length > 0)
@@ -96,7 +94,7 @@ for (const tag of ['kalman-picture', 'observability-probe', 'tune-me', 'close-lo
       await handle.evaluate((element) =>
         scrollTo({ top: scrollY + element.getBoundingClientRect().top - innerHeight / 2, behavior: 'instant' }),
       )
-      await page.waitForTimeout(150)
+      await quiet(page)
       const { x, y, width, height } = await handle.locator('.handle-dot').boundingBox()
       return [x + width / 2, y + height / 2, await page.evaluate(() => scrollY)]
     }

@@ -8,12 +8,30 @@ import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist } from './places.mjs'
 
 export * from './places.mjs'
 
+/** A Chromium whose pages wait as long as a busy machine may need. */
+export async function launch(options = {}) {
+  const browser = await chromium.launch({
+    executablePath: chromiumPath(),
+    args: CHROMIUM_FLAGS,
+    timeout: HANGS_MS,
+    ...options,
+  })
+  const fresh = browser.newContext.bind(browser)
+  browser.newContext = async (wishes) => {
+    const context = await fresh(wishes)
+    context.setDefaultTimeout(HANGS_MS)
+    context.setDefaultNavigationTimeout(HANGS_MS)
+    return context
+  }
+  return browser
+}
+
 let started
 /** The served site and the browser of this test file; both end with it. */
 export function stage() {
   started ??= (async () => {
     const site = await serve({ folder: dist, base: BASE })
-    const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
+    const browser = await launch()
     return { site, browser }
   })()
   return started
@@ -113,7 +131,7 @@ export function watch(page, ...homes) {
 export async function figure(page, tag) {
   const element = page.locator(tag).first()
   await element.scrollIntoViewIfNeeded()
-  await page.locator(`${tag}[data-state="live"]`).first().waitFor({ timeout: 20_000 })
+  await page.locator(`${tag}[data-state="live"]`).first().waitFor()
   await page.waitForFunction((name) => document.querySelector(name).settled, tag)
   return element
 }
@@ -123,7 +141,7 @@ export async function unlock(page, id) {
   const form = page.locator(`.quiz[data-unlocks="${id}"]`)
   if (!(await form.count())) return
   // A question gets its controls when it comes near the screen.
-  await form.scrollIntoViewIfNeeded()
+  await comeTo(page, `.quiz[data-unlocks="${id}"]`, `form.quiz[data-unlocks="${id}"] input`)
   await form.locator('input').first().check()
   await form.locator('[type=submit]').click()
   await page.locator(`#${id} .widget:not([inert])`).waitFor()
@@ -131,21 +149,13 @@ export async function unlock(page, id) {
 
 /** Scrolls to a part of the page until what waits for the screen is there: laying out the parts above may move it away again. */
 export async function comeTo(page, selector, sign) {
-  for (let i = 0; ; i++) {
-    await page.evaluate((target) => document.querySelector(target).scrollIntoView({ block: 'center' }), selector)
-    if (
-      await page
-        .locator(sign)
-        .first()
-        .waitFor({ timeout: i < 10 ? 2000 : 20_000 })
-        .then(
-          () => true,
-          (error) => {
-            if (i >= 10) throw error
-          },
-        )
-    )
-      return
+  const there = page.locator(sign).first()
+  for (const deadline = Date.now() + HANGS_MS; !(await there.isVisible()); ) {
+    assert.ok(Date.now() < deadline, `${sign} does not come`)
+    await page.evaluate(async (target) => {
+      document.querySelector(target).scrollIntoView({ block: 'center', behavior: 'instant' })
+      for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
+    }, selector)
   }
 }
 
@@ -176,15 +186,52 @@ export const frameOf = (element) => element.evaluate((it) => it.frame)
 export const stateOf = (element) => element.evaluate((it) => it.state)
 
 /** Waits until the figure's frame satisfies `wanted` (a function of the frame, run here), and gives that frame. */
-export async function until(element, wanted, what, patience = 8000) {
-  const deadline = Date.now() + patience
+export async function until(element, wanted, what) {
+  const deadline = Date.now() + HANGS_MS
   for (;;) {
-    const { frame, settled } = await element.evaluate((it) => ({ frame: it.frame, settled: it.settled }))
+    // The next look is taken when there may be something new to see.
+    const { frame, settled } = await element.evaluate(async (it) => {
+      await new Promise((resolve) => requestAnimationFrame(resolve))
+      return { frame: it.frame, settled: it.settled }
+    })
     if (frame && settled && wanted(frame)) return frame
     if (Date.now() > deadline)
       assert.fail(`${what}; the frame's parameters are ${JSON.stringify(frame?.params)} at step ${frame?.step}`)
-    await new Promise((resolve) => setTimeout(resolve, 40))
   }
+}
+
+/**
+ * Waits until a page has come to rest: for so many frames in a row its fonts and images are there, no animation runs, no figure
+ * computes, the main thread has been idle, and neither its height nor its place has changed.
+ */
+export async function quiet(page, frames = 20) {
+  await page.evaluate(async (wanted) => {
+    const look = () => {
+      const { scrollHeight, clientWidth } = document.documentElement
+      const figures = [...document.querySelectorAll('.widget')].map((it) => [
+        it.dataset.state,
+        it.settled ?? true,
+        it.clientHeight,
+      ])
+      const moves = document
+        .getAnimations()
+        .some((it) => it.playState === 'running' && Number.isFinite(it.effect?.getComputedTiming().endTime))
+      const missing = [...document.images].some(
+        (it) => !it.complete && it.checkVisibility() && it.getBoundingClientRect().top < innerHeight,
+      )
+      const works = figures.some(([state, settled]) => state === 'loading' || settled === false)
+      return moves || missing || works ? null : JSON.stringify([scrollX, scrollY, scrollHeight, clientWidth, figures])
+    }
+    await document.fonts.ready
+    let before = null
+    for (let held = 0; held < wanted; ) {
+      await new Promise((resolve) => requestIdleCallback(resolve))
+      await new Promise((resolve) => requestAnimationFrame(resolve))
+      const now = look()
+      held = now !== null && now === before ? held + 1 : 0
+      before = now
+    }
+  }, frames)
 }
 
 /** Drags a native slider's thumb to `value` with the mouse. */

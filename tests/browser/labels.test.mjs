@@ -284,7 +284,7 @@ const faults = (host) =>
   })
 
 for (const [tag, states] of Object.entries(STATES)) {
-  test(`no name in the ${tag} covers another or is cut`, { timeout: 300_000 }, async (t) => {
+  test(`no name in the ${tag} covers another or is cut`, async (t) => {
     const { page, it } = await openFigure(t, tag)
     const found = []
     for (const width of WIDTHS) {

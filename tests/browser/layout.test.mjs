@@ -117,13 +117,10 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
     })
     // Wide displays are set smaller once the new width is known.
     await page
-      .waitForFunction(
-        () =>
-          [...document.querySelectorAll('.equation-body')].every(
-            (box) => box.scrollWidth <= box.clientWidth || box.scrollWidth - box.clientWidth >= 24,
-          ),
-        null,
-        { timeout: 10_000 },
+      .waitForFunction(() =>
+        [...document.querySelectorAll('.equation-body')].every(
+          (box) => box.scrollWidth <= box.clientWidth || box.scrollWidth - box.clientWidth >= 24,
+        ),
       )
       .catch(() => {})
     const { torn, cut, seen } = await page.evaluate(() => {

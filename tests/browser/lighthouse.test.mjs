@@ -11,7 +11,7 @@ before(async () => {
 after(() => close?.())
 
 for (const at of PAGES) {
-  test(`Lighthouse on /${at}`, { timeout: 180_000 }, async (t) => {
+  test(`Lighthouse on /${at}`, async (t) => {
     const report = await run(at)
     const { categories, audits } = report
     const score = (name) => Math.round((categories[name].score ?? 0) * 100)

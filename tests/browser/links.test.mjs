@@ -3,7 +3,19 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { SITE, hashes, kept, lost } from '../node/kept-links.mjs'
-import { comeTo, dragSlider, figure, frameOf, open, openFigure, stage, stateOf, unlock, until } from './harness.mjs'
+import {
+  comeTo,
+  dragSlider,
+  figure,
+  frameOf,
+  open,
+  openFigure,
+  quiet,
+  stage,
+  stateOf,
+  unlock,
+  until,
+} from './harness.mjs'
 
 const copied = async (page, bench) => {
   await bench.getByRole('button', { name: 'Copy link to this state' }).click()
@@ -90,7 +102,7 @@ for (const [tag, id] of [
         JSON.stringify(document.querySelector(name).state) !== was && document.querySelector(name).settled,
       [tag, JSON.stringify(before)],
     )
-    await page.waitForTimeout(300)
+    await quiet(page)
     const there = { frame: await frameOf(widget), state: await stateOf(widget) }
     assert.notDeepEqual(there.state.params, before.params)
     const link = await copied(page, widget)
@@ -132,7 +144,7 @@ for (const [tag, id] of [
 // Figures of one page in one address, as a reader's address comes to hold them; tests/node/kept-links.test.mjs opens every link.
 for (const { version, links } of kept()) {
   for (const page of new Set(links.map(({ address }) => address.split('?')[0]))) {
-    test(`the page ${page} opens links of ${version}`, { timeout: 240_000 }, async (t) => {
+    test(`the page ${page} opens links of ${version}`, async (t) => {
       const there = links.filter(({ address }) => address.startsWith(page))
       const last = there.filter(({ figure: id }, i) => there.findLastIndex((link) => link.figure === id) === i)
       const query = new URLSearchParams(last.flatMap(({ address }) => [...new URL(address, SITE).searchParams]))

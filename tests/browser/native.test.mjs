@@ -104,7 +104,7 @@ async function settled(element) {
 }
 
 for (const [tag, load] of Object.entries(WIDGETS)) {
-  test(`${tag}: every readout is what a native run of the same state says`, { timeout: 240_000 }, async (t) => {
+  test(`${tag}: every readout is what a native run of the same state says`, async (t) => {
     const spec = await load()
     const { page, it: element } = await openFigure(t, tag)
     const start = await stateOf(element)

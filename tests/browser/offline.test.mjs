@@ -5,9 +5,8 @@ import assert from 'node:assert/strict'
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
-import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, figure, watch } from './harness.mjs'
+import { BASE, dist, figure, HANGS_MS, launch, quiet, watch } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const copies = mkdtempSync(path.join(tmpdir(), 'book-copies-'))
@@ -16,7 +15,7 @@ after(() => rmSync(copies, { recursive: true, force: true }))
 /** A browser that lets workers in, before the site of `folder`; what the page complains of must be nothing in the end. */
 async function visit(folder, base, act) {
   const site = await serve({ folder, base })
-  const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
+  const browser = await launch()
   try {
     const context = await browser.newContext({ reducedMotion: 'reduce' })
     const page = await context.newPage()
@@ -40,7 +39,7 @@ const kept = (page) =>
     while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
   })
 const waitFor = async (page, met) => {
-  for (let waits = 0; waits < 600 && !(await met()); waits++) await page.waitForTimeout(100)
+  for (const deadline = Date.now() + HANGS_MS; Date.now() < deadline && !(await met()); ) await quiet(page, 3)
 }
 const stores = async (page) => (await page.evaluate(() => caches.keys())).sort()
 
@@ -52,9 +51,7 @@ function deploy(folder, version) {
   edit('sw.js', (script) => script.replace(/VERSION = (['"])[^'"]*/, `VERSION = $1${version}`))
 }
 
-test('after one visit every page, figure and check works without a network, in both letters', {
-  timeout: 240_000,
-}, async () => {
+test('after one visit every page, figure and check works without a network, in both letters', async () => {
   await visit(dist, BASE, async ({ page, url, unplug }) => {
     await page.goto(`${url}kalman/`)
     await kept(page)
@@ -90,13 +87,11 @@ test('after one visit every page, figure and check works without a network, in b
     await page
       .getByRole('status')
       .filter({ hasText: /^13 of 13 checks pass/ })
-      .waitFor({ timeout: 60_000 })
+      .waitFor()
   })
 })
 
-test('two copies on one origin keep a store each, and a new version takes the place of its own alone', {
-  timeout: 240_000,
-}, async () => {
+test('two copies on one origin keep a store each, and a new version takes the place of its own alone', async () => {
   const [one, two] = ['one', 'two'].map((name) => path.join(copies, name))
   for (const folder of [one, two]) cpSync(dist, folder, { recursive: true })
   deploy(one, 'first')

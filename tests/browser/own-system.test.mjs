@@ -1,7 +1,7 @@
 // The page of a system of one's own: what is typed, pasted and dragged becomes a system, and what cannot be one is named.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { PHONE, figure, frameOf, open, openFigure, until } from './harness.mjs'
+import { figure, frameOf, open, openFigure, PHONE, quiet, until } from './harness.mjs'
 
 const TAG = 'own-system'
 const cell = (it, matrix, row, column) => it.getByRole('textbox', { name: `${matrix}, row ${row}, column ${column}` })
@@ -214,7 +214,7 @@ test('what is pressed stays under the finger on a phone, though the matrices abo
     const before = await top()
     await button.tap()
     await until(it, ({ params }) => params.states === states, phrase)
-    await it.page().waitForTimeout(300)
+    await quiet(it.page())
     assert.ok(Math.abs((await top()) - before) < 2, `${phrase}: ${before} px from the top, ${await top()} afterwards`)
   }
 })

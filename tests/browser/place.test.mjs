@@ -2,7 +2,7 @@
 // or belongs, though parts of the chapter are laid out only when the reader comes near them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { DESKTOP, PHONE, open, stage } from './harness.mjs'
+import { DESKTOP, open, PHONE, quiet, stage } from './harness.mjs'
 
 /** The height of a line of text, pixels: nobody loses the place by less. */
 const LINE = 29
@@ -53,13 +53,13 @@ const readTo = async (page, part, share = 0.5) => {
     [part, share],
   )
   await settle(page)
-  await page.waitForTimeout(400)
+  await quiet(page)
 }
 const near = (now, then, what) =>
   assert.ok(Math.abs(now - then) < LINE, `${what}: ${now} px from the top, ${then} before`)
 
 for (const [size, how] of Object.entries(SIZES)) {
-  test(`a reload leaves the reader where the reader was, ${size}`, { timeout: 180_000 }, async (t) => {
+  test(`a reload leaves the reader where the reader was, ${size}`, async (t) => {
     const page = await open(t, how)
     for (const part of ['knob', 'schedule', 'ekf', 'ellipse', 'exercises']) {
       await readTo(page, part)
@@ -71,9 +71,7 @@ for (const [size, how] of Object.entries(SIZES)) {
     }
   })
 
-  test(`derivations unfolded above the place stay unfolded, and the place with them, ${size}`, {
-    timeout: 180_000,
-  }, async (t) => {
+  test(`derivations unfolded above the place stay unfolded, and the place with them, ${size}`, {}, async (t) => {
     const page = await open(t, how)
     const all = page.locator('details.derivation')
     const ids = await all.evaluateAll((blocks) => blocks.slice(0, 4).map((block) => block.id))
@@ -87,7 +85,7 @@ for (const [size, how] of Object.entries(SIZES)) {
       .last()
       .evaluate((step) => scrollTo({ top: scrollY + step.getBoundingClientRect().top - 60, behavior: 'instant' }))
     await settle(page)
-    await page.waitForTimeout(400)
+    await quiet(page)
     const before = await mark(page)
     await page.reload()
     await settle(page)
@@ -98,9 +96,7 @@ for (const [size, how] of Object.entries(SIZES)) {
     )
   })
 
-  test(`the way back from another page, and from another place of this one, leads to the line that was left, ${size}`, {
-    timeout: 180_000,
-  }, async (t) => {
+  test(`the way back from another page, and from another place of this one, leads to the line that was left, ${size}`, {}, async (t) => {
     const page = await open(t, how)
     const { site } = await stage()
     await readTo(page, 'algorithms')
@@ -125,7 +121,7 @@ for (const [size, how] of Object.entries(SIZES)) {
     near(await page.locator('#hand-steps').evaluate((it) => it.getBoundingClientRect().top), 24, 'and forward again')
   })
 
-  test(`an address leads to its heading, its figure or its words, ${size}`, { timeout: 180_000 }, async (t) => {
+  test(`an address leads to its heading, its figure or its words, ${size}`, async (t) => {
     for (const id of ['hand-steps', 'ellipse', 'fig-probe', 'exercises', 'bibliography']) {
       const page = await open(t, { ...how, at: `kalman/#${id}` })
       await settle(page)
@@ -152,7 +148,7 @@ for (const [size, how] of Object.entries(SIZES)) {
     assert.ok(top > -LINE && top < height - LINE, `“${words}” is at ${top} of ${height} px`)
   })
 
-  test(`a hit of the search leads to its heading, ${size}`, { timeout: 120_000 }, async (t) => {
+  test(`a hit of the search leads to its heading, ${size}`, async (t) => {
     const page = await open(t, how)
     await page.locator('[data-open-search]').first().click()
     const dialog = page.getByRole('dialog', { name: 'Search' })
@@ -166,9 +162,7 @@ for (const [size, how] of Object.entries(SIZES)) {
   })
 }
 
-test('a reload leads to the place that was left, and not to the one that the address names', {
-  timeout: 120_000,
-}, async (t) => {
+test('a reload leads to the place that was left, and not to the one that the address names', async (t) => {
   const page = await open(t, { at: 'kalman/#ellipse' })
   await settle(page)
   await readTo(page, 'hand-steps')
@@ -178,7 +172,7 @@ test('a reload leads to the place that was left, and not to the one that the add
   near(await topOf(page, before.text), before.top, 'hand-steps')
   // A script that scrolls after that is left alone.
   await page.reload()
-  await page.waitForTimeout(200)
+  await quiet(page)
   await page.evaluate(() => document.querySelector('[data-part="ekf"]').scrollIntoView({ behavior: 'instant' }))
   await settle(page)
   near(await page.locator('[data-part="ekf"]').evaluate((it) => it.getBoundingClientRect().top), 24, 'ekf')
@@ -222,9 +216,7 @@ test('a part that is not laid out has nearly its real height, and holds no form 
   }
 })
 
-test('a figure that comes alive while it is read stays where it is, and is as high as its still', {
-  timeout: 120_000,
-}, async (t) => {
+test('a figure that comes alive while it is read stays where it is, and is as high as its still', async (t) => {
   let answer
   const asked = new Promise((resolve) => {
     answer = resolve
@@ -243,20 +235,20 @@ test('a figure that comes alive while it is read stays where it is, and is as hi
     await probe.evaluate((it) =>
       scrollBy({ top: it.getBoundingClientRect().top + it.getBoundingClientRect().height * 0.6, behavior: 'instant' }),
     )
-    await page.waitForTimeout(100)
+    await quiet(page)
   }
   const before = await box()
   assert.ok(before.top < 0 && before.bottom > 100, 'its end is on the screen')
   answer()
   await probe.locator('[data-state=live]').waitFor()
-  await page.waitForTimeout(300)
+  await quiet(page)
   const now = await box()
   near(now.height, before.height, 'its height')
   near(now.top, before.top, 'its upper edge')
 })
 
 for (const [size, how] of Object.entries(SIZES)) {
-  test(`a text is not moved by a figure above it that comes alive, ${size}`, { timeout: 120_000 }, async (t) => {
+  test(`a text is not moved by a figure above it that comes alive, ${size}`, async (t) => {
     let answer
     const asked = new Promise((resolve) => {
       answer = resolve
@@ -275,12 +267,12 @@ for (const [size, how] of Object.entries(SIZES)) {
       await bench.evaluate((it) =>
         scrollBy({ top: it.querySelector('.widget').getBoundingClientRect().bottom + 40, behavior: 'instant' }),
       )
-      await page.waitForTimeout(100)
+      await quiet(page)
     }
     const before = await top()
     answer()
     await bench.locator('[data-state=live]').waitFor()
-    await page.waitForTimeout(600)
+    await quiet(page)
     near(await top(), before, 'the next part')
   })
 }

@@ -24,6 +24,8 @@ export const CHROMIUM_FLAGS = [
   '--disable-dev-shm-usage',
   '--force-color-profile=srgb',
 ]
+/** What takes longer than this hangs. No test's verdict depends on it: a busy machine needs a minute where a quiet one needs a second. */
+export const HANGS_MS = 240_000
 export const PHONE = { width: 390, height: 844 }
 export const DESKTOP = { width: 1280, height: 900 }
 

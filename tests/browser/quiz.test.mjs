@@ -2,13 +2,12 @@
 // remembered until the reader forgets them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { comeTo, figure, open } from './harness.mjs'
+import { comeTo, figure, open, quiet } from './harness.mjs'
 
 /** A question on the screen, with the controls that it gets there. */
 const quiz = async (page, id) => {
   const form = page.locator(`#quiz-${id}`)
-  await form.scrollIntoViewIfNeeded()
-  await form.locator('input').first().waitFor()
+  await comeTo(page, `#quiz-${id}`, `form#quiz-${id} input`)
   return {
     form,
     commit: form.getByRole('button', { name: 'Commit' }),
@@ -249,7 +248,7 @@ test('a number of thousands of digits is no answer, and stops nothing', async (t
     input.value = `${'7'.repeat(60_000)}x`
   })
   await it.commit.click()
-  await it.verdict.filter({ hasText: 'That is not a number.' }).waitFor({ timeout: 4000 })
+  await it.verdict.filter({ hasText: 'That is not a number.' }).waitFor()
 })
 
 test('Tab leads into a question that is still far below the screen', async (t) => {
@@ -339,7 +338,7 @@ test('a veil on a page that comes up at a place below it moves nothing', async (
       }),
   })
   await page.locator('#fig-museum .figure-locked').waitFor({ state: 'attached' })
-  await page.waitForTimeout(500)
+  await quiet(page)
   const { shifts, top } = await page.evaluate(() => ({
     shifts: globalThis.shifts,
     top: document.querySelector('#bugs').getBoundingClientRect().top,

@@ -1,5 +1,5 @@
 // Runs the browser tests: one file more at a time than there are processors, since a test often waits for the page; and after them,
-// one by one, those whose verdict depends on how busy the machine is. Each file starts a browser of its own: that costs half a
+// one by one, those that keep the whole machine busy. Each file starts a browser of its own: that costs half a
 // second of a processor, and files that ran in one browser would share its clipboard and its crashes.
 //   node tests/browser/run.mjs [NAME …]   only the files of these names, e.g. quiz probe
 import { spawn } from 'node:child_process'
@@ -8,10 +8,11 @@ import { readdirSync } from 'node:fs'
 import os from 'node:os'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { HANGS_MS } from './places.mjs'
 
 const folder = path.dirname(fileURLToPath(import.meta.url))
-/** They count what a page does within a time, or put a whole machine's load on it. */
-const ALONE = new Set(['bench', 'lighthouse', 'firefox'])
+/** They put a whole machine's load on it. */
+const ALONE = new Set(['lighthouse', 'firefox'])
 
 const all = readdirSync(folder)
   .filter((file) => file.endsWith('.test.mjs'))
@@ -38,9 +39,13 @@ process.exitCode = beside && alone ? 0 : 1
 async function run(some, workers) {
   if (some.length === 0) return true
   const files = some.map((name) => path.join(folder, `${name}.test.mjs`))
-  const tests = spawn(process.execPath, ['--test', `--test-concurrency=${workers}`, '--test-reporter=spec', ...files], {
-    stdio: 'inherit',
-  })
+  const tests = spawn(
+    process.execPath,
+    ['--test', `--test-concurrency=${workers}`, `--test-timeout=${2 * HANGS_MS}`, '--test-reporter=spec', ...files],
+    {
+      stdio: 'inherit',
+    },
+  )
   const [status] = await once(tests, 'close')
   return status === 0
 }

@@ -3,7 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import path from 'node:path'
-import { dist, open, stage } from './harness.mjs'
+import { dist, open, quiet, stage } from './harness.mjs'
 
 const index = JSON.parse(readFileSync(path.join(dist, 'search.json'), 'utf8'))
 const dialog = (page) => page.getByRole('dialog', { name: 'Search' })
@@ -16,7 +16,7 @@ async function ask(page, words) {
     .getByRole('status')
     .filter({ hasText: /\d+ places found/ })
     .waitFor({ state: 'attached' })
-  await page.waitForTimeout(50)
+  await quiet(page)
 }
 
 test('a section is found by words of its title and by words of its text', async (t) => {
@@ -144,7 +144,7 @@ test('whatever is typed stays words', async (t) => {
     'a'.repeat(5000),
   ]) {
     await field(page).fill(words)
-    await page.waitForTimeout(60)
+    await quiet(page)
     const seen = await page.evaluate(() => ({
       struck: globalThis.struck,
       names: [...new Set([...document.querySelectorAll('dialog *')].map((element) => element.localName))].sort(),
@@ -162,7 +162,7 @@ test('whatever is typed stays words', async (t) => {
   await field(page).fill('zzzzqqqq')
   await dialog(page).getByText('Nothing found.').waitFor()
   await field(page).fill('')
-  await page.waitForTimeout(60)
+  await quiet(page)
   assert.equal(
     await page.evaluate(() =>
       [...document.querySelectorAll('dialog *')]

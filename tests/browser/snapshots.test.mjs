@@ -29,7 +29,7 @@ const onWholePixels = (part) =>
 
 for (const theme of ['light', 'dark']) {
   for (const [size, viewport] of SIZES) {
-    test(`regions of the chapter look as they did, ${theme}, ${size}`, { timeout: 180_000 }, async (t) => {
+    test(`regions of the chapter look as they did, ${theme}, ${size}`, async (t) => {
       const page = await open(t, { theme, viewport: { ...viewport, height: TALL }, touch: size === 'phone' })
       // All sections are laid out first: one above the region that came to be laid out later would move it by parts of a pixel.
       await page.evaluate(() =>

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
 import path from 'node:path'
 import { PNG } from 'pngjs'
-import { FIGURE_PAGES, PHONE, dist, open, openFigure } from './harness.mjs'
+import { dist, FIGURE_PAGES, open, openFigure, PHONE, quiet } from './harness.mjs'
 import { differenceOf } from './snapshots.mjs'
 
 /** How each figure's still is drawn: panels that show, drawn in the page or as images that have come, and how much they hold. */
@@ -14,13 +14,8 @@ async function stills(page) {
   await page.evaluate(() => {
     for (const image of document.querySelectorAll('.still > img')) image.loading = 'eager'
   })
-  for (
-    let i = 0;
-    i < 100 &&
-    !(await page.evaluate(() => [...document.querySelectorAll('.still > img')].every((image) => image.complete)));
-    i++
-  )
-    await page.waitForTimeout(100)
+  // A page without scripts answers questions, and draws no frame of its own accord.
+  while (!(await page.evaluate(() => [...document.querySelectorAll('.still > img')].every((image) => image.complete))));
   return page.evaluate(() => {
     /** Of an image, the pixels that it inks, in hundreds. */
     const inked = (image) => {
@@ -88,7 +83,7 @@ test('drawings that are files follow the theme and the notation, and a search in
         (image) => image.complete && image.naturalWidth > 0,
       ),
     )
-    await page.waitForTimeout(300)
+    await quiet(page)
     return PNG.sync.read(await gain.screenshot())
   }
   /** The brightness of most of its pixels, and of its ink. */
@@ -142,9 +137,7 @@ const laid = (page, part) =>
   }, part)
 
 for (const width of [320, 390, 768, 1280]) {
-  test(`at ${width} px a still has the places and the height of the figure that comes to life`, {
-    timeout: 120_000,
-  }, async (t) => {
+  test(`at ${width} px a still has the places and the height of the figure that comes to life`, {}, async (t) => {
     for (const at of FIGURE_PAGES) {
       let release
       const released = new Promise((resolve) => {
@@ -184,7 +177,7 @@ test('a figure in a frame that is folded away keeps its drawing, and goes on whe
       main.style.width = to
     }, width)
     await it.getByRole('button', { name: 'Step' }).evaluate((button) => button.click())
-    await page.waitForTimeout(200)
+    await quiet(page)
     assert.deepEqual(await sizes(), before, width)
     const negative = await it.evaluate(
       (widget) =>
@@ -197,7 +190,7 @@ test('a figure in a frame that is folded away keeps its drawing, and goes on whe
   await page.locator('main').evaluate((main) => {
     main.style.width = ''
   })
-  await page.waitForTimeout(200)
+  await quiet(page)
   assert.deepEqual(await sizes(), before)
 })
 
@@ -252,14 +245,14 @@ for (const [what, word] of [
     await again.waitFor()
     judge(await stills(page))
     await again.press('Enter')
-    await page.waitForTimeout(300)
+    await quiet(page)
     // And fails again, where a part of the script is lost after a reload.
     await page.locator('observer-bench[data-state="failed"]').first().waitFor()
     await again.waitFor()
     await page.unroute(chunk)
     await again.press('Enter')
     // A browser that remembers the failure is not asked twice: the page is loaded again, at the figure.
-    await page.locator('observer-bench[data-state="live"]').first().waitFor({ timeout: 8000 })
+    await page.locator('observer-bench[data-state="live"]').first().waitFor()
     assert.equal(await again.count(), 0)
     await page.waitForFunction(
       () => document.activeElement?.closest('observer-bench .live') || location.hash === '#fig-bench',
@@ -284,7 +277,7 @@ test('with the script of the page lost it is a page without scripts', async (t) 
       await it.route('**/page-*.js', (route) => route.abort())
     },
   })
-  await page.locator('.toc a').first().waitFor({ timeout: 4000 })
+  await page.locator('.toc a').first().waitFor()
   assert.equal(
     await page.locator('button:visible, input:visible, select:visible').count(),
     0,
@@ -344,16 +337,16 @@ test('a figure works while it is near the screen, and the module is fetched once
       document.dispatchEvent(new Event('visibilitychange'))
     }, hidden)
   await hide(true)
-  await page.waitForTimeout(200)
+  await quiet(page)
   const hidden = await step()
-  await page.waitForTimeout(1500)
+  await quiet(page, 90)
   assert.equal(await step(), hidden, 'it rests while the tab is hidden')
   await hide(false)
   await page.waitForFunction((n) => document.querySelector('observer-bench').frame.step > n, hidden)
   await page.evaluate(() => scrollTo(0, document.documentElement.scrollHeight))
-  await page.waitForTimeout(500)
+  await quiet(page)
   const left = await step()
-  await page.waitForTimeout(1500)
+  await quiet(page, 90)
   assert.ok((await step()) - left <= 1, 'it rests while it is out of sight')
   assert.equal(new Set(fetched).size, 1)
   assert.equal(fetched.length, 1)

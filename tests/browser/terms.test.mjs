@@ -2,7 +2,7 @@
 // and which check watches over it. With the mouse, with the keys and with a finger.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { PHONE, figure, open } from './harness.mjs'
+import { figure, open, PHONE, quiet } from './harness.mjs'
 
 const KINDS = ['prediction', 'posterior', 'measurement', 'truth']
 const popover = (page) => page.locator('#popover')
@@ -84,7 +84,7 @@ test('in the lit figure its kin stay and the others fade, in a still and in a li
   const kind = await caption.evaluate((it) => it.dataset.kin)
   const id = await nearest(caption)
   assert.deepEqual(await lit(page), { [id]: kind })
-  await page.waitForTimeout(300)
+  await quiet(page)
   const seen = await page.locator(`#${id} .widget`).evaluate((it, own) => {
     const shown = [...it.querySelectorAll('[data-kin]:not(.handle), .handle[data-kin] > *')].filter((mark) =>
       mark.checkVisibility(),
@@ -271,7 +271,7 @@ test('a number shows what computes it and which check pins it, hovered, focused,
   assert.match(await says(ids[at]), /\/check\/(index\.html)?#check-\d+$/)
   // The mouse can go into it and follow the link to the check.
   await popover(page).locator('.number-check').hover()
-  await page.waitForTimeout(400)
+  await quiet(page)
   assert.ok(await popover(page).isVisible())
   await rest(page)
   await popover(page).waitFor({ state: 'hidden' })
