@@ -4,7 +4,7 @@ import { after } from 'node:test'
 import assert from 'node:assert/strict'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist } from './places.mjs'
+import { BASE, CHROMIUM_FLAGS, chromiumPath, DESKTOP, dist, HANGS_MS } from './places.mjs'
 
 export * from './places.mjs'
 
