@@ -41,7 +41,7 @@ async function run(some, workers) {
   const files = some.map((name) => path.join(folder, `${name}.test.mjs`))
   const tests = spawn(
     process.execPath,
-    ['--test', `--test-concurrency=${workers}`, `--test-timeout=${2 * HANGS_MS}`, '--test-reporter=spec', ...files],
+    ['--test', `--test-concurrency=${workers}`, `--test-timeout=${10 * HANGS_MS}`, '--test-reporter=spec', ...files],
     {
       stdio: 'inherit',
     },
