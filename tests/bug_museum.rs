@@ -1,7 +1,7 @@
 //! What 500 seeds say of each bug in the museum. Natively only.
 
+use chapter_kalman::ensembles::{FIGURES, PANELS, SEEDS, Sight, Spread, Symptoms, bands, diagnosed, museum_runs};
 use labs::Bug;
-use labs::ensembles::{FIGURES, PANELS, SEEDS, Sight, Spread, Symptoms, bands, diagnosed, museum_runs};
 
 /// The seeds of the bands, which are none of those that are judged by them.
 const CALIBRATION: (u32, u32) = (100_000, 4000);

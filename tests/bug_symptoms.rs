@@ -1,7 +1,8 @@
 //! What the museum's text says of single bugs besides the figures of its table, over 100 seeds. Natively only.
 
-use labs::ensembles::Spread;
-use labs::{Bug, BugMuseum, Lab, MuseumFrame, MuseumParams, MuseumSeries, State};
+use chapter_kalman::ensembles::Spread;
+use lab::{Lab, State};
+use labs::{Bug, BugMuseum, MuseumFrame, MuseumParams, MuseumSeries};
 use sim::scenarios::BUG_MUSEUM;
 
 const SEEDS: u32 = 100;

@@ -3,9 +3,10 @@
 //! The bands around percentiles are some four standard errors of a percentile of 500 runs: another stream of noise would
 //! pass, another constant or a broken filter would not.
 
+use chapter_kalman::checks::chapter_checks;
+use chapter_kalman::ensembles::{SEEDS, Spread, probe, probe_run, slam};
 use filters::consistency::{chi2_interval, chi2_quantile};
-use labs::ensembles::{SEEDS, Spread, probe, probe_run, slam};
-use labs::{SensorKind, checks::chapter_checks};
+use labs::SensorKind;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
 
 fn near(spread: &Spread, p: f64, value: f64, band: f64) {

@@ -1,7 +1,7 @@
 //! What 500 seeds say of the fitted noise levels and of the corridor's loop. Natively only.
 
+use chapter_kalman::ensembles::{SEEDS, fits, loops};
 use filters::consistency::chi2_quantile;
-use labs::ensembles::{SEEDS, fits, loops};
 
 /// The truth lies within the 95 % region that each fit claims in 95 of 100 logs. The standard error of a share of 500 runs is
 /// 1 %; in a log of 200 readings the likelihood is not yet a paraboloid, which moves the share by another 1 %.

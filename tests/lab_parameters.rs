@@ -7,13 +7,16 @@
 mod draws;
 
 use estimate::validate;
-use labs::{
-    BugMuseum, Lab, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, OwnParams, OwnSystem, Params,
-    Picture, ProbeParams, Shape, Tune,
-};
+use lab::{Lab, Params, Shape};
+use labs::*;
 use nalgebra::DMatrix;
 use proptest::prelude::*;
 use serde_json::Value;
+use std::any::Any;
+use world::Sample;
+
+#[path = "../crates/labs/examples/world/mod.rs"]
+mod world;
 
 /// A number as callers send them: mostly within `sound`, sometimes at the edge of the representable, sometimes none.
 fn number(sound: impl Strategy<Value = f64> + 'static) -> impl Strategy<Value = f64> {
@@ -46,12 +49,13 @@ fn covariances(value: &Value, found: &mut Vec<DMatrix<f64>>) {
 }
 
 /// The lab under these parameters, then under those, some steps each.
-fn answers_or_refuses<L: Lab<Params: PartialEq + std::fmt::Debug>>(
+fn answers_or_refuses<L: Lab<World: Sample, Params: PartialEq + std::fmt::Debug>>(
     first: L::Params,
     second: L::Params,
     steps: u32,
 ) -> Result<(), TestCaseError> {
-    let Ok(mut lab) = L::new(first) else { return Ok(()) };
+    let world = Sample::sample().expect("the log of the page");
+    let Ok(mut lab) = L::start(world, first) else { return Ok(()) };
     for call in 0..3 {
         let before = (lab.params().clone(), lab.steps(), lab.digest());
         let accepted = match call {
@@ -63,7 +67,7 @@ fn answers_or_refuses<L: Lab<Params: PartialEq + std::fmt::Debug>>(
             continue;
         }
         let mut found = Vec::new();
-        let frame = serde_json::to_value(labs::Shown(&lab.frame())).map_err(|e| TestCaseError::fail(e.to_string()))?;
+        let frame = serde_json::to_value(lab::Shown(&lab.frame())).map_err(|e| TestCaseError::fail(e.to_string()))?;
         covariances(&frame, &mut found);
         for p in found {
             let refusal = validate::covariance(p.clone(), p.nrows(), "P").err();
@@ -109,70 +113,45 @@ fn values(shape: &'static Shape, limits: [f64; 2]) -> BoxedStrategy<Vec<f64>> {
 }
 
 /// Parameters of a lab, drawn from their declaration: a new parameter is drawn here without another line.
-fn of<P: Params + std::fmt::Debug>() -> impl Strategy<Value = P> {
+fn of<P: Params + std::fmt::Debug + 'static>() -> impl Strategy<Value = P> {
     let each: Vec<_> = P::PARAMETERS.iter().map(|known| values(&known.shape, [known.least, known.greatest])).collect();
-    each.prop_map(|rows| P::read(&mut rows.concat().iter()))
-}
-
-/// The Probe's parameters, with landmarks on the course itself too, where the robot drives over them.
-fn probe() -> impl Strategy<Value = ProbeParams> {
     let place = || prop_oneof![4 => Just(None), 2 => prop::sample::select(vec![Some([1.5, 1.5]), Some([3.0, 1.5])])];
-    (of::<ProbeParams>(), [place(), place(), place()]).prop_map(|(params, places)| {
-        let landmarks = std::array::from_fn(|i| places[i].unwrap_or(params.landmarks[i]));
-        ProbeParams { landmarks, ..params }
+    (each, [place(), place(), place()], any::<bool>()).prop_map(|(rows, places, sound)| {
+        let mut params = P::read(&mut rows.concat().iter());
+        let any = &mut params as &mut dyn Any;
+        // Landmarks on the course itself too, where the robot drives over them.
+        if let Some(ProbeParams { landmarks, .. }) = any.downcast_mut() {
+            landmarks.iter_mut().zip(places).for_each(|(landmark, place)| *landmark = place.unwrap_or(*landmark));
+        }
+        // For half of a reader's own systems V and W are made covariances, of which few are drawn.
+        if let Some(OwnParams { v, w, .. }) = any.downcast_mut().filter(|_| sound) {
+            (*v, *w) = (square(*v), square(*w));
+        }
+        params
     })
 }
 
-/// A system of the reader's own; for half of them V and W are made covariances, of which few are drawn.
-fn own_system() -> impl Strategy<Value = OwnParams> {
-    (of::<OwnParams>(), any::<bool>()).prop_map(|(params, sound)| {
-        let square = |m: [[f64; 4]; 4]| {
-            std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| m[i][k] * m[j][k]).sum::<f64>()))
-        };
-        if sound { OwnParams { v: square(params.v), w: square(params.w), ..params } } else { params }
-    })
+/// M Mᵀ.
+fn square(m: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
+    std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| m[i][k] * m[j][k]).sum::<f64>()))
 }
 
-proptest! {
-    #![proptest_config(draws::cases(100))]
+macro_rules! each {
+    ($($lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {$(
+        #[allow(non_snake_case)]
+        mod $lab {
+            use super::*;
 
-    #[test]
-    fn the_bench(first in of(), second in of(), steps in 1..200_u32) {
-        answers_or_refuses::<ObserverBench>(first, second, steps)?;
-    }
+            proptest! {
+                #![proptest_config(draws::cases(100))]
 
-    #[test]
-    fn the_hook(first in of(), second in of(), steps in 1..200_u32) {
-        answers_or_refuses::<OdometryHook>(first, second, steps)?;
-    }
-
-    #[test]
-    fn the_probe(first in probe(), second in probe(), steps in 1..60_u32) {
-        answers_or_refuses::<ObservabilityProbe>(first, second, steps)?;
-    }
-
-    #[test]
-    fn the_picture(first in of(), second in of(), steps in 1..3_u32) {
-        answers_or_refuses::<Picture>(first, second, steps)?;
-    }
-
-    #[test]
-    fn the_loop(first in of(), second in of(), steps in 1..60_u32) {
-        answers_or_refuses::<LoopClosure>(first, second, steps)?;
-    }
-
-    #[test]
-    fn the_tuning(first in of(), second in of(), steps in 1..3_u32) {
-        answers_or_refuses::<Tune>(first, second, steps)?;
-    }
-
-    #[test]
-    fn the_museum(first in of(), second in of(), steps in 1..300_u32) {
-        answers_or_refuses::<BugMuseum>(first, second, steps)?;
-    }
-
-    #[test]
-    fn a_system_of_the_reader_s_own(first in own_system(), second in own_system(), steps in 1..60_u32) {
-        answers_or_refuses::<OwnSystem>(first, second, steps)?;
-    }
+                #[test]
+                fn answers_or_refuses(first in of(), second in of(), steps in 1..200_u32) {
+                    super::answers_or_refuses::<labs::$lab>(first, second, steps)?;
+                }
+            }
+        }
+    )*};
 }
+
+labs::figures!(each);

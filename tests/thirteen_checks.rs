@@ -1,8 +1,9 @@
 //! The thirteen checks of the chapter, natively (`cargo test`) and in wasm (`wasm-pack test --node tests`), from this one
 //! source. Each computes through the public interface, and says which claim of the text it holds up.
 
-use labs::checks::{CHECKS, Check};
-use labs::givens::Givens;
+use chapter_kalman::checks::CHECKS;
+use chapter_kalman::givens::Givens;
+use lab::Check;
 use wasm_bindgen_test::wasm_bindgen_test as in_wasm;
 
 /// Check `id`, computed and passed.

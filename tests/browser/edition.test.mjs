@@ -76,7 +76,7 @@ test('a page that is open while a new edition is published goes on whole', async
     // Figures that slept, the search and the other letters.
     await figure(page, 'odometry-hook')
     await unlock(page, 'fig-picture')
-    await figure(page, 'kalman-picture')
+    await figure(page, 'picture')
     await page.locator('[data-set-notation=thrun]').click()
     await page.waitForFunction(() => document.documentElement.dataset.letters === 'thrun')
     assert.equal(await page.locator('[data-set-notation=thrun]').getAttribute('aria-pressed'), 'true')

@@ -4,22 +4,10 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
 import { once } from 'node:events'
-import { quiet, stage, watch } from './harness.mjs'
+import { quiet, stage, tagOf, watch } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
-const FIRST = {
-  'odometry-hook': 'fig-odometry',
-  'observer-bench': 'fig-bench',
-  'kalman-picture': 'fig-picture',
-  'observability-probe': 'fig-probe',
-  'robot-log': 'fig-log',
-  'tune-me': 'fig-tune',
-  'close-loop': 'fig-loop',
-  'bug-museum': 'fig-museum',
-  'own-system': 'fig-own',
-}
-
 /** A page around one frame, served from a port of its own. It keeps every message it gets and gives the frame its height. */
 async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }) {
   const frame =
@@ -58,8 +46,9 @@ async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }
 
 /** The figure in the frame, alive, and its state as it is when nothing is left to compute. */
 async function lively(frame, name) {
-  const it = frame.locator(name)
-  await frame.locator(`${name}[data-state="live"]`).waitFor()
+  const tag = tagOf(name)
+  const it = frame.locator(tag)
+  await frame.locator(`${tag}[data-state="live"]`).waitFor()
   return it
 }
 const stateOf = (it) =>
@@ -201,7 +190,7 @@ for (const name of Object.keys(WIDGETS)) {
     await box.press('Escape')
     assert.equal(await it.locator('.copy-box').count(), 0)
     assert.ok(
-      await own.evaluate((tag) => Boolean(document.activeElement?.closest(`${tag} .live`)), name),
+      await own.evaluate((tag) => Boolean(document.activeElement?.closest(`${tag} .live`)), tagOf(name)),
       'the focus stays in the figure',
     )
     assert.match(markup, /^<iframe [^<>]*><\/iframe>$/)
@@ -217,12 +206,13 @@ for (const name of Object.keys(WIDGETS)) {
     assert.equal(await inner().evaluate(() => self.origin), 'null')
     // The way back to its place in the chapter.
     const place = name === 'own-system' ? 'system/' : 'kalman/'
+    const id = await shown.evaluate((host) => host.dataset.figure)
     const way = frame.locator('.figure-source').getByRole('link')
     assert.match(await way.textContent(), place === 'kalman/' ? /chapter 15/ : /Your own system/)
-    assert.equal(await way.evaluate(({ href }) => href), `${site.url}${place}#${FIRST[name]}`)
+    assert.equal(await way.evaluate(({ href }) => href), `${site.url}${place}#${id}`)
     const [opened] = await Promise.all([page.context().waitForEvent('page'), way.click()])
     await opened.waitForLoadState('domcontentloaded')
-    assert.ok(opened.url().startsWith(`${site.url}${place}`) && opened.url().endsWith(`#${FIRST[name]}`))
+    assert.ok(opened.url().startsWith(`${site.url}${place}`) && opened.url().endsWith(`#${id}`))
     await opened.close()
   })
 }
@@ -273,8 +263,8 @@ test('a long run in a frame is computed in slices, without a worker', async (t) 
 
 test('in a frame the map of the likelihood is filled in slices, without a worker, and the loop is driven', async (t) => {
   const { site } = await stage()
-  const { page, frame } = await around(t, { src: `${site.url}figure/tune-me/` })
-  const tune = await lively(frame, 'tune-me')
+  const { page, frame } = await around(t, { src: `${site.url}figure/tune/` })
+  const tune = await lively(frame, 'tune')
   await tune.evaluate(async (host) => {
     while (host.figure.beside.value?.rows !== host.figure.beside.value?.size || !host.figure.beside.value)
       await new Promise((resolve) => requestAnimationFrame(resolve))
@@ -282,8 +272,10 @@ test('in a frame the map of the likelihood is filled in slices, without a worker
   assert.ok(await tune.locator('.live .panel-map .likely').first().getAttribute('d'))
   assert.equal(page.workers().length, 0)
 
-  const other = await around(t, { src: `${site.url}figure/close-loop/?fig-loop=${code([1, 'loop-closure', 112, {}])}` })
-  const loop = await lively(other.frame, 'close-loop')
+  const other = await around(t, {
+    src: `${site.url}figure/loop-closure/?fig-loop=${code([1, 'loop-closure', 112, {}])}`,
+  })
+  const loop = await lively(other.frame, 'loop-closure')
   assert.equal(JSON.parse(await stateOf(loop)).step, 112)
   await loop.getByRole('button', { name: 'Step', exact: true }).click()
   await loop

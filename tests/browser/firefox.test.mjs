@@ -10,7 +10,8 @@ import { createRequire } from 'node:module'
 import path from 'node:path'
 import puppeteer from 'puppeteer-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, dist, HANGS_MS, root } from './places.mjs'
+import { FIGURES } from '../../target/figures.js'
+import { BASE, dist, HANGS_MS, root, tagOf } from './places.mjs'
 
 const firefox = [
   process.env.FIREFOX,
@@ -63,7 +64,8 @@ const waitIn = async (where, check, ...given) => {
     await new Promise((resolve) => setTimeout(resolve, 100))
   }
 }
-const alive = async (tag) => {
+const alive = async (figure) => {
+  const tag = tagOf(figure)
   await page.evaluate((name) => document.querySelector(name).scrollIntoView({ block: 'center' }), tag)
   await wait((name) => document.querySelector(name).dataset.state === 'live', tag)
 }
@@ -90,12 +92,12 @@ test('the keys turn the knob in Firefox', { skip: firefox ? false : notice }, as
   await wait((g) => document.querySelector('observer-bench').frame.params.gain > g, gain)
 })
 
-test('the keys move the prediction of kalman-picture in Firefox, to the frame that Node computes', {
+test('the keys move the prediction of the picture in Firefox, to the frame that Node computes', {
   skip: firefox ? false : notice,
 }, async () => {
-  await alive('kalman-picture')
+  await alive('picture')
   // A question locks it until some answer is given.
-  const id = await page.evaluate(() => document.querySelector('kalman-picture').dataset.figure)
+  const id = await page.evaluate(() => document.querySelector('lab-picture').dataset.figure)
   await page.evaluate((figure) => {
     document.querySelector(`.quiz[data-unlocks="${figure}"]`).scrollIntoView()
   }, id)
@@ -106,32 +108,31 @@ test('the keys move the prediction of kalman-picture in Firefox, to the frame th
     form.querySelector('[type=submit]').click()
   }, id)
   await wait((figure) => !!document.querySelector(`#${figure} .widget:not([inert])`), id)
-  await page.evaluate(() =>
-    document.querySelector('kalman-picture .live [role=slider][aria-label="Prediction"]').focus(),
-  )
+  await page.evaluate(() => document.querySelector('lab-picture .live [role=slider][aria-label="Prediction"]').focus())
   const {
     mean: [x],
-  } = await page.evaluate(() => document.querySelector('kalman-picture').frame.params)
+  } = await page.evaluate(() => document.querySelector('lab-picture').frame.params)
   await page.keyboard.press('ArrowRight')
   await wait((from) => {
-    const { frame, settled } = document.querySelector('kalman-picture')
+    const { frame, settled } = document.querySelector('lab-picture')
     return settled && frame.params.mean[0] > from
   }, x)
-  const there = await page.evaluate(() => document.querySelector('kalman-picture').frame)
+  const there = await page.evaluate(() => document.querySelector('lab-picture').frame)
   const lab = new core.Picture()
   lab.set(there.params)
   assert.deepEqual(there, lab.frame())
 })
 
-for (const [tag, lab, handle] of [
-  ['tune-me', 'Tune', 'The filter’s noise'],
-  ['close-loop', 'LoopClosure', 'Gate'],
+for (const [name, lab, handle] of [
+  ['tune', 'Tune', 'The filter’s noise'],
+  ['loop-closure', 'LoopClosure', 'Gate'],
 ]) {
-  test(`the keys drive ${tag} in Firefox, to the frame that Node computes`, {
+  test(`the keys drive ${name} in Firefox, to the frame that Node computes`, {
     skip: firefox ? false : notice,
   }, async () => {
     // On its own page no question locks it.
-    await page.goto(`${site.url}figure/${tag}/`)
+    await page.goto(`${site.url}figure/${name}/`)
+    const tag = tagOf(name)
     await alive(tag)
     const button = await page.evaluateHandle(
       (name) =>
@@ -146,7 +147,7 @@ for (const [tag, lab, handle] of [
         await wait((name, n) => document.querySelector(name).frame.step === n, tag, step)
       }
     } else {
-      assert.equal(tag, 'tune-me', 'it has no steps')
+      assert.equal(name, 'tune', 'it has no steps')
     }
     const before = await page.evaluate((name) => JSON.stringify(document.querySelector(name).frame.params), tag)
     await page.evaluate(
@@ -221,27 +222,27 @@ test('no formula has to be scrolled in Firefox', { skip: firefox ? false : notic
 
 test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice }, async () => {
   // The lab of the log is in a worker; digits.test.mjs asks for its hash in Chromium.
-  const shown = ([tag]) => tag !== 'robot-log' && existsSync(path.join(root, `web/widgets/${tag}.js`))
+  const shown = ([name]) => !FIGURES.find((figure) => figure.name === name).world
   let shownOn
-  for (const [tag, hash, given] of native
+  for (const [name, hash, given] of native
     .trim()
     .split('\n')
     .map((line) => line.split(' '))
     .filter(shown)) {
     // On its own page, since not every figure is in the chapter.
-    if (shownOn !== tag) await page.goto(`${site.url}figure/${tag}/`)
-    shownOn = tag
-    await alive(tag)
+    if (shownOn !== name) await page.goto(`${site.url}figure/${name}/`)
+    shownOn = name
+    await alive(name)
     const there = await page.evaluate(
-      (name, params) => {
-        const lab = new (document.querySelector(name).figure.lab.constructor)(params)
+      (tag, params) => {
+        const lab = new (document.querySelector(tag).figure.lab.constructor)(params)
         lab.run(10_000)
         return lab.digest()
       },
-      tag,
+      tagOf(name),
       JSON.parse(given),
     )
-    assert.equal(there, hash, `${tag} with ${given}`)
+    assert.equal(there, hash, `${name} with ${given}`)
   }
 })
 

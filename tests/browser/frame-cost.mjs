@@ -3,7 +3,7 @@
 // machine does counts for nothing. Prints the table of the README; nothing fails on a time.
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist } from './places.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, tagOf } from './places.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const SECONDS = 6
@@ -25,7 +25,7 @@ try {
     })
     const page = await context.newPage()
     await page.goto(`${site.url}kalman/`)
-    if ((await page.locator(tag).count()) === 0) {
+    if ((await page.locator(tagOf(tag)).count()) === 0) {
       await context.close()
       continue
     }
@@ -35,7 +35,7 @@ try {
       await form.locator('input').first().check()
       await form.locator('[type="submit"]').click()
     }
-    const element = page.locator(tag).first()
+    const element = page.locator(tagOf(tag)).first()
     await element.scrollIntoViewIfNeeded()
     // This one: another of its kind may be alive before it.
     await element.locator('.live').waitFor()

@@ -2,7 +2,7 @@
 // moved by the keys; and under a finger only the handle itself holds the page.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { figure, openFigure, PHONE, quiet } from './harness.mjs'
+import { figure, openFigure, PHONE, quiet, tagOf } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 /** Not the sliders that a figure hides where there is nothing to set. */
@@ -25,7 +25,7 @@ for (const tag of Object.keys(WIDGETS)) {
           inside: Boolean(document.activeElement?.closest(`${name} .live`)),
           knob: document.activeElement?.dataset.knob,
         }),
-        tag,
+        tagOf(tag),
       )
       if (!now.inside) break
       if (now.knob !== undefined) reached.add(now.knob)
@@ -73,7 +73,7 @@ for (const tag of Object.keys(WIDGETS)) {
   })
 }
 
-for (const tag of ['kalman-picture', 'observability-probe', 'tune-me', 'close-loop']) {
+for (const tag of ['picture', 'observability-probe', 'tune', 'loop-closure']) {
   test(`a finger on a handle of the ${tag} moves it and not the page; beside it, the page`, async (t) => {
     const { page, it } = await openFigure(t, tag, { viewport: PHONE, touch: true })
     const wire = await page.context().newCDPSession(page)
@@ -133,7 +133,7 @@ for (const tag of ['kalman-picture', 'observability-probe', 'tune-me', 'close-lo
               })
               return there?.closest(`${name} .live svg`) && !held
             }),
-        [x, y, tag],
+        [x, y, tagOf(tag)],
       )
       if (!free) continue
       beside += 1
@@ -190,7 +190,7 @@ test('on a slow machine plots, numbers and labels come after the hand, and come'
 })
 
 test('a slider is as long at one value as at another, so that its thumb stays under the finger', async (t) => {
-  const { it } = await openFigure(t, 'tune-me')
+  const { it } = await openFigure(t, 'tune')
   const lengths = await it.evaluate(async (host) => {
     const found = []
     for (const slider of host.querySelectorAll('.live input[type=range]')) {

@@ -4,7 +4,7 @@ import { after } from 'node:test'
 import assert from 'node:assert/strict'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, chromiumPath, DESKTOP, dist, HANGS_MS } from './places.mjs'
+import { BASE, CHROMIUM_FLAGS, chromiumPath, DESKTOP, dist, HANGS_MS, tagOf } from './places.mjs'
 
 export * from './places.mjs'
 
@@ -128,11 +128,12 @@ export function watch(page, ...homes) {
 }
 
 /** A figure's custom element, scrolled to, alive (its module loaded, its controls there) and in the state of its link. */
-export async function figure(page, tag) {
+export async function figure(page, name) {
+  const tag = tagOf(name)
   const element = page.locator(tag).first()
   await element.scrollIntoViewIfNeeded()
   await page.locator(`${tag}[data-state="live"]`).first().waitFor()
-  await page.waitForFunction((name) => document.querySelector(name).settled, tag)
+  await page.waitForFunction((of) => document.querySelector(of).settled, tag)
   return element
 }
 

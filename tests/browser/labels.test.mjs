@@ -1,7 +1,12 @@
 // In no figure does a name cover another or lose a part of itself at an edge: many states, at each width that a reader may have.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { openFigure } from './harness.mjs'
+import { createRequire } from 'node:module'
+import path from 'node:path'
+import { FIGURES } from '../../target/figures.js'
+import { openFigure, root } from './harness.mjs'
+
+const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
 const WIDTHS = [320, 390, 768, 900, 1024, 1280, 1440]
 
@@ -109,7 +114,7 @@ const STATES = {
     { step: 2 },
     { step: 20 },
   ],
-  'kalman-picture': [
+  picture: [
     {},
     { noise: 0 },
     { noise: 4 },
@@ -137,7 +142,7 @@ const STATES = {
     { guess: -0.65, noise: 0 },
     { mean: [20, 20], noise: 4 },
   ],
-  'close-loop': [
+  'loop-closure': [
     {},
     { step: 1 },
     { step: 20 },
@@ -151,7 +156,7 @@ const STATES = {
     { gate: 9.21, found: 50, correlated: false, seed: 2 },
     { step: 300 },
   ],
-  'tune-me': [
+  tune: [
     {},
     { logQ: -1.5, logW: 0.5 },
     { fit: true },
@@ -283,7 +288,14 @@ const faults = (host) =>
     ]
   })
 
-for (const [tag, states] of Object.entries(STATES)) {
+/** Where nothing is said of a figure: each of its parameters at either end, or at each of its words. */
+const ends = ({ name, words, least, greatest, default: usual }) =>
+  (words ?? (typeof usual === 'boolean' ? [!usual] : typeof usual === 'number' ? [least, greatest] : []))
+    .filter((value) => typeof value !== 'number' || Math.abs(value) < 1e6)
+    .flatMap((value) => [{ [name]: value }, { [name]: usual }])
+
+for (const { name: tag, lab } of FIGURES) {
+  const states = STATES[tag] ?? [{}, { step: 0 }, { step: 1 }, ...core[lab].parameters().flatMap(ends)]
   test(`no name in the ${tag} covers another or is cut`, async (t) => {
     const { page, it } = await openFigure(t, tag)
     const found = []

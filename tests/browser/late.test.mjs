@@ -23,13 +23,13 @@ test('the module with the labs of late figures is fetched when one of them comes
   })
   await figure(page, 'odometry-hook')
   assert.ok(sizes.length === 1 && !sizes.includes(late), `${sizes}`)
-  await comeTo(page, 'tune-me', 'tune-me[data-state="live"]')
-  await settled(page.locator('tune-me'))
+  await comeTo(page, 'lab-tune', 'lab-tune[data-state="live"]')
+  await settled(page.locator('lab-tune'))
   assert.ok(sizes.includes(late))
 })
 
 test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the truth is sealed until the reader commits', async (t) => {
-  const { page, it } = await openFigure(t, 'tune-me')
+  const { page, it } = await openFigure(t, 'tune')
   await settled(it)
   const map = () =>
     it.evaluate((host) => {
@@ -97,7 +97,7 @@ test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the tr
 })
 
 test('Close the loop: every ellipse shrinks when it closes, and dropped cross-covariances show in the NEES', async (t) => {
-  const { it } = await openFigure(t, 'close-loop')
+  const { it } = await openFigure(t, 'loop-closure')
   await it.getByRole('button', { name: 'Stop just before the loop closes' }).click()
   await settled(it)
   const before = await frameOf(it)
@@ -116,7 +116,7 @@ test('Close the loop: every ellipse shrinks when it closes, and dropped cross-co
 })
 
 test('Close the loop: both thresholds are dragged on their axis, and where they cross there are ghosts', async (t) => {
-  const { page, it } = await openFigure(t, 'close-loop')
+  const { page, it } = await openFigure(t, 'loop-closure')
   await it.getByRole('button', { name: 'As at first' }).click()
   await settled(it)
   assert.equal((await frameOf(it)).map.spurious, 0)
@@ -143,10 +143,10 @@ test('Close the loop: both thresholds are dragged on their axis, and where they 
 })
 
 for (const [id, tag, figureId, wrong, right, todo] of [
-  ['tune-in-band', 'tune-me', 'fig-tune', { logQ: -2, logW: -1 }, { logW: 0.3 }, 'Bring the mean NIS into its band.'],
+  ['tune-in-band', 'tune', 'fig-tune', { logQ: -2, logW: -1 }, { logW: 0.3 }, 'Bring the mean NIS into its band.'],
   [
     'loop-ghost',
-    'close-loop',
+    'loop-closure',
     'fig-loop',
     { correlated: false, seed: 1, step: 128 },
     { seed: 2 },

@@ -2,7 +2,7 @@
 // stays said, what waits behind a question is said beside the question, and a copied link carries every figure as it is.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { comeTo, figure, frameOf, open, openFigure, until } from './harness.mjs'
+import { comeTo, figure, frameOf, open, openFigure, tagOf, until } from './harness.mjs'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
 const BENCH = (step) => code([1, 'observer-bench', step, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }])
@@ -29,13 +29,13 @@ test('a link without a hash that cannot be read says so where the page opens, un
 
 for (const [tag, id] of [
   ['observer-bench', 'fig-bench'],
-  ['kalman-picture', 'fig-picture'],
+  ['picture', 'fig-picture'],
 ]) {
   test(`the notice of the ${tag} can be dismissed, and the focus stays in the figure`, async (t) => {
     const { page, it: element } = await openFigure(t, tag, { query: `?${id}=cut` })
     await element.getByRole('button', { name: 'Dismiss' }).press('Enter')
     assert.equal(await element.locator('.live .figure-note').innerText(), '')
-    assert.ok(await page.evaluate((name) => Boolean(document.activeElement?.closest(`${name} .live`)), tag))
+    assert.ok(await page.evaluate((name) => Boolean(document.activeElement?.closest(`${name} .live`)), tagOf(tag)))
   })
 }
 

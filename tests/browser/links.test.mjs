@@ -13,6 +13,7 @@ import {
   quiet,
   stage,
   stateOf,
+  tagOf,
   unlock,
   until,
 } from './harness.mjs'
@@ -85,10 +86,10 @@ test('the figure and its series can be taken along', async (t) => {
 
 for (const [tag, id] of [
   ['odometry-hook', 'fig-odometry'],
-  ['kalman-picture', 'fig-picture'],
+  ['picture', 'fig-picture'],
   ['observability-probe', 'fig-probe'],
-  ['tune-me', 'fig-tune'],
-  ['close-loop', 'fig-loop'],
+  ['tune', 'fig-tune'],
+  ['loop-closure', 'fig-loop'],
 ]) {
   test(`state, picture and series of the ${tag} can be taken along`, async (t) => {
     const { page, it: widget } = await openFigure(t, tag)
@@ -100,7 +101,7 @@ for (const [tag, id] of [
     await page.waitForFunction(
       ([name, was]) =>
         JSON.stringify(document.querySelector(name).state) !== was && document.querySelector(name).settled,
-      [tag, JSON.stringify(before)],
+      [tagOf(tag), JSON.stringify(before)],
     )
     await quiet(page)
     const there = { frame: await frameOf(widget), state: await stateOf(widget) }

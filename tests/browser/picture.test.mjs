@@ -9,7 +9,7 @@ const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1])
 const handle = (picture, label) => picture.getByRole('slider', { name: label, exact: true })
 const noise = (picture) => picture.getByRole('slider', { name: /Sensor noise/ })
 
-const picture = (t) => openFigure(t, 'kalman-picture')
+const picture = (t) => openFigure(t, 'picture')
 
 /** Pixels of one unit, by the drawing's own margins and reach. */
 const unitOf = (it) =>

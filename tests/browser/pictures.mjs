@@ -10,8 +10,8 @@ import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, root } from './places.mjs'
 /** Name of the picture, how many pixels it has for one of the page, the figure with its id, its lab, and the state to show. */
 const PICTURES = [
   ['knob', 1.5, 'observer-bench', 'fig-bench', 'observer-bench', 12, {}],
-  ['picture', 1, 'kalman-picture', 'fig-picture', 'picture', 0, {}],
-  ['loop', 1, 'close-loop', 'fig-loop', 'loop-closure', 120, {}],
+  ['picture', 1, 'picture', 'fig-picture', 'picture', 0, {}],
+  ['loop', 1, 'loop-closure', 'fig-loop', 'loop-closure', 120, {}],
 ]
 
 const site = await serve({ folder: dist, base: BASE })

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict'
 import { existsSync } from 'node:fs'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { WIDGETS } from '../../web/widgets/index.js'
+import { FIGURES } from '../../target/figures.js'
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..')
 export const dist = path.join(root, 'dist')
@@ -12,7 +12,9 @@ export const BASE = '/shelf/robot-motion/'
 /** The pages a reader can land on, relative to the site's root. */
 export const PAGES = ['', 'kalman/', 'kalman/numbers/', 'check/', 'hosting/', 'log/', 'system/', 'teaching/']
 /** The pages that hold one figure each. */
-export const FIGURE_PAGES = Object.keys(WIDGETS).map((name) => `figure/${name}/`)
+export const FIGURE_PAGES = FIGURES.map(({ name }) => `figure/${name}/`)
+/** The custom element of the figure called `name`; any other name is a custom element itself. */
+export const tagOf = (name) => FIGURES.find((figure) => figure.name === name)?.tag ?? name
 export const CHROMIUM_FLAGS = [
   '--no-sandbox',
   '--disable-gpu',

@@ -199,7 +199,7 @@ test('answers are remembered after a reload, and forgotten one by one or all at 
   await quiz(page, 'third-step')
   assert.equal(await third.input.inputValue(), '0.7')
   assert.ok(await shown(third))
-  await figure(page, 'kalman-picture')
+  await figure(page, 'picture')
   assert.ok(!(await page.locator('#fig-picture .widget').evaluate((widget) => widget.inert)))
 
   await foot.again.click()

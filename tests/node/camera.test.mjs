@@ -3,7 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { followed } from '../../web/draw/camera.js'
-import { seen } from '../../web/widgets/close-loop/map.js'
+import { seen } from '../../web/widgets/loop-closure/map.js'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 const box = (right, bottom) => ({ left: 0, top: 0, right, bottom })

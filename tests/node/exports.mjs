@@ -1,4 +1,5 @@
 // What the fuzz test knows of each export: how to make valid arguments, and where an answer holds a covariance.
+import { FIGURES } from '../../target/figures.js'
 import { logClasses } from './log-exports.mjs'
 import { covariance } from './nonsense.mjs'
 
@@ -305,16 +306,7 @@ export const CLASSES = {
 }
 
 /** The labs of the page share one face; their parameters are what `state()` says of a fresh one. */
-export const LABS = [
-  'ObserverBench',
-  'OdometryHook',
-  'ObservabilityProbe',
-  'Picture',
-  'LoopClosure',
-  'Tune',
-  'BugMuseum',
-  'OwnSystem',
-]
+export const LABS = FIGURES.filter(({ world }) => !world).map(({ lab }) => lab)
 for (const name of LABS) {
   CLASSES[name] = {
     lab: true,

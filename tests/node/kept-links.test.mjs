@@ -14,7 +14,7 @@ test('links of this version are kept, several for every figure', () => {
   assert.ok(ours, 'node tests/node/kept-links.mjs keeps them')
   for (const widget of Object.keys(WIDGETS)) {
     const states = new Set(
-      ours.links.filter((link) => link.widget === widget).map(({ state }) => JSON.stringify(state)),
+      ours.links.filter(({ state }) => state.lab === widget).map(({ state }) => JSON.stringify(state)),
     )
     assert.ok(states.size >= 4, `${widget}: ${states.size}`)
   }
@@ -22,16 +22,16 @@ test('links of this version are kept, several for every figure', () => {
 
 for (const { version: of, links } of kept()) {
   test(`the links of ${of} open the states and the numbers that they did`, async () => {
-    for (const { figure, widget, address, state, frame } of links) {
+    for (const { figure, address, state, frame } of links) {
       const page = new URL(address, SITE).pathname.slice(1)
       const file = new URL(`dist/${page}index.html`, root)
       assert.ok(existsSync(file), `${page} is a page`)
       assert.match(
         readFileSync(file, 'utf8'),
-        new RegExp(`id="${figure}"[^]{0,400}<${widget}\\b`),
-        `${page} has ${widget} as ${figure}`,
+        new RegExp(`id="${figure}"[^]{0,400} data-widget="${state.lab}"`),
+        `${page} has ${state.lab} as ${figure}`,
       )
-      const spec = await WIDGETS[widget]()
+      const spec = await WIDGETS[state.lab]()
       const read = readState(SITE + address, figure, spec.name)
       assert.deepEqual(read, state, address)
       const lab = opened(spec, read)

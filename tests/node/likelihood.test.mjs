@@ -3,8 +3,8 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { Filling, likelihood } from '../../web/widgets/tune-me/likelihood.js'
-import { Server } from '../../web/widgets/tune-me/server.js'
+import { Filling, likelihood } from '../../web/widgets/tune/likelihood.js'
+import { Server } from '../../web/widgets/tune/server.js'
 
 const estimate = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 const lab = (params) => estimate.Tune.from({ version: 1, lab: 'tune', step: 0, params })

@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { robotLog } from '../../web/widgets/robot-log/index.js'
+import { figure as robotLog } from '../../web/widgets/robot-log/index.js'
 import { RemoteRun } from '../../web/widgets/robot-log/remote-run.js'
 import { Server } from '../../web/widgets/robot-log/server.js'
 

@@ -6,15 +6,15 @@ import { WIDGETS } from '../../web/widgets/index.js'
 import { estimate } from './claims.mjs'
 
 /** Phrases that build on the state by their own words: what is counted or fitted is what the reader has before them. */
-const RELATIVE = { 'bug-museum': ['seeds'], 'tune-me': ['fit', 'next'] }
+const RELATIVE = { 'bug-museum': ['seeds'], tune: ['fit', 'next'] }
 /** What a phrase may leave as it was: marks that are shown beside what it sets, and what its run does not read. */
 const BESIDE = {
-  'tune-me': ['fit', 'committed', 'seed'],
+  tune: ['fit', 'committed', 'seed'],
   'own-system': ['poles'],
   'observability-probe': ['landmarks', 'ghostAround', 'ghostShift', 'ghostTurn'],
 }
 
-for (const tag of ['odometry-hook', 'close-loop', 'tune-me', 'bug-museum', 'own-system', 'observability-probe']) {
+for (const tag of ['odometry-hook', 'loop-closure', 'tune', 'bug-museum', 'own-system', 'observability-probe']) {
   test(`each phrase of the ${tag} gives the same after every other`, async () => {
     const spec = await WIDGETS[tag]()
     const phrases = spec.tries.filter(({ name }) => !RELATIVE[tag]?.includes(name))
@@ -42,7 +42,7 @@ for (const tag of ['odometry-hook', 'close-loop', 'tune-me', 'bug-museum', 'own-
       for (const other of spec.tries) {
         const after = pressed(pressed(first, other), phrase)
         assert.deepEqual(seen(after), seen(fresh), `“${phrase.label}” after “${other.label}”`)
-        if (tag !== 'tune-me') assert.equal(said(after), said(fresh), `“${phrase.label}” after “${other.label}”`)
+        if (tag !== 'tune') assert.equal(said(after), said(fresh), `“${phrase.label}” after “${other.label}”`)
       }
     }
   })
@@ -94,7 +94,7 @@ const SPEAKS_OF = {
 }
 
 test('a phrase of the Picture shows the same after any other', async () => {
-  const spec = await WIDGETS['kalman-picture']()
+  const spec = await WIDGETS['picture']()
   assert.deepEqual(
     spec.tries.map(({ name }) => name),
     Object.keys(SPEAKS_OF),

@@ -238,7 +238,7 @@ check(
 )
 
 check(
-  'kalman-picture',
+  'picture',
   {
     mean: [
       [4, 4],
@@ -650,7 +650,7 @@ const ratio = ({ params: { logQ, logW, ...others } }) => {
 }
 const lastOf = ({ meanNis, meanNisBand }) => ({ mean: meanNis.at(-1), ...meanNisBand.at(-1) })
 check(
-  'tune-me',
+  'tune',
   {
     logQ: [-2, -0.6, -0.1, 0.74, 2],
     logW: [-2, -0.86, 0.04, 0.42, 2],
@@ -747,7 +747,7 @@ check(
 /** Sightings and landmarks in words: `no`, or their number. */
 const counted = (word) => (word.toLowerCase() === 'no' ? 0 : Number(word))
 check(
-  'close-loop',
+  'loop-closure',
   {
     gate: [0.5, 9.21, 100],
     found: [0.5, 6, 50],
@@ -866,7 +866,7 @@ test('no readout of a figure is empty or wrong in kind, in any state', async () 
 })
 
 test('two opinions: the printed weights are one over the variances, and add up to that of the product', async () => {
-  const spec = await WIDGETS['kalman-picture']()
+  const spec = await WIDGETS['picture']()
   const opened = (params) => estimate.Picture.from({ version: 1, lab: spec.name, step: 0, params })
   const weights = (frame) => spec.readouts(frame).find(({ key }) => key === 'weights').value
   assert.equal(weights(opened({}).frame()), '0.476 + 2.000 = 2.476')

@@ -8,6 +8,7 @@ import { cpSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, write
 import { basename, dirname, extname, join, relative } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { build } from 'esbuild'
+import { FIGURES } from '../../target/figures.js'
 import { subsetFonts } from './fonts.mjs'
 import { styleHeights } from './heights.mjs'
 import { vignette } from './vignette.mjs'
@@ -15,11 +16,12 @@ import { vignette } from './vignette.mjs'
 const web = dirname(dirname(fileURLToPath(import.meta.url)))
 const root = dirname(web)
 const out = join(root, 'target/assets')
-/** The module whole, and its builds with the labs of some figures alone: see scripts/build. @type {Record<string, string>} */
-const pkg = {
-  whole: join(root, 'target/pkg/web'),
-  ...Object.fromEntries(['figures', 'late', 'log', 'system'].map((name) => [name, join(root, 'target/pkg', name)])),
-}
+/** The folder of each build of the module: whole, and with the labs of some figures alone. @type {Map<string, string>} */
+const pkg = new Map([
+  ...FIGURES.map(({ build }) => /** @type {const} */ ([build, join(root, 'target/pkg', build)])),
+  ['whole', join(root, 'target/pkg/web')],
+])
+const [atHand] = pkg.keys()
 
 /** KaTeX has a rule for each change from one of eleven sizes to another; formulas here change among these (crates/book/src/slim.rs). */
 const OTHER_SIZES = /\.katex \.fontsize-ensurer\.reset-size(?!(?:6\.size[13]|3\.size1),)\d+\.size\d+,[^{}]*\{[^}]*\}/g
@@ -46,17 +48,33 @@ const shared = {
   logOverride: { 'empty-import-meta': 'silent', 'duplicate-object-key': 'silent' },
 }
 
-/** A module's glue and the address of its binary. */
+/**
+ * The builds of the module. `module-builds` is the table of all (its first build is at hand with the script that asks, each other is
+ * fetched); `estimate-wasm/of/tune` the build that has the lab of the figure `tune`, and `wasm-of/tune` where its binary lies.
+ */
 const wasm = {
   name: 'wasm',
   setup(to) {
-    const folder = (path) => pkg[path.split('/')[1] ?? 'whole'] ?? pkg.whole
-    to.onResolve({ filter: /^estimate-wasm(\/figures|\/late|\/log|\/system)?$/ }, ({ path }) => ({
-      path: join(folder(path), 'estimate_wasm.js'),
+    const folder = (figure) => pkg.get(FIGURES.find(({ name }) => name === figure)?.build)
+    const virtual = (contents) => ({ contents, resolveDir: join(web, 'load') })
+    to.onResolve({ filter: /^estimate-wasm\/of\// }, ({ path }) => ({
+      path: join(folder(path.split('/')[2]), 'estimate_wasm.js'),
     }))
-    to.onResolve({ filter: /^estimate-wasm(\/figures|\/late|\/log|\/system)?\/wasm$/ }, ({ path }) => ({
-      path: join(folder(path), 'estimate_wasm_bg.wasm'),
+    to.onResolve({ filter: /^wasm-of\// }, ({ path }) => ({
+      path: join(folder(path.split('/')[1]), 'estimate_wasm_bg.wasm'),
     }))
+    to.onResolve({ filter: /^module-builds?(\/|$)/ }, ({ path }) => ({ path, namespace: 'module' }))
+    to.onLoad({ filter: /^module-builds$/, namespace: 'module' }, () =>
+      virtual(`import * as first from 'module-build/${atHand}'
+        export const BUILDS = { ${[...pkg.keys()].map((name) => `'${name}': ${name === atHand ? 'async () => first' : `() => import('module-build/${name}')`}`)} }`),
+    )
+    to.onLoad({ filter: /^module-build\//, namespace: 'module' }, ({ path }) => {
+      const file = (name) => JSON.stringify(join(pkg.get(path.split('/')[1]), name))
+      return virtual(`import init, * as estimate from ${file('estimate_wasm.js')}
+        import address from ${file('estimate_wasm_bg.wasm')}
+        import { loader } from './loader.js'
+        export const load = loader(init, estimate, address)`)
+    })
   },
 }
 
@@ -64,7 +82,7 @@ const wasm = {
 const worker = {
   name: 'worker',
   setup(to) {
-    to.onResolve({ filter: /^(robot-log|tune-me)-worker$/ }, ({ path }) => ({ path, namespace: 'worker' }))
+    to.onResolve({ filter: /^[\w-]+-worker$/ }, ({ path }) => ({ path, namespace: 'worker' }))
     to.onLoad({ filter: /.*/, namespace: 'worker' }, async ({ path: name }) => {
       const { metafile } = await build({
         ...shared,
@@ -81,7 +99,7 @@ const worker = {
 
 rmSync(out, { recursive: true, force: true })
 mkdirSync(out, { recursive: true })
-for (const folder of Object.values(pkg)) {
+for (const folder of pkg.values()) {
   if (!existsSync(folder)) throw new Error(`no wasm module in ${relative(root, folder)}: run scripts/build`)
 }
 

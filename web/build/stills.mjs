@@ -24,14 +24,10 @@ const estimate = createRequire(import.meta.url)(join(root, 'target/pkg/node/esti
 rmSync(out, { recursive: true, force: true })
 mkdirSync(join(out, 'apart'), { recursive: true })
 coarse()
-for (const [tag, load] of Object.entries(WIDGETS)) await draw(tag, await load(), {})
-
-for (const path of readdirSync(join(root, 'content'), { recursive: true })) {
-  if (!String(path).endsWith('.md')) continue
-  const text = readFileSync(join(root, 'content', String(path)), 'utf8')
-  for (const [, id, tag, start] of text.matchAll(/^:::figure\{#(\S+) widget="([^"]+)".* start='([^']+)'.*\}$/gm)) {
-    if (WIDGETS[tag]) await draw(id, await WIDGETS[tag](), JSON.parse(start))
-  }
+for (const [name, load] of Object.entries(WIDGETS)) await draw(name, await load(), {})
+// The book's program, which reads the text, has written which figures open in a state of their own.
+for (const { id, name, start } of JSON.parse(readFileSync(join(root, 'target/opened.json'), 'utf8'))) {
+  await draw(id, await WIDGETS[name](), start)
 }
 for (const [name, { lab, name: known, width, height, draw: paint, describe }] of Object.entries(DRAWINGS)) {
   const run = estimate[lab].from({ version: 1, lab: known, step: 0, params: {} })

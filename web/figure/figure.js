@@ -12,7 +12,7 @@ import { hideFailure, showFailure } from './failure.js'
 import { liveHandles } from './handle.js'
 import { keepPressed, keepTop } from './hold-scroll.js'
 import { openLab } from './state-in-url.js'
-import { loadModule } from '../load/module.js'
+import { loadBuild } from '../load/modules.js'
 import { STEP_MS } from './motion.js'
 import { Progress } from './progress.js'
 import { Run } from './run.js'
@@ -140,8 +140,8 @@ class Figure {
   async start() {
     this.host.dataset.state = 'loading'
     hideFailure(this.host)
-    if (this.spec.open) return this.opened(await this.spec.open(this.id, this.host.dataset.start))
-    const loaded = await (this.spec.load ?? loadModule)()
+    if (this.spec.open) return this.opened(await this.spec.open(this.id, this.host.dataset.start, this.spec))
+    const loaded = await loadBuild(this.spec.build)
     if (!loaded.ok) return this.fail(loaded.why)
     try {
       const { lab, linked, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)

@@ -61,7 +61,7 @@ export class Share {
     const figure = host.closest('figure')
     const title = figure?.querySelector('.figure-title')?.textContent?.replace(/\s+/g, ' ').trim() ?? id
     const height = (figure ?? host).getBoundingClientRect().height + ROOM
-    const text = markup({ page: pageOf(document, this.spec.tag), id, title, height }, this.run.state())
+    const text = markup({ page: pageOf(document, this.spec.name), id, title, height }, this.run.state())
     this.show('Markup that shows this figure, in this state, on another page', text)
     if (await copied(text)) this.voice.tell(`Markup copied.${this.before()}`)
   }

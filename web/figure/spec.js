@@ -51,10 +51,9 @@
  * @property {import('../draw/words.js').Words} label
  * @property {(frame: any, lab: any) => Record<string, unknown>} change parameters, and `step` where the run is to go to one
  *
- * @typedef {object} FigureSpec
- * @property {string} tag the custom element
- * @property {string} lab its class in the module
- * @property {string} name the lab's name in a state
+ * @typedef {Widget & import('../widgets/index.js').Listed} FigureSpec a widget, with what the list of figures says of it
+ *
+ * @typedef {object} Widget
  * @property {{ params: Record<string, any>, step: number }} start the state it opens in
  * @property {number} [still] the step of the still, which readers without scripts see and paper has; the start's if not given
  * @property {import('./layout.js').Layout} layout where the panels stand
@@ -62,9 +61,7 @@
  * @property {import('../draw/words.js').Words} [invite] what the button over the first panel says at step 0; it plays
  * @property {number} [lap] play stops at each multiple of so many steps
  * @property {(frame: any) => number} [end] the step that a run has no more behind: play stops there, and begins the run anew from there
- * @property {() => Promise<import('../load/loader.js').Loaded<any>>} [load] fetches the module that holds the lab; that of most figures if
- *   not given
- * @property {(figure: string, given: string | undefined) => Promise<Opened>} [open] opens the run where the lab is not in the page
+ * @property {(id: string, given: string | undefined, spec: FigureSpec) => Promise<Opened>} [open] opens the run where the lab is not in the page
  * @property {Aside} [aside] what is computed beside the run and is no part of its frame
  * @property {string} [log] the log that its lab replays, in the repository
  * @property {boolean} seeded whether `seed` is among the parameters

@@ -1,47 +1,28 @@
-declare module 'estimate-wasm/wasm' {
-  /** Where the module's binary lies, relative to the script that imports this. */
+declare module 'module-builds' {
+  /** Each build of the module, whole or with the labs of some figures: its script, which fetches it. The list's first is at hand. */
+  export const BUILDS: Record<string, () => Promise<{ load: () => Promise<import('./loader.js').Loaded<any>> }>>
+}
+
+declare module 'estimate-wasm/of/*' {
+  /** The build that has the lab of a figure. */
+  export * from 'estimate-wasm'
+  export { default } from 'estimate-wasm'
+}
+
+declare module 'wasm-of/*' {
+  /** Where its binary lies, relative to the script that imports this. */
   const address: string
   export default address
 }
 
-declare module 'estimate-wasm/late/wasm' {
-  /** Where the binary with the labs of the late figures lies, relative to the script that imports this. */
-  const address: string
-  export default address
-}
-
-declare module 'estimate-wasm/system/wasm' {
-  /** Where the binary with the lab of a reader's own system lies, relative to the script that imports this. */
-  const address: string
-  export default address
-}
-
-declare module 'estimate-wasm/log/wasm' {
-  /** Where the binary with the lab of logs lies, relative to the script that imports this. */
-  const address: string
-  export default address
-}
-
-declare module 'tune-me-worker' {
-  /** Where the worker's script lies, relative to the script that imports this. */
-  const address: string
-  export default address
-}
-
-declare module 'robot-log-worker' {
-  /** Where the worker's script lies, relative to the script that imports this. */
+declare module '*-worker' {
+  /** Where the script of a figure's worker lies, relative to the script that imports this. */
   const address: string
   export default address
 }
 
 declare module '*.csv' {
   /** Where the log lies, relative to the script that imports this. */
-  const address: string
-  export default address
-}
-
-declare module 'estimate-wasm/figures/wasm' {
-  /** Where the binary with the labs alone lies, relative to the script that imports this. */
   const address: string
   export default address
 }

@@ -1,6 +1,6 @@
 /** The chapter's checks, run one after another in the reader's own browser. */
 
-import { loadWhole } from '../load/whole.js'
+import { loadBuild } from '../load/modules.js'
 import { fixed } from '../draw/numbers.js'
 
 /** @typedef {import('estimate-wasm').Check} Check */
@@ -10,7 +10,7 @@ export async function check(button) {
   if (button.disabled) return
   button.disabled = true
   say('The checks are running.')
-  const loaded = await loadWhole()
+  const loaded = await loadBuild('whole')
   if (loaded.ok) await run(loaded.module)
   else say(`The checks could not run: ${loaded.why}.`)
   button.disabled = false
@@ -22,7 +22,7 @@ function say(words) {
   if (summary) summary.textContent = words
 }
 
-/** @param {import('../load/whole.js').Whole} estimate */
+/** @param {typeof import('estimate-wasm')} estimate */
 async function run(estimate) {
   const rows = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('[data-check]')])
   for (const row of rows) empty(row)

@@ -11,7 +11,7 @@ import { inTime } from '../load/timeouts.js'
  * @param {boolean} [again] whether the reader asks for it after a failure
  */
 export async function awaken(host, widgets, again = false) {
-  const load = widgets[host.localName]
+  const load = widgets[host.dataset.widget ?? '']
   if (!load) return
   hideFailure(host)
   try {

@@ -5,7 +5,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { readState } from '../figure/state-in-url.js'
-import { loadModule } from '../load/module.js'
+import { loadBuild } from '../load/modules.js'
 
 const MOST = 5
 
@@ -20,7 +20,7 @@ export async function links(widgets) {
       continue
     }
     // If the figure's script cannot be fetched, the name of its lab is unknown; the rest is checked all the same.
-    const spec = await widgets[host.localName]?.().catch(() => null)
+    const spec = await widgets[host.dataset.widget ?? '']?.().catch(() => null)
     const state = readState(location.href, id, spec?.name)
     if (state === 'mangled' || (state && spec && (await isRefused(spec, state)))) {
       const title = host.closest('figure')?.querySelector('.figure-title')?.lastChild?.textContent?.trim() ?? id
@@ -36,7 +36,8 @@ export async function links(widgets) {
  * @param {import('../figure/state-in-url.js').State} state
  */
 async function isRefused(spec, state) {
-  const loaded = await loadModule()
+  if (spec.world) return false
+  const loaded = await loadBuild(spec.build)
   if (!loaded.ok) return false
   try {
     const labs = /** @type {any} */ (loaded.module)

@@ -2,7 +2,7 @@
 
 import { part } from '../draw/dom.js'
 
-/** @typedef {import('estimate-wasm/log').LogFile} LogFile */
+/** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('../widgets/robot-log/server.js').Change} Change */
 
 const ROLES = {

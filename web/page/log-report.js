@@ -5,8 +5,8 @@ import { fixed } from '../draw/numbers.js'
 import { writeHtml } from '../draw/words.js'
 import { clock, percent } from '../widgets/robot-log/words.js'
 
-/** @typedef {import('estimate-wasm/log').LogContents} LogContents */
-/** @typedef {import('estimate-wasm/log').LogFrame} Frame */
+/** @typedef {import('estimate-wasm').LogContents} LogContents */
+/** @typedef {import('estimate-wasm').LogFrame} Frame */
 /** @typedef {import('../draw/words.js').Words} Words */
 
 export class Report {

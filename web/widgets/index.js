@@ -1,14 +1,21 @@
-/** The scripts of the figures. Each is fetched when the first figure of its kind comes near the screen. */
+/** The figures: what the list says of each, and its script, which is fetched when the first of its kind comes near the screen. */
+
+import { FIGURES } from '../../target/figures.js'
+
+/**
+ * @typedef {object} Listed what the list of figures says of one (crates/labs/src/figures.rs)
+ * @property {string} name its lab's name in a state, the name of its folder and of its page
+ * @property {string} tag the custom element
+ * @property {string} lab its lab's class in the module
+ * @property {string} build the build of the module that has the class
+ * @property {boolean} world whether the lab stands on something from outside, as on a log
+ * @property {string | null} was its name in old addresses
+ */
 
 /** @type {Record<string, () => Promise<import('../figure/spec.js').FigureSpec>>} */
-export const WIDGETS = {
-  'observability-probe': () => import('./observability-probe/index.js').then((module) => module.observabilityProbe),
-  'kalman-picture': () => import('./kalman-picture/index.js').then((module) => module.kalmanPicture),
-  'observer-bench': () => import('./observer-bench/index.js').then((module) => module.observerBench),
-  'robot-log': () => import('./robot-log/index.js').then((module) => module.robotLog),
-  'tune-me': () => import('./tune-me/index.js').then((module) => module.tuneMe),
-  'close-loop': () => import('./close-loop/index.js').then((module) => module.closeLoop),
-  'own-system': () => import('./own-system/index.js').then((module) => module.ownSystem),
-  'odometry-hook': () => import('./odometry-hook/index.js').then((module) => module.odometryHook),
-  'bug-museum': () => import('./bug-museum/index.js').then((module) => module.bugMuseum),
-}
+export const WIDGETS = Object.fromEntries(
+  FIGURES.map((listed) => [
+    listed.name,
+    async () => ({ ...(await import(`./${listed.name}/index.js`)).figure, ...listed }),
+  ]),
+)

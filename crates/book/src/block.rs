@@ -13,12 +13,13 @@ use crate::inline::source_href;
 use crate::notation::Row;
 use crate::output::Outputs;
 use crate::piece::{Piece, Tex};
-use crate::still::{DRAWINGS, WIDGETS};
+use crate::still::DRAWINGS;
 use crate::syntax::statements;
 use crate::template::safe;
 use crate::tex::{Formula, Style};
 use crate::tree::Node;
 use crate::writer::Writer;
+use labs::{FIGURES, Figure};
 
 /// Kinds of notes and what each is headed with.
 const NOTES: [(&str, &str); 4] =
@@ -158,7 +159,8 @@ impl Writer<'_> {
     fn figure(&mut self, id: &str, attributes: &Attributes, place: &Place) -> Value {
         let (widget, drawing) = (attributes.value("widget"), attributes.value("drawing"));
         let name = widget.or(drawing).unwrap_or_default();
-        let known: &[&str] = if widget.is_some() { &WIDGETS } else { &DRAWINGS };
+        let known = if widget.is_some() { FIGURES.iter().map(Figure::name).collect() } else { DRAWINGS.to_vec() };
+        let tag = FIGURES.iter().find(|figure| figure.name() == name).map(Figure::tag);
         if widget.is_some() == drawing.is_some() {
             self.diagnostics.report(place, "a figure has a widget or a drawing");
         } else if !known.contains(&name) {
@@ -183,7 +185,7 @@ impl Writer<'_> {
             }
             None => still.svg,
         };
-        context! { widget, title, start, still => safe(html), words => still.words }
+        context! { widget, tag, title, start, still => safe(html), words => still.words }
     }
 
     fn algorithm(&mut self, attributes: &Attributes, place: &Place) -> Value {

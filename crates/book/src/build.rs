@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use labs::checks::Check;
+use lab::Check;
+use labs::FIGURES;
 use minijinja::{Value, context};
 use serde::Serialize;
 
@@ -11,7 +12,7 @@ use crate::check;
 use crate::config::Chapter;
 use crate::diagnostic::{BuildError, Diagnostics};
 use crate::dist::Dist;
-use crate::figure::Figure;
+use crate::figure::{self, Figure};
 use crate::file;
 use crate::found::Found;
 use crate::hash::fnv1a;
@@ -144,14 +145,20 @@ impl Pages<'_> {
     fn figures(&mut self, slug: &str, from: &str, figures: &[Figure]) -> Result<(), BuildError> {
         let usual = figures.iter().filter(|figure| figure.start.is_none());
         for figure in usual.chain(figures) {
-            let address = format!("figure/{}/", figure.widget);
+            let address = figure::address(&figure.widget);
             if self.dist.files.contains_key(&format!("{address}index.html")) {
                 continue;
             }
             let about = format!("{}: a figure of {from}, alive.", figure.name);
             let formulas = figure.caption.contains("class=\"katex");
             let extra = context! { figure => serde(figure), slug, from, formulas };
-            self.page("figure", &address, &figure.name, &about, extra)?;
+            self.page("figure", &address, &figure.name, &about, extra.clone())?;
+            // An address of before opens the same page, which says where it is now.
+            let was = FIGURES.iter().find(|known| known.name() == figure.widget).and_then(|known| known.was);
+            if let Some(was) = was {
+                let extra = context! { canonical => format!("../{}/", figure.widget), ..extra };
+                self.page("figure", &figure::address(was), &figure.name, &about, extra)?;
+            }
         }
         Ok(())
     }

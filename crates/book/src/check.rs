@@ -1,6 +1,6 @@
 //! The page that runs the chapter's checks again in the reader's own browser.
 
-use labs::checks::Check;
+use lab::Check;
 use minijinja::{Value, context};
 
 use crate::source::Sources;

@@ -1,5 +1,6 @@
 //! A figure alone, for a page of its own that other pages can embed.
 
+use labs::FIGURES;
 use serde::Serialize;
 
 use crate::diagnostic::Diagnostics;
@@ -14,8 +15,10 @@ use crate::writer::Writer;
 pub struct Figure {
     /// Its id in the chapter, under which an address holds its state.
     pub id: String,
-    /// The custom element.
+    /// Its name, as the one list of figures has it.
     pub widget: String,
+    /// The custom element.
+    pub tag: String,
     /// What a cross-reference calls it, as in "Figure 2".
     pub label: String,
     /// Its title as HTML.
@@ -34,6 +37,11 @@ pub struct Figure {
 
 /// From a figure's own page, `figure/<widget>/`, to the site's root.
 const ROOT: &str = "../../";
+
+/// The address of the page of the figure called `name`.
+pub fn address(name: &str) -> String {
+    format!("figure/{name}/")
+}
 
 /// The figures of a page, in order.
 pub fn figures(site: &Site, texts: &[Vec<Node>], labels: &Labels, diagnostics: &Diagnostics) -> Vec<Figure> {
@@ -70,6 +78,11 @@ fn figure(writer: &mut Writer<'_>, node: &Node) -> Option<Figure> {
         still: still.svg,
         words: still.words,
         id,
+        tag: FIGURES
+            .iter()
+            .find(|figure| figure.name() == widget)
+            .map(|figure| figure.tag().into())
+            .unwrap_or_default(),
         widget,
     })
 }

@@ -5,8 +5,8 @@ use std::process::ExitCode;
 use std::time::Instant;
 
 use book::{Assets, Build, BuildError, Diagnostics, Kept, Outputs, Site};
+use chapter_kalman::{checks::chapter_checks, givens::Givens, numbers::with_ensembles};
 use clap::Parser;
-use labs::givens::Givens;
 
 /// Builds the site.
 #[derive(Parser)]
@@ -29,6 +29,10 @@ struct Options {
     /// Refuses a site whose scripts, styles or stills have not been built.
     #[arg(long)]
     strict: bool,
+    /// Writes the list of figures for scripts (`figures.js`, `opened.json`) into this folder, prints the builds of the module that they
+    /// ask for, and builds nothing.
+    #[arg(long, value_name = "FOLDER")]
+    list: Option<PathBuf>,
     /// Leaves the answers to questions and exercises out; the pages then check nothing.
     #[arg(long)]
     no_answers: bool,
@@ -42,11 +46,15 @@ struct Options {
 
 fn build(options: &Options) -> Result<String, BuildError> {
     let start = Instant::now();
+    if let Some(folder) = &options.list {
+        book::write_list(&options.root, folder)?;
+        return Ok(book::builds().join("\n"));
+    }
     let diagnostics = Diagnostics::default();
     let failed = |e| BuildError::Missing(format!("the labs: {e}"));
     let kept = Kept::by_this_program(&options.kept);
-    let numbers = kept.or("numbers", "", || labs::numbers::with_ensembles(&Givens::default())).map_err(failed)?;
-    let checks = labs::checks::chapter_checks().map_err(failed)?;
+    let numbers = kept.or("numbers", "", || with_ensembles(&Givens::default())).map_err(failed)?;
+    let checks = chapter_checks().map_err(failed)?;
     let stills = book::load_stills(&options.stills, options.strict)?;
     let mut site =
         Site::load(&options.root, numbers.into_iter().collect(), Outputs::of(&options.root), stills, &diagnostics)?;

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-pub use labs::numbers::Number;
+pub use lab::Number;
 
 /// Every number the content may print, by id.
 #[derive(Clone, Debug, Default)]

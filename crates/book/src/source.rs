@@ -14,14 +14,16 @@ pub struct Sources {
 }
 
 /// Folders whose sources have pages.
-const FOLDERS: [&str; 9] = [
+const FOLDERS: &[&str] = &[
     "crates/geom/src",
     "crates/filters/src",
     "crates/sim/src",
     "crates/estimate/src",
     "crates/estimate/examples",
     "crates/estimate/tests",
+    "crates/lab/src",
     "crates/labs/src",
+    "crates/chapter-kalman/src",
     "crates/estimate-wasm/src",
     "tests",
 ];

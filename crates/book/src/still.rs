@@ -6,19 +6,7 @@ use std::path::Path;
 use crate::diagnostic::BuildError;
 use crate::file;
 use crate::hash::fnv1a;
-
-/// The custom elements a figure can hold.
-pub const WIDGETS: [&str; 9] = [
-    "observer-bench",
-    "odometry-hook",
-    "observability-probe",
-    "kalman-picture",
-    "robot-log",
-    "tune-me",
-    "close-loop",
-    "bug-museum",
-    "own-system",
-];
+use labs::{FIGURES, Figure};
 
 /// The drawings that do not move, of `web/drawings`.
 pub const DRAWINGS: [&str; 1] = ["covariance"];
@@ -70,7 +58,8 @@ pub type Stills = BTreeMap<String, Still>;
 pub fn load(folder: &Path, strict: bool) -> Result<Stills, BuildError> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let drawn = entries.filter_map(|entry| entry.file_name().to_str()?.strip_suffix(".svg").map(String::from));
-    let names: BTreeSet<String> = drawn.chain(WIDGETS.iter().chain(&DRAWINGS).map(|name| name.to_string())).collect();
+    let names: BTreeSet<String> =
+        drawn.chain(FIGURES.iter().map(Figure::name).chain(DRAWINGS).map(String::from)).collect();
     let mut stills = Stills::new();
     for name in names {
         let [svg, words] = ["svg", "txt"].map(|extension| folder.join(format!("{name}.{extension}")));

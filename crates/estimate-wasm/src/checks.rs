@@ -9,7 +9,7 @@ use wasm_bindgen::prelude::*;
 /// Runs the chapter's checks, single runs only.
 #[wasm_bindgen(js_name = chapterChecks, unchecked_return_type = "Check[]")]
 pub fn chapter_checks() -> Result<JsValue, JsValue> {
-    Ok(to_value(&labs::checks::chapter_checks().map_err(Thrown::from)?)?)
+    Ok(to_value(&chapter_kalman::checks::chapter_checks().map_err(Thrown::from)?)?)
 }
 
 /// Runs the check with the number `id`, 1 to 13; any other whole number is an error with the code "index".
@@ -23,5 +23,5 @@ pub fn chapter_check(#[wasm_bindgen(unchecked_param_type = "number")] id: &JsVal
         e
     };
     let id = Arg::new(id, "id").whole(1, 13).map_err(as_index).map_err(Thrown::from)?;
-    Ok(to_value(&labs::checks::chapter_check(id).map_err(Thrown::from)?)?)
+    Ok(to_value(&chapter_kalman::checks::chapter_check(id).map_err(Thrown::from)?)?)
 }

@@ -4,7 +4,7 @@
 use crate::names::name;
 use estimate::{Code, Error};
 use js_sys::{Array, JsString};
-use labs::{Parameter, Shape};
+use lab::{Parameter, Shape};
 use std::borrow::Cow;
 use std::cell::Cell;
 use std::fmt;

@@ -2,7 +2,7 @@
 
 use crate::names::{name, of_fields};
 use js_sys::Array;
-use labs::{Field, Shape};
+use lab::{Field, Shape};
 use std::slice::Iter;
 use wasm_bindgen::prelude::*;
 
@@ -169,7 +169,7 @@ mod answers {
     }
 
     /// A plain value.
-    pub(crate) fn shown<T: labs::Plain>(value: &T) -> JsValue {
+    pub(crate) fn shown<T: lab::Plain>(value: &T) -> JsValue {
         let mut numbers = Vec::new();
         value.write(&mut numbers);
         Row::new(&numbers).value(&T::SHAPE)

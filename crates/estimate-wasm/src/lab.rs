@@ -5,7 +5,7 @@ use crate::encode::{Row, record};
 use crate::errors::Thrown;
 use crate::object::Held;
 use estimate::Error;
-use labs::{Experiment, Kind, Parameter, Shape};
+use lab::{Experiment, Kind, Parameter, Shape};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -160,24 +160,31 @@ fn copy(shape: &Shape, from: &mut std::slice::Iter<'_, f64>, to: &mut Vec<f64>) 
     }
 }
 
-/// What the classes of all labs can do: `lab_face!("What it is.", Name: its kind, "Partial<Params>", "Frame", "LabState<Params>")`,
-/// with the TypeScript names of its partial parameters, its frame and its state. What it is comes as plain text: of a doc comment
-/// that has gone through a macro, wasm-bindgen writes the quotes too.
-macro_rules! lab_face {
-    ($doc:tt, $name:ident: $kind:expr, $partial:tt, $frame:tt, $state:tt) => {
-        #[doc = $doc]
-        #[wasm_bindgen]
+/// What the class of a lab can do. Its TypeScript is written from the lab's declarations, where `$world` is the type of what it stands
+/// on; such a lab has its constructor where its world is.
+#[allow(unused_macros)]
+macro_rules! lab_class {
+    ($name:ident $($world:ident)?) => {
+        #[cfg(target_arch = "wasm32")]
+        const _: () = {
+            #[wasm_bindgen(typescript_custom_section)]
+            const TYPES: &str =
+                const { &lab::class::<labs::$name>(stringify!($name), concat!($(stringify!($world))?)) }.as_str();
+        };
+
+        /// A lab of the page.
+        #[wasm_bindgen(skip_typescript)]
         #[repr(transparent)]
-        pub struct $name($crate::object::Held);
+        pub struct $name(pub(crate) Held);
 
         impl $name {
-            const CLASS: &'static $crate::lab::Class = &$crate::lab::Class { name: stringify!($name), kind: $kind };
+            pub(crate) const CLASS: &'static Class =
+                &Class { name: stringify!($name), kind: const { &Kind::of::<labs::$name>() } };
         }
 
         #[wasm_bindgen]
         impl $name {
             /// The parameters: how far each goes, in which steps, and its default.
-            #[wasm_bindgen(unchecked_return_type = "Parameter[]")]
             pub fn parameters() -> JsValue {
                 Self::CLASS.parameters()
             }
@@ -189,93 +196,70 @@ macro_rules! lab_face {
             }
 
             /// Changes the parameters given, and replays the run to the present step.
-            pub fn set(
-                &self,
-                #[wasm_bindgen(unchecked_param_type = $partial)] params: &JsValue,
-            ) -> Result<(), $crate::errors::Thrown> {
+            pub fn set(&self, params: &JsValue) -> Result<(), Thrown> {
                 Self::CLASS.set(&self.0, params)
             }
 
             /// One step.
-            pub fn step(&self) -> Result<(), $crate::errors::Thrown> {
+            pub fn step(&self) -> Result<(), Thrown> {
                 Self::CLASS.advance(&self.0, 1)
             }
 
             /// `n` steps, at most to the last step.
-            pub fn run(
-                &self,
-                #[wasm_bindgen(unchecked_param_type = "number")] n: &JsValue,
-            ) -> Result<(), $crate::errors::Thrown> {
+            pub fn run(&self, n: &JsValue) -> Result<(), Thrown> {
                 Self::CLASS.run(&self.0, n)
             }
 
             /// What there is to draw.
-            #[wasm_bindgen(unchecked_return_type = $frame)]
-            pub fn frame(&self) -> Result<JsValue, $crate::errors::Thrown> {
+            pub fn frame(&self) -> Result<JsValue, Thrown> {
                 Self::CLASS.frame(&self.0)
             }
 
             /// Parameters and step: all it takes to find this lab again.
-            #[wasm_bindgen(unchecked_return_type = $state)]
-            pub fn state(&self) -> Result<JsValue, $crate::errors::Thrown> {
+            pub fn state(&self) -> Result<JsValue, Thrown> {
                 Self::CLASS.state(&self.0)
             }
 
-            /// A hash of what the run has recorded at every step (truth, readings, estimates, covariances and their
-            /// comparison), bit for bit, in hexadecimal.
-            pub fn digest(&self) -> Result<String, $crate::errors::Thrown> {
+            /// A hash of what the run has recorded at every step, bit for bit, in hexadecimal.
+            pub fn digest(&self) -> Result<String, Thrown> {
                 Self::CLASS.digest(&self.0)
             }
         }
+
+        lab_start! { $name $($world)? }
     };
 }
 
-/// The class of a lab that is a function of its parameters and its step alone.
-#[cfg(any(feature = "figures", feature = "late", feature = "system"))]
-macro_rules! lab_class {
-    ($doc:tt, $name:ident: $lab:ty, $partial:tt, $frame:tt, $state:tt) => {
-        lab_face! { $doc, $name: const { &labs::Kind::of::<$lab>() }, $partial, $frame, $state }
-
+/// How a lab is made that stands on its parameters alone.
+#[allow(unused_macros)]
+macro_rules! lab_start {
+    ($name:ident) => {
         #[wasm_bindgen]
         impl $name {
             /// The lab at step 0; what `params` leaves out takes its default.
             #[wasm_bindgen(constructor)]
-            pub fn new(
-                #[wasm_bindgen(unchecked_optional_param_type = $partial)] params: &JsValue,
-            ) -> Result<$name, $crate::errors::Thrown> {
-                Self::CLASS.open(params, &labs::open::<$lab>).map(Self)
+            pub fn new(params: &JsValue) -> Result<$name, Thrown> {
+                Self::CLASS.open(params, &|params, step| lab::open::<labs::$name>((), params, step)).map(Self)
             }
 
             /// The lab in a state that `state()` answered.
-            pub fn from(
-                #[wasm_bindgen(unchecked_param_type = $state)] state: &JsValue,
-            ) -> Result<$name, $crate::errors::Thrown> {
-                Self::CLASS.open_state(state, &labs::open::<$lab>).map(Self)
+            pub fn from(state: &JsValue) -> Result<$name, Thrown> {
+                Self::CLASS.open_state(state, &|params, step| lab::open::<labs::$name>((), params, step)).map(Self)
             }
         }
     };
+    ($name:ident $world:ident) => {};
 }
 
-#[cfg(feature = "log")]
-pub(crate) use lab_face;
+/// The classes of the labs whose build this is.
+macro_rules! lab_classes {
+    ($($name:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
+        $(#[cfg(feature = $build)] lab_class! { $name $($world)? })*
+    };
+}
 
-#[cfg(feature = "figures")]
-pub use figures::{ObserverBench, OdometryHook, Picture};
+labs::figures!(lab_classes);
 
-/// The labs of the chapter's simulated robots.
-#[cfg(feature = "figures")]
-mod figures;
-
-#[cfg(feature = "late")]
-pub use late::{BugMuseum, LoopClosure, ObservabilityProbe, Tune};
-
-/// The labs of figures late in the chapter.
+/// What some labs can do beside the rest.
 #[cfg(feature = "late")]
 mod late;
-
-#[cfg(feature = "system")]
-pub use system::OwnSystem;
-
-/// The lab of a system of the reader's own.
-#[cfg(feature = "system")]
-mod system;

@@ -38,18 +38,13 @@ mod object;
 #[cfg(feature = "log")]
 mod robot_log;
 
+pub use self::lab::*;
 #[cfg(feature = "functions")]
 pub use self::{
     analysis::*, checks::*, ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
 };
 #[cfg(feature = "log")]
-pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog, robot_log::RobotLog};
-#[cfg(feature = "system")]
-pub use lab::OwnSystem;
-#[cfg(feature = "late")]
-pub use lab::{BugMuseum, LoopClosure, ObservabilityProbe, Tune};
-#[cfg(feature = "figures")]
-pub use lab::{ObserverBench, OdometryHook, Picture};
+pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog};
 
 use wasm_bindgen::prelude::*;
 

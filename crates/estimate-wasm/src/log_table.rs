@@ -2,9 +2,11 @@
 
 use crate::decode::Arg;
 use crate::errors::Thrown;
+use crate::lab::RobotLog;
 use crate::object::Held;
-use crate::robot_log::{RobotLog, logged};
-use labs::{LogTableKind, Params};
+use crate::robot_log::logged;
+use lab::{Lab, Params};
+use labs::LogTableKind;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 

@@ -2,7 +2,7 @@
 
 #[cfg(feature = "functions")]
 use js_sys::Array;
-use labs::Field;
+use lab::Field;
 use std::cell::RefCell;
 use wasm_bindgen::prelude::*;
 

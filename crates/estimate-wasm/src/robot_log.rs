@@ -3,12 +3,13 @@
 use crate::decode::Arg;
 use crate::encode::{Row, record};
 use crate::errors::Thrown;
-use crate::lab::{AnyLab, lab_face};
+use crate::lab::{AnyLab, RobotLog};
 use crate::object::Held;
 use estimate::drive::{Motion, Summary};
 use estimate::{Code, Error, Landmark};
 use js_sys::{Array, JsString};
-use labs::{LogParams, LoggedDrive, Params, Plain};
+use lab::{Lab, Params, Plain};
+use labs::{LogParams, LoggedDrive};
 use std::cell::RefCell;
 use std::sync::{Arc, Weak};
 use wasm_bindgen::prelude::*;
@@ -39,6 +40,16 @@ export interface LogContents {
  * and `column` are 0 where the fault is of all files together: no file has the robot's motion.
  */
 export interface LogError extends EstimateError { code: "log"; argument: "text"; file: number; line: number; column: number }
+export namespace RobotLog {
+    /** Reads a log. What is no log throws a `LogError`, which says in which line and column. */
+    function parse(text: string): DriveLog;
+}
+export interface RobotLog {
+    /** All rows that are left. */
+    runAll(): void;
+    /** What the replay says of itself so far. */
+    summary(): LogSummary;
+}
 "#;
 
 #[wasm_bindgen]
@@ -122,35 +133,23 @@ pub(crate) fn logged(log: &JsValue) -> Result<Arc<LoggedDrive>, Error> {
     known.ok_or_else(|| Error::new(Code::Type, "log", "is no log; it must be what RobotLog.parse has answered"))
 }
 
-lab_face! {
-    "A robot that really drove: a log, replayed under the reader's settings. A step is a row of motion or of a sighting.",
-    RobotLog: labs::RobotLog::KIND, "Partial<LogParams>", "LogFrame", "LabState<LogParams>"
-}
-
 #[wasm_bindgen]
 impl RobotLog {
     /// Reads a log. What is no log throws a `LogError`, which says in which line and column.
-    #[wasm_bindgen(unchecked_return_type = "DriveLog")]
-    pub fn parse(#[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue) -> Result<DriveLog, Thrown> {
+    pub fn parse(text: &JsValue) -> Result<DriveLog, Thrown> {
         let text = text_of(text)?;
         Ok(DriveLog::keep(robot_log::parse(&text)?, Vec::new()))
     }
 
     /// The log before its first row; what `params` leaves out takes its default.
     #[wasm_bindgen(constructor)]
-    pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
-        #[wasm_bindgen(unchecked_optional_param_type = "Partial<LogParams>")] params: &JsValue,
-    ) -> Result<RobotLog, Thrown> {
+    pub fn new(log: &JsValue, params: &JsValue) -> Result<RobotLog, Thrown> {
         let log = logged(log)?;
         Self::CLASS.open(params, &opener(&log)).map(Self)
     }
 
     /// The lab in a state that `state()` answered.
-    pub fn from(
-        #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "LabState<LogParams>")] state: &JsValue,
-    ) -> Result<RobotLog, Thrown> {
+    pub fn from(log: &JsValue, state: &JsValue) -> Result<RobotLog, Thrown> {
         let log = logged(log)?;
         Self::CLASS.open_state(state, &opener(&log)).map(Self)
     }
@@ -162,7 +161,6 @@ impl RobotLog {
     }
 
     /// What the replay says of itself so far.
-    #[wasm_bindgen(unchecked_return_type = "LogSummary")]
     pub fn summary(&self) -> Result<JsValue, Thrown> {
         let mut numbers = Vec::new();
         Self::CLASS.lab(&self.0, |lab: &labs::RobotLog| {
@@ -182,7 +180,7 @@ impl RobotLog {
 
 /// What makes a lab of this log.
 fn opener(log: &Arc<LoggedDrive>) -> impl Fn(&[f64], u32) -> Result<AnyLab, Error> + '_ {
-    |params, step| Ok(Box::new(labs::RobotLog::at(Arc::clone(log), Params::read(&mut params.iter()), step)?))
+    |params, step| lab::open::<labs::RobotLog>(Arc::clone(log), params, step)
 }
 
 /// A text; one that is too long is refused before it is copied.

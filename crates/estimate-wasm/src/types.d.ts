@@ -42,6 +42,26 @@ export interface LabState<Params> {
   params: Params
   step: number
 }
+/** What every lab can do. */
+export interface Lab<Params, Frame> {
+  /** Changes the parameters given, and replays the run to the present step. */
+  set(params: Partial<Params>): void
+  /** One step. */
+  step(): void
+  /** `n` steps, at most to the last step. */
+  run(n: number): void
+  /** What there is to draw. */
+  frame(): Frame
+  /** Parameters and step: all it takes to find this lab again. */
+  state(): LabState<Params>
+  /**
+   * A hash of what the run has recorded at every step (truth, readings, estimates, covariances and their comparison), bit for bit, in
+   * hexadecimal.
+   */
+  digest(): string
+  free(): void
+  [Symbol.dispose](): void
+}
 /** What is known of one parameter of a lab. */
 export interface Parameter {
   name: string

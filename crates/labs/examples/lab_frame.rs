@@ -2,14 +2,14 @@
 //! and prints the frame this machine's own code computes for it, for the test that compares every readout of a figure in
 //! the page with it. A number that is not finite is printed as null.
 
-use labs::{
-    BugMuseum, Lab, LogParams, LoggedDrive, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, OwnSystem,
-    Params, Picture, RobotLog, Shape, Shown, State, Tune,
-};
+mod world;
+
+use lab::{Lab, Params, Shape, Shown};
+use labs::*;
 use serde_json::Value;
 use std::error::Error;
 use std::io::Read;
-use std::sync::Arc;
+use world::Sample;
 
 type Answer<T> = Result<T, Box<dyn Error>>;
 
@@ -20,30 +20,24 @@ fn main() -> Answer<()> {
     if version != 1 {
         return Err(format!("a state of version {version}; this knows version 1").into());
     }
-    match lab.as_str() {
-        ObserverBench::NAME => print::<ObserverBench>(step, &params),
-        OdometryHook::NAME => print::<OdometryHook>(step, &params),
-        ObservabilityProbe::NAME => print::<ObservabilityProbe>(step, &params),
-        Picture::NAME => print::<Picture>(step, &params),
-        LoopClosure::NAME => print::<LoopClosure>(step, &params),
-        OwnSystem::NAME => print::<OwnSystem>(step, &params),
-        Tune::NAME => print::<Tune>(step, &params),
-        BugMuseum::NAME => print::<BugMuseum>(step, &params),
-        RobotLog::NAME => print_log(step, &params),
-        _ => Err(format!("there is no lab {lab}").into()),
-    }
+    print(&lab, step, &params)
 }
 
-fn print<L: Lab>(step: u32, params: &Value) -> Answer<()> {
-    let lab = L::from_state(State { params: given(params)?, step })?;
-    println!("{}", serde_json::to_string(&Shown(&lab.frame()))?);
-    Ok(())
+macro_rules! print_one {
+    ($($lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
+        fn print(lab: &str, step: u32, params: &Value) -> Answer<()> {
+            match lab {
+                $($lab::NAME => print_frame::<$lab>(step, params),)*
+                _ => Err(format!("there is no lab {lab}").into()),
+            }
+        }
+    };
 }
 
-/// The lab of the log that the page fetches.
-fn print_log(step: u32, params: &Value) -> Answer<()> {
-    let log = robot_log::parse(include_str!("../../../content/logs/plaza1.csv"))?;
-    let lab = RobotLog::at(Arc::new(LoggedDrive::new(log.drive)), given::<LogParams>(params)?, step)?;
+labs::figures!(print_one);
+
+fn print_frame<L: Lab<World: Sample>>(step: u32, params: &Value) -> Answer<()> {
+    let lab = L::at(Sample::sample()?, given(params)?, step)?;
     println!("{}", serde_json::to_string(&Shown(&lab.frame()))?);
     Ok(())
 }

@@ -2,6 +2,7 @@
 //! reckoning beside it and keeps what the figure shows. One round, as JSON, for `scripts/bench-log.mjs`.
 
 use estimate::drive::{Replay, Settings};
+use lab::Lab;
 use labs::{LogParams, LoggedDrive, RobotLog};
 use std::error::Error;
 use std::sync::Arc;
@@ -33,7 +34,7 @@ fn main() -> Result<(), Box<dyn Error>> {
     };
     let alone = rate(&mut filter)?;
     let logged = Arc::new(LoggedDrive::new(robot_log::parse(text)?.drive));
-    let lab = rate(&mut || Ok(RobotLog::new(Arc::clone(&logged), LogParams::default())?.run_all()?))?;
+    let lab = rate(&mut || Ok(RobotLog::start(Arc::clone(&logged), LogParams::default())?.run_all()?))?;
     println!("{{ \"filter\": {alone:.0}, \"lab\": {lab:.0}, \"rmse\": {} }}", rmse.unwrap_or(f64::NAN));
     Ok(())
 }

@@ -10,7 +10,7 @@ use estimate::slam::{self, EkfSlam};
 use estimate::{ChosetEkf, Landmark, Sighting};
 use filters::association::Thresholds;
 use filters::linear;
-use labs::Lab;
+use lab::Lab;
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Vector1, Vector2, Vector3};
 use std::hint::black_box;
 use std::time::Instant;
@@ -132,7 +132,7 @@ fn dense(n: usize) -> f64 {
     start.elapsed().as_secs_f64() / f64::from(steps) * 1e9
 }
 
-fn lab<L: Lab>(steps: u32) -> f64 {
+fn lab<L: Lab<World = ()>>(steps: u32) -> f64 {
     let Ok(mut lab) = L::new(L::Params::default()) else { return f64::NAN };
     let start = Instant::now();
     let ran = lab.run(black_box(steps));

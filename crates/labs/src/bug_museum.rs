@@ -16,14 +16,13 @@ pub use figures::{FIGURES, PANELS};
 pub use frame::{MuseumAnswer, MuseumFigure, MuseumFrame, MuseumReadings, MuseumSeries, MuseumSighting};
 pub use params::{Bug, MuseumParams};
 
-use crate::declare::Params;
-use crate::lab::{Digest, Lab, kept};
-use crate::series::Tracks;
-use crate::spread::SEEDS;
+use crate::ensemble::SEEDS;
 use estimate::Error;
 use figures::{Compared, Sums};
 use filter::{DELAY, Filter, Outcome};
 use geom::SE2;
+use lab::series::Tracks;
+use lab::{Digest, Lab, Params, kept, named};
 use nalgebra::{Vector2, Vector3};
 use sim::scenarios::BUG_MUSEUM;
 use sim::{Noise, Sighting};
@@ -56,9 +55,13 @@ pub struct BugMuseum {
 }
 
 impl Lab for BugMuseum {
-    kept! { "bug-museum", MuseumParams, MuseumFrame }
+    named! {
+        "bug-museum", MuseumParams, MuseumFrame, &[frame::INTERFACES],
+        "A filter with a bug in it, chosen or drawn by lot, beside what a right filter's panels show."
+    }
+    kept! {}
 
-    fn new(params: MuseumParams) -> Result<Self, Error> {
+    fn start((): (), params: MuseumParams) -> Result<Self, Error> {
         params.check()?;
         let mut noise = Noise::new(u64::from(params.seed));
         let truth = BUG_MUSEUM.course.start();
@@ -89,6 +92,11 @@ impl Lab for BugMuseum {
     }
 
     /// A step of the one run, or the whole run of the next seed.
+    fn tried() -> Vec<Self::Params> {
+        let open = MuseumParams::default();
+        vec![open, MuseumParams { bug: Bug::ShortForm, second: Bug::Transposed, ..open }]
+    }
+
     fn advance(&mut self) -> Result<(), Error> {
         if !self.params.many {
             self.drive();

@@ -1,36 +1,29 @@
 //! The experiments of the page as plain Rust: each lab takes a few parameters and answers with one frame of plain values.
 //!
-//! A lab is a function of its parameters (the seed is one) and its step, to the last bit; see [`Lab`]. What the prose
-//! prints comes from [`numbers`], what the chapter checks from [`checks`], and what was chosen from [`givens`].
+//! A lab is a function of its parameters (the seed is one) and its step, to the last bit; see [`lab::Lab`]. What figures there are
+//! is listed once, in [`figures!`].
 
-mod bug_museum;
-pub mod checks;
-mod declare;
-pub mod ensembles;
-pub mod givens;
-mod lab;
+pub mod bug_museum;
+pub mod ensemble;
+mod figures;
 mod loop_closure;
-mod mapping;
-pub mod numbers;
-mod observability_probe;
-mod observer_bench;
-mod odometry_hook;
+pub mod mapping;
+pub mod observability_probe;
+pub mod observer_bench;
+pub mod odometry_hook;
 mod own_system;
 mod picture;
 mod robot_log;
-mod series;
 mod shapes;
-mod spread;
-mod true_path;
+pub mod true_path;
 mod tune;
 mod typescript;
 
 pub use bug_museum::{
     Bug, BugMuseum, MuseumAnswer, MuseumFigure, MuseumFrame, MuseumParams, MuseumReadings, MuseumSeries, MuseumSighting,
 };
-pub use declare::{Field, Knob, Parameter, Params, Plain, Shape, Shown};
 pub use estimate::localizer::SensorKind;
-pub use lab::{Digest, Experiment, Kind, Lab, MAX_STEP, State, open};
+pub use figures::{FIGURES, Figure};
 pub use loop_closure::{
     LoopClosure, LoopFrame, LoopGate, LoopMoment, LoopParams, LoopSeries, LoopSighting, LoopThresholds,
 };
@@ -50,8 +43,7 @@ pub use robot_log::{
     LogBands, LogCorrelation, LogErrors, LogFrame, LogHistogram, LogInnovations, LogLandmark, LogNis, LogParams,
     LogRanges, LogSighting, LogTable, LogTableKind, LogTimeline, LogTracks, LoggedDrive, RobotLog,
 };
-pub use series::{Series, Track, Tracks, WINDOW};
-pub use shapes::{BenchBelief, ellipse_of};
+pub use shapes::{BenchBelief, ellipse_of, inside};
 pub use true_path::TruePath;
 pub use tune::{MAX_MAP_SIZE, Tune, TuneBand, TuneFit, TuneFrame, TuneParams, TuneVerdict};
 pub use typescript::TYPESCRIPT;

@@ -3,19 +3,14 @@
 //! The cross-covariances tie the far end of the map to its beginning. The wrong filter, whose cross-covariances are
 //! dropped after every step, is put together here from the right one.
 
-mod ensemble;
 pub(crate) mod frame;
 mod params;
 mod view;
 
-pub use ensemble::{LoopEnsemble, loops};
 pub use frame::{LoopFrame, LoopGate, LoopMoment, LoopSeries, LoopSighting, LoopThresholds};
 pub use params::LoopParams;
 
-use crate::declare::Params;
-use crate::lab::{Digest, Lab, kept};
 use crate::mapping::{Mapping, Seen};
-use crate::series::Tracks;
 use crate::true_path::sensor_covariance;
 use estimate::Error;
 use estimate::kf::Gaussian;
@@ -23,6 +18,8 @@ use estimate::slam::{EkfSlam, Mapped, Outcome};
 use filters::association::Thresholds;
 use filters::consistency::{mahalanobis_squared, nees};
 use geom::{SE2, angle_diff};
+use lab::series::Tracks;
+use lab::{Digest, Lab, Params, kept, named};
 use nalgebra::Vector2;
 use sim::Noise;
 use sim::scenarios::{LOOP_CLOSURE, RangeBearingSlam};
@@ -62,9 +59,14 @@ pub struct LoopClosure {
 }
 
 impl Lab for LoopClosure {
-    kept! { "loop-closure", LoopParams, LoopFrame }
+    named! {
+        "loop-closure", LoopParams, LoopFrame, &[frame::INTERFACES],
+        "Range–bearing SLAM around the corridor with a sensor of short reach: a loop that is closed, with or \
+         without cross-covariances."
+    }
+    kept! {}
 
-    fn new(params: LoopParams) -> Result<Self, Error> {
+    fn start((): (), params: LoopParams) -> Result<Self, Error> {
         params.check()?;
         let constants = RangeBearingSlam { gate: params.gate.min(params.found), found: params.found, ..LOOP_CLOSURE };
         let mut mapping = Mapping::new(constants.landmarks, &constants)?;
@@ -87,6 +89,11 @@ impl Lab for LoopClosure {
         };
         lab.look()?;
         Ok(lab)
+    }
+
+    fn tried() -> Vec<Self::Params> {
+        let open = LoopParams::default();
+        vec![open, LoopParams { correlated: false, found: 12.0, ..open }]
     }
 
     fn advance(&mut self) -> Result<(), Error> {

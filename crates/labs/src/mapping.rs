@@ -1,13 +1,13 @@
 //! Range–bearing SLAM on a true path, with the bookkeeping that only a simulation can do: which landmark of the map is
 //! which in truth.
 
-use crate::declare::record;
 use crate::true_path::sensor_covariance;
 use estimate::kf::Gaussian;
 use estimate::slam::{EkfSlam, Outcome, Reading, Report};
 use estimate::{Error, Landmark};
 use filters::association::Thresholds;
 use geom::SE2;
+use lab::record;
 use nalgebra::{Matrix2, Matrix3, Vector2};
 use sim::Noise;
 use sim::paths::Tick;
@@ -15,7 +15,7 @@ use sim::scenarios::RangeBearingSlam;
 
 /// Counts of what became of the sightings.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Tally {
+pub struct Tally {
     /// All of them.
     pub sightings: u32,
     /// Those that corrected the state.
@@ -32,11 +32,14 @@ pub(crate) struct Tally {
 
 /// A sighting as it was made and what became of it.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(crate) struct Seen {
+pub struct Seen {
     /// Which of the world's landmarks it truly was.
     pub truth: usize,
+    /// Metres.
     pub range: f64,
+    /// Radians.
     pub bearing: f64,
+    /// What became of it.
     pub report: Report,
 }
 
@@ -53,16 +56,19 @@ record! {
 
 /// A run of SLAM.
 #[derive(Clone, Debug)]
-pub(crate) struct Mapping {
+pub struct Mapping {
+    /// Robot and map.
     pub slam: EkfSlam,
     /// For each landmark of the map, which of the world's it was founded on.
     pub truth: Vec<usize>,
+    /// What became of all sightings so far.
     pub tally: Tally,
     /// How many landmarks the map may hold. When the next step could pass this, the map is closed.
     pub most: usize,
     /// Sightings of the last step.
     last_seen: usize,
     world: Vec<Landmark>,
+    /// The scenario's constants.
     pub constants: RangeBearingSlam,
 }
 
@@ -181,7 +187,7 @@ impl Mapping {
 ///
 /// # Errors
 /// Whatever the core answers; on the chapter's constants, nothing.
-pub(crate) fn chapter_run(constants: &RangeBearingSlam, seed: u32) -> Result<Mapping, Error> {
+pub fn chapter_run(constants: &RangeBearingSlam, seed: u32) -> Result<Mapping, Error> {
     let mut mapping = Mapping::new(constants.landmarks, constants)?;
     let mut noise = Noise::new(u64::from(seed));
     let mut pose = constants.course.start();

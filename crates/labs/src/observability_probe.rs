@@ -18,13 +18,10 @@ pub use frame::{
 };
 pub use params::ProbeParams;
 pub use ranks::ProbeRanks;
-pub(crate) use ranks::{Moment, frozen_ranks, stacked_ranks};
+pub use ranks::{Moment, frozen_ranks, stacked_ranks};
 pub(crate) use view::{map_shape, mapped_sighting};
 
-use crate::declare::Params;
-use crate::lab::{Digest, Lab, kept};
 use crate::mapping::Mapping;
-use crate::series::Tracks;
 use crate::true_path::{TruePath, parts};
 use estimate::Landmark;
 use estimate::localizer::SensorKind;
@@ -32,6 +29,8 @@ use estimate::{Code, Error};
 use filters::consistency::nees;
 use geom::SE2;
 use ghost::Haunting;
+use lab::series::Tracks;
+use lab::{Digest, Lab, Params, kept, named};
 use localize::{Evidence, Localizer};
 use nalgebra::{Matrix3, Vector2};
 use sim::Noise;
@@ -100,9 +99,13 @@ pub struct ObservabilityProbe {
 }
 
 impl Lab for ObservabilityProbe {
-    kept! { "observability-probe", ProbeParams, ProbeFrame }
+    named! {
+        "observability-probe", ProbeParams, ProbeFrame, &[frame::INTERFACES, ranks::INTERFACES],
+        "Rusty on a square in room A: which landmarks does it take to know where it is?"
+    }
+    kept! {}
 
-    fn new(params: ProbeParams) -> Result<Self, Error> {
+    fn start((): (), params: ProbeParams) -> Result<Self, Error> {
         params.check().map_err(|mut error| {
             if error.argument == "tolerance" && error.code == Code::Limit {
                 error.code = Code::Tolerance;
@@ -145,6 +148,16 @@ impl Lab for ObservabilityProbe {
         Ok(probe)
     }
 
+    fn tried() -> Vec<Self::Params> {
+        let open = ProbeParams::default();
+        vec![
+            open,
+            ProbeParams { count: 3, sensor: SensorKind::RangeBearing, ..open },
+            ProbeParams { count: 3, forget: true, ..open },
+            ProbeParams { ghost: true, ghost_around: 0.1, ghost_turn: 0.2, ..open },
+        ]
+    }
+
     fn advance(&mut self) -> Result<(), Error> {
         let tick = self.next_tick();
         self.truth = tick.drive(self.truth);
@@ -175,12 +188,12 @@ impl Lab for ObservabilityProbe {
 
 impl ObservabilityProbe {
     /// The mean NEES of the run.
-    pub(crate) fn mean_nees(&self) -> Option<f64> {
+    pub fn mean_nees(&self) -> Option<f64> {
         (self.sums.nees_steps > 0).then(|| self.sums.nees / f64::from(self.sums.nees_steps))
     }
 
     /// tr P of the pose after the last step.
-    pub(crate) fn last_trace(&self) -> f64 {
+    pub fn last_trace(&self) -> f64 {
         self.who.belief().1.trace()
     }
 

@@ -6,13 +6,12 @@ mod params;
 pub use frame::{BenchFrame, BenchSeries, Feet};
 pub use params::{BenchParams, Mode, Sensor};
 
-use crate::declare::Params;
-use crate::lab::{Digest, Lab, kept};
 use crate::shapes::root;
 use estimate::kf::{Gaussian, kalman_step};
 use estimate::rail::{dead_reckoning, position_sensor};
 use estimate::{Complex, Error, Lti, Observer};
 use geom::AffineSet;
+use lab::{Digest, Lab, Params, kept, named};
 use nalgebra::{Matrix1, Matrix2, U1, U2, Vector1, Vector2};
 use sim::Noise;
 use std::sync::OnceLock;
@@ -49,9 +48,13 @@ pub struct ObserverBench {
 }
 
 impl Lab for ObserverBench {
-    kept! { "observer-bench", BenchParams, BenchFrame }
+    named! {
+        "observer-bench", BenchParams, BenchFrame, &[frame::INTERFACES],
+        "The rail robot of §8.2.6 under an observer whose gain the reader sets, or the filter does."
+    }
+    kept! {}
 
-    fn new(params: BenchParams) -> Result<Self, Error> {
+    fn start((): (), params: BenchParams) -> Result<Self, Error> {
         params.check()?;
         let (system, belief) = match params.sensor {
             Sensor::Velocity => dead_reckoning(),
@@ -92,6 +95,11 @@ impl Lab for ObserverBench {
         };
         bench.record();
         Ok(bench)
+    }
+
+    fn tried() -> Vec<Self::Params> {
+        let open = BenchParams::default();
+        vec![open, BenchParams { sensor: Sensor::Position, mode: Mode::Filter, ..open }]
     }
 
     fn advance(&mut self) -> Result<(), Error> {
@@ -216,13 +224,13 @@ impl ObserverBench {
 
 /// The setting of the knob that moves the predicted output as far as the gain `k` does: HK / HR∞. Both products are shares
 /// of the innovation and have no units, so the ratio is the same in metres and in millimetres.
-pub(crate) fn equivalent_knob(system: &Lti<U2, U1, U1>, k: &Vector2<f64>, steady: &Vector2<f64>) -> f64 {
+pub fn equivalent_knob(system: &Lti<U2, U1, U1>, k: &Vector2<f64>, steady: &Vector2<f64>) -> f64 {
     (system.h * k)[0] / (system.h * steady)[0]
 }
 
 /// The knob g at which an eigenvalue of (I − g R∞ H)F reaches −1: det(F + I − g R∞ H F) = 0 at
 /// g = 1 / (HF (F + I)⁻¹ R∞). With these systems that is where the last movable eigenvalue leaves the unit disc.
-pub(crate) fn knob_limit(system: &Lti<U2, U1, U1>, steady: &Vector2<f64>) -> f64 {
+pub fn knob_limit(system: &Lti<U2, U1, U1>, steady: &Vector2<f64>) -> f64 {
     let shifted = system.f + Matrix2::identity();
     shifted.lu().solve(steady).map_or(f64::INFINITY, |v| 1.0 / (system.h * system.f * v)[0])
 }

@@ -9,15 +9,15 @@ pub(crate) mod frame;
 mod learning;
 mod params;
 
-pub(crate) use drive::Drive;
+pub use drive::Drive;
 pub use frame::{
     CornerSighting, HookFrame, HookSeries, LastSighting, PoseBelief, Quality, Ratio, Spread, Stop, WheelBelief, World,
 };
 pub use params::HookParams;
 
-use crate::lab::{Digest, Lab};
 use estimate::Error;
 use frame::Record;
+use lab::{Digest, Lab, named};
 use sim::scenarios::HOOK;
 
 /// The lab.
@@ -29,15 +29,19 @@ pub struct OdometryHook {
 }
 
 impl Lab for OdometryHook {
-    const NAME: &'static str = "odometry-hook";
-    type Params = HookParams;
-    type Frame = HookFrame;
+    named! {
+        "odometry-hook", HookParams, HookFrame, &[frame::INTERFACES],
+        "A loop of the corridor on encoders with a biased wheel, with or without fixes from the mapped corners."
+    }
+    type World = ();
 
-    fn new(params: HookParams) -> Result<Self, Error> {
+    fn start((): (), params: HookParams) -> Result<Self, Error> {
         let mut lab = Self { drive: Drive::new(params)?, record: Record::default(), digest: Digest::default() };
         lab.note();
         Ok(lab)
     }
+
+    fn world(&self) {}
 
     fn params(&self) -> &HookParams {
         &self.drive.params
@@ -45,6 +49,12 @@ impl Lab for OdometryHook {
 
     fn steps(&self) -> u32 {
         self.drive.step
+    }
+
+    fn tried() -> Vec<Self::Params> {
+        let open = HookParams::default();
+        let fixes = HookParams { fixes: true, ..open };
+        vec![open, fixes, HookParams { learn: true, ..fixes }]
     }
 
     fn advance(&mut self) -> Result<(), Error> {

@@ -8,14 +8,13 @@ mod params;
 pub use frame::{OwnEigenvalue, OwnFrame, OwnRank, OwnReach, OwnSeries};
 pub use params::{GainBy, OwnParams};
 
-use crate::declare::Params;
-use crate::lab::{Digest, Lab, kept};
 use analysis::{Analysis, tolerance};
 use directions::readable;
 use estimate::dynamic::Belief;
 use estimate::kf::kalman_step;
 use estimate::{Error, Observer, Reachability, RiccatiLimit, validate};
 use filters::linear;
+use lab::{Digest, Lab, Params, kept, named};
 use nalgebra::{DMatrix, DVector};
 use sim::Noise;
 use std::rc::Rc;
@@ -43,9 +42,14 @@ pub struct OwnSystem {
 }
 
 impl Lab for OwnSystem {
-    kept! { "own-system", OwnParams, OwnFrame }
+    named! {
+        "own-system", OwnParams, OwnFrame, &[frame::INTERFACES],
+        "A linear system that the reader types: what can be known of it, the eigenvalues that a gain gives \
+         it, and a simulated run."
+    }
+    kept! {}
 
-    fn new(params: OwnParams) -> Result<Self, Error> {
+    fn start((): (), params: OwnParams) -> Result<Self, Error> {
         params.check()?;
         let known = Analysis::new(&params).map_err(in_the_reader_s_letters)?;
         let n = params.states as usize;
@@ -69,6 +73,11 @@ impl Lab for OwnSystem {
         };
         lab.record();
         Ok(lab)
+    }
+
+    fn tried() -> Vec<Self::Params> {
+        let open = OwnParams::default();
+        vec![open, OwnParams { gain: GainBy::Placement, input: 1.0, ..open }]
     }
 
     fn advance(&mut self) -> Result<(), Error> {

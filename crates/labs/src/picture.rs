@@ -6,14 +6,13 @@ mod params;
 pub use frame::{Foot, Guess, PictureFrame};
 pub use params::PictureParams;
 
-use crate::declare::Params;
-use crate::lab::{Digest, Lab};
 use crate::shapes::{inside, rows};
 use estimate::kf::Gaussian;
 use estimate::{Code, Error};
 use filters::Update;
 use filters::covariance::symmetric;
 use geom::{AffineSet, Ellipse};
+use lab::{Digest, Lab, Params, named};
 use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
 use numerics::Spd;
 
@@ -26,11 +25,13 @@ pub struct Picture {
 }
 
 impl Lab for Picture {
-    const NAME: &'static str = "picture";
-    type Params = PictureParams;
-    type Frame = PictureFrame;
+    named! {
+        "picture", PictureParams, PictureFrame, &[frame::INTERFACES],
+        "A prediction, the states that explain a reading, and the two ways of stepping onto them."
+    }
+    type World = ();
 
-    fn new(params: PictureParams) -> Result<Self, Error> {
+    fn start((): (), params: PictureParams) -> Result<Self, Error> {
         params.check()?;
         let frame = picture(params)?;
         let mut digest = Digest::default();
@@ -42,6 +43,8 @@ impl Lab for Picture {
         digest.take(&[frame.innovation, frame.s, frame.most_likely_output]);
         Ok(Self { frame, digest, steps: 0 })
     }
+
+    fn world(&self) {}
 
     fn params(&self) -> &PictureParams {
         &self.frame.params

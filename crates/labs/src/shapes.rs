@@ -1,53 +1,12 @@
 //! Plain values for a view: rows of numbers, ellipses.
 
-use crate::declare::shape::put;
-use crate::declare::{Plain, Shape, described, record, worded};
+use estimate::Error;
 use estimate::kf::Gaussian;
-use estimate::{Complex, Error, RiccatiLimit, Verdict};
 use filters::consistency::chi2_interval;
 use geom::Ellipse;
+use lab::{Plain, Shape, put, record};
 use nalgebra::{Matrix2, SMatrix, SVector, U2};
 use std::sync::LazyLock;
-
-described! {
-    /// An ellipse as a view draws it.
-    Ellipse as "Ellipse"; &[], &[];
-    {
-        /// Half the long axis.
-        semi_major: f64 as "semiMajor";
-        /// Half the short axis.
-        semi_minor: f64 as "semiMinor";
-        /// Angle of the long axis, radians in (−π/2, π/2].
-        angle: f64 as "angle";
-    }
-}
-
-type Root = Complex<f64>;
-
-described! {
-    /// A complex number.
-    Root as "Complex"; &[], &[];
-    {
-        /// Real part.
-        re: f64 as "re";
-        /// Imaginary part.
-        im: f64 as "im";
-    }
-}
-
-worded! {
-    Verdict { Yes = "yes", No = "no", Undecided = "undecided", }
-}
-
-worded! {
-    RiccatiLimit {
-        FromEveryStart = "from-every-start",
-        FromLargeStart = "from-large-start",
-        None = "none",
-        DependsOnStart = "depends-on-start",
-        Undecided = "undecided",
-    }
-}
 
 /// Where 95 % of single values of χ² with 3 degrees of freedom lie, as the NEES of a pose does.
 pub(crate) static POSE_BAND: LazyLock<[f64; 2]> =
@@ -59,7 +18,7 @@ pub fn ellipse_of(p: &Matrix2<f64>) -> Ellipse {
 }
 
 /// The probability that a Gaussian of two states gives to its ellipse of so many standard deviations, 1 − exp(−radius²/2).
-pub(crate) fn inside(radius: f64) -> f64 {
+pub fn inside(radius: f64) -> f64 {
     1.0 - libm::exp(-0.5 * radius * radius)
 }
 

@@ -1,7 +1,6 @@
 //! The covariance of a localizer whose Jacobians are taken on the true path. No noise is drawn, so it depends on no seed: the
 //! chapter quotes its trace as that of the Probe, and the figure draws it as the reference.
 
-use crate::declare::worded;
 use estimate::Landmark;
 use estimate::landmarks::{RangeBearing, RangeOnly};
 use estimate::localizer::SensorKind;
@@ -13,20 +12,13 @@ use nalgebra::{Matrix1, Matrix2, Matrix3, Vector2, Vector3};
 use sim::paths::Tick;
 use sim::scenarios::Probe;
 
-worded! {
-    SensorKind {
-        Range = "range",
-        RangeBearing = "range-bearing",
-    }
-}
-
 /// diag(σ²).
 pub(crate) fn squares(sigma: [f64; 3]) -> Matrix3<f64> {
     Matrix3::from_diagonal(&Vector3::from(sigma.map(|s| s * s)))
 }
 
 /// W of a sensor: range and bearing.
-pub(crate) fn sensor_covariance(sensor: &sim::Sensor) -> Matrix2<f64> {
+pub fn sensor_covariance(sensor: &sim::Sensor) -> Matrix2<f64> {
     let [r, b] = [sensor.range_sigma, sensor.bearing_sigma];
     Matrix2::new(r * r, 0.0, 0.0, b * b)
 }
@@ -101,7 +93,7 @@ pub(crate) fn parts(p: &Matrix3<f64>) -> [f64; 2] {
 ///
 /// # Errors
 /// Whatever the core answers; on the chapter's constants, nothing.
-pub(crate) fn after(scenario: &Probe, landmarks: usize, sight: SensorKind, steps: u32) -> Result<TruePath, Error> {
+pub fn after(scenario: &Probe, landmarks: usize, sight: SensorKind, steps: u32) -> Result<TruePath, Error> {
     let mut path = TruePath::new(scenario, landmarks, sight);
     for k in 0..steps {
         path.step(scenario.course.tick(k))?;

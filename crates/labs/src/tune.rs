@@ -1,25 +1,22 @@
 //! Tune me: a log of the rail robot whose noise levels are hidden, a filter whose noise levels the reader chooses, and what the
 //! log itself says about them.
 
-mod ensemble;
 pub(crate) mod frame;
 mod log;
 mod params;
 
-pub use ensemble::{FitEnsemble, fits};
 pub use frame::{TuneBand, TuneFit, TuneFrame, TuneVerdict};
 pub use params::TuneParams;
 
-use crate::declare::Params;
-use crate::lab::{Digest, Lab, kept};
 use core::f64::consts::LN_10;
 use estimate::kf::kalman_step;
 use estimate::likelihood::{NoiseFit, log_density, log_likelihood};
 use estimate::{Code, Error, validate};
 use filters::consistency::{chi2_interval, chi2_quantile, nees, nis};
 use geom::Ellipse;
+use lab::{Digest, Lab, Params, kept, named};
 use log::{Log, system};
-use nalgebra::Matrix2;
+use nalgebra::{Matrix2, Vector2};
 use numerics::Spd;
 use sim::scenarios::TUNING;
 use std::rc::Rc;
@@ -71,11 +68,20 @@ pub struct Tune {
 }
 
 impl Lab for Tune {
-    kept! { "tune", TuneParams, TuneFrame }
+    named! {
+        "tune", TuneParams, TuneFrame, &[frame::INTERFACES],
+        "A log of the rail robot whose noise levels are hidden, and a filter whose noise levels the reader \
+         chooses. It has no steps."
+    }
+    kept! {}
 
-    fn new(params: TuneParams) -> Result<Self, Error> {
+    fn start((): (), params: TuneParams) -> Result<Self, Error> {
         params.check()?;
         Self::on(Rc::new(Log::new(params.seed, params.length)?), params)
+    }
+
+    fn tried() -> Vec<Self::Params> {
+        vec![TuneParams { length: 1000, committed: true, ..TuneParams::default() }]
     }
 
     fn advance(&mut self) -> Result<(), Error> {
@@ -135,6 +141,13 @@ impl Lab for Tune {
 }
 
 impl Tune {
+    /// The square of (fit − truth) in the metric of the information; none where nothing is fitted.
+    pub fn distance(&self) -> Option<f64> {
+        let fit = self.fit?;
+        let off = Vector2::new(libm::log(fit.q), libm::log(fit.w)) - Vector2::from(self.log.truth) * LN_10;
+        Some(off.dot(&(fit.information * off)))
+    }
+
     fn on(log: Rc<Log>, params: TuneParams) -> Result<Self, Error> {
         let chosen = [params.log_q, params.log_w];
         let filtered = filtered(&log, chosen)?;

@@ -1,48 +1,56 @@
 //! The labs' TypeScript: every type that a lab takes or hands out.
 
-use crate::declare::{About, Interface, Text, written};
-use crate::{
-    BenchParams, HookParams, LogParams, LoopParams, MuseumParams, OwnParams, PictureParams, ProbeParams, TuneParams,
-};
-use crate::{
-    bug_museum, loop_closure, mapping, observability_probe, observer_bench, odometry_hook, own_system, picture,
-    robot_log, series, shapes, tune,
-};
-use estimate::drive::{Line, Summary};
-use estimate::{Complex, Landmark};
-use geom::Ellipse;
-use sim::Room;
+use crate::*;
+use lab::{About, Interface, Lab, Text, written};
 
-/// What the labs take and hand out, and what that is made of.
-const ALL: &[&[About]] = &[
-    &[
-        BenchParams::ABOUT,
-        HookParams::ABOUT,
-        ProbeParams::ABOUT,
-        PictureParams::ABOUT,
-        LogParams::ABOUT,
-        LoopParams::ABOUT,
-        TuneParams::ABOUT,
-        MuseumParams::ABOUT,
-        OwnParams::ABOUT,
-    ],
-    &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT, Line::ABOUT, Summary::ABOUT, Room::ABOUT],
-    shapes::INTERFACES,
-    series::INTERFACES,
-    mapping::INTERFACES,
-    observer_bench::frame::INTERFACES,
-    odometry_hook::frame::INTERFACES,
-    observability_probe::frame::INTERFACES,
-    observability_probe::ranks::INTERFACES,
-    picture::frame::INTERFACES,
-    robot_log::frame::INTERFACES,
-    loop_closure::frame::INTERFACES,
-    tune::frame::INTERFACES,
-    bug_museum::frame::INTERFACES,
-    own_system::frame::INTERFACES,
-];
+macro_rules! described {
+    ($($lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
+        /// What the labs take and hand out, and what that is made of.
+        const ALL: &[&[&[About]]] = &[
+            &[lab::INTERFACES, lab::series::INTERFACES, shapes::INTERFACES, mapping::INTERFACES],
+            $(&[&[<$lab as Lab>::Params::ABOUT]], <$lab as Lab>::INTERFACES,)*
+        ];
+    };
+}
+
+figures!(described);
 
 /// The interfaces of all labs, with their doc comments, limits and defaults. `Vector` and `Matrix` are not among them.
 pub const TYPESCRIPT: &str = WRITTEN.as_str();
 
 const WRITTEN: &Text<60_000> = &written(ALL);
+
+#[cfg(test)]
+mod tests {
+    use crate::TYPESCRIPT;
+
+    #[test]
+    fn doc_comments_limits_and_defaults_are_kept() {
+        for line in [
+            "    /** Who chooses the gain. */\n    mode: \"fixed\" | \"filter\";\n",
+            "    /** Whether sightings of the corners correct the estimate. Default false. */\n    fixes: boolean;\n",
+            "    /** How many of them are seen. Goes from 1 to 3. Default 1. */\n    count: number;\n",
+            "    stop: number | null;\n",
+            "    feet: Feet | null;\n",
+            "    P: Matrix;\n",
+        ] {
+            assert!(TYPESCRIPT.contains(line), "{line}");
+        }
+    }
+
+    #[test]
+    fn each_interface_is_declared_once_and_none_is_missing() {
+        let names: Vec<&str> =
+            TYPESCRIPT.lines().filter_map(|line| line.strip_prefix("export interface ")?.strip_suffix(" {")).collect();
+        let mut once = names.clone();
+        once.sort_unstable();
+        once.dedup();
+        assert_eq!(once.len(), names.len(), "{names:?}");
+        assert!(names.contains(&"Ellipse") && names.contains(&"ProbeRanks"), "{names:?}");
+    }
+
+    #[test]
+    fn no_link_of_rustdoc_is_in_typescript() {
+        assert!(!TYPESCRIPT.contains("[`"), "a link of rustdoc is none in TypeScript");
+    }
+}

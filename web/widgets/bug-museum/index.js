@@ -3,7 +3,6 @@
  * it. By which panels is each of them seen?
  */
 
-import { loadLate } from '../../load/late.js'
 import { fixed } from '../../draw/numbers.js'
 import { plain } from '../../draw/words.js'
 import { drawCorrelation, drawFigures } from './figures.js'
@@ -201,12 +200,8 @@ const tries = [
   { name: 'seeds', label: `Count over ${SEEDS} seeds`, change: () => ({ many: true, step: SEEDS }) },
 ]
 
-/** @type {import('../../figure/spec.js').FigureSpec} */
-export const bugMuseum = {
-  tag: 'bug-museum',
-  lab: 'BugMuseum',
-  name: 'bug-museum',
-  load: loadLate,
+/** @type {import('../../figure/spec.js').Widget} */
+export const figure = {
   start,
   seeded: true,
   pace: 20,

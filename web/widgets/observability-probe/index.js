@@ -3,7 +3,6 @@
  * directions of its pose do the readings see, frozen at this pose and along the path driven?
  */
 
-import { loadLate } from '../../load/late.js'
 import { fixed, power } from '../../draw/numbers.js'
 import { usual } from '../../figure/defaults.js'
 import { drawMap } from './map.js'
@@ -268,13 +267,9 @@ const tries = [
   },
 ]
 
-/** @type {import('../../figure/spec.js').FigureSpec} */
-export const observabilityProbe = {
-  tag: 'observability-probe',
-  lab: 'ObservabilityProbe',
-  name: 'observability-probe',
+/** @type {import('../../figure/spec.js').Widget} */
+export const figure = {
   start,
-  load: loadLate,
   seeded: true,
   pace: 20,
   stride: 1,

@@ -155,11 +155,8 @@ const tries = [
   { name: 'filter', label: 'Let the filter choose, from the start', change: () => ({ mode: 'filter', step: 0 }) },
 ]
 
-/** @type {import('../../figure/spec.js').FigureSpec} */
-export const observerBench = {
-  tag: 'observer-bench',
-  lab: 'ObserverBench',
-  name: 'observer-bench',
+/** @type {import('../../figure/spec.js').Widget} */
+export const figure = {
   start,
   seeded: true,
   beats: true,

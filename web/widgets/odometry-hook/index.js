@@ -165,11 +165,8 @@ const tries = [
 /** Two plots are as high as the map, and so are three: what stands below stays where it is when the third comes. @param {Frame} frame */
 const tall = ({ wheel }) => (wheel ? 410 / 3 : 205)
 
-/** @type {import('../../figure/spec.js').FigureSpec} */
-export const odometryHook = {
-  tag: 'odometry-hook',
-  lab: 'OdometryHook',
-  name: 'odometry-hook',
+/** @type {import('../../figure/spec.js').Widget} */
+export const figure = {
   start,
   still: LAP,
   invite: 'Drive one lap',

@@ -4,7 +4,6 @@
  */
 
 import { fixed, power } from '../../draw/numbers.js'
-import { inTime } from '../../load/timeouts.js'
 import { drawDisc } from './disc.js'
 import { buildEditor } from './editor.js'
 import { drawGain, drawRun, drawVariance } from './history.js'
@@ -20,17 +19,7 @@ import { describe, shownState, verdict } from './words.js'
 
 const start = { params: paramsOf(PRESETS[0]), step: 40 }
 
-// Model: the lab `OwnSystem`, which has a build of the module to itself. What follows only reads its frame.
-
-/** @returns {Promise<import('../../load/loader.js').Loaded<any>>} */
-async function load() {
-  try {
-    const { loadSystem } = await inTime(import('./module.js'))
-    return loadSystem()
-  } catch {
-    return { ok: false, why: 'its script could not be fetched' }
-  }
-}
+// Model: the lab `OwnSystem`. What follows only reads its frame.
 
 /** @param {Frame} frame @param {Frame} before */
 function announce(frame, before) {
@@ -175,13 +164,9 @@ const tries = [
   },
 ]
 
-/** @type {import('../../figure/spec.js').FigureSpec} */
-export const ownSystem = {
-  tag: 'own-system',
-  lab: 'OwnSystem',
-  name: 'own-system',
+/** @type {import('../../figure/spec.js').Widget} */
+export const figure = {
   start,
-  load,
   seeded: true,
   pace: 4,
   panels: [

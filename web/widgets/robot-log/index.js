@@ -17,13 +17,13 @@ const start = { params: { sightings: false }, step: 13_186 }
 
 // Model: the lab `RobotLog` in the module, which a worker runs. What follows only reads its frame.
 
-/** @param {string} figure @param {string | undefined} given */
-async function open(figure, given) {
+/** @param {string} id @param {string | undefined} given @param {import('../../figure/spec.js').FigureSpec} spec */
+async function open(id, given, spec) {
   const [{ openRun }, { default: log }] = await Promise.all([
     import('./open.js'),
     import('../../../content/logs/plaza1.csv'),
   ])
-  return openRun(log, robotLog, figure, given)
+  return openRun(log, spec, id, given)
 }
 
 /** @param {Frame} frame */
@@ -176,11 +176,8 @@ const tries = [
   { name: 'learn', label: 'Let the filter learn the scale', change: () => ({ ...usual, learn: true }) },
 ]
 
-/** @type {import('../../figure/spec.js').FigureSpec} */
-export const robotLog = {
-  tag: 'robot-log',
-  lab: 'RobotLog',
-  name: 'robot-log',
+/** @type {import('../../figure/spec.js').Widget} */
+export const figure = {
   log: 'content/logs/plaza1.csv',
   start,
   open,

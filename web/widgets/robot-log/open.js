@@ -60,7 +60,7 @@ function ask(port, message) {
 async function start() {
   const { default: address } = await import('robot-log-worker')
   return openPort(address, async () => {
-    const [{ serve }, { loadLog }] = await Promise.all([import('./server.js'), import('./module.js')])
-    return (port) => serve(port, loadLog)
+    const [{ serve }, { loadLab }] = await Promise.all([import('./server.js'), import('../../load/modules.js')])
+    return (port) => serve(port, () => loadLab('robot-log'))
   })
 }

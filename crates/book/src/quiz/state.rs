@@ -1,9 +1,7 @@
 //! Answers that are states of a figure: conditions on its frame, which the build holds against the frame's shape.
 
-use labs::{
-    BugMuseum, Lab, LogFrame, LoopClosure, ObservabilityProbe, ObserverBench, OdometryHook, OwnSystem, Picture, Plain,
-    Shape, Tune,
-};
+use lab::Shape;
+use labs::{FIGURES, Figure};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -46,12 +44,14 @@ impl Reader<'_> {
         self.only(&["figure", "widget", "condition"])?;
         let figure = self.asked.figure.clone().ok_or("the figure is missing: its id")?;
         let widget = self.asked.widget.as_ref().ok_or("the figure's widget is missing")?;
-        let frame = frame(widget).ok_or_else(|| format!("no widget is called `{widget}`"))?;
+        let named = |figure: &&Figure| figure.name() == widget.as_str();
+        let figure_frame = FIGURES.iter().find(named).map(|figure| &figure.kind.frame);
+        let frame = figure_frame.ok_or_else(|| format!("no widget is called `{widget}`"))?;
         let conditions = &self.asked.condition;
         if conditions.is_empty() {
             return Err("a state has one condition or more".into());
         }
-        let key = |raw: &RawCondition| self.diagnostics.ok(&raw.path.place, self.condition(raw, &frame));
+        let key = |raw: &RawCondition| self.diagnostics.ok(&raw.path.place, self.condition(raw, frame));
         let key = json!({ "conditions": conditions.iter().filter_map(key).collect::<Vec<_>>() });
         let todo = conditions.iter().map(|condition| condition.todo.clone()).collect();
         Ok(Answer::State(State { figure, todo, key }))
@@ -77,25 +77,6 @@ impl Reader<'_> {
         }
         Ok(json!({ "path": path, "is": raw.is }))
     }
-}
-
-/// What a frame of the widget holds.
-fn frame(widget: &str) -> Option<Shape> {
-    fn of<L: Lab>() -> Shape {
-        L::Frame::SHAPE
-    }
-    Some(match widget {
-        "observer-bench" => of::<ObserverBench>(),
-        "odometry-hook" => of::<OdometryHook>(),
-        "observability-probe" => of::<ObservabilityProbe>(),
-        "kalman-picture" => of::<Picture>(),
-        "own-system" => of::<OwnSystem>(),
-        "robot-log" => LogFrame::SHAPE,
-        "tune-me" => of::<Tune>(),
-        "close-loop" => of::<LoopClosure>(),
-        "bug-museum" => of::<BugMuseum>(),
-        _ => return None,
-    })
 }
 
 /// The shape at a path of names and indices; `length` is that of a list.

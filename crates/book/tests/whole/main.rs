@@ -7,11 +7,10 @@ use std::path::{Path, PathBuf};
 use std::sync::LazyLock;
 
 use book::{Assets, Build, Diagnostics, Dist, Number, Outputs, Site, Stills};
-use labs::givens::Givens;
+use chapter_kalman::{checks::chapter_checks, givens::Givens, numbers::with_ensembles};
 
 /// Every number that the book prints.
-static NUMBERS: LazyLock<Vec<Number>> =
-    LazyLock::new(|| labs::numbers::with_ensembles(&Givens::default()).expect("computed"));
+static NUMBERS: LazyLock<Vec<Number>> = LazyLock::new(|| with_ensembles(&Givens::default()).expect("computed"));
 
 /// The site.
 static DIST: LazyLock<Dist> = LazyLock::new(|| {
@@ -32,7 +31,7 @@ fn load(numbers: Vec<Number>, diagnostics: &Diagnostics) -> Site {
 
 /// Its pages.
 fn build(site: &Site, diagnostics: &Diagnostics) -> Dist {
-    let (root, assets, checks) = (root(), Assets::default(), labs::checks::chapter_checks().expect("computed"));
+    let (root, assets, checks) = (root(), Assets::default(), chapter_checks().expect("computed"));
     let build = Build { root: &root, site, assets: &assets, checks: &checks, diagnostics, pdf: false, draft: false };
     build.run().unwrap_or_else(|error| panic!("{error}"))
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 
 use book::Diagnostics;
-use labs::givens::Givens;
+use chapter_kalman::{givens::Givens, numbers::numbers};
 
 use crate::{DIST, load, root};
 
@@ -48,7 +48,7 @@ fn formulas_carry_mathml_and_their_drawing_is_hidden_from_readers() {
 #[test]
 fn every_question_is_asked_and_every_work_is_cited() {
     let diagnostics = Diagnostics::default();
-    let site = load(labs::numbers::numbers(&Givens::default()).expect("computed"), &diagnostics);
+    let site = load(numbers(&Givens::default()).expect("computed"), &diagnostics);
     let files = book::files(&root(), "content/kalman").expect("the chapter is there");
     let text = book::text(&site, &files, Some(15), "kalman/", &diagnostics);
     let mut asked = text.used.quizzes.clone();
@@ -74,7 +74,7 @@ fn every_computed_number_of_the_page_says_where_it_comes_from() {
 /// The chapter's hand-worked steps, rendered from `givens`: each number with its digits.
 fn hand_steps(givens: &Givens) -> BTreeSet<String> {
     let diagnostics = Diagnostics::default();
-    let site = load(labs::numbers::numbers(givens).expect("computed"), &diagnostics);
+    let site = load(numbers(givens).expect("computed"), &diagnostics);
     let files = book::files(&root(), "content/kalman").expect("the chapter is there");
     let files: Vec<_> = files.into_iter().filter(|(path, _)| path.contains("hand-steps")).collect();
     assert_eq!(files.len(), 1);
@@ -115,9 +115,10 @@ fn the_page_moves_with_a_matrix_a_reading_and_the_first_belief() {
 #[test]
 fn each_widget_has_a_page_that_leads_back_to_its_place() {
     let pages = DIST.pages();
-    for widget in book::WIDGETS {
+    for figure in labs::FIGURES {
+        let (widget, tag) = (figure.name(), figure.tag());
         let html = &pages[&format!("figure/{widget}/index.html")];
-        assert_eq!(html.matches(&format!("<{widget} class=\"widget\"")).count(), 1, "{widget}");
+        assert_eq!(html.matches(&format!("<{tag} class=\"widget\"")).count(), 1, "{widget}");
         let id = html.split("data-figure=\"").nth(1).and_then(|rest| rest.split('"').next()).unwrap_or_default();
         let place = html.split("<a href=\"../../").nth(1).and_then(|rest| rest.split_once(&format!("#{id}\">")));
         let (page, _) = place.unwrap_or_else(|| panic!("{widget}: no link to {id}"));

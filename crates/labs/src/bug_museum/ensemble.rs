@@ -3,10 +3,10 @@
 use super::bands::{BANDS, POOLED};
 use super::scale::{PARTS, part};
 use super::{Bug, BugMuseum, FIGURES, MuseumParams, PANELS};
-use crate::lab::Lab;
-use crate::series::Series;
-use crate::spread::{SEEDS, Spread, over_seeds};
+use crate::ensemble::{SEEDS, Spread, over_seeds};
 use estimate::Error;
+use lab::Lab;
+use lab::series::Series;
 use sim::scenarios::BUG_MUSEUM;
 
 /// The figures of one run.

@@ -1,11 +1,11 @@
 //! What the museum shows.
 
 use super::{Bug, MuseumParams};
-use crate::declare::record;
-use crate::series::{Series, Tracks, WINDOW};
-use crate::spread::SEEDS;
+use crate::ensemble::SEEDS;
 use estimate::Landmark;
 use geom::Ellipse;
+use lab::record;
+use lab::series::{Series, Tracks, WINDOW};
 
 /// Readings that are kept: a filter that uses each twice takes up to two a step.
 const READINGS: usize = 2 * WINDOW;

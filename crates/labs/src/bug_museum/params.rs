@@ -1,6 +1,6 @@
 //! What a visitor of the museum can change.
 
-use crate::declare::{Plain, Shape, params, words};
+use lab::{Plain, Shape, params, words};
 
 words! {
     /// A bug that real code has had.

@@ -9,7 +9,7 @@ use geom::Ellipse;
 use nalgebra::Matrix2;
 
 fn at(params: MuseumParams, steps: u32) -> BugMuseum {
-    BugMuseum::from_state(crate::State { params, step: steps }).expect("within the limit")
+    BugMuseum::from_state(lab::State { params, step: steps }).expect("within the limit")
 }
 
 fn with(bug: Bug) -> MuseumParams {
@@ -85,7 +85,7 @@ fn any_two_bugs_run_on_and_keep_their_memory() {
             let lab = at(MuseumParams { bug, second, ..MuseumParams::default() }, 1200);
             assert!(numerics::all_finite(lab.filter.x.iter().chain(lab.filter.p.iter())), "{bug:?} {second:?}");
             let frame = lab.frame();
-            assert_eq!((frame.series.step.len(), frame.figures.len()), (crate::WINDOW, FIGURES));
+            assert_eq!((frame.series.step.len(), frame.figures.len()), (lab::WINDOW, FIGURES));
             let Ellipse { semi_major, semi_minor, angle } = frame.ellipse;
             assert!(numerics::all_finite(&[semi_major, semi_minor, angle]), "{bug:?} {second:?}: {:?}", frame.ellipse);
         }
@@ -153,7 +153,7 @@ fn in_an_ensemble_a_step_is_the_run_of_a_seed() {
 fn a_state_is_all_it_takes() {
     for bug in [Bug::None, Bug::Late, Bug::FrozenJacobian, Bug::UnwrappedHeading] {
         let lab = at(MuseumParams { seed: 9, ..with(bug) }, 300);
-        let mut again = BugMuseum::from_state(crate::State { step: 120, ..lab.state() }).expect("a state of its own");
+        let mut again = BugMuseum::from_state(lab::State { step: 120, ..lab.state() }).expect("a state of its own");
         again.run(180).expect("within the limit");
         assert_eq!(again.digest(), lab.digest());
     }

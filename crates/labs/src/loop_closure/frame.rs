@@ -1,12 +1,12 @@
 //! What the corridor's loop shows.
 
 use super::LoopParams;
-use crate::declare::record;
 use crate::observability_probe::{Fate, ProbeMap};
 use crate::odometry_hook::World;
-use crate::series::{Series, Tracks};
 use estimate::Landmark;
 use geom::Ellipse;
+use lab::record;
+use lab::series::{Series, Tracks};
 
 record! {
     /// One picture of the loop.

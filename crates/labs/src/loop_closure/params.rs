@@ -1,6 +1,6 @@
 //! What a reader of the corridor's loop can change.
 
-use crate::declare::params;
+use lab::params;
 use sim::scenarios::LOOP_CLOSURE;
 
 params! {

@@ -111,7 +111,7 @@ fn a_state_restores_the_run_to_the_last_bit() {
         lab.run(150).expect("within the limit");
         let again = LoopClosure::from_state(lab.state()).expect("a state of its own");
         assert_eq!(again.digest(), lab.digest());
-        let json = |lab: &LoopClosure| serde_json::to_string(&crate::Shown(&lab.frame())).expect("plain");
+        let json = |lab: &LoopClosure| serde_json::to_string(&lab::Shown(&lab.frame())).expect("plain");
         assert_eq!(json(&again), json(&lab));
     }
 }
@@ -120,7 +120,7 @@ fn a_state_restores_the_run_to_the_last_bit() {
 fn long_runs_keep_their_memory() {
     for params in [LoopParams::default(), LoopParams { gate: 0.5, found: 0.5, ..Default::default() }] {
         let frame = at(params, 1500);
-        assert!(frame.map.landmarks.len() <= MAX_MAP && frame.series.nees.len() == crate::WINDOW);
+        assert!(frame.map.landmarks.len() <= MAX_MAP && frame.series.nees.len() == lab::WINDOW);
     }
 }
 

@@ -2,12 +2,12 @@
 
 use super::ProbeParams;
 use super::ranks::ProbeRanks;
-use crate::declare::{record, words};
 use crate::mapping::MapError;
-use crate::series::{Series, Track, Tracks};
 use crate::shapes::{Innovation, InnovationCovariance};
 use estimate::localizer::SensorKind;
 use geom::Ellipse;
+use lab::series::{Series, Track, Tracks};
+use lab::{record, words};
 
 record! {
     /// One picture of the Probe.

@@ -4,12 +4,12 @@
 use super::ProbeParams;
 use super::frame::{Ghost, GhostReadings};
 use super::ranks::direction;
-use crate::series::Track;
 use estimate::Landmark;
 use estimate::landmarks::RangeBearing;
 use estimate::localizer::SensorKind;
 use filters::MeasurementModel;
 use geom::{SE2, angle_diff};
+use lab::series::Track;
 use sim::paths::Tick;
 
 /// The ghost and what it has read, all without noise.

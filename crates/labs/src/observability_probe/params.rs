@@ -1,10 +1,10 @@
 //! What a reader of the Probe can change.
 
-use crate::declare::params;
-use crate::lab::MAX_STEP;
 use core::f64::consts::PI;
 use estimate::Landmark;
 use estimate::localizer::SensorKind;
+use lab::MAX_STEP;
+use lab::params;
 use sim::scenarios::PROBE;
 use std::sync::Arc;
 

@@ -1,6 +1,5 @@
 //! What the readings of a drive can tell: frozen at one pose, and stacked along the last steps.
 
-use crate::declare::record;
 use estimate::Landmark;
 use estimate::landmarks::{RangeBearing, RangeOnly};
 use estimate::localizer::SensorKind;
@@ -9,12 +8,13 @@ use estimate::path_observability::{PathStack, frozen};
 use estimate::{Error, Unicycle};
 use filters::{MeasurementModel, MotionModel};
 use geom::SE2;
+use lab::record;
 use nalgebra::{DMatrix, DVector, Vector2};
 use std::sync::Arc;
 
 /// One moment of a drive: the pose, the map at that time, and the input of the step that followed.
 #[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Moment {
+pub struct Moment {
     /// Where readings and motion are linearized.
     pub pose: SE2,
     /// The landmarks as they were believed to be (or are).
@@ -107,12 +107,7 @@ fn motion(moment: &Moment, n: usize) -> DMatrix<f64> {
 ///
 /// # Errors
 /// As [`frozen`].
-pub(crate) fn frozen_ranks(
-    moment: &Moment,
-    sight: SensorKind,
-    mapped: bool,
-    tolerance: f64,
-) -> Result<ProbeRanks, Error> {
+pub fn frozen_ranks(moment: &Moment, sight: SensorKind, mapped: bool, tolerance: f64) -> Result<ProbeRanks, Error> {
     let h = output_rows(&moment.pose, &moment.landmarks, sight, mapped);
     let found = frozen(&motion(moment, h.ncols()), &h, tolerance)?;
     let now = found.nullspace.clone();
@@ -123,7 +118,7 @@ pub(crate) fn frozen_ranks(
 ///
 /// # Errors
 /// As [`PathStack::analyze`].
-pub(crate) fn stacked_ranks<'m>(
+pub fn stacked_ranks<'m>(
     moments: impl DoubleEndedIterator<Item = &'m Moment> + Clone,
     sight: SensorKind,
     mapped: bool,

@@ -1,8 +1,8 @@
 //! Snaps a landmark onto the line through the robot and another landmark, where no hand can drag it exactly.
 
 use super::{ObservabilityProbe, ProbeParams};
-use crate::lab::{Lab, State};
 use estimate::{Code, Error};
+use lab::{Lab, State};
 use nalgebra::Vector2;
 use sim::scenarios::PROBE;
 

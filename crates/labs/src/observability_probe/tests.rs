@@ -91,7 +91,7 @@ fn a_lab_opened_from_its_state_is_the_same_lab() {
         let probe = at(ProbeParams { forget, count: 2, seed: 9, ..Default::default() }, 130);
         let again = ObservabilityProbe::from_state(probe.state()).expect("a state of its own");
         assert_eq!(again.digest(), probe.digest());
-        let json = |p: &ObservabilityProbe| serde_json::to_string(&crate::Shown(&p.frame())).expect("plain");
+        let json = |p: &ObservabilityProbe| serde_json::to_string(&lab::Shown(&p.frame())).expect("plain");
         assert_eq!(json(&again), json(&probe));
     }
 }
@@ -100,7 +100,7 @@ fn a_lab_opened_from_its_state_is_the_same_lab() {
 fn memory_is_bounded_however_long_the_run() {
     let probe = at(Default::default(), 3000);
     let frame = probe.frame();
-    assert_eq!((frame.series.trace.len(), probe.tracks.truth.len()), (crate::WINDOW, TRACK));
+    assert_eq!((frame.series.trace.len(), probe.tracks.truth.len()), (lab::WINDOW, TRACK));
     assert!(frame.tracks.truth.len() < 10, "the corners of the square");
     assert_eq!(frame.along_path.steps, PATH_STEPS);
     assert_eq!(frame.lap, 25);

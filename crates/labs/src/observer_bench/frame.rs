@@ -1,10 +1,10 @@
 //! What the Bench shows.
 
 use super::BenchParams;
-use crate::declare::record;
-use crate::series::Series;
 use crate::shapes::BenchBelief;
 use estimate::Complex;
+use lab::record;
+use lab::series::Series;
 
 /// How many of the last steps the Bench draws.
 pub const DRAWN: usize = 120;

@@ -1,6 +1,6 @@
 //! What a reader of the Bench can change.
 
-use crate::declare::{params, words};
+use lab::{params, words};
 
 words! {
     /// What the sensor measures.

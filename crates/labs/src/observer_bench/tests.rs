@@ -120,10 +120,10 @@ fn bad_parameters_are_refused_and_the_lab_is_kept() {
     }
     let error = bench.set(BenchParams { gain: f64::NAN, ..BenchParams::default() }).expect_err("NaN");
     assert_eq!(error.code, Code::NotFinite);
-    for n in [0, crate::MAX_STEP] {
+    for n in [0, lab::MAX_STEP] {
         assert_eq!(bench.run(n).expect_err("too few or too many").code, Code::Limit);
     }
-    let beyond = crate::State { params: BenchParams::default(), step: crate::MAX_STEP + 1 };
+    let beyond = lab::State { params: BenchParams::default(), step: lab::MAX_STEP + 1 };
     assert_eq!(ObserverBench::from_state(beyond).expect_err("too far").argument, "step");
     assert_eq!(bench.frame(), before);
 }

@@ -3,11 +3,11 @@
 use super::HookParams;
 use super::frame::{CornerSighting, LastSighting, Quality, Spread, WheelBelief};
 use super::learning::Learning;
-use crate::declare::Params;
 use estimate::kf::Gaussian;
 use estimate::landmarks::RangeBearing;
 use estimate::{ChosetEkf, Code, Error, Sighting, Unicycle, odometry_delta, slip_covariance};
 use geom::{SE2, angle_diff};
+use lab::Params;
 use nalgebra::{Matrix2, Matrix3, U3, Vector2};
 use sim::scenarios::HOOK;
 use sim::{Apartment, Noise, Rusty};
@@ -21,27 +21,36 @@ enum Filter {
 
 /// The run itself.
 #[derive(Clone, Debug)]
-pub(crate) struct Drive {
+pub struct Drive {
+    /// What the reader chose.
     pub params: HookParams,
+    /// Where it drives.
     pub home: Apartment,
     rusty: Rusty,
     /// Slip and sensor noise come from streams of their own, so that turning fixes on changes no encoder tick.
     slip: Noise,
     sensor: Noise,
+    /// Ticks so far.
     pub step: u32,
     input_covariance: Matrix2<f64>,
     w: Matrix2<f64>,
     filter: Filter,
     pub(crate) predicted: Gaussian<U3>,
     pub(crate) u: Option<Vector2<f64>>,
-    pub(crate) seen: Vec<CornerSighting>,
+    /// What it sees at this tick.
+    pub seen: Vec<CornerSighting>,
+    /// The last sighting of all.
     pub last: Option<LastSighting>,
     /// The corners within reach and in sight.
     near: Vec<u32>,
 }
 
 impl Drive {
-    pub(crate) fn new(params: HookParams) -> Result<Self, Error> {
+    /// The robot at its start.
+    ///
+    /// # Errors
+    /// As a lab's.
+    pub fn new(params: HookParams) -> Result<Self, Error> {
         params.check()?;
         let start = HOOK.course.start();
         let belief = Gaussian { x: start.to_vector(), p: Matrix3::zeros() };
@@ -88,7 +97,11 @@ impl Drive {
         }
     }
 
-    pub(crate) fn advance(&mut self) -> Result<(), Error> {
+    /// One tick.
+    ///
+    /// # Errors
+    /// Whatever the core answers.
+    pub fn advance(&mut self) -> Result<(), Error> {
         let (tick, from) = (HOOK.course.tick(self.step), self.truth());
         let counted = self.rusty.drive(tick, &mut self.slip);
         self.step += 1;
@@ -153,7 +166,7 @@ impl Drive {
     }
 
     /// The error, what is claimed of it, and their ratio.
-    pub(crate) fn quality(&self) -> (Quality, Spread) {
+    pub fn quality(&self) -> (Quality, Spread) {
         let (truth, Gaussian { x, p }) = (self.truth(), self.belief());
         let pose = SE2::from_vector(&x);
         let off = pose.boxminus(truth);

@@ -1,12 +1,12 @@
 //! What the odometry hook shows: its frame, and the bounded memory behind it.
 
 use super::HookParams;
-use crate::declare::{described, record};
-use crate::series::{Series, Tracks, keep};
 use crate::shapes::{ellipse_of, rows};
 use estimate::Landmark;
 use estimate::kf::Gaussian;
 use geom::{Ellipse, SE2};
+use lab::record;
+use lab::series::{Series, Tracks, keep};
 use nalgebra::U3;
 use sim::scenarios::HOOK;
 use sim::{Apartment, Room};
@@ -196,36 +196,6 @@ record! {
         pub epsilon: Series,
         /// Claimed sigma of ε̂.
         pub sigma_epsilon: Series,
-    }
-}
-
-described! {
-    /// A rectangular room.
-    Room as "Room"; &[], &[];
-    {
-        /// Its name.
-        name: &'static str as "name";
-        /// West wall, metres.
-        x: f64 as "x";
-        /// South wall, metres.
-        y: f64 as "y";
-        /// West to east, metres.
-        width: f64 as "width";
-        /// South to north, metres.
-        height: f64 as "height";
-    }
-}
-
-described! {
-    /// A mapped landmark; ids are whole numbers below 2³², each given once.
-    Landmark as "Landmark"; &[], &[];
-    {
-        /// Its name in the map.
-        id: u32 as "id";
-        /// Metres.
-        x: f64 as "x";
-        /// Metres.
-        y: f64 as "y";
     }
 }
 

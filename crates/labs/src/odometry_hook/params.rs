@@ -1,6 +1,6 @@
 //! What a reader of the odometry hook can change.
 
-use crate::declare::params;
+use lab::params;
 use sim::scenarios::HOOK;
 
 params! {

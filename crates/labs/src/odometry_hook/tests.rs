@@ -70,9 +70,9 @@ fn memory_is_one_lap_however_long_the_run() {
     assert_eq!((tracks.truth.len(), tracks.estimate.len(), frame.trail.len()), (641, 641, 17));
     // Of the true course the corners are kept, and the two ends of the window.
     assert!(frame.tracks.truth.len() <= 7 && frame.tracks.estimate.len() < 100, "{:?}", frame.tracks);
-    let ends = |track: &crate::series::Track| (track.x.front().copied(), track.y.back().copied());
+    let ends = |track: &lab::Track| (track.x.front().copied(), track.y.back().copied());
     assert_eq!(ends(&frame.tracks.estimate), ends(&tracks.estimate));
-    assert_eq!(frame.series.step.len(), crate::WINDOW);
+    assert_eq!(frame.series.step.len(), lab::WINDOW);
     assert_eq!(frame.trail.back().map(|t| t.step), Some(3000));
     assert!(frame.error.position < 1.0, "{:?}", frame.error);
 }
@@ -136,6 +136,6 @@ fn a_bias_that_is_a_state_has_a_series_beside_the_others() {
     let lengths = [&frame.series.step, &frame.series.epsilon, &frame.series.sigma_epsilon].map(|series| series.len());
     assert_eq!(lengths, [101; 3]);
     let memory = at(learning(0.005, true), 3000);
-    assert_eq!(memory.frame().series.epsilon.len(), crate::WINDOW);
+    assert_eq!(memory.frame().series.epsilon.len(), lab::WINDOW);
     assert!(at(with(0.005, true), 400).frame().series.epsilon.is_empty());
 }

@@ -1,9 +1,9 @@
 //! What a view draws of a system of the reader's own.
 
 use super::params::OwnParams;
-use crate::declare::record;
-use crate::series::Series;
 use estimate::{Complex, RiccatiLimit, Verdict};
+use lab::record;
+use lab::series::Series;
 
 record! {
     /// A system, what can be known of it, and a simulated run.

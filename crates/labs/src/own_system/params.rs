@@ -1,6 +1,6 @@
 //! What a reader sets of a system of the reader's own.
 
-use crate::declare::{params, words};
+use lab::{params, words};
 
 words! {
     /// Who chooses the gain.

@@ -79,7 +79,7 @@ fn with_the_filter_s_limit_as_gain_by_hand_the_run_comes_to_the_filter_s() {
         assert!((one.estimate[i] - other.estimate[i]).abs() < 1e-9);
         assert!((one.p[i][i] - other.p[i][i]).abs() < 1e-9);
     }
-    assert_eq!(one.series.step.len(), crate::series::WINDOW);
+    assert_eq!(one.series.step.len(), lab::WINDOW);
 }
 
 #[test]

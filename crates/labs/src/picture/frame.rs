@@ -1,9 +1,9 @@
 //! What the Picture shows.
 
 use super::PictureParams;
-use crate::declare::record;
 use crate::shapes::BenchBelief;
 use geom::Ellipse;
+use lab::record;
 
 record! {
     /// A step from the prediction, in both metrics.

@@ -1,8 +1,8 @@
 //! What a reader of the Picture can change.
 
-use crate::declare::params;
 use core::f64::consts::{FRAC_PI_2, PI};
 use geom::Ellipse;
+use lab::params;
 use nalgebra::Matrix2;
 
 params! {

@@ -1,12 +1,11 @@
 //! What the figure on a robot's log shows.
 
 use super::LogParams;
-use crate::declare::{described, record};
-use crate::series::Track;
 use estimate::Landmark;
 use estimate::drive::{Line, Summary};
 use geom::Ellipse;
-use nalgebra::DVector;
+use lab::record;
+use lab::series::Track;
 
 record! {
     /// A sighting that the filter looked at.
@@ -200,47 +199,5 @@ record! {
         pub bands: Option<LogBands>,
         /// The RMS error of dead reckoning so far, metres.
         pub reckoned_rmse: Option<f64>,
-    }
-}
-
-described! {
-    /// A straight line through points, with the least squared distances along y.
-    Line as "FittedLine"; &[], &[];
-    {
-        /// y for each x.
-        slope: f64 as "slope";
-        /// y at x = 0.
-        offset: f64 as "offset";
-        /// R², the share of the variance of y that it explains.
-        r2: f64 as "r2";
-    }
-}
-
-described! {
-    /// What the replay says of itself so far; null where there is nothing to say it of.
-    Summary as "LogSummary"; &[], &[];
-    {
-        /// Sightings that corrected the estimate.
-        used: u32 as "used";
-        /// Sightings that did not.
-        refused: u32 as "refused";
-        /// Root of the mean squared error of the position at the rows of motion, metres.
-        rmse: Option<f64> as "rmse";
-        /// The largest error of the position, metres.
-        worst: Option<f64> as "worst";
-        /// The mean over the used sightings of νᵀS⁻¹ν for each output: 1 is expected.
-        nis: Option<f64> as "nis";
-        /// The mean over the used sightings of ν/√S of the range: 0 is expected.
-        mean_innovation: Option<f64> as "meanInnovation";
-        /// The autocorrelation of ν/√S from one used sighting to the next: 0 is expected.
-        lag1: Option<f64> as "lag1";
-        /// The learned ε.
-        epsilon: Option<f64> as "epsilon";
-        /// Its standard deviation.
-        epsilon_sigma: Option<f64> as "epsilonSigma";
-        /// The state [x, y, θ] in metres and radians; and ε where it is learned.
-        x: DVector<f64> as "x";
-        /// The trace of the pose's covariance, m² and rad² added up.
-        trace: f64 as "trace";
     }
 }

@@ -1,8 +1,8 @@
 //! A log in memory, once for all labs that replay it.
 
 use super::frame::LogTimeline;
-use crate::series::Track;
 use estimate::drive::{Drive, Event};
+use lab::series::Track;
 
 /// At most so many positions of a track, and so many readings, are in a frame.
 const MOST_POSITIONS: u32 = 600;

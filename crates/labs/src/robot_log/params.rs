@@ -1,7 +1,7 @@
 //! What a reader of a robot's log can change.
 
-use crate::declare::params;
 use estimate::drive::Settings;
+use lab::params;
 
 params! {
     /// What the filter is told about the robot and its sensors.

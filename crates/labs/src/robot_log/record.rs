@@ -4,10 +4,10 @@ use super::frame::{
     LogBands, LogCorrelation, LogErrors, LogHistogram, LogInnovations, LogLandmark, LogNis, LogRanges, LogSighting,
 };
 use super::logged::LoggedDrive;
-use crate::series::Track;
 use estimate::drive::{Judged, Line, Points};
 use filters::Autocorrelation;
 use filters::consistency::chi2_interval;
+use lab::series::Track;
 use std::f64::consts::PI;
 
 /// The lags of the autocorrelation.

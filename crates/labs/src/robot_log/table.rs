@@ -1,9 +1,9 @@
 //! A replay as a table, row by row: for a reader who goes on with the numbers elsewhere.
 
 use super::{LogParams, LoggedDrive};
-use crate::declare::Params;
 use estimate::Error;
 use estimate::drive::{Event, Replay, Row, Settings};
+use lab::Params;
 use std::fmt::Write;
 use std::sync::Arc;
 

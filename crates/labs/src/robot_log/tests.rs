@@ -1,4 +1,5 @@
 use super::*;
+use lab::Plain;
 use std::fmt::Write;
 
 fn logged(text: &str) -> Arc<LoggedDrive> {
@@ -10,7 +11,7 @@ fn plaza() -> Arc<LoggedDrive> {
 }
 
 fn whole(logged: &Arc<LoggedDrive>, params: LogParams) -> RobotLog {
-    let mut lab = RobotLog::new(Arc::clone(logged), params).expect("sound parameters");
+    let mut lab = RobotLog::start(Arc::clone(logged), params).expect("sound parameters");
     lab.run_all().expect("a sound log");
     lab
 }
@@ -30,14 +31,14 @@ fn a_run_is_the_same_in_one_call_and_in_many() {
     let plaza = plaza();
     let params = LogParams { gate: Some(0.999), learn: true, ..LogParams::default() };
     let at_once = whole(&plaza, params);
-    let mut in_parts = RobotLog::new(Arc::clone(&plaza), params).expect("sound parameters");
+    let mut in_parts = RobotLog::start(Arc::clone(&plaza), params).expect("sound parameters");
     for n in [1, 16, 5000, 100_000] {
         in_parts.run(n).expect("a sound log");
     }
     assert_eq!((in_parts.step, in_parts.digest), (plaza.rows(), at_once.digest));
     assert_eq!(in_parts.frame(), at_once.frame());
     let mut changed = whole(&plaza, LogParams::default());
-    changed.set_params(&params.numbers()).expect("sound parameters");
+    changed.set(params).expect("sound parameters");
     assert_eq!(changed.frame(), at_once.frame());
     let before = RobotLog::at(Arc::clone(&plaza), params, 5017).expect("within the log");
     let mut after = before.clone();
@@ -65,8 +66,8 @@ fn what_is_refused_changes_nothing() {
         (bad(|p| p.scale = f64::INFINITY), "scale"),
         (bad(|p| p.offset = f64::NAN), "offset"),
     ] {
-        assert_eq!(lab.set_params(&params.numbers()).expect_err("refused").argument, argument);
-        assert_eq!(RobotLog::new(Arc::clone(&plaza), params).expect_err("refused").argument, argument);
+        assert_eq!(lab.set(params).expect_err("refused").argument, argument);
+        assert_eq!(RobotLog::start(Arc::clone(&plaza), params).expect_err("refused").argument, argument);
     }
     for n in [0, RobotLog::LAST_STEP + 1] {
         assert_eq!(lab.run(n).expect_err("refused").argument, "n");

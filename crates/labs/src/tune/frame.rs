@@ -1,8 +1,8 @@
 //! What the tuning shows.
 
 use super::TuneParams;
-use crate::declare::record;
 use geom::Ellipse;
+use lab::record;
 
 record! {
     /// A log filtered with the noise levels that the reader has chosen. Every list over the log has an entry for each reading.

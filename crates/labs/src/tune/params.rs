@@ -1,6 +1,6 @@
 //! What a reader who tunes the filter can change.
 
-use crate::declare::params;
+use lab::params;
 use sim::scenarios::TUNING;
 
 params! {

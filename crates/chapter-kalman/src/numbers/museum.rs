@@ -1,0 +1,60 @@
+//! Numbers of the museum of bugs over 500 seeds.
+
+use crate::ensembles::{FIGURES, PANELS, SEEDS, Symptoms, diagnosed, museum_runs};
+use estimate::Error;
+use lab::Listing;
+use labs::Bug;
+use sim::scenarios::BUG_MUSEUM;
+
+/// The first seed of the runs that a symptom table is made of, when others are diagnosed with it.
+const TABLE: u32 = 10_000;
+/// Runs that are diagnosed together.
+const TOGETHER: usize = 5;
+
+/// The constants.
+pub(super) fn constants(to: &mut Listing) {
+    let constants = BUG_MUSEUM;
+    to.by("sim::scenarios::BUG_MUSEUM", None)
+        .add("museum.steps", f64::from(constants.steps), "steps of a run")
+        .add("museum.laps", f64::from(constants.steps / constants.course.lap()), "laps of a run")
+        .add("museum.reach", constants.sensor.reach, "how far the sensor reaches, m")
+        .add("museum.range.sigma", constants.sensor.range_sigma, "one sigma of a range, m")
+        .add("museum.bearing.sigma", constants.sensor.bearing_sigma, "one sigma of a bearing, rad")
+        .add("museum.outliers", 100.0 * constants.outliers, "readings that are wrong, per cent")
+        .add("museum.bugs", Bug::ALL.len() as f64, "the bugs");
+}
+
+pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
+    let all: Vec<Bug> = [Bug::None].into_iter().chain(Bug::ALL).collect();
+    let runs = |first: u32| -> Result<Vec<_>, Error> {
+        all.iter().map(|bug| museum_runs([*bug, Bug::None], first, SEEDS)).collect()
+    };
+    let judged = runs(0)?;
+    to.by("labs::bug_museum::Symptoms", None);
+    for (bug, runs) in all.iter().zip(&judged) {
+        let beyond = Symptoms::of(runs).beyond.map(|[below, above]| 100.0 * (below + above));
+        for (panel, figures) in PANELS {
+            let most = figures.iter().map(|&i| beyond[i]).fold(0.0, f64::max);
+            let about =
+                "runs in whose most telling figure of this panel is outside a right filter's 95 % band, per cent";
+            to.add(format!("museum.{}.{panel}", bug.word()), most, about);
+        }
+    }
+    let table: Vec<_> = all.iter().copied().zip(runs(TABLE)?.iter().map(|runs| Symptoms::of(runs))).collect();
+    to.by("labs::bug_museum::diagnosed", None);
+    for (name, together) in [("one", 1), ("five", TOGETHER)] {
+        let share = |bug: Bug, runs: &[[f64; FIGURES]]| {
+            let groups = runs.chunks_exact(together);
+            groups.clone().filter(|some| diagnosed(&table, some) == Some(bug)).count() as f64 / groups.len() as f64
+        };
+        let shares: Vec<f64> = all.iter().zip(&judged).map(|(bug, runs)| 100.0 * share(*bug, runs)).collect();
+        let mean = shares.iter().sum::<f64>() / shares.len() as f64;
+        let least = shares.iter().copied().fold(100.0, f64::min);
+        to.add(format!("museum.told.{name}"), mean, "filters named rightly by the symptom table alone, per cent").add(
+            format!("museum.told.{name}.least"),
+            least,
+            "the same of the bug that is named least often",
+        );
+    }
+    Ok(())
+}

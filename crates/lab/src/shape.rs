@@ -1,0 +1,130 @@
+//! Plain values as a row of numbers, beside a constant that says what the numbers are.
+//!
+//! A view wants objects, a program JSON, a hash bits: each reads the row along the [`Shape`], so that one function serves all
+//! frames where a generic one would be compiled for each.
+
+use nalgebra::DVector;
+use std::collections::VecDeque;
+
+/// What a row of numbers holds.
+#[derive(Debug)]
+pub enum Shape {
+    /// A number, as it is.
+    Number,
+    /// A whole number.
+    Whole,
+    /// `true` (1) or `false` (0).
+    Flag,
+    /// One of these words: its index.
+    Word(&'static [&'static str]),
+    /// A text: its length, then its characters.
+    Text,
+    /// 0 for nothing; 1 and the value.
+    Maybe(&'static Shape),
+    /// A length, then the entries.
+    List(&'static Shape),
+    /// As many entries as stated here.
+    Exactly(usize, &'static Shape),
+    /// Each field in turn, of a record of this name.
+    Record(&'static str, &'static [Field]),
+}
+
+/// A field of a record.
+#[derive(Debug)]
+pub struct Field {
+    /// Its name outside.
+    pub name: &'static str,
+    /// What it holds.
+    pub shape: Shape,
+}
+
+/// A value that is nothing but numbers, words and lists of them.
+pub trait Plain {
+    /// What [`Plain::write`] writes.
+    const SHAPE: Shape;
+
+    /// Appends the value's numbers.
+    fn write(&self, to: &mut Vec<f64>);
+}
+
+/// Appends a number. Not inlined: a frame has hundreds, and the code that lets a list grow would stand at each.
+#[inline(never)]
+pub fn put(to: &mut Vec<f64>, number: f64) {
+    to.push(number);
+}
+
+/// Single numbers.
+macro_rules! number {
+    ($($type:ty: $shape:ident;)*) => {$(
+        impl Plain for $type {
+            const SHAPE: Shape = Shape::$shape;
+
+            fn write(&self, to: &mut Vec<f64>) {
+                put(to, f64::from(*self));
+            }
+        }
+    )*};
+}
+
+number! { f64: Number; u32: Whole; bool: Flag; }
+
+impl Plain for usize {
+    const SHAPE: Shape = Shape::Whole;
+
+    fn write(&self, to: &mut Vec<f64>) {
+        put(to, *self as f64);
+    }
+}
+
+impl Plain for &'static str {
+    const SHAPE: Shape = Shape::Text;
+
+    fn write(&self, to: &mut Vec<f64>) {
+        put(to, self.chars().count() as f64);
+        to.extend(self.chars().map(|letter| f64::from(u32::from(letter))));
+    }
+}
+
+impl<T: Plain> Plain for Option<T> {
+    const SHAPE: Shape = Shape::Maybe(&T::SHAPE);
+
+    fn write(&self, to: &mut Vec<f64>) {
+        put(to, f64::from(self.is_some()));
+        if let Some(value) = self {
+            value.write(to);
+        }
+    }
+}
+
+impl<T: Plain, const N: usize> Plain for [T; N] {
+    const SHAPE: Shape = Shape::Exactly(N, &T::SHAPE);
+
+    fn write(&self, to: &mut Vec<f64>) {
+        self.iter().for_each(|entry| entry.write(to));
+    }
+}
+
+/// Lists whose length may change.
+macro_rules! list {
+    ($($type:ty),*) => {$(
+        impl<T: Plain + 'static> Plain for $type {
+            const SHAPE: Shape = Shape::List(&T::SHAPE);
+
+            fn write(&self, to: &mut Vec<f64>) {
+                put(to, self.len() as f64);
+                self.iter().for_each(|entry| entry.write(to));
+            }
+        }
+    )*};
+}
+
+list!(Vec<T>, VecDeque<T>, &'static [T]);
+
+impl Plain for DVector<f64> {
+    const SHAPE: Shape = <&[f64]>::SHAPE;
+
+    fn write(&self, to: &mut Vec<f64>) {
+        put(to, self.len() as f64);
+        to.extend(self.iter());
+    }
+}
