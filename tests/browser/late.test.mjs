@@ -143,7 +143,7 @@ test('Close the loop: both thresholds are dragged on their axis, and where they 
 })
 
 for (const [id, tag, figureId, wrong, right, todo] of [
-  ['tune-in-band', 'tune', 'fig-tune', { logQ: -2, logW: -1 }, { logW: 0.3 }, 'Bring the mean NIS into its band.'],
+  ['tune-in-band', 'lab-tune', 'fig-tune', { logQ: -2, logW: -1 }, { logW: 0.3 }, 'Bring the mean NIS into its band.'],
   [
     'loop-ghost',
     'loop-closure',

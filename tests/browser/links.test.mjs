@@ -150,7 +150,8 @@ for (const { version, links } of kept()) {
       const last = there.filter(({ figure: id }, i) => there.findLastIndex((link) => link.figure === id) === i)
       const query = new URLSearchParams(last.flatMap(({ address }) => [...new URL(address, SITE).searchParams]))
       const opened = await open(t, { at: `${page}?${query}` })
-      for (const { figure: id, widget, state, frame } of last) {
+      for (const { figure: id, state, frame } of last) {
+        const widget = tagOf(state.lab)
         const element = opened.locator(`#${id} ${widget}`)
         await comeTo(opened, `#${id}`, `#${id} ${widget}[data-state=live]`)
         await opened.waitForFunction(

@@ -19,7 +19,7 @@ use crate::template::safe;
 use crate::tex::{Formula, Style};
 use crate::tree::Node;
 use crate::writer::Writer;
-use labs::{FIGURES, Figure};
+use lab::Figure;
 
 /// Kinds of notes and what each is headed with.
 const NOTES: [(&str, &str); 4] =
@@ -159,8 +159,9 @@ impl Writer<'_> {
     fn figure(&mut self, id: &str, attributes: &Attributes, place: &Place) -> Value {
         let (widget, drawing) = (attributes.value("widget"), attributes.value("drawing"));
         let name = widget.or(drawing).unwrap_or_default();
-        let known = if widget.is_some() { FIGURES.iter().map(Figure::name).collect() } else { DRAWINGS.to_vec() };
-        let tag = FIGURES.iter().find(|figure| figure.name() == name).map(Figure::tag);
+        let known =
+            if widget.is_some() { self.site.figures.iter().map(Figure::name).collect() } else { DRAWINGS.to_vec() };
+        let tag = self.site.figure(name).map(Figure::tag);
         if widget.is_some() == drawing.is_some() {
             self.diagnostics.report(place, "a figure has a widget or a drawing");
         } else if !known.contains(&name) {

@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use lab::Check;
-use labs::FIGURES;
 use minijinja::{Value, context};
 use serde::Serialize;
 
@@ -154,7 +153,7 @@ impl Pages<'_> {
             let extra = context! { figure => serde(figure), slug, from, formulas };
             self.page("figure", &address, &figure.name, &about, extra.clone())?;
             // An address of before opens the same page, which says where it is now.
-            let was = FIGURES.iter().find(|known| known.name() == figure.widget).and_then(|known| known.was);
+            let was = self.build.site.figure(&figure.widget).and_then(|known| known.was);
             if let Some(was) = was {
                 let extra = context! { canonical => format!("../{}/", figure.widget), ..extra };
                 self.page("figure", &figure::address(was), &figure.name, &about, extra)?;

@@ -1,6 +1,5 @@
 //! A figure alone, for a page of its own that other pages can embed.
 
-use labs::FIGURES;
 use serde::Serialize;
 
 use crate::diagnostic::Diagnostics;
@@ -78,11 +77,7 @@ fn figure(writer: &mut Writer<'_>, node: &Node) -> Option<Figure> {
         still: still.svg,
         words: still.words,
         id,
-        tag: FIGURES
-            .iter()
-            .find(|figure| figure.name() == widget)
-            .map(|figure| figure.tag().into())
-            .unwrap_or_default(),
+        tag: writer.site.figure(&widget).map(|figure| figure.tag().into()).unwrap_or_default(),
         widget,
     })
 }

@@ -3,7 +3,7 @@
 use std::collections::BTreeSet;
 use std::path::Path;
 
-use labs::FIGURES;
+use lab::Figure;
 use serde_json::{Value, json};
 
 use crate::config::{Config, DataFile};
@@ -15,14 +15,14 @@ use crate::piece::Piece;
 use crate::tree::{self, Kind};
 
 /// A script with the figures of the list, in its order.
-pub fn script() -> String {
-    let of = |figure: &labs::Figure| {
+fn script(figures: &[Figure]) -> String {
+    let of = |figure: &Figure| {
         json!({
             "name": figure.name(), "tag": figure.tag(), "lab": figure.class, "build": figure.build, "world": figure.world,
             "was": figure.was,
         })
     };
-    let list: Vec<Value> = FIGURES.iter().map(of).collect();
+    let list: Vec<Value> = figures.iter().map(of).collect();
     format!(
         "// Written by the book's program from the list in crates/labs/src/figures.rs.\n\
          /** @type {{import('../web/widgets/index.js').Listed[]}} */\nexport const FIGURES = {list:#}\n",
@@ -31,16 +31,16 @@ pub fn script() -> String {
 }
 
 /// The builds of the module that hold the labs of figures, in the order of the list.
-pub fn builds() -> Vec<&'static str> {
+pub fn builds(figures: &[Figure]) -> Vec<&'static str> {
     let mut seen = BTreeSet::new();
-    FIGURES.iter().map(|figure| figure.build).filter(|build| seen.insert(*build)).collect()
+    figures.iter().map(|figure| figure.build).filter(|build| seen.insert(*build)).collect()
 }
 
 /// The figures of the text that open in a state of their own: id, name and state of each.
 ///
 /// # Errors
 /// [`BuildError`] when a file cannot be read.
-pub fn opened(root: &Path) -> Result<Value, BuildError> {
+fn opened(root: &Path) -> Result<Value, BuildError> {
     // What is wrong with the text is told by the build of its pages.
     let diagnostics = Diagnostics::default();
     let config: Config = DataFile::read(root, "book.toml")?.parse(&diagnostics);
@@ -74,8 +74,8 @@ pub fn opened(root: &Path) -> Result<Value, BuildError> {
 ///
 /// # Errors
 /// [`BuildError`] when a file cannot be read or written.
-pub fn write(root: &Path, folder: &Path) -> Result<(), BuildError> {
-    for (name, text) in [("figures.js", script()), ("opened.json", format!("{:#}\n", opened(root)?))] {
+pub fn write(root: &Path, figures: &[Figure], folder: &Path) -> Result<(), BuildError> {
+    for (name, text) in [("figures.js", script(figures)), ("opened.json", format!("{:#}\n", opened(root)?))] {
         let path = folder.join(name);
         if std::fs::read_to_string(&path).ok().as_ref() != Some(&text) {
             std::fs::create_dir_all(folder).map_err(BuildError::file(folder))?;

@@ -7,6 +7,7 @@ use std::time::Instant;
 use book::{Assets, Build, BuildError, Diagnostics, Kept, Outputs, Site};
 use chapter_kalman::{checks::chapter_checks, givens::Givens, numbers::with_ensembles};
 use clap::Parser;
+use labs::FIGURES;
 
 /// Builds the site.
 #[derive(Parser)]
@@ -47,17 +48,23 @@ struct Options {
 fn build(options: &Options) -> Result<String, BuildError> {
     let start = Instant::now();
     if let Some(folder) = &options.list {
-        book::write_list(&options.root, folder)?;
-        return Ok(book::builds().join("\n"));
+        book::write_list(&options.root, FIGURES, folder)?;
+        return Ok(book::builds(FIGURES).join("\n"));
     }
     let diagnostics = Diagnostics::default();
     let failed = |e| BuildError::Missing(format!("the labs: {e}"));
     let kept = Kept::by_this_program(&options.kept);
     let numbers = kept.or("numbers", "", || with_ensembles(&Givens::default())).map_err(failed)?;
     let checks = chapter_checks().map_err(failed)?;
-    let stills = book::load_stills(&options.stills, options.strict)?;
-    let mut site =
-        Site::load(&options.root, numbers.into_iter().collect(), Outputs::of(&options.root), stills, &diagnostics)?;
+    let stills = book::load_stills(&options.stills, FIGURES, options.strict)?;
+    let mut site = Site::load(
+        &options.root,
+        numbers.into_iter().collect(),
+        FIGURES,
+        Outputs::of(&options.root),
+        stills,
+        &diagnostics,
+    )?;
     site.answers = !options.no_answers;
     site.kept = kept;
     let assets = Assets::load(&options.assets, options.strict)?;

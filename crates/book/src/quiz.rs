@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use lab::Figure;
 use serde::Deserialize;
 use serde_json::json;
 
@@ -120,11 +121,16 @@ struct RawNear {
 }
 
 /// The questions of all `files` by id; what is wrong with them goes to `diagnostics`.
-pub fn quizzes(files: &[DataFile], numbers: &Numbers, diagnostics: &Diagnostics) -> BTreeMap<String, Quiz> {
+pub fn quizzes(
+    files: &[DataFile],
+    numbers: &Numbers,
+    figures: &[Figure],
+    diagnostics: &Diagnostics,
+) -> BTreeMap<String, Quiz> {
     let mut quizzes = BTreeMap::new();
     for asked in files.iter().flat_map(|file| file.parse::<File>(diagnostics).quiz) {
         let Text { markdown: id, place } = asked.id.clone();
-        let reader = Reader { numbers, diagnostics, asked: &asked };
+        let reader = Reader { numbers, figures, diagnostics, asked: &asked };
         let answer = match asked.kind {
             Kind::Choice => reader.choice(),
             Kind::Number | Kind::Vector => reader.values(),
@@ -143,6 +149,7 @@ pub fn quizzes(files: &[DataFile], numbers: &Numbers, diagnostics: &Diagnostics)
 
 struct Reader<'a> {
     numbers: &'a Numbers,
+    figures: &'a [Figure],
     diagnostics: &'a Diagnostics,
     asked: &'a Asked,
 }

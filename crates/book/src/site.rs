@@ -3,6 +3,8 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
+use lab::Figure;
+
 use crate::code::Highlighter;
 use crate::config::{Config, DataFile};
 use crate::diagnostic::{BuildError, Diagnostics};
@@ -24,6 +26,8 @@ pub struct Site {
     pub config: Config,
     /// Renders formulas.
     pub typesetter: Typesetter,
+    /// The figures that a text can show.
+    pub figures: &'static [Figure],
     /// What the labs computed.
     pub numbers: Numbers,
     /// Works cited.
@@ -51,6 +55,11 @@ pub struct Site {
 }
 
 impl Site {
+    /// The figure called `name`.
+    pub fn figure(&self, name: &str) -> Option<&'static Figure> {
+        self.figures.iter().find(|figure| figure.name() == name)
+    }
+
     /// Reads `content/` and the sources under `root`.
     ///
     /// # Errors
@@ -58,6 +67,7 @@ impl Site {
     pub fn load(
         root: &Path,
         numbers: Numbers,
+        figures: &'static [Figure],
         outputs: Outputs,
         stills: Stills,
         diagnostics: &Diagnostics,
@@ -70,13 +80,14 @@ impl Site {
             references: data("references.toml")?.parse(diagnostics),
             glossary: glossary::glossary(&data("glossary.toml")?, diagnostics),
             notation: data("notation.toml")?.parse::<notation::Table>(diagnostics).row,
-            quizzes: quiz::quizzes(&DataFile::all(root, "quizzes")?, &numbers, diagnostics),
+            quizzes: quiz::quizzes(&DataFile::all(root, "quizzes")?, &numbers, figures, diagnostics),
             answers: true,
             kept: Kept::nothing(),
             sources: Sources::load(root)?,
             highlighter: Highlighter::default(),
             templates: Templates::load(root)?,
             config,
+            figures,
             numbers,
             outputs,
             stills,

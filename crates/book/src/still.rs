@@ -6,7 +6,7 @@ use std::path::Path;
 use crate::diagnostic::BuildError;
 use crate::file;
 use crate::hash::fnv1a;
-use labs::{FIGURES, Figure};
+use lab::Figure;
 
 /// The drawings that do not move, of `web/drawings`.
 pub const DRAWINGS: [&str; 1] = ["covariance"];
@@ -55,11 +55,11 @@ pub type Stills = BTreeMap<String, Still>;
 ///
 /// # Errors
 /// [`BuildError`] when a file is missing under `strict`, or cannot be read.
-pub fn load(folder: &Path, strict: bool) -> Result<Stills, BuildError> {
+pub fn load(folder: &Path, figures: &[Figure], strict: bool) -> Result<Stills, BuildError> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let drawn = entries.filter_map(|entry| entry.file_name().to_str()?.strip_suffix(".svg").map(String::from));
     let names: BTreeSet<String> =
-        drawn.chain(FIGURES.iter().map(Figure::name).chain(DRAWINGS).map(String::from)).collect();
+        drawn.chain(figures.iter().map(Figure::name).chain(DRAWINGS).map(String::from)).collect();
     let mut stills = Stills::new();
     for name in names {
         let [svg, words] = ["svg", "txt"].map(|extension| folder.join(format!("{name}.{extension}")));

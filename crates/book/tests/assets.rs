@@ -77,7 +77,7 @@ fn a_strict_build_refuses_missing_assets_and_stills() {
     let empty = folder("empty", &[]);
     assert!(Assets::load(&empty, false).is_ok());
     assert!(Assets::load(&empty, true).is_err());
-    assert!(book::load_stills(&empty, true).is_err_and(|error| error.to_string().contains("stills")));
+    assert!(book::load_stills(&empty, labs::FIGURES, true).is_err_and(|error| error.to_string().contains("stills")));
     let poor = folder("poor", &[("manifest.json", r#"{ "page.js": "p.js" }"#), ("inline.json", "{}")]);
     assert!(Assets::load(&poor, true).is_err_and(|error| error.to_string().contains("site.css")));
 }

@@ -23,7 +23,7 @@ pub use bug_museum::{
     Bug, BugMuseum, MuseumAnswer, MuseumFigure, MuseumFrame, MuseumParams, MuseumReadings, MuseumSeries, MuseumSighting,
 };
 pub use estimate::localizer::SensorKind;
-pub use figures::{FIGURES, Figure};
+pub use figures::FIGURES;
 pub use loop_closure::{
     LoopClosure, LoopFrame, LoopGate, LoopMoment, LoopParams, LoopSeries, LoopSighting, LoopThresholds,
 };

@@ -1,7 +1,6 @@
 //! Answers that are states of a figure: conditions on its frame, which the build holds against the frame's shape.
 
-use lab::Shape;
-use labs::{FIGURES, Figure};
+use lab::{Figure, Shape};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -45,7 +44,7 @@ impl Reader<'_> {
         let figure = self.asked.figure.clone().ok_or("the figure is missing: its id")?;
         let widget = self.asked.widget.as_ref().ok_or("the figure's widget is missing")?;
         let named = |figure: &&Figure| figure.name() == widget.as_str();
-        let figure_frame = FIGURES.iter().find(named).map(|figure| &figure.kind.frame);
+        let figure_frame = self.figures.iter().find(named).map(|figure| &figure.kind.frame);
         let frame = figure_frame.ok_or_else(|| format!("no widget is called `{widget}`"))?;
         let conditions = &self.asked.condition;
         if conditions.is_empty() {

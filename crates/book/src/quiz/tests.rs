@@ -5,7 +5,7 @@ fn read(text: &str) -> (BTreeMap<String, Quiz>, String) {
     let number = |id: &str, value| Number { id: id.into(), value, about: "".into(), source: "".into(), check: None };
     let numbers = [number("a", 1.873), number("b", 3.05), number("c", 1.874)].into_iter().collect();
     let diagnostics = Diagnostics::default();
-    let quizzes = quizzes(&[DataFile::from_text("q.toml", text)], &numbers, &diagnostics);
+    let quizzes = quizzes(&[DataFile::from_text("q.toml", text)], &numbers, labs::FIGURES, &diagnostics);
     (quizzes, diagnostics.check().err().map(|error| error.to_string()).unwrap_or_default())
 }
 

@@ -25,7 +25,7 @@ fn root() -> PathBuf {
 
 /// The book's data with `numbers`.
 fn load(numbers: Vec<Number>, diagnostics: &Diagnostics) -> Site {
-    Site::load(&root(), numbers.into_iter().collect(), Outputs::of(root()), Stills::new(), diagnostics)
+    Site::load(&root(), numbers.into_iter().collect(), labs::FIGURES, Outputs::of(root()), Stills::new(), diagnostics)
         .expect("the content is there")
 }
 
