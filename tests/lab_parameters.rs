@@ -137,7 +137,7 @@ fn square(m: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
 }
 
 macro_rules! each {
-    ($($lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {$(
+    ($($module:ident::$lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {$(
         #[allow(non_snake_case)]
         mod $lab {
             use super::*;

@@ -253,7 +253,7 @@ macro_rules! lab_start {
 
 /// The classes of the labs whose build this is.
 macro_rules! lab_classes {
-    ($($name:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
+    ($($module:ident::$name:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
         $(#[cfg(feature = $build)] lab_class! { $name $($world)? })*
     };
 }

@@ -17,7 +17,7 @@ fn print<L: Lab<World: Sample>>() -> Result<(), Box<dyn std::error::Error>> {
 }
 
 macro_rules! print_each {
-    ($($lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
+    ($($module:ident::$lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
         fn main() -> Result<(), Box<dyn std::error::Error>> {
             $(print::<$lab>()?;)*
             Ok(())

@@ -24,7 +24,7 @@ fn main() -> Answer<()> {
 }
 
 macro_rules! print_one {
-    ($($lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
+    ($($module:ident::$lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
         fn print(lab: &str, step: u32, params: &Value) -> Answer<()> {
             match lab {
                 $($lab::NAME => print_frame::<$lab>(step, params),)*

@@ -3,28 +3,28 @@
 use crate::*;
 use lab::{Figure, Kind};
 
-/// Hands the list of figures to the macro `$with`: `labs::figures!(with)`. A line names the lab, the build of the module that has
+/// Hands the list of figures to the macro `$with`: `labs::figures!(with)`. A line names the module and the lab, the build of the module that has
 /// its class (`figures` is at hand when a page opens, any other is fetched when such a figure comes near), what a lab stands on that
 /// is none of its parameters, and the name that its addresses had before.
 #[macro_export]
 macro_rules! figures {
     ($with:ident) => {
         $with! {
-            ObserverBench in "figures";
-            OdometryHook in "figures";
-            Picture in "figures", was "kalman-picture";
-            ObservabilityProbe in "late";
-            LoopClosure in "late", was "close-loop";
-            Tune in "late", was "tune-me";
-            BugMuseum in "late";
-            RobotLog of DriveLog in "log";
-            OwnSystem in "system";
+            observer_bench::ObserverBench in "figures";
+            odometry_hook::OdometryHook in "figures";
+            picture::Picture in "figures", was "kalman-picture";
+            observability_probe::ObservabilityProbe in "late";
+            loop_closure::LoopClosure in "late", was "close-loop";
+            tune::Tune in "late", was "tune-me";
+            bug_museum::BugMuseum in "late";
+            robot_log::RobotLog of DriveLog in "log";
+            own_system::OwnSystem in "system";
         }
     };
 }
 
 macro_rules! listed {
-    ($($lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
+    ($($module:ident::$lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
         /// Every figure, by the list.
         pub const FIGURES: &[Figure] = &[$(Figure {
             class: stringify!($lab),

@@ -4,7 +4,7 @@ use crate::*;
 use lab::{About, Interface, Lab, Text, written};
 
 macro_rules! described {
-    ($($lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
+    ($($module:ident::$lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
         /// What the labs take and hand out, and what that is made of.
         const ALL: &[&[&[About]]] = &[
             &[lab::INTERFACES, lab::series::INTERFACES, shapes::INTERFACES, mapping::INTERFACES],
