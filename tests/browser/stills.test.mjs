@@ -216,7 +216,7 @@ test('where the module cannot be fetched the figure says so, and tries again', a
   await page.waitForFunction(() => document.activeElement?.closest('observer-bench .live'))
 })
 
-// A figure's script is a part of the page's without a name; what tells it is the custom element it defines.
+// A figure's script is a part of the page's without a name; what tells it is a word that only it has.
 const chunkOf = (word) => {
   const folder = path.join(dist, 'assets')
   const [name, ...more] = readdirSync(folder).filter(
@@ -230,7 +230,7 @@ const chunkOf = (word) => {
 }
 
 for (const [what, word] of [
-  ['its own script', 'tag:"observer-bench"'],
+  ['its own script', 'Equivalent knob'],
   ['the script of all figures', 'customElements.define('],
 ]) {
   test(`a figure without ${what} says so, and comes to life when it is there again`, async (t) => {
