@@ -360,15 +360,12 @@ test('the replay of two million rows is told of and given up, and the log stays'
       .dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }))
   })
   // At each animation frame: the bar is there for a second or two.
-  const words = await page.waitForFunction(
-    () => {
-      const box = document.querySelector('robot-log .progress:not([hidden])')
-      const words = box?.querySelector('span').textContent
-      box?.querySelector('button').click()
-      return words
-    },
-    undefined,
-  )
+  const words = await page.waitForFunction(() => {
+    const box = document.querySelector('robot-log .progress:not([hidden])')
+    const words = box?.querySelector('span').textContent
+    box?.querySelector('button').click()
+    return words
+  }, undefined)
   assert.match(await words.jsonValue(), /Computing step [\d,]+ of 1,999,998/)
   await page.waitForFunction(() => document.querySelector('robot-log').settled)
   assert.equal((await frameOf(it)).rows, 13_186, 'the picture is the one before')
