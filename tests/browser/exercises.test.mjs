@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import path from 'node:path'
-import { comeTo, figure, open, root, unlock } from './harness.mjs'
+import { comeTo, EXERCISES, figure, open, root } from './harness.mjs'
 
 const keyOf = (form) =>
   form.evaluate(({ dataset }) =>
@@ -45,7 +45,7 @@ const answer = async (page, id, right) => {
 }
 
 test('every exercise is checked, and every right answer of it is taken', async (t) => {
-  const page = await open(t)
+  const page = await open(t, { at: EXERCISES })
   const exercises = await page.locator('.exercise').evaluateAll((all) =>
     all.map((it) => ({
       id: it.id,
@@ -60,7 +60,7 @@ test('every exercise is checked, and every right answer of it is taken', async (
 })
 
 test('a vector is right up to sign and length, in the ways people write vectors', async (t) => {
-  const page = await open(t)
+  const page = await open(t, { at: EXERCISES })
   const it = await check(page, 'unseen-direction')
   const judged = async (text) => {
     await it.input.fill(text)
@@ -93,7 +93,7 @@ test('a vector is right up to sign and length, in the ways people write vectors'
 })
 
 test('the page recognises the collinear trap in the figure, and names what is missing', async (t) => {
-  const page = await open(t)
+  const page = await open(t, { at: EXERCISES })
   const it = await check(page, 'collinear-state')
   await it.commit.click()
   await it.verdict.filter({ hasText: 'does not run yet' }).waitFor()
@@ -129,8 +129,7 @@ test('the page recognises the collinear trap in the figure, and names what is mi
 })
 
 test('the page recognises the fastest knob, reached by keys', async (t) => {
-  const page = await open(t)
-  await unlock(page, 'fig-bench')
+  const page = await open(t, { at: EXERCISES })
   const it = await check(page, 'fastest-state')
   const { conditions } = await keyOf(it.form)
   const { least, most } = conditions.find(({ path }) => path === 'params.gain')
@@ -165,7 +164,7 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   const page = await open(t)
   const box = await end(page)
   const words = box.locator('.score-words')
-  const count = await page.locator('.exercise').count()
+  const count = await page.locator('.exercise-elsewhere').count()
   assert.match(
     await words.innerText(),
     new RegExp(
@@ -174,6 +173,8 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   )
   const all = await box.locator('.score-open a').count()
   await answer(page, 'which-foot', true)
+  const chapter = page.url()
+  await page.goto(`${chapter}exercises/`)
   const lamp = await answer(page, 'lamp-row', false)
   await lamp.again.click()
   await answer(page, 'lamp-row', true)
@@ -181,8 +182,13 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   await answer(page, 'unseen-rank', true)
   await (await check(page, 'constant')).form.getByRole('button', { name: 'Skip, show me' }).click()
 
-  await page.reload()
+  // On their own page the exercises' progress stands too, and leads to the rest.
+  const part = await end(page)
+  assert.match(await part.locator('.score-words').innerText(), /^Exercises: 2 of \d+ answered/)
+  await part.getByRole('link', { name: /All your answers/ }).click()
   await end(page)
+  assert.equal(await page.locator('#ex-lamp').getAttribute('data-all-answered'), '')
+  assert.equal(await page.locator('#ex-unseen').getAttribute('data-all-answered'), null)
   assert.match(
     await words.innerText(),
     new RegExp(
@@ -192,12 +198,13 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   const left = await box.locator('.score-open a').evaluateAll((links) => links.map((link) => link.getAttribute('href')))
   assert.equal(left.length, all - 3)
   assert.ok(
-    left.includes('#ex-unseen') &&
-      left.includes('#ex-constant') &&
-      !left.includes('#ex-lamp') &&
+    left.includes('exercises/#ex-unseen') &&
+      left.includes('exercises/#ex-constant') &&
+      !left.includes('exercises/#ex-lamp') &&
       !left.includes('#quiz-which-foot'),
   )
-  assert.ok(await page.evaluate((addresses) => addresses.every((address) => document.querySelector(address)), left))
+  const here = left.filter((address) => address.startsWith('#'))
+  assert.ok(await page.evaluate((addresses) => addresses.every((address) => document.querySelector(address)), here))
 
   const waits = page.waitForEvent('download')
   await box.getByRole('button', { name: 'Save my answers as a file' }).click()
@@ -231,6 +238,7 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
 
 test('where the browser keeps nothing, answers last until the page is closed, and the page says so', async (t) => {
   const page = await open(t, {
+    at: EXERCISES,
     prepare: (it) =>
       it.addInitScript(() => {
         const refuse = () => {
@@ -249,4 +257,31 @@ test('where the browser keeps nothing, answers last until the page is closed, an
 test('without scripts the chapter ends without an empty box', async (t) => {
   const page = await open(t, { scripts: false })
   assert.equal(await page.locator('[data-score]').evaluate((box) => box.getBoundingClientRect().height), 0)
+})
+
+test('an old address of an exercise, a question or a place in an answer leads to its page, with what it says of figures', async (t) => {
+  const page = await open(t, { at: 'kalman/#ex-ghost' })
+  const there = async (id) => {
+    await page.waitForURL((url) => url.pathname.endsWith('/kalman/exercises/') && url.hash === `#${id}`)
+    await page.locator(`.exercise #${id}, .exercise#${id}`).waitFor()
+  }
+  await there('ex-ghost')
+  const state = Buffer.from(JSON.stringify([1, 'observability-probe', 3, {}])).toString('base64url')
+  const chapter = page.url().replace(/exercises\/.*/, '')
+  await page.goto(`${chapter}?fig-probe=${state}#quiz-ghost-state`)
+  await there('quiz-ghost-state')
+  assert.equal(new URL(page.url()).searchParams.get('fig-probe'), state)
+  await page.goto(chapter)
+  await page.evaluate(() => {
+    location.hash = '#ex-gate'
+  })
+  await there('ex-gate')
+})
+
+test('without scripts an old address of an exercise leads to its line in the list, which leads to the exercise', async (t) => {
+  const page = await open(t, { at: 'kalman/#ex-ghost', scripts: false })
+  const line = page.locator('#ex-ghost')
+  assert.ok(await line.evaluate((it) => it.matches('li:target')))
+  await line.getByRole('link').click()
+  await page.locator('.exercise#ex-ghost').waitFor()
 })

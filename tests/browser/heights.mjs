@@ -6,10 +6,10 @@ import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { WIDTHS } from '../../web/build/heights.mjs'
-import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, root } from './places.mjs'
+import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, EXERCISES, root } from './places.mjs'
 
-/** Chapters by the folder they are served from. */
-const CHAPTERS = ['kalman']
+/** The pages of each chapter; a chapter is named by the folder it is served from. */
+const CHAPTERS = { kalman: ['kalman/', EXERCISES] }
 
 /** Each part's height on the open page, all of it laid out: [part, pixels][]. */
 export async function partHeights(page) {
@@ -31,7 +31,7 @@ async function heights() {
   const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
   try {
     const found = {}
-    for (const chapter of CHAPTERS) {
+    for (const [chapter, pages] of Object.entries(CHAPTERS)) {
       found[chapter] = {}
       for (const width of WIDTHS) {
         const page = await browser.newPage({
@@ -39,8 +39,10 @@ async function heights() {
           isMobile: width < 700,
           serviceWorkers: 'block',
         })
-        await page.goto(`${site.url}${chapter}/`)
-        for (const [part, height] of await partHeights(page)) (found[chapter][part] ??= []).push(height)
+        for (const at of pages) {
+          await page.goto(site.url + at)
+          for (const [part, height] of await partHeights(page)) (found[chapter][part] ??= []).push(height)
+        }
         await page.close()
       }
     }

@@ -5,7 +5,7 @@ import path from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from './places.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, EXERCISES, root } from './places.mjs'
 
 /** Walks the chapter in every notation until every figure is alive. @param {import('playwright-core').Page} page */
 export async function readItAll(page) {
@@ -37,22 +37,29 @@ async function letters() {
   const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
   try {
     const page = await browser.newPage({ viewport: DESKTOP, serviceWorkers: 'block' })
-    await page.goto(`${site.url}kalman/`)
-    await readItAll(page)
-    const seen = await page.evaluate(() => {
-      /** @type {Record<string, Set<string>>} */
-      const faces = {}
-      const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT)
-      while (texts.nextNode()) {
-        const parent = texts.currentNode.parentElement
-        if (!parent || parent.closest('math, script, style')) continue
-        const { fontFamily, fontWeight, fontStyle } = getComputedStyle(parent)
-        const face = `${fontFamily.split(',')[0].replace(/["']/g, '')} ${fontWeight} ${fontStyle}`
+    /** @type {Record<string, Set<string>>} */
+    const faces = {}
+    for (const at of ['kalman/', EXERCISES]) {
+      await page.goto(site.url + at)
+      await readItAll(page)
+      const seen = await page.evaluate(() => {
+        const texts = document.createTreeWalker(document.body, NodeFilter.SHOW_TEXT)
+        const found = []
+        while (texts.nextNode()) {
+          const parent = texts.currentNode.parentElement
+          if (!parent || parent.closest('math, script, style')) continue
+          const { fontFamily, fontWeight, fontStyle } = getComputedStyle(parent)
+          const face = `${fontFamily.split(',')[0].replace(/["']/g, '')} ${fontWeight} ${fontStyle}`
+          found.push([face, texts.currentNode.data])
+        }
+        return found
+      })
+      for (const [face, text] of seen) {
         faces[face] ??= new Set()
-        for (const letter of texts.currentNode.data) if (letter >= ' ') faces[face].add(letter)
+        for (const letter of text) if (letter >= ' ') faces[face].add(letter)
       }
-      return Object.entries(faces).map(([face, all]) => [face, [...all].sort().join('')])
-    })
+    }
+    const seen = Object.entries(faces).map(([face, all]) => [face, [...all].sort().join('')])
     return Object.fromEntries(seen.filter(([, all]) => all.trim()).sort(([a], [b]) => (a < b ? -1 : 1)))
   } finally {
     await browser.close()

@@ -2,7 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { getDocument } from 'pdfjs-dist/legacy/build/pdf.mjs'
-import { open, openFigure, walkDown } from './harness.mjs'
+import { EXERCISES, open, openFigure, walkDown } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { printed, reproducible } from './pdf.mjs'
 
@@ -230,43 +230,45 @@ test('in print the figures are stills and nothing to press is left', async (t) =
   )
 })
 
-test('on paper a question has its reasons, an exercise its answer, a drawing its lines, and there is no progress', async (t) => {
-  // As wide as a sheet between its margins.
-  const page = await open(t, { viewport: { width: 688, height: 1000 } })
-  await walkDown(page)
-  await page.emulateMedia({ media: 'print' })
-  await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
-  const hidden = await page.evaluate(() => {
-    const printed = (element) =>
-      element?.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
-      element.getClientRects().length > 0
-    const lacks = (all, part) =>
-      [...document.querySelectorAll(all)].filter((it) => !printed(it.querySelector(part))).map((it) => it.id)
-    return {
-      // Answers stand at the end, apart from their questions.
-      reasons:
-        document.querySelectorAll('.quiz').length -
-        [...document.querySelectorAll('.answers > .quiz-answer')].filter((it) => printed(it.querySelector('.quiz-why')))
-          .length,
-      prompts: lacks('.quiz', '.quiz-prompt'),
-      answers:
-        document.querySelectorAll('.exercise').length -
-        [...document.querySelectorAll('.answers > .answer .details-body')].filter(printed).length,
-      drawings: lacks('.figure-drawing', '.drawing svg .mark'),
-      progress: [...document.querySelectorAll('.score')].filter(printed).length,
-      // No two answers have the same name.
-      twice: [...document.querySelectorAll('.answer-of')]
-        .map((it) => it.textContent)
-        .filter((name, i, all) => all.indexOf(name) < i),
-      // Pixels of paper: five points are 6.67.
-      small: [...document.querySelectorAll('.still svg.panel')]
-        .filter(printed)
-        .filter((panel) => panel.getScreenCTM().a * 12 < 6.67)
-        .map((panel) => `${panel.closest('figure').id} ${panel.getAttribute('class')}`),
-    }
+for (const at of ['kalman/', EXERCISES])
+  test(`on paper a question of /${at} has its reasons, an exercise its answer, a drawing its lines, and there is no progress`, async (t) => {
+    // As wide as a sheet between its margins.
+    const page = await open(t, { at, viewport: { width: 688, height: 1000 } })
+    await walkDown(page)
+    await page.emulateMedia({ media: 'print' })
+    await page.evaluate(() => dispatchEvent(new Event('beforeprint')))
+    const hidden = await page.evaluate(() => {
+      const printed = (element) =>
+        element?.checkVisibility({ visibilityProperty: true, opacityProperty: true }) &&
+        element.getClientRects().length > 0
+      const lacks = (all, part) =>
+        [...document.querySelectorAll(all)].filter((it) => !printed(it.querySelector(part))).map((it) => it.id)
+      return {
+        // Answers stand at the end, apart from their questions.
+        reasons:
+          document.querySelectorAll('.quiz').length -
+          [...document.querySelectorAll('.answers > .quiz-answer')].filter((it) =>
+            printed(it.querySelector('.quiz-why')),
+          ).length,
+        prompts: lacks('.quiz', '.quiz-prompt'),
+        answers:
+          document.querySelectorAll('.exercise').length -
+          [...document.querySelectorAll('.answers > .answer .details-body')].filter(printed).length,
+        drawings: lacks('.figure-drawing', '.drawing svg .mark'),
+        progress: [...document.querySelectorAll('.score')].filter(printed).length,
+        // No two answers have the same name.
+        twice: [...document.querySelectorAll('.answer-of')]
+          .map((it) => it.textContent)
+          .filter((name, i, all) => all.indexOf(name) < i),
+        // Pixels of paper: five points are 6.67.
+        small: [...document.querySelectorAll('.still svg.panel')]
+          .filter(printed)
+          .filter((panel) => panel.getScreenCTM().a * 12 < 6.67)
+          .map((panel) => `${panel.closest('figure').id} ${panel.getAttribute('class')}`),
+      }
+    })
+    assert.deepEqual(hidden, { reasons: 0, prompts: [], answers: 0, drawings: [], progress: 0, twice: [], small: [] })
   })
-  assert.deepEqual(hidden, { reasons: 0, prompts: [], answers: 0, drawings: [], progress: 0, twice: [], small: [] })
-})
 
 test('on paper no formula is wider than its column', async (t) => {
   // As wide as a sheet between its margins.

@@ -7,8 +7,8 @@ import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from './places.mjs'
 
-/** Chapters by the folder they are served from. */
-const CHAPTERS = ['kalman']
+/** The chapters and their parts with pages of their own, by the folders they are served from. */
+const PRINTED = ['kalman', 'kalman/exercises']
 
 /** The open page on paper. @param {import('playwright-core').Page} page */
 export async function printed(page) {
@@ -48,14 +48,14 @@ async function pdfs() {
   const site = await serve({ folder: dist, base: BASE })
   const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
   try {
-    for (const chapter of CHAPTERS) {
+    for (const folder of PRINTED) {
       const page = await browser.newPage({ viewport: DESKTOP, serviceWorkers: 'block' })
-      await page.goto(`${site.url}${chapter}/`)
+      await page.goto(`${site.url}${folder}/`)
       await page.waitForFunction(() => !document.documentElement.classList.contains('waiting'))
-      const file = path.join(dist, chapter, `${chapter}.pdf`)
+      const file = path.join(dist, folder, `${path.basename(folder)}.pdf`)
       const pdf = reproducible(await printed(page))
       writeFileSync(file, pdf)
-      console.log(`dist/${chapter}/${chapter}.pdf: ${Math.round(pdf.length / 1000)} kB`)
+      console.log(`${path.relative(root, file)}: ${Math.round(pdf.length / 1000)} kB`)
       await page.close()
     }
   } finally {

@@ -10,7 +10,19 @@ export const dist = path.join(root, 'dist')
 /** Served from a sub-path, as a project page of a static host would be. */
 export const BASE = '/shelf/robot-motion/'
 /** The pages a reader can land on, relative to the site's root. */
-export const PAGES = ['', 'kalman/', 'kalman/numbers/', 'check/', 'hosting/', 'log/', 'system/', 'teaching/']
+export const PAGES = [
+  '',
+  'kalman/',
+  'kalman/exercises/',
+  'kalman/numbers/',
+  'check/',
+  'hosting/',
+  'log/',
+  'system/',
+  'teaching/',
+]
+/** Where the exercises stand. */
+export const EXERCISES = 'kalman/exercises/'
 /** The pages that hold one figure each. */
 export const FIGURE_PAGES = FIGURES.map(({ name }) => `figure/${name}/`)
 /** The custom element of the figure called `name`; any other name is a custom element itself. */

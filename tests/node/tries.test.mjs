@@ -94,7 +94,7 @@ const SPEAKS_OF = {
 }
 
 test('a phrase of the Picture shows the same after any other', async () => {
-  const spec = await WIDGETS['picture']()
+  const spec = await WIDGETS.picture()
   assert.deepEqual(
     spec.tries.map(({ name }) => name),
     Object.keys(SPEAKS_OF),

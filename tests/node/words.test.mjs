@@ -866,7 +866,7 @@ test('no readout of a figure is empty or wrong in kind, in any state', async () 
 })
 
 test('two opinions: the printed weights are one over the variances, and add up to that of the product', async () => {
-  const spec = await WIDGETS['picture']()
+  const spec = await WIDGETS.picture()
   const opened = (params) => estimate.Picture.from({ version: 1, lab: spec.name, step: 0, params })
   const weights = (frame) => spec.readouts(frame).find(({ key }) => key === 'weights').value
   assert.equal(weights(opened({}).frame()), '0.476 + 2.000 = 2.476')

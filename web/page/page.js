@@ -39,6 +39,8 @@ document.addEventListener('keydown', (event) => {
   search()
 })
 whenRead(() => {
+  goWhereItIs()
+  addEventListener('hashchange', goWhereItIs)
   for (const waiting of document.querySelectorAll('[data-needs-js]')) waiting.removeAttribute('hidden')
   switches()
   if ([...new URLSearchParams(location.search).keys()].some((key) => key.startsWith('fig-')))
@@ -49,6 +51,13 @@ whenRead(() => {
 idle(() => {
   import('./when-idle.js').then(({ later }) => later())
 })
+
+/** An address that names an exercise of another page leads there, with what it says of figures. */
+function goWhereItIs() {
+  const item = document.querySelector('.exercise-elsewhere:target, .exercise-elsewhere:has(:target)')
+  const there = item?.querySelector('a')?.href.split('#')[0]
+  if (there) location.replace(there + location.search + location.hash)
+}
 
 function search() {
   import('./search.js').then(

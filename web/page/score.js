@@ -1,9 +1,15 @@
-/** How far the reader has come with the questions of the chapter: shown at its end, and given out as a file. */
+/**
+ * How far the reader has come with the questions of the chapter: shown at its end, and given out as a file. The chapter's list of
+ * exercises knows their questions; the page of the exercises shows how far they are, and leads to the rest.
+ */
 
 import { save } from '../figure/download.js'
 import { button, part } from '../draw/dom.js'
 import { tried } from './answers-kept.js'
 import { outlasts } from './storage.js'
+
+/** An exercise, here or in the list of those on another page. */
+const EXERCISE = '.exercise, .exercise-elsewhere'
 
 /** Fills the place at the chapter's end. @param {() => void} reset forgets every answer */
 export function score(reset) {
@@ -19,6 +25,13 @@ export function score(reset) {
     ? 'They are kept in this browser and sent nowhere. The file is for you, or for a teacher.'
     : 'This browser does not let the page keep anything: your answers last until you close the page. The file keeps them.'
   const actions = part(document, box, 'p', 'score-actions')
+  const whole = box.getAttribute('data-score')
+  if (whole) {
+    const link = part(document, actions, 'a', '')
+    link.setAttribute('href', whole)
+    link.textContent = 'All your answers, and a file of them, are at the end of the chapter.'
+    return showScore()
+  }
   button(document, actions, 'Save my answers as a file', () => {
     const { slug } = chapter()
     save(`${slug}-answers.json`, 'application/json', `${JSON.stringify(report(), null, 2)}\n`)
@@ -34,8 +47,13 @@ export function showScore() {
   if (!words || !open) return
   const { predictions, exercises } = report()
   words.replaceChildren()
-  part(document, words, 'p', '').textContent = sentence('Predictions', predictions)
-  part(document, words, 'p', '').textContent = sentence('Exercises', exercises)
+  for (const [what, all] of /** @type {const} */ ([
+    ['Predictions', predictions],
+    ['Exercises', exercises],
+  ])) {
+    if (all.length > 0) part(document, words, 'p', '').textContent = sentence(what, all)
+  }
+  for (const { id, answered } of exercises) document.getElementById(id)?.toggleAttribute('data-all-answered', answered)
   open.replaceChildren()
   const left = [...predictions, ...exercises].filter(({ answered }) => !answered)
   if (left.length === 0) return
@@ -62,23 +80,23 @@ function chapter() {
 
 /** What the file holds. */
 export function report() {
-  const questions = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.quiz')])
+  const questions = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.quiz, .quiz-elsewhere')])
   const predictions = questions
-    .filter((it) => !it.closest('.exercise'))
+    .filter((it) => !it.closest(EXERCISE))
     .map((it) => ({
       ...summary([it]),
       id: it.dataset.quiz ?? '',
       title: titleOf(it, 'legend .title'),
       address: `#${it.id}`,
     }))
-  const blocks = /** @type {HTMLElement[]} */ ([...document.querySelectorAll('.exercise')])
+  const blocks = /** @type {HTMLElement[]} */ ([...document.querySelectorAll(EXERCISE)])
   const exercises = blocks.map((it) => {
     const checks = questions.filter((question) => it.contains(question))
     return {
       ...summary(checks),
       id: it.id,
-      title: `${titleOf(it, '.exercise-head .label')}: ${titleOf(it, '.exercise-head .title')}`,
-      address: `#${it.id}`,
+      title: `${titleOf(it, '.label')}: ${titleOf(it, '.title')}`,
+      address: it.querySelector('a.exercise-link')?.getAttribute('href') ?? `#${it.id}`,
       grade: Number(it.dataset.difficulty),
       checks: checks.map((check) => ({ id: check.dataset.quiz, ...tried(check) })),
     }

@@ -28,6 +28,12 @@ const NOTES: [(&str, &str); 4] =
 /// Kinds of exercises.
 const EXERCISES: [&str; 3] = ["foundation", "conceptual", "practical"];
 
+/// A level of difficulty, of four.
+pub(crate) fn dots(level: usize) -> String {
+    let level = level.min(4);
+    format!("{}{}", "●".repeat(level), "○".repeat(4 - level))
+}
+
 impl Writer<'_> {
     /// The HTML of a piece on a line of its own.
     pub(crate) fn own_block(&mut self, piece: &Piece, node: &Node) -> String {
@@ -118,6 +124,11 @@ impl Writer<'_> {
                 return self.reference_list();
             }
             "own-log" => ("own_log", context! {}),
+            "exercises" => ("exercises", context! { exercises => self.exercises() }),
+            "asked-figures" => {
+                let figures = self.apart.figures.clone();
+                return figures.into_iter().map(|figure| self.write(std::slice::from_ref(figure))).collect();
+            }
             _ => ("margin", context! {}),
         };
         let section = self.headings.last().map(|heading| (heading.id.clone(), heading.number.clone()));
@@ -211,8 +222,7 @@ impl Writer<'_> {
             self.diagnostics.report(place, format!("difficulty is 1, 2, 3 or 4, not `{difficulty}`"));
         }
         let level = level.unwrap_or(1);
-        let dots = format!("{}{}", "●".repeat(level), "○".repeat(4 - level));
-        context! { kind, level, dots, title => safe(self.title(text("title"), place)) }
+        context! { kind, level, dots => dots(level), title => safe(self.title(text("title"), place)) }
     }
 
     fn listing(&mut self, path: &str, anchor: Option<&str>, place: &Place) -> String {

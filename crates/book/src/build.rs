@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use crate::asset::Assets;
 use crate::check;
-use crate::config::Chapter;
+use crate::config::{Chapter, Page};
 use crate::diagnostic::{BuildError, Diagnostics};
 use crate::dist::Dist;
 use crate::figure::{self, Figure};
@@ -55,17 +55,20 @@ impl Build<'_> {
         let mut pages = Pages { build: self, templates: Templates::load(self.root)?, dist: Dist::default() };
         let config = &self.site.config;
         for chapter in &config.chapters {
-            let files = page::files(self.root, &format!("content/{}", chapter.slug))?;
-            let figures = pages.text(Some(chapter), &chapter.slug, &files, &chapter.title, &chapter.description)?;
+            let figures = pages.chapter(chapter)?;
             pages.figures(&chapter.slug, &format!("chapter {}: {}", chapter.number, chapter.title), &figures)?;
             if self.pdf {
                 pages.dist.elsewhere.insert(format!("{0}/{0}.pdf", chapter.slug));
+                let parts = chapter.apart.iter().map(|part| format!("{}/{1}/{1}.pdf", chapter.slug, part.slug));
+                pages.dist.elsewhere.extend(parts);
             }
         }
         for page in &config.pages {
             let path = format!("content/pages/{}.md", page.slug);
             let file = file::read(&self.root.join(&path))?;
-            let figures = pages.text(None, &page.slug, &[(path, file)], &page.title, &page.description)?;
+            let address = format!("{}/", page.slug);
+            let text = page::text(self.site, &[(path, file)], None, &address, self.diagnostics);
+            let figures = pages.text("page", None, &address, page, text)?;
             pages.figures(&page.slug, &page.title, &figures)?;
         }
         match self.diagnostics.check() {
@@ -98,18 +101,33 @@ struct Pages<'a> {
 }
 
 impl Pages<'_> {
-    /// A chapter, or a page of text beside the chapters; answers its figures.
+    /// A chapter with its parts on pages of their own; answers its figures.
+    fn chapter(&mut self, chapter: &Chapter) -> Result<Vec<Figure>, BuildError> {
+        let slug = &chapter.slug;
+        let whole = Page { slug: slug.clone(), title: chapter.title.clone(), description: chapter.description.clone() };
+        let sources = page::pages(self.build.root, chapter)?;
+        let mut texts = page::texts(self.build.site, &sources, Some(chapter.number), self.build.diagnostics);
+        // The time for the exercises is told at the chapter's head, wherever they stand.
+        let exercises = texts.iter().map(|text| text.reading[1].clone()).find(|time| !time.is_empty());
+        texts[0].reading[1] = exercises.unwrap_or_default();
+        let pages = [("chapter", &whole)].into_iter().chain(chapter.apart.iter().map(|part| ("part", part)));
+        let mut figures = Vec::new();
+        for (((kind, page), (address, _)), text) in pages.zip(&sources).zip(texts) {
+            figures.extend(self.text(kind, Some(chapter), address, page, text)?);
+        }
+        Ok(figures)
+    }
+
+    /// A page of text; answers its figures.
     fn text(
         &mut self,
+        kind: &str,
         chapter: Option<&Chapter>,
-        slug: &str,
-        files: &[(String, String)],
-        title: &str,
-        description: &str,
+        address: &str,
+        page: &Page,
+        text: page::Text,
     ) -> Result<Vec<Figure>, BuildError> {
-        let address = format!("{slug}/");
-        let number = chapter.map(|chapter| chapter.number);
-        let text = page::text(self.build.site, files, number, &address, self.build.diagnostics);
+        let Page { title, description, .. } = page;
         let version = format!("{:016x}", fnv1a(text.readings.concat().join("\0").as_bytes()));
         let extra = context! {
             letters => !text.readings.is_empty(),
@@ -118,10 +136,11 @@ impl Pages<'_> {
             contents => serde(text.contents),
             readings => &version,
             reading => text.reading,
+            slug => &page.slug,
         };
-        self.page(if chapter.is_some() { "chapter" } else { "page" }, &address, title, description, extra)?;
+        self.page(kind, address, title, description, extra)?;
         // A place of another page than a chapter is told with the page's title.
-        let of = if chapter.is_some() { "" } else { title };
+        let of = if kind == "chapter" { "" } else { title };
         self.dist.search.extend(text.search.into_iter().map(|found| Found { of: of.into(), ..found }));
         for (file, picture) in text.used.pictures {
             self.dist.put(&format!("assets/{file}"), picture.into_bytes());

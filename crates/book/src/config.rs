@@ -59,9 +59,12 @@ pub struct Chapter {
     pub difficulty: String,
     /// A sentence or two, for the head of the page and for search engines.
     pub description: String,
+    /// Its parts with pages of their own, in order.
+    #[serde(default)]
+    pub apart: Vec<Page>,
 }
 
-/// A page: `content/pages/<slug>.md`.
+/// A page: `content/pages/<slug>.md`; a chapter's: the folder `content/<chapter>/<slug>/`.
 #[derive(Clone, Debug, Default, Deserialize, Serialize)]
 #[serde(deny_unknown_fields)]
 pub struct Page {

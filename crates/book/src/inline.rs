@@ -181,7 +181,8 @@ impl Writer<'_> {
             if !self.labels.knows(id) {
                 self.diagnostics.report(place, format!("nothing here has the id `{id}`"));
             }
-            format!("<a href=\"#{}\">", escape(id))
+            let page = self.labels.elsewhere(id).map(|page| format!("{}{page}", self.root)).unwrap_or_default();
+            format!("<a href=\"{page}#{}\">", escape(id))
         } else if let Some(source) = href.strip_prefix("source:") {
             let (path, anchor) = source.split_once('#').map_or((source, None), |(path, anchor)| (path, Some(anchor)));
             let listing = self.diagnostics.ok(place, self.site.sources.listing(path, anchor));

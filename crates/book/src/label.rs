@@ -18,6 +18,8 @@ pub struct Label {
     pub number: String,
     /// Where it leads, from the page.
     pub href: String,
+    /// The page it stands on, by its address from the site's root; empty for the page that is being written.
+    page: String,
 }
 
 /// The labels of a page by id, and where each id stands.
@@ -26,15 +28,19 @@ pub struct Labels {
     by_id: BTreeMap<String, (Label, Place)>,
 }
 
+/// The texts of one page, and its address.
+pub type Texts<'a> = (&'a str, &'a [Vec<Node>]);
+
 /// The checks of the chapter, which have a page of their own.
 pub const CHECKS: u8 = 13;
 
 /// Ids that the page's template uses itself.
-const RESERVED: [&str; 4] = ["main", "search", "footnotes", "glossary"];
+const RESERVED: [&str; 5] = ["main", "search", "footnotes", "glossary", "your-answers"];
 
 impl Labels {
-    /// Numbers everything in `texts`, the sections under `chapter` (no numbers when `None`).
-    pub fn collect(texts: &[Vec<Node>], chapter: Option<u32>, diagnostics: &Diagnostics) -> Self {
+    /// Numbers everything in `pages`, the sections of the first under `chapter` (no numbers when `None`). What is not a section is
+    /// numbered through all of them.
+    pub fn collect(pages: &[Texts<'_>], chapter: Option<u32>, diagnostics: &Diagnostics) -> Self {
         let mut collector = Collector {
             labels: Self::default(),
             diagnostics,
@@ -43,8 +49,13 @@ impl Labels {
             subsection: 0,
             directives: BTreeMap::new(),
             derivation: String::new(),
+            page: "",
         };
-        texts.iter().for_each(|text| tree::walk(text, &mut |node| collector.node(node)));
+        for (i, (page, texts)) in pages.iter().enumerate() {
+            collector.page = page;
+            collector.chapter = chapter.filter(|_| i == 0);
+            texts.iter().for_each(|text| tree::walk(text, &mut |node| collector.node(node)));
+        }
         let labels = collector.labels;
         for id in RESERVED {
             if let Some((_, place)) = labels.by_id.get(id) {
@@ -62,9 +73,29 @@ impl Labels {
         let check = id.strip_prefix("check-").and_then(|n| n.parse().ok()).filter(|n| (1..=CHECKS).contains(n));
         if let Some(n) = check {
             let text = format!("Check\u{a0}{n}");
-            return Ok(Label { text, number: n.to_string(), href: format!("{root}check/#{id}") });
+            let page = "check/".to_string();
+            return Ok(Label { text, number: n.to_string(), href: format!("{root}{page}#{id}"), page });
         }
-        self.by_id.get(id).map(|(label, _)| label.clone()).ok_or_else(|| format!("nothing here has the id `{id}`"))
+        let (label, _) = self.by_id.get(id).ok_or_else(|| format!("nothing here has the id `{id}`"))?;
+        let href =
+            if label.page.is_empty() { label.href.clone() } else { format!("{root}{}{}", label.page, label.href) };
+        Ok(Label { href, ..label.clone() })
+    }
+
+    /// The labels as the page at `address` has them, on which the elements `shown` stand once more.
+    pub fn on(&self, address: &str, shown: &[String]) -> Self {
+        let mut here = self.clone();
+        for (id, (label, _)) in &mut here.by_id {
+            if label.page == address || shown.contains(id) {
+                label.page.clear();
+            }
+        }
+        here
+    }
+
+    /// The page on which `id` stands; nothing where it is the page that is being written, or nowhere.
+    pub fn elsewhere(&self, id: &str) -> Option<&str> {
+        self.by_id.get(id).map(|(label, _)| label.page.as_str()).filter(|page| !page.is_empty())
     }
 
     /// Whether a link to `#id` leads somewhere on the page.
@@ -83,6 +114,8 @@ struct Collector<'a> {
     directives: BTreeMap<&'static str, usize>,
     /// The number of the latest derivation.
     derivation: String,
+    /// The address of the page that is being read.
+    page: &'a str,
 }
 
 impl Collector<'_> {
@@ -133,7 +166,7 @@ impl Collector<'_> {
         if let Some((_, first)) = self.labels.by_id.get(id) {
             self.diagnostics.report(place, format!("the id `{id}` is taken by {first}"));
         } else {
-            let label = Label { text, number: number.to_string(), href: format!("#{id}") };
+            let label = Label { text, number: number.to_string(), href: format!("#{id}"), page: self.page.to_string() };
             self.labels.by_id.insert(id.to_string(), (label, place.clone()));
         }
     }
@@ -159,7 +192,7 @@ mod tests {
         let diagnostics = Diagnostics::default();
         let name = |i| Place::new(format!("{i}.md"), 1);
         let texts: Vec<_> = texts.iter().enumerate().map(|(i, text)| parse(text, &name(i), &diagnostics)).collect();
-        let labels = Labels::collect(&texts, Some(15), &diagnostics);
+        let labels = Labels::collect(&[("one/", &texts)], Some(15), &diagnostics).on("one/", &[]);
         (labels, diagnostics.check().err().map(|error| error.to_string()).unwrap_or_default())
     }
 

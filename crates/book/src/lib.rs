@@ -6,6 +6,7 @@
 //! What is wrong with the content is collected in [`Diagnostics`] and reported at once, each complaint with its file and
 //! line.
 
+mod apart;
 mod asset;
 mod attributes;
 mod block;
@@ -62,7 +63,7 @@ pub use label::{Label, Labels};
 pub use listed::{builds, write as write_list};
 pub use number::{Format, Number, Numbers};
 pub use output::Outputs;
-pub use page::{Section, Text, files, text};
+pub use page::{Section, Text, files, pages, text, texts};
 pub use site::Site;
 pub use source::{Listing, Sources};
 pub use still::{Apart, Still, Stills, load as load_stills};

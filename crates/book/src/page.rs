@@ -4,6 +4,8 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use crate::apart::{self, Apart};
+use crate::config::Chapter;
 use crate::diagnostic::{BuildError, Diagnostics, Place};
 use crate::figure::{self, Figure};
 use crate::file;
@@ -57,6 +59,19 @@ pub fn files(root: &Path, folder: &str) -> Result<Vec<(String, String)>, BuildEr
     names.map(|name| Ok((format!("{folder}/{name}"), file::read(&folder_path.join(name))?))).collect()
 }
 
+/// The pages of a chapter, each with its address and its files: the chapter itself, and its parts with pages of their own.
+///
+/// # Errors
+/// As [`files`].
+pub fn pages(root: &Path, chapter: &Chapter) -> Result<Vec<Sources>, BuildError> {
+    let parts = chapter.apart.iter().map(|part| format!("{}/{}", chapter.slug, part.slug));
+    let folders = [chapter.slug.clone()].into_iter().chain(parts);
+    folders.map(|folder| Ok((format!("{folder}/"), files(root, &format!("content/{folder}"))?))).collect()
+}
+
+/// The address of a page, and its Markdown files: path from the root and text.
+pub type Sources = (String, Vec<(String, String)>);
+
 /// Renders `files` as one page at `address`, its sections numbered under `chapter`.
 pub fn text(
     site: &Site,
@@ -65,11 +80,45 @@ pub fn text(
     address: &str,
     diagnostics: &Diagnostics,
 ) -> Text {
+    texts(site, &[(address.to_string(), files.to_vec())], chapter, diagnostics).remove(0)
+}
+
+/// Renders the pages of a chapter, each given by its address and files. The first has the chapter's sections; the others are parts
+/// with pages of their own. What is referred to is found on any of them.
+pub fn texts(site: &Site, pages: &[Sources], chapter: Option<u32>, diagnostics: &Diagnostics) -> Vec<Text> {
     let parse = |(path, text): &(String, String)| parse(text, &Place::new(path.clone(), 1), diagnostics);
-    let texts: Vec<Vec<Node>> = files.iter().map(parse).collect();
-    let labels = Labels::collect(&texts, chapter, diagnostics);
+    let parsed: Vec<Vec<Vec<Node>>> = pages.iter().map(|(_, files)| files.iter().map(parse).collect()).collect();
+    let all: Vec<_> = pages.iter().zip(&parsed).map(|((address, _), texts)| (address.as_str(), &texts[..])).collect();
+    let labels = Labels::collect(&all, chapter, diagnostics);
+    let rest = parsed.get(1..).unwrap_or_default();
+    let write = |(i, (address, files)): (usize, &Sources)| {
+        let texts = &parsed[i];
+        let mut shown = Apart::default();
+        if i == 0 {
+            shown.exercises = rest.iter().flat_map(|texts| apart::all(texts, "exercise")).collect();
+        } else {
+            let asked = apart::asked(site, texts);
+            let figures = parsed.iter().flat_map(|texts| apart::all(texts, "figure"));
+            shown.figures = figures.filter(|figure| asked.iter().any(|id| id == apart::id(figure))).collect();
+        }
+        one(site, (address, files), texts, (&labels, shown), diagnostics)
+    };
+    pages.iter().enumerate().map(write).collect()
+}
+
+/// One page.
+fn one<'a>(
+    site: &'a Site,
+    (address, files): (&str, &[(String, String)]),
+    texts: &[Vec<Node>],
+    (labels, shown): (&Labels, Apart<'a>),
+    diagnostics: &'a Diagnostics,
+) -> Text {
+    let here: Vec<String> = shown.figures.iter().map(|figure| apart::id(figure).to_string()).collect();
+    let labels = labels.on(address, &here);
     let root = root_of(address);
     let mut writer = Writer::new(site, &labels, diagnostics, &root);
+    writer.apart = shown;
     let mut body = String::new();
     for (text, (path, _)) in texts.iter().zip(files) {
         body += &format!("<section data-part=\"{}\">\n{}</section>\n", part(path), writer.write(text));
@@ -85,7 +134,7 @@ pub fn text(
         search,
         used: writer.used,
         readings: readings.into_iter().map(|(html, _)| html).collect(),
-        figures: figure::figures(site, &texts, &labels, diagnostics),
+        figures: figure::figures(site, texts, &labels, diagnostics),
         numbers,
         reading: Reading::of(&texts.concat()).words(),
     }

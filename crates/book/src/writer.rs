@@ -4,6 +4,7 @@ use std::collections::{BTreeMap, BTreeSet, HashMap};
 
 use pulldown_cmark::{Alignment, CodeBlockKind, HeadingLevel, Tag};
 
+use crate::apart::Apart;
 use crate::diagnostic::{Diagnostics, Place};
 use crate::found::Entry;
 use crate::html::{CODE, escape, escape_text};
@@ -70,6 +71,8 @@ pub struct Writer<'a> {
     pub readings: Option<HashMap<Vec<String>, usize>>,
     /// The words of the page for the search, without tags.
     pub words: String,
+    /// What the page shows of the chapter's other pages.
+    pub(crate) apart: Apart<'a>,
     /// The directives that are open, outermost first.
     pub(crate) inside: Vec<String>,
     /// Footnotes in order of mention: file and label, and HTML once the definition has been seen.
@@ -93,6 +96,7 @@ impl<'a> Writer<'a> {
             used: Used::default(),
             readings: Some(HashMap::new()),
             words: String::new(),
+            apart: Apart::default(),
             inside: Vec::new(),
             footnotes: Vec::new(),
             boxed: false,

@@ -1,6 +1,7 @@
 //! A book built without answers: none of its files holds the words of one, or a number that only an answer has.
 
 use book::Diagnostics;
+use std::collections::BTreeSet;
 
 use crate::{DIST, NUMBERS, build, load, root};
 
@@ -38,7 +39,8 @@ fn words_of_answers() -> Vec<String> {
             }
         }
     }
-    for (_, text) in book::files(&root(), "content/kalman").expect("the chapter") {
+    let parts = ["content/kalman", "content/kalman/exercises"].map(|folder| book::files(&root(), folder));
+    for (_, text) in parts.into_iter().flat_map(|files| files.expect("the chapter")) {
         for answer in text.split(":::answer").skip(1) {
             words.extend(runs(answer.split("\n:::").next().unwrap_or_default()));
         }
@@ -74,10 +76,11 @@ fn code_of_answers(site: &book::Site) -> Vec<(String, String)> {
 fn a_book_without_answers_holds_no_word_of_them_and_no_number_that_only_they_have() {
     let diagnostics = Diagnostics::default();
     let mut site = load(NUMBERS.clone(), &diagnostics);
-    let files = book::files(&root(), "content/kalman").expect("the chapter");
+    let pages = book::pages(&root(), &site.config.chapters[0]).expect("the chapter");
     let words = words_of_answers();
     // The words are found where they are: otherwise finding none of them would say nothing. (A list or a table parts some.)
-    let whole = flat(&book::text(&site, &files, Some(15), "kalman/", &diagnostics).body);
+    let bodies = book::texts(&site, &pages, Some(15), &diagnostics).into_iter().map(|text| text.body);
+    let whole = flat(&bodies.collect::<String>());
     let found = words.iter().filter(|run| whole.contains(run.as_str())).count();
     assert!(words.len() > 100 && found > words.len() * 3 / 4, "{found} of {}", words.len());
 
@@ -93,7 +96,8 @@ fn a_book_without_answers_holds_no_word_of_them_and_no_number_that_only_they_hav
     let dist = build(&site, &diagnostics);
     assert!(dist.faults().is_empty(), "{}", dist.faults().join("\n"));
 
-    let chapter = String::from_utf8(dist.files["kalman/index.html"].clone()).expect("text");
+    let texts = ["kalman/index.html", "kalman/exercises/index.html"].map(|path| dist.files[path].clone());
+    let chapter = String::from_utf8(texts.concat()).expect("text");
     assert!(chapter.matches("class=\"quiz-open\"").count() > 10, "the questions are asked");
     for left in ["data-key", "data-score", "quiz-answer", "Worked answer", "data-unlocks"] {
         assert!(!chapter.contains(left), "{left}");
@@ -111,7 +115,8 @@ fn a_book_without_answers_holds_no_word_of_them_and_no_number_that_only_they_hav
     }
 
     // A number that the questions ask for, and that the text does not print besides, is listed nowhere.
-    let used = book::text(&site, &files, Some(15), "kalman/", &diagnostics).used.numbers;
+    let used: BTreeSet<_> =
+        book::texts(&site, &pages, Some(15), &diagnostics).into_iter().flat_map(|text| text.used.numbers).collect();
     let questions = questions();
     let asked = questions.iter().filter_map(|quiz| quiz.get("answer"));
     let asked = asked.filter_map(toml::Value::as_str).flat_map(|ids| ids.split(',')).map(str::trim);

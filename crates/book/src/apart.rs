@@ -1,0 +1,90 @@
+//! A part of a chapter with a page of its own, as the chapter's other pages know it: the chapter lists its exercises, and it shows
+//! the figures of the chapter that its questions ask for.
+
+use minijinja::{Value, context};
+
+use crate::block::dots;
+use crate::piece::Piece;
+use crate::quiz::Answer;
+use crate::site::Site;
+use crate::template::safe;
+use crate::tree::{self, Kind, Node};
+use crate::writer::Writer;
+
+/// What a page shows of the chapter's other pages.
+#[derive(Debug, Default)]
+pub struct Apart<'a> {
+    /// The exercises of the other pages.
+    pub exercises: Vec<&'a Node>,
+    /// Figures of the other pages.
+    pub figures: Vec<&'a Node>,
+}
+
+/// The directives called `name` in `texts`, in order.
+pub fn all<'a>(texts: &'a [Vec<Node>], name: &str) -> Vec<&'a Node> {
+    let mut found = Vec::new();
+    texts.iter().for_each(|text| {
+        tree::walk(text, &mut |node| {
+            if node.is_directive(name) {
+                found.push(node);
+            }
+        });
+    });
+    found
+}
+
+/// The id of a directive.
+pub fn id(node: &Node) -> &str {
+    match &node.kind {
+        Kind::Piece(Piece::Directive { attributes, .. }) => attributes.id.as_deref().unwrap_or_default(),
+        _ => "",
+    }
+}
+
+/// The ids of the figures that the questions of `texts` ask for, each once.
+pub fn asked(site: &Site, texts: &[Vec<Node>]) -> Vec<String> {
+    let mut asked = Vec::new();
+    for quiz in all(texts, "quiz") {
+        if let Some(Answer::State(state)) = site.quizzes.get(id(quiz)).map(|quiz| &quiz.answer)
+            && !asked.contains(&state.figure.markdown)
+        {
+            asked.push(state.figure.markdown.clone());
+        }
+    }
+    asked
+}
+
+impl Writer<'_> {
+    /// The exercises of other pages for a list: each with its questions, whose answers the browser keeps under the same names on
+    /// every page, and with every id that an address may name.
+    pub(crate) fn exercises(&mut self) -> Value {
+        let nodes = self.apart.exercises.clone();
+        let listed = nodes.into_iter().map(|node| {
+            let Kind::Piece(Piece::Directive { attributes, .. }) = &node.kind else { return Value::UNDEFINED };
+            let value = |key: &str| attributes.value(key).unwrap_or_default();
+            let mut ids = Vec::new();
+            let mut quizzes = Vec::new();
+            tree::walk(&node.children, &mut |inner| {
+                let Kind::Piece(Piece::Directive { name, attributes }) = &inner.kind else { return };
+                let Some(id) = &attributes.id else { return };
+                match (name.as_str(), self.site.quizzes.get(id)) {
+                    ("quiz", Some(quiz)) => quizzes.push(context! { id, hash => format!("{:016x}", quiz.hash) }),
+                    ("quiz", None) => {}
+                    _ => ids.push(id.clone()),
+                }
+            });
+            let label = self.diagnostics.ok(&node.place, self.labels.get(id(node), self.root));
+            context! {
+                id => id(node),
+                label => label.as_ref().map(|label| label.text.clone()),
+                href => label.map(|label| label.href),
+                title => safe(self.title(value("title"), &node.place)),
+                difficulty => value("difficulty"),
+                dots => dots(value("difficulty").parse().unwrap_or_default()),
+                ids,
+                quizzes,
+            }
+        });
+        listed.collect()
+    }
+}
