@@ -198,9 +198,9 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   const left = await box.locator('.score-open a').evaluateAll((links) => links.map((link) => link.getAttribute('href')))
   assert.equal(left.length, all - 3)
   assert.ok(
-    left.includes('exercises/#ex-unseen') &&
-      left.includes('exercises/#ex-constant') &&
-      !left.includes('exercises/#ex-lamp') &&
+    left.includes('../kalman/exercises/#ex-unseen') &&
+      left.includes('../kalman/exercises/#ex-constant') &&
+      !left.includes('../kalman/exercises/#ex-lamp') &&
       !left.includes('#quiz-which-foot'),
   )
   const here = left.filter((address) => address.startsWith('#'))

@@ -54,7 +54,8 @@ idle(() => {
 
 /** An address that names an exercise of another page leads there, with what it says of figures. */
 function goWhereItIs() {
-  const item = document.querySelector('.exercise-elsewhere:target, .exercise-elsewhere:has(:target)')
+  // `:target` is not known yet when a page that the browser holds has just been read.
+  const item = document.getElementById(location.hash.slice(1))?.closest('.exercise-elsewhere')
   const there = item?.querySelector('a')?.href.split('#')[0]
   if (there) location.replace(there + location.search + location.hash)
 }
