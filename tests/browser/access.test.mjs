@@ -4,16 +4,20 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { readFileSync } from 'node:fs'
 import { PNG } from 'pngjs'
-import { comeTo, figure, FIGURE_PAGES, open, PAGES, PHONE, quiet, walkDown } from './harness.mjs'
+import { comeTo, figure, FIGURE_PAGES, open, PAGES, PHONE, quiet, turn, walkDown } from './harness.mjs'
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8')
 
-/** What axe finds on the page as it stands, or in its parts that a selector names. */
-async function faults(page, within) {
-  await page.evaluate(axe)
+/** The rules that read colours: nothing else on a page depends on its theme. */
+const COLOURS = ['color-contrast', 'link-in-text-block']
+
+/** What axe finds on the page as it stands, or in its parts that a selector names; of these rules, or of all. */
+async function faults(page, { within, rules } = {}) {
+  if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(axe)
   const { violations } = await page.evaluate(
-    (parts) => globalThis.axe.run(parts ?? document, { resultTypes: ['violations'] }),
-    within,
+    ([parts, only]) =>
+      globalThis.axe.run(parts ?? document, { resultTypes: ['violations'], ...(only && { runOnly: only }) }),
+    [within, rules],
   )
   return violations
     .map(
@@ -27,23 +31,29 @@ async function faults(page, within) {
     .join('\n')
 }
 
+/** Axe finds nothing in the light theme, nor of colours in the dark one. */
+async function isAccessible(page, within) {
+  assert.equal(await faults(page, { within }), '', 'light')
+  const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor)
+  const light = await paper()
+  await turn(page, 'dark')
+  assert.notEqual(await paper(), light)
+  assert.equal(await faults(page, { within, rules: COLOURS }), '', 'dark')
+}
+
 const SOURCE = 'source/crates/estimate/src/kf.rs.html'
 for (const at of [...PAGES, ...FIGURE_PAGES, SOURCE]) {
-  for (const theme of ['light', 'dark']) {
-    test(`axe finds nothing on /${at} in ${theme}`, async (t) => {
-      const page = await open(t, { at, theme })
-      if (at.startsWith('figure/')) await figure(page, at.split('/')[1])
-      // Closed blocks are read too.
-      await page.evaluate(() =>
-        document.querySelectorAll('details').forEach((block) => {
-          block.open = true
-        }),
-      )
-      // Parts of the text are laid out, and what scrolls in them gets its name, when a reader comes near them.
-      await walkDown(page)
-      assert.equal(await faults(page), '')
+  test(`axe finds nothing on /${at} in both themes`, async (t) => {
+    const page = await open(t, { at })
+    if (at.startsWith('figure/')) await figure(page, at.split('/')[1])
+    // Closed blocks are read too.
+    await page.evaluate(() => {
+      for (const block of document.querySelectorAll('details')) block.open = true
     })
-  }
+    // Parts of the text are laid out, and what scrolls in them gets its name, when a reader comes near them.
+    await walkDown(page)
+    await isAccessible(page)
+  })
 }
 
 /**
@@ -83,15 +93,13 @@ const CALLED_UP = {
     assert.ok((await page.locator('.popover').isVisible()) && (await page.locator('.widget[data-lit]').isVisible()))
   },
 }
-for (const theme of ['light', 'dark']) {
-  for (const [what, act] of Object.entries(CALLED_UP)) {
-    test(`axe finds nothing with ${what}, in ${theme}`, async (t) => {
-      const page = await open(t, { theme })
-      await page.waitForLoadState('networkidle')
-      await act(page)
-      assert.equal(await faults(page), '')
-    })
-  }
+for (const [what, act] of Object.entries(CALLED_UP)) {
+  test(`axe finds nothing with ${what}, in both themes`, async (t) => {
+    const page = await open(t)
+    await page.waitForLoadState('networkidle')
+    await act(page)
+    await isAccessible(page)
+  })
 }
 
 test('axe finds nothing in the chapter on a phone', async (t) => {
@@ -100,41 +108,37 @@ test('axe finds nothing in the chapter on a phone', async (t) => {
   assert.equal(await faults(page), '')
 })
 
-for (const theme of ['light', 'dark']) {
-  test(`axe finds nothing with the contents called up on a phone, in ${theme}`, async (t) => {
-    const page = await open(t, { theme, viewport: PHONE, touch: true })
-    await page.waitForLoadState('networkidle')
-    await page.locator('[data-open-contents]').tap()
-    await page.locator('.toc[data-open]').waitFor()
-    await alone(page)
-    assert.equal(await faults(page), '')
-  })
-}
+test('axe finds nothing with the contents called up on a phone, in both themes', async (t) => {
+  const page = await open(t, { viewport: PHONE, touch: true })
+  await page.waitForLoadState('networkidle')
+  await page.locator('[data-open-contents]').tap()
+  await page.locator('.toc[data-open]').waitFor()
+  await alone(page)
+  await isAccessible(page)
+})
 
-for (const theme of ['light', 'dark']) {
-  test(`axe finds nothing in answered questions, the exercises around them and the progress, in ${theme}`, async (t) => {
-    const page = await open(t, { theme })
-    const chapter = page.url()
-    const answer = async (id, give) => {
-      await comeTo(page, `#quiz-${id}`, `form#quiz-${id}`)
-      const form = page.locator(`#quiz-${id}`)
-      await give(form)
-      await form.locator('[type=submit]').click()
-      return form.getAttribute('data-answered')
-    }
-    const choose = (words) => (form) => form.locator('.quiz-choice').filter({ hasText: words }).locator('input').check()
-    const type = (text) => (form) => form.getByRole('textbox').fill(text)
-    assert.equal(await answer('position-error', choose('None.')), 'right')
-    await comeTo(page, '[data-score]', '[data-score] h2')
-    assert.equal(await faults(page, ['#quiz-position-error', '[data-score]']), '')
-    await page.goto(`${chapter}exercises/`)
-    assert.equal(await answer('unseen-detectable', choose('does not grow')), 'wrong')
-    assert.equal(await answer('unseen-direction', type('1 2 -1')), 'right')
-    assert.equal(await answer('constant', type('0.2')), 'wrong')
-    await comeTo(page, '[data-score]', '[data-score] h2')
-    assert.equal(await faults(page, ['#ex-unseen', '#ex-constant', '[data-score]']), '')
-  })
-}
+test('axe finds nothing in answered questions, the exercises around them and the progress, in both themes', async (t) => {
+  const page = await open(t)
+  const chapter = page.url()
+  const answer = async (id, give) => {
+    await comeTo(page, `#quiz-${id}`, `form#quiz-${id}`)
+    const form = page.locator(`#quiz-${id}`)
+    await give(form)
+    await form.locator('[type=submit]').click()
+    return form.getAttribute('data-answered')
+  }
+  const choose = (words) => (form) => form.locator('.quiz-choice').filter({ hasText: words }).locator('input').check()
+  const type = (text) => (form) => form.getByRole('textbox').fill(text)
+  assert.equal(await answer('position-error', choose('None.')), 'right')
+  await comeTo(page, '[data-score]', '[data-score] h2')
+  await isAccessible(page, ['#quiz-position-error', '[data-score]'])
+  await page.goto(`${chapter}exercises/`)
+  assert.equal(await answer('unseen-detectable', choose('does not grow')), 'wrong')
+  assert.equal(await answer('unseen-direction', type('1 2 -1')), 'right')
+  assert.equal(await answer('constant', type('0.2')), 'wrong')
+  await comeTo(page, '[data-score]', '[data-score] h2')
+  await isAccessible(page, ['#ex-unseen', '#ex-constant', '[data-score]'])
+})
 
 test('by keys the first stop leads past the head, and each stop after it is on the screen with nothing over it', async (t) => {
   const page = await open(t)

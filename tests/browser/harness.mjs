@@ -182,6 +182,23 @@ export async function walkDown(page) {
   await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }))
 }
 
+/** Shows the page in another theme, until nothing fades any more. */
+export async function turn(page, theme) {
+  await page.emulateMedia({ colorScheme: theme })
+  await quiet(page, 3)
+}
+
+/** Lays out the whole page at its width: what is closed is open, and the parts that wait for the screen do not wait. */
+export const layOut = (page) =>
+  page.evaluate(async () => {
+    for (const block of document.querySelectorAll('details')) block.open = true
+    for (const part of document.querySelectorAll('main > article > section, .end-matter'))
+      part.style.contentVisibility = 'visible'
+    await document.fonts.ready
+    // Sizes are looked at once a frame.
+    for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
+  })
+
 /** The frame on a figure's screen, and its state. */
 export const frameOf = (element) => element.evaluate((it) => it.frame)
 export const stateOf = (element) => element.evaluate((it) => it.state)

@@ -4,11 +4,12 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { FIGURES } from '../../target/figures.js'
-import { openFigure, root } from './harness.mjs'
+import { openFigure, RELEASE, root } from './harness.mjs'
 
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
-const WIDTHS = [320, 390, 768, 900, 1024, 1280, 1440]
+/** A phone, a tablet, a desk; before a release the widths between them too. */
+const WIDTHS = RELEASE ? [320, 390, 768, 900, 1024, 1280, 1440] : [320, 768, 1280]
 
 /** @type {Record<string, Record<string, unknown>[]>} changes of parameters, one after the other; `step` goes to a step */
 const STATES = {

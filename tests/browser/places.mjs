@@ -38,6 +38,8 @@ export const CHROMIUM_FLAGS = [
   '--disable-dev-shm-usage',
   '--force-color-profile=srgb',
 ]
+/** Whether a release is tried: what takes long and seldom finds anything is left to it. */
+export const RELEASE = process.env.RELEASE === '1'
 /** What takes longer than this hangs. No test's verdict depends on it: a busy machine needs a minute where a quiet one needs a second. */
 export const HANGS_MS = 240_000
 export const PHONE = { width: 390, height: 844 }

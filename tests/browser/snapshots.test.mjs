@@ -2,7 +2,7 @@
 // references.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { DESKTOP, PHONE, open, openFigure } from './harness.mjs'
+import { DESKTOP, PHONE, open, openFigure, turn } from './harness.mjs'
 import { colour, compare, differenceOf, reference, tolerance } from './snapshots.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
@@ -27,43 +27,48 @@ const onWholePixels = (part) =>
     it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px`
   })
 
-for (const theme of ['light', 'dark']) {
-  for (const [size, viewport] of SIZES) {
-    test(`regions of the chapter look as they did, ${theme}, ${size}`, async (t) => {
-      const page = await open(t, { theme, viewport: { ...viewport, height: TALL }, touch: size === 'phone' })
-      // All sections are laid out first: one above the region that came to be laid out later would move it by parts of a pixel.
-      await page.evaluate(() =>
-        document.querySelectorAll('.chapter > section').forEach((section) => {
-          section.style.contentVisibility = 'visible'
-        }),
-      )
-      await page.evaluate(() => document.fonts.ready)
-      for (const [name, selector] of REGIONS) {
-        const region = page.locator(selector).first()
-        if (name === 'derivation')
-          await region.evaluate((block) => {
-            block.open = true
-          })
-        await region.scrollIntoViewIfNeeded()
-        // A question gets its controls when it comes near the screen.
-        if (name === 'quiz') await region.locator('input').first().waitFor()
-        await onWholePixels(region)
-        compare(await region.screenshot({ animations: 'disabled' }), `${name}-${theme}-${size}`)
-      }
-    })
-    for (const tag of Object.keys(WIDGETS)) {
-      test(`the ${tag} looks as it did, ${theme}, ${size}`, async (t) => {
-        const { page, it } = await openFigure(t, tag, {
-          theme,
-          viewport: { width: FIGURE_WIDTHS[size], height: TALL },
-          touch: size === 'phone',
+/** Compares a part of a page as it is in the light and in the dark. */
+async function inBothThemes(page, part, name, size) {
+  for (const theme of ['light', 'dark']) {
+    await turn(page, theme)
+    compare(await part.screenshot({ animations: 'disabled' }), `${name}-${theme}-${size}`)
+  }
+}
+
+for (const [size, viewport] of SIZES) {
+  test(`regions of the chapter look as they did, ${size}`, async (t) => {
+    const page = await open(t, { viewport: { ...viewport, height: TALL }, touch: size === 'phone' })
+    // All sections are laid out first: one above the region that came to be laid out later would move it by parts of a pixel.
+    await page.evaluate(() =>
+      document.querySelectorAll('.chapter > section').forEach((section) => {
+        section.style.contentVisibility = 'visible'
+      }),
+    )
+    await page.evaluate(() => document.fonts.ready)
+    for (const [name, selector] of REGIONS) {
+      const region = page.locator(selector).first()
+      if (name === 'derivation')
+        await region.evaluate((block) => {
+          block.open = true
         })
-        await page.evaluate(() => document.fonts.ready)
-        await page.mouse.move(0, 0)
-        await onWholePixels(it)
-        compare(await it.screenshot({ animations: 'disabled' }), `${tag}-${theme}-${size}`)
-      })
+      await region.scrollIntoViewIfNeeded()
+      // A question gets its controls when it comes near the screen.
+      if (name === 'quiz') await region.locator('input').first().waitFor()
+      await onWholePixels(region)
+      await inBothThemes(page, region, name, size)
     }
+  })
+  for (const tag of Object.keys(WIDGETS)) {
+    test(`the ${tag} looks as it did, ${size}`, async (t) => {
+      const { page, it } = await openFigure(t, tag, {
+        viewport: { width: FIGURE_WIDTHS[size], height: TALL },
+        touch: size === 'phone',
+      })
+      await page.evaluate(() => document.fonts.ready)
+      await page.mouse.move(0, 0)
+      await onWholePixels(it)
+      await inBothThemes(page, it, tag, size)
+    })
   }
 }
 
