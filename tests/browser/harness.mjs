@@ -2,6 +2,7 @@
 // uncaught error, policy violation, failed or foreign request.
 import { after } from 'node:test'
 import assert from 'node:assert/strict'
+import { existsSync } from 'node:fs'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, DESKTOP, dist, HANGS_MS, tagOf } from './places.mjs'
@@ -26,11 +27,18 @@ export async function launch(options = {}) {
   return browser
 }
 
+let folder = dist
+/** Has the tests of this file open another site than the book. @param {string} site its folder */
+export function serveInstead(site) {
+  assert.ok(existsSync(site), `no ${site}: node tests/browser/run.mjs NAME builds it`)
+  folder = site
+}
+
 let started
 /** The served site and the browser of this test file; both end with it. */
 export function stage() {
   started ??= (async () => {
-    const site = await serve({ folder: dist, base: BASE })
+    const site = await serve({ folder, base: BASE })
     const browser = await launch()
     return { site, browser }
   })()
@@ -182,10 +190,17 @@ export async function walkDown(page) {
   await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }))
 }
 
-/** Shows the page in another theme, until nothing fades any more. */
+/** Shows the page in another theme, until nothing fades any more; what is not laid out does not fade. */
 export async function turn(page, theme) {
   await page.emulateMedia({ colorScheme: theme })
-  await quiet(page, 3)
+  await page.evaluate(async () => {
+    const fades = ({ playState, effect }) =>
+      playState === 'running' &&
+      Number.isFinite(effect?.getComputedTiming().endTime) &&
+      effect.target?.checkVisibility({ contentVisibilityAuto: true })
+    do for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
+    while (document.getAnimations().some(fades))
+  })
 }
 
 /** Lays out the whole page at its width: what is closed is open, and the parts that wait for the screen do not wait. */
@@ -226,14 +241,20 @@ export async function quiet(page, frames = 20) {
   await page.evaluate(async (wanted) => {
     const look = () => {
       const { scrollHeight, clientWidth } = document.documentElement
-      const figures = [...document.querySelectorAll('.widget')].map((it) => [
-        it.dataset.state,
-        it.settled ?? true,
-        it.clientHeight,
-      ])
+      // A figure that is not on the screen sleeps, whatever it has to do, and what is not laid out does not move.
+      const figures = [...document.querySelectorAll('.widget')].map((it) => {
+        const { top, bottom } = it.getBoundingClientRect()
+        const asleep = bottom < 0 || top > innerHeight
+        return [it.dataset.state, asleep || (it.settled ?? true), it.clientHeight]
+      })
       const moves = document
         .getAnimations()
-        .some((it) => it.playState === 'running' && Number.isFinite(it.effect?.getComputedTiming().endTime))
+        .some(
+          ({ playState, effect }) =>
+            playState === 'running' &&
+            Number.isFinite(effect?.getComputedTiming().endTime) &&
+            effect.target?.checkVisibility({ contentVisibilityAuto: true }),
+        )
       const missing = [...document.images].some(
         (it) => !it.complete && it.checkVisibility() && it.getBoundingClientRect().top < innerHeight,
       )

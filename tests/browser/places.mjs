@@ -7,6 +7,8 @@ import { FIGURES } from '../../target/figures.js'
 
 export const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '../..')
 export const dist = path.join(root, 'dist')
+/** The site of the book of two sections that run.mjs builds. */
+export const fixture = path.join(root, 'target/fixture-site')
 /** Served from a sub-path, as a project page of a static host would be. */
 export const BASE = '/shelf/robot-motion/'
 /** The pages a reader can land on, relative to the site's root. */

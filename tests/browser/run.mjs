@@ -8,7 +8,8 @@ import { readdirSync } from 'node:fs'
 import os from 'node:os'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { HANGS_MS } from './places.mjs'
+import { buildFixture } from '../fixture-book/build.mjs'
+import { fixture, HANGS_MS } from './places.mjs'
 
 const folder = path.dirname(fileURLToPath(import.meta.url))
 /** They put a whole machine's load on it. */
@@ -24,6 +25,8 @@ for (const name of wanted) {
   process.exit(2)
 }
 const names = wanted.length > 0 ? wanted : all
+
+buildFixture(fixture)
 
 const beside = await run(
   names.filter((name) => !ALONE.has(name)),

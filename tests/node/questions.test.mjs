@@ -1,0 +1,66 @@
+// The questions of the built chapter: each has one right answer that the page takes, a reason for every choice, and nothing that tells
+// the right one before. How a question behaves is tested in a browser, on a few of them.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { judge, keyOf } from '../../web/page/answer.js'
+
+const { parseHTML } = createRequire(new URL('../../web/package.json', import.meta.url))('linkedom')
+/** The chapter, and the page of its exercises. */
+const pages = ['kalman', 'kalman/exercises'].map(
+  (at) => parseHTML(readFileSync(new URL(`../../dist/${at}/index.html`, import.meta.url), 'utf8')).document,
+)
+const all = (selector, of) => [...of.querySelectorAll(selector)]
+const onPages = (selector) => pages.flatMap((page) => all(selector, page))
+const questions = onPages('.quiz').map((it) => ({ it, id: it.dataset.quiz, kind: it.dataset.kind, key: keyOf(it) }))
+const words = (element) => element?.textContent.trim() ?? ''
+
+test('every choice of every question has a reason of its own, and one is right', () => {
+  const choices = questions.filter(({ kind }) => kind === 'choice')
+  assert.ok(choices.length >= 3)
+  for (const { it, id, key } of choices) {
+    const reasons = all('.quiz-reasons > li', it)
+    assert.equal(reasons.length, all('.quiz-choice', it).length, id)
+    assert.deepEqual(
+      reasons.flatMap((li, i) => (li.querySelector('.quiz-mark.is-right') ? [i] : [])),
+      [key.right],
+      id,
+    )
+    assert.equal(new Set(reasons.map((li) => words(li.querySelector('.quiz-reason')))).size, reasons.length, id)
+    for (const li of reasons) assert.ok(words(li.querySelector('.quiz-reason')).length > 30, `${id}: ${words(li)}`)
+  }
+})
+
+test('every exercise is checked, and every right answer is taken', () => {
+  const exercises = onPages('.exercise')
+  assert.ok(exercises.length >= 15)
+  for (const exercise of exercises) assert.ok(exercise.querySelector('.quiz'), `${exercise.id} is checked`)
+  for (const { id, kind, key } of questions) {
+    if (kind === 'choice') assert.ok(Number.isInteger(key.right), id)
+    else if (kind === 'state') assert.ok(key.conditions.length > 0, id)
+    else {
+      assert.deepEqual(judge(key, key.values.join(' ')), { right: true, near: -1 }, id)
+      // A mistake worth recognising is no right answer, and is recognised as itself.
+      for (const [near, values] of key.near.entries())
+        assert.deepEqual(judge(key, values.join(' ')), { right: false, near }, `${id}, ${values}`)
+    }
+  }
+})
+
+test('nothing in the options tells the right one', () => {
+  for (const { it, id } of questions) {
+    const options = all('.quiz-choice', it)
+    assert.equal(
+      new Set(options.map((option) => option.getAttributeNames().join())).size,
+      Math.min(1, options.length),
+      id,
+    )
+    assert.equal(
+      all('.quiz-choice :is([data-number], .number, a), [data-right], [data-value], [data-tolerance]', it).length,
+      0,
+      id,
+    )
+    assert.doesNotMatch(it.dataset.key, /right|value|least/, id)
+  }
+})
