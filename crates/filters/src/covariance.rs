@@ -171,7 +171,7 @@ pub(crate) fn copy<R: Dim, C: Dim>(m: &mut Matrix<f64, R, C, impl RawStorageMut<
     }
 }
 
-/// Whether a matrix of at most three rows is finite and its leading minors are positive, the sign of a positive definite
+/// Whether a matrix of at most four rows is finite and its leading minors are positive, the sign of a positive definite
 /// one. The answer may be false for one whose products leave the range of numbers.
 ///
 /// The elimination multiplies where [`Spd`] divides, so that a filter's next step does not wait for three divisions in a
@@ -179,13 +179,16 @@ pub(crate) fn copy<R: Dim, C: Dim>(m: &mut Matrix<f64, R, C, impl RawStorageMut<
 #[inline]
 pub(crate) fn plainly_positive<N: Dim>(p: &SquareMatrix<f64, N, impl RawStorage<f64, N, N>>) -> bool {
     let in_range = |minor: f64| (f64::MIN_POSITIVE..=f64::MAX).contains(&minor);
-    let eliminated = |i: usize, j: usize| p[(0, 0)] * p[(i, j)] - p[(i, 0)] * p[(j, 0)];
+    // What is left of the entry (i, j) once one column is eliminated, and once two are.
+    let first = |i: usize, j: usize| p[(0, 0)] * p[(i, j)] - p[(i, 0)] * p[(j, 0)];
+    let second = |i: usize, j: usize| first(1, 1) * first(i, j) - first(i, 1) * first(j, 1);
     match p.nrows() {
         1 => in_range(p[(0, 0)]),
-        2 => p[(0, 0)] > 0.0 && in_range(eliminated(1, 1)),
-        3 => {
-            let (second, across) = (eliminated(1, 1), eliminated(2, 1));
-            p[(0, 0)] > 0.0 && second > 0.0 && in_range(second * eliminated(2, 2) - across * across)
+        2 => p[(0, 0)] > 0.0 && in_range(first(1, 1)),
+        3 => p[(0, 0)] > 0.0 && first(1, 1) > 0.0 && in_range(second(2, 2)),
+        4 => {
+            let third = second(2, 2) * second(3, 3) - second(3, 2) * second(3, 2);
+            p[(0, 0)] > 0.0 && first(1, 1) > 0.0 && second(2, 2) > 0.0 && in_range(third)
         }
         _ => false,
     }

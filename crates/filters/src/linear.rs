@@ -188,6 +188,19 @@ pub fn gain<N: Dim, M: Dim>(
 where
     DefaultAllocator: Sizes<N, M>,
 {
+    gain_in_line(p, c, q)
+}
+
+/// [`gain`] where an answer handed over in memory would cost a step in wasm more than its arithmetic.
+#[inline(always)]
+pub(crate) fn gain_in_line<N: Dim, M: Dim>(
+    p: &OMatrix<f64, N, N>,
+    c: &OMatrix<f64, M, N>,
+    q: &OMatrix<f64, M, M>,
+) -> Result<Gain<N, M>, Error>
+where
+    DefaultAllocator: Sizes<N, M>,
+{
     let cp = c * p;
     let mut s = image(&cp, c, q);
     let factor = Spd::assumed(s.clone());

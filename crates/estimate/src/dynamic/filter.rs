@@ -1,5 +1,5 @@
-//! A Kalman filter that holds its system and its belief, for sizes known at run time only. Positions with their
-//! speeds, on a line and in the plane, are filtered at the pace of typed code.
+//! A Kalman filter that holds its system and its belief, for sizes known at run time only. Few states and few outputs are
+//! filtered at the pace of typed code, to the same bits.
 
 use super::{Belief, System};
 use crate::error::Error;
@@ -8,9 +8,10 @@ use crate::likelihood::log_density;
 use crate::lti::{Lti, SystemSizes};
 use crate::validate;
 use alloc::boxed::Box;
+use alloc::vec::Vec;
 use filters::{Gaussian, Update};
 use nalgebra::allocator::Allocator;
-use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, OVector, U1, U2, U4};
+use nalgebra::{Const, DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, OVector, U1, VectorView};
 
 /// The Kalman filter of one system, with its belief inside: [`kalman_step`](crate::kf::kalman_step), in two halves that may be
 /// called apart, or together as one step.
@@ -30,24 +31,41 @@ use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, OVector, U
 #[derive(Clone, Debug)]
 pub struct KalmanFilter(Kind);
 
-#[derive(Clone, Debug)]
-enum Kind {
-    TwoStatesOneOutput(Filter<U2, Dyn, U1>),
-    TwoStatesTwoOutputs(Filter<U2, Dyn, U2>),
-    FourStatesTwoOutputs(Box<Filter<U4, Dyn, U2>>),
-    Any(Filter<Dyn, Dyn, Dyn>),
-}
+/// The sizes that are compiled, as n and p: `Kind` has a filter for each, and one for all others.
+macro_rules! kinds {
+    ($($kind:ident: $n:literal, $p:literal;)*) => {
+        #[derive(Clone, Debug)]
+        enum Kind {
+            $($kind(Box<Filter<Const<$n>, Const<$p>>>),)*
+            Any(Box<Filter<Dyn, Dyn>>),
+        }
 
-/// The same for the filter of each kind.
-macro_rules! each {
-    ($kind:expr, $filter:ident => $answer:expr) => {
-        match $kind {
-            Kind::TwoStatesOneOutput($filter) => $answer,
-            Kind::TwoStatesTwoOutputs($filter) => $answer,
-            Kind::FourStatesTwoOutputs($filter) => $answer,
-            Kind::Any($filter) => $answer,
+        impl Kind {
+            fn new(system: &System, belief: &Belief) -> Self {
+                match system.h.shape() {
+                    $(($p, $n) => Self::$kind(Box::new(Filter::new(system, belief, (Const, Const)))),)*
+                    (p, n) => Self::Any(Box::new(Filter::new(system, belief, (Dyn(n), Dyn(p))))),
+                }
+            }
+        }
+
+        /// The same for the filter of each kind.
+        macro_rules! each {
+            ($of:expr, $filter:ident => $answer:expr) => {
+                match $of {
+                    $(Kind::$kind($filter) => $answer,)*
+                    Kind::Any($filter) => $answer,
+                }
+            };
         }
     };
+}
+kinds! {
+    OneByOne: 1, 1;
+    TwoByOne: 2, 1;
+    TwoByTwo: 2, 2;
+    ThreeByOne: 3, 1;
+    FourByTwo: 4, 2;
 }
 
 impl KalmanFilter {
@@ -56,14 +74,8 @@ impl KalmanFilter {
     /// # Errors
     /// [`Code::Shape`](crate::Code::Shape) when the belief is not of the system's size.
     pub fn new(system: &System, belief: &Belief) -> Result<Self, Error> {
-        let (n, m, p) = (system.f.nrows(), Dyn(system.g.ncols()), system.h.nrows());
-        belief_fits(belief, n)?;
-        Ok(Self(match (n, p) {
-            (2, 1) => Kind::TwoStatesOneOutput(Filter::new(system, belief, (U2, m, U1))),
-            (2, 2) => Kind::TwoStatesTwoOutputs(Filter::new(system, belief, (U2, m, U2))),
-            (4, 2) => Kind::FourStatesTwoOutputs(Box::new(Filter::new(system, belief, (U4, m, U2)))),
-            _ => Kind::Any(Filter::new(system, belief, (Dyn(n), m, Dyn(p)))),
-        }))
+        belief_fits(belief, system.f.nrows())?;
+        Ok(Self(Kind::new(system, belief)))
     }
 
     /// x̂(k+1 | k) = F x̂ + G u and P(k+1 | k) = F P Fᵀ + V, with the input `u` (m; empty for a system without inputs).
@@ -97,6 +109,14 @@ impl KalmanFilter {
         each!(&self.0, filter => filter.belief.x.as_slice())
     }
 
+    /// A step for each row of a log: all means, and all variances, row by row.
+    ///
+    /// # Errors
+    /// That of the first step that is refused, with its number, counted from one.
+    pub(super) fn replay(&mut self, inputs: &[f64], readings: &[f64]) -> Result<(Vec<f64>, Vec<f64>), (Error, usize)> {
+        each!(&mut self.0, filter => filter.replay(inputs, readings))
+    }
+
     /// The belief N(x̂, P).
     pub fn belief(&self) -> Belief {
         let n = self.x().len();
@@ -117,27 +137,27 @@ impl KalmanFilter {
     }
 }
 
-/// The filter with matrices of the sizes N, U and M.
+/// The filter with matrices of the sizes N and M; how many inputs there are is known at run time only.
 #[derive(Clone, Debug)]
-pub(super) struct Filter<N: Dim, U: Dim, M: Dim>
+struct Filter<N: Dim, M: Dim>
 where
-    DefaultAllocator: SystemSizes<N, U, M>,
+    DefaultAllocator: SystemSizes<N, Dyn, M>,
 {
-    system: Lti<N, U, M>,
-    pub belief: Gaussian<N>,
-    pub log_likelihood: Option<f64>,
+    system: Lti<N, Dyn, M>,
+    belief: Gaussian<N>,
+    log_likelihood: Option<f64>,
     nis: Option<f64>,
 }
 
-impl<N: Dim, U: Dim, M: Dim> Filter<N, U, M>
+impl<N: Dim, M: Dim> Filter<N, M>
 where
-    DefaultAllocator: SystemSizes<N, U, M>,
+    DefaultAllocator: SystemSizes<N, Dyn, M>,
 {
-    /// `system` and `belief`, which are of the sizes (n, m, p).
-    pub fn new(system: &System, belief: &Belief, (n, m, p): (N, U, M)) -> Self {
+    /// `system` and `belief`, which are of the sizes (n, p).
+    fn new(system: &System, belief: &Belief, (n, p): (N, M)) -> Self {
         let system = Lti {
             f: sized(n, n, system.f.as_slice()),
-            g: sized(n, m, system.g.as_slice()),
+            g: sized(n, Dyn(system.g.ncols()), system.g.as_slice()),
             h: sized(p, n, system.h.as_slice()),
             v: sized(n, n, system.v.as_slice()),
             w: sized(p, p, system.w.as_slice()),
@@ -147,58 +167,61 @@ where
     }
 
     fn predict(&mut self, u: &[f64]) -> Result<(), Error> {
-        self.belief = self.predicted(&self.input(u)?)?;
-        Ok(())
+        let (system, u) = (&self.system, self.input(u)?);
+        Ok(self.belief.predict(&system.f, &system.v, Some((&system.g, &u)))?)
     }
 
     fn update(&mut self, y: &[f64]) -> Result<(), Error> {
-        let corrected = self.corrected(&self.belief, &self.reading(y)?)?;
-        self.keep(corrected);
+        let y = self.reading(y)?;
+        let update = self.belief.correct(&y, &self.system.h, &self.system.w)?;
+        self.note(&update);
         Ok(())
     }
 
-    pub fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), Error> {
-        let predicted = self.predicted(&self.input(u)?)?;
-        let corrected = self.corrected(&predicted, &self.reading(y)?)?;
-        self.keep(corrected);
+    // One function for the class and for a log: in line it would be in the module twice, and be no quicker.
+    #[inline(never)]
+    fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), Error> {
+        let (system, u, y) = (&self.system, self.input(u)?, self.reading(y)?);
+        let mut belief = self.belief.clone();
+        belief.predict(&system.f, &system.v, Some((&system.g, &u)))?;
+        let update = belief.correct(&y, &system.h, &system.w)?;
+        self.note(&update);
+        self.belief = belief;
         Ok(())
+    }
+
+    fn replay(&mut self, inputs: &[f64], readings: &[f64]) -> Result<(Vec<f64>, Vec<f64>), (Error, usize)> {
+        let (p, n) = self.system.h.shape_generic();
+        let (n, m, p) = (n.value(), self.system.g.ncols(), p.value());
+        let steps = readings.len() / p;
+        let (mut x, mut variances) = (Vec::with_capacity(steps * n), Vec::with_capacity(steps * n));
+        for k in 0..steps {
+            let (u, y) = (&inputs[k * m..(k + 1) * m], &readings[k * p..(k + 1) * p]);
+            self.step(u, y).map_err(|e| (e, k + 1))?;
+            x.extend(self.belief.x.iter());
+            variances.extend((0..n).map(|i| self.belief.p[(i, i)]));
+        }
+        Ok((x, variances))
     }
 
     #[inline]
-    fn input(&self, u: &[f64]) -> Result<OVector<f64, U>, Error> {
-        let m = self.system.g.shape_generic().1;
-        validate::entries(u, m.value(), "u").map(|_| sized(m, U1, u))
+    fn input<'a>(&self, u: &'a [f64]) -> Result<VectorView<'a, f64, Dyn>, Error> {
+        let m = self.system.g.ncols();
+        validate::entries(u, m, "u").map(|()| VectorView::from_slice_generic(u, Dyn(m), U1))
     }
 
     #[inline]
     fn reading(&self, y: &[f64]) -> Result<OVector<f64, M>, Error> {
         let p = self.system.h.shape_generic().0;
-        validate::entries(y, p.value(), "y").map(|_| sized(p, U1, y))
+        validate::entries(y, p.value(), "y").map(|()| sized(p, U1, y))
     }
 
-    // These two answer with the error of `filters`: beside another error the whole answer would be copied in memory.
-
-    #[inline]
-    fn predicted(&self, u: &OVector<f64, U>) -> Result<Gaussian<N>, filters::Error> {
-        self.belief.predicted(&self.system.f, &self.system.v, Some((&self.system.g, u)))
-    }
-
-    #[inline]
-    fn corrected(
-        &self,
-        predicted: &Gaussian<N>,
-        y: &OVector<f64, M>,
-    ) -> Result<(Gaussian<N>, Update<N, M>), filters::Error> {
-        predicted.corrected(y, &self.system.h, &self.system.w)
-    }
-
-    #[inline]
-    fn keep(&mut self, (belief, update): (Gaussian<N>, Update<N, M>)) {
+    #[inline(always)]
+    fn note(&mut self, update: &Update<N, M>) {
         let density = log_density(&update.innovation, &update.s);
         let sum = self.log_likelihood.zip(density).map(|(sum, density)| sum + density);
         self.log_likelihood = sum.filter(|sum| sum.is_finite());
         self.nis = update.d2;
-        self.belief = belief;
     }
 }
 

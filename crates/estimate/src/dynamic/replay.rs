@@ -1,16 +1,13 @@
-//! A log of a linear system, filtered in one call: for sizes known at run time, and at the pace of typed code for the
-//! chapter's own.
+//! A log of a linear system, filtered in one call.
 
-use super::filter::Filter;
-use super::{Belief, System};
+use super::{Belief, KalmanFilter, System};
 use crate::error::{Argument, Code, Error};
 use crate::kf::belief_fits;
-use crate::lti::SystemSizes;
 use crate::validate::affordable_steps;
 use alloc::borrow::ToOwned;
 use alloc::format;
 use alloc::vec::Vec;
-use nalgebra::{Const, DMatrix, DefaultAllocator, Dim, Dyn};
+use nalgebra::DMatrix;
 
 /// The most steps of a log of a linear system; of a large one fewer, see [`MAX_WORK`](crate::validate::MAX_WORK).
 pub const MAX_LOG: usize = 100_000;
@@ -49,10 +46,9 @@ pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings:
     }
     rows(readings, (steps, p), "readings")?;
     rows(inputs, (steps, m), "inputs")?;
-    match (n, m, p) {
-        (2, 1, 1) => filtered(system, belief, inputs, readings, (Const::<2>, Const::<1>, Const::<1>)),
-        _ => filtered(system, belief, inputs, readings, (Dyn(n), Dyn(m), Dyn(p))),
-    }
+    let mut filter = KalmanFilter::new(system, belief)?;
+    let (x, variances) = filter.replay(inputs, readings).map_err(|(e, k)| at_step(e, k))?;
+    Ok(Replayed { x, variances, p: filter.belief().p, log_likelihood: filter.log_likelihood() })
 }
 
 /// # Errors
@@ -70,32 +66,6 @@ fn rows(numbers: &[f64], (steps, each): (usize, usize), name: &str) -> Result<()
         Some(i) => Err(Error::new(Code::NotFinite, format!("{name}[{i}]"), "must be a finite number")),
         None => Ok(()),
     }
-}
-
-/// The log filtered with matrices of the sizes (n, m, p).
-fn filtered<N: Dim, U: Dim, M: Dim>(
-    system: &System,
-    belief: &Belief,
-    inputs: &[f64],
-    readings: &[f64],
-    (n, m, p): (N, U, M),
-) -> Result<Replayed, Error>
-where
-    DefaultAllocator: SystemSizes<N, U, M>,
-{
-    let mut filter = Filter::new(system, belief, (n, m, p));
-    let steps = readings.len() / p.value();
-    let numbers = steps * n.value();
-    let (mut x, mut variances) = (Vec::with_capacity(numbers), Vec::with_capacity(numbers));
-    for k in 0..steps {
-        let u = &inputs[k * m.value()..(k + 1) * m.value()];
-        let y = &readings[k * p.value()..(k + 1) * p.value()];
-        filter.step(u, y).map_err(|e| at_step(e, k + 1))?;
-        x.extend(filter.belief.x.iter());
-        variances.extend((0..n.value()).map(|i| filter.belief.p[(i, i)]));
-    }
-    let p = DMatrix::from_column_slice(n.value(), n.value(), filter.belief.p.as_slice());
-    Ok(Replayed { x, variances, p, log_likelihood: filter.log_likelihood })
 }
 
 /// Why step `k` was refused, with the names that the arguments of a log have.

@@ -52,16 +52,27 @@ fn plainly_positive_accepts_no_singular_or_indefinite_matrix() {
     assert!(!of(&[1.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 1.0]), "the second minor");
     assert!(!of(&[1.0, 0.0, 0.9, 0.0, 1.0, 0.9, 0.9, 0.9, 1.0]), "the third alone");
     assert!(!of(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0]), "the last entry");
+    // Of four rows: D − aaᵀ/4 is positive definite as long as Σ aᵢ²/4 < 1, and all its minors but the last stay so a while longer.
+    let four = |a: [f64; 4]| DMatrix::from_fn(4, 4, |i, j| f64::from(i == j) - a[i] * a[j] / 4.0);
+    assert!(plainly_positive(&four([1.0, -1.0, 0.9, 0.9])) && plainly_positive(&(four([1.0, -0.5, 0.9, 1.2]) * 1e-6)));
+    let refused =
+        [[1.0, 1.0, 1.0, 1.01], [1.0, -1.0, 1.5, 0.0], [1.0, 1.8, 0.0, 0.0], [2.1, 0.0, 0.0, 0.0], [1.5; 4], [3.0; 4]];
+    assert!(refused.iter().all(|a| !plainly_positive(&four(*a))));
     // What is not finite, in each place; what leaves the range of numbers; what is too large for this way.
     for bad in [f64::NAN, f64::INFINITY] {
-        for (i, j) in [(0, 0), (1, 0), (2, 0), (1, 1), (2, 1), (2, 2)] {
-            let mut m = DMatrix::identity(3, 3);
-            m[(i, j)] = bad;
-            m[(j, i)] = bad;
-            assert!(!plainly_positive(&m), "{bad} at {i}, {j}");
+        for n in [3, 4] {
+            for (i, j) in (0..n).flat_map(|i| (0..=i).map(move |j| (i, j))) {
+                let mut m = DMatrix::identity(n, n);
+                m[(i, j)] = bad;
+                m[(j, i)] = bad;
+                assert!(!plainly_positive(&m), "{bad} at {i}, {j} of {n}");
+            }
         }
         assert!(!of(&[bad]) && !of(&[bad, 0.0, 0.0, 1.0]) && !of(&[1.0, bad, bad, 1.0]) && !of(&[1.0, 0.0, 0.0, bad]));
     }
-    assert!(!plainly_positive(&(DMatrix::identity(3, 3) * 1e100)) && !plainly_positive(&DMatrix::identity(4, 4)));
-    assert!(!plainly_positive(&(DMatrix::identity(3, 3) * 1e-100)));
+    for (n, vast) in [(3, 1e100), (4, 1e50)] {
+        let eye = DMatrix::identity(n, n);
+        assert!(plainly_positive(&eye) && !plainly_positive(&(&eye * vast)) && !plainly_positive(&(&eye / vast)));
+    }
+    assert!(!plainly_positive(&DMatrix::identity(5, 5)));
 }

@@ -23,19 +23,38 @@ fn log_of(system: &System, belief: &Belief) -> (Vec<f64>, Vec<f64>, Replayed) {
     (inputs, readings, there)
 }
 
+/// A system of these sizes with nothing special about it, and a belief.
+fn ordinary(n: usize, m: usize, p: usize) -> (System, Belief) {
+    let entry = |a: f64, i: usize, j: usize| libm::sin(a * (i + 1) as f64 + 1.9 * (j * j + 1) as f64);
+    let square = |a: f64, size: usize| DMatrix::from_fn(size, size, |i, j| entry(a, i, j));
+    let covariance = |a: f64, size: usize| {
+        let root = square(a, size);
+        &root * root.transpose() + 0.1 * DMatrix::identity(size, size)
+    };
+    let (f, g) = (square(2.3, n) * (0.9 / n as f64), DMatrix::from_fn(n, m, |i, j| entry(0.7, i, j)));
+    let h = DMatrix::from_fn(p, n, |i, j| entry(3.1, i, j));
+    let system = System::new(f, g, h, 0.1 * covariance(1.1, n), covariance(1.7, p)).expect("sound");
+    (system, belief_from(DVector::from_fn(n, |i, _| entry(0.3, i, 1)), covariance(0.6, n)).expect("sound"))
+}
+
+/// The sizes that are compiled and those that are not: a log, the filter as a class, and the step of sizes known at run time.
 #[test]
 fn a_log_replayed_is_its_steps_one_by_one_bit_for_bit() {
-    let two_outputs = {
-        let f = dmatrix![1.0, 0.5, 0.1; 0.0, 1.0, 0.5; 0.0, 0.0, 0.9];
-        let (g, h) = (dmatrix![0.0, 0.1; 0.0, 0.2; 0.5, 0.0], dmatrix![1.0, 0.0, 0.0; 0.0, 1.0, 0.5]);
-        System::new(f, g, h, DMatrix::identity(3, 3) * 0.02, dmatrix![0.5, 0.1; 0.1, 0.3]).expect("sound")
-    };
-    let three = belief_from(dvector![1.0, -1.0, 0.5], DMatrix::identity(3, 3)).expect("sound");
     let (rail, two) = rail();
-    let undriven = System { g: DMatrix::zeros(2, 0), ..rail.clone() };
-    for (system, belief) in [(rail, &two), (undriven, &two), (two_outputs, &three)] {
-        let (inputs, readings, there) = log_of(&system, belief);
-        assert_eq!(kalman_replay(&system, belief, &inputs, &readings), Ok(there));
+    let sizes = (1..=5).flat_map(|n| (0..=2).flat_map(move |m| (1..=3).map(move |p| (n, m, p))));
+    for (system, belief) in sizes.map(|(n, m, p)| ordinary(n, m, p)).chain([(rail, two)]) {
+        let (inputs, readings, there) = log_of(&system, &belief);
+        let mut filter = KalmanFilter::new(&system, &belief).expect("it fits");
+        let (m, p) = (system.g.ncols(), system.h.nrows());
+        for k in 0..there.x.len() / belief.x.len() {
+            filter.step(&inputs[k * m..(k + 1) * m], &readings[k * p..(k + 1) * p]).expect("pd");
+        }
+        assert_eq!(filter.belief().p, there.p);
+        assert_eq!(
+            (filter.x(), filter.log_likelihood()),
+            (&there.x[there.x.len() - belief.x.len()..], there.log_likelihood)
+        );
+        assert_eq!(kalman_replay(&system, &belief, &inputs, &readings), Ok(there));
     }
 }
 
