@@ -15,7 +15,7 @@
 
 #[cfg(feature = "functions")]
 mod analysis;
-#[cfg(feature = "functions")]
+#[cfg(feature = "checks")]
 mod checks;
 mod decode;
 #[cfg(feature = "functions")]
@@ -28,6 +28,7 @@ mod errors;
 mod functions;
 #[cfg(feature = "functions")]
 mod kalman_filter;
+#[cfg(feature = "labs")]
 mod lab;
 #[cfg(feature = "log")]
 mod log_files;
@@ -38,10 +39,13 @@ mod object;
 #[cfg(feature = "log")]
 mod robot_log;
 
+#[cfg(feature = "labs")]
 pub use self::lab::*;
+#[cfg(feature = "checks")]
+pub use self::checks::*;
 #[cfg(feature = "functions")]
 pub use self::{
-    analysis::*, checks::*, ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
+    analysis::*, ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
 };
 #[cfg(feature = "log")]
 pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog};

@@ -37,7 +37,7 @@ where
     ///
     /// # Errors
     /// [`Error::NotFinite`] when an argument is not finite or a product overflows.
-    #[inline]
+    #[inline(never)]
     pub fn predicted<U: Dim>(
         &self,
         a: &OMatrix<f64, N, N>,
@@ -101,7 +101,7 @@ where
     /// assert!((corrected.x[0] - 2.0).abs() < 1e-15 && (corrected.p[0] - 2.0 / 3.0).abs() < 1e-15);
     /// # Ok::<(), filters::Error>(())
     /// ```
-    #[inline]
+    #[inline(never)]
     pub fn corrected<M: Dim>(
         &self,
         z: &OVector<f64, M>,

@@ -84,7 +84,7 @@ impl KalmanFilter {
     /// [`Code::Shape`](crate::Code::Shape) or [`Code::NotFinite`](crate::Code::NotFinite), naming u, x or P; the filter is then as
     /// it was.
     pub fn predict(&mut self, u: &[f64]) -> Result<(), Error> {
-        each!(&mut self.0, filter => filter.predict(u))
+        each!(&mut self.0, filter => filter.input(u).and_then(|()| filter.predict(u)))
     }
 
     /// The belief corrected by the reading `y` (p), in Joseph's form.
@@ -93,7 +93,7 @@ impl KalmanFilter {
     /// Those of [`predict`](Self::predict) with y for u, and
     /// [`Code::InnovationNotPositiveDefinite`](crate::Code::InnovationNotPositiveDefinite) naming W; the filter is then as it was.
     pub fn update(&mut self, y: &[f64]) -> Result<(), Error> {
-        each!(&mut self.0, filter => filter.update(y))
+        each!(&mut self.0, filter => filter.reading(y).and_then(|()| filter.update(y)))
     }
 
     /// A prediction with `u` and a correction by `y`, both or neither.
@@ -101,7 +101,11 @@ impl KalmanFilter {
     /// # Errors
     /// Those of [`predict`](Self::predict) and [`update`](Self::update); the filter is then as it was before both.
     pub fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), Error> {
-        each!(&mut self.0, filter => filter.step(u, y))
+        each!(&mut self.0, filter => {
+            filter.input(u)?;
+            filter.reading(y)?;
+            filter.step(u, y)
+        })
     }
 
     /// The mean x̂, n.
@@ -109,7 +113,7 @@ impl KalmanFilter {
         each!(&self.0, filter => filter.belief.x.as_slice())
     }
 
-    /// A step for each row of a log: all means, and all variances, row by row.
+    /// A step for each row of a log, whose numbers are known to be finite and so many: all means, and all variances, row by row.
     ///
     /// # Errors
     /// That of the first step that is refused, with its number, counted from one.
@@ -166,28 +170,28 @@ where
         Self { system, belief, log_likelihood: Some(0.0), nis: None }
     }
 
+    // A half is one function, in a step too: in line it would be in the module twice.
+    #[inline(never)]
     fn predict(&mut self, u: &[f64]) -> Result<(), Error> {
-        let (system, u) = (&self.system, self.input(u)?);
+        let system = &self.system;
+        let u = VectorView::from_slice_generic(u, system.g.shape_generic().1, U1);
         Ok(self.belief.predict(&system.f, &system.v, Some((&system.g, &u)))?)
     }
 
+    #[inline(never)]
     fn update(&mut self, y: &[f64]) -> Result<(), Error> {
-        let y = self.reading(y)?;
-        let update = self.belief.correct(&y, &self.system.h, &self.system.w)?;
+        let system = &self.system;
+        let y = sized(system.h.shape_generic().0, U1, y);
+        let update = self.belief.correct(&y, &system.h, &system.w)?;
         self.note(&update);
         Ok(())
     }
 
-    // One function for the class and for a log: in line it would be in the module twice, and be no quicker.
-    #[inline(never)]
+    #[inline]
     fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), Error> {
-        let (system, u, y) = (&self.system, self.input(u)?, self.reading(y)?);
-        let mut belief = self.belief.clone();
-        belief.predict(&system.f, &system.v, Some((&system.g, &u)))?;
-        let update = belief.correct(&y, &system.h, &system.w)?;
-        self.note(&update);
-        self.belief = belief;
-        Ok(())
+        let before = self.belief.clone();
+        self.predict(u)?;
+        self.update(y).inspect_err(|_| self.belief = before)
     }
 
     fn replay(&mut self, inputs: &[f64], readings: &[f64]) -> Result<(Vec<f64>, Vec<f64>), (Error, usize)> {
@@ -204,16 +208,12 @@ where
         Ok((x, variances))
     }
 
-    #[inline]
-    fn input<'a>(&self, u: &'a [f64]) -> Result<VectorView<'a, f64, Dyn>, Error> {
-        let m = self.system.g.ncols();
-        validate::entries(u, m, "u").map(|()| VectorView::from_slice_generic(u, Dyn(m), U1))
+    fn input(&self, u: &[f64]) -> Result<(), Error> {
+        validate::entries(u, self.system.g.ncols(), "u")
     }
 
-    #[inline]
-    fn reading(&self, y: &[f64]) -> Result<OVector<f64, M>, Error> {
-        let p = self.system.h.shape_generic().0;
-        validate::entries(y, p.value(), "y").map(|()| sized(p, U1, y))
+    fn reading(&self, y: &[f64]) -> Result<(), Error> {
+        validate::entries(y, self.system.h.nrows(), "y")
     }
 
     #[inline(always)]
@@ -229,5 +229,5 @@ fn sized<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R
 where
     DefaultAllocator: Allocator<R, C>,
 {
-    OMatrix::from_iterator_generic(rows, columns, entries.iter().copied())
+    OMatrix::from_column_slice_generic(rows, columns, entries)
 }
