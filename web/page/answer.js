@@ -5,8 +5,8 @@ export const LONGEST = 40
 
 /**
  * @typedef {{ path: string, is?: string, least?: number, most?: number }} Condition of a figure's frame
- * @typedef {{ right?: number, values?: number[], tolerance?: number, direction?: boolean, near?: number[][],
- *   conditions?: Condition[] }} Key
+ * @typedef {{ right?: number, values?: number[], unit?: string, tolerance?: number, direction?: boolean,
+ *   near?: number[][], conditions?: Condition[] }} Key
  */
 
 /** @param {HTMLElement} question @returns {Key} */
@@ -21,13 +21,31 @@ export function keyOf({ dataset }) {
  * @param {Key} key
  * @param {string} text
  */
-export function judge({ values = [], tolerance = 0, direction = false, near = [] }, text) {
-  const given = values.length > 1 ? vector(text) : [number(text)]
-  if (given.length !== values.length || given.includes(null)) return null
-  const entries = /** @type {number[]} */ (given)
-  if (direction && entries.every((entry) => entry === 0)) return null
-  const meets = (/** @type {number[]} */ wanted) => gap(entries, wanted, direction) <= tolerance
+export function judge({ values = [], unit = '', tolerance = 0, direction = false, near = [] }, text) {
+  const bare = withoutUnit(text, unit)
+  const readings = values.length > 1 ? [vector(bare)] : [bare, ungrouped(bare)].map((one) => [number(one)])
+  const given = readings.filter((entries) => entries.length === values.length && !entries.includes(null))
+  const entries = /** @type {number[][]} */ (given).filter((one) => !direction || one.some((entry) => entry !== 0))
+  if (entries.length === 0) return null
+  const meets = (/** @type {number[]} */ wanted) => entries.some((one) => gap(one, wanted, direction) <= tolerance)
   return meets(values) ? { right: true, near: -1 } : { right: false, near: near.findIndex(meets) }
+}
+
+/** The text without the question's unit behind it, with m² also written m^2 or m2. @param {string} text @param {string} unit */
+function withoutUnit(text, unit) {
+  const trimmed = text.trim()
+  const written = unit && [unit, unit.replace('²', '^2'), unit.replace('²', '2')].find((one) => trimmed.endsWith(one))
+  return written ? trimmed.slice(0, -written.length) : trimmed
+}
+
+/**
+ * A number whose thousands are parted, without the marks: 6,600 is 6600. It may also be 6.6 with a decimal comma, so a text
+ * has both readings, and the key decides.
+ * @param {string} text
+ */
+function ungrouped(text) {
+  const mark = /^[-+\u2212]?[1-9]\d{0,2}([,' \u00a0\u2009\u202f])\d{3}(\1\d{3})*(\.\d*)?$/.exec(text.trim())?.[1]
+  return mark ? text.replaceAll(mark, '') : text
 }
 
 /**
@@ -39,7 +57,7 @@ export function judge({ values = [], tolerance = 0, direction = false, near = []
  */
 function gap(a, b, direction) {
   if (!direction) return Math.max(...a.map((entry, i) => Math.abs(entry - b[i])))
-  const [of, to] = [unit(a), unit(b)]
+  const [of, to] = [unitVector(a), unitVector(b)]
   return Math.min(
     ...[1, -1].map((sign) =>
       gap(
@@ -52,7 +70,7 @@ function gap(a, b, direction) {
 }
 
 /** @param {number[]} v */
-function unit(v) {
+function unitVector(v) {
   const largest = Math.max(...v.map(Math.abs)) || 1
   const scaled = v.map((entry) => entry / largest)
   const length = Math.hypot(...scaled) || 1
