@@ -37,7 +37,8 @@ pub struct Near {
 impl Values {
     pub(super) fn key(&self) -> serde_json::Value {
         let near: Vec<_> = self.near.iter().map(|near| &near.value).collect();
-        json!({ "values": self.right, "tolerance": self.tolerance, "direction": self.direction, "near": near })
+        let Self { right, unit, tolerance, direction, .. } = self;
+        json!({ "values": right, "unit": unit, "tolerance": tolerance, "direction": direction, "near": near })
     }
 
     /// What a reader is asked and told.

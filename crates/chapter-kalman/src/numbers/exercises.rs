@@ -61,6 +61,7 @@ fn lamp(to: &mut Listing) {
     to.by("chapter_kalman::numbers::exercises::lamp", None)
         .add("ex.lamp.1", scale * dx, "∂h/∂x of the lamp's elevation, rad/m")
         .add("ex.lamp.2", scale * dy, "∂h/∂y, rad/m")
+        .add("ex.lamp.away", -scale * dx, "∂h/∂x with the wrong sign, rad/m")
         .add("ex.lamp.flat", -dx / (rho * rho * rho) * z, "∂h/∂x with atan(z/ρ) taken for z/ρ, rad/m");
 }
 const LAMP: [f64; 3] = [3.0, 4.0, 2.0];
@@ -217,6 +218,7 @@ mod tests {
             ("ex.constant.R", 2.0 / 21.0),
             ("ex.lamp.1", -6.0 / 145.0),
             ("ex.lamp.2", -8.0 / 145.0),
+            ("ex.lamp.away", 6.0 / 145.0),
             ("ex.gate.d.1", 2.25),
             ("ex.gate.d.2", 1.0),
             ("ex.gate.ratio", 4.5 * (-0.625_f64).exp()),

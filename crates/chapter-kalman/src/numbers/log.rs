@@ -120,6 +120,14 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
         .add("log.scatter", scatter(logged, line), "how far ranges scatter about the line against the true range, m")
         .add("log.gate.expected", 1.0 - GATE, "share of readings that the gate refuses where the model holds")
         .add("log.tuned.sigma", calibrated.params.sigma_range, "σ_ρ at which NIS is near 1, m");
+    let slopes: Vec<f64> = lines_by_beacon(logged).into_iter().flatten().map(|line| line.slope).collect();
+    to.by("labs::numbers::log::lines_by_beacon", None)
+        .add(
+            "log.line.beacon.least",
+            slopes.iter().copied().fold(f64::INFINITY, f64::min),
+            "the least slope of a beacon",
+        )
+        .add("log.line.beacon.most", slopes.iter().copied().fold(f64::NEG_INFINITY, f64::max), "the greatest");
     let reckoned = reckoned_line(logged);
     for (name, line) in [("truth", raw.range_line), ("inner", raw.innovation_line), ("reckoned", reckoned)] {
         let line = line.ok_or_else(off)?;
@@ -154,6 +162,19 @@ fn reckoned_line(logged: &LoggedDrive) -> Option<Line> {
         }
     }
     points.line()
+}
+
+/// The line through how far each beacon's ranges are off from the true ones.
+fn lines_by_beacon(logged: &LoggedDrive) -> Vec<Option<Line>> {
+    let drive = logged.drive();
+    let mut points: Vec<Points> = drive.landmarks.iter().map(|_| Points::default()).collect();
+    for row in &drive.rows {
+        let Event::Range { landmark, range } = row.event else { continue };
+        let Some([x, y]) = drive.truth.position(row.time) else { continue };
+        let known = numerics::hypot(drive.landmarks[landmark].x - x, drive.landmarks[landmark].y - y);
+        points[landmark].take(known, range - known);
+    }
+    points.iter().map(Points::line).collect()
 }
 
 /// The standard deviation of the ranges about the line that says how far they are off.

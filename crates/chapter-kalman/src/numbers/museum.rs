@@ -8,6 +8,17 @@ use sim::scenarios::BUG_MUSEUM;
 
 /// The first seed of the runs that a symptom table is made of, when others are diagnosed with it.
 const TABLE: u32 = 10_000;
+/// Figures whose mean the text tells: 0 is the position's RMS error, 3 NEES, 4 NIS, 10 and 11 the autocorrelation of ranges and of bearings.
+const TOLD: [(Bug, usize); 8] = [
+    (Bug::None, 0),
+    (Bug::OpenGate, 0),
+    (Bug::Deviation, 3),
+    (Bug::Deviation, 4),
+    (Bug::Twice, 10),
+    (Bug::Twice, 11),
+    (Bug::StepLength, 10),
+    (Bug::StepLength, 11),
+];
 /// Runs that are diagnosed together.
 const TOGETHER: usize = 5;
 
@@ -15,6 +26,17 @@ const TOGETHER: usize = 5;
 pub(super) fn constants(to: &mut Listing) {
     let constants = BUG_MUSEUM;
     to.by("sim::scenarios::BUG_MUSEUM", None)
+        .add("const.museum.straight", f64::from(constants.course.straight) * constants.course.ds, "a straight, m")
+        .add("const.museum.lap", f64::from(constants.course.lap()), "ticks of a lap")
+        .add("const.museum.ds", constants.course.ds, "driven in a tick, m")
+        .vector(
+            "const.museum.landmark",
+            constants.landmarks.iter().flat_map(|at| [at.x, at.y]).collect::<Vec<_>>().iter(),
+            "the landmarks, m",
+        )
+        .vector("const.museum.u", constants.u_sigma.iter(), "noise of the input in a tick, standard deviation: m, rad")
+        .vector("const.museum.p0", constants.p0_sigma.iter(), "first uncertainty, standard deviation: m, m, rad")
+        .add("const.museum.gate", constants.gate, "the gate on χ²")
         .add("museum.steps", f64::from(constants.steps), "steps of a run")
         .add("museum.laps", f64::from(constants.steps / constants.course.lap()), "laps of a run")
         .add("museum.reach", constants.sensor.reach, "how far the sensor reaches, m")
@@ -39,6 +61,12 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
                 "runs in whose most telling figure of this panel is outside a right filter's 95 % band, per cent";
             to.add(format!("museum.{}.{panel}", bug.word()), most, about);
         }
+    }
+    for (bug, figure) in TOLD {
+        let runs = all.iter().zip(&judged).find(|(other, _)| **other == bug).map_or(&[][..], |(_, runs)| runs);
+        let mean = runs.iter().map(|run| run[figure]).sum::<f64>() / runs.len() as f64;
+        let id = format!("museum.{}.mean.{figure}", bug.word());
+        to.add(id, mean, "the figure's mean over all runs");
     }
     let table: Vec<_> = all.iter().copied().zip(runs(TABLE)?.iter().map(|runs| Symptoms::of(runs))).collect();
     to.by("labs::bug_museum::diagnosed", None);

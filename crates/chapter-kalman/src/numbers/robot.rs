@@ -34,7 +34,12 @@ fn problem9(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .symmetric("problem9.P", &step.posterior.p, "the corrected covariance")
         .by("chapter_kalman::checks::problem9::gap", Some(13))
         .vector("problem9.ukf.gap", gap(problem, SigmaPoints::default())?.iter(), "UKF − EKF, α = 10⁻³, β = 2, κ = 0")
-        .vector("problem9.ukf.gap.wide", gap(problem, WIDE)?.iter(), "UKF − EKF, α = 1, β = 0, κ = 0");
+        .vector("problem9.ukf.gap.wide", gap(problem, WIDE)?.iter(), "UKF − EKF, α = 1, β = 0, κ = 0")
+        .vector(
+            "problem9.ukf.between",
+            (gap(problem, SigmaPoints::default())? - gap(problem, WIDE)?).abs().iter(),
+            "how far the two sets of sigma points are apart",
+        );
     Ok(())
 }
 

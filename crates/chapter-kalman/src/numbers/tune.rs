@@ -103,12 +103,17 @@ pub(super) fn in_band(to: &mut Listing) -> Result<(), Error> {
 
 /// How many readings tell q to a twentieth, where 200 leave ln q this standard deviation: it falls as one over the root of their
 /// number.
-fn exercises(sigma: f64, to: &mut Listing) {
+pub(super) fn exercises(sigma: f64, to: &mut Listing) {
     let (length, goal) = (200.0, 0.05);
     let readings = length * (sigma / goal) * (sigma / goal);
     to.by("chapter_kalman::numbers::tune::exercises", None)
         .add("ex.readings.sigma", sigma, "the standard deviation of ln q fitted to 200 readings, in the median")
         .add("ex.readings", readings, "readings that tell q to 5 % (one σ)")
+        .add(
+            "ex.readings.unlogged",
+            length * (libm::expm1(sigma) / goal) * (libm::expm1(sigma) / goal),
+            "the same with the factor less 1 for the standard deviation of ln q",
+        )
         .add(
             "ex.readings.linear",
             length * sigma / goal,

@@ -78,6 +78,7 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
         .add("ex.wheel.lever", lever, "rad of heading a lap for ε = 1")
         .add("ex.wheel.slip", slip.sqrt(), "what slip adds to the heading in a lap, standard deviation, rad")
         .add("ex.wheel.sigma", 100.0 * learned, "σ of ε after one reading of the heading, per cent")
+        .add("ex.wheel.share", learned, "the same as a fraction")
         .add("ex.wheel.slipless", 100.0 * slipless, "the same if nothing slipped, per cent")
         .add("ex.wheel.first", 100.0 * HOOK.bias_sigma, "σ of ε before it, per cent");
     Ok(())

@@ -52,13 +52,18 @@ impl Drive {
     /// As a lab's.
     pub fn new(params: HookParams) -> Result<Self, Error> {
         params.check()?;
+        Self::with_bias(params, params.bias)
+    }
+
+    /// With a bias that the slider need not reach.
+    pub fn with_bias(params: HookParams, bias: f64) -> Result<Self, Error> {
         let start = HOOK.course.start();
         let belief = Gaussian { x: start.to_vector(), p: Matrix3::zeros() };
         let sigma = Vector2::new(HOOK.sensor.range_sigma, HOOK.sensor.bearing_sigma);
         Ok(Self {
             params,
             home: Apartment::new(),
-            rusty: Rusty::new(start, HOOK.wheels, params.bias, params.slip),
+            rusty: Rusty::new(start, HOOK.wheels, bias, params.slip),
             slip: Noise::new(u64::from(params.seed)),
             sensor: Noise::new(u64::from(params.seed) | 1 << 32),
             step: 0,
