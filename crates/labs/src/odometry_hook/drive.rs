@@ -56,6 +56,9 @@ impl Drive {
     }
 
     /// With a bias that the slider need not reach.
+    ///
+    /// # Errors
+    /// As a lab's.
     pub fn with_bias(params: HookParams, bias: f64) -> Result<Self, Error> {
         let start = HOOK.course.start();
         let belief = Gaussian { x: start.to_vector(), p: Matrix3::zeros() };
