@@ -39,10 +39,10 @@ mod object;
 #[cfg(feature = "log")]
 mod robot_log;
 
-#[cfg(feature = "labs")]
-pub use self::lab::*;
 #[cfg(feature = "checks")]
 pub use self::checks::*;
+#[cfg(feature = "labs")]
+pub use self::lab::*;
 #[cfg(feature = "functions")]
 pub use self::{
     analysis::*, ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
