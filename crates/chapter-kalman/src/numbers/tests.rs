@@ -187,3 +187,34 @@ fn a_filter_with_the_least_q_is_in_its_nis_band_and_wrong() {
     assert!(n["ex.band.lag1"] > 0.8, "innovations alike: {}", n["ex.band.lag1"]);
     assert!(n["ex.band.lacking"] > 100.0 && n["ex.band.nees"] > 10.0, "{} {}", n["ex.band.lacking"], n["ex.band.nees"]);
 }
+
+#[test]
+fn what_the_text_says_of_beacons_bugs_and_sigma_points_is_what_an_independent_program_found() {
+    let mut to = Listing::new();
+    museum::list(&mut to).expect("computed");
+    // The factor of 1.33 that the text prints: 200 · (0.33 · 20)².
+    tune::exercises(1.33_f64.ln(), &mut to);
+    let n: BTreeMap<_, _> =
+        by_id(&Givens::default()).into_iter().chain(to.numbers.into_iter().map(|n| (n.id, n.value))).collect();
+    for (id, value, within) in [
+        ("log.line.beacon.least", 0.067970, 1e-6),
+        ("log.line.beacon.most", 0.071463, 1e-6),
+        ("problem9.ukf.between.1", 0.001, 6e-4),
+        ("problem9.ukf.between.2", 0.090, 6e-4),
+        ("problem9.ukf.between.3", 0.052, 6e-4),
+        ("museum.deviation.mean.3", 1.4, 0.06),
+        ("museum.deviation.mean.4", 2.0 / 7.0, 0.03),
+        ("museum.twice.mean.10", 0.50, 0.01),
+        ("museum.twice.mean.11", 0.32, 0.01),
+        ("museum.step-length.mean.10", 0.12, 0.015),
+        ("museum.step-length.mean.11", -0.29, 0.01),
+        // The mean of 4000 runs.
+        ("museum.none.mean.0", 0.065, 0.002),
+        ("ex.readings.unlogged", 8712.0, 1e-6),
+        ("const.museum.straight", 4.0, 1e-12),
+    ] {
+        assert!((n[id] - value).abs() < within, "{id}: {}", n[id]);
+    }
+    let gate = n["museum.open-gate.mean.0"] / n["museum.none.mean.0"];
+    assert!((1.5..4.0).contains(&gate), "an open gate multiplies the position's error by {gate}");
+}
