@@ -2,7 +2,7 @@
 // remembered until the reader forgets them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { comeTo, figure, open, quiet } from './fixture.mjs'
+import { comeTo, figure, open } from './fixture.mjs'
 
 /** A question on the screen, with the controls that it gets there. */
 const quiz = async (page, id) => {
@@ -31,7 +31,7 @@ const kept = (page) =>
 test('a choice is committed to before anything is explained, and a wrong one says why', async (t) => {
   const page = await open(t)
   // The script comes with the first question, and a figure that is in sight then keeps its height.
-  await page.locator('.quiz').first().scrollIntoViewIfNeeded()
+  await comeTo(page, '#quiz-third-step', 'form#quiz-third-step input')
   await page.locator('#fig-picture .figure-locked').waitFor({ state: 'attached' })
   const it = await quiz(page, 'which-foot')
   assert.ok(!(await shown(it)))
@@ -301,32 +301,4 @@ test('no figure waits without scripts, nor on paper', async (t) => {
   await page.emulateMedia({ media: 'print' })
   assert.equal(await page.locator('.figure-locked:visible').count(), 0)
   assert.equal(await page.locator('#fig-picture .still').evaluate((still) => getComputedStyle(still).filter), 'none')
-})
-
-test('a veil on a page that comes up at a place below it moves nothing', async (t) => {
-  const page = await open(t, {
-    at: 'kalman/#exercises',
-    viewport: { width: 390, height: 844 },
-    touch: true,
-    prepare: (it) =>
-      it.addInitScript(() => {
-        globalThis.shifts = 0
-        new PerformanceObserver((list) =>
-          list.getEntries().forEach(({ value }) => {
-            globalThis.shifts += value
-          }),
-        ).observe({ type: 'layout-shift', buffered: true })
-      }),
-  })
-  await page.locator('#fig-picture .figure-locked').waitFor({ state: 'attached' })
-  await quiet(page)
-  const { shifts, top } = await page.evaluate(() => ({
-    shifts: globalThis.shifts,
-    top: document.querySelector('#exercises').getBoundingClientRect().top,
-  }))
-  assert.ok(shifts < 0.01 && Math.abs(top - 24) < 2, `shifts ${shifts}, the heading at ${top}`)
-  assert.ok(
-    await page.locator('#fig-picture .widget').evaluate((widget) => !widget.hasAttribute('data-short')),
-    'what stands above keeps its height',
-  )
 })

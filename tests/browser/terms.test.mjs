@@ -2,7 +2,7 @@
 // and which check watches over it. With the mouse, with the keys and with a finger.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { figure, open, PHONE, quiet } from './fixture.mjs'
+import { figure, open, PHONE, quiet } from './harness.mjs'
 
 const KINDS = ['prediction', 'posterior', 'measurement', 'truth']
 const popover = (page) => page.locator('#popover')
