@@ -241,10 +241,10 @@ export async function quiet(page, frames = 20) {
   await page.evaluate(async (wanted) => {
     const look = () => {
       const { scrollHeight, clientWidth } = document.documentElement
-      // A figure that is not on the screen sleeps, whatever it has to do, and what is not laid out does not move.
+      const onScreen = ({ top, bottom }) => bottom > 0 && top < innerHeight
+      // Off the screen a figure sleeps, whatever it has to do, an image may stay away, and what is not laid out does not move.
       const figures = [...document.querySelectorAll('.widget')].map((it) => {
-        const { top, bottom } = it.getBoundingClientRect()
-        const asleep = bottom < 0 || top > innerHeight
+        const asleep = !onScreen(it.getBoundingClientRect())
         return [it.dataset.state, asleep || (it.settled ?? true), it.clientHeight]
       })
       const moves = document
@@ -256,7 +256,7 @@ export async function quiet(page, frames = 20) {
             effect.target?.checkVisibility({ contentVisibilityAuto: true }),
         )
       const missing = [...document.images].some(
-        (it) => !it.complete && it.checkVisibility() && it.getBoundingClientRect().top < innerHeight,
+        (it) => !it.complete && it.checkVisibility() && onScreen(it.getBoundingClientRect()),
       )
       const works = figures.some(([state, settled]) => state === 'loading' || settled === false)
       return moves || missing || works ? null : JSON.stringify([scrollX, scrollY, scrollHeight, clientWidth, figures])

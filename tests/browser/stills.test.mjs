@@ -5,7 +5,7 @@ import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
 import path from 'node:path'
 import { PNG } from 'pngjs'
-import { dist, FIGURE_PAGES, open, openFigure, PHONE, quiet } from './fixture.mjs'
+import { dist, FIGURE_PAGES, open, openFigure, PHONE, quiet } from './harness.mjs'
 import { differenceOf } from './snapshots.mjs'
 
 /** How each figure's still is drawn: panels that show, drawn in the page or as images that have come, and how much they hold. */
