@@ -8,12 +8,31 @@ const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '..')
 const [parts, out] = [path.join(root, 'target/npm/parts'), path.join(root, 'target/npm/package')]
 const read = (name) => readFileSync(path.join(parts, name), 'utf8')
 const write = (name, text) => writeFileSync(path.join(out, name), text)
-const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
+const require = createRequire(import.meta.url)
+const core = require(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
 const metadata = JSON.parse(read('metadata'))
 const ours = metadata.packages.find(({ name }) => name === 'estimate-wasm')
 
-const types = { import: './index.d.ts', require: './index.d.cts' }
+/** An entry of the package: what its imports are called, its folder, and where its module and its declarations were built. */
+const ENTRIES = [
+  { at: '.', part: 'whole', built: 'target/pkg/node' },
+  { at: './filters', part: 'filters', built: 'target/pkg/filters' },
+]
+const conditions = (at) => ({
+  [at]: {
+    node: {
+      import: { types: `${at}/index.d.ts`, default: `${at}/node.js` },
+      require: { types: `${at}/index.d.cts`, default: `${at}/node.cjs` },
+    },
+    default: { types: `${at}/index.d.ts`, default: `${at}/index.js` },
+  },
+  [`${at}/slim`]: {
+    import: { types: `${at}/slim.d.ts`, default: `${at}/slim.js` },
+    require: { types: `${at}/slim.d.cts`, default: `${at}/slim.cjs` },
+  },
+  [`${at}/estimate.wasm`]: `${at}/estimate.wasm`,
+})
 write(
   'package.json',
   `${JSON.stringify(
@@ -28,22 +47,11 @@ write(
       type: 'module',
       engines: { node: '>=20' },
       // These load the binary when they are imported; a bundler must not drop them.
-      sideEffects: ['./index.js', './node.js', './node.cjs'],
+      sideEffects: ENTRIES.flatMap(({ at }) => ['index.js', 'node.js', 'node.cjs'].map((file) => `${at}/${file}`)),
       main: './node.cjs',
       types: './index.d.cts',
       exports: {
-        '.': {
-          node: {
-            import: { types: types.import, default: './node.js' },
-            require: { types: types.require, default: './node.cjs' },
-          },
-          default: { types: types.import, default: './index.js' },
-        },
-        './slim': {
-          import: { types: './slim.d.ts', default: './slim.js' },
-          require: { types: './slim.d.cts', default: './slim.cjs' },
-        },
-        './estimate.wasm': './estimate.wasm',
+        ...Object.assign({}, ...ENTRIES.map(({ at }) => conditions(at))),
         './digests.json': './digests.json',
         './package.json': './package.json',
       },
@@ -53,23 +61,26 @@ write(
   )}\n`,
 )
 
-// ── Entries: the same binary and the same names for all. In Node both kinds of import share one module. ──
-const names = Object.keys(core)
-  .filter((name) => typeof core[name] === 'function' && !name.startsWith('_') && name !== 'start')
-  .sort()
-write(
-  'index.js',
-  `// For browsers, workers and bundlers: the binary beside this file is loaded before the import is done.
+const disposable = '/// <reference lib="esnext.disposable" />\n'
+/** `start` is called by whoever loads the binary. */
+const withoutStart = (text) => text.replace(/\/\*\*(?:(?!\*\/)[\s\S])*\*\/\nexport function start\(\): void;\n/, '')
+
+/** Writes an entry: the same binary and the same names for all. In Node both kinds of import share one module. */
+function writeEntry({ at, part, built }) {
+  const names = namesOf(require(path.join(root, built, 'estimate_wasm.js')))
+  write(
+    `${at}/index.js`,
+    `// For browsers, workers and bundlers: the binary beside this file is loaded before the import is done.
 import init, { ${names.join(', ')} } from './slim.js'
 
 await init({ module_or_path: new URL('./estimate.wasm', import.meta.url) })
 
 export { ${names.join(', ')} }
 `,
-)
-write(
-  'node.cjs',
-  `'use strict'
+  )
+  write(
+    `${at}/node.cjs`,
+    `'use strict'
 const { readFileSync } = require('node:fs')
 const { join } = require('node:path')
 const core = require('./slim.cjs')
@@ -78,31 +89,34 @@ core.initSync({ module: readFileSync(join(__dirname, 'estimate.wasm')) })
 
 ${names.map((name) => `exports.${name} = core.${name}`).join('\n')}
 `,
-)
-write(
-  'node.js',
-  `import core from './node.cjs'
+  )
+  write(
+    `${at}/node.js`,
+    `import core from './node.cjs'
 
 export const { ${names.join(', ')} } = core
 `,
-)
-cpSync(path.join(root, 'target/pkg/web/estimate_wasm_bg.wasm'), path.join(out, 'estimate.wasm'))
-
-// ── Declarations. `start` is called by whoever loads the binary. ──
-const disposable = '/// <reference lib="esnext.disposable" />\n'
-const withoutStart = (text) => text.replace(/\/\*\*(?:(?!\*\/)[\s\S])*\*\/\nexport function start\(\): void;\n/, '')
-const whole = withoutStart(readFileSync(path.join(root, 'target/pkg/node/estimate_wasm.d.ts'), 'utf8'))
-if (/function start\b/.test(whole)) throw new Error('the declaration of start is still there')
-for (const [name, text] of [
-  ['index', whole],
-  ['slim', withoutStart(read('estimate_wasm.d.ts'))],
-]) {
-  for (const extension of ['d.ts', 'd.cts']) write(`${name}.${extension}`, disposable + text)
+  )
+  cpSync(path.join(root, built, 'estimate_wasm_bg.wasm'), path.join(out, at, 'estimate.wasm'))
+  const declared = withoutStart(readFileSync(path.join(root, built, 'estimate_wasm.d.ts'), 'utf8'))
+  if (/function start\b/.test(declared)) throw new Error('the declaration of start is still there')
+  for (const extension of ['d.ts', 'd.cts']) {
+    write(`${at}/index.${extension}`, disposable + declared)
+    write(`${at}/slim.${extension}`, disposable + withoutStart(read(`${part}/estimate_wasm.d.ts`)))
+  }
 }
+function namesOf(module) {
+  const exported = ([name, value]) => typeof value === 'function' && !name.startsWith('_') && name !== 'start'
+  return Object.entries(module)
+    .filter(exported)
+    .map(([name]) => name)
+    .sort()
+}
+for (const entry of ENTRIES) writeEntry(entry)
 
 // ── The digests of the reference runs, as the native code has them; but those over a robot's log, which the package does not hold. ──
 const labs = Object.fromEntries(
-  names.flatMap((name) => {
+  namesOf(core).flatMap((name) => {
     try {
       const lab = new core[name]()
       return lab.digest ? [[lab.state().lab, name]] : []

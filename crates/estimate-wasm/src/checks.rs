@@ -6,6 +6,9 @@ use estimate::{Code, Error};
 use serde_wasm_bindgen::to_value;
 use wasm_bindgen::prelude::*;
 
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("checks.d.ts");
+
 /// Runs the chapter's checks, single runs only.
 #[wasm_bindgen(js_name = chapterChecks, unchecked_return_type = "Check[]")]
 pub fn chapter_checks() -> Result<JsValue, JsValue> {

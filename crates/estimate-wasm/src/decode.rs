@@ -4,6 +4,7 @@
 use crate::names::name;
 use estimate::{Code, Error};
 use js_sys::{Array, JsString};
+#[cfg(feature = "labs")]
 use lab::{Parameter, Shape};
 use std::borrow::Cow;
 use std::cell::Cell;
@@ -126,6 +127,7 @@ impl<'a> Arg<'a> {
     }
 
     /// `true` or `false`.
+    #[cfg(feature = "labs")]
     pub fn boolean(&self) -> Result<bool, Error> {
         self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }
@@ -152,6 +154,7 @@ impl<'a> Arg<'a> {
     }
 
     /// Appends the numbers of a lab's parameter, or of a part of it.
+    #[cfg(feature = "labs")]
     pub fn shaped(&self, p: &Parameter, shape: &'static Shape, to: &mut Vec<f64>) -> Result<(), Error> {
         match shape {
             Shape::Number => to.push(self.number()?),

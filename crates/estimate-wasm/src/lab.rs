@@ -11,6 +11,9 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = labs::TYPESCRIPT;
 
+#[wasm_bindgen(typescript_custom_section)]
+const OF_EVERY_LAB: &str = include_str!("lab.d.ts");
+
 /// The version of a stored state; a state of another version is refused.
 const VERSION: u32 = 1;
 
