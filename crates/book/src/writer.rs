@@ -1,6 +1,6 @@
 //! The tree to HTML: CommonMark's elements. What is ours is written by `inline`, `block` and `question`.
 
-use std::collections::{BTreeMap, BTreeSet, HashMap};
+use std::collections::HashMap;
 
 use pulldown_cmark::{Alignment, CodeBlockKind, HeadingLevel, Tag};
 
@@ -15,6 +15,9 @@ use crate::site::Site;
 use crate::tree::{Kind, Node};
 
 mod held;
+mod used;
+
+pub use used::Used;
 
 /// A heading of the table of contents.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]
@@ -27,25 +30,6 @@ pub struct Heading {
     pub number: String,
     /// Its title as HTML, without links.
     pub html: String,
-}
-
-/// What a page has used, for its end matter.
-#[derive(Debug, Default)]
-pub struct Used {
-    /// Keys of the glossary.
-    pub terms: BTreeSet<String>,
-    /// Ids of numbers.
-    pub numbers: BTreeSet<String>,
-    /// Keys of references.
-    pub references: BTreeSet<String>,
-    /// Ids of quizzes.
-    pub quizzes: BTreeSet<String>,
-    /// Whether the page lists its references itself.
-    pub listed_references: bool,
-    /// Whether a figure that moves has come.
-    pub widget: bool,
-    /// Stills' panels in files of their own, by name among the assets.
-    pub pictures: BTreeMap<String, String>,
 }
 
 /// Writes the texts of one page.
