@@ -1,7 +1,7 @@
 // From 320 px up nothing makes a page scroll sideways; what is wide scrolls inside its own box.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { FIGURE_PAGES, PAGES, PHONE, figure, layOut, open, unlock, walkDown } from './harness.mjs'
+import { FIGURE_PAGES, PAGES, PHONE, figure, layOut, open, unlock, walkDown, quiet } from './harness.mjs'
 
 /** How far the page goes on beyond its right edge, and what stands there. */
 const beyond = (page) =>
@@ -102,13 +102,7 @@ test('a line never begins with the mark behind a formula, nor ends with the one 
     await page.setViewportSize({ width, height: 800 })
     await layOut(page)
     // Wide displays are set smaller once the new width is known.
-    await page
-      .waitForFunction(() =>
-        [...document.querySelectorAll('.equation-body')].every(
-          (box) => box.scrollWidth <= box.clientWidth || box.scrollWidth - box.clientWidth >= 24,
-        ),
-      )
-      .catch(() => {})
+    await quiet(page)
     const { torn, cut, seen } = await page.evaluate(() => {
       /** The text in the same block next to an element, before or behind it. */
       const beside = (element, step) => {

@@ -34,6 +34,10 @@ export function scrollBoxes() {
     }
   }
   const eye = new ResizeObserver((entries) => check(entries.map(({ target }) => /** @type {HTMLElement} */ (target))))
+  // A face that comes late makes a formula wider and leaves its box as it was.
+  document.fonts.addEventListener('loadingdone', () =>
+    check(boxes.filter((box) => box.checkVisibility({ contentVisibilityAuto: true }))),
+  )
   for (const box of boxes) {
     eye.observe(box)
     box.addEventListener('scroll', () => fade(box, box), { passive: true })

@@ -189,7 +189,7 @@ fn a_filter_with_the_least_q_is_in_its_nis_band_and_wrong() {
 }
 
 #[test]
-fn what_the_text_says_of_beacons_bugs_and_sigma_points_is_what_an_independent_program_found() {
+fn what_the_text_says_of_beacons_bugs_and_sigma_points_holds() {
     let mut to = Listing::new();
     museum::list(&mut to).expect("computed");
     // The factor of 1.33 that the text prints: 200 · (0.33 · 20)².
