@@ -2,7 +2,7 @@
 
 use crate::text::Text;
 
-/// Declares plain structs: each field has a doc comment and a type that is [`Plain`]. TypeScript calls a field by its name in
+/// Declares plain structs: each field has a doc comment and a type that is [`Plain`](crate::Plain). TypeScript calls a field by its name in
 /// camelCase, or by the name in `#[name = "…"]`. Their interfaces are the constant `INTERFACES`.
 #[macro_export]
 macro_rules! record {

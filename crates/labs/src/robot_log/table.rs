@@ -30,7 +30,7 @@ impl LogTable {
     /// A table before its first row.
     ///
     /// # Errors
-    /// As [`super::RobotLog::new`].
+    /// As [`lab::Lab::start`].
     pub fn new(logged: Arc<LoggedDrive>, params: LogParams, kind: LogTableKind) -> Result<Self, Error> {
         params.check()?;
         let replay = Replay::new(logged.drive(), Settings::from(params))?;
@@ -40,7 +40,7 @@ impl LogTable {
     /// What the next `n` rows of the log add to the table, before the first of them its header; `None` behind the last.
     ///
     /// # Errors
-    /// As [`super::RobotLog::run`]; the table is then as it was.
+    /// As [`lab::Lab::run`]; the table is then as it was.
     pub fn next(&mut self, n: u32) -> Result<Option<String>, Error> {
         let logged = Arc::clone(&self.logged);
         let rows = &logged.drive().rows[self.step..];
