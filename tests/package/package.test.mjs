@@ -5,6 +5,7 @@ import assert from 'node:assert/strict'
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs'
 import { homedir } from 'node:os'
 import path from 'node:path'
+import { gzipSync } from 'node:zlib'
 import { EXAMPLES, NAME, answerOf, folder, installed, node, root, run, tarball } from './folder.mjs'
 
 const bin = (where, name) => path.join(root, where, 'node_modules/.bin', name)
@@ -25,25 +26,11 @@ console.log(JSON.stringify({ runs: digests.length, others }))`
 const place = await folder('node', { ...EXAMPLES, 'reference.mjs': NODE_REFERENCE })
 
 test('the package holds what its README and manifest name, and nothing of this machine', () => {
-  const files = readdirSync(installed(place)).sort()
-  assert.deepEqual(files, [
-    'LICENSE-APACHE',
-    'LICENSE-MIT',
-    'README.md',
-    'THIRD-PARTY.txt',
-    'digests.json',
-    'estimate.wasm',
-    'index.d.cts',
-    'index.d.ts',
-    'index.js',
-    'node.cjs',
-    'node.js',
-    'package.json',
-    'slim.cjs',
-    'slim.d.cts',
-    'slim.d.ts',
-    'slim.js',
-  ])
+  const entry = ['estimate.wasm', 'index.d.cts', 'index.d.ts', 'index.js', 'node.cjs', 'node.js']
+  entry.push('slim.cjs', 'slim.d.cts', 'slim.d.ts', 'slim.js')
+  const files = readdirSync(installed(place), { recursive: true }).filter((file) => file !== 'filters')
+  const once = ['LICENSE-APACHE', 'LICENSE-MIT', 'README.md', 'THIRD-PARTY.txt', 'digests.json', 'package.json']
+  assert.deepEqual(files.sort(), [...once, ...entry, ...entry.map((file) => `filters/${file}`)].sort())
   for (const file of files) {
     const bytes = readFileSync(path.join(installed(place), file), 'latin1')
     for (const secret of [root, homedir()])
@@ -64,6 +51,7 @@ test('publint and arethetypeswrong find nothing wrong', async () => {
     'node16',
     '--exclude-entrypoints',
     'estimate.wasm',
+    'filters/estimate.wasm',
     '--format',
     'ascii',
   ]).catch((error) => {
@@ -107,6 +95,33 @@ initSync({ module: require('node:fs').readFileSync(require.resolve('${NAME}/esti
 console.log(observability([[1, 0.5], [0, 1]], [[1, 0]]).rank)`,
   )
   assert.equal(await node(place, 'slim.cjs'), '2')
+})
+
+test('the entry without labs has the filters of the whole, bit for bit, and no lab, imported and required', async () => {
+  const light = EXAMPLES['track.mjs'].replace(`'${NAME}'`, `'${NAME}/filters'`)
+  writeFileSync(path.join(place, 'light.mjs'), light)
+  assert.equal(await node(place, 'light.mjs'), await node(place, 'track.mjs'))
+  writeFileSync(
+    path.join(place, 'entries.cjs'),
+    `const [whole, filters] = [require('${NAME}'), require('${NAME}/filters')]
+console.log(JSON.stringify({ whole: Object.keys(whole), filters: Object.keys(filters) }))`,
+  )
+  const { whole, filters } = JSON.parse(await node(place, 'entries.cjs'))
+  assert.deepEqual(
+    filters.filter((name) => !whole.includes(name)),
+    [],
+  )
+  for (const name of ['KalmanFilter', 'kalmanReplay', 'EkfLocalizer', 'EkfSlam'])
+    assert.ok(filters.includes(name), name)
+  const labs = JSON.parse(readFileSync(path.join(installed(place), 'digests.json'), 'utf8')).map((run) => run.class)
+  assert.deepEqual(
+    filters.filter((name) => labs.includes(name) || /Log|chapter/.test(name)),
+    [],
+  )
+  for (const kind of ['index', 'slim']) {
+    const declared = readFileSync(path.join(installed(place), `filters/${kind}.d.ts`), 'utf8')
+    assert.doesNotMatch(declared, /Lab|Params|Frame|\bCheck\b/)
+  }
 })
 
 test('in Node the reference runs have the digests of the native code', async () => {
@@ -154,6 +169,27 @@ test('Vite builds it, with a worker, under a strict policy: the same bits in Chr
   const at = await folder('vite', { 'index.html': html, 'main.js': MAIN, 'worker.js': EXAMPLES['worker.js'] })
   await build({ root: at, configFile: false, logLevel: 'error', base: './', worker: { format: 'es' } })
   await asInNode(await answerOf(path.join(at, 'dist')))
+})
+
+test('a page that filters without labs fetches at most 150 kB with gzip: the same bits in Chromium', async () => {
+  const { build } = await import('vite')
+  const main = `${EXAMPLES['track.mjs'].replace(`'${NAME}'`, `'${NAME}/filters'`).replace(/console\.log.*\n/g, '')}
+window.answer = { x: filter.x, P: filter.P }`
+  const html = built(`${POLICY}<script type="module" src="./main.js"></script>`)
+  const at = await folder('light', { 'index.html': html, 'main.js': main })
+  await build({ root: at, configFile: false, logLevel: 'error', base: './' })
+  const { x, P } = await answerOf(path.join(at, 'dist'))
+  writeFileSync(
+    path.join(place, 'same.mjs'),
+    `${main.replace('window.answer =', 'const answer =')}\nconsole.log(JSON.stringify(answer))`,
+  )
+  assert.deepEqual({ x, P }, JSON.parse(await node(place, 'same.mjs')))
+  const assets = path.join(at, 'dist/assets')
+  const weights = readdirSync(assets).map(
+    (file) => gzipSync(readFileSync(path.join(assets, file)), { level: 9 }).length,
+  )
+  const weight = weights.reduce((sum, one) => sum + one, 0)
+  assert.ok(weight > 0 && weight <= 150_000, `${weight} bytes`)
 })
 
 test('webpack builds it, with a worker, under a strict policy: the same bits in Chromium', async () => {
@@ -204,6 +240,7 @@ export const all = [speed, nis, step.R]
 `
 test('TypeScript takes its declarations, strictly, by node16 and by bundler', async () => {
   const at = await folder('types', {
+    'light.mts': `import { KalmanFilter, kalmanStep, type KalmanStep } from '${NAME}/filters'\nimport init from '${NAME}/filters/slim'\nexport const load = init${TYPED}`,
     'esm.mts': `import { KalmanFilter, kalmanStep, type KalmanStep } from '${NAME}'\nimport init, { initSync } from '${NAME}/slim'\nexport const loaders = [init, initSync]${TYPED}`,
     'common.cts': `import { KalmanFilter, kalmanStep, type KalmanStep } from '${NAME}'\nimport slim = require('${NAME}/slim')\nexport const loader = slim.default${TYPED}`,
     'bundled.ts': `import { KalmanFilter, kalmanStep, type KalmanStep } from '${NAME}'\nimport init from '${NAME}/slim'\nexport const load = init${TYPED}`,
@@ -222,6 +259,6 @@ test('TypeScript takes its declarations, strictly, by node16 and by bundler', as
     run(bin('web', 'tsc'), [...strict, ...args], { cwd: at }).catch((error) => {
       throw new Error(error.stdout)
     })
-  await tsc('--module', 'node16', '--moduleResolution', 'node16', 'esm.mts', 'common.cts')
+  await tsc('--module', 'node16', '--moduleResolution', 'node16', 'esm.mts', 'light.mts', 'common.cts')
   await tsc('--module', 'esnext', '--moduleResolution', 'bundler', 'bundled.ts')
 })

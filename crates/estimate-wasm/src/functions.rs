@@ -13,6 +13,11 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("functions.d.ts");
 
+/// They are among the labs' types, where there are labs.
+#[cfg(not(feature = "labs"))]
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES_OF_THE_CORE: &str = lab::written(&[&[lab::OF_THE_CORE]]).as_str();
+
 /// One Kalman step (eqs. 8.26–8.32): predict with the input `u`, correct with the reading `y`.
 #[wasm_bindgen(js_name = kalmanStep, unchecked_return_type = "KalmanStep")]
 pub fn kalman_step(

@@ -128,6 +128,8 @@ described! {
     }
 }
 
-/// The interfaces of these.
-pub const INTERFACES: &[About] =
-    &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT, Line::ABOUT, Summary::ABOUT, Room::ABOUT];
+/// The interfaces of those that the core's own functions take or answer.
+pub const OF_THE_CORE: &[About] = &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT];
+
+/// The interfaces of the others.
+pub const INTERFACES: &[About] = &[Line::ABOUT, Summary::ABOUT, Room::ABOUT];

@@ -28,7 +28,7 @@ pub use digest::Digest;
 pub use experiment::{Experiment, Kind, open};
 pub use figure::Figure;
 pub use interface::{About, Interface};
-pub use known::INTERFACES;
+pub use known::{INTERFACES, OF_THE_CORE};
 pub use lab::{Lab, MAX_STEP, State};
 pub use number::{Listing, Number};
 pub use parameter::{Knob, Parameter, Params, bounds};
