@@ -121,7 +121,7 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
         .add("log.gate.expected", 1.0 - GATE, "share of readings that the gate refuses where the model holds")
         .add("log.tuned.sigma", calibrated.params.sigma_range, "σ_ρ at which NIS is near 1, m");
     let slopes: Vec<f64> = lines_by_beacon(logged).into_iter().flatten().map(|line| line.slope).collect();
-    to.by("labs::numbers::log::lines_by_beacon", None)
+    to.by("chapter_kalman::numbers::log::lines_by_beacon", None)
         .add(
             "log.line.beacon.least",
             slopes.iter().copied().fold(f64::INFINITY, f64::min),
