@@ -42,9 +42,6 @@ test('a build in another folder writes the same site', { timeout: 300_000 }, () 
   })
   mkdirSync(path.join(other, 'target'))
   cpSync(path.join(root, 'target/pkg'), path.join(other, 'target/pkg'), { recursive: true })
-  for (const script of ['web/build/build.mjs', 'web/build/stills.mjs'])
-    execFileSync(process.execPath, [path.join(other, script)], { cwd: other, stdio: 'pipe' })
-
   // The book prints what examples print, and runs them by cargo: with the programs compiled here, since cargo would compile all
   // crates again in another folder.
   const cargo = path.join(other, 'cargo')
@@ -57,6 +54,9 @@ test('a build in another folder writes the same site', { timeout: 300_000 }, () 
     }),
   )
   execFileSync('cargo', ['build', '--quiet', '--locked', '-p', 'book'], { cwd: root, stdio: 'pipe' })
+  execFileSync(path.join(target, 'debug/book'), ['--list', 'target'], { cwd: other, stdio: 'pipe' })
+  for (const script of ['web/build/build.mjs', 'web/build/stills.mjs'])
+    execFileSync(process.execPath, [path.join(other, script)], { cwd: other, stdio: 'pipe' })
   execFileSync(path.join(target, 'debug/book'), ['--strict', '--out', 'site'], {
     cwd: other,
     stdio: 'pipe',

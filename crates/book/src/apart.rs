@@ -11,15 +11,6 @@ use crate::template::safe;
 use crate::tree::{self, Kind, Node};
 use crate::writer::Writer;
 
-/// What a page shows of the chapter's other pages.
-#[derive(Debug, Default)]
-pub struct Apart<'a> {
-    /// The exercises of the other pages.
-    pub exercises: Vec<&'a Node>,
-    /// Figures of the other pages.
-    pub figures: Vec<&'a Node>,
-}
-
 /// The directives called `name` in `texts`, in order.
 pub fn all<'a>(texts: &'a [Vec<Node>], name: &str) -> Vec<&'a Node> {
     let mut found = Vec::new();

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use crate::apart::{self, Apart};
+use crate::apart;
 use crate::config::Chapter;
 use crate::diagnostic::{BuildError, Diagnostics, Place};
 use crate::figure::{self, Figure};
@@ -15,7 +15,7 @@ use crate::parse::parse;
 use crate::reading::Reading;
 use crate::site::Site;
 use crate::tree::Node;
-use crate::writer::{Heading, Used, Writer};
+use crate::writer::{Apart, Heading, Used, Writer};
 
 /// A rendered text, before the template.
 #[derive(Debug, Default)]

@@ -4,7 +4,6 @@ use std::collections::HashMap;
 
 use pulldown_cmark::{Alignment, CodeBlockKind, HeadingLevel, Tag};
 
-use crate::apart::Apart;
 use crate::diagnostic::{Diagnostics, Place};
 use crate::found::Entry;
 use crate::html::{CODE, escape, escape_text};
@@ -17,7 +16,7 @@ use crate::tree::{Kind, Node};
 mod held;
 mod used;
 
-pub use used::Used;
+pub use used::{Apart, Used};
 
 /// A heading of the table of contents.
 #[derive(Clone, Debug, PartialEq, Eq, serde::Serialize)]

@@ -29,9 +29,13 @@ fn a_key_tells_the_page_what_is_right() {
         serde_json::from_slice::<serde_json::Value>(&json).unwrap()
     };
     assert_eq!(key(CHOICE, "c"), json!({ "right": 0 }));
-    assert_eq!(key(NUMBER, "n"), json!({ "values": [1.873], "tolerance": 0.005, "direction": false, "near": [] }));
+    assert_eq!(
+        key(NUMBER, "n"),
+        json!({ "values": [1.873], "tolerance": 0.005, "direction": false, "unit": "", "near": [] })
+    );
     let near = format!("{VECTOR}direction = true\n[[quiz.near]]\nvalue = '0, b'\nwhy = 'r'\n");
-    let expected = json!({ "values": [1.873, 3.05], "tolerance": 0.005, "direction": true, "near": [[0.0, 3.05]] });
+    let expected =
+        json!({ "values": [1.873, 3.05], "tolerance": 0.005, "direction": true, "unit": "", "near": [[0.0, 3.05]] });
     assert_eq!(key(&near, "v"), expected);
     let conditions = json!([
         { "path": "params.sensor", "is": "position" },

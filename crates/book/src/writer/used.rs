@@ -1,6 +1,8 @@
-//! What a page has used, so that its end matter can say where it comes from.
+//! What a page has used, so that its end matter can say where it comes from, and what it shows of other pages.
 
 use std::collections::{BTreeMap, BTreeSet};
+
+use crate::tree::Node;
 
 /// What a page has used, for its end matter.
 #[derive(Debug, Default)]
@@ -19,4 +21,13 @@ pub struct Used {
     pub widget: bool,
     /// Stills' panels in files of their own, by name among the assets.
     pub pictures: BTreeMap<String, String>,
+}
+
+/// What a page shows of the chapter's other pages.
+#[derive(Debug, Default)]
+pub struct Apart<'a> {
+    /// The exercises of the other pages.
+    pub exercises: Vec<&'a Node>,
+    /// Figures of the other pages.
+    pub figures: Vec<&'a Node>,
 }
