@@ -33,6 +33,7 @@ async function faults(page, { within, rules } = {}) {
 
 /** Axe finds nothing in the light theme, nor of colours in the dark one. */
 async function isAccessible(page, within) {
+  await turn(page, 'light')
   assert.equal(await faults(page, { within }), '', 'light')
   const paper = () => page.evaluate(() => getComputedStyle(document.body).backgroundColor)
   const light = await paper()

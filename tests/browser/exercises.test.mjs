@@ -203,7 +203,7 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
     return { grade, answered, right, tries, shown }
   }
   assert.deepEqual(of('ex-lamp'), { grade: 2, answered: true, right: true, tries: 2, shown: false })
-  assert.deepEqual(of('ex-found'), { grade: 2, answered: true, right: false, tries: 1, shown: false })
+  assert.deepEqual(of('ex-found'), { grade: 1, answered: true, right: false, tries: 1, shown: false })
   assert.deepEqual(of('ex-constant'), { grade: 1, answered: false, right: false, tries: 0, shown: true })
   assert.deepEqual(of('ex-unseen'), { grade: 2, answered: false, right: false, tries: 1, shown: false })
   // A teacher reads on the page for teachers what the file holds.
