@@ -263,8 +263,9 @@ export async function quiet(page, frames = 20) {
     }
     await document.fonts.ready
     let before = null
-    for (let held = 0; held < wanted; ) {
-      await new Promise((resolve) => requestIdleCallback(resolve))
+    // What never rests (a figure that plays, a picture that does not come) is looked at as it is, after ten times as many frames.
+    for (let held = 0, seen = 0; held < wanted && seen < Math.max(120, 10 * wanted); seen++) {
+      await new Promise((resolve) => requestIdleCallback(resolve, { timeout: 500 }))
       await new Promise((resolve) => requestAnimationFrame(resolve))
       const now = look()
       held = now !== null && now === before ? held + 1 : 0

@@ -39,9 +39,14 @@ async function heights() {
           isMobile: width < 700,
           serviceWorkers: 'block',
         })
+        /** Parts of one name (the terms, the works cited) have the height that they have on the chapter's first page. */
+        const known = new Set()
         for (const at of pages) {
           await page.goto(site.url + at)
-          for (const [part, height] of await partHeights(page)) (found[chapter][part] ??= []).push(height)
+          for (const [part, height] of await partHeights(page)) {
+            if (!known.has(part)) (found[chapter][part] ??= []).push(height)
+            known.add(part)
+          }
         }
         await page.close()
       }

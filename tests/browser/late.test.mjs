@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import path from 'node:path'
-import { comeTo, figure, frameOf, open, openFigure, root, unlock } from './harness.mjs'
+import { comeTo, EXERCISES, figure, frameOf, open, openFigure, root } from './harness.mjs'
 
 const settled = (it) =>
   it.evaluate(async (host) => {
@@ -142,21 +142,12 @@ test('Close the loop: both thresholds are dragged on their axis, and where they 
   assert.ok((await frameOf(it)).params.found > before)
 })
 
-for (const [id, tag, figureId, wrong, right, todo] of [
-  ['tune-in-band', 'lab-tune', 'fig-tune', { logQ: -2, logW: -1 }, { logW: 0.3 }, 'Bring the mean NIS into its band.'],
-  [
-    'loop-ghost',
-    'loop-closure',
-    'fig-loop',
-    { correlated: false, seed: 1, step: 128 },
-    { seed: 2 },
-    'There is no ghost yet.',
-  ],
+for (const [id, tag, wrong, right, todo] of [
+  ['tune-in-band', 'lab-tune', { logQ: -2, logW: -1 }, { logW: 0.3 }, 'Bring the mean NIS into its band.'],
+  ['loop-ghost', 'loop-closure', { correlated: false, seed: 1, step: 128 }, { seed: 2 }, 'There is no ghost yet.'],
 ]) {
   test(`the page recognises the state that ${id} asks for, and names what is missing`, async (t) => {
-    const page = await open(t)
-    await comeTo(page, `.quiz[data-unlocks="${figureId}"]`, `.quiz[data-unlocks="${figureId}"] input`)
-    await unlock(page, figureId)
+    const page = await open(t, { at: EXERCISES })
     await comeTo(page, tag, `${tag}[data-state="live"]`)
     const it = page.locator(tag)
     await it.evaluate((host, change) => host.figure.change(change), wrong)

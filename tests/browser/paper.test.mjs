@@ -188,8 +188,8 @@ test('with scripts off what is closed on the screen is open on paper', async (t)
 })
 
 for (const [at, least] of [
-  ['kalman/', 60],
-  [EXERCISES, 20],
+  ['kalman/', 40],
+  [EXERCISES, 10],
 ])
   test(`in print nothing to press is left on /${at}; figures, questions, exercises and formulas are as paper needs them`, async (t) => {
     // As wide as a sheet between its margins.
