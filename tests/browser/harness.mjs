@@ -156,15 +156,18 @@ export async function unlock(page, id) {
   await page.locator(`#${id} .widget:not([inert])`).waitFor()
 }
 
-/** Scrolls to a part of the page until what waits for the screen is there: laying out the parts above may move it away again. */
+/** Scrolls to a part of the page until it is on the screen and what waits for that is there: laying out the parts above may move it away again. */
 export async function comeTo(page, selector, sign) {
   const there = page.locator(sign).first()
-  for (const deadline = Date.now() + HANGS_MS; !(await there.isVisible()); ) {
-    assert.ok(Date.now() < deadline, `${sign} does not come`)
-    await page.evaluate(async (target) => {
-      document.querySelector(target).scrollIntoView({ block: 'center', behavior: 'instant' })
+  for (const deadline = Date.now() + HANGS_MS; ; assert.ok(Date.now() < deadline, `${sign} does not come`)) {
+    const onScreen = await page.evaluate(async (target) => {
+      const part = document.querySelector(target)
+      part.scrollIntoView({ block: 'center', behavior: 'instant' })
       for (let i = 0; i < 3; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
+      const { top, bottom } = part.getBoundingClientRect()
+      return bottom > 0 && top < innerHeight
     }, selector)
+    if (onScreen && (await there.isVisible())) return
   }
 }
 
@@ -235,43 +238,47 @@ export async function until(element, wanted, what) {
 
 /**
  * Waits until a page has come to rest: for so many frames in a row its fonts and images are there, no animation runs, no figure
- * computes, the main thread has been idle, and neither its height nor its place has changed.
+ * computes, the main thread has been idle, and neither its height nor its place has changed. `held`: the test holds back what
+ * figures load, so that a figure that loads is at rest.
  */
-export async function quiet(page, frames = 20) {
-  await page.evaluate(async (wanted) => {
-    const look = () => {
-      const { scrollHeight, clientWidth } = document.documentElement
-      const onScreen = ({ top, bottom }) => bottom > 0 && top < innerHeight
-      // Off the screen a figure sleeps, whatever it has to do, an image may stay away, and what is not laid out does not move.
-      const figures = [...document.querySelectorAll('.widget')].map((it) => {
-        const asleep = !onScreen(it.getBoundingClientRect())
-        return [it.dataset.state, asleep || (it.settled ?? true), it.clientHeight]
-      })
-      const moves = document
-        .getAnimations()
-        .some(
-          ({ playState, effect }) =>
-            playState === 'running' &&
-            Number.isFinite(effect?.getComputedTiming().endTime) &&
-            effect.target?.checkVisibility({ contentVisibilityAuto: true }),
+export async function quiet(page, frames = 20, held = false) {
+  await page.evaluate(
+    async ([wanted, holds]) => {
+      const look = () => {
+        const { scrollHeight, clientWidth } = document.documentElement
+        const onScreen = ({ top, bottom }) => bottom > 0 && top < innerHeight
+        // Off the screen a figure sleeps, whatever it has to do, an image may stay away, and what is not laid out does not move.
+        const figures = [...document.querySelectorAll('.widget')].map((it) => {
+          const asleep = !onScreen(it.getBoundingClientRect())
+          return [it.dataset.state, asleep || (it.settled ?? true), it.clientHeight]
+        })
+        const moves = document
+          .getAnimations()
+          .some(
+            ({ playState, effect }) =>
+              playState === 'running' &&
+              Number.isFinite(effect?.getComputedTiming().endTime) &&
+              effect.target?.checkVisibility({ contentVisibilityAuto: true }),
+          )
+        const missing = [...document.images].some(
+          (it) => !it.complete && it.checkVisibility() && onScreen(it.getBoundingClientRect()),
         )
-      const missing = [...document.images].some(
-        (it) => !it.complete && it.checkVisibility() && onScreen(it.getBoundingClientRect()),
-      )
-      const works = figures.some(([state, settled]) => state === 'loading' || settled === false)
-      return moves || missing || works ? null : JSON.stringify([scrollX, scrollY, scrollHeight, clientWidth, figures])
-    }
-    await document.fonts.ready
-    let before = null
-    // What never rests (a figure that plays, a picture that does not come) is looked at as it is, after ten times as many frames.
-    for (let held = 0, seen = 0; held < wanted && seen < Math.max(120, 10 * wanted); seen++) {
-      await new Promise((resolve) => requestIdleCallback(resolve, { timeout: 500 }))
-      await new Promise((resolve) => requestAnimationFrame(resolve))
-      const now = look()
-      held = now !== null && now === before ? held + 1 : 0
-      before = now
-    }
-  }, frames)
+        const works = figures.some(([state, settled]) => (state === 'loading' ? !holds : settled === false))
+        return moves || missing || works ? null : JSON.stringify([scrollX, scrollY, scrollHeight, clientWidth, figures])
+      }
+      await document.fonts.ready
+      let before = null
+      // What never rests (a figure that plays, a picture that does not come) is looked at as it is, after ten times as many frames.
+      for (let held = 0, seen = 0; held < wanted && seen < Math.max(120, 10 * wanted); seen++) {
+        await new Promise((resolve) => requestIdleCallback(resolve, { timeout: 500 }))
+        await new Promise((resolve) => requestAnimationFrame(resolve))
+        const now = look()
+        held = now !== null && now === before ? held + 1 : 0
+        before = now
+      }
+    },
+    [frames, held],
+  )
 }
 
 /** Drags a native slider's thumb to `value` with the mouse. */

@@ -235,7 +235,7 @@ test('a figure that comes alive while it is read stays where it is, and is as hi
     await probe.evaluate((it) =>
       scrollBy({ top: it.getBoundingClientRect().top + it.getBoundingClientRect().height * 0.6, behavior: 'instant' }),
     )
-    await quiet(page)
+    await quiet(page, 20, true)
   }
   const before = await box()
   assert.ok(before.top < 0 && before.bottom > 100, 'its end is on the screen')
@@ -267,7 +267,7 @@ for (const [size, how] of Object.entries(SIZES)) {
       await bench.evaluate((it) =>
         scrollBy({ top: it.querySelector('.widget').getBoundingClientRect().bottom + 40, behavior: 'instant' }),
       )
-      await quiet(page)
+      await quiet(page, 20, true)
     }
     const before = await top()
     answer()

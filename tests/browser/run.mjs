@@ -44,7 +44,7 @@ async function run(some, workers) {
   const files = some.map((name) => path.join(folder, `${name}.test.mjs`))
   const tests = spawn(
     process.execPath,
-    ['--test', `--test-concurrency=${workers}`, `--test-timeout=${10 * HANGS_MS}`, '--test-reporter=spec', ...files],
+    ['--test', `--test-concurrency=${workers}`, `--test-timeout=${5 * HANGS_MS}`, '--test-reporter=spec', ...files],
     {
       stdio: 'inherit',
     },
