@@ -10,7 +10,7 @@ import { join } from 'node:path'
 
 /** The widths of the window at which heights are measured, pixels. From the third on the column of text has one width. */
 export const WIDTHS = [320, 390, 600, 768, 1280]
-/** The width from which the contents, or the notes, have a column of their own; as in page.css. */
+/** The width from which the contents, or the notes, have a column of their own; as in columns.css. */
 const WIDE = '75rem'
 
 /** Chapter → part → its height at each of WIDTHS. @typedef {Record<string, Record<string, number[]>>} Heights */

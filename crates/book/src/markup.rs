@@ -93,10 +93,14 @@ fn short(value: f64) -> String {
 }
 
 /// The classes that `formulas.css` has for styles that many elements have, by style.
-static CLASSES: LazyLock<HashMap<&str, &str>> = LazyLock::new(|| {
-    let rule = |line: &'static str| line.strip_prefix('.')?.strip_suffix(" !important }")?.split_once(" { ");
-    let rules = include_str!("../../../web/style/formulas.css").lines().filter_map(rule);
-    rules.map(|(class, style)| (style, class)).collect()
+static CLASSES: LazyLock<HashMap<String, &str>> = LazyLock::new(|| {
+    let rule = |rule: &'static str| {
+        let rule = rule.rsplit("*/").next()?.trim();
+        rule.strip_prefix('.')?.strip_suffix(" !important;")?.split_once(" {\n  ")
+    };
+    let rules = include_str!("../../../web/style/formulas.css").split('}').filter_map(rule);
+    // As `short` writes a length.
+    rules.map(|(class, style)| (style.replacen(": 0.", ":.", 1).replacen(": ", ":", 1), class)).collect()
 });
 
 /// The nodes of `html`, which is well formed as XML is.
