@@ -1,6 +1,7 @@
-// Times the class KalmanFilter beside npm's `kalman-filter`, and a filter written with `ml-matrix`, in one run: a step of two states
-// (position and speed, the position read), and of four (the same in the plane). Interleaved rounds, medians, ratios; first all are
-// held against one another, so that the same is timed. Prints the tables of the module's README. Nothing fails on a time.
+// Times the class KalmanFilter beside npm's `kalman-filter`, and a filter written with `ml-matrix`, in one run: a step
+// of two states (position and speed, the position read), and of four (the same in the plane). Interleaved rounds,
+// medians, ratios; first all are held against one another, so that the same is timed. Prints the tables of the module's
+// README. Nothing fails on a time.
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'

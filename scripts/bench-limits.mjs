@@ -1,5 +1,5 @@
-// How long a call of the module takes at the greatest size that it accepts: what a page that calls it has to wait for at most. Prints
-// the milliseconds of each, the median of three; nothing fails on a time.
+// How long a call of the module takes at the greatest size that it accepts: what a page that calls it has to wait for
+// at most. Prints the milliseconds of each, the median of three; nothing fails on a time.
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'

@@ -1,5 +1,5 @@
-// Rows of the mower's log replayed in a second: natively, by the module in Node, and by filterpy over the same rows, whose RMS error
-// must be ours. Three rounds, medians, ratios. PYTHON names a Python with filterpy.
+// Rows of the mower's log replayed in a second: natively, by the module in Node, and by filterpy over the same rows,
+// whose RMS error must be ours. Three rounds, medians, ratios. PYTHON names a Python with filterpy.
 import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'

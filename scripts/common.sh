@@ -26,8 +26,8 @@ have() { command -v "$1" >/dev/null 2>&1; }
 
 # ── One at a time, and several at once ──
 
-# alone FILE WHAT COMMAND…: runs COMMAND while no other script runs one under FILE, and says when it has to wait for WHAT.
-# The system lets go of the lock when the command ends, however it ends.
+# alone FILE WHAT COMMAND…: runs COMMAND while no other script runs one under FILE, and says when it has to wait for
+# WHAT. The system lets go of the lock when the command ends, however it ends.
 alone() {
   local file=$1 what=$2
   shift 2
@@ -107,8 +107,8 @@ need_wasm_target() {
     "Run 'rustup target add wasm32-unknown-unknown' where the network is to be had."
 }
 
-# need_tool PROGRAM CRATE VERSION [cargo install arguments]: PROGRAM of exactly VERSION on PATH: the one already there if
-# it matches, else one built once into the user's cache.
+# need_tool PROGRAM CRATE VERSION [cargo install arguments]: PROGRAM of exactly VERSION on PATH: the one already there
+# if it matches, else one built once into the user's cache.
 need_tool() {
   local program=$1 home=$tools/$2-$3
   if have "$program" && "$program" --version 2>/dev/null | grep -qwF "$3"; then return; fi
@@ -116,8 +116,8 @@ need_tool() {
   PATH=$home/bin:$PATH
 }
 
-# The tools run for a second, so they are compiled quickly and not to be quick. What an interrupted set-up has compiled is used
-# by the next one.
+# The tools run for a second, so they are compiled quickly and not to be quick. What an interrupted set-up has compiled
+# is used by the next one.
 install_tool() {
   local program=$1 crate=$2 version=$3 home=$tools/$2-$3
   shift 3
@@ -154,8 +154,8 @@ install_packages() {
 }
 
 # The module is the same whoever builds it, wherever.
-# - It names source files where it could trap: without the folder of this machine that they lie in. (They have to be there
-#   to be found; .cargo/config.toml adds the rest of the flags.)
+# - It names source files where it could trap: without the folder of this machine that they lie in. (They have to be
+#   there to be found; .cargo/config.toml adds the rest of the flags.)
 # - RUSTFLAGS would take the place of the flags of .cargo/config.toml, so the module is built without.
 same_module_everywhere() {
   local flags="" folder

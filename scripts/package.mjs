@@ -1,4 +1,5 @@
-// Writes what scripts/package has not made yet of the package for npm: manifest, entries, declarations, digests, licences.
+// Writes what scripts/package has not made yet of the package for npm: manifest, entries, declarations, digests,
+// licences.
 import { cpSync, readFileSync, readdirSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
@@ -14,7 +15,10 @@ const core = require(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const metadata = JSON.parse(read('metadata'))
 const ours = metadata.packages.find(({ name }) => name === 'estimate-wasm')
 
-/** An entry of the package: what its imports are called, its folder, and where its module and its declarations were built. */
+/**
+ * An entry of the package: what its imports are called, its folder, and where its module and its declarations were
+ * built.
+ */
 const ENTRIES = [
   { at: '.', part: 'whole', built: 'target/pkg/node' },
   { at: './filters', part: 'filters', built: 'target/pkg/filters' },
@@ -114,7 +118,8 @@ function namesOf(module) {
 }
 for (const entry of ENTRIES) writeEntry(entry)
 
-// ── The digests of the reference runs, as the native code has them; but those over a robot's log, which the package does not hold. ──
+// ── The digests of the reference runs, as the native code has them; but those over a robot's log, which the package
+// does not hold. ──
 const labs = Object.fromEntries(
   namesOf(core).flatMap((name) => {
     try {

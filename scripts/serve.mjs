@@ -1,5 +1,6 @@
 // Serves dist/ for ./scripts/serve, which has checked the arguments: node scripts/serve.mjs [--watch] [PORT]
-// With --watch it looks at the sources twice a second, runs scripts/build when one has changed, and tells the open pages.
+// With --watch it looks at the sources twice a second, runs scripts/build when one has changed, and tells the open
+// pages.
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { serve } from './static-server.mjs'

@@ -1,5 +1,5 @@
-// A small static server for dist/, on this machine only: the types a browser needs, gzip, and nothing outside the folder.
-// The browser tests use it too, from a sub-path.
+// A small static server for dist/, on this machine only: the types a browser needs, gzip, and nothing outside the
+// folder. The browser tests use it too, from a sub-path.
 import { createServer } from 'node:http'
 import { readFile, realpath, stat } from 'node:fs/promises'
 import { createHash } from 'node:crypto'
@@ -25,13 +25,17 @@ const TYPES = {
 }
 const PACKED = new Set(['.html', '.css', '.js', '.mjs', '.json', '.webmanifest', '.svg', '.wasm', '.txt', '.xml'])
 
-/** The policy of a page's meta element does not bind a worker that is fetched by its address: the answer that brings it does. */
+/**
+ * The policy of a page's meta element does not bind a worker that is fetched by its address: the answer that brings it
+ * does.
+ */
 export const WORKER_POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; connect-src 'self'"
 const WORKERS = /^(sw|[\w-]+-worker-\w+)\.js$/
 
 /**
  * @typedef {object} Live what answers addresses of its own and may add to pages
- * @property {(request: import('node:http').IncomingMessage, response: import('node:http').ServerResponse, pathname: string) => boolean} answer
+ * @property {(request: import('node:http').IncomingMessage, response: import('node:http').ServerResponse, pathname:
+ * string) => boolean} answer
  * @property {(page: Buffer) => Buffer} page
  */
 
@@ -108,7 +112,10 @@ export async function serve({ folder, base = '/', port = 0, host = '127.0.0.1', 
   }
 }
 
-/** A request's address: a path, or a whole address as a proxy writes it; null where it is neither. @param {string} target */
+/**
+ * A request's address: a path, or a whole address as a proxy writes it; null where it is neither.
+ * @param {string} target
+ */
 function readAddress(target) {
   try {
     return new URL(target.startsWith('/') ? `http://host${target}` : target)

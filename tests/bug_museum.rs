@@ -39,8 +39,8 @@ fn a_right_filter_leaves_its_bands_as_often_as_chance_allows() {
     assert!((0..PANELS.len()).all(|panel| right.panel(panel) == Sight::Invisible), "{:?}", right.sight);
 }
 
-/// The percentage of seeds whose mean NEES leaves its 95 % band, below and above. Recorded, within three standard errors of a
-/// share of 500.
+/// The percentage of seeds whose mean NEES leaves its 95 % band, below and above. Recorded, within three standard
+/// errors of a share of 500.
 #[test]
 fn the_mean_nees_leaves_its_band_as_recorded() {
     for (bug, below, above) in NEES {
@@ -70,8 +70,8 @@ const NEES: [(Bug, f64, f64); 14] = [
     (Bug::Late, 0.0, 100.0),
 ];
 
-/// What can be seen of each bug, panel by panel: `*` in more than half of the single runs, `o` over 500 seeds, `-` not at all,
-/// which is to say that the mean over 500 seeds lies within the 99 % band of such means of the right filter.
+/// What can be seen of each bug, panel by panel: `*` in more than half of the single runs, `o` over 500 seeds, `-` not
+/// at all, which is to say that the mean over 500 seeds lies within the 99 % band of such means of the right filter.
 const SIGHTS: [(Bug, &str); 13] = [
     //                          map, error, NEES, NIS, mean, correlation, covariance
     (Bug::UnwrappedInnovation, "ooo*--*"),
@@ -121,7 +121,8 @@ fn the_table_of_the_page_has_a_dash_where_a_bug_is_invisible() {
     }
 }
 
-/// Blind: a program that knows the symptom table alone, made of other seeds, names the bug of a run, and of five runs together.
+/// Blind: a program that knows the symptom table alone, made of other seeds, names the bug of a run, and of five runs
+/// together.
 #[test]
 fn the_bugs_are_told_apart_by_their_panels_alone() {
     let all: Vec<Bug> = [Bug::None].into_iter().chain(Bug::ALL).collect();

@@ -16,7 +16,8 @@ fn runs(bug: Bug) -> Vec<MuseumFrame> {
     (0..SEEDS).map(run).collect()
 }
 
-/// Of the middle run: the root mean square error of the position, and the mean standard deviation that is claimed of x and of y.
+/// Of the middle run: the root mean square error of the position, and the mean standard deviation that is claimed of x
+/// and of y.
 fn error_and_claims(runs: &[MuseumFrame]) -> [f64; 3] {
     let middle = |of: fn(&MuseumSeries) -> f64| Spread::new(runs.iter().map(|run| of(&run.series))).percentile(0.5);
     [

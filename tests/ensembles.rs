@@ -1,7 +1,7 @@
 //! Where the single runs that the chapter quotes stand among 500 others. Natively only.
 //!
-//! The bands around percentiles are some four standard errors of a percentile of 500 runs: another stream of noise would
-//! pass, another constant or a broken filter would not.
+//! The bands around percentiles are some four standard errors of a percentile of 500 runs: another stream of noise
+//! would pass, another constant or a broken filter would not.
 
 use chapter_kalman::checks::chapter_checks;
 use chapter_kalman::ensembles::{SEEDS, Spread, probe, probe_run, slam};

@@ -3,8 +3,8 @@
 use chapter_kalman::ensembles::{SEEDS, fits, loops};
 use filters::consistency::chi2_quantile;
 
-/// The truth lies within the 95 % region that each fit claims in 95 of 100 logs. The standard error of a share of 500 runs is
-/// 1 %; in a log of 200 readings the likelihood is not yet a paraboloid, which moves the share by another 1 %.
+/// The truth lies within the 95 % region that each fit claims in 95 of 100 logs. The standard error of a share of 500
+/// runs is 1 %; in a log of 200 readings the likelihood is not yet a paraboloid, which moves the share by another 1 %.
 #[test]
 fn a_fit_covers_the_truth_as_its_own_information_claims() {
     let runs = fits(200, SEEDS).expect("computed");
@@ -32,7 +32,8 @@ fn four_times_the_log_tells_noise_levels_twice_as_well_and_their_ratio_least() {
 #[test]
 fn a_loop_is_consistent_with_its_cross_covariances_and_overconfident_without() {
     let [right, apart] = [true, false].map(|correlated| loops(correlated, SEEDS).expect("computed"));
-    // 3, less where single runs wander and more where their linearization fails. Some 4 standard errors of a median of 500.
+    // 3, less where single runs wander and more where their linearization fails. Some 4 standard errors of a median of
+    // 500.
     assert!((2.4..3.2).contains(&right.nees.median()), "{}", right.nees.median());
     assert!((2.8..3.8).contains(&right.nees.mean()), "{}", right.nees.mean());
     assert!(apart.nees.percentile(0.05) > right.nees.percentile(0.95), "nearly every run tells them apart");

@@ -1,6 +1,6 @@
-//! The core's verdicts on systems that were made to be hard, against verdicts that exact arithmetic gave. `heldout/make.py` wrote the
-//! systems without any code of this workspace: every verdict by rational numbers, each checked a second way with 60 digits and more.
-//! `heldout/README.md` says what each field means.
+//! The core's verdicts on systems that were made to be hard, against verdicts that exact arithmetic gave.
+//! `heldout/make.py` wrote the systems without any code of this workspace: every verdict by rational numbers, each
+//! checked a second way with 60 digits and more. `heldout/README.md` says what each field means.
 
 #![cfg(not(target_arch = "wasm32"))]
 
@@ -11,8 +11,8 @@ use serde_json::Value;
 
 /// How well the numbers are said to be known: the default of the page for a system of the reader's own.
 const TOLERANCE: f64 = 1e-9;
-/// A verdict may be left open where another one is this near. Between the tolerance and this lie the constants of the measures: a
-/// tolerance says how much each number may be off, a margin how far a singular value is from zero.
+/// A verdict may be left open where another one is this near. Between the tolerance and this lie the constants of the
+/// measures: a tolerance says how much each number may be off, a margin how far a singular value is from zero.
 const NEAR: f64 = 1e-8;
 
 struct Given {
@@ -30,14 +30,16 @@ impl Given {
         self.all[field].as_u64().unwrap_or_else(|| panic!("{}: {field}", self.name)) as usize
     }
 
-    /// How far another verdict is: as the numbers stand, or in the units in which it is farthest. 0 where the verdict hangs on |λ| = 1.
+    /// How far another verdict is: as the numbers stand, or in the units in which it is farthest. 0 where the verdict
+    /// hangs on |λ| = 1.
     fn margin(&self, field: &str) -> f64 {
         let of = |kind: &str| self.all[kind][field].as_f64().unwrap_or_else(|| panic!("{}: {kind} {field}", self.name));
         of("margin").max(of("margin_scaled"))
     }
 
-    /// Whether something holds, but would not of a system within the tolerance. Then it does not count as holding: an eigenvalue of
-    /// modulus 1 − tolerance does not count as decaying, nor are 0.1, 0.2 and 0.3, 0.6 independent because decimals are rounded.
+    /// Whether something holds, but would not of a system within the tolerance. Then it does not count as holding: an
+    /// eigenvalue of modulus 1 − tolerance does not count as decaying, nor are 0.1, 0.2 and 0.3, 0.6 independent
+    /// because decimals are rounded.
     fn hardly(&self, what: &str) -> bool {
         self.truth(what) && self.margin(what) < TOLERANCE
     }
@@ -187,8 +189,8 @@ fn the_riccati_recursion_does_what_exact_arithmetic_says() {
     report(&faults, &open);
 }
 
-/// P(k+1 | k) after 5000 steps from P = I lies where 60 digits say it does, and is symmetric: also where the limit is approached like 1/k,
-/// and where F grows, so that a difference of P and its transpose would grow too.
+/// P(k+1 | k) after 5000 steps from P = I lies where 60 digits say it does, and is symmetric: also where the limit is
+/// approached like 1/k, and where F grows, so that a difference of P and its transpose would grow too.
 #[test]
 fn five_thousand_steps_of_the_riccati_recursion_keep_their_digits() {
     let (mut faults, mut compared) = (Vec::new(), 0);

@@ -1,5 +1,5 @@
-//! Whatever parameters a lab is given, it runs or refuses: no panic, no change by a refused call, and every covariance of
-//! every frame is one.
+//! Whatever parameters a lab is given, it runs or refuses: no panic, no change by a refused call, and every covariance
+//! of every frame is one.
 
 #![cfg(not(target_arch = "wasm32"))]
 

@@ -1,5 +1,5 @@
-//! Whatever the localizer is given, it answers or refuses: no panic, no change by a refused call, and after every accepted
-//! one a covariance that is one.
+//! Whatever the localizer is given, it answers or refuses: no panic, no change by a refused call, and after every
+//! accepted one a covariance that is one.
 
 #![cfg(not(target_arch = "wasm32"))]
 
@@ -99,8 +99,8 @@ fn localizer_of(p: [f64; 3], w: [f64; 2]) -> EkfLocalizer {
     EkfLocalizer::new(belief, map, w, None, SensorKind::RangeBearing).expect("covariances, to rounding")
 }
 
-/// What the property above once found: a variance of 10¹⁷ m² read away without noise, a W that is semidefinite only beside
-/// its largest entry, a P of the same kind driven far.
+/// What the property above once found: a variance of 10¹⁷ m² read away without noise, a W that is semidefinite only
+/// beside its largest entry, a P of the same kind driven far.
 #[test]
 fn a_covariance_remains_where_scales_collapse() {
     let reading = Reading { range: 0.0, bearing: Some(0.0), landmark: None };

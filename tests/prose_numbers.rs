@@ -1,5 +1,6 @@
-//! Every number of the prose that the mathematics determines is computed: a decimal typed into `content/` is either on the
-//! closed list of given constants (`content/constants.toml`, each with its reason) or a name, as an equation number is.
+//! Every number of the prose that the mathematics determines is computed: a decimal typed into `content/` is either on
+//! the closed list of given constants (`content/constants.toml`, each with its reason) or a name, as an equation number
+//! is.
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};

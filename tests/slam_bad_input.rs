@@ -1,5 +1,5 @@
-//! Whatever SLAM is given, it answers or refuses: no panic, no change by a refused call, and after every accepted one a covariance
-//! that is one.
+//! Whatever SLAM is given, it answers or refuses: no panic, no change by a refused call, and after every accepted one a
+//! covariance that is one.
 
 #![cfg(not(target_arch = "wasm32"))]
 

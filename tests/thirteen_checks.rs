@@ -1,5 +1,5 @@
-//! The thirteen checks of the chapter, natively (`cargo test`) and in wasm (`wasm-pack test --node tests`), from this one
-//! source. Each computes through the public interface, and says which claim of the text it holds up.
+//! The thirteen checks of the chapter, natively (`cargo test`) and in wasm (`wasm-pack test --node tests`), from this
+//! one source. Each computes through the public interface, and says which claim of the text it holds up.
 
 use chapter_kalman::checks::CHECKS;
 use chapter_kalman::givens::Givens;
@@ -16,8 +16,8 @@ fn passed(id: u8) -> Check {
     check
 }
 
-/// Every number is the rounded one that the text prints, to 10⁻³ however many decimals are printed: that it is this claim
-/// which was checked. How sharply it was is the check's own tolerance.
+/// Every number is the rounded one that the text prints, to 10⁻³ however many decimals are printed: that it is this
+/// claim which was checked. How sharply it was is the check's own tolerance.
 fn prints(actual: &[f64], printed: &[f64]) {
     assert_eq!(actual.len(), printed.len(), "{actual:?} is printed {printed:?}");
     for (a, p) in actual.iter().zip(printed) {

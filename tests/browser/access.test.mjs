@@ -58,8 +58,8 @@ for (const at of [...PAGES, ...FIGURE_PAGES, SOURCE]) {
 }
 
 /**
- * Takes the sections out of the chapter, and the blocks of these except headings, that hold none of these elements: axe measures
- * everything that is laid out, and what is called up over the chapter changes nothing in them.
+ * Takes the sections out of the chapter, and the blocks of these except headings, that hold none of these elements: axe
+ * measures everything that is laid out, and what is called up over the chapter changes nothing in them.
  */
 const alone = (page, ...selectors) =>
   page.evaluate((kept) => {

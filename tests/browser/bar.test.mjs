@@ -1,4 +1,5 @@
-// A reader far down the page scrolls up a little, and has section, contents, search and letters at hand; reading on, the bar goes.
+// A reader far down the page scrolls up a little, and has section, contents, search and letters at hand; reading on,
+// the bar goes.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { DESKTOP, open, PHONE, quiet } from './harness.mjs'

@@ -1,5 +1,5 @@
-// The same digits everywhere: a run of 10,000 steps of each lab, as it opens and with the rest of its algebra at work, has
-// one hash, natively, in Node and in Chromium.
+// The same digits everywhere: a run of 10,000 steps of each lab, as it opens and with the rest of its algebra at work,
+// has one hash, natively, in Node and in Chromium.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'

@@ -1,5 +1,5 @@
-// A new edition of the book is published while a page is open, or the server fails or hangs: the open page goes on, or says what
-// to do, and nothing is lost.
+// A new edition of the book is published while a page is open, or the server fails or hangs: the open page goes on, or
+// says what to do, and nothing is lost.
 import { after, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { cpSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs'

@@ -1,5 +1,5 @@
-// Each figure in a frame of somebody else's page, from another origin and under `sandbox="allow-scripts"` alone: it comes to
-// life, answers to mouse and keys, tells its height, takes the theme, and says nothing in the console.
+// Each figure in a frame of somebody else's page, from another origin and under `sandbox="allow-scripts"` alone: it
+// comes to life, answers to mouse and keys, tells its height, takes the theme, and says nothing in the console.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createServer } from 'node:http'
@@ -8,7 +8,10 @@ import { quiet, stage, tagOf, watch } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
-/** A page around one frame, served from a port of its own. It keeps every message it gets and gives the frame its height. */
+/**
+ * A page around one frame, served from a port of its own. It keeps every message it gets and gives the frame its
+ * height.
+ */
 async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }) {
   const frame =
     markup ??

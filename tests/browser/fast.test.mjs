@@ -1,5 +1,5 @@
-// What the first view weighs over the wire, held under its goals: 90 kB for the module and 360 kB in all. The module is held close
-// above where it is: it may only become lighter.
+// What the first view weighs over the wire, held under its goals: 90 kB for the module and 360 kB in all. The module is
+// held close above where it is: it may only become lighter.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { firstView, kindOf } from './first-view.mjs'

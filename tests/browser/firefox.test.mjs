@@ -1,5 +1,6 @@
 // The second engine: every widget comes alive, moves and keeps its digits in Firefox, without a complaint, driven over
-// WebDriver BiDi with the keyboard. Skipped where there is no Firefox (FIREFOX names one that is not in the usual places).
+// WebDriver BiDi with the keyboard. Skipped where there is no Firefox (FIREFOX names one that is not in the usual
+// places).
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
@@ -56,7 +57,9 @@ if (firefox) {
   })
 }
 
-/** Asks again and again. Puppeteer's own way makes a function of a text, which the page's policy forbids in Firefox 140. */
+/**
+ * Asks again and again. Puppeteer's own way makes a function of a text, which the page's policy forbids in Firefox 140.
+ */
 const wait = (check, ...given) => waitIn(page, check, ...given)
 const waitIn = async (where, check, ...given) => {
   for (const end = Date.now() + HANGS_MS; !(await where.evaluate(check, ...given)); ) {
@@ -308,8 +311,8 @@ test('in Firefox a log that is dropped is filtered in a worker, and a long repla
 })
 
 test('Firefox had nothing to complain about', { skip: firefox ? false : notice }, async () => {
-  // While the page still streams in, Firefox may lay a formula out between one of its children and the next, and says so.
-  // What counts is the page as it stands.
+  // While the page still streams in, Firefox may lay a formula out between one of its children and the next, and says
+  // so. What counts is the page as it stands.
   const parts = { msub: 2, msup: 2, msubsup: 3, mfrac: 2, munder: 2, mover: 2, munderover: 3 }
   const half = (complaint) =>
     Object.keys(parts).some((tag) => complaint.includes(`Incorrect number of children for <${tag}/>`))

@@ -1,5 +1,5 @@
-// What the first view of the chapter costs over the wire: everything fetched until the first figure is alive, compressed
-// as a static host sends it. A program prints the table of the README; a test holds it under its bound.
+// What the first view of the chapter costs over the wire: everything fetched until the first figure is alive,
+// compressed as a static host sends it. A program prints the table of the README; a test holds it under its bound.
 import { gzipSync } from 'node:zlib'
 import { readFileSync } from 'node:fs'
 import path from 'node:path'

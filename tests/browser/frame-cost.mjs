@@ -1,6 +1,6 @@
-// Every widget's work per frame at a sixth of this processor's speed: its turn in the script, and the whole main thread's
-// (style, layout and paint included). Both are time on the processor, as the browser's trace has it, so that what else the
-// machine does counts for nothing. Prints the table of the README; nothing fails on a time.
+// Every widget's work per frame at a sixth of this processor's speed: its turn in the script, and the whole main
+// thread's (style, layout and paint included). Both are time on the processor, as the browser's trace has it, so that
+// what else the machine does counts for nothing. Prints the table of the README; nothing fails on a time.
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, tagOf } from './places.mjs'
@@ -77,7 +77,10 @@ try {
   await site.close()
 }
 
-/** The turns of the animation frame on the page's main thread, in order of their cost, and all its tasks together. @param {Buffer} trace */
+/**
+ * The turns of the animation frame on the page's main thread, in order of their cost, and all its tasks together.
+ * @param {Buffer} trace
+ */
 function read(trace) {
   const { traceEvents } = JSON.parse(trace.toString())
   // The thread that turns: one of another page, in its last moments, may be in the trace as well.

@@ -1,5 +1,5 @@
-// Every handle and every slider of every figure: large enough for a finger, reached by Tab, named, with its value in words,
-// moved by the keys; and under a finger only the handle itself holds the page.
+// Every handle and every slider of every figure: large enough for a finger, reached by Tab, named, with its value in
+// words, moved by the keys; and under a finger only the handle itself holds the page.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { figure, openFigure, PHONE, quiet, tagOf } from './harness.mjs'

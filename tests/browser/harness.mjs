@@ -100,7 +100,8 @@ export async function open(t, wishes = {}) {
 }
 
 /**
- * Opens the page of one figure, watched, with the figure alive: for tests whose subject is the figure and not the chapter.
+ * Opens the page of one figure, watched, with the figure alive: for tests whose subject is the figure and not the
+ * chapter.
  * @param {import('node:test').TestContext} t
  * @param {string} name the figure's element
  * @param {Parameters<typeof open>[1] & { query?: string }} [wishes]
@@ -135,7 +136,9 @@ export function watch(page, ...homes) {
   return complaints
 }
 
-/** A figure's custom element, scrolled to, alive (its module loaded, its controls there) and in the state of its link. */
+/**
+ * A figure's custom element, scrolled to, alive (its module loaded, its controls there) and in the state of its link.
+ */
 export async function figure(page, name) {
   const tag = tagOf(name)
   const element = page.locator(tag).first()
@@ -156,7 +159,10 @@ export async function unlock(page, id) {
   await page.locator(`#${id} .widget:not([inert])`).waitFor()
 }
 
-/** Scrolls to a part of the page until it is on the screen and what waits for that is there: laying out the parts above may move it away again. */
+/**
+ * Scrolls to a part of the page until it is on the screen and what waits for that is there: laying out the parts above
+ * may move it away again.
+ */
 export async function comeTo(page, selector, sign) {
   const there = page.locator(sign).first()
   for (const deadline = Date.now() + HANGS_MS; ; assert.ok(Date.now() < deadline, `${sign} does not come`)) {
@@ -171,14 +177,18 @@ export async function comeTo(page, selector, sign) {
   }
 }
 
-/** Scrolls through the whole page, so that everything that waits for the screen has been on it, and every figure is alive. */
+/**
+ * Scrolls through the whole page, so that everything that waits for the screen has been on it, and every figure is
+ * alive.
+ */
 export async function walkDown(page) {
   // What the page does when it is idle comes first: some of its scripts begin to watch the screen then.
   await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve)))
   await page.waitForLoadState('networkidle')
   await page.evaluate(async () => {
     const frame = () => new Promise((resolve) => requestAnimationFrame(resolve))
-    // A screen at each frame. The page grows and shrinks as its parts are laid out: each step goes on from where the last one led.
+    // A screen at each frame. The page grows and shrinks as its parts are laid out: each step goes on from where the
+    // last one led.
     for (let from = -1; scrollY > from; ) {
       from = scrollY
       scrollBy({ top: innerHeight, behavior: 'instant' })
@@ -237,9 +247,9 @@ export async function until(element, wanted, what) {
 }
 
 /**
- * Waits until a page has come to rest: for so many frames in a row its fonts and images are there, no animation runs, no figure
- * computes, the main thread has been idle, and neither its height nor its place has changed. `held`: the test holds back what
- * figures load, so that a figure that loads is at rest.
+ * Waits until a page has come to rest: for so many frames in a row its fonts and images are there, no animation runs,
+ * no figure computes, the main thread has been idle, and neither its height nor its place has changed. `held`: the test
+ * holds back what figures load, so that a figure that loads is at rest.
  */
 export async function quiet(page, frames = 20, held = false) {
   await page.evaluate(
@@ -247,7 +257,8 @@ export async function quiet(page, frames = 20, held = false) {
       const look = () => {
         const { scrollHeight, clientWidth } = document.documentElement
         const onScreen = ({ top, bottom }) => bottom > 0 && top < innerHeight
-        // Off the screen a figure sleeps, whatever it has to do, an image may stay away, and what is not laid out does not move.
+        // Off the screen a figure sleeps, whatever it has to do, an image may stay away, and what is not laid out does
+        // not move.
         const figures = [...document.querySelectorAll('.widget')].map((it) => {
           const asleep = !onScreen(it.getBoundingClientRect())
           return [it.dataset.state, asleep || (it.settled ?? true), it.clientHeight]
@@ -268,7 +279,8 @@ export async function quiet(page, frames = 20, held = false) {
       }
       await document.fonts.ready
       let before = null
-      // What never rests (a figure that plays, a picture that does not come) is looked at as it is, after ten times as many frames.
+      // What never rests (a figure that plays, a picture that does not come) is looked at as it is, after ten times as
+      // many frames.
       for (let held = 0, seen = 0; held < wanted && seen < Math.max(120, 10 * wanted); seen++) {
         await new Promise((resolve) => requestIdleCallback(resolve, { timeout: 500 }))
         await new Promise((resolve) => requestAnimationFrame(resolve))

@@ -1,5 +1,5 @@
-// Notes how high each part of each chapter is, in web/build/heights.json: a browser that has put off laying out a part takes that
-// height for it. Run by scripts/heights.
+// Notes how high each part of each chapter is, in web/build/heights.json: a browser that has put off laying out a part
+// takes that height for it. Run by scripts/heights.
 import { writeFileSync } from 'node:fs'
 import path from 'node:path'
 import { pathToFileURL } from 'node:url'
@@ -39,7 +39,9 @@ async function heights() {
           isMobile: width < 700,
           serviceWorkers: 'block',
         })
-        /** Parts of one name (the terms, the works cited) have the height that they have on the chapter's first page. */
+        /**
+         * Parts of one name (the terms, the works cited) have the height that they have on the chapter's first page.
+         */
         const known = new Set()
         for (const at of pages) {
           await page.goto(site.url + at)

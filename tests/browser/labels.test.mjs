@@ -1,4 +1,5 @@
-// In no figure does a name cover another or lose a part of itself at an edge: many states, at each width that a reader may have.
+// In no figure does a name cover another or lose a part of itself at an edge: many states, at each width that a reader
+// may have.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
@@ -11,7 +12,9 @@ const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/est
 /** A phone, a tablet, a desk; before a release the widths between them too. */
 const WIDTHS = RELEASE ? [320, 390, 768, 900, 1024, 1280, 1440] : [320, 768, 1280]
 
-/** @type {Record<string, Record<string, unknown>[]>} changes of parameters, one after the other; `step` goes to a step */
+/**
+ * @type {Record<string, Record<string, unknown>[]>} changes of parameters, one after the other; `step` goes to a step
+ */
 const STATES = {
   'own-system': [
     {},
@@ -260,7 +263,9 @@ const STATES = {
   ],
 }
 
-/** What is wrong with the texts of a figure's panels: each pair that overlaps, each text that reaches out of its panel. */
+/**
+ * What is wrong with the texts of a figure's panels: each pair that overlaps, each text that reaches out of its panel.
+ */
 const faults = (host) =>
   [...host.querySelectorAll('.live .panel')].flatMap((svg) => {
     const panel = svg.getBoundingClientRect()

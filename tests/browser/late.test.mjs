@@ -1,5 +1,5 @@
-// The figures late in the chapter: their module is fetched when one of them comes near; "Tune me" fills its map beside the page and
-// keeps the truth sealed; "Close the loop" tells a right filter from a mutilated one.
+// The figures late in the chapter: their module is fetched when one of them comes near; "Tune me" fills its map beside
+// the page and keeps the truth sealed; "Close the loop" tells a right filter from a mutilated one.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

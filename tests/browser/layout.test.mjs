@@ -181,7 +181,8 @@ test('the contents called up on a phone are whole', async (t) => {
 test('a line of the text is as long as an eye can follow', async (t) => {
   const page = await open(t)
   await page.evaluate(() => document.fonts.ready)
-  // The letters between one line's box and the next, in paragraphs of words alone; a paragraph's last line ends where it will.
+  // The letters between one line's box and the next, in paragraphs of words alone; a paragraph's last line ends where
+  // it will.
   const lengths = await page.evaluate(() =>
     [...document.querySelectorAll('.chapter > section > p')].flatMap((p) => {
       if (p.querySelector('.katex, .number, .formula-numbers')) return []
@@ -277,7 +278,8 @@ for (const [at, id] of [
     }
   })
 
-// Until our faces are here each size of letters asks the system for a face, and on Linux the page waits for each answer.
+// Until our faces are here each size of letters asks the system for a face, and on Linux the page waits for each
+// answer.
 test('the page of a figure asks for its faces at once, and its drawings set letters in few sizes', async (t) => {
   for (const at of FIGURE_PAGES) {
     const page = await open(t, { at })

@@ -1,5 +1,5 @@
-// The letters of each face that a reader of the chapter meets: in every notation, in every figure alive. A program writes
-// them to web/build/letters.json, after which fonts.mjs cuts the faces; a test sees that no page needs more.
+// The letters of each face that a reader of the chapter meets: in every notation, in every figure alive. A program
+// writes them to web/build/letters.json, after which fonts.mjs cuts the faces; a test sees that no page needs more.
 import { writeFileSync } from 'node:fs'
 import path from 'node:path'
 import { pathToFileURL } from 'node:url'
@@ -18,7 +18,8 @@ export async function readItAll(page) {
       block.open = true
     }),
   )
-  // All parts are laid out first: with every block open they are far higher than noted, and each would push the next figure away.
+  // All parts are laid out first: with every block open they are far higher than noted, and each would push the next
+  // figure away.
   await page.evaluate(() =>
     document.querySelectorAll('.chapter > section').forEach((part) => {
       part.style.contentVisibility = 'visible'

@@ -1,5 +1,5 @@
-// Lighthouse's mobile run of a page, for the test and for whoever wants numbers: `node tests/browser/lighthouse.mjs [PAGE]
-// [RUNS]` prints the performance of five runs on the chapter, and the median.
+// Lighthouse's mobile run of a page, for the test and for whoever wants numbers: `node tests/browser/lighthouse.mjs
+// [PAGE] [RUNS]` prints the performance of five runs on the chapter, and the median.
 import { createServer } from 'node:net'
 import { once } from 'node:events'
 import { pathToFileURL } from 'node:url'

@@ -1,4 +1,5 @@
-// Lighthouse's mobile run: access, best practices and SEO at 100 and no layout shift; performance is printed, not judged.
+// Lighthouse's mobile run: access, best practices and SEO at 100 and no layout shift; performance is printed, not
+// judged.
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { performanceOf, tower } from './lighthouse.mjs'

@@ -1,5 +1,6 @@
-// A link's states are looked over when the page opens, wherever its figures are: what cannot be read is said at the top and
-// stays said, what waits behind a question is said beside the question, and a copied link carries every figure as it is.
+// A link's states are looked over when the page opens, wherever its figures are: what cannot be read is said at the top
+// and stays said, what waits behind a question is said beside the question, and a copied link carries every figure as
+// it is.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { comeTo, figure, frameOf, open, openFigure, tagOf, until } from './harness.mjs'

@@ -142,7 +142,8 @@ for (const [tag, id] of [
   })
 }
 
-// Figures of one page in one address, as a reader's address comes to hold them; tests/node/kept-links.test.mjs opens every link.
+// Figures of one page in one address, as a reader's address comes to hold them; tests/node/kept-links.test.mjs opens
+// every link.
 for (const { version, links } of kept()) {
   for (const page of new Set(links.map(({ address }) => address.split('?')[0]))) {
     test(`the page ${page} opens links of ${version}`, async (t) => {

@@ -1,5 +1,5 @@
-// The page where a reader opens a log of a robot of their own: whatever way a log comes, it is read here and goes nowhere; what is
-// wrong with it is shown where it stands; a long replay is told of and can be given up.
+// The page where a reader opens a log of a robot of their own: whatever way a log comes, it is read here and goes
+// nowhere; what is wrong with it is shown where it stands; a long replay is told of and can be given up.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'

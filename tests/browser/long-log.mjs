@@ -1,5 +1,6 @@
-// What a log asks of the page that shows it: tasks of the page's own thread longer than 50 ms while the mower's log is opened, replayed
-// and played, and the same for a log of a million rows, which is told of on its way and given up. Prints; fails on nothing.
+// What a log asks of the page that shows it: tasks of the page's own thread longer than 50 ms while the mower's log is
+// opened, replayed and played, and the same for a log of a million rows, which is told of on its way and given up.
+// Prints; fails on nothing.
 //   node tests/browser/long-log.mjs
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'

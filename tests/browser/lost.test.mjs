@@ -1,5 +1,5 @@
-// An address that leads nowhere: the host serves 404.html there, at any depth and under any path, and it is a page all the
-// same, with ways into the book that lead there.
+// An address that leads nowhere: the host serves 404.html there, at any depth and under any path, and it is a page all
+// the same, with ways into the book that lead there.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'

@@ -1,5 +1,5 @@
-// The museum of bugs in the page: what the lot hides is named nowhere, three names in a row unlock pairs, and a count over seeds shows
-// how far it has come and can be stopped.
+// The museum of bugs in the page: what the lot hides is named nowhere, three names in a row unlock pairs, and a count
+// over seeds shows how far it has come and can be stopped.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFile } from 'node:fs/promises'

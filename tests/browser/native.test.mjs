@@ -1,7 +1,7 @@
 // A figure shows a computation, never a recording: each is put into random states with its own controls (the Probe's
-// landmarks at random places, a random seed), and its frame, to the last bit, and every readout on the page are compared
-// with what a native run of the same state computes. Two runs of one commit visit the same states; PROBE_SEED=7 looks elsewhere, and
-// PROBE_ROUNDS=20 at more of them.
+// landmarks at random places, a random seed), and its frame, to the last bit, and every readout on the page are
+// compared with what a native run of the same state computes. Two runs of one commit visit the same states;
+// PROBE_SEED=7 looks elsewhere, and PROBE_ROUNDS=20 at more of them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
@@ -36,7 +36,10 @@ function finite(value) {
   return Object.fromEntries(Object.entries(value).map(([key, inner]) => [key, finite(inner)]))
 }
 
-/** Moves everything a reader can move to a random place. What one move takes away, or brings, the next ones leave out, or move. */
+/**
+ * Moves everything a reader can move to a random place. What one move takes away, or brings, the next ones leave out,
+ * or move.
+ */
 async function shuffle(page, element, dice) {
   const live = element.locator('.live')
   for (const select of await live.locator('select').all()) {

@@ -1,5 +1,5 @@
-// After one visit the site needs no network. A second copy of the book on the same host keeps its own store, and a new edition
-// of one copy takes the place of the old edition's store when no page of the old edition is open.
+// After one visit the site needs no network. A second copy of the book on the same host keeps its own store, and a new
+// edition of one copy takes the place of the old edition's store when no page of the old edition is open.
 import { after, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs'
@@ -12,7 +12,9 @@ import { WIDGETS } from '../../web/widgets/index.js'
 const copies = mkdtempSync(path.join(tmpdir(), 'book-copies-'))
 after(() => rmSync(copies, { recursive: true, force: true }))
 
-/** A browser that lets workers in, before the site of `folder`; what the page complains of must be nothing in the end. */
+/**
+ * A browser that lets workers in, before the site of `folder`; what the page complains of must be nothing in the end.
+ */
 async function visit(folder, base, act) {
   const site = await serve({ folder, base })
   const browser = await launch()

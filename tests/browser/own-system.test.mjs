@@ -1,4 +1,5 @@
-// The page of a system of one's own: what is typed, pasted and dragged becomes a system, and what cannot be one is named.
+// The page of a system of one's own: what is typed, pasted and dragged becomes a system, and what cannot be one is
+// named.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { figure, frameOf, open, openFigure, PHONE, quiet, until } from './harness.mjs'

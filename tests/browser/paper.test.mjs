@@ -1,5 +1,5 @@
-// On paper: every section open, stills instead of live figures, no controls, the addresses of links to be read. A print of the chapter
-// takes long, so one serves all claims.
+// On paper: every section open, stills instead of live figures, no controls, the addresses of links to be read. A print
+// of the chapter takes long, so one serves all claims.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { getDocument } from 'pdfjs-dist/legacy/build/pdf.mjs'
@@ -25,7 +25,10 @@ async function pages(pdf) {
   return texts
 }
 
-/** Whether a PDF has a structure for screen readers, a title, a language, and a bookmark for each section; and no address of the server. */
+/**
+ * Whether a PDF has a structure for screen readers, a title, a language, and a bookmark for each section; and no
+ * address of the server.
+ */
 async function isTaggedWithBookmarks(pdf, sections) {
   const document = await reading(pdf)
   assert.equal((await document.getMarkInfo())?.Marked, true)

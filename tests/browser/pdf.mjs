@@ -1,4 +1,5 @@
-// A chapter as a PDF, from its print view: tagged, with bookmarks. Run by scripts/pdf; the tests of paper print the same way.
+// A chapter as a PDF, from its print view: tagged, with bookmarks. Run by scripts/pdf; the tests of paper print the
+// same way.
 import { spawnSync } from 'node:child_process'
 import { writeFileSync } from 'node:fs'
 import path from 'node:path'
@@ -25,8 +26,9 @@ export async function printed(page) {
 }
 
 /**
- * A PDF without what differs from one print of a commit to the next: the time is that of the commit (or of SOURCE_DATE_EPOCH), and the
- * browser's numbers for what is tagged count from 1. All keeps its length: a PDF knows its parts by where they begin.
+ * A PDF without what differs from one print of a commit to the next: the time is that of the commit (or of
+ * SOURCE_DATE_EPOCH), and the browser's numbers for what is tagged count from 1. All keeps its length: a PDF knows its
+ * parts by where they begin.
  * @param {Buffer} pdf
  */
 export function reproducible(pdf) {

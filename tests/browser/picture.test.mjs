@@ -1,5 +1,5 @@
-// The Picture: prediction, axes, reading and noise under mouse and keys; what the text says of the two feet holds wherever
-// they are put.
+// The Picture: prediction, axes, reading and noise under mouse and keys; what the text says of the two feet holds
+// wherever they are put.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { dragSlider, frameOf, openFigure, quiet, until } from './harness.mjs'

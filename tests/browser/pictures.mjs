@@ -7,7 +7,10 @@ import { serve } from '../../scripts/static-server.mjs'
 import { withState } from '../../web/figure/state-in-url.js'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, root } from './places.mjs'
 
-/** Name of the picture, how many pixels it has for one of the page, the figure with its id, its lab, and the state to show. */
+/**
+ * Name of the picture, how many pixels it has for one of the page, the figure with its id, its lab, and the state to
+ * show.
+ */
 const PICTURES = [
   ['knob', 1.5, 'observer-bench', 'fig-bench', 'observer-bench', 12, {}],
   ['picture', 1, 'picture', 'fig-picture', 'picture', 0, {}],

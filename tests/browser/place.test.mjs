@@ -1,5 +1,5 @@
-// The reader's place: after a reload, a way back, a link, a text fragment or a hit of the search the same line is where it was
-// or belongs, though parts of the chapter are laid out only when the reader comes near them.
+// The reader's place: after a reload, a way back, a link, a text fragment or a hit of the search the same line is where
+// it was or belongs, though parts of the chapter are laid out only when the reader comes near them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { DESKTOP, open, PHONE, quiet, stage } from './harness.mjs'
@@ -21,8 +21,8 @@ const settle = (page) =>
     }
   })
 /**
- * The first paragraph that begins on the screen, and where. Where a figure fills the screen it is the last one above: what stands
- * below moves when the figure comes alive and grows.
+ * The first paragraph that begins on the screen, and where. Where a figure fills the screen it is the last one above:
+ * what stands below moves when the figure comes alive and grows.
  */
 const mark = (page) =>
   page.evaluate(() => {

@@ -42,7 +42,10 @@ export const CHROMIUM_FLAGS = [
 ]
 /** Whether a release is tried: what takes long and seldom finds anything is left to it. */
 export const RELEASE = process.env.RELEASE === '1'
-/** What takes longer than this hangs. No test's verdict depends on it: a busy machine needs a minute where a quiet one needs a second. */
+/**
+ * What takes longer than this hangs. No test's verdict depends on it: a busy machine needs a minute where a quiet one
+ * needs a second.
+ */
 export const HANGS_MS = 240_000
 export const PHONE = { width: 390, height: 844 }
 export const DESKTOP = { width: 1280, height: 900 }

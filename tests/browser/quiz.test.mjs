@@ -1,5 +1,5 @@
-// Predict first: no explanation before an answer, a reason for each answer, a tolerance for numbers, and answers that are
-// remembered until the reader forgets them.
+// Predict first: no explanation before an answer, a reason for each answer, a tolerance for numbers, and answers that
+// are remembered until the reader forgets them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { comeTo, figure, open } from './fixture.mjs'

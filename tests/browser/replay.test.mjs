@@ -1,5 +1,6 @@
-// A long run is computed in slices: the page goes on painting, a bar says how far it has come, and it can be given up. None
-// of these tests asks how long anything takes: they ask what was painted, and how many steps one call of the lab was given.
+// A long run is computed in slices: the page goes on painting, a bar says how far it has come, and it can be given up.
+// None of these tests asks how long anything takes: they ask what was painted, and how many steps one call of the lab
+// was given.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'

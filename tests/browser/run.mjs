@@ -1,6 +1,6 @@
-// Runs the browser tests: one file more at a time than there are processors, since a test often waits for the page; and after them,
-// one by one, those that keep the whole machine busy. Each file starts a browser of its own: that costs half a
-// second of a processor, and files that ran in one browser would share its clipboard and its crashes.
+// Runs the browser tests: one file more at a time than there are processors, since a test often waits for the page; and
+// after them, one by one, those that keep the whole machine busy. Each file starts a browser of its own: that costs
+// half a second of a processor, and files that ran in one browser would share its clipboard and its crashes.
 //   node tests/browser/run.mjs [NAME …]   only the files of these names, e.g. quiz probe
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'

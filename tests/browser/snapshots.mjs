@@ -1,5 +1,5 @@
-// Pictures kept as references. What may differ is counted against the reference's ink: most of a figure is paper, and one
-// that had lost every curve would differ in a hundredth of its pixels.
+// Pictures kept as references. What may differ is counted against the reference's ink: most of a figure is paper, and
+// one that had lost every curve would differ in a hundredth of its pixels.
 import assert from 'node:assert/strict'
 import { existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import path from 'node:path'
@@ -10,8 +10,8 @@ import { root } from './places.mjs'
 const kept = path.join(root, 'tests/browser/snapshots')
 const results = path.join(root, 'target/snapshots')
 /**
- * The part of the ink that may differ visibly. Two runs of one browser do not differ at all; another machine's may a little. A picture
- * with much gray, as that of a map, has less colour for its ink, and may differ less.
+ * The part of the ink that may differ visibly. Two runs of one browser do not differ at all; another machine's may a
+ * little. A picture with much gray, as that of a map, has less colour for its ink, and may differ less.
  */
 export const tolerance = (/** @type {PNG} */ whole) => Math.min(0.01, colour(whole) / 5)
 

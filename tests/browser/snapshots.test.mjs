@@ -1,5 +1,5 @@
-// Pictures of every figure, on its own page, and of three regions of the chapter, light and dark, desktop and phone, against
-// references.
+// Pictures of every figure, on its own page, and of three regions of the chapter, light and dark, desktop and phone,
+// against references.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { DESKTOP, PHONE, open, openFigure, turn } from './harness.mjs'
@@ -17,7 +17,9 @@ const SIZES = [
 ]
 /** On its own page a figure fills the window but for the margins. With these widths it is as wide as in the chapter. */
 const FIGURE_WIDTHS = { desktop: 880 + 36, phone: 358 + 36 }
-/** Tall enough for every figure: a picture of one that is taller than the window makes the page scroll as it is taken. */
+/**
+ * Tall enough for every figure: a picture of one that is taller than the window makes the page scroll as it is taken.
+ */
 const TALL = 2400
 
 /** Moves a part so that it begins on a whole pixel: a part of a pixel lower every letter is drawn differently. */
@@ -38,7 +40,8 @@ async function inBothThemes(page, part, name, size) {
 for (const [size, viewport] of SIZES) {
   test(`regions of the chapter look as they did, ${size}`, async (t) => {
     const page = await open(t, { viewport: { ...viewport, height: TALL }, touch: size === 'phone' })
-    // All sections are laid out first: one above the region that came to be laid out later would move it by parts of a pixel.
+    // All sections are laid out first: one above the region that came to be laid out later would move it by parts of a
+    // pixel.
     await page.evaluate(() =>
       document.querySelectorAll('.chapter > section').forEach((section) => {
         section.style.contentVisibility = 'visible'

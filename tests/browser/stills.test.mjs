@@ -8,7 +8,10 @@ import { PNG } from 'pngjs'
 import { dist, FIGURE_PAGES, open, openFigure, PHONE, quiet } from './harness.mjs'
 import { differenceOf } from './snapshots.mjs'
 
-/** How each figure's still is drawn: panels that show, drawn in the page or as images that have come, and how much they hold. */
+/**
+ * How each figure's still is drawn: panels that show, drawn in the page or as images that have come, and how much they
+ * hold.
+ */
 async function stills(page) {
   // Where scripts are on, an image waits until it is near the screen.
   await page.evaluate(() => {

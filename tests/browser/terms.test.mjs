@@ -32,7 +32,10 @@ const nearest = (element) =>
 /** A word of each colour that stands near a figure, in the text. */
 const word = (page, kind) => page.locator(`main p a.term.term-${kind}`).first()
 const rest = (page) => page.mouse.move(2, 2)
-/** Waits until an element has kept its place for a second: a part of the text that comes near is laid out, and a figure in it comes to life. */
+/**
+ * Waits until an element has kept its place for a second: a part of the text that comes near is laid out, and a figure
+ * in it comes to life.
+ */
 const resting = (it) =>
   it.evaluate(async (element) => {
     let [y, since] = [NaN, 0]

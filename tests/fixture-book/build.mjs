@@ -1,5 +1,6 @@
-// A book of two sections for the tests of what a page does, built by the book's program with the scripts, styles and stills of the real
-// one. Its text is here; its data (formulas, terms, works, questions) are the real book's, so that neither can lack what the other has.
+// A book of two sections for the tests of what a page does, built by the book's program with the scripts, styles and
+// stills of the real one. Its text is here; its data (formulas, terms, works, questions) are the real book's, so that
+// neither can lack what the other has.
 import { execFileSync } from 'node:child_process'
 import { mkdirSync, readdirSync, rmSync, symlinkSync } from 'node:fs'
 import path from 'node:path'

@@ -1,5 +1,5 @@
-// No module imports another that imports it in turn: of each crate's Rust modules (a folder counts as the module it belongs to,
-// tests left out) and of the page's scripts.
+// No module imports another that imports it in turn: of each crate's Rust modules (a folder counts as the module it
+// belongs to, tests left out) and of the page's scripts.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { existsSync, readFileSync, readdirSync } from 'node:fs'

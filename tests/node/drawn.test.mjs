@@ -1,6 +1,7 @@
-// What a figure draws are numbers and the reader's letters: no attribute of a drawing is NaN, infinite or undefined, whatever the state. Each figure goes
-// through random states, with the cameras and the beats of a living one, drawn by the code that draws it in a browser.
-// Two runs of one commit visit the same states; DRAWN_SEED=7 looks elsewhere, and DRAWN_STATES=1000 at more of them.
+// What a figure draws are numbers and the reader's letters: no attribute of a drawing is NaN, infinite or undefined,
+// whatever the state. Each figure goes through random states, with the cameras and the beats of a living one, drawn by
+// the code that draws it in a browser. Two runs of one commit visit the same states; DRAWN_SEED=7 looks elsewhere, and
+// DRAWN_STATES=1000 at more of them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

@@ -23,7 +23,10 @@ function system({ n, p, m }, dice) {
   }
 }
 
-/** F and a matrix beside it, as often of zeros and ones as of anything: deadbeat and unseen directions are rare otherwise. */
+/**
+ * F and a matrix beside it, as often of zeros and ones as of anything: deadbeat and unseen directions are rare
+ * otherwise.
+ */
 function pair(dice, shape) {
   const { n } = sizes(dice)
   const entry = dice.uniform() < 0.5 ? () => dice.below(2) : dice.normal
@@ -190,11 +193,11 @@ const WORLD = [
 ]
 
 /**
- * name → how to make one; what it can be told, given the object and what it was made of; what it must not change when it
- * refuses; the covariances it shows, and those of an answer. `chain`: fewer calls than this on one object; `spoilt`: the
- * share of calls with spoilt arguments (nonsense alone never gets far into a filter); `often`: what is called more than
- * the rest. `least` says how often an outcome or a code comes up in 1500 cases at least, about half of what twenty seeds
- * had: without it a test that no longer reaches anything would pass.
+ * name → how to make one; what it can be told, given the object and what it was made of; what it must not change when
+ * it refuses; the covariances it shows, and those of an answer. `chain`: fewer calls than this on one object; `spoilt`:
+ * the share of calls with spoilt arguments (nonsense alone never gets far into a filter); `often`: what is called more
+ * than the rest. `least` says how often an outcome or a code comes up in 1500 cases at least, about half of what twenty
+ * seeds had: without it a test that no longer reaches anything would pass.
  */
 export const CLASSES = {
   KalmanFilter: {

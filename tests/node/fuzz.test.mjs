@@ -1,5 +1,5 @@
-// Bounded, seeded nonsense for every export of the module: it answers or throws an EstimateError, in time, and a refused
-// call changes nothing. FUZZ_CASES=20000 digs deeper, FUZZ_SEED=7 elsewhere.
+// Bounded, seeded nonsense for every export of the module: it answers or throws an EstimateError, in time, and a
+// refused call changes nothing. FUZZ_CASES=20000 digs deeper, FUZZ_SEED=7 elsewhere.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'

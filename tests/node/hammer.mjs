@@ -79,7 +79,10 @@ function holds(covariances, call) {
 /** One array ten thousand times: nothing to make, and a hundred million numbers to read. */
 const VAST = new Array(10_000).fill(new Array(10_000).fill(0))
 
-/** Puts a vast matrix, and one of a vast row, in the place of each matrix in the arguments: each is refused, before it is read. */
+/**
+ * Puts a vast matrix, and one of a vast row, in the place of each matrix in the arguments: each is refused, before it
+ * is read.
+ */
 function vast(args, of, run) {
   for (const { place, put } of matrices(args)) {
     for (const [size, value] of [

@@ -1,5 +1,5 @@
-// The module's verdicts on systems whose truth exact arithmetic has told: tests/heldout/README.md says how. The rules are those of
-// tests/heldout_systems.rs.
+// The module's verdicts on systems whose truth exact arithmetic has told: tests/heldout/README.md says how. The rules
+// are those of tests/heldout_systems.rs.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

@@ -1,4 +1,5 @@
-// The class KalmanFilter is kalmanStep with the belief kept inside, to the last bit, and reads its arguments as strictly.
+// The class KalmanFilter is kalmanStep with the belief kept inside, to the last bit, and reads its arguments as
+// strictly.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'

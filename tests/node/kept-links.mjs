@@ -1,5 +1,5 @@
-// Links to figures as each release made them, kept in tests/links/VERSION.json with the state and the numbers that they opened. Run as
-// a program, this file keeps links of the version in Cargo.toml: before its release, and never again.
+// Links to figures as each release made them, kept in tests/links/VERSION.json with the state and the numbers that they
+// opened. Run as a program, this file keeps links of the version in Cargo.toml: before its release, and never again.
 import { spawnSync } from 'node:child_process'
 import { createHash } from 'node:crypto'
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs'
@@ -32,7 +32,10 @@ function logs(spec) {
   return [parsed.get(spec.log)]
 }
 
-/** The numbers of a frame, to the last bit: a hash for each member, however deep; but the parameters, which the state has. */
+/**
+ * The numbers of a frame, to the last bit: a hash for each member, however deep; but the parameters, which the state
+ * has.
+ */
 export function hashes(frame) {
   const found = {}
   const collect = (value, name) => {

@@ -1,5 +1,5 @@
-// The faces of the formulas, as they are cut, hold every sign that the chapter's formulas show. A sign that is in no face is
-// drawn as an empty box.
+// The faces of the formulas, as they are cut, hold every sign that the chapter's formulas show. A sign that is in no
+// face is drawn as an empty box.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

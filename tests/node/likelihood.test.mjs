@@ -1,5 +1,5 @@
-// The map of a log's likelihood is filled in chunks, between which messages are read; a later log replaces an earlier one, and what
-// the reader cancels is computed no further. Every value is the lab's own.
+// The map of a log's likelihood is filled in chunks, between which messages are read; a later log replaces an earlier
+// one, and what the reader cancels is computed no further. Every value is the lab's own.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'

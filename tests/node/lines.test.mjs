@@ -1,4 +1,5 @@
-// A file of code or content is one noun, and has at most 300 lines; the table of scripts/lines names files that are there.
+// A file of code or content is one noun, and has at most 300 lines; the table of scripts/lines names files that are
+// there.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { spawnSync } from 'node:child_process'

@@ -1,5 +1,5 @@
-// The nginx example of the page on hosting, read from that page and run in nginx itself over a small site. Skipped where there is
-// no nginx, which .ci/run installs (NGINX names one that is not in the usual places).
+// The nginx example of the page on hosting, read from that page and run in nginx itself over a small site. Skipped
+// where there is no nginx, which .ci/run installs (NGINX names one that is not in the usual places).
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { spawn } from 'node:child_process'

@@ -65,7 +65,10 @@ export function junk(dice) {
   return copy(dice.uniform() < 0.6 ? dice.pick(NUMBERS) : dice.pick(OTHERS))
 }
 
-/** A deep copy of the argument list `args` with up to three places spoilt; now and then none, or one too few or too many. */
+/**
+ * A deep copy of the argument list `args` with up to three places spoilt; now and then none, or one too few or too
+ * many.
+ */
 export function spoil(args, dice) {
   const spoilt = copy(args)
   for (let times = dice.below(4); times > 0 && spoilt.length > 0; times--) {
@@ -107,7 +110,10 @@ function spoilOnce(value, dice) {
   return value
 }
 
-/** The matrices among the arguments `args`, however deep: where each stands, and the arguments with another in its place. */
+/**
+ * The matrices among the arguments `args`, however deep: where each stands, and the arguments with another in its
+ * place.
+ */
 export function matrices(args) {
   const found = []
   const walk = (value, keys) => {

@@ -1,4 +1,5 @@
-// The letters of each notation: the figures' labels have those of the formulas, and no letter of a notation means two things.
+// The letters of each notation: the figures' labels have those of the formulas, and no letter of a notation means two
+// things.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

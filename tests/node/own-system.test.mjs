@@ -1,4 +1,5 @@
-// A system of the reader's own: what is pasted is read or its fault is named, and a program copied from the figure prints what it shows.
+// A system of the reader's own: what is pasted is read or its fault is named, and a program copied from the figure
+// prints what it shows.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync, spawnSync } from 'node:child_process'

@@ -1,5 +1,5 @@
-// The questions of the built chapter: each has one right answer that the page takes, a reason for every choice, and nothing that tells
-// the right one before. How a question behaves is tested in a browser, on a few of them.
+// The questions of the built chapter: each has one right answer that the page takes, a reason for every choice, and
+// nothing that tells the right one before. How a question behaves is tested in a browser, on a few of them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

@@ -1,5 +1,6 @@
-// What the figure of a log says is true in every state: its verdict is held against the frame over a grid of settings and moments,
-// on the real log and on logs without truth, without ranges and with bearings. And the server of logs, which a worker runs.
+// What the figure of a log says is true in every state: its verdict is held against the frame over a grid of settings
+// and moments, on the real log and on logs without truth, without ranges and with bearings. And the server of logs,
+// which a worker runs.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

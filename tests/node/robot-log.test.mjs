@@ -1,4 +1,5 @@
-// The lab that replays a robot's log: the real log against an independent replay's numbers, and everything that is refused.
+// The lab that replays a robot's log: the real log against an independent replay's numbers, and everything that is
+// refused.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'

@@ -1,5 +1,5 @@
-// The run behind a figure, over the module's labs: replays in slices give the same bits as one call, no call of a lab grows
-// long, a change supersedes a replay under way, and the last step is reached.
+// The run behind a figure, over the module's labs: replays in slices give the same bits as one call, no call of a lab
+// grows long, a change supersedes a replay under way, and the last step is reached.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
@@ -18,7 +18,9 @@ const MAP = {
 }
 const LAST = 100_000
 
-/** A clock by which each call of a lab takes just as long as it should, so that a turn is over after a few short calls. */
+/**
+ * A clock by which each call of a lab takes just as long as it should, so that a turn is over after a few short calls.
+ */
 const ticking = () => {
   let now = 0
   return () => (now += CALL_MS)

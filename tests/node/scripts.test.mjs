@@ -1,5 +1,5 @@
-// What the scripts share (scripts/common.sh): one at a time where they must be, tools set up whole or not at all, arguments
-// refused before any work.
+// What the scripts share (scripts/common.sh): one at a time where they must be, tools set up whole or not at all,
+// arguments refused before any work.
 import { after, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { spawn, spawnSync } from 'node:child_process'
@@ -136,7 +136,8 @@ test('the build takes the module from the folder that CARGO_BUILD_TARGET_DIR nam
   const folder = copy('elsewhere')
   const [elsewhere, log] = [path.join(home, 'cargo target'), path.join(home, 'cargo-log')]
   const real = spawnSync('bash', ['-c', 'command -v cargo'], { encoding: 'utf8' }).stdout.trim()
-  // It compiles nothing: a build leaves a file where cargo would, tools cannot be had, and all else is the real cargo's.
+  // It compiles nothing: a build leaves a file where cargo would, tools cannot be had, and all else is the real
+  // cargo's.
   const env = stub(
     'compiling',
     `printf '%s\\n' "$*" >>'${log}'

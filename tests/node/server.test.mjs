@@ -1,4 +1,5 @@
-// The static server of ./scripts/serve: right types, its own folder only, from a sub-path, and whole under odd requests.
+// The static server of ./scripts/serve: right types, its own folder only, from a sub-path, and whole under odd
+// requests.
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { mkdtempSync, mkdirSync, rmSync, symlinkSync, writeFileSync } from 'node:fs'

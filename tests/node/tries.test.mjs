@@ -1,5 +1,5 @@
-// A phrase to try gives what it gives from a fresh figure, whatever phrase was pressed before it. In the Picture it sets only what it
-// speaks of.
+// A phrase to try gives what it gives from a fresh figure, whatever phrase was pressed before it. In the Picture it
+// sets only what it speaks of.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { WIDGETS } from '../../web/widgets/index.js'

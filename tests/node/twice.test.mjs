@@ -1,7 +1,7 @@
-// Two builds of one commit are the same site, byte for byte, wherever they are made. The site in dist/ is compared with one made
-// in another folder from a copy of the sources: fonts, scripts, styles, stills and pages anew, with the module and the book's
-// program as they were compiled. Of the module, which takes a minute to compile, the test asks that it names no folder of this
-// machine.
+// Two builds of one commit are the same site, byte for byte, wherever they are made. The site in dist/ is compared with
+// one made in another folder from a copy of the sources: fonts, scripts, styles, stills and pages anew, with the module
+// and the book's program as they were compiled. Of the module, which takes a minute to compile, the test asks that it
+// names no folder of this machine.
 import { after, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
@@ -42,8 +42,8 @@ test('a build in another folder writes the same site', { timeout: 300_000 }, () 
   })
   mkdirSync(path.join(other, 'target'))
   cpSync(path.join(root, 'target/pkg'), path.join(other, 'target/pkg'), { recursive: true })
-  // The book prints what examples print, and runs them by cargo: with the programs compiled here, since cargo would compile all
-  // crates again in another folder.
+  // The book prints what examples print, and runs them by cargo: with the programs compiled here, since cargo would
+  // compile all crates again in another folder.
   const cargo = path.join(other, 'cargo')
   writeFileSync(cargo, `#!/bin/sh\ncd '${root}' && exec cargo "$@"\n`, { mode: 0o755 })
   const { target_directory: target } = JSON.parse(

@@ -1,5 +1,6 @@
-// What a figure says of its state is true of it: every sentence of a verdict is one of the claims below, and each claim is held
-// against the frame that the sentence speaks of, over a grid of parameters and steps, just-reset states among them.
+// What a figure says of its state is true of it: every sentence of a verdict is one of the claims below, and each claim
+// is held against the frame that the sentence speaks of, over a grid of parameters and steps, just-reset states among
+// them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { BUGS } from '../../web/widgets/bug-museum/words.js'
@@ -636,7 +637,10 @@ const level = (text, log) => Math.abs(number(text) / 10 ** log - 1) < 0.051
 const times = (text, logs) =>
   Math.abs(number(text) / 10 ** Math.abs(logs) - 1) < 0.006 ||
   (Math.abs(logs) >= 1 && Math.abs(number(text) - 10 ** Math.abs(logs)) <= 0.51)
-/** The logarithm of q/W over that of the likeliest noise: a log of 200 readings tells its sign where the autocorrelation leaves its band, a shorter one not always. */
+/**
+ * The logarithm of q/W over that of the likeliest noise: a log of 200 readings tells its sign where the autocorrelation
+ * leaves its band, a shorter one not always.
+ */
 const ratio = ({ params: { logQ, logW, ...others } }) => {
   const lab = estimate.Tune.from({
     version: 1,

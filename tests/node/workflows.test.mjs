@@ -1,5 +1,5 @@
-// The workflows give away no right that they need not: actions are pinned by commit, and the one job that may write runs
-// nothing of the repository.
+// The workflows give away no right that they need not: actions are pinned by commit, and the one job that may write
+// runs nothing of the repository.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'

@@ -1,5 +1,5 @@
-// The npm package as somebody finds it: installed from its tarball into empty folders, and used by Node, by bundlers, by a page
-// without any, in workers, and by TypeScript. The README's examples are what is run.
+// The npm package as somebody finds it: installed from its tarball into empty folders, and used by Node, by bundlers,
+// by a page without any, in workers, and by TypeScript. The README's examples are what is run.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync, writeFileSync } from 'node:fs'

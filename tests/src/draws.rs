@@ -1,8 +1,8 @@
-//! How property tests draw: from a fixed seed, so that two runs of one commit agree. PROPTEST_RNG_SEED=7 looks elsewhere, and a
-//! release (RELEASE=1) draws five times as many cases.
+//! How property tests draw: from a fixed seed, so that two runs of one commit agree. PROPTEST_RNG_SEED=7 looks
+//! elsewhere, and a release (RELEASE=1) draws five times as many cases.
 //!
-//! proptest does without the standard library here, and so without regular expressions: with it, it would ask num-traits for `std`,
-//! and nalgebra would be compiled twice, once with other digits.
+//! proptest does without the standard library here, and so without regular expressions: with it, it would ask
+//! num-traits for `std`, and nalgebra would be compiled twice, once with other digits.
 
 use proptest::prelude::*;
 use proptest::test_runner::RngSeed;
@@ -15,7 +15,8 @@ pub fn cases(daily: u32) -> ProptestConfig {
     ProptestConfig { cases, failure_persistence: None, rng_seed: RngSeed::Fixed(seed), ..ProptestConfig::default() }
 }
 
-/// A character as files hold it: mostly one of `usual`, often any of Unicode, sometimes one that readers of text fall over.
+/// A character as files hold it: mostly one of `usual`, often any of Unicode, sometimes one that readers of text fall
+/// over.
 #[allow(dead_code, reason = "not every file of tests draws texts")]
 pub fn character(usual: &'static str) -> impl Strategy<Value = char> {
     let awkward = [

@@ -1,14 +1,17 @@
 /**
- * Takes the panels out of a still, so that a page with many figures need not carry the drawings of all. They go into one SVG
- * file with a view of each, which holds its styles and faces itself. In the still an image of each view takes the panel's place: a
- * browser fetches it when it comes near the screen, when the page is printed, and at once where scripts are off.
+ * Takes the panels out of a still, so that a page with many figures need not carry the drawings of all. They go into
+ * one SVG file with a view of each, which holds its styles and faces itself. In the still an image of each view takes
+ * the panel's place: a browser fetches it when it comes near the screen, when the page is printed, and at once where
+ * scripts are off.
  */
 
 import { fileURLToPath } from 'node:url'
 import { build } from 'esbuild'
 import { heldFaces } from './fonts.mjs'
 
-/** The notations beside the page's own: a view of each panel in each. The page's script chooses (web/page/notation.js). */
+/**
+ * The notations beside the page's own: a view of each panel in each. The page's script chooses (web/page/notation.js).
+ */
 const OTHERS = ['thrun', 'common']
 /** What the book puts in the place of this name: the address of the file. */
 export const FILE = 'picture.svg'

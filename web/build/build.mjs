@@ -16,14 +16,20 @@ import { vignette } from './vignette.mjs'
 const web = dirname(dirname(fileURLToPath(import.meta.url)))
 const root = dirname(web)
 const out = join(root, 'target/assets')
-/** The folder of each build of the module: whole, and with the labs of some figures alone. @type {Map<string, string>} */
+/**
+ * The folder of each build of the module: whole, and with the labs of some figures alone.
+ * @type {Map<string, string>}
+ */
 const pkg = new Map([
   ...FIGURES.map(({ build }) => /** @type {const} */ ([build, join(root, 'target/pkg', build)])),
   ['whole', join(root, 'target/pkg/web')],
 ])
 const [atHand] = pkg.keys()
 
-/** KaTeX has a rule for each change from one of eleven sizes to another; formulas here change among these (crates/book/src/slim.rs). */
+/**
+ * KaTeX has a rule for each change from one of eleven sizes to another; formulas here change among these
+ * (crates/book/src/slim.rs).
+ */
 const OTHER_SIZES = /\.katex \.fontsize-ensurer\.reset-size(?!(?:6\.size[13]|3\.size1),)\d+\.size\d+,[^{}]*\{[^}]*\}/g
 
 /** Selectors of what no formula of the book needs, and of the MathML, for which we have a rule of our own. */
@@ -49,8 +55,9 @@ const shared = {
 }
 
 /**
- * The builds of the module. `module-builds` is the table of all (its first build is at hand with the script that asks, each other is
- * fetched); `estimate-wasm/of/tune` the build that has the lab of the figure `tune`, and `wasm-of/tune` where its binary lies.
+ * The builds of the module. `module-builds` is the table of all (its first build is at hand with the script that asks,
+ * each other is fetched); `estimate-wasm/of/tune` the build that has the lab of the figure `tune`, and `wasm-of/tune`
+ * where its binary lies.
  */
 const wasm = {
   name: 'wasm',

@@ -1,7 +1,7 @@
 /**
- * Cuts each font file into two subsets: the letters that the built pages show (letters.json, written by `scripts/letters`) and
- * all other letters that a text may need. A page fetches the first subset, and the second only if a letter of it occurs.
- * The subsets are kept until a font or the letters change.
+ * Cuts each font file into two subsets: the letters that the built pages show (letters.json, written by
+ * `scripts/letters`) and all other letters that a text may need. A page fetches the first subset, and the second only
+ * if a letter of it occurs. The subsets are kept until a font or the letters change.
  */
 
 import { createHash } from 'node:crypto'
@@ -44,7 +44,8 @@ const FEATURES = [
  * @property {string} weight as in a style sheet
  * @property {string} style
  * @property {string} source
- * @property {string} always letters that belong to the first subset even if no page shows them: a control or a search may
+ * @property {string} always letters that belong to the first subset even if no page shows them: a control or a search
+ * may
  * @property {string} letters all letters of both subsets; if empty, the font is left whole
  * @property {string} display the `font-display` of its rule
  * @property {Record<string, unknown>} axes
@@ -125,7 +126,9 @@ const TEXT = [
   axes,
 }))
 
-/** KaTeX's faces, whole where a formula may need any sign of them, else down to letters, digits and the signs in use. */
+/**
+ * KaTeX's faces, whole where a formula may need any sign of them, else down to letters, digits and the signs in use.
+ */
 const LETTERS = range(0x30, 0x39) + range(0x41, 0x5a) + range(0x61, 0x7a)
 // U+E020 is KaTeX's own: the stroke of ≠.
 const SIGNS =
@@ -214,7 +217,11 @@ export async function heldFaces(folder, name, letters) {
   return css
 }
 
-/** Cuts one font file and returns its rules. Where two rules hold a letter, browsers take the later one. @param {string} folder @param {Face} face */
+/**
+ * Cuts one font file and returns its rules. Where two rules hold a letter, browsers take the later one.
+ * @param {string} folder
+ * @param {Face} face
+ */
 async function cut(folder, face) {
   const source = readFileSync(find.resolve(face.source))
   const seen = new Set([

@@ -1,14 +1,16 @@
 /**
- * How high each part of a chapter is, as style rules. A browser puts off laying out what is far from the screen, and needs a
- * height for it meanwhile: with one near the real height the scroll bar is right and a link leads to the right place at once.
- * The heights are measured by `scripts/heights` and kept in heights.json: a build needs no browser, and a list that lags
- * behind costs a little of that precision, nothing else.
+ * How high each part of a chapter is, as style rules. A browser puts off laying out what is far from the screen, and
+ * needs a height for it meanwhile: with one near the real height the scroll bar is right and a link leads to the right
+ * place at once. The heights are measured by `scripts/heights` and kept in heights.json: a build needs no browser, and
+ * a list that lags behind costs a little of that precision, nothing else.
  */
 
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { join } from 'node:path'
 
-/** The widths of the window at which heights are measured, pixels. From the third on the column of text has one width. */
+/**
+ * The widths of the window at which heights are measured, pixels. From the third on the column of text has one width.
+ */
 export const WIDTHS = [320, 390, 600, 768, 1280]
 /** The width from which the contents, or the notes, have a column of their own; as in columns.css. */
 const WIDE = '75rem'

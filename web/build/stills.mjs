@@ -1,7 +1,8 @@
 /**
- * Draws a still picture of each figure into target/stills, with the figure's own view code and the module's build for Node: one
- * for each widget in its usual state, one for each figure that the text opens in another state, and the drawings that do not move.
- * Each figure's still is there once more, in target/stills/apart, with its panels in a file beside it.
+ * Draws a still picture of each figure into target/stills, with the figure's own view code and the module's build for
+ * Node: one for each widget in its usual state, one for each figure that the text opens in another state, and the
+ * drawings that do not move. Each figure's still is there once more, in target/stills/apart, with its panels in a file
+ * beside it.
  */
 
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
@@ -49,7 +50,11 @@ console.log(
     .join(', ')}`,
 )
 
-/** @param {string} name @param {import('../figure/spec.js').FigureSpec} spec @param {{ step?: number, params?: object }} given */
+/**
+ * @param {string} name
+ * @param {import('../figure/spec.js').FigureSpec} spec
+ * @param {{ step?: number, params?: object }} given
+ */
 async function draw(name, spec, given) {
   const state = { step: given.step ?? spec.still ?? spec.start.step, params: { ...spec.start.params, ...given.params } }
   const log = spec.log ? [estimate[spec.lab].parse(readFileSync(join(root, spec.log), 'utf8'))] : []

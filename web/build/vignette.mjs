@@ -1,6 +1,7 @@
 /**
- * The small picture at the head of the cover and of a chapter: the ellipse of a prediction grows until it touches the line of a
- * reading, and there the estimate goes. The core computes ellipse, line and feet; the style sheet plays it once.
+ * The small picture at the head of the cover and of a chapter: the ellipse of a prediction grows until it touches the
+ * line of a reading, and there the estimate goes. The core computes ellipse, line and feet; the style sheet plays it
+ * once.
  */
 
 import { createRequire } from 'node:module'

@@ -34,7 +34,15 @@ export function drawBuilding(pen, plane, { rooms, walls }) {
   })
 }
 
-/** A robot with its heading. @param {Pen} pen @param {string} key @param {Plane} plane @param {number[]} pose @param {string} shape @param {import('./plot.js').Kin} kin */
+/**
+ * A robot with its heading.
+ * @param {Pen} pen
+ * @param {string} key
+ * @param {Plane} plane
+ * @param {number[]} pose
+ * @param {string} shape
+ * @param {import('./plot.js').Kin} kin
+ */
 export function drawRobot(pen, key, plane, [px, py, heading], shape, kin) {
   const [x, y] = [plane.x(px), plane.y(py)]
   pen.mark('line', `${key}-nose`, {

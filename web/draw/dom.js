@@ -11,7 +11,13 @@ export function part(document, into, tag, name) {
   return element
 }
 
-/** @param {Document} document @param {Element} into @param {string} words @param {() => void} press @param {string} [name] */
+/**
+ * @param {Document} document
+ * @param {Element} into
+ * @param {string} words
+ * @param {() => void} press
+ * @param {string} [name]
+ */
 export function button(document, into, words, press, name = 'button') {
   const element = part(document, into, 'button', name)
   element.setAttribute('type', 'button')

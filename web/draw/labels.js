@@ -1,15 +1,18 @@
 /**
- * Names of marks, put where they hide nothing: each name tries the places around its mark, near ones first, and takes the first
- * that lies in the drawing and on no other name and no mark that must stay free. A name far from its mark is led to it by a line.
+ * Names of marks, put where they hide nothing: each name tries the places around its mark, near ones first, and takes
+ * the first that lies in the drawing and on no other name and no mark that must stay free. A name far from its mark is
+ * led to it by a line.
  *
- * The width of a text is reckoned from its letters and not measured, so that a still drawn in Node has its names where the living
- * figure has them.
+ * The width of a text is reckoned from its letters and not measured, so that a still drawn in Node has its names where
+ * the living figure has them.
  */
 
 import { readings, unmarked } from './words.js'
 
 /** @typedef {import('./plot.js').Box} Box */
-/** @typedef {'right' | 'left' | 'above' | 'below' | 'above-right' | 'above-left' | 'below-right' | 'below-left'} Side */
+/**
+ * @typedef {'right' | 'left' | 'above' | 'below' | 'above-right' | 'above-left' | 'below-right' | 'below-left'} Side
+ */
 /**
  * @typedef {object} Label
  * @property {string} key

@@ -1,6 +1,7 @@
 /**
- * Writes short path data: tenths of a pixel, each point relative to the one before, and no point that lies within a sixth of a
- * pixel of the line. The browser reads such data at every frame. The page carries its stills in whole pixels.
+ * Writes short path data: tenths of a pixel, each point relative to the one before, and no point that lies within a
+ * sixth of a pixel of the line. The browser reads such data at every frame. The page carries its stills in whole
+ * pixels.
  */
 
 /** How far a line may pass from a point that is left out, pixels, and how many places a pixel has. */
@@ -91,8 +92,9 @@ let across = new Float64Array(2048)
 let down = new Float64Array(2048)
 
 /**
- * A line through points in data units. A point is left out where the line between its neighbours passes near enough. This is
- * written for speed: a figure draws thousands of points in every frame, often before the browser has compiled the code.
+ * A line through points in data units. A point is left out where the line between its neighbours passes near enough.
+ * This is written for speed: a figure draws thousands of points in every frame, often before the browser has compiled
+ * the code.
  * @param {number} count
  * @param {import('./scale.js').Scale} x
  * @param {ArrayLike<number>} xs
@@ -126,7 +128,8 @@ export function pairs(points, x, y) {
 }
 
 /**
- * Keeps a point only where the line needs it. From the last point kept, each point after it narrows the directions in which a
+ * Keeps a point only where the line needs it. From the last point kept, each point after it narrows the directions in
+ * which a
  * straight line passes near all of them. @param {number} count */
 function traced(count) {
   const out = new Outline()

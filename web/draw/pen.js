@@ -1,15 +1,19 @@
 /**
  * Draws a picture again and again with the same elements.
  *
- * A drawing asks for each mark by a key. If the last round had this key, its element gets the new attributes. An element that
- * is not asked for again is removed, and the elements stand in the order of the calls. The same calls draw a still in Node.
+ * A drawing asks for each mark by a key. If the last round had this key, its element gets the new attributes. An
+ * element that is not asked for again is removed, and the elements stand in the order of the calls. The same calls draw
+ * a still in Node.
  */
 
 import { SVG } from './dom.js'
 import { writeSvg } from './words.js'
 
 /** @typedef {Record<string, string | number | null | undefined>} Attributes */
-/** @typedef {{ element: Element, turn: number, last: Attributes, said: string, pen: Pen | null, stamp: string | null }} Held */
+/**
+ * @typedef {{ element: Element, turn: number, last: Attributes, said: string, pen: Pen | null, stamp: string | null }}
+ * Held
+ */
 
 export class Pen {
   /** @param {Element} root an `svg` or a `g` */
@@ -21,14 +25,17 @@ export class Pen {
     this.touched = 0
     /** @type {Element | null} */
     this.latest = null
-    /** The children in the order of the last round; empty once this round has asked for another order. @type {Element[]} */
+    /**
+     * The children in the order of the last round; empty once this round has asked for another order.
+     * @type {Element[]}
+     */
     this.order = []
     this.next = 0
   }
 
   /**
-   * Whether the reader holds a handle of this picture. Its scale stays until the hand lets go: on a scale that follows the handle, the
-   * pointer would mean more at every move, and the handle would run away.
+   * Whether the reader holds a handle of this picture. Its scale stays until the hand lets go: on a scale that follows
+   * the handle, the pointer would mean more at every move, and the handle would run away.
    */
   get held() {
     return this.root.querySelector('.dragging') !== null
@@ -149,8 +156,8 @@ export class Pen {
   }
 
   /**
-   * Puts an element behind the latest mark. An element that is in the picture already is not moved, because that would cost it
-   * the focus; the elements before it go to the end instead.
+   * Puts an element behind the latest mark. An element that is in the picture already is not moved, because that would
+   * cost it the focus; the elements before it go to the end instead.
    * @param {Element} element
    */
   place(element) {

@@ -1,8 +1,8 @@
 /**
  * Draws axes and the shapes that figures share. An ellipse comes from the core, as its axes and angle.
  *
- * The class of a mark says what it means (`prediction`, `posterior`, `measurement`, `truth`). `data-kin` says the same, so that a
- * word of the text can light the mark up.
+ * The class of a mark says what it means (`prediction`, `posterior`, `measurement`, `truth`). `data-kin` says the same,
+ * so that a word of the text can light the mark up.
  */
 
 import { Outline, pairs, pixel, polyline } from './path.js'
@@ -73,7 +73,8 @@ export function halves({ semiMajor, semiMinor, angle }) {
  * Ticks, faint grid and the names of the axes.
  * @param {Pen} pen
  * @param {Plane} plane
- * @param {{ x?: Words, y?: Words, title?: Words, ticks?: [number, number], grid?: boolean, zero?: boolean, drop?: number }} [names] `drop` from the axis to the feet of its numbers
+ * @param {{ x?: Words, y?: Words, title?: Words, ticks?: [number, number], grid?: boolean, zero?: boolean, drop?:
+ * number }} [names] `drop` from the axis to the feet of its numbers
  */
 export function axes(pen, { x, y, box }, names = {}) {
   const across = apart(x, names.ticks?.[0] ?? 5, box.left, box.right, 26)
@@ -121,7 +122,8 @@ function inside(at, low, high) {
 }
 
 /**
- * At most so many ticks, and no two of them nearer than `gap` pixels: on a small plot there are fewer. None if `most` is 0.
+ * At most so many ticks, and no two of them nearer than `gap` pixels: on a small plot there are fewer. None if `most`
+ * is 0.
  * @param {Scale} scale @param {number} most @param {number} low @param {number} high @param {number} gap
  */
 function apart(scale, most, low, high, gap) {
@@ -166,7 +168,8 @@ export function ellipseLevel(pen, x, y) {
 }
 
 /**
- * A bar that says how long a metre is on a map: 1, 2 or 5 times a power of ten metres, about as long as a finger is wide.
+ * A bar that says how long a metre is on a map: 1, 2 or 5 times a power of ten metres, about as long as a finger is
+ * wide.
  * @param {Pen} pen @param {Plane} plane @param {number} right its right end @param {number} y
  */
 export function scaleBar(pen, { x }, right, y) {
@@ -181,7 +184,12 @@ export function scaleBar(pen, { x }, right, y) {
 
 /**
  * An arrow between two points in data units; none where it would be shorter than its head.
- * @param {Pen} pen @param {string} key @param {Plane} plane @param {number[]} from @param {number[]} to @param {Kin} kin
+ * @param {Pen} pen
+ * @param {string} key
+ * @param {Plane} plane
+ * @param {number[]} from
+ * @param {number[]} to
+ * @param {Kin} kin
  */
 export function arrow(pen, key, plane, from, to, kin) {
   const [x1, y1, x2, y2] = [plane.x(from[0]), plane.y(from[1]), plane.x(to[0]), plane.y(to[1])].map(pixel)

@@ -15,12 +15,26 @@ export function drawPoints(pen, key, plane, xs, ys, kin, which = () => true) {
   pen.mark('path', key, { ...meaning('points', kin), d: path(plane, xs, ys, which, 'h0') })
 }
 
-/** The same as crosses. @param {Pen} pen @param {string} key @param {Plane} plane @param {number[]} xs @param {number[]} ys @param {(i: number) => boolean} which */
+/**
+ * The same as crosses.
+ * @param {Pen} pen
+ * @param {string} key
+ * @param {Plane} plane
+ * @param {number[]} xs
+ * @param {number[]} ys
+ * @param {(i: number) => boolean} which
+ */
 export function drawCrosses(pen, key, plane, xs, ys, which) {
   pen.mark('path', key, { class: 'mark refused', d: path(plane, xs, ys, which, 'm-2.5-2.5l5 5m0-5l-5 5') })
 }
 
-/** @param {Plane} plane @param {number[]} xs @param {number[]} ys @param {(i: number) => boolean} which @param {string} stroke */
+/**
+ * @param {Plane} plane
+ * @param {number[]} xs
+ * @param {number[]} ys
+ * @param {(i: number) => boolean} which
+ * @param {string} stroke
+ */
 function path({ x, y, box }, xs, ys, which, stroke) {
   let d = ''
   for (let i = 0; i < xs.length; i += 1) {

@@ -1,6 +1,6 @@
 /**
- * Scales from data to pixels, linear and logarithmic, with round ticks. The ticks are those of d3-scale; the rest of d3-scale
- * the figures do not need.
+ * Scales from data to pixels, linear and logarithmic, with round ticks. The ticks are those of d3-scale; the rest of
+ * d3-scale the figures do not need.
  */
 
 import { power } from './numbers.js'
@@ -53,7 +53,12 @@ export function scaleLog(domain, [from, to]) {
   })
 }
 
-/** The step of about `count` ticks: 1, 2 or 5 times a power of ten. @param {number} low @param {number} high @param {number} count */
+/**
+ * The step of about `count` ticks: 1, 2 or 5 times a power of ten.
+ * @param {number} low
+ * @param {number} high
+ * @param {number} count
+ */
 function stepOf(low, high, count) {
   const least = (high - low) / Math.max(1, count)
   const power = Math.floor(Math.log10(least))
@@ -99,7 +104,12 @@ function logTicks(low, high, count) {
   return found.length * 2 < count ? ticks(low, high, count) : found
 }
 
-/** Ticks with the decimals of their step, a true minus and thousands apart. @param {number} low @param {number} high @param {number} count */
+/**
+ * Ticks with the decimals of their step, a true minus and thousands apart.
+ * @param {number} low
+ * @param {number} high
+ * @param {number} count
+ */
 function inWords(low, high, count) {
   const { factor, power: tens } = stepOf(low, high, count)
   const decimals = Math.max(0, -Math.floor(tens + Math.log10(factor)))

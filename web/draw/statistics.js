@@ -1,4 +1,7 @@
-/** What the plots of a filter's consistency share: bands, lines of reference, and the autocorrelation of the innovations. */
+/**
+ * What the plots of a filter's consistency share: bands, lines of reference, and the autocorrelation of the
+ * innovations.
+ */
 
 import { axes, meaning, plane as planeOf } from './plot.js'
 import { rounded } from './scale.js'
@@ -23,7 +26,12 @@ export function rule(pen, { box, y }, key, at) {
   pen.mark('line', `rule-${key}`, { ...meaning('rule'), x1: box.left, x2: box.right, y1: y(at), y2: y(at) })
 }
 
-/** Says why a plot has nothing to show, above a line through its middle. @param {Pen} pen @param {Plane} plane @param {string} words */
+/**
+ * Says why a plot has nothing to show, above a line through its middle.
+ * @param {Pen} pen
+ * @param {Plane} plane
+ * @param {string} words
+ */
 export function empty(pen, { box }, words) {
   pen.text(
     'empty',

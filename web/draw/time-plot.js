@@ -77,7 +77,8 @@ export function timePlot(pen, size, plot) {
   const x = plane.x(plot.steps[plot.steps.length - 1])
   const held = plot.cursor && Math.abs(plane.x(plot.cursor.step) - x) < 3 * HANDLE
   const named = plot.lines.flatMap(({ name }, i) => (name && Number.isFinite(ends[i]) ? [i] : []))
-  // Above the axis, which would strike a name through, and above the handle; where there is little room, nearer to it and to one another.
+  // Above the axis, which would strike a name through, and above the handle; where there is little room, nearer to it
+  // and to one another.
   const between = named.length - 1
   const low = held
     ? box.bottom - HANDLE - 4

@@ -1,10 +1,10 @@
 /**
  * Labels with symbols in them.
  *
- * A label may use a small notation: `*g*_1` is an italic g with the index 1; `_{12}` and `^{⊤}` take more than one letter.
- * A symbol that the notations write with different letters stands under its name in braces, as in `Gain {R}`. Where a letter is a
- * name that has to stay, as in a file's format, `*V*{also V}` adds the reader's own: V (Q). All readings are written into the
- * page, and its style shows one of them.
+ * A label may use a small notation: `*g*_1` is an italic g with the index 1; `_{12}` and `^{⊤}` take more than one
+ * letter. A symbol that the notations write with different letters stands under its name in braces, as in `Gain {R}`.
+ * Where a letter is a name that has to stay, as in a file's format, `*V*{also V}` adds the reader's own: V (Q). All
+ * readings are written into the page, and its style shows one of them.
  */
 
 import { SVG } from './dom.js'
@@ -62,7 +62,10 @@ export function pieces(words) {
   return found
 }
 
-/** The words without their marks, as the name that a screen reader says, in the page's own letters. @param {Words} words */
+/**
+ * The words without their marks, as the name that a screen reader says, in the page's own letters.
+ * @param {Words} words
+ */
 export const plain = (words) => unmarked(readings(words)[0])
 
 /** @param {string} words in the letters of one notation */
@@ -74,7 +77,10 @@ export const unmarked = (words) =>
 /** Words in which a unit stays on the line of its number. @param {string} words */
 export const held = (words) => words.replace(/(?<=\d) (?=(?:%|m|m\/s|m²|s|rad)(?![\p{L}\d]))/gu, '\u00a0')
 
-/** How far a piece of a label is lifted, in letters of the label, and how large its own are: `web/style/ink.css` says the same. */
+/**
+ * How far a piece of a label is lifted, in letters of the label, and how large its own are: `web/style/ink.css` says
+ * the same.
+ */
 const LIFT = { plain: 0, symbol: 0, sub: 0.19, sup: -0.3 }
 const SIZE = { plain: 1, symbol: 1.06, sub: 0.75, sup: 0.75 }
 

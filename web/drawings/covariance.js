@@ -1,6 +1,7 @@
 /**
- * A covariance of two errors as its ellipse: the standard deviations along the axes, the line of the regression of the first error on
- * the second, and the long axis, which is another line. It is the predicted covariance of the Picture's lab as it starts.
+ * A covariance of two errors as its ellipse: the standard deviations along the axes, the line of the regression of the
+ * first error on the second, and the long axis, which is another line. It is the predicted covariance of the Picture's
+ * lab as it starts.
  */
 
 import { fixed } from '../draw/numbers.js'

@@ -1,14 +1,14 @@
 /**
- * What a figure says in words. A screen reader hears what the frame shows once the figure has come to rest. Notes say what
- * became of a button or a link, and every reader sees them.
+ * What a figure says in words. A screen reader hears what the frame shows once the figure has come to rest. Notes say
+ * what became of a button or a link, and every reader sees them.
  */
 
 import { button, focusFirst } from '../draw/dom.js'
 import { plain } from '../draw/words.js'
 
 /**
- * A frame is announced this long after the last change, milliseconds. A run in play changes at every step: there the wait is
- * longer, and counts from the first change.
+ * A frame is announced this long after the last change, milliseconds. A run in play changes at every step: there the
+ * wait is longer, and counts from the first change.
  */
 const PAUSE = 500
 const PAUSE_IN_PLAY = 4000

@@ -1,8 +1,8 @@
 /**
  * Builds native controls with a visible label; screen readers say their value in words.
  *
- * A control shows one parameter and reports the value that the reader chooses. It computes nothing. The lab says how far the
- * parameter goes, and in which steps.
+ * A control shows one parameter and reports the value that the reader chooses. It computes nothing. The lab says how
+ * far the parameter goes, and in which steps.
  */
 
 import { SVG } from '../draw/dom.js'
@@ -18,7 +18,8 @@ import { writeHtml } from '../draw/words.js'
  * @property {'range'} kind
  * @property {string} name the parameter
  * @property {Words} label
- * @property {(value: number, limits: Parameter) => number} [scale] a number of the parameter as one of the slider; the same if not given
+ * @property {(value: number, limits: Parameter) => number} [scale] a number of the parameter as one of the slider; the
+ * same if not given
  * @property {number} [step] in the slider's numbers; the parameter's if not given
  * @property {[number, number]} [ends] of the slider, in its numbers; the parameter's limits if not given
  * @property {boolean} [wide] whether it takes the room of two controls
@@ -70,7 +71,8 @@ import { writeHtml } from '../draw/words.js'
  * @typedef {object} CustomControl what only one figure has, such as the matrices of a system
  * @property {'custom'} kind
  * @property {string} name unique; no parameter
- * @property {(document: Document, change: (patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void) => Shown} build
+ * @property {(document: Document, change: (patch: Record<string, unknown>, make?: (frame: any, lab: any) =>
+ * Record<string, unknown>) => void) => Shown} build
  *
  * @typedef {RangeControl | ChoiceControl | ToggleControl | WholeControl | ActionControl | CustomControl} Control
  */
@@ -145,15 +147,23 @@ function reveal(element, there) {
 }
 
 /**
- * @typedef {{ body: HTMLElement, input: HTMLInputElement | HTMLSelectElement, show: (value: any, frame: any) => void }} Made
- * @type {Record<'range' | 'choice' | 'toggle' | 'whole', (document: Document, control: any, change: (value: unknown) => void, limits: Parameter) => Made>}
+ * @typedef {{ body: HTMLElement, input: HTMLInputElement | HTMLSelectElement, show: (value: any, frame: any) => void }}
+ * Made
+ * @type {Record<'range' | 'choice' | 'toggle' | 'whole', (document: Document, control: any, change: (value: unknown) =>
+ * void, limits: Parameter) => Made>}
  */
 const BUILD = { range, choice, toggle, whole }
 
 /** So many letters have room beside every slider, and from so many values the longest words are found. */
 const [LETTERS, SAMPLES] = [4, 40]
 
-/** @param {Document} document @param {RangeControl} control @param {(value: number) => void} change @param {Parameter} limits @returns {Made} */
+/**
+ * @param {Document} document
+ * @param {RangeControl} control
+ * @param {(value: number) => void} change
+ * @param {Parameter} limits
+ * @returns {Made}
+ */
 function range(document, control, change, limits) {
   const { scale = (/** @type {number} */ value) => value } = control
   const [min, max] = control.ends ?? [scale(limits.least, limits), scale(limits.greatest, limits)]
@@ -176,7 +186,10 @@ function range(document, control, change, limits) {
   const pen = new Pen(notches)
   let said = ''
   let room = 0
-  /** The slider is as wide at one value as at another, or the thumb would run away from the finger. @param {number} letters */
+  /**
+   * The slider is as wide at one value as at another, or the thumb would run away from the finger.
+   * @param {number} letters
+   */
   const keepRoom = (letters) => {
     if (letters <= room) return
     room = letters
@@ -251,7 +264,12 @@ function range(document, control, change, limits) {
   }
 }
 
-/** @param {Document} document @param {ChoiceControl} control @param {(value: unknown) => void} change @returns {Made} */
+/**
+ * @param {Document} document
+ * @param {ChoiceControl} control
+ * @param {(value: unknown) => void} change
+ * @returns {Made}
+ */
 function choice(document, control, change) {
   const input = document.createElement('select')
   for (const [i, { label }] of control.options.entries()) {
@@ -273,7 +291,12 @@ function choice(document, control, change) {
   }
 }
 
-/** @param {Document} document @param {ToggleControl} control @param {(value: unknown) => void} change @returns {Made} */
+/**
+ * @param {Document} document
+ * @param {ToggleControl} control
+ * @param {(value: unknown) => void} change
+ * @returns {Made}
+ */
 function toggle(document, control, change) {
   const { on = true, off = false } = control
   const input = document.createElement('input')
@@ -289,7 +312,13 @@ function toggle(document, control, change) {
   }
 }
 
-/** @param {Document} document @param {WholeControl} _ @param {(value: number) => void} change @param {Parameter} limits @returns {Made} */
+/**
+ * @param {Document} document
+ * @param {WholeControl} _
+ * @param {(value: number) => void} change
+ * @param {Parameter} limits
+ * @returns {Made}
+ */
 function whole(document, _, change, { least, greatest }) {
   const input = document.createElement('input')
   input.setAttribute('type', 'number')

@@ -1,6 +1,7 @@
 /**
- * Draws frames. The first panel, whose handles the reader drags, is drawn in every turn that changes it. Controls, readouts,
- * labels and the other panels follow in the same turn if there is time; on a slow machine they follow one after another.
+ * Draws frames. The first panel, whose handles the reader drags, is drawn in every turn that changes it. Controls,
+ * readouts, labels and the other panels follow in the same turn if there is time; on a slow machine they follow one
+ * after another.
  */
 
 import { STEP_MS, ease } from './motion.js'
@@ -54,7 +55,11 @@ export class Display {
     }
   }
 
-  /** @param {any} frame to be shown @param {any} previous the one a step led from @param {number} beatStart when its animation starts */
+  /**
+   * @param {any} frame to be shown
+   * @param {any} previous the one a step led from
+   * @param {number} beatStart when its animation starts
+   */
   take(frame, previous, beatStart) {
     this.shell.fit(frame)
     this.frame = frame
@@ -103,7 +108,11 @@ export class Display {
     return this.moving
   }
 
-  /** Which half of a step's animation is on the screen, and how far it has come. @param {number} now @returns {import('./spec.js').Beat} */
+  /**
+   * Which half of a step's animation is on the screen, and how far it has come.
+   * @param {number} now
+   * @returns {import('./spec.js').Beat}
+   */
   beat(now) {
     const t = (now - this.beatStart) / (STEP_MS / 2)
     if (t < 1) return { name: 'predict', t: ease(Math.max(0, t)) }
@@ -139,8 +148,8 @@ export class Display {
   }
 
   /**
-   * Draws the other panels where they show an older frame or another size. On a slow machine it draws some of them and leaves
-   * the rest to later turns, so that the first panel follows the hand.
+   * Draws the other panels where they show an older frame or another size. On a slow machine it draws some of them and
+   * leaves the rest to later turns, so that the first panel follows the hand.
    * @param {number} began when this turn began
    * @returns {boolean} whether a panel is left
    */

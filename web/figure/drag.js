@@ -1,6 +1,6 @@
 /**
- * Moves a handle by pointer and keys, as Red Blob Games describes it: the pointer is captured, the handle keeps its distance
- * from the pointer, and only a finger on the handle does not scroll the page.
+ * Moves a handle by pointer and keys, as Red Blob Games describes it: the pointer is captured, the handle keeps its
+ * distance from the pointer, and only a finger on the handle does not scroll the page.
  */
 
 /**

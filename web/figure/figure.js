@@ -1,9 +1,9 @@
 /**
  * The life of a figure: still → loading → live, or failed with a way to try again.
  *
- * It starts when it comes near the screen, and rests while it is far from it or the tab is hidden. Input only notes what the
- * reader asks for. The work is done in one turn for each animation frame: the lab computes, one frame is taken from it, and
- * the panels are drawn.
+ * It starts when it comes near the screen, and rests while it is far from it or the tab is hidden. Input only notes
+ * what the reader asks for. The work is done in one turn for each animation frame: the lab computes, one frame is taken
+ * from it, and the panels are drawn.
  */
 
 import { Display } from './display.js'
@@ -215,7 +215,10 @@ class Figure {
     showFailure(this.host, why, () => this.start())
   }
 
-  /** @param {boolean} [anew] whether the panels are drawn again even at their old size: a scale may have waited for the hand */
+  /**
+   * @param {boolean} [anew] whether the panels are drawn again even at their old size: a scale may have waited for the
+   * hand
+   */
   measure(anew) {
     this.display?.measure(anew)
     this.ask()
@@ -288,7 +291,10 @@ class Figure {
     this.host.dispatchEvent(new Event('frame'))
   }
 
-  /** How long a camera has had to move: before the first picture any time, so that it is in place at once. @param {number} elapsed */
+  /**
+   * How long a camera has had to move: before the first picture any time, so that it is in place at once.
+   * @param {number} elapsed
+   */
   glide(elapsed) {
     if (this.calm.matches) return Infinity
     if (Number.isFinite(elapsed)) return elapsed

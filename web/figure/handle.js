@@ -6,8 +6,8 @@ import { drag } from './drag.js'
 /** @typedef {import('../draw/pen.js').Pen} Pen */
 
 /**
- * Draws a ring with a dot, in a circle of 44 pixels that takes the finger. Draw the handles of a panel last, in a group of their
- * own, so that they keep the focus.
+ * Draws a ring with a dot, in a circle of 44 pixels that takes the finger. Draw the handles of a panel last, in a group
+ * of their own, so that they keep the focus.
  * @param {Pen} pen
  * @param {string} key
  * @param {HandleSpec} handle

@@ -1,8 +1,8 @@
 /** Keeps in place what the reader reads, or has just pressed, while a figure changes its height. */
 
 /**
- * Keeps the upper edge of what is about to grow where it is, if any of it is on the screen. A browser would keep what stands
- * below it and scroll the figure away from under the reader's eyes.
+ * Keeps the upper edge of what is about to grow where it is, if any of it is on the screen. A browser would keep what
+ * stands below it and scroll the figure away from under the reader's eyes.
  * @param {Element} host
  */
 export function keepTop(host) {
@@ -16,8 +16,8 @@ export function keepTop(host) {
 }
 
 /**
- * Until its words are in it, a figure is lower than it was. Chromium 148 scrolls back by that much when the figure stands above the
- * screen, and does not scroll forth again when the words have come.
+ * Until its words are in it, a figure is lower than it was. Chromium 148 scrolls back by that much when the figure
+ * stands above the screen, and does not scroll forth again when the words have come.
  * @param {Element} host @param {number} height
  */
 function keepHeight(host, height) {

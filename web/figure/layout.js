@@ -1,9 +1,10 @@
 /**
- * Where the parts of a figure stand. A widget says which panels share a row, at three widths of the figure; what every figure has
- * follows below them in one order: what to try, controls, readouts, tools. The style sheet chooses by the figure's own width.
+ * Where the parts of a figure stand. A widget says which panels share a row, at three widths of the figure; what every
+ * figure has follows below them in one order: what to try, controls, readouts, tools. The style sheet chooses by the
+ * figure's own width.
  *
- * A row names an area for each column (`'map map ranks'`). On a narrow figure there is one column, and the widget may put the parts
- * that belong to the hand, such as `controls`, before its further panels.
+ * A row names an area for each column (`'map map ranks'`). On a narrow figure there is one column, and the widget may
+ * put the parts that belong to the hand, such as `controls`, before its further panels.
  */
 
 /**

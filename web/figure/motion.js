@@ -44,8 +44,8 @@ export function between(from, to, t) {
 }
 
 /**
- * One axis of a camera. It shows the first range at once. It glides to another range when the present one is too small for the
- * values or much too wide, and otherwise rests.
+ * One axis of a camera. It shows the first range at once. It glides to another range when the present one is too small
+ * for the values or much too wide, and otherwise rests.
  */
 export class Span {
   constructor() {

@@ -2,7 +2,10 @@
 
 import { button, part } from '../draw/dom.js'
 
-/** @typedef {{ step: number, of: number, unit?: string }} Work how far a computation has come, in steps if no unit is given */
+/**
+ * @typedef {{ step: number, of: number, unit?: string }} Work how far a computation has come, in steps if no unit is
+ * given
+ */
 
 /** A computation that is over sooner than this, milliseconds, shows no bar. */
 const PATIENCE = 250

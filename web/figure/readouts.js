@@ -1,6 +1,6 @@
 /**
- * The numbers of a figure: a strip of fixed columns that a large headline opens, a table of those that are read by row and column,
- * and the rest behind “more”. A widget declares readouts in that order; this file lays them out.
+ * The numbers of a figure: a strip of fixed columns that a large headline opens, a table of those that are read by row
+ * and column, and the rest behind “more”. A widget declares readouts in that order; this file lays them out.
  */
 
 import { part } from '../draw/dom.js'
@@ -88,7 +88,11 @@ export class Readouts {
     return list
   }
 
-  /** The line of a row or a column, which gets its head where it is new. @param {'rows' | 'columns'} which @param {Words} words */
+  /**
+   * The line of a row or a column, which gets its head where it is new.
+   * @param {'rows' | 'columns'} which
+   * @param {Words} words
+   */
   place(which, words) {
     const known = this.table[which]
     if (!known.includes(plain(words))) {

@@ -1,6 +1,6 @@
 /**
- * Builds the elements of a figure: its panels, controls, readouts and tools. The same in a reader's browser and, for the
- * stills, in Node, where nothing answers.
+ * Builds the elements of a figure: its panels, controls, readouts and tools. The same in a reader's browser and, for
+ * the stills, in Node, where nothing answers.
  */
 
 import { buildControl } from './controls.js'

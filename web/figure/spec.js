@@ -1,6 +1,6 @@
 /**
- * The types of a widget: plain data and pure functions, in the order state, model, view, controls. `figure/figure.js` runs it in
- * a browser, `figure/still.js` draws it in Node.
+ * The types of a widget: plain data and pure functions, in the order state, model, view, controls. `figure/figure.js`
+ * runs it in a browser, `figure/still.js` draws it in Node.
  */
 
 /** @typedef {Record<string, import('estimate-wasm').Parameter>} Limits what the lab knows of each parameter */
@@ -21,9 +21,11 @@
  * @property {number} [now] `aria-valuenow`; of a handle with two values, the one that Home and End change
  * @property {number} [min]
  * @property {number} [max]
- * @property {(x: number, y: number) => Record<string, unknown>} move pixels in its panel → a change of parameters; `step` among
+ * @property {(x: number, y: number) => Record<string, unknown>} move pixels in its panel → a change of parameters;
+ * `step` among
  *   them is none, the run goes there
- * @property {(dx: number, dy: number) => Record<string, unknown>} nudge what an arrow key changes: (±1, 0) or (0, ±1), y upwards,
+ * @property {(dx: number, dy: number) => Record<string, unknown>} nudge what an arrow key changes: (±1, 0) or (0, ±1),
+ * y upwards,
  *   times 10 with Shift and for the Page keys; the widget decides how far one step goes
  * @property {(end: 'home' | 'end') => Record<string, unknown>} [jump] what Home and End change
  *
@@ -34,7 +36,8 @@
  * @property {Record<string, any>} memory what the figure keeps between two drawings, its cameras; empty at first
  * @property {Limits} limits how far each parameter goes
  * @property {any} aside what has been computed beside the run, as far as it has come; null before
- * @property {(pen: import('../draw/pen.js').Pen, key: string, handle: HandleSpec) => void} handle draws a handle; alive only in a browser
+ * @property {(pen: import('../draw/pen.js').Pen, key: string, handle: HandleSpec) => void} handle draws a handle; alive
+ * only in a browser
  *
  * @typedef {object} PanelSpec
  * @property {string} name
@@ -43,25 +46,32 @@
  * @property {boolean} [handles] whether something in it can be dragged
  * @property {(frame: any) => boolean} [shown] whether it is there; always if not given, and the first panel always is
  * @property {boolean} [aside] whether it shows what is computed beside the run
- * @property {(panel: import('./shell.js').Panel, frame: any, view: View) => boolean | void} draw true while it still moves;
- *   `frame.params` are what the reader has asked for: while a long run is computed the rest of the frame is of the run before
+ * @property {(panel: import('./shell.js').Panel, frame: any, view: View) => boolean | void} draw true while it still
+ * moves;
+ *   `frame.params` are what the reader has asked for: while a long run is computed the rest of the frame is of the run
+ * before
  *
  * @typedef {object} Try
  * @property {string} name unique
  * @property {import('../draw/words.js').Words} label
- * @property {(frame: any, lab: any) => Record<string, unknown>} change parameters, and `step` where the run is to go to one
+ * @property {(frame: any, lab: any) => Record<string, unknown>} change parameters, and `step` where the run is to go to
+ * one
  *
- * @typedef {Widget & import('../widgets/index.js').Listed} FigureSpec a widget, with what the list of figures says of it
+ * @typedef {Widget & import('../widgets/index.js').Listed} FigureSpec a widget, with what the list of figures says of
+ * it
  *
  * @typedef {object} Widget
  * @property {{ params: Record<string, any>, step: number }} start the state it opens in
- * @property {number} [still] the step of the still, which readers without scripts see and paper has; the start's if not given
+ * @property {number} [still] the step of the still, which readers without scripts see and paper has; the start's if not
+ * given
  * @property {import('./layout.js').Layout} layout where the panels stand
  * @property {Try[]} [tries] what to try: phrases that set the figure
  * @property {import('../draw/words.js').Words} [invite] what the button over the first panel says at step 0; it plays
  * @property {number} [lap] play stops at each multiple of so many steps
- * @property {(frame: any) => number} [end] the step that a run has no more behind: play stops there, and begins the run anew from there
- * @property {(id: string, given: string | undefined, spec: FigureSpec) => Promise<Opened>} [open] opens the run where the lab is not in the page
+ * @property {(frame: any) => number} [end] the step that a run has no more behind: play stops there, and begins the run
+ * anew from there
+ * @property {(id: string, given: string | undefined, spec: FigureSpec) => Promise<Opened>} [open] opens the run where
+ * the lab is not in the page
  * @property {Aside} [aside] what is computed beside the run and is no part of its frame
  * @property {string} [log] the log that its lab replays, in the repository
  * @property {boolean} seeded whether `seed` is among the parameters
@@ -69,12 +79,14 @@
  * @property {number} [pace] steps a second at speed 1; 2 if not given
  * @property {number} [stride] steps of one press on Step; 1 if not given
  * @property {boolean} [beats] whether a step is animated in two beats
- * @property {PanelSpec[]} panels the first is the one that the reader watches and drags: it is drawn first in every turn, and its
+ * @property {PanelSpec[]} panels the first is the one that the reader watches and drags: it is drawn first in every
+ * turn, and its
  *   camera may move between two frames
  * @property {(frame: any) => Record<string, string>} describe each panel in words; empty for one that is not there
  * @property {import('./controls.js').Control[]} controls
  * @property {(frame: any) => import('./shell.js').Readout[]} readouts the same keys each time
- * @property {(frame: any) => import('../draw/words.js').Words} [verdict] the state in one sentence, shown; every σ is set as a symbol
+ * @property {(frame: any) => import('../draw/words.js').Words} [verdict] the state in one sentence, shown; every σ is
+ * set as a symbol
  * @property {(frame: any, previous: any) => string} announce what has changed, for screen readers
  * @property {(frame: any) => Record<string, number[]>} series columns of the CSV
  */

@@ -28,8 +28,8 @@ export function withState(address, figure, state) {
 }
 
 /**
- * The state an address holds for a figure: `null` when there is none, `'mangled'` when there is one that cannot be read.
- * The lab itself still decides whether it accepts the parameters.
+ * The state an address holds for a figure: `null` when there is none, `'mangled'` when there is one that cannot be
+ * read. The lab itself still decides whether it accepts the parameters.
  * @param {string} address
  * @param {string} figure
  * @param {string} [lab] any if not given

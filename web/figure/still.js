@@ -1,6 +1,6 @@
 /**
- * Draws a figure's default state in Node, with the same elements and the same drawing code as in a browser. Where the living
- * figure has controls, a still has words.
+ * Draws a figure's default state in Node, with the same elements and the same drawing code as in a browser. Where the
+ * living figure has controls, a still has words.
  */
 
 import { drawHandle } from './handle.js'
@@ -67,8 +67,8 @@ function closed(document, block) {
 }
 
 /**
- * What looks like a control and takes the same room, but is none: a browser lays out every part of a page that holds a form
- * control as soon as the page is read, and a reader's tools would offer what does not answer.
+ * What looks like a control and takes the same room, but is none: a browser lays out every part of a page that holds a
+ * form control as soon as the page is read, and a reader's tools would offer what does not answer.
  * @param {Document} document
  * @param {Element} control
  */

@@ -1,6 +1,6 @@
 /**
- * Runs a lab for a limited time. A step of one lab costs a hundred times that of another, and the cost may grow along a run,
- * so the number of steps in one call follows from how long the last call took.
+ * Runs a lab for a limited time. A step of one lab costs a hundred times that of another, and the cost may grow along a
+ * run, so the number of steps in one call follows from how long the last call took.
  */
 
 /** How long one call of the lab should take, milliseconds: nothing can interrupt a call. */
@@ -38,7 +38,8 @@ export class Pace {
   }
 
   /**
-   * A call may at most double: where the clock is too coarse to see a short call, the number of steps still grows slowly.
+   * A call may at most double: where the clock is too coarse to see a short call, the number of steps still grows
+   * slowly.
    * @param {number} asked
    * @param {number} took milliseconds
    */

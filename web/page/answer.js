@@ -1,4 +1,7 @@
-/** Compares a reader's answer with a question's key. The key stands encoded in the page, so that nobody reads it in passing. */
+/**
+ * Compares a reader's answer with a question's key. The key stands encoded in the page, so that nobody reads it in
+ * passing.
+ */
 
 /** Letters of the longest number that anybody needs to type. */
 export const LONGEST = 40
@@ -16,8 +19,8 @@ export function keyOf({ dataset }) {
 }
 
 /**
- * The verdict on numbers, and which of the well-known wrong answers they are; null when the text holds other than the key
- * asks for.
+ * The verdict on numbers, and which of the well-known wrong answers they are; null when the text holds other than the
+ * key asks for.
  * @param {Key} key
  * @param {string} text
  */
@@ -31,7 +34,11 @@ export function judge({ values = [], unit = '', tolerance = 0, direction = false
   return meets(values) ? { right: true, near: -1 } : { right: false, near: near.findIndex(meets) }
 }
 
-/** The text without the question's unit behind it, with m² also written m^2 or m2. @param {string} text @param {string} unit */
+/**
+ * The text without the question's unit behind it, with m² also written m^2 or m2.
+ * @param {string} text
+ * @param {string} unit
+ */
 function withoutUnit(text, unit) {
   const trimmed = text.trim()
   const written = unit && [unit, unit.replace('²', '^2'), unit.replace('²', '2')].find((one) => trimmed.endsWith(one))
@@ -39,8 +46,8 @@ function withoutUnit(text, unit) {
 }
 
 /**
- * A number whose thousands are parted, without the marks: 6,600 is 6600. It may also be 6.6 with a decimal comma, so a text
- * has both readings, and the key decides.
+ * A number whose thousands are parted, without the marks: 6,600 is 6600. It may also be 6.6 with a decimal comma, so a
+ * text has both readings, and the key decides.
  * @param {string} text
  */
 function ungrouped(text) {
@@ -77,7 +84,10 @@ function unitVector(v) {
   return scaled.map((entry) => entry / length)
 }
 
-/** Numbers between spaces, commas or semicolons; with semicolons or spaces a comma may be a decimal one. @param {string} text */
+/**
+ * Numbers between spaces, commas or semicolons; with semicolons or spaces a comma may be a decimal one.
+ * @param {string} text
+ */
 function vector(text) {
   if (text.length > 8 * LONGEST) return []
   const inner = text

@@ -1,6 +1,6 @@
 /**
- * What the browser keeps of each question: the answer that stands, and how many tries there were until the right one. Both
- * are kept under the question's id and a hash of its content, so a changed question is asked again.
+ * What the browser keeps of each question: the answer that stands, and how many tries there were until the right one.
+ * Both are kept under the question's id and a hash of its content, so a changed question is asked again.
  */
 
 import { forgetAll, recall, remember } from './storage.js'

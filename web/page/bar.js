@@ -1,6 +1,7 @@
 /**
- * A slim bar at the top of the window for a reader who has left the page's head behind: the section, contents, search and letters.
- * It comes when the reader scrolls up, and goes while the reader reads on; it lies over the text and moves nothing.
+ * A slim bar at the top of the window for a reader who has left the page's head behind: the section, contents, search
+ * and letters. It comes when the reader scrolls up, and goes while the reader reads on; it lies over the text and moves
+ * nothing.
  */
 
 import { button, part } from '../draw/dom.js'

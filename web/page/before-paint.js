@@ -1,7 +1,7 @@
 /**
- * Before the first paint: scripts are on, theme and notation are as the reader left them. The text stays hidden for a moment
- * until its fonts are there and, after a reload, until the reader's place is on the screen: so nothing moves once it shows.
- * (The style sheets stand before this script, so the fonts are known.)
+ * Before the first paint: scripts are on, theme and notation are as the reader left them. The text stays hidden for a
+ * moment until its fonts are there and, after a reload, until the reader's place is on the screen: so nothing moves
+ * once it shows. (The style sheets stand before this script, so the fonts are known.)
  */
 
 import { keepPlace } from './place.js'
@@ -17,7 +17,8 @@ try {
   // Without storage the page begins with the usual settings.
 }
 
-// Where a script cannot be fetched the page is as it is without scripts: everything open, and no button that would not answer.
+// Where a script cannot be fetched the page is as it is without scripts: everything open, and no button that would not
+// answer.
 addEventListener(
   'error',
   ({ target }) => {

@@ -61,12 +61,19 @@ function show(row, { passed, words }, time) {
   if (took) took.textContent = milliseconds(time)
 }
 
-/** Browsers round their clocks to a tenth of a millisecond or more, so a short time is only bounded. @param {number} time */
+/**
+ * Browsers round their clocks to a tenth of a millisecond or more, so a short time is only bounded.
+ * @param {number} time
+ */
 function milliseconds(time) {
   return time < 0.05 ? '<\u00a00.1\u00a0ms' : `${fixed(time, 1)}\u00a0ms`
 }
 
-/** Seven significant digits, but none beyond the tolerance, as the book prints the values of the build. @param {number} value @param {number} tolerance */
+/**
+ * Seven significant digits, but none beyond the tolerance, as the book prints the values of the build.
+ * @param {number} value
+ * @param {number} tolerance
+ */
 function short(value, tolerance) {
   const size = Math.abs(value)
   const plain = value === 0 || (size >= 1e-4 && size < 1e6)

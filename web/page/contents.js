@@ -3,7 +3,10 @@
 export function follow() {
   const nav = /** @type {HTMLElement | null} */ (document.querySelector('.toc'))
   if (!nav) return
-  /** The parts of the text with their headings and the links to these. @type {{ part: Element, headings: [Element, HTMLAnchorElement][] }[]} */
+  /**
+   * The parts of the text with their headings and the links to these.
+   * @type {{ part: Element, headings: [Element, HTMLAnchorElement][] }[]}
+   */
   const parts = []
   let known = 0
   /** The script of a page may add an entry of its own, such as that of a report. */
@@ -26,8 +29,8 @@ export function follow() {
   let current
   const update = () => {
     collect()
-    // The box of a part is known before its content is laid out, and the last one that has begun is on the screen: measuring
-    // only its headings makes the browser lay out nothing that it had put off.
+    // The box of a part is known before its content is laid out, and the last one that has begun is on the screen:
+    // measuring only its headings makes the browser lay out nothing that it had put off.
     const begun = parts.filter(({ part }) => above(part))
     const passed = begun
       .pop()

@@ -1,6 +1,6 @@
 /**
- * What a figure's own page and the page around its frame say to each other. The figure tells its height; of all messages that
- * it receives it believes one, the theme, and from the page around it only.
+ * What a figure's own page and the page around its frame say to each other. The figure tells its height; of all
+ * messages that it receives it believes one, the theme, and from the page around it only.
  */
 
 /** The types of the two messages; the page on hosting documents them. */

@@ -1,6 +1,6 @@
 /**
- * Checks what the address says of figures when the page opens, because the figures themselves may be far below. A state that
- * cannot be read, or that the figure's lab refuses, is named at the top of the text.
+ * Checks what the address says of figures when the page opens, because the figures themselves may be far below. A state
+ * that cannot be read, or that the figure's lab refuses, is named at the top of the text.
  */
 
 import { button, part } from '../draw/dom.js'
@@ -31,7 +31,8 @@ export async function links(widgets) {
 }
 
 /**
- * Whether the lab refuses the parameters. If the module cannot be fetched nothing is known, and the figure will say so itself.
+ * Whether the lab refuses the parameters. If the module cannot be fetched nothing is known, and the figure will say so
+ * itself.
  * @param {import('../figure/spec.js').FigureSpec} spec
  * @param {import('../figure/state-in-url.js').State} state
  */

@@ -1,4 +1,6 @@
-/** How the files of a log are read, for correction: what each is, which column holds which value, and in which units. */
+/**
+ * How the files of a log are read, for correction: what each is, which column holds which value, and in which units.
+ */
 
 import { part } from '../draw/dom.js'
 
@@ -45,7 +47,12 @@ export class FileForm {
   showFile(i, { name, role, header, values, ...units }) {
     const set = part(document, this.box, 'fieldset', 'log-file')
     part(document, set, 'legend', '').textContent = name
-    /** @param {string} label @param {[string, string][]} options @param {string} value @param {(value: string) => Change} make */
+    /**
+     * @param {string} label
+     * @param {[string, string][]} options
+     * @param {string} value
+     * @param {(value: string) => Change} make
+     */
     const choice = (label, options, value, make) => {
       const line = part(document, set, 'label', '')
       part(document, line, 'span', '').textContent = label

@@ -107,7 +107,10 @@ export class Report {
   }
 }
 
-/** What a line of the table is called where the figure's name of it leans on its neighbours. @type {Record<string, Words>} */
+/**
+ * What a line of the table is called where the figure's name of it leans on its neighbours.
+ * @type {Record<string, Words>}
+ */
 const ALONE = {
   reckoned: 'RMS error of dead reckoning',
   lag1: 'Autocorrelation at lag 1',

@@ -1,6 +1,7 @@
 /**
- * The page for a log of the reader's own: files are chosen, dropped or pasted and go to the worker of the figure, which reads them.
- * What it has understood is shown for correction, what is wrong is shown where it stands. Nothing is sent anywhere.
+ * The page for a log of the reader's own: files are chosen, dropped or pasted and go to the worker of the figure, which
+ * reads them. What it has understood is shown for correction, what is wrong is shown where it stands. Nothing is sent
+ * anywhere.
  */
 
 import example from '../../content/logs/example.csv'
@@ -20,7 +21,10 @@ const MOST_BYTES = 64_000_000
 const DRAWN_MS = 2000
 /** What pasted rows are called, as a file has its name. */
 const PASTED = 'pasted rows'
-/** Logs of ours, by the name that the page and an address give them. @type {Record<string, { file: string, address: string }>} */
+/**
+ * Logs of ours, by the name that the page and an address give them.
+ * @type {Record<string, { file: string, address: string }>}
+ */
 const EXAMPLES = {
   small: { file: 'example.csv', address: example },
   mower: { file: 'plaza1.csv', address: mower },
@@ -149,7 +153,10 @@ class OwnLog {
     }
   }
 
-  /** The figure's run, once the figure is alive. @returns {Promise<import('../widgets/robot-log/remote-run.js').RemoteRun>} */
+  /**
+   * The figure's run, once the figure is alive.
+   * @returns {Promise<import('../widgets/robot-log/remote-run.js').RemoteRun>}
+   */
   async run() {
     const { figure } = this
     await awaken(figure, WIDGETS)

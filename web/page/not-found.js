@@ -1,6 +1,7 @@
 /**
- * The page for an address that leads nowhere. A host serves it at that very address, at any depth, so it does not know where
- * the book's root is. It asks each folder above it for a file that only the root has, and then points its links there.
+ * The page for an address that leads nowhere. A host serves it at that very address, at any depth, so it does not know
+ * where the book's root is. It asks each folder above it for a file that only the root has, and then points its links
+ * there.
  */
 
 const html = document.documentElement

@@ -1,6 +1,6 @@
 /**
- * The letters of a notation. A page carries its formulas in Choset's letters. The formulas that read differently in another
- * notation are in a file beside the page, which is fetched when a reader first chooses that notation.
+ * The letters of a notation. A page carries its formulas in Choset's letters. The formulas that read differently in
+ * another notation are in a file beside the page, which is fetched when a reader first chooses that notation.
  */
 
 import { PATIENCE_MS } from '../load/timeouts.js'
@@ -9,7 +9,10 @@ const root = document.documentElement
 /** What has been fetched or is on its way. @type {Map<string, Promise<void>>} */
 const coming = new Map()
 
-/** Shows the page in the letters of a notation, unless the reader has chosen another meanwhile. @param {string} notation */
+/**
+ * Shows the page in the letters of a notation, unless the reader has chosen another meanwhile.
+ * @param {string} notation
+ */
 export async function show(notation) {
   if (notation !== 'choset') await here(notation)
   if (root.dataset.notation !== notation) return
@@ -41,12 +44,19 @@ async function fetched(notation) {
   return readings
 }
 
-/** The readings of this page's edition, or none. @param {{ version: string, readings: string[] }} found @returns {{ readings?: string[] }} */
+/**
+ * The readings of this page's edition, or none.
+ * @param {{ version: string, readings: string[] }} found
+ * @returns {{ readings?: string[] }}
+ */
 function matching({ version, readings }) {
   return version === root.dataset.readings ? { readings } : {}
 }
 
-/** The page's own readings out of what was kept for reading offline, after a new edition has come. @param {string} address */
+/**
+ * The page's own readings out of what was kept for reading offline, after a new edition has come.
+ * @param {string} address
+ */
 async function kept(address) {
   if (!('caches' in globalThis)) return undefined
   for (const name of await caches.keys()) {
@@ -60,7 +70,8 @@ async function kept(address) {
 /**
  * The reading of a formula in the page's own letters is its first element; the others stand behind it.
  * @param {string} notation
- * @param {string[]} readings as the book wrote them, by the number in `data-other`; empty where the page's own letters stand
+ * @param {string[]} readings as the book wrote them, by the number in `data-other`; empty where the page's own letters
+ * stand
  */
 function write(notation, readings) {
   const page = readings.map((html) => `<div>${html}</div>`).join('')

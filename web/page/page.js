@@ -1,6 +1,6 @@
 /**
- * Wakes a page: the switches at once, everything else when it is needed. This script may run while the page is still being
- * read, so that the first figure does not wait for the last section.
+ * Wakes a page: the switches at once, everything else when it is needed. This script may run while the page is still
+ * being read, so that the first figure does not wait for the last section.
  */
 
 import { hideFailure, showFailure } from '../figure/failure.js'
@@ -67,7 +67,10 @@ function search() {
   )
 }
 
-/** Brings the script of the questions when one of them, a figure that waits for its answer or the place of the score comes near. */
+/**
+ * Brings the script of the questions when one of them, a figure that waits for its answer or the place of the score
+ * comes near.
+ */
 function questions() {
   const locks = [...document.querySelectorAll('.quiz[data-unlocks]')].map(
     (quiz) => `#${quiz.getAttribute('data-unlocks')}`,
@@ -91,7 +94,11 @@ function withoutQuizzes() {
   for (const quiz of document.querySelectorAll('.quiz')) quiz.setAttribute('data-answered', '')
 }
 
-/** @param {HTMLElement} host @param {boolean} [again] whether the reader asks for it after a failure @returns {Promise<void>} */
+/**
+ * @param {HTMLElement} host
+ * @param {boolean} [again] whether the reader asks for it after a failure
+ * @returns {Promise<void>}
+ */
 async function bring(host, again = false) {
   try {
     const { awaken } = await inTime(import('./figures.js'))

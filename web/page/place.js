@@ -1,7 +1,8 @@
 /**
- * The reader's place, by element. Parts of the text far from the screen have an estimated height until they are laid out, so
- * a number of pixels from the top does not name a place for long; a paragraph does. For each entry of the browser's history
- * the session's store holds which block is at the top of the screen, how far from the edge, and which blocks are unfolded.
+ * The reader's place, by element. Parts of the text far from the screen have an estimated height until they are laid
+ * out, so a number of pixels from the top does not name a place for long; a paragraph does. For each entry of the
+ * browser's history the session's store holds which block is at the top of the screen, how far from the edge, and which
+ * blocks are unfolded.
  */
 
 const KEY = 'places'
@@ -9,18 +10,28 @@ const KEY = 'places'
 const MOST = 50
 /** Pixels below the upper edge of the window: what ends above this line has been read. */
 const LINE = 24
-/** For so many frames after the page has loaded the browser itself may still scroll, to the place that the address names. */
+/**
+ * For so many frames after the page has loaded the browser itself may still scroll, to the place that the address
+ * names.
+ */
 const BROWSER_FRAMES = 3
-/** The place is asserted for this many frames after the page has loaded: fonts and parts nearby still find their sizes. */
+/**
+ * The place is asserted for this many frames after the page has loaded: fonts and parts nearby still find their sizes.
+ */
 const FRAMES = 15
 const PATIENCE_MS = 10_000
 /** What holds blocks; everything else is a block. */
 const HOLDERS =
   'main, article, section, div:not(.scroll-box), ol, ul, li, dl, details, figure, blockquote, table, tbody'
 
-/** @typedef {{ block: string | null, top: number, open: string[] }} Place `block` is null at the very top of the page */
+/**
+ * @typedef {{ block: string | null, top: number, open: string[] }} Place `block` is null at the very top of the page
+ */
 
-/** Begins to note the place, and goes back to a noted one. @returns {Promise<void>} done when the place is on the screen */
+/**
+ * Begins to note the place, and goes back to a noted one.
+ * @returns {Promise<void>} done when the place is on the screen
+ */
 export function keepPlace() {
   try {
     sessionStorage.setItem(`${KEY}:test`, '')
@@ -104,7 +115,8 @@ function blockAt(line) {
 }
 
 /**
- * Where an element stands: the nearest element with a name that holds it, and the way down from there by numbers of children.
+ * Where an element stands: the nearest element with a name that holds it, and the way down from there by numbers of
+ * children.
  * @param {Element} element
  */
 function pathTo(element) {
@@ -129,8 +141,8 @@ function follow(path) {
 let holding = 0
 
 /**
- * Puts a place on the screen as soon as the page has been read that far, and keeps it there until the page has settled or
- * the reader does something.
+ * Puts a place on the screen as soon as the page has been read that far, and keeps it there until the page has settled
+ * or the reader does something.
  * @param {Place} place
  * @returns {Promise<void>}
  */
@@ -155,7 +167,8 @@ function hold({ block, top, open }) {
         for (const path of open) follow(path)?.setAttribute('open', '')
         const element = block === null ? null : follow(block)
         const off = element ? element.getBoundingClientRect().top - top : -scrollY
-        // The place is off by as much as the page has been scrolled: a script, or a reader's tool, wants to be elsewhere.
+        // The place is off by as much as the page has been scrolled: a script, or a reader's tool, wants to be
+        // elsewhere.
         if (Math.abs(off) > 0.5 && left < FRAMES - BROWSER_FRAMES && Math.abs(off + scrollY - last) < 2) left = 0
         else if (Math.abs(off) > 0.5) scrollBy({ top: off, behavior: 'instant' })
         last = scrollY

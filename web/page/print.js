@@ -1,11 +1,15 @@
 /**
- * Before the page is printed every block is unfolded, and the answers go from their questions to the end, where a reader of paper
- * looks them up. Formulas that are wider than a column of paper are set smaller. Afterwards all is as it was.
+ * Before the page is printed every block is unfolded, and the answers go from their questions to the end, where a
+ * reader of paper looks them up. Formulas that are wider than a column of paper are set smaller. Afterwards all is as
+ * it was.
  */
 
 import { part } from '../draw/dom.js'
 
-/** The width of a column of paper, of what is indented in it, and of an equation's number, in letters' heights (web/style/print.css). */
+/**
+ * The width of a column of paper, of what is indented in it, and of an equation's number, in letters' heights
+ * (web/style/print.css).
+ */
 const COLUMN = 26
 const INDENTED = 24.4
 const NUMBER = 2.9
@@ -51,7 +55,10 @@ function answersApart() {
   }
 }
 
-/** What an answer belongs to: an exercise or a question, and of a question in an exercise the exercise's number. @param {Element} answer */
+/**
+ * What an answer belongs to: an exercise or a question, and of a question in an exercise the exercise's number.
+ * @param {Element} answer
+ */
 function nameOf(answer) {
   const [exercise, question] = ['.exercise', '.quiz'].map((kind) => answer.closest(kind))
   const words = (/** @type {Element | null} */ of, /** @type {string} */ parts) =>

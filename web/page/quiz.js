@@ -125,8 +125,8 @@ function focusVerdict(form) {
 }
 
 /**
- * The page is written without forms: Chromium lays out every part of a page that holds one as soon as the page is read, and
- * most questions are far below the screen then. So a question becomes a form when it comes near.
+ * The page is written without forms: Chromium lays out every part of a page that holds one as soon as the page is read,
+ * and most questions are far below the screen then. So a question becomes a form when it comes near.
  * @param {HTMLElement} question
  */
 function asForm(question) {
@@ -177,7 +177,11 @@ function entriesOf(form) {
   return Number(form.querySelector('.quiz-number')?.getAttribute('data-entries') ?? 0)
 }
 
-/** Whether a text is an answer to this question, and if so, whether it is right. @param {HTMLElement} form @param {string} answer */
+/**
+ * Whether a text is an answer to this question, and if so, whether it is right.
+ * @param {HTMLElement} form
+ * @param {string} answer
+ */
 function verdictOn(form, answer) {
   const key = keyOf(form)
   if (form.dataset.kind === 'state') return answer === MET ? { right: true, mine: -1 } : null
@@ -229,7 +233,12 @@ function markChoices(form) {
   }
 }
 
-/** The reader's own reason stands first, and the others are folded. @param {HTMLElement} form @param {number} mine @param {boolean} folded */
+/**
+ * The reader's own reason stands first, and the others are folded.
+ * @param {HTMLElement} form
+ * @param {number} mine
+ * @param {boolean} folded
+ */
 function fold(form, mine, folded) {
   const list = /** @type {Element} */ (form.querySelector('.quiz-reasons'))
   const reasons = [...list.children]
@@ -269,7 +278,11 @@ function forget(form) {
   lock(form, true, () => skip(form.id))
 }
 
-/** The buttons to answer with stand before the verdict, the one to try again behind the answer. @param {HTMLElement} form @param {boolean} answered */
+/**
+ * The buttons to answer with stand before the verdict, the one to try again behind the answer.
+ * @param {HTMLElement} form
+ * @param {boolean} answered
+ */
 function toggle(form, answered) {
   const actions = form.querySelector('.quiz-actions')
   if (actions && answered) form.append(actions)

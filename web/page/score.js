@@ -1,6 +1,7 @@
 /**
- * How far the reader has come with the questions of the chapter: shown at its end, and given out as a file. The chapter's list of
- * exercises knows their questions; the page of the exercises shows how far they are, and leads to the rest.
+ * How far the reader has come with the questions of the chapter: shown at its end, and given out as a file. The
+ * chapter's list of exercises knows their questions; the page of the exercises shows how far they are, and leads to the
+ * rest.
  */
 
 import { save } from '../figure/download.js'

@@ -1,7 +1,7 @@
 /**
- * Makes each box that scrolls sideways reachable by the Tab key, so that it can be scrolled by keys. Boxes that fit stay as they are. A
- * formula that is a little too wide is set a little smaller: cut off at its full stop it would not look as if there were more. What goes on
- * beyond an edge fades out there.
+ * Makes each box that scrolls sideways reachable by the Tab key, so that it can be scrolled by keys. Boxes that fit
+ * stay as they are. A formula that is a little too wide is set a little smaller: cut off at its full stop it would not
+ * look as if there were more. What goes on beyond an edge fades out there.
  */
 
 /** The least size to which a formula is shrunk. */
@@ -46,7 +46,8 @@ export function scrollBoxes() {
 
 /**
  * Marks the edges beyond which a box goes on.
- * @param {HTMLElement} box @param {{ scrollLeft: number, scrollWidth: number, clientWidth: number } | null} sizes null for one that fits
+ * @param {HTMLElement} box
+ * @param {{ scrollLeft: number, scrollWidth: number, clientWidth: number } | null} sizes null for one that fits
  */
 function fade(box, sizes) {
   box.toggleAttribute('data-before', sizes !== null && sizes.scrollLeft > 1)

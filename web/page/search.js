@@ -4,7 +4,10 @@ import MiniSearch from 'minisearch'
 import { part } from '../draw/dom.js'
 import { PATIENCE_MS } from '../load/timeouts.js'
 
-/** @typedef {{ id: string, page: string, of?: string, title: string, section: string, text: string, code?: string }} Entry */
+/**
+ * @typedef {{ id: string, page: string, of?: string, title: string, section: string, text: string, code?: string }}
+ * Entry
+ */
 
 /** Said where there is no index. */
 const NO_INDEX =

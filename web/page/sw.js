@@ -1,7 +1,7 @@
 /**
- * Keeps the whole book for reading offline. Every file of this edition is fetched once, into a store named for the place and
- * the edition. Pages come from the network while it answers, so that a new edition shows at once; files with a hash in their
- * name never change and come from the store.
+ * Keeps the whole book for reading offline. Every file of this edition is fetched once, into a store named for the
+ * place and the edition. Pages come from the network while it answers, so that a new edition shows at once; files with
+ * a hash in their name never change and come from the store.
  *
  * A new edition's worker waits, as browsers have it, until no page of the old one is open, and only then clears the old
  * store: an open page still finds the scripts of its own edition there, which are no longer on the server.
@@ -58,7 +58,10 @@ async function lasting(request) {
   return fetch(request)
 }
 
-/** From the network, unless it fails, takes too long or has nothing but an error: then what is kept. @param {Request} request */
+/**
+ * From the network, unless it fails, takes too long or has nothing but an error: then what is kept.
+ * @param {Request} request
+ */
 async function fresh(request) {
   const network = fetch(request).then(whole)
   const silence = new Promise((resolve) => {
@@ -69,13 +72,19 @@ async function fresh(request) {
   return (await stored(request)) ?? network
 }
 
-/** An answer of which everything has come: a server may send the beginning of a page and then hang. @param {Response} answer */
+/**
+ * An answer of which everything has come: a server may send the beginning of a page and then hang.
+ * @param {Response} answer
+ */
 async function whole(answer) {
   await answer.clone().arrayBuffer()
   return answer
 }
 
-/** A figure's state in the address does not make it another page, and a folder is its index. @param {Request} request */
+/**
+ * A figure's state in the address does not make it another page, and a folder is its index.
+ * @param {Request} request
+ */
 async function stored(request) {
   const store = await caches.open(STORE)
   const plain = request.url.replace(/[?#].*$/, '')

@@ -23,8 +23,8 @@ export function switches() {
 }
 
 /**
- * Shows the letters of a notation. Those that are not the page's own are fetched; until they are here the letters stay as they
- * are, and if the fetch fails, the switch goes back to the page's own and says why.
+ * Shows the letters of a notation. Those that are not the page's own are fetched; until they are here the letters stay
+ * as they are, and if the fetch fails, the switch goes back to the page's own and says why.
  * @param {string} notation
  */
 function bring(notation) {

@@ -1,6 +1,6 @@
 /**
- * Words and numbers explain themselves: a popover shows the gloss of a term or the source of a number, and a coloured word
- * highlights the marks of its colour in the nearest figure.
+ * Words and numbers explain themselves: a popover shows the gloss of a term or the source of a number, and a coloured
+ * word highlights the marks of its colour in the nearest figure.
  */
 
 import { PATIENCE_MS } from '../load/timeouts.js'
@@ -108,7 +108,10 @@ async function entriesOf(caller) {
   return found === LOST ? [lost()] : copies(found, ids)
 }
 
-/** The page that lists the numbers of this one, fetched when a reader first asks for one. @type {Promise<Document> | null} */
+/**
+ * The page that lists the numbers of this one, fetched when a reader first asks for one.
+ * @type {Promise<Document> | null}
+ */
 let listed = null
 const LOST = document.implementation.createHTMLDocument('')
 /** A popover explains at most so many numbers of a formula. */
@@ -176,8 +179,8 @@ function kinOf(element) {
 }
 
 /**
- * The figure nearest to an element. Nothing lies nearer than the part of the text that holds it, and the boxes of the parts
- * are known without laying them out: so only figures in near parts are measured.
+ * The figure nearest to an element. Nothing lies nearer than the part of the text that holds it, and the boxes of the
+ * parts are known without laying them out: so only figures in near parts are measured.
  * @param {Element} element
  * @returns {HTMLElement | null}
  */

@@ -1,4 +1,6 @@
-/** Before the first paint of a figure's own page: scripts are on, and the theme is the one that the address asks for. */
+/**
+ * Before the first paint of a figure's own page: scripts are on, and the theme is the one that the address asks for.
+ */
 
 const root = document.documentElement
 root.classList.add('js')

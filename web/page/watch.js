@@ -5,7 +5,10 @@ import { unmet } from './answer.js'
 
 const EVERY_MS = 400
 
-/** The frame on the screen of a question's figure; null while the figure is not running. @param {HTMLElement} question */
+/**
+ * The frame on the screen of a question's figure; null while the figure is not running.
+ * @param {HTMLElement} question
+ */
 export function frameOf(question) {
   const widget = /** @type {any} */ (
     document.getElementById(question.dataset.figureId ?? '')?.querySelector('.widget') ?? null

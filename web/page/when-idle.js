@@ -1,4 +1,7 @@
-/** What a page does once it is idle: it follows the reader in the contents, explains words, and keeps itself for reading offline. */
+/**
+ * What a page does once it is idle: it follows the reader in the contents, explains words, and keeps itself for reading
+ * offline.
+ */
 
 import { follow } from './contents.js'
 import { offline } from './offline.js'

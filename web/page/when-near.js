@@ -50,8 +50,8 @@ export function onceNear(element, act) {
 }
 
 /**
- * While the page is still being read, its elements are looked for once per frame. The last one found then may be incomplete:
- * an element is complete when something follows it.
+ * While the page is still being read, its elements are looked for once per frame. The last one found then may be
+ * incomplete: an element is complete when something follows it.
  * @param {string} selector
  * @param {(element: Element) => void} act
  */

@@ -1,4 +1,7 @@
-/** The figures: what the list says of each, and its script, which is fetched when the first of its kind comes near the screen. */
+/**
+ * The figures: what the list says of each, and its script, which is fetched when the first of its kind comes near the
+ * screen.
+ */
 
 import { FIGURES } from '../../target/figures.js'
 

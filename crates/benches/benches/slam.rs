@@ -1,5 +1,5 @@
-//! Range–bearing SLAM (§8.4.2): predict and one sighting with n landmarks in the map, the landmark named and associated;
-//! then the exponent with which the time grows from n = 100 to 500.
+//! Range–bearing SLAM (§8.4.2): predict and one sighting with n landmarks in the map, the landmark named and
+//! associated; then the exponent with which the time grows from n = 100 to 500.
 
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criterion_main};
@@ -30,8 +30,8 @@ fn slam(n: u32) -> Option<EkfSlam> {
     Some(slam)
 }
 
-/// Standing still and reading what is expected, a filter can step for ever without leaving its place. Whether the sighting
-/// was matched: a rejected one would cost next to nothing.
+/// Standing still and reading what is expected, a filter can step for ever without leaving its place. Whether the
+/// sighting was matched: a rejected one would cost next to nothing.
 fn step(slam: &mut EkfSlam, reading: &Reading) -> bool {
     let (u, v) = (Vector2::zeros(), Matrix3::identity() * 1e-6);
     let matched = |slam: &mut EkfSlam| {

@@ -1,5 +1,5 @@
-//! A part of a chapter with a page of its own, as the chapter's other pages know it: the chapter lists its exercises, and it shows
-//! the figures of the chapter that its questions ask for.
+//! A part of a chapter with a page of its own, as the chapter's other pages know it: the chapter lists its exercises,
+//! and it shows the figures of the chapter that its questions ask for.
 
 use minijinja::{Value, context};
 
@@ -46,8 +46,8 @@ pub fn asked(site: &Site, texts: &[Vec<Node>]) -> Vec<String> {
 }
 
 impl Writer<'_> {
-    /// The exercises of other pages for a list: each with its questions, whose answers the browser keeps under the same names on
-    /// every page, and with every id that an address may name.
+    /// The exercises of other pages for a list: each with its questions, whose answers the browser keeps under the same
+    /// names on every page, and with every id that an address may name.
     pub(crate) fn exercises(&mut self) -> Value {
         let nodes = self.apart.exercises.clone();
         let listed = nodes.into_iter().map(|node| {

@@ -38,8 +38,8 @@ pub struct Build<'a> {
     pub draft: bool,
 }
 
-/// A page's formulas in the letters of another notation. The page names the version it was built with: it picks its readings
-/// by number, and a tab left open over a deploy would pick them from another page's.
+/// A page's formulas in the letters of another notation. The page names the version it was built with: it picks its
+/// readings by number, and a tab left open over a deploy would pick them from another page's.
 #[derive(Debug, Serialize)]
 struct Readings<'a> {
     version: &'a str,
@@ -158,8 +158,8 @@ impl Pages<'_> {
         Ok(text.figures)
     }
 
-    /// A page for each widget of the text at `slug`, whose name is `from`: its first figure in its usual state, or else its first
-    /// figure.
+    /// A page for each widget of the text at `slug`, whose name is `from`: its first figure in its usual state, or else
+    /// its first figure.
     fn figures(&mut self, slug: &str, from: &str, figures: &[Figure]) -> Result<(), BuildError> {
         let usual = figures.iter().filter(|figure| figure.start.is_none());
         for figure in usual.chain(figures) {

@@ -5,8 +5,8 @@ use minijinja::{Value, context};
 
 use crate::source::Sources;
 
-/// A value in seven significant digits, but none beyond the tolerance, as the page's script prints it too: two values that agree
-/// look alike.
+/// A value in seven significant digits, but none beyond the tolerance, as the page's script prints it too: two values
+/// that agree look alike.
 fn short(value: f64, tolerance: f64) -> String {
     let size = value.abs();
     let finest = (-tolerance.log10() - 1e-9).ceil().clamp(0.0, 12.0) as usize;

@@ -10,8 +10,8 @@ pub struct Highlighter {
     classes: Vec<(Scope, Option<&'static str>)>,
 }
 
-/// Each class and the prefixes of the scopes that get it, none for what stays plain. The longest prefix that fits wins, the
-/// innermost scope first.
+/// Each class and the prefixes of the scopes that get it, none for what stays plain. The longest prefix that fits wins,
+/// the innermost scope first.
 const CLASSES: [(Option<&str>, &str); 10] = [
     (Some("comment"), "comment punctuation.definition.comment"),
     (Some("string"), "string punctuation.definition.string constant.character.escape constant.other.placeholder"),
@@ -43,7 +43,8 @@ impl Highlighter {
         let syntax = syntax.unwrap_or_else(|| self.syntaxes.find_syntax_plain_text());
         let mut state = ParseState::new(syntax);
         let mut stack = ScopeStack::new();
-        // Code in a comment keeps its lines, as the code around it does; the text of a comment goes on in the next line.
+        // Code in a comment keeps its lines, as the code around it does; the text of a comment goes on in the next
+        // line.
         let mut example = false;
         let mut line = |line: &str| {
             let html = self.line(line, &mut state, &mut stack);

@@ -3,8 +3,8 @@
 use crate::attributes::Attributes;
 use crate::diagnostic::{Diagnostics, Place};
 
-/// Each directive: its name, the attributes it must have, those it may have besides, and what a cross-reference calls it. One
-/// that a cross-reference has no word for has no number.
+/// Each directive: its name, the attributes it must have, those it may have besides, and what a cross-reference calls
+/// it. One that a cross-reference has no word for has no number.
 const RULES: [(&str, &str, &str, &str); 17] = [
     ("derivation", "id title", "", "Derivation"),
     ("definition", "term", "id", "Definition"),

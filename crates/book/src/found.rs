@@ -4,7 +4,8 @@ use serde::Serialize;
 
 use crate::html::CODE;
 
-/// Where the words of something that the search finds begin among the words of a page. They go as far as the next begins.
+/// Where the words of something that the search finds begin among the words of a page. They go as far as the next
+/// begins.
 #[derive(Clone, Debug)]
 pub struct Entry {
     /// The id to go to. Several entries of one id are one text.

@@ -15,8 +15,8 @@ use crate::tex::Style;
 use crate::tree::Node;
 use crate::writer::Writer;
 
-/// Classes of words that have no colour of a meaning: a common mistake, told in a box that corrects it, and where a line of an
-/// algorithm comes from.
+/// Classes of words that have no colour of a meaning: a common mistake, told in a box that corrects it, and where a
+/// line of an algorithm comes from.
 const SPANS: [&str; 2] = ["claim", "from"];
 
 impl Writer<'_> {
@@ -37,8 +37,8 @@ impl Writer<'_> {
         self.push(&html);
     }
 
-    /// A formula in the page's own letters, with the index of its other readings where there are any and its computed digits
-    /// marked; and a link to these numbers for the keyboard, if it has any.
+    /// A formula in the page's own letters, with the index of its other readings where there are any and its computed
+    /// digits marked; and a link to these numbers for the keyboard, if it has any.
     pub(crate) fn formula(&mut self, tex: &[Tex], style: Style, place: &Place) -> (String, String) {
         let (tex, ids) = self.tex(tex, place);
         let Some(formula) = self.diagnostics.ok(place, self.site.typesetter.render(&tex, style)) else {

@@ -21,15 +21,15 @@ impl Kept {
         Self::default()
     }
 
-    /// Keeps in `folder` what this program computes: another program, even of the same sources, computes its values anew.
-    /// Nothing is kept where the program cannot be read.
+    /// Keeps in `folder` what this program computes: another program, even of the same sources, computes its values
+    /// anew. Nothing is kept where the program cannot be read.
     pub fn by_this_program(folder: &Path) -> Self {
         let program = std::env::current_exe().and_then(std::fs::read);
         program.map_or_else(|_| Self::nothing(), |bytes| Self { folder: Some(folder.into()), program: fnv1a(&bytes) })
     }
 
-    /// The value called `name`: as kept where `input` is the same, else as computed. A value that cannot be read or written
-    /// (a number that is not finite has no JSON) is computed each time.
+    /// The value called `name`: as kept where `input` is the same, else as computed. A value that cannot be read or
+    /// written (a number that is not finite has no JSON) is computed each time.
     ///
     /// # Errors
     /// What `compute` answers.

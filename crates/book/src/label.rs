@@ -38,8 +38,8 @@ pub const CHECKS: u8 = 13;
 const RESERVED: [&str; 5] = ["main", "search", "footnotes", "glossary", "your-answers"];
 
 impl Labels {
-    /// Numbers everything in `pages`, the sections of the first under `chapter` (no numbers when `None`). What is not a section is
-    /// numbered through all of them.
+    /// Numbers everything in `pages`, the sections of the first under `chapter` (no numbers when `None`). What is not a
+    /// section is numbered through all of them.
     pub fn collect(pages: &[Texts<'_>], chapter: Option<u32>, diagnostics: &Diagnostics) -> Self {
         let mut collector = Collector {
             labels: Self::default(),

@@ -1,10 +1,10 @@
 //! Builds the site from content/, the labs and the compiled sources.
 //!
-//! A page is made in five steps. `scan` takes out of its Markdown what CommonMark does not know and leaves marks; `parse`
-//! builds a tree of CommonMark's elements and these pieces; `label` numbers what the tree holds; `writer` (with `inline`,
-//! `block` and `question`) writes the tree as HTML, and the words for the search beside it; `page` puts both together.
-//! What is wrong with the content is collected in [`Diagnostics`] and reported at once, each complaint with its file and
-//! line.
+//! A page is made in five steps. `scan` takes out of its Markdown what CommonMark does not know and leaves marks;
+//! `parse` builds a tree of CommonMark's elements and these pieces; `label` numbers what the tree holds; `writer` (with
+//! `inline`, `block` and `question`) writes the tree as HTML, and the words for the search beside it; `page` puts both
+//! together. What is wrong with the content is collected in [`Diagnostics`] and reported at once, each complaint with
+//! its file and line.
 
 mod apart;
 mod asset;

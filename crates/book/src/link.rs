@@ -1,5 +1,5 @@
-//! Checks the built site: every link leads to something, every id is given once, every tag is closed, and nothing is fetched
-//! from other sites.
+//! Checks the built site: every link leads to something, every id is given once, every tag is closed, and nothing is
+//! fetched from other sites.
 
 use std::collections::{BTreeMap, BTreeSet};
 

@@ -30,8 +30,8 @@ struct Options {
     /// Refuses a site whose scripts, styles or stills have not been built.
     #[arg(long)]
     strict: bool,
-    /// Writes the list of figures for scripts (`figures.js`, `opened.json`) into this folder, prints the builds of the module that they
-    /// ask for, and builds nothing.
+    /// Writes the list of figures for scripts (`figures.js`, `opened.json`) into this folder, prints the builds of the
+    /// module that they ask for, and builds nothing.
     #[arg(long, value_name = "FOLDER")]
     list: Option<PathBuf>,
     /// Leaves the answers to questions and exercises out; the pages then check nothing.

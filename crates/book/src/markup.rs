@@ -82,7 +82,8 @@ pub fn length(value: f64) -> String {
     format!("{value}em")
 }
 
-/// A length in ems as the page has it: to two decimals, which is a tenth of a pixel, and without a zero before the point.
+/// A length in ems as the page has it: to two decimals, which is a tenth of a pixel, and without a zero before the
+/// point.
 fn short(value: f64) -> String {
     let text = format!("{value:.2}");
     let text = text.trim_end_matches('0').trim_end_matches('.');

@@ -90,8 +90,8 @@ impl Writer<'_> {
         )
     }
 
-    /// The numbers used so far, for a page below this one: what each is, what computes it, and which check pins it. Empty
-    /// where there are none.
+    /// The numbers used so far, for a page below this one: what each is, what computes it, and which check pins it.
+    /// Empty where there are none.
     pub fn numbers(&mut self) -> String {
         let root = format!("../{}", self.root);
         let used: Vec<_> = self.used.numbers.iter().filter_map(|id| self.site.numbers.get(id).ok()).collect();

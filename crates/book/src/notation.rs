@@ -4,8 +4,8 @@ use serde::Deserialize;
 
 use crate::config::Text;
 
-/// The key by which macros, pages and styles know a notation, and its name on the page's switch. The first is the page's own;
-/// the formulas of the others are fetched when a reader chooses one.
+/// The key by which macros, pages and styles know a notation, and its name on the page's switch. The first is the
+/// page's own; the formulas of the others are fetched when a reader chooses one.
 pub const NOTATIONS: [(&str, &str); COUNT] = [("choset", "Choset"), ("thrun", "Thrun"), ("common", "Common")];
 
 /// How many notations there are.

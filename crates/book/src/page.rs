@@ -59,7 +59,8 @@ pub fn files(root: &Path, folder: &str) -> Result<Vec<(String, String)>, BuildEr
     names.map(|name| Ok((format!("{folder}/{name}"), file::read(&folder_path.join(name))?))).collect()
 }
 
-/// The pages of a chapter, each with its address and its files: the chapter itself, and its parts with pages of their own.
+/// The pages of a chapter, each with its address and its files: the chapter itself, and its parts with pages of their
+/// own.
 ///
 /// # Errors
 /// As [`files`].
@@ -83,8 +84,8 @@ pub fn text(
     texts(site, &[(address.to_string(), files.to_vec())], chapter, diagnostics).remove(0)
 }
 
-/// Renders the pages of a chapter, each given by its address and files. The first has the chapter's sections; the others are parts
-/// with pages of their own. What is referred to is found on any of them.
+/// Renders the pages of a chapter, each given by its address and files. The first has the chapter's sections; the
+/// others are parts with pages of their own. What is referred to is found on any of them.
 pub fn texts(site: &Site, pages: &[Sources], chapter: Option<u32>, diagnostics: &Diagnostics) -> Vec<Text> {
     let parse = |(path, text): &(String, String)| parse(text, &Place::new(path.clone(), 1), diagnostics);
     let parsed: Vec<Vec<Vec<Node>>> = pages.iter().map(|(_, files)| files.iter().map(parse).collect()).collect();
@@ -140,7 +141,8 @@ fn one<'a>(
     }
 }
 
-/// The name of a part of a text: its file's, without folder, order and ending. `web/build/heights.json` knows it by this name.
+/// The name of a part of a text: its file's, without folder, order and ending. `web/build/heights.json` knows it by
+/// this name.
 fn part(path: &str) -> &str {
     let name = path.rsplit('/').next().unwrap_or(path).trim_end_matches(".md");
     name.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start_matches('-')

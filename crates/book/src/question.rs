@@ -1,7 +1,7 @@
-//! A question: without scripts the answer opens on demand, with them it waits for the reader's own. A book built without
-//! answers asks, and neither checks nor tells. The page's script makes the controls when the question comes near the screen: a
-//! browser lays out every part of the page that holds a form control as soon as the page is read, however far below the
-//! screen it is.
+//! A question: without scripts the answer opens on demand, with them it waits for the reader's own. A book built
+//! without answers asks, and neither checks nor tells. The page's script makes the controls when the question comes
+//! near the screen: a browser lays out every part of the page that holds a form control as soon as the page is read,
+//! however far below the screen it is.
 
 use minijinja::{Value, context};
 

@@ -1,7 +1,8 @@
 //! How long a text takes: to read, and to work its exercises.
 //!
-//! Adults read non-fiction at 238 words a minute in the mean of 190 studies (M. Brysbaert, "How many words do we read per minute?",
-//! Journal of Memory and Language 109, 2019). For what is not words no such mean is known. Those rates are ours, and round.
+//! Adults read non-fiction at 238 words a minute in the mean of 190 studies (M. Brysbaert, "How many words do we read
+//! per minute?", Journal of Memory and Language 109, 2019). For what is not words no such mean is known. Those rates
+//! are ours, and round.
 
 use serde::Serialize;
 

@@ -1,6 +1,6 @@
-//! The first pass over a Markdown text: every [`Piece`] is taken out and replaced by a mark, so that the rules of CommonMark
-//! (tables, emphasis, smart quotes) do not apply inside it. A piece in a line becomes a private-use character pair around an
-//! index, a piece on a line of its own becomes an HTML comment.
+//! The first pass over a Markdown text: every [`Piece`] is taken out and replaced by a mark, so that the rules of
+//! CommonMark (tables, emphasis, smart quotes) do not apply inside it. A piece in a line becomes a private-use
+//! character pair around an index, a piece on a line of its own becomes an HTML comment.
 
 use crate::attributes::Attributes;
 use crate::diagnostic::{Diagnostics, Place};

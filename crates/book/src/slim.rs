@@ -1,8 +1,9 @@
 //! KaTeX's answer made slim: the same picture from a third of the elements.
 //!
-//! In the half that is drawn, elements go that no style rule mentions, spaces become margins of the sign beside them, and an
-//! exponent or index that stands alone becomes one `sup` or `sub` where KaTeX lays out a table of seven boxes. The half that
-//! is read is `mathml`'s. What is one symbol is text (`symbol`). `formulas.css` knows the elements this makes.
+//! In the half that is drawn, elements go that no style rule mentions, spaces become margins of the sign beside them,
+//! and an exponent or index that stands alone becomes one `sup` or `sub` where KaTeX lays out a table of seven boxes.
+//! The half that is read is `mathml`'s. What is one symbol is text (`symbol`). `formulas.css` knows the elements this
+//! makes.
 
 mod known;
 mod letters;
@@ -115,8 +116,8 @@ fn draw(element: &mut Element, strict: bool) {
     join(&mut element.children);
 }
 
-/// Turns each empty box that keeps a distance into a margin of a sign beside it: of an operator if there is one, else of the
-/// sign before.
+/// Turns each empty box that keeps a distance into a margin of a sign beside it: of an operator if there is one, else
+/// of the sign before.
 fn spaced(children: Vec<Node>) -> Vec<Node> {
     let mut out: Vec<Node> = Vec::with_capacity(children.len());
     let mut children = children.into_iter().peekable();
@@ -189,12 +190,12 @@ fn sign(node: &mut Node) -> Option<&mut Element> {
     sign.then_some(element)
 }
 
-/// How far a line of KaTeX's letters reaches above and below its foot, in ems: ascent 0.903 and descent 0.272 of the face,
-/// with the rest of the line height of 1.2 on both sides alike.
+/// How far a line of KaTeX's letters reaches above and below its foot, in ems: ascent 0.903 and descent 0.272 of the
+/// face, with the rest of the line height of 1.2 on both sides alike.
 const LINE: (f64, f64) = (0.915, 0.284);
 
-/// Replaces a base's strut by its height and depth as properties: the style sheet draws such a box before the base. A strut that
-/// reaches no farther than the line does goes.
+/// Replaces a base's strut by its height and depth as properties: the style sheet draws such a box before the base. A
+/// strut that reaches no farther than the line does goes.
 fn strut(base: &mut Element) {
     if !base.has("katex-base") {
         return;

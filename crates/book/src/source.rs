@@ -59,7 +59,8 @@ impl Sources {
         self.files.insert(path.into(), text.into());
     }
 
-    /// Path and text of each file as its page shows it: a book without answers has empty lines where an exercise is solved.
+    /// Path and text of each file as its page shows it: a book without answers has empty lines where an exercise is
+    /// solved.
     pub fn pages(&self, answers: bool) -> impl Iterator<Item = (&str, Cow<'_, str>)> {
         self.iter().map(move |(path, text)| (path, if answers { text.into() } else { without_answers(text).into() }))
     }

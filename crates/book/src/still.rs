@@ -18,7 +18,8 @@ pub struct Still {
     pub svg: String,
     /// Description for those who do not see it.
     pub words: String,
-    /// The same with its panels in a file of their own, for figures that a page's first view does not show; a drawing has none.
+    /// The same with its panels in a file of their own, for figures that a page's first view does not show; a drawing
+    /// has none.
     pub apart: Option<Apart>,
 }
 
@@ -51,7 +52,8 @@ impl Apart {
 /// The stills, by widget; by figure where one opens in a state of its own.
 pub type Stills = BTreeMap<String, Still>;
 
-/// Reads each `<name>.svg` and `<name>.txt` of `folder`; one of a widget or a drawing that is missing is an error when `strict`.
+/// Reads each `<name>.svg` and `<name>.txt` of `folder`; one of a widget or a drawing that is missing is an error when
+/// `strict`.
 ///
 /// # Errors
 /// [`BuildError`] when a file is missing under `strict`, or cannot be read.

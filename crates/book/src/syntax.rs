@@ -104,8 +104,8 @@ pub fn formula(tex: &str) -> Result<Vec<Tex>, String> {
     Ok(parts)
 }
 
-/// The statements of a displayed formula: what `\qquad` parts outside of all braces and environments. Where a line has no room for
-/// all of them, a page puts them below one another.
+/// The statements of a displayed formula: what `\qquad` parts outside of all braces and environments. Where a line has
+/// no room for all of them, a page puts them below one another.
 pub fn statements(tex: &[Tex]) -> Vec<Vec<Tex>> {
     let (mut statements, mut statement, mut depth) = (Vec::new(), Vec::new(), 0);
     for part in tex {

@@ -82,7 +82,8 @@ impl Formula {
         &self.readings[0]
     }
 
-    /// In the letters of the other notations, if any of these reads differently: empty where one reads as the page's own.
+    /// In the letters of the other notations, if any of these reads differently: empty where one reads as the page's
+    /// own.
     pub fn others(&self) -> Option<Vec<String>> {
         let (own, others) = self.readings.split_first()?;
         let html = |reading: &Reading| if reading == own { String::new() } else { reading.html.clone() };

@@ -49,8 +49,8 @@ pub struct Writer<'a> {
     pub entries: Vec<Entry>,
     /// Used so far.
     pub used: Used,
-    /// Formulas in the letters of the other notations, where any of these differs, with their index on the page; `None` for a
-    /// page that has its own letters alone.
+    /// Formulas in the letters of the other notations, where any of these differs, with their index on the page; `None`
+    /// for a page that has its own letters alone.
     pub readings: Option<HashMap<Vec<String>, usize>>,
     /// The words of the page for the search, without tags.
     pub words: String,

@@ -1,5 +1,5 @@
-//! The museum of bugs over many seeds: the bands of the right filter, the symptoms of each bug, and whether the bugs are told apart
-//! by the symptom table alone.
+//! The museum of bugs over many seeds: the bands of the right filter, the symptoms of each bug, and whether the bugs
+//! are told apart by the symptom table alone.
 
 use chapter_kalman::ensembles::{FIGURES, PANELS, SEEDS, Sight, Spread, Symptoms, diagnosed, museum_runs};
 use labs::Bug;

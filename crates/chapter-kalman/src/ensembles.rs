@@ -1,5 +1,5 @@
-//! Statistics over 500 seeds, beside which the chapter quotes single runs. They are computed natively only; in the page a check
-//! is a single run.
+//! Statistics over 500 seeds, beside which the chapter quotes single runs. They are computed natively only; in the page
+//! a check is a single run.
 
 mod fits;
 mod loops;

@@ -9,8 +9,8 @@ use sim::scenarios::{
     LINEAR_SLAM, LinearSlam, PROBE, PROBLEM_9, Probe, Problem9, RANGE_BEARING_SLAM, RangeBearingSlam,
 };
 
-/// The chapter's chosen constants. What [`crate::numbers`] computes comes from one of these, but for what is said of the
-/// odometry hook and of the Probe's seeds: those are runs of the labs themselves, on `sim::scenarios`.
+/// The chapter's chosen constants. What [`crate::numbers`] computes comes from one of these, but for what is said of
+/// the odometry hook and of the Probe's seeds: those are runs of the labs themselves, on `sim::scenarios`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Givens {
     /// The rail robot with its velocity sensor (Choset §8.2.6).

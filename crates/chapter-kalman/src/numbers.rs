@@ -39,7 +39,8 @@ pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
     Ok(listing.numbers)
 }
 
-/// All numbers, and those of the ensembles too, which take some seconds on an optimized build: each topic has a thread to itself.
+/// All numbers, and those of the ensembles too, which take some seconds on an optimized build: each topic has a thread
+/// to itself.
 ///
 /// # Errors
 /// As [`numbers`].

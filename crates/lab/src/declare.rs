@@ -2,8 +2,8 @@
 
 use crate::text::Text;
 
-/// Declares plain structs: each field has a doc comment and a type that is [`Plain`](crate::Plain). TypeScript calls a field by its name in
-/// camelCase, or by the name in `#[name = "…"]`. Their interfaces are the constant `INTERFACES`.
+/// Declares plain structs: each field has a doc comment and a type that is [`Plain`](crate::Plain). TypeScript calls a
+/// field by its name in camelCase, or by the name in `#[name = "…"]`. Their interfaces are the constant `INTERFACES`.
 #[macro_export]
 macro_rules! record {
     ($($(#[doc = $about:literal])+ $(#[derive($($derived:ident),*)])?
@@ -23,8 +23,8 @@ macro_rules! record {
     };
 }
 
-/// Declares a lab's parameters: `name: type = default, from least to greatest by step in "unit"`. The default is one token,
-/// or stands in parentheses. A number without limits may be any finite one, a whole number any below 2³².
+/// Declares a lab's parameters: `name: type = default, from least to greatest by step in "unit"`. The default is one
+/// token, or stands in parentheses. A number without limits may be any finite one, a whole number any below 2³².
 #[macro_export]
 macro_rules! params {
     ($(#[doc = $about:literal])+ pub struct $name:ident {

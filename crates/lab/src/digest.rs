@@ -1,8 +1,8 @@
 //! The hash of a run.
 
-/// A hash of the bits of the numbers a run computes, in their order: for each, a multiplication by an odd constant and a
-/// fold of the high half into the low one. Both can be undone, so that two runs that differ in one number never agree at
-/// it. It works on whole words, because a replay hashes thousands of numbers between two pictures.
+/// A hash of the bits of the numbers a run computes, in their order: for each, a multiplication by an odd constant and
+/// a fold of the high half into the low one. Both can be undone, so that two runs that differ in one number never agree
+/// at it. It works on whole words, because a replay hashes thousands of numbers between two pictures.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Digest(u64);
 

@@ -6,8 +6,8 @@ use crate::shape::{Plain, Shape};
 use estimate::Error;
 use std::any::Any;
 
-/// What is known of a lab before there is one. With [`Experiment`] it lets one piece of code serve all labs, where a generic
-/// one would be compiled for each.
+/// What is known of a lab before there is one. With [`Experiment`] it lets one piece of code serve all labs, where a
+/// generic one would be compiled for each.
 #[derive(Debug)]
 pub struct Kind {
     /// The lab's name in links and stored states.

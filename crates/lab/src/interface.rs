@@ -3,8 +3,8 @@
 use crate::parameter::Parameter;
 use crate::shape::{Plain, Shape};
 
-/// What an interface of TypeScript says beside its shape. It is kept apart from the shape, so that no program carries these
-/// words.
+/// What an interface of TypeScript says beside its shape. It is kept apart from the shape, so that no program carries
+/// these words.
 pub struct About {
     /// A record.
     pub shape: Shape,

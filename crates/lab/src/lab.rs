@@ -5,8 +5,8 @@ use crate::parameter::Params;
 use crate::shape::Plain;
 use estimate::{Code, Error};
 
-/// The last step a lab runs to. A replay from there takes several frames of the page, the Probe's many: the cap bounds how
-/// long a call lasts, which nothing can interrupt.
+/// The last step a lab runs to. A replay from there takes several frames of the page, the Probe's many: the cap bounds
+/// how long a call lasts, which nothing can interrupt.
 pub const MAX_STEP: u32 = 100_000;
 
 /// What restores a lab: its parameters and its step.
@@ -30,7 +30,8 @@ pub trait Lab: Clone {
     const INTERFACES: &'static [&'static [About]];
     /// The last step that a run can reach.
     const LAST_STEP: u32 = MAX_STEP;
-    /// What it stands on that is none of its parameters: nothing, `()`, or something from outside, as the log of a robot.
+    /// What it stands on that is none of its parameters: nothing, `()`, or something from outside, as the log of a
+    /// robot.
     type World: Clone;
     /// What a reader can change, with limits and defaults.
     type Params: Params + Interface;
@@ -66,21 +67,23 @@ pub trait Lab: Clone {
     /// The present frame.
     fn frame(&self) -> Self::Frame;
 
-    /// A hash of what the run has recorded at every step, bit for bit: truth, readings, estimates, covariances, and their
-    /// comparison.
+    /// A hash of what the run has recorded at every step, bit for bit: truth, readings, estimates, covariances, and
+    /// their comparison.
     fn digest(&self) -> u64;
 
     /// `n` steps.
     ///
     /// # Errors
-    /// [`Code::Limit`] when `n` is 0 or leads past [`Lab::LAST_STEP`], or whatever the core answers. The lab is then as it was.
+    /// [`Code::Limit`] when `n` is 0 or leads past [`Lab::LAST_STEP`], or whatever the core answers. The lab is then as
+    /// it was.
     fn run(&mut self, n: u32) -> Result<(), Error> {
         let last = Self::LAST_STEP;
         if n == 0 || n > last.saturating_sub(self.steps()) {
             let message = format!("is {n}; it must be at least 1, and the run ends at step {last}");
             return Err(Error::new(Code::Limit, "n", message));
         }
-        // The lab is copied, although it could be replayed: a replay can take a hundred thousand times as long as the refused step.
+        // The lab is copied, although it could be replayed: a replay can take a hundred thousand times as long as the
+        // refused step.
         let before = self.clone();
         (0..n).try_for_each(|_| self.advance()).inspect_err(|_| *self = before)
     }
@@ -160,7 +163,8 @@ macro_rules! named {
     };
 }
 
-/// What a [`Lab`] says that keeps `params`, `step` and `digest` in fields of these names, and stands on its parameters alone.
+/// What a [`Lab`] says that keeps `params`, `step` and `digest` in fields of these names, and stands on its parameters
+/// alone.
 #[macro_export]
 macro_rules! kept {
     () => {

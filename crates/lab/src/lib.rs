@@ -1,8 +1,9 @@
 //! What every experiment stands on: one declaration for what it takes and what it hands out, and its run.
 //!
-//! A lab's parameters (`params!`), its frame (`record!`) and the words of its choices (`words!`) are declared once. From the
-//! declaration come the Rust type, its limits and defaults, its TypeScript with the doc comments, and its [`Shape`], by which
-//! one function for all labs reads and writes its values. A new parameter is one line in its declaration, and its use in the lab.
+//! A lab's parameters (`params!`), its frame (`record!`) and the words of its choices (`words!`) are declared once.
+//! From the declaration come the Rust type, its limits and defaults, its TypeScript with the doc comments, and its
+//! [`Shape`], by which one function for all labs reads and writes its values. A new parameter is one line in its
+//! declaration, and its use in the lab.
 //!
 //! A lab is a function of its parameters (the seed is one) and its step, to the last bit; see [`Lab`].
 

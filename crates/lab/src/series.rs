@@ -67,7 +67,8 @@ record! {
         pub y: VecDeque<f64>,
     }
 
-    /// Where the robot was and where it believed to be; positions within a millimetre of the lines between others are left out.
+    /// Where the robot was and where it believed to be; positions within a millimetre of the lines between others are
+    /// left out.
     #[derive(Default)]
     pub struct Tracks {
         /// True positions.
@@ -84,8 +85,9 @@ impl Track {
         keep_number(&mut self.y, y, most);
     }
 
-    /// The same course in fewer positions, the first and the last among them. Each that is left out lies within a millimetre of
-    /// the lines between those kept, a small part of a pixel in every figure (Ramer 1972; Douglas and Peucker 1973).
+    /// The same course in fewer positions, the first and the last among them. Each that is left out lies within a
+    /// millimetre of the lines between those kept, a small part of a pixel in every figure (Ramer 1972; Douglas and
+    /// Peucker 1973).
     pub fn outlined(&self) -> Self {
         let points: Vec<[f64; 2]> = self.x.iter().zip(&self.y).map(|(x, y)| [*x, *y]).collect();
         let mut kept = vec![false; points.len()];

@@ -1,7 +1,7 @@
 //! Plain values as a row of numbers, beside a constant that says what the numbers are.
 //!
-//! A view wants objects, a program JSON, a hash bits: each reads the row along the [`Shape`], so that one function serves all
-//! frames where a generic one would be compiled for each.
+//! A view wants objects, a program JSON, a hash bits: each reads the row along the [`Shape`], so that one function
+//! serves all frames where a generic one would be compiled for each.
 
 use nalgebra::DVector;
 use std::collections::VecDeque;

@@ -23,8 +23,8 @@ pub const fn written(mut groups: &[&[&[About]]]) -> Text<60_000> {
     text
 }
 
-/// The class of the lab `L`, which JavaScript calls `class`; `world` is the type of what it stands on, empty where that is nothing.
-/// What all labs do is in the interface `Lab`, which is left to whoever includes this.
+/// The class of the lab `L`, which JavaScript calls `class`; `world` is the type of what it stands on, empty where that
+/// is nothing. What all labs do is in the interface `Lab`, which is left to whoever includes this.
 pub const fn class<L: Lab>(class: &str, world: &str) -> Text<1_000> {
     let (Shape::Record(params, _), Shape::Record(frame, _)) = (L::Params::SHAPE, L::Frame::SHAPE) else {
         panic!("parameters and frame are records")

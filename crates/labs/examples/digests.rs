@@ -1,5 +1,6 @@
-//! Runs each lab for 10,000 steps (that of the log for as many rows), as it opens and as a reader may set it, and prints the hash of
-//! every number it records, for the test that compares this machine's own code with wasm in Node and in browsers.
+//! Runs each lab for 10,000 steps (that of the log for as many rows), as it opens and as a reader may set it, and
+//! prints the hash of every number it records, for the test that compares this machine's own code with wasm in Node and
+//! in browsers.
 
 mod world;
 

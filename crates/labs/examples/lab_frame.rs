@@ -1,6 +1,6 @@
 //! Reads a lab's state from standard input, in the form a copied link carries it (`[version, lab, step, parameters]`),
-//! and prints the frame this machine's own code computes for it, for the test that compares every readout of a figure in
-//! the page with it. A number that is not finite is printed as null.
+//! and prints the frame this machine's own code computes for it, for the test that compares every readout of a figure
+//! in the page with it. A number that is not finite is printed as null.
 
 mod world;
 

@@ -1,5 +1,5 @@
-//! How many rows of the mower's log are replayed in a second natively: by the filter alone, and by the lab, which replays dead
-//! reckoning beside it and keeps what the figure shows. One round, as JSON, for `scripts/bench-log.mjs`.
+//! How many rows of the mower's log are replayed in a second natively: by the filter alone, and by the lab, which
+//! replays dead reckoning beside it and keeps what the figure shows. One round, as JSON, for `scripts/bench-log.mjs`.
 
 use estimate::drive::{Replay, Settings};
 use lab::Lab;

@@ -66,8 +66,8 @@ fn ekf() -> f64 {
     if sound { ns } else { f64::NAN }
 }
 
-/// The same by the checked localizer, from a log at rest, every reading as expected: a filter can replay it for ever without
-/// leaving its place.
+/// The same by the checked localizer, from a log at rest, every reading as expected: a filter can replay it for ever
+/// without leaving its place.
 fn localizer() -> f64 {
     let (belief, v) = (DMatrix::identity(3, 3) * 0.01, DMatrix::identity(3, 3) * 1e-4);
     let belief = Belief { x: DVector::from_vec(vec![1.5, 1.5, 0.0]), p: belief };

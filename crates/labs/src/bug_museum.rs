@@ -1,5 +1,5 @@
-//! A museum of bugs: a robot on a stadium, and a filter that is right but for the bugs that the reader, or the lot, has put into
-//! it. The wrong code is put together here from the parts of the core.
+//! A museum of bugs: a robot on a stadium, and a filter that is right but for the bugs that the reader, or the lot, has
+//! put into it. The wrong code is put together here from the parts of the core.
 
 mod bands;
 mod ensemble;

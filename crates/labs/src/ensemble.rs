@@ -19,7 +19,8 @@ impl Spread {
         Self { sorted }
     }
 
-    /// The value at or below which a share `p` of all lies, by nearest rank: always the value of one run. NaN when empty.
+    /// The value at or below which a share `p` of all lies, by nearest rank: always the value of one run. NaN when
+    /// empty.
     pub fn percentile(&self, p: f64) -> f64 {
         let last = self.sorted.len().saturating_sub(1) as f64;
         self.sorted.get(libm::round(p.clamp(0.0, 1.0) * last) as usize).copied().unwrap_or(f64::NAN)
@@ -61,8 +62,8 @@ impl Spread {
     }
 }
 
-/// Each seed's answer, computed on as many threads as the machine offers, in the order of the seeds: nothing depends on how many
-/// threads there are.
+/// Each seed's answer, computed on as many threads as the machine offers, in the order of the seeds: nothing depends on
+/// how many threads there are.
 ///
 /// # Errors
 /// The first error of any seed.

@@ -3,9 +3,9 @@
 use crate::*;
 use lab::{Figure, Kind};
 
-/// Hands the list of figures to the macro `$with`: `labs::figures!(with)`. A line names the module and the lab, the build of the module that has
-/// its class (`figures` is at hand when a page opens, any other is fetched when such a figure comes near), what a lab stands on that
-/// is none of its parameters, and the name that its addresses had before.
+/// Hands the list of figures to the macro `$with`: `labs::figures!(with)`. A line names the module and the lab, the
+/// build of the module that has its class (`figures` is at hand when a page opens, any other is fetched when such a
+/// figure comes near), what a lab stands on that is none of its parameters, and the name that its addresses had before.
 #[macro_export]
 macro_rules! figures {
     ($with:ident) => {

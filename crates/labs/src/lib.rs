@@ -1,7 +1,8 @@
-//! The experiments of the page as plain Rust: each lab takes a few parameters and answers with one frame of plain values.
+//! The experiments of the page as plain Rust: each lab takes a few parameters and answers with one frame of plain
+//! values.
 //!
-//! A lab is a function of its parameters (the seed is one) and its step, to the last bit; see [`lab::Lab`]. What figures there are
-//! is listed once, in [`figures!`].
+//! A lab is a function of its parameters (the seed is one) and its step, to the last bit; see [`lab::Lab`]. What
+//! figures there are is listed once, in [`figures!`].
 
 pub mod bug_museum;
 pub mod ensemble;
@@ -27,7 +28,8 @@ pub use shapes::{BenchBelief, ellipse_of, inside};
 pub use true_path::TruePath;
 pub use typescript::TYPESCRIPT;
 
-/// What the folders of the figures hand out. The folders are named above, one by one: `cargo fmt` does not look into macros for them.
+/// What the folders of the figures hand out. The folders are named above, one by one: `cargo fmt` does not look into
+/// macros for them.
 macro_rules! handed_out {
     ($($module:ident::$lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
         $(pub use $module::*;)*

@@ -1,4 +1,5 @@
-//! The corridor's loop: a robot of short reach founds landmarks on its way round, and sees the first ones again at the end.
+//! The corridor's loop: a robot of short reach founds landmarks on its way round, and sees the first ones again at the
+//! end.
 //!
 //! The cross-covariances tie the far end of the map to its beginning. The wrong filter, whose cross-covariances are
 //! dropped after every step, is put together here from the right one.

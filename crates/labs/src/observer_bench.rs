@@ -20,8 +20,8 @@ use std::sync::OnceLock;
 const DIVERGED: f64 = 1e6;
 /// Iterations granted to R∞. The velocity sensor's P never converges; its gain converges long before the last of them.
 const STEADY_ITERATIONS: usize = 500;
-/// R∞ of each sensor's system, once for all runs: a reader who turns the knob asks for it at every move. A run whose system is
-/// another computes its own.
+/// R∞ of each sensor's system, once for all runs: a reader who turns the knob asks for it at every move. A run whose
+/// system is another computes its own.
 static STEADY: [OnceLock<(Lti<U2, U1, U1>, Vector2<f64>)>; 2] = [const { OnceLock::new() }; 2];
 
 /// The lab.
@@ -222,8 +222,8 @@ impl ObserverBench {
     }
 }
 
-/// The setting of the knob that moves the predicted output as far as the gain `k` does: HK / HR∞. Both products are shares
-/// of the innovation and have no units, so the ratio is the same in metres and in millimetres.
+/// The setting of the knob that moves the predicted output as far as the gain `k` does: HK / HR∞. Both products are
+/// shares of the innovation and have no units, so the ratio is the same in metres and in millimetres.
 pub fn equivalent_knob(system: &Lti<U2, U1, U1>, k: &Vector2<f64>, steady: &Vector2<f64>) -> f64 {
     (system.h * k)[0] / (system.h * steady)[0]
 }

@@ -93,7 +93,8 @@ impl Lab for OwnSystem {
         let kicks = root_v * draw(&mut self.noise, root_v.ncols());
         let truth = &system.f * &self.truth + &system.g * &u + kicks;
         let y = &system.h * &truth + root_w * draw(&mut self.noise, root_w.ncols());
-        // A step that has no answer is one out of every bound: what can be wrong with the system itself was refused at the start.
+        // A step that has no answer is one out of every bound: what can be wrong with the system itself was refused at
+        // the start.
         let Ok(filter) = kalman_step(system, &self.filter, &u, &y) else { return self.stop() };
         let estimate = match self.params.gain {
             GainBy::Filter => filter.posterior.clone(),

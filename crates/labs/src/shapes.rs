@@ -17,7 +17,8 @@ pub fn ellipse_of(p: &Matrix2<f64>) -> Ellipse {
     Ellipse::from_covariance(p, 1.0)
 }
 
-/// The probability that a Gaussian of two states gives to its ellipse of so many standard deviations, 1 − exp(−radius²/2).
+/// The probability that a Gaussian of two states gives to its ellipse of so many standard deviations, 1 −
+/// exp(−radius²/2).
 pub fn inside(radius: f64) -> f64 {
     1.0 - libm::exp(-0.5 * radius * radius)
 }

@@ -1,5 +1,5 @@
-//! The covariance of a localizer whose Jacobians are taken on the true path. No noise is drawn, so it depends on no seed: the
-//! chapter quotes its trace as that of the Probe, and the figure draws it as the reference.
+//! The covariance of a localizer whose Jacobians are taken on the true path. No noise is drawn, so it depends on no
+//! seed: the chapter quotes its trace as that of the Probe, and the figure draws it as the reference.
 
 use estimate::Landmark;
 use estimate::landmarks::{RangeBearing, RangeOnly};

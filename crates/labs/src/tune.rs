@@ -1,5 +1,5 @@
-//! Tune me: a log of the rail robot whose noise levels are hidden, a filter whose noise levels the reader chooses, and what the
-//! log itself says about them.
+//! Tune me: a log of the rail robot whose noise levels are hidden, a filter whose noise levels the reader chooses, and
+//! what the log itself says about them.
 
 pub(crate) mod frame;
 mod log;
@@ -27,8 +27,8 @@ const LAGS: usize = 20;
 /// The most rows or columns of a map of the likelihood.
 pub const MAX_MAP_SIZE: usize = 200;
 
-/// The bands of means of NIS: a quantile is an iteration, and these never change. From one number of readings to the next a
-/// fifth is added.
+/// The bands of means of NIS: a quantile is an iteration, and these never change. From one number of readings to the
+/// next a fifth is added.
 static BANDS: LazyLock<Vec<TuneBand>> = LazyLock::new(|| {
     let next = |readings: &u32| Some(readings + 1 + readings / 5).filter(|n| *n <= 1000);
     core::iter::successors(Some(1), next).filter_map(|readings| band(readings).ok()).collect()
@@ -172,12 +172,13 @@ impl Tune {
         log_likelihood(&system(logs), &self.log.belief, &self.log.entries)
     }
 
-    /// One row of a map of the log-likelihood over all that the filter's noise levels can be: `columns` values of log q at one
-    /// of `rows` values of log W, each at the middle of its cell; row 0 has the least W. A map is filled row by row, so that
-    /// whoever fills it can show how far it has come, and stop.
+    /// One row of a map of the log-likelihood over all that the filter's noise levels can be: `columns` values of log q
+    /// at one of `rows` values of log W, each at the middle of its cell; row 0 has the least W. A map is filled row by
+    /// row, so that whoever fills it can show how far it has come, and stop.
     ///
     /// # Errors
-    /// [`Code::Limit`] naming `rows` or `columns` beyond 200, or `row`, which must be below `rows`; whatever the filter answers.
+    /// [`Code::Limit`] naming `rows` or `columns` beyond 200, or `row`, which must be below `rows`; whatever the filter
+    /// answers.
     pub fn likelihood_row(&self, row: usize, rows: usize, columns: usize) -> Result<Vec<f64>, Error> {
         let rows = validate::count(rows, MAX_MAP_SIZE, "rows")?;
         let columns = validate::count(columns, MAX_MAP_SIZE, "columns")?;

@@ -14,7 +14,11 @@ import { FIGURES, outside, shown } from './words.js'
 /** How wide a share is, with the dot beside it, pixels. */
 const SHARE = 38
 
-/** The autocorrelation of range and bearing at each lag, beside each other. @param {Panel} panel @param {Frame} frame */
+/**
+ * The autocorrelation of range and bearing at each lag, beside each other.
+ * @param {Panel} panel
+ * @param {Frame} frame
+ */
 export function drawCorrelation({ pen, width, height }, { correlationRange, correlationBearing, correlationBand }) {
   const box = { left: 46, top: 26, right: width - 30, bottom: height - 38 }
   const all = [...correlationRange, ...correlationBearing]
@@ -42,8 +46,8 @@ export function drawCorrelation({ pen, width, height }, { correlationRange, corr
 }
 
 /**
- * A row for each figure, on the lab's scale: the right filter's 95 % band and, lighter, its 99 % band, the run's value, and the runs of the
- * seeds as bars, with how many of them lie to either side.
+ * A row for each figure, on the lab's scale: the right filter's 95 % band and, lighter, its 99 % band, the run's value,
+ * and the runs of the seeds as bars, with how many of them lie to either side.
  * @param {Panel} panel @param {Frame} frame
  */
 export function drawFigures({ pen, width, height }, frame) {
@@ -102,7 +106,14 @@ export function drawFigures({ pen, width, height }, frame) {
   })
 }
 
-/** A bar for each part of a scale, on one base; the highest is as high as there is room. @param {number[]} counts @param {number} left @param {number} right @param {number} base @param {number} high */
+/**
+ * A bar for each part of a scale, on one base; the highest is as high as there is room.
+ * @param {number[]} counts
+ * @param {number} left
+ * @param {number} right
+ * @param {number} base
+ * @param {number} high
+ */
 function bars(counts, left, right, base, high) {
   const [wide, most] = [(right - left) / counts.length, Math.max(...counts)]
   const bar = (/** @type {number} */ count, /** @type {number} */ i) =>

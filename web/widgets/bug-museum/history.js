@@ -16,7 +16,12 @@ import { drawCrosses, drawPoints } from '../../draw/points.js'
 const CHI2 = [0.01, 1e4]
 const DEGREES = 180 / Math.PI
 
-/** Strips one below the other, over the steps that the frame has. @param {Panel} panel @param {Frame} frame @param {{ title: Words, up: [number, number], log?: boolean, paint: (pen: Pen, plane: Plane) => void }[]} strips */
+/**
+ * Strips one below the other, over the steps that the frame has.
+ * @param {Panel} panel
+ * @param {Frame} frame
+ * @param {{ title: Words, up: [number, number], log?: boolean, paint: (pen: Pen, plane: Plane) => void }[]} strips
+ */
 function draw({ pen, width, height }, { series }, strips) {
   const [first, last] = [series.step[0] ?? 0, Math.max(series.step[series.step.length - 1] ?? 0, 20)]
   const high = (height - 18) / strips.length
@@ -35,7 +40,11 @@ function draw({ pen, width, height }, { series }, strips) {
   )
 }
 
-/** The same scale without ticks: those of the last strip serve all. @param {import('../../draw/plot.js').Scale} x @returns {import('../../draw/plot.js').Scale} */
+/**
+ * The same scale without ticks: those of the last strip serve all.
+ * @param {import('../../draw/plot.js').Scale} x
+ * @returns {import('../../draw/plot.js').Scale}
+ */
 const bare = (x) => Object.assign((/** @type {number} */ value) => x(value), x, { ticks: () => [] })
 
 /** @param {number[]} values @param {number} least @returns {[number, number]} */

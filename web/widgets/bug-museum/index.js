@@ -1,6 +1,6 @@
 /**
- * The museum of bugs: an extended Kalman filter that is right but for the bugs that the reader switches on, or that the lot hides in
- * it. By which panels is each of them seen?
+ * The museum of bugs: an extended Kalman filter that is right but for the bugs that the reader switches on, or that the
+ * lot hides in it. By which panels is each of them seen?
  */
 
 import { fixed } from '../../draw/numbers.js'
@@ -84,7 +84,8 @@ function readouts({ figures, driven, steps, seeds, params }) {
 // Controls: the switches, and what it takes to hide a bug and to name it.
 
 const fresh = { guess: 'none', secondGuess: 'none', committed: false }
-// The switches and the names to guess take turns in the same places: a hidden bug has no switch, and without one there is nothing to name.
+// The switches and the names to guess take turns in the same places: a hidden bug has no switch, and without one there
+// is nothing to name.
 const open = (/** @type {Frame} */ { params }) => params.lot === 0
 const drawn = (/** @type {Frame} */ { params }) => params.lot !== 0
 const hidden = (/** @type {any} */ { lot, committed }) => lot !== 0 && !committed
@@ -92,8 +93,8 @@ const hidden = (/** @type {any} */ { lot, committed }) => lot !== 0 && !committe
 const nextSeed = (/** @type {{ seed: number }} */ { seed }) => (seed % 4294967295) + 1
 
 /**
- * The next draw of the lot, in another run: a bug that has been told is not known again by its picture. Whoever gives a bug up unnamed
- * begins to count anew. @param {boolean} pair
+ * The next draw of the lot, in another run: a bug that has been told is not known again by its picture. Whoever gives a
+ * bug up unnamed begins to count anew. @param {boolean} pair
  */
 const draw =
   (pair) =>
@@ -218,7 +219,8 @@ export const figure = {
     { name: 'covariance', width: 460, height: 260, draw: drawCovariance },
   ],
   layout: {
-    // The switches stand at the figures of the run, which are what a bug changes, and at what is said of a name; the plots that explain it follow.
+    // The switches stand at the figures of the run, which are what a bug changes, and at what is said of a name; the
+    // plots that explain it follow.
     narrow: [
       'map',
       'figures',

@@ -6,7 +6,11 @@ import { dot, ellipseLevel, ellipsePath, meaning, scaleBar, segment, seriesPath 
 
 /** @typedef {import('estimate-wasm').MuseumFrame} Frame */
 
-/** @param {import('../../figure/shell.js').Panel} panel @param {Frame} frame @param {import('../../figure/spec.js').View} view */
+/**
+ * @param {import('../../figure/shell.js').Panel} panel
+ * @param {Frame} frame
+ * @param {import('../../figure/spec.js').View} view
+ */
 export function drawMap({ pen, width, height }, frame, view) {
   const { landmarks, tracks, truth, estimate, ellipse, sighting } = frame
   const box = { left: 4, top: 4, right: width - 4, bottom: height - 4 }

@@ -5,7 +5,10 @@ import { fixed } from '../../draw/numbers.js'
 /** @typedef {import('estimate-wasm').MuseumFrame} Frame */
 /** @typedef {import('estimate-wasm').MuseumFigure} Figure */
 
-/** Each bug: its name in a list, and why its panels look as they do. @type {Record<string, { name: string, why: string }>} */
+/**
+ * Each bug: its name in a list, and why its panels look as they do.
+ * @type {Record<string, { name: string, why: string }>}
+ */
 export const BUGS = {
   none: { name: 'none', why: '' },
   'unwrapped-innovation': {
@@ -64,7 +67,11 @@ export const BUGS = {
 
 export const NAMES = Object.entries(BUGS).map(([value, { name }]) => ({ value, label: name }))
 
-/** The figures of a run, in the order of the frame: name, unit and decimals. @type {{ name: string, label: import('../../draw/words.js').Words, unit?: string, decimals: number, factor?: number }[]} */
+/**
+ * The figures of a run, in the order of the frame: name, unit and decimals.
+ * @type {{ name: string, label: import('../../draw/words.js').Words, unit?: string, decimals: number, factor?: number
+ * }[]}
+ */
 export const FIGURES = [
   { name: 'rms', label: 'RMS error', unit: 'm', decimals: 3 },
   { name: 'forward', label: 'mean forward error', unit: 'm', decimals: 3 },

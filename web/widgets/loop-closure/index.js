@@ -1,6 +1,6 @@
 /**
- * Close the loop: SLAM around the corridor with a sensor of short reach. What the far end of the map knows of its beginning is in the
- * cross-covariances, and a switch drops them.
+ * Close the loop: SLAM around the corridor with a sensor of short reach. What the far end of the map knows of its
+ * beginning is in the cross-covariances, and a switch drops them.
  */
 
 import { fixed } from '../../draw/numbers.js'
@@ -74,7 +74,12 @@ function readouts({ step, nees, meanNees, error, series, map, thresholds, closur
 
 // Controls.
 
-/** A slider over powers of ten: its numbers are the logarithms. @param {'gate' | 'found'} name @param {string} label @returns {import('../../figure/controls.js').Control} */
+/**
+ * A slider over powers of ten: its numbers are the logarithms.
+ * @param {'gate' | 'found'} name
+ * @param {string} label
+ * @returns {import('../../figure/controls.js').Control}
+ */
 const threshold = (name, label) => ({
   kind: 'range',
   name,

@@ -41,7 +41,11 @@ export function drawMap({ pen, width, height }, frame, view) {
   return moving
 }
 
-/** What has to be seen: the true landmarks, the map, the estimate and what it sights. @param {Frame} frame @param {number} axis */
+/**
+ * What has to be seen: the true landmarks, the map, the estimate and what it sights.
+ * @param {Frame} frame
+ * @param {number} axis
+ */
 export function seen({ landmarks, map, estimate, sightings, tracks }, axis) {
   const at = axis ? 'y' : 'x'
   return [
@@ -74,7 +78,12 @@ function drawTracks(pen, plane, { tracks }) {
   })
 }
 
-/** The map: each landmark with its ellipse, a ghost with a cross. @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+/**
+ * The map: each landmark with its ellipse, a ghost with a cross.
+ * @param {Pen} pen
+ * @param {Plane} plane
+ * @param {Frame} frame
+ */
 function drawLandmarks(pen, plane, frame) {
   const spooky = ghosts(frame)
   for (const { id, x, y, ellipse } of frame.map.landmarks) {
@@ -86,7 +95,12 @@ function drawLandmarks(pen, plane, frame) {
   }
 }
 
-/** The gates of this step, and each sighting as a line from the predicted pose to where it puts its landmark. @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+/**
+ * The gates of this step, and each sighting as a line from the predicted pose to where it puts its landmark.
+ * @param {Pen} pen
+ * @param {Plane} plane
+ * @param {Frame} frame
+ */
 function drawSightings(pen, plane, { gates, sightings, predicted }) {
   for (const { id, x, y } of gates)
     pen.mark('path', `gate${id}`, { ...meaning('outline gate', 'prediction'), d: `${seriesPath(plane, x, y)}Z` })

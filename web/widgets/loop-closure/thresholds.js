@@ -14,7 +14,11 @@ const STEP = 1.05
 /** How many of the last sightings are drawn. */
 const LAST = 240
 
-/** @param {import('../../figure/shell.js').Panel} panel @param {Frame} frame @param {import('../../figure/spec.js').View} view */
+/**
+ * @param {import('../../figure/shell.js').Panel} panel
+ * @param {Frame} frame
+ * @param {import('../../figure/spec.js').View} view
+ */
 export function drawThresholds({ pen, width, height }, frame, view) {
   const { params, series, sightings } = frame
   const box = { left: 12, top: 26, right: width - 12, bottom: height - 46 }
@@ -75,7 +79,13 @@ export function drawThresholds({ pen, width, height }, frame, view) {
   })
 }
 
-/** What becomes of a sighting in each part of the axis, where the part has room for the word. @param {import('../../draw/pen.js').Pen} pen @param {import('../../draw/plot.js').Box} box @param {number} gate @param {number} found */
+/**
+ * What becomes of a sighting in each part of the axis, where the part has room for the word.
+ * @param {import('../../draw/pen.js').Pen} pen
+ * @param {import('../../draw/plot.js').Box} box
+ * @param {number} gate
+ * @param {number} found
+ */
 function drawNames(pen, { left, right, top, bottom }, gate, found) {
   const y = top + (bottom - top) / 2 + 4
   const parts = /** @type {[string, number, number, string][]} */ ([

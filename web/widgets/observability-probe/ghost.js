@@ -1,4 +1,7 @@
-/** The ghost, which starts elsewhere and drives the same ticks: what it reads beside what the robot reads, both without noise. */
+/**
+ * The ghost, which starts elsewhere and drives the same ticks: what it reads beside what the robot reads, both without
+ * noise.
+ */
 
 import { fixed } from '../../draw/numbers.js'
 import { timePlot } from '../../draw/time-plot.js'
@@ -33,7 +36,12 @@ export function drawBearings(panel, frame) {
   ])
 }
 
-/** @param {Panel} panel @param {Frame} frame @param {string} title @param {(readings: import('estimate-wasm').GhostReadings) => number[][]} pick */
+/**
+ * @param {Panel} panel
+ * @param {Frame} frame
+ * @param {string} title
+ * @param {(readings: import('estimate-wasm').GhostReadings) => number[][]} pick
+ */
 function draw(panel, { ghost, series }, title, pick) {
   panel.pen.draw(
     (pen) =>

@@ -22,7 +22,8 @@ export function drawTrace(panel, { series }) {
 }
 
 /**
- * NEES or NIS with its band. The band of NIS is that of its degrees of freedom, which change where a sighting is not used.
+ * NEES or NIS with its band. The band of NIS is that of its degrees of freedom, which change where a sighting is not
+ * used.
  * @param {Panel} panel @param {Frame} frame @param {'nees' | 'nis'} which
  */
 export function drawConsistency(panel, { series, bands }, which) {

@@ -1,6 +1,6 @@
 /**
- * The Observability Probe: Rusty drives a square in room A and localizes itself by landmarks that the reader places. Which
- * directions of its pose do the readings see, frozen at this pose and along the path driven?
+ * The Observability Probe: Rusty drives a square in room A and localizes itself by landmarks that the reader places.
+ * Which directions of its pose do the readings see, frozen at this pose and along the path driven?
  */
 
 import { fixed, power } from '../../draw/numbers.js'
@@ -37,7 +37,12 @@ function verdict(frame) {
   return `${what}, ${alongPath.rank} along the last ${alongPath.steps === 1 ? 'step' : `${alongPath.steps} steps`}. ${ofTheRanks(params.count, frozen.rank, alongPath)}`
 }
 
-/** What two ranks of three say together. @param {number} count @param {number} frozen @param {import('estimate-wasm').ProbeRanks} path */
+/**
+ * What two ranks of three say together.
+ * @param {number} count
+ * @param {number} frozen
+ * @param {import('estimate-wasm').ProbeRanks} path
+ */
 function ofTheRanks(count, frozen, { rank, relative }) {
   const directions = (/** @type {number} */ many) => `${NUMBERS[many]} ${many === 1 ? 'direction' : 'directions'}`
   if (rank === 3)
@@ -149,7 +154,12 @@ function readouts({ frozen, alongPath, trace, mean, slam, step, ghost }) {
 
 const degree = Math.PI / 180
 
-/** A dial of the ghost, in degrees. @param {string} name @param {import('../../draw/words.js').Words} label @returns {import('../../figure/controls.js').Control} */
+/**
+ * A dial of the ghost, in degrees.
+ * @param {string} name
+ * @param {import('../../draw/words.js').Words} label
+ * @returns {import('../../figure/controls.js').Control}
+ */
 const dial = (name, label) => ({
   kind: 'range',
   name,

@@ -6,8 +6,9 @@
 const NEAR = 1e-6
 
 /**
- * The points of the track's first lap from the first corner of the square on, so that its dashes stay where they are while it is
- * driven again; all of a track that is no whole lap. The ghost's track has its corners where the robot's has them.
+ * The points of the track's first lap from the first corner of the square on, so that its dashes stay where they are
+ * while it is driven again; all of a track that is no whole lap. The ghost's track has its corners where the robot's
+ * has them.
  * @param {Track} track @param {Track} truth @param {number[][]} square
  */
 export function lap({ x, y }, truth, square) {

@@ -20,7 +20,11 @@ import { lap } from './lap.js'
 /** @typedef {import('../../draw/pen.js').Pen} Pen */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
 
-/** @param {import('../../figure/shell.js').Panel} panel @param {Frame} frame @param {import('../../figure/spec.js').View} view */
+/**
+ * @param {import('../../figure/shell.js').Panel} panel
+ * @param {Frame} frame
+ * @param {import('../../figure/spec.js').View} view
+ */
 export function drawMap({ pen, width, height }, frame, view) {
   const box = { left: 6, top: 6, right: width - 6, bottom: height - 6 }
   const plane = evenPlane(box, [frame.room.width / 2, frame.room.height / 2], 3.35)

@@ -1,4 +1,6 @@
-/** Singular values over the largest, on a logarithmic scale against the tolerance: what counts as seen, and by how much. */
+/**
+ * Singular values over the largest, on a logarithmic scale against the tolerance: what counts as seen, and by how much.
+ */
 
 import { power } from '../../draw/numbers.js'
 import { scaleLog } from '../../draw/plot.js'

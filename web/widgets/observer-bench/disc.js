@@ -46,9 +46,12 @@ export function drawDisc({ pen, width, height }, frame) {
 }
 
 /**
- * What the names keep clear of: the rim, the real axis and its ticks, and the name of an eigenvalue that stays at 1, which stands outside
- * the circle as near as the panel has room.
- * @param {import('../../draw/pen.js').Pen} pen @param {import('../../draw/plot.js').Plane} plane @param {Frame} frame @param {number} width
+ * What the names keep clear of: the rim, the real axis and its ticks, and the name of an eigenvalue that stays at 1,
+ * which stands outside the circle as near as the panel has room.
+ * @param {import('../../draw/pen.js').Pen} pen
+ * @param {import('../../draw/plot.js').Plane} plane
+ * @param {Frame} frame
+ * @param {number} width
  * @returns {import('../../draw/plot.js').Box[]}
  */
 function free(pen, { x, y, box }, frame, width) {

@@ -1,6 +1,6 @@
 /**
- * The phase plane, seen from the truth: where prediction, the reading's line and the estimate stand against the true state. An
- * arrow leads from the prediction to the estimate: the correction, which the knob makes longer or shorter.
+ * The phase plane, seen from the truth: where prediction, the reading's line and the estimate stand against the true
+ * state. An arrow leads from the prediction to the estimate: the correction, which the knob makes longer or shorter.
  */
 
 import { clear, drawLabels, widthOf } from '../../draw/labels.js'
@@ -153,7 +153,10 @@ function names(pen, { box, x, y }, frame, { orange, purple, reading }) {
   drawLabels(pen, box, labels, [clear(at(orange.x), 5), clear(at(purple.x), 5), clear(at([0, 0]), 6)])
 }
 
-/** Points of an ellipse's outline. @param {{ x: number[], ellipse: import('estimate-wasm').BenchBelief['ellipse'] }} belief */
+/**
+ * Points of an ellipse's outline.
+ * @param {{ x: number[], ellipse: import('estimate-wasm').BenchBelief['ellipse'] }} belief
+ */
 function outline({ x, ellipse: { semiMajor, semiMinor, angle } }) {
   const [c, s] = [Math.cos(angle), Math.sin(angle)]
   return Array.from({ length: 48 }, (_, i) => {

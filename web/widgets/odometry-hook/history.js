@@ -1,4 +1,7 @@
-/** Error against claimed σ over the last ticks, and the bias of the wheel where it is a state. A cursor stands at the tick that the map shows; the reader moves the robot by it. */
+/**
+ * Error against claimed σ over the last ticks, and the bias of the wheel where it is a state. A cursor stands at the
+ * tick that the map shows; the reader moves the robot by it.
+ */
 
 import { timePlot } from '../../draw/time-plot.js'
 import { learned } from './bias.js'
@@ -35,7 +38,12 @@ export function drawHeading(panel, frame, view) {
   )
 }
 
-/** The learned bias within one σ on either side, and the true one. @param {Panel} panel @param {Frame} frame @param {View} view */
+/**
+ * The learned bias within one σ on either side, and the true one.
+ * @param {Panel} panel
+ * @param {Frame} frame
+ * @param {View} view
+ */
 export function drawWheel(panel, frame, view) {
   const { series, params } = farthest(frame, view)
   const within = (/** @type {number} */ sigmas) =>
@@ -72,7 +80,12 @@ const cursorAt = ({ step }, view) => ({
   view,
 })
 
-/** The frame whose curves are drawn: of one run the one that has come farthest, so that a reader can go back and on again. @param {Frame} frame @param {View} view */
+/**
+ * The frame whose curves are drawn: of one run the one that has come farthest, so that a reader can go back and on
+ * again.
+ * @param {Frame} frame
+ * @param {View} view
+ */
 function farthest(frame, { memory }) {
   const run = JSON.stringify(frame.params)
   if (memory.run !== run || !(memory.far?.step >= frame.step) || memory.far.series.step[0] > frame.step)
@@ -81,7 +94,14 @@ function farthest(frame, { memory }) {
   return memory.far
 }
 
-/** @param {Panel} panel @param {Frame} frame @param {View} view @param {string} title @param {(series: Frame['series']) => number[][]} pick @param {number} least */
+/**
+ * @param {Panel} panel
+ * @param {Frame} frame
+ * @param {View} view
+ * @param {string} title
+ * @param {(series: Frame['series']) => number[][]} pick
+ * @param {number} least
+ */
 function draw(panel, frame, view, title, pick, least) {
   const { series } = farthest(frame, view)
   const [error, sigma] = pick(series)

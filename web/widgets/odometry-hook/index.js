@@ -151,7 +151,11 @@ const controls = [
   { kind: 'toggle', name: 'learn', label: 'learn the wheel’s bias' },
 ]
 
-/** A lap of the usual wheel on encoders alone, but for what is said. @param {Record<string, unknown>} [but] @returns {import('../../figure/spec.js').Try['change']} */
+/**
+ * A lap of the usual wheel on encoders alone, but for what is said.
+ * @param {Record<string, unknown>} [but]
+ * @returns {import('../../figure/spec.js').Try['change']}
+ */
 const lap = (but) => () => ({ bias: 0.005, fixes: false, learn: false, step: LAP, ...but })
 
 /** @type {import('../../figure/spec.js').Try[]} */
@@ -162,7 +166,10 @@ const tries = [
   { name: 'learn', label: 'Learn the wheel', change: lap({ fixes: true, learn: true }) },
 ]
 
-/** Two plots are as high as the map, and so are three: what stands below stays where it is when the third comes. @param {Frame} frame */
+/**
+ * Two plots are as high as the map, and so are three: what stands below stays where it is when the third comes.
+ * @param {Frame} frame
+ */
 const tall = ({ wheel }) => (wheel ? 410 / 3 : 205)
 
 /** @type {import('../../figure/spec.js').Widget} */

@@ -45,7 +45,11 @@ export function drawMap({ pen, width, height }, frame, view) {
   return moving
 }
 
-/** What has to be seen: the estimate with its ellipse, the course with its corridor, and the estimate's track. @param {Frame} frame @param {number} axis */
+/**
+ * What has to be seen: the estimate with its ellipse, the course with its corridor, and the estimate's track.
+ * @param {Frame} frame
+ * @param {number} axis
+ */
 function seen({ world, tracks, estimate, ellipse }, axis) {
   const at = axis ? 'y' : 'x'
   const half = halves(ellipse)[axis] + 0.5
@@ -103,7 +107,12 @@ function drawTracks(pen, plane, frame) {
   pen.mark('path', 'ellipse', { ...meaning('outline', kin), d: ellipsePath(frame.ellipse, frame.estimate, plane) })
 }
 
-/** A corner is read in one tick: the line stays for a second and fades; dashed where the filter does not use it. @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+/**
+ * A corner is read in one tick: the line stays for a second and fades; dashed where the filter does not use it.
+ * @param {Pen} pen
+ * @param {Plane} plane
+ * @param {Frame} frame
+ */
 function drawSight(pen, plane, { step, lastSighting, params }) {
   if (!lastSighting || step - lastSighting.step >= FLASH) return
   const { from, x, y } = lastSighting

@@ -1,6 +1,7 @@
 /**
- * The axis of the output: two opinions about it, that of the prediction and that of the reading, and their product. Below the axis
- * two weights stand on a beam, each 1/variance heavy: y* is where it balances. Means and widths are handles.
+ * The axis of the output: two opinions about it, that of the prediction and that of the reading, and their product.
+ * Below the axis two weights stand on a beam, each 1/variance heavy: y* is where it balances. Means and widths are
+ * handles.
  */
 
 import { clear, drawLabels, widthOf } from '../../draw/labels.js'
@@ -8,7 +9,9 @@ import { axes, meaning, plane as planeOf } from '../../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
 /** @typedef {import('../../draw/plot.js').Kin} Kin */
-/** @typedef {{ key: string, kin: Kin, mean: number, sigma: number, words: import('../../draw/words.js').Words }} Bell */
+/**
+ * @typedef {{ key: string, kin: Kin, mean: number, sigma: number, words: import('../../draw/words.js').Words }} Bell
+ */
 
 /** The middle of the axis, and how far it reaches: the first that is far enough. */
 const CENTRE = 3.7
@@ -26,7 +29,11 @@ const TITLE = 'two opinions about the output {y}'
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
   Math.max(low, Math.min(high, value))
 
-/** @param {import('../../figure/shell.js').Panel} panel @param {Frame} frame @param {import('../../figure/spec.js').View} view */
+/**
+ * @param {import('../../figure/shell.js').Panel} panel
+ * @param {Frame} frame
+ * @param {import('../../figure/spec.js').View} view
+ */
 export function drawAxis({ pen, width, height }, frame, view) {
   const bells = bellsOf(frame)
   const far = Math.max(...bells.slice(0, 2).map(({ mean, sigma }) => Math.abs(mean - CENTRE) + 2 * sigma))
@@ -92,7 +99,13 @@ function bellsOf({
   ]
 }
 
-/** The outline of a bell so high. @param {import('../../draw/plot.js').Plane} plane @param {number} mean @param {number} sigma @param {number} high */
+/**
+ * The outline of a bell so high.
+ * @param {import('../../draw/plot.js').Plane} plane
+ * @param {number} mean
+ * @param {number} sigma
+ * @param {number} high
+ */
 function bell({ x, y }, mean, sigma, high) {
   const points = Array.from({ length: POINTS }, (_, i) => FAR * ((2 * i) / (POINTS - 1) - 1))
   return points
@@ -100,7 +113,13 @@ function bell({ x, y }, mean, sigma, high) {
     .join('')
 }
 
-/** The beam with its two weights, and its point of balance. @param {import('../../draw/pen.js').Pen} pen @param {import('../../draw/plot.js').Plane} plane @param {Frame} frame @param {Bell[]} bells */
+/**
+ * The beam with its two weights, and its point of balance.
+ * @param {import('../../draw/pen.js').Pen} pen
+ * @param {import('../../draw/plot.js').Plane} plane
+ * @param {Frame} frame
+ * @param {Bell[]} bells
+ */
 function balance(pen, { x, box }, { mostLikelyOutput }, [expected, read]) {
   const y = box.bottom + BEAM
   const held = (/** @type {number} */ at) => clamp(x(at), box.left, box.right)

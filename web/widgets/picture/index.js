@@ -108,7 +108,16 @@ function readouts({
   /** One over a variance. @param {number} variance */
   const weight = (variance) => (variance === 0 ? '∞' : fixed(1 / variance, 3))
   const [byRuler, byMetric] = ['by the ruler', 'in the metric of {P}']
-  /** ⟨a, Δx⟩ of a foot. @param {string} key @param {import('../../draw/words.js').Words} label @param {number} value @param {string} foot @param {import('../../draw/words.js').Words} metric @param {'truth' | 'posterior'} kin @returns {import('../../figure/shell.js').Readout} */
+  /**
+   * ⟨a, Δx⟩ of a foot.
+   * @param {string} key
+   * @param {import('../../draw/words.js').Words} label
+   * @param {number} value
+   * @param {string} foot
+   * @param {import('../../draw/words.js').Words} metric
+   * @param {'truth' | 'posterior'} kin
+   * @returns {import('../../figure/shell.js').Readout}
+   */
   const cell = (key, label, value, foot, metric, kin) => ({
     key,
     label,
@@ -212,7 +221,11 @@ const controls = [
   },
 ]
 
-/** As noisy a sensor as the expectation is uncertain; an ellipse too large for that shrinks. @param {Frame} frame @param {any} lab */
+/**
+ * As noisy a sensor as the expectation is uncertain; an ellipse too large for that shrinks.
+ * @param {Frame} frame
+ * @param {any} lab
+ */
 function equalOpinions({ expectedVariance, params: { semiMajor, semiMinor } }, lab) {
   const { greatest } = lab.constructor
     .parameters()
@@ -224,7 +237,11 @@ function equalOpinions({ expectedVariance, params: { semiMajor, semiMinor } }, l
 /** The answer is to be seen, and nothing else lies over it. */
 const shown = { sealed: false, guess: null, radius: 0 }
 
-/** A guess to be put before the answer shows. Of a circle both feet are one point, and there would be nothing to guess. @param {Frame} frame @param {any} lab */
+/**
+ * A guess to be put before the answer shows. Of a circle both feet are one point, and there would be nothing to guess.
+ * @param {Frame} frame
+ * @param {any} lab
+ */
 function guessFirst({ params }, lab) {
   const { semiMajor, semiMinor, angle } = Math.abs(params.semiMajor - params.semiMinor) < 1e-9 ? defaults(lab) : params
   return { sealed: true, guess: GUESS, radius: 0, semiMajor, semiMinor, angle }

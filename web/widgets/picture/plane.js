@@ -1,7 +1,7 @@
 /**
- * The plane of position and velocity, one scale on both axes: here a right angle looks like one. Prediction, the two axes
- * of its ellipse and the reading are handles; so are the reader's guess and the radius of the ellipse that grows. While the answer is
- * sealed, nothing that gives it away is drawn.
+ * The plane of position and velocity, one scale on both axes: here a right angle looks like one. Prediction, the two
+ * axes of its ellipse and the reading are handles; so are the reader's guess and the radius of the ellipse that grows.
+ * While the answer is sealed, nothing that gives it away is drawn.
  */
 
 import { clear, drawLabels } from '../../draw/labels.js'
@@ -17,7 +17,10 @@ const REACHES = [3, 4.5, 6, 9, 12, 18]
 /** The growing ellipse gets a handle where that is in the drawing and keeps so many pixels from the prediction's. */
 const CLEAR = 24
 
-/** How far an ellipse grows, in standard deviations: within three of them lies almost everything, and the drawing shows hardly more. */
+/**
+ * How far an ellipse grows, in standard deviations: within three of them lies almost everything, and the drawing shows
+ * hardly more.
+ */
 export const GROWN = 3
 
 const within = (
@@ -71,8 +74,8 @@ function drawScene(pen, plane, frame) {
     if (ends) segment(pen, key, plane, ...ends, meaning(/** @type {string} */ (shape), 'measurement'))
   }
   pen.mark('path', 'predicted', { ...meaning('outline', 'prediction'), d: ellipsePath(predicted.ellipse, mean, plane) })
-  // Ellipses of equal probability grow until one touches the line, and that is where the purple foot stands. The reader may let one
-  // grow instead.
+  // Ellipses of equal probability grow until one touches the line, and that is where the purple foot stands. The reader
+  // may let one grow instead.
   if (radius > 0)
     pen.mark('path', 'grown', {
       ...meaning('curve', 'prediction'),
@@ -109,7 +112,11 @@ function squareCorner(pen, { x, y }, { params, euclideanFoot, H, along }) {
   })
 }
 
-/** The name of a handle. @param {[string, import('../../figure/spec.js').HandleSpec]} grip @returns {import('../../draw/labels.js').Label} */
+/**
+ * The name of a handle.
+ * @param {[string, import('../../figure/spec.js').HandleSpec]} grip
+ * @returns {import('../../draw/labels.js').Label}
+ */
 function ofGrip([key, { at, name = '', kin }]) {
   return {
     key: `${key}-name`,
@@ -122,7 +129,12 @@ function ofGrip([key, { at, name = '', kin }]) {
   }
 }
 
-/** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {Record<string, import('../../figure/spec.js').HandleSpec>} grips */
+/**
+ * @param {Pen} pen
+ * @param {Plane} plane
+ * @param {Frame} frame
+ * @param {Record<string, import('../../figure/spec.js').HandleSpec>} grips
+ */
 function names(pen, plane, frame, grips) {
   const { box, x, y } = plane
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])

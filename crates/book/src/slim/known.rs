@@ -7,7 +7,8 @@ use crate::markup::Node;
 /// The changes of size that the style sheet keeps of KaTeX's hundred.
 const SIZES: [[&str; 2]; 3] = [["reset-size6", "size3"], ["reset-size6", "size1"], ["reset-size3", "size1"]];
 
-/// Classes of KaTeX whose rules the style sheet leaves out (`web/build/build.mjs`), as no formula of the book needs them.
+/// Classes of KaTeX whose rules the style sheet leaves out (`web/build/build.mjs`), as no formula of the book needs
+/// them.
 static LEFT_OUT: LazyLock<Vec<String>> = LazyLock::new(|| {
     serde_json::from_str(include_str!("../../../../web/style/katex-left-out.json")).expect("a list of classes")
 });

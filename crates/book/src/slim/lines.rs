@@ -1,5 +1,6 @@
-//! Where a formula may go on in a next line: never between round brackets; in a display ahead of a relation or an operator, and
-//! an `aligned` display is a list of lines, which a page sets in columns or, where it is narrow, one below the other.
+//! Where a formula may go on in a next line: never between round brackets; in a display ahead of a relation or an
+//! operator, and an `aligned` display is a list of lines, which a page sets in columns or, where it is narrow, one
+//! below the other.
 
 use std::mem::take;
 
@@ -17,8 +18,8 @@ pub fn bases(html: &mut Element, display: bool) {
     html.children = joined(bases, display);
 }
 
-/// The lines of a formula that is nothing but an `aligned` environment, and how many stand side by side: one for each pair of
-/// columns, at most two.
+/// The lines of a formula that is nothing but an `aligned` environment, and how many stand side by side: one for each
+/// pair of columns, at most two.
 fn aligned(html: &Element) -> Option<(usize, Vec<Node>)> {
     let [Node::Element(base)] = html.children.as_slice() else { return None };
     let [_, Node::Element(content)] = base.children.as_slice() else { return None };

@@ -43,8 +43,8 @@ fn bound(text: &str) -> String {
 }
 
 impl Writer<'_> {
-    /// A text between two neighbours: without the marks that a formula beside it has taken, and with no break between a number
-    /// and its unit.
+    /// A text between two neighbours: without the marks that a formula beside it has taken, and with no break between a
+    /// number and its unit.
     pub(super) fn beside(&mut self, text: &str, before: Option<&Node>, after: Option<&Node>) {
         let text = if before.is_some_and(is_formula) { after_formula(text) } else { text };
         let text = if after.is_some_and(is_formula) { before_formula(text) } else { text };

@@ -78,7 +78,8 @@ fn a_book_without_answers_holds_no_word_of_them_and_no_number_that_only_they_hav
     let mut site = load(NUMBERS.clone(), &diagnostics);
     let pages = book::pages(&root(), &site.config.chapters[0]).expect("the chapter");
     let words = words_of_answers();
-    // The words are found where they are: otherwise finding none of them would say nothing. (A list or a table parts some.)
+    // The words are found where they are: otherwise finding none of them would say nothing. (A list or a table parts
+    // some.)
     let bodies = book::texts(&site, &pages, Some(15), &diagnostics).into_iter().map(|text| text.body);
     let whole = flat(&bodies.collect::<String>());
     let found = words.iter().filter(|run| whole.contains(run.as_str())).count();

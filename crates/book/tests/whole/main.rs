@@ -1,4 +1,5 @@
-//! The book itself, built whole. The tests share its numbers, whose ensembles take some seconds, and one build with them.
+//! The book itself, built whole. The tests share its numbers, whose ensembles take some seconds, and one build with
+//! them.
 
 mod answers;
 mod site;

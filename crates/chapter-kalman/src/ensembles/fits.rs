@@ -9,8 +9,8 @@ use labs::{Tune, TuneParams};
 /// The fit over the seeds, each with noise levels of its own.
 #[derive(Clone, Debug, PartialEq)]
 pub struct FitEnsemble {
-    /// The square of (fit − truth) in the metric of the information, of the fits that no bound held: χ² with 2 degrees of
-    /// freedom where the information tells the truth.
+    /// The square of (fit − truth) in the metric of the information, of the fits that no bound held: χ² with 2 degrees
+    /// of freedom where the information tells the truth.
     pub distance: Spread,
     /// The part of those fits whose 95 % region holds the truth.
     pub covered: f64,
@@ -22,7 +22,8 @@ pub struct FitEnsemble {
     pub sigma_w: Spread,
     /// Half the long axis of the 95 % region, in decimal logarithms.
     pub axis: Spread,
-    /// The cosine of the angle between the long axis of the region and the direction (1, −1), along which q/W alone changes.
+    /// The cosine of the angle between the long axis of the region and the direction (1, −1), along which q/W alone
+    /// changes.
     pub along_ratio: Spread,
     /// Fits that a bound held.
     pub held: u32,

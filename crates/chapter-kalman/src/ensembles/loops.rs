@@ -21,8 +21,8 @@ pub struct LoopEnsemble {
     pub with_ghosts: u32,
     /// Runs with a sighting matched to the wrong landmark.
     pub with_wrong: u32,
-    /// The factor by which the step that closes the loop shrinks the mean standard deviation of the landmarks, in the runs where
-    /// one did.
+    /// The factor by which the step that closes the loop shrinks the mean standard deviation of the landmarks, in the
+    /// runs where one did.
     pub shrinks: Spread,
 }
 

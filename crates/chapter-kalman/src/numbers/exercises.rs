@@ -80,9 +80,9 @@ fn candidates(to: &mut Listing) {
         .add("ex.gate.ratio", libm::exp(0.5 * (score[1] - score[0])), "likelihood of the first over the second");
 }
 
-/// Statistics of the innovations of a filter whose model is not the robot's: their mean over √S, the correlation of one with the
-/// next, and the mean of ν²/S, as they are in the long run. The filter's V and W are the true ones times `v` and `w`; `force` is an
-/// acceleration (m/s²) that it does not know of.
+/// Statistics of the innovations of a filter whose model is not the robot's: their mean over √S, the correlation of one
+/// with the next, and the mean of ν²/S, as they are in the long run. The filter's V and W are the true ones times `v`
+/// and `w`; `force` is an acceleration (m/s²) that it does not know of.
 fn symptoms(sys: &Lti<U2, U1, U1>, p0: &Matrix2<f64>, v: f64, w: f64, force: f64) -> Result<[f64; 3], Error> {
     let believed = Lti { v: sys.v * v, w: sys.w * w, ..*sys };
     let limit = believed.steady_state_gain(p0, LONG, 1e-14)?;

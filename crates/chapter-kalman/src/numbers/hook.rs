@@ -1,5 +1,6 @@
-//! Numbers of the odometry hook, after one lap and just before its fourth corner. They depend on the scenario alone, not
-//! on the givens: means over many seeds, since one run would quote its luck, and beside them the run that the figure shows.
+//! Numbers of the odometry hook, after one lap and just before its fourth corner. They depend on the scenario alone,
+//! not on the givens: means over many seeds, since one run would quote its luck, and beside them the run that the
+//! figure shows.
 
 use core::f64::consts::{FRAC_PI_4, PI};
 use estimate::Error;
@@ -189,7 +190,8 @@ mod tests {
 
     #[test]
     fn a_bias_drawn_from_the_first_belief_makes_a_linearized_filter_claim_too_much_for_a_lap() {
-        // Without linearization the root mean square would be the claim. Ratios by an independent program: 1.34 and 1.17, then 1.0.
+        // Without linearization the root mean square would be the claim. Ratios by an independent program: 1.34 and
+        // 1.17, then 1.0.
         let [late, later] = means_over(learning(), drawn, [LATE, HOOK.course.lap() + LATE], SEEDS).expect("finite");
         let ratios = |m: &Means| [0, 1].map(|i| m.error[i] / m.sigma[i]);
         let ([position, heading], later) = (ratios(&late), ratios(&later));
@@ -207,7 +209,8 @@ mod tests {
     fn a_filter_that_learns_the_bias_claims_what_it_errs_before_a_corner() {
         let moments = means(learning(), [LATE, HOOK.course.lap() + LATE], 200).expect("finite");
         for m in moments {
-            // The bias is one value and not drawn from the first σ, so the ratio need not be 1; past it the claim would be false.
+            // The bias is one value and not drawn from the first σ, so the ratio need not be 1; past it the claim would
+            // be false.
             assert!(
                 [0, 1].iter().all(|i| (0.6..1.2).contains(&(m.error[*i] / m.sigma[*i]))),
                 "{:?} {:?}",

@@ -231,7 +231,8 @@ fn summary(name: &str, frame: &LogFrame, to: &mut Listing) -> Option<()> {
     Some(())
 }
 
-/// The rank of the readings along the drive, by odometry alone, with ε among four states; and ε in the unseen directions.
+/// The rank of the readings along the drive, by odometry alone, with ε among four states; and ε in the unseen
+/// directions.
 fn learned_scale(logged: &LoggedDrive, beacons: usize) -> Result<(usize, f64), Error> {
     let drive = logged.drive();
     let map: &[Landmark] = &drive.landmarks;

@@ -24,7 +24,8 @@ pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .add("slam.linear.shape.last", run.shape[1], "the same after 200 updates");
 
     // Where the robot stood when it first read its landmarks, as all readings together tell it of a map of known shape:
-    // two displacements a step are one of variance W/2, and looking back from the far future the random walk is the same.
+    // two displacements a step are one of variance W/2, and looking back from the far future the random walk is the
+    // same.
     let (slam, one) = (&givens.linear_slam.variances, Matrix1::new(1.0));
     let (v, w) = (Matrix1::new(slam.v), Matrix1::new(0.5 * slam.w));
     let mut p = w;

@@ -8,7 +8,8 @@ use sim::scenarios::BUG_MUSEUM;
 
 /// The first seed of the runs that a symptom table is made of, when others are diagnosed with it.
 const TABLE: u32 = 10_000;
-/// Figures whose mean the text tells: 0 is the position's RMS error, 3 NEES, 4 NIS, 10 and 11 the autocorrelation of ranges and of bearings.
+/// Figures whose mean the text tells: 0 is the position's RMS error, 3 NEES, 4 NIS, 10 and 11 the autocorrelation of
+/// ranges and of bearings.
 const TOLD: [(Bug, usize); 8] = [
     (Bug::None, 0),
     (Bug::OpenGate, 0),

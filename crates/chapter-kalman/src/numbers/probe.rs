@@ -28,7 +28,8 @@ fn ranks(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     Ok(())
 }
 
-/// The exercise: a straight drive that ends 3 m west and 4 m north of its one landmark, and the direction that it never shows.
+/// The exercise: a straight drive that ends 3 m west and 4 m north of its one landmark, and the direction that it never
+/// shows.
 fn turned(to: &mut Listing) -> Result<(), Error> {
     let landmarks: Arc<[Landmark]> = [Landmark { id: 0, x: 3.0, y: -4.0 }].into();
     let moments: Vec<Moment> = [-1.0, -0.5, 0.0]

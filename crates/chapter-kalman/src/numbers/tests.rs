@@ -1,5 +1,5 @@
-//! The list of numbers, and the numbers of the prose that no check holds, against what is known of them without the core: closed
-//! forms, and the covariance recursion of the rail robot written out in numbers.
+//! The list of numbers, and the numbers of the prose that no check holds, against what is known of them without the
+//! core: closed forms, and the covariance recursion of the rail robot written out in numbers.
 
 use super::*;
 use std::collections::BTreeMap;
@@ -40,8 +40,9 @@ const T: f64 = 0.5;
 const V: [f64; 3] = [0.2, 0.05, 0.1];
 const W: f64 = 0.5;
 
-/// Gains and corrected P₁₁ of so many steps from P = diag(1, 2), for H = [1, 0] or [0, 1]. With one output of one state m,
-/// S = P⁻ₘₘ + W, R = P⁻·ₘ / S and P = P⁻ − R P⁻ₘ·: no matrix is needed, and the short form loses nothing at these sizes.
+/// Gains and corrected P₁₁ of so many steps from P = diag(1, 2), for H = [1, 0] or [0, 1]. With one output of one state
+/// m, S = P⁻ₘₘ + W, R = P⁻·ₘ / S and P = P⁻ − R P⁻ₘ·: no matrix is needed, and the short form loses nothing at these
+/// sizes.
 fn recursion(reads_velocity: bool, steps: usize) -> Vec<([f64; 2], f64)> {
     let (mut a, mut b, mut d) = (1.0, 0.0, 2.0);
     let step = |_| {
@@ -55,8 +56,8 @@ fn recursion(reads_velocity: bool, steps: usize) -> Vec<([f64; 2], f64)> {
     (0..steps).map(step).collect()
 }
 
-/// The gain's limit. For the velocity sensor [1/2, (√21 − 1)/10]: R₂ follows from P⁻₂₂² = V₂₂ (P⁻₂₂ + W), and R₁ = T since
-/// V₁₂ = T V₂₂. For the position sensor what 400 steps lead to, each of which leaves two fifths of the distance.
+/// The gain's limit. For the velocity sensor [1/2, (√21 − 1)/10]: R₂ follows from P⁻₂₂² = V₂₂ (P⁻₂₂ + W), and R₁ = T
+/// since V₁₂ = T V₂₂. For the position sensor what 400 steps lead to, each of which leaves two fifths of the distance.
 fn limit(reads_velocity: bool) -> [f64; 2] {
     if reads_velocity { [0.5, (21.0_f64.sqrt() - 1.0) / 10.0] } else { recursion(false, 400)[399].0 }
 }

@@ -101,8 +101,8 @@ pub(super) fn in_band(to: &mut Listing) -> Result<(), Error> {
     Ok(())
 }
 
-/// How many readings tell q to a twentieth, where 200 leave ln q this standard deviation: it falls as one over the root of their
-/// number.
+/// How many readings tell q to a twentieth, where 200 leave ln q this standard deviation: it falls as one over the root
+/// of their number.
 pub(super) fn exercises(sigma: f64, to: &mut Listing) {
     let (length, goal) = (200.0, 0.05);
     let readings = length * (sigma / goal) * (sigma / goal);

@@ -1,5 +1,5 @@
-//! The bias of the wheel as a fourth state: what a lap of the corridor can tell about it. Covariances along the true path,
-//! so no noise is drawn.
+//! The bias of the wheel as a fourth state: what a lap of the corridor can tell about it. Covariances along the true
+//! path, so no noise is drawn.
 
 use super::hook::bias_for;
 use estimate::drive::PoseAndScale;
@@ -52,8 +52,8 @@ fn lap(fixes: bool) -> Result<Lap, Error> {
     Ok(Lap { rank: stack.analyze(TOLERANCE)?.start.rank, bias: p[(3, 3)].sqrt(), heading: p[(2, 2)].sqrt() })
 }
 
-/// The exercise: the lap as one reading of the bias. ε turns the estimate by `lever` ε, slip adds to that, and the heading is read
-/// once at the end. Answers the lever, the slip's variance, and σ of ε with and without the slip.
+/// The exercise: the lap as one reading of the bias. ε turns the estimate by `lever` ε, slip adds to that, and the
+/// heading is read once at the end. Answers the lever, the slip's variance, and σ of ε with and without the slip.
 fn one_reading() -> Result<(f64, f64, [f64; 2]), Error> {
     let lever = bias_for(1.0).recip();
     let slip = f64::from(HOOK.course.lap()) * slip_covariance(&HOOK.wheels, HOOK.slip)[(1, 1)];

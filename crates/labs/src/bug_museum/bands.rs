@@ -1,4 +1,5 @@
-//! The bands of a right filter: where its figures lie over many runs. `cargo run --release -p labs --example museum` prints them.
+//! The bands of a right filter: where its figures lie over many runs. `cargo run --release -p labs --example museum`
+//! prints them.
 
 use super::FIGURES;
 

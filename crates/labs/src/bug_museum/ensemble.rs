@@ -97,7 +97,8 @@ impl Seeds {
 pub enum Sight {
     /// The mean over 500 seeds lies in the range that holds 99 of 100 such means of a right filter.
     Invisible,
-    /// The mean over 500 seeds lies outside that range, but at least half of the single runs lie in a right filter's 99 % band.
+    /// The mean over 500 seeds lies outside that range, but at least half of the single runs lie in a right filter's 99
+    /// % band.
     InMany,
     /// More than half of the single runs lie outside that band.
     InOne,
@@ -141,8 +142,8 @@ impl Symptoms {
     }
 }
 
-/// The bug, or none, that the runs look like by the symptom table alone: the one under which it is likeliest that each figure
-/// lies on the side of its band where it does. `table` has a row for each candidate.
+/// The bug, or none, that the runs look like by the symptom table alone: the one under which it is likeliest that each
+/// figure lies on the side of its band where it does. `table` has a row for each candidate.
 pub fn diagnosed(table: &[(Bug, Symptoms)], runs: &[Figures]) -> Option<Bug> {
     let likelihood = |symptoms: &Symptoms| -> f64 {
         let of = |run: &Figures| -> f64 {

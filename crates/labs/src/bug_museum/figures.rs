@@ -111,10 +111,10 @@ impl Sums {
         (self.nees.1 > 0).then(|| self.nees.0 / f64::from(self.nees.1))
     }
 
-    /// The figures, in the order of [`PANELS`]: root mean square and mean forward error of the position (m), share of errors
-    /// beyond 2 σ, mean NEES, mean NIS, that of the range and of the bearing alone, share of readings refused, mean normalized
-    /// innovation of range and of bearing, their autocorrelation at lag 1, smallest eigenvalue, asymmetry. NaN where there is
-    /// nothing to compute a figure from.
+    /// The figures, in the order of [`PANELS`]: root mean square and mean forward error of the position (m), share of
+    /// errors beyond 2 σ, mean NEES, mean NIS, that of the range and of the bearing alone, share of readings refused,
+    /// mean normalized innovation of range and of bearing, their autocorrelation at lag 1, smallest eigenvalue,
+    /// asymmetry. NaN where there is nothing to compute a figure from.
     pub fn figures(&self) -> [f64; FIGURES] {
         let (steps, used) = (f64::from(self.steps), f64::from(self.used));
         let number = |value: Option<f64>| value.unwrap_or(f64::NAN);

@@ -11,8 +11,8 @@ use lab::series::{Series, Tracks, WINDOW};
 const READINGS: usize = 2 * WINDOW;
 
 record! {
-    /// One picture of a run. What follows from the drawn bugs is in the panels alone: the frame names them when the reader has
-    /// committed to an answer.
+    /// One picture of a run. What follows from the drawn bugs is in the panels alone: the frame names them when the
+    /// reader has committed to an answer.
     pub struct MuseumFrame {
         /// Steps taken: of the one run, or seeds.
         pub step: u32,
@@ -58,8 +58,8 @@ record! {
         pub correlation_bearing: Vec<f64>,
         /// Where 95 % of each lie for a white series, to either side of 0; none before the first reading.
         pub correlation_band: Option<f64>,
-        /// The figures of the panels with the bands of a right filter, in the order of the symptom table. The bands hold for a
-        /// whole run.
+        /// The figures of the panels with the bands of a right filter, in the order of the symptom table. The bands
+        /// hold for a whole run.
         pub figures: Vec<MuseumFigure>,
         /// How many seeds the shares of the figures are of.
         pub seeds: u32,
@@ -92,8 +92,8 @@ record! {
         pub wide_band: [f64; 2],
         /// The shares of the seeds' runs below and above the 95 % band, where the figure is no number above it.
         pub beyond: [f64; 2],
-        /// Where the value stands on the figure's scale, from 0 to 3, on which the 95 % band is the middle third; at 3 where there is
-        /// no value.
+        /// Where the value stands on the figure's scale, from 0 to 3, on which the 95 % band is the middle third; at 3
+        /// where there is no value.
         pub place: f64,
         /// Where the 99 % band ends on that scale.
         pub wide_place: [f64; 2],

@@ -70,8 +70,8 @@ params! {
         pub bug: Bug = (Bug::None);
         /// Another one beside it.
         pub second: Bug = (Bug::None);
-        /// Draws bugs by lot instead, and hides which: of thirteen numbers in a row from 1, 14, 27, … on, each draws another bug. 0 takes
-        /// the two above.
+        /// Draws bugs by lot instead, and hides which: of thirteen numbers in a row from 1, 14, 27, … on, each draws
+        /// another bug. 0 takes the two above.
         pub lot: u32 = 0;
         /// Whether the lot draws two bugs at once.
         pub pair: bool = false;
@@ -83,8 +83,8 @@ params! {
         pub committed: bool = false;
         /// How many hidden bugs the reader has named in a row.
         pub named: u32 = 0;
-        /// Whether a step is the whole run of the next seed, up to 500 of them, and not a step of one run. The panels then show
-        /// the first.
+        /// Whether a step is the whole run of the next seed, up to 500 of them, and not a step of one run. The panels
+        /// then show the first.
         pub many: bool = false;
         /// Fixes all noise.
         pub seed: u32 = 1;

@@ -36,8 +36,8 @@ record! {
         pub error: [f64; 3],
         /// eᵀP⁻¹e of the pose; none where P is singular, as in the first steps.
         pub nees: Option<f64>,
-        /// Its mean over the run so far: 3 for a consistent filter. It scatters widely from run to run, since neighbouring errors
-        /// are nearly equal.
+        /// Its mean over the run so far: 3 for a consistent filter. It scatters widely from run to run, since
+        /// neighbouring errors are nearly equal.
         pub mean_nees: Option<f64>,
         /// Where 95 % of single values of a consistent filter's NEES lie.
         pub nees_band: [f64; 2],
@@ -49,9 +49,9 @@ record! {
         pub sightings: Vec<LoopSighting>,
         /// The map, and how all sightings have fared.
         pub map: ProbeMap,
-        /// How far the errors of two positions go together: E[eᵢ·eⱼ] / √(E|eᵢ|² E|eⱼ|²) = tr Pᵢⱼ / √(tr Pᵢᵢ tr Pⱼⱼ), from −1 to 1,
-        /// the same however the axes are turned. Row and column 0 are the robot's, then come the landmarks in the order of the
-        /// map. 0 where a position is known exactly.
+        /// How far the errors of two positions go together: E[eᵢ·eⱼ] / √(E|eᵢ|² E|eⱼ|²) = tr Pᵢⱼ / √(tr Pᵢᵢ tr Pⱼⱼ),
+        /// from −1 to 1, the same however the axes are turned. Row and column 0 are the robot's, then come the
+        /// landmarks in the order of the map. 0 where a position is known exactly.
         pub correlation: Vec<Vec<f64>>,
         /// The first sighting of a landmark that had been out of sight for half a lap.
         pub closure: Option<LoopMoment>,
@@ -83,8 +83,8 @@ record! {
         /// S, the covariance of its innovation, by rows.
         #[name = "S"]
         pub s: [[f64; 2]; 2],
-        /// The gate in the plane: the places where the sightings on its edge would put the landmark, seen from the predicted
-        /// pose. A closed curve, its first place given once more at the end; metres.
+        /// The gate in the plane: the places where the sightings on its edge would put the landmark, seen from the
+        /// predicted pose. A closed curve, its first place given once more at the end; metres.
         pub x: Vec<f64>,
         /// Metres.
         pub y: Vec<f64>,
@@ -101,8 +101,8 @@ record! {
         pub bearing: f64,
         /// Where it puts the landmark, seen from the predicted pose.
         pub at: [f64; 2],
-        /// Its place on the χ² axis: νᵀS⁻¹ν against the landmark that it was matched to, or else against the nearest one of the map
-        /// before this step. None where it found the map empty.
+        /// Its place on the χ² axis: νᵀS⁻¹ν against the landmark that it was matched to, or else against the nearest
+        /// one of the map before this step. None where it found the map empty.
         pub chi2: Option<f64>,
         /// What became of it: matched, founded or rejected.
         pub outcome: Fate,

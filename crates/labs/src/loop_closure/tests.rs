@@ -61,7 +61,8 @@ fn thresholds_that_cross_found_ghosts() {
     assert!((apart.thresholds.passes - 0.99).abs() < 1e-4);
 }
 
-/// Each sighting is within the drawn gate of the landmark that it was matched to, and the gate's edge is where χ² is the gate.
+/// Each sighting is within the drawn gate of the landmark that it was matched to, and the gate's edge is where χ² is
+/// the gate.
 #[test]
 fn a_gate_s_edge_is_where_its_chi2_is_the_gate() {
     let frame = at(LoopParams::default(), 70);

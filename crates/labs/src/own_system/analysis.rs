@@ -1,4 +1,5 @@
-//! What is known of a system before it runs: ranks, verdicts, the limit of the covariance, and the eigenvalues under the gain in use.
+//! What is known of a system before it runs: ranks, verdicts, the limit of the covariance, and the eigenvalues under
+//! the gain in use.
 
 use super::frame::OwnEigenvalue;
 use super::params::{GainBy, OwnParams};
@@ -89,8 +90,8 @@ pub(super) fn tolerance(params: &OwnParams) -> f64 {
     libm::pow(10.0, params.log_tolerance)
 }
 
-/// The first `count` eigenvalues that the reader wants, with their conjugates. For the last one there may be no room for its conjugate: then
-/// it is real.
+/// The first `count` eigenvalues that the reader wants, with their conjugates. For the last one there may be no room
+/// for its conjugate: then it is real.
 pub(super) fn wanted(poles: &[[f64; 2]; 4], count: usize) -> Vec<Complex<f64>> {
     let mut all = Vec::with_capacity(count);
     while all.len() < count {

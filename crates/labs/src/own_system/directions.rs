@@ -1,4 +1,5 @@
-//! A basis of directions that can be read: each has a 1 in one place where the others have 0, and no number that is rounding.
+//! A basis of directions that can be read: each has a 1 in one place where the others have 0, and no number that is
+//! rounding.
 
 use nalgebra::{DMatrix, DVector};
 

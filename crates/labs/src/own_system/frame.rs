@@ -28,14 +28,16 @@ record! {
         pub input: OwnReach,
         /// Whether P(k+1 | k) tends to a limit.
         pub limit: RiccatiLimit,
-        /// The step at which P and R no longer changed, to twelve digits, from this start; null where they went on to change.
+        /// The step at which P and R no longer changed, to twelve digits, from this start; null where they went on to
+        /// change.
         pub settled: Option<u32>,
         /// How many steps were tried for that; null where P grew beyond every number before.
         pub tried: Option<u32>,
         /// P(k+1 | k) when it settled, by rows; null where it did not.
         #[name = "limitP"]
         pub limit_p: Option<Vec<Vec<f64>>>,
-        /// The gain whose eigenvalues are shown, n×p by rows: the filter's last, the reader's, or the one that places the poles.
+        /// The gain whose eigenvalues are shown, n×p by rows: the filter's last, the reader's, or the one that places
+        /// the poles.
         #[name = "K"]
         pub k: Vec<Vec<f64>>,
         /// The eigenvalues of (I − KH)F with that gain.

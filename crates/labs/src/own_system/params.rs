@@ -15,8 +15,8 @@ words! {
 }
 
 params! {
-    /// A linear system of at most four states, inputs and readings, how it is filtered, and how it is simulated. Only the first
-    /// rows and columns count, as many as there are states, inputs and readings.
+    /// A linear system of at most four states, inputs and readings, how it is filtered, and how it is simulated. Only
+    /// the first rows and columns count, as many as there are states, inputs and readings.
     pub struct OwnParams {
         /// The seed of the noise.
         pub seed: u32 = 1;
@@ -44,13 +44,15 @@ params! {
         pub gain: GainBy = (GainBy::Filter);
         /// K, the gain chosen by hand.
         pub k: [[f64; 4]; 4] = ([[0.0; 4]; 4]);
-        /// The eigenvalues wanted, real and imaginary part. One off the real line takes the place of the next one for its conjugate.
+        /// The eigenvalues wanted, real and imaginary part. One off the real line takes the place of the next one for
+        /// its conjugate.
         pub poles: [[f64; 2]; 4] = ([[0.5, 0.0], [0.2, 0.0], [0.6, 0.0], [0.3, 0.0]]), from (-2.0) to 2.0 by 0.01;
         /// The size of each input in the simulation. Its sign changes every twenty steps.
         pub input: f64 = 0.0, from (-10.0) to 10.0 by 0.1;
         /// Which state the plots show, counted from 1; the last where there are fewer.
         pub shown: u32 = 1, from 1.0 to 4.0 by 1.0;
-        /// The names of the states: the Unicode numbers of at most twelve letters, then zeros; zeros alone for x₁, x₂, …
+        /// The names of the states: the Unicode numbers of at most twelve letters, then zeros; zeros alone for x₁, x₂,
+        /// …
         pub names: [[u32; 12]; 4] = ([[0; 12]; 4]);
     }
 }

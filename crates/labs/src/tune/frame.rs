@@ -5,7 +5,8 @@ use geom::Ellipse;
 use lab::record;
 
 record! {
-    /// A log filtered with the noise levels that the reader has chosen. Every list over the log has an entry for each reading.
+    /// A log filtered with the noise levels that the reader has chosen. Every list over the log has an entry for each
+    /// reading.
     pub struct TuneFrame {
         /// The parameters.
         pub params: TuneParams,
@@ -15,8 +16,8 @@ record! {
         pub two_sigma: Vec<f64>,
         /// The part of the innovations that lie beyond 2√S; 0.0455 is expected.
         pub beyond: f64,
-        /// The autocorrelation Σ e(k) e(k+l) / Σ e(k)² of the normalized innovations e = ν/√S, at the lags l = 1, 2, …; 0 is
-        /// expected.
+        /// The autocorrelation Σ e(k) e(k+l) / Σ e(k)² of the normalized innovations e = ν/√S, at the lags l = 1, 2, …;
+        /// 0 is expected.
         pub autocorrelation: Vec<f64>,
         /// Where 95 % of each of them lie, to either side of 0: 1.96/√N.
         pub autocorrelation_band: f64,
@@ -58,11 +59,11 @@ record! {
         pub held: [bool; 2],
         /// The standard deviations of log q and log W by the Fisher information there; none where one is held.
         pub sigma: Option<[f64; 2]>,
-        /// The ellipse about the fit that holds the true (log q, log W) in 95 of 100 long logs, by the Fisher information; none where
-        /// one is held. Its long axis is what this log tells least.
+        /// The ellipse about the fit that holds the true (log q, log W) in 95 of 100 long logs, by the Fisher
+        /// information; none where one is held. Its long axis is what this log tells least.
         pub region: Option<Ellipse>,
-        /// Twice the log-likelihood that the chosen noise levels lack. In 95 of 100 long logs the true ones lack less than
-        /// `limit`.
+        /// Twice the log-likelihood that the chosen noise levels lack. In 95 of 100 long logs the true ones lack less
+        /// than `limit`.
         pub lacking: f64,
         /// The 95 % quantile of χ² with 2 degrees of freedom.
         pub limit: f64,

@@ -17,7 +17,8 @@ fn the_truth_is_sealed_until_the_reader_commits() {
     assert!(verdict.lacking > 0.0 && verdict.log_likelihood < fit.log_likelihood);
 }
 
-/// At the truth the innovations are white and as large as S says; with V and W a hundredth, or a hundredfold, they are not.
+/// At the truth the innovations are white and as large as S says; with V and W a hundredth, or a hundredfold, they are
+/// not.
 #[test]
 fn the_panels_tell_right_noise_from_wrong() {
     let base = TuneParams { length: 1000, ..Default::default() };
