@@ -2,6 +2,7 @@
 // after them, one by one, those that keep the whole machine busy. Each file starts a browser of its own: that costs
 // half a second of a processor, and files that ran in one browser would share its clipboard and its crashes.
 //   node tests/browser/run.mjs [NAME …]   only the files of these names, e.g. quiz probe
+// With the files that have changed in CHANGED, a line each, only what they can touch (tests/touched.mjs).
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'
 import { readdirSync } from 'node:fs'
@@ -9,6 +10,7 @@ import os from 'node:os'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { buildFixture } from '../fixture-book/build.mjs'
+import { touched } from '../touched.mjs'
 import { fixture, HANGS_MS } from './places.mjs'
 
 const folder = path.dirname(fileURLToPath(import.meta.url))
@@ -24,30 +26,45 @@ for (const name of wanted) {
   console.error(`✗ There is no browser test '${name}'. There are: ${all.join(', ')}`)
   process.exit(2)
 }
-const names = wanted.length > 0 ? wanted : all
+
+const some = process.env.CHANGED && wanted.length === 0 ? touched(folder, process.env.CHANGED.trim().split('\n')) : null
+const whole = some?.whole ?? (wanted.length > 0 ? wanted : all)
 
 buildFixture(fixture)
 
-const beside = await run(
-  names.filter((name) => !ALONE.has(name)),
-  Math.min(4, os.availableParallelism() + 1),
-)
-const alone = await run(
-  names.filter((name) => ALONE.has(name)),
-  1,
-)
-process.exitCode = beside && alone ? 0 : 1
+const AT_ONCE = Math.min(4, os.availableParallelism() + 1)
+const passed = [
+  await run(
+    whole.filter((name) => !ALONE.has(name)),
+    AT_ONCE,
+  ),
+  await run(
+    whole.filter((name) => ALONE.has(name)),
+    1,
+  ),
+  some && (await run(some.parts, AT_ONCE, [`--test-name-pattern=${some.pattern}`])),
+]
+process.exitCode = passed.includes(false) ? 1 : 0
 
-/** Whether all tests of these files passed. @param {string[]} some @param {number} workers how many files at a time */
-async function run(some, workers) {
-  if (some.length === 0) return true
-  const files = some.map((name) => path.join(folder, `${name}.test.mjs`))
+/**
+ * Whether all tests of these files passed.
+ * @param {string[]} names
+ * @param {number} workers how many files at a time
+ * @param {string[]} [options] of Node's
+ */
+async function run(names, workers, options = []) {
+  if (names.length === 0) return true
   const tests = spawn(
     process.execPath,
-    ['--test', `--test-concurrency=${workers}`, `--test-timeout=${5 * HANGS_MS}`, '--test-reporter=spec', ...files],
-    {
-      stdio: 'inherit',
-    },
+    [
+      '--test',
+      `--test-concurrency=${workers}`,
+      `--test-timeout=${5 * HANGS_MS}`,
+      '--test-reporter=spec',
+      ...options,
+      ...names.map((name) => path.join(folder, `${name}.test.mjs`)),
+    ],
+    { stdio: 'inherit' },
   )
   const [status] = await once(tests, 'close')
   return status === 0
