@@ -131,8 +131,8 @@ for (const [title, model] of [
   const ours = median(times.KalmanFilter)
   console.log(`\n| a step of ${title} | µs | of KalmanFilter's |\n|---|---:|---:|`)
   for (const [name, values] of Object.entries(times)) {
-    console.log(
-      `| ${name === 'KalmanFilter' ? '`KalmanFilter`' : `npm's \`${name}\``} | ${median(values).toFixed(2)} | ${(median(values) / ours).toFixed(1)}× |`,
-    )
+    const called = name === 'KalmanFilter' ? '`KalmanFilter`' : `npm's \`${name}\``
+    const taken = median(values)
+    console.log(`| ${called} | ${taken.toFixed(2)} | ${(taken / ours).toFixed(1)}× |`)
   }
 }

@@ -1,6 +1,6 @@
-"""Replays the mower's log with filterpy's extended Kalman filter and numpy, for scripts/bench-log.mjs: rows a second, and the RMS
-error, which must be that of our own replay. The models are those of crates/estimate/src/drive; the covariance is predicted by
-filterpy's own F, Q and P."""
+"""Replays the mower's log with filterpy's extended Kalman filter and numpy, for scripts/bench-log.mjs: rows a second, and
+the RMS error, which must be that of our own replay. The models are those of crates/estimate/src/drive; the covariance is
+predicted by filterpy's own F, Q and P."""
 
 import json
 import math
@@ -35,7 +35,8 @@ class Mower(ExtendedKalmanFilter):
     def predict_x(self, u=0):
         distance, turn = u
         theta = self.x[2]
-        self.x = np.array([self.x[0] + distance * math.cos(theta), self.x[1] + distance * math.sin(theta), theta + turn])
+        step = [distance * math.cos(theta), distance * math.sin(theta), turn]
+        self.x = np.array([self.x[0] + step[0], self.x[1] + step[1], theta + step[2]])
 
 
 def jacobian(x, at):

@@ -15,10 +15,7 @@ const core = require(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const metadata = JSON.parse(read('metadata'))
 const ours = metadata.packages.find(({ name }) => name === 'estimate-wasm')
 
-/**
- * An entry of the package: what its imports are called, its folder, and where its module and its declarations were
- * built.
- */
+/** The package's entries: the folder of each, and where its module and its declarations were built. */
 const ENTRIES = [
   { at: '.', part: 'whole', built: 'target/pkg/node' },
   { at: './filters', part: 'filters', built: 'target/pkg/filters' },
@@ -182,5 +179,6 @@ function thirdParty() {
     }
   }
   const blocks = [...texts].map(([text, crates]) => `${crates.join('\n')}\n\n${text}\n`)
-  return `The binary is compiled from Rust with its standard library (MIT OR Apache-2.0), and from these crates.\n\n${blocks.join(`\n${'─'.repeat(72)}\n\n`)}`
+  const head = 'The binary is compiled from Rust with its standard library (MIT OR Apache-2.0), and from these crates.'
+  return `${head}\n\n${blocks.join(`\n${'─'.repeat(72)}\n\n`)}`
 }

@@ -40,9 +40,9 @@ pub fn kalman_step(
     Ok(answer)
 }
 
-/// A `kalmanStep` for each row of a log of at most 100 000 steps (of a large system as many as keep steps · (n + p)³ within
-/// 138 240 000, which is 10 000 at 16 states and 8 outputs), in one call where thousands would cross over one by one.
-/// `inputs` holds u of every step row by row, `readings` y. Refused at one step, the log is refused.
+/// A `kalmanStep` for each row of a log of at most 100 000 steps (of a large system as many as keep steps · (n + p)³
+/// within 138 240 000, which is 10 000 at 16 states and 8 outputs), in one call where thousands would cross over one by
+/// one. `inputs` holds u of every step row by row, `readings` y. Refused at one step, the log is refused.
 #[wasm_bindgen(js_name = kalmanReplay, unchecked_return_type = "KalmanReplay")]
 pub fn kalman_replay(
     #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
@@ -87,8 +87,8 @@ pub fn error_eigenvalues(
     Ok(shown(&dynamic::error_eigenvalues(&system_of(system)?, Arg::new(k, "K").matrix()?)?))
 }
 
-/// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out); at most
-/// 16 states and 8 outputs.
+/// The observability rank of (F, H) under a tolerance relative to the largest singular value (1e-9 when left out); at
+/// most 16 states and 8 outputs.
 #[wasm_bindgen(unchecked_return_type = "Observability")]
 pub fn observability(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
@@ -105,8 +105,8 @@ pub fn observability(
     ]))
 }
 
-/// The gain K that gives (I − KH)F the eigenvalues `poles`, for a single output (Ackermann on (F, HF)) and at most 16 states.
-/// Where F is singular one eigenvalue is 0 whatever K is, and 0 must be among the poles.
+/// The gain K that gives (I − KH)F the eigenvalues `poles`, for a single output (Ackermann on (F, HF)) and at most 16
+/// states. Where F is singular one eigenvalue is 0 whatever K is, and 0 must be among the poles.
 #[wasm_bindgen(js_name = placeObserverGain, unchecked_return_type = "Matrix")]
 pub fn place_observer_gain(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
@@ -118,8 +118,8 @@ pub fn place_observer_gain(
     Ok(rows(&DMatrix::from_column_slice(k.len(), 1, k.as_slice())))
 }
 
-/// The limit of the gain from P(0 | 0) = `P0`; at most 100 000 iterations (of a large system fewer, as in `kalmanReplay`; 10 000 when
-/// left out), tolerance 1e-12 when left out. Running out of iterations is an answer.
+/// The limit of the gain from P(0 | 0) = `P0`; at most 100 000 iterations (of a large system fewer, as in
+/// `kalmanReplay`; 10 000 when left out), tolerance 1e-12 when left out. Running out of iterations is an answer.
 #[wasm_bindgen(js_name = steadyStateGain, unchecked_return_type = "SteadyState")]
 pub fn steady_state_gain(
     #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,

@@ -8,8 +8,8 @@ use crate::object::Held;
 use estimate::dynamic::KalmanFilter as Filter;
 use wasm_bindgen::prelude::*;
 
-/// A Kalman filter that holds its system and its belief: x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, with Cov v = V and
-/// Cov w = W. An input or a reading is an array of numbers or a Float64Array.
+/// A Kalman filter that holds its system and its belief: x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, with Cov v =
+/// V and Cov w = W. An input or a reading is an array of numbers or a Float64Array.
 #[wasm_bindgen]
 #[repr(transparent)]
 pub struct KalmanFilter(Held);
@@ -68,13 +68,15 @@ impl KalmanFilter {
         self.read(|filter| rows(&filter.belief().p))
     }
 
-    /// Σ −½(ln det 2πS + νᵀS⁻¹ν) over all readings; null where an S was too near to singular, or the sum is too large for a number.
+    /// Σ −½(ln det 2πS + νᵀS⁻¹ν) over all readings; null where an S was too near to singular, or the sum is too large
+    /// for a number.
     #[wasm_bindgen(getter = logLikelihood, unchecked_return_type = "number | null")]
     pub fn log_likelihood(&self) -> Result<JsValue, Thrown> {
         self.read(|filter| number_or_null(filter.log_likelihood()))
     }
 
-    /// The normalized innovation squared νᵀS⁻¹ν of the last reading; null before the first, and where S was too near to singular.
+    /// The normalized innovation squared νᵀS⁻¹ν of the last reading; null before the first, and where S was too near to
+    /// singular.
     #[wasm_bindgen(getter, unchecked_return_type = "number | null")]
     pub fn nis(&self) -> Result<JsValue, Thrown> {
         self.read(|filter| number_or_null(filter.nis()))

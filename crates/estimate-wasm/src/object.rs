@@ -1,15 +1,15 @@
 //! What a class of the module holds.
 //!
-//! JavaScript can call a method of one class on an object of another. All classes therefore hold the same Rust type, which
-//! says what it is: such a call finds a sound object, and is refused.
+//! JavaScript can call a method of one class on an object of another. All classes therefore hold the same Rust type,
+//! which says what it is: such a call finds a sound object, and is refused.
 
 use crate::errors::Thrown;
 use estimate::{Code, Error};
 use std::any::Any;
 use std::cell::RefCell;
 
-/// An object behind a shared reference: arguments are decoded before it is borrowed, so that a getter of a caller's object
-/// which calls back into it finds it free.
+/// An object behind a shared reference: arguments are decoded before it is borrowed, so that a getter of a caller's
+/// object which calls back into it finds it free.
 pub(crate) struct Held {
     class: &'static str,
     inner: RefCell<Box<dyn Any>>,

@@ -1,7 +1,7 @@
 //! The linear functions for shapes known at run time only, as a page, a notebook or another language calls them.
 //!
-//! The algebra is that of the typed functions, over nalgebra's `Dyn` in place of its `Const`; what is added here is that
-//! every argument is checked and the culprit named.
+//! The algebra is that of the typed functions, over nalgebra's `Dyn` in place of its `Const`; what is added here is
+//! that every argument is checked and the culprit named.
 
 mod analysis;
 mod feet;
@@ -148,11 +148,12 @@ pub fn observability(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result
 }
 
 /// The gain that gives (I − KH)F the eigenvalues `poles`, for a single output; see
-/// [`place_observer_gain`](crate::place_observer_gain). For several outputs, or where not all eigenvalues can be moved, see [`movable`].
+/// [`place_observer_gain`](crate::place_observer_gain). For several outputs, or where not all eigenvalues can be moved,
+/// see [`movable`].
 ///
 /// # Errors
-/// [`Code::Limit`], [`Code::Shape`] or [`Code::NotFinite`] naming the argument, [`Code::Poles`], [`Code::Unobservable`],
-/// [`Code::NotPlaceable`], [`Code::DidNotConverge`].
+/// [`Code::Limit`], [`Code::Shape`] or [`Code::NotFinite`] naming the argument, [`Code::Poles`],
+/// [`Code::Unobservable`], [`Code::NotPlaceable`], [`Code::DidNotConverge`].
 ///
 /// # Example
 /// ```
@@ -197,7 +198,8 @@ pub fn gain_schedule(system: &System, p0: DMatrix<f64>, steps: usize) -> Result<
 /// The ellipse {x : xᵀP⁻¹x = radius²} of a 2×2 covariance.
 ///
 /// # Errors
-/// For `p` as [`validate::covariance`]; [`Code::Limit`] when `radius` is not positive, [`Code::NotFinite`] when it is not finite.
+/// For `p` as [`validate::covariance`]; [`Code::Limit`] when `radius` is not positive, [`Code::NotFinite`] when it is
+/// not finite.
 ///
 /// # Example
 /// ```

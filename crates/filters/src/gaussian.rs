@@ -8,7 +8,8 @@ use crate::update::Update;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector, Storage, Vector};
 
-/// The normal distribution N(x, P) of N states: `Gaussian<U2>` of two, `Gaussian<Dyn>` of a number known at run time only.
+/// The normal distribution N(x, P) of N states: `Gaussian<U2>` of two, `Gaussian<Dyn>` of a number known at run time
+/// only.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Gaussian<N: Dim>
 where
@@ -37,7 +38,6 @@ where
     ///
     /// # Errors
     /// [`Error::NotFinite`] when an argument is not finite or a product overflows.
-    #[inline(never)]
     pub fn predicted<U: Dim>(
         &self,
         a: &OMatrix<f64, N, N>,
@@ -83,8 +83,8 @@ where
         Ok(())
     }
 
-    /// The belief after the reading z = C x + noise of covariance Q: μ = μ̄ + K(z − C μ̄), added in just this order, and Σ in
-    /// Joseph's form.
+    /// The belief after the reading z = C x + noise of covariance Q: μ = μ̄ + K(z − C μ̄), added in just this order,
+    /// and Σ in Joseph's form.
     ///
     /// # Errors
     /// [`Error::InnovationNotPositiveDefinite`], or [`Error::NotFinite`] when an argument is not finite or a product
@@ -101,7 +101,8 @@ where
     /// assert!((corrected.x[0] - 2.0).abs() < 1e-15 && (corrected.p[0] - 2.0 / 3.0).abs() < 1e-15);
     /// # Ok::<(), filters::Error>(())
     /// ```
-    #[inline(never)]
+    // In wasm, where it is of many sizes, one function for each.
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn corrected<M: Dim>(
         &self,
         z: &OVector<f64, M>,
@@ -145,9 +146,9 @@ where
         Ok(Update { innovation, s, k, d2 })
     }
 
-    /// The product of two Gaussian densities, which is a Gaussian up to its scale (Theorem 8.2.1): mean z₁ + 𝒬(z₂ − z₁) and
-    /// covariance C₁ − 𝒬C₁ with 𝒬 = C₁(C₁ + C₂)⁻¹. It is the correction of this belief by a reading z₂ of the whole state
-    /// with noise C₂, and is computed so.
+    /// The product of two Gaussian densities, which is a Gaussian up to its scale (Theorem 8.2.1): mean z₁ + 𝒬(z₂ − z₁)
+    /// and covariance C₁ − 𝒬C₁ with 𝒬 = C₁(C₁ + C₂)⁻¹. It is the correction of this belief by a reading z₂ of the whole
+    /// state with noise C₂, and is computed so.
     ///
     /// # Errors
     /// [`Error::InnovationNotPositiveDefinite`] when C₁ + C₂ is singular, [`Error::NotFinite`] on overflow.

@@ -1,4 +1,5 @@
-//! What a system lets an observer know: detectability, what noise and inputs reach, and whether the covariance has a limit.
+//! What a system lets an observer know: detectability, what noise and inputs reach, and whether the covariance has a
+//! limit.
 
 use super::{System, pair};
 use crate::detectability::{self, Detectability};
@@ -10,11 +11,12 @@ use crate::validate::{self, MAX_STATES, size};
 use alloc::format;
 use nalgebra::DMatrix;
 
-/// Whether (F, H) is observable, and whether it is detectable: what is unseen dies out by itself. The `tolerance` is how well the numbers
-/// are known; an eigenvalue of modulus 1 − `tolerance` or more does not decay.
+/// Whether (F, H) is observable, and whether it is detectable: what is unseen dies out by itself. The `tolerance` is
+/// how well the numbers are known; an eigenvalue of modulus 1 − `tolerance` or more does not decay.
 ///
 /// # Errors
-/// [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`] or [`Code::Tolerance`] naming the argument, [`Code::DidNotConverge`].
+/// [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`] or [`Code::Tolerance`] naming the argument,
+/// [`Code::DidNotConverge`].
 ///
 /// # Example
 /// ```
@@ -54,8 +56,8 @@ pub fn stabilizability(f: DMatrix<f64>, b: DMatrix<f64>, tolerance: f64) -> Resu
     reachability::reachability(&f, &b, tolerance)
 }
 
-/// Which eigenvalues of (I − KH)F a gain can move, and the gain that moves them, for one output or several. The `tolerance` is as in
-/// [`detectability`].
+/// Which eigenvalues of (I − KH)F a gain can move, and the gain that moves them, for one output or several. The
+/// `tolerance` is as in [`detectability`].
 ///
 /// # Errors
 /// As [`detectability`].
@@ -73,7 +75,8 @@ pub fn noise_reach(f: DMatrix<f64>, v: DMatrix<f64>, tolerance: f64) -> Result<R
     stabilizability(f, reachability::noise_input(&v)?, tolerance)
 }
 
-/// A matrix B, n×n, with V = BBᵀ, also of a singular `v`: Bz is noise of the covariance V for n independent standard normal numbers z.
+/// A matrix B, n×n, with V = BBᵀ, also of a singular `v`: Bz is noise of the covariance V for n independent standard
+/// normal numbers z.
 ///
 /// # Errors
 /// For V as [`validate::covariance`]; [`Code::DidNotConverge`].

@@ -1,5 +1,5 @@
-//! A Kalman filter that holds its system and its belief, for sizes known at run time only. Few states and few outputs are
-//! filtered at the pace of typed code, to the same bits.
+//! A Kalman filter that holds its system and its belief, for sizes known at run time only. Few states and few outputs
+//! are filtered at the pace of typed code, to the same bits.
 
 use super::{Belief, System};
 use crate::error::Error;
@@ -13,8 +13,8 @@ use filters::{Gaussian, Update};
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, U1, VectorView};
 
-/// The Kalman filter of one system, with its belief inside: [`kalman_step`](crate::kf::kalman_step), in two halves that may be
-/// called apart, or together as one step.
+/// The Kalman filter of one system, with its belief inside: [`kalman_step`](crate::kf::kalman_step), in two halves that
+/// may be called apart, or together as one step.
 ///
 /// # Example
 /// ```
@@ -81,8 +81,8 @@ impl KalmanFilter {
     /// x̂(k+1 | k) = F x̂ + G u and P(k+1 | k) = F P Fᵀ + V, with the input `u` (m; empty for a system without inputs).
     ///
     /// # Errors
-    /// [`Code::Shape`](crate::Code::Shape) or [`Code::NotFinite`](crate::Code::NotFinite), naming u, x or P; the filter is then as
-    /// it was.
+    /// [`Code::Shape`](crate::Code::Shape) or [`Code::NotFinite`](crate::Code::NotFinite), naming u, x or P; the filter
+    /// is then as it was.
     pub fn predict(&mut self, u: &[f64]) -> Result<(), Error> {
         each!(&mut self.0, filter => filter.input(u).and_then(|()| filter.predict(u)))
     }
@@ -91,7 +91,8 @@ impl KalmanFilter {
     ///
     /// # Errors
     /// Those of [`predict`](Self::predict) with y for u, and
-    /// [`Code::InnovationNotPositiveDefinite`](crate::Code::InnovationNotPositiveDefinite) naming W; the filter is then as it was.
+    /// [`Code::InnovationNotPositiveDefinite`](crate::Code::InnovationNotPositiveDefinite) naming W; the filter is then
+    /// as it was.
     pub fn update(&mut self, y: &[f64]) -> Result<(), Error> {
         each!(&mut self.0, filter => filter.reading(y).and_then(|()| filter.update(y)))
     }
@@ -113,10 +114,12 @@ impl KalmanFilter {
         each!(&self.0, filter => filter.belief.x.as_slice())
     }
 
-    /// A step for each row of a log, whose numbers are known to be finite and so many: all means, and all variances, row by row.
+    /// A step for each row of a log, whose numbers are known to be finite and so many: all means, and all variances,
+    /// row by row.
     ///
     /// # Errors
-    /// That of the first step that is refused, with its number, counted from one.
+    /// That of the first step that is refused, with its number, counted from one. The filter is then between the halves
+    /// of a step.
     pub(super) fn replay(&mut self, inputs: &[f64], readings: &[f64]) -> Result<(Vec<f64>, Vec<f64>), (Error, usize)> {
         each!(&mut self.0, filter => filter.replay(inputs, readings))
     }
@@ -128,14 +131,14 @@ impl KalmanFilter {
         Gaussian { x: DVector::from_column_slice(self.x()), p }
     }
 
-    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over all readings; nothing where [`log_density`] had no answer at one of them, or the sum is
-    /// too large for a number.
+    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over all readings; nothing where [`log_density`] had no answer at one of them, or the
+    /// sum is too large for a number.
     pub fn log_likelihood(&self) -> Option<f64> {
         each!(&self.0, filter => filter.log_likelihood)
     }
 
-    /// The normalized innovation squared νᵀS⁻¹ν of the last reading; nothing before the first, and where S is singular to working
-    /// accuracy.
+    /// The normalized innovation squared νᵀS⁻¹ν of the last reading; nothing before the first, and where S is singular
+    /// to working accuracy.
     pub fn nis(&self) -> Option<f64> {
         each!(&self.0, filter => filter.nis)
     }
@@ -170,15 +173,15 @@ where
         Self { system, belief, log_likelihood: Some(0.0), nis: None }
     }
 
-    // A half is one function, in a step too: in line it would be in the module twice.
-    #[inline(never)]
+    // In wasm a half is one function, in a step too: in line it would weigh twice, and be hardly quicker.
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
     fn predict(&mut self, u: &[f64]) -> Result<(), Error> {
         let system = &self.system;
         let u = VectorView::from_slice_generic(u, system.g.shape_generic().1, U1);
         Ok(self.belief.predict(&system.f, &system.v, Some((&system.g, &u)))?)
     }
 
-    #[inline(never)]
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
     fn update(&mut self, y: &[f64]) -> Result<(), Error> {
         let system = &self.system;
         let y = sized(system.h.shape_generic().0, U1, y);
@@ -201,7 +204,7 @@ where
         let (mut x, mut variances) = (Vec::with_capacity(steps * n), Vec::with_capacity(steps * n));
         for k in 0..steps {
             let (u, y) = (&inputs[k * m..(k + 1) * m], &readings[k * p..(k + 1) * p]);
-            self.step(u, y).map_err(|e| (e, k + 1))?;
+            self.predict(u).and_then(|()| self.update(y)).map_err(|e| (e, k + 1))?;
             x.extend(self.belief.x.iter());
             variances.extend((0..n).map(|i| self.belief.p[(i, i)]));
         }

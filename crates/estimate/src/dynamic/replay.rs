@@ -21,19 +21,19 @@ pub struct Replayed {
     pub variances: Vec<f64>,
     /// P(k | k) after the last step, n×n.
     pub p: DMatrix<f64>,
-    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over the steps; nothing where [`log_density`](crate::likelihood::log_density) has no answer at
-    /// one of them.
+    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over the steps; nothing where [`log_density`](crate::likelihood::log_density) has no
+    /// answer at one of them.
     pub log_likelihood: Option<f64>,
 }
 
-/// One [`kalman_step`](crate::kf::kalman_step) for each row of `readings` (steps × p, row by row), with the row of `inputs`
-/// (steps × m) beside it.
+/// One [`kalman_step`](crate::kf::kalman_step) for each row of `readings` (steps × p, row by row), with the row of
+/// `inputs` (steps × m) beside it.
 ///
 /// # Errors
 /// Those of the step, saying at which, with `inputs` for u and `readings` for y; [`Code::Shape`] when the rows do not
 /// fit the system or each other, [`Code::NotFinite`] naming the number, [`Code::Limit`] for no step or more than
-/// [`MAX_LOG`], or than [`MAX_WORK`](crate::validate::MAX_WORK) leaves for a system of this size: a longer log is replayed in
-/// parts, each from the last belief of the one before.
+/// [`MAX_LOG`], or than [`MAX_WORK`](crate::validate::MAX_WORK) leaves for a system of this size: a longer log is
+/// replayed in parts, each from the last belief of the one before.
 pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings: &[f64]) -> Result<Replayed, Error> {
     let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
     belief_fits(belief, n)?;

@@ -52,7 +52,8 @@ fn plainly_positive_accepts_no_singular_or_indefinite_matrix() {
     assert!(!of(&[1.0, 2.0, 0.0, 2.0, 1.0, 0.0, 0.0, 0.0, 1.0]), "the second minor");
     assert!(!of(&[1.0, 0.0, 0.9, 0.0, 1.0, 0.9, 0.9, 0.9, 1.0]), "the third alone");
     assert!(!of(&[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, -1.0]), "the last entry");
-    // Of four rows: D − aaᵀ/4 is positive definite as long as Σ aᵢ²/4 < 1, and all its minors but the last stay so a while longer.
+    // Of four rows: D − aaᵀ/4 is positive definite as long as Σ aᵢ²/4 < 1, and all its minors but the last stay so a
+    // while longer.
     let four = |a: [f64; 4]| DMatrix::from_fn(4, 4, |i, j| f64::from(i == j) - a[i] * a[j] / 4.0);
     assert!(plainly_positive(&four([1.0, -1.0, 0.9, 0.9])) && plainly_positive(&(four([1.0, -0.5, 0.9, 1.2]) * 1e-6)));
     let refused =

@@ -2,7 +2,8 @@
 
 use super::*;
 
-/// The rail robot with a position sensor, with two outputs, without an input; a system of three states; a point in the plane.
+/// The rail robot with a position sensor, with two outputs, without an input; a system of three states; a point in the
+/// plane.
 fn systems() -> Vec<(System, Belief)> {
     let (sys, belief) = position_sensor();
     let (rail, belief) = (system_of(&sys), belief_of(&belief));

@@ -37,7 +37,8 @@ fn ordinary(n: usize, m: usize, p: usize) -> (System, Belief) {
     (system, belief_from(DVector::from_fn(n, |i, _| entry(0.3, i, 1)), covariance(0.6, n)).expect("sound"))
 }
 
-/// The sizes that are compiled and those that are not: a log, the filter as a class, and the step of sizes known at run time.
+/// The sizes that are compiled and those that are not: a log, the filter as a class, and the step of sizes known at run
+/// time.
 #[test]
 fn a_log_replayed_is_its_steps_one_by_one_bit_for_bit() {
     let (rail, two) = rail();
