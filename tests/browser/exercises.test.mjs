@@ -171,6 +171,7 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   const part = await end(page)
   assert.match(await part.locator('.score-words').innerText(), /^Exercises: 2 of \d+ answered/)
   await part.getByRole('link', { name: /All your answers/ }).click()
+  await page.waitForURL((url) => !url.pathname.endsWith('/exercises/'))
   await end(page)
   assert.equal(await page.locator('#ex-lamp').getAttribute('data-all-answered'), '')
   assert.equal(await page.locator('#ex-unseen').getAttribute('data-all-answered'), null)
