@@ -169,6 +169,38 @@ mkdir -p "$built"; echo compiled >"$built/estimate_wasm.wasm"; echo 'x: Cargo.to
   )
 })
 
+test('a copy of a built folder compiles its own module, and not the one that it was copied with', () => {
+  const first = copy('first')
+  const core = 'crates/numerics/src/lib.rs'
+  // Where cargo would leave a module stands a file of the core; what it was made of is noted as cargo does, by whole
+  // paths.
+  const real = spawnSync('bash', ['-c', 'command -v cargo'], { encoding: 'utf8' }).stdout.trim()
+  const env = {
+    ...stub(
+      'noting',
+      `case $1 in install) exit 1 ;; build) ;; *) exec '${real}' "$@" ;; esac
+built="$PWD/target/wasm32-unknown-unknown/release"
+mkdir -p "$built"; cp ${core} "$built/estimate_wasm.wasm"; echo "x: $PWD/${core}" >"$built/estimate_wasm.d"`,
+    ),
+    CARGO_BUILD_TARGET_DIR: undefined,
+    CARGO_TARGET_DIR: undefined,
+  }
+  for (const tool of ['npm', 'wasm-bindgen'])
+    writeFileSync(path.join(home, 'noting', tool), '#!/bin/sh\nexit 1\n', { mode: 0o755 })
+  const moduleOf = (folder) => {
+    const { stderr } = buildIn(folder, env)
+    const file = path.join(folder, 'target/pkg/whole.wasm')
+    assert.ok(existsSync(file), stderr)
+    return readFileSync(file, 'utf8')
+  }
+  moduleOf(first)
+  const second = path.join(home, 'second')
+  cpSync(first, second, { recursive: true })
+  writeFileSync(path.join(second, core), `${readFileSync(path.join(second, core), 'utf8')}// only here\n`)
+  assert.match(moduleOf(second), /only here/)
+  assert.doesNotMatch(moduleOf(first), /only here/)
+})
+
 test('a Cargo.lock that lags behind the manifests stops the build, and is left as it was', () => {
   const folder = copy('lagging')
   const [manifest, lock] = ['Cargo.toml', 'Cargo.lock'].map((name) => path.join(folder, name))
