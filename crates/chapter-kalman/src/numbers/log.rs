@@ -112,6 +112,13 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
     ] {
         summary(name, frame, to).ok_or_else(off)?;
     }
+    for (name, frame) in [("scaled", &scaled), ("tuned", &calibrated)] {
+        to.add(
+            format!("log.{name}.claim"),
+            claim(frame),
+            "mean of (error / claimed σ)² of the position, 1 is expected",
+        );
+    }
     wrong(logged, LogParams { scale, ..usual }, to)?;
     to.by("labs::RobotLog", None)
         .add("log.given.gate", GATE, "the gate's probability that the text tries")
@@ -143,6 +150,12 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
         "its standard deviation",
     );
     Ok(())
+}
+
+/// The mean of (error / σ)² of the position at the rows that the figure draws, with the σ that the filter claims.
+fn claim(frame: &LogFrame) -> f64 {
+    let ratios = frame.errors.error.iter().zip(&frame.errors.bound).map(|(error, bound)| 2.0 * error / bound);
+    ratios.map(|ratio| ratio * ratio).sum::<f64>() / frame.errors.error.len() as f64
 }
 
 /// The line through how far the ranges are off from those of dead reckoning, which starts at the first true pose.

@@ -141,6 +141,9 @@ fn the_log_s_story_holds() {
     // Four states; one beacon leaves the turn about it unseen, which does not touch the scale.
     assert_eq!((n["log.rank.all"], n["log.rank.one"]), (4.0, 3.0));
     assert!(n["log.unseen.one"] < 1e-9);
+    // An independent replay has 0.86 and 1.00 over all rows; the figure draws a part of them.
+    let (before, after) = (n["log.scaled.claim"], n["log.tuned.claim"]);
+    assert!((before - 0.86).abs() < 0.02 && (after - 1.0).abs() < 0.02, "claims and errors agree: {before}, {after}");
     assert!(n["log.tuned.band.low"] < n["log.tuned.nis"] && n["log.tuned.nis"] < n["log.tuned.band.high"]);
     assert!(
         (n["log.scatter"] / n["log.tuned.sigma"] - 1.0).abs() < 0.1,
