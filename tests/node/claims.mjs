@@ -1,4 +1,6 @@
-// How the words of a figure are held against its frames: sentence by sentence, over a grid of parameters and steps.
+// How the words of a figure are held against its frames: every sentence of a verdict is one of its claims, and each
+// claim is held against the frame that the sentence speaks of, over a grid of parameters and steps, just-reset states
+// among them.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
@@ -12,6 +14,12 @@ export const number = (text) => Number(text.replace('\u2212', '-').replace('∞'
 /** Whether a printed number is this value, rounded. */
 export const prints = (text, value) =>
   Math.abs(number(text) - value) <= 0.51 * 10 ** -(text.split('.')[1]?.length ?? 0) + 1e-9 * Math.abs(value)
+
+/** The specification of a figure. @param {string} name */
+export const widget = (name) => WIDGETS[name]()
+
+/** A pattern of these parts, for a sentence that is longer than a line. @param {RegExp[]} parts */
+export const pattern = (...parts) => new RegExp(parts.map(({ source }) => source).join(''))
 
 /** Every choice of one value for each name. @returns {Record<string, unknown>[]} */
 function grid(axes) {
@@ -63,7 +71,7 @@ function falsehoods(spec, all, claims) {
 
 export const check = (tag, axes, steps, claims) =>
   test(`what the ${tag} says is true, in every state`, async () => {
-    const spec = await WIDGETS[tag]()
+    const spec = await widget(tag)
     const all = [...frames(spec, axes, steps)]
     assert.ok(all.length > 60)
     assert.deepEqual(falsehoods(spec, all, claims(spec)), [])

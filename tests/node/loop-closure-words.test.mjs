@@ -1,0 +1,95 @@
+import { check, prints, pattern } from './claims.mjs'
+
+/** Sightings and landmarks in words: `no`, or their number. */
+const counted = (word) => (word.toLowerCase() === 'no' ? 0 : Number(word))
+check(
+  'loop-closure',
+  {
+    gate: [0.5, 9.21, 100],
+    found: [0.5, 6, 50],
+    correlated: [true, false],
+    seed: [1, 2, 5],
+  },
+  [0, 1, 60, 112, 113, 128, 300],
+  () => [
+    [
+      /^At the start the pose is known exactly, and (\w+) landmarks? in reach (?:is|are) founded\.$/,
+      ({ step, map, P }, founded) =>
+        step === 0 && counted(founded) === map.founded && P.flat().every((entry) => entry === 0),
+    ],
+    [
+      /^The map has (\w+) landmarks?; ([1-9]\d*) of (\w+) sightings? (?:was|were) not used\.$/,
+      ({ step, map, closure }, landmarks, rejected, all) =>
+        step > 0 &&
+        closure === null &&
+        counted(landmarks) === map.landmarks.length &&
+        counted(all) === map.sightings &&
+        Number(rejected) === map.rejected &&
+        map.matched + map.founded + map.rejected === map.sightings,
+    ],
+    [
+      /^The map has (\w+) landmarks?; (?:all (\d+) sightings were|(1|no) sightings? was) used\.$/,
+      ({ step, map, closure }, landmarks, many, few) =>
+        step > 0 &&
+        closure === null &&
+        counted(landmarks) === map.landmarks.length &&
+        counted(many ?? few) === map.sightings &&
+        map.rejected === 0 &&
+        map.matched + map.founded === map.sightings,
+    ],
+    [
+      pattern(
+        /^(\d+) landmarks? (?:is a ghost|are ghosts), /,
+        /founded though the map had (?:it|them) /,
+        /already(?:; (\d+) sightings? (?:was|were) matched to the wrong landmark)?(; the map is full and founds no more)?\.$/,
+      ),
+      ({ map }, spurious, wrong, full) =>
+        Number(spurious) === map.spurious &&
+        Number(wrong ?? 0) === map.wrong &&
+        Boolean(full) === map.full &&
+        new Set(map.landmarks.map(({ truth }) => truth)).size === map.landmarks.length - map.spurious,
+    ],
+    [
+      /^(\d+) sightings? (?:was|were) matched to the wrong landmark(; the map is full and founds no more)?\.$/,
+      ({ map }, wrong, full) => map.spurious === 0 && Number(wrong) === map.wrong && Boolean(full) === map.full,
+    ],
+    [/^The map is full and founds no more\.$/, ({ map }) => map.full && map.spurious === 0 && map.wrong === 0],
+    [
+      /^No landmark that was long out of sight has been recognized\.$/,
+      ({ closure, lap }) => closure === null && lap > 0,
+    ],
+    [
+      pattern(
+        /^At step (\d+) landmark (\d+) was recognized again, /,
+        /and the landmarks’ mean σ (shrank|grew) from ([\d.]+) to ([\d.]+) m\.$/,
+      ),
+      ({ closure }, step, landmark, how, before, after) =>
+        closure.step === Number(step) &&
+        closure.landmark + 1 === Number(landmark) &&
+        before !== after &&
+        prints(before, closure.before) &&
+        prints(after, closure.after) &&
+        (how === 'shrank') === closure.after < closure.before,
+    ],
+    [
+      /^At step (\d+) landmark (\d+) was recognized again, and the landmarks’ mean σ hardly changed, ([\d.]+) m\.$/,
+      ({ closure }, step, landmark, after) =>
+        closure.step === Number(step) &&
+        closure.landmark + 1 === Number(landmark) &&
+        prints(after, closure.after) &&
+        prints(after, closure.before),
+    ],
+    [
+      /^The mean NEES of the pose is ([\d.]+), where 3 is expected\.$/,
+      ({ meanNees, neesBand }, mean) => prints(mean, meanNees) && meanNees <= neesBand[1],
+    ],
+    [
+      pattern(
+        /^The mean NEES of the pose is ([\d.]+)( × 10[⁰-⁹]+)?, where 3 is expected: /,
+        /the filter claims far more than it knows\.$/,
+      ),
+      ({ meanNees, neesBand }, mean, large) =>
+        (large !== undefined || prints(mean, meanNees)) && meanNees > neesBand[1],
+    ],
+  ],
+)

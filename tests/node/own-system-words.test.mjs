@@ -1,0 +1,184 @@
+import { check, prints, pattern } from './claims.mjs'
+
+const four = (rows) => Array.from({ length: 4 }, (_, i) => Array.from({ length: 4 }, (_, j) => rows[i]?.[j] ?? 0))
+check(
+  'own-system',
+  {
+    f: [
+      four([
+        [1, 0.5],
+        [0, 1],
+      ]),
+      four([
+        [0.5, 0],
+        [0, 1],
+      ]),
+      four([
+        [1, 0],
+        [0, 1 + 1e-11],
+      ]),
+      four([
+        [1.2, 0],
+        [0, 0.3],
+      ]),
+      four([
+        [1, 1e12],
+        [0, 1],
+      ]),
+    ],
+    h: [four([[1, 0]]), four([[0, 1]]), four([[1, 1]])],
+    v: [
+      four([]),
+      four([
+        [0.01, 0.02],
+        [0.02, 0.04],
+      ]),
+      four([
+        [0, 0],
+        [0, 1],
+      ]),
+      four([
+        [1, 0],
+        [0, 1],
+      ]),
+    ],
+    gain: ['filter', 'hand', 'placement'],
+    logTolerance: [-14, -9, -1],
+  },
+  [0, 60],
+  () => {
+    const sizes = (directions) => directions.length
+    const apart = (list) => list.split(/, | and /).length
+    return [
+      [
+        /^Observable: the readings tell every direction of the state\.$/,
+        ({ observable, rank }) => observable === 'yes' && rank.rank === 2 && rank.directions.length === 0,
+      ],
+      [
+        /^Not observable: the rank is full only because rounding errors exceed so small a tolerance\.$/,
+        ({ observable, rank }) => observable === 'no' && rank.rank === 2,
+      ],
+      [
+        /^The rank is full, but whether the system is observable is undecided within the tolerance of (\S.*)\.$/,
+        ({ observable, rank }) => observable === 'undecided' && rank.rank === 2,
+      ],
+      [
+        pattern(
+          /^Observable in units that fit each state; in the units given, /,
+          /the singular values lie too far apart for the rank to say so\.$/,
+        ),
+        ({ observable, rank }) => observable === 'yes' && rank.rank < 2,
+      ],
+      [
+        /^Not observable: (.*) (is|are) never seen\.$/,
+        ({ observable, rank }, list, verb) =>
+          observable === 'no' &&
+          sizes(rank.directions) === 2 - rank.rank &&
+          apart(list) === sizes(rank.directions) &&
+          (verb === 'are') === apart(list) > 1,
+      ],
+      [
+        pattern(
+          /^(.*) (count|counts) as unseen: less is read of it than the tolerance of (\S.*), /,
+          /so whether the system is observable is undecided\.$/,
+        ),
+        ({ observable, rank }, list) => observable === 'undecided' && apart(list) === sizes(rank.directions),
+      ],
+      [
+        /^Detectable: what is not seen dies out by itself\.$/,
+        ({ observable, detectable }) => detectable === 'yes' && observable !== 'yes',
+      ],
+      [
+        /^Not detectable: what is not seen does not die out\.$/,
+        ({ detectable, unseenModes, tolerance }) =>
+          detectable === 'no' &&
+          (unseenModes.length === 0 || Math.hypot(unseenModes[0].re, unseenModes[0].im) >= 1 - tolerance),
+      ],
+      [
+        /^Whether it is detectable is undecided within the tolerance\.$/,
+        ({ detectable }) => detectable === 'undecided',
+      ],
+      [/^Noise reaches every state\.$/, ({ noise }) => noise.reachable === 'yes'],
+      [
+        /^Whether noise reaches every state is undecided within the tolerance\.$/,
+        ({ noise }) => noise.reachable === 'undecided',
+      ],
+      [/^There is no noise in the motion\.$/, ({ params }) => params.v.flat().every((entry) => entry === 0)],
+      [
+        /^Noise never moves (.*)\.$/,
+        ({ noise }, list) => noise.reachable === 'no' && apart(list) === sizes(noise.unreached),
+      ],
+      [
+        pattern(
+          /^The covariance tends to one limit from every start, /,
+          /because the system is detectable and noise reaches all that does not die out\.$/,
+        ),
+        ({ detectable, noise, limit }) =>
+          limit === 'from-every-start' && detectable === 'yes' && noise.stabilizable === 'yes',
+      ],
+      [
+        pattern(
+          /^The covariance tends to a limit from every large enough start, because the system is detectable; /,
+          /noise does not reach all that does not die out, or whether it does is undecided; /,
+          /so a smaller start may lead elsewhere, /,
+          /and the filter may in the end stop correcting what noise does not reach\.$/,
+        ),
+        ({ detectable, noise, limit }) =>
+          limit === 'from-large-start' && detectable === 'yes' && noise.stabilizable !== 'yes',
+      ],
+      [
+        pattern(
+          /^The covariance has no limit: something unseen does not die out, and noise feeds it, /,
+          /so its variance grows without end\.$/,
+        ),
+        ({ limit, detectable }) => limit === 'none' && detectable === 'no',
+      ],
+      [
+        pattern(
+          /^Whether the covariance has a limit depends on the start: something unseen does not die out, /,
+          /and noise does not reach all of that\.$/,
+        ),
+        ({ limit, detectable, noise }) =>
+          limit === 'depends-on-start' && detectable === 'no' && noise.stabilizable === 'no',
+      ],
+      [
+        /^Whether the covariance has a limit is undecided within the tolerance\.$/,
+        ({ limit }) => limit === 'undecided',
+      ],
+      [
+        /^From this start it settles in (\d+) steps\.$/,
+        ({ settled, limit }, steps) => settled === Number(steps) && limit !== 'none',
+      ],
+      [
+        /^From this start it grows too slowly to show: after (\d+) steps no digit changes\.$/,
+        ({ settled, limit }, steps) => settled === Number(steps) && limit === 'none',
+      ],
+      [
+        /^From this start it has not settled after (\d+) steps\.$/,
+        ({ settled, tried }, steps) => settled === null && tried === Number(steps),
+      ],
+      [/^From this start it outgrows every number\.$/, ({ settled, tried }) => settled === null && tried === null],
+      [/^The simulated run has left every bound and stands still\.$/, ({ diverged }) => diverged],
+      [
+        /^No gain was found that puts the eigenvalues there, so the gain is 0\.$/,
+        ({ placed, K }) => placed === false && K.flat().every((entry) => entry === 0),
+      ],
+      [
+        pattern(
+          /^With (the filter’s gain|this gain|the gain that places them) the eigenvalues of the error’s matrix /,
+          /reach the modulus (\S+?)(?: × \S+)?(, so an error need not die out)?\.$/,
+        ),
+        ({ params, spectralRadius }, who, radius, lives) =>
+          (({ 'the filter’s gain': 'filter', 'this gain': 'hand' })[who] ?? 'placement') === params.gain &&
+          (spectralRadius >= 1e4 || prints(radius, spectralRadius)) &&
+          Boolean(lives) === spectralRadius >= 1,
+      ],
+      [
+        /^(One|2) of them (?:stays where it is|stay where they are) whatever the gain\.$/,
+        ({ eigenvalues, movable }, count) =>
+          eigenvalues.filter(({ fixed }) => fixed).length === (count === 'One' ? 1 : 2) &&
+          movable === 2 - (count === 'One' ? 1 : 2),
+      ],
+    ]
+  },
+)
