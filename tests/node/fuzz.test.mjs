@@ -4,7 +4,8 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { Worker } from 'node:worker_threads'
-import { CLASSES, FUNCTIONS } from './exports.mjs'
+import { CLASSES } from './class-exports.mjs'
+import { FUNCTIONS } from './function-exports.mjs'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 const CASES = Number(process.env.FUZZ_CASES ?? 1500)

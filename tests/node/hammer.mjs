@@ -3,7 +3,8 @@
 import { createRequire } from 'node:module'
 import { isDeepStrictEqual } from 'node:util'
 import { parentPort, workerData } from 'node:worker_threads'
-import { CLASSES, FUNCTIONS } from './exports.mjs'
+import { CLASSES } from './class-exports.mjs'
+import { FUNCTIONS } from './function-exports.mjs'
 import { dice as seeded, matrices, notCovariance, spoil } from './nonsense.mjs'
 
 const { name, cases, seed, beat } = workerData

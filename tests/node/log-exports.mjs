@@ -1,4 +1,4 @@
-// What the fuzz test knows of the exports that read and replay logs, as `exports.mjs` says it of the others.
+// What the fuzz test knows of the exports that read and replay logs, as `class-exports.mjs` says it of the others.
 
 const LOG = [
   'L,1,5,5',

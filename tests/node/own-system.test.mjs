@@ -1,13 +1,9 @@
-// A system of the reader's own: what is pasted is read or its fault is named, and a program copied from the figure
-// prints what it shows.
+// A system of the reader's own: what is pasted is read or its fault is named, and what its presets promise holds.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { execFileSync, spawnSync } from 'node:child_process'
-import { copyFileSync, existsSync, mkdirSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
-import { javascript, numpy, rust } from '../../web/widgets/own-system/copy-as.js'
 import { lettersOf, nameOf, sumOf } from '../../web/widgets/own-system/names.js'
 import { PRESETS, paramsOf, systemOf } from '../../web/widgets/own-system/presets.js'
 import { faultOf, numberOf, readSystem } from '../../web/widgets/own-system/read.js'
@@ -185,123 +181,5 @@ test('the functions of the module and the lab give one answer', () => {
       [[0], [0.5]],
     ).reachable,
     'yes',
-  )
-})
-
-/** The states whose programs are run: one of each kind. */
-const STATES = [
-  paramsOf(PRESETS[0]),
-  {
-    ...paramsOf(PRESETS[1]),
-    gain: 'hand',
-    k: [
-      [0.1, 0, 0, 0],
-      [0.7, 0, 0, 0],
-      [0, 0, 0, 0],
-      [0, 0, 0, 0],
-    ],
-  },
-  {
-    ...paramsOf(PRESETS[2]),
-    gain: 'placement',
-    poles: [
-      [0.4, 0.3],
-      [0, 0],
-      [0.2, 0],
-      [0, 0],
-    ],
-  },
-  { ...paramsOf(PRESETS[5]), inputs: 0, start: 4 },
-  paramsOf(PRESETS[4]),
-]
-
-/** What a program prints, against the frame. @param {string} printed @param {any} params @param {boolean} verdicts */
-function compare(printed, params, verdicts) {
-  const frame = open(params).frame()
-  const numbers = (text) => [...text.matchAll(/-?\d+\.?\d*(?:e[+-]?\d+)?/g)].map(([one]) => Number(one))
-  const close = (a, b, what) =>
-    assert.ok(
-      a.length === b.length && a.every((one, i) => Math.abs(one - b[i]) <= 1e-7 * (1 + Math.abs(b[i]))),
-      `${what}: ${a} and ${b}`,
-    )
-  const lines = printed.trim().split('\n')
-  const [rank, ...values] = numbers(lines[0])
-  assert.equal(rank, frame.rank.rank)
-  close(values, frame.rank.singularValues, 'singular values')
-  // Of equal moduli the order may differ from one library to the next.
-  const roots = lines.filter((line) => line.startsWith('eigenvalue')).map(numbers)
-  for (const { re, im } of frame.eigenvalues)
-    assert.ok(
-      roots.some(([x, y]) => Math.hypot(x - re, y - im) < 1e-6),
-      `${re} + ${im} i among ${roots}`,
-    )
-  const gains = lines.filter((line) => line.startsWith('gain')).map(numbers)
-  const run = open(params, 5).frame().series.gain
-  assert.equal(gains.length, 5)
-  gains.forEach((gain, k) =>
-    close(
-      gain,
-      run.slice(0, params.states).flatMap((row) => row.slice(0, params.readings).map((series) => series[k + 1])),
-      `gain ${k + 1}`,
-    ),
-  )
-  if (!verdicts) return
-  const words = lines.slice(1, 4).join('\n').toLowerCase()
-  assert.equal(
-    words
-      .replace(/fromeverystart/, 'from-every-start')
-      .replace(/dependsonstart/, 'depends-on-start')
-      .replace(/fromlargestart/, 'from-large-start'),
-    `observable ${frame.observable}, detectable ${frame.detectable}\nreached by noise ${frame.noise.reachable}, stabilizable ${frame.noise.stabilizable}\nlimit ${frame.limit}`,
-  )
-}
-
-const programs = path.join(root, 'target/own-system')
-mkdirSync(path.join(programs, 'src/bin'), { recursive: true })
-
-test('a system copied as JavaScript prints what the figure shows', () => {
-  for (const params of STATES) {
-    const text = javascript(open(params).frame()).replace(
-      "'robot-motion'",
-      JSON.stringify(path.join(root, 'target/pkg/node/estimate_wasm.js')),
-    )
-    const file = path.join(programs, 'system.cjs')
-    writeFileSync(file, text)
-    compare(execFileSync(process.execPath, [file], { encoding: 'utf8' }), params, true)
-  }
-})
-
-/** A Python with numpy: the system's, else one in a folder of the build. */
-function python() {
-  const has = (program) => spawnSync(program, ['-c', 'import numpy']).status === 0
-  if (has('python3')) return 'python3'
-  const own = path.join(root, 'target/python')
-  const program = path.join(own, 'bin/python3')
-  if (!has(program)) {
-    execFileSync('python3', ['-m', 'venv', own])
-    execFileSync(path.join(own, 'bin/pip'), ['install', '--quiet', 'numpy'])
-  }
-  return program
-}
-
-test('a system copied as numpy prints what the figure shows', { timeout: 120_000 }, () => {
-  const program = python()
-  for (const params of STATES)
-    compare(execFileSync(program, ['-c', numpy(open(params).frame())], { encoding: 'utf8' }), params, false)
-})
-
-test('a system copied as Rust prints what the figure shows', { timeout: 600_000 }, () => {
-  // A package of its own beside the workspace, with the versions that the workspace has.
-  writeFileSync(
-    path.join(programs, 'Cargo.toml'),
-    `[package]\nname = "own-system"\nversion = "0.1.0"\nedition = "2024"\n\n[workspace]\n\n[dependencies]\nestimate = { package = "robot-motion-estimate", path = "../../crates/estimate" }
-nalgebra = { version = "0.35", default-features = false, features = ["alloc", "macros", "libm-force"] }\n\n[profile.dev]\nopt-level = 1\ndebug = "line-tables-only"\n\n[profile.dev.package."*"]\ndebug = false\n`,
-  )
-  if (!existsSync(path.join(programs, 'Cargo.lock')))
-    copyFileSync(path.join(root, 'Cargo.lock'), path.join(programs, 'Cargo.lock'))
-  STATES.forEach((params, i) => writeFileSync(path.join(programs, `src/bin/system${i}.rs`), rust(open(params).frame())))
-  execFileSync('cargo', ['build', '--quiet', '--offline'], { cwd: programs, stdio: ['ignore', 'inherit', 'inherit'] })
-  STATES.forEach((params, i) =>
-    compare(execFileSync(path.join(programs, `target/debug/system${i}`), { encoding: 'utf8' }), params, true),
   )
 })
