@@ -1,25 +1,17 @@
 // The second engine: every widget comes alive, moves and keeps its digits in Firefox, without a complaint, driven over
 // WebDriver BiDi with the keyboard. Skipped where there is no Firefox (FIREFOX names one that is not in the usual
 // places).
-import { after, before, test } from 'node:test'
+import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { once } from 'node:events'
-import { existsSync } from 'node:fs'
 import { createServer } from 'node:http'
 import { createRequire } from 'node:module'
 import path from 'node:path'
-import puppeteer from 'puppeteer-core'
-import { serve } from '../../scripts/static-server.mjs'
 import { FIGURES } from '../../target/figures.js'
-import { BASE, dist, HANGS_MS, root, tagOf } from './places.mjs'
+import { alive, browser, complaints, firefox, page, site, wait, waitIn } from './firefox.mjs'
+import { root, tagOf } from './places.mjs'
 
-const firefox = [
-  process.env.FIREFOX,
-  '/usr/bin/firefox-esr',
-  '/usr/bin/firefox',
-  '/Applications/Firefox.app/Contents/MacOS/firefox',
-].find((path) => path && existsSync(path))
 const notice = 'no Firefox here; Debian: apt-get install firefox-esr'
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
@@ -30,48 +22,6 @@ const native = firefox
       encoding: 'utf8',
     })
   : ''
-
-let browser, site, page
-const complaints = []
-if (firefox) {
-  before(async () => {
-    site = await serve({ folder: dist, base: BASE })
-    // Firefox 140 has no command for the orientation of a screen, which setting a viewport would give.
-    browser = await puppeteer.launch({
-      browser: 'firefox',
-      executablePath: firefox,
-      headless: true,
-      defaultViewport: null,
-      args: ['--width=1280', '--height=900'],
-    })
-    page = await browser.newPage()
-    page.on('console', (message) => {
-      if (message.type() === 'error') complaints.push(message.text())
-    })
-    page.on('pageerror', (error) => complaints.push(String(error)))
-    await page.goto(`${site.url}kalman/`, { timeout: HANGS_MS })
-  })
-  after(async () => {
-    await browser?.close()
-    await site?.close()
-  })
-}
-
-/**
- * Asks again and again. Puppeteer's own way makes a function of a text, which the page's policy forbids in Firefox 140.
- */
-const wait = (check, ...given) => waitIn(page, check, ...given)
-const waitIn = async (where, check, ...given) => {
-  for (const end = Date.now() + HANGS_MS; !(await where.evaluate(check, ...given)); ) {
-    assert.ok(Date.now() < end, `waited for ${check}`)
-    await new Promise((resolve) => setTimeout(resolve, 100))
-  }
-}
-const alive = async (figure) => {
-  const tag = tagOf(figure)
-  await page.evaluate((name) => document.querySelector(name).scrollIntoView({ block: 'center' }), tag)
-  await wait((name) => document.querySelector(name).dataset.state === 'live', tag)
-}
 
 for (const tag of ['odometry-hook', 'observer-bench', 'observability-probe']) {
   test(`${tag} steps in Firefox`, { skip: firefox ? false : notice }, async () => {

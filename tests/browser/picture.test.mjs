@@ -2,59 +2,10 @@
 // wherever they are put.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { dragSlider, frameOf, openFigure, quiet, until } from './harness.mjs'
-
-const close = (a, b, tolerance = 1e-9) => Math.abs(a - b) <= tolerance
-const apart = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1])
-const handle = (picture, label) => picture.getByRole('slider', { name: label, exact: true })
-const noise = (picture) => picture.getByRole('slider', { name: /Sensor noise/ })
+import { apart, close, handle, holds, noise, pull, unitOf } from './picture.mjs'
+import { dragSlider, frameOf, openFigure, until } from './harness.mjs'
 
 const picture = (t) => openFigure(t, 'picture')
-
-/** Pixels of one unit, by the drawing's own margins and reach. */
-const unitOf = (it) =>
-  it.locator('.live .panel-plane').evaluate((svg) => {
-    const { width, height } = svg.viewBox.baseVal
-    return Math.min((width - 58) / 2, (height - 72) / 2) / 3
-  })
-
-/** Drags a handle by so many pixels. */
-async function pull(page, grip, dx, dy) {
-  await grip.scrollIntoViewIfNeeded()
-  const box = await grip.locator('.handle-dot').boundingBox()
-  const [x, y] = [box.x + box.width / 2, box.y + box.height / 2]
-  await page.mouse.move(x, y)
-  await page.mouse.down()
-  await page.mouse.move(x + dx / 2, y + dy / 2, { steps: 3 })
-  await page.mouse.move(x + dx, y + dy, { steps: 3 })
-  await page.mouse.up()
-}
-
-/** Both feet are on the line, each at a right angle in its own metric, and the page says so. */
-async function holds(it) {
-  const frame = await frameOf(it)
-  const { euclideanFoot: gray, mahalanobisFoot: purple, update } = frame
-  for (const [name, value] of Object.entries({
-    'gray residual': gray.residual,
-    'purple residual': purple.residual,
-    'update residual': update.residual,
-    'gray by the ruler': gray.euclidean,
-    'purple by P': purple.mahalanobis,
-    'update by P': update.mahalanobis,
-  }))
-    assert.ok(close(value, 0), `${name} is ${value} at ${JSON.stringify(frame.params)}`)
-  assert.ok(purple.distance <= gray.distance + 1e-12, 'no point of the line is nearer in the metric of P')
-  assert.deepEqual(
-    update.at.map((value, i) => close(value, frame.posterior.x[i])),
-    [true, true],
-    "the update is the filter's",
-  )
-  const readout = (label) => it.locator('.live .readout').filter({ hasText: label }).locator('dd').textContent()
-  assert.equal(await readout('of both'), '0.000, 0.000')
-  assert.equal(await readout(/^Gray.*ruler/s), '0.000')
-  assert.equal(await readout(/^Purple.*metric/s), '0.000')
-  return frame
-}
 
 test('the prediction moves by mouse and by keys, and both feet stay on the line', async (t) => {
   const { page, it } = await picture(t)
@@ -275,100 +226,6 @@ test('where P is a multiple of I the two feet meet, and nowhere else', async (t)
   await it.getByRole('button', { name: 'As in step 1' }).click()
   const back = await until(it, ({ params }) => params.semiMajor !== params.semiMinor, 'as it was')
   assert.deepEqual(back, start)
-})
-
-test('on the output axis both opinions are dragged and pressed, and y* stays their balance', async (t) => {
-  const { page, it } = await picture(t)
-  /** The weights 1/variance balance about y*, and the page says what part is taken over. */
-  const balanced = async () => {
-    const frame = await holds(it)
-    const {
-      params: { reading, noise },
-      expectedOutput,
-      expectedVariance,
-      mostLikelyOutput,
-      share,
-    } = frame
-    assert.ok(close((mostLikelyOutput - expectedOutput) * noise, (reading - mostLikelyOutput) * expectedVariance, 1e-9))
-    assert.equal(
-      await it.locator('.live .readout').filter({ hasText: 'taken over' }).locator('dd').textContent(),
-      share.toFixed(3),
-    )
-    return frame
-  }
-  const start = await balanced()
-  await pull(page, handle(it, 'Expected output'), -40, 0)
-  const moved = await until(
-    it,
-    ({ expectedOutput }) => expectedOutput < start.expectedOutput - 0.3,
-    'the prediction follows',
-  )
-  assert.deepEqual(
-    [moved.params.mean[0], moved.params.semiMajor, moved.params.reading],
-    [start.params.mean[0], start.params.semiMajor, start.params.reading],
-    'it moves along H alone',
-  )
-  await pull(page, handle(it, 'Output that is read'), 60, 0)
-  const read = await until(it, ({ params }) => params.reading > start.params.reading + 0.3, 'the reading follows')
-  assert.deepEqual(read.params.mean, moved.params.mean)
-  await balanced()
-  const [wide, blur] = [
-    handle(it, 'Standard deviation of the expected output'),
-    handle(it, 'Standard deviation of the reading'),
-  ]
-  await wide.press('ArrowRight')
-  const wider = await until(
-    it,
-    ({ expectedVariance }) => close(Math.sqrt(expectedVariance), Math.sqrt(read.expectedVariance) + 0.05, 1e-6),
-    'an arrow widens the bell',
-  )
-  assert.ok(
-    close(wider.params.semiMajor / wider.params.semiMinor, read.params.semiMajor / read.params.semiMinor),
-    'the ellipse keeps its shape',
-  )
-  await blur.press('End')
-  await until(it, ({ params }) => params.noise === 4, 'End')
-  await balanced()
-  await blur.press('Home')
-  await until(it, ({ params }) => params.noise === 0, 'Home')
-  await balanced()
-})
-
-test('while a bell is dragged the output axis keeps its scale: an even drag changes the value evenly, and ends at the edge', async (t) => {
-  const { page, it } = await picture(t)
-  const ticks = () => it.locator('.live .panel-axis .tick').allTextContents()
-  const places = await ticks()
-  for (const [label, read, side] of [
-    ['Expected output', ({ expectedOutput }) => expectedOutput, 1],
-    ['Output that is read', ({ params }) => params.reading, -1],
-  ]) {
-    const grip = handle(it, label)
-    await grip.scrollIntoViewIfNeeded()
-    const box = await grip.locator('.handle-dot').boundingBox()
-    const [x, y] = [box.x + box.width / 2, box.y + box.height / 2]
-    const values = [read(await frameOf(it))]
-    await page.mouse.move(x, y)
-    await page.mouse.down()
-    for (let i = 1; i <= 12; i++) {
-      await page.mouse.move(x + side * 40 * i, y)
-      await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))))
-      values.push(read(await until(it, () => true, 'settled')))
-      assert.deepEqual(await ticks(), places, `${label} at ${values.at(-1)}`)
-    }
-    const stride = values[1] - values[0]
-    const end = values.at(-1)
-    for (const [i, value] of values.entries())
-      assert.ok(close(value, values[0] + stride * i, 0.02) || close(value, end), `${label}: ${values}`)
-    assert.ok(Math.abs(end - 3.7) < 4.6 && close(end, values.at(-2)), `it stops at the edge: ${values}`)
-    await page.mouse.up()
-    // Once it is let go, the bell comes into view as a whole; the phrase brings the first view back.
-    const domain = async () => JSON.stringify(await ticks())
-    await quiet(page)
-    assert.notEqual(await domain(), JSON.stringify(places), 'a new scale')
-    await it.getByRole('button', { name: 'As in step 1' }).click()
-    await quiet(page)
-    assert.equal(await domain(), JSON.stringify(places), 'the scale of the first view')
-  }
 })
 
 test('a guess is dropped before the answer shows, stays on the line, and is judged when it shows', async (t) => {

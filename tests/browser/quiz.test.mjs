@@ -1,32 +1,8 @@
-// Predict first: no explanation before an answer, a reason for each answer, a tolerance for numbers, and answers that
-// are remembered until the reader forgets them.
+// Predict first: no explanation before an answer, a reason for each answer, and a tolerance for numbers.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { comeTo, figure, open } from './fixture.mjs'
-
-/** A question on the screen, with the controls that it gets there. */
-const quiz = async (page, id) => {
-  const form = page.locator(`#quiz-${id}`)
-  await comeTo(page, `#quiz-${id}`, `form#quiz-${id} input`)
-  return {
-    form,
-    commit: form.getByRole('button', { name: 'Commit' }),
-    again: form.getByRole('button', { name: 'Try again' }),
-    verdict: form.locator('.quiz-verdict'),
-    answer: form.locator('details.quiz-answer'),
-    input: form.getByRole('textbox', { name: 'Your answer' }),
-  }
-}
-/** What the page compares an answer with. */
-const keyOf = (form) =>
-  form.evaluate(({ dataset }) =>
-    JSON.parse(new TextDecoder().decode(Uint8Array.from(dataset.key.match(/../g), (byte) => parseInt(byte, 16)))),
-  )
-/** What a reader sees: the explanation is open, or it is not. */
-const shown = ({ answer }) =>
-  answer.evaluate((block) => block.open && block.querySelector('.quiz-why').checkVisibility())
-const kept = (page) =>
-  page.evaluate(() => Object.fromEntries(Object.entries(localStorage).filter(([key]) => key.startsWith('quiz:'))))
+import { comeTo, open } from './fixture.mjs'
+import { kept, keyOf, quiz, shown } from './quiz.mjs'
 
 test('a choice is committed to before anything is explained, and a wrong one says why', async (t) => {
   const page = await open(t)
@@ -180,61 +156,6 @@ test('a number is right within its tolerance, in the ways people write numbers',
   assert.ok(await near.evaluate((item) => item.classList.contains('is-yours')))
   assert.match(await it.form.locator('.is-yours').innerText(), /predicted variance/)
   assert.ok(await it.form.locator('.is-yours').isVisible())
-})
-
-test('answers are remembered after a reload, and forgotten one by one or all at once', async (t) => {
-  const page = await open(t)
-  const [foot, third] = [await quiz(page, 'which-foot'), await quiz(page, 'third-step')]
-  await foot.form.locator('input').nth(2).check()
-  await foot.commit.click()
-  await third.input.fill('0.7')
-  await third.commit.click()
-  assert.equal(Object.keys(await kept(page)).length, 2)
-
-  await page.reload()
-  await quiz(page, 'which-foot')
-  await page.locator('#quiz-which-foot[data-answered]').waitFor()
-  assert.ok(await foot.form.locator('input').nth(2).isChecked())
-  assert.ok(await shown(foot))
-  await quiz(page, 'third-step')
-  assert.equal(await third.input.inputValue(), '0.7')
-  assert.ok(await shown(third))
-  await figure(page, 'picture')
-  assert.ok(!(await page.locator('#fig-picture .widget').evaluate((widget) => widget.inert)))
-
-  await foot.again.click()
-  assert.ok(!(await shown(foot)) && !(await foot.form.getAttribute('data-answered')))
-  assert.equal(await foot.form.locator('input:checked').count(), 0)
-  assert.equal(await foot.verdict.innerText(), '')
-  assert.ok(
-    await foot.form
-      .locator('input')
-      .first()
-      .evaluate((input) => input === document.activeElement),
-    'the focus is where to begin again',
-  )
-  assert.ok(await page.locator('#fig-picture .widget').evaluate((widget) => widget.inert))
-  assert.equal(Object.keys(await kept(page)).length, 1)
-
-  await comeTo(page, '[data-score]', '[data-score] h2')
-  await page.getByRole('button', { name: 'Forget my answers to the questions' }).click()
-  assert.deepEqual(await kept(page), {})
-  assert.ok(!(await shown(third)))
-  assert.equal(await third.input.inputValue(), '')
-  await page.reload()
-  await comeTo(page, '#fig-picture', '#fig-picture .widget[inert]')
-  assert.equal(await page.locator('.quiz[data-answered]').count(), 0)
-})
-
-test('what is kept is checked: an answer that is none any more counts for nothing', async (t) => {
-  const page = await open(t)
-  await page.evaluate(() => {
-    localStorage.setItem(`quiz:which-foot:${document.querySelector('#quiz-which-foot').dataset.hash}`, '<img src=x>')
-    localStorage.setItem('quiz:third-step:0123456789abcdef', '0.7')
-  })
-  await page.reload()
-  await comeTo(page, '#fig-picture', '#fig-picture .widget[inert]')
-  assert.equal(await page.locator('.quiz[data-answered]').count(), 0)
 })
 
 test('a number of thousands of digits is no answer, and stops nothing', async (t) => {

@@ -1,61 +1,11 @@
-// Stills first: without scripts, without WebAssembly, or when the module cannot be fetched, every figure is a picture
-// with words, and a failed one can be tried again.
+// Stills first: without scripts every figure is a picture with words, in the place and of the height of the figure that
+// comes to life when it is near.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { readFileSync, readdirSync } from 'node:fs'
-import path from 'node:path'
 import { PNG } from 'pngjs'
-import { dist, FIGURE_PAGES, open, openFigure, PHONE, quiet } from './harness.mjs'
+import { FIGURE_PAGES, open, openFigure, quiet } from './harness.mjs'
 import { differenceOf } from './snapshots.mjs'
-
-/**
- * How each figure's still is drawn: panels that show, drawn in the page or as images that have come, and how much they
- * hold.
- */
-async function stills(page) {
-  // Where scripts are on, an image waits until it is near the screen.
-  await page.evaluate(() => {
-    for (const image of document.querySelectorAll('.still > img')) image.loading = 'eager'
-  })
-  // A page without scripts answers questions, and draws no frame of its own accord.
-  while (!(await page.evaluate(() => [...document.querySelectorAll('.still > img')].every((image) => image.complete))));
-  return page.evaluate(() => {
-    /** Of an image, the pixels that it inks, in hundreds. */
-    const inked = (image) => {
-      const canvas = document.createElement('canvas')
-      Object.assign(canvas, { width: 300, height: 200 })
-      const brush = canvas.getContext('2d')
-      if (image.naturalWidth > 0) brush.drawImage(image, 0, 0, 300, 200)
-      return brush.getImageData(0, 0, 300, 200).data.filter((value, i) => i % 4 === 3 && value > 60).length / 100
-    }
-    return [...document.querySelectorAll('figure.figure-widget')].map((figure) => {
-      const panels = [...figure.querySelectorAll('.still > .panel')].filter((panel) => {
-        const box = panel.getBoundingClientRect()
-        return box.width > 100 && box.height > 80
-      })
-      return {
-        id: figure.id,
-        panels: panels.length,
-        marks: Math.min(
-          ...panels.map((panel) =>
-            panel.localName === 'img' ? inked(panel) : panel.querySelectorAll('path, line, circle').length,
-          ),
-        ),
-        words: figure.querySelector('.still-text')?.textContent.trim().length ?? 0,
-        caption: figure.querySelector('figcaption')?.textContent.trim().length ?? 0,
-      }
-    })
-  })
-}
-
-function judge(figures) {
-  assert.ok(figures.length >= 1, 'there are figures')
-  for (const { id, panels, marks, words, caption } of figures) {
-    assert.ok(panels > 0 && marks > 5, `${id} is drawn: ${panels} panels, the least with ${marks} marks`)
-    assert.ok(words > 40, `${id} is described`)
-    assert.ok(caption > 20, `${id} has a caption`)
-  }
-}
+import { judge, stills } from './stills.mjs'
 
 test('with scripts off every figure is a still with words, and the page is whole', async (t) => {
   const page = await open(t, { scripts: false })
@@ -197,121 +147,6 @@ test('a figure in a frame that is folded away keeps its drawing, and goes on whe
   assert.deepEqual(await sizes(), before)
 })
 
-test('where the module cannot be fetched the figure says so, and tries again', async (t) => {
-  const page = await open(t, {
-    expected: [/\.wasm/, /failed to fetch|Failed to load|ERR_FAILED/i],
-    prepare: (it) => it.route('**/*.wasm', (route) => route.abort()),
-  })
-  const bench = page.locator('observer-bench').first()
-  await bench.scrollIntoViewIfNeeded()
-  const again = bench.getByRole('button', { name: /try again/i })
-  await again.waitFor()
-  judge(await stills(page))
-  assert.deepEqual(
-    await bench.locator(':is(button, input, select):visible').allTextContents(),
-    ['Try again'],
-    'nothing else to press',
-  )
-  await page.unroute('**/*.wasm')
-  await again.press('Enter')
-  await page.locator('observer-bench[data-state="live"]').first().waitFor()
-  assert.equal(await again.count(), 0)
-  await page.waitForFunction(() => document.activeElement?.closest('observer-bench .live'))
-})
-
-// A figure's script is a part of the page's without a name; what tells it is a word that only it has.
-const chunkOf = (word) => {
-  const folder = path.join(dist, 'assets')
-  const [name, ...more] = readdirSync(folder).filter(
-    (file) =>
-      /^[\w-]+\.js$/.test(file) &&
-      !file.startsWith('page-') &&
-      readFileSync(path.join(folder, file), 'utf8').includes(word),
-  )
-  assert.ok(name && more.length === 0, `one part holds ${word}`)
-  return `**/${name}`
-}
-
-// Where the script that reloads a page is lost as well, the page is loaded again whatever is there.
-for (const [what, word, reloads] of [
-  ['its own script', 'Equivalent knob', false],
-  ['the script of all figures', 'customElements.define(', true],
-]) {
-  test(`a figure without ${what} says so, and comes to life when it is there again`, async (t) => {
-    const chunk = chunkOf(word)
-    const page = await open(t, {
-      expected: [/part-|Failed to load|ERR_FAILED/],
-      prepare: (it) => it.route(chunk, (route) => route.abort()),
-    })
-    const bench = page.locator('observer-bench').first()
-    await bench.scrollIntoViewIfNeeded()
-    const again = bench.getByRole('button', { name: /try again/i })
-    await again.waitFor()
-    judge(await stills(page))
-    // And fails again: the script is asked for once more, by this document or by the next.
-    const name = chunk.slice('**/'.length)
-    const lost = reloads
-      ? page.waitForEvent('load')
-      : page.waitForEvent('requestfailed', { predicate: (request) => request.url().endsWith(name) })
-    await again.press('Enter')
-    await lost
-    await page.locator('observer-bench[data-state="failed"]').first().waitFor()
-    await again.waitFor()
-    await page.unroute(chunk)
-    await again.press('Enter')
-    // A browser that remembers the failure is not asked twice: the page is loaded again, at the figure.
-    await page.locator('observer-bench[data-state="live"]').first().waitFor()
-    assert.equal(await again.count(), 0)
-    await page.waitForFunction(
-      () => document.activeElement?.closest('observer-bench .live') || location.hash === '#fig-bench',
-    )
-    assert.ok(
-      await bench.evaluate((it) => {
-        const { top, bottom } = it.getBoundingClientRect()
-        return top < innerHeight && bottom > 0
-      }),
-      'the reader is where the figure is',
-    )
-  })
-}
-
-test('with the script of the page lost it is a page without scripts', async (t) => {
-  const page = await open(t, {
-    viewport: PHONE,
-    touch: true,
-    expected: [/page-|Failed to load|ERR_FAILED/],
-    prepare: async (it) => {
-      await it.addInitScript(() => localStorage.setItem('notation', 'thrun'))
-      await it.route('**/page-*.js', (route) => route.abort())
-    },
-  })
-  await page.locator('.toc a').first().waitFor()
-  assert.equal(
-    await page.locator('button:visible, input:visible, select:visible').count(),
-    0,
-    'nothing to press that would not answer',
-  )
-  assert.equal(
-    await page.locator('html').getAttribute('data-notation'),
-    'choset',
-    'the notation of the formulas in the page',
-  )
-  judge(await stills(page))
-})
-
-test('where there is no WebAssembly the figures are stills', async (t) => {
-  const page = await open(t, {
-    prepare: (it) =>
-      it.addInitScript(() => {
-        delete globalThis.WebAssembly
-      }),
-  })
-  const bench = page.locator('observer-bench').first()
-  await bench.scrollIntoViewIfNeeded()
-  await bench.getByText(/WebAssembly/).waitFor()
-  judge(await stills(page))
-})
-
 test('a figure works while it is near the screen, and the module is fetched once, when it is needed', async (t) => {
   const fetched = []
   const page = await open(t, {
@@ -358,20 +193,4 @@ test('a figure works while it is near the screen, and the module is fetched once
   assert.ok((await step()) - left <= 1, 'it rests while it is out of sight')
   assert.equal(new Set(fetched).size, 1)
   assert.equal(fetched.length, 1)
-})
-
-test('questions and search whose scripts are lost leave nothing to press in vain, and say so', async (t) => {
-  const [quizzes, search] = [chunkOf('"quiz:"'), chunkOf('search.json')]
-  const page = await open(t, {
-    expected: [/part-|Failed to load|ERR_FAILED/],
-    prepare: async (it) => {
-      for (const chunk of [quizzes, search]) await it.route(chunk, (route) => route.abort())
-    },
-  })
-  await page.locator('.quiz').first().scrollIntoViewIfNeeded()
-  await page.waitForFunction(() => document.querySelectorAll('.quiz[data-answered]').length > 0)
-  assert.equal(await page.locator('.quiz button:visible').count(), 0)
-  assert.ok(await page.locator('.quiz-answer summary').first().isVisible(), 'the answers can be opened')
-  await page.locator('[data-open-search]').first().click()
-  await page.getByText(/^The search could not be fetched/).waitFor()
 })

@@ -27,49 +27,7 @@ const NEAR = '300px 0px'
 const SETTLE_MS = 6
 const MANGLED = 'The link to this figure could not be read; it shows its usual state.'
 
-/**
- * Defines the custom element of a specification.
- * @param {FigureSpec} spec
- */
-export function defineFigure(spec) {
-  if (customElements.get(spec.tag)) return
-  customElements.define(
-    spec.tag,
-    class extends HTMLElement {
-      /** @type {Figure | null} */
-      figure = null
-
-      connectedCallback() {
-        // The notice may be about a script that a figure of the same kind has fetched meanwhile.
-        if (!this.figure) hideFailure(this)
-        this.figure ??= new Figure(this, spec)
-        this.figure.watch()
-      }
-
-      disconnectedCallback() {
-        this.figure?.rest()
-      }
-
-      /** The frame on the screen. Tests read it. */
-      get frame() {
-        return this.figure?.run?.frame ?? null
-      }
-
-      /** Whether nothing is left to compute and every panel shows the frame. While a run plays the answer is true. */
-      get settled() {
-        const { run, behind, beside } = this.figure ?? {}
-        return Boolean(run?.playing || (run && !run.busy && !behind && !beside?.progress))
-      }
-
-      /** Parameters and step, as a link carries them. */
-      get state() {
-        return this.figure?.run?.state() ?? null
-      }
-    },
-  )
-}
-
-class Figure {
+export class Figure {
   /** @param {HTMLElement} host @param {FigureSpec} spec */
   constructor(host, spec) {
     this.host = host

@@ -2,7 +2,7 @@
 
 import { reloadIfThere } from '../load/reload-if-back.js'
 import { hideFailure, showFailure } from '../figure/failure.js'
-import { defineFigure } from '../figure/figure.js'
+import { defineFigure } from '../figure/element.js'
 import { inTime } from '../load/timeouts.js'
 
 /**

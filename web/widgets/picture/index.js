@@ -5,7 +5,8 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { drawAxis } from './axis.js'
-import { GROWN, drawPlane } from './plane.js'
+import { GROWN } from './handles.js'
+import { drawPlane } from './plane.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
 

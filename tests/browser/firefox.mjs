@@ -1,0 +1,56 @@
+// A Firefox on the chapter, driven over WebDriver BiDi; FIREFOX names one that is not in the usual places.
+import { after, before } from 'node:test'
+import assert from 'node:assert/strict'
+import { existsSync } from 'node:fs'
+import puppeteer from 'puppeteer-core'
+import { serve } from '../../scripts/static-server.mjs'
+import { BASE, dist, HANGS_MS, tagOf } from './places.mjs'
+
+export const firefox = [
+  process.env.FIREFOX,
+  '/usr/bin/firefox-esr',
+  '/usr/bin/firefox',
+  '/Applications/Firefox.app/Contents/MacOS/firefox',
+].find((path) => path && existsSync(path))
+
+export let browser, site, page
+export const complaints = []
+if (firefox) {
+  before(async () => {
+    site = await serve({ folder: dist, base: BASE })
+    // Firefox 140 has no command for the orientation of a screen, which setting a viewport would give.
+    browser = await puppeteer.launch({
+      browser: 'firefox',
+      executablePath: firefox,
+      headless: true,
+      defaultViewport: null,
+      args: ['--width=1280', '--height=900'],
+    })
+    page = await browser.newPage()
+    page.on('console', (message) => {
+      if (message.type() === 'error') complaints.push(message.text())
+    })
+    page.on('pageerror', (error) => complaints.push(String(error)))
+    await page.goto(`${site.url}kalman/`, { timeout: HANGS_MS })
+  })
+  after(async () => {
+    await browser?.close()
+    await site?.close()
+  })
+}
+
+/**
+ * Asks again and again. Puppeteer's own way makes a function of a text, which the page's policy forbids in Firefox 140.
+ */
+export const wait = (check, ...given) => waitIn(page, check, ...given)
+export const waitIn = async (where, check, ...given) => {
+  for (const end = Date.now() + HANGS_MS; !(await where.evaluate(check, ...given)); ) {
+    assert.ok(Date.now() < end, `waited for ${check}`)
+    await new Promise((resolve) => setTimeout(resolve, 100))
+  }
+}
+export const alive = async (figure) => {
+  const tag = tagOf(figure)
+  await page.evaluate((name) => document.querySelector(name).scrollIntoView({ block: 'center' }), tag)
+  await wait((name) => document.querySelector(name).dataset.state === 'live', tag)
+}
