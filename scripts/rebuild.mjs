@@ -15,7 +15,9 @@ const SCRIPT = '/.live/reload.js'
 const PAGE = `
 const note = document.createElement('pre')
 note.setAttribute('role', 'alert')
-Object.assign(note.style, { position: 'fixed', inset: 'auto 0 0 0', zIndex: 99, maxHeight: '60vh', margin: 0, padding: '1rem', overflow: 'auto', background: '#300', color: '#fff', font: '13px/1.4 monospace', whiteSpace: 'pre-wrap' })
+Object.assign(note.style, { position: 'fixed', inset: 'auto 0 0 0', zIndex: 99, maxHeight: '60vh' })
+Object.assign(note.style, { margin: 0, padding: '1rem', overflow: 'auto', background: '#300', color: '#fff' })
+Object.assign(note.style, { font: '13px/1.4 monospace', whiteSpace: 'pre-wrap' })
 const events = new EventSource('${EVENTS}')
 events.addEventListener('built', () => location.reload())
 events.addEventListener('failed', (event) => {

@@ -17,7 +17,8 @@ for (let at = first; ; at++) {
   try {
     const { url } = await serve({ folder: path.join(root, 'dist'), port: at, live: rebuilder })
     console.log(
-      `\n  The chapter is at ${url}kalman/   (the cover: ${url})\n  ${watching ? 'Sources are watched. ' : ''}Ctrl-C stops.\n`,
+      `\n  The chapter is at ${url}kalman/   (the cover: ${url})\n` +
+        `  ${watching ? 'Sources are watched. ' : ''}Ctrl-C stops.\n`,
     )
     break
   } catch (error) {

@@ -118,7 +118,7 @@ test('axe finds nothing with the contents called up on a phone, in both themes',
   await isAccessible(page)
 })
 
-test('axe finds nothing in answered questions, the exercises around them and the progress, in both themes', async (t) => {
+test('axe finds nothing in answered questions, their exercises and the progress, in both themes', async (t) => {
   const page = await open(t)
   const chapter = page.url()
   const answer = async (id, give) => {
@@ -141,7 +141,7 @@ test('axe finds nothing in answered questions, the exercises around them and the
   await isAccessible(page, ['#ex-unseen', '#ex-constant', '[data-score]'])
 })
 
-test('by keys the first stop leads past the head, and each stop after it is on the screen with nothing over it', async (t) => {
+test('by keys the first stop leads past the head, and each after it is in sight with nothing over it', async (t) => {
   const page = await open(t)
   await page.waitForLoadState('networkidle')
   await page.keyboard.press('Tab')
@@ -161,7 +161,8 @@ test('by keys the first stop leads past the head, and each stop after it is on t
         (over.contains(it) || it.contains(over))
       return seen
         ? null
-        : `${it.outerHTML.slice(0, 90)} at ${Math.round(left)}, ${Math.round(top)}, under ${over?.outerHTML.slice(0, 60)}`
+        : `${it.outerHTML.slice(0, 90)} at ${Math.round(left)}, ${Math.round(top)}, ` +
+            `under ${over?.outerHTML.slice(0, 60)}`
     })
     assert.equal(fault, null)
   }
@@ -183,7 +184,8 @@ test('on a phone what stands alone and leads somewhere is at least 24 px wide an
   const small = await page.evaluate(() => {
     const alone = (it) =>
       it.matches(
-        'button, select, summary, textarea, :is(td, th) > a:not(.formula-numbers), .listing-path a, .quiz-figure a, .heading-link, .equation-number, input:not([type="radio"], [type="checkbox"])',
+        'button, select, summary, textarea, :is(td, th) > a:not(.formula-numbers), .listing-path a, ' +
+          '.quiz-figure a, .heading-link, .equation-number, input:not([type="radio"], [type="checkbox"])',
       )
     return [...document.querySelectorAll('a, button, input, select, textarea, summary')]
       .filter((it) => alone(it) && it.checkVisibility({ visibilityProperty: true }))

@@ -18,7 +18,7 @@ async function wheel(page, by) {
 }
 
 for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP })) {
-  test(`scrolling up brings the bar on a ${device}, reading on sends it away, and the page does not move`, async (t) => {
+  test(`scrolling up brings the bar on a ${device}, reading on sends it away, the page does not move`, async (t) => {
     const page = await open(t, {
       viewport,
       prepare: (made) =>

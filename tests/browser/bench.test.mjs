@@ -233,7 +233,7 @@ test('a seed can be typed while the figure plays', async (t) => {
   assert.equal(await seed.inputValue(), '4711')
 })
 
-test('no name of an eigenvalue lies across the unit circle, and that of the reading’s line on no ellipse, at any width', async (t) => {
+test('no name of an eigenvalue lies across the unit circle, nor the line’s on an ellipse, at any width', async (t) => {
   const { page, it } = await openFigure(t, 'observer-bench')
   const faults = () =>
     it.evaluate((host) => {

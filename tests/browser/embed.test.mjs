@@ -158,7 +158,7 @@ for (const name of Object.keys(WIDGETS)) {
   })
 }
 
-test('in a frame a link to a state is shown where the clipboard is closed, and there is nothing to download', async (t) => {
+test('in a frame a link is shown where the clipboard is closed, and there is nothing to download', async (t) => {
   const { site } = await stage()
   const { frame } = await around(t, {
     src: `${site.url}figure/observer-bench/?fig-limit=${code([1, 'observer-bench', 20, { gain: 2.5 }])}`,
@@ -202,7 +202,7 @@ test('a long run in a frame is computed in slices, without a worker', async (t) 
   assert.equal(JSON.parse(await stateOf(probe)).step, 240)
 })
 
-test('in a frame the map of the likelihood is filled in slices, without a worker, and the loop is driven', async (t) => {
+test('in a frame the likelihood’s map is filled in slices, without a worker, and the loop is driven', async (t) => {
   const { site } = await stage()
   const { page, frame } = await around(t, { src: `${site.url}figure/tune/` })
   const tune = await lively(frame, 'tune')

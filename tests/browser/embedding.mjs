@@ -11,7 +11,8 @@ import { stage, tagOf, watch } from './harness.mjs'
 export async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }) {
   const frame =
     markup ??
-    `<iframe src="${src}" title="A figure" sandbox="${sandbox}" width="${width}" height="300" style="border: 0"></iframe>`
+    `<iframe src="${src}" title="A figure" sandbox="${sandbox}" width="${width}" height="300" ` +
+      'style="border: 0"></iframe>'
   const html = `<!doctype html><html lang="en"><title>Somebody else's page</title><h1>Somebody else's page</h1>${frame}
     <script>
       messages = []

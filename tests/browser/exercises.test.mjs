@@ -153,7 +153,8 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   assert.match(
     await words.innerText(),
     new RegExp(
-      String.raw`Predictions: 0 of \d+ answered, 0 right at once, 0 right after more tries\.\s+Exercises: 0 of ${count} answered`,
+      String.raw`Predictions: 0 of \d+ answered, 0 right at once, 0 right after more tries\.\s+` +
+        `Exercises: 0 of ${count} answered`,
     ),
   )
   const all = await box.locator('.score-open a').count()
@@ -178,7 +179,8 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
   assert.match(
     await words.innerText(),
     new RegExp(
-      String.raw`Predictions: 1 of \d+ answered, 1 right at once, 0 right after more tries\.\s+Exercises: 2 of ${count} answered, 0 right at once, 1 right after more tries\.`,
+      String.raw`Predictions: 1 of \d+ answered, 1 right at once, 0 right after more tries\.\s+` +
+        String.raw`Exercises: 2 of ${count} answered, 0 right at once, 1 right after more tries\.`,
     ),
   )
   const left = await box.locator('.score-open a').evaluateAll((links) => links.map((link) => link.getAttribute('href')))
@@ -245,7 +247,7 @@ test('without scripts the chapter ends without an empty box', async (t) => {
   assert.equal(await page.locator('[data-score]').evaluate((box) => box.getBoundingClientRect().height), 0)
 })
 
-test('an old address of an exercise, a question or a place in an answer leads to its page, with what it says of figures', async (t) => {
+test('an old address of an exercise, a question or an answer leads to its page, state and all', async (t) => {
   const page = await open(t, { at: 'kalman/#ex-ghost' })
   const there = async (id) => {
     await page.waitForURL((url) => url.pathname.endsWith('/kalman/exercises/') && url.hash === `#${id}`)
@@ -264,7 +266,7 @@ test('an old address of an exercise, a question or a place in an answer leads to
   await there('ex-gate')
 })
 
-test('without scripts an old address of an exercise leads to its line in the list, which leads to the exercise', async (t) => {
+test('without scripts an old address of an exercise leads to its line in the list, and that to it', async (t) => {
   const page = await open(t, { at: 'kalman/#ex-ghost', scripts: false })
   const line = page.locator('#ex-ghost')
   assert.ok(await line.evaluate((it) => it.matches('li:target')))

@@ -1,5 +1,5 @@
-// Where the module or a script cannot be fetched, or there is no WebAssembly, the page says so, figures stay stills, and
-// what failed can be tried again.
+// Where the module or a script cannot be fetched, or there is no WebAssembly, the page says so, figures stay stills,
+// and what failed can be tried again.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'

@@ -128,7 +128,9 @@ for (const [name, lab, handle] of [
 test('a figure lives in a sandboxed frame of another origin in Firefox, and tells its height', {
   skip: firefox ? false : notice,
 }, async () => {
-  const html = `<!doctype html><title>Somebody else's page</title><iframe src="${site.url}figure/observer-bench/" title="A figure" sandbox="allow-scripts" width="800" height="900"></iframe>
+  const src = `${site.url}figure/observer-bench/`
+  const html = `<!doctype html><title>Somebody else's page</title>
+    <iframe src="${src}" title="A figure" sandbox="allow-scripts" width="800" height="900"></iframe>
     <script>heights = []; addEventListener('message', ({ data }) => heights.push(data.height))</script>`
   const server = createServer((_, response) =>
     response.writeHead(200, { 'content-type': 'text/html' }).end(html),

@@ -36,7 +36,8 @@ try {
     const { painted, alive } = await page.evaluate(() => globalThis.alive)
     times.push(alive - painted)
     console.log(
-      `first paint after ${(painted / 1000).toFixed(2)} s, the first figure alive ${((alive - painted) / 1000).toFixed(2)} s later`,
+      `first paint after ${(painted / 1000).toFixed(2)} s, ` +
+        `the first figure alive ${((alive - painted) / 1000).toFixed(2)} s later`,
     )
     await context.close()
   }

@@ -68,7 +68,8 @@ try {
     const { turns: costs, main } = read(await browser.stopTracing())
     const ms = (micros = 0) => `${(micros / 1000).toFixed(1)} ms`
     console.log(
-      `| ${tag} | ${costs.length} | ${ms(costs[costs.length >> 1])} | ${ms(costs[Math.floor(costs.length * 0.95)])} | ${ms(main / Math.max(1, costs.length))} |`,
+      `| ${tag} | ${costs.length} | ${ms(costs[costs.length >> 1])} | ` +
+        `${ms(costs[Math.floor(costs.length * 0.95)])} | ${ms(main / Math.max(1, costs.length))} |`,
     )
     await context.close()
   }

@@ -141,7 +141,8 @@ for (const tag of ['picture', 'observability-probe', 'tune', 'loop-closure']) {
       const gone = (await page.evaluate(() => scrollY)) - top
       assert.ok(
         gone > 30,
-        `beside ${await handle.getAttribute('aria-label')}, at ${free}, it being at ${[x, y]}, the page scrolls by ${gone}`,
+        `beside ${await handle.getAttribute('aria-label')}, at ${free}, it being at ${[x, y]}, ` +
+          `the page scrolls by ${gone}`,
       )
     }
     assert.ok(beside > 0, 'there is a place beside one')
@@ -164,7 +165,8 @@ test('on a slow machine plots, numbers and labels come after the hand, and come'
         .filter((part) => part.checkVisibility())
         .map(
           (part) =>
-            `${part.getAttribute('aria-label')} ${part.textContent} ${part.querySelector('[class*=curve]')?.getAttribute('d')}`,
+            `${part.getAttribute('aria-label')} ${part.textContent} ` +
+            `${part.querySelector('[class*=curve]')?.getAttribute('d')}`,
         ),
     )
   const settled = () =>

@@ -70,6 +70,7 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   )
   writeFileSync(path.join(root, 'web/build/heights.json'), `{\n${lines.join(',\n')}\n}\n`)
   console.log(
-    `web/build/heights.json: ${Object.values(found).reduce((sum, parts) => sum + Object.keys(parts).length, 0)} parts at ${WIDTHS.join(', ')} px; ./scripts/build puts them into the style`,
+    `web/build/heights.json: ${Object.values(found).reduce((sum, parts) => sum + Object.keys(parts).length, 0)} ` +
+      `parts at ${WIDTHS.join(', ')} px; ./scripts/build puts them into the style`,
   )
 }

@@ -28,7 +28,7 @@ test('the module with the labs of late figures is fetched when one of them comes
   assert.ok(sizes.includes(late))
 })
 
-test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the truth is sealed until the reader commits', async (t) => {
+test('Tune me: the map fills, the ring is dragged, Fit finds the top, the truth is sealed at first', async (t) => {
   const { page, it } = await openFigure(t, 'tune')
   await settled(it)
   const map = () =>
@@ -96,7 +96,7 @@ test('Tune me: the map fills, the ring is dragged, Fit finds the top, and the tr
   assert.notEqual((await map()).top, top)
 })
 
-test('Close the loop: every ellipse shrinks when it closes, and dropped cross-covariances show in the NEES', async (t) => {
+test('Close the loop: every ellipse shrinks as it closes, dropped cross-covariances show in the NEES', async (t) => {
   const { it } = await openFigure(t, 'loop-closure')
   await it.getByRole('button', { name: 'Stop just before the loop closes' }).click()
   await settled(it)

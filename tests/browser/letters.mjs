@@ -73,6 +73,7 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   const file = path.join(root, 'web/build/letters.json')
   writeFileSync(file, `${JSON.stringify(seen, null, 2)}\n`)
   console.log(
-    `web/build/letters.json: ${Object.values(seen).reduce((sum, all) => sum + [...all].length, 0)} letters in ${Object.keys(seen).length} faces; ./scripts/build cuts the faces to them`,
+    `web/build/letters.json: ${Object.values(seen).reduce((sum, all) => sum + [...all].length, 0)} letters in ` +
+      `${Object.keys(seen).length} faces; ./scripts/build cuts the faces to them`,
   )
 }

@@ -18,17 +18,15 @@ for (const at of PAGES) {
     const score = (name) => Math.round((categories[name].score ?? 0) * 100)
     const performance = performanceOf(report)
     t.diagnostic(
-      `performance ${performance.score} (${performance.words}), accessibility ${score('accessibility')}, best practices ${score('best-practices')}, SEO ${score('seo')}`,
+      `performance ${performance.score} (${performance.words}), accessibility ${score('accessibility')}, ` +
+        `best practices ${score('best-practices')}, SEO ${score('seo')}`,
     )
     for (const name of ['accessibility', 'best-practices', 'seo']) {
       const failed = categories[name].auditRefs
         .map(({ id }) => audits[id])
         .filter((audit) => audit.score !== null && audit.score < 1 && audit.scoreDisplayMode !== 'informative')
-      assert.equal(
-        score(name),
-        100,
-        `${name}: ${failed.map((audit) => `${audit.id} ${JSON.stringify(audit.details?.items?.slice(0, 3) ?? '')}`).join('; ')}`,
-      )
+      const why = failed.map((audit) => `${audit.id} ${JSON.stringify(audit.details?.items?.slice(0, 3) ?? '')}`)
+      assert.equal(score(name), 100, `${name}: ${why.join('; ')}`)
     }
     assert.equal(
       audits['cumulative-layout-shift'].numericValue,

@@ -83,7 +83,8 @@ await page.waitForFunction((rows) => document.querySelector('robot-log').frame.s
   timeout: 300_000,
 })
 console.log(
-  `… and replayed after ${((Date.now() - began) / 1000).toFixed(1)} s; the progress was told ${await page.evaluate(() => globalThis.words.size)} times`,
+  `… and replayed after ${((Date.now() - began) / 1000).toFixed(1)} s; ` +
+    `the progress was told ${await page.evaluate(() => globalThis.words.size)} times`,
 )
 await tasks('Reading and replaying them')
 await page.locator('.live').getByRole('button', { name: 'Let the filter learn the scale' }).click()
@@ -91,7 +92,9 @@ await page.locator('robot-log .progress button').click()
 const given = Date.now()
 await settled()
 console.log(
-  `A second replay was given up; the page had settled ${Date.now() - given} ms later, with the log of ${await page.evaluate(() => document.querySelector('robot-log').frame.rows)} rows on the screen`,
+  `A second replay was given up; the page had settled ${Date.now() - given} ms later, ` +
+    `with the log of ${await page.evaluate(() => document.querySelector('robot-log').frame.rows)} rows ` +
+    'on the screen',
 )
 await tasks('Giving it up')
 await browser.close()

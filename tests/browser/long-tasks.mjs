@@ -49,7 +49,8 @@ for (const task of tasks.sort((a, b) => b.dur - a.dur)) {
     .sort((a, b) => b[1] - a[1])
     .map(([label, time]) => `${(time / 1000).toFixed(0)} ${label}`)
   console.log(
-    `${(task.dur / 1000).toFixed(0)} ms, ${((task.tdur ?? 0) / 1000).toFixed(0)} of the processor, at ${((task.ts - start) / 1000).toFixed(0)} ms: ${parts.join('; ')}`,
+    `${(task.dur / 1000).toFixed(0)} ms, ${((task.tdur ?? 0) / 1000).toFixed(0)} of the processor, ` +
+      `at ${((task.ts - start) / 1000).toFixed(0)} ms: ${parts.join('; ')}`,
   )
 }
 if (tasks.length === 0) console.log(`no task above ${least} ms`)

@@ -57,7 +57,7 @@ test('a system that is pasted is taken, its faults are named, and a preset repla
   await it.locator('.verdict').filter({ hasText: 'value − offset is never seen' }).waitFor()
 })
 
-test('an eigenvalue that is dragged goes there, its conjugate follows, and by hand the reader goes on from its gain', async (t) => {
+test('an eigenvalue that is dragged takes its conjugate along, and by hand one goes on from its gain', async (t) => {
   const { page, it } = await openFigure(t, TAG)
   await it.getByRole('combobox', { name: 'Gain' }).selectOption('by placement')
   const handle = it.getByRole('slider', { name: /^Eigenvalue 1/ })

@@ -98,7 +98,7 @@ const firstWords = (page) =>
     }),
   )
 
-test('a PDF of the chapter, where nobody has come near anything, has every section open and every drawing', async (t) => {
+test('a PDF of the chapter, where nobody came near anything, has every section open and every drawing', async (t) => {
   const page = await open(t)
   // Headless Chromium 148 prints without what is to come late; the page asks for it when it is printed.
   await page.pdf({ format: 'A4', pageRanges: '1' })
@@ -194,7 +194,7 @@ for (const [at, least] of [
   ['kalman/', 40],
   [EXERCISES, 10],
 ])
-  test(`in print nothing to press is left on /${at}; figures, questions, exercises and formulas are as paper needs them`, async (t) => {
+  test(`in print nothing to press is left on /${at}; figures and questions are as paper needs them`, async (t) => {
     // As wide as a sheet between its margins.
     const page = await open(t, { at, viewport: { width: 688, height: 1000 } })
     await walkDown(page)

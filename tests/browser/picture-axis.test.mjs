@@ -63,7 +63,7 @@ test('on the output axis both opinions are dragged and pressed, and y* stays the
   await balanced()
 })
 
-test('while a bell is dragged the output axis keeps its scale: an even drag changes the value evenly, and ends at the edge', async (t) => {
+test('while a bell is dragged the axis keeps its scale: an even drag moves it evenly, to the edge', async (t) => {
   const { page, it } = await picture(t)
   const ticks = () => it.locator('.live .panel-axis .tick').allTextContents()
   const places = await ticks()

@@ -46,7 +46,8 @@ try {
       const file = path.join(root, 'content/images', `${name}-${theme}.png`)
       writeFileSync(file, PNG.sync.write(shot, { colorType: 2, deflateLevel: 9, filterType: -1 }))
       console.log(
-        `content/images/${name}-${theme}.png: ${shot.width} × ${shot.height}, ${Math.round(statSync(file).size / 1000)} kB`,
+        `content/images/${name}-${theme}.png: ${shot.width} × ${shot.height}, ` +
+          `${Math.round(statSync(file).size / 1000)} kB`,
       )
       await page.close()
     }

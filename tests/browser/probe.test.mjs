@@ -56,7 +56,7 @@ test('a landmark moves by mouse and by keys, and the rank panel follows the geom
   assert.deepEqual(await ranks(probe), [2, 3])
 })
 
-test('the mix of the dials that no reading shows is found by keys, and a second landmark parts the curves', async (t) => {
+test('the mix of dials that no reading shows is found by keys, and a second landmark parts the curves', async (t) => {
   const { it: probe } = await openFigure(t, 'observability-probe')
   const strips = () => probe.locator('.live :is(.panel-ranges, .panel-bearings):not([hidden])').count()
   assert.equal(await strips(), 0, 'calm at first')

@@ -22,7 +22,7 @@ test('with scripts off every figure is a still with words, and the page is whole
   assert.ok((await page.locator('main p').count()) > 30)
 })
 
-test('drawings that are files follow the theme and the notation, and a search in the page finds their words', async (t) => {
+test('drawings that are files follow theme and notation, and a search in the page finds their words', async (t) => {
   const page = await open(t, {
     expected: [/\.wasm|Failed to load|ERR_FAILED/i],
     prepare: (it) => it.route('**/*.wasm', (route) => route.abort()),

@@ -1,4 +1,4 @@
-// Text, formulas and tables are set for the eye: at every width nothing is torn, cut or to be scrolled that need not be.
+// Text, formulas and tables are set for the eye: at every width nothing is torn, cut or scrolled that need not be.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { layOut, open, quiet, walkDown } from './harness.mjs'
@@ -31,7 +31,7 @@ test('on a phone each letter of the table of letters is whole, and what it means
   }
 })
 
-test('a line never begins with the mark behind a formula, nor ends with the one before it, and no formula loses its full stop', async (t) => {
+test('no line begins with the mark behind a formula or ends with the one before, none loses its full stop', async (t) => {
   const page = await open(t)
   for (const width of [320, 390, 768, 1280]) {
     await page.setViewportSize({ width, height: 800 })
@@ -121,7 +121,7 @@ test('a line of the text is as long as an eye can follow', async (t) => {
   assert.ok(median >= 60 && median <= 75, `${median} characters`)
 })
 
-test('statements of one display stand below one another on a phone, and what letters mean has room at every width', async (t) => {
+test('statements of a display stand below one another on a phone, meanings of letters have room at every width', async (t) => {
   const page = await open(t, { viewport: { width: 390, height: 844 }, touch: true })
   await walkDown(page)
   const boxes = await page.locator('.chapter .statements').evaluateAll((all) =>

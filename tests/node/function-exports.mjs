@@ -1,4 +1,5 @@
-// What the fuzz test knows of each exported function: how to make valid arguments, and where an answer holds a covariance.
+// What the fuzz test knows of each exported function: how to make valid arguments, and where an answer holds a
+// covariance.
 import { matrix, sizes, system, vector } from './arguments.mjs'
 import { covariance } from './nonsense.mjs'
 

@@ -40,8 +40,9 @@ check(
     [
       pattern(
         /^(\d+) landmarks? (?:is a ghost|are ghosts), /,
-        /founded though the map had (?:it|them) /,
-        /already(?:; (\d+) sightings? (?:was|were) matched to the wrong landmark)?(; the map is full and founds no more)?\.$/,
+        /founded though the map had (?:it|them) already/,
+        /(?:; (\d+) sightings? (?:was|were) matched to the wrong landmark)?/,
+        /(; the map is full and founds no more)?\.$/,
       ),
       ({ map }, spurious, wrong, full) =>
         Number(spurious) === map.spurious &&

@@ -79,10 +79,9 @@ before(async () => {
       () => false,
     )
     if (up) break
-    assert.ok(
-      tries < 100 && server.exitCode === null,
-      `nginx does not answer: ${existsSync(path.join(home, 'errors')) ? readFileSync(path.join(home, 'errors'), 'utf8') : ''}`,
-    )
+    const errors = path.join(home, 'errors')
+    const said = existsSync(errors) ? readFileSync(errors, 'utf8') : ''
+    assert.ok(tries < 100 && server.exitCode === null, `nginx does not answer: ${said}`)
     await new Promise((resolve) => setTimeout(resolve, 100))
   }
 })

@@ -77,7 +77,8 @@ function compare(printed, params, verdicts) {
       .replace(/fromeverystart/, 'from-every-start')
       .replace(/dependsonstart/, 'depends-on-start')
       .replace(/fromlargestart/, 'from-large-start'),
-    `observable ${frame.observable}, detectable ${frame.detectable}\nreached by noise ${frame.noise.reachable}, stabilizable ${frame.noise.stabilizable}\nlimit ${frame.limit}`,
+    `observable ${frame.observable}, detectable ${frame.detectable}\n` +
+      `reached by noise ${frame.noise.reachable}, stabilizable ${frame.noise.stabilizable}\nlimit ${frame.limit}`,
   )
 }
 
@@ -119,8 +120,24 @@ test('a system copied as Rust prints what the figure shows', { timeout: 600_000 
   // A package of its own beside the workspace, with the versions that the workspace has.
   writeFileSync(
     path.join(programs, 'Cargo.toml'),
-    `[package]\nname = "own-system"\nversion = "0.1.0"\nedition = "2024"\n\n[workspace]\n\n[dependencies]\nestimate = { package = "robot-motion-estimate", path = "../../crates/estimate" }
-nalgebra = { version = "0.35", default-features = false, features = ["alloc", "macros", "libm-force"] }\n\n[profile.dev]\nopt-level = 1\ndebug = "line-tables-only"\n\n[profile.dev.package."*"]\ndebug = false\n`,
+    `[package]
+name = "own-system"
+version = "0.1.0"
+edition = "2024"
+
+[workspace]
+
+[dependencies]
+estimate = { package = "robot-motion-estimate", path = "../../crates/estimate" }
+nalgebra = { version = "0.35", default-features = false, features = ["alloc", "macros", "libm-force"] }
+
+[profile.dev]
+opt-level = 1
+debug = "line-tables-only"
+
+[profile.dev.package."*"]
+debug = false
+`,
   )
   if (!existsSync(path.join(programs, 'Cargo.lock')))
     copyFileSync(path.join(root, 'Cargo.lock'), path.join(programs, 'Cargo.lock'))

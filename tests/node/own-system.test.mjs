@@ -31,15 +31,17 @@ test('a system is read in JSON, in MATLAB and in numpy notation', () => {
     JSON.stringify(SYSTEM),
     JSON.stringify(SYSTEM, null, 2),
     'F = [1 0.5; 0 1];\nG = [0; .5] % the input\nH = [1, 0]\nV = [0.2 0.05\n 0.05 0.1]\nW = 0.5',
-    'import numpy as np\nF = np.array([[1., 1/2], [0, 1]])  # dynamics\nG = np.array([[0], [5e-1]])\nH = np.array([[1, 0]])\nV = np.array([[.2, .05],\n              [.05, .1]])\nW = np.array([[0.5]])',
-    'F = np.array([[1, 0.5], [0, 1]]); G = np.array([0, 0.5]); H = np.array([1, 0]); V = np.array([[0.2, 0.05], [0.05, 0.1]]); W = 0.5',
+    'import numpy as np\nF = np.array([[1., 1/2], [0, 1]])  # dynamics\nG = np.array([[0], [5e-1]])\n' +
+      'H = np.array([[1, 0]])\nV = np.array([[.2, .05],\n              [.05, .1]])\nW = np.array([[0.5]])',
+    'F = np.array([[1, 0.5], [0, 1]]); G = np.array([0, 0.5]); H = np.array([1, 0]); ' +
+      'V = np.array([[0.2, 0.05], [0.05, 0.1]]); W = 0.5',
   ]
   for (const text of texts) assert.deepEqual(readSystem(text), { ok: true, system: SYSTEM }, text)
   const without = readSystem('F = [1 0.5; 0 1]\nH = [1 0]\nV = [0.2 0.05; 0.05 0.1]\nW = 0.5')
   assert.deepEqual(without.system.G, [[], []])
 })
 
-test('a system is read as engineers have it: with comments, continued lines, transposes, factors, printed or made', () => {
+test('a system is read as engineers have it: with comments, continued lines, transposes and factors', () => {
   const half = {
     ...SYSTEM,
     V: [
@@ -51,10 +53,14 @@ test('a system is read as engineers have it: with comments, continued lines, tra
     "F = [1 0.5; 0 1];% dynamics\r\nG = [0 0.5]';%input\r\nH = [1 0];\r\nV = 0.01*eye(2);\r\nW = .5;\r\n",
     'F = [1 0.5; ...  the first row\n 0 1]\nG=[0;0.5]; H=[1 0]; V=diag([0.01 0.01]); W=1/2',
     "%{\nF = [9 9; 9 9]\n%}\nF = [1, 0.5\n0, 1;];\nG = [0 0.5].'; H = [1;0]'; V = eye(2)*0.01; W = eye(1)/2",
-    'import numpy as np\nF = np.array([[1, 0.5],\n              [0, 1],\n             ], dtype=float)\nG = np.array([[0, 0.5]]).T\nH = np.array([[1, 0]])\nV = 1e-2 * np.eye(2)\nW = 0.5 * np.identity(1)',
-    'F =\n\n    1.0000    0.5000\n         0    1.0000\n\nG =\n\n         0\n    0.5000\n\nH =\n\n     1     0\n\nV =\n\n    0.0100         0\n         0    0.0100\n\nW =\n\n    0.5000\n',
-    'F = array([[1. , 0.5],\n       [0. , 1. ]])\nG = (1/2) * array([[0], [1]]); H = array([[1., 0.]]) # position\nV = np.diag([0.01, .01])\nW = 2*0.25',
-    '{"note": "5% noise // by hand", "F": [[1, 0.5], [0, 1]], "G": [[0], [0.5]], "H": [[1, 0]], "V": [[0.01, 0], [0, 0.01]], "W": [[0.5]]}',
+    'import numpy as np\nF = np.array([[1, 0.5],\n              [0, 1],\n             ], dtype=float)\n' +
+      'G = np.array([[0, 0.5]]).T\nH = np.array([[1, 0]])\nV = 1e-2 * np.eye(2)\nW = 0.5 * np.identity(1)',
+    'F =\n\n    1.0000    0.5000\n         0    1.0000\n\nG =\n\n         0\n    0.5000\n\nH =\n\n     1     0\n' +
+      '\nV =\n\n    0.0100         0\n         0    0.0100\n\nW =\n\n    0.5000\n',
+    'F = array([[1. , 0.5],\n       [0. , 1. ]])\n' +
+      'G = (1/2) * array([[0], [1]]); H = array([[1., 0.]]) # position\nV = np.diag([0.01, .01])\nW = 2*0.25',
+    '{"note": "5% noise // by hand", "F": [[1, 0.5], [0, 1]], "G": [[0], [0.5]], "H": [[1, 0]], "V": ' +
+      '[[0.01, 0], [0, 0.01]], "W": [[0.5]]}',
     'F = [1 0.5; 0 1] G = [0; 0.5] H = [1 0] W = 0.5\nV =\n\n   1.0e-02 *\n\n     1     0\n     0     1\n',
     'F = [1 .5; 0 1]; G = [0; .5]; H = [1 0]; V = 0.01*(eye(2)); W = 0.5',
     'F = [1 .5; 0 1]; G = [0; .5]; H = [1 0]; V = 0.01*diag(ones(2, 1)); W = 0.5*np.ones((1, 1))',

@@ -29,7 +29,8 @@ test('of two scripts under one lock the second waits, and says so', async () => 
   const [lock, log] = [path.join(home, 'lock'), path.join(home, 'log')]
   const run = (name) =>
     bash(
-      `work() { echo '${name} in' >>'${log}'; sleep 0.5; echo '${name} out' >>'${log}'; }; alone '${lock}' 'the other' work`,
+      `work() { echo '${name} in' >>'${log}'; sleep 0.5; echo '${name} out' >>'${log}'; }; ` +
+        `alone '${lock}' 'the other' work`,
     )
   const both = await Promise.all([ended(run('a')), ended(run('b'))])
   assert.deepEqual(
@@ -78,7 +79,8 @@ test('a set-up that fails or was interrupted leaves nothing behind, and the next
 
   const working = stub(
     'working',
-    'while [ "$1" != --root ]; do shift; done; mkdir -p "$2/bin"; printf "#!/bin/sh\\necho a-tool 1.2.3\\n" >"$2/bin/a-tool"; chmod +x "$2/bin/a-tool"',
+    'while [ "$1" != --root ]; do shift; done; mkdir -p "$2/bin"; ' +
+      'printf "#!/bin/sh\\necho a-tool 1.2.3\\n" >"$2/bin/a-tool"; chmod +x "$2/bin/a-tool"',
   )
   const done = await ended(bash('need_tool a-tool a-tool 1.2.3; [ "$(a-tool --version)" = "a-tool 1.2.3" ]', working))
   assert.equal(done.status, 0, done.said)
@@ -132,7 +134,7 @@ const buildIn = (folder, env) =>
     env: { ...process.env, ...env },
   })
 
-test('the build takes the module from the folder that CARGO_BUILD_TARGET_DIR names, and cargo is always told --locked', () => {
+test('the build takes the module from CARGO_BUILD_TARGET_DIR, and cargo is always told --locked', () => {
   const folder = copy('elsewhere')
   const [elsewhere, log] = [path.join(home, 'cargo target'), path.join(home, 'cargo-log')]
   const real = spawnSync('bash', ['-c', 'command -v cargo'], { encoding: 'utf8' }).stdout.trim()

@@ -210,7 +210,7 @@ test('a first call that ends without stack leaves a module that works', () => {
   }
 })
 
-test('an object in the middle of whose call the stack ended may be lost; its state, the others and the functions are not', () => {
+test('an object whose call the stack’s end cut short may be lost; its state, others and functions are not', () => {
   const program = `
     const core = require(process.argv[1])
     const lost = []
@@ -231,7 +231,8 @@ test('an object in the middle of whose call the stack ended may be lost; its sta
       try { bench.frame() } catch ({ code, argument, message }) { answer = code + ' ' + argument + ' ' + message }
       lost.push(answer)
       const twin = core.ObserverBench.from(state)
-      if (twin.digest() !== digest || core.covarianceEllipse([[4, 0], [0, 1]]).semiMajor !== 2) throw new Error('the module is lost')
+      const { semiMajor } = core.covarianceEllipse([[4, 0], [0, 1]])
+      if (twin.digest() !== digest || semiMajor !== 2) throw new Error('the module is lost')
       twin.free()
     }
     process.stdout.write(JSON.stringify(lost))`

@@ -74,7 +74,12 @@ export async function apart(still, name, folder) {
   words.setAttribute('aria-hidden', 'true')
   words.textContent = [...said].join(', ')
   still.append(words)
-  return `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${widest} ${top - GAP}"><style>${await heldFaces(folder, name, letters(panels))}${style.replaceAll('&', '&amp;').replaceAll('<', '&lt;')}</style>${views}${drawn}</svg>\n`
+  const faces = await heldFaces(folder, name, letters(panels))
+  const rules = style.replaceAll('&', '&amp;').replaceAll('<', '&lt;')
+  return (
+    `<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 ${widest} ${top - GAP}">` +
+    `<style>${faces}${rules}</style>${views}${drawn}</svg>\n`
+  )
 }
 
 /** @param {Element} text */

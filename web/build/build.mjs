@@ -33,9 +33,8 @@ const [atHand] = pkg.keys()
 const OTHER_SIZES = /\.katex \.fontsize-ensurer\.reset-size(?!(?:6\.size[13]|3\.size1),)\d+\.size\d+,[^{}]*\{[^}]*\}/g
 
 /** Selectors of what no formula of the book needs, and of the MathML, for which we have a rule of our own. */
-const LEFT_OUT = new RegExp(
-  `\\.(?:${[...JSON.parse(readFileSync(join(web, 'style/katex-left-out.json'), 'utf8')), 'katex-mathml'].join('|')})(?![\\w-])`,
-)
+const UNUSED = JSON.parse(readFileSync(join(web, 'style/katex-left-out.json'), 'utf8'))
+const LEFT_OUT = new RegExp(`\\.(?:${[...UNUSED, 'katex-mathml'].join('|')})(?![\\w-])`)
 
 /** Logical name → file name. @type {Record<string, string>} */
 const manifest = {}
@@ -71,9 +70,10 @@ const wasm = {
       path: join(folder(path.split('/')[1]), 'estimate_wasm_bg.wasm'),
     }))
     to.onResolve({ filter: /^module-builds?(\/|$)/ }, ({ path }) => ({ path, namespace: 'module' }))
+    const loader = (name) => (name === atHand ? 'async () => first' : `() => import('module-build/${name}')`)
     to.onLoad({ filter: /^module-builds$/, namespace: 'module' }, () =>
       virtual(`import * as first from 'module-build/${atHand}'
-        export const BUILDS = { ${[...pkg.keys()].map((name) => `'${name}': ${name === atHand ? 'async () => first' : `() => import('module-build/${name}')`}`)} }`),
+        export const BUILDS = { ${[...pkg.keys()].map((name) => `'${name}': ${loader(name)}`)} }`),
     )
     to.onLoad({ filter: /^module-build\//, namespace: 'module' }, ({ path }) => {
       const file = (name) => JSON.stringify(join(pkg.get(path.split('/')[1]), name))

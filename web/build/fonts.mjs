@@ -132,7 +132,10 @@ const TEXT = [
 const LETTERS = range(0x30, 0x39) + range(0x41, 0x5a) + range(0x61, 0x7a)
 // U+E020 is KaTeX's own: the stroke of ≠.
 const SIGNS =
-  '±×÷¬ˉˆ˙˜ˇ´`¨˘˚^¯·°…′‵ℓℏℜℑ℘ℵ←↑→↓↔↕↦↩↪⇐⇑⇒⇓⇔⟵⟶⟷⟸⟹⟺∀∂∃∅∇∈∉∋∏∐∑−∓∗∘∙√∝∞∠∣∥∧∨∩∪∫∮∼≀≃≅≈≍≐≠≡≤≥≪≫≺≻⊂⊃⊆⊇⊎⊓⊔⊕⊖⊗⊘⊙⊢⊣⊤⊥⊨⋀⋁⋂⋃⋄⋅⋆⋮⋯⋱⌈⌉⌊⌋⟨⟩⟮⟯—–‖†‡\u00a0\u200b\u0338\u20d7\ue020'
+  '±×÷¬ˉˆ˙˜ˇ´`¨˘˚^¯·°…′‵ℓℏℜℑ℘ℵ' +
+  '←↑→↓↔↕↦↩↪⇐⇑⇒⇓⇔⟵⟶⟷⟸⟹⟺' +
+  '∀∂∃∅∇∈∉∋∏∐∑−∓∗∘∙√∝∞∠∣∥∧∨∩∪∫∮∼≀≃≅≈≍≐≠≡≤≥≪≫≺≻⊂⊃⊆⊇⊎⊓⊔⊕⊖⊗⊘⊙⊢⊣⊤⊥⊨⋀⋁⋂⋃⋄⋅⋆⋮⋯⋱' +
+  '⌈⌉⌊⌋⟨⟩⟮⟯—–‖†‡\u00a0\u200b\u0338\u20d7\ue020'
 const KATEX = {
   'AMS-Regular': `${LETTERS}⊞⊟⊠⊡■□◼★∁∄∅∖≜≦≧⩽⩾⪅⪆`,
   'Caligraphic-Bold': LETTERS,
@@ -264,7 +267,10 @@ async function part(folder, { family, weight, style, display, axes }, source, na
     writeFileSync(mark, stamp)
   }
   const within = text ? `;unicode-range:${runs(letters)}` : ''
-  return `@font-face{font-family:${family};font-weight:${weight};font-style:${style};font-display:${display};src:url(${name}.woff2) format("woff2")${within}}\n`
+  return (
+    `@font-face{font-family:${family};font-weight:${weight};font-style:${style};font-display:${display};` +
+    `src:url(${name}.woff2) format("woff2")${within}}\n`
+  )
 }
 
 /** As a style sheet writes them: `U+41-5A,U+2212`. @param {string[]} letters in order */

@@ -28,7 +28,8 @@ export function vignette(pkg) {
     `<svg class="vignette" viewBox="0 0 ${SIZE.width} ${SIZE.height}" aria-hidden="true" focusable="false">`,
     `<path class="mark outline prediction" d="${ellipsePath(predicted.ellipse, mean, plane)}"/>`,
     `<path class="mark line measurement" d="M0 ${line}H${SIZE.width}"/>`,
-    `<path class="mark curve prediction" style="transform-origin:${mx}px ${my}px" d="${ellipsePath(foot.ellipse, mean, plane)}"/>`,
+    `<path class="mark curve prediction" style="transform-origin:${mx}px ${my}px" ` +
+      `d="${ellipsePath(foot.ellipse, mean, plane)}"/>`,
     `<path class="mark way posterior" pathLength="1" d="M${mx} ${my}L${fx} ${fy}"/>`,
     `<circle class="mark hollow prediction" cx="${mx}" cy="${my}" r="4.5"/>`,
     `<circle class="mark full posterior" cx="${fx}" cy="${fy}" r="5"/>`,

@@ -22,7 +22,14 @@ function facts({ P, predicted: { ellipse } }) {
 /** @param {Frame} frame */
 function describe(frame) {
   const { position, velocity, regression, axis } = facts(frame)
-  return `The plane of a position error, across, and a velocity error, upward. A 1 sigma ellipse about zero reaches ${fixed(position, 2)} metres to either side and ${fixed(velocity, 2)} metres a second up and down, and leans to the right. The line of the regression passes through its highest and its lowest point: ${fixed(regression, 2)} metres of position error for each metre a second of velocity error. The long axis is a flatter line: ${fixed(axis, 2)} metres for each metre a second.`
+  return (
+    'The plane of a position error, across, and a velocity error, upward. ' +
+    `A 1 sigma ellipse about zero reaches ${fixed(position, 2)} metres to either side ` +
+    `and ${fixed(velocity, 2)} metres a second up and down, and leans to the right. ` +
+    'The line of the regression passes through its highest and its lowest point: ' +
+    `${fixed(regression, 2)} metres of position error for each metre a second of velocity error. ` +
+    `The long axis is a flatter line: ${fixed(axis, 2)} metres for each metre a second.`
+  )
 }
 
 /**

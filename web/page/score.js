@@ -24,7 +24,8 @@ export function score(reset) {
   const note = part(document, box, 'p', 'score-note')
   note.textContent = outlasts()
     ? 'They are kept in this browser and sent nowhere. The file is for you, or for a teacher.'
-    : 'This browser does not let the page keep anything: your answers last until you close the page. The file keeps them.'
+    : 'This browser does not let the page keep anything: your answers last until you close the page. ' +
+      'The file keeps them.'
   const actions = part(document, box, 'p', 'score-actions')
   const whole = box.getAttribute('data-score')
   if (whole) {
@@ -71,7 +72,10 @@ export function showScore() {
 function sentence(what, all) {
   const many = (/** @type {(one: ReturnType<typeof summary>) => boolean} */ holds) => all.filter(holds).length
   const atOnce = many(({ right, atOnce }) => right && atOnce)
-  return `${what}: ${many(({ answered }) => answered)} of ${all.length} answered, ${atOnce} right at once, ${many(({ right }) => right) - atOnce} right after more tries.`
+  return (
+    `${what}: ${many(({ answered }) => answered)} of ${all.length} answered, ${atOnce} right at once, ` +
+    `${many(({ right }) => right) - atOnce} right after more tries.`
+  )
 }
 
 function chapter() {

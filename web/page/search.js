@@ -11,7 +11,8 @@ import { PATIENCE_MS } from '../load/timeouts.js'
 
 /** Said where there is no index. */
 const NO_INDEX =
-  'The search needs a list of all the words of this book, and that could not be fetched: are you offline? The next letter you type asks for it again.'
+  'The search needs a list of all the words of this book, and that could not be fetched: ' +
+  'are you offline? The next letter you type asks for it again.'
 
 /** @type {HTMLDialogElement | null} */
 let dialog = null

@@ -3,10 +3,10 @@
 // They lie one behind another in a row of numbers: a matrix as [rows, columns, entries row by row …], a vector as
 // [-1, length, entries …].
 //
-// The readers take plain arrays of finite numbers and nothing else. Whatever is unusual (a hole, a NaN, a number too many, a
-// getter that throws) is left to the decoder in Rust, which reads the argument again and names what is wrong with it. A getter
-// or a proxy may do and answer anything in between, so every value is looked at after it was read, and read once; and when a
-// getter calls the module and its memory grows, `to` is left with a length of 0.
+// The readers take plain arrays of finite numbers and nothing else. Whatever is unusual (a hole, a NaN, a number too
+// many, a getter that throws) is left to the decoder in Rust, which reads the argument again and names what is wrong
+// with it. A getter or a proxy may do and answer anything in between, so every value is looked at after it was read,
+// and read once; and when a getter calls the module and its memory grows, `to` is left with a length of 0.
 
 /** The most rows, columns and entries of a vector. */
 const MOST = 16

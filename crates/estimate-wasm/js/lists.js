@@ -1,4 +1,5 @@
-// Short lists for the module: a literal is made several times as quickly as `Array.of` or a view of the module's memory.
+// Short lists for the module: a literal is made several times as quickly as `Array.of` or a view of the module's
+// memory.
 
 /** @param {number} first @param {number} second */
 export const pair = (first, second) => [first, second]

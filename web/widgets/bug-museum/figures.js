@@ -119,7 +119,8 @@ function bars(counts, left, right, base, high) {
   const bar = (/** @type {number} */ count, /** @type {number} */ i) =>
     count === 0
       ? ''
-      : `M${pixel(left + i * wide)} ${pixel(base)}v${pixel(-Math.max(1, (high * count) / most))}h${pixel(wide - 0.5)}V${pixel(base)}z`
+      : `M${pixel(left + i * wide)} ${pixel(base)}v${pixel(-Math.max(1, (high * count) / most))}` +
+        `h${pixel(wide - 0.5)}V${pixel(base)}z`
   return counts.map(bar).join('')
 }
 

@@ -43,12 +43,19 @@ function describe(frame) {
     (lag) => width !== null && Math.abs(lag) > width,
   ).length
   return {
-    map: `The course from above after step ${driven}: three landmarks, the true track and the estimated one; the estimate is off by ${fixed(Math.hypot(error[0], error[1]), 2)} metres.`,
+    map:
+      `The course from above after step ${driven}: three landmarks, the true track and the estimated one; ` +
+      `the estimate is off by ${fixed(Math.hypot(error[0], error[1]), 2)} metres.`,
     errors: `Errors in x, y and heading over time against their claimed 2 σ; ${value(2)} of them lie beyond.`,
-    nees: `Normalized estimation error over time, mean ${fixed(meanNees, 2)}; a right filter’s lies between ${fixed(figures[3].band[0], 1)} and ${fixed(figures[3].band[1], 1)} in 95 of 100 runs.`,
+    nees:
+      `Normalized estimation error over time, mean ${fixed(meanNees, 2)}; ` +
+      `a right filter’s lies between ${fixed(figures[3].band[0], 1)} and ${fixed(figures[3].band[1], 1)} in ` +
+      '95 of 100 runs.',
     nis: `Normalized innovation of each reading: ${readings.nis.length} readings, ${refused} of them refused.`,
     innovations: `Normalized innovations over time: mean ${value(8)} of the ranges and ${value(9)} of the bearings.`,
-    correlation: `Autocorrelation of the innovations at ${correlationRange.length} lags: ${out} of ${correlationRange.length + correlationBearing.length} outside the band.`,
+    correlation:
+      `Autocorrelation of the innovations at ${correlationRange.length} lags: ` +
+      `${out} of ${correlationRange.length + correlationBearing.length} outside the band.`,
     covariance: `Smallest eigenvalue of P over time, at least ${value(12)}, and its asymmetry, at most ${value(13)}.`,
     figures: [
       'Fourteen figures of the run against a right filter’s 95 % bands.',

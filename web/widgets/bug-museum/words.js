@@ -13,47 +13,69 @@ export const BUGS = {
   none: { name: 'none', why: '' },
   'unwrapped-innovation': {
     name: 'innovation not wrapped',
-    why: 'Near ±π reading and expectation differ by a whole turn. The gate refuses such readings, so the filter stays consistent and loses a part of its readings.',
+    why:
+      'Near ±π reading and expectation differ by a whole turn. ' +
+      'The gate refuses such readings, so the filter stays consistent and loses a part of its readings.',
   },
   'unwrapped-heading': {
     name: 'heading not wrapped',
-    why: 'After two laps the heading is two turns off, and the innovation takes back one. Every bearing is refused from then on, and the robot drives by odometry alone.',
+    why:
+      'After two laps the heading is two turns off, and the innovation takes back one. ' +
+      'Every bearing is refused from then on, and the robot drives by odometry alone.',
   },
   'frozen-jacobian': {
     name: 'Jacobians computed once',
-    why: 'The Jacobians stay those of the first pose. The corrections go in wrong directions, and the covariance shrinks as if they were right.',
+    why:
+      'The Jacobians stay those of the first pose. The corrections go in wrong directions, ' +
+      'and the covariance shrinks as if they were right.',
   },
   'wrong-derivative': {
     name: 'wrong derivative of a bearing',
-    why: 'A bearing changes by −1 with the heading. With −1/ρ² in its place the heading is hardly corrected, and the position takes the blame.',
+    why:
+      'A bearing changes by −1 with the heading. With −1/ρ² in its place the heading is hardly corrected, ' +
+      'and the position takes the blame.',
   },
   transposed: {
     name: 'FᵀPF for FPFᵀ',
-    why: 'The heading’s uncertainty does not reach the position, as it does in the world. The ellipse stays too small wherever no landmark is in reach.',
+    why:
+      'The heading’s uncertainty does not reach the position, as it does in the world. ' +
+      'The ellipse stays too small wherever no landmark is in reach.',
   },
   degrees: {
     name: 'degrees for radians',
-    why: 'The bearing’s σ, given in degrees, is taken as radians. The filter ignores its bearings: their NIS is almost zero, and successive innovations of a bearing are alike.',
+    why:
+      'The bearing’s σ, given in degrees, is taken as radians. The filter ignores its bearings: ' +
+      'their NIS is almost zero, and successive innovations of a bearing are alike.',
   },
   deviation: {
     name: 'σ for σ²',
-    why: 'The noise of a reading is taken far too large. The filter hardly moves: NIS and NEES are far too small, and an innovation of a bearing resembles the one before.',
+    why:
+      'The noise of a reading is taken far too large. The filter hardly moves: ' +
+      'NIS and NEES are far too small, and an innovation of a bearing resembles the one before.',
   },
   'step-length': {
     name: 'V of a longer step',
-    why: 'The noise of the motion is sixteen times too large. The filter runs after each reading: NIS and NEES are too small, and successive innovations of a bearing tend to have opposite signs.',
+    why:
+      'The noise of the motion is sixteen times too large. The filter runs after each reading: ' +
+      'NIS and NEES are too small, and successive innovations of a bearing tend to have opposite signs.',
   },
   'short-form': {
     name: 'short form, gain by hand',
-    why: 'The short form holds at the optimal gain alone. At a greater one it takes away more than there is: an eigenvalue falls below zero.',
+    why:
+      'The short form holds at the optimal gain alone. At a greater one it takes away more than there is: ' +
+      'an eigenvalue falls below zero.',
   },
   asymmetric: {
     name: 'P not made symmetric',
-    why: 'Rounding leaves the covariance and its transpose different in the last digits. In double precision nothing else shows here.',
+    why:
+      'Rounding leaves the covariance and its transpose different in the last digits. ' +
+      'In double precision nothing else shows here.',
   },
   twice: {
     name: 'readings used twice',
-    why: 'The second use looks like an independent reading. The covariance shrinks too fast, and each innovation is followed by one that is nearly the same.',
+    why:
+      'The second use looks like an independent reading. ' +
+      'The covariance shrinks too fast, and each innovation is followed by one that is nearly the same.',
   },
   'open-gate': {
     name: 'a gate that refuses nothing',
@@ -61,7 +83,9 @@ export const BUGS = {
   },
   late: {
     name: 'readings two steps late',
-    why: 'Where the robot was half a metre ago is taken for where it is. The estimate lags, the gate refuses most readings, and the rest fit by chance.',
+    why:
+      'Where the robot was half a metre ago is taken for where it is. ' +
+      'The estimate lags, the gate refuses most readings, and the rest fit by chance.',
   },
 }
 
@@ -127,7 +151,8 @@ export function verdict(frame) {
     params.lot === 0
       ? `The filter has ${named(params.bug, params.second)}.`
       : answer
-        ? `${answer.right ? 'Right' : 'No'}: it was ${named(answer.bug, answer.second)}. ${reasons(answer.bug, answer.second)}`
+        ? `${answer.right ? 'Right' : 'No'}: it was ${named(answer.bug, answer.second)}. ` +
+          `${reasons(answer.bug, answer.second)}`
         : `${params.pair ? 'Two bugs are' : 'A bug is'} hidden in the filter.`
   return `${subject} ${judged(frame)}`
 }
@@ -136,9 +161,14 @@ export function verdict(frame) {
 function judged({ driven, steps, figures, seeds }) {
   if (driven < steps) return `The run is at step ${driven} of ${steps}; its figures are judged at the end.`
   const out = figures.filter(outside).length
-  const run = `${out === 0 ? 'All' : `${out} of`} ${figures.length} figures of this run lie ${out === 0 ? 'within' : 'outside'} a right filter’s 95 % bands.`
+  const run =
+    `${out === 0 ? 'All' : `${out} of`} ${figures.length} figures of this run lie ` +
+    `${out === 0 ? 'within' : 'outside'} a right filter’s 95 % bands.`
   if (seeds === 0) return run
-  return `${run} Of ${seeds} ${seeds === 1 ? 'seed' : 'seeds'}, ${Math.round(100 * share(figures[3]))} % have a mean NEES outside its band.`
+  return (
+    `${run} Of ${seeds} ${seeds === 1 ? 'seed' : 'seeds'}, ` +
+    `${Math.round(100 * share(figures[3]))} % have a mean NEES outside its band.`
+  )
 }
 
 /** @param {Figure} figure */

@@ -27,7 +27,8 @@ export function drawHeat({ pen, width, height }, { correlation, map, landmarks }
       while (to < n && shade[to] === shade[from]) to += 1
       if (shade[from] > 0)
         shades[shade[from] - 1] +=
-          `M${pixel(box.left + from * cell)} ${y}H${pixel(box.left + to * cell)}v${pixel(cell)}H${pixel(box.left + from * cell)}z`
+          `M${pixel(box.left + from * cell)} ${y}H${pixel(box.left + to * cell)}` +
+          `v${pixel(cell)}H${pixel(box.left + from * cell)}z`
     }
     for (const [j, value] of row.entries()) {
       if (value < 0 && shade[j] > 0)

@@ -28,11 +28,23 @@ function describe({ step, map, gates, sightings, correlation, params, series, er
   const strong = others.filter((value) => Math.abs(value) > 0.5).length
   const last = (/** @type {number[]} */ values) => fixed(values[values.length - 1], 2)
   return {
-    map: `Map of the corridor at step ${step}: the map has ${map.landmarks.length} landmarks, ${map.spurious} of them ghosts; this step has ${sightings.length} sightings and ${gates.length} gates.`,
-    heat: `Correlations of the errors of the robot and ${map.landmarks.length} landmarks: of ${others.length} pairs of landmarks ${strong} are above one half in size.`,
-    thresholds: `Axis of χ² with the gate at ${fixed(params.gate, 2)} and the threshold for founding at ${fixed(params.found, 2)}: ${map.matched} sightings matched, ${map.rejected} not used, ${map.founded} founded a landmark.`,
-    nees: `NEES of the pose over the steps: ${nees === null ? 'none at this step' : `now ${fixed(nees, 1)}`}; 95 % of single values lie between ${fixed(neesBand[0], 2)} and ${fixed(neesBand[1], 2)}.`,
-    errors: `Error of the position over the steps: now ${fixed(Math.hypot(error[0], error[1]), 2)} metres, where one σ is ${fixed(Math.sqrt((P[0][0] + P[1][1]) / 2), 2)}; the landmarks’ mean σ is ${last(series.mapSigma)}.`,
+    map:
+      `Map of the corridor at step ${step}: the map has ${map.landmarks.length} landmarks, ` +
+      `${map.spurious} of them ghosts; this step has ${sightings.length} sightings and ${gates.length} gates.`,
+    heat:
+      `Correlations of the errors of the robot and ${map.landmarks.length} landmarks: ` +
+      `of ${others.length} pairs of landmarks ${strong} are above one half in size.`,
+    thresholds:
+      `Axis of χ² with the gate at ${fixed(params.gate, 2)} and the threshold for founding at ` +
+      `${fixed(params.found, 2)}: ${map.matched} sightings matched, ${map.rejected} not used, ` +
+      `${map.founded} founded a landmark.`,
+    nees:
+      `NEES of the pose over the steps: ${nees === null ? 'none at this step' : `now ${fixed(nees, 1)}`}; ` +
+      `95 % of single values lie between ${fixed(neesBand[0], 2)} and ${fixed(neesBand[1], 2)}.`,
+    errors:
+      `Error of the position over the steps: now ${fixed(Math.hypot(error[0], error[1]), 2)} metres, ` +
+      `where one σ is ${fixed(Math.sqrt((P[0][0] + P[1][1]) / 2), 2)}; ` +
+      `the landmarks’ mean σ is ${last(series.mapSigma)}.`,
   }
 }
 

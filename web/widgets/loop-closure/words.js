@@ -16,7 +16,10 @@ export function verdict(frame) {
 function mapOf({ step, map, closure }) {
   if (closure) return ''
   if (step === 0)
-    return `At the start the pose is known exactly, and ${count(map.landmarks.length, 'landmark')} in reach ${map.landmarks.length === 1 ? 'is' : 'are'} founded.`
+    return (
+      `At the start the pose is known exactly, and ${count(map.landmarks.length, 'landmark')} in reach ` +
+      `${map.landmarks.length === 1 ? 'is' : 'are'} founded.`
+    )
   return `The map has ${count(map.landmarks.length, 'landmark')}; ${useOf(map)}.`
 }
 

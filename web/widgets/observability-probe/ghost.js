@@ -20,7 +20,10 @@ export function ofTheGhost({ ghost, params, step }) {
   const bearings = bearingGap === null ? '' : ` and its bearings by ${fixed(degrees(bearingGap), 1)}°`
   if (rangeGap > 1e-9 || (bearingGap ?? 0) > 1e-9)
     return `${where} Its ranges differ by up to ${fixed(rangeGap, 2)} m${bearings}.`
-  return `${where} It reads what the robot reads${params.count === 1 ? '' : ' of every landmark'}: no filter can tell the two apart.`
+  return (
+    `${where} It reads what the robot reads${params.count === 1 ? '' : ' of every landmark'}: ` +
+    'no filter can tell the two apart.'
+  )
 }
 
 /** @param {Panel} panel @param {Frame} frame */

@@ -20,7 +20,8 @@ export function drawRanks({ pen, width, height }, { frozen, alongPath, params })
   const past =
     alongPath.steps === 0
       ? 'along the path: no step yet'
-      : `along the last ${alongPath.steps === 1 ? 'step' : `${alongPath.steps} steps`}: rank ${alongPath.rank} of ${alongPath.n}`
+      : `along the last ${alongPath.steps === 1 ? 'step' : `${alongPath.steps} steps`}: ` +
+        `rank ${alongPath.rank} of ${alongPath.n}`
   const rows = [
     {
       key: 'frozen',

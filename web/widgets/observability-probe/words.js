@@ -18,11 +18,20 @@ export function verdict(frame) {
     const worst = slam.worst
       ? ` The worst stands ${fixed(slam.worst.error, 2)} m off, ${fixed(slam.worst.sigma, 1)} of its own σ.`
       : ''
-    return `The map is forgotten, and ranges with bearings found it anew: ${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.${worst}${slam.full ? ' The map is full: it founds no more.' : ''}`
+    return (
+      'The map is forgotten, and ranges with bearings found it anew: ' +
+      `${slam.founded} founded, ${slam.matched} matched, ${slam.rejected} rejected.` +
+      `${worst}${slam.full ? ' The map is full: it founds no more.' : ''}`
+    )
   }
-  const what = `${capital(NUMBERS[params.count])} ${params.count === 1 ? 'landmark' : 'landmarks'}, ${sensor === 'range' ? 'range only' : 'range and bearing'}: rank ${frozen.rank} frozen at this pose`
+  const what =
+    `${capital(NUMBERS[params.count])} ${params.count === 1 ? 'landmark' : 'landmarks'}, ` +
+    `${sensor === 'range' ? 'range only' : 'range and bearing'}: rank ${frozen.rank} frozen at this pose`
   if (alongPath.steps === 0) return `${what}. No path is driven yet, so there is no rank along it.`
-  return `${what}, ${alongPath.rank} along the last ${alongPath.steps === 1 ? 'step' : `${alongPath.steps} steps`}. ${ofTheRanks(params.count, frozen.rank, alongPath)}`
+  return (
+    `${what}, ${alongPath.rank} along the last ${alongPath.steps === 1 ? 'step' : `${alongPath.steps} steps`}. ` +
+    `${ofTheRanks(params.count, frozen.rank, alongPath)}`
+  )
 }
 
 /**
@@ -45,7 +54,10 @@ function ofTheRanks(count, frozen, { rank, relative }) {
   // What is hidden is so up to rounding; what a coarse tolerance leaves out is only seen badly.
   if (relative[rank] >= 1e-9)
     return `${capital(directions(hidden))} of the pose ${hidden === 1 ? 'falls' : 'fall'} below the tolerance.`
-  return `${capital(directions(hidden))} of the pose ${hidden === 1 ? 'is' : 'are'} hidden: no reading along the path changes with ${hidden === 1 ? 'it' : 'them'}.`
+  return (
+    `${capital(directions(hidden))} of the pose ${hidden === 1 ? 'is' : 'are'} hidden: ` +
+    `no reading along the path changes with ${hidden === 1 ? 'it' : 'them'}.`
+  )
 }
 
 /** @param {Frame} frame */
@@ -58,15 +70,25 @@ export function describe(frame) {
     .map(({ x, y }, i) => `${i + 1} at ${fixed(x, 1)}, ${fixed(y, 1)}`)
     .join('; ')
   return {
-    map: `Room A, 6 by 6 metres, step ${frame.step}. Landmarks: ${landmarks}. The estimate stands at ${fixed(estimate[0], 2)}, ${fixed(estimate[1], 2)}, off by ${fixed(Math.hypot(error[0], error[1]), 2)} metres; its ellipse has half-axes of ${fixed(ellipse.semiMajor, 2)} and ${fixed(ellipse.semiMinor, 2)} metres.${ghost ? ` A ghost stands at ${fixed(ghost.pose[0], 2)}, ${fixed(ghost.pose[1], 2)}.` : ''}`,
-    ranks: `Singular values on a logarithmic scale. Frozen: ${ranks(frozen)}. Along the path: ${alongPath.steps === 0 ? 'no step yet' : ranks(alongPath)}.`,
-    trace: `Trace of the pose covariance over time, now ${fixed(trace.total, 3)}; with two landmarks it would be ${fixed(trace.reference, 3)}.`,
+    map:
+      `Room A, 6 by 6 metres, step ${frame.step}. Landmarks: ${landmarks}. ` +
+      `The estimate stands at ${fixed(estimate[0], 2)}, ${fixed(estimate[1], 2)}, ` +
+      `off by ${fixed(Math.hypot(error[0], error[1]), 2)} metres; ` +
+      `its ellipse has half-axes of ${fixed(ellipse.semiMajor, 2)} and ${fixed(ellipse.semiMinor, 2)} metres.` +
+      `${ghost ? ` A ghost stands at ${fixed(ghost.pose[0], 2)}, ${fixed(ghost.pose[1], 2)}.` : ''}`,
+    ranks:
+      `Singular values on a logarithmic scale. Frozen: ${ranks(frozen)}. Along the path: ` +
+      `${alongPath.steps === 0 ? 'no step yet' : ranks(alongPath)}.`,
+    trace:
+      `Trace of the pose covariance over time, now ${fixed(trace.total, 3)}; ` +
+      `with two landmarks it would be ${fixed(trace.reference, 3)}.`,
     ranges: ghost
       ? `Ranges over time, of the robot and of the ghost; they differ by up to ${fixed(ghost.rangeGap, 3)} metres.`
       : '',
     bearings:
       ghost && ghost.bearingGap !== null
-        ? `Bearings over time, of the robot and of the ghost; they differ by up to ${fixed((ghost.bearingGap * 180) / Math.PI, 1)} degrees.`
+        ? 'Bearings over time, of the robot and of the ghost; ' +
+          `they differ by up to ${fixed((ghost.bearingGap * 180) / Math.PI, 1)} degrees.`
         : '',
     nees: ghost ? '' : `Normalized estimation error over time, mean ${fixed(mean.nees, 1)}; 3 is expected.`,
     nis: ghost

@@ -68,8 +68,16 @@ function free(pen, { x, y, box }, frame, width) {
   return [...rim([cx, cy], r), real, ticks[0], clear([x(1), cy], 12), { left, right: width, top, bottom: top + 15 }]
 }
 
-/** Draws an eigenvalue. @param {import('../../draw/pen.js').Pen} pen @param {import('../../draw/plot.js').Plane} plane @param {Frame} frame @param {import('estimate-wasm').Complex} value @param {number} i
- * @returns {{ at: [number, number], label?: import('../../draw/labels.js').Label }} where it stands, and what is written beside it */
+/**
+ * Draws an eigenvalue.
+ * @param {import('../../draw/pen.js').Pen} pen
+ * @param {import('../../draw/plot.js').Plane} plane
+ * @param {Frame} frame
+ * @param {import('estimate-wasm').Complex} value
+ * @param {number} i
+ * @returns {{ at: [number, number], label?: import('../../draw/labels.js').Label }} where it stands, and what is
+ * written beside it
+ */
 function eigenvalue(pen, plane, frame, value, i) {
   const { x, y, box } = plane
   const pinned = frame.pinned === i

@@ -33,7 +33,10 @@ function verdict(frame) {
   const other = pinned === null ? '' : ' The other eigenvalue is 1 for every gain: no gain takes a position error back.'
   // R(k) changes at every step. The eigenvalues of one step's matrix say what would happen if that gain were kept.
   if (params.mode === 'filter')
-    return `If the filter kept this step’s gain, ${pinned === null ? 'every' : 'a velocity'} error would shrink by the factor ${factor} a step in the long run.${other}`
+    return (
+      `If the filter kept this step’s gain, ${pinned === null ? 'every' : 'a velocity'} error would shrink by the ` +
+      `factor ${factor} a step in the long run.${other}`
+    )
   if (Number(factor) === 1)
     return `At the limit of stability: the factor a step is ${factor}, and an error neither dies out nor grows.`
   if (Number(factor) > 1) return `Unstable: in the long run the error grows by the factor ${factor} a step.`
@@ -55,8 +58,14 @@ function describe(frame) {
   const last = (/** @type {number[]} */ values) => fixed(values[values.length - 1], 2)
   const { series } = frame
   return {
-    phase: `Phase plane at step ${frame.step}, seen from the truth: the prediction’s ellipse, with standard deviations of ${spread(predicted)}, and the estimate’s, of ${spread(posterior)}; the estimate is off by ${fixed(off[0], 2)} metres and ${fixed(off[1], 2)} metres a second.`,
-    disc: `Unit disc: the ${frame.params.mode === 'filter' ? 'frozen ' : ''}eigenvalues of the error dynamics are ${eigen}${frame.pinned === null ? '' : ', one of them pinned at 1'}.`,
+    phase:
+      `Phase plane at step ${frame.step}, seen from the truth: ` +
+      `the prediction’s ellipse, with standard deviations of ${spread(predicted)}, and the estimate’s, ` +
+      `of ${spread(posterior)}; the estimate is off by ${fixed(off[0], 2)} metres and ${fixed(off[1], 2)} ` +
+      'metres a second.',
+    disc:
+      `Unit disc: the ${frame.params.mode === 'filter' ? 'frozen ' : ''}eigenvalues of the error dynamics are ` +
+      `${eigen}${frame.pinned === null ? '' : ', one of them pinned at 1'}.`,
     gain: `Gain over time, now ${last(series.r1)} and ${last(series.r2)}.`,
     variance: `Variances over time, now ${last(series.p11)} and ${last(series.p22)}.`,
     error: `Errors over time, truth minus estimate, now ${last(series.e1)} and ${last(series.e2)}.`,

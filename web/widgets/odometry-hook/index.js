@@ -80,11 +80,18 @@ function describe(frame) {
   const turn = (/** @type {number} */ angle) => `${fixed(Math.abs(degrees(angle)), 1)} degrees`
   const wheel = frame.wheel && learned(frame.wheel.epsilon, frame.wheel.sigma)
   return {
-    map: `Map of the corridor’s loop at tick ${step}, ${lap === 1 ? 'one whole lap' : `${lap} whole laps`} driven: the true track and ${track}, ${fixed(error.position, 2)} metres apart now, with an ellipse of semi-axes ${fixed(frame.ellipse.semiMajor, 2)} and ${fixed(frame.ellipse.semiMinor, 2)} metres.${seen}`,
-    position: `Position error over time, now ${fixed(error.position, 2)} metres against a claimed σ of ${fixed(sigma.position, 2)}.`,
+    map:
+      `Map of the corridor’s loop at tick ${step}, ${lap === 1 ? 'one whole lap' : `${lap} whole laps`} driven: ` +
+      `the true track and ${track}, ${fixed(error.position, 2)} metres apart now, ` +
+      `with an ellipse of semi-axes ${fixed(frame.ellipse.semiMajor, 2)} and ${fixed(frame.ellipse.semiMinor, 2)} ` +
+      `metres.${seen}`,
+    position:
+      `Position error over time, now ${fixed(error.position, 2)} metres against a claimed σ of ` +
+      `${fixed(sigma.position, 2)}.`,
     heading: `Heading error over time, now ${turn(error.heading)} against a claimed σ of ${turn(sigma.heading)}.`,
     wheel: wheel
-      ? `Learned bias of the right wheel over time, now ${percent(wheel.bias)} with a claimed σ of ${percent(wheel.sigma)}; in truth ${percent(params.bias)}.`
+      ? `Learned bias of the right wheel over time, now ${percent(wheel.bias)} with a claimed σ of ` +
+        `${percent(wheel.sigma)}; in truth ${percent(params.bias)}.`
       : '',
   }
 }

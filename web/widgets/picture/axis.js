@@ -140,8 +140,14 @@ function balance(pen, { x, box }, { mostLikelyOutput }, [expected, read]) {
   )
 }
 
-/** @param {import('../../draw/plot.js').Plane} plane @param {Frame} frame @param {import('../../figure/spec.js').View} view @param {Bell[]} bells @param {(sigma: number) => number} top
- * @returns {Record<string, import('../../figure/spec.js').HandleSpec>} */
+/**
+ * @param {import('../../draw/plot.js').Plane} plane
+ * @param {Frame} frame
+ * @param {import('../../figure/spec.js').View} view
+ * @param {Bell[]} bells
+ * @param {(sigma: number) => number} top
+ * @returns {Record<string, import('../../figure/spec.js').HandleSpec>}
+ */
 function handles({ x, y, box }, { params, H, expectedOutput }, { limits }, [expected, read], top) {
   const { mean, semiMajor, semiMinor, reading } = params
   const words = (/** @type {number} */ value) => value.toFixed(2)

@@ -7,6 +7,8 @@ import { clipLine } from '../../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
+/** @typedef {import('../../figure/spec.js').HandleSpec} HandleSpec */
+/** @typedef {import('../../figure/spec.js').View} View */
 
 /** The growing ellipse gets a handle where that is in the drawing and keeps so many pixels from the prediction's. */
 const CLEAR = 24
@@ -25,8 +27,11 @@ export const within = (
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
   Math.max(low, Math.min(high, value))
 
-/** A place on the reading's line to hold it by; where no part of the line is in the drawing, the one nearest to its middle.
- * @param {Plane} plane @param {Frame} frame */
+/**
+ * A place on the reading's line to hold it by; where no part of the line is in the drawing, the one nearest to its
+ * middle.
+ * @param {Plane} plane @param {Frame} frame
+ */
 function onLine(plane, { H, params: { reading } }) {
   const ends = clipLine(H, reading, plane)
   if (ends) {
@@ -39,8 +44,11 @@ function onLine(plane, { H, params: { reading } }) {
   return middle.map((value, i) => value + away * H[i])
 }
 
-/** The handles by their keys. @param {Plane} plane @param {Frame} frame @param {import('../../figure/spec.js').View} view
- * @returns {Record<string, import('../../figure/spec.js').HandleSpec>} */
+/**
+ * The handles by their keys.
+ * @param {Plane} plane @param {Frame} frame @param {View} view
+ * @returns {Record<string, HandleSpec>}
+ */
 export function handlesOf(plane, frame, view) {
   const { box, x, y } = plane
   const { mean, semiMajor, semiMinor, angle, reading } = frame.params
@@ -62,7 +70,7 @@ export function handlesOf(plane, frame, view) {
   const axis = view.limits.semiMajor
   const length = (/** @type {number} */ value) => clamp(value, axis.least, axis.greatest)
 
-  /** @type {Record<string, import('../../figure/spec.js').HandleSpec>} */
+  /** @type {Record<string, HandleSpec>} */
   const grips = {}
   grips.mean = {
     at: [x(mean[0]), y(mean[1])],
@@ -154,8 +162,12 @@ export function handlesOf(plane, frame, view) {
   return grips
 }
 
-/** The reader's guess, which stays on the line. @param {Plane} plane @param {Frame} frame @param {import('../../figure/spec.js').View} view
- * @param {(at: number[]) => [number, number]} inside @returns {import('../../figure/spec.js').HandleSpec} */
+/**
+ * The reader's guess, which stays on the line.
+ * @param {Plane} plane @param {Frame} frame @param {View} view
+ * @param {(at: number[]) => [number, number]} inside
+ * @returns {HandleSpec}
+ */
 function guessed({ x, y }, { params, euclideanFoot, along }, view, inside) {
   const guess = /** @type {number} */ (params.guess)
   const { least, greatest } = view.limits.guess

@@ -21,8 +21,12 @@ function verdict(frame) {
   const { guess, sealed, noise } = frame.params
   const grown = ofTheGrown(frame)
   if (sealed)
-    return `The answer is hidden: ${guess === null ? 'drop a guess' : 'drag your guess along the green line'}, then choose “Show the answer”.${grown}`
-  return `${ofTheFeet(frame)}${ofTheWeights(frame)}${noise === 0 ? ' The sensor is perfect: Ω and Ω* are one line.' : ''}${ofTheGuess(frame)}${grown}`
+    return (
+      `The answer is hidden: ${guess === null ? 'drop a guess' : 'drag your guess along the green line'}, ` +
+      `then choose “Show the answer”.${grown}`
+    )
+  const perfect = noise === 0 ? ' The sensor is perfect: Ω and Ω* are one line.' : ''
+  return `${ofTheFeet(frame)}${ofTheWeights(frame)}${perfect}${ofTheGuess(frame)}${grown}`
 }
 
 /** @param {Frame} frame */
@@ -60,7 +64,10 @@ function ofTheGrown({ params, inside, mahalanobisFoot, update }) {
     ...(noise > 0 && !sealed ? [reaches('Ω*', update.distance)] : []),
     reaches('Ω', mahalanobisFoot.distance),
   ]
-  return ` Grown to ${fixed(radius, 2)} σ, the ellipse holds ${share(inside)} of the probability; it ${both.join(' and ')}.`
+  return (
+    ` Grown to ${fixed(radius, 2)} σ, the ellipse holds ${share(inside)} of the probability; ` +
+    `it ${both.join(' and ')}.`
+  )
 }
 
 /** @param {Frame} frame */
@@ -70,7 +77,10 @@ function ofTheFeet({ params, innovation, euclideanFoot: gray, mahalanobisFoot: p
     return 'The ellipse is a circle: both metrics agree, and the two feet are one point.'
   if (Math.hypot(gray.at[0] - purple.at[0], gray.at[1] - purple.at[1]) < 5e-3)
     return 'The two feet are one point here, to two decimals.'
-  return `The gray foot is ${fixed(gray.distance, 2)} standard deviations away, the purple one ${fixed(purple.distance, 2)}.`
+  return (
+    `The gray foot is ${fixed(gray.distance, 2)} standard deviations away, ` +
+    `the purple one ${fixed(purple.distance, 2)}.`
+  )
 }
 
 /** @param {Frame} frame */
@@ -79,10 +89,18 @@ function describe(frame) {
   const { params, expectedOutput, expectedVariance, mostLikelyOutput } = frame
   const answer = params.sealed
     ? 'the answer is hidden'
-    : `the perpendicular foot at ${point(frame.euclideanFoot.at)}; the Mahalanobis foot at ${point(frame.mahalanobisFoot.at)}; on the line of the most likely output ${fixed(mostLikelyOutput, 2)} the Kalman update at ${point(frame.posterior.x)}`
+    : `the perpendicular foot at ${point(frame.euclideanFoot.at)}; ` +
+      `the Mahalanobis foot at ${point(frame.mahalanobisFoot.at)}; ` +
+      `on the line of the most likely output ${fixed(mostLikelyOutput, 2)} the Kalman update at ` +
+      `${point(frame.posterior.x)}`
   return {
-    plane: `Plane of position and velocity: a prediction at ${point(params.mean)} with its ellipse; the line of states that explain the reading ${fixed(params.reading, 2)}; ${answer}.`,
-    axis: `Axis of the output: a bell about the expected output ${fixed(expectedOutput, 2)} with a standard deviation of ${fixed(Math.sqrt(expectedVariance), 2)}, one about the reading ${fixed(params.reading, 2)} with ${fixed(Math.sqrt(params.noise), 2)}, and their product about ${fixed(mostLikelyOutput, 2)}.`,
+    plane:
+      `Plane of position and velocity: a prediction at ${point(params.mean)} with its ellipse; ` +
+      `the line of states that explain the reading ${fixed(params.reading, 2)}; ${answer}.`,
+    axis:
+      `Axis of the output: a bell about the expected output ${fixed(expectedOutput, 2)} with a standard deviation ` +
+      `of ${fixed(Math.sqrt(expectedVariance), 2)}, one about the reading ${fixed(params.reading, 2)} with ` +
+      `${fixed(Math.sqrt(params.noise), 2)}, and their product about ${fixed(mostLikelyOutput, 2)}.`,
   }
 }
 
