@@ -18,7 +18,7 @@ test('the first view of the chapter and its module weigh no more than they did',
   assert.ok(module > 0 && module <= BOUND.module, table.join('\n'))
 })
 
-test('the first parts of the faces hold all letters of the chapter, in every notation, with figures alive', async (t) => {
+test('the first parts of the faces hold all letters of the chapter, in all notations, figures alive', async (t) => {
   const more = new Set()
   const page = await open(t, {
     prepare: async (it) =>

@@ -96,7 +96,7 @@ for (const [size, how] of Object.entries(SIZES)) {
     )
   })
 
-  test(`the way back from another page, or place of this one, leads to the line that was left, ${size}`, {}, async (t) => {
+  test(`the way back from another page, or place of this one, leads to the line that was left, ${size}`, async (t) => {
     const page = await open(t, how)
     const { site } = await stage()
     await readTo(page, 'algorithms')

@@ -31,7 +31,7 @@ test('on a phone each letter of the table of letters is whole, and what it means
   }
 })
 
-test('no line begins with the mark behind a formula or ends with the one before, none loses its full stop', async (t) => {
+test('no line begins with the mark behind a formula or ends with the one before, no full stop is cut', async (t) => {
   const page = await open(t)
   for (const width of [320, 390, 768, 1280]) {
     await page.setViewportSize({ width, height: 800 })
@@ -121,7 +121,7 @@ test('a line of the text is as long as an eye can follow', async (t) => {
   assert.ok(median >= 60 && median <= 75, `${median} characters`)
 })
 
-test('statements of a display stand below one another on a phone, meanings of letters have room at every width', async (t) => {
+test('on a phone statements of a display stand in a column; what letters mean has room at every width', async (t) => {
   const page = await open(t, { viewport: { width: 390, height: 844 }, touch: true })
   await walkDown(page)
   const boxes = await page.locator('.chapter .statements').evaluateAll((all) =>

@@ -1,4 +1,5 @@
-/** Whether something holds of a system, and of every system within the tolerance; "undecided" where it holds of some of them only. */
+/** Whether something holds of a system, and of every system within the tolerance; "undecided" where it holds of some of
+    them only. */
 export type Verdict = 'yes' | 'no' | 'undecided'
 export interface Detectability {
   /** Whether every direction of the state is seen. */
@@ -20,9 +21,9 @@ export interface Reachability {
   /** The eigenvalues of F that belong to them, by decreasing modulus. */
   modes: Complex[]
 }
-/** "from-every-start": one limit from every P(0 | 0), and the error of the limit gain dies out. "from-large-start": a limit from every
-    P(0 | 0) that is not smaller than it. "none": P grows without bound. "depends-on-start": it depends on P(0 | 0) and V. "undecided":
-    the tolerance does not decide. */
+/** "from-every-start": one limit from every P(0 | 0), and the error of the limit gain dies out. "from-large-start": a
+    limit from every P(0 | 0) that is not smaller than it. "none": P grows without bound. "depends-on-start": it depends
+    on P(0 | 0) and V. "undecided": the tolerance does not decide. */
 export type RiccatiLimit = 'from-every-start' | 'from-large-start' | 'none' | 'depends-on-start' | 'undecided'
 export interface Placement {
   /** The gain. */

@@ -27,7 +27,8 @@ export interface KalmanReplay {
   variances: Float64Array
   /** P(k | k) after the last step. */
   P: Matrix
-  /** Σ −½(ln det 2πS + νᵀS⁻¹ν) over the steps; null where an S is too near to singular, or the sum too large for a number. */
+  /** Σ −½(ln det 2πS + νᵀS⁻¹ν) over the steps; null where an S is too near to singular, or the sum too large for a
+      number. */
   logLikelihood: number | null
 }
 export interface Observability {
@@ -53,7 +54,8 @@ export interface LocalizerOptions {
   /** Default "range-bearing". */
   sensor?: 'range-bearing' | 'range'
 }
-/** The bearing is measured from the landmark: atan2(y_r − y_ℓ, x_r − x_ℓ) − θ_r. Left out, the landmark is associated. */
+/** The bearing is measured from the landmark: atan2(y_r − y_ℓ, x_r − x_ℓ) − θ_r. Left out, the landmark is
+    associated. */
 export interface LandmarkReading {
   range: number
   bearing?: number

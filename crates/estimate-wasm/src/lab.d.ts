@@ -18,8 +18,8 @@ export interface Lab<Params, Frame> {
   /** Parameters and step: all it takes to find this lab again. */
   state(): LabState<Params>
   /**
-   * A hash of what the run has recorded at every step (truth, readings, estimates, covariances and their comparison), bit for bit, in
-   * hexadecimal.
+   * A hash of what the run has recorded at every step (truth, readings, estimates, covariances and their comparison),
+   * bit for bit, in hexadecimal.
    */
   digest(): string
   free(): void

@@ -10,10 +10,10 @@ export interface Belief {
 /** Why a call was refused. Everything it could have changed is as it was. A method called after `free()`, or on what is
     no object of this module, throws wasm-bindgen's own error instead.
 
-    A call so deep in the caller's own recursion that the engine runs out of stack ends in the engine's `RangeError`. The
-    object it was made on may then refuse every further call as "in the middle of a call": make another, a lab by `from` of a
-    state kept before, a filter from a belief kept before. Each such call costs the module a part of its own stack for good:
-    after some hundreds, load the module anew. */
+    A call so deep in the caller's own recursion that the engine runs out of stack ends in the engine's `RangeError`.
+    The object it was made on may then refuse every further call as "in the middle of a call": make another, a lab by
+    `from` of a state kept before, a filter from a belief kept before. Each such call costs the module a part of its own
+    stack for good: after some hundreds, load the module anew. */
 export interface EstimateError extends Error {
   name: 'EstimateError'
   code:
