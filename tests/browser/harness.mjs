@@ -8,6 +8,7 @@ import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, DESKTOP, dist, HANGS_MS, tagOf } from './places.mjs'
 
 export * from './places.mjs'
+export * from './rest.mjs'
 
 /** A Chromium whose pages wait as long as a busy machine may need. */
 export async function launch(options = {}) {
@@ -203,19 +204,6 @@ export async function walkDown(page) {
   await page.evaluate(() => scrollTo({ top: 0, behavior: 'instant' }))
 }
 
-/** Shows the page in another theme, until nothing fades any more; what is not laid out does not fade. */
-export async function turn(page, theme) {
-  await page.emulateMedia({ colorScheme: theme })
-  await page.evaluate(async () => {
-    const fades = ({ playState, effect }) =>
-      playState === 'running' &&
-      Number.isFinite(effect?.getComputedTiming().endTime) &&
-      effect.target?.checkVisibility({ contentVisibilityAuto: true })
-    do for (let i = 0; i < 2; i++) await new Promise((resolve) => requestAnimationFrame(resolve))
-    while (document.getAnimations().some(fades))
-  })
-}
-
 /** Lays out the whole page at its width: what is closed is open, and the parts that wait for the screen do not wait. */
 export const layOut = (page) =>
   page.evaluate(async () => {
@@ -244,53 +232,6 @@ export async function until(element, wanted, what) {
     if (Date.now() > deadline)
       assert.fail(`${what}; the frame's parameters are ${JSON.stringify(frame?.params)} at step ${frame?.step}`)
   }
-}
-
-/**
- * Waits until a page has come to rest: for so many frames in a row its fonts and images are there, no animation runs,
- * no figure computes, the main thread has been idle, and neither its height nor its place has changed. `held`: the test
- * holds back what figures load, so that a figure that loads is at rest.
- */
-export async function quiet(page, frames = 20, held = false) {
-  await page.evaluate(
-    async ([wanted, holds]) => {
-      const look = () => {
-        const { scrollHeight, clientWidth } = document.documentElement
-        const onScreen = ({ top, bottom }) => bottom > 0 && top < innerHeight
-        // Off the screen a figure sleeps, whatever it has to do, an image may stay away, and what is not laid out does
-        // not move.
-        const figures = [...document.querySelectorAll('.widget')].map((it) => {
-          const asleep = !onScreen(it.getBoundingClientRect())
-          return [it.dataset.state, asleep || (it.settled ?? true), it.clientHeight]
-        })
-        const moves = document
-          .getAnimations()
-          .some(
-            ({ playState, effect }) =>
-              playState === 'running' &&
-              Number.isFinite(effect?.getComputedTiming().endTime) &&
-              effect.target?.checkVisibility({ contentVisibilityAuto: true }),
-          )
-        const missing = [...document.images].some(
-          (it) => !it.complete && it.checkVisibility() && onScreen(it.getBoundingClientRect()),
-        )
-        const works = figures.some(([state, settled]) => (state === 'loading' ? !holds : settled === false))
-        return moves || missing || works ? null : JSON.stringify([scrollX, scrollY, scrollHeight, clientWidth, figures])
-      }
-      await document.fonts.ready
-      let before = null
-      // What never rests (a figure that plays, a picture that does not come) is looked at as it is, after ten times as
-      // many frames.
-      for (let held = 0, seen = 0; held < wanted && seen < Math.max(120, 10 * wanted); seen++) {
-        await new Promise((resolve) => requestIdleCallback(resolve, { timeout: 500 }))
-        await new Promise((resolve) => requestAnimationFrame(resolve))
-        const now = look()
-        held = now !== null && now === before ? held + 1 : 0
-        before = now
-      }
-    },
-    [frames, held],
-  )
 }
 
 /** Drags a native slider's thumb to `value` with the mouse. */

@@ -248,7 +248,8 @@ test('TypeScript takes its declarations, strictly, by node16 and by bundler', as
   const from = (entry) => `import { KalmanFilter, kalmanStep, type KalmanStep } from '${NAME}${entry}'\n`
   const at = await folder('types', {
     'light.mts': `${from('/filters')}import init from '${NAME}/filters/slim'\nexport const load = init${TYPED}`,
-    'esm.mts': `${from('')}import init, { initSync } from '${NAME}/slim'\nexport const loaders = [init, initSync]${TYPED}`,
+    'esm.mts':
+      `${from('')}import init, { initSync } from '${NAME}/slim'\n` + `export const loaders = [init, initSync]${TYPED}`,
     'common.cts': `${from('')}import slim = require('${NAME}/slim')\nexport const loader = slim.default${TYPED}`,
     'bundled.ts': `${from('')}import init from '${NAME}/slim'\nexport const load = init${TYPED}`,
   })

@@ -18,7 +18,7 @@ import { describe, verdict } from './words.js'
 
 const start = { params: {}, step: 240 }
 
-// Model: the lab `ObservabilityProbe` in the module. What follows only reads its frame.
+// Model: the lab `ObservabilityProbe` in the module. What is said and drawn only reads its frame.
 
 // View: seven panels, each in a file of the folder, and what is said beside them.
 
