@@ -71,4 +71,4 @@ pub use placement::{Movable, place_observer_gain};
 pub use reachability::Reachability;
 pub use riccati_limit::RiccatiLimit;
 pub use verdict::Verdict;
-pub use wheel::{FromPose, RightWheel};
+pub use wheel::RightWheel;

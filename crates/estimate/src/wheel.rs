@@ -2,9 +2,9 @@
 
 use crate::drive::PoseAndScale;
 use crate::odometry::Unicycle;
-use filters::{MeasurementModel, MotionModel};
+use filters::MotionModel;
 use geom::SE2;
-use nalgebra::{Matrix2, Matrix4, SMatrix, SVector, Vector2};
+use nalgebra::{Matrix2, Matrix4, SVector, Vector2};
 
 /// The unicycle of §8.3 on encoders whose right wheel is believed too large by a fraction ε: where its encoder says that it rolled
 /// d_r, it rolled d_r (1 − ε). The state is [x, y, θ, ε] in m, m, rad and 1; the input u = [Δs, Δθ] is what the encoders say.
@@ -64,37 +64,15 @@ impl MotionModel<PoseAndScale, 4, 2> for RightWheel {
     }
 }
 
-/// A sensor that reads the pose alone: H = [H_pose, 0].
-#[derive(Clone, Copy, Debug)]
-pub struct FromPose<S>(
-    /// The sensor of the pose.
-    pub S,
-);
-
-impl<S: MeasurementModel<SE2, 3, M>, const M: usize> MeasurementModel<PoseAndScale, 4, M> for FromPose<S> {
-    fn h(&self, x: &PoseAndScale, j: usize) -> Result<SVector<f64, M>, filters::Error> {
-        self.0.h(&x.pose, j)
-    }
-
-    fn jacobian(&self, x: &PoseAndScale, j: usize) -> Result<SMatrix<f64, M, 4>, filters::Error> {
-        let mut h = SMatrix::<f64, M, 4>::zeros();
-        h.fixed_columns_mut::<3>(0).copy_from(&self.0.jacobian(&x.pose, j)?);
-        Ok(h)
-    }
-
-    fn residual(&self, z: &SVector<f64, M>, expected: &SVector<f64, M>) -> SVector<f64, M> {
-        self.0.residual(z, expected)
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
     use crate::Landmark;
+    use crate::drive::Scaled;
     use crate::landmarks::RangeBearing;
     use crate::odometry::{Ticks, Wheels, odometry_delta};
     use crate::{Sighting, update_stacked};
-    use filters::{Ekf, central_differences};
+    use filters::{Ekf, MeasurementModel, central_differences};
 
     const WHEEL: RightWheel = RightWheel { baseline: 0.4 };
 
@@ -107,32 +85,26 @@ mod tests {
         let u = Vector2::new(0.4, -0.2);
         let moved = central_differences(|x| WHEEL.f(x, &u), filters::State::boxminus, &state(), 1e-5);
         assert!((WHEEL.jacobian(&state(), &u) - moved).amax() < 1e-9);
-        let map = [Landmark { id: 1, x: 2.0, y: 1.0 }];
-        let sensor = FromPose(RangeBearing { map: &map });
-        let h = |x: &PoseAndScale| sensor.h(x, 0).expect("apart");
-        let numeric = central_differences(h, |a, b| sensor.residual(a, b), &state(), 1e-5);
-        assert!((sensor.jacobian(&state(), 0).expect("apart") - numeric).amax() < 1e-9);
     }
 
     #[test]
     fn a_stacked_fix_of_four_states_is_the_filter_s_own() {
         let map = [Landmark { id: 1, x: 2.0, y: 1.0 }];
-        let (model, w) = (FromPose(RangeBearing { map: &map }), Matrix2::new(0.01, 0.0, 0.0, 0.001));
+        let (model, w) = (
+            Scaled { sensor: RangeBearing { map: &map }, scale: Some(0.0), offset: 0.0 },
+            Matrix2::new(0.01, 0.0, 0.0, 0.001),
+        );
         let mut own = Ekf { x: state(), p: Matrix4::identity() * 1e-4 };
         for _ in 0..50 {
             own.predict(&WHEEL, &Vector2::new(0.05, 0.01), &(Matrix4::identity() * 1e-6)).expect("finite");
         }
         let mut stacked = own;
-        let y = sensor_reading(&model, &own.x);
+        // Off by 0.2 m and 0.05 rad.
+        let y = model.h(&own.x, 0).expect("apart") + Vector2::new(0.2, 0.05);
         own.update(&model, &y, 0, &w).expect("apart");
         update_stacked(&mut stacked, &model, &[Sighting { j: 0, y }], &w).expect("apart");
         assert!((own.p - stacked.p).amax() < 1e-15 && own.x.epsilon != 0.02);
         assert!(filters::State::boxminus(&own.x, &stacked.x).amax() < 1e-15);
-    }
-
-    /// A reading that is off by 0.2 m and 0.05 rad.
-    fn sensor_reading(model: &FromPose<RangeBearing<'_>>, at: &PoseAndScale) -> Vector2<f64> {
-        model.h(at, 0).expect("apart") + Vector2::new(0.2, 0.05)
     }
 
     #[test]

@@ -252,7 +252,7 @@ fn learned_scale(logged: &LoggedDrive, beacons: usize) -> Result<(usize, f64), E
     let start = drive.truth.poses().first().map_or(SE2::new(0.0, 0.0, 0.0), |at| SE2::new(at.x, at.y, at.theta));
     let mut state = PoseAndScale { pose: start, epsilon: 0.0 };
     let mut stack = PathStack::new(4);
-    let sensor = Scaled { sensor: RangeOnly { map }, scale: 0.0, offset: 0.0 };
+    let sensor = Scaled { sensor: RangeOnly { map }, scale: None, offset: 0.0 };
     for row in drive.rows.iter().take(TESTED_ROWS) {
         match row.event {
             Event::Odometry { distance, turn } => {

@@ -2,10 +2,10 @@
 //! path, so no noise is drawn.
 
 use super::hook::bias_for;
-use estimate::drive::PoseAndScale;
+use estimate::drive::{PoseAndScale, Scaled};
 use estimate::landmarks::RangeBearing;
 use estimate::path_observability::PathStack;
-use estimate::{Error, FromPose, RightWheel, slip_covariance};
+use estimate::{Error, RightWheel, slip_covariance};
 use filters::linear;
 use filters::{MeasurementModel, MotionModel};
 use lab::Listing;
@@ -42,7 +42,7 @@ fn lap(fixes: bool) -> Result<Lap, Error> {
         let seen = |j: &usize| HOOK.sensor.reaches(at, &home.corners[*j]) && home.in_sight(at, &home.corners[*j]);
         let now: Vec<usize> = (0..home.corners.len()).filter(seen).collect();
         for &j in now.iter().filter(|j| fixes && !near.contains(*j)) {
-            let sensor = FromPose(RangeBearing { map: home.corners });
+            let sensor = Scaled { sensor: RangeBearing { map: home.corners }, scale: Some(0.0), offset: 0.0 };
             let h = sensor.jacobian(&PoseAndScale { pose: at, epsilon: 0.0 }, j)?;
             p = linear::gain(&p, &h, &w)?.p;
             stack.observe(&h);

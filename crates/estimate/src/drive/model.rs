@@ -80,14 +80,13 @@ impl MotionModel<PoseAndScale, 4, 2> for Unicycle {
     }
 }
 
-/// A sensor whose first output is a range ρ, with that range read as (1 + ε) ρ + offset. ε is the state's where it has one, else
-/// [`Scaled::scale`].
+/// A sensor of the pose whose first output is a range ρ, with that range read as (1 + ε) ρ + offset. ε is given, or the state's.
 #[derive(Clone, Copy, Debug)]
 pub struct Scaled<S> {
     /// The sensor: [`RangeOnly`](crate::landmarks::RangeOnly) or [`RangeBearing`](crate::landmarks::RangeBearing).
     pub sensor: S,
-    /// ε, where it is not part of the state.
-    pub scale: f64,
+    /// ε where it is given; `None` takes it from the state, and 0 where the state has none.
+    pub scale: Option<f64>,
     /// m.
     pub offset: f64,
 }
@@ -105,16 +104,16 @@ where
         self.linearized(x, j).map(|(_, c)| c)
     }
 
-    /// ∂y/∂pose = (1 + ε) ∂ρ/∂pose in the range's row, and ∂y/∂ε = ρ.
+    /// ∂y/∂pose = (1 + ε) ∂ρ/∂pose in the range's row, and ∂y/∂ε = ρ where ε is not given.
     fn linearized(&self, x: &X, j: usize) -> Result<(SVector<f64, M>, SMatrix<f64, M, N>), filters::Error> {
         let (mut y, mut c) = self.sensor.linearized(&x.pose(), j)?;
-        let (rho, factor) = (y[0], 1.0 + x.epsilon().unwrap_or(self.scale));
+        let (rho, factor) = (y[0], 1.0 + self.scale.or(x.epsilon()).unwrap_or(0.0));
         y[0] = factor * rho + self.offset;
         for k in 0..3 {
             c[(0, k)] *= factor;
         }
         let mut c: SMatrix<f64, M, N> = of_pose(&c);
-        if N > 3 {
+        if N > 3 && self.scale.is_none() {
             c[(0, 3)] = rho;
         }
         Ok((y, c))
@@ -151,11 +150,11 @@ mod tests {
     fn the_jacobians_are_derivatives() {
         let (range, both) = (RangeOnly { map: &MAP }, RangeBearing { map: &MAP });
         for j in 0..2 {
-            let range = Scaled { sensor: range, scale: 9.9, offset: 0.4 };
+            let range = Scaled { sensor: range, scale: None, offset: 0.4 };
             let h = |x: &PoseAndScale| range.h(x, j).expect("apart");
             let numeric = central_differences(h, |a, b| a - b, &state(), 1e-5);
             assert!((range.jacobian(&state(), j).expect("apart") - numeric).amax() < 1e-9);
-            let both = Scaled { sensor: both, scale: 9.9, offset: 0.4 };
+            let both = Scaled { sensor: both, scale: None, offset: 0.4 };
             let h = |x: &PoseAndScale| both.h(x, j).expect("apart");
             let minus = |a: &SVector<f64, 2>, b: &SVector<f64, 2>| {
                 MeasurementModel::<PoseAndScale, 4, 2>::residual(&both, a, b)
@@ -169,10 +168,19 @@ mod tests {
     }
 
     #[test]
+    fn a_given_scale_says_nothing_of_the_state_s_own() {
+        let sensor = Scaled { sensor: RangeBearing { map: &MAP }, scale: Some(0.07), offset: 0.4 };
+        let (y, c) = sensor.linearized(&state(), 1).expect("apart");
+        let (of_pose, by_pose) = sensor.linearized(&state().pose, 1).expect("apart");
+        assert_eq!((y, c.fixed_columns::<3>(0).into_owned()), (of_pose, by_pose));
+        assert_eq!(c.column(3).amax(), 0.0);
+    }
+
+    #[test]
     fn a_learned_scale_reads_as_the_same_scale_when_it_is_given() {
         let sensor = RangeOnly { map: &MAP };
-        let learned: SVector<f64, 1> = Scaled { sensor, scale: 0.0, offset: 0.4 }.h(&state(), 1).expect("apart");
-        let given = Scaled { sensor, scale: 0.07, offset: 0.4 }.h(&state().pose, 1).expect("apart");
+        let learned: SVector<f64, 1> = Scaled { sensor, scale: None, offset: 0.4 }.h(&state(), 1).expect("apart");
+        let given = Scaled { sensor, scale: Some(0.07), offset: 0.4 }.h(&state().pose, 1).expect("apart");
         assert_eq!(learned, given);
         assert!((given[0] - (1.07 * numerics::hypot(3.3, 4.7) + 0.4)).abs() < 1e-15 * given[0]);
     }

@@ -195,7 +195,7 @@ impl Replay {
         y: &SVector<f64, M>,
     ) -> Result<Judged, Error> {
         let s = &self.settings;
-        let model = Scaled { sensor, scale: s.scale, offset: s.offset };
+        let model = Scaled { sensor, scale: (!s.learn).then_some(s.scale), offset: s.offset };
         let sigma = [s.sigma_range, s.sigma_bearing];
         let w = SMatrix::from_fn(|i, j| if i == j { sigma[i] * sigma[i] } else { 0.0 });
         let gate = self.gates[M - 1];

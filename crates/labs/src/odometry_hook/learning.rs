@@ -1,11 +1,11 @@
 //! The filter of the hook that has the right wheel's bias as a fourth state, and what its readings can tell of the four.
 
 use super::frame::WheelBelief;
-use estimate::drive::PoseAndScale;
+use estimate::drive::{PoseAndScale, Scaled};
 use estimate::kf::Gaussian;
 use estimate::landmarks::RangeBearing;
 use estimate::path_observability::PathStack;
-use estimate::{Error, FromPose, RightWheel, Sighting, update_stacked};
+use estimate::{Error, RightWheel, Sighting, update_stacked};
 use filters::{Ekf, MeasurementModel, MotionModel};
 use geom::SE2;
 use nalgebra::{DMatrix, Matrix2, Matrix4, SMatrix, U3, Vector2};
@@ -66,7 +66,7 @@ impl Learning {
         w: &Matrix2<f64>,
         from: SE2,
     ) -> Result<(), Error> {
-        let model = FromPose(model);
+        let model = Scaled { sensor: model, scale: Some(0.0), offset: 0.0 };
         update_stacked(&mut self.ekf, &model, core::slice::from_ref(sighting), w)?;
         if self.rank < 4 {
             let at = PoseAndScale { pose: from, epsilon: 0.0 };
