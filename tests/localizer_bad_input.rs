@@ -7,7 +7,7 @@
 mod draws;
 
 use estimate::dynamic::Belief;
-use estimate::localizer::{EkfLocalizer, Reading, SensorKind};
+use estimate::localizer::{EkfLocalizer, LandmarkReading, SensorKind};
 use estimate::{Landmark, validate};
 use nalgebra::{DMatrix, DVector};
 use proptest::prelude::*;
@@ -44,14 +44,14 @@ fn vector(n: usize) -> impl Strategy<Value = DVector<f64>> {
 #[derive(Clone, Debug)]
 enum Call {
     Predict(DVector<f64>, DMatrix<f64>),
-    Update(Reading),
+    Update(LandmarkReading),
 }
 
 fn call() -> impl Strategy<Value = Call> {
     let landmark = prop_oneof![2 => Just(None), 3 => (0..4_u32).prop_map(Some)];
     let bearing = prop_oneof![5 => number().prop_map(Some), 1 => Just(None)];
     let update = (number(), bearing, landmark)
-        .prop_map(|(range, bearing, landmark)| Call::Update(Reading { range, bearing, landmark }));
+        .prop_map(|(range, bearing, landmark)| Call::Update(LandmarkReading { range, bearing, landmark }));
     prop_oneof![2 => (vector(2), matrix(3)).prop_map(|(u, v)| Call::Predict(u, v)), 3 => update]
 }
 
@@ -103,7 +103,7 @@ fn localizer_of(p: [f64; 3], w: [f64; 2]) -> EkfLocalizer {
 /// beside its largest entry, a P of the same kind driven far.
 #[test]
 fn a_covariance_remains_where_scales_collapse() {
-    let reading = Reading { range: 0.0, bearing: Some(0.0), landmark: None };
+    let reading = LandmarkReading { range: 0.0, bearing: Some(0.0), landmark: None };
     let sound = |ekf: &EkfLocalizer| validate::covariance(ekf.belief().p, 3, "P").map(|_| ());
 
     let mut far = localizer_of([0.0, 0.0, 0.162], [0.0, 0.0]);

@@ -3,7 +3,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use estimate::kf::Gaussian;
 use estimate::landmarks::RangeBearing;
-use estimate::{ChosetEkf, Landmark, Sighting};
+use estimate::{Landmark, Localizer, Sighting};
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use std::hint::black_box;
 
@@ -17,14 +17,14 @@ fn steps(bench: &mut Criterion) {
     let sighting = Sighting { j: 0, y: Vector2::new(6.363961, -2.3561945) };
 
     bench.bench_function("EKF, predict and one range–bearing sighting", |b| {
-        let mut ekf = ChosetEkf::new(&start);
+        let mut ekf = Localizer::new(&start);
         b.iter(|| {
             ekf.predict(black_box(&u), black_box(&v))
                 .and_then(|()| ekf.update(&model, black_box(&sighting), black_box(&w)))
         });
     });
     bench.bench_function("EKF, predict and a stack of one", |b| {
-        let mut ekf = ChosetEkf::new(&start);
+        let mut ekf = Localizer::new(&start);
         b.iter(|| {
             ekf.predict(black_box(&u), black_box(&v))
                 .and_then(|()| ekf.update_stacked(&model, black_box(&[sighting]), black_box(&w)))

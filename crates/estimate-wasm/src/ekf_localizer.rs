@@ -5,7 +5,7 @@ use crate::encode::{list, record, rows};
 use crate::errors::Thrown;
 use crate::functions::{belief_of, shown_belief};
 use crate::object::Held;
-use estimate::localizer::{EkfLocalizer as Localizer, Localized, Logged, MAX_LOG, Reading, SensorKind};
+use estimate::localizer::{EkfLocalizer as Localizer, LandmarkReading, Localized, Logged, MAX_LOG, SensorKind};
 use estimate::{Code, Error, Landmark};
 use wasm_bindgen::prelude::*;
 
@@ -97,7 +97,7 @@ impl EkfLocalizer {
             }
             let logged = |(step, &id): (&[f64], &u32)| Logged {
                 u: [step[0], step[1]],
-                reading: Reading { range: step[2], bearing: step.get(3).copied(), landmark: Some(id) },
+                reading: LandmarkReading { range: step[2], bearing: step.get(3).copied(), landmark: Some(id) },
             };
             Ok(ekf.replay(numbers.chunks_exact(width).zip(&landmarks).map(logged), v)?.into_flattened())
         })
@@ -120,10 +120,10 @@ fn landmark(arg: &Arg<'_>) -> Result<Landmark, Error> {
     Ok(Landmark { id, x: arg.field("x")?.number()?, y: arg.field("y")?.number()? })
 }
 
-fn read(arg: &Arg<'_>) -> Result<Reading, Error> {
+fn read(arg: &Arg<'_>) -> Result<LandmarkReading, Error> {
     arg.only(["range", "bearing", "landmark"].into_iter())?;
     let (mut bearing, mut landmark) = (None, None);
     arg.given("bearing", |a| a.number().map(Some), &mut bearing)?;
     arg.given("landmark", |a| a.whole(0, u32::MAX).map(Some), &mut landmark)?;
-    Ok(Reading { range: arg.field("range")?.number()?, bearing, landmark })
+    Ok(LandmarkReading { range: arg.field("range")?.number()?, bearing, landmark })
 }

@@ -4,7 +4,7 @@ use crate::error::Error;
 use crate::odometry::Unicycle;
 use filters::covariance::finite;
 use filters::linear::{self, Gain};
-use filters::{Ekf, Gaussian, MeasurementModel, Quantity, State, Update};
+use filters::{Ekf, Gaussian, MeasurementModel, MotionModel, Quantity, State, Update};
 use geom::SE2;
 use nalgebra::{Const, DMatrix, DVector, Matrix3, SMatrix, SVector, U3, Vector2};
 
@@ -17,15 +17,16 @@ pub struct Sighting<const M: usize> {
     pub y: SVector<f64, M>,
 }
 
-/// A unicycle's belief about its pose, changed by odometry and sightings.
+/// A unicycle's belief about its pose, changed by odometry and sightings. The state may hold more than the pose `[x, y, θ]`, as
+/// [`PoseAndScale`](crate::drive::PoseAndScale) does.
 ///
 /// # Example
 /// ```
 /// use estimate::kf::Gaussian;
 /// use estimate::landmarks::RangeBearing;
-/// use estimate::{ChosetEkf, Landmark, Sighting};
+/// use estimate::{Localizer, Landmark, Sighting};
 /// use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
-/// let mut ekf = ChosetEkf::new(&Gaussian { x: Vector3::zeros(), p: Matrix3::identity() * 0.01 });
+/// let mut ekf = Localizer::new(&Gaussian { x: Vector3::zeros(), p: Matrix3::identity() * 0.01 });
 /// ekf.predict(&Vector2::new(1.0, 0.0), &(Matrix3::identity() * 0.001))?; // Δs = 1 m
 /// let map = [Landmark { id: 1, x: 3.0, y: 0.0 }];
 /// let y = Vector2::new(1.9, core::f64::consts::PI); // seen from the landmark, the robot is in direction π
@@ -35,11 +36,12 @@ pub struct Sighting<const M: usize> {
 /// # Ok::<(), estimate::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct ChosetEkf {
-    pub(crate) filter: Ekf<SE2, 3>,
+pub struct Localizer<X = SE2, const N: usize = 3> {
+    /// The filter, which holds the belief.
+    pub filter: Ekf<X, N>,
 }
 
-impl ChosetEkf {
+impl Localizer {
     /// A filter with this belief; the heading is wrapped.
     pub fn new(belief: &Gaussian<U3>) -> Self {
         Self { filter: Ekf { x: SE2::from_vector(&belief.x), p: belief.p } }
@@ -59,13 +61,18 @@ impl ChosetEkf {
     pub fn belief(&self) -> Gaussian<U3> {
         Gaussian { x: self.filter.x.to_vector(), p: self.filter.p }
     }
+}
 
-    /// Eqs. 8.37–8.39: x̂ moves by u = [Δs, Δθ], P becomes FPFᵀ + V with F at the old heading; V is in the state, 3×3.
+impl<X: State<N>, const N: usize> Localizer<X, N> {
+    /// Eqs. 8.37–8.39: x̂ moves by u = [Δs, Δθ], P becomes FPFᵀ + V with F at the old heading; V is in the state, n×n.
     ///
     /// # Errors
     /// [`crate::Code::NotFinite`]; the belief is then as it was.
     #[inline]
-    pub fn predict(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
+    pub fn predict(&mut self, u: &Vector2<f64>, v: &SMatrix<f64, N, N>) -> Result<(), Error>
+    where
+        Unicycle: MotionModel<X, N, 2>,
+    {
         Ok(self.filter.predict(&Unicycle, u, v)?)
     }
 
@@ -79,43 +86,59 @@ impl ChosetEkf {
     #[inline]
     pub fn update<const M: usize>(
         &mut self,
-        model: &impl MeasurementModel<SE2, 3, M>,
+        model: &impl MeasurementModel<X, N, M>,
         sighting: &Sighting<M>,
         w: &SMatrix<f64, M, M>,
-    ) -> Result<Update<U3, Const<M>>, Error> {
+    ) -> Result<Update<Const<N>, Const<M>>, Error> {
         Ok(self.filter.update(model, &sighting.y, sighting.j, w)?)
     }
+    // ANCHOR_END: update
 
+    // ANCHOR: stacked
     /// Corrects the belief with all sightings of one step, stacked: every H and every innovation at the same
     /// prediction, W block-diagonal. The answer is (ν, S) of the stack.
     ///
     /// # Errors
-    /// As [`ChosetEkf::update`].
+    /// As [`Localizer::update`].
     pub fn update_stacked<const M: usize>(
         &mut self,
-        model: &impl MeasurementModel<SE2, 3, M>,
+        model: &impl MeasurementModel<X, N, M>,
         sightings: &[Sighting<M>],
         w: &SMatrix<f64, M, M>,
     ) -> Result<(DVector<f64>, DMatrix<f64>), Error> {
-        update_stacked(&mut self.filter, model, sightings, w)
+        let (rows, Ekf { x, p }) = (M * sightings.len(), &self.filter);
+        let (mut h, p) = (DMatrix::zeros(rows, N), DMatrix::from_column_slice(N, N, p.as_slice()));
+        let (mut nu, mut w_all) = (DVector::zeros(rows), DMatrix::zeros(rows, rows));
+        for (i, sighting) in sightings.iter().enumerate() {
+            let (expected, jacobian) = model.linearized(x, sighting.j)?;
+            h.view_mut((M * i, 0), (M, N)).copy_from(&jacobian);
+            nu.fixed_rows_mut::<M>(M * i).copy_from(&model.residual(&sighting.y, &expected));
+            w_all.fixed_view_mut::<M, M>(M * i, M * i).copy_from(w);
+        }
+        let nu = finite(nu, Quantity::Innovation)?;
+        let Gain { k, s, p, .. } = linear::gain(&p, &h, &w_all)?;
+        let step = k * &nu;
+        let x = x.boxplus(&finite(SVector::from_fn(|i, _| step[i]), Quantity::Mean)?);
+        self.filter = Ekf { x, p: SMatrix::from_fn(|i, j| p[(i, j)]) };
+        Ok((nu, s))
     }
-    // ANCHOR_END: update
+    // ANCHOR_END: stacked
 
-    /// As [`ChosetEkf::update_stacked`], one sighting at a time, and equal to it: each later innovation is reduced by what the earlier
+    /// As [`Localizer::update_stacked`], one sighting at a time, and equal to it: each later innovation is reduced by what the earlier
     /// sightings already moved, H staying at the prediction.
     ///
     /// # Errors
-    /// As [`ChosetEkf::update`].
+    /// As [`Localizer::update`].
     pub fn update_in_turn<const M: usize>(
         &mut self,
-        model: &impl MeasurementModel<SE2, 3, M>,
+        model: &impl MeasurementModel<X, N, M>,
         sightings: &[Sighting<M>],
         w: &SMatrix<f64, M, M>,
     ) -> Result<(), Error> {
-        let prediction = self.filter.x;
+        let prediction = &self.filter.x;
         let mut next = self.filter;
         for sighting in sightings {
-            let (expected, h) = model.linearized(&prediction, sighting.j)?;
+            let (expected, h) = model.linearized(prediction, sighting.j)?;
             let surprise = model.residual(&sighting.y, &expected);
             let innovation = surprise - h * next.x.boxminus(prediction);
             next.correct(&finite(innovation, Quantity::Innovation)?, &h, w)?;
@@ -124,37 +147,6 @@ impl ChosetEkf {
         Ok(())
     }
 }
-
-// ANCHOR: stacked
-/// [`ChosetEkf::update_stacked`] for a filter of any state.
-///
-/// The gain is computed at sizes known at run time only: a copy of it for each state would weigh on every page that computes.
-///
-/// # Errors
-/// As [`ChosetEkf::update`].
-pub fn update_stacked<X: State<N>, const N: usize, const M: usize>(
-    filter: &mut Ekf<X, N>,
-    model: &impl MeasurementModel<X, N, M>,
-    sightings: &[Sighting<M>],
-    w: &SMatrix<f64, M, M>,
-) -> Result<(DVector<f64>, DMatrix<f64>), Error> {
-    let rows = M * sightings.len();
-    let (mut h, p) = (DMatrix::zeros(rows, N), DMatrix::from_column_slice(N, N, filter.p.as_slice()));
-    let (mut nu, mut w_all) = (DVector::zeros(rows), DMatrix::zeros(rows, rows));
-    for (i, sighting) in sightings.iter().enumerate() {
-        let (expected, jacobian) = model.linearized(&filter.x, sighting.j)?;
-        h.view_mut((M * i, 0), (M, N)).copy_from(&jacobian);
-        nu.fixed_rows_mut::<M>(M * i).copy_from(&model.residual(&sighting.y, &expected));
-        w_all.fixed_view_mut::<M, M>(M * i, M * i).copy_from(w);
-    }
-    let nu = finite(nu, Quantity::Innovation)?;
-    let Gain { k, s, p, .. } = linear::gain(&p, &h, &w_all)?;
-    let step = k * &nu;
-    let x = filter.x.boxplus(&finite(SVector::from_fn(|i, _| step[i]), Quantity::Mean)?);
-    *filter = Ekf { x, p: SMatrix::from_fn(|i, j| p[(i, j)]) };
-    Ok((nu, s))
-}
-// ANCHOR_END: stacked
 
 #[cfg(test)]
 mod tests {
@@ -167,9 +159,9 @@ mod tests {
     const MAP: [Landmark; 3] =
         [Landmark { id: 1, x: 6.0, y: 6.0 }, Landmark { id: 2, x: 0.0, y: 6.0 }, Landmark { id: 3, x: 3.0, y: 0.0 }];
 
-    fn ekf() -> ChosetEkf {
+    fn ekf() -> Localizer {
         let p = Matrix3::new(0.09, 0.01, 0.0, 0.01, 0.04, -0.02, 0.0, -0.02, 0.05);
-        ChosetEkf::new(&Gaussian { x: Vector3::new(1.5, 2.0, 0.4), p })
+        Localizer::new(&Gaussian { x: Vector3::new(1.5, 2.0, 0.4), p })
     }
 
     fn sightings() -> [Sighting<2>; 3] {
@@ -211,7 +203,7 @@ mod tests {
 
     #[test]
     fn the_motion_turns_after_it_drives() {
-        let mut ekf = ChosetEkf::new(&Gaussian { x: Vector3::zeros(), p: Matrix3::identity() });
+        let mut ekf = Localizer::new(&Gaussian { x: Vector3::zeros(), p: Matrix3::identity() });
         ekf.predict(&Vector2::new(1.0, core::f64::consts::FRAC_PI_2), &Matrix3::zeros()).expect("finite");
         assert_eq!((ekf.pose().x(), ekf.pose().y()), (1.0, 0.0));
         // F at the old heading: the heading error becomes an error in y.
@@ -220,7 +212,7 @@ mod tests {
 
     #[test]
     fn an_estimate_across_the_cut_stays_wrapped() {
-        let mut ekf = ChosetEkf::new(&Gaussian { x: Vector3::new(0.0, 0.0, 3.1), p: Matrix3::identity() });
+        let mut ekf = Localizer::new(&Gaussian { x: Vector3::new(0.0, 0.0, 3.1), p: Matrix3::identity() });
         ekf.predict(&Vector2::new(0.0, 0.2), &Matrix3::zeros()).expect("finite");
         assert!((ekf.pose().theta() - (3.3 - core::f64::consts::TAU)).abs() < 1e-15);
         let model = RangeBearing { map: &MAP };
@@ -247,7 +239,7 @@ mod tests {
         assert!(ekf.predict(&Vector2::new(f64::INFINITY, 0.0), &Matrix3::zeros()).is_err());
         assert_eq!(ekf, before);
 
-        let mut on_it = ChosetEkf::new(&Gaussian { x: Vector3::new(6.0, 6.0, 0.0), p: Matrix3::identity() });
+        let mut on_it = Localizer::new(&Gaussian { x: Vector3::new(6.0, 6.0, 0.0), p: Matrix3::identity() });
         let refused = on_it.update(&model, &Sighting { j: 0, y: Vector1::new(1.0) }, &Matrix1::new(1.0));
         assert_eq!(refused.expect_err("on the landmark").code, Code::AtLandmark);
     }

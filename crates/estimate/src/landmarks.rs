@@ -4,9 +4,9 @@ use crate::error::{Code, Error};
 use crate::landmark::Landmark;
 use alloc::vec::Vec;
 use filters::association::{Association, Candidate, Rule, Thresholds, associate};
-use filters::{Gaussian, MeasurementModel, Parameter};
+use filters::{Ekf, MeasurementModel, Parameter, State};
 use geom::{SE2, angle_diff, wrap};
-use nalgebra::{SMatrix, SVector, U3, Vector1, Vector2};
+use nalgebra::{SMatrix, SVector, Vector1, Vector2};
 
 /// Nearer than this (metres) the robot stands on the landmark: there ρ has no derivative and β no value.
 pub const NEAREST: f64 = 1e-9;
@@ -95,16 +95,15 @@ pub fn raw_bearing_row(x: &SE2, landmark: &Landmark) -> SMatrix<f64, 1, 3> {
 /// # Errors
 /// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`] or [`Code::NotFinite`]; [`Code::Limit`] when there is no
 /// landmark `j`.
-pub fn candidate<const M: usize>(
-    model: &impl MeasurementModel<SE2, 3, M>,
-    belief: &Gaussian<U3>,
+pub fn candidate<X: State<N>, const N: usize, const M: usize>(
+    model: &impl MeasurementModel<X, N, M>,
+    belief: &Ekf<X, N>,
     y: &SVector<f64, M>,
     j: usize,
     w: &SMatrix<f64, M, M>,
     rule: Rule,
 ) -> Result<Candidate<M>, Error> {
-    let pose = SE2::from_vector(&belief.x);
-    let (expected, h) = model.linearized(&pose, j)?;
+    let (expected, h) = model.linearized(&belief.x, j)?;
     let innovation = model.residual(y, &expected);
     let s = filters::linear::innovation_covariance(&h, &belief.p, w);
     Ok(Candidate::new(j, innovation, s, rule)?)
@@ -116,12 +115,13 @@ pub fn candidate<const M: usize>(
 /// As [`candidate`], [`Code::Index`] for an empty map.
 pub fn associate_ml(
     y: &SVector<f64, 2>,
-    belief: &Gaussian<U3>,
+    belief: &Ekf<SE2, 3>,
     map: &[Landmark],
     w: &SMatrix<f64, 2, 2>,
     gate: f64,
 ) -> Result<Option<usize>, Error> {
-    let best = best(&RangeBearing { map }, y, belief, map.len(), w, Rule::MaximumLikelihood, Some(gate))?;
+    let among = Among { landmarks: map.len(), rule: Rule::MaximumLikelihood, gate: Some(gate) };
+    let best = best(&RangeBearing { map }, belief, y, w, among)?;
     Ok(best.matched().map(|candidate| candidate.j))
 }
 // ANCHOR_END: associate
@@ -132,13 +132,25 @@ pub fn associate_ml(
 /// As [`associate_ml`].
 pub fn associate_chi2(
     y: &SVector<f64, 1>,
-    belief: &Gaussian<U3>,
+    belief: &Ekf<SE2, 3>,
     map: &[Landmark],
     w: &SMatrix<f64, 1, 1>,
     gate: f64,
 ) -> Result<Option<usize>, Error> {
-    let best = best(&RangeOnly { map }, y, belief, map.len(), w, Rule::ChiSquared, Some(gate))?;
+    let among = Among { landmarks: map.len(), rule: Rule::ChiSquared, gate: Some(gate) };
+    let best = best(&RangeOnly { map }, belief, y, w, among)?;
     Ok(best.matched().map(|candidate| candidate.j))
+}
+
+/// Which landmarks a reading is compared with, and how.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Among {
+    /// The first so many of the map.
+    pub landmarks: usize,
+    /// What the best one minimizes.
+    pub rule: Rule,
+    /// The largest χ² of a match.
+    pub gate: Option<f64>,
 }
 
 /// The best candidate among all landmarks, and whether it is within the gate. A landmark that the estimate stands on has no
@@ -146,15 +158,14 @@ pub fn associate_chi2(
 ///
 /// # Errors
 /// As [`associate_ml`].
-pub fn best<const M: usize>(
-    model: &impl MeasurementModel<SE2, 3, M>,
+pub fn best<X: State<N>, const N: usize, const M: usize>(
+    model: &impl MeasurementModel<X, N, M>,
+    belief: &Ekf<X, N>,
     y: &SVector<f64, M>,
-    belief: &Gaussian<U3>,
-    landmarks: usize,
     w: &SMatrix<f64, M, M>,
-    rule: Rule,
-    gate: Option<f64>,
+    among: Among,
 ) -> Result<Association<M>, Error> {
+    let Among { landmarks, rule, gate } = among;
     if landmarks == 0 {
         return Err(Error::new(Code::Index, "landmarks", "is empty: there is nothing to associate the sighting with"));
     }
@@ -229,8 +240,8 @@ mod tests {
 
     #[test]
     fn sightings_find_their_landmarks() {
-        let belief = Gaussian { x: Vector3::new(0.0, 0.0, 0.2), p: Matrix3::identity() * 0.01 };
-        let pose = SE2::from_vector(&belief.x);
+        let belief = Ekf { x: SE2::new(0.0, 0.0, 0.2), p: Matrix3::identity() * 0.01 };
+        let pose = belief.x;
         for j in 0..3 {
             let y = RangeBearing { map: &MAP }.h(&pose, j).expect("apart") + Vector2::new(0.05, -0.02);
             let w = Matrix2::new(0.01, 0.0, 0.0, 0.001);
@@ -245,7 +256,7 @@ mod tests {
     #[test]
     fn only_a_landmark_under_the_robot_is_skipped() {
         // Sure of y and of every range: what is read of the landmark ahead has no spread to compare with.
-        let belief = Gaussian { x: Vector3::zeros(), p: Matrix3::from_diagonal(&Vector3::new(1.0, 0.0, 0.0)) };
+        let belief = Ekf { x: SE2::new(0.0, 0.0, 0.0), p: Matrix3::from_diagonal(&Vector3::new(1.0, 0.0, 0.0)) };
         let map = [Landmark { id: 1, x: 3.0, y: 0.0 }, Landmark { id: 2, x: 0.0, y: 5.0 }];
         let (y, w) = (Vector1::new(3.0), Matrix1::zeros());
         assert_eq!(associate_chi2(&y, &belief, &map[..1], &w, 6.63), Ok(Some(0)));
@@ -257,12 +268,14 @@ mod tests {
     #[test]
     fn the_two_rules_may_choose_differently() {
         // Uncertain in heading: the far landmark's position is smeared, in its bearing row not at all.
-        let belief = Gaussian { x: Vector3::zeros(), p: Matrix3::from_diagonal(&Vector3::new(4.0, 1e-4, 1e-4)) };
+        let belief = Ekf { x: SE2::new(0.0, 0.0, 0.0), p: Matrix3::from_diagonal(&Vector3::new(4.0, 1e-4, 1e-4)) };
         let map = [Landmark { id: 1, x: 0.0, y: 5.0 }, Landmark { id: 2, x: 5.8, y: 0.0 }];
         let w = Matrix1::new(0.01);
         let y = Vector1::new(5.2);
         let model = RangeOnly { map: &map };
-        let likeliest = best(&model, &y, &belief, 2, &w, Rule::MaximumLikelihood, None).expect("apart");
+        let likeliest =
+            best(&model, &belief, &y, &w, Among { landmarks: 2, rule: Rule::MaximumLikelihood, gate: None })
+                .expect("apart");
         assert_eq!(associate_chi2(&y, &belief, &map, &w, f64::INFINITY), Ok(Some(1)));
         assert!(matches!(likeliest, Association::Matched(c) if c.j == 0));
     }

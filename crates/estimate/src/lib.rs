@@ -15,7 +15,7 @@
 //! - [`observability`]: ranks, with the singular values and null directions behind them;
 //! - [`Detectability`], [`Reachability`], [`RiccatiLimit`]: whether what is unseen dies out, what noise reaches, and whether P settles, each with
 //!   a [`Verdict`] within a tolerance;
-//! - [`odometry_delta`], [`landmarks`], [`ChosetEkf`]: from encoder counts to localization among known landmarks;
+//! - [`odometry_delta`], [`landmarks`], [`Localizer`]: from encoder counts to localization among known landmarks;
 //! - [`RightWheel`]: the same with the fraction by which a wheel is believed too large as a fourth state;
 //! - [`slam`]: robot and map in one state, linear and range–bearing;
 //! - [`path_observability`]: the rank test frozen at one pose, and along the path driven;
@@ -48,6 +48,7 @@ mod place;
 mod placement;
 pub mod rail;
 mod reachability;
+mod reading;
 pub mod riccati;
 mod riccati_limit;
 pub mod slam;
@@ -57,7 +58,7 @@ mod verdict;
 mod wheel;
 
 pub use detectability::Detectability;
-pub use ekf::{ChosetEkf, Sighting, update_stacked};
+pub use ekf::{Localizer, Sighting};
 pub use error::{Code, Error};
 pub use filters;
 pub use geom;
@@ -69,6 +70,7 @@ pub use observer::{Observer, error_matrix};
 pub use odometry::{Ticks, Unicycle, Wheels, odometry_delta, slip_covariance};
 pub use placement::{Movable, place_observer_gain};
 pub use reachability::Reachability;
+pub use reading::{Corrected, Reading, Setup};
 pub use riccati_limit::RiccatiLimit;
 pub use verdict::Verdict;
 pub use wheel::RightWheel;

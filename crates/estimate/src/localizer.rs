@@ -3,22 +3,20 @@
 
 mod reading;
 
-pub use reading::{Localized, Logged, Reading, SensorKind};
+pub use reading::{LandmarkReading, Localized, Logged, SensorKind};
 
 use crate::dynamic::Belief;
-use crate::ekf::{ChosetEkf, Sighting};
+use crate::ekf::Localizer;
 use crate::error::{Code, Error};
 use crate::landmark::Landmark;
-use crate::landmarks::{RangeBearing, RangeOnly, best, candidate};
 use crate::place::Place;
+use crate::reading::{Corrected, Reading, Setup};
 use crate::validate;
 use alloc::format;
 use alloc::vec::Vec;
-use filters::association::{Association, Candidate, Rule};
+use filters::Gaussian;
 use filters::covariance::is_finite;
-use filters::{Gaussian, MeasurementModel, Update};
-use geom::{SE2, wrap};
-use nalgebra::{DMatrix, DVector, Matrix3, SMatrix, SVector, Vector2};
+use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, SVector, Vector2};
 
 /// The most landmarks of a map.
 pub const MAX_LANDMARKS: usize = 1000;
@@ -30,14 +28,8 @@ pub const MAX_COMPARISONS: usize = 10_000_000;
 /// What the sensor reads, with its noise covariance W.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Sensor {
-    RangeBearing(SMatrix<f64, 2, 2>),
-    Range(SMatrix<f64, 1, 1>),
-}
-
-/// Whether a reading was accepted, and the landmark it was judged against.
-enum Judged {
-    RangeBearing(bool, Candidate<2>),
-    Range(bool, Candidate<1>),
+    RangeBearing(Matrix2<f64>),
+    Range(f64),
 }
 
 /// The localizer of §8.3 among known landmarks.
@@ -45,7 +37,7 @@ enum Judged {
 /// # Example
 /// ```
 /// use estimate::Landmark;
-/// use estimate::localizer::{EkfLocalizer, Reading, SensorKind};
+/// use estimate::localizer::{EkfLocalizer, LandmarkReading, SensorKind};
 /// use nalgebra::{dmatrix, dvector};
 ///
 /// let belief = estimate::validate::belief(dvector![0.0, 0.0, 0.0], dmatrix![0.04, 0.0, 0.0; 0.0, 0.04, 0.0; 0.0, 0.0, 0.01])?;
@@ -53,14 +45,14 @@ enum Judged {
 /// let w = dmatrix![0.01, 0.0; 0.0, 0.01];
 /// let mut ekf = EkfLocalizer::new(belief, map, w, Some(9.21), SensorKind::RangeBearing)?;
 /// ekf.predict(dvector![1.0, 0.0], dmatrix![0.01, 0.0, 0.0; 0.0, 0.01, 0.0; 0.0, 0.0, 0.01])?;
-/// let reading = Reading { range: 0.9, bearing: Some(std::f64::consts::PI), landmark: None };
+/// let reading = LandmarkReading { range: 0.9, bearing: Some(std::f64::consts::PI), landmark: None };
 /// let answer = ekf.update(reading)?;
 /// assert!(answer.accepted && answer.landmark == 7);
 /// # Ok::<(), estimate::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
 pub struct EkfLocalizer {
-    ekf: ChosetEkf,
+    localizer: Localizer,
     map: Vec<Landmark>,
     sensor: Sensor,
     gate: Option<f64>,
@@ -102,12 +94,12 @@ impl EkfLocalizer {
         let sensor = match sensor {
             SensorKind::RangeBearing => {
                 let w = validate::covariance(w, 2, "W")?;
-                Sensor::RangeBearing(SMatrix::from_fn(|i, j| w[(i, j)]))
+                Sensor::RangeBearing(Matrix2::from_fn(|i, j| w[(i, j)]))
             }
-            SensorKind::Range => Sensor::Range(SMatrix::from_element(validate::covariance(w, 1, "W")?[0])),
+            SensorKind::Range => Sensor::Range(validate::covariance(w, 1, "W")?[0]),
         };
         let belief = Gaussian { x: SVector::from_fn(|i, _| x[i]), p: Matrix3::from_fn(|i, j| p[(i, j)]) };
-        Ok(Self { ekf: ChosetEkf::new(&belief), map: landmarks, sensor, gate })
+        Ok(Self { localizer: Localizer::new(&belief), map: landmarks, sensor, gate })
     }
 
     /// x̂⁺ = [x + Δs cos θ, y + Δs sin θ, θ + Δθ] for `u` = [Δs, Δθ]; P⁺ = FPFᵀ + V with F at the old heading, `v` 3×3 in
@@ -123,8 +115,8 @@ impl EkfLocalizer {
 
     /// A prediction, of which u or V is to blame for an overflow: V where there would be none without it.
     fn moved(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>, place: Place) -> Result<(), Error> {
-        self.ekf.predict(u, v).map_err(|e| {
-            let mut again = self.ekf;
+        self.localizer.predict(u, v).map_err(|e| {
+            let mut again = self.localizer;
             let without_noise = again.predict(u, &Matrix3::zeros());
             e.called(|_| if without_noise.is_ok() { "V".into() } else { place.name("u") })
         })
@@ -138,60 +130,49 @@ impl EkfLocalizer {
     /// [`Code::NotFinite`], naming the range where its innovation overflows; [`Code::Limit`] for a negative range,
     /// [`Code::Type`] for a bearing that is missing or too many, [`Code::Index`] for an id that is not on the map,
     /// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`].
-    pub fn update(&mut self, reading: Reading) -> Result<Localized, Error> {
-        let before = self.ekf;
-        let judged = self.judge(&reading, Place::Alone).inspect_err(|_| self.ekf = before)?;
-        Ok(match judged {
-            Judged::RangeBearing(accepted, best) => self.localized(accepted, &best),
-            Judged::Range(accepted, best) => self.localized(accepted, &best),
+    pub fn update(&mut self, reading: LandmarkReading) -> Result<Localized, Error> {
+        let before = self.localizer;
+        let corrected = self.judge(&reading, Place::Alone).inspect_err(|_| self.localizer = before)?;
+        let Corrected { accepted, landmark, outputs, innovation, s, chi2 } = corrected;
+        Ok(Localized {
+            accepted,
+            landmark: landmark.map_or(0, |j| self.map[j].id),
+            innovation: DVector::from_fn(outputs, |i, _| innovation[i]),
+            s: DMatrix::from_fn(outputs, outputs, |i, k| s[(i, k)]),
+            chi2: chi2?,
         })
     }
 
     /// Judges a reading, and corrects the belief when it is accepted. On an error the belief may already be corrected, and the
     /// caller restores it. Always in line: of a step in a log nobody asks for the answer, which then is not written down.
     #[inline(always)]
-    fn judge(&mut self, reading: &Reading, place: Place) -> Result<Judged, Error> {
-        let (range, bearing, j) = self.checked(reading).map_err(|e| place.field(e))?;
-        let (map, count, gate) = (&self.map, self.map.len(), self.gate);
-        match &self.sensor {
-            Sensor::RangeBearing(w) => {
-                let (y, model) = (Vector2::new(range, wrap(bearing)), RangeBearing { map });
-                locate(&mut self.ekf, &model, count, y, w, (j, Rule::MaximumLikelihood, gate))
-                    .map(|(accepted, best)| Judged::RangeBearing(accepted, best))
-            }
-            Sensor::Range(w) => {
-                let (y, model) = (SVector::<f64, 1>::new(range), RangeOnly { map });
-                locate(&mut self.ekf, &model, count, y, w, (j, Rule::ChiSquared, gate))
-                    .map(|(accepted, best)| Judged::Range(accepted, best))
-            }
-        }
-        .map_err(|e| place.step(e))
-    }
-
-    fn localized<const M: usize>(&self, accepted: bool, best: &Candidate<M>) -> Localized {
-        Localized {
-            accepted,
-            landmark: self.map[best.j].id,
-            innovation: DVector::from_fn(M, |i, _| best.innovation[i]),
-            s: DMatrix::from_fn(M, M, |i, k| best.s[(i, k)]),
-            chi2: best.d2,
+    fn judge(&mut self, reading: &LandmarkReading, place: Place) -> Result<Corrected, Error> {
+        let reading = self.checked(reading).map_err(|e| place.field(e))?;
+        let setup = Setup { map: &self.map, scale: Some(0.0), offset: 0.0, gate: self.gate };
+        let corrected = self.localizer.correct(&reading, &setup).map_err(|e| place.step(e))?;
+        match corrected.chi2 {
+            Ok(_) => Ok(corrected),
+            Err(e) => Err(place.step(e.into())),
         }
     }
 
-    /// Range, bearing (0 where the sensor has none) and the landmark's place on the map.
-    fn checked(&self, reading: &Reading) -> Result<(f64, f64, Option<usize>), Error> {
+    /// The reading with the sensor's W and the landmark's place on the map.
+    fn checked(&self, reading: &LandmarkReading) -> Result<Reading, Error> {
         let range = validate::finite(reading.range, "range")?;
         if range < 0.0 {
             return Err(Error::new(Code::Limit, "range", "a range is not negative"));
         }
         let wrong = |message: &'static str| Err(Error::new(Code::Type, "bearing", message));
-        let bearing = match (self.sensor(), reading.bearing) {
-            (SensorKind::RangeBearing, Some(bearing)) => validate::finite(bearing, "bearing")?,
-            (SensorKind::Range, None) => 0.0,
-            (SensorKind::RangeBearing, None) => return wrong("is missing; this sensor reads range and bearing"),
-            (SensorKind::Range, Some(_)) => return wrong("is given; this sensor reads the range alone"),
-        };
-        Ok((range, bearing, reading.landmark.map(|id| self.index(id)).transpose()?))
+        let landmark = || reading.landmark.map(|id| self.index(id)).transpose();
+        match (self.sensor, reading.bearing) {
+            (Sensor::RangeBearing(w), Some(bearing)) => {
+                let bearing = validate::finite(bearing, "bearing")?;
+                Ok(Reading::RangeBearing { landmark: landmark()?, range, bearing, w })
+            }
+            (Sensor::Range(w), None) => Ok(Reading::Range { landmark: landmark()?, range, w }),
+            (Sensor::RangeBearing(_), None) => wrong("is missing; this sensor reads range and bearing"),
+            (Sensor::Range(_), Some(_)) => wrong("is given; this sensor reads the range alone"),
+        }
     }
 
     /// Predicts and corrects once for each step of a log, all with the one `v`, and answers the poses x̂ = [x, y, θ] after
@@ -218,7 +199,7 @@ impl EkfLocalizer {
                 return Err(Error::new(Code::Limit, "log", message));
             }
             next.step(&logged, &v, k)?;
-            let pose = next.ekf.pose();
+            let pose = next.localizer.pose();
             poses.push([pose.x(), pose.y(), pose.theta()]);
         }
         *self = next;
@@ -245,7 +226,7 @@ impl EkfLocalizer {
 
     /// The present belief, θ in (−π, π].
     pub fn belief(&self) -> Belief {
-        let Gaussian { x, p } = self.ekf.belief();
+        let Gaussian { x, p } = self.localizer.belief();
         Belief { x: DVector::from_fn(3, |i, _| x[i]), p: DMatrix::from_fn(3, 3, |i, j| p[(i, j)]) }
     }
 
@@ -254,45 +235,6 @@ impl EkfLocalizer {
         let found = self.map.iter().position(|landmark| landmark.id == id);
         found.ok_or_else(|| Error::new(Code::Index, "landmark", message()))
     }
-}
-
-/// Judges the reading `y` against landmark `j`, or against all `count`, and corrects the filter when it is within the gate.
-/// Answers whether it was, and the landmark that it was judged against.
-#[inline(always)]
-fn locate<const M: usize>(
-    ekf: &mut ChosetEkf,
-    model: &impl MeasurementModel<SE2, 3, M>,
-    count: usize,
-    y: SVector<f64, M>,
-    w: &SMatrix<f64, M, M>,
-    (j, rule, gate): (Option<usize>, Rule, Option<f64>),
-) -> Result<(bool, Candidate<M>), Error> {
-    let (accepted, best) = match (j, gate) {
-        (Some(j), None) => {
-            // Nothing is judged before the correction, and its S serves for χ². The filter itself is asked: the answer of
-            // `ChosetEkf::update`, with another kind of error, would be copied in memory.
-            let Update { innovation, s, d2, .. } = ekf.filter.update(model, &y, j, w)?;
-            let best = match d2 {
-                Some(d2) => Candidate { j, innovation, s, d2, cost: d2 },
-                None => Candidate::new(j, innovation, s, Rule::ChiSquared)?,
-            };
-            return Ok((true, best));
-        }
-        // There is nothing to choose from, hence no use for the costlier rule.
-        (Some(j), Some(gate)) => {
-            let best = candidate(model, &ekf.belief(), &y, j, w, Rule::ChiSquared)?;
-            (best.d2 <= gate, best)
-        }
-        (None, gate) => match best(model, &y, &ekf.belief(), count, w, rule, gate)? {
-            Association::Matched(best) => (true, best),
-            Association::Rejected(best) => (false, best),
-            Association::New => return Err(Error::new(Code::Index, "landmarks", "is empty")),
-        },
-    };
-    if accepted {
-        ekf.update(model, &Sighting { j: best.j, y }, w)?;
-    }
-    Ok((accepted, best))
 }
 
 #[cfg(test)]

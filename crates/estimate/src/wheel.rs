@@ -71,7 +71,7 @@ mod tests {
     use crate::drive::Scaled;
     use crate::landmarks::RangeBearing;
     use crate::odometry::{Ticks, Wheels, odometry_delta};
-    use crate::{Sighting, update_stacked};
+    use crate::{Localizer, Sighting};
     use filters::{Ekf, MeasurementModel, central_differences};
 
     const WHEEL: RightWheel = RightWheel { baseline: 0.4 };
@@ -98,13 +98,13 @@ mod tests {
         for _ in 0..50 {
             own.predict(&WHEEL, &Vector2::new(0.05, 0.01), &(Matrix4::identity() * 1e-6)).expect("finite");
         }
-        let mut stacked = own;
+        let mut stacked = Localizer { filter: own };
         // Off by 0.2 m and 0.05 rad.
         let y = model.h(&own.x, 0).expect("apart") + Vector2::new(0.2, 0.05);
         own.update(&model, &y, 0, &w).expect("apart");
-        update_stacked(&mut stacked, &model, &[Sighting { j: 0, y }], &w).expect("apart");
-        assert!((own.p - stacked.p).amax() < 1e-15 && own.x.epsilon != 0.02);
-        assert!(filters::State::boxminus(&own.x, &stacked.x).amax() < 1e-15);
+        stacked.update_stacked(&model, &[Sighting { j: 0, y }], &w).expect("apart");
+        assert!((own.p - stacked.filter.p).amax() < 1e-15 && own.x.epsilon != 0.02);
+        assert!(filters::State::boxminus(&own.x, &stacked.filter.x).amax() < 1e-15);
     }
 
     #[test]

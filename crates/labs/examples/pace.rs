@@ -4,10 +4,10 @@
 use estimate::dynamic::{Belief, System, kalman_replay};
 use estimate::kf::{Gaussian, kalman_step};
 use estimate::landmarks::RangeBearing;
-use estimate::localizer::{EkfLocalizer, Logged, Reading, SensorKind};
+use estimate::localizer::{EkfLocalizer, LandmarkReading, Logged, SensorKind};
 use estimate::rail::position_sensor;
 use estimate::slam::{self, EkfSlam};
-use estimate::{ChosetEkf, Landmark, Sighting};
+use estimate::{Landmark, Localizer, Sighting};
 use filters::association::Thresholds;
 use filters::linear;
 use lab::Lab;
@@ -54,7 +54,7 @@ fn kalman_log() -> f64 {
 fn ekf() -> f64 {
     let map = [Landmark { id: 1, x: 6.0, y: 6.0 }];
     let model = RangeBearing { map: &map };
-    let mut ekf = ChosetEkf::new(&Gaussian { x: Vector3::new(1.5, 1.5, 0.0), p: Matrix3::identity() * 0.01 });
+    let mut ekf = Localizer::new(&Gaussian { x: Vector3::new(1.5, 1.5, 0.0), p: Matrix3::identity() * 0.01 });
     let (u, v, w) = (Vector2::zeros(), Matrix3::identity() * 1e-4, Matrix2::new(0.01, 0.0, 0.0, 0.001));
     let sighting = Sighting { j: 0, y: Vector2::new(6.363961, -2.3561945) };
     let (start, mut sound) = (Instant::now(), true);
@@ -74,7 +74,7 @@ fn localizer() -> f64 {
     let (map, w) =
         (vec![Landmark { id: 1, x: 6.0, y: 6.0 }], DMatrix::from_diagonal(&DVector::from_vec(vec![0.01, 0.001])));
     let Ok(mut ekf) = EkfLocalizer::new(belief, map, w, None, SensorKind::RangeBearing) else { return f64::NAN };
-    let reading = Reading { range: 6.363961, bearing: Some(-2.3561945), landmark: Some(1) };
+    let reading = LandmarkReading { range: 6.363961, bearing: Some(-2.3561945), landmark: Some(1) };
     let log = vec![Logged { u: [0.0, 0.0], reading }; LOG as usize];
     let (start, mut sound) = (Instant::now(), true);
     for _ in 0..STEPS / LOG {
@@ -151,7 +151,7 @@ fn main() {
         ("kalmanStep".to_string(), warm(kalman)),
         ("kalmanReplay".to_string(), warm(kalman_log)),
         ("ObserverBench".to_string(), warm(|| lab::<labs::ObserverBench>(20_000))),
-        ("ChosetEkf".to_string(), warm(ekf)),
+        ("Localizer".to_string(), warm(ekf)),
         ("EkfLocalizer".to_string(), warm(localizer)),
         ("dense 100".to_string(), warm(|| dense(100))),
     ];

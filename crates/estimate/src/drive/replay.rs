@@ -1,17 +1,18 @@
 //! The replay of a drive, row by row.
 
-use crate::drive::model::{PoseAndScale, Scalable, Scaled, first_covariance, of_pose};
+use crate::drive::model::{PoseAndScale, Scalable, first_covariance, of_pose};
 use crate::drive::row::{Drive, Event, Motion, Row};
 use crate::drive::settings::Settings;
 use crate::drive::summary::{Errors, Innovations, Summary};
+use crate::ekf::Localizer;
 use crate::error::{Code, Error};
-use crate::landmarks::{RangeBearing, RangeOnly};
 use crate::odometry::Unicycle;
+use crate::reading::{Corrected, Reading, Setup};
 use core::f64::consts::PI;
 use filters::consistency::chi2_quantile;
-use filters::{Ekf, MeasurementModel, MotionModel};
+use filters::{Ekf, MotionModel};
 use geom::{SE2, wrap};
-use nalgebra::{DMatrix, DVector, Matrix2, SMatrix, SVector, Vector1, Vector2};
+use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
 use numerics::sqrt;
 
 /// What became of a sighting.
@@ -32,8 +33,8 @@ pub struct Judged {
 /// The filter, with or without ε in its state.
 #[derive(Clone, Copy, Debug)]
 enum Filter {
-    Given(Ekf<SE2, 3>),
-    Learning(Ekf<PoseAndScale, 4>),
+    Given(Localizer),
+    Learning(Localizer<PoseAndScale, 4>),
 }
 
 /// A localizer that replays a [`Drive`] row by row.
@@ -69,7 +70,7 @@ enum Filter {
 pub struct Replay {
     settings: Settings,
     /// χ² quantiles of the gate for one and two outputs.
-    gates: [f64; 2],
+    gates: [Option<f64>; 2],
     filter: Filter,
     start: f64,
     /// When the estimate was last predicted, s.
@@ -89,16 +90,17 @@ impl Replay {
     /// gate is no probability between 0 and 1, 1 + scale is not positive.
     pub fn new(drive: &Drive, settings: Settings) -> Result<Self, Error> {
         settings.check()?;
-        let gate = |dof| settings.gate.map_or(Ok(f64::INFINITY), |p| chi2_quantile(dof, p));
+        let gate = |dof| settings.gate.map(|p| chi2_quantile(dof, p)).transpose();
         let first = drive.truth.poses().first();
         let pose = first.map_or(SE2::new(0.0, 0.0, 0.0), |at| SE2::new(at.x, at.y, at.theta));
         let start = first.map(|at| at.time).or(drive.span().map(|[first, _]| first)).unwrap_or(0.0);
         Ok(Self {
             gates: [gate(1)?, gate(2)?],
             filter: if settings.learn {
-                Filter::Learning(Ekf { x: PoseAndScale { pose, epsilon: 0.0 }, p: first_covariance() })
+                let x = PoseAndScale { pose, epsilon: 0.0 };
+                Filter::Learning(Localizer { filter: Ekf { x, p: first_covariance() } })
             } else {
-                Filter::Given(Ekf { x: pose, p: first_covariance() })
+                Filter::Given(Localizer { filter: Ekf { x: pose, p: first_covariance() } })
             },
             settings,
             start,
@@ -143,11 +145,15 @@ impl Replay {
             }
             Event::Range { .. } | Event::RangeBearing { .. } if !self.settings.sightings => return Ok(None),
             Event::Range { landmark, range } => {
-                self.sighted(RangeOnly { map: &drive.landmarks }, landmark, &Vector1::new(range))
+                let w = self.settings.sigma_range * self.settings.sigma_range;
+                self.sighted(drive, &Reading::Range { landmark: Some(landmark), range, w })
             }
             Event::RangeBearing { landmark, range, bearing } => {
-                let y = Vector2::new(range, wrap(bearing + PI));
-                self.sighted(RangeBearing { map: &drive.landmarks }, landmark, &y)
+                let s = &self.settings;
+                let w = Matrix2::new(s.sigma_range * s.sigma_range, 0.0, 0.0, s.sigma_bearing * s.sigma_bearing);
+                // A log has the bearing from the robot's nose.
+                let bearing = wrap(bearing + PI);
+                self.sighted(drive, &Reading::RangeBearing { landmark: Some(landmark), range, bearing, w })
             }
         };
         match sighting {
@@ -174,8 +180,8 @@ impl Replay {
         let s = &self.settings;
         let input = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;
         match &mut self.filter {
-            Filter::Given(ekf) => predict(ekf, &u, &input)?,
-            Filter::Learning(ekf) => predict(ekf, &u, &input)?,
+            Filter::Given(localizer) => predict(localizer, &u, &input)?,
+            Filter::Learning(localizer) => predict(localizer, &u, &input)?,
         }
         self.time = self.time.max(time);
         Ok(())
@@ -188,21 +194,22 @@ impl Replay {
         }
     }
 
-    fn sighted<S: MeasurementModel<SE2, 3, M>, const M: usize>(
-        &mut self,
-        sensor: S,
-        landmark: usize,
-        y: &SVector<f64, M>,
-    ) -> Result<Judged, Error> {
+    fn sighted(&mut self, drive: &Drive, reading: &Reading) -> Result<Judged, Error> {
         let s = &self.settings;
-        let model = Scaled { sensor, scale: (!s.learn).then_some(s.scale), offset: s.offset };
-        let sigma = [s.sigma_range, s.sigma_bearing];
-        let w = SMatrix::from_fn(|i, j| if i == j { sigma[i] * sigma[i] } else { 0.0 });
-        let gate = self.gates[M - 1];
-        match &mut self.filter {
-            Filter::Given(ekf) => update(ekf, &model, landmark, y, &w, gate),
-            Filter::Learning(ekf) => update(ekf, &model, landmark, y, &w, gate),
-        }
+        let gate = self.gates[usize::from(matches!(reading, Reading::RangeBearing { .. }))];
+        let setup = Setup { map: &drive.landmarks, scale: (!s.learn).then_some(s.scale), offset: s.offset, gate };
+        let Corrected { accepted, innovation, s, chi2, outputs, .. } = match &mut self.filter {
+            Filter::Given(localizer) => localizer.correct(reading, &setup)?,
+            Filter::Learning(localizer) => localizer.correct(reading, &setup)?,
+        };
+        // A distance too large for a number is beyond every gate; without a gate it cannot be taken.
+        let d2 = match chi2 {
+            Ok(d2) => d2,
+            Err(_) if gate.is_some() => f64::INFINITY,
+            Err(_) => return Err(Error::new(Code::NotFinite, "range", "is too large: its squared distance overflows")),
+        };
+        let (innovation, variance) = (innovation[0], s[(0, 0)]);
+        Ok(Judged { used: accepted, innovation, variance, d2, outputs: outputs as u32 })
     }
 
     /// The estimated pose.
@@ -218,16 +225,16 @@ impl Replay {
     /// The pose, and ε where it is learned.
     fn estimate(&self) -> (SE2, Option<f64>) {
         match &self.filter {
-            Filter::Given(ekf) => (ekf.x, None),
-            Filter::Learning(ekf) => (ekf.x.pose, Some(ekf.x.epsilon)),
+            Filter::Given(localizer) => (localizer.filter.x, None),
+            Filter::Learning(localizer) => (localizer.filter.x.pose, Some(localizer.filter.x.epsilon)),
         }
     }
 
     /// P, 3×3 or, with ε in the state, 4×4.
     pub fn covariance(&self) -> DMatrix<f64> {
         match &self.filter {
-            Filter::Given(ekf) => DMatrix::from_column_slice(3, 3, ekf.p.as_slice()),
-            Filter::Learning(ekf) => DMatrix::from_column_slice(4, 4, ekf.p.as_slice()),
+            Filter::Given(localizer) => DMatrix::from_column_slice(3, 3, localizer.filter.p.as_slice()),
+            Filter::Learning(localizer) => DMatrix::from_column_slice(4, 4, localizer.filter.p.as_slice()),
         }
     }
 
@@ -262,38 +269,13 @@ impl Replay {
 
 /// P ← F P Fᵀ + B M Bᵀ for the input noise `input`, M already multiplied by dt.
 fn predict<X: Scalable<N>, const N: usize>(
-    ekf: &mut Ekf<X, N>,
+    localizer: &mut Localizer<X, N>,
     u: &Vector2<f64>,
     input: &Matrix2<f64>,
 ) -> Result<(), Error>
 where
     Unicycle: MotionModel<X, N, 2>,
 {
-    let v = of_pose(&Unicycle::process_covariance(&ekf.x.pose(), input));
-    Ok(ekf.predict(&Unicycle, u, &v)?)
-}
-
-/// Corrects the estimate by a sighting within the gate; beyond it the estimate stays.
-fn update<X: Scalable<N>, S: MeasurementModel<X, N, M>, const N: usize, const M: usize>(
-    ekf: &mut Ekf<X, N>,
-    model: &S,
-    landmark: usize,
-    y: &SVector<f64, M>,
-    w: &SMatrix<f64, M, M>,
-    gate: f64,
-) -> Result<Judged, Error> {
-    let mut corrected = *ekf;
-    let update = corrected.update(model, y, landmark, w)?;
-    // A distance too large for a number is beyond every gate; without a gate it cannot be taken.
-    let d2 = match update.d2 {
-        Some(d2) => d2,
-        None if gate.is_finite() => f64::INFINITY,
-        None => return Err(Error::new(Code::NotFinite, "range", "is too large: its squared distance overflows")),
-    };
-    let used = d2 <= gate;
-    if used {
-        *ekf = corrected;
-    }
-    let (innovation, variance) = (update.innovation[0], update.s[(0, 0)]);
-    Ok(Judged { used, innovation, variance, d2, outputs: M as u32 })
+    let v = of_pose(&Unicycle::process_covariance(&localizer.filter.x.pose(), input));
+    localizer.predict(u, &v)
 }

@@ -12,9 +12,9 @@ pub enum SensorKind {
     Range,
 }
 
-/// One reading.
+/// One reading of a caller without types.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
+pub struct LandmarkReading {
     /// Metres, not negative.
     pub range: f64,
     /// Radians, from the landmark; any finite angle, taken on the circle. A range sensor has none.
@@ -29,7 +29,7 @@ pub struct Logged {
     /// [Δs, Δθ], metres and radians.
     pub u: [f64; 2],
     /// The reading after the motion.
-    pub reading: Reading,
+    pub reading: LandmarkReading,
 }
 
 /// What became of a reading.

@@ -15,9 +15,9 @@ fn both(gate: Option<f64>) -> EkfLocalizer {
     EkfLocalizer::new(belief(), map(), w, gate, SensorKind::RangeBearing).expect("sound")
 }
 
-fn reading(landmark: Option<u32>) -> Reading {
+fn reading(landmark: Option<u32>) -> LandmarkReading {
     let (dx, dy) = (1.6 - 0.0, 2.1 - 6.0);
-    Reading { range: numerics::hypot(dx, dy), bearing: Some(libm::atan2(dy, dx) - 0.35), landmark }
+    LandmarkReading { range: numerics::hypot(dx, dy), bearing: Some(libm::atan2(dy, dx) - 0.35), landmark }
 }
 
 #[test]
@@ -35,7 +35,7 @@ fn the_gate_holds_in_both_cases() {
     let mut ekf = both(Some(9.21));
     let answer = ekf.update(reading(Some(3))).expect("pd");
     assert!(!answer.accepted && answer.chi2 > 9.21);
-    let odd = Reading { range: 0.5, bearing: Some(2.0), landmark: None };
+    let odd = LandmarkReading { range: 0.5, bearing: Some(2.0), landmark: None };
     assert!(!ekf.update(odd).expect("pd").accepted);
     assert_eq!(ekf, both(Some(9.21)));
     assert!(both(None).update(reading(Some(3))).expect("pd").accepted);
@@ -78,10 +78,10 @@ fn a_range_sensor_refuses_a_bearing() {
     assert_eq!((ekf.sensor(), both(None).sensor()), (SensorKind::Range, SensorKind::RangeBearing));
     let refused = ekf.update(reading(Some(8))).expect_err("a bearing");
     assert_eq!((refused.code, refused.argument.as_ref()), (Code::Type, "bearing"));
-    let answer = ekf.update(Reading { bearing: None, ..reading(Some(8)) }).expect("pd");
+    let answer = ekf.update(LandmarkReading { bearing: None, ..reading(Some(8)) }).expect("pd");
     assert_eq!((answer.innovation.len(), answer.s.shape()), (1, (1, 1)));
     assert_eq!(new(dmatrix![0.01, 0.0; 0.0, 0.01]).expect_err("2 × 2").code, Code::Shape);
-    let refused = both(None).update(Reading { bearing: None, ..reading(None) }).expect_err("no bearing");
+    let refused = both(None).update(LandmarkReading { bearing: None, ..reading(None) }).expect_err("no bearing");
     assert_eq!((refused.code, refused.argument.as_ref()), (Code::Type, "bearing"));
 }
 
@@ -105,11 +105,11 @@ fn the_culprit_is_named_and_nothing_changes() {
     assert_eq!(new(small, map(), w, None), (Code::Shape, "belief.x".into()));
 
     let mut ekf = both(None);
-    let mut update = |r: Reading| blame(ekf.update(r).expect_err("refused"));
-    assert_eq!(update(Reading { range: -0.1, ..reading(None) }), (Code::Limit, "range".into()));
-    assert_eq!(update(Reading { range: f64::NAN, ..reading(None) }), (Code::NotFinite, "range".into()));
-    assert_eq!(update(Reading { range: 1e308, ..reading(None) }), (Code::NotFinite, "range".into()));
-    assert_eq!(update(Reading { range: 1e308, ..reading(Some(8)) }), (Code::NotFinite, "range".into()));
+    let mut update = |r: LandmarkReading| blame(ekf.update(r).expect_err("refused"));
+    assert_eq!(update(LandmarkReading { range: -0.1, ..reading(None) }), (Code::Limit, "range".into()));
+    assert_eq!(update(LandmarkReading { range: f64::NAN, ..reading(None) }), (Code::NotFinite, "range".into()));
+    assert_eq!(update(LandmarkReading { range: 1e308, ..reading(None) }), (Code::NotFinite, "range".into()));
+    assert_eq!(update(LandmarkReading { range: 1e308, ..reading(Some(8)) }), (Code::NotFinite, "range".into()));
     assert_eq!(update(reading(Some(4))), (Code::Index, "landmark".into()));
     let predict = |ekf: &mut EkfLocalizer, u, v| blame(ekf.predict(u, v).expect_err("refused"));
     assert_eq!(predict(&mut ekf, dvector![1.0], DMatrix::zeros(3, 3)), (Code::Shape, "u".into()));

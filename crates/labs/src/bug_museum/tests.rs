@@ -2,7 +2,7 @@ use super::*;
 use crate::true_path::{sensor_covariance, squares};
 use estimate::kf::Gaussian;
 use estimate::landmarks::RangeBearing;
-use estimate::{ChosetEkf, Unicycle};
+use estimate::{Localizer, Unicycle};
 use filters::MeasurementModel;
 use filters::consistency::nis;
 use geom::Ellipse;
@@ -19,7 +19,7 @@ fn with(bug: Bug) -> MuseumParams {
 #[test]
 fn without_a_bug_the_filter_has_the_bits_of_the_core_s_ekf() {
     let mut lab = at(MuseumParams::default(), 0);
-    let mut ekf = ChosetEkf::new(&Gaussian { x: lab.filter.x, p: squares(BUG_MUSEUM.p0_sigma) });
+    let mut ekf = Localizer::new(&Gaussian { x: lab.filter.x, p: squares(BUG_MUSEUM.p0_sigma) });
     let input = Matrix2::from_diagonal(&Vector2::from(BUG_MUSEUM.u_sigma.map(|s| s * s)));
     let (model, w) = (RangeBearing { map: &BUG_MUSEUM.landmarks }, sensor_covariance(&BUG_MUSEUM.sensor));
     let mut used = 0;

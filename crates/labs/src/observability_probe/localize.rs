@@ -7,7 +7,7 @@ use estimate::Landmark;
 use estimate::kf::Gaussian;
 use estimate::landmarks::{RangeBearing, RangeOnly, candidate};
 use estimate::localizer::SensorKind;
-use estimate::{ChosetEkf, Error, Sighting};
+use estimate::{Error, Sighting};
 use filters::MeasurementModel;
 use filters::association::Rule;
 use geom::SE2;
@@ -20,7 +20,7 @@ use std::sync::Arc;
 /// A localizer and the landmarks it knows.
 #[derive(Clone, Debug)]
 pub(super) struct Localizer {
-    pub ekf: ChosetEkf,
+    pub ekf: estimate::Localizer,
     landmarks: Arc<[Landmark]>,
     sight: SensorKind,
 }
@@ -33,7 +33,7 @@ impl Localizer {
     pub fn new(truth: SE2, landmarks: Arc<[Landmark]>, sight: SensorKind, noise: &mut Noise) -> Self {
         let off = drawn(PROBE.p0_sigma, noise);
         let belief = Gaussian { x: truth.boxplus(&off).to_vector(), p: squares(PROBE.p0_sigma) };
-        Self { ekf: ChosetEkf::new(&belief), landmarks, sight }
+        Self { ekf: estimate::Localizer::new(&belief), landmarks, sight }
     }
 
     /// The robot has driven `tick` and stands at `truth`. `sightings` is filled anew with what became of its sightings.
@@ -50,7 +50,7 @@ impl Localizer {
         let (off, v) = if moving { (off, squares(PROBE.v_sigma)) } else { (Vector3::zeros(), Matrix3::zeros()) };
         self.ekf.predict(&Vector2::new(tick.ds, tick.dtheta), &v)?;
         let Gaussian { x, p } = self.ekf.belief();
-        self.ekf = ChosetEkf::new(&Gaussian { x: SE2::from_vector(&x).boxplus(&off).to_vector(), p });
+        self.ekf = estimate::Localizer::new(&Gaussian { x: SE2::from_vector(&x).boxplus(&off).to_vector(), p });
 
         let map = Arc::clone(&self.landmarks);
         let readings = map.iter().map(|landmark| {
@@ -76,7 +76,7 @@ impl Localizer {
         w: &SMatrix<f64, M, M>,
         sightings: &mut Vec<ProbeSighting>,
     ) -> Evidence {
-        let belief = self.ekf.belief();
+        let belief = self.ekf.filter;
         let mut stack = Vec::new();
         sightings.clear();
         for (j, (landmark, z)) in readings.enumerate() {

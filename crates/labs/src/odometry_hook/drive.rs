@@ -5,7 +5,7 @@ use super::frame::{CornerSighting, LastSighting, Quality, Spread, WheelBelief};
 use super::learning::Learning;
 use estimate::kf::Gaussian;
 use estimate::landmarks::RangeBearing;
-use estimate::{ChosetEkf, Code, Error, Sighting, Unicycle, odometry_delta, slip_covariance};
+use estimate::{Code, Error, Localizer, Sighting, Unicycle, odometry_delta, slip_covariance};
 use geom::{SE2, angle_diff};
 use lab::Params;
 use nalgebra::{Matrix2, Matrix3, U3, Vector2};
@@ -15,7 +15,7 @@ use sim::{Apartment, Noise, Rusty};
 /// The filter, with or without the wheel's bias in its state.
 #[derive(Clone, Debug)]
 enum Filter {
-    Pose(ChosetEkf),
+    Pose(Localizer),
     Learning(Box<Learning>),
 }
 
@@ -75,7 +75,7 @@ impl Drive {
             filter: if params.learn {
                 Filter::Learning(Box::new(Learning::new(start)))
             } else {
-                Filter::Pose(ChosetEkf::new(&belief))
+                Filter::Pose(Localizer::new(&belief))
             },
             predicted: belief,
             u: None,
