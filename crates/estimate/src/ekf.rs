@@ -17,8 +17,8 @@ pub struct Sighting<const M: usize> {
     pub y: SVector<f64, M>,
 }
 
-/// A unicycle's belief about its pose, changed by odometry and sightings. The state may hold more than the pose `[x, y, θ]`, as
-/// [`PoseAndScale`](crate::drive::PoseAndScale) does.
+/// A unicycle's belief about its pose, changed by odometry and readings. The state may hold more than the pose [x, y, θ],
+/// as [`PoseAndScale`](crate::drive::PoseAndScale) does.
 ///
 /// # Example
 /// ```

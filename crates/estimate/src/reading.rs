@@ -1,4 +1,4 @@
-//! What a robot reads of its surroundings, and how one reading corrects the belief.
+//! What a robot reads of its surroundings, and how one reading corrects the belief, in Choset's letters.
 
 use crate::drive::{Scalable, Scaled};
 use crate::ekf::Localizer;
@@ -11,6 +11,19 @@ use geom::{angle_diff, wrap};
 use nalgebra::{Matrix1, Matrix2, SMatrix, SVector, Vector1, Vector2};
 
 /// A reading with its noise covariance W, each kind of sensor a variant.
+///
+/// # Example
+/// ```
+/// use estimate::nalgebra::{Matrix3, Vector3};
+/// use estimate::{Landmark, Localizer, Reading, Setup, kf::Gaussian};
+/// let mut robot = Localizer::new(&Gaussian { x: Vector3::zeros(), p: Matrix3::identity() * 0.03 });
+/// let map = [Landmark { id: 7, x: 3.0, y: 0.0 }];
+/// let setup = Setup { map: &map, scale: None, offset: 0.0, gate: Some(6.63) };
+/// robot.correct(&Reading::Heading { theta: 0.1, w: 0.01 }, &setup)?;
+/// robot.correct(&Reading::Range { landmark: Some(0), range: 2.9, w: 0.01 }, &setup)?;
+/// assert!((robot.pose().theta() - 0.075).abs() < 1e-12 && (robot.pose().x() - 0.075).abs() < 1e-12);
+/// # Ok::<(), estimate::Error>(())
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Reading {
     /// The distance to a landmark.
@@ -90,11 +103,12 @@ impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 1> for Compass {
 }
 
 impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
-    /// Corrects the belief with a reading within the gate; one beyond it leaves the belief alone, whether its landmark was
-    /// named or found.
+    /// Corrects the belief with a reading within the gate; one beyond it leaves the belief alone, whether its landmark
+    /// was named or found.
     ///
     /// # Errors
-    /// As [`Localizer::update`], and [`crate::Code::Index`] where a landmark is to be found on an empty map; the belief is then as it was.
+    /// As [`Localizer::update`], and [`crate::Code::Index`] where a landmark is to be found on an empty map; the belief
+    /// is then as it was.
     #[inline(always)]
     pub fn correct(&mut self, reading: &Reading, setup: &Setup<'_>) -> Result<Corrected, Error> {
         let Setup { map, scale, offset, gate } = *setup;
@@ -102,8 +116,8 @@ impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
             Reading::Range { landmark, range, w } => {
                 let model = Scaled { sensor: RangeOnly { map }, scale, offset };
                 let (y, w) = (Vector1::new(range), Matrix1::new(w));
-                let j =
-                    self.seen(landmark, &model, &y, &w, Among { landmarks: map.len(), rule: Rule::ChiSquared, gate })?;
+                let among = Among { landmarks: map.len(), rule: Rule::ChiSquared, gate };
+                let j = self.seen(landmark, &model, &y, &w, among)?;
                 self.within(gate, &model, Some(j), &y, &w)
             }
             Reading::RangeBearing { landmark, range, bearing, w } => {
