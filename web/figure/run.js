@@ -1,16 +1,18 @@
 /**
  * The run that a figure shows: its lab, and the parameters and the step that the reader has asked for.
  *
- * A lab is a function of parameters, seed and step. So a change of parameters starts a second lab at step 0 and runs it to
- * the same step. A short replay is over within the turn that began it. A long one is spread over many turns, so that the
- * page stays responsive; the first lab stays on the screen until the second has arrived. `run(a)` and then `run(b)` gives
- * the same bits as `run(a + b)`.
+ * A lab is a function of parameters, seed and step. So a change of parameters starts a second lab at step 0 and runs it
+ * to the same step. A short replay is over within the turn that began it. A long one is spread over many turns, so that
+ * the page stays responsive; the first lab stays on the screen until the second has arrived. `run(a)` and then `run(b)`
+ * gives the same bits as `run(a + b)`.
  */
 
 import { LAST_STEP } from './state-in-url.js'
 import { Pace } from './time-slices.js'
 
-/** How long the lab may work in one turn, milliseconds: half of it would leave most of the time between frames unused. */
+/**
+ * How long the lab may work in one turn, milliseconds: half of it would leave most of the time between frames unused.
+ */
 export const TURN_MS = 24
 /** A replay that needs no longer than this, milliseconds, is finished before the next change begins. */
 const NEARLY_DONE_MS = 150
@@ -20,7 +22,10 @@ const MOST_STEPS = 64
 const STILL_MS = 500
 
 /** @typedef {import('./state-in-url.js').State} State */
-/** @typedef {{ lab: any, params: Record<string, unknown>, step: number, of: number, spent: number, moved: 'replay' | 'reset', onRefusal?: string }} Replay */
+/**
+ * @typedef {{ lab: any, params: Record<string, unknown>, step: number, of: number, spent: number, moved: 'replay' |
+ * 'reset', onRefusal?: string }} Replay
+ */
 /**
  * @typedef {object} Outcome of one turn
  * @property {'nothing' | 'steps' | 'replay' | 'reset'} moved
@@ -232,7 +237,13 @@ export class Run {
     return { moved: replay.moved }
   }
 
-  /** @param {number} now @param {number} elapsed @param {boolean} calm @param {number} budget @returns {{ moved: Outcome['moved'], ended: boolean }} */
+  /**
+   * @param {number} now
+   * @param {number} elapsed
+   * @param {boolean} calm
+   * @param {number} budget
+   * @returns {{ moved: Outcome['moved'], ended: boolean }}
+   */
   takeSteps(now, elapsed, calm, budget) {
     const before = this.step
     const end = Math.max(

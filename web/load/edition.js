@@ -1,6 +1,6 @@
 /**
- * A page that was open while a new edition of the book was published. Names of files carry a hash of their content: what the
- * page has not fetched yet is no longer on the server, and trying again never helps. Reloading does.
+ * A page that was open while a new edition of the book was published. Names of files carry a hash of their content:
+ * what the page has not fetched yet is no longer on the server, and trying again never helps. Reloading does.
  */
 
 import { button } from '../draw/dom.js'
@@ -8,7 +8,10 @@ import { withState } from '../figure/state-in-url.js'
 
 const PATIENCE_MS = 5000
 
-/** Whether the server no longer has the script that this page was written with. A server that does not answer says nothing. */
+/**
+ * Whether the server no longer has the script that this page was written with. A server that does not answer says
+ * nothing.
+ */
 export async function isReplaced() {
   const script = /** @type {HTMLScriptElement | null} */ (document.querySelector('script[type="module"][src]'))
   if (!script) return false

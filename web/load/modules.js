@@ -6,7 +6,10 @@ import { inTime } from './timeouts.js'
 
 /** @typedef {import('./loader.js').Loaded<any>} Loaded */
 
-/** @param {string} build @returns {Promise<Loaded>} never throws: a failure is an answer, and the next call tries again */
+/**
+ * @param {string} build
+ * @returns {Promise<Loaded>} never throws: a failure is an answer, and the next call tries again
+ */
 export async function loadBuild(build) {
   try {
     const { load } = await inTime(BUILDS[build]())

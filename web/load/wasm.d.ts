@@ -1,5 +1,8 @@
 declare module 'module-builds' {
-  /** Each build of the module, whole or with the labs of some figures: its script, which fetches it. The list's first is at hand. */
+  /**
+   * Each build of the module, whole or with the labs of some figures: its script, which fetches it. The list's first is
+   * at hand.
+   */
   export const BUILDS: Record<
     string,
     () => Promise<{ load: () => Promise<import('./loader.js').Loaded<typeof import('estimate-wasm')>> }>

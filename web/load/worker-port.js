@@ -1,4 +1,7 @@
-/** Starts a worker, or, where a page may start none (a frame without an origin of its own), the same code in the page itself. */
+/**
+ * Starts a worker, or, where a page may start none (a frame without an origin of its own), the same code in the page
+ * itself.
+ */
 
 import { PATIENCE_MS } from './timeouts.js'
 
@@ -6,7 +9,8 @@ import { PATIENCE_MS } from './timeouts.js'
 
 /**
  * @param {string} address of the worker's script, beside this one
- * @param {() => Promise<(port: Port) => void>} inPage fetches what serves a port in the page, which computes in chunks as a worker does
+ * @param {() => Promise<(port: Port) => void>} inPage fetches what serves a port in the page, which computes in chunks
+ * as a worker does
  * @returns {Promise<Port>}
  */
 export async function openPort(address, inPage) {

@@ -1,11 +1,15 @@
-/** Connects what computes beside the page with whoever sends the messages: a worker's page, or a page that may not start a worker. */
+/**
+ * Connects what computes beside the page with whoever sends the messages: a worker's page, or a page that may not start
+ * a worker.
+ */
 
 /** @typedef {{ take: (message: any) => void }} Server */
 
 /**
  * @param {import('./worker-port.js').Port} port
  * @param {() => Promise<import('./loader.js').Loaded<any>>} load fetches the module
- * @param {(module: any, tell: (message: any) => void, soon: (act: () => void) => void) => Server} make makes the server; `soon` calls
+ * @param {(module: any, tell: (message: any) => void, soon: (act: () => void) => void) => Server} make makes the
+ * server; `soon` calls
  *   back once waiting messages have been read
  */
 export function attend(port, load, make) {

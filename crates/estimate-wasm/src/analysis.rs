@@ -12,9 +12,9 @@ use wasm_bindgen::prelude::*;
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("analysis.d.ts");
 
-/// Whether (F, H) is observable, and whether it is detectable: what is unseen dies out by itself. The tolerance, 1e-9 when left out, says
-/// how well the numbers are known, each in units that fit it; an eigenvalue of modulus 1 − tolerance or more does not decay. At most 16
-/// states and 8 outputs.
+/// Whether (F, H) is observable, and whether it is detectable: what is unseen dies out by itself. The tolerance, 1e-9
+/// when left out, says how well the numbers are known, each in units that fit it; an eigenvalue of modulus 1 −
+/// tolerance or more does not decay. At most 16 states and 8 outputs.
 #[wasm_bindgen(unchecked_return_type = "Detectability")]
 pub fn detectability(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
@@ -31,8 +31,8 @@ pub fn detectability(
     ]))
 }
 
-/// Whether the input matrix `B` reaches every direction of the state, and whether what it does not reach dies out by itself. At most 16
-/// states and 16 inputs; the tolerance is as in `detectability`.
+/// Whether the input matrix `B` reaches every direction of the state, and whether what it does not reach dies out by
+/// itself. At most 16 states and 16 inputs; the tolerance is as in `detectability`.
 #[wasm_bindgen(unchecked_return_type = "Reachability")]
 pub fn stabilizability(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
@@ -63,8 +63,9 @@ pub fn riccati_limit(
     Ok(shown(&dynamic::riccati_limit(&system_of(system)?, tolerance_of(tolerance)?)?))
 }
 
-/// The gain K that moves those eigenvalues of (I − KH)F that a gain can move to `poles`, for one output or several, and the eigenvalues
-/// that stay where they are. With several outputs K is the smallest gain of those tried. At most 16 states and 8 outputs.
+/// The gain K that moves those eigenvalues of (I − KH)F that a gain can move to `poles`, for one output or several, and
+/// the eigenvalues that stay where they are. With several outputs K is the smallest gain of those tried. At most 16
+/// states and 8 outputs.
 #[wasm_bindgen(js_name = placeMovable, unchecked_return_type = "Placement")]
 pub fn place_movable(
     #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,

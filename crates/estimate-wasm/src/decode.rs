@@ -180,7 +180,8 @@ impl<'a> Arg<'a> {
         Ok(())
     }
 
-    /// The field `name` of an object; undefined when there is none. It is read once, since reading may run a caller's code.
+    /// The field `name` of an object; undefined when there is none. It is read once, since reading may run a caller's
+    /// code.
     #[inline(never)]
     pub fn field(&self, name: &'static str) -> Result<Arg<'_>, Error> {
         self.object()?;
@@ -188,7 +189,8 @@ impl<'a> Arg<'a> {
         let name = crate::names::name(name);
         let read = || match get(&self.value, name)? {
             Some(value) => Ok(value),
-            // Null or undefined: the description of a field tells which. That of a getter does not, and counts as undefined.
+            // Null or undefined: the description of a field tells which. That of a getter does not, and counts as
+            // undefined.
             None => descriptor(&self.value, name)?
                 .map_or(Ok(JsValue::UNDEFINED), |it| js_sys::Reflect::get(&it, self::name("value"))),
         };

@@ -72,10 +72,10 @@ impl EkfLocalizer {
         self.write(|ekf| ekf.update(reading).map_err(blame)).map(|answer| shown(&answer))
     }
 
-    /// Predicts and corrects once for each step of a log of at most 1 000 000 steps, in one call where thousands would cross
-    /// over one by one. A step is [Δs, Δθ, range, bearing] in `log` (without the bearing for a range sensor) and the id of
-    /// its landmark in `landmarks`; `V` is that of `predict`. The answer holds the pose [x, y, θ] after each step. A step
-    /// that is refused refuses the log: the belief is then what it was before.
+    /// Predicts and corrects once for each step of a log of at most 1 000 000 steps, in one call where thousands would
+    /// cross over one by one. A step is [Δs, Δθ, range, bearing] in `log` (without the bearing for a range sensor) and
+    /// the id of its landmark in `landmarks`; `V` is that of `predict`. The answer holds the pose [x, y, θ] after each
+    /// step. A step that is refused refuses the log: the belief is then what it was before.
     pub fn replay(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Float64Array")] log: &JsValue,

@@ -163,8 +163,8 @@ fn copy(shape: &Shape, from: &mut std::slice::Iter<'_, f64>, to: &mut Vec<f64>) 
     }
 }
 
-/// What the class of a lab can do. Its TypeScript is written from the lab's declarations, where `$world` is the type of what it stands
-/// on; such a lab has its constructor where its world is.
+/// What the class of a lab can do. Its TypeScript is written from the lab's declarations, where `$world` is the type of
+/// what it stands on; such a lab has its constructor where its world is.
 #[allow(unused_macros)]
 macro_rules! lab_class {
     ($name:ident $($world:ident)?) => {

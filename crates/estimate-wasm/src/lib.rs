@@ -1,17 +1,17 @@
 //! The JavaScript face of the estimate core.
 //!
 //! Plain values in, plain values out: a matrix is an array of rows, a vector an array of numbers, a complex number
-//! `{ re, im }`. Every export decodes its arguments strictly (nothing is coerced), calls the core, and encodes the answer;
-//! there is no arithmetic here. What cannot be answered is thrown as an `Error` named `EstimateError` with a `code`, the
-//! `argument` to blame and a `message`; every object is then as it was, and the module goes on working.
+//! `{ re, im }`. Every export decodes its arguments strictly (nothing is coerced), calls the core, and encodes the
+//! answer; there is no arithmetic here. What cannot be answered is thrown as an `Error` named `EstimateError` with a
+//! `code`, the `argument` to blame and a `message`; every object is then as it was, and the module goes on working.
 //!
 //! One mistake does not come this far: a method called after `free()`, or on what is no object of the module, throws
 //! wasm-bindgen's own error, which has no `code`.
 //!
 //! Nor does a call that the engine ends for want of stack: the types say at `EstimateError` what to do then.
 //!
-//! A matrix has at most 16 rows and 16 columns, any other array at most 10 000 entries; a call that accepts fewer, and a
-//! typed array, say so where they stand.
+//! A matrix has at most 16 rows and 16 columns, any other array at most 10 000 entries; a call that accepts fewer, and
+//! a typed array, say so where they stand.
 
 #[cfg(feature = "functions")]
 mod analysis;
@@ -60,8 +60,8 @@ static ALLOCATOR: rlsf::GlobalTlsf = rlsf::GlobalTlsf::new();
 /// No input can make the core panic; should a defect do so all the same, the console says where before the trap.
 #[wasm_bindgen(start)]
 pub fn start() {
-    // The table that JavaScript values are kept in grows at the first of them. Were that deep in a recursion of the caller's,
-    // without stack left, the module would be of no use afterwards.
+    // The table that JavaScript values are kept in grows at the first of them. Were that deep in a recursion of the
+    // caller's, without stack left, the module would be of no use afterwards.
     drop(JsValue::from_str("module"));
     std::panic::set_hook(Box::new(|info| web_sys::console::error_1(&info.to_string().into())));
 }

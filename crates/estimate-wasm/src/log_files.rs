@@ -31,8 +31,8 @@ export interface LogFile {
 }
 "#;
 
-/// The files of one log. A file that is added is guessed to be in the book's own format, or a table whose columns have names: the
-/// five files of a UTIAS MRCLAM data set are such tables.
+/// The files of one log. A file that is added is guessed to be in the book's own format, or a table whose columns have
+/// names: the five files of a UTIAS MRCLAM data set are such tables.
 #[wasm_bindgen]
 #[repr(transparent)]
 pub struct LogFiles(Held);

@@ -10,8 +10,9 @@ use labs::LogTableKind;
 use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
-/// A log's replay that is written as CSV while it goes on: `"track"` has the estimate at each row of motion, `"innovations"` what the
-/// filter made of each sighting. Lengths are in metres, times in seconds by the log's own clock, angles in radians.
+/// A log's replay that is written as CSV while it goes on: `"track"` has the estimate at each row of motion,
+/// `"innovations"` what the filter made of each sighting. Lengths are in metres, times in seconds by the log's own
+/// clock, angles in radians.
 #[wasm_bindgen]
 #[repr(transparent)]
 pub struct LogTable(Held);
@@ -35,7 +36,8 @@ impl LogTable {
         Ok(Self(Held::new(TABLE, table.map_err(|e| e.within("params"))?)))
     }
 
-    /// What the next `n` rows of the log add to the table, before the first of them its header; undefined behind the last.
+    /// What the next `n` rows of the log add to the table, before the first of them its header; undefined behind the
+    /// last.
     pub fn next(&self, #[wasm_bindgen(unchecked_param_type = "number")] n: &JsValue) -> Result<Option<String>, Thrown> {
         self.0.is(TABLE)?;
         let n = Arg::new(n, "n").whole(1, labs::RobotLog::LAST_STEP)?;

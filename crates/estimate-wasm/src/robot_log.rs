@@ -36,8 +36,8 @@ export interface LogContents {
     notes: string[];
 }
 /**
- * Why a text is no log: an EstimateError with the code "log", and where the fault is; `file` counts from 0, the others from 1. `line`
- * and `column` are 0 where the fault is of all files together: no file has the robot's motion.
+ * Why a text is no log: an EstimateError with the code "log", and where the fault is; `file` counts from 0, the others
+ * from 1. `line` and `column` are 0 where the fault is of all files together: no file has the robot's motion.
  */
 export interface LogError extends EstimateError { code: "log"; argument: "text"; file: number; line: number; column: number }
 export namespace RobotLog {

@@ -1,7 +1,8 @@
 //! Units in which the numbers of a system are of one size (Osborne 1960; Parlett and Reinsch 1969).
 //!
-//! Whether a system is observable does not depend on the units of its states and outputs, but the size of a matrix does, and with it
-//! what counts as small. Before a question is asked of (F, C), each state and each output therefore gets units of its own.
+//! Whether a system is observable does not depend on the units of its states and outputs, but the size of a matrix
+//! does, and with it what counts as small. Before a question is asked of (F, C), each state and each output therefore
+//! gets units of its own.
 
 use nalgebra::{DMatrix, DVector};
 use numerics::power_of_two;
@@ -42,8 +43,8 @@ impl Balanced {
     }
 }
 
-/// Evens out what each state receives (its row of F) and what it gives (its column of F and of `c`). A state that only receives, or only
-/// gives, gets the units in which that is 1.
+/// Evens out what each state receives (its row of F) and what it gives (its column of F and of `c`). A state that only
+/// receives, or only gives, gets the units in which that is 1.
 pub(crate) fn balanced(f: &DMatrix<f64>, c: &DMatrix<f64>) -> Balanced {
     let n = f.nrows();
     let mut to = Balanced::given(f, c);

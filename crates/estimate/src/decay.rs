@@ -1,8 +1,9 @@
-//! Whether F makes every state die out: whether all its eigenvalues lie inside the unit circle, as far as its numbers tell.
+//! Whether F makes every state die out: whether all its eigenvalues lie inside the unit circle, as far as its numbers
+//! tell.
 //!
-//! An eigenvalue that occurs several times is known much worse than the numbers of the matrix: of two, only half the digits are left.
-//! So the verdict rests on what is known well: on the distance from F to the nearest matrix with an eigenvalue on the circle, and on the
-//! mean of eigenvalues that lie together.
+//! An eigenvalue that occurs several times is known much worse than the numbers of the matrix: of two, only half the
+//! digits are left. So the verdict rests on what is known well: on the distance from F to the nearest matrix with an
+//! eigenvalue on the circle, and on the mean of eigenvalues that lie together.
 
 use crate::balance::balanced;
 use crate::error::Error;
@@ -44,8 +45,8 @@ pub(crate) fn decays(f: &DMatrix<f64>, tolerance: f64) -> Result<Verdict, Error>
     Ok(if near { Verdict::Undecided } else { Verdict::Yes })
 }
 
-/// Whether an eigenvalue outside the `limit` may be one of several that are in truth equal and inside: rounding of size `noise` takes m
-/// equal ones apart by about its m-th root, and leaves their mean where it is.
+/// Whether an eigenvalue outside the `limit` may be one of several that are in truth equal and inside: rounding of size
+/// `noise` takes m equal ones apart by about its m-th root, and leaves their mean where it is.
 fn may_be_inside(eigenvalue: &Complex<f64>, all: &[Complex<f64>], limit: f64, noise: f64) -> bool {
     let distance = |other: &Complex<f64>| modulus(&(other - eigenvalue));
     let mut nearest = all.to_vec();
@@ -56,11 +57,12 @@ fn may_be_inside(eigenvalue: &Complex<f64>, all: &[Complex<f64>], limit: f64, no
     })
 }
 
-/// Whether a matrix within `distance` of `f`, all of whose `eigenvalues` lie inside the circle of this radius, has one on it: whether the
-/// least singular value of F − zI gets as small as that on the circle.
+/// Whether a matrix within `distance` of `f`, all of whose `eigenvalues` lie inside the circle of this radius, has one
+/// on it: whether the least singular value of F − zI gets as small as that on the circle.
 ///
-/// A stretch of the circle is left when one of two bounds says that it does not. From one place to another that singular value changes by no
-/// more than the way between them. And the product of all n is |det(F − zI)|, while none is larger than the norm of F − zI.
+/// A stretch of the circle is left when one of two bounds says that it does not. From one place to another that
+/// singular value changes by no more than the way between them. And the product of all n is |det(F − zI)|, while none
+/// is larger than the norm of F − zI.
 fn comes_near(
     f: &DMatrix<f64>,
     eigenvalues: &[Complex<f64>],

@@ -1,8 +1,8 @@
-//! What the outputs see, and whether what they do not see dies out by itself: observability and detectability (Anderson and Moore,
-//! Optimal Filtering, appendix C).
+//! What the outputs see, and whether what they do not see dies out by itself: observability and detectability (Anderson
+//! and Moore, Optimal Filtering, appendix C).
 //!
-//! The tolerance says how well the numbers of a system are known. A verdict is given twice, with what is smaller than the tolerance
-//! counted and not counted; where the two differ, the verdict is that the tolerance does not decide.
+//! The tolerance says how well the numbers of a system are known. A verdict is given twice, with what is smaller than
+//! the tolerance counted and not counted; where the two differ, the verdict is that the tolerance does not decide.
 
 use crate::balance::{Balanced, balanced};
 use crate::decay::{decays, rounding};
@@ -24,15 +24,16 @@ pub struct Detectability {
     pub observable: Verdict,
     /// Whether every direction that is not seen dies out by itself.
     pub detectable: Verdict,
-    /// An orthonormal basis of the directions that count as unseen: those that the outputs see less of than the tolerance.
+    /// An orthonormal basis of the directions that count as unseen: those that the outputs see less of than the
+    /// tolerance.
     pub unseen: Vec<DVector<f64>>,
     /// The eigenvalues of F along them, by decreasing modulus. No gain moves them.
     pub modes: Vec<Complex<f64>>,
 }
 
-/// Whether (`f`, `c`), n×n and p×n and finite, is observable, and whether it is detectable: each state and each output is given a
-/// unit that fits it, so that the caller need not choose fitting units. If the staircase sees more in the caller's units, the answer is
-/// taken in these.
+/// Whether (`f`, `c`), n×n and p×n and finite, is observable, and whether it is detectable: each state and each output
+/// is given a unit that fits it, so that the caller need not choose fitting units. If the staircase sees more in the
+/// caller's units, the answer is taken in these.
 ///
 /// An eigenvalue of an unseen direction decays when its modulus is below 1 − `tolerance`.
 ///
@@ -70,7 +71,8 @@ pub(crate) fn detectability(f: &DMatrix<f64>, c: &DMatrix<f64>, tolerance: f64) 
     })
 }
 
-/// F with zeros where its numbers are no larger than the rounding of those beside them; `None` where there is no such number.
+/// F with zeros where its numbers are no larger than the rounding of those beside them; `None` where there is no such
+/// number.
 fn without_rounding(f: &DMatrix<f64>) -> Option<DMatrix<f64>> {
     let doubtful = |i: usize, j: usize| {
         let beside = sqrt(f.row(i).amax()) * sqrt(f.column(j).amax());

@@ -1,8 +1,8 @@
 //! A drive as it was logged, and its replay: the localizer of §8.3 over motion and sightings at any time.
 //!
-//! Beyond [`Localizer`](crate::Localizer), which takes its process noise V in the state, a replay takes the noise of the *input*
-//! and carries it through the input's Jacobian (V = B M Bᵀ), and its ranges may be scaled and offset: a radio that reads 7 % long
-//! says y = 1.07 ρ. The scale is given, or it is a fourth state that the filter learns.
+//! Beyond [`Localizer`](crate::Localizer), which takes its process noise V in the state, a replay takes the noise of
+//! the *input* and carries it through the input's Jacobian (V = B M Bᵀ), and its ranges may be scaled and offset: a
+//! radio that reads 7 % long says y = 1.07 ρ. The scale is given, or it is a fourth state that the filter learns.
 
 mod line;
 mod model;

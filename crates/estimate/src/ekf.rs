@@ -17,8 +17,8 @@ pub struct Sighting<const M: usize> {
     pub y: SVector<f64, M>,
 }
 
-/// A unicycle's belief about its pose, changed by odometry and readings. The state may hold more than the pose [x, y, θ],
-/// as [`PoseAndScale`](crate::drive::PoseAndScale) does.
+/// A unicycle's belief about its pose, changed by odometry and readings. The state may hold more than the pose [x, y,
+/// θ], as [`PoseAndScale`](crate::drive::PoseAndScale) does.
 ///
 /// # Example
 /// ```
@@ -124,8 +124,8 @@ impl<X: State<N>, const N: usize> Localizer<X, N> {
     }
     // ANCHOR_END: stacked
 
-    /// As [`Localizer::update_stacked`], one sighting at a time, and equal to it: each later innovation is reduced by what the earlier
-    /// sightings already moved, H staying at the prediction.
+    /// As [`Localizer::update_stacked`], one sighting at a time, and equal to it: each later innovation is reduced by
+    /// what the earlier sightings already moved, H staying at the prediction.
     ///
     /// # Errors
     /// As [`Localizer::update`].

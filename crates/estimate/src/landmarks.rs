@@ -93,8 +93,8 @@ pub fn raw_bearing_row(x: &SE2, landmark: &Landmark) -> SMatrix<f64, 1, 3> {
 /// νᵢⱼ, Sᵢⱼ and χ²ᵢⱼ of the reading `y` against landmark `j` (§8.3.2).
 ///
 /// # Errors
-/// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`] or [`Code::NotFinite`]; [`Code::Limit`] when there is no
-/// landmark `j`.
+/// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`] or [`Code::NotFinite`]; [`Code::Limit`] when there is
+/// no landmark `j`.
 pub fn candidate<X: State<N>, const N: usize, const M: usize>(
     model: &impl MeasurementModel<X, N, M>,
     belief: &Ekf<X, N>,
@@ -153,8 +153,8 @@ pub struct Among {
     pub gate: Option<f64>,
 }
 
-/// The best candidate among all landmarks, and whether it is within the gate. A landmark that the estimate stands on has no
-/// bearing to compare with and is no candidate, while there is another.
+/// The best candidate among all landmarks, and whether it is within the gate. A landmark that the estimate stands on
+/// has no bearing to compare with and is no candidate, while there is another.
 ///
 /// # Errors
 /// As [`associate_ml`].

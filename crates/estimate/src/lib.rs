@@ -8,13 +8,14 @@
 //! covariances; Thrun's R and Q are covariances and his gain is K. The `filters` crate speaks Thrun; this crate
 //! translates at its boundary, and every field of [`Lti`] names its twin.
 //!
-//! - [`Lti`], [`Observer`], [`place_observer_gain`]: linear systems, the fixed-gain observer, and where its poles may go;
+//! - [`Lti`], [`Observer`], [`place_observer_gain`]: linear systems, the fixed-gain observer, and where its poles may
+//!   go;
 //! - [`kf`]: one Kalman step; [`rail`]: the rail robot of §8.2.6;
 //! - [`riccati`]: the gain as a schedule, and its limit;
 //! - [`likelihood`]: how likely a log is, and the noise under which it is likeliest;
 //! - [`observability`]: ranks, with the singular values and null directions behind them;
-//! - [`Detectability`], [`Reachability`], [`RiccatiLimit`]: whether what is unseen dies out, what noise reaches, and whether P settles, each with
-//!   a [`Verdict`] within a tolerance;
+//! - [`Detectability`], [`Reachability`], [`RiccatiLimit`]: whether what is unseen dies out, what noise reaches, and
+//!   whether P settles, each with a [`Verdict`] within a tolerance;
 //! - [`odometry_delta`], [`landmarks`], [`Localizer`]: from encoder counts to localization among known landmarks;
 //! - [`RightWheel`]: the same with the fraction by which a wheel is believed too large as a fourth state;
 //! - [`slam`]: robot and map in one state, linear and range–bearing;

@@ -1,6 +1,6 @@
-//! How likely a log is under a linear system, and the noise levels under which it is likeliest (Mehra 1970; Bar-Shalom, Li and
-//! Kirubarajan 2001, §5.4). The innovations of a Kalman filter are independent where its system is right, so that the density
-//! of a whole log is the product of theirs.
+//! How likely a log is under a linear system, and the noise levels under which it is likeliest (Mehra 1970; Bar-Shalom,
+//! Li and Kirubarajan 2001, §5.4). The innovations of a Kalman filter are independent where its system is right, so
+//! that the density of a whole log is the product of theirs.
 
 use crate::error::{Code, Error};
 use crate::kf::{Gaussian, blame, kalman_step};
@@ -12,14 +12,15 @@ use numerics::{MIN_PIVOT, Maximum, Spd, maximum};
 const LN_TWO_PI: f64 = 1.837_877_066_409_345_3;
 /// Where the search for the likeliest noise starts: the best of so many squared points, spread over the box.
 const STARTS: usize = 5;
-/// The step of the differences, in natural logarithms. The second derivatives of a log of 1000 readings are then good to five
-/// digits, which rounding takes; truncation takes less.
+/// The step of the differences, in natural logarithms. The second derivatives of a log of 1000 readings are then good
+/// to five digits, which rounding takes; truncation takes less.
 const STEP: f64 = 1e-4;
-/// The search stops where a step promises no more log-likelihood than this: within 10⁻⁵ standard deviations of the maximum.
+/// The search stops where a step promises no more log-likelihood than this: within 10⁻⁵ standard deviations of the
+/// maximum.
 const TOLERANCE: f64 = 1e-10;
 
-/// ln N(ν; 0, S) = −½ (ln det 2πS + νᵀS⁻¹ν) of an innovation ν (p) with its covariance S (p×p); nothing where S is too near
-/// to singular for eight digits of the answer (a pivot below [`MIN_PIVOT`]), or the answer too large for a number.
+/// ln N(ν; 0, S) = −½ (ln det 2πS + νᵀS⁻¹ν) of an innovation ν (p) with its covariance S (p×p); nothing where S is too
+/// near to singular for eight digits of the answer (a pivot below [`MIN_PIVOT`]), or the answer too large for a number.
 ///
 /// # Example
 /// ```
@@ -83,8 +84,9 @@ pub struct NoiseFit {
     pub w: f64,
     /// The log-likelihood with qV and wW.
     pub log_likelihood: f64,
-    /// The observed Fisher information in (ln q, ln w): minus the second derivatives of the log-likelihood, 2×2, by central
-    /// differences of 10⁻⁴. Its inverse estimates the covariance of (ln q, ln w) where neither is held and the log is long.
+    /// The observed Fisher information in (ln q, ln w): minus the second derivatives of the log-likelihood, 2×2, by
+    /// central differences of 10⁻⁴. Its inverse estimates the covariance of (ln q, ln w) where neither is held and the
+    /// log is long.
     pub information: Matrix2<f64>,
     /// Whether q and w were held by a bound: the log is likelier still beyond it.
     pub held: [bool; 2],
@@ -92,9 +94,9 @@ pub struct NoiseFit {
     pub converged: bool,
 }
 
-/// The maximum of the log-likelihood over the factors q of the system's V and w of its W, each within `bounds` (least and
-/// greatest of q, then of w). It is sought in (ln q, ln w), by Newton's method from the best of 25 starts, and ends where a
-/// step promises at most 10⁻¹⁰ more.
+/// The maximum of the log-likelihood over the factors q of the system's V and w of its W, each within `bounds` (least
+/// and greatest of q, then of w). It is sought in (ln q, ln w), by Newton's method from the best of 25 starts, and ends
+/// where a step promises at most 10⁻¹⁰ more.
 ///
 /// # Errors
 /// [`Code::Limit`] naming `log` where it is empty, or `bounds` where they are not positive, finite and rising; as

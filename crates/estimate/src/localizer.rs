@@ -1,5 +1,5 @@
-//! The EKF localizer for a caller without types: every argument checked, the culprit named, and the object as it was when
-//! a call is refused.
+//! The EKF localizer for a caller without types: every argument checked, the culprit named, and the object as it was
+//! when a call is refused.
 
 mod reading;
 
@@ -22,7 +22,8 @@ use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, SVector, Vector2};
 pub const MAX_LANDMARKS: usize = 1000;
 /// The most steps of a log that is replayed in one call.
 pub const MAX_LOG: usize = 1_000_000;
-/// The most comparisons of a reading with a landmark in one log: each reading without a landmark's id is compared with all.
+/// The most comparisons of a reading with a landmark in one log: each reading without a landmark's id is compared with
+/// all.
 pub const MAX_COMPARISONS: usize = 10_000_000;
 
 /// What the sensor reads, with its noise covariance W.
@@ -40,14 +41,12 @@ enum Sensor {
 /// use estimate::localizer::{EkfLocalizer, LandmarkReading, SensorKind};
 /// use nalgebra::{dmatrix, dvector};
 ///
-/// let belief = estimate::validate::belief(dvector![0.0, 0.0, 0.0], dmatrix![0.04, 0.0, 0.0; 0.0, 0.04, 0.0; 0.0, 0.0, 0.01])?;
-/// let map = vec![Landmark { id: 7, x: 2.0, y: 0.0 }];
-/// let w = dmatrix![0.01, 0.0; 0.0, 0.01];
-/// let mut ekf = EkfLocalizer::new(belief, map, w, Some(9.21), SensorKind::RangeBearing)?;
-/// ekf.predict(dvector![1.0, 0.0], dmatrix![0.01, 0.0, 0.0; 0.0, 0.01, 0.0; 0.0, 0.0, 0.01])?;
-/// let reading = LandmarkReading { range: 0.9, bearing: Some(std::f64::consts::PI), landmark: None };
-/// let answer = ekf.update(reading)?;
-/// assert!(answer.accepted && answer.landmark == 7);
+/// let belief = estimate::validate::belief(dvector![0.0, 0.0, 0.0], dmatrix![0.04, 0.0, 0.0; 0.0, 0.04, 0.0; 0.0, 0.0,
+/// 0.01])?; let map = vec![Landmark { id: 7, x: 2.0, y: 0.0 }]; let w = dmatrix![0.01, 0.0; 0.0, 0.01]; let mut ekf =
+/// EkfLocalizer::new(belief, map, w, Some(9.21), SensorKind::RangeBearing)?; ekf.predict(dvector![1.0, 0.0],
+/// dmatrix![0.01, 0.0, 0.0; 0.0, 0.01, 0.0; 0.0, 0.0, 0.01])?; let reading = LandmarkReading { range: 0.9, bearing:
+/// Some(std::f64::consts::PI), landmark: None }; let answer = ekf.update(reading)?; assert!(answer.accepted &&
+/// answer.landmark == 7);
 /// # Ok::<(), estimate::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
@@ -102,8 +101,8 @@ impl EkfLocalizer {
         Ok(Self { localizer: Localizer::new(&belief), map: landmarks, sensor, gate })
     }
 
-    /// x̂⁺ = [x + Δs cos θ, y + Δs sin θ, θ + Δθ] for `u` = [Δs, Δθ]; P⁺ = FPFᵀ + V with F at the old heading, `v` 3×3 in
-    /// the state.
+    /// x̂⁺ = [x + Δs cos θ, y + Δs sin θ, θ + Δθ] for `u` = [Δs, Δθ]; P⁺ = FPFᵀ + V with F at the old heading, `v` 3×3
+    /// in the state.
     ///
     /// # Errors
     /// Naming u or V: [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`], [`Code::NotPositiveSemidefinite`].
@@ -143,8 +142,9 @@ impl EkfLocalizer {
         })
     }
 
-    /// Judges a reading, and corrects the belief when it is accepted. On an error the belief may already be corrected, and the
-    /// caller restores it. Always in line: of a step in a log nobody asks for the answer, which then is not written down.
+    /// Judges a reading, and corrects the belief when it is accepted. On an error the belief may already be corrected,
+    /// and the caller restores it. Always in line: of a step in a log nobody asks for the answer, which then is not
+    /// written down.
     #[inline(always)]
     fn judge(&mut self, reading: &LandmarkReading, place: Place) -> Result<Corrected, Error> {
         let reading = self.checked(reading).map_err(|e| place.field(e))?;
@@ -175,8 +175,8 @@ impl EkfLocalizer {
         }
     }
 
-    /// Predicts and corrects once for each step of a log, all with the one `v`, and answers the poses x̂ = [x, y, θ] after
-    /// the steps. A reading beyond the gate leaves its step at the prediction.
+    /// Predicts and corrects once for each step of a log, all with the one `v`, and answers the poses x̂ = [x, y, θ]
+    /// after the steps. A reading beyond the gate leaves its step at the prediction.
     ///
     /// # Errors
     /// As [`Self::predict`] and [`Self::update`], the argument naming the step; [`Code::Limit`] for no step, more than

@@ -1,4 +1,5 @@
-//! Which directions of the state the outputs can tell apart: the rank test of Theorem 8.2.2, with what stands behind it.
+//! Which directions of the state the outputs can tell apart: the rank test of Theorem 8.2.2, with what stands behind
+//! it.
 
 use crate::error::{Code, Error};
 use crate::validate;

@@ -72,8 +72,8 @@ where
         found.map_err(|e| Error::of_matrix(e, "K"))
     }
 
-    /// The error covariance after a correction with this K, from the predicted `p` = P(k+1 | k), in Joseph's form: right
-    /// for any gain, least at the Kalman gain.
+    /// The error covariance after a correction with this K, from the predicted `p` = P(k+1 | k), in Joseph's form:
+    /// right for any gain, least at the Kalman gain.
     pub fn covariance_update(&self, p: &OMatrix<f64, N, N>) -> OMatrix<f64, N, N> {
         linear::joseph(p, &self.k, &self.sys.h, &self.sys.w)
     }

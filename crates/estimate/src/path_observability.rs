@@ -1,7 +1,7 @@
 //! Observability of a nonlinear system: the frozen pair at one point, and the pairs stacked along the path driven.
 //!
-//! The frozen test says what the readings would tell if the geometry of this instant lasted; the stack says what they did
-//! tell. Where the two disagree the stack is right: one range–bearing landmark reads 3 frozen and 2 along every
+//! The frozen test says what the readings would tell if the geometry of this instant lasted; the stack says what they
+//! did tell. Where the two disagree the stack is right: one range–bearing landmark reads 3 frozen and 2 along every
 //! path, since turning the whole drive about it changes no reading.
 
 use crate::error::Error;

@@ -23,9 +23,9 @@ const MET: f64 = 1e-6;
 ///
 /// # Errors
 /// [`Code::Poles`] when the poles are not n numbers closed under conjugation; [`Code::Unobservable`] when (F, H) is not
-/// observable; [`Code::NotPlaceable`] when it is but F is singular, so that one eigenvalue is 0 whatever K is, and 0 is not
-/// among the poles, or when F is so nearly singular that the poles are missed; [`Code::NotFinite`] for a pole that is not, or
-/// with [`Code::DidNotConverge`] where the numbers are too large for either to be told.
+/// observable; [`Code::NotPlaceable`] when it is but F is singular, so that one eigenvalue is 0 whatever K is, and 0 is
+/// not among the poles, or when F is so nearly singular that the poles are missed; [`Code::NotFinite`] for a pole that
+/// is not, or with [`Code::DidNotConverge`] where the numbers are too large for either to be told.
 ///
 /// # Example
 /// ```
@@ -74,8 +74,8 @@ fn not_placeable() -> Error {
     Error::new(Code::NotPlaceable, "F", message)
 }
 
-/// Whether `closed` has the roots of `factors`, up to this `part` of its size. By Cayley and Hamilton the polynomial with these roots
-/// vanishes at it, and at no matrix with other roots.
+/// Whether `closed` has the roots of `factors`, up to this `part` of its size. By Cayley and Hamilton the polynomial
+/// with these roots vanishes at it, and at no matrix with other roots.
 fn meets(closed: &DMatrix<f64>, factors: &[Factor], part: f64) -> bool {
     let size: f64 = factors.iter().map(|factor| factor.size(closed.norm())).product();
     evaluate(factors, closed).norm() <= part * size
@@ -89,7 +89,8 @@ fn ackermann(f: &DMatrix<f64>, c: &DMatrix<f64>, factors: &[Factor]) -> Option<D
     Some(DMatrix::from_column_slice(n, 1, k.as_slice()))
 }
 
-/// The gain of a system whose eigenvalue 0 no gain moves, as often as F has it: `None` when 0 is not as often among the poles.
+/// The gain of a system whose eigenvalue 0 no gain moves, as often as F has it: `None` when 0 is not as often among the
+/// poles.
 fn beside_zeros(f: &DMatrix<f64>, h: &DMatrix<f64>, factors: &[Factor]) -> Result<Option<DMatrix<f64>>, Error> {
     let movable = Movable::new(f, h, RANK_TOLERANCE)?;
     let mut others = factors.to_vec();

@@ -1,5 +1,6 @@
-//! What noise or inputs reach, and whether what they do not reach dies out by itself: reachability and stabilizability, which are
-//! observability and detectability of the transposed pair (Anderson and Moore, Optimal Filtering, appendix C).
+//! What noise or inputs reach, and whether what they do not reach dies out by itself: reachability and stabilizability,
+//! which are observability and detectability of the transposed pair (Anderson and Moore, Optimal Filtering, appendix
+//! C).
 
 use crate::detectability::detectability;
 use crate::error::Error;

@@ -61,8 +61,8 @@ where
     // ANCHOR: steady_state
     /// R∞, the limit of the gain, from `p0` = P(0 | 0), by iterating the Riccati recursion in Joseph's form.
     ///
-    /// P converges to a stabilizing limit when (F, H) is observable and (F, V^½) stabilizable. Where it does not, as with
-    /// the velocity sensor, the gain may converge all the same: the answer says which did.
+    /// P converges to a stabilizing limit when (F, H) is observable and (F, V^½) stabilizable. Where it does not, as
+    /// with the velocity sensor, the gain may converge all the same: the answer says which did.
     ///
     /// # Errors
     /// [`crate::Code::Limit`] when `max_iterations` is 0 or above [`MAX_ITERATIONS`] or what

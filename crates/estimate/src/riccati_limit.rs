@@ -1,29 +1,34 @@
-//! Whether the covariance of the Kalman filter tends to a limit, and why (de Souza, Gevers and Goodwin, IEEE Transactions on Automatic
-//! Control 31, 1986, 831–838).
+//! Whether the covariance of the Kalman filter tends to a limit, and why (de Souza, Gevers and Goodwin, IEEE
+//! Transactions on Automatic Control 31, 1986, 831–838).
 
 use crate::verdict::Verdict::{self, No, Yes};
 
 /// What becomes of P(k+1 | k) as k grows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RiccatiLimit {
-    /// One limit from every P(0 | 0), and the error of the filter's limit gain dies out: (F, H) is detectable and (F, V^½) stabilizable.
+    /// One limit from every P(0 | 0), and the error of the filter's limit gain dies out: (F, H) is detectable and (F,
+    /// V^½) stabilizable.
     FromEveryStart,
-    /// A limit from every P(0 | 0) that is not smaller than it: (F, H) is detectable. Noise does not reach every direction that F keeps
-    /// alive, so from a smaller start there may be another limit, and near the limit the filter corrects such a direction ever less.
+    /// A limit from every P(0 | 0) that is not smaller than it: (F, H) is detectable. Noise does not reach every
+    /// direction that F keeps alive, so from a smaller start there may be another limit, and near the limit the filter
+    /// corrects such a direction ever less.
     FromLargeStart,
-    /// None, from any P(0 | 0): noise reaches every direction that F keeps alive, and one of them is unseen, so P grows without bound.
+    /// None, from any P(0 | 0): noise reaches every direction that F keeps alive, and one of them is unseen, so P grows
+    /// without bound.
     None,
-    /// It depends on P(0 | 0) and on V: a direction that F keeps alive is unseen, and noise does not reach every such direction.
+    /// It depends on P(0 | 0) and on V: a direction that F keeps alive is unseen, and noise does not reach every such
+    /// direction.
     DependsOnStart,
-    /// The tolerance does not decide whether (F, H) is detectable, or, where it is not, whether (F, V^½) is stabilizable.
+    /// The tolerance does not decide whether (F, H) is detectable, or, where it is not, whether (F, V^½) is
+    /// stabilizable.
     Undecided,
 }
 
 impl RiccatiLimit {
     /// What follows of the two verdicts: whether (F, H) is detectable, and whether (F, V^½) is stabilizable.
     ///
-    /// Where (F, V^½) is stabilizable, a limit would make the error die out, which no gain does of a system that is not detectable: so
-    /// there is none.
+    /// Where (F, V^½) is stabilizable, a limit would make the error die out, which no gain does of a system that is not
+    /// detectable: so there is none.
     pub fn of(detectable: Verdict, stabilizable: Verdict) -> Self {
         match (detectable, stabilizable) {
             (Yes, Yes) => Self::FromEveryStart,

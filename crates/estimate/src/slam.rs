@@ -1,9 +1,9 @@
 //! Kalman SLAM: robot and map in one state (§8.4; Smith, Self and Cheeseman 1990).
 //!
-//! [`linear_slam`] is the case of §8.4.1, which the plain `Kf` runs as it stands; [`EkfSlam`] is range and bearing on the
-//! unicycle (§8.4.2). A sighting touches five entries of the state, so nothing here ever forms HPHᵀ from dense matrices:
-//! S comes from a 5×5 block of P, association is O(1) per landmark, and an update costs O(N²). That a landmark is *founded*
-//! is what others call its initialization, or the augmentation of the state.
+//! [`linear_slam`] is the case of §8.4.1, which the plain `Kf` runs as it stands; [`EkfSlam`] is range and bearing on
+//! the unicycle (§8.4.2). A sighting touches five entries of the state, so nothing here ever forms HPHᵀ from dense
+//! matrices: S comes from a 5×5 block of P, association is O(1) per landmark, and an update costs O(N²). That a
+//! landmark is *founded* is what others call its initialization, or the augmentation of the state.
 
 mod correct;
 mod found;
@@ -77,8 +77,8 @@ impl EkfSlam {
     /// A robot with this belief about its pose and an empty map; W is 2×2, of a range and a bearing.
     ///
     /// # Errors
-    /// [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`] for `belief.x`, `belief.P` or `W`;
-    /// [`Code::Limit`] for a threshold that is negative or NaN, and for `found` below a finite gate.
+    /// [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`] for `belief.x`, `belief.P` or
+    /// `W`; [`Code::Limit`] for a threshold that is negative or NaN, and for `found` below a finite gate.
     pub fn new(belief: &Gaussian<U3>, w: &Matrix2<f64>, thresholds: Thresholds) -> Result<Self, Error> {
         let dense = |m: &[f64], n: usize| DMatrix::from_column_slice(n, n, m);
         let belief = Belief { x: DVector::from_column_slice(belief.x.as_slice()), p: dense(belief.p.as_slice(), 3) };
@@ -126,8 +126,9 @@ impl EkfSlam {
         (&self.x, self.p.to_dense())
     }
 
-    /// νᵀS⁻¹ν of the last update's matched sightings as one stack, and its degrees of freedom; none where none was matched.
-    /// Each sighting's share is that of its innovation given the ones before it: the shares of a chain add up to the whole.
+    /// νᵀS⁻¹ν of the last update's matched sightings as one stack, and its degrees of freedom; none where none was
+    /// matched. Each sighting's share is that of its innovation given the ones before it: the shares of a chain add up
+    /// to the whole.
     pub fn nis(&self) -> Option<(f64, u32)> {
         (self.nis.1 > 0).then_some(self.nis)
     }
@@ -151,12 +152,12 @@ impl EkfSlam {
         })
     }
 
-    /// The pose moves by u = [Δs, Δθ]; V is 3×3, in the pose. F differs from the identity in the pose's rows only, so this
-    /// costs O(N).
+    /// The pose moves by u = [Δs, Δθ]; V is 3×3, in the pose. F differs from the identity in the pose's rows only, so
+    /// this costs O(N).
     ///
     /// # Errors
-    /// [`Code::NotFinite`], or [`Code::NotPositiveSemidefinite`] where P would lose its digits; the belief is then as it
-    /// was.
+    /// [`Code::NotFinite`], or [`Code::NotPositiveSemidefinite`] where P would lose its digits; the belief is then as
+    /// it was.
     pub fn predict(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>) -> Result<(), Error> {
         let (pose, f) = Unicycle.linearized(&self.pose(), u);
         let pose = pose.to_vector();
@@ -189,15 +190,15 @@ impl EkfSlam {
     }
 
     /// The sightings of one step: each is matched, rejected or founds a landmark, all Jacobians at the same prediction.
-    /// No landmark is matched twice in a step, and near one that is matched none is founded. What is new is founded first;
-    /// then the matched sightings correct the whole state, one after the other with the first linearization, which equals
-    /// their stack since W is block-diagonal.
+    /// No landmark is matched twice in a step, and near one that is matched none is founded. What is new is founded
+    /// first; then the matched sightings correct the whole state, one after the other with the first linearization,
+    /// which equals their stack since W is block-diagonal.
     ///
     /// # Errors
     /// [`Code::Limit`], [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`]; [`Code::AtLandmark`] naming the
-    /// landmark that the estimate stands on, or a range of 0 that would found one; [`Code::NotPositiveSemidefinite`] where P
-    /// would lose its digits; [`Code::Index`] when two sightings name one landmark. Of several sightings the name says
-    /// which: `sightings[1].range`. Belief and map are then as they were.
+    /// landmark that the estimate stands on, or a range of 0 that would found one; [`Code::NotPositiveSemidefinite`]
+    /// where P would lose its digits; [`Code::Index`] when two sightings name one landmark. Of several sightings the
+    /// name says which: `sightings[1].range`. Belief and map are then as they were.
     pub fn update(&mut self, readings: &[Reading]) -> Result<Vec<Report>, Error> {
         validate::count(readings.len(), MAX_SIGHTINGS, "sightings")?;
         match readings {
@@ -214,7 +215,8 @@ impl EkfSlam {
                 }
                 done.map(|()| vec![report]).map_err(|e| Place::Alone.step(e))
             }
-            // Several: a later one may fail, so the work is done on a copy, which costs no more than one of the updates.
+            // Several: a later one may fail, so the work is done on a copy, which costs no more than one of the
+            // updates.
             _ => {
                 let mut next = self.clone();
                 next.nis = (0.0, 0);

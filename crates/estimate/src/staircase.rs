@@ -1,5 +1,5 @@
-//! The staircase form of a pair (F, C): which directions of the state the outputs tell apart, found one step of delay after another
-//! by orthogonal changes of coordinates (Van Dooren 1981; Golub and Van Loan, Matrix Computations, §7.6).
+//! The staircase form of a pair (F, C): which directions of the state the outputs tell apart, found one step of delay
+//! after another by orthogonal changes of coordinates (Van Dooren 1981; Golub and Van Loan, Matrix Computations, §7.6).
 //!
 //! The powers of F are never formed, so neither their growth nor the repeated eigenvalues of F cost digits.
 
@@ -19,7 +19,8 @@ pub(crate) struct Staircase {
 }
 
 impl Staircase {
-    /// The staircase of `f` n×n and `c` p×n. What is smaller than `threshold`, as a part of the matrix that it comes from, counts as zero.
+    /// The staircase of `f` n×n and `c` p×n. What is smaller than `threshold`, as a part of the matrix that it comes
+    /// from, counts as zero.
     ///
     /// # Errors
     /// As [`singular_values`], blaming F.

@@ -12,8 +12,8 @@ pub const MAX_STATES: usize = 16;
 pub const MAX_OUTPUTS: usize = 8;
 /// The largest number of inputs of a run-time system.
 pub const MAX_INPUTS: usize = 8;
-/// The most work of one call, counted as (n + p)³ for each Kalman step of n states and p outputs: 10 000 steps of the largest
-/// run-time system. A page that calls must have an answer while its reader waits.
+/// The most work of one call, counted as (n + p)³ for each Kalman step of n states and p outputs: 10 000 steps of the
+/// largest run-time system. A page that calls must have an answer while its reader waits.
 pub const MAX_WORK: usize = 10_000 * (MAX_STATES + MAX_OUTPUTS).pow(3);
 
 /// `value`, when it is neither a NaN nor an infinity.
@@ -64,7 +64,8 @@ fn shaped(m: DMatrix<f64>, (rows, columns): (usize, usize), argument: &'static s
 /// `m` as a covariance of `n` components; see [`accepted`], which says what counts as one up to rounding.
 ///
 /// # Errors
-/// [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`], blaming `argument`.
+/// [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`] or [`Code::NotPositiveSemidefinite`], blaming
+/// `argument`.
 pub fn covariance(m: DMatrix<f64>, n: usize, argument: &'static str) -> Result<DMatrix<f64>, Error> {
     accepted(shaped(m, (n, n), argument)?).map_err(|refusal| match refusal {
         NotCovariance::NotFinite => not_finite(argument),
@@ -133,7 +134,8 @@ pub fn count(count: usize, cap: usize, argument: &'static str) -> Result<usize, 
     }
 }
 
-/// The most Kalman steps of `states` and `outputs` that one call takes: what [`MAX_WORK`] allows, and never more than `cap`.
+/// The most Kalman steps of `states` and `outputs` that one call takes: what [`MAX_WORK`] allows, and never more than
+/// `cap`.
 pub fn affordable_steps(states: usize, outputs: usize, cap: usize) -> usize {
     let step = (states + outputs).saturating_pow(3).max(1);
     (MAX_WORK / step).clamp(1, cap)

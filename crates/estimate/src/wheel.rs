@@ -6,8 +6,9 @@ use filters::MotionModel;
 use geom::SE2;
 use nalgebra::{Matrix2, Matrix4, SVector, Vector2};
 
-/// The unicycle of §8.3 on encoders whose right wheel is believed too large by a fraction ε: where its encoder says that it rolled
-/// d_r, it rolled d_r (1 − ε). The state is [x, y, θ, ε] in m, m, rad and 1; the input u = [Δs, Δθ] is what the encoders say.
+/// The unicycle of §8.3 on encoders whose right wheel is believed too large by a fraction ε: where its encoder says
+/// that it rolled d_r, it rolled d_r (1 − ε). The state is [x, y, θ, ε] in m, m, rad and 1; the input u = [Δs, Δθ] is
+/// what the encoders say.
 ///
 /// u(ε) = u − ε [d_r/2, d_r/b] with d_r = Δs + b Δθ/2, and ε⁺ = ε. So
 /// F = [F_pose, −G_u [d_r/2, d_r/b]ᵀ; 0, 1], with F_pose and G_u of the unicycle at u(ε).
@@ -109,7 +110,8 @@ mod tests {
 
     #[test]
     fn a_wheel_of_known_bias_is_a_smaller_wheel() {
-        // The right encoder counts 2000 ticks of a wheel that is 2 % smaller than believed: 1960 ticks of the nominal one.
+        // The right encoder counts 2000 ticks of a wheel that is 2 % smaller than believed: 1960 ticks of the nominal
+        // one.
         let wheels = Wheels { baseline: 0.4, radius: 0.05, ticks_per_turn: 4096.0 };
         let believed = odometry_delta(&wheels, Ticks { left: 1500, right: 2000 });
         let rolled = odometry_delta(&wheels, Ticks { left: 1500, right: 1960 });

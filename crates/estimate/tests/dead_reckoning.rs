@@ -1,5 +1,6 @@
-//! What `cargo run --example dead_reckoning -p robot-motion-estimate` prints: the five lines that the chapter prints, to the letter. The
-//! program itself is run and not a copy of what it does, since the chapter shows its source as it stands.
+//! What `cargo run --example dead_reckoning -p robot-motion-estimate` prints: the five lines that the chapter prints,
+//! to the letter. The program itself is run and not a copy of what it does, since the chapter shows its source as it
+//! stands.
 
 use std::process::Command;
 

@@ -85,9 +85,10 @@ impl<const M: usize> Association<M> {
     }
 }
 
-/// Chooses among the candidates: of those within the gate the one of least cost. Where none is, the sighting is of a new
-/// feature if even the nearest is beyond `thresholds.found` (or there is none), and rejected otherwise. Those `taken`, by
-/// another sighting of the same moment, are not chosen, and are features all the same: near one of them nothing is new.
+/// Chooses among the candidates: of those within the gate the one of least cost. Where none is, the sighting is of a
+/// new feature if even the nearest is beyond `thresholds.found` (or there is none), and rejected otherwise. Those
+/// `taken`, by another sighting of the same moment, are not chosen, and are features all the same: near one of them
+/// nothing is new.
 pub fn associate<const M: usize>(
     candidates: &[Candidate<M>],
     taken: &[Candidate<M>],

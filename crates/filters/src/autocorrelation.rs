@@ -1,5 +1,5 @@
-//! The autocorrelation of a series, by sums alone: a series of any length costs constant memory (Bar-Shalom, Li and Kirubarajan
-//! 2001, §5.4.2, for innovations).
+//! The autocorrelation of a series, by sums alone: a series of any length costs constant memory (Bar-Shalom, Li and
+//! Kirubarajan 2001, §5.4.2, for innovations).
 
 use numerics::sqrt;
 
@@ -84,7 +84,8 @@ impl<const LAGS: usize> Autocorrelation<LAGS> {
         (variance > 0.0).then(|| covariance / variance)
     }
 
-    /// The half-width that r(l) of a white series stays within in 95 of 100 cases, for long series: 1.96 / √n. `None` of no value.
+    /// The half-width that r(l) of a white series stays within in 95 of 100 cases, for long series: 1.96 / √n. `None`
+    /// of no value.
     pub fn band(&self) -> Option<f64> {
         (self.count > 0).then(|| 1.96 / sqrt(f64::from(self.count)))
     }

@@ -1,4 +1,5 @@
-//! Whether a filter's covariance matches its errors: NEES, NIS and their χ² bounds (Bar-Shalom, Li and Kirubarajan 2001, §5.4).
+//! Whether a filter's covariance matches its errors: NEES, NIS and their χ² bounds (Bar-Shalom, Li and Kirubarajan
+//! 2001, §5.4).
 
 use crate::covariance::finite;
 use crate::error::{Error, Parameter, Quantity};
@@ -21,8 +22,8 @@ where
     if d.is_finite() { Ok(d) } else { Err(Error::NotFinite(Quantity::SquaredDistance)) }
 }
 
-/// The normalized estimation error squared eᵀP⁻¹e of the error e = x − x̂: needs the truth. Its expectation is the number
-/// of states when the filter is consistent.
+/// The normalized estimation error squared eᵀP⁻¹e of the error e = x − x̂: needs the truth. Its expectation is the
+/// number of states when the filter is consistent.
 ///
 /// # Errors
 /// As [`mahalanobis_squared`].
@@ -33,8 +34,8 @@ where
     mahalanobis_squared(error, p)
 }
 
-/// The normalized innovation squared νᵀS⁻¹ν: needs no truth, so a robot can compute it. Its expectation is the number of
-/// outputs when the filter is consistent.
+/// The normalized innovation squared νᵀS⁻¹ν: needs no truth, so a robot can compute it. Its expectation is the number
+/// of outputs when the filter is consistent.
 ///
 /// # Errors
 /// As [`mahalanobis_squared`].
@@ -64,8 +65,8 @@ pub fn chi2_quantile(dof: u32, probability: f64) -> Result<f64, Error> {
     Ok(chi2.inverse_cdf(probability))
 }
 
-/// The two-sided interval that holds the **mean** of `samples` independent χ² variables of `dof` degrees of freedom with
-/// the given probability: the quantiles of χ² with dof · samples degrees of freedom, divided by the samples.
+/// The two-sided interval that holds the **mean** of `samples` independent χ² variables of `dof` degrees of freedom
+/// with the given probability: the quantiles of χ² with dof · samples degrees of freedom, divided by the samples.
 ///
 /// # Errors
 /// [`Error::OutOfRange`] as [`chi2_quantile`], or when dof · samples is not a whole number below 2³².

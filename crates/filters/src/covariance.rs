@@ -3,9 +3,10 @@
 //! A covariance is symmetric and has no negative eigenvalue. Products like AΣAᵀ have both properties on paper; in
 //! floating point each entry is off by a few units in the last place of the *largest* term of its sum. Where the terms
 //! cancel, that may leave an eigenvalue below zero. It does no harm while it is small beside
-//! the variances, but a filter may shrink those by any factor and leave the negative eigenvalue as it is. So every covariance is
-//! checked where it enters and where it is carried on. One of three things happens: it is **accepted** as it is; it is **mended**, which
-//! takes the negative eigenvalues away or computes it anew from square roots; or it is **refused** with an error.
+//! the variances, but a filter may shrink those by any factor and leave the negative eigenvalue as it is. So every
+//! covariance is checked where it enters and where it is carried on. One of three things happens: it is **accepted** as
+//! it is; it is **mended**, which takes the negative eigenvalues away or computes it anew from square roots; or it is
+//! **refused** with an error.
 //!
 //! | tolerance | is a part of | where it is asked | within it | beyond it |
 //! |---|---|---|---|---|
@@ -16,7 +17,8 @@
 //! | [`MAP_ROUNDING`] 2 · 10⁻¹³ | the largest variance | a large map, whose every step adds some | accepted unseen | factored, then accepted or refused |
 //! | [`MIN_PIVOT`](numerics::MIN_PIVOT) 10⁻⁸ | a variance of S | the factor of S | accepted | mended: from square roots |
 //!
-//! Each is so far below the one a caller meets, 10⁻¹², that what a filter answers is always accepted as its next argument.
+//! Each is so far below the one a caller meets, 10⁻¹², that what a filter answers is always accepted as its next
+//! argument.
 
 use crate::error::{Error, Quantity};
 use crate::sizes::Sizes;
@@ -49,8 +51,8 @@ pub enum NotCovariance {
     DidNotConverge,
 }
 
-/// A caller's square matrix as a covariance: symmetric to the last bit, and without the negative eigenvalues that rounding
-/// explains.
+/// A caller's square matrix as a covariance: symmetric to the last bit, and without the negative eigenvalues that
+/// rounding explains.
 ///
 /// # Errors
 /// [`NotCovariance`], when it is no covariance even up to rounding.
@@ -118,8 +120,8 @@ where
     m
 }
 
-/// Mends a predicted covariance where its terms cancelled and rounding left an eigenvalue below zero, in this step or in an
-/// earlier one in which it was nothing beside the rest.
+/// Mends a predicted covariance where its terms cancelled and rounding left an eigenvalue below zero, in this step or
+/// in an earlier one in which it was nothing beside the rest.
 ///
 /// # Errors
 /// [`Error::NotFinite`].
@@ -135,8 +137,8 @@ where
     Ok(())
 }
 
-/// The rare way of [`mend`]. It takes a copy: a matrix whose address is taken would have to be kept in memory on the usual
-/// way too.
+/// The rare way of [`mend`]. It takes a copy: a matrix whose address is taken would have to be kept in memory on the
+/// usual way too.
 #[cold]
 #[inline(never)]
 fn doubted<N: Dim>(predicted: OMatrix<f64, N, N>) -> Result<DMatrix<f64>, Error>
@@ -174,8 +176,8 @@ pub(crate) fn copy<R: Dim, C: Dim>(m: &mut Matrix<f64, R, C, impl RawStorageMut<
 /// Whether a matrix of at most four rows is finite and its leading minors are positive, the sign of a positive definite
 /// one. The answer may be false for one whose products leave the range of numbers.
 ///
-/// The elimination multiplies where [`Spd`] divides, so that a filter's next step does not wait for three divisions in a
-/// row. Its rounding is that of a change in the last digits of the diagonal.
+/// The elimination multiplies where [`Spd`] divides, so that a filter's next step does not wait for three divisions in
+/// a row. Its rounding is that of a change in the last digits of the diagonal.
 #[inline]
 pub(crate) fn plainly_positive<N: Dim>(p: &SquareMatrix<f64, N, impl RawStorage<f64, N, N>>) -> bool {
     let in_range = |minor: f64| (f64::MIN_POSITIVE..=f64::MAX).contains(&minor);
@@ -194,8 +196,8 @@ pub(crate) fn plainly_positive<N: Dim>(p: &SquareMatrix<f64, N, impl RawStorage<
     }
 }
 
-/// Whether no eigenvalue of `p` lies below zero by more than [`MAX_NEGATIVE`] of its largest variance. Also false when an
-/// entry is not finite.
+/// Whether no eigenvalue of `p` lies below zero by more than [`MAX_NEGATIVE`] of its largest variance. Also false when
+/// an entry is not finite.
 pub(crate) fn semidefinite(p: &DMatrix<f64>) -> bool {
     positive_when_raised(p, MAX_NEGATIVE * largest_variance(p) + f64::MIN_POSITIVE)
 }
@@ -241,8 +243,8 @@ pub(crate) fn tolerated<N: Dim>(posterior: &SquareMatrix<f64, N, impl RawStorage
     MAX_ROUNDING / f64::EPSILON * largest_variance(posterior)
 }
 
-/// An upper bound on [`largest_terms`] by Cauchy and Schwarz, without a square root: good enough wherever a reading leaves
-/// a fair part of the variance.
+/// An upper bound on [`largest_terms`] by Cauchy and Schwarz, without a square root: good enough wherever a reading
+/// leaves a fair part of the variance.
 pub(crate) fn bound_on_terms<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,
     k: &OMatrix<f64, N, M>,

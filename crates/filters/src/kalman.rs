@@ -145,8 +145,8 @@ mod tests {
         }
     }
 
-    /// A component read twenty digits more precisely than it was known keeps the variance of the reading, beside one that is
-    /// not read: Σ̄ − KCΣ̄ would leave nothing or a rounding of either sign.
+    /// A component read twenty digits more precisely than it was known keeps the variance of the reading, beside one
+    /// that is not read: Σ̄ − KCΣ̄ would leave nothing or a rounding of either sign.
     #[test]
     fn a_precise_reading_leaves_its_own_variance() {
         let p = Matrix2::from_diagonal(&Vector2::new(0.7, 3.0));

@@ -5,8 +5,8 @@
 //! The sister volume's filters, in Thrun's letters: A, B, C the system, R the process covariance, Q the measurement
 //! covariance, K the gain, μ and Σ (here `x` and `p`) the belief.
 //!
-//! - [`Gaussian`], a belief, and [`Kf`], the linear filter that holds one; [`linear`], their algebra. All of it is written
-//!   once, over [`Sizes`] fixed at compile time or known at run time only;
+//! - [`Gaussian`], a belief, and [`Kf`], the linear filter that holds one; [`linear`], their algebra. All of it is
+//!   written once, over [`Sizes`] fixed at compile time or known at run time only;
 //! - [`covariance`]: what counts as a covariance up to rounding, and what is done about the rest;
 //! - [`Ekf`], the extended filter, with its [`MotionModel`], [`MeasurementModel`] and [`State`]s on a manifold;
 //!   [`ukf`], the unscented one;

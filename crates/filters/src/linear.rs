@@ -11,8 +11,8 @@ use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 use numerics::{MIN_PIVOT, Spd};
 
-/// Σ̄ = A Σ Aᵀ + R (n×n), exactly symmetric and, to rounding, positive semidefinite even where the terms all but cancel.
-/// Σ and R are symmetric, and one triangle of each is read.
+/// Σ̄ = A Σ Aᵀ + R (n×n), exactly symmetric and, to rounding, positive semidefinite even where the terms all but
+/// cancel. Σ and R are symmetric, and one triangle of each is read.
 ///
 /// # Errors
 /// [`Error::NotFinite`] when an argument is not finite or a product overflows.
@@ -106,9 +106,10 @@ where
     joseph_with(p, &(c * p), k, c, q)
 }
 
-/// [`joseph`] for a caller that has CΣ̄ already. With X = (I − KC) Σ̄ = Σ̄ − K(CΣ̄) it is X − (XCᵀ) Kᵀ + (KQ) Kᵀ: no product
-/// of two n×n matrices is left, and X, small where the reading is precise, is still multiplied by what I − KC leaves of it.
-/// The last term is added by itself: as a part of XCᵀ − KQ it would be lost in the rounding of X where Q is smallest.
+/// [`joseph`] for a caller that has CΣ̄ already. With X = (I − KC) Σ̄ = Σ̄ − K(CΣ̄) it is X − (XCᵀ) Kᵀ + (KQ) Kᵀ: no
+/// product of two n×n matrices is left, and X, small where the reading is precise, is still multiplied by what I − KC
+/// leaves of it. The last term is added by itself: as a part of XCᵀ − KQ it would be lost in the rounding of X where Q
+/// is smallest.
 #[inline]
 fn joseph_with<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,
@@ -160,16 +161,16 @@ where
     }
 }
 
-/// The optimal gain for the predicted covariance `p` and a reading z = C x + noise of covariance Q, with the covariance that
-/// it leaves.
+/// The optimal gain for the predicted covariance `p` and a reading z = C x + noise of covariance Q, with the covariance
+/// that it leaves.
 ///
 /// Where S is so ill-conditioned that a factor of it would lose more than half of its digits (a pivot below
-/// [`MIN_PIVOT`]), or the reading leaves so little of the variance that the rounding of the terms of Joseph's form would
-/// show, S, gain and covariance come from an orthogonal factorization of square roots instead, which keeps them.
+/// [`MIN_PIVOT`]), or the reading leaves so little of the variance that the rounding of the terms of Joseph's form
+/// would show, S, gain and covariance come from an orthogonal factorization of square roots instead, which keeps them.
 ///
 /// # Errors
-/// [`Error::InnovationNotPositiveDefinite`] when S is singular even to that, [`Error::NotFinite`] when an argument is not
-/// finite or a product overflows.
+/// [`Error::InnovationNotPositiveDefinite`] when S is singular even to that, [`Error::NotFinite`] when an argument is
+/// not finite or a product overflows.
 ///
 /// # Example
 /// ```
@@ -220,8 +221,8 @@ where
     Ok(Gain { k, s, p: posterior, factor })
 }
 
-/// The rare way of [`gain`], compiled once for all sizes. It takes copies: a matrix whose address is taken would have to be
-/// kept in memory on the usual way too.
+/// The rare way of [`gain`], compiled once for all sizes. It takes copies: a matrix whose address is taken would have
+/// to be kept in memory on the usual way too.
 #[cold]
 #[inline(never)]
 fn doubted<N: Dim, M: Dim>(

@@ -18,8 +18,8 @@ pub trait MotionModel<X: State<N>, const N: usize, const U: usize> {
         (self.f(x, u), self.jacobian(x, u))
     }
 
-    /// A Σ Aᵀ + R for an A that [`MotionModel::jacobian`] answered: a model that knows which of its entries are ones and zeros
-    /// may leave their products out.
+    /// A Σ Aᵀ + R for an A that [`MotionModel::jacobian`] answered: a model that knows which of its entries are ones
+    /// and zeros may leave their products out.
     #[inline]
     fn transported(
         &self,

@@ -5,8 +5,8 @@ use nalgebra::Dim;
 use nalgebra::allocator::Allocator;
 
 /// What nalgebra must be able to store for a filter of N states and M outputs. It is so for all fixed sizes
-/// (`Const<N>`, or [`U2`](type@nalgebra::U2) and its like) and for [`Dyn`](nalgebra::Dyn): a function over sizes asks for this
-/// one bound on [`DefaultAllocator`] in place of six.
+/// (`Const<N>`, or [`U2`](type@nalgebra::U2) and its like) and for [`Dyn`](nalgebra::Dyn): a function over sizes asks
+/// for this one bound on [`DefaultAllocator`] in place of six.
 ///
 /// # Example
 /// ```

@@ -1,4 +1,5 @@
-//! The measurement update in square-root (array) form, for an innovation covariance too near to singular to be factored.
+//! The measurement update in square-root (array) form, for an innovation covariance too near to singular to be
+//! factored.
 //!
 //! With Q = QₗQₗᵀ and Σ̄ = ΣₗΣₗᵀ, one orthogonal factorization
 //!
@@ -7,8 +8,8 @@
 //! ⎣ ΣₗᵀCᵀ   Σₗᵀ ⎦  = Θ · ⎣    0        Σ^{T/2}    ⎦
 //! ```
 //!
-//! holds the square roots of S and of the corrected Σ without ever forming S, so condition numbers enter as their square
-//! roots (Kaminski, Bryson and Schmidt 1971; Anderson and Moore, Optimal Filtering, §6.5).
+//! holds the square roots of S and of the corrected Σ without ever forming S, so condition numbers enter as their
+//! square roots (Kaminski, Bryson and Schmidt 1971; Anderson and Moore, Optimal Filtering, §6.5).
 
 use crate::covariance::{
     SEMIDEFINITE_TOLERANCE, bound_on_terms, finite, largest_terms, positive_when_raised, semidefinite, tolerated,
@@ -32,8 +33,8 @@ pub(crate) struct Correction {
     pub p: DMatrix<f64>,
 }
 
-/// The correction `found` from (Σ̄, C, Q) when a closer look shows that its rounding does not matter, and otherwise the one
-/// from square roots. `pivot` is that of the factor of S.
+/// The correction `found` from (Σ̄, C, Q) when a closer look shows that its rounding does not matter, and otherwise the
+/// one from square roots. `pivot` is that of the factor of S.
 pub(crate) fn examined([p, c, q]: [DMatrix<f64>; 3], pivot: f64, found: Correction) -> Result<Correction, Error> {
     let most = tolerated(&found.p);
     let small = || bound_on_terms(&p, &found.k, &c) <= most || largest_terms(&p, &found.k, &c) <= most;
@@ -70,8 +71,8 @@ fn correction(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<Co
     Ok(Correction { s: root_s.transpose() * root_s, k: kt.transpose(), p: root_posterior.transpose() * root_posterior })
 }
 
-/// The rows of `m` by decreasing largest entry. Reflections keep the digits of small rows only below the large ones (Powell
-/// and Reid 1969), and the triangle they leave does not depend on the order.
+/// The rows of `m` by decreasing largest entry. Reflections keep the digits of small rows only below the large ones
+/// (Powell and Reid 1969), and the triangle they leave does not depend on the order.
 fn largest_rows_first(m: &DMatrix<f64>) -> DMatrix<f64> {
     let size = |i: usize| m.row(i).amax();
     let mut order: Vec<usize> = Vec::with_capacity(m.nrows());
@@ -82,8 +83,8 @@ fn largest_rows_first(m: &DMatrix<f64>) -> DMatrix<f64> {
     DMatrix::from_fn(m.nrows(), m.ncols(), |i, j| m[(order[i], j)])
 }
 
-/// A matrix L with LLᵀ = `s`, for a positive semidefinite `s`: Cholesky's, or where that meets a zero pivot the one from
-/// the eigenvectors.
+/// A matrix L with LLᵀ = `s`, for a positive semidefinite `s`: Cholesky's, or where that meets a zero pivot the one
+/// from the eigenvectors.
 fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     let s = finite(s.clone(), Quantity::Covariance)?;
     if let Some(factor) = Spd::new(s.clone()) {

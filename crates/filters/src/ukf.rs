@@ -112,8 +112,8 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
     /// The belief after x⁺ = f(x, u) + noise of covariance R.
     ///
     /// # Errors
-    /// [`Error::NotFinite`], or [`Error::OutOfRange`] when Σ is not positive definite or the points cannot be placed; the
-    /// belief is then unchanged.
+    /// [`Error::NotFinite`], or [`Error::OutOfRange`] when Σ is not positive definite or the points cannot be placed;
+    /// the belief is then unchanged.
     pub fn predict<const U: usize>(
         &mut self,
         model: &impl MotionModel<X, N, U>,
@@ -223,8 +223,8 @@ mod tests {
         assert!((ukf.p[0] - (4.0 * 9.0 * 0.25 + 2.0 * 0.0625)).abs() < 1e-13);
     }
 
-    /// By hand: of x² the mean is met whatever the points, the variance found is 4μ²σ² + (α²κ + β)σ⁴, the covariance with x
-    /// 2μσ².
+    /// By hand: of x² the mean is met whatever the points, the variance found is 4μ²σ² + (α²κ + β)σ⁴, the covariance
+    /// with x 2μσ².
     #[test]
     fn alpha_beta_and_kappa_enter_the_moments_of_a_square_as_derived() {
         let (mu, var, q) = (3.0, 0.25, 0.5);

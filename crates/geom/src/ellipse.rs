@@ -26,8 +26,9 @@ impl Ellipse {
     /// The ellipse {x : xᵀP⁻¹x = radius²} of a symmetric positive semidefinite `p`.
     ///
     /// Only the lower triangle of `p` is read. λ₂ is det P / λ₁, since the difference of the trace and λ₁ would have no
-    /// correct digit of a thin ellipse's width. The determinant's products are not rounded before they are subtracted (a
-    /// fused multiply-add). A negative eigenvalue is taken as zero: rounding can make one, and so can a wrong filter.
+    /// correct digit of a thin ellipse's width. The determinant's products are not rounded before they are subtracted
+    /// (a fused multiply-add). A negative eigenvalue is taken as zero: rounding can make one, and so can a wrong
+    /// filter.
     pub fn from_covariance(p: &Matrix2<f64>, radius: f64) -> Self {
         let largest = p[(0, 0)].abs().max(p[(1, 1)].abs()).max(p[(1, 0)].abs());
         let point = Self { semi_major: 0.0, semi_minor: 0.0, angle: 0.0 };

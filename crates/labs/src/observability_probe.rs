@@ -1,8 +1,8 @@
-//! The Observability Probe: Rusty on its square in room A, one to three landmarks that the reader drags, and what can be
-//! known from them.
+//! The Observability Probe: Rusty on its square in room A, one to three landmarks that the reader drags, and what can
+//! be known from them.
 //!
-//! The robot drives its square exactly, and its filter is told a motion that is off by a draw from V at every tick. So the true
-//! path, and with it the rank along the path, depends on no seed.
+//! The robot drives its square exactly, and its filter is told a motion that is off by a draw from V at every tick. So
+//! the true path, and with it the rank along the path, depends on no seed.
 
 pub(crate) mod frame;
 mod ghost;
@@ -41,9 +41,9 @@ use std::sync::Arc;
 
 /// How many of the last steps the rank along the path looks at: one side of the square.
 pub const PATH_STEPS: usize = 30;
-/// The most landmarks of a forgotten map. A sighting of one of several landmarks that stand close together is sometimes taken for
-/// a new landmark, and every such ghost makes each later step slower. Four for each true landmark show that well, and keep a step
-/// below a tenth of a millisecond.
+/// The most landmarks of a forgotten map. A sighting of one of several landmarks that stand close together is sometimes
+/// taken for a new landmark, and every such ghost makes each later step slower. Four for each true landmark show that
+/// well, and keep a step below a tenth of a millisecond.
 const MAX_MAP: usize = 12;
 /// How many of the last positions a track keeps, two laps and the present.
 const TRACK: usize = 241;

@@ -1,8 +1,8 @@
 //! The odometry hook: a loop of the corridor on encoders, with a wheel that is not as large as the software believes.
 //!
 //! Truth keeps to the loop; the estimate follows the encoders, and its claimed covariance knows of the slip and not of
-//! the bias, unless the bias is a fourth state. Landmark fixes, when they are on, are one range and bearing of each mapped corner as
-//! it comes within reach.
+//! the bias, unless the bias is a fourth state. Landmark fixes, when they are on, are one range and bearing of each
+//! mapped corner as it comes within reach.
 
 mod drive;
 pub(crate) mod frame;

@@ -1,7 +1,7 @@
 //! A robot that really drove: its log, replayed under the reader's settings.
 //!
-//! A lab like the others, but for its world, which comes from outside: a function of the log, the parameters, and the number of rows
-//! taken. Beside the filter runs dead reckoning, which the filter has to beat.
+//! A lab like the others, but for its world, which comes from outside: a function of the log, the parameters, and the
+//! number of rows taken. Beside the filter runs dead reckoning, which the filter has to beat.
 
 pub(crate) mod frame;
 mod logged;
@@ -88,8 +88,8 @@ impl Lab for RobotLog {
         Ok(lab)
     }
 
-    /// The next `n` rows, or what is left of them. After a refused row the lab is replayed to where it was: a copy of what it has
-    /// recorded would cost more at every call.
+    /// The next `n` rows, or what is left of them. After a refused row the lab is replayed to where it was: a copy of
+    /// what it has recorded would cost more at every call.
     fn run(&mut self, n: u32) -> Result<(), Error> {
         if n == 0 || n > Self::LAST_STEP {
             let message = format!("is {n}; it must be at least 1 and at most {}", Self::LAST_STEP);
@@ -176,8 +176,8 @@ impl RobotLog {
     /// All rows that are left.
     ///
     /// # Errors
-    /// [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`] where the numbers leave the range of floating point. The lab is
-    /// then as it was.
+    /// [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`] where the numbers leave the range of floating
+    /// point. The lab is then as it was.
     pub fn run_all(&mut self) -> Result<(), Error> {
         self.run(Self::LAST_STEP)
     }

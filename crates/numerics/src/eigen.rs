@@ -1,7 +1,7 @@
 //! Eigenvalues of a general matrix.
 //!
-//! Not nalgebra's: they never return on some finite matrices, the deadbeat ⎡0 0 0; 1 0 0; 0 1 0⎤ among them. An entry beside
-//! two zeros of the diagonal is never negligible to them.
+//! Not nalgebra's: they never return on some finite matrices, the deadbeat ⎡0 0 0; 1 0 0; 0 1 0⎤ among them. An entry
+//! beside two zeros of the diagonal is never negligible to them.
 
 use crate::error::Error;
 use crate::sqrt;
@@ -11,8 +11,8 @@ use core::cmp::Ordering;
 use nalgebra::linalg::Hessenberg;
 use nalgebra::{Complex, DMatrix, Vector3};
 
-/// Iterations granted to one eigenvalue or pair; two or three are usual, and some matrices with a repeated eigenvalue need more than
-/// a hundred. As many as LAPACK's `dlahqr` grants a small matrix.
+/// Iterations granted to one eigenvalue or pair; two or three are usual, and some matrices with a repeated eigenvalue
+/// need more than a hundred. As many as LAPACK's `dlahqr` grants a small matrix.
 const MAX_ITERATIONS: usize = 300;
 /// Every so many iterations without an eigenvalue the shifts are exceptional.
 const EXCEPTIONAL: usize = 10;
@@ -20,11 +20,12 @@ const EXCEPTIONAL: usize = 10;
 /// The eigenvalues of a square `m`, by decreasing modulus, then decreasing imaginary part, then decreasing real part.
 ///
 /// Rows and columns that a permutation makes triangular have their eigenvalues on the diagonal, exactly: a pinned or a
-/// deadbeat eigenvalue has no rounding. What remains is solved in closed form if it has two rows, else by the QR iteration.
+/// deadbeat eigenvalue has no rounding. What remains is solved in closed form if it has two rows, else by the QR
+/// iteration.
 ///
 /// # Errors
-/// [`Error::NotSquare`] when `m` is not square, [`Error::NotFinite`] when an entry is not finite, [`Error::DidNotConverge`]
-/// when the iteration reaches its limit.
+/// [`Error::NotSquare`] when `m` is not square, [`Error::NotFinite`] when an entry is not finite,
+/// [`Error::DidNotConverge`] when the iteration reaches its limit.
 ///
 /// # Example
 /// ```
@@ -36,8 +37,8 @@ pub fn eigenvalues(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     found_with(m, iterated)
 }
 
-/// [`eigenvalues`] of a matrix of at most two rows. It needs no iteration, and a program that calls nothing else does not
-/// contain one.
+/// [`eigenvalues`] of a matrix of at most two rows. It needs no iteration, and a program that calls nothing else does
+/// not contain one.
 ///
 /// # Errors
 /// As [`eigenvalues`]; [`Error::TooLarge`] when more than two rows remain.
@@ -99,8 +100,8 @@ fn isolated(m: &DMatrix<f64>) -> (Vec<Complex<f64>>, Vec<usize>) {
 }
 
 /// Both roots of λ² − (a + d)λ + ad − bc. The smaller real one is the determinant over the larger, so that neither is a
-/// difference of near-equals; discriminant and determinant keep what is lost in the rounding of their products, or sum and
-/// product of two close roots would not be the trace and the determinant.
+/// difference of near-equals; discriminant and determinant keep what is lost in the rounding of their products, or sum
+/// and product of two close roots would not be the trace and the determinant.
 fn of_two_by_two(m: &DMatrix<f64>) -> [Complex<f64>; 2] {
     let scale = power_of_two(m.amax());
     let (a, b, c, d) = (m[(0, 0)] / scale, m[(0, 1)] / scale, m[(1, 0)] / scale, m[(1, 1)] / scale);
@@ -157,8 +158,9 @@ fn iterated(m: &DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     Ok(found.iter().map(|l| l * scale).collect())
 }
 
-/// Whether the entry below the diagonal in row `i` counts as zero: it is rounding beside its neighbours on the diagonal.
-/// Beside two zeros, and where the iteration makes no progress, it is held to the whole matrix, whose rounding is as large.
+/// Whether the entry below the diagonal in row `i` counts as zero: it is rounding beside its neighbours on the
+/// diagonal. Beside two zeros, and where the iteration makes no progress, it is held to the whole matrix, whose
+/// rounding is as large.
 fn negligible(h: &DMatrix<f64>, i: usize, norm: f64, iteration: usize) -> bool {
     let neighbours = h[(i, i)].abs() + h[(i - 1, i - 1)].abs();
     let size = if neighbours == 0.0 || iteration > EXCEPTIONAL { norm } else { neighbours };

@@ -1,5 +1,5 @@
-//! The maximum of a smooth function of a few variables in a box: Newton's method on central differences, damped where the
-//! function is not concave or a step would lead down (Nocedal and Wright 2006, §3.4 and §16.7).
+//! The maximum of a smooth function of a few variables in a box: Newton's method on central differences, damped where
+//! the function is not concave or a step would lead down (Nocedal and Wright 2006, §3.4 and §16.7).
 
 use crate::spd::Spd;
 use nalgebra::{Const, SMatrix, SVector};
@@ -27,9 +27,9 @@ pub struct Maximum<const N: usize> {
 }
 
 /// The local maximum of `f` in the box `bounds` (least and greatest of each variable) that Newton's method reaches from
-/// `start`. The derivatives are central differences of this `step`, so `f` is evaluated that far outside the box too. The
-/// search stops where a Newton step promises a gain of at most `tolerance`, after 60 steps, or where no step leads up, as
-/// where `f` is flat or not a number; only the first of these is called converged.
+/// `start`. The derivatives are central differences of this `step`, so `f` is evaluated that far outside the box too.
+/// The search stops where a Newton step promises a gain of at most `tolerance`, after 60 steps, or where no step leads
+/// up, as where `f` is flat or not a number; only the first of these is called converged.
 ///
 /// # Example
 /// ```

@@ -73,8 +73,8 @@ impl PackedSymmetric {
         (0..self.n).map(|i| self.data[start(i) + i])
     }
 
-    /// P − KLᵀ − LKᵀ for two columns of K and of L. Both products of a pair are added before they are subtracted, so the
-    /// answer would be symmetric to the last bit had both triangles been kept.
+    /// P − KLᵀ − LKᵀ for two columns of K and of L. Both products of a pair are added before they are subtracted, so
+    /// the answer would be symmetric to the last bit had both triangles been kept.
     pub fn subtract_pairs(&mut self, k: [&[f64]; 2], l: [&[f64]; 2]) {
         let mut rest = self.data.as_mut_slice();
         for i in 0..self.n {

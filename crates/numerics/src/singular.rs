@@ -1,17 +1,17 @@
 //! Singular values by one-sided Jacobi rotations (Hestenes 1958; Golub and Van Loan, Matrix Computations, §8.6.3).
 //!
 //! Not nalgebra's SVD: that iterates for ever on some finite matrices, brings three more factorizations into the wasm
-//! module, and knows a small singular value only to the rounding of the largest. Rotations until all columns are orthogonal
-//! keep the digits of the small ones.
+//! module, and knows a small singular value only to the rounding of the largest. Rotations until all columns are
+//! orthogonal keep the digits of the small ones.
 //!
 //! # Why it ends
 //!
-//! Two columns count as orthogonal when the cosine between them is at most τ = (m + 8)ε, with m rows. A rotation is made
-//! only where the cosine is greater, and leaves a smaller one: of rounding, the inner product contributes at most mε/2, the
-//! two norms through the angle as much again where they are close, the angle and the new entries less than 8ε. In exact
-//! arithmetic the sweeps converge, and quadratically once all cosines are small (Forsythe and Henrici 1960). Rounding
-//! disturbs that only below τ, where no rotation is made. With ε alone in place of τ a pair can be rotated for ever at the
-//! level of its rounding.
+//! Two columns count as orthogonal when the cosine between them is at most τ = (m + 8)ε, with m rows. A rotation is
+//! made only where the cosine is greater, and leaves a smaller one: of rounding, the inner product contributes at most
+//! mε/2, the two norms through the angle as much again where they are close, the angle and the new entries less than
+//! 8ε. In exact arithmetic the sweeps converge, and quadratically once all cosines are small (Forsythe and Henrici
+//! 1960). Rounding disturbs that only below τ, where no rotation is made. With ε alone in place of τ a pair can be
+//! rotated for ever at the level of its rounding.
 
 use crate::error::Error;
 use crate::sqrt;
@@ -91,7 +91,8 @@ fn facing(direction: &[f64]) -> f64 {
     if largest < 0.0 { -1.0 } else { 1.0 }
 }
 
-/// Rotates columns `p` and `q` of `a`, and of `v` with them, so that they become orthogonal; false when they already were.
+/// Rotates columns `p` and `q` of `a`, and of `v` with them, so that they become orthogonal; false when they already
+/// were.
 fn orthogonalize(
     a: &mut DMatrix<f64>,
     v: &mut DMatrix<f64>,
@@ -142,7 +143,8 @@ mod tests {
         assert!((values[0] * values[1] - 1.0).abs() < 1e-14);
     }
 
-    /// With one ε in place of the tolerance this pair was rotated at the level of its rounding until the sweeps ran out.
+    /// With one ε in place of the tolerance this pair was rotated at the level of its rounding until the sweeps ran
+    /// out.
     #[test]
     fn columns_that_are_orthogonal_but_for_rounding_count_as_such() {
         let found = singular_values(dmatrix![1.3, 0.3; 0.51, 1.08]).expect("converges");

@@ -36,16 +36,16 @@ impl<M: Dim> Spd<M>
 where
     DefaultAllocator: Allocator<M, M>,
 {
-    /// Factors `s`, of which the lower triangle is read; `None` when an entry of it is not finite, or a pivot is smaller
-    /// than the smallest normal number.
+    /// Factors `s`, of which the lower triangle is read; `None` when an entry of it is not finite, or a pivot is
+    /// smaller than the smallest normal number.
     #[inline]
     pub fn new(s: OMatrix<f64, M, M>) -> Option<Self> {
         let factored = Self::assumed(s);
         (factored.pivot > 0.0).then_some(factored)
     }
 
-    /// Factors `s` as if it were positive definite. If it is not, [`Spd::pivot`] is 0 and no other answer of this factor
-    /// means anything. A step can so compute its whole result first, and check the pivot once at the end.
+    /// Factors `s` as if it were positive definite. If it is not, [`Spd::pivot`] is 0 and no other answer of this
+    /// factor means anything. A step can so compute its whole result first, and check the pivot once at the end.
     #[inline]
     pub fn assumed(s: OMatrix<f64, M, M>) -> Self {
         let (n, mut f, mut pivot) = (s.nrows(), s, 1.0_f64);

@@ -1,6 +1,7 @@
 //! The square root, with the standard library and without.
 
-/// √x, correctly rounded: with the feature `std` the machine's, as IEEE 754 asks of it; without, `libm`'s, whose bits are the same.
+/// √x, correctly rounded: with the feature `std` the machine's, as IEEE 754 asks of it; without, `libm`'s, whose bits
+/// are the same.
 ///
 /// # Example
 /// ```

@@ -5,7 +5,8 @@ use core::fmt;
 /// Why a log was refused. The whole log is refused: half a log would be filtered as if it were the drive.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Error {
-    /// The file, counted from 0 in the order in which they were given; 0 where there is one, or where the fault is of all together.
+    /// The file, counted from 0 in the order in which they were given; 0 where there is one, or where the fault is of
+    /// all together.
     pub file: usize,
     /// The line, counted from 1; 0 where the fault is of all files together, and stands in none of them.
     pub line: u32,

@@ -1,5 +1,5 @@
-//! The files of a log as others write them: the five of a UTIAS MRCLAM data set, or plain tables of motion, sightings, landmarks and
-//! truth.
+//! The files of a log as others write them: the five of a UTIAS MRCLAM data set, or plain tables of motion, sightings,
+//! landmarks and truth.
 
 use crate::error::Error;
 use crate::guess;
@@ -98,7 +98,8 @@ impl Files {
         true
     }
 
-    /// Reads a value from another column of its file, or from none. Answers whether there are such a value and such a column.
+    /// Reads a value from another column of its file, or from none. Answers whether there are such a value and such a
+    /// column.
     pub fn set_column(&mut self, file: usize, value: &str, column: Option<usize>) -> bool {
         let Some(file) = self.files.get_mut(file) else { return false };
         let Some(at) = file.role().values().iter().position(|it| it.name == value) else { return false };
@@ -129,8 +130,8 @@ impl Files {
     /// The log that the files make.
     ///
     /// # Errors
-    /// As [`parse`](crate::parse), naming the file; a value that a role needs has no column; a file is empty. Where no file has the
-    /// robot's motion, the fault is of all together, and the message says what each was read as.
+    /// As [`parse`](crate::parse), naming the file; a value that a role needs has no column; a file is empty. Where no
+    /// file has the robot's motion, the fault is of all together, and the message says what each was read as.
     pub fn read(&self) -> Result<Understood, Error> {
         let empty = |file: &File| file.text.trim_matches([' ', '\n', '\r', '\t', '\u{feff}']).is_empty();
         if let Some(at) = self.files.iter().position(|file| file.role() != Role::Unused && empty(file)) {
@@ -148,7 +149,8 @@ impl Files {
                 role => file.rows(i, |row| reading.take(role, row))?,
             }
         }
-        // One file in the book's own format is refused at its last row; several have no row that stands for all of them.
+        // One file in the book's own format is refused at its last row; several have no row that stands for all of
+        // them.
         if self.files.len() > 1 && !reading.to.has_motion() {
             return Err(self.without_motion());
         }

@@ -35,8 +35,8 @@ impl Place {
 pub(crate) enum Unplaced {
     /// The log is refused: it is in the book's own format, which is strict.
     Refused,
-    /// The log is refused if it has landmarks and no barcodes; else the sighting is left out and counted: it is of another robot, or
-    /// there is no file of landmarks.
+    /// The log is refused if it has landmarks and no barcodes; else the sighting is left out and counted: it is of
+    /// another robot, or there is no file of landmarks.
     LeftOut,
 }
 
@@ -122,7 +122,8 @@ impl Gathering {
         !self.landmarks.is_empty()
     }
 
-    /// The log, and how many sightings were left out of it. With `barcodes`, a sighting of an unknown landmark is of another robot.
+    /// The log, and how many sightings were left out of it. With `barcodes`, a sighting of an unknown landmark is of
+    /// another robot.
     ///
     /// # Errors
     /// There is no motion, or a sighting is of a landmark without a place and is not left out.

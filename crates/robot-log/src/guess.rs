@@ -1,4 +1,5 @@
-//! What a file probably is: a role, its columns and its units, by what its columns are called, by its name, and by its numbers.
+//! What a file probably is: a role, its columns and its units, by what its columns are called, by its name, and by its
+//! numbers.
 
 use crate::role::{Quantity, Role, Units};
 use crate::row::number;
@@ -8,7 +9,8 @@ use crate::table::Table;
 /// The rows whose numbers are looked at.
 const LOOKED_AT: usize = 200;
 
-/// Words in a column's name by which a value is known: the first that fits is taken, and all words of an entry must be there.
+/// Words in a column's name by which a value is known: the first that fits is taken, and all words of an entry must be
+/// there.
 const WORDS: [(&str, &[&str]); 12] = [
     ("time", &["time", "t", "timestamp", "stamp", "sec", "secs", "seconds", "clock", "zeit"]),
     ("omega", &["omega", "ω", "w", "wz", "yaw rate", "yawrate", "turn rate", "angular", "gyro", "rotational"]),
@@ -41,7 +43,8 @@ const FILES: [(&str, Role); 13] = [
     ("motion", Role::Velocities),
 ];
 
-/// Roles in the order in which they are tried: a file of sightings has a time too, and a file of the truth may have speeds.
+/// Roles in the order in which they are tried: a file of sightings has a time too, and a file of the truth may have
+/// speeds.
 const ORDER: [Role; 6] =
     [Role::Barcodes, Role::Landmarks, Role::Sightings, Role::Velocities, Role::Odometry, Role::Truth];
 

@@ -1,7 +1,8 @@
-//! A robot's log: what its wheels counted, what its sensors read, where its landmarks stand and, if it is known, where it was.
+//! A robot's log: what its wheels counted, what its sensors read, where its landmarks stand and, if it is known, where
+//! it was.
 //!
-//! The file is plain text, UTF-8, one row a line, fields parted by commas. A line that begins with `#` is a comment, a blank line
-//! is skipped, lines end in LF or CRLF.
+//! The file is plain text, UTF-8, one row a line, fields parted by commas. A line that begins with `#` is a comment, a
+//! blank line is skipped, lines end in LF or CRLF.
 //!
 //! | row | meaning, units |
 //! |---|---|
@@ -12,12 +13,13 @@
 //! | `R,t,id,range` | a range to a landmark; m |
 //! | `B,t,id,range,bearing` | a range and a bearing, from the robot's nose to the landmark, counter-clockwise; m, rad |
 //!
-//! A log moves by `O` rows or by `V` rows, not by both. Rows may stand in any order: [`parse`] answers them by time, at equal times
-//! motion before sightings, then by line. What a log says is an [`estimate::drive::Drive`], which
+//! A log moves by `O` rows or by `V` rows, not by both. Rows may stand in any order: [`parse`] answers them by time, at
+//! equal times motion before sightings, then by line. What a log says is an [`estimate::drive::Drive`], which
 //! [`estimate::drive::Replay`] filters.
 //!
-//! [`Files`] reads what others write: tables of motion, sightings, landmarks and truth with or without a header, in their units, among
-//! them the five files of a UTIAS MRCLAM data set. How a file is read is guessed and can be corrected.
+//! [`Files`] reads what others write: tables of motion, sightings, landmarks and truth with or without a header, in
+//! their units, among them the five files of a UTIAS MRCLAM data set. How a file is read is guessed and can be
+//! corrected.
 //!
 //! # Example
 //! ```

@@ -9,9 +9,10 @@ use crate::row::{Read, read};
 /// Reads a log.
 ///
 /// # Errors
-/// Where the text is no log, with line, column and what was expected: it is too large or no text, a row has an unknown letter, too
-/// few or too many fields, a field that is no finite number, a negative range, a time beyond 10¹¹ s; a landmark is named twice or a
-/// sighting names none; `O` rows and `V` rows are mixed; there is no motion. A fault of the whole log names its last row.
+/// Where the text is no log, with line, column and what was expected: it is too large or no text, a row has an unknown
+/// letter, too few or too many fields, a field that is no finite number, a negative range, a time beyond 10¹¹ s; a
+/// landmark is named twice or a sighting names none; `O` rows and `V` rows are mixed; there is no motion. A fault of
+/// the whole log names its last row.
 pub fn parse(text: &str) -> Result<Log, Error> {
     if text.len() > MAX_BYTES {
         let message = format!("the log has {} bytes; at most {MAX_BYTES} were expected", text.len());

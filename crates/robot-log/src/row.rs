@@ -20,8 +20,8 @@ pub(crate) enum Read {
 /// The row of a line.
 ///
 /// # Errors
-/// The letter is unknown, a field is missing, superfluous or no finite number, a range is negative, an id is no whole number,
-/// a time is out of bounds.
+/// The letter is unknown, a field is missing, superfluous or no finite number, a range is negative, an id is no whole
+/// number, a time is out of bounds.
 pub(crate) fn read(line: &Line<'_>) -> Result<Read, Error> {
     let letter = line.fields[0];
     let form = match letter.text {

@@ -1,4 +1,5 @@
-//! Every way in which a log can be broken is refused, with the line and column of the fault and a word on what was expected.
+//! Every way in which a log can be broken is refused, with the line and column of the fault and a word on what was
+//! expected.
 
 use robot_log::{Error, parse};
 

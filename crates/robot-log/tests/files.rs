@@ -8,7 +8,8 @@ use proptest::prelude::*;
 mod draws;
 use robot_log::{Error, Files, Role, Understood, Units};
 
-/// The five files of a small drive in the form of the UTIAS MRCLAM data sets: robot 1 sees landmarks 6 and 7 and robot 2.
+/// The five files of a small drive in the form of the UTIAS MRCLAM data sets: robot 1 sees landmarks 6 and 7 and robot
+/// 2.
 const MRCLAM: [(&str, &str); 5] = [
     (
         "Robot1_Odometry.dat",

@@ -1,7 +1,8 @@
-//! The real robot's log, replayed with the settings that the chapter tries in turn, against an independent replay's numbers.
+//! The real robot's log, replayed with the settings that the chapter tries in turn, against an independent replay's
+//! numbers.
 //!
-//! The reference was computed by a program that shares no code with this one; both round in their own order, so they agree to
-//! 10⁻⁶ and not to the bit.
+//! The reference was computed by a program that shares no code with this one; both round in their own order, so they
+//! agree to 10⁻⁶ and not to the bit.
 
 use estimate::drive::{Replay, Settings, Summary};
 use robot_log::{Log, parse};
@@ -19,8 +20,8 @@ fn replayed(settings: Settings) -> Summary {
     replay.summary()
 }
 
-/// The numbers of one row of the reference: used and refused, RMSE and worst error, NIS per output, mean of ν/√S and lag 1, ε, and the
-/// final [x, y, θ].
+/// The numbers of one row of the reference: used and refused, RMSE and worst error, NIS per output, mean of ν/√S and
+/// lag 1, ε, and the final [x, y, θ].
 struct Reference {
     counts: [u32; 2],
     errors: [f64; 2],

@@ -100,7 +100,8 @@ proptest! {
         let _ = parse(&String::from_utf8_lossy(&bytes));
     }
 
-    /// A log cut anywhere but at a line's end or inside its last number is refused, and what is read is a part of the whole.
+    /// A log cut anywhere but at a line's end or inside its last number is refused, and what is read is a part of the
+    /// whole.
     #[test]
     fn a_truncated_log_is_a_part_of_the_whole_or_refused(n in 1_usize..20, cut in 0_usize..400) {
         let whole = lines(n).join("\n");

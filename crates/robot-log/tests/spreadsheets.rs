@@ -1,5 +1,5 @@
-//! Tables as spreadsheets and other programs write them: decimal commas, other line ends, empty files, units that nobody names. Each is
-//! read as it was meant, or refused with words that say what to do.
+//! Tables as spreadsheets and other programs write them: decimal commas, other line ends, empty files, units that
+//! nobody names. Each is read as it was meant, or refused with words that say what to do.
 
 use estimate::drive::Event;
 use robot_log::{Files, Role, Understood};

@@ -1,7 +1,7 @@
 //! Seeded noise with the same bits on every platform: ChaCha8 and Box–Muller through `libm`.
 //!
-//! `rand_distr`'s normal takes its logarithm from whichever mathematics its features were unified to, so its digits would
-//! depend on what else is in the build; hence our own dozen lines.
+//! `rand_distr`'s normal takes its logarithm from whichever mathematics its features were unified to, so its digits
+//! would depend on what else is in the build; hence our own dozen lines.
 
 use core::f64::consts::TAU;
 use nalgebra::{SMatrix, SVector};

@@ -1,8 +1,8 @@
 //! Every constant of every experiment with the robot, in one place.
 //!
 //! The book that this chapter follows prints results of runs without the constants behind them, and many sets of round
-//! numbers reproduce those results. The constants here are therefore the chapter's own, round and physically plausible, and the
-//! chapter prints what they give.
+//! numbers reproduce those results. The constants here are therefore the chapter's own, round and physically plausible,
+//! and the chapter prints what they give.
 
 use crate::apartment::Apartment;
 use crate::paths::{CORRIDOR, LOOP, Rectangle, SQUARE, Stadium};
@@ -14,8 +14,8 @@ use estimate::{Landmark, Wheels};
 /// Linear SLAM (§8.4.1): an omnidirectional robot that measures displacements to two landmarks.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LinearSlam {
-    /// A step is good to 0.1 m, a measured displacement to 0.2 m. The robot starts within 0.1 m of the map's origin, and
-    /// a landmark within 2 m of it, which is as good as unknown.
+    /// A step is good to 0.1 m, a measured displacement to 0.2 m. The robot starts within 0.1 m of the map's origin,
+    /// and a landmark within 2 m of it, which is as good as unknown.
     pub variances: Variances,
     /// Steps, each a prediction and then an update: enough for every limit to show.
     pub steps: u32,
@@ -82,8 +82,9 @@ pub struct RangeBearingSlam {
     pub found: f64,
 }
 
-/// The chapter's range–bearing SLAM: the Probe's square and landmarks, all seen at every pose, which makes 600 sightings, three of
-/// them founding; a sensor of 0.1 m and 1.7°. The first pose is the map's origin by definition, so its P₀ is zero.
+/// The chapter's range–bearing SLAM: the Probe's square and landmarks, all seen at every pose, which makes 600
+/// sightings, three of them founding; a sensor of 0.1 m and 1.7°. The first pose is the map's origin by definition, so
+/// its P₀ is zero.
 pub const RANGE_BEARING_SLAM: RangeBearingSlam = RangeBearingSlam {
     course: SQUARE,
     poses: 200,
@@ -95,8 +96,8 @@ pub const RANGE_BEARING_SLAM: RangeBearingSlam = RangeBearingSlam {
     found: 50.0,
 };
 
-/// A loop of the corridor with a sensor of short reach: four landmarks at most are in sight at once, and the first ones come into
-/// sight again at the end of a lap. The quoted run is a lap; its odometry is good to 2 cm and 0.4° a tick.
+/// A loop of the corridor with a sensor of short reach: four landmarks at most are in sight at once, and the first ones
+/// come into sight again at the end of a lap. The quoted run is a lap; its odometry is good to 2 cm and 0.4° a tick.
 pub const LOOP_CLOSURE: RangeBearingSlam = RangeBearingSlam {
     course: CORRIDOR,
     poses: 129,
@@ -140,8 +141,8 @@ pub struct BugMuseum {
     pub u_sigma: [f64; 2],
     /// The sensor.
     pub sensor: Sensor,
-    /// The share of readings that are wrong, as when a landmark is taken for another or an echo came by a detour: too long by
-    /// one to two metres, and off by up to half a radian.
+    /// The share of readings that are wrong, as when a landmark is taken for another or an echo came by a detour: too
+    /// long by one to two metres, and off by up to half a radian.
     pub outliers: f64,
     /// χ² beyond which a reading is refused.
     pub gate: f64,
@@ -149,8 +150,9 @@ pub struct BugMuseum {
     pub p0_sigma: [f64; 3],
 }
 
-/// The chapter's museum. On either straight the robot drives towards a landmark in line with it, so that the landmark's bearing
-/// lies on the cut at ±π all the way; on the second the heading does so too. No landmark is within reach from everywhere.
+/// The chapter's museum. On either straight the robot drives towards a landmark in line with it, so that the landmark's
+/// bearing lies on the cut at ±π all the way; on the second the heading does so too. No landmark is within reach from
+/// everywhere.
 pub const BUG_MUSEUM: BugMuseum = BugMuseum {
     course: Stadium { start: [0.0, 0.0, 0.0], straight: 16, bend: 8, ds: 0.25 },
     steps: 240,

@@ -28,8 +28,8 @@ pub struct Sensor {
 }
 
 impl Sensor {
-    /// Whether the landmark is near enough. [`Apartment::in_sight`](crate::Apartment::in_sight) says whether a wall stands
-    /// between.
+    /// Whether the landmark is near enough. [`Apartment::in_sight`](crate::Apartment::in_sight) says whether a wall
+    /// stands between.
     pub fn reaches(&self, world_from_robot: SE2, landmark: &Landmark) -> bool {
         numerics::hypot(world_from_robot.x() - landmark.x, world_from_robot.y() - landmark.y) <= self.reach
     }

@@ -1,10 +1,17 @@
-/** The system as a program that computes what the figure shows: with the Rust of this book, with its module, with numpy alone. */
+/**
+ * The system as a program that computes what the figure shows: with the Rust of this book, with its module, with numpy
+ * alone.
+ */
 
 import { systemOf } from './presets.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
 
-/** @param {Frame} frame @returns {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][], K: number[][], start: number, tolerance: string }} */
+/**
+ * @param {Frame} frame
+ * @returns {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][], K: number[][], start: number,
+ * tolerance: string }}
+ */
 function parts(frame) {
   return { ...systemOf(frame.params), K: frame.K, start: frame.params.start, tolerance: String(frame.tolerance) }
 }

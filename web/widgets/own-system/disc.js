@@ -11,7 +11,11 @@ const REACH = 1.32
 /** A pole this near to the real line is put on it, in its own units. */
 const SNAP = 0.05
 
-/** @param {import('../../figure/shell.js').Panel} panel @param {Frame} frame @param {import('../../figure/spec.js').View} view */
+/**
+ * @param {import('../../figure/shell.js').Panel} panel
+ * @param {Frame} frame
+ * @param {import('../../figure/spec.js').View} view
+ */
 export function drawDisc({ pen, width, height }, frame, view) {
   const plane = evenPlane({ left: 14, top: 30, right: width - 14, bottom: height - 12 }, [0, 0], REACH)
   const { x, y, box } = plane
@@ -61,7 +65,8 @@ export function drawDisc({ pen, width, height }, frame, view) {
 }
 
 /**
- * The poles that the reader sets, as the lab reads them: one off the real line takes the place of the next for its conjugate.
+ * The poles that the reader sets, as the lab reads them: one off the real line takes the place of the next for its
+ * conjugate.
  * @param {Frame} frame
  */
 function poles({ params, movable }) {

@@ -1,6 +1,6 @@
 /**
- * Where the reader types or pastes a system. What is typed goes to the lab as soon as it is a system; until then the fault is named and
- * the figure keeps the last one.
+ * Where the reader types or pastes a system. What is typed goes to the lab as soon as it is a system; until then the
+ * fault is named and the figure keeps the last one.
  */
 
 import { button, part } from '../../draw/dom.js'
@@ -12,7 +12,9 @@ import { givenName, lettersOf } from './names.js'
 import { MATRICES, PRESETS, paramsOf, partOf, sizeOf, systemOf } from './presets.js'
 import { faultOf, numberOf, readSystem } from './read.js'
 
-/** @typedef {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} Change */
+/**
+ * @typedef {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} Change
+ */
 
 const MOST = 4
 const MEANINGS = /** @type {Record<string, import('../../draw/words.js').Words>} */ ({
@@ -109,7 +111,10 @@ export function buildEditor(document, change) {
   let wrong = ''
   /** The system that the reader has made here last, and the one that is shown. */
   let [made, shown] = ['', '']
-  /** Where a system is pasted, and the system that its text was last. @type {{ area: HTMLTextAreaElement, is: string } | null} */
+  /**
+   * Where a system is pasted, and the system that its text was last.
+   * @type {{ area: HTMLTextAreaElement, is: string } | null}
+   */
   let pasted = null
 
   /** @param {string} name @param {number} i @param {number} j */

@@ -2,7 +2,13 @@
 
 import { part } from '../../draw/dom.js'
 
-/** @param {Document} document @param {Element} into @param {string} words @param {string[]} options @returns {HTMLSelectElement} */
+/**
+ * @param {Document} document
+ * @param {Element} into
+ * @param {string} words
+ * @param {string[]} options
+ * @returns {HTMLSelectElement}
+ */
 export function select(document, into, words, options) {
   const label = part(document, into, 'label', 'control')
   part(document, label, 'span', 'control-name').textContent = words

@@ -1,6 +1,6 @@
 /**
- * A system of the reader's own: its matrices are typed or pasted, and the core says what an observer can know of it, where a gain puts
- * its eigenvalues, and whether the filter's covariance settles.
+ * A system of the reader's own: its matrices are typed or pasted, and the core says what an observer can know of it,
+ * where a gain puts its eigenvalues, and whether the filter's covariance settles.
  */
 
 import { fixed, power } from '../../draw/numbers.js'
@@ -76,7 +76,12 @@ function readouts(frame) {
 
 const FROM = ['filter', 'hand', 'placement']
 
-/** A slider for one entry of the gain. @param {number} i @param {number} j @returns {import('../../figure/controls.js').Control} */
+/**
+ * A slider for one entry of the gain.
+ * @param {number} i
+ * @param {number} j
+ * @returns {import('../../figure/controls.js').Control}
+ */
 function entry(i, j) {
   return {
     kind: 'range',

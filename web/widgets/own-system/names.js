@@ -23,7 +23,10 @@ export function nameOf(params, i) {
   return givenName(params, i) || `x${'₁₂₃₄'[i]}`
 }
 
-/** A number with at most three digits that say something, small and large ones by their power of ten. @param {number} value */
+/**
+ * A number with at most three digits that say something, small and large ones by their power of ten.
+ * @param {number} value
+ */
 export function short(value) {
   const size = Math.abs(value)
   const text =

@@ -2,7 +2,10 @@
 
 import { lettersOf } from './names.js'
 
-/** @typedef {{ name: string, states: string[], F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} System */
+/**
+ * @typedef {{ name: string, states: string[], F: number[][], G: number[][], H: number[][], V: number[][], W: number[][]
+ * }} System
+ */
 
 /** @type {System[]} */
 export const PRESETS = [

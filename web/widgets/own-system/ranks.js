@@ -6,7 +6,11 @@ import { scaleLog } from '../../draw/plot.js'
 /** Zero stands at the scale's left end. */
 const FLOOR = 1e-17
 
-/** @param {import('../../figure/shell.js').Panel} panel @param {import('estimate-wasm').OwnFrame} frame @param {import('../../figure/spec.js').View} view */
+/**
+ * @param {import('../../figure/shell.js').Panel} panel
+ * @param {import('estimate-wasm').OwnFrame} frame
+ * @param {import('../../figure/spec.js').View} view
+ */
 export function drawRanks({ pen, width, height }, { rank, tolerance, params }, view) {
   const box = { left: 16, top: 30, right: width - 16, bottom: height - 44 }
   const x = scaleLog([FLOOR, 1.6], [box.left, box.right])

@@ -28,7 +28,11 @@ export function readSystem(text) {
   }
 }
 
-/** A number as a reader types it: a decimal, also by a true minus sign, or a fraction of two. @param {string} text @returns {number} NaN of what is none */
+/**
+ * A number as a reader types it: a decimal, also by a true minus sign, or a fraction of two.
+ * @param {string} text
+ * @returns {number} NaN of what is none
+ */
 export function numberOf(text) {
   const [above, below, more] = text
     .trim()
@@ -111,7 +115,10 @@ const hintOf = (text) =>
 /** @param {number[][]} m */
 const transposed = (m) => m[0].map((_, j) => m.map((row) => row[j]))
 
-/** The value behind `name =`: a matrix in brackets or without, `eye(2)` and its like, a number times these, and transposes. */
+/**
+ * The value behind `name =`: a matrix in brackets or without, `eye(2)` and its like, a number times these, and
+ * transposes.
+ */
 class Value {
   /** @param {string} text @param {string} name */
   constructor(text, name) {
@@ -164,7 +171,10 @@ class Value {
     return value
   }
 
-  /** `np.array([…])`, `eye(2)`, `diag([1 2])`, `zeros(2, 1)` or `(…)`; null where nothing of the kind stands. @returns {number[][] | null} */
+  /**
+   * `np.array([…])`, `eye(2)`, `diag([1 2])`, `zeros(2, 1)` or `(…)`; null where nothing of the kind stands.
+   * @returns {number[][] | null}
+   */
   made() {
     const call = this.take(/^(?:(np|numpy|jnp)\.)?(array|matrix|asarray|mat|eye|identity|diag|zeros|ones)?\s*\(\s*/)
     if (!call) return null

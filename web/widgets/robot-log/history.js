@@ -11,7 +11,10 @@ import { expecting, unread } from './words.js'
 /** @typedef {import('../../figure/shell.js').Panel} Panel */
 /** @typedef {import('../../draw/pen.js').Pen} Pen */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
-/** @typedef {{ key: string, name: string, kin: import('../../draw/plot.js').Kin, shape: string, values: number[] }} Curve */
+/**
+ * @typedef {{ key: string, name: string, kin: import('../../draw/plot.js').Kin, shape: string, values: number[] }}
+ * Curve
+ */
 
 const minutes = (/** @type {number[]} */ seconds) => seconds.map((value) => value / 60)
 
@@ -93,8 +96,8 @@ export function drawErrors(panel, frame) {
 }
 
 /**
- * Whole powers of ten about both curves, since a claim may be a hundred times the error. What is far smaller than usual, as the error at
- * the start, stands at the lower edge.
+ * Whole powers of ten about both curves, since a claim may be a hundred times the error. What is far smaller than
+ * usual, as the error at the start, stands at the lower edge.
  * @param {number[]} error @param {number[]} bound @returns {[number, number]}
  */
 function decades(error, bound) {
@@ -123,7 +126,14 @@ export function drawNis(panel, frame) {
   })
 }
 
-/** @param {Panel} panel @param {Frame} frame @param {[number, number]} up @param {string} title @param {(pen: Pen, plane: Plane) => void} paint @param {boolean} [log] */
+/**
+ * @param {Panel} panel
+ * @param {Frame} frame
+ * @param {[number, number]} up
+ * @param {string} title
+ * @param {(pen: Pen, plane: Plane) => void} paint
+ * @param {boolean} [log]
+ */
 function draw({ pen, width, height }, frame, [low, high], title, paint, log = false) {
   // The unit stands behind the last tick.
   const box = { left: 40, top: 26, right: width - 32, bottom: height - 24 }

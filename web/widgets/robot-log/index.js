@@ -1,6 +1,6 @@
 /**
- * A robot that really drove: its log, filtered with the noise, the gate and the calibration that the reader chooses. The ranges read
- * seven per cent long; the reader finds that out.
+ * A robot that really drove: its log, filtered with the noise, the gate and the calibration that the reader chooses.
+ * The ranges read seven per cent long; the reader finds that out.
  */
 
 import { fixed } from '../../draw/numbers.js'
@@ -107,7 +107,14 @@ function readouts(frame) {
 
 // Controls.
 
-/** A slider over powers of ten: its numbers are the logarithms. @param {string} name @param {import('../../draw/words.js').Words} label @param {[number, number]} ends @param {string} unit @param {number} decimals */
+/**
+ * A slider over powers of ten: its numbers are the logarithms.
+ * @param {string} name
+ * @param {import('../../draw/words.js').Words} label
+ * @param {[number, number]} ends
+ * @param {string} unit
+ * @param {number} decimals
+ */
 function logarithmic(name, label, ends, unit, decimals) {
   const [least] = ends.map((end) => 10 ** end)
   return {

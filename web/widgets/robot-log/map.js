@@ -1,4 +1,7 @@
-/** The lawn from above, with the beacons, the three tracks, and a timeline by which the reader goes to a moment of the drive. */
+/**
+ * The lawn from above, with the beacons, the three tracks, and a timeline by which the reader goes to a moment of the
+ * drive.
+ */
 
 import { followed } from '../../draw/camera.js'
 import { drawLabels, clear } from '../../draw/labels.js'
@@ -41,8 +44,8 @@ export function drawMap({ pen, width, height }, frame, view) {
 }
 
 /**
- * What has to be seen: the landmarks, the tracks, and the robot with its ellipse, but of an ellipse that grows without end no more than
- * half of what the landmarks and the true track take.
+ * What has to be seen: the landmarks, the tracks, and the robot with its ellipse, but of an ellipse that grows without
+ * end no more than half of what the landmarks and the true track take.
  * @param {Frame} frame @param {number} axis
  */
 function seen({ landmarks, tracks, estimate, ellipse }, axis) {

@@ -1,6 +1,6 @@
 /**
- * The run of a log that a worker replays. A figure asks it what it asks a `Run` of a lab in the page; here a turn sends the worker
- * what the reader has asked for, and takes what has come back.
+ * The run of a log that a worker replays. A figure asks it what it asks a `Run` of a lab in the page; here a turn sends
+ * the worker what the reader has asked for, and takes what has come back.
  */
 
 /** @typedef {import('../../figure/run.js').Outcome} Outcome */
@@ -33,7 +33,10 @@ export class RemoteRun {
     this.due = 0
     this.stepped = -Infinity
     this.id = 0
-    /** What the worker was asked for and has not answered. @type {{ id: number, params: any, step: number, moved: Outcome['moved'] } | null} */
+    /**
+     * What the worker was asked for and has not answered.
+     * @type {{ id: number, params: any, step: number, moved: Outcome['moved'] } | null}
+     */
     this.sent = null
     /** What the worker has said since the last turn. @type {any} */
     this.answer = null
@@ -41,7 +44,10 @@ export class RemoteRun {
     this.progress = null
     /** @type {any} */
     this.remembered = null
-    /** Who waits for a log to be read or a table to be written, first come first served. @type {((answer: any) => void)[]} */
+    /**
+     * Who waits for a log to be read or a table to be written, first come first served.
+     * @type {((answer: any) => void)[]}
+     */
     this.waiting = []
     port.onmessage = ({ data }) => this.hear(data)
   }
@@ -59,7 +65,10 @@ export class RemoteRun {
     return this.patch || this.sent ? { ...(this.sent?.params ?? this.frame.params), ...this.patch } : null
   }
 
-  /** The frame on the screen, but with the parameters that the reader has asked for; the same object until one of the two changes. */
+  /**
+   * The frame on the screen, but with the parameters that the reader has asked for; the same object until one of the
+   * two changes.
+   */
   get wanted() {
     const { frame, patch, sent, asked, remembered: old } = this
     if (!asked) return frame
@@ -118,8 +127,8 @@ export class RemoteRun {
   }
 
   /**
-   * Gives the worker a log, or asks it to read the log otherwise. A log that was read is replayed to its end with the present
-   * settings; one that is wrong leaves the run as it is.
+   * Gives the worker a log, or asks it to read the log otherwise. A log that was read is replayed to its end with the
+   * present settings; one that is wrong leaves the run as it is.
    * @param {{ kind: 'files', files: File[] } | { kind: 'reading', change: import('./server.js').Change }} message
    * @returns {Promise<any>} what the worker says of it
    */

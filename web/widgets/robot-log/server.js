@@ -10,8 +10,9 @@
  * | `{ kind: 'cancel' }` | nothing more about the replay that was under way |
  * | `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'` | `{ kind: 'table', text }`, a `Blob` of CSV, or `{ kind: 'no-table', message }` |
  *
- * A replay is computed in chunks, and between two of them the worker reads its messages. A later `go` replaces an earlier one, unless
- * that one is nearly there: a slider that is dragged over a long log is still answered now and then.
+ * A replay is computed in chunks, and between two of them the worker reads its messages. A later `go` replaces an
+ * earlier one, unless that one is nearly there: a slider that is dragged over a long log is still answered now and
+ * then.
  */
 
 import { attend } from '../../load/worker-server.js'
@@ -31,10 +32,17 @@ const TABLE_ROWS = 5000
 /** The most characters of a faulty line that are shown. */
 const MOST_SHOWN = 200
 
-/** @typedef {{ file: number, role?: string, value?: string, column?: number | null, unit?: string }} Change how one file is read */
+/**
+ * @typedef {{ file: number, role?: string, value?: string, column?: number | null, unit?: string }} Change how one file
+ * is read
+ */
 /** @typedef {{ wish: Wish, lab: any, of: number, from: number, began: number, told: number }} Replay */
 
-/** Answers what comes through a port. @param {import('../../load/worker-port.js').Port} port @param {() => Promise<import('../../load/loader.js').Loaded<any>>} load */
+/**
+ * Answers what comes through a port.
+ * @param {import('../../load/worker-port.js').Port} port
+ * @param {() => Promise<import('../../load/loader.js').Loaded<any>>} load
+ */
 export const serve = (port, load) => attend(port, load, (module, tell, soon) => new Server(module, tell, soon))
 
 export class Server {
@@ -50,7 +58,10 @@ export class Server {
     this.soon = soon
     this.clock = clock
     this.calls = new Pace(clock)
-    /** The files of the log that was read last, as long as one of them is a table that can be read otherwise. @type {any} */
+    /**
+     * The files of the log that was read last, as long as one of them is a table that can be read otherwise.
+     * @type {any}
+     */
     this.files = null
     /** Their texts, from which a faulty line is shown. @type {string[] | null} */
     this.texts = null
@@ -158,7 +169,10 @@ export class Server {
     }
   }
 
-  /** Writes the replay as CSV, a part at a time; a `go` that comes meanwhile is answered between two parts. @param {{ params: any, table: string }} wish */
+  /**
+   * Writes the replay as CSV, a part at a time; a `go` that comes meanwhile is answered between two parts.
+   * @param {{ params: any, table: string }} wish
+   */
   async table({ params, table: kind }) {
     try {
       const table = new this.module.LogTable(this.log, params, kind)
@@ -195,7 +209,9 @@ export class Server {
     if (replay && replay.lab !== this.lab) replay.lab.free()
   }
 
-  /** Begins what was wished for last: from where the lab is, if the wish only leads on, else from the log's first row. */
+  /**
+   * Begins what was wished for last: from where the lab is, if the wish only leads on, else from the log's first row.
+   */
   start() {
     const { wish, lab } = this
     if (!wish) return

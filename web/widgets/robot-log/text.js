@@ -1,8 +1,10 @@
-/** Files as text. A log is written in UTF-8, but spreadsheets save tables in UTF-16, or with one byte for each letter. */
+/**
+ * Files as text. A log is written in UTF-8, but spreadsheets save tables in UTF-16, or with one byte for each letter.
+ */
 
 /**
- * The text of a file, and a sentence about its encoding where that is not UTF-8. A file with a zero byte is no text: its bytes that no
- * UTF-8 has become U+FFFD, which no log may hold.
+ * The text of a file, and a sentence about its encoding where that is not UTF-8. A file with a zero byte is no text:
+ * its bytes that no UTF-8 has become U+FFFD, which no log may hold.
  * @param {string} name @param {ArrayBuffer} bytes @returns {{ text: string, note: string }}
  */
 export function decode(name, bytes) {

@@ -29,7 +29,11 @@ export function unread({ params, summary: { used, refused } }) {
   return used === 0 ? 'every reading is refused' : 'too few readings so far'
 }
 
-/** What a panel that waits for the first reading will be judged by; one panel alone says what to do. @param {Frame} frame @param {string} expected */
+/**
+ * What a panel that waits for the first reading will be judged by; one panel alone says what to do.
+ * @param {Frame} frame
+ * @param {string} expected
+ */
 export const expecting = (frame, expected) => (frame.params.sightings ? unread(frame) : expected)
 
 /** @param {Frame} frame */

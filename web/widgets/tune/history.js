@@ -73,7 +73,13 @@ export function drawNees(panel, { innovations, verdict }) {
   })
 }
 
-/** @param {Panel} panel @param {number} readings @param {[number, number]} up @param {string} title @param {(pen: Pen, plane: Plane) => void} paint */
+/**
+ * @param {Panel} panel
+ * @param {number} readings
+ * @param {[number, number]} up
+ * @param {string} title
+ * @param {(pen: Pen, plane: Plane) => void} paint
+ */
 function draw({ pen, width, height }, readings, [low, high], title, paint) {
   const box = { left: 40, top: 26, right: width - MARGIN, bottom: height - 24 }
   const plane = planeOf(box, [0, readings], rounded(low, high + (high - low) * 0.02, 4))
@@ -84,7 +90,14 @@ function draw({ pen, width, height }, readings, [low, high], title, paint) {
   })
 }
 
-/** The room between two curves. @param {Pen} pen @param {Plane} plane @param {number[]} xs @param {number[]} lows @param {number[]} highs */
+/**
+ * The room between two curves.
+ * @param {Pen} pen
+ * @param {Plane} plane
+ * @param {number[]} xs
+ * @param {number[]} lows
+ * @param {number[]} highs
+ */
 function between(pen, { x, y, box }, xs, lows, highs) {
   const across = [...xs, ...[...xs].reverse()]
   const up = [...highs, ...[...lows].reverse()]

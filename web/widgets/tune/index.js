@@ -1,6 +1,6 @@
 /**
- * Tune the filter on one log: its innovations, the log's likelihood over all noise levels, and the truth, which stays sealed until the
- * reader commits.
+ * Tune the filter on one log: its innovations, the log's likelihood over all noise levels, and the truth, which stays
+ * sealed until the reader commits.
  */
 
 import { fixed } from '../../draw/numbers.js'
@@ -42,7 +42,11 @@ const percent = (/** @type {number} */ share) => `${fixed(100 * share, 1)} %`
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
 function readouts(frame) {
   const { logLikelihood, params, beyond, autocorrelation, fit, verdict: truth } = frame
-  /** A level with the factor of its standard deviation. @param {number | undefined} log @param {number | undefined} sigma */
+  /**
+   * A level with the factor of its standard deviation.
+   * @param {number | undefined} log
+   * @param {number | undefined} sigma
+   */
   const known = (log, sigma) =>
     log === undefined ? '–' : `${level(log)}${sigma === undefined ? '' : ` ×÷ ${fixed(10 ** sigma, 2)}`}`
   return [

@@ -62,7 +62,10 @@ export class Filling {
     return this.filling ? { step: this.value?.rows ?? 0, of: SIZE, unit: 'row' } : null
   }
 
-  /** Begins anew where the log is another, or where the reader asks for the fit of a map that was cancelled. @param {{ params: { seed: number, length: number, fit: boolean } }} frame */
+  /**
+   * Begins anew where the log is another, or where the reader asks for the fit of a map that was cancelled.
+   * @param {{ params: { seed: number, length: number, fit: boolean } }} frame
+   */
   follow({ params: { seed, length, fit } }) {
     const log = `${seed} ${length}`
     const again = this.value?.stopped && fit && !this.fit

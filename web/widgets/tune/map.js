@@ -1,4 +1,7 @@
-/** The map of the log-likelihood over q and W, with the noise that the reader has chosen, the likeliest and, when it is unsealed, the true. */
+/**
+ * The map of the log-likelihood over q and W, with the noise that the reader has chosen, the likeliest and, when it is
+ * unsealed, the true.
+ */
 
 import { contours } from 'd3-contour'
 import { clear, drawLabels, widthOf } from '../../draw/labels.js'
@@ -64,7 +67,12 @@ function drawLikelihood(pen, box, map, found) {
   if (found) pen.mark('path', 'contour', { class: 'likely contour', d: path(limit / 2) })
 }
 
-/** Polygons in cells of the map as one path. @param {{ coordinates: number[][][][] }} polygons @param {Box} box @param {number} size */
+/**
+ * Polygons in cells of the map as one path.
+ * @param {{ coordinates: number[][][][] }} polygons
+ * @param {Box} box
+ * @param {number} size
+ */
 function outline({ coordinates }, { left, right, top, bottom }, size) {
   const out = new Outline()
   let d = ''
@@ -133,7 +141,12 @@ function drawNames(pen, { x, y, box }, { params, fit, verdict }) {
   ])
 }
 
-/** @param {Frame} frame @param {import('../../figure/spec.js').View} view @param {Plane} plane @returns {import('../../figure/spec.js').HandleSpec} */
+/**
+ * @param {Frame} frame
+ * @param {import('../../figure/spec.js').View} view
+ * @param {Plane} plane
+ * @returns {import('../../figure/spec.js').HandleSpec}
+ */
 function handleOf({ params }, { limits: { logQ, logW } }, { x, y }) {
   const snap = (/** @type {number} */ value, /** @type {import('estimate-wasm').Parameter} */ { least, greatest }) =>
     Math.round(Math.max(least, Math.min(greatest, value)) / STEP) * STEP

@@ -16,7 +16,11 @@ const CHUNK_MS = 24
 
 /** @typedef {{ id: number, lab: any, size: number, row: number }} Work */
 
-/** Answers what comes through a port. @param {import('../../load/worker-port.js').Port} port @param {() => Promise<import('../../load/loader.js').Loaded<any>>} load */
+/**
+ * Answers what comes through a port.
+ * @param {import('../../load/worker-port.js').Port} port
+ * @param {() => Promise<import('../../load/loader.js').Loaded<any>>} load
+ */
 export const serve = (port, load) => attend(port, load, (module, tell, soon) => new Server(module, tell, soon))
 
 export class Server {

@@ -8,13 +8,14 @@ use nalgebra::{DMatrix, DVector};
 use wasm_bindgen::prelude::*;
 
 /// The most rows, and the most columns, of a matrix: no argument of any call has more. What has more is refused by its
-/// lengths, since rows × columns entries of the longest arrays would take a minute to read, or more memory than there is.
+/// lengths, since rows × columns entries of the longest arrays would take a minute to read, or more memory than there
+/// is.
 pub(super) const MAX_SIDE: u32 = estimate::validate::MAX_STATES as u32;
 
 #[wasm_bindgen]
 extern "C" {
-    // What a typed array is and holds, by the getters and the method of its class: a subclass, or what has been given its
-    // prototype, may answer anything.
+    // What a typed array is and holds, by the getters and the method of its class: a subclass, or what has been given
+    // its prototype, may answer anything.
     #[wasm_bindgen(catch, js_namespace = Reflect, js_name = get)]
     fn get_as(class: &JsValue, name: &JsValue, of: &JsValue) -> Result<Option<JsValue>, JsValue>;
     #[wasm_bindgen(catch, js_namespace = ["Float64Array", "prototype", "set"], js_name = call)]
@@ -46,7 +47,8 @@ impl Arg<'_> {
         }
     }
 
-    /// An array of rows of one length. One too large is of the wrong shape: another argument says what its sides must be.
+    /// An array of rows of one length. One too large is of the wrong shape: another argument says what its sides must
+    /// be.
     pub fn matrix(&self) -> Result<DMatrix<f64>, Error> {
         self.matrix_within(Code::Shape, Code::Shape)
     }

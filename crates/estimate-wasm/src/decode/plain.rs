@@ -1,5 +1,5 @@
-//! The usual way of vectors and matrices: plain arrays of finite numbers, read in one call. Of any other the answer is nothing, and
-//! the strict way, entry by entry, says what is wrong.
+//! The usual way of vectors and matrices: plain arrays of finite numbers, read in one call. Of any other the answer is
+//! nothing, and the strict way, entry by entry, says what is wrong.
 
 use super::Arg;
 use super::matrix::MAX_SIDE;

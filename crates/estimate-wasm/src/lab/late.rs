@@ -10,9 +10,9 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 export interface Tune {
     /**
-     * One row of a map of the log-likelihood over all noise levels that the filter can take: `columns` values of `logQ` at one of
-     * `rows` values of `logW`, each at the middle of its cell. Row 0 has the least W; `rows` and `columns` are at most 200.
-     * It depends on the seed and the length of the log alone.
+     * One row of a map of the log-likelihood over all noise levels that the filter can take: `columns` values of `logQ`
+     * at one of `rows` values of `logW`, each at the middle of its cell. Row 0 has the least W; `rows` and `columns`
+     * are at most 200. It depends on the seed and the length of the log alone.
      */
     likelihoodRow(row: number, rows: number, columns: number): Vector;
 }

@@ -95,7 +95,8 @@ fn units_do_not_change_the_answer() {
     assert_eq!(verdicts(&dmatrix![1.0, 0.0; 0.0, 0.5], &dmatrix![1e-12, 1.0]), (Yes, Yes));
 }
 
-/// Evened out, the two ways by which the second state is seen all but cancel: what is left is 2⁻³⁰. As given it is 2⁻²¹.
+/// Evened out, the two ways by which the second state is seen all but cancel: what is left is 2⁻³⁰. As given it is
+/// 2⁻²¹.
 #[test]
 fn what_is_seen_well_in_the_units_given_is_seen() {
     let f = dmatrix![1.0, 0.0; libm::exp2(-20.0), 1.0];

@@ -25,7 +25,8 @@ pub struct Line {
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Points {
     count: u32,
-    /// The first point: the sums are over the others' distance from it, which costs no digits where all points are far from 0.
+    /// The first point: the sums are over the others' distance from it, which costs no digits where all points are far
+    /// from 0.
     first: [f64; 2],
     sum: [f64; 2],
     xx: f64,

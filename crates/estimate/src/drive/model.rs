@@ -5,8 +5,8 @@ use filters::{MeasurementModel, MotionModel, State};
 use geom::SE2;
 use nalgebra::{Matrix4, SMatrix, SVector, Vector4};
 
-/// A pose, and a number ε that calibrates one of the robot's sensors: by how much its ranges read long, or by how much a wheel is
-/// believed too large ([`RightWheel`](crate::RightWheel)).
+/// A pose, and a number ε that calibrates one of the robot's sensors: by how much its ranges read long, or by how much
+/// a wheel is believed too large ([`RightWheel`](crate::RightWheel)).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseAndScale {
     /// The pose.
@@ -31,7 +31,8 @@ impl State<4> for PoseAndScale {
     }
 }
 
-/// A state with a pose from which ranges are read, and perhaps the scale of those ranges: `[x, y, θ]` or `[x, y, θ, ε]`.
+/// A state with a pose from which ranges are read, and perhaps the scale of those ranges: `[x, y, θ]` or `[x, y, θ,
+/// ε]`.
 pub trait Scalable<const N: usize>: State<N> {
     /// The pose.
     fn pose(&self) -> SE2;
@@ -80,7 +81,8 @@ impl MotionModel<PoseAndScale, 4, 2> for Unicycle {
     }
 }
 
-/// A sensor of the pose whose first output is a range ρ, with that range read as (1 + ε) ρ + offset. ε is given, or the state's.
+/// A sensor of the pose whose first output is a range ρ, with that range read as (1 + ε) ρ + offset. ε is given, or the
+/// state's.
 #[derive(Clone, Copy, Debug)]
 pub struct Scaled<S> {
     /// The sensor: [`RangeOnly`](crate::landmarks::RangeOnly) or [`RangeBearing`](crate::landmarks::RangeBearing).

@@ -39,12 +39,13 @@ enum Filter {
 
 /// A localizer that replays a [`Drive`] row by row.
 ///
-/// The state is [x, y, θ], with `learn` [x, y, θ, ε]. It starts at the first true pose, at its time; where there is no truth, at the
-/// origin and at the first row's time. Rows before the start are skipped.
+/// The state is [x, y, θ], with `learn` [x, y, θ, ε]. It starts at the first true pose, at its time; where there is no
+/// truth, at the origin and at the first row's time. Rows before the start are skipped.
 ///
 /// Over dt seconds, with the distance d and the turn a at the heading θ,
-/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; `V` rows bring velocities,
-/// which move the estimate to the time of every later row. A sighting is gated by its d² and taken in Joseph's form.
+/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; `V` rows
+/// bring velocities, which move the estimate to the time of every later row. A sighting is gated by its d² and taken in
+/// Joseph's form.
 ///
 /// # Example
 /// ```
@@ -86,8 +87,8 @@ impl Replay {
     /// A replay at its start.
     ///
     /// # Errors
-    /// [`Code::NotFinite`] or [`Code::Limit`] naming the setting: a standard deviation is negative or one of a sensor 0, the
-    /// gate is no probability between 0 and 1, 1 + scale is not positive.
+    /// [`Code::NotFinite`] or [`Code::Limit`] naming the setting: a standard deviation is negative or one of a sensor
+    /// 0, the gate is no probability between 0 and 1, 1 + scale is not positive.
     pub fn new(drive: &Drive, settings: Settings) -> Result<Self, Error> {
         settings.check()?;
         let gate = |dof| settings.gate.map(|p| chi2_quantile(dof, p)).transpose();
@@ -115,8 +116,8 @@ impl Replay {
     /// Takes one row of `drive`; answers what became of it when it is a sighting that was looked at.
     ///
     /// # Errors
-    /// [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`] where the numbers leave the range of floating point; the
-    /// replay is then as it was. [`Code::Limit`] for a landmark that `drive` does not have.
+    /// [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`] where the numbers leave the range of floating
+    /// point; the replay is then as it was. [`Code::Limit`] for a landmark that `drive` does not have.
     pub fn take(&mut self, drive: &Drive, row: &Row) -> Result<Option<Judged>, Error> {
         if row.time < self.start {
             return Ok(None);

@@ -34,7 +34,8 @@ pub enum Event {
         landmark: usize,
         /// m.
         range: f64,
-        /// rad, from the robot's nose to the landmark, counter-clockwise: Choset's bearing, which is seen from the landmark, and π.
+        /// rad, from the robot's nose to the landmark, counter-clockwise: Choset's bearing, which is seen from the
+        /// landmark, and π.
         bearing: f64,
     },
 }

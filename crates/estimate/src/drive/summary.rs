@@ -19,8 +19,8 @@ pub struct Summary {
     pub nis: Option<f64>,
     /// Mean of ν₁/√S₁₁ over the used sightings: 0 is expected.
     pub mean_innovation: Option<f64>,
-    /// Autocorrelation of ν₁/√S₁₁ from one used sighting to the next: 0 is expected. `None` of fewer than two, or where all
-    /// are equal.
+    /// Autocorrelation of ν₁/√S₁₁ from one used sighting to the next: 0 is expected. `None` of fewer than two, or where
+    /// all are equal.
     pub lag1: Option<f64>,
     /// The learned ε.
     pub epsilon: Option<f64>,

@@ -33,8 +33,8 @@ impl Truth {
         &self.poses
     }
 
-    /// The true position at `time`, interpolated linearly in time; before the first pose the first, after the last the last.
-    /// `None` in a log without truth.
+    /// The true position at `time`, interpolated linearly in time; before the first pose the first, after the last the
+    /// last. `None` in a log without truth.
     pub fn position(&self, time: f64) -> Option<[f64; 2]> {
         let after = self.poses.partition_point(|pose| pose.time <= time);
         let (first, last) = (self.poses.first()?, self.poses.last()?);

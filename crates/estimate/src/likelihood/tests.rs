@@ -90,8 +90,8 @@ fn the_likelihood_is_the_joint_density_of_all_readings() {
     assert!((found / exact - 1.0).abs() < 1e-13, "{found} against {exact}");
 }
 
-/// Two outputs, one of V's noise alone and one of W's alone: ln q and ln w are ln of the mean squares, and the information
-/// of each is half the number of readings.
+/// Two outputs, one of V's noise alone and one of W's alone: ln q and ln w are ln of the mean squares, and the
+/// information of each is half the number of readings.
 #[test]
 fn of_readings_of_either_noise_alone_the_fit_is_in_closed_form() {
     let first = Matrix2::new(1.0, 0.0, 0.0, 0.0);

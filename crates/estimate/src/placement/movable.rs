@@ -1,5 +1,5 @@
-//! The part of an observer's error that a gain can move: what (F, HF) sees. The rest keeps its eigenvalues: those of what H never sees,
-//! and a zero for each direction that F forgets.
+//! The part of an observer's error that a gain can move: what (F, HF) sees. The rest keeps its eigenvalues: those of
+//! what H never sees, and a zero for each direction that F forgets.
 
 use super::factor::{Factor, real_factors};
 use super::{MET, ackermann, meets, not_placeable, several};
@@ -34,8 +34,8 @@ pub struct Movable {
 }
 
 impl Movable {
-    /// The movable part of a system with F n×n and H p×n, both finite. What is smaller than `tolerance`, as a part of the matrix that it
-    /// comes from, counts as zero.
+    /// The movable part of a system with F n×n and H p×n, both finite. What is smaller than `tolerance`, as a part of
+    /// the matrix that it comes from, counts as zero.
     ///
     /// # Errors
     /// [`Code::Tolerance`](crate::Code::Tolerance); [`Code::DidNotConverge`](crate::Code::DidNotConverge) or

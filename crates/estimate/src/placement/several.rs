@@ -1,7 +1,9 @@
-//! Placement with several outputs, reduced to one: after a first gain K₁ one combination q of the outputs sees the whole state, and
-//! Ackermann's formula answers for (F − K₁C, qC) (Heymann, IEEE Transactions on Automatic Control 13, 1968, 748–749).
+//! Placement with several outputs, reduced to one: after a first gain K₁ one combination q of the outputs sees the
+//! whole state, and Ackermann's formula answers for (F − K₁C, qC) (Heymann, IEEE Transactions on Automatic Control 13,
+//! 1968, 748–749).
 //!
-//! Almost every K₁ and q will do. A few are tried, always the same, and the smallest gain that puts the poles where they belong is taken.
+//! Almost every K₁ and q will do. A few are tried, always the same, and the smallest gain that puts the poles where
+//! they belong is taken.
 
 use super::factor::Factor;
 use super::{ackermann, meets};

@@ -22,8 +22,8 @@ struct Step {
     dx: Vec<f64>,
     /// νᵀS⁻¹ν.
     d2: f64,
-    /// The largest sum of sizes of the terms of a new variance. It is far above the variance where the terms cancel: when
-    /// robot and landmark know each other far better than the world, or S is nearly singular.
+    /// The largest sum of sizes of the terms of a new variance. It is far above the variance where the terms cancel:
+    /// when robot and landmark know each other far better than the world, or S is nearly singular.
     scale: f64,
     /// The largest of the new variances.
     after: f64,
@@ -45,8 +45,8 @@ impl EkfSlam {
     }
 
     /// Changes P, and keeps account of the rounding: the change adds up terms of size `scale` to variances of which the
-    /// largest is `after`. Where the rounding may matter, P is checked. The answer is false when it is no covariance any
-    /// more; the change is then undone.
+    /// largest is `after`. Where the rounding may matter, P is checked. The answer is false when it is no covariance
+    /// any more; the change is then undone.
     pub(super) fn guarded(&mut self, scale: f64, after: f64, change: impl FnOnce(&mut Self)) -> bool {
         let rounding = numerics::hypot(self.rounding, f64::EPSILON * scale);
         // A small state is always checked, a large one rarely: in an ordinary run its variances do not fall far enough.
@@ -120,8 +120,8 @@ impl EkfSlam {
         Ok(step)
     }
 
-    /// A bound b, well within what a covariance is allowed, such that no eigenvalue of P lies below −b. `None` when there is
-    /// no such bound, or when a landmark's own block is no covariance.
+    /// A bound b, well within what a covariance is allowed, such that no eigenvalue of P lies below −b. `None` when
+    /// there is no such bound, or when a landmark's own block is no covariance.
     fn semidefinite_to(&self) -> Option<f64> {
         let largest = self.p.diagonal().fold(0.0, |a: f64, b| a.max(b.abs()));
         if largest == 0.0 {
@@ -141,8 +141,8 @@ impl EkfSlam {
         sound.then_some(part * largest)
     }
 
-    /// Whether each landmark's 2×2 block is a covariance relative to its own size. Beside a robot whose position is uncertain
-    /// by 10⁸ m, the whole P may pass while such a block consists of rounding.
+    /// Whether each landmark's 2×2 block is a covariance relative to its own size. Beside a robot whose position is
+    /// uncertain by 10⁸ m, the whole P may pass while such a block consists of rounding.
     fn landmarks_are_covariances(&self) -> bool {
         self.landmarks().all(|mapped| {
             let (mean, half) =

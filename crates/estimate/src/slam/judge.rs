@@ -9,11 +9,12 @@ use filters::association::{Association, Candidate, Rule, associate};
 use nalgebra::{Matrix2, Vector2};
 
 impl EkfSlam {
-    /// What a sighting of this landmark is expected to be, [ρ, β], and the covariance S (2×2) of its innovation: the gate about
-    /// it is {z : (z − ẑ)ᵀS⁻¹(z − ẑ) ≤ gate}.
+    /// What a sighting of this landmark is expected to be, [ρ, β], and the covariance S (2×2) of its innovation: the
+    /// gate about it is {z : (z − ẑ)ᵀS⁻¹(z − ẑ) ≤ gate}.
     ///
     /// # Errors
-    /// [`Code::Index`] for a number that is not in the map, [`Code::AtLandmark`] where the estimate stands on the landmark.
+    /// [`Code::Index`] for a number that is not in the map, [`Code::AtLandmark`] where the estimate stands on the
+    /// landmark.
     pub fn expected_sighting(&self, id: u32) -> Result<(Vector2<f64>, Matrix2<f64>), Error> {
         let unknown = || Error::new(Code::Index, "landmark", "is not in the map");
         let j = self.index(id).ok_or_else(unknown)?;

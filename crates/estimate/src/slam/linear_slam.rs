@@ -1,5 +1,5 @@
-//! Linear SLAM (§8.4.1): an omnidirectional robot measures its displacement to each of ℓ landmarks it can tell apart. The
-//! plain [`Kf`](filters::Kf) runs it unchanged.
+//! Linear SLAM (§8.4.1): an omnidirectional robot measures its displacement to each of ℓ landmarks it can tell apart.
+//! The plain [`Kf`](filters::Kf) runs it unchanged.
 
 use filters::Gaussian;
 use nalgebra::{Const, SMatrix, SVector};

@@ -222,8 +222,8 @@ fn where_rounding_would_show_the_update_is_refused() {
     }
 }
 
-/// A map too large to be looked over at every change: what is far away moves with the least turn of the heading, and where
-/// a way back takes that out again only rounding is left of it. Such a step is refused, or leaves a covariance.
+/// A map too large to be looked over at every change: what is far away moves with the least turn of the heading, and
+/// where a way back takes that out again only rounding is left of it. Such a step is refused, or leaves a covariance.
 #[test]
 fn in_a_large_map_a_cancellation_over_a_long_lever_leaves_a_covariance_or_is_refused() {
     let semidefinite = |slam: &EkfSlam| {

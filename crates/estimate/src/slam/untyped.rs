@@ -13,8 +13,8 @@ impl EkfSlam {
     ///
     /// # Errors
     /// Naming the argument: [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`],
-    /// [`Code::NotPositiveSemidefinite`], or [`Code::Limit`] for a threshold that is not positive and for `found` below the
-    /// gate.
+    /// [`Code::NotPositiveSemidefinite`], or [`Code::Limit`] for a threshold that is not positive and for `found` below
+    /// the gate.
     pub fn from_belief(belief: &Belief, w: DMatrix<f64>, gate: Option<f64>, found: f64) -> Result<Self, Error> {
         for (threshold, name) in gate.iter().map(|g| (*g, "gate")).chain([(found, "found")]) {
             if validate::finite(threshold, name)? <= 0.0 {
@@ -27,8 +27,8 @@ impl EkfSlam {
     /// The pose moves by `u` = [Δs, Δθ]; `v` is 3×3, in the pose.
     ///
     /// # Errors
-    /// Naming u or V: [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`], [`Code::NotPositiveSemidefinite`]; V
-    /// for a covariance that overflows or loses its digits where it would not without V, otherwise u.
+    /// Naming u or V: [`Code::Shape`], [`Code::NotFinite`], [`Code::NotSymmetric`], [`Code::NotPositiveSemidefinite`];
+    /// V for a covariance that overflows or loses its digits where it would not without V, otherwise u.
     pub fn predict_by(&mut self, u: DVector<f64>, v: DMatrix<f64>) -> Result<(), Error> {
         let u = validate::vector(u, 2, "u")?;
         let v = validate::covariance(v, 3, "V")?;

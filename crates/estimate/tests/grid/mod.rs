@@ -1,5 +1,6 @@
 //! Ordinary systems in great number: small whole and decimal numbers, rotations, companion and Jordan matrices,
-//! permutations, repeated rows. Every answer is held to the equation that defines it, every refusal to exact arithmetic.
+//! permutations, repeated rows. Every answer is held to the equation that defines it, every refusal to exact
+//! arithmetic.
 //!
 //! A system is F = G/d with a whole G, so its characteristic polynomial and the rank of its observability matrix are
 //! known exactly.
@@ -13,8 +14,8 @@ use exact::Whole;
 pub use families::FAMILIES;
 use nalgebra::{DMatrix, DVector};
 
-/// The largest residual of the Riccati equation, in the same unit: the recursion ends at a change of 10⁻¹², which is 4504 ε,
-/// and a correction may leave 5·10⁻¹⁴ of rounding, 225 ε, which an unstable F amplifies.
+/// The largest residual of the Riccati equation, in the same unit: the recursion ends at a change of 10⁻¹², which is
+/// 4504 ε, and a correction may leave 5·10⁻¹⁴ of rounding, 225 ε, which an unstable F amplifies.
 const MOST_RICCATI: f64 = 50_000.0;
 
 /// What was counted and the largest residuals, each as a multiple of its unit: rounding times the size of the terms.

@@ -55,8 +55,8 @@ fn a_prediction_refuses_infinities_and_mends_cancelled_terms() {
     assert!(p.symmetric_eigenvalues().min() >= -1e-12 * p.symmetric_eigenvalues().max());
 }
 
-/// P is of rank one and H is orthogonal to it: HPHᵀ is 0, and its terms, of size 10¹⁷, cancel to their rounding. Multiplied
-/// out, S came out as −44. From square roots it is W and the square of that rounding.
+/// P is of rank one and H is orthogonal to it: HPHᵀ is 0, and its terms, of size 10¹⁷, cancel to their rounding.
+/// Multiplied out, S came out as −44. From square roots it is W and the square of that rounding.
 #[test]
 fn where_the_terms_of_s_cancel_it_is_no_less_than_w() {
     let p = Matrix2::new(8.1e17, 6.3e17, 6.3e17, 4.9e17);

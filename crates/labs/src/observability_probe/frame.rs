@@ -79,7 +79,8 @@ record! {
         pub range_gap: f64,
         /// The largest difference of a bearing so far, radians, where bearings are read.
         pub bearing_gap: Option<f64>,
-        /// The three dials as a direction at the robot's present pose, scaled as the directions of a rank; none where all are at zero.
+        /// The three dials as a direction at the robot's present pose, scaled as the directions of a rank; none where
+        /// all are at zero.
         pub by_hand: Option<[f64; 3]>,
         /// What both read of each landmark shown.
         pub readings: Vec<GhostReadings>,

@@ -1,5 +1,5 @@
-//! The ghost: a copy of the robot that starts elsewhere and drives the same ticks. Where it would read what the robot reads, no
-//! filter can tell the two apart.
+//! The ghost: a copy of the robot that starts elsewhere and drives the same ticks. Where it would read what the robot
+//! reads, no filter can tell the two apart.
 
 use super::ProbeParams;
 use super::frame::{Ghost, GhostReadings};
@@ -27,8 +27,8 @@ pub(super) struct Haunting {
 }
 
 impl Haunting {
-    /// The ghost before its first step: the robot's start turned about the first landmark with its heading left alone, shifted to
-    /// the east, then turned on the spot.
+    /// The ghost before its first step: the robot's start turned about the first landmark with its heading left alone,
+    /// shifted to the east, then turned on the spot.
     pub fn new(params: &ProbeParams, start: SE2) -> Self {
         let [ax, ay] = params.landmarks[0];
         let (dx, dy) = (start.x() - ax, start.y() - ay);
@@ -73,8 +73,8 @@ impl Haunting {
         [self.pose.x(), self.pose.y(), self.pose.theta(), self.gaps[0], self.gaps[1]]
     }
 
-    /// What is shown. To first order the displacement at the present pose is Φ times that of the start: a turn of the start also
-    /// moves every later pose, by its lever.
+    /// What is shown. To first order the displacement at the present pose is Φ times that of the start: a turn of the
+    /// start also moves every later pose, by its lever.
     pub fn frame(&self, truth: SE2, sensor: SensorKind) -> Ghost {
         let [x, y, turn] = self.displaced;
         let now = [x - turn * (truth.y() - self.start.y()), y + turn * (truth.x() - self.start.x()), turn];

@@ -37,7 +37,8 @@ record! {
         pub relative: Vec<f64>,
         /// Orthonormal directions that no reading sees; for a stack, at its start.
         pub nullspace: Vec<Vec<f64>>,
-        /// The same at the present pose, the robot's part: [dx, dy, dθ], of length 1 in the plane, or a pure turn dθ = 1.
+        /// The same at the present pose, the robot's part: [dx, dy, dθ], of length 1 in the plane, or a pure turn dθ =
+        /// 1.
         pub directions: Vec<[f64; 3]>,
         /// Steps stacked; 0 for a frozen pair.
         pub steps: usize,
@@ -60,8 +61,8 @@ impl ProbeRanks {
     }
 }
 
-/// A displacement [dx, dy, dθ] scaled to length 1 in the plane. A direction has no sign: this one is turned so that its first
-/// component of any size is positive.
+/// A displacement [dx, dy, dθ] scaled to length 1 in the plane. A direction has no sign: this one is turned so that its
+/// first component of any size is positive.
 pub(super) fn direction(c: [f64; 3]) -> [f64; 3] {
     let planar = numerics::hypot(c[0], c[1]);
     let scale = if planar > 1e-9 {
@@ -124,7 +125,8 @@ pub fn stacked_ranks<'m>(
     mapped: bool,
     tolerance: f64,
 ) -> Result<ProbeRanks, Error> {
-    // A landmark founded on the way enters the state from then on: only the moments that know the whole map are stacked.
+    // A landmark founded on the way enters the state from then on: only the moments that know the whole map are
+    // stacked.
     let known = moments.clone().next_back().map_or(0, |m| m.landmarks.len());
     let n = 3 + if mapped { 2 * known } else { 0 };
     let mut stack = PathStack::new(n);

@@ -16,8 +16,8 @@ const APART: f64 = 0.4;
 impl ObservabilityProbe {
     /// Where landmark `j` must stand to be in line with the robot's estimate and the nearest other landmark shown.
     ///
-    /// Moving a landmark changes its readings and so the estimate: the run is replayed with the landmark on the line until
-    /// neither moves any more.
+    /// Moving a landmark changes its readings and so the estimate: the run is replayed with the landmark on the line
+    /// until neither moves any more.
     ///
     /// # Errors
     /// [`Code::Index`] when landmark `j`, or another beside it, is not shown; whatever the core answers to a replay.

@@ -60,8 +60,9 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
     }
 }
 
-/// Where 95 % of single draws of χ² lie, for 0 to 6 degrees of freedom: three landmarks read twice. A table, which a test holds to
-/// `chi2_interval` bit by bit: the quantiles' functions would be a fortieth of all that a reader of the figures fetches.
+/// Where 95 % of single draws of χ² lie, for 0 to 6 degrees of freedom: three landmarks read twice. A table, which a
+/// test holds to `chi2_interval` bit by bit: the quantiles' functions would be a fortieth of all that a reader of the
+/// figures fetches.
 pub(super) const BANDS: [[f64; 2]; 7] = [
     [f64::NAN; 2],
     [0.0009820691171752583, 5.023886187314889],
@@ -72,8 +73,8 @@ pub(super) const BANDS: [[f64; 2]; 7] = [
     [1.2373442457912047, 14.449375335447915],
 ];
 
-/// Frozen at the present estimate, after the update, and along the true path. On finite poses both are found; otherwise an empty
-/// one is shown.
+/// Frozen at the present estimate, after the update, and along the true path. On finite poses both are found; otherwise
+/// an empty one is shown.
 fn both_ranks(probe: &ObservabilityProbe) -> [ProbeRanks; 2] {
     let sight = probe.params.sight();
     let mapped = matches!(probe.who, Who::Mapper(_));

@@ -1,4 +1,5 @@
-//! The filter of the hook that has the right wheel's bias as a fourth state, and what its readings can tell of the four.
+//! The filter of the hook that has the right wheel's bias as a fourth state, and what its readings can tell of the
+//! four.
 
 use super::frame::WheelBelief;
 use estimate::drive::{PoseAndScale, Scaled};
@@ -16,7 +17,8 @@ const WHEEL: RightWheel = RightWheel { baseline: HOOK.wheels.baseline };
 /// A singular value below this part of the largest counts as zero.
 const TOLERANCE: f64 = 1e-9;
 
-/// The same matrix with its sizes known at run time only, as the Probe's stack has them: one copy of the stack's code serves both.
+/// The same matrix with its sizes known at run time only, as the Probe's stack has them: one copy of the stack's code
+/// serves both.
 fn sized<const R: usize, const C: usize>(m: &SMatrix<f64, R, C>) -> DMatrix<f64> {
     DMatrix::from_column_slice(R, C, m.as_slice())
 }
@@ -67,7 +69,8 @@ impl Learning {
         Ok(())
     }
 
-    /// A corner was read from the true pose `from`. What four readings have shown stays shown: nothing is stacked any more.
+    /// A corner was read from the true pose `from`. What four readings have shown stays shown: nothing is stacked any
+    /// more.
     pub fn update(
         &mut self,
         model: RangeBearing<'_>,

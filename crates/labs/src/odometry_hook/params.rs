@@ -6,8 +6,8 @@ use sim::scenarios::HOOK;
 params! {
     /// What the reader can change.
     pub struct HookParams {
-        /// The right wheel's nominal radius exceeds its true one by this fraction; the greatest turns the robot a quarter in
-        /// two laps.
+        /// The right wheel's nominal radius exceeds its true one by this fraction; the greatest turns the robot a
+        /// quarter in two laps.
         pub bias: f64 = (HOOK.bias), from 0.0 to 0.01 by 0.0005;
         /// One sigma of what each wheel slips in a tick, at most a tenth of the way; the filter knows it.
         pub slip: f64 = (HOOK.slip), from 0.0 to 0.005 by 0.0001 in "m";

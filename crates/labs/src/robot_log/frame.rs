@@ -131,7 +131,8 @@ record! {
         pub mean_innovation: Option<f64>,
     }
 
-    /// How far the statistics of a filter whose model holds stay from what is expected, in 95 of 100 runs of this length.
+    /// How far the statistics of a filter whose model holds stay from what is expected, in 95 of 100 runs of this
+    /// length.
     #[derive(Copy)]
     pub struct LogBands {
         /// Of the NIS for each output: from, to.

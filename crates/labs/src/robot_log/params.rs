@@ -14,7 +14,8 @@ params! {
         pub sigma_range: f64 = 0.6, from 0.001 to 1000.0 by 0.01 in "m";
         /// σ_β, of a bearing: radians.
         pub sigma_bearing: f64 = 0.05, from 0.0001 to 10.0 by 0.01 in "rad";
-        /// The probability, between 0 and 1, whose χ² quantile a sighting's d² may not exceed; null takes every sighting.
+        /// The probability, between 0 and 1, whose χ² quantile a sighting's d² may not exceed; null takes every
+        /// sighting.
         pub gate: Option<f64> = None;
         /// ε in the expected range (1 + ε) ρ + offset, where it is not learned.
         pub scale: f64 = 0.0, from (-0.99) to 10.0 by 0.001;

@@ -16,8 +16,8 @@ pub enum LogTableKind {
     Innovations,
 }
 
-/// A replay that is written as CSV while it goes on. Every number has the digits that give its bits back; lengths are in metres,
-/// times in seconds by the log's own clock, angles in radians.
+/// A replay that is written as CSV while it goes on. Every number has the digits that give its bits back; lengths are
+/// in metres, times in seconds by the log's own clock, angles in radians.
 #[derive(Clone, Debug)]
 pub struct LogTable {
     logged: Arc<LoggedDrive>,

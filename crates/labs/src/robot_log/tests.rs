@@ -105,7 +105,8 @@ fn a_log_without_truth_is_held_against_dead_reckoning() {
     let frame = lab.frame();
     assert_eq!((frame.truth, frame.summary.rmse, frame.reckoned_rmse), (None, None, None));
     assert!(frame.tracks.truth.is_empty() && frame.errors.error.is_empty() && !frame.errors.bound.is_empty());
-    // Dead reckoning drives the circle on which every range is 10 m, so what is read less that is the reading's own wave.
+    // Dead reckoning drives the circle on which every range is 10 m, so what is read less that is the reading's own
+    // wave.
     assert!(frame.ranges.range.iter().all(|range| (range - 10.0).abs() < 0.1), "{:?}", frame.ranges.range);
     assert_eq!(frame.summary.used, 200);
     let held = whole(&logged(&text), LogParams { sightings: false, ..LogParams::default() }).frame();
