@@ -94,7 +94,8 @@ need_node() {
   have node || fail "node is not on PATH." "Install Node.js 20 or newer from https://nodejs.org, then run this again."
   local major
   major=$(node -p 'process.versions.node.split(".")[0]')
-  [ "$major" -ge 20 ] || fail "Node.js $(node --version) is too old." "Install Node.js 20 or newer from https://nodejs.org."
+  [ "$major" -ge 20 ] || fail "Node.js $(node --version) is too old." \
+    "Install Node.js 20 or newer from https://nodejs.org."
   have npm || fail "npm is not on PATH." "It comes with Node.js; on Debian: apt-get install npm."
 }
 
@@ -141,7 +142,8 @@ install_tool() {
 need_packages() {
   need_node
   packages_stand "$1" ||
-    alone "$locks/packages-${1//\//-}" "another script's set-up of the npm packages of $1/" install_packages "$1" || exit 1
+    alone "$locks/packages-${1//\//-}" "another script's set-up of the npm packages of $1/" \
+    install_packages "$1" || exit 1
 }
 packages_lock() { printf '%s' "$(node -p process.versions.modules) $(cksum <"$1/package-lock.json")"; }
 packages_stand() { [ "$(cat "$1/node_modules/.robot-motion-lock" 2>/dev/null)" = "$(packages_lock "$1")" ]; }
@@ -195,7 +197,8 @@ need_chromium() {
     return
   fi
   for name in chromium chromium-browser google-chrome google-chrome-stable \
-    "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome" "/Applications/Chromium.app/Contents/MacOS/Chromium"; do
+    "/Applications/Google Chrome.app/Contents/MacOS/Google Chrome" \
+    "/Applications/Chromium.app/Contents/MacOS/Chromium"; do
     if have "$name"; then
       CHROMIUM=$(command -v "$name")
       export CHROMIUM
@@ -212,6 +215,7 @@ need_chromium() {
     fi
   fi
   fail "No Chromium for the browser tests." \
-    "Install one (Debian: apt-get install chromium; Fedora: dnf install chromium; macOS: brew install --cask chromium)" \
+    "Install one (Debian: apt-get install chromium; Fedora: dnf install chromium;" \
+    "  macOS: brew install --cask chromium)" \
     "or name one: CHROMIUM=/path/to/chrome ./scripts/test"
 }

@@ -37,7 +37,10 @@ proptest! {
     #[test]
     fn random_numbers_are_taken_or_refused_and_a_refusal_changes_nothing(
         (p, w, v) in (square(3), square(2), square(3)),
-        steps in prop::collection::vec((number(12), number(12), number(12), number(12), 0..4_u32, any::<bool>()), 1..25),
+        steps in prop::collection::vec(
+            (number(12), number(12), number(12), number(12), 0..4_u32, any::<bool>()),
+            1..25,
+        ),
     ) {
         let Ok(belief) = validate::belief(dvector![0.0, 0.0, 0.0], p) else { return Ok(()) };
         let Ok(mut slam) = EkfSlam::from_belief(&belief, w, Some(9.21), 50.0) else { return Ok(()) };

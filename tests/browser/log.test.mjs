@@ -2,59 +2,13 @@
 // nowhere; what is wrong with it is shown where it stands; a long replay is told of and can be given up.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { readFileSync, readdirSync } from 'node:fs'
+import { readFileSync } from 'node:fs'
 import path from 'node:path'
 import { WORKER_POLICY } from '../../scripts/static-server.mjs'
-import { PHONE, dist, figure, frameOf, open, root, stateOf, until } from './harness.mjs'
+import { PHONE, frameOf, root, stateOf, until } from './harness.mjs'
+import { MRCLAM, SMALL, drop, file, openLog } from './own-log.mjs'
 
-const SMALL = 'L,7,3,4\nO,0.5,0.1,0.02\nR,0.5,7,4.9\nO,1,0.1,0\nR,1,7,4.8\n'
-const file = (name, text) => ({ name, mimeType: 'text/csv', buffer: Buffer.from(text) })
-const MRCLAM = [
-  file(
-    'Robot1_Odometry.dat',
-    '# Time [s]    forward velocity [m/s]    angular velocity[rad/s]\n1248272263.0 \t 0.10 \t 0.0\n1248272263.5 \t 0.10 \t 0.2\n1248272264.0 \t 0.00 \t 0.0\n',
-  ),
-  file(
-    'Robot1_Measurement.dat',
-    '# Time [s]    Subject #    range [m]    bearing [rad]\n1248272263.2 \t 63 \t 2.0 \t 0.1\n1248272263.4 \t 14 \t 1.0 \t 0.2\n',
-  ),
-  file('Barcodes.dat', '# Subject #    Barcode #\n 2   \t 14\n 6   \t 63\n'),
-  file(
-    'Landmark_Groundtruth.dat',
-    '# Subject #    x [m]    y [m]    x std-dev [m]    y std-dev [m]\n6 \t 2.0 \t 0.5 \t 0.0001 \t 0.0002\n',
-  ),
-  file(
-    'Robot1_Groundtruth.dat',
-    '# Time [s]    x [m]    y [m]    orientation [rad]\n1248272262.9 \t 0.1 \t 0.2 \t 0.3\n1248272264.1 \t 0.2 \t 0.2 \t 0.4\n',
-  ),
-]
-
-/** The page with its figure alive. */
-async function openLog(t, wishes = {}) {
-  const page = await open(t, { at: 'log/', ...wishes })
-  const it = await figure(page, 'robot-log')
-  // The script of the page has come: it gives the examples their addresses.
-  await page.locator('.log-example a[href]').first().waitFor()
-  return {
-    page,
-    it,
-    choose: (...files) => page.locator('.log-drop input').setInputFiles(files),
-    answer: page.locator('.log-answer'),
-  }
-}
-
-/** Drops files on the page, as a hand would. */
-function drop(page, files) {
-  return page.evaluate((given) => {
-    const data = new DataTransfer()
-    for (const [name, text] of given) data.items.add(new File([text], name))
-    document
-      .querySelector('h1')
-      .dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }))
-  }, files)
-}
-
-test('a log that is chosen, dropped or pasted is read on this machine, and nothing is asked for afterwards', async (t) => {
+test('a log that is chosen, dropped or pasted is read here, and nothing is asked for afterwards', async (t) => {
   const { page, it, choose, answer } = await openLog(t)
   await page.waitForLoadState('networkidle')
   assert.equal(page.workers().length, 1)
@@ -80,22 +34,6 @@ test('a log that is chosen, dropped or pasted is read on this machine, and nothi
   assert.deepEqual(asked, [])
   const kept = await page.evaluate(() => JSON.stringify([{ ...localStorage }, { ...sessionStorage }, location.href]))
   assert.ok(!kept.includes('MARKER'), kept)
-})
-
-test('without its script the page has nothing to press in vain, and says so', async (t) => {
-  const folder = path.join(dist, 'assets')
-  const script = readdirSync(folder).find(
-    (name) => name.startsWith('part-') && readFileSync(path.join(folder, name), 'utf8').includes('plaza1-copied.csv'),
-  )
-  const page = await open(t, {
-    at: 'log/',
-    expected: [/part-|Failed to load|ERR_FAILED/],
-    prepare: (it) => it.route(`**/${script}`, (route) => route.abort()),
-  })
-  await page
-    .locator('.log-intake', { hasText: 'A log is opened by scripts, which are off or could not be fetched.' })
-    .waitFor()
-  assert.equal(await page.locator('.log-intake :is(button, summary, a):visible').count(), 0)
 })
 
 test('the worker may ask for nothing elsewhere', async (t) => {
@@ -149,85 +87,6 @@ test('a table is guessed, shown and corrected by keys', async (t) => {
   await select('v').selectOption('–')
   await answer.getByText('no column has been chosen for v').waitFor()
   assert.equal((await frameOf(it)).rows, 40, 'the figure keeps what it showed')
-})
-
-test('a fault is shown with its file, line and character, and in pasted rows at the cursor', async (t) => {
-  const { page, it, choose, answer } = await openLog(t)
-  const { rows } = await frameOf(it)
-  await choose(file('broken.csv', `${SMALL}R,2,7,x\n`))
-  await answer.getByText('broken.csv, line 6, character 7').waitFor()
-  assert.equal(await page.locator('.log-line').innerText(), 'R,2,7,x')
-  assert.equal(await page.locator('.log-line mark').innerText(), 'x')
-  await page.locator('.log-paste summary').click()
-  await page.locator('.log-paste textarea').fill(`${SMALL}R,2,8,4\n`)
-  await page.getByRole('button', { name: 'Read these rows' }).click()
-  await answer.getByText('there is no landmark 8').waitFor()
-  assert.equal(
-    await page.evaluate(() =>
-      document.activeElement.value.slice(document.activeElement.selectionStart, document.activeElement.selectionEnd),
-    ),
-    '8,4',
-  )
-  assert.equal((await frameOf(it)).rows, rows, 'the figure keeps what it showed')
-})
-
-test('each kind of fault is shown with its file, line and character', async (t) => {
-  const { choose, answer } = await openLog(t)
-  const faults = [
-    ['X,1,2,3', 1, /'X' is no row's letter; L, G, O, V, R or B was expected/],
-    ['O,1,2', 6, /has 3 fields; 4 were expected: O,t,distance,turn/],
-    ['O,1,2,3,4', 9, /has 5 fields; 4 were expected/],
-    ['O,1,nan,3', 5, /distance is 'nan'; a finite number/],
-    ['O,1,1e999,3', 5, /finite number/],
-    ['L,7,1,1', 3, /landmark 7 stands here for the second time/],
-    ['R,1,8,2', 5, /there is no landmark 8; a landmark that is seen needs a row with its place\.$/m],
-    ['R,1,7,-2', 7, /a range of at least 0/],
-    ['V,1,2,3', 1, /O rows and V rows/],
-    ['O,1e12,1,1', 3, /times within/],
-    ['R,1,"7",2', 5, /is quoted/],
-    ['O;1;1;0', 1, /';' was found between the fields/],
-    ['R,1.5,7.0,2', 7, /whole number/],
-    ['R,1,\u0001,2', 5, /control character/],
-  ]
-  for (const [i, [row, column, words]] of faults.entries()) {
-    await choose(file(`fault-${i}.csv`, `${SMALL}${row}\n`))
-    await answer.getByText(`fault-${i}.csv, line 6, character ${column}: `).waitFor()
-    assert.match(await answer.locator('.log-wrong').innerText(), words)
-  }
-  await choose(file('still.csv', 'L,7,3,4\nR,1,7,2\n# the end\n'))
-  await answer
-    .getByText('still.csv, line 2, character 1: the log has no motion; O rows or V rows were expected.')
-    .waitFor()
-  const picture = {
-    name: 'picture.png',
-    mimeType: 'image/png',
-    buffer: Buffer.from([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10, 0, 0, 0, 13]),
-  }
-  await choose(picture)
-  await answer
-    .getByText('picture.png, line 1, character 1: a control character or one outside UTF-8 was found')
-    .waitFor()
-  await choose(file('nothing.csv', ''))
-  await answer.getByText('nothing.csv, line 1, character 1: the file is empty.').waitFor()
-})
-
-test('a file of motion that is missing is no fault of another file', async (t) => {
-  const { choose, answer } = await openLog(t)
-  await choose(...MRCLAM.slice(1))
-  const roles = [
-    'Robot1_Measurement.dat is read as sightings',
-    'Barcodes.dat is read as barcodes',
-    'Landmark_Groundtruth.dat is read as landmarks',
-    'Robot1_Groundtruth.dat is read as truth',
-  ]
-  await answer
-    .getByText(
-      `The robot's motion is missing: ${roles.join(', ')}; a file of velocities or of odometry was expected.`,
-      { exact: true },
-    )
-    .waitFor()
-  assert.match(await answer.innerText(), /Open the missing file together with these, or correct below/)
-  assert.equal(await answer.locator('.log-line').count(), 0, 'no line is shown as wrong')
 })
 
 test('the page says from the start whose log its figure shows', async (t) => {
@@ -312,16 +171,6 @@ test('the report has a heading and a place in the contents, and its lines stand 
   assert.deepEqual(await column('By landmark'), ['7', '10'])
   for (const words of [...(await column('Settings')), ...(await column('Results'))])
     assert.ok(!/^(of|Its|Lag|[a-z])\b/.test(words) || /^σ/.test(words), words)
-})
-
-test('no rows in the box are asked for, and a fault in pasted rows is mended there', async (t) => {
-  const { page, answer } = await openLog(t)
-  await page.locator('.log-paste summary').click()
-  await page.getByRole('button', { name: 'Read these rows' }).click()
-  await answer.getByText('The box has no rows.').waitFor()
-  await page.locator('.log-paste textarea').fill(`${SMALL}O,1,x,3\n`)
-  await page.getByRole('button', { name: 'Read these rows' }).click()
-  await answer.getByText('Mend the rows and read them again.').waitFor()
 })
 
 test('the report prints with the figure as it is', async (t) => {

@@ -135,7 +135,7 @@ check(
       ],
       [
         pattern(
-          /^Whether the covariance has a limit depends on the start: something unseen does not die out, /,
+          /^Whether the covariance has a limit from this or that start is not decided by this: something unseen /,
           /and noise does not reach all of that\.$/,
         ),
         ({ limit, detectable, noise }) =>

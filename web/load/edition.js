@@ -30,7 +30,8 @@ export async function isReplaced() {
 /** Says in `into`, instead of what stands there, that a new edition is there, with a button. @param {Element} into */
 export function sayReplaced(into) {
   into.textContent =
-    'There is a new edition of this book: reload this page to go on. Your place, your answers and your figures stay as they are. '
+    'There is a new edition of this book: reload this page to go on. Your place, your answers ' +
+    'and your figures stay as they are. '
   button(document, into, 'Reload', reload)
 }
 

@@ -18,7 +18,8 @@ const CLASSES: [(Option<&str>, &str); 10] = [
     (Some("number"), "constant.numeric constant.language storage.type.numeric"),
     (
         Some("keyword"),
-        "keyword storage.modifier storage.type storage.type.function storage.type.struct storage.type.enum storage.type.trait storage.type.impl storage.type.type storage.type.module variable.language",
+        "keyword storage.modifier storage.type storage.type.function storage.type.struct storage.type.enum \
+            storage.type.trait storage.type.impl storage.type.type storage.type.module variable.language",
     ),
     (None, "keyword.operator"),
     (Some("lifetime"), "storage.modifier.lifetime entity.name.lifetime"),

@@ -18,7 +18,8 @@ use crate::tree::{self, Kind};
 fn script(figures: &[Figure]) -> String {
     let of = |figure: &Figure| {
         json!({
-            "name": figure.name(), "tag": figure.tag(), "lab": figure.class, "build": figure.build, "world": figure.world,
+            "name": figure.name(), "tag": figure.tag(), "lab": figure.class,
+                "build": figure.build, "world": figure.world,
             "was": figure.was,
         })
     };

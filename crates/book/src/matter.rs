@@ -85,7 +85,10 @@ impl Writer<'_> {
         });
         self.fill(
             "gloss",
-            context! { key => key.to_string(), kin => term.kin.as_ref().map(|kin| kin.markdown.clone()), name => term.name.clone(), gloss, symbol },
+            {
+                let kin = term.kin.as_ref().map(|kin| kin.markdown.clone());
+                context! { key => key.to_string(), kin, name => term.name.clone(), gloss, symbol }
+            },
             place,
         )
     }

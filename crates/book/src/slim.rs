@@ -252,32 +252,48 @@ mod tests {
 
     #[test]
     fn attributes_are_in_one_order_whatever_the_hash_map_says() {
-        let tag = "<g rspace=\"0em\" lspace=\"0em\">+ x &lt; y</g><path style=\"top:-1em;left:0.5em;\" d='M 0 1' class=\"a b\" aria-hidden=\"true\"/>";
-        let sorted = "<g lspace=\"0em\" rspace=\"0em\">+ x &lt; y</g><path class=\"a b\" style=\"left:.5em;top:-1em\" aria-hidden=\"true\" d=\"M 0 1\"></path>";
+        let tag = "<g rspace=\"0em\" lspace=\"0em\">+ x &lt; y</g><path style=\"top:-1em;left:0.5em;\" d='M 0 1' \
+            class=\"a b\" aria-hidden=\"true\"/>";
+        let sorted = "<g lspace=\"0em\" rspace=\"0em\">+ x &lt; y</g><path class=\"a b\" style=\"left:.5em;top:-1em\" \
+            aria-hidden=\"true\" d=\"M 0 1\"></path>";
         assert_eq!(slim(tag).unwrap().html, sorted);
     }
 
     #[test]
     fn signs_keep_their_distances_and_lose_their_boxes() {
-        let drawn = "<span class=\"katex-html\"><span class=\"katex-base\"><span class=\"katex-strut\" style=\"height:0.5em;vertical-align:-0.1em;\"></span><span class=\"mord mathnormal\">a</span><span class=\"mord mathnormal\" style=\"margin-right:0.1389em;\">b</span><span class=\"mspace\" style=\"margin-right:0.2222em;\"></span><span class=\"mbin\">+</span><span class=\"mspace\" style=\"margin-right:0.2222em;\"></span><span class=\"mord\">1</span><span class=\"mclose\">)</span></span></span>";
+        let drawn = "<span class=\"katex-html\"><span class=\"katex-base\"><span class=\"katex-strut\" \
+            style=\"height:0.5em;vertical-align:-0.1em;\"></span><span class=\"mord mathnormal\">a</span><span \
+            class=\"mord mathnormal\" style=\"margin-right:0.1389em;\">b</span><span class=\"mspace\" \
+            style=\"margin-right:0.2222em;\"></span><span class=\"mbin\">+</span><span class=\"mspace\" \
+            style=\"margin-right:0.2222em;\"></span><span class=\"mord\">1</span><span \
+            class=\"mclose\">)</span></span></span>";
         assert_eq!(
             slim(drawn).unwrap().html,
-            "<span class=\"katex-html\"><span class=\"base\"><i class=\"r14\">ab</i><span class=\"mbin\">+</span>1)</span></span>"
+            "<span class=\"katex-html\"><span class=\"base\"><i class=\"r14\">ab</i><span \
+                class=\"mbin\">+</span>1)</span></span>"
         );
     }
 
     #[test]
     fn an_exponent_alone_is_one_element() {
-        let drawn = "<span class=\"katex-html\"><span class=\"msupsub\"><span class=\"vlist-t\"><span class=\"vlist-r\"><span class=\"vlist\" style=\"height:0.8141em;\"><span style=\"top:-3.063em;margin-right:0.05em;\"><span class=\"pstrut\" style=\"height:2.7em;\"></span><span class=\"katex-sizing reset-size6 size3 mtight\"><span class=\"mord mtight\">2</span></span></span></span></span></span></span></span>";
+        let drawn = "<span class=\"katex-html\"><span class=\"msupsub\"><span class=\"vlist-t\"><span \
+            class=\"vlist-r\"><span class=\"vlist\" style=\"height:0.8141em;\"><span \
+            style=\"top:-3.063em;margin-right:0.05em;\"><span class=\"pstrut\" style=\"height:2.7em;\"></span><span \
+            class=\"katex-sizing reset-size6 size3 mtight\"><span class=\"mord \
+            mtight\">2</span></span></span></span></span></span></span></span>";
         assert_eq!(slim(drawn).unwrap().html, "<span class=\"katex-html\"><sup>2</sup></span>");
     }
 
     #[test]
     fn the_read_half_loses_only_what_a_drawing_needs() {
-        let read = "<math xmlns=\"http://www.w3.org/1998/Math/MathML\"><semantics><mrow><mi mathvariant=\"bold\">x</mi><mo stretchy=\"false\">(</mo><mtext> </mtext><msup><mrow><mi>a</mi><mi>b</mi></mrow><mrow><mn>2</mn></mrow></msup></mrow><annotation encoding=\"application/x-tex\">x</annotation></semantics></math>";
+        let read = "<math xmlns=\"http://www.w3.org/1998/Math/MathML\"><semantics><mrow><mi \
+            mathvariant=\"bold\">x</mi><mo stretchy=\"false\">(</mo><mtext> \
+            </mtext><msup><mrow><mi>a</mi><mi>b</mi></mrow><mrow><mn>2</mn></mrow></msup></mrow><annotation \
+            encoding=\"application/x-tex\">x</annotation></semantics></math>";
         assert_eq!(
             slim(read).unwrap().html,
-            "<math><mi mathvariant=\"bold\">x</mi><mo>(</mo><msup><mrow><mi>a</mi><mi>b</mi></mrow><mn>2</mn></msup></math>"
+            "<math><mi mathvariant=\"bold\">x</mi><mo>(</mo>\
+             <msup><mrow><mi>a</mi><mi>b</mi></mrow><mn>2</mn></msup></math>"
         );
     }
 }

@@ -160,7 +160,8 @@ mod tests {
 
     fn sources() -> Sources {
         let mut sources = Sources::default();
-        let text = "//! Head.\nimpl A {\n    // ANCHOR: step\n    fn step() {\n        // ANCHOR: inner\n        1;\n        // ANCHOR_END: inner\n    }\n    // ANCHOR_END: step\n}\n";
+        let text = "//! Head.\nimpl A {\n    // ANCHOR: step\n    fn step() {\n        // ANCHOR: inner\n\
+            \x20       1;\n        // ANCHOR_END: inner\n    }\n    // ANCHOR_END: step\n}\n";
         sources.insert("crates/estimate/src/lti.rs", text);
         sources
     }

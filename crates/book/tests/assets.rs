@@ -20,7 +20,8 @@ fn folder(name: &str, files: &[(&str, &str)]) -> PathBuf {
 const MANIFEST: &str =
     r#"{ "site.css": "site-AAAAAAAA.css", "katex.css": "katex-AAAAAAAA.css", "page.js": "page-AAAAAAAA.js" }"#;
 
-const INLINE: &str = r#"{ "not-found.js": { "text": "go(1 < 2)", "sha256": "a+/b=" }, "not-found.css": { "text": "a > b {}", "sha256": "c+/d=" } }"#;
+const INLINE: &str = r#"{ "not-found.js": { "text": "go(1 < 2)", "sha256": "a+/b=" },
+    "not-found.css": { "text": "a > b {}", "sha256": "c+/d=" } }"#;
 
 #[test]
 fn the_worker_lists_every_file_and_its_version_follows_them() {

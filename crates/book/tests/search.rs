@@ -6,7 +6,8 @@ use book::Diagnostics;
 
 #[test]
 fn a_section_is_found_by_its_words_and_symbols_and_by_no_tag() {
-    let markdown = "## First $x^2$ {#first}\n\nLet $\\F$ be *one*'s & {{number step1.S .1f}}, `code`.\n\n$$\ny = x\n$$\n\n\
+    let markdown = "## First $x^2$ {#first}\n\nLet $\\F$ be *one*'s & {{number step1.S .1f}}, `code`.\n\n$$\ny = x\n\
+        $$\n\n\
         ## Second {#second}\n\n:::note{kind=\"aside\" title=\"Aside\"}\nNext.\n:::\n";
     let diagnostics = Diagnostics::default();
     let site = common::site(&diagnostics);

@@ -11,7 +11,8 @@ fn main() -> Result<(), estimate::Error> {
     for found in [50.0, 30.0, 20.0, 15.0, 12.0, 9.21] {
         let e = slam(found, SEEDS)?;
         println!(
-            "slam, found above {found}: matched {} to {}, median {}; worst {:.3?} m, {:.2?} sigma; spurious {} in {} runs, wrong {}",
+            "slam, found above {found}: matched {} to {}, median {}; worst {:.3?} m, {:.2?} sigma; spurious {} in {} \
+                runs, wrong {}",
             e.matched.min(),
             e.matched.max(),
             e.matched.median(),
@@ -27,7 +28,8 @@ fn main() -> Result<(), estimate::Error> {
         let [nees, error, sigma, above, shrinks] =
             [&e.nees, &e.error, &e.sigma, &e.above, &e.shrinks].map(|s| [0.05, 0.5, 0.95].map(|p| s.percentile(p)));
         println!(
-            "loop, correlated {correlated}: mean NEES {nees:.2?}, of all {:.2}; error {error:.3?} m, claimed {sigma:.3?} m; above {above:.2?}; \
+            "loop, correlated {correlated}: mean NEES {nees:.2?}, of all {:.2}; error {error:.3?} m, claimed \
+                {sigma:.3?} m; above {above:.2?}; \
              shrinks {shrinks:.2?}; ghosts in {} runs, wrong in {}",
             e.nees.mean(),
             e.with_ghosts,
@@ -39,7 +41,8 @@ fn main() -> Result<(), estimate::Error> {
         let [q, w, axis, along] =
             [&e.sigma_q, &e.sigma_w, &e.axis, &e.along_ratio].map(|s| [0.05, 0.5, 0.95].map(|p| s.percentile(p)));
         println!(
-            "fit, {length}: covered {:.3}, within {:.3}, distance {:.2}; sigma q {q:.3?} W {w:.3?}; axis {axis:.2?}, along q/W {along:.2?}; \
+            "fit, {length}: covered {:.3}, within {:.3}, distance {:.2}; sigma q {q:.3?} W {w:.3?}; axis {axis:.2?}, \
+                along q/W {along:.2?}; \
              held {}",
             e.covered,
             e.within,

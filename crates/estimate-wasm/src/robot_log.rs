@@ -39,7 +39,13 @@ export interface LogContents {
  * Why a text is no log: an EstimateError with the code "log", and where the fault is; `file` counts from 0, the others
  * from 1. `line` and `column` are 0 where the fault is of all files together: no file has the robot's motion.
  */
-export interface LogError extends EstimateError { code: "log"; argument: "text"; file: number; line: number; column: number }
+export interface LogError extends EstimateError {
+  code: "log";
+  argument: "text";
+  file: number;
+  line: number;
+  column: number;
+}
 export namespace RobotLog {
     /** Reads a log. What is no log throws a `LogError`, which says in which line and column. */
     function parse(text: string): DriveLog;

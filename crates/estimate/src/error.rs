@@ -188,7 +188,8 @@ impl From<filters::Error> for Error {
             filters::Error::AtFeature => Self::of_step(
                 Code::AtLandmark,
                 Argument::Landmark,
-                "the estimate stands on the landmark, where range and bearing cannot be linearized; move the estimate away \
+                "the estimate stands on the landmark, where range and bearing cannot be linearized; move the estimate \
+                    away \
                  from it",
             ),
             filters::Error::OutOfRange(parameter) => {

@@ -107,7 +107,8 @@ pub struct NoiseFit {
 /// use estimate::likelihood::fit_noise;
 /// use nalgebra::Vector1;
 /// let (system, belief) = estimate::rail::position_sensor();
-/// let log: Vec<_> = (0..60).map(|k| (Vector1::zeros(), Vector1::new(2.0 + 2.0 * f64::from(k) + f64::from(k * k % 7)))).collect();
+/// let read = |k: u32| Vector1::new(2.0 + 2.0 * f64::from(k) + f64::from(k * k % 7));
+/// let log: Vec<_> = (0..60).map(|k| (Vector1::zeros(), read(k))).collect();
 /// let fit = fit_noise(&system, &belief, &log, &[[0.01, 100.0]; 2])?;
 /// assert!(fit.converged && fit.w > 1.0);
 /// # Ok::<(), estimate::Error>(())

@@ -69,7 +69,8 @@ pub(crate) fn place(f: &DMatrix<f64>, h: &DMatrix<f64>, poles: &[Complex<f64>]) 
 }
 
 fn not_placeable() -> Error {
-    let message = "is singular, or nearly: an eigenvalue of (I − KH)F stays at 0 whatever K is, and no gain was found for these \
+    let message = "is singular, or nearly: an eigenvalue of (I − KH)F stays at 0 whatever K is, and no gain was found \
+        for these \
                    poles";
     Error::new(Code::NotPlaceable, "F", message)
 }

@@ -11,14 +11,16 @@
 //! | tolerance | is a part of | where it is asked | within it | beyond it |
 //! |---|---|---|---|---|
 //! | [`SYMMETRY_TOLERANCE`] 10⁻⁹ | the largest entry | a caller's covariance | mended: (M + Mᵀ)/2 | refused |
-//! | [`SEMIDEFINITE_TOLERANCE`] 10⁻¹² | the largest eigenvalue | a caller's covariance, a matrix whose root is taken | mended: negative eigenvalues become 0 | refused |
+//! | [`SEMIDEFINITE_TOLERANCE`] 10⁻¹² | the largest eigenvalue | a caller's | mended: become 0 | refused |
 //! | [`MAX_NEGATIVE`] 10⁻¹³ | the largest variance | a covariance that is carried on | accepted | mended |
-//! | [`MAX_ROUNDING`] 5 · 10⁻¹⁴ | the largest variance left | the terms of Joseph's form | accepted | mended: from square roots |
-//! | [`MAP_ROUNDING`] 2 · 10⁻¹³ | the largest variance | a large map, whose every step adds some | accepted unseen | factored, then accepted or refused |
-//! | [`MIN_PIVOT`](numerics::MIN_PIVOT) 10⁻⁸ | a variance of S | the factor of S | accepted | mended: from square roots |
+//! | [`MAX_ROUNDING`] 5 · 10⁻¹⁴ | the largest variance left | Joseph's form | accepted | mended: from square roots |
+//! | [`MAP_ROUNDING`] 2 · 10⁻¹³ | the largest variance | a large map | accepted unseen | factored, then as that says |
+//! | [`MIN_PIVOT`] 10⁻⁸ | a variance of S | the factor of S | accepted | mended: from square roots |
 //!
 //! Each is so far below the one a caller meets, 10⁻¹², that what a filter answers is always accepted as its next
 //! argument.
+//!
+//! [`MIN_PIVOT`]: numerics::MIN_PIVOT
 
 use crate::error::{Error, Quantity};
 use crate::sizes::Sizes;

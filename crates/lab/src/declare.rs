@@ -7,7 +7,9 @@ use crate::text::Text;
 #[macro_export]
 macro_rules! record {
     ($($(#[doc = $about:literal])+ $(#[derive($($derived:ident),*)])?
-     pub struct $name:ident { $($(#[doc = $doc:literal])+ $(#[name = $key:literal])? pub $field:ident: $type:ty,)* })+) => {
+     pub struct $name:ident {
+         $($(#[doc = $doc:literal])+ $(#[name = $key:literal])? pub $field:ident: $type:ty,)*
+     })+) => {
         $(
             $(#[doc = $about])+
             #[derive(Clone, Debug, PartialEq $($(, $derived)*)?)]
@@ -64,7 +66,9 @@ macro_rules! params {
 /// Declares a choice: each variant with the word that stands for it outside. The first is the default.
 #[macro_export]
 macro_rules! words {
-    ($(#[doc = $about:literal])+ pub enum $name:ident { $($(#[doc = $doc:literal])+ $variant:ident = $word:literal,)+ }) => {
+    ($(#[doc = $about:literal])+ pub enum $name:ident {
+        $($(#[doc = $doc:literal])+ $variant:ident = $word:literal,)+
+    }) => {
         $(#[doc = $about])+
         #[derive(Clone, Copy, Debug, PartialEq, Eq)]
         pub enum $name { $($(#[doc = $doc])+ $variant,)+ }

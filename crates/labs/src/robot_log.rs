@@ -41,7 +41,8 @@ pub struct RobotLog {
 impl Lab for RobotLog {
     named! {
         "robot-log", LogParams, LogFrame, &[frame::INTERFACES],
-        "A robot that really drove: a log, replayed under the reader's settings. A step is a row of motion or of a sighting."
+        "A robot that really drove: a log, replayed under the reader's settings. A step is a row of motion or of a \
+            sighting."
     }
     /// That of the longest log.
     const LAST_STEP: u32 = 2_000_000;

@@ -212,7 +212,8 @@ fn a_fault_in_a_table_is_told_with_its_file_line_and_column() {
 #[test]
 fn where_no_file_has_the_motion_each_is_told_with_what_it_was_read_as() {
     let [_, seen, codes, map, truth] = MRCLAM;
-    let message = "the robot's motion is missing: Robot1_Measurement.dat is read as sightings, Barcodes.dat is read as barcodes, \
+    let message = "the robot's motion is missing: Robot1_Measurement.dat is read as sightings, Barcodes.dat is read \
+        as barcodes, \
                    Landmark_Groundtruth.dat is read as landmarks, Robot1_Groundtruth.dat is read as truth; \
                    a file of velocities or of odometry was expected";
     let error = files(&[seen, codes, map, truth]).read().expect_err("no motion");

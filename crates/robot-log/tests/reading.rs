@@ -118,7 +118,8 @@ proptest! {
     #[test]
     fn line_ends_may_be_mixed(n in 0_usize..20, ends in prop::collection::vec(any::<bool>(), 60)) {
         let lines = lines(n);
-        let mixed: String = lines.iter().zip(&ends).map(|(line, crlf)| format!("{line}{}", if *crlf { "\r\n" } else { "\n" })).collect();
+        let mixed: String = lines.iter().zip(&ends).map(|(line, crlf)| format!("{line}{}", if *crlf { "\r\n\
+            " } else { "\n" })).collect();
         prop_assert_eq!(parse(&mixed), parse(&lines.join("\n")));
     }
 
@@ -126,7 +127,10 @@ proptest! {
     #[test]
     fn a_log_in_utf_16_is_refused(n in 0_usize..5, big in any::<bool>()) {
         let units = lines(n).join("\n").encode_utf16().collect::<Vec<u16>>();
-        let bytes: Vec<u8> = units.into_iter().flat_map(|unit| if big { unit.to_be_bytes() } else { unit.to_le_bytes() }).collect();
+        let bytes: Vec<u8> = {
+            let bytes = |unit: u16| if big { unit.to_be_bytes() } else { unit.to_le_bytes() };
+            units.into_iter().flat_map(bytes).collect()
+        };
         prop_assert!(parse(&String::from_utf8_lossy(&bytes)).is_err());
     }
 

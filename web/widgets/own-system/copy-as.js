@@ -93,10 +93,11 @@ for (const R of core.gainSchedule(system, P0, 5)) console.log('gain', JSON.strin
 export function numpy(frame) {
   const { F, G, H, V, W, K, start, tolerance } = parts(frame)
   const n = F.length
+  const list = (/** @type {number[][]} */ m) => JSON.stringify(m).replace(/,/g, ', ')
   const written = Object.entries({ F, G, H, V, W, K })
     .map(
       ([name, m]) =>
-        `${name} = ${m[0].length === 0 ? `np.zeros((${m.length}, 0))` : `np.array(${JSON.stringify(m).replace(/,/g, ', ')}, dtype=float)`}`,
+        `${name} = ${m[0].length === 0 ? `np.zeros((${m.length}, 0))` : `np.array(${list(m)}, dtype=float)`}`,
     )
     .join('\n')
   return `import numpy as np

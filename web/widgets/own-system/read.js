@@ -60,7 +60,8 @@ function withoutComments(text) {
 export function faultOf(text) {
   const word = text.trim()
   if (word === '') return 'a number is missing.'
-  return `“${word.slice(0, 20)}” is not a number.${/^[-+−]?\d*,\d+$/.test(word) ? ` Write ${word.replace(',', '.')}.` : ''}`
+  const instead = /^[-+−]?\d*,\d+$/.test(word) ? ` Write ${word.replace(',', '.')}.` : ''
+  return `“${word.slice(0, 20)}” is not a number.${instead}`
 }
 
 /** @param {string} text @returns {Matrices} */
@@ -77,7 +78,8 @@ function system(text) {
   }
   if (Object.keys(found).length === 0) {
     const hint = others.has('A')
-      ? 'What is called A, B and C elsewhere is F, G and H here; V and W are the covariances of the motion and of a reading.'
+      ? 'What is called A, B and C elsewhere is F, G and H here; V and W are the covariances of the ' +
+        'motion and of a reading.'
       : 'Write F = …, G = …, H = …, V = …, W = …, in JSON, MATLAB or numpy notation.'
     throw new Fault(`No matrix was found. ${hint}`)
   }
@@ -159,7 +161,8 @@ class Value {
   /** @param {string} words @returns {never} */
   refuse(words) {
     throw new Fault(
-      `${this.name}: “${words.trim().split('\n')[0].slice(0, 20)}” is not understood here; write the numbers that come of it.`,
+      `${this.name}: “${words.trim().split('\n')[0].slice(0, 20)}” is not understood here; write ` +
+        'the numbers that come of it.',
     )
   }
 
@@ -245,7 +248,8 @@ class Value {
     const uneven = rows.findIndex((row) => row.length !== rows[0].length)
     if (uneven > 0)
       throw new Fault(
-        `${this.name}: row ${uneven + 1} has ${rows[uneven].length} ${rows[uneven].length === 1 ? 'number' : 'numbers'}, row 1 has ${rows[0].length}.${hintOf(lines.join(';'))}`,
+        `${this.name}: row ${uneven + 1} has ${rows[uneven].length} ` +
+          `${rows[uneven].length === 1 ? 'number' : 'numbers'}, row 1 has ${rows[0].length}.${hintOf(lines.join(';'))}`,
       )
     return rows
   }

@@ -18,13 +18,19 @@ function seen({ rank, observable, params, tolerance }) {
   if (rank.rank === n)
     return observable === 'yes'
       ? 'Observable: the readings tell every direction of the state.'
-      : `The rank is full, but whether the system is observable is undecided within the tolerance of ${power(tolerance)}.`
+      : 'The rank is full, but whether the system is observable is undecided within the tolerance of ' +
+          `${power(tolerance)}.`
   if (observable === 'yes')
-    return 'Observable in units that fit each state; in the units given, the singular values lie too far apart for the rank to say so.'
+    return (
+      'Observable in units that fit each state; in the units given, the singular values lie too ' +
+      'far apart for the rank to say so.'
+    )
   const hidden = sumsOf(rank.directions, params)
   return observable === 'no'
     ? `Not observable: ${hidden} ${rank.directions.length > 1 ? 'are' : 'is'} never seen.`
-    : `${upper(hidden)} ${rank.directions.length > 1 ? 'count' : 'counts'} as unseen: less is read of it than the tolerance of ${power(tolerance)}, so whether the system is observable is undecided.`
+    : `${upper(hidden)} ${rank.directions.length > 1 ? 'count' : 'counts'} as unseen: less is read ` +
+        `of it than the tolerance of ${power(tolerance)}, so whether the system is observable is ` +
+        'undecided.'
 }
 
 /** @param {Frame} frame */
@@ -58,12 +64,19 @@ function limit({ limit: kind, settled, tried }) {
   return (
     {
       'from-every-start':
-        'The covariance tends to one limit from every start, because the system is detectable and noise reaches all that does not die out.',
+        'The covariance tends to one limit from every start, because the system is detectable and ' +
+        'noise reaches all that does not die out.',
       'from-large-start':
-        'The covariance tends to a limit from every large enough start, because the system is detectable; noise does not reach all that does not die out, or whether it does is undecided; so a smaller start may lead elsewhere, and the filter may in the end stop correcting what noise does not reach.',
-      none: 'The covariance has no limit: something unseen does not die out, and noise feeds it, so its variance grows without end.',
+        'The covariance tends to a limit from every large enough start, because the system is ' +
+        'detectable; noise does not reach all that does not die out, or whether it does is ' +
+        'undecided; so a smaller start may lead elsewhere, and the filter may in the end stop ' +
+        'correcting what noise does not reach.',
+      none:
+        'The covariance has no limit: something unseen does not die out, and noise feeds it, so its ' +
+        'variance grows without end.',
       'depends-on-start':
-        'Whether the covariance has a limit depends on the start: something unseen does not die out, and noise does not reach all of that.',
+        'Whether the covariance has a limit from this or that start is not decided by this: something unseen ' +
+        'does not die out, and noise does not reach all of that.',
       undecided: 'Whether the covariance has a limit is undecided within the tolerance.',
     }[kind] + run
   )
@@ -80,8 +93,11 @@ function stability({ params, placed, spectralRadius, movable, eigenvalues, diver
   const fixedOnes =
     stuck === 0
       ? ''
-      : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
-  return `${who} the eigenvalues of the error’s matrix reach the modulus ${fixed(spectralRadius, 3)}${spectralRadius < 1 ? '' : ', so an error need not die out'}.${fixedOnes}`
+      : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ` +
+        `${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
+  const forEver = spectralRadius < 1 ? '' : ', so an error need not die out'
+  const reach = `the eigenvalues of the error’s matrix reach the modulus ${fixed(spectralRadius, 3)}`
+  return `${who} ${reach}${forEver}.${fixedOnes}`
 }
 
 /** @param {Frame} frame */
@@ -93,9 +109,16 @@ export function describe(frame) {
   )
   return {
     disc: `Unit disc: the eigenvalues of the error’s matrix are ${roots.join(', ')}.`,
-    ranks: `Singular values of the observability matrix, over the largest: ${rank.relative.map((value) => power(value)).join(', ')}; the tolerance is ${power(tolerance)}, the rank ${rank.rank} of ${params.states}.`,
-    run: `A simulated run at step ${frame.step}: state ${i + 1} is ${fixed(truth[i], 2)}, its estimate ${fixed(estimate[i], 2)} ± ${fixed(2 * Math.sqrt(Math.max(0, P[i][i])), 2)}.`,
-    gain: `The filter’s gain for state ${i + 1}: ${R ? R[i].map((value) => fixed(value, 3)).join(', ') : 'none before the first step'}.`,
+    ranks:
+      'Singular values of the observability matrix, over the largest: ' +
+      `${rank.relative.map((value) => power(value)).join(', ')}; the tolerance is ` +
+      `${power(tolerance)}, the rank ${rank.rank} of ${params.states}.`,
+    run:
+      `A simulated run at step ${frame.step}: state ${i + 1} is ${fixed(truth[i], 2)}, its ` +
+      `estimate ${fixed(estimate[i], 2)} ± ${fixed(2 * Math.sqrt(Math.max(0, P[i][i])), 2)}.`,
+    gain:
+      `The filter’s gain for state ${i + 1}: ` +
+      `${R ? R[i].map((value) => fixed(value, 3)).join(', ') : 'none before the first step'}.`,
     variance: `Variances over time, now ${P.map((row, j) => fixed(row[j], 3)).join(', ')}.`,
   }
 }

@@ -33,20 +33,56 @@ function describe(frame) {
   const error =
     summary.rmse === null
       ? 'how far off the estimate is nobody knows'
-      : `the RMS error of the position so far is ${fixed(summary.rmse, 2)} metres, that of dead reckoning ${fixed(frame.reckonedRmse, 2)} metres`
+      : `the RMS error of the position so far is ${fixed(summary.rmse, 2)} metres, that of dead ` +
+        `reckoning ${fixed(frame.reckonedRmse, 2)} metres`
   const none = 'no reading has been used'
   const outside = (/** @type {number[]} */ values, /** @type {number} */ band) =>
     values.filter((value) => Math.abs(value) > band).length
+  const { time, normalized, used } = innovations
+  const drawn =
+    `${outside(normalized, 2)} of the ${time.length} drawn lie outside ±2 σ, ` +
+    `${used.filter((one) => !one).length} were refused`
+  const line = (/** @type {{ slope: number, offset: number, r2: number }} */ { slope, offset, r2 }) =>
+    `a line of slope ${fixed(slope, 3)} and offset ${fixed(offset, 2)} metres explains ${percent(r2)} of it`
+  const inner = (/** @type {{ slope: number, r2: number }} */ { slope, r2 }) =>
+    `slope ${fixed(slope, 3)}, which explains ${percent(r2)}`
+  const { values, band } = correlation
+  const beyond = nis.mean.filter((mean, i) => mean < nis.low[i] || mean > nis.high[i]).length
   return {
-    map: `Map of the drive after ${clock(frame.time)} of ${clock(frame.duration)}: ${landmarks.length} ${landmarks.length === 1 ? 'landmark' : 'landmarks'}, ${truth ? 'the true track, ' : ''}the dead-reckoned track and the estimate; ${error}.`,
-    innovations: `Normalized innovations over time: ${innovations.time.length === 0 ? none : `${outside(innovations.normalized, 2)} of the ${innovations.time.length} drawn lie outside ±2 σ, ${innovations.used.filter((used) => !used).length} were refused`}.`,
-    errors: `Error of the position over time: ${frame.errors.time.length === 0 ? 'nothing is driven yet' : frame.errors.error.length === 0 ? 'there is no truth, so only the claimed 2 σ is drawn' : `now ${fixed(frame.errors.error[frame.errors.error.length - 1], 2)} metres against a claimed 2 σ of ${fixed(frame.errors.bound[frame.errors.bound.length - 1], 2)}`}.`,
-    ranges: `Read less ${known} range, against the ${known} range: ${rangeLine ? `a line of slope ${fixed(rangeLine.slope, 3)} and offset ${fixed(rangeLine.offset, 2)} metres explains ${percent(rangeLine.r2)} of it` : 'no line yet'}.`,
-    inner: `The filter’s own innovations against the range it expected: ${innovationLine ? `slope ${fixed(innovationLine.slope, 3)}, which explains ${percent(innovationLine.r2)}` : none}.`,
-    histogram: `Histogram of the normalized innovations beside the standard normal density: ${summary.meanInnovation === null ? none : `their mean is ${fixed(summary.meanInnovation, 2)}, and ${percent(histogram.beyond)} lie beyond five σ`}.`,
-    correlation: `Autocorrelation of the innovations at ${correlation.values.length} lags: ${correlation.values.length === 0 ? none : `${outside(correlation.values, correlation.band)} outside the band of ±${fixed(correlation.band, 3)}`}.`,
-    nis: `Normalized innovations squared, averaged over blocks of ${nis.block} readings: ${nis.mean.length === 0 ? 'no block is full yet' : `${nis.mean.filter((mean, i) => mean < nis.low[i] || mean > nis.high[i]).length} of ${nis.mean.length} outside the band`}.`,
+    map:
+      `Map of the drive after ${clock(frame.time)} of ${clock(frame.duration)}: ${landmarks.length} ` +
+      `${landmarks.length === 1 ? 'landmark' : 'landmarks'}, ${truth ? 'the true track, ' : ''}the ` +
+      `dead-reckoned track and the estimate; ${error}.`,
+    innovations: `Normalized innovations over time: ${time.length === 0 ? none : drawn}.`,
+    errors: `Error of the position over time: ${errorNow(frame.errors)}.`,
+    ranges:
+      `Read less ${known} range, against the ${known} range: ` + `${rangeLine ? line(rangeLine) : 'no line yet'}.`,
+    inner:
+      'The filter’s own innovations against the range it expected: ' +
+      `${innovationLine ? inner(innovationLine) : none}.`,
+    histogram:
+      'Histogram of the normalized innovations beside the standard normal density: ' +
+      `${summary.meanInnovation === null ? none : spread(summary.meanInnovation, histogram.beyond)}.`,
+    correlation:
+      `Autocorrelation of the innovations at ${values.length} lags: ` +
+      `${values.length === 0 ? none : `${outside(values, band)} outside the band of ±${fixed(band, 3)}`}.`,
+    nis:
+      `Normalized innovations squared, averaged over blocks of ${nis.block} readings: ` +
+      `${nis.mean.length === 0 ? 'no block is full yet' : `${beyond} of ${nis.mean.length} outside the band`}.`,
   }
+}
+
+/** @param {Frame['errors']} errors */
+function errorNow({ time, error, bound }) {
+  if (time.length === 0) return 'nothing is driven yet'
+  if (error.length === 0) return 'there is no truth, so only the claimed 2 σ is drawn'
+  const last = (/** @type {number[]} */ values) => fixed(values[values.length - 1], 2)
+  return `now ${last(error)} metres against a claimed 2 σ of ${last(bound)}`
+}
+
+/** @param {number} mean @param {number} beyond */
+function spread(mean, beyond) {
+  return `their mean is ${fixed(mean, 2)}, and ${percent(beyond)} lie beyond five σ`
 }
 
 /** @param {Frame} frame @param {Frame} before */

@@ -1,14 +1,15 @@
 /**
  * Reads and replays logs, in a worker. It is told things by messages and answers by messages.
  *
- * | told | answers |
- * |---|---|
- * | `{ kind: 'files', files }`, the log as `File`s | `{ kind: 'log', contents, parameters, files }`, or `{ kind: 'no-log', files, file, line, column, message, shown }` |
- * | | with `line` 0 where the fault is of all files together |
- * | `{ kind: 'reading', change }`, to read one of them otherwise | the same |
- * | `{ kind: 'go', id, params, step }` | `{ kind: 'progress', id, step, of }` on the way; then `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }` |
- * | `{ kind: 'cancel' }` | nothing more about the replay that was under way |
- * | `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'` | `{ kind: 'table', text }`, a `Blob` of CSV, or `{ kind: 'no-table', message }` |
+ * - `{ kind: 'files', files }`, the log as `File`s: `{ kind: 'log', contents, parameters, files }`, or
+ *   `{ kind: 'no-log', files, file, line, column, message, shown }` with `line` 0 where the fault is of all files
+ *   together
+ * - `{ kind: 'reading', change }`, to read one of them otherwise: the same
+ * - `{ kind: 'go', id, params, step }`: `{ kind: 'progress', id, step, of }` on the way; then
+ *   `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }`
+ * - `{ kind: 'cancel' }`: nothing more about the replay that was under way
+ * - `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'`: `{ kind: 'table', text }`, a `Blob`
+ *   of CSV, or `{ kind: 'no-table', message }`
  *
  * A replay is computed in chunks, and between two of them the worker reads its messages. A later `go` replaces an
  * earlier one, unless that one is nearly there: a slider that is dragged over a long log is still answered now and

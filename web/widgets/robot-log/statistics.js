@@ -96,10 +96,13 @@ export function drawHistogram({ pen, width, height }, { histogram }) {
   pen.draw(() => {
     axes(pen, plane, { title: 'density of {innov}/√*S* beside N(0, 1)', x: '*σ*', ticks: [5, 4] })
     const floor = box.bottom
+    const tenths = (/** @type {number} */ value) => Math.round(value * 10) / 10
     let d = ''
     for (const [i, value] of density.entries()) {
       if (value > 0)
-        d += `M${plane.x(from + i * bin)} ${floor}V${Math.round(plane.y(value) * 10) / 10}H${Math.round(plane.x(from + (i + 1) * bin) * 10) / 10}V${floor}Z`
+        d +=
+          `M${plane.x(from + i * bin)} ${floor}V${tenths(plane.y(value))}` +
+          `H${tenths(plane.x(from + (i + 1) * bin))}V${floor}Z`
     }
     pen.mark('path', 'bars', { ...meaning('area bars', 'measurement'), d })
     pen.mark('path', 'normal', {

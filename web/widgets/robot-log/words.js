@@ -66,7 +66,10 @@ function gateOf({ params, summary: { used, refused } }) {
   const [share, expected] = [refused / (used + refused), 1 - params.gate]
   // Five times as many as expected, and more than chance explains where few are expected.
   const many = share > 5 * expected && refused > 5 * expected * (used + refused) + 5
-  return ` The gate has refused ${percent(share)} of the readings, where ${percent(expected)} is expected${many ? ': it hides a fault of the model' : ''}.`
+  return (
+    ` The gate has refused ${percent(share)} of the readings, where ${percent(expected)} is ` +
+    `expected${many ? ': it hides a fault of the model' : ''}.`
+  )
 }
 
 /** @param {Frame} frame */

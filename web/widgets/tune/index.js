@@ -25,10 +25,18 @@ function describe(frame) {
     `q ${level(logQ)} and sensor noise ${level(logW)} m²`
   const outside = autocorrelation.filter((value) => Math.abs(value) > autocorrelationBand).length
   return {
-    map: `Map of the log-likelihood over q and the sensor noise: yours are ${place(params)}${fit ? `, the likeliest are ${place(fit)}` : ''}${truth ? `, the true ones are ${place(truth)}` : ''}.`,
-    innovations: `Innovations of ${innovations.length} readings: ${percent(beyond)} lie beyond ±2√S, where 4.6 % are expected.`,
-    correlation: `Autocorrelation of the innovations at ${autocorrelation.length} lags: ${outside} outside the band of ±${fixed(autocorrelationBand, 3)}.`,
-    nis: `NIS and its running mean, which ends at ${fixed(mean, 2)}; its band there is from ${fixed(low, 2)} to ${fixed(high, 2)}.`,
+    map:
+      `Map of the log-likelihood over q and the sensor noise: yours are ${place(params)}` +
+      `${fit ? `, the likeliest are ${place(fit)}` : ''}${truth ? `, the true ones are ${place(truth)}` : ''}.`,
+    innovations:
+      `Innovations of ${innovations.length} readings: ${percent(beyond)} lie beyond ±2√S, where ` +
+      '4.6 % are expected.',
+    correlation:
+      `Autocorrelation of the innovations at ${autocorrelation.length} lags: ${outside} outside ` +
+      `the band of ±${fixed(autocorrelationBand, 3)}.`,
+    nis:
+      `NIS and its running mean, which ends at ${fixed(mean, 2)}; its band there is from ` +
+      `${fixed(low, 2)} to ${fixed(high, 2)}.`,
     nees: truth
       ? `NEES of the two states: its mean is ${fixed(truth.meanNees, 1)}; 2 is expected.`
       : 'NEES of the two states, sealed until you commit.',

@@ -1,10 +1,9 @@
 /**
  * Fills maps of the likelihood, in a worker. It is told things by messages and answers by messages.
  *
- * | told | answers |
- * |---|---|
- * | `{ kind: 'fill', id, params, size }` | `{ kind: 'top', id, top, limit }`, then `{ kind: 'rows', id, values }` until the map is full, or `{ kind: 'refused', id }` |
- * | `{ kind: 'cancel' }` | nothing more about the map that was being filled |
+ * - `{ kind: 'fill', id, params, size }`: `{ kind: 'top', id, top, limit }`, then `{ kind: 'rows', id, values }` until
+ *   the map is full, or `{ kind: 'refused', id }`
+ * - `{ kind: 'cancel' }`: nothing more about the map that was being filled
  *
  * Between two chunks it reads its messages. A later `fill` replaces an earlier one.
  */

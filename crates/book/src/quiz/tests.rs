@@ -15,7 +15,8 @@ const CHOICE: &str = "[[quiz]]\nid = 'c'\nprompt = 'p'\nkind = 'choice'\nwhy = '
 
 const VECTOR: &str =
     "[[quiz]]\nid = 'v'\nprompt = 'p'\nkind = 'vector'\nanswer = 'a, b'\ntolerance = 0.005\nwhy = 'w'\n";
-const STATE: &str = "[[quiz]]\nid = 's'\nprompt = 'p'\nkind = 'state'\nwhy = 'w'\nfigure = 'fig'\nwidget = 'observer-bench'\n\
+const STATE: &str = "[[quiz]]\nid = 's'\nprompt = 'p'\nkind = 'state'\nwhy = 'w'\nfigure = 'fig'\n\
+    widget = 'observer-bench'\n\
     [[quiz.condition]]\npath = 'params.sensor'\nis = 'position'\ntodo = 't'\n\
     [[quiz.condition]]\npath = 'params.gain'\nleast = 'a'\nmost = 'a'\nwithin = 0.02\ntodo = 't'\n\
     [[quiz.condition]]\npath = 'series.e1.length'\nleast = '2'\ntodo = 't'\n";

@@ -32,7 +32,8 @@ pub fn site(diagnostics: &Diagnostics) -> Site {
     let root = fixtures().join("site");
     let mut site = Site::load(&root, numbers.into_iter().collect(), labs::FIGURES, outputs, stills, diagnostics)
         .expect("the fixtures are there");
-    let source = "//! Demo.\n\n// ANCHOR: half\n/// Half of `x`.\npub fn half(x: f64) -> f64 {\n    x / 2.0\n}\n// ANCHOR_END: half\n";
+    let source = "//! Demo.\n\n// ANCHOR: half\n/// Half of `x`.\npub fn half(x: f64) -> f64 {\n    x / 2.0\n}\n\
+        // ANCHOR_END: half\n";
     site.sources.insert("crates/demo/src/lib.rs", source);
     site
 }

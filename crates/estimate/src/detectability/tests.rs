@@ -48,7 +48,14 @@ fn an_unseen_direction_that_dies_out_leaves_a_system_detectable() {
 
 #[test]
 fn full_matrices_have_the_answer_of_sparse_ones() {
-    let blocks = |unseen: f64, coupling: f64| dmatrix![1.0, 0.3, 0.0, 0.0; 0.0, 0.9, 0.0, 0.0; 0.2, 0.1, unseen, coupling; 0.0, 0.4, 0.0, unseen];
+    let blocks = |unseen: f64, coupling: f64| {
+        dmatrix![
+            1.0, 0.3, 0.0, 0.0;
+            0.0, 0.9, 0.0, 0.0;
+            0.2, 0.1, unseen, coupling;
+            0.0, 0.4, 0.0, unseen
+        ]
+    };
     let c = dmatrix![1.0, 0.0, 0.0, 0.0];
     for (unseen, coupling, detectable) in [
         (1.0, 1.0, No),

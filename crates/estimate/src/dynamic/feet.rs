@@ -55,7 +55,8 @@ pub fn mahalanobis_foot(
         if !independent {
             return Err(rows_repeat());
         }
-        let message = "HPHᵀ is singular, or too small for floating point: P leaves no uncertainty in what H measures, so no \
+        let message = "HPHᵀ is singular, or too small for floating point: P leaves no uncertainty in what H measures, \
+            so no \
                        step along it reaches Ω";
         return Err(Error::new(Code::InnovationNotPositiveDefinite, "P", message));
     };

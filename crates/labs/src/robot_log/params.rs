@@ -30,8 +30,8 @@ params! {
 
 impl From<LogParams> for Settings {
     fn from(params: LogParams) -> Self {
-        let LogParams { sigma_distance, sigma_turn, sigma_range, sigma_bearing, gate, scale, offset, learn, sightings } =
-            params;
+        let LogParams { sigma_distance, sigma_turn, sigma_range, sigma_bearing, .. } = params;
+        let LogParams { gate, scale, offset, learn, sightings, .. } = params;
         Self { sigma_distance, sigma_turn, sigma_range, sigma_bearing, gate, scale, offset, learn, sightings }
     }
 }
