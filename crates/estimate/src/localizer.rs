@@ -157,6 +157,7 @@ impl EkfLocalizer {
     }
 
     /// The reading with the sensor's W and the landmark's place on the map.
+    #[inline(always)]
     fn checked(&self, reading: &LandmarkReading) -> Result<Reading, Error> {
         let range = validate::finite(reading.range, "range")?;
         if range < 0.0 {

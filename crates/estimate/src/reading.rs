@@ -150,7 +150,7 @@ impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
         }
     }
 
-    /// Corrects a copy, and keeps it where χ² is within the gate.
+    /// Corrects the belief, and takes that back where χ² is beyond the gate.
     #[inline(always)]
     fn within<const M: usize>(
         &mut self,
@@ -160,15 +160,15 @@ impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
         y: &SVector<f64, M>,
         w: &SMatrix<f64, M, M>,
     ) -> Result<Corrected, Error> {
-        let (mut corrected, j) = (self.filter, landmark.unwrap_or(0));
-        let Update { innovation, s, d2, .. } = corrected.update(model, y, j, w)?;
+        let (before, j) = (self.filter, landmark.unwrap_or(0));
+        let Update { innovation, s, d2, .. } = self.filter.update(model, y, j, w)?;
         let chi2 = match d2 {
             Some(d2) => Ok(d2),
             None => Candidate::new(j, innovation, s, Rule::ChiSquared).map(|candidate| candidate.d2),
         };
         let accepted = gate.is_none_or(|gate| chi2.is_ok_and(|chi2| chi2 <= gate));
-        if accepted {
-            self.filter = corrected;
+        if !accepted {
+            self.filter = before;
         }
         let entry = |i: usize, k: usize| if i < M && k < M { s[(i, k)] } else { 0.0 };
         Ok(Corrected {

@@ -107,6 +107,7 @@ where
     }
 
     /// ∂y/∂pose = (1 + ε) ∂ρ/∂pose in the range's row, and ∂y/∂ε = ρ where ε is not given.
+    #[inline(always)]
     fn linearized(&self, x: &X, j: usize) -> Result<(SVector<f64, M>, SMatrix<f64, M, N>), filters::Error> {
         let (mut y, mut c) = self.sensor.linearized(&x.pose(), j)?;
         let (rho, factor) = (y[0], 1.0 + self.scale.or(x.epsilon()).unwrap_or(0.0));
@@ -121,6 +122,7 @@ where
         Ok((y, c))
     }
 
+    #[inline]
     fn residual(&self, z: &SVector<f64, M>, expected: &SVector<f64, M>) -> SVector<f64, M> {
         self.sensor.residual(z, expected)
     }
