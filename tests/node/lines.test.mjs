@@ -49,6 +49,6 @@ test('a file of 301 lines, a line of 121 columns and a part without its file are
   assert.match(stdout, /^content\/long\.md: 301 lines, over 300$/m)
   assert.match(stdout, /^web\/wide\.js:2: 121 columns, over 120$/m)
   assert.doesNotMatch(stdout, /short|node_modules|wide\.js:1|wide\.md/)
-  assert.match(stdout, /^JavaScript, web +4$/m)
+  assert.match(stdout, /^JavaScript, web +3$/m)
   assert.match(stdout, /^scripts\/lines: there is no labs\/tune$/m)
 })
