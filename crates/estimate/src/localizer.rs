@@ -41,12 +41,15 @@ enum Sensor {
 /// use estimate::localizer::{EkfLocalizer, LandmarkReading, SensorKind};
 /// use nalgebra::{dmatrix, dvector};
 ///
-/// let belief = estimate::validate::belief(dvector![0.0, 0.0, 0.0], dmatrix![0.04, 0.0, 0.0; 0.0, 0.04, 0.0; 0.0, 0.0,
-/// 0.01])?; let map = vec![Landmark { id: 7, x: 2.0, y: 0.0 }]; let w = dmatrix![0.01, 0.0; 0.0, 0.01]; let mut ekf =
-/// EkfLocalizer::new(belief, map, w, Some(9.21), SensorKind::RangeBearing)?; ekf.predict(dvector![1.0, 0.0],
-/// dmatrix![0.01, 0.0, 0.0; 0.0, 0.01, 0.0; 0.0, 0.0, 0.01])?; let reading = LandmarkReading { range: 0.9, bearing:
-/// Some(std::f64::consts::PI), landmark: None }; let answer = ekf.update(reading)?; assert!(answer.accepted &&
-/// answer.landmark == 7);
+/// let p = dmatrix![0.04, 0.0, 0.0; 0.0, 0.04, 0.0; 0.0, 0.0, 0.01];
+/// let belief = estimate::validate::belief(dvector![0.0, 0.0, 0.0], p)?;
+/// let map = vec![Landmark { id: 7, x: 2.0, y: 0.0 }];
+/// let w = dmatrix![0.01, 0.0; 0.0, 0.01];
+/// let mut ekf = EkfLocalizer::new(belief, map, w, Some(9.21), SensorKind::RangeBearing)?;
+/// ekf.predict(dvector![1.0, 0.0], dmatrix![0.01, 0.0, 0.0; 0.0, 0.01, 0.0; 0.0, 0.0, 0.01])?;
+/// let reading = LandmarkReading { range: 0.9, bearing: Some(std::f64::consts::PI), landmark: None };
+/// let answer = ekf.update(reading)?;
+/// assert!(answer.accepted && answer.landmark == 7);
 /// # Ok::<(), estimate::Error>(())
 /// ```
 #[derive(Clone, Debug, PartialEq)]
