@@ -13,10 +13,10 @@ use crate::diagnostic::{BuildError, Diagnostics};
 use crate::dist::Dist;
 use crate::figure::{self, Figure};
 use crate::file;
-use crate::found::Found;
 use crate::hash::fnv1a;
 use crate::notation::NOTATIONS;
 use crate::page;
+use crate::search::Found;
 use crate::site::Site;
 use crate::template::{Templates, safe, serde};
 
@@ -185,7 +185,7 @@ impl Pages<'_> {
     fn source(&mut self, path: &str, text: &str) -> Result<(), BuildError> {
         let site = self.build.site;
         let lines = || Ok(site.highlighter.lines(text, "rust"));
-        let code = site.kept.or::<_, BuildError>(path, text, lines)?.into_iter().enumerate().map(|(i, line)| {
+        let code = site.cache.or::<_, BuildError>(path, text, lines)?.into_iter().enumerate().map(|(i, line)| {
             let n = i + 1;
             format!("<a class=\"line-number\" id=\"L{n}\" href=\"#L{n}\">{n}</a>{line}\n")
         });

@@ -7,9 +7,9 @@ use serde::Serialize;
 
 use crate::asset::Assets;
 use crate::diagnostic::BuildError;
-use crate::found::Found;
 use crate::hash::fnv1a;
 use crate::link;
+use crate::search::Found;
 
 /// The built site: path to bytes.
 #[derive(Debug, Default)]

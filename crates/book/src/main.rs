@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 use std::time::Instant;
 
-use book::{Assets, Build, BuildError, Diagnostics, Kept, Outputs, Site};
+use book::{Assets, Build, BuildError, Cache, Diagnostics, Outputs, Site};
 use chapter_kalman::{checks::chapter_checks, givens::Givens, numbers::with_ensembles};
 use clap::Parser;
 use labs::FIGURES;
@@ -22,8 +22,8 @@ struct Options {
     #[arg(long, default_value = "target/stills")]
     stills: PathBuf,
     /// The folder for what the next build need not compute again.
-    #[arg(long, default_value = "target/kept")]
-    kept: PathBuf,
+    #[arg(long, default_value = "target/cache")]
+    cache: PathBuf,
     /// The repository.
     #[arg(long, default_value = ".")]
     root: PathBuf,
@@ -53,8 +53,8 @@ fn build(options: &Options) -> Result<String, BuildError> {
     }
     let diagnostics = Diagnostics::default();
     let failed = |e| BuildError::Missing(format!("the labs: {e}"));
-    let kept = Kept::by_this_program(&options.kept);
-    let numbers = kept.or("numbers", "", || with_ensembles(&Givens::default())).map_err(failed)?;
+    let cache = Cache::by_this_program(&options.cache);
+    let numbers = cache.or("numbers", "", || with_ensembles(&Givens::default())).map_err(failed)?;
     let checks = chapter_checks().map_err(failed)?;
     let stills = book::load_stills(&options.stills, FIGURES, options.strict)?;
     let mut site = Site::load(
@@ -66,7 +66,7 @@ fn build(options: &Options) -> Result<String, BuildError> {
         &diagnostics,
     )?;
     site.answers = !options.no_answers;
-    site.kept = kept;
+    site.cache = cache;
     let assets = Assets::load(&options.assets, options.strict)?;
     let build = Build {
         root: &options.root,

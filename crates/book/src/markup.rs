@@ -101,7 +101,8 @@ static CLASSES: LazyLock<HashMap<String, &str>> = LazyLock::new(|| {
     };
     let rules = include_str!("../../../web/style/formulas.css").split('}').filter_map(rule);
     // As `short` writes a length.
-    rules.map(|(class, style)| (style.replacen(": 0.", ":.", 1).replacen(": ", ":", 1), class)).collect()
+    let short = |style: &str| style.replacen(": ", ":", 1).replacen(":0.", ":.", 1).replacen(":-0.", ":-.", 1);
+    rules.map(|(class, style)| (short(style), class)).collect()
 });
 
 /// The nodes of `html`, which is well formed as XML is.

@@ -5,11 +5,11 @@ use std::path::Path;
 
 use lab::Figure;
 
+use crate::cache::Cache;
 use crate::code::Highlighter;
 use crate::config::{Config, DataFile};
 use crate::diagnostic::{BuildError, Diagnostics};
 use crate::glossary::{self, Term};
-use crate::kept::Kept;
 use crate::notation::{self, Row};
 use crate::number::Numbers;
 use crate::output::Outputs;
@@ -41,7 +41,7 @@ pub struct Site {
     /// Questions.
     pub quizzes: BTreeMap<String, Quiz>,
     /// What an earlier build computed.
-    pub kept: Kept,
+    pub cache: Cache,
     /// Compiled sources.
     pub sources: Sources,
     /// Program output.
@@ -82,7 +82,7 @@ impl Site {
             notation: data("notation.toml")?.parse::<notation::Table>(diagnostics).row,
             quizzes: quiz::quizzes(&DataFile::all(root, "quizzes")?, &numbers, figures, diagnostics),
             answers: true,
-            kept: Kept::nothing(),
+            cache: Cache::nothing(),
             sources: Sources::load(root)?,
             highlighter: Highlighter::default(),
             templates: Templates::load(root)?,

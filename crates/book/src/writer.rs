@@ -5,11 +5,11 @@ use std::collections::HashMap;
 use pulldown_cmark::{Alignment, CodeBlockKind, HeadingLevel, Tag};
 
 use crate::diagnostic::{Diagnostics, Place};
-use crate::found::Entry;
 use crate::html::{CODE, escape, escape_text};
 use crate::label::Labels;
 use crate::parse::parse;
 use crate::piece::Piece;
+use crate::search::Entry;
 use crate::site::Site;
 use crate::tree::{Kind, Node};
 

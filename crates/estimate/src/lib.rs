@@ -29,6 +29,7 @@
 extern crate alloc;
 
 mod balance;
+mod blame;
 mod decay;
 mod detectability;
 pub mod drive;
@@ -45,7 +46,6 @@ pub mod observability;
 mod observer;
 mod odometry;
 pub mod path_observability;
-mod place;
 mod placement;
 pub mod rail;
 mod reachability;

@@ -5,11 +5,11 @@ mod reading;
 
 pub use reading::{LandmarkReading, Localized, Logged, SensorKind};
 
+use crate::blame::Blame;
 use crate::dynamic::Belief;
 use crate::ekf::Localizer;
 use crate::error::{Code, Error};
 use crate::landmark::Landmark;
-use crate::place::Place;
 use crate::reading::{Corrected, Reading, Setup};
 use crate::validate;
 use alloc::format;
@@ -79,13 +79,13 @@ impl EkfLocalizer {
         let p = validate::covariance(belief.p, 3, "belief.P")?;
         validate::count(landmarks.len(), MAX_LANDMARKS, "landmarks")?;
         for (i, landmark) in landmarks.iter().enumerate() {
-            let place = Place::Entry("landmarks", i);
+            let blame = Blame::Entry("landmarks", i);
             if landmarks[..i].iter().any(|earlier| earlier.id == landmark.id) {
                 let message = format!("is {}, as another landmark's; ids are unique", landmark.id);
-                return Err(place.field(Error::new(Code::Index, "id", message)));
+                return Err(blame.field(Error::new(Code::Index, "id", message)));
             }
             for (value, name) in [(landmark.x, "x"), (landmark.y, "y")] {
-                validate::finite(value, name).map_err(|e| place.field(e))?;
+                validate::finite(value, name).map_err(|e| blame.field(e))?;
             }
         }
         if let Some(gate) = gate
@@ -112,15 +112,15 @@ impl EkfLocalizer {
     pub fn predict(&mut self, u: DVector<f64>, v: DMatrix<f64>) -> Result<(), Error> {
         let u = validate::vector(u, 2, "u")?;
         let v = validate::covariance(v, 3, "V")?;
-        self.moved(&Vector2::new(u[0], u[1]), &Matrix3::from_fn(|i, j| v[(i, j)]), Place::Alone)
+        self.moved(&Vector2::new(u[0], u[1]), &Matrix3::from_fn(|i, j| v[(i, j)]), Blame::Alone)
     }
 
     /// A prediction, of which u or V is to blame for an overflow: V where there would be none without it.
-    fn moved(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>, place: Place) -> Result<(), Error> {
+    fn moved(&mut self, u: &Vector2<f64>, v: &Matrix3<f64>, blame: Blame) -> Result<(), Error> {
         self.localizer.predict(u, v).map_err(|e| {
             let mut again = self.localizer;
             let without_noise = again.predict(u, &Matrix3::zeros());
-            e.called(|_| if without_noise.is_ok() { "V".into() } else { place.name("u") })
+            e.called(|_| if without_noise.is_ok() { "V".into() } else { blame.name("u") })
         })
     }
 
@@ -134,7 +134,7 @@ impl EkfLocalizer {
     /// [`Code::AtLandmark`], [`Code::InnovationNotPositiveDefinite`].
     pub fn update(&mut self, reading: LandmarkReading) -> Result<Localized, Error> {
         let before = self.localizer;
-        let corrected = self.judge(&reading, Place::Alone).inspect_err(|_| self.localizer = before)?;
+        let corrected = self.judge(&reading, Blame::Alone).inspect_err(|_| self.localizer = before)?;
         let Corrected { accepted, landmark, outputs, innovation, s, chi2 } = corrected;
         Ok(Localized {
             accepted,
@@ -149,13 +149,13 @@ impl EkfLocalizer {
     /// and the caller restores it. Always in line: of a step in a log nobody asks for the answer, which then is not
     /// written down.
     #[inline(always)]
-    fn judge(&mut self, reading: &LandmarkReading, place: Place) -> Result<Corrected, Error> {
-        let reading = self.checked(reading).map_err(|e| place.field(e))?;
+    fn judge(&mut self, reading: &LandmarkReading, blame: Blame) -> Result<Corrected, Error> {
+        let reading = self.checked(reading).map_err(|e| blame.field(e))?;
         let setup = Setup { map: &self.map, scale: Some(0.0), offset: 0.0, gate: self.gate };
-        let corrected = self.localizer.correct(&reading, &setup).map_err(|e| place.step(e))?;
+        let corrected = self.localizer.correct(&reading, &setup).map_err(|e| blame.step(e))?;
         match corrected.chi2 {
             Ok(_) => Ok(corrected),
-            Err(e) => Err(place.step(e.into())),
+            Err(e) => Err(blame.step(e.into())),
         }
     }
 
@@ -211,13 +211,13 @@ impl EkfLocalizer {
     }
 
     fn step(&mut self, logged: &Logged, v: &Matrix3<f64>, k: usize) -> Result<(), Error> {
-        let place = Place::Entry("log", k);
+        let blame = Blame::Entry("log", k);
         let u = Vector2::from(logged.u);
         if !is_finite(&u) {
-            return Err(place.field(Error::new(Code::NotFinite, "u", "must hold finite numbers")));
+            return Err(blame.field(Error::new(Code::NotFinite, "u", "must hold finite numbers")));
         }
-        self.moved(&u, v, place)?;
-        self.judge(&logged.reading, place).map(|_| ())
+        self.moved(&u, v, blame)?;
+        self.judge(&logged.reading, blame).map(|_| ())
     }
 
     /// Which sensor it has.

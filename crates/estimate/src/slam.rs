@@ -13,10 +13,10 @@ mod prior;
 mod sighting;
 mod untyped;
 
+use crate::blame::Blame;
 use crate::dynamic::Belief;
 use crate::error::{Code, Error};
 use crate::odometry::Unicycle;
-use crate::place::Place;
 use crate::validate;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -203,17 +203,17 @@ impl EkfSlam {
         validate::count(readings.len(), MAX_SIGHTINGS, "sightings")?;
         match readings {
             [one] => {
-                let (report, expected) = self.judged(one, &[], Place::Alone)?;
+                let (report, expected) = self.judged(one, &[], Blame::Alone)?;
                 let before = core::mem::replace(&mut self.nis, (0.0, 0));
                 let done = match expected {
                     Some(expected) => self.correct(&expected, &expected.innovation),
-                    None if report.outcome == Outcome::Founded => self.found(one, report.landmark, Place::Alone),
+                    None if report.outcome == Outcome::Founded => self.found(one, report.landmark, Blame::Alone),
                     None => Ok(()),
                 };
                 if done.is_err() {
                     self.nis = before;
                 }
-                done.map(|()| vec![report]).map_err(|e| Place::Alone.step(e))
+                done.map(|()| vec![report]).map_err(|e| Blame::Alone.step(e))
             }
             // Several: a later one may fail, so the work is done on a copy, which costs no more than one of the
             // updates.
@@ -232,31 +232,31 @@ impl EkfSlam {
         let named: Vec<u32> = readings.iter().filter_map(|r| r.landmark).collect();
         let mut taken: Vec<usize> = named.iter().filter_map(|id| self.index(*id)).collect();
         for (i, reading) in readings.iter().enumerate() {
-            let place = Place::Entry("sightings", i);
+            let blame = Blame::Entry("sightings", i);
             if reading.landmark.is_some() && readings[..i].iter().any(|earlier| earlier.landmark == reading.landmark) {
                 let message = "is named by an earlier sighting of this step";
-                return Err(place.field(Error::new(Code::Index, "landmark", message)));
+                return Err(blame.field(Error::new(Code::Index, "landmark", message)));
             }
-            let (mut report, expected) = self.judged(reading, &taken, place)?;
+            let (mut report, expected) = self.judged(reading, &taken, blame)?;
             if let Some(expected) = expected {
                 taken.push(expected.j);
-                matched.push((place, expected));
+                matched.push((blame, expected));
             } else if report.outcome == Outcome::Founded {
                 if reading.landmark.is_none() {
                     report.landmark = self.free_id(&named, &reports);
                 }
-                unfounded.push((place, reading, report.landmark));
+                unfounded.push((blame, reading, report.landmark));
             }
             reports.push(report);
         }
-        for (place, reading, id) in unfounded {
-            self.found(reading, id, place)?;
+        for (blame, reading, id) in unfounded {
+            self.found(reading, id, blame)?;
         }
         let prediction = self.x.clone();
-        for (place, expected) in &matched {
+        for (blame, expected) in &matched {
             let moved = expected.moved(&prediction, &self.x);
             let innovation = expected.innovation - expected.h * moved;
-            self.correct(expected, &innovation).map_err(|e| place.step(e))?;
+            self.correct(expected, &innovation).map_err(|e| blame.step(e))?;
         }
         Ok(reports)
     }

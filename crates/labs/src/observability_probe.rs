@@ -48,16 +48,16 @@ const MAX_MAP: usize = 12;
 /// How many of the last positions a track keeps, two laps and the present.
 const TRACK: usize = 241;
 
-/// Who estimates.
+/// What estimates: the map is known, or it is mapped.
 #[derive(Clone, Debug)]
-enum Who {
+enum Estimator {
     /// A robot with a map.
     Localizer(Localizer),
     /// A robot that must found one.
     Mapper(Box<Mapping>),
 }
 
-impl Who {
+impl Estimator {
     fn belief(&self) -> (SE2, Matrix3<f64>) {
         match self {
             Self::Localizer(l) => (l.ekf.pose(), *l.ekf.covariance()),
@@ -84,7 +84,7 @@ pub struct ObservabilityProbe {
     step: u32,
     driven: u32,
     truth: SE2,
-    who: Who,
+    estimator: Estimator,
     haunting: Option<Haunting>,
     reference: TruePath,
     /// The last moments on the true path, the present one last.
@@ -115,15 +115,15 @@ impl Lab for ObservabilityProbe {
         let shown = params.shown();
         let mut noise = Noise::new(u64::from(params.seed));
         let truth = PROBE.course.start();
-        let (who, sightings) = if params.forget {
+        let (estimator, sightings) = if params.forget {
             let mut mapping = Mapping::new(&shown, &RANGE_BEARING_SLAM)?;
             mapping.most = MAX_MAP;
             // A map begins where its robot first looks about.
             let seen = mapping.look(truth, &mut noise)?;
             let sightings = seen.iter().map(|s| view::mapped_sighting(s, &mapping)).collect();
-            (Who::Mapper(Box::new(mapping)), sightings)
+            (Estimator::Mapper(Box::new(mapping)), sightings)
         } else {
-            (Who::Localizer(Localizer::new(truth, Arc::clone(&shown), params.sight(), &mut noise)), Vec::new())
+            (Estimator::Localizer(Localizer::new(truth, Arc::clone(&shown), params.sight(), &mut noise)), Vec::new())
         };
         let mut probe = Self {
             params,
@@ -132,7 +132,7 @@ impl Lab for ObservabilityProbe {
             step: 0,
             driven: 0,
             truth,
-            who,
+            estimator,
             haunting: (params.ghost && !params.forget).then(|| Haunting::new(&params, truth)),
             reference: TruePath::new(&PROBE, 2, SensorKind::Range),
             moments: VecDeque::new(),
@@ -167,11 +167,11 @@ impl Lab for ObservabilityProbe {
         self.driven += u32::from(self.moving());
         self.step += 1;
         self.reference.step(tick)?;
-        match &mut self.who {
-            Who::Localizer(localizer) => {
+        match &mut self.estimator {
+            Estimator::Localizer(localizer) => {
                 self.nis = localizer.step(tick, self.truth, &mut self.noise, &mut self.sightings)?;
             }
-            Who::Mapper(mapping) => {
+            Estimator::Mapper(mapping) => {
                 let seen = mapping.step(tick, self.truth, &mut self.noise)?;
                 self.sightings = seen.iter().map(|s| view::mapped_sighting(s, mapping)).collect();
                 self.nis = mapping.nis();
@@ -194,7 +194,7 @@ impl ObservabilityProbe {
 
     /// tr P of the pose after the last step.
     pub fn last_trace(&self) -> f64 {
-        self.who.belief().1.trace()
+        self.estimator.belief().1.trace()
     }
 
     fn moving(&self) -> bool {
@@ -219,7 +219,7 @@ impl ObservabilityProbe {
 
     /// Compares with the truth.
     fn judge(&mut self) {
-        let (pose, p) = self.who.belief();
+        let (pose, p) = self.estimator.belief();
         self.nees = nees(&self.truth.boxminus(pose), &p).ok();
         if let Some(nees) = self.nees {
             self.sums.nees += nees;
@@ -233,9 +233,9 @@ impl ObservabilityProbe {
 
     /// Keeps the present moment for the ranks along the path.
     fn remember(&mut self) {
-        let landmarks = match &self.who {
-            Who::Localizer(_) => Arc::clone(&self.shown),
-            Who::Mapper(m) => m.truth.iter().map(|&t| self.shown[t]).collect(),
+        let landmarks = match &self.estimator {
+            Estimator::Localizer(_) => Arc::clone(&self.shown),
+            Estimator::Mapper(m) => m.truth.iter().map(|&t| self.shown[t]).collect(),
         };
         self.moments.push_back(Moment { pose: self.truth, landmarks, u: self.next_input() });
         if self.moments.len() > PATH_STEPS + 1 {
@@ -245,13 +245,13 @@ impl ObservabilityProbe {
 
     /// The present moment as the filter believes it to be.
     fn believed(&self) -> Moment {
-        let landmarks = match &self.who {
-            Who::Localizer(_) => Arc::clone(&self.shown),
-            Who::Mapper(m) => {
+        let landmarks = match &self.estimator {
+            Estimator::Localizer(_) => Arc::clone(&self.shown),
+            Estimator::Mapper(m) => {
                 m.slam.landmarks().map(|l| Landmark { id: l.id, x: l.position[0], y: l.position[1] }).collect()
             }
         };
-        Moment { pose: self.who.belief().0, landmarks, u: self.next_input() }
+        Moment { pose: self.estimator.belief().0, landmarks, u: self.next_input() }
     }
 
     fn next_input(&self) -> Vector2<f64> {
@@ -260,7 +260,7 @@ impl ObservabilityProbe {
     }
 
     fn record(&mut self) {
-        let (pose, p) = self.who.belief();
+        let (pose, p) = self.estimator.belief();
         let [position, heading] = parts(&p);
         let series = &mut self.series;
         series.step.push(f64::from(self.step));
@@ -280,7 +280,7 @@ impl ObservabilityProbe {
         self.digest.take(self.reference.p.as_slice());
         self.digest.take(self.nees.as_slice());
         self.digest.take(self.nis.map(|(nis, _)| nis).as_slice());
-        if let Who::Mapper(mapping) = &self.who {
+        if let Estimator::Mapper(mapping) = &self.estimator {
             for landmark in mapping.slam.landmarks() {
                 self.digest.take(landmark.position.as_slice());
                 self.digest.take(landmark.p.as_slice());

@@ -2,8 +2,8 @@
 
 use super::sighting::founding;
 use super::{EkfSlam, MAX_LANDMARKS, Reading, digits_lost};
+use crate::blame::Blame;
 use crate::error::{Code, Error};
-use crate::place::Place;
 use alloc::vec::Vec;
 use filters::covariance::symmetric;
 use nalgebra::Matrix2x3;
@@ -11,13 +11,13 @@ use numerics::sqrt;
 
 impl EkfSlam {
     /// Appends a landmark where the reading puts it, with its covariance and its correlations with everything else.
-    pub(super) fn found(&mut self, reading: &Reading, id: Option<u32>, place: Place) -> Result<(), Error> {
-        let unnamed = || place.field(Error::new(Code::Limit, "landmark", "no number is left to call it by"));
+    pub(super) fn found(&mut self, reading: &Reading, id: Option<u32>, blame: Blame) -> Result<(), Error> {
+        let unnamed = || blame.field(Error::new(Code::Limit, "landmark", "no number is left to call it by"));
         let id = id.ok_or_else(unnamed)?;
         if self.len() == MAX_LANDMARKS {
             return Err(Error::new(Code::Limit, "landmarks", "the map is full: it holds 500"));
         }
-        let (position, by_pose, by_reading) = founding(&self.pose(), reading).map_err(|e| place.field(e))?;
+        let (position, by_pose, by_reading) = founding(&self.pose(), reading).map_err(|e| blame.field(e))?;
         let n = self.x.len();
         // P_ℓ· = G_x P_r·, of which the new 2×2 corner is G_x P_rr G_xᵀ + G_z W G_zᵀ.
         let cross =
@@ -29,7 +29,7 @@ impl EkfSlam {
         let all = rows.iter().flatten().chain(corner.iter()).chain(position.iter());
         if all.clone().any(|e| !e.is_finite()) {
             let message = "is too large: the landmark that it would found has an infinite place or covariance";
-            return Err(place.field(Error::new(Code::NotFinite, "range", message)));
+            return Err(blame.field(Error::new(Code::NotFinite, "range", message)));
         }
         let largest = self.p.diagonal().fold(0.0, f64::max);
         let reach = [0, 1].map(|a: usize| {

@@ -2,8 +2,8 @@
 
 use super::EkfSlam;
 use super::sighting::{Expected, Outcome, Reading, Report};
+use crate::blame::Blame;
 use crate::error::{Code, Error};
-use crate::place::Place;
 use alloc::vec::Vec;
 use filters::association::{Association, Candidate, Rule, associate};
 use nalgebra::{Matrix2, Vector2};
@@ -32,10 +32,10 @@ impl EkfSlam {
         &self,
         reading: &Reading,
         taken: &[usize],
-        place: Place,
+        blame: Blame,
     ) -> Result<(Report, Option<Expected>), Error> {
-        reading.check().map_err(|e| place.field(e))?;
-        self.associated(reading, taken).map_err(|e| place.step(e.into()))
+        reading.check().map_err(|e| blame.field(e))?;
+        self.associated(reading, taken).map_err(|e| blame.step(e.into()))
     }
 
     fn associated(&self, reading: &Reading, taken: &[usize]) -> Result<(Report, Option<Expected>), filters::Error> {

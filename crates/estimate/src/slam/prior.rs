@@ -1,8 +1,8 @@
 //! SLAM that goes on with a map it is given, as from an earlier visit.
 
 use super::{EkfSlam, MAX_LANDMARKS, Mapped};
+use crate::blame::Blame;
 use crate::error::{Code, Error};
-use crate::place::Place;
 use crate::validate;
 use alloc::format;
 use alloc::vec;
@@ -45,14 +45,14 @@ impl EkfSlam {
             return Err(Error::new(Code::Limit, "map", format!("holds more than {MAX_LANDMARKS} landmarks")));
         }
         for (i, Mapped { id, position, p }) in map.iter().enumerate() {
-            let place = Place::Entry("map", i);
+            let blame = Blame::Entry("map", i);
             if slam.index(*id).is_some() {
-                return Err(place.field(Error::new(Code::Index, "id", "is that of an earlier landmark")));
+                return Err(blame.field(Error::new(Code::Index, "id", "is that of an earlier landmark")));
             }
             validate::vector(DVector::from_column_slice(position.as_slice()), 2, "position")
-                .map_err(|e| place.field(e))?;
+                .map_err(|e| blame.field(e))?;
             let p = validate::covariance(DMatrix::from_column_slice(2, 2, p.as_slice()), 2, "p")
-                .map_err(|e| place.field(e))?;
+                .map_err(|e| blame.field(e))?;
             let apart = vec![0.0; slam.x.len()];
             slam.x.extend(position.iter());
             slam.p.push_row(apart.iter().copied().chain([p[(0, 0)]]));

@@ -45,7 +45,7 @@ impl ObservabilityProbe {
     /// The point of the line nearest to where landmark `j` is, in the room and apart from the two others on it.
     fn on_the_line(&self, params: &ProbeParams, j: usize) -> [f64; 2] {
         let at = Vector2::from(params.landmarks[j]);
-        let pose = self.who.belief().0;
+        let pose = self.estimator.belief().0;
         let robot = Vector2::new(pose.x(), pose.y());
         let others = params.landmarks.iter().take(self.shown.len()).enumerate().filter(|(i, _)| *i != j);
         let nearest = others.map(|(_, p)| Vector2::from(*p)).min_by(|a, b| (a - at).norm().total_cmp(&(b - at).norm()));

@@ -2,7 +2,7 @@
 
 use super::frame::{Fate, MapLandmark, Means, ProbeFrame, ProbeLandmark, ProbeMap, ProbeSighting, RoomShape, Traces};
 use super::ranks::{ProbeRanks, frozen_ranks, stacked_ranks};
-use super::{ObservabilityProbe, Who};
+use super::{Estimator, ObservabilityProbe};
 use crate::mapping::{Mapping, Seen, Tally};
 use crate::shapes::{ellipse_of, innovation, rows};
 use crate::true_path::parts;
@@ -10,7 +10,7 @@ use estimate::slam::Outcome;
 use sim::scenarios::PROBE;
 
 pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
-    let (pose, p) = probe.who.belief();
+    let (pose, p) = probe.estimator.belief();
     let shown = probe.shown.len();
     let landmark = |i: usize| {
         let [x, y] = probe.params.landmarks[i];
@@ -52,9 +52,9 @@ pub(super) fn frame(probe: &ObservabilityProbe) -> ProbeFrame {
         bands: BANDS,
         series: probe.series.clone(),
         tracks: probe.tracks.outlined(),
-        slam: match &probe.who {
-            Who::Localizer(_) => None,
-            Who::Mapper(mapping) => Some(map_shape(mapping)),
+        slam: match &probe.estimator {
+            Estimator::Localizer(_) => None,
+            Estimator::Mapper(mapping) => Some(map_shape(mapping)),
         },
         ghost: probe.haunting.as_ref().map(|ghost| ghost.frame(probe.truth, probe.params.sight())),
     }
@@ -77,7 +77,7 @@ pub(super) const BANDS: [[f64; 2]; 7] = [
 /// an empty one is shown.
 fn both_ranks(probe: &ObservabilityProbe) -> [ProbeRanks; 2] {
     let sight = probe.params.sight();
-    let mapped = matches!(probe.who, Who::Mapper(_));
+    let mapped = matches!(probe.estimator, Estimator::Mapper(_));
     let tolerance = probe.params.tolerance;
     let frozen = frozen_ranks(&probe.believed(), sight, mapped, tolerance);
     let along_path = stacked_ranks(probe.moments.iter(), sight, mapped, tolerance);

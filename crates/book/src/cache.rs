@@ -10,12 +10,12 @@ use crate::hash::fnv1a;
 
 /// Values by name, each beside a key of the program and the input it comes from.
 #[derive(Debug, Default)]
-pub struct Kept {
+pub struct Cache {
     folder: Option<PathBuf>,
     program: u64,
 }
 
-impl Kept {
+impl Cache {
     /// Keeps nothing, and computes every value.
     pub fn nothing() -> Self {
         Self::default()
@@ -61,18 +61,18 @@ mod tests {
     use super::*;
 
     /// The value kept under `name`, or `fresh`.
-    fn value(kept: &Kept, input: &str, fresh: f64) -> f64 {
-        kept.or("a/name", input, || Ok::<_, ()>(fresh)).unwrap()
+    fn value(cache: &Cache, input: &str, fresh: f64) -> f64 {
+        cache.or("a/name", input, || Ok::<_, ()>(fresh)).unwrap()
     }
 
     #[test]
     fn a_value_is_computed_again_when_its_input_or_the_program_is_another() {
         let folder = std::env::temp_dir().join(format!("kept-{}", std::process::id()));
-        let kept = Kept::by_this_program(&folder);
-        assert_eq!(value(&kept, "input", 0.1), 0.1);
-        assert_eq!(value(&kept, "input", 0.2), 0.1);
-        assert_eq!(value(&kept, "other", 0.3), 0.3);
-        let program = Kept { program: kept.program + 1, ..Kept::by_this_program(&folder) };
+        let cache = Cache::by_this_program(&folder);
+        assert_eq!(value(&cache, "input", 0.1), 0.1);
+        assert_eq!(value(&cache, "input", 0.2), 0.1);
+        assert_eq!(value(&cache, "other", 0.3), 0.3);
+        let program = Cache { program: cache.program + 1, ..Cache::by_this_program(&folder) };
         assert_eq!(value(&program, "other", 0.4), 0.4);
         std::fs::write(folder.join("a/name.json"), "half a fi").unwrap();
         assert_eq!(value(&program, "other", 0.5), 0.5);
@@ -82,17 +82,17 @@ mod tests {
     #[test]
     fn what_json_cannot_hold_is_computed_each_time_and_an_error_is_not_kept() {
         let folder = std::env::temp_dir().join(format!("kept-not-{}", std::process::id()));
-        let kept = Kept::by_this_program(&folder);
-        assert_eq!(value(&kept, "", f64::INFINITY), f64::INFINITY);
-        assert_eq!(value(&kept, "", 1.0), 1.0);
-        assert_eq!(kept.or("failed", "", || Err::<f64, _>("no")), Err("no"));
-        assert_eq!(kept.or("failed", "", || Ok::<_, ()>(2.0)), Ok(2.0));
+        let cache = Cache::by_this_program(&folder);
+        assert_eq!(value(&cache, "", f64::INFINITY), f64::INFINITY);
+        assert_eq!(value(&cache, "", 1.0), 1.0);
+        assert_eq!(cache.or("failed", "", || Err::<f64, _>("no")), Err("no"));
+        assert_eq!(cache.or("failed", "", || Ok::<_, ()>(2.0)), Ok(2.0));
         std::fs::remove_dir_all(folder).unwrap();
     }
 
     #[test]
     fn nothing_is_kept_where_there_is_no_folder() {
-        assert_eq!(value(&Kept::nothing(), "", 1.0), 1.0);
-        assert_eq!(value(&Kept::nothing(), "", 2.0), 2.0);
+        assert_eq!(value(&Cache::nothing(), "", 1.0), 1.0);
+        assert_eq!(value(&Cache::nothing(), "", 2.0), 2.0);
     }
 }

@@ -7,12 +7,12 @@ use alloc::format;
 
 /// A reading by itself, or an entry of a list: `log[3]`, `sightings[1]`.
 #[derive(Clone, Copy)]
-pub(crate) enum Place {
+pub(crate) enum Blame {
     Alone,
     Entry(&'static str, usize),
 }
 
-impl Place {
+impl Blame {
     /// The name of a field.
     pub fn name(self, field: &str) -> Cow<'static, str> {
         match self {
