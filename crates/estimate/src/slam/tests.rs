@@ -44,7 +44,7 @@ fn founding_carries_the_pose_s_uncertainty_and_its_correlations() {
         Vector2::new(v[0] - v[3] * cos, v[1] - v[3] * sin)
     };
     let at = Vector5::new(0.1, -0.2, 0.3, 2.5, -1.1);
-    let g = central_differences(blame, |a: &Vector2<f64>, b| a - b, &at, 1e-5);
+    let g = central_differences(place, |a: &Vector2<f64>, b| a - b, &at, 1e-5);
     let (by_pose, by_reading) = (g.fixed_columns::<3>(0), g.fixed_columns::<2>(3));
     let (_, p) = slam.belief();
     let (cross, corner) =
