@@ -136,7 +136,7 @@ check(
       [
         pattern(
           /^Whether the covariance has a limit from this or that start is not decided by this: something unseen /,
-          /and noise does not reach all of that\.$/,
+          /does not die out, and noise does not reach all of that\.$/,
         ),
         ({ limit, detectable, noise }) =>
           limit === 'depends-on-start' && detectable === 'no' && noise.stabilizable === 'no',

@@ -5,15 +5,14 @@
 //! radio that reads 7 % long says y = 1.07 ρ. The scale is given, or it is a fourth state that the filter learns.
 
 mod line;
-mod model;
 mod replay;
 mod row;
 mod settings;
 mod summary;
 mod truth;
 
+pub use crate::scaled::{FIRST_SIGMA, PoseAndScale, Scalable, Scaled};
 pub use line::{Line, Points};
-pub use model::{FIRST_SIGMA, PoseAndScale, Scalable, Scaled};
 pub use replay::{Judged, Replay};
 pub use row::{Drive, Event, Motion, Row};
 pub use settings::Settings;

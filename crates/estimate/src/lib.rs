@@ -52,6 +52,7 @@ mod reachability;
 mod reading;
 pub mod riccati;
 mod riccati_limit;
+mod scaled;
 pub mod slam;
 mod staircase;
 pub mod validate;

@@ -1,10 +1,10 @@
 //! What a robot reads of its surroundings, and how one reading corrects the belief, in Choset's letters.
 
-use crate::drive::{Scalable, Scaled};
 use crate::ekf::Localizer;
 use crate::error::Error;
 use crate::landmark::Landmark;
 use crate::landmarks::{Among, RangeBearing, RangeOnly, best};
+use crate::scaled::{Scalable, Scaled};
 use filters::association::{Association, Candidate, Rule};
 use filters::{MeasurementModel, Update};
 use geom::{angle_diff, wrap};
@@ -185,7 +185,7 @@ impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::drive::PoseAndScale;
+    use crate::scaled::PoseAndScale;
     use core::f64::consts::{PI, TAU};
     use filters::Ekf;
     use geom::SE2;

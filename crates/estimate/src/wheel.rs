@@ -1,7 +1,7 @@
 //! A right wheel that is believed too large: the fraction ε as a fourth state, which the filter learns from its fixes.
 
-use crate::drive::PoseAndScale;
 use crate::odometry::Unicycle;
+use crate::scaled::PoseAndScale;
 use filters::MotionModel;
 use geom::SE2;
 use nalgebra::{Matrix2, Matrix4, SVector, Vector2};
@@ -69,9 +69,9 @@ impl MotionModel<PoseAndScale, 4, 2> for RightWheel {
 mod tests {
     use super::*;
     use crate::Landmark;
-    use crate::drive::Scaled;
     use crate::landmarks::RangeBearing;
     use crate::odometry::{Ticks, Wheels, odometry_delta};
+    use crate::scaled::Scaled;
     use crate::{Localizer, Sighting};
     use filters::{Ekf, MeasurementModel, central_differences};
 

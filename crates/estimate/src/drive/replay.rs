@@ -1,6 +1,5 @@
 //! The replay of a drive, row by row.
 
-use crate::drive::model::{PoseAndScale, Scalable, first_covariance, of_pose};
 use crate::drive::row::{Drive, Event, Motion, Row};
 use crate::drive::settings::Settings;
 use crate::drive::summary::{Errors, Innovations, Summary};
@@ -8,6 +7,7 @@ use crate::ekf::Localizer;
 use crate::error::{Code, Error};
 use crate::odometry::Unicycle;
 use crate::reading::{Corrected, Reading, Setup};
+use crate::scaled::{PoseAndScale, Scalable, first_covariance, of_pose};
 use core::f64::consts::PI;
 use filters::consistency::chi2_quantile;
 use filters::{Ekf, MotionModel};
