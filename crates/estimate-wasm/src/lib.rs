@@ -8,7 +8,8 @@
 //! One mistake does not come this far: a method called after `free()`, or on what is no object of the module, throws
 //! wasm-bindgen's own error, which has no `code`.
 //!
-//! Nor does a call that the engine ends for want of stack: the types say at `EstimateError` what to do then.
+//! Nor does a call that the engine ends for want of stack: the types say at `EstimateError` what to do then. Nor does a
+//! fault of the module itself: in Node and in the npm package `scripts/guard.mjs` refuses by name whatever follows it.
 //!
 //! A matrix has at most 16 rows and 16 columns, any other array at most 10 000 entries; a call that accepts fewer, and
 //! a typed array, say so where they stand.

@@ -13,7 +13,10 @@ export interface Belief {
     A call so deep in the caller's own recursion that the engine runs out of stack ends in the engine's `RangeError`.
     The object it was made on may then refuse every further call as "in the middle of a call": make another, a lab by
     `from` of a state kept before, a filter from a belief kept before. Each such call costs the module a part of its own
-    stack for good: after some hundreds, load the module anew. */
+    stack for good: after some hundreds, load the module anew.
+
+    A fault of the module itself throws a `WebAssembly.RuntimeError` that says in which call it was. Every later call
+    throws one with the same message, and `free()` does nothing: load the module anew. */
 export interface EstimateError extends Error {
   name: 'EstimateError'
   code:
