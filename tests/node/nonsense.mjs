@@ -60,6 +60,35 @@ const OTHERS = [
   new Map([['x', 1]]),
 ]
 
+/**
+ * Characters that readers of text fall over: marks, NULs, halves of surrogates, and what some take for the end of a
+ * line.
+ */
+const AWKWARD = [
+  ...'\ufeff\0\u2028\u2029\u0085\v\f\u200b\ufffd\u00a0\r\n\t"\'\\,;[({%#=-−',
+  '\ud83d',
+  '\ude00',
+  '\u{1f600}',
+]
+
+/**
+ * `text` with one to three places spoilt, each anywhere: an awkward character comes in, or a piece is lost or stands
+ * twice.
+ *
+ * @param {string} text
+ */
+export function spoiltText(text, dice) {
+  let spoilt = text
+  for (let times = 1 + dice.below(3); times > 0; times--) {
+    const at = dice.below(spoilt.length + 1)
+    const end = Math.min(spoilt.length, at + dice.below(12))
+    const chance = dice.uniform()
+    const instead = chance < 0.7 ? dice.pick(AWKWARD) : chance < 0.85 ? '' : spoilt.slice(at, end).repeat(2)
+    spoilt = spoilt.slice(0, at) + instead + spoilt.slice(chance < 0.5 ? at : end)
+  }
+  return spoilt
+}
+
 /** Something that does not belong where a number, or anything, was asked for. */
 export function junk(dice) {
   return copy(dice.uniform() < 0.6 ? dice.pick(NUMBERS) : dice.pick(OTHERS))
@@ -90,6 +119,7 @@ function copy(value) {
 }
 
 function spoilOnce(value, dice) {
+  if (typeof value === 'string' && dice.uniform() < 0.7) return spoiltText(value, dice)
   const inside = value !== null && typeof value === 'object' ? Object.keys(value) : []
   if (inside.length === 0 || ArrayBuffer.isView(value) || dice.uniform() < 0.12) return junk(dice)
   const key = dice.pick(inside)

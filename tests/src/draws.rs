@@ -25,6 +25,9 @@ pub fn character(usual: &'static str) -> impl Strategy<Value = char> {
         '\u{2028}',
         '\u{2029}',
         '\u{85}',
+        '\u{b}',
+        '\u{c}',
+        '\u{a0}',
         '\u{200b}',
         '\u{fffd}',
         '\r',
@@ -44,4 +47,19 @@ pub fn character(usual: &'static str) -> impl Strategy<Value = char> {
 #[allow(dead_code, reason = "not every file of tests draws texts")]
 pub fn text(usual: &'static str, most: usize) -> impl Strategy<Value = String> {
     prop::collection::vec(character(usual), 0..=most).prop_map(|characters| characters.into_iter().collect())
+}
+
+/// A sound text with up to three such characters put in, each anywhere.
+#[allow(dead_code, reason = "not every file of tests draws texts")]
+pub fn spoilt(sound: &'static str) -> impl Strategy<Value = String> {
+    let places = prop::collection::vec((0..=sound.chars().count(), character("0,\n")), 1..=3);
+    places.prop_map(move |mut places| {
+        // From the last place on, so that each is still where it was.
+        places.sort_by_key(|(place, _)| core::cmp::Reverse(*place));
+        let mut text: Vec<char> = sound.chars().collect();
+        for (place, awkward) in places {
+            text.insert(place, awkward);
+        }
+        text.into_iter().collect()
+    })
 }

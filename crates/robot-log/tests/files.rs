@@ -280,6 +280,21 @@ proptest! {
         let _ = files.read();
     }
 
+    /// The files of a drive, each spoilt somewhere: they are read, or refused in a file and a line that there is.
+    #[test]
+    fn spoilt_tables_are_read_or_refused_where_the_fault_is(
+        texts in (draws::spoilt(MRCLAM[0].1), draws::spoilt(MRCLAM[1].1), draws::spoilt(MRCLAM[2].1)),
+    ) {
+        let texts = [texts.0, texts.1, texts.2];
+        let mut given = Files::default();
+        for (text, (name, _)) in texts.iter().zip(MRCLAM) {
+            given.add(name, text).expect("few and short");
+        }
+        if let Err(error) = given.read() {
+            prop_assert!(error.line as usize <= texts[error.file].split('\n').count(), "{error}");
+        }
+    }
+
     /// The files of a drive cut anywhere: what is read is a part of the whole.
     #[test]
     fn truncated_tables_are_a_part_of_the_whole_or_refused(which in 0_usize..5, cut in 0_usize..300) {

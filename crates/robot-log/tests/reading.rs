@@ -85,6 +85,16 @@ proptest! {
         let _ = parse(&text);
     }
 
+    /// What is read of a spoilt log is said to be where it is in the text.
+    #[test]
+    fn a_spoilt_log_is_read_or_refused_at_a_place_that_it_has(text in draws::spoilt(SOUND)) {
+        if let Err(error) = parse(&text) {
+            let line = (error.line as usize).checked_sub(1).and_then(|above| text.split('\n').nth(above));
+            let width = line.map(|line| line.chars().count());
+            prop_assert!(width.is_some_and(|width| (1..=width + 1).contains(&(error.column as usize))), "{error}");
+        }
+    }
+
     /// Behind comments and blank lines, where a log begins for its reader.
     #[test]
     fn no_text_behind_a_comment_makes_the_parser_panic(
