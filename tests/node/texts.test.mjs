@@ -77,7 +77,7 @@ fuzz('LogFiles', TABLES.slice(0, 2), (text) => {
 const SYSTEMS = [
   '{"F": [[1, 0.5], [0, 1]], "G": [[0], [0.5]], "H": [[1, 0]], "V": [[0.01, 0], [0, 0.01]], "W": [[0.5]]}',
   'F = [1 0.5; 0 1];\nG = [0; .5] % the input\nH = [1, 0]\nV = [0.2 0.05\n 0.05 0.1]\nW = 1/2',
-  'import numpy as np\nF = np.array([[1., 1/2], [0, 1]])  # motion\nH = np.array([[1, 0]])\nV = 1e-2 * np.eye(2)\nW = 1',
+  'import numpy as np\nF = np.array([[1., 1/2], [0, 1]])\nH = np.array([[1, 0]])\nV = 1e-2 * np.eye(2)\nW = 1',
   "F =\n\n   1.0e-02 *\n\n    100    50\n      0   100\n\nH = [1;0]'; V = diag([0.01 0.01]); W = .5;\n",
 ]
 fuzz('A system', SYSTEMS, (text) => {

@@ -267,31 +267,23 @@ proptest! {
 
     #[test]
     fn no_text_makes_the_reading_of_files_panic(
-        name in draws::text("abz.csv_", 20),
+        name in draws::text("abz.csv_", 20), role in 0_usize..8,
         texts in prop::collection::vec(draws::text("tx,;\t\n #0123456789.", 120), 1..4),
-        role in 0_usize..8,
     ) {
-        let mut files = Files::default();
-        for text in &texts {
-            files.add(&name, text).expect("few and short");
-        }
+        let mut files = files(&texts.iter().map(|text| (name.as_str(), text.as_str())).collect::<Vec<_>>());
         let _ = files.read();
         files.set_role(0, Role::ALL[role].0);
         let _ = files.read();
     }
 
-    /// The files of a drive, each spoilt somewhere: they are read, or refused in a file and a line that there is.
     #[test]
-    fn spoilt_tables_are_read_or_refused_where_the_fault_is(
-        texts in (draws::spoilt(MRCLAM[0].1), draws::spoilt(MRCLAM[1].1), draws::spoilt(MRCLAM[2].1)),
+    fn a_spoilt_table_is_read_or_refused_at_a_line_that_there_is(
+        (which, text) in (0_usize..5).prop_flat_map(|which| (Just(which), draws::spoilt(MRCLAM[which].1))),
     ) {
-        let texts = [texts.0, texts.1, texts.2];
-        let mut given = Files::default();
-        for (text, (name, _)) in texts.iter().zip(MRCLAM) {
-            given.add(name, text).expect("few and short");
-        }
-        if let Err(error) = given.read() {
-            prop_assert!(error.line as usize <= texts[error.file].split('\n').count(), "{error}");
+        let mut some = MRCLAM;
+        some[which].1 = &text;
+        if let Err(error) = files(&some).read() {
+            prop_assert!(error.line as usize <= some[error.file].1.split('\n').count(), "{error}");
         }
     }
 
@@ -300,8 +292,7 @@ proptest! {
     fn truncated_tables_are_a_part_of_the_whole_or_refused(which in 0_usize..5, cut in 0_usize..300) {
         let whole = read(&MRCLAM).log;
         let mut some = MRCLAM;
-        let (name, text) = some[which];
-        some[which] = (name, &text[..cut.min(text.len())]);
+        some[which].1 = &some[which].1[..cut.min(some[which].1.len())];
         if let Ok(part) = files(&some).read() {
             prop_assert!(part.log.count <= whole.count && part.log.drive.rows.len() <= whole.drive.rows.len());
         }
