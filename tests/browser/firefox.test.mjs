@@ -10,6 +10,7 @@ import { createRequire } from 'node:module'
 import path from 'node:path'
 import { FIGURES } from '../../target/figures.js'
 import { alive, browser, complaints, firefox, page, site, wait, waitIn } from './firefox.mjs'
+import { holdReplays } from './held-replays.mjs'
 import { root, tagOf } from './places.mjs'
 
 const notice = 'no Firefox here; Debian: apt-get install firefox-esr'
@@ -245,20 +246,10 @@ test('in Firefox a log that is dropped is filtered in a worker, and a long repla
   })
   await drop('broken.csv', 'O,0,0,0\nO,1,x,0\n')
   await wait(() => document.querySelector('.log-answer').textContent.includes('broken.csv, line 2, character 5'))
+  await page.evaluate(holdReplays)
   await drop('long.csv', 900_000)
-  // At the first frame that shows it: the replay is over in a second.
-  await page.evaluate(
-    () =>
-      new Promise((resolve) => {
-        const look = () => {
-          const give = document.querySelector('robot-log .progress:not([hidden]) button')
-          give?.click()
-          if (give) resolve(true)
-          else requestAnimationFrame(look)
-        }
-        look()
-      }),
-  )
+  await wait(() => !!document.querySelector('robot-log .progress:not([hidden])'))
+  await page.evaluate(() => document.querySelector('robot-log .progress button').click())
   await shows(4)
 })
 

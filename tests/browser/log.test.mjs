@@ -5,6 +5,7 @@ import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import path from 'node:path'
 import { WORKER_POLICY } from '../../scripts/static-server.mjs'
+import { holdReplays } from './held-replays.mjs'
 import { PHONE, frameOf, root, stateOf, until } from './harness.mjs'
 import { MRCLAM, SMALL, drop, file, openLog } from './own-log.mjs'
 
@@ -199,6 +200,7 @@ test('the replay of two million rows is told of and given up, and the log stays'
   const { page, it } = await openLog(t)
   await it.locator('.live').getByRole('button', { name: 'Let the filter learn the scale' }).click()
   await until(it, ({ params }) => params.learn, 'the filter with most to do')
+  await page.evaluate(holdReplays)
   await page.evaluate(() => {
     const rows = ['L,1,0,10\n']
     for (let i = 0; i < 999_999; i++) rows.push(`O,${i},0.1,0.01\nR,${i},1,10\n`)
@@ -208,15 +210,12 @@ test('the replay of two million rows is told of and given up, and the log stays'
       .querySelector('h1')
       .dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }))
   })
-  // At each animation frame: the bar is there for a second or two.
-  const words = await page.waitForFunction(() => {
-    const box = document.querySelector('robot-log .progress:not([hidden])')
-    const words = box?.querySelector('span').textContent
-    box?.querySelector('button').click()
-    return words
-  }, undefined)
-  assert.match(await words.jsonValue(), /Computing step [\d,]+ of 1,999,998/)
+  const bar = page.locator('robot-log .progress')
+  await bar.waitFor()
+  assert.match(await bar.locator('span').textContent(), /Computing step [\d,]+ of 1,999,998/)
+  await bar.getByRole('button').click()
   await page.waitForFunction(() => document.querySelector('robot-log').settled)
+  await page.evaluate(holdReplays)
   assert.equal((await frameOf(it)).rows, 13_186, 'the picture is the one before')
   await it.locator('.live').getByRole('button', { name: 'Reset' }).click()
   const { step, params } = await until(it, ({ rows }) => rows === 1_999_998, 'the long log from its start')

@@ -7,6 +7,7 @@
  * gives the same bits as `run(a + b)`.
  */
 
+import { Player } from './player.js'
 import { LAST_STEP } from './state-in-url.js'
 import { Pace } from './time-slices.js'
 
@@ -18,22 +19,15 @@ export const TURN_MS = 24
 const NEARLY_DONE_MS = 150
 /** Steps of one turn in play, at most: after a pause of the browser the run goes on, and does not catch up. */
 const MOST_STEPS = 64
-/** Where motion is not wanted a run in play goes on in lumps, and each picture stays this long, milliseconds. */
-const STILL_MS = 500
 
 /** @typedef {import('./state-in-url.js').State} State */
 /**
  * @typedef {{ lab: any, params: Record<string, unknown>, step: number, of: number, spent: number, moved: 'replay' |
  * 'reset', onRefusal?: string }} Replay
  */
-/**
- * @typedef {object} Outcome of one turn
- * @property {'nothing' | 'steps' | 'replay' | 'reset'} moved
- * @property {string | null} refused what the lab said when it refused; the run is then as it was
- * @property {boolean} ended whether play, or a press on Step, has come to the last step of all
- */
+/** @typedef {import('./player.js').Outcome} Outcome */
 
-export class Run {
+export class Run extends Player {
   /**
    * @param {any} lab
    * @param {number} pace steps a second at speed 1
@@ -42,30 +36,17 @@ export class Run {
    * @param {(frame: any) => number} [end] the step that a run has no more behind
    */
   constructor(lab, pace, calls = new Pace(), lap = LAST_STEP, end = () => LAST_STEP) {
+    super(lab.frame(), pace)
     this.lab = lab
-    this.pace = pace
     this.lap = lap
     this.end = end
     this.calls = calls
-    this.frame = lab.frame()
     this.step = lab.state().step
-    /** The step that the reader has asked for. */
     this.goal = this.step
-    /** What the reader has changed since the last replay began. @type {Record<string, unknown> | null} */
-    this.patch = null
-    this.wantsReset = false
     /** Whether Step was pressed at the last step of all. */
     this.atEnd = false
     /** @type {Replay | null} */
     this.replay = null
-    /** What `wanted` answered last. @type {{ frame: any, patch: any, replay: any, wanted: any } | null} */
-    this.remembered = null
-    this.playing = false
-    this.rate = 1
-    /** Steps of play that are due: the fraction that is left over from the last turn. */
-    this.due = 0
-    /** When steps were last taken in play. */
-    this.stepped = -Infinity
   }
 
   /** The last step of all. */
@@ -78,22 +59,8 @@ export class Run {
     return this.lab.constructor.parameters()
   }
 
-  /** The parameters that the reader has asked for, when the screen does not show them yet. */
-  get asked() {
-    return this.patch || this.replay ? { ...(this.replay ?? this.frame).params, ...this.patch } : null
-  }
-
-  /**
-   * The frame on the screen, but with the parameters that the reader has asked for: controls and handles show these at
-   * once, and the next change starts from them. The same object until one of the two changes.
-   */
-  get wanted() {
-    const { frame, patch, replay, asked, remembered: old } = this
-    if (!asked) return frame
-    if (old && old.frame === frame && old.patch === patch && old.replay === replay) return old.wanted
-    const wanted = { ...frame, params: asked }
-    this.remembered = { frame, patch, replay, wanted }
-    return wanted
+  get pending() {
+    return this.replay
   }
 
   /** Whether something is left to compute, play apart. */
@@ -130,12 +97,6 @@ export class Run {
     this.playing = false
     this.atEnd = this.goal === LAST_STEP
     this.goal = Math.max(this.goal, Math.min(this.end(this.frame), LAST_STEP, this.goal + steps))
-  }
-
-  reset() {
-    this.playing = false
-    this.wantsReset = true
-    this.goal = 0
   }
 
   /** @param {boolean} on at the end of the run it plays from the start */
@@ -251,7 +212,7 @@ export class Run {
       Math.min(LAST_STEP, this.end(this.frame), (Math.floor(this.step / this.lap) + 1) * this.lap),
     )
     if (this.playing && this.step === this.goal)
-      this.goal = Math.min(end, this.step + this.dueSteps(now, elapsed, calm))
+      this.goal = Math.min(end, this.step + this.dueSteps(now, elapsed, calm, calm ? 8 * MOST_STEPS : MOST_STEPS))
     if (this.step < this.goal) this.step += this.calls.run(this.lab, this.goal - this.step, budget)
     const ended = this.step === LAST_STEP && (this.playing || this.atEnd || before < LAST_STEP)
     this.atEnd = false
@@ -260,16 +221,6 @@ export class Run {
     if (this.step === before || (calm && this.step < this.goal)) return { moved: 'nothing', ended }
     this.frame = this.lab.frame()
     return { moved: 'steps', ended }
-  }
-
-  /** @param {number} now @param {number} elapsed @param {boolean} calm */
-  dueSteps(now, elapsed, calm) {
-    this.due += Number.isFinite(elapsed) ? (Math.min(elapsed, 250) / 1000) * this.rate * this.pace : 0
-    if (calm && now - this.stepped < STILL_MS) return 0
-    const whole = Math.min(Math.floor(this.due), calm ? 8 * MOST_STEPS : MOST_STEPS)
-    this.due -= whole
-    if (whole > 0) this.stepped = now
-    return whole
   }
 }
 
@@ -280,5 +231,7 @@ function remaining({ step, of, spent }) {
 
 /** @param {unknown} error */
 function wordsOf(error) {
+  if (error instanceof WebAssembly.RuntimeError)
+    return 'The figure’s program met a fault of its own. Load the page again to go on.'
   return error instanceof Error ? error.message : 'The lab refused.'
 }

@@ -13,12 +13,14 @@ import { fetchWithPatience } from '../load/timeouts.js'
 import { WIDGETS } from '../widgets/index.js'
 import { awaken } from './figures.js'
 import { FileForm } from './log-files.js'
+import { readingBar } from './log-reading.js'
 import { Report } from './log-report.js'
 
 /** Larger files are refused before they are read, bytes. */
 const MOST_BYTES = 64_000_000
 /** How long printing waits for the figure, milliseconds. */
 const DRAWN_MS = 2000
+const GIVEN_UP = 'Reading was given up. The figure keeps the previous log.'
 /** What pasted rows are called, as a file has its name. */
 const PASTED = 'pasted rows'
 /**
@@ -51,8 +53,14 @@ class OwnLog {
     this.examples(place)
     this.answer = /** @type {HTMLElement} */ (place.querySelector('.log-answer'))
     this.form = new FileForm(/** @type {HTMLElement} */ (place.querySelector('.log-files')), (change) =>
-      this.take({ kind: 'reading', change }),
+      this.take({ kind: 'reading', set: this.set, change }),
     )
+    /** The question that brought the files that the form shows. @type {number | undefined} */
+    this.set = undefined
+    /** How often the reader has given up a reading. */
+    this.given = 0
+    /** The bar of the question that waits for its answer. @type {Element | null} */
+    this.bar = null
     this.dropped()
     // A name with a letter that the page has not shown yet would fetch a face later on: from now on nothing is fetched.
     for (const face of document.fonts) if (/Plain|Code|Text/.test(face.family)) face.load().catch(() => {})
@@ -138,19 +146,41 @@ class OwnLog {
     return this.take({ kind: 'files', files })
   }
 
-  /** @param {Parameters<import('../widgets/robot-log/remote-run.js').RemoteRun['read']>[0]} message */
-  async take(message) {
-    this.say('Reading the log …')
+  /** @param {import('../widgets/robot-log/remote-run.js').Question} question */
+  async take(question) {
+    const { given } = this
+    const bar = readingBar(question.kind === 'files' ? question.files : [], () => this.giveUp())
+    this.bar = bar.box
+    this.say('')
     try {
       const run = await this.run()
-      const answer = await run.read(message)
+      if (given !== this.given) return this.read(bar.box)
+      run.onreading = bar.show
+      const answer = await run.read(question)
+      this.read(bar.box)
+      this.set = answer.set
       this.form.show(answer.files)
       if (answer.kind === 'log') this.understood(answer)
-      else this.wrong(answer)
+      else if (answer.kind === 'no-log') this.wrong(answer)
+      else this.say(`${answer.message ?? answer.why} The figure keeps the previous log.`)
       this.figure.figure.ask()
     } catch (error) {
+      this.read(bar.box)
       this.say(error instanceof Error ? error.message : 'The log could not be read.')
     }
+  }
+
+  /** Gives up whatever is being read or waits to be. */
+  giveUp() {
+    this.given += 1
+    this.bar = null
+    this.say(GIVEN_UP)
+    this.figure.figure?.run?.giveUp()
+  }
+
+  /** Takes the bar of what has been read away, if no later question has put its own there. @param {Element} bar */
+  read(bar) {
+    if (this.bar === bar) this.bar = null
   }
 
   /**
@@ -228,6 +258,7 @@ class OwnLog {
   say(words) {
     this.answer.replaceChildren()
     if (words) part(document, this.answer, 'p', '').textContent = words
+    if (this.bar) this.answer.append(this.bar)
   }
 
   // What the reader takes away.

@@ -3,35 +3,31 @@
  * the worker what the reader has asked for, and takes what has come back.
  */
 
-/** @typedef {import('../../figure/run.js').Outcome} Outcome */
-/** @typedef {import('../../load/worker-port.js').Port} Port */
+import { Player } from '../../figure/player.js'
 
-/** Where motion is not wanted a run in play goes on in lumps, and each picture stays this long, milliseconds. */
-const STILL_MS = 500
+/** @typedef {import('../../figure/player.js').Outcome} Outcome */
+/**
+ * @typedef {object} Port the way to the worker
+ * @property {(message: any) => void} post
+ * @property {(message: any) => Promise<any>} ask
+ * @property {((message: any) => void) | null} onmessage
+ * @property {(why: string) => void} restart
+ */
+/**
+ * @typedef {{ kind: 'files', files: File[] }
+ *   | { kind: 'reading', set: number | undefined, change: import('./server.js').Change }} Question
+ */
 
-export class RemoteRun {
-  /**
-   * @param {Port} port to the worker
-   * @param {any} frame the first
-   * @param {import('estimate-wasm').Parameter[]} parameters
-   * @param {number} pace rows a second at speed 1
-   */
-  constructor(port, frame, parameters, pace) {
+export class RemoteRun extends Player {
+  /** @param {Port} port @param {number} pace rows a second at speed 1 */
+  constructor(port, pace) {
+    super({ step: 0, rows: 0, params: {} }, pace)
     this.port = port
-    this.frame = frame
-    this.known = parameters
-    this.pace = pace
+    /** @type {import('estimate-wasm').Parameter[]} */
+    this.known = []
     this.digest = ''
     /** What the log holds. @type {any} */
     this.contents = null
-    this.goal = frame.step
-    /** @type {Record<string, unknown> | null} */
-    this.patch = null
-    this.wantsReset = false
-    this.playing = false
-    this.rate = 1
-    this.due = 0
-    this.stepped = -Infinity
     this.id = 0
     /**
      * What the worker was asked for and has not answered.
@@ -40,16 +36,22 @@ export class RemoteRun {
     this.sent = null
     /** What the worker has said since the last turn. @type {any} */
     this.answer = null
+    /** Called once it has said where the run is. @type {(() => void) | null} */
+    this.arrived = null
     /** @type {{ step: number, of: number } | null} */
     this.progress = null
-    /** @type {any} */
-    this.remembered = null
-    /**
-     * Who waits for a log to be read or a table to be written, first come first served.
-     * @type {((answer: any) => void)[]}
-     */
-    this.waiting = []
-    port.onmessage = ({ data }) => this.hear(data)
+    /** Called with the words of the worker about a log that it reads. @type {((words: any) => void) | null} */
+    this.onreading = null
+    this.sets = 0
+    /** The questions of the files that were read last, and those that led to the log. @type {any[]} */
+    this.tried = []
+    /** @type {any[]} */
+    this.story = []
+    /** What another worker says of the log that the one before had. @type {Promise<any>} */
+    this.restored = Promise.resolve()
+    /** Whether it is still reading it. */
+    this.restoring = false
+    port.onmessage = (message) => this.hear(message)
   }
 
   /** The last step of all. */
@@ -61,21 +63,8 @@ export class RemoteRun {
     return this.known
   }
 
-  get asked() {
-    return this.patch || this.sent ? { ...(this.sent?.params ?? this.frame.params), ...this.patch } : null
-  }
-
-  /**
-   * The frame on the screen, but with the parameters that the reader has asked for; the same object until one of the
-   * two changes.
-   */
-  get wanted() {
-    const { frame, patch, sent, asked, remembered: old } = this
-    if (!asked) return frame
-    if (old && old.frame === frame && old.patch === patch && old.sent === sent) return old.wanted
-    const wanted = { ...frame, params: asked }
-    this.remembered = { frame, patch, sent, wanted }
-    return wanted
+  get pending() {
+    return this.sent
   }
 
   get busy() {
@@ -101,12 +90,6 @@ export class RemoteRun {
     this.goal = Math.min(this.last, this.goal + steps)
   }
 
-  reset() {
-    this.playing = false
-    this.wantsReset = true
-    this.goal = 0
-  }
-
   /** @param {boolean} on at the log's end it plays from the start */
   play(on) {
     this.due = 0
@@ -116,7 +99,7 @@ export class RemoteRun {
   }
 
   cancel() {
-    this.port.postMessage({ kind: 'cancel' })
+    this.port.post({ kind: 'cancel' })
     this.sent = null
     this.answer = null
     this.patch = null
@@ -127,15 +110,42 @@ export class RemoteRun {
   }
 
   /**
+   * The first frame of all.
+   * @param {{ params: any, step: number | null }} wish
+   * @returns {Promise<Outcome>}
+   */
+  async begin({ params, step }) {
+    const goal = step ?? this.contents.steps
+    this.sent = { id: (this.id += 1), params, step: goal, moved: 'reset' }
+    this.port.post({ kind: 'go', id: this.id, params, step: goal })
+    await new Promise((resolve) => {
+      this.arrived = () => resolve(undefined)
+    })
+    const outcome = this.receive()
+    this.goal = this.frame.step
+    return outcome
+  }
+
+  /**
    * Gives the worker a log, or asks it to read the log otherwise. A log that was read is replayed to its end with the
    * present settings; one that is wrong leaves the run as it is.
-   * @param {{ kind: 'files', files: File[] } | { kind: 'reading', change: import('./server.js').Change }} message
-   * @returns {Promise<any>} what the worker says of it
+   * @param {Question} question
+   * @returns {Promise<any>} what the worker says of it; `{ kind: 'ended', message, files, set }` where it ended
+   * meanwhile, with the files of the log that stays
    */
-  async read(message) {
-    const answer = await this.request(message)
+  async read(question) {
+    const message = question.kind === 'files' ? { ...question, set: (this.sets += 1) } : question
+    const answer = await this.port.ask(message)
+    if (answer.kind === 'ended') {
+      const { files = [], set } = (await this.restored) ?? {}
+      return { ...answer, files, set }
+    }
+    if (message.kind === 'files') this.tried = [message]
+    else if (message.set === answer.set) this.tried = [...this.tried, message]
     if (answer.kind !== 'log') return answer
+    this.story = this.tried
     this.contents = answer.contents
+    this.known = answer.parameters
     const params = this.asked
     this.cancel()
     this.patch = params
@@ -144,25 +154,49 @@ export class RemoteRun {
     return answer
   }
 
-  /** The replay as a table. @param {'track' | 'innovations'} table @returns {Promise<any>} */
-  table(table) {
-    return this.request({ kind: 'table', params: this.asked ?? this.frame.params, table })
+  /** Gives up what is being read: the log before stays. */
+  giveUp() {
+    if (this.sent) {
+      // What the reader has asked for meanwhile is asked of the next worker.
+      this.patch = this.asked
+      this.wantsReset ||= this.sent.moved === 'reset'
+      this.sent = null
+    }
+    this.port.restart('Reading was given up.')
   }
 
-  /** @param {any} message @returns {Promise<any>} */
-  request(message) {
-    return new Promise((resolve) => {
-      this.waiting.push(resolve)
-      this.port.postMessage(message)
-    })
+  /** Another worker knows nothing of the log: it reads it again. @param {string} message why */
+  restore(message) {
+    if (this.sent) {
+      this.answer = { kind: 'refused', message }
+      this.arrived?.()
+    }
+    const again = async () => {
+      let said
+      for (const question of this.story) said = await this.port.ask(question)
+      if (this.restored === restored) this.restoring = false
+      return said
+    }
+    this.restoring = true
+    const restored = again()
+    this.restored = restored
+  }
+
+  /** The replay as a table. @param {'track' | 'innovations'} table @returns {Promise<any>} */
+  table(table) {
+    return this.port.ask({ kind: 'table', params: this.asked ?? this.frame.params, table })
   }
 
   /** @param {any} message */
   hear(message) {
-    if (message.id === undefined) return this.waiting.shift()?.(message)
+    if (message.kind === 'ended') return this.restore(message.message)
+    if (message.kind === 'reading') return this.onreading?.(message)
     if (message.id !== this.sent?.id) return
     if (message.kind === 'progress') this.progress = { step: message.step, of: message.of }
-    else this.answer = message
+    else {
+      this.answer = message
+      this.arrived?.()
+    }
   }
 
   /** @param {number} now @param {number} elapsed @param {boolean} calm @returns {Outcome} */
@@ -195,6 +229,7 @@ export class RemoteRun {
 
   send() {
     const { patch, goal, sent, frame } = this
+    if (this.restoring) return
     const there = sent ? sent.step === goal : frame.step === goal
     if (!patch && !this.wantsReset && there) return
     // While steps are played the worker is asked again once it has answered.
@@ -209,16 +244,6 @@ export class RemoteRun {
     this.answer = null
     this.patch = null
     this.wantsReset = false
-    this.port.postMessage({ kind: 'go', id: this.id, params, step: goal })
-  }
-
-  /** @param {number} now @param {number} elapsed @param {boolean} calm */
-  dueSteps(now, elapsed, calm) {
-    this.due += Number.isFinite(elapsed) ? (Math.min(elapsed, 250) / 1000) * this.rate * this.pace : 0
-    if (calm && now - this.stepped < STILL_MS) return 0
-    const whole = Math.floor(this.due)
-    this.due -= whole
-    if (whole > 0) this.stepped = now
-    return whole
+    this.port.post({ kind: 'go', id: this.id, params, step: goal })
   }
 }

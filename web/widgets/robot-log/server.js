@@ -1,22 +1,23 @@
 /**
- * Reads and replays logs, in a worker. It is told things by messages and answers by messages.
+ * Reads and replays logs, in a worker. It answers questions, and is told things by messages.
  *
- * - `{ kind: 'files', files }`, the log as `File`s: `{ kind: 'log', contents, parameters, files }`, or
- *   `{ kind: 'no-log', files, file, line, column, message, shown }` with `line` 0 where the fault is of all files
- *   together
- * - `{ kind: 'reading', change }`, to read one of them otherwise: the same
- * - `{ kind: 'go', id, params, step }`: `{ kind: 'progress', id, step, of }` on the way; then
- *   `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }`
- * - `{ kind: 'cancel' }`: nothing more about the replay that was under way
+ * - `{ kind: 'files', set, files }`, the log as `File`s: `{ kind: 'log', set, contents, parameters, files }`, or
+ *   `{ kind: 'no-log', set, files, file, line, column, message, shown }` with `line` 0 where the fault is of all files
+ *   together; on the way `{ kind: 'reading', name, done, of }` is told, in bytes
+ * - `{ kind: 'reading', set, change }`, to read one of the files of `set` otherwise: the same; once other files have
+ *   been read, what was said of them
  * - `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'`: `{ kind: 'table', text }`, a `Blob`
  *   of CSV, or `{ kind: 'no-table', message }`
+ * - told `{ kind: 'go', id, params, step }`, it tells `{ kind: 'progress', id, step, of }` on the way; then
+ *   `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }`
+ * - told `{ kind: 'cancel' }`, it tells nothing more about the replay that was under way
  *
  * A replay is computed in chunks, and between two of them the worker reads its messages. A later `go` replaces an
  * earlier one, unless that one is nearly there: a slider that is dragged over a long log is still answered now and
  * then.
  */
 
-import { attend } from '../../load/worker-server.js'
+import { attend, wordsOf } from '../../load/worker-server.js'
 import { Pace } from '../../figure/time-slices.js'
 import { decode } from './text.js'
 
@@ -39,12 +40,15 @@ const MOST_SHOWN = 200
  */
 /** @typedef {{ wish: Wish, lab: any, of: number, from: number, began: number, told: number }} Replay */
 
+/** What is said of files that are no log, where a reading says nothing else. */
+const NO_LOG = { kind: 'no-log', files: [], file: 0, line: 0, column: 1, shown: '' }
+
 /**
- * Answers what comes through a port.
- * @param {import('../../load/worker-port.js').Port} port
+ * Answers what comes through a channel.
+ * @param {import('../../load/worker-port.js').Channel} channel
  * @param {() => Promise<import('../../load/loader.js').Loaded<any>>} load
  */
-export const serve = (port, load) => attend(port, load, (module, tell, soon) => new Server(module, tell, soon))
+export const serve = (channel, load) => attend(channel, load, (module, tell, soon) => new Server(module, tell, soon))
 
 export class Server {
   /**
@@ -68,8 +72,10 @@ export class Server {
     this.texts = null
     /** Sentences about their encodings. @type {string[]} */
     this.notes = []
-    /** What is read next waits for this. @type {Promise<unknown>} */
-    this.reading = Promise.resolve()
+    /** Which files they are. @type {number | undefined} */
+    this.set = undefined
+    /** What was said of a log last. @type {any} */
+    this.said = null
     /** @type {any} */
     this.log = null
     /** The lab that was shown last. @type {any} */
@@ -82,64 +88,75 @@ export class Server {
 
   /** @param {any} message */
   take(message) {
-    if (message.kind === 'files') this.reading = this.reading.then(() => this.open(message.files))
-    if (message.kind === 'reading') this.reading = this.reading.then(() => this.reread(message.change))
-    if (message.kind === 'table') this.reading = this.reading.then(() => this.table(message))
     if (message.kind === 'go') this.go(message)
     if (message.kind === 'cancel') this.cancel()
   }
 
-  /** Opens the files of a log. @param {Blob[]} given `File`s */
-  async open(given) {
+  /** @param {any} message @returns {Promise<any>} */
+  async answer(message) {
+    const { kind, set, files, change } = message
+    if (kind === 'table') return this.table(message)
+    if (kind === 'files') this.said = await this.open(files, set)
+    // A change of files that are gone changes nothing of those that came meanwhile.
+    else if (set === this.set && this.files) this.said = this.reread(change)
+    return this.said
+  }
+
+  /**
+   * Opens the files of a log.
+   * @param {Blob[]} given `File`s
+   * @param {number | undefined} set
+   */
+  async open(given, set) {
     const files = new this.module.LogFiles()
     /** @type {string[]} */
     const texts = []
     const notes = []
+    const of = given.reduce((sum, { size }) => sum + size, 0)
+    let done = 0
     try {
       for (const file of given) {
-        const { name } = /** @type {File} */ (file)
+        const { name, size } = /** @type {File} */ (file)
+        this.tell({ kind: 'reading', name, done, of })
         const { text, note } = decode(name, await file.arrayBuffer())
         texts.push(text)
         if (note) notes.push(note)
         files.add(name, text)
+        done += size
       }
-      this.files?.free()
-      this.files = files
-      this.texts = texts
-      this.notes = notes
-      this.read()
     } catch (error) {
+      const words = wordsOf(error)
       const unread = /** @type {any} */ (error).code !== 'log'
-      const message = unread ? 'the file could not be read; it may be a folder, or gone' : wordsOf(error)
-      this.tell({
-        kind: 'no-log',
-        files: files.files(),
-        file: given.length > texts.length ? texts.length : texts.length - 1,
-        line: 1,
-        column: 1,
-        message,
-        shown: '',
-      })
+      const message = unread ? 'the file could not be read; it may be a folder, or gone' : words
+      const file = given.length > texts.length ? texts.length : texts.length - 1
+      const said = { ...NO_LOG, set, files: files.files(), file, line: 1, message }
       files.free()
+      return said
     }
+    this.files?.free()
+    this.files = files
+    this.texts = texts
+    this.notes = notes
+    this.set = set
+    return this.read()
   }
 
   /** Reads one of the files otherwise. @param {Change} change */
   reread({ file, role, value, column, unit }) {
-    const { files } = this
-    if (!files) return
+    const { files, set } = this
     try {
       if (role !== undefined) files.setRole(file, role)
       if (value !== undefined) files.setColumn(file, value, column)
       if (unit !== undefined) files.setUnit(file, unit)
-    } finally {
-      this.read()
+    } catch (error) {
+      return { ...NO_LOG, set, files: files.files(), message: wordsOf(error) }
     }
+    return this.read()
   }
 
   /** Reads the files. What is no log leaves the log before in its place. */
   read() {
-    const { files } = this
+    const { files, set } = this
     const shown = files.files()
     try {
       const log = files.read()
@@ -154,19 +171,12 @@ export class Server {
       }
       const contents = log.contents()
       contents.notes.unshift(...this.notes)
-      this.tell({ kind: 'log', contents, parameters: this.module.RobotLog.parameters(), files: shown })
+      return { kind: 'log', set, contents, parameters: this.module.RobotLog.parameters(), files: shown }
     } catch (error) {
-      const { file = 0, line = 1, column = 1, message } = /** @type {any} */ (error)
-      const words = String(message).replace(/^line \d+, column \d+: /, '')
-      this.tell({
-        kind: 'no-log',
-        files: shown,
-        file,
-        line,
-        column,
-        message: words,
-        shown: line === 0 ? '' : lineOf(this.texts?.[file] ?? '', line),
-      })
+      const { file = 0, line = 1, column = 1 } = /** @type {any} */ (error)
+      const message = wordsOf(error).replace(/^line \d+, column \d+: /, '')
+      const from = line === 0 ? '' : lineOf(this.texts?.[file] ?? '', line)
+      return { ...NO_LOG, set, files: shown, file, line, column, message, shown: from }
     }
   }
 
@@ -183,9 +193,9 @@ export class Server {
         await new Promise((resolve) => this.soon(() => resolve(undefined)))
       }
       table.free()
-      this.tell({ kind: 'table', text: new Blob(parts, { type: 'text/csv' }) })
+      return { kind: 'table', text: new Blob(parts, { type: 'text/csv' }) }
     } catch (error) {
-      this.tell({ kind: 'no-table', message: wordsOf(error) })
+      return { kind: 'no-table', message: wordsOf(error) }
     }
   }
 
@@ -273,11 +283,6 @@ export class Server {
     const { step } = lab.state()
     return step === from ? Infinity : ((this.clock() - began) * (of - step)) / (step - from)
   }
-}
-
-/** @param {unknown} error */
-function wordsOf(error) {
-  return error instanceof Error ? error.message : 'The log could not be replayed.'
 }
 
 /** The line of a text with this number, counted from 1. @param {string} text @param {number} line */

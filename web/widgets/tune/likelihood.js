@@ -17,7 +17,11 @@ const STILL_SIZE = 40
  * @property {boolean} stopped whether the reader has cancelled the rest
  */
 
-/** @typedef {import('../../load/worker-port.js').Port} Port */
+/**
+ * @typedef {object} Port the way to what computes
+ * @property {(message: any) => void} post
+ * @property {((message: any) => void) | null} onmessage
+ */
 
 /** @type {import('../../figure/spec.js').Aside} */
 export const likelihood = {
@@ -38,7 +42,7 @@ async function begin() {
   const { default: address } = await import('tune-worker')
   return openPort(address, async () => {
     const [{ serve }, { loadLab }] = await Promise.all([import('./server.js'), import('../../load/modules.js')])
-    return (port) => serve(port, () => loadLab('tune'))
+    return (channel) => serve(channel, () => loadLab('tune'))
   })
 }
 
@@ -92,8 +96,8 @@ export class Filling {
     try {
       this.port ??= this.open()
       const port = await this.port
-      port.onmessage = ({ data }) => this.take(data)
-      port.postMessage(message)
+      port.onmessage = (told) => this.take(told)
+      port.post(message)
     } catch {
       // Without its map the figure goes on; the next log tries again.
       this.port = null
@@ -103,7 +107,7 @@ export class Filling {
 
   /** @param {any} message */
   take({ kind, id, top, limit, values }) {
-    if (kind === 'failed' || (kind === 'refused' && id === this.id)) return this.stop()
+    if (kind === 'failed' || kind === 'ended' || (kind === 'refused' && id === this.id)) return this.stop()
     if (id !== this.id) return
     if (kind === 'top') this.value = { size: SIZE, rows: 0, values: [], top, limit, stopped: false }
     if (kind === 'rows' && this.value) {

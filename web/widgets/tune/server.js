@@ -8,7 +8,7 @@
  * Between two chunks it reads its messages. A later `fill` replaces an earlier one.
  */
 
-import { attend } from '../../load/worker-server.js'
+import { attend, wordsOf } from '../../load/worker-server.js'
 
 /** How long it computes without reading its messages, milliseconds. */
 const CHUNK_MS = 24
@@ -16,11 +16,11 @@ const CHUNK_MS = 24
 /** @typedef {{ id: number, lab: any, size: number, row: number }} Work */
 
 /**
- * Answers what comes through a port.
- * @param {import('../../load/worker-port.js').Port} port
+ * Answers what comes through a channel.
+ * @param {import('../../load/worker-port.js').Channel} channel
  * @param {() => Promise<import('../../load/loader.js').Loaded<any>>} load
  */
-export const serve = (port, load) => attend(port, load, (module, tell, soon) => new Server(module, tell, soon))
+export const serve = (channel, load) => attend(channel, load, (module, tell, soon) => new Server(module, tell, soon))
 
 export class Server {
   /**
@@ -64,9 +64,10 @@ export class Server {
   attempt(id, act) {
     try {
       act()
-    } catch {
+    } catch (error) {
+      const message = wordsOf(error)
       this.drop()
-      this.tell({ kind: 'refused', id })
+      this.tell({ kind: 'refused', id, message })
     }
   }
 
