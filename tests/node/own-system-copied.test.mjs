@@ -116,6 +116,16 @@ test('a system copied as numpy prints what the figure shows', { timeout: 120_000
     compare(execFileSync(program, ['-c', numpy(open(params).frame())], { encoding: 'utf8' }), params, false)
 })
 
+test('in Rust a number is written so that it is a float: with a point or an exponent, and to the last bit', () => {
+  for (const one of [0.1, 2, 1e15, 2 ** 53, 123456789012345680000, 1e21, 1.5e300, 5e-324]) {
+    const params = { ...paramsOf(PRESETS[0]), start: one }
+    const text = rust({ ...open(paramsOf(PRESETS[0])).frame(), params })
+    const [, written] = /identity\(2, 2\) \* (\S+);/.exec(text)
+    assert.match(written, /[.e]/)
+    assert.equal(Number(written), one)
+  }
+})
+
 test('a system copied as Rust prints what the figure shows', { timeout: 600_000 }, () => {
   // A package of its own beside the workspace, with the versions that the workspace has.
   writeFileSync(

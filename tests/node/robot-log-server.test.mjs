@@ -57,6 +57,12 @@ test('a log that is wrong leaves the log before, and says where it is wrong', as
     files: [{ name: 'folder', arrayBuffer: () => Promise.reject(new Error('a folder')) }],
   })
   assert.match(said.message, /could not be read/)
+  assert.deepEqual([said.name, said.line], ['folder', 1])
+  const many = Array.from({ length: 17 }, (_, i) => new File([text], `f${i}.csv`))
+  said = await server.answer({ kind: 'files', files: many })
+  assert.deepEqual([said.kind, said.line, said.name], ['no-log', 0, ''], 'no file of them is at fault')
+  assert.match(said.message, /^a log has at most 16 files/)
+  assert.match(said.mend, /^Open fewer files/)
   server.take({ kind: 'go', id: 9, params: {}, step: null })
   finish()
   assert.equal(told.at(-1).frame.rows, 13_186)

@@ -12,6 +12,8 @@ import { part } from '../draw/dom.js'
 import { fetchWithPatience } from '../load/timeouts.js'
 import { WIDGETS } from '../widgets/index.js'
 import { awaken } from './figures.js'
+import { Answer, PASTED } from './log-answer.js'
+import { shortName } from './file-name.js'
 import { FileForm } from './log-files.js'
 import { readingBar } from './log-reading.js'
 import { Report } from './log-report.js'
@@ -21,8 +23,6 @@ const MOST_BYTES = 64_000_000
 /** How long printing waits for the figure, milliseconds. */
 const DRAWN_MS = 2000
 const GIVEN_UP = 'Reading was given up. The figure keeps the previous log.'
-/** What pasted rows are called, as a file has its name. */
-const PASTED = 'pasted rows'
 /**
  * Logs of ours, by the name that the page and an address give them.
  * @type {Record<string, { file: string, address: string }>}
@@ -51,7 +51,7 @@ class OwnLog {
     this.text = /** @type {HTMLTextAreaElement} */ (place.querySelector('.log-paste textarea'))
     this.press(place, '.log-paste button', () => this.pasted())
     this.examples(place)
-    this.answer = /** @type {HTMLElement} */ (place.querySelector('.log-answer'))
+    this.answer = new Answer(/** @type {HTMLElement} */ (place.querySelector('.log-answer')), this.text)
     this.form = new FileForm(/** @type {HTMLElement} */ (place.querySelector('.log-files')), (change) =>
       this.take({ kind: 'reading', set: this.set, change }),
     )
@@ -59,8 +59,6 @@ class OwnLog {
     this.set = undefined
     /** How often the reader has given up a reading. */
     this.given = 0
-    /** The bar of the question that waits for its answer. @type {Element | null} */
-    this.bar = null
     this.dropped()
     // A name with a letter that the page has not shown yet would fetch a face later on: from now on nothing is fetched.
     for (const face of document.fonts) if (/Plain|Code|Text/.test(face.family)) face.load().catch(() => {})
@@ -68,8 +66,8 @@ class OwnLog {
     this.run().then(
       ({ contents }) => {
         if (!this.report.contents) this.report.take(contents, [EXAMPLES.mower.file])
-        if (!this.answer.hasChildNodes())
-          this.say(`The figure shows the mower’s log until you open another. ${this.facts()}`)
+        if (!this.answer.box.hasChildNodes())
+          this.answer.say(`The figure shows the mower’s log until you open another. ${this.facts()}`)
         this.report.show(this.figure.figure)
       },
       () => {},
@@ -98,7 +96,8 @@ class OwnLog {
 
   pasted() {
     const { value } = this.text
-    if (value.trim() === '') return this.say('The box has no rows. Paste rows of a log or of a table into it first.')
+    if (value.trim() === '')
+      return this.answer.say('The box has no rows. Paste rows of a log or of a table into it first.')
     this.give([new File([value], PASTED)])
   }
 
@@ -126,23 +125,25 @@ class OwnLog {
 
   /** @param {{ file: string, address: string }} one of ours */
   async open(one) {
-    this.say(`Fetching ${one.file} …`)
+    this.answer.say(`Fetching ${one.file} …`)
     try {
       const bytes = await fetchWithPatience(addressOf(one)).then((answer) => answer.arrayBuffer())
       await this.give([new File([bytes], one.file)])
     } catch {
-      this.say(`${one.file} could not be fetched.`)
+      this.answer.say(`${one.file} could not be fetched.`)
     }
   }
 
   // What the worker makes of it.
 
-  /** @param {File[]} files */
-  give(files) {
+  /** @param {File[]} given */
+  give(given) {
+    const files = given.map((file) =>
+      shortName(file.name) === file.name ? file : new File([file], shortName(file.name)),
+    )
     const bytes = files.reduce((sum, { size }) => sum + size, 0)
     if (bytes > MOST_BYTES)
-      return this.say(`The files have ${Math.ceil(bytes / 1e6)} MB; at most ${MOST_BYTES / 1e6} MB can be read.`)
-    this.names = files.map(({ name }) => name)
+      return this.answer.say(`The files have ${Math.ceil(bytes / 1e6)} MB; at most ${MOST_BYTES / 1e6} MB can be read.`)
     return this.take({ kind: 'files', files })
   }
 
@@ -150,37 +151,31 @@ class OwnLog {
   async take(question) {
     const { given } = this
     const bar = readingBar(question.kind === 'files' ? question.files : [], () => this.giveUp())
-    this.bar = bar.box
-    this.say('')
+    this.answer.begin(bar.box)
     try {
       const run = await this.run()
-      if (given !== this.given) return this.read(bar.box)
+      if (given !== this.given) return this.answer.end(bar.box)
       run.onreading = bar.show
       const answer = await run.read(question)
-      this.read(bar.box)
+      this.answer.end(bar.box)
       this.set = answer.set
       this.form.show(answer.files)
       if (answer.kind === 'log') this.understood(answer)
-      else if (answer.kind === 'no-log') this.wrong(answer)
-      else this.say(`${answer.message ?? answer.why} The figure keeps the previous log.`)
+      else if (answer.kind === 'no-log') this.answer.wrong(answer)
+      else this.answer.say(`${answer.message ?? answer.why} The figure keeps the previous log.`)
       this.figure.figure.ask()
     } catch (error) {
-      this.read(bar.box)
-      this.say(error instanceof Error ? error.message : 'The log could not be read.')
+      this.answer.end(bar.box)
+      this.answer.say(error instanceof Error ? error.message : 'The log could not be read.')
     }
   }
 
   /** Gives up whatever is being read or waits to be. */
   giveUp() {
     this.given += 1
-    this.bar = null
-    this.say(GIVEN_UP)
+    this.answer.bar = null
+    this.answer.say(GIVEN_UP)
     this.figure.figure?.run?.giveUp()
-  }
-
-  /** Takes the bar of what has been read away, if no later question has put its own there. @param {Element} bar */
-  read(bar) {
-    if (this.bar === bar) this.bar = null
   }
 
   /**
@@ -213,52 +208,8 @@ class OwnLog {
       contents,
       files.map((/** @type {any} */ { name }) => name),
     )
-    this.say(this.facts())
-    for (const note of contents.notes) part(document, this.answer, 'p', '').textContent = note
-  }
-
-  /** @param {any} answer */
-  wrong({ files, file, line, column, message, shown }) {
-    const name = files[file]?.name ?? this.names?.[file] ?? 'the log'
-    const place = line === 0 ? '' : `${name}, line ${line}, character ${column}: `
-    this.say('')
-    const words = part(document, this.answer, 'p', 'log-wrong')
-    words.textContent = place ? `${place}${message}.` : `${message[0].toUpperCase()}${message.slice(1)}.`
-    if (shown) {
-      const lines = part(document, this.answer, 'pre', 'log-line')
-      const before = [...shown].slice(0, column - 1)
-      lines.append(before.join(''))
-      part(document, lines, 'mark', '').textContent = [...shown][column - 1] ?? ' '
-      lines.append([...shown].slice(column).join(''))
-    }
-    const tables = files.some((/** @type {any} */ { role }) => role !== 'log')
-    const open = `Open the missing file together with ${files.length === 1 ? 'this one' : 'these'}`
-    const pasted = name === PASTED
-    const mend = place ? `Mend the ${pasted ? 'rows' : 'file'}` : pasted ? 'Paste rows of motion too' : open
-    const again = tables
-      ? `, or correct below how ${pasted ? 'they' : 'the files'} are read`
-      : place
-        ? ` and ${pasted ? 'read them' : 'open it'} again`
-        : ''
-    part(document, this.answer, 'p', '').textContent = `The figure keeps the previous log. ${mend}${again}.`
-    if (place && pasted) this.point(line, column)
-  }
-
-  /** Puts the cursor of the pasted rows where the fault is. @param {number} line @param {number} column */
-  point(line, column) {
-    const { text } = this
-    const lines = text.value.split('\n')
-    const from = lines.slice(0, line - 1).reduce((sum, each) => sum + each.length + 1, 0)
-    const at = from + Math.max(0, [...(lines[line - 1] ?? '')].slice(0, column - 1).join('').length)
-    text.focus()
-    text.setSelectionRange(at, from + (lines[line - 1]?.length ?? 0))
-  }
-
-  /** @param {string} words */
-  say(words) {
-    this.answer.replaceChildren()
-    if (words) part(document, this.answer, 'p', '').textContent = words
-    if (this.bar) this.answer.append(this.bar)
+    this.answer.say(this.facts())
+    for (const note of contents.notes) part(document, this.answer.box, 'p', '').textContent = note
   }
 
   // What the reader takes away.

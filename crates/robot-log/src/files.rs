@@ -67,13 +67,13 @@ impl Files {
     /// Adds a file, and guesses how it is to be read: by what its columns are called, by its name, and by its numbers.
     ///
     /// # Errors
-    /// There are [`MAX_FILES`] files already, or together they are larger than [`MAX_BYTES`].
+    /// There are [`MAX_FILES`] files already, or together they are larger than [`MAX_BYTES`]. The fault stands in no line.
     pub fn add(&mut self, name: &str, text: &str) -> Result<(), Error> {
         let at = self.files.len();
         let bytes = self.files.iter().map(|file| file.text.len()).sum::<usize>() + text.len();
-        let refuse = |message: String| Err(Error::new(1, 1, message).within(at));
+        let refuse = |message: String| Err(Error::of_all(message).within(at));
         if at == MAX_FILES {
-            return refuse(format!("there are more than {MAX_FILES} files"));
+            return refuse(format!("a log has at most {MAX_FILES} files, and these are more"));
         }
         if bytes > MAX_BYTES {
             return refuse(format!("the log has {bytes} bytes; at most {MAX_BYTES} were expected"));
@@ -130,12 +130,18 @@ impl Files {
     /// The log that the files make.
     ///
     /// # Errors
-    /// As [`parse`](crate::parse), naming the file; a value that a role needs has no column; a file is empty. Where no
+    /// As [`parse`](crate::parse), naming the file; a value that a role needs has no column; a file is empty; a name in
+    /// its header is too long, or its quotes are not closed. Where no
     /// file has the robot's motion, the fault is of all together, and the message says what each was read as.
     pub fn read(&self) -> Result<Understood, Error> {
         let empty = |file: &File| file.text.trim_matches([' ', '\n', '\r', '\t', '\u{feff}']).is_empty();
         if let Some(at) = self.files.iter().position(|file| file.role() != Role::Unused && empty(file)) {
             return Err(Error::new(1, 1, "the file is empty").within(at));
+        }
+        // A table whose header is wrong may be used for nothing, and that would be said instead.
+        let header = |file: &File| file.source.table.as_ref().and_then(|table| table.fault.clone());
+        if let Some((at, fault)) = self.files.iter().enumerate().find_map(|(at, file)| Some((at, header(file)?))) {
+            return Err(fault.within(at));
         }
         let moves = |file: &File| matches!(file.role(), Role::Log | Role::Velocities | Role::Odometry);
         if !self.files.iter().any(moves) {

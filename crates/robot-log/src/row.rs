@@ -99,7 +99,13 @@ pub(crate) fn in_bounds(line: &Line<'_>, field: Field<'_>, time: f64) -> Result<
         // -0 becomes 0, so that the two are one time.
         return Ok(time + 0.0);
     }
-    let message = format!("the time is {}; times within {MAX_TIME:e} s were expected", shown(field.text));
+    // Unix times of our days in other units.
+    let unit = [("milli", 1e3), ("micro", 1e6), ("nano", 1e9)].into_iter().find(|(_, factor)| {
+        let seconds = time.abs() / factor;
+        (1e8..=MAX_TIME).contains(&seconds)
+    });
+    let meant = unit.map_or(String::new(), |(name, _)| format!("; it looks like a Unix time in {name}seconds"));
+    let message = format!("the time is {}; times within {MAX_TIME:e} s were expected{meant}", shown(field.text));
     Err(Error::new(line.number, field.column, message))
 }
 

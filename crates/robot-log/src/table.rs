@@ -7,6 +7,9 @@ use crate::row::number;
 /// The most columns of a table.
 const MAX_COLUMNS: usize = 64;
 
+/// The longest name of a column in bytes: what is longer is no header.
+const MAX_NAME: usize = 200;
+
 /// What parts the fields of a line.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Separator {
@@ -23,6 +26,8 @@ pub(crate) struct Table {
     pub names: Vec<String>,
     /// Lines up to the header, which is no row.
     skipped: u32,
+    /// What is wrong with the header.
+    pub fault: Option<Error>,
 }
 
 impl Table {
@@ -42,11 +47,15 @@ impl Table {
         }
         let (above, line) = first?;
         let separator = separator(line);
-        let fields: Vec<&str> =
-            split(line, separator).map(|(_, field)| unquoted(field)).take(MAX_COLUMNS + 1).collect();
+        let found: Vec<(usize, &str)> = split(line, separator).take(MAX_COLUMNS + 1).collect();
+        let fields: Vec<&str> = found.iter().map(|(_, field)| unquoted(field)).collect();
         if !fields.iter().all(|field| is_number(field)) {
-            let names = fields.into_iter().map(String::from).collect();
-            return Some(Self { separator, names, skipped: above + 1 });
+            let fault = found.iter().find_map(|(at, field)| {
+                let message = name_fault(field)?;
+                Some(Error::new(above + 1, line[..*at].chars().count() as u32 + 1, message))
+            });
+            let names = fields.into_iter().map(|name| beginning(name).to_string()).collect();
+            return Some(Self { separator, names, skipped: above + 1, fault });
         }
         let named: Vec<String> = [Separator::Char(','), Separator::Char(';'), Separator::Char('\t')]
             .into_iter()
@@ -56,7 +65,7 @@ impl Table {
             .unwrap_or_else(|| (1..=fields.len()).map(|i| format!("column {i}")).collect());
         // Numbers have no blanks in them, so that tabs among blanks are blanks too.
         let separator = if separator == Separator::Char('\t') { Separator::Blanks } else { separator };
-        Some(Self { separator, names: named, skipped: above })
+        Some(Self { separator, names: named, skipped: above, fault: None })
     }
 
     /// The lines of numbers; `text` must be the one that the table was made of.
@@ -117,6 +126,21 @@ fn split(line: &str, separator: Separator) -> Box<dyn Iterator<Item = (usize, &s
 fn wide(comment: &str) -> Vec<String> {
     let parts = comment.split("  ").flat_map(|part| part.split('\t')).map(str::trim);
     parts.filter(|part| !part.is_empty()).map(String::from).collect()
+}
+
+/// What is wrong with the name of a column.
+fn name_fault(field: &str) -> Option<String> {
+    if field.len() > MAX_NAME {
+        return Some(format!("the name of a column has more than {MAX_NAME} bytes; a table begins with short names"));
+    }
+    let open = |quote: char| field.strip_prefix(quote).is_some_and(|field| !field.ends_with(quote));
+    (open('"') || open('\'')).then(|| "the quotes of the column's name are not closed".into())
+}
+
+/// As much of a name as a column has.
+fn beginning(name: &str) -> &str {
+    let end = (0..=MAX_NAME.min(name.len())).rev().find(|end| name.is_char_boundary(*end));
+    &name[..end.unwrap_or(0)]
 }
 
 /// A field without a pair of quotes around it, as spreadsheets write names.

@@ -18,7 +18,7 @@ function parts(frame) {
 
 /** @param {number} number as Rust writes a float */
 const float = (number) =>
-  Number.isInteger(number) && Math.abs(number) < 1e15 ? number.toFixed(1) : String(number).replace('e+', 'e')
+  Number.isInteger(number) && Math.abs(number) < 1e21 ? number.toFixed(1) : String(number).replace('e+', 'e')
 
 /** @param {number[][]} m */
 function inRust(m) {

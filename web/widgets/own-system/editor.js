@@ -177,7 +177,8 @@ export function buildEditor(document, change) {
   }
 
   function openPaste() {
-    const area = openBox('F, G, H, V and W in JSON, MATLAB or numpy notation, read while you type', '', () => {
+    const title = 'F, G, H, V and W in JSON, MATLAB or numpy notation, read while you type'
+    const area = openBox(title, '', () => {
       pasted = null
       if (wrong === 'paste') say('', '')
     })
@@ -190,7 +191,10 @@ export function buildEditor(document, change) {
     })
     area.addEventListener('input', () => {
       const read = readSystem(area.value)
-      if (!read.ok) return say('paste', read.fault)
+      const unused = read.ok ? read.unused.map((name) => name.slice(0, 20)) : []
+      if (area.previousSibling)
+        area.previousSibling.textContent = unused.length > 0 ? `${title}. Not used: ${unused.join(', ')}` : title
+      if (!read.ok) return say('paste', `${read.line > 0 ? `Line ${read.line}: ` : ''}${read.fault}`)
       propose('paste', () => paramsOf(read.system))
       if (wrong === '') pasted = { area, is: made }
     })

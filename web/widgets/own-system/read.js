@@ -1,263 +1,210 @@
 /**
- * Reads a system that was pasted: JSON, MATLAB or numpy notation. What is wrong is named with the matrix it is in.
+ * Reads a system that was pasted: JSON, MATLAB or numpy notation. Nothing is passed over in silence: what is not
+ * understood is a fault with its line, and what is of no use here is named.
  *
  *   {"F": [[1, 0.5], [0, 1]], …}      F = [1 0.5; 0 1]      F = np.array([[1, 0.5], [0, 1]])      V = 0.01 * eye(2)
+ *   F = eye(2); F(1,2) = 0.5          F = np.eye(2)         F[0, 1] = 0.5
  */
+
+import { Fault, Value, hintOf, transposed } from './value.js'
+
+export { faultOf, numberOf } from './value.js'
 
 const NAMES = ['F', 'G', 'H', 'V', 'W']
 const MOST = 4
-const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i
 const MEANT = /** @type {Record<string, string>} */ ({
   F: 'the dynamics',
   H: 'what a reading tells',
   V: 'the noise of the motion',
   W: 'the noise of a reading',
 })
+/** Letters that other books have for what is here F, G, H, V and W. */
+const ELSEWHERE = ['A', 'B', 'C', 'Q', 'R']
+const TRANSLATED =
+  'What is called A, B and C elsewhere is F, G and H here; V and W are the covariances of the motion and of a reading.'
+
+/** What may stand between matrices and says nothing of them: marks of structure, a prompt, a line that sets things up. */
+const BETWEEN = [
+  /^[\s;,{}()]+/,
+  /^(?:>>>?|In \[\d+\]:)\s*/,
+  /^(?:import|from)\s[^\n]*/,
+  /^(?:clear|clc|close|format|hold|more)\b[^\n;=]*(?=[\n;]|$)/,
+  /^(?:disp|print|console\.log)\s*\([^()\n]*\)/,
+  /^(?:const|let|var|export|return)\s+(?=[A-Za-z_"'{])/,
+]
+/** The name of what is given, perhaps of an object's part: `F =`, `"F":`, `kf.F =`. */
+const NAME = /^(?:[A-Za-z_]\w*\.)*(["']?)([A-Za-z_]\w*)\1\s*[:=](?!=)/
+/** An entry that is given by itself: `F(1,2) =` counts from 1, `F[0, 1] =` and `F[0][1] =` from 0. */
+const ENTRY =
+  /^(?:[A-Za-z_]\w*\.)*([A-Za-z_]\w*)\s*(?:\(\s*(\d+)\s*,\s*(\d+)\s*\)|\[\s*(\d+)\s*(?:,|\]\s*\[)\s*(\d+)\s*\])\s*=(?!=)/
+/** What opens a list of matrices: `dict(`, `KalmanFilter(`. */
+const OPENS = /^\s*(?:[A-Za-z_][\w.]*\s*\(|\{)\s*(?=["']?[A-Za-z_]\w*["']?\s*[:=](?!=))/
 
 /** @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices */
+/** @typedef {{ ok: true, system: Matrices, unused: string[] } | { ok: false, fault: string, line: number }} Read */
 
 /**
  * @param {string} text
- * @returns {{ ok: true, system: Matrices } | { ok: false, fault: string }}
+ * @returns {Read} `line` is 0 where the fault is in no line; `unused` are names that were given and are not needed
  */
 export function readSystem(text) {
+  const paste = new Paste(withoutComments(text))
   try {
-    return { ok: true, system: system(withoutComments(text)) }
+    return { ok: true, ...paste.system() }
   } catch (error) {
-    return { ok: false, fault: error instanceof Fault ? error.message : 'The text could not be read.' }
+    if (!(error instanceof Fault)) return { ok: false, fault: 'The text could not be read.', line: 0 }
+    return { ok: false, fault: error.message, line: paste.line }
   }
 }
 
 /**
- * A number as a reader types it: a decimal, also by a true minus sign, or a fraction of two.
+ * Without comments, each line in its place: a line that goes on after `…` is joined to the next by a vertical tab.
  * @param {string} text
- * @returns {number} NaN of what is none
  */
-export function numberOf(text) {
-  const [above, below, more] = text
-    .trim()
-    .replace(/[−–]/g, '-')
-    .split('/')
-    .map((part) => part.trim())
-  if (more !== undefined || !NUMBER.test(above)) return NaN
-  if (below === undefined) return Number(above)
-  return NUMBER.test(below) && Number(below) !== 0 ? Number(above) / Number(below) : NaN
-}
-
-class Fault extends Error {}
-
-/** Lines that go on after `…` are joined. @param {string} text */
 function withoutComments(text) {
+  const lines = (/** @type {string} */ gone) => gone.replace(/[^\n]/g, '')
   return text
     .replace(/\r\n?/g, '\n')
-    .replace(/^\s*%\{\s*\n[\s\S]*?^\s*%\}.*$/gm, '')
-    .replace(/\/\*[\s\S]*?\*\//g, '')
+    .replace(/\v/g, ' ')
+    .replace(/^\s*%\{\s*\n[\s\S]*?^\s*%\}.*$/gm, lines)
+    .replace(/\/\*[\s\S]*?\*\//g, lines)
     .replace(/("(?:[^"\\\n]|\\.)*")|(?:[%#]|\/\/).*$/gm, '$1')
-    .replace(/(\.\.\.|…)[^\n]*\n/g, ' ')
+    .replace(/(\.\.\.|…)[^\n]*\n/g, '\v')
 }
 
-/** What is wrong with a text that is no number. @param {string} text */
-export function faultOf(text) {
-  const word = text.trim()
-  if (word === '') return 'a number is missing.'
-  const instead = /^[-+−]?\d*,\d+$/.test(word) ? ` Write ${word.replace(',', '.')}.` : ''
-  return `“${word.slice(0, 20)}” is not a number.${instead}`
-}
-
-/** @param {string} text @returns {Matrices} */
-function system(text) {
-  /** @type {Record<string, number[][]>} */
-  const found = {}
-  const others = new Set()
-  for (const match of text.matchAll(/(?<![\w.])(["']?)([A-Za-z]\w*)\1\s*[:=](?!=)/g)) {
-    const name = match[2]
-    others.add(name)
-    if (!NAMES.includes(name)) continue
-    if (found[name]) throw new Fault(`${name} is given twice.`)
-    found[name] = new Value(text.slice(match.index + match[0].length), name).read()
+/** A text that is read from its beginning to its end. */
+class Paste {
+  /** @param {string} text */
+  constructor(text) {
+    this.text = text
+    this.at = 0
+    /** The line where the present statement begins, counted from 1; 0 behind the last. */
+    this.line = 1
+    /** @type {Record<string, { matrix: number[][], line: number }>} */
+    this.found = {}
+    /** @type {string[]} */
+    this.unused = []
   }
-  if (Object.keys(found).length === 0) {
-    const hint = others.has('A')
-      ? 'What is called A, B and C elsewhere is F, G and H here; V and W are the covariances of the ' +
-        'motion and of a reading.'
-      : 'Write F = …, G = …, H = …, V = …, W = …, in JSON, MATLAB or numpy notation.'
-    throw new Fault(`No matrix was found. ${hint}`)
-  }
-  for (const [name, meant] of Object.entries(MEANT)) if (!found[name]) throw new Fault(`${name}, ${meant}, is missing.`)
-  const n = found.F.length
-  // In numpy a row of numbers has no direction: it is taken as the one that fits.
-  if (found.G?.length === 1 && n > 1 && found.G[0].length === n) found.G = transposed(found.G)
-  const p = found.H.length
-  const m = found.G?.[0]?.length ?? 0
-  const sizes = /** @type {Record<string, [number, number]>} */ ({
-    F: [n, n],
-    G: [n, m],
-    H: [p, n],
-    V: [n, n],
-    W: [p, p],
-  })
-  for (const name of NAMES.filter((each) => found[each])) {
-    const [rows, columns] = [found[name].length, found[name][0].length]
-    if (rows > MOST || columns > MOST)
-      throw new Fault(`${name} is ${rows} × ${columns}; at most ${MOST} × ${MOST} are shown here.${hintOf(text)}`)
-    const [height, width] = sizes[name]
-    const why =
-      name === 'F'
-        ? 'it has to be square'
-        : `with F ${n} × ${found.F[0].length} and H ${p} × ${found.H[0].length} it needs to be ${height} × ${width}`
-    if (rows !== height || columns !== width) throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}`)
-  }
-  return /** @type {any} */ ({ G: found.F.map(() => []), ...found })
-}
 
-/** Numbers like 0,5 are two numbers here. @param {string} text */
-const hintOf = (text) =>
-  /\d,\d/.test(text) && !/\d\.\d|,\s|\[\s*\[/.test(text) ? ' A comma stands between numbers: write 0.5 for 0,5.' : ''
-
-/** @param {number[][]} m */
-const transposed = (m) => m[0].map((_, j) => m.map((row) => row[j]))
-
-/**
- * The value behind `name =`: a matrix in brackets or without, `eye(2)` and its like, a number times these, and
- * transposes.
- */
-class Value {
-  /** @param {string} text @param {string} name */
-  constructor(text, name) {
-    this.name = name
-    this.rest = text
+  get rest() {
+    return this.text.slice(this.at)
   }
 
   /** @param {RegExp} pattern @returns {RegExpExecArray | null} */
   take(pattern) {
     const match = pattern.exec(this.rest)
-    if (match) this.rest = this.rest.slice(match[0].length)
+    if (match) this.at += match[0].length
     return match
   }
 
-  read() {
-    // As MATLAB prints a matrix: rows of numbers below the name, and above them a factor of all, if there is one.
-    const printed = this.take(
-      /^[^\S\n]*\n\s*(?:([-+.\deE]+)\s*\*[^\S\n]*\n\s*)?(?=[-+.\d])((?:[-+.\deE \t]+(?:\n|$))+)/,
-    )
-    if (printed) {
-      const factor = printed[1] === undefined ? 1 : this.entry(printed[1], 1, 1)
-      return this.rows(printed[2].trim().split('\n')).map((row) => row.map((entry) => factor * entry))
+  system() {
+    for (;;) {
+      while (BETWEEN.some((pattern) => this.take(pattern)));
+      this.line = 1 + (this.text.slice(0, this.at).match(/[\n\v]/g)?.length ?? 0)
+      if (this.at === this.text.length) break
+      this.statement()
     }
-    let value = this.factor()
-    for (let sign; (sign = this.take(/^[^\S\n]*(\.?[*/])\s*/)?.[1]); ) {
-      const next = this.factor()
-      const [one, other] = next.length === 1 && next[0].length === 1 ? [next, value] : [value, next]
-      if (one.length !== 1 || one[0].length !== 1 || (sign.endsWith('/') && one !== next)) this.refuse(`${sign}`)
-      const by = sign.endsWith('/') ? 1 / one[0][0] : one[0][0]
-      if (!Number.isFinite(by)) this.refuse(`${sign} ${one[0][0]}`)
-      value = other.map((row) => row.map((entry) => entry * by))
+    this.line = 0
+    return { system: this.checked(), unused: [...new Set(this.unused)] }
+  }
+
+  statement() {
+    const entry = this.take(ENTRY)
+    if (entry) return this.entry(entry)
+    const named = this.take(NAME)
+    if (!named) throw this.notUnderstood(this.rest)
+    const [, , name] = named
+    if (NAMES.includes(name)) {
+      if (this.found[name]) throw new Fault(`${name} is given twice.`)
+      this.found[name] = { matrix: this.value(name), line: this.line }
+    } else if (!this.take(OPENS)) {
+      this.unused.push(name)
+      this.skip()
     }
-    // Behind a value stands its end, or the next name.
-    if (!/^[^\S\n]*(?:$|[\n;,})]|(["']?)[A-Za-z]\w*\1\s*[:=](?!=))/.test(this.rest)) this.refuse(this.rest)
-    return value
   }
 
-  /** @param {string} words @returns {never} */
-  refuse(words) {
-    throw new Fault(
-      `${this.name}: “${words.trim().split('\n')[0].slice(0, 20)}” is not understood here; write ` +
-        'the numbers that come of it.',
-    )
+  /** @param {string} name */
+  value(name) {
+    const value = new Value(this.rest, name)
+    const matrix = value.read()
+    this.at = this.text.length - value.rest.length
+    return matrix
   }
 
-  /** @returns {number[][]} */
-  factor() {
-    this.take(/^\s+/)
-    let value = this.made() ?? (this.rest.startsWith('[') ? this.bracketed() : this.scalar())
-    while (this.take(/^(?:\.?'|\.T\b|\.transpose\(\))/)) value = transposed(value)
-    return value
+  /** @param {RegExpExecArray} found */
+  entry([words, name, ...indices]) {
+    if (this.unused.includes(name)) return this.skip()
+    const matrix = this.found[name]?.matrix
+    if (!matrix) throw this.notUnderstood(words)
+    const [row, column] = indices[0] ? indices.slice(0, 2).map((i) => Number(i) - 1) : indices.slice(2).map(Number)
+    if (matrix[row]?.[column] === undefined)
+      throw new Fault(`${words.replace(/\s*=$/, '')}: ${name} is ${matrix.length} × ${matrix[0].length}.`)
+    const given = this.value(name)
+    if (given.length !== 1 || given[0].length !== 1) throw this.notUnderstood(words)
+    matrix[row][column] = given[0][0]
   }
 
-  /**
-   * `np.array([…])`, `eye(2)`, `diag([1 2])`, `zeros(2, 1)` or `(…)`; null where nothing of the kind stands.
-   * @returns {number[][] | null}
-   */
-  made() {
-    const call = this.take(/^(?:(np|numpy|jnp)\.)?(array|matrix|asarray|mat|eye|identity|diag|zeros|ones)?\s*\(\s*/)
-    if (!call) return null
-    const [, numpy, kind = ''] = call
-    if (/eye|identity|zeros|ones/.test(kind)) return this.filled(kind, numpy !== undefined)
-    const inner = this.rest.startsWith('[') ? this.bracketed() : (this.made() ?? this.scalar())
-    if (!this.take(/^\s*(?:,\s*dtype\s*=\s*[\w.]+\s*)?,?\s*\)/)) {
-      if (this.rest.includes(')')) this.refuse(this.rest)
-      throw new Fault(`${this.name}: a bracket is not closed.`)
-    }
-    if (kind !== 'diag') return inner
-    const entries = inner.flat()
-    if (inner.length > 1 && inner[0].length > 1) this.refuse('diag')
-    return entries.map((entry, i) => entries.map((_, j) => (i === j ? entry : 0)))
-  }
-
-  /** @param {string} kind @param {boolean} numpy */
-  filled(kind, numpy) {
-    const size = /\s*(\d)(?:\s*,\s*(\d))?\s*/.source
-    const sizes = this.take(new RegExp(`^\\(${size},?\\s*\\)\\s*\\)`)) ?? this.take(new RegExp(`^${size}\\)`))
-    if (!sizes) this.refuse(`${kind}(${this.rest.slice(0, 8)}`)
-    const square = kind === 'eye' || kind === 'identity'
-    const first = Number(sizes[1])
-    // In numpy one size makes a row of numbers.
-    const [rows, columns] = sizes[2] ? [first, Number(sizes[2])] : numpy && !square ? [1, first] : [first, first]
-    if (rows === 0 || columns === 0) throw new Fault(`${this.name} is empty.`)
-    return Array.from({ length: rows }, (_, i) =>
-      Array.from({ length: columns }, (_, j) => (kind === 'ones' || (square && i === j) ? 1 : 0)),
-    )
-  }
-
-  scalar() {
-    // A number ends where a factor or a transpose begins; a fraction of two is one number.
-    const word = this.take(/^[^\s,;(){}\]*'/]*(?:\/(?=[-+.\d])[^\s,;(){}\]*'/]*)?/)?.[0] ?? ''
-    return [[this.entry(word, 1, 1)]]
-  }
-
-  bracketed() {
+  /** Goes behind a value that is not needed: to the end of its line or of its part, but not within brackets. */
+  skip() {
     let depth = 0
-    let end = 0
-    for (; end < this.rest.length; end += 1) {
-      if (this.rest[end] === '[') depth += 1
-      if (this.rest[end] === ']' && (depth -= 1) === 0) break
+    for (const { 0: mark, index } of this.rest.matchAll(/"(?:[^"\\\n]|\\.)*"|[[\](){}\n;,]/g)) {
+      if ('[({'.includes(mark)) depth += 1
+      else if (depth > 0 && '])}'.includes(mark)) depth -= 1
+      else if (depth === 0 && mark.length === 1) {
+        this.at += index
+        return
+      }
     }
-    if (depth !== 0) throw new Fault(`${this.name}: a bracket is not closed.`)
-    const inner = this.rest.slice(1, end)
-    this.rest = this.rest.slice(end + 1)
-    const nested = inner.includes('[')
-    if (nested && inner.replace(/\[[^[\]]*\]/g, '').replace(/[\s,;]/g, '') !== '')
-      throw new Fault(`${this.name} is not a list of rows.`)
-    return this.rows(
-      nested
-        ? [...inner.matchAll(/\[([^[\]]*)\]/g)].map(([, line]) => line)
-        : inner.split(/;|\n/).filter((line) => line.trim() !== ''),
-    )
+    this.at = this.text.length
   }
 
-  /** @param {string[]} lines */
-  rows(lines) {
-    const rows = lines.map((line, i) =>
-      line
+  /** @param {string} words */
+  notUnderstood(words) {
+    return new Fault(
+      `“${words
         .trim()
-        .replace(/\s*,$/, '')
-        .split(/\s*,\s*|\s+/)
-        .map((word, j) => this.entry(word, i + 1, j + 1)),
+        .split(/[\n\v]/)[0]
+        .slice(0, 30)}” is not understood here; write each matrix as NAME = its ` + 'numbers.',
     )
-    if (rows.length === 0) throw new Fault(`${this.name} is empty.`)
-    const uneven = rows.findIndex((row) => row.length !== rows[0].length)
-    if (uneven > 0)
-      throw new Fault(
-        `${this.name}: row ${uneven + 1} has ${rows[uneven].length} ` +
-          `${rows[uneven].length === 1 ? 'number' : 'numbers'}, row 1 has ${rows[0].length}.${hintOf(lines.join(';'))}`,
-      )
-    return rows
   }
 
-  /** @param {string} word @param {number} row @param {number} column */
-  entry(word, row, column) {
-    const number = numberOf(word)
-    if (!Number.isFinite(number)) throw new Fault(`${this.name}, row ${row}, column ${column}: ${faultOf(word)}`)
-    return number
+  /** The matrices, if they fit one another. @returns {Matrices} */
+  checked() {
+    const { text } = this
+    const found = Object.fromEntries(Object.entries(this.found).map(([name, { matrix }]) => [name, matrix]))
+    const elsewhere = this.unused.filter((name) => ELSEWHERE.includes(name))
+    if (Object.keys(found).length === 0)
+      throw new Fault(
+        `No matrix was found. ${elsewhere.length ? TRANSLATED : 'Write F = …, G = …, H = …, V = …, W = …, in JSON, MATLAB or numpy notation.'}`,
+      )
+    for (const [name, meant] of Object.entries(MEANT))
+      if (!found[name]) throw new Fault(`${name}, ${meant}, is missing.${elsewhere.length ? ` ${TRANSLATED}` : ''}`)
+    if (!found.G && this.unused.includes('B')) throw new Fault(`B is given and G is not. ${TRANSLATED}`)
+    const n = found.F.length
+    // In numpy a row of numbers has no direction: it is taken as the one that fits.
+    if (found.G?.length === 1 && n > 1 && found.G[0].length === n) found.G = transposed(found.G)
+    const p = found.H.length
+    const m = found.G?.[0]?.length ?? 0
+    const sizes = /** @type {Record<string, [number, number]>} */ ({
+      F: [n, n],
+      G: [n, m],
+      H: [p, n],
+      V: [n, n],
+      W: [p, p],
+    })
+    for (const name of NAMES.filter((each) => found[each])) {
+      this.line = this.found[name].line
+      const [rows, columns] = [found[name].length, found[name][0].length]
+      if (rows > MOST || columns > MOST)
+        throw new Fault(`${name} is ${rows} × ${columns}; at most ${MOST} × ${MOST} are shown here.${hintOf(text)}`)
+      const [height, width] = sizes[name]
+      const why =
+        name === 'F'
+          ? 'it has to be square'
+          : `with F ${n} × ${found.F[0].length} and H ${p} × ${found.H[0].length} it needs to be ${height} × ${width}`
+      if (rows !== height || columns !== width)
+        throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}`)
+    }
+    return /** @type {any} */ ({ G: found.F.map(() => []), ...found })
   }
 }

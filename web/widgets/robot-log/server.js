@@ -2,8 +2,9 @@
  * Reads and replays logs, in a worker. It answers questions, and is told things by messages.
  *
  * - `{ kind: 'files', set, files }`, the log as `File`s: `{ kind: 'log', set, contents, parameters, files }`, or
- *   `{ kind: 'no-log', set, files, file, line, column, message, shown }` with `line` 0 where the fault is of all files
- *   together; on the way `{ kind: 'reading', name, done, of }` is told, in bytes
+ *   `{ kind: 'no-log', set, files, file, line, column, message, shown, name, mend }` with `line` 0 where the fault is
+ *   of all files together, `name` of a file that could not be read, and `mend`, what to do, where that is not plain; on
+ *   the way `{ kind: 'reading', name, done, of }` is told, in bytes
  * - `{ kind: 'reading', set, change }`, to read one of the files of `set` otherwise: the same; once other files have
  *   been read, what was said of them
  * - `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'`: `{ kind: 'table', text }`, a `Blob`
@@ -41,7 +42,7 @@ const MOST_SHOWN = 200
 /** @typedef {{ wish: Wish, lab: any, of: number, from: number, began: number, told: number }} Replay */
 
 /** What is said of files that are no log, where a reading says nothing else. */
-const NO_LOG = { kind: 'no-log', files: [], file: 0, line: 0, column: 1, shown: '' }
+const NO_LOG = { kind: 'no-log', files: [], file: 0, line: 0, column: 1, shown: '', mend: '', name: '' }
 
 /**
  * Answers what comes through a channel.
@@ -104,7 +105,7 @@ export class Server {
 
   /**
    * Opens the files of a log.
-   * @param {Blob[]} given `File`s
+   * @param {File[]} given
    * @param {number | undefined} set
    */
   async open(given, set) {
@@ -116,7 +117,7 @@ export class Server {
     let done = 0
     try {
       for (const file of given) {
-        const { name, size } = /** @type {File} */ (file)
+        const { name, size } = file
         this.tell({ kind: 'reading', name, done, of })
         const { text, note } = decode(name, await file.arrayBuffer())
         texts.push(text)
@@ -127,9 +128,11 @@ export class Server {
     } catch (error) {
       const words = wordsOf(error)
       const unread = /** @type {any} */ (error).code !== 'log'
-      const message = unread ? 'the file could not be read; it may be a folder, or gone' : words
-      const file = given.length > texts.length ? texts.length : texts.length - 1
-      const said = { ...NO_LOG, set, files: files.files(), file, line: 1, message }
+      const name = given[texts.length]?.name
+      const said = unread
+        ? { ...NO_LOG, name, line: 1, message: 'the file could not be read; it may be a folder, or gone' }
+        : { ...NO_LOG, message: words, mend: 'Open fewer files together, or smaller ones' }
+      Object.assign(said, { set, files: files.files() })
       files.free()
       return said
     }

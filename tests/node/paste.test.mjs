@@ -1,0 +1,86 @@
+// A pasted system: every line is taken, of no use and named, or a fault with its line.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { readSystem } from '../../web/widgets/own-system/read.js'
+import { dice } from './nonsense.mjs'
+
+const REST = 'H = [1 0]\nV = [1 0; 0 1]\nW = 1'
+const read = (text) => /** @type {any} */ (readSystem(text))
+
+test('an entry given by itself is taken, counted as its brackets say', () => {
+  const half = [
+    [1, 0.5],
+    [0, 1],
+  ]
+  for (const text of [
+    `F = eye(2);\nF(1,2) = 0.5;\n${REST}`,
+    `F = eye(2), F(1, 2) = 1/2\n${REST}`,
+    `F = np.eye(2)\nF[0, 1] = 0.5\n${REST}`,
+    `F = np.eye(2); F[0][1] = .5\n${REST}`,
+    `kf = KalmanFilter(dim_x=2)\nkf.F = np.eye(2)\nkf.F[0, 1] = 0.5\nkf.H = [1 0]\nkf.V = eye(2)\nkf.W = 1`,
+    `>>> F = np.eye(2)\n>>> F[0,1] = 0.5\n${REST}`,
+    `F = eye(2) % the dynamics\n%{\nF(2,1) = 7\n%}\nF(1,2) = 0.5\n${REST}`,
+  ])
+    assert.deepEqual([text, read(text).system?.F], [text, half])
+})
+
+test('what is not understood is a fault with its line, and nothing of the paste is taken', () => {
+  for (const [text, line, fault] of [
+    [`F = eye(2)\nF *= 2\n${REST}`, 2, /“F \*= 2” is not understood/],
+    [`F = eye(2)\n\nF += 2\n${REST}`, 3, /“F \+= 2” is not understood/],
+    [`F = eye(2)\nF(:,1) = 2\n${REST}`, 2, /“F\(:,1\) = 2” is not understood/],
+    [`F = eye(2)\nF(3,1) = 2\n${REST}`, 2, /^F\(3,1\): F is 2 × 2\.$/],
+    [`F = np.eye(2)\nF[0, 2] = 2\n${REST}`, 2, /^F\[0, 2\]: F is 2 × 2\.$/],
+    [`F = np.eye(2)\nF[0, 1] = dt\n${REST}`, 2, /“dt” is not a number/],
+    [`F = np.eye(2)\nF[0, 1] = [1 2]\n${REST}`, 2, /is not understood/],
+    [`F(1,2) = 0.5\nF = eye(2)\n${REST}`, 1, /“F\(1,2\) =” is not understood/],
+    [`F = eye(2)\nF = 2*F\n${REST}`, 2, /F is given twice/],
+    [`F = eye(2)\n${REST}\nfor i = 1:3\nend`, 5, /“for i = 1:3” is not understood/],
+    [`F = eye(2)\n${REST}\nhello`, 5, /“hello” is not understood/],
+    [`F = [1 ...\n 0; 0 1]\n${REST}\nF'`, 6, /“F'” is not understood/],
+    [`/* two\nlines */ F = eye(2)\n${REST}\n! W`, 6, /“! W” is not understood/],
+    [`F = eye(2)\nH = [1 0 0]\nV = eye(2)\nW = 1`, 2, /^H is 1 × 3/],
+    [`F = eye(2)\nB = [0; 1]\n${REST}`, 0, /^B is given and G is not/],
+    [`F = eye(2)\nH = [1 0]\nQ = eye(2)\nR = 1`, 0, /^V, the noise of the motion, is missing\. What is called A/],
+  ]) {
+    const found = read(text)
+    assert.deepEqual([text, found.ok, found.line], [text, false, line], found.fault)
+    assert.match(found.fault, fault)
+  }
+})
+
+test('what is of no use here is named, and what only sets things up is passed over', () => {
+  const text = `import numpy as np\nfrom math import pi\nclear all; clc\ndt = 0.1; x0 = [1; 2]\nF = eye(2)\n${REST}\ndisp(F)`
+  assert.deepEqual([read(text).ok, read(text).unused], [true, ['dt', 'x0']], read(text).fault)
+  const json = '{"name": "cart, by [hand]", "F": [[1]], "notes": {"a": [1, 2]}, "H": [[1]], "V": [[1]], "W": [[1]]}'
+  assert.deepEqual([read(json).ok, read(json).unused], [true, ['name', 'a']], read(json).fault)
+})
+
+test('whatever line is put wherever into a system is taken, named or a fault', () => {
+  const { pick, below } = dice(7)
+  const usual = ['F = eye(2)', 'H = [1 0]', 'V = eye(2)', 'W = 1']
+  const taken = { 'G = [0; 1]': 'G', 'F(1,2) = 3': 'F' }
+  const named = ['dt = 0.1', 'P0 = {1, 2}']
+  const faults = [
+    'F *= 2',
+    'F -= 1',
+    'print F',
+    '7',
+    '= 3',
+    'F(1,2) == 3',
+    'W == 2',
+    'eye(2)',
+    'V(1) = 2',
+    'F[0:1] = 2',
+  ]
+  for (let i = 0; i < 2000; i += 1) {
+    const more = pick([...Object.keys(taken), ...named, ...faults])
+    const at = more === 'F(1,2) = 3' ? 1 + below(usual.length) : below(usual.length + 1)
+    const lines = [...usual.slice(0, at), more, ...usual.slice(at)]
+    const { ok, system, unused, line, fault } = read(lines.join('\n'))
+    if (taken[more])
+      assert.ok(ok && (taken[more] === 'G' ? system.G[1][0] === 1 : system.F[0][1] === 3), lines.join('\n'))
+    else if (named.includes(more)) assert.deepEqual([ok, unused], [true, [more.split(' ')[0]]], lines.join('\n'))
+    else assert.deepEqual([ok, line], [false, at + 1], `${lines.join('\n')}: ${fault}`)
+  }
+})
