@@ -22,6 +22,12 @@ fail() {
   exit 1
 }
 
+# What is built goes into the checkout, and a script that cannot write there would end with a word of mkdir's.
+if ! { mkdir -p target && [ -w target ] && [ -x target ]; } 2>/dev/null; then
+  fail "Nothing can be written into this checkout." \
+    "The scripts put what they build into its folders target and dist: make it writable, or clone it to another place."
+fi
+
 have() { command -v "$1" >/dev/null 2>&1; }
 
 # ── One at a time, and several at once ──

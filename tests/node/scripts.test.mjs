@@ -42,6 +42,19 @@ test('of two scripts under one lock the second waits, and says so', async () => 
   assert.match(both.map(({ said }) => said).join(''), /Waiting for the other to end/)
 })
 
+test('in a checkout that cannot be written to every script says so in a sentence', () => {
+  const folder = path.join(home, 'closed')
+  cpSync(path.join(root, 'scripts'), path.join(folder, 'scripts'), { recursive: true })
+  // Whoever runs the tests may be allowed everything; a file in the folder's place stands in nobody's power.
+  writeFileSync(path.join(folder, 'target'), '')
+  for (const script of ['build', 'test', 'serve']) {
+    const { status, stderr } = spawnSync(path.join(folder, 'scripts', script), [], { encoding: 'utf8' })
+    assert.equal(status, 1, script)
+    assert.match(stderr, /^\n✗ Nothing can be written into this checkout\.\n  The scripts put what they build/, script)
+    assert.doesNotMatch(stderr, /mkdir/)
+  }
+})
+
 test('a lock ends with the script that held it, however it ends', async () => {
   const lock = path.join(home, 'lock-killed')
   const holder = bash(`alone '${lock}' 'the other' exec sleep 60`)

@@ -7,17 +7,46 @@
 const HEIGHT = 'robot-motion:height'
 const THEME = 'robot-motion:theme'
 
+/** How often one height is told, until the reader does something. */
+const MOST_TOLD = 8
+
+/**
+ * Decides which heights are told. Where the page around the frame changes the frame's width for each height, and the
+ * figure its height for each width, the two would go on for ever: from some time on only greater heights are told.
+ */
+export class Heights {
+  constructor() {
+    this.last = 0
+    /** @type {Map<number, number>} */
+    this.told = new Map()
+  }
+
+  /** Whether this height is to be told now. @param {number} height */
+  tells(height) {
+    const times = this.told.get(height) ?? 0
+    if (height === this.last || (times >= MOST_TOLD && height < this.last)) return false
+    this.last = height
+    this.told.set(height, times + 1)
+    return true
+  }
+
+  /** The reader has done something: what changes now may be new. */
+  touched() {
+    this.told.clear()
+  }
+}
+
 /** Tells the page around the frame how high the figure is, whenever that changes. */
 export function tellHeight() {
   if (parent === window) return
   const page = document.documentElement
-  let told = 0
+  const heights = new Heights()
+  for (const kind of ['pointerdown', 'keydown'])
+    addEventListener(kind, () => heights.touched(), { capture: true, passive: true })
   new ResizeObserver(() => {
     const height = Math.ceil(page.getBoundingClientRect().height)
-    if (height === told) return
-    told = height
     // Nothing in it is a secret, and the page around the frame may be anyone's.
-    parent.postMessage({ type: HEIGHT, height }, '*')
+    if (heights.tells(height)) parent.postMessage({ type: HEIGHT, height }, '*')
   }).observe(page)
 }
 
