@@ -19,6 +19,9 @@ export interface KalmanStep {
   x: Vector
   /** P(k+1 | k+1) */
   P: Matrix
+  /** Whether S, P and x are right to 10⁻⁶ of their largest entries, where the belief was; x to that part of the largest
+      standard deviation where this is more. False where the scales of P, V and W are too far apart for doubles. */
+  conditioned: boolean
 }
 export interface KalmanReplay {
   /** x(k | k) after each step, row by row. */
@@ -27,8 +30,10 @@ export interface KalmanReplay {
   variances: Float64Array
   /** P(k | k) after the last step. */
   P: Matrix
-  /** Σ −½(ln det 2πS + νᵀS⁻¹ν) over the steps; null where an S is too near to singular, or the sum too large for a
-      number. */
+  /** Whether S, P and x of every step are right, as in `KalmanStep`. */
+  conditioned: boolean
+  /** Σ −½(ln det 2πS + νᵀS⁻¹ν) over the steps; null where they are not `conditioned`, an S is too near to singular, or
+      the sum too large for a number. */
   logLikelihood: number | null
 }
 export interface Observability {

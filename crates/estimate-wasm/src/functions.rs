@@ -28,8 +28,10 @@ pub fn kalman_step(
 ) -> Result<JsValue, Thrown> {
     let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
     let (u, y) = (Arg::new(u, "u").vector()?, Arg::new(y, "y").vector()?);
-    let kf::KalmanStep { predicted, innovation, s, r, posterior } = kf::kalman_step(&system, &belief, &u, &y)?;
-    let answer = record(&[("predicted", shown_belief(&predicted))]);
+    let step = kf::kalman_step(&system, &belief, &u, &y)?;
+    let conditioned = step.conditioned(&system, &belief);
+    let kf::KalmanStep { predicted, innovation, s, r, posterior, .. } = step;
+    let answer = record(&[("predicted", shown_belief(&predicted)), ("conditioned", conditioned.into())]);
     Arrays::default()
         .vector(innovation.as_slice())
         .matrix(&s)
@@ -54,12 +56,14 @@ pub fn kalman_replay(
     let most = |each: usize| (dynamic::MAX_LOG * each) as u32;
     let inputs = Arg::new(inputs, "inputs").floats(most(MAX_INPUTS))?;
     let readings = Arg::new(readings, "readings").floats(most(MAX_OUTPUTS))?;
-    let Replayed { x, variances, p, log_likelihood } = dynamic::kalman_replay(&system, &belief, &inputs, &readings)?;
+    let replayed = dynamic::kalman_replay(&system, &belief, &inputs, &readings)?;
+    let Replayed { x, variances, p, conditioned, log_likelihood } = replayed;
     let floats = |numbers: &[f64]| Float64Array::from(numbers).into();
     Ok(record(&[
         ("x", floats(&x)),
         ("variances", floats(&variances)),
         ("P", rows(&p)),
+        ("conditioned", conditioned.into()),
         ("logLikelihood", log_likelihood.map_or(JsValue::NULL, JsValue::from_f64)),
     ]))
 }

@@ -68,8 +68,15 @@ impl KalmanFilter {
         self.read(|filter| rows(&filter.belief().p))
     }
 
-    /// Σ −½(ln det 2πS + νᵀS⁻¹ν) over all readings; null where an S was too near to singular, or the sum is too large
-    /// for a number.
+    /// Whether S, P and x of every step so far are right to 10⁻⁶ of their largest entries; x to that part of the largest
+    /// standard deviation where this is more. False once the scales of P, V and W were too far apart for doubles.
+    #[wasm_bindgen(getter)]
+    pub fn conditioned(&self) -> Result<bool, Thrown> {
+        self.0.read(CLASS, Filter::conditioned)
+    }
+
+    /// Σ −½(ln det 2πS + νᵀS⁻¹ν) over all readings; null where they are not `conditioned`, an S was too near to
+    /// singular, or the sum is too large for a number.
     #[wasm_bindgen(getter = logLikelihood, unchecked_return_type = "number | null")]
     pub fn log_likelihood(&self) -> Result<JsValue, Thrown> {
         self.read(|filter| number_or_null(filter.log_likelihood()))

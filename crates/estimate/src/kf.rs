@@ -3,7 +3,7 @@
 use crate::error::{Argument, Code, Error};
 use crate::lti::{Lti, SystemSizes};
 use alloc::format;
-use filters::Sizes;
+use filters::{Conditioning, Sizes, Update};
 pub use filters::{Gaussian, Kf};
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 
@@ -24,6 +24,37 @@ where
     pub r: OMatrix<f64, N, M>,
     /// x̂(k+1 | k+1) and P(k+1 | k+1).
     pub posterior: Gaussian<N>,
+    doubted: bool,
+}
+
+impl<N: Dim, M: Dim> KalmanStep<N, M>
+where
+    DefaultAllocator: Sizes<N, M>,
+{
+    /// Whether S, P and x̂ are right to 10⁻⁶ of their largest entries (x̂ to that part of the largest deviation where
+    /// this is more), with a `belief` whose P is known to the last digits of its entries.
+    /// [`KalmanFilter`](crate::dynamic::KalmanFilter) says it of all steps since its first.
+    pub fn conditioned<U: Dim>(&self, sys: &Lti<N, U, M>, belief: &Gaussian<N>) -> bool
+    where
+        DefaultAllocator: SystemSizes<N, U, M>,
+    {
+        let mut conditioning = Conditioning::of(&belief.p);
+        if self.doubted {
+            self.follow(&mut conditioning, sys, belief);
+        }
+        conditioning.is_well_conditioned()
+    }
+
+    /// Carries `conditioning` from the `belief` over this step.
+    pub fn follow<U: Dim>(&self, conditioning: &mut Conditioning, sys: &Lti<N, U, M>, belief: &Gaussian<N>)
+    where
+        DefaultAllocator: SystemSizes<N, U, M>,
+    {
+        let (s, k, innovation) = (self.s.clone(), self.r.clone(), self.innovation.clone());
+        let update = Update { innovation, s, k, d2: None, doubted: self.doubted };
+        conditioning.predicted(&sys.f, &belief.p, &sys.v, !self.doubted);
+        conditioning.corrected(&self.predicted.p, (&sys.h, &sys.w), &update, &self.posterior);
+    }
 }
 
 /// One Kalman step: the belief is predicted with the input `u` and corrected by the reading `y`.
@@ -53,8 +84,8 @@ where
     let input = Some((&sys.g, u)); // Thrun: (B, u)
     let predicted = belief.predicted(&sys.f, &sys.v, input).map_err(blame)?; // Thrun: A, R
     let (posterior, update) = predicted.corrected(y, &sys.h, &sys.w).map_err(blame)?; // Thrun: z, C, Q
-    let (innovation, s, r) = (update.innovation, update.s, update.k); // Choset: ν, S, R
-    Ok(KalmanStep { predicted, innovation, s, r, posterior })
+    let (innovation, s, r, doubted) = (update.innovation, update.s, update.k, update.doubted); // Choset: ν, S, R
+    Ok(KalmanStep { predicted, innovation, s, r, posterior, doubted })
 }
 // ANCHOR_END: kalman_step
 
@@ -63,7 +94,7 @@ where
 /// # Errors
 /// [`Code::Shape`], naming the argument that does not fit the system.
 #[inline]
-fn fit<N: Dim, U: Dim, M: Dim>(
+pub(crate) fn fit<N: Dim, U: Dim, M: Dim>(
     sys: &Lti<N, U, M>,
     belief: &Gaussian<N>,
     u: &OVector<f64, U>,

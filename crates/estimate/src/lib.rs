@@ -36,6 +36,7 @@ pub mod drive;
 pub mod dynamic;
 mod ekf;
 mod error;
+mod followed;
 pub mod kf;
 mod landmark;
 pub mod landmarks;

@@ -3,7 +3,8 @@
 //! that the density of a whole log is the product of theirs.
 
 use crate::error::{Code, Error};
-use crate::kf::{Gaussian, blame, kalman_step};
+use crate::followed::Followed;
+use crate::kf::{Gaussian, blame, fit};
 use crate::lti::{Lti, SystemSizes};
 use nalgebra::{DefaultAllocator, Dim, Matrix2, OMatrix, OVector, Vector2};
 use numerics::{MIN_PIVOT, Maximum, Spd, maximum};
@@ -45,7 +46,8 @@ pub type Entry<U, M> = (OVector<f64, U>, OVector<f64, M>);
 /// The log-likelihood of a log, Σ −½ (ln det 2πS + νᵀS⁻¹ν) over its steps, from the belief before the first of them.
 ///
 /// # Errors
-/// As [`kalman_step`]; [`Code::InnovationNotPositiveDefinite`] where an S is too near to singular for [`log_density`].
+/// As [`kalman_step`](crate::kf::kalman_step); [`Code::InnovationNotPositiveDefinite`] where an S is too near to singular
+/// for [`log_density`], or rounding has left less than six digits of one.
 ///
 /// # Example
 /// ```
@@ -65,12 +67,14 @@ pub fn log_likelihood<N: Dim, U: Dim, M: Dim>(
 where
     DefaultAllocator: SystemSizes<N, U, M>,
 {
-    let (mut belief, mut sum) = (belief.clone(), 0.0);
+    let (mut followed, mut sum) = (Followed::from(belief.clone()), 0.0);
     for (u, y) in log {
-        let step = kalman_step(system, &belief, u, y)?;
-        sum += log_density(&step.innovation, &step.s)
+        fit(system, &followed, u, y)?;
+        followed.predict(&system.f, &system.v, Some((&system.g, u))).map_err(blame)?;
+        let update = followed.correct(y, &system.h, &system.w).map_err(blame)?;
+        sum += log_density(&update.innovation, &update.s)
+            .filter(|_| followed.conditioned())
             .ok_or_else(|| blame(filters::Error::InnovationNotPositiveDefinite))?;
-        belief = step.posterior;
     }
     Ok(sum)
 }

@@ -15,19 +15,18 @@
 //! | [`MAX_NEGATIVE`] 10⁻¹³ | the largest variance | a covariance that is carried on | accepted | mended |
 //! | [`MAX_ROUNDING`] 5 · 10⁻¹⁴ | the largest variance left | Joseph's form | accepted | mended: from square roots |
 //! | [`MAP_ROUNDING`] 2 · 10⁻¹³ | the largest variance | a large map | accepted unseen | factored, then as that says |
+//! | [`MAX_CANCELLED`] 10⁸ | the smallest variance of S | the terms of S | accepted | looked at closely |
 //! | [`MIN_PIVOT`] 10⁻⁸ | a variance of S | the factor of S | accepted | mended: from square roots |
 //!
 //! Each is so far below the one a caller meets, 10⁻¹², that what a filter answers is always accepted as its next
 //! argument.
-//!
-//! [`MIN_PIVOT`]: numerics::MIN_PIVOT
 
 use crate::error::{Error, Quantity};
 use crate::sizes::Sizes;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DefaultAllocator, Dim, Matrix, OMatrix, RawStorage, RawStorageMut, SquareMatrix};
 use numerics::sqrt;
-use numerics::{Spd, power_of_two, singular_values};
+use numerics::{MIN_PIVOT, Spd, power_of_two, singular_values};
 
 /// A caller's covariance may differ from its transpose by this part of its largest entry.
 pub const SYMMETRY_TOLERANCE: f64 = 1e-9;
@@ -39,6 +38,8 @@ pub const MAX_NEGATIVE: f64 = 1e-13;
 pub const MAX_ROUNDING: f64 = 5e-14;
 /// The rounding that may gather in a large map, as a part of its largest variance, before the map is looked over.
 pub const MAP_ROUNDING: f64 = 2e-13;
+/// So many times a variance of S its terms may be without anybody asking what their rounding has left.
+pub const MAX_CANCELLED: f64 = 1e8;
 
 /// Why a matrix is not accepted as a covariance.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -125,25 +126,29 @@ where
 /// Mends a predicted covariance where its terms cancelled and rounding left an eigenvalue below zero, in this step or
 /// in an earlier one in which it was nothing beside the rest.
 ///
+/// Answers whether it is [`regular`].
+///
 /// # Errors
 /// [`Error::NotFinite`].
 // In line: as a call it would read back from memory what was just computed, a tenth of an EKF step in wasm.
 #[inline(always)]
-pub(crate) fn mend<N: Dim>(predicted: &mut OMatrix<f64, N, N>) -> Result<(), Error>
+pub(crate) fn mend<N: Dim>(predicted: &mut OMatrix<f64, N, N>) -> Result<bool, Error>
 where
     DefaultAllocator: Sizes<N>,
 {
     if !plainly_positive(predicted) {
-        copy(predicted, &doubted(predicted.clone())?);
+        let (mended, regular) = doubted(predicted.clone())?;
+        copy(predicted, &mended);
+        return Ok(regular);
     }
-    Ok(())
+    Ok(true)
 }
 
 /// The rare way of [`mend`]. It takes a copy: a matrix whose address is taken would have to be kept in memory on the
 /// usual way too.
 #[cold]
 #[inline(never)]
-fn doubted<N: Dim>(predicted: OMatrix<f64, N, N>) -> Result<DMatrix<f64>, Error>
+fn doubted<N: Dim>(predicted: OMatrix<f64, N, N>) -> Result<(DMatrix<f64>, bool), Error>
 where
     DefaultAllocator: Sizes<N>,
 {
@@ -151,12 +156,13 @@ where
 }
 
 /// [`mend`], compiled once for all sizes.
-fn mended(predicted: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
+fn mended(predicted: DMatrix<f64>) -> Result<(DMatrix<f64>, bool), Error> {
     let predicted = finite(predicted, Quantity::PredictedCovariance)?;
-    if semidefinite(&predicted) {
-        return Ok(predicted);
+    let regular = regular(&predicted);
+    if regular || semidefinite(&predicted) {
+        return Ok((predicted, regular));
     }
-    Ok(clamped(&predicted).unwrap_or(predicted))
+    Ok((clamped(&predicted).unwrap_or(predicted), false))
 }
 
 /// A copy whose size is known at run time only, for a rare way that is compiled once.
@@ -175,8 +181,8 @@ pub(crate) fn copy<R: Dim, C: Dim>(m: &mut Matrix<f64, R, C, impl RawStorageMut<
     }
 }
 
-/// Whether a matrix of at most four rows is finite and its leading minors are positive, the sign of a positive definite
-/// one. The answer may be false for one whose products leave the range of numbers.
+/// Whether a matrix of at most four rows is finite and its leading minors say that it is regular, as [`regular`] means
+/// it. The answer may be false for one whose products leave the range of numbers.
 ///
 /// The elimination multiplies where [`Spd`] divides, so that a filter's next step does not wait for three divisions in
 /// a row. Its rounding is that of a change in the last digits of the diagonal.
@@ -186,16 +192,28 @@ pub(crate) fn plainly_positive<N: Dim>(p: &SquareMatrix<f64, N, impl RawStorage<
     // What is left of the entry (i, j) once one column is eliminated, and once two are.
     let first = |i: usize, j: usize| p[(0, 0)] * p[(i, j)] - p[(i, 0)] * p[(j, 0)];
     let second = |i: usize, j: usize| first(1, 1) * first(i, j) - first(i, 1) * first(j, 1);
+    // A minor over the one before it is a pivot; in second and third stand powers of those before.
+    let part = |i: usize| MIN_PIVOT * p[(i, i)];
+    let one = || p[(0, 0)] > 0.0;
+    let two = || one() && first(1, 1) > part(1) * p[(0, 0)];
+    let three = |unit: f64| two() && second(2, 2) > part(2) * unit;
     match p.nrows() {
         1 => in_range(p[(0, 0)]),
-        2 => p[(0, 0)] > 0.0 && in_range(first(1, 1)),
-        3 => p[(0, 0)] > 0.0 && first(1, 1) > 0.0 && in_range(second(2, 2)),
+        2 => two() && in_range(first(1, 1)),
+        3 => three(p[(0, 0)] * first(1, 1)) && in_range(second(2, 2)),
         4 => {
+            let unit = p[(0, 0)] * first(1, 1);
             let third = second(2, 2) * second(3, 3) - second(3, 2) * second(3, 2);
-            p[(0, 0)] > 0.0 && first(1, 1) > 0.0 && second(2, 2) > 0.0 && in_range(third)
+            three(unit) && third > part(3) * (unit * second(2, 2)) && in_range(third)
         }
         _ => false,
     }
+}
+
+/// Whether `p` has a factor with no pivot below [`MIN_PIVOT`]: the rounding of its entries is then nothing beside it in
+/// any direction, and stays so whatever a filter does with it.
+pub(crate) fn regular(p: &DMatrix<f64>) -> bool {
+    Spd::new(p.clone()).is_some_and(|factor| factor.pivot() >= MIN_PIVOT)
 }
 
 /// Whether no eigenvalue of `p` lies below zero by more than [`MAX_NEGATIVE`] of its largest variance. Also false when
@@ -240,6 +258,11 @@ pub(crate) fn largest_variance<N: Dim>(p: &SquareMatrix<f64, N, impl RawStorage<
     (0..p.nrows()).fold(0.0, |largest, i| if p[(i, i)] > largest { p[(i, i)] } else { largest })
 }
 
+/// The smallest entry on the diagonal of `s`.
+pub(crate) fn least_variance<M: Dim>(s: &SquareMatrix<f64, M, impl RawStorage<f64, M, M>>) -> f64 {
+    (0..s.nrows()).fold(f64::INFINITY, |least, i| if s[(i, i)] < least { s[(i, i)] } else { least })
+}
+
 /// The largest terms of Joseph's form whose rounding does not show in a `posterior`.
 pub(crate) fn tolerated<N: Dim>(posterior: &SquareMatrix<f64, N, impl RawStorage<f64, N, N>>) -> f64 {
     MAX_ROUNDING / f64::EPSILON * largest_variance(posterior)
@@ -258,6 +281,14 @@ where
     let squares = |sum: f64, e: &f64| sum + e * e;
     let (k, c) = (k.iter().fold(0.0, squares), c.iter().fold(0.0, squares));
     largest_variance(p) * (2.0 + 2.0 * p.nrows() as f64 * k * c)
+}
+
+/// An upper bound on the terms of CΣ̄Cᵀ, in the same way.
+pub(crate) fn bound_on_sums<N: Dim, M: Dim>(p: &OMatrix<f64, N, N>, c: &OMatrix<f64, M, N>) -> f64
+where
+    DefaultAllocator: Sizes<N, M>,
+{
+    largest_variance(p) * (p.nrows() as f64 * c.iter().fold(0.0, |sum, e| sum + e * e))
 }
 
 /// The largest variance that (I − KC) Σ̄ (I − KC)ᵀ would have if nothing cancelled: its rounding is a part of that.

@@ -86,7 +86,8 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
             return Err(Error::NotFinite(Quantity::Mean));
         }
         *self = Self { x, p: gain.p };
-        Ok(Update { innovation: *innovation, s: gain.s, k: gain.k, d2: gain.d2(innovation) })
+        let d2 = gain.d2(innovation);
+        Ok(Update { innovation: *innovation, s: gain.s, k: gain.k, d2, doubted: gain.doubted })
     }
 }
 

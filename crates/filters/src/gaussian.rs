@@ -52,7 +52,8 @@ where
         Ok(belief)
     }
 
-    /// [`predicted`](Self::predicted), in the place of the belief itself; after an error it is as it was.
+    /// [`predicted`](Self::predicted), in the place of the belief itself; after an error it is as it was. Answers whether
+    /// Σ̄ is regular: whether the rounding of its entries is nothing beside it in any direction.
     ///
     /// # Errors
     /// As there.
@@ -63,7 +64,7 @@ where
         a: &OMatrix<f64, N, N>,
         r: &OMatrix<f64, N, N>,
         input: Option<(&OMatrix<f64, N, U>, &Vector<f64, U, S>)>,
-    ) -> Result<(), Error>
+    ) -> Result<bool, Error>
     where
         DefaultAllocator: Allocator<N, U>,
     {
@@ -78,9 +79,9 @@ where
             return Err(Error::NotFinite(Quantity::PredictedMean));
         }
         let mut p = linear::congruence(a, &self.p, r);
-        mend(&mut p)?;
+        let regular = mend(&mut p)?;
         (self.x, self.p) = (x, p);
-        Ok(())
+        Ok(regular)
     }
 
     /// The belief after the reading z = C x + noise of covariance Q: μ = μ̄ + K(z − C μ̄), added in just this order,
@@ -141,9 +142,9 @@ where
         if !is_finite(&x) {
             return Err(Error::NotFinite(Quantity::Mean));
         }
-        let (d2, Gain { k, s, p, .. }) = (gain.d2(&innovation), gain);
+        let (d2, Gain { k, s, p, doubted, .. }) = (gain.d2(&innovation), gain);
         (self.x, self.p) = (x, p);
-        Ok(Update { innovation, s, k, d2 })
+        Ok(Update { innovation, s, k, d2, doubted })
     }
 
     /// The product of two Gaussian densities, which is a Gaussian up to its scale (Theorem 8.2.1): mean z₁ + 𝒬(z₂ − z₁)

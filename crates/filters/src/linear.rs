@@ -3,7 +3,9 @@
 //! Sister volume, chapter 6; the Joseph form after Bucy and Joseph (1968). [`Gaussian`](crate::Gaussian) and
 //! [`Kf`](crate::Kf) put it together.
 
-use crate::covariance::{at_run_time, bound_on_terms, copy, mend, plainly_positive, tolerated};
+use crate::covariance::{
+    MAX_CANCELLED, at_run_time, bound_on_sums, bound_on_terms, copy, least_variance, mend, plainly_positive, tolerated,
+};
 use crate::error::Error;
 use crate::sizes::Sizes;
 use crate::square_root::{self, Correction};
@@ -146,6 +148,8 @@ where
     pub s: OMatrix<f64, M, M>,
     /// The corrected covariance (n×n).
     pub p: OMatrix<f64, N, N>,
+    /// Whether the numbers gave cause to look closer.
+    pub doubted: bool,
     factor: Spd<M>,
 }
 
@@ -210,22 +214,25 @@ where
     // Each entry of K has its square in the diagonal of KQKᵀ: a finite covariance has a finite gain.
     let sound = factor.pivot() >= MIN_PIVOT
         && bound_on_terms(p, &k, c) <= tolerated(&posterior)
+        && bound_on_sums(p, c) <= MAX_CANCELLED * least_variance(&s)
         && plainly_positive(&posterior);
+    let mut doubted = false;
     if !sound {
         let given = (p.clone(), c.clone(), q.clone());
-        let better = doubted(given, factor.pivot(), (s.clone(), k.clone(), posterior.clone()))?;
+        let better = examined(given, factor.pivot(), (s.clone(), k.clone(), posterior.clone()))?;
         copy(&mut s, &better.s);
         copy(&mut k, &better.k);
         copy(&mut posterior, &better.p);
+        doubted = better.doubted;
     }
-    Ok(Gain { k, s, p: posterior, factor })
+    Ok(Gain { k, s, p: posterior, doubted, factor })
 }
 
 /// The rare way of [`gain`], compiled once for all sizes. It takes copies: a matrix whose address is taken would have
 /// to be kept in memory on the usual way too.
 #[cold]
 #[inline(never)]
-fn doubted<N: Dim, M: Dim>(
+fn examined<N: Dim, M: Dim>(
     (p, c, q): (OMatrix<f64, N, N>, OMatrix<f64, M, N>, OMatrix<f64, M, M>),
     pivot: f64,
     (s, k, posterior): (OMatrix<f64, M, M>, OMatrix<f64, N, M>, OMatrix<f64, N, N>),
@@ -233,7 +240,7 @@ fn doubted<N: Dim, M: Dim>(
 where
     DefaultAllocator: Sizes<N, M>,
 {
-    let found = Correction { s: at_run_time(&s), k: at_run_time(&k), p: at_run_time(&posterior) };
+    let found = Correction { s: at_run_time(&s), k: at_run_time(&k), p: at_run_time(&posterior), doubted: true };
     square_root::examined([at_run_time(&p), at_run_time(&c), at_run_time(&q)], pivot, found)
 }
 

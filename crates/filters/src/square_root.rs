@@ -12,13 +12,13 @@
 //! square roots (Kaminski, Bryson and Schmidt 1971; Anderson and Moore, Optimal Filtering, §6.5).
 
 use crate::covariance::{
-    SEMIDEFINITE_TOLERANCE, bound_on_terms, finite, largest_terms, positive_when_raised, semidefinite, tolerated,
+    MAX_CANCELLED, SEMIDEFINITE_TOLERANCE, bound_on_sums, bound_on_terms, finite, largest_terms, largest_variance,
+    least_variance, positive_when_raised, regular, semidefinite, tolerated,
 };
 use crate::error::{Error, Quantity};
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector};
-use numerics::sqrt;
-use numerics::{MIN_PIVOT, Singular, Spd, singular_values};
+use numerics::{MIN_PIVOT, Singular, Spd, power_of_two, singular_values, sqrt};
 
 /// The smallest |Sᵢᵢ^{½}| relative to its column that still leaves six digits of the answer.
 const MIN_ROOT_PIVOT: f64 = 1e-10;
@@ -31,6 +31,8 @@ pub(crate) struct Correction {
     pub k: DMatrix<f64>,
     /// Σ, n×n.
     pub p: DMatrix<f64>,
+    /// Whether a closer look has left a doubt.
+    pub doubted: bool,
 }
 
 /// The correction `found` from (Σ̄, C, Q) when a closer look shows that its rounding does not matter, and otherwise the
@@ -38,12 +40,14 @@ pub(crate) struct Correction {
 pub(crate) fn examined([p, c, q]: [DMatrix<f64>; 3], pivot: f64, found: Correction) -> Result<Correction, Error> {
     let most = tolerated(&found.p);
     let small = || bound_on_terms(&p, &found.k, &c) <= most || largest_terms(&p, &found.k, &c) <= most;
-    if pivot >= MIN_PIVOT && small() && semidefinite(&found.p) {
-        return Ok(found);
+    let regular = regular(&found.p);
+    if pivot >= MIN_PIVOT && small() && (regular || semidefinite(&found.p)) {
+        let kept = bound_on_sums(&p, &c) <= MAX_CANCELLED * least_variance(&found.s);
+        return Ok(Correction { doubted: !(regular && kept), ..found });
     }
     finite(found.s, Quantity::InnovationCovariance)?;
-    let Correction { s, k, p } = correction(&p, &c, &q)?;
-    Ok(Correction { s, k: finite(k, Quantity::Gain)?, p: finite(p, Quantity::Covariance)? })
+    let Correction { s, k, p, doubted } = correction(&p, &c, &q)?;
+    Ok(Correction { s, k: finite(k, Quantity::Gain)?, p: finite(p, Quantity::Covariance)?, doubted })
 }
 
 /// S, gain and corrected covariance for the predicted covariance `p`; see [`crate::linear::gain`].
@@ -56,7 +60,7 @@ fn correction(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<Co
     array.view_mut((0, 0), (m, m)).copy_from(&root_q.transpose());
     array.view_mut((m, 0), (n, m)).copy_from(&(c * &root_p).transpose());
     array.view_mut((m, m), (n, n)).copy_from(&root_p.transpose());
-    let r = largest_rows_first(&array).qr().r();
+    let r = triangle(array);
 
     let root_s = r.view((0, 0), (m, m));
     for i in 0..m {
@@ -68,19 +72,34 @@ fn correction(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<Co
     }
     let kt = root_s.solve_upper_triangular(&r.view((0, m), (m, n))).ok_or(Error::InnovationNotPositiveDefinite)?;
     let root_posterior = r.view((m, m), (n, n));
-    Ok(Correction { s: root_s.transpose() * root_s, k: kt.transpose(), p: root_posterior.transpose() * root_posterior })
+    let (s, p) = (root_s.transpose() * root_s, root_posterior.transpose() * root_posterior);
+    Ok(Correction { s, k: kt.transpose(), p, doubted: true })
 }
 
-/// The rows of `m` by decreasing largest entry. Reflections keep the digits of small rows only below the large ones
-/// (Powell and Reid 1969), and the triangle they leave does not depend on the order.
-fn largest_rows_first(m: &DMatrix<f64>) -> DMatrix<f64> {
-    let size = |i: usize| m.row(i).amax();
-    let mut order: Vec<usize> = Vec::with_capacity(m.nrows());
-    for i in 0..m.nrows() {
-        let at = order.iter().position(|&j| size(i) > size(j)).unwrap_or(order.len());
-        order.insert(at, i);
+/// The upper triangle R with RᵀR = `m`ᵀ`m`, by reflections that each begin at the largest entry of their column. So the
+/// digits of small rows are kept beside large ones (Powell and Reid 1969), also where a large row has nothing in the
+/// first columns. Neither the order of the rows nor their signs matter to RᵀR.
+fn triangle(mut m: DMatrix<f64>) -> DMatrix<f64> {
+    let (rows, columns) = m.shape();
+    for j in 0..columns {
+        let largest = (j..rows).fold(j, |at, i| if m[(i, j)].abs() > m[(at, j)].abs() { i } else { at });
+        m.swap_rows(j, largest);
+        let pivot = m[(j, j)];
+        if pivot == 0.0 {
+            continue;
+        }
+        // In units of the pivot: no square leaves the range of numbers.
+        let mut v: Vec<f64> = (j..rows).map(|i| m[(i, j)] / pivot).collect();
+        let length = sqrt(v.iter().map(|e| e * e).sum::<f64>());
+        v[0] += length;
+        for k in j + 1..columns {
+            let along = v.iter().zip(j..).map(|(e, i)| e * m[(i, k)]).sum::<f64>() / (length * v[0]);
+            v.iter().zip(j..).for_each(|(e, i)| m[(i, k)] -= along * e);
+        }
+        m[(j, j)] = -length * pivot;
+        (j + 1..rows).for_each(|i| m[(i, j)] = 0.0);
     }
-    DMatrix::from_fn(m.nrows(), m.ncols(), |i, j| m[(order[i], j)])
+    m
 }
 
 /// A matrix L with LLᵀ = `s`, for a positive semidefinite `s`: Cholesky's, or where that meets a zero pivot the one
@@ -90,13 +109,22 @@ fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     if let Some(factor) = Spd::new(s.clone()) {
         return Ok(factor.root());
     }
-    // Of a semidefinite matrix the singular values are the eigenvalues.
-    let found = singular_values(s.clone()).map_err(|_| Error::InnovationNotPositiveDefinite)?;
-    let Singular { values: sizes, directions } = found;
-    if sizes[0] > 0.0 && !positive_when_raised(&s, SEMIDEFINITE_TOLERANCE * sizes[0]) {
-        return Err(Error::InnovationNotPositiveDefinite);
+    // In units in which each variance is about 1 a small one is known as well as a large one. Where these units show a
+    // negative eigenvalue it is rounding beside the largest variance, or no covariance.
+    let n = s.nrows();
+    let largest = power_of_two(sqrt(largest_variance(&s)));
+    let own = |i: usize| if s[(i, i)] > 0.0 { power_of_two(sqrt(s[(i, i)])) } else { largest };
+    for unit in [DVector::from_fn(n, |i, _| own(i)), DVector::repeat(n, largest)] {
+        let scaled = DMatrix::from_fn(n, n, |i, j| s[(i, j)] / unit[i] / unit[j]);
+        // Of a semidefinite matrix the singular values are the eigenvalues.
+        let found = singular_values(scaled.clone()).map_err(|_| Error::InnovationNotPositiveDefinite)?;
+        let Singular { values: sizes, directions } = found;
+        if sizes[0] == 0.0 || positive_when_raised(&scaled, SEMIDEFINITE_TOLERANCE * sizes[0]) {
+            let roots = DMatrix::from_diagonal(&DVector::from_vec(sizes).map(sqrt));
+            return Ok(DMatrix::from_diagonal(&unit) * directions * roots);
+        }
     }
-    Ok(directions * DMatrix::from_diagonal(&DVector::from_vec(sizes).map(sqrt)))
+    Err(Error::InnovationNotPositiveDefinite)
 }
 
 #[cfg(test)]
@@ -142,7 +170,7 @@ mod tests {
         let w = dmatrix![1.0];
         let stays = |product: f64, pivot: f64, mark: &DMatrix<f64>| {
             let given = [one.clone(), read.clone(), w.clone()];
-            let found = Correction { s: dmatrix![2.0], k: dmatrix![product; 0.0], p: mark.clone() };
+            let found = Correction { s: dmatrix![2.0], k: dmatrix![product; 0.0], p: mark.clone(), doubted: true };
             let p = examined(given, pivot, found).expect("regular").p;
             let recomputed = (&p - dmatrix![0.5, 0.0; 0.0, 1.0]).amax() < 1e-15;
             assert!(recomputed || p == *mark, "{p}");

@@ -6,8 +6,8 @@ use crate::manifold::State;
 use crate::model::{MeasurementModel, MotionModel};
 use crate::update::Update;
 use nalgebra::{Const, SMatrix, SVector};
-use numerics::Spd;
 use numerics::sqrt;
+use numerics::{MIN_PIVOT, Spd};
 
 /// Where the sigma points lie and what they weigh. The answer depends on this choice, so a result should name it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -160,7 +160,8 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         }
         let p = finite(symmetric(self.p - k * s * k.transpose()), Quantity::Covariance)?;
         (self.x, self.p) = (x, p);
-        Ok(Update { innovation, s, k, d2: Some(d2).filter(|d2| d2.is_finite()) })
+        let doubted = spd.pivot() < MIN_PIVOT;
+        Ok(Update { innovation, s, k, d2: Some(d2).filter(|d2| d2.is_finite()), doubted })
     }
 }
 

@@ -17,4 +17,7 @@ where
     pub k: OMatrix<f64, N, M>,
     /// d² = νᵀS⁻¹ν; `None` where S is singular to working accuracy, or d² too large for a number.
     pub d2: Option<f64>,
+    /// Whether the numbers of the step gave cause to look closer, and perhaps to compute it anew from square roots;
+    /// [`Conditioning`](crate::Conditioning) says whether that was enough.
+    pub doubted: bool,
 }

@@ -13,7 +13,7 @@ use directions::readable;
 use estimate::dynamic::Belief;
 use estimate::kf::kalman_step;
 use estimate::{Error, Observer, Reachability, RiccatiLimit, validate};
-use filters::linear;
+use filters::{Conditioning, linear};
 use lab::{Digest, Lab, Params, kept, named};
 use nalgebra::{DMatrix, DVector};
 use sim::Noise;
@@ -34,6 +34,7 @@ pub struct OwnSystem {
     diverged: bool,
     truth: DVector<f64>,
     filter: Belief,
+    conditioning: Conditioning,
     estimate: Belief,
     filter_gain: Option<DMatrix<f64>>,
     reading: Option<DVector<f64>>,
@@ -64,6 +65,7 @@ impl Lab for OwnSystem {
             step: 0,
             diverged: false,
             truth,
+            conditioning: Conditioning::of(&belief.p),
             filter: belief.clone(),
             estimate: belief,
             filter_gain: None,
@@ -115,6 +117,7 @@ impl Lab for OwnSystem {
             return self.stop();
         }
         self.truth = truth;
+        filter.follow(&mut self.conditioning, system, &self.filter);
         self.filter = filter.posterior;
         self.estimate = estimate;
         self.filter_gain = Some(filter.r);
@@ -151,6 +154,7 @@ impl Lab for OwnSystem {
             movable: self.known.movable.count() as u32,
             placed: self.known.placed,
             diverged: self.diverged,
+            conditioned: self.conditioning.is_well_conditioned(),
             truth: self.truth.iter().copied().collect(),
             estimate: self.estimate.x.iter().copied().collect(),
             p: rows(&self.estimate.p),

@@ -7,7 +7,14 @@ import { sumsOf } from './names.js'
 
 /** @param {Frame} frame */
 export function verdict(frame) {
-  return [seen(frame), dies(frame), reached(frame), limit(frame), stability(frame)].filter(Boolean).join(' ')
+  return [lost(frame), seen(frame), dies(frame), reached(frame), limit(frame), stability(frame)].filter(Boolean).join(' ')
+}
+
+/** @param {Frame} frame */
+function lost({ conditioned }) {
+  return conditioned
+    ? ''
+    : 'The filter’s numbers have lost their digits: P of the start, V and W lie too many powers of ten apart.'
 }
 
 /** @param {Frame} frame */

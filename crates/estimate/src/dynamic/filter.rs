@@ -3,6 +3,7 @@
 
 use super::{Belief, System};
 use crate::error::Error;
+use crate::followed::Followed;
 use crate::kf::belief_fits;
 use crate::likelihood::log_density;
 use crate::lti::{Lti, SystemSizes};
@@ -131,8 +132,14 @@ impl KalmanFilter {
         Gaussian { x: DVector::from_column_slice(self.x()), p }
     }
 
-    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over all readings; nothing where [`log_density`] had no answer at one of them, or the
-    /// sum is too large for a number.
+    /// Whether S and P of every step so far are right to 10⁻⁶ of their largest entries. They are not where a reading takes
+    /// away variances so large that their rounding is more than what is left, as after a prior of 10¹⁴ with W of 10⁻¹⁰.
+    pub fn conditioned(&self) -> bool {
+        each!(&self.0, filter => filter.belief.conditioned())
+    }
+
+    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over all readings; nothing where the filter is not [`conditioned`](Self::conditioned),
+    /// [`log_density`] had no answer at one of them, or the sum is too large for a number.
     pub fn log_likelihood(&self) -> Option<f64> {
         each!(&self.0, filter => filter.log_likelihood)
     }
@@ -151,7 +158,7 @@ where
     DefaultAllocator: SystemSizes<N, Dyn, M>,
 {
     system: Lti<N, Dyn, M>,
-    belief: Gaussian<N>,
+    belief: Followed<N>,
     log_likelihood: Option<f64>,
     nis: Option<f64>,
 }
@@ -170,7 +177,7 @@ where
             w: sized(p, p, system.w.as_slice()),
         };
         let belief = Gaussian { x: sized(n, U1, belief.x.as_slice()), p: sized(n, n, belief.p.as_slice()) };
-        Self { system, belief, log_likelihood: Some(0.0), nis: None }
+        Self { system, belief: belief.into(), log_likelihood: Some(0.0), nis: None }
     }
 
     // In wasm a half is one function, in a step too: in line it would weigh twice, and be hardly quicker.
@@ -223,7 +230,7 @@ where
     fn note(&mut self, update: &Update<N, M>) {
         let density = log_density(&update.innovation, &update.s);
         let sum = self.log_likelihood.zip(density).map(|(sum, density)| sum + density);
-        self.log_likelihood = sum.filter(|sum| sum.is_finite());
+        self.log_likelihood = sum.filter(|sum| sum.is_finite() && self.belief.conditioned());
         self.nis = update.d2;
     }
 }

@@ -21,8 +21,9 @@ pub struct Replayed {
     pub variances: Vec<f64>,
     /// P(k | k) after the last step, n×n.
     pub p: DMatrix<f64>,
-    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over the steps; nothing where [`log_density`](crate::likelihood::log_density) has no
-    /// answer at one of them.
+    /// Whether S and P of every step are right, as [`KalmanFilter::conditioned`] says it.
+    pub conditioned: bool,
+    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over the steps, as [`KalmanFilter::log_likelihood`] answers it.
     pub log_likelihood: Option<f64>,
 }
 
@@ -48,7 +49,8 @@ pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings:
     rows(inputs, (steps, m), "inputs")?;
     let mut filter = KalmanFilter::new(system, belief)?;
     let (x, variances) = filter.replay(inputs, readings).map_err(|(e, k)| at_step(e, k))?;
-    Ok(Replayed { x, variances, p: filter.belief().p, log_likelihood: filter.log_likelihood() })
+    let (conditioned, log_likelihood) = (filter.conditioned(), filter.log_likelihood());
+    Ok(Replayed { x, variances, p: filter.belief().p, conditioned, log_likelihood })
 }
 
 /// # Errors

@@ -50,6 +50,8 @@ record! {
         pub placed: Option<bool>,
         /// Whether the run has left every bound and stands still.
         pub diverged: bool,
+        /// Whether the filter's numbers since the start are right to six digits.
+        pub conditioned: bool,
         /// The true state.
         pub truth: Vec<f64>,
         /// The estimate, x̂(k | k).

@@ -7,7 +7,8 @@ fn log_of(system: &System, belief: &Belief) -> (Vec<f64>, Vec<f64>, Replayed) {
     let (m, p, steps) = (system.g.ncols(), system.h.nrows(), 60);
     let wave = |a: f64, count: usize| (0..count).map(|i| libm::sin(a * i as f64)).collect::<Vec<_>>();
     let (inputs, readings) = (wave(0.3, steps * m), wave(1.7, steps * p));
-    let mut there = Replayed { x: vec![], variances: vec![], p: belief.p.clone(), log_likelihood: Some(0.0) };
+    let mut there =
+        Replayed { x: vec![], variances: vec![], p: belief.p.clone(), conditioned: true, log_likelihood: Some(0.0) };
     let mut belief = belief.clone();
     for k in 0..steps {
         let (u, y) = (&inputs[k * m..(k + 1) * m], &readings[k * p..(k + 1) * p]);

@@ -1,0 +1,80 @@
+//! A belief that is carried from step to step, with what rounding may have left in it.
+
+use core::ops::Deref;
+use filters::{Conditioning, Error, Gaussian, Sizes, Update};
+use nalgebra::allocator::Allocator;
+use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector, Storage, Vector};
+
+/// A belief, followed since the filter began.
+#[derive(Clone, Debug)]
+pub(crate) struct Followed<N: Dim>
+where
+    DefaultAllocator: Sizes<N>,
+{
+    belief: Gaussian<N>,
+    conditioning: Conditioning,
+}
+
+impl<N: Dim> From<Gaussian<N>> for Followed<N>
+where
+    DefaultAllocator: Sizes<N>,
+{
+    fn from(belief: Gaussian<N>) -> Self {
+        Self { belief, conditioning: Conditioning::default() }
+    }
+}
+
+impl<N: Dim> Deref for Followed<N>
+where
+    DefaultAllocator: Sizes<N>,
+{
+    type Target = Gaussian<N>;
+
+    fn deref(&self) -> &Gaussian<N> {
+        &self.belief
+    }
+}
+
+impl<N: Dim> Followed<N>
+where
+    DefaultAllocator: Sizes<N>,
+{
+    /// Whether S and P have been right so far.
+    pub fn conditioned(&self) -> bool {
+        self.conditioning.is_well_conditioned()
+    }
+
+    /// [`Gaussian::predict`].
+    #[inline(always)]
+    pub fn predict<U: Dim, S: Storage<f64, U>>(
+        &mut self,
+        f: &OMatrix<f64, N, N>,
+        v: &OMatrix<f64, N, N>,
+        input: Option<(&OMatrix<f64, N, U>, &Vector<f64, U, S>)>,
+    ) -> Result<(), Error>
+    where
+        DefaultAllocator: Allocator<N, U>,
+    {
+        let before = self.belief.p.clone();
+        let regular = self.belief.predict(f, v, input)?;
+        self.conditioning.predicted(f, &before, v, regular);
+        Ok(())
+    }
+
+    /// [`Gaussian::correct`].
+    #[inline(always)]
+    pub fn correct<M: Dim>(
+        &mut self,
+        y: &OVector<f64, M>,
+        h: &OMatrix<f64, M, N>,
+        w: &OMatrix<f64, M, M>,
+    ) -> Result<Update<N, M>, Error>
+    where
+        DefaultAllocator: Sizes<N, M>,
+    {
+        let before = self.belief.p.clone();
+        let update = self.belief.correct(y, h, w)?;
+        self.conditioning.corrected(&before, (h, w), &update, &self.belief);
+        Ok(update)
+    }
+}
