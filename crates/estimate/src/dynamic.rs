@@ -4,11 +4,13 @@
 //! that every argument is checked and the culprit named.
 
 mod analysis;
+mod continuous;
 mod feet;
 mod filter;
 mod replay;
 
 pub use analysis::{detectability, movable, noise_input, noise_reach, riccati_limit, stabilizability};
+pub use continuous::{Continuous, Discrete};
 pub use feet::{euclidean_foot, mahalanobis_foot, most_likely_output};
 pub use filter::KalmanFilter;
 pub use replay::{MAX_LOG, Replayed, kalman_replay};

@@ -6,6 +6,7 @@ use crate::rail::{dead_reckoning, position_sensor};
 use crate::validate::belief as belief_from;
 use nalgebra::{SMatrix, U1, U2, Vector1, dmatrix, dvector};
 
+mod continuous;
 mod filter;
 mod replay;
 
