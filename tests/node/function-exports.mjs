@@ -49,6 +49,14 @@ export const FUNCTIONS = {
     },
     covariances: (answer) => [answer.P],
   },
+  discretize: {
+    args(dice) {
+      const { n, m } = sizes(dice)
+      const dt = dice.pick([0, 1e-12, 0.1, dice.uniform(), 10 ** (18 * dice.uniform() - 9)])
+      return [{ A: matrix(n, n, dice), B: matrix(n, m, dice), Q: covariance(n, dice) }, dt]
+    },
+    covariances: (answer) => [answer.V],
+  },
   observerStep: {
     args(dice) {
       const size = sizes(dice)

@@ -6,6 +6,18 @@ export interface System {
   V: Matrix
   W: Matrix
 }
+/** x' = A x + B u + noise, which over a short time h adds Q h to the covariance; at most 16 states, 8 inputs. */
+export interface ContinuousSystem {
+  A: Matrix
+  B: Matrix
+  Q: Matrix
+}
+/** x(t + dt) = F x(t) + G u + v, Cov v = V, for an input that is held. */
+export interface DiscreteSystem {
+  F: Matrix
+  G: Matrix
+  V: Matrix
+}
 export interface KalmanStep {
   /** x(k+1 | k), P(k+1 | k) */
   predicted: Belief

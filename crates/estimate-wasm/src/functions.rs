@@ -3,7 +3,7 @@
 use crate::decode::Arg;
 use crate::encode::{Arrays, list, record, rows, shown};
 use crate::errors::Thrown;
-use estimate::dynamic::{self, Belief, Replayed, System};
+use estimate::dynamic::{self, Belief, Continuous, Discrete, Replayed, System};
 use estimate::validate::{self, MAX_INPUTS, MAX_OUTPUTS};
 use estimate::{Complex, Error, kf};
 use js_sys::{Array, Float64Array};
@@ -66,6 +66,19 @@ pub fn kalman_replay(
         ("conditioned", conditioned.into()),
         ("logLikelihood", log_likelihood.map_or(JsValue::NULL, JsValue::from_f64)),
     ]))
+}
+
+/// What a system in continuous time, x' = A x + B u + noise of density Q, is over `dt` seconds, zero or more: F = e^{A dt},
+/// G = ∫ e^{As} B ds, V = ∫ e^{As} Q e^{Aᵀs} ds. At most 16 states and 8 inputs.
+#[wasm_bindgen(unchecked_return_type = "DiscreteSystem")]
+pub fn discretize(
+    #[wasm_bindgen(unchecked_param_type = "ContinuousSystem")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "number")] dt: &JsValue,
+) -> Result<JsValue, Thrown> {
+    let Discrete { f, g, v } = continuous_of(system)?.discretize(Arg::new(dt, "dt").number()?)?;
+    let answer = record(&[]);
+    Arrays::default().matrix(&f).matrix(&g).matrix(&v).put(&answer, &["F", "G", "V"]);
+    Ok(answer)
 }
 
 /// One step of the observer with the fixed gain `K`: F x + G u + K (y − H (F x + G u)).
@@ -232,6 +245,18 @@ pub(crate) fn system_of(value: &JsValue) -> Result<System, Error> {
         ),
     };
     System::new(f, g, h, v, w).map_err(|e| e.within("system"))
+}
+
+/// `{ A, B, Q }`.
+pub(crate) fn continuous_of(value: &JsValue) -> Result<Continuous, Error> {
+    let arg = Arg::new(value, "system");
+    let plain =
+        arg.plain_fields(&["A", "B", "Q"], |arrays| Some((arrays.matrix()?, arrays.matrix()?, arrays.matrix()?)));
+    let (a, b, q) = match plain {
+        Some(matrices) => matrices,
+        None => (arg.field("A")?.tall()?, arg.field("B")?.wide()?, arg.field("Q")?.matrix()?),
+    };
+    Continuous::new(a, b, q).map_err(|e| e.within("system"))
 }
 
 /// `{ x, P }`.
