@@ -29,7 +29,8 @@ pub struct Discrete {
     pub f: DMatrix<f64>,
     /// G = ∫ e^{As} B ds from 0 to dt, n×m. Thrun B.
     pub g: DMatrix<f64>,
-    /// V = ∫ e^{As} Q e^{Aᵀs} ds from 0 to dt, n×n, exactly symmetric. Thrun R.
+    /// V = ∫ e^{As} Q e^{Aᵀs} ds from 0 to dt, n×n, exactly symmetric; 0 where its largest entry is no normal number.
+    /// Thrun R.
     pub v: DMatrix<f64>,
 }
 
@@ -87,7 +88,12 @@ impl Continuous {
         for _ in 0..doublings {
             span = span.doubled()?;
         }
-        Ok(span.finite()?.discrete)
+        let mut discrete = span.finite()?.discrete;
+        // Below the normal numbers the entries are rounded so coarsely that they need not be a covariance.
+        if discrete.v.amax() < f64::MIN_POSITIVE {
+            discrete.v.fill(0.0);
+        }
+        Ok(discrete)
     }
 
     /// How often `dt` is halved until the series may be summed: until ‖A‖h is at most a quarter, or not at all where

@@ -129,7 +129,7 @@ fn rates_and_spans_at_the_ends_of_the_range_have_answers_or_are_refused() {
     };
     let (f, g, v) = one(-1.0, 1e308).expect("it decays");
     assert!(f == 0.0 && (g - 1.0).abs() < 1e-15 && (v - 1.0).abs() < 1e-15, "{g} {v}");
-    assert_eq!(one(-1.0, 5e-324), Ok((1.0, 5e-324, 1e-323)));
+    assert_eq!(one(-1.0, 5e-324), Ok((1.0, 5e-324, 0.0)));
     assert_eq!(one(0.0, 1e307), Ok((1.0, 1e307, 2e307)));
     let (f, g, v) = one(-1e307, 1e9).expect("it decays");
     assert!(f == 0.0 && (g * 1e307 - 1.0).abs() < 1e-12 && (v * 1e307 - 1.0).abs() < 1e-12, "{g} {v}");
