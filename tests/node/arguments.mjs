@@ -7,6 +7,12 @@ export const matrix = (rows, columns, dice) => Array.from({ length: rows }, () =
 /** A vector as a program may hand it over. */
 export const row = (n, dice) => (dice.uniform() < 0.5 ? vector(n, dice) : Float64Array.from(vector(n, dice)))
 
+/** A reading as a program may hand it over: now and then a part of it is missing, or every part. */
+export function reading(n, dice) {
+  if (dice.uniform() < 0.7) return row(n, dice)
+  return vector(n, dice).map((part) => (dice.uniform() < 0.5 ? part : null))
+}
+
 export function sizes(dice) {
   return { n: 1 + dice.below(4), p: 1 + dice.below(2), m: 1 + dice.below(2) }
 }

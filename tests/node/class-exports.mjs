@@ -1,7 +1,7 @@
 // What the fuzz test knows of each exported class: how to make an object, what it can be told, and where it shows a
 // covariance.
 import { FIGURES } from '../../target/figures.js'
-import { row, sizes, system, vector } from './arguments.mjs'
+import { reading, row, sizes, system, vector } from './arguments.mjs'
 import { logClasses } from './log-exports.mjs'
 import { covariance } from './nonsense.mjs'
 
@@ -44,8 +44,8 @@ export const CLASSES = {
     },
     methods: {
       predict: (dice, _, _it, [{ G }]) => [row(G[0].length, dice)],
-      update: (dice, _, _it, [{ H }]) => [row(H.length, dice)],
-      step: (dice, _, _it, [{ G, H }]) => [row(G[0].length, dice), row(H.length, dice)],
+      update: (dice, _, _it, [{ H }]) => [reading(H.length, dice)],
+      step: (dice, _, _it, [{ G, H }]) => [row(G[0].length, dice), reading(H.length, dice)],
     },
     look: ({ x, P, logLikelihood, nis }) => [x, P, logLikelihood, nis],
     covariances: (it) => [it.P],

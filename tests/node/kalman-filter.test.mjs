@@ -163,3 +163,28 @@ test('a getter that calls back into the filter finds it whole, and a typed array
   twin.predict([0.1])
   assert.deepEqual([filter.x, filter.P], [twin.x, twin.P])
 })
+
+test('a part of a reading that is null was not read', () => {
+  const first = { ...both, H: [both.H[0]], W: [[both.W[0][0]]] }
+  const second = { ...both, H: [both.H[1]], W: [[both.W[1][1]]] }
+  for (const [narrow, y, whole] of [
+    [first, [2.5], [2.5, null]],
+    [second, [3], [null, 3]],
+  ]) {
+    const [alone, partly] = [new core.KalmanFilter(narrow, belief), new core.KalmanFilter(both, belief)]
+    alone.step([0.1], y)
+    partly.step([0.1], whole)
+    assert.deepEqual([partly.x, partly.P], [alone.x, alone.P])
+    assert.deepEqual([partly.nis, partly.logLikelihood], [alone.nis, alone.logLikelihood])
+    const { x, P, logLikelihood } = partly
+    partly.update([null, null])
+    assert.deepEqual([partly.x, partly.P, partly.nis, partly.logLikelihood], [x, P, null, logLikelihood])
+    refused(() => partly.update([null]), 'shape', 'y')
+    refused(() => partly.update(null), 'type', 'y')
+    refused(() => partly.update([undefined, 1]), 'type', 'y[0]')
+    refused(() => partly.update([null, NaN]), 'not-finite', 'y')
+    refused(() => partly.predict([null]), 'type', 'u[0]')
+    alone.free()
+    partly.free()
+  }
+})

@@ -39,6 +39,8 @@ extern "C" {
 mod matrix;
 #[cfg(feature = "functions")]
 mod plain;
+#[cfg(feature = "functions")]
+pub(crate) use plain::Reading;
 
 /// Where in a call's arguments a value was found; spelt out for an error only.
 #[derive(Clone, Copy)]
@@ -187,14 +189,8 @@ impl<'a> Arg<'a> {
         self.object()?;
         let path = Path::Field(&self.path, name);
         let name = crate::names::name(name);
-        let read = || match get(&self.value, name)? {
-            Some(value) => Ok(value),
-            // Null or undefined: the description of a field tells which. That of a getter does not, and counts as
-            // undefined.
-            None => descriptor(&self.value, name)?
-                .map_or(Ok(JsValue::UNDEFINED), |it| js_sys::Reflect::get(&it, self::name("value"))),
-        };
-        let value = read()
+        let value = get(&self.value, name)
+            .and_then(|found| found.map_or_else(|| self.nothing(name), Ok))
             .map_err(|_: JsValue| Error::new(Code::Type, path.to_string(), "could not be read: reading it threw"))?;
         Ok(Arg::found(value, path))
     }
@@ -261,8 +257,15 @@ impl<'a> Arg<'a> {
 
     /// An entry of an array, whose length is not asked for again: a proxy may answer another.
     fn entry(&self, i: u32) -> Result<Arg<'_>, Error> {
-        let value = get_entry(&self.value, i).map_err(|_| self.unreadable())?;
-        Ok(Arg::found(value.unwrap_or_default(), Path::Item(&self.path, i)))
+        let value = get_entry(&self.value, i).and_then(|found| found.map_or_else(|| self.nothing(&i.into()), Ok));
+        Ok(Arg::found(value.map_err(|_| self.unreadable())?, Path::Item(&self.path, i)))
+    }
+
+    /// What reading answered nothing of, null or undefined: the description of a field tells which. That of a getter
+    /// does not, and counts as undefined.
+    #[cold]
+    fn nothing(&self, key: &JsValue) -> Result<JsValue, JsValue> {
+        descriptor(&self.value, key)?.map_or(Ok(JsValue::UNDEFINED), |it| js_sys::Reflect::get(&it, name("value")))
     }
 
     fn unreadable(&self) -> Error {

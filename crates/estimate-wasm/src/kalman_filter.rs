@@ -1,6 +1,6 @@
 //! The linear Kalman filter's class, for programs that filter as they read.
 
-use crate::decode::Arg;
+use crate::decode::{Arg, Reading};
 use crate::encode::{list, rows};
 use crate::errors::Thrown;
 use crate::functions::{belief_of, system_of};
@@ -37,23 +37,31 @@ impl KalmanFilter {
         self.0.write(CLASS, |filter: &mut Filter| filter.predict(&u))
     }
 
-    /// Corrects the belief by the reading `y`.
+    /// Corrects the belief by the reading `y`. A part of it that is null was not read: its row of H, and its row and
+    /// column of W, are left aside. Where all are null nothing was read, and `nis` is null.
     pub fn update(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "PartialVector | Float64Array")] y: &JsValue,
     ) -> Result<(), Thrown> {
-        let y = Arg::new(y, "y").short()?;
-        self.0.write(CLASS, |filter: &mut Filter| filter.update(&y))
+        let y = Arg::new(y, "y").reading()?;
+        self.0.write(CLASS, |filter: &mut Filter| match &y {
+            Reading::Whole(y) => filter.update(y),
+            Reading::Partial(y) => filter.update_partly(y),
+        })
     }
 
-    /// Predicts with `u` and corrects by `y`, both or neither: a `kalmanStep`, to the last bit.
+    /// Predicts with `u` and corrects by `y`, both or neither: a `kalmanStep`, to the last bit. Parts of `y` may be
+    /// null.
     pub fn step(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "PartialVector | Float64Array")] y: &JsValue,
     ) -> Result<(), Thrown> {
-        let (u, y) = (Arg::new(u, "u").short()?, Arg::new(y, "y").short()?);
-        self.0.write(CLASS, |filter: &mut Filter| filter.step(&u, &y))
+        let (u, y) = (Arg::new(u, "u").short()?, Arg::new(y, "y").reading()?);
+        self.0.write(CLASS, |filter: &mut Filter| match &y {
+            Reading::Whole(y) => filter.step(&u, y),
+            Reading::Partial(y) => filter.step_partly(&u, y),
+        })
     }
 
     /// The mean.
@@ -82,8 +90,8 @@ impl KalmanFilter {
         self.read(|filter| number_or_null(filter.log_likelihood()))
     }
 
-    /// The normalized innovation squared νᵀS⁻¹ν of the last reading; null before the first, and where S was too near to
-    /// singular.
+    /// The normalized innovation squared νᵀS⁻¹ν of the last reading; null before the first, where all its parts were
+    /// null, and where S was too near to singular.
     #[wasm_bindgen(getter, unchecked_return_type = "number | null")]
     pub fn nis(&self) -> Result<JsValue, Thrown> {
         self.read(|filter| number_or_null(filter.nis()))

@@ -1,5 +1,7 @@
 /** At most 10 000 entries are read of any array. */
 export type Vector = number[]
+/** A reading, of which a part that is null was not made. */
+export type PartialVector = (number | null)[]
 /** An array of rows; as an argument at most 16 rows and 16 columns. */
 export type Matrix = number[][]
 /** N(x, P). */

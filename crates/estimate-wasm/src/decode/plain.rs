@@ -20,6 +20,22 @@ extern "C" {
 /// Room for the largest matrix.
 const ROOM: usize = 2 + (MAX_SIDE * MAX_SIDE) as usize;
 
+/// A reading, of which parts may be missing.
+pub(crate) enum Reading {
+    Whole(Vec<f64>),
+    Partial(Vec<Option<f64>>),
+}
+
+impl Reading {
+    /// The parts, and where there is none.
+    pub fn parts(self) -> Vec<Option<f64>> {
+        match self {
+            Self::Whole(numbers) => numbers.into_iter().map(Some).collect(),
+            Self::Partial(parts) => parts,
+        }
+    }
+}
+
 /// Arrays one behind another, as `arrays.js` describes them.
 pub(crate) struct Plain<'a>(&'a [f64]);
 
@@ -54,17 +70,41 @@ impl Arg<'_> {
 
     /// The numbers of a short array or Float64Array.
     pub fn short(&self) -> Result<Vec<f64>, Error> {
+        match self.plain_numbers() {
+            Some(numbers) => Ok(numbers),
+            None if self.array()? => self.numbers(),
+            None => self.short_floats(),
+        }
+    }
+
+    /// The same, where an entry may be null.
+    pub fn reading(&self) -> Result<Reading, Error> {
+        match self.plain_numbers() {
+            Some(numbers) => Ok(Reading::Whole(numbers)),
+            None if self.array()? => {
+                let parts = self.entries()?;
+                parts.iter().map(Arg::part).collect::<Result<_, Error>>().map(Reading::Partial)
+            }
+            None => self.short_floats().map(Reading::Whole),
+        }
+    }
+
+    fn part(&self) -> Result<Option<f64>, Error> {
+        if self.is_null() { Ok(None) } else { self.number().map(Some) }
+    }
+
+    fn plain_numbers(&self) -> Option<Vec<f64>> {
         let mut room = [0.0; MAX_SIDE as usize];
         // -1 is beyond any room.
         let length = read_numbers(&self.value, &mut room) as usize;
-        match room.get(..length) {
-            Some(numbers) => Ok(numbers.to_vec()),
-            None if self.array()? => self.numbers(),
-            None => self.floats(MAX_SIDE).map_err(|error| match error.code {
-                Code::Type => self.wrong_type("an array of numbers or a Float64Array"),
-                _ => error,
-            }),
-        }
+        room.get(..length).map(<[f64]>::to_vec)
+    }
+
+    fn short_floats(&self) -> Result<Vec<f64>, Error> {
+        self.floats(MAX_SIDE).map_err(|error| match error.code {
+            Code::Type => self.wrong_type("an array of numbers or a Float64Array"),
+            _ => error,
+        })
     }
 
     /// What `take` finds in the fields `names`, at most five of them.

@@ -10,7 +10,7 @@ use crate::lti::{Lti, SystemSizes};
 use crate::validate;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
-use filters::{Gaussian, Update};
+use filters::{Gaussian, Sizes, Update};
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, U1, VectorView};
 
@@ -108,6 +108,43 @@ impl KalmanFilter {
             filter.reading(y)?;
             filter.step(u, y)
         })
+    }
+
+    /// [`update`](Self::update) by the parts of `y` that are there, with the rows of H and W that are theirs. Where
+    /// none is there, nothing was read: the belief and the likelihood stay, and there is no [`nis`](Self::nis).
+    ///
+    /// # Errors
+    /// As there.
+    pub fn update_partly(&mut self, y: &[Option<f64>]) -> Result<(), Error> {
+        let there: Vec<f64> = y.iter().flatten().copied().collect();
+        if there.len() == y.len() {
+            return self.update(&there);
+        }
+        let rows: Vec<usize> = (0..y.len()).filter(|i| y[*i].is_some()).collect();
+        let whole: Vec<f64> = y.iter().map(|part| part.unwrap_or(0.0)).collect();
+        let (h, w) = each!(&self.0, filter => filter.reading(&whole).map(|()| filter.sensor(&rows)))?;
+        if rows.is_empty() {
+            each!(&mut self.0, filter => filter.nis = None);
+            return Ok(());
+        }
+        let mut belief = self.belief();
+        let update = belief.correct(&DVector::from_vec(there), &h, &w)?;
+        each!(&mut self.0, filter => {
+            filter.belief.x.copy_from_slice(belief.x.as_slice());
+            filter.belief.p.copy_from_slice(belief.p.as_slice());
+            filter.note(&update);
+        });
+        Ok(())
+    }
+
+    /// [`step`](Self::step) with [`update_partly`](Self::update_partly) in place of the correction.
+    ///
+    /// # Errors
+    /// As there.
+    pub fn step_partly(&mut self, u: &[f64], y: &[Option<f64>]) -> Result<(), Error> {
+        let before = self.clone();
+        let done = self.predict(u).and_then(|()| self.update_partly(y));
+        done.inspect_err(|_| *self = before)
     }
 
     /// The mean x̂, n.
@@ -226,8 +263,21 @@ where
         validate::entries(y, self.system.h.nrows(), "y")
     }
 
+    /// These rows of H, and of W with their columns.
+    fn sensor(&self, rows: &[usize]) -> (DMatrix<f64>, DMatrix<f64>) {
+        let Lti { h, w, .. } = &self.system;
+        let part = |i: usize, j: usize| w[(rows[i], rows[j])];
+        (
+            DMatrix::from_fn(rows.len(), h.ncols(), |i, j| h[(rows[i], j)]),
+            DMatrix::from_fn(rows.len(), rows.len(), part),
+        )
+    }
+
     #[inline(always)]
-    fn note(&mut self, update: &Update<N, M>) {
+    fn note<A: Dim, B: Dim>(&mut self, update: &Update<A, B>)
+    where
+        DefaultAllocator: Sizes<A, B>,
+    {
         let density = log_density(&update.innovation, &update.s);
         let sum = self.log_likelihood.zip(density).map(|(sum, density)| sum + density);
         self.log_likelihood = sum.filter(|sum| sum.is_finite() && self.belief.conditioned());

@@ -4,7 +4,7 @@ use super::*;
 
 /// The rail robot with a position sensor, with two outputs, without an input; a system of three states; a point in the
 /// plane.
-fn systems() -> Vec<(System, Belief)> {
+pub fn systems() -> Vec<(System, Belief)> {
     let (sys, belief) = position_sensor();
     let (rail, belief) = (system_of(&sys), belief_of(&belief));
     let both = System { h: DMatrix::identity(2, 2), w: dmatrix![0.5, 0.1; 0.1, 0.4], ..rail.clone() };
@@ -75,4 +75,53 @@ fn a_refused_step_names_its_argument_and_leaves_the_filter_as_it_was() {
     assert_eq!((error.code, error.argument.as_ref()), (Code::InnovationNotPositiveDefinite, "W"));
     let narrow = belief_from(dvector![1.0], dmatrix![1.0]).expect("sound");
     assert_eq!(KalmanFilter::new(&blind, &narrow).expect_err("one state").argument, "belief");
+}
+
+/// The parts that are there are a reading of a sensor that has only their rows.
+#[test]
+fn a_reading_with_parts_missing_is_one_of_the_rows_that_are_there() {
+    for (system, belief) in systems() {
+        let p = system.h.nrows();
+        let whole = KalmanFilter::new(&system, &belief).expect("sizes fit");
+        let all: Vec<Option<f64>> = (0..p).map(|i| Some(1.5 - i as f64)).collect();
+        let (mut partly, mut entire) = (whole.clone(), whole.clone());
+        partly.update_partly(&all).expect("S is positive");
+        entire.update(&all.iter().flatten().copied().collect::<Vec<_>>()).expect("S is positive");
+        assert_eq!(format!("{partly:?}"), format!("{entire:?}"));
+        partly.update_partly(&vec![None; p]).expect("nothing is read");
+        assert_eq!((partly.belief(), partly.log_likelihood()), (entire.belief(), entire.log_likelihood()));
+        assert_eq!(partly.nis(), None);
+        for i in 0..p {
+            let rows = |m: &DMatrix<f64>| m.rows(i, 1).into_owned();
+            let narrow = System { h: rows(&system.h), w: rows(&system.w).columns(i, 1).into(), ..system.clone() };
+            let mut alone = KalmanFilter::new(&narrow, &belief).expect("sizes fit");
+            let mut partly = whole.clone();
+            let one: Vec<_> = (0..p).map(|j| all[j].filter(|_| i == j)).collect();
+            alone.step(&vec![0.2; system.g.ncols()], &[1.5 - i as f64]).expect("S is positive");
+            partly.step_partly(&vec![0.2; system.g.ncols()], &one).expect("S is positive");
+            assert_eq!((partly.belief(), partly.nis()), (alone.belief(), alone.nis()));
+            assert_eq!(partly.log_likelihood(), alone.log_likelihood());
+        }
+    }
+}
+
+#[test]
+fn a_refused_part_of_a_reading_leaves_the_filter_as_it_was() {
+    let (system, belief) = systems().remove(0);
+    let mut filter = KalmanFilter::new(&system, &belief).expect("sizes fit");
+    filter.step(&[], &[0.4, -0.4]).expect("S is positive");
+    let before = format!("{filter:?}");
+    for (y, code) in [
+        (vec![None], Code::Shape),
+        (vec![None; 3], Code::Shape),
+        (vec![None, Some(f64::NAN)], Code::NotFinite),
+        (vec![Some(f64::INFINITY), None], Code::NotFinite),
+    ] {
+        for step in [KalmanFilter::update_partly, |f: &mut KalmanFilter, y: &[Option<f64>]| f.step_partly(&[], y)] {
+            let mut moved = filter.clone();
+            let error = step(&mut moved, &y).expect_err("refused");
+            assert_eq!((error.code, error.argument.as_ref()), (code, "y"));
+            assert_eq!(format!("{moved:?}"), before);
+        }
+    }
 }
