@@ -1,6 +1,6 @@
 // What the fuzz test knows of each exported function: how to make valid arguments, and where an answer holds a
 // covariance.
-import { matrix, sizes, system, vector } from './arguments.mjs'
+import { matrix, reading, row, sizes, system, vector } from './arguments.mjs'
 import { covariance } from './nonsense.mjs'
 
 /**
@@ -48,6 +48,17 @@ export const FUNCTIONS = {
       return [system(size, dice), { x: vector(size.n, dice), P: covariance(size.n, dice) }, inputs, readings]
     },
     covariances: (answer) => [answer.P],
+  },
+  kalmanSmooth: {
+    args(dice) {
+      const size = dice.uniform() < 0.3 ? { n: 2, p: 1, m: 1 } : sizes(dice)
+      const rows = 1 + dice.below(5)
+      const log = (one) => Array.from({ length: rows }, one)
+      const y = () => (dice.uniform() < 0.2 ? null : reading(size.p, dice))
+      const belief = { x: vector(size.n, dice), P: covariance(size.n, dice) }
+      return [system(size, dice), belief, log(() => row(size.m, dice)), log(y)]
+    },
+    covariances: (answer) => answer.map(({ P }) => P),
   },
   discretize: {
     args(dice) {

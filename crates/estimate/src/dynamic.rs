@@ -8,12 +8,14 @@ mod continuous;
 mod feet;
 mod filter;
 mod replay;
+mod smooth;
 
 pub use analysis::{detectability, movable, noise_input, noise_reach, riccati_limit, stabilizability};
 pub use continuous::{Continuous, Discrete};
 pub use feet::{euclidean_foot, mahalanobis_foot, most_likely_output};
 pub use filter::KalmanFilter;
 pub use replay::{MAX_LOG, Replayed, kalman_replay};
+pub use smooth::kalman_smooth;
 
 use crate::error::{Code, Error};
 use crate::lti::Lti;

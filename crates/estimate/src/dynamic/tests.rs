@@ -9,6 +9,7 @@ use nalgebra::{SMatrix, U1, U2, Vector1, dmatrix, dvector};
 mod continuous;
 mod filter;
 mod replay;
+mod smooth;
 
 fn at_run_time<const R: usize, const C: usize>(m: SMatrix<f64, R, C>) -> DMatrix<f64> {
     DMatrix::from_iterator(R, C, m.iter().copied())

@@ -1,0 +1,119 @@
+//! The best track afterwards: every state of a log in the light of all its readings (Rauch, Tung and Striebel 1965).
+
+use super::{Belief, KalmanFilter, MAX_LOG, System};
+use crate::error::{Argument, Code, Error};
+use crate::kf::belief_fits;
+use crate::validate::affordable_steps;
+use alloc::borrow::Cow;
+use alloc::format;
+use alloc::vec::Vec;
+use filters::linear;
+use nalgebra::{DMatrix, DVector};
+
+/// The beliefs N(x(k | all), P(k | all)) after each row of a log: a Kalman filter runs forward over it, and a smoother
+/// back over the filter's beliefs. A row is an input (m) and the reading after it (p), of which parts, or all, may be
+/// missing. `inputs` may be empty where the system has none.
+///
+/// With x̄ and P̄ the prediction of x(k+1), and C = P Fᵀ P̄⁻¹ the gain by which x(k) would be corrected if x(k+1)
+/// were read, x(k | all) = x + C (x(k+1 | all) − x̄) and P(k | all) = P − C P̄ Cᵀ + C P(k+1 | all) Cᵀ. The first two
+/// terms of P are computed as a correction is, in Joseph's form: where P is vast, their difference would have no digits.
+///
+/// From the last row with a reading on the answer is the filter's, to the last bit. It needs 2 n² + 2 n numbers for
+/// each row.
+///
+/// # Errors
+/// Those of the filter, naming the row: [`Code::Shape`], [`Code::NotFinite`],
+/// [`Code::InnovationNotPositiveDefinite`]; the last also, naming V, where a P̄ cannot be factored. [`Code::Limit`] for
+/// no row, or more than [`MAX_LOG`], or than [`MAX_WORK`](crate::validate::MAX_WORK) leaves for n states and n + p
+/// outputs.
+///
+/// # Example
+/// ```
+/// use estimate::dynamic::{System, kalman_smooth};
+/// use nalgebra::{DMatrix, dmatrix, dvector};
+/// // A point that is pushed about: read at the start, and once more after a gap.
+/// let one = dmatrix![1.0];
+/// let system = System::new(one.clone(), DMatrix::zeros(1, 0), one.clone(), one.clone(), one.clone())?;
+/// let belief = estimate::validate::belief(dvector![0.0], dmatrix![0.0])?;
+/// let track = kalman_smooth(&system, &belief, &[], &[vec![Some(0.0)], vec![None], vec![Some(4.0)]])?;
+/// // The gap is closed from both ends.
+/// assert!((track[1].x[0] - 12.0 / 7.0).abs() < 1e-14 && (track[2].x[0] - 20.0 / 7.0).abs() < 1e-14);
+/// # Ok::<(), estimate::Error>(())
+/// ```
+pub fn kalman_smooth(
+    system: &System,
+    belief: &Belief,
+    inputs: &[Vec<f64>],
+    readings: &[Vec<Option<f64>>],
+) -> Result<Vec<Belief>, Error> {
+    let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
+    belief_fits(belief, n)?;
+    let (rows, most) = (readings.len(), affordable_steps(n, n + p, MAX_LOG));
+    if !(1..=most).contains(&rows) {
+        let message =
+            format!("has {rows} rows; of {n} states and {p} outputs at least 1 and at most {most} are accepted");
+        return Err(Error::new(Code::Limit, "ys", message));
+    }
+    if inputs.len() != rows && !(m == 0 && inputs.is_empty()) {
+        return Err(Error::new(Code::Shape, "us", format!("has {} rows; ys has {rows}", inputs.len())));
+    }
+    let mut filter = KalmanFilter::new(system, belief)?;
+    let (mut track, mut predicted) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
+    for (k, reading) in readings.iter().enumerate() {
+        let input = inputs.get(k).map_or(&[][..], Vec::as_slice);
+        filter.predict(input).map_err(|e| at_row(e, k))?;
+        predicted.push(DVector::from_column_slice(filter.x()));
+        filter.update_partly(reading).map_err(|e| at_row(e, k))?;
+        track.push(filter.belief());
+    }
+    // What nothing was read after is known as well as it will be.
+    let last = readings.iter().rposition(|reading| reading.iter().any(Option::is_some)).unwrap_or(0);
+    for k in (0..last).rev() {
+        let (known, after) = track.split_at_mut(k + 1);
+        smooth(&mut known[k], &predicted[k + 1], &after[0], system).map_err(|e| at_step(e, k + 1))?;
+    }
+    Ok(track)
+}
+
+/// Corrects `belief` of x(k) by what is known of x(k+1) `after` all readings, which was `predicted` from it.
+fn smooth(
+    belief: &mut Belief,
+    predicted: &DVector<f64>,
+    after: &Belief,
+    system: &System,
+) -> Result<(), filters::Error> {
+    let gain = linear::gain(&belief.p, &system.f, &system.v)?;
+    let x = &belief.x + &gain.k * (&after.x - predicted);
+    let x = filters::covariance::finite(x, filters::Quantity::Mean)?;
+    let p: DMatrix<f64> = linear::predicted_covariance(&gain.k, &after.p, &gain.p)?;
+    *belief = Belief { x, p };
+    Ok(())
+}
+
+/// Why the filter refused row `k`, with the names that the arguments of a log have.
+#[cold]
+fn at_row(mut error: Error, k: usize) -> Error {
+    let name: Cow<'static, str> = match &*error.argument {
+        "u" => format!("us[{k}]").into(),
+        "y" => format!("ys[{k}]").into(),
+        "x" => "belief.x".into(),
+        "P" => "belief.P".into(),
+        other => Cow::Owned(other.into()),
+    };
+    error.argument = name;
+    error.message = format!("{}; at row {k}", error.message).into();
+    error
+}
+
+/// Why the smoother cannot go back from row `k`.
+#[cold]
+fn at_step(error: filters::Error, k: usize) -> Error {
+    if error == filters::Error::InnovationNotPositiveDefinite {
+        let message = format!(
+            "the predicted covariance FPFᵀ + V at row {k} cannot be factored: a combination of the states is known \
+             exactly; more noise V of the motion, or P of the belief, would make it positive definite"
+        );
+        return Error::new(Code::InnovationNotPositiveDefinite, "V", message);
+    }
+    at_row(Error::from(error).called(Argument::letter), k)
+}
