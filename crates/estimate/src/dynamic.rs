@@ -7,8 +7,10 @@ mod analysis;
 mod continuous;
 mod feet;
 mod filter;
+mod partial;
 mod replay;
 mod smooth;
+mod timeline;
 
 pub use analysis::{detectability, movable, noise_input, noise_reach, riccati_limit, stabilizability};
 pub use continuous::{Continuous, Discrete};
@@ -16,6 +18,9 @@ pub use feet::{euclidean_foot, mahalanobis_foot, most_likely_output};
 pub use filter::KalmanFilter;
 pub use replay::{MAX_LOG, Replayed, kalman_replay};
 pub use smooth::kalman_smooth;
+pub use timeline::{
+    Judged, MAX_AHEAD, MAX_CAPACITY, MAX_DELAY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, Timeline,
+};
 
 use crate::error::{Code, Error};
 use crate::lti::Lti;

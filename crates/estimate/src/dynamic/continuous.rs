@@ -50,6 +50,11 @@ impl Continuous {
         Ok(Self { a, b: validate::matrix(b, (n, m), "B")?, q: validate::covariance(q, n, "Q")? })
     }
 
+    /// How many states and inputs there are.
+    pub fn sizes(&self) -> (usize, usize) {
+        self.b.shape()
+    }
+
     /// The system over `dt` seconds, zero or more: over no time at all I, 0 and 0.
     ///
     /// A short span h is computed by Taylor's series, which for a chain of integrators ends by itself; a long one is
@@ -78,7 +83,7 @@ impl Continuous {
         if validate::finite(dt, "dt")? < 0.0 {
             return Err(Error::new(Code::Limit, "dt", "is negative; a span of time is zero or more"));
         }
-        let (n, m) = self.b.shape();
+        let (n, m) = self.sizes();
         if dt == 0.0 {
             let nothing = DMatrix::zeros(n, n);
             return Ok(Discrete { f: DMatrix::identity(n, n), g: DMatrix::zeros(n, m), v: nothing });

@@ -1,6 +1,7 @@
 //! A Kalman filter that holds its system and its belief, for sizes known at run time only. Few states and few outputs
 //! are filtered at the pace of typed code, to the same bits.
 
+use super::partial::rows_there;
 use super::{Belief, System};
 use crate::error::Error;
 use crate::followed::Followed;
@@ -120,10 +121,11 @@ impl KalmanFilter {
         if there.len() == y.len() {
             return self.update(&there);
         }
-        let rows: Vec<usize> = (0..y.len()).filter(|i| y[*i].is_some()).collect();
         let whole: Vec<f64> = y.iter().map(|part| part.unwrap_or(0.0)).collect();
-        let (h, w) = each!(&self.0, filter => filter.reading(&whole).map(|()| filter.sensor(&rows)))?;
-        if rows.is_empty() {
+        let (h, w) = each!(&self.0, filter => {
+            filter.reading(&whole).map(|()| rows_there(&filter.system.h, &filter.system.w, y))
+        })?;
+        if there.is_empty() {
             each!(&mut self.0, filter => filter.nis = None);
             return Ok(());
         }
@@ -261,16 +263,6 @@ where
 
     fn reading(&self, y: &[f64]) -> Result<(), Error> {
         validate::entries(y, self.system.h.nrows(), "y")
-    }
-
-    /// These rows of H, and of W with their columns.
-    fn sensor(&self, rows: &[usize]) -> (DMatrix<f64>, DMatrix<f64>) {
-        let Lti { h, w, .. } = &self.system;
-        let part = |i: usize, j: usize| w[(rows[i], rows[j])];
-        (
-            DMatrix::from_fn(rows.len(), h.ncols(), |i, j| h[(rows[i], j)]),
-            DMatrix::from_fn(rows.len(), rows.len(), part),
-        )
     }
 
     #[inline(always)]

@@ -15,8 +15,8 @@ use nalgebra::{DMatrix, DVector};
 /// missing. `inputs` may be empty where the system has none.
 ///
 /// With x̄ and P̄ the prediction of x(k+1), and C = P Fᵀ P̄⁻¹ the gain by which x(k) would be corrected if x(k+1)
-/// were read, x(k | all) = x + C (x(k+1 | all) − x̄) and P(k | all) = P − C P̄ Cᵀ + C P(k+1 | all) Cᵀ. The first two
-/// terms of P are computed as a correction is, in Joseph's form: where P is vast, their difference would have no digits.
+/// were read, x(k | all) = x + C (x(k+1 | all) − x̄) and P(k | all) = P − C P̄ Cᵀ + C P(k+1 | all) Cᵀ. P − C P̄ Cᵀ is
+/// computed as a correction is, in Joseph's form: where P is vast, the difference would have no digits.
 ///
 /// From the last row with a reading on the answer is the filter's, to the last bit. It needs 2 n² + 2 n numbers for
 /// each row.

@@ -10,6 +10,7 @@ mod continuous;
 mod filter;
 mod replay;
 mod smooth;
+mod timeline;
 
 fn at_run_time<const R: usize, const C: usize>(m: SMatrix<f64, R, C>) -> DMatrix<f64> {
     DMatrix::from_iterator(R, C, m.iter().copied())
