@@ -61,6 +61,11 @@ const objects = {
       [0, 2],
     ],
   }),
+  Timeline: new core.Timeline(
+    { A: [[0]], B: [[1]], Q: [[1]] },
+    { x: [0], P: [[1]] },
+    { window: 1, sensors: { scale: { H: [[1]], W: [[1]] } } },
+  ),
   LogFiles: new core.LogFiles(),
   LogTable: new core.LogTable(LOG, {}, 'track'),
   EkfLocalizer: new core.EkfLocalizer(pose, [{ id: 1, x: 2, y: 1 }], { W }),
@@ -79,6 +84,9 @@ test('a method or a property of one class refuses an object of every other', () 
     predict: [[0, 0], pose.P],
     step: [[0], [0]],
     update: [{ range: 1, bearing: 0 }],
+    input: [0, [0]],
+    reading: ['scale', 0, [0]],
+    at: [0],
     replay: [new Float64Array(4), new Uint32Array(1), pose.P],
   }
   const own = { KalmanFilter: { predict: [[0]], update: [[0]] } }
@@ -98,7 +106,8 @@ test('a method or a property of one class refuses an object of every other', () 
   assert.ok(calls > 100, `${calls} calls`)
   for (const object of Object.values(objects)) {
     const look =
-      [object.frame, object.belief, object.contents, object.files].find(Boolean) ?? (() => object.x ?? object.next(1))
+      [object.frame, object.belief, object.contents, object.files, object.at?.bind(object, 0)].find(Boolean) ??
+      (() => object.x ?? object.next(1))
     look.call(object)
   }
 })

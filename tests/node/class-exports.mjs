@@ -1,13 +1,16 @@
 // What the fuzz test knows of each exported class: how to make an object, what it can be told, and where it shows a
 // covariance.
 import { FIGURES } from '../../target/figures.js'
-import { reading, row, sizes, system, vector } from './arguments.mjs'
+import { matrix, reading, row, sizes, system, vector } from './arguments.mjs'
 import { logClasses } from './log-exports.mjs'
 import { covariance } from './nonsense.mjs'
 
 const pose = (dice) => ({ x: [dice.normal() * 3, dice.normal() * 3, dice.normal()], P: covariance(3, dice) })
 const motion = (dice) => [[dice.normal() * 0.1, dice.normal() * 0.1], covariance(3, dice)]
 const gate = (dice) => dice.pick([null, 9.21, 1e-3, 1e6])
+
+/** A time near the latest of a time line. */
+const moment = (it, dice) => it.newest + dice.pick([-5, -1, -0.5, 0, 0, 0.25, 1, dice.normal()])
 
 /** What the robot at `x` reads of a place: mostly as from there, a little off; now and then anything. */
 function seen([x, y, theta], at, dice) {
@@ -50,6 +53,38 @@ export const CLASSES = {
     look: ({ x, P, logLikelihood, nis }) => [x, P, logLikelihood, nis],
     covariances: (it) => [it.P],
     outcomes: (_, it) => (it?.nis === null ? [] : ['a reading judged']),
+  },
+  Timeline: {
+    chain: 30,
+    spoilt: 0.35,
+    often: ['reading', 'reading', 'reading'],
+    least: { accepted: 120, rejected: 80, 'too-late': 130, duplicate: 14, full: 30, ahead: 4, index: 20 },
+    make(dice) {
+      const { n, m } = sizes(dice)
+      const A = matrix(n, n, dice).map((row) => row.map((a) => a / 50))
+      const sensor = () => {
+        const p = 1 + dice.below(2)
+        return { H: matrix(p, n, dice), W: covariance(p, dice), delay: dice.pick([0, 0.5, -1]), gate: gate(dice) }
+      }
+      const options = { time: dice.pick([0, 1e9]), window: dice.pick([0.5, 3]), capacity: dice.pick([3, 100]) }
+      return [
+        { A, B: matrix(n, m, dice), Q: covariance(n, dice) },
+        { x: vector(n, dice), P: covariance(n, dice) },
+        { ...options, sensors: { first: sensor(), second: sensor() } },
+      ]
+    },
+    methods: {
+      input: (dice, _, it, [{ B }]) => [moment(it, dice), row(B[0].length, dice)],
+      reading(dice, _, it, [, , { sensors }]) {
+        const name = dice.pick(['first', 'second'])
+        return [name, moment(it, dice), reading(sensors[name].H.length, dice), ...dice.pick([[], [1]])]
+      },
+      at: (dice, _, it) => [moment(it, dice)],
+    },
+    look: (it) => [it.newest, it.length, it.at(it.newest)],
+    covariances: (it) => [it.at(it.newest).P],
+    answered: (answer) => [answer?.S, answer?.P].filter(Boolean),
+    outcomes: (answer) => (answer?.outcome ? [answer.outcome] : []),
   },
   EkfLocalizer: {
     chain: 30,

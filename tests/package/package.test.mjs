@@ -65,6 +65,12 @@ test("Node imports it: the README's filter runs", async () => {
   assert.ok(Number(lines.at(-1)) < 0)
 })
 
+test("two sensors at two rates: the README's time line runs", async () => {
+  const lines = (await node(place, 'sensors.mjs')).split('\n')
+  assert.match(lines[0], /^\[ (3\.9|4\.0)\d+, (0\.9|1\.0)\d+ \]$/)
+  assert.equal(lines[1], 'rejected')
+})
+
 test("the filter of the book's README is that of the package's", async () => {
   const lines = (await node(place, 'track.mjs')).split('\n')
   assert.ok((await node(place, 'rail.mjs')).startsWith(`${lines[0]} `))
@@ -112,7 +118,7 @@ console.log(JSON.stringify({ whole: Object.keys(whole), filters: Object.keys(fil
     filters.filter((name) => !whole.includes(name)),
     [],
   )
-  for (const name of ['KalmanFilter', 'kalmanReplay', 'EkfLocalizer', 'EkfSlam'])
+  for (const name of ['KalmanFilter', 'Timeline', 'kalmanReplay', 'EkfLocalizer', 'EkfSlam'])
     assert.ok(filters.includes(name), name)
   const labs = JSON.parse(readFileSync(path.join(installed(place), 'digests.json'), 'utf8')).map((run) => run.class)
   assert.deepEqual(

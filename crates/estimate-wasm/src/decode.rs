@@ -3,7 +3,7 @@
 
 use crate::names::name;
 use estimate::{Code, Error};
-use js_sys::{Array, JsString};
+use js_sys::Array;
 #[cfg(feature = "labs")]
 use lab::{Parameter, Shape};
 use std::borrow::Cow;
@@ -35,6 +35,7 @@ extern "C" {
     fn own_keys(of: &JsValue) -> Result<Option<Array>, JsValue>;
 }
 
+mod fields;
 #[cfg(feature = "functions")]
 mod matrix;
 #[cfg(feature = "functions")]
@@ -134,12 +135,6 @@ impl<'a> Arg<'a> {
         self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }
 
-    /// A text.
-    #[cfg(feature = "log")]
-    pub fn text(&self) -> Result<String, Error> {
-        self.value.as_string().ok_or_else(|| self.wrong_type("a text"))
-    }
-
     /// One of the given words: its index.
     pub fn word(&self, words: &[&'static str]) -> Result<usize, Error> {
         if !self.value.is_string() {
@@ -210,21 +205,6 @@ impl<'a> Arg<'a> {
         Ok(())
     }
 
-    /// Refuses an object with a field that is none of `known`: a misspelt parameter is not silently ignored.
-    pub fn only(&self, known: impl Iterator<Item = &'static str> + Clone) -> Result<(), Error> {
-        self.object()?;
-        let keys = own_keys(&self.value).ok().flatten();
-        let keys = keys.ok_or_else(|| self.refuse(Code::Type, "could not be read: listing its fields threw"))?;
-        let unknown = keys.iter().find(|key| !key.is_symbol() && known.clone().all(|text| key != name(text)));
-        match unknown {
-            None => Ok(()),
-            Some(key) => {
-                let path = format!("{}.{}", self.path, shortened(key));
-                Err(Error::new(Code::Type, path, ["is unknown; there are ", &listed(known)].concat()))
-            }
-        }
-    }
-
     fn object(&self) -> Result<(), Error> {
         if self.is_object.get() {
             return Ok(());
@@ -271,13 +251,6 @@ impl<'a> Arg<'a> {
     fn unreadable(&self) -> Error {
         self.refuse(Code::Type, "could not be read: reading it threw")
     }
-}
-
-/// A name in an error: of a long one its first letters.
-fn shortened(key: JsValue) -> String {
-    const LONGEST: u32 = 60;
-    let key: JsString = key.unchecked_into();
-    if key.length() <= LONGEST { String::from(key) } else { String::from(key.slice(0, LONGEST)) + "…" }
 }
 
 fn listed<'a>(words: impl Iterator<Item = &'a str>) -> String {

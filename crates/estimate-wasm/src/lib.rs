@@ -39,6 +39,8 @@ mod names;
 mod object;
 #[cfg(feature = "log")]
 mod robot_log;
+#[cfg(feature = "functions")]
+mod timeline;
 
 #[cfg(feature = "checks")]
 pub use self::checks::*;
@@ -47,6 +49,7 @@ pub use self::lab::*;
 #[cfg(feature = "functions")]
 pub use self::{
     analysis::*, ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
+    timeline::Timeline,
 };
 #[cfg(feature = "log")]
 pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog};

@@ -1,0 +1,158 @@
+//! The class of a time line: several sensors, each reading at the time at which it was measured.
+
+use crate::decode::{Arg, Reading};
+use crate::encode::{list, record, rows};
+use crate::errors::Thrown;
+use crate::functions::{belief_of, continuous_of, shown_belief};
+use crate::object::Held;
+use estimate::dynamic::{MAX_CAPACITY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, Timeline as Line};
+use estimate::{Code, Error};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("timeline.d.ts");
+
+/// A Kalman filter in continuous time for sensors with delays and rates of their own. Readings and inputs may come in
+/// any order within a window: what comes late is put in its place and replayed, and the belief is that of the sorted
+/// readings, to the last bit. At one time an input comes first, then the sensors in the order of `sensors`, then
+/// readings by their id.
+#[wasm_bindgen]
+#[repr(transparent)]
+pub struct Timeline(Held);
+
+const CLASS: &str = "Timeline";
+
+/// A time line, and what its sensors are called, in their order.
+struct Named {
+    line: Line,
+    names: Vec<String>,
+}
+
+#[wasm_bindgen]
+impl Timeline {
+    /// The time line of x' = A x + B u + noise of density Q, with the belief at `options.time`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "ContinuousSystem")] system: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "TimelineOptions")] options: &JsValue,
+    ) -> Result<Timeline, Thrown> {
+        let (system, belief) = (continuous_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
+        let options = Arg::new(options, "options");
+        options.only(["time", "window", "capacity", "sensors"].into_iter())?;
+        let (mut time, mut capacity) = (0.0, 1000);
+        options.given("time", |a| a.number(), &mut time)?;
+        options.given("capacity", |a| a.whole(1, MAX_CAPACITY as u32), &mut capacity)?;
+        let memory = Memory { window: options.field("window")?.number()?, capacity: capacity as usize };
+        let sensors = options.field("sensors")?;
+        let (mut names, mut all) = (Vec::new(), Vec::new());
+        for (name, value) in sensors.own_fields(MAX_SENSORS as u32)? {
+            // The sensor is decoded by itself: a caller's name is no part of the paths that an error spells out.
+            all.push(sensor(&Arg::new(&value, SENSOR)).map_err(|e| called(e, SENSOR, &name))?);
+            names.push(name);
+        }
+        let line = Line::new(system, &belief, time, memory, all).map_err(|e| {
+            let number = names.iter().enumerate().map(|(i, name)| (format!("sensors[{i}]"), name));
+            let found = number.into_iter().find(|(number, _)| e.argument.starts_with(&format!("{number}.")));
+            match found {
+                Some((number, name)) => called(e, &number, name),
+                None => e.part_of("options", &["time", "window", "capacity", "sensors"]),
+            }
+        })?;
+        Ok(Self(Held::new(CLASS, Named { line, names })))
+    }
+
+    /// The input is `u` from the time `t` on, until the next. Before the first it is zero.
+    #[wasm_bindgen(unchecked_return_type = "TimelineInput")]
+    pub fn input(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] t: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
+    ) -> Result<JsValue, Thrown> {
+        let (t, u) = (Arg::new(t, "t").number()?, Arg::new(u, "u").short()?);
+        let placed = self.0.write(CLASS, |it: &mut Named| it.line.input(t, &u))?;
+        Ok(record(&[("outcome", word(placed.outcome).into())]))
+    }
+
+    /// The sensor of this name has read `y`, of which parts may be null, with the stamp `t`. Readings of one sensor at
+    /// one time are told apart by `id`, a whole number, 0 when left out.
+    #[wasm_bindgen(unchecked_return_type = "TimelineReading")]
+    pub fn reading(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "string")] name: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number")] t: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "PartialVector | Float64Array")] y: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "number")] id: &JsValue,
+    ) -> Result<JsValue, Thrown> {
+        let (name, t) = (Arg::new(name, "name").name()?, Arg::new(t, "t").number()?);
+        let y = Arg::new(y, "y").reading().map(Reading::parts)?;
+        let id = match Arg::new(id, "id") {
+            id if id.is_undefined() => 0,
+            id => id.whole(0, u32::MAX)?,
+        };
+        let placed = self.0.write(CLASS, |Named { line, names }: &mut Named| {
+            let unknown = || Error::new(Code::Index, "name", format!("is none of {}", names.join(", ")));
+            let sensor = names.iter().position(|known| *known == name).ok_or_else(unknown)?;
+            line.reading(sensor, t, &y, u64::from(id))
+        })?;
+        Ok(shown(&placed))
+    }
+
+    /// The belief at the time `t`, after all that was measured then. Asking changes nothing.
+    #[wasm_bindgen(unchecked_return_type = "Belief")]
+    pub fn at(&self, #[wasm_bindgen(unchecked_param_type = "number")] t: &JsValue) -> Result<JsValue, Thrown> {
+        let t = Arg::new(t, "t").number()?;
+        let belief = self.0.read(CLASS, |it: &Named| it.line.at(t))??;
+        Ok(shown_belief(&belief))
+    }
+
+    /// The latest time at which something was measured, or that of the start.
+    #[wasm_bindgen(getter, unchecked_return_type = "number")]
+    pub fn newest(&self) -> Result<JsValue, Thrown> {
+        self.0.read(CLASS, |it: &Named| it.line.newest().into())
+    }
+
+    /// How many inputs and readings are kept.
+    #[wasm_bindgen(getter, unchecked_return_type = "number")]
+    pub fn length(&self) -> Result<JsValue, Thrown> {
+        self.0.read(CLASS, |it: &Named| (it.line.len() as f64).into())
+    }
+}
+
+const SENSOR: &str = "sensor";
+
+/// The error of a sensor's field, with the sensor's name in place of `what` it was called.
+fn called(mut error: Error, what: &str, name: &str) -> Error {
+    let field = error.argument.strip_prefix(what).unwrap_or_default();
+    error.argument = format!("options.sensors.{name}{field}").into();
+    error
+}
+
+fn sensor(arg: &Arg<'_>) -> Result<Sensor, Error> {
+    arg.only(["H", "W", "delay", "gate"].into_iter())?;
+    let mut delay = 0.0;
+    arg.given("delay", |a| a.number(), &mut delay)?;
+    let gate = arg.field("gate")?.number_or_null()?;
+    Ok(Sensor { h: arg.field("H")?.tall()?, w: arg.field("W")?.matrix()?, delay, gate })
+}
+
+fn word(outcome: Outcome) -> &'static str {
+    match outcome {
+        Outcome::Accepted => "accepted",
+        Outcome::Rejected => "rejected",
+        Outcome::TooLate => "too-late",
+        Outcome::Ahead => "ahead",
+        Outcome::Duplicate => "duplicate",
+        Outcome::Full => "full",
+    }
+}
+
+fn shown(placed: &Placed) -> JsValue {
+    let judged = placed.judged.as_ref();
+    record(&[
+        ("outcome", word(placed.outcome).into()),
+        ("innovation", judged.map_or(JsValue::NULL, |it| list(it.innovation.as_slice()))),
+        ("S", judged.map_or(JsValue::NULL, |it| rows(&it.s))),
+        ("chi2", judged.and_then(|it| it.chi2).map_or(JsValue::NULL, JsValue::from_f64)),
+    ])
+}
