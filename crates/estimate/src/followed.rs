@@ -3,7 +3,7 @@
 use core::ops::Deref;
 use filters::{Conditioning, Error, Gaussian, Sizes, Update};
 use nalgebra::allocator::Allocator;
-use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector, Storage, Vector};
+use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, OVector, Storage, Vector};
 
 /// A belief, followed since the filter began.
 #[derive(Clone, Debug)]
@@ -77,4 +77,34 @@ where
         self.conditioning.corrected(&before, (h, w), &update, &self.belief);
         Ok(update)
     }
+
+    /// [`correct`](Self::correct) by a reading whose size is known at run time only.
+    pub fn correct_partly(
+        &mut self,
+        y: &DVector<f64>,
+        h: &DMatrix<f64>,
+        w: &DMatrix<f64>,
+    ) -> Result<Update<Dyn, Dyn>, Error> {
+        let n = self.belief.x.len();
+        let x = DVector::from_column_slice(self.belief.x.as_slice());
+        let p = DMatrix::from_column_slice(n, n, self.belief.p.as_slice());
+        let (x, p, update) = corrected((x, p), &mut self.conditioning, y, h, w)?;
+        self.belief.x.copy_from_slice(x.as_slice());
+        self.belief.p.copy_from_slice(p.as_slice());
+        Ok(update)
+    }
+}
+
+/// [`Followed::correct`] of a belief whose size is known at run time only.
+fn corrected(
+    (x, p): (DVector<f64>, DMatrix<f64>),
+    conditioning: &mut Conditioning,
+    y: &DVector<f64>,
+    h: &DMatrix<f64>,
+    w: &DMatrix<f64>,
+) -> Result<(DVector<f64>, DMatrix<f64>, Update<Dyn, Dyn>), Error> {
+    let belief = Gaussian { x, p };
+    let (posterior, update) = belief.corrected(y, h, w)?;
+    conditioning.corrected(&belief.p, (h, w), &update, &posterior);
+    Ok((posterior.x, posterior.p, update))
 }

@@ -129,11 +129,9 @@ impl KalmanFilter {
             each!(&mut self.0, filter => filter.nis = None);
             return Ok(());
         }
-        let mut belief = self.belief();
-        let update = belief.correct(&DVector::from_vec(there), &h, &w)?;
+        let y = DVector::from_vec(there);
         each!(&mut self.0, filter => {
-            filter.belief.x.copy_from_slice(belief.x.as_slice());
-            filter.belief.p.copy_from_slice(belief.p.as_slice());
+            let update = filter.belief.correct_partly(&y, &h, &w)?;
             filter.note(&update);
         });
         Ok(())
