@@ -73,7 +73,7 @@ const orders = (all) =>
   all.length ? all.flatMap((one) => orders(all.filter((x) => x !== one)).map((rest) => [one, ...rest])) : [[]]
 
 for (const book of [false, true])
-  test(`each question has one answer in every order of drop, read as, cancel and drop again${book ? ', in the book’s own format' : ''}`, async () => {
+  test(`drop, read as, cancel, drop again in every order: one answer each${book ? ', of logs' : ''}`, async () => {
     for (const order of orders(['drop', 'read as', 'cancel', 'drop again'])) {
       const words = order.join(', ')
       let release = () => {}

@@ -60,7 +60,7 @@ fn correction(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<Co
     array.view_mut((0, 0), (m, m)).copy_from(&root_q.transpose());
     array.view_mut((m, 0), (n, m)).copy_from(&(c * &root_p).transpose());
     array.view_mut((m, m), (n, n)).copy_from(&root_p.transpose());
-    let r = triangle(array);
+    let r = largest_rows_first(&array).qr().r();
 
     let root_s = r.view((0, 0), (m, m));
     for i in 0..m {
@@ -76,30 +76,16 @@ fn correction(p: &DMatrix<f64>, c: &DMatrix<f64>, q: &DMatrix<f64>) -> Result<Co
     Ok(Correction { s, k: kt.transpose(), p, doubted: true })
 }
 
-/// The upper triangle R with RᵀR = `m`ᵀ`m`, by reflections that each begin at the largest entry of their column. So the
-/// digits of small rows are kept beside large ones (Powell and Reid 1969), also where a large row has nothing in the
-/// first columns. Neither the order of the rows nor their signs matter to RᵀR.
-fn triangle(mut m: DMatrix<f64>) -> DMatrix<f64> {
-    let (rows, columns) = m.shape();
-    for j in 0..columns {
-        let largest = (j..rows).fold(j, |at, i| if m[(i, j)].abs() > m[(at, j)].abs() { i } else { at });
-        m.swap_rows(j, largest);
-        let pivot = m[(j, j)];
-        if pivot == 0.0 {
-            continue;
-        }
-        // In units of the pivot: no square leaves the range of numbers.
-        let mut v: Vec<f64> = (j..rows).map(|i| m[(i, j)] / pivot).collect();
-        let length = sqrt(v.iter().map(|e| e * e).sum::<f64>());
-        v[0] += length;
-        for k in j + 1..columns {
-            let along = v.iter().zip(j..).map(|(e, i)| e * m[(i, k)]).sum::<f64>() / (length * v[0]);
-            v.iter().zip(j..).for_each(|(e, i)| m[(i, k)] -= along * e);
-        }
-        m[(j, j)] = -length * pivot;
-        (j + 1..rows).for_each(|i| m[(i, j)] = 0.0);
+/// The rows of `m` by decreasing largest entry. Reflections keep the digits of small rows only below the large ones
+/// (Powell and Reid 1969), and the triangle they leave does not depend on the order.
+fn largest_rows_first(m: &DMatrix<f64>) -> DMatrix<f64> {
+    let size = |i: usize| m.row(i).amax();
+    let mut order: Vec<usize> = Vec::with_capacity(m.nrows());
+    for i in 0..m.nrows() {
+        let at = order.iter().position(|&j| size(i) > size(j)).unwrap_or(order.len());
+        order.insert(at, i);
     }
-    m
+    DMatrix::from_fn(m.nrows(), m.ncols(), |i, j| m[(order[i], j)])
 }
 
 /// A matrix L with LLᵀ = `s`, for a positive semidefinite `s`: Cholesky's, or where that meets a zero pivot the one

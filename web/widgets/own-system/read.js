@@ -23,7 +23,9 @@ const ELSEWHERE = ['A', 'B', 'C', 'Q', 'R']
 const TRANSLATED =
   'What is called A, B and C elsewhere is F, G and H here; V and W are the covariances of the motion and of a reading.'
 
-/** What may stand between matrices and says nothing of them: marks of structure, a prompt, a line that sets things up. */
+const EXPECTED = 'Write F = …, G = …, H = …, V = …, W = …, in JSON, MATLAB or numpy notation.'
+
+/** What may stand between matrices and says nothing of them: marks of structure, a prompt, a line that sets up. */
 const BETWEEN = [
   /^[\s;,{}()]+/,
   /^(?:>>>?|In \[\d+\]:)\s*/,
@@ -174,9 +176,7 @@ class Paste {
     const found = Object.fromEntries(Object.entries(this.found).map(([name, { matrix }]) => [name, matrix]))
     const elsewhere = this.unused.filter((name) => ELSEWHERE.includes(name))
     if (Object.keys(found).length === 0)
-      throw new Fault(
-        `No matrix was found. ${elsewhere.length ? TRANSLATED : 'Write F = …, G = …, H = …, V = …, W = …, in JSON, MATLAB or numpy notation.'}`,
-      )
+      throw new Fault(`No matrix was found. ${elsewhere.length ? TRANSLATED : EXPECTED}`)
     for (const [name, meant] of Object.entries(MEANT))
       if (!found[name]) throw new Fault(`${name}, ${meant}, is missing.${elsewhere.length ? ` ${TRANSLATED}` : ''}`)
     if (!found.G && this.unused.includes('B')) throw new Fault(`B is given and G is not. ${TRANSLATED}`)

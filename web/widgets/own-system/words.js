@@ -7,7 +7,8 @@ import { sumsOf } from './names.js'
 
 /** @param {Frame} frame */
 export function verdict(frame) {
-  return [lost(frame), seen(frame), dies(frame), reached(frame), limit(frame), stability(frame)].filter(Boolean).join(' ')
+  const sentences = [lost, seen, dies, reached, limit, stability].map((say) => say(frame))
+  return sentences.filter(Boolean).join(' ')
 }
 
 /** @param {Frame} frame */
