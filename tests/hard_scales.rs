@@ -19,8 +19,8 @@ const RIGHT: f64 = 1e-6;
 /// had no reason to look at may be behind it. Among 10,000 steps there must not be one.
 const AT_WORST: f64 = 1e-4;
 
-/// How many steps were answered, how many of these by a filter that calls itself well conditioned, and how many of those
-/// are off by more than [`RIGHT`].
+/// How many steps were answered, how many of these by a filter that calls itself well conditioned, and how many of
+/// those are off by more than [`RIGHT`].
 #[derive(Debug, Default, PartialEq, Eq)]
 struct Count {
     steps: usize,

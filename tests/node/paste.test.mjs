@@ -50,7 +50,8 @@ test('what is not understood is a fault with its line, and nothing of the paste 
 })
 
 test('what is of no use here is named, and what only sets things up is passed over', () => {
-  const text = `import numpy as np\nfrom math import pi\nclear all; clc\ndt = 0.1; x0 = [1; 2]\nF = eye(2)\n${REST}\ndisp(F)`
+  const before = 'import numpy as np\nfrom math import pi\nclear all; clc\ndt = 0.1; x0 = [1; 2]\n'
+  const text = `${before}F = eye(2)\n${REST}\ndisp(F)`
   assert.deepEqual([read(text).ok, read(text).unused], [true, ['dt', 'x0']], read(text).fault)
   const json = '{"name": "cart, by [hand]", "F": [[1]], "notes": {"a": [1, 2]}, "H": [[1]], "V": [[1]], "W": [[1]]}'
   assert.deepEqual([read(json).ok, read(json).unused], [true, ['name', 'a']], read(json).fault)

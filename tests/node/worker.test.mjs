@@ -188,7 +188,7 @@ test('what meets a fault is replaced: the reader is told, the log stays, and wha
   assert.equal(run.frame.params.gate, 0.99)
 })
 
-test('a fault that comes again before anything is answered is the last, and every question is answered so', async () => {
+test('a fault that comes again before anything is answered is the last, and every question hears it', async () => {
   const { module, broken } = faulty()
   const { run, turns } = await connected(module)
   await run.read(files(file('first.csv', wheels(3))))

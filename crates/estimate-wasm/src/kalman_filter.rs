@@ -76,8 +76,9 @@ impl KalmanFilter {
         self.read(|filter| rows(&filter.belief().p))
     }
 
-    /// Whether S, P and x of every step so far are right to 10⁻⁶ of their largest entries; x to that part of the largest
-    /// standard deviation where this is more. False once the scales of P, V and W were too far apart for doubles.
+    /// Whether S, P and x of every step so far are right to 10⁻⁶ of their largest entries; x to that part of the
+    /// largest standard deviation where this is more. False once the scales of P, V and W were too far apart for
+    /// doubles.
     #[wasm_bindgen(getter)]
     pub fn conditioned(&self) -> Result<bool, Thrown> {
         self.0.read(CLASS, Filter::conditioned)

@@ -46,8 +46,8 @@ pub type Entry<U, M> = (OVector<f64, U>, OVector<f64, M>);
 /// The log-likelihood of a log, Σ −½ (ln det 2πS + νᵀS⁻¹ν) over its steps, from the belief before the first of them.
 ///
 /// # Errors
-/// As [`kalman_step`](crate::kf::kalman_step); [`Code::InnovationNotPositiveDefinite`] where an S is too near to singular
-/// for [`log_density`], or rounding has left less than six digits of one.
+/// As [`kalman_step`](crate::kf::kalman_step); [`Code::InnovationNotPositiveDefinite`] where an S is too near to
+/// singular for [`log_density`], or rounding has left less than six digits of one.
 ///
 /// # Example
 /// ```

@@ -52,8 +52,8 @@ where
         Ok(belief)
     }
 
-    /// [`predicted`](Self::predicted), in the place of the belief itself; after an error it is as it was. Answers whether
-    /// Σ̄ is regular: whether the rounding of its entries is nothing beside it in any direction.
+    /// [`predicted`](Self::predicted), in the place of the belief itself; after an error it is as it was. Answers
+    /// whether Σ̄ is regular: whether the rounding of its entries is nothing beside it in any direction.
     ///
     /// # Errors
     /// As there.

@@ -32,6 +32,7 @@ mod model;
 mod rounding;
 mod sizes;
 mod square_root;
+mod terms;
 pub mod ukf;
 mod update;
 

@@ -3,12 +3,11 @@
 //! Sister volume, chapter 6; the Joseph form after Bucy and Joseph (1968). [`Gaussian`](crate::Gaussian) and
 //! [`Kf`](crate::Kf) put it together.
 
-use crate::covariance::{
-    MAX_CANCELLED, at_run_time, bound_on_sums, bound_on_terms, copy, least_variance, mend, plainly_positive, tolerated,
-};
+use crate::covariance::{MAX_CANCELLED, at_run_time, copy, mend, plainly_positive};
 use crate::error::Error;
 use crate::sizes::Sizes;
 use crate::square_root::{self, Correction};
+use crate::terms::{bound_on_sums, bound_on_terms, least_variance, tolerated};
 use nalgebra::allocator::Allocator;
 use nalgebra::{DefaultAllocator, Dim, OMatrix, OVector};
 use numerics::{MIN_PIVOT, Spd};

@@ -32,7 +32,8 @@ const NEGLIGIBLE: f64 = 1e-12;
 /// use filters::{Conditioning, Gaussian};
 /// use nalgebra::{Matrix1, Matrix2, RowVector2, Vector1, Vector2};
 /// // Two readings of the sum and of the difference of two states that nothing is known of.
-/// let (mut belief, mut filter) = (Gaussian { x: Vector2::zeros(), p: Matrix2::identity() * 1e14 }, Conditioning::default());
+/// let mut belief = Gaussian { x: Vector2::zeros(), p: Matrix2::identity() * 1e14 };
+/// let mut filter = Conditioning::default();
 /// for c in [RowVector2::new(1.0, 1.0), RowVector2::new(1.0, -1.0)] {
 ///     let (corrected, update) = belief.corrected(&Vector1::new(1.0), &c, &Matrix1::new(1e-10))?;
 ///     filter.corrected(&belief.p, (&c, &Matrix1::new(1e-10)), &update, &corrected);
@@ -69,8 +70,8 @@ impl Conditioning {
         Self { bound: Bound::Carried(Rounding::of(&at_run_time(p))), lost: false }
     }
 
-    /// Whether S, Σ and μ of every step so far are right to [`MAX_ERROR`] of their largest entries, μ to that part of the
-    /// largest deviation where this is more.
+    /// Whether S, Σ and μ of every step so far are right to [`MAX_ERROR`] of their largest entries, μ to that part of
+    /// the largest deviation where this is more.
     pub fn is_well_conditioned(&self) -> bool {
         !self.lost
     }
@@ -163,8 +164,8 @@ impl Rounding {
         c * &self.0 * c.transpose() + of_terms(&sums([(c, p)], q))
     }
 
-    /// How far Σ̄CᵀS⁻¹(z − Cμ̄) is off. A covariance of two directions is known no better than the rounding of the largest
-    /// entry, however little is left of the variance in one of them.
+    /// How far Σ̄CᵀS⁻¹(z − Cμ̄) is off. A covariance of two directions is known no better than the rounding of the
+    /// largest entry, however little is left of the variance in one of them.
     fn of_mean(&self, [p, c]: [&DMatrix<f64>; 2], s: DMatrix<f64>, innovation: &DMatrix<f64>) -> f64 {
         let Some(s) = Spd::new(s) else { return f64::INFINITY };
         let weighed = (c.transpose() * s.solve(innovation)).abs();
@@ -179,7 +180,8 @@ fn relative(error: &DMatrix<f64>, covariance: DMatrix<f64>) -> f64 {
     Spd::new(covariance).map_or(f64::INFINITY, |spd| spd.solve(error).trace())
 }
 
-/// The rounding of μ̄ + K(z − Cμ̄), of which the `largest` entry is left: where it is small beside its terms they cancel.
+/// The rounding of μ̄ + K(z − Cμ̄), of which the `largest` entry is left: where it is small beside its terms they
+/// cancel.
 fn of_sum(k: &DMatrix<f64>, c: &DMatrix<f64>, innovation: &DMatrix<f64>, largest: f64) -> f64 {
     let [k, c, innovation] = [k, c, innovation].map(|m| m.abs());
     let terms = largest + (&k * innovation).max();

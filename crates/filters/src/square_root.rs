@@ -12,10 +12,10 @@
 //! square roots (Kaminski, Bryson and Schmidt 1971; Anderson and Moore, Optimal Filtering, §6.5).
 
 use crate::covariance::{
-    MAX_CANCELLED, SEMIDEFINITE_TOLERANCE, bound_on_sums, bound_on_terms, finite, largest_terms, largest_variance,
-    least_variance, positive_when_raised, regular, semidefinite, tolerated,
+    MAX_CANCELLED, SEMIDEFINITE_TOLERANCE, finite, largest_variance, positive_when_raised, regular, semidefinite,
 };
 use crate::error::{Error, Quantity};
+use crate::terms::{bound_on_sums, bound_on_terms, largest_terms, least_variance, tolerated};
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector};
 use numerics::{MIN_PIVOT, Singular, Spd, power_of_two, singular_values, sqrt};

@@ -67,7 +67,8 @@ impl Files {
     /// Adds a file, and guesses how it is to be read: by what its columns are called, by its name, and by its numbers.
     ///
     /// # Errors
-    /// There are [`MAX_FILES`] files already, or together they are larger than [`MAX_BYTES`]. The fault stands in no line.
+    /// There are [`MAX_FILES`] files already, or together they are larger than [`MAX_BYTES`]. The fault stands in no
+    /// line.
     pub fn add(&mut self, name: &str, text: &str) -> Result<(), Error> {
         let at = self.files.len();
         let bytes = self.files.iter().map(|file| file.text.len()).sum::<usize>() + text.len();

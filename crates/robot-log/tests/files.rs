@@ -252,41 +252,6 @@ fn a_sighting_of_no_landmark_is_refused_in_the_books_own_format_also_without_any
     assert_eq!(files(&[("mine.csv", text)]).read(), Err(error));
 }
 
-#[test]
-fn a_header_that_is_cut_off_or_endless_is_refused_at_its_name() {
-    let cut = "\"time\",\"v\",\"ome";
-    assert_refused(&files(&[("cut.csv", cut)]), 0, [1, 12], "quotes of the column's name are not closed");
-    assert_refused(&files(&[("cut.csv", "# one\ntime;'v\n0;1\n")]), 0, [2, 6], "not closed");
-    let long = format!("time,v,{}\n0,1,2\n", "å".repeat(5_000_000));
-    assert_refused(&files(&[("long.csv", &long)]), 0, [1, 8], "more than 200 bytes");
-    // A name may be as long as 200 bytes, and may end within a letter of two bytes when it is cut.
-    let fits = format!("time,v,omega,{}\n0,1,2,3\n", "a".repeat(200));
-    assert!(files(&[("fits.csv", &fits)]).read().is_ok());
-    let odd = format!("time,v,omega,a{}\n0,1,2,3\n", "å".repeat(200));
-    assert_refused(&files(&[("odd.csv", &odd)]), 0, [1, 14], "more than 200 bytes");
-}
-
-#[test]
-fn unix_times_in_small_units_are_named() {
-    for (time, unit) in [("1790000000000", "milli"), ("1790000000000000", "micro"), ("1790000000000000000", "nano")] {
-        let text = format!("O,{time},0.1,0\n");
-        assert_refused(&files(&[("mine.csv", &text)]), 0, [1, 3], &format!("looks like a Unix time in {unit}seconds"));
-    }
-    assert_refused(&files(&[("mine.csv", "O,9e99,0.1,0\n")]), 0, [1, 3], "times within 1e11 s were expected");
-}
-
-#[test]
-fn too_many_files_are_refused() {
-    let mut files = Files::default();
-    for i in 0..robot_log::MAX_FILES {
-        files.add(&format!("{i}"), "O,0,0,0\n").expect("few");
-    }
-    let error = files.add("one more", "").expect_err("too many");
-    assert_eq!((error.file, error.line), (robot_log::MAX_FILES, 0), "{error}");
-    assert!(error.message.contains("at most 16 files"), "{error}");
-    assert_eq!(files.files().len(), robot_log::MAX_FILES);
-}
-
 proptest! {
     #![proptest_config(draws::cases(256))]
 

@@ -38,7 +38,7 @@ const BETWEEN = [
 const NAME = /^(?:[A-Za-z_]\w*\.)*(["']?)([A-Za-z_]\w*)\1\s*[:=](?!=)/
 /** An entry that is given by itself: `F(1,2) =` counts from 1, `F[0, 1] =` and `F[0][1] =` from 0. */
 const ENTRY =
-  /^(?:[A-Za-z_]\w*\.)*([A-Za-z_]\w*)\s*(?:\(\s*(\d+)\s*,\s*(\d+)\s*\)|\[\s*(\d+)\s*(?:,|\]\s*\[)\s*(\d+)\s*\])\s*=(?!=)/
+  /^(?:[a-z_]\w*\.)*([a-z_]\w*)\s*(?:\(\s*(\d+)\s*,\s*(\d+)\s*\)|\[\s*(\d+)\s*(?:,|\]\s*\[)\s*(\d+)\s*\])\s*=(?!=)/i
 /** What opens a list of matrices: `dict(`, `KalmanFilter(`. */
 const OPENS = /^\s*(?:[A-Za-z_][\w.]*\s*\(|\{)\s*(?=["']?[A-Za-z_]\w*["']?\s*[:=](?!=))/
 

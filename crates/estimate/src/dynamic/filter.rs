@@ -169,14 +169,16 @@ impl KalmanFilter {
         Gaussian { x: DVector::from_column_slice(self.x()), p }
     }
 
-    /// Whether S and P of every step so far are right to 10⁻⁶ of their largest entries. They are not where a reading takes
-    /// away variances so large that their rounding is more than what is left, as after a prior of 10¹⁴ with W of 10⁻¹⁰.
+    /// Whether S, P and x̂ of every step so far are right to 10⁻⁶ of their largest entries, x̂ to that part of the
+    /// largest standard deviation where this is more. They are not where a reading takes away variances so large that their
+    /// rounding is more than what is left, as after a prior of 10¹⁴ with W of 10⁻¹⁰.
     pub fn conditioned(&self) -> bool {
         each!(&self.0, filter => filter.belief.conditioned())
     }
 
-    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over all readings; nothing where the filter is not [`conditioned`](Self::conditioned),
-    /// [`log_density`] had no answer at one of them, or the sum is too large for a number.
+    /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over all readings; nothing where the filter is not
+    /// [`conditioned`](Self::conditioned), [`log_density`] had no answer at one of them, or the sum is too large for a
+    /// number.
     pub fn log_likelihood(&self) -> Option<f64> {
         each!(&self.0, filter => filter.log_likelihood)
     }

@@ -1,4 +1,5 @@
 use super::*;
+use crate::terms::{bound_on_terms, largest_terms, tolerated};
 
 #[test]
 fn an_eigenvalue_may_be_negative_by_a_part_of_the_largest_variance() {
