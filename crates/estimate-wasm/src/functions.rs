@@ -71,8 +71,8 @@ pub fn kalman_replay(
 /// The best track afterwards (Rauch, Tung and Striebel): the belief after each row of a log in the light of all its
 /// readings. `us` and `ys` hold an input and a reading for each row; a reading that is null, or has parts that are, was
 /// not made, or not whole. A system without inputs may have an empty `us`. From the last row with a reading on, the
-/// answer is the filter's. At most 10 000 rows (of a large system fewer, as in `kalmanReplay`), and 2 n² + 2 n numbers
-/// of memory for each.
+/// answer is the filter's. At most 10 000 rows (of a large system fewer, as in `kalmanReplay`), and n² + n numbers of
+/// memory for each.
 #[wasm_bindgen(js_name = kalmanSmooth, unchecked_return_type = "Belief[]")]
 pub fn kalman_smooth(
     #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,

@@ -5,8 +5,8 @@ use crate::encode::{list, record, rows};
 use crate::errors::Thrown;
 use crate::functions::{belief_of, continuous_of, shown_belief};
 use crate::object::Held;
+use estimate::Error;
 use estimate::dynamic::{MAX_CAPACITY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, Timeline as Line};
-use estimate::{Code, Error};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -21,12 +21,6 @@ const TYPES: &str = include_str!("timeline.d.ts");
 pub struct Timeline(Held);
 
 const CLASS: &str = "Timeline";
-
-/// A time line, and what its sensors are called, in their order.
-struct Named {
-    line: Line,
-    names: Vec<String>,
-}
 
 #[wasm_bindgen]
 impl Timeline {
@@ -45,21 +39,16 @@ impl Timeline {
         options.given("capacity", |a| a.whole(1, MAX_CAPACITY as u32), &mut capacity)?;
         let memory = Memory { window: options.field("window")?.number()?, capacity: capacity as usize };
         let sensors = options.field("sensors")?;
-        let (mut names, mut all) = (Vec::new(), Vec::new());
+        let mut all = Vec::new();
         for (name, value) in sensors.own_fields(MAX_SENSORS as u32)? {
-            // The sensor is decoded by itself: a caller's name is no part of the paths that an error spells out.
-            all.push(sensor(&Arg::new(&value, SENSOR)).map_err(|e| called(e, SENSOR, &name))?);
-            names.push(name);
+            // Decoded by itself: a caller's name is no part of the paths that an error spells out.
+            all.push(sensor(&Arg::new(&value, SENSOR), name)?);
         }
-        let line = Line::new(system, &belief, time, memory, all).map_err(|e| {
-            let number = names.iter().enumerate().map(|(i, name)| (format!("sensors[{i}]"), name));
-            let found = number.into_iter().find(|(number, _)| e.argument.starts_with(&format!("{number}.")));
-            match found {
-                Some((number, name)) => called(e, &number, name),
-                None => e.part_of("options", &["time", "window", "capacity", "sensors"]),
-            }
+        let line = Line::new(system, &belief, time, memory, all).map_err(|e| match &*e.argument {
+            "belief" => e,
+            _ => e.within("options"),
         })?;
-        Ok(Self(Held::new(CLASS, Named { line, names })))
+        Ok(Self(Held::new(CLASS, line)))
     }
 
     /// The input is `u` from the time `t` on, until the next. Before the first it is zero.
@@ -70,7 +59,7 @@ impl Timeline {
         #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
     ) -> Result<JsValue, Thrown> {
         let (t, u) = (Arg::new(t, "t").number()?, Arg::new(u, "u").short()?);
-        let placed = self.0.write(CLASS, |it: &mut Named| it.line.input(t, &u))?;
+        let placed = self.0.write(CLASS, |line: &mut Line| line.input(t, &u))?;
         Ok(record(&[("outcome", word(placed.outcome).into())]))
     }
 
@@ -90,11 +79,7 @@ impl Timeline {
             id if id.is_undefined() => 0,
             id => id.whole(0, u32::MAX)?,
         };
-        let placed = self.0.write(CLASS, |Named { line, names }: &mut Named| {
-            let unknown = || Error::new(Code::Index, "name", format!("is none of {}", names.join(", ")));
-            let sensor = names.iter().position(|known| *known == name).ok_or_else(unknown)?;
-            line.reading(sensor, t, &y, u64::from(id))
-        })?;
+        let placed = self.0.write(CLASS, |line: &mut Line| line.reading(&name, t, &y, u64::from(id)))?;
         Ok(shown(&placed))
     }
 
@@ -102,38 +87,42 @@ impl Timeline {
     #[wasm_bindgen(unchecked_return_type = "Belief")]
     pub fn at(&self, #[wasm_bindgen(unchecked_param_type = "number")] t: &JsValue) -> Result<JsValue, Thrown> {
         let t = Arg::new(t, "t").number()?;
-        let belief = self.0.read(CLASS, |it: &Named| it.line.at(t))??;
+        let belief = self.0.read(CLASS, |line: &Line| line.at(t))??;
         Ok(shown_belief(&belief))
     }
 
     /// The latest time at which something was measured, or that of the start.
     #[wasm_bindgen(getter, unchecked_return_type = "number")]
     pub fn newest(&self) -> Result<JsValue, Thrown> {
-        self.0.read(CLASS, |it: &Named| it.line.newest().into())
+        self.0.read(CLASS, |line: &Line| line.newest().into())
     }
 
     /// How many inputs and readings are kept.
     #[wasm_bindgen(getter, unchecked_return_type = "number")]
     pub fn length(&self) -> Result<JsValue, Thrown> {
-        self.0.read(CLASS, |it: &Named| (it.line.len() as f64).into())
+        self.0.read(CLASS, |line: &Line| (line.len() as f64).into())
     }
 }
 
 const SENSOR: &str = "sensor";
 
-/// The error of a sensor's field, with the sensor's name in place of `what` it was called.
-fn called(mut error: Error, what: &str, name: &str) -> Error {
-    let field = error.argument.strip_prefix(what).unwrap_or_default();
-    error.argument = format!("options.sensors.{name}{field}").into();
-    error
-}
-
-fn sensor(arg: &Arg<'_>) -> Result<Sensor, Error> {
-    arg.only(["H", "W", "delay", "gate"].into_iter())?;
-    let mut delay = 0.0;
-    arg.given("delay", |a| a.number(), &mut delay)?;
-    let gate = arg.field("gate")?.number_or_null()?;
-    Ok(Sensor { h: arg.field("H")?.tall()?, w: arg.field("W")?.matrix()?, delay, gate })
+fn sensor(arg: &Arg<'_>, name: String) -> Result<Sensor, Error> {
+    let read = || {
+        arg.only(["H", "W", "delay", "gate"].into_iter())?;
+        let mut delay = 0.0;
+        arg.given("delay", |a| a.number(), &mut delay)?;
+        Ok((arg.field("H")?.tall()?, arg.field("W")?.matrix()?, delay, arg.field("gate")?.number_or_null()?))
+    };
+    match read() {
+        Ok((h, w, delay, gate)) => Ok(Sensor { name, h, w, delay, gate }),
+        // The sensor's name in place of what it was called while it was decoded.
+        Err(error) => {
+            let mut error: Error = error;
+            let field = error.argument.strip_prefix(SENSOR).unwrap_or_default();
+            error.argument = ["options.sensors.", &name, field].concat().into();
+            Err(error)
+        }
+    }
 }
 
 fn word(outcome: Outcome) -> &'static str {

@@ -25,7 +25,6 @@ use crate::error::{Error, Quantity};
 use crate::sizes::Sizes;
 use nalgebra::allocator::Allocator;
 use nalgebra::{DMatrix, DefaultAllocator, Dim, Matrix, OMatrix, RawStorage, RawStorageMut, SquareMatrix};
-use numerics::sqrt;
 use numerics::{MIN_PIVOT, Spd, power_of_two, singular_values};
 
 /// A caller's covariance may differ from its transpose by this part of its largest entry.

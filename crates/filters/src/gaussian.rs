@@ -38,6 +38,8 @@ where
     ///
     /// # Errors
     /// [`Error::NotFinite`] when an argument is not finite or a product overflows.
+    // In wasm, where it is of many sizes, one function for each.
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn predicted<U: Dim>(
         &self,
         a: &OMatrix<f64, N, N>,

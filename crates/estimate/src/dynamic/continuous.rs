@@ -106,7 +106,7 @@ impl Continuous {
     fn doublings(&self, dt: f64) -> i32 {
         let n = self.a.nrows();
         let entries = self.a.map(|entry| f64::from(u8::from(entry != 0.0)));
-        let powers = (1..n).fold(entries.clone(), |power, _| (power * &entries).map(|ways| ways.min(1.0)));
+        let powers = (1..n).fold(entries.clone(), |power, _| product(&power, &entries).map(|ways| ways.min(1.0)));
         if powers.amax() == 0.0 {
             return 0;
         }
@@ -133,9 +133,9 @@ impl Span {
         let (mut change, mut g, mut v) = (power.clone(), g_term.clone(), v_term.clone());
         for k in 1..TERMS {
             let divisor = (k + 1) as f64;
-            power = &m * power / divisor;
-            g_term = &m * g_term / divisor;
-            let half = &m * &v_term;
+            power = product(&m, &power) / divisor;
+            g_term = product(&m, &g_term) / divisor;
+            let half = product(&m, &v_term);
             v_term = (&half + half.transpose()) / divisor;
             change += &power;
             g += &g_term;
@@ -155,7 +155,7 @@ impl Span {
     fn doubled(self) -> Result<Self, Error> {
         let Discrete { f, g, v } = &self.discrete;
         let n = f.nrows();
-        let (g, v) = (g + f * g, predicted_covariance(f, v, v).map_err(|_| too_large())?);
+        let (g, v) = (g + product(f, g), predicted_covariance(f, v, v).map_err(|_| too_large())?);
         let (mut doubled, mut change) = (f.clone(), self.change);
         for j in 0..n {
             for i in 0..n {
@@ -180,6 +180,12 @@ impl Span {
         let Discrete { f, g, v } = &self.discrete;
         if is_finite(f) && is_finite(g) && is_finite(v) { Ok(self) } else { Err(too_large()) }
     }
+}
+
+/// A B, compiled once.
+#[inline(never)]
+fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
+    a * b
 }
 
 #[cold]

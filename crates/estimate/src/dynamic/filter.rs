@@ -11,7 +11,7 @@ use crate::lti::{Lti, SystemSizes};
 use crate::validate;
 use alloc::boxed::Box;
 use alloc::vec::Vec;
-use filters::{Gaussian, Sizes, Update};
+use filters::Gaussian;
 use nalgebra::allocator::Allocator;
 use nalgebra::{Const, DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, U1, VectorView};
 
@@ -121,19 +121,18 @@ impl KalmanFilter {
         if there.len() == y.len() {
             return self.update(&there);
         }
-        let whole: Vec<f64> = y.iter().map(|part| part.unwrap_or(0.0)).collect();
-        let (h, w) = each!(&self.0, filter => {
-            filter.reading(&whole).map(|()| rows_there(&filter.system.h, &filter.system.w, y))
-        })?;
+        let (p, n) = each!(&self.0, filter => filter.system.h.shape());
+        validate::entries(&y.iter().map(|part| part.unwrap_or(0.0)).collect::<Vec<f64>>(), p, "y")?;
         if there.is_empty() {
             each!(&mut self.0, filter => filter.nis = None);
             return Ok(());
         }
+        let (h, w) = each!(&self.0, filter => (filter.system.h.as_slice(), filter.system.w.as_slice()));
+        let (h, w) = rows_there(&sized(Dyn(p), Dyn(n), h), &sized(Dyn(p), Dyn(p), w), y);
         let y = DVector::from_vec(there);
-        each!(&mut self.0, filter => {
-            let update = filter.belief.correct_partly(&y, &h, &w)?;
-            filter.note(&update);
-        });
+        let update = each!(&mut self.0, filter => filter.belief.correct_partly(&y, &h, &w)?);
+        let density = log_density(&update.innovation, &update.s);
+        each!(&mut self.0, filter => filter.note(density, update.d2));
         Ok(())
     }
 
@@ -170,7 +169,8 @@ impl KalmanFilter {
     }
 
     /// Whether S, P and x̂ of every step so far are right to 10⁻⁶ of their largest entries, x̂ to that part of the
-    /// largest standard deviation where this is more. They are not where a reading takes away variances so large that their
+    /// largest standard deviation where this is more. They are not where a reading takes away variances so large that
+    /// their
     /// rounding is more than what is left, as after a prior of 10¹⁴ with W of 10⁻¹⁰.
     pub fn conditioned(&self) -> bool {
         each!(&self.0, filter => filter.belief.conditioned())
@@ -232,7 +232,7 @@ where
         let system = &self.system;
         let y = sized(system.h.shape_generic().0, U1, y);
         let update = self.belief.correct(&y, &system.h, &system.w)?;
-        self.note(&update);
+        self.note(log_density(&update.innovation, &update.s), update.d2);
         Ok(())
     }
 
@@ -265,15 +265,11 @@ where
         validate::entries(y, self.system.h.nrows(), "y")
     }
 
-    #[inline(always)]
-    fn note<A: Dim, B: Dim>(&mut self, update: &Update<A, B>)
-    where
-        DefaultAllocator: Sizes<A, B>,
-    {
-        let density = log_density(&update.innovation, &update.s);
+    /// The density and the squared distance of a reading.
+    fn note(&mut self, density: Option<f64>, d2: Option<f64>) {
         let sum = self.log_likelihood.zip(density).map(|(sum, density)| sum + density);
         self.log_likelihood = sum.filter(|sum| sum.is_finite() && self.belief.conditioned());
-        self.nis = update.d2;
+        self.nis = d2;
     }
 }
 

@@ -1,18 +1,10 @@
 //! A reading of which parts are missing.
 
 use alloc::vec::Vec;
-use nalgebra::allocator::Allocator;
-use nalgebra::{DMatrix, DefaultAllocator, Dim, OMatrix};
+use nalgebra::DMatrix;
 
 /// The rows of H that belong to the parts of `y` that are there, and these rows and columns of W.
-pub(super) fn rows_there<N: Dim, M: Dim>(
-    h: &OMatrix<f64, M, N>,
-    w: &OMatrix<f64, M, M>,
-    y: &[Option<f64>],
-) -> (DMatrix<f64>, DMatrix<f64>)
-where
-    DefaultAllocator: Allocator<M, N> + Allocator<M, M>,
-{
+pub(super) fn rows_there(h: &DMatrix<f64>, w: &DMatrix<f64>, y: &[Option<f64>]) -> (DMatrix<f64>, DMatrix<f64>) {
     let rows: Vec<usize> = (0..y.len()).filter(|i| y[*i].is_some()).collect();
     (
         DMatrix::from_fn(rows.len(), h.ncols(), |i, j| h[(rows[i], j)]),

@@ -8,7 +8,7 @@ use alloc::borrow::Cow;
 use alloc::format;
 use alloc::vec::Vec;
 use filters::linear;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DVector;
 
 /// The beliefs N(x(k | all), P(k | all)) after each row of a log: a Kalman filter runs forward over it, and a smoother
 /// back over the filter's beliefs. A row is an input (m) and the reading after it (p), of which parts, or all, may be
@@ -18,7 +18,7 @@ use nalgebra::{DMatrix, DVector};
 /// were read, x(k | all) = x + C (x(k+1 | all) − x̄) and P(k | all) = P − C P̄ Cᵀ + C P(k+1 | all) Cᵀ. P − C P̄ Cᵀ is
 /// computed as a correction is, in Joseph's form: where P is vast, the difference would have no digits.
 ///
-/// From the last row with a reading on the answer is the filter's, to the last bit. It needs 2 n² + 2 n numbers for
+/// From the last row with a reading on the answer is the filter's, to the last bit. It needs n² + n numbers for
 /// each row.
 ///
 /// # Errors
@@ -58,35 +58,28 @@ pub fn kalman_smooth(
         return Err(Error::new(Code::Shape, "us", format!("has {} rows; ys has {rows}", inputs.len())));
     }
     let mut filter = KalmanFilter::new(system, belief)?;
-    let (mut track, mut predicted) = (Vec::with_capacity(rows), Vec::with_capacity(rows));
+    let mut track = Vec::with_capacity(rows);
+    let input = |k: usize| inputs.get(k).map_or(&[][..], Vec::as_slice);
     for (k, reading) in readings.iter().enumerate() {
-        let input = inputs.get(k).map_or(&[][..], Vec::as_slice);
-        filter.predict(input).map_err(|e| at_row(e, k))?;
-        predicted.push(DVector::from_column_slice(filter.x()));
-        filter.update_partly(reading).map_err(|e| at_row(e, k))?;
+        filter.step_partly(input(k), reading).map_err(|e| at_row(e, k))?;
         track.push(filter.belief());
     }
     // What nothing was read after is known as well as it will be.
     let last = readings.iter().rposition(|reading| reading.iter().any(Option::is_some)).unwrap_or(0);
     for k in (0..last).rev() {
         let (known, after) = track.split_at_mut(k + 1);
-        smooth(&mut known[k], &predicted[k + 1], &after[0], system).map_err(|e| at_step(e, k + 1))?;
+        smooth(&mut known[k], input(k + 1), &after[0], system).map_err(|e| at_step(e, k + 1))?;
     }
     Ok(track)
 }
 
-/// Corrects `belief` of x(k) by what is known of x(k+1) `after` all readings, which was `predicted` from it.
-fn smooth(
-    belief: &mut Belief,
-    predicted: &DVector<f64>,
-    after: &Belief,
-    system: &System,
-) -> Result<(), filters::Error> {
-    let gain = linear::gain(&belief.p, &system.f, &system.v)?;
-    let x = &belief.x + &gain.k * (&after.x - predicted);
-    let x = filters::covariance::finite(x, filters::Quantity::Mean)?;
-    let p: DMatrix<f64> = linear::predicted_covariance(&gain.k, &after.p, &gain.p)?;
-    *belief = Belief { x, p };
+/// Corrects `belief` of x(k) by what is known of x(k+1) `after` all readings: by x(k+1) − G u as a reading of F x(k),
+/// whose noise is V and what is still unknown of x(k+1).
+fn smooth(belief: &mut Belief, u: &[f64], after: &Belief, system: &System) -> Result<(), filters::Error> {
+    let z = &after.x - &system.g * DVector::from_column_slice(u);
+    let (known, update) = belief.corrected(&z, &system.f, &system.v)?;
+    let p = linear::predicted_covariance(&update.k, &after.p, &known.p)?;
+    *belief = Belief { x: known.x, p };
     Ok(())
 }
 

@@ -1,85 +1,18 @@
 //! A time line: readings of several sensors, each at the time at which it was measured, in whatever order they come.
 
 mod history;
+mod sensor;
+
+pub use sensor::{Judged, MAX_AHEAD, MAX_CAPACITY, MAX_DELAY, MAX_SENSORS, Memory, Outcome, Placed, Sensor};
 
 use super::{Belief, Continuous};
 use crate::error::{Code, Error};
 use crate::kf::belief_fits;
-use crate::validate::{self, MAX_OUTPUTS, size};
+use crate::validate::{self, size};
 use alloc::collections::VecDeque;
-use alloc::format;
 use alloc::vec::Vec;
 use history::{Event, Given, Key, Moment};
-use nalgebra::{DMatrix, DVector};
-
-/// The most sensors of a time line.
-pub const MAX_SENSORS: usize = 64;
-/// The most events that a time line keeps: a late one may have all others replayed.
-pub const MAX_CAPACITY: usize = 10_000;
-/// The longest delay of a sensor, either way, in seconds.
-pub const MAX_DELAY: f64 = 10.0;
-/// How far an event may lie ahead of all others, in seconds. What is further is taken for a clock that is wrong: it
-/// would push everything else out of the window.
-pub const MAX_AHEAD: f64 = 1e6;
-
-/// A sensor y = H x + w, Cov w = W, with p outputs.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Sensor {
-    /// H, p×n.
-    pub h: DMatrix<f64>,
-    /// W, p×p.
-    pub w: DMatrix<f64>,
-    /// What is stamped t was measured at t − delay; in seconds, from −[`MAX_DELAY`] to [`MAX_DELAY`].
-    pub delay: f64,
-    /// A reading whose χ² is greater is not used; none where every reading is.
-    pub gate: Option<f64>,
-}
-
-/// How much of the past a time line keeps.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Memory {
-    /// How much older than the latest event another may be, in seconds.
-    pub window: f64,
-    /// How many events within the window are kept, from 1 to [`MAX_CAPACITY`].
-    pub capacity: usize,
-}
-
-/// What became of an input or a reading.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
-    /// It has its place. A reading has corrected the belief.
-    Accepted,
-    /// The reading has its place, and lies beyond its sensor's gate. What comes late may change that.
-    Rejected,
-    /// It was measured before the window, or before the start.
-    TooLate,
-    /// It was measured more than [`MAX_AHEAD`] after everything else.
-    Ahead,
-    /// There is an input at this time, or a reading of this sensor with this time and id.
-    Duplicate,
-    /// As many events as there is room for lie within the window.
-    Full,
-}
-
-/// How a reading compares with what was expected at its time.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Judged {
-    /// ν = y − H x̂, of the parts that were read.
-    pub innovation: DVector<f64>,
-    /// S = H P Hᵀ + W.
-    pub s: DMatrix<f64>,
-    /// νᵀS⁻¹ν; nothing where S is singular to working accuracy, which is within no gate.
-    pub chi2: Option<f64>,
-}
-
-/// The answer to an input or a reading.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Placed {
-    /// What became of it.
-    pub outcome: Outcome,
-    /// For a reading that has its place.
-    pub judged: Option<Judged>,
-}
+use nalgebra::DVector;
 
 /// A Kalman filter in continuous time that keeps the last `window` seconds of events. What comes late is put in its
 /// place, and what follows is replayed: the belief is that of the sorted events **to the last bit**, in whatever order
@@ -97,14 +30,26 @@ pub struct Placed {
 /// let (a, b) = (dmatrix![0.0, 1.0; 0.0, 0.0], DMatrix::zeros(2, 0));
 /// let system = Continuous::new(a, b, dmatrix![0.0, 0.0; 0.0, 0.1])?;
 /// let belief = estimate::validate::belief(dvector![0.0, 0.0], DMatrix::identity(2, 2))?;
-/// let position = Sensor { h: dmatrix![1.0, 0.0], w: dmatrix![0.04], delay: 0.5, gate: Some(9.0) };
-/// let speed = Sensor { h: dmatrix![0.0, 1.0], w: dmatrix![0.01], delay: 0.0, gate: None };
+/// let position = Sensor {
+///     name: "position".into(),
+///     h: dmatrix![1.0, 0.0],
+///     w: dmatrix![0.04],
+///     delay: 0.5,
+///     gate: Some(9.0),
+/// };
+/// let speed = Sensor {
+///     name: "speed".into(),
+///     h: dmatrix![0.0, 1.0],
+///     w: dmatrix![0.01],
+///     delay: 0.0,
+///     gate: None,
+/// };
 /// let memory = Memory { window: 5.0, capacity: 100 };
 /// let mut line = Timeline::new(system, &belief, 0.0, memory, vec![position, speed])?;
-/// line.reading(1, 0.4, &[Some(1.0)], 0)?;
-/// line.reading(1, 0.8, &[Some(1.1)], 0)?;
+/// line.reading("speed", 0.4, &[Some(1.0)], 0)?;
+/// line.reading("speed", 0.8, &[Some(1.1)], 0)?;
 /// // Stamped 0.9, measured at 0.4.
-/// assert_eq!(line.reading(0, 0.9, &[Some(0.5)], 0)?.outcome, Outcome::Accepted);
+/// assert_eq!(line.reading("position", 0.9, &[Some(0.5)], 0)?.outcome, Outcome::Accepted);
 /// // Half a metre at 0.4, and about 1.1 m/s since.
 /// assert!((line.at(1.0)?.x[0] - 1.15).abs() < 0.05);
 /// # Ok::<(), estimate::Error>(())
@@ -127,8 +72,9 @@ impl Timeline {
     /// The time line of `system` with the `belief` at `time`, in seconds of any clock, and its sensors in their order.
     ///
     /// # Errors
-    /// Naming belief, time, window, capacity or sensors, with a sensor's number and field: [`Code::Shape`],
-    /// [`Code::NotFinite`], [`Code::Limit`], and those of [`validate::covariance`] for W.
+    /// Naming belief, time, window, capacity or sensors, with a sensor's name and field: [`Code::Shape`],
+    /// [`Code::NotFinite`], [`Code::Limit`], [`Code::Index`] for two of one name, and those of
+    /// [`validate::covariance`] for W.
     pub fn new(
         system: Continuous,
         belief: &Belief,
@@ -144,8 +90,15 @@ impl Timeline {
         }
         validate::count(memory.capacity, MAX_CAPACITY, "capacity")?;
         size(sensors.len(), MAX_SENSORS, "sensors")?;
-        let checked = |(i, sensor): (usize, Sensor)| sensor.checked(n).map_err(|e| e.within(&format!("sensors[{i}]")));
-        let sensors = sensors.into_iter().enumerate().map(checked).collect::<Result<_, _>>()?;
+        let mut checked: Vec<Sensor> = Vec::with_capacity(sensors.len());
+        for sensor in sensors {
+            let path = ["sensors.", &sensor.name].concat();
+            if checked.iter().any(|other| other.name == sensor.name) {
+                return Err(Error::new(Code::Index, path, "is the name of two sensors"));
+            }
+            checked.push(sensor.checked(n).map_err(|e| e.within(&path))?);
+        }
+        let sensors = checked;
         let base = Moment { time: start, input: DVector::zeros(m), belief: belief.clone() };
         Ok(Self { system, sensors, memory, start, newest: start, base, events: VecDeque::new() })
     }
@@ -161,17 +114,18 @@ impl Timeline {
         self.place(Key { time, rank: 0, id: 0 }, Given::Input(DVector::from_column_slice(u)))
     }
 
-    /// The sensor of this number has read `y`, of which parts may be missing, with the stamp `t`. Readings of one
-    /// sensor at one time are told apart by `id`.
+    /// The sensor of this name has read `y`, of which parts may be missing, with the stamp `t`. Readings of one sensor
+    /// at one time are told apart by `id`.
     ///
     /// # Errors
-    /// [`Code::Index`] naming the sensor; [`Code::Shape`] or [`Code::NotFinite`] naming t or y, [`Code::Shape`] also
+    /// [`Code::Index`] naming the name; [`Code::Shape`] or [`Code::NotFinite`] naming t or y, [`Code::Shape`] also
     /// where no part is there; [`Code::InnovationNotPositiveDefinite`] naming W; or what of the events cannot be
     /// replayed with it. The time line is then as it was.
-    pub fn reading(&mut self, sensor: usize, t: f64, y: &[Option<f64>], id: u64) -> Result<Placed, Error> {
-        let Some(Sensor { h, delay, .. }) = self.sensors.get(sensor) else {
-            return Err(Error::new(Code::Index, "sensor", format!("there is no sensor {sensor}")));
+    pub fn reading(&mut self, name: &str, t: f64, y: &[Option<f64>], id: u64) -> Result<Placed, Error> {
+        let Some(sensor) = self.sensors.iter().position(|sensor| sensor.name == name) else {
+            return Err(Error::new(Code::Index, "name", "is no sensor's"));
         };
+        let Sensor { h, delay, .. } = &self.sensors[sensor];
         let whole: Vec<f64> = y.iter().map(|part| part.unwrap_or(0.0)).collect();
         validate::entries(&whole, h.nrows(), "y")?;
         if y.iter().all(Option::is_none) {
@@ -191,7 +145,7 @@ impl Timeline {
         let t = validate::finite(t, "t")?;
         let known = self.before(self.events.partition_point(|event| event.key.time <= t));
         if t < known.time {
-            return Err(Error::new(Code::Limit, "t", format!("is before the window, which begins at {}", known.time)));
+            return Err(Error::new(Code::Limit, "t", "is before the window"));
         }
         let step = history::step(&self.system, known.time, t)?;
         history::predicted(known, step.as_ref())
@@ -243,9 +197,11 @@ impl Timeline {
         let answer = placed[0].answer(&self.sensors);
         self.newest = newest;
         self.events.truncate(place);
-        self.events.extend(placed);
-        if let Some(event) = self.events.drain(..past).next_back() {
-            self.base = event.after;
+        placed.into_iter().for_each(|event| self.events.push_back(event));
+        for _ in 0..past {
+            if let Some(event) = self.events.pop_front() {
+                self.base = event.after;
+            }
         }
         Ok(answer)
     }
@@ -258,23 +214,5 @@ impl Timeline {
     /// What is known before the event in this place.
     fn before(&self, place: usize) -> &Moment {
         place.checked_sub(1).and_then(|i| self.events.get(i)).map_or(&self.base, |event| &event.after)
-    }
-}
-
-impl Sensor {
-    fn checked(self, n: usize) -> Result<Self, Error> {
-        let p = self.h.nrows();
-        size(p, MAX_OUTPUTS, "H")?;
-        let h = validate::matrix(self.h, (p, n), "H")?;
-        let w = validate::covariance(self.w, p, "W")?;
-        if validate::finite(self.delay, "delay")?.abs() > MAX_DELAY {
-            return Err(Error::new(Code::Limit, "delay", format!("must be at most {MAX_DELAY} s, either way")));
-        }
-        if let Some(gate) = self.gate
-            && validate::finite(gate, "gate")? <= 0.0
-        {
-            return Err(Error::new(Code::Limit, "gate", "a gate on χ² is positive, or null"));
-        }
-        Ok(Self { h, w, ..self })
     }
 }

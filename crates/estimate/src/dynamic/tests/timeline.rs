@@ -14,11 +14,12 @@ fn start() -> Belief {
 
 /// A late one, a fast one, and one of both states with a gate.
 fn sensors() -> Vec<Sensor> {
-    let one = |h: DMatrix<f64>, w: DMatrix<f64>, delay, gate| Sensor { h, w, delay, gate };
+    let one =
+        |name: &str, h: DMatrix<f64>, w: DMatrix<f64>, delay, gate| Sensor { name: name.into(), h, w, delay, gate };
     vec![
-        one(dmatrix![1.0, 0.0], dmatrix![0.04], 0.5, None),
-        one(dmatrix![0.0, 1.0], dmatrix![0.25], 0.0, Some(4.0)),
-        one(DMatrix::identity(2, 2), dmatrix![1.0, 0.1; 0.1, 0.5], -0.25, Some(6.0)),
+        one("fix", dmatrix![1.0, 0.0], dmatrix![0.04], 0.5, None),
+        one("wheel", dmatrix![0.0, 1.0], dmatrix![0.25], 0.0, Some(4.0)),
+        one("both", DMatrix::identity(2, 2), dmatrix![1.0, 0.1; 0.1, 0.5], -0.25, Some(6.0)),
     ]
 }
 
@@ -34,7 +35,7 @@ type Arrival = (f64, usize, u64, Vec<Option<f64>>);
 fn tell(line: &mut Timeline, (time, rank, id, given): &Arrival) -> Placed {
     match rank {
         0 => line.input(*time, &[given[0].expect("an input is whole")]),
-        _ => line.reading(rank - 1, time + sensors()[rank - 1].delay, given, *id),
+        _ => line.reading(&sensors()[rank - 1].name, time + sensors()[rank - 1].delay, given, *id),
     }
     .expect("finite")
 }
@@ -181,12 +182,12 @@ fn an_event_that_finds_no_place_says_why_and_changes_nothing() {
     let mut line = Timeline::new(cart(), &start(), 0.0, memory, sensors()).expect("sound");
     let aside = |line: &mut Timeline, t: f64, id: u64, outcome: Outcome| {
         let before = format!("{line:?}");
-        let placed = line.reading(1, t, &[Some(1.0)], id).expect("finite");
+        let placed = line.reading("wheel", t, &[Some(1.0)], id).expect("finite");
         assert_eq!(placed, Placed { outcome, judged: None });
         assert_eq!(format!("{line:?}"), before);
     };
     let placed = |line: &mut Timeline, t: f64, id: u64| {
-        let answer = line.reading(1, t, &[Some(1.0)], id).expect("finite");
+        let answer = line.reading("wheel", t, &[Some(1.0)], id).expect("finite");
         assert_eq!((answer.outcome, answer.judged.is_some()), (Outcome::Accepted, true));
     };
     aside(&mut line, -1e-9, 0, Outcome::TooLate);
@@ -214,7 +215,7 @@ fn an_event_that_finds_no_place_says_why_and_changes_nothing() {
 #[test]
 fn what_is_wrong_is_named_and_the_line_is_as_it_was() {
     let mut line = line(5.0);
-    line.reading(0, 14.5, &[Some(1.0)], 0).expect("finite");
+    line.reading("fix", 14.5, &[Some(1.0)], 0).expect("finite");
     let before = format!("{line:?}");
     let mut refused = |call: &dyn Fn(&mut Timeline) -> Result<Placed, Error>, code: Code, argument: &str| {
         let error = call(&mut line).expect_err("refused");
@@ -226,11 +227,11 @@ fn what_is_wrong_is_named_and_the_line_is_as_it_was() {
     refused(&|line| line.input(11.0, &[f64::INFINITY]), Code::NotFinite, "u");
     // The input by itself has a place; over the four seconds to the reading it overflows.
     refused(&|line| line.input(10.0, &[1.7e308]), Code::NotFinite, "u");
-    refused(&|line| line.reading(3, 11.0, &[Some(0.0)], 0), Code::Index, "sensor");
-    refused(&|line| line.reading(0, f64::INFINITY, &[Some(0.0)], 0), Code::NotFinite, "t");
-    refused(&|line| line.reading(0, 11.0, &[], 0), Code::Shape, "y");
-    refused(&|line| line.reading(0, 11.0, &[None], 0), Code::Shape, "y");
-    refused(&|line| line.reading(0, 11.0, &[Some(f64::NAN)], 0), Code::NotFinite, "y");
+    refused(&|line| line.reading("compass", 11.0, &[Some(0.0)], 0), Code::Index, "name");
+    refused(&|line| line.reading("fix", f64::INFINITY, &[Some(0.0)], 0), Code::NotFinite, "t");
+    refused(&|line| line.reading("fix", 11.0, &[], 0), Code::Shape, "y");
+    refused(&|line| line.reading("fix", 11.0, &[None], 0), Code::Shape, "y");
+    refused(&|line| line.reading("fix", 11.0, &[Some(f64::NAN)], 0), Code::NotFinite, "y");
     let made = |time: f64, memory: Memory, sensors: Vec<Sensor>| {
         let error = Timeline::new(cart(), &start(), time, memory, sensors).expect_err("refused");
         (error.code, error.argument.to_string())
@@ -246,8 +247,9 @@ fn what_is_wrong_is_named_and_the_line_is_as_it_was() {
         bend(&mut all[1]);
         made(0.0, memory(1.0, 1), all)
     };
-    assert_eq!(bent(&|it| it.delay = 10.1), (Code::Limit, "sensors[1].delay".into()));
-    assert_eq!(bent(&|it| it.gate = Some(0.0)), (Code::Limit, "sensors[1].gate".into()));
-    assert_eq!(bent(&|it| it.w = dmatrix![-1.0]), (Code::NotPositiveSemidefinite, "sensors[1].W".into()));
-    assert_eq!(bent(&|it| it.h = dmatrix![1.0]), (Code::Shape, "sensors[1].H".into()));
+    assert_eq!(bent(&|it| it.delay = 10.1), (Code::Limit, "sensors.wheel.delay".into()));
+    assert_eq!(bent(&|it| it.gate = Some(0.0)), (Code::Limit, "sensors.wheel.gate".into()));
+    assert_eq!(bent(&|it| it.w = dmatrix![-1.0]), (Code::NotPositiveSemidefinite, "sensors.wheel.W".into()));
+    assert_eq!(bent(&|it| it.name = "fix".into()), (Code::Index, "sensors.fix".into()));
+    assert_eq!(bent(&|it| it.h = dmatrix![1.0]), (Code::Shape, "sensors.wheel.H".into()));
 }

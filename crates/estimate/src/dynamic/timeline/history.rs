@@ -1,8 +1,8 @@
 //! Events in their order, and what is known after each.
 
 use super::super::partial::rows_there;
-use super::{Belief, Judged, Outcome, Placed, Sensor};
-use crate::dynamic::{Continuous, Discrete};
+use super::sensor::{Judged, Outcome, Placed, Sensor};
+use crate::dynamic::{Belief, Continuous, Discrete};
 use crate::error::{Argument, Error};
 use alloc::vec::Vec;
 use core::cmp::Ordering;
