@@ -129,7 +129,9 @@ impl Conditioning {
         self.lost |= relative(&of_s, s.clone()) > MAX_BOUND;
         let rounding = before.corrected([p, c, q], &k, &posterior);
         let (error, variance) = (rounding.0.diagonal().max(), posterior.diagonal().max());
-        self.lost |= error > MAX_BOUND * variance;
+        // A reading without noise leaves nothing, and the rounding of K leaves this of it.
+        let nothing = 4.0 * p.nrows() as f64 * f64::EPSILON;
+        self.lost |= error > MAX_BOUND * variance && error > nothing * nothing * p.diagonal().max();
         let scale = MAX_BOUND * largest.max(sqrt(variance));
         self.lost |= before.of_mean([p, c], s, innovation) > scale || of_sum(&k, c, innovation, largest) > scale;
         if relative(&rounding.0, posterior) > NEGLIGIBLE {
