@@ -25,9 +25,3 @@ export interface Reachability {
     limit from every P(0 | 0) that is not smaller than it. "none": P grows without bound. "depends-on-start": it depends
     on P(0 | 0) and V. "undecided": the tolerance does not decide. */
 export type RiccatiLimit = 'from-every-start' | 'from-large-start' | 'none' | 'depends-on-start' | 'undecided'
-export interface Placement {
-  /** The gain. */
-  K: Matrix
-  /** The eigenvalues that no gain moves, by decreasing modulus. */
-  fixed: Complex[]
-}

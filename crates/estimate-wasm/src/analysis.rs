@@ -1,9 +1,9 @@
 //! What a system lets an observer know: decode, call, encode.
 
 use crate::decode::Arg;
-use crate::encode::{list, record, rows, shown};
+use crate::encode::{list, record, shown};
 use crate::errors::Thrown;
-use crate::functions::{number_or, poles_of, system_of};
+use crate::functions::{number_or, system_of};
 use estimate::{Error, Reachability, dynamic};
 use js_sys::Array;
 use nalgebra::DVector;
@@ -63,22 +63,7 @@ pub fn riccati_limit(
     Ok(shown(&dynamic::riccati_limit(&system_of(system)?, tolerance_of(tolerance)?)?))
 }
 
-/// The gain K that moves those eigenvalues of (I − KH)F that a gain can move to `poles`, for one output or several, and
-/// the eigenvalues that stay where they are. With several outputs K is the smallest gain of those tried. At most 16
-/// states and 8 outputs.
-#[wasm_bindgen(js_name = placeMovable, unchecked_return_type = "Placement")]
-pub fn place_movable(
-    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
-    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "(number | Complex)[]")] poles: &JsValue,
-    #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
-) -> Result<JsValue, Thrown> {
-    let (poles, tolerance) = (poles_of(poles)?, tolerance_of(tolerance)?);
-    let movable = dynamic::movable(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, tolerance)?;
-    Ok(record(&[("K", rows(&movable.gain(&poles)?)), ("fixed", shown(&movable.fixed()?))]))
-}
-
-fn tolerance_of(value: &JsValue) -> Result<f64, Error> {
+pub(crate) fn tolerance_of(value: &JsValue) -> Result<f64, Error> {
     number_or(value, "tolerance", 1e-9)
 }
 

@@ -5,9 +5,8 @@ use crate::encode::{Arrays, list, record, rows, shown};
 use crate::errors::Thrown;
 use estimate::dynamic::{self, Belief, Continuous, Discrete, Replayed, System};
 use estimate::validate::{self, MAX_INPUTS, MAX_OUTPUTS};
-use estimate::{Complex, Error, kf};
+use estimate::{Error, kf};
 use js_sys::{Array, Float64Array};
-use nalgebra::DMatrix;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -145,19 +144,6 @@ pub fn observability(
     ]))
 }
 
-/// The gain K that gives (I − KH)F the eigenvalues `poles`, for a single output (Ackermann on (F, HF)) and at most 16
-/// states. Where F is singular one eigenvalue is 0 whatever K is, and 0 must be among the poles.
-#[wasm_bindgen(js_name = placeObserverGain, unchecked_return_type = "Matrix")]
-pub fn place_observer_gain(
-    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
-    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "(number | Complex)[]")] poles: &JsValue,
-) -> Result<JsValue, Thrown> {
-    let poles = poles_of(poles)?;
-    let k = dynamic::place_observer_gain(Arg::new(f, "F").tall()?, Arg::new(h, "H").tall()?, &poles)?;
-    Ok(rows(&DMatrix::from_column_slice(k.len(), 1, k.as_slice())))
-}
-
 /// The limit of the gain from P(0 | 0) = `P0`; at most 100 000 iterations (of a large system fewer, as in
 /// `kalmanReplay`; 10 000 when left out), tolerance 1e-12 when left out. Running out of iterations is an answer.
 #[wasm_bindgen(js_name = steadyStateGain, unchecked_return_type = "SteadyState")]
@@ -240,11 +226,6 @@ pub fn most_likely_output(
     let (h, p, w) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?, Arg::new(w, "W").matrix()?);
     let (x, y) = (Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?);
     Ok(list(dynamic::most_likely_output(h, p, w, x, y)?.as_slice()))
-}
-
-/// Poles: real numbers, or complex ones `{ re, im }`.
-pub(crate) fn poles_of(value: &JsValue) -> Result<Vec<Complex<f64>>, Error> {
-    Arg::new(value, "poles").entries()?.iter().map(Arg::complex).collect()
 }
 
 pub(crate) fn number_or(value: &JsValue, name: &'static str, default: f64) -> Result<f64, Error> {

@@ -37,6 +37,8 @@ mod log_files;
 mod log_table;
 mod names;
 mod object;
+#[cfg(feature = "placement")]
+mod placement;
 #[cfg(feature = "log")]
 mod robot_log;
 #[cfg(feature = "functions")]
@@ -46,6 +48,8 @@ mod timeline;
 pub use self::checks::*;
 #[cfg(feature = "labs")]
 pub use self::lab::*;
+#[cfg(feature = "placement")]
+pub use self::placement::*;
 #[cfg(feature = "functions")]
 pub use self::{
     analysis::*, ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
@@ -56,8 +60,9 @@ pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog};
 
 use wasm_bindgen::prelude::*;
 
-/// A small allocator for the figures. The whole module keeps Rust's own, with which a call is a tenth quicker.
-#[cfg(all(target_arch = "wasm32", not(feature = "functions")))]
+/// A small allocator for the builds that have to be light. The whole module keeps Rust's own, with which a call is a
+/// tenth quicker.
+#[cfg(all(target_arch = "wasm32", not(feature = "placement")))]
 #[global_allocator]
 static ALLOCATOR: rlsf::GlobalTlsf = rlsf::GlobalTlsf::new();
 

@@ -50,7 +50,14 @@ pub(crate) fn decays(f: &DMatrix<f64>, tolerance: f64) -> Result<Verdict, Error>
 fn may_be_inside(eigenvalue: &Complex<f64>, all: &[Complex<f64>], limit: f64, noise: f64) -> bool {
     let distance = |other: &Complex<f64>| modulus(&(other - eigenvalue));
     let mut nearest = all.to_vec();
-    nearest.sort_by(|a, b| distance(a).total_cmp(&distance(b)));
+    // By insertion: there are few, and the standard library's sort weighs as much as all the rest of this file.
+    for i in 1..nearest.len() {
+        let mut j = i;
+        while j > 0 && distance(&nearest[j]) < distance(&nearest[j - 1]) {
+            nearest.swap(j, j - 1);
+            j -= 1;
+        }
+    }
     (2..=all.len()).any(|m| {
         let mean = nearest[..m].iter().sum::<Complex<f64>>() / m as f64;
         distance(&nearest[m - 1]) <= 4.0 * libm::pow(noise, 1.0 / m as f64) && modulus(&mean) < limit

@@ -2,7 +2,9 @@
 
 use super::Arg;
 use crate::names::name;
-use estimate::{Code, Complex, Error};
+#[cfg(feature = "placement")]
+use estimate::Complex;
+use estimate::{Code, Error};
 use js_sys::Reflect;
 use nalgebra::{DMatrix, DVector};
 use wasm_bindgen::prelude::*;
@@ -123,6 +125,7 @@ impl Arg<'_> {
     }
 
     /// A number, or `{ re, im }`.
+    #[cfg(feature = "placement")]
     pub fn complex(&self) -> Result<Complex<f64>, Error> {
         if self.value.as_f64().is_some() {
             return self.number().map(Complex::from);

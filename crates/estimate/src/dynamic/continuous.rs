@@ -128,24 +128,17 @@ impl Span {
     /// By Taylor's series: F − I = Σ Mᵏ/k!, G = h Σ MᵏB/(k+1)! and V = h Σ Lᵏ(Q)/(k+1)!, with M = A h and
     /// L(X) = M X + X Mᵀ.
     fn short(system: &Continuous, h: f64) -> Self {
-        let m = &system.a * h;
-        let (mut power, mut g_term, mut v_term) = (m.clone(), &system.b * h, &system.q * h);
-        let (mut change, mut g, mut v) = (power.clone(), g_term.clone(), v_term.clone());
-        for k in 1..TERMS {
-            let divisor = (k + 1) as f64;
-            power = product(&m, &power) / divisor;
-            g_term = product(&m, &g_term) / divisor;
-            let half = product(&m, &v_term);
-            v_term = (&half + half.transpose()) / divisor;
-            change += &power;
-            g += &g_term;
-            v += &v_term;
-        }
-        let n = m.nrows();
-        Self {
-            change: change.diagonal().as_slice().to_vec(),
-            discrete: Discrete { f: DMatrix::identity(n, n) + change, g, v },
-        }
+        let m = scaled(&system.a, h);
+        let times = |term: &DMatrix<f64>| product(&m, term);
+        let both_sides = |term: &DMatrix<f64>| {
+            let half = product(&m, term);
+            &half + half.transpose()
+        };
+        let mut f = series(m.clone(), &times);
+        let (g, v) = (series(scaled(&system.b, h), &times), series(scaled(&system.q, h), &both_sides));
+        let change = f.diagonal().as_slice().to_vec();
+        (0..m.nrows()).for_each(|i| f[(i, i)] += 1.0);
+        Self { discrete: Discrete { f, g, v }, change }
     }
 
     /// The same over twice the time.
@@ -182,10 +175,26 @@ impl Span {
     }
 }
 
-/// A B, compiled once.
+/// Σ Xₖ/(k+1)! from X₀ on, where `next` makes Xₖ₊₁ of Xₖ and takes a factor along.
+fn series(first: DMatrix<f64>, next: &dyn Fn(&DMatrix<f64>) -> DMatrix<f64>) -> DMatrix<f64> {
+    let (mut sum, mut term) = (first.clone(), first);
+    for k in 1..TERMS {
+        term = next(&term) / (k + 1) as f64;
+        sum += &term;
+    }
+    sum
+}
+
+// Each of these is compiled once.
+
 #[inline(never)]
 fn product(a: &DMatrix<f64>, b: &DMatrix<f64>) -> DMatrix<f64> {
     a * b
+}
+
+#[inline(never)]
+fn scaled(m: &DMatrix<f64>, h: f64) -> DMatrix<f64> {
+    m * h
 }
 
 #[cold]

@@ -209,13 +209,13 @@ where
     /// `system` and `belief`, which are of the sizes (n, p).
     fn new(system: &System, belief: &Belief, (n, p): (N, M)) -> Self {
         let system = Lti {
-            f: sized(n, n, system.f.as_slice()),
-            g: sized(n, Dyn(system.g.ncols()), system.g.as_slice()),
-            h: sized(p, n, system.h.as_slice()),
-            v: sized(n, n, system.v.as_slice()),
-            w: sized(p, p, system.w.as_slice()),
+            f: kept(n, n, system.f.as_slice()),
+            g: kept(n, Dyn(system.g.ncols()), system.g.as_slice()),
+            h: kept(p, n, system.h.as_slice()),
+            v: kept(n, n, system.v.as_slice()),
+            w: kept(p, p, system.w.as_slice()),
         };
-        let belief = Gaussian { x: sized(n, U1, belief.x.as_slice()), p: sized(n, n, belief.p.as_slice()) };
+        let belief = Gaussian { x: kept(n, U1, belief.x.as_slice()), p: kept(n, n, belief.p.as_slice()) };
         Self { system, belief: belief.into(), log_likelihood: Some(0.0), nis: None }
     }
 
@@ -271,6 +271,15 @@ where
         self.log_likelihood = sum.filter(|sum| sum.is_finite() && self.belief.conditioned());
         self.nis = d2;
     }
+}
+
+/// [`sized`] where it is called once for a filter, of which there are many sizes.
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+fn kept<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R, C>
+where
+    DefaultAllocator: Allocator<R, C>,
+{
+    sized(rows, columns, entries)
 }
 
 fn sized<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R, C>

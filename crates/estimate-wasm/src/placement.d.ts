@@ -1,0 +1,6 @@
+export interface Placement {
+  /** The gain. */
+  K: Matrix
+  /** The eigenvalues that no gain moves, by decreasing modulus. */
+  fixed: Complex[]
+}
