@@ -20,7 +20,8 @@
 //! - [`RightWheel`]: the same with the fraction by which a wheel is believed too large as a fourth state;
 //! - [`slam`]: robot and map in one state, linear and range–bearing;
 //! - [`path_observability`]: the rank test frozen at one pose, and along the path driven;
-//! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked;
+//! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked; systems in
+//!   continuous time, a smoother, and a time line for sensors with delays;
 //! - [`drive`]: a logged drive, and its replay with input noise, calibrated ranges, and a scale that the filter learns;
 //! - [`localizer`]: the EKF localizer for a caller without types, with every argument checked.
 
