@@ -162,12 +162,8 @@ class Paste {
 
   /** @param {string} words */
   notUnderstood(words) {
-    return new Fault(
-      `“${words
-        .trim()
-        .split(/[\n\v]/)[0]
-        .slice(0, 30)}” is not understood here; write each matrix as NAME = its ` + 'numbers.',
-    )
+    const [line] = words.trim().split(/[\n\v]/)
+    return new Fault(`“${line.slice(0, 30)}” is not understood here; write each matrix as NAME = its numbers.`)
   }
 
   /** The matrices, if they fit one another. @returns {Matrices} */
