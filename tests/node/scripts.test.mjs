@@ -50,7 +50,11 @@ test('in a checkout that cannot be written to every script says so in a sentence
   for (const script of ['build', 'test', 'serve']) {
     const { status, stderr } = spawnSync(path.join(folder, 'scripts', script), [], { encoding: 'utf8' })
     assert.equal(status, 1, script)
-    assert.match(stderr, /^\n✗ Nothing can be written into this checkout\.\n {2}The scripts put what they build/, script)
+    assert.match(
+      stderr,
+      /^\n✗ Nothing can be written into this checkout\.\n {2}The scripts put what they build/,
+      script,
+    )
     assert.doesNotMatch(stderr, /mkdir/)
   }
 })
