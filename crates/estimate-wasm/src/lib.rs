@@ -14,7 +14,7 @@
 //! A matrix has at most 16 rows and 16 columns, any other array at most 10 000 entries; a call that accepts fewer, and
 //! a typed array, say so where they stand.
 
-#[cfg(feature = "functions")]
+#[cfg(feature = "analysis")]
 mod analysis;
 #[cfg(feature = "checks")]
 mod checks;
@@ -37,7 +37,7 @@ mod log_files;
 mod log_table;
 mod names;
 mod object;
-#[cfg(feature = "placement")]
+#[cfg(feature = "analysis")]
 mod placement;
 #[cfg(feature = "log")]
 mod robot_log;
@@ -48,12 +48,11 @@ mod timeline;
 pub use self::checks::*;
 #[cfg(feature = "labs")]
 pub use self::lab::*;
-#[cfg(feature = "placement")]
-pub use self::placement::*;
+#[cfg(feature = "analysis")]
+pub use self::{analysis::*, placement::*};
 #[cfg(feature = "functions")]
 pub use self::{
-    analysis::*, ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
-    timeline::Timeline,
+    ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter, timeline::Timeline,
 };
 #[cfg(feature = "log")]
 pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog};
@@ -62,7 +61,7 @@ use wasm_bindgen::prelude::*;
 
 /// A small allocator for the builds that have to be light. The whole module keeps Rust's own, with which a call is a
 /// tenth quicker.
-#[cfg(all(target_arch = "wasm32", not(feature = "placement")))]
+#[cfg(all(target_arch = "wasm32", not(feature = "analysis")))]
 #[global_allocator]
 static ALLOCATOR: rlsf::GlobalTlsf = rlsf::GlobalTlsf::new();
 

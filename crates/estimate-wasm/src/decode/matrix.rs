@@ -2,7 +2,7 @@
 
 use super::Arg;
 use crate::names::name;
-#[cfg(feature = "placement")]
+#[cfg(feature = "analysis")]
 use estimate::Complex;
 use estimate::{Code, Error};
 use js_sys::Reflect;
@@ -125,7 +125,7 @@ impl Arg<'_> {
     }
 
     /// A number, or `{ re, im }`.
-    #[cfg(feature = "placement")]
+    #[cfg(feature = "analysis")]
     pub fn complex(&self) -> Result<Complex<f64>, Error> {
         if self.value.as_f64().is_some() {
             return self.number().map(Complex::from);
