@@ -51,6 +51,13 @@ check(
     const apart = (list) => list.split(/, | and /).length
     return [
       [
+        pattern(
+          /^The filter’s numbers have lost their digits: /,
+          /P of the start, V and W lie too many powers of ten apart\.$/,
+        ),
+        ({ conditioned }) => !conditioned,
+      ],
+      [
         /^Observable: the readings tell every direction of the state\.$/,
         ({ observable, rank }) => observable === 'yes' && rank.rank === 2 && rank.directions.length === 0,
       ],
