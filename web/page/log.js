@@ -86,6 +86,8 @@ class OwnLog {
   /** @param {Element} place */
   choose(place) {
     const input = /** @type {HTMLInputElement} */ (place.querySelector('.log-drop input'))
+    /** @type {HTMLElement | null} */
+    this.chooser = place.querySelector('.log-drop button')
     this.press(place, '.log-drop button', () => input.click())
     input.addEventListener('change', () => {
       if (input.files?.length) this.give([...input.files])
@@ -176,6 +178,8 @@ class OwnLog {
     this.answer.bar = null
     this.answer.say(GIVEN_UP)
     this.figure.figure?.run?.giveUp()
+    // The button that had the focus is gone.
+    if (document.activeElement === document.body) this.chooser?.focus({ preventScroll: true })
   }
 
   /**
