@@ -10,7 +10,8 @@ mod systems;
 use estimate::dynamic::{Belief, KalmanFilter, System};
 use estimate::kf::kalman_step;
 use exact::{Filter, Matrix};
-use nalgebra::{DMatrix, DVector, dmatrix, dvector};
+use filters::Conditioning;
+use nalgebra::{DMatrix, DVector, Vector1, dmatrix, dvector};
 use systems::{Scales, Trial};
 
 const RIGHT: f64 = 1e-6;
@@ -65,7 +66,7 @@ fn trials(daily: u64) -> u64 {
 #[test]
 fn hard_scales_are_right_to_six_digits_or_said() {
     for scales in [Scales::HugePrior, Scales::NoMotionNoise] {
-        let Count { steps, conditioned, .. } = count(scales, trials(1500));
+        let Count { steps, conditioned, .. } = count(scales, trials(600));
         // Neither is all of them refused nor all of them called right.
         assert!(conditioned * 10 > steps * 3 && conditioned * 10 < steps * 9, "{scales:?}: {conditioned} of {steps}");
     }
@@ -115,5 +116,24 @@ fn a_reading_across_a_huge_direction_is_right_or_said() {
         let Ok(step) = kalman_step(&system, &belief, &DVector::zeros(0), &dvector![1.0]) else { continue };
         let off = (step.s[(0, 0)] - 0.5).abs() / 0.5;
         assert!(off <= RIGHT || !step.conditioned(&system, &belief), "H = [{a}, {b}]: S is {}", step.s[(0, 0)]);
+    }
+}
+
+/// The systems of the chapter: those on rails, with the noise that the figure of the log can be given.
+#[test]
+fn every_step_of_the_chapter_s_systems_is_well_conditioned() {
+    for (rail, belief) in [estimate::rail::dead_reckoning(), estimate::rail::position_sensor()] {
+        for power in -4..=4 {
+            let factor = libm::pow(10.0, f64::from(power));
+            let system = estimate::Lti { v: rail.v * factor, w: rail.w / factor, ..rail };
+            let (mut belief, mut conditioning) = (belief, Conditioning::default());
+            for k in 0..1000 {
+                let (u, y) = (Vector1::new(1.0), Vector1::new(f64::from(k % 7)));
+                let step = kalman_step(&system, &belief, &u, &y).expect("sound");
+                step.follow(&mut conditioning, &system, &belief);
+                assert!(conditioning.is_well_conditioned(), "V times and W through 10^{power}, step {k}");
+                belief = step.posterior;
+            }
+        }
     }
 }
