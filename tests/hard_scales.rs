@@ -137,3 +137,29 @@ fn every_step_of_the_chapter_s_systems_is_well_conditioned() {
         }
     }
 }
+
+/// Two states of which nothing is known but their sum, read across: the first S that is computed is no number to divide
+/// by, and d² belongs to the one that is answered.
+#[test]
+fn the_squared_distance_is_of_the_s_that_is_answered() {
+    let mut looked_at = 0;
+    for number in 0..400 {
+        let Trial { system, belief, readings } = Trial::new(Scales::NoMotionNoise, number);
+        let mut filter = KalmanFilter::new(&system, &belief).expect("a system");
+        for y in &readings {
+            let before = filter.belief();
+            if filter.step(&[], y.as_slice()).is_err() {
+                break;
+            }
+            let step = kalman_step(&system, &before, &DVector::zeros(0), y).expect("as the filter");
+            if y.len() > 1 {
+                continue;
+            }
+            let (d2, s) = (step.innovation[0] * step.innovation[0] / step.s[(0, 0)], step.s[(0, 0)]);
+            let found = filter.nis().expect("one output, and S positive");
+            assert!((found - d2).abs() <= 1e-12 * d2, "{number}: {found}, with S {s} it is {d2}");
+            looked_at += 1;
+        }
+    }
+    assert!(looked_at > 500, "{looked_at}");
+}

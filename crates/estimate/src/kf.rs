@@ -27,36 +27,6 @@ where
     doubted: bool,
 }
 
-impl<N: Dim, M: Dim> KalmanStep<N, M>
-where
-    DefaultAllocator: Sizes<N, M>,
-{
-    /// Whether S, P and x̂ are right to 10⁻⁶ of their largest entries (x̂ to that part of the largest deviation where
-    /// this is more), with a `belief` whose P is known to the last digits of its entries.
-    /// [`KalmanFilter`](crate::dynamic::KalmanFilter) says it of all steps since its first.
-    pub fn conditioned<U: Dim>(&self, sys: &Lti<N, U, M>, belief: &Gaussian<N>) -> bool
-    where
-        DefaultAllocator: SystemSizes<N, U, M>,
-    {
-        let mut conditioning = Conditioning::of(&belief.p);
-        if self.doubted {
-            self.follow(&mut conditioning, sys, belief);
-        }
-        conditioning.is_well_conditioned()
-    }
-
-    /// Carries `conditioning` from the `belief` over this step.
-    pub fn follow<U: Dim>(&self, conditioning: &mut Conditioning, sys: &Lti<N, U, M>, belief: &Gaussian<N>)
-    where
-        DefaultAllocator: SystemSizes<N, U, M>,
-    {
-        let (s, k, innovation) = (self.s.clone(), self.r.clone(), self.innovation.clone());
-        let update = Update { innovation, s, k, d2: None, doubted: self.doubted };
-        conditioning.predicted(&sys.f, &belief.p, &sys.v, !self.doubted);
-        conditioning.corrected(&self.predicted.p, (&sys.h, &sys.w), &update, &self.posterior);
-    }
-}
-
 /// One Kalman step: the belief is predicted with the input `u` and corrected by the reading `y`.
 ///
 /// # Errors
@@ -88,6 +58,36 @@ where
     Ok(KalmanStep { predicted, innovation, s, r, posterior, doubted })
 }
 // ANCHOR_END: kalman_step
+
+impl<N: Dim, M: Dim> KalmanStep<N, M>
+where
+    DefaultAllocator: Sizes<N, M>,
+{
+    /// Whether S, P and x̂ are right to 10⁻⁶ of their largest entries (x̂ to that part of the largest deviation where
+    /// this is more), with a `belief` whose P is known to the last digits of its entries.
+    /// [`KalmanFilter`](crate::dynamic::KalmanFilter) says it of all steps since its first.
+    pub fn conditioned<U: Dim>(&self, sys: &Lti<N, U, M>, belief: &Gaussian<N>) -> bool
+    where
+        DefaultAllocator: SystemSizes<N, U, M>,
+    {
+        let mut conditioning = Conditioning::of(&belief.p);
+        if self.doubted {
+            self.follow(&mut conditioning, sys, belief);
+        }
+        conditioning.is_well_conditioned()
+    }
+
+    /// Carries `conditioning` from the `belief` over this step.
+    pub fn follow<U: Dim>(&self, conditioning: &mut Conditioning, sys: &Lti<N, U, M>, belief: &Gaussian<N>)
+    where
+        DefaultAllocator: SystemSizes<N, U, M>,
+    {
+        let (s, k, innovation) = (self.s.clone(), self.r.clone(), self.innovation.clone());
+        let update = Update { innovation, s, k, d2: None, doubted: self.doubted };
+        conditioning.predicted(&sys.f, &belief.p, &sys.v, !self.doubted);
+        conditioning.corrected(&self.predicted.p, (&sys.h, &sys.w), &update, &self.posterior);
+    }
+}
 
 /// Compares the shapes. Where they stand in the types this is decided when it is compiled.
 ///

@@ -207,7 +207,7 @@ where
 {
     let cp = c * p;
     let mut s = image(&cp, c, q);
-    let factor = Spd::assumed(s.clone());
+    let mut factor = Spd::assumed(s.clone());
     let mut k = factor.solve(&cp).transpose();
     let mut posterior = joseph_with(p, &cp, &k, c, q);
     // Each entry of K has its square in the diagonal of KQKᵀ: a finite covariance has a finite gain.
@@ -222,6 +222,8 @@ where
         copy(&mut s, &better.s);
         copy(&mut k, &better.k);
         copy(&mut posterior, &better.p);
+        // d² is of the S that is answered.
+        factor = Spd::assumed(s.clone());
         doubted = better.doubted;
     }
     Ok(Gain { k, s, p: posterior, doubted, factor })

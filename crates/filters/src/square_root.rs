@@ -17,7 +17,7 @@ use crate::covariance::{
 use crate::error::{Error, Quantity};
 use crate::terms::{bound_on_sums, bound_on_terms, largest_terms, least_variance, tolerated};
 use alloc::vec::Vec;
-use nalgebra::{DMatrix, DVector};
+use nalgebra::DMatrix;
 use numerics::{MIN_PIVOT, Singular, Spd, power_of_two, singular_values, sqrt};
 
 /// The smallest |Sᵢᵢ^{½}| relative to its column that still leaves six digits of the answer.
@@ -97,17 +97,15 @@ fn root(s: &DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     }
     // In units in which each variance is about 1 a small one is known as well as a large one. Where these units show a
     // negative eigenvalue it is rounding beside the largest variance, or no covariance.
-    let n = s.nrows();
-    let largest = power_of_two(sqrt(largest_variance(&s)));
-    let own = |i: usize| if s[(i, i)] > 0.0 { power_of_two(sqrt(s[(i, i)])) } else { largest };
-    for unit in [DVector::from_fn(n, |i, _| own(i)), DVector::repeat(n, largest)] {
-        let scaled = DMatrix::from_fn(n, n, |i, j| s[(i, j)] / unit[i] / unit[j]);
+    let (n, largest) = (s.nrows(), largest_variance(&s));
+    for own in [true, false] {
+        let unit = |i: usize| power_of_two(sqrt(if own && s[(i, i)] > 0.0 { s[(i, i)] } else { largest }));
+        let scaled = DMatrix::from_fn(n, n, |i, j| s[(i, j)] / unit(i) / unit(j));
         // Of a semidefinite matrix the singular values are the eigenvalues.
         let found = singular_values(scaled.clone()).map_err(|_| Error::InnovationNotPositiveDefinite)?;
         let Singular { values: sizes, directions } = found;
         if sizes[0] == 0.0 || positive_when_raised(&scaled, SEMIDEFINITE_TOLERANCE * sizes[0]) {
-            let roots = DMatrix::from_diagonal(&DVector::from_vec(sizes).map(sqrt));
-            return Ok(DMatrix::from_diagonal(&unit) * directions * roots);
+            return Ok(DMatrix::from_fn(n, n, |i, j| unit(i) * (directions[(i, j)] * sqrt(sizes[j]))));
         }
     }
     Err(Error::InnovationNotPositiveDefinite)

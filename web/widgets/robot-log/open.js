@@ -4,6 +4,7 @@ import { readState } from '../../figure/state-in-url.js'
 import { fetchWithPatience } from '../../load/timeouts.js'
 import { openPort } from '../../load/worker-port.js'
 import { RemoteRun } from './remote-run.js'
+import { serve } from './server.js'
 
 /** @typedef {{ ok: true, run: RemoteRun, mangled: boolean } | { ok: false, why: string }} Opened */
 
@@ -47,7 +48,7 @@ export async function openRun(log, spec, id, given) {
 async function start() {
   const { default: address } = await import('robot-log-worker')
   return openPort(address, async () => {
-    const [{ serve }, { loadLab }] = await Promise.all([import('./server.js'), import('../../load/modules.js')])
+    const { loadLab } = await import('../../load/modules.js')
     return (channel) => serve(channel, () => loadLab('robot-log'))
   })
 }
