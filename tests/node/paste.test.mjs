@@ -40,6 +40,14 @@ test('what is not understood is a fault with its line, and nothing of the paste 
     [`F = [1 ...\n 0; 0 1]\n${REST}\nF'`, 6, /“F'” is not understood/],
     [`/* two\nlines */ F = eye(2)\n${REST}\n! W`, 6, /“! W” is not understood/],
     [`F = eye(2)\nH = [1 0 0]\nV = eye(2)\nW = 1`, 2, /^H is 1 × 3/],
+    [`F = eye(2)\n${REST}\nfrom now on F is doubled: F = 2*F`, 5, /“from now on/],
+    [`F = eye(2)\n${REST}\nelse: F *= 2`, 5, /“else: F \*= 2”/],
+    [`F = eye(2)\n${REST}\nx0 = [1 2\nF(1,2) = 0.5`, 5, /bracket is not closed/],
+    [`G = [0; 1]\nF = eye(2)\n${REST}\nclear G`, 6, /“clear G” is not understood/],
+    [`F = eye(2)\nH = [1 0]\nV = eye(2)\nW = 5//2`, 4, /is not a number/],
+    [`F = eye(2)\nH = [1 0]\nV = eye(2)\nW = 1e-400`, 4, /“1e-400” is not a number/],
+    [`F = [[1 0] [0 1]]\n${REST}`, 1, /is not a list of rows/],
+    [`${'a = 1\n'.repeat(5000)}F = eye(2)\n${REST}`, 0, /more than 20,000 letters/],
     [`F = eye(2)\nB = [0; 1]\n${REST}`, 0, /^B is given and G is not/],
     [`F = eye(2)\nH = [1 0]\nQ = eye(2)\nR = 1`, 0, /^V, the noise of the motion, is missing\. What is called A/],
   ]) {
@@ -53,8 +61,18 @@ test('what is of no use here is named, and what only sets things up is passed ov
   const before = 'import numpy as np\nfrom math import pi\nclear all; clc\ndt = 0.1; x0 = [1; 2]\n'
   const text = `${before}F = eye(2)\n${REST}\ndisp(F)`
   assert.deepEqual([read(text).ok, read(text).unused], [true, ['dt', 'x0']], read(text).fault)
+  const one = `import numpy as np; G = [0; 1]\nF = eye(2)\n${REST}`
+  assert.deepEqual(read(one).system?.G, [[0], [1]])
+  const prompts = '>>> s = dict(F=[[1, 0],\n...  [0, 1]], H=[[1, 0]], V=[[1, 0], [0, 1]], W=[[1]],\n... G=[[0],[1]])'
+  assert.deepEqual([read(prompts).system?.G, read(prompts).unused], [[[0], [1]], []], read(prompts).fault)
+  const quoted = `name = 'a (b'\nF = eye(2)\n${REST}\nF(1,2) = 0.5`
+  assert.deepEqual([read(quoted).system?.F[0], read(quoted).unused], [[1, 0.5], ['name']])
+  const within = `# see a/*/b\nG = [0; 1]\n# and c/*/\nF = eye(2)\n${REST}`
+  assert.deepEqual(read(within).system?.G, [[0], [1]])
+  const inner = '{"old": {"G": [[9]]}, "F": [[1]], "H": [[1]], "V": [[1]], "W": [[1]]}'
+  assert.deepEqual([read(inner).system?.G, read(inner).unused], [[[]], ['old']])
   const json = '{"name": "cart, by [hand]", "F": [[1]], "notes": {"a": [1, 2]}, "H": [[1]], "V": [[1]], "W": [[1]]}'
-  assert.deepEqual([read(json).ok, read(json).unused], [true, ['name', 'a']], read(json).fault)
+  assert.deepEqual([read(json).ok, read(json).unused], [true, ['name', 'notes']], read(json).fault)
 })
 
 test('whatever line is put wherever into a system is taken, named or a fault', () => {

@@ -23,24 +23,29 @@ const ELSEWHERE = ['A', 'B', 'C', 'Q', 'R']
 const TRANSLATED =
   'What is called A, B and C elsewhere is F, G and H here; V and W are the covariances of the motion and of a reading.'
 
+/** So much is read while the reader types; the largest system with all its digits is a tenth of it. */
+const MOST_LETTERS = 20_000
+const TOO_LONG = `The text has more than ${MOST_LETTERS.toLocaleString('en')} letters. Paste the system alone.`
 const EXPECTED = 'Write F = …, G = …, H = …, V = …, W = …, in JSON, MATLAB or numpy notation.'
 
 /** What may stand between matrices and says nothing of them: marks of structure, a prompt, a line that sets up. */
 const BETWEEN = [
   /^[\s;,{}()]+/,
   /^(?:>>>?|In \[\d+\]:)\s*/,
-  /^(?:import|from)\s[^\n]*/,
-  /^(?:clear|clc|close|format|hold|more)\b[^\n;=]*(?=[\n;]|$)/,
+  /^(?:import|from\s+[\w.]+\s+import)\s[^\n;]*/,
+  /^(?:clear|clearvars|clc|close|format|hold|more)\b(?:[^\S\n]+(?:all|compact|long|on|off))?(?=\s*[\n;]|\s*$)/,
   /^(?:disp|print|console\.log)\s*\([^()\n]*\)/,
   /^(?:const|let|var|export|return)\s+(?=[A-Za-z_"'{])/,
 ]
+/** What begins a statement that does more than give a value. */
+const DOES = /^(?:class|def|do|elif|else|elseif|end|except|finally|for|from|function|if|try|while|with)\b/
 /** The name of what is given, perhaps of an object's part: `F =`, `"F":`, `kf.F =`. */
 const NAME = /^(?:[A-Za-z_]\w*\.)*(["']?)([A-Za-z_]\w*)\1\s*[:=](?!=)/
 /** An entry that is given by itself: `F(1,2) =` counts from 1, `F[0, 1] =` and `F[0][1] =` from 0. */
 const ENTRY =
   /^(?:[a-z_]\w*\.)*([a-z_]\w*)\s*(?:\(\s*(\d+)\s*,\s*(\d+)\s*\)|\[\s*(\d+)\s*(?:,|\]\s*\[)\s*(\d+)\s*\])\s*=(?!=)/i
 /** What opens a list of matrices: `dict(`, `KalmanFilter(`. */
-const OPENS = /^\s*(?:[A-Za-z_][\w.]*\s*\(|\{)\s*(?=["']?[A-Za-z_]\w*["']?\s*[:=](?!=))/
+const OPENS = /^\s*[A-Za-z_][\w.]*\s*\(\s*(?=["']?[A-Za-z_]\w*["']?\s*[:=](?!=))/
 
 /** @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices */
 /** @typedef {{ ok: true, system: Matrices, unused: string[] } | { ok: false, fault: string, line: number }} Read */
@@ -50,6 +55,7 @@ const OPENS = /^\s*(?:[A-Za-z_][\w.]*\s*\(|\{)\s*(?=["']?[A-Za-z_]\w*["']?\s*[:=
  * @returns {Read} `line` is 0 where the fault is in no line; `unused` are names that were given and are not needed
  */
 export function readSystem(text) {
+  if (text.length > MOST_LETTERS) return { ok: false, fault: TOO_LONG, line: 0 }
   const paste = new Paste(withoutComments(text))
   try {
     return { ok: true, ...paste.system() }
@@ -65,13 +71,20 @@ export function readSystem(text) {
  */
 function withoutComments(text) {
   const lines = (/** @type {string} */ gone) => gone.replace(/[^\n]/g, '')
-  return text
-    .replace(/\r\n?/g, '\n')
-    .replace(/\v/g, ' ')
-    .replace(/^\s*%\{\s*\n[\s\S]*?^\s*%\}.*$/gm, lines)
-    .replace(/\/\*[\s\S]*?\*\//g, lines)
-    .replace(/("(?:[^"\\\n]|\\.)*")|(?:[%#]|\/\/).*$/gm, '$1')
-    .replace(/(\.\.\.|…)[^\n]*\n/g, '\v')
+  return (
+    text
+      .replace(/\r\n?/g, '\n')
+      .replace(/\v/g, ' ')
+      .replace(/^\s*%\{\s*\n[\s\S]*?^\s*%\}.*$/gm, lines)
+      // One after the other, as they stand: a mark within a comment or a string begins nothing. 5//2 is no comment.
+      .replace(
+        /("(?:[^"\\\n]|\\.)*")|\/\*[\s\S]*?\*\/|(?:[%#]|\/\/(?!(?<=\d\/\/)\d)).*$/gm,
+        (all, string) => string ?? lines(all),
+      )
+      // Python's prompt of a line that goes on; elsewhere the same dots join two lines.
+      .replace(/^\.\.\.(?=\s)/gm, ' ')
+      .replace(/(\.\.\.|…)[^\n]*\n/g, '\v')
+  )
 }
 
 /** A text that is read from its beginning to its end. */
@@ -111,6 +124,7 @@ class Paste {
   }
 
   statement() {
+    if (DOES.test(this.rest)) throw this.notUnderstood(this.rest)
     const entry = this.take(ENTRY)
     if (entry) return this.entry(entry)
     const named = this.take(NAME)
@@ -149,7 +163,8 @@ class Paste {
   /** Goes behind a value that is not needed: to the end of its line or of its part, but not within brackets. */
   skip() {
     let depth = 0
-    for (const { 0: mark, index } of this.rest.matchAll(/"(?:[^"\\\n]|\\.)*"|[[\](){}\n;,]/g)) {
+    const marks = /"(?:[^"\\\n]|\\.)*"|(?<=[\s=([{,:])'[^'\n]*'|[[\](){}\n;,]/g
+    for (const { 0: mark, index } of this.rest.matchAll(marks)) {
       if ('[({'.includes(mark)) depth += 1
       else if (depth > 0 && '])}'.includes(mark)) depth -= 1
       else if (depth === 0 && mark.length === 1) {
@@ -157,6 +172,7 @@ class Paste {
         return
       }
     }
+    if (depth > 0) throw new Fault('A bracket is not closed.')
     this.at = this.text.length
   }
 

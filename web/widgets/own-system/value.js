@@ -16,6 +16,8 @@ export function numberOf(text) {
     .split('/')
     .map((part) => part.trim())
   if (more !== undefined || !NUMBER.test(above)) return NaN
+  // A number too small for a double would be zero without a word.
+  if (Number(above) === 0 && /[1-9]/.test(above.replace(/e.*/i, ''))) return NaN
   if (below === undefined) return Number(above)
   return NUMBER.test(below) && Number(below) !== 0 ? Number(above) / Number(below) : NaN
 }
@@ -144,7 +146,9 @@ export class Value {
     const inner = this.rest.slice(1, end)
     this.rest = this.rest.slice(end + 1)
     const nested = inner.includes('[')
-    if (nested && inner.replace(/\[[^[\]]*\]/g, '').replace(/[\s,;]/g, '') !== '')
+    // Two rows side by side are one row in MATLAB, and two in numpy only with a comma or on two lines.
+    const beside = /\][^\S\n]*\[/.test(inner)
+    if (nested && (beside || inner.replace(/\[[^[\]]*\]/g, '').replace(/[\s,;]/g, '') !== ''))
       throw new Fault(`${this.name} is not a list of rows.`)
     return this.rows(
       nested
