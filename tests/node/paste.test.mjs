@@ -19,6 +19,7 @@ test('an entry given by itself is taken, counted as its brackets say', () => {
     `F = np.eye(2); F[0][1] = .5\n${REST}`,
     `kf = KalmanFilter(dim_x=2)\nkf.F = np.eye(2)\nkf.F[0, 1] = 0.5\nkf.H = [1 0]\nkf.V = eye(2)\nkf.W = 1`,
     `>>> F = np.eye(2)\n>>> F[0,1] = 0.5\n${REST}`,
+    `F = [1 0; 0 1]\nF[1, 2] = 0.5\n${REST}`,
     `F = eye(2) % the dynamics\n%{\nF(2,1) = 7\n%}\nF(1,2) = 0.5\n${REST}`,
   ])
     assert.deepEqual([text, read(text).system?.F], [text, half])
@@ -36,6 +37,8 @@ test('what is not understood is a fault with its line, and nothing of the paste 
     [`F(1,2) = 0.5\nF = eye(2)\n${REST}`, 1, /“F\(1,2\) =” is not understood/],
     [`F = eye(2)\nF = 2*F\n${REST}`, 2, /F is given twice/],
     [`F = eye(2)\n${REST}\nfor i = 1:3\nend`, 5, /“for i = 1:3” is not understood/],
+    [`F = eye(2)\n${REST.replace('W = 1', 'W = 5 % 3')}`, 4, /“5 % 3” is a comment in MATLAB and a rest in Python/],
+    [`F = [1 0; 0 1]\nF[0, 1] = 2\n${REST}`, 2, /^F\[0, 1\]: F is 2 × 2\.$/],
     [`F = eye(2)\n${REST}\nhello`, 5, /“hello” is not understood/],
     [`F = [1 ...\n 0; 0 1]\n${REST}\nF'`, 6, /“F'” is not understood/],
     [`/* two\nlines */ F = eye(2)\n${REST}\n! W`, 6, /“! W” is not understood/],

@@ -104,7 +104,9 @@ pub(crate) fn in_bounds(line: &Line<'_>, field: Field<'_>, time: f64) -> Result<
         let seconds = time.abs() / factor;
         (1e8..=MAX_TIME).contains(&seconds)
     });
-    let meant = unit.map_or(String::new(), |(name, _)| format!("; it looks like a Unix time in {name}seconds"));
+    let meant = unit.map_or(String::new(), |(name, factor)| {
+        format!("; it looks like a Unix time in {name}seconds: choose that unit, or divide by {factor:e}")
+    });
     let message = format!("the time is {}; times within {MAX_TIME:e} s were expected{meant}", shown(field.text));
     Err(Error::new(line.number, field.column, message))
 }

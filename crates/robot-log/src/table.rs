@@ -115,10 +115,37 @@ fn split(line: &str, separator: Separator) -> Box<dyn Iterator<Item = (usize, &s
     let at = |part: &str| part.as_ptr() as usize - line.as_ptr() as usize;
     match separator {
         Separator::Blanks => Box::new(line.split_whitespace().map(move |field| (at(field), field))),
-        Separator::Char(c) => Box::new(line.split(c).map(move |field| {
+        Separator::Char(c) => Box::new(parted(line, c).map(move |field| {
             let field = field.trim();
             (at(field), field)
         })),
+    }
+}
+
+/// A line parted at a separator, but not within the double quotes of a field. Quotes that are not closed before a
+/// separator or the end are letters.
+fn parted(line: &str, separator: char) -> impl Iterator<Item = &str> {
+    let mut rest = Some(line);
+    std::iter::from_fn(move || {
+        let line = rest?;
+        let end = quoted_end(line, separator).or_else(|| line.find(separator)).unwrap_or(line.len());
+        rest = line[end..].strip_prefix(separator);
+        Some(&line[..end])
+    })
+}
+
+/// Where a field ends that a line begins with and that has double quotes around it; two of them within are one.
+fn quoted_end(line: &str, separator: char) -> Option<usize> {
+    let inner = line.trim_start().strip_prefix('"')?;
+    let mut rest = inner;
+    loop {
+        let behind = &rest[rest.find('"')? + 1..];
+        if let Some(more) = behind.strip_prefix('"') {
+            rest = more;
+            continue;
+        }
+        let next = behind.trim_start_matches(' ');
+        return (next.is_empty() || next.starts_with(separator)).then_some(line.len() - next.len());
     }
 }
 

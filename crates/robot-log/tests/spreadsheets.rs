@@ -40,6 +40,17 @@ fn a_decimal_comma_is_read_where_no_commas_part_the_fields() {
 }
 
 #[test]
+fn a_separator_within_a_quoted_field_parts_nothing() {
+    let body = rows(20, |t| format!("\"{t}\" , 0.5,0.1"));
+    let plain = read(&[("wheels.csv", &format!("time,v,omega\n{body}"))]).log;
+    for head in [r#""time","v, along","omega""#, r#" "time, s" ,v,"omega, ""z""""#] {
+        assert_eq!(read(&[("wheels.csv", &format!("{head}\n{body}"))]).log, plain, "{head}");
+    }
+    let open = files(&[("wheels.csv", &format!("time,v,\"omega, z\n{body}"))]).read().expect_err("not closed");
+    assert!(open.message.contains("not closed"), "{open}");
+}
+
+#[test]
 fn a_carriage_return_alone_ends_a_line() {
     let table = format!("time,v,omega\n{}", rows(20, |t| format!("{t},0.5,0.1")));
     assert_eq!(read(&[("wheels.csv", &table.replace('\n', "\r"))]), read(&[("wheels.csv", &table)]));

@@ -41,11 +41,16 @@ const BETWEEN = [
 const DOES = /^(?:class|def|do|elif|else|elseif|end|except|finally|for|from|function|if|try|while|with)\b/
 /** The name of what is given, perhaps of an object's part: `F =`, `"F":`, `kf.F =`. */
 const NAME = /^(?:[A-Za-z_]\w*\.)*(["']?)([A-Za-z_]\w*)\1\s*[:=](?!=)/
-/** An entry that is given by itself: `F(1,2) =` counts from 1, `F[0, 1] =` and `F[0][1] =` from 0. */
+/** An entry by itself: `F(1,2) =` counts from 1, `F[0, 1] =` and `F[0][1] =` from 0, but in Julia from 1. */
 const ENTRY =
   /^(?:[a-z_]\w*\.)*([a-z_]\w*)\s*(?:\(\s*(\d+)\s*,\s*(\d+)\s*\)|\[\s*(\d+)\s*(?:,|\]\s*\[)\s*(\d+)\s*\])\s*=(?!=)/i
 /** What opens a list of matrices: `dict(`, `KalmanFilter(`. */
 const OPENS = /^\s*[A-Za-z_][\w.]*\s*\(\s*(?=["']?[A-Za-z_]\w*["']?\s*[:=](?!=))/
+
+/** Rows parted by semicolons in one pair of brackets: where its entries have square brackets, that is Julia. */
+const ROWS_IN_ONE = /^\s*\[[^[\]]*;[^[\]]*\]/
+/** What MATLAB ends with a comment, and Python computes: the rest of a division. */
+const REST_OR_COMMENT = /\d[^\S\n]*%[^\S\n]*\d[\d.]*[^\S\n]*(?=[\n;,)\]]|$)/m
 
 /** @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices */
 /** @typedef {{ ok: true, system: Matrices, unused: string[] } | { ok: false, fault: string, line: number }} Read */
@@ -56,6 +61,15 @@ const OPENS = /^\s*[A-Za-z_][\w.]*\s*\(\s*(?=["']?[A-Za-z_]\w*["']?\s*[:=](?!=))
  */
 export function readSystem(text) {
   if (text.length > MOST_LETTERS) return { ok: false, fault: TOO_LONG, line: 0 }
+  const unsure = REST_OR_COMMENT.exec(text)
+  if (unsure) {
+    const line = text.slice(0, unsure.index).split(/\r\n?|\n/).length
+    return {
+      ok: false,
+      fault: `“${unsure[0].trim()}” is a comment in MATLAB and a rest in Python; write one number.`,
+      line,
+    }
+  }
   const paste = new Paste(withoutComments(text))
   try {
     return { ok: true, ...paste.system() }
@@ -95,7 +109,7 @@ class Paste {
     this.at = 0
     /** The line where the present statement begins, counted from 1; 0 behind the last. */
     this.line = 1
-    /** @type {Record<string, { matrix: number[][], line: number }>} */
+    /** @type {Record<string, { matrix: number[][], line: number, from: 0 | 1 }>} `from`: what `[ ]` count from */
     this.found = {}
     /** @type {string[]} */
     this.unused = []
@@ -132,7 +146,8 @@ class Paste {
     const [, , name] = named
     if (NAMES.includes(name)) {
       if (this.found[name]) throw new Fault(`${name} is given twice.`)
-      this.found[name] = { matrix: this.value(name), line: this.line }
+      const from = ROWS_IN_ONE.test(this.rest) ? 1 : 0
+      this.found[name] = { matrix: this.value(name), line: this.line, from }
     } else if (!this.take(OPENS)) {
       this.unused.push(name)
       this.skip()
@@ -150,9 +165,11 @@ class Paste {
   /** @param {RegExpExecArray} found */
   entry([words, name, ...indices]) {
     if (this.unused.includes(name)) return this.skip()
-    const matrix = this.found[name]?.matrix
-    if (!matrix) throw this.notUnderstood(words)
-    const [row, column] = indices[0] ? indices.slice(0, 2).map((i) => Number(i) - 1) : indices.slice(2).map(Number)
+    if (!this.found[name]) throw this.notUnderstood(words)
+    const { matrix, from } = this.found[name]
+    const [row, column] = (indices[0] ? indices.slice(0, 2) : indices.slice(2)).map(
+      (i) => Number(i) - (indices[0] ? 1 : from),
+    )
     if (matrix[row]?.[column] === undefined)
       throw new Fault(`${words.replace(/\s*=$/, '')}: ${name} is ${matrix.length} × ${matrix[0].length}.`)
     const given = this.value(name)
