@@ -105,6 +105,8 @@ for (const [device, viewport] of Object.entries({ phone: PHONE, desktop: DESKTOP
 
 test('the contents on a phone close when the Tab key leads out of them', async (t) => {
   const page = await open(t, { viewport: PHONE, touch: true })
+  // Before its script has come the button does nothing.
+  await page.waitForLoadState('networkidle')
   await page.locator('.site-header [data-open-contents]').focus()
   await page.keyboard.press('Enter')
   await page.locator('.toc[data-open]').waitFor()

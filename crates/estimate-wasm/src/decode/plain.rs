@@ -72,7 +72,7 @@ impl Arg<'_> {
     pub fn short(&self) -> Result<Vec<f64>, Error> {
         match self.plain_numbers() {
             Some(numbers) => Ok(numbers),
-            None if self.array()? => self.numbers(),
+            None if self.is_short_array()? => self.numbers(),
             None => self.short_floats(),
         }
     }
@@ -81,11 +81,22 @@ impl Arg<'_> {
     pub fn reading(&self) -> Result<Reading, Error> {
         match self.plain_numbers() {
             Some(numbers) => Ok(Reading::Whole(numbers)),
-            None if self.array()? => {
+            None if self.is_short_array()? => {
                 let parts = self.entries()?;
                 parts.iter().map(Arg::part).collect::<Result<_, Error>>().map(Reading::Partial)
             }
             None => self.short_floats().map(Reading::Whole),
+        }
+    }
+
+    /// Whether this is an array; one that no input or reading fills is refused before it is read.
+    fn is_short_array(&self) -> Result<bool, Error> {
+        if !self.array()? {
+            return Ok(false);
+        }
+        match self.length()? {
+            0..=MAX_SIDE => Ok(true),
+            length => Err(self.refuse(Code::Shape, format!("has {length} entries; at most {MAX_SIDE} are accepted"))),
         }
     }
 
