@@ -57,7 +57,8 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   console.log(`| **together** | **${kilo(sizes.reduce((sum, [, bytes]) => sum + bytes, 0)).trim()}** |`)
   for (const [folder, what] of [
     ['web', 'The module'],
-    ['figures', 'With the labs alone, as most figures fetch it'],
+    ['first', 'With the lab of the first figure alone'],
+    ['linear', 'With the labs of the linear figures'],
     ['late', 'With the labs of the late figures'],
     ['system', "With the lab of a system of one's own"],
     ['log', 'With the lab that replays a log'],

@@ -70,7 +70,7 @@ test('a build in another folder writes the same site', { timeout: 300_000 }, () 
 })
 
 test('the module names no folder of this machine', () => {
-  for (const folder of ['web', 'figures', 'late', 'log', 'system', 'node']) {
+  for (const folder of ['web', 'first', 'linear', 'late', 'log', 'system', 'node']) {
     const binary = readFileSync(path.join(root, 'target/pkg', folder, 'estimate_wasm_bg.wasm')).toString('latin1')
     for (const place of [root.replace(/\/$/, ''), homedir(), process.env.CARGO_HOME]) {
       assert.ok(!place || place.length < 3 || !binary.includes(place), `${folder} names ${place}`)

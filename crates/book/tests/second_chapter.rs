@@ -61,7 +61,7 @@ static FIGURES: [Figure; 2] = [
     },
     Figure {
         class: "ObserverBench",
-        build: "figures",
+        build: "linear",
         world: false,
         was: None,
         kind: const { &Kind::of::<labs::ObserverBench>() },
@@ -143,7 +143,7 @@ fn a_second_chapter_has_a_number_and_a_figure_of_its_own() {
     assert!(told("figures.js").contains("\"tag\": \"lab-spring\""));
     let opened: serde_json::Value = serde_json::from_str(&told("opened.json")).expect("JSON");
     assert_eq!(opened, serde_json::json!([{ "id": "fig-spring", "name": "spring", "start": { "step": 2 } }]));
-    assert_eq!(book::builds(&FIGURES), ["springs", "figures"]);
+    assert_eq!(book::builds(&FIGURES), ["springs", "linear"]);
 }
 
 /// The templates of pages, which a second chapter shares with the first.

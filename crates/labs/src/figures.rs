@@ -4,15 +4,15 @@ use crate::*;
 use lab::{Figure, Kind};
 
 /// Hands the list of figures to the macro `$with`: `labs::figures!(with)`. A line names the module and the lab, the
-/// build of the module that has its class (`figures` is at hand when a page opens, any other is fetched when such a
+/// build of the module that has its class (`first` is at hand when a page opens, any other is fetched when such a
 /// figure comes near), what a lab stands on that is none of its parameters, and the name that its addresses had before.
 #[macro_export]
 macro_rules! figures {
     ($with:ident) => {
         $with! {
-            observer_bench::ObserverBench in "figures";
-            odometry_hook::OdometryHook in "figures";
-            picture::Picture in "figures", was "kalman-picture";
+            odometry_hook::OdometryHook in "first";
+            observer_bench::ObserverBench in "linear";
+            picture::Picture in "linear", was "kalman-picture";
             observability_probe::ObservabilityProbe in "late";
             loop_closure::LoopClosure in "late", was "close-loop";
             tune::Tune in "late", was "tune-me";
