@@ -7,6 +7,7 @@ import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from './places.mjs'
+import { FIGURES } from '../../target/figures.js'
 
 /** [kind, bytes][] of the chapter's first view, from an empty cache. */
 export async function firstView() {
@@ -55,15 +56,10 @@ if (import.meta.url === pathToFileURL(process.argv[1] ?? '').href) {
   console.log('| first view of the chapter, compressed | |\n|---|---:|')
   for (const [kind, bytes] of [...kinds].sort((a, b) => b[1] - a[1])) console.log(`| ${kind} | ${kilo(bytes).trim()} |`)
   console.log(`| **together** | **${kilo(sizes.reduce((sum, [, bytes]) => sum + bytes, 0)).trim()}** |`)
-  for (const [folder, what] of [
-    ['web', 'The module'],
-    ['first', 'With the lab of the first figure alone'],
-    ['linear', 'With the labs of the linear figures'],
-    ['late', 'With the labs of the late figures'],
-    ['system', "With the lab of a system of one's own"],
-    ['log', 'With the lab that replays a log'],
-  ]) {
+  for (const folder of new Set(['web', ...FIGURES.map(({ build }) => build)])) {
     const binary = readFileSync(path.join(root, 'target/pkg', folder, 'estimate_wasm_bg.wasm'))
+    const figures = FIGURES.filter(({ build }) => build === folder).map(({ name }) => name)
+    const what = figures.length > 0 ? `The build \`${folder}\`, for ${figures.join(', ')}` : 'The whole module'
     console.log(`\n${what}: ${kilo(gzipSync(binary, { level: 9 }).length).trim()} with gzip -9.`)
   }
   if (process.argv.includes('--files'))

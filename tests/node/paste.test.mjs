@@ -20,6 +20,7 @@ test('an entry given by itself is taken, counted as its brackets say', () => {
     `kf = KalmanFilter(dim_x=2)\nkf.F = np.eye(2)\nkf.F[0, 1] = 0.5\nkf.H = [1 0]\nkf.V = eye(2)\nkf.W = 1`,
     `>>> F = np.eye(2)\n>>> F[0,1] = 0.5\n${REST}`,
     `F = [1 0; 0 1]\nF[1, 2] = 0.5\n${REST}`,
+    `F = [1 .5; 0 1] # known to 5 % 3\n// 5 % 3\n${REST} % in 2 % of all`,
     `F = eye(2) % the dynamics\n%{\nF(2,1) = 7\n%}\nF(1,2) = 0.5\n${REST}`,
   ])
     assert.deepEqual([text, read(text).system?.F], [text, half])

@@ -49,8 +49,8 @@ const OPENS = /^\s*[A-Za-z_][\w.]*\s*\(\s*(?=["']?[A-Za-z_]\w*["']?\s*[:=](?!=))
 
 /** Rows parted by semicolons in one pair of brackets: where its entries have square brackets, that is Julia. */
 const ROWS_IN_ONE = /^\s*\[[^[\]]*;[^[\]]*\]/
-/** What MATLAB ends with a comment, and Python computes: the rest of a division. */
-const REST_OR_COMMENT = /\d[^\S\n]*%[^\S\n]*\d[\d.]*[^\S\n]*(?=[\n;,)\]]|$)/m
+/** What MATLAB ends with a comment, and Python computes: the rest of a division; not within a comment or a string. */
+const REST_OR_COMMENT = /^((?:(?!\/\/|\/\*)[^%#"'\n])*?)(\d[\d.]*[^\S\n]*%[^\S\n]*\d[\d.]*)[^\S\n]*(?=[\n;,)\]]|$)/m
 
 /** @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices */
 /** @typedef {{ ok: true, system: Matrices, unused: string[] } | { ok: false, fault: string, line: number }} Read */
@@ -66,7 +66,7 @@ export function readSystem(text) {
     const line = text.slice(0, unsure.index).split(/\r\n?|\n/).length
     return {
       ok: false,
-      fault: `“${unsure[0].trim()}” is a comment in MATLAB and a rest in Python; write one number.`,
+      fault: `“${unsure[2]}” is a comment in MATLAB and a rest in Python; write one number.`,
       line,
     }
   }

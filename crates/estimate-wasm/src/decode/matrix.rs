@@ -70,15 +70,11 @@ impl Arg<'_> {
         if let Some(matrix) = self.plain(|arrays| arrays.matrix()) {
             return Ok(matrix);
         }
-        let side = |length: u32, code: Code, of: &str| match length {
-            0..=MAX_SIDE => Ok(length),
-            _ => Err(self.refuse(code, format!("has {length} {of}; at most {MAX_SIDE} are accepted"))),
-        };
         let numbers = |i: u32| {
             let row = self.entry(i)?;
-            row.first_numbers(side(row.length()?, wide, "columns")?)
+            row.first_numbers(self.side(row.length()?, wide, "columns")?)
         };
-        let count = side(self.length()?, tall, "rows")?;
+        let count = self.side(self.length()?, tall, "rows")?;
         let rows = (0..count).map(numbers).collect::<Result<Vec<_>, _>>()?;
         let width = rows.first().map_or(0, Vec::len);
         match rows.iter().position(|row| row.len() != width) {
@@ -87,6 +83,14 @@ impl Arg<'_> {
                 Err(self.refuse(Code::Shape, message))
             }
             None => Ok(DMatrix::from_row_iterator(rows.len(), width, rows.into_iter().flatten())),
+        }
+    }
+
+    /// A length of at most [`MAX_SIDE`]; the code is for a greater one.
+    pub(super) fn side(&self, length: u32, code: Code, of: &str) -> Result<u32, Error> {
+        match length {
+            0..=MAX_SIDE => Ok(length),
+            _ => Err(self.refuse(code, format!("has {length} {of}; at most {MAX_SIDE} are accepted"))),
         }
     }
 

@@ -91,13 +91,7 @@ impl Arg<'_> {
 
     /// Whether this is an array; one that no input or reading fills is refused before it is read.
     fn is_short_array(&self) -> Result<bool, Error> {
-        if !self.array()? {
-            return Ok(false);
-        }
-        match self.length()? {
-            0..=MAX_SIDE => Ok(true),
-            length => Err(self.refuse(Code::Shape, format!("has {length} entries; at most {MAX_SIDE} are accepted"))),
-        }
+        Ok(self.array()? && self.side(self.length()?, Code::Shape, "entries").map(|_| true)?)
     }
 
     fn part(&self) -> Result<Option<f64>, Error> {
