@@ -54,7 +54,8 @@ impl Table {
                 let message = name_fault(field)?;
                 Some(Error::new(above + 1, line[..*at].chars().count() as u32 + 1, message))
             });
-            let names = fields.into_iter().map(|name| beginning(name).to_string()).collect();
+            // Within quotes a quote is written twice.
+            let names = fields.into_iter().map(|name| beginning(name).replace("\"\"", "\"")).collect();
             return Some(Self { separator, names, skipped: above + 1, fault });
         }
         let named: Vec<String> = [Separator::Char(','), Separator::Char(';'), Separator::Char('\t')]

@@ -46,6 +46,8 @@ fn a_separator_within_a_quoted_field_parts_nothing() {
     for head in [r#""time","v, along","omega""#, r#" "time, s" ,v,"omega, ""z""""#] {
         assert_eq!(read(&[("wheels.csv", &format!("{head}\n{body}"))]).log, plain, "{head}");
     }
+    let named = files(&[("wheels.csv", &format!("time,v,\"omega, \"\"z\"\"\"\n{body}"))]);
+    assert_eq!(named.files()[0].header(), ["time", "v", "omega, \"z\""]);
     let open = files(&[("wheels.csv", &format!("time,v,\"omega, z\n{body}"))]).read().expect_err("not closed");
     assert!(open.message.contains("not closed"), "{open}");
 }
