@@ -7,6 +7,7 @@ mod analysis;
 mod continuous;
 mod feet;
 mod filter;
+mod own;
 mod partial;
 mod replay;
 mod smooth;
@@ -16,6 +17,7 @@ pub use analysis::{detectability, movable, noise_input, noise_reach, riccati_lim
 pub use continuous::{Continuous, Discrete};
 pub use feet::{euclidean_foot, mahalanobis_foot, most_likely_output};
 pub use filter::KalmanFilter;
+pub use own::{ExtendedKalmanFilter, Gated, Jacobian, Model, OwnReading, UnscentedKalmanFilter};
 pub use replay::{MAX_LOG, Replayed, kalman_replay};
 pub use smooth::kalman_smooth;
 pub use timeline::{

@@ -95,6 +95,14 @@ where
     }
 }
 
+impl Followed<Dyn> {
+    /// Takes the mean out of a belief about an error: what is left has the mean zero.
+    pub fn recentred(&mut self) -> DVector<f64> {
+        let n = self.belief.x.len();
+        core::mem::replace(&mut self.belief.x, DVector::zeros(n))
+    }
+}
+
 /// [`Followed::correct`] of a belief whose size is known at run time only.
 fn corrected(
     (x, p): (DVector<f64>, DMatrix<f64>),

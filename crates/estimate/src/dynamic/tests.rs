@@ -8,6 +8,7 @@ use nalgebra::{SMatrix, U1, U2, Vector1, dmatrix, dvector};
 
 mod continuous;
 mod filter;
+mod own;
 mod replay;
 mod smooth;
 mod timeline;
