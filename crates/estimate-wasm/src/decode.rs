@@ -135,6 +135,16 @@ impl<'a> Arg<'a> {
         self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }
 
+    /// A function, which may be left out.
+    #[cfg(feature = "functions")]
+    pub fn function(&self) -> Result<Option<js_sys::Function>, Error> {
+        match self.value.dyn_ref::<js_sys::Function>() {
+            Some(function) => Ok(Some(function.clone())),
+            None if self.is_undefined() => Ok(None),
+            None => Err(self.wrong_type("a function")),
+        }
+    }
+
     /// One of the given words: its index.
     pub fn word(&self, words: &[&'static str]) -> Result<usize, Error> {
         if !self.value.is_string() {

@@ -41,6 +41,32 @@ impl From<Error> for Thrown {
     }
 }
 
+/// Why a call that asks a caller's function was not answered.
+#[cfg(feature = "functions")]
+pub enum Refused {
+    /// The core refused.
+    Ours(Error),
+    /// The caller's function threw this.
+    Theirs(JsValue),
+}
+
+#[cfg(feature = "functions")]
+impl From<Error> for Refused {
+    fn from(error: Error) -> Self {
+        Self::Ours(error)
+    }
+}
+
+#[cfg(feature = "functions")]
+impl From<Refused> for Thrown {
+    fn from(refused: Refused) -> Self {
+        match refused {
+            Refused::Ours(error) => error.into(),
+            Refused::Theirs(thrown) => Self(thrown),
+        }
+    }
+}
+
 /// A text that is no log.
 #[cfg(feature = "log")]
 impl From<robot_log::Error> for Thrown {

@@ -37,6 +37,8 @@ mod log_files;
 mod log_table;
 mod names;
 mod object;
+#[cfg(feature = "functions")]
+mod own_models;
 #[cfg(feature = "analysis")]
 mod placement;
 #[cfg(feature = "log")]
@@ -52,7 +54,8 @@ pub use self::lab::*;
 pub use self::{analysis::*, placement::*};
 #[cfg(feature = "functions")]
 pub use self::{
-    ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter, timeline::Timeline,
+    ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
+    own_models::ExtendedKalmanFilter, own_models::UnscentedKalmanFilter, timeline::Timeline,
 };
 #[cfg(feature = "log")]
 pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog};

@@ -59,7 +59,7 @@ impl LogFiles {
         self.0.is(FILES)?;
         let name = Arg::new(name, "name").text()?;
         let text = text_of(text)?;
-        Ok(self.0.write(FILES, |files: &mut Files| Ok(files.add(&name, &text)))??)
+        Ok(self.0.write(FILES, |files: &mut Files| Ok::<_, Error>(files.add(&name, &text)))??)
     }
 
     /// The files and how each is read.

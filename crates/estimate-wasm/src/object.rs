@@ -28,11 +28,10 @@ impl Held {
     }
 
     /// What `f` answers, which may change the object.
-    pub fn write<T: Any, A>(
-        &self,
-        class: &'static str,
-        f: impl FnOnce(&mut T) -> Result<A, Error>,
-    ) -> Result<A, Thrown> {
+    pub fn write<T: Any, A, E>(&self, class: &'static str, f: impl FnOnce(&mut T) -> Result<A, E>) -> Result<A, Thrown>
+    where
+        Thrown: From<E>,
+    {
         self.is(class)?;
         let mut inner = self.inner.try_borrow_mut().map_err(|_| busy())?;
         let object = inner.downcast_mut().ok_or_else(|| foreign(self.class, class))?;

@@ -44,6 +44,16 @@ where
         self.conditioning.is_well_conditioned()
     }
 
+    /// What S and P are judged by.
+    pub fn conditioning(&self) -> &Conditioning {
+        &self.conditioning
+    }
+
+    /// Goes on with what another filter was judged by.
+    pub fn judge_by(&mut self, conditioning: Conditioning) {
+        self.conditioning = conditioning;
+    }
+
     /// [`Gaussian::predict`].
     #[inline(always)]
     pub fn predict<U: Dim, S: Storage<f64, U>>(

@@ -45,6 +45,6 @@ pub use kalman::Kf;
 pub use manifold::State;
 pub use model::{MeasurementModel, MotionModel};
 pub use nalgebra;
-pub use rounding::{Conditioning, MAX_ERROR};
+pub use rounding::{Bound, Conditioning, MAX_ERROR};
 pub use sizes::Sizes;
 pub use update::Update;

@@ -50,15 +50,15 @@ pub struct Conditioning {
 }
 
 /// What is known of the rounding in a covariance.
-#[derive(Clone, Debug, Default)]
-enum Bound {
+#[derive(Clone, Debug, Default, PartialEq)]
+pub enum Bound {
     /// It is nothing beside the covariance in any direction.
     #[default]
     Nothing,
     /// It is that of the entries, and may be much of the covariance in some direction.
     OfEntries,
-    /// It was worse once, and is carried along.
-    Carried(Rounding),
+    /// It was worse once, and is carried along: E, n×n, a bound on the error of the covariance.
+    Carried(DMatrix<f64>),
 }
 
 impl Conditioning {
@@ -67,7 +67,17 @@ impl Conditioning {
     where
         DefaultAllocator: Allocator<N, N>,
     {
-        Self { bound: Bound::Carried(Rounding::of(&at_run_time(p))), lost: false }
+        Self { bound: Bound::Carried(Rounding::of(&at_run_time(p)).0), lost: false }
+    }
+
+    /// That of a filter that is gone on with: what was known of its rounding, and whether digits were lost.
+    pub fn resumed(bound: Bound, lost: bool) -> Self {
+        Self { bound, lost }
+    }
+
+    /// What is known of the rounding in the covariance of now.
+    pub fn bound(&self) -> &Bound {
+        &self.bound
     }
 
     /// Whether S, Σ and μ of every step so far are right to [`MAX_ERROR`] of their largest entries, μ to that part of
@@ -88,7 +98,10 @@ impl Conditioning {
         DefaultAllocator: Allocator<N, N>,
     {
         match &mut self.bound {
-            Bound::Carried(rounding) => *rounding = rounding.predicted([a, p, r].map(|m| at_run_time(m))),
+            Bound::Carried(rounding) => {
+                let before = Rounding(core::mem::take(rounding));
+                *rounding = before.predicted([a, p, r].map(|m| at_run_time(m))).0;
+            }
             bound if !regular => *bound = Bound::OfEntries,
             _ => {}
         }
@@ -122,7 +135,7 @@ impl Conditioning {
         largest: f64,
     ) {
         let before = match core::mem::take(&mut self.bound) {
-            Bound::Carried(rounding) => rounding,
+            Bound::Carried(rounding) => Rounding(rounding),
             _ => Rounding::of(p),
         };
         let of_s = before.of_s([p, c, q]);
@@ -135,7 +148,7 @@ impl Conditioning {
         let scale = MAX_BOUND * largest.max(sqrt(variance));
         self.lost |= before.of_mean([p, c], s, innovation) > scale || of_sum(&k, c, innovation, largest) > scale;
         if relative(&rounding.0, posterior) > NEGLIGIBLE {
-            self.bound = Bound::Carried(rounding);
+            self.bound = Bound::Carried(rounding.0);
         }
     }
 }

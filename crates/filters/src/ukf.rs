@@ -150,11 +150,7 @@ where
     ///
     /// # Errors
     /// [`Error::NotFinite`].
-    pub fn predicted_covariance(
-        &self,
-        moved: &Image<N>,
-        r: &OMatrix<f64, N, N>,
-    ) -> Result<OMatrix<f64, N, N>, Error> {
+    pub fn predicted_covariance(&self, moved: &Image<N>, r: &OMatrix<f64, N, N>) -> Result<OMatrix<f64, N, N>, Error> {
         finite(symmetric(self.covariance(moved, moved) + r), Quantity::PredictedCovariance)
     }
 

@@ -1,19 +1,18 @@
 //! A Kalman filter that holds its system and its belief, for sizes known at run time only. Few states and few outputs
 //! are filtered at the pace of typed code, to the same bits.
 
+mod typed;
+
 use super::partial::rows_there;
-use super::{Belief, System};
-use crate::error::Error;
-use crate::followed::Followed;
+use super::{Belief, Discrete, System};
+use crate::error::{Code, Error};
 use crate::kf::belief_fits;
-use crate::likelihood::log_density;
-use crate::lti::{Lti, SystemSizes};
-use crate::validate;
+use crate::validate::{self, MAX_OUTPUTS, size};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
 use filters::Gaussian;
-use nalgebra::allocator::Allocator;
-use nalgebra::{Const, DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, U1, VectorView};
+use nalgebra::{Const, DMatrix, DVector, Dyn};
+use typed::{Filter, Last, sized};
 
 /// The Kalman filter of one system, with its belief inside: [`kalman_step`](crate::kf::kalman_step), in two halves that
 /// may be called apart, or together as one step.
@@ -70,6 +69,10 @@ kinds! {
     FourByTwo: 4, 2;
 }
 
+// Behind the macro that it uses.
+mod state;
+pub use state::{FilterState, LastReading};
+
 impl KalmanFilter {
     /// The filter of `system` with the belief x̂(0 | 0), P(0 | 0).
     ///
@@ -122,18 +125,50 @@ impl KalmanFilter {
             return self.update(&there);
         }
         let (p, n) = each!(&self.0, filter => filter.system.h.shape());
-        validate::entries(&y.iter().map(|part| part.unwrap_or(0.0)).collect::<Vec<f64>>(), p, "y")?;
+        let (h, w) = each!(&self.0, filter => (filter.system.h.as_slice(), filter.system.w.as_slice()));
+        let (h, w) = (sized(Dyn(p), Dyn(n), h), sized(Dyn(p), Dyn(p), w));
+        self.correct_by(y, &h, &w)
+    }
+
+    /// [`predict`](Self::predict) over a step of its own in place of the system's: F n×n, G n×m and V n×n, as
+    /// [`Continuous::discretize`](super::Continuous::discretize) gives them for any span of time.
+    ///
+    /// # Errors
+    /// Those of [`predict`](Self::predict); [`Code::Shape`], [`Code::NotFinite`] and those of [`validate::covariance`]
+    /// naming F, G or V.
+    pub fn predict_over(&mut self, u: &[f64], step: Discrete) -> Result<(), Error> {
+        let (n, m) = each!(&self.0, filter => filter.system.g.shape());
+        let f = validate::matrix(step.f, (n, n), "F")?;
+        let g = validate::matrix(step.g, (n, m), "G")?;
+        let v = validate::covariance(step.v, n, "V")?;
+        each!(&mut self.0, filter => {
+            filter.input(u).and_then(|()| filter.predict_by(u, f.as_slice(), g.as_slice(), v.as_slice()))
+        })
+    }
+
+    /// [`update_partly`](Self::update_partly) by a sensor of its own in place of the system's: H p×n and W p×p, with
+    /// p ≤ 8 outputs, as many as `y` has.
+    ///
+    /// # Errors
+    /// As there, and naming H or W: [`Code::Limit`], [`Code::Shape`], [`Code::NotFinite`] and those of
+    /// [`validate::covariance`].
+    pub fn update_by(&mut self, y: &[Option<f64>], h: DMatrix<f64>, w: DMatrix<f64>) -> Result<(), Error> {
+        let (n, p) = (self.x().len(), h.nrows());
+        size(p, MAX_OUTPUTS, "H")?;
+        let (h, w) = (validate::matrix(h, (p, n), "H")?, validate::covariance(w, p, "W")?);
+        self.correct_by(y, &h, &w)
+    }
+
+    fn correct_by(&mut self, y: &[Option<f64>], h: &DMatrix<f64>, w: &DMatrix<f64>) -> Result<(), Error> {
+        validate::entries(&y.iter().map(|part| part.unwrap_or(0.0)).collect::<Vec<f64>>(), h.nrows(), "y")?;
+        let there: Vec<f64> = y.iter().flatten().copied().collect();
         if there.is_empty() {
-            each!(&mut self.0, filter => filter.nis = None);
+            each!(&mut self.0, filter => filter.last = Last::Nothing);
             return Ok(());
         }
-        let (h, w) = each!(&self.0, filter => (filter.system.h.as_slice(), filter.system.w.as_slice()));
-        let (h, w) = rows_there(&sized(Dyn(p), Dyn(n), h), &sized(Dyn(p), Dyn(p), w), y);
+        let (h, w) = rows_there(h, w, y);
         let y = DVector::from_vec(there);
-        let update = each!(&mut self.0, filter => filter.belief.correct_partly(&y, &h, &w)?);
-        let density = log_density(&update.innovation, &update.s);
-        each!(&mut self.0, filter => filter.note(density, update.d2));
-        Ok(())
+        each!(&mut self.0, filter => filter.update_by(&y, &h, &w))
     }
 
     /// [`step`](Self::step) with [`update_partly`](Self::update_partly) in place of the correction.
@@ -186,105 +221,19 @@ impl KalmanFilter {
     /// The normalized innovation squared νᵀS⁻¹ν of the last reading; nothing before the first, and where S is singular
     /// to working accuracy.
     pub fn nis(&self) -> Option<f64> {
-        each!(&self.0, filter => filter.nis)
-    }
-}
-
-/// The filter with matrices of the sizes N and M; how many inputs there are is known at run time only.
-#[derive(Clone, Debug)]
-struct Filter<N: Dim, M: Dim>
-where
-    DefaultAllocator: SystemSizes<N, Dyn, M>,
-{
-    system: Lti<N, Dyn, M>,
-    belief: Followed<N>,
-    log_likelihood: Option<f64>,
-    nis: Option<f64>,
-}
-
-impl<N: Dim, M: Dim> Filter<N, M>
-where
-    DefaultAllocator: SystemSizes<N, Dyn, M>,
-{
-    /// `system` and `belief`, which are of the sizes (n, p).
-    fn new(system: &System, belief: &Belief, (n, p): (N, M)) -> Self {
-        let system = Lti {
-            f: kept(n, n, system.f.as_slice()),
-            g: kept(n, Dyn(system.g.ncols()), system.g.as_slice()),
-            h: kept(p, n, system.h.as_slice()),
-            v: kept(n, n, system.v.as_slice()),
-            w: kept(p, p, system.w.as_slice()),
-        };
-        let belief = Gaussian { x: kept(n, U1, belief.x.as_slice()), p: kept(n, n, belief.p.as_slice()) };
-        Self { system, belief: belief.into(), log_likelihood: Some(0.0), nis: None }
+        each!(&self.0, filter => match &filter.last {
+            Last::Nothing => None,
+            Last::Whole(update) => update.d2,
+            Last::Partly(update) => update.d2,
+        })
     }
 
-    // In wasm a half is one function, in a step too: in line it would weigh twice, and be hardly quicker.
-    #[cfg_attr(target_arch = "wasm32", inline(never))]
-    fn predict(&mut self, u: &[f64]) -> Result<(), Error> {
-        let system = &self.system;
-        let u = VectorView::from_slice_generic(u, system.g.shape_generic().1, U1);
-        Ok(self.belief.predict(&system.f, &system.v, Some((&system.g, &u)))?)
+    /// What the last reading has told; nothing before the first, and where none of its parts was there.
+    pub fn last(&self) -> Option<LastReading> {
+        each!(&self.0, filter => match &filter.last {
+            Last::Nothing => None,
+            Last::Whole(update) => Some(LastReading::of(update)),
+            Last::Partly(update) => Some(LastReading::of(update)),
+        })
     }
-
-    #[cfg_attr(target_arch = "wasm32", inline(never))]
-    fn update(&mut self, y: &[f64]) -> Result<(), Error> {
-        let system = &self.system;
-        let y = sized(system.h.shape_generic().0, U1, y);
-        let update = self.belief.correct(&y, &system.h, &system.w)?;
-        self.note(log_density(&update.innovation, &update.s), update.d2);
-        Ok(())
-    }
-
-    #[inline]
-    fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), Error> {
-        let before = self.belief.clone();
-        self.predict(u)?;
-        self.update(y).inspect_err(|_| self.belief = before)
-    }
-
-    fn replay(&mut self, inputs: &[f64], readings: &[f64]) -> Result<(Vec<f64>, Vec<f64>), (Error, usize)> {
-        let (p, n) = self.system.h.shape_generic();
-        let (n, m, p) = (n.value(), self.system.g.ncols(), p.value());
-        let steps = readings.len() / p;
-        let (mut x, mut variances) = (Vec::with_capacity(steps * n), Vec::with_capacity(steps * n));
-        for k in 0..steps {
-            let (u, y) = (&inputs[k * m..(k + 1) * m], &readings[k * p..(k + 1) * p]);
-            self.predict(u).and_then(|()| self.update(y)).map_err(|e| (e, k + 1))?;
-            x.extend(self.belief.x.iter());
-            variances.extend((0..n).map(|i| self.belief.p[(i, i)]));
-        }
-        Ok((x, variances))
-    }
-
-    fn input(&self, u: &[f64]) -> Result<(), Error> {
-        validate::entries(u, self.system.g.ncols(), "u")
-    }
-
-    fn reading(&self, y: &[f64]) -> Result<(), Error> {
-        validate::entries(y, self.system.h.nrows(), "y")
-    }
-
-    /// The density and the squared distance of a reading.
-    fn note(&mut self, density: Option<f64>, d2: Option<f64>) {
-        let sum = self.log_likelihood.zip(density).map(|(sum, density)| sum + density);
-        self.log_likelihood = sum.filter(|sum| sum.is_finite() && self.belief.conditioned());
-        self.nis = d2;
-    }
-}
-
-/// [`sized`] where it is called once for a filter, of which there are many sizes.
-#[cfg_attr(target_arch = "wasm32", inline(never))]
-fn kept<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R, C>
-where
-    DefaultAllocator: Allocator<R, C>,
-{
-    sized(rows, columns, entries)
-}
-
-fn sized<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R, C>
-where
-    DefaultAllocator: Allocator<R, C>,
-{
-    OMatrix::from_column_slice_generic(rows, columns, entries)
 }

@@ -8,6 +8,7 @@ use nalgebra::{SMatrix, U1, U2, Vector1, dmatrix, dvector};
 
 mod continuous;
 mod filter;
+mod one_call;
 mod own;
 mod replay;
 mod smooth;

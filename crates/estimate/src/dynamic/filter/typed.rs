@@ -1,0 +1,143 @@
+//! A filter with matrices of given sizes.
+
+use crate::dynamic::{Belief, System};
+use crate::error::Error;
+use crate::followed::Followed;
+use crate::likelihood::log_density;
+use crate::lti::{Lti, SystemSizes};
+use crate::validate;
+use alloc::vec::Vec;
+use filters::{Gaussian, Update};
+use nalgebra::allocator::Allocator;
+use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, U1, VectorView};
+
+/// What the last reading has told.
+#[derive(Clone, Debug)]
+pub enum Last<N: Dim, M: Dim>
+where
+    DefaultAllocator: SystemSizes<N, Dyn, M>,
+{
+    /// There was none, or none of its parts was there.
+    Nothing,
+    Whole(Update<N, M>),
+    /// Of some outputs, or of a sensor that was named with it.
+    Partly(Update<Dyn, Dyn>),
+}
+
+/// The filter with matrices of the sizes N and M; how many inputs there are is known at run time only.
+#[derive(Clone, Debug)]
+pub struct Filter<N: Dim, M: Dim>
+where
+    DefaultAllocator: SystemSizes<N, Dyn, M>,
+{
+    pub system: Lti<N, Dyn, M>,
+    pub belief: Followed<N>,
+    pub log_likelihood: Option<f64>,
+    pub last: Last<N, M>,
+}
+
+impl<N: Dim, M: Dim> Filter<N, M>
+where
+    DefaultAllocator: SystemSizes<N, Dyn, M>,
+{
+    /// `system` and `belief`, which are of the sizes (n, p).
+    pub fn new(system: &System, belief: &Belief, (n, p): (N, M)) -> Self {
+        let system = Lti {
+            f: kept(n, n, system.f.as_slice()),
+            g: kept(n, Dyn(system.g.ncols()), system.g.as_slice()),
+            h: kept(p, n, system.h.as_slice()),
+            v: kept(n, n, system.v.as_slice()),
+            w: kept(p, p, system.w.as_slice()),
+        };
+        let belief = Gaussian { x: kept(n, U1, belief.x.as_slice()), p: kept(n, n, belief.p.as_slice()) };
+        Self { system, belief: belief.into(), log_likelihood: Some(0.0), last: Last::Nothing }
+    }
+
+    // In wasm a half is one function, in a step too: in line it would weigh twice, and be hardly quicker.
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    pub fn predict(&mut self, u: &[f64]) -> Result<(), Error> {
+        let system = &self.system;
+        let u = VectorView::from_slice_generic(u, system.g.shape_generic().1, U1);
+        Ok(self.belief.predict(&system.f, &system.v, Some((&system.g, &u)))?)
+    }
+
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    pub fn update(&mut self, y: &[f64]) -> Result<(), Error> {
+        let system = &self.system;
+        let y = sized(system.h.shape_generic().0, U1, y);
+        let update = self.belief.correct(&y, &system.h, &system.w)?;
+        self.note(log_density(&update.innovation, &update.s));
+        self.last = Last::Whole(update);
+        Ok(())
+    }
+
+    /// The correction by a reading whose size, and whose sensor, are known at run time only.
+    pub fn update_by(&mut self, y: &DVector<f64>, h: &DMatrix<f64>, w: &DMatrix<f64>) -> Result<(), Error> {
+        let update = self.belief.correct_partly(y, h, w)?;
+        self.note(log_density(&update.innovation, &update.s));
+        self.last = Last::Partly(update);
+        Ok(())
+    }
+
+    /// The prediction over another step than the system's.
+    pub fn predict_by(&mut self, u: &[f64], f: &[f64], g: &[f64], v: &[f64]) -> Result<(), Error> {
+        let before = self.system.clone();
+        self.system.f.copy_from_slice(f);
+        self.system.g.copy_from_slice(g);
+        self.system.v.copy_from_slice(v);
+        let done = self.predict(u);
+        self.system = before;
+        done
+    }
+
+    #[inline]
+    pub fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), Error> {
+        let before = self.belief.clone();
+        self.predict(u)?;
+        self.update(y).inspect_err(|_| self.belief = before)
+    }
+
+    pub fn replay(&mut self, inputs: &[f64], readings: &[f64]) -> Result<(Vec<f64>, Vec<f64>), (Error, usize)> {
+        let (p, n) = self.system.h.shape_generic();
+        let (n, m, p) = (n.value(), self.system.g.ncols(), p.value());
+        let steps = readings.len() / p;
+        let (mut x, mut variances) = (Vec::with_capacity(steps * n), Vec::with_capacity(steps * n));
+        for k in 0..steps {
+            let (u, y) = (&inputs[k * m..(k + 1) * m], &readings[k * p..(k + 1) * p]);
+            self.predict(u).and_then(|()| self.update(y)).map_err(|e| (e, k + 1))?;
+            x.extend(self.belief.x.iter());
+            variances.extend((0..n).map(|i| self.belief.p[(i, i)]));
+        }
+        Ok((x, variances))
+    }
+
+    pub fn input(&self, u: &[f64]) -> Result<(), Error> {
+        validate::entries(u, self.system.g.ncols(), "u")
+    }
+
+    pub fn reading(&self, y: &[f64]) -> Result<(), Error> {
+        validate::entries(y, self.system.h.nrows(), "y")
+    }
+
+    /// The density of a reading.
+    fn note(&mut self, density: Option<f64>) {
+        let sum = self.log_likelihood.zip(density).map(|(sum, density)| sum + density);
+        self.log_likelihood = sum.filter(|sum| sum.is_finite() && self.belief.conditioned());
+    }
+}
+
+/// [`sized`] where it is called once for a filter, of which there are many sizes.
+#[cfg_attr(target_arch = "wasm32", inline(never))]
+fn kept<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R, C>
+where
+    DefaultAllocator: Allocator<R, C>,
+{
+    sized(rows, columns, entries)
+}
+
+pub fn sized<R: Dim, C: Dim>(rows: R, columns: C, entries: &[f64]) -> OMatrix<f64, R, C>
+where
+    DefaultAllocator: Allocator<R, C>,
+{
+    OMatrix::from_column_slice_generic(rows, columns, entries)
+}
