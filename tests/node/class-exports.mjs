@@ -12,6 +12,34 @@ const gate = (dice) => dice.pick([null, 9.21, 1e-3, 1e6])
 /** A time near the latest of a time line. */
 const moment = (it, dice) => it.newest + dice.pick([-5, -1, -0.5, 0, 0, 0.25, 1, dice.normal()])
 
+/** A sensor for one call, now and then. */
+const oneCall = (H, dice) => dice.pick([[], [], [{ H, W: covariance(H.length, dice) }]])
+
+const times = (M, x) => M.map((row) => row.reduce((sum, a, j) => sum + a * x[j], 0))
+
+/** A motion of n states that bends. */
+function motionOf(n, dice) {
+  const F = matrix(n, n, dice)
+  const bend = dice.pick([0, 0.1])
+  return (x) => times(F, x).map((number) => number + bend * Math.sin(number))
+}
+
+/** What the filters of one's own models have in common. */
+const ownModels = {
+  chain: 30,
+  spoilt: 0.35,
+  often: ['update'],
+  least: { accepted: 100, rejected: 20 },
+  make(dice) {
+    const n = 1 + dice.below(4)
+    return [{ x: vector(n, dice), P: covariance(n, dice) }, ...dice.pick([[], [{ angles: [0] }]])]
+  },
+  look: ({ x, P }) => [x, P],
+  covariances: (it) => [it.P],
+  answered: (answer) => [answer?.S].filter(Boolean),
+  outcomes: (answer) => (answer?.outcome ? [answer.outcome] : []),
+}
+
 /** What the robot at `x` reads of a place: mostly as from there, a little off; now and then anything. */
 function seen([x, y, theta], at, dice) {
   if (dice.uniform() < 0.15) return { range: 0.1 + Math.abs(dice.normal()) * 4, bearing: dice.normal() }
@@ -46,13 +74,42 @@ export const CLASSES = {
       return [system(size, dice), { x: vector(size.n, dice), P: covariance(size.n, dice) }]
     },
     methods: {
-      predict: (dice, _, _it, [{ G }]) => [row(G[0].length, dice)],
-      update: (dice, _, _it, [{ H }]) => [reading(H.length, dice)],
+      predict: (dice, _, _it, [{ F, G }]) => [
+        row(G[0].length, dice),
+        ...dice.pick([[], [], [{ F, G, V: covariance(F.length, dice) }]]),
+      ],
+      state: () => [],
+      clone: () => [],
+      update: (dice, _, _it, [{ H }]) => [reading(H.length, dice), ...oneCall(H, dice)],
       step: (dice, _, _it, [{ G, H }]) => [row(G[0].length, dice), reading(H.length, dice)],
     },
-    look: ({ x, P, logLikelihood, nis }) => [x, P, logLikelihood, nis],
+    look: ({ x, P, logLikelihood, nis, innovation, S, R }) => [x, P, logLikelihood, nis, innovation, S, R],
     covariances: (it) => [it.P],
     outcomes: (_, it) => (it?.nis === null ? [] : ['a reading judged']),
+  },
+  ExtendedKalmanFilter: {
+    ...ownModels,
+    methods: {
+      predict: (dice, _, it) => [motionOf(it.x.length, dice), covariance(it.x.length, dice)],
+      update(dice, _, it) {
+        const p = 1 + dice.below(2)
+        const H = matrix(p, it.x.length, dice)
+        const options = { gate: gate(dice), ...dice.pick([{}, { H: () => H }, { angles: [0] }]) }
+        return [reading(p, dice), (x) => times(H, x), covariance(p, dice), options]
+      },
+    },
+  },
+  UnscentedKalmanFilter: {
+    ...ownModels,
+    methods: {
+      predict: (dice, _, it) => [motionOf(it.x.length, dice), covariance(it.x.length, dice)],
+      update(dice, _, it) {
+        const p = 1 + dice.below(2)
+        const H = matrix(p, it.x.length, dice)
+        const options = dice.pick([undefined, { gate: gate(dice) }, { angles: [0] }])
+        return [reading(p, dice), (x) => times(H, x), covariance(p, dice), options]
+      },
+    },
   },
   Timeline: {
     chain: 30,
@@ -80,6 +137,7 @@ export const CLASSES = {
         return [name, moment(it, dice), reading(sensors[name].H.length, dice), ...dice.pick([[], [1]])]
       },
       at: (dice, _, it) => [moment(it, dice)],
+      statistics: () => [],
     },
     look: (it) => [it.newest, it.length, it.at(it.newest)],
     covariances: (it) => [it.at(it.newest).P],

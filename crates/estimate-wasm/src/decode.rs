@@ -83,6 +83,11 @@ impl<'a> Arg<'a> {
         self.value.is_undefined()
     }
 
+    #[cfg(feature = "functions")]
+    pub fn is_string(&self) -> bool {
+        self.value.is_string()
+    }
+
     pub fn is_null(&self) -> bool {
         self.value.is_null()
     }
@@ -130,7 +135,6 @@ impl<'a> Arg<'a> {
     }
 
     /// `true` or `false`.
-    #[cfg(feature = "labs")]
     pub fn boolean(&self) -> Result<bool, Error> {
         self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }

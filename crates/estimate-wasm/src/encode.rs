@@ -110,6 +110,12 @@ pub(crate) fn list(numbers: &[f64]) -> JsValue {
     }
 }
 
+/// A number, or null where there is none.
+#[cfg(feature = "functions")]
+pub(crate) fn number_or_null(number: Option<f64>) -> JsValue {
+    number.map_or(JsValue::NULL, JsValue::from_f64)
+}
+
 /// An object of these fields.
 pub(crate) fn record(fields: &[(&'static str, JsValue)]) -> JsValue {
     let object: Fresh = js_sys::Object::new().unchecked_into();

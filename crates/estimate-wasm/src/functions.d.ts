@@ -1,21 +1,32 @@
-/** x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, Cov v = V, Cov w = W; at most 16 states, 8 inputs, 8 outputs. */
+/** x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w; at most 16 states, 8 inputs, 8 outputs. */
 export interface System {
+  /** How the state moves in a step, n × n. */
   F: Matrix
-  G: Matrix
+  /** What an input adds to it, n × m; left out where there are no inputs. */
+  G?: Matrix
+  /** What the sensor reads of it, p × n. */
   H: Matrix
+  /** The covariance of the motion's noise v, n × n (Thrun: R, filterpy: Q). */
   V: Matrix
+  /** The covariance of the reading's noise w, p × p (Thrun: Q, filterpy: R). */
   W: Matrix
 }
-/** x' = A x + B u + noise, which over a short time h adds Q h to the covariance; at most 16 states, 8 inputs. */
+/** x' = A x + B u + noise; at most 16 states, 8 inputs. */
 export interface ContinuousSystem {
+  /** How fast the state changes by itself, n × n. */
   A: Matrix
-  B: Matrix
+  /** What an input adds to that, n × m; left out where there are no inputs. */
+  B?: Matrix
+  /** The density of the noise: over a short time h it adds Q h to the covariance, n × n. */
   Q: Matrix
 }
 /** x(t + dt) = F x(t) + G u + v, Cov v = V, for an input that is held. */
 export interface DiscreteSystem {
+  /** e^{A dt}, n × n. */
   F: Matrix
-  G: Matrix
+  /** ∫ e^{As} B ds, n × m; as an argument, left out where there are no inputs. */
+  G?: Matrix
+  /** ∫ e^{As} Q e^{Aᵀs} ds, n × n. */
   V: Matrix
 }
 export interface KalmanStep {

@@ -1,12 +1,13 @@
 //! The linear functions: decode, call, encode.
 
 use crate::decode::{Arg, Reading};
-use crate::encode::{Arrays, list, record, rows, shown};
+use crate::encode::{Arrays, list, number_or_null, record, rows, shown};
 use crate::errors::Thrown;
 use estimate::dynamic::{self, Belief, Continuous, Discrete, Replayed, System};
 use estimate::validate::{self, MAX_INPUTS, MAX_OUTPUTS};
-use estimate::{Error, kf};
+use estimate::{Code, Error, kf};
 use js_sys::{Array, Float64Array};
+use nalgebra::DMatrix;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -63,7 +64,7 @@ pub fn kalman_replay(
         ("variances", floats(&variances)),
         ("P", rows(&p)),
         ("conditioned", conditioned.into()),
-        ("logLikelihood", log_likelihood.map_or(JsValue::NULL, JsValue::from_f64)),
+        ("logLikelihood", number_or_null(log_likelihood)),
     ]))
 }
 
@@ -92,7 +93,7 @@ pub fn kalman_smooth(
 
 /// What a system in continuous time, x' = A x + B u + noise of density Q, is over `dt` seconds, zero or more:
 /// F = e^{A dt}, G = ∫ e^{As} B ds, V = ∫ e^{As} Q e^{Aᵀs} ds. At most 16 states and 8 inputs.
-#[wasm_bindgen(unchecked_return_type = "DiscreteSystem")]
+#[wasm_bindgen(unchecked_return_type = "Required<DiscreteSystem>")]
 pub fn discretize(
     #[wasm_bindgen(unchecked_param_type = "ContinuousSystem")] system: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "number")] dt: &JsValue,
@@ -234,7 +235,11 @@ pub(crate) fn number_or(value: &JsValue, name: &'static str, default: f64) -> Re
 }
 
 pub(crate) fn system_of(value: &JsValue) -> Result<System, Error> {
-    let arg = Arg::new(value, "system");
+    system_of_arg(&Arg::new(value, "system"))
+}
+
+/// `{ F, G, H, V, W }`.
+pub(crate) fn system_of_arg(arg: &Arg<'_>) -> Result<System, Error> {
     let plain = arg.plain_fields(&["F", "G", "H", "V", "W"], |arrays| {
         Some((arrays.matrix()?, arrays.matrix()?, arrays.matrix()?, arrays.matrix()?, arrays.matrix()?))
     });
@@ -242,13 +247,45 @@ pub(crate) fn system_of(value: &JsValue) -> Result<System, Error> {
         Some(matrices) => matrices,
         None => (
             arg.field("F")?.tall()?,
-            arg.field("G")?.wide()?,
+            inputs_of(&arg.field("G")?, arg.field("F")?.tall()?.nrows())?,
             arg.field("H")?.tall()?,
-            arg.field("V")?.matrix()?,
-            arg.field("W")?.matrix()?,
+            noise_of(arg, "V", "Q", "the process noise is V here")?,
+            noise_of(arg, "W", "R", "the reading's noise is W here")?,
         ),
     };
     System::new(f, g, h, v, w).map_err(|e| e.within("system"))
+}
+
+/// The matrix of the inputs of `n` states, which is left out where there are none.
+pub(crate) fn inputs_of(arg: &Arg<'_>, n: usize) -> Result<DMatrix<f64>, Error> {
+    if arg.is_undefined() { Ok(DMatrix::zeros(n, 0)) } else { arg.wide() }
+}
+
+/// A covariance of a system. Where another letter for it is there in its place, the error says so.
+fn noise_of(system: &Arg<'_>, letter: &'static str, other: &'static str, hint: &str) -> Result<DMatrix<f64>, Error> {
+    let noise = system.field(letter)?;
+    if noise.is_undefined() && !system.field(other)?.is_undefined() {
+        let path = ["system.", letter].concat();
+        let hint = ["is undefined: ", hint, "; for { F, B, H, Q, R }, new KalmanFilter takes letters: 'filterpy'"];
+        return Err(Error::new(Code::Type, path, hint.concat()));
+    }
+    noise.matrix()
+}
+
+/// `{ F, G, V }`.
+pub(crate) fn step_of(arg: &Arg<'_>) -> Result<Discrete, Error> {
+    let plain =
+        arg.plain_fields(&["F", "G", "V"], |arrays| Some((arrays.matrix()?, arrays.matrix()?, arrays.matrix()?)));
+    let (f, g, v) = match plain {
+        Some(matrices) => matrices,
+        None => {
+            arg.only(["F", "G", "V"].into_iter())?;
+            let f = arg.field("F")?.matrix()?;
+            let g = inputs_of(&arg.field("G")?, f.nrows())?;
+            (f, g, arg.field("V")?.matrix()?)
+        }
+    };
+    Ok(Discrete { f, g, v })
 }
 
 /// `{ A, B, Q }`.
@@ -258,7 +295,11 @@ pub(crate) fn continuous_of(value: &JsValue) -> Result<Continuous, Error> {
         arg.plain_fields(&["A", "B", "Q"], |arrays| Some((arrays.matrix()?, arrays.matrix()?, arrays.matrix()?)));
     let (a, b, q) = match plain {
         Some(matrices) => matrices,
-        None => (arg.field("A")?.tall()?, arg.field("B")?.wide()?, arg.field("Q")?.matrix()?),
+        None => {
+            let a = arg.field("A")?.tall()?;
+            let b = inputs_of(&arg.field("B")?, a.nrows())?;
+            (a, b, arg.field("Q")?.matrix()?)
+        }
     };
     Continuous::new(a, b, q).map_err(|e| e.within("system"))
 }

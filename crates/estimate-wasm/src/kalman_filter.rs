@@ -1,12 +1,17 @@
 //! The linear Kalman filter's class, for programs that filter as they read.
 
 use crate::decode::{Arg, Reading};
-use crate::encode::{list, rows};
+use crate::encode::{list, number_or_null, rows};
 use crate::errors::Thrown;
-use crate::functions::{belief_of, system_of};
+use crate::filter_state;
+use crate::functions::{belief_of, inputs_of, step_of, system_of};
 use crate::object::Held;
-use estimate::dynamic::KalmanFilter as Filter;
+use estimate::Error;
+use estimate::dynamic::{KalmanFilter as Filter, LastReading, System};
 use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("kalman_filter.d.ts");
 
 /// A Kalman filter that holds its system and its belief: x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w, with Cov v =
 /// V and Cov w = W. An input or a reading is an array of numbers or a Float64Array.
@@ -18,32 +23,48 @@ const CLASS: &str = "KalmanFilter";
 
 #[wasm_bindgen]
 impl KalmanFilter {
-    /// The filter of `system` with the belief before the first step.
+    /// The filter of `system` with the belief before the first step. A system in filterpy's letters says so.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
     ) -> Result<KalmanFilter, Thrown> {
-        let filter = Filter::new(&system_of(system)?, &belief_of(&Arg::new(belief, "belief"))?)?;
+        let filter = Filter::new(&in_letters(system)?, &belief_of(&Arg::new(belief, "belief"))?)?;
         Ok(Self(Held::new(CLASS, filter)))
     }
 
-    /// x = F x + G u, P = F P Fᵀ + V. A system without inputs needs no `u`.
+    /// x = F x + G u, P = F P Fᵀ + V. A system without inputs needs no `u`. A `step` has the F, G and V of this call, as
+    /// `discretize` gives them for the time since the last: rows of a log need not lie equally far apart.
     pub fn predict(
         &self,
         #[wasm_bindgen(unchecked_optional_param_type = "Vector | Float64Array")] u: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "DiscreteSystem")] step: &JsValue,
     ) -> Result<(), Thrown> {
         let u = if u.is_undefined() { Vec::new() } else { Arg::new(u, "u").short()? };
-        self.0.write(CLASS, |filter: &mut Filter| filter.predict(&u))
+        if step.is_undefined() {
+            return self.0.write(CLASS, |filter: &mut Filter| filter.predict(&u));
+        }
+        let step = step_of(&Arg::new(step, "step"))?;
+        let blame = |e: Error| e.part_of("step", &["F", "G", "V"]);
+        self.0.write(CLASS, |filter: &mut Filter| filter.predict_over(&u, step).map_err(blame))
     }
 
     /// Corrects the belief by the reading `y`. A part of it that is null was not read: its row of H, and its row and
-    /// column of W, are left aside. Where all are null nothing was read, and `nis` is null.
+    /// column of W, are left aside. Where all are null nothing was read, and `nis` is null. A `sensor` has the H and W
+    /// of this call, with as many rows as `y` has parts: several sensors may so correct one belief.
     pub fn update(
         &self,
         #[wasm_bindgen(unchecked_param_type = "PartialVector | Float64Array")] y: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "LinearSensor")] sensor: &JsValue,
     ) -> Result<(), Thrown> {
         let y = Arg::new(y, "y").reading()?;
+        if !sensor.is_undefined() {
+            let sensor = Arg::new(sensor, "sensor");
+            sensor.only(["H", "W"].into_iter())?;
+            let (h, w) = (sensor.field("H")?.tall()?, sensor.field("W")?.matrix()?);
+            let (y, blame) = (y.parts(), |e: Error| e.part_of("sensor", &["H", "W"]));
+            return self.0.write(CLASS, |filter: &mut Filter| filter.update_by(&y, h, w).map_err(blame));
+        }
         self.0.write(CLASS, |filter: &mut Filter| match &y {
             Reading::Whole(y) => filter.update(y),
             Reading::Partial(y) => filter.update_partly(y),
@@ -98,11 +119,71 @@ impl KalmanFilter {
         self.read(|filter| number_or_null(filter.nis()))
     }
 
+    /// The innovation y − H x of the last reading, of the parts that were read; null before the first, and where all its
+    /// parts were null.
+    #[wasm_bindgen(getter, unchecked_return_type = "Vector | null")]
+    pub fn innovation(&self) -> Result<JsValue, Thrown> {
+        self.of_last(|last| list(last.innovation.as_slice()))
+    }
+
+    /// Its covariance H P Hᵀ + W; null as the innovation is.
+    #[wasm_bindgen(getter = S, unchecked_return_type = "Matrix | null")]
+    pub fn s(&self) -> Result<JsValue, Thrown> {
+        self.of_last(|last| rows(&last.s))
+    }
+
+    /// The gain P Hᵀ S⁻¹ that corrected the belief (Thrun: K); null as the innovation is.
+    #[wasm_bindgen(getter = R, unchecked_return_type = "Matrix | null")]
+    pub fn r(&self) -> Result<JsValue, Thrown> {
+        self.of_last(|last| rows(&last.r))
+    }
+
+    /// Another filter that holds the same.
+    #[wasm_bindgen(js_name = clone)]
+    pub fn copy(&self) -> Result<KalmanFilter, Thrown> {
+        self.0.read(CLASS, |filter: &Filter| Self(Held::new(CLASS, filter.clone())))
+    }
+
+    /// All that the filter holds, as plain values that JSON can hold.
+    #[wasm_bindgen(unchecked_return_type = "KalmanFilterState")]
+    pub fn state(&self) -> Result<JsValue, Thrown> {
+        self.read(|filter| filter_state::shown(&filter.state()))
+    }
+
+    /// The filter that holds this: it goes on, to the last bit, as the one whose `state()` it was.
+    #[wasm_bindgen(js_name = from)]
+    pub fn from_state(
+        #[wasm_bindgen(unchecked_param_type = "KalmanFilterState")] state: &JsValue,
+    ) -> Result<KalmanFilter, Thrown> {
+        let state = filter_state::read(&Arg::new(state, "state"))?;
+        let filter = Filter::from_state(state).map_err(filter_state::blamed)?;
+        Ok(Self(Held::new(CLASS, filter)))
+    }
+
+    fn of_last(&self, shown: impl FnOnce(&LastReading) -> JsValue) -> Result<JsValue, Thrown> {
+        self.read(|filter| filter.last().as_ref().map_or(JsValue::NULL, shown))
+    }
+
     fn read(&self, shown: impl FnOnce(&Filter) -> JsValue) -> Result<JsValue, Thrown> {
         self.0.read(CLASS, shown)
     }
 }
 
-fn number_or_null(number: Option<f64>) -> JsValue {
-    number.map_or(JsValue::NULL, JsValue::from_f64)
+/// A system in its own letters, or in filterpy's.
+fn in_letters(value: &JsValue) -> Result<System, Error> {
+    let arg = Arg::new(value, "system");
+    if arg.field("letters")?.is_undefined() {
+        return system_of(value);
+    }
+    arg.field("letters")?.word(&["filterpy"])?;
+    arg.only(["letters", "F", "B", "H", "Q", "R"].into_iter())?;
+    let (f, h) = (arg.field("F")?.tall()?, arg.field("H")?.tall()?);
+    let g = inputs_of(&arg.field("B")?, f.nrows())?;
+    System::new(f, g, h, arg.field("Q")?.matrix()?, arg.field("R")?.matrix()?).map_err(|mut error| {
+        let theirs = [("G", "B"), ("V", "Q"), ("W", "R")].into_iter().find(|(ours, _)| error.argument == *ours);
+        if let Some((_, theirs)) = theirs {
+            error.argument = theirs.into();
+        }
+        error.within("system")
+    })
 }

@@ -26,6 +26,8 @@ mod ekf_slam;
 mod encode;
 mod errors;
 #[cfg(feature = "functions")]
+mod filter_state;
+#[cfg(feature = "functions")]
 mod functions;
 #[cfg(feature = "functions")]
 mod kalman_filter;

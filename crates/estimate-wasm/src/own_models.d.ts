@@ -7,7 +7,8 @@ export interface OwnStateOptions {
   angles?: number[]
 }
 export interface UnscentedOptions extends OwnStateOptions {
-  /** The spread of the points about the mean, positive; 0.001 when left out. */
+  /** The spread of the points about the mean, positive; 1 when left out. One of 0.001, as others
+      have it, has weights of a million, and spends six digits. */
   alpha?: number
   /** What is known of the distribution's kurtosis; 2 when left out, which is right for a normal one. */
   beta?: number

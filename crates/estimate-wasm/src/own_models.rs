@@ -1,12 +1,12 @@
 //! The filters of a caller's own models: f and h are JavaScript functions on arrays.
 
 use crate::decode::{Arg, Reading};
-use crate::encode::{list, record, rows};
+use crate::encode::{list, number_or_null, record, rows};
 use crate::errors::{Refused, Thrown};
 use crate::functions::belief_of;
 use crate::object::Held;
 use estimate::dynamic::{
-    ExtendedKalmanFilter as Extended, Gated, OwnReading, SigmaPoints, UnscentedKalmanFilter as Unscented,
+    ExtendedKalmanFilter as Extended, Gated, OwnReading, SIGMA_POINTS, UnscentedKalmanFilter as Unscented,
 };
 use estimate::validate::{MAX_OUTPUTS, MAX_STATES};
 use estimate::{Code, Error};
@@ -128,7 +128,7 @@ impl UnscentedKalmanFilter {
         #[wasm_bindgen(unchecked_optional_param_type = "UnscentedOptions")] options: &JsValue,
     ) -> Result<UnscentedKalmanFilter, Thrown> {
         let belief = belief_of(&Arg::new(belief, "belief"))?;
-        let mut points = SigmaPoints::default();
+        let mut points = SIGMA_POINTS;
         let angles = optional(&Arg::new(options, "options"), &["angles", "alpha", "beta", "kappa"], |it| {
             it.given("alpha", |a| a.number(), &mut points.alpha)?;
             it.given("beta", |a| a.number(), &mut points.beta)?;
@@ -261,6 +261,6 @@ fn shown(Gated { accepted, judged }: &Gated) -> JsValue {
         ("outcome", if *accepted { "accepted" } else { "rejected" }.into()),
         ("innovation", list(judged.innovation.as_slice())),
         ("S", rows(&judged.s)),
-        ("chi2", judged.chi2.map_or(JsValue::NULL, JsValue::from_f64)),
+        ("chi2", number_or_null(judged.chi2)),
     ])
 }

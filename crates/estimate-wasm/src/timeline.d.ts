@@ -34,3 +34,14 @@ export interface TimelineReading {
   /** νᵀS⁻¹ν; null also where S is too near to singular. */
   chi2: number | null
 }
+/** What became of the readings of a sensor of a `Timeline`. */
+export interface SensorStatistics {
+  /** How many have corrected the belief. */
+  used: number
+  /** How many lie beyond the gate. */
+  refused: number
+  /** The mean of νᵀS⁻¹ν over the parts of the readings used: 1 is expected. Null where none was used. */
+  nis: number | null
+  /** The mean innovation of each output over the readings used, null where it was never read: 0 is expected. */
+  meanInnovation: PartialVector
+}

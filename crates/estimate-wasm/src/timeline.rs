@@ -1,12 +1,13 @@
 //! The class of a time line: several sensors, each reading at the time at which it was measured.
 
 use crate::decode::{Arg, Reading};
-use crate::encode::{list, record, rows};
+use crate::encode::{list, number_or_null, record, rows};
 use crate::errors::Thrown;
 use crate::functions::{belief_of, continuous_of, shown_belief};
 use crate::object::Held;
 use estimate::Error;
 use estimate::dynamic::{MAX_CAPACITY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, Timeline as Line};
+use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -91,6 +92,25 @@ impl Timeline {
         Ok(shown_belief(&belief))
     }
 
+    /// What became of the readings of each sensor since the start, also of those before the window. It is of the sorted
+    /// readings: what comes late may change it.
+    #[wasm_bindgen(unchecked_return_type = "Record<string, SensorStatistics>")]
+    pub fn statistics(&self) -> Result<JsValue, Thrown> {
+        let all = self.0.read(CLASS, Line::statistics)?;
+        let entries = Array::new();
+        for it in &all {
+            let mean = it.mean_innovation.iter().map(|mean| number_or_null(*mean)).collect::<Array>();
+            let shown = record(&[
+                ("used", (it.used as f64).into()),
+                ("refused", (it.refused as f64).into()),
+                ("nis", number_or_null(it.nis)),
+                ("meanInnovation", mean.into()),
+            ]);
+            entries.push(&Array::of2(&it.name.as_str().into(), &shown));
+        }
+        Ok(js_sys::Object::from_entries(&entries).map_or(JsValue::NULL, Into::into))
+    }
+
     /// The latest time at which something was measured, or that of the start.
     #[wasm_bindgen(getter, unchecked_return_type = "number")]
     pub fn newest(&self) -> Result<JsValue, Thrown> {
@@ -142,6 +162,6 @@ fn shown(placed: &Placed) -> JsValue {
         ("outcome", word(placed.outcome).into()),
         ("innovation", judged.map_or(JsValue::NULL, |it| list(it.innovation.as_slice()))),
         ("S", judged.map_or(JsValue::NULL, |it| rows(&it.s))),
-        ("chi2", judged.and_then(|it| it.chi2).map_or(JsValue::NULL, JsValue::from_f64)),
+        ("chi2", number_or_null(judged.and_then(|it| it.chi2))),
     ])
 }

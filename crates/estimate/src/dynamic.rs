@@ -19,11 +19,12 @@ pub use feet::{euclidean_foot, mahalanobis_foot, most_likely_output};
 pub use filter::{FilterState, KalmanFilter, LastReading};
 pub use filters::ukf::SigmaPoints;
 pub use filters::{Bound, Conditioning};
-pub use own::{ExtendedKalmanFilter, Gated, Jacobian, Model, OwnReading, UnscentedKalmanFilter};
+pub use own::{ExtendedKalmanFilter, Gated, Jacobian, Model, OwnReading, SIGMA_POINTS, UnscentedKalmanFilter};
 pub use replay::{MAX_LOG, Replayed, kalman_replay};
 pub use smooth::kalman_smooth;
 pub use timeline::{
-    Judged, MAX_AHEAD, MAX_CAPACITY, MAX_DELAY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, Timeline,
+    Judged, MAX_AHEAD, MAX_CAPACITY, MAX_DELAY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, SensorStatistics,
+    Timeline,
 };
 
 use crate::error::{Code, Error};

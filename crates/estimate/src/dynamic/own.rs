@@ -5,7 +5,7 @@ mod function;
 mod unscented;
 
 pub use extended::ExtendedKalmanFilter;
-pub use unscented::UnscentedKalmanFilter;
+pub use unscented::{SIGMA_POINTS, UnscentedKalmanFilter};
 
 use super::{Belief, Judged};
 use crate::error::{Argument, Code, Error};

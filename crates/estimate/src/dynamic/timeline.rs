@@ -2,8 +2,10 @@
 
 mod history;
 mod sensor;
+mod statistics;
 
 pub use sensor::{Judged, MAX_AHEAD, MAX_CAPACITY, MAX_DELAY, MAX_SENSORS, Memory, Outcome, Placed, Sensor};
+pub use statistics::SensorStatistics;
 
 use super::{Belief, Continuous};
 use crate::error::{Code, Error};
@@ -13,6 +15,7 @@ use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 use history::{Event, Given, Key, Moment};
 use nalgebra::DVector;
+use statistics::{Tally, count};
 
 /// A Kalman filter in continuous time that keeps the last `window` seconds of events. What comes late is put in its
 /// place, and what follows is replayed: the belief is that of the sorted events **to the last bit**, in whatever order
@@ -64,6 +67,8 @@ pub struct Timeline {
     newest: f64,
     /// What is known after all events before the window.
     base: Moment,
+    /// What the readings before the window have told, sensor by sensor.
+    past: Vec<Tally>,
     /// The events in the window, sorted.
     events: VecDeque<Event>,
 }
@@ -100,7 +105,8 @@ impl Timeline {
         }
         let sensors = checked;
         let base = Moment { time: start, input: DVector::zeros(m), belief: belief.clone() };
-        Ok(Self { system, sensors, memory, start, newest: start, base, events: VecDeque::new() })
+        let past = sensors.iter().map(Tally::of).collect();
+        Ok(Self { system, sensors, memory, start, newest: start, base, past, events: VecDeque::new() })
     }
 
     /// The input is `u` (m) from the time `t` on.
@@ -166,6 +172,13 @@ impl Timeline {
         self.events.is_empty()
     }
 
+    /// What became of the readings of each sensor, in their order, since the start.
+    pub fn statistics(&self) -> Vec<SensorStatistics> {
+        let mut tallies = self.past.clone();
+        self.events.iter().for_each(|event| count(&mut tallies, &self.sensors, event));
+        tallies.iter().zip(&self.sensors).map(|(tally, sensor)| tally.statistics(&sensor.name)).collect()
+    }
+
     /// Puts an event in its place, and replays what follows; nothing changes before all of that is computed.
     fn place(&mut self, key: Key, given: Given) -> Result<Placed, Error> {
         let aside = |outcome| Ok(Placed { outcome, judged: None });
@@ -200,6 +213,7 @@ impl Timeline {
         placed.into_iter().for_each(|event| self.events.push_back(event));
         for _ in 0..past {
             if let Some(event) = self.events.pop_front() {
+                count(&mut self.past, &self.sensors, &event);
                 self.base = event.after;
             }
         }

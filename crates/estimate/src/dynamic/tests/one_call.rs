@@ -48,11 +48,9 @@ fn what_does_not_fit_is_named_and_the_filter_stays() {
     }
     assert_eq!(filter.predict_over(&[], step()).expect_err("no input").argument, "u");
     let y = [Some(1.0)];
-    for (h, w, argument) in [
-        (dmatrix![1.0], dmatrix![1.0], "H"),
-        (dmatrix![1.0, 0.0], eye.clone(), "W"),
-        (eye.clone(), eye.clone(), "y"),
-    ] {
+    for (h, w, argument) in
+        [(dmatrix![1.0], dmatrix![1.0], "H"), (dmatrix![1.0, 0.0], eye.clone(), "W"), (eye.clone(), eye.clone(), "y")]
+    {
         let error = filter.update_by(&y, h, w).expect_err("refused");
         assert_eq!((error.code, error.argument.as_ref()), (Code::Shape, argument));
     }

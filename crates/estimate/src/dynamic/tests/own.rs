@@ -1,7 +1,10 @@
 //! Filters of one's own models.
 
-use crate::dynamic::{Belief, ExtendedKalmanFilter, KalmanFilter, OwnReading, System, UnscentedKalmanFilter};
+use crate::dynamic::{
+    Belief, ExtendedKalmanFilter, KalmanFilter, OwnReading, SIGMA_POINTS, System, UnscentedKalmanFilter,
+};
 use crate::error::{Code, Error};
+use crate::validate;
 use filters::ukf::SigmaPoints;
 use nalgebra::{DMatrix, DVector, dmatrix, dvector};
 use std::f64::consts::PI;
@@ -160,4 +163,27 @@ fn the_unscented_filter_sees_the_bend_of_h() {
     assert!(found.innovation[0].abs() < 1e-14 && (found.s[0] - 2.5).abs() < 1e-14);
     let mut ekf = ExtendedKalmanFilter::new(&belief, &[]).expect("sound");
     assert_eq!(ekf.update(&seen, &mut h, None).expect("sound").judged.innovation[0], 1.0);
+}
+
+/// A prior whose variances are 10²⁷ times those that a reading leaves: P − R S Rᵀ has no digit of them.
+#[test]
+fn a_covariance_that_rounding_has_spoilt_is_refused() {
+    let belief = Belief { x: dvector![1.0, 2.0], p: dmatrix![1.0, 0.5; 0.5, 1.0] * 1e18 };
+    let w = DMatrix::identity(2, 2) * 1e-9;
+    let seen = OwnReading { y: &[Some(0.0), Some(0.0)], w, angles: &[], gate: None };
+    let mut refused = 0;
+    for k in 0..50 {
+        let (sin, cos) = (libm::sin(f64::from(k)), libm::cos(f64::from(k)));
+        let mut turn = |x: &[f64]| Ok::<_, Error>(vec![cos * x[0] - sin * x[1], sin * x[0] + cos * x[1]]);
+        let mut filter = UnscentedKalmanFilter::new(&belief, &[], SIGMA_POINTS).expect("sound");
+        match filter.update(&seen, &mut turn) {
+            Ok(_) => assert!(validate::covariance(filter.p().clone(), 2, "P").is_ok()),
+            Err(error) => {
+                refused += 1;
+                assert_eq!((error.code, error.argument.as_ref()), (Code::NotPositiveSemidefinite, "P"));
+                assert_eq!((filter.x(), filter.p()), (belief.x.as_slice(), &belief.p));
+            }
+        }
+    }
+    assert!(refused > 5, "{refused}");
 }

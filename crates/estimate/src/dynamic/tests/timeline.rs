@@ -253,3 +253,39 @@ fn what_is_wrong_is_named_and_the_line_is_as_it_was() {
     assert_eq!(bent(&|it| it.name = "fix".into()), (Code::Index, "sensors.fix".into()));
     assert_eq!(bent(&|it| it.h = dmatrix![1.0]), (Code::Shape, "sensors.wheel.H".into()));
 }
+
+#[test]
+fn statistics_are_of_all_readings_also_of_those_before_the_window() {
+    let mut dice = Dice(8);
+    let sorted = events(&mut dice, 120);
+    let (mut short, mut long) = (line(2.0), line(1e3));
+    let mut by_hand = [(0, 0, 0.0, 0, 0.0); 3];
+    for event in &sorted {
+        tell(&mut short, event);
+        let Placed { outcome, judged } = tell(&mut long, event);
+        let Some(judged) = judged else { continue };
+        let (used, refused, chi2, parts, first) = &mut by_hand[event.1 - 1];
+        match outcome {
+            Outcome::Accepted => {
+                *used += 1;
+                *chi2 += judged.chi2.expect("regular");
+                *parts += judged.innovation.len();
+                *first += if event.3[0].is_some() { judged.innovation[0] } else { 0.0 };
+            }
+            _ => *refused += 1,
+        }
+    }
+    assert!(short.len() < 30 && long.len() == 120);
+    assert_eq!(short.statistics(), long.statistics());
+    for (found, (used, refused, chi2, parts, first)) in long.statistics().iter().zip(by_hand) {
+        assert_eq!((found.used, found.refused), (used, refused));
+        assert!(used > 3 && used + refused > 10, "{used} of {refused} more");
+        assert!((found.nis.expect("used") - chi2 / parts as f64).abs() < 1e-12);
+        if found.mean_innovation.len() == 1 {
+            assert!((found.mean_innovation[0].expect("read") - first / used as f64).abs() < 1e-12);
+        }
+    }
+    let nothing = &line(1.0).statistics()[2];
+    assert_eq!((nothing.name.as_str(), nothing.used, nothing.nis), ("both", 0, None));
+    assert_eq!(nothing.mean_innovation, [None, None]);
+}

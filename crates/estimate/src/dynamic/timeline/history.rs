@@ -81,6 +81,14 @@ impl Event {
         Ok(Self { key, given, step, after, judged })
     }
 
+    /// What was read, and how it compares with what was expected; nothing of an input.
+    pub fn reading(&self) -> Option<(&[Option<f64>], &Judged)> {
+        match &self.given {
+            Given::Input(_) => None,
+            Given::Reading(y) => self.judged.as_ref().map(|judged| (y.as_slice(), judged)),
+        }
+    }
+
     pub fn answer(&self, sensors: &[Sensor]) -> Placed {
         let accepted = self.judged.as_ref().is_none_or(|reading| sensors[self.key.rank - 1].accepts(reading));
         let outcome = if accepted { Outcome::Accepted } else { Outcome::Rejected };
@@ -89,7 +97,7 @@ impl Event {
 }
 
 impl Sensor {
-    fn accepts(&self, reading: &Judged) -> bool {
+    pub(super) fn accepts(&self, reading: &Judged) -> bool {
         self.gate.is_none_or(|gate| reading.chi2.is_some_and(|chi2| chi2 <= gate))
     }
 }
