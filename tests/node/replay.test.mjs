@@ -154,3 +154,32 @@ test('EkfLocalizer.replay is predict and update', () => {
   }
   assert.deepEqual(logged.belief(), stepped.belief())
 })
+
+test('a log with gaps is its steps one by one, to the last bit', () => {
+  const readings = [[2.1], null, [null], new Float64Array([4]), [5.5]]
+  const inputs = Float64Array.from(readings, (_, k) => Math.sin(k))
+  const log = core.kalmanReplay(rail, belief, inputs, readings)
+  const filter = new core.KalmanFilter(rail, belief)
+  for (const [k, y] of readings.entries()) {
+    filter.step([inputs[k]], y ?? [null])
+    assert.deepEqual([...log.x.slice(2 * k, 2 * k + 2)], filter.x)
+    assert.deepEqual([...log.variances.slice(2 * k, 2 * k + 2)], [filter.P[0][0], filter.P[1][1]])
+  }
+  assert.deepEqual([log.P, log.logLikelihood, log.conditioned], [filter.P, filter.logLikelihood, true])
+  const whole = [[1], [2], [3]]
+  const flat = core.kalmanReplay(rail, belief, inputs.slice(0, 3), Float64Array.of(1, 2, 3))
+  assert.deepEqual(core.kalmanReplay(rail, belief, inputs.slice(0, 3), whole), flat)
+  const refused = (rows, code, argument) =>
+    assert.throws(
+      () => core.kalmanReplay(rail, belief, new Float64Array(rows.length), rows),
+      (error) => {
+        assert.deepEqual([error.code, error.argument], [code, argument], error.message)
+        return true
+      },
+    )
+  refused([], 'limit', 'readings')
+  refused([[1], [1, 2]], 'shape', 'readings[1]')
+  refused([[1], [Number.NaN]], 'not-finite', 'readings[1]')
+  refused([[1], ['2']], 'type', 'readings[1][0]')
+  refused([[1], undefined], 'type', 'readings[1]')
+})

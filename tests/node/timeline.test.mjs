@@ -136,3 +136,27 @@ test('a refusal names what is to blame, and leaves the line as it was', () => {
   refused(() => line({ capacity: 1e6 }), 'limit', 'options.capacity')
   refused(() => line({ now: 1 }), 'type', 'options.now')
 })
+
+test('statistics are of each sensor, whatever the order and however short the window', () => {
+  const dice = seeded(5)
+  const drawn = events(dice, 60).toSorted((a, b) => a.at - b.at)
+  const [long, short, mixed] = [line({}), line({ window: 2 }), line({})]
+  const counts = { fix: [0, 0], wheel: [0, 0], both: [0, 0] }
+  for (const event of drawn) {
+    tell(short, event)
+    const { outcome } = tell(long, event)
+    if (event.name !== 'u') counts[event.name][outcome === 'accepted' ? 0 : 1] += 1
+  }
+  for (const event of drawn.toReversed()) tell(mixed, event)
+  const found = long.statistics()
+  assert.deepEqual(short.statistics(), found)
+  assert.deepEqual(mixed.statistics(), found)
+  assert.deepEqual(Object.keys(found), Object.keys(sensors))
+  for (const [name, { used, refused, nis, meanInnovation }] of Object.entries(found)) {
+    assert.deepEqual([used, refused], counts[name])
+    assert.ok(used > 3 && nis > 0 && meanInnovation.length === sensors[name].H.length)
+  }
+  const odd = new core.Timeline(cart, belief, { window: 1, sensors: JSON.parse('{"__proto__":{"H":[[1,0]],"W":[[1]]}}') })
+  const [name, { used, nis, meanInnovation }] = Object.entries(odd.statistics())[0]
+  assert.deepEqual([name, used, nis, meanInnovation], ['__proto__', 0, null, [null]])
+})

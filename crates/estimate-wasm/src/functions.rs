@@ -44,19 +44,23 @@ pub fn kalman_step(
 
 /// A `kalmanStep` for each row of a log of at most 100 000 steps (of a large system as many as keep steps · (n + p)³
 /// within 138 240 000, which is 10 000 at 16 states and 8 outputs), in one call where thousands would cross over one by
-/// one. `inputs` holds u of every step row by row, `readings` y. Refused at one step, the log is refused.
+/// one. `inputs` holds u of every step row by row, `readings` y. A log with gaps has an array of at most 10 000 rows for
+/// `readings`, of which some are null, or have parts that are. Refused at one step, the log is refused.
 #[wasm_bindgen(js_name = kalmanReplay, unchecked_return_type = "KalmanReplay")]
 pub fn kalman_replay(
     #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Float64Array")] inputs: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Float64Array")] readings: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Float64Array | (PartialVector | Float64Array | null)[]")] readings: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
     let most = |each: usize| (dynamic::MAX_LOG * each) as u32;
     let inputs = Arg::new(inputs, "inputs").floats(most(MAX_INPUTS))?;
-    let readings = Arg::new(readings, "readings").floats(most(MAX_OUTPUTS))?;
-    let replayed = dynamic::kalman_replay(&system, &belief, &inputs, &readings)?;
+    let readings = Arg::new(readings, "readings");
+    let replayed = match readings.array()? {
+        true => dynamic::kalman_replay_partly(&system, &belief, &inputs, &with_gaps(&readings, system.h.nrows())?)?,
+        false => dynamic::kalman_replay(&system, &belief, &inputs, &readings.floats(most(MAX_OUTPUTS))?)?,
+    };
     let Replayed { x, variances, p, conditioned, log_likelihood } = replayed;
     let floats = |numbers: &[f64]| Float64Array::from(numbers).into();
     Ok(record(&[
@@ -82,13 +86,15 @@ pub fn kalman_smooth(
 ) -> Result<JsValue, Thrown> {
     let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
     let inputs = Arg::new(us, "us").entries()?.iter().map(Arg::short).collect::<Result<Vec<_>, Error>>()?;
-    let reading = |y: &Arg<'_>| match y.is_null() {
-        true => Ok(vec![None; system.h.nrows()]),
-        false => y.reading().map(Reading::parts),
-    };
-    let readings = Arg::new(ys, "ys").entries()?.iter().map(reading).collect::<Result<Vec<_>, Error>>()?;
+    let readings = with_gaps(&Arg::new(ys, "ys"), system.h.nrows())?;
     let track = dynamic::kalman_smooth(&system, &belief, &inputs, &readings)?;
     Ok(track.iter().map(shown_belief).collect::<Array>().into())
+}
+
+/// The readings of `p` outputs, row by row; one that is null has no part.
+fn with_gaps(rows: &Arg<'_>, p: usize) -> Result<Vec<Vec<Option<f64>>>, Error> {
+    let row = |y: &Arg<'_>| if y.is_null() { Ok(vec![None; p]) } else { y.reading().map(Reading::parts) };
+    rows.entries()?.iter().map(row).collect()
 }
 
 /// What a system in continuous time, x' = A x + B u + noise of density Q, is over `dt` seconds, zero or more:

@@ -20,7 +20,7 @@ pub use filter::{FilterState, KalmanFilter, LastReading};
 pub use filters::ukf::SigmaPoints;
 pub use filters::{Bound, Conditioning};
 pub use own::{ExtendedKalmanFilter, Gated, Jacobian, Model, OwnReading, SIGMA_POINTS, UnscentedKalmanFilter};
-pub use replay::{MAX_LOG, Replayed, kalman_replay};
+pub use replay::{MAX_LOG, Replayed, kalman_replay, kalman_replay_partly};
 pub use smooth::kalman_smooth;
 pub use timeline::{
     Judged, MAX_AHEAD, MAX_CAPACITY, MAX_DELAY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, SensorStatistics,

@@ -39,18 +39,77 @@ pub fn kalman_replay(system: &System, belief: &Belief, inputs: &[f64], readings:
     let (n, m, p) = (system.f.nrows(), system.g.ncols(), system.h.nrows());
     belief_fits(belief, n)?;
     let steps = readings.len() / p;
-    let most = affordable_steps(n, p, MAX_LOG);
-    if !(1..=most).contains(&steps) && readings.len().is_multiple_of(p) {
-        let message =
-            format!("holds {steps} steps; of {n} states and {p} outputs at least 1 and at most {most} are accepted");
-        return Err(Error::new(Code::Limit, "readings", message));
+    if readings.len().is_multiple_of(p) {
+        affordable(system, steps)?;
     }
     rows(readings, (steps, p), "readings")?;
     rows(inputs, (steps, m), "inputs")?;
     let mut filter = KalmanFilter::new(system, belief)?;
     let (x, variances) = filter.replay(inputs, readings).map_err(|(e, k)| at_step(e, k))?;
+    Ok(replayed(&filter, x, variances))
+}
+
+/// [`kalman_replay`] of a log with gaps: a row of `readings` has p parts, of which some, or all, are missing.
+///
+/// # Errors
+/// As there.
+///
+/// # Example
+/// ```
+/// use estimate::dynamic::{System, kalman_replay_partly};
+/// use nalgebra::{DMatrix, dmatrix, dvector};
+/// let one = dmatrix![1.0];
+/// let system = System::new(one.clone(), DMatrix::zeros(1, 0), one.clone(), one.clone(), one.clone())?;
+/// let belief = estimate::validate::belief(dvector![0.0], dmatrix![1.0])?;
+/// let log = kalman_replay_partly(&system, &belief, &[], &[vec![Some(3.0)], vec![None]])?;
+/// // Where nothing is read the variance grows by V.
+/// assert!((log.x[1] - 2.0).abs() < 1e-15 && (log.variances[1] - log.variances[0] - 1.0).abs() < 1e-15);
+/// # Ok::<(), estimate::Error>(())
+/// ```
+pub fn kalman_replay_partly(
+    system: &System,
+    belief: &Belief,
+    inputs: &[f64],
+    readings: &[Vec<Option<f64>>],
+) -> Result<Replayed, Error> {
+    let (m, steps) = (system.g.ncols(), readings.len());
+    affordable(system, steps)?;
+    rows(inputs, (steps, m), "inputs")?;
+    let mut filter = KalmanFilter::new(system, belief)?;
+    let (mut x, mut variances) = (Vec::new(), Vec::new());
+    for (k, y) in readings.iter().enumerate() {
+        let step = filter.step_partly(&inputs[k * m..(k + 1) * m], y);
+        step.map_err(|error| of_row(at_step(error, k + 1), k))?;
+        x.extend_from_slice(filter.x());
+        variances.extend(filter.belief().p.diagonal().iter());
+    }
+    Ok(replayed(&filter, x, variances))
+}
+
+fn replayed(filter: &KalmanFilter, x: Vec<f64>, variances: Vec<f64>) -> Replayed {
     let (conditioned, log_likelihood) = (filter.conditioned(), filter.log_likelihood());
-    Ok(Replayed { x, variances, p: filter.belief().p, conditioned, log_likelihood })
+    Replayed { x, variances, p: filter.belief().p, conditioned, log_likelihood }
+}
+
+/// # Errors
+/// [`Code::Limit`] for no step, or more than a call may take.
+fn affordable(system: &System, steps: usize) -> Result<(), Error> {
+    let (n, p) = (system.f.nrows(), system.h.nrows());
+    let most = affordable_steps(n, p, MAX_LOG);
+    if (1..=most).contains(&steps) {
+        return Ok(());
+    }
+    let message =
+        format!("holds {steps} steps; of {n} states and {p} outputs at least 1 and at most {most} are accepted");
+    Err(Error::new(Code::Limit, "readings", message))
+}
+
+/// The error of a row that is refused for what is in it, which a filter calls y.
+fn of_row(mut error: Error, k: usize) -> Error {
+    if error.argument == "y" {
+        error.argument = format!("readings[{k}]").into();
+    }
+    error
 }
 
 /// # Errors
