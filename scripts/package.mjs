@@ -140,7 +140,8 @@ write('digests.json', `${JSON.stringify(digests, null, 2)}\n`)
 
 // ── README and licences: ours, and those of the crates that are compiled into the binary. ──
 for (const file of ['LICENSE-MIT', 'LICENSE-APACHE']) cpSync(path.join(root, file), path.join(out, file))
-cpSync(path.join(root, 'crates/estimate-wasm/README.md'), path.join(out, 'README.md'))
+const pages = ['README.md', 'COMING-FROM.md']
+for (const name of pages) cpSync(path.join(root, 'crates/estimate-wasm', name), path.join(out, name))
 write('THIRD-PARTY.txt', thirdParty())
 
 /** The notices of all crates in the binary; a text that several have stands once. */

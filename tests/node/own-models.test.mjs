@@ -1,5 +1,5 @@
-// The filters of one's own models ask the caller's functions, check what these answer, and stay as they were when they are
-// refused.
+// The filters of one's own models ask the caller's functions, check what these answer, and stay as they were when they
+// are refused.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'

@@ -156,7 +156,8 @@ test('statistics are of each sensor, whatever the order and however short the wi
     assert.deepEqual([used, refused], counts[name])
     assert.ok(used > 3 && nis > 0 && meanInnovation.length === sensors[name].H.length)
   }
-  const odd = new core.Timeline(cart, belief, { window: 1, sensors: JSON.parse('{"__proto__":{"H":[[1,0]],"W":[[1]]}}') })
+  const prototype = JSON.parse('{"__proto__":{"H":[[1,0]],"W":[[1]]}}')
+  const odd = new core.Timeline(cart, belief, { window: 1, sensors: prototype })
   const [name, { used, nis, meanInnovation }] = Object.entries(odd.statistics())[0]
   assert.deepEqual([name, used, nis, meanInnovation], ['__proto__', 0, null, [null]])
 })

@@ -38,8 +38,8 @@ export const installed = (place) => path.join(place, 'node_modules', NAME)
 /** What Node prints when it runs this file. */
 export const node = async (place, file) => (await run(process.execPath, [file], { cwd: place })).stdout.trim()
 
-/** The examples of the package's README and of the book's: file name → text. */
-const readmes = ['crates/estimate-wasm/README.md', 'README.md']
+/** The examples of the package's pages and of the book's README: file name → text. */
+const readmes = ['crates/estimate-wasm/README.md', 'crates/estimate-wasm/COMING-FROM.md', 'README.md']
   .map((name) => readFileSync(path.join(root, name), 'utf8'))
   .join('\n')
 export const EXAMPLES = Object.fromEntries(

@@ -1,9 +1,9 @@
 //! What a system lets an observer know: decode, call, encode.
 
+use crate::arguments::{number_or, system_of};
 use crate::decode::Arg;
 use crate::encode::{list, record, shown};
 use crate::errors::Thrown;
-use crate::functions::{number_or, system_of};
 use estimate::{Error, Reachability, dynamic};
 use js_sys::Array;
 use nalgebra::DVector;

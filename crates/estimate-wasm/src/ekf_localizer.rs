@@ -1,9 +1,9 @@
 //! The EKF localizer's class.
 
+use crate::arguments::{belief_of, shown_belief};
 use crate::decode::Arg;
 use crate::encode::{list, record, rows};
 use crate::errors::Thrown;
-use crate::functions::{belief_of, shown_belief};
 use crate::object::Held;
 use estimate::localizer::{EkfLocalizer as Localizer, LandmarkReading, Localized, Logged, MAX_LOG, SensorKind};
 use estimate::{Code, Error, Landmark};

@@ -1,9 +1,9 @@
 //! The class of range–bearing SLAM.
 
+use crate::arguments::belief_of;
 use crate::decode::Arg;
 use crate::encode::{list, record, rows};
 use crate::errors::Thrown;
-use crate::functions::belief_of;
 use crate::object::Held;
 use estimate::Error;
 use estimate::slam::{EkfSlam as Slam, Mapped, Outcome, Reading, Report};

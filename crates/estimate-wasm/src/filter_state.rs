@@ -1,8 +1,8 @@
 //! A Kalman filter's state as plain values.
 
+use crate::arguments::{belief_of, shown_belief, system_of_arg};
 use crate::decode::Arg;
 use crate::encode::{list, number_or_null, record, rows};
-use crate::functions::{belief_of, shown_belief, system_of_arg};
 use estimate::Error;
 use estimate::dynamic::{Bound, Conditioning, FilterState, LastReading};
 use wasm_bindgen::prelude::*;

@@ -1,10 +1,10 @@
 //! The linear Kalman filter's class, for programs that filter as they read.
 
+use crate::arguments::{belief_of, inputs_of, step_of, system_of};
 use crate::decode::{Arg, Reading};
 use crate::encode::{list, number_or_null, rows};
 use crate::errors::Thrown;
 use crate::filter_state;
-use crate::functions::{belief_of, inputs_of, step_of, system_of};
 use crate::object::Held;
 use estimate::Error;
 use estimate::dynamic::{KalmanFilter as Filter, LastReading, System};
@@ -33,8 +33,8 @@ impl KalmanFilter {
         Ok(Self(Held::new(CLASS, filter)))
     }
 
-    /// x = F x + G u, P = F P Fᵀ + V. A system without inputs needs no `u`. A `step` has the F, G and V of this call, as
-    /// `discretize` gives them for the time since the last: rows of a log need not lie equally far apart.
+    /// x = F x + G u, P = F P Fᵀ + V. A system without inputs needs no `u`. A `step` has the F, G and V of this call,
+    /// as `discretize` gives them for the time since the last: rows of a log need not lie equally far apart.
     pub fn predict(
         &self,
         #[wasm_bindgen(unchecked_optional_param_type = "Vector | Float64Array")] u: &JsValue,
@@ -119,8 +119,8 @@ impl KalmanFilter {
         self.read(|filter| number_or_null(filter.nis()))
     }
 
-    /// The innovation y − H x of the last reading, of the parts that were read; null before the first, and where all its
-    /// parts were null.
+    /// The innovation y − H x of the last reading, of the parts that were read; null before the first, and where all
+    /// its parts were null.
     #[wasm_bindgen(getter, unchecked_return_type = "Vector | null")]
     pub fn innovation(&self) -> Result<JsValue, Thrown> {
         self.of_last(|last| list(last.innovation.as_slice()))

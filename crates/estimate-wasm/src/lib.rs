@@ -16,6 +16,8 @@
 
 #[cfg(feature = "analysis")]
 mod analysis;
+#[cfg(feature = "functions")]
+mod arguments;
 #[cfg(feature = "checks")]
 mod checks;
 mod decode;

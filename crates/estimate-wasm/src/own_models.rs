@@ -1,9 +1,9 @@
 //! The filters of a caller's own models: f and h are JavaScript functions on arrays.
 
+use crate::arguments::belief_of;
 use crate::decode::{Arg, Reading};
 use crate::encode::{list, number_or_null, record, rows};
 use crate::errors::{Refused, Thrown};
-use crate::functions::belief_of;
 use crate::object::Held;
 use estimate::dynamic::{
     ExtendedKalmanFilter as Extended, Gated, OwnReading, SIGMA_POINTS, UnscentedKalmanFilter as Unscented,
@@ -104,15 +104,16 @@ impl ExtendedKalmanFilter {
         self.0.read(EXTENDED, |filter: &Extended| rows(filter.p()))
     }
 
-    /// Whether S and P of every step so far are right to 10⁻⁶ of their largest entries, for the Jacobians that were used.
+    /// Whether S and P of every step so far are right to 10⁻⁶ of their largest entries, for the Jacobians that were
+    /// used.
     #[wasm_bindgen(getter)]
     pub fn conditioned(&self) -> Result<bool, Thrown> {
         self.0.read(EXTENDED, Extended::conditioned)
     }
 }
 
-/// An unscented Kalman filter over models of your own: x(k+1) = f(x(k)) + v, y(k) = h(x(k)) + w. It needs no Jacobian: f
-/// and h are asked at 2n + 1 points. Otherwise it is as `ExtendedKalmanFilter`; P must be positive definite.
+/// An unscented Kalman filter over models of your own: x(k+1) = f(x(k)) + v, y(k) = h(x(k)) + w. It needs no Jacobian:
+/// f and h are asked at 2n + 1 points. Otherwise it is as `ExtendedKalmanFilter`; P must be positive definite.
 #[wasm_bindgen]
 #[repr(transparent)]
 pub struct UnscentedKalmanFilter(Held);

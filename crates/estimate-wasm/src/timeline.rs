@@ -1,9 +1,9 @@
 //! The class of a time line: several sensors, each reading at the time at which it was measured.
 
+use crate::arguments::{belief_of, continuous_of, shown_belief};
 use crate::decode::{Arg, Reading};
 use crate::encode::{list, number_or_null, record, rows};
 use crate::errors::Thrown;
-use crate::functions::{belief_of, continuous_of, shown_belief};
 use crate::object::Held;
 use estimate::Error;
 use estimate::dynamic::{MAX_CAPACITY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, Timeline as Line};

@@ -9,8 +9,8 @@ use crate::validate;
 use alloc::vec::Vec;
 use nalgebra::{DMatrix, DVector, Dyn};
 
-/// The extended Kalman filter over models of one's own: x(k+1) = f(x(k)) + v, y(k) = h(x(k)) + w. At most 16 states and 8
-/// outputs. Angles are taken the short way round.
+/// The extended Kalman filter over models of one's own: x(k+1) = f(x(k)) + v, y(k) = h(x(k)) + w. At most 16 states and
+/// 8 outputs. Angles are taken the short way round.
 ///
 /// # Example
 /// ```
@@ -32,7 +32,7 @@ use nalgebra::{DMatrix, DVector, Dyn};
 pub struct ExtendedKalmanFilter {
     x: DVector<f64>,
     angles: Vec<usize>,
-    /// The belief about the estimate's error, whose mean is zero: what a step of it does is what the linear filter's does.
+    /// The belief about the estimate's error, whose mean is zero: a step of it is one of the linear filter.
     error: Followed<Dyn>,
 }
 
@@ -115,7 +115,8 @@ impl ExtendedKalmanFilter {
         &self.error.p
     }
 
-    /// Whether S and P of every step so far are right to 10⁻⁶ of their largest entries, for the Jacobians that were used.
+    /// Whether S and P of every step so far are right to 10⁻⁶ of their largest entries, for the Jacobians that were
+    /// used.
     pub fn conditioned(&self) -> bool {
         self.error.conditioned()
     }

@@ -6,8 +6,8 @@ use crate::validate;
 use alloc::format;
 use nalgebra::{DMatrix, DVector};
 
-/// Half the step of a difference, for a component of about one: near the cube root of a double's spacing, where the error
-/// of the difference and that of rounding are alike.
+/// Half the step of a difference, for a component of about one: near the cube root of a double's spacing, where the
+/// error of the difference and that of rounding are alike.
 const STEP: f64 = 1.0 / 131_072.0;
 
 /// A function that must answer `len` finite numbers.

@@ -13,8 +13,8 @@ use nalgebra::{DMatrix, DVector, Dyn};
 /// α of 10⁻³ are near 10⁶, and spend as many digits.
 pub const SIGMA_POINTS: SigmaPoints = SigmaPoints { alpha: 1.0, beta: 2.0, kappa: 0.0 };
 
-/// The unscented Kalman filter over models of one's own: x(k+1) = f(x(k)) + v, y(k) = h(x(k)) + w. No Jacobian is needed:
-/// f and h are asked at 2n + 1 points. At most 16 states and 8 outputs. Angles are taken the short way round.
+/// The unscented Kalman filter over models of one's own: x(k+1) = f(x(k)) + v, y(k) = h(x(k)) + w. No Jacobian is
+/// needed: f and h are asked at 2n + 1 points. At most 16 states and 8 outputs. Angles are taken the short way round.
 ///
 /// # Example
 /// ```
@@ -51,8 +51,9 @@ impl UnscentedKalmanFilter {
     /// The belief after x⁺ = f(x) + v, Cov v = V, n×n.
     ///
     /// # Errors
-    /// What `f` answers; [`Error`] naming `f(x)`, V or P, which must be positive definite, and must be left a covariance:
-    /// rounding spoils it where points lie close to the mean, or a reading leaves next to nothing of P. The filter is then as it was.
+    /// What `f` answers; [`Error`] naming `f(x)`, V or P, which must be positive definite and be left a covariance:
+    /// rounding spoils it where points lie close to the mean, or a reading leaves next to nothing of P. The filter is
+    /// then as it was.
     pub fn predict<E: From<Error>>(&mut self, f: Model<'_, E>, v: DMatrix<f64>) -> Result<(), E> {
         let n = self.x.len();
         let v = validate::covariance(v, n, "V")?;
@@ -71,8 +72,8 @@ impl UnscentedKalmanFilter {
     /// Corrects the belief by a reading.
     ///
     /// # Errors
-    /// What `h` answers; [`Error`] naming `h(x)`, y, W, gate, angles, or P as in [`predict`](Self::predict). The filter is
-    /// then as it was.
+    /// What `h` answers; [`Error`] naming `h(x)`, y, W, gate, angles, or P as in [`predict`](Self::predict). The filter
+    /// is then as it was.
     pub fn update<E: From<Error>>(&mut self, reading: &OwnReading<'_>, h: Model<'_, E>) -> Result<Gated, E> {
         let whole = reading.checked()?;
         let (n, p) = (self.x.len(), reading.y.len());
