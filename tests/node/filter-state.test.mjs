@@ -184,7 +184,7 @@ test('filterpy’s letters are taken where they are named, and explained where t
   for (const it of [filter, twin]) it.step([0.1], [4.2])
   assert.deepEqual(shown(filter), shown(twin))
   refused(() => new core.KalmanFilter({ F, B, H, Q, R }, belief), 'type', 'system.V', /process noise is V.*filterpy/)
-  refused(() => new core.KalmanFilter({ F, H, V: Q, R }, belief), 'type', 'system.W', /reading's noise is W/)
+  refused(() => new core.KalmanFilter({ F, H, V: Q, R }, belief), 'type', 'system.W', /reading's noise W/)
   const theirs = (change) => () =>
     new core.KalmanFilter({ letters: 'filterpy', ...{ F, B, H, Q, R }, ...change }, belief)
   refused(theirs({ letters: 'thrun' }), 'type', 'system.letters')

@@ -104,7 +104,7 @@ console.log(JSON.stringify({ whole: Object.keys(whole), filters: Object.keys(fil
     filters.filter((name) => !whole.includes(name)),
     [],
   )
-  for (const name of ['KalmanFilter', 'ExtendedKalmanFilter', 'Timeline', 'kalmanReplay', 'EkfLocalizer', 'EkfSlam'])
+  for (const name of ['KalmanFilter', 'Timeline', 'kalmanReplay', 'EkfLocalizer', 'EkfSlam'])
     assert.ok(filters.includes(name), name)
   const labs = JSON.parse(readFileSync(path.join(installed(place), 'digests.json'), 'utf8')).map((run) => run.class)
   assert.deepEqual(

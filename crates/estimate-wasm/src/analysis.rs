@@ -57,7 +57,7 @@ pub fn noise_reach(
 /// Whether P(k+1 | k) tends to a limit, and why: `RiccatiLimit` says what each word means.
 #[wasm_bindgen(js_name = riccatiLimit, unchecked_return_type = "RiccatiLimit")]
 pub fn riccati_limit(
-    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
 ) -> Result<JsValue, Thrown> {
     Ok(shown(&dynamic::riccati_limit(&system_of(system)?, tolerance_of(tolerance)?)?))

@@ -16,22 +16,31 @@ pub(crate) fn system_of(value: &JsValue) -> Result<System, Error> {
     system_of_arg(&Arg::new(value, "system"))
 }
 
-/// `{ F, G, H, V, W }`.
+/// `{ F, G, H, V, W }`, or `{ letters: 'filterpy', F, B, H, Q, R }`.
 pub(crate) fn system_of_arg(arg: &Arg<'_>) -> Result<System, Error> {
     let plain = arg.plain_fields(&["F", "G", "H", "V", "W"], |arrays| {
         Some((arrays.matrix()?, arrays.matrix()?, arrays.matrix()?, arrays.matrix()?, arrays.matrix()?))
     });
-    let (f, g, h, v, w) = match plain {
-        Some(matrices) => matrices,
-        None => (
-            arg.field("F")?.tall()?,
-            inputs_of(&arg.field("G")?, arg.field("F")?.tall()?.nrows())?,
-            arg.field("H")?.tall()?,
-            noise_of(arg, "V", "Q", "the process noise is V here")?,
-            noise_of(arg, "W", "R", "the reading's noise is W here")?,
-        ),
-    };
-    System::new(f, g, h, v, w).map_err(|e| e.within("system"))
+    if let Some((f, g, h, v, w)) = plain {
+        return System::new(f, g, h, v, w).map_err(|e| e.within("system"));
+    }
+    let letters = arg.field("letters")?;
+    let named = !letters.is_undefined();
+    let theirs = ["B", "Q", "R"];
+    let [g, v, w] = if named { theirs } else { ["G", "V", "W"] };
+    if named {
+        letters.word(&["filterpy"])?;
+        arg.only(["letters", "F", "B", "H", "Q", "R"].into_iter())?;
+    }
+    let (f, h) = (arg.field("F")?.tall()?, arg.field("H")?.tall()?);
+    let inputs = inputs_of(&arg.field(g)?, f.nrows())?;
+    let (v, w) = (noise_of(arg, v, theirs[1])?, noise_of(arg, w, theirs[2])?);
+    System::new(f, inputs, h, v, w).map_err(|mut error| {
+        if let Some(i) = ["G", "V", "W"].iter().position(|ours| named && error.argument == *ours) {
+            error.argument = theirs[i].into();
+        }
+        error.within("system")
+    })
 }
 
 /// The matrix of the inputs of `n` states, which is left out where there are none.
@@ -40,12 +49,12 @@ pub(crate) fn inputs_of(arg: &Arg<'_>, n: usize) -> Result<DMatrix<f64>, Error> 
 }
 
 /// A covariance of a system. Where another letter for it is there in its place, the error says so.
-fn noise_of(system: &Arg<'_>, letter: &'static str, other: &'static str, hint: &str) -> Result<DMatrix<f64>, Error> {
+fn noise_of(system: &Arg<'_>, letter: &'static str, other: &'static str) -> Result<DMatrix<f64>, Error> {
     let noise = system.field(letter)?;
     if noise.is_undefined() && !system.field(other)?.is_undefined() {
-        let path = ["system.", letter].concat();
-        let hint = ["is undefined: ", hint, "; for { F, B, H, Q, R }, new KalmanFilter takes letters: 'filterpy'"];
-        return Err(Error::new(Code::Type, path, hint.concat()));
+        let hint = "is undefined: the process noise is V here and the reading's noise W; a system with Q and R says \
+                    letters: 'filterpy'";
+        return Err(Error::new(Code::Type, ["system.", letter].concat(), hint));
     }
     noise.matrix()
 }

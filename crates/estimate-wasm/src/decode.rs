@@ -83,7 +83,7 @@ impl<'a> Arg<'a> {
         self.value.is_undefined()
     }
 
-    #[cfg(feature = "functions")]
+    #[cfg(feature = "models")]
     pub fn is_string(&self) -> bool {
         self.value.is_string()
     }
@@ -135,12 +135,13 @@ impl<'a> Arg<'a> {
     }
 
     /// `true` or `false`.
+    #[cfg(any(feature = "labs", feature = "models"))]
     pub fn boolean(&self) -> Result<bool, Error> {
         self.value.as_bool().ok_or_else(|| self.wrong_type("true or false"))
     }
 
     /// A function, which may be left out.
-    #[cfg(feature = "functions")]
+    #[cfg(feature = "models")]
     pub fn function(&self) -> Result<Option<js_sys::Function>, Error> {
         match self.value.dyn_ref::<js_sys::Function>() {
             Some(function) => Ok(Some(function.clone())),

@@ -42,7 +42,7 @@ impl From<Error> for Thrown {
 }
 
 /// Why a call that asks a caller's function was not answered.
-#[cfg(feature = "functions")]
+#[cfg(feature = "models")]
 pub enum Refused {
     /// The core refused.
     Ours(Error),
@@ -50,14 +50,14 @@ pub enum Refused {
     Theirs(JsValue),
 }
 
-#[cfg(feature = "functions")]
+#[cfg(feature = "models")]
 impl From<Error> for Refused {
     fn from(error: Error) -> Self {
         Self::Ours(error)
     }
 }
 
-#[cfg(feature = "functions")]
+#[cfg(feature = "models")]
 impl From<Refused> for Thrown {
     fn from(refused: Refused) -> Self {
         match refused {

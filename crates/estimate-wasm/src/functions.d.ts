@@ -11,6 +11,15 @@ export interface System {
   /** The covariance of the reading's noise w, p × p (Thrun: Q, filterpy: R). */
   W: Matrix
 }
+/** A system in filterpy's letters: B is the matrix of the inputs, Q the process noise, R the noise of the reading. */
+export interface FilterpySystem {
+  letters: 'filterpy'
+  F: Matrix
+  B?: Matrix
+  H: Matrix
+  Q: Matrix
+  R: Matrix
+}
 /** x' = A x + B u + noise; at most 16 states, 8 inputs. */
 export interface ContinuousSystem {
   /** How fast the state changes by itself, n × n. */

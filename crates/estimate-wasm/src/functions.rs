@@ -21,7 +21,7 @@ const TYPES_OF_THE_CORE: &str = lab::written(&[&[lab::OF_THE_CORE]]).as_str();
 /// One Kalman step (eqs. 8.26–8.32): predict with the input `u`, correct with the reading `y`.
 #[wasm_bindgen(js_name = kalmanStep, unchecked_return_type = "KalmanStep")]
 pub fn kalman_step(
-    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
@@ -48,7 +48,7 @@ pub fn kalman_step(
 /// for `readings`, of which some are null, or have parts that are. Refused at one step, the log is refused.
 #[wasm_bindgen(js_name = kalmanReplay, unchecked_return_type = "KalmanReplay")]
 pub fn kalman_replay(
-    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Float64Array")] inputs: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Float64Array | (PartialVector | Float64Array | null)[]")] readings: &JsValue,
@@ -79,7 +79,7 @@ pub fn kalman_replay(
 /// memory for each.
 #[wasm_bindgen(js_name = kalmanSmooth, unchecked_return_type = "Belief[]")]
 pub fn kalman_smooth(
-    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "(Vector | Float64Array)[]")] us: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "(PartialVector | Float64Array | null)[]")] ys: &JsValue,
@@ -113,7 +113,7 @@ pub fn discretize(
 /// One step of the observer with the fixed gain `K`: F x + G u + K (y − H (F x + G u)).
 #[wasm_bindgen(js_name = observerStep, unchecked_return_type = "Vector")]
 pub fn observer_step(
-    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
     #[wasm_bindgen(js_name = K, unchecked_param_type = "Matrix")] k: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
@@ -127,7 +127,7 @@ pub fn observer_step(
 /// The eigenvalues of (I − KH)F, by decreasing modulus, then decreasing imaginary part.
 #[wasm_bindgen(js_name = errorEigenvalues, unchecked_return_type = "Complex[]")]
 pub fn error_eigenvalues(
-    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
     #[wasm_bindgen(js_name = K, unchecked_param_type = "Matrix")] k: &JsValue,
 ) -> Result<JsValue, Thrown> {
     Ok(shown(&dynamic::error_eigenvalues(&system_of(system)?, Arg::new(k, "K").matrix()?)?))
@@ -155,7 +155,7 @@ pub fn observability(
 /// `kalmanReplay`; 10 000 when left out), tolerance 1e-12 when left out. Running out of iterations is an answer.
 #[wasm_bindgen(js_name = steadyStateGain, unchecked_return_type = "SteadyState")]
 pub fn steady_state_gain(
-    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
     #[wasm_bindgen(js_name = P0, unchecked_param_type = "Matrix")] p0: &JsValue,
     #[wasm_bindgen(js_name = maxIterations, unchecked_optional_param_type = "number")] max_iterations: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
@@ -179,7 +179,7 @@ pub fn steady_state_gain(
 /// R(1), …, R(steps) from P(0 | 0) = `P0`; at most 10 000 steps.
 #[wasm_bindgen(js_name = gainSchedule, unchecked_return_type = "Matrix[]")]
 pub fn gain_schedule(
-    #[wasm_bindgen(unchecked_param_type = "System")] system: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
     #[wasm_bindgen(js_name = P0, unchecked_param_type = "Matrix")] p0: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "number")] steps: &JsValue,
 ) -> Result<JsValue, Thrown> {

@@ -1,13 +1,12 @@
 //! The linear Kalman filter's class, for programs that filter as they read.
 
-use crate::arguments::{belief_of, inputs_of, step_of, system_of};
+use crate::arguments::{belief_of, step_of, system_of};
 use crate::decode::{Arg, Reading};
 use crate::encode::{list, number_or_null, rows};
 use crate::errors::Thrown;
-use crate::filter_state;
 use crate::object::Held;
 use estimate::Error;
-use estimate::dynamic::{KalmanFilter as Filter, LastReading, System};
+use estimate::dynamic::{KalmanFilter as Filter, LastReading};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -17,19 +16,19 @@ const TYPES: &str = include_str!("kalman_filter.d.ts");
 /// V and Cov w = W. An input or a reading is an array of numbers or a Float64Array.
 #[wasm_bindgen]
 #[repr(transparent)]
-pub struct KalmanFilter(Held);
+pub struct KalmanFilter(pub(crate) Held);
 
-const CLASS: &str = "KalmanFilter";
+pub(crate) const CLASS: &str = "KalmanFilter";
 
 #[wasm_bindgen]
 impl KalmanFilter {
-    /// The filter of `system` with the belief before the first step. A system in filterpy's letters says so.
+    /// The filter of `system` with the belief before the first step.
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
     ) -> Result<KalmanFilter, Thrown> {
-        let filter = Filter::new(&in_letters(system)?, &belief_of(&Arg::new(belief, "belief"))?)?;
+        let filter = Filter::new(&system_of(system)?, &belief_of(&Arg::new(belief, "belief"))?)?;
         Ok(Self(Held::new(CLASS, filter)))
     }
 
@@ -138,52 +137,13 @@ impl KalmanFilter {
         self.of_last(|last| rows(&last.r))
     }
 
-    /// Another filter that holds the same.
-    #[wasm_bindgen(js_name = clone)]
-    pub fn copy(&self) -> Result<KalmanFilter, Thrown> {
-        self.0.read(CLASS, |filter: &Filter| Self(Held::new(CLASS, filter.clone())))
-    }
-
-    /// All that the filter holds, as plain values that JSON can hold.
-    #[wasm_bindgen(unchecked_return_type = "KalmanFilterState")]
-    pub fn state(&self) -> Result<JsValue, Thrown> {
-        self.read(|filter| filter_state::shown(&filter.state()))
-    }
-
-    /// The filter that holds this: it goes on, to the last bit, as the one whose `state()` it was.
-    #[wasm_bindgen(js_name = from)]
-    pub fn from_state(
-        #[wasm_bindgen(unchecked_param_type = "KalmanFilterState")] state: &JsValue,
-    ) -> Result<KalmanFilter, Thrown> {
-        let state = filter_state::read(&Arg::new(state, "state"))?;
-        let filter = Filter::from_state(state).map_err(filter_state::blamed)?;
-        Ok(Self(Held::new(CLASS, filter)))
-    }
-
-    fn of_last(&self, shown: impl FnOnce(&LastReading) -> JsValue) -> Result<JsValue, Thrown> {
+    /// A part of what the last reading has told.
+    #[inline(never)]
+    fn of_last(&self, shown: fn(&LastReading) -> JsValue) -> Result<JsValue, Thrown> {
         self.read(|filter| filter.last().as_ref().map_or(JsValue::NULL, shown))
     }
 
     fn read(&self, shown: impl FnOnce(&Filter) -> JsValue) -> Result<JsValue, Thrown> {
         self.0.read(CLASS, shown)
     }
-}
-
-/// A system in its own letters, or in filterpy's.
-fn in_letters(value: &JsValue) -> Result<System, Error> {
-    let arg = Arg::new(value, "system");
-    if arg.field("letters")?.is_undefined() {
-        return system_of(value);
-    }
-    arg.field("letters")?.word(&["filterpy"])?;
-    arg.only(["letters", "F", "B", "H", "Q", "R"].into_iter())?;
-    let (f, h) = (arg.field("F")?.tall()?, arg.field("H")?.tall()?);
-    let g = inputs_of(&arg.field("B")?, f.nrows())?;
-    System::new(f, g, h, arg.field("Q")?.matrix()?, arg.field("R")?.matrix()?).map_err(|mut error| {
-        let theirs = [("G", "B"), ("V", "Q"), ("W", "R")].into_iter().find(|(ours, _)| error.argument == *ours);
-        if let Some((_, theirs)) = theirs {
-            error.argument = theirs.into();
-        }
-        error.within("system")
-    })
 }

@@ -27,7 +27,7 @@ mod ekf_localizer;
 mod ekf_slam;
 mod encode;
 mod errors;
-#[cfg(feature = "functions")]
+#[cfg(feature = "models")]
 mod filter_state;
 #[cfg(feature = "functions")]
 mod functions;
@@ -41,7 +41,7 @@ mod log_files;
 mod log_table;
 mod names;
 mod object;
-#[cfg(feature = "functions")]
+#[cfg(feature = "models")]
 mod own_models;
 #[cfg(feature = "analysis")]
 mod placement;
@@ -54,12 +54,13 @@ mod timeline;
 pub use self::checks::*;
 #[cfg(feature = "labs")]
 pub use self::lab::*;
+#[cfg(feature = "models")]
+pub use self::own_models::{ExtendedKalmanFilter, UnscentedKalmanFilter};
 #[cfg(feature = "analysis")]
 pub use self::{analysis::*, placement::*};
 #[cfg(feature = "functions")]
 pub use self::{
-    ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter,
-    own_models::ExtendedKalmanFilter, own_models::UnscentedKalmanFilter, timeline::Timeline,
+    ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter, timeline::Timeline,
 };
 #[cfg(feature = "log")]
 pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog};

@@ -49,11 +49,6 @@ where
         &self.conditioning
     }
 
-    /// Goes on with what another filter was judged by.
-    pub fn judge_by(&mut self, conditioning: Conditioning) {
-        self.conditioning = conditioning;
-    }
-
     /// [`Gaussian::predict`].
     #[inline(always)]
     pub fn predict<U: Dim, S: Storage<f64, U>>(
@@ -88,41 +83,42 @@ where
         Ok(update)
     }
 
-    /// [`correct`](Self::correct) by a reading whose size is known at run time only.
-    pub fn correct_partly(
-        &mut self,
-        y: &DVector<f64>,
-        h: &DMatrix<f64>,
-        w: &DMatrix<f64>,
-    ) -> Result<Update<Dyn, Dyn>, Error> {
-        let n = self.belief.x.len();
-        let x = DVector::from_column_slice(self.belief.x.as_slice());
-        let p = DMatrix::from_column_slice(n, n, self.belief.p.as_slice());
-        let (x, p, update) = corrected((x, p), &mut self.conditioning, y, h, w)?;
-        self.belief.x.copy_from_slice(x.as_slice());
-        self.belief.p.copy_from_slice(p.as_slice());
-        Ok(update)
+    /// Its numbers, and what they are judged by.
+    pub fn raw(&mut self) -> (&mut [f64], &mut [f64], &mut Conditioning) {
+        (self.belief.x.as_mut_slice(), self.belief.p.as_mut_slice(), &mut self.conditioning)
     }
 }
 
-impl Followed<Dyn> {
-    /// Takes the mean out of a belief about an error: what is left has the mean zero.
-    pub fn recentred(&mut self) -> DVector<f64> {
-        let n = self.belief.x.len();
-        core::mem::replace(&mut self.belief.x, DVector::zeros(n))
-    }
+/// [`Followed::predict`] of a belief whose size is known at run time only, given by its numbers.
+pub(crate) fn predict(
+    (x, p): (&mut [f64], &mut [f64]),
+    conditioning: &mut Conditioning,
+    (f, v): (&DMatrix<f64>, &DMatrix<f64>),
+    input: Option<(&DMatrix<f64>, &DVector<f64>)>,
+) -> Result<(), Error> {
+    let mut belief = belief(x, p);
+    let regular = belief.predict(f, v, input)?;
+    conditioning.predicted(f, &DMatrix::from_column_slice(x.len(), x.len(), p), v, regular);
+    x.copy_from_slice(belief.x.as_slice());
+    p.copy_from_slice(belief.p.as_slice());
+    Ok(())
 }
 
-/// [`Followed::correct`] of a belief whose size is known at run time only.
-fn corrected(
-    (x, p): (DVector<f64>, DMatrix<f64>),
+/// [`Followed::correct`] of a belief whose size is known at run time only, given by its numbers.
+pub(crate) fn correct(
+    (x, p): (&mut [f64], &mut [f64]),
     conditioning: &mut Conditioning,
     y: &DVector<f64>,
-    h: &DMatrix<f64>,
-    w: &DMatrix<f64>,
-) -> Result<(DVector<f64>, DMatrix<f64>, Update<Dyn, Dyn>), Error> {
-    let belief = Gaussian { x, p };
-    let (posterior, update) = belief.corrected(y, h, w)?;
-    conditioning.corrected(&belief.p, (h, w), &update, &posterior);
-    Ok((posterior.x, posterior.p, update))
+    (h, w): (&DMatrix<f64>, &DMatrix<f64>),
+) -> Result<Update<Dyn, Dyn>, Error> {
+    let before = belief(x, p);
+    let (posterior, update) = before.corrected(y, h, w)?;
+    conditioning.corrected(&before.p, (h, w), &update, &posterior);
+    x.copy_from_slice(posterior.x.as_slice());
+    p.copy_from_slice(posterior.p.as_slice());
+    Ok(update)
+}
+
+fn belief(x: &[f64], p: &[f64]) -> Gaussian<Dyn> {
+    Gaussian { x: DVector::from_column_slice(x), p: DMatrix::from_column_slice(x.len(), x.len(), p) }
 }

@@ -6,13 +6,15 @@ mod typed;
 use super::partial::rows_there;
 use super::{Belief, Discrete, System};
 use crate::error::{Code, Error};
+use crate::followed;
 use crate::kf::belief_fits;
+use crate::likelihood::log_density;
 use crate::validate::{self, MAX_OUTPUTS, size};
 use alloc::boxed::Box;
 use alloc::vec::Vec;
-use filters::Gaussian;
+use filters::{Gaussian, Update};
 use nalgebra::{Const, DMatrix, DVector, Dyn};
-use typed::{Filter, Last, sized};
+use typed::{Filter, summed};
 
 /// The Kalman filter of one system, with its belief inside: [`kalman_step`](crate::kf::kalman_step), in two halves that
 /// may be called apart, or together as one step.
@@ -29,22 +31,45 @@ use typed::{Filter, Last, sized};
 /// assert!((filter.x()[0] - 4.1545454545454543).abs() < 1e-15 && filter.nis().unwrap() < 0.1);
 /// # Ok::<(), estimate::Error>(())
 /// ```
-#[derive(Clone, Debug)]
-pub struct KalmanFilter(Kind);
+#[derive(Debug)]
+pub struct KalmanFilter {
+    kind: Kind,
+    lately: Lately,
+}
 
-/// The sizes that are compiled, as n and p: `Kind` has a filter for each, and one for all others.
+/// Where what the last reading has told is found.
+#[derive(Clone, Debug)]
+enum Lately {
+    /// There was no reading, or none of its parts was there.
+    Nothing,
+    /// With the filter of its kind.
+    Whole,
+    /// It was of some outputs, or of a sensor that was named with it.
+    Partly(Box<LastReading>),
+}
+
+impl Clone for KalmanFilter {
+    // Once, of all sizes.
+    #[cfg_attr(target_arch = "wasm32", inline(never))]
+    fn clone(&self) -> Self {
+        Self { kind: self.kind.clone(), lately: self.lately.clone() }
+    }
+}
+
+/// The sizes that are compiled, as n and p: `Kind` has a filter for each, and one for all others. Each weighs 3 kB; a
+/// build that has to be light is compiled with `--cfg few_sizes`, and gives the same bits.
 macro_rules! kinds {
-    ($($kind:ident: $n:literal, $p:literal;)*) => {
+    ($($(#[$if:meta])? $kind:ident: $n:literal, $p:literal;)*) => {
         #[derive(Clone, Debug)]
         enum Kind {
-            $($kind(Box<Filter<Const<$n>, Const<$p>>>),)*
+            $($(#[$if])? $kind(Box<Filter<Const<$n>, Const<$p>>>),)*
             Any(Box<Filter<Dyn, Dyn>>),
         }
 
         impl Kind {
             fn new(system: &System, belief: &Belief) -> Self {
                 match system.h.shape() {
-                    $(($p, $n) => Self::$kind(Box::new(Filter::new(system, belief, (Const, Const)))),)*
+                    $($(#[$if])? ($p, $n) => Self::$kind(Box::new(Filter::new(system, belief, (Const, Const)))),)*
                     (p, n) => Self::Any(Box::new(Filter::new(system, belief, (Dyn(n), Dyn(p))))),
                 }
             }
@@ -54,7 +79,7 @@ macro_rules! kinds {
         macro_rules! each {
             ($of:expr, $filter:ident => $answer:expr) => {
                 match $of {
-                    $(Kind::$kind($filter) => $answer,)*
+                    $($(#[$if])? Kind::$kind($filter) => $answer,)*
                     Kind::Any($filter) => $answer,
                 }
             };
@@ -62,10 +87,10 @@ macro_rules! kinds {
     };
 }
 kinds! {
-    OneByOne: 1, 1;
+    #[cfg(not(few_sizes))] OneByOne: 1, 1;
     TwoByOne: 2, 1;
-    TwoByTwo: 2, 2;
-    ThreeByOne: 3, 1;
+    #[cfg(not(few_sizes))] TwoByTwo: 2, 2;
+    #[cfg(not(few_sizes))] ThreeByOne: 3, 1;
     FourByTwo: 4, 2;
 }
 
@@ -80,7 +105,7 @@ impl KalmanFilter {
     /// [`Code::Shape`](crate::Code::Shape) when the belief is not of the system's size.
     pub fn new(system: &System, belief: &Belief) -> Result<Self, Error> {
         belief_fits(belief, system.f.nrows())?;
-        Ok(Self(Kind::new(system, belief)))
+        Ok(Self { kind: Kind::new(system, belief), lately: Lately::Nothing })
     }
 
     /// x̂(k+1 | k) = F x̂ + G u and P(k+1 | k) = F P Fᵀ + V, with the input `u` (m; empty for a system without inputs).
@@ -89,7 +114,7 @@ impl KalmanFilter {
     /// [`Code::Shape`](crate::Code::Shape) or [`Code::NotFinite`](crate::Code::NotFinite), naming u, x or P; the filter
     /// is then as it was.
     pub fn predict(&mut self, u: &[f64]) -> Result<(), Error> {
-        each!(&mut self.0, filter => filter.input(u).and_then(|()| filter.predict(u)))
+        each!(&mut self.kind, filter => filter.input(u).and_then(|()| filter.predict(u)))
     }
 
     /// The belief corrected by the reading `y` (p), in Joseph's form.
@@ -99,7 +124,9 @@ impl KalmanFilter {
     /// [`Code::InnovationNotPositiveDefinite`](crate::Code::InnovationNotPositiveDefinite) naming W; the filter is then
     /// as it was.
     pub fn update(&mut self, y: &[f64]) -> Result<(), Error> {
-        each!(&mut self.0, filter => filter.reading(y).and_then(|()| filter.update(y)))
+        each!(&mut self.kind, filter => filter.reading(y).and_then(|()| filter.update(y)))?;
+        self.lately = Lately::Whole;
+        Ok(())
     }
 
     /// A prediction with `u` and a correction by `y`, both or neither.
@@ -107,11 +134,13 @@ impl KalmanFilter {
     /// # Errors
     /// Those of [`predict`](Self::predict) and [`update`](Self::update); the filter is then as it was before both.
     pub fn step(&mut self, u: &[f64], y: &[f64]) -> Result<(), Error> {
-        each!(&mut self.0, filter => {
+        each!(&mut self.kind, filter => {
             filter.input(u)?;
             filter.reading(y)?;
-            filter.step(u, y)
-        })
+            filter.step(u, y)?;
+        });
+        self.lately = Lately::Whole;
+        Ok(())
     }
 
     /// [`update`](Self::update) by the parts of `y` that are there, with the rows of H and W that are theirs. Where
@@ -124,9 +153,10 @@ impl KalmanFilter {
         if there.len() == y.len() {
             return self.update(&there);
         }
-        let (p, n) = each!(&self.0, filter => filter.system.h.shape());
-        let (h, w) = each!(&self.0, filter => (filter.system.h.as_slice(), filter.system.w.as_slice()));
-        let (h, w) = (sized(Dyn(p), Dyn(n), h), sized(Dyn(p), Dyn(p), w));
+        let n = self.x().len();
+        let (h, w) = each!(&self.kind, filter => (filter.system.h.as_slice(), filter.system.w.as_slice()));
+        let p = h.len() / n;
+        let (h, w) = (DMatrix::from_column_slice(p, n, h), DMatrix::from_column_slice(p, p, w));
         self.correct_by(y, &h, &w)
     }
 
@@ -137,13 +167,14 @@ impl KalmanFilter {
     /// Those of [`predict`](Self::predict); [`Code::Shape`], [`Code::NotFinite`] and those of [`validate::covariance`]
     /// naming F, G or V.
     pub fn predict_over(&mut self, u: &[f64], step: Discrete) -> Result<(), Error> {
-        let (n, m) = each!(&self.0, filter => filter.system.g.shape());
+        each!(&self.kind, filter => filter.input(u))?;
+        let (n, m) = (self.x().len(), u.len());
         let f = validate::matrix(step.f, (n, n), "F")?;
         let g = validate::matrix(step.g, (n, m), "G")?;
         let v = validate::covariance(step.v, n, "V")?;
-        each!(&mut self.0, filter => {
-            filter.input(u).and_then(|()| filter.predict_by(u, f.as_slice(), g.as_slice(), v.as_slice()))
-        })
+        let raw = each!(&mut self.kind, filter => filter.raw());
+        let u = DVector::from_column_slice(u);
+        Ok(followed::predict((raw.x, raw.p), raw.conditioning, (&f, &v), Some((&g, &u)))?)
     }
 
     /// [`update_partly`](Self::update_partly) by a sensor of its own in place of the system's: H p×n and W p×p, with
@@ -163,12 +194,17 @@ impl KalmanFilter {
         validate::entries(&y.iter().map(|part| part.unwrap_or(0.0)).collect::<Vec<f64>>(), h.nrows(), "y")?;
         let there: Vec<f64> = y.iter().flatten().copied().collect();
         if there.is_empty() {
-            each!(&mut self.0, filter => filter.last = Last::Nothing);
+            self.lately = Lately::Nothing;
             return Ok(());
         }
         let (h, w) = rows_there(h, w, y);
-        let y = DVector::from_vec(there);
-        each!(&mut self.0, filter => filter.update_by(&y, &h, &w))
+        let raw = each!(&mut self.kind, filter => filter.raw());
+        let update = followed::correct((raw.x, raw.p), raw.conditioning, &DVector::from_vec(there), (&h, &w))?;
+        let density = log_density(&update.innovation, &update.s);
+        *raw.log_likelihood = summed(*raw.log_likelihood, density, raw.conditioning.is_well_conditioned());
+        let Update { innovation, s, k: r, d2: nis, .. } = update;
+        self.lately = Lately::Partly(Box::new(LastReading { innovation, s, r, nis }));
+        Ok(())
     }
 
     /// [`step`](Self::step) with [`update_partly`](Self::update_partly) in place of the correction.
@@ -183,7 +219,7 @@ impl KalmanFilter {
 
     /// The mean x̂, n.
     pub fn x(&self) -> &[f64] {
-        each!(&self.0, filter => filter.belief.x.as_slice())
+        each!(&self.kind, filter => filter.belief.x.as_slice())
     }
 
     /// A step for each row of a log, whose numbers are known to be finite and so many: all means, and all variances,
@@ -193,13 +229,13 @@ impl KalmanFilter {
     /// That of the first step that is refused, with its number, counted from one. The filter is then between the halves
     /// of a step.
     pub(super) fn replay(&mut self, inputs: &[f64], readings: &[f64]) -> Result<(Vec<f64>, Vec<f64>), (Error, usize)> {
-        each!(&mut self.0, filter => filter.replay(inputs, readings))
+        each!(&mut self.kind, filter => filter.replay(inputs, readings))
     }
 
     /// The belief N(x̂, P).
     pub fn belief(&self) -> Belief {
         let n = self.x().len();
-        let p = each!(&self.0, filter => DMatrix::from_column_slice(n, n, filter.belief.p.as_slice()));
+        let p = each!(&self.kind, filter => DMatrix::from_column_slice(n, n, filter.belief.p.as_slice()));
         Gaussian { x: DVector::from_column_slice(self.x()), p }
     }
 
@@ -208,32 +244,32 @@ impl KalmanFilter {
     /// their
     /// rounding is more than what is left, as after a prior of 10¹⁴ with W of 10⁻¹⁰.
     pub fn conditioned(&self) -> bool {
-        each!(&self.0, filter => filter.belief.conditioned())
+        each!(&self.kind, filter => filter.belief.conditioned())
     }
 
     /// Σ −½ (ln det 2πS + νᵀS⁻¹ν) over all readings; nothing where the filter is not
     /// [`conditioned`](Self::conditioned), [`log_density`] had no answer at one of them, or the sum is too large for a
     /// number.
     pub fn log_likelihood(&self) -> Option<f64> {
-        each!(&self.0, filter => filter.log_likelihood)
+        each!(&self.kind, filter => filter.log_likelihood)
     }
 
     /// The normalized innovation squared νᵀS⁻¹ν of the last reading; nothing before the first, and where S is singular
     /// to working accuracy.
     pub fn nis(&self) -> Option<f64> {
-        each!(&self.0, filter => match &filter.last {
-            Last::Nothing => None,
-            Last::Whole(update) => update.d2,
-            Last::Partly(update) => update.d2,
-        })
+        match &self.lately {
+            Lately::Nothing => None,
+            Lately::Whole => each!(&self.kind, filter => filter.told()).and_then(|told| told.d2),
+            Lately::Partly(last) => last.nis,
+        }
     }
 
     /// What the last reading has told; nothing before the first, and where none of its parts was there.
     pub fn last(&self) -> Option<LastReading> {
-        each!(&self.0, filter => match &filter.last {
-            Last::Nothing => None,
-            Last::Whole(update) => Some(LastReading::of(update)),
-            Last::Partly(update) => Some(LastReading::of(update)),
-        })
+        match &self.lately {
+            Lately::Nothing => None,
+            Lately::Whole => each!(&self.kind, filter => filter.told()).map(|told| LastReading::of(&told)),
+            Lately::Partly(last) => Some((**last).clone()),
+        }
     }
 }

@@ -130,7 +130,6 @@ where
     ///
     /// # Errors
     /// [`Error::NotFinite`] or [`Error::InnovationNotPositiveDefinite`].
-    #[expect(clippy::type_complexity, reason = "three answers of one step, taken apart where it is called")]
     pub fn correction<M: Dim>(
         &self,
         p: &OMatrix<f64, N, N>,

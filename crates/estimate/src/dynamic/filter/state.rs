@@ -1,9 +1,12 @@
 //! A filter as plain numbers, to be kept and gone on with.
 
-use super::{Belief, Code, Error, KalmanFilter, Kind, Last, System, belief_fits};
+use super::typed::Told;
+use super::{Belief, Code, Error, KalmanFilter, Kind, Lately, System, belief_fits};
+use crate::lti::Lti;
 use crate::validate::{self, MAX_OUTPUTS};
-use filters::{Bound, Conditioning, Sizes, Update};
-use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim};
+use alloc::boxed::Box;
+use filters::{Bound, Conditioning};
+use nalgebra::{DMatrix, DVector};
 
 /// What a reading has told.
 #[derive(Clone, Debug, PartialEq)]
@@ -19,16 +22,13 @@ pub struct LastReading {
 }
 
 impl LastReading {
-    pub(super) fn of<N: Dim, M: Dim>(update: &Update<N, M>) -> Self
-    where
-        DefaultAllocator: Sizes<N, M>,
-    {
-        let (n, p) = update.k.shape();
+    pub(super) fn of(told: &Told<'_>) -> Self {
+        let p = told.innovation.len();
         Self {
-            innovation: DVector::from_column_slice(update.innovation.as_slice()),
-            s: DMatrix::from_column_slice(p, p, update.s.as_slice()),
-            r: DMatrix::from_column_slice(n, p, update.k.as_slice()),
-            nis: update.d2,
+            innovation: DVector::from_column_slice(told.innovation),
+            s: DMatrix::from_column_slice(p, p, told.s),
+            r: DMatrix::from_column_slice(told.k.len() / p, p, told.k),
+            nis: told.d2,
         }
     }
 }
@@ -51,18 +51,16 @@ pub struct FilterState {
 impl KalmanFilter {
     /// What the filter holds.
     pub fn state(&self) -> FilterState {
-        let (system, conditioning) = each!(&self.0, filter => {
-            let (m, (p, n)) = (filter.system.g.ncols(), filter.system.h.shape());
-            let of = DMatrix::from_column_slice;
-            let system = System {
-                f: of(n, n, filter.system.f.as_slice()),
-                g: of(n, m, filter.system.g.as_slice()),
-                h: of(p, n, filter.system.h.as_slice()),
-                v: of(n, n, filter.system.v.as_slice()),
-                w: of(p, p, filter.system.w.as_slice()),
-            };
-            (system, filter.belief.conditioning().clone())
+        let (system, conditioning) = each!(&self.kind, filter => {
+            let Lti { f, g, h, v, w } = &filter.system;
+            let slices = [f.as_slice(), g.as_slice(), h.as_slice(), v.as_slice(), w.as_slice()];
+            (slices, filter.belief.conditioning())
         });
+        let (n, [f, g, h, v, w]) = (self.x().len(), system);
+        let of = |rows: usize, numbers: &[f64]| DMatrix::from_column_slice(rows, numbers.len() / rows, numbers);
+        let p = h.len() / n;
+        let system = System { f: of(n, f), g: of(n, g), h: of(p, h), v: of(n, v), w: of(p, w) };
+        let conditioning = conditioning.clone();
         let (belief, log_likelihood, last) = (self.belief(), self.log_likelihood(), self.last());
         FilterState { system, belief, log_likelihood, last, conditioning }
     }
@@ -79,30 +77,27 @@ impl KalmanFilter {
             validate::matrix(rounding.clone(), (n, n), "rounding")?;
         }
         validate::finite(log_likelihood.unwrap_or(0.0), "logLikelihood")?;
-        let last = last.map(|last| checked(last, n)).transpose()?;
+        let lately = match last {
+            Some(last) => Lately::Partly(Box::new(checked(last, n)?)),
+            None => Lately::Nothing,
+        };
         let mut kind = Kind::new(&system, &belief);
-        each!(&mut kind, filter => {
-            filter.belief.judge_by(conditioning);
-            filter.log_likelihood = log_likelihood;
-            if let Some(last) = last {
-                filter.last = Last::Partly(last);
-            }
-        });
-        Ok(Self(kind))
+        let raw = each!(&mut kind, filter => filter.raw());
+        (*raw.conditioning, *raw.log_likelihood) = (conditioning, log_likelihood);
+        Ok(Self { kind, lately })
     }
 }
 
-fn checked(last: LastReading, n: usize) -> Result<Update<nalgebra::Dyn, nalgebra::Dyn>, Error> {
+fn checked(last: LastReading, n: usize) -> Result<LastReading, Error> {
     let p = last.innovation.len();
     if p == 0 || p > MAX_OUTPUTS {
         return Err(Error::new(Code::Shape, "innovation", "has as many entries as parts were read, from 1 to 8"));
     }
     validate::finite(last.nis.unwrap_or(0.0), "nis")?;
-    Ok(Update {
+    Ok(LastReading {
         innovation: validate::vector(last.innovation, p, "innovation")?,
         s: validate::matrix(last.s, (p, p), "S")?,
-        k: validate::matrix(last.r, (n, p), "R")?,
-        d2: last.nis,
-        doubted: false,
+        r: validate::matrix(last.r, (n, p), "R")?,
+        nis: last.nis,
     })
 }

@@ -7,21 +7,25 @@ use crate::likelihood::log_density;
 use crate::lti::{Lti, SystemSizes};
 use crate::validate;
 use alloc::vec::Vec;
-use filters::{Gaussian, Update};
+use filters::{Conditioning, Gaussian, Update};
 use nalgebra::allocator::Allocator;
-use nalgebra::{DMatrix, DVector, DefaultAllocator, Dim, Dyn, OMatrix, U1, VectorView};
+use nalgebra::{DefaultAllocator, Dim, Dyn, OMatrix, U1, VectorView};
 
-/// What the last reading has told.
-#[derive(Clone, Debug)]
-pub enum Last<N: Dim, M: Dim>
-where
-    DefaultAllocator: SystemSizes<N, Dyn, M>,
-{
-    /// There was none, or none of its parts was there.
-    Nothing,
-    Whole(Update<N, M>),
-    /// Of some outputs, or of a sensor that was named with it.
-    Partly(Update<Dyn, Dyn>),
+/// What a filter of any sizes holds, as plain numbers: what is done once in a while is done through it, and compiled
+/// once for all sizes.
+pub struct Raw<'a> {
+    pub x: &'a mut [f64],
+    pub p: &'a mut [f64],
+    pub conditioning: &'a mut Conditioning,
+    pub log_likelihood: &'a mut Option<f64>,
+}
+
+/// What a reading has told, as plain numbers.
+pub struct Told<'a> {
+    pub innovation: &'a [f64],
+    pub s: &'a [f64],
+    pub k: &'a [f64],
+    pub d2: Option<f64>,
 }
 
 /// The filter with matrices of the sizes N and M; how many inputs there are is known at run time only.
@@ -33,7 +37,8 @@ where
     pub system: Lti<N, Dyn, M>,
     pub belief: Followed<N>,
     pub log_likelihood: Option<f64>,
-    pub last: Last<N, M>,
+    /// What the last whole reading has told.
+    pub last: Option<Update<N, M>>,
 }
 
 impl<N: Dim, M: Dim> Filter<N, M>
@@ -50,7 +55,7 @@ where
             w: kept(p, p, system.w.as_slice()),
         };
         let belief = Gaussian { x: kept(n, U1, belief.x.as_slice()), p: kept(n, n, belief.p.as_slice()) };
-        Self { system, belief: belief.into(), log_likelihood: Some(0.0), last: Last::Nothing }
+        Self { system, belief: belief.into(), log_likelihood: Some(0.0), last: None }
     }
 
     // In wasm a half is one function, in a step too: in line it would weigh twice, and be hardly quicker.
@@ -67,27 +72,19 @@ where
         let y = sized(system.h.shape_generic().0, U1, y);
         let update = self.belief.correct(&y, &system.h, &system.w)?;
         self.note(log_density(&update.innovation, &update.s));
-        self.last = Last::Whole(update);
+        self.last = Some(update);
         Ok(())
     }
 
-    /// The correction by a reading whose size, and whose sensor, are known at run time only.
-    pub fn update_by(&mut self, y: &DVector<f64>, h: &DMatrix<f64>, w: &DMatrix<f64>) -> Result<(), Error> {
-        let update = self.belief.correct_partly(y, h, w)?;
-        self.note(log_density(&update.innovation, &update.s));
-        self.last = Last::Partly(update);
-        Ok(())
+    pub fn raw(&mut self) -> Raw<'_> {
+        let (x, p, conditioning) = self.belief.raw();
+        Raw { x, p, conditioning, log_likelihood: &mut self.log_likelihood }
     }
 
-    /// The prediction over another step than the system's.
-    pub fn predict_by(&mut self, u: &[f64], f: &[f64], g: &[f64], v: &[f64]) -> Result<(), Error> {
-        let before = self.system.clone();
-        self.system.f.copy_from_slice(f);
-        self.system.g.copy_from_slice(g);
-        self.system.v.copy_from_slice(v);
-        let done = self.predict(u);
-        self.system = before;
-        done
+    /// Innovation, S, gain and d² of the last whole reading.
+    pub fn told(&self) -> Option<Told<'_>> {
+        let last = self.last.as_ref()?;
+        Some(Told { innovation: last.innovation.as_slice(), s: last.s.as_slice(), k: last.k.as_slice(), d2: last.d2 })
     }
 
     #[inline]
@@ -121,9 +118,13 @@ where
 
     /// The density of a reading.
     fn note(&mut self, density: Option<f64>) {
-        let sum = self.log_likelihood.zip(density).map(|(sum, density)| sum + density);
-        self.log_likelihood = sum.filter(|sum| sum.is_finite() && self.belief.conditioned());
+        self.log_likelihood = summed(self.log_likelihood, density, self.belief.conditioned());
     }
+}
+
+/// The likelihood with that of one more reading.
+pub fn summed(sum: Option<f64>, density: Option<f64>, conditioned: bool) -> Option<f64> {
+    sum.zip(density).map(|(sum, density)| sum + density).filter(|sum| sum.is_finite() && conditioned)
 }
 
 /// [`sized`] where it is called once for a filter, of which there are many sizes.

@@ -4,10 +4,11 @@ use super::{Function, Gated, Jacobian, Model, OwnReading, checked, named, wrap_a
 use crate::dynamic::partial::rows_there;
 use crate::dynamic::{Belief, Judged};
 use crate::error::Error;
-use crate::followed::Followed;
+use crate::followed;
 use crate::validate;
 use alloc::vec::Vec;
-use nalgebra::{DMatrix, DVector, Dyn};
+use filters::Conditioning;
+use nalgebra::{DMatrix, DVector};
 
 /// The extended Kalman filter over models of one's own: x(k+1) = f(x(k)) + v, y(k) = h(x(k)) + w. At most 16 states and
 /// 8 outputs. Angles are taken the short way round.
@@ -32,8 +33,8 @@ use nalgebra::{DMatrix, DVector, Dyn};
 pub struct ExtendedKalmanFilter {
     x: DVector<f64>,
     angles: Vec<usize>,
-    /// The belief about the estimate's error, whose mean is zero: a step of it is one of the linear filter.
-    error: Followed<Dyn>,
+    p: DMatrix<f64>,
+    conditioning: Conditioning,
 }
 
 impl ExtendedKalmanFilter {
@@ -43,8 +44,7 @@ impl ExtendedKalmanFilter {
     /// [`Code::Index`](crate::Code::Index) naming the angle.
     pub fn new(belief: &Belief, angles: &[usize]) -> Result<Self, Error> {
         let (x, angles) = checked(belief, angles)?;
-        let error = Belief { x: DVector::zeros(x.len()), p: belief.p.clone() }.into();
-        Ok(Self { x, angles, error })
+        Ok(Self { x, angles, p: belief.p.clone(), conditioning: Conditioning::default() })
     }
 
     /// x = f(x), P = F P Fᵀ + V with V n×n and F = ∂f/∂x at the old x: given, or by central differences.
@@ -65,10 +65,12 @@ impl ExtendedKalmanFilter {
             Some(jacobian) => validate::matrix(jacobian(self.x.as_slice())?, (n, n), "F(x)")?,
             None => f.differences(&self.x)?,
         };
-        let mut error = self.error.clone();
-        error.predict(&slope, &v, None::<(&DMatrix<f64>, &DVector<f64>)>).map_err(named)?;
+        // What is predicted is the estimate's error, whose mean is zero.
+        let mut error = DVector::zeros(n);
+        let (error, p) = (error.as_mut_slice(), self.p.as_mut_slice());
+        followed::predict((error, p), &mut self.conditioning, (&slope, &v), None).map_err(named)?;
         wrap_at(&self.angles, &mut moved);
-        (self.x, self.error) = (moved, error);
+        self.x = moved;
         Ok(())
     }
 
@@ -83,24 +85,25 @@ impl ExtendedKalmanFilter {
         jacobian: Option<Jacobian<'_, E>>,
     ) -> Result<Gated, E> {
         let whole = reading.checked()?;
-        let (n, p) = (self.x.len(), reading.y.len());
-        let mut h = Function { model: h, name: "h(x)", len: p, angles: reading.angles };
+        let (n, outputs) = (self.x.len(), reading.y.len());
+        let mut h = Function { model: h, name: "h(x)", len: outputs, angles: reading.angles };
         let expected = h.at(&self.x)?;
         let slope = match jacobian {
-            Some(jacobian) => validate::matrix(jacobian(self.x.as_slice())?, (p, n), "H(x)")?,
+            Some(jacobian) => validate::matrix(jacobian(self.x.as_slice())?, (outputs, n), "H(x)")?,
             None => h.differences(&self.x)?,
         };
         let (slope, w) = rows_there(&slope, &whole.w, reading.y);
         let innovation = reading.innovation(&whole.y, &expected);
-        let mut error = self.error.clone();
-        let update = error.correct_partly(&innovation, &slope, &w).map_err(named)?;
+        let (mut error, mut p, mut conditioning) = (DVector::zeros(n), self.p.clone(), self.conditioning.clone());
+        let numbers = (error.as_mut_slice(), p.as_mut_slice());
+        let update = followed::correct(numbers, &mut conditioning, &innovation, (&slope, &w)).map_err(named)?;
         let judged = Judged { innovation, s: update.s, chi2: update.d2 };
         let accepted = reading.accepts(&judged);
         if accepted {
-            let mut x = &self.x + error.recentred();
+            let mut x = &self.x + error;
             wrap_at(&self.angles, &mut x);
             validate::entries(x.as_slice(), n, "x")?;
-            (self.x, self.error) = (x, error);
+            (self.x, self.p, self.conditioning) = (x, p, conditioning);
         }
         Ok(Gated { accepted, judged })
     }
@@ -112,12 +115,12 @@ impl ExtendedKalmanFilter {
 
     /// The covariance P, n×n.
     pub fn p(&self) -> &DMatrix<f64> {
-        &self.error.p
+        &self.p
     }
 
     /// Whether S and P of every step so far are right to 10⁻⁶ of their largest entries, for the Jacobians that were
     /// used.
     pub fn conditioned(&self) -> bool {
-        self.error.conditioned()
+        self.conditioning.is_well_conditioned()
     }
 }
