@@ -37,7 +37,7 @@ pub mod ukf;
 mod update;
 
 pub use autocorrelation::Autocorrelation;
-pub use differences::central_differences;
+pub use differences::{STEP, central_differences};
 pub use ekf::Ekf;
 pub use error::{Error, Parameter, Quantity};
 pub use gaussian::Gaussian;

@@ -15,15 +15,10 @@ use nalgebra::{Const, SMatrix, SVector};
 /// # Example
 /// ```
 /// use filters::ukf::{SigmaPoints, Ukf};
-/// use filters::{Error, MeasurementModel};
 /// use nalgebra::{Matrix1, Vector1};
-/// struct Square;
-/// impl MeasurementModel<Vector1<f64>, 1, 1> for Square {
-///     fn h(&self, x: &Vector1<f64>, _: usize) -> Result<Vector1<f64>, Error> { Ok(Vector1::new(x[0] * x[0])) }
-///     fn jacobian(&self, x: &Vector1<f64>, _: usize) -> Result<Matrix1<f64>, Error> { Ok(Matrix1::new(2.0 * x[0])) }
-/// }
+/// let square = |x: &Vector1<f64>| Vector1::new(x[0] * x[0]);
 /// let mut ukf = Ukf { x: Vector1::new(3.0), p: Matrix1::new(0.25), points: SigmaPoints::default() };
-/// let update = ukf.update(&Square, &Vector1::new(10.0), 0, &Matrix1::new(0.5))?;
+/// let update = ukf.update(&square, &Vector1::new(10.0), (), &Matrix1::new(0.5))?;
 /// assert!((update.innovation[0] - 0.75).abs() < 1e-6); // 10 − E x², with E x² = μ² + σ²
 /// # Ok::<(), filters::Error>(())
 /// ```
@@ -60,16 +55,16 @@ impl<X: State<N>, const N: usize> Ukf<X, N> {
         Ok(())
     }
 
-    /// Corrects the belief with the reading `z` of feature `j`, of noise covariance Q.
+    /// Corrects the belief with the reading `z` of feature `j`, () where the sensor sees none, of noise covariance Q.
     ///
     /// # Errors
     /// As [`Ukf::predict`], [`Error::InnovationNotPositiveDefinite`], or what the model answers; the belief is then
     /// unchanged.
-    pub fn update<const M: usize>(
+    pub fn update<const M: usize, J: Copy>(
         &mut self,
-        model: &impl MeasurementModel<X, N, M>,
+        model: &impl MeasurementModel<X, N, M, J>,
         z: &SVector<f64, M>,
-        j: usize,
+        j: J,
         q: &SMatrix<f64, M, M>,
     ) -> Result<Update<Const<N>, Const<M>>, Error> {
         let spread = self.points.spread(&self.p)?;

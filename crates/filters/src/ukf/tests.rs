@@ -10,10 +10,6 @@ impl MotionModel<Vector1<f64>, 1, 1> for Square {
     fn f(&self, x: &Vector1<f64>, _: &SVector<f64, 1>) -> Vector1<f64> {
         Vector1::new(x[0] * x[0])
     }
-
-    fn jacobian(&self, x: &Vector1<f64>, _: &SVector<f64, 1>) -> Matrix1<f64> {
-        Matrix1::new(2.0 * x[0])
-    }
 }
 
 struct Sum;
@@ -41,10 +37,6 @@ impl MeasurementModel<Vector2<f64>, 2, 1> for Sum {
 impl MeasurementModel<Vector1<f64>, 1, 1> for Square {
     fn h(&self, x: &Vector1<f64>, _: usize) -> Result<Vector1<f64>, Error> {
         Ok(Vector1::new(x[0] * x[0]))
-    }
-
-    fn jacobian(&self, x: &Vector1<f64>, _: usize) -> Result<Matrix1<f64>, Error> {
-        Ok(Matrix1::new(2.0 * x[0]))
     }
 }
 
