@@ -49,8 +49,8 @@ impl<X: State<N>, const N: usize> Ekf<X, N> {
         Ok(())
     }
 
-    /// Corrects the belief with the reading `z` of feature `j`, () where the sensor sees none, of noise covariance Q; the
-    /// covariance in Joseph's form.
+    /// Corrects the belief with the reading `z` of feature `j`, () where the sensor sees none, of noise covariance Q;
+    /// the covariance in Joseph's form.
     ///
     /// # Errors
     /// [`Error::InnovationNotPositiveDefinite`], [`Error::NotFinite`], or what the model answers; the belief is then
