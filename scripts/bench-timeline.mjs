@@ -1,6 +1,6 @@
-// Times a time line's reading that comes in order, and one that comes late by ten others and is put in its place;
-// beside them the class KalmanFilter, which takes readings in order alone, and npm's `kalman-filter`. First all are held
-// against one another. Interleaved rounds, medians, ratios; nothing fails on a time.
+// Times a reading of a time line that comes in order, and one that comes late by ten others and is put in its place;
+// beside them the class KalmanFilter, which takes readings in order alone, and npm's `kalman-filter`. First all are
+// held against one another. Interleaved rounds, medians, ratios; nothing fails on a time.
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
