@@ -123,18 +123,24 @@ export const CLASSES = {
         const p = 1 + dice.below(2)
         return { H: matrix(p, n, dice), W: covariance(p, dice), delay: dice.pick([0, 0.5, -1]), gate: gate(dice) }
       }
+      /** As many sines of the state. */
+      const own = ({ H, ...rest }) => ({
+        ...rest,
+        h: (x) => H.map((weights) => Math.sin(weights.reduce((sum, weight, i) => sum + weight * x[i], 0))),
+        angles: dice.pick([[], [0]]),
+      })
       const options = { time: dice.pick([0, 1e9]), window: dice.pick([0.5, 3]), capacity: dice.pick([3, 100]) }
       return [
         { A, B: matrix(n, m, dice), Q: covariance(n, dice) },
         { x: vector(n, dice), P: covariance(n, dice) },
-        { ...options, sensors: { first: sensor(), second: sensor() } },
+        { ...options, sensors: { first: sensor(), second: dice.pick([(it) => it, own])(sensor()) } },
       ]
     },
     methods: {
       input: (dice, _, it, [{ B }]) => [moment(it, dice), row(B[0].length, dice)],
       reading(dice, _, it, [, , { sensors }]) {
         const name = dice.pick(['first', 'second'])
-        return [name, moment(it, dice), reading(sensors[name].H.length, dice), ...dice.pick([[], [1]])]
+        return [name, moment(it, dice), reading(sensors[name].W.length, dice), ...dice.pick([[], [1]])]
       },
       at: (dice, _, it) => [moment(it, dice)],
       statistics: () => [],

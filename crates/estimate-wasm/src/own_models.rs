@@ -212,7 +212,7 @@ fn optional<T>(
     read(options).map(Some)
 }
 
-fn angles_of(options: &Arg<'_>, most: usize) -> Result<Vec<usize>, Error> {
+pub(crate) fn angles_of(options: &Arg<'_>, most: usize) -> Result<Vec<usize>, Error> {
     let mut angles = Vec::new();
     let read = |list: &Arg<'_>| list.entries()?.iter().map(|it| Ok(it.whole(0, most as u32 - 1)? as usize)).collect();
     options.given("angles", read, &mut angles)?;
@@ -249,11 +249,11 @@ fn answer(function: &Function, x: &[f64], name: &'static str) -> Result<JsValue,
     answer.ok_or_else(|| Error::new(Code::Type, name, "is null or undefined: the function must answer").into())
 }
 
-fn called(function: &Function, x: &[f64], name: &'static str) -> Result<Vec<f64>, Refused> {
+pub(crate) fn called(function: &Function, x: &[f64], name: &'static str) -> Result<Vec<f64>, Refused> {
     Ok(Arg::new(&answer(function, x, name)?, name).short()?)
 }
 
-fn slope(function: &Function, x: &[f64], name: &'static str) -> Result<DMatrix<f64>, Refused> {
+pub(crate) fn slope(function: &Function, x: &[f64], name: &'static str) -> Result<DMatrix<f64>, Refused> {
     Ok(Arg::new(&answer(function, x, name)?, name).matrix()?)
 }
 

@@ -15,7 +15,7 @@ export interface TimelineOptions {
   /** How many inputs and readings within the window are kept: at most 10 000, 1000 when left out. */
   capacity?: number
   /** The sensors by name, from 1 to 64. As in any object of JavaScript, names that are whole numbers come first. */
-  sensors: Record<string, TimelineSensor>
+  sensors: Record<string, AnyTimelineSensor>
 }
 export interface TimelineInput {
   /** As of a reading. */

@@ -6,12 +6,18 @@ use crate::encode::{list, number_or_null, record, rows};
 use crate::errors::Thrown;
 use crate::object::Held;
 use estimate::Error;
-use estimate::dynamic::{MAX_CAPACITY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, Timeline as Line};
+use estimate::dynamic::{MAX_CAPACITY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, Timeline as CoreTimeline};
 use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = include_str!("timeline.d.ts");
+#[cfg(feature = "models")]
+#[wasm_bindgen(typescript_custom_section)]
+const OWN_TYPES: &str = include_str!("timeline_own.d.ts");
+#[cfg(not(feature = "models"))]
+#[wasm_bindgen(typescript_custom_section)]
+const LINEAR_TYPES: &str = "export type AnyTimelineSensor = TimelineSensor\n";
 
 /// A Kalman filter in continuous time for sensors with delays and rates of their own. Readings and inputs may come in
 /// any order within a window: what comes late is put in its place and replayed, and the belief is that of the sorted
@@ -22,6 +28,13 @@ const TYPES: &str = include_str!("timeline.d.ts");
 pub struct Timeline(Held);
 
 const CLASS: &str = "Timeline";
+
+/// What a sensor reads of a state. A caller's own functions are in the whole module alone.
+#[cfg(feature = "models")]
+type Read = estimate::dynamic::AnyOutput<crate::errors::Refused>;
+#[cfg(not(feature = "models"))]
+type Read = nalgebra::DMatrix<f64>;
+type Line = CoreTimeline<Read>;
 
 #[wasm_bindgen]
 impl Timeline {
@@ -126,12 +139,13 @@ impl Timeline {
 
 const SENSOR: &str = "sensor";
 
-fn sensor(arg: &Arg<'_>, name: String) -> Result<Sensor, Error> {
+fn sensor(arg: &Arg<'_>, name: String) -> Result<Sensor<Read>, Error> {
     let read = || {
-        arg.only(["H", "W", "delay", "gate"].into_iter())?;
         let mut delay = 0.0;
+        let w = arg.field("W")?.matrix()?;
+        let h = output(arg, &w)?;
         arg.given("delay", |a| a.number(), &mut delay)?;
-        Ok((arg.field("H")?.tall()?, arg.field("W")?.matrix()?, delay, arg.field("gate")?.number_or_null()?))
+        Ok((h, w, delay, arg.field("gate")?.number_or_null()?))
     };
     match read() {
         Ok((h, w, delay, gate)) => Ok(Sensor { name, h, w, delay, gate }),
@@ -143,6 +157,32 @@ fn sensor(arg: &Arg<'_>, name: String) -> Result<Sensor, Error> {
             Err(error)
         }
     }
+}
+
+#[cfg(not(feature = "models"))]
+fn output(arg: &Arg<'_>, _: &nalgebra::DMatrix<f64>) -> Result<Read, Error> {
+    arg.only(["H", "W", "delay", "gate"].into_iter())?;
+    arg.field("H")?.tall()
+}
+
+/// H, or a function h with as many outputs as W has rows.
+#[cfg(feature = "models")]
+fn output(arg: &Arg<'_>, w: &nalgebra::DMatrix<f64>) -> Result<Read, Error> {
+    use crate::own_models::{angles_of, called, slope};
+    use estimate::dynamic::OwnOutput;
+    use std::rc::Rc;
+    let Some(h) = arg.field("h")?.function()? else {
+        arg.only(["H", "W", "delay", "gate"].into_iter())?;
+        return Ok(Read::Linear(arg.field("H")?.tall()?));
+    };
+    arg.only(["h", "H", "W", "angles", "delay", "gate"].into_iter())?;
+    let jacobian = arg.field("H")?.function()?;
+    Ok(Read::Own(OwnOutput {
+        outputs: w.nrows(),
+        h: Rc::new(move |x: &[f64]| called(&h, x, "h(x)")),
+        jacobian: jacobian.map(|jacobian| Rc::new(move |x: &[f64]| slope(&jacobian, x, "H(x)")) as _),
+        angles: angles_of(arg, estimate::validate::MAX_OUTPUTS)?,
+    }))
 }
 
 fn word(outcome: Outcome) -> &'static str {

@@ -23,8 +23,8 @@ pub use own::{ExtendedKalmanFilter, Gated, Jacobian, Model, OwnReading, SIGMA_PO
 pub use replay::{MAX_LOG, Replayed, kalman_replay, kalman_replay_partly};
 pub use smooth::kalman_smooth;
 pub use timeline::{
-    Judged, MAX_AHEAD, MAX_CAPACITY, MAX_DELAY, MAX_SENSORS, Memory, Outcome, Placed, Sensor, SensorStatistics,
-    Timeline,
+    AnyOutput, Judged, MAX_AHEAD, MAX_CAPACITY, MAX_DELAY, MAX_SENSORS, Map, Memory, Outcome, Output, OwnOutput,
+    Placed, Sensor, SensorStatistics, Timeline,
 };
 
 use crate::error::{Code, Error};

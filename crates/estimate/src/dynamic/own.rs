@@ -7,6 +7,7 @@ mod unscented;
 pub use extended::ExtendedKalmanFilter;
 pub use unscented::{SIGMA_POINTS, UnscentedKalmanFilter};
 
+use super::partial::rows_there;
 use super::{Belief, Judged};
 use crate::error::{Argument, Code, Error};
 use crate::validate::{self, MAX_OUTPUTS, size};
@@ -61,6 +62,28 @@ impl OwnReading<'_> {
         Ok(Whole { y: DVector::from_vec(numbers), w: validate::covariance(self.w.clone(), p, "W")? })
     }
 
+    /// The innovation, the rows of H = ∂h/∂x at x (given, or by central differences) and W, of the parts that are there.
+    ///
+    /// # Errors
+    /// What `h` answers; [`Error`] naming `h(x)`, `H(x)`, y, W, gate or angles.
+    pub(super) fn linearized<E: From<Error>>(
+        &self,
+        x: &DVector<f64>,
+        h: Model<'_, E>,
+        jacobian: Option<Jacobian<'_, E>>,
+    ) -> Result<Linearized, E> {
+        let whole = self.checked()?;
+        let outputs = self.y.len();
+        let mut h = Function { model: h, name: "h(x)", len: outputs, angles: self.angles };
+        let expected = h.at(x)?;
+        let slope = match jacobian {
+            Some(jacobian) => validate::matrix(jacobian(x.as_slice())?, (outputs, x.len()), "H(x)")?,
+            None => h.differences(x)?,
+        };
+        let (h, w) = rows_there(&slope, &whole.w, self.y);
+        Ok(Linearized { innovation: self.innovation(&whole.y, &expected), h, w })
+    }
+
     fn accepts(&self, judged: &Judged) -> bool {
         self.gate.is_none_or(|gate| judged.chi2.is_some_and(|chi2| chi2 <= gate))
     }
@@ -78,6 +101,13 @@ impl OwnReading<'_> {
     }
 }
 
+/// A reading beside what was expected, of the parts that are there.
+pub(super) struct Linearized {
+    pub innovation: DVector<f64>,
+    pub h: DMatrix<f64>,
+    pub w: DMatrix<f64>,
+}
+
 /// A reading with zeros for the parts that are missing.
 struct Whole {
     y: DVector<f64>,
@@ -92,7 +122,7 @@ fn checked(belief: &Belief, angles: &[usize]) -> Result<(DVector<f64>, Vec<usize
     Ok((x, angles.to_vec()))
 }
 
-fn indices(angles: &[usize], below: usize) -> Result<(), Error> {
+pub(super) fn indices(angles: &[usize], below: usize) -> Result<(), Error> {
     match angles.iter().position(|&angle| angle >= below) {
         None => Ok(()),
         Some(i) => {

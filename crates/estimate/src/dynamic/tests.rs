@@ -13,6 +13,7 @@ mod own;
 mod replay;
 mod smooth;
 mod timeline;
+mod timeline_own;
 
 fn at_run_time<const R: usize, const C: usize>(m: SMatrix<f64, R, C>) -> DMatrix<f64> {
     DMatrix::from_iterator(R, C, m.iter().copied())

@@ -1,9 +1,11 @@
 //! A time line: readings of several sensors, each at the time at which it was measured, in whatever order they come.
 
 mod history;
+mod output;
 mod sensor;
 mod statistics;
 
+pub use output::{AnyOutput, Map, Output, OwnOutput};
 pub use sensor::{Judged, MAX_AHEAD, MAX_CAPACITY, MAX_DELAY, MAX_SENSORS, Memory, Outcome, Placed, Sensor};
 pub use statistics::SensorStatistics;
 
@@ -14,7 +16,7 @@ use crate::validate::{self, size};
 use alloc::collections::VecDeque;
 use alloc::vec::Vec;
 use history::{Event, Given, Key, Moment};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use statistics::{Tally, count};
 
 /// A Kalman filter in continuous time that keeps the last `window` seconds of events. What comes late is put in its
@@ -58,9 +60,9 @@ use statistics::{Tally, count};
 /// # Ok::<(), estimate::Error>(())
 /// ```
 #[derive(Clone, Debug)]
-pub struct Timeline {
+pub struct Timeline<H = DMatrix<f64>> {
     system: Continuous,
-    sensors: Vec<Sensor>,
+    sensors: Vec<Sensor<H>>,
     memory: Memory,
     start: f64,
     /// The latest time of an event.
@@ -73,7 +75,7 @@ pub struct Timeline {
     events: VecDeque<Event>,
 }
 
-impl Timeline {
+impl<H: Output> Timeline<H> {
     /// The time line of `system` with the `belief` at `time`, in seconds of any clock, and its sensors in their order.
     ///
     /// # Errors
@@ -85,7 +87,7 @@ impl Timeline {
         belief: &Belief,
         time: f64,
         memory: Memory,
-        sensors: Vec<Sensor>,
+        sensors: Vec<Sensor<H>>,
     ) -> Result<Self, Error> {
         let (n, m) = system.sizes();
         belief_fits(belief, n)?;
@@ -95,7 +97,7 @@ impl Timeline {
         }
         validate::count(memory.capacity, MAX_CAPACITY, "capacity")?;
         size(sensors.len(), MAX_SENSORS, "sensors")?;
-        let mut checked: Vec<Sensor> = Vec::with_capacity(sensors.len());
+        let mut checked: Vec<Sensor<H>> = Vec::with_capacity(sensors.len());
         for sensor in sensors {
             let path = ["sensors.", &sensor.name].concat();
             if checked.iter().any(|other| other.name == sensor.name) {
@@ -114,7 +116,7 @@ impl Timeline {
     /// # Errors
     /// [`Code::Shape`] or [`Code::NotFinite`], naming t or u, or what of the events cannot be replayed with it; the
     /// time line is then as it was.
-    pub fn input(&mut self, t: f64, u: &[f64]) -> Result<Placed, Error> {
+    pub fn input(&mut self, t: f64, u: &[f64]) -> Result<Placed, H::Fault> {
         validate::entries(u, self.base.input.len(), "u")?;
         let time = validate::finite(t, "t")? + 0.0;
         self.place(Key { time, rank: 0, id: 0 }, Given::Input(DVector::from_column_slice(u)))
@@ -127,15 +129,15 @@ impl Timeline {
     /// [`Code::Index`] naming the name; [`Code::Shape`] or [`Code::NotFinite`] naming t or y, [`Code::Shape`] also
     /// where no part is there; [`Code::InnovationNotPositiveDefinite`] naming W; or what of the events cannot be
     /// replayed with it. The time line is then as it was.
-    pub fn reading(&mut self, name: &str, t: f64, y: &[Option<f64>], id: u64) -> Result<Placed, Error> {
+    pub fn reading(&mut self, name: &str, t: f64, y: &[Option<f64>], id: u64) -> Result<Placed, H::Fault> {
         let Some(sensor) = self.sensors.iter().position(|sensor| sensor.name == name) else {
-            return Err(Error::new(Code::Index, "name", "is no sensor's"));
+            return Err(Error::new(Code::Index, "name", "is no sensor's").into());
         };
         let Sensor { h, delay, .. } = &self.sensors[sensor];
         let whole: Vec<f64> = y.iter().map(|part| part.unwrap_or(0.0)).collect();
-        validate::entries(&whole, h.nrows(), "y")?;
+        validate::entries(&whole, h.outputs(), "y")?;
         if y.iter().all(Option::is_none) {
-            return Err(Error::new(Code::Shape, "y", "has no part that was read"));
+            return Err(Error::new(Code::Shape, "y", "has no part that was read").into());
         }
         // Zero, not minus zero: times are told apart by their bits.
         let time = validate::finite(t, "t")? - delay + 0.0;
@@ -180,7 +182,7 @@ impl Timeline {
     }
 
     /// Puts an event in its place, and replays what follows; nothing changes before all of that is computed.
-    fn place(&mut self, key: Key, given: Given) -> Result<Placed, Error> {
+    fn place(&mut self, key: Key, given: Given) -> Result<Placed, H::Fault> {
         let aside = |outcome| Ok(Placed { outcome, judged: None });
         if key.time < self.horizon(self.newest) {
             return aside(Outcome::TooLate);

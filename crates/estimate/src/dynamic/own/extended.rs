@@ -1,7 +1,6 @@
 //! The extended Kalman filter of a caller's own f and h.
 
-use super::{Function, Gated, Jacobian, Model, OwnReading, checked, named, wrap_at};
-use crate::dynamic::partial::rows_there;
+use super::{Function, Gated, Jacobian, Linearized, Model, OwnReading, checked, named, wrap_at};
 use crate::dynamic::{Belief, Judged};
 use crate::error::Error;
 use crate::followed;
@@ -84,19 +83,11 @@ impl ExtendedKalmanFilter {
         h: Model<'_, E>,
         jacobian: Option<Jacobian<'_, E>>,
     ) -> Result<Gated, E> {
-        let whole = reading.checked()?;
-        let (n, outputs) = (self.x.len(), reading.y.len());
-        let mut h = Function { model: h, name: "h(x)", len: outputs, angles: reading.angles };
-        let expected = h.at(&self.x)?;
-        let slope = match jacobian {
-            Some(jacobian) => validate::matrix(jacobian(self.x.as_slice())?, (outputs, n), "H(x)")?,
-            None => h.differences(&self.x)?,
-        };
-        let (slope, w) = rows_there(&slope, &whole.w, reading.y);
-        let innovation = reading.innovation(&whole.y, &expected);
+        let n = self.x.len();
+        let Linearized { innovation, h, w } = reading.linearized(&self.x, h, jacobian)?;
         let (mut error, mut p, mut conditioning) = (DVector::zeros(n), self.p.clone(), self.conditioning.clone());
         let numbers = (error.as_mut_slice(), p.as_mut_slice());
-        let update = followed::correct(numbers, &mut conditioning, &innovation, (&slope, &w)).map_err(named)?;
+        let update = followed::correct(numbers, &mut conditioning, &innovation, (&h, &w)).map_err(named)?;
         let judged = Judged { innovation, s: update.s, chi2: update.d2 };
         let accepted = reading.accepts(&judged);
         if accepted {

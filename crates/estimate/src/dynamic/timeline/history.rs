@@ -1,6 +1,6 @@
 //! Events in their order, and what is known after each.
 
-use super::super::partial::rows_there;
+use super::output::Output;
 use super::sensor::{Judged, Outcome, Placed, Sensor};
 use crate::dynamic::{Belief, Continuous, Discrete};
 use crate::error::{Argument, Error};
@@ -54,13 +54,13 @@ impl Event {
     ///
     /// # Errors
     /// Those of a prediction and a correction.
-    pub fn new(
-        sensors: &[Sensor],
+    pub fn new<H: Output>(
+        sensors: &[Sensor<H>],
         before: &Moment,
         key: Key,
         given: Given,
         step: Option<Discrete>,
-    ) -> Result<Self, Error> {
+    ) -> Result<Self, H::Fault> {
         let mut after =
             Moment { belief: predicted(before, step.as_ref())?, time: key.time, input: before.input.clone() };
         let mut judged = None;
@@ -68,10 +68,7 @@ impl Event {
             Given::Input(u) => after.input.copy_from(u),
             Given::Reading(y) => {
                 let sensor = &sensors[key.rank - 1];
-                let (h, w) = rows_there(&sensor.h, &sensor.w, y);
-                let there = DVector::from_vec(y.iter().flatten().copied().collect());
-                let (corrected, update) = after.belief.corrected(&there, &h, &w).map_err(named)?;
-                let reading = Judged { innovation: update.innovation, s: update.s, chi2: update.d2 };
+                let (corrected, reading) = sensor.h.corrected(&after.belief, y, &sensor.w)?;
                 if sensor.accepts(&reading) {
                     after.belief = corrected;
                 }
@@ -89,14 +86,14 @@ impl Event {
         }
     }
 
-    pub fn answer(&self, sensors: &[Sensor]) -> Placed {
+    pub fn answer<H>(&self, sensors: &[Sensor<H>]) -> Placed {
         let accepted = self.judged.as_ref().is_none_or(|reading| sensors[self.key.rank - 1].accepts(reading));
         let outcome = if accepted { Outcome::Accepted } else { Outcome::Rejected };
         Placed { outcome, judged: self.judged.clone() }
     }
 }
 
-impl Sensor {
+impl<H> Sensor<H> {
     pub(super) fn accepts(&self, reading: &Judged) -> bool {
         self.gate.is_none_or(|gate| reading.chi2.is_some_and(|chi2| chi2 <= gate))
     }

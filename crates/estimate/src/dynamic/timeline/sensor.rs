@@ -1,7 +1,8 @@
 //! The sensors of a time line, and what becomes of their readings.
 
+use super::output::Output;
 use crate::error::{Code, Error};
-use crate::validate::{self, MAX_OUTPUTS, size};
+use crate::validate;
 use alloc::string::String;
 use nalgebra::{DMatrix, DVector};
 
@@ -15,13 +16,13 @@ pub const MAX_DELAY: f64 = 10.0;
 /// would push everything else out of the window.
 pub const MAX_AHEAD: f64 = 1e6;
 
-/// A sensor y = H x + w, Cov w = W, with p outputs.
+/// A sensor y = H x + w, Cov w = W, with p outputs; or y = h(x) + w, see [`Output`].
 #[derive(Clone, Debug, PartialEq)]
-pub struct Sensor {
+pub struct Sensor<H = DMatrix<f64>> {
     /// What it is called, as no other.
     pub name: String,
-    /// H, p×n.
-    pub h: DMatrix<f64>,
+    /// H, p×n, or a function.
+    pub h: H,
     /// W, p×p.
     pub w: DMatrix<f64>,
     /// What is stamped t was measured at t − delay; in seconds, from −[`MAX_DELAY`] to [`MAX_DELAY`].
@@ -59,7 +60,7 @@ pub enum Outcome {
 /// How a reading compares with what was expected at its time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
-    /// ν = y − H x̂, of the parts that were read.
+    /// ν = y − H x̂, or y − h(x̂), of the parts that were read.
     pub innovation: DVector<f64>,
     /// S = H P Hᵀ + W.
     pub s: DMatrix<f64>,
@@ -76,14 +77,12 @@ pub struct Placed {
     pub judged: Option<Judged>,
 }
 
-impl Sensor {
+impl<H: Output> Sensor<H> {
     /// # Errors
     /// Naming the field.
     pub(super) fn checked(self, n: usize) -> Result<Self, Error> {
-        let p = self.h.nrows();
-        size(p, MAX_OUTPUTS, "H")?;
-        let h = validate::matrix(self.h, (p, n), "H")?;
-        let w = validate::covariance(self.w, p, "W")?;
+        let h = self.h.checked(n)?;
+        let w = validate::covariance(self.w, h.outputs(), "W")?;
         if validate::finite(self.delay, "delay")?.abs() > MAX_DELAY {
             return Err(Error::new(Code::Limit, "delay", "must be at most 10 s, either way"));
         }

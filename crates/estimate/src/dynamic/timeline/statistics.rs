@@ -1,6 +1,7 @@
 //! What the readings of a sensor have told, over all of a time line's history.
 
 use super::history::Event;
+use super::output::Output;
 use super::sensor::{Judged, Sensor};
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -34,8 +35,8 @@ pub struct Tally {
 }
 
 impl Tally {
-    pub fn of(sensor: &Sensor) -> Self {
-        Self { used: 0, refused: 0, chi2: 0.0, parts: 0, innovations: alloc::vec![(0.0, 0); sensor.h.nrows()] }
+    pub fn of(sensor: &Sensor<impl Output>) -> Self {
+        Self { used: 0, refused: 0, chi2: 0.0, parts: 0, innovations: alloc::vec![(0.0, 0); sensor.h.outputs()] }
     }
 
     /// Counts a reading of the sensor.
@@ -69,7 +70,7 @@ impl Tally {
 }
 
 /// Counts what an event has told, where it is a reading.
-pub fn count(tallies: &mut [Tally], sensors: &[Sensor], event: &Event) {
+pub fn count<H>(tallies: &mut [Tally], sensors: &[Sensor<H>], event: &Event) {
     if let Some((y, judged)) = event.reading() {
         let sensor = event.key.rank - 1;
         tallies[sensor].add(y, judged, sensors[sensor].accepts(judged));
