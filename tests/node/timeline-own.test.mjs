@@ -35,7 +35,7 @@ const refusal = (act) => {
   return assert.fail('it was accepted')
 }
 
-test('a function and its Jacobian by differences are the linear sensor, to rounding; beside others in any order', () => {
+test('a function whose Jacobian is found by differences is the linear sensor, in any order of arrival', () => {
   const readings = [
     ['wheel', 1, 1.1],
     ['own', 2, 2.2],

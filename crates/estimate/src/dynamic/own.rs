@@ -62,7 +62,8 @@ impl OwnReading<'_> {
         Ok(Whole { y: DVector::from_vec(numbers), w: validate::covariance(self.w.clone(), p, "W")? })
     }
 
-    /// The innovation, the rows of H = ∂h/∂x at x (given, or by central differences) and W, of the parts that are there.
+    /// The innovation, the rows of H = ∂h/∂x at x (given, or by central differences) and W, of the parts that are
+    /// there.
     ///
     /// # Errors
     /// What `h` answers; [`Error`] naming `h(x)`, `H(x)`, y, W, gate or angles.
