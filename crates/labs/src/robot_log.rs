@@ -209,7 +209,7 @@ impl RobotLog {
         };
         let (landmark, range) = match row.event {
             Event::Range { landmark, range } | Event::RangeBearing { landmark, range, .. } => (landmark, range),
-            Event::Odometry { .. } | Event::Velocity { .. } => {
+            event if event.is_motion() => {
                 let replay = &self.replay;
                 self.record.moved(logged, &at, || {
                     let p = replay.covariance();
@@ -217,6 +217,7 @@ impl RobotLog {
                 });
                 return Ok(());
             }
+            _ => return Ok(()),
         };
         let Some(place) = drive.landmarks.get(landmark) else { return Ok(()) };
         self.record.sighted(logged, &at, (landmark, [place.x, place.y]), range, judged.as_ref());

@@ -55,8 +55,8 @@ enum Filter {
 ///     landmarks: vec![Landmark { id: 7, x: 3.0, y: 4.0 }],
 ///     truth: Truth::default(),
 ///     rows: vec![
-///         Row { time: 0.0, event: Event::Odometry { distance: 0.0, turn: 0.0 } },
-///         Row { time: 0.5, event: Event::Range { landmark: 0, range: 4.9 } },
+///         Row::new(0.0, Event::Odometry { distance: 0.0, turn: 0.0 }),
+///         Row::new(0.5, Event::Range { landmark: 0, range: 4.9 }),
 ///     ],
 ///     motion: Motion::Odometry,
 /// };
@@ -144,6 +144,18 @@ impl Replay {
                 self.compare(drive, row.time);
                 return Ok(None);
             }
+            Event::Speed { v } => {
+                self.velocity[0] = v;
+                self.compare(drive, row.time);
+                return Ok(None);
+            }
+            Event::TurnRate { omega } => {
+                self.velocity[1] = omega;
+                self.compare(drive, row.time);
+                return Ok(None);
+            }
+            // The next commits take them.
+            Event::Position { .. } | Event::Heading { .. } => return Ok(None),
             Event::Range { .. } | Event::RangeBearing { .. } if !self.settings.sightings => return Ok(None),
             Event::Range { landmark, range } => {
                 let w = self.settings.sigma_range * self.settings.sigma_range;

@@ -12,7 +12,7 @@ fn drive(motion: Motion, truth: &[[f64; 4]], rows: &[(f64, Event)]) -> Drive {
     Drive {
         landmarks: MAP.to_vec(),
         truth: Truth::new(truth.iter().map(pose).collect()),
-        rows: rows.iter().map(|&(time, event)| Row { time, event }).collect(),
+        rows: rows.iter().map(|&(time, event)| Row::new(time, event)).collect(),
         motion,
     }
 }
@@ -109,9 +109,9 @@ fn a_refused_row_leaves_the_replay_as_it_was() {
     let log = drive(Motion::Odometry, &[], &[(0.0, odometry(1.0, 0.0))]);
     let mut replay = replayed(&log, Settings::default());
     let before = replay.summary();
-    let too_far = Row { time: 1.0, event: odometry(1e308, 0.0) };
-    let nowhere = Row { time: 1.0, event: Event::Range { landmark: 5, range: 1.0 } };
-    let endless = Row { time: 1.0, event: Event::Range { landmark: 0, range: 1e300 } };
+    let too_far = Row::new(1.0, odometry(1e308, 0.0));
+    let nowhere = Row::new(1.0, Event::Range { landmark: 5, range: 1.0 });
+    let endless = Row::new(1.0, Event::Range { landmark: 0, range: 1e300 });
     for (row, code) in [(too_far, Code::NotFinite), (nowhere, Code::Limit), (endless, Code::NotFinite)] {
         assert_eq!(replay.take(&log, &row).expect_err("refused").code, code);
         assert_eq!(replay.summary(), before);

@@ -76,7 +76,7 @@ impl LogTable {
         }
         let mut cells: Vec<Option<f64>> = vec![Some(row.time)];
         match (self.kind, row.event, judged) {
-            (LogTableKind::Track, Event::Odometry { .. } | Event::Velocity { .. }, _) => {
+            (LogTableKind::Track, event, _) if event.is_motion() => {
                 let (pose, p) = (self.replay.pose(), self.replay.covariance());
                 let sigma = |i: usize| (i < p.nrows()).then(|| p[(i, i)].max(0.0).sqrt());
                 cells.extend([pose.x(), pose.y(), pose.theta()].map(Some));
