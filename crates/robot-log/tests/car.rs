@@ -34,7 +34,14 @@ fn print() {
     let second = Settings { every: BySensor { fix: 1.0, ..BySensor::default() }, ..settings() };
     let delayed = Settings { delays: Delays { speed: 0.5, ..Delays::default() }, ..second };
     let learned = Settings { learn_speed: true, learn_bias: true, ..delayed };
-    for s in [settings().reckoning(), settings(), second, delayed, learned, Settings { gate: BySensor::all(Some(0.999)), ..learned }] {
+    for s in [
+        settings().reckoning(),
+        settings(),
+        second,
+        delayed,
+        learned,
+        Settings { gate: BySensor::all(Some(0.999)), ..learned },
+    ] {
         let r = replayed(s);
         println!("{} {} {:?} {:?} {:?} {}", r.used, r.refused, r.nis, r.log_likelihood, r.speed_scale, r.x);
     }

@@ -56,6 +56,13 @@ impl<T: Copy> BySensor<T> {
     }
 }
 
+impl<T: PartialEq> BySensor<T> {
+    /// Whether it is the same for all sensors.
+    pub fn is_one(&self) -> bool {
+        self.fix == self.heading && self.heading == self.range && self.range == self.bearing
+    }
+}
+
 impl<T> BySensor<T> {
     /// That of one sensor.
     pub fn of(&self, sensor: Sensor) -> &T {
@@ -74,16 +81,6 @@ impl<T> BySensor<T> {
             Sensor::Heading => &mut self.heading,
             Sensor::Range => &mut self.range,
             Sensor::Bearing => &mut self.bearing,
-        }
-    }
-
-    /// What `f` makes of each.
-    pub fn map<U>(self, mut f: impl FnMut(Sensor, T) -> U) -> BySensor<U> {
-        BySensor {
-            fix: f(Sensor::Fix, self.fix),
-            heading: f(Sensor::Heading, self.heading),
-            range: f(Sensor::Range, self.range),
-            bearing: f(Sensor::Bearing, self.bearing),
         }
     }
 

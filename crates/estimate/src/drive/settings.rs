@@ -147,13 +147,13 @@ impl Settings {
         for (sensor, gate) in self.gate.each() {
             let probable = gate.is_none_or(|p| p > 0.0 && p < 1.0);
             let message = "is no probability; it must lie between 0 and 1, or be absent";
-            limit(probable, "gate", message).map_err(|e| of_sensor(e, sensor))?;
+            limit(probable, "gate", message).map_err(|e| of_sensor(e, sensor, self.gate.is_one()))?;
         }
         for (sensor, every) in self.every.each() {
             let message = "is negative; a time between readings is at least 0";
             finite(*every, "every")
                 .and_then(|every| limit(every >= 0.0, "every", message))
-                .map_err(|e| of_sensor(e, sensor))?;
+                .map_err(|e| of_sensor(e, sensor, self.every.is_one()))?;
         }
         if let Some([from, to]) = self.withheld {
             let (from, to) = (finite(from, "withheld")?, finite(to, "withheld")?);
@@ -200,8 +200,10 @@ fn limit(sound: bool, name: &'static str, message: &'static str) -> Result<(), E
     if sound { Ok(()) } else { Err(Error::new(Code::Limit, name, message)) }
 }
 
-/// Which sensor a setting was refused for.
-fn of_sensor(mut error: Error, sensor: &str) -> Error {
-    error.message = format!("{} (of the sensor {sensor})", error.message).into();
+/// Names the sensor that a setting was refused for, unless it is `one` for all.
+fn of_sensor(mut error: Error, sensor: &str, one: bool) -> Error {
+    if !one {
+        error.argument = format!("{}.{sensor}", error.argument).into();
+    }
     error
 }

@@ -73,7 +73,9 @@ impl Smoothed {
     pub fn new(drive: &Drive, course: &Course, replay: &Replay, stride: usize) -> Result<Self, Error> {
         let asked = Asked { drive, course, steps: replay.steps(), stride: stride.max(1) };
         match &replay.filter {
-            Filter::Three(last) => smoothed(&asked, last, |it| if let Filter::Three(of) = it { Some(of) } else { None }),
+            Filter::Three(last) => {
+                smoothed(&asked, last, |it| if let Filter::Three(of) = it { Some(of) } else { None })
+            }
             Filter::Four(last) => smoothed(&asked, last, |it| if let Filter::Four(of) = it { Some(of) } else { None }),
             Filter::Five(last) => smoothed(&asked, last, |it| if let Filter::Five(of) = it { Some(of) } else { None }),
             Filter::Six(last) => smoothed(&asked, last, |it| if let Filter::Six(of) = it { Some(of) } else { None }),
@@ -166,10 +168,7 @@ impl Mark {
         let taken = self.replay.read(drive, course, &step)?;
         self.replay.pass(&step);
         let (Some(predicted), Some(after)) = (predicted, belief(&self.replay)) else { return Ok(None) };
-        let moved = moved.map(|it| Linear {
-            f: it.rolling.jacobian(&before.x, &it.u),
-            v: it.process(&before.x),
-        });
+        let moved = moved.map(|it| Linear { f: it.rolling.jacobian(&before.x, &it.u), v: it.process(&before.x) });
         let motion = step.event.is_motion() && step.counts && !taken.early;
         let kept = motion && self.motions.is_multiple_of(stride);
         self.motions += usize::from(motion);

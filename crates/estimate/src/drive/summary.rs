@@ -24,8 +24,16 @@ pub struct SensorSummary {
 /// What the fixes say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FixSummary {
-    /// As of every sensor; the first number is x.
-    pub fixes: SensorSummary,
+    /// Fixes that corrected the estimate.
+    pub used: u32,
+    /// Fixes beyond the gate.
+    pub refused: u32,
+    /// Mean of d²/p over the used ones: 1 is expected.
+    pub nis: Option<f64>,
+    /// Mean of ν/√S of x: 0 is expected.
+    pub mean_innovation: Option<f64>,
+    /// Its autocorrelation from one used fix to the next: 0 is expected.
+    pub lag1: Option<f64>,
     /// Mean of ν/√S along the estimated heading: 0 is expected; fixes and speed with other delays show here.
     pub mean_along: Option<f64>,
     /// Mean of ν/√S across it, to the left.
@@ -35,8 +43,16 @@ pub struct FixSummary {
 /// What sightings with a bearing say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BearingSummary {
-    /// As of every sensor; the first number is the range.
-    pub sightings: SensorSummary,
+    /// Sightings that corrected the estimate.
+    pub used: u32,
+    /// Sightings that did not: beyond the gate, or of a landmark that the estimate stood on.
+    pub refused: u32,
+    /// Mean of d²/p over the used ones: 1 is expected.
+    pub nis: Option<f64>,
+    /// Mean of ν/√S of the range: 0 is expected.
+    pub mean_innovation: Option<f64>,
+    /// Its autocorrelation from one used sighting to the next: 0 is expected.
+    pub lag1: Option<f64>,
     /// Mean of ν/√S of the bearing: 0 is expected.
     pub mean_bearing: Option<f64>,
     /// Its autocorrelation from one used sighting to the next.
@@ -163,17 +179,17 @@ fn sensors(sums: &Statistics, course: &Course) -> Sensors {
     let fixes = each.fix.count();
     let mean = |sum: f64| (fixes > 0).then(|| sum / f64::from(fixes));
     Sensors {
-        fix: has.fix.then(|| FixSummary {
-            fixes: of(&each.fix),
-            mean_along: mean(sums.along[0]),
-            mean_across: mean(sums.along[1]),
+        fix: has.fix.then(|| {
+            let SensorSummary { used, refused, nis, mean_innovation, lag1 } = of(&each.fix);
+            let (mean_along, mean_across) = (mean(sums.along[0]), mean(sums.along[1]));
+            FixSummary { used, refused, nis, mean_innovation, lag1, mean_along, mean_across }
         }),
         heading: has.heading.then(|| of(&each.heading)),
         range: has.range.then(|| of(&each.range)),
-        bearing: has.bearing.then(|| BearingSummary {
-            sightings: of(&each.bearing),
-            mean_bearing: sums.bearings.mean(),
-            lag1_bearing: sums.bearings.at(1),
+        bearing: has.bearing.then(|| {
+            let SensorSummary { used, refused, nis, mean_innovation, lag1 } = of(&each.bearing);
+            let (mean_bearing, lag1_bearing) = (sums.bearings.mean(), sums.bearings.at(1));
+            BearingSummary { used, refused, nis, mean_innovation, lag1, mean_bearing, lag1_bearing }
         }),
     }
 }
