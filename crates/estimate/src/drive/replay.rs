@@ -1,6 +1,6 @@
 //! The replay of a drive, row by row.
 
-use crate::drive::course::{Course, Step};
+use crate::drive::course::{Course, Fate, Step};
 use crate::drive::filter::{Filter, Move};
 use crate::drive::learned::Rolling;
 use crate::drive::row::{Drive, Event, Motion};
@@ -13,10 +13,6 @@ use core::f64::consts::PI;
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, Matrix2, Vector2};
 use numerics::hypot;
-
-/// A row is passed over where it comes more than this before its turn, s: stamps that are a period apart to rounding are
-/// a period apart.
-const EARLY: f64 = 1e-9;
 
 /// A row that was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -180,27 +176,18 @@ impl Replay {
             }
             return Ok(taken);
         };
-        let settings = course.settings();
-        let on = match sensor {
-            Sensor::Fix => settings.fixes,
-            Sensor::Heading => settings.headings,
-            Sensor::Range | Sensor::Bearing => settings.sightings,
-        };
-        if !on {
-            return Ok(taken);
-        }
-        if let Event::Position { x, y, .. } = step.event
-            && settings.withheld.is_some_and(|[from, to]| from < step.stamp && step.stamp < to)
-        {
-            let distance = hypot(self.pose().x() - x, self.pose().y() - y);
-            self.withheld.take(distance);
-            return Ok(Taken { withheld: Some(distance), ..taken });
-        }
-        if step.stamp - self.last.of(sensor) < settings.every.of(sensor) - EARLY {
-            return Ok(taken);
+        let mut last = self.last;
+        match (course.fate(step, &mut last), step.event) {
+            (Some(Fate::LookedAt), _) => {}
+            (Some(Fate::Withheld), Event::Position { x, y, .. }) => {
+                let distance = hypot(self.pose().x() - x, self.pose().y() - y);
+                self.withheld.take(distance);
+                return Ok(Taken { withheld: Some(distance), ..taken });
+            }
+            _ => return Ok(taken),
         }
         let judged = self.judged(drive, course, &step.event, sensor)?;
-        *self.last.of_mut(sensor) = step.stamp;
+        self.last = last;
         match judged {
             Some(judged) => self.statistics.take(&judged),
             None => self.statistics.refuse(sensor),
