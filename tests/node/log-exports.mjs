@@ -33,7 +33,13 @@ export const logClasses = (lab) => ({
     ...lab,
     before: (core) => [core.RobotLog.parse(HELD)],
     make: (dice, fresh) => (dice.uniform() < 0.3 ? [] : [fresh().state().params]),
-    methods: { ...lab.methods, run: (dice) => [1 + dice.below(50)], runAll: () => [], smooth: () => [], summary: () => [] },
+    methods: {
+      ...lab.methods,
+      run: (dice) => [1 + dice.below(50)],
+      runAll: () => [],
+      smooth: () => [],
+      summary: () => [],
+    },
   },
   DriveLog: {
     construct: (core) => (text) => core.RobotLog.parse(text),

@@ -234,7 +234,9 @@ test('a covariance that cannot be factored names its row and leaves the lab', ()
   assert.throws(
     () => lab.smooth(),
     ({ name, code, message }) =>
-      name === 'EstimateError' && code === 'innovation-not-positive-definite' && /row [1-4] of the replay/.test(message),
+      name === 'EstimateError' &&
+      code === 'innovation-not-positive-definite' &&
+      /row [1-4] of the replay/.test(message),
   )
   assert.deepEqual([lab.state(), lab.digest(), lab.frame()], before)
 })
