@@ -62,7 +62,8 @@ function errorOf({ summary, reckonedRmse }, compared) {
 
 /** @param {Frame} frame */
 function gateOf({ params, summary: { used, refused } }) {
-  if (params.gate === null) return ''
+  // A gate for each sensor expects another share of each.
+  if (typeof params.gate !== 'number') return ''
   const [share, expected] = [refused / (used + refused), 1 - params.gate]
   // Five times as many as expected, and more than chance explains where few are expected.
   const many = share > 5 * expected && refused > 5 * expected * (used + refused) + 5
