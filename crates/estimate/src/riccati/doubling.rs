@@ -10,7 +10,7 @@ use super::steady::step;
 use crate::dynamic::System;
 use crate::error::Error;
 use filters::covariance::{is_finite, symmetric};
-use filters::linear::{complement, gain, innovation_covariance};
+use filters::linear::{Gain, complement, gain, innovation_covariance, predicted_covariance};
 use nalgebra::{DMatrix, DVector};
 use numerics::{Spd, power_of_two, sqrt};
 
@@ -19,7 +19,7 @@ const DOUBLINGS: i32 = 50;
 /// Where neither P nor the gain settles, they are answered as they were after at most so many doublings.
 const TRIED: i32 = 10;
 /// A change of P by a smaller part of its variances is none.
-const NONE: f64 = 1e-16;
+const NONE: f64 = 4e-16;
 /// What rounding leaves of a variance that has died out, as a part of what it was.
 const ROUNDING: f64 = 1e-14;
 /// To so many digits P has settled, though what it was at the start is not forgotten.
@@ -33,6 +33,7 @@ const SAME: f64 = 1e-6;
 
 /// A system in units in which each variance of a covariance lies between a quarter and one, and so do those of the
 /// innovation. The units are powers of two, so that nothing is rounded.
+#[derive(Clone)]
 pub(super) struct Scaled {
     system: System,
     p: DMatrix<f64>,
@@ -65,6 +66,15 @@ impl Scaled {
         DMatrix::from_fn(r.nrows(), r.ncols(), |i, j| r[(i, j)] * self.units[i] / self.outputs[j])
     }
 
+    /// Whether a step leaves the covariance as it is.
+    pub fn holds_still(&self) -> bool {
+        self.is_still(&self.p)
+    }
+
+    fn is_still(&self, p: &DMatrix<f64>) -> bool {
+        step(&self.system, p).is_ok_and(|(_, next)| part_of(&(next - p), p) <= STILL)
+    }
+
     fn gain(&self, p: &DMatrix<f64>) -> Option<DMatrix<f64>> {
         gain(p, &self.system.h, &self.system.w).ok().map(|found| found.k)
     }
@@ -84,12 +94,17 @@ pub(super) struct Doubling {
     a: DMatrix<f64>,
     g: DMatrix<f64>,
     e: DMatrix<f64>,
+    /// Y.
+    base: DMatrix<f64>,
+    /// Δ at the start.
+    start: DMatrix<f64>,
 }
 
 /// Where the doublings have come to, in the units of [`Scaled`].
+#[derive(Clone)]
 pub(super) struct Found {
     pub p: DMatrix<f64>,
-    pub r: Option<DMatrix<f64>>,
+    pub r: DMatrix<f64>,
     pub converged: bool,
     pub gain_converged: bool,
     /// Whether every digit of the limit was found, and nothing of the start is left.
@@ -105,57 +120,85 @@ struct Mark {
 }
 
 impl Doubling {
-    /// One step.
+    /// One step from the covariance that the recursion has come to, with Y the same: small changes are kept to all
+    /// digits, whatever F does.
     ///
     /// # Errors
     /// As [`step`].
     pub fn at(scaled: &Scaled) -> Result<Self, Error> {
-        let (System { f, h, w, .. }, p) = (&scaled.system, &scaled.p);
-        let (r, next) = step(&scaled.system, p)?;
-        let s = innovation_covariance(h, p, w);
+        let (System { f, h, w, v, .. }, p) = (&scaled.system, &scaled.p);
+        let Gain { k: r, s, p: posterior, .. } = gain(p, h, w).map_err(blame)?;
+        let next = predicted_covariance(f, &posterior, v).map_err(blame)?;
         let information = Spd::new(s).ok_or(filters::Error::InnovationNotPositiveDefinite).map_err(blame)?.solve(h);
         Ok(Self {
             a: (f * complement(&r, h)).transpose(),
             g: symmetric(h.transpose() * information),
             e: symmetric(next - p),
+            base: p.clone(),
+            start: p * 0.0,
         })
     }
 
-    /// Twice as many steps, and the change of P in the later half; `None` where a number is no longer finite.
-    fn doubled(&self) -> Option<(Self, DMatrix<f64>)> {
-        let (Self { a, g, e }, n) = (self, self.a.nrows());
+    /// One step from there with Y = 0: all terms are positive, and a variance that dies away for ever keeps its digits.
+    /// `None` where W is singular.
+    pub fn from_nothing(scaled: &Scaled) -> Option<Self> {
+        let (System { f, h, w, v, .. }, p) = (&scaled.system, &scaled.p);
+        let g = symmetric(h.transpose() * Spd::new(w.clone())?.solve(h));
+        Some(Self { a: f.transpose(), g, e: v.clone(), base: p * 0.0, start: p.clone() })
+    }
+
+    fn covariance(&self) -> Option<DMatrix<f64>> {
+        Some(&self.base + &self.e + self.left_of(&self.start)?)
+    }
+
+    /// How far from P one comes from a larger start, as a part of the variances.
+    fn far_start(&self, far: &DMatrix<f64>, p: &DMatrix<f64>) -> f64 {
+        let other = self.left_of(far).map(|left| &self.base + &self.e + left);
+        other.map_or(f64::INFINITY, |other| part_of(&(other - p), p))
+    }
+
+    /// What is left of a Δ of the start: AᵀΔ(I + GΔ)⁻¹A.
+    fn left_of(&self, delta: &DMatrix<f64>) -> Option<DMatrix<f64>> {
+        let n = self.a.nrows();
+        let left = solved(DMatrix::identity(n, n) + &self.g * delta, self.a.clone())?;
+        Some(symmetric(self.a.transpose() * delta * left))
+    }
+
+    /// Twice as many steps; `None` where a number is no longer finite.
+    fn doubled(&self) -> Option<Self> {
+        let (Self { a, g, e, .. }, n) = (self, self.a.nrows());
         let mut both = DMatrix::zeros(n, 2 * n);
         both.columns_mut(0, n).copy_from(a);
         both.columns_mut(n, n).copy_from(g);
         let solved = solved(DMatrix::identity(n, n) + g * e, both)?;
         let (left, seen) = (solved.columns(0, n).into_owned(), solved.columns(n, n).into_owned());
-        let change = symmetric(a.transpose() * e * &left);
-        let next = Self { a: a * left, g: g + symmetric(a * seen * a.transpose()), e: e + &change };
-        (is_finite(&next.a) && is_finite(&next.g) && is_finite(&next.e)).then_some((next, change))
+        let next = Self {
+            e: e + symmetric(a.transpose() * e * &left),
+            g: g + symmetric(a * seen * a.transpose()),
+            a: a * left,
+            base: self.base.clone(),
+            start: self.start.clone(),
+        };
+        (is_finite(&next.a) && is_finite(&next.g) && is_finite(&next.e)).then_some(next)
     }
 
-    /// What is left of Δ = I.
-    fn left_of_a_larger_start(&self) -> Option<DMatrix<f64>> {
-        let n = self.a.nrows();
-        let left = solved(DMatrix::identity(n, n) + &self.g, self.a.clone())?;
-        Some(self.a.transpose() * left)
-    }
-
-    /// Doubles until nothing changes any more.
-    pub fn run(mut self, scaled: &Scaled) -> Found {
+    /// Doubles until nothing changes any more; `None` where even the first gain cannot be told.
+    pub fn run(mut self, scaled: &Scaled) -> Option<Found> {
         let (mut size, mut falls, mut forgotten) = (f64::INFINITY, 0, f64::INFINITY);
         // P where it has settled: since when, and where it changed least.
         let mut settled: Option<(f64, f64, DMatrix<f64>)> = None;
         let (mut r, mut calm) = (scaled.gain(&scaled.p), None);
+        let far = &self.start + DMatrix::identity(self.a.nrows(), self.a.nrows());
+        let mut last = Mark { steps: 0.0, p: scaled.p.clone() };
         let mut tried = Mark { steps: 0.0, p: scaled.p.clone() };
-        let mut whole = false;
+        let (mut whole, mut dying) = (false, false);
         for k in 1..=DOUBLINGS {
-            let Some((next, change)) = self.doubled() else { break };
-            let before = size;
+            let Some((next, p)) = self.doubled().and_then(|next| next.covariance().map(|p| (next, p))) else { break };
+            let (before, change) = (size, &p - &last.p);
             self = next;
-            let mut last = Mark { steps: libm::ldexp(1.0, k), p: &scaled.p + &self.e };
+            last = Mark { steps: libm::ldexp(1.0, k), p };
             size = part_of(&change, &last.p);
-            forgotten = self.left_of_a_larger_start().map_or(f64::INFINITY, |left| part_of(&left, &last.p));
+            forgotten = self.far_start(&far, &last.p);
             falls = if size <= 0.75 * before { falls + 1 } else { 0 };
             if calm.is_none() {
                 let next = scaled.gain(&last.p);
@@ -177,24 +220,28 @@ impl Doubling {
             if whole {
                 break;
             }
-            if k == DOUBLINGS && falls > 3 && size <= DYING {
+            dying = k == DOUBLINGS && falls > 3 && size <= DYING;
+            if dying {
                 // What is yet to come: each doubling brings half of what the one before it brought.
-                last.p += change;
-                settled = Some((last.steps, size, last.p.clone()));
+                settled = Some((last.steps, size, &last.p + change));
             }
         }
         let gain_converged = calm.is_some();
-        let settles = settled.is_some();
+        // Where P changes no more though the start is neither forgotten nor kept, rounding holds it.
+        let settles = settled.is_some() && (whole || dying || forgotten > SAME);
         let Mark { steps, p } = match settled {
             Some((steps, _, p)) => Mark { steps, p },
             None => calm.unwrap_or(tried),
         };
         // Of a state that turns round and round, every 2ᵏ-th place may be the same one.
-        let still = || step(&scaled.system, &p).is_ok_and(|(_, next)| part_of(&(next - &p), &p) <= STILL);
-        let converged = settles && still();
+        let converged = settles && scaled.is_still(&p);
+        // Where the variances have grown so far that no gain can be told, it is that of the start.
+        let (r, p, steps) = match scaled.gain(&p) {
+            Some(r) => (r, p, steps),
+            None => (scaled.gain(&scaled.p)?, scaled.p.clone(), 0.0),
+        };
         let depends_on_start = !whole && forgotten > SAME;
-        let r = scaled.gain(&p);
-        Found { gain_converged, whole: whole && converged, depends_on_start, steps, converged, p, r }
+        Some(Found { gain_converged, whole: whole && converged, depends_on_start, steps, converged, p, r })
     }
 }
 

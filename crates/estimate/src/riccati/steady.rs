@@ -1,7 +1,7 @@
 //! The limit of the Riccati recursion, found in doublings instead of steps.
 
 use super::blame;
-use super::doubling::{Doubling, Scaled};
+use super::doubling::{Doubling, Found, Scaled};
 use crate::dynamic::System;
 use crate::error::Error;
 use crate::validate;
@@ -55,39 +55,51 @@ pub struct Limit {
 pub fn steady_state(system: &System, p0: DMatrix<f64>) -> Result<Limit, Error> {
     let p0 = validate::covariance(p0, system.f.nrows(), "P0")?;
     let mut p = linear::predicted_covariance(&system.f, &p0, &system.v).map_err(blame)?;
-    for _ in 0..FIRST {
-        p = step(system, &p)?.1;
+    let mut next = step(system, &p)?.1;
+    let mut first = 0;
+    // A variance that grows without bound may hide all others: then the last step before is where to begin.
+    while let Ok((_, after)) = step(system, &next)
+        && first < FIRST
+    {
+        (p, next, first) = (next, after, first + 1);
     }
-    let mut scaled = Scaled::of(system, &p);
-    let mut found = Doubling::at(&scaled)?.run(&scaled);
-    let (steps, converged, gain_converged) = (found.steps, found.converged, found.gain_converged);
-    let depends_on_start = converged && found.depends_on_start;
+    let scaled = Scaled::of(system, &p);
+    let none = || blame(filters::Error::InnovationNotPositiveDefinite);
+    let found = Doubling::at(&scaled)?.run(&scaled).ok_or_else(none)?;
+    let steps = |found: &Found| first as f64 + found.steps;
+    if found.whole
+        && let Some((own, better)) = refined(system, scaled.clone(), found.clone())
+    {
+        return Ok(answer(&own, &better, steps(&found)));
+    }
+    let found = Doubling::from_nothing(&scaled).and_then(|from| from.run(&scaled)).unwrap_or(found);
+    Ok(answer(&scaled, &found, steps(&found)))
+}
+
+fn answer(scaled: &Scaled, found: &Found, steps: f64) -> Limit {
+    Limit {
+        r: scaled.given_gain(&found.r),
+        p: scaled.given(&found.p),
+        converged: found.converged,
+        gain_converged: found.converged || found.gain_converged,
+        depends_on_start: found.converged && found.depends_on_start,
+        steps,
+    }
+}
+
+/// The limit, sought once more from where it was found, in units that fit it; `None` where it does not hold there.
+fn refined(system: &System, mut scaled: Scaled, mut found: Found) -> Option<(Scaled, Found)> {
     for _ in 0..STAGES {
         let again = Scaled::of(system, &scaled.given(&found.p));
-        let Ok(from) = Doubling::at(&again) else { break };
-        let better = from.run(&again);
-        if !found.whole || !better.whole {
-            break;
-        }
+        let Some(better) = Doubling::at(&again).ok()?.run(&again).filter(|better| better.whole) else { break };
         let same = again.units == scaled.units;
         (scaled, found) = (again, better);
         if same {
-            break;
+            return Some((scaled, found));
         }
     }
-    let p = scaled.given(&found.p);
-    let r = match &found.r {
-        Some(r) => scaled.given_gain(r),
-        None => linear::gain(&p, &system.h, &system.w).map_err(blame)?.k,
-    };
-    Ok(Limit {
-        r,
-        p,
-        converged,
-        gain_converged: converged || gain_converged,
-        depends_on_start,
-        steps: FIRST as f64 + steps,
-    })
+    let own = Scaled::of(system, &scaled.given(&found.p));
+    own.holds_still().then_some((scaled, found))
 }
 
 /// R from P(k+1 | k), and P(k+2 | k+1).
