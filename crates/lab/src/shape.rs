@@ -25,6 +25,8 @@ pub enum Shape {
     List(&'static Shape),
     /// As many entries as stated here.
     Exactly(usize, &'static Shape),
+    /// A length within these bounds, then the entries.
+    Between(usize, usize, &'static Shape),
     /// Each field in turn, of a record of this name.
     Record(&'static str, &'static [Field]),
 }

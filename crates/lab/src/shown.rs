@@ -51,7 +51,7 @@ impl Serialize for Row<'_> {
             }
             Shape::Maybe(_) if self.next() == 0.0 => serializer.serialize_none(),
             Shape::Maybe(value) => self.of(value).serialize(serializer),
-            Shape::List(entry) => self.entries(self.next() as usize, entry, serializer),
+            Shape::List(entry) | Shape::Between(_, _, entry) => self.entries(self.next() as usize, entry, serializer),
             Shape::Exactly(n, entry) => self.entries(*n, entry, serializer),
             Shape::Record(_, fields) => {
                 serializer.collect_map(fields.iter().map(|field| (field.name, self.of(&field.shape))))

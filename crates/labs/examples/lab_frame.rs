@@ -66,6 +66,11 @@ fn read(shape: &Shape, value: &Value, to: &mut Vec<f64>) -> Option<()> {
             let entries = value.as_array().filter(|entries| entries.len() == *n)?;
             entries.iter().try_for_each(|each| read(entry, each, to))?;
         }
+        Shape::Between(_, most, entry) => {
+            let entries = value.as_array().filter(|entries| entries.len() <= *most)?;
+            to.push(entries.len() as f64);
+            entries.iter().try_for_each(|each| read(entry, each, to))?;
+        }
         Shape::Text | Shape::List(_) | Shape::Record(..) => return None,
     }
     Some(())
