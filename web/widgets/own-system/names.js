@@ -2,7 +2,7 @@
 
 const MOST = 12
 /** The most decimals of an eigenvalue. */
-const DIGITS = 9
+const DIGITS = 7
 
 /** A name as its numbers; letters that mean something in a label's notation are left out. @param {string} name */
 export function lettersOf(name) {
@@ -39,13 +39,14 @@ export function short(value) {
 }
 
 /**
- * Decimals by which eigenvalues that differ are told apart, and none that dies out looks like 1.
+ * Decimals by which eigenvalues that differ are told apart, and none that dies out looks like 1; as few as usual where
+ * seven do not suffice.
  * @param {{ re: number, im: number, modulus: number }[]} eigenvalues
  * @param {number} least
  */
 export function decimalsOf(eigenvalues, least) {
   const apart = (/** @type {number} */ a, /** @type {number} */ b) => Math.abs(a - b) > 1e-9
-  for (let decimals = least; decimals < DIGITS; decimals += 1) {
+  for (let decimals = least; decimals <= DIGITS; decimals += 1) {
     const text = (/** @type {number} */ value) => value.toFixed(decimals)
     const same = eigenvalues.some(
       (one, i) =>
@@ -61,7 +62,7 @@ export function decimalsOf(eigenvalues, least) {
     )
     if (!same) return decimals
   }
-  return DIGITS
+  return least
 }
 
 /** A time in seconds: `0.12 s`, `20 s`, `3.4e3 s`. @param {number} seconds */
