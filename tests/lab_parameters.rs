@@ -113,6 +113,9 @@ fn values(shape: &'static Shape, limits: [f64; 2]) -> BoxedStrategy<Vec<f64>> {
             let n = names.len();
             prop_oneof![apart, values(value, limits).prop_map(move |row| row.repeat(n))].boxed()
         }
+        Shape::Between(least, most, entry) => prop::collection::vec(values(entry, limits), *least..=*most)
+            .prop_map(|rows| [vec![rows.len() as f64], rows.concat()].concat())
+            .boxed(),
         Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => {
             unreachable!("no parameter holds a {shape:?}")
         }
@@ -139,8 +142,11 @@ fn of<P: Params + std::fmt::Debug + 'static>() -> impl Strategy<Value = P> {
 }
 
 /// M Mᵀ.
-fn square(m: [[f64; 4]; 4]) -> [[f64; 4]; 4] {
-    std::array::from_fn(|i| std::array::from_fn(|j| (0..4).map(|k| m[i][k] * m[j][k]).sum::<f64>()))
+fn square(m: labs::own_system::Entries) -> labs::own_system::Entries {
+    let mut of = m;
+    let places = (0..m.len()).flat_map(|i| (0..m.len()).map(move |j| (i, j)));
+    places.for_each(|(i, j)| of[i][j] = (0..m.len()).map(|k| m[i][k] * m[j][k]).sum());
+    of
 }
 
 macro_rules! each {

@@ -38,6 +38,9 @@ const STATES = [
   },
   { ...paramsOf(PRESETS[5]), inputs: 0, start: 4 },
   paramsOf(PRESETS[4]),
+  // Sampled from continuous time, and with a start of its own for each state.
+  paramsOf({ ...PRESETS[8], spread: [4, 0.25] }),
+  paramsOf(PRESETS[9]),
 ]
 
 /** What a program prints, against the frame. @param {string} printed @param {any} params @param {boolean} verdicts */
@@ -71,6 +74,9 @@ function compare(printed, params, verdicts) {
     ),
   )
   if (!verdicts) return
+  const [settles, ...limit] = [lines[4].split(' ')[1] === 'true', ...numbers(lines[4])]
+  assert.equal(settles, frame.doubled.converged)
+  if (params.gain !== 'hand' && params.gain !== 'placement' && settles) close(limit, frame.K.flat(), 'the limit')
   const words = lines.slice(1, 4).join('\n').toLowerCase()
   assert.equal(
     words
@@ -84,6 +90,18 @@ function compare(printed, params, verdicts) {
 
 const programs = path.join(root, 'target/own-system')
 mkdirSync(path.join(programs, 'src/bin'), { recursive: true })
+
+test('a program says first which package it needs, and where that is', () => {
+  const frame = open(paramsOf(PRESETS[8])).frame()
+  for (const [text, needs] of [
+    [rust(frame), /^\/\/ The crate robot-motion-estimate, in crates\/estimate of the book’s source/],
+    [javascript(frame), /^\/\/ The package robot-motion: \.\/scripts\/package in the book’s source makes/],
+    [numpy(frame), /^# numpy alone\./],
+  ]) {
+    assert.match(text, needs)
+    assert.match(text, /F, G and V are sampled every 0\.1 s from continuous time\./)
+  }
+})
 
 test('a system copied as JavaScript prints what the figure shows', () => {
   for (const params of STATES) {
@@ -120,7 +138,7 @@ test('in Rust a number is written so that it is a float: with a point or an expo
   for (const one of [0.1, 2, 1e15, 2 ** 53, 123456789012345680000, 1e21, 1.5e300, 5e-324]) {
     const params = { ...paramsOf(PRESETS[0]), start: one }
     const text = rust({ ...open(paramsOf(PRESETS[0])).frame(), params })
-    const [, written] = /identity\(2, 2\) \* (\S+);/.exec(text)
+    const [, written] = /dvector!\[(\S+), /.exec(text)
     assert.match(written, /[.e]/)
     assert.equal(Number(written), one)
   }

@@ -153,8 +153,18 @@ check(
         ({ limit }) => limit === 'undecided',
       ],
       [
-        /^From this start it settles in (\d+) steps\.$/,
-        ({ settled, limit }, steps) => settled === Number(steps) && limit !== 'none',
+        /^From this start it settles in (\d+) steps(; a larger start leads to another limit)?\.$/,
+        ({ settled, limit, doubled }, steps, depends) =>
+          settled === Number(steps) && limit !== 'none' && Boolean(depends) === doubled.dependsOnStart,
+      ],
+      [
+        /^From this start it settles in about (\S+) steps(, \S+ s)?(; a larger start leads to another limit)?\.$/,
+        ({ settled, params, doubled }, steps, lasting, depends) =>
+          settled === null &&
+          doubled.converged &&
+          Math.abs(Number(steps) / doubled.steps - 1) < 0.06 &&
+          Boolean(lasting) === params.period > 0 &&
+          Boolean(depends) === doubled.dependsOnStart,
       ],
       [
         /^From this start it grows too slowly to show: after (\d+) steps no digit changes\.$/,

@@ -76,8 +76,9 @@ test('a decimal comma, a product of matrices and a name of another book are told
       whole.replace('0.5', '0,5'),
       /^F: row 2 has 2 numbers, row 1 has 3\. A comma stands between numbers: write 0\.5 for 0,5\.$/,
     ],
-    [whole.replace('[1 0; 0 1]', '[1 0; 0 1] + eye(2)'), /^V: “\+ eye\(2\)” is not understood here/],
-    [whole.replace('[1 0; 0 1]', '[1 0; 0 1]*[1 0; 0 1]'), /^V: “\*” is not understood/],
+    [whole.replace('[1 0; 0 1]', '[1 0; 0 1] + eye(3)'), /^V: “\+” is not understood here/],
+    [whole.replace('[1 0; 0 1]', '[1 0; 0 1]*[1; 0; 1]'), /^V: a 2 × 2 and a 3 × 1 matrix have no product\.$/],
+    [whole.replace('[1 0; 0 1]', 'np.eye(2) * np.eye(2)'), /^V: “\*” is not understood/],
     [whole.replace('[1 0; 0 1]', 'eye(n)'), /^V: “eye\(n\)” is not understood/],
     [whole.replace('[1 0; 0 1]', 'eye(2)/0'), /^V: “\/ 0” is not understood/],
     [whole.replace('[1 0; 0 1]', 'np.diag((1, 1))'), /^V: “, 1\)\)” is not understood/],
@@ -88,7 +89,9 @@ test('a decimal comma, a product of matrices and a name of another book are told
     [whole.replace('W = 1', 'W = 2 3'), /^W: “3” is not understood/],
     [whole.replace('[1 0; 0 1]', '0.1 eye(2)'), /^V: “eye\(2\)” is not understood/],
     ['{"F":[[1,0],[0,1]],"H":[[1,0,0]],"V":[[1,0],[0,1]],"W":[[1]]}', /needs to be 1 × 2\.$/],
-    ['A = [1 2; 3 4]\nC = [1 0]', /^No matrix was found\. What is called A, B and C elsewhere is F, G and H here/],
+    ['A = [1 2; 3 4]\nC = [1 0]', /^Q, the noise of the motion, is missing\.$/],
+    ['A = 1\nF = 1\nC = 1\nQ = 1\nR = 1', /^F and A are both given, and both are what a step does to the state\.$/],
+    ['A = 1\nB = 1\nC = 1\nD = 2\nQ = 1\nR = 1', /^D is not 0: a reading does not depend on the input here\.$/],
   ]) {
     const read = readSystem(text)
     assert.ok(!read.ok, text)
@@ -109,10 +112,7 @@ test('what is wrong with a pasted system is named with its matrix', () => {
     [whole.replace('F = [1 0.5; 0 1]', 'F = [1 0.5; 0 1'), /^F: a bracket is not closed\.$/],
     [`${whole}\nF = 1`, /^F is given twice\.$/],
     [whole.replace('[1 0.5; 0 1]', '[]'), /^F is empty\.$/],
-    [
-      whole.replace('[1 0.5; 0 1]', '[1 0 0 0 0; 0 1 0 0 0; 0 0 1 0 0; 0 0 0 1 0; 0 0 0 0 1]'),
-      /^F is 5 × 5; at most 4 × 4/,
-    ],
+    [whole.replace('[1 0.5; 0 1]', 'zeros(5) + [1 2; 3 4]'), /^F: “\+” is not understood/],
     [whole.replace('0.5', '1e999'), /is not a number/],
   ]) {
     const read = readSystem(text)
@@ -145,6 +145,9 @@ test('every preset is a system that the lab takes, and gets the verdicts its nam
     'DC motor, 0.05 s': ['yes', 'yes', 'from-every-start'],
     'Bias plus sensor': ['no', 'no', 'depends-on-start'],
     'Two tanks, 1 s': ['yes', 'yes', 'from-every-start'],
+    'Height, speed and bias, 0.01 s': ['yes', 'yes', 'from-every-start'],
+    'Mass on a spring, continuous time': ['yes', 'yes', 'from-every-start'],
+    'Acceleration in space, continuous time': ['yes', 'yes', 'from-every-start'],
   }
   for (const preset of PRESETS) {
     const { observable, detectable, limit, params } = open(paramsOf(preset)).frame()
@@ -157,23 +160,26 @@ test('every preset is a system that the lab takes, and gets the verdicts its nam
 test('the functions of the module and the lab give one answer', () => {
   for (const preset of PRESETS) {
     const frame = open(paramsOf(preset)).frame()
-    const { F, H, V } = preset
+    const { H, W } = preset
+    const { F, G, V } = frame
     const seen = core.detectability(F, H, frame.tolerance)
     const noise = core.noiseReach(F, V, frame.tolerance)
     assert.deepEqual(
       [seen.observable, seen.detectable, noise.reachable, noise.stabilizable],
       [frame.observable, frame.detectable, frame.noise.reachable, frame.noise.stabilizable],
     )
-    assert.equal(core.riccatiLimit(preset, frame.tolerance), frame.limit)
+    const system = { F, G, H, V, W }
+    assert.equal(core.riccatiLimit(system, frame.tolerance), frame.limit)
     const { K, fixed } = core.placeMovable(
       F,
       H,
       Array.from({ length: frame.movable }, (_, i) => 0.1 * (i + 1)),
     )
-    const found = core.errorEigenvalues(preset, K).map(({ re }) => re)
+    const found = core.errorEigenvalues(system, K).map(({ re }) => re)
     for (let i = 0; i < frame.movable; i++)
       assert.ok(
-        found.some((re) => Math.abs(re - 0.1 * (i + 1)) < 1e-6),
+        // Nine eigenvalues of one gain are known to fewer digits than two.
+        found.some((re) => Math.abs(re - 0.1 * (i + 1)) < (frame.movable > 4 ? 1e-5 : 1e-6)),
         `${preset.name}: ${found}`,
       )
     assert.equal(fixed.length, F.length - frame.movable)

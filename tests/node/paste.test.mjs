@@ -48,12 +48,14 @@ test('what is not understood is a fault with its line, and nothing of the paste 
     [`F = eye(2)\n${REST}\nelse: F *= 2`, 5, /“else: F \*= 2”/],
     [`F = eye(2)\n${REST}\nx0 = [1 2\nF(1,2) = 0.5`, 5, /bracket is not closed/],
     [`G = [0; 1]\nF = eye(2)\n${REST}\nclear G`, 6, /“clear G” is not understood/],
-    [`F = eye(2)\nH = [1 0]\nV = eye(2)\nW = 5//2`, 4, /is not a number/],
+    [`F = eye(2)\nH = [1 0]\nV = eye(2)\nW = 5//2`, 4, /“\/\/2” is not understood/],
     [`F = eye(2)\nH = [1 0]\nV = eye(2)\nW = 1e-400`, 4, /“1e-400” is not a number/],
     [`F = [[1 0] [0 1]]\n${REST}`, 1, /is not a list of rows/],
     [`${'a = 1\n'.repeat(5000)}F = eye(2)\n${REST}`, 0, /more than 20,000 letters/],
-    [`F = eye(2)\nB = [0; 1]\n${REST}`, 0, /^B is given and G is not/],
-    [`F = eye(2)\nH = [1 0]\nQ = eye(2)\nR = 1`, 0, /^V, the noise of the motion, is missing\. What is called A/],
+    [`F = eye(2)\nB = [0; 1]\nG = [0; 1]\n${REST}`, 0, /^G and B are both given, and both are what an input does/],
+    [`F = eye(2)\nP0 = [1 2; 3 4]\n${REST}`, 2, /^P0: only the diagonal of the start can be set here/],
+    [`F = eye(2)\nT = -1\n${REST}`, 0, /^The length of a step must be more than 0\.$/],
+    [`F = eye(2)\nH = [1 0]\nQ = eye(2)`, 0, /^R, the noise of a reading, is missing\.$/],
   ]) {
     const found = read(text)
     assert.deepEqual([text, found.ok, found.line], [text, false, line], found.fault)
@@ -64,7 +66,7 @@ test('what is not understood is a fault with its line, and nothing of the paste 
 test('what is of no use here is named, and what only sets things up is passed over', () => {
   const before = 'import numpy as np\nfrom math import pi\nclear all; clc\ndt = 0.1; x0 = [1; 2]\n'
   const text = `${before}F = eye(2)\n${REST}\ndisp(F)`
-  assert.deepEqual([read(text).ok, read(text).unused], [true, ['dt', 'x0']], read(text).fault)
+  assert.deepEqual([read(text).ok, read(text).unused], [true, ['x0']], read(text).fault)
   const one = `import numpy as np; G = [0; 1]\nF = eye(2)\n${REST}`
   assert.deepEqual(read(one).system?.G, [[0], [1]])
   const prompts = '>>> s = dict(F=[[1, 0],\n...  [0, 1]], H=[[1, 0]], V=[[1, 0], [0, 1]], W=[[1]],\n... G=[[0],[1]])'
@@ -83,7 +85,7 @@ test('whatever line is put wherever into a system is taken, named or a fault', (
   const { pick, below } = dice(7)
   const usual = ['F = eye(2)', 'H = [1 0]', 'V = eye(2)', 'W = 1']
   const taken = { 'G = [0; 1]': 'G', 'F(1,2) = 3': 'F' }
-  const named = ['dt = 0.1', 'P0 = {1, 2}']
+  const named = ['rate = 0.1', 'x0 = {1, 2}']
   const faults = [
     'F *= 2',
     'F -= 1',
@@ -106,4 +108,91 @@ test('whatever line is put wherever into a system is taken, named or a fault', (
     else if (named.includes(more)) assert.deepEqual([ok, unused], [true, [more.split(' ')[0]]], lines.join('\n'))
     else assert.deepEqual([ok, line], [false, at + 1], `${lines.join('\n')}: ${fault}`)
   }
+})
+
+test('the letters of other books are read as ours, by their sizes where two books differ', () => {
+  const matrices = (text) => {
+    const { F, G, H, V, W } = read(text).system ?? {}
+    return [F, G, H, V, W]
+  }
+  const ours = matrices('F = [1 1; 0 1]\nG = [0; 1]\nH = [1 0]\nV = [0 0; 0 2]\nW = 3')
+  for (const [text, as] of [
+    ['A = [1 1; 0 1]\nB = [0; 1]\nC = [1 0]\nQ = [0 0; 0 2]\nR = 3', 'A, B, C, Q, R read as F, G, H, V, W'],
+    ['F = [1 1; 0 1]\nB = [0; 1]\nH = [1 0]\nQ = [0 0; 0 2]\nR = 3', 'B, Q, R read as G, V, W'],
+    ['A = [1 1; 0 1]\nB = [0; 1]\nC = [1 0]\nR = [0 0; 0 2]\nQ = 3', 'A, B, C, R, Q read as F, G, H, V, W'],
+    [
+      'kf.F = np.array([[1, 1], [0, 1]])\nkf.B = np.array([[0], [1]])\nkf.H = np.array([[1, 0]])\n' +
+        'kf.Q = np.diag([0, 2])\nkf.R = 3',
+      'B, Q, R read as G, V, W',
+    ],
+  ])
+    assert.deepEqual([text, matrices(text), read(text).as], [text, ours, as])
+  assert.equal(read('F = 1\nH = 1\nV = 2\nW = 3').as, '')
+})
+
+test('names stand for numbers and matrices that were given before, and the length of a step is known by its name', () => {
+  const half = 'T = 0.5; F = [1 T; 0 1]; G = [T^2/2; T]; H = [1 0]; W = 0.5; '
+  for (const text of [
+    `${half}V = 0.1*G*G'`,
+    `q = 0.1; ${half}V = q * [T^4/4, T^3/2; T^3/2, T^2]`,
+    'import numpy as np\ndt = 0.5\nF = np.array([[1, dt], [0, 1]])\nG = np.array([[dt**2/2], [dt]])\n' +
+      'H = np.array([[1, 0]])\nV = 0.1 * G @ G.T\nW = 1/2',
+    `sigma = sqrt(0.1); ${half}V = (sigma^2)*G*G'`,
+    `${half}V = [0 0; 0 0] + G*0.1*G' - zeros(2)`,
+  ]) {
+    const { system, unused, fault } = read(text)
+    const close = (m, n) => m.flat().every((entry, i) => Math.abs(entry - n.flat()[i]) < 1e-15)
+    assert.ok(system, `${text}: ${fault}`)
+    assert.deepEqual(
+      [system.F, system.G, system.period, unused],
+      [
+        [
+          [1, 0.5],
+          [0, 1],
+        ],
+        [[0.125], [0.5]],
+        0.5,
+        [],
+      ],
+      text,
+    )
+    assert.ok(
+      close(system.V, [
+        [0.0015625, 0.00625],
+        [0.00625, 0.025],
+      ]),
+      text,
+    )
+  }
+  // In brackets a blank parts two entries unless an operator stands between blanks.
+  assert.deepEqual(read('a = 2; F = [1 -a; 0 - a 1]\nH = [1, - a]\nV = eye(2)\nW = 1').system.F, [
+    [1, -2],
+    [-2, 1],
+  ])
+})
+
+test('a start, a system in continuous time and nine states are taken as they are given', () => {
+  const slow = 'A = [0 1; -1 -0.1]\nB = [0; 1]\nC = [1 0]\nD = 0\nQ = diag([0 0.1])\nR = 0.01\n'
+  for (const [text, period] of [
+    [`${slow}sys = ss(A, B, C, D); sampled = c2d(sys, 0.05);`, 0.05],
+    [`${slow}Ts = 0.02\nsampled = c2d(ss(A, B, C, D), Ts, 'zoh')`, 0.02],
+    [`${slow}dt = 0.02\n[Ad, Bd] = c2d(A, B, dt)`, 0.02],
+    [`${slow}Ad, Bd, Cd, Dd, _ = signal.cont2discrete((A, B, C, D), 0.1)`, 0.1],
+  ]) {
+    const { system, unused, fault } = read(text)
+    assert.deepEqual([text, system?.continuous, system?.period, unused], [text, true, period, []], fault)
+  }
+  for (const [text, spread] of [
+    ['P0 = diag([1 4])', [1, 4]],
+    ['P = [1, 4]', [1, 4]],
+    ['kf.P *= 1000.', [1000, 1000]],
+    ['P = eye(2)\nP *= 9', [9, 9]],
+    ['P0 = 2', [2, 2]],
+    ['P = eye(2)\nP[1, 1] = 7', [1, 7]],
+  ])
+    assert.deepEqual([text, read(`F = eye(2)\n${REST}\n${text}`).system?.spread], [text, spread])
+  assert.equal(read(`F = eye(2)\n${REST}`).system.spread, undefined)
+  const nine = read('n = 9\nF = eye(n)\nH = ones(1, 9)\nV = 0.1*eye(n)\nW = 1')
+  assert.deepEqual([nine.system?.F.length, nine.unused], [9, []], nine.fault)
+  assert.match(read('F = eye(10)\nH = ones(1, 9)\nV = 0.1\nW = 1').fault, /“eye\(10\)” is not understood/)
 })

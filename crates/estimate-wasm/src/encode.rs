@@ -63,7 +63,7 @@ impl<'a> Row<'a> {
                 }
             }
             Shape::Exactly(n, entry) => self.entries(*n, entry),
-            Shape::List(entry) => {
+            Shape::List(entry) | Shape::Between(_, _, entry) => {
                 let length = self.number() as usize;
                 self.entries(length, entry)
             }

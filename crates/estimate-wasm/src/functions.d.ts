@@ -75,13 +75,18 @@ export interface Observability {
   nullspace: Vector[]
 }
 export interface SteadyState {
-  /** The last gain. */
+  /** The limit of the gain, or the last one. */
   R: Matrix
   /** P(k+1 | k). */
   P: Matrix
+  /** Whether P has a limit from this start. */
   converged: boolean
+  /** Whether R has. */
   gainConverged: boolean
+  /** Steps until neither changed any more; found by doubling, a power of two and a few more. */
   iterations: number
+  /** Whether a larger start would lead P to another limit; absent where single steps were asked for. */
+  dependsOnStart?: boolean
 }
 export interface LocalizerOptions {
   /** Noise covariance of a reading: 2×2 for range and bearing, 1×1 for a range alone. */

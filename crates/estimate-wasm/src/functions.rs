@@ -151,8 +151,9 @@ pub fn observability(
     ]))
 }
 
-/// The limit of the gain from P(0 | 0) = `P0`; at most 100 000 iterations (of a large system fewer, as in
-/// `kalmanReplay`; 10 000 when left out), tolerance 1e-12 when left out. Running out of iterations is an answer.
+/// The limit of the gain from P(0 | 0) = `P0`, by doubling the number of steps. With `maxIterations`, or a tolerance,
+/// what so many single steps come to: at most 100 000 (of a large system fewer, as in `kalmanReplay`), tolerance 1e-12
+/// when left out. Running out of iterations is an answer.
 #[wasm_bindgen(js_name = steadyStateGain, unchecked_return_type = "SteadyState")]
 pub fn steady_state_gain(
     #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
@@ -160,10 +161,19 @@ pub fn steady_state_gain(
     #[wasm_bindgen(js_name = maxIterations, unchecked_optional_param_type = "number")] max_iterations: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
 ) -> Result<JsValue, Thrown> {
-    let iterations = match Arg::new(max_iterations, "maxIterations") {
-        a if a.is_undefined() => 10_000,
-        a => a.whole(1, estimate::riccati::MAX_ITERATIONS as u32)?,
-    };
+    let a = Arg::new(max_iterations, "maxIterations");
+    if a.is_undefined() && tolerance.is_undefined() {
+        let limit = dynamic::steady_state(&system_of(system)?, Arg::new(p0, "P0").matrix()?)?;
+        return Ok(record(&[
+            ("R", rows(&limit.r)),
+            ("P", rows(&limit.p)),
+            ("converged", limit.converged.into()),
+            ("gainConverged", limit.gain_converged.into()),
+            ("iterations", limit.steps.into()),
+            ("dependsOnStart", limit.depends_on_start.into()),
+        ]));
+    }
+    let iterations = if a.is_undefined() { 10_000 } else { a.whole(1, estimate::riccati::MAX_ITERATIONS as u32)? };
     let tolerance = number_or(tolerance, "tolerance", 1e-12)?;
     let (system, p0) = (system_of(system)?, Arg::new(p0, "P0").matrix()?);
     let limit = dynamic::steady_state_gain(&system, p0, iterations as usize, tolerance)?;

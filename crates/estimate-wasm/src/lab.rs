@@ -167,6 +167,11 @@ fn copy(shape: &Shape, from: &mut std::slice::Iter<'_, f64>, to: &mut Vec<f64>) 
     match shape {
         Shape::Exactly(n, entry) => (0..*n).for_each(|_| copy(entry, from, to)),
         Shape::Each(names, value) => names.iter().for_each(|_| copy(value, from, to)),
+        Shape::Between(_, _, entry) => {
+            let length = from.next().copied().unwrap_or(0.0);
+            to.push(length);
+            (0..length as usize).for_each(|_| copy(entry, from, to));
+        }
         Shape::Maybe(value) => {
             to.extend(from.next());
             if to.last() == Some(&1.0) {

@@ -8,6 +8,11 @@ use filters::Sizes;
 use filters::linear::{self, Gain};
 use nalgebra::{DefaultAllocator, Dim, OMatrix};
 
+mod doubling;
+mod steady;
+
+pub use steady::{Limit, steady_state};
+
 /// The largest number of iterations of a steady-state search; of a large system fewer, see [`validate::MAX_WORK`].
 pub const MAX_ITERATIONS: usize = 100_000;
 /// The largest number of steps of a gain schedule; no system is too large for so many.

@@ -23,6 +23,7 @@ mod shape;
 mod shown;
 mod text;
 mod typescript;
+mod up_to;
 
 pub use check::Check;
 pub use declare::camel_case;
@@ -40,3 +41,4 @@ pub use shape::{Field, Plain, Shape, put};
 pub use shown::Shown;
 pub use text::Text;
 pub use typescript::{class, written};
+pub use up_to::UpTo;

@@ -49,6 +49,10 @@ impl Parameter {
                     .iter()
                     .find_map(|name| self.fault(value, from).map(|(inner, code)| ([place(name), inner].concat(), code)))
             }
+            Shape::Between(_, most, entry) => {
+                let length = from.next().map_or(0, |length| *length as usize).min(*most);
+                (0..length).find_map(|i| self.fault(entry, from).map(|(place, code)| (format!("[{i}]{place}"), code)))
+            }
             Shape::Maybe(value) => match from.next() {
                 Some(&1.0) => self.fault(value, from),
                 _ => None,

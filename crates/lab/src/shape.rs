@@ -25,6 +25,8 @@ pub enum Shape {
     List(&'static Shape),
     /// As many entries as stated here.
     Exactly(usize, &'static Shape),
+    /// A length within these bounds, then the entries.
+    Between(usize, usize, &'static Shape),
     /// Each field in turn, of a record of this name.
     Record(&'static str, &'static [Field]),
     /// The same of a record that leaves out the fields that hold nothing: each is [`Shape::Maybe`].
@@ -42,7 +44,7 @@ impl Shape {
             Self::Text => 1 + first as usize,
             Self::Maybe(value) if first == 1.0 => 1 + value.length(&numbers[1..]),
             Self::Maybe(_) => 1,
-            Self::List(entry) => 1 + many(first as usize, entry, &numbers[1..]),
+            Self::List(entry) | Self::Between(_, _, entry) => 1 + many(first as usize, entry, &numbers[1..]),
             Self::Exactly(n, entry) => many(*n, entry, numbers),
             Self::Each(names, value) => many(names.len(), value, numbers),
             Self::Record(_, fields) | Self::Sparse(_, fields) => {

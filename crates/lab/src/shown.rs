@@ -52,7 +52,7 @@ impl Serialize for Row<'_> {
             }
             Shape::Maybe(_) if self.next() == 0.0 => serializer.serialize_none(),
             Shape::Maybe(value) => self.of(value).serialize(serializer),
-            Shape::List(entry) => self.entries(self.next() as usize, entry, serializer),
+            Shape::List(entry) | Shape::Between(_, _, entry) => self.entries(self.next() as usize, entry, serializer),
             Shape::Exactly(n, entry) => self.entries(*n, entry, serializer),
             Shape::Sparse(_, fields) => {
                 let there = |field: &&Field| {

@@ -85,9 +85,11 @@ const fn put_type<const N: usize>(text: &mut Text<N>, shape: &Shape) {
         Shape::Flag => text.put("boolean"),
         Shape::Text => text.put("string"),
         Shape::Record(name, _) | Shape::Sparse(name, _) => text.put(name),
-        Shape::Exactly(_, entry) | Shape::List(entry) => match entry {
+        Shape::Exactly(_, entry) | Shape::List(entry) | Shape::Between(_, _, entry) => match entry {
             Shape::Number | Shape::Whole => text.put("Vector"),
-            Shape::Exactly(_, Shape::Number) | Shape::List(Shape::Number) => text.put("Matrix"),
+            Shape::Exactly(_, Shape::Number) | Shape::List(Shape::Number) | Shape::Between(_, _, Shape::Number) => {
+                text.put("Matrix");
+            }
             _ => {
                 put_type(text, entry);
                 text.put("[]");

@@ -1,12 +1,13 @@
 //! A system of the reader's own: what can be known of it, where its eigenvalues go under a gain, and a simulated run.
 
 mod analysis;
+mod decay;
 mod directions;
 pub(crate) mod frame;
 mod params;
 
-pub use frame::{OwnEigenvalue, OwnFrame, OwnRank, OwnReach, OwnSeries};
-pub use params::{GainBy, OwnParams};
+pub use frame::{OwnDecay, OwnEigenvalue, OwnFrame, OwnLimit, OwnRank, OwnReach, OwnSeries};
+pub use params::{Entries, GainBy, MOST, OwnParams};
 
 use analysis::{Analysis, tolerance};
 use directions::readable;
@@ -54,10 +55,9 @@ impl Lab for OwnSystem {
         params.check()?;
         let known = Analysis::new(&params).map_err(in_the_reader_s_letters)?;
         let n = params.states as usize;
-        let p0 = DMatrix::identity(n, n) * params.start;
-        let belief = validate::belief(DVector::zeros(n), p0)?;
+        let belief = validate::belief(DVector::zeros(n), known.p0.clone())?;
         let mut noise = Noise::new(u64::from(params.seed));
-        let truth = draw(&mut noise, n) * params.start.sqrt();
+        let truth = draw(&mut noise, n).component_mul(&known.p0.diagonal().map(f64::sqrt));
         let mut lab = Self {
             params,
             known: Rc::new(known),
@@ -70,7 +70,7 @@ impl Lab for OwnSystem {
             estimate: belief,
             filter_gain: None,
             reading: None,
-            series: OwnSeries::default(),
+            series: OwnSeries::of(n, params.readings as usize),
             digest: Digest::default(),
         };
         lab.record();
@@ -148,7 +148,13 @@ impl Lab for OwnSystem {
             settled: self.known.settled,
             tried: self.known.tried,
             limit_p: self.known.limit_p.as_ref().map(rows),
+            doubled: self.known.doubled,
+            f: rows(&self.known.system.f),
+            g: rows(&self.known.system.g),
+            v: rows(&self.known.system.v),
             k: rows(&self.known.gain),
+            decay: self.known.decay.clone(),
+            run_length: self.known.run_length,
             spectral_radius: eigenvalues.first().map_or(0.0, |l| l.modulus),
             eigenvalues: eigenvalues.clone(),
             movable: self.known.movable.count() as u32,
@@ -173,8 +179,11 @@ impl OwnSystem {
 
     fn record(&mut self) {
         let (n, p) = (self.params.states as usize, self.params.readings as usize);
-        self.series.step.push(f64::from(self.step));
-        for i in 0..n {
+        let kept = self.step.is_multiple_of(self.params.every);
+        if kept {
+            self.series.step.push(f64::from(self.step));
+        }
+        for i in (0..n).filter(|_| kept) {
             let variance = self.estimate.p[(i, i)];
             self.series.truth[i].push(self.truth[i]);
             self.series.estimate[i].push(self.estimate.x[i]);

@@ -3,17 +3,26 @@
  * alone.
  */
 
-import { systemOf } from './presets.js'
+import { partOf, systemOf } from './presets.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
 
 /**
+ * The matrices over a step: of a system in continuous time they are sampled.
  * @param {Frame} frame
- * @returns {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][], K: number[][], start: number,
- * tolerance: string }}
  */
-function parts(frame) {
-  return { ...systemOf(frame.params), K: frame.K, start: frame.params.start, tolerance: String(frame.tolerance) }
+function parts({ params, F, G, V, K, tolerance }) {
+  const { H, W } = systemOf(params)
+  return { F, G, H, V, W, K, start: partOf('P', params)[0], tolerance: String(tolerance) }
+}
+
+/**
+ * What a program begins with, in comments: what it needs and where that is, and how the matrices came about.
+ * @param {string} sign @param {Frame} frame @param {string[]} needs
+ */
+function head(sign, { params }, needs) {
+  const sampled = params.continuous ? [`F, G and V are sampled every ${params.period} s from continuous time.`] : []
+  return [...needs, ...sampled].map((line) => `${sign} ${line}\n`).join('')
 }
 
 /** @param {number} number as Rust writes a float */
@@ -29,8 +38,13 @@ function inRust(m) {
 /** @param {Frame} frame */
 export function rust(frame) {
   const { F, G, H, V, W, K, start, tolerance } = parts(frame)
-  return `use estimate::dynamic::{self, System};
-use nalgebra::{DMatrix, dmatrix};
+  const needs = [
+    'The crate robot-motion-estimate, in crates/estimate of the book’s source, and nalgebra:',
+    'cargo add robot-motion-estimate --rename estimate --path CHECKOUT/crates/estimate',
+    'cargo add nalgebra@0.35 --no-default-features --features alloc,macros,libm-force',
+  ]
+  return `${head('//', frame, needs)}use estimate::dynamic::{self, System};
+use nalgebra::{DMatrix, dmatrix, dvector};
 
 fn main() -> Result<(), estimate::Error> {
     let f: DMatrix<f64> = ${inRust(F)};
@@ -39,7 +53,7 @@ fn main() -> Result<(), estimate::Error> {
     let v: DMatrix<f64> = ${inRust(V)};
     let w: DMatrix<f64> = ${inRust(W)};
     let k: DMatrix<f64> = ${inRust(K)};
-    let p0: DMatrix<f64> = DMatrix::identity(${F.length}, ${F.length}) * ${float(start)};
+    let p0: DMatrix<f64> = DMatrix::from_diagonal(&dvector![${start.map(float).join(', ')}]);
     let tolerance = ${tolerance};
 
     let rank = dynamic::observability(f.clone(), h.clone(), tolerance)?;
@@ -51,6 +65,8 @@ fn main() -> Result<(), estimate::Error> {
 
     let system = System::new(f, g, h, v, w)?;
     println!("limit {:?}", dynamic::riccati_limit(&system, tolerance)?);
+    let limit = dynamic::steady_state(&system, p0.clone())?;
+    println!("settles {} {:?}", limit.converged, limit.r.transpose().as_slice());
     for l in dynamic::error_eigenvalues(&system, k)? {
         println!("eigenvalue {} {}", l.re, l.im);
     }
@@ -68,13 +84,17 @@ export function javascript(frame) {
   const written = Object.entries({ F, G, H, V, W })
     .map(([name, m]) => `  ${name}: ${JSON.stringify(m)},`)
     .join('\n')
-  return `const core = require('robot-motion')
+  const needs = [
+    'The package robot-motion: ./scripts/package in the book’s source makes target/npm/robot-motion-*.tgz;',
+    'npm install that file.',
+  ]
+  return `${head('//', frame, needs)}const core = require('robot-motion')
 
 const system = {
 ${written}
 }
 const K = ${JSON.stringify(K)}
-const P0 = system.F.map((row, i) => row.map((_, j) => (i === j ? ${start} : 0)))
+const P0 = ${JSON.stringify(start)}.map((variance, i, all) => all.map((_, j) => (i === j ? variance : 0)))
 const tolerance = ${tolerance}
 
 const { rank, singularValues } = core.observability(system.F, system.H, tolerance)
@@ -84,6 +104,8 @@ console.log(\`observable \${observable}, detectable \${detectable}\`)
 const { reachable, stabilizable } = core.noiseReach(system.F, system.V, tolerance)
 console.log(\`reached by noise \${reachable}, stabilizable \${stabilizable}\`)
 console.log('limit', core.riccatiLimit(system, tolerance))
+const limit = core.steadyStateGain(system, P0)
+console.log('settles', limit.converged, JSON.stringify(limit.R.flat()))
 for (const { re, im } of core.errorEigenvalues(system, K)) console.log('eigenvalue', re, im)
 for (const R of core.gainSchedule(system, P0, 5)) console.log('gain', JSON.stringify(R.flat()))
 `
@@ -100,10 +122,10 @@ export function numpy(frame) {
         `${name} = ${m[0].length === 0 ? `np.zeros((${m.length}, 0))` : `np.array(${list(m)}, dtype=float)`}`,
     )
     .join('\n')
-  return `import numpy as np
+  return `${head('#', frame, ['numpy alone.'])}import numpy as np
 
 ${written}
-P = ${start} * np.eye(${n})
+P = np.diag(np.array(${JSON.stringify(start).replace(/,/g, ', ')}, dtype=float))
 tolerance = ${tolerance}
 
 Q = np.vstack([H @ np.linalg.matrix_power(F, i) for i in range(${n})])

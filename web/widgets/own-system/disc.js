@@ -1,8 +1,10 @@
 /** The unit disc with the eigenvalues of (I − KH)F; where the reader places them, with handles. */
 
-import { complex, fixed } from '../../draw/numbers.js'
+import { fixed } from '../../draw/numbers.js'
 import { clear, drawLabels, rim } from '../../draw/labels.js'
 import { dot, evenPlane, meaning } from '../../draw/plot.js'
+import { decimalsOf } from './names.js'
+import { MOST } from './presets.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
 /** @typedef {import('../../figure/spec.js').HandleSpec} HandleSpec */
@@ -42,17 +44,22 @@ export function drawDisc({ pen, width, height }, frame, view) {
         r: 5.5,
       })
     })
+    const pairs = decimalsOf(seen, 2)
+    const decimals = Math.max(3, pairs)
     const shown = seen.filter(
       ({ im }, i) =>
         im > 0 ||
-        (im === 0 && !seen.slice(0, i).some((other) => other.im === 0 && fixed(other.re, 3) === fixed(seen[i].re, 3))),
+        (im === 0 &&
+          !seen
+            .slice(0, i)
+            .some((other) => other.im === 0 && fixed(other.re, decimals) === fixed(seen[i].re, decimals))),
     )
     const labels = shown.map((value, i) => ({
       key: `name${i}`,
       at: /** @type {[number, number]} */ ([x(value.at[0]), y(value.at[1])]),
       gap: placing ? 15 : 11,
       name: `eigenvalue-name${value.modulus >= 1 ? ' outside' : ''}`,
-      words: value.im > 0 ? `${fixed(value.re, 2)} ± ${fixed(value.im, 2)} i` : complex(value, 3),
+      words: value.im > 0 ? `${fixed(value.re, pairs)} ± ${fixed(value.im, pairs)} i` : fixed(value.re, decimals),
       sides: /** @type {import('../../draw/labels.js').Side[]} */ (['above', 'below']),
     }))
     const taken = seen.map(({ at }) => clear([x(at[0]), y(at[1])], placing ? 11 : 7))
@@ -72,7 +79,7 @@ export function drawDisc({ pen, width, height }, frame, view) {
 function poles({ params, movable }) {
   const found = []
   for (let index = 0; index < movable; index += 1) {
-    const [re, im] = params.poles[index]
+    const [re, im] = params.poles[index] ?? [0, 0]
     const pair = im !== 0 && index + 1 < movable
     found.push({ index, re, im: pair ? Math.abs(im) : 0, room: index + 1 < movable })
     if (pair) index += 1
@@ -89,7 +96,9 @@ function poles({ params, movable }) {
 function handleOf({ index, re, im, room }, { x, y }, { params }) {
   const rounded = (/** @type {number} */ value) => Math.round(Math.max(-1.3, Math.min(1.3, value)) * 100) / 100
   const put = (/** @type {number} */ toRe, /** @type {number} */ toIm) => {
-    const next = params.poles.map((pole) => [...pole])
+    const next = Array.from({ length: Math.max(params.poles.length, index + 2) }, (_, i) => [
+      ...(params.poles[i] ?? [0, 0]),
+    ]).slice(0, MOST)
     const up = room && Math.abs(toIm) >= SNAP ? Math.abs(rounded(toIm)) : 0
     next[index] = [rounded(toRe), up]
     // A pair that comes back to the real line becomes two eigenvalues beside one another.

@@ -9,21 +9,26 @@ import { shownState } from './words.js'
 
 const SHAPES = ['solid', 'dashed', 'thin', 'thin dashed']
 
+/** Steps as seconds, where the length of one is known. @param {Frame} frame */
+const axis = ({ series, params: { period } }) => {
+  const steps = [...series.step]
+  return period > 0 ? { steps: steps.map((k) => k * period), unit: 's', least: 20 * period } : { steps, unit: '{k}' }
+}
+
 /** @param {Frame} frame @param {number} i @returns {string} */
 const title = ({ params }, i) => givenName(params, i) || `*x*_${i + 1}`
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawRun(panel, frame) {
   const i = shownState(frame.params)
-  const { step, truth, estimate, sigma } = frame.series
+  const { truth, estimate, sigma } = frame.series
   const edge = (/** @type {number} */ sign) => estimate[i].map((value, k) => value + sign * 2 * sigma[i][k])
   panel.pen.draw(
     (pen) =>
       void timePlot(pen, panel, {
         title: `a simulated run: ${title(frame, i)}, and ±2 *σ*`,
-        steps: step,
+        ...axis(frame),
         include: [-1, 1],
-        unit: '{k}',
         lines: [
           { key: 'above', values: edge(1), name: '', kin: 'posterior', shape: 'thin' },
           { key: 'below', values: edge(-1), name: '', kin: 'posterior', shape: 'thin' },
@@ -37,21 +42,20 @@ export function drawRun(panel, frame) {
 /** @param {Panel} panel @param {Frame} frame */
 export function drawGain(panel, frame) {
   const i = shownState(frame.params)
-  const { step, gain } = frame.series
+  const { gain } = frame.series
   const known = gain[i].slice(0, frame.params.readings)
   panel.pen.draw(
     (pen) =>
       void timePlot(pen, panel, {
         title: `the filter’s gain {Rk} for ${title(frame, i)}`,
-        steps: step,
+        ...axis(frame),
         include: [0, 0.1],
-        unit: '{k}',
         lines: known.map((values, j) => ({
           key: String(j),
           values,
           name: `{R}_{${i + 1}${j + 1}}`,
           kin: /** @type {const} */ ('posterior'),
-          shape: SHAPES[j],
+          shape: SHAPES[j % SHAPES.length],
         })),
       }),
   )
@@ -59,21 +63,20 @@ export function drawGain(panel, frame) {
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawVariance(panel, frame) {
-  const { step, variance } = frame.series
+  const { variance } = frame.series
   panel.pen.draw(
     (pen) =>
       void timePlot(pen, panel, {
         title: 'variances {Pk}',
-        steps: step,
+        ...axis(frame),
         log: true,
         include: [0.5, 2],
-        unit: '{k}',
         lines: variance.slice(0, frame.params.states).map((values, j) => ({
           key: String(j),
           values,
           name: `{P}_{${j + 1}${j + 1}}`,
           kin: /** @type {const} */ ('posterior'),
-          shape: SHAPES[j],
+          shape: SHAPES[j % SHAPES.length],
         })),
       }),
   )

@@ -7,11 +7,12 @@ import { fixed, power } from '../../draw/numbers.js'
 import { drawDisc } from './disc.js'
 import { buildEditor } from './editor.js'
 import { drawGain, drawRun, drawVariance } from './history.js'
-import { short } from './names.js'
-import { PRESETS, paramsOf } from './presets.js'
+import { buildMore } from './more.js'
+import { decimalsOf, seconds, short } from './names.js'
+import { MOST, PRESETS, paramsOf, runOf } from './presets.js'
 import { drawRanks } from './ranks.js'
 import { buildShown } from './shown.js'
-import { describe, shownState, verdict } from './words.js'
+import { describe, rootsOf, shownState, verdict } from './words.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
 
@@ -31,10 +32,22 @@ function announce(frame, before) {
 
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
 function readouts(frame) {
-  const { rank, params, noise, input, settled, tried } = frame
+  const { rank, params, noise, input, settled, tried, doubled, eigenvalues, decay } = frame
+  const decimals = decimalsOf(eigenvalues, 3)
+  const slowest = decay[0]
   const i = shownState(params)
   return [
-    { key: 'radius', label: 'Largest modulus', value: fixed(frame.spectralRadius, 3), headline: true },
+    { key: 'radius', label: 'Largest modulus', value: fixed(frame.spectralRadius, decimals), headline: true },
+    {
+      key: 'steps',
+      label: 'Steps until 5 %',
+      value: slowest.steps === null ? 'never' : String(Math.ceil(slowest.steps)),
+    },
+    {
+      key: 'seconds',
+      label: 'Slowest time constant',
+      value: slowest.seconds === null ? '–' : seconds(slowest.seconds),
+    },
     { key: 'rank', label: 'Rank', value: `${rank.rank} of ${params.states}` },
     { key: 'observable', label: 'Observable', value: frame.observable },
     { key: 'detectable', label: 'Detectable', value: frame.detectable },
@@ -44,7 +57,14 @@ function readouts(frame) {
     {
       key: 'settled',
       label: 'Covariance settles',
-      value: settled === null ? (tried === null ? 'never' : `not in ${tried}`) : `in ${settled} steps`,
+      value:
+        settled !== null
+          ? `in ${settled} steps`
+          : doubled.converged
+            ? `in about ${short(doubled.steps)} steps`
+            : tried === null
+              ? 'never'
+              : `not in ${tried}`,
     },
     { key: 'tolerance', label: 'Tolerance', value: power(frame.tolerance), more: true },
     {
@@ -62,6 +82,20 @@ function readouts(frame) {
       more: true,
     },
     {
+      key: 'roots',
+      label: 'Eigenvalues',
+      value: rootsOf(eigenvalues)
+        .map((root, j) => (decay[j].seconds === null ? root : `${root} (${seconds(decay[j].seconds)})`))
+        .join(', '),
+      more: true,
+    },
+    {
+      key: 'depends',
+      label: 'A larger start, another limit',
+      value: doubled.converged ? (doubled.dependsOnStart ? 'yes' : 'no') : '–',
+      more: true,
+    },
+    {
       key: 'error',
       label: 'Error of the shown state',
       value: fixed(frame.truth[i] - frame.estimate[i], 3),
@@ -76,6 +110,9 @@ function readouts(frame) {
 
 const FROM = ['filter', 'hand', 'placement']
 
+/** A matrix of as many rows and columns as the lab takes. @param {(i: number, j: number) => number} entry */
+const square = (entry) => Array.from({ length: MOST }, (_, i) => Array.from({ length: MOST }, (_, j) => entry(i, j)))
+
 /**
  * A slider for one entry of the gain.
  * @param {number} i
@@ -89,14 +126,12 @@ function entry(i, j) {
     label: `{K}_{${i + 1}${j + 1}}`,
     ends: [-3, 3],
     step: 0.01,
-    get: (params) => params.k[i][j],
+    get: (params) => params.k[i]?.[j] ?? 0,
     set: (value, params) => ({
-      k: params.k.map((/** @type {number[]} */ row, /** @type {number} */ r) =>
-        row.map((old, c) => (r === i && c === j ? value : old)),
-      ),
+      k: square((r, c) => (r === i && c === j ? value : (params.k[r]?.[c] ?? 0))),
     }),
     scale: (value) => value,
-    words: (_, frame) => fixed(frame.params.k[i][j], 2),
+    words: (_, frame) => fixed(frame.params.k[i]?.[j] ?? 0, 2),
     shown: ({ params }) => params.gain === 'hand' && i < params.states && j < params.readings,
     enabled: (params) => params.gain === 'hand' && i < params.states && j < params.readings,
   }
@@ -119,25 +154,13 @@ const controls = [
       value === 'hand'
         ? {
             gain: value,
-            k: params.k.map((/** @type {number[]} */ row, /** @type {number} */ i) =>
-              row.map((old, j) => frame.K[i]?.[j] ?? old),
-            ),
+            k: square((i, j) => frame.K[i]?.[j] ?? params.k[i]?.[j] ?? 0),
           }
         : { gain: value },
   },
   ...[0, 1, 2, 3].flatMap((i) => [0, 1, 2, 3].map((j) => entry(i, j))),
   { kind: 'custom', name: 'shown', build: buildShown },
-  {
-    kind: 'range',
-    name: 'start',
-    label: '{Pstart}, times *I*',
-    ends: [-3, 4],
-    step: 0.1,
-    scale: (value) => Math.log10(Math.max(value, 1e-3)),
-    set: (value) => ({ start: Number((10 ** value).toPrecision(3)) }),
-    words: (_, frame) => short(frame.params.start),
-  },
-  { kind: 'range', name: 'input', label: 'Inputs of the run', ends: [-5, 5], words: (value) => fixed(value, 1) },
+  { kind: 'custom', name: 'more', build: buildMore },
 ]
 
 /** @type {import('../../figure/spec.js').Try[]} */
@@ -145,12 +168,12 @@ const tries = [
   {
     name: 'blind',
     label: 'Read the velocity alone',
-    change: () => ({ ...paramsOf(PRESETS[1]), gain: 'filter', step: 40 }),
+    change: () => ({ ...paramsOf(PRESETS[1]), gain: 'filter', ...runOf(40) }),
   },
   {
     name: 'bias',
     label: 'Add a bias to a sensor',
-    change: () => ({ ...paramsOf(PRESETS[5]), gain: 'filter', step: 40 }),
+    change: () => ({ ...paramsOf(PRESETS[5]), gain: 'filter', ...runOf(40) }),
   },
   {
     name: 'place',
@@ -164,7 +187,7 @@ const tries = [
         [0.2, 0],
         [0.3, 0],
       ],
-      step: 40,
+      ...runOf(40),
     }),
   },
 ]
@@ -182,15 +205,15 @@ export const figure = {
     { name: 'variance', width: 470, height: 190, draw: drawVariance },
   ],
   layout: {
-    narrow: ['controls', 'verdict', 'ranks', 'disc', 'tries', 'readouts', 'run', 'gain', 'variance'],
+    narrow: ['controls', 'verdict', 'disc', 'tries', 'readouts', 'run', 'gain', 'variance', 'ranks'],
     medium: [
       'controls controls controls controls controls controls',
       'verdict verdict verdict verdict verdict verdict',
-      'disc disc ranks ranks ranks ranks',
       'disc disc run run run run',
       'tries tries tries tries tries tries',
       'readouts readouts readouts readouts readouts readouts',
       'gain gain gain variance variance variance',
+      'ranks ranks ranks ranks ranks ranks',
     ],
     columns: { medium: '1fr 1fr 1fr 1fr 1fr 1fr' },
   },

@@ -1,6 +1,8 @@
 /** The names of the states, which a link carries as Unicode numbers, and directions of the state in words. */
 
 const MOST = 12
+/** The most decimals of an eigenvalue. */
+const DIGITS = 7
 
 /** A name as its numbers; letters that mean something in a label's notation are left out. @param {string} name */
 export function lettersOf(name) {
@@ -10,7 +12,7 @@ export function lettersOf(name) {
 
 /** What the reader has called state `i`; empty where nothing. @param {any} params @param {number} i */
 export function givenName(params, i) {
-  return params.names[i]
+  return (params.names[i] ?? [])
     .filter((/** @type {number} */ code) => code >= 32 && code <= 0x10ffff && !(code >= 0xd800 && code < 0xe000))
     .map((/** @type {number} */ code) => String.fromCodePoint(code))
     .join('')
@@ -20,7 +22,7 @@ export function givenName(params, i) {
 
 /** @param {any} params @param {number} i */
 export function nameOf(params, i) {
-  return givenName(params, i) || `x${'₁₂₃₄'[i]}`
+  return givenName(params, i) || `x${'₁₂₃₄₅₆₇₈₉'[i]}`
 }
 
 /**
@@ -35,6 +37,36 @@ export function short(value) {
       : String(Number(value.toPrecision(3)))
   return text.replace(/-/g, '−')
 }
+
+/**
+ * Decimals by which eigenvalues that differ are told apart, and none that dies out looks like 1; as few as usual where
+ * seven do not suffice.
+ * @param {{ re: number, im: number, modulus: number }[]} eigenvalues
+ * @param {number} least
+ */
+export function decimalsOf(eigenvalues, least) {
+  const apart = (/** @type {number} */ a, /** @type {number} */ b) => Math.abs(a - b) > 1e-9
+  for (let decimals = least; decimals <= DIGITS; decimals += 1) {
+    const text = (/** @type {number} */ value) => value.toFixed(decimals)
+    const same = eigenvalues.some(
+      (one, i) =>
+        (apart(one.modulus, 1) && text(one.modulus) === text(1)) ||
+        eigenvalues
+          .slice(0, i)
+          .some(
+            (other) =>
+              (apart(one.re, other.re) || apart(one.im, other.im)) &&
+              text(one.re) === text(other.re) &&
+              text(one.im) === text(other.im),
+          ),
+    )
+    if (!same) return decimals
+  }
+  return least
+}
+
+/** A time in seconds: `0.12 s`, `20 s`, `3.4e3 s`. @param {number} seconds */
+export const seconds = (seconds) => `${short(seconds)} s`
 
 /** A sum of states: `position + 0.5 · velocity`. @param {number[]} direction @param {any} params */
 export function sumOf(direction, params) {

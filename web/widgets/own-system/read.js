@@ -6,27 +6,17 @@
  *   F = eye(2); F(1,2) = 0.5          F = np.eye(2)         F[0, 1] = 0.5
  */
 
-import { Fault, Value, hintOf, transposed } from './value.js'
+import { LETTERS, spreadOf, systemOf } from './letters.js'
+import { Fault, Value } from './value.js'
 
 export { faultOf, numberOf } from './value.js'
-
-const NAMES = ['F', 'G', 'H', 'V', 'W']
-const MOST = 4
-const MEANT = /** @type {Record<string, string>} */ ({
-  F: 'the dynamics',
-  H: 'what a reading tells',
-  V: 'the noise of the motion',
-  W: 'the noise of a reading',
-})
-/** Letters that other books have for what is here F, G, H, V and W. */
-const ELSEWHERE = ['A', 'B', 'C', 'Q', 'R']
-const TRANSLATED =
-  'What is called A, B and C elsewhere is F, G and H here; V and W are the covariances of the motion and of a reading.'
 
 /** So much is read while the reader types; the largest system with all its digits is a tenth of it. */
 const MOST_LETTERS = 20_000
 const TOO_LONG = `The text has more than ${MOST_LETTERS.toLocaleString('en')} letters. Paste the system alone.`
-const EXPECTED = 'Write F = …, G = …, H = …, V = …, W = …, in JSON, MATLAB or numpy notation.'
+/** What the length of a step is called, and the covariance of the start. */
+const PERIOD = /^(?:T|Ts|T_s|dt|delta_t)$/
+const START = /^(?:P|P0|P_0|P00|Sigma0)$/
 
 /** What may stand between matrices and says nothing of them: marks of structure, a prompt, a line that sets up. */
 const BETWEEN = [
@@ -37,6 +27,11 @@ const BETWEEN = [
   /^(?:disp|print|console\.log)\s*\([^()\n]*\)/,
   /^(?:const|let|var|export|return)\s+(?=[A-Za-z_"'{])/,
 ]
+/** Systems of continuous time, and how they are sampled: the last argument that is a number is the period. */
+const SPACE = /^(?:\[[\w\s,~]*\]|[A-Za-z_]\w*)\s*=\s*(?:[A-Za-z_]\w*\.)*(?:ss|StateSpace)\s*\([^()\n]*\)/
+const SAMPLED = /^(?:(?:\[[\w\s,~]*\]|[\w\s,]+?)\s*=\s*)?(?:[A-Za-z_]\w*\.)*(?:c2d|cont2discrete|sample_system)\s*(?=\()/
+/** `P *= 1000`, as filterpy's users write it. */
+const TIMES = /^(?:[A-Za-z_]\w*\.)*(P)\s*\*=\s*/
 /** What begins a statement that does more than give a value. */
 const DOES = /^(?:class|def|do|elif|else|elseif|end|except|finally|for|from|function|if|try|while|with)\b/
 /** The name of what is given, perhaps of an object's part: `F =`, `"F":`, `kf.F =`. */
@@ -52,8 +47,12 @@ const ROWS_IN_ONE = /^\s*\[[^[\]]*;[^[\]]*\]/
 /** What MATLAB ends with a comment, and Python computes: the rest of a division; not within a comment or a string. */
 const REST_OR_COMMENT = /^((?:(?!\/\/|\/\*)[^%#"'\n])*?)(\d[\d.]*[^\S\n]*%[^\S\n]*\d[\d.]*)[^\S\n]*(?=[\n;,)\]]|$)/m
 
-/** @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices */
-/** @typedef {{ ok: true, system: Matrices, unused: string[] } | { ok: false, fault: string, line: number }} Read */
+/**
+ * @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices
+ * @typedef {Matrices & { period?: number, continuous?: boolean, spread?: number[] }} Given
+ * @typedef {{ ok: true, system: Given, unused: string[], as: string }} Good
+ * @typedef {Good | { ok: false, fault: string, line: number }} Read `as`: which letters were read as which
+ */
 
 /**
  * @param {string} text
@@ -109,10 +108,18 @@ class Paste {
     this.at = 0
     /** The line where the present statement begins, counted from 1; 0 behind the last. */
     this.line = 1
-    /** @type {Record<string, { matrix: number[][], line: number, from: 0 | 1 }>} `from`: what `[ ]` count from */
+    /** @type {import('./letters.js').Found} */
     this.found = {}
     /** @type {string[]} */
     this.unused = []
+    /** What other names stand for. @type {Map<string, number[][]>} */
+    this.values = new Map()
+    this.continuous = false
+    /** @type {number | undefined} */
+    this.period = undefined
+    /** @type {{ name: string, matrix: number[][], line: number } | null} */
+    this.start = null
+    this.numpy = /\b(?:np|numpy|jnp)\.|\barray\(/.test(text)
   }
 
   get rest() {
@@ -134,29 +141,84 @@ class Paste {
       this.statement()
     }
     this.line = 0
-    return { system: this.checked(), unused: [...new Set(this.unused)] }
+    return this.whole()
   }
 
   statement() {
     if (DOES.test(this.rest)) throw this.notUnderstood(this.rest)
+    if (this.take(SPACE)) return
+    if (this.take(SAMPLED)) return this.sampled()
     const entry = this.take(ENTRY)
     if (entry) return this.entry(entry)
+    const times = this.take(TIMES)
+    if (times) return this.times(times[1])
     const named = this.take(NAME)
     if (!named) throw this.notUnderstood(this.rest)
     const [, , name] = named
-    if (NAMES.includes(name)) {
+    if (LETTERS.includes(name)) {
       if (this.found[name]) throw new Fault(`${name} is given twice.`)
       const from = ROWS_IN_ONE.test(this.rest) ? 1 : 0
       this.found[name] = { matrix: this.value(name), line: this.line, from }
-    } else if (!this.take(OPENS)) {
-      this.unused.push(name)
+    } else if (!this.take(OPENS)) this.other(name)
+  }
+
+  /** What is none of the matrices: a name for a number or a matrix, if it is one. @param {string} name */
+  other(name) {
+    const before = this.at
+    this.unused = this.unused.filter((each) => each !== name)
+    try {
+      const matrix = this.value(name)
+      this.values.set(name, matrix)
+      if (PERIOD.test(name) && matrix.flat().length === 1) {
+        this.period = matrix[0][0]
+        return
+      }
+      if (START.test(name)) {
+        this.start = { name, matrix, line: this.line }
+        return
+      }
+    } catch (error) {
+      if (!(error instanceof Fault)) throw error
+      this.at = before
       this.skip()
+    }
+    this.unused.push(name)
+  }
+
+  /** `c2d(sys, T)` and its like. */
+  sampled() {
+    const before = this.at
+    this.skip()
+    const statement = this.text.slice(before, this.at)
+    const [last] = /[^,()]*(?=\)[^()]*$)/.exec(statement.replace(/,\s*(?:'[^']*'|"[^"]*"|\w+\s*=\s*'[^']*')/g, '')) ?? [
+      '',
+    ]
+    const [[period]] = new Value(last.trim(), 'The period', this.scope()).scalar()
+    this.continuous = true
+    this.period = period
+  }
+
+  /** @param {string} name */
+  times(name) {
+    const by = this.value(name)
+    if (by.flat().length !== 1) throw this.notUnderstood(`${name} *=`)
+    const matrix = this.start ? this.start.matrix.map((row) => row.map((entry) => entry * by[0][0])) : by
+    this.start = { name, matrix, line: this.line }
+  }
+
+  scope() {
+    return {
+      numpy: this.numpy,
+      get: (/** @type {string} */ name) => {
+        this.unused = this.unused.filter((each) => each !== name)
+        return this.values.get(name) ?? this.found[name]?.matrix
+      },
     }
   }
 
   /** @param {string} name */
   value(name) {
-    const value = new Value(this.rest, name)
+    const value = new Value(this.rest, name, this.scope())
     const matrix = value.read()
     this.at = this.text.length - value.rest.length
     return matrix
@@ -164,9 +226,10 @@ class Paste {
 
   /** @param {RegExpExecArray} found */
   entry([words, name, ...indices]) {
-    if (this.unused.includes(name)) return this.skip()
-    if (!this.found[name]) throw this.notUnderstood(words)
-    const { matrix, from } = this.found[name]
+    const of = this.start?.name === name ? { matrix: this.start.matrix, from: 0 } : this.found[name]
+    if (!of && (this.unused.includes(name) || this.values.has(name))) return this.skip()
+    if (!of) throw this.notUnderstood(words)
+    const { matrix, from } = of
     const [row, column] = (indices[0] ? indices.slice(0, 2) : indices.slice(2)).map(
       (i) => Number(i) - (indices[0] ? 1 : from),
     )
@@ -199,41 +262,24 @@ class Paste {
     return new Fault(`“${line.slice(0, 30)}” is not understood here; write each matrix as NAME = its numbers.`)
   }
 
-  /** The matrices, if they fit one another. @returns {Matrices} */
-  checked() {
-    const { text } = this
-    const found = Object.fromEntries(Object.entries(this.found).map(([name, { matrix }]) => [name, matrix]))
-    const elsewhere = this.unused.filter((name) => ELSEWHERE.includes(name))
-    if (Object.keys(found).length === 0)
-      throw new Fault(`No matrix was found. ${elsewhere.length ? TRANSLATED : EXPECTED}`)
-    for (const [name, meant] of Object.entries(MEANT))
-      if (!found[name]) throw new Fault(`${name}, ${meant}, is missing.${elsewhere.length ? ` ${TRANSLATED}` : ''}`)
-    if (!found.G && this.unused.includes('B')) throw new Fault(`B is given and G is not. ${TRANSLATED}`)
-    const n = found.F.length
-    // In numpy a row of numbers has no direction: it is taken as the one that fits.
-    if (found.G?.length === 1 && n > 1 && found.G[0].length === n) found.G = transposed(found.G)
-    const p = found.H.length
-    const m = found.G?.[0]?.length ?? 0
-    const sizes = /** @type {Record<string, [number, number]>} */ ({
-      F: [n, n],
-      G: [n, m],
-      H: [p, n],
-      V: [n, n],
-      W: [p, p],
-    })
-    for (const name of NAMES.filter((each) => found[each])) {
-      this.line = this.found[name].line
-      const [rows, columns] = [found[name].length, found[name][0].length]
-      if (rows > MOST || columns > MOST)
-        throw new Fault(`${name} is ${rows} × ${columns}; at most ${MOST} × ${MOST} are shown here.${hintOf(text)}`)
-      const [height, width] = sizes[name]
-      const why =
-        name === 'F'
-          ? 'it has to be square'
-          : `with F ${n} × ${found.F[0].length} and H ${p} × ${found.H[0].length} it needs to be ${height} × ${width}`
-      if (rows !== height || columns !== width)
-        throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}`)
+  /** The system, if its matrices fit one another. */
+  whole() {
+    const { system, as } = systemOf(this.found, this.text, (line) => void (this.line = line))
+    const given = /** @type {Given} */ (system)
+    const through = this.values.get('D')
+    if (through?.flat().some((entry) => entry !== 0))
+      throw new Fault('D is not 0: a reading does not depend on the input here.')
+    this.unused = this.unused.filter((name) => name !== 'D')
+    if (this.period !== undefined) {
+      if (!(this.period > 0)) throw new Fault('The length of a step must be more than 0.')
+      given.period = this.period
     }
-    return /** @type {any} */ ({ G: found.F.map(() => []), ...found })
+    if (this.continuous) given.continuous = true
+    if (this.start) {
+      this.line = this.start.line
+      given.spread = spreadOf(this.start.matrix, system.F.length, this.start.name)
+      this.line = 0
+    }
+    return { system: given, as, unused: [...new Set(this.unused)] }
   }
 }

@@ -2,12 +2,13 @@
 
 import { choose, select } from './fields.js'
 import { nameOf } from './names.js'
+import { MOST } from './presets.js'
 import { shownState } from './words.js'
 
 /** @param {Document} document @param {import('./editor.js').Change} change */
 export function buildShown(document, change) {
   const element = document.createElement('div')
-  const input = select(document, element, 'State in the plots', ['', '', '', ''])
+  const input = select(document, element, 'State in the plots', Array(MOST).fill(''))
   input.addEventListener('change', () => change({ shown: input.selectedIndex + 1 }))
   return {
     element,

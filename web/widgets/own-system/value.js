@@ -1,8 +1,14 @@
 /** Reads one matrix of a paste, in JSON, MATLAB or numpy notation. What is wrong is named with the matrix it is in. */
 
+import { entriesOf, scalarOf } from './expression.js'
+
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i
+/** The most rows and columns of what is made by `eye`, `zeros` and `ones`. */
+const MOST = 9
 
 export class Fault extends Error {}
+
+/** @typedef {{ get: (name: string) => number[][] | undefined, numpy: boolean }} Scope what names stand for */
 
 /**
  * A number as a reader types it: a decimal, also by a true minus sign, or a fraction of two.
@@ -37,15 +43,19 @@ export const hintOf = (text) =>
 /** @param {number[][]} m */
 export const transposed = (m) => m[0].map((_, j) => m.map((row) => row[j]))
 
+/** @param {number[][]} m */
+const isScalar = (m) => m.length === 1 && m[0].length === 1
+
 /**
- * The value behind `name =`: a matrix in brackets or without, `eye(2)` and its like, a number times these, and
- * transposes.
+ * The value behind `name =`: a matrix in brackets or without, `eye(2)` and its like, sums, products and transposes of
+ * these, and what was given before.
  */
 export class Value {
-  /** @param {string} text @param {string} name */
-  constructor(text, name) {
+  /** @param {string} text @param {string} name @param {Scope} [scope] */
+  constructor(text, name, scope = { get: () => undefined, numpy: false }) {
     this.name = name
     this.rest = text
+    this.scope = scope
   }
 
   /** @param {RegExp} pattern @returns {RegExpExecArray | null} */
@@ -64,15 +74,7 @@ export class Value {
       const factor = printed[1] === undefined ? 1 : this.entry(printed[1], 1, 1)
       return this.rows(printed[2].trim().split('\n')).map((row) => row.map((entry) => factor * entry))
     }
-    let value = this.factor()
-    for (let sign; (sign = this.take(/^[^\S\n]*(\.?[*/])\s*/)?.[1]); ) {
-      const next = this.factor()
-      const [one, other] = next.length === 1 && next[0].length === 1 ? [next, value] : [value, next]
-      if (one.length !== 1 || one[0].length !== 1 || (sign.endsWith('/') && one !== next)) this.refuse(`${sign}`)
-      const by = sign.endsWith('/') ? 1 / one[0][0] : one[0][0]
-      if (!Number.isFinite(by)) this.refuse(`${sign} ${one[0][0]}`)
-      value = other.map((row) => row.map((entry) => entry * by))
-    }
+    const value = this.sum()
     // Behind a value stands its end, or the next name.
     if (!/^[^\S\n]*(?:$|[\n;,})]|(["']?)[A-Za-z]\w*\1\s*[:=](?!=))/.test(this.rest)) this.refuse(this.rest)
     return value
@@ -87,11 +89,68 @@ export class Value {
   }
 
   /** @returns {number[][]} */
+  sum() {
+    let value = this.product()
+    for (let sign; (sign = this.take(/^[^\S\n]*\.?([-+])(?!=)\s*/)?.[1]); ) {
+      const next = this.product()
+      if (next.length !== value.length || next[0].length !== value[0].length) this.refuse(sign)
+      const by = sign === '-' ? -1 : 1
+      value = value.map((row, i) => row.map((entry, j) => entry + by * next[i][j]))
+    }
+    return value
+  }
+
+  /** @returns {number[][]} */
+  product() {
+    let value = this.factor()
+    for (let sign; (sign = this.take(/^[^\S\n]*(\.?[*/@])(?![*/=])\s*/)?.[1]); ) {
+      const next = this.factor()
+      if (isScalar(next) && sign !== '@') {
+        const by = sign.endsWith('/') ? 1 / next[0][0] : next[0][0]
+        if (!Number.isFinite(by)) this.refuse(`${sign} ${next[0][0]}`)
+        value = value.map((row) => row.map((entry) => (sign.endsWith('/') ? entry / next[0][0] : entry * by)))
+      } else if (isScalar(value) && /^\.?\*$/.test(sign)) {
+        const [[by]] = value
+        value = next.map((row) => row.map((entry) => by * entry))
+      } else value = this.matrices(value, next, sign)
+    }
+    return value
+  }
+
+  /**
+   * The product of two matrices. With numpy, `*` multiplies entry by entry, and `@` does this.
+   * @param {number[][]} one @param {number[][]} other @param {string} sign
+   */
+  matrices(one, other, sign) {
+    if (sign !== '@' && (sign !== '*' || this.scope.numpy)) this.refuse(sign)
+    if (one[0].length !== other.length)
+      throw new Fault(`${this.name}: a ${one.length} × ${one[0].length} and a ${other.length} × ${other[0].length} \
+matrix have no product.`)
+    return one.map((row) => other[0].map((_, j) => row.reduce((sum, entry, k) => sum + entry * other[k][j], 0)))
+  }
+
+  /** @returns {number[][]} */
   factor() {
     this.take(/^\s+/)
-    let value = this.made() ?? (this.rest.startsWith('[') ? this.bracketed() : this.scalar())
+    const minus = this.take(/^[-−–]\s*(?![\d.])/)
+    let value = this.made() ?? (this.rest.startsWith('[') ? this.bracketed() : (this.known() ?? this.scalar()))
     while (this.take(/^(?:\.?'|\.T\b|\.transpose\(\))/)) value = transposed(value)
-    return value
+    const power = this.take(/^[^\S\n]*\.?(?:\^|\*\*)\s*(-?[\w.]+|\([^()\n]*\))/)
+    if (power) {
+      const by = this.number(power[1])
+      if (!isScalar(value) || !Number.isFinite(by)) this.refuse(power[0])
+      value = [[value[0][0] ** by]]
+    }
+    return minus ? value.map((row) => row.map((entry) => -entry)) : value
+  }
+
+  /** A matrix that was given before. */
+  known() {
+    const name = /^(?:[A-Za-z_]\w*\.(?!T\b|transpose\b))*([A-Za-z_]\w*)(?!\s*[\w(])/.exec(this.rest)
+    const value = name ? this.scope.get(name[1]) : undefined
+    if (!name || !value || isScalar(value)) return null
+    this.rest = this.rest.slice(name[0].length)
+    return value.map((row) => [...row])
   }
 
   /**
@@ -103,7 +162,7 @@ export class Value {
     if (!call) return null
     const [, numpy, kind = ''] = call
     if (/eye|identity|zeros|ones/.test(kind)) return this.filled(kind, numpy !== undefined)
-    const inner = this.rest.startsWith('[') ? this.bracketed() : (this.made() ?? this.scalar())
+    const inner = this.sum()
     if (!this.take(/^\s*(?:,\s*dtype\s*=\s*[\w.]+\s*)?,?\s*\)/)) {
       if (this.rest.includes(')')) this.refuse(this.rest)
       throw new Fault(`${this.name}: a bracket is not closed.`)
@@ -116,23 +175,30 @@ export class Value {
 
   /** @param {string} kind @param {boolean} numpy */
   filled(kind, numpy) {
-    const size = /\s*(\d)(?:\s*,\s*(\d))?\s*/.source
+    const size = /\s*(\w+)(?:\s*,\s*(\w+))?\s*/.source
+    const before = this.rest
     const sizes = this.take(new RegExp(`^\\(${size},?\\s*\\)\\s*\\)`)) ?? this.take(new RegExp(`^${size}\\)`))
-    if (!sizes) this.refuse(`${kind}(${this.rest.slice(0, 8)}`)
+    const count = (/** @type {string} */ text) => {
+      const value = this.number(text)
+      if (!Number.isInteger(value) || value > MOST) this.refuse(`${kind}(${before.slice(0, 8)}`)
+      return value
+    }
+    if (!sizes) this.refuse(`${kind}(${before.slice(0, 8)}`)
     const square = kind === 'eye' || kind === 'identity'
-    const first = Number(sizes[1])
+    const first = count(sizes[1])
     // In numpy one size makes a row of numbers.
-    const [rows, columns] = sizes[2] ? [first, Number(sizes[2])] : numpy && !square ? [1, first] : [first, first]
-    if (rows === 0 || columns === 0) throw new Fault(`${this.name} is empty.`)
+    const [rows, columns] = sizes[2] ? [first, count(sizes[2])] : numpy && !square ? [1, first] : [first, first]
+    if (rows < 1 || columns < 1) throw new Fault(`${this.name} is empty.`)
     return Array.from({ length: rows }, (_, i) =>
       Array.from({ length: columns }, (_, j) => (kind === 'ones' || (square && i === j) ? 1 : 0)),
     )
   }
 
   scalar() {
-    // A number ends where a factor or a transpose begins; a fraction of two is one number.
-    const word = this.take(/^[^\s,;(){}\]*'/]*(?:\/(?=[-+.\d])[^\s,;(){}\]*'/]*)?/)?.[0] ?? ''
-    return [[this.entry(word, 1, 1)]]
+    // A call or a name; else a number ends where a factor or a transpose begins, and a fraction of two is one number.
+    const call = this.take(/^[-+−–]?(?:[A-Za-z_]\w*\.)*[A-Za-z_]\w*(?:\s*\([^()\n]*(?:\([^()\n]*\)[^()\n]*)*\))?/)
+    const word = call ?? this.take(/^[^\s,;(){}\]*'/^@]*(?:\/(?=[-+.\d])[^\s,;(){}\]*'/^@]*)?/)
+    return [[this.entry(word?.[0] ?? '', 1, 1)]]
   }
 
   bracketed() {
@@ -159,13 +225,7 @@ export class Value {
 
   /** @param {string[]} lines */
   rows(lines) {
-    const rows = lines.map((line, i) =>
-      line
-        .trim()
-        .replace(/\s*,$/, '')
-        .split(/\s*,\s*|\s+/)
-        .map((word, j) => this.entry(word, i + 1, j + 1)),
-    )
+    const rows = lines.map((line, i) => entriesOf(line).map((word, j) => this.entry(word, i + 1, j + 1)))
     if (rows.length === 0) throw new Fault(`${this.name} is empty.`)
     const uneven = rows.findIndex((row) => row.length !== rows[0].length)
     if (uneven > 0)
@@ -176,9 +236,17 @@ export class Value {
     return rows
   }
 
+  /** @param {string} text */
+  number(text) {
+    return scalarOf(text, (name) => {
+      const value = this.scope.get(name)
+      return value && isScalar(value) ? value[0][0] : undefined
+    })
+  }
+
   /** @param {string} word @param {number} row @param {number} column */
   entry(word, row, column) {
-    const number = numberOf(word)
+    const number = this.number(word)
     if (!Number.isFinite(number)) throw new Fault(`${this.name}, row ${row}, column ${column}: ${faultOf(word)}`)
     return number
   }

@@ -1,7 +1,7 @@
 /** What a frame says in sentences. Every sentence is a function of the frame. */
 
 import { fixed, power } from '../../draw/numbers.js'
-import { sumsOf } from './names.js'
+import { decimalsOf, seconds, short, sumsOf } from './names.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
 
@@ -60,15 +60,19 @@ function reached({ noise, params }) {
 }
 
 /** @param {Frame} frame */
-function limit({ limit: kind, settled, tried }) {
+function limit({ limit: kind, settled, tried, doubled, params }) {
+  const lasting = params.period > 0 ? `, ${seconds(doubled.steps * params.period)}` : ''
+  const another = doubled.dependsOnStart ? '; a larger start leads to another limit' : ''
   const run =
     settled !== null && kind === 'none'
       ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.`
       : settled !== null
-        ? ` From this start it settles in ${settled} steps.`
-        : tried === null
-          ? ' From this start it outgrows every number.'
-          : ` From this start it has not settled after ${tried} steps.`
+        ? ` From this start it settles in ${settled} steps${another}.`
+        : doubled.converged
+          ? ` From this start it settles in about ${short(doubled.steps)} steps${lasting}${another}.`
+          : tried === null
+            ? ' From this start it outgrows every number.'
+            : ` From this start it has not settled after ${tried} steps.`
   return (
     {
       'from-every-start':
@@ -92,6 +96,7 @@ function limit({ limit: kind, settled, tried }) {
 
 /** @param {Frame} frame */
 function stability({ params, placed, spectralRadius, movable, eigenvalues, diverged }) {
+  const decimals = decimalsOf(eigenvalues, 3)
   if (diverged) return 'The simulated run has left every bound and stands still.'
   if (placed === false) return 'No gain was found that puts the eigenvalues there, so the gain is 0.'
   const who = { filter: 'With the filter’s gain', hand: 'With this gain', placement: 'With the gain that places them' }[
@@ -104,7 +109,7 @@ function stability({ params, placed, spectralRadius, movable, eigenvalues, diver
       : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ` +
         `${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
   const forEver = spectralRadius < 1 ? '' : ', so an error need not die out'
-  const reach = `the eigenvalues of the error’s matrix reach the modulus ${fixed(spectralRadius, 3)}`
+  const reach = `the eigenvalues of the error’s matrix reach the modulus ${fixed(spectralRadius, decimals)}`
   return `${who} ${reach}${forEver}.${fixedOnes}`
 }
 
@@ -112,9 +117,7 @@ function stability({ params, placed, spectralRadius, movable, eigenvalues, diver
 export function describe(frame) {
   const { eigenvalues, rank, tolerance, truth, estimate, params, R, P } = frame
   const i = shownState(params)
-  const roots = eigenvalues.map(({ re, im }) =>
-    im === 0 ? fixed(re, 3) : `${fixed(re, 3)} ${im < 0 ? '−' : '+'} ${fixed(Math.abs(im), 3)} i`,
-  )
+  const roots = rootsOf(eigenvalues)
   return {
     disc: `Unit disc: the eigenvalues of the error’s matrix are ${roots.join(', ')}.`,
     ranks:
@@ -129,6 +132,15 @@ export function describe(frame) {
       `${R ? R[i].map((value) => fixed(value, 3)).join(', ') : 'none before the first step'}.`,
     variance: `Variances over time, now ${P.map((row, j) => fixed(row[j], 3)).join(', ')}.`,
   }
+}
+
+/** Eigenvalues, with the digits that tell them apart. @param {Frame['eigenvalues']} eigenvalues */
+export function rootsOf(eigenvalues) {
+  const decimals = decimalsOf(eigenvalues, 3)
+  return eigenvalues.map(({ re, im }) => {
+    const beside = `${im < 0 ? '−' : '+'} ${fixed(Math.abs(im), decimals)} i`
+    return im === 0 ? fixed(re, decimals) : `${fixed(re, decimals)} ${beside}`
+  })
 }
 
 /** The state in the plots. @param {any} params */

@@ -84,8 +84,8 @@ fn at<'a>(shape: &'a Shape, path: &str) -> Option<&'a Shape> {
     let inner = match shape {
         Shape::Maybe(inner) => return at(inner, path),
         Shape::Record(_, fields) | Shape::Sparse(_, fields) => &fields.iter().find(|field| field.name == name)?.shape,
-        Shape::List(_) | Shape::Exactly(..) if name == "length" => &Shape::Whole,
-        Shape::Exactly(n, inner) if name.parse::<usize>().ok()? < *n => *inner,
+        Shape::List(_) | Shape::Exactly(..) | Shape::Between(..) if name == "length" => &Shape::Whole,
+        Shape::Exactly(n, inner) | Shape::Between(_, n, inner) if name.parse::<usize>().ok()? < *n => *inner,
         Shape::List(inner) if name.parse::<usize>().is_ok() => *inner,
         _ => return None,
     };

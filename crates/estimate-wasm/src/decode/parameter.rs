@@ -26,6 +26,17 @@ impl Arg<'_> {
                     self.entry(i)?.shaped(p, entry, to)?;
                 }
             }
+            Shape::Between(least, most, entry) => {
+                let length = self.length()?;
+                if !(*least..=*most).contains(&(length as usize)) {
+                    let message = format!("has {length} entries; it must have from {least} to {most}");
+                    return Err(self.refuse(Code::Shape, message));
+                }
+                to.push(f64::from(length));
+                for i in 0..length {
+                    self.entry(i)?.shaped(p, entry, to)?;
+                }
+            }
             Shape::Each(names, value) => self.each(p, names, value, to)?,
             Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => {
                 return Err(self.wrong_type("a parameter"));

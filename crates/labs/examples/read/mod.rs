@@ -18,6 +18,11 @@ pub fn read(shape: &Shape, value: &Value, to: &mut Vec<f64>) -> Option<()> {
             let entries = value.as_array().filter(|entries| entries.len() == *n)?;
             entries.iter().try_for_each(|each| read(entry, each, to))?;
         }
+        Shape::Between(_, most, entry) => {
+            let entries = value.as_array().filter(|entries| entries.len() <= *most)?;
+            to.push(entries.len() as f64);
+            entries.iter().try_for_each(|each| read(entry, each, to))?;
+        }
         Shape::Each(names, inner) => {
             let of = |name| if value.is_object() { value.get(name) } else { Some(value) };
             names.iter().try_for_each(|name| read(inner, of(name)?, to))?;

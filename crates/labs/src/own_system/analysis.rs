@@ -1,16 +1,21 @@
 //! What is known of a system before it runs: ranks, verdicts, the limit of the covariance, and the eigenvalues under
 //! the gain in use.
 
-use super::frame::OwnEigenvalue;
-use super::params::{GainBy, OwnParams};
-use estimate::dynamic::{self, System};
+use super::decay::{decay_of, run_length};
+use super::frame::{OwnDecay, OwnEigenvalue, OwnLimit};
+use super::params::{Entries, GainBy, OwnParams};
+use estimate::dynamic::{self, Continuous, Discrete, Limit, System};
 use estimate::observability::Observability;
+use estimate::riccati::SteadyState;
 use estimate::{Code, Complex, Detectability, Error, Movable, Reachability};
-use nalgebra::DMatrix;
+use nalgebra::{DMatrix, DVector, Dyn};
 use numerics::hypot;
 
 /// Steps after which P has settled if it does so within a reader's patience.
 const SETTLE_STEPS: usize = 1000;
+/// What single steps and the limit may differ by where they are the same.
+const SAME: f64 = 1e-9;
+
 /// What is known of a system before it runs.
 #[derive(Debug)]
 pub(super) struct Analysis {
@@ -24,6 +29,10 @@ pub(super) struct Analysis {
     pub settled: Option<u32>,
     pub tried: Option<u32>,
     pub limit_p: Option<DMatrix<f64>>,
+    pub doubled: OwnLimit,
+    pub p0: DMatrix<f64>,
+    pub decay: Vec<OwnDecay>,
+    pub run_length: u32,
     /// The gain whose eigenvalues are shown.
     pub gain: DMatrix<f64>,
     pub placed: Option<bool>,
@@ -34,49 +43,53 @@ pub(super) struct Analysis {
 
 impl Analysis {
     pub fn new(params: &OwnParams) -> Result<Self, Error> {
-        let [n, m, p] = [params.states, params.inputs, params.readings].map(|count| count as usize);
-        let part = |entries: &[[f64; 4]; 4], rows: usize, columns: usize| {
-            DMatrix::from_fn(rows, columns, |i, j| entries[i][j])
-        };
-        let system = System::new(
-            part(&params.f, n, n),
-            part(&params.g, n, m),
-            part(&params.h, p, n),
-            part(&params.v, n, n),
-            part(&params.w, p, p),
-        )?;
+        let [n, p] = [params.states, params.readings].map(|count| count as usize);
+        let system = system_of(params)?;
         let (f, h) = (&system.f, &system.h);
         let tolerance = tolerance(params);
         let movable = dynamic::movable(f.clone(), h.clone(), tolerance)?;
-        let p0 = DMatrix::identity(n, n) * params.start;
-        let limit = match system.steady_state_gain(&p0, SETTLE_STEPS, 1e-12) {
-            Ok(state) => Some(state),
+        let p0 = DMatrix::from_diagonal(&DVector::from_fn(n, |i, _| params.start * params.spread[i]));
+        let limit = match dynamic::steady_state(&system, p0.clone()) {
             // P grows beyond every number.
-            Err(error) if error.code == Code::NotFinite => None,
-            Err(error) => return Err(error),
+            Err(error) if error.code == Code::NotFinite => nowhere(&p0, p),
+            found => found?,
         };
-        let settled = limit.as_ref().filter(|state| state.converged && state.gain_converged);
+        // Where P grows beyond every number, or so far that it hides all that is read, there is no last step.
+        let stepped = dynamic::steady_state_gain(&system, p0.clone(), SETTLE_STEPS, 1e-12).ok();
+        let arrived = stepped.as_ref().filter(|state| state.converged && state.gain_converged);
+        let settled = arrived.filter(|state| !limit.converged || same_covariance(state, &limit));
+        let limit_p = settled.map(|state| state.p.clone()).or_else(|| limit.converged.then(|| limit.p.clone()));
         let mut placed = None;
         let gain = match params.gain {
-            GainBy::Filter => limit.as_ref().map(|state| state.r.clone()),
-            GainBy::Hand => Some(part(&params.k, n, p)),
+            GainBy::Filter => Some(filter_gain(stepped.as_ref(), &limit)),
+            GainBy::Hand => Some(part(&params.k, [n, p])),
             GainBy::Placement => {
-                let found = movable.gain(&wanted(&params.poles, movable.count()));
+                let found = movable.gain(&wanted(&params.poles[..], movable.count()));
                 placed = Some(found.is_ok());
                 found.ok()
             }
         };
         let gain = gain.unwrap_or_else(|| DMatrix::zeros(n, p));
         let found = dynamic::error_eigenvalues(&system, gain.clone())?;
+        let eigenvalues = marked(&found, &movable.fixed()?);
         Ok(Self {
             rank: dynamic::observability(f.clone(), h.clone(), tolerance)?,
             seen: dynamic::detectability(f.clone(), h.clone(), tolerance)?,
             noise: dynamic::noise_reach(f.clone(), system.v.clone(), tolerance)?,
             input: dynamic::stabilizability(f.clone(), system.g.clone(), tolerance)?,
             settled: settled.map(|state| state.iterations as u32),
-            tried: limit.as_ref().map(|state| state.iterations as u32),
-            limit_p: settled.map(|state| state.p.clone()),
-            eigenvalues: marked(&found, &movable.fixed()?),
+            tried: stepped.as_ref().map(|state| state.iterations as u32),
+            limit_p,
+            doubled: OwnLimit {
+                converged: limit.converged,
+                gain_converged: limit.gain_converged,
+                depends_on_start: limit.depends_on_start,
+                steps: limit.steps,
+            },
+            decay: decay_of(&eigenvalues, params.period),
+            run_length: run_length(&eigenvalues, n + p),
+            eigenvalues,
+            p0,
             gain,
             placed,
             roots: [dynamic::noise_input(system.v.clone())?, dynamic::noise_input(system.w.clone())?],
@@ -86,13 +99,71 @@ impl Analysis {
     }
 }
 
+fn part(entries: &Entries, [rows, columns]: [usize; 2]) -> DMatrix<f64> {
+    DMatrix::from_fn(rows, columns, |i, j| entries[i][j])
+}
+
+/// The system over a step.
+fn system_of(params: &OwnParams) -> Result<System, Error> {
+    let [n, m, p] = [params.states, params.inputs, params.readings].map(|count| count as usize);
+    let (f, g, v) = (part(&params.f, [n, n]), part(&params.g, [n, m]), part(&params.v, [n, n]));
+    let Discrete { f, g, v } = if params.continuous {
+        if params.period <= 0.0 {
+            return Err(Error::new(Code::Limit, "period", "must be positive, for a system in continuous time"));
+        }
+        Continuous::new(f, g, v).and_then(|system| system.discretize(params.period)).map_err(|mut error| {
+            error.argument = match error.argument.as_ref() {
+                "A" => "F".into(),
+                "B" => "G".into(),
+                "Q" => "V".into(),
+                _ => "period".into(),
+            };
+            error
+        })?
+    } else {
+        Discrete { f, g, v }
+    };
+    System::new(f, g, part(&params.h, [p, n]), v, part(&params.w, [p, p]))
+}
+
+/// Where the first step has no answer.
+fn nowhere(p0: &DMatrix<f64>, outputs: usize) -> Limit {
+    Limit {
+        r: DMatrix::zeros(p0.nrows(), outputs),
+        p: p0.clone(),
+        converged: false,
+        gain_converged: false,
+        depends_on_start: false,
+        steps: 0.0,
+    }
+}
+
+/// The limit of the filter's gain. Where single steps have come to it, it is their last gain, to the last bit: links
+/// were made with it.
+fn filter_gain(stepped: Option<&SteadyState<Dyn, Dyn>>, limit: &Limit) -> DMatrix<f64> {
+    let near = |r: &DMatrix<f64>| {
+        r.row_iter().zip(limit.r.row_iter()).all(|(one, other)| (one - other).amax() <= SAME * other.amax())
+    };
+    match stepped {
+        Some(state) if !limit.gain_converged || near(&state.r) => state.r.clone(),
+        _ => limit.r.clone(),
+    }
+}
+
+/// Whether the last of single steps is the limit, each entry in units of its own.
+fn same_covariance(state: &SteadyState<Dyn, Dyn>, limit: &Limit) -> bool {
+    let p = &limit.p;
+    let off = |i: usize, j: usize| (state.p[(i, j)] - p[(i, j)]).abs() <= SAME * (p[(i, i)] * p[(j, j)]).sqrt();
+    (0..p.nrows()).all(|i| (0..p.ncols()).all(|j| off(i, j)))
+}
+
 pub(super) fn tolerance(params: &OwnParams) -> f64 {
     libm::pow(10.0, params.log_tolerance)
 }
 
 /// The first `count` eigenvalues that the reader wants, with their conjugates. For the last one there may be no room
 /// for its conjugate: then it is real.
-pub(super) fn wanted(poles: &[[f64; 2]; 4], count: usize) -> Vec<Complex<f64>> {
+pub(super) fn wanted(poles: &[[f64; 2]], count: usize) -> Vec<Complex<f64>> {
     let mut all = Vec::with_capacity(count);
     while all.len() < count {
         let [re, im] = poles[all.len()];

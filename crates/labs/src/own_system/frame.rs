@@ -5,6 +5,25 @@ use estimate::{Complex, RiccatiLimit, Verdict};
 use lab::record;
 use lab::series::Series;
 
+/// So many lists there are at least: there were no more when the first links were made.
+const LISTS: usize = 4;
+
+impl OwnSeries {
+    /// Empty ones, for so many states and readings.
+    pub(super) fn of(states: usize, readings: usize) -> Self {
+        let [n, p] = [states, readings].map(|count| count.max(LISTS));
+        let each = || vec![Series::default(); n];
+        Self {
+            step: Series::default(),
+            truth: each(),
+            estimate: each(),
+            variance: each(),
+            sigma: each(),
+            gain: vec![vec![Series::default(); p]; n],
+        }
+    }
+}
+
 record! {
     /// A system, what can be known of it, and a simulated run.
     pub struct OwnFrame {
@@ -33,10 +52,21 @@ record! {
         pub settled: Option<u32>,
         /// How many steps were tried for that; null where P grew beyond every number before.
         pub tried: Option<u32>,
-        /// P(k+1 | k) when it settled, by rows; null where it did not.
+        /// The limit of P(k+1 | k) from this start, by rows; null where it has none.
         #[name = "limitP"]
         pub limit_p: Option<Vec<Vec<f64>>>,
-        /// The gain whose eigenvalues are shown, n×p by rows: the filter's last, the reader's, or the one that places
+        /// What doubling the steps says of the limit.
+        pub doubled: OwnLimit,
+        /// F over a step, by rows: as given, or sampled.
+        #[name = "F"]
+        pub f: Vec<Vec<f64>>,
+        /// G over a step, by rows.
+        #[name = "G"]
+        pub g: Vec<Vec<f64>>,
+        /// V over a step, by rows.
+        #[name = "V"]
+        pub v: Vec<Vec<f64>>,
+        /// The gain whose eigenvalues are shown, n×p by rows: the filter's limit, the reader's, or the one that places
         /// the poles.
         #[name = "K"]
         pub k: Vec<Vec<f64>>,
@@ -44,6 +74,10 @@ record! {
         pub eigenvalues: Vec<OwnEigenvalue>,
         /// The largest modulus among them.
         pub spectral_radius: f64,
+        /// How fast each of them dies out, in the same order.
+        pub decay: Vec<OwnDecay>,
+        /// Steps of a run in which the slowest of those that die out is down to 5 %, as far as a reader can wait for it.
+        pub run_length: u32,
         /// How many eigenvalues a gain can move.
         pub movable: u32,
         /// Whether a gain was found that puts the poles where they are wanted; null where the gain comes otherwise.
@@ -90,6 +124,28 @@ record! {
         pub unreached: Vec<Vec<f64>>,
     }
 
+    /// Where doubling the steps leads P(k+1 | k) and the filter's gain.
+    #[derive(Copy)]
+    pub struct OwnLimit {
+        /// Whether P has a limit from this start.
+        pub converged: bool,
+        /// Whether the gain has.
+        pub gain_converged: bool,
+        /// Whether a larger start has another limit.
+        pub depends_on_start: bool,
+        /// Steps until they no longer change: a power of two and a few more.
+        pub steps: f64,
+    }
+
+    /// How fast an error dies out.
+    #[derive(Copy)]
+    pub struct OwnDecay {
+        /// Steps until 5 % of it are left; null where it does not die out.
+        pub steps: Option<f64>,
+        /// Its time constant in seconds; null where it has none or a step's length is not known.
+        pub seconds: Option<f64>,
+    }
+
     /// An eigenvalue of (I − KH)F.
     #[derive(Copy)]
     pub struct OwnEigenvalue {
@@ -103,20 +159,21 @@ record! {
         pub fixed: bool,
     }
 
-    /// The last steps, oldest first; the lists of states and readings that the system lacks are empty.
+    /// The last steps, oldest first, or of several steps one; the lists of states and readings that the system lacks are
+    /// empty.
     #[derive(Default)]
     pub struct OwnSeries {
         /// Steps.
         pub step: Series,
         /// The true state.
-        pub truth: [Series; 4],
+        pub truth: Vec<Series>,
         /// The estimate.
-        pub estimate: [Series; 4],
+        pub estimate: Vec<Series>,
         /// The diagonal of P(k | k).
-        pub variance: [Series; 4],
+        pub variance: Vec<Series>,
         /// Its square roots.
-        pub sigma: [Series; 4],
+        pub sigma: Vec<Series>,
         /// The filter's gain R(k): a row for each state, an entry for each reading.
-        pub gain: [[Series; 4]; 4],
+        pub gain: Vec<Vec<Series>>,
     }
 }

@@ -4,6 +4,7 @@ use super::analysis::wanted;
 use super::*;
 use estimate::Verdict::{No, Yes};
 use estimate::{Code, Complex};
+use lab::UpTo;
 
 fn open(params: OwnParams) -> OwnFrame {
     OwnSystem::new(params).expect("a sound system").frame()
@@ -25,7 +26,7 @@ fn the_system_it_opens_with_has_a_limit() {
 
 #[test]
 fn a_velocity_sensor_leaves_the_position_unseen_and_its_eigenvalue_fixed() {
-    let frame = open(with(|p| p.h[0] = [0.0, 1.0, 0.0, 0.0]));
+    let frame = open(with(|p| p.h[0] = [0.0, 1.0].into()));
     assert_eq!((frame.observable, frame.detectable, frame.limit), (No, No, RiccatiLimit::None));
     assert_eq!(frame.rank.directions, [[1.0, 0.0]]);
     let fixed: Vec<_> = frame.eigenvalues.iter().filter(|l| l.fixed).collect();
@@ -36,9 +37,9 @@ fn a_velocity_sensor_leaves_the_position_unseen_and_its_eigenvalue_fixed() {
 #[test]
 fn a_bias_beside_a_value_is_seen_only_in_their_sum() {
     let params = with(|p| {
-        p.f = [[1.0, 0.0, 0.0, 0.0], [0.0, 1.0, 0.0, 0.0], [0.0; 4], [0.0; 4]];
-        p.h[0] = [1.0, 1.0, 0.0, 0.0];
-        p.v = [[0.1, 0.0, 0.0, 0.0], [0.0; 4], [0.0; 4], [0.0; 4]];
+        p.f = [[1.0, 0.0], [0.0, 1.0]].map(UpTo::from).into();
+        p.h[0] = [1.0, 1.0].into();
+        p.v = [[0.1]].map(UpTo::from).into();
     });
     let frame = open(params);
     let [direction] = &frame.rank.directions[..] else { panic!("{:?}", frame.rank) };
@@ -107,7 +108,7 @@ fn a_fault_names_the_matrix_it_is_in() {
     assert_eq!(blamed(|p| p.v[0][1] = 0.5), (Code::NotSymmetric, "v".into()));
     assert_eq!(blamed(|p| p.w[0][0] = -1.0), (Code::NotPositiveSemidefinite, "w".into()));
     assert_eq!(blamed(|p| p.f[1][0] = f64::NAN), (Code::NotFinite, "f[1][0]".into()));
-    let without_noise = |p: &mut OwnParams| (p.v, p.w, p.start) = ([[0.0; 4]; 4], [[0.0; 4]; 4], 0.0);
+    let without_noise = |p: &mut OwnParams| (p.v, p.w, p.start) = (Entries::default(), Entries::default(), 0.0);
     assert_eq!(blamed(without_noise), (Code::InnovationNotPositiveDefinite, "w".into()));
 }
 

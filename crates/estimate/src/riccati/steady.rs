@@ -1,0 +1,109 @@
+//! The limit of the Riccati recursion, found in doublings instead of steps.
+
+use super::blame;
+use super::doubling::{Doubling, Found, Scaled};
+use crate::dynamic::System;
+use crate::error::Error;
+use crate::validate;
+use filters::linear::{self, Gain};
+use nalgebra::DMatrix;
+
+/// Steps that are taken one by one before the first doubling: what a reading tells at once is then known, and a large
+/// start no longer hides a small limit.
+const FIRST: usize = 32;
+/// How often the doubling begins anew where it has come to: the change is then small, and so is its rounding.
+const STAGES: usize = 4;
+
+/// Where P(k+1 | k) and the gain go from a start.
+///
+/// # Example
+/// ```
+/// use estimate::dynamic::{System, steady_state};
+/// use nalgebra::{DMatrix, dmatrix};
+/// // A bias that wanders by 10⁻⁷ a step takes ten million steps to settle, and twenty-four doublings.
+/// let walk = System::new(dmatrix![1.0], DMatrix::zeros(1, 0), dmatrix![1.0], dmatrix![1e-14], dmatrix![1.0])?;
+/// let limit = steady_state(&walk, dmatrix![1.0])?;
+/// assert!(limit.converged && !limit.depends_on_start && limit.steps > 1e7);
+/// assert!((limit.p[0] - 1.00000005e-7).abs() < 1e-16);
+/// # Ok::<(), estimate::Error>(())
+/// ```
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// R, n×p: the limit of the gain. Thrun K. Where it has none, the gain after the steps that were taken.
+    pub r: DMatrix<f64>,
+    /// P(k+1 | k), n×n: the limit, or the covariance that this gain is computed from.
+    pub p: DMatrix<f64>,
+    /// Whether P has a limit from this start.
+    pub converged: bool,
+    /// Whether R has. Without observability R may settle while P grows for ever.
+    pub gain_converged: bool,
+    /// Whether P has a limit that a larger start would change.
+    pub depends_on_start: bool,
+    /// How many steps were taken until P, or where it has no limit R, changed by less than 10⁻¹² of its size in twice
+    /// as many; where neither does, all that were taken. A power of two and a few more.
+    pub steps: f64,
+}
+
+/// The limit of P(k+1 | k) and of the gain from `p0` = P(0 | 0), however slow the recursion is.
+///
+/// Its accuracy is that of the question: about 10⁻¹⁶ times the factor by which an error of the system's numbers, each
+/// as a part of its size, shows in the answer, in units of each state's own.
+///
+/// # Errors
+/// For `p0` as [`validate::covariance`]; [`crate::Code::InnovationNotPositiveDefinite`]; [`crate::Code::NotFinite`]
+/// when P overflows within the first steps.
+pub fn steady_state(system: &System, p0: DMatrix<f64>) -> Result<Limit, Error> {
+    let p0 = validate::covariance(p0, system.f.nrows(), "P0")?;
+    let mut p = linear::predicted_covariance(&system.f, &p0, &system.v).map_err(blame)?;
+    let mut next = step(system, &p)?.1;
+    let mut first = 0;
+    // A variance that grows without bound may hide all others: then the last step before is where to begin.
+    while let Ok((_, after)) = step(system, &next)
+        && first < FIRST
+    {
+        (p, next, first) = (next, after, first + 1);
+    }
+    let scaled = Scaled::of(system, &p);
+    let none = || blame(filters::Error::InnovationNotPositiveDefinite);
+    let found = Doubling::at(&scaled)?.run(&scaled).ok_or_else(none)?;
+    let steps = |found: &Found| first as f64 + found.steps;
+    if found.whole
+        && let Some((own, better)) = refined(system, scaled.clone(), found.clone())
+    {
+        return Ok(answer(&own, &better, steps(&found)));
+    }
+    let found = Doubling::from_nothing(&scaled).and_then(|from| from.run(&scaled)).unwrap_or(found);
+    Ok(answer(&scaled, &found, steps(&found)))
+}
+
+fn answer(scaled: &Scaled, found: &Found, steps: f64) -> Limit {
+    Limit {
+        r: scaled.given_gain(&found.r),
+        p: scaled.given(&found.p),
+        converged: found.converged,
+        gain_converged: found.converged || found.gain_converged,
+        depends_on_start: found.converged && found.depends_on_start,
+        steps,
+    }
+}
+
+/// The limit, sought once more from where it was found, in units that fit it; `None` where it does not hold there.
+fn refined(system: &System, mut scaled: Scaled, mut found: Found) -> Option<(Scaled, Found)> {
+    for _ in 0..STAGES {
+        let again = Scaled::of(system, &scaled.given(&found.p));
+        let Some(better) = Doubling::at(&again).ok()?.run(&again).filter(|better| better.whole) else { break };
+        let same = again.units == scaled.units;
+        (scaled, found) = (again, better);
+        if same {
+            return Some((scaled, found));
+        }
+    }
+    let own = Scaled::of(system, &scaled.given(&found.p));
+    own.holds_still().then_some((scaled, found))
+}
+
+/// R from P(k+1 | k), and P(k+2 | k+1).
+pub(super) fn step(system: &System, p: &DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
+    let Gain { k: r, p: posterior, .. } = linear::gain(p, &system.h, &system.w).map_err(blame)?;
+    Ok((r, linear::predicted_covariance(&system.f, &posterior, &system.v).map_err(blame)?))
+}

@@ -1,0 +1,98 @@
+/** The box below the matrices: where a system is pasted, and where a program is shown that was copied. */
+
+import { button, part } from '../../draw/dom.js'
+import { copied } from '../../figure/clipboard.js'
+import { paramsOf } from './presets.js'
+import { readSystem } from './read.js'
+import { keyOf, written } from './typed-system.js'
+
+const TITLE = 'A system in JSON, MATLAB or numpy notation, in any book’s letters, read while you type'
+
+/**
+ * @typedef {object} Desk what the editor lends
+ * @property {import('./editor.js').Change} change
+ * @property {(name: string, words: string) => void} say names a fault
+ * @property {() => string} wrong where the fault is
+ * @property {(name: string, make: (frame: any) => Record<string, unknown>) => void} propose
+ * @property {() => string} made the system that the reader has made last
+ */
+
+/** @param {Document} document @param {Element} into @param {Desk} desk */
+export function buildBoxes(document, into, { change, say, wrong, propose, made }) {
+  const box = part(document, into, 'div', 'own-box')
+  /**
+   * Where a system is pasted, and the system that its text was last.
+   * @type {{ area: HTMLTextAreaElement, is: string } | null}
+   */
+  let pasted = null
+
+  /** @param {string} name @param {string} kind @param {() => void} closed */
+  function open(name, kind, closed) {
+    box.replaceChildren()
+    const label = part(document, box, 'label', 'own-paste')
+    part(document, label, 'span', 'control-name').textContent = name
+    const area = /** @type {HTMLTextAreaElement} */ (part(document, label, 'textarea', kind))
+    button(document, box, 'Close', () => {
+      box.replaceChildren()
+      closed()
+    })
+    return area
+  }
+
+  /** What was made of a paste, beside its title. @param {import('./read.js').Good} read */
+  function remarks({ as, unused, system }) {
+    return [
+      as,
+      system.continuous ? `taken as continuous in time and sampled every ${system.period} s` : '',
+      unused.length > 0 ? `not used: ${unused.map((name) => name.slice(0, 20)).join(', ')}` : '',
+    ]
+      .filter(Boolean)
+      .map((words) => ` ${words.charAt(0).toUpperCase()}${words.slice(1)}.`)
+      .join('')
+  }
+
+  return {
+    paste() {
+      const area = open(TITLE, '', () => {
+        pasted = null
+        if (wrong() === 'paste') say('', '')
+      })
+      area.rows = 7
+      area.spellcheck = false
+      change({}, ({ params }) => {
+        pasted = { area, is: keyOf(params) }
+        area.value = written(params)
+        return {}
+      })
+      area.addEventListener('input', () => {
+        const read = readSystem(area.value)
+        const remark = read.ok ? remarks(read) : ''
+        if (area.previousSibling) area.previousSibling.textContent = remark ? `${TITLE}.${remark}` : TITLE
+        if (!read.ok) return say('paste', `${read.line > 0 ? `Line ${read.line}: ` : ''}${read.fault}`)
+        propose('paste', () => paramsOf(read.system))
+        if (wrong() === '') pasted = { area, is: made() }
+      })
+      area.focus()
+      area.select()
+    },
+    /** @param {string} language @param {string} text */
+    async give(language, text) {
+      const name = wrong() === '' ? `The system in ${language}` : `The last system without a fault, in ${language}`
+      if (wrong() === 'paste') say('', '')
+      pasted = null
+      const area = open(name, 'own-code', () => {})
+      area.readOnly = true
+      area.rows = 10
+      area.value = text
+      area.focus({ preventScroll: true })
+      area.select()
+      if ((await copied(text)) && area.previousSibling) area.previousSibling.textContent = `${name}, copied`
+    },
+    /** A system that comes from elsewhere takes the place of what is pasted. @param {any} params @param {string} now */
+    show(params, now) {
+      if (!pasted || pasted.is === now) return
+      pasted.area.value = written(params)
+      pasted.is = now
+    },
+  }
+}

@@ -1,0 +1,55 @@
+/** How long a step lasts, and whether the matrices are of continuous time. */
+
+import { part } from '../../draw/dom.js'
+import { textBox, write } from './fields.js'
+import { faultOf, numberOf } from './value.js'
+
+/** The length of a step that a system in continuous time is given where the reader has given none, seconds. */
+const USUAL = 0.1
+
+/**
+ * @param {Document} document
+ * @param {Element} into
+ * @param {(name: string, make: (frame: any) => Record<string, unknown>) => void} propose
+ */
+export function buildTime(document, into, propose) {
+  const label = part(document, into, 'label', 'control own-period')
+  part(document, label, 'span', 'control-name').textContent = 'Length of a step, s'
+  const input = textBox(document, label)
+  input.setAttribute('inputmode', 'decimal')
+  input.setAttribute('placeholder', 'unknown')
+  input.addEventListener('input', () =>
+    propose('period', () => {
+      const period = input.value.trim() === '' ? 0 : numberOf(input.value)
+      if (!Number.isFinite(period)) throw new Error(`The length of a step: ${faultOf(input.value)}`)
+      return { period }
+    }),
+  )
+  const around = part(document, into, 'label', 'control control-toggle own-time')
+  const box = /** @type {HTMLInputElement} */ (part(document, around, 'input', ''))
+  box.setAttribute('type', 'checkbox')
+  part(document, around, 'span', 'control-name').textContent = 'Continuous time'
+  box.addEventListener('change', () =>
+    propose('', ({ params }) => ({
+      continuous: box.checked,
+      ...(box.checked && params.period === 0 ? { period: USUAL } : {}),
+    })),
+  )
+  let wrong = false
+  return {
+    /** @param {string} where the fault is */
+    mark(where) {
+      wrong = where === 'period'
+      if (wrong) input.setAttribute('aria-invalid', 'true')
+      else input.removeAttribute('aria-invalid')
+    },
+    /** @param {any} params @param {boolean} foreign */
+    show({ period, continuous }, foreign) {
+      if (box.hasAttribute('checked') !== continuous) box.toggleAttribute('checked', continuous)
+      if (box.checked !== continuous) box.checked = continuous
+      if (wrong || (document.activeElement === input && !foreign)) return
+      const text = period === 0 ? '' : String(period)
+      if (numberOf(input.value) !== period) write(input, text)
+    },
+  }
+}
