@@ -6,7 +6,7 @@ use crate::shape::{Plain, Shape};
 use crate::text::Text;
 
 /// These interfaces. The names `Vector` and `Matrix` are left to whoever includes this.
-pub const fn written(mut groups: &[&[&[About]]]) -> Text<60_000> {
+pub const fn written(mut groups: &[&[&[About]]]) -> Text<90_000> {
     let mut text = Text::new();
     while let [group, rest @ ..] = groups {
         let mut records = *group;

@@ -18,7 +18,7 @@ figures!(described);
 /// The interfaces of all labs, with their doc comments, limits and defaults. `Vector` and `Matrix` are not among them.
 pub const TYPESCRIPT: &str = WRITTEN.as_str();
 
-const WRITTEN: &Text<60_000> = &written(ALL);
+const WRITTEN: &Text<90_000> = &written(ALL);
 
 #[cfg(test)]
 mod tests {
