@@ -6,10 +6,9 @@
 import { meaning } from './plot.js'
 
 /** @typedef {import('./plot.js').Plane} Plane */
-/**
- * @typedef {{ key: string, kin: import('./plot.js').Kin, mean: number, sigma: number, words: import('./words.js').Words }}
- * Bell
- */
+/** @typedef {import('./plot.js').Kin} Kin */
+/** @typedef {import('./words.js').Words} Words */
+/** @typedef {{ key: string, kin: Kin, mean: number, sigma: number, words: Words }} Bell */
 
 /** A bell is drawn at so many points, this far to either side, in standard deviations. */
 const POINTS = 41

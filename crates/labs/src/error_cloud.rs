@@ -19,8 +19,8 @@ pub const DOTS: usize = 200;
 /// What they are drawn with.
 const SEED: u64 = 7;
 
-/// Errors whose mean is zero and whose mean products are those of I, up to rounding: drawn, and then moved and stretched
-/// together until it is so. The table of the figure is then the covariance itself and no estimate of it.
+/// Errors whose mean is zero and whose mean products are those of I, up to rounding: drawn, and then moved and
+/// stretched together until it is so. The table of the figure is then the covariance itself and no estimate of it.
 static UPRIGHT: LazyLock<[Vector2<f64>; DOTS]> = LazyLock::new(upright);
 
 /// The lab. It has no steps: [`Lab::run`] counts them and changes nothing else.

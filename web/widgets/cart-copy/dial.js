@@ -14,7 +14,7 @@ const SWEEP = (100 * Math.PI) / 180
 
 /** @param {number} width @param {number} height of the panel */
 export function faceOf(width, height) {
-  const r = Math.min(0.19 * width, 0.28 * height)
+  const r = Math.min(0.21 * width, 0.25 * height)
   return { x: 0, y: 40 + r, r }
 }
 

@@ -61,7 +61,7 @@ export const figure = {
   start,
   seeded: false,
   beats: true,
-  panels: [{ name: 'rail', width: 500, height: 345, handles: true, draw: drawRail }],
+  panels: [{ name: 'rail', width: 500, height: 385, handles: true, draw: drawRail }],
   layout: {
     narrow: ['rail', 'verdict', 'controls', 'tries', 'readouts'],
     medium: ['rail verdict', 'rail controls', 'rail tries', 'readouts readouts'],

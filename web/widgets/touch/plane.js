@@ -1,4 +1,4 @@
-/** The plane: a prediction, the line of a reading, the reader's dot on it, and an ellipse that grows until it touches. */
+/** The plane: a prediction, the line of a reading, the reader's dot on it, and an ellipse that grows to the line. */
 
 import { fixed } from '../../draw/numbers.js'
 import { clear, drawLabels } from '../../draw/labels.js'

@@ -34,8 +34,8 @@ export function describe({ params, mean, reading, guess, touch, touchRadius, P }
   const lean = P[0][1] > 0 ? 'leans to the right' : P[0][1] < 0 ? 'leans to the left' : 'stands upright'
   return {
     plane:
-      `Plane of position and velocity: a prediction at ${point(mean)}, whose ellipse ${lean}; below it the line of the ` +
-      `states that explain the reading ${fixed(reading, 1)}, and on it your dot at ${point(guess)}; ` +
+      `Plane of position and velocity: a prediction at ${point(mean)}, whose ellipse ${lean}; below it the line of ` +
+      `the states that explain the reading ${fixed(reading, 1)}, and on it your dot at ${point(guess)}; ` +
       (params.grown
         ? `grown to ${fixed(touchRadius)} sigma, the ellipse touches the line at ${point(touch)}.`
         : 'the ellipse has not grown yet.'),

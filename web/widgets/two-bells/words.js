@@ -12,8 +12,8 @@ export function verdict({ likely, weights: [expected, read], arms }) {
   const [heavy, light] = times > 1 ? ['prediction', 'reading'] : ['reading', 'prediction']
   const ways = arms.map((arm) => fixed(Math.abs(arm)))
   return (
-    `The ${heavy} weighs ${fixed(Math.max(times, 1 / times))} times as much as the ${light}. The beam balances at ${at}, ` +
-    `${ways[0]} m/s from the prediction and ${ways[1]} m/s from the reading.`
+    `The ${heavy} weighs ${fixed(Math.max(times, 1 / times))} times as much as the ${light}. The beam balances ` +
+    `at ${at}, ${ways[0]} m/s from the prediction and ${ways[1]} m/s from the reading.`
   )
 }
 
@@ -24,7 +24,8 @@ export function describe({ params, likely, variance }) {
   return {
     bells:
       `Two bells over the velocity: the prediction expects ${bell(params.expected, params.expectedVariance)}, ` +
-      `the sensor reads ${bell(params.reading, params.noise)}. Their product is a bell about ${bell(likely, variance)}; ` +
+      `the sensor reads ${bell(params.reading, params.noise)}. Their product is a bell ` +
+      `about ${bell(likely, variance)}; ` +
       'there a beam with the two weights balances.',
   }
 }
