@@ -3,6 +3,7 @@
  * stands beside the one that was expected: the gap between them is the innovation.
  */
 
+import { fixed } from '../../draw/numbers.js'
 import { cart, rail } from '../../draw/cart.js'
 import { clear, drawLabels } from '../../draw/labels.js'
 import { meaning, scaleLinear } from '../../draw/plot.js'
@@ -47,6 +48,8 @@ export function drawRail({ pen, width, height }, frame, view) {
       cart(pen, 'predicted', held(x, at.predicted), ground, size, meaning('outline', 'prediction'))
     cart(pen, 'copy', held(x, at.copy[0]), ground, size, meaning('outline', at.corrected ? 'posterior' : 'prediction'))
     names(pen, x, ground, at, size, width)
+    // On a phone the sentence alone says it.
+    if (!small) between(pen, held(x, at.copy[0]), held(x, at.truth[0]), ground - 72, at.copy[0] - at.truth[0])
     pen.group('handles', {}, (to) => {
       for (const [key, grip] of Object.entries(handles(x, ground, { ...face, x: width * 0.75 }, frame, view)))
         view.handle(to, key, grip)
@@ -63,20 +66,32 @@ const held = (x, at) => Math.max(x(RAIL[0]), Math.min(x(RAIL[1]), x(at)))
  */
 function stage(frame, { beat, previous }) {
   const { truth, predicted, copy, reading, expected, step } = frame
-  const between = (/** @type {number[]} */ from, /** @type {number[]} */ to) =>
+  const halfway = (/** @type {number[]} */ from, /** @type {number[]} */ to) =>
     from.map((value, i) => mix(value, to[i], beat.t))
   const driving = beat.name === 'predict' && previous
-  const now = driving ? between(previous.truth, truth) : truth
-  const drives = driving ? between(previous.copy, predicted) : predicted
+  const now = driving ? halfway(previous.truth, truth) : truth
+  const drives = driving ? halfway(previous.copy, predicted) : predicted
   return {
     truth: now,
     reading: driving ? now[1] : reading,
     expected: driving ? drives[1] : expected,
     predicted: driving ? drives[0] : predicted[0],
-    copy: driving ? drives : beat.name === 'update' ? between(predicted, copy) : copy,
+    copy: driving ? drives : beat.name === 'update' ? halfway(predicted, copy) : copy,
     compared: !driving,
     corrected: !driving && step > 0,
   }
+}
+
+/**
+ * The metres between the cart and its copy.
+ * @param {Pen} pen @param {number} copy @param {number} cart_ @param {number} y @param {number} metres
+ */
+function between(pen, copy, cart_, y, metres) {
+  if (Math.abs(metres) < 0.005) return
+  const ends = [copy, cart_].map((x) => `M${x.toFixed(1)} ${y - 5}v10`).join('')
+  pen.mark('path', 'between', { ...meaning('way', 'truth'), d: `${ends}M${copy.toFixed(1)} ${y}H${cart_.toFixed(1)}` })
+  const middle = { class: 'mark-name truth', x: (copy + cart_) / 2, y: y - 9, 'text-anchor': 'middle' }
+  pen.text('metres', middle, `${fixed(Math.abs(metres))} m`)
 }
 
 /**

@@ -79,6 +79,7 @@ function handles(x, middle, tip, { params, start: [first, second] }, { limits })
       at: tip,
       label: 'Speed of the second cart, from the first’s',
       name: 'speed',
+      nameAt: tip[0] > x(RAIL[1]) - 40 ? [-15, 4] : undefined,
       value: `${fixed(params.speed)} metres a second`,
       move: (px) => put('speed', (x.invert(px) - second[0]) / ARROW),
     },
