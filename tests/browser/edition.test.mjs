@@ -7,7 +7,7 @@ import { createServer } from 'node:http'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, dist, figure, launch, quiet, stateOf, unlock } from './harness.mjs'
+import { BASE, dist, figure, launch, quiet, stateOf } from './harness.mjs'
 
 const copies = mkdtempSync(path.join(tmpdir(), 'book-editions-'))
 after(() => rmSync(copies, { recursive: true, force: true }))
@@ -75,7 +75,6 @@ test('a page that is open while a new edition is published goes on whole', async
     })
     // Figures that slept, the search and the other letters.
     await figure(page, 'odometry-hook')
-    await unlock(page, 'fig-picture')
     await figure(page, 'picture')
     await page.locator('[data-set-notation=thrun]').click()
     await page.waitForFunction(() => document.documentElement.dataset.letters === 'thrun')

@@ -158,7 +158,7 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
     ),
   )
   const all = await box.locator('.score-open a').count()
-  await answer(page, 'which-foot', true)
+  await answer(page, 'loop-shrinks', true)
   const chapter = page.url()
   await page.goto(`${chapter}exercises/`)
   const lamp = await answer(page, 'lamp-row', false)
@@ -189,7 +189,7 @@ test('the chapter ends with what is answered, gives it out as a file, and forget
     left.includes('../kalman/exercises/#ex-unseen') &&
       left.includes('../kalman/exercises/#ex-constant') &&
       !left.includes('../kalman/exercises/#ex-lamp') &&
-      !left.includes('#quiz-which-foot'),
+      !left.includes('#quiz-loop-shrinks'),
   )
   const here = left.filter((address) => address.startsWith('#'))
   assert.ok(await page.evaluate((addresses) => addresses.every((address) => document.querySelector(address)), here))

@@ -73,7 +73,18 @@ for (const tag of Object.keys(WIDGETS)) {
   })
 }
 
-for (const tag of ['picture', 'observability-probe', 'tune', 'loop-closure']) {
+const DRAGGED = [
+  'picture',
+  'observability-probe',
+  'tune',
+  'loop-closure',
+  'cart-copy',
+  'error-cloud',
+  'touch',
+  'two-bells',
+  'two-carts',
+]
+for (const tag of DRAGGED) {
   test(`a finger on a handle of the ${tag} moves it and not the page; beside it, the page`, async (t) => {
     const { page, it } = await openFigure(t, tag, { viewport: PHONE, touch: true })
     const wire = await page.context().newCDPSession(page)

@@ -1,5 +1,7 @@
 // The states of each figure in which names come near one another or near an edge.
 
+import { SMALL } from './label-states-small.mjs'
+
 /**
  * @type {Record<string, Record<string, unknown>[]>} changes of parameters, one after the other; `step` goes to a step
  */
@@ -71,6 +73,7 @@ export const STATES = {
       ],
     },
   ],
+  ...SMALL,
   'odometry-hook': [
     {},
     { step: 1 },

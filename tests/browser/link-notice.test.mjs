@@ -6,8 +6,7 @@ import assert from 'node:assert/strict'
 import { comeTo, figure, frameOf, open, openFigure, tagOf, until } from './harness.mjs'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
-/** The prediction's velocity is 4 m/s. */
-const PICTURE = code([1, 'picture', 0, { reading: 2.5 }])
+const LOOP = code([1, 'loop-closure', 20, {}])
 const BENCH = (step) => code([1, 'observer-bench', step, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }])
 const notice = (page) => page.locator('main > .link-notice')
 
@@ -73,15 +72,15 @@ test('a link that can be read brings no notice', async (t) => {
 })
 
 test('a figure whose state the link carries does not wait for its question', async (t) => {
-  const page = await open(t, { at: `kalman/?fig-picture=${PICTURE}` })
+  const page = await open(t, { at: `kalman/?fig-loop=${LOOP}` })
   // The script of the questions, which lock their figures, comes with the first of them.
-  await comeTo(page, '#quiz-which-foot', 'form#quiz-which-foot input')
-  const picture = page.locator('#fig-picture .widget')
-  await picture.scrollIntoViewIfNeeded()
-  await page.locator('#fig-picture .widget[data-state="live"]').waitFor()
-  assert.equal((await frameOf(picture)).innovation, -1.5)
-  assert.ok(!(await picture.evaluate((widget) => widget.inert)))
-  assert.equal(await page.locator('#fig-picture .figure-locked').count(), 0)
+  await comeTo(page, '#quiz-loop-shrinks', 'form#quiz-loop-shrinks input')
+  const loop = page.locator('#fig-loop .widget')
+  await loop.scrollIntoViewIfNeeded()
+  await page.locator('#fig-loop .widget[data-state="live"]').waitFor()
+  assert.equal((await frameOf(loop)).step, 20)
+  assert.ok(!(await loop.evaluate((widget) => widget.inert)))
+  assert.equal(await page.locator('#fig-loop .figure-locked').count(), 0)
 })
 
 test('a copied link carries the other figures of the address as they are, not as they were', async (t) => {

@@ -139,7 +139,7 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
           plain(label),
           unit && value !== '–' ? `${value}${unit === '°' ? '' : ' '}${unit}` : value,
         ])
-      assert.ok(said.length >= 7, `${tag} has readouts`)
+      assert.ok(said.length >= 3, `${tag} has readouts`)
       assert.deepEqual(shown.readouts, said, where)
       assert.equal(shown.verdict, held(plain(spec.verdict(run.frame))), where)
       assert.deepEqual(shown.panels, spec.describe(run.frame), where)

@@ -26,7 +26,7 @@ test('a veil on a page that comes up at a place below it moves nothing', async (
   }))
   assert.ok(shifts < 0.01 && Math.abs(top - 24) < 2, `shifts ${shifts}, the heading at ${top}`)
   assert.ok(
-    await page.locator('#fig-picture .widget').evaluate((widget) => !widget.hasAttribute('data-short')),
+    await page.locator('#fig-loop .widget').evaluate((widget) => !widget.hasAttribute('data-short')),
     'what stands above keeps its height',
   )
 })

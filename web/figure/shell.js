@@ -91,6 +91,7 @@ export function buildShell(document, spec, into, orders, parameters) {
   if (!spec.timeless) controls.append(run)
   const shown = spec.controls.map((control) => buildControl(document, control, change, limits))
   part(document, controls, 'div', 'params').append(...shown.map(({ element }) => element))
+  if (spec.timeless && shown.length === 0) controls.remove()
   const options = SPEEDS.map((value) => ({ value, label: `${value === 0.5 ? '½' : value}×` }))
   const speed = buildControl(
     document,

@@ -40,5 +40,5 @@ pub use series::{Series, Track, Tracks, WINDOW};
 pub use shape::{Field, Plain, Shape, put};
 pub use shown::Shown;
 pub use text::Text;
-pub use typescript::{class, written};
+pub use typescript::{LONGEST, class, written};
 pub use up_to::UpTo;

@@ -22,6 +22,7 @@ impl<const N: usize> Text<N> {
     /// Appends a text.
     pub const fn put(&mut self, text: &str) {
         let end = self.len + text.len();
+        assert!(end <= N, "a text is longer than the room that its type has for it: make N larger");
         let (_, rest) = self.bytes.split_at_mut(self.len);
         let (place, _) = rest.split_at_mut(text.len());
         place.copy_from_slice(text.as_bytes());

@@ -5,8 +5,11 @@ use crate::lab::Lab;
 use crate::shape::{Plain, Shape};
 use crate::text::Text;
 
+/// How many bytes the interfaces may have; a compilation with more ends.
+pub const LONGEST: usize = 130_000;
+
 /// These interfaces. The names `Vector` and `Matrix` are left to whoever includes this.
-pub const fn written(mut groups: &[&[&[About]]]) -> Text<80_000> {
+pub const fn written(mut groups: &[&[&[About]]]) -> Text<LONGEST> {
     let mut text = Text::new();
     while let [group, rest @ ..] = groups {
         let mut records = *group;

@@ -11,8 +11,13 @@ macro_rules! figures {
     ($with:ident) => {
         $with! {
             odometry_hook::OdometryHook in "first";
+            error_cloud::ErrorCloud in "linear";
+            cart_copy::CartCopy in "linear";
             observer_bench::ObserverBench in "linear";
+            touch::Touch in "linear";
+            two_bells::TwoBells in "linear";
             picture::Picture in "linear", was "kalman-picture";
+            two_carts::TwoCarts in "late";
             observability_probe::ObservabilityProbe in "late";
             loop_closure::LoopClosure in "late", was "close-loop";
             tune::Tune in "late", was "tune-me";

@@ -5,7 +5,9 @@
 //! figures there are is listed once, in [`figures!`].
 
 pub mod bug_museum;
+pub mod cart_copy;
 pub mod ensemble;
+pub mod error_cloud;
 #[macro_use]
 mod figures;
 pub mod loop_closure;
@@ -17,8 +19,11 @@ pub mod own_system;
 pub mod picture;
 pub mod robot_log;
 mod shapes;
+pub mod touch;
 pub mod true_path;
 pub mod tune;
+pub mod two_bells;
+pub mod two_carts;
 mod typescript;
 
 pub use estimate::localizer::SensorKind;

@@ -60,14 +60,7 @@ impl Lab for ObserverBench {
             Sensor::Velocity => dead_reckoning(),
             Sensor::Position => position_sensor(),
         };
-        let steady = match STEADY[params.sensor as usize].get() {
-            Some((of, known)) if *of == system => *known,
-            _ => {
-                let found = system.steady_state_gain(&belief.p, STEADY_ITERATIONS, 1e-12)?.r;
-                STEADY[params.sensor as usize].get_or_init(|| (system, found));
-                found
-            }
-        };
+        let steady = steady_gain(params.sensor, &system, &belief)?;
         let first = system.gain_schedule(&belief.p, 1)?.remove(0);
         let mut noise = Noise::new(u64::from(params.seed));
         let truth = belief.x + noise.correlated(&root(&belief.p, "P")?);
@@ -218,6 +211,22 @@ impl ObserverBench {
         for belief in [&self.predicted, &self.posterior] {
             self.digest.take(belief.x.as_slice());
             self.digest.take(belief.p.as_slice());
+        }
+    }
+}
+
+/// R∞ of a sensor's system.
+pub(crate) fn steady_gain(
+    sensor: Sensor,
+    system: &Lti<U2, U1, U1>,
+    belief: &Gaussian<U2>,
+) -> Result<Vector2<f64>, Error> {
+    match STEADY[sensor as usize].get() {
+        Some((of, known)) if of == system => Ok(*known),
+        _ => {
+            let found = system.steady_state_gain(&belief.p, STEADY_ITERATIONS, 1e-12)?.r;
+            STEADY[sensor as usize].get_or_init(|| (*system, found));
+            Ok(found)
         }
     }
 }

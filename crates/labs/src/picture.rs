@@ -5,6 +5,7 @@ mod params;
 
 pub use frame::{Foot, Guess, PictureFrame};
 pub use params::PictureParams;
+pub(crate) use params::{FIRST_READING, FIRST_STEP, first_step};
 
 use crate::shapes::{inside, rows};
 use estimate::kf::Gaussian;

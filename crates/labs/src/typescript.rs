@@ -1,7 +1,7 @@
 //! The labs' TypeScript: every type that a lab takes or hands out.
 
 use crate::*;
-use lab::{About, Interface, Lab, Text, written};
+use lab::{About, Interface, LONGEST, Lab, Text, written};
 
 macro_rules! described {
     ($($module:ident::$lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
@@ -19,7 +19,7 @@ figures!(described);
 /// The interfaces of all labs, with their doc comments, limits and defaults. `Vector` and `Matrix` are not among them.
 pub const TYPESCRIPT: &str = WRITTEN.as_str();
 
-const WRITTEN: &Text<80_000> = &written(ALL);
+const WRITTEN: &Text<LONGEST> = &written(ALL);
 
 #[cfg(test)]
 mod tests {

@@ -4,26 +4,18 @@
  * handles.
  */
 
+import { BEAM, balance, bell } from '../../draw/bells.js'
 import { clear, drawLabels, widthOf } from '../../draw/labels.js'
 import { axes, meaning, plane as planeOf } from '../../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
-/** @typedef {import('../../draw/plot.js').Kin} Kin */
-/**
- * @typedef {{ key: string, kin: Kin, mean: number, sigma: number, words: import('../../draw/words.js').Words }} Bell
- */
+/** @typedef {import('../../draw/bells.js').Bell} Bell */
 
 /** The middle of the axis, and how far it reaches: the first that is far enough. */
 const CENTRE = 3.7
 const REACHES = [4.5, 6, 9, 13, 20, 40, 110]
-/** A bell is drawn at so many points, this far to either side, in standard deviations. */
-const POINTS = 41
-const FAR = 3.2
 /** The least width that is drawn, a part of the axis' reach: a narrower bell is a stroke. */
 const LEAST = 0.012
-/** Room below the axis for the beam. */
-const BEAM = 46
-const HEAVIEST = 11
 
 const TITLE = 'two opinions about the output {y}'
 const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
@@ -54,7 +46,7 @@ export function drawAxis({ pen, width, height }, frame, view) {
           d: bell(plane, mean, Math.max(sigma, narrow / 3), top(sigma)),
         })
     })
-    balance(pen, plane, frame, bells)
+    balance(pen, plane, frame.mostLikelyOutput, bells)
     const { x, y } = plane
     const at = (/** @type {Bell} */ { mean, sigma }) => /** @type {[number, number]} */ ([x(mean), y(top(sigma))])
     const grips = handles(plane, frame, view, bells, top)
@@ -97,47 +89,6 @@ function bellsOf({
       words: 'product',
     },
   ]
-}
-
-/**
- * The outline of a bell so high.
- * @param {import('../../draw/plot.js').Plane} plane
- * @param {number} mean
- * @param {number} sigma
- * @param {number} high
- */
-function bell({ x, y }, mean, sigma, high) {
-  const points = Array.from({ length: POINTS }, (_, i) => FAR * ((2 * i) / (POINTS - 1) - 1))
-  return points
-    .map((t, i) => `${i ? 'L' : 'M'}${x(mean + t * sigma).toFixed(1)} ${y(high * Math.exp(-0.5 * t * t)).toFixed(1)}`)
-    .join('')
-}
-
-/**
- * The beam with its two weights, and its point of balance.
- * @param {import('../../draw/pen.js').Pen} pen
- * @param {import('../../draw/plot.js').Plane} plane
- * @param {Frame} frame
- * @param {Bell[]} bells
- */
-function balance(pen, { x, box }, { mostLikelyOutput }, [expected, read]) {
-  const y = box.bottom + BEAM
-  const held = (/** @type {number} */ at) => clamp(x(at), box.left, box.right)
-  pen.mark('line', 'beam', { class: 'direction', x1: held(expected.mean), x2: held(read.mean), y1: y, y2: y })
-  // Areas are as the weights 1/variance are; the heavier one has the largest circle.
-  const lightest = Math.max(1e-9, Math.min(expected.sigma, read.sigma))
-  for (const { key, kin, mean, sigma } of [expected, read]) {
-    const r = Math.max(2, (HEAVIEST * lightest) / Math.max(lightest, sigma))
-    pen.mark('circle', `${key}-weight`, { ...meaning('full', kin), cx: held(mean), cy: y - r, r })
-  }
-  const at = held(mostLikelyOutput)
-  pen.mark('path', 'fulcrum', { ...meaning('full', 'measurement'), d: `M${at.toFixed(1)} ${y}l7 13h-14Z` })
-  const left = at > box.right - 28
-  pen.text(
-    'fulcrum-name',
-    { class: 'mark-name measurement', x: at + (left ? -11 : 11), y: y + 15, 'text-anchor': left ? 'end' : 'start' },
-    '{y}^{∗}',
-  )
 }
 
 /**

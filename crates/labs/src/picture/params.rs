@@ -17,7 +17,7 @@ params! {
         /// Angle of the first axis, radians.
         pub angle: f64 = (first_step().angle);
         /// The reading y.
-        pub reading: f64 = 2.7, from (-8.0) to 8.0 by 0.05 in "m/s";
+        pub reading: f64 = FIRST_READING, from (-8.0) to 8.0 by 0.05 in "m/s";
         /// W, the reading's variance; 0 for a perfect sensor.
         pub noise: f64 = 0.5, from 0.0 to 4.0 by 0.05;
         /// Turn of the sensor: H = [−sin, cos], so 0 measures the velocity and −π/2 the position.
@@ -31,7 +31,12 @@ params! {
     }
 }
 
-/// The predicted ellipse of the first hand-checked step: P⁻ = [1.7 1.05; 1.05 2.1].
-fn first_step() -> Ellipse {
-    Ellipse::from_covariance(&Matrix2::new(1.7, 1.05, 1.05, 2.1), 1.0)
+/// P⁻ of the first hand-checked step.
+pub(crate) const FIRST_STEP: Matrix2<f64> = Matrix2::new(1.7, 1.05, 1.05, 2.1);
+/// y of that step.
+pub(crate) const FIRST_READING: f64 = 2.7;
+
+/// The predicted ellipse of that step.
+pub(crate) fn first_step() -> Ellipse {
+    Ellipse::from_covariance(&FIRST_STEP, 1.0)
 }

@@ -1,0 +1,49 @@
+// What the two bells say of weights and of the point of balance is true of their frames.
+import { check, pattern, prints } from './claims.mjs'
+
+const weights = ({ params }) => [1 / params.expectedVariance, 1 / params.noise]
+const balance = (frame) => {
+  const [expected, read] = weights(frame)
+  return (frame.params.expected * expected + frame.params.reading * read) / (expected + read)
+}
+
+check(
+  'two-bells',
+  {
+    expected: [0, 2.7, 4, 7],
+    reading: [0, 2.7, 7],
+    expectedVariance: [0.05, 0.5, 2.1, 4],
+    noise: [0.05, 0.5, 0.502, 4],
+  },
+  [0],
+  () => [
+    [
+      /^Both opinions weigh the same, and the beam balances half way, at y\^?∗ = (\S+) m\/s\.$/,
+      (frame, at) => {
+        const [expected, read] = weights(frame)
+        return Math.abs(expected / read - 1) < 0.005 && prints(at, balance(frame))
+      },
+    ],
+    [
+      /^The (prediction|reading) weighs ([\d.]+) times as much as the (prediction|reading)\.$/,
+      (frame, heavy, times, light) => {
+        const [expected, read] = weights(frame)
+        return (
+          heavy !== light &&
+          (heavy === 'prediction') === expected > read &&
+          prints(times, Math.max(expected / read, read / expected))
+        )
+      },
+    ],
+    [
+      pattern(
+        /^The beam balances at y\^?∗ = (\S+) m\/s, ([\d.]+) m\/s from the prediction /,
+        /and ([\d.]+) m\/s from the reading\.$/,
+      ),
+      (frame, at, left, right) =>
+        prints(at, balance(frame)) &&
+        prints(left, Math.abs(balance(frame) - frame.params.expected)) &&
+        prints(right, Math.abs(frame.params.reading - balance(frame))),
+    ],
+  ],
+)

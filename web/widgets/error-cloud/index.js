@@ -1,0 +1,73 @@
+/**
+ * The cloud: a covariance as the mean products of two hundred errors. Drag the tilt, and its entries follow; touch an
+ * error, and see its product.
+ */
+
+import { fixed } from '../../draw/numbers.js'
+import { drawPlane } from './plane.js'
+import { describe, verdict } from './words.js'
+
+/** @typedef {import('estimate-wasm').ErrorCloudFrame} Frame */
+
+// State: the predicted covariance of the first hand-checked step.
+
+const start = { params: {}, step: 0 }
+
+// Model: the lab `ErrorCloud` in the module.
+
+// View: one panel, in `plane.js`.
+
+/** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
+function readouts({ P, correlation, regression, longAxis }) {
+  /**
+   * @param {string} key @param {import('../../draw/words.js').Words} label @param {number} value
+   * @param {[import('../../draw/words.js').Words, import('../../draw/words.js').Words]} place
+   * @returns {import('../../figure/shell.js').Readout}
+   */
+  const cell = (key, label, value, place) => ({ key, label, value: fixed(value), cell: place, kin: 'prediction' })
+  const [position, velocity] = ['position', 'velocity']
+  return [
+    cell('p11', '{P}_{11}', P[0][0], [position, position]),
+    cell('p12', '{P}_{12}', P[0][1], [position, velocity]),
+    cell('p21', '{P}_{21}', P[1][0], [velocity, position]),
+    cell('p22', '{P}_{22}', P[1][1], [velocity, velocity]),
+    { key: 'regression', label: 'Regression {P}_{12}/{P}_{22}', value: fixed(regression), unit: 's' },
+    { key: 'axis', label: 'Long axis', value: Math.abs(longAxis) < 1000 ? fixed(longAxis) : '–', unit: 's' },
+    { key: 'correlation', label: 'Correlation', value: fixed(correlation) },
+  ]
+}
+
+// Controls: the handles in the drawing.
+
+/** @type {import('../../figure/spec.js').Try[]} */
+const tries = [
+  { name: 'other', label: 'Lean it the other way', change: ({ params }) => ({ angle: Math.PI - params.angle }) },
+  { name: 'upright', label: 'No lean', change: () => ({ angle: Math.PI / 2 }) },
+  { name: 'dot', label: 'Touch one that takes away', change: takesAway },
+]
+
+/** The error whose product takes most away from P₁₂. @param {Frame} frame */
+function takesAway({ dots }) {
+  const products = dots.map(([a, b]) => a * b)
+  return { dot: products.indexOf(Math.min(...products)) }
+}
+
+/** @type {import('../../figure/spec.js').Widget} */
+export const figure = {
+  start,
+  seeded: false,
+  timeless: true,
+  panels: [{ name: 'plane', width: 500, height: 410, handles: true, draw: drawPlane }],
+  layout: {
+    narrow: ['plane', 'readouts', 'verdict', 'tries', 'controls'],
+    medium: ['plane readouts', 'plane verdict', 'plane tries', 'controls controls'],
+    columns: { medium: '7fr 5fr' },
+  },
+  tries,
+  describe,
+  controls: [],
+  readouts,
+  verdict,
+  announce: (frame) => verdict(frame),
+  series: (/** @type {Frame} */ { dots }) => ({ position: dots.map(([a]) => a), velocity: dots.map(([, b]) => b) }),
+}

@@ -1,0 +1,31 @@
+/** What the cloud says: what one error puts into P₁₂, and how all of them make it. */
+
+import { fixed } from '../../draw/numbers.js'
+
+/** @typedef {import('estimate-wasm').ErrorCloudFrame} Frame */
+
+/** @param {number} value */
+export const signed = (value, decimals = 2) => `${value > 0 ? '+' : ''}${fixed(value, decimals)}`
+
+/** @param {Frame} frame */
+export function verdict({ product, share, positive, positives, negative, dots, P }) {
+  return (
+    `The product of the error you touch is ${signed(product)} m²/s, and a two-hundredth of it, ${signed(share, 3)}, ` +
+    `goes into {P}_{12}. The ${positives} dots with a positive product add ${fixed(positive)}, the other ` +
+    `${dots.length - positives} take away ${fixed(-negative)}: {P}_{12} = ${fixed(P[0][1])}.`
+  )
+}
+
+/** @param {Frame} frame */
+export function describe({ dots, sigma, correlation, regression, longAxis, error, product, inside }) {
+  const line = Number.isFinite(longAxis) ? `${fixed(longAxis)} metres for each metre a second` : 'level'
+  return {
+    plane:
+      `The plane of a position error, across, and a velocity error, upward, with ${dots.length} errors as dots. ` +
+      `Their standard deviations are ${fixed(sigma[0])} metres and ${fixed(sigma[1])} metres a second, their ` +
+      `correlation is ${fixed(correlation)}; ${inside} dots lie in the ellipse at 1 sigma. The regression line has ` +
+      `${fixed(regression)} metres for each metre a second, the long axis is ${line}. ` +
+      `The error looked at is ${fixed(error[0])} metres and ${fixed(error[1])} metres a second, its product ` +
+      `${fixed(product)}.`,
+  }
+}
