@@ -8,6 +8,7 @@ pub mod bug_museum;
 pub mod ensemble;
 #[macro_use]
 mod figures;
+pub mod late_readings;
 pub mod loop_closure;
 pub mod mapping;
 pub mod observability_probe;
