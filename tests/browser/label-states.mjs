@@ -160,6 +160,18 @@ export const STATES = {
     { length: 20 },
     { seed: 2, length: 1000, logQ: 0.74, logW: 0.04 },
   ],
+  'late-readings': [
+    {},
+    { way: 'drop' },
+    { way: 'go-back' },
+    { sonarRate: 0, laserRate: 0 },
+    { delay: 2, cameraRate: 5 },
+    { delay: 0, ownDelay: 3 },
+    { way: 'go-back', gap: [8, 13], smooth: true },
+    { gap: [0, 20], smooth: true },
+    { course: 'to-and-fro', smooth: true },
+    { cameraRate: 0 },
+  ],
   'bug-museum': [
     {},
     { step: 0 },
