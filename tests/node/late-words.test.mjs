@@ -30,10 +30,7 @@ check(
         camera(frame).came.every((time, i) => time === camera(frame).measured[i]) &&
         frame.ways.every(({ rms }) => rms === frame.ways[0].rms),
     ],
-    [
-      /^One reading comes ([\d.]+) s late\.$/,
-      (frame, late) => prints(late, frame.picked.came - frame.picked.measured),
-    ],
+    [/^One reading comes ([\d.]+) s late\.$/, (frame, late) => prints(late, frame.picked.came - frame.picked.measured)],
     [
       /^As new it leaves an error of ([\d.]+) m \(RMS\), dropped ([\d.]+) m, in its place ([\d.]+) m\.$/,
       (frame, ...said) => said.every((text, i) => prints(text, frame.ways[i].rms)),

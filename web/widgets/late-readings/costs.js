@@ -3,8 +3,6 @@
  * of readings.
  */
 
-import { loadLab } from '../../load/modules.js'
-
 export const SEEDS = 500
 /** Seeds of one call: about five milliseconds. */
 const CALL = 20
@@ -33,6 +31,7 @@ export const costs = {
 
 /** A lab with these parameters. @param {any} params */
 async function open(params) {
+  const { loadLab } = await import('../../load/modules.js')
   const loaded = await loadLab('late-readings')
   if (!loaded.ok) throw new Error(loaded.why)
   return loaded.module.LateReadings.from({ version: 1, lab: 'late-readings', step: 0, params })

@@ -27,7 +27,7 @@ const SHAPES = ['h0', 'm-4 0h8m-4-4v8', 'm0-5l4 5l-4 5l-4-5z']
  * @param {[number, number][]} places
  */
 export function drawReadings(pen, key, { x, y }, [top, bottom], sensor, places) {
-  const at = ([time, value]) =>
+  const at = (/** @type {[number, number]} */ [time, value]) =>
     `M${pixel(x(time))} ${pixel(Math.max(top, Math.min(bottom, y(value))))}${SHAPES[sensor]}`
   const shape = sensor === 0 ? 'points' : sensor === 1 ? 'line' : 'full'
   pen.mark('path', key, { ...meaning(shape, 'measurement'), d: places.map(at).join('') })

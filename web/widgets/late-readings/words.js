@@ -88,13 +88,16 @@ export function describe(frame) {
     : ''
   return {
     line:
-      `Estimate less truth over ${fixed(end, 0)} seconds with the claimed 2 σ, and the readings: ${counts.join('; ')}. ` +
+      `Estimate less truth over ${fixed(end, 0)} seconds with the claimed 2 σ, and the readings: ` +
+      `${counts.join('; ')}. ` +
       `The error is at most ${fixed(worst, 2)} metres, and beyond 2 σ at ` +
       `${fixed((100 * beyond) / error.length, 0)} % of the times.${hand}`,
     innovations: `Innovations of each sensor over time. ${sensors
       .map((sensor, i) => `Mean of the ${SENSORS[i]}: ${mean(sensor)}.`)
       .join(' ')}`,
-    costs: `Error and NEES of each way. In this run: as new ${cost(ways[0])}; dropped ${cost(ways[1])}; gone back ${cost(ways[2])}.`,
+    costs:
+      'Error and NEES of each way. In this run: ' +
+      `as new ${cost(ways[0])}; dropped ${cost(ways[1])}; gone back ${cost(ways[2])}.`,
   }
 }
 

@@ -1,5 +1,5 @@
-//! Numbers of the late readings: the figure's run as the text goes through it, over 500 seeds too, and what the exercises
-//! work out with a pencil.
+//! Numbers of the late readings: the figure's run as the text goes through it, over 500 seeds too, and what the
+//! exercises work out with a pencil.
 
 use estimate::Error;
 use lab::{Lab, Listing};
