@@ -5,7 +5,7 @@ import { fixed } from '../../draw/numbers.js'
 import { WAYS } from './sensors.js'
 
 /** Left and right of the bars, pixels. */
-const [LEFT, RIGHT] = [116, 118]
+const [LEFT, RIGHT] = [116, 96]
 
 /**
  * @param {import('../../figure/shell.js').Panel} panel
@@ -27,7 +27,7 @@ export function drawCosts({ pen, width, height }, { params, ways: own }, { aside
       const long = Math.max(1, ((width - LEFT - RIGHT) * rms) / most)
       pen.text(`name${i}`, { class: chosen ? 'label' : 'tick', x: 0, y: y + row / 2 }, label)
       pen.mark('rect', `bar${i}`, {
-        ...(chosen ? meaning('full', 'posterior') : { class: 'bar' }),
+        ...meaning('full', chosen ? 'posterior' : null),
         x: LEFT,
         y: y + row / 2 - 12,
         width: long,
