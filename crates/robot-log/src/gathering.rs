@@ -58,7 +58,8 @@ pub(crate) struct Gathering {
     index: HashMap<u32, usize>,
     poses: Vec<Pose>,
     rows: Vec<Row>,
-    motion: Option<Motion>,
+    /// How the robot moves, and the letter of the first row that said so.
+    motion: Option<(Motion, &'static str)>,
     /// The sightings. A landmark's row may stand behind them.
     sightings: Vec<Sighting>,
     count: usize,
@@ -95,21 +96,30 @@ impl Gathering {
 
     /// A row of motion, which begins at `place`.
     pub fn motion(&mut self, place: Place, row: Row) -> Result<(), Error> {
-        let motion = match row.event {
-            Event::Velocity { .. } => Motion::Velocity,
-            _ => Motion::Odometry,
+        let (motion, letter) = match row.event {
+            Event::Velocity { .. } => (Motion::Velocity, "V"),
+            Event::Speed { .. } => (Motion::Velocity, "S"),
+            Event::TurnRate { .. } => (Motion::Velocity, "T"),
+            _ => (Motion::Odometry, "O"),
         };
-        if *self.motion.get_or_insert(motion) != motion {
-            return Err(place.refuse("the log has O rows and V rows; a log moves by one kind"));
+        let (first, known) = *self.motion.get_or_insert((motion, letter));
+        if first != motion {
+            let held = if motion == Motion::Velocity { letter } else { known };
+            return Err(place.refuse(format!("the log has O rows and {held} rows; a log moves by one kind")));
         }
-        self.rows.push(row);
+        self.reading(row);
         Ok(())
+    }
+
+    /// A row of a sensor that no landmark is needed for.
+    pub fn reading(&mut self, row: Row) {
+        self.rows.push(Row { line: self.rows.len() as u32, ..row });
     }
 
     /// A sighting of the landmark `id`, which stands at `place`.
     pub fn sighting(&mut self, place: Place, row: Row, id: u32, unplaced: Unplaced) {
         self.sightings.push(Sighting { row: self.rows.len(), id, place, unplaced });
-        self.rows.push(row);
+        self.reading(row);
     }
 
     /// Whether there is a row of motion.
@@ -133,7 +143,7 @@ impl Gathering {
             match self.index.get(&id) {
                 Some(known) => match &mut self.rows[row].event {
                     Event::Range { landmark, .. } | Event::RangeBearing { landmark, .. } => *landmark = *known,
-                    Event::Odometry { .. } | Event::Velocity { .. } => {}
+                    _ => {}
                 },
                 None => match unplaced {
                     Unplaced::LeftOut if barcodes || self.landmarks.is_empty() => left_out.push(row),
@@ -151,9 +161,9 @@ impl Gathering {
                 out.next_if_eq(&(i - 1)).is_none()
             });
         }
-        let Some(motion) = self.motion else {
+        let Some((motion, _)) = self.motion else {
             let last = self.last.unwrap_or(Place { file: 0, line: 1, column: 1 });
-            let message = "the log has no motion; O rows or V rows were expected";
+            let message = "the log has no motion; O, V, S or T rows were expected";
             return Err(Place { column: 1, ..last }.refuse(message));
         };
         // The sort is stable: rows of one time and kind stay in the order of their lines.

@@ -9,13 +9,17 @@
 //! | `L,id,x,y` | a landmark at a known place; the id is a whole number; m |
 //! | `G,t,x,y,theta` | the truth, where it is known; s, m, rad |
 //! | `O,t,distance,turn` | odometry since the `O` row before; m, rad |
-//! | `V,t,v,omega` | a velocity, held until the next `V` row; m/s, rad/s |
+//! | `V,t,v,omega` | a velocity: a speed and a turn rate in one row; m/s, rad/s |
+//! | `S,t,v` | a speed, held until the next `S` or `V` row; m/s |
+//! | `T,t,omega` | a turn rate, held until the next `T` or `V` row; rad/s |
 //! | `R,t,id,range` | a range to a landmark; m |
 //! | `B,t,id,range,bearing` | a range and a bearing, from the robot's nose to the landmark, counter-clockwise; m, rad |
+//! | `P,t,x,y[,sigma]` | a fix of the position, with its own standard deviation if it has one; m |
+//! | `H,t,theta[,sigma]` | a heading (compass, course), with its own standard deviation if it has one; rad |
 //!
-//! A log moves by `O` rows or by `V` rows, not by both. Rows may stand in any order: [`parse`] answers them by time, at
-//! equal times motion before sightings, then by line. What a log says is an [`estimate::drive::Drive`], which
-//! [`estimate::drive::Replay`] filters.
+//! A log moves by `O` rows or by held rows (`V`, `S`, `T`), not by both. Rows may stand in any order: [`parse`] answers
+//! them by time, at equal times motion before readings, then by line. What a log says is an
+//! [`estimate::drive::Drive`], which [`estimate::drive::Replay`] filters.
 //!
 //! [`Files`] reads what others write: tables of motion, sightings, landmarks and truth with or without a header, in
 //! their units, among them the five files of a UTIAS MRCLAM data set. How a file is read is guessed and can be
@@ -27,6 +31,8 @@
 //! let log = robot_log::parse("L,7,3.0,4.0\nO,0.5,0.1,0.02\nR,0.5,7,4.9\n")?;
 //! assert_eq!(log.drive.landmarks[0].id, 7);
 //! assert_eq!(log.drive.rows[1].event, Event::Range { landmark: 0, range: 4.9 });
+//! let car = robot_log::parse("S,0,10.5\nT,0,-0.04\nP,0.1,1.06,0.01,2.5\nH,0.1,-0.004\n")?;
+//! assert_eq!(car.drive.rows[2].event, Event::Position { x: 1.06, y: 0.01, sigma: Some(2.5) });
 //! # Ok::<(), robot_log::Error>(())
 //! ```
 

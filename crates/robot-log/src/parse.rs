@@ -10,9 +10,9 @@ use crate::row::{Read, read};
 ///
 /// # Errors
 /// Where the text is no log, with line, column and what was expected: it is too large or no text, a row has an unknown
-/// letter, too few or too many fields, a field that is no finite number, a negative range, a time beyond 10¹¹ s; a
-/// landmark is named twice or a sighting names none; `O` rows and `V` rows are mixed; there is no motion. A fault of
-/// the whole log names its last row.
+/// letter, too few or too many fields, a field that is no finite number, a negative range, a standard deviation that is
+/// not above 0, a time beyond 10¹¹ s; a landmark is named twice or a sighting names none; `O` rows and rows of held
+/// motion (`V`, `S`, `T`) are mixed; there is no motion. A fault of the whole log names its last row.
 pub fn parse(text: &str) -> Result<Log, Error> {
     if text.len() > MAX_BYTES {
         let message = format!("the log has {} bytes; at most {MAX_BYTES} were expected", text.len());
@@ -36,6 +36,7 @@ pub(crate) fn gather(text: &str, file: usize, to: &mut Gathering) -> Result<(), 
             Read::Landmark(landmark) => to.landmark(place(1), landmark)?,
             Read::Truth(pose) => to.truth(pose),
             Read::Motion(row) => to.motion(start, row)?,
+            Read::Pose(row) => to.reading(row),
             Read::Sighting(row, id) => to.sighting(place(2), row, id, Unplaced::Refused),
         }
     }

@@ -84,11 +84,11 @@ impl Reading {
         match role {
             Role::Velocities => {
                 let event = Event::Velocity { v: cells.number(1)?, omega: cells.number(2)? };
-                self.to.motion(start, Row { time: cells.time()?, event })?;
+                self.to.motion(start, Row::new(cells.time()?, event))?;
             }
             Role::Odometry => {
                 let event = Event::Odometry { distance: cells.number(1)?, turn: cells.number(2)? };
-                self.to.motion(start, Row { time: cells.time()?, event })?;
+                self.to.motion(start, Row::new(cells.time()?, event))?;
             }
             Role::Landmarks => {
                 let landmark = Landmark { id: cells.whole(0)?, x: cells.number(1)?, y: cells.number(2)? };
@@ -108,7 +108,7 @@ impl Reading {
                     None => Event::Range { landmark: 0, range },
                 };
                 match self.carried.as_ref().map_or(Some(&seen), |carried| carried.get(&seen)) {
-                    Some(id) => self.to.sighting(cells.place(1), Row { time, event }, *id, Unplaced::LeftOut),
+                    Some(id) => self.to.sighting(cells.place(1), Row::new(time, event), *id, Unplaced::LeftOut),
                     None => self.unlisted += 1,
                 }
             }

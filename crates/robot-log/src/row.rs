@@ -8,11 +8,16 @@ use estimate::drive::{Event, Pose, Row};
 /// The greatest time of a row, seconds either side of 0. Unix times fit, and differences of times keep a microsecond.
 const MAX_TIME: f64 = 1e11;
 
+/// The letters, as an error lists them.
+const LETTERS: &str = "L, G, O, V, S, T, R, B, P or H";
+
 /// A row as it is read, where a sighting names its landmark by id and may stand before it.
 pub(crate) enum Read {
     Landmark(Landmark),
     Truth(Pose),
     Motion(Row),
+    /// A reading of the robot's own position or heading.
+    Pose(Row),
     /// The row has no landmark's index yet.
     Sighting(Row, u32),
 }
@@ -20,8 +25,8 @@ pub(crate) enum Read {
 /// The row of a line.
 ///
 /// # Errors
-/// The letter is unknown, a field is missing, superfluous or no finite number, a range is negative, an id is no whole
-/// number, a time is out of bounds.
+/// The letter is unknown, a field is missing, superfluous or no finite number, a range is negative, a standard
+/// deviation is not above 0, an id is no whole number, a time is out of bounds.
 pub(crate) fn read(line: &Line<'_>) -> Result<Read, Error> {
     let letter = line.fields[0];
     let form = match letter.text {
@@ -29,14 +34,20 @@ pub(crate) fn read(line: &Line<'_>) -> Result<Read, Error> {
         "G" => "G,t,x,y,theta",
         "O" => "O,t,distance,turn",
         "V" => "V,t,v,omega",
+        "S" => "S,t,v",
+        "T" => "T,t,omega",
+        "P" => "P,t,x,y[,sigma]",
+        "H" => "H,t,theta[,sigma]",
         "R" => "R,t,id,range",
         "B" => "B,t,id,range,bearing",
         _ => return Err(unknown_letter(line)),
     };
-    let names: Vec<&str> = form.split(',').collect();
-    let (wanted, found) = (names.len(), line.fields.len());
-    if found != wanted {
-        let column = line.fields.get(wanted).map_or(line.end, |extra| extra.column);
+    let names: Vec<&str> = form.split(',').map(|name| name.trim_end_matches('[')).collect();
+    let (most, found) = (names.len(), line.fields.len());
+    let least = most - usize::from(form.ends_with(']'));
+    if !(least..=most).contains(&found) {
+        let column = line.fields.get(most).map_or(line.end, |extra| extra.column);
+        let wanted = if least < most { format!("{least} or {most}") } else { most.to_string() };
         let message = format!("the row has {found} fields; {wanted} were expected: {form}");
         return Err(Error::new(line.number, column, message));
     }
@@ -44,19 +55,24 @@ pub(crate) fn read(line: &Line<'_>) -> Result<Read, Error> {
     let time = || in_bounds(line, line.fields[1], number(1)?);
     let id = |i: usize| whole(line, line.fields[i]);
     let range = |i: usize| not_negative(line, line.fields[i], number(i)?);
+    let sigma = |i: usize| line.fields.get(i).map(|field| deviation(line, *field)).transpose();
     Ok(match letter.text {
         "L" => Read::Landmark(Landmark { id: id(1)?, x: number(2)?, y: number(3)? }),
         "G" => Read::Truth(Pose { time: time()?, x: number(2)?, y: number(3)?, theta: number(4)? }),
-        "O" => Read::Motion(Row { time: time()?, event: Event::Odometry { distance: number(2)?, turn: number(3)? } }),
-        "V" => Read::Motion(Row { time: time()?, event: Event::Velocity { v: number(2)?, omega: number(3)? } }),
+        "O" => Read::Motion(Row::new(time()?, Event::Odometry { distance: number(2)?, turn: number(3)? })),
+        "V" => Read::Motion(Row::new(time()?, Event::Velocity { v: number(2)?, omega: number(3)? })),
+        "S" => Read::Motion(Row::new(time()?, Event::Speed { v: number(2)? })),
+        "T" => Read::Motion(Row::new(time()?, Event::TurnRate { omega: number(2)? })),
+        "P" => Read::Pose(Row::new(time()?, Event::Position { x: number(2)?, y: number(3)?, sigma: sigma(4)? })),
+        "H" => Read::Pose(Row::new(time()?, Event::Heading { theta: number(2)?, sigma: sigma(3)? })),
         "R" => {
             let (time, id) = (time()?, id(2)?);
-            Read::Sighting(Row { time, event: Event::Range { landmark: 0, range: range(3)? } }, id)
+            Read::Sighting(Row::new(time, Event::Range { landmark: 0, range: range(3)? }), id)
         }
         _ => {
             let (time, id) = (time()?, id(2)?);
             let event = Event::RangeBearing { landmark: 0, range: range(3)?, bearing: number(4)? };
-            Read::Sighting(Row { time, event }, id)
+            Read::Sighting(Row::new(time, event), id)
         }
     })
 }
@@ -70,8 +86,8 @@ fn unknown_letter(line: &Line<'_>) -> Error {
         Some(' ') => "blanks were found between the fields; fields are parted by commas".into(),
         Some('\t') => "tabs were found between the fields; fields are parted by commas".into(),
         Some(found) => format!("'{found}' was found between the fields; fields are parted by commas"),
-        None if text.is_empty() => "the line begins with an empty field; L, G, O, V, R or B was expected".into(),
-        None => format!("{} is no row's letter; L, G, O, V, R or B was expected", shown(text)),
+        None if text.is_empty() => format!("the line begins with an empty field; {LETTERS} was expected"),
+        None => format!("{} is no row's letter; {LETTERS} was expected", shown(text)),
     };
     Error::new(line.number, column, message)
 }
@@ -117,6 +133,17 @@ fn not_negative(line: &Line<'_>, field: Field<'_>, range: f64) -> Result<f64, Er
     }
     let message = format!("the range is {}; a range of at least 0 was expected", shown(field.text));
     Err(Error::new(line.number, field.column, message))
+}
+
+/// A row's own standard deviation, which the brackets of its form name.
+pub(crate) fn deviation(line: &Line<'_>, field: Field<'_>) -> Result<f64, Error> {
+    match finite(line, field, "sigma")? {
+        sigma if sigma > 0.0 => Ok(sigma),
+        _ => {
+            let message = format!("sigma is {}; a standard deviation above 0 was expected", shown(field.text));
+            Err(Error::new(line.number, field.column, message))
+        }
+    }
 }
 
 /// A whole number below 2³², as digits alone: `5.0` and `+5` would name a landmark that no `L` row writes so.

@@ -82,6 +82,42 @@ fn odometry_and_velocities_in_one_log_are_refused() {
 }
 
 #[test]
+fn odometry_and_speeds_or_turn_rates_in_one_log_are_refused() {
+    assert_refused("O,0.5,0.1,0.02\nS,0.6,1\n", [2, 1], "O rows and S rows");
+    assert_refused("T,0.5,0.1\nS,0.5,1\nO,0.6,1,0\n", [3, 1], "O rows and T rows");
+    assert!(parse("V,0.5,0.1,0.02\nS,0.6,1\nT,0.6,1\n").is_ok(), "a velocity is a speed and a turn rate");
+}
+
+#[test]
+fn rows_of_the_pose_and_of_held_motion_have_their_fields() {
+    for (row, at, words) in [
+        ("S,1", [2, 4], "2 fields; 3 were expected: S,t,v"),
+        ("S,1,2,3", [2, 7], "4 fields; 3 were expected: S,t,v"),
+        ("S,1,fast", [2, 5], "v is 'fast'"),
+        ("T,1,inf", [2, 5], "omega is 'inf'"),
+        ("T,1e12,0", [2, 3], "times within"),
+        ("P,1,2", [2, 6], "3 fields; 4 or 5 were expected: P,t,x,y[,sigma]"),
+        ("P,1,2,3,4,5", [2, 11], "6 fields; 4 or 5 were expected"),
+        ("P,1,2,y", [2, 7], "y is 'y'"),
+        ("P,1,2,3,", [2, 9], "sigma is missing"),
+        ("P,1,2,3,0", [2, 9], "sigma is '0'; a standard deviation above 0"),
+        ("P,1,2,3,-1", [2, 9], "above 0"),
+        ("P,1,2,3,nan", [2, 9], "finite number"),
+        ("H,1", [2, 4], "2 fields; 3 or 4 were expected: H,t,theta[,sigma]"),
+        ("H,1,0,0.1,7", [2, 11], "5 fields; 3 or 4"),
+        ("H,1,north", [2, 5], "theta is 'north'"),
+        ("H,1,0,-0", [2, 7], "above 0"),
+    ] {
+        assert_refused(&format!("O,0,1,0\n{row}\n"), at, words);
+    }
+}
+
+#[test]
+fn fixes_and_headings_alone_are_no_motion() {
+    assert_refused("P,0,1,2\nH,1,0\n", [2, 1], "no motion");
+}
+
+#[test]
 fn a_log_without_motion_is_refused_at_its_last_row() {
     assert_refused("L,7,3.0,4.0\nR,0.5,7,4.9\n# the end\n", [2, 1], "no motion");
     assert_refused("", [1, 1], "no motion");

@@ -1,4 +1,4 @@
-//! What a log says: rows of motion and sightings, by time.
+//! What a log says: rows of motion and of readings, by time.
 
 use crate::Landmark;
 use crate::drive::truth::Truth;
@@ -14,12 +14,38 @@ pub enum Event {
         /// rad.
         turn: f64,
     },
-    /// A velocity, held until the next.
+    /// A speed and a turn rate in one, held until the next.
     Velocity {
         /// m/s.
         v: f64,
         /// rad/s.
         omega: f64,
+    },
+    /// A speed, held until the next.
+    Speed {
+        /// m/s.
+        v: f64,
+    },
+    /// A turn rate, held until the next.
+    TurnRate {
+        /// rad/s.
+        omega: f64,
+    },
+    /// A fix of the position, as of a satellite receiver.
+    Position {
+        /// m.
+        x: f64,
+        /// m.
+        y: f64,
+        /// Its own standard deviation, m; `None` takes that of the settings.
+        sigma: Option<f64>,
+    },
+    /// A heading, as of a compass or of a course.
+    Heading {
+        /// rad.
+        theta: f64,
+        /// Its own standard deviation, rad; `None` takes that of the settings.
+        sigma: Option<f64>,
     },
     /// A range to a landmark.
     Range {
@@ -41,19 +67,29 @@ pub enum Event {
 }
 
 impl Event {
-    /// Whether the row says how the robot moved, and not what it saw.
+    /// Whether the row says how the robot moved, and not what a sensor read.
     pub fn is_motion(&self) -> bool {
-        matches!(self, Self::Odometry { .. } | Self::Velocity { .. })
+        matches!(self, Self::Odometry { .. } | Self::Velocity { .. } | Self::Speed { .. } | Self::TurnRate { .. })
     }
 }
 
 /// A row of a log.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {
-    /// s.
+    /// The stamp, s.
     pub time: f64,
     /// What happened.
     pub event: Event,
+    /// Its place among the rows as they stand in the log's files. Of two rows measured at one time, both motion or both
+    /// readings, the one with the smaller place is taken first.
+    pub line: u32,
+}
+
+impl Row {
+    /// A row of a log that is put together in the order of its rows.
+    pub fn new(time: f64, event: Event) -> Self {
+        Self { time, event, line: 0 }
+    }
 }
 
 /// How a log says that the robot moved.
@@ -61,7 +97,7 @@ pub struct Row {
 pub enum Motion {
     /// By distance and turn since the row before.
     Odometry,
-    /// By velocities, each held until the next.
+    /// By speeds and turn rates, each held until the next.
     Velocity,
 }
 
@@ -72,7 +108,7 @@ pub struct Drive {
     pub landmarks: Vec<Landmark>,
     /// Where the robot really was, as far as it is known.
     pub truth: Truth,
-    /// Motion and sightings in the order of their replay: by time, at equal times motion first.
+    /// Motion and readings by their stamps, at equal stamps motion first, then by their lines.
     pub rows: Vec<Row>,
     /// Of which kind the motion is.
     pub motion: Motion,
