@@ -26,6 +26,12 @@ export const logClasses = (lab) => ({
     make: (dice, fresh) => (dice.uniform() < 0.3 ? [] : [fresh().state().params]),
     methods: { ...lab.methods, run: (dice) => [1 + dice.below(50)], runAll: () => [], summary: () => [] },
   },
+  CarLog: {
+    ...lab,
+    before: (core) => [core.CarLog.parse(LOG)],
+    make: (dice, fresh) => (dice.uniform() < 0.3 ? [] : [fresh().state().params]),
+    methods: { ...lab.methods, run: (dice) => [1 + dice.below(50)], likelihood: (dice) => [dice.uniform()] },
+  },
   DriveLog: {
     construct: (core) => (text) => core.RobotLog.parse(text),
     make: () => [LOG],

@@ -1,5 +1,6 @@
 //! Every number the prose prints, each with what computes it and the check that pins it.
 
+mod car;
 mod detectability;
 mod ensembles;
 mod exercises;
@@ -47,7 +48,7 @@ pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
 /// # Errors
 /// As [`numbers`].
 pub fn with_ensembles(givens: &Givens) -> Result<Vec<Number>, Error> {
-    let topics = [ensembles::list, late::ensembles, loops::list, tune::list, museum::list];
+    let topics = [ensembles::list, car::list, late::ensembles, loops::list, tune::list, museum::list];
     let listed = |list: fn(&mut Listing) -> Result<(), Error>| {
         let mut listing = Listing::new();
         list(&mut listing).map(|()| listing.numbers)

@@ -19,6 +19,7 @@ macro_rules! figures {
             late_readings::LateReadings in "late";
             bug_museum::BugMuseum in "late";
             robot_log::RobotLog of DriveLog in "log";
+            car_log::CarLog of DriveLog in "log";
             own_system::OwnSystem in "system";
         }
     };

@@ -5,6 +5,7 @@
 //! figures there are is listed once, in [`figures!`].
 
 pub mod bug_museum;
+pub mod car_log;
 pub mod ensemble;
 #[macro_use]
 mod figures;
