@@ -172,6 +172,13 @@ export const STATES = {
     { course: 'to-and-fro', smooth: true },
     { cameraRate: 0 },
   ],
+  'car-log': [
+    {},
+    { fixes: 'none' },
+    { fixes: 'all' },
+    { delay: 0.58, learn: true, gate: true },
+    { delay: 0.58, tunnel: true },
+  ],
   'bug-museum': [
     {},
     { step: 0 },

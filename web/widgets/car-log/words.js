@@ -48,7 +48,8 @@ export function describe(frame) {
   const beyond = along.filter((value) => Math.abs(value) > 2).length
   return {
     map:
-      `The drive from above: ${fixes.x.length} fixes drawn, ${refused.x.length} refused, ${withheld.x.length} withheld; ` +
+      `The drive from above: ${fixes.x.length} fixes drawn, ${refused.x.length} refused, ` +
+      `${withheld.x.length} withheld; ` +
       `the course by speeds and turn rates alone is off by ${fixed(reckonedOff, 0)} metres at worst.`,
     curve:
       `Log-likelihood of the fixes against the delay of the speed: at ${fixed(params.delay, 2)} seconds it is ` +
