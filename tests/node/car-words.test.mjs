@@ -1,5 +1,5 @@
-// What the figure of the car says is held against its frames, on its own log and on the mower's, which has no fix; and its
-// curve is the lab's.
+// What the figure of the car says is held against its frames, on its own log and on the mower's, which has no fix; and
+// its curve is the lab's.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
