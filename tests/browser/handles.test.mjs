@@ -11,6 +11,8 @@ const KNOBS = '.live :is(svg [role=slider], input[type=range]:enabled):not([hidd
 for (const tag of Object.keys(WIDGETS)) {
   test(`every handle and slider of the ${tag} is large, named, reached by Tab and moved by keys`, async (t) => {
     const { page, it } = await openFigure(t, tag, { viewport: PHONE })
+    // What waits in a fold is reached once that is open.
+    await it.evaluate((host) => host.querySelectorAll('.live .controls details').forEach((fold) => (fold.open = true)))
     const knobs = await it.locator(KNOBS).all()
     assert.ok(knobs.length > 0)
     // By Tab, from the first thing in the figure to what comes after it.
@@ -78,6 +80,7 @@ const DRAGGED = [
   'observability-probe',
   'tune',
   'loop-closure',
+  'late-readings',
   'cart-copy',
   'error-cloud',
   'touch',

@@ -90,6 +90,7 @@ for (const [tag, id] of [
   ['observability-probe', 'fig-probe'],
   ['tune', 'fig-tune'],
   ['loop-closure', 'fig-loop'],
+  ['late-readings', 'fig-late'],
 ]) {
   test(`state, picture and series of the ${tag} can be taken along`, async (t) => {
     const { page, it: widget } = await openFigure(t, tag)

@@ -54,6 +54,7 @@ const rail = {
 const objects = {
   DriveLog: LOG,
   RobotLog: new core.RobotLog(LOG),
+  CarLog: new core.CarLog(LOG),
   KalmanFilter: new core.KalmanFilter(rail, {
     x: [2, 4],
     P: [

@@ -262,6 +262,7 @@ for (const name of LABS) {
   }
 }
 
+CLASSES.LateReadings.methods.seeds = (dice) => [dice.below(100), 1 + dice.below(3)]
 CLASSES.Tune.methods.likelihoodRow = (dice) => [dice.below(4), 4 + dice.below(5), 1 + dice.below(5)]
 
 Object.assign(CLASSES, logClasses(CLASSES.Picture))

@@ -41,6 +41,12 @@ export const logClasses = (lab) => ({
       summary: () => [],
     },
   },
+  CarLog: {
+    ...lab,
+    before: (core) => [core.CarLog.parse(LOG)],
+    make: (dice, fresh) => (dice.uniform() < 0.3 ? [] : [fresh().state().params]),
+    methods: { ...lab.methods, run: (dice) => [1 + dice.below(50)], likelihood: (dice) => [dice.uniform()] },
+  },
   DriveLog: {
     construct: (core) => (text) => core.RobotLog.parse(text),
     make: () => [LOG],

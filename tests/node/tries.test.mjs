@@ -14,7 +14,15 @@ const BESIDE = {
   'observability-probe': ['landmarks', 'ghostAround', 'ghostShift', 'ghostTurn'],
 }
 
-for (const tag of ['odometry-hook', 'loop-closure', 'tune', 'bug-museum', 'own-system', 'observability-probe']) {
+for (const tag of [
+  'odometry-hook',
+  'loop-closure',
+  'tune',
+  'bug-museum',
+  'own-system',
+  'observability-probe',
+  'late-readings',
+]) {
   test(`each phrase of the ${tag} gives the same after every other`, async () => {
     const spec = await WIDGETS[tag]()
     const phrases = spec.tries.filter(({ name }) => !RELATIVE[tag]?.includes(name))

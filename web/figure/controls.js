@@ -73,7 +73,8 @@ import { slider } from './slider.js'
  * @property {(document: Document, change: (patch: Record<string, unknown>, make?: (frame: any, lab: any) =>
  * Record<string, unknown>) => void) => Shown} build
  *
- * @typedef {RangeControl | ChoiceControl | ToggleControl | WholeControl | ActionControl | CustomControl} Control
+ * @typedef {(RangeControl | ChoiceControl | ToggleControl | WholeControl | ActionControl | CustomControl) & { more?:
+ * boolean }} Control `more` where it waits in a fold below the others
  */
 
 /** @typedef {{ element: HTMLElement, show: (params: any, frame: any) => void }} Shown */

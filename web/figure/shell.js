@@ -90,7 +90,14 @@ export function buildShell(document, spec, into, orders, parameters) {
   button(document, transport, 'Reset', orders.reset)
   if (!spec.timeless) controls.append(run)
   const shown = spec.controls.map((control) => buildControl(document, control, change, limits))
-  part(document, controls, 'div', 'params').append(...shown.map(({ element }) => element))
+  const elements = (/** @type {boolean} */ more) =>
+    spec.controls.flatMap((control, i) => (Boolean(control.more) === more ? [shown[i].element] : []))
+  part(document, controls, 'div', 'params').append(...elements(false))
+  if (elements(true).length > 0) {
+    const fold = part(document, controls, 'details', 'more')
+    part(document, fold, 'summary', '').textContent = 'More'
+    part(document, fold, 'div', 'params').append(...elements(true))
+  }
   if (spec.timeless && shown.length === 0) controls.remove()
   const options = SPEEDS.map((value) => ({ value, label: `${value === 0.5 ? '½' : value}×` }))
   const speed = buildControl(

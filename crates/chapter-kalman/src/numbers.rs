@@ -1,9 +1,11 @@
 //! Every number the prose prints, each with what computes it and the check that pins it.
 
+mod car;
 mod detectability;
 mod ensembles;
 mod exercises;
 mod hook;
+mod late;
 mod log;
 mod loops;
 mod maps;
@@ -32,6 +34,7 @@ pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
     hook::list(&mut listing)?;
     wheel::list(&mut listing)?;
     log::list(&mut listing)?;
+    late::list(&mut listing)?;
     probe::list(givens, &mut listing)?;
     maps::list(givens, &mut listing)?;
     scenarios::list(givens, &mut listing);
@@ -45,7 +48,7 @@ pub fn numbers(givens: &Givens) -> Result<Vec<Number>, Error> {
 /// # Errors
 /// As [`numbers`].
 pub fn with_ensembles(givens: &Givens) -> Result<Vec<Number>, Error> {
-    let topics = [ensembles::list, loops::list, tune::list, museum::list];
+    let topics = [ensembles::list, car::list, late::ensembles, loops::list, tune::list, museum::list];
     let listed = |list: fn(&mut Listing) -> Result<(), Error>| {
         let mut listing = Listing::new();
         list(&mut listing).map(|()| listing.numbers)

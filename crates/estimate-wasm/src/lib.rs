@@ -18,6 +18,8 @@
 mod analysis;
 #[cfg(feature = "functions")]
 mod arguments;
+#[cfg(feature = "log")]
+mod car_log;
 #[cfg(feature = "checks")]
 mod checks;
 mod decode;

@@ -21,8 +21,10 @@ macro_rules! figures {
             observability_probe::ObservabilityProbe in "late";
             loop_closure::LoopClosure in "late", was "close-loop";
             tune::Tune in "late", was "tune-me";
+            late_readings::LateReadings in "late";
             bug_museum::BugMuseum in "late";
             robot_log::RobotLog of DriveLog in "log";
+            car_log::CarLog of DriveLog in "log";
             own_system::OwnSystem in "system";
         }
     };

@@ -5,11 +5,13 @@
 //! figures there are is listed once, in [`figures!`].
 
 pub mod bug_museum;
+pub mod car_log;
 pub mod cart_copy;
 pub mod ensemble;
 pub mod error_cloud;
 #[macro_use]
 mod figures;
+pub mod late_readings;
 pub mod loop_closure;
 pub mod mapping;
 pub mod observability_probe;

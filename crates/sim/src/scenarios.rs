@@ -4,6 +4,10 @@
 //! numbers reproduce those results. The constants here are therefore the chapter's own, round and physically plausible,
 //! and the chapter prints what they give.
 
+mod three_sensors;
+
+pub use three_sensors::{THREE_SENSORS, ThreeSensors};
+
 use crate::apartment::Apartment;
 use crate::paths::{CORRIDOR, LOOP, Rectangle, SQUARE, Stadium};
 use crate::sensor::Sensor;

@@ -2,7 +2,7 @@
 
 use crate::givens::Givens;
 use lab::Listing;
-use sim::scenarios::{HOOK, LOOP_CLOSURE, TUNING};
+use sim::scenarios::{HOOK, LOOP_CLOSURE, THREE_SENSORS, TUNING};
 use sim::{Sensor, paths::Rectangle};
 
 pub(super) fn list(givens: &Givens, to: &mut Listing) {
@@ -10,6 +10,7 @@ pub(super) fn list(givens: &Givens, to: &mut Listing) {
     probe(givens, to);
     slam(givens, to);
     late(to);
+    three_sensors(to);
 }
 
 fn course(to: &mut Listing, id: &str, course: &Rectangle) {
@@ -82,4 +83,16 @@ fn late(to: &mut Listing) {
         LOOP_CLOSURE.landmarks.len() as f64,
         "landmarks on the corridor's walls",
     );
+}
+
+fn three_sensors(to: &mut Listing) {
+    let constants = THREE_SENSORS;
+    to.by("sim::scenarios::THREE_SENSORS", None)
+        .vector("const.late.sigma", &constants.sigma, "standard deviation of sonar, laser and camera, m")
+        .vector("const.late.p0", &constants.p0_sigma, "first uncertainty, standard deviation: m, m/s")
+        .add("const.late.speed", constants.speed, "the speed at the start, m/s")
+        .add("const.late.q", constants.q, "density of the acceleration's noise, m²/s³")
+        .add("const.late.tick", constants.tick, "a tick, s")
+        .add("const.late.end", constants.tick * constants.ticks as f64, "a run, s")
+        .add("const.late.settled", constants.settled, "what is said of a run is said of the time from here on, s");
 }

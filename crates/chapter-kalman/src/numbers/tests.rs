@@ -222,3 +222,56 @@ fn what_the_text_says_of_beacons_bugs_and_sigma_points_holds() {
     let gate = n["museum.open-gate.mean.0"] / n["museum.none.mean.0"];
     assert!((1.5..4.0).contains(&gate), "an open gate multiplies the position's error by {gate}");
 }
+
+#[test]
+fn what_the_text_says_of_late_readings_holds() {
+    let mut to = Listing::new();
+    late::ensembles(&mut to).expect("computed");
+    let n: BTreeMap<_, _> =
+        by_id(&Givens::default()).into_iter().chain(to.numbers.into_iter().map(|n| (n.id, n.value))).collect();
+    // Written out: 1.4 · 0.35, and the time t with 0.01 t³/3 = 1.
+    for (id, value, within) in [
+        ("ex.late.innovation", -0.49, 1e-12),
+        ("ex.late.over", -4.0, 1e-12),
+        ("ex.gap.time", 300.0_f64.powf(1.0 / 3.0), 1e-12),
+        ("ex.gap.third", 100.0_f64.powf(1.0 / 3.0), 1e-12),
+        ("ex.gap.walk", 100.0, 1e-9),
+        // Alone the estimate lags by all of v·τ, and its innovations tell nothing; beside others by its share.
+        ("late.alone.lag", n["late.travelled"], 0.05),
+        ("late.alone.camera", 0.0, 0.05),
+        ("late.back.camera", 0.0, 0.05),
+        ("late.gap.worst", 0.5, 0.17),
+        ("late.gap.helped", 1.0, 0.05),
+        ("ensemble.late.all.dropped.nees", 2.0, 0.1),
+        ("ensemble.late.all.back.nees", 2.0, 0.1),
+    ] {
+        assert!((n[id] - value).abs() < within, "{id}: {}", n[id]);
+    }
+    assert!(n["late.lag"] > 0.5 * n["late.travelled"] && n["late.lag"] < n["late.travelled"]);
+    assert!(n["late.camera"] < -0.3 * n["late.travelled"]);
+    let rms = |id: &str| n[&format!("ensemble.late.{id}.rms")];
+    assert!(rms("all.dropped") < 1.4 * rms("all.back") && rms("all.new") > 3.0 * rms("all.dropped"));
+    assert!(rms("alone.dropped") > 10.0 * rms("alone.back"));
+}
+
+#[test]
+fn what_the_text_says_of_the_car_holds() {
+    let mut to = Listing::new();
+    car::list(&mut to).expect("computed");
+    let n: BTreeMap<_, _> = to.numbers.iter().map(|n| (n.id.as_str(), n.value)).collect();
+    // Of an independent replay; the last four are of a delay of 0.58 s in place of its 0.5 s, or of none.
+    for (id, value, within) in [
+        ("car.all.nis", 0.633428672, 1e-6),
+        ("car.second.nis", 2.923664776, 1e-6),
+        ("car.delay", 0.58, 0.021),
+        ("car.gain", 148.0, 1.0),
+        ("car.kappa", 0.025, 0.005),
+        ("car.tunnel.worst", 48.340891009, 1e-6),
+        ("car.tunnel.smoothed", 13.977784991, 1e-6),
+        ("car.gate.of", 205.0, 1e-12),
+        ("car.alone", 90.0, 5.0),
+    ] {
+        assert!((n[id] - value).abs() < within, "{id}: {}", n[id]);
+    }
+    assert!(n["car.gate.refused"] > 20.0 && n["car.gate.nis"] < 1.2, "{}", n["car.gate.nis"]);
+}

@@ -1,6 +1,6 @@
 //! What some labs can do beside the rest.
 
-use super::{ObservabilityProbe, Tune};
+use super::{LateReadings, ObservabilityProbe, Tune};
 use crate::decode::Arg;
 use crate::encode::list;
 use crate::errors::Thrown;
@@ -15,6 +15,13 @@ export interface Tune {
      * are at most 200. It depends on the seed and the length of the log alone.
      */
     likelihoodRow(row: number, rows: number, columns: number): Vector;
+}
+export interface LateReadings {
+    /**
+     * What each way costs over `count` seeds, at most 500, from `first` on: for each seed the RMS error in metres and
+     * the mean NEES as new, dropped, and gone back, six numbers. The run's own seed and way do not count.
+     */
+    seeds(first: number, count: number): Vector;
 }
 export interface ObservabilityProbe {
     /** Where landmark `j` (from 0) must stand to be in line with the estimate and the nearest other landmark shown. */
@@ -47,5 +54,17 @@ impl ObservabilityProbe {
         let j = Arg::new(j, "j").whole(0, 2)?;
         let point = Self::CLASS.lab(&self.0, |probe: &labs::ObservabilityProbe| probe.collinear_point(j))?;
         Ok(list(&point))
+    }
+}
+
+#[wasm_bindgen]
+impl LateReadings {
+    /// The costs of some seeds, as its type says.
+    pub fn seeds(&self, first: &JsValue, count: &JsValue) -> Result<JsValue, Thrown> {
+        self.0.is(Self::CLASS.name)?;
+        let first = Arg::new(first, "first").whole(0, u32::MAX)?;
+        let count = Arg::new(count, "count").whole(1, labs::ensemble::SEEDS)?;
+        let costs = Self::CLASS.lab(&self.0, |lab: &labs::LateReadings| lab.seeds(first, count))?;
+        Ok(list(&costs))
     }
 }
