@@ -5,11 +5,10 @@ use crate::decode::Arg;
 use crate::encode::{list, record, rows};
 use crate::errors::Thrown;
 use crate::object::Held;
-use estimate::dynamic::Belief;
 use estimate::{Code, Error, validate};
 use js_sys::Array;
-use nalgebra::{DMatrix, DVector};
-use program::{Fault, Matrix, Notation, Program as Text, Step, Stop, Trouble, World};
+use nalgebra::DMatrix;
+use program::{Fault, Matrix, Notation, Program as Text, Quantity, Step, Stop, Trouble, World};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -62,56 +61,46 @@ impl Program {
     ) -> Result<JsValue, Thrown> {
         let world = self.0.read(CLASS, Text::world)?;
         let belief = belief_of(&Arg::new(belief, "belief"))?;
-        let given = match world {
+        let mut given = vec![Matrix::column(belief.x.as_slice()), matrix(&belief.p)];
+        let arg = Arg::new(system, "system");
+        let within = |e: Error| e.within("system");
+        match world {
             World::Linear => {
                 let system = system_of(system)?;
-                let [n, p, m] = [system.f.nrows(), system.h.nrows(), system.g.ncols()];
-                let (belief, u, y) = common(&belief, u, y, [n, p, m])?;
-                let rest = [&system.v, &system.w, &system.f, &system.g, &system.h].map(matrix);
-                belief.into_iter().chain([u, y]).chain(rest).collect::<Vec<_>>()
+                given.push(column(u, "u", system.g.ncols())?);
+                given.push(column(y, "y", system.h.nrows())?);
+                given.extend([&system.v, &system.w, &system.f, &system.g, &system.h].map(matrix));
             }
             World::Robot => {
-                let arg = Arg::new(system, "system");
                 arg.only(["V", "W", "landmark", "gate"].into_iter())?;
-                let within = |e: Error| e.within("system");
-                let v = validate::covariance(arg.field("V")?.matrix()?, 3, "V").map_err(within)?;
-                let w = validate::covariance(arg.field("W")?.matrix()?, 2, "W").map_err(within)?;
+                given.push(column(u, "u", 2)?);
+                given.push(column(y, "y", 2)?);
+                for (name, n) in [("V", 3), ("W", 2)] {
+                    given.push(matrix(&validate::covariance(arg.field(name)?.matrix()?, n, name).map_err(within)?));
+                }
                 let mark = validate::vector(arg.field("landmark")?.vector()?, 2, "landmark").map_err(within)?;
+                given.push(Matrix::column(mark.as_slice()));
                 let gate = arg.field("gate")?;
-                let gate = if gate.is_undefined() { 1e12 } else { gate.number()? };
-                let gate = validate::finite(gate, "gate").map_err(within)?;
-                let (belief, u, y) = common(&belief, u, y, [3, 2, 2])?;
-                let rest = [matrix(&v), matrix(&w), Matrix::column(mark.as_slice()), Matrix::column(&[gate])];
-                belief.into_iter().chain([u, y]).chain(rest).collect()
+                let gate = if gate.is_undefined() { OPEN } else { gate.number()? };
+                given.push(Matrix::column(&[validate::finite(gate, "gate").map_err(within)?]));
             }
-        };
-        self.0.write(CLASS, |program: &mut Text| match program.step(&given) {
+        }
+        self.0.write(CLASS, |program: &mut Text| match program.step(given) {
             Ok(step) => Ok(answer(program, &step)),
             Err(stop) => Err(refused(stop)),
         })
     }
 }
 
-fn matrix(m: &DMatrix<f64>) -> Matrix {
-    Matrix::new(m.nrows(), m.ncols(), m.transpose().as_slice().to_vec())
+/// A gate that refuses nothing.
+const OPEN: f64 = 1e12;
+
+fn column(value: &JsValue, name: &'static str, length: usize) -> Result<Matrix, Error> {
+    Ok(Matrix::column(validate::vector(Arg::new(value, name).vector()?, length, name)?.as_slice()))
 }
 
-/// x, P, u and y of their sizes.
-fn common(
-    belief: &Belief,
-    u: &JsValue,
-    y: &JsValue,
-    [n, p, m]: [usize; 3],
-) -> Result<([Matrix; 2], Matrix, Matrix), Error> {
-    if belief.x.len() != n {
-        return Err(Error::new(Code::Shape, "belief", "is not of the system’s size"));
-    }
-    let vector = |value, name, length| -> Result<DVector<f64>, Error> {
-        validate::vector(Arg::new(value, name).vector()?, length, name)
-    };
-    let (u, y) = (vector(u, "u", m)?, vector(y, "y", p)?);
-    let column = |v: &DVector<f64>| Matrix::column(v.as_slice());
-    Ok(([column(&belief.x), matrix(&belief.p)], column(&u), column(&y)))
+fn matrix(m: &DMatrix<f64>) -> Matrix {
+    Matrix::new(m.nrows(), m.ncols(), m.transpose().as_slice().to_vec())
 }
 
 fn shown(fault: &Fault) -> JsValue {
@@ -128,28 +117,28 @@ fn by_rows(m: &Matrix) -> JsValue {
 }
 
 fn answer(program: &Text, step: &Step) -> JsValue {
-    let maybe = |m: &Option<Matrix>| m.as_ref().map_or(JsValue::NULL, by_rows);
-    let line = |made: &program::Made| {
-        record(&[
-            ("line", made.line.into()),
-            ("name", program.name(made).into()),
-            ("value", by_rows(&made.value)),
-        ])
-    };
+    let value = |quantity| program.made(step, quantity).map_or(JsValue::NULL, by_rows);
+    let column = |quantity| program.made(step, quantity).map_or(JsValue::NULL, |m| list(&m.entries));
+    let lines = Array::new();
+    for made in &step.made {
+        let fields =
+            [("line", made.line.into()), ("name", program.name(made).into()), ("value", by_rows(made.value()))];
+        lines.push(&record(&fields));
+    }
     record(&[
-        ("x", list(&step.x.entries)),
-        ("P", by_rows(&step.p)),
-        ("innovation", step.innovation.as_ref().map_or(JsValue::NULL, |nu| list(&nu.entries))),
-        ("S", maybe(&step.s)),
-        ("R", maybe(&step.gain)),
-        ("lines", step.made.iter().map(line).collect::<Array>().into()),
+        ("x", column(Quantity::X)),
+        ("P", value(Quantity::P)),
+        ("innovation", column(Quantity::Innovation)),
+        ("S", value(Quantity::S)),
+        ("R", value(Quantity::Gain)),
+        ("lines", lines.into()),
     ])
 }
 
 /// What a step that was not made says: where, and why.
 fn refused(stop: Stop) -> Error {
     let (code, fault) = match stop {
-        Stop::Given => return Error::new(Code::Shape, "system", "does not fit the belief"),
+        Stop::Given => return Error::new(Code::Shape, "system", "does not fit the belief, the input or the reading"),
         Stop::Fault(fault) => (Code::Shape, fault),
         Stop::Trouble(Trouble::NotFinite, fault) => (Code::NotFinite, fault),
         Stop::Trouble(_, fault) => (Code::NotPositiveSemidefinite, fault),

@@ -56,18 +56,27 @@ impl<'a> Faults<'a> {
 
     /// In the order of the text.
     pub fn sorted(self) -> Vec<Fault> {
-        self.found.into_iter().map(|(place, message)| shown(self.text, place, message)).collect()
+        let mut all = Vec::with_capacity(self.found.len());
+        for (place, message) in self.found {
+            all.push(shown(self.text, place, message));
+        }
+        all
     }
 }
 
 /// A fault at a place of a text.
-fn shown(text: &str, place: Place, message: String) -> Fault {
+pub(crate) fn shown(text: &str, place: Place, message: String) -> Fault {
     let before = text.get(..place.from).unwrap_or(text);
     let begins = before.rfind('\n').map_or(0, |at| at + 1);
     let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
     let marked = text.get(place.from..place.to).unwrap_or_default();
     let length = marked.split('\n').next().unwrap_or_default().chars().count();
-    Fault { line: line as u32, column: before[begins..].chars().count() as u32 + 1, length: length as u32, message }
+    Fault {
+        line: line as u32,
+        column: before.get(begins..).unwrap_or_default().chars().count() as u32 + 1,
+        length: length as u32,
+        message,
+    }
 }
 
 /// The line of a place, from 1.

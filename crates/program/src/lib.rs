@@ -27,17 +27,19 @@ pub use fault::Fault;
 pub use matrix::Matrix;
 pub use parse::MOST_LINES;
 pub use run::Trouble;
-pub use value::Value;
-pub use world::{Notation, World};
+pub use world::{Letter as Quantity, Notation, World};
 
+use alloc::rc::Rc;
 use alloc::string::String;
 use alloc::vec::Vec;
 use check::Checker;
+use core::cell::Cell;
 use fault::{Faults, Place, line_of};
+use run::Run;
 use size::{Found, LETTERS};
 use tree::Tree;
+use value::Value;
 use words::Words;
-use world::{Letter, P, X};
 
 /// The longest text that is read, in bytes.
 pub const MOST_TEXT: usize = 20_000;
@@ -64,24 +66,20 @@ pub struct Made {
     pub line: u32,
     /// Which of the names, as a number.
     name: usize,
-    /// Its value behind the line.
-    pub value: Matrix,
+    value: Rc<Value>,
 }
 
-/// One step.
+impl Made {
+    /// The name's value behind the line.
+    pub fn value(&self) -> &Matrix {
+        &self.value.m
+    }
+}
+
+/// One step: what each line has made, in the order of the text.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Step {
-    /// The new estimate, n×1.
-    pub x: Matrix,
-    /// Its covariance, n×n.
-    pub p: Matrix,
-    /// ν, where the program makes it.
-    pub innovation: Option<Matrix>,
-    /// S, where the program makes it.
-    pub s: Option<Matrix>,
-    /// The gain, where the program makes it.
-    pub gain: Option<Matrix>,
-    /// What each line has made, in the order of the text.
+    /// Line by line.
     pub made: Vec<Made>,
 }
 
@@ -105,7 +103,7 @@ impl Program {
         if text.len() > MOST_TEXT {
             faults.say(Place::default(), "The text is too long: at most 20000 characters are read.");
         } else {
-            let tokens = token::tokens(text, &mut faults);
+            let tokens = token::tokens(text, &mut names, &mut faults);
             let mut parser = parse::Parser::new(&tokens, &mut names, world == World::Robot, &mut faults);
             parser.lines();
             tree = parser.tree;
@@ -146,7 +144,7 @@ impl Program {
 
     /// n, p and m, where the text alone tells them: a number in it may say how many states there are.
     pub fn sizes(&self) -> [Option<usize>; 3] {
-        [0, 1, 2].map(|letter| self.found.get(letter).map(|size| size as usize))
+        [0, 1, 2].map(|letter| usize::try_from(self.found.0[letter]).ok())
     }
 
     /// Makes sure that it fits a system of `sizes` n, p and m.
@@ -161,9 +159,10 @@ impl Program {
             return Ok(());
         }
         let mut faults = Faults::new(&self.text);
-        let wanted = sizes.map(|size| size as i32);
+        let wanted = sizes.map(|size| size as i16);
         for (i, letter) in LETTERS.iter().enumerate() {
-            if let Some(known) = self.found.get(i).filter(|known| *known != wanted[i]) {
+            let known = self.found.0[i];
+            if known >= 0 && known != wanted[i] {
                 let mut words = Words::new("The program is written for ");
                 words.text(letter).text(" = ").whole(i64::from(known)).text(", and this system has ");
                 words.text(letter).text(" = ").whole(i64::from(wanted[i])).text(".");
@@ -171,7 +170,7 @@ impl Program {
             }
         }
         if faults.is_empty() {
-            let found = Found::of(wanted);
+            let found = Found(wanted);
             checked(&self.text, &self.tree, &self.names, self.world, self.notation, found, &mut faults);
         }
         match faults.sorted().into_iter().next() {
@@ -188,56 +187,61 @@ impl Program {
     ///
     /// # Errors
     /// See [`Stop`].
-    pub fn step(&mut self, given: &[Matrix]) -> Result<Step, Stop> {
-        let sizes = self.world.sizes(given).ok_or(Stop::Given)?;
+    pub fn step(&mut self, given: Vec<Matrix>) -> Result<Step, Stop> {
+        let sizes = self.world.sizes(&given).ok_or(Stop::Given)?;
         self.fit(sizes).map_err(Stop::Fault)?;
-        let mut values = run::given(given, sizes);
-        let made = run::run(&self.tree, &mut values, self.names.len());
-        let made = made.map_err(|(trouble, line, id)| Stop::Trouble(trouble, self.trouble(trouble, line, id)))?;
-        let lines = self.tree.lines.iter().zip(made);
-        let made: Vec<Made> = lines.map(|(line, value)| self.made(line, value.m)).collect();
-        let output = |letter: Letter| {
-            let name = self.names.iter().position(|name| name == self.notation.letter(letter))?;
-            made.iter().rev().find(|made| made.name == name).map(|made| made.value.clone())
-        };
-        let common = || if self.notation == Notation::Common { self.named("y", &made) } else { None };
-        Ok(Step {
-            x: values[X].m.clone(),
-            p: values[P].m.clone(),
-            innovation: output(Letter::Innovation).or_else(common),
-            s: output(Letter::S),
-            gain: output(Letter::Gain),
-            made,
-        })
+        let mut values = Vec::with_capacity(self.names.len());
+        for m in given {
+            values.push(Rc::new(Value::from(m)));
+        }
+        World::constants(sizes, &mut values);
+        values.resize(self.names.len(), values[0].clone());
+        let mut made = Vec::with_capacity(self.tree.lines.len());
+        for line in &self.tree.lines {
+            let Some(id) = line.value else { continue };
+            let trouble = Cell::new((Trouble::NotFinite, id));
+            let run = Run { tree: &self.tree, values: &values, varied: None, trouble: &trouble };
+            let Some(mut value) = run.value(id) else {
+                let (trouble, id) = trouble.get();
+                return Err(self.trouble(trouble, line, self.tree.place(id)));
+            };
+            if let Some(part) = line.part
+                && let Some(filled) = run::refilled(&run, &values[line.name].m, part, &value.m)
+            {
+                value = Rc::new(filled.into());
+            }
+            if !numerics::all_finite(&value.m.entries) {
+                return Err(self.trouble(Trouble::NotFinite, line, line.place));
+            }
+            made.push(Made { line: line_of(&self.text, line.place.from), name: line.name, value: value.clone() });
+            values[line.name] = value;
+        }
+        Ok(Step { made })
     }
 
-    fn named(&self, text: &str, made: &[Made]) -> Option<Matrix> {
-        made.iter().rev().find(|made| self.names[made.name] == text).map(|made| made.value.clone())
+    /// What a step has made of a quantity; none where the program has no line for it.
+    pub fn made<'a>(&self, step: &'a Step, quantity: Quantity) -> Option<&'a Matrix> {
+        let last = |text: &str| step.made.iter().rev().find(|made| self.names[made.name] == text);
+        let found = last(self.notation.letter(quantity));
+        // filterpy calls the innovation y.
+        let common = self.notation == Notation::Common && quantity == Quantity::Innovation;
+        found.or_else(|| last("y").filter(|_| common)).map(Made::value)
     }
 
-    fn made(&self, line: &tree::Line, value: Matrix) -> Made {
-        Made { line: line_of(&self.text, line.place.from), name: line.name, value }
-    }
-
-    fn trouble(&self, trouble: Trouble, line: usize, id: Option<tree::Id>) -> Fault {
-        let line = &self.tree.lines[line];
-        let place = id.map_or(line.place, |id| self.tree.place(id));
+    fn trouble(&self, trouble: Trouble, line: &tree::Line, place: Place) -> Stop {
         let mut words = Words::default();
         match trouble {
             Trouble::Singular => words.text("What is divided by here has no inverse."),
             Trouble::NotPositiveDefinite => words.text("The matrix whose root is taken here is not positive definite."),
             Trouble::NotFinite => words.text(&self.names[line.name]).text(" is not finite any more."),
         };
-        let mut faults = Faults::new(&self.text);
-        faults.words(place, &words);
-        let mut sorted = faults.sorted();
-        sorted.remove(0)
+        Stop::Trouble(trouble, fault::shown(&self.text, place, words.0))
     }
 }
 
 /// n, p and m of a world, where it has its own.
 fn world_sizes(world: World) -> Found {
-    if world == World::Robot { Found::of([3, 2, 2]) } else { Found::default() }
+    if world == World::Robot { Found([3, 2, 2]) } else { Found::NOTHING }
 }
 
 fn checked(

@@ -5,72 +5,61 @@ use crate::words::Words;
 /// The letters of sizes: states, readings and inputs.
 pub(crate) const LETTERS: [&str; 3] = ["n", "p", "m"];
 
-/// k + a n + b p + c m.
+/// a n + b p + c m + k, as [a, b, c, k].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Size {
-    pub number: i32,
-    pub letters: [i32; 3],
-}
+pub(crate) struct Size(pub [i16; 4]);
 
 impl Size {
     pub const ONE: Self = Self::number(1);
 
-    pub const fn number(number: i32) -> Self {
-        Self { number, letters: [0; 3] }
+    pub const fn number(number: i16) -> Self {
+        Self([0, 0, 0, number])
     }
 
     /// One of the [`LETTERS`].
     pub const fn letter(which: usize) -> Self {
-        let mut letters = [0; 3];
+        let mut letters = [0; 4];
         letters[which] = 1;
-        Self { number: 0, letters }
+        Self(letters)
     }
 
-    pub fn plus(self, by: i32, other: Self) -> Self {
-        let mut sum = self;
-        sum.number += by * other.number;
-        (0..3).for_each(|i| sum.letters[i] += by * other.letters[i]);
-        sum
+    pub fn plus(self, by: i16, other: Self) -> Self {
+        let mut sum = self.0;
+        for (sum, more) in sum.iter_mut().zip(other.0) {
+            *sum = sum.saturating_add(more.saturating_mul(by));
+        }
+        Self(sum)
+    }
+
+    pub fn known(self) -> Option<i16> {
+        let [n, p, m, number] = self.0;
+        (n == 0 && p == 0 && m == 0).then_some(number)
     }
 
     /// Whether it is more than so many, or counts a letter as often.
-    pub fn is_beyond(self, most: i32) -> bool {
-        self.number > most || self.letters.iter().any(|count| count.abs() > most)
+    pub fn is_beyond(self, most: i16) -> bool {
+        self.0.iter().any(|count| *count > most)
     }
 
-    pub fn known(self) -> Option<i32> {
-        (self.letters == [0; 3]).then_some(self.number)
-    }
-
-    /// As a formula writes it.
+    /// As a formula writes it, in brackets where it is a sum.
     fn say(self, words: &mut Words) {
+        let terms = self.0.iter().filter(|count| **count != 0).count();
+        words.text(if terms > 1 { "(" } else { "" });
         let mut first = true;
-        for (letter, count) in LETTERS.iter().zip(self.letters) {
-            if count != 0 {
-                words.text(if count < 0 {
-                    "−"
-                } else if first {
-                    ""
-                } else {
-                    "+"
-                });
-                if count.abs() != 1 {
-                    words.whole(i64::from(count.abs()));
-                }
-                words.text(letter);
-                first = false;
+        for (i, count) in self.0.into_iter().enumerate() {
+            if count == 0 && (i < 3 || terms > 0) {
+                continue;
             }
-        }
-        if first || self.number != 0 {
-            if !first && self.number > 0 {
-                words.text("+");
+            words.text(if count > 0 && !first { "+" } else { "" });
+            if i < 3 && count == -1 {
+                words.text("−");
+            } else if i == 3 || count != 1 {
+                words.whole(i64::from(count));
             }
-            words.whole(i64::from(self.number));
+            words.text(LETTERS.get(i).copied().unwrap_or_default());
+            first = false;
         }
-    }
-
-    fn is_sum(self) -> bool {
-        self.letters.iter().filter(|count| **count != 0).count() + usize::from(self.number != 0) > 1
+        words.text(if terms > 1 { ")" } else { "" });
     }
 }
 
@@ -86,75 +75,60 @@ pub(crate) enum Shape {
 
 impl Shape {
     pub const NUMBER: Self = Self::Of(Size::ONE, Size::ONE);
-
-    /// "2×1", "n×p".
-    pub fn say(self, words: &mut Words) {
-        let Self::Of(rows, columns) = self else {
-            words.text("I");
-            return;
-        };
-        for (i, side) in [rows, columns].into_iter().enumerate() {
-            words.text(if i == 0 { "" } else { "×" });
-            if side.is_sum() {
-                words.text("(");
-                side.say(words);
-                words.text(")");
-            } else {
-                side.say(words);
-            }
-        }
-    }
 }
 
-/// What has been found of the letters so far.
-#[derive(Clone, Copy, Debug, Default)]
-pub(crate) struct Found([Option<i32>; 3]);
+/// What has been found of the letters so far; −1 of those that nothing tells yet.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Found(pub [i16; 3]);
 
 impl Found {
-    pub fn of(sizes: [i32; 3]) -> Self {
-        Self(sizes.map(Some))
-    }
-
-    pub fn get(&self, letter: usize) -> Option<i32> {
-        self.0[letter]
-    }
+    pub const NOTHING: Self = Self([-1; 3]);
 
     /// A size with all that is known put in.
     pub fn size(&self, size: Size) -> Size {
         let mut known = size;
-        for (i, value) in self.0.iter().enumerate() {
-            if let Some(value) = value {
-                known.number += size.letters[i] * value;
-                known.letters[i] = 0;
+        for (i, value) in self.0.into_iter().enumerate() {
+            if value >= 0 {
+                known.0[3] = known.0[3].saturating_add(known.0[i].saturating_mul(value));
+                known.0[i] = 0;
             }
         }
         known
     }
 
-    pub fn shape(&self, shape: Shape) -> Shape {
+    /// "2×1", "n×p".
+    pub fn say(&self, shape: Shape, words: &mut Words) {
         match shape {
-            Shape::Of(rows, columns) => Shape::Of(self.size(rows), self.size(columns)),
-            other => other,
+            Shape::Of(rows, columns) => {
+                self.size(rows).say(words);
+                words.text("×");
+                self.size(columns).say(words);
+            }
+            _ => {
+                words.text("I");
+            }
         }
     }
 
     /// Whether two sizes can be one; a single letter that is not known yet becomes what makes them so.
     pub fn unify(&mut self, a: Size, b: Size) -> bool {
-        let off = self.size(a.plus(-1, b));
-        let mut open = (0..3).filter(|i| off.letters[*i] != 0);
-        match (open.next(), open.next()) {
-            (None, _) => off.number == 0,
-            (Some(i), None) => {
-                let value = -off.number / off.letters[i];
-                // A system may be without inputs.
-                let least = i32::from(i != 2);
-                let fits = value * off.letters[i] == -off.number && value >= least;
-                if fits {
-                    self.0[i] = Some(value);
+        let off = self.size(a.plus(-1, b)).0;
+        let mut open = None;
+        for i in 0..3 {
+            if off[i] != 0 {
+                if open.is_some() {
+                    return false;
                 }
-                fits
+                open = Some(i);
             }
-            _ => false,
         }
+        let Some(i) = open else { return off[3] == 0 };
+        let value = -off[3] / off[i];
+        // A system may be without inputs.
+        let fits = value * off[i] == -off[3] && value >= i16::from(i != 2);
+        if fits {
+            self.0[i] = value;
+        }
+        fits
     }
 }

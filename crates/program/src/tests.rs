@@ -1,6 +1,6 @@
 //! The language: what is read, what is refused and where.
 
-use crate::{Matrix, Notation, Program, Stop, World};
+use crate::{Matrix, Notation, Program, Quantity, World};
 use alloc::string::String;
 use alloc::vec;
 use alloc::vec::Vec;
@@ -31,10 +31,12 @@ fn faults(text: &str) -> Vec<String> {
 fn the_chapters_seven_lines_are_a_step_by_hand() {
     let mut program = Program::new(CHAPTER, World::Linear, Notation::Choset);
     assert_eq!(program.faults(), []);
-    let step = program.step(&rail()).expect("runs");
-    assert!((step.s.expect("made").at(0, 0) - 2.6).abs() < 1e-12);
-    let gain = step.gain.expect("made");
+    let step = program.step(rail()).expect("runs");
+    assert!((program.made(&step, Quantity::S).expect("made").at(0, 0) - 2.6).abs() < 1e-12);
+    let gain = program.made(&step, Quantity::Gain).expect("made");
     assert!((gain.at(0, 0) - 21.0 / 52.0).abs() < 1e-12 && (gain.at(1, 0) - 21.0 / 26.0).abs() < 1e-12);
-    assert!((step.x.at(0, 0) - (4.0 + 21.0 / 52.0 * (2.7 - 4.0))).abs() < 1e-12);
+    assert!(
+        (program.made(&step, Quantity::X).expect("made").at(0, 0) - (4.0 + 21.0 / 52.0 * (2.7 - 4.0))).abs() < 1e-12
+    );
     assert_eq!(step.made.len(), 7);
 }

@@ -1,22 +1,24 @@
 //! A text as tokens.
 
 use crate::fault::{Faults, Place};
+use crate::tree::Name;
 use alloc::string::String;
 use alloc::vec::Vec;
 
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Kind {
     Number(f64),
-    Name(String),
+    /// The number of a name.
+    Name(Name),
     /// `.T` and its like.
-    Method(String),
+    Method(Name),
     /// One sign: an operator or a bracket; `i` for ⁻¹, `t` for a transpose, `2` to `9` for a raised digit.
     Sign(char),
     Line,
     End,
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Token {
     pub kind: Kind,
     pub place: Place,
@@ -32,11 +34,12 @@ struct Lexer<'a> {
     text: &'a str,
     at: usize,
     tokens: Vec<Token>,
+    names: &'a mut Vec<String>,
 }
 
 /// The tokens of a text, the last of which is its end. What belongs to no formula is a fault, and is left out.
-pub(crate) fn tokens(text: &str, faults: &mut Faults<'_>) -> Vec<Token> {
-    let mut lexer = Lexer { text, at: 0, tokens: Vec::new() };
+pub(crate) fn tokens(text: &str, names: &mut Vec<String>, faults: &mut Faults<'_>) -> Vec<Token> {
+    let mut lexer = Lexer { text, at: 0, tokens: Vec::new(), names };
     loop {
         let from = lexer.at;
         let Some(c) = lexer.next() else { break };
@@ -90,6 +93,7 @@ impl Lexer<'_> {
                 Some(c) if begins_name(c) => {
                     self.next();
                     let name = self.name(c);
+                    let name = named(self.names, &name);
                     return self.push(Kind::Method(name), from);
                 }
                 Some('\'') => {
@@ -117,6 +121,7 @@ impl Lexer<'_> {
                 if PACKAGES.contains(&name.as_str()) && self.take('.') {
                     return;
                 }
+                let name = named(self.names, &name);
                 return self.push(Kind::Name(name), from);
             }
             _ => return faults.say(Place { from, to: self.at }, "This sign belongs to no formula."),
@@ -206,6 +211,14 @@ impl Lexer<'_> {
         let number = if power < 0 { whole as f64 / unit } else { whole as f64 * unit };
         self.push(Kind::Number(number), from);
     }
+}
+
+/// The number of a name, which is new if it is not among them.
+pub(crate) fn named(names: &mut Vec<String>, name: &str) -> Name {
+    names.iter().position(|known| known == name).unwrap_or_else(|| {
+        names.push(name.into());
+        names.len() - 1
+    })
 }
 
 /// Blanks, those of other alphabets' typography among them.

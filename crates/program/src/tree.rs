@@ -1,7 +1,6 @@
 //! A program as a tree.
 
 use crate::fault::Place;
-use crate::size::Size;
 use alloc::vec::Vec;
 
 /// The number of a node.
@@ -11,6 +10,23 @@ pub(crate) type Name = usize;
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Function {
+    Plus,
+    Minus,
+    Times,
+    /// a b⁻¹.
+    Over,
+    /// a⁻¹ b.
+    Under,
+    Negative,
+    Power(i8),
+    /// Of a matrix, from a row to a row, and from a column to a column where there are five arguments.
+    Part,
+    /// The last row or column of what it is a part of.
+    End,
+    /// Parts beside one another.
+    Row,
+    /// Parts below one another.
+    Stack,
     Inverse,
     Eye,
     Zeros,
@@ -18,10 +34,8 @@ pub(crate) enum Function {
     Square,
     Sine,
     Cosine,
-    Tangent,
     Angle,
     Exponential,
-    Logarithm,
     Wrap,
     Determinant,
     Trace,
@@ -29,8 +43,6 @@ pub(crate) enum Function {
     Root,
     Symmetric,
     Transpose,
-    Solve,
-    Product,
     Absolute,
     Length,
     /// `np.array` and its like, which leave rows as they are.
@@ -45,7 +57,7 @@ pub(crate) enum Function {
 use Function as F;
 
 /// The names of functions, in every spelling that is read, with their least and greatest count of arguments.
-pub(crate) const FUNCTIONS: [(&str, Function, usize, usize); 47] = [
+pub(crate) static FUNCTIONS: [(&str, Function, u8, u8); 39] = [
     ("inv", F::Inverse, 1, 1),
     ("pinv", F::Inverse, 1, 1),
     ("eye", F::Eye, 1, 2),
@@ -56,37 +68,29 @@ pub(crate) const FUNCTIONS: [(&str, Function, usize, usize); 47] = [
     ("sqrt", F::Square, 1, 1),
     ("sin", F::Sine, 1, 1),
     ("cos", F::Cosine, 1, 1),
-    ("tan", F::Tangent, 1, 1),
     ("atan2", F::Angle, 2, 2),
     ("arctan2", F::Angle, 2, 2),
     ("exp", F::Exponential, 1, 1),
-    ("log", F::Logarithm, 1, 1),
-    ("ln", F::Logarithm, 1, 1),
     ("wrap", F::Wrap, 1, 1),
     ("wrapToPi", F::Wrap, 1, 1),
     ("det", F::Determinant, 1, 1),
     ("trace", F::Trace, 1, 1),
     ("tr", F::Trace, 1, 1),
     ("norm", F::Norm, 1, 1),
-    ("hypot", F::Norm, 2, 2),
     ("chol", F::Root, 1, 1),
     ("cholesky", F::Root, 1, 1),
     ("sym", F::Symmetric, 1, 1),
     ("Symmetric", F::Symmetric, 1, 1),
     ("transpose", F::Transpose, 1, 1),
-    ("solve", F::Solve, 2, 2),
-    ("mldivide", F::Solve, 2, 2),
-    ("dot", F::Product, 2, 2),
-    ("matmul", F::Product, 2, 2),
-    ("mtimes", F::Product, 2, 2),
+    ("solve", F::Under, 2, 2),
+    ("dot", F::Times, 2, 2),
+    ("matmul", F::Times, 2, 2),
     ("abs", F::Absolute, 1, 1),
     ("len", F::Length, 1, 1),
     ("length", F::Length, 1, 1),
     ("size", F::Length, 1, 2),
     ("array", F::Array, 1, 1),
     ("matrix", F::Array, 1, 1),
-    ("asarray", F::Array, 1, 1),
-    ("atleast_2d", F::Array, 1, 1),
     ("Matrix", F::Array, 1, 1),
     ("jac", F::Jacobian, 2, 2),
     ("jacobian", F::Jacobian, 2, 2),
@@ -95,33 +99,11 @@ pub(crate) const FUNCTIONS: [(&str, Function, usize, usize); 47] = [
     ("inverse", F::Inverse, 1, 1),
 ];
 
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Sign {
-    Plus,
-    Minus,
-    Times,
-    /// a b⁻¹.
-    Over,
-    /// a⁻¹ b.
-    Under,
-}
-
-/// From one row or column to another, counted from 1; to the end where the second is missing.
-pub(crate) type Span = (Size, Option<Size>);
-
 #[derive(Clone, Debug)]
 pub(crate) enum Node {
     Number(f64),
     Name(Name),
-    Negative(Id),
-    Transpose(Id),
-    Power(Id, i32),
-    Binary(Sign, Id, Id),
     Call(Function, Vec<Id>),
-    /// A part of a matrix; of a row or a column with one span.
-    Part(Id, Span, Option<Span>),
-    /// Rows of parts.
-    Block(Vec<Vec<Id>>),
     /// The derivative of a column by the name.
     Jacobian(Id, Name),
 }
@@ -130,7 +112,8 @@ pub(crate) enum Node {
 #[derive(Clone, Debug)]
 pub(crate) struct Line {
     pub name: Name,
-    pub part: Option<(Span, Option<Span>)>,
+    /// Where in it, as a part of it.
+    pub part: Option<Id>,
     pub value: Option<Id>,
     pub place: Place,
 }
@@ -144,5 +127,14 @@ pub(crate) struct Tree {
 impl Tree {
     pub fn place(&self, id: Id) -> Place {
         self.nodes[id].1
+    }
+
+    pub fn node(&self, id: Id) -> &Node {
+        &self.nodes[id].0
+    }
+
+    /// The last line that makes a name.
+    pub fn made(&self, name: Name) -> Option<&Line> {
+        self.lines.iter().rev().find(|line| line.name == name)
     }
 }

@@ -99,17 +99,16 @@ impl Words {
     }
 
     /// Appends "a", "a and b", "a, b and c".
-    pub fn list<'a>(&mut self, parts: impl ExactSizeIterator<Item = &'a str>) -> &mut Self {
-        let count = parts.len();
-        for (i, part) in parts.enumerate() {
+    pub fn list(&mut self, parts: &[String]) -> &mut Self {
+        for (i, part) in parts.iter().enumerate() {
             self.text(if i == 0 {
                 ""
-            } else if i + 1 == count {
+            } else if i + 1 == parts.len() {
                 " and "
             } else {
                 ", "
-            });
-            self.text(part);
+            })
+            .text(part);
         }
         self
     }

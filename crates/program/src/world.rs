@@ -1,8 +1,9 @@
 //! What a world gives a program and what it takes, in the letters of three books.
 
 use crate::matrix::Matrix;
-use crate::size::{LETTERS, Shape, Size};
+use crate::size::{Found, LETTERS, Shape, Size};
 use crate::value::Value;
+use alloc::rc::Rc;
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -28,20 +29,32 @@ pub enum World {
     Robot,
 }
 
-/// The quantities that have a letter of their own.
+/// The quantities that have a letter of their own, in Choset's letters.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Letter {
+pub enum Letter {
+    /// The estimate.
     X,
+    /// Its covariance.
     P,
+    /// The input.
     U,
+    /// The reading.
     Y,
+    /// The covariance of the motion's noise.
     V,
+    /// That of the reading's.
     W,
+    /// What a step does to the state.
     F,
+    /// What an input does.
     G,
+    /// What a reading tells.
     H,
+    /// ν.
     Innovation,
+    /// Its covariance.
     S,
+    /// The gain.
     Gain,
 }
 
@@ -64,7 +77,10 @@ const TABLE: [([&str; 3], &str); 12] = [
 ];
 
 const LINEAR: [Letter; 9] = [L::X, L::P, L::U, L::Y, L::V, L::W, L::F, L::G, L::H];
-const ROBOT: [Letter; 6] = [L::X, L::P, L::U, L::Y, L::V, L::W];
+/// How many of them the robot's world gives.
+const ROBOT: usize = 6;
+/// States, readings or inputs of a system.
+const MOST_STATES: usize = 16;
 
 impl Notation {
     pub(crate) fn letter(self, letter: Letter) -> &'static str {
@@ -78,44 +94,48 @@ impl Notation {
 
     /// What a name means in letters that this notation has not: whose they are, what it is, and its name here.
     pub(crate) fn foreign(self, name: &str) -> Option<(&'static str, &'static str, &'static str)> {
-        let others = [Self::Choset, Self::Thrun, Self::Common].into_iter().filter(|other| *other != self);
-        others.into_iter().find_map(|other| {
-            let (letters, meaning) = TABLE.iter().find(|(letters, _)| letters[other as usize] == name)?;
-            Some((other.whose(), *meaning, letters[self as usize]))
-        })
+        for other in [Self::Choset, Self::Thrun, Self::Common] {
+            for (letters, meaning) in TABLE {
+                if letters[other as usize] == name && other != self {
+                    return Some((other.whose(), meaning, letters[self as usize]));
+                }
+            }
+        }
+        None
     }
 }
 
 /// Where the first names are found among all.
 pub(crate) const X: usize = 0;
 pub(crate) const P: usize = 1;
-/// The robot's landmark.
-const LANDMARK: usize = ROBOT.len();
-
 impl World {
     fn letters(self) -> &'static [Letter] {
         match self {
             Self::Linear => &LINEAR,
-            Self::Robot => &ROBOT,
+            Self::Robot => &LINEAR[..ROBOT],
         }
     }
 
     /// The names that are given: those of the world, then I, n, p, m and π.
     pub(crate) fn names(self, notation: Notation) -> Vec<String> {
-        let letters = self.letters().iter().map(|letter| notation.letter(*letter));
-        let own: &[&str] = if self == Self::Robot { &["l", "gate"] } else { &[] };
-        let names = letters.chain(own.iter().copied()).chain(["I"]).chain(LETTERS).chain(["pi", "π"]);
-        names.map(String::from).collect()
+        let mut names = Vec::new();
+        for letter in self.letters() {
+            names.push(notation.letter(*letter).into());
+        }
+        for name in ["l", "gate", "I", LETTERS[0], LETTERS[1], LETTERS[2], "pi", "π"] {
+            if self == Self::Robot || name.len() != 4 && name != "l" {
+                names.push(name.into());
+            }
+        }
+        names
     }
 
-    /// How many names are the world's own, before I, n, p, m and π.
-    pub(crate) fn own(self) -> usize {
-        self.letters().len() + if self == Self::Robot { 2 } else { 0 }
-    }
-
-    /// The name that stands for n, p or m, if it is one.
-    pub(crate) fn size_letter(self, name: usize) -> Option<usize> {
-        name.checked_sub(self.own() + 1).filter(|letter| *letter < LETTERS.len())
+    /// How many names are the world's own, and where I is, before n, p, m and π.
+    pub(crate) fn identity(self) -> usize {
+        match self {
+            Self::Linear => LINEAR.len(),
+            Self::Robot => ROBOT + 2,
+        }
     }
 
     pub(crate) fn shape_of(letter: Letter) -> Shape {
@@ -134,42 +154,50 @@ impl World {
     }
 
     /// The shape of each name that is given.
-    pub(crate) fn shapes(self) -> Vec<Shape> {
-        let own: &[Shape] = match self {
-            Self::Linear => &[],
-            Self::Robot => &[Shape::Of(Size::number(2), Size::ONE), Shape::NUMBER],
-        };
-        let letters = self.letters().iter().map(|letter| Self::shape_of(*letter));
-        letters.chain(own.iter().copied()).chain([Shape::Identity]).chain([Shape::NUMBER; 5]).collect()
+    pub(crate) fn shapes(self, shapes: &mut Vec<Option<Shape>>) {
+        for letter in self.letters() {
+            shapes.push(Some(Self::shape_of(*letter)));
+        }
+        if self == Self::Robot {
+            shapes.push(Some(Shape::Of(Size::number(2), Size::ONE)));
+            shapes.push(Some(Shape::NUMBER));
+        }
+        shapes.push(Some(Shape::Identity));
+        shapes.resize(shapes.len() + 5, Some(Shape::NUMBER));
     }
 
-    /// The values of I, n, p, m and π.
-    pub(crate) fn constants(sizes: [usize; 3]) -> impl Iterator<Item = Value> {
-        let one = Value { identity: true, ..Value::number(1.0) };
+    /// Appends the values of I, n, p, m and π.
+    pub(crate) fn constants(sizes: [usize; 3], values: &mut Vec<Rc<Value>>) {
+        let [n, p, m] = sizes.map(|size| size as f64);
         let pi = core::f64::consts::PI;
-        core::iter::once(one).chain(sizes.map(|size| size as f64).into_iter().chain([pi, pi]).map(Value::number))
+        for (i, constant) in [1.0, n, p, m, pi, pi].into_iter().enumerate() {
+            values.push(Rc::new(Value { identity: i == 0, ..Value::number(constant) }));
+        }
     }
 
     /// n, p and m of what is given; none where they do not fit one another.
     pub(crate) fn sizes(self, given: &[Matrix]) -> Option<[usize; 3]> {
         let sizes = [given.first()?.rows, given.get(3)?.rows, given.get(2)?.rows];
-        let side = |size: Size| {
-            let letters = (0..3).map(|i| size.letters[i] * sizes[i] as i32);
-            (size.number + letters.sum::<i32>()) as usize
-        };
-        let fits = |(shape, m): (Shape, &Matrix)| match shape {
-            Shape::Of(rows, columns) => (m.rows, m.columns) == (side(rows), side(columns)),
-            _ => false,
-        };
-        (given.len() == self.own() && self.shapes().into_iter().zip(given).all(fits)).then_some(sizes)
+        let found = Found(sizes.map(|size| size as i16));
+        let mut shapes = Vec::new();
+        self.shapes(&mut shapes);
+        if given.len() != self.identity() || sizes.iter().any(|size| *size > MOST_STATES) {
+            return None;
+        }
+        for (m, shape) in given.iter().zip(shapes) {
+            let Some(Shape::Of(rows, columns)) = shape.map(|shape| shape) else { return None };
+            let known = |size: Size| found.size(size).known().unwrap_or(-1) as usize;
+            if known(rows) != m.rows || known(columns) != m.columns {
+                return None;
+            }
+        }
+        Some(sizes)
     }
 }
 
 /// The robot's f and h, on numbers with a derivative.
 pub(crate) mod robot {
-    use super::{LANDMARK, Matrix, Value};
-
-    const _: () = assert!(LANDMARK == 6);
+    use super::{Matrix, Value};
 
     type Dual = (f64, f64);
 
