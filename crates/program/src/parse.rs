@@ -31,8 +31,9 @@ pub(crate) struct Parser<'a, 'b> {
     /// How deep each node's tree is.
     deep: Vec<u8>,
     depth: usize,
-    /// Whether blanks separate parts, as between a MATLAB matrix's brackets.
-    blanks: bool,
+    /// What is read: `(` where a line's end counts for nothing, a blank where blanks separate the parts of a matrix as
+    /// in MATLAB, else a comma.
+    within: char,
 }
 
 /// The place of the fault has been told.
@@ -52,7 +53,7 @@ const NO_BEGINNING: [(&[&str], &str); 3] = [
 impl<'a, 'b> Parser<'a, 'b> {
     pub fn new(tokens: &'a [Token], names: &'a mut Vec<String>, robot: bool, faults: &'a mut Faults<'b>) -> Self {
         let (tree, assigned) = (Tree::default(), Vec::new());
-        Self { tokens, at: 0, names, robot, faults, tree, assigned, deep: Vec::new(), depth: 0, blanks: false }
+        Self { tokens, at: 0, names, robot, faults, tree, assigned, deep: Vec::new(), depth: 0, within: ',' }
     }
 
     /// All lines; a line with a fault is left at its end.
@@ -68,7 +69,7 @@ impl<'a, 'b> Parser<'a, 'b> {
                 self.faults.say(self.place(), "A program has at most 200 lines; what begins here is beyond them.");
                 return;
             }
-            (self.depth, self.blanks) = (0, false);
+            (self.depth, self.within) = (0, ',');
             let first = self.at;
             if self.line().is_err() {
                 self.leave(first);
@@ -214,14 +215,14 @@ impl<'a, 'b> Parser<'a, 'b> {
         let from = self.place();
         let mut left = self.term()?;
         loop {
-            let token = self.token();
+            let token = self.operator();
             let sign = match token.kind {
                 Kind::Sign('+') => Function::Plus,
                 Kind::Sign('-') => Function::Minus,
                 _ => break,
             };
             // Between a matrix's brackets `a -b` are two parts, and `a - b` is one. Before = the sign is of +=.
-            if self.blanks && token.blank && !token.blank_behind {
+            if self.within == ' ' && token.blank && !token.blank_behind {
                 break;
             }
             left = self.joined(sign, left, from, Self::term)?;
@@ -239,16 +240,24 @@ impl<'a, 'b> Parser<'a, 'b> {
         self.call(sign, vec![left, right], from)
     }
 
+    /// The token behind an operand.
+    fn operator(&mut self) -> Token {
+        if self.within == '(' {
+            self.skip_lines();
+        }
+        self.token()
+    }
+
     fn term(&mut self) -> Parsed<Id> {
         let from = self.place();
         let mut left = self.signed()?;
         loop {
-            let token = self.token();
+            let token = self.operator();
             let sign = match token.kind {
                 Kind::Sign('*') => Function::Times,
                 Kind::Sign('/') => Function::Over,
                 Kind::Sign('\\') => Function::Under,
-                Kind::Name(_) | Kind::Number(_) | Kind::Sign('(' | '[') if !(self.blanks && token.blank) => {
+                Kind::Name(_) | Kind::Number(_) | Kind::Sign('(' | '[') if !(self.within == ' ' && token.blank) => {
                     let right = self.powered()?;
                     left = self.call(Function::Times, vec![left, right], from)?;
                     continue;

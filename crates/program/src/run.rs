@@ -78,8 +78,10 @@ fn ends(whole: &Matrix, bounds: &[Rc<Value>]) -> [usize; 4] {
     let skipped = if bounds.len() == 2 && whole.columns != 1 { 2 } else { 0 };
     for (i, bound) in bounds.iter().enumerate() {
         let (at, number) = (i + skipped, bound.m.at(0, 0) as usize);
-        if number > 0 && at < 4 {
-            ends[at] = if i % 2 == 0 { number - 1 } else { number.min(ends[at]) };
+        if at < 4 && i % 2 == 0 {
+            ends[at] = if number > 0 { number } else { ends[at + 1] }.saturating_sub(1);
+        } else if at < 4 && number > 0 {
+            ends[at] = number.min(ends[at]);
         }
     }
     ends

@@ -124,8 +124,8 @@ impl Found {
         }
         let Some(i) = open else { return off[3] == 0 };
         let value = -off[3] / off[i];
-        // A system may be without inputs.
-        let fits = value * off[i] == -off[3] && value >= i16::from(i != 2);
+        // A system may be without inputs. That it has a single state no formula says: there a size is wrong.
+        let fits = value * off[i] == -off[3] && value >= [2, 1, 0][i];
         if fits {
             self.0[i] = value;
         }

@@ -16,7 +16,7 @@ impl Parser<'_, '_> {
         let mut value = self.operand()?;
         loop {
             let token = self.token();
-            if self.blanks && token.blank {
+            if self.within == ' ' && token.blank {
                 return Ok(value);
             }
             let function = match token.kind {
@@ -95,11 +95,11 @@ impl Parser<'_, '_> {
             }
             Kind::Sign('(') => {
                 self.at += 1;
-                let blanks = core::mem::replace(&mut self.blanks, false);
+                let within = core::mem::replace(&mut self.within, '(');
                 self.skip_lines();
                 let value = self.formula()?;
                 self.close(')', from)?;
-                self.blanks = blanks;
+                self.within = within;
                 Ok(value)
             }
             Kind::Sign('[') => {
@@ -192,7 +192,7 @@ impl Parser<'_, '_> {
     /// Arguments up to the closing bracket.
     fn arguments(&mut self, arguments: &mut Vec<Id>) -> Parsed<()> {
         let opened = self.before();
-        let blanks = core::mem::replace(&mut self.blanks, false);
+        let within = core::mem::replace(&mut self.within, '(');
         self.skip_lines();
         while self.kind() != Kind::Sign(')') {
             self.skip_lines();
@@ -202,14 +202,14 @@ impl Parser<'_, '_> {
             }
         }
         self.close(')', opened)?;
-        self.blanks = blanks;
+        self.within = within;
         Ok(())
     }
 
     /// `jac(formula, name)`; of `jac(f, name)` and `jac(h, name)` the other argument is the world's own.
     fn jacobian(&mut self, from: Place) -> Parsed<Id> {
         let (opened, place) = (self.before(), self.place());
-        let blanks = core::mem::replace(&mut self.blanks, false);
+        let within = core::mem::replace(&mut self.within, '(');
         let mut bare = None;
         if let (Kind::Name(name), Kind::Sign(',')) = (self.kind(), self.ahead(1))
             && self.robot
@@ -242,14 +242,14 @@ impl Parser<'_, '_> {
             }
             (None, None) => return Err(Told),
         };
-        self.blanks = blanks;
+        self.within = within;
         self.node(Node::Jacobian(formula, by), from)
     }
 
     /// The numbers of rows and columns of a part, up to the closing bracket.
     pub(super) fn part(&mut self, whole: Id, closing: char, from: Place) -> Parsed<Id> {
         let opened = self.before();
-        let blanks = core::mem::replace(&mut self.blanks, false);
+        let within = core::mem::replace(&mut self.within, '(');
         let mut arguments = vec![whole];
         loop {
             let first = self.bound()?;
@@ -261,7 +261,7 @@ impl Parser<'_, '_> {
             }
         }
         self.close(closing, opened)?;
-        self.blanks = blanks;
+        self.within = within;
         self.call(Function::Part, arguments, from)
     }
 
@@ -281,8 +281,8 @@ impl Parser<'_, '_> {
 
     /// Rows of parts up to the closing bracket. Without a comma, blanks separate the parts of a row, as in MATLAB.
     fn block(&mut self, opened: Place) -> Parsed<Id> {
-        let separate = !self.holds(0, &[',']);
-        let blanks = core::mem::replace(&mut self.blanks, separate);
+        let separator = if self.holds(0, &[',']) { ',' } else { ' ' };
+        let within = core::mem::replace(&mut self.within, separator);
         let (mut rows, mut row) = (Vec::new(), Vec::new());
         loop {
             let line = self.kind() == Kind::Line;
@@ -307,7 +307,7 @@ impl Parser<'_, '_> {
             }
         }
         self.at += 1;
-        self.blanks = blanks;
+        self.within = within;
         match rows.len() {
             0 => self.fail(opened, "Between these brackets a matrix is missing."),
             1 => Ok(rows[0]),
