@@ -49,8 +49,8 @@ impl Checker<'_, '_> {
             }
         }
         let last = self.tree.lines.last().map_or(Place::default(), |line| line.place);
-        for (i, letter) in [Letter::X, Letter::P, Letter::Innovation, Letter::S, Letter::Gain].into_iter().enumerate() {
-            self.outcome(letter, if i < 2 { Some(Place { from: last.from + i, ..last }) } else { None });
+        for (i, letter) in [Letter::X, Letter::P].into_iter().enumerate() {
+            self.outcome(letter, Place { from: last.from + i, ..last });
         }
         if self.products > MOST_PRODUCTS {
             let mut words = Words::new("A step takes ");
@@ -59,28 +59,21 @@ impl Checker<'_, '_> {
         }
     }
 
-    /// What a world takes: the new estimate and its covariance; the rest where a program has it. What is wanted and not
-    /// made is a fault at the last line.
-    fn outcome(&mut self, letter: Letter, wanted: Option<Place>) {
-        let text = self.notation.letter(letter);
-        let name = self.names.iter().position(|name| name == text);
-        match name.and_then(|name| self.tree.made(name)) {
-            Some(line) => {
-                let (shape, wanted) = (self.shapes[line.name].unwrap_or(Shape::Unknown), World::shape_of(letter));
-                if shape == Shape::Identity || !self.same(shape, wanted) {
-                    let mut words = Words::new(text);
-                    self.found.say(shape, words.text(" becomes "));
-                    self.found.say(wanted, words.text("; it must be "));
-                    self.faults.words(line.place, words.text("."));
-                }
-            }
-            None => {
-                let Some(place) = wanted else { return };
-                let mut words = Words::new("No line makes ");
-                words.text(text).text(": a step of a filter makes a new ").text(&self.names[X]);
-                words.text(" and a new ").text(&self.names[P]).text(" of the old ones.");
-                self.faults.words(place, &words);
-            }
+    /// What a world takes: the new estimate and its covariance. What is not made is a fault at the last line.
+    fn outcome(&mut self, letter: Letter, last: Place) {
+        let Some(line) = self.tree.made(letter as usize) else {
+            let mut words = Words::new("No line makes ");
+            words.text(&self.names[letter as usize]).text(": a step of a filter makes a new ").text(&self.names[X]);
+            words.text(" and a new ").text(&self.names[P]).text(" of the old ones.");
+            self.faults.words(last, &words);
+            return;
+        };
+        let (shape, wanted) = (self.shapes[line.name].unwrap_or(Shape::Unknown), World::shape_of(letter));
+        if shape == Shape::Identity || !self.same(shape, wanted) {
+            let mut words = Words::new(&self.names[line.name]);
+            self.found.say(shape, words.text(" becomes "));
+            self.found.say(wanted, words.text("; it must be "));
+            self.faults.words(line.place, words.text("."));
         }
     }
 

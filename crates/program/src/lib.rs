@@ -12,7 +12,7 @@ extern crate alloc;
 
 mod check;
 mod fault;
-// pub mod judge;
+pub mod judge;
 mod matrix;
 mod parse;
 mod run;
@@ -81,6 +81,8 @@ impl Made {
 pub struct Step {
     /// Line by line.
     pub made: Vec<Made>,
+    /// n, p and m.
+    sizes: [usize; 3],
 }
 
 /// Why a step was not made.
@@ -216,16 +218,18 @@ impl Program {
             made.push(Made { line: line_of(&self.text, line.place.from), name: line.name, value: value.clone() });
             values[line.name] = value;
         }
-        Ok(Step { made })
+        Ok(Step { made, sizes })
     }
 
-    /// What a step has made of a quantity; none where the program has no line for it.
+    /// What a step has made of a quantity; none where the program has no line for it, or where what it calls so is of
+    /// another size.
     pub fn made<'a>(&self, step: &'a Step, quantity: Quantity) -> Option<&'a Matrix> {
         let last = |text: &str| step.made.iter().rev().find(|made| self.names[made.name] == text);
         let found = last(self.notation.letter(quantity));
         // filterpy calls the innovation y.
         let common = self.notation == Notation::Common && quantity == Quantity::Innovation;
-        found.or_else(|| last("y").filter(|_| common)).map(Made::value)
+        let found = found.or_else(|| last("y").filter(|_| common)).map(Made::value)?;
+        World::fits(World::shape_of(quantity), found, step.sizes).then_some(found)
     }
 
     fn trouble(&self, trouble: Trouble, line: &tree::Line, place: Place) -> Stop {

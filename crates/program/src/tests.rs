@@ -82,7 +82,7 @@ fn numpy_matlab_and_julia_are_read_to_the_same_bits() {
 
 #[test]
 fn operators_and_functions_mean_what_the_chapter_means() {
-    let cases: [(&str, &[f64]); 30] = [
+    let cases: [(&str, &[f64]); 32] = [
         ("-2^2", &[-4.0]),
         ("2 * -3 + 1", &[-5.0]),
         ("6 / 3 / 2", &[1.0]),
@@ -91,6 +91,8 @@ fn operators_and_functions_mean_what_the_chapter_means() {
         ("[1 2; 3 4]'", &[1.0, 3.0, 2.0, 4.0]),
         ("[1 -2]", &[1.0, -2.0]),
         ("[1 - 2]", &[-1.0]),
+        ("[x[1] x[2]; x[1]]", &[8.0, 2.0]),
+        ("[x[1] 0; 0 -x[2]]", &[2.0, 0.0, 0.0, -4.0]),
         ("np.array([[1, 2], [3, 4]])", &[1.0, 2.0, 3.0, 4.0]),
         ("[[1, 2]; [3, 4]]", &[1.0, 2.0, 3.0, 4.0]),
         ("[1, 2\n     3, 4]", &[1.0, 2.0, 3.0, 4.0]),
@@ -140,7 +142,7 @@ fn sizes_are_told_by_their_letters_before_a_number_moves() {
         ("a = P[1]", "3:5 This is n×n: a part of it needs a row and a column, as P[1, 2] or H[1, :]."),
         ("a = x[0]", "3:5 Rows and columns are counted from 1 here: x[1] is the first."),
         ("a = P / H", "3:5 H is p×n; this needs as many rows as columns."),
-        ("R = P", "3:1 R becomes n×n; it must be n×p."),
+        ("x = P", "3:1 x becomes n×n; it must be n×1."),
         ("a = [1, 2][3]", "3:5 This is 1×2: it has no such rows or columns."),
         ("a = [F; 1, 2, 3]", ""),
         ("a = sqrt(P H')", "3:5 P H' is n×p; this function takes a number or a column. The root of a matrix is chol."),

@@ -175,19 +175,24 @@ impl World {
         }
     }
 
+    /// Whether a matrix has a shape, for n, p and m.
+    pub(crate) fn fits(shape: Shape, m: &Matrix, sizes: [usize; 3]) -> bool {
+        let Shape::Of(rows, columns) = shape else { return false };
+        let found = Found(sizes.map(|size| size as i16));
+        let known = |size: Size| found.size(size).known().unwrap_or(-1) as usize;
+        known(rows) == m.rows && known(columns) == m.columns
+    }
+
     /// n, p and m of what is given; none where they do not fit one another.
     pub(crate) fn sizes(self, given: &[Matrix]) -> Option<[usize; 3]> {
         let sizes = [given.first()?.rows, given.get(3)?.rows, given.get(2)?.rows];
-        let found = Found(sizes.map(|size| size as i16));
         let mut shapes = Vec::new();
         self.shapes(&mut shapes);
         if given.len() != self.identity() || sizes.iter().any(|size| *size > MOST_STATES) {
             return None;
         }
         for (m, shape) in given.iter().zip(shapes) {
-            let Some(Shape::Of(rows, columns)) = shape.map(|shape| shape) else { return None };
-            let known = |size: Size| found.size(size).known().unwrap_or(-1) as usize;
-            if known(rows) != m.rows || known(columns) != m.columns {
+            if !Self::fits(shape?, m, sizes) {
                 return None;
             }
         }

@@ -189,6 +189,32 @@ impl Parser<'_, '_> {
         false
     }
 
+    /// Whether blanks separate the parts of a matrix: there is no comma, and a number or a sign stands behind a blank
+    /// where a product would have a name, as in `[1 0; 0 1]` and `[c -s; s c]`. In `[u[1] c; u[2]]` a blank is a product.
+    fn separates(&self) -> bool {
+        let mut depth = 0;
+        let mut behind = false;
+        for at in self.at..self.tokens.len() {
+            let token = self.tokens[at];
+            match token.kind {
+                Kind::Sign('(' | '[') => depth += 1,
+                Kind::Sign(')' | ']') if depth == 0 => break,
+                Kind::Sign(')' | ']') => depth -= 1,
+                Kind::Sign('-') if depth == 0 && behind && token.blank && !token.blank_behind => {
+                    return !self.holds(0, &[',']);
+                }
+                Kind::Number(_) if depth == 0 && behind && token.blank => return !self.holds(0, &[',']),
+                Kind::End => break,
+                _ => {}
+            }
+            behind = !matches!(
+                token.kind,
+                Kind::Line | Kind::Sign('+' | '-' | '*' | '/' | '\\' | '^' | '(' | '[' | ',' | ';')
+            );
+        }
+        false
+    }
+
     /// Arguments up to the closing bracket.
     fn arguments(&mut self, arguments: &mut Vec<Id>) -> Parsed<()> {
         let opened = self.before();
@@ -281,7 +307,7 @@ impl Parser<'_, '_> {
 
     /// Rows of parts up to the closing bracket. Without a comma, blanks separate the parts of a row, as in MATLAB.
     fn block(&mut self, opened: Place) -> Parsed<Id> {
-        let separator = if self.holds(0, &[',']) { ',' } else { ' ' };
+        let separator = if self.separates() { ' ' } else { ',' };
         let within = core::mem::replace(&mut self.within, separator);
         let (mut rows, mut row) = (Vec::new(), Vec::new());
         loop {
