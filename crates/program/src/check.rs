@@ -42,7 +42,10 @@ impl Checker<'_, '_> {
                     let mut words = self.sized(line.value.unwrap_or_default(), shape);
                     words.text(", and the part that it is to fill is ");
                     self.found.say(part, &mut words);
-                    self.faults.words(line.place, words.text("."));
+                    {
+                        words.text(".");
+                        self.faults.words(line.place, words)
+                    };
                 }
             } else {
                 self.shapes[line.name] = Some(shape);
@@ -55,7 +58,10 @@ impl Checker<'_, '_> {
         if self.products > MOST_PRODUCTS {
             let mut words = Words::new("A step takes ");
             words.whole(self.products as i64).text(" products; at most ").whole(MOST_PRODUCTS as i64);
-            self.faults.words(last, words.text(" are accepted."));
+            {
+                words.text(" are accepted.");
+                self.faults.words(last, words)
+            };
         }
     }
 
@@ -65,7 +71,7 @@ impl Checker<'_, '_> {
             let mut words = Words::new("No line makes ");
             words.text(&self.names[letter as usize]).text(": a step of a filter makes a new ").text(&self.names[X]);
             words.text(" and a new ").text(&self.names[P]).text(" of the old ones.");
-            self.faults.words(last, &words);
+            self.faults.words(last, words);
             return;
         };
         let (shape, wanted) = (self.shapes[line.name].unwrap_or(Shape::Unknown), World::shape_of(letter));
@@ -73,7 +79,10 @@ impl Checker<'_, '_> {
             let mut words = Words::new(&self.names[line.name]);
             self.found.say(shape, words.text(" becomes "));
             self.found.say(wanted, words.text("; it must be "));
-            self.faults.words(line.place, words.text("."));
+            {
+                words.text(".");
+                self.faults.words(line.place, words)
+            };
         }
     }
 
@@ -96,6 +105,12 @@ impl Checker<'_, '_> {
 
     fn fault(&mut self, place: Place, words: &str) -> Shape {
         self.faults.say(place, words);
+        Shape::Unknown
+    }
+
+    fn told(&mut self, place: Place, mut words: Words, last: &str) -> Shape {
+        words.text(last);
+        self.faults.words(place, words);
         Shape::Unknown
     }
 
@@ -137,7 +152,7 @@ impl Checker<'_, '_> {
             words.text(" is not known: no line above makes it, and the world gives ");
             words.list(&self.names[..self.world.identity()]).text(".");
         }
-        self.faults.words(place, &words);
+        self.faults.words(place, words);
         // Once is enough.
         self.shapes[name] = Some(Shape::Unknown);
         Shape::Unknown
@@ -156,8 +171,8 @@ impl Checker<'_, '_> {
     fn square(&mut self, id: Id, shape: Shape, place: Place) -> Shape {
         match shape {
             Shape::Of(rows, columns) if !self.found.unify(rows, columns) => {
-                let mut words = self.sized(id, shape);
-                self.fault(place, &words.text("; this needs as many rows as columns.").0)
+                let words = self.sized(id, shape);
+                self.told(place, words, "; this needs as many rows as columns.")
             }
             other => other,
         }
@@ -174,7 +189,7 @@ impl Checker<'_, '_> {
         } else if self.is_one(height) {
             1
         } else {
-            return self.fault(place, &words.text(": a part of it needs a row and a column, as P[1, 2] or H[1, :].").0);
+            return self.told(place, words, ": a part of it needs a row and a column, as P[1, 2] or H[1, :].");
         };
         for (pair, side) in bounds.chunks_exact(2).zip(&mut sides[first..]) {
             let mut of = [*side; 2];
@@ -194,7 +209,7 @@ impl Checker<'_, '_> {
             *side = of[1].plus(-1, of[0]).plus(1, Size::ONE);
             let count = self.found.size(*side).known();
             if over.unwrap_or(0) > 0 || count.unwrap_or(1) < 1 {
-                return self.fault(place, &words.text(": it has no such rows or columns.").0);
+                return self.told(place, words, ": it has no such rows or columns.");
             }
         }
         Shape::Of(sides[0], sides[1])
@@ -213,7 +228,7 @@ impl Checker<'_, '_> {
         if !self.found.unify(of_width, Size::ONE) || !self.found.unify(by_width, Size::ONE) {
             let mut words = self.sized(a, of);
             self.found.say(by, words.text(" and ").text(&self.names[name]).text(" is "));
-            return self.fault(place, &words.text(": a derivative is of a column by a column.").0);
+            return self.told(place, words, ": a derivative is of a column by a column.");
         }
         let times = self.found.size(columns).known().unwrap_or(1).max(0) as u64;
         let once = self.products - before;

@@ -43,15 +43,21 @@ impl<'a> Faults<'a> {
     }
 
     pub fn say(&mut self, place: Place, words: &str) {
-        // One fault at a place: the first is the cause of the others.
-        if self.found.len() < MOST_FAULTS && self.found.iter().all(|(other, _)| other.from != place.from) {
-            let at = self.found.iter().position(|(other, _)| other.from > place.from);
-            self.found.insert(at.unwrap_or(self.found.len()), (place, words.into()));
-        }
+        self.words(place, Words::new(words));
     }
 
-    pub fn words(&mut self, place: Place, words: &Words) {
-        self.say(place, &words.0);
+    pub fn words(&mut self, place: Place, words: Words) {
+        let mut at = 0;
+        for (other, _) in &self.found {
+            at += usize::from(other.from < place.from);
+            // One fault at a place: the first is the cause of the others.
+            if other.from == place.from {
+                return;
+            }
+        }
+        if self.found.len() < MOST_FAULTS {
+            self.found.insert(at, (place, words.0));
+        }
     }
 
     /// In the order of the text.
@@ -66,20 +72,27 @@ impl<'a> Faults<'a> {
 
 /// A fault at a place of a text.
 pub(crate) fn shown(text: &str, place: Place, message: String) -> Fault {
-    let before = text.get(..place.from).unwrap_or(text);
-    let begins = before.rfind('\n').map_or(0, |at| at + 1);
-    let line = before.bytes().filter(|byte| *byte == b'\n').count() + 1;
-    let marked = text.get(place.from..place.to).unwrap_or_default();
-    let length = marked.split('\n').next().unwrap_or_default().chars().count();
-    Fault {
-        line: line as u32,
-        column: before.get(begins..).unwrap_or_default().chars().count() as u32 + 1,
-        length: length as u32,
-        message,
+    let (mut line, mut column, mut length) = (1, 1, 0);
+    for (at, c) in text.char_indices() {
+        if at >= place.to || at >= place.from && c == '\n' {
+            break;
+        }
+        if at >= place.from {
+            length += 1;
+        } else if c == '\n' {
+            (line, column) = (line + 1, 1);
+        } else {
+            column += 1;
+        }
     }
+    Fault { line, column, length, message }
 }
 
 /// The line of a place, from 1.
 pub(crate) fn line_of(text: &str, at: usize) -> u32 {
-    text.bytes().take(at).filter(|byte| *byte == b'\n').count() as u32 + 1
+    let mut line = 1;
+    for (i, byte) in text.bytes().enumerate() {
+        line += u32::from(i < at && byte == b'\n');
+    }
+    line
 }

@@ -168,7 +168,7 @@ impl Program {
                 let mut words = Words::new("The program is written for ");
                 words.text(letter).text(" = ").whole(i64::from(known)).text(", and this system has ");
                 words.text(letter).text(" = ").whole(i64::from(wanted[i])).text(".");
-                faults.words(self.tree.lines.first().map_or(Place::default(), |line| line.place), &words);
+                faults.words(self.tree.lines.first().map_or(Place::default(), |line| line.place), words);
             }
         }
         if faults.is_empty() {

@@ -29,7 +29,7 @@ impl Matrix {
     }
 
     pub(crate) fn zeros(rows: usize, columns: usize) -> Self {
-        Self::new(rows, columns, vec![])
+        Self::made(rows, columns, &|_, _| 0.0)
     }
 
     pub(crate) fn number(x: f64) -> Self {
@@ -37,9 +37,7 @@ impl Matrix {
     }
 
     pub(crate) fn identity(n: usize) -> Self {
-        let mut m = Self::zeros(n, n);
-        m.entries.iter_mut().step_by(n + 1).for_each(|entry| *entry = 1.0);
-        m
+        Self::made(n, n, &|i, j| if i == j { 1.0 } else { 0.0 })
     }
 
     /// Entry (i, j), from 0; 0 beyond its ends.
@@ -67,33 +65,29 @@ impl Matrix {
     }
 
     pub(crate) fn scaled(&self, by: f64) -> Self {
-        Self { entries: self.entries.iter().map(|x| by * x).collect(), ..*self }
+        Self::made(self.rows, self.columns, &|i, j| by * self.at(i, j))
     }
 
     /// self + by · other, of one size.
     pub(crate) fn plus(&self, by: f64, other: &Self) -> Self {
-        let entries = self.entries.iter().zip(&other.entries).map(|(a, b)| a + by * b).collect();
-        Self { entries, ..*self }
+        Self::made(self.rows, self.columns, &|i, j| self.at(i, j) + by * other.at(i, j))
     }
 
     /// The product; where either is a number, the multiple.
     pub(crate) fn times(&self, other: &Self) -> Self {
         if self.is_number() {
-            return other.scaled(self.entries[0]);
+            return other.scaled(self.at(0, 0));
         }
         if other.is_number() {
-            return self.scaled(other.entries[0]);
+            return self.scaled(other.at(0, 0));
         }
-        let mut product = Self::zeros(self.rows, other.columns);
-        for i in 0..self.rows {
+        Self::made(self.rows, other.columns, &|i, j| {
+            let mut sum = 0.0;
             for k in 0..self.columns {
-                let by = self.at(i, k);
-                for j in 0..other.columns {
-                    product.entries[i * other.columns + j] += by * other.at(k, j);
-                }
+                sum += self.at(i, k) * other.at(k, j);
             }
-        }
-        product
+            sum
+        })
     }
 
     fn dense(&self) -> DMatrix<f64> {
@@ -105,7 +99,7 @@ impl Matrix {
     }
 
     pub(crate) fn is_symmetric(&self) -> bool {
-        self.rows == self.columns && (0..self.rows).all(|i| (0..i).all(|j| self.at(i, j) == self.at(j, i)))
+        self.rows == self.columns && self.transposed().entries == self.entries
     }
 
     /// L with LLᵀ = self, of which the lower triangle is read; none where it is not positive definite.
@@ -133,38 +127,51 @@ impl Matrix {
     fn eliminated(&self, x: &mut Self) -> Option<f64> {
         let (mut a, n, mut determinant) = (self.clone(), self.rows, 1.0);
         for k in 0..n {
-            let size = |a: &Self, i: usize| libm::fabs(a.at(i, k));
-            let best = (k..n).fold(k, |best, i| if size(&a, i) > size(&a, best) { i } else { best });
-            if best != k {
-                determinant = -determinant;
-                for m in [&mut a, &mut *x] {
-                    for j in 0..m.columns {
-                        m.entries.swap(k * m.columns + j, best * m.columns + j);
-                    }
+            let mut best = k;
+            for i in k + 1..n {
+                if libm::fabs(a.at(i, k)) > libm::fabs(a.at(best, k)) {
+                    best = i;
                 }
+            }
+            // In the place of an exchange the best row is added: the sign of the determinant stays.
+            if best != k {
+                let by = if a.at(best, k) * a.at(k, k) < 0.0 { -1.0 } else { 1.0 };
+                a.add_row(k, by, best);
+                x.add_row(k, by, best);
             }
             let pivot = a.at(k, k);
             if !(libm::fabs(pivot) >= f64::MIN_POSITIVE && pivot.is_finite()) {
                 return None;
             }
             determinant *= pivot;
-            for i in (0..n).filter(|i| *i != k) {
-                let by = -a.at(i, k) / pivot;
-                a.add_row(i, by, k);
-                x.add_row(i, by, k);
+            for i in 0..n {
+                if i != k {
+                    let by = -a.at(i, k) / pivot;
+                    a.add_row(i, by, k);
+                    x.add_row(i, by, k);
+                }
             }
-        }
-        for i in 0..n {
-            for j in 0..x.columns {
-                x.entries[i * x.columns + j] /= a.at(i, i);
-            }
+            a.scale_row(k, 1.0 / pivot);
+            x.scale_row(k, 1.0 / pivot);
         }
         Some(determinant)
     }
 
+    fn scale_row(&mut self, row: usize, by: f64) {
+        for j in 0..self.columns {
+            self.put(row, j, by * self.at(row, j));
+        }
+    }
+
+    fn put(&mut self, i: usize, j: usize, x: f64) {
+        if let Some(entry) = self.entries.get_mut(i * self.columns + j) {
+            *entry = x;
+        }
+    }
+
     fn add_row(&mut self, to: usize, by: f64, from: usize) {
         for j in 0..self.columns {
-            self.entries[to * self.columns + j] += by * self.at(from, j);
+            self.put(to, j, self.at(to, j) + by * self.at(from, j));
         }
     }
 }

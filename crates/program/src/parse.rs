@@ -126,11 +126,16 @@ impl<'a, 'b> Parser<'a, 'b> {
         Err(Told)
     }
 
+    fn told<T>(&mut self, place: Place, words: Words) -> Parsed<T> {
+        self.faults.words(place, words);
+        Err(Told)
+    }
+
     /// What is missing here.
     fn missing<T>(&mut self, what: &str) -> Parsed<T> {
         let mut words = Words::new("Here ");
         words.text(what).text(" is missing.");
-        self.fail(self.place(), &words.0)
+        self.told(self.place(), words)
     }
 
     fn node(&mut self, node: Node, from: Place) -> Parsed<Id> {

@@ -35,11 +35,13 @@ struct Lexer<'a> {
     at: usize,
     tokens: Vec<Token>,
     names: &'a mut Vec<String>,
+    /// Whether what was read last is a blank.
+    blank: bool,
 }
 
 /// The tokens of a text, the last of which is its end. What belongs to no formula is a fault, and is left out.
 pub(crate) fn tokens(text: &str, names: &mut Vec<String>, faults: &mut Faults<'_>) -> Vec<Token> {
-    let mut lexer = Lexer { text, at: 0, tokens: Vec::new(), names };
+    let mut lexer = Lexer { text, at: 0, tokens: Vec::new(), names, blank: false };
     loop {
         let from = lexer.at;
         let Some(c) = lexer.next() else { break };
@@ -70,7 +72,7 @@ impl Lexer<'_> {
     }
 
     fn push(&mut self, kind: Kind, from: usize) {
-        let blank = from > 0 && self.text.get(..from).is_some_and(|before| before.ends_with(is_blank));
+        let blank = core::mem::take(&mut self.blank);
         let blank_behind = self.peek().is_some_and(|c| is_blank(c) || c == '\n');
         self.tokens.push(Token { kind, place: Place { from, to: self.at }, blank, blank_behind });
     }
@@ -78,7 +80,7 @@ impl Lexer<'_> {
     fn token(&mut self, c: char, from: usize, faults: &mut Faults<'_>) {
         let sign = match c {
             '\n' => return self.push(Kind::Line, from),
-            c if is_blank(c) => return,
+            c if is_blank(c) => return self.blank = true,
             '#' | '%' => return self.comment(),
             '/' if self.take('/') => return self.comment(),
             '0'..='9' => return self.number(from, faults),

@@ -99,27 +99,32 @@ impl Value {
 
     /// A function of each entry, with its derivative.
     pub(crate) fn mapped(&self, f: fn(f64) -> f64, slope: fn(f64) -> f64) -> Self {
-        let map = |f: fn(f64) -> f64| Matrix { entries: self.m.entries.iter().map(|x| f(*x)).collect(), ..self.m };
-        let d = self.d.as_ref().map(|d| {
-            let by = map(slope);
-            Matrix { entries: d.entries.iter().zip(&by.entries).map(|(d, by)| d * by).collect(), ..*d }
-        });
-        Self::dual(map(f), d)
+        let (m, d) = (&self.m, self.d.as_ref());
+        let made = |entry: &dyn Fn(usize, usize) -> f64| Matrix::made(m.rows, m.columns, entry);
+        let d = d.map(|d| made(&|i, j| slope(m.at(i, j)) * d.at(i, j)));
+        Self::dual(made(&|i, j| f(m.at(i, j))), d)
     }
 
-    /// The sum of all entries' products with those of `other`, which does not vary.
-    fn inner(&self, other: &Matrix) -> Option<Matrix> {
-        let d = self.d.as_ref()?;
-        Some(Matrix::number(d.entries.iter().zip(&other.entries).map(|(a, b)| a * b).sum()))
-    }
-
+    /// √(xᵀx), whose derivative is xᵀ dx over it.
     pub(crate) fn norm(&self) -> Self {
-        let norm = self.m.entries.iter().fold(0.0, |all, x| numerics::hypot(all, *x));
-        Self::dual(Matrix::number(norm), self.inner(&self.m.scaled(1.0 / norm)))
+        let (mut norm, mut slope) = (0.0, 0.0);
+        for x in &self.m.entries {
+            norm = numerics::hypot(norm, *x);
+        }
+        for (x, d) in self.m.entries.iter().zip(self.slope().entries) {
+            slope += x * d / norm;
+        }
+        Self::dual(Matrix::number(norm), self.d.as_ref().map(|_| Matrix::number(slope)))
     }
 
     pub(crate) fn trace(&self) -> Self {
-        self.linear(&|m| Matrix::number((0..m.rows).map(|i| m.at(i, i)).sum()))
+        self.linear(&|m| {
+            let mut sum = 0.0;
+            for i in 0..m.rows {
+                sum += m.at(i, i);
+            }
+            Matrix::number(sum)
+        })
     }
 
     /// Of det A the derivative is det A tr(A⁻¹ dA).

@@ -32,7 +32,10 @@ impl Words {
                 break;
             }
         }
-        digits[..count].iter().rev().for_each(|digit| self.0.push(char::from(*digit)));
+        while count > 0 {
+            count -= 1;
+            self.0.push(char::from(digits[count]));
+        }
         self
     }
 

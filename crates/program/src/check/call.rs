@@ -107,9 +107,9 @@ impl Checker<'_, '_> {
             F::Angle => self.fault(place, "atan2 takes two numbers."),
             _ => match a {
                 Shape::Of(rows, columns) if !self.is_one(rows) && !self.found.unify(columns, Size::ONE) => {
-                    let mut words = self.sized(first, a);
+                    let words = self.sized(first, a);
                     let why = "; this function takes a number or a column. The root of a matrix is chol.";
-                    self.fault(place, &words.text(why).0)
+                    self.told(place, words, why)
                 }
                 other => other,
             },
@@ -122,7 +122,7 @@ impl Checker<'_, '_> {
         words.text(" and ").text(&other.0).text(why);
         // The formula that is named, not the line that begins there.
         let place = Place { from: self.tree.place(a.0).from, to: self.tree.place(id).to };
-        self.fault(place, &words.0)
+        self.told(place, words, "")
     }
 
     fn product(&mut self, id: Id, pair: [(Id, Shape); 2]) -> Shape {
@@ -159,13 +159,13 @@ impl Checker<'_, '_> {
             };
             let (long, wide) = if below { (rows, columns) } else { (columns, rows) };
             if !self.found.unify(*across.get_or_insert(wide), wide) {
-                let mut words = self.sized(*id, part);
+                let words = self.sized(*id, part);
                 let why = if below {
                     "; rows below one another are as wide as the first."
                 } else {
                     "; parts of a row are as high as the first."
                 };
-                return self.fault(place, &words.text(why).0);
+                return self.told(place, words, why);
             }
             along = along.plus(1, long);
             // Parts of parts would double without end.

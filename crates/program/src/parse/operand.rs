@@ -160,7 +160,7 @@ impl Parser<'_, '_> {
             let mut words = Words::new(text);
             words.text(" takes ").whole(i64::from(most)).text(if most == 1 { " argument" } else { " arguments" });
             words.text("; here it has ").whole(count as i64).text(".");
-            return self.fail(from, &words.0);
+            return self.told(from, words);
         }
         self.call(function, arguments, from)
     }
