@@ -47,7 +47,13 @@ impl Program {
     /// What is wrong with it, in the order of the text.
     #[wasm_bindgen(getter, unchecked_return_type = "ProgramFault[]")]
     pub fn faults(&self) -> Result<JsValue, Thrown> {
-        self.0.read(CLASS, |program: &Text| program.faults().iter().map(shown).collect::<Array>().into())
+        self.0.read(CLASS, |program: &Text| {
+            let all = Array::new();
+            for fault in program.faults() {
+                all.push(&shown(fault));
+            }
+            all.into()
+        })
     }
 
     /// One step from a belief, with the input `u` and the reading `y`.
@@ -69,7 +75,9 @@ impl Program {
                 let system = system_of(system)?;
                 given.push(column(u, "u", system.g.ncols())?);
                 given.push(column(y, "y", system.h.nrows())?);
-                given.extend([&system.v, &system.w, &system.f, &system.g, &system.h].map(matrix));
+                for m in [&system.v, &system.w, &system.f, &system.g, &system.h] {
+                    given.push(matrix(m));
+                }
             }
             World::Robot => {
                 arg.only(["V", "W", "landmark", "gate"].into_iter())?;

@@ -42,10 +42,7 @@ impl Checker<'_, '_> {
                     let mut words = self.sized(line.value.unwrap_or_default(), shape);
                     words.text(", and the part that it is to fill is ");
                     self.found.say(part, &mut words);
-                    {
-                        words.text(".");
-                        self.faults.words(line.place, words)
-                    };
+                    self.told(line.place, words, ".");
                 }
             } else {
                 self.shapes[line.name] = Some(shape);
@@ -58,10 +55,7 @@ impl Checker<'_, '_> {
         if self.products > MOST_PRODUCTS {
             let mut words = Words::new("A step takes ");
             words.whole(self.products as i64).text(" products; at most ").whole(MOST_PRODUCTS as i64);
-            {
-                words.text(" are accepted.");
-                self.faults.words(last, words)
-            };
+            self.told(last, words, " are accepted.");
         }
     }
 
@@ -79,13 +73,11 @@ impl Checker<'_, '_> {
             let mut words = Words::new(&self.names[line.name]);
             self.found.say(shape, words.text(" becomes "));
             self.found.say(wanted, words.text("; it must be "));
-            {
-                words.text(".");
-                self.faults.words(line.place, words)
-            };
+            self.told(line.place, words, ".");
         }
     }
 
+    #[inline(never)]
     fn same(&mut self, a: Shape, b: Shape) -> bool {
         match (a, b) {
             (Shape::Of(a, b), Shape::Of(c, d)) => self.found.unify(a, c) && self.found.unify(b, d),
@@ -103,11 +95,13 @@ impl Checker<'_, '_> {
         words
     }
 
+    #[inline(never)]
     fn fault(&mut self, place: Place, words: &str) -> Shape {
         self.faults.say(place, words);
         Shape::Unknown
     }
 
+    #[inline(never)]
     fn told(&mut self, place: Place, mut words: Words, last: &str) -> Shape {
         words.text(last);
         self.faults.words(place, words);
@@ -117,13 +111,13 @@ impl Checker<'_, '_> {
     fn count(&mut self, sides: [Size; 3]) {
         let mut product = 1;
         for side in sides {
-            product *= self.found.size(side).known().unwrap_or(1).max(0) as u64;
+            product *= self.found.known(side).unwrap_or(1).max(0) as u64;
         }
         self.products = self.products.saturating_add(product);
     }
 
     fn is_one(&self, size: Size) -> bool {
-        self.found.size(size) == Size::ONE
+        self.found.known(size) == Some(1)
     }
 
     fn is_number(&self, shape: Shape) -> bool {
@@ -159,12 +153,12 @@ impl Checker<'_, '_> {
     }
 
     fn shape(&mut self, id: Id) -> Shape {
-        let place = &self.tree.place(id);
+        let place = self.tree.place(id);
         match self.tree.node(id) {
             Node::Number(_) => Shape::NUMBER,
-            Node::Name(name) => self.name(*name, *place),
-            Node::Call(function, arguments) => self.call(*function, arguments, id, *place),
-            Node::Jacobian(a, name) => self.jacobian(*a, *name, *place),
+            Node::Name(name) => self.name(name, place),
+            Node::Call(function, from, to) => self.call(function, self.tree.arguments(from, to), id, place),
+            Node::Jacobian(a, name) => self.jacobian(a, name, place),
         }
     }
 
@@ -194,20 +188,20 @@ impl Checker<'_, '_> {
         for (pair, side) in bounds.chunks_exact(2).zip(&mut sides[first..]) {
             let mut of = [*side; 2];
             for (of, id) in of.iter_mut().zip(pair) {
-                if !matches!(self.tree.node(*id), Node::Call(Function::End, _)) {
+                if !self.tree.calls(*id, Function::End) {
                     let Some(size) = self.side(*id) else {
                         let place = self.tree.place(*id);
                         return self.fault(place, "A row or a column is a whole number here, or n, p or m.");
                     };
                     *of = size;
                 }
-                if of.known() == Some(0) {
+                if *of == Size::number(0) {
                     return self.fault(place, "Rows and columns are counted from 1 here: x[1] is the first.");
                 }
             }
-            let over = self.found.size(of[1].plus(-1, *side)).known();
+            let over = self.found.known(of[1].plus(-1, *side));
             *side = of[1].plus(-1, of[0]).plus(1, Size::ONE);
-            let count = self.found.size(*side).known();
+            let count = self.found.known(*side);
             if over.unwrap_or(0) > 0 || count.unwrap_or(1) < 1 {
                 return self.told(place, words, ": it has no such rows or columns.");
             }
@@ -230,7 +224,7 @@ impl Checker<'_, '_> {
             self.found.say(by, words.text(" and ").text(&self.names[name]).text(" is "));
             return self.told(place, words, ": a derivative is of a column by a column.");
         }
-        let times = self.found.size(columns).known().unwrap_or(1).max(0) as u64;
+        let times = self.found.known(columns).unwrap_or(1).max(0) as u64;
         let once = self.products - before;
         self.products = self.products.saturating_add(once.saturating_mul(3 * times));
         Shape::Of(rows, columns)

@@ -161,7 +161,7 @@ impl Program {
             return Ok(());
         }
         let mut faults = Faults::new(&self.text);
-        let wanted = sizes.map(|size| size as i16);
+        let wanted = [sizes[0] as i32, sizes[1] as i32, sizes[2] as i32];
         for (i, letter) in LETTERS.iter().enumerate() {
             let known = self.found.0[i];
             if known >= 0 && known != wanted[i] {

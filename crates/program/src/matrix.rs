@@ -41,6 +41,7 @@ impl Matrix {
     }
 
     /// Entry (i, j), from 0; 0 beyond its ends.
+    #[inline(never)]
     pub fn at(&self, i: usize, j: usize) -> f64 {
         self.entries.get(i * self.columns + j).copied().unwrap_or(0.0)
     }
@@ -50,6 +51,7 @@ impl Matrix {
     }
 
     /// Entry by entry, row after row: `entry(i, j)`.
+    #[inline(never)]
     pub(crate) fn made(rows: usize, columns: usize, entry: &dyn Fn(usize, usize) -> f64) -> Self {
         let mut entries = Vec::with_capacity(rows * columns);
         for i in 0..rows {

@@ -7,7 +7,6 @@ use crate::token::{Kind, Token};
 use crate::tree::{Function, Id, Line, Name, Node, Tree};
 use crate::words::Words;
 use alloc::string::String;
-use alloc::vec;
 use alloc::vec::Vec;
 
 /// Brackets within brackets.
@@ -90,6 +89,7 @@ impl<'a, 'b> Parser<'a, 'b> {
         }
     }
 
+    #[inline(never)]
     fn token(&self) -> Token {
         self.tokens[self.at.min(self.tokens.len() - 1)]
     }
@@ -98,6 +98,7 @@ impl<'a, 'b> Parser<'a, 'b> {
         self.token().kind
     }
 
+    #[inline(never)]
     fn ahead(&self, by: usize) -> Kind {
         self.tokens[(self.at + by).min(self.tokens.len() - 1)].kind
     }
@@ -121,6 +122,7 @@ impl<'a, 'b> Parser<'a, 'b> {
         self.names[name] == text
     }
 
+    #[inline(never)]
     fn fail<T>(&mut self, place: Place, words: &str) -> Parsed<T> {
         self.faults.say(place, words);
         Err(Told)
@@ -138,14 +140,15 @@ impl<'a, 'b> Parser<'a, 'b> {
         self.told(self.place(), words)
     }
 
+    #[inline(never)]
     fn node(&mut self, node: Node, from: Place) -> Parsed<Id> {
         if self.tree.nodes.len() >= MOST_NODES {
             return self.fail(from, "The program is too long: from here on it is not read.");
         }
         let mut deep = 0;
-        if let Node::Call(_, arguments) = &node {
-            for id in arguments {
-                deep = self.deep[*id].max(deep);
+        if let Node::Call(_, from, to) = node {
+            for id in self.tree.arguments(from, to) {
+                deep = deep.max(self.deep[*id]);
             }
         }
         if deep >= DEEPEST_TREE {
@@ -157,8 +160,10 @@ impl<'a, 'b> Parser<'a, 'b> {
         Ok(self.tree.nodes.len() - 1)
     }
 
-    fn call(&mut self, function: Function, arguments: Vec<Id>, from: Place) -> Parsed<Id> {
-        self.node(Node::Call(function, arguments), from)
+    fn call(&mut self, function: Function, arguments: &[Id], from: Place) -> Parsed<Id> {
+        let first = self.tree.arguments.len();
+        self.tree.arguments.extend_from_slice(arguments);
+        self.node(Node::Call(function, first, first + arguments.len()), from)
     }
 
     fn line(&mut self) -> Parsed<()> {
@@ -199,7 +204,7 @@ impl<'a, 'b> Parser<'a, 'b> {
                 Some(part) => part,
                 None => self.node(Node::Name(name), place)?,
             };
-            value = self.call(sign, vec![old, value], place)?;
+            value = self.call(sign, &[old, value], place)?;
         }
         match self.kind() {
             Kind::Line | Kind::End | Kind::Sign(';') => {}
@@ -242,7 +247,7 @@ impl<'a, 'b> Parser<'a, 'b> {
         // A formula that ends with an operator goes on in the next line.
         self.skip_lines();
         let right = read(self)?;
-        self.call(sign, vec![left, right], from)
+        self.call(sign, &[left, right], from)
     }
 
     /// The token behind an operand.
@@ -264,7 +269,7 @@ impl<'a, 'b> Parser<'a, 'b> {
                 Kind::Sign('\\') => Function::Under,
                 Kind::Name(_) | Kind::Number(_) | Kind::Sign('(' | '[') if !(self.within == ' ' && token.blank) => {
                     let right = self.powered()?;
-                    left = self.call(Function::Times, vec![left, right], from)?;
+                    left = self.call(Function::Times, &[left, right], from)?;
                     continue;
                 }
                 _ => return Ok(left),
@@ -281,7 +286,7 @@ impl<'a, 'b> Parser<'a, 'b> {
             self.at += 1;
         }
         let value = self.powered()?;
-        if negative { self.call(Function::Negative, vec![value], from) } else { Ok(value) }
+        if negative { self.call(Function::Negative, &[value], from) } else { Ok(value) }
     }
 
     /// Over ends of lines, but not into the next formula: then a bracket is open, and whoever opened it says so.

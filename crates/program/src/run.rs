@@ -33,22 +33,23 @@ pub(crate) struct Run<'a> {
 impl Run<'_> {
     pub fn value(&self, id: Id) -> Option<Rc<Value>> {
         let value = match self.tree.node(id) {
-            Node::Number(x) => Value::number(*x),
+            Node::Number(x) => Value::number(x),
             Node::Name(name) => {
                 return Some(match &self.varied {
-                    Some((varied, value)) if varied == name => value.clone(),
-                    _ => self.values[*name].clone(),
+                    Some((varied, value)) if *varied == name => value.clone(),
+                    _ => self.values[name].clone(),
                 });
             }
-            Node::Jacobian(a, name) => self.jacobian(*a, *name)?,
-            Node::Call(function, arguments) => {
+            Node::Jacobian(a, name) => self.jacobian(a, name)?,
+            Node::Call(function, from, to) => {
+                let arguments = self.tree.arguments(from, to);
                 let mut values = Vec::with_capacity(arguments.len());
                 for argument in arguments {
                     values.push(self.value(*argument)?);
                 }
-                let value = call(*function, &values);
+                let value = call(function, &values);
                 if value.is_none() {
-                    let root = *function == Function::Root;
+                    let root = function == Function::Root;
                     self.trouble.set((if root { Trouble::NotPositiveDefinite } else { Trouble::Singular }, id));
                 }
                 value?
@@ -89,9 +90,9 @@ fn ends(whole: &Matrix, bounds: &[Rc<Value>]) -> [usize; 4] {
 
 /// A matrix with another part.
 pub(crate) fn refilled(run: &Run<'_>, whole: &Matrix, part: Id, by: &Matrix) -> Option<Matrix> {
-    let Node::Call(_, arguments) = run.tree.node(part) else { return None };
+    let Node::Call(_, from, to) = run.tree.node(part) else { return None };
     let mut bounds = Vec::new();
-    for bound in arguments.get(1..)? {
+    for bound in run.tree.arguments(from + 1, to) {
         bounds.push(run.value(*bound)?);
     }
     Some(filled(whole, ends(whole, &bounds), by))
@@ -106,6 +107,15 @@ fn filled(whole: &Matrix, [top, bottom, left, right]: [usize; 4], by: &Matrix) -
         let within = i >= top && i < bottom && j >= left && j < right;
         if within { by.at(i - top, j - left) } else { whole.at(i, j) }
     })
+}
+
+/// Sine and cosine as the models' own take them: both at once.
+fn sin(x: f64) -> f64 {
+    libm::sincos(x).0
+}
+
+fn cos(x: f64) -> f64 {
+    libm::sincos(x).1
 }
 
 /// None where an inverse or a root is missing.
@@ -151,8 +161,8 @@ fn call(function: Function, values: &[Rc<Value>]) -> Option<Value> {
             })
         }
         F::Square => a.mapped(numerics::sqrt, |x| 0.5 / numerics::sqrt(x)),
-        F::Sine => a.mapped(libm::sin, libm::cos),
-        F::Cosine => a.mapped(libm::cos, |x| -libm::sin(x)),
+        F::Sine => a.mapped(sin, cos),
+        F::Cosine => a.mapped(cos, |x| -sin(x)),
         F::Angle => a.angle(b),
         F::Exponential => a.mapped(libm::exp, libm::exp),
         F::Wrap => a.mapped(geom::wrap, |_| 1.0),

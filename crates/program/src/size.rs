@@ -5,62 +5,64 @@ use crate::words::Words;
 /// The letters of sizes: states, readings and inputs.
 pub(crate) const LETTERS: [&str; 3] = ["n", "p", "m"];
 
-/// a n + b p + c m + k, as [a, b, c, k].
+/// Rows or columns of one matrix.
+pub(crate) const MOST_SIDE: i32 = 60;
+
+/// k + a n + b p + c m, each within ±127, in the four bytes of one number.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Size(pub [i16; 4]);
+pub(crate) struct Size(i32);
 
 impl Size {
-    pub const ONE: Self = Self::number(1);
+    pub const ONE: Self = Self(1);
 
-    pub const fn number(number: i16) -> Self {
-        Self([0, 0, 0, number])
+    pub const fn number(number: i8) -> Self {
+        Self(number as i32)
     }
 
     /// One of the [`LETTERS`].
     pub const fn letter(which: usize) -> Self {
-        let mut letters = [0; 4];
-        letters[which] = 1;
-        Self(letters)
+        Self(1 << (8 * (which + 1)))
     }
 
-    pub fn plus(self, by: i16, other: Self) -> Self {
-        let mut sum = self.0;
-        for (sum, more) in sum.iter_mut().zip(other.0) {
-            *sum = sum.saturating_add(more.saturating_mul(by));
+    pub fn plus(self, by: i32, other: Self) -> Self {
+        Self(self.0.wrapping_add(by.wrapping_mul(other.0)))
+    }
+
+    /// k, a, b and c.
+    #[inline(never)]
+    pub fn counts(self) -> [i32; 4] {
+        let (mut counts, mut rest) = ([0; 4], self.0);
+        for count in &mut counts {
+            *count = i32::from(rest as i8);
+            rest = rest.wrapping_sub(*count) >> 8;
         }
-        Self(sum)
+        counts
     }
+}
 
-    pub fn known(self) -> Option<i16> {
-        let [n, p, m, number] = self.0;
-        (n == 0 && p == 0 && m == 0).then_some(number)
+/// As a formula writes it, in brackets where it is a sum.
+fn say(counts: [i32; 4], words: &mut Words) {
+    let mut terms = 0;
+    for count in counts {
+        terms += usize::from(count != 0);
     }
-
-    /// Whether it is more than so many, or counts a letter as often.
-    pub fn is_beyond(self, most: i16) -> bool {
-        self.0.iter().any(|count| *count > most)
-    }
-
-    /// As a formula writes it, in brackets where it is a sum.
-    fn say(self, words: &mut Words) {
-        let terms = self.0.iter().filter(|count| **count != 0).count();
-        words.text(if terms > 1 { "(" } else { "" });
-        let mut first = true;
-        for (i, count) in self.0.into_iter().enumerate() {
-            if count == 0 && (i < 3 || terms > 0) {
-                continue;
-            }
-            words.text(if count > 0 && !first { "+" } else { "" });
-            if i < 3 && count == -1 {
-                words.text("−");
-            } else if i == 3 || count != 1 {
-                words.whole(i64::from(count));
-            }
-            words.text(LETTERS.get(i).copied().unwrap_or_default());
-            first = false;
+    words.text(if terms > 1 { "(" } else { "" });
+    let mut first = true;
+    for i in [1, 2, 3, 0] {
+        let count = counts[i];
+        if count == 0 && (i > 0 || terms > 0) {
+            continue;
         }
-        words.text(if terms > 1 { ")" } else { "" });
+        words.text(if count > 0 && !first { "+" } else { "" });
+        if i > 0 && count == -1 {
+            words.text("−");
+        } else if i == 0 || count != 1 {
+            words.whole(i64::from(count));
+        }
+        words.text(if i > 0 { LETTERS[i - 1] } else { "" });
+        first = false;
     }
+    words.text(if terms > 1 { ")" } else { "" });
 }
 
 /// Rows and columns.
@@ -79,55 +81,72 @@ impl Shape {
 
 /// What has been found of the letters so far; −1 of those that nothing tells yet.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Found(pub [i16; 3]);
+pub(crate) struct Found(pub [i32; 3]);
 
 impl Found {
     pub const NOTHING: Self = Self([-1; 3]);
 
-    /// A size with all that is known put in.
-    pub fn size(&self, size: Size) -> Size {
-        let mut known = size;
+    /// A size's counts with all that is known put in.
+    pub fn counts(&self, size: Size) -> [i32; 4] {
+        let mut counts = size.counts();
         for (i, value) in self.0.into_iter().enumerate() {
             if value >= 0 {
-                known.0[3] = known.0[3].saturating_add(known.0[i].saturating_mul(value));
-                known.0[i] = 0;
+                counts[0] += counts[i + 1] * value;
+                counts[i + 1] = 0;
             }
         }
-        known
+        counts
+    }
+
+    pub fn known(&self, size: Size) -> Option<i32> {
+        match self.counts(size) {
+            [number, 0, 0, 0] => Some(number),
+            _ => None,
+        }
+    }
+
+    /// Whether it is more than a matrix may have.
+    pub fn is_beyond(&self, size: Size) -> bool {
+        let mut beyond = false;
+        for count in size.counts() {
+            beyond |= count > MOST_SIDE;
+        }
+        beyond || self.known(size).unwrap_or(0) > MOST_SIDE
     }
 
     /// "2×1", "n×p".
     pub fn say(&self, shape: Shape, words: &mut Words) {
-        match shape {
-            Shape::Of(rows, columns) => {
-                self.size(rows).say(words);
-                words.text("×");
-                self.size(columns).say(words);
-            }
-            _ => {
-                words.text("I");
-            }
+        if let Shape::Of(rows, columns) = shape {
+            say(self.counts(rows), words);
+            words.text("×");
+            say(self.counts(columns), words);
+        } else {
+            words.text("I");
         }
     }
 
     /// Whether two sizes can be one; a single letter that is not known yet becomes what makes them so.
+    #[inline(never)]
     pub fn unify(&mut self, a: Size, b: Size) -> bool {
-        let off = self.size(a.plus(-1, b)).0;
-        let mut open = None;
-        for i in 0..3 {
+        let off = self.counts(a.plus(-1, b));
+        let mut open = 0;
+        for i in 1..4 {
             if off[i] != 0 {
-                if open.is_some() {
+                if open > 0 {
                     return false;
                 }
-                open = Some(i);
+                open = i;
             }
         }
-        let Some(i) = open else { return off[3] == 0 };
-        let value = -off[3] / off[i];
+        if open == 0 {
+            return off[0] == 0;
+        }
+        // Only a single letter is found so.
+        let value = -off[0] * off[open];
         // A system may be without inputs. That it has a single state no formula says: there a size is wrong.
-        let fits = value * off[i] == -off[3] && value >= [2, 1, 0][i];
+        let fits = off[open].abs() == 1 && value >= [2, 1, 0][open - 1];
         if fits {
-            self.0[i] = value;
+            self.0[open - 1] = value;
         }
         fits
     }

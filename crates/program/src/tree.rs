@@ -99,17 +99,18 @@ pub(crate) static FUNCTIONS: [(&str, Function, u8, u8); 39] = [
     ("inverse", F::Inverse, 1, 1),
 ];
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) enum Node {
     Number(f64),
     Name(Name),
-    Call(Function, Vec<Id>),
+    /// A function or an operator, and where its arguments are among all.
+    Call(Function, usize, usize),
     /// The derivative of a column by the name.
     Jacobian(Id, Name),
 }
 
 /// `name = value`, or `name[…] = value`.
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 pub(crate) struct Line {
     pub name: Name,
     /// Where in it, as a part of it.
@@ -121,6 +122,8 @@ pub(crate) struct Line {
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tree {
     pub nodes: Vec<(Node, Place)>,
+    /// The arguments of all calls, one after another.
+    pub arguments: Vec<Id>,
     pub lines: Vec<Line>,
 }
 
@@ -129,8 +132,17 @@ impl Tree {
         self.nodes[id].1
     }
 
-    pub fn node(&self, id: Id) -> &Node {
-        &self.nodes[id].0
+    pub fn node(&self, id: Id) -> Node {
+        self.nodes[id].0
+    }
+
+    pub fn arguments(&self, from: usize, to: usize) -> &[Id] {
+        self.arguments.get(from..to).unwrap_or_default()
+    }
+
+    /// Whether a node is a call of this function.
+    pub fn calls(&self, id: Id, function: Function) -> bool {
+        matches!(self.node(id), Node::Call(other, ..) if other == function)
     }
 
     /// The last line that makes a name.

@@ -1,4 +1,7 @@
 //! Sentences, put together without the machinery of formats, which would weigh more than the rest of the language.
+//!
+//! What is called from many places of this crate is `inline(never)`: the light builds' threshold would put it in line,
+//! half a kilobyte more.
 
 use alloc::string::String;
 
@@ -13,6 +16,7 @@ impl Words {
     }
 
     /// Appends a text.
+    #[inline(never)]
     pub fn text(&mut self, text: &str) -> &mut Self {
         self.0.push_str(text);
         self

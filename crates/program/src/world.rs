@@ -178,9 +178,9 @@ impl World {
     /// Whether a matrix has a shape, for n, p and m.
     pub(crate) fn fits(shape: Shape, m: &Matrix, sizes: [usize; 3]) -> bool {
         let Shape::Of(rows, columns) = shape else { return false };
-        let found = Found(sizes.map(|size| size as i16));
-        let known = |size: Size| found.size(size).known().unwrap_or(-1) as usize;
-        known(rows) == m.rows && known(columns) == m.columns
+        let [n, p, inputs] = sizes;
+        let found = Found([n as i32, p as i32, inputs as i32]);
+        found.known(rows) == Some(m.rows as i32) && found.known(columns) == Some(m.columns as i32)
     }
 
     /// n, p and m of what is given; none where they do not fit one another.

@@ -2,11 +2,9 @@
 
 use super::Checker;
 use crate::fault::Place;
-use crate::size::{Shape, Size};
+use crate::size::{MOST_SIDE, Shape, Size};
 use crate::tree::{Function, Id, Node};
 
-/// Rows or columns of one matrix.
-const MOST_SIDE: i16 = 64;
 const NEEDS_SIZE: &str = "Here I needs its size: eye(n), eye(p) or eye(2).";
 
 impl Checker<'_, '_> {
@@ -15,7 +13,7 @@ impl Checker<'_, '_> {
         if let F::Eye | F::Zeros = function {
             let (Some(rows), Some(columns)) = (self.side(arguments[0]), self.side(arguments[arguments.len() - 1]))
             else {
-                return self.fault(place, "A size is a whole number of at most 64 here, or n, p or m.");
+                return self.fault(place, "A size is a whole number of at most 60 here, or n, p or m.");
             };
             return Shape::Of(rows, columns);
         }
@@ -169,10 +167,10 @@ impl Checker<'_, '_> {
             }
             along = along.plus(1, long);
             // Parts of parts would double without end.
-            if self.found.size(along).is_beyond(MOST_SIDE) {
-                return self.fault(place, "A matrix has at most 64 rows and 64 columns.");
+            if self.found.is_beyond(along) {
+                return self.fault(place, "A matrix has at most 60 rows and 60 columns.");
             }
-            self.count([rows, columns, Size::number(parts.len() as i16)]);
+            self.count([rows, columns, Size::number(parts.len().min(60) as i8)]);
         }
         let across = across.unwrap_or(Size::ONE);
         if below { Shape::Of(along, across) } else { Shape::Of(across, along) }
@@ -181,11 +179,12 @@ impl Checker<'_, '_> {
     /// The size that an argument of eye or zeros names.
     pub(super) fn side(&mut self, id: Id) -> Option<Size> {
         let size = match self.tree.node(id) {
-            Node::Number(x) if libm::trunc(*x) == *x && (0.0..=f64::from(MOST_SIDE)).contains(x) => {
-                Size::number(*x as i16)
+            Node::Number(x) if libm::trunc(x) == x && (0.0..=f64::from(MOST_SIDE)).contains(&x) => {
+                Size::number(x as i8)
             }
             Node::Name(name) => Size::letter(name.checked_sub(self.world.identity() + 1).filter(|letter| *letter < 3)?),
-            Node::Call(Function::Length, arguments) => {
+            Node::Call(Function::Length, from, to) => {
+                let arguments = self.tree.arguments(from, to);
                 let Shape::Of(rows, columns) = self.shape(arguments[0]) else { return None };
                 let second = matches!(arguments.get(1).map(|id| self.tree.node(*id)), Some(Node::Number(2.0)));
                 if second { columns } else { rows }

@@ -40,7 +40,7 @@ impl Parser<'_, '_> {
                 _ => return Ok(value),
             };
             self.at += 1;
-            value = self.call(function, vec![value], from)?;
+            value = self.call(function, &[value], from)?;
         }
     }
 
@@ -63,7 +63,7 @@ impl Parser<'_, '_> {
         let place = self.place();
         self.at += 1;
         let function = match self.names[name].as_str() {
-            "T" => return self.call(Function::Transpose, vec![value], from),
+            "T" => return self.call(Function::Transpose, &[value], from),
             "L" => return Ok(value),
             "transpose" => Function::Transpose,
             "inverse" => Function::Inverse,
@@ -79,7 +79,7 @@ impl Parser<'_, '_> {
         if arguments.len() != 1 + usize::from(function == Function::Times) {
             return self.fail(place, "This has another count of arguments than it takes.");
         }
-        self.call(function, arguments, from)
+        self.call(function, &arguments, from)
     }
 
     fn operand(&mut self) -> Parsed<Id> {
@@ -162,7 +162,7 @@ impl Parser<'_, '_> {
             words.text("; here it has ").whole(count as i64).text(".");
             return self.told(from, words);
         }
-        self.call(function, arguments, from)
+        self.call(function, &arguments, from)
     }
 
     /// Whether round brackets hold numbers of rows and columns: a whole number alone, a colon, or a comma.
@@ -264,7 +264,7 @@ impl Parser<'_, '_> {
             (None, Some((function, other))) => {
                 let state = self.node(Node::Name(if by == other { X } else { by }), place)?;
                 let other = self.node(Node::Name(other), place)?;
-                self.call(function, vec![state, other], place)?
+                self.call(function, &[state, other], place)?
             }
             (None, None) => return Err(Told),
         };
@@ -288,7 +288,7 @@ impl Parser<'_, '_> {
         }
         self.close(closing, opened)?;
         self.within = within;
-        self.call(Function::Part, arguments, from)
+        self.call(Function::Part, &arguments, from)
     }
 
     /// One number of a row or column; left out, or as `end`, it is the last, and before a colon the first.
@@ -296,10 +296,10 @@ impl Parser<'_, '_> {
         let place = self.place();
         match self.kind() {
             Kind::Sign(':') => self.node(Node::Number(1.0), place),
-            Kind::Sign(']' | ')' | ',') => self.call(Function::End, Vec::new(), place),
+            Kind::Sign(']' | ')' | ',') => self.call(Function::End, &[], place),
             Kind::Name(name) if self.is(name, "end") => {
                 self.at += 1;
-                self.call(Function::End, Vec::new(), place)
+                self.call(Function::End, &[], place)
             }
             _ => self.formula(),
         }
@@ -317,8 +317,8 @@ impl Parser<'_, '_> {
             if (closed || line || self.take(';')) && !row.is_empty() {
                 let parts = core::mem::take(&mut row);
                 // numpy writes a matrix as a list of its rows.
-                let lists = parts.iter().all(|id| matches!(self.tree.node(*id), Node::Call(Function::Row, _)));
-                rows.push(self.call(if lists { Function::Stack } else { Function::Row }, parts, opened)?);
+                let lists = parts.iter().all(|id| self.tree.calls(*id, Function::Row));
+                rows.push(self.call(if lists { Function::Stack } else { Function::Row }, &parts, opened)?);
             }
             match self.kind() {
                 Kind::Sign(']') => break,
@@ -337,7 +337,7 @@ impl Parser<'_, '_> {
         match rows.len() {
             0 => self.fail(opened, "Between these brackets a matrix is missing."),
             1 => Ok(rows[0]),
-            _ => self.call(Function::Stack, rows, opened),
+            _ => self.call(Function::Stack, &rows, opened),
         }
     }
 }
