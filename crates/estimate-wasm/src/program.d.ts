@@ -42,3 +42,14 @@ export interface ProgramStep {
   /** What each line has made. */
   lines: { line: number; name: string; value: Matrix }[]
 }
+/** What is said of a program. */
+export interface ProgramVerdict {
+  /** `right`, a `bug` that real code has had, `wrong` in another way, or `refused`: with faults, or without a value. */
+  outcome: 'right' | 'bug' | 'wrong' | 'refused'
+  /** Which bug, by the word of the chapter's museum. */
+  bug: string | null
+  /** The line to look at, from 1, where one can be told. */
+  line: number | null
+  /** Why, with numbers. */
+  sentences: string[]
+}

@@ -8,6 +8,7 @@ use crate::object::Held;
 use estimate::{Code, Error, validate};
 use js_sys::Array;
 use nalgebra::DMatrix;
+use program::judge::{Outcome, Verdict, judge};
 use program::{Fault, Matrix, Notation, Program as Text, Quantity, Step, Stop, Trouble, World};
 use wasm_bindgen::prelude::*;
 
@@ -54,6 +55,13 @@ impl Program {
             }
             all.into()
         })
+    }
+
+    /// Whether it is a right filter: one step beside a right filter's on a dozen cases, and beside what bugs that real
+    /// code has had make of the same cases. Any form is right that gives the same numbers.
+    #[wasm_bindgen(unchecked_return_type = "ProgramVerdict")]
+    pub fn judge(&self) -> Result<JsValue, Thrown> {
+        self.0.read(CLASS, |program: &Text| verdict(&judge(program)))
     }
 
     /// One step from a belief, with the input `u` and the reading `y`.
@@ -109,6 +117,26 @@ fn column(value: &JsValue, name: &'static str, length: usize) -> Result<Matrix, 
 
 fn matrix(m: &DMatrix<f64>) -> Matrix {
     Matrix::new(m.nrows(), m.ncols(), m.transpose().as_slice().to_vec())
+}
+
+/// What is said of a program.
+fn verdict(verdict: &Verdict) -> JsValue {
+    let (outcome, bug) = match verdict.outcome {
+        Outcome::Refused => ("refused", None),
+        Outcome::Right => ("right", None),
+        Outcome::Bug(bug) => ("bug", Some(bug.word())),
+        Outcome::Wrong => ("wrong", None),
+    };
+    let sentences = Array::new();
+    for sentence in &verdict.sentences {
+        sentences.push(&sentence.as_str().into());
+    }
+    record(&[
+        ("outcome", outcome.into()),
+        ("bug", bug.map_or(JsValue::NULL, JsValue::from_str)),
+        ("line", verdict.line.map_or(JsValue::NULL, JsValue::from)),
+        ("sentences", sentences.into()),
+    ])
 }
 
 fn shown(fault: &Fault) -> JsValue {

@@ -1,5 +1,6 @@
 //! Tokens as a tree: lines, and operators by their rank, as the chapter, numpy, MATLAB and Julia write them.
 
+mod bracket;
 mod operand;
 
 use crate::fault::{Faults, Place};
@@ -43,10 +44,7 @@ pub(super) type Parsed<T> = Result<T, Told>;
 const NO_BEGINNING: [(&[&str], &str); 3] = [
     (&["return", "end"], "A program needs no end: what its names are then is its answer."),
     (&["import", "from", "using"], "A program needs no packages: leave this line out."),
-    (
-        &["def", "function", "for", "while", "if", "let", "const"],
-        "A program is lines of formulas, without loops, choices and functions.",
-    ),
+    (&["def", "function", "for", "while", "if", "let"], "A program is lines, without loops, choices and functions."),
 ];
 
 impl<'a, 'b> Parser<'a, 'b> {

@@ -66,11 +66,13 @@ fn the_chapters_seven_lines_are_a_step_by_hand() {
 fn numpy_matlab_and_julia_are_read_to_the_same_bits() {
     let (_, chapter) = run(CHAPTER);
     let others = [
-        "x = F @ x + G @ u\nP = F @ P @ F.T + V\nnu = y - H @ x\nS = H @ P @ H.T + W\nR = P @ H.T @ np.linalg.inv(S)\n\
+        "x = F @ x + G @ u\nP = F @ P @ F.T + V\nnu = y - H @ x\nS = H @ P @ H.T + W\n\
+         R = P @ H.T @ np.linalg.inv(S)\n\
          x = x + R @ nu\nP = P - R @ H @ P",
         "x = F*x + G*u;\nP = F*P*F' + V; % the covariance\nnu = y - H*x;\nS = H*P*H' + W;\nR = P*H'*inv(S);\n\
          x = x + R*nu;\nP = P - R*H*P;",
-        "x = F.dot(x) + G.dot(u)\nP = F.dot(P).dot(F.T) + V\nnu = (y\n  - H.dot(x))\nS = np.dot(np.dot(H, P), H.T) + W\n\
+        "x = F.dot(x) + G.dot(u)\nP = F.dot(P).dot(F.T) + V\nnu = (y\n  - H.dot(x))\n\
+         S = np.dot(np.dot(H, P), H.T) + W\n\
          R = P.dot(H.transpose()).dot(inv(S))\nx += R @ nu\nP -= R @ H @ P",
     ];
     for text in others {
@@ -168,7 +170,8 @@ fn a_name_says_where_it_is_made_or_whose_letter_it_is() {
         ("a = K", "3:5 K is the gain in Thrun’s letters; in Choset’s letters, which this program is in, that is R."),
         (
             "a = Q",
-            "3:5 Q is the noise of the reading in Thrun’s letters; in Choset’s letters, which this program is in, that is W.",
+            "3:5 Q is the noise of the reading in Thrun’s letters; \
+          in Choset’s letters, which this program is in, that is W.",
         ),
         (
             "a = bogus",

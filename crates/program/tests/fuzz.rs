@@ -101,9 +101,11 @@ const PIECES: [&str; 92] = [
 
 const WHOLE: [&str; 5] = [
     "x = F x + G u\nP = F P Fᵀ + V\nν = y − H x\nS = H P Hᵀ + W\nR = P Hᵀ S⁻¹\nx = x + R ν\nP = P − R H P\n",
-    "x = F @ x + G @ u\nP = F @ P @ F.T + V\nS = H @ P @ H.T + W\nR = np.linalg.solve(S, H @ P).T\nx = x + R @ (y - H @ x)\n\
+    "x = F @ x + G @ u\nP = F @ P @ F.T + V\nS = H @ P @ H.T + W\nR = np.linalg.solve(S, H @ P).T\n\
+     x = x + R @ (y - H @ x)\n\
      P = (np.eye(n) - R @ H) @ P @ (np.eye(n) - R @ H).T + R @ W @ R.T",
-    "F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nH = jac(h(x, l), x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\nS = H P H' + W\n\
+    "F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nH = jac(h(x, l), x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\n\
+     S = H P H' + W\n\
      R = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = (I - R H) P",
     "L = chol(V + [1 0; 0 1])\nx = [x(1) + x(2); x(2)];\nP = L*L'; % MATLAB\n",
     "a = zeros((2, 3))\nb = [[1, 2], [3, 4]]\nc = diag([1; 2]) \\ x[1:2]\nx = x + 0*x\nP = sym(P)^2",

@@ -45,7 +45,8 @@ fn wrong_filters_are_called_wrong_by_a_sentence_that_is_true() {
 /// The chapter's step, in which each bug is typed as the museum has it.
 const LINEAR: &str =
     "x = F x + G u\nP = F P F' + V\nnu = y - H x\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nP = sym(P - R H P)";
-const ROBOT: &str = "F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\n\
+const ROBOT: &str = "F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nH = jac(h, x)\nnu = y - h(x, l)\n\
+ nu[2] = wrap(nu[2])\n\
     S = H P H' + W\nR = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = sym(P - R H P)";
 
 #[test]
@@ -75,7 +76,8 @@ fn each_of_the_museums_formulas_is_named_with_its_line() {
         (
             World::Robot,
             "P = sym(P - R H P)",
-            "P = P - R H P\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\nS = H P H' + W\nR = P H' / S\nx = x + R nu\n\
+            "P = P - R H P\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\nS = H P H' + W\nR = P H' / S\n\
+             x = x + R nu\n\
              x[3] = wrap(x[3])\nP = P - R H P",
             Bug::Twice,
             12,

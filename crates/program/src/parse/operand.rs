@@ -112,7 +112,7 @@ impl Parser<'_, '_> {
     }
 
     /// Between brackets a line's end counts for nothing.
-    fn close(&mut self, sign: char, opened: Place) -> Parsed<()> {
+    pub(super) fn close(&mut self, sign: char, opened: Place) -> Parsed<()> {
         self.skip_lines();
         if self.take(sign) {
             return Ok(());
@@ -163,56 +163,6 @@ impl Parser<'_, '_> {
             return self.told(from, words);
         }
         self.call(function, &arguments, from)
-    }
-
-    /// Whether round brackets hold numbers of rows and columns: a whole number alone, a colon, or a comma.
-    fn is_part(&self) -> bool {
-        matches!((self.ahead(1), self.ahead(2)), (Kind::Number(_), Kind::Sign(')'))) || self.holds(1, &[':', ','])
-    }
-
-    /// Whether one of the signs stands between these brackets, and not only between others within.
-    fn holds(&self, from: usize, signs: &[char]) -> bool {
-        let mut depth = 0;
-        for by in from.. {
-            match self.ahead(by) {
-                Kind::Sign('(' | '[') => depth += 1,
-                Kind::Sign(')' | ']') if depth == 0 => break,
-                Kind::Sign(')' | ']') => depth -= 1,
-                Kind::Sign(sign) if depth == 0 && signs.contains(&sign) => return true,
-                Kind::Line if matches!((self.ahead(by + 1), self.ahead(by + 2)), (Kind::Name(_), Kind::Sign('='))) => {
-                    break;
-                }
-                Kind::End => break,
-                _ => {}
-            }
-        }
-        false
-    }
-
-    /// Whether blanks separate the parts of a matrix: there is no comma, and a number or a sign stands behind a blank
-    /// where a product would have a name, as in `[1 0; 0 1]` and `[c -s; s c]`. In `[u[1] c; u[2]]` a blank is a product.
-    fn separates(&self) -> bool {
-        let mut depth = 0;
-        let mut behind = false;
-        for at in self.at..self.tokens.len() {
-            let token = self.tokens[at];
-            match token.kind {
-                Kind::Sign('(' | '[') => depth += 1,
-                Kind::Sign(')' | ']') if depth == 0 => break,
-                Kind::Sign(')' | ']') => depth -= 1,
-                Kind::Sign('-') if depth == 0 && behind && token.blank && !token.blank_behind => {
-                    return !self.holds(0, &[',']);
-                }
-                Kind::Number(_) if depth == 0 && behind && token.blank => return !self.holds(0, &[',']),
-                Kind::End => break,
-                _ => {}
-            }
-            behind = !matches!(
-                token.kind,
-                Kind::Line | Kind::Sign('+' | '-' | '*' | '/' | '\\' | '^' | '(' | '[' | ',' | ';')
-            );
-        }
-        false
     }
 
     /// Arguments up to the closing bracket.
@@ -270,74 +220,5 @@ impl Parser<'_, '_> {
         };
         self.within = within;
         self.node(Node::Jacobian(formula, by), from)
-    }
-
-    /// The numbers of rows and columns of a part, up to the closing bracket.
-    pub(super) fn part(&mut self, whole: Id, closing: char, from: Place) -> Parsed<Id> {
-        let opened = self.before();
-        let within = core::mem::replace(&mut self.within, '(');
-        let mut arguments = vec![whole];
-        loop {
-            let first = self.bound()?;
-            arguments.push(first);
-            let second = if self.take(':') { self.bound()? } else { first };
-            arguments.push(second);
-            if arguments.len() > 4 || !self.take(',') {
-                break;
-            }
-        }
-        self.close(closing, opened)?;
-        self.within = within;
-        self.call(Function::Part, &arguments, from)
-    }
-
-    /// One number of a row or column; left out, or as `end`, it is the last, and before a colon the first.
-    fn bound(&mut self) -> Parsed<Id> {
-        let place = self.place();
-        match self.kind() {
-            Kind::Sign(':') => self.node(Node::Number(1.0), place),
-            Kind::Sign(']' | ')' | ',') => self.call(Function::End, &[], place),
-            Kind::Name(name) if self.is(name, "end") => {
-                self.at += 1;
-                self.call(Function::End, &[], place)
-            }
-            _ => self.formula(),
-        }
-    }
-
-    /// Rows of parts up to the closing bracket. Without a comma, blanks separate the parts of a row, as in MATLAB.
-    fn block(&mut self, opened: Place) -> Parsed<Id> {
-        let separator = if self.separates() { ' ' } else { ',' };
-        let within = core::mem::replace(&mut self.within, separator);
-        let (mut rows, mut row) = (Vec::new(), Vec::new());
-        loop {
-            let line = self.kind() == Kind::Line;
-            self.skip_lines();
-            let closed = self.kind() == Kind::Sign(']');
-            if (closed || line || self.take(';')) && !row.is_empty() {
-                let parts = core::mem::take(&mut row);
-                // numpy writes a matrix as a list of its rows.
-                let lists = parts.iter().all(|id| self.tree.calls(*id, Function::Row));
-                rows.push(self.call(if lists { Function::Stack } else { Function::Row }, &parts, opened)?);
-            }
-            match self.kind() {
-                Kind::Sign(']') => break,
-                Kind::Sign(';') => self.at += 1,
-                Kind::Line | Kind::End => return self.fail(opened, "This bracket is never closed."),
-                _ => {
-                    row.push(self.formula()?);
-                    if self.take(',') {
-                        self.skip_lines();
-                    }
-                }
-            }
-        }
-        self.at += 1;
-        self.within = within;
-        match rows.len() {
-            0 => self.fail(opened, "Between these brackets a matrix is missing."),
-            1 => Ok(rows[0]),
-            _ => self.call(Function::Stack, &rows, opened),
-        }
     }
 }

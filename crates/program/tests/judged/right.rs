@@ -16,19 +16,22 @@ pub const RIGHT: [(&str, World, Notation, &str); 22] = [
         "the same with marks on the names",
         Linear,
         Choset,
-        "x̂⁻ = F x̂ + G u\nP⁻ = F P Fᵀ + V\nν = y − H x̂⁻\nS = H P⁻ Hᵀ + W\nR = P⁻ Hᵀ S⁻¹\nx̂ = x̂⁻ + R ν\nP = P⁻ − R H P⁻",
+        "x̂⁻ = F x̂ + G u\nP⁻ = F P Fᵀ + V\nν = y − H x̂⁻\nS = H P⁻ Hᵀ + W\nR = P⁻ Hᵀ S⁻¹\nx̂ = x̂⁻ + R ν\n\
+         P = P⁻ − R H P⁻",
     ),
     (
         "Joseph's form",
         Linear,
         Choset,
-        "x = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)\nA = I - R H\nP = A P A' + R W R'",
+        "x = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)\nA = I - R H\n\
+         P = A P A' + R W R'",
     ),
     (
         "Joseph's form, symmetric",
         Linear,
         Choset,
-        "x = F x + G u\nP = F P F' + V\nR = P H' / (H P H' + W)\nx = x + R (y - H x)\nP = sym((I - R H) P (I - R H)' + R W R')",
+        "x = F x + G u\nP = F P F' + V\nR = P H' / (H P H' + W)\nx = x + R (y - H x)\n\
+         P = sym((I - R H) P (I - R H)' + R W R')",
     ),
     (
         "the information form",
@@ -46,7 +49,8 @@ pub const RIGHT: [(&str, World, Notation, &str); 22] = [
         "two readings, one after the other",
         Linear,
         Choset,
-        "x = F x + G u\nP = F P F' + V\na = H[1, :]\nk = P a' / (a P a' + W[1, 1])\nx = x + k (y[1] - a x)\nP = P - k a P\n\
+        "x = F x + G u\nP = F P F' + V\na = H[1, :]\nk = P a' / (a P a' + W[1, 1])\nx = x + k (y[1] - a x)\n\
+         P = P - k a P\n\
          b = H[2, :]\nk = P b' / (b P b' + W[2, 2])\nx = x + k (y[2] - b x)\nP = P - k b P\nw = eye(2) y",
     ),
     (
@@ -66,20 +70,23 @@ pub const RIGHT: [(&str, World, Notation, &str); 22] = [
         "the gain of a stacked least squares",
         Linear,
         Choset,
-        "m0 = F x + G u\nM = F P F' + V\nA = [eye(n); H]\nB = [M, zeros(n, p); zeros(p, n), W]\nP = inv(A' (B \\ A))\n\
+        "m0 = F x + G u\nM = F P F' + V\nA = [eye(n); H]\nB = [M, zeros(n, p); zeros(p, n), W]\n\
+         P = inv(A' (B \\ A))\n\
          x = P A' (B \\ [m0; y])",
     ),
     (
         "the joint covariance of state and reading",
         Linear,
         Choset,
-        "x = F x + G u\nP = F P F' + V\nJ = [P, P H'; H P, H P H' + W]\nC = P H'\nK = C / (H C + W)\nx = x + K y - K H x\nP = J[1:n, 1:n] - K C'",
+        "x = F x + G u\nP = F P F' + V\nJ = [P, P H'; H P, H P H' + W]\nC = P H'\nK = C / (H C + W)\n\
+         x = x + K y - K H x\nP = J[1:n, 1:n] - K C'",
     ),
     (
         "in two lines",
         Linear,
         Choset,
-        "x = F x + G u + (F P F' + V) H' / (H (F P F' + V) H' + W) (y - H (F x + G u))\nP = inv(inv(F P F' + V) + H' / W H)",
+        "x = F x + G u + (F P F' + V) H' / (H (F P F' + V) H' + W) (y - H (F x + G u))\n\
+         P = inv(inv(F P F' + V) + H' / W H)",
     ),
     (
         "Thrun's letters",
@@ -91,20 +98,23 @@ pub const RIGHT: [(&str, World, Notation, &str); 22] = [
         "filterpy's letters in numpy",
         Linear,
         Common,
-        "x = F @ x + B @ u\nP = F @ P @ F.T + Q\ny = z - H @ x\nPHT = P @ H.T\nS = H @ PHT + R\nSI = np.linalg.inv(S)\n\
+        "x = F @ x + B @ u\nP = F @ P @ F.T + Q\ny = z - H @ x\nPHT = P @ H.T\nS = H @ PHT + R\n\
+         SI = np.linalg.inv(S)\n\
          K = PHT @ SI\nx = x + K @ y\nI_KH = np.eye(n) - K @ H\nP = I_KH @ P @ I_KH.T + K @ R @ K.T",
     ),
     (
         "MATLAB",
         Linear,
         Common,
-        "x = F*x + B*u;\nP = F*P*F' + Q;\nK = P*H'/(H*P*H' + R);   % the gain\nx = x + K*(z - H*x);\nP = (eye(size(P, 1)) - K*H)*P;",
+        "x = F*x + B*u;\nP = F*P*F' + Q;\nK = P*H'/(H*P*H' + R);   % the gain\nx = x + K*(z - H*x);\n\
+         P = (eye(size(P, 1)) - K*H)*P;",
     ),
     (
         "Julia",
         Linear,
         Common,
-        "x = F * x + B * u\nP = Symmetric(F * P * F' + Q)\nK = P * H' / Symmetric(H * P * H' + R)\nx += K * (z - H * x)\n\
+        "x = F * x + B * u\nP = Symmetric(F * P * F' + Q)\nK = P * H' / Symmetric(H * P * H' + R)\n\
+         x += K * (z - H * x)\n\
          P = Symmetric((I - K * H) * P)",
     ),
     (
@@ -117,7 +127,8 @@ pub const RIGHT: [(&str, World, Notation, &str); 22] = [
         "the robot, with jac",
         Robot,
         Choset,
-        "F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\nS = H P H' + W\n\
+        "F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\n\
+         S = H P H' + W\n\
          R = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = P - R H P",
     ),
     (
@@ -133,7 +144,8 @@ pub const RIGHT: [(&str, World, Notation, &str); 22] = [
         "the robot's readings one by one, at one linearization",
         Robot,
         Choset,
-        "F = jac(f, x)\nm0 = f(x, u)\nP = F P F' + V\nH = jac(h(m0, l), m0)\ne = y - h(m0, l)\ne[2] = wrap(e[2])\nx = m0\n\
+        "F = jac(f, x)\nm0 = f(x, u)\nP = F P F' + V\nH = jac(h(m0, l), m0)\ne = y - h(m0, l)\n\
+         e[2] = wrap(e[2])\nx = m0\n\
          a = H[1, :]\nk = P a' / (a P a' + W[1, 1])\nx = x + k (e[1] - a (x - m0))\nP = P - k a P\na = H[2, :]\n\
          k = P a' / (a P a' + W[2, 2])\nx = x + k (e[2] - a (x - m0))\nP = P - k a P\nx[3] = wrap(x[3])",
     ),
@@ -141,7 +153,8 @@ pub const RIGHT: [(&str, World, Notation, &str); 22] = [
         "the robot in Thrun's letters",
         Robot,
         Thrun,
-        "A = jac(f, mu)\nmu = f(mu, u)\nSigma = A Sigma A' + R\nC = jac(h, mu)\nd = z - h(mu, l)\nd = [d[1]; wrap(d[2])]\n\
+        "A = jac(f, mu)\nmu = f(mu, u)\nSigma = A Sigma A' + R\nC = jac(h, mu)\nd = z - h(mu, l)\n\
+         d = [d[1]; wrap(d[2])]\n\
          K = Sigma C' / (C Sigma C' + Q)\nmu = mu + K d\nmu[3] = wrap(mu[3])\nSigma = sym((I - K C) Sigma)",
     ),
     (

@@ -24,7 +24,8 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         "W is forgotten in S",
         Linear,
         Choset,
-        "x = F x + G u\nP = F P F' + V\nnu = y - H x\nS = H P H' + 0 W + 1e-9 I\nR = P H' / S\nx = x + R nu\nP = P - R H P",
+        "x = F x + G u\nP = F P F' + V\nnu = y - H x\nS = H P H' + 0 W + 1e-9 I\nR = P H' / S\nx = x + R nu\n\
+         P = P - R H P",
         "nu is right. Line 4 is off",
     ),
     (
@@ -87,7 +88,8 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         "Joseph's form without its second part",
         Linear,
         Choset,
-        "x = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)\nP = (I - R H) P (I - R H)'",
+        "x = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)\n\
+         P = (I - R H) P (I - R H)'",
         "x is right in all cases",
     ),
     (
@@ -129,7 +131,8 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         "only the first reading is used",
         Linear,
         Choset,
-        "x = F x + G u\nP = F P F' + V\na = H[1, :]\nk = P a' / (a P a' + W[1, 1])\nx = x + k (y[1] - a x)\nP = P - k a P\nw = eye(2) y",
+        "x = F x + G u\nP = F P F' + V\na = H[1, :]\nk = P a' / (a P a' + W[1, 1])\nx = x + k (y[1] - a x)\n\
+         P = P - k a P\nw = eye(2) y",
         "and a right filter has",
     ),
     (
@@ -143,21 +146,25 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         "H of the old pose",
         Robot,
         Choset,
-        "F = jac(f, x)\nH = jac(h, x)\nx = f(x, u)\nP = F P F' + V\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = P - R H P",
+        "F = jac(f, x)\nH = jac(h, x)\nx = f(x, u)\nP = F P F' + V\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\n\
+         S = H P H' + W\nR = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = P - R H P",
         "nu is right. Line 7 is off",
     ),
     (
         "F of the new pose",
         Robot,
         Choset,
-        "x = f(x, u)\nF = jac(f, x)\nP = F P F' + V\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = P - R H P",
+        "x = f(x, u)\nF = jac(f, x)\nP = F P F' + V\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\n\
+         S = H P H' + W\nR = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = P - R H P",
         "nu is right. Line 7 is off",
     ),
     (
         "the bearing from the robot",
         Robot,
         Choset,
-        "F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nd = l - x[1:2]\nr = norm(d)\nH = jac(h, x)\nnu = [y[1] - r; wrap(y[2] - atan2(d[2], d[1]) + x[3])]\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = P - R H P",
+        "F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nd = l - x[1:2]\nr = norm(d)\nH = jac(h, x)\n\
+         nu = [y[1] - r; wrap(y[2] - atan2(d[2], d[1]) + x[3])]\nS = H P H' + W\nR = P H' / S\nx = x + R nu\n\
+         x[3] = wrap(x[3])\nP = P - R H P",
         "Line 7 is off",
     ),
 ];
