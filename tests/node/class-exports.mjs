@@ -4,6 +4,7 @@ import { FIGURES } from '../../target/figures.js'
 import { matrix, reading, row, sizes, system, vector } from './arguments.mjs'
 import { logClasses } from './log-exports.mjs'
 import { covariance } from './nonsense.mjs'
+import { program } from './program-exports.mjs'
 
 const pose = (dice) => ({ x: [dice.normal() * 3, dice.normal() * 3, dice.normal()], P: covariance(3, dice) })
 const motion = (dice) => [[dice.normal() * 0.1, dice.normal() * 0.1], covariance(3, dice)]
@@ -150,6 +151,7 @@ export const CLASSES = {
     answered: (answer) => [answer?.S, answer?.P].filter(Boolean),
     outcomes: (answer) => (answer?.outcome ? [answer.outcome] : []),
   },
+  Program: program,
   EkfLocalizer: {
     chain: 30,
     spoilt: 0.35,

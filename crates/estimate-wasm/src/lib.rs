@@ -47,6 +47,8 @@ mod object;
 mod own_models;
 #[cfg(feature = "analysis")]
 mod placement;
+#[cfg(feature = "programs")]
+mod program;
 #[cfg(feature = "log")]
 mod robot_log;
 #[cfg(feature = "functions")]
@@ -58,6 +60,8 @@ pub use self::checks::*;
 pub use self::lab::*;
 #[cfg(feature = "models")]
 pub use self::own_models::{ExtendedKalmanFilter, UnscentedKalmanFilter};
+#[cfg(feature = "programs")]
+pub use self::program::Program;
 #[cfg(feature = "analysis")]
 pub use self::{analysis::*, placement::*};
 #[cfg(feature = "functions")]

@@ -18,6 +18,18 @@ impl Arg<'_> {
         self.value.as_string().ok_or_else(|| self.wrong_type("a text"))
     }
 
+    /// A text of at most so many bytes.
+    #[cfg(feature = "programs")]
+    pub fn text_of(&self, most: usize) -> Result<String, Error> {
+        match self.value.dyn_ref::<JsString>() {
+            None => Err(self.wrong_type("a text")),
+            Some(text) if text.length() as usize > most => {
+                Err(self.refuse(Code::Limit, format!("is longer than {most} letters")))
+            }
+            Some(text) => Ok(String::from(text)),
+        }
+    }
+
     /// A name: a text that is not long.
     #[cfg(feature = "functions")]
     pub fn name(&self) -> Result<String, Error> {

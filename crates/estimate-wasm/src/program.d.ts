@@ -1,0 +1,55 @@
+/** How a program is read. */
+export interface ProgramOptions {
+  /** Whose letters it is in: R is the gain in Choset's and a noise in the others. "choset" where it is left out. */
+  notation?: 'choset' | 'thrun' | 'common'
+  /** What it filters: a linear system, or the chapter's robot. "linear" where it is left out. */
+  world?: 'linear' | 'robot'
+}
+/** One fault of a program. */
+export interface ProgramFault {
+  /** The line, from 1. */
+  line: number
+  /** Where it begins in its line, from 1, in characters. */
+  column: number
+  /** How many characters it takes. */
+  length: number
+  /** What is wrong, in a sentence. */
+  message: string
+}
+/** What a robot's step stands on: one sighting of a landmark that is known. */
+export interface RobotSystem {
+  /** The covariance of the motion's noise, 3 × 3. */
+  V: Matrix
+  /** The covariance of a sighting, of range and bearing, 2 × 2. */
+  W: Matrix
+  /** Where the landmark stands, x and y. */
+  landmark: Vector
+  /** χ² beyond which a sighting is refused, for programs that ask. */
+  gate?: number
+}
+/** One step of a program. */
+export interface ProgramStep {
+  /** The new estimate. */
+  x: Vector
+  /** Its covariance. It is what the program made, and need not be one. */
+  P: Matrix
+  /** ν, where the program makes it under that name; else null. */
+  innovation: Vector | null
+  /** S, where the program makes it. */
+  S: Matrix | null
+  /** The gain, where the program makes it. */
+  R: Matrix | null
+  /** What each line has made. */
+  lines: { line: number; name: string; value: Matrix }[]
+}
+/** What is said of a program. */
+export interface ProgramVerdict {
+  /** `right`, a `bug` that real code has had, `wrong` in another way, or `refused`: with faults, or without a value. */
+  outcome: 'right' | 'bug' | 'wrong' | 'refused'
+  /** Which bug, by the word of the chapter's museum. */
+  bug: string | null
+  /** The line to look at, from 1, where one can be told. */
+  line: number | null
+  /** Why, with numbers. */
+  sentences: string[]
+}

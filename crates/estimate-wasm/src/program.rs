@@ -1,0 +1,185 @@
+//! A filter as lines of formulas.
+
+use crate::arguments::{belief_of, system_of};
+use crate::decode::Arg;
+use crate::encode::{list, record, rows};
+use crate::errors::Thrown;
+use crate::object::Held;
+use estimate::{Code, Error, validate};
+use js_sys::Array;
+use nalgebra::DMatrix;
+use program::judge::{Outcome, Verdict, judge};
+use program::{Fault, Matrix, Notation, Program as Text, Quantity, Step, Stop, Trouble, World};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = include_str!("program.d.ts");
+
+/// A filter that its reader has written: lines `name = formula` in the letters of a notation. It is checked whole when
+/// it is made; each step then takes what the world gives, and nothing is kept from one step to the next.
+#[wasm_bindgen]
+#[repr(transparent)]
+pub struct Program(Held);
+
+const CLASS: &str = "Program";
+
+#[wasm_bindgen]
+impl Program {
+    /// Reads a program. A text with faults makes one all the same: `faults` lists them, and no step is made.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "string")] text: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "ProgramOptions")] options: &JsValue,
+    ) -> Result<Program, Thrown> {
+        let text = Arg::new(text, "text").text_of(program::MOST_TEXT)?;
+        let (mut notation, mut world) = (Notation::Choset, World::Linear);
+        let options = Arg::new(options, "options");
+        if !options.is_undefined() {
+            options.only(["notation", "world"].into_iter())?;
+            let notations = [Notation::Choset, Notation::Thrun, Notation::Common];
+            let read = |it: &Arg<'_>| Ok(notations[it.word(&["choset", "thrun", "common"])?]);
+            options.given("notation", read, &mut notation)?;
+            let read = |it: &Arg<'_>| Ok([World::Linear, World::Robot][it.word(&["linear", "robot"])?]);
+            options.given("world", read, &mut world)?;
+        }
+        Ok(Self(Held::new(CLASS, Text::new(&text, world, notation))))
+    }
+
+    /// What is wrong with it, in the order of the text.
+    #[wasm_bindgen(getter, unchecked_return_type = "ProgramFault[]")]
+    pub fn faults(&self) -> Result<JsValue, Thrown> {
+        self.0.read(CLASS, |program: &Text| {
+            let all = Array::new();
+            for fault in program.faults() {
+                all.push(&shown(fault));
+            }
+            all.into()
+        })
+    }
+
+    /// Whether it is a right filter: one step beside a right filter's on a dozen cases, and beside what bugs that real
+    /// code has had make of the same cases. Any form is right that gives the same numbers.
+    #[wasm_bindgen(unchecked_return_type = "ProgramVerdict")]
+    pub fn judge(&self) -> Result<JsValue, Thrown> {
+        self.0.read(CLASS, |program: &Text| verdict(&judge(program)))
+    }
+
+    /// One step from a belief, with the input `u` and the reading `y`.
+    #[wasm_bindgen(unchecked_return_type = "ProgramStep")]
+    pub fn step(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem | RobotSystem")] system: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+    ) -> Result<JsValue, Thrown> {
+        let world = self.0.read(CLASS, Text::world)?;
+        let belief = belief_of(&Arg::new(belief, "belief"))?;
+        let mut given = vec![Matrix::column(belief.x.as_slice()), matrix(&belief.p)];
+        let arg = Arg::new(system, "system");
+        let within = |e: Error| e.within("system");
+        match world {
+            World::Linear => {
+                let system = system_of(system)?;
+                given.push(column(u, "u", system.g.ncols())?);
+                given.push(column(y, "y", system.h.nrows())?);
+                for m in [&system.v, &system.w, &system.f, &system.g, &system.h] {
+                    given.push(matrix(m));
+                }
+            }
+            World::Robot => {
+                arg.only(["V", "W", "landmark", "gate"].into_iter())?;
+                given.push(column(u, "u", 2)?);
+                given.push(column(y, "y", 2)?);
+                for (name, n) in [("V", 3), ("W", 2)] {
+                    given.push(matrix(&validate::covariance(arg.field(name)?.matrix()?, n, name).map_err(within)?));
+                }
+                let mark = validate::vector(arg.field("landmark")?.vector()?, 2, "landmark").map_err(within)?;
+                given.push(Matrix::column(mark.as_slice()));
+                let gate = arg.field("gate")?;
+                let gate = if gate.is_undefined() { OPEN } else { gate.number()? };
+                given.push(Matrix::column(&[validate::finite(gate, "gate").map_err(within)?]));
+            }
+        }
+        self.0.write(CLASS, |program: &mut Text| match program.step(given) {
+            Ok(step) => Ok(answer(program, &step)),
+            Err(stop) => Err(refused(stop)),
+        })
+    }
+}
+
+/// A gate that refuses nothing.
+const OPEN: f64 = 1e12;
+
+fn column(value: &JsValue, name: &'static str, length: usize) -> Result<Matrix, Error> {
+    Ok(Matrix::column(validate::vector(Arg::new(value, name).vector()?, length, name)?.as_slice()))
+}
+
+fn matrix(m: &DMatrix<f64>) -> Matrix {
+    Matrix::new(m.nrows(), m.ncols(), m.transpose().as_slice().to_vec())
+}
+
+/// What is said of a program.
+fn verdict(verdict: &Verdict) -> JsValue {
+    let (outcome, bug) = match verdict.outcome {
+        Outcome::Refused => ("refused", None),
+        Outcome::Right => ("right", None),
+        Outcome::Bug(bug) => ("bug", Some(bug.word())),
+        Outcome::Wrong => ("wrong", None),
+    };
+    let sentences = Array::new();
+    for sentence in &verdict.sentences {
+        sentences.push(&sentence.as_str().into());
+    }
+    record(&[
+        ("outcome", outcome.into()),
+        ("bug", bug.map_or(JsValue::NULL, JsValue::from_str)),
+        ("line", verdict.line.map_or(JsValue::NULL, JsValue::from)),
+        ("sentences", sentences.into()),
+    ])
+}
+
+fn shown(fault: &Fault) -> JsValue {
+    record(&[
+        ("line", fault.line.into()),
+        ("column", fault.column.into()),
+        ("length", fault.length.into()),
+        ("message", fault.message.as_str().into()),
+    ])
+}
+
+fn by_rows(m: &Matrix) -> JsValue {
+    rows(&DMatrix::from_row_slice(m.rows, m.columns, &m.entries))
+}
+
+fn answer(program: &Text, step: &Step) -> JsValue {
+    let value = |quantity| program.made(step, quantity).map_or(JsValue::NULL, by_rows);
+    let column = |quantity| program.made(step, quantity).map_or(JsValue::NULL, |m| list(&m.entries));
+    let lines = Array::new();
+    for made in &step.made {
+        let fields =
+            [("line", made.line.into()), ("name", program.name(made).into()), ("value", by_rows(made.value()))];
+        lines.push(&record(&fields));
+    }
+    record(&[
+        ("x", column(Quantity::X)),
+        ("P", value(Quantity::P)),
+        ("innovation", column(Quantity::Innovation)),
+        ("S", value(Quantity::S)),
+        ("R", value(Quantity::Gain)),
+        ("lines", lines.into()),
+    ])
+}
+
+/// What a step that was not made says: where, and why.
+fn refused(stop: Stop) -> Error {
+    let (code, fault) = match stop {
+        Stop::Given => return Error::new(Code::Shape, "system", "does not fit the belief, the input or the reading"),
+        Stop::Fault(fault) => (Code::Shape, fault),
+        Stop::Trouble(Trouble::NotFinite, fault) => (Code::NotFinite, fault),
+        Stop::Trouble(_, fault) => (Code::NotPositiveSemidefinite, fault),
+    };
+    let mut message = program::words::Words::new("has a fault in line ");
+    message.whole(i64::from(fault.line)).text(": ").text(&fault.message);
+    Error::new(code, "program", message.0)
+}
