@@ -1,5 +1,6 @@
 //! Which column of a file each value of its role is in, and in which unit.
 
+use crate::fields::Line;
 use crate::guess::axes;
 use crate::names::{Name, candidates};
 use crate::role::{Quantity, Role, Value};
@@ -30,8 +31,8 @@ pub(crate) fn columns(source: &mut Source, file: &str, text: &str) {
     let unknown = source.columns.iter().all(Option::is_none) && source.doubts.iter().all(Vec::is_empty);
     let needed = values.iter().filter(|value| !value.optional).count();
     if unknown && source.names.len() >= needed && !matches!(source.role, Role::Sensors | Role::Ranges) {
-        for i in 0..values.len().min(source.names.len()) {
-            let kept = !values[i].optional || matches!(values[i].name, "bearing" | "x" | "y" | "heading");
+        for (i, value) in values.iter().enumerate().take(source.names.len()) {
+            let kept = !value.optional || matches!(value.name, "bearing" | "x" | "y" | "heading");
             source.columns[i] = kept.then_some(i);
         }
     }
@@ -66,12 +67,7 @@ fn found(source: &Source, value: &Value, file: &str) -> Vec<usize> {
                 found.push(other);
             }
         }
-        "omega" if clockwise(names, file) => {
-            let third = |name: &Name| name.has("2") && name.has_one(&["xyz", "gyro"]);
-            if let Some(at) = names.iter().position(third) {
-                found = vec![at];
-            }
-        }
+        "omega" if clockwise(names, file) => found.extend(third_axis(names).filter(|_| found.is_empty())),
         "omega" => {
             if let Some(axes) = axes(&file.to_lowercase(), names) {
                 found = axes;
@@ -82,9 +78,10 @@ fn found(source: &Source, value: &Value, file: &str) -> Vec<usize> {
             found = of("bearing", Quantity::Angle);
         }
         "first range" => found = wide::group(names).and_then(|group| Some(vec![group.first()?.1])).unwrap_or_default(),
-        // Coordinates say all that metres would.
+        // Coordinates say all that metres would, and the axes of a gyroscope are no place.
         "x" | "y" if matches!(source.role, Role::Sensors | Role::Truth) => {
-            if !of("latitude", Quantity::Coordinate).is_empty() && !of("longitude", Quantity::Coordinate).is_empty() {
+            let global = ["latitude", "longitude"].iter().all(|it| !of(it, Quantity::Coordinate).is_empty());
+            if global || axes(&file.to_lowercase(), names).is_some() {
                 found.clear();
             }
         }
@@ -115,8 +112,13 @@ fn found_fraction(names: &[Name], time: usize) -> Option<usize> {
     })
 }
 
+/// The column of the third axis of a gyroscope in an array: `xyz[2]`.
+pub(crate) fn third_axis(names: &[Name]) -> Option<usize> {
+    names.iter().position(|name| name.has("2") && name.has_one(&["xyz", "gyro"]))
+}
+
 /// Whether a file's axes point forward, right and down, as those of flight controllers do: PX4 and ArduPilot.
-fn clockwise(names: &[Name], file: &str) -> bool {
+pub(crate) fn clockwise(names: &[Name], file: &str) -> bool {
     let file = file.to_lowercase();
     let px4 = ["vehicle_", "sensor_combined", "sensor_gps", "sensor_gyro", "estimator_"];
     let ardupilot = names.iter().any(|name| name.words == ["time", "us"]);
@@ -139,7 +141,7 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
     let column = source.columns[at]?;
     let (table, name) = (source.table.as_ref()?, source.names.get(column)?);
     let said = name.unit(value.quantity);
-    let lines: Vec<_> = table.lines(text).filter_map(Result::ok).take(LOOKED_AT).collect();
+    let lines: Vec<Line<'_>> = table.lines(text).filter_map(Result::ok).take(LOOKED_AT).collect();
     let numbers: Vec<f64> = lines.iter().filter_map(|line| number(line.fields[column].text)).collect();
     let most = numbers.iter().filter(|number| number.is_finite()).fold(0.0_f64, |most, it| most.max(it.abs()));
     let usual = |name| named(value.quantity, name);
@@ -192,11 +194,25 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             said.or_else(|| usual(if most > turn { "deg" } else { "rad" }))
         }
         Quantity::Heading => {
-            let degrees = said.map_or(most > 7.0, |unit| unit.name == "deg");
-            let course =
-                ["course", "cog", "compass", "gcrs", "kurs", "cap", "rumbo", "rotta", "azimuth", "bearing", "north"];
+            const COURSE: [&str; 13] = [
+                "course",
+                "cog",
+                "compass",
+                "gcrs",
+                "kurs",
+                "cap",
+                "rumbo",
+                "rotta",
+                "azimuth",
+                "bearing",
+                "north",
+                "direction",
+                "richtung",
+            ];
             let global = !candidates("latitude", Quantity::Coordinate, &source.names).is_empty();
-            let from_north = down || global || name.has_one(&course);
+            let course = global || name.has_one(&COURSE);
+            let from_north = down || course;
+            let degrees = said.map_or(most > 7.0 || course, |unit| unit.name == "deg");
             // Degrees of a heading are a compass's as often as they are counted from the axis of x.
             if degrees && !from_north && name.has("heading") {
                 return None;
@@ -208,7 +224,16 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
                 (true, true) => "deg from north",
             })
         }
-        Quantity::Coordinate => said.or_else(|| usual(if most > 360.0 { "1e-7 deg" } else { "deg" })),
+        Quantity::Coordinate => {
+            // Both are in one unit: near Greenwich a longitude is small in any.
+            let other = |i: &usize| source.role.values()[*i].quantity == Quantity::Coordinate;
+            let both: Vec<usize> = (0..source.columns.len()).filter(other).filter_map(|i| source.columns[i]).collect();
+            let of = |line: &Line<'_>| {
+                both.iter().filter_map(|at| number(line.fields[*at].text)).fold(0.0_f64, |most, it| most.max(it.abs()))
+            };
+            let most = lines.iter().map(of).fold(0.0_f64, f64::max);
+            said.or_else(|| usual(if most > 1e5 { "1e-7 deg" } else { "deg" }))
+        }
         Quantity::Wheel => {
             let ticks = name.has_one(&["encoder", "enc"]) || file.to_lowercase().contains("encoder");
             said.or_else(|| if ticks { usual("ticks") } else { None })

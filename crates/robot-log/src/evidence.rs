@@ -1,5 +1,5 @@
-//! What follows from how a file is read: its rate and span, and the extent of what it holds. A wrong column or unit shows
-//! here.
+//! What follows from how a file is read: its rate and span, and the extent of what it holds. A wrong column or unit
+//! shows here.
 
 use crate::reading::Reading;
 use core::f64::consts::TAU;
@@ -126,12 +126,8 @@ fn between(values: &[f64]) -> Option<[f64; 2]> {
 /// A number with three digits that count.
 fn short(number: f64) -> String {
     let size = number.abs();
-    let places = match size {
-        size if size >= 99.95 => 0,
-        size if size >= 9.995 => 1,
-        size if size >= 0.1 => 2,
-        _ => 3,
-    };
+    // Half a unit below each power of ten the number is rounded up to it.
+    let places = [99.95, 9.995, 0.9995, 0.09995].iter().filter(|least| size < **least).count();
     let text = format!("{size:.places$}");
     let text = if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { &text };
     if number < 0.0 && text != "0" { format!("\u{2212}{text}") } else { text.to_string() }

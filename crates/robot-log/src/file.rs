@@ -57,8 +57,8 @@ impl File {
         &self.source.columns
     }
 
-    /// For each value of its role the unit that it is read in; `None` where it has none, no column, or where the unit is
-    /// asked.
+    /// For each value of its role the unit that it is read in; `None` where it has none, no column, or where the unit
+    /// is asked.
     pub fn units(&self) -> &[Option<&'static Unit>] {
         &self.source.units
     }
@@ -84,7 +84,7 @@ impl File {
         }
     }
 
-    /// What follows from how it is read, in words: "20 Hz, 0 to 120 s, v −0.1 … 1 m/s, turned 2.3 turns". Empty where it
+    /// What follows from how it is read, in words: "20 Hz, 0 to 120 s, v −0.1 … 1 m/s, turned 2 turns". Empty where it
     /// is not read as a table, where it asks something, and as far as a row is at fault.
     pub fn follows(&self) -> String {
         if self.source.table.is_none() || self.check().is_err() || !self.asks().is_empty() {

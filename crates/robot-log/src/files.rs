@@ -85,16 +85,16 @@ impl Files {
     /// # Errors
     /// As [`parse`](crate::parse), naming the file; a value that a role needs has no column; a file is empty; a name in
     /// its header is too long, or its quotes are not closed; a file is a log of another program, or asks something
-    /// ([`File::asks`]). Where no file has the robot's motion, the fault is of all together, and the message says what each was read as.
+    /// ([`File::asks`]). Where no file has the robot's motion, the fault is of all together, and the message says what
+    /// each was read as.
     pub fn read(&self) -> Result<Understood, Error> {
         for (at, file) in self.files.iter().enumerate() {
             file.check().map_err(|e| e.within(at))?;
         }
-        if let Some((at, ask)) =
-            self.files.iter().enumerate().find_map(|(at, file)| Some((at, file.asks().into_iter().next()?)))
-        {
-            let name = self.files[at].name();
-            return Err(Error::of_all(format!("{name} asks: {ask}")).within(at));
+        for (at, file) in self.files.iter().enumerate() {
+            if let Some(ask) = file.asks().first() {
+                return Err(Error::of_all(format!("{} asks: {ask}", file.name())).within(at));
+            }
         }
         if !self.files.iter().any(|file| file.role().moves()) {
             return Err(self.without_motion());

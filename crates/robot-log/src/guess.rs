@@ -2,7 +2,7 @@
 //! numbers. What is not certain is left open.
 
 use crate::binary;
-use crate::columns::columns;
+use crate::columns::{clockwise, columns, third_axis};
 use crate::names::{Name, candidates, is_acceleration, is_spread};
 use crate::role::{Quantity, Role};
 use crate::source::Source;
@@ -83,12 +83,14 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
     }
     let has = |value: &str, quantity| !candidates(value, quantity, names).is_empty();
     let timed = has("time", Quantity::Time);
-    let [v, omega] = [has("v", Quantity::Speed), has("omega", Quantity::AngleRate) || axes(&file, names).is_some()];
+    let (down, axes) = (clockwise(names, &file), axes(&file, names).is_some());
+    let turns = has("omega", Quantity::AngleRate) || axes || (down && third_axis(names).is_some());
+    let [v, omega] = [has("v", Quantity::Speed), turns];
     let [x, y] = [has("x", Quantity::Length), has("y", Quantity::Length)];
     let landmark = has("landmark", Quantity::Number);
     let heading = has("heading", Quantity::Heading);
     let fix = has("latitude", Quantity::Coordinate) && has("longitude", Quantity::Coordinate);
-    let place = x && y;
+    let place = x && y && !axes;
     if !timed {
         let role = match () {
             () if landmark && place => Role::Landmarks,
@@ -124,7 +126,7 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         }
         () if place => ask("Are x and y the true position, or a sensor\u{2019}s fixes?"),
         () if sightings => certain(Role::Sightings),
-        () if (v != omega) && !heading && !fix && has_unknown(names) => {
+        () if (v != omega) && !heading && !down && !axes && has_unknown(names) => {
             ask("Only one of speed and turn rate has a name that is known: what is the file?")
         }
         () if v || omega || heading => certain(Role::Sensors),

@@ -39,7 +39,7 @@ fn time_of_day(text: &str) -> Option<f64> {
             seconds as f64 + format!("0.{fraction}").parse::<f64>().ok()?
         }
     };
-    (hour < 24 && minute < 60 && second < 61.0).then(|| 3600.0 * hour as f64 + 60.0 * minute as f64 + second)
+    (hour < 24 && minute < 60 && second < 61.0).then_some(3600.0 * hour as f64 + 60.0 * minute as f64 + second)
 }
 
 /// The time before its zone, and the seconds by which the zone is ahead of UTC.

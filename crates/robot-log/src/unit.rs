@@ -58,7 +58,11 @@ const HEADINGS: [Unit; 4] = [
 ];
 const RATES: [Unit; 4] = [
     unit("rad/s", 1.0, &["rad s", "rads", "rad"]),
-    unit("deg/s", DEGREE, &["deg s", "dps", "degs", "deg", "degrees", "degree", "grad s", "grad"]),
+    unit(
+        "deg/s",
+        DEGREE,
+        &["deg s", "dps", "degs", "deg", "degrees", "degree", "grad s", "grad", "grados s", "gradi s", "degres s"],
+    ),
     unit("rad/s clockwise", -1.0, &[]),
     unit("deg/s clockwise", -DEGREE, &[]),
 ];

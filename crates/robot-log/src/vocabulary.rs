@@ -1,5 +1,5 @@
-//! The words by which a value is known in the name of a column, in English, German, French, Spanish and Italian, without
-//! accents.
+//! The words by which a value is known in the name of a column, in English, German, French, Spanish and Italian,
+//! without accents.
 
 /// How the name of a column may say a value.
 #[derive(Clone, Copy, Debug)]
@@ -77,8 +77,8 @@ const WAYS: [(&str, &str); 19] = [
     ("barcode", "barcode,code"),
     (
         "landmark",
-        "landmark,beacon,anchor,tag,marker,feature,subject,=id,id,barcode,landmarke,bake,anker,balise,amer,ancre,baliza,\
-         ancla,boa,faro,ancora",
+        "landmark,beacon,anchor,tag,marker,feature,subject,=id,id,barcode,landmarke,bake,anker,balise,amer,ancre,\
+         baliza,ancla,boa,faro,ancora",
     ),
     ("range", "=range,range,=r,=rho,=ρ,distance,dist,abstand,entfernung,distanz,portee,distancia,alcance,distanza"),
     (
@@ -98,7 +98,7 @@ const WAYS: [(&str, &str); 19] = [
     ),
     (
         "heading",
-        "=heading,=theta,=θ,=yaw,heading,yaw,theta,θ,orientation,course,cog,compass,gcrs,azimuth,kurs,ausrichtung,\
+        "=heading,gcrs,cog,course,=theta,=θ,=yaw,heading,yaw,theta,θ,orientation,compass,azimuth,kurs,ausrichtung,\
          gierwinkel,richtung,=cap,cap,lacet,rumbo,guinada,orientacion,prua,rotta,imbardata,orientamento,direction",
     ),
     ("latitude", "=lat,=latitude,latitude,lat,breite,breitengrad,latitud,latitudine"),
@@ -242,9 +242,8 @@ pub(crate) const BESIDE: [&str; 44] = [
 /// The ways to say a value, the clearest first.
 pub(crate) fn ways(value: &str) -> impl Iterator<Item = Way<'static>> + use<> {
     let all = WAYS.iter().find(|(name, _)| *name == value).map_or("", |(_, ways)| *ways);
-    all.split(',').filter(|way| !way.trim().is_empty()).map(|way| match way.trim().split_at(1) {
-        ("=", whole) => Way::Whole(whole),
-        ("^", first) => Way::First(first),
-        _ => Way::Within(way.trim()),
+    all.split(',').map(str::trim).filter(|way| !way.is_empty()).map(|way| {
+        let whole = way.strip_prefix('=').map(Way::Whole);
+        whole.or_else(|| way.strip_prefix('^').map(Way::First)).unwrap_or(Way::Within(way))
     })
 }
