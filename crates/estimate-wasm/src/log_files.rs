@@ -29,6 +29,13 @@ export interface LogValue {
     /** Three values of its column, as they stand in the file. */
     samples: string[];
 }
+/** Ticks of a turn of the wheel, its radius and the distance between the wheels in m, and how the encoders count. */
+export interface LogWheels {
+    ticks: number | null;
+    radius: number | null;
+    base: number | null;
+    counting: "total" | "step" | null;
+}
 /** How a file of a log is read. */
 export interface LogFile {
     name: string;
@@ -36,8 +43,8 @@ export interface LogFile {
     /** What its columns are called; empty of a log in the book's own format. */
     header: string[];
     values: LogValue[];
-    /** What encoders need besides: ticks of a turn of the wheel, its radius and the distance between the wheels, m. */
-    wheels: { ticks: number | null; radius: number | null; base: number | null; counting: "total" | "step" | null } | null;
+    /** What encoders need besides; null of another file. */
+    wheels: LogWheels | null;
     /** What has to be said before the file can be read: a guess that is not certain chooses nothing. */
     asks: string[];
     /** What follows from how it is read, in words, such as "20 Hz, 0 to 120 s, turned 2 turns". */

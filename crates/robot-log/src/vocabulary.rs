@@ -111,7 +111,8 @@ const WAYS: [(&str, &str); 19] = [
     ),
     (
         "sigma of heading",
-        "heading accuracy,bearing accuracy,course accuracy,yaw accuracy,heading sigma,sigma heading,heading std,yaw std",
+        "heading accuracy,bearing accuracy,course accuracy,yaw accuracy,heading sigma,sigma heading,heading std,\
+         yaw std",
     ),
     ("left", "left,links,linkes,gauche,izquierda,izquierdo,sinistra,sinistro"),
     ("right", "right,rechts,rechtes,droite,derecha,derecho,destra,destro"),

@@ -100,7 +100,7 @@ fn what_was_asked_and_is_said_is_read() {
     let mut gyroscope = file("phone-sensor-logger-gyroscope.csv");
     assert!(gyroscope.set_column(0, "omega", Some(2)));
     assert_eq!(gyroscope.files()[0].samples(2), ["0.1000", "0.1600", "0.2100"]);
-    assert_eq!(gyroscope.files()[0].follows(), "100 Hz, 0.11 s long, turned 0.003 turns");
+    assert_eq!(gyroscope.files()[0].follows(), "100 Hz, 0.11 s long, turned 0.0026 turns");
     assert!(gyroscope.read().is_ok());
 }
 

@@ -36,8 +36,8 @@ const TABLE_ROWS = 5000
 const MOST_SHOWN = 200
 
 /**
- * @typedef {{ file: number, role?: string, value?: string, column?: number | null, unit?: string }} Change how one file
- * is read
+ * @typedef {{ file: number, role?: string, value?: string, column?: number | null, unit?: string,
+ *   wheel?: string, number?: number, counting?: string }} Change how one file is read
  */
 /** @typedef {{ wish: Wish, lab: any, of: number, from: number, began: number, told: number }} Replay */
 
@@ -145,12 +145,14 @@ export class Server {
   }
 
   /** Reads one of the files otherwise. @param {Change} change */
-  reread({ file, role, value, column, unit }) {
+  reread({ file, role, value, column, unit, wheel, number, counting }) {
     const { files, set } = this
     try {
       if (role !== undefined) files.setRole(file, role)
-      if (value !== undefined) files.setColumn(file, value, column)
-      if (unit !== undefined) files.setUnit(file, unit)
+      if (column !== undefined) files.setColumn(file, value, column)
+      if (unit !== undefined) files.setUnit(file, value, unit)
+      if (wheel !== undefined) files.setWheel(file, wheel, number)
+      if (counting !== undefined) files.setCounting(file, counting)
     } catch (error) {
       return { ...NO_LOG, set, files: files.files(), message: wordsOf(error) }
     }
@@ -179,7 +181,9 @@ export class Server {
       const { file = 0, line = 1, column = 1 } = /** @type {any} */ (error)
       const message = wordsOf(error).replace(/^line \d+, column \d+: /, '')
       const from = line === 0 ? '' : lineOf(this.texts?.[file] ?? '', line)
-      return { ...NO_LOG, set, files: shown, file, line, column, message, shown: from }
+      const asked = line === 0 && shown[file]?.asks.length > 0
+      const mend = asked ? 'Answer below' : ''
+      return { ...NO_LOG, set, files: shown, file, line, column, message, shown: from, mend }
     }
   }
 
