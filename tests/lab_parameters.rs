@@ -108,7 +108,14 @@ fn values(shape: &'static Shape, limits: [f64; 2]) -> BoxedStrategy<Vec<f64>> {
         Shape::Exactly(n, entry) => {
             prop::collection::vec(values(entry, limits), *n).prop_map(|rows| rows.concat()).boxed()
         }
-        Shape::Text | Shape::List(_) | Shape::Record(..) => unreachable!("no parameter holds a {shape:?}"),
+        Shape::Each(names, value) => {
+            let apart = prop::collection::vec(values(value, limits), names.len()).prop_map(|rows| rows.concat());
+            let n = names.len();
+            prop_oneof![apart, values(value, limits).prop_map(move |row| row.repeat(n))].boxed()
+        }
+        Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => {
+            unreachable!("no parameter holds a {shape:?}")
+        }
     }
 }
 

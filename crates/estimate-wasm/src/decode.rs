@@ -187,7 +187,31 @@ impl<'a> Arg<'a> {
                     self.entry(i)?.shaped(p, entry, to)?;
                 }
             }
-            Shape::Text | Shape::List(_) | Shape::Record(..) => return Err(self.wrong_type("a parameter")),
+            Shape::Each(names, value) => self.each(p, names, value, to)?,
+            Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => {
+                return Err(self.wrong_type("a parameter"));
+            }
+        }
+        Ok(())
+    }
+
+    /// Appends a value for each of the names: those of an object that has some of them, else one for all. What the object
+    /// leaves out is nothing, null or 0.
+    #[cfg(feature = "labs")]
+    fn each(
+        &self,
+        p: &Parameter,
+        names: &'static [&'static str],
+        shape: &'static Shape,
+        to: &mut Vec<f64>,
+    ) -> Result<(), Error> {
+        if !self.value.is_object() {
+            return names.iter().try_for_each(|_| self.shaped(p, shape, to));
+        }
+        self.only(names.iter().copied())?;
+        for name in names {
+            let field = self.field(name)?;
+            if field.is_undefined() { to.push(0.0) } else { field.shaped(p, shape, to)? }
         }
         Ok(())
     }

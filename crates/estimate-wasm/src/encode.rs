@@ -68,6 +68,8 @@ impl<'a> Row<'a> {
                 self.entries(length, entry)
             }
             Shape::Record(_, fields) => self.fields(fields),
+            Shape::Sparse(_, fields) => self.present(fields),
+            Shape::Each(names, value) => self.each(names, value),
         }
     }
 
@@ -87,6 +89,32 @@ impl<'a> Row<'a> {
             entries.push(&self.value(entry));
         }
         entries.into()
+    }
+
+    /// The fields that hold something.
+    fn present(&mut self, fields: &'static [Field]) -> JsValue {
+        let object: Fresh = js_sys::Object::new().unchecked_into();
+        for (field, name) in fields.iter().zip(of_fields(fields)) {
+            let value = self.value(&field.shape);
+            if !value.is_null() {
+                object.put(name, &value);
+            }
+        }
+        object.into()
+    }
+
+    /// One value where all are the same.
+    fn each(&mut self, names: &'static [&'static str], shape: &'static Shape) -> JsValue {
+        if shape.is_repeated(names.len(), self.0.as_slice()) {
+            let value = self.value(shape);
+            (1..names.len()).for_each(|_| drop(self.value(shape)));
+            return value;
+        }
+        let object: Fresh = js_sys::Object::new().unchecked_into();
+        for each in names {
+            object.put(name(each), &self.value(shape));
+        }
+        object.into()
     }
 
     fn fields(&mut self, fields: &'static [Field]) -> JsValue {

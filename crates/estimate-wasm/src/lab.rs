@@ -60,6 +60,19 @@ impl Class {
         Ok(held.read(self.name, |lab: &AnyLab| lab.as_any().downcast_ref().ok_or_else(other).and_then(f))??)
     }
 
+    /// The same where `f` may change the lab.
+    #[cfg(feature = "log")]
+    pub fn change<L: Experiment + 'static>(
+        &'static self,
+        held: &Held,
+        f: impl FnOnce(&mut L) -> Result<(), Error>,
+    ) -> Result<(), Thrown> {
+        let other = || Error::new(estimate::Code::Type, "this", "is a lab of another kind");
+        held.write(self.name, |lab: &mut AnyLab| {
+            lab.as_any_mut().downcast_mut().ok_or_else(other).and_then(f).map_err(|e| self.blame(e, "params"))
+        })
+    }
+
     pub fn set(&'static self, held: &Held, params: &JsValue) -> Result<(), Thrown> {
         let (base, _) = held.read(self.name, |lab: &AnyLab| lab.state_numbers())?;
         let numbers = self.decode(&Arg::new(params, "params"), &base)?;
@@ -137,7 +150,7 @@ impl Class {
 
     /// A lab names its parameters alone; whoever reads the error sees where they stood: below `place`.
     fn blame(&self, error: Error, place: &'static str) -> Error {
-        let first = error.argument.split('[').next().unwrap_or_default();
+        let first = error.argument.split(['[', '.']).next().unwrap_or_default();
         if error.argument == "step" {
             error.within("state")
         } else if self.kind.parameters.iter().any(|p| p.name == first) {
@@ -153,6 +166,7 @@ impl Class {
 fn copy(shape: &Shape, from: &mut std::slice::Iter<'_, f64>, to: &mut Vec<f64>) {
     match shape {
         Shape::Exactly(n, entry) => (0..*n).for_each(|_| copy(entry, from, to)),
+        Shape::Each(names, value) => names.iter().for_each(|_| copy(value, from, to)),
         Shape::Maybe(value) => {
             to.extend(from.next());
             if to.last() == Some(&1.0) {

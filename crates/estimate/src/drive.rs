@@ -4,19 +4,31 @@
 //! the *input* and carries it through the input's Jacobian (V = B M Bᵀ), and its ranges may be scaled and offset: a
 //! radio that reads 7 % long says y = 1.07 ρ. The scale is given, or it is a fourth state that the filter learns.
 
+mod course;
+mod filter;
+mod gap;
+mod learned;
 mod line;
 mod replay;
 mod row;
+mod sensor;
 mod settings;
+mod smoother;
+mod statistics;
 mod summary;
 mod truth;
 
 pub use crate::scaled::{FIRST_SIGMA, PoseAndScale, Scalable, Scaled};
+pub use course::Course;
+pub use learned::FIRST_SIGMA_BIAS;
 pub use line::{Line, Points};
-pub use replay::{Judged, Replay};
+pub use replay::{Replay, Taken};
 pub use row::{Drive, Event, Motion, Row};
-pub use settings::Settings;
-pub use summary::Summary;
+pub use sensor::{BySensor, Sensor};
+pub use settings::{Delays, MAX_DELAY, Settings};
+pub use smoother::{Smoothed, SmoothedPose};
+pub use statistics::Judged;
+pub use summary::{BearingSummary, FixSummary, SensorSummary, Sensors, Summary, Withheld};
 pub use truth::{Pose, Truth};
 
 #[cfg(test)]

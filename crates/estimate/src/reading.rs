@@ -46,6 +46,15 @@ pub enum Reading {
         /// W.
         w: Matrix2<f64>,
     },
+    /// The robot's position, as of a satellite receiver.
+    Position {
+        /// m.
+        x: f64,
+        /// m.
+        y: f64,
+        /// W, m².
+        w: Matrix2<f64>,
+    },
     /// The robot's heading, as of a compass.
     Heading {
         /// rad; any finite angle, taken on the circle.
@@ -83,6 +92,19 @@ pub struct Corrected {
     pub s: Matrix2<f64>,
     /// χ² = νᵀS⁻¹ν, or why it is no number.
     pub chi2: Result<f64, filters::Error>,
+}
+
+/// The position alone: h(x) = (x, y).
+struct Fix;
+
+impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 2> for Fix {
+    fn h(&self, x: &X, _: usize) -> Result<SVector<f64, 2>, filters::Error> {
+        Ok(Vector2::new(x.pose().x(), x.pose().y()))
+    }
+
+    fn jacobian(&self, _: &X, _: usize) -> Result<SMatrix<f64, 2, N>, filters::Error> {
+        Ok(SMatrix::identity())
+    }
 }
 
 /// The heading alone: h(x) = θ.
@@ -127,6 +149,7 @@ impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
                 let j = self.seen(landmark, &model, &y, &w, among)?;
                 self.within(gate, &model, Some(j), &y, &w)
             }
+            Reading::Position { x, y, w } => self.within(gate, &Fix, None, &Vector2::new(x, y), &w),
             Reading::Heading { theta, w } => self.within(gate, &Compass, None, &Vector1::new(theta), &Matrix1::new(w)),
         }
     }

@@ -131,11 +131,6 @@ where
 /// How uncertain x, y, θ and ε are at the start of a replay: standard deviations in m, m, rad, and a number.
 pub const FIRST_SIGMA: [f64; 4] = [0.2, 0.2, 0.1, 0.1];
 
-/// The covariance at the start of a replay.
-pub(crate) fn first_covariance<const N: usize>() -> SMatrix<f64, N, N> {
-    SMatrix::from_fn(|i, j| if i == j { FIRST_SIGMA[i] * FIRST_SIGMA[i] } else { 0.0 })
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;

@@ -74,6 +74,9 @@ pub trait Experiment {
 
     /// The lab itself.
     fn as_any(&self) -> &dyn Any;
+
+    /// The lab itself, to change it.
+    fn as_any_mut(&mut self) -> &mut dyn Any;
 }
 
 impl<L: Lab + 'static> Experiment for L {
@@ -104,6 +107,10 @@ impl<L: Lab + 'static> Experiment for L {
     }
 
     fn as_any(&self) -> &dyn Any {
+        self
+    }
+
+    fn as_any_mut(&mut self) -> &mut dyn Any {
         self
     }
 }

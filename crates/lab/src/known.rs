@@ -1,12 +1,13 @@
 //! Types of the core and of its world, as a view knows them.
 
 use crate::interface::{About, Interface};
+use crate::parameter::Knob;
+use crate::shape::{Plain, Shape};
 use crate::{described, worded};
-use estimate::drive::{Line, Summary};
+use estimate::drive::{BySensor, Line};
 use estimate::localizer::SensorKind;
 use estimate::{Complex, Landmark, RiccatiLimit, Verdict};
 use geom::Ellipse;
-use nalgebra::DVector;
 use sim::Room;
 
 described! {
@@ -99,32 +100,22 @@ described! {
     }
 }
 
-described! {
-    /// What the replay says of itself so far; null where there is nothing to say it of.
-    Summary as "LogSummary"; &[], &[];
-    {
-        /// Sightings that corrected the estimate.
-        used: u32 as "used";
-        /// Sightings that did not.
-        refused: u32 as "refused";
-        /// Root of the mean squared error of the position at the rows of motion, metres.
-        rmse: Option<f64> as "rmse";
-        /// The largest error of the position, metres.
-        worst: Option<f64> as "worst";
-        /// The mean over the used sightings of νᵀS⁻¹ν for each output: 1 is expected.
-        nis: Option<f64> as "nis";
-        /// The mean over the used sightings of ν/√S of the range: 0 is expected.
-        mean_innovation: Option<f64> as "meanInnovation";
-        /// The autocorrelation of ν/√S from one used sighting to the next: 0 is expected.
-        lag1: Option<f64> as "lag1";
-        /// The learned ε.
-        epsilon: Option<f64> as "epsilon";
-        /// Its standard deviation.
-        epsilon_sigma: Option<f64> as "epsilonSigma";
-        /// The state [x, y, θ] in metres and radians; and ε where it is learned.
-        x: DVector<f64> as "x";
-        /// The trace of the pose's covariance, m² and rad² added up.
-        trace: f64 as "trace";
+/// The sensors of a log, as a caller names them.
+const SENSORS: &[&str] = &["fix", "heading", "range", "bearing"];
+
+impl<T: Plain + 'static> Plain for BySensor<T> {
+    const SHAPE: Shape = Shape::Each(SENSORS, &T::SHAPE);
+
+    fn write(&self, to: &mut Vec<f64>) {
+        self.each().into_iter().for_each(|(_, value)| value.write(to));
+    }
+}
+
+impl<T: Knob + 'static> Knob for BySensor<T> {
+    const LIMITS: [f64; 3] = T::LIMITS;
+
+    fn read(from: &mut core::slice::Iter<'_, f64>) -> Self {
+        Self { fix: T::read(from), heading: T::read(from), range: T::read(from), bearing: T::read(from) }
     }
 }
 
@@ -132,4 +123,4 @@ described! {
 pub const OF_THE_CORE: &[About] = &[Complex::ABOUT, Ellipse::ABOUT, Landmark::ABOUT];
 
 /// The interfaces of the others.
-pub const INTERFACES: &[About] = &[Line::ABOUT, Summary::ABOUT, Room::ABOUT];
+pub const INTERFACES: &[About] = &[Line::ABOUT, Room::ABOUT];

@@ -42,6 +42,13 @@ impl Parameter {
             Shape::Exactly(n, entry) => {
                 (0..*n).find_map(|i| self.fault(entry, from).map(|(place, code)| (format!("[{i}]{place}"), code)))
             }
+            Shape::Each(names, value) => {
+                let one = value.is_repeated(names.len(), from.as_slice());
+                let place = |name: &str| if one { String::new() } else { format!(".{name}") };
+                names
+                    .iter()
+                    .find_map(|name| self.fault(value, from).map(|(inner, code)| ([place(name), inner].concat(), code)))
+            }
             Shape::Maybe(value) => match from.next() {
                 Some(&1.0) => self.fault(value, from),
                 _ => None,
@@ -58,7 +65,7 @@ impl Parameter {
                 Some((String::new(), code))
             }
             Shape::Flag | Shape::Word(_) => from.next().and(None),
-            Shape::Text | Shape::List(_) | Shape::Record(..) => None,
+            Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => None,
         }
     }
 }

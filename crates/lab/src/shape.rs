@@ -27,6 +27,41 @@ pub enum Shape {
     Exactly(usize, &'static Shape),
     /// Each field in turn, of a record of this name.
     Record(&'static str, &'static [Field]),
+    /// The same of a record that leaves out the fields that hold nothing: each is [`Shape::Maybe`].
+    Sparse(&'static str, &'static [Field]),
+    /// A value for each of these names in turn; outside, where they are all the same, one value.
+    Each(&'static [&'static str], &'static Shape),
+}
+
+impl Shape {
+    /// How many of the numbers are those of a value of this shape.
+    pub fn length(&self, numbers: &[f64]) -> usize {
+        let first = numbers.first().copied().unwrap_or(0.0);
+        match self {
+            Self::Number | Self::Whole | Self::Flag | Self::Word(_) => 1,
+            Self::Text => 1 + first as usize,
+            Self::Maybe(value) if first == 1.0 => 1 + value.length(&numbers[1..]),
+            Self::Maybe(_) => 1,
+            Self::List(entry) => 1 + many(first as usize, entry, &numbers[1..]),
+            Self::Exactly(n, entry) => many(*n, entry, numbers),
+            Self::Each(names, value) => many(names.len(), value, numbers),
+            Self::Record(_, fields) | Self::Sparse(_, fields) => {
+                fields.iter().fold(0, |length, field| length + field.shape.length(&numbers[length..]))
+            }
+        }
+    }
+
+    /// Whether `n` values of this shape are all the same, to the bit.
+    pub fn is_repeated(&self, n: usize, numbers: &[f64]) -> bool {
+        let length = self.length(numbers);
+        let bits = |numbers: &[f64]| numbers.iter().map(|number| number.to_bits()).collect::<Vec<_>>();
+        let all = numbers.get(..n * length);
+        all.is_some_and(|all| length > 0 && all.chunks(length).all(|each| bits(each) == bits(&all[..length])))
+    }
+}
+
+fn many(n: usize, entry: &Shape, numbers: &[f64]) -> usize {
+    (0..n).fold(0, |length, _| length + entry.length(&numbers[length..]))
 }
 
 /// A field of a record.

@@ -1,6 +1,7 @@
 //! Plain values through serde, for programs that want JSON.
 
-use crate::shape::{Plain, Shape};
+use crate::shape::{Field, Plain, Shape};
+use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 use std::cell::RefCell;
 use std::slice::Iter;
@@ -53,6 +54,29 @@ impl Serialize for Row<'_> {
             Shape::Maybe(value) => self.of(value).serialize(serializer),
             Shape::List(entry) => self.entries(self.next() as usize, entry, serializer),
             Shape::Exactly(n, entry) => self.entries(*n, entry, serializer),
+            Shape::Sparse(_, fields) => {
+                let there = |field: &&Field| {
+                    let numbers = self.from.borrow();
+                    numbers.as_slice().first() == Some(&1.0) || !matches!(field.shape, Shape::Maybe(_))
+                };
+                let mut map = serializer.serialize_map(None)?;
+                for field in *fields {
+                    if there(&field) {
+                        map.serialize_entry(field.name, &self.of(&field.shape))?;
+                    } else {
+                        self.next();
+                    }
+                }
+                map.end()
+            }
+            Shape::Each(names, value) if value.is_repeated(names.len(), self.from.borrow().as_slice()) => {
+                let rest = self.from.borrow().as_slice();
+                let length = value.length(rest);
+                *self.from.borrow_mut() = rest[names.len() * length..].iter();
+                let first = RefCell::new(rest[..length].iter());
+                Row { shape: value, from: &first }.serialize(serializer)
+            }
+            Shape::Each(names, value) => serializer.collect_map(names.iter().map(|name| (name, self.of(value)))),
             Shape::Record(_, fields) => {
                 serializer.collect_map(fields.iter().map(|field| (field.name, self.of(&field.shape))))
             }

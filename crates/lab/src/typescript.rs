@@ -6,7 +6,7 @@ use crate::shape::{Plain, Shape};
 use crate::text::Text;
 
 /// These interfaces. The names `Vector` and `Matrix` are left to whoever includes this.
-pub const fn written(mut groups: &[&[&[About]]]) -> Text<60_000> {
+pub const fn written(mut groups: &[&[&[About]]]) -> Text<80_000> {
     let mut text = Text::new();
     while let [group, rest @ ..] = groups {
         let mut records = *group;
@@ -44,7 +44,11 @@ pub const fn class<L: Lab>(class: &str, world: &str) -> Text<1_000> {
 }
 
 const fn put_interface<const N: usize>(text: &mut Text<N>, about: &About) {
-    let Shape::Record(name, fields) = about.shape else { panic!("an interface is of a record") };
+    let (name, fields, sparse) = match about.shape {
+        Shape::Record(name, fields) => (name, fields, false),
+        Shape::Sparse(name, fields) => (name, fields, true),
+        _ => panic!("an interface is of a record"),
+    };
     text.put_all(&["/**", about.record, " */\nexport interface ", name, " {\n"]);
     let mut i = 0;
     while i < fields.len() {
@@ -52,8 +56,11 @@ const fn put_interface<const N: usize>(text: &mut Text<N>, about: &About) {
         if i < about.parameters.len() {
             put_limits(text, about.parameters[i].bounds, about.defaults[i]);
         }
-        text.put_all(&[" */\n    ", fields[i].name, ": "]);
-        put_type(text, &fields[i].shape);
+        text.put_all(&[" */\n    ", fields[i].name, if sparse { "?: " } else { ": " }]);
+        match &fields[i].shape {
+            Shape::Maybe(value) if sparse => put_type(text, value),
+            shape => put_type(text, shape),
+        }
         text.put(";\n");
         i += 1;
     }
@@ -77,7 +84,7 @@ const fn put_type<const N: usize>(text: &mut Text<N>, shape: &Shape) {
         Shape::Number | Shape::Whole => text.put("number"),
         Shape::Flag => text.put("boolean"),
         Shape::Text => text.put("string"),
-        Shape::Record(name, _) => text.put(name),
+        Shape::Record(name, _) | Shape::Sparse(name, _) => text.put(name),
         Shape::Exactly(_, entry) | Shape::List(entry) => match entry {
             Shape::Number | Shape::Whole => text.put("Vector"),
             Shape::Exactly(_, Shape::Number) | Shape::List(Shape::Number) => text.put("Matrix"),
@@ -89,6 +96,17 @@ const fn put_type<const N: usize>(text: &mut Text<N>, shape: &Shape) {
         Shape::Maybe(value) => {
             put_type(text, value);
             text.put(" | null");
+        }
+        Shape::Each(names, value) => {
+            put_type(text, value);
+            text.put(" | { ");
+            let mut i = 0;
+            while i < names.len() {
+                text.put_all(&[if i == 0 { "" } else { "; " }, names[i], "?: "]);
+                put_type(text, value);
+                i += 1;
+            }
+            text.put(" }");
         }
         Shape::Word(words) => {
             let mut i = 0;

@@ -66,7 +66,11 @@ fn read(shape: &Shape, value: &Value, to: &mut Vec<f64>) -> Option<()> {
             let entries = value.as_array().filter(|entries| entries.len() == *n)?;
             entries.iter().try_for_each(|each| read(entry, each, to))?;
         }
-        Shape::Text | Shape::List(_) | Shape::Record(..) => return None,
+        Shape::Each(names, inner) => {
+            let of = |name| if value.is_object() { value.get(name) } else { Some(value) };
+            names.iter().try_for_each(|name| read(inner, of(name)?, to))?;
+        }
+        Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => return None,
     }
     Some(())
 }

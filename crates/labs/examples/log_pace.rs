@@ -1,7 +1,7 @@
 //! How many rows of the mower's log are replayed in a second natively: by the filter alone, and by the lab, which
 //! replays dead reckoning beside it and keeps what the figure shows. One round, as JSON, for `scripts/bench-log.mjs`.
 
-use estimate::drive::{Replay, Settings};
+use estimate::drive::{Course, Replay, Settings};
 use lab::Lab;
 use labs::{LogParams, LoggedDrive, RobotLog};
 use std::error::Error;
@@ -17,11 +17,10 @@ fn main() -> Result<(), Box<dyn Error>> {
     let rows = drive.rows.len() as f64;
     let mut rmse = None;
     let mut filter = || -> Result<(), Box<dyn Error>> {
-        let mut replay = Replay::new(&drive, Settings::default())?;
-        for row in &drive.rows {
-            replay.take(&drive, row)?;
-        }
-        rmse = replay.summary().rmse;
+        let course = Course::new(&drive, Settings::default())?;
+        let mut replay = Replay::new(&course);
+        while replay.take(&drive, &course)?.is_some() {}
+        rmse = replay.summary(&course).rmse;
         Ok(())
     };
     let rate = |f: &mut dyn FnMut() -> Result<(), Box<dyn Error>>| -> Result<f64, Box<dyn Error>> {

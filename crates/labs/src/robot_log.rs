@@ -10,15 +10,15 @@ mod record;
 mod table;
 
 pub use frame::{
-    LogBands, LogCorrelation, LogErrors, LogFrame, LogHistogram, LogInnovations, LogLandmark, LogNis, LogRanges,
-    LogSighting, LogTimeline, LogTracks,
+    FixOutcome, LogBands, LogCorrelation, LogErrors, LogFixes, LogFrame, LogHistogram, LogInnovations, LogLandmark,
+    LogNis, LogRanges, LogSighting, LogSmoothed, LogTimeline, LogTracks,
 };
 pub use logged::LoggedDrive;
 pub use params::LogParams;
 pub use table::{LogTable, LogTableKind};
 
 use crate::shapes::{ellipse_of, rows};
-use estimate::drive::{Event, Judged, Replay, Row, Settings, Summary};
+use estimate::drive::{BySensor, Course, Event, Judged, Replay, Settings, Smoothed, Summary, Taken};
 use estimate::{Code, Error};
 use lab::{Digest, Lab, Params, named};
 use nalgebra::{Matrix2, Matrix3};
@@ -30,11 +30,16 @@ use std::sync::Arc;
 pub struct RobotLog {
     logged: Arc<LoggedDrive>,
     params: LogParams,
-    step: u32,
+    course: Arc<Course>,
     replay: Replay,
-    /// Without sightings: dead reckoning.
+    /// By motion alone: dead reckoning.
+    reckoned: Arc<Course>,
     reckoning: Replay,
+    /// When the last row that was taken was measured, s.
+    time: f64,
     record: Record,
+    /// The smoothed track of the rows that are taken, once it was asked for.
+    smoothed: Option<Arc<Smoothed>>,
     digest: Digest,
 }
 
@@ -51,13 +56,17 @@ impl Lab for RobotLog {
     fn start(logged: Arc<LoggedDrive>, params: LogParams) -> Result<Self, Error> {
         params.check()?;
         let settings = Settings::from(params);
-        let replay = Replay::new(logged.drive(), settings)?;
-        let reckoning = Replay::new(logged.drive(), Settings { sightings: false, learn: false, ..settings })?;
-        Ok(Self { logged, params, step: 0, replay, reckoning, record: Record::default(), digest: Digest::default() })
+        let course = Arc::new(Course::new(logged.drive(), settings)?);
+        let reckoned = Arc::new(Course::new(logged.drive(), settings.reckoning())?);
+        let (replay, reckoning) = (Replay::new(&course), Replay::new(&reckoned));
+        let time = logged.span()[0];
+        let (record, digest) = (Record::default(), Digest::default());
+        Ok(Self { logged, params, course, replay, reckoned, reckoning, time, record, smoothed: None, digest })
     }
 
     fn tried() -> Vec<LogParams> {
-        vec![LogParams::default(), LogParams { gate: Some(0.999), learn: true, ..LogParams::default() }]
+        let gate = BySensor::all(Some(0.999));
+        vec![LogParams::default(), LogParams { gate, learn: true, ..LogParams::default() }]
     }
 
     fn world(&self) -> Arc<LoggedDrive> {
@@ -69,7 +78,7 @@ impl Lab for RobotLog {
     }
 
     fn steps(&self) -> u32 {
-        self.step
+        self.replay.rows()
     }
 
     fn digest(&self) -> u64 {
@@ -96,7 +105,7 @@ impl Lab for RobotLog {
             let message = format!("is {n}; it must be at least 1 and at most {}", Self::LAST_STEP);
             return Err(Error::new(Code::Limit, "n", message));
         }
-        let before = self.step;
+        let before = self.steps();
         for _ in 0..n.min(self.logged.rows() - before) {
             if let Err(refused) = self.advance() {
                 *self = Self::at(self.world(), self.params, before)?;
@@ -107,21 +116,18 @@ impl Lab for RobotLog {
     }
 
     fn advance(&mut self) -> Result<(), Error> {
-        let logged = Arc::clone(&self.logged);
-        if let Some(row) = logged.drive().rows.get(self.step as usize) {
-            self.take(row)?;
-            self.step += 1;
+        let (logged, course) = (Arc::clone(&self.logged), Arc::clone(&self.course));
+        if let Some(taken) = self.replay.take(logged.drive(), &course)? {
+            self.smoothed = None;
+            self.take(&taken)?;
         }
         Ok(())
     }
 
     fn frame(&self) -> LogFrame {
-        let Self { logged, params, step, replay, reckoning, record, .. } = self;
+        let Self { logged, params, replay, reckoning, time, record, .. } = self;
+        let (time, step) = (*time, self.steps());
         let [first, last] = logged.span();
-        let time = match *step {
-            0 => first,
-            taken => logged.drive().rows[taken as usize - 1].time,
-        };
         let pose = |replay: &Replay| {
             let pose = replay.pose();
             [pose.x(), pose.y(), pose.theta()]
@@ -141,7 +147,7 @@ impl Lab for RobotLog {
             }
         }
         LogFrame {
-            step: *step,
+            step,
             params: *params,
             rows: logged.rows(),
             time: time - first,
@@ -160,6 +166,8 @@ impl Lab for RobotLog {
             ranges: record.ranges.clone(),
             range_line: record.range_line(),
             innovations: record.innovations.clone(),
+            fixes: record.fixes.clone(),
+            smoothed: self.smoothed.as_deref().map(|smoothed| drawn(smoothed, first)),
             innovation_line: record.innovation_line(),
             errors: record.errors.clone(),
             nis: record.nis(logged),
@@ -168,7 +176,7 @@ impl Lab for RobotLog {
             by_landmark: record.by_landmark(logged),
             summary: self.summary(),
             bands: record.bands(),
-            reckoned_rmse: reckoning.summary().rmse,
+            reckoned_rmse: reckoning.summary(&self.reckoned).rmse,
         }
     }
 }
@@ -183,33 +191,53 @@ impl RobotLog {
         self.run(Self::LAST_STEP)
     }
 
-    /// What the replay says of itself so far.
-    pub fn summary(&self) -> Summary {
-        self.replay.summary()
+    /// Smooths the rows that are taken. The log is replayed twice for it, and less than 2 MB are needed meanwhile for a
+    /// million rows. The smoothed track is in the frame, and what it says in the summary, until another row is taken.
+    ///
+    /// # Errors
+    /// [`Code::InnovationNotPositiveDefinite`] naming the row, or [`Code::NotFinite`]. The lab is then as it was.
+    pub fn smooth(&mut self) -> Result<(), Error> {
+        let stride = self.logged.motion_stride() as usize;
+        self.smoothed = Some(Arc::new(Smoothed::new(self.logged.drive(), &self.course, &self.replay, stride)?));
+        Ok(())
     }
 
-    fn take(&mut self, row: &Row) -> Result<(), Error> {
+    /// What the replay says of itself so far.
+    pub fn summary(&self) -> Summary {
+        let summary = self.replay.summary(&self.course);
+        match &self.smoothed {
+            Some(smoothed) => smoothed.told(summary),
+            None => summary,
+        }
+    }
+
+    fn take(&mut self, taken: &Taken) -> Result<(), Error> {
         let logged = &*self.logged;
         let drive = logged.drive();
-        let judged = self.replay.take(drive, row)?;
-        self.reckoning.take(drive, row)?;
+        self.reckoning.take(drive, &self.reckoned)?;
+        self.time = taken.time;
         let (pose, reckoned) = (self.replay.pose(), self.reckoning.pose());
         self.digest.take(&[pose.x(), pose.y(), pose.theta()]);
-        if let Some(Judged { innovation, variance, d2, .. }) = judged {
+        if let Some(Judged { innovation, variance, d2, .. }) = taken.judged {
             self.digest.take(&[innovation, variance, d2]);
         }
-        if row.time < self.replay.start() {
+        if taken.early {
             return Ok(());
         }
         let at = At {
-            time: row.time - logged.span()[0],
+            time: taken.time - logged.span()[0],
             estimate: [pose.x(), pose.y()],
             reckoning: [reckoned.x(), reckoned.y()],
-            truth: drive.truth.position(row.time),
+            truth: drive.truth.position(taken.time),
         };
-        let (landmark, range) = match row.event {
+        let event = drive.rows[taken.row].event;
+        let (landmark, range) = match event {
             Event::Range { landmark, range } | Event::RangeBearing { landmark, range, .. } => (landmark, range),
-            event if event.is_motion() => {
+            Event::Position { .. } | Event::Heading { .. } => {
+                self.record.read(logged, &at, &event, taken);
+                return Ok(());
+            }
+            Event::Odometry { .. } | Event::Velocity { .. } | Event::Speed { .. } | Event::TurnRate { .. } => {
                 let replay = &self.replay;
                 self.record.moved(logged, &at, || {
                     let p = replay.covariance();
@@ -217,16 +245,27 @@ impl RobotLog {
                 });
                 return Ok(());
             }
-            _ => return Ok(()),
         };
         let Some(place) = drive.landmarks.get(landmark) else { return Ok(()) };
-        self.record.sighted(logged, &at, (landmark, [place.x, place.y]), range, judged.as_ref());
-        if let Some(judged) = judged {
+        self.record.sighted(logged, &at, (landmark, [place.x, place.y]), range, taken.judged.as_ref());
+        if let Some(judged) = taken.judged {
             let (used, time, from) = (judged.used, at.time, at.estimate);
             self.record.sighting = Some(LogSighting { time, landmark: place.id, at: [place.x, place.y], from, used });
         }
         Ok(())
     }
+}
+
+/// The smoothed track as a frame has it; `first` is the time of the log's first row.
+fn drawn(smoothed: &Smoothed, first: f64) -> LogSmoothed {
+    let mut drawn = LogSmoothed::default();
+    for at in &smoothed.track {
+        drawn.time.push(at.time - first);
+        drawn.x.push(at.pose.x());
+        drawn.y.push(at.pose.y());
+        drawn.bound.push(2.0 * (at.p[(0, 0)] + at.p[(1, 1)]).max(0.0).sqrt());
+    }
+    drawn
 }
 
 #[cfg(test)]

@@ -7,7 +7,7 @@ macro_rules! described {
     ($($module:ident::$lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
         /// What the labs take and hand out, and what that is made of.
         const ALL: &[&[&[About]]] = &[
-            &[lab::OF_THE_CORE, lab::INTERFACES, lab::series::INTERFACES, shapes::INTERFACES, mapping::INTERFACES],
+            &[lab::OF_THE_CORE, lab::INTERFACES, lab::LOG_INTERFACES, lab::series::INTERFACES, shapes::INTERFACES, mapping::INTERFACES],
             $(&[&[<$lab as Lab>::Params::ABOUT]], <$lab as Lab>::INTERFACES,)*
         ];
     };
@@ -18,7 +18,7 @@ figures!(described);
 /// The interfaces of all labs, with their doc comments, limits and defaults. `Vector` and `Matrix` are not among them.
 pub const TYPESCRIPT: &str = WRITTEN.as_str();
 
-const WRITTEN: &Text<60_000> = &written(ALL);
+const WRITTEN: &Text<80_000> = &written(ALL);
 
 #[cfg(test)]
 mod tests {

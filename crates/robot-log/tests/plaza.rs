@@ -4,7 +4,7 @@
 //! The reference was computed by a program that shares no code with this one; both round in their own order, so they
 //! agree to 10⁻⁶ and not to the bit.
 
-use estimate::drive::{Replay, Settings, Summary};
+use estimate::drive::{BySensor, Course, Replay, Settings, Summary};
 use robot_log::{Log, parse};
 
 fn plaza() -> Log {
@@ -13,11 +13,10 @@ fn plaza() -> Log {
 
 fn replayed(settings: Settings) -> Summary {
     let drive = plaza().drive;
-    let mut replay = Replay::new(&drive, settings).expect("sound settings");
-    for row in &drive.rows {
-        replay.take(&drive, row).expect("a sound row");
-    }
-    replay.summary()
+    let course = Course::new(&drive, settings).expect("sound settings");
+    let mut replay = Replay::new(&course);
+    while replay.take(&drive, &course).expect("a sound row").is_some() {}
+    replay.summary(&course)
 }
 
 /// The numbers of one row of the reference: used and refused, RMSE and worst error, NIS per output, mean of ν/√S and
@@ -93,7 +92,7 @@ fn raw_ranges_meet_the_reference() {
 #[test]
 fn raw_ranges_with_a_gate_meet_the_reference() {
     assert_meets(
-        Settings { gate: Some(0.999), ..Settings::default() },
+        Settings { gate: BySensor::all(Some(0.999)), ..Settings::default() },
         &Reference {
             counts: [1481, 2048],
             errors: [8.901160071, 28.988208637],
@@ -118,7 +117,7 @@ fn calibrated_ranges_meet_the_reference() {
         },
     );
     assert_meets(
-        Settings { gate: Some(0.999), ..calibrated },
+        Settings { gate: BySensor::all(Some(0.999)), ..calibrated },
         &Reference {
             counts: [3528, 1],
             errors: [0.366348337, 1.735936434],
@@ -143,7 +142,7 @@ fn a_learned_scale_meets_the_reference() {
         },
     );
     assert_meets(
-        Settings { gate: Some(0.999), ..learning },
+        Settings { gate: BySensor::all(Some(0.999)), ..learning },
         &Reference {
             counts: [3527, 2],
             errors: [0.367997840, 1.801316503],

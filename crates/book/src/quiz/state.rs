@@ -83,12 +83,13 @@ fn at<'a>(shape: &'a Shape, path: &str) -> Option<&'a Shape> {
     let (name, rest) = path.split_once('.').map_or((path, None), |(name, rest)| (name, Some(rest)));
     let inner = match shape {
         Shape::Maybe(inner) => return at(inner, path),
-        Shape::Record(_, fields) => &fields.iter().find(|field| field.name == name)?.shape,
+        Shape::Record(_, fields) | Shape::Sparse(_, fields) => &fields.iter().find(|field| field.name == name)?.shape,
         Shape::List(_) | Shape::Exactly(..) if name == "length" => &Shape::Whole,
         Shape::Exactly(n, inner) if name.parse::<usize>().ok()? < *n => *inner,
         Shape::List(inner) if name.parse::<usize>().is_ok() => *inner,
         _ => return None,
     };
+    let inner = if let Shape::Each(_, inner) = inner { inner } else { inner };
     let inner = if let Shape::Maybe(inner) = inner { inner } else { inner };
     rest.map_or(Some(inner), |rest| at(inner, rest))
 }

@@ -1,6 +1,6 @@
 //! Numbers of the real robot's log: the replays that the text goes through.
 
-use estimate::drive::{Event, FIRST_SIGMA, Line, Points, PoseAndScale, Scaled};
+use estimate::drive::{BySensor, Event, FIRST_SIGMA, Line, Points, PoseAndScale, Scaled};
 use estimate::landmarks::RangeOnly;
 use estimate::path_observability::PathStack;
 use estimate::{Code, Error, Landmark, Unicycle};
@@ -93,7 +93,7 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
     to.add("log.reckoned.rmse", reckoned.summary.rmse.ok_or_else(off)?, "RMS error of dead reckoning, m");
     to.add("log.reckoned.worst", reckoned.summary.worst.ok_or_else(off)?, "its largest error, m");
     let raw = whole(usual)?;
-    let gated = whole(LogParams { gate: Some(GATE), ..usual })?;
+    let gated = whole(LogParams { gate: BySensor::all(Some(GATE)), ..usual })?;
     let offset = whole(LogParams { offset: OFFSET, ..usual })?;
     // As the figure does it: the slope of what is off of the ranges, in steps of the slider.
     let line = raw.range_line.ok_or_else(off)?;
@@ -215,7 +215,7 @@ fn wrong(logged: &Arc<LoggedDrive>, calibrated: LogParams, to: &mut Listing) -> 
     let frame = whole(&Arc::new(LoggedDrive::new(moved)), calibrated)?;
     to.by("labs::RobotLog", None).add("log.moved.id", f64::from(id), "the beacon that is moved");
     summary("moved", &frame, to).ok_or_else(off)?;
-    let gated = LogParams { gate: Some(GATE), ..calibrated };
+    let gated = LogParams { gate: BySensor::all(Some(GATE)), ..calibrated };
     let share = |used: u32, refused: u32| f64::from(refused) / f64::from(used + refused);
     let sound = whole(logged, gated)?.summary;
     let copied = whole(&read("plaza1-copied.csv", COPIED)?, gated)?;

@@ -1,56 +1,51 @@
 //! The replay of a drive, row by row.
 
-use crate::drive::row::{Drive, Event, Motion, Row};
-use crate::drive::settings::Settings;
-use crate::drive::summary::{Errors, Innovations, Summary};
-use crate::ekf::Localizer;
+use crate::drive::course::{Course, Step};
+use crate::drive::filter::{Filter, Move};
+use crate::drive::learned::Rolling;
+use crate::drive::row::{Drive, Event, Motion};
+use crate::drive::sensor::{BySensor, Sensor};
+use crate::drive::statistics::{Errors, Judged, Statistics};
+use crate::drive::summary::Summary;
 use crate::error::{Code, Error};
-use crate::odometry::Unicycle;
-use crate::reading::{Corrected, Reading, Setup};
-use crate::scaled::{PoseAndScale, Scalable, first_covariance, of_pose};
+use crate::reading::{Reading, Setup};
 use core::f64::consts::PI;
-use filters::consistency::chi2_quantile;
-use filters::{Ekf, MotionModel};
 use geom::{SE2, wrap};
-use nalgebra::{DMatrix, DVector, Matrix2, Vector2};
-use numerics::sqrt;
+use nalgebra::{DMatrix, Matrix2, Vector2};
+use numerics::hypot;
 
-/// What became of a sighting.
+/// A row is passed over where it comes more than this before its turn, s: stamps that are a period apart to rounding are
+/// a period apart.
+const EARLY: f64 = 1e-9;
+
+/// A row that was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Judged {
-    /// Whether it corrected the estimate.
-    pub used: bool,
-    /// ν₁, the range's innovation, m.
-    pub innovation: f64,
-    /// S₁₁, its variance before the sighting, m².
-    pub variance: f64,
-    /// d² = νᵀS⁻¹ν.
-    pub d2: f64,
-    /// p, the outputs of the sighting.
-    pub outputs: u32,
+pub struct Taken {
+    /// Its index among the drive's rows.
+    pub row: usize,
+    /// When it was measured, s.
+    pub time: f64,
+    /// Whether it lies before the start, where nothing is estimated yet.
+    pub early: bool,
+    /// What became of it, if it is a reading that was looked at.
+    pub judged: Option<Judged>,
+    /// How far the estimate was from a withheld fix, m.
+    pub withheld: Option<f64>,
 }
 
-/// The filter, with or without ε in its state.
-#[derive(Clone, Copy, Debug)]
-enum Filter {
-    Given(Localizer),
-    Learning(Localizer<PoseAndScale, 4>),
-}
-
-/// A localizer that replays a [`Drive`] row by row.
+/// A localizer that replays a [`Drive`] row by row, along a [`Course`].
 ///
-/// The state is [x, y, θ], with `learn` [x, y, θ, ε]. It starts at the first true pose, at its time; where there is no
-/// truth, at the origin and at the first row's time. Rows before the start are skipped.
+/// The state is [x, y, θ], and behind it, as far as they are learned, ε, κ and b.
 ///
 /// Over dt seconds, with the distance d and the turn a at the heading θ,
-/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; `V` rows
-/// bring velocities, which move the estimate to the time of every later row. A sighting is gated by its d² and taken in
-/// Joseph's form.
+/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v and
+/// turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and a = (ω − b) dt. A
+/// reading is gated by its d² and taken in Joseph's form.
 ///
 /// # Example
 /// ```
 /// use estimate::Landmark;
-/// use estimate::drive::{Drive, Event, Motion, Replay, Row, Settings, Truth};
+/// use estimate::drive::{Course, Drive, Event, Motion, Replay, Row, Settings, Truth};
 /// let drive = Drive {
 ///     landmarks: vec![Landmark { id: 7, x: 3.0, y: 4.0 }],
 ///     truth: Truth::default(),
@@ -60,200 +55,192 @@ enum Filter {
 ///     ],
 ///     motion: Motion::Odometry,
 /// };
-/// let mut replay = Replay::new(&drive, Settings::default())?;
-/// for row in &drive.rows {
-///     replay.take(&drive, row)?;
+/// let course = Course::new(&drive, Settings::default())?;
+/// let mut replay = Replay::new(&course);
+/// while let Some(taken) = replay.take(&drive, &course)? {
+///     assert_eq!(taken.time, drive.rows[taken.row].time);
 /// }
-/// assert_eq!(replay.summary().used, 1);
+/// assert_eq!(replay.summary(&course).used, 1);
 /// # Ok::<(), estimate::Error>(())
 /// ```
 #[derive(Clone, Copy, Debug)]
 pub struct Replay {
-    settings: Settings,
-    /// χ² quantiles of the gate for one and two outputs.
-    gates: [Option<f64>; 2],
-    filter: Filter,
-    start: f64,
+    pub(crate) filter: Filter,
+    /// The steps behind the replay, and the rows.
+    steps: usize,
+    rows: u32,
     /// When the estimate was last predicted, s.
     time: f64,
-    /// v and ω, held since the last `V` row.
-    velocity: Vector2<f64>,
-    innovations: Innovations,
-    refused: u32,
+    /// v and ω, as they are held.
+    held: Vector2<f64>,
+    /// The stamp of the last row of each sensor that was not passed over.
+    last: BySensor<f64>,
+    statistics: Statistics,
     errors: Errors,
+    withheld: Errors,
 }
 
 impl Replay {
-    /// A replay at its start.
-    ///
-    /// # Errors
-    /// [`Code::NotFinite`] or [`Code::Limit`] naming the setting: a standard deviation is negative or one of a sensor
-    /// 0, the gate is no probability between 0 and 1, 1 + scale is not positive.
-    pub fn new(drive: &Drive, settings: Settings) -> Result<Self, Error> {
-        settings.check()?;
-        let gate = |dof| settings.gate.map(|p| chi2_quantile(dof, p)).transpose();
-        let first = drive.truth.poses().first();
-        let pose = first.map_or(SE2::new(0.0, 0.0, 0.0), |at| SE2::new(at.x, at.y, at.theta));
-        let start = first.map(|at| at.time).or(drive.span().map(|[first, _]| first)).unwrap_or(0.0);
-        Ok(Self {
-            gates: [gate(1)?, gate(2)?],
-            filter: if settings.learn {
-                let x = PoseAndScale { pose, epsilon: 0.0 };
-                Filter::Learning(Localizer { filter: Ekf { x, p: first_covariance() } })
-            } else {
-                Filter::Given(Localizer { filter: Ekf { x: pose, p: first_covariance() } })
-            },
-            settings,
-            start,
-            time: start,
-            velocity: Vector2::zeros(),
-            innovations: Innovations::default(),
-            refused: 0,
+    /// A replay at the start of its course.
+    pub fn new(course: &Course) -> Self {
+        Self {
+            filter: Filter::new(course),
+            steps: 0,
+            rows: 0,
+            time: course.start(),
+            held: Vector2::zeros(),
+            last: BySensor::all(f64::NEG_INFINITY),
+            statistics: Statistics::default(),
             errors: Errors::default(),
-        })
+            withheld: Errors::default(),
+        }
     }
 
-    /// Takes one row of `drive`; answers what became of it when it is a sighting that was looked at.
+    /// Takes the next row of `drive`; `None` behind the last.
     ///
     /// # Errors
     /// [`Code::NotFinite`] or [`Code::InnovationNotPositiveDefinite`] where the numbers leave the range of floating
     /// point; the replay is then as it was. [`Code::Limit`] for a landmark that `drive` does not have.
-    pub fn take(&mut self, drive: &Drive, row: &Row) -> Result<Option<Judged>, Error> {
-        if row.time < self.start {
-            return Ok(None);
+    pub fn take(&mut self, drive: &Drive, course: &Course) -> Result<Option<Taken>, Error> {
+        let before = course.splits().then_some(*self);
+        let taken = self.taken(drive, course);
+        if let (Err(_), Some(before)) = (&taken, before) {
+            *self = before;
         }
-        let mut next = *self;
-        let judged = next.taken(drive, row)?;
-        *self = next;
-        Ok(judged)
+        taken
     }
 
-    fn taken(&mut self, drive: &Drive, row: &Row) -> Result<Option<Judged>, Error> {
-        if drive.motion == Motion::Velocity {
-            let u = self.velocity * (row.time - self.time).max(0.0);
-            self.moved(row.time, u)?;
+    fn taken(&mut self, drive: &Drive, course: &Course) -> Result<Option<Taken>, Error> {
+        let mut taken = None;
+        while let Some(step) = course.step(drive, self.steps) {
+            // The speeds of V rows that are measured behind the last row are a part of it.
+            if taken.is_some() && (step.counts || (self.rows as usize) < drive.rows.len()) {
+                break;
+            }
+            let moved = self.moved(course, &step);
+            let before = (self.filter, self.time);
+            let found = self.advance(&step, moved.as_ref()).and_then(|()| self.read(drive, course, &step));
+            if found.is_err() {
+                (self.filter, self.time) = before;
+            }
+            let found = found?;
+            self.pass(&step);
+            if step.counts {
+                taken = Some(found);
+            }
+            if !course.splits() {
+                break;
+            }
         }
-        let sighting = match row.event {
-            Event::Odometry { distance, turn } => {
-                self.moved(row.time, Vector2::new(distance, turn))?;
-                self.compare(drive, row.time);
-                return Ok(None);
-            }
-            Event::Velocity { v, omega } => {
-                self.velocity = Vector2::new(v, omega);
-                self.compare(drive, row.time);
-                return Ok(None);
-            }
-            Event::Speed { v } => {
-                self.velocity[0] = v;
-                self.compare(drive, row.time);
-                return Ok(None);
-            }
-            Event::TurnRate { omega } => {
-                self.velocity[1] = omega;
-                self.compare(drive, row.time);
-                return Ok(None);
-            }
-            // The next commits take them.
-            Event::Position { .. } | Event::Heading { .. } => return Ok(None),
-            Event::Range { .. } | Event::RangeBearing { .. } if !self.settings.sightings => return Ok(None),
-            Event::Range { landmark, range } => {
-                let w = self.settings.sigma_range * self.settings.sigma_range;
-                self.sighted(drive, &Reading::Range { landmark: Some(landmark), range, w })
-            }
-            Event::RangeBearing { landmark, range, bearing } => {
-                let s = &self.settings;
-                let w = Matrix2::new(s.sigma_range * s.sigma_range, 0.0, 0.0, s.sigma_bearing * s.sigma_bearing);
-                // A log has the bearing from the robot's nose.
-                let bearing = wrap(bearing + PI);
-                self.sighted(drive, &Reading::RangeBearing { landmark: Some(landmark), range, bearing, w })
-            }
+        Ok(taken)
+    }
+
+    /// How the estimate moves to a step; `None` where it does not.
+    pub(crate) fn moved(&self, course: &Course, step: &Step) -> Option<Move> {
+        if step.time < course.start() {
+            return None;
+        }
+        let dt = (step.time - self.time).max(0.0);
+        let u = match step.event {
+            Event::Odometry { distance, turn } => Vector2::new(distance, turn),
+            _ if course.moves_by() == Motion::Velocity => self.held * dt,
+            _ => return None,
         };
-        match sighting {
-            Ok(judged) => {
-                if judged.used {
-                    let n = judged.innovation / sqrt(judged.variance);
-                    self.innovations.take(n, judged.d2 / f64::from(judged.outputs));
-                } else {
-                    self.refused += 1;
-                }
-                Ok(Some(judged))
+        let s = course.settings();
+        let noise = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;
+        Some(Move { u, rolling: Rolling { dt, speed_scale: s.speed_scale, turn_bias: s.turn_bias }, noise })
+    }
+
+    /// Moves the estimate, and its time, to a step.
+    pub(crate) fn advance(&mut self, step: &Step, moved: Option<&Move>) -> Result<(), Error> {
+        if let Some(moved) = moved {
+            self.filter.predict(moved)?;
+            self.time = self.time.max(step.time);
+        }
+        Ok(())
+    }
+
+    /// Takes what was measured in a step that the estimate has moved to.
+    pub(crate) fn read(&mut self, drive: &Drive, course: &Course, step: &Step) -> Result<Taken, Error> {
+        match step.event {
+            Event::Velocity { v, omega } => self.held = Vector2::new(v, omega),
+            Event::Speed { v } => self.held[0] = v,
+            Event::TurnRate { omega } => self.held[1] = omega,
+            _ => {}
+        }
+        let early = step.time < course.start();
+        let taken = Taken { row: step.row, time: step.time, early, judged: None, withheld: None };
+        if early {
+            return Ok(taken);
+        }
+        let Some(sensor) = Sensor::of(&step.event) else {
+            let known = drive.truth.position(step.time).filter(|_| step.counts);
+            if let Some([x, y]) = known {
+                self.errors.take(hypot(self.pose().x() - x, self.pose().y() - y));
             }
-            Err(error) if error.code == Code::AtLandmark => {
-                self.refused += 1;
-                Ok(None)
-            }
+            return Ok(taken);
+        };
+        let settings = course.settings();
+        let on = match sensor {
+            Sensor::Fix => settings.fixes,
+            Sensor::Heading => settings.headings,
+            Sensor::Range | Sensor::Bearing => settings.sightings,
+        };
+        if !on {
+            return Ok(taken);
+        }
+        if let Event::Position { x, y, .. } = step.event
+            && settings.withheld.is_some_and(|[from, to]| from < step.stamp && step.stamp < to)
+        {
+            let distance = hypot(self.pose().x() - x, self.pose().y() - y);
+            self.withheld.take(distance);
+            return Ok(Taken { withheld: Some(distance), ..taken });
+        }
+        if step.stamp - self.last.of(sensor) < settings.every.of(sensor) - EARLY {
+            return Ok(taken);
+        }
+        let judged = self.judged(drive, course, &step.event, sensor)?;
+        *self.last.of_mut(sensor) = step.stamp;
+        match judged {
+            Some(judged) => self.statistics.take(&judged),
+            None => self.statistics.refuse(sensor),
+        }
+        Ok(Taken { judged, ..taken })
+    }
+
+    /// What becomes of a reading; `None` where the estimate stands on the landmark.
+    fn judged(
+        &mut self,
+        drive: &Drive,
+        course: &Course,
+        event: &Event,
+        sensor: Sensor,
+    ) -> Result<Option<Judged>, Error> {
+        let (s, gate) = (course.settings(), *course.gates().of(sensor));
+        let heading = self.pose().theta();
+        let setup = Setup { map: &drive.landmarks, scale: (!s.learn).then_some(s.scale), offset: s.offset, gate };
+        let Some(reading) = reading(course, event) else { return Ok(None) };
+        match self.filter.correct(&reading, &setup) {
+            Ok(corrected) => Judged::new(sensor, &corrected, heading, gate.is_some()).map(Some),
+            Err(error) if error.code == Code::AtLandmark => Ok(None),
             Err(error) => Err(error),
         }
     }
 
-    /// Moves the estimate by u = [d, a] and the time to `time`.
-    fn moved(&mut self, time: f64, u: Vector2<f64>) -> Result<(), Error> {
-        let dt = (time - self.time).max(0.0);
-        let s = &self.settings;
-        let input = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;
-        match &mut self.filter {
-            Filter::Given(localizer) => predict(localizer, &u, &input)?,
-            Filter::Learning(localizer) => predict(localizer, &u, &input)?,
-        }
-        self.time = self.time.max(time);
-        Ok(())
-    }
-
-    fn compare(&mut self, drive: &Drive, time: f64) {
-        if let Some([x, y]) = drive.truth.position(time) {
-            let pose = self.pose();
-            self.errors.take(numerics::hypot(pose.x() - x, pose.y() - y));
-        }
-    }
-
-    fn sighted(&mut self, drive: &Drive, reading: &Reading) -> Result<Judged, Error> {
-        let s = &self.settings;
-        let gate = self.gates[usize::from(matches!(reading, Reading::RangeBearing { .. }))];
-        let setup = Setup { map: &drive.landmarks, scale: (!s.learn).then_some(s.scale), offset: s.offset, gate };
-        let Corrected { accepted, innovation, s, chi2, outputs, .. } = match &mut self.filter {
-            Filter::Given(localizer) => localizer.correct(reading, &setup)?,
-            Filter::Learning(localizer) => localizer.correct(reading, &setup)?,
-        };
-        // A distance too large for a number is beyond every gate; without a gate it cannot be taken.
-        let d2 = match chi2 {
-            Ok(d2) => d2,
-            Err(_) if gate.is_some() => f64::INFINITY,
-            Err(_) => return Err(Error::new(Code::NotFinite, "range", "is too large: its squared distance overflows")),
-        };
-        let (innovation, variance) = (innovation[0], s[(0, 0)]);
-        Ok(Judged { used: accepted, innovation, variance, d2, outputs: outputs as u32 })
-    }
-
     /// The estimated pose.
     pub fn pose(&self) -> SE2 {
-        self.estimate().0
+        self.filter.estimate().0
     }
 
     /// The learned ε; `None` where it is given.
     pub fn epsilon(&self) -> Option<f64> {
-        self.estimate().1
+        let (_, which, numbers) = self.filter.estimate();
+        which.epsilon().map(|at| numbers[at - 3])
     }
 
-    /// The pose, and ε where it is learned.
-    fn estimate(&self) -> (SE2, Option<f64>) {
-        match &self.filter {
-            Filter::Given(localizer) => (localizer.filter.x, None),
-            Filter::Learning(localizer) => (localizer.filter.x.pose, Some(localizer.filter.x.epsilon)),
-        }
-    }
-
-    /// P, 3×3 or, with ε in the state, 4×4.
+    /// P, from 3×3 to, with all that can be learned in the state, 6×6.
     pub fn covariance(&self) -> DMatrix<f64> {
-        match &self.filter {
-            Filter::Given(localizer) => DMatrix::from_column_slice(3, 3, localizer.filter.p.as_slice()),
-            Filter::Learning(localizer) => DMatrix::from_column_slice(4, 4, localizer.filter.p.as_slice()),
-        }
-    }
-
-    /// When the replay starts, s: rows before are skipped.
-    pub fn start(&self) -> f64 {
-        self.start
+        self.filter.covariance()
     }
 
     /// The time that the estimate is of, s.
@@ -261,34 +248,49 @@ impl Replay {
         self.time
     }
 
+    /// How many rows were taken.
+    pub fn rows(&self) -> u32 {
+        self.rows
+    }
+
+    /// How many steps were taken.
+    pub(crate) fn steps(&self) -> usize {
+        self.steps
+    }
+
+    /// Stands behind a step that was taken.
+    pub(crate) fn pass(&mut self, step: &Step) {
+        self.steps += 1;
+        self.rows += u32::from(step.counts);
+    }
+
     /// What the replay says of itself so far.
-    pub fn summary(&self) -> Summary {
-        let (p, (pose, epsilon)) = (self.covariance(), self.estimate());
-        Summary {
-            used: self.innovations.count(),
-            refused: self.refused,
-            rmse: self.errors.rmse(),
-            worst: self.errors.worst(),
-            nis: self.innovations.nis(),
-            mean_innovation: self.innovations.mean(),
-            lag1: self.innovations.lag1(),
-            epsilon,
-            epsilon_sigma: epsilon.map(|_| sqrt(p[(3, 3)].max(0.0))),
-            x: DVector::from_iterator(p.nrows(), pose.to_vector().iter().copied().chain(epsilon)),
-            trace: p[(0, 0)] + p[(1, 1)] + p[(2, 2)],
-        }
+    pub fn summary(&self, course: &Course) -> Summary {
+        Summary::new(self, course, &self.statistics, [&self.errors, &self.withheld])
     }
 }
 
-/// P ← F P Fᵀ + B M Bᵀ for the input noise `input`, M already multiplied by dt.
-fn predict<X: Scalable<N>, const N: usize>(
-    localizer: &mut Localizer<X, N>,
-    u: &Vector2<f64>,
-    input: &Matrix2<f64>,
-) -> Result<(), Error>
-where
-    Unicycle: MotionModel<X, N, 2>,
-{
-    let v = of_pose(&Unicycle::process_covariance(&localizer.filter.x.pose(), input));
-    localizer.predict(u, &v)
+/// The reading of a row; `None` of a row of motion.
+fn reading(course: &Course, event: &Event) -> Option<Reading> {
+    let s = course.settings();
+    Some(match *event {
+        Event::Position { x, y, sigma } => {
+            let sigma = sigma.unwrap_or(s.sigma_fix);
+            Reading::Position { x, y, w: Matrix2::identity() * (sigma * sigma) }
+        }
+        Event::Heading { theta, sigma } => {
+            let sigma = sigma.unwrap_or(s.sigma_heading);
+            Reading::Heading { theta, w: sigma * sigma }
+        }
+        Event::Range { landmark, range } => {
+            Reading::Range { landmark: Some(landmark), range, w: s.sigma_range * s.sigma_range }
+        }
+        Event::RangeBearing { landmark, range, bearing } => {
+            let w = Matrix2::new(s.sigma_range * s.sigma_range, 0.0, 0.0, s.sigma_bearing * s.sigma_bearing);
+            // A log has the bearing from the robot's nose.
+            let bearing = wrap(bearing - s.bearing_offset + PI);
+            Reading::RangeBearing { landmark: Some(landmark), range, bearing, w }
+        }
+        Event::Odometry { .. } | Event::Velocity { .. } | Event::Speed { .. } | Event::TurnRate { .. } => return None,
+    })
 }

@@ -4,8 +4,22 @@ use super::LogParams;
 use estimate::Landmark;
 use estimate::drive::{Line, Summary};
 use geom::Ellipse;
-use lab::record;
 use lab::series::Track;
+use lab::{record, words};
+
+words! {
+    /// What became of a fix.
+    pub enum FixOutcome {
+        /// It corrected the estimate.
+        Used = "used",
+        /// It lay beyond the gate.
+        Refused = "refused",
+        /// It was withheld from the estimate.
+        Withheld = "withheld",
+        /// It was passed over, or fixes are off.
+        Unused = "unused",
+    }
+}
 
 record! {
     /// A sighting that the filter looked at.
@@ -43,6 +57,37 @@ record! {
         pub step: Vec<u32>,
     }
 
+    /// Fixes: every so many readings.
+    #[derive(Default)]
+    pub struct LogFixes {
+        /// When they were measured, seconds since the log's first row.
+        pub time: Vec<f64>,
+        /// Metres.
+        pub x: Vec<f64>,
+        /// Metres.
+        pub y: Vec<f64>,
+        /// ν/√S along the estimated heading; 0 of a fix that was not looked at.
+        pub along: Vec<f64>,
+        /// ν/√S across it, to the left.
+        pub across: Vec<f64>,
+        /// What became of it: `used`, `refused` beyond the gate, `withheld`, or `unused` of one that was passed over or
+        /// switched off.
+        pub outcome: Vec<FixOutcome>,
+    }
+
+    /// The best track afterwards, in the light of all readings: every so many rows of motion.
+    #[derive(Default)]
+    pub struct LogSmoothed {
+        /// Seconds since the log's first row.
+        pub time: Vec<f64>,
+        /// Metres.
+        pub x: Vec<f64>,
+        /// Metres.
+        pub y: Vec<f64>,
+        /// Twice the claimed σ of the position, metres.
+        pub bound: Vec<f64>,
+    }
+
     /// What ranges read, against what they should read: every so many of them.
     #[derive(Default)]
     pub struct LogRanges {
@@ -59,11 +104,11 @@ record! {
     pub struct LogInnovations {
         /// Seconds since the log's first row.
         pub time: Vec<f64>,
-        /// ν/√S of the range.
+        /// ν/√S of the first number: a range, the x of a fix, a heading.
         pub normalized: Vec<f64>,
-        /// The range that the filter expected, metres.
+        /// What the filter expected, metres; of a heading radians.
         pub expected: Vec<f64>,
-        /// ν, the range that was read less the expected one, metres.
+        /// ν, what was read less what was expected.
         pub innovation: Vec<f64>,
         /// Whether the reading was used.
         pub used: Vec<bool>,
@@ -174,7 +219,7 @@ record! {
         pub sighting: Option<LogSighting>,
         /// Where it has been.
         pub tracks: LogTracks,
-        /// Every how many sightings one is among `ranges` and `innovations`.
+        /// Every how many readings one is among `ranges`, `innovations` and `fixes`.
         pub every: u32,
         /// What ranges read.
         pub ranges: LogRanges,
@@ -182,6 +227,10 @@ record! {
         pub range_line: Option<Line>,
         /// What the filter made of them.
         pub innovations: LogInnovations,
+        /// Fixes of the position.
+        pub fixes: LogFixes,
+        /// The smoothed track; null until smooth() was called for the rows that are taken.
+        pub smoothed: Option<LogSmoothed>,
         /// The line through (expected range, ν) of all used ranges.
         pub innovation_line: Option<Line>,
         /// Error and claim.

@@ -1,10 +1,11 @@
 //! What a replay has shown so far, in constant memory: long logs are thinned, sums are kept whole.
 
 use super::frame::{
-    LogBands, LogCorrelation, LogErrors, LogHistogram, LogInnovations, LogLandmark, LogNis, LogRanges, LogSighting,
+    FixOutcome, LogBands, LogCorrelation, LogErrors, LogFixes, LogHistogram, LogInnovations, LogLandmark, LogNis,
+    LogRanges, LogSighting,
 };
 use super::logged::LoggedDrive;
-use estimate::drive::{Judged, Line, Points};
+use estimate::drive::{Event, Judged, Line, Points, Taken};
 use filters::Autocorrelation;
 use filters::consistency::chi2_interval;
 use lab::series::Track;
@@ -35,9 +36,10 @@ pub(super) struct Record {
     /// For each landmark: readings used and refused, and the sum of their innovations.
     landmarks: Vec<(u32, u32, f64)>,
     pub sighting: Option<LogSighting>,
-    /// Rows of motion and sightings so far.
+    pub fixes: LogFixes,
+    /// Rows of motion and readings so far.
     motions: u32,
-    sightings: u32,
+    readings: u32,
 }
 
 /// A pose and a point on the map, at a row.
@@ -75,8 +77,7 @@ impl Record {
         range: f64,
         judged: Option<&Judged>,
     ) {
-        let kept = self.sightings.is_multiple_of(logged.sighting_stride());
-        self.sightings += 1;
+        let kept = self.keeps(logged);
         let known = distance(at.truth.unwrap_or(at.reckoning), place);
         self.range_points.take(known, range - known);
         if kept {
@@ -89,17 +90,47 @@ impl Record {
         let (used, refused, sum) = &mut self.landmarks[landmark];
         *if judged.used { used } else { refused } += 1;
         *sum += judged.innovation;
-        let normalized = judged.innovation / judged.variance.sqrt();
-        let expected = range - judged.innovation;
+        if judged.used {
+            self.innovation_points.take(range - judged.innovation, judged.innovation);
+        }
+        self.judged(logged, at, range, judged, kept);
+    }
+
+    /// Takes a fix or a heading, and what the filter made of it.
+    pub fn read(&mut self, logged: &LoggedDrive, at: &At, event: &Event, taken: &Taken) {
+        let kept = self.keeps(logged);
+        let first = match *event {
+            Event::Position { x, y, .. } => {
+                if kept {
+                    self.fixes.take(at.time, [x, y], taken);
+                }
+                x
+            }
+            Event::Heading { theta, .. } => theta,
+            _ => return,
+        };
+        if let Some(judged) = &taken.judged {
+            self.judged(logged, at, first, judged, kept);
+        }
+    }
+
+    /// Whether the next reading is drawn.
+    fn keeps(&mut self, logged: &LoggedDrive) -> bool {
+        self.readings += 1;
+        (self.readings - 1).is_multiple_of(logged.sighting_stride())
+    }
+
+    /// Takes what became of a reading whose first number is `first`.
+    fn judged(&mut self, logged: &LoggedDrive, at: &At, first: f64, judged: &Judged, kept: bool) {
+        let normalized = judged.normalized();
         if kept {
             self.innovations.time.push(at.time);
             self.innovations.normalized.push(normalized);
-            self.innovations.expected.push(expected);
+            self.innovations.expected.push(first - judged.innovation);
             self.innovations.innovation.push(judged.innovation);
             self.innovations.used.push(judged.used);
         }
         if judged.used {
-            self.innovation_points.take(expected, judged.innovation);
             self.normalized.take(normalized);
             let bin = ((normalized - FIRST) / BIN).floor();
             if (0.0..BINS as f64).contains(&bin) {
@@ -159,6 +190,23 @@ impl Record {
     pub fn bands(&self) -> Option<LogBands> {
         let mean = self.normalized.band()?;
         Some(LogBands { nis: band(self.nis.all), mean })
+    }
+}
+
+impl LogFixes {
+    fn take(&mut self, time: f64, [x, y]: [f64; 2], taken: &Taken) {
+        let [along, across] = taken.judged.and_then(|judged| judged.along).unwrap_or_default();
+        self.time.push(time);
+        self.x.push(x);
+        self.y.push(y);
+        self.along.push(along);
+        self.across.push(across);
+        self.outcome.push(match taken.judged {
+            Some(Judged { used: true, .. }) => FixOutcome::Used,
+            Some(_) => FixOutcome::Refused,
+            None if taken.withheld.is_some() => FixOutcome::Withheld,
+            None => FixOutcome::Unused,
+        });
     }
 }
 

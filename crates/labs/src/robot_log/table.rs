@@ -2,7 +2,7 @@
 
 use super::{LogParams, LoggedDrive};
 use estimate::Error;
-use estimate::drive::{Event, Replay, Row, Settings};
+use estimate::drive::{Course, Event, Replay, Settings, Taken};
 use lab::Params;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -22,8 +22,8 @@ pub enum LogTableKind {
 pub struct LogTable {
     logged: Arc<LoggedDrive>,
     kind: LogTableKind,
+    course: Course,
     replay: Replay,
-    step: usize,
 }
 
 impl LogTable {
@@ -33,8 +33,9 @@ impl LogTable {
     /// As [`lab::Lab::start`].
     pub fn new(logged: Arc<LoggedDrive>, params: LogParams, kind: LogTableKind) -> Result<Self, Error> {
         params.check()?;
-        let replay = Replay::new(logged.drive(), Settings::from(params))?;
-        Ok(Self { logged, kind, replay, step: 0 })
+        let course = Course::new(logged.drive(), Settings::from(params))?;
+        let replay = Replay::new(&course);
+        Ok(Self { logged, kind, course, replay })
     }
 
     /// What the next `n` rows of the log add to the table, before the first of them its header; `None` behind the last.
@@ -43,12 +44,12 @@ impl LogTable {
     /// As [`lab::Lab::run`]; the table is then as it was.
     pub fn next(&mut self, n: u32) -> Result<Option<String>, Error> {
         let logged = Arc::clone(&self.logged);
-        let rows = &logged.drive().rows[self.step..];
-        if rows.is_empty() {
+        let left = logged.rows() - self.replay.rows();
+        if left == 0 {
             return Ok(None);
         }
         let mut text = String::new();
-        if self.step == 0 {
+        if self.replay.rows() == 0 {
             text.push_str(match self.kind {
                 LogTableKind::Track => {
                     "time,x,y,theta,sigma_x,sigma_y,sigma_theta,epsilon,sigma_epsilon,true_x,true_y\n"
@@ -57,32 +58,30 @@ impl LogTable {
             });
         }
         let before = self.replay;
-        let rows = &rows[..rows.len().min(n as usize)];
-        for row in rows {
-            if let Err(refused) = self.take(row, &mut text) {
-                self.replay = before;
-                return Err(refused);
+        for _ in 0..left.min(n) {
+            let taken = self.replay.take(logged.drive(), &self.course).inspect_err(|_| self.replay = before)?;
+            if let Some(taken) = taken {
+                self.write(&taken, &mut text);
             }
         }
-        self.step += rows.len();
         Ok(Some(text))
     }
 
-    fn take(&mut self, row: &Row, to: &mut String) -> Result<(), Error> {
+    fn write(&self, taken: &Taken, to: &mut String) {
         let drive = self.logged.drive();
-        let judged = self.replay.take(drive, row)?;
-        if row.time < self.replay.start() {
-            return Ok(());
+        if taken.early {
+            return;
         }
-        let mut cells: Vec<Option<f64>> = vec![Some(row.time)];
-        match (self.kind, row.event, judged) {
+        let mut cells: Vec<Option<f64>> = vec![Some(taken.time)];
+        match (self.kind, drive.rows[taken.row].event, taken.judged) {
             (LogTableKind::Track, event, _) if event.is_motion() => {
                 let (pose, p) = (self.replay.pose(), self.replay.covariance());
                 let sigma = |i: usize| (i < p.nrows()).then(|| p[(i, i)].max(0.0).sqrt());
                 cells.extend([pose.x(), pose.y(), pose.theta()].map(Some));
                 cells.extend([0, 1, 2].map(sigma));
-                cells.extend([self.replay.epsilon(), sigma(3)]);
-                let truth = drive.truth.position(row.time);
+                let epsilon = self.replay.epsilon();
+                cells.extend([epsilon, epsilon.and_then(|_| sigma(3))]);
+                let truth = drive.truth.position(taken.time);
                 cells.extend([0, 1].map(|i| truth.map(|at| at[i])));
             }
             (
@@ -96,7 +95,7 @@ impl LogTable {
                 cells.extend([id, Some(range), Some(expected), Some(judged.innovation), Some(sigma)]);
                 cells.extend([judged.d2, f64::from(judged.outputs), f64::from(u8::from(judged.used))].map(Some));
             }
-            _ => return Ok(()),
+            _ => return,
         }
         for (i, cell) in cells.into_iter().enumerate() {
             if i > 0 {
@@ -108,6 +107,5 @@ impl LogTable {
             }
         }
         to.push('\n');
-        Ok(())
     }
 }

@@ -29,13 +29,13 @@ fn circle(rows: u32) -> String {
 #[test]
 fn a_run_is_the_same_in_one_call_and_in_many() {
     let plaza = plaza();
-    let params = LogParams { gate: Some(0.999), learn: true, ..LogParams::default() };
+    let params = LogParams { gate: BySensor::all(Some(0.999)), learn: true, ..LogParams::default() };
     let at_once = whole(&plaza, params);
     let mut in_parts = RobotLog::start(Arc::clone(&plaza), params).expect("sound parameters");
     for n in [1, 16, 5000, 100_000] {
         in_parts.run(n).expect("a sound log");
     }
-    assert_eq!((in_parts.step, in_parts.digest), (plaza.rows(), at_once.digest));
+    assert_eq!((in_parts.steps(), in_parts.digest), (plaza.rows(), at_once.digest));
     assert_eq!(in_parts.frame(), at_once.frame());
     let mut changed = whole(&plaza, LogParams::default());
     changed.set(params).expect("sound parameters");
@@ -58,9 +58,9 @@ fn what_is_refused_changes_nothing() {
         params
     };
     for (params, argument) in [
-        (bad(|p| p.gate = Some(9.21)), "gate"),
-        (bad(|p| p.gate = Some(0.0)), "gate"),
-        (bad(|p| p.gate = Some(f64::NAN)), "gate"),
+        (bad(|p| p.gate = BySensor::all(Some(9.21))), "gate"),
+        (bad(|p| p.gate = BySensor::all(Some(0.0))), "gate"),
+        (bad(|p| p.gate = BySensor::all(Some(f64::NAN))), "gate"),
         (bad(|p| p.sigma_range = 0.0), "sigmaRange"),
         (bad(|p| p.sigma_distance = -0.1), "sigmaDistance"),
         (bad(|p| p.scale = f64::INFINITY), "scale"),
@@ -81,9 +81,9 @@ fn what_is_refused_changes_nothing() {
 fn numbers_beyond_floating_point_are_refused_at_their_row() {
     let far = logged("L,1,0,5\nO,1,1,0\nR,1,1,5\nO,2,1e300,0\nR,2,1,5\nO,3,1,0\n");
     let mut lab = RobotLog::at(Arc::clone(&far), LogParams::default(), 2).expect("within the log");
-    let before = (lab.step, lab.digest, lab.frame());
+    let before = (lab.steps(), lab.digest, lab.frame());
     assert!(lab.run_all().is_err());
-    assert_eq!((lab.step, lab.digest, lab.frame()), before);
+    assert_eq!((lab.steps(), lab.digest, lab.frame()), before);
 }
 
 #[test]
@@ -176,7 +176,7 @@ fn table(logged: &Arc<LoggedDrive>, params: LogParams, kind: LogTableKind, n: u3
 #[test]
 fn a_table_has_a_row_for_each_motion_or_sighting_and_ends_where_the_replay_ends() {
     let plaza = plaza();
-    let params = LogParams { gate: Some(0.999), learn: true, ..LogParams::default() };
+    let params = LogParams { gate: BySensor::all(Some(0.999)), learn: true, ..LogParams::default() };
     let lab = whole(&plaza, params);
     let track = table(&plaza, params, LogTableKind::Track, 1_000_000);
     assert_eq!(track, table(&plaza, params, LogTableKind::Track, 777), "however it is cut");
@@ -208,7 +208,7 @@ fn a_table_that_meets_a_bad_row_stays_where_it_was() {
 #[test]
 fn readings_are_counted_for_each_landmark() {
     let plaza = plaza();
-    let frame = whole(&plaza, LogParams { gate: Some(0.999), ..LogParams::default() }).frame();
+    let frame = whole(&plaza, LogParams { gate: BySensor::all(Some(0.999)), ..LogParams::default() }).frame();
     let [used, refused] = frame.by_landmark.iter().fold([0, 0], |[u, r], it| [u + it.used, r + it.refused]);
     assert_eq!((used, refused), (frame.summary.used, frame.summary.refused));
     assert_eq!(frame.by_landmark.iter().map(|it| it.id).collect::<Vec<_>>(), [0, 1, 6, 5]);

@@ -1,0 +1,180 @@
+//! What a replay does: its settings, where and when it starts, and in which order it takes what was measured.
+
+use crate::drive::learned::Which;
+use crate::drive::row::{Drive, Event, Motion};
+use crate::drive::sensor::{BySensor, Sensor};
+use crate::drive::settings::{Delays, Settings};
+use crate::error::Error;
+use alloc::vec::Vec;
+use core::cmp::Ordering;
+use filters::consistency::chi2_quantile;
+use geom::SE2;
+
+/// What of a row was measured at one time: all of it, or of a `V` row whose two delays differ its speed or its turn.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) struct Step {
+    /// The row's index.
+    pub row: usize,
+    /// Its stamp, s.
+    pub stamp: f64,
+    /// When it was measured: the stamp less the delay, s.
+    pub time: f64,
+    pub event: Event,
+    /// Whether the row counts as taken with this step: a `V` in two halves does with its turn.
+    pub counts: bool,
+}
+
+/// How a drive is replayed under some settings.
+///
+/// Each row was measured at its stamp less its sensor's delay, and rows go by that time: at equal times motion before
+/// readings, then by their lines. Only where there are delays is an order kept, of four bytes for each row.
+///
+/// It starts at the first true pose, at its time. Where there is no truth, it starts at the pose that the settings name,
+/// when the first fix was measured; where there are no fixes either, when the first row was.
+#[derive(Clone, Debug)]
+pub struct Course {
+    settings: Settings,
+    motion: Motion,
+    /// The steps, where they are not the rows as they stand: twice the row's index, and 1 for the speed of a `V` whose
+    /// turn is a step of its own.
+    order: Option<Vec<u32>>,
+    splits: bool,
+    steps: usize,
+    start: f64,
+    pose: SE2,
+    gates: BySensor<Option<f64>>,
+    sensors: BySensor<bool>,
+}
+
+impl Course {
+    /// The course of `drive` under these settings.
+    ///
+    /// # Errors
+    /// [`crate::Code::NotFinite`] or [`crate::Code::Limit`] naming the setting: a standard deviation of a sensor or of
+    /// the start is not above 0, one of the motion is negative, a gate is no probability between 0 and 1, a delay is
+    /// beyond ten seconds, 1 + scale or 1 + κ is not positive, or a log of `O` rows is asked for what only speeds and
+    /// turn rates have.
+    pub fn new(drive: &Drive, settings: Settings) -> Result<Self, Error> {
+        settings.check(drive.motion)?;
+        let Delays { speed, turn, .. } = settings.delays;
+        let splits = speed != turn;
+        let order = (settings.delays != Delays::default()).then(|| order(drive, &settings.delays));
+        let mut sensors = BySensor::default();
+        for sensor in drive.rows.iter().filter_map(|row| Sensor::of(&row.event)) {
+            *sensors.of_mut(sensor) = true;
+        }
+        let mut gates = BySensor::all(None);
+        for sensor in [Sensor::Fix, Sensor::Heading, Sensor::Range, Sensor::Bearing] {
+            let gate = settings.gate.of(sensor);
+            *gates.of_mut(sensor) = gate.map(|p| chi2_quantile(sensor.outputs(), p)).transpose()?;
+        }
+        let steps = order.as_ref().map_or(drive.rows.len(), Vec::len);
+        let (start, pose, motion) = (0.0, SE2::new(0.0, 0.0, 0.0), drive.motion);
+        let mut course = Self { settings, motion, order, splits, steps, start, pose, gates, sensors };
+        if let Some(first) = drive.truth.poses().first() {
+            course.start = first.time;
+            course.pose = SE2::new(first.x, first.y, first.theta);
+            return Ok(course);
+        }
+        let [x, y, theta] = settings.start.unwrap_or_default();
+        course.pose = SE2::new(x, y, theta);
+        let fix = drive.rows.iter().find(|row| matches!(row.event, Event::Position { .. }));
+        let first = fix.map(|row| row.time - settings.delays.fix);
+        course.start = first.or(course.step(drive, 0).map(|step| step.time)).unwrap_or(0.0);
+        Ok(course)
+    }
+
+    /// The settings.
+    pub fn settings(&self) -> &Settings {
+        &self.settings
+    }
+
+    /// When the replay starts, s. Rows of held motion before it say what is held; others are skipped.
+    pub fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// Where the replay starts.
+    pub fn pose(&self) -> SE2 {
+        self.pose
+    }
+
+    /// Which sensors the drive has.
+    pub fn sensors(&self) -> &BySensor<bool> {
+        &self.sensors
+    }
+
+    /// When the first and the last row were measured, s; `None` where there is no row.
+    pub fn span(&self, drive: &Drive) -> Option<[f64; 2]> {
+        Some([self.step(drive, 0)?.time, self.step(drive, self.steps.checked_sub(1)?)?.time])
+    }
+
+    /// How the robot moves.
+    pub(crate) fn moves_by(&self) -> Motion {
+        self.motion
+    }
+
+    /// A step by its place in the order.
+    pub(crate) fn step(&self, drive: &Drive, position: usize) -> Option<Step> {
+        let code = match &self.order {
+            None => u32::try_from(2 * position).ok()?,
+            Some(order) => *order.get(position)?,
+        };
+        step(drive, code, &self.settings.delays)
+    }
+
+    /// Which numbers are learned.
+    pub(crate) fn which(&self) -> Which {
+        let Settings { learn: epsilon, learn_speed: speed_scale, learn_bias: turn_bias, .. } = self.settings;
+        Which { epsilon, speed_scale, turn_bias }
+    }
+
+    pub(crate) fn gates(&self) -> &BySensor<Option<f64>> {
+        &self.gates
+    }
+
+    /// Whether a row may be in two steps.
+    pub(crate) fn splits(&self) -> bool {
+        self.splits
+    }
+}
+
+/// The steps of a drive by the time of their measurement.
+fn order(drive: &Drive, delays: &Delays) -> Vec<u32> {
+    let splits = delays.speed != delays.turn;
+    let mut codes = Vec::with_capacity(drive.rows.len());
+    for (code, row) in (0..).step_by(2).zip(&drive.rows) {
+        if splits && matches!(row.event, Event::Velocity { .. }) {
+            codes.push(code + 1);
+        }
+        codes.push(code);
+    }
+    let key = |code: &u32| {
+        let row = &drive.rows[(code >> 1) as usize];
+        let time = step(drive, *code, delays).map_or(row.time, |step| step.time);
+        (time, !row.event.is_motion(), row.line)
+    };
+    codes.sort_by(|a, b| {
+        let ((a, reads, line), (b, other_reads, other_line)) = (key(a), key(b));
+        a.total_cmp(&b).then_with(|| -> Ordering { (reads, line).cmp(&(other_reads, other_line)) })
+    });
+    codes
+}
+
+/// The step of a code.
+fn step(drive: &Drive, code: u32, delays: &Delays) -> Option<Step> {
+    let index = (code >> 1) as usize;
+    let row = drive.rows.get(index)?;
+    let counts = code & 1 == 0;
+    let (event, delay) = match row.event {
+        Event::Velocity { v, .. } if !counts => (Event::Speed { v }, delays.speed),
+        Event::Velocity { omega, .. } if delays.speed != delays.turn => (Event::TurnRate { omega }, delays.turn),
+        Event::Velocity { .. } | Event::TurnRate { .. } => (row.event, delays.turn),
+        Event::Speed { .. } => (row.event, delays.speed),
+        Event::Odometry { .. } => (row.event, 0.0),
+        Event::Position { .. } => (row.event, delays.fix),
+        Event::Heading { .. } => (row.event, delays.heading),
+        Event::Range { .. } | Event::RangeBearing { .. } => (row.event, delays.sighting),
+    };
+    Some(Step { row: index, stamp: row.time, time: row.time - delay, event, counts })
+}

@@ -1,0 +1,91 @@
+//! The sensors of a log, and what is told or said of each.
+
+use crate::drive::row::Event;
+
+/// A sensor of a log that corrects the estimate.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Sensor {
+    /// Fixes of the position.
+    Fix,
+    /// Headings.
+    Heading,
+    /// Ranges.
+    Range,
+    /// Ranges with a bearing.
+    Bearing,
+}
+
+impl Sensor {
+    /// Which sensor a row is of; `None` of motion.
+    pub fn of(event: &Event) -> Option<Self> {
+        match event {
+            Event::Position { .. } => Some(Self::Fix),
+            Event::Heading { .. } => Some(Self::Heading),
+            Event::Range { .. } => Some(Self::Range),
+            Event::RangeBearing { .. } => Some(Self::Bearing),
+            _ => None,
+        }
+    }
+
+    /// p, how many numbers a reading of it has.
+    pub fn outputs(self) -> u32 {
+        match self {
+            Self::Fix | Self::Bearing => 2,
+            Self::Heading | Self::Range => 1,
+        }
+    }
+}
+
+/// Something for each sensor.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct BySensor<T> {
+    /// Of the fixes.
+    pub fix: T,
+    /// Of the headings.
+    pub heading: T,
+    /// Of ranges alone.
+    pub range: T,
+    /// Of ranges with a bearing.
+    pub bearing: T,
+}
+
+impl<T: Copy> BySensor<T> {
+    /// The same for all sensors.
+    pub fn all(value: T) -> Self {
+        Self { fix: value, heading: value, range: value, bearing: value }
+    }
+}
+
+impl<T: PartialEq> BySensor<T> {
+    /// Whether it is the same for all sensors.
+    pub fn is_one(&self) -> bool {
+        self.fix == self.heading && self.heading == self.range && self.range == self.bearing
+    }
+}
+
+impl<T> BySensor<T> {
+    /// That of one sensor.
+    pub fn of(&self, sensor: Sensor) -> &T {
+        match sensor {
+            Sensor::Fix => &self.fix,
+            Sensor::Heading => &self.heading,
+            Sensor::Range => &self.range,
+            Sensor::Bearing => &self.bearing,
+        }
+    }
+
+    /// That of one sensor, to change it.
+    pub fn of_mut(&mut self, sensor: Sensor) -> &mut T {
+        match sensor {
+            Sensor::Fix => &mut self.fix,
+            Sensor::Heading => &mut self.heading,
+            Sensor::Range => &mut self.range,
+            Sensor::Bearing => &mut self.bearing,
+        }
+    }
+
+    /// Each, with the name by which a caller knows its sensor.
+    pub fn each(&self) -> [(&'static str, &T); 4] {
+        [("fix", &self.fix), ("heading", &self.heading), ("range", &self.range), ("bearing", &self.bearing)]
+    }
+}

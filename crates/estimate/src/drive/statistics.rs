@@ -1,0 +1,192 @@
+//! Sums over the errors and the innovations of a replay, of constant memory however long it is.
+
+use crate::drive::sensor::{BySensor, Sensor};
+use crate::error::{Code, Error};
+use crate::reading::Corrected;
+use core::f64::consts::TAU;
+use filters::Autocorrelation;
+use nalgebra::Vector2;
+use numerics::sqrt;
+
+/// What became of a reading.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Judged {
+    /// The sensor.
+    pub sensor: Sensor,
+    /// Whether it corrected the estimate.
+    pub used: bool,
+    /// ν₁, the innovation of its first number: x of a fix, the heading, the range.
+    pub innovation: f64,
+    /// S₁₁, its variance before the reading.
+    pub variance: f64,
+    /// ν/√S of the second number, a bearing.
+    pub second: Option<f64>,
+    /// ν/√S of a fix along the estimated heading, and to the left of it.
+    pub along: Option<[f64; 2]>,
+    /// d² = νᵀS⁻¹ν.
+    pub d2: f64,
+    /// ln det 2πS.
+    pub log_det: f64,
+    /// p, the outputs of the reading.
+    pub outputs: u32,
+}
+
+impl Judged {
+    /// What a correction made of a reading, at the heading that was estimated before it.
+    pub(crate) fn new(sensor: Sensor, corrected: &Corrected, heading: f64, gated: bool) -> Result<Self, Error> {
+        let (nu, s) = (corrected.innovation, corrected.s);
+        let outputs = sensor.outputs();
+        // A distance too large for a number is beyond every gate; without a gate it cannot be taken.
+        let d2 = match corrected.chi2 {
+            Ok(d2) => d2,
+            Err(_) if gated => f64::INFINITY,
+            Err(_) => {
+                let name = match sensor {
+                    Sensor::Fix => "x",
+                    Sensor::Heading => "theta",
+                    Sensor::Range | Sensor::Bearing => "range",
+                };
+                return Err(Error::new(Code::NotFinite, name, "is too large: its squared distance overflows"));
+            }
+        };
+        let det = if outputs == 2 { s[(0, 0)] * (s[(1, 1)] - s[(1, 0)] * (s[(1, 0)] / s[(0, 0)])) } else { s[(0, 0)] };
+        let log_det = libm::log(det) + f64::from(outputs) * libm::log(TAU);
+        if corrected.accepted && !log_det.is_finite() {
+            let message = "has no likelihood: det S is no positive number";
+            return Err(Error::new(Code::InnovationNotPositiveDefinite, "y", message));
+        }
+        let part = |direction: Vector2<f64>| direction.dot(&nu) / sqrt((direction.transpose() * s * direction)[0]);
+        let along = (sensor == Sensor::Fix).then(|| {
+            let (sin, cos) = libm::sincos(heading);
+            [part(Vector2::new(cos, sin)), part(Vector2::new(-sin, cos))]
+        });
+        let second = (sensor == Sensor::Bearing).then(|| nu[1] / sqrt(s[(1, 1)]));
+        let (innovation, variance) = (nu[0], s[(0, 0)]);
+        Ok(Self { sensor, used: corrected.accepted, innovation, variance, second, along, d2, log_det, outputs })
+    }
+
+    /// ν₁/√S₁₁.
+    pub fn normalized(&self) -> f64 {
+        self.innovation / sqrt(self.variance)
+    }
+}
+
+/// Sums over the errors of the position.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Errors {
+    count: u32,
+    squares: f64,
+    worst: f64,
+}
+
+impl Errors {
+    pub fn take(&mut self, distance: f64) {
+        self.count += 1;
+        self.squares += distance * distance;
+        self.worst = self.worst.max(distance);
+    }
+
+    pub fn count(&self) -> u32 {
+        self.count
+    }
+
+    pub fn rmse(&self) -> Option<f64> {
+        (self.count > 0).then(|| sqrt(self.squares / f64::from(self.count)))
+    }
+
+    pub fn worst(&self) -> Option<f64> {
+        (self.count > 0).then_some(self.worst)
+    }
+}
+
+/// Sums over normalized innovations n = ν₁/√S₁₁.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Innovations {
+    normalized: Autocorrelation<1>,
+    nis: f64,
+    refused: u32,
+}
+
+impl Innovations {
+    /// Takes n and d²/p of a used reading.
+    pub fn take(&mut self, n: f64, nis: f64) {
+        self.normalized.take(n);
+        self.nis += nis;
+    }
+
+    pub fn count(&self) -> u32 {
+        self.normalized.count()
+    }
+
+    pub fn refused(&self) -> u32 {
+        self.refused
+    }
+
+    pub fn nis(&self) -> Option<f64> {
+        (self.count() > 0).then(|| self.nis / f64::from(self.count()))
+    }
+
+    pub fn mean(&self) -> Option<f64> {
+        self.normalized.mean()
+    }
+
+    pub fn lag1(&self) -> Option<f64> {
+        self.normalized.at(1)
+    }
+}
+
+/// The innovations of all readings, and of each sensor's.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Statistics {
+    pub all: Innovations,
+    pub each: BySensor<Innovations>,
+    /// Second numbers of sightings.
+    pub bearings: Autocorrelation<1>,
+    /// Sums over the used fixes.
+    pub along: [f64; 2],
+    pub log_likelihood: f64,
+}
+
+impl Statistics {
+    pub fn take(&mut self, judged: &Judged) {
+        if !judged.used {
+            self.refuse(judged.sensor);
+            return;
+        }
+        let (n, nis) = (judged.normalized(), judged.d2 / f64::from(judged.outputs));
+        for sums in [&mut self.all, self.each.of_mut(judged.sensor)] {
+            sums.take(n, nis);
+        }
+        if let Some(second) = judged.second {
+            self.bearings.take(second);
+        }
+        if let Some([along, across]) = judged.along {
+            self.along[0] += along;
+            self.along[1] += across;
+        }
+        self.log_likelihood -= 0.5 * (judged.log_det + judged.d2);
+    }
+
+    pub fn refuse(&mut self, sensor: Sensor) {
+        self.all.refused += 1;
+        self.each.of_mut(sensor).refused += 1;
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn taken(values: &[f64]) -> Innovations {
+        let mut sums = Innovations::default();
+        values.iter().for_each(|n| sums.take(*n, n * n));
+        sums
+    }
+
+    #[test]
+    fn what_cannot_be_said_is_none() {
+        assert_eq!((taken(&[]).nis(), taken(&[]).mean(), taken(&[]).lag1()), (None, None, None));
+        assert_eq!((taken(&[3.0]).nis(), taken(&[3.0]).mean(), taken(&[3.0]).lag1()), (Some(9.0), Some(3.0), None));
+        assert_eq!((Errors::default().rmse(), Errors::default().worst()), (None, None));
+    }
+}
