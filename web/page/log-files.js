@@ -7,7 +7,7 @@ import { part } from '../draw/dom.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('estimate-wasm').LogValue} LogValue */
-/** @typedef {import('../widgets/robot-log/server.js').Change} Change */
+/** @typedef {import('../widgets/robot-log/change.js').Change} Change */
 
 const ROLES = {
   log: 'a log in this book’s format',
