@@ -67,11 +67,11 @@ test('the five files of MRCLAM dropped together are one log', async (t) => {
   assert.deepEqual(roles, ['velocities', 'sightings', 'barcodes', 'landmarks', 'truth'])
 })
 
-test('a table is guessed, shown and corrected by keys', async (t) => {
+test('a table is guessed, shown with three values and what follows, and corrected by keys', async (t) => {
   const { page, it, choose, answer } = await openLog(t, { viewport: PHONE })
   const rows = Array.from({ length: 40 }, (_, i) => `${i},${500},${i % 3}`).join('\n')
   await choose(file('wheels.csv', `stamp,forward speed,yaw rate\n${rows}\n`))
-  await until(it, ({ rows }) => rows === 40, 'the table as guessed')
+  await answer.getByText('Wheels.csv asks: In which unit is “forward speed”?', { exact: false }).waitFor()
   const select = (name) => page.locator(`.log-file [data-key="0 ${name}"]`)
   assert.deepEqual(await Promise.all(['read as', 'time', 'v', 'ω'].map((name) => select(name).inputValue())), [
     'velocities',
@@ -79,15 +79,86 @@ test('a table is guessed, shown and corrected by keys', async (t) => {
     '1',
     '2',
   ])
-  assert.equal(await select('unit of length').inputValue(), 'mm', 'five hundred metres a second are too many')
-  await select('unit of angle').focus()
+  assert.equal(await select('unit of v').inputValue(), '', 'nobody knows in what they are')
+  await select('unit of v').selectOption('mm/s')
+  await until(it, ({ rows }) => rows === 40, 'the table with its unit')
+  assert.match(
+    await page.locator('.log-follows').innerText(),
+    /^So: 1 Hz, 0 to 39 s, v 0.5 … 0.5 m\/s, 19.5 m of way, turned 6.\d+ turns\.$/,
+  )
+  assert.deepEqual(await page.locator('.log-samples').allInnerTexts(), ['0 · 20 · 39', '500 · 500 · 500', '0 · 2 · 0'])
+  await select('unit of ω').focus()
   await page.keyboard.press('ArrowDown')
-  await page.waitForFunction(() => document.querySelector('[data-key="0 unit of angle"]').value === 'deg')
+  await page.waitForFunction(() => document.querySelector('[data-key="0 unit of ω"]').value === 'deg/s')
   await until(it, ({ reckoning }) => Math.abs(reckoning[2]) < 1, 'degrees turn less than radians')
-  assert.equal(await page.evaluate(() => document.activeElement.dataset.key), '0 unit of angle', 'the focus stays')
+  assert.equal(await page.evaluate(() => document.activeElement.dataset.key), '0 unit of ω', 'the focus stays')
   await select('v').selectOption('–')
   await answer.getByText('no column has been chosen for v').waitFor()
   assert.equal((await frameOf(it)).rows, 40, 'the figure keeps what it showed')
+})
+
+const GNSS = ['time,lat,lon,speed,yaw_rate']
+for (let i = 0; i < 60; i++)
+  GNSS.push(`${i},${(48 + 1e-5 * i).toFixed(6)},11.000000,${(1.112).toFixed(3)},${i % 2 ? 0.01 : -0.01}`)
+
+test('a receiver is a sensor: the filter starts at its first fix, and its row has σ, delay and gate', async (t) => {
+  const { page, it, choose, answer } = await openLog(t)
+  await choose(file('gnss.csv', GNSS.join('\n')))
+  await answer.getByText('The filter starts at the first fix.').waitFor()
+  await answer.getByText(/east and north of the first fix, 48\.00000° N, 11\.00000° E/).waitFor()
+  const { params, summary } = await until(it, (frame) => frame.params.start && frame.summary.used === 60, 'the fixes')
+  assert.ok(Math.abs(params.start[2] - Math.PI / 2) < 1e-6, 'the way leads north')
+  assert.equal(summary.rmse, null, 'no truth')
+  const row = page.locator('.log-sensor', { hasText: 'positions' })
+  assert.match(await row.locator('.log-says').innerText(), /^60 used, none refused, NIS /)
+  await row.getByLabel('σ, m').fill('2,5')
+  await row.getByLabel('σ, m').press('Enter')
+  await until(it, ({ params }) => params.sigmaFix === 2.5, 'σ with a comma')
+  await row.getByLabel('delay, s').fill('0.5')
+  await row.getByLabel('delay, s').press('Enter')
+  await until(it, ({ params }) => params.delayFix === 0.5, 'the delay')
+  await row.getByLabel('gate').selectOption('99 %')
+  await until(it, ({ params }) => params.gate?.fix === 0.99 && params.gate.range === null, 'a gate of its own')
+  await row.getByLabel('one in so many s').fill('10')
+  await row.getByLabel('one in so many s').press('Enter')
+  await until(it, ({ params, summary }) => params.every?.fix === 10 && summary.sensors.fix.used === 6, 'six of sixty')
+  await row.getByLabel('used').uncheck()
+  await until(it, ({ params, summary }) => params.fixes === false && summary.used === 0, 'dead reckoning')
+  await it.locator('.live').getByText('Dead reckoning: odometry alone, no reading is used.').waitFor()
+})
+
+test('the start is typed and dragged, fixes are withheld, and the track is smoothed', async (t) => {
+  const { page, it, choose } = await openLog(t)
+  await choose(file('gnss.csv', GNSS.join('\n')))
+  await until(it, (frame) => frame.params.start && frame.summary.used === 60, 'the fixes')
+  const start = page.locator('.log-sensor', { hasText: 'heading, °' }).first()
+  await start.getByLabel('x, m').fill('−3')
+  await start.getByLabel('x, m').press('Enter')
+  await until(it, ({ params }) => params.start?.[0] === -3, 'a start beside it')
+  await it.locator('.live').getByRole('button', { name: 'Reset' }).click()
+  const handle = it.locator('.live [role=slider][aria-label="Start of the filter"]')
+  await handle.focus()
+  await page.keyboard.press('ArrowRight')
+  await until(it, ({ params }) => Math.abs(params.start?.[0] + 2.9) < 1e-9, 'a tenth of a metre by a key')
+  await start.getByRole('button', { name: 'From the first fixes' }).click()
+  await until(it, ({ params }) => params.start?.[0] === 0, 'the first fix again')
+  await it.locator('.live [role=slider][aria-label="Time of the drive"]').focus()
+  await page.keyboard.press('End')
+  const after = page.locator('.log-sensor', { hasText: 'withheld' })
+  await after.getByLabel('withhold from, s').fill('20')
+  await after.getByLabel('withhold from, s').press('Enter')
+  await until(it, ({ params }) => params.withheld?.[0] === 20, 'the beginning')
+  await after.getByLabel('to, s').fill('40')
+  await after.getByLabel('to, s').press('Enter')
+  await until(it, ({ summary }) => summary.withheld?.rows === 21, 'the fixes between')
+  await after.getByRole('button', { name: 'Smooth the track' }).click()
+  const { smoothed, summary } = await until(it, (frame) => frame.smoothed, 'the smoothed track')
+  assert.ok(smoothed.x.length > 10 && summary.withheld.rmsSmoothed > 0)
+  assert.match(await after.locator('.log-says').innerText(), /from the 21 withheld fixes.*The smoothed track is/)
+  // Another log knows nothing of it.
+  await choose(file('wheels.csv', 'time,v,omega\n0,1,0\n1,1,0\n'))
+  const { params } = await until(it, ({ rows }) => rows === 2, 'another log')
+  assert.deepEqual([params.start, params.withheld, params.startSigma], [null, null, 0.2])
 })
 
 test('the page says from the start whose log its figure shows', async (t) => {

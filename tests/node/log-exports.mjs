@@ -23,9 +23,26 @@ const TABLES = [
   'id;x;y\n6;1;2\n',
   '# Subject #    Barcode #\n 6 \t 6\n',
   't,x,y\n0,0,0\n1,1,0\n',
+  'time,lat,lon,speed,yaw_rate\n0,48,11,1,0\n1,48,11.1,1,0\n',
+  'time,left_ticks,right_ticks\n0,0,0\n1,40,42\n',
+  't,d1,d2\n0,1,2\n1,1,nan\n',
   LOG,
 ]
-const ROLES = ['log', 'velocities', 'odometry', 'sightings', 'landmarks', 'truth', 'barcodes', 'unused']
+const ROLES = [
+  'log',
+  'velocities',
+  'odometry',
+  'encoders',
+  'sensors',
+  'sightings',
+  'ranges',
+  'landmarks',
+  'truth',
+  'barcodes',
+  'undecided',
+  'unused',
+]
+const VALUES = ['time', 'time', 'v', 'omega', 'x', 'range', 'landmark', 'heading', 'left', 'latitude']
 
 /** @param {object} lab what is known of a lab of the page, whose face a log's has too */
 export const logClasses = (lab) => ({
@@ -62,12 +79,10 @@ export const logClasses = (lab) => ({
       add: (dice) => [`${dice.below(9)}.csv`, dice.pick(TABLES)],
       files: () => [],
       setRole: (dice) => [dice.below(3), dice.pick(ROLES)],
-      setColumn: (dice) => [
-        dice.pick([0, 0, 0, 1, 2]),
-        dice.pick(['time', 'time', 'v', 'omega', 'x', 'range', 'landmark']),
-        dice.pick([null, 0, 1, 2]),
-      ],
-      setUnit: (dice) => [dice.below(3), dice.pick(['ms', 's', 'mm', 'deg'])],
+      setColumn: (dice) => [dice.pick([0, 0, 0, 1, 2]), dice.pick(VALUES), dice.pick([null, 0, 1, 2])],
+      setUnit: (dice) => [dice.below(3), dice.pick(VALUES), dice.pick(['ms', 's', 'mm', 'deg', 'date', 'km/h'])],
+      setWheel: (dice) => [dice.below(3), dice.pick(['ticks', 'radius', 'base']), dice.pick([0.1, 1000])],
+      setCounting: (dice) => [dice.below(3), dice.pick(['total', 'step'])],
       read: () => [],
     },
     often: ['add', 'setColumn'],

@@ -82,8 +82,9 @@ test('a table in another encoding is read and said to be; a file that is no text
     const said = await server.answer({ kind: 'files', files: [new File([bytes], 'wheels.csv')] })
     const { kind, contents, message } = said
     const [shown] = said.files
+    const units = shown.values?.map(({ unit }) => unit)
     assert.equal(kind, 'log', `${encoding}: ${message}`)
-    assert.deepEqual([contents.rows, shown.angle, shown.header[2]], [2, 'deg', 'yaw rate [°/s]'], encoding)
+    assert.deepEqual([contents.rows, units?.[2], shown.header[2]], [2, 'deg/s', 'yaw rate [°/s]'], encoding)
     assert.deepEqual(
       contents.notes,
       encoding === 'utf-8' ? [] : [`wheels.csv is no UTF-8 and was read as ${encoding.toUpperCase()}.`],
@@ -143,23 +144,44 @@ test('a file that is guessed wrongly is read otherwise, and its log replayed', a
   assert.deepEqual([said.kind, said.files[0].role, said.files[0].header], ['no-log', 'unused', ['a', 'b', 'c']])
   for (const change of [
     { file: 0, role: 'velocities' },
-    { file: 0, unit: 'mm' },
-    { file: 0, unit: 'ms' },
-    { file: 0, unit: 'deg' },
+    { file: 0, value: 'v', unit: 'mm/s' },
+    { file: 0, value: 'time', unit: 'ms' },
+    { file: 0, value: 'omega', unit: 'deg/s' },
   ]) {
     said = await server.answer({ kind: 'reading', set: 1, change })
-    assert.equal(said.kind, 'log')
+    // Five hundred of what is asked, and nothing is read before that is said.
+    if (change.role) assert.match(said.message, /run\.csv asks: In which unit is “b”/)
+    else assert.equal(said.kind, 'log')
   }
+  assert.equal(said.files[0].follows, '10 Hz, 0 to 4.9 s, v 0.5 … 0.5 m/s, 2.45 m of way, turned 0.0133 turns')
+  assert.deepEqual(said.files[0].values[0].samples, ['0', '2500', '4900'])
   assert.deepEqual(said.contents.span, [0, 4.9])
   assert.deepEqual(
     said.files[0].values.map(({ column }) => column),
-    [0, 1, 2],
+    [0, 1, 2, null],
   )
   said = await server.answer({ kind: 'reading', set: 1, change: { file: 0, value: 'v', column: null } })
   assert.match(said.message, /no column has been chosen for v/)
   server.take({ kind: 'go', id: 3, params: {}, step: null })
   finish()
   assert.equal(told.at(-1).frame.rows, 50, 'the log that was read last')
+})
+
+test('what a file asks is told in no line, and what encoders need is taken', async () => {
+  const { server } = await served()
+  const encoders = 'time_ms,left_ticks,right_ticks\n0,0,0\n50,40,42\n100,80,84\n'
+  let said = await server.answer({ kind: 'files', set: 4, files: [new File([encoders], 'encoders.csv')] })
+  assert.deepEqual([said.kind, said.line, said.mend], ['no-log', 0, 'Answer below'])
+  assert.match(said.message, /^encoders\.csv asks: Encoders need how many ticks/)
+  for (const change of [
+    { file: 0, wheel: 'ticks', number: 1000 },
+    { file: 0, wheel: 'radius', number: 0.1 },
+    { file: 0, wheel: 'base', number: 0.4 },
+    { file: 0, counting: 'total' },
+  ])
+    said = await server.answer({ kind: 'reading', set: 4, change })
+  assert.deepEqual([said.kind, said.contents.steps, said.contents.motion], ['log', 2, 'odometry'])
+  assert.deepEqual(said.files[0].wheels, { ticks: 1000, radius: 0.1, base: 0.4, counting: 'total' })
 })
 
 test('a replay is written as a table while wishes are answered', async () => {

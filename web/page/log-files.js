@@ -1,35 +1,53 @@
 /**
- * How the files of a log are read, for correction: what each is, which column holds which value, and in which units.
+ * How the files of a log are read, for correction: what each is, which column holds which value and in which unit, what
+ * a file asks, and what follows from how it is read.
  */
 
 import { part } from '../draw/dom.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
-/** @typedef {import('../widgets/robot-log/server.js').Change} Change */
+/** @typedef {import('estimate-wasm').LogValue} LogValue */
+/** @typedef {import('../widgets/robot-log/change.js').Change} Change */
 
 const ROLES = {
   log: 'a log in this book’s format',
   velocities: 'velocities',
   odometry: 'odometry',
-  sightings: 'sightings',
+  encoders: 'encoders of two wheels',
+  sensors: 'sensors: speed, turn rate, position, heading',
+  sightings: 'sightings of landmarks',
+  ranges: 'ranges, a column for each landmark',
   landmarks: 'landmarks',
-  truth: 'truth',
+  truth: 'the true track',
   barcodes: 'barcodes',
+  undecided: 'choose what it is',
   unused: 'not used',
 }
-/** The units that a file may be in, and the values that have them. */
-const UNITS = [
-  { name: 'time', units: ['s', 'ms', 'us', 'ns'], values: ['time'] },
-  { name: 'length', units: ['m', 'cm', 'mm'], values: ['v', 'distance', 'range', 'x', 'y'] },
-  { name: 'angle', units: ['rad', 'deg'], values: ['omega', 'turn', 'bearing', 'heading'] },
+const NAMES = /** @type {Record<string, string>} */ ({
+  omega: 'ω',
+  us: 'µs',
+  sigma: 'σ of the position',
+  'sigma of heading': 'σ of the heading',
+  fraction: 'fraction of the second',
+  'first range': 'first of the ranges',
+  date: 'date or time of day',
+})
+/** What encoders need besides, and its unit. @type {[string, string][]} */
+const WHEELS = [
+  ['ticks', 'ticks of a turn of the wheel'],
+  ['radius', 'radius of a wheel, m'],
+  ['base', 'distance between the wheels, m'],
 ]
-const NAMES = /** @type {Record<string, string>} */ ({ omega: 'ω', us: 'µs' })
+/** Values that a column may be chosen for only where there is one, or where a reader opens them. */
+const RARE = ['fraction', 'sigma', 'sigma of heading', 'latitude', 'longitude']
 
 export class FileForm {
   /** @param {HTMLElement} into @param {(change: Change) => void} change */
   constructor(into, change) {
     this.box = into
     this.change = change
+    /** The files whose rare values a reader has opened. @type {Set<string>} */
+    this.opened = new Set()
   }
 
   /** Shows files of which one may be read otherwise. @param {LogFile[]} files */
@@ -44,49 +62,108 @@ export class FileForm {
   }
 
   /** @param {number} i @param {LogFile} file */
-  showFile(i, { name, role, header, values, ...units }) {
-    const set = part(document, this.box, 'fieldset', 'log-file')
+  showFile(i, { name, role, header, values, wheels, asks, follows }) {
+    const set = part(document, this.box, 'fieldset', asks.length > 0 ? 'log-file asks' : 'log-file')
     part(document, set, 'legend', '').textContent = name
-    /**
-     * @param {string} label
-     * @param {[string, string][]} options
-     * @param {string} value
-     * @param {(value: string) => Change} make
-     */
-    const choice = (label, options, value, make) => {
-      const line = part(document, set, 'label', '')
-      part(document, line, 'span', '').textContent = label
-      const select = /** @type {HTMLSelectElement} */ (part(document, line, 'select', ''))
-      select.setAttribute('data-key', `${i} ${label}`)
-      for (const [key, words] of options) {
-        const option = /** @type {HTMLOptionElement} */ (part(document, select, 'option', ''))
-        option.value = key
-        option.textContent = words
-        option.selected = key === value
-      }
-      select.addEventListener('change', () => this.change(make(select.value)))
-    }
-    choice('read as', Object.entries(ROLES), role, (value) => ({ file: i, role: value }))
+    for (const ask of asks) part(document, set, 'p', 'log-ask').textContent = ask
+    const roles = Object.entries(ROLES).filter(([key]) => key !== 'undecided' || role === key)
+    this.choice(set, `${i} read as`, 'read as', roles, role, (value) => ({ file: i, role: value }))
     /** @type {[string, string][]} */
     const columns = [
       ['', '–'],
       ...header.map((column, at) => /** @type {[string, string]} */ ([String(at), column || `column ${at + 1}`])),
     ]
-    for (const { name: value, column } of values) {
-      choice(NAMES[value] ?? value, columns, column === null ? '' : String(column), (at) => ({
+    const shown = values.filter(({ name: value, column }) => column !== null || !RARE.includes(value))
+    const hidden = values.filter((value) => !shown.includes(value))
+    for (const value of shown) this.value(set, i, columns, value)
+    if (hidden.length > 0) {
+      const more = /** @type {HTMLDetailsElement} */ (part(document, set, 'details', 'log-more'))
+      more.open = this.opened.has(name)
+      more.addEventListener('toggle', () => (more.open ? this.opened.add(name) : this.opened.delete(name)))
+      part(document, more, 'summary', '').textContent = 'more columns'
+      const inner = part(document, more, 'div', 'log-values')
+      for (const value of hidden) this.value(inner, i, columns, value)
+    }
+    if (wheels) this.wheels(set, i, wheels)
+    if (follows) part(document, set, 'p', 'log-follows').textContent = `So: ${follows}.`
+  }
+
+  /** A value: its column, its unit, and what stands there. */
+  /** @param {Element} into @param {number} i @param {[string, string][]} columns @param {LogValue} value */
+  value(into, i, columns, { name, column, unit, units, samples }) {
+    const words = NAMES[name] ?? name
+    const cell = part(document, into, 'div', 'log-value')
+    this.choice(cell, `${i} ${words}`, words, columns, column === null ? '' : String(column), (at) => ({
+      file: i,
+      value: name,
+      column: at === '' ? null : Number(at),
+    }))
+    if (column === null) return
+    if (units.length > 0) {
+      /** @type {[string, string][]} */
+      const options = units.map((one) => [one, NAMES[one] ?? one])
+      if (unit === null) options.unshift(['', 'choose a unit'])
+      this.choice(cell, `${i} unit of ${words}`, `unit of ${words}`, options, unit ?? '', (one) => ({
         file: i,
-        value,
-        column: at === '' ? null : Number(at),
+        value: name,
+        unit: one,
       }))
     }
-    for (const { name: of, units: all, values: having } of UNITS) {
-      if (!values.some(({ name: value }) => having.includes(value))) continue
-      choice(
-        `unit of ${of}`,
-        all.map((unit) => [unit, NAMES[unit] ?? unit]),
-        units[/** @type {'time'} */ (of)],
-        (unit) => ({ file: i, unit }),
-      )
-    }
+    if (samples.length > 0) part(document, cell, 'p', 'log-samples').textContent = samples.map(short).join(' · ')
   }
+
+  /** @param {Element} set @param {number} i @param {NonNullable<LogFile['wheels']>} wheels */
+  wheels(set, i, wheels) {
+    for (const [name, words] of WHEELS) {
+      const line = part(document, set, 'label', '')
+      part(document, line, 'span', '').textContent = words
+      const input = /** @type {HTMLInputElement} */ (part(document, line, 'input', ''))
+      input.type = 'text'
+      input.inputMode = 'decimal'
+      input.value = String(wheels[/** @type {'ticks'} */ (name)] ?? '')
+      input.setAttribute('data-key', `${i} ${name}`)
+      input.addEventListener('change', () => {
+        const number = Number(input.value.replace(',', '.'))
+        const sound = Number.isFinite(number) && number > 0
+        input.setAttribute('aria-invalid', String(!sound))
+        if (sound) this.change({ file: i, wheel: name, number })
+      })
+    }
+    /** @type {[string, string][]} */
+    const ways = [
+      ['total', 'the count since the start'],
+      ['step', 'the count since the row before'],
+    ]
+    if (wheels.counting === null) ways.unshift(['', 'choose one'])
+    this.choice(set, `${i} counting`, 'a row has', ways, wheels.counting ?? '', (counting) => ({ file: i, counting }))
+  }
+
+  /**
+   * A choice among words.
+   * @param {Element} into
+   * @param {string} key by which it is found again
+   * @param {string} label
+   * @param {[string, string][]} options
+   * @param {string} value
+   * @param {(value: string) => Change} make
+   */
+  choice(into, key, label, options, value, make) {
+    const line = part(document, into, 'label', '')
+    part(document, line, 'span', '').textContent = label
+    const select = /** @type {HTMLSelectElement} */ (part(document, line, 'select', ''))
+    select.setAttribute('data-key', key)
+    for (const [name, words] of options) {
+      const option = /** @type {HTMLOptionElement} */ (part(document, select, 'option', ''))
+      option.value = name
+      option.textContent = words
+      option.selected = name === value
+      option.disabled = name === '' && label !== 'read as' && words.startsWith('choose')
+    }
+    select.addEventListener('change', () => this.change(make(select.value)))
+  }
+}
+
+/** The beginning of what stands in a field. @param {string} text */
+function short(text) {
+  return text.length > 16 ? `${text.slice(0, 15)}…` : text || '(empty)'
 }

@@ -164,7 +164,7 @@ function settings(controls, frame) {
         return [
           control.label,
           control.options.find((/** @type {any} */ option) => option.value === value)?.label ??
-            (value === null ? 'off' : percent(value)),
+            (value === null ? 'off' : typeof value === 'object' ? 'by sensor' : percent(value)),
         ]
       return [control.label, control.words(value, frame)]
     })

@@ -17,7 +17,11 @@ import { shortName } from './file-name.js'
 import { FileForm } from './log-files.js'
 import { readingBar } from './log-reading.js'
 import { Report } from './log-report.js'
+import { SensorForm } from './log-sensors.js'
+import { StartForm } from './log-start.js'
 
+/** What was said of the log before and is not true of another. */
+const UNTOLD = ['start', 'startSigma', 'startSigmaHeading', 'withheld']
 /** Larger files are refused before they are read, bytes. */
 const MOST_BYTES = 64_000_000
 /** How long printing waits for the figure, milliseconds. */
@@ -42,7 +46,19 @@ class OwnLog {
   /** @param {HTMLElement} place */
   constructor(place) {
     this.figure = /** @type {HTMLElement & { figure: any }} */ (place.querySelector('robot-log'))
-    this.report = new Report(/** @type {HTMLElement} */ (place.querySelector('.log-report')), {
+    const report = /** @type {HTMLElement} */ (place.querySelector('.log-report'))
+    const forms = document.createElement('div')
+    forms.className = 'log-forms'
+    report.before(forms)
+    this.forms = [
+      new SensorForm(forms, (patch) => this.figure.figure.change(patch)),
+      new StartForm(
+        forms,
+        (patch) => this.figure.figure.change(patch),
+        () => this.smooth(),
+      ),
+    ]
+    this.report = new Report(report, {
       table: (kind) => this.download(kind),
       print: () => this.print(),
     })
@@ -62,13 +78,13 @@ class OwnLog {
     this.dropped()
     // A name with a letter that the page has not shown yet would fetch a face later on: from now on nothing is fetched.
     for (const face of document.fonts) if (/Plain|Code|Text/.test(face.family)) face.load().catch(() => {})
-    this.figure.addEventListener('frame', () => this.report.show(this.figure.figure))
+    this.figure.addEventListener('frame', () => this.show())
     this.run().then(
       ({ contents }) => {
-        if (!this.report.contents) this.report.take(contents, [EXAMPLES.mower.file])
+        if (!this.report.contents) this.hold(contents, [EXAMPLES.mower.file])
         if (!this.answer.box.hasChildNodes())
           this.answer.say(`The figure shows the mower’s log until you open another. ${this.facts()}`)
-        this.report.show(this.figure.figure)
+        this.show()
       },
       () => {},
     )
@@ -162,7 +178,7 @@ class OwnLog {
       this.answer.end(bar.box)
       this.set = answer.set
       this.form.show(answer.files)
-      if (answer.kind === 'log') this.understood(answer)
+      if (answer.kind === 'log') this.understood(answer, question.kind === 'files')
       else if (answer.kind === 'no-log') this.answer.wrong(answer)
       else this.answer.say(`${answer.message ?? answer.why} The figure keeps the previous log.`)
       this.figure.figure.ask()
@@ -198,6 +214,24 @@ class OwnLog {
     return figure.figure.run
   }
 
+  /** @param {any} contents @param {string[]} names of the files */
+  hold(contents, names) {
+    this.report.take(contents, names)
+    for (const form of this.forms) form.take(contents)
+  }
+
+  /** Shows the frame that is there, below the figure. */
+  show() {
+    this.report.show(this.figure.figure)
+    for (const form of this.forms) form.show(this.figure.figure.run.frame)
+  }
+
+  async smooth() {
+    const run = await this.run()
+    run.smooth()
+    this.figure.figure.ask()
+  }
+
   /** What the log holds, in sentences. */
   facts() {
     return this.report
@@ -206,13 +240,20 @@ class OwnLog {
       .join(' ')
   }
 
-  /** @param {any} answer */
-  understood({ contents, files }) {
-    this.report.take(
+  /** @param {any} answer @param {boolean} other whether it is another log, and not the same one read otherwise */
+  understood({ contents, files, parameters }, other) {
+    const before = JSON.stringify(this.report.contents?.opening)
+    this.hold(
       contents,
       files.map((/** @type {any} */ { name }) => name),
     )
-    this.answer.say(this.facts())
+    const { opening } = contents
+    if (other || before !== JSON.stringify(opening)) {
+      const usual = parameters.filter((/** @type {any} */ { name }) => UNTOLD.includes(name))
+      const start = Object.fromEntries(usual.map((/** @type {any} */ one) => [one.name, one.default]))
+      this.figure.figure.change({ ...start, ...opening })
+    }
+    this.answer.say(`${this.facts()}${opening ? ' The filter starts at the first fix.' : ''}`)
     for (const note of contents.notes) part(document, this.answer.box, 'p', '').textContent = note
   }
 

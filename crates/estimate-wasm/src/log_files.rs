@@ -7,27 +7,48 @@ use crate::object::Held;
 use crate::robot_log::{DriveLog, text_of};
 use estimate::{Code, Error};
 use js_sys::Array;
-use robot_log::{File, Files, Role};
+use robot_log::{Counting, File, Files, Role, WHEEL_NUMBERS, units_of};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
 const TYPES: &str = r#"
 /** What a file of a log is. */
-export type LogRole = "log" | "velocities" | "odometry" | "sightings" | "landmarks" | "truth" | "barcodes" | "unused";
-/** A unit of time, of length or of angles. */
-export type LogUnit = "s" | "ms" | "us" | "ns" | "m" | "cm" | "mm" | "rad" | "deg";
+export type LogRole = "log" | "velocities" | "odometry" | "encoders" | "sensors" | "sightings" | "ranges" | "landmarks"
+    | "truth" | "barcodes" | "undecided" | "unused";
+/** A value that a file's role has. */
+export interface LogValue {
+    name: string;
+    /** Whether a file may do without it. */
+    optional: boolean;
+    /** The column it is read from, counted from 0. */
+    column: number | null;
+    /** The unit it is read in: null where it has none, or where that has to be said. */
+    unit: string | null;
+    /** The units it may be in. */
+    units: string[];
+    /** Three values of its column, as they stand in the file. */
+    samples: string[];
+}
+/** Ticks of a turn of the wheel, its radius and the distance between the wheels in m, and how the encoders count. */
+export interface LogWheels {
+    ticks: number | null;
+    radius: number | null;
+    base: number | null;
+    counting: "total" | "step" | null;
+}
 /** How a file of a log is read. */
 export interface LogFile {
     name: string;
     role: LogRole;
     /** What its columns are called; empty of a log in the book's own format. */
     header: string[];
-    /** Each value of its role, whether a file may do without it, and the column it is read from, counted from 0. */
-    values: { name: string; optional: boolean; column: number | null }[];
-    /** The units of its numbers. */
-    time: LogUnit;
-    length: LogUnit;
-    angle: LogUnit;
+    values: LogValue[];
+    /** What encoders need besides; null of another file. */
+    wheels: LogWheels | null;
+    /** What has to be said before the file can be read: a guess that is not certain chooses nothing. */
+    asks: string[];
+    /** What follows from how it is read, in words, such as "20 Hz, 0 to 120 s, turned 2 turns". */
+    follows: string;
 }
 "#;
 
@@ -38,6 +59,7 @@ export interface LogFile {
 pub struct LogFiles(Held);
 
 const FILES: &str = "LogFiles";
+const COUNTINGS: [&str; 2] = ["total", "step"];
 /// The most files, rows of a header, or columns that an index may count.
 const MOST: u32 = 10_000;
 
@@ -95,16 +117,47 @@ impl LogFiles {
         self.change(file, "column", |files, file| files.set_column(file, &value, column))
     }
 
-    /// Reads a file in another unit of time, length or angles.
+    /// Reads a value in another unit.
     #[wasm_bindgen(js_name = setUnit)]
     pub fn set_unit(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number")] file: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "LogUnit")] unit: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "string")] value: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "string")] unit: &JsValue,
     ) -> Result<(), Thrown> {
         self.0.is(FILES)?;
+        let value = Arg::new(value, "value").text()?;
         let unit = Arg::new(unit, "unit").text()?;
-        self.change(file, "unit", |files, file| files.set_unit(file, &unit))
+        self.change(file, "unit", |files, file| files.set_unit(file, &value, &unit))
+    }
+
+    /// Says a number of encoders, above 0: `"ticks"` of a turn of the wheel, its `"radius"` or the wheels' `"base"`, m.
+    #[wasm_bindgen(js_name = setWheel)]
+    pub fn set_wheel(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] file: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "'ticks' | 'radius' | 'base'")] name: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "number")] number: &JsValue,
+    ) -> Result<(), Thrown> {
+        self.0.is(FILES)?;
+        let name = WHEEL_NUMBERS[Arg::new(name, "name").word(&WHEEL_NUMBERS)?];
+        let number = Arg::new(number, "number").number()?;
+        if number <= 0.0 {
+            return Err(Error::new(Code::Limit, "number", "must be above 0").into());
+        }
+        self.change(file, "file", |files, file| files.set_wheel(file, name, number))
+    }
+
+    /// Says whether encoders count on, or anew from row to row.
+    #[wasm_bindgen(js_name = setCounting)]
+    pub fn set_counting(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] file: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "'total' | 'step'")] counting: &JsValue,
+    ) -> Result<(), Thrown> {
+        self.0.is(FILES)?;
+        let counting = [Counting::Total, Counting::Step][Arg::new(counting, "counting").word(&COUNTINGS)?];
+        self.change(file, "file", |files, file| files.set_counting(file, counting))
     }
 
     /// The log that the files make. What is no log throws a `LogError`, which says in which file, line and column.
@@ -128,21 +181,35 @@ impl LogFiles {
     }
 }
 
+fn texts<T: AsRef<str>>(all: impl IntoIterator<Item = T>) -> JsValue {
+    all.into_iter().map(|text| JsValue::from_str(text.as_ref())).collect::<Array>().into()
+}
+
 fn shown(file: &File) -> JsValue {
-    let values = file.role().values().iter().zip(file.columns()).map(|(value, column)| {
+    let columns = file.columns().iter().zip(file.units());
+    let values = file.role().values().iter().zip(columns).map(|(value, (column, unit))| {
         record(&[
             ("name", value.name.into()),
             ("optional", value.optional.into()),
             ("column", column.map_or(JsValue::NULL, |column| (column as u32).into())),
+            ("unit", unit.map_or(JsValue::NULL, |unit| unit.name.into())),
+            ("units", texts(units_of(value.quantity).iter().map(|unit| unit.name))),
+            ("samples", texts(column.map_or(Vec::new(), |column| file.samples(column)))),
         ])
     });
+    let wheels = || {
+        let counting = file.wheels().counting.map(|counting| COUNTINGS[usize::from(counting == Counting::Step)]);
+        let numbers = WHEEL_NUMBERS.map(|name| (name, file.wheels().number(name).map_or(JsValue::NULL, Into::into)));
+        let [ticks, radius, base] = numbers;
+        record(&[ticks, radius, base, ("counting", counting.map_or(JsValue::NULL, Into::into))])
+    };
     record(&[
         ("name", file.name().into()),
         ("role", file.role().name().into()),
-        ("header", file.header().iter().map(|name| JsValue::from_str(name)).collect::<Array>().into()),
+        ("header", texts(file.header())),
         ("values", values.collect::<Array>().into()),
-        ("time", file.units().time.into()),
-        ("length", file.units().length.into()),
-        ("angle", file.units().angle.into()),
+        ("wheels", if file.role() == Role::Encoders { wheels() } else { JsValue::NULL }),
+        ("asks", texts(file.asks())),
+        ("follows", file.follows().into()),
     ])
 }

@@ -5,7 +5,7 @@ use crate::encode::{Row, record};
 use crate::errors::Thrown;
 use crate::lab::{AnyLab, RobotLog};
 use crate::object::Held;
-use estimate::drive::{BySensor, Drive, Motion, Sensor, Summary};
+use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Summary};
 use estimate::{Code, Error, Landmark};
 use js_sys::{Array, JsString};
 use lab::{Lab, Params, Plain};
@@ -34,6 +34,8 @@ export interface LogContents {
     bearings: boolean;
     /** Whether it is known where the robot really was. */
     truth: boolean;
+    /** Where the drive began by its first fixes, as parameters of a lab: null without a fix, or where the truth says it. */
+    opening: { start: [number, number, number]; startSigma: number; startSigmaHeading: number } | null;
     /** What was left out of the log's files or added to them, in sentences. */
     notes: string[];
 }
@@ -114,6 +116,7 @@ impl DriveLog {
                 ("readings", readings(drive)),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
+                ("opening", opening(drive)),
                 ("notes", held.notes.iter().map(|note| JsValue::from_str(note)).collect::<Array>().into()),
             ])
         })
@@ -147,6 +150,18 @@ fn readings(drive: &Drive) -> JsValue {
     }
     let there = counts.each().into_iter().filter(|(_, count)| **count > 0);
     record(&there.map(|(name, count)| (name, (*count).into())).collect::<Vec<_>>())
+}
+
+/// Where a drive began by its first fixes, if no truth says it; a fix without a σ of its own has the default's.
+fn opening(drive: &Drive) -> JsValue {
+    let found = drive.truth.poses().is_empty().then(|| drive.opening(LogParams::default().sigma_fix)).flatten();
+    found.map_or(JsValue::NULL, |Opening { pose, sigma, sigma_heading }| {
+        record(&[
+            ("start", crate::encode::list(&pose)),
+            ("startSigma", sigma.into()),
+            ("startSigmaHeading", sigma_heading.into()),
+        ])
+    })
 }
 
 /// The log behind a value of JavaScript.

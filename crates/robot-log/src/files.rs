@@ -2,51 +2,16 @@
 //! landmarks and truth.
 
 use crate::error::Error;
-use crate::guess;
+use crate::file::File;
 use crate::log::{MAX_BYTES, Understood};
 use crate::parse;
-use crate::reading::{Cells, Reading};
-use crate::role::{ANGLES, LENGTHS, Role, TIMES, Units};
-use crate::source::Source;
+use crate::reading::Reading;
+use crate::role::Role;
+use crate::wheels::Counting;
 use std::collections::HashMap;
 
 /// The most files of a log.
 pub const MAX_FILES: usize = 16;
-
-/// A file of a log, and how it is read.
-#[derive(Clone, Debug, PartialEq)]
-pub struct File {
-    name: String,
-    text: String,
-    source: Source,
-}
-
-impl File {
-    /// Its name.
-    pub fn name(&self) -> &str {
-        &self.name
-    }
-
-    /// What it is read as.
-    pub fn role(&self) -> Role {
-        self.source.role
-    }
-
-    /// What its columns are called; none of a file that is no table.
-    pub fn header(&self) -> &[String] {
-        self.source.table.as_ref().map_or(&[], |table| &table.names)
-    }
-
-    /// For each value of its role the column that it is read from.
-    pub fn columns(&self) -> &[Option<usize>] {
-        &self.source.columns
-    }
-
-    /// Its units.
-    pub fn units(&self) -> &Units {
-        &self.source.units
-    }
-}
 
 /// The files of one log.
 ///
@@ -71,7 +36,7 @@ impl Files {
     /// line.
     pub fn add(&mut self, name: &str, text: &str) -> Result<(), Error> {
         let at = self.files.len();
-        let bytes = self.files.iter().map(|file| file.text.len()).sum::<usize>() + text.len();
+        let bytes = self.files.iter().map(|file| file.text().len()).sum::<usize>() + text.len();
         let refuse = |message: String| Err(Error::of_all(message).within(at));
         if at == MAX_FILES {
             return refuse(format!("a log has at most {MAX_FILES} files, and these are more"));
@@ -79,10 +44,7 @@ impl Files {
         if bytes > MAX_BYTES {
             return refuse(format!("the log has {bytes} bytes; at most {MAX_BYTES} were expected"));
         }
-        // Some spreadsheets end a line with a carriage return alone.
-        let text = if text.contains('\n') { text.to_string() } else { text.replace('\r', "\n") };
-        let source = guess::guess(name, &text);
-        self.files.push(File { name: name.to_string(), text, source });
+        self.files.push(File::new(name, text));
         Ok(())
     }
 
@@ -93,90 +55,84 @@ impl Files {
 
     /// Reads a file as another role, its columns guessed anew. Answers whether there is such a file.
     pub fn set_role(&mut self, file: usize, role: Role) -> bool {
-        let Some(file) = self.files.get_mut(file) else { return false };
-        file.source.role = role;
-        file.source.columns = guess::columns(role, file.source.table.as_ref().map_or(&[], |table| &table.names));
-        true
+        self.files.get_mut(file).map(|file| file.set_role(role)).is_some()
     }
 
     /// Reads a value from another column of its file, or from none. Answers whether there are such a value and such a
     /// column.
     pub fn set_column(&mut self, file: usize, value: &str, column: Option<usize>) -> bool {
-        let Some(file) = self.files.get_mut(file) else { return false };
-        let Some(at) = file.role().values().iter().position(|it| it.name == value) else { return false };
-        if column.is_some_and(|column| column >= file.header().len()) {
-            return false;
-        }
-        file.source.columns[at] = column;
-        true
+        self.files.get_mut(file).is_some_and(|file| file.set_column(value, column))
     }
 
-    /// Reads a file in another unit of time, length or angle. Answers whether there are such a file and such a unit.
-    pub fn set_unit(&mut self, file: usize, unit: &str) -> bool {
-        let Some(file) = self.files.get_mut(file) else { return false };
-        let units = &mut file.source.units;
-        let named = |all: &[(&'static str, f64)]| all.iter().map(|(name, _)| *name).find(|name| *name == unit);
-        if let Some(time) = named(&TIMES) {
-            units.time = time;
-        } else if let Some(length) = named(&LENGTHS) {
-            units.length = length;
-        } else if let Some(angle) = ANGLES.into_iter().find(|name| *name == unit) {
-            units.angle = angle;
-        } else {
-            return false;
-        }
-        true
+    /// Reads a value in another unit. Answers whether there is such a value in the file, and such a unit of it.
+    pub fn set_unit(&mut self, file: usize, value: &str, unit: &str) -> bool {
+        self.files.get_mut(file).is_some_and(|file| file.set_unit(value, unit))
+    }
+
+    /// Says a number of a file's wheels: `ticks` of a turn, `radius` or `base` in metres. Answers whether there is such
+    /// a file of encoders, such a number, and whether it is above 0.
+    pub fn set_wheel(&mut self, file: usize, name: &str, number: f64) -> bool {
+        self.files.get_mut(file).is_some_and(|file| file.set_wheel(name, number))
+    }
+
+    /// Says how a file's encoders count. Answers whether there is such a file of encoders.
+    pub fn set_counting(&mut self, file: usize, counting: Counting) -> bool {
+        self.files.get_mut(file).is_some_and(|file| file.set_counting(counting))
     }
 
     /// The log that the files make.
     ///
     /// # Errors
     /// As [`parse`](crate::parse), naming the file; a value that a role needs has no column; a file is empty; a name in
-    /// its header is too long, or its quotes are not closed. Where no
-    /// file has the robot's motion, the fault is of all together, and the message says what each was read as.
+    /// its header is too long, or its quotes are not closed; a file is a log of another program, or asks something
+    /// ([`File::asks`]). Where no file has the robot's motion, the fault is of all together, and the message says what
+    /// each was read as.
     pub fn read(&self) -> Result<Understood, Error> {
-        let empty = |file: &File| file.text.trim_matches([' ', '\n', '\r', '\t', '\u{feff}']).is_empty();
-        if let Some(at) = self.files.iter().position(|file| file.role() != Role::Unused && empty(file)) {
-            return Err(Error::new(1, 1, "the file is empty").within(at));
+        for (at, file) in self.files.iter().enumerate() {
+            file.check().map_err(|e| e.within(at))?;
         }
-        // A table whose header is wrong may be used for nothing, and that would be said instead.
-        let header = |file: &File| file.source.table.as_ref().and_then(|table| table.fault.clone());
-        if let Some((at, fault)) = self.files.iter().enumerate().find_map(|(at, file)| Some((at, header(file)?))) {
-            return Err(fault.within(at));
+        for (at, file) in self.files.iter().enumerate() {
+            if let Some(ask) = file.asks().first() {
+                return Err(Error::of_all(format!("{} asks: {ask}", file.name())).within(at));
+            }
         }
-        let moves = |file: &File| matches!(file.role(), Role::Log | Role::Velocities | Role::Odometry);
-        if !self.files.iter().any(moves) {
+        if !self.files.iter().any(|file| file.role().moves()) {
             return Err(self.without_motion());
         }
         let mut reading = Reading::new(self.barcodes()?);
         for (i, file) in self.files.iter().enumerate() {
             match file.role() {
-                Role::Log => parse::gather(&file.text, i, &mut reading.to)?,
-                Role::Unused | Role::Barcodes => {}
-                role => file.rows(i, |row| reading.take(role, row))?,
+                Role::Log => parse::gather(file.text(), i, &mut reading.to)?,
+                Role::Unused | Role::Undecided | Role::Barcodes => {}
+                role => {
+                    file.rows(i, |row| reading.take(role, row))?;
+                    reading.end_file(file.name());
+                }
             }
         }
         // One file in the book's own format is refused at its last row; several have no row that stands for all of
         // them.
-        if self.files.len() > 1 && !reading.to.has_motion() {
+        let only_log = matches!(self.files.as_slice(), [file] if file.role() == Role::Log);
+        if !only_log && !reading.to.has_motion() {
             return Err(self.without_motion());
         }
         let mut read = reading.finish()?;
         let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
-        read.notes.extend(unused.map(|file| format!("{} is not used.", file.name)));
+        read.notes.extend(unused.map(|file| format!("{} is not used.", file.name())));
         Ok(read)
     }
 
     /// No file has the robot's motion: what each was read as instead.
     fn without_motion(&self) -> Error {
         let read = self.files.iter().map(|file| match file.role() {
-            Role::Log => format!("{} has no O rows and no V rows", file.name),
-            Role::Unused => format!("{} is not used", file.name),
-            role => format!("{} is read as {}", file.name, role.name()),
+            Role::Log => format!("{} has no rows of motion", file.name()),
+            Role::Sensors => format!("{} has neither speeds nor turn rates", file.name()),
+            Role::Unused => format!("{} is not used", file.name()),
+            role => format!("{} is read as {}", file.name(), role.name()),
         });
         let read = read.collect::<Vec<_>>().join(", ");
         Error::of_all(format!(
-            "the robot's motion is missing: {read}; a file of velocities or of odometry was expected"
+            "the robot's motion is missing: {read}; a file of velocities, of odometry or of encoders was expected"
         ))
     }
 
@@ -186,33 +142,10 @@ impl Files {
         for (i, file) in self.files.iter().enumerate().filter(|(_, file)| file.role() == Role::Barcodes) {
             let carried = carried.get_or_insert_with(HashMap::new);
             file.rows(i, |row| {
-                carried.insert(row.whole(1)?, row.whole(0)?);
+                carried.insert(row.whole("barcode")?, row.whole("landmark")?);
                 Ok(())
             })?;
         }
         Ok(carried)
-    }
-}
-
-impl File {
-    /// Hands over each row, its values known by their index in the role.
-    fn rows(&self, index: usize, mut take: impl FnMut(Cells<'_>) -> Result<(), Error>) -> Result<(), Error> {
-        let source = &self.source;
-        let refuse = |message: String| Error::new(1, 1, message).within(index);
-        let Some(table) = &source.table else { return Err(refuse("the file has no row of numbers".into())) };
-        for (value, column) in source.role.values().iter().zip(&source.columns) {
-            if column.is_none() && !value.optional {
-                let role = source.role.name();
-                return Err(refuse(format!("no column has been chosen for {}, which {role} need", value.name)));
-            }
-        }
-        let mut none = matches!(source.role, Role::Velocities | Role::Odometry);
-        for line in table.lines(&self.text) {
-            none = false;
-            let line = line.map_err(|e| e.within(index))?;
-            parse::check_text(&line).map_err(|e| e.within(index))?;
-            take(Cells { file: index, line: &line, source })?;
-        }
-        if none { Err(refuse("the file has no row of numbers".into())) } else { Ok(()) }
     }
 }

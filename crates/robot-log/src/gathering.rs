@@ -122,6 +122,24 @@ impl Gathering {
         self.reading(row);
     }
 
+    /// The rows so far, in the order in which they came.
+    pub fn rows(&self) -> &[Row] {
+        &self.rows
+    }
+
+    /// The true poses so far.
+    pub fn poses(&self) -> &[Pose] {
+        &self.poses
+    }
+
+    /// The landmarks so far, and the ids of those that were seen.
+    pub fn landmarks(&self) -> (&[Landmark], Vec<u32>) {
+        let mut seen: Vec<u32> = self.sightings.iter().map(|sighting| sighting.id).collect();
+        seen.sort_unstable();
+        seen.dedup();
+        (&self.landmarks, seen)
+    }
+
     /// Whether there is a row of motion.
     pub fn has_motion(&self) -> bool {
         self.motion.is_some()

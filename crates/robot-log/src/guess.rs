@@ -1,39 +1,33 @@
 //! What a file probably is: a role, its columns and its units, by what its columns are called, by its name, and by its
-//! numbers.
+//! numbers. What is not certain is left open.
 
-use crate::role::{Quantity, Role, Units};
-use crate::row::number;
+use crate::binary;
+use crate::columns::{clockwise, columns, third_axis};
+use crate::names::{Name, candidates, is_acceleration, is_spread};
+use crate::role::{Quantity, Role};
 use crate::source::Source;
 use crate::table::Table;
-
-/// The rows whose numbers are looked at.
-const LOOKED_AT: usize = 200;
-
-/// Words in a column's name by which a value is known: the first that fits is taken, and all words of an entry must be
-/// there.
-const WORDS: [(&str, &[&str]); 12] = [
-    ("time", &["time", "t", "timestamp", "stamp", "sec", "secs", "seconds", "clock", "zeit"]),
-    ("omega", &["omega", "ω", "w", "wz", "yaw rate", "yawrate", "turn rate", "angular", "gyro", "rotational"]),
-    ("v", &["v", "vx", "speed", "forward", "linear", "velocity", "vel"]),
-    ("distance", &["distance", "dist", "d", "ds", "travelled", "traveled"]),
-    ("turn", &["turn", "dtheta", "dyaw", "dheading", "rotation", "delta theta", "delta heading", "delta yaw"]),
-    ("barcode", &["barcode", "code"]),
-    ("landmark", &["landmark", "beacon", "anchor", "tag", "marker", "feature", "subject", "id", "barcode"]),
-    ("range", &["range", "r", "rho", "ρ", "distance", "dist"]),
-    ("bearing", &["bearing", "azimuth", "beta", "phi", "φ", "angle"]),
-    ("x", &["x", "east", "easting"]),
-    ("y", &["y", "north", "northing"]),
-    ("heading", &["heading", "theta", "θ", "yaw", "orientation"]),
-];
+use crate::vocabulary::BESIDE;
+use crate::wheels::Wheels;
+use crate::wide;
 
 /// Words in a file's name, and the role that they speak for.
-const FILES: [(&str, Role); 13] = [
+const FILES: [(&str, Role); 22] = [
     ("landmark", Role::Landmarks),
     ("beacons", Role::Landmarks),
+    ("anchors", Role::Landmarks),
     ("map", Role::Landmarks),
     ("barcode", Role::Barcodes),
     ("truth", Role::Truth),
-    ("gps", Role::Truth),
+    ("mocap", Role::Truth),
+    ("motion_capture", Role::Truth),
+    ("vicon", Role::Truth),
+    ("optitrack", Role::Truth),
+    ("qualisys", Role::Truth),
+    ("gps", Role::Sensors),
+    ("gnss", Role::Sensors),
+    ("location", Role::Sensors),
+    ("navsat", Role::Sensors),
     ("measure", Role::Sightings),
     ("sight", Role::Sightings),
     ("range", Role::Sightings),
@@ -43,21 +37,25 @@ const FILES: [(&str, Role); 13] = [
     ("motion", Role::Velocities),
 ];
 
-/// Roles in the order in which they are tried: a file of sightings has a time too, and a file of the truth may have
-/// speeds.
-const ORDER: [Role; 6] =
-    [Role::Barcodes, Role::Landmarks, Role::Sightings, Role::Velocities, Role::Odometry, Role::Truth];
-
 /// How a file is read unless the reader says otherwise.
 pub(crate) fn guess(name: &str, text: &str) -> Source {
-    let table = Table::new(text).filter(|_| !is_log(text));
+    let refused = binary::refusal(name, text);
+    let table = Table::new(text).filter(|_| refused.is_none() && !is_log(text));
     let Some(table) = table else {
-        return Source { role: Role::Log, table: None, columns: Vec::new(), units: Units::default() };
+        let role = Role::Log;
+        return Source { refused, ..empty(role, None, Vec::new()) };
     };
-    let role = role(name, &table.names);
-    let columns = columns(role, &table.names);
-    let units = units(text, &table, role, &columns);
-    Source { role, table: Some(table), columns, units }
+    let names: Vec<Name> = table.names.iter().map(|name| Name::new(name)).collect();
+    let (role, undecided) = role(name, text, &table, &names);
+    let mut source = Source { undecided, ..empty(role, Some(table), names) };
+    columns(&mut source, name, text);
+    source
+}
+
+fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
+    let (columns, units, doubts) = (Vec::new(), Vec::new(), Vec::new());
+    let wheels = Wheels::default();
+    Source { role, table, names, columns, units, doubts, wheels, undecided: None, refused: None }
 }
 
 /// Whether a text is in the book's own format, or is meant to be: a row begins with a letter, or it is no text at all.
@@ -74,121 +72,101 @@ fn is_log(text: &str) -> bool {
     strange || (letters > 0 && 2 * letters >= rows().count())
 }
 
-fn role(name: &str, names: &[String]) -> Role {
-    let name = name.to_lowercase();
-    let said: Vec<Role> = FILES.iter().filter(|(word, _)| name.contains(word)).map(|(_, role)| *role).collect();
-    let timed = column("time", names).is_some();
-    let fits = |role: &Role| {
-        let values = role.values();
-        let found = values.iter().all(|value| value.optional || column(value.name, names).is_some());
-        found && (values[0].name == "time") == timed
+/// The role of a file, and why it has to be said where it is not certain.
+fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<String>) {
+    let file = file.to_lowercase();
+    let said: Vec<Role> = FILES.iter().filter(|(word, _)| file.contains(word)).map(|(_, role)| *role).collect();
+    if table.nameless {
+        let rows = table.lines(text).take(1).any(|line| line.is_ok());
+        let ask = "Its columns have no names: what is it?";
+        return if rows { (Role::Undecided, Some(ask.into())) } else { (Role::Unused, None) };
+    }
+    let has = |value: &str, quantity| !candidates(value, quantity, names).is_empty();
+    let timed = has("time", Quantity::Time);
+    let (down, axes) = (clockwise(names, &file), axes(&file, names).is_some());
+    let turns = has("omega", Quantity::AngleRate) || axes || (down && third_axis(names).is_some());
+    let [v, omega] = [has("v", Quantity::Speed), turns];
+    let [x, y] = [has("x", Quantity::Length), has("y", Quantity::Length)];
+    let landmark = has("landmark", Quantity::Number);
+    let heading = has("heading", Quantity::Heading);
+    let fix = has("latitude", Quantity::Coordinate) && has("longitude", Quantity::Coordinate);
+    let place = x && y && !axes;
+    if !timed {
+        let role = match () {
+            () if landmark && place => Role::Landmarks,
+            () if landmark && has("barcode", Quantity::Number) => Role::Barcodes,
+            () => said.first().copied().filter(|role| *role == Role::Landmarks).unwrap_or(Role::Unused),
+        };
+        return (if has("barcode", Quantity::Number) && landmark { Role::Barcodes } else { role }, None);
+    }
+    let is_true = said.contains(&Role::Truth)
+        || names.iter().any(|name| name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]));
+    let wheel = ["encoder", "enc", "ticks", "tick", "wheel", "count", "counts", "rad", "impulse", "rpm"];
+    let side = |value| candidates(value, Quantity::Wheel, names);
+    let of_wheel = |at: &usize| {
+        names[*at].has_one(&wheel) || names[*at].base(Quantity::Wheel).len() == 1 || file.contains("encoder")
     };
-    let fitting: Vec<Role> = ORDER.into_iter().filter(fits).collect();
-    // Odometry in a file's name may mean velocities.
-    fitting
-        .iter()
-        .find(|role| said.contains(role))
-        .or(fitting.first())
-        .or(said.first())
-        .copied()
-        .unwrap_or(Role::Unused)
-}
-
-/// The column of each value of a role: by its name, or, where no column has a name that is known, by the usual order.
-pub(crate) fn columns(role: Role, names: &[String]) -> Vec<Option<usize>> {
-    let values = role.values();
-    let known: Vec<Option<usize>> = values.iter().map(|value| column(value.name, names)).collect();
-    if known.iter().all(Option::is_none) && names.len() >= values.iter().filter(|value| !value.optional).count() {
-        return (0..values.len()).map(|i| (i < names.len()).then_some(i)).collect();
+    let encoders = side("left").iter().any(of_wheel) && side("right").iter().any(of_wheel);
+    let sightings = landmark && has("range", Quantity::Length);
+    let odometry = has("distance", Quantity::Length) && has("turn", Quantity::Angle);
+    let ask = |why: &str| (Role::Undecided, Some(why.to_string()));
+    let certain = |role| (role, None);
+    match () {
+        () if sightings && !said.contains(&Role::Velocities) => certain(Role::Sightings),
+        () if wide::group(names).is_some() => certain(Role::Ranges),
+        () if encoders => certain(Role::Encoders),
+        () if fix && !is_true => certain(Role::Sensors),
+        () if v && omega && !place => certain(Role::Velocities),
+        () if v && omega && is_own_pose(names) => certain(Role::Velocities),
+        () if odometry && !place => certain(Role::Odometry),
+        () if (place || fix) && is_true && !(v && omega) => certain(Role::Truth),
+        () if place && said.contains(&Role::Sensors) => certain(Role::Sensors),
+        () if place && (v || omega) => {
+            ask("Are x and y the true position, or what a sensor read? To read it as both, open the file twice.")
+        }
+        () if place => ask("Are x and y the true position, or a sensor\u{2019}s fixes?"),
+        () if sightings => certain(Role::Sightings),
+        () if (v != omega) && !heading && !down && !axes && has_unknown(names) => {
+            ask("Only one of speed and turn rate has a name that is known: what is the file?")
+        }
+        () if v || omega || heading => certain(Role::Sensors),
+        () => certain(said.first().copied().filter(|role| *role == Role::Ranges).unwrap_or(Role::Unused)),
     }
-    known
 }
 
-/// The column of a value, by its name.
-fn column(value: &str, names: &[String]) -> Option<usize> {
-    let words = WORDS.iter().find(|(name, _)| *name == value).map_or(&[][..], |(_, words)| words);
-    let has = |name: &String, entry: &str| {
-        let tokens = tokens(name);
-        entry.split(' ').all(|word| tokens.iter().any(|token| token == word))
+/// The columns of a gyroscope that says its axes and not which of them points up.
+pub(crate) fn axes(file: &str, names: &[Name]) -> Option<Vec<usize>> {
+    let gyro = |name: &Name| name.has_one(&["gyro", "gyroscope", "gyr", "gyroskop"]) || file.contains("gyro");
+    let on = |axis: &str| {
+        let with = |name: &Name| name.has(axis) || (axis == "z" && name.has("wz"));
+        names.iter().position(|name| gyro(name) && with(name))
     };
-    // An angular velocity is a velocity too.
-    let turns = (value == "v").then(|| column("omega", names)).flatten();
-    let fits = |word: &str| names.iter().enumerate().position(|(i, name)| Some(i) != turns && has(name, word));
-    words.iter().find_map(|word| fits(word))
+    Some(vec![on("x")?, on("y")?, on("z")?])
 }
 
-/// The words of a column's name in small letters, units among them.
-fn tokens(name: &str) -> Vec<String> {
-    let mut spaced = String::new();
-    let mut small = false;
-    for c in name.chars() {
-        if small && c.is_uppercase() {
-            spaced.push(' ');
+/// Whether a column is neither a speed, a turn rate or a time, nor one of those that are often beside them.
+fn has_unknown(names: &[Name]) -> bool {
+    let known = [("v", Quantity::Speed), ("omega", Quantity::AngleRate), ("time", Quantity::Time)];
+    let known: Vec<usize> =
+        known.into_iter().flat_map(|(value, quantity)| candidates(value, quantity, names)).collect();
+    let beside = |name: &Name| name.has_one(&BESIDE) || is_acceleration(name) || is_spread(name);
+    names.iter().enumerate().any(|(i, name)| !known.contains(&i) && !beside(name))
+}
+
+/// Whether the positions beside velocities are a robot's own reckoning, as in a message of odometry.
+fn is_own_pose(names: &[Name]) -> bool {
+    let both = |one: &str, other: &str| names.iter().any(|name| name.has(one) && name.has(other));
+    both("pose", "position") && (both("twist", "linear") || both("twist", "angular"))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_letter_and_no_more_begins_a_row_of_the_books_own_format() {
+        for (text, own) in [("O,1,2,3\n", true), ("# a\n\"O\",1\n", true), ("Odom,1\n1,2\n", false), ("t,v\n", false)] {
+            assert_eq!(is_log(text), own, "{text}");
         }
-        small = c.is_lowercase();
-        spaced.extend(if c.is_alphanumeric() { c } else { ' ' }.to_lowercase());
-    }
-    spaced.split_whitespace().map(String::from).collect()
-}
-
-/// The units, by what the columns are called, else by their numbers.
-fn units(text: &str, table: &Table, role: Role, columns: &[Option<usize>]) -> Units {
-    let mut units = Units::default();
-    for (value, column) in role.values().iter().zip(columns) {
-        let Some(column) = *column else { continue };
-        let said = tokens(&table.names[column]);
-        let says = |words: &[&'static str]| words.iter().find(|word| said.iter().any(|token| token == *word)).copied();
-        let rows = table.lines(text).filter_map(Result::ok).take(LOOKED_AT);
-        let numbers: Vec<f64> = rows.filter_map(|line| number(line.fields[column].text)).collect();
-        let most = numbers.iter().fold(0.0_f64, |most, number| most.max(number.abs()));
-        match value.quantity {
-            Quantity::Time => {
-                let unit = says(&["ms", "us", "ns", "s"]).or_else(|| {
-                    let words =
-                        [("milliseconds", "ms"), ("millis", "ms"), ("microseconds", "us"), ("nanoseconds", "ns")];
-                    words.into_iter().find(|(word, _)| said.iter().any(|token| token == word)).map(|(_, unit)| unit)
-                });
-                units.time = unit.unwrap_or_else(|| by_rate(&numbers));
-            }
-            Quantity::Length | Quantity::Speed => {
-                // Metres in a second, from one row to the next, to a landmark, and across a map.
-                let far = match value.name {
-                    "v" => 30.0,
-                    "distance" => 20.0,
-                    "range" => 1000.0,
-                    _ => 5000.0,
-                };
-                let unit = says(&["mm", "cm", "m"]).unwrap_or(if most > far { "mm" } else { "m" });
-                if unit != "m" {
-                    units.length = unit;
-                }
-            }
-            Quantity::Angle | Quantity::AngleRate => {
-                let degrees = says(&["deg", "degrees", "degree", "dps"]).is_some() || table.names[column].contains('°');
-                let radians = says(&["rad", "radians", "rads"]).is_some();
-                let turn = match value.name {
-                    "omega" => 20.0,
-                    "turn" => 3.2,
-                    _ => 7.0,
-                };
-                if degrees || (!radians && most > turn) {
-                    units.angle = "deg";
-                }
-            }
-            Quantity::Number => {}
-        }
-    }
-    units
-}
-
-/// The unit of times whose rows come, in the middle, so far apart. A robot's log has a row in 5 seconds at least.
-fn by_rate(times: &[f64]) -> &'static str {
-    let mut gaps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > 0.0).collect();
-    gaps.sort_by(f64::total_cmp);
-    match gaps.get(gaps.len().saturating_sub(1) / 2) {
-        Some(gap) if *gap > 1e6 => "ns",
-        Some(gap) if *gap > 2e3 => "us",
-        Some(gap) if *gap > 5.0 => "ms",
-        _ => "s",
     }
 }

@@ -21,9 +21,9 @@
 //! them by time, at equal times motion before readings, then by line. What a log says is an
 //! [`estimate::drive::Drive`], which [`estimate::drive::Replay`] filters.
 //!
-//! [`Files`] reads what others write: tables of motion, sightings, landmarks and truth with or without a header, in
-//! their units, among them the five files of a UTIAS MRCLAM data set. How a file is read is guessed and can be
-//! corrected.
+//! [`Files`] reads what others write: tables of motion, sensors, sightings, landmarks and truth in their units, among
+//! them the five files of a UTIAS MRCLAM data set and what ROS, PX4, ArduPilot and phones export. How a file is read is
+//! guessed where that is certain, asked where it is not, shown, and can be corrected.
 //!
 //! # Example
 //! ```
@@ -36,21 +36,39 @@
 //! # Ok::<(), robot_log::Error>(())
 //! ```
 
+mod binary;
+mod cells;
+mod columns;
 mod error;
+mod evidence;
 mod fields;
+mod file;
 mod files;
 mod gathering;
 mod guess;
+mod headed;
 mod log;
+mod names;
+mod notes;
 mod parse;
 mod reading;
 mod role;
+mod ros;
 mod row;
 mod source;
+mod stamp;
 mod table;
+mod unit;
+mod vocabulary;
+mod wgs84;
+mod wheels;
+mod wide;
 
 pub use error::Error;
-pub use files::{File, Files, MAX_FILES};
+pub use file::File;
+pub use files::{Files, MAX_FILES};
 pub use log::{Log, MAX_BYTES, MAX_LANDMARKS, MAX_ROWS, Understood};
 pub use parse::parse;
-pub use role::{ANGLES, LENGTHS, Quantity, Role, TIMES, Units, Value};
+pub use role::{Quantity, Role, Value};
+pub use unit::{Unit, units_of};
+pub use wheels::{Counting, WHEEL_NUMBERS, Wheels};

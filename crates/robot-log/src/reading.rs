@@ -1,63 +1,20 @@
-//! Rows of tables become rows of a log: values by their columns, in seconds, metres and radians.
+//! Rows of tables become rows of a log.
 
+use crate::cells::Cells;
 use crate::error::Error;
-use crate::fields::Line;
 use crate::gathering::{Gathering, Place, Unplaced};
+use crate::headed::headed;
 use crate::log::Understood;
+use crate::notes::{self, Kept};
 use crate::role::Role;
-use crate::row;
-use crate::source::Source;
+use crate::wgs84::Origin;
+use crate::wide;
 use estimate::Landmark;
-use estimate::drive::{Drive, Event, Pose, Row};
+use estimate::drive::{Event, Pose, Row};
 use std::collections::HashMap;
 
-/// Where the truth has no heading, it is the direction to the next true position that is so far away, m.
-const HEADING_OVER: f64 = 0.2;
-
-/// A row of a table, with the column of each value.
-pub(crate) struct Cells<'a> {
-    pub file: usize,
-    pub line: &'a Line<'a>,
-    pub source: &'a Source,
-}
-
-impl Cells<'_> {
-    fn place(&self, value: usize) -> Place {
-        Place::of(self.file, self.line, self.source.columns[value].unwrap_or(0))
-    }
-
-    /// A value in seconds, metres and radians.
-    fn number(&self, value: usize) -> Result<f64, Error> {
-        let known = &self.source.role.values()[value];
-        let field = self.line.fields[self.source.columns[value].unwrap_or(0)];
-        let number = row::finite(self.line, field, known.name).map_err(|e| e.within(self.file))?;
-        Ok(self.source.units.convert(known.quantity, number))
-    }
-
-    fn given(&self, value: usize) -> Result<Option<f64>, Error> {
-        self.source.columns[value].map(|_| self.number(value)).transpose()
-    }
-
-    fn time(&self) -> Result<f64, Error> {
-        let field = self.line.fields[self.source.columns[0].unwrap_or(0)];
-        row::in_bounds(self.line, field, self.number(0)?).map_err(|e| e.within(self.file))
-    }
-
-    /// The number of a landmark. A program that keeps all numbers in one table writes 5 as 5.0.
-    pub fn whole(&self, value: usize) -> Result<u32, Error> {
-        let number = self.number(value)?;
-        if number.fract() == 0.0 && (0.0..4_294_967_296.0).contains(&number) {
-            return Ok(number as u32);
-        }
-        let name = self.source.role.values()[value].name;
-        Err(self.place(value).refuse(format!("{name} is {number}; a whole number below 2^32 was expected")))
-    }
-
-    fn range(&self, value: usize) -> Result<f64, Error> {
-        let range = self.number(value)?;
-        if range >= 0.0 { Ok(range) } else { Err(self.place(value).refuse("a range of at least 0 was expected")) }
-    }
-}
+/// Half a day, s: a time of day that goes back so far has passed midnight.
+const HALF_A_DAY: f64 = 43_200.0;
 
 /// A log while its tables are read.
 #[derive(Default)]
@@ -69,6 +26,11 @@ pub(crate) struct Reading {
     unlisted: usize,
     /// True poses whose heading is not known.
     without_heading: Vec<Pose>,
+    /// The first fix in degrees, about which all others are.
+    origin: Option<Origin>,
+    /// What is kept of the file that is being read.
+    kept: Kept,
+    notes: Vec<String>,
 }
 
 impl Reading {
@@ -77,108 +39,191 @@ impl Reading {
         Self { carried, ..Self::default() }
     }
 
+    /// Ends a file, and says what was strange in it.
+    pub fn end_file(&mut self, name: &str) {
+        let kept = core::mem::take(&mut self.kept);
+        self.notes.extend(kept.notes(name));
+    }
+
     /// Takes a row of a table.
     pub fn take(&mut self, role: Role, cells: Cells<'_>) -> Result<(), Error> {
-        let start = Place { column: 1, ..cells.place(0) };
-        self.to.begin(start)?;
+        let start = cells.start();
         match role {
             Role::Velocities => {
-                let event = Event::Velocity { v: cells.number(1)?, omega: cells.number(2)? };
-                self.to.motion(start, Row::new(cells.time()?, event))?;
+                let event = Event::Velocity { v: cells.number("v")?, omega: cells.number("omega")? };
+                let time = self.kept.time(cells)?;
+                self.motion(start, time, event)?;
             }
             Role::Odometry => {
-                let event = Event::Odometry { distance: cells.number(1)?, turn: cells.number(2)? };
-                self.to.motion(start, Row::new(cells.time()?, event))?;
+                let event = Event::Odometry { distance: cells.number("distance")?, turn: cells.number("turn")? };
+                let time = self.kept.time(cells)?;
+                self.motion(start, time, event)?;
             }
+            Role::Encoders => {
+                let (time, counted) = (self.kept.time(cells)?, [cells.number("left")?, cells.number("right")?]);
+                let unit = cells.source.role.index("left").and_then(|at| cells.source.units[at]);
+                let before = self.kept.counted.replace(counted);
+                if let Some(event) = unit.and_then(|unit| cells.source.wheels.event(unit, counted, before)) {
+                    self.motion(start, time, event)?;
+                }
+            }
+            Role::Sensors => self.sensors(cells)?,
             Role::Landmarks => {
-                let landmark = Landmark { id: cells.whole(0)?, x: cells.number(1)?, y: cells.number(2)? };
-                self.to.landmark(cells.place(0), landmark)?;
+                self.to.begin(start)?;
+                let landmark = Landmark { id: cells.whole("landmark")?, x: cells.number("x")?, y: cells.number("y")? };
+                self.to.landmark(cells.place("landmark"), landmark)?;
             }
             Role::Truth => {
-                let (time, x, y) = (cells.time()?, cells.number(1)?, cells.number(2)?);
-                match cells.given(3)? {
+                self.to.begin(start)?;
+                let time = self.kept.time(cells)?;
+                let Some([x, y]) = self.place(cells)? else { return Ok(()) };
+                match cells.given("heading")? {
                     Some(theta) => self.to.truth(Pose { time, x, y, theta }),
                     None => self.without_heading.push(Pose { time, x, y, theta: 0.0 }),
                 }
             }
             Role::Sightings => {
-                let (time, range, seen) = (cells.time()?, cells.range(2)?, cells.whole(1)?);
-                let event = match cells.given(3)? {
+                self.to.begin(start)?;
+                let (time, seen) = (cells.time()?, cells.whole("landmark")?);
+                let at = cells.source.column("range").unwrap_or(0);
+                let missing = || cells.place("range").refuse("range is missing; a number was expected");
+                let range = cells.range("range", at)?.ok_or_else(missing)?;
+                let event = match cells.given("bearing")? {
                     Some(bearing) => Event::RangeBearing { landmark: 0, range, bearing },
                     None => Event::Range { landmark: 0, range },
                 };
-                match self.carried.as_ref().map_or(Some(&seen), |carried| carried.get(&seen)) {
-                    Some(id) => self.to.sighting(cells.place(1), Row::new(time, event), *id, Unplaced::LeftOut),
-                    None => self.unlisted += 1,
+                self.sighting(cells.place("landmark"), Row::new(time, event), seen);
+            }
+            Role::Ranges => {
+                let time = self.kept.time(cells)?;
+                let first = cells.source.column("first range").unwrap_or(0);
+                for (seen, column) in wide::group_of(&cells.source.names, first).unwrap_or_default() {
+                    match cells.range("first range", column)? {
+                        Some(range) => {
+                            self.to.begin(start)?;
+                            let row = Row::new(time, Event::Range { landmark: 0, range });
+                            self.sighting(Place::of(cells.file, cells.line, column), row, seen);
+                        }
+                        None => self.kept.missing += 1,
+                    }
                 }
             }
-            Role::Log | Role::Barcodes | Role::Unused => {}
+            Role::Log | Role::Barcodes | Role::Undecided | Role::Unused => {}
         }
         Ok(())
     }
 
+    /// What the sensors of a row have read; each may be missing.
+    fn sensors(&mut self, cells: Cells<'_>) -> Result<(), Error> {
+        let (start, time) = (cells.start(), self.kept.time(cells)?);
+        let (v, omega) = (cells.given("v")?, cells.given("omega")?);
+        let motion = match (v, omega) {
+            (Some(v), Some(omega)) => Some(Event::Velocity { v, omega }),
+            (Some(v), None) => Some(Event::Speed { v }),
+            (None, Some(omega)) => Some(Event::TurnRate { omega }),
+            (None, None) => None,
+        };
+        if let Some(event) = motion {
+            self.motion(start, time, event)?;
+        }
+        let place = self.place(cells)?;
+        if let Some([x, y]) = place {
+            let sigma = self.kept.sigma(cells, "sigma")?;
+            self.to.begin(start)?;
+            self.to.reading(Row::new(time, Event::Position { x, y, sigma }));
+            self.kept.copies += usize::from(self.kept.fix.replace([x, y]) == Some([x, y]));
+            self.kept.fixes += 1;
+        }
+        let heading = cells.given("heading")?;
+        if let Some(theta) = heading {
+            let sigma = self.kept.sigma(cells, "sigma of heading")?;
+            self.to.begin(start)?;
+            self.to.reading(Row::new(time, Event::Heading { theta, sigma }));
+        }
+        if motion.is_none() && place.is_none() && heading.is_none() {
+            self.kept.missing += 1;
+        }
+        Ok(())
+    }
+
+    fn motion(&mut self, start: Place, time: f64, event: Event) -> Result<(), Error> {
+        self.to.begin(start)?;
+        self.to.motion(start, Row::new(time, event))
+    }
+
+    fn sighting(&mut self, place: Place, row: Row, seen: u32) {
+        match self.carried.as_ref().map_or(Some(&seen), |carried| carried.get(&seen)) {
+            Some(id) => self.to.sighting(place, row, *id, Unplaced::LeftOut),
+            None => self.unlisted += 1,
+        }
+    }
+
+    /// Where a row says that the robot is: in metres, or in degrees about the first one.
+    fn place(&mut self, cells: Cells<'_>) -> Result<Option<[f64; 2]>, Error> {
+        let (latitude, longitude) = (cells.given("latitude")?, cells.given("longitude")?);
+        if let (Some(latitude), Some(longitude)) = (latitude, longitude) {
+            if latitude.abs() > 90.0 {
+                let message = format!("the latitude is {latitude}\u{b0}; one within 90\u{b0} was expected");
+                return Err(cells.place("latitude").refuse(message));
+            }
+            if longitude.abs() > 360.0 {
+                let message = format!("the longitude is {longitude}\u{b0}; one within 360\u{b0} was expected");
+                return Err(cells.place("longitude").refuse(message));
+            }
+            // Receivers say so before they have a fix.
+            if latitude == 0.0 && longitude == 0.0 {
+                self.kept.nowhere += 1;
+                return Ok(None);
+            }
+            let origin = self.origin.get_or_insert(Origin::new(latitude, longitude));
+            return Ok(Some(origin.metres(latitude, longitude)));
+        }
+        Ok(cells.given("x")?.zip(cells.given("y")?).map(|(x, y)| [x, y]))
+    }
+
+    /// The true poses so far.
+    pub fn poses(&self) -> Vec<Pose> {
+        self.to.poses().iter().chain(&self.without_heading).copied().collect()
+    }
+
     /// The log, and what was left out of it.
     pub fn finish(mut self) -> Result<Understood, Error> {
-        let mut notes = Vec::new();
+        let mut notes = self.notes;
+        if let Some(origin) = self.origin {
+            notes.push(format!("Positions are in metres east and north of the first fix, {origin}."));
+        }
         if !self.without_heading.is_empty() {
             headed(&mut self.without_heading).into_iter().for_each(|pose| self.to.truth(pose));
-            notes.push(format!("The truth has no heading; the first {HEADING_OVER} m of its way gives the first one."));
+            notes.push(notes::HEADED.into());
         }
         let mapped = self.to.has_landmarks();
         let (log, left_out) = self.to.finish(self.carried.is_some())?;
-        notes.extend(times(&log.drive));
-        if self.unlisted > 0 {
-            notes.push(format!("{} left out: no list has the barcode.", readings(self.unlisted)));
-        }
-        if left_out > 0 && mapped {
-            notes.push(format!("{} left out: another robot was seen.", readings(left_out)));
-        }
-        if left_out > 0 && !mapped {
-            let left_out = readings(left_out);
-            notes.push(format!("{left_out} left out: no file says where the landmarks are. This is dead reckoning."));
-        }
+        notes.extend(notes::times(&log.drive));
+        notes.extend(notes::left_out(self.unlisted, left_out, mapped));
         Ok(Understood { log, notes })
     }
 }
 
-/// What is strange about the times of a drive. A wrong column, a wrong unit or a second clock shows here.
-fn times(drive: &Drive) -> Option<String> {
-    let span = |motion: bool| {
-        let mut times = drive.rows.iter().filter(|row| row.event.is_motion() == motion).map(|row| row.time);
-        let first = times.next()?;
-        Some([first, times.next_back().unwrap_or(first)])
-    };
-    let motion = span(true)?;
-    let truth = drive.truth.poses().first().zip(drive.truth.poses().last()).map(|(a, b)| [a.time, b.time]);
-    let apart = |other: Option<[f64; 2]>| other.is_some_and(|[from, to]| to < motion[0] || motion[1] < from);
-    let beside = [(truth, "The true positions"), (span(false), "The sightings")];
-    if let Some((_, what)) = beside.into_iter().find(|(span, _)| apart(*span)) {
-        return Some(format!("{what} are all before the motion or after it: is another clock or unit meant?"));
-    }
-    let rows = drive.rows.iter().filter(|row| row.event.is_motion()).count();
-    (rows > 1 && motion[0] == motion[1])
-        .then(|| "All rows of motion have the same time: is it in another column?".into())
-}
-
-fn readings(count: usize) -> String {
-    if count == 1 { "1 reading".into() } else { format!("{count} readings") }
-}
-
-/// The poses by time, each headed for the next that is [`HEADING_OVER`] away; the last ones as the one before.
-fn headed(poses: &mut [Pose]) -> Vec<Pose> {
-    poses.sort_by(|a, b| a.time.total_cmp(&b.time));
-    let (mut to, mut theta) = (0, 0.0);
-    for i in 0..poses.len() {
-        let from = poses[i];
-        let away = |at: &Pose| (at.x - from.x) * (at.x - from.x) + (at.y - from.y) * (at.y - from.y);
-        to = to.max(i);
-        while to < poses.len() && away(&poses[to]) < HEADING_OVER * HEADING_OVER {
-            to += 1;
+impl Kept {
+    /// The time of a row; times that repeat are counted.
+    fn time(&mut self, cells: Cells<'_>) -> Result<f64, Error> {
+        let time = cells.time()?;
+        if let Some(before) = self.last.replace(time) {
+            self.repeats += usize::from(before == time);
+            if before - time > HALF_A_DAY && cells.is_time_of_day() {
+                let message = "the time of day goes back, past midnight; stamps with their dates were expected";
+                return Err(cells.place("time").refuse(message));
+            }
         }
-        if let Some(next) = poses.get(to) {
-            theta = libm::atan2(next.y - from.y, next.x - from.x);
-        }
-        poses[i].theta = theta;
+        self.rows += 1;
+        Ok(time)
     }
-    poses.to_vec()
+
+    /// A standard deviation that the row has of its own; one that is not above 0 is none.
+    fn sigma(&mut self, cells: Cells<'_>, value: &str) -> Result<Option<f64>, Error> {
+        let given = cells.given(value)?;
+        let sound = given.filter(|sigma| *sigma > 0.0);
+        self.without_sigma += usize::from(given.is_some() && sound.is_none());
+        Ok(sound)
+    }
 }

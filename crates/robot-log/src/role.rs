@@ -1,20 +1,28 @@
 //! What a file of a log can hold, and in which units.
 
-use Quantity::{Angle, AngleRate, Length, Number, Speed, Time};
+use Quantity::{Angle, AngleRate, Coordinate, Fraction, Heading, Length, Number, Speed, Time, Wheel};
 
 /// What a column measures, which decides its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Quantity {
     /// A time.
     Time,
+    /// The part of a stamp that is added to its seconds.
+    Fraction,
     /// A length.
     Length,
     /// An angle.
     Angle,
+    /// An angle with a direction that is 0: the axis of x, or north.
+    Heading,
     /// A length in a second.
     Speed,
     /// An angle in a second.
     AngleRate,
+    /// A latitude or a longitude.
+    Coordinate,
+    /// What an encoder has counted.
+    Wheel,
     /// The number of a landmark.
     Number,
 }
@@ -47,28 +55,44 @@ pub enum Role {
     Velocities,
     /// Distance and turn since the row before.
     Odometry,
+    /// What the encoders of two wheels have counted.
+    Encoders,
+    /// Readings of one sensor or several: a speed, a turn rate, a position, a heading. A row may lack some.
+    Sensors,
     /// Sightings of landmarks.
     Sightings,
+    /// Ranges to several landmarks in one row, a column for each.
+    Ranges,
     /// The places of the landmarks.
     Landmarks,
     /// True positions.
     Truth,
     /// Which landmark carries which barcode, where sightings name barcodes.
     Barcodes,
+    /// Not known: it has to be said.
+    Undecided,
     /// Left out.
     Unused,
 }
 
+/// The second column of a stamp.
+const FRACTION: Value = optional("fraction", Fraction);
+const TIME: Value = value("time", Time);
+
 impl Role {
     /// All roles and their names.
-    pub const ALL: [(Role, &'static str); 8] = [
+    pub const ALL: [(Role, &'static str); 12] = [
         (Role::Log, "log"),
         (Role::Velocities, "velocities"),
         (Role::Odometry, "odometry"),
+        (Role::Encoders, "encoders"),
+        (Role::Sensors, "sensors"),
         (Role::Sightings, "sightings"),
+        (Role::Ranges, "ranges"),
         (Role::Landmarks, "landmarks"),
         (Role::Truth, "truth"),
         (Role::Barcodes, "barcodes"),
+        (Role::Undecided, "undecided"),
         (Role::Unused, "unused"),
     ];
 
@@ -79,60 +103,57 @@ impl Role {
 
     /// The values of a row, of which the optional ones stand last.
     pub fn values(self) -> &'static [Value] {
-        const VELOCITIES: [Value; 3] = [value("time", Time), value("v", Speed), value("omega", AngleRate)];
-        const ODOMETRY: [Value; 3] = [value("time", Time), value("distance", Length), value("turn", Angle)];
-        const SIGHTINGS: [Value; 4] =
-            [value("time", Time), value("landmark", Number), value("range", Length), optional("bearing", Angle)];
+        const VELOCITIES: [Value; 4] = [TIME, value("v", Speed), value("omega", AngleRate), FRACTION];
+        const ODOMETRY: [Value; 4] = [TIME, value("distance", Length), value("turn", Angle), FRACTION];
+        const ENCODERS: [Value; 4] = [TIME, value("left", Wheel), value("right", Wheel), FRACTION];
+        const SENSORS: [Value; 11] = [
+            TIME,
+            optional("v", Speed),
+            optional("omega", AngleRate),
+            optional("x", Length),
+            optional("y", Length),
+            optional("latitude", Coordinate),
+            optional("longitude", Coordinate),
+            optional("sigma", Length),
+            optional("heading", Heading),
+            optional("sigma of heading", Angle),
+            FRACTION,
+        ];
+        const SIGHTINGS: [Value; 5] =
+            [TIME, value("landmark", Number), value("range", Length), optional("bearing", Angle), FRACTION];
+        const RANGES: [Value; 3] = [TIME, value("first range", Length), FRACTION];
         const LANDMARKS: [Value; 3] = [value("landmark", Number), value("x", Length), value("y", Length)];
-        const TRUTH: [Value; 4] =
-            [value("time", Time), value("x", Length), value("y", Length), optional("heading", Angle)];
+        const TRUTH: [Value; 7] = [
+            TIME,
+            optional("x", Length),
+            optional("y", Length),
+            optional("heading", Heading),
+            optional("latitude", Coordinate),
+            optional("longitude", Coordinate),
+            FRACTION,
+        ];
         const BARCODES: [Value; 2] = [value("landmark", Number), value("barcode", Number)];
         match self {
             Self::Velocities => &VELOCITIES,
             Self::Odometry => &ODOMETRY,
+            Self::Encoders => &ENCODERS,
+            Self::Sensors => &SENSORS,
             Self::Sightings => &SIGHTINGS,
+            Self::Ranges => &RANGES,
             Self::Landmarks => &LANDMARKS,
             Self::Truth => &TRUTH,
             Self::Barcodes => &BARCODES,
-            Self::Log | Self::Unused => &[],
+            Self::Log | Self::Undecided | Self::Unused => &[],
         }
     }
-}
 
-/// The units of a file; those of v and ω are the length and the angle in a second.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Units {
-    /// `s`, `ms`, `us` or `ns`.
-    pub time: &'static str,
-    /// `m`, `cm` or `mm`.
-    pub length: &'static str,
-    /// `rad` or `deg`.
-    pub angle: &'static str,
-}
-
-impl Default for Units {
-    fn default() -> Self {
-        Self { time: "s", length: "m", angle: "rad" }
+    /// The index of a value.
+    pub(crate) fn index(self, name: &str) -> Option<usize> {
+        self.values().iter().position(|value| value.name == name)
     }
-}
 
-/// The units of time, and how many of each make a second.
-pub const TIMES: [(&str, f64); 4] = [("s", 1.0), ("ms", 1e3), ("us", 1e6), ("ns", 1e9)];
-/// The units of length, and how many of each make a metre.
-pub const LENGTHS: [(&str, f64); 3] = [("m", 1.0), ("cm", 100.0), ("mm", 1000.0)];
-/// The units of angles.
-pub const ANGLES: [&str; 2] = ["rad", "deg"];
-
-impl Units {
-    /// `number` in seconds, metres and radians.
-    pub fn convert(&self, quantity: Quantity, number: f64) -> f64 {
-        let per =
-            |units: &[(&str, f64)], unit: &str| units.iter().find(|(name, _)| *name == unit).map_or(1.0, |it| it.1);
-        match quantity {
-            Time => number / per(&TIMES, self.time),
-            Length | Speed => number / per(&LENGTHS, self.length),
-            Angle | AngleRate if self.angle == "deg" => number.to_radians(),
-            Angle | AngleRate | Number => number,
-        }
+    /// Whether its rows say how the robot moved, or may say so.
+    pub(crate) fn moves(self) -> bool {
+        matches!(self, Self::Log | Self::Velocities | Self::Odometry | Self::Encoders | Self::Sensors)
     }
 }

@@ -1,14 +1,94 @@
 //! How a file of a log is read.
 
-use crate::role::{Role, Units};
+use crate::names::Name;
+use crate::role::{Role, Value};
 use crate::table::Table;
+use crate::unit::{self, DATE, Unit};
+use crate::wheels::Wheels;
 
 /// How a file is read.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Source {
     pub role: Role,
     pub table: Option<Table>,
+    /// The words of each column's name.
+    pub names: Vec<Name>,
     /// The column of each of the role's values.
     pub columns: Vec<Option<usize>>,
-    pub units: Units,
+    /// The unit of each of them; `None` where there is none, or where it has to be said.
+    pub units: Vec<Option<&'static Unit>>,
+    /// The columns of which each value may be in one.
+    pub doubts: Vec<Vec<usize>>,
+    /// What encoders need besides.
+    pub wheels: Wheels,
+    /// Why it is not known what the file is.
+    pub undecided: Option<String>,
+    /// Why the file is refused, whatever it is read as.
+    pub refused: Option<String>,
+}
+
+impl Source {
+    /// The column of a value.
+    pub fn column(&self, value: &str) -> Option<usize> {
+        self.columns[self.role.index(value)?]
+    }
+
+    /// What has to be said before the file can be read, in sentences.
+    pub fn asks(&self) -> Vec<String> {
+        let mut asks: Vec<String> = self.undecided.iter().cloned().collect();
+        let header = self.table.as_ref().map_or(&[][..], |table| &table.names);
+        for (i, value) in self.role.values().iter().enumerate() {
+            if let Some(column) = self.columns[i] {
+                let wanted = !unit::units_of(value.quantity).is_empty();
+                if wanted && self.units[i].is_none() {
+                    asks.push(format!("In which unit is \u{201c}{}\u{201d}?", header[column]));
+                }
+            } else if !self.doubts[i].is_empty() {
+                let among: Vec<String> =
+                    self.doubts[i].iter().map(|at| format!("\u{201c}{}\u{201d}", header[*at])).collect();
+                asks.push(format!("Which column is {}: {}?", said(value), among.join(" or ")));
+            }
+        }
+        if self.role == Role::Encoders {
+            let unit = self.role.index("left").and_then(|at| self.units[at]);
+            asks.extend(unit.and_then(|unit| self.wheels.lacks(unit.name)));
+        }
+        asks
+    }
+
+    /// Which value lacks its column, if one does.
+    pub fn lacks(&self) -> Option<&'static str> {
+        let has = |name: &str| self.column(name).is_some();
+        let values = self.role.values();
+        let needed = values.iter().zip(&self.columns).find(|(value, column)| column.is_none() && !value.optional);
+        needed.map(|(value, _)| value.name).or_else(|| match self.role {
+            Role::Sensors | Role::Truth => {
+                let pairs = [("x", "y"), ("y", "x"), ("latitude", "longitude"), ("longitude", "latitude")];
+                let half = pairs.into_iter().find(|(one, other)| has(one) && !has(other));
+                let any = ["v", "omega", "heading", "x", "latitude"].into_iter().any(has);
+                let place = has("x") || has("latitude");
+                half.map(|(_, other)| other).or(match self.role {
+                    Role::Truth if !place => Some("x"),
+                    Role::Sensors if !any => Some("v, omega, x and y, or heading"),
+                    _ => None,
+                })
+            }
+            _ => None,
+        })
+    }
+
+    /// Whether a column's stamps are dates.
+    pub fn is_date(&self) -> bool {
+        self.units.first().copied().flatten().is_some_and(|unit| unit.name == DATE)
+    }
+}
+
+/// A value as a question names it.
+fn said(value: &Value) -> &'static str {
+    match value.name {
+        "v" => "the speed",
+        "omega" => "the turn rate",
+        "time" => "the time",
+        name => name,
+    }
 }

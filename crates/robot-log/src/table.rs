@@ -2,10 +2,12 @@
 
 use crate::error::Error;
 use crate::fields::{Field, Line};
+use crate::ros;
 use crate::row::number;
+use crate::stamp;
 
 /// The most columns of a table.
-const MAX_COLUMNS: usize = 64;
+const MAX_COLUMNS: usize = 1024;
 
 /// The longest name of a column in bytes: what is longer is no header.
 const MAX_NAME: usize = 200;
@@ -24,6 +26,8 @@ pub(crate) struct Table {
     separator: Separator,
     /// What the columns are called: by the line above the numbers, by the last comment above them, or by their number.
     pub names: Vec<String>,
+    /// Whether they have no other name than their number.
+    pub nameless: bool,
     /// Lines up to the header, which is no row.
     skipped: u32,
     /// What is wrong with the header.
@@ -38,6 +42,8 @@ impl Table {
         for (i, line) in text.lines().enumerate() {
             match line.trim() {
                 "" => {}
+                // Spreadsheets say in a first line what parts the fields of the others.
+                line if line.len() == 5 && line.starts_with("sep=") => {}
                 line if line.starts_with('#') => comment = line.trim_start_matches('#'),
                 line => {
                     first = Some((i as u32, line));
@@ -46,27 +52,31 @@ impl Table {
             }
         }
         let (above, line) = first?;
+        let second = text.lines().skip(above as usize + 1).find(|line| !is_empty(line)).unwrap_or("");
         let separator = separator(line);
         let found: Vec<(usize, &str)> = split(line, separator).take(MAX_COLUMNS + 1).collect();
         let fields: Vec<&str> = found.iter().map(|(_, field)| unquoted(field)).collect();
-        if !fields.iter().all(|field| is_number(field)) {
+        if is_header(&fields, second, separator) {
             let fault = found.iter().find_map(|(at, field)| {
                 let message = name_fault(field)?;
                 Some(Error::new(above + 1, line[..*at].chars().count() as u32 + 1, message))
             });
             // Within quotes a quote is written twice.
             let names = fields.into_iter().map(|name| beginning(name).replace("\"\"", "\"")).collect();
-            return Some(Self { separator, names, skipped: above + 1, fault });
+            return Some(Self { separator, names, nameless: false, skipped: above + 1, fault });
         }
-        let named: Vec<String> = [Separator::Char(','), Separator::Char(';'), Separator::Char('\t')]
+        let named: Option<Vec<String>> = [Separator::Char(','), Separator::Char(';'), Separator::Char('\t')]
             .into_iter()
             .map(|separator| split(comment, separator).map(|(_, name)| name.to_string()).collect())
             .chain([wide(comment), split(comment, Separator::Blanks).map(|(_, name)| name.to_string()).collect()])
             .find(|names: &Vec<String>| names.len() == fields.len() && names.iter().all(|name| !name.is_empty()))
-            .unwrap_or_else(|| (1..=fields.len()).map(|i| format!("column {i}")).collect());
+            .or_else(|| ros::names(&fields));
+        let nameless = named.is_none();
+        let named = named.unwrap_or_else(|| (1..=fields.len()).map(|i| format!("column {i}")).collect());
         // Numbers have no blanks in them, so that tabs among blanks are blanks too.
-        let separator = if separator == Separator::Char('\t') { Separator::Blanks } else { separator };
-        Some(Self { separator, names: named, skipped: above, fault: None })
+        let numbers = fields.iter().all(|field| is_number(field));
+        let separator = if separator == Separator::Char('\t') && numbers { Separator::Blanks } else { separator };
+        Some(Self { separator, names: named, nameless, skipped: above, fault: None })
     }
 
     /// The lines of numbers; `text` must be the one that the table was made of.
@@ -103,7 +113,21 @@ fn separator(line: &str) -> Separator {
 
 /// Whether a field may be among numbers: a row may leave one out.
 fn is_number(field: &str) -> bool {
-    field.is_empty() || number(field).is_some()
+    field.is_empty() || number(field).is_some() || stamp::seconds(field).is_some()
+}
+
+/// Whether a line names columns: it is no row of numbers, and in the line after it a number stands below a word.
+/// Without such a line any word will do: rows may have words in them too, as the frames of ROS.
+fn is_header(fields: &[&str], second: &str, separator: Separator) -> bool {
+    if fields.iter().all(|field| is_number(field)) {
+        return false;
+    }
+    let below: Vec<&str> = split(second, separator).take(MAX_COLUMNS + 1).map(|(_, field)| unquoted(field)).collect();
+    let full = |field: &str| !field.is_empty() && is_number(field);
+    let numbers = below.iter().filter(|field| full(field)).count();
+    below.len() != fields.len()
+        || numbers == 0
+        || fields.iter().zip(&below).any(|(above, below)| !is_number(above) && full(below))
 }
 
 fn is_empty(line: &str) -> bool {

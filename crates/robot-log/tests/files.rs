@@ -6,7 +6,7 @@ use proptest::prelude::*;
 
 #[path = "../../../tests/src/draws.rs"]
 mod draws;
-use robot_log::{Error, Files, Role, Understood, Units};
+use robot_log::{Error, Files, Role, Understood};
 
 /// The five files of a small drive in the form of the UTIAS MRCLAM data sets: robot 1 sees landmarks 6 and 7 and robot
 /// 2.
@@ -77,7 +77,10 @@ fn the_five_files_of_mrclam_are_understood_as_they_are() {
                 "Landmark_Groundtruth.dat" => Role::Landmarks,
                 _ => Role::Truth,
             };
-            assert_eq!((file.role(), file.units()), (wanted, &Units::default()), "{name}, turn {turn}");
+            assert_eq!((file.role(), file.asks()), (wanted, Vec::new()), "{name}, turn {turn}");
+            let usual =
+                file.units().iter().flatten().all(|unit| ["s", "m", "rad", "m/s", "rad/s"].contains(&unit.name));
+            assert!(usual, "{name}: {:?}", file.units());
         }
         let Understood { log, notes } = files.read().expect("sound");
         assert_eq!(log.drive.landmarks, [Landmark { id: 6, x: 2.0, y: 0.5 }, Landmark { id: 7, x: 3.0, y: -1.0 }]);
@@ -105,8 +108,8 @@ fn names_of_columns_say_what_is_in_them_and_in_which_unit() {
     let wheels = "stamp_ms,linear speed [mm/s],yaw_rate (deg/s)\n1000,500,90\n1100,500,-90\n";
     let radios = "\"Time (s)\";\"beacon\";\"dist_cm\"\n1.05;4;250\n";
     let map = "id\teast\tnorth\n4.0\t1.5\t2.5\n";
-    let gps = "t,x,y\n1.0,0,0\n1.2,0.3,0.3\n";
-    let files = files(&[("a.csv", wheels), ("b.csv", radios), ("c.tsv", map), ("d.csv", gps)]);
+    let truth = "t,x,y\n1.0,0,0\n1.2,0.3,0.3\n";
+    let files = files(&[("a.csv", wheels), ("b.csv", radios), ("c.tsv", map), ("truth.csv", truth)]);
     assert_eq!(roles(&files), [Role::Velocities, Role::Sightings, Role::Landmarks, Role::Truth]);
     let Understood { log, notes } = files.read().expect("sound");
     let rows: Vec<(f64, Event)> = log.drive.rows.iter().map(|row| (row.time, row.event)).collect();
@@ -124,20 +127,22 @@ fn names_of_columns_say_what_is_in_them_and_in_which_unit() {
 }
 
 #[test]
-fn numbers_without_names_are_guessed_by_size_and_can_be_corrected() {
+fn numbers_without_names_are_asked_and_can_be_corrected() {
     let mut files = files(&[("run.csv", "0,0.1,30\n20,0.2,-45\n40,0.2,10\n")]);
+    assert_eq!(roles(&files), [Role::Undecided]);
+    assert_refused(&files, 0, [0, 0], "run.csv asks: Its columns have no names");
     assert!(files.set_role(0, Role::Odometry));
     assert_eq!(files.files()[0].header(), ["column 1", "column 2", "column 3"]);
-    assert_eq!(files.files()[0].columns(), [Some(0), Some(1), Some(2)]);
-    for unit in ["ms", "deg", "cm"] {
-        assert!(files.set_unit(0, unit));
+    assert_eq!(files.files()[0].columns(), [Some(0), Some(1), Some(2), None]);
+    for (value, unit) in [("time", "ms"), ("turn", "deg"), ("distance", "cm")] {
+        assert!(files.set_unit(0, value, unit));
     }
     let drive = files.read().expect("sound").log.drive;
     assert_eq!(
         (drive.rows[1].time, drive.rows[1].event),
         (0.02, Event::Odometry { distance: 0.002, turn: (-45_f64).to_radians() })
     );
-    assert!(files.set_column(0, "distance", Some(0)) && files.set_unit(0, "m"));
+    assert!(files.set_column(0, "distance", Some(0)) && files.set_unit(0, "distance", "m"));
     assert_eq!(
         files.read().expect("sound").log.drive.rows[1].event,
         Event::Odometry { distance: 20.0, turn: (-45_f64).to_radians() }
@@ -147,9 +152,9 @@ fn numbers_without_names_are_guessed_by_size_and_can_be_corrected() {
             && !files.set_column(0, "v", None)
             && !files.set_column(1, "time", None)
     );
-    assert!(!files.set_unit(0, "ft") && !files.set_unit(1, "m") && !files.set_role(1, Role::Log));
+    assert!(!files.set_unit(0, "time", "m") && !files.set_unit(1, "distance", "m") && !files.set_role(1, Role::Log));
     // What was refused has changed nothing.
-    assert_eq!(files.files()[0].columns(), [Some(0), Some(0), Some(2)]);
+    assert_eq!(files.files()[0].columns(), [Some(0), Some(0), Some(2), None]);
 }
 
 #[test]
@@ -157,7 +162,7 @@ fn times_in_small_units_are_known_by_how_far_apart_they_are() {
     for (gap, unit) in [(0.05, "s"), (50.0, "ms"), (50_000.0, "us"), (5e7, "ns"), (2.0, "s")] {
         let rows: String = (0..20).map(|i| format!("{},0.1,0.1\n", 1e9 + gap * f64::from(i))).collect();
         let files = files(&[("run.csv", &format!("time,v,omega\n{rows}"))]);
-        assert_eq!(files.files()[0].units().time, unit, "a gap of {gap}");
+        assert_eq!(files.files()[0].units()[0].map(|unit| unit.name), Some(unit), "a gap of {gap}");
     }
 }
 
@@ -215,7 +220,7 @@ fn where_no_file_has_the_motion_each_is_told_with_what_it_was_read_as() {
     let message = "the robot's motion is missing: Robot1_Measurement.dat is read as sightings, Barcodes.dat is read \
         as barcodes, \
                    Landmark_Groundtruth.dat is read as landmarks, Robot1_Groundtruth.dat is read as truth; \
-                   a file of velocities or of odometry was expected";
+                   a file of velocities, of odometry or of encoders was expected";
     let error = files(&[seen, codes, map, truth]).read().expect_err("no motion");
     assert_eq!((error.line, error.column, error.to_string().as_str()), (0, 0, message));
     // A log in the book's own format beside a table: neither has a row that stands for both.
@@ -223,7 +228,7 @@ fn where_no_file_has_the_motion_each_is_told_with_what_it_was_read_as() {
         &files(&[("mine.csv", "L,6,3,4\n"), truth]),
         0,
         [0, 0],
-        "mine.csv has no O rows and no V rows, Robot1_Ground",
+        "mine.csv has no rows of motion, Robot1_Ground",
     );
     assert_refused(
         &files(&[("diary.txt", "Dear diary,\ntoday it drove.\n")]),
@@ -257,7 +262,7 @@ proptest! {
 
     #[test]
     fn no_text_makes_the_reading_of_files_panic(
-        name in draws::text("abz.csv_", 20), role in 0_usize..8,
+        name in draws::text("abz.csv_", 20), role in 0_usize..Role::ALL.len(),
         texts in prop::collection::vec(draws::text("tx,;\t\n #0123456789.", 120), 1..4),
     ) {
         let mut files = files(&texts.iter().map(|text| (name.as_str(), text.as_str())).collect::<Vec<_>>());

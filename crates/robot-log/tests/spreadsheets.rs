@@ -24,14 +24,16 @@ fn rows(count: u32, row: impl Fn(f64) -> String) -> String {
 #[test]
 fn a_decimal_comma_is_read_where_no_commas_part_the_fields() {
     let of = |text: String| read(&[("velocities.csv", &text)]).log;
-    let plain = of(rows(20, |t| format!("{t},0.5,-0.25")));
+    let plain = of(format!("time,v,omega\n{}", rows(20, |t| format!("{t},0.5,-0.25"))));
     for separator in [";", "\t", " ", "; ", ",\t"] {
         let comma = |number: f64| match separator {
             ",\t" => number.to_string(),
             _ => number.to_string().replace('.', ","),
         };
         let body = rows(20, |t| [t, 0.5, -0.25].map(comma).join(separator));
-        assert_eq!(of(body.clone()), plain, "parted by {separator:?}");
+        let mut nameless = files(&[("velocities.csv", &body)]);
+        assert!(nameless.set_role(0, Role::Velocities));
+        assert_eq!(nameless.read().expect("sound").log, plain, "parted by {separator:?}");
         let head = ["time", "v", "omega"].join(separator);
         assert_eq!(of(format!("{head}\n{body}")), plain, "parted by {separator:?}, with a header");
     }
@@ -80,13 +82,16 @@ fn an_empty_file_and_a_table_without_rows_are_named() {
 }
 
 #[test]
-fn millimetres_and_degrees_are_known_by_what_a_robot_can_do_from_row_to_row() {
+fn a_unit_that_no_name_says_is_asked_where_numbers_are_too_large_for_metres() {
     let body = rows(20, |t| format!("{t},50,4"));
-    let odometry = files(&[("odo.csv", &format!("time,distance,turn\n{body}"))]);
-    let units = odometry.files()[0].units();
-    assert_eq!((units.length, units.angle), ("mm", "deg"), "50 m and 4 rad in a tenth of a second are too much");
+    let mut odometry = files(&[("odo.csv", &format!("time,distance,turn\n{body}"))]);
+    let units: Vec<_> = odometry.files()[0].units().iter().map(|unit| unit.map(|unit| unit.name)).collect();
+    assert_eq!(units, [Some("s"), None, Some("deg"), None], "50 m and 4 rad in a tenth of a second are too much");
+    assert_eq!(odometry.files()[0].asks(), ["In which unit is \u{201c}distance\u{201d}?"]);
+    assert!(odometry.read().is_err() && odometry.set_unit(0, "distance", "mm"));
+    assert_eq!(odometry.files()[0].follows(), "10 Hz, 0 to 1.9 s, 1 m of way, turned 0.22 turns");
     let seen = files(&[("radio.csv", "time,beacon,range\n0,1,2500\n1,1,480\n")]);
-    assert_eq!(seen.files()[0].units().length, "mm");
+    assert_eq!(seen.files()[0].asks(), ["In which unit is \u{201c}range\u{201d}?"]);
 }
 
 #[test]
@@ -113,10 +118,10 @@ fn times_that_cannot_belong_together_are_noted() {
     let seen = ("seen.csv", "t,id,range\n-5,6,2\n-4,6,2\n");
     let notes = read(&[motion, seen, ("landmarks.csv", "id,x,y\n6,1,2\n")]).notes;
     assert!(
-        notes.len() == 1 && notes[0].starts_with("The sightings are all before the motion or after it"),
+        notes.len() == 1 && notes[0].starts_with("The readings are all before the motion or after it"),
         "{notes:?}"
     );
-    let notes = read(&[("odometry.csv", "0.05,0,0.01\n0.05,0.1,0.01\n")]).notes;
+    let notes = read(&[("odometry.csv", "t,v,omega\n0.05,0,0.01\n0.05,0.1,0.01\n")]).notes;
     assert!(notes.len() == 1 && notes[0].contains("the same time"), "{notes:?}");
     assert!(read(&[motion]).notes.is_empty());
 }
@@ -125,6 +130,7 @@ fn times_that_cannot_belong_together_are_noted() {
 fn swapped_columns_are_known_by_their_names_and_corrected_without_names() {
     let named = read(&[("wheels.csv", "omega,time,v\n0.1,0,0.5\n0.1,1,0.5\n")]).log;
     let mut files = files(&[("odometry.csv", "0.1,0,0.5\n0.1,1,0.5\n")]);
+    assert!(files.set_role(0, Role::Velocities));
     for (value, column) in [("time", 1), ("v", 2), ("omega", 0)] {
         assert!(files.set_column(0, value, Some(column)));
     }

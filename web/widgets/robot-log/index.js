@@ -55,11 +55,13 @@ function describe(frame) {
       `dead-reckoned track and the estimate; ${error}.`,
     innovations: `Normalized innovations over time: ${time.length === 0 ? none : drawn}.`,
     errors: `Error of the position over time: ${errorNow(frame.errors)}.`,
-    ranges:
-      `Read less ${known} range, against the ${known} range: ` + `${rangeLine ? line(rangeLine) : 'no line yet'}.`,
-    inner:
-      'The filter’s own innovations against the range it expected: ' +
-      `${innovationLine ? inner(innovationLine) : none}.`,
+    ranges: !mapped(frame)
+      ? ''
+      : `Read less ${known} range, against the ${known} range: ` + `${rangeLine ? line(rangeLine) : 'no line yet'}.`,
+    inner: !mapped(frame)
+      ? ''
+      : 'The filter’s own innovations against the range it expected: ' +
+        `${innovationLine ? inner(innovationLine) : none}.`,
     histogram:
       'Histogram of the normalized innovations beside the standard normal density: ' +
       `${summary.meanInnovation === null ? none : spread(summary.meanInnovation, histogram.beyond)}.`,
@@ -168,10 +170,15 @@ function logarithmic(name, label, ends, unit, decimals) {
 
 const GATES = [null, 0.95, 0.99, 0.999]
 
+/** Whether there may be ranges. @param {Frame} frame */
+const mapped = ({ landmarks }) => landmarks.length > 0
+/** Whether ranges are the readings of the log. @param {Frame} frame */
+const ranged = ({ landmarks, summary: { sensors } }) => landmarks.length > 0 || !(sensors.fix || sensors.heading)
+
 /** @type {import('../../figure/controls.js').Control[]} */
 const controls = [
-  { kind: 'toggle', name: 'sightings', label: 'ranges correct the estimate' },
-  { kind: 'toggle', name: 'learn', label: 'learn the scale *ε*' },
+  { kind: 'toggle', name: 'sightings', label: 'ranges correct the estimate', shown: ranged },
+  { kind: 'toggle', name: 'learn', label: 'learn the scale *ε*', shown: ranged },
   {
     kind: 'choice',
     name: 'gate',
@@ -186,6 +193,7 @@ const controls = [
     step: 0.001,
     words: (value) => `${fixed(100 * value, 1)} %`,
     enabled: ({ learn }) => !learn,
+    shown: ranged,
   },
   {
     kind: 'range',
@@ -194,8 +202,9 @@ const controls = [
     ends: [-5, 5],
     step: 0.1,
     words: (value) => `${fixed(value, 1)} m`,
+    shown: ranged,
   },
-  logarithmic('sigmaRange', '*σ*_ρ, of a range', [-1, 1], 'm', 2),
+  { ...logarithmic('sigmaRange', '*σ*_ρ, of a range', [-1, 1], 'm', 2), shown: ranged },
   {
     ...logarithmic('sigmaBearing', '*σ*_β, of a bearing', [-3, 0], 'rad', 3),
     shown: (/** @type {Frame} */ frame) => frame.bearings,
@@ -231,8 +240,8 @@ export const figure = {
     { name: 'map', width: 580, height: 500, handles: true, draw: drawMap },
     { name: 'innovations', width: 360, height: 235, draw: drawInnovations },
     { name: 'errors', width: 360, height: 235, draw: drawErrors },
-    { name: 'ranges', width: 312, height: 220, draw: drawRanges },
-    { name: 'inner', width: 312, height: 220, draw: drawInner },
+    { name: 'ranges', width: 312, height: 220, shown: mapped, draw: drawRanges },
+    { name: 'inner', width: 312, height: 220, shown: mapped, draw: drawInner },
     { name: 'histogram', width: 312, height: 220, draw: drawHistogram },
     { name: 'correlation', width: 470, height: 200, draw: drawCorrelation },
     { name: 'nis', width: 470, height: 200, draw: drawNis },

@@ -7,7 +7,7 @@ import { followed } from '../../draw/camera.js'
 import { drawLabels, clear } from '../../draw/labels.js'
 import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../draw/plot.js'
 import { scaleLinear } from '../../draw/scale.js'
-import { clock } from './words.js'
+import { clock, listens } from './words.js'
 
 /** @typedef {import('estimate-wasm').LogFrame} Frame */
 /** @typedef {import('../../draw/pen.js').Pen} Pen */
@@ -19,6 +19,8 @@ const FOOT = 20
 /** How long a sighting's line stays, seconds of the log. */
 const FLASH = 1.5
 const NOSE = 15
+/** How far from the start the handle of its heading is, pixels. */
+const HEADING = 42
 
 /**
  * @param {import('../../figure/shell.js').Panel} panel
@@ -36,6 +38,7 @@ export function drawMap({ pen, width, height }, frame, view) {
       drawRobots(to, plane, frame)
     })
     drawNames(pen, plane, frame)
+    drawStart(pen, plane, frame, view)
     ellipseLevel(pen, box.left + 6, box.bottom - 6)
     scaleBar(pen, plane, box.right - 6, box.bottom - 6)
     drawTimeline(pen, { left: 12, right: width - 12, at: height - 26 }, frame, view)
@@ -64,7 +67,10 @@ function seen({ landmarks, tracks, estimate, ellipse }, axis) {
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function drawTracks(pen, plane, { tracks, params, ellipse, estimate }) {
+function drawTracks(pen, plane, frame) {
+  const { tracks, ellipse, estimate, fixes, smoothed } = frame
+  if (fixes.x.length > 0)
+    pen.mark('path', 'fixes', { ...meaning('track fine', 'measurement'), d: crosses(plane, fixes) })
   const track = (
     /** @type {string} */ key,
     /** @type {string} */ shape,
@@ -73,13 +79,20 @@ function drawTracks(pen, plane, { tracks, params, ellipse, estimate }) {
   ) => pen.mark('path', `${key}-track`, { ...meaning(shape, kin), d: seriesPath(plane, x, y) })
   track('truth', 'track fine', 'truth', tracks.truth)
   track('reckoning', 'track fine dashed', 'prediction', tracks.reckoning)
-  if (params.sightings) track('estimate', 'track fine', 'posterior', tracks.estimate)
-  pen.mark('path', 'ellipse', { ...meaning('outline', kinOf(params)), d: ellipsePath(ellipse, estimate, plane) })
+  if (listens(frame)) track('estimate', 'track fine', 'posterior', tracks.estimate)
+  if (smoothed) track('smoothed', 'track fine dotted', 'posterior', smoothed)
+  pen.mark('path', 'ellipse', { ...meaning('outline', kinOf(frame)), d: ellipsePath(ellipse, estimate, plane) })
 }
 
-/** @param {Frame['params']} params @returns {import('../../draw/plot.js').Kin} */
-function kinOf({ sightings }) {
-  return sightings ? 'posterior' : 'prediction'
+/** A cross at each fix. @param {Plane} plane @param {{ x: number[], y: number[] }} places */
+function crosses(plane, { x, y }) {
+  const at = x.map((east, i) => [plane.x(east).toFixed(1), plane.y(y[i]).toFixed(1)])
+  return at.map(([px, py]) => `M${px} ${py}m-2 0h4m-2-2v4`).join('')
+}
+
+/** @param {Frame} frame @returns {import('../../draw/plot.js').Kin} */
+function kinOf(frame) {
+  return listens(frame) ? 'posterior' : 'prediction'
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
@@ -100,8 +113,9 @@ function drawBeacons(pen, plane, { landmarks, sighting, time }) {
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function drawRobots(pen, plane, { truth, estimate, params }) {
-  const kin = kinOf(params)
+function drawRobots(pen, plane, frame) {
+  const { truth, estimate } = frame
+  const kin = kinOf(frame)
   if (truth) dot(pen, 'truth-body', plane, truth, { ...meaning('hollow', 'truth'), r: 6 })
   const [x, y] = [plane.x(estimate[0]), plane.y(estimate[1])]
   pen.mark('line', 'estimate-nose', {
@@ -111,19 +125,20 @@ function drawRobots(pen, plane, { truth, estimate, params }) {
     x2: x + NOSE * Math.cos(estimate[2]),
     y2: y - NOSE * Math.sin(estimate[2]),
   })
-  dot(pen, 'estimate-body', plane, estimate, { ...meaning(params.sightings ? 'full' : 'hollow', kin), r: 6 })
+  dot(pen, 'estimate-body', plane, estimate, { ...meaning(listens(frame) ? 'full' : 'hollow', kin), r: 6 })
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function drawNames(pen, { x, y, box }, { landmarks, truth, estimate, params }) {
+function drawNames(pen, { x, y, box }, frame) {
+  const { landmarks, truth, estimate } = frame
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const beacons = landmarks.map((landmark) => at([landmark.x, landmark.y]))
   const names = [
     {
       key: 'estimate-name',
-      words: params.sightings ? 'estimate' : 'dead reckoning',
+      words: listens(frame) ? 'estimate' : 'dead reckoning',
       at: at(estimate),
-      kin: kinOf(params),
+      kin: kinOf(frame),
       gap: 18,
     },
   ]
@@ -140,6 +155,37 @@ function drawNames(pen, { x, y, box }, { landmarks, truth, estimate, params }) {
         }))
       : []
   drawLabels(pen, box, [...names, ...few], [...beacons.map((beacon) => clear(beacon, 5)), clear(at(estimate), 8)])
+}
+
+/**
+ * The start, which a reader moves where no truth says it: its place, and its heading at the end of a line.
+ * @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {import('../../figure/spec.js').View} view
+ */
+function drawStart(pen, plane, { step, params, tracks }, view) {
+  if (step > 0 || tracks.truth.x.length > 0) return
+  const [x, y, theta] = params.start ?? [0, 0, 0]
+  const [px, py] = [plane.x(x), plane.y(y)]
+  const tip = /** @type {[number, number]} */ ([px + HEADING * Math.cos(theta), py - HEADING * Math.sin(theta)])
+  /** @param {number[]} start */
+  const to = (start) => ({ start: start.map((value) => Number(value.toFixed(4))) })
+  pen.mark('line', 'start-heading', { class: 'axis', x1: px, y1: py, x2: tip[0], y2: tip[1] })
+  pen.group('start', {}, (into) => {
+    view.handle(into, 'start-place', {
+      at: [px, py],
+      label: 'Start of the filter',
+      value: `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m`,
+      move: (mx, my) => to([plane.x.invert(mx), plane.y.invert(my), theta]),
+      nudge: (dx, dy) => to([x + dx / 10, y + dy / 10, theta]),
+    })
+    view.handle(into, 'start-heading', {
+      at: tip,
+      small: true,
+      label: 'Heading at the start',
+      value: `${((theta * 180) / Math.PI).toFixed(0)}°`,
+      move: (mx, my) => to([x, y, Math.atan2(py - my, mx - px)]),
+      nudge: (dx, dy) => to([x, y, theta + ((dy || -dx) * Math.PI) / 90]),
+    })
+  })
 }
 
 /**

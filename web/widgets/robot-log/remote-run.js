@@ -15,8 +15,11 @@ import { Player } from '../../figure/player.js'
  */
 /**
  * @typedef {{ kind: 'files', files: File[] }
- *   | { kind: 'reading', set: number | undefined, change: import('./server.js').Change }} Question
+ *   | { kind: 'reading', set: number | undefined, change: import('./change.js').Change }} Question
  */
+
+/** Longer logs are smoothed when that is asked for, rows. */
+const MOST_SMOOTHED = 100_000
 
 export class RemoteRun extends Player {
   /** @param {Port} port @param {number} pace rows a second at speed 1 */
@@ -42,6 +45,8 @@ export class RemoteRun extends Player {
     this.progress = null
     /** Called with the words of the worker about a log that it reads. @type {((words: any) => void) | null} */
     this.onreading = null
+    /** Whether the track is smoothed in the light of all readings. */
+    this.smoothed = false
     this.sets = 0
     /** The questions of the files that were read last, and those that led to the log. @type {any[]} */
     this.tried = []
@@ -244,6 +249,13 @@ export class RemoteRun extends Player {
     this.answer = null
     this.patch = null
     this.wantsReset = false
-    this.port.post({ kind: 'go', id: this.id, params, step: goal })
+    this.port.post({ kind: 'go', id: this.id, params, step: goal, smooth: this.smoothed })
+    if (this.last > MOST_SMOOTHED) this.smoothed = false
+  }
+
+  /** Smooths the track up to where the run is; a log that is not too long is smoothed again after each change. */
+  smooth() {
+    this.smoothed = true
+    this.patch = { ...this.patch }
   }
 }

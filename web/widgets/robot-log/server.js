@@ -9,7 +9,7 @@
  *   been read, what was said of them
  * - `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'`: `{ kind: 'table', text }`, a `Blob`
  *   of CSV, or `{ kind: 'no-table', message }`
- * - told `{ kind: 'go', id, params, step }`, it tells `{ kind: 'progress', id, step, of }` on the way; then
+ * - told `{ kind: 'go', id, params, step, smooth }`, it tells `{ kind: 'progress', id, step, of }` on the way; then
  *   `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }`
  * - told `{ kind: 'cancel' }`, it tells nothing more about the replay that was under way
  *
@@ -20,6 +20,7 @@
 
 import { attend, wordsOf } from '../../load/worker-server.js'
 import { Pace } from '../../figure/time-slices.js'
+import { applyChange } from './change.js'
 import { decode } from './text.js'
 
 /** How long the worker computes without reading its messages, milliseconds. */
@@ -29,16 +30,13 @@ const NEARLY_THERE_MS = 150
 /** The words for a progress bar come this often, milliseconds. */
 const PROGRESS_MS = 50
 
-/** @typedef {{ id: number, params: Record<string, unknown>, step: number | null }} Wish */
+/** @typedef {{ id: number, params: Record<string, unknown>, step: number | null, smooth?: boolean }} Wish */
 /** Rows of a table that are written in one go. */
 const TABLE_ROWS = 5000
 /** The most characters of a faulty line that are shown. */
 const MOST_SHOWN = 200
 
-/**
- * @typedef {{ file: number, role?: string, value?: string, column?: number | null, unit?: string }} Change how one file
- * is read
- */
+/** @typedef {import('./change.js').Change} Change */
 /** @typedef {{ wish: Wish, lab: any, of: number, from: number, began: number, told: number }} Replay */
 
 /** What is said of files that are no log, where a reading says nothing else. */
@@ -145,12 +143,10 @@ export class Server {
   }
 
   /** Reads one of the files otherwise. @param {Change} change */
-  reread({ file, role, value, column, unit }) {
+  reread(change) {
     const { files, set } = this
     try {
-      if (role !== undefined) files.setRole(file, role)
-      if (value !== undefined) files.setColumn(file, value, column)
-      if (unit !== undefined) files.setUnit(file, unit)
+      applyChange(files, change)
     } catch (error) {
       return { ...NO_LOG, set, files: files.files(), message: wordsOf(error) }
     }
@@ -179,7 +175,9 @@ export class Server {
       const { file = 0, line = 1, column = 1 } = /** @type {any} */ (error)
       const message = wordsOf(error).replace(/^line \d+, column \d+: /, '')
       const from = line === 0 ? '' : lineOf(this.texts?.[file] ?? '', line)
-      return { ...NO_LOG, set, files: shown, file, line, column, message, shown: from }
+      const asked = line === 0 && shown[file]?.asks.length > 0
+      const mend = asked ? 'Answer below' : ''
+      return { ...NO_LOG, set, files: shown, file, line, column, message, shown: from, mend }
     }
   }
 
@@ -258,6 +256,7 @@ export class Server {
       this.replay = null
       if (this.lab !== lab) this.lab?.free()
       this.lab = lab
+      if (wish.smooth) lab.smooth()
       this.tell({ kind: 'there', id: wish.id, frame: lab.frame(), digest: lab.digest() })
     } catch (error) {
       this.drop()

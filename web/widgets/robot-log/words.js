@@ -22,9 +22,22 @@ export function clock(seconds) {
   return `${Math.floor(whole / 60)}\u00a0min ${whole % 60}\u00a0s`
 }
 
+/** Whether a sensor that the log has corrects the estimate. @param {Frame} frame */
+export function listens({ params, summary: { sensors } }) {
+  const { fix, heading, range, bearing } = sensors
+  const ranges = range || bearing || !(fix || heading)
+  return Boolean((params.sightings && ranges) || (params.fixes && fix) || (params.headings && heading))
+}
+
+/** What a reading of the log is called. @param {Frame} frame */
+function noun({ summary: { sensors } }) {
+  return sensors.fix || sensors.heading ? 'reading' : 'range'
+}
+
 /** Why a panel of readings has none to show. @param {Frame} frame */
-export function unread({ params, summary: { used, refused } }) {
-  if (!params.sightings) return 'switch the ranges on'
+export function unread(frame) {
+  const { used, refused } = frame.summary
+  if (!listens(frame)) return `switch the ${noun(frame)}s on`
   if (used + refused === 0) return 'no reading so far'
   return used === 0 ? 'every reading is refused' : 'too few readings so far'
 }
@@ -34,16 +47,17 @@ export function unread({ params, summary: { used, refused } }) {
  * @param {Frame} frame
  * @param {string} expected
  */
-export const expecting = (frame, expected) => (frame.params.sightings ? unread(frame) : expected)
+export const expecting = (frame, expected) => (listens(frame) ? unread(frame) : expected)
 
 /** @param {Frame} frame */
 export function verdict(frame) {
-  const { params, step, summary } = frame
+  const { step, summary } = frame
   if (step === 0) return 'Before the first row of the log.'
   const { used, refused } = summary
-  if (!params.sightings) return `Dead reckoning: odometry alone, no range is used.${errorOf(frame, false)}`
-  if (used + refused === 0) return `No range has been read yet.${errorOf(frame, false)}`
-  if (used === 0) return `The gate has refused every range so far: this is dead reckoning.${errorOf(frame, false)}`
+  if (!listens(frame)) return `Dead reckoning: odometry alone, no ${noun(frame)} is used.${errorOf(frame, false)}`
+  if (used + refused === 0) return `No ${noun(frame)} has been read yet.${errorOf(frame, false)}`
+  if (used === 0)
+    return `The gate has refused every ${noun(frame)} so far: this is dead reckoning.${errorOf(frame, false)}`
   return [errorOf(frame, true), gateOf(frame), learnedOf(frame), meanOf(frame), nisOf(frame), lagOf(frame)]
     .join('')
     .trim()
@@ -62,8 +76,10 @@ function errorOf({ summary, reckonedRmse }, compared) {
 
 /** @param {Frame} frame */
 function gateOf({ params, summary: { used, refused } }) {
-  // A gate for each sensor expects another share of each.
-  if (typeof params.gate !== 'number') return ''
+  if (params.gate === null) return ''
+  // Gates that each sensor has of its own expect no one share.
+  if (typeof params.gate === 'object')
+    return refused === 0 ? '' : ` The gates have refused ${percent(refused / (used + refused))} of the readings.`
   const [share, expected] = [refused / (used + refused), 1 - params.gate]
   // Five times as many as expected, and more than chance explains where few are expected.
   const many = share > 5 * expected && refused > 5 * expected * (used + refused) + 5

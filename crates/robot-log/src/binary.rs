@@ -1,0 +1,24 @@
+//! Files of other programs that are no text: how each is known, and how a table is got out of it.
+
+/// Why a file is refused that is a log of another program, with the way to a table.
+pub(crate) fn refusal(name: &str, text: &str) -> Option<String> {
+    let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+    let name = name.to_lowercase();
+    let ends = |ending: &str| name.ends_with(ending) && text.chars().take(4000).any(|c| matches!(c, '\0' | '\u{fffd}'));
+    let (what, way) = if text.starts_with("ULog") || ends(".ulg") {
+        ("a ULog of PX4", "`ulog2csv FILE` (of `pip install pyulog`) writes a CSV of each topic")
+    } else if text.starts_with("#ROSBAG") || ends(".bag") {
+        ("a bag of ROS 1", "`rostopic echo -b FILE -p /odom > odom.csv` writes a CSV of a topic")
+    } else if text.contains("MCAP0\r\n") && text.find("MCAP0") < Some(4) || ends(".mcap") {
+        ("a bag of ROS 2 (MCAP)", "PlotJuggler opens it and saves topics as CSV")
+    } else if text.starts_with("SQLite format 3") || ends(".db3") {
+        ("a database, as a bag of ROS 2 is one", "PlotJuggler opens the bag and saves topics as CSV")
+    } else if text.starts_with("PK\u{3}\u{4}") || ends(".xlsx") || ends(".ods") || ends(".zip") {
+        ("a spreadsheet or an archive", "save its table as CSV")
+    } else if ends(".bin") || ends(".tlog") {
+        ("a log of ArduPilot", "`mavlogdump.py --format csv --types GPS FILE > gps.csv` writes a CSV of a message")
+    } else {
+        return None;
+    };
+    Some(format!("the file is {what}, and a table of text was expected: {way}"))
+}

@@ -1,0 +1,90 @@
+//! A row of a table: its values in seconds, metres and radians.
+
+use crate::error::Error;
+use crate::fields::{Field, Line};
+use crate::gathering::Place;
+use crate::row;
+use crate::source::Source;
+use crate::{stamp, unit};
+
+/// A row of a table, with the column of each value.
+#[derive(Clone, Copy)]
+pub(crate) struct Cells<'a> {
+    pub file: usize,
+    pub line: &'a Line<'a>,
+    pub source: &'a Source,
+}
+
+impl<'a> Cells<'a> {
+    /// Where the row begins.
+    pub fn start(&self) -> Place {
+        Place { file: self.file, line: self.line.number, column: 1 }
+    }
+
+    /// Where a value stands.
+    pub fn place(&self, value: &str) -> Place {
+        Place::of(self.file, self.line, self.source.column(value).unwrap_or(0))
+    }
+
+    fn field(&self, value: &str) -> Option<Field<'a>> {
+        self.line.fields.get(self.source.column(value)?).copied()
+    }
+
+    /// A field read as a value.
+    fn read(&self, value: &str, field: Field<'_>) -> Result<f64, Error> {
+        let number = row::finite(self.line, field, value).map_err(|e| e.within(self.file))?;
+        let unit = self.source.role.index(value).and_then(|at| self.source.units[at]);
+        Ok(unit.map_or(number, |unit| unit::convert(unit, number)))
+    }
+
+    /// A value that must be there.
+    pub fn number(&self, value: &str) -> Result<f64, Error> {
+        let none = Field { text: "", column: self.line.end };
+        self.read(value, self.field(value).unwrap_or(none))
+    }
+
+    /// A value that a row may lack: its field is empty, or says so.
+    pub fn given(&self, value: &str) -> Result<Option<f64>, Error> {
+        let Some(field) = self.field(value) else { return Ok(None) };
+        if is_none(field.text) { Ok(None) } else { self.read(value, field).map(Some) }
+    }
+
+    /// The row's time, its seconds and their fraction together.
+    pub fn time(&self) -> Result<f64, Error> {
+        let Some(field) = self.field("time") else { return self.number("time") };
+        if self.source.is_date() {
+            let refuse = || self.place("time").refuse("the time is no date; one as 2026-05-01T12:00:00Z was expected");
+            return stamp::seconds(field.text).ok_or_else(refuse);
+        }
+        let seconds = self.read("time", field)?;
+        let time = seconds + self.field("fraction").map_or(Ok(0.0), |_| self.number("fraction"))?;
+        row::in_bounds(self.line, field, time).map_err(|e| e.within(self.file))
+    }
+
+    /// Whether the time is one of a day without its date.
+    pub fn is_time_of_day(&self) -> bool {
+        self.source.is_date() && self.field("time").is_some_and(|field| stamp::is_time_of_day(field.text))
+    }
+
+    /// The number of a landmark. A program that keeps all numbers in one table writes 5 as 5.0.
+    pub fn whole(&self, value: &str) -> Result<u32, Error> {
+        let number = self.number(value)?;
+        if number.fract() == 0.0 && (0.0..4_294_967_296.0).contains(&number) {
+            return Ok(number as u32);
+        }
+        Err(self.place(value).refuse(format!("{value} is {number}; a whole number below 2^32 was expected")))
+    }
+
+    /// The range in a column, if the row has one.
+    pub fn range(&self, value: &str, column: usize) -> Result<Option<f64>, Error> {
+        let Some(field) = self.line.fields.get(column).filter(|field| !is_none(field.text)) else { return Ok(None) };
+        let range = self.read(value, *field)?;
+        let place = Place::of(self.file, self.line, column);
+        if range >= 0.0 { Ok(Some(range)) } else { Err(place.refuse("a range of at least 0 was expected")) }
+    }
+}
+
+/// Whether a field says that there is no number.
+fn is_none(text: &str) -> bool {
+    ["", "nan", "null", "none", "na", "n/a", "-", "--"].iter().any(|none| text.eq_ignore_ascii_case(none))
+}

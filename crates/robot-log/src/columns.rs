@@ -1,0 +1,260 @@
+//! Which column of a file each value of its role is in, and in which unit.
+
+use crate::fields::Line;
+use crate::guess::axes;
+use crate::names::{Name, candidates};
+use crate::role::{Quantity, Role, Value};
+use crate::row::number;
+use crate::source::Source;
+use crate::stamp;
+use crate::unit::{DATE, Unit, named};
+use crate::wide;
+
+/// The rows whose numbers are looked at.
+const LOOKED_AT: usize = 200;
+
+/// Finds the columns and units of a file's role: by names, or, where no column has a name, in the usual order.
+pub(crate) fn columns(source: &mut Source, file: &str, text: &str) {
+    let values = source.role.values();
+    source.columns = vec![None; values.len()];
+    source.units = vec![None; values.len()];
+    source.doubts = vec![Vec::new(); values.len()];
+    let nameless = source.table.as_ref().is_some_and(|table| table.nameless);
+    for (i, value) in values.iter().enumerate() {
+        let found = if nameless { Vec::new() } else { found(source, value, file) };
+        match found.as_slice() {
+            [one] => source.columns[i] = Some(*one),
+            several => source.doubts[i] = several.to_vec(),
+        }
+    }
+    // A role that a reader has chosen is tried in its usual order where no name says anything.
+    let unknown = source.columns.iter().all(Option::is_none) && source.doubts.iter().all(Vec::is_empty);
+    let needed = values.iter().filter(|value| !value.optional).count();
+    if unknown && source.names.len() >= needed && !matches!(source.role, Role::Sensors | Role::Ranges) {
+        for (i, value) in values.iter().enumerate().take(source.names.len()) {
+            let kept = !value.optional || matches!(value.name, "bearing" | "x" | "y" | "heading");
+            source.columns[i] = kept.then_some(i);
+        }
+    }
+    swap_axes(source, file);
+    for i in 0..values.len() {
+        source.units[i] = unit(source, i, file, text);
+    }
+}
+
+/// The columns that a value may be in.
+fn found(source: &Source, value: &Value, file: &str) -> Vec<usize> {
+    let names = &source.names;
+    let of = |value: &str, quantity| candidates(value, quantity, names);
+    let mut found = of(value.name, value.quantity);
+    match value.name {
+        "time" => {
+            found.retain(|at| !is_seconds(&names[*at]) || found_fraction(names, *at).is_some() || !stamped(names))
+        }
+        "fraction" => {
+            let time = source.columns.first().copied().flatten();
+            found = time.and_then(|time| found_fraction(names, time)).into_iter().collect();
+        }
+        // An angular velocity is a velocity too.
+        "v" => {
+            let turns = of("omega", Quantity::AngleRate);
+            found.retain(|at| !turns.contains(at));
+            // One part of a velocity is not the speed.
+            let beside = names.iter().position(|name| name.has("vy"));
+            if let ([at], Some(other)) = (found.as_slice(), beside)
+                && names[*at].has("vx")
+            {
+                found.push(other);
+            }
+        }
+        "omega" if clockwise(names, file) => found.extend(third_axis(names).filter(|_| found.is_empty())),
+        "omega" => {
+            if let Some(axes) = axes(&file.to_lowercase(), names) {
+                found = axes;
+            }
+        }
+        // Beside coordinates a bearing is the course.
+        "heading" if found.is_empty() && !of("latitude", Quantity::Coordinate).is_empty() => {
+            found = of("bearing", Quantity::Angle);
+        }
+        "first range" => found = wide::group(names).and_then(|group| Some(vec![group.first()?.1])).unwrap_or_default(),
+        // Coordinates say all that metres would, and the axes of a gyroscope are no place.
+        "x" | "y" if matches!(source.role, Role::Sensors | Role::Truth) => {
+            let global = ["latitude", "longitude"].iter().all(|it| !of(it, Quantity::Coordinate).is_empty());
+            if global || axes(&file.to_lowercase(), names).is_some() {
+                found.clear();
+            }
+        }
+        _ => {}
+    }
+    found
+}
+
+/// Whether a column holds the whole seconds of a stamp.
+fn is_seconds(name: &Name) -> bool {
+    name.words.last().is_some_and(|word| matches!(word.as_str(), "sec" | "secs"))
+}
+
+fn stamped(names: &[Name]) -> bool {
+    names.iter().any(|name| name.has_one(&["nanosec", "nanosecs", "nsec", "nsecs"]))
+}
+
+/// The column with the fraction of a stamp whose seconds are in another: it is called as that one is, but for its unit.
+fn found_fraction(names: &[Name], time: usize) -> Option<usize> {
+    let (last, path) = names[time].words.split_last()?;
+    if !matches!(last.as_str(), "sec" | "secs" | "seconds" | "s") {
+        return None;
+    }
+    let parts = ["nanosec", "nanosecs", "nsec", "nsecs", "nanoseconds", "ns", "usec", "usecs", "us", "msec", "ms"];
+    names.iter().position(|name| {
+        let Some((last, other)) = name.words.split_last() else { return false };
+        other == path && parts.contains(&last.as_str())
+    })
+}
+
+/// The column of the third axis of a gyroscope in an array: `xyz[2]`.
+pub(crate) fn third_axis(names: &[Name]) -> Option<usize> {
+    names.iter().position(|name| name.has("2") && name.has_one(&["xyz", "gyro"]))
+}
+
+/// Whether a file's axes point forward, right and down, as those of flight controllers do: PX4 and ArduPilot.
+pub(crate) fn clockwise(names: &[Name], file: &str) -> bool {
+    let file = file.to_lowercase();
+    let px4 = ["vehicle_", "sensor_combined", "sensor_gps", "sensor_gyro", "estimator_"];
+    let ardupilot = names.iter().any(|name| name.words == ["time", "us"]);
+    let px4 = names.iter().any(|name| name.words == ["timestamp"]) && px4.iter().any(|topic| file.contains(topic));
+    ardupilot || px4
+}
+
+/// In a frame of north, east and down the first axis is north.
+fn swap_axes(source: &mut Source, file: &str) {
+    if clockwise(&source.names, file)
+        && let (Some(x), Some(y)) = (source.role.index("x"), source.role.index("y"))
+    {
+        source.columns.swap(x, y);
+    }
+}
+
+/// The unit of a value's column: by its name, else by its numbers; `None` where neither says it.
+pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option<&'static Unit> {
+    let value = &source.role.values()[at];
+    let column = source.columns[at]?;
+    let (table, name) = (source.table.as_ref()?, source.names.get(column)?);
+    let said = name.unit(value.quantity);
+    let lines: Vec<Line<'_>> = table.lines(text).filter_map(Result::ok).take(LOOKED_AT).collect();
+    let numbers: Vec<f64> = lines.iter().filter_map(|line| number(line.fields[column].text)).collect();
+    let most = numbers.iter().filter(|number| number.is_finite()).fold(0.0_f64, |most, it| most.max(it.abs()));
+    let usual = |name| named(value.quantity, name);
+    let down = clockwise(&source.names, file);
+    match value.quantity {
+        Quantity::Number => None,
+        Quantity::Time => {
+            let dated = lines.iter().find(|line| !line.fields[column].text.is_empty());
+            if dated.is_some_and(|line| stamp::seconds(line.fields[column].text).is_some()) {
+                return usual(DATE);
+            }
+            let said = said.filter(|unit| unit.name != DATE);
+            if down && name.words == ["timestamp"] && most > 1e5 && !numbers.iter().any(|it| it.fract() != 0.0) {
+                return usual("us");
+            }
+            said.or_else(|| by_rate(&numbers).and_then(usual))
+        }
+        Quantity::Fraction => said.or_else(|| usual("ns")),
+        Quantity::Length => {
+            // Metres from one row to the next, to a landmark, and across a map.
+            let far = match value.name {
+                "distance" => 20.0,
+                "sigma" => 200.0,
+                "range" | "first range" => 1000.0,
+                _ => 5000.0,
+            };
+            let least = numbers.iter().copied().fold(f64::INFINITY, f64::min);
+            let widest = numbers.iter().copied().fold(f64::NEG_INFINITY, f64::max) - least;
+            let size = if matches!(value.name, "x" | "y") { widest } else { most };
+            said.or_else(|| if size > far { None } else { usual("m") })
+        }
+        Quantity::Speed => said.or_else(|| if most > 30.0 { None } else { usual("m/s") }),
+        Quantity::AngleRate => {
+            let degrees = match said {
+                Some(unit) => unit.name == "deg/s",
+                None if most > 20.0 => true,
+                // Faster than half a turn in a second: few robots are, and degrees may be meant.
+                None if most > 3.5 => return None,
+                None => false,
+            };
+            usual(match (degrees, down) {
+                (false, false) => "rad/s",
+                (true, false) => "deg/s",
+                (false, true) => "rad/s clockwise",
+                (true, true) => "deg/s clockwise",
+            })
+        }
+        Quantity::Angle => {
+            let turn = if value.name == "turn" { 3.2 } else { 7.0 };
+            said.or_else(|| usual(if most > turn { "deg" } else { "rad" }))
+        }
+        Quantity::Heading => {
+            const COURSE: [&str; 13] = [
+                "course",
+                "cog",
+                "compass",
+                "gcrs",
+                "kurs",
+                "cap",
+                "rumbo",
+                "rotta",
+                "azimuth",
+                "bearing",
+                "north",
+                "direction",
+                "richtung",
+            ];
+            let global = !candidates("latitude", Quantity::Coordinate, &source.names).is_empty();
+            let course = global || name.has_one(&COURSE);
+            let from_north = down || course;
+            let degrees = said.map_or(most > 7.0 || course, |unit| unit.name == "deg");
+            // Degrees of a heading are a compass's as often as they are counted from the axis of x.
+            if degrees && !from_north && name.has("heading") {
+                return None;
+            }
+            usual(match (degrees, from_north) {
+                (false, false) => "rad",
+                (true, false) => "deg",
+                (false, true) => "rad from north",
+                (true, true) => "deg from north",
+            })
+        }
+        Quantity::Coordinate => {
+            // Both are in one unit: near Greenwich a longitude is small in any.
+            let other = |i: &usize| source.role.values()[*i].quantity == Quantity::Coordinate;
+            let both: Vec<usize> = (0..source.columns.len()).filter(other).filter_map(|i| source.columns[i]).collect();
+            let of = |line: &Line<'_>| {
+                both.iter().filter_map(|at| number(line.fields[*at].text)).fold(0.0_f64, |most, it| most.max(it.abs()))
+            };
+            let most = lines.iter().map(of).fold(0.0_f64, f64::max);
+            said.or_else(|| usual(if most > 1e5 { "1e-7 deg" } else { "deg" }))
+        }
+        Quantity::Wheel => {
+            let ticks = name.has_one(&["encoder", "enc"]) || file.to_lowercase().contains("encoder");
+            said.or_else(|| if ticks { usual("ticks") } else { None })
+        }
+    }
+}
+
+/// The unit of times whose rows come, in the middle, so far apart; a robot's log has a row in five seconds at least.
+/// Of gaps between 5 and 20 nobody knows whether they are seconds or milliseconds.
+fn by_rate(times: &[f64]) -> Option<&'static str> {
+    let mut gaps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > 0.0).collect();
+    gaps.sort_by(f64::total_cmp);
+    let since_1970 = times.first().map_or(0.0, |time| time.abs());
+    Some(match gaps.get(gaps.len().saturating_sub(1) / 2) {
+        _ if since_1970 > 1e17 => "ns",
+        _ if since_1970 > 1e14 => "us",
+        _ if since_1970 > 1e11 => "ms",
+        Some(gap) if *gap > 1e6 => "ns",
+        Some(gap) if *gap > 2e3 => "us",
+        Some(gap) if *gap > 20.0 => "ms",
+        Some(gap) if *gap > 5.0 => return None,
+        _ => "s",
+    })
+}

@@ -1,0 +1,174 @@
+//! The names of columns as words: in small letters, without accents, parted at points, blanks, capitals and digits.
+
+use crate::role::Quantity;
+use crate::unit::{self, Unit};
+use crate::vocabulary::{FORBIDDEN, Spread, Way, ways};
+use core::cmp::Ordering;
+
+/// The name of a column.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Name {
+    /// All its words, units among them.
+    pub words: Vec<String>,
+}
+
+impl Name {
+    pub fn new(name: &str) -> Self {
+        Self { words: words(name) }
+    }
+
+    pub fn has(&self, word: &str) -> bool {
+        self.words.iter().any(|it| it == word)
+    }
+
+    pub fn has_one(&self, words: &[&str]) -> bool {
+        words.iter().any(|word| self.has(word))
+    }
+
+    /// The unit that the name says, of those of a quantity.
+    pub fn unit(&self, quantity: Quantity) -> Option<&'static Unit> {
+        unit::written(quantity, &self.words).map(|(unit, _)| unit)
+    }
+
+    /// The words without those of its unit; all of them where nothing else is left.
+    pub fn base(&self, quantity: Quantity) -> Vec<&str> {
+        let range = unit::written(quantity, &self.words).map_or(0..0, |(_, range)| range);
+        let base = |range: core::ops::Range<usize>| {
+            let all = self.words.iter().enumerate().filter(move |(i, _)| !range.contains(i));
+            all.map(|(_, word)| word.as_str()).collect::<Vec<_>>()
+        };
+        let without = base(range);
+        if without.is_empty() { base(0..0) } else { without }
+    }
+}
+
+/// The columns that a value may be in: none, one that is certain, or several that fit equally well.
+pub(crate) fn candidates(value: &str, quantity: Quantity, names: &[Name]) -> Vec<usize> {
+    let forbidden = FORBIDDEN.iter().find(|(name, _)| *name == value).map_or(&[][..], |(_, words)| *words);
+    let fits: Vec<usize> = (0..names.len())
+        .filter(|i| !names[*i].has_one(forbidden) && !is_acceleration(&names[*i]))
+        .filter(|i| value.starts_with("sigma") || !is_spread(&names[*i]))
+        .collect();
+    for way in ways(value) {
+        let mut found: Vec<usize> = fits.iter().copied().filter(|i| follows(way, &names[*i], quantity)).collect();
+        // What says no more than it must fits best.
+        found.sort_by(|a, b| longer(&names[*a], &names[*b], quantity));
+        let best = found.iter().take_while(|i| longer(&names[**i], &names[found[0]], quantity).is_eq()).count();
+        found.truncate(best);
+        if !found.is_empty() {
+            return found;
+        }
+    }
+    Vec::new()
+}
+
+fn longer(a: &Name, b: &Name, quantity: Quantity) -> Ordering {
+    a.base(quantity).len().cmp(&b.base(quantity).len())
+}
+
+fn follows(way: Way<'_>, name: &Name, quantity: Quantity) -> bool {
+    match way {
+        Way::Whole(words) => name.base(quantity).into_iter().eq(words.split(' ')),
+        Way::First(word) => name.words.first().is_some_and(|first| first == word),
+        Way::Within(words) => words.split(' ').all(|word| name.has(word)),
+    }
+}
+
+/// How far a number may be off.
+pub(crate) fn is_spread(name: &Name) -> bool {
+    name.has_one(&Spread::ALL)
+}
+
+/// Metres in a second in a second: never a speed.
+pub(crate) fn is_acceleration(name: &Name) -> bool {
+    let pair = |a: &str, b: &str| name.words.windows(2).any(|it| it[0] == a && it[1] == b);
+    name.has_one(&["acc", "accel", "acceleration", "accelerometer", "beschleunigung", "aceleracion", "accelerazione"])
+        || name.words.iter().any(|word| word.ends_with("s²"))
+        || pair("s", "2")
+}
+
+/// The words of a column's name.
+fn words(name: &str) -> Vec<String> {
+    let mut spaced = String::new();
+    let mut before = ' ';
+    for c in name.chars() {
+        let parts = (before.is_lowercase() && c.is_uppercase())
+            || (before.is_alphabetic() && c.is_ascii_digit())
+            || (before.is_ascii_digit() && c.is_alphabetic());
+        if parts {
+            spaced.push(' ');
+        }
+        before = c;
+        match c {
+            '°' => spaced.push_str(" deg "),
+            'µ' | 'μ' => spaced.push('u'),
+            c if c.is_alphanumeric() => spaced.extend(c.to_lowercase().map(without_accent)),
+            _ => spaced.push(' '),
+        }
+    }
+    spaced.split_whitespace().map(String::from).collect()
+}
+
+fn without_accent(c: char) -> char {
+    match c {
+        'à' | 'á' | 'â' | 'ä' => 'a',
+        'è' | 'é' | 'ê' | 'ë' => 'e',
+        'ì' | 'í' | 'î' | 'ï' => 'i',
+        'ò' | 'ó' | 'ô' | 'ö' => 'o',
+        'ù' | 'ú' | 'û' | 'ü' => 'u',
+        'ñ' => 'n',
+        'ç' => 'c',
+        c => c,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_name_is_parted_into_words_and_its_unit_is_known() {
+        assert_eq!(words("twist.twist.linear.x"), ["twist", "twist", "linear", "x"]);
+        assert_eq!(words("GyrZ"), ["gyr", "z"]);
+        assert_eq!(words("d1"), ["d", "1"]);
+        assert_eq!(words("Longitud (°)"), ["longitud", "deg"]);
+        assert_eq!(words("Vitesse_lacet [°/s]"), ["vitesse", "lacet", "deg", "s"]);
+        for (name, quantity, unit) in [
+            ("speed_m_s", Quantity::Speed, Some("m/s")),
+            ("speed (km/h)", Quantity::Speed, Some("km/h")),
+            ("TimeUS", Quantity::Time, Some("us")),
+            ("t [µs]", Quantity::Time, Some("us")),
+            ("gyro_rad[2]", Quantity::AngleRate, Some("rad/s")),
+            ("Drehrate in Grad", Quantity::AngleRate, Some("deg/s")),
+            ("acc m/s^2", Quantity::Length, Some("m")),
+            ("speed", Quantity::Speed, None),
+        ] {
+            assert_eq!(Name::new(name).unit(quantity).map(|unit| unit.name), unit, "{name}");
+        }
+    }
+
+    #[test]
+    fn whole_parts_are_matched_and_never_an_orientation_or_an_acceleration() {
+        let of = |value: &str, quantity, names: &[&str]| {
+            candidates(value, quantity, &names.iter().map(|name| Name::new(name)).collect::<Vec<_>>())
+        };
+        let odometry = [
+            "pose.pose.position.x",
+            "pose.pose.orientation.z",
+            "pose.pose.orientation.w",
+            "twist.twist.linear.x",
+            "twist.twist.angular.x",
+            "twist.twist.angular.z",
+            "twist.covariance.0",
+        ];
+        assert_eq!(of("v", Quantity::Speed, &odometry), [3]);
+        assert_eq!(of("omega", Quantity::AngleRate, &odometry), [5]);
+        assert_eq!(of("x", Quantity::Length, &odometry), [0]);
+        assert_eq!(of("heading", Quantity::Heading, &odometry), []);
+        let imu = ["orientation.w", "angular_velocity.z", "linear_acceleration.x", "a (m/s^2)"];
+        assert_eq!(of("omega", Quantity::AngleRate, &imu), [1]);
+        assert_eq!(of("v", Quantity::Speed, &imu), []);
+        assert_eq!(of("v", Quantity::Speed, &["gps_speed", "wheel_speed"]), [0, 1]);
+        assert_eq!(of("v", Quantity::Speed, &["wheel speed", "speed (m/s)"]), [1]);
+    }
+}

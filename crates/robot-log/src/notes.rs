@@ -1,0 +1,94 @@
+//! What is said of a log that was read and still looks strange: sentences for its reader.
+
+use estimate::drive::Drive;
+
+pub(crate) const HEADED: &str = "The truth has no heading; the first 0.2 m of its way gives the first one.";
+
+/// What is counted while a file is read.
+#[derive(Clone, Copy, Debug, Default)]
+pub(crate) struct Kept {
+    pub rows: usize,
+    /// The time of the row before, and how many have the time of the one before.
+    pub last: Option<f64>,
+    pub repeats: usize,
+    /// What two encoders had counted.
+    pub counted: Option<[f64; 2]>,
+    /// The fix before; how many there are, and how many of them are the one before to the last digit.
+    pub fix: Option<[f64; 2]>,
+    pub fixes: usize,
+    pub copies: usize,
+    /// Rows, or ranges of rows, without a number.
+    pub missing: usize,
+    /// Fixes at latitude and longitude 0.
+    pub nowhere: usize,
+    /// Standard deviations that are not above 0.
+    pub without_sigma: usize,
+}
+
+impl Kept {
+    /// What was strange in a file.
+    pub fn notes(&self, name: &str) -> Vec<String> {
+        let Self { rows, repeats, fixes, copies, missing, nowhere, without_sigma, .. } = *self;
+        let mut notes = Vec::new();
+        if rows >= 5 && 5 * repeats > rows {
+            notes.push(format!(
+                "{name}: {repeats} of {rows} times repeat the one before. Are fractions of a second in another column?"
+            ));
+        }
+        if fixes >= 5 && 2 * copies > fixes {
+            notes.push(format!(
+                "{name}: {copies} of {fixes} positions are the one before to the last digit. A fix that is written \
+                 again in each row counts as many fixes."
+            ));
+        }
+        if missing > 0 {
+            notes.push(format!("{name}: {} without a number left out.", readings(missing)));
+        }
+        if nowhere > 0 {
+            notes.push(format!("{name}: {} at latitude 0, longitude 0 left out: there was no fix.", readings(nowhere)));
+        }
+        if without_sigma > 0 {
+            notes.push(format!("{name}: {without_sigma} \u{3c3} not above 0; the setting\u{2019}s is taken instead."));
+        }
+        notes
+    }
+}
+
+/// What was left out of a log: sightings of a barcode in no list, and sightings of what no file places.
+pub(crate) fn left_out(unlisted: usize, left_out: usize, mapped: bool) -> Vec<String> {
+    let mut notes = Vec::new();
+    if unlisted > 0 {
+        notes.push(format!("{} left out: no list has the barcode.", readings(unlisted)));
+    }
+    if left_out > 0 && mapped {
+        notes.push(format!("{} left out: another robot was seen.", readings(left_out)));
+    }
+    if left_out > 0 && !mapped {
+        let left_out = readings(left_out);
+        notes.push(format!("{left_out} left out: no file says where the landmarks are. This is dead reckoning."));
+    }
+    notes
+}
+
+/// What is strange about the times of a drive. A wrong column, a wrong unit or a second clock shows here.
+pub(crate) fn times(drive: &Drive) -> Option<String> {
+    let span = |motion: bool| {
+        let mut times = drive.rows.iter().filter(|row| row.event.is_motion() == motion).map(|row| row.time);
+        let first = times.next()?;
+        Some([first, times.next_back().unwrap_or(first)])
+    };
+    let motion = span(true)?;
+    let truth = drive.truth.poses().first().zip(drive.truth.poses().last()).map(|(a, b)| [a.time, b.time]);
+    let apart = |other: Option<[f64; 2]>| other.is_some_and(|[from, to]| to < motion[0] || motion[1] < from);
+    let beside = [(truth, "The true positions"), (span(false), "The readings")];
+    if let Some((_, what)) = beside.into_iter().find(|(span, _)| apart(*span)) {
+        return Some(format!("{what} are all before the motion or after it: is another clock or unit meant?"));
+    }
+    let rows = drive.rows.iter().filter(|row| row.event.is_motion()).count();
+    (rows > 1 && motion[0] == motion[1])
+        .then(|| "All rows of motion have the same time: is it in another column?".into())
+}
+
+fn readings(count: usize) -> String {
+    if count == 1 { "1 reading".into() } else { format!("{count} readings") }
+}

@@ -1,0 +1,103 @@
+//! Encoders of two wheels: what they count becomes the way and the turn of a robot with a differential drive.
+
+use crate::unit::Unit;
+use estimate::drive::Event;
+
+/// Whether an encoder counts on, or anew from each row to the next.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Counting {
+    /// The count since the start.
+    Total,
+    /// The count since the row before.
+    Step,
+}
+
+/// What is known of the wheels.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Wheels {
+    /// Ticks of a whole turn of the wheel.
+    pub ticks: Option<f64>,
+    /// The wheel's radius, m.
+    pub radius: Option<f64>,
+    /// The distance between the two wheels, m.
+    pub base: Option<f64>,
+    /// How the encoders count.
+    pub counting: Option<Counting>,
+}
+
+/// The names of the numbers.
+pub const WHEEL_NUMBERS: [&str; 3] = ["ticks", "radius", "base"];
+
+impl Wheels {
+    /// One of the numbers.
+    pub fn number(&self, name: &str) -> Option<f64> {
+        match name {
+            "ticks" => self.ticks,
+            "radius" => self.radius,
+            "base" => self.base,
+            _ => None,
+        }
+    }
+
+    /// Sets one of the numbers, which must be above 0. Answers whether there is such a one.
+    pub(crate) fn set(&mut self, name: &str, number: f64) -> bool {
+        let place = match name {
+            "ticks" => &mut self.ticks,
+            "radius" => &mut self.radius,
+            "base" => &mut self.base,
+            _ => return false,
+        };
+        let sound = number.is_finite() && number > 0.0;
+        if sound {
+            *place = Some(number);
+        }
+        sound
+    }
+
+    /// What has to be said before wheels in this unit can be read.
+    pub(crate) fn lacks(&self, unit: &str) -> Option<String> {
+        let mut lacking = Vec::new();
+        if unit == "ticks" && self.ticks.is_none() {
+            lacking.push("how many ticks a turn of the wheel has");
+        }
+        if is_angle(unit) && self.radius.is_none() {
+            lacking.push("the wheel\u{2019}s radius");
+        }
+        if self.base.is_none() {
+            lacking.push("the distance between the wheels");
+        }
+        if !is_speed(unit) && self.counting.is_none() {
+            lacking.push("whether the counts are totals or since the row before");
+        }
+        (!lacking.is_empty()).then(|| format!("Encoders need {}.", lacking.join(", ")))
+    }
+
+    /// What two wheels have done, or how fast they are; `before` is what they had counted in the row before. The first
+    /// row of totals has none before it and says nothing.
+    pub(crate) fn event(&self, unit: &Unit, [left, right]: [f64; 2], before: Option<[f64; 2]>) -> Option<Event> {
+        let metres = match unit.name {
+            "ticks" => core::f64::consts::TAU / self.ticks? * self.radius?,
+            name if is_angle(name) => self.radius?,
+            _ => 1.0,
+        };
+        let before = match self.counting {
+            Some(Counting::Total) if !is_speed(unit.name) => before?,
+            _ => [0.0, 0.0],
+        };
+        let (left, right) = ((left - before[0]) * metres, (right - before[1]) * metres);
+        let (along, turned) = ((left + right) / 2.0, (right - left) / self.base?);
+        Some(match is_speed(unit.name) {
+            true => Event::Velocity { v: along, omega: turned },
+            false => Event::Odometry { distance: along, turn: turned },
+        })
+    }
+}
+
+/// Whether a unit is of a wheel's angle, which becomes a way by the radius.
+fn is_angle(unit: &str) -> bool {
+    matches!(unit, "ticks" | "rad" | "deg" | "rad/s" | "rpm")
+}
+
+fn is_speed(unit: &str) -> bool {
+    matches!(unit, "rad/s" | "rpm" | "m/s")
+}

@@ -1,0 +1,66 @@
+//! A table with a column of ranges for each landmark: `d1, d2, d3`. The number in a column's name is the landmark's.
+
+use crate::names::Name;
+
+/// What such a column may be called, besides its number.
+const CALLED: [&str; 17] = [
+    "d",
+    "r",
+    "range",
+    "dist",
+    "distance",
+    "anchor",
+    "beacon",
+    "uwb",
+    "abstand",
+    "entfernung",
+    "distanz",
+    "distancia",
+    "distanza",
+    "anker",
+    "ancre",
+    "ancla",
+    "ancora",
+];
+
+/// The columns of the first such group, or of the one that a column is in, each with its landmark.
+pub(crate) fn group(names: &[Name]) -> Option<Vec<(u32, usize)>> {
+    (0..names.len()).find_map(|at| group_of(names, at).filter(|found| found.len() > 1))
+}
+
+/// The columns that are called as one of them is, but for the number.
+pub(crate) fn group_of(names: &[Name], at: usize) -> Option<Vec<(u32, usize)>> {
+    let (called, _) = parted(names.get(at)?)?;
+    if !called.iter().any(|word| CALLED.contains(word)) {
+        return None;
+    }
+    let alike = |name: &Name| parted(name).filter(|(other, _)| *other == called).map(|(_, number)| number);
+    Some(names.iter().enumerate().filter_map(|(i, name)| Some((alike(name)?, i))).collect())
+}
+
+/// The words of a name, and the number that stands among them.
+fn parted(name: &Name) -> Option<(Vec<&str>, u32)> {
+    let is_number = |word: &&String| word.bytes().all(|b| b.is_ascii_digit());
+    let mut numbers = name.words.iter().filter(is_number);
+    let number = numbers.next()?.parse().ok()?;
+    if numbers.next().is_some() {
+        return None;
+    }
+    let words = name.words.iter().filter(|word| !is_number(word)).map(String::as_str);
+    Some((words.collect(), number))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_of_one_name_and_a_number_are_one_group() {
+        let of = |names: &[&str]| group(&names.iter().map(|name| Name::new(name)).collect::<Vec<_>>());
+        assert_eq!(of(&["t", "d1", "d2", "q"]), Some(vec![(1, 1), (2, 2)]));
+        assert_eq!(of(&["anchor 7 [mm]", "anchor 9 [mm]"]), Some(vec![(7, 0), (9, 1)]));
+        assert_eq!(of(&["t", "x1", "x2"]), None);
+        assert_eq!(of(&["t", "d1"]), None);
+        assert_eq!(of(&["t", "d99999999999", "d2"]), None);
+    }
+}

@@ -1,0 +1,116 @@
+//! A library of small made-up files as programs write them, each with what is read from it, what it asks, or why it is
+//! refused.
+
+use estimate::drive::Event;
+use robot_log::{Counting, Error, Files, Role};
+
+/// How a file is read, in one line.
+fn told(name: &str, text: &str) -> String {
+    let mut files = Files::default();
+    files.add(name, text).expect(name);
+    let file = &files.files()[0];
+    let values = file.role().values().iter().zip(file.columns()).zip(file.units());
+    let columns: Vec<String> = values
+        .filter_map(|((value, column), unit)| {
+            let unit = unit.map_or(String::new(), |unit| format!(" [{}]", unit.name));
+            Some(format!("{} = {}{unit}", value.name, file.header()[(*column)?]))
+        })
+        .collect();
+    let asks = file.asks();
+    let asked = if asks.is_empty() { String::new() } else { format!("; asks: {}", asks.join(" ")) };
+    let follows = file.follows();
+    let read = files.read();
+    let said = match &read {
+        Ok(read) if read.notes.is_empty() => String::new(),
+        Ok(read) => format!("; {}", read.notes.join(" ")),
+        // Alone it has no motion, which the others of its log have.
+        Err(Error { line: 0, .. }) => String::new(),
+        Err(error) => format!("; refused: {error}"),
+    };
+    let followed = if follows.is_empty() { follows } else { format!("; {follows}") };
+    format!("{}: {}{asked}{followed}{said}", file.role().name(), columns.join(", "))
+        .replace(": ;", ":")
+        .trim_end()
+        .to_string()
+}
+
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/logs");
+
+#[test]
+fn each_file_of_the_library_is_read_as_it_was_meant_or_asks_or_is_refused() {
+    let list = std::fs::read_to_string(format!("{FOLDER}/expected.txt")).expect("the list");
+    let mut expected: Vec<(&str, &str)> = Vec::new();
+    for block in list.split("\n\n").filter(|block| !block.trim().is_empty()) {
+        expected.push(block.trim().split_once("\n    ").expect("a file's name, and a line below it"));
+    }
+    let there = std::fs::read_dir(FOLDER).expect("the folder").map(|entry| entry.expect("a file").file_name());
+    let mut there: Vec<String> = there.map(|name| name.into_string().expect("a name")).collect();
+    there.retain(|name| name != "expected.txt");
+    there.sort();
+    assert_eq!(there, expected.iter().map(|(name, _)| *name).collect::<Vec<_>>(), "one block for each file");
+    for (name, wanted) in expected {
+        let bytes = std::fs::read(format!("{FOLDER}/{name}")).expect(name);
+        assert_eq!(told(name, &String::from_utf8_lossy(&bytes)), wanted, "{name}");
+    }
+}
+
+fn file(name: &str) -> Files {
+    let mut files = Files::default();
+    files.add(name, &std::fs::read_to_string(format!("{FOLDER}/{name}")).expect(name)).expect(name);
+    files
+}
+
+#[test]
+fn what_was_asked_and_is_said_is_read() {
+    let mut encoders = file("encoders.csv");
+    for (name, number) in [("ticks", 1000.0), ("radius", 0.1), ("base", 0.4)] {
+        assert!(encoders.set_wheel(0, name, number), "{name}");
+    }
+    assert!(!encoders.set_wheel(0, "base", 0.0) && !encoders.set_wheel(0, "ticks", f64::NAN));
+    assert!(encoders.read().is_err(), "totals or steps?");
+    assert!(encoders.set_counting(0, Counting::Total));
+    // 440 and 462 ticks of 0.2 pi / 1000 m.
+    assert_eq!(encoders.files()[0].follows(), "20 Hz, 0.05 to 0.55 s, 0.283 m of way, turned 0.0055 turns");
+    assert_eq!(encoders.read().expect("sound").log.drive.rows.len(), 11, "the first row has none before it");
+    assert!(encoders.set_counting(0, Counting::Step));
+    assert_eq!(encoders.read().expect("sound").log.drive.rows.len(), 12);
+
+    let mut speeds = file("wheel-speeds.csv");
+    assert!(speeds.set_wheel(0, "radius", 0.1) && speeds.set_wheel(0, "base", 0.5));
+    let first = speeds.read().expect("sound").log.drive.rows[0].event;
+    // 60 and 62 turns a minute of 0.2 pi m.
+    let [left, right] = [60.0, 62.0].map(|turns| turns / 60.0 * core::f64::consts::TAU * 0.1);
+    let Event::Velocity { v, omega } = first else { panic!("{first:?}") };
+    assert!((v - (left + right) / 2.0).abs() < 1e-15 && (omega - (right - left) / 0.5).abs() < 1e-15);
+
+    let mut fixes = file("east-north-sigma.csv");
+    assert!(fixes.set_role(0, Role::Sensors));
+    fixes.add("speeds.csv", "t,v,omega\n0,1,0\n").expect("a file");
+    let drive = fixes.read().expect("sound").log.drive;
+    assert!(drive.truth.poses().is_empty(), "a sensor is never the truth");
+    assert!(drive.rows.iter().any(|row| matches!(row.event, Event::Position { sigma: Some(0.8), .. })));
+
+    let mut compass = file("compass.csv");
+    assert!(compass.set_unit(0, "heading", "deg from north"));
+    compass.add("speeds.csv", "t,v,omega\n0,1,0\n").expect("a file");
+    let headings = compass.read().expect("sound").log.drive.rows;
+    let Event::Heading { theta, .. } = headings[1].event else { panic!("{headings:?}") };
+    assert!((theta - (90.0_f64 - 350.0).to_radians()).abs() < 1e-15, "350 from north is 100 from east: {theta}");
+
+    let mut gyroscope = file("phone-sensor-logger-gyroscope.csv");
+    assert!(gyroscope.set_column(0, "omega", Some(2)));
+    assert_eq!(gyroscope.files()[0].samples(2), ["0.1000", "0.1600", "0.2100"]);
+    assert_eq!(gyroscope.files()[0].follows(), "100 Hz, 0.11 s long, turned 0.0026 turns");
+    assert!(gyroscope.read().is_ok());
+}
+
+#[test]
+fn two_receivers_have_one_origin() {
+    let mut files = file("gnss-held.csv");
+    files.add("truth.csv", "t,lat,lon\n0,48.1371,11.5754\n1,48.1372,11.5754\n").expect("a file");
+    let drive = files.read().expect("sound").log.drive;
+    let poses = drive.truth.poses();
+    assert_eq!([poses[0].x, poses[0].y], [0.0, 0.0], "the first fix of all");
+    // A ten-thousandth of a degree of latitude there is 11.12 m.
+    assert!((poses[1].y - 11.12).abs() < 0.005, "{}", poses[1].y);
+}

@@ -1,0 +1,128 @@
+/**
+ * Where the filter starts in a log without truth: typed, taken from the first fixes, or dragged on the map. Then the
+ * stretch whose fixes are withheld, and the track afterwards.
+ */
+
+import { button, part } from '../draw/dom.js'
+import { fixed } from '../draw/numbers.js'
+import { numberField } from './number-field.js'
+
+/** @typedef {import('estimate-wasm').LogContents} LogContents */
+/** @typedef {import('estimate-wasm').LogFrame} Frame */
+/** @typedef {Record<string, unknown>} Patch */
+
+const DEGREE = Math.PI / 180
+/** The pose, and what a number of a field is in the lab's units. @type {[string, number][]} */
+const POSE = [
+  ['x, m', 1],
+  ['y, m', 1],
+  ['heading, °', DEGREE],
+]
+
+export class StartForm {
+  /** @param {HTMLElement} into @param {(patch: Patch) => void} change @param {() => void} smooth */
+  constructor(into, change, smooth) {
+    this.change = change
+    this.smooth = smooth
+    this.box = part(document, into, 'div', 'log-sensors')
+    /** @type {((frame: Frame) => void)[]} */
+    this.shows = []
+  }
+
+  /** @param {LogContents} contents */
+  take({ truth, opening, readings, span }) {
+    this.box.replaceChildren()
+    this.shows = []
+    if (!truth) this.start(opening)
+    if (readings.fix) this.afterwards(span[0])
+  }
+
+  /** @param {Frame} frame */
+  show(frame) {
+    for (const show of this.shows) show(frame)
+  }
+
+  /** @param {string} words */
+  row(words) {
+    const row = part(document, this.box, 'fieldset', 'log-sensor')
+    part(document, row, 'legend', '').textContent = words
+    return row
+  }
+
+  /** @param {LogContents['opening']} opening */
+  start(opening) {
+    const row = this.row('start')
+    /** @type {number[]} */
+    let pose = [0, 0, 0]
+    const fields = POSE.map(([words, factor], i) =>
+      numberField(row, words, (value) =>
+        this.change({ start: pose.map((old, at) => (at === i ? value * factor : old)) }),
+      ),
+    )
+    const sigma = numberField(row, 'σ of x and y, m', (startSigma) => this.change({ startSigma }))
+    const turned = numberField(row, 'σ of the heading, °', (value) =>
+      this.change({ startSigmaHeading: value * DEGREE }),
+    )
+    const actions = part(document, row, 'div', 'log-actions')
+    if (opening) button(document, actions, 'From the first fixes', () => this.change({ ...opening }))
+    button(document, actions, 'At the origin', () => this.change({ start: null }))
+    const words = part(document, row, 'p', 'log-says')
+    words.textContent = 'Go to the beginning of the time line, and drag the start on the map.'
+    this.shows.push(({ params }) => {
+      pose = params.start ?? [0, 0, 0]
+      fields.forEach((field, i) => {
+        field.show(pose[i] / POSE[i][1])
+      })
+      sigma.show(params.startSigma)
+      turned.show(params.startSigmaHeading / DEGREE)
+    })
+  }
+
+  /** @param {number} first the log's first time: fields count from there */
+  afterwards(first) {
+    const row = this.row('withheld fixes, and the track afterwards')
+    /** @type {[number, number] | null} */
+    let withheld = null
+    let end = 0
+    /** @param {0 | 1} at @param {number} value */
+    const set = (at, value) => {
+      const other = withheld ? withheld[1 - at] - first : at === 0 ? end : 0
+      const pair = at === 0 ? [value, Math.max(other, value)] : [Math.min(other, value), value]
+      this.change({ withheld: pair.map((seconds) => first + seconds) })
+    }
+    const from = numberField(row, 'withhold from, s', (value) => set(0, value))
+    const to = numberField(row, 'to, s', (value) => set(1, value))
+    const actions = part(document, row, 'div', 'log-actions')
+    button(document, actions, 'Withhold none', () => this.change({ withheld: null }))
+    button(document, actions, 'Smooth the track', () => this.smooth())
+    const words = part(document, row, 'p', 'log-says')
+    this.shows.push((frame) => {
+      withheld = frame.params.withheld
+      end = frame.duration
+      from.show(withheld ? withheld[0] - first : null)
+      to.show(withheld ? withheld[1] - first : null)
+      words.textContent = `${tested(frame)}${smoothed(frame)}`
+    })
+  }
+}
+
+/** What the withheld fixes say of the filter, and of the smoother. @param {Frame} frame */
+function tested({ summary: { withheld } }) {
+  if (!withheld || withheld.rows === 0) return 'Fixes that are withheld test the estimate. '
+  const { rows, rms, worst, rmsSmoothed, worstSmoothed } = withheld
+  const after =
+    rmsSmoothed === null || rmsSmoothed === undefined
+      ? ''
+      : ` The smoothed track is ${fixed(rmsSmoothed, 2)} m from them, ${fixed(worstSmoothed, 2)} m at worst.`
+  return (
+    `The filter is ${fixed(rms, 2)} m (RMS) from the ${rows.toLocaleString('en')} withheld fixes, ` +
+    `${fixed(worst, 2)} m at worst.${after} `
+  )
+}
+
+/** @param {Frame} frame */
+function smoothed({ smoothed }) {
+  return smoothed
+    ? 'The dotted track on the map is the smoothed one: the best track in the light of all readings, later ones too.'
+    : 'The smoothed track uses later readings too; the filter cannot.'
+}

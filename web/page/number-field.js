@@ -1,0 +1,37 @@
+/** A field for one number: a point or a comma as its decimal point, and marked where it holds none. */
+
+import { part } from '../draw/dom.js'
+
+/**
+ * @param {Element} into
+ * @param {string} words its label
+ * @param {(value: number) => void} change called with a number that the reader has entered
+ * @returns {{ input: HTMLInputElement, show: (value: number | null) => void }} `show` leaves alone what is being typed
+ */
+export function numberField(into, words, change) {
+  const label = part(document, into, 'label', '')
+  part(document, label, 'span', '').textContent = words
+  const input = /** @type {HTMLInputElement} */ (part(document, label, 'input', ''))
+  input.type = 'text'
+  input.inputMode = 'decimal'
+  input.addEventListener('change', () => {
+    const value = numberOf(input.value)
+    input.toggleAttribute('aria-invalid', value === null)
+    if (value !== null) change(value)
+  })
+  return {
+    input,
+    show(value) {
+      if (document.activeElement === input) return
+      input.value = value === null ? '' : String(Number(value.toPrecision(6)))
+      input.removeAttribute('aria-invalid')
+    },
+  }
+}
+
+/** @param {string} text */
+export function numberOf(text) {
+  const plain = text.trim().replace('−', '-').replace(',', '.')
+  const value = plain === '' ? Number.NaN : Number(plain)
+  return Number.isFinite(value) ? value : null
+}
