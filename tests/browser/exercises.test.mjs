@@ -266,6 +266,18 @@ test('an old address of an exercise, a question or an answer leads to its page, 
   await there('ex-gate')
 })
 
+test('an old address of a section that has a page of its own leads there, and without scripts by a link', async (t) => {
+  const page = await open(t, { at: 'kalman/#thirteen-checks' })
+  await page.waitForURL((url) => url.pathname.endsWith('/kalman/rust/') && url.hash === '#thirteen-checks')
+  await page.locator('h2#thirteen-checks').waitFor()
+  assert.equal(await page.locator('[data-score]').count(), 0, 'a page without questions has no place for a score')
+  const plain = await open(t, { at: 'kalman/#rust-kf', scripts: false })
+  const line = plain.locator('#rust-kf')
+  assert.ok(await line.evaluate((it) => it.matches('li:target')))
+  await line.getByRole('link').click()
+  await plain.locator('h2#rust-kf').waitFor()
+})
+
 test('without scripts an old address of an exercise leads to its line in the list, and that to it', async (t) => {
   const page = await open(t, { at: 'kalman/#ex-ghost', scripts: false })
   const line = page.locator('#ex-ghost')

@@ -125,6 +125,7 @@ impl Writer<'_> {
             }
             "own-log" => ("own_log", context! {}),
             "exercises" => ("exercises", context! { exercises => self.exercises() }),
+            "contents" => ("contents", context! { sections => self.contents(text("page"), place) }),
             "asked-figures" => {
                 let figures = self.apart.figures.clone();
                 return figures.into_iter().map(|figure| self.write(std::slice::from_ref(figure))).collect();

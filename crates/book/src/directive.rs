@@ -5,7 +5,7 @@ use crate::diagnostic::{Diagnostics, Place};
 
 /// Each directive: its name, the attributes it must have, those it may have besides, and what a cross-reference calls
 /// it. One that a cross-reference has no word for has no number.
-const RULES: [(&str, &str, &str, &str); 17] = [
+const RULES: [(&str, &str, &str, &str); 18] = [
     ("derivation", "id title", "", "Derivation"),
     ("definition", "term", "id", "Definition"),
     ("note", "kind", "id title", ""),
@@ -23,6 +23,7 @@ const RULES: [(&str, &str, &str, &str); 17] = [
     ("own-log", "", "", ""),
     ("exercises", "", "", ""),
     ("asked-figures", "", "", ""),
+    ("contents", "page", "", ""),
 ];
 
 /// The word for a numbered directive, as in "Figure".
