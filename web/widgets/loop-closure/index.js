@@ -118,6 +118,11 @@ const tries = [
     change: (_, lab) => ({ ...usual(lab, 'gate', 'found', 'correlated'), step: 112 }),
   },
   {
+    name: 'close',
+    label: 'Close it',
+    change: (_, lab) => ({ ...usual(lab, 'gate', 'found', 'correlated'), step: 113 }),
+  },
+  {
     name: 'apart',
     label: 'Drop the cross-covariances',
     change: (_, lab) => ({ ...usual(lab, 'gate', 'found'), correlated: false, step: LAP }),
