@@ -1,5 +1,5 @@
-// The scale of a plane that holds still for a run: it widens by factors of two, never narrows while the run goes on, and
-// is chosen anew where a run begins.
+// The scale of a plane that holds still for a run: it widens by factors of two, never narrows while the run goes on,
+// and is chosen anew where a run begins.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { Scale } from '../../web/figure/motion.js'

@@ -18,6 +18,11 @@ whenNear('.widget', (host) => bring(/** @type {HTMLElement} */ (host)))
 const PRESSES = {
   'data-open-search': search,
   'data-print': () => print(),
+  'data-grow': (link) => {
+    const widget = document.querySelector(`${link.getAttribute('href')} .widget`)
+    const stage = link.getAttribute('data-grow') ?? ''
+    if (widget && stage > (widget.getAttribute('data-stage') ?? '3')) widget.setAttribute('data-stage', stage)
+  },
   'data-run-checks': (button) =>
     import('./checks.js').then(
       ({ check }) => check(/** @type {HTMLButtonElement} */ (button)),

@@ -151,7 +151,7 @@ export const figure = {
     { name: 'errors', width: 460, height: 215, draw: drawErrors },
   ],
   layout: {
-    narrow: ['map', 'verdict', 'thresholds', 'tries', 'controls', 'heat', 'nees', 'errors', 'readouts'],
+    narrow: ['map', 'verdict', 'thresholds', 'tries', 'controls', 'heat', 'readouts', 'nees', 'errors'],
     medium: [
       'map map map map heat heat',
       'verdict verdict verdict verdict heat heat',

@@ -182,7 +182,7 @@ export const figure = {
     { name: 'variance', width: 470, height: 190, draw: drawVariance },
   ],
   layout: {
-    narrow: ['controls', 'verdict', 'ranks', 'disc', 'tries', 'readouts', 'run', 'gain', 'variance'],
+    narrow: ['controls', 'verdict', 'ranks', 'disc', 'tries', 'run', 'gain', 'variance', 'readouts'],
     medium: [
       'controls controls controls controls controls controls',
       'verdict verdict verdict verdict verdict verdict',
