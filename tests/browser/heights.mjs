@@ -9,7 +9,7 @@ import { WIDTHS } from '../../web/build/heights.mjs'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, EXERCISES, root } from './places.mjs'
 
 /** The pages of each chapter; a chapter is named by the folder it is served from. */
-const CHAPTERS = { kalman: ['kalman/', EXERCISES] }
+const CHAPTERS = { kalman: ['kalman/', EXERCISES, 'kalman/rust/'] }
 
 /** Each part's height on the open page, all of it laid out: [part, pixels][]. */
 export async function partHeights(page) {

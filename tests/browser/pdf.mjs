@@ -9,7 +9,7 @@ import { serve } from '../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from './places.mjs'
 
 /** The chapters and their parts with pages of their own, by the folders they are served from. */
-const PRINTED = ['kalman', 'kalman/exercises']
+const PRINTED = ['kalman', 'kalman/exercises', 'kalman/rust']
 
 /** The open page on paper. @param {import('playwright-core').Page} page */
 export async function printed(page) {

@@ -16,6 +16,7 @@ export const PAGES = [
   '',
   'kalman/',
   'kalman/exercises/',
+  'kalman/rust/',
   'kalman/numbers/',
   'check/',
   'hosting/',

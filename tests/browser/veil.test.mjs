@@ -30,3 +30,18 @@ test('a veil on a page that comes up at a place below it moves nothing', async (
     'what stands above keeps its height',
   )
 })
+
+test('a figure is as high before its answer as after it, and a reader who skips at the veil still sees it', async (t) => {
+  const page = await open(t, { at: 'kalman/#fig-museum' })
+  const skip = page.locator('#fig-museum .figure-locked').getByRole('button', { name: 'Skip, show me' })
+  await skip.waitFor()
+  const box = () => page.locator('#fig-museum').evaluate((figure) => figure.getBoundingClientRect().toJSON())
+  await quiet(page)
+  const before = await box()
+  await skip.click()
+  await page.locator('#quiz-museum-gate[data-answered="shown"]').waitFor()
+  await quiet(page)
+  const after = await box()
+  assert.ok(Math.abs(after.height - before.height) < 2, `${before.height} px, then ${after.height}`)
+  assert.ok(Math.abs(after.top - before.top) < 2, `its top at ${before.top}, then at ${after.top}`)
+})

@@ -81,6 +81,23 @@ check(
         prints(after, closure.before),
     ],
     [
+      pattern(
+        /^Nothing was read of landmark (\d+): its row of the gain, ([\d.]+) m for a reading off by one σ, /,
+        /moved it by ([\d.]+) m \(the arrows are 5 times as long\)\.$/,
+      ),
+      ({ closure, step, pulls, sightings, map }, landmark, reach, moved) => {
+        const { id } = map.landmarks.find(({ truth }) => truth + 1 === Number(landmark))
+        const pull = pulls.find((one) => one.id === id)
+        const far = ({ from, to }) => Math.hypot(to[0] - from[0], to[1] - from[1])
+        return (
+          closure.step === step &&
+          sightings.every((one) => one.landmark + 1 !== Number(landmark)) &&
+          prints(reach, pull.reach) &&
+          prints(moved, far(pull))
+        )
+      },
+    ],
+    [
       /^The mean NEES of the pose is ([\d.]+), where 3 is expected\.$/,
       ({ meanNees, neesBand }, mean) => prints(mean, meanNees) && meanNees <= neesBand[1],
     ],

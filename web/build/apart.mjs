@@ -54,6 +54,10 @@ export async function apart(still, name, folder) {
       loading: 'lazy',
     }
     for (const [key, value] of Object.entries(given)) image.setAttribute(key, String(value))
+    for (const key of ['data-from', 'data-later']) {
+      if (panel.hasAttribute(key)) image.setAttribute(key, panel.getAttribute(key) ?? '')
+      panel.removeAttribute(key)
+    }
     panel.replaceWith(image)
     for (const key of ['class', 'style', 'aria-hidden', 'focusable']) panel.removeAttribute(key)
     panel.setAttribute('y', String(top))

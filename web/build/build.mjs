@@ -11,7 +11,7 @@ import { build } from 'esbuild'
 import { FIGURES } from '../../target/figures.js'
 import { subsetFonts } from './fonts.mjs'
 import { styleHeights } from './heights.mjs'
-import { vignette } from './vignette.mjs'
+import { lap, vignette } from './vignette.mjs'
 
 const web = dirname(dirname(fileURLToPath(import.meta.url)))
 const root = dirname(web)
@@ -161,7 +161,8 @@ const inline = Object.fromEntries(
     return [`not-found${extname(path)}`, { text, sha256: createHash('sha256').update(text).digest('base64') }]
   }),
 )
-inline['vignette.svg'] = { text: vignette(join(root, 'target/pkg/node')), sha256: '' }
+for (const [name, draw] of Object.entries({ vignette, lap }))
+  inline[`${name}.svg`] = { text: draw(join(root, 'target/pkg/node')), sha256: '' }
 writeFileSync(join(out, 'inline.json'), `${JSON.stringify(inline, null, 2)}\n`)
 
 for (const file of readdirSync(out).filter((name) => name.endsWith('.woff2'))) {

@@ -1,12 +1,13 @@
 /**
- * The small picture at the head of the cover and of a chapter: the ellipse of a prediction grows until it touches the
- * line of a reading, and there the estimate goes. The core computes ellipse, line and feet; the style sheet plays it
- * once.
+ * The small pictures at the heads. A chapter's: the ellipse of a prediction grows until it touches the line of a reading,
+ * and there the estimate goes; the style sheet plays it once, and then it is the reader's to drag. The cover's: a lap as
+ * it was driven, and as the encoders tell it for each error of a wheel. The core computes all of it.
  */
 
 import { createRequire } from 'node:module'
 import { join } from 'node:path'
-import { ellipsePath, evenPlane } from '../draw/plot.js'
+import { fixed } from '../draw/numbers.js'
+import { ellipsePath, evenPlane, seriesPath } from '../draw/plot.js'
 
 const SIZE = { width: 300, height: 190 }
 
@@ -25,14 +26,48 @@ export function vignette(pkg) {
   const [[mx, my], [fx, fy]] = [at(mean), at(foot.at)]
   const line = at([0, reading])[1]
   return [
-    `<svg class="vignette" viewBox="0 0 ${SIZE.width} ${SIZE.height}" aria-hidden="true" focusable="false">`,
+    `<svg class="vignette" viewBox="0 0 ${SIZE.width} ${SIZE.height}" aria-hidden="true" focusable="false" ` +
+      `data-toy="touch" data-mean="${mx} ${my}" data-foot="${fx} ${fy}" data-expected="${mean[1]}" data-reading="${reading}" ` +
+      `style="--mx:${mx}px;--my:${my}px;--dx:${fx - mx}px;--dy:${fy - my}px">`,
     `<path class="mark outline prediction" d="${ellipsePath(predicted.ellipse, mean, plane)}"/>`,
     `<path class="mark line measurement" d="M0 ${line}H${SIZE.width}"/>`,
-    `<path class="mark curve prediction" style="transform-origin:${mx}px ${my}px" ` +
-      `d="${ellipsePath(foot.ellipse, mean, plane)}"/>`,
+    `<path class="mark curve prediction" ` + `d="${ellipsePath(foot.ellipse, mean, plane)}"/>`,
     `<path class="mark way posterior" pathLength="1" d="M${mx} ${my}L${fx} ${fy}"/>`,
     `<circle class="mark hollow prediction" cx="${mx}" cy="${my}" r="4.5"/>`,
     `<circle class="mark full posterior" cx="${fx}" cy="${fy}" r="5"/>`,
+    '</svg>',
+  ].join('')
+}
+
+/** Biases of the right wheel, and the one that the cover opens with. */
+const BIASES = Array.from({ length: 21 }, (_, i) => i * 0.0005)
+const OPENS = 10
+const LAP = 640
+
+/** The cover's picture as SVG. @param {string} pkg the module's build for Node */
+export function lap(pkg) {
+  const { OdometryHook } = createRequire(import.meta.url)(join(pkg, 'estimate_wasm.js'))
+  const plane = evenPlane({ left: 0, top: 0, right: SIZE.width, bottom: SIZE.height }, [5.4, 4.4], 4.9)
+  const some = (/** @type {number[]} */ values) => values.filter((_, i) => i % 10 === 0 || i === values.length - 1)
+  const runs = BIASES.map((bias) => {
+    const run = OdometryHook.from({ version: 1, lab: 'odometry-hook', step: LAP, params: { bias, slip: 0 } })
+    const { tracks, error } = run.frame()
+    run.free()
+    return { bias, tracks, error }
+  })
+  const [{ tracks: driven }] = runs
+  return [
+    `<svg class="vignette" viewBox="0 0 ${SIZE.width} ${SIZE.height}" aria-hidden="true" focusable="false" ` +
+      'data-toy="lap">',
+    `<path class="mark track truth" d="${seriesPath(plane, some(driven.truth.x), some(driven.truth.y))}"/>`,
+    ...runs.map(({ bias, tracks: { estimate }, error }, i) => {
+      const end = [plane.x(estimate.x.at(-1)), plane.y(estimate.y.at(-1))].map((value) => Math.round(value * 10) / 10)
+      const words = `a wheel ${fixed(100 * bias, 2)} % smaller than believed: ${fixed(error.position, 1)} m off after a lap`
+      return (
+        `<path class="mark track prediction lap" data-end="${end.join(' ')}" data-words="${words}"` +
+        `${i === OPENS ? '' : ' hidden'} d="${seriesPath(plane, some(estimate.x), some(estimate.y))}"/>`
+      )
+    }),
     '</svg>',
   ].join('')
 }

@@ -5,6 +5,8 @@ import { evenPlane } from './plot.js'
 
 /** Room beside what has to be seen, as a part of its range. */
 const MARGIN = 0.025
+/** How much wider than needed the map of another run may stay. */
+const CLOSE = 1.1
 /** Room for a mark that stands at the edge, pixels. */
 const MARK = 5
 
@@ -12,12 +14,17 @@ const MARK = 5
  * @param {import('../figure/spec.js').View} view what remembers the camera between two frames
  * @param {import('./plot.js').Box} box where the map is drawn
  * @param {(axis: number) => number[][]} values what has to be seen on an axis, 0 across and 1 up
+ * @param {{ params: object, tracks: object }} [frame] of a run whose scale is chosen anew where the reader has changed
+ * its parameters
  * @returns {{ plane: import('./plot.js').Plane, moving: boolean }} the plane, and whether the camera still moves
  */
-export function followed(view, box, values) {
+export function followed(view, box, values, frame) {
   /** @type {Span[]} */
   const spans = (view.memory.map ??= [new Span(), new Span()])
-  const moving = spans.map((span, axis) => span.follow(...range(values(axis)), view.elapsed, MARGIN)).includes(true)
+  const loose = frame && isAnother(view, frame) ? CLOSE : undefined
+  const moving = spans
+    .map((span, axis) => span.follow(...range(values(axis)), view.elapsed, MARGIN, loose))
+    .includes(true)
   const [x, y] = spans.map(({ now }) => /** @type {[number, number]} */ (now))
   const [width, height] = [box.right - box.left, box.bottom - box.top]
   const unit = Math.min((width - 2 * MARK) / (x[1] - x[0]), (height - 2 * MARK) / (y[1] - y[0]))
@@ -34,4 +41,19 @@ function range(all) {
     }
   }
   return [low, high]
+}
+
+/**
+ * Whether the frame is of another run than the last. While a run is computed its frame has the new parameters and still
+ * the tracks of the run before.
+ * @param {import('../figure/spec.js').View} view
+ * @param {{ params: object, tracks: object }} frame
+ */
+function isAnother({ memory }, { params, tracks }) {
+  if (memory.tracks === tracks) return false
+  const run = JSON.stringify(params)
+  const another = memory.run !== undefined && memory.run !== run
+  memory.tracks = tracks
+  memory.run = run
+  return another
 }

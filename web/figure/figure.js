@@ -104,7 +104,11 @@ export class Figure {
     try {
       const { lab, linked, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
       this.run = new Run(lab, this.spec.pace ?? 2, undefined, this.spec.lap, this.spec.end)
-      if (linked) this.run.open(linked.lab, linked.step, MANGLED)
+      if (linked) {
+        this.run.open(linked.lab, linked.step, MANGLED)
+        // A link was made of a whole figure.
+        if (this.host.dataset.stage) this.host.dataset.stage = '3'
+      }
       this.live(this.run)
       if (mangled) this.voice.tell(MANGLED, true)
     } catch (error) {
@@ -141,6 +145,11 @@ export class Figure {
           this.order(() => {
             run.rate = rate
           }),
+        grow: (stage) => {
+          keepTop(this.host)
+          this.host.dataset.stage = String(stage)
+          focusFirst(this.host)
+        },
         change: (patch, make) => this.change(make ? make(run.wanted, run.lab) : patch),
         ...share.orders,
       },

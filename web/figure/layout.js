@@ -15,28 +15,41 @@
  * @property {{ medium: string, wide?: string }} columns widths of the columns, as CSS writes them
  */
 
-const TAIL = ['tries', 'controls', 'readouts', 'tools']
+const TAIL = ['tries', 'controls', 'grow', 'readouts', 'tools']
+/** On a narrow figure the button that shows what else there is stands before the numbers. */
+const further = (/** @type {string[]} */ rows) => rows.flatMap((row) => (row === 'readouts' ? ['further', row] : row))
+
+/**
+ * Whether a panel stands behind the numbers on a narrow figure, where it waits with them.
+ * @param {Layout} layout
+ * @param {string} name
+ */
+export const isLater = ({ narrow }, name) =>
+  narrow.includes('readouts') && narrow.indexOf(name) > narrow.indexOf('readouts')
 
 /**
  * The layout as custom properties, for the `style` of the element that holds the parts.
  * @param {Layout} layout
+ * @param {boolean} grows whether it may open small, and has a place for the buttons that show more
  */
-export function placed({ narrow, medium, wide = medium, columns }) {
+export function placed({ narrow, medium, wide = medium, columns }, grows) {
   const styles = {
-    narrow: [narrow, 'minmax(0,1fr)'],
+    narrow: [further(narrow.includes('readouts') ? narrow : [...narrow, 'readouts']), 'minmax(0,1fr)'],
     medium: [medium, columns.medium],
     wide: [wide, columns.wide ?? columns.medium],
   }
   return Object.entries(styles)
-    .map(([name, [rows, widths]]) => `--${name}:${template(/** @type {string[]} */ (rows), String(widths))}`)
+    .map(([name, [rows, widths]]) => `--${name}:${template(/** @type {string[]} */ (rows), String(widths), grows)}`)
     .join(';')
 }
 
-/** @param {string[]} rows @param {string} widths */
-function template(rows, widths) {
+/** @param {string[]} rows @param {string} widths @param {boolean} grows */
+function template(rows, widths, grows) {
   const columns = rows[0].split(' ').length
   const named = new Set(rows.join(' ').split(' '))
-  const tail = TAIL.filter((part) => !named.has(part)).map((part) => Array(columns).fill(part).join(' '))
+  const tail = TAIL.filter((part) => !named.has(part) && (part !== 'grow' || grows)).map((part) =>
+    Array(columns).fill(part).join(' '),
+  )
   const tracks = widths.split(' ').map((width) => (width.startsWith('minmax') ? width : `minmax(0,${width})`))
   // Where a part reaches over several rows, the last of them takes the room that the others leave.
   const reaches = (/** @type {number} */ i) =>

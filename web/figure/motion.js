@@ -60,12 +60,13 @@ export class Span {
    * @param {number} high
    * @param {number} elapsed
    * @param {number} [margin] room on either side, as a part of the range
+   * @param {number} [loose] how many times the range of the values may be before it glides to a closer one
    * @returns {boolean} whether it still moves
    */
-  follow(low, high, elapsed, margin = 0.14) {
+  follow(low, high, elapsed, margin = 0.14, loose = 2.4) {
     const wide = high - low || 1
     const [from, to] = this.goal
-    if (!this.now || low < from || high > to || wide < (to - from) / 2.4)
+    if (!this.now || low < from || high > to || wide < (to - from) / loose)
       this.goal = [low - wide * margin, high + wide * margin]
     this.now ??= this.goal
     const t = 1 - Math.exp(-elapsed / 110)
@@ -75,4 +76,53 @@ export class Span {
     this.now = arrived ? this.goal : next
     return !arrived
   }
+}
+
+/** How much wider than what it shows a scale may be before it is chosen anew: three of its steps. */
+const MUCH = 8
+/** What is shown keeps this distance from the edge, as a part of its reach. */
+const ROOM = 1.06
+
+/**
+ * One axis of a plane that holds still for a run: what grows is seen to grow. Where it would leave the plane on a side,
+ * that side glides to twice its distance from the origin, and never to less, unless the run begins anew or what it
+ * shows has become small.
+ */
+export class Scale {
+  /** @param {number} least the least distance from the origin to a side; others are its doubles */
+  constructor(least) {
+    this.least = least
+    /** From the origin to either side. */
+    this.goal = [0, 0]
+    this.sides = [0, 0]
+  }
+
+  /** @returns {[number, number]} */
+  get now() {
+    return [-this.sides[0], this.sides[1]]
+  }
+
+  /**
+   * @param {[number, number]} range of what is shown
+   * @param {number} elapsed
+   * @param {boolean} anew whether a run begins
+   * @returns {boolean} whether it still moves
+   */
+  follow([low, high], elapsed, anew) {
+    const far = [-low, high].map((side) => Math.max(0, side) * ROOM)
+    if (anew || Math.max(...far) * MUCH < Math.max(...this.goal)) this.goal = [0, 0]
+    this.goal = this.goal.map((goal, i) => doubled(goal || this.least, far[i]))
+    if (!this.sides[0] || elapsed === Infinity) this.sides = this.goal
+    const t = 1 - Math.exp(-elapsed / 140)
+    const next = this.sides.map((side, i) => mix(side, this.goal[i], t))
+    const arrived = next.every((side, i) => Math.abs(side - this.goal[i]) < 0.003 * this.goal[i])
+    this.sides = arrived ? this.goal : next
+    return !arrived
+  }
+}
+
+/** Twice as much as often as it takes. @param {number} goal @param {number} far */
+function doubled(goal, far) {
+  while (goal < far && Number.isFinite(far)) goal *= 2
+  return goal
 }

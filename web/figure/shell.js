@@ -5,7 +5,7 @@
 
 import { buildControl } from './controls.js'
 import { SVG, button, part } from '../draw/dom.js'
-import { placed } from './layout.js'
+import { isLater, placed } from './layout.js'
 import { Pen } from '../draw/pen.js'
 import { Readouts } from './readouts.js'
 import { held, writeHtml } from '../draw/words.js'
@@ -22,6 +22,7 @@ import { held, writeHtml } from '../draw/words.js'
  * @property {() => void} reset
  * @property {(rate: number) => void} speed
  * @property {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} change
+ * @property {(stage: number) => void} grow shows more of a figure that opens small
  * @property {() => void} link
  * @property {(() => void) | null} embed null where the figure shows what another page does not have
  * @property {((kind: 'svg' | 'csv') => void) | null} download null where the page may not save files
@@ -40,7 +41,10 @@ export const SPEEDS = [0.5, 1, 2, 5, 10]
  */
 export function buildShell(document, spec, into, orders, parameters) {
   into.replaceChildren()
-  into.setAttribute('style', placed(spec.layout))
+  into.setAttribute('style', placed(spec.layout, Boolean(spec.stages)) + pinned(spec))
+  const stage = (/** @type {Element} */ element, /** @type {string} */ name, where = spec.stages?.hand) => {
+    if (where?.[name]) element.setAttribute('data-from', String(where[name]))
+  }
   /** @type {import('./spec.js').Limits} */
   const limits = Object.fromEntries(parameters.map((parameter) => [parameter.name, parameter]))
   /** @type {Record<string, Panel>} */
@@ -54,6 +58,8 @@ export function buildShell(document, spec, into, orders, parameters) {
     svg.setAttribute('width', String(width))
     svg.setAttribute('height', String(height))
     svg.setAttribute('role', handles ? 'group' : 'img')
+    stage(svg, name, spec.stages?.panels)
+    if (isLater(spec.layout, name)) svg.toggleAttribute('data-later', true)
     into.append(svg)
     panels[name] = { svg, pen: new Pen(svg), width, height }
   }
@@ -70,6 +76,7 @@ export function buildShell(document, spec, into, orders, parameters) {
   const tries = spec.tries ?? []
   if (tries.length > 0) {
     const list = part(document, into, 'p', 'tries')
+    stage(list, 'tries')
     part(document, list, 'span', 'tries-lead').textContent = 'Try this:'
     for (const { label, change: make } of tries) {
       list.append(' ')
@@ -99,6 +106,7 @@ export function buildShell(document, spec, into, orders, parameters) {
     part(document, fold, 'div', 'params').append(...elements(true))
   }
   if (spec.timeless && shown.length === 0) controls.remove()
+  for (const [i, { name }] of spec.controls.entries()) stage(shown[i].element, name)
   const options = SPEEDS.map((value) => ({ value, label: `${value === 0.5 ? '½' : value}×` }))
   const speed = buildControl(
     document,
@@ -106,16 +114,34 @@ export function buildShell(document, spec, into, orders, parameters) {
     (_, make) => void make?.({}, null),
     {},
   )
+  stage(speed.element, 'speed')
   run.append(speed.element)
   if (spec.seeded) {
     const seed = buildControl(document, { kind: 'whole', name: 'seed', label: 'Seed' }, change, limits)
+    stage(seed.element, 'seed')
     shown.push(seed)
     run.append(seed.element)
   }
 
+  if (spec.stages) {
+    const list = part(document, into, 'p', 'grow-list')
+    for (const [i, words] of spec.stages.grow.entries()) {
+      const grow = button(document, list, '', () => orders.grow(i + 2), 'button')
+      grow.setAttribute('data-at', String(i + 1))
+      writeHtml(grow, words)
+    }
+  }
+  const further = button(document, into, 'More: plots, numbers, speed, link', () => {
+    further.setAttribute('aria-expanded', String(into.toggleAttribute('data-further')))
+  })
+  further.setAttribute('class', 'further')
+  further.setAttribute('aria-expanded', 'false')
+  stage(further, 'readouts')
   const readouts = new Readouts(document, into)
+  stage(readouts.into, 'readouts')
   let [playing, said] = [false, '']
   const tools = /** @type {HTMLElement} */ (part(document, into, 'div', 'figure-tools'))
+  stage(tools, 'tools')
   button(document, tools, 'Copy link to this state', orders.link, 'quiet')
   if (orders.embed) button(document, tools, 'Embed', orders.embed, 'quiet')
   const { download } = orders
@@ -166,6 +192,15 @@ export function buildShell(document, spec, into, orders, parameters) {
       readouts.show(spec.readouts(frame))
     },
   }
+}
+
+/**
+ * On a narrow figure the first panel stays in sight while what moves it passes below: it reaches over all rows, and a
+ * box of its shape keeps its place in the first.
+ * @param {import('./spec.js').FigureSpec} spec
+ */
+function pinned({ panels: [{ name, width, height }], layout: { narrow } }) {
+  return narrow[0] === name && typeof height === 'number' ? `;--first:${name};--shape:${width}/${height}` : ''
 }
 
 /**

@@ -74,6 +74,7 @@
  * the lab is not in the page
  * @property {Aside} [aside] what is computed beside the run and is no part of its frame
  * @property {string} [log] the log that its lab replays, in the repository
+ * @property {Stages} [stages] what a figure that opens small in the text shows later
  * @property {boolean} seeded whether `seed` is among the parameters
  * @property {boolean} [timeless] a lab without steps: no Play, Step, Reset, speed
  * @property {number} [pace] steps a second at speed 1; 2 if not given
@@ -89,6 +90,14 @@
  * set as a symbol
  * @property {(frame: any, previous: any) => string} announce what has changed, for screen readers
  * @property {(frame: any) => Record<string, number[]>} series columns of the CSV
+ */
+
+/**
+ * @typedef {object} Stages A figure may open small in the text and grow as the text comes to its parts: at stage 1 it
+ * has what is not named here, at stage 3 all. On its own page, on paper and without scripts it is whole.
+ * @property {Record<string, 2 | 3>} panels the stage from which a panel is there
+ * @property {Record<string, 2 | 3>} hand the same of a control, or of `tries`, `readouts`, `tools`, `speed`, `seed`
+ * @property {import('../draw/words.js').Words[]} grow what the buttons say that lead to stage 2 and to stage 3
  */
 
 /**

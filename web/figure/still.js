@@ -26,6 +26,7 @@ export function drawStill(document, spec, frame, parameters, aside = null) {
     reset: nothing,
     speed: nothing,
     change: nothing,
+    grow: nothing,
     link: nothing,
     embed: nothing,
     download: nothing,
@@ -49,7 +50,9 @@ export function drawStill(document, spec, frame, parameters, aside = null) {
     svg.setAttribute('aria-hidden', 'true')
     svg.setAttribute('focusable', 'false')
   }
-  for (const part of into.querySelectorAll('.tries, .controls, .readouts, .figure-tools, .verdict'))
+  for (const part of into.querySelectorAll(
+    '.tries, .controls, .grow-list, .further, .readouts, .figure-tools, .verdict',
+  ))
     part.setAttribute('aria-hidden', 'true')
   for (const part of into.querySelectorAll('.invite, .more dl')) part.remove()
   for (const control of into.querySelectorAll('button, input, select')) control.replaceWith(likeness(document, control))

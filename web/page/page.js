@@ -18,6 +18,11 @@ whenNear('.widget', (host) => bring(/** @type {HTMLElement} */ (host)))
 const PRESSES = {
   'data-open-search': search,
   'data-print': () => print(),
+  'data-grow': (link) => {
+    const widget = document.querySelector(`${link.getAttribute('href')} .widget`)
+    const stage = link.getAttribute('data-grow') ?? ''
+    if (widget && stage > (widget.getAttribute('data-stage') ?? '3')) widget.setAttribute('data-stage', stage)
+  },
   'data-run-checks': (button) =>
     import('./checks.js').then(
       ({ check }) => check(/** @type {HTMLButtonElement} */ (button)),
@@ -52,10 +57,10 @@ idle(() => {
   import('./when-idle.js').then(({ later }) => later())
 })
 
-/** An address that names an exercise of another page leads there, with what it says of figures. */
+/** An address that names an exercise or a section of another page leads there, with what it says of figures. */
 function goWhereItIs() {
   // `:target` is not known yet when a page that the browser holds has just been read.
-  const item = document.getElementById(location.hash.slice(1))?.closest('.exercise-elsewhere')
+  const item = document.getElementById(location.hash.slice(1))?.closest('.exercise-elsewhere, .part-elsewhere')
   const there = item?.querySelector('a')?.href.split('#')[0]
   if (there) location.replace(there + location.search + location.hash)
 }

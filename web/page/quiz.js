@@ -5,6 +5,7 @@ import { LONGEST, judge, keyOf, unmet } from './answer.js'
 import { lock } from './veil.js'
 import { whenNear } from './when-near.js'
 import { SHOWN, count, forgetRecords, keep, standing } from './answers-kept.js'
+import { fold, markChoices, unfold } from './quiz-reasons.js'
 import { score, showScore } from './score.js'
 import { frameOf, lookAt, stopWatching } from './watch.js'
 
@@ -45,6 +46,7 @@ function wake(form) {
         form,
         choice ? 'Choose an answer first.' : wanted > 1 ? `Type ${wanted} numbers first.` : 'Type a number first.',
       )
+    if (isFirstMiss(form, answer)) return
     if (!commit(form, answer))
       return say(form, wanted > 1 ? `That is not ${wanted} numbers, or all are zero.` : 'That is not a number.')
     count(form, form.dataset.answered === 'right')
@@ -65,6 +67,26 @@ function wake(form) {
     )
     first?.focus()
   })
+}
+
+/**
+ * A wrong number that is well known is told what it is, and may be mended once before the answer is shown.
+ * @param {HTMLFormElement} form
+ * @param {string} answer
+ */
+function isFirstMiss(form, answer) {
+  const verdict = form.dataset.kind === 'choice' || form.dataset.missed ? null : verdictOn(form, answer)
+  if (!verdict || verdict.right || verdict.mine < 0) return false
+  form.dataset.missed = answer
+  count(form, false)
+  showScore()
+  say(form, 'Not yet: try once more. ')
+  const why = form.querySelector(`[data-choice="${verdict.mine}"] .quiz-reason`)?.cloneNode(true)
+  form.querySelector('.quiz-verdict')?.append(...(why?.childNodes ?? []))
+  const input = form.querySelector('input')
+  input?.focus()
+  input?.select()
+  return true
 }
 
 /** Looks whether the figure is in the state that is asked for. @param {HTMLFormElement} form */
@@ -102,11 +124,16 @@ function skip(id) {
   const question = /** @type {HTMLElement | null} */ (document.getElementById(id))
   if (!question) return
   keep(question, SHOWN)
+  const figure = document.getElementById(question.dataset.unlocks ?? '')
+  const top = () => figure?.getBoundingClientRect().top ?? 0
+  const stood = top()
+  const asked = question.contains(document.activeElement)
   if (question instanceof HTMLFormElement) {
-    const focused = question.contains(document.activeElement)
     commit(question, SHOWN)
-    if (focused) focusVerdict(question)
+    if (asked) focusVerdict(question)
   } else lock(question, false)
+  // Whoever asked at the figure goes on looking at it.
+  if (!asked) scrollBy({ top: top() - stood, behavior: 'instant' })
   showScore()
 }
 
@@ -220,51 +247,16 @@ function commit(form, answer) {
   if (form.querySelector('.quiz-reasons')) fold(form, verdict?.mine ?? -1, verdict !== null)
   toggle(form, true)
   const answers = form.querySelector('details')
-  if (answers) answers.open = true
+  // A reader who skips to a figure is shown it, and not pushed away from it by the reasons.
+  if (answers) answers.open = verdict !== null || !form.dataset.unlocks
   lock(form, false)
   return true
-}
-
-/** The marks of the answers, on the choices too. @param {HTMLElement} form */
-function markChoices(form) {
-  for (const [i, label] of form.querySelectorAll('.quiz-choice').entries()) {
-    const mark = form.querySelector(`[data-choice="${i}"] .quiz-mark`)
-    if (mark) label.append(mark.cloneNode(true))
-  }
-}
-
-/**
- * The reader's own reason stands first, and the others are folded.
- * @param {HTMLElement} form
- * @param {number} mine
- * @param {boolean} folded
- */
-function fold(form, mine, folded) {
-  const list = /** @type {Element} */ (form.querySelector('.quiz-reasons'))
-  const reasons = [...list.children]
-  reasons[mine]?.classList.add('is-yours')
-  if (!folded) return
-  const others = document.createElement('details')
-  others.className = 'quiz-others'
-  part(document, others, 'summary', '').textContent = mine < 0 ? 'Answers that are often given' : 'The other answers'
-  part(document, part(document, others, 'div', 'details-body'), 'ul', 'quiz-reasons').append(
-    ...reasons.filter((_, i) => i !== mine),
-  )
-  list.after(others)
-}
-
-/** @param {HTMLElement} form */
-function unfold(form) {
-  const list = form.querySelector('.quiz-reasons')
-  const reasons = [...form.querySelectorAll('[data-choice]')]
-  reasons.sort((a, b) => Number(a.getAttribute('data-choice')) - Number(b.getAttribute('data-choice')))
-  list?.append(...reasons)
-  form.querySelector('.quiz-others')?.remove()
 }
 
 /** @param {HTMLElement} form */
 function forget(form) {
   delete form.dataset.answered
+  delete form.dataset.missed
   for (const input of form.querySelectorAll('input')) input.disabled = false
   for (const mark of form.querySelectorAll('.quiz-choice .quiz-mark')) mark.remove()
   for (const item of form.querySelectorAll('.is-yours')) item.classList.remove('is-yours')

@@ -17,25 +17,10 @@ export function lock(question, on, skip = () => {}) {
   // Who follows a link to a state of the figure wants to see that state.
   const linked = readState(location.href, id)
   const locked = on && (linked === null || linked === 'mangled')
-  // A veiled figure is cut short; but on a page that has just come up, only one below the screen: what a reader sees,
-  // and what stands above, keeps its height.
-  if (locked && !widget.hasAttribute('data-locked'))
-    widget.toggleAttribute('data-short', question instanceof HTMLFormElement || isBelow(widget))
-  if (!locked) widget.removeAttribute('data-short')
   widget.toggleAttribute('data-locked', locked)
   widget.toggleAttribute('inert', locked)
   figure.querySelector('.figure-locked')?.remove()
   if (locked) widget.after(veil(question, skip))
-}
-
-/**
- * Whether all of a figure is below the screen. Its part of the text is asked first: one far away is not laid out for
- * this.
- * @param {Element} widget
- */
-function isBelow(widget) {
-  const { top, bottom } = (widget.closest('section') ?? widget).getBoundingClientRect()
-  return top > innerHeight || (bottom > 0 && widget.getBoundingClientRect().top > innerHeight)
 }
 
 /** @param {HTMLElement} question @param {() => void} skip */

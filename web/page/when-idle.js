@@ -13,4 +13,9 @@ export function later() {
   terms()
   scrollBoxes()
   offline()
+  if (document.querySelector('[data-toy]'))
+    import('./toy.js').then(
+      ({ toys }) => toys(),
+      () => {},
+    )
 }

@@ -1,9 +1,11 @@
-//! A part of a chapter with a page of its own, as the chapter's other pages know it: the chapter lists its exercises,
-//! and it shows the figures of the chapter that its questions ask for.
+//! A part of a chapter with a page of its own, as the chapter's other pages know it: the chapter lists its exercises or
+//! its sections, and it shows the figures of the chapter that its questions ask for.
 
 use minijinja::{Value, context};
+use pulldown_cmark::{HeadingLevel, Tag};
 
 use crate::block::dots;
+use crate::diagnostic::Place;
 use crate::piece::Piece;
 use crate::quiz::Answer;
 use crate::site::Site;
@@ -77,5 +79,35 @@ impl Writer<'_> {
             }
         });
         listed.collect()
+    }
+
+    /// The sections of the part called `page` for a list: each with its title, and with the ids of the headings within
+    /// it, which an address may name.
+    pub(crate) fn contents(&mut self, page: &str, place: &Place) -> Value {
+        let end = format!("/{page}/");
+        let Some(texts) = self.apart.texts.iter().find(|(at, _)| at.ends_with(&end)).map(|(_, texts)| *texts) else {
+            self.diagnostics.report(place, format!("no part of this chapter is called `{page}`"));
+            return Value::UNDEFINED;
+        };
+        let mut sections: Vec<(&Node, &str, Vec<String>)> = Vec::new();
+        texts.iter().for_each(|text| {
+            tree::walk(text, &mut |node| {
+                let Kind::Element(Tag::Heading { level, id: Some(id), .. }) = &node.kind else { return };
+                match sections.last_mut() {
+                    Some((_, _, within)) if *level > HeadingLevel::H2 => within.push(id.to_string()),
+                    _ => sections.push((node, id.as_ref(), Vec::new())),
+                }
+            });
+        });
+        let plain = std::mem::replace(&mut self.plain, true);
+        let listed = sections.into_iter().map(|(node, id, within)| {
+            let href = self.diagnostics.ok(&node.place, self.labels.get(id, self.root)).map(|label| label.href);
+            let title = self.write(&node.children);
+            self.words.push(' ');
+            context! { id, href, title => safe(title), within }
+        });
+        let listed = listed.collect();
+        self.plain = plain;
+        listed
     }
 }

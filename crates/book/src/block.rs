@@ -125,6 +125,7 @@ impl Writer<'_> {
             }
             "own-log" => ("own_log", context! {}),
             "exercises" => ("exercises", context! { exercises => self.exercises() }),
+            "contents" => ("contents", context! { sections => self.contents(text("page"), place) }),
             "asked-figures" => {
                 let figures = self.apart.figures.clone();
                 return figures.into_iter().map(|figure| self.write(std::slice::from_ref(figure))).collect();
@@ -184,6 +185,12 @@ impl Writer<'_> {
             let read = serde_json::from_str::<serde_json::Map<String, serde_json::Value>>(start);
             self.diagnostics.ok(place, read.map_err(|error| format!("`start` is no JSON object: {error}")));
         }
+        let opens = attributes.value("opens");
+        if opens.is_some_and(|how| how != "small") {
+            self.diagnostics.report(place, "a figure `opens` \"small\", or it is whole");
+        }
+        // Once more on another page, beside what asks for it, it is whole.
+        let small = opens.is_some() && self.apart.figures.is_empty();
         let title = safe(self.title(attributes.value("title").unwrap_or_default(), place));
         let still = self.site.stills.get(id).or_else(|| self.site.stills.get(name)).cloned().unwrap_or_default();
         // The first figure is there at once; the drawings of the others come when a reader comes near.
@@ -197,7 +204,7 @@ impl Writer<'_> {
             }
             None => still.svg,
         };
-        context! { widget, tag, title, start, still => safe(html), words => still.words }
+        context! { widget, tag, title, start, small, still => safe(html), words => still.words }
     }
 
     fn algorithm(&mut self, attributes: &Attributes, place: &Place) -> Value {

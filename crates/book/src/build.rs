@@ -137,6 +137,7 @@ impl Pages<'_> {
             readings => &version,
             reading => text.reading,
             slug => &page.slug,
+            asks => !text.used.quizzes.is_empty(),
         };
         self.page(kind, address, title, description, extra)?;
         // A place of another page than a chapter is told with the page's title.

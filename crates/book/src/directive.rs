@@ -5,12 +5,12 @@ use crate::diagnostic::{Diagnostics, Place};
 
 /// Each directive: its name, the attributes it must have, those it may have besides, and what a cross-reference calls
 /// it. One that a cross-reference has no word for has no number.
-const RULES: [(&str, &str, &str, &str); 17] = [
+const RULES: [(&str, &str, &str, &str); 18] = [
     ("derivation", "id title", "", "Derivation"),
     ("definition", "term", "id", "Definition"),
     ("note", "kind", "id title", ""),
     ("margin", "", "id", ""),
-    ("figure", "id", "title widget start drawing", "Figure"),
+    ("figure", "id", "title widget start drawing opens", "Figure"),
     ("algorithm", "id name", "in out cost", "Algorithm"),
     ("exercise", "id title kind difficulty", "", "Exercise"),
     ("hint", "", "id title", ""),
@@ -23,6 +23,7 @@ const RULES: [(&str, &str, &str, &str); 17] = [
     ("own-log", "", "", ""),
     ("exercises", "", "", ""),
     ("asked-figures", "", "", ""),
+    ("contents", "page", "", ""),
 ];
 
 /// The word for a numbered directive, as in "Figure".

@@ -97,6 +97,7 @@ pub fn texts(site: &Site, pages: &[Sources], chapter: Option<u32>, diagnostics: 
         let mut shown = Apart::default();
         if i == 0 {
             shown.exercises = rest.iter().flat_map(|texts| apart::all(texts, "exercise")).collect();
+            shown.texts = all[1..].iter().copied().collect();
         } else {
             let asked = apart::asked(site, texts);
             let figures = parsed.iter().flat_map(|texts| apart::all(texts, "figure"));

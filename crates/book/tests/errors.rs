@@ -3,7 +3,7 @@
 mod common;
 
 /// Each text with a complaint it must draw.
-const CASES: [(&str, &str); 39] = [
+const CASES: [(&str, &str); 40] = [
     ("a\n\n:::nothing\n:::\n", "page.md:3: unknown directive `:::nothing`"),
     ("a\n\n:::margin\nb\n", "page.md:3: `:::margin` is not closed"),
     ("a\n\n:::\n", "page.md:3: `:::` closes nothing"),
@@ -48,6 +48,7 @@ const CASES: [(&str, &str); 39] = [
     ("# A {#a}\n", "page.md:1: headings of a page are ##, ### or ####"),
     ("a\n$\\nonsense$\n", "page.md:2: TeX:"),
     ("a\nb $c\n", "page.md:2: `$` is not closed"),
+    (":::contents{page=\"nope\"}\n:::\n", "page.md:1: no part of this chapter is called `nope`"),
     ("a <b>c</b>\n", "page.md:1: raw HTML `<b>`"),
 ];
 

@@ -8,7 +8,7 @@ pub(crate) mod frame;
 mod params;
 mod view;
 
-pub use frame::{LoopFrame, LoopGate, LoopMoment, LoopSeries, LoopSighting, LoopThresholds};
+pub use frame::{LoopFrame, LoopGate, LoopMoment, LoopPull, LoopSeries, LoopSighting, LoopThresholds};
 pub use params::LoopParams;
 
 use crate::mapping::{Mapping, Seen};

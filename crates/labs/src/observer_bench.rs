@@ -36,6 +36,8 @@ pub struct ObserverBench {
     step: u32,
     diverged: bool,
     truth: Vector2<f64>,
+    /// The belief that the run begins with.
+    first: Gaussian<U2>,
     /// The belief of the Kalman filter, which runs along also when the reader chooses the gain.
     filter: Gaussian<U2>,
     filter_gain: Vector2<f64>,
@@ -74,6 +76,7 @@ impl Lab for ObserverBench {
             step: 0,
             diverged: false,
             truth,
+            first: belief,
             filter: belief,
             filter_gain: first,
             gain: match params.mode {
@@ -170,6 +173,7 @@ impl Lab for ObserverBench {
             stable_up_to: knob_limit(&self.system, &self.steady),
             equivalent_knob: self.equivalent_knob(),
             series: self.series.clone(),
+            first: (&self.first).into(),
         }
     }
 }

@@ -118,6 +118,11 @@ const tries = [
     change: (_, lab) => ({ ...usual(lab, 'gate', 'found', 'correlated'), step: 112 }),
   },
   {
+    name: 'close',
+    label: 'Close it',
+    change: (_, lab) => ({ ...usual(lab, 'gate', 'found', 'correlated'), step: 113 }),
+  },
+  {
     name: 'apart',
     label: 'Drop the cross-covariances',
     change: (_, lab) => ({ ...usual(lab, 'gate', 'found'), correlated: false, step: LAP }),
@@ -146,7 +151,7 @@ export const figure = {
     { name: 'errors', width: 460, height: 215, draw: drawErrors },
   ],
   layout: {
-    narrow: ['map', 'verdict', 'thresholds', 'tries', 'controls', 'heat', 'nees', 'errors', 'readouts'],
+    narrow: ['map', 'verdict', 'thresholds', 'tries', 'controls', 'heat', 'readouts', 'nees', 'errors'],
     medium: [
       'map map map map heat heat',
       'verdict verdict verdict verdict heat heat',

@@ -3,7 +3,17 @@
 import { followed } from '../../draw/camera.js'
 import { drawBuilding, drawRobot } from '../../draw/building.js'
 import { clear, drawLabels } from '../../draw/labels.js'
-import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../draw/plot.js'
+import {
+  arrow,
+  dot,
+  ellipseLevel,
+  ellipsePath,
+  halves,
+  meaning,
+  scaleBar,
+  segment,
+  seriesPath,
+} from '../../draw/plot.js'
 import { ghosts } from './ghosts.js'
 
 /** @typedef {import('estimate-wasm').LoopFrame} Frame */
@@ -11,6 +21,8 @@ import { ghosts } from './ghosts.js'
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
 
 const FOOT = 20
+/** The closing step moves landmarks by centimetres: its arrows are drawn so many times as long. */
+export const LONGER = 5
 
 /**
  * @param {import('../../figure/shell.js').Panel} panel
@@ -30,7 +42,9 @@ export function drawMap({ pen, width, height }, frame, view) {
         [width, height, ...plane.x.domain, ...plane.y.domain].join(' '),
       )
       drawTracks(to, plane, frame)
+      drawBefore(to, plane, frame)
       drawLandmarks(to, plane, frame)
+      drawPulls(to, plane, frame)
       drawSightings(to, plane, frame)
       drawRobots(to, plane, frame)
     })
@@ -92,6 +106,20 @@ function drawLandmarks(pen, plane, frame) {
     if (spooky.has(id))
       pen.mark('path', `ghost${id}`, { class: 'mark refused ghost', d: `M${px - 4} ${py - 4}l8 8m0-8l-8 8` })
     else dot(pen, `landmark${id}`, plane, [x, y], { ...meaning('full', 'posterior'), r: 3 })
+  }
+}
+
+/** The map before the step that closes the loop, pale. @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawBefore(pen, plane, { pulls }) {
+  for (const { id, from, ellipse } of pulls)
+    pen.mark('path', `before${id}`, { ...meaning('outline was', 'posterior'), d: ellipsePath(ellipse, from, plane) })
+}
+
+/** Where that step moves each landmark. @param {Pen} pen @param {Plane} plane @param {Frame} frame */
+function drawPulls(pen, plane, { pulls }) {
+  for (const { id, from, to } of pulls) {
+    const tip = to.map((value, i) => from[i] + LONGER * (value - from[i]))
+    arrow(pen, `pull${id}`, plane, from, tip, 'posterior')
   }
 }
 

@@ -1,6 +1,8 @@
 /** What the figure of the loop says: each sentence follows from the numbers of the frame. */
 
 import { fixed } from '../../draw/numbers.js'
+import { ghosts } from './ghosts.js'
+import { LONGER } from './map.js'
 
 /** @typedef {import('estimate-wasm').LoopFrame} Frame */
 
@@ -9,7 +11,7 @@ const count = (n, one, more = `${one}s`) => `${n === 0 ? 'no' : n} ${n === 1 ? o
 
 /** @param {Frame} frame */
 export function verdict(frame) {
-  return [mapOf(frame), faultsOf(frame), closureOf(frame), neesOf(frame)].filter(Boolean).join(' ')
+  return [mapOf(frame), faultsOf(frame), closureOf(frame), pullOf(frame), neesOf(frame)].filter(Boolean).join(' ')
 }
 
 /** @param {Frame} frame */
@@ -59,6 +61,26 @@ function closureOf({ closure, lap }) {
   const change =
     from === to ? `hardly changed, ${to} m` : `${before > after ? 'shrank' : 'grew'} from ${from} to ${to} m`
   return `At step ${step} landmark ${landmark + 1} was recognized again, and the landmarks’ mean σ ${change}.`
+}
+
+/**
+ * What the gain does to the landmark that it moves farthest of those that the closing step has not read.
+ * @param {Frame} frame
+ */
+function pullOf(frame) {
+  const { pulls, sightings, map } = frame
+  const spooky = ghosts(frame)
+  const read = new Set(sightings.map(({ landmark }) => landmark))
+  const truth = new Map(map.landmarks.map((it) => [it.id, it.truth]))
+  const unread = pulls.filter(({ id }) => !spooky.has(id) && !read.has(truth.get(id) ?? -1))
+  if (unread.length === 0) return ''
+  const far = (/** @type {Frame['pulls'][number]} */ { from, to }) => Math.hypot(to[0] - from[0], to[1] - from[1])
+  const most = unread.reduce((one, other) => (far(other) > far(one) ? other : one))
+  return (
+    `Nothing was read of landmark ${(truth.get(most.id) ?? 0) + 1}: its row of the gain, ` +
+    `${fixed(most.reach, 3)} m for a reading off by one σ, moved it by ${fixed(far(most), 3)} m ` +
+    `(the arrows are ${LONGER} times as long).`
+  )
 }
 
 /** @param {Frame} frame */

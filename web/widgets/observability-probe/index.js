@@ -244,10 +244,15 @@ export const figure = {
     },
   ],
   layout: {
-    narrow: ['map', 'ranks', 'verdict', 'tries', 'ranges', 'bearings', 'controls', 'readouts', 'trace', 'nees', 'nis'],
+    narrow: ['map', 'ranks', 'verdict', 'tries', 'ranges', 'bearings', 'controls', 'trace', 'readouts', 'nees', 'nis'],
     medium: ['map verdict', 'map ranks', 'ranges bearings', 'trace nees', 'nis tries'],
     wide: ['map verdict', 'map ranks', 'map trace', 'ranges bearings', 'nees nis'],
     columns: { medium: '1fr 1fr' },
+  },
+  stages: {
+    panels: { trace: 2, nees: 3, nis: 3 },
+    hand: { stop: 2, tolerance: 2, forget: 3, ghost: 3, readouts: 3, tools: 3, speed: 3, seed: 3 },
+    grow: ['Show the trace', 'Show the whole figure'],
   },
   tries,
   describe,

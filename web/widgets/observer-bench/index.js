@@ -89,10 +89,6 @@ function announce(frame, before) {
 function readouts(frame) {
   const pair = (/** @type {number[]} */ [a, b]) => `[${fixed(a, 3)}, ${fixed(b, 3)}]`
   return [
-    { key: 'knob', label: 'Equivalent knob', value: fixed(frame.equivalentKnob, 3), headline: true },
-    { key: 'step', label: 'Step', value: String(frame.step) },
-    { key: 'gain', label: 'Gain {R}', value: pair(frame.R), kin: 'posterior' },
-    { key: 'steady', label: '{R}_∞', value: pair(frame.steadyGain), kin: 'posterior' },
     {
       key: 'error',
       label: 'Position error: truth − estimate',
@@ -100,7 +96,12 @@ function readouts(frame) {
       unit: 'm',
       wide: true,
       kin: 'truth',
+      headline: true,
     },
+    { key: 'step', label: 'Step', value: String(frame.step) },
+    { key: 'gain', label: 'Gain {R}', value: pair(frame.R), kin: 'posterior' },
+    { key: 'knob', label: 'Equivalent knob', value: fixed(frame.equivalentKnob, 3), more: true },
+    { key: 'steady', label: '{R}_∞', value: pair(frame.steadyGain), kin: 'posterior', more: true },
     {
       key: 'innovation',
       label: 'Innovation {innov}',
@@ -150,17 +151,28 @@ const controls = [
   },
 ]
 
+/**
+ * A gain shows nothing before the first step: a phrase pressed there goes to where the figure opens.
+ * @param {number} step
+ */
+const begun = (step) => (step === 0 ? { step: start.step } : {})
+
 /** @type {import('../../figure/spec.js').Try[]} */
 const tries = [
   {
     name: 'past',
     label: 'Turn the gain past its limit',
-    change: (/** @type {Frame} */ { stableUpTo }) => ({
+    change: (/** @type {Frame} */ { stableUpTo, step }) => ({
       mode: 'fixed',
       gain: Math.min(6, Math.ceil(stableUpTo * 10 + 1) / 10),
+      ...begun(step),
     }),
   },
-  { name: 'reckon', label: 'Use no reading at all', change: () => ({ mode: 'fixed', gain: 0 }) },
+  {
+    name: 'reckon',
+    label: 'Use no reading at all',
+    change: (/** @type {Frame} */ { step }) => ({ mode: 'fixed', gain: 0, ...begun(step) }),
+  },
   { name: 'filter', label: 'Let the filter choose, from the start', change: () => ({ mode: 'filter', step: 0 }) },
 ]
 
@@ -177,7 +189,7 @@ export const figure = {
     { name: 'error', width: 312, height: 190, draw: drawError },
   ],
   layout: {
-    narrow: ['phase', 'disc', 'verdict', 'tries', 'controls', 'readouts', 'gain', 'variance', 'error'],
+    narrow: ['phase', 'disc', 'verdict', 'tries', 'controls', 'gain', 'readouts', 'variance', 'error'],
     medium: [
       'phase phase phase phase disc disc',
       'phase phase phase phase verdict verdict',
@@ -186,6 +198,11 @@ export const figure = {
     ],
     wide: ['phase phase disc', 'phase phase verdict', 'gain variance error'],
     columns: { medium: Array(6).fill('1fr').join(' '), wide: '1fr 1fr 1fr' },
+  },
+  stages: {
+    panels: { disc: 2, gain: 3, variance: 3, error: 3 },
+    hand: { sensor: 2, tries: 2, mode: 3, readouts: 3, tools: 3, speed: 3, seed: 3 },
+    grow: ['Show the eigenvalues', 'Show the whole bench'],
   },
   tries,
   describe,

@@ -4,7 +4,7 @@
  */
 
 import { clear, drawLabels, widthOf } from '../../draw/labels.js'
-import { Span, between } from '../../figure/motion.js'
+import { Scale, between } from '../../figure/motion.js'
 import {
   arrow,
   axes,
@@ -30,9 +30,15 @@ import {
  */
 export function drawPhase({ pen, width, height }, frame, view) {
   const scene = stage(frame, view)
-  const [across, up] = (view.memory.phase ??= [new Span(), new Span()])
-  const moving = [across.follow(...scene.across, view.elapsed), up.follow(...scene.up, view.elapsed)].includes(true)
-  const plane = planeOf({ left: 48, top: 30, right: width - 14, bottom: height - 42 }, across.now, up.now)
+  const held = (view.memory.phase ??= { scales: [new Scale(0.5), new Scale(0.25)], sensor: '' })
+  // A run is one from its first step on; another sensor has another run.
+  const anew = frame.step === 0 || held.sensor !== frame.params.sensor
+  held.sensor = frame.params.sensor
+  /** @type {Scale[]} */
+  const scales = held.scales
+  const moving = scales.map((scale, i) => scale.follow(scene.reach[i], view.elapsed, anew)).includes(true)
+  const [across, up] = scales.map(({ now }) => now)
+  const plane = planeOf({ left: 48, top: 30, right: width - 14, bottom: height - 42 }, across, up)
   pen.draw(() => {
     axes(pen, plane, {
       x: 'position − truth (m)',
@@ -64,24 +70,26 @@ function stage(frame, { beat, previous }) {
   // While the prediction moves the estimate of the step before stays where it was.
   const purple =
     beat.name === 'rest' ? posterior : beat.name === 'update' ? between(predicted, posterior, beat.t) : before
-  const reach = (/** @type {0 | 1} */ axis, /** @type {number} */ least) => {
-    const ends = [orange, purple].flatMap(({ x, ellipse }) => [
-      x[axis] - halves(ellipse)[axis],
-      x[axis] + halves(ellipse)[axis],
-    ])
-    return /** @type {[number, number]} */ ([Math.min(-least, ...ends), Math.max(least, ...ends)])
-  }
+  // The pale ellipse of the first belief stands about the estimate of now: the eye compares the sizes.
+  const first = { x: purple.x, ellipse: frame.first.ellipse }
+  const reach = [0, 1].map((axis) => {
+    const ends = [orange, purple, first].flatMap(({ x, ellipse }) =>
+      [-1, 1].map((side) => x[axis] + side * halves(ellipse)[axis]),
+    )
+    return /** @type {[number, number]} */ ([Math.min(...ends), Math.max(...ends)])
+  })
   const reading =
     beat.name === 'predict' || frame.reading === null
       ? null
       : frame.reading - (frame.H[0] * frame.truth[0] + frame.H[1] * frame.truth[1])
-  return { orange, purple, corrects: beat.name !== 'predict', across: reach(0, 0.5), up: reach(1, 0.25), reading }
+  return { orange, purple, first, corrects: beat.name !== 'predict', reach, reading }
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {ReturnType<typeof stage>} scene */
-function drawScene(pen, plane, frame, { orange, purple, corrects, reading }) {
+function drawScene(pen, plane, frame, { orange, purple, first, corrects, reading }) {
   const line = reading === null ? null : clipLine(frame.H, reading, plane)
   if (line) segment(pen, 'omega', plane, ...line, meaning('line', 'measurement'))
+  pen.mark('path', 'first', { ...meaning('curve was', 'posterior'), d: ellipsePath(first.ellipse, first.x, plane) })
   pen.mark('path', 'predicted', {
     ...meaning('outline', 'prediction'),
     d: ellipsePath(orange.ellipse, orange.x, plane),

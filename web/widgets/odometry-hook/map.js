@@ -22,7 +22,7 @@ const FOOT = 20
 export function drawMap({ pen, width, height }, frame, view) {
   const box = { left: 0, top: 0, right: width, bottom: height }
   // Below the map is a line for what the ellipses mean and how long a metre is.
-  const { plane, moving } = followed(view, { ...box, bottom: height - FOOT }, (axis) => seen(frame, axis))
+  const { plane, moving } = followed(view, { ...box, bottom: height - FOOT }, (axis) => seen(frame, axis), frame)
   // While neither the robot nor the camera has moved, this is not drawn again.
   const stamp = [width, height, ...plane.x.domain, ...plane.y.domain].join(' ')
   pen.draw(() => {

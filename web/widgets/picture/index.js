@@ -209,6 +209,11 @@ export const figure = {
     medium: ['plane verdict', 'plane axis', 'plane tries', 'controls controls', 'readouts readouts'],
     columns: { medium: '8fr 5fr' },
   },
+  stages: {
+    panels: { axis: 2 },
+    hand: { tilt: 3, readouts: 3, tools: 3 },
+    grow: ['Show the two opinions', 'Show the whole figure'],
+  },
   tries,
   describe,
   controls,

@@ -145,7 +145,7 @@ export const figure = {
   ],
   layout: {
     // The sentence is longer or shorter with what is shown: it stands below what a finger is on.
-    narrow: ['map', 'tries', 'controls', 'verdict', 'innovations', 'correlation', 'nis', 'nees', 'readouts'],
+    narrow: ['map', 'tries', 'controls', 'verdict', 'innovations', 'correlation', 'readouts', 'nis', 'nees'],
     medium: [
       'map map map map innovations innovations innovations',
       'map map map map correlation correlation correlation',

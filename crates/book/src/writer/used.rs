@@ -30,4 +30,6 @@ pub struct Apart<'a> {
     pub exercises: Vec<&'a Node>,
     /// Figures of the other pages.
     pub figures: Vec<&'a Node>,
+    /// The texts of the other pages, by their addresses.
+    pub texts: BTreeMap<&'a str, &'a [Vec<Node>]>,
 }

@@ -59,6 +59,24 @@ record! {
         pub series: LoopSeries,
         /// Where truth and estimate have been.
         pub tracks: Tracks,
+        /// What the step that closes the loop does to each landmark that the map had before; empty at other steps.
+        pub pulls: Vec<LoopPull>,
+    }
+
+    /// What the sightings of a step do to a landmark of the map.
+    #[derive(Copy)]
+    pub struct LoopPull {
+        /// The landmark's number in the map.
+        pub id: u32,
+        /// Where it was believed to be before, metres.
+        pub from: [f64; 2],
+        /// Its one-sigma ellipse before.
+        pub ellipse: Ellipse,
+        /// Where it is believed to be now.
+        pub to: [f64; 2],
+        /// √(½ tr(P⁻ − P⁺)) = √(½ tr(R S Rᵀ)) with the landmark's rows of the gain R: how far a reading that is off by
+        /// one standard deviation moves it in a coordinate, metres.
+        pub reach: f64,
     }
 
     /// Two thresholds on the χ² axis.

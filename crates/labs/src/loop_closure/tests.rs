@@ -20,6 +20,15 @@ fn closing_the_loop_shrinks_every_landmark_s_ellipse_at_once() {
     };
     assert_eq!(closure.step, lab.step);
     assert!(closure.after < 0.8 * closure.before, "{closure:?}");
+    let frame = lab.frame();
+    let seen: Vec<usize> = frame.sightings.iter().map(|sighting| sighting.landmark).collect();
+    let far: Vec<_> = frame.pulls.iter().filter(|pull| !seen.contains(&(pull.id as usize))).collect();
+    assert!(far.len() > 5, "landmarks that were not read are pulled too");
+    assert!(far.iter().all(|pull| pull.reach > 0.0 && pull.from != pull.to), "{far:?}");
+    lab.step().expect("within the limit");
+    assert!(lab.frame().pulls.is_empty(), "only the closing step has pulls");
+    lab = LoopClosure::new(LoopParams::default()).expect("sound");
+    lab.run(closure.step).expect("within the limit");
     for (before, after) in lab.predicted.landmarks().zip(lab.mapping.slam.landmarks()) {
         assert!(after.p.trace() < before.p.trace(), "landmark {}", after.id);
     }

@@ -1,6 +1,6 @@
 //! From the state of the corridor's loop to its frame.
 
-use super::frame::{LoopFrame, LoopGate, LoopSighting, LoopThresholds};
+use super::frame::{LoopFrame, LoopGate, LoopPull, LoopSighting, LoopThresholds};
 use super::{LoopClosure, Weighed};
 use crate::observability_probe::{map_shape, mapped_sighting};
 use crate::odometry_hook::World;
@@ -57,7 +57,21 @@ pub(super) fn frame(lab: &LoopClosure) -> LoopFrame {
         closure: lab.closure,
         series: lab.series.clone(),
         tracks: lab.tracks.outlined(),
+        pulls: if lab.closure.is_some_and(|it| it.step == lab.step) { pulls(&lab.predicted, slam) } else { Vec::new() },
     }
+}
+
+/// What a step made of each landmark that was in the map before it: a map keeps the order in which it was founded.
+fn pulls(before: &EkfSlam, after: &EkfSlam) -> Vec<LoopPull> {
+    let pull = |(old, new): (Mapped, Mapped)| LoopPull {
+        id: old.id,
+        from: old.position.into(),
+        ellipse: ellipse_of(&old.p),
+        to: new.position.into(),
+        // Rounding can leave a difference of equal variances a little below zero.
+        reach: (0.5 * (old.p - new.p).trace()).max(0.0).sqrt(),
+    };
+    before.landmarks().zip(after.landmarks()).map(pull).collect()
 }
 
 /// Where a sighting puts its landmark, seen from this pose; the bearing is the landmark's.

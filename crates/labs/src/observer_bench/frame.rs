@@ -65,6 +65,8 @@ record! {
         pub equivalent_knob: f64,
         /// The last steps.
         pub series: BenchSeries,
+        /// The belief that the run begins with.
+        pub first: BenchBelief,
     }
 
     /// The two nearest points of Ω.
