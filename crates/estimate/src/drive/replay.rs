@@ -113,14 +113,7 @@ impl Replay {
             if taken.is_some() && (step.counts || (self.rows as usize) < drive.rows.len()) {
                 break;
             }
-            let moved = self.moved(course, &step);
-            let before = (self.filter, self.time);
-            let found = self.advance(&step, moved.as_ref()).and_then(|()| self.read(drive, course, &step));
-            if found.is_err() {
-                (self.filter, self.time) = before;
-            }
-            let found = found?;
-            self.pass(&step);
+            let found = self.step(drive, course, &step)?;
             if step.counts {
                 taken = Some(found);
             }
@@ -129,6 +122,18 @@ impl Replay {
             }
         }
         Ok(taken)
+    }
+
+    /// Takes the next step; after an error the replay is as it was.
+    pub(crate) fn step(&mut self, drive: &Drive, course: &Course, step: &Step) -> Result<Taken, Error> {
+        let moved = self.moved(course, step);
+        let before = (self.filter, self.time);
+        let found = self.advance(step, moved.as_ref()).and_then(|()| self.read(drive, course, step));
+        match found {
+            Ok(_) => self.pass(step),
+            Err(_) => (self.filter, self.time) = before,
+        }
+        found
     }
 
     /// How the estimate moves to a step; `None` where it does not.
@@ -253,7 +258,8 @@ impl Replay {
 
     /// What the replay says of itself so far.
     pub fn summary(&self, course: &Course) -> Summary {
-        Summary::new(self, course, &self.statistics, [&self.errors, &self.withheld])
+        let belief = (self.filter.state(), self.filter.covariance());
+        Summary::new(belief, course, &self.statistics, [&self.errors, &self.withheld])
     }
 }
 
