@@ -134,8 +134,8 @@ impl Course {
         steps.filter(looks).count() as u32
     }
 
-    /// What is done with a reading, by its stamp and those before; `None` of a row of motion. `last` is the stamp of the
-    /// last of each sensor that was not passed over.
+    /// What is done with a reading, by its stamp and those before; `None` of a row of motion. `last` is the stamp of
+    /// each sensor's last row that was not passed over.
     pub(crate) fn fate(&self, step: &Step, last: &mut BySensor<f64>) -> Option<Fate> {
         let (sensor, settings) = (Sensor::of(&step.event)?, &self.settings);
         let on = match sensor {

@@ -35,15 +35,16 @@ pub struct SmoothedPose {
 /// A smoothed replay.
 ///
 /// Along the replay's own linearization, and with C = P Fᵀ P̄⁻¹ the gain by which the state before a step would be
-/// corrected if the state after it were read, x(all) = x + C (x⁺(all) − x̄⁺) and P(all) = P + C (P⁺(all) − P̄⁺) Cᵀ. F is
-/// that of all steps from one row to the next that is asked for or has a reading. The last state is the filter's, to the
-/// last bit.
+/// corrected if the state after it were read, x(all) = x + C (x⁺(all) − x̄⁺) and P(all) = P + C (P⁺(all) − P̄⁺) Cᵀ. F
+/// is that of all steps from one row to the next that is asked for or has a reading. The last state is the filter's, to
+/// the last bit.
 ///
 /// # Example
 /// ```
 /// use estimate::drive::{Course, Drive, Event, Motion, Replay, Row, Settings, Smoothed, Truth};
 /// let (drives, fix) = (Event::Velocity { v: 1.0, omega: 0.0 }, |x| Event::Position { x, y: 0.0, sigma: None });
-/// let rows = vec![Row::new(0.0, drives), Row::new(5.0, drives), Row::new(10.0, drives), Row::new(10.0, fix(12.0))];
+/// let rows = [(0.0, drives), (0.0, fix(0.0)), (5.0, drives), (10.0, drives), (10.0, fix(12.0))];
+/// let rows = rows.map(|(time, event)| Row::new(time, event)).to_vec();
 /// let drive = Drive { landmarks: Vec::new(), truth: Truth::default(), rows, motion: Motion::Velocity };
 /// let course = Course::new(&drive, Settings { sigma_distance: 0.5, ..Settings::default() })?;
 /// let mut replay = Replay::new(&course);
