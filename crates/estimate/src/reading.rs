@@ -4,10 +4,11 @@ use crate::ekf::Localizer;
 use crate::error::Error;
 use crate::landmark::Landmark;
 use crate::landmarks::{Among, RangeBearing, RangeOnly, best};
+use crate::pose_sensors::{Compass, Fix, Speedometer};
 use crate::scaled::{Scalable, Scaled};
 use filters::association::{Association, Candidate, Rule};
 use filters::{MeasurementModel, Update};
-use geom::{angle_diff, wrap};
+use geom::wrap;
 use nalgebra::{Matrix1, Matrix2, SMatrix, SVector, Vector1, Vector2};
 
 /// A reading with its noise covariance W, each kind of sensor a variant.
@@ -99,50 +100,6 @@ pub struct Corrected {
     pub s: Matrix2<f64>,
     /// χ² = νᵀS⁻¹ν, or why it is no number.
     pub chi2: Result<f64, filters::Error>,
-}
-
-/// The position alone: h(x) = (x, y).
-struct Fix;
-
-impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 2> for Fix {
-    fn h(&self, x: &X, _: usize) -> Result<SVector<f64, 2>, filters::Error> {
-        Ok(Vector2::new(x.pose().x(), x.pose().y()))
-    }
-
-    fn jacobian(&self, _: &X, _: usize) -> Result<SMatrix<f64, 2, N>, filters::Error> {
-        Ok(SMatrix::identity())
-    }
-}
-
-/// The heading alone: h(x) = θ.
-struct Compass;
-
-impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 1> for Compass {
-    fn h(&self, x: &X, _: usize) -> Result<SVector<f64, 1>, filters::Error> {
-        Ok(Vector1::new(x.pose().theta()))
-    }
-
-    fn jacobian(&self, _: &X, _: usize) -> Result<SMatrix<f64, 1, N>, filters::Error> {
-        Ok(SMatrix::from_fn(|_, j| if j == 2 { 1.0 } else { 0.0 }))
-    }
-
-    fn residual(&self, z: &SVector<f64, 1>, expected: &SVector<f64, 1>) -> SVector<f64, 1> {
-        Vector1::new(angle_diff(z[0], expected[0]))
-    }
-}
-
-/// The speed alone: h(x) = v, the fourth number of the state.
-struct Speedometer;
-
-impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 1> for Speedometer {
-    fn h(&self, x: &X, _: usize) -> Result<SVector<f64, 1>, filters::Error> {
-        Ok(Vector1::new(x.speed().unwrap_or(0.0)))
-    }
-
-    fn jacobian(&self, x: &X, _: usize) -> Result<SMatrix<f64, 1, N>, filters::Error> {
-        let read = if x.speed().is_some() { 1.0 } else { 0.0 };
-        Ok(SMatrix::from_fn(|_, j| if j == 3 { read } else { 0.0 }))
-    }
 }
 
 impl<X: Scalable<N>, const N: usize> Localizer<X, N> {

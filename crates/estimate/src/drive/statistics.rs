@@ -69,6 +69,11 @@ impl Judged {
         Ok(Self { sensor, used: corrected.accepted, innovation, variance, second, along, d2, log_det, outputs })
     }
 
+    /// −½ (ln det 2πS + d²).
+    pub fn log_likelihood(&self) -> f64 {
+        -0.5 * (self.log_det + self.d2)
+    }
+
     /// ν₁/√S₁₁.
     pub fn normalized(&self) -> f64 {
         self.innovation / sqrt(self.variance)
@@ -168,7 +173,7 @@ impl Statistics {
             self.along[0] += along;
             self.along[1] += across;
         }
-        self.log_likelihood -= 0.5 * (judged.log_det + judged.d2);
+        self.log_likelihood += judged.log_likelihood();
     }
 
     pub fn refuse(&mut self, sensor: Sensor) {
