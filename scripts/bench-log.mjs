@@ -11,7 +11,11 @@ const plaza = path.join(root, 'content/logs/plaza1.csv')
 /** The module's instance, which shows its memory. @type {WebAssembly.Instance} */
 let instance
 const { Instance } = WebAssembly
-WebAssembly.Instance = /** @type {any} */ ((module, imports) => (instance = new Instance(module, imports)))
+WebAssembly.Instance = /** @type {any} */ (
+  function (module, imports) {
+    return (instance = new Instance(module, imports))
+  }
+)
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const ROUNDS = 3
 const TIMES = 20
@@ -64,7 +68,11 @@ function parsing() {
   const replayed = Number(process.hrtime.bigint() - from) / 1e9
   lab.frame()
   memory.push(megabytes())
-  return { read, replayed, memory }
+  const back = process.hrtime.bigint()
+  lab.smooth()
+  const smoothed = Number(process.hrtime.bigint() - back) / 1e9
+  memory.push(megabytes())
+  return { read, replayed, smoothed, memory }
 }
 
 /** @type {Record<string, number[]>} */
@@ -101,13 +109,15 @@ for (const [name, all] of Object.entries(rates)) {
   const times = rates.filterpy ? (median(all) / median(rates.filterpy)).toFixed(0) : '–'
   console.log(`| ${name} | ${Math.round(median(all)).toLocaleString('en')} | ${times} |`)
 }
-const { read, replayed, memory } = parsing()
+const { read, replayed, smoothed, memory } = parsing()
 console.log(
-  `A log of 1,000,000 rows in the module: read in ${read.toFixed(1)} s, replayed in ${replayed.toFixed(1)} s.`,
+  `A log of 1,000,000 rows in the module: read in ${read.toFixed(1)} s, replayed in ${replayed.toFixed(1)} s, ` +
+    `smoothed in ${smoothed.toFixed(1)} s.`,
 )
 console.log(
   `The module's memory: ${memory[0].toFixed(1)} MB with the log read, ${memory
     .slice(1, 5)
     .map((size) => size.toFixed(1))
-    .join(', ')} MB after each quarter of the replay, ${memory[5].toFixed(1)} MB with a frame.`,
+    .join(', ')} MB after each quarter of the replay, ${memory[5].toFixed(1)} MB with a frame, ` +
+    `${memory[6].toFixed(1)} MB with the smoothed track.`,
 )

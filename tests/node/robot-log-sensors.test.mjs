@@ -126,6 +126,19 @@ test('the mower’s smoothed track is nearer to the truth, and gone with the nex
   new RobotLog(plaza).smooth()
 })
 
+test('the likelihood of the car’s fixes is greatest where the speed is 0.58 s late', () => {
+  const of = (delaySpeed) => RobotLog.logLikelihood(car, { ...SECOND, delaySpeed }, 2)
+  const [before, best, after] = [0.48, 0.58, 0.68].map(of)
+  assert.ok(best.logLikelihood > before.logLikelihood && best.logLikelihood > after.logLikelihood)
+  assert.deepEqual([before.used, best.used, after.used], [203, 203, 203])
+  const all = RobotLog.logLikelihood(car, SECOND, -1)
+  assert.deepEqual(all, { logLikelihood: whole(car, SECOND).summary().logLikelihood, used: 205 })
+  refused(() => RobotLog.logLikelihood({}, {}, 0), 'type', 'log')
+  refused(() => RobotLog.logLikelihood(car, { gate: 2 }, 0), 'limit', 'params.gate')
+  refused(() => RobotLog.logLikelihood(car, {}, NaN), 'not-finite', 'from')
+  refused(() => RobotLog.logLikelihood(car, 5, 0), 'type', 'params')
+})
+
 test('a value for all sensors and an object by sensor are one parameter', () => {
   const gates = (gate) => new RobotLog(car, { gate }).state().params.gate
   assert.equal(gates({ fix: 0.9, heading: 0.9, range: 0.9, bearing: 0.9 }), 0.9)

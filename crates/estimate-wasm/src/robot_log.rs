@@ -5,7 +5,7 @@ use crate::encode::{Row, record};
 use crate::errors::Thrown;
 use crate::lab::{AnyLab, RobotLog};
 use crate::object::Held;
-use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Summary};
+use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Summary, log_likelihood};
 use estimate::{Code, Error, Landmark};
 use js_sys::{Array, JsString};
 use lab::{Lab, Params, Plain};
@@ -53,6 +53,14 @@ export interface LogError extends EstimateError {
 export namespace RobotLog {
     /** Reads a log. What is no log throws a `LogError`, which says in which line and column. */
     function parse(text: string): DriveLog;
+    /**
+     * Σ −½ (ln det 2πS + νᵀS⁻¹ν) over the used readings that are stamped `from` or later, by the log's own clock, and
+     * how many these are. It is what a search for noise levels and delays compares: a replay alone, without what a
+     * figure shows. A sum rewards refusal, so a search has its gates off and a `from` behind every start that it tries.
+     */
+    function logLikelihood(
+        log: DriveLog, params: Partial<LogParams>, from: number,
+    ): { logLikelihood: number; used: number };
 }
 export interface RobotLog {
     /** All rows that are left. */
@@ -180,6 +188,17 @@ impl RobotLog {
     pub fn parse(text: &JsValue) -> Result<DriveLog, Thrown> {
         let text = text_of(text)?;
         Ok(DriveLog::keep(robot_log::parse(&text)?, Vec::new()))
+    }
+
+    /// How likely the readings from a time on are under `params`.
+    #[wasm_bindgen(js_name = logLikelihood)]
+    pub fn log_likelihood(log: &JsValue, params: &JsValue, from: &JsValue) -> Result<JsValue, Thrown> {
+        let log = logged(log)?;
+        let params = LogParams::read(&mut Self::params(params)?.iter());
+        let from = Arg::new(from, "from").number()?;
+        let found = params.check().and_then(|()| log_likelihood(log.drive(), params.into(), from));
+        let (sum, used) = found.map_err(|e| e.within("params"))?;
+        Ok(record(&[("logLikelihood", sum.into()), ("used", used.into())]))
     }
 
     /// The log before its first row; what `params` leaves out takes its default.

@@ -1,11 +1,14 @@
-//! A drive as it was logged, and its replay: the localizer of §8.3 over motion and sightings at any time.
+//! A drive as it was logged, and its replay: the localizer of §8.3 over motion and readings, each at the time at which it
+//! was measured.
 //!
 //! Beyond [`Localizer`](crate::Localizer), which takes its process noise V in the state, a replay takes the noise of
-//! the *input* and carries it through the input's Jacobian (V = B M Bᵀ), and its ranges may be scaled and offset: a
-//! radio that reads 7 % long says y = 1.07 ρ. The scale is given, or it is a fourth state that the filter learns.
+//! the *input* and carries it through the input's Jacobian (V = B M Bᵀ). Sensors may be late, and what they read may be
+//! scaled, offset and biased: a radio that reads 7 % long says y = 1.07 ρ. Such numbers are given, or they are states
+//! that the filter learns. [`Smoothed`] is the track in the light of all readings.
 
 mod course;
 mod filter;
+mod fit;
 mod gap;
 mod learned;
 mod line;
@@ -21,6 +24,7 @@ mod truth;
 
 pub use crate::scaled::{FIRST_SIGMA, PoseAndScale, Scalable, Scaled};
 pub use course::Course;
+pub use fit::log_likelihood;
 pub use learned::FIRST_SIGMA_BIAS;
 pub use line::{Line, Points};
 pub use opening::Opening;

@@ -22,7 +22,8 @@
 //! - [`path_observability`]: the rank test frozen at one pose, and along the path driven;
 //! - [`dynamic`]: the same linear functions for shapes known at run time only, with every argument checked; systems in
 //!   continuous time, a smoother, and a time line for sensors with delays;
-//! - [`drive`]: a logged drive, and its replay with input noise, calibrated ranges, and a scale that the filter learns;
+//! - [`drive`]: a logged drive of several sensors, its replay by the time of their measurement, with input noise,
+//!   delays and what the filter learns of its sensors, and its smoother;
 //! - [`localizer`]: the EKF localizer for a caller without types, with every argument checked.
 
 #![cfg_attr(not(feature = "std"), no_std)]
@@ -31,6 +32,7 @@ extern crate alloc;
 
 mod balance;
 mod blame;
+mod coasting;
 mod decay;
 mod detectability;
 pub mod drive;
@@ -49,6 +51,7 @@ mod observer;
 mod odometry;
 pub mod path_observability;
 mod placement;
+mod pose_sensors;
 pub mod rail;
 mod reachability;
 mod reading;
@@ -61,6 +64,7 @@ pub mod validate;
 mod verdict;
 mod wheel;
 
+pub use coasting::{Coasting, PoseAndSpeed};
 pub use detectability::Detectability;
 pub use ekf::{Localizer, Sighting};
 pub use error::{Code, Error};

@@ -165,3 +165,39 @@ impl Plain for DVector<f64> {
         to.extend(self.iter());
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use estimate::drive::{BySensor, Sensors};
+
+    fn numbers(value: &impl Plain) -> Vec<f64> {
+        let mut numbers = Vec::new();
+        value.write(&mut numbers);
+        numbers
+    }
+
+    #[test]
+    fn a_shape_knows_how_many_numbers_it_takes_of_a_row() {
+        fn assert_length<T: Plain>(value: T) {
+            let mut row = numbers(&value);
+            let length = row.len();
+            row.extend([7.0, 8.0]);
+            assert_eq!(T::SHAPE.length(&row), length, "{:?}", T::SHAPE);
+        }
+        assert_length(1.5);
+        assert_length("ab");
+        assert_length([Some(1.0), None, Some(3.0)]);
+        assert_length(vec![vec![1.0, 2.0], vec![]]);
+        assert_length(BySensor { fix: Some(0.9), ..BySensor::default() });
+        assert_length(Sensors::default());
+    }
+
+    #[test]
+    fn values_are_repeated_where_they_are_the_same_to_the_bit() {
+        let repeated = |by: BySensor<Option<f64>>| <Option<f64>>::SHAPE.is_repeated(4, &numbers(&by));
+        assert!(repeated(BySensor::all(None)) && repeated(BySensor::all(Some(0.5))));
+        assert!(!repeated(BySensor { bearing: Some(0.5), ..BySensor::all(None) }));
+        assert!(!repeated(BySensor { heading: Some(-0.0), ..BySensor::all(Some(0.0)) }));
+    }
+}

@@ -19,7 +19,8 @@
 //!
 //! A log moves by `O` rows or by held rows (`V`, `S`, `T`), not by both. Rows may stand in any order: [`parse`] answers
 //! them by time, at equal times motion before readings, then by line. What a log says is an
-//! [`estimate::drive::Drive`], which [`estimate::drive::Replay`] filters.
+//! [`estimate::drive::Drive`], which [`estimate::drive::Replay`] filters: from the first true pose on, else from the
+//! first fix, else from the first row. Rows of held motion before that say what is held, and others are skipped.
 //!
 //! [`Files`] reads what others write: tables of motion, sensors, sightings, landmarks and truth in their units, among
 //! them the five files of a UTIAS MRCLAM data set and what ROS, PX4, ArduPilot and phones export. How a file is read is

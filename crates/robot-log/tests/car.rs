@@ -1,6 +1,6 @@
 //! The log of a car with speeds, turn rates and fixes, each at its own time, against an independent replay's numbers.
 
-use estimate::drive::{BySensor, Course, Delays, Drive, Replay, Settings, Smoothed, Summary};
+use estimate::drive::{BySensor, Course, Delays, Drive, Replay, Settings, Smoothed, Summary, log_likelihood};
 use robot_log::parse;
 
 /// The settings of the reference.
@@ -156,4 +156,11 @@ fn the_likelihood_says_that_the_speed_is_half_a_second_old() {
     // A delay of all sensors together cannot be seen.
     let others = of(Delays { turn: -0.58, fix: -0.58, ..Delays::default() });
     assert!((others - best).abs() < 1e-6, "{others} {best}");
+    // The same sum from a time behind every start, as a search compares it.
+    let from = |delay| {
+        let delays = Delays { speed: delay, ..Delays::default() };
+        log_likelihood(&car(), Settings { delays, ..one_a_second() }, 2.0).expect("sound settings")
+    };
+    let [before, best, after] = [0.48, 0.58, 0.68].map(from);
+    assert!(best.0 > before.0 && best.0 > after.0 && before.1 == after.1, "{before:?} {best:?} {after:?}");
 }

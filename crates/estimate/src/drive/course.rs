@@ -24,8 +24,8 @@ pub(crate) struct Step {
     pub counts: bool,
 }
 
-/// A row is passed over where it comes more than this before its turn, s: stamps that are a period apart to rounding are
-/// a period apart.
+/// A row is passed over where it comes more than this before its turn, s: stamps that are a period apart to rounding
+/// are a period apart.
 const EARLY: f64 = 1e-9;
 
 /// What is done with a reading.
@@ -46,8 +46,9 @@ pub(crate) enum Fate {
 /// Each row was measured at its stamp less its sensor's delay, and rows go by that time: at equal times motion before
 /// readings, then by their lines. Only where there are delays is an order kept, of four bytes for each row.
 ///
-/// It starts at the first true pose, at its time. Where there is no truth, it starts at the pose that the settings name,
-/// when the first fix was measured; where there are no fixes either, when the first row was.
+/// It starts at the first true pose, at its time. Where there is no truth, it starts at the pose that the settings
+/// name, when the first fix was measured; where there are no fixes either, when the first row was. Rows of held motion
+/// before the start say what is held; others are skipped.
 #[derive(Clone, Debug)]
 pub struct Course {
     settings: Settings,
@@ -134,8 +135,8 @@ impl Course {
         steps.filter(looks).count() as u32
     }
 
-    /// What is done with a reading, by its stamp and those before; `None` of a row of motion. `last` is the stamp of the
-    /// last of each sensor that was not passed over.
+    /// What is done with a reading, by its stamp and those before; `None` of a row of motion. `last` is the stamp of
+    /// each sensor's last row that was not passed over.
     pub(crate) fn fate(&self, step: &Step, last: &mut BySensor<f64>) -> Option<Fate> {
         let (sensor, settings) = (Sensor::of(&step.event)?, &self.settings);
         let on = match sensor {

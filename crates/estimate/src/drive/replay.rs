@@ -34,9 +34,9 @@ pub struct Taken {
 /// The state is [x, y, θ], and behind it, as far as they are learned, ε, κ and b.
 ///
 /// Over dt seconds, with the distance d and the turn a at the heading θ,
-/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v and
-/// turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and a = (ω − b) dt. A
-/// reading is gated by its d² and taken in Joseph's form.
+/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v
+/// and turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and
+/// a = (ω − b) dt. A reading is gated by its d² and taken in Joseph's form.
 ///
 /// # Example
 /// ```
@@ -113,14 +113,7 @@ impl Replay {
             if taken.is_some() && (step.counts || (self.rows as usize) < drive.rows.len()) {
                 break;
             }
-            let moved = self.moved(course, &step);
-            let before = (self.filter, self.time);
-            let found = self.advance(&step, moved.as_ref()).and_then(|()| self.read(drive, course, &step));
-            if found.is_err() {
-                (self.filter, self.time) = before;
-            }
-            let found = found?;
-            self.pass(&step);
+            let found = self.step(drive, course, &step)?;
             if step.counts {
                 taken = Some(found);
             }
@@ -129,6 +122,18 @@ impl Replay {
             }
         }
         Ok(taken)
+    }
+
+    /// Takes the next step; after an error the replay is as it was.
+    pub(crate) fn step(&mut self, drive: &Drive, course: &Course, step: &Step) -> Result<Taken, Error> {
+        let moved = self.moved(course, step);
+        let before = (self.filter, self.time);
+        let found = self.advance(step, moved.as_ref()).and_then(|()| self.read(drive, course, step));
+        match found {
+            Ok(_) => self.pass(step),
+            Err(_) => (self.filter, self.time) = before,
+        }
+        found
     }
 
     /// How the estimate moves to a step; `None` where it does not.
@@ -253,7 +258,8 @@ impl Replay {
 
     /// What the replay says of itself so far.
     pub fn summary(&self, course: &Course) -> Summary {
-        Summary::new(self, course, &self.statistics, [&self.errors, &self.withheld])
+        let belief = (self.filter.state(), self.filter.covariance());
+        Summary::new(belief, course, &self.statistics, [&self.errors, &self.withheld])
     }
 }
 

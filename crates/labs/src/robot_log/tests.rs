@@ -215,3 +215,62 @@ fn readings_are_counted_for_each_landmark() {
     let dead = whole(&plaza, LogParams { sightings: false, ..LogParams::default() }).frame();
     assert!(dead.by_landmark.is_empty());
 }
+
+/// A car's log under the settings of the reference.
+fn car(params: LogParams) -> RobotLog {
+    let log = logged(include_str!("../../../../content/logs/car.csv"));
+    whole(&log, LogParams { sigma_distance: 0.3, sigma_turn: 0.03, start_sigma: 1.0, ..params })
+}
+
+#[test]
+fn fixes_are_drawn_with_what_became_of_them() {
+    let every = BySensor { fix: 1.0, ..BySensor::default() };
+    let params = LogParams { every, withheld: Some([100.0, 130.0]), ..LogParams::default() };
+    let LogFrame { fixes, fix_innovations, innovations, every, every_looked, summary, smoothed, .. } =
+        car(params).frame();
+    assert_eq!((every, every_looked, smoothed), (5, 1, None));
+    assert_eq!(fixes.x.len(), 2067_usize.div_ceil(5));
+    let count = |outcome| fixes.outcome.iter().filter(|other| **other == outcome).count();
+    assert!((60..65).contains(&count(FixOutcome::Withheld)) && count(FixOutcome::Refused) == 0);
+    assert!(count(FixOutcome::Used) > 20 && count(FixOutcome::Unused) > 250);
+    // Every fix that is looked at is there.
+    assert_eq!((fix_innovations.along.len(), innovations.time.len()), (summary.used as usize, summary.used as usize));
+    let mean = fix_innovations.along.iter().sum::<f64>() / f64::from(summary.used);
+    let fix = summary.sensors.fix.expect("fixes");
+    assert!((mean - fix.mean_along.expect("used")).abs() < 1e-12);
+    let off = car(LogParams { fixes: false, ..LogParams::default() }).frame();
+    assert!(off.fixes.outcome.iter().all(|outcome| *outcome == FixOutcome::Unused) && off.innovations.time.is_empty());
+    assert_eq!(off.tracks.estimate, off.tracks.reckoning);
+}
+
+#[test]
+fn a_smoothed_track_is_of_the_rows_that_are_taken() {
+    let log = logged(include_str!("../../../../content/logs/car.csv"));
+    let mut lab = RobotLog::at(log, LogParams::default(), 5000).expect("within the log");
+    let digest = lab.digest();
+    lab.smooth().expect("factored");
+    let frame = lab.frame();
+    let smoothed = frame.smoothed.expect("asked for");
+    assert_eq!((&smoothed.time, lab.digest()), (&frame.errors.time, digest));
+    let narrower = smoothed.bound.iter().zip(&frame.errors.bound).filter(|(smoothed, filter)| smoothed < filter);
+    assert!(narrower.count() > smoothed.bound.len() / 2);
+    lab.run(1).expect("sound");
+    assert_eq!(lab.frame().smoothed, None);
+}
+
+#[test]
+fn one_value_for_all_sensors_and_a_sensor_that_is_not_there_are_shown_so() {
+    let json = |params: LogParams| {
+        let frame = serde_json::to_value(lab::Shown(&car(params).frame())).expect("numbers");
+        (frame["params"]["gate"].clone(), frame["summary"]["sensors"].clone())
+    };
+    let (gate, sensors) = json(LogParams { gate: BySensor::all(Some(0.9)), ..LogParams::default() });
+    assert_eq!(gate, 0.9);
+    assert_eq!(
+        sensors.as_object().map(|sensors| sensors.keys().cloned().collect::<Vec<_>>()),
+        Some(vec!["fix".into()])
+    );
+    let (gate, _) =
+        json(LogParams { gate: BySensor { fix: Some(0.9), ..BySensor::default() }, ..LogParams::default() });
+    assert_eq!(gate, serde_json::json!({ "fix": 0.9, "heading": null, "range": null, "bearing": null }));
+}

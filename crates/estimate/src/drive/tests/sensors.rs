@@ -75,7 +75,7 @@ fn a_velocity_with_two_delays_counts_at_its_turn() {
     let early = delayed(Delays { speed: 0.5, ..Delays::default() });
     assert_eq!(taken(&held(&rows), early), [(0, 0.0), (1, 1.0), (2, 2.0)]);
     let (replay, _) = replayed(&held(&rows), early);
-    // It drives for half a second before the turn of the first row, and half a second after; then it stands.
+    // It drives for a second, from half a second before the first turn on; it stands for one, and drives again.
     assert_eq!((replay.pose().theta(), replay.rows(), replay.time()), (1.0, 3, 2.0));
     assert!((replay.pose().x() - (1.0 + 0.5 * libm::cos(0.5))).abs() < 1e-12, "{}", replay.pose().x());
     // Speeds that are newer than the turn of the last row belong to it.
