@@ -6,6 +6,8 @@
 
 mod course;
 mod filter;
+mod fit;
+mod fitted;
 mod gap;
 mod learned;
 mod line;
@@ -17,10 +19,13 @@ mod settings;
 mod smoother;
 mod statistics;
 mod summary;
+mod told;
 mod truth;
 
 pub use crate::scaled::{FIRST_SIGMA, PoseAndScale, Scalable, Scaled};
 pub use course::Course;
+pub use fit::{Fit, Found};
+pub use fitted::Fitted;
 pub use learned::FIRST_SIGMA_BIAS;
 pub use line::{Line, Points};
 pub use opening::Opening;
