@@ -8,6 +8,15 @@ const LOG = [
     (_, i) => `O,${i},0.4,0.05\nR,${i},${1 + (i % 2)},${5 + (i % 7) / 5}\nB,${i},${2 - (i % 2)},6,0.3`,
   ),
 ].join('\n')
+const HELD = [
+  'L,1,5,5',
+  ...Array.from({ length: 40 }, (_, i) => [
+    `S,${i},0.4\nT,${i},0.05\nP,${i},${0.4 * i},0${i % 3 ? '' : ',0.5'}`,
+    `H,${i},${0.05 * i}\nR,${i},1,6\nB,${i},1,6,0.3`,
+  ]),
+]
+  .flat()
+  .join('\n')
 const TABLES = [
   'time_ms,v,omega\n0,0.4,0.05\n100,0.4,0.05\n',
   '# Time [s]    Subject #    range [m]    bearing [rad]\n0.05 \t 6 \t 2.0 \t 0.1\n',
@@ -39,9 +48,15 @@ const VALUES = ['time', 'time', 'v', 'omega', 'x', 'range', 'landmark', 'heading
 export const logClasses = (lab) => ({
   RobotLog: {
     ...lab,
-    before: (core) => [core.RobotLog.parse(LOG)],
+    before: (core) => [core.RobotLog.parse(HELD)],
     make: (dice, fresh) => (dice.uniform() < 0.3 ? [] : [fresh().state().params]),
-    methods: { ...lab.methods, run: (dice) => [1 + dice.below(50)], runAll: () => [], summary: () => [] },
+    methods: {
+      ...lab.methods,
+      run: (dice) => [1 + dice.below(50)],
+      runAll: () => [],
+      smooth: () => [],
+      summary: () => [],
+    },
   },
   DriveLog: {
     construct: (core) => (text) => core.RobotLog.parse(text),

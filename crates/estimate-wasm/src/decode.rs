@@ -4,8 +4,6 @@
 use crate::names::name;
 use estimate::{Code, Error};
 use js_sys::Array;
-#[cfg(feature = "labs")]
-use lab::{Parameter, Shape};
 use std::borrow::Cow;
 use std::cell::Cell;
 use std::fmt;
@@ -38,6 +36,8 @@ extern "C" {
 mod fields;
 #[cfg(feature = "functions")]
 mod matrix;
+#[cfg(feature = "labs")]
+mod parameter;
 #[cfg(feature = "functions")]
 mod plain;
 #[cfg(feature = "functions")]
@@ -163,57 +163,6 @@ impl<'a> Arg<'a> {
     #[cfg(feature = "functions")]
     pub fn number_or_null(&self) -> Result<Option<f64>, Error> {
         if self.is_undefined() || self.is_null() { Ok(None) } else { self.number().map(Some) }
-    }
-
-    /// Appends the numbers of a lab's parameter, or of a part of it.
-    #[cfg(feature = "labs")]
-    pub fn shaped(&self, p: &Parameter, shape: &'static Shape, to: &mut Vec<f64>) -> Result<(), Error> {
-        match shape {
-            Shape::Number => to.push(self.number()?),
-            Shape::Whole => to.push(f64::from(self.whole(p.least as u32, p.greatest as u32)?)),
-            Shape::Flag => to.push(f64::from(self.boolean()?)),
-            Shape::Word(words) => to.push(self.word(words)? as f64),
-            Shape::Maybe(_) if self.is_null() => to.push(0.0),
-            Shape::Maybe(value) => {
-                to.push(1.0);
-                self.shaped(p, value, to)?;
-            }
-            Shape::Exactly(n, entry) => {
-                let length = self.length()?;
-                if length as usize != *n {
-                    return Err(self.refuse(Code::Shape, format!("has {length} entries; it must have {n}")));
-                }
-                for i in 0..length {
-                    self.entry(i)?.shaped(p, entry, to)?;
-                }
-            }
-            Shape::Each(names, value) => self.each(p, names, value, to)?,
-            Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => {
-                return Err(self.wrong_type("a parameter"));
-            }
-        }
-        Ok(())
-    }
-
-    /// Appends a value for each of the names: those of an object that has some of them, else one for all. What the object
-    /// leaves out is nothing, null or 0.
-    #[cfg(feature = "labs")]
-    fn each(
-        &self,
-        p: &Parameter,
-        names: &'static [&'static str],
-        shape: &'static Shape,
-        to: &mut Vec<f64>,
-    ) -> Result<(), Error> {
-        if !self.value.is_object() {
-            return names.iter().try_for_each(|_| self.shaped(p, shape, to));
-        }
-        self.only(names.iter().copied())?;
-        for name in names {
-            let field = self.field(name)?;
-            if field.is_undefined() { to.push(0.0) } else { field.shaped(p, shape, to)? }
-        }
-        Ok(())
     }
 
     /// The field `name` of an object; undefined when there is none. It is read once, since reading may run a caller's

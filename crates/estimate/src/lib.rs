@@ -31,6 +31,7 @@ extern crate alloc;
 
 mod balance;
 mod blame;
+mod coasting;
 mod decay;
 mod detectability;
 pub mod drive;
@@ -61,6 +62,7 @@ pub mod validate;
 mod verdict;
 mod wheel;
 
+pub use coasting::{Coasting, PoseAndSpeed};
 pub use detectability::Detectability;
 pub use ekf::{Localizer, Sighting};
 pub use error::{Code, Error};

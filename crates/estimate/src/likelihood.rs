@@ -10,7 +10,7 @@ use nalgebra::{DefaultAllocator, Dim, Matrix2, OMatrix, OVector, Vector2};
 use numerics::{MIN_PIVOT, Maximum, Spd, maximum};
 
 /// ln 2π.
-const LN_TWO_PI: f64 = 1.837_877_066_409_345_3;
+pub(crate) const LN_TWO_PI: f64 = 1.837_877_066_409_345_3;
 /// Where the search for the likeliest noise starts: the best of so many squared points, spread over the box.
 const STARTS: usize = 5;
 /// The step of the differences, in natural logarithms. The second derivatives of a log of 1000 readings are then good

@@ -62,6 +62,13 @@ pub enum Reading {
         /// W, rad².
         w: f64,
     },
+    /// The robot's speed along its heading, of a state that has one ([`PoseAndSpeed`](crate::PoseAndSpeed)).
+    Speed {
+        /// m/s.
+        v: f64,
+        /// W, m²/s².
+        w: f64,
+    },
 }
 
 /// What a reading is judged by.
@@ -124,13 +131,27 @@ impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 1> for Compass {
     }
 }
 
+/// The speed alone: h(x) = v, the fourth number of the state.
+struct Speedometer;
+
+impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 1> for Speedometer {
+    fn h(&self, x: &X, _: usize) -> Result<SVector<f64, 1>, filters::Error> {
+        Ok(Vector1::new(x.speed().unwrap_or(0.0)))
+    }
+
+    fn jacobian(&self, x: &X, _: usize) -> Result<SMatrix<f64, 1, N>, filters::Error> {
+        let read = if x.speed().is_some() { 1.0 } else { 0.0 };
+        Ok(SMatrix::from_fn(|_, j| if j == 3 { read } else { 0.0 }))
+    }
+}
+
 impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
     /// Corrects the belief with a reading within the gate; one beyond it leaves the belief alone, whether its landmark
     /// was named or found.
     ///
     /// # Errors
-    /// As [`Localizer::update`], and [`crate::Code::Index`] where a landmark is to be found on an empty map; the belief
-    /// is then as it was.
+    /// As [`Localizer::update`], [`crate::Code::Index`] where a landmark is to be found on an empty map, and
+    /// [`crate::Code::Shape`] of a speed where the state has none; the belief is then as it was.
     #[inline(always)]
     pub fn correct(&mut self, reading: &Reading, setup: &Setup<'_>) -> Result<Corrected, Error> {
         let Setup { map, scale, offset, gate } = *setup;
@@ -150,6 +171,10 @@ impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
                 self.within(gate, &model, Some(j), &y, &w)
             }
             Reading::Position { x, y, w } => self.within(gate, &Fix, None, &Vector2::new(x, y), &w),
+            Reading::Speed { v, w } if self.filter.x.speed().is_some() => {
+                self.within(gate, &Speedometer, None, &Vector1::new(v), &Matrix1::new(w))
+            }
+            Reading::Speed { .. } => Err(Error::new(crate::Code::Shape, "speed", "is read of a state that has none")),
             Reading::Heading { theta, w } => self.within(gate, &Compass, None, &Vector1::new(theta), &Matrix1::new(w)),
         }
     }
@@ -252,10 +277,36 @@ mod tests {
     }
 
     #[test]
+    fn a_fix_moves_the_position_and_turns_what_is_correlated_with_it() {
+        let p = Matrix3::new(0.04, 0.0, 0.0, 0.0, 0.12, 0.03, 0.0, 0.03, 0.03);
+        let mut localizer = Localizer { filter: Ekf { x: SE2::new(1.0, 2.0, 0.5), p } };
+        let fix = Reading::Position { x: 1.5, y: 1.6, w: Matrix2::new(0.01, 0.0, 0.0, 0.04) };
+        let answer = localizer.correct(&fix, &setup(None)).expect("positive definite");
+        assert!(answer.accepted && answer.landmark.is_none() && answer.outputs == 2);
+        assert!((answer.innovation - Vector2::new(0.5, -0.4)).amax() < 1e-15);
+        assert!((answer.s - Matrix2::new(0.05, 0.0, 0.0, 0.16)).amax() < 1e-15);
+        assert!((answer.chi2.expect("a number") - (5.0 + 1.0)).abs() < 1e-12);
+        // K = [4/5, 0; 0, 3/4; 0, 3/16].
+        let pose = localizer.pose();
+        assert!((pose.x() - 1.4).abs() < 1e-15 && (pose.y() - 1.7).abs() < 1e-15);
+        assert!((pose.theta() - (0.5 - 0.4 * 3.0 / 16.0)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn a_speed_is_refused_of_a_state_without_one() {
+        let mut localizer = heading(0.1);
+        let refused = localizer.correct(&Reading::Speed { v: 1.0, w: 0.1 }, &setup(None)).expect_err("no speed");
+        assert_eq!((refused.code, refused.argument.as_ref()), (crate::Code::Shape, "speed"));
+        assert_eq!(localizer, heading(0.1));
+    }
+
+    #[test]
     fn beyond_the_gate_the_belief_stays_and_what_overflows_is_within_none() {
         let before = heading(0.1);
         for reading in [
             Reading::Heading { theta: 2.1, w: 0.01 },
+            Reading::Position { x: 3.0, y: -3.0, w: Matrix2::identity() },
+            Reading::Position { x: 1e300, y: 0.0, w: Matrix2::identity() },
             Reading::Range { landmark: None, range: 8.0, w: 0.01 },
             Reading::Range { landmark: Some(0), range: 1e300, w: 0.01 },
         ] {

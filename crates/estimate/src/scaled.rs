@@ -31,14 +31,20 @@ impl State<4> for PoseAndScale {
     }
 }
 
-/// A state with a pose from which ranges are read, and perhaps the scale of those ranges: `[x, y, θ]` or `[x, y, θ,
-/// ε]`.
+/// A state with a pose from which sensors read, and perhaps the scale of its ranges or its speed: `[x, y, θ]`,
+/// `[x, y, θ, ε]`, or `[x, y, θ, v]`.
 pub trait Scalable<const N: usize>: State<N> {
     /// The pose.
     fn pose(&self) -> SE2;
 
-    /// ε, where it is part of the state.
+    /// ε, where it is part of the state: the fourth number of it.
     fn epsilon(&self) -> Option<f64>;
+
+    /// The speed, where it is part of the state: the fourth number of it.
+    #[inline]
+    fn speed(&self) -> Option<f64> {
+        None
+    }
 }
 
 impl Scalable<3> for SE2 {
@@ -116,7 +122,7 @@ where
             c[(0, k)] *= factor;
         }
         let mut c: SMatrix<f64, M, N> = of_pose(&c);
-        if N > 3 && self.scale.is_none() {
+        if N > 3 && self.scale.is_none() && x.epsilon().is_some() {
             c[(0, 3)] = rho;
         }
         Ok((y, c))

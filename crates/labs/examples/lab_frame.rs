@@ -2,9 +2,10 @@
 //! and prints the frame this machine's own code computes for it, for the test that compares every readout of a figure
 //! in the page with it. A number that is not finite is printed as null.
 
+mod read;
 mod world;
 
-use lab::{Lab, Params, Shape, Shown};
+use lab::{Lab, Params, Shown};
 use labs::*;
 use serde_json::Value;
 use std::error::Error;
@@ -45,32 +46,8 @@ fn print_frame<L: Lab<World: Sample>>(step: u32, params: &Value) -> Answer<()> {
 fn given<P: Params>(params: &Value) -> Answer<P> {
     let mut numbers = Vec::new();
     for parameter in P::PARAMETERS {
-        read(&parameter.shape, &params[parameter.name], &mut numbers)
+        read::read(&parameter.shape, &params[parameter.name], &mut numbers)
             .ok_or_else(|| format!("no {}", parameter.name))?;
     }
     Ok(P::read(&mut numbers.iter()))
-}
-
-/// Appends the numbers of a parameter, every one of which must be there.
-fn read(shape: &Shape, value: &Value, to: &mut Vec<f64>) -> Option<()> {
-    match shape {
-        Shape::Number | Shape::Whole => to.push(value.as_f64()?),
-        Shape::Flag => to.push(f64::from(value.as_bool()?)),
-        Shape::Word(words) => to.push(words.iter().position(|word| value == word)? as f64),
-        Shape::Maybe(_) if value.is_null() => to.push(0.0),
-        Shape::Maybe(inner) => {
-            to.push(1.0);
-            read(inner, value, to)?;
-        }
-        Shape::Exactly(n, entry) => {
-            let entries = value.as_array().filter(|entries| entries.len() == *n)?;
-            entries.iter().try_for_each(|each| read(entry, each, to))?;
-        }
-        Shape::Each(names, inner) => {
-            let of = |name| if value.is_object() { value.get(name) } else { Some(value) };
-            names.iter().try_for_each(|name| read(inner, of(name)?, to))?;
-        }
-        Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => return None,
-    }
-    Some(())
 }

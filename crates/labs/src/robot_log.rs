@@ -3,15 +3,17 @@
 //! A lab like the others, but for its world, which comes from outside: a function of the log, the parameters, and the
 //! number of rows taken. Beside the filter runs dead reckoning, which the filter has to beat.
 
+mod fit;
 pub(crate) mod frame;
 mod logged;
 mod params;
 mod record;
 mod table;
 
+pub use fit::LogFit;
 pub use frame::{
-    FixOutcome, LogBands, LogCorrelation, LogErrors, LogFixes, LogFrame, LogHistogram, LogInnovations, LogLandmark,
-    LogNis, LogRanges, LogSighting, LogSmoothed, LogTimeline, LogTracks,
+    FixOutcome, LogBands, LogCorrelation, LogErrors, LogFixInnovations, LogFixes, LogFrame, LogHistogram,
+    LogInnovations, LogLandmark, LogNis, LogRanges, LogSighting, LogSmoothed, LogTimeline, LogTracks,
 };
 pub use logged::LoggedDrive;
 pub use params::LogParams;
@@ -60,7 +62,8 @@ impl Lab for RobotLog {
         let reckoned = Arc::new(Course::new(logged.drive(), settings.reckoning())?);
         let (replay, reckoning) = (Replay::new(&course), Replay::new(&reckoned));
         let time = logged.span()[0];
-        let (record, digest) = (Record::default(), Digest::default());
+        let looked_stride = logged.looked_stride(course.looked_at(logged.drive()));
+        let (record, digest) = (Record::new(looked_stride), Digest::default());
         Ok(Self { logged, params, course, replay, reckoned, reckoning, time, record, smoothed: None, digest })
     }
 
@@ -163,10 +166,12 @@ impl Lab for RobotLog {
             sighting: record.sighting,
             tracks,
             every: logged.sighting_stride(),
+            every_looked: record.looked_stride,
             ranges: record.ranges.clone(),
             range_line: record.range_line(),
             innovations: record.innovations.clone(),
             fixes: record.fixes.clone(),
+            fix_innovations: record.fix_innovations.clone(),
             smoothed: self.smoothed.as_deref().map(|smoothed| drawn(smoothed, first)),
             innovation_line: record.innovation_line(),
             errors: record.errors.clone(),

@@ -7,7 +7,8 @@ macro_rules! described {
     ($($module:ident::$lab:ident $(of $world:ident)? in $build:literal $(, was $was:literal)?;)*) => {
         /// What the labs take and hand out, and what that is made of.
         const ALL: &[&[&[About]]] = &[
-            &[lab::OF_THE_CORE, lab::INTERFACES, lab::LOG_INTERFACES, lab::series::INTERFACES, shapes::INTERFACES, mapping::INTERFACES],
+            &[lab::OF_THE_CORE, lab::INTERFACES, lab::LOG_INTERFACES, lab::series::INTERFACES],
+            &[shapes::INTERFACES, mapping::INTERFACES],
             $(&[&[<$lab as Lab>::Params::ABOUT]], <$lab as Lab>::INTERFACES,)*
         ];
     };

@@ -24,13 +24,31 @@ pub(crate) struct Step {
     pub counts: bool,
 }
 
+/// A row is passed over where it comes more than this before its turn, s: stamps that are a period apart to rounding
+/// are a period apart.
+const EARLY: f64 = 1e-9;
+
+/// What is done with a reading.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Fate {
+    /// Nothing: its sensor is off.
+    Off,
+    /// Its distance from the estimate is taken.
+    Withheld,
+    /// Nothing: it comes too soon after another.
+    PassedOver,
+    /// It is gated, and corrects the estimate.
+    LookedAt,
+}
+
 /// How a drive is replayed under some settings.
 ///
 /// Each row was measured at its stamp less its sensor's delay, and rows go by that time: at equal times motion before
 /// readings, then by their lines. Only where there are delays is an order kept, of four bytes for each row.
 ///
-/// It starts at the first true pose, at its time. Where there is no truth, it starts at the pose that the settings name,
-/// when the first fix was measured; where there are no fixes either, when the first row was.
+/// It starts at the first true pose, at its time. Where there is no truth, it starts at the pose that the settings
+/// name, when the first fix was measured; where there are no fixes either, when the first row was. Rows of held motion
+/// before the start say what is held; others are skipped.
 #[derive(Clone, Debug)]
 pub struct Course {
     settings: Settings,
@@ -107,6 +125,36 @@ impl Course {
     /// When the first and the last row were measured, s; `None` where there is no row.
     pub fn span(&self, drive: &Drive) -> Option<[f64; 2]> {
         Some([self.step(drive, 0)?.time, self.step(drive, self.steps.checked_sub(1)?)?.time])
+    }
+
+    /// How many readings of the drive are looked at: those of sensors that are on, neither withheld nor passed over.
+    pub fn looked_at(&self, drive: &Drive) -> u32 {
+        let mut last = BySensor::all(f64::NEG_INFINITY);
+        let steps = (0..self.steps).map_while(|position| self.step(drive, position));
+        let looks = |step: &Step| step.time >= self.start && self.fate(step, &mut last) == Some(Fate::LookedAt);
+        steps.filter(looks).count() as u32
+    }
+
+    /// What is done with a reading, by its stamp and those before; `None` of a row of motion. `last` is the stamp of
+    /// each sensor's last row that was not passed over.
+    pub(crate) fn fate(&self, step: &Step, last: &mut BySensor<f64>) -> Option<Fate> {
+        let (sensor, settings) = (Sensor::of(&step.event)?, &self.settings);
+        let on = match sensor {
+            Sensor::Fix => settings.fixes,
+            Sensor::Heading => settings.headings,
+            Sensor::Range | Sensor::Bearing => settings.sightings,
+        };
+        let withheld = settings.withheld.filter(|_| sensor == Sensor::Fix);
+        Some(if !on {
+            Fate::Off
+        } else if withheld.is_some_and(|[from, to]| from < step.stamp && step.stamp < to) {
+            Fate::Withheld
+        } else if step.stamp - last.of(sensor) < settings.every.of(sensor) - EARLY {
+            Fate::PassedOver
+        } else {
+            *last.of_mut(sensor) = step.stamp;
+            Fate::LookedAt
+        })
     }
 
     /// How the robot moves.

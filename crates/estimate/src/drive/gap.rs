@@ -6,7 +6,7 @@ use alloc::format;
 use filters::covariance::symmetric;
 use filters::linear::{gain, predicted_covariance};
 use filters::{Ekf, Quantity};
-use nalgebra::{SMatrix, SVector};
+use nalgebra::{DMatrix, SMatrix, SVector};
 use numerics::{MIN_PIVOT, Spd, all_finite};
 
 /// Where less than this part of a variance is left, the difference P − C (P̄ − P(all)) Cᵀ has lost too many digits.
@@ -75,8 +75,7 @@ impl<X: Moved<N>, const N: usize> Gap<X, N> {
             sound = (0..N).all(|i| p[(i, i)] > LEAST_PART * after.p[(i, i)]);
         }
         if !sound {
-            let corrected = gain(&after.p, f, v)?;
-            (c, p) = (corrected.k, predicted_covariance(&corrected.k, &self.smoothed.p, &corrected.p)?);
+            (c, p) = corrected([&after.p, f, v, &self.smoothed.p])?;
         }
         let step: SVector<f64, N> = c * delta;
         let x = after.x.boxplus(&step);
@@ -88,6 +87,19 @@ impl<X: Moved<N>, const N: usize> Gap<X, N> {
         }
         Ok(Ekf { x, p })
     }
+}
+
+/// The rare way: C, and the smoothed covariance, of P, F, V and P⁺(all). Compiled once for all sizes.
+#[cold]
+#[inline(never)]
+fn corrected<const N: usize>(
+    given: [&SMatrix<f64, N, N>; 4],
+) -> Result<(SMatrix<f64, N, N>, SMatrix<f64, N, N>), filters::Error> {
+    let [p, f, v, after] = given.map(|m| DMatrix::from_column_slice(N, N, m.as_slice()));
+    let corrected = gain(&p, &f, &v)?;
+    let smoothed = predicted_covariance(&corrected.k, &after, &corrected.p)?;
+    let of_size = |m: &DMatrix<f64>| SMatrix::from_column_slice(m.as_slice());
+    Ok((of_size(&corrected.k), of_size(&smoothed)))
 }
 
 /// Why the smoother cannot go back to the row that was measured at `time`; `row` counts the rows of motion and readings

@@ -1,6 +1,6 @@
 //! The replay of a drive, row by row.
 
-use crate::drive::course::{Course, Step};
+use crate::drive::course::{Course, Fate, Step};
 use crate::drive::filter::{Filter, Move};
 use crate::drive::learned::Rolling;
 use crate::drive::row::{Drive, Event, Motion};
@@ -13,10 +13,6 @@ use core::f64::consts::PI;
 use geom::{SE2, wrap};
 use nalgebra::{DMatrix, Matrix2, Vector2};
 use numerics::hypot;
-
-/// A row is passed over where it comes more than this before its turn, s: stamps that are a period apart to rounding are
-/// a period apart.
-const EARLY: f64 = 1e-9;
 
 /// A row that was taken.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -38,9 +34,9 @@ pub struct Taken {
 /// The state is [x, y, θ], and behind it, as far as they are learned, ε, κ and b.
 ///
 /// Over dt seconds, with the distance d and the turn a at the heading θ,
-/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v and
-/// turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and a = (ω − b) dt. A
-/// reading is gated by its d² and taken in Joseph's form.
+/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v
+/// and turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and
+/// a = (ω − b) dt. A reading is gated by its d² and taken in Joseph's form.
 ///
 /// # Example
 /// ```
@@ -117,14 +113,7 @@ impl Replay {
             if taken.is_some() && (step.counts || (self.rows as usize) < drive.rows.len()) {
                 break;
             }
-            let moved = self.moved(course, &step);
-            let before = (self.filter, self.time);
-            let found = self.advance(&step, moved.as_ref()).and_then(|()| self.read(drive, course, &step));
-            if found.is_err() {
-                (self.filter, self.time) = before;
-            }
-            let found = found?;
-            self.pass(&step);
+            let found = self.step(drive, course, &step)?;
             if step.counts {
                 taken = Some(found);
             }
@@ -133,6 +122,18 @@ impl Replay {
             }
         }
         Ok(taken)
+    }
+
+    /// Takes the next step; after an error the replay is as it was.
+    pub(crate) fn step(&mut self, drive: &Drive, course: &Course, step: &Step) -> Result<Taken, Error> {
+        let moved = self.moved(course, step);
+        let before = (self.filter, self.time);
+        let found = self.advance(step, moved.as_ref()).and_then(|()| self.read(drive, course, step));
+        match found {
+            Ok(_) => self.pass(step),
+            Err(_) => (self.filter, self.time) = before,
+        }
+        found
     }
 
     /// How the estimate moves to a step; `None` where it does not.
@@ -180,27 +181,18 @@ impl Replay {
             }
             return Ok(taken);
         };
-        let settings = course.settings();
-        let on = match sensor {
-            Sensor::Fix => settings.fixes,
-            Sensor::Heading => settings.headings,
-            Sensor::Range | Sensor::Bearing => settings.sightings,
-        };
-        if !on {
-            return Ok(taken);
-        }
-        if let Event::Position { x, y, .. } = step.event
-            && settings.withheld.is_some_and(|[from, to]| from < step.stamp && step.stamp < to)
-        {
-            let distance = hypot(self.pose().x() - x, self.pose().y() - y);
-            self.withheld.take(distance);
-            return Ok(Taken { withheld: Some(distance), ..taken });
-        }
-        if step.stamp - self.last.of(sensor) < settings.every.of(sensor) - EARLY {
-            return Ok(taken);
+        let mut last = self.last;
+        match (course.fate(step, &mut last), step.event) {
+            (Some(Fate::LookedAt), _) => {}
+            (Some(Fate::Withheld), Event::Position { x, y, .. }) => {
+                let distance = hypot(self.pose().x() - x, self.pose().y() - y);
+                self.withheld.take(distance);
+                return Ok(Taken { withheld: Some(distance), ..taken });
+            }
+            _ => return Ok(taken),
         }
         let judged = self.judged(drive, course, &step.event, sensor)?;
-        *self.last.of_mut(sensor) = step.stamp;
+        self.last = last;
         match judged {
             Some(judged) => self.statistics.take(&judged),
             None => self.statistics.refuse(sensor),
@@ -266,7 +258,8 @@ impl Replay {
 
     /// What the replay says of itself so far.
     pub fn summary(&self, course: &Course) -> Summary {
-        Summary::new(self, course, &self.statistics, [&self.errors, &self.withheld])
+        let belief = (self.filter.state(), self.filter.covariance());
+        Summary::new(belief, course, &self.statistics, [&self.errors, &self.withheld])
     }
 }
 

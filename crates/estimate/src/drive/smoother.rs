@@ -1,6 +1,6 @@
 //! The best track afterwards: the states of a replay in the light of all its readings (Rauch, Tung and Striebel 1965).
 
-use crate::drive::course::Course;
+use crate::drive::course::{Course, Step};
 use crate::drive::filter::Filter;
 use crate::drive::gap::{Gap, Linear, refused};
 use crate::drive::learned::{Moved, Rolling};
@@ -35,15 +35,16 @@ pub struct SmoothedPose {
 /// A smoothed replay.
 ///
 /// Along the replay's own linearization, and with C = P Fᵀ P̄⁻¹ the gain by which the state before a step would be
-/// corrected if the state after it were read, x(all) = x + C (x⁺(all) − x̄⁺) and P(all) = P + C (P⁺(all) − P̄⁺) Cᵀ. F is that
-/// of all steps from one row to the next that is asked for or has a reading. The last state is the filter's, to the last
-/// bit.
+/// corrected if the state after it were read, x(all) = x + C (x⁺(all) − x̄⁺) and P(all) = P + C (P⁺(all) − P̄⁺) Cᵀ. F
+/// is that of all steps from one row to the next that is asked for or has a reading. The last state is the filter's, to
+/// the last bit.
 ///
 /// # Example
 /// ```
 /// use estimate::drive::{Course, Drive, Event, Motion, Replay, Row, Settings, Smoothed, Truth};
 /// let (drives, fix) = (Event::Velocity { v: 1.0, omega: 0.0 }, |x| Event::Position { x, y: 0.0, sigma: None });
-/// let rows = vec![Row::new(0.0, drives), Row::new(5.0, drives), Row::new(10.0, drives), Row::new(10.0, fix(12.0))];
+/// let rows = [(0.0, drives), (0.0, fix(0.0)), (5.0, drives), (10.0, drives), (10.0, fix(12.0))];
+/// let rows = rows.map(|(time, event)| Row::new(time, event)).to_vec();
 /// let drive = Drive { landmarks: Vec::new(), truth: Truth::default(), rows, motion: Motion::Velocity };
 /// let course = Course::new(&drive, Settings { sigma_distance: 0.5, ..Settings::default() })?;
 /// let mut replay = Replay::new(&course);
@@ -64,12 +65,12 @@ pub struct Smoothed {
 impl Smoothed {
     /// Smooths what `replay` has taken of `drive`, and keeps the pose at every `stride`th row of motion.
     ///
-    /// It replays the drive twice, keeping one state in every 1024 rows and what happened within 1024 rows: for a million
-    /// rows it needs less than 2 MB beside its track.
+    /// It replays the drive twice, keeping one state in every 1024 rows and what happened within 1024 rows: for a
+    /// million rows it needs less than 2 MB beside its track.
     ///
     /// # Errors
-    /// [`Code::InnovationNotPositiveDefinite`](crate::Code::InnovationNotPositiveDefinite), naming the row, where a P̄ cannot
-    /// be factored, or [`Code::NotFinite`](crate::Code::NotFinite).
+    /// [`Code::InnovationNotPositiveDefinite`](crate::Code::InnovationNotPositiveDefinite), naming the row, where a P̄
+    /// cannot be factored, or [`Code::NotFinite`](crate::Code::NotFinite).
     pub fn new(drive: &Drive, course: &Course, replay: &Replay, stride: usize) -> Result<Self, Error> {
         let asked = Asked { drive, course, steps: replay.steps(), stride: stride.max(1) };
         match &replay.filter {
@@ -148,6 +149,22 @@ struct Mark {
 }
 
 impl Mark {
+    /// Counts a step that was taken, and answers whether it is a row of motion.
+    fn count(&mut self, step: &Step, taken: &Taken) -> bool {
+        let motion = step.event.is_motion() && step.counts && !taken.early;
+        self.motions += usize::from(motion);
+        motion
+    }
+
+    /// Goes over the next step.
+    fn pass(&mut self, Asked { drive, course, .. }: &Asked<'_>) -> Result<(), Error> {
+        if let Some(step) = course.step(drive, self.replay.steps()) {
+            let taken = self.replay.step(drive, course, &step)?;
+            self.count(&step, &taken);
+        }
+        Ok(())
+    }
+
     /// Takes the next step. `of` answers the localizer of the filter.
     fn take<X: Moved<N>, const N: usize>(
         &mut self,
@@ -169,9 +186,8 @@ impl Mark {
         self.replay.pass(&step);
         let (Some(predicted), Some(after)) = (predicted, belief(&self.replay)) else { return Ok(None) };
         let moved = moved.map(|it| Linear { f: it.rolling.jacobian(&before.x, &it.u), v: it.process(&before.x) });
-        let motion = step.event.is_motion() && step.counts && !taken.early;
-        let kept = motion && self.motions.is_multiple_of(stride);
-        self.motions += usize::from(motion);
+        let motion = self.count(&step, &taken);
+        let kept = motion && (self.motions - 1).is_multiple_of(stride);
         let truth = drive.truth.position(step.time).filter(|_| motion);
         let fix = match step.event {
             Event::Position { x, y, .. } => taken.withheld.map(|_| [x, y]),
@@ -195,7 +211,7 @@ where
         if step % BLOCK == 0 {
             marks.push(mark);
         }
-        mark.take(asked, &of)?;
+        mark.pass(asked)?;
     }
     let mut answer = Smoothed::default();
     let mut gap = Gap::new(&last.filter);

@@ -2,11 +2,11 @@
 
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::error::{Code, Error};
+use crate::likelihood::LN_TWO_PI;
 use crate::reading::Corrected;
-use core::f64::consts::TAU;
 use filters::Autocorrelation;
-use nalgebra::Vector2;
-use numerics::sqrt;
+use nalgebra::{Matrix1, Vector2};
+use numerics::{Spd, sqrt};
 
 /// What became of a reading.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -25,7 +25,7 @@ pub struct Judged {
     pub along: Option<[f64; 2]>,
     /// d² = νᵀS⁻¹ν.
     pub d2: f64,
-    /// ln det 2πS.
+    /// ln det 2πS, infinite of a refused reading whose S cannot be factored.
     pub log_det: f64,
     /// p, the outputs of the reading.
     pub outputs: u32,
@@ -49,12 +49,16 @@ impl Judged {
                 return Err(Error::new(Code::NotFinite, name, "is too large: its squared distance overflows"));
             }
         };
-        let det = if outputs == 2 { s[(0, 0)] * (s[(1, 1)] - s[(1, 0)] * (s[(1, 0)] / s[(0, 0)])) } else { s[(0, 0)] };
-        let log_det = libm::log(det) + f64::from(outputs) * libm::log(TAU);
-        if corrected.accepted && !log_det.is_finite() {
-            let message = "has no likelihood: det S is no positive number";
+        let ln_determinant = match outputs {
+            1 => Spd::new(Matrix1::new(s[(0, 0)])).map(|factor| factor.ln_determinant()),
+            _ => Spd::new(s).map(|factor| factor.ln_determinant()),
+        };
+        let log_det = ln_determinant.map(|ln| f64::from(outputs) * LN_TWO_PI + ln);
+        if corrected.accepted && log_det.is_none() {
+            let message = "has no likelihood: S is not positive definite to working accuracy";
             return Err(Error::new(Code::InnovationNotPositiveDefinite, "y", message));
         }
+        let log_det = log_det.unwrap_or(f64::INFINITY);
         let part = |direction: Vector2<f64>| direction.dot(&nu) / sqrt((direction.transpose() * s * direction)[0]);
         let along = (sensor == Sensor::Fix).then(|| {
             let (sin, cos) = libm::sincos(heading);

@@ -1,9 +1,8 @@
 //! What a replay says of itself: errors against the truth, and whether its innovations are what the model claims.
 
 use crate::drive::course::Course;
-use crate::drive::replay::Replay;
 use crate::drive::statistics::{Errors, Innovations, Statistics};
-use nalgebra::DVector;
+use nalgebra::{DMatrix, DVector};
 use numerics::sqrt;
 
 /// What the readings of one sensor say.
@@ -132,8 +131,14 @@ pub struct Summary {
 }
 
 impl Summary {
-    pub(crate) fn new(replay: &Replay, course: &Course, sums: &Statistics, [errors, withheld]: [&Errors; 2]) -> Self {
-        let (p, x, which) = (replay.covariance(), replay.filter.state(), course.which());
+    /// Of a state and its covariance, and of the sums so far.
+    pub(crate) fn new(
+        (x, p): (DVector<f64>, DMatrix<f64>),
+        course: &Course,
+        sums: &Statistics,
+        [errors, withheld]: [&Errors; 2],
+    ) -> Self {
+        let which = course.which();
         let value = |at: Option<usize>| at.map(|i| x[i]);
         let sigma = |at: Option<usize>| at.map(|i| sqrt(p[(i, i)].max(0.0)));
         let Statistics { all, .. } = sums;

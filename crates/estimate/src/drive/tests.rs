@@ -3,7 +3,11 @@
 use super::*;
 use crate::{Code, Landmark};
 use core::f64::consts::{FRAC_PI_2, PI};
-use nalgebra::DMatrix;
+use geom::SE2;
+use nalgebra::{DMatrix, Matrix3};
+
+mod sensors;
+mod smoothing;
 
 const MAP: [Landmark; 2] = [Landmark { id: 7, x: 10.0, y: 0.0 }, Landmark { id: 9, x: 0.0, y: 10.0 }];
 

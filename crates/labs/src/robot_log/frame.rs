@@ -66,13 +66,26 @@ record! {
         pub x: Vec<f64>,
         /// Metres.
         pub y: Vec<f64>,
-        /// ν/√S along the estimated heading; 0 of a fix that was not looked at.
-        pub along: Vec<f64>,
-        /// ν/√S across it, to the left.
-        pub across: Vec<f64>,
         /// What became of it: `used`, `refused` beyond the gate, `withheld`, or `unused` of one that was passed over or
         /// switched off.
         pub outcome: Vec<FixOutcome>,
+    }
+
+    /// What the filter made of fixes: every so many of those that it looked at.
+    #[derive(Default)]
+    pub struct LogFixInnovations {
+        /// When they were measured, seconds since the log's first row.
+        pub time: Vec<f64>,
+        /// Where the estimate was after it, metres.
+        pub x: Vec<f64>,
+        /// Metres.
+        pub y: Vec<f64>,
+        /// ν/√S along the estimated heading.
+        pub along: Vec<f64>,
+        /// ν/√S across it, to the left.
+        pub across: Vec<f64>,
+        /// Whether it was used.
+        pub used: Vec<bool>,
     }
 
     /// The best track afterwards, in the light of all readings: every so many rows of motion.
@@ -219,8 +232,10 @@ record! {
         pub sighting: Option<LogSighting>,
         /// Where it has been.
         pub tracks: LogTracks,
-        /// Every how many readings one is among `ranges`, `innovations` and `fixes`.
+        /// Every how many readings one is among `ranges` and `fixes`.
         pub every: u32,
+        /// The same of the readings that are looked at, which may be fewer: among `innovations` and `fixInnovations`.
+        pub every_looked: u32,
         /// What ranges read.
         pub ranges: LogRanges,
         /// The line through (range, residual) of all ranges.
@@ -229,6 +244,8 @@ record! {
         pub innovations: LogInnovations,
         /// Fixes of the position.
         pub fixes: LogFixes,
+        /// What the filter made of them.
+        pub fix_innovations: LogFixInnovations,
         /// The smoothed track; null until smooth() was called for the rows that are taken.
         pub smoothed: Option<LogSmoothed>,
         /// The line through (expected range, ν) of all used ranges.

@@ -84,6 +84,11 @@ impl LoggedDrive {
         stride(self.sightings, MOST_READINGS)
     }
 
+    /// Every how many of `looked` readings one is kept.
+    pub(super) fn looked_stride(&self, looked: u32) -> u32 {
+        stride(looked, MOST_READINGS)
+    }
+
     /// How many used readings make a block of the NIS.
     pub(super) fn block(&self) -> u32 {
         self.sightings.div_ceil(BLOCKS).max(LEAST_BLOCK)

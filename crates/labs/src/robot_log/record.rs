@@ -1,8 +1,8 @@
 //! What a replay has shown so far, in constant memory: long logs are thinned, sums are kept whole.
 
 use super::frame::{
-    FixOutcome, LogBands, LogCorrelation, LogErrors, LogFixes, LogHistogram, LogInnovations, LogLandmark, LogNis,
-    LogRanges, LogSighting,
+    FixOutcome, LogBands, LogCorrelation, LogErrors, LogFixInnovations, LogFixes, LogHistogram, LogInnovations,
+    LogLandmark, LogNis, LogRanges, LogSighting,
 };
 use super::logged::LoggedDrive;
 use estimate::drive::{Event, Judged, Line, Points, Taken};
@@ -37,6 +37,10 @@ pub(super) struct Record {
     landmarks: Vec<(u32, u32, f64)>,
     pub sighting: Option<LogSighting>,
     pub fixes: LogFixes,
+    pub fix_innovations: LogFixInnovations,
+    /// Every how many readings that were looked at one is drawn, and how many there were.
+    pub looked_stride: u32,
+    looked: u32,
     /// Rows of motion and readings so far.
     motions: u32,
     readings: u32,
@@ -51,6 +55,11 @@ pub(super) struct At {
 }
 
 impl Record {
+    /// Nothing yet; every `looked_stride`th reading that is looked at will be drawn.
+    pub fn new(looked_stride: u32) -> Self {
+        Self { looked_stride, ..Self::default() }
+    }
+
     /// Takes a row of motion; `sigma` answers the claimed σ of the position.
     pub fn moved(&mut self, logged: &LoggedDrive, at: &At, sigma: impl FnOnce() -> f64) {
         let kept = self.motions.is_multiple_of(logged.motion_stride());
@@ -93,7 +102,7 @@ impl Record {
         if judged.used {
             self.innovation_points.take(range - judged.innovation, judged.innovation);
         }
-        self.judged(logged, at, range, judged, kept);
+        self.judged(logged, at, range, judged);
     }
 
     /// Takes a fix or a heading, and what the filter made of it.
@@ -110,7 +119,7 @@ impl Record {
             _ => return,
         };
         if let Some(judged) = &taken.judged {
-            self.judged(logged, at, first, judged, kept);
+            self.judged(logged, at, first, judged);
         }
     }
 
@@ -121,9 +130,19 @@ impl Record {
     }
 
     /// Takes what became of a reading whose first number is `first`.
-    fn judged(&mut self, logged: &LoggedDrive, at: &At, first: f64, judged: &Judged, kept: bool) {
+    fn judged(&mut self, logged: &LoggedDrive, at: &At, first: f64, judged: &Judged) {
         let normalized = judged.normalized();
-        if kept {
+        self.looked += 1;
+        if (self.looked - 1).is_multiple_of(self.looked_stride.max(1)) {
+            if let Some([along, across]) = judged.along {
+                let fixes = &mut self.fix_innovations;
+                fixes.time.push(at.time);
+                fixes.x.push(at.estimate[0]);
+                fixes.y.push(at.estimate[1]);
+                fixes.along.push(along);
+                fixes.across.push(across);
+                fixes.used.push(judged.used);
+            }
             self.innovations.time.push(at.time);
             self.innovations.normalized.push(normalized);
             self.innovations.expected.push(first - judged.innovation);
@@ -195,12 +214,9 @@ impl Record {
 
 impl LogFixes {
     fn take(&mut self, time: f64, [x, y]: [f64; 2], taken: &Taken) {
-        let [along, across] = taken.judged.and_then(|judged| judged.along).unwrap_or_default();
         self.time.push(time);
         self.x.push(x);
         self.y.push(y);
-        self.along.push(along);
-        self.across.push(across);
         self.outcome.push(match taken.judged {
             Some(Judged { used: true, .. }) => FixOutcome::Used,
             Some(_) => FixOutcome::Refused,
