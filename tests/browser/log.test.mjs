@@ -71,7 +71,7 @@ test('a table is guessed, shown with three values and what follows, and correcte
   const { page, it, choose, answer } = await openLog(t, { viewport: PHONE })
   const rows = Array.from({ length: 40 }, (_, i) => `${i},${500},${i % 3}`).join('\n')
   await choose(file('wheels.csv', `stamp,forward speed,yaw rate\n${rows}\n`))
-  await answer.getByText('Wheels.csv asks: In which unit is “forward speed”?', { exact: false }).waitFor()
+  await answer.getByText('wheels.csv asks: In which unit is “forward speed”?').waitFor()
   const select = (name) => page.locator(`.log-file [data-key="0 ${name}"]`)
   assert.deepEqual(await Promise.all(['read as', 'time', 'v', 'ω'].map((name) => select(name).inputValue())), [
     'velocities',

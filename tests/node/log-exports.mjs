@@ -89,6 +89,14 @@ export const logClasses = (lab) => ({
     look: (it) => it.files(),
     covariances: () => [],
   },
+  LogFit: {
+    before: (core) => [core.RobotLog.parse(LOG)],
+    make: (dice) => [{ gate: dice.pick([null, 0.99]) }],
+    spoilt: 0.5,
+    methods: { step: () => [], found: () => [] },
+    look: (it) => it.found(),
+    covariances: () => [],
+  },
   LogTable: {
     before: (core) => [core.RobotLog.parse(LOG)],
     make: (dice) => [{ gate: dice.pick([null, 0.99]) }, dice.pick(['track', 'innovations'])],

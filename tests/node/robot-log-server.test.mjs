@@ -184,6 +184,42 @@ test('what a file asks is told in no line, and what encoders need is taken', asy
   assert.deepEqual(said.files[0].wheels, { ticks: 1000, radius: 0.1, base: 0.4, counting: 'total' })
 })
 
+test('a fit is told of, ends, can be given up, and finds what the log was made with', async () => {
+  const rows = []
+  for (let i = 0; i < 600; i++) {
+    const t = i / 10
+    // A robot whose speed swings, and whose fixes are half a second late and off by 0.3 m.
+    rows.push(`V,${t},${1 + Math.sin(t)},0`)
+    const late = t - 0.5
+    if (i % 5 === 0 && late >= 0)
+      rows.push(`P,${t},${late + 1 - Math.cos(late) + 0.3 * Math.sin(17 * i)},${0.3 * Math.cos(23 * i)}`)
+  }
+  const { server, told, acts } = await served(rows.join('\n'), () => 0)
+  const drive = async (answered) => {
+    let said
+    answered.then((answer) => {
+      said = answer
+    })
+    while (!said) {
+      while (acts.length) acts.shift()()
+      await new Promise((resolve) => setImmediate(resolve))
+    }
+    return said
+  }
+  const { kind, found } = await drive(server.answer({ kind: 'fit', params: { startSigma: 1 } }))
+  assert.equal(kind, 'fit')
+  const { value, sigma } = found.numbers.find(({ name }) => name === 'delayFix')
+  const { value: speed } = found.numbers.find(({ name }) => name === 'delaySpeed')
+  assert.ok(Math.abs(value - speed - 0.5) < 0.1 && sigma > 0, `${value} ${speed} ${sigma}`)
+  assert.ok(found.logLikelihood[1] > found.logLikelihood[0] && found.settled)
+  const givenUp = server.answer({ kind: 'fit', params: {} })
+  server.take({ kind: 'stop-fit' })
+  const said = await drive(givenUp)
+  assert.deepEqual(said, { kind: 'no-fit', message: 'The fit was given up.' })
+  assert.equal((await drive(server.answer({ kind: 'fit', params: { sigmaFix: -1 } }))).kind, 'no-fit')
+  assert.ok(told.every(({ kind }) => kind !== 'fault'))
+})
+
 test('a replay is written as a table while wishes are answered', async () => {
   const { server, told, acts, finish } = await served()
   const answered = server.answer({ kind: 'table', params: {}, table: 'innovations' })

@@ -84,3 +84,27 @@ for (const [name, log] of Object.entries(LOGS)) {
     }
   })
 }
+
+test('of a log with positions the words are on readings, and its panels of ranges are not there', () => {
+  const rows = Array.from(
+    { length: 80 },
+    (_, i) => `V,${i},1,0\nP,${i},${i + 0.8 * Math.sin(7 * i)},${Math.cos(5 * i)}`,
+  )
+  const drive = RobotLog.parse(rows.join('\n'))
+  const { steps } = drive.contents()
+  const frame = (params, step = steps) => RobotLog.from(drive, { version: 1, lab: 'robot-log', params, step }).frame()
+  assert.match(robotLog.verdict(frame({ fixes: false })), /^Dead reckoning: odometry alone, no reading is used\./)
+  assert.match(robotLog.verdict(frame({ sightings: false }, 1)), /^No reading has been read yet\./)
+  assert.match(robotLog.verdict(frame({ sightings: false })), /NIS is [\d.]+/, 'positions correct without ranges')
+  const gate = { fix: 1e-9, heading: null, range: null, bearing: null }
+  assert.match(robotLog.verdict(frame({ gate })), /^The gate has refused every reading so far/)
+  assert.match(
+    robotLog.verdict(frame({ gate: { ...gate, fix: 0.5 } })),
+    /The gates have refused [\d.]+ % of the readings/,
+  )
+  const said = robotLog.describe(frame({}))
+  assert.deepEqual([said.ranges, said.inner], ['', ''])
+  assert.ok(said.map && said.nis)
+  const shown = robotLog.panels.filter(({ shown }) => !shown || shown(frame({}))).map(({ name }) => name)
+  assert.ok(!shown.includes('ranges') && shown.includes('map'))
+})

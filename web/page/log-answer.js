@@ -31,7 +31,10 @@ export class Answer {
     const place = line === 0 ? '' : `${name}, line ${line}, character ${column}: `
     this.say('')
     const words = part(document, this.box, 'p', 'log-wrong')
-    words.textContent = place ? `${place}${message}.` : `${message[0].toUpperCase()}${message.slice(1)}.`
+    // A file keeps its name at the beginning of a sentence, and a question its mark at the end.
+    const named = files.some((/** @type {any} */ { name }) => message.startsWith(name))
+    const sentence = named ? message : `${message[0].toUpperCase()}${message.slice(1)}`
+    words.textContent = `${place}${place ? message : sentence}${/[.?]$/.test(message) ? '' : '.'}`
     if (shown) {
       const lines = part(document, this.box, 'pre', 'log-line')
       const before = [...shown].slice(0, column - 1)

@@ -81,7 +81,7 @@ export class StartForm {
   /** @param {number} first the log's first time: fields count from there */
   afterwards(first) {
     const row = this.row('withheld fixes, and the track afterwards')
-    /** @type {[number, number] | null} */
+    /** @type {ArrayLike<number> | null} */
     let withheld = null
     let end = 0
     /** @param {0 | 1} at @param {number} value */

@@ -15,13 +15,10 @@ import { awaken } from './figures.js'
 import { Answer, PASTED } from './log-answer.js'
 import { shortName } from './file-name.js'
 import { FileForm } from './log-files.js'
+import { Forms } from './log-forms.js'
 import { readingBar } from './log-reading.js'
 import { Report } from './log-report.js'
-import { SensorForm } from './log-sensors.js'
-import { StartForm } from './log-start.js'
 
-/** What was said of the log before and is not true of another. */
-const UNTOLD = ['start', 'startSigma', 'startSigmaHeading', 'withheld']
 /** Larger files are refused before they are read, bytes. */
 const MOST_BYTES = 64_000_000
 /** How long printing waits for the figure, milliseconds. */
@@ -47,17 +44,7 @@ class OwnLog {
   constructor(place) {
     this.figure = /** @type {HTMLElement & { figure: any }} */ (place.querySelector('robot-log'))
     const report = /** @type {HTMLElement} */ (place.querySelector('.log-report'))
-    const forms = document.createElement('div')
-    forms.className = 'log-forms'
-    report.before(forms)
-    this.forms = [
-      new SensorForm(forms, (patch) => this.figure.figure.change(patch)),
-      new StartForm(
-        forms,
-        (patch) => this.figure.figure.change(patch),
-        () => this.smooth(),
-      ),
-    ]
+    this.forms = new Forms(report, this.figure, () => this.run())
     this.report = new Report(report, {
       table: (kind) => this.download(kind),
       print: () => this.print(),
@@ -217,19 +204,13 @@ class OwnLog {
   /** @param {any} contents @param {string[]} names of the files */
   hold(contents, names) {
     this.report.take(contents, names)
-    for (const form of this.forms) form.take(contents)
+    this.forms.take(contents)
   }
 
   /** Shows the frame that is there, below the figure. */
   show() {
     this.report.show(this.figure.figure)
-    for (const form of this.forms) form.show(this.figure.figure.run.frame)
-  }
-
-  async smooth() {
-    const run = await this.run()
-    run.smooth()
-    this.figure.figure.ask()
+    this.forms.show(this.figure.figure.run.frame)
   }
 
   /** What the log holds, in sentences. */
@@ -242,18 +223,12 @@ class OwnLog {
 
   /** @param {any} answer @param {boolean} other whether it is another log, and not the same one read otherwise */
   understood({ contents, files, parameters }, other) {
-    const before = JSON.stringify(this.report.contents?.opening)
     this.hold(
       contents,
       files.map((/** @type {any} */ { name }) => name),
     )
-    const { opening } = contents
-    if (other || before !== JSON.stringify(opening)) {
-      const usual = parameters.filter((/** @type {any} */ { name }) => UNTOLD.includes(name))
-      const start = Object.fromEntries(usual.map((/** @type {any} */ one) => [one.name, one.default]))
-      this.figure.figure.change({ ...start, ...opening })
-    }
-    this.answer.say(`${this.facts()}${opening ? ' The filter starts at the first fix.' : ''}`)
+    this.forms.begin(contents, parameters, other)
+    this.answer.say(`${this.facts()}${contents.opening ? ' The filter starts at the first fix.' : ''}`)
     for (const note of contents.notes) part(document, this.answer.box, 'p', '').textContent = note
   }
 

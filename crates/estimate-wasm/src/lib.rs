@@ -40,6 +40,8 @@ mod lab;
 #[cfg(feature = "log")]
 mod log_files;
 #[cfg(feature = "log")]
+mod log_fit;
+#[cfg(feature = "log")]
 mod log_table;
 mod names;
 mod object;
@@ -69,7 +71,7 @@ pub use self::{
     ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter, timeline::Timeline,
 };
 #[cfg(feature = "log")]
-pub use self::{log_files::LogFiles, log_table::LogTable, robot_log::DriveLog};
+pub use self::{log_files::LogFiles, log_fit::LogFit, log_table::LogTable, robot_log::DriveLog};
 
 use wasm_bindgen::prelude::*;
 

@@ -9,8 +9,10 @@
 mod course;
 mod filter;
 mod fit;
+mod fitted;
 mod gap;
 mod learned;
+mod likelihood;
 mod line;
 mod opening;
 mod replay;
@@ -20,12 +22,15 @@ mod settings;
 mod smoother;
 mod statistics;
 mod summary;
+mod told;
 mod truth;
 
 pub use crate::scaled::{FIRST_SIGMA, PoseAndScale, Scalable, Scaled};
 pub use course::Course;
-pub use fit::log_likelihood;
+pub use fit::{Fit, Found};
+pub use fitted::Fitted;
 pub use learned::FIRST_SIGMA_BIAS;
+pub use likelihood::log_likelihood;
 pub use line::{Line, Points};
 pub use opening::Opening;
 pub use replay::{Replay, Taken};

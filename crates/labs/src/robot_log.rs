@@ -3,12 +3,14 @@
 //! A lab like the others, but for its world, which comes from outside: a function of the log, the parameters, and the
 //! number of rows taken. Beside the filter runs dead reckoning, which the filter has to beat.
 
+mod fit;
 pub(crate) mod frame;
 mod logged;
 mod params;
 mod record;
 mod table;
 
+pub use fit::LogFit;
 pub use frame::{
     FixOutcome, LogBands, LogCorrelation, LogErrors, LogFixInnovations, LogFixes, LogFrame, LogHistogram,
     LogInnovations, LogLandmark, LogNis, LogRanges, LogSighting, LogSmoothed, LogTimeline, LogTracks,

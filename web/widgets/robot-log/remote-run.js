@@ -45,6 +45,8 @@ export class RemoteRun extends Player {
     this.progress = null
     /** Called with the words of the worker about a log that it reads. @type {((words: any) => void) | null} */
     this.onreading = null
+    /** Called with how far a fit has come. @type {((told: { done: number, of: number }) => void) | null} */
+    this.onfitting = null
     /** Whether the track is smoothed in the light of all readings. */
     this.smoothed = false
     this.sets = 0
@@ -192,10 +194,20 @@ export class RemoteRun extends Player {
     return this.port.ask({ kind: 'table', params: this.asked ?? this.frame.params, table })
   }
 
+  /** The σ and the delays under which the log's readings are likeliest. @returns {Promise<any>} */
+  fit() {
+    return this.port.ask({ kind: 'fit', params: this.asked ?? this.frame.params })
+  }
+
+  stopFit() {
+    this.port.post({ kind: 'stop-fit' })
+  }
+
   /** @param {any} message */
   hear(message) {
     if (message.kind === 'ended') return this.restore(message.message)
     if (message.kind === 'reading') return this.onreading?.(message)
+    if (message.kind === 'fitting') return this.onfitting?.(message)
     if (message.id !== this.sent?.id) return
     if (message.kind === 'progress') this.progress = { step: message.step, of: message.of }
     else {

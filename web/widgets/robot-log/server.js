@@ -9,6 +9,8 @@
  *   been read, what was said of them
  * - `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'`: `{ kind: 'table', text }`, a `Blob`
  *   of CSV, or `{ kind: 'no-table', message }`
+ * - `{ kind: 'fit', params }`: `{ kind: 'fit', found }` or `{ kind: 'no-fit', message }`; on the way
+ *   `{ kind: 'fitting', done, of }` is told; told `{ kind: 'stop-fit' }` it ends
  * - told `{ kind: 'go', id, params, step, smooth }`, it tells `{ kind: 'progress', id, step, of }` on the way; then
  *   `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }`
  * - told `{ kind: 'cancel' }`, it tells nothing more about the replay that was under way
@@ -21,7 +23,8 @@
 import { attend, wordsOf } from '../../load/worker-server.js'
 import { Pace } from '../../figure/time-slices.js'
 import { applyChange } from './change.js'
-import { decode } from './text.js'
+import { Fitting } from './fit.js'
+import { decode, lineOf } from './text.js'
 
 /** How long the worker computes without reading its messages, milliseconds. */
 const CHUNK_MS = 24
@@ -33,8 +36,6 @@ const PROGRESS_MS = 50
 /** @typedef {{ id: number, params: Record<string, unknown>, step: number | null, smooth?: boolean }} Wish */
 /** Rows of a table that are written in one go. */
 const TABLE_ROWS = 5000
-/** The most characters of a faulty line that are shown. */
-const MOST_SHOWN = 200
 
 /** @typedef {import('./change.js').Change} Change */
 /** @typedef {{ wish: Wish, lab: any, of: number, from: number, began: number, told: number }} Replay */
@@ -62,6 +63,7 @@ export class Server {
     this.soon = soon
     this.clock = clock
     this.calls = new Pace(clock)
+    this.fitting = new Fitting(tell, soon, clock)
     /**
      * The files of the log that was read last, as long as one of them is a table that can be read otherwise.
      * @type {any}
@@ -89,12 +91,14 @@ export class Server {
   take(message) {
     if (message.kind === 'go') this.go(message)
     if (message.kind === 'cancel') this.cancel()
+    if (message.kind === 'stop-fit') this.fitting.stop()
   }
 
   /** @param {any} message @returns {Promise<any>} */
   async answer(message) {
     const { kind, set, files, change } = message
     if (kind === 'table') return this.table(message)
+    if (kind === 'fit') return this.fitting.fit(this.module, this.log, message.params)
     if (kind === 'files') this.said = await this.open(files, set)
     // A change of files that are gone changes nothing of those that came meanwhile.
     else if (set === this.set && this.files) this.said = this.reread(change)
@@ -285,13 +289,4 @@ export class Server {
     const { step } = lab.state()
     return step === from ? Infinity : ((this.clock() - began) * (of - step)) / (step - from)
   }
-}
-
-/** The line of a text with this number, counted from 1. @param {string} text @param {number} line */
-function lineOf(text, line) {
-  const mark = text.includes('\n') ? '\n' : '\r'
-  let from = 0
-  for (let i = 1; i < line; i += 1) from = text.indexOf(mark, from) + 1
-  const end = text.indexOf(mark, from)
-  return text.slice(from, Math.min(end < 0 ? text.length : end, from + MOST_SHOWN)).replace(/\r$/, '')
 }

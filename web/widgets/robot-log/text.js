@@ -2,6 +2,9 @@
  * Files as text. A log is written in UTF-8, but spreadsheets save tables in UTF-16, or with one byte for each letter.
  */
 
+/** The most characters of a faulty line that are shown. */
+const MOST_SHOWN = 200
+
 /**
  * The text of a file, and a sentence about its encoding where that is not UTF-8. A file with a zero byte is no text:
  * its bytes that no UTF-8 has become U+FFFD, which no log may hold.
@@ -27,4 +30,13 @@ function inAnother(name, encoding, bytes) {
     text: new TextDecoder(encoding).decode(bytes),
     note: `${name} is no UTF-8 and was read as ${encoding.toUpperCase()}.`,
   }
+}
+
+/** The line of a text with this number, counted from 1. @param {string} text @param {number} line */
+export function lineOf(text, line) {
+  const mark = text.includes('\n') ? '\n' : '\r'
+  let from = 0
+  for (let i = 1; i < line; i += 1) from = text.indexOf(mark, from) + 1
+  const end = text.indexOf(mark, from)
+  return text.slice(from, Math.min(end < 0 ? text.length : end, from + MOST_SHOWN)).replace(/\r$/, '')
 }

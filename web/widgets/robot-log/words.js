@@ -78,7 +78,7 @@ function errorOf({ summary, reckonedRmse }, compared) {
 function gateOf({ params, summary: { used, refused } }) {
   if (params.gate === null) return ''
   // Gates that each sensor has of its own expect no one share.
-  if (typeof params.gate === 'object')
+  if (typeof params.gate !== 'number')
     return refused === 0 ? '' : ` The gates have refused ${percent(refused / (used + refused))} of the readings.`
   const [share, expected] = [refused / (used + refused), 1 - params.gate]
   // Five times as many as expected, and more than chance explains where few are expected.

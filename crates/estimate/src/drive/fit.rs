@@ -1,40 +1,178 @@
-//! How likely a log is under some settings: what a search for noise levels and delays asks.
+//! Noise and delays of a log, by the likelihood of its readings: a search that goes on by one replay at a time.
+//!
+//! The search moves one number after the other, by steps that grow while they lead up and shrink where neither way does
+//! (Hooke and Jeeves 1961, without their pattern moves). Derivatives are of no use: where a delay passes a row, the
+//! likelihood has a corner. Gates are off, since a sum over used readings rewards refusal, and the readings are the same
+//! ones in every replay: those stamped two seconds after the latest start that is tried.
 
 use crate::drive::course::Course;
-use crate::drive::replay::Replay;
+use crate::drive::fitted::Fitted;
+use crate::drive::likelihood::log_likelihood;
 use crate::drive::row::Drive;
+use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::Settings;
-use crate::error::Error;
+use crate::drive::told::Told;
+use crate::error::{Code, Error};
+use alloc::vec::Vec;
 
-/// Σ −½ (ln det 2πS + d²) over the used readings that are stamped `from` or later, s; and how many these are.
-///
-/// Under settings that start at other times, or refuse other readings, it is a sum over other readings: a search
-/// compares it with the gates off, and from a time behind every start. A gate's sum rewards what it refuses.
-///
-/// # Errors
-/// As [`Course::new`] and [`Replay::take`].
-///
-/// # Example
-/// ```
-/// use estimate::drive::{Drive, Event, Motion, Row, Settings, Truth, log_likelihood};
-/// let (drives, fix) = (Event::Velocity { v: 1.0, omega: 0.0 }, |x| Event::Position { x, y: 0.0, sigma: None });
-/// let rows = [(0.0, drives), (0.0, fix(0.0)), (5.0, fix(5.2)), (10.0, fix(9.9))];
-/// let rows = rows.map(|(time, event)| Row::new(time, event)).to_vec();
-/// let drive = Drive { landmarks: Vec::new(), truth: Truth::default(), rows, motion: Motion::Velocity };
-/// let of = |sigma_fix| log_likelihood(&drive, Settings { sigma_fix, ..Settings::default() }, 1.0);
-/// let ((fine, two), (coarse, _)) = (of(0.2)?, of(20.0)?);
-/// assert!(fine > coarse && two == 2);
-/// # Ok::<(), estimate::Error>(())
-/// ```
-pub fn log_likelihood(drive: &Drive, settings: Settings, from: f64) -> Result<(f64, u32), Error> {
-    let course = Course::new(drive, settings)?;
-    let mut replay = Replay::new(&course);
-    let (mut sum, mut used) = (0.0, 0);
-    while let Some(taken) = replay.take(drive, &course)? {
-        if let Some(judged) = taken.judged.filter(|judged| judged.used && drive.rows[taken.row].time >= from) {
-            sum += judged.log_likelihood();
-            used += 1;
+/// Readings count from so long after the latest start that is tried, s.
+const SETTLED: f64 = 2.0;
+/// Delays are tried so far either way, s, and no further than this share of the log.
+const MOST_DELAY: f64 = 3.0;
+const SHARE: f64 = 0.1;
+/// The most replays of the search itself.
+const MOST_REPLAYS: u32 = 600;
+/// A step that has led up is followed by a longer one, one that has not by a shorter one.
+const LONGER: f64 = 1.6;
+const SHORTER: f64 = 0.4;
+
+/// What a fit has found.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Found {
+    /// Each number: what it is, its value, and its standard deviation, relative of a σ, in seconds of a delay. `None`
+    /// where the log does not tell it.
+    pub numbers: Vec<(Fitted, f64, Option<f64>)>,
+    /// The log-likelihood of the counted readings before and after.
+    pub log_likelihood: [f64; 2],
+    /// How many readings are counted.
+    pub readings: u32,
+    /// Replays so far, and how many there may be at most.
+    pub replays: [u32; 2],
+    /// Whether the search has ended where no step leads up, and not at the most replays.
+    pub settled: bool,
+}
+
+/// A search for the noise and the delays under which a log's readings are likeliest.
+#[derive(Clone, Debug)]
+pub struct Fit {
+    settings: Settings,
+    /// Readings stamped before are not counted.
+    from: f64,
+    numbers: Vec<Fitted>,
+    /// The numbers as the search moves them, and how far its next step goes.
+    at: Vec<f64>,
+    steps: Vec<f64>,
+    bounds: Vec<[f64; 2]>,
+    /// Which is moved now, and whether it was moved the one way already.
+    now: usize,
+    turned: bool,
+    first: Option<f64>,
+    best: f64,
+    readings: u32,
+    replays: u32,
+    settled: bool,
+    /// How well the log tells the numbers, once they are found.
+    told: Option<Told>,
+}
+
+impl Fit {
+    /// A search that begins at `settings`, for the σ of motion and of the sensors that the log has and that are used, and
+    /// for their delays; the turn's stays 0, since a delay of all together cannot be seen.
+    ///
+    /// # Errors
+    /// As [`Course::new`]; [`Code::Limit`] where the log has no reading that counts.
+    pub fn new(drive: &Drive, settings: Settings) -> Result<Self, Error> {
+        let mut settings = Settings { gate: BySensor::all(None), ..settings };
+        settings.delays.turn = 0.0;
+        let course = Course::new(drive, settings)?;
+        let [first, last] = drive.span().unwrap_or_default();
+        let most = MOST_DELAY.min(SHARE * (last - first));
+        let numbers = Fitted::of(drive, &course);
+        let at: Vec<f64> = numbers.iter().map(|number| number.get(&settings)).collect();
+        let bounds: Vec<[f64; 2]> = numbers.iter().map(|number| number.bounds(most)).collect();
+        let at = at.iter().zip(&bounds).map(|(at, [least, greatest])| at.clamp(*least, *greatest)).collect();
+        let steps = numbers.iter().map(|number| number.first_step(most)).collect();
+        let start = drive.truth.poses().first().map_or(first + most, |pose| pose.time);
+        let mut fit = Self {
+            settings,
+            from: start + SETTLED,
+            numbers,
+            at,
+            steps,
+            bounds,
+            now: 0,
+            turned: false,
+            first: None,
+            best: f64::NEG_INFINITY,
+            readings: 0,
+            replays: 0,
+            settled: false,
+            told: None,
+        };
+        let fix = drive.rows.iter().find(|row| Sensor::of(&row.event) == Some(Sensor::Fix));
+        if let (Some(fix), true) = (fix, drive.truth.poses().is_empty()) {
+            fit.from = fit.from.max(fix.time + most + SETTLED);
+        }
+        if fit.numbers.is_empty() || fit.replay(drive, &fit.at)?.1 == 0 {
+            return Err(Error::new(Code::Limit, "log", "has no reading that a fit could count"));
+        }
+        Ok(fit)
+    }
+
+    /// Replays the log once more; whether there is more to do.
+    ///
+    /// # Errors
+    /// The log cannot be replayed under the settings that the search begins at.
+    pub fn step(&mut self, drive: &Drive) -> Result<bool, Error> {
+        if let Some(told) = &mut self.told {
+            let Some(at) = told.next(&self.at) else { return Ok(false) };
+            self.replays += 1;
+            let value = self.replay(drive, &at).map_or(f64::NEG_INFINITY, |(value, _)| value);
+            if let Some(told) = &mut self.told {
+                told.take(value);
+            }
+            return Ok(true);
+        }
+        self.replays += 1;
+        if self.first.is_none() {
+            let (value, readings) = self.replay(drive, &self.at)?;
+            (self.first, self.best, self.readings) = (Some(value), value, readings);
+            return Ok(true);
+        }
+        let i = self.now;
+        let [least, greatest] = self.bounds[i];
+        let mut tried = self.at.clone();
+        tried[i] = (tried[i] + self.steps[i]).clamp(least, greatest);
+        // What leaves the numbers is no likelihood that could be the greatest.
+        let moved = tried[i] != self.at[i];
+        let value = if moved { self.replay(drive, &tried).map_or(f64::NEG_INFINITY, |it| it.0) } else { self.best };
+        if moved && value > self.best {
+            (self.at, self.best, self.turned) = (tried, value, false);
+            self.steps[i] *= LONGER;
+            self.now = (i + 1) % self.numbers.len();
+        } else if !self.turned {
+            (self.steps[i], self.turned) = (-self.steps[i], true);
+        } else {
+            (self.steps[i], self.turned) = (-SHORTER * self.steps[i], false);
+            self.now = (i + 1) % self.numbers.len();
+        }
+        let fine = |(step, number): (&f64, &Fitted)| step.abs() < number.fine();
+        self.settled = self.steps.iter().zip(&self.numbers).all(fine);
+        if self.settled || self.replays >= MOST_REPLAYS {
+            self.told = Some(Told::new(&self.numbers, &self.bounds, self.best));
+        }
+        Ok(true)
+    }
+
+    /// The log-likelihood of the counted readings, and how many there are.
+    fn replay(&self, drive: &Drive, at: &[f64]) -> Result<(f64, u32), Error> {
+        let mut settings = self.settings;
+        self.numbers.iter().zip(at).for_each(|(number, at)| number.set(&mut settings, *at));
+        log_likelihood(drive, settings, self.from)
+    }
+
+    /// What has been found so far.
+    pub fn found(&self) -> Found {
+        let sigmas = self.told.as_ref().map(Told::sigmas);
+        let sigma = |i: usize| sigmas.as_ref().and_then(|sigmas| sigmas[i]);
+        let number = |(i, number): (usize, &Fitted)| (*number, number.value(self.at[i]), sigma(i));
+        let most = MOST_REPLAYS + Told::most(self.numbers.len());
+        Found {
+            numbers: self.numbers.iter().enumerate().map(number).collect(),
+            log_likelihood: [self.first.unwrap_or(self.best), self.best],
+            readings: self.readings,
+            replays: [self.replays, most],
+            settled: self.settled,
         }
     }
-    Ok((sum, used))
 }

@@ -1,0 +1,84 @@
+//! The fit of a log's noise and delays, which a worker goes on with replay by replay.
+
+use crate::encode::{list, record};
+use crate::errors::Thrown;
+use crate::lab::RobotLog;
+use crate::object::Held;
+use crate::robot_log::logged;
+use estimate::drive::Found;
+use js_sys::Array;
+use lab::Params;
+use std::sync::Arc;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What a fit has found so far. */
+export interface LogFound {
+    /**
+     * Each number, by its name among the parameters, and how well the log tells it: a σ's standard deviation relative to
+     * it, a delay's in seconds; null where the log does not tell it, and before the search has ended.
+     */
+    numbers: { name: string; value: number; delay: boolean; sigma: number | null }[];
+    /** The log-likelihood of the counted readings before and after. */
+    logLikelihood: [number, number];
+    /** How many readings are counted. */
+    readings: number;
+    /** Replays so far, and how many there may be at most. */
+    replays: [number, number];
+    /** Whether the search has ended where no step leads up. */
+    settled: boolean;
+}
+"#;
+
+/// A search for the σ and the delays under which a log's readings are likeliest. Gates are off, the turn rate's delay
+/// is 0, and the readings are the same in every replay.
+#[wasm_bindgen]
+#[repr(transparent)]
+pub struct LogFit(Held);
+
+const FIT: &str = "LogFit";
+
+#[wasm_bindgen]
+impl LogFit {
+    /// A search that begins at `params`; what they leave out takes its default.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Partial<LogParams>")] params: &JsValue,
+    ) -> Result<LogFit, Thrown> {
+        let log = logged(log)?;
+        let params = RobotLog::params(params)?;
+        let fit = labs::LogFit::new(Arc::clone(&log), Params::read(&mut params.iter()));
+        Ok(Self(Held::new(FIT, fit.map_err(|e| e.within("params"))?)))
+    }
+
+    /// Replays the log once more; whether there is more to do.
+    pub fn step(&self) -> Result<bool, Thrown> {
+        self.0.write(FIT, labs::LogFit::step)
+    }
+
+    /// What has been found so far.
+    #[wasm_bindgen(unchecked_return_type = "LogFound")]
+    pub fn found(&self) -> Result<JsValue, Thrown> {
+        self.0.read(FIT, |fit: &labs::LogFit| shown(&fit.found()))
+    }
+}
+
+fn shown(found: &Found) -> JsValue {
+    let numbers = found.numbers.iter().map(|(number, value, sigma)| {
+        record(&[
+            ("name", number.name().into()),
+            ("value", (*value).into()),
+            ("delay", number.is_delay().into()),
+            ("sigma", sigma.map_or(JsValue::NULL, Into::into)),
+        ])
+    });
+    record(&[
+        ("numbers", numbers.collect::<Array>().into()),
+        ("logLikelihood", list(&found.log_likelihood)),
+        ("readings", found.readings.into()),
+        ("replays", list(&found.replays.map(f64::from))),
+        ("settled", found.settled.into()),
+    ])
+}

@@ -1,0 +1,40 @@
+//! How likely a log is under some settings: what a search for noise levels and delays asks.
+
+use crate::drive::course::Course;
+use crate::drive::replay::Replay;
+use crate::drive::row::Drive;
+use crate::drive::settings::Settings;
+use crate::error::Error;
+
+/// Σ −½ (ln det 2πS + d²) over the used readings that are stamped `from` or later, s; and how many these are.
+///
+/// Under settings that start at other times, or refuse other readings, it is a sum over other readings: a search
+/// compares it with the gates off, and from a time behind every start. A gate's sum rewards what it refuses.
+///
+/// # Errors
+/// As [`Course::new`] and [`Replay::take`].
+///
+/// # Example
+/// ```
+/// use estimate::drive::{Drive, Event, Motion, Row, Settings, Truth, log_likelihood};
+/// let (drives, fix) = (Event::Velocity { v: 1.0, omega: 0.0 }, |x| Event::Position { x, y: 0.0, sigma: None });
+/// let rows = [(0.0, drives), (0.0, fix(0.0)), (5.0, fix(5.2)), (10.0, fix(9.9))];
+/// let rows = rows.map(|(time, event)| Row::new(time, event)).to_vec();
+/// let drive = Drive { landmarks: Vec::new(), truth: Truth::default(), rows, motion: Motion::Velocity };
+/// let of = |sigma_fix| log_likelihood(&drive, Settings { sigma_fix, ..Settings::default() }, 1.0);
+/// let ((fine, two), (coarse, _)) = (of(0.2)?, of(20.0)?);
+/// assert!(fine > coarse && two == 2);
+/// # Ok::<(), estimate::Error>(())
+/// ```
+pub fn log_likelihood(drive: &Drive, settings: Settings, from: f64) -> Result<(f64, u32), Error> {
+    let course = Course::new(drive, settings)?;
+    let mut replay = Replay::new(&course);
+    let (mut sum, mut used) = (0.0, 0);
+    while let Some(taken) = replay.take(drive, &course)? {
+        if let Some(judged) = taken.judged.filter(|judged| judged.used && drive.rows[taken.row].time >= from) {
+            sum += judged.log_likelihood();
+            used += 1;
+        }
+    }
+    Ok((sum, used))
+}

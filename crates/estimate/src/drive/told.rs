@@ -1,0 +1,121 @@
+//! How well a log tells the numbers that a fit has found: by how fast the likelihood falls beside them.
+//!
+//! At distances where the log-likelihood has fallen by 2, which are two standard deviations of a number by itself, second
+//! differences are the entries of the Hessian; less its inverse is the covariance of the numbers together.
+
+use crate::drive::fitted::Fitted;
+use alloc::vec::Vec;
+use nalgebra::{Cholesky, DMatrix};
+
+/// The fall at which the curvature is taken, and the least that is enough.
+const FALL: f64 = 2.0;
+const ENOUGH: f64 = 0.5;
+/// How often a distance is doubled to find that fall.
+const DOUBLINGS: u32 = 12;
+
+/// What is known of one number.
+#[derive(Clone, Copy, Debug, PartialEq)]
+struct Side {
+    distance: f64,
+    /// The likelihoods at the distance above and below.
+    values: [Option<f64>; 2],
+    doublings: u32,
+}
+
+/// A look around the numbers that were found.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Told {
+    best: f64,
+    bounds: Vec<[f64; 2]>,
+    sides: Vec<Side>,
+    /// The likelihoods with two numbers at their distances above, for each pair.
+    pairs: Vec<f64>,
+}
+
+impl Told {
+    pub fn new(numbers: &[Fitted], bounds: &[[f64; 2]], best: f64) -> Self {
+        let side = |number: &Fitted| Side { distance: number.fine(), values: [None; 2], doublings: 0 };
+        Self { best, bounds: bounds.to_vec(), sides: numbers.iter().map(side).collect(), pairs: Vec::new() }
+    }
+
+    /// The most likelihoods that it asks for.
+    pub fn most(numbers: usize) -> u32 {
+        let n = numbers as u32;
+        n * (DOUBLINGS + 2) + n * n.saturating_sub(1) / 2
+    }
+
+    /// The next place whose likelihood is asked for; `None` behind the last.
+    pub fn next(&self, at: &[f64]) -> Option<Vec<f64>> {
+        let mut place = at.to_vec();
+        if let Some(i) = self.open() {
+            let sign = if self.sides[i].values[0].is_none() { 1.0 } else { -1.0 };
+            place[i] = (at[i] + sign * self.sides[i].distance).clamp(self.bounds[i][0], self.bounds[i][1]);
+            return Some(place);
+        }
+        let (i, j) = self.pair(self.pairs.len())?;
+        for k in [i, j] {
+            place[k] = at[k] + self.sides[k].distance;
+        }
+        Some(place)
+    }
+
+    /// Takes the likelihood at that place.
+    pub fn take(&mut self, value: f64) {
+        let Some(i) = self.open() else { return self.pairs.push(value) };
+        let side = &mut self.sides[i];
+        if side.values[0].is_some() {
+            side.values[1] = Some(value);
+        } else if self.best - value < FALL && side.doublings < DOUBLINGS {
+            (side.distance, side.doublings) = (2.0 * side.distance, side.doublings + 1);
+        } else {
+            side.values[0] = Some(value);
+        }
+    }
+
+    /// The first number whose sides are not both known.
+    fn open(&self) -> Option<usize> {
+        self.sides.iter().position(|side| side.values[1].is_none())
+    }
+
+    /// The n-th pair of numbers.
+    fn pair(&self, n: usize) -> Option<(usize, usize)> {
+        let pairs = (0..self.sides.len()).flat_map(|i| (i + 1..self.sides.len()).map(move |j| (i, j)));
+        pairs.into_iter().nth(n)
+    }
+
+    /// The standard deviation of each number; `None` of one that the log does not tell, and of all before the look is
+    /// complete.
+    pub fn sigmas(&self) -> Vec<Option<f64>> {
+        let n = self.sides.len();
+        let none = alloc::vec![None; n];
+        if self.pairs.len() < n * (n - 1) / 2 {
+            return none;
+        }
+        let fall = |side: &Side| match side.values {
+            [Some(above), Some(below)] => self.best - (above + below) / 2.0,
+            _ => 0.0,
+        };
+        let told: Vec<usize> = (0..n).filter(|i| fall(&self.sides[*i]) > ENOUGH).collect();
+        let entry = |a: usize, b: usize| {
+            let (i, j) = (told[a].min(told[b]), told[a].max(told[b]));
+            let (one, other) = (&self.sides[i], &self.sides[j]);
+            if i == j {
+                return 2.0 * fall(one) / (one.distance * one.distance);
+            }
+            let at = (0..n).flat_map(|i| (i + 1..n).map(move |j| (i, j))).position(|pair| pair == (i, j));
+            let both = at.map_or(self.best, |at| self.pairs[at]);
+            let [above, beside] = [one, other].map(|side| side.values[0].unwrap_or(self.best));
+            -(both - above - beside + self.best) / (one.distance * other.distance)
+        };
+        let information = DMatrix::from_fn(told.len(), told.len(), entry);
+        let by_itself = |a: usize| 1.0 / libm::sqrt(entry(a, a));
+        let together = Cholesky::new(information.clone()).map(|factor| factor.inverse());
+        let mut sigmas = none;
+        for (a, i) in told.iter().enumerate() {
+            // Where corners spoil the differences, each is as well known as it would be by itself, at best.
+            let sigma = together.as_ref().map_or(by_itself(a), |all| libm::sqrt(all[(a, a)]));
+            sigmas[*i] = Some(sigma).filter(|sigma| sigma.is_finite());
+        }
+        sigmas
+    }
+}

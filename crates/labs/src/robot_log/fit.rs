@@ -1,0 +1,39 @@
+//! The fit of a log's noise and delays, as a worker goes on with it.
+
+use super::{LogParams, LoggedDrive};
+use estimate::Error;
+use estimate::drive::{Fit, Found, Settings};
+use lab::Params;
+use std::sync::Arc;
+
+/// A search for the σ and the delays under which a log's readings are likeliest, a replay at a time.
+#[derive(Clone, Debug)]
+pub struct LogFit {
+    logged: Arc<LoggedDrive>,
+    fit: Fit,
+}
+
+impl LogFit {
+    /// A search that begins at `params`.
+    ///
+    /// # Errors
+    /// As [`Fit::new`], and where a parameter is out of its limits.
+    pub fn new(logged: Arc<LoggedDrive>, params: LogParams) -> Result<Self, Error> {
+        params.check()?;
+        let fit = Fit::new(logged.drive(), Settings::from(params))?;
+        Ok(Self { logged, fit })
+    }
+
+    /// Replays the log once more; whether there is more to do.
+    ///
+    /// # Errors
+    /// As [`Fit::step`].
+    pub fn step(&mut self) -> Result<bool, Error> {
+        self.fit.step(self.logged.drive())
+    }
+
+    /// What has been found so far.
+    pub fn found(&self) -> Found {
+        self.fit.found()
+    }
+}

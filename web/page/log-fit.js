@@ -1,0 +1,104 @@
+/** Finds the σ and the delays of a log by the likelihood of its readings, and says how well the log tells them. */
+
+import { button, part } from '../draw/dom.js'
+import { fixed } from '../draw/numbers.js'
+
+/** @typedef {import('estimate-wasm').LogFound} LogFound */
+/** @typedef {{ fit: () => Promise<any>, stop: () => void, take: (patch: Record<string, unknown>) => void }} Orders */
+
+/** @type {Record<string, string>} */
+const NAMES = {
+  sigmaDistance: 'σ of the distance, m/√s',
+  sigmaTurn: 'σ of the turn, rad/√s',
+  sigmaFix: 'σ of a position, m',
+  sigmaHeading: 'σ of a heading, rad',
+  sigmaRange: 'σ of a range, m',
+  sigmaBearing: 'σ of a bearing, rad',
+  delaySpeed: 'delay of the speed, s',
+  delayFix: 'delay of the positions, s',
+  delayHeading: 'delay of the headings, s',
+  delaySighting: 'delay of the ranges, s',
+}
+
+export class FitForm {
+  /** @param {HTMLElement} into @param {Orders} orders */
+  constructor(into, orders) {
+    this.orders = orders
+    this.box = part(document, into, 'div', 'log-sensors')
+  }
+
+  /** @param {import('estimate-wasm').LogContents} contents */
+  take({ readings }) {
+    this.orders.stop()
+    this.box.replaceChildren()
+    if (Object.keys(readings).length === 0) return
+    const row = part(document, this.box, 'fieldset', 'log-sensor')
+    part(document, row, 'legend', '').textContent = 'fit'
+    const words = part(document, row, 'p', 'log-says')
+    words.textContent =
+      'Fit finds the σ and the delays under which the readings are likeliest. Gates are off meanwhile, and the turn ' +
+      'rate’s delay is 0: a delay of all sensors together cannot be seen.'
+    const actions = part(document, row, 'div', 'log-actions')
+    this.result = part(document, row, 'div', 'log-says')
+    this.result.setAttribute('role', 'status')
+    this.begin = button(document, actions, 'Fit', () => this.fit())
+    this.bar = /** @type {HTMLProgressElement} */ (part(document, actions, 'progress', ''))
+    this.bar.setAttribute('aria-label', 'Fit')
+    this.end = button(document, actions, 'Cancel', () => this.orders.stop())
+    this.wait(false)
+  }
+
+  /** @param {boolean} waiting */
+  wait(waiting) {
+    if (!this.begin || !this.bar || !this.end) return
+    this.begin.disabled = waiting
+    this.bar.hidden = !waiting
+    this.end.hidden = !waiting
+    this.bar.removeAttribute('value')
+  }
+
+  /** @param {{ done: number, of: number }} told */
+  progress({ done, of }) {
+    if (!this.bar) return
+    this.bar.max = of
+    this.bar.value = done
+  }
+
+  async fit() {
+    const { result } = this
+    if (!result) return
+    this.wait(true)
+    result.textContent = ''
+    const answer = await this.orders.fit()
+    if (result !== this.result) return // Another log has come.
+    this.wait(false)
+    this.begin?.focus({ preventScroll: true })
+    if (answer.kind === 'fit') this.found(answer.found)
+    else result.textContent = answer.message ?? answer.why ?? 'The fit was given up.'
+  }
+
+  /** @param {LogFound} found */
+  found({ numbers, logLikelihood: [before, after], readings, settled }) {
+    const { result } = this
+    if (!result) return
+    const gain = fixed(after - before, 1)
+    part(document, result, 'p', '').textContent =
+      `The log-likelihood of ${readings.toLocaleString('en')} readings rises by ${gain}, to ${fixed(after, 1)}.` +
+      `${settled ? '' : ' The search was ended before it settled.'}`
+    const list = part(document, result, 'ul', '')
+    for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number)
+    const patch = Object.fromEntries(
+      numbers.filter(({ sigma }) => sigma !== null).map(({ name, value }) => [name, Number(value.toPrecision(4))]),
+    )
+    const actions = part(document, result, 'div', 'log-actions')
+    button(document, actions, 'Take what the log tells', () => this.orders.take({ ...patch, gate: null, delayTurn: 0 }))
+  }
+}
+
+/** How well the log tells a number. @param {LogFound['numbers'][number]} number */
+function sentence({ name, value, delay, sigma }) {
+  const words = NAMES[name] ?? name
+  if (sigma === null) return `${words}: the log does not tell it.`
+  if (delay) return `${words}: ${fixed(value, 2)} ± ${fixed(sigma, 2)}`
+  return `${words}: ${fixed(value, 3)} ± ${fixed(100 * sigma, 0)} %`
+}

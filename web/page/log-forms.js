@@ -1,0 +1,62 @@
+/** What a reader tells the filter of a log, between the figure and the report: sensors, start, afterwards, fit. */
+
+import { FitForm } from './log-fit.js'
+import { SensorForm } from './log-sensors.js'
+import { StartForm } from './log-start.js'
+
+/** What was said of the log before and is not true of another. */
+const UNTOLD = ['start', 'startSigma', 'startSigmaHeading', 'withheld']
+
+export class Forms {
+  /**
+   * @param {HTMLElement} before what they stand before
+   * @param {{ figure: any }} host of the figure
+   * @param {() => Promise<import('../widgets/robot-log/remote-run.js').RemoteRun>} run
+   */
+  constructor(before, host, run) {
+    const box = document.createElement('div')
+    box.className = 'log-forms'
+    before.before(box)
+    this.change = (/** @type {Record<string, unknown>} */ patch) => host.figure.change(patch)
+    const smooth = async () => {
+      const running = await run()
+      running.smooth()
+      host.figure.ask()
+    }
+    const fit = async () => {
+      const running = await run()
+      running.onfitting = (told) => this.fit.progress(told)
+      return running.fit()
+    }
+    this.sensors = new SensorForm(box, this.change)
+    this.start = new StartForm(box, this.change, smooth)
+    this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stopFit(), take: this.change })
+    /** Where the log begins by its first fixes, as text. */
+    this.opening = ''
+  }
+
+  /** @param {import('estimate-wasm').LogContents} contents */
+  take(contents) {
+    for (const form of [this.sensors, this.start, this.fit]) form.take(contents)
+  }
+
+  /**
+   * Starts another log, or one that is read otherwise, where its first fixes say.
+   * @param {import('estimate-wasm').LogContents} contents
+   * @param {import('estimate-wasm').Parameter[]} parameters
+   * @param {boolean} other whether it is another log
+   */
+  begin({ opening }, parameters, other) {
+    const before = this.opening
+    this.opening = JSON.stringify(opening)
+    if (!other && before === this.opening) return
+    const usual = parameters.filter(({ name }) => UNTOLD.includes(name)).map((one) => [one.name, one.default])
+    this.change({ ...Object.fromEntries(usual), ...opening })
+  }
+
+  /** @param {import('estimate-wasm').LogFrame} frame */
+  show(frame) {
+    this.sensors.show(frame)
+    this.start.show(frame)
+  }
+}
