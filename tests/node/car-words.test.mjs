@@ -3,6 +3,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
+import { fixed } from '../../web/draw/numbers.js'
 import { plain } from '../../web/draw/words.js'
 import { Tracing, curve } from '../../web/widgets/car-log/curve.js'
 import { of } from '../../web/widgets/car-log/open.js'
@@ -28,7 +29,7 @@ const CLAIMS = [
       (side?.includes('above') ?? false) === frame.nis > 1.2 &&
       (side?.includes('below') ?? false) === frame.nis < 0.8,
   ],
-  [/^Their log-likelihood is (−?[\d.]+)\.$/, (frame, likelihood) => prints(likelihood, frame.logLikelihood)],
+  [/^Their log-likelihood is (.+)\.$/, (frame, likelihood) => likelihood === fixed(frame.logLikelihood, 1)],
   [
     /^The speed reads ([\d.]+) % (low|high) \(±([\d.]+) %\)\.$/,
     ({ learned }, scale, side, sigma) =>
