@@ -130,9 +130,9 @@ test('axe finds nothing in answered questions, their exercises and the progress,
   }
   const choose = (words) => (form) => form.locator('.quiz-choice').filter({ hasText: words }).locator('input').check()
   const type = (text) => (form) => form.getByRole('textbox').fill(text)
-  assert.equal(await answer('position-error', choose('None.')), 'right')
+  assert.equal(await answer('one-landmark', choose('How far the whole scene is turned')), 'right')
   await comeTo(page, '[data-score]', '[data-score] h2')
-  await isAccessible(page, ['#quiz-position-error', '[data-score]'])
+  await isAccessible(page, ['#quiz-one-landmark', '[data-score]'])
   await page.goto(`${chapter}exercises/`)
   assert.equal(await answer('unseen-detectable', choose('does not grow')), 'wrong')
   assert.equal(await answer('unseen-direction', type('1 2 -1')), 'right')

@@ -134,6 +134,7 @@ async function keep() {
 function pages() {
   const read = (name) => readFileSync(path.join(root, 'content', name), 'utf8')
   const chapter = readdirSync(path.join(root, 'content/kalman'))
+    .filter((name) => name.endsWith('.md'))
     .sort()
     .map((name) => read(`kalman/${name}`))
     .join('\n')
