@@ -29,7 +29,8 @@ const BETWEEN = [
 ]
 /** Systems of continuous time, and how they are sampled: the last argument that is a number is the period. */
 const SPACE = /^(?:\[[\w\s,~]*\]|[A-Za-z_]\w*)\s*=\s*(?:[A-Za-z_]\w*\.)*(?:ss|StateSpace)\s*\([^()\n]*\)/
-const SAMPLED = /^(?:(?:\[[\w\s,~]*\]|[\w\s,]+?)\s*=\s*)?(?:[A-Za-z_]\w*\.)*(?:c2d|cont2discrete|sample_system)\s*(?=\()/
+const SAMPLED =
+  /^(?:(?:\[[\w\s,~]*\]|[\w\s,]+?)\s*=\s*)?(?:[A-Za-z_]\w*\.)*(?:c2d|cont2discrete|sample_system)\s*(?=\()/
 /** `P *= 1000`, as filterpy's users write it. */
 const TIMES = /^(?:[A-Za-z_]\w*\.)*(P)\s*\*=\s*/
 /** What begins a statement that does more than give a value. */
