@@ -62,6 +62,7 @@ test('an eigenvalue that is dragged takes its conjugate along, and by hand one g
   await it.getByRole('combobox', { name: 'Gain' }).selectOption('by placement')
   const handle = it.getByRole('slider', { name: /^Eigenvalue 1/ })
   await handle.waitFor()
+  await handle.scrollIntoViewIfNeeded()
   const box = await handle.locator('.handle-dot').boundingBox()
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
   await page.mouse.down()
@@ -111,14 +112,15 @@ test('a system in any book’s letters and of continuous time is taken, and its 
   await it
     .locator('.own-paste textarea')
     .fill(
-      'T = 0.05; A = [0 1; -1 -0.1]; B = [0; 1]; C = [1 0]; Q = diag([0 0.1]); R = 0.01; P0 = diag([4 9]);\nc2d(sys, T)',
+      'T = 0.05; A = [0 1; -1 -0.1]; B = [0; 1]; C = [1 0]\n' +
+        'Q = diag([0 0.1]); R = 0.01; P0 = diag([4 9]); c2d(sys, T)',
     )
   const { params, F, P } = await until(it, ({ params }) => params.continuous, 'continuous time')
   assert.deepEqual([params.period, params.spread.slice(0, 2), params.f[1][0], F[0][0] < 1], [0.05, [4, 9], -1, true])
   assert.ok(P[0][0] < 4)
   await it.getByText('A, B, C, Q, R read as F, G, H, V, W. Taken as continuous in time').waitFor()
   assert.equal(await it.getByRole('textbox', { name: 'Length of a step, s' }).inputValue(), '0.05')
-  await it.locator('.readout').filter({ hasText: 'Slowest time constant' }).filter({ hasText: / s$/ }).waitFor()
+  await it.locator('.live .readout').filter({ hasText: 'Slowest time constant' }).filter({ hasText: / s$/ }).waitFor()
   await it.getByRole('textbox', { name: 'Length of a step, s' }).fill('-1')
   await fault(it).filter({ hasText: 'The length of a step is out of bounds' }).waitFor()
   await it.getByRole('textbox', { name: 'Length of a step, s' }).fill('0.1')
@@ -133,7 +135,7 @@ test('a run is as long as the slowest error, and the limit is that of the recurs
   assert.ok(frame.doubled.converged && frame.settled === null)
   await it
     .locator('.verdict')
-    .filter({ hasText: /settles in about 6\.6 × 10⁴ steps, \d+ s\./ })
+    .filter({ hasText: /settles in about 6\.6\s×\s10⁴\ssteps, \d+\ss\./ })
     .waitFor()
 })
 

@@ -163,7 +163,10 @@ check(
           settled === Number(steps) && limit !== 'none' && Boolean(depends) === doubled.dependsOnStart,
       ],
       [
-        /^From this start it settles in about (\d+|\S+ × 10\S+) steps(, .+ s)?(; a larger start leads to another limit)?\.$/,
+        pattern(
+          /^From this start it settles in about (\d+|\S+ × 10\S+) steps(, .+ s)?/,
+          /(; a larger start leads to another limit)?\.$/,
+        ),
         ({ settled, params, doubled }, steps, lasting, depends) =>
           settled === null &&
           doubled.converged &&
