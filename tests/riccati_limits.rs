@@ -1,5 +1,6 @@
-//! The limit of the Riccati recursion on systems whose limit is known to fifty digits and more. `heldout/make_limits.py`
-//! wrote them without any code of this workspace; each limit was proved there by the equation that it satisfies.
+//! The limit of the Riccati recursion on systems whose limit is known to fifty digits and more.
+//! `heldout/make_limits.py` wrote them without any code of this workspace; each limit was proved there by the equation
+//! that it satisfies.
 
 #![cfg(not(target_arch = "wasm32"))]
 

@@ -62,6 +62,7 @@ test('an eigenvalue that is dragged takes its conjugate along, and by hand one g
   await it.getByRole('combobox', { name: 'Gain' }).selectOption('by placement')
   const handle = it.getByRole('slider', { name: /^Eigenvalue 1/ })
   await handle.waitFor()
+  await handle.scrollIntoViewIfNeeded()
   const box = await handle.locator('.handle-dot').boundingBox()
   await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2)
   await page.mouse.down()
@@ -96,11 +97,54 @@ test('the tolerance is dragged, and a verdict that it does not decide says so', 
   await cell(it, 'F', 2, 1).fill('0')
   await cell(it, 'F', 1, 2).fill('0.00001')
   await until(it, ({ params, rank }) => params.f[0][1] === 1e-5 && rank.rank === 2, 'a weak coupling')
+  assert.equal(await it.locator('.live .panel-ranks').isVisible(), false, 'behind the fold')
+  await it.locator('.live .own-more summary').click()
   const level = it.getByRole('slider', { name: 'Tolerance of the rank' })
   await level.focus()
   await level.press('End')
   const frame = await until(it, ({ params }) => params.logTolerance === -1, 'at the end')
   assert.equal(frame.rank.rank, 1)
+})
+
+test('a system in any book’s letters and of continuous time is taken, and its times are in seconds', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  await it.getByRole('button', { name: 'Paste a system' }).click()
+  await it
+    .locator('.own-paste textarea')
+    .fill(
+      'T = 0.05; A = [0 1; -1 -0.1]; B = [0; 1]; C = [1 0]\n' +
+        'Q = diag([0 0.1]); R = 0.01; P0 = diag([4 9]); c2d(sys, T)',
+    )
+  const { params, F, P } = await until(it, ({ params }) => params.continuous, 'continuous time')
+  assert.deepEqual([params.period, params.spread.slice(0, 2), params.f[1][0], F[0][0] < 1], [0.05, [4, 9], -1, true])
+  assert.ok(P[0][0] < 4)
+  await it.getByText('A, B, C, Q, R read as F, G, H, V, W. Taken as continuous in time').waitFor()
+  assert.equal(await it.getByRole('textbox', { name: 'Length of a step, s' }).inputValue(), '0.05')
+  await it.locator('.live .readout').filter({ hasText: 'Slowest time constant' }).filter({ hasText: / s$/ }).waitFor()
+  await it.getByRole('textbox', { name: 'Length of a step, s' }).fill('-1')
+  await fault(it).filter({ hasText: 'The length of a step is out of bounds' }).waitFor()
+  await it.getByRole('textbox', { name: 'Length of a step, s' }).fill('0.1')
+  await until(it, (frame) => frame.params.period === 0.1 && frame.F[0][0] < F[0][0], 'a longer step')
+})
+
+test('a run is as long as the slowest error, and the limit is that of the recursion', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  await it.getByRole('combobox', { name: 'Preset' }).selectOption('Height, speed and bias, 0.01 s')
+  const frame = await until(it, ({ step, runLength }) => step === runLength && step > 5000, 'a long run')
+  assert.ok(frame.series.step.length > 200 && frame.series.step[0] === 0)
+  assert.ok(frame.doubled.converged && frame.settled === null)
+  await it
+    .locator('.verdict')
+    .filter({ hasText: /settles in about 6\.6\s×\s10⁴\ssteps, \d+\ss\./ })
+    .waitFor()
+})
+
+test('each state has a variance at the start', async (t) => {
+  const { it } = await openFigure(t, TAG)
+  await it.getByRole('textbox', { name: 'Variance at the start of state 2' }).fill('-1')
+  await fault(it).filter({ hasText: 'The variance of the start is out of bounds' }).waitFor()
+  await it.getByRole('textbox', { name: 'Variance at the start of state 2' }).fill('25')
+  await until(it, ({ params }) => params.spread[1] === 25, 'the variance is taken')
 })
 
 test('a link holds the system, its names and the step', async (t) => {
@@ -197,7 +241,7 @@ for (const width of [320, 390, 1280]) {
       .evaluateAll((all) =>
         all.map((one) => one.getBoundingClientRect()).map(({ width, height, right }) => ({ width, height, right })),
       )
-    assert.equal(cells.length, 16 * 5)
+    assert.equal(cells.length, 16 * 5 + 4)
     for (const one of cells) assert.ok(one.height >= 44 && one.width >= 44 && one.right <= width, JSON.stringify(one))
   })
 }

@@ -47,6 +47,11 @@ check(
   },
   [0, 60],
   () => {
+    // `6.6 × 10⁴` as a number.
+    const written = (text) =>
+      Number(
+        text.replace(/ × 10(.+)/, (_, power) => `e${[...power].map((digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'.indexOf(digit)).join('')}`),
+      )
     const sizes = (directions) => directions.length
     const apart = (list) => list.split(/, | and /).length
     return [
@@ -158,11 +163,14 @@ check(
           settled === Number(steps) && limit !== 'none' && Boolean(depends) === doubled.dependsOnStart,
       ],
       [
-        /^From this start it settles in about (\S+) steps(, \S+ s)?(; a larger start leads to another limit)?\.$/,
+        pattern(
+          /^From this start it settles in about (\d+|\S+ × 10\S+) steps(, .+ s)?/,
+          /(; a larger start leads to another limit)?\.$/,
+        ),
         ({ settled, params, doubled }, steps, lasting, depends) =>
           settled === null &&
           doubled.converged &&
-          Math.abs(Number(steps) / doubled.steps - 1) < 0.06 &&
+          Math.abs(written(steps) / doubled.steps - 1) < 0.06 &&
           Boolean(lasting) === params.period > 0 &&
           Boolean(depends) === doubled.dependsOnStart,
       ],

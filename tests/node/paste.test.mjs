@@ -130,7 +130,7 @@ test('the letters of other books are read as ours, by their sizes where two book
   assert.equal(read('F = 1\nH = 1\nV = 2\nW = 3').as, '')
 })
 
-test('names stand for numbers and matrices that were given before, and the length of a step is known by its name', () => {
+test('names stand for what was given before, and the length of a step is known by its name', () => {
   const half = 'T = 0.5; F = [1 T; 0 1]; G = [T^2/2; T]; H = [1 0]; W = 0.5; '
   for (const text of [
     `${half}V = 0.1*G*G'`,

@@ -228,4 +228,6 @@ fn in_the_reader_s_letters(mut error: Error) -> Error {
 }
 
 #[cfg(test)]
+mod design_tests;
+#[cfg(test)]
 mod tests;

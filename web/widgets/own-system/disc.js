@@ -46,20 +46,19 @@ export function drawDisc({ pen, width, height }, frame, view) {
     })
     const pairs = decimalsOf(seen, 2)
     const decimals = Math.max(3, pairs)
+    const written = (/** @type {{ re: number, im: number }} */ { re, im }) =>
+      im > 0 ? `${fixed(re, pairs)} ± ${fixed(im, pairs)} i` : fixed(re, decimals)
     const shown = seen.filter(
-      ({ im }, i) =>
-        im > 0 ||
-        (im === 0 &&
-          !seen
-            .slice(0, i)
-            .some((other) => other.im === 0 && fixed(other.re, decimals) === fixed(seen[i].re, decimals))),
+      (one, i) =>
+        one.im >= 0 &&
+        !seen.slice(0, i).some((other) => (other.im === 0) === (one.im === 0) && written(other) === written(one)),
     )
     const labels = shown.map((value, i) => ({
       key: `name${i}`,
       at: /** @type {[number, number]} */ ([x(value.at[0]), y(value.at[1])]),
       gap: placing ? 15 : 11,
       name: `eigenvalue-name${value.modulus >= 1 ? ' outside' : ''}`,
-      words: value.im > 0 ? `${fixed(value.re, pairs)} ± ${fixed(value.im, pairs)} i` : fixed(value.re, decimals),
+      words: written(value),
       sides: /** @type {import('../../draw/labels.js').Side[]} */ (['above', 'below']),
     }))
     const taken = seen.map(({ at }) => clear([x(at[0]), y(at[1])], placing ? 11 : 7))

@@ -93,8 +93,7 @@ export function scalarOf(text, names) {
 }
 
 /**
- * A row's entries. They stand between commas or blanks; `[1 -T]` are two, `[1 - T]` and `[1, -T * 2]` are as MATLAB reads
- * them.
+ * A row's entries. They stand between commas or blanks; `[1 -T]` are two, and `[1 - T]` is one, as in MATLAB.
  * @param {string} line
  */
 export function entriesOf(line) {

@@ -9,6 +9,9 @@ import { shownState } from './words.js'
 
 const SHAPES = ['solid', 'dashed', 'thin', 'thin dashed']
 
+/** So many curves have room for their names. */
+const NAMED = 6
+
 /** Steps as seconds, where the length of one is known. @param {Frame} frame */
 const axis = ({ series, params: { period } }) => {
   const steps = [...series.step]
@@ -74,7 +77,8 @@ export function drawVariance(panel, frame) {
         lines: variance.slice(0, frame.params.states).map((values, j) => ({
           key: String(j),
           values,
-          name: `{P}_{${j + 1}${j + 1}}`,
+          // Names of more have no room; then the state that the other plots show has one.
+          name: frame.params.states <= NAMED || j === shownState(frame.params) ? `{P}_{${j + 1}${j + 1}}` : '',
           kin: /** @type {const} */ ('posterior'),
           shape: SHAPES[j % SHAPES.length],
         })),

@@ -8,7 +8,7 @@ import { drawDisc } from './disc.js'
 import { buildEditor } from './editor.js'
 import { drawGain, drawRun, drawVariance } from './history.js'
 import { buildMore } from './more.js'
-import { decimalsOf, seconds, short } from './names.js'
+import { decimalsOf, seconds, short, steps } from './names.js'
 import { MOST, PRESETS, paramsOf, runOf } from './presets.js'
 import { drawRanks } from './ranks.js'
 import { buildShown } from './shown.js'
@@ -61,7 +61,7 @@ function readouts(frame) {
         settled !== null
           ? `in ${settled} steps`
           : doubled.converged
-            ? `in about ${short(doubled.steps)} steps`
+            ? `in about ${steps(doubled.steps)} steps`
             : tried === null
               ? 'never'
               : `not in ${tried}`,
@@ -199,23 +199,32 @@ export const figure = {
   pace: 4,
   panels: [
     { name: 'disc', width: 356, height: 356, handles: true, draw: drawDisc },
-    { name: 'ranks', width: 470, height: 170, handles: true, draw: drawRanks },
-    { name: 'run', width: 470, height: 235, draw: drawRun },
-    { name: 'gain', width: 470, height: 190, draw: drawGain },
-    { name: 'variance', width: 470, height: 190, draw: drawVariance },
+    { name: 'run', width: 312, height: 300, draw: drawRun },
+    { name: 'gain', width: 312, height: 190, draw: drawGain },
+    { name: 'variance', width: 312, height: 190, draw: drawVariance },
+    { name: 'ranks', width: 312, height: 170, handles: true, draw: drawRanks },
   ],
   layout: {
-    narrow: ['controls', 'verdict', 'disc', 'tries', 'readouts', 'run', 'gain', 'variance', 'ranks'],
+    narrow: ['controls', 'ranks', 'verdict', 'disc', 'tries', 'readouts', 'run', 'gain', 'variance'],
     medium: [
       'controls controls controls controls controls controls',
+      'ranks ranks ranks ranks ranks ranks',
       'verdict verdict verdict verdict verdict verdict',
-      'disc disc run run run run',
+      'disc disc disc run run run',
+      'gain gain gain variance variance variance',
       'tries tries tries tries tries tries',
       'readouts readouts readouts readouts readouts readouts',
-      'gain gain gain variance variance variance',
-      'ranks ranks ranks ranks ranks ranks',
     ],
-    columns: { medium: '1fr 1fr 1fr 1fr 1fr 1fr' },
+    wide: [
+      'controls controls controls',
+      'ranks ranks ranks',
+      'verdict verdict verdict',
+      'disc run gain',
+      'disc run variance',
+      'tries tries tries',
+      'readouts readouts readouts',
+    ],
+    columns: { medium: '1fr 1fr 1fr 1fr 1fr 1fr', wide: '1fr 1fr 1fr' },
   },
   tries,
   describe,

@@ -1,5 +1,7 @@
 /** The names of the states, which a link carries as Unicode numbers, and directions of the state in words. */
 
+import { fixed } from '../../draw/numbers.js'
+
 const MOST = 12
 /** The most decimals of an eigenvalue. */
 const DIGITS = 7
@@ -64,6 +66,9 @@ export function decimalsOf(eigenvalues, least) {
   }
   return least
 }
+
+/** A number of steps, to two digits: `670`, `6.6 × 10⁴`. @param {number} count */
+export const steps = (count) => fixed(Number(count.toPrecision(2)), 0)
 
 /** A time in seconds: `0.12 s`, `20 s`, `3.4e3 s`. @param {number} seconds */
 export const seconds = (seconds) => `${short(seconds)} s`

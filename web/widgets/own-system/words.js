@@ -1,7 +1,7 @@
 /** What a frame says in sentences. Every sentence is a function of the frame. */
 
 import { fixed, power } from '../../draw/numbers.js'
-import { decimalsOf, seconds, short, sumsOf } from './names.js'
+import { decimalsOf, seconds, steps, sumsOf } from './names.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
 
@@ -69,7 +69,7 @@ function limit({ limit: kind, settled, tried, doubled, params }) {
       : settled !== null
         ? ` From this start it settles in ${settled} steps${another}.`
         : doubled.converged
-          ? ` From this start it settles in about ${short(doubled.steps)} steps${lasting}${another}.`
+          ? ` From this start it settles in about ${steps(doubled.steps)} steps${lasting}${another}.`
           : tried === null
             ? ' From this start it outgrows every number.'
             : ` From this start it has not settled after ${tried} steps.`

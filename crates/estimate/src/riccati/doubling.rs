@@ -1,18 +1,20 @@
 //! Steps of the Riccati recursion, doubled (Anderson, International Journal of Control 28, 1978, 295–306; Chu, Fan, Lin
 //! and Wang, ibid. 77, 2004, 767–788): fifty doublings go as far as 10¹⁵ steps.
 //!
-//! With P = Y + Δ, where Y is a covariance that the recursion has come to, a step is Δ ↦ E + AᵀΔ(I + GΔ)⁻¹A, and so are
-//! two, four and eight steps, with other A, G and E. E is the change of P since Y, so with E of 2ᵏ steps P is known after
-//! 2ᵏ. A is what these steps leave of a small change of Y.
+//! With P = Y + Δ, where Y is a covariance that the recursion has come to, a step is Δ ↦ E + AᵀΔ(I + GΔ)⁻¹A, and so
+//! are two, four and eight steps, with other A, G and E. E is the change of P since Y, so with E of 2ᵏ steps P is known
+//! after 2ᵏ. A is what these steps leave of a small change of Y.
 
 use super::blame;
-use super::steady::step;
-use crate::dynamic::System;
 use crate::error::Error;
+use crate::lti::Lti;
 use filters::covariance::{is_finite, symmetric};
 use filters::linear::{Gain, complement, gain, innovation_covariance, predicted_covariance};
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Dyn};
 use numerics::{Spd, power_of_two, sqrt};
+
+/// A system whose sizes are known at run time only: the doubling is compiled once.
+pub(super) type System = Lti<Dyn, Dyn, Dyn>;
 
 /// Doublings: 2⁵⁰ steps.
 const DOUBLINGS: i32 = 50;
@@ -243,6 +245,12 @@ impl Doubling {
         let depends_on_start = !whole && forgotten > SAME;
         Some(Found { gain_converged, whole: whole && converged, depends_on_start, steps, converged, p, r })
     }
+}
+
+/// R from P(k+1 | k), and P(k+2 | k+1).
+pub(super) fn step(system: &System, p: &DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
+    let Gain { k: r, p: posterior, .. } = gain(p, &system.h, &system.w).map_err(blame)?;
+    Ok((r, predicted_covariance(&system.f, &posterior, &system.v).map_err(blame)?))
 }
 
 /// The largest entry of a change of the covariance `p`, as a part of the variances that it belongs to, of which none

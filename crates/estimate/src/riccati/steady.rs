@@ -1,11 +1,10 @@
 //! The limit of the Riccati recursion, found in doublings instead of steps.
 
 use super::blame;
-use super::doubling::{Doubling, Found, Scaled};
-use crate::dynamic::System;
+use super::doubling::{Doubling, Found, Scaled, System, step};
 use crate::error::Error;
 use crate::validate;
-use filters::linear::{self, Gain};
+use filters::linear;
 use nalgebra::DMatrix;
 
 /// Steps that are taken one by one before the first doubling: what a reading tells at once is then known, and a large
@@ -100,10 +99,4 @@ fn refined(system: &System, mut scaled: Scaled, mut found: Found) -> Option<(Sca
     }
     let own = Scaled::of(system, &scaled.given(&found.p));
     own.holds_still().then_some((scaled, found))
-}
-
-/// R from P(k+1 | k), and P(k+2 | k+1).
-pub(super) fn step(system: &System, p: &DMatrix<f64>) -> Result<(DMatrix<f64>, DMatrix<f64>), Error> {
-    let Gain { k: r, p: posterior, .. } = linear::gain(p, &system.h, &system.w).map_err(blame)?;
-    Ok((r, linear::predicted_covariance(&system.f, &posterior, &system.v).map_err(blame)?))
 }

@@ -76,7 +76,7 @@ record! {
         pub spectral_radius: f64,
         /// How fast each of them dies out, in the same order.
         pub decay: Vec<OwnDecay>,
-        /// Steps of a run in which the slowest of those that die out is down to 5 %, as far as a reader can wait for it.
+        /// Steps of a run in which the slowest of those that die out is down to 5 %, as far as a reader can wait.
         pub run_length: u32,
         /// How many eigenvalues a gain can move.
         pub movable: u32,
@@ -159,8 +159,8 @@ record! {
         pub fixed: bool,
     }
 
-    /// The last steps, oldest first, or of several steps one; the lists of states and readings that the system lacks are
-    /// empty.
+    /// The last steps, oldest first, or of several steps one; the lists of states and readings that the system lacks
+    /// are empty.
     #[derive(Default)]
     pub struct OwnSeries {
         /// Steps.

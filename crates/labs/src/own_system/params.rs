@@ -25,8 +25,8 @@ words! {
 }
 
 params! {
-    /// A linear system of at most nine states, eight inputs and eight readings, how it is filtered, and how it is simulated. Only
-    /// the first rows and columns count, as many as there are states, inputs and readings.
+    /// A linear system of at most nine states, eight inputs and eight readings, how it is filtered, and how it is
+    /// simulated. Only the first rows and columns count, as many as there are states, inputs and readings.
     pub struct OwnParams {
         /// The seed of the noise.
         pub seed: u32 = 1;
@@ -56,7 +56,8 @@ params! {
         pub k: Entries = (Entries::default());
         /// The eigenvalues wanted, real and imaginary part. One off the real line takes the place of the next one for
         /// its conjugate.
-        pub poles: UpTo<[f64; 2], 4, MOST> = ([[0.5, 0.0], [0.2, 0.0], [0.6, 0.0], [0.3, 0.0]].into()), from (-2.0) to 2.0 by 0.01;
+        pub poles: UpTo<[f64; 2], 4, MOST> = ([[0.5, 0.0], [0.2, 0.0], [0.6, 0.0], [0.3, 0.0]].into()),
+            from (-2.0) to 2.0 by 0.01;
         /// The size of each input in the simulation. Its sign changes every twenty steps.
         pub input: f64 = 0.0, from (-10.0) to 10.0 by 0.1;
         /// Which state the plots show, counted from 1; the last where there are fewer.

@@ -1,0 +1,87 @@
+//! What an engineer relies on: the limit of a slow filter, continuous time, nine states, a start for each state.
+
+use super::*;
+use estimate::dynamic;
+use lab::UpTo;
+
+fn with(change: impl FnOnce(&mut OwnParams)) -> OwnParams {
+    let mut params = OwnParams::default();
+    change(&mut params);
+    params
+}
+
+fn open(params: OwnParams) -> OwnFrame {
+    OwnSystem::new(params).expect("a sound system").frame()
+}
+
+/// A height, its speed and the bias of the accelerometer, a hundred times a second.
+fn height() -> OwnParams {
+    with(|p| {
+        p.states = 3;
+        p.f = [[1.0, 0.01, -0.00005], [0.0, 1.0, -0.01], [0.0, 0.0, 1.0]].map(UpTo::from).into();
+        p.g = [[0.00005], [0.01], [0.0]].map(UpTo::from).into();
+        p.h[0] = [1.0].into();
+        p.v = [[1e-10, 2e-8, 0.0], [2e-8, 4e-6, 0.0], [0.0, 0.0, 1e-8]].map(UpTo::from).into();
+        p.w[0] = [0.25].into();
+        p.period = 0.01;
+    })
+}
+
+#[test]
+fn the_gain_of_a_slow_filter_is_its_limit_and_not_that_of_step_1000() {
+    let frame = open(height());
+    assert!(frame.doubled.converged && !frame.doubled.depends_on_start && frame.settled.is_none(), "{frame:?}");
+    let system = &OwnSystem::new(height()).expect("sound").known.system.clone();
+    let at_1000 = dynamic::steady_state_gain(system, DMatrix::identity(3, 3), 1000, 0.0).expect("runs").r;
+    assert!((at_1000[2] / frame.k[2][0] - 1.0).abs() > 0.5, "{at_1000} {:?}", frame.k);
+    // Both signs of the bias's own noise: the limit is a fixed point.
+    let later = dynamic::steady_state_gain(system, DMatrix::identity(3, 3), 100_000, 0.0).expect("runs").r;
+    (0..3).for_each(|i| assert!((later[i] / frame.k[i][0] - 1.0).abs() < 1e-9, "{later} {:?}", frame.k));
+}
+
+#[test]
+fn a_run_is_as_long_as_its_slowest_error_and_the_plots_keep_one_of_several_steps() {
+    let frame = open(height());
+    let slowest = frame.decay[0].steps.expect("dies out");
+    let left = libm::pow(frame.spectral_radius, slowest);
+    assert!((left - 0.05).abs() < 1e-12 && frame.run_length >= slowest as u32, "{left} {}", frame.run_length);
+    let seconds = frame.decay[0].seconds.expect("a step's length is known");
+    assert!((libm::exp(-0.01 / seconds) - frame.spectral_radius).abs() < 1e-12);
+    let mut lab = OwnSystem::new(OwnParams { every: 5, ..height() }).expect("sound");
+    lab.run(frame.run_length).expect("runs");
+    let all = lab.frame().series.step;
+    assert_eq!(all.iter().take(3).collect::<Vec<_>>(), [0.0, 5.0, 10.0]);
+    // An eigenvalue of 1 says nothing of how long a run should be.
+    assert_eq!(open(with(|p| p.h[0] = [0.0, 1.0].into())).run_length, 40);
+}
+
+#[test]
+fn a_system_in_continuous_time_is_the_one_that_it_is_over_a_step() {
+    let params = with(|p| {
+        p.f = [[0.0, 1.0], [0.0, 0.0]].map(UpTo::from).into();
+        p.g = [[0.0], [1.0]].map(UpTo::from).into();
+        p.v = [[0.0, 0.0], [0.0, 3.0]].map(UpTo::from).into();
+        (p.continuous, p.period) = (true, 0.5);
+    });
+    let frame = open(params);
+    assert_eq!(frame.f, [[1.0, 0.5], [0.0, 1.0]]);
+    assert_eq!((frame.g, frame.v), (vec![vec![0.125], vec![0.5]], vec![vec![0.125, 0.375], vec![0.375, 1.5]]));
+    let error = OwnSystem::new(OwnParams { period: 0.0, ..params }).expect_err("no length of a step");
+    assert_eq!((error.code, error.argument.as_ref()), (estimate::Code::Limit, "period"));
+    let error =
+        OwnSystem::new(with(|p| (p.continuous, p.period, p.v[0][0]) = (true, 0.5, -1.0))).expect_err("negative");
+    assert_eq!(error.argument, "v");
+}
+
+#[test]
+fn each_state_has_a_start_of_its_own_and_there_may_be_nine() {
+    let frame = open(with(|p| (p.start, p.spread) = (2.0, [3.0, 0.5].into())));
+    assert_eq!(frame.p, [[6.0, 0.0], [0.0, 1.0]]);
+    let nine = open(with(|p| {
+        (p.states, p.inputs, p.readings) = (9, 0, 8);
+        (0..9).for_each(|i| (p.f[i][i], p.v[i][i]) = (0.9, 0.1));
+        (0..8).for_each(|i| (p.h[i][i], p.w[i][i]) = (1.0, 1.0));
+    }));
+    assert_eq!((nine.k.len(), nine.k[0].len(), nine.eigenvalues.len()), (9, 8, 9));
+    assert_eq!((nine.series.truth.len(), nine.series.gain[8].len(), nine.movable), (9, 8, 8));
+}
