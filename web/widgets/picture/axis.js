@@ -35,7 +35,8 @@ const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type
  * @param {import('../../figure/spec.js').View} view
  */
 export function drawAxis({ pen, width, height }, frame, view) {
-  const bells = bellsOf(frame)
+  // Sealed, the product and the point of balance are not drawn: either tells the answer.
+  const bells = bellsOf(frame).slice(0, frame.params.sealed ? 2 : 3)
   const far = Math.max(...bells.slice(0, 2).map(({ mean, sigma }) => Math.abs(mean - CENTRE) + 2 * sigma))
   if (!pen.held) view.memory.output = REACHES.find((reach) => reach >= far) ?? far
   const reach = view.memory.output
@@ -120,7 +121,7 @@ function bell({ x, y }, mean, sigma, high) {
  * @param {Frame} frame
  * @param {Bell[]} bells
  */
-function balance(pen, { x, box }, { mostLikelyOutput }, [expected, read]) {
+function balance(pen, { x, box }, { mostLikelyOutput, params: { sealed } }, [expected, read]) {
   const y = box.bottom + BEAM
   const held = (/** @type {number} */ at) => clamp(x(at), box.left, box.right)
   pen.mark('line', 'beam', { class: 'direction', x1: held(expected.mean), x2: held(read.mean), y1: y, y2: y })
@@ -130,6 +131,7 @@ function balance(pen, { x, box }, { mostLikelyOutput }, [expected, read]) {
     const r = Math.max(2, (HEAVIEST * lightest) / Math.max(lightest, sigma))
     pen.mark('circle', `${key}-weight`, { ...meaning('full', kin), cx: held(mean), cy: y - r, r })
   }
+  if (sealed) return
   const at = held(mostLikelyOutput)
   pen.mark('path', 'fulcrum', { ...meaning('full', 'measurement'), d: `M${at.toFixed(1)} ${y}l7 13h-14Z` })
   const left = at > box.right - 28
