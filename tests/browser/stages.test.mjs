@@ -67,7 +67,7 @@ test('on a phone the ellipse stays in sight while the knob is turned, and one bu
   const [picture, hand] = await Promise.all([page.locator('.live .panel-phase').boundingBox(), knob.boundingBox()])
   assert.ok(picture.y >= -1 && picture.y + picture.height < hand.y, 'the ellipse is above the knob')
   assert.ok(hand.y + hand.height <= PHONE.height, 'and the knob on the same screen')
-  await page.getByRole('button', { name: /^More/ }).click()
+  await page.getByRole('button', { name: /More: plots/ }).click()
   assert.equal((await there(page, 'figure')).length, 7)
 })
 
