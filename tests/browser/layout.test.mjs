@@ -112,7 +112,7 @@ for (const tag of ['observer-bench', 'odometry-hook', 'observability-probe']) {
 }
 
 test('a box that goes on beyond an edge fades there', async (t) => {
-  const page = await open(t, { viewport: { width: 390, height: 844 }, touch: true })
+  const page = await open(t, { at: 'kalman/rust/', viewport: { width: 390, height: 844 }, touch: true })
   const box = page.locator('pre.scroll-box').first()
   await box.scrollIntoViewIfNeeded()
   await page.waitForFunction((element) => element.hasAttribute('tabindex'), await box.elementHandle())

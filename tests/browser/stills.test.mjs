@@ -27,6 +27,10 @@ test('drawings that are files follow theme and notation, and a search in the pag
     expected: [/\.wasm|Failed to load|ERR_FAILED/i],
     prepare: (it) => it.route('**/*.wasm', (route) => route.abort()),
   })
+  // It opens small; the plot comes with its last stage.
+  await page.locator('#fig-bench .widget').evaluate((widget) => {
+    widget.dataset.stage = '3'
+  })
   const gain = page.locator('#fig-bench .still > .panel-gain')
   await gain.scrollIntoViewIfNeeded()
   await page.locator('#fig-bench .figure-failure').waitFor()

@@ -175,7 +175,9 @@ test('on a phone no formula and no table has to be scrolled in any letters, and 
     assert.deepEqual(await wide('main :is(.equation-body, .table-box)'), [], notation)
   }
   await page.setViewportSize({ width: 1440, height: 900 })
+  await page.goto(new URL('rust/', page.url()).href)
   await layOut(page)
+  assert.ok((await page.locator('.chapter > section > .listing > pre').count()) > 10)
   assert.deepEqual(await wide('.chapter > section > .listing > pre'), [])
 })
 

@@ -31,7 +31,7 @@ test('a veil on a page that comes up at a place below it moves nothing', async (
   )
 })
 
-test('a figure is as high before its answer as after it, and a reader who skips at the veil still sees it', async (t) => {
+test('a figure keeps its height when it is answered, and a reader who skips at its veil still sees it', async (t) => {
   const page = await open(t, { at: 'kalman/#fig-museum' })
   const skip = page.locator('#fig-museum .figure-locked').getByRole('button', { name: 'Skip, show me' })
   await skip.waitFor()

@@ -48,3 +48,22 @@ test('Close the loop keeps every sighting in sight, from the start to the end of
     lab.free()
   }
 })
+
+test('the map of another run is fitted anew, and that of the same run, or of one that is still computed, is not', () => {
+  const view = { memory: {}, elapsed: 16 }
+  const at = (far, frame) => {
+    for (;;) {
+      const { plane, moving } = followed(view, BOXES[0], () => [[-1, far]], frame)
+      if (!moving) return plane.x.domain[1] - plane.x.domain[0]
+    }
+  }
+  const [first, second] = [
+    { params: { bias: 1 }, tracks: {} },
+    { params: { bias: 2 }, tracks: {} },
+  ]
+  const wide = at(2, first)
+  assert.equal(at(1, { ...first, tracks: {} }), wide, 'a step of the same run')
+  assert.equal(at(1, { params: second.params, tracks: view.memory.mapOf.tracks }), wide, 'asked for, and not there yet')
+  assert.ok(at(1, second) < 0.8 * wide, 'another run')
+  assert.deepEqual(Object.keys(view.memory).sort(), ['map', 'mapOf'], 'what the plots remember is theirs')
+})

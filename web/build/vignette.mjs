@@ -1,7 +1,7 @@
 /**
- * The small pictures at the heads. A chapter's: the ellipse of a prediction grows until it touches the line of a reading,
- * and there the estimate goes; the style sheet plays it once, and then it is the reader's to drag. The cover's: a lap as
- * it was driven, and as the encoders tell it for each error of a wheel. The core computes all of it.
+ * The small pictures at the heads. A chapter’s: the ellipse of a prediction grows until it touches a reading’s line,
+ * and there the estimate goes; the style sheet plays it once, and then it is the reader's to drag. The cover's: a lap
+ * as it was driven, and as the encoders tell it for each error of a wheel. The core computes all of it.
  */
 
 import { createRequire } from 'node:module'
@@ -27,7 +27,8 @@ export function vignette(pkg) {
   const line = at([0, reading])[1]
   return [
     `<svg class="vignette" viewBox="0 0 ${SIZE.width} ${SIZE.height}" aria-hidden="true" focusable="false" ` +
-      `data-toy="touch" data-mean="${mx} ${my}" data-foot="${fx} ${fy}" data-expected="${mean[1]}" data-reading="${reading}" ` +
+      `data-toy="touch" data-mean="${mx} ${my}" data-foot="${fx} ${fy}" data-expected="${mean[1]}" ` +
+      `data-reading="${reading}" ` +
       `style="--mx:${mx}px;--my:${my}px;--dx:${fx - mx}px;--dy:${fy - my}px">`,
     `<path class="mark outline prediction" d="${ellipsePath(predicted.ellipse, mean, plane)}"/>`,
     `<path class="mark line measurement" d="M0 ${line}H${SIZE.width}"/>`,
@@ -47,8 +48,7 @@ const LAP = 640
 /** The cover's picture as SVG. @param {string} pkg the module's build for Node */
 export function lap(pkg) {
   const { OdometryHook } = createRequire(import.meta.url)(join(pkg, 'estimate_wasm.js'))
-  const plane = evenPlane({ left: 0, top: 0, right: SIZE.width, bottom: SIZE.height }, [5.4, 4.4], 4.9)
-  const some = (/** @type {number[]} */ values) => values.filter((_, i) => i % 10 === 0 || i === values.length - 1)
+  const plane = evenPlane({ left: 0, top: 0, right: SIZE.width, bottom: SIZE.height }, [4.6, 2.6], 6.9)
   const runs = BIASES.map((bias) => {
     const run = OdometryHook.from({ version: 1, lab: 'odometry-hook', step: LAP, params: { bias, slip: 0 } })
     const { tracks, error } = run.frame()
@@ -59,13 +59,14 @@ export function lap(pkg) {
   return [
     `<svg class="vignette" viewBox="0 0 ${SIZE.width} ${SIZE.height}" aria-hidden="true" focusable="false" ` +
       'data-toy="lap">',
-    `<path class="mark track truth" d="${seriesPath(plane, some(driven.truth.x), some(driven.truth.y))}"/>`,
+    `<path class="mark track truth" d="${seriesPath(plane, driven.truth.x, driven.truth.y)}"/>`,
     ...runs.map(({ bias, tracks: { estimate }, error }, i) => {
       const end = [plane.x(estimate.x.at(-1)), plane.y(estimate.y.at(-1))].map((value) => Math.round(value * 10) / 10)
-      const words = `a wheel ${fixed(100 * bias, 2)} % smaller than believed: ${fixed(error.position, 1)} m off after a lap`
+      const [wheel, off] = [fixed(100 * bias, 2), fixed(error.position, 1)]
+      const words = `a wheel ${wheel} % smaller than believed: ${off} m off after a lap`
       return (
         `<path class="mark track prediction lap" data-end="${end.join(' ')}" data-words="${words}"` +
-        `${i === OPENS ? '' : ' hidden'} d="${seriesPath(plane, some(estimate.x), some(estimate.y))}"/>`
+        `${i === OPENS ? '' : ' hidden'} d="${seriesPath(plane, estimate.x, estimate.y)}"/>`
       )
     }),
     '</svg>',

@@ -35,7 +35,7 @@ export function bell({ x, y }, mean, sigma, high) {
  * The beam with its two weights, and its point of balance.
  * @param {import('./pen.js').Pen} pen
  * @param {Plane} plane
- * @param {number} likely where it balances
+ * @param {number | null} likely where it balances; null where that is not told
  * @param {Bell[]} bells the first two are the opinions
  */
 export function balance(pen, { x, box }, likely, [expected, read]) {
@@ -48,6 +48,7 @@ export function balance(pen, { x, box }, likely, [expected, read]) {
     const r = Math.max(2, (HEAVIEST * lightest) / Math.max(lightest, sigma))
     pen.mark('circle', `${key}-weight`, { ...meaning('full', kin), cx: held(mean), cy: y - r, r })
   }
+  if (likely === null) return
   const at = held(likely)
   pen.mark('path', 'fulcrum', { ...meaning('full', 'measurement'), d: `M${at.toFixed(1)} ${y}l7 13h-14Z` })
   const left = at > box.right - 28

@@ -50,10 +50,9 @@ function range(all) {
  * @param {{ params: object, tracks: object }} frame
  */
 function isAnother({ memory }, { params, tracks }) {
-  if (memory.tracks === tracks) return false
+  const last = memory.mapOf
+  if (last?.tracks === tracks) return false
   const run = JSON.stringify(params)
-  const another = memory.run !== undefined && memory.run !== run
-  memory.tracks = tracks
-  memory.run = run
-  return another
+  memory.mapOf = { run, tracks }
+  return last !== undefined && last.run !== run
 }

@@ -77,7 +77,8 @@ function closed(document, block) {
  */
 function likeness(document, control) {
   const span = document.createElement('span')
-  if (control.hasAttribute('hidden')) span.setAttribute('hidden', '')
+  for (const name of ['hidden', 'data-at'])
+    if (control.hasAttribute(name)) span.setAttribute(name, control.getAttribute(name) ?? '')
   const kind = control.localName === 'input' ? control.getAttribute('type') : control.localName
   span.setAttribute('class', `${control.getAttribute('class') ?? ''} like-${kind}`.trim())
   if (kind === 'button') span.append(...control.childNodes)

@@ -58,8 +58,8 @@ function touching(svg) {
   const { handle, words } = hold(svg, 'The line of the reading', 'drag')
   const far = foot[1] - mean[1]
   // The line stays in the picture, and the estimate too.
-  const most = Math.min((svg.viewBox.baseVal.height - 14 - mean[1]) / far, mean[0] / Math.abs(foot[0] - mean[0]))
-  const least = -(mean[1] - 14) / far
+  const most = Math.min((svg.viewBox.baseVal.height - 18 - mean[1]) / far, mean[0] / Math.abs(foot[0] - mean[0]))
+  const least = -(mean[1] - 18) / far
   let share = 1
   const place = () => mean[1] + share * far
   const show = () => {

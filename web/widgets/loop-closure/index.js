@@ -86,29 +86,9 @@ function readouts({ step, nees, meanNees, error, series, map, thresholds, closur
 
 // Controls.
 
-/**
- * A slider over powers of ten: its numbers are the logarithms.
- * @param {'gate' | 'found'} name
- * @param {string} label
- * @returns {import('../../figure/controls.js').Control}
- */
-const threshold = (name, label) => ({
-  kind: 'range',
-  name,
-  label,
-  step: 0.01,
-  ends: [Math.log10(0.5), 2],
-  scale: (value) => Math.log10(value),
-  set: (value) => ({ [name]: Math.max(0.5, Math.min(100, Number((10 ** value).toFixed(2)))) }),
-  words: (_, /** @type {Frame} */ { params }) => fixed(params[name], 2),
-})
-
+// The two thresholds are handles on their axis.
 /** @type {import('../../figure/controls.js').Control[]} */
-const controls = [
-  threshold('gate', 'Gate, *χ*^{2}'),
-  threshold('found', 'Founding from, *χ*^{2}'),
-  { kind: 'toggle', name: 'correlated', label: 'keep the cross-covariances' },
-]
+const controls = [{ kind: 'toggle', name: 'correlated', label: 'keep the cross-covariances' }]
 
 /** @type {import('../../figure/spec.js').Try[]} */
 const tries = [

@@ -27,7 +27,8 @@ const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type
  * @param {import('../../figure/spec.js').View} view
  */
 export function drawAxis({ pen, width, height }, frame, view) {
-  const bells = bellsOf(frame)
+  // Sealed, the product and the point of balance are not drawn: either tells the answer.
+  const bells = bellsOf(frame).slice(0, frame.params.sealed ? 2 : 3)
   const far = Math.max(...bells.slice(0, 2).map(({ mean, sigma }) => Math.abs(mean - CENTRE) + 2 * sigma))
   if (!pen.held) view.memory.output = REACHES.find((reach) => reach >= far) ?? far
   const reach = view.memory.output
@@ -46,7 +47,7 @@ export function drawAxis({ pen, width, height }, frame, view) {
           d: bell(plane, mean, Math.max(sigma, narrow / 3), top(sigma)),
         })
     })
-    balance(pen, plane, frame.mostLikelyOutput, bells)
+    balance(pen, plane, frame.params.sealed ? null : frame.mostLikelyOutput, bells)
     const { x, y } = plane
     const at = (/** @type {Bell} */ { mean, sigma }) => /** @type {[number, number]} */ ([x(mean), y(top(sigma))])
     const grips = handles(plane, frame, view, bells, top)

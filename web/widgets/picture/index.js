@@ -71,11 +71,11 @@ function readouts({
       'posterior',
     ),
     { key: 'innovation', label: 'Innovation {innov}', value: fixed(innovation, 3), kin: 'measurement' },
-    { key: 'likely', label: '{y}^{∗}', value: fixed(mostLikelyOutput, 3), kin: 'measurement' },
+    { key: 'likely', label: '{y}^{∗}', value: answer(fixed(mostLikelyOutput, 3)), kin: 'measurement' },
     {
       key: 'weights',
       label: 'Weights 1/*σ*^{2}: expected + reading = product',
-      value: `${weight(expectedVariance)} + ${weight(noise)} = ${weight(mostLikelyVariance)}`,
+      value: `${weight(expectedVariance)} + ${weight(noise)}${sealed ? '' : ` = ${weight(mostLikelyVariance)}`}`,
       wide: true,
       kin: 'measurement',
     },
@@ -86,7 +86,7 @@ function readouts({
       value: answer(`[${fixed(update.at[0], 3)}, ${fixed(update.at[1], 3)}]`),
       kin: 'posterior',
     },
-    { key: 'share', label: 'Part of {innov} taken over', value: fixed(taken, 3), kin: 'posterior' },
+    { key: 'share', label: 'Part of {innov} taken over', value: answer(fixed(taken, 3)), kin: 'posterior' },
     { key: 'inside', label: 'Inside the grown ellipse', value: share(inside), kin: 'prediction', shown: radius > 0 },
     {
       key: 'residual',

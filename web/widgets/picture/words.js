@@ -83,13 +83,15 @@ export function describe(frame) {
       `the Mahalanobis foot at ${point(frame.mahalanobisFoot.at)}; ` +
       `on the line of the most likely output ${fixed(mostLikelyOutput, 2)} the Kalman update at ` +
       `${point(frame.posterior.x)}`
+  const product = params.sealed ? '' : `, and their product about ${fixed(mostLikelyOutput, 2)}`
   return {
     plane:
       `Plane of position and velocity: a prediction at ${point(params.mean)} with its ellipse; ` +
       `the line of states that explain the reading ${fixed(params.reading, 2)}; ${answer}.`,
     axis:
-      `Axis of the output: a bell about the expected output ${fixed(expectedOutput, 2)} with a standard deviation ` +
+      'Axis of the output: ' +
+      `a bell about the expected output ${fixed(expectedOutput, 2)} with a standard deviation ` +
       `of ${fixed(Math.sqrt(expectedVariance), 2)}, one about the reading ${fixed(params.reading, 2)} with ` +
-      `${fixed(Math.sqrt(params.noise), 2)}, and their product about ${fixed(mostLikelyOutput, 2)}.`,
+      `${fixed(Math.sqrt(params.noise), 2)}${product}.`,
   }
 }

@@ -1,0 +1,122 @@
+// A figure that opens small in the text grows with it; on a phone the picture stays beside what moves it; and the
+// pictures at the heads are in the reader's hand.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { comeTo, open, openFigure, PHONE, quiet } from './harness.mjs'
+
+/** The parts of a figure that are there, by name. */
+const there = (page, figure) =>
+  page
+    .locator(`${figure} .live`)
+    .evaluate((live) =>
+      [
+        ...['disc', 'gain', 'variance', 'error'].map((name) => `.panel-${name}`),
+        '.readouts',
+        '.figure-tools',
+        '[aria-label="Run"] + .control',
+      ].filter((part) => live.querySelector(part)?.checkVisibility()),
+    )
+
+test('the Bench opens with its ellipse and its knob, and its words and buttons bring the rest', async (t) => {
+  const page = await open(t)
+  await comeTo(page, '#fig-bench', '#fig-bench .widget[data-state=live]')
+  assert.deepEqual(await there(page, '#fig-bench'), [])
+  assert.ok(await page.locator('#fig-bench').getByRole('slider', { name: /Gain/ }).isVisible(), 'the knob is there')
+  // Words of the text.
+  await page.getByRole('link', { name: 'Watch the dots on the disc.' }).press('Enter')
+  await page.locator('#fig-bench .live .panel-disc').waitFor()
+  assert.deepEqual(await there(page, '#fig-bench'), ['.panel-disc'])
+  // The button below the figure.
+  await page.locator('#fig-bench').getByRole('button', { name: 'Show the whole bench' }).click()
+  await page.locator('#fig-bench .live .panel-error').waitFor()
+  assert.equal((await there(page, '#fig-bench')).length, 7, 'all of it is there')
+  assert.equal(await page.locator('#fig-bench .grow-list :visible').count(), 0, 'nothing is left to show')
+  // What has come is as large as it is drawn.
+  await quiet(page)
+  for (const name of ['disc', 'gain']) {
+    const [width, drawn] = await page
+      .locator(`#fig-bench .live .panel-${name}`)
+      .evaluate((svg) => [svg.getBoundingClientRect().width, svg.viewBox.baseVal.width])
+    assert.ok(Math.abs(width - drawn) < 1, `${name} is ${width} px wide and drawn for ${drawn}`)
+  }
+  // Words never make a figure smaller.
+  await page.getByRole('link', { name: 'Watch the dots on the disc.' }).press('Enter')
+  assert.equal((await there(page, '#fig-bench')).length, 7)
+})
+
+test('a link to a state opens the whole figure, and so does its own page', async (t) => {
+  const state = Buffer.from(JSON.stringify([1, 'observer-bench', 3, {}])).toString('base64url')
+  const page = await open(t, { at: `kalman/?fig-bench=${state}#fig-bench` })
+  await comeTo(page, '#fig-bench', '#fig-bench .widget[data-state=live]')
+  assert.equal((await there(page, '#fig-bench')).length, 7)
+  const { page: own } = await openFigure(t, 'observer-bench')
+  assert.equal((await there(own, 'figure')).length, 7)
+})
+
+test('on a phone the ellipse stays in sight while the knob is turned, and one button has the rest', async (t) => {
+  const { page } = await openFigure(t, 'observer-bench', { viewport: PHONE, touch: true })
+  assert.deepEqual(
+    (await there(page, 'figure')).filter((part) => !part.startsWith('.panel')),
+    [],
+  )
+  const knob = page.getByRole('slider', { name: /Gain/ })
+  await knob.evaluate((it) =>
+    scrollBy({ top: it.getBoundingClientRect().bottom - innerHeight + 60, behavior: 'instant' }),
+  )
+  await quiet(page)
+  const [picture, hand] = await Promise.all([page.locator('.live .panel-phase').boundingBox(), knob.boundingBox()])
+  assert.ok(picture.y >= -1 && picture.y + picture.height < hand.y, 'the ellipse is above the knob')
+  assert.ok(hand.y + hand.height <= PHONE.height, 'and the knob on the same screen')
+  await page.getByRole('button', { name: /More: plots/ }).click()
+  assert.equal((await there(page, 'figure')).length, 7)
+})
+
+for (const name of ['odometry-hook', 'picture', 'observability-probe', 'tune', 'loop-closure', 'bug-museum'])
+  test(`on a phone the ${name} is at most two screens high`, async (t) => {
+    const { page } = await openFigure(t, name, { viewport: PHONE, touch: true })
+    await quiet(page)
+    const { height } = await page.locator('.widget').boundingBox()
+    assert.ok(height <= 2 * PHONE.height, `${height} px`)
+  })
+
+test('the line at the head of the chapter is moved by keys and by hand, and the touching point slides', async (t) => {
+  const page = await open(t)
+  const line = page.getByRole('slider', { name: 'The line of the reading' })
+  await line.waitFor()
+  await page
+    .locator('.vignette > .full')
+    .evaluate((point) => Promise.all(point.getAnimations().map((it) => it.finished)))
+  const point = () => page.locator('.vignette > .full').boundingBox()
+  const at = [await point()]
+  const before = await line.getAttribute('aria-valuetext')
+  for (let i = 0; i < 6; i += 1) await line.press('ArrowDown')
+  at.push(await point())
+  assert.notEqual(await line.getAttribute('aria-valuetext'), before)
+  const ring = await page.locator('.vignette .handle-ring').boundingBox()
+  const middle = [ring.x + ring.width / 2, ring.y + ring.height / 2]
+  await page.mouse.move(...middle)
+  await page.mouse.down()
+  await page.mouse.move(middle[0], middle[1] - 40, { steps: 4 })
+  await page.mouse.up()
+  at.push(await point())
+  const [first, keys, hand] = at.map(({ x, y }) => [x, y])
+  assert.ok(keys[1] > first[1] && hand[1] < keys[1] - 30, 'it goes with the line')
+  // It slides along one straight line.
+  const slope = ([x1, y1], [x2, y2]) => (x2 - x1) / (y2 - y1)
+  assert.ok(Math.abs(slope(first, keys) - slope(keys, hand)) < 0.03, `${slope(first, keys)} and ${slope(keys, hand)}`)
+  assert.ok(Math.abs(slope(first, keys)) > 0.1, 'not straight down')
+})
+
+test('the cover has a lap whose end is the handle, and every place of it has its track', async (t) => {
+  const page = await open(t, { at: '' })
+  const end = page.getByRole('slider', { name: 'The wheel’s error' })
+  await end.waitFor()
+  const shown = () => page.locator('.lap:not([hidden])').evaluateAll((all) => all.map((it) => it.dataset.words))
+  assert.equal((await shown()).length, 1)
+  await end.press('Home')
+  assert.deepEqual(await shown(), ['a wheel 0.00 % smaller than believed: 0.0 m off after a lap'])
+  await end.press('End')
+  const [worst] = await shown()
+  assert.match(worst, /^a wheel 1\.00 % smaller than believed: [3-6]\.\d m off after a lap$/)
+  assert.equal(await end.getAttribute('aria-valuetext'), worst)
+})
