@@ -20,6 +20,7 @@ mod shapes;
 pub mod true_path;
 pub mod tune;
 mod typescript;
+pub mod worlds;
 
 pub use estimate::localizer::SensorKind;
 pub use figures::FIGURES;
