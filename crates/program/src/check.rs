@@ -48,10 +48,13 @@ impl Checker<'_, '_> {
                 self.shapes[line.name] = Some(shape);
             }
         }
-        let last = self.tree.lines.last().map_or(Place::default(), |line| line.place);
-        for (i, letter) in [Letter::X, Letter::P].into_iter().enumerate() {
-            self.outcome(letter, Place { from: last.from + i, ..last });
+        // Behind the last line.
+        let mut last = Place::default();
+        if let Some(line) = self.tree.lines.last() {
+            let end = line.value.map_or(line.place.to, |value| self.tree.place(value).to);
+            last = Place { from: end, to: end };
         }
+        self.outcome(last);
         if self.products > MOST_PRODUCTS {
             let mut words = Words::new("A step takes ");
             words.whole(self.products as i64).text(" products; at most ").whole(MOST_PRODUCTS as i64);
@@ -59,21 +62,26 @@ impl Checker<'_, '_> {
         }
     }
 
-    /// What a world takes: the new estimate and its covariance. What is not made is a fault at the last line.
-    fn outcome(&mut self, letter: Letter, last: Place) {
-        let Some(line) = self.tree.made(letter as usize) else {
-            let mut words = Words::new("No line makes ");
-            words.text(&self.names[letter as usize]).text(": a step of a filter makes a new ").text(&self.names[X]);
-            words.text(" and a new ").text(&self.names[P]).text(" of the old ones.");
-            self.faults.words(last, words);
-            return;
-        };
-        let (shape, wanted) = (self.shapes[line.name].unwrap_or(Shape::Unknown), World::shape_of(letter));
-        if shape == Shape::Identity || !self.same(shape, wanted) {
-            let mut words = Words::new(&self.names[line.name]);
-            self.found.say(shape, words.text(" becomes "));
-            self.found.say(wanted, words.text("; it must be "));
-            self.told(line.place, words, ".");
+    /// What a world takes: the new estimate and its covariance.
+    fn outcome(&mut self, last: Place) {
+        let mut missing = Words::new("No line makes ");
+        for (name, letter) in [(X, Letter::X), (P, Letter::P)] {
+            let Some(line) = self.tree.made(name) else {
+                missing.text(if missing.0.ends_with(' ') { "" } else { ", and none " }).text(&self.names[name]);
+                continue;
+            };
+            let (shape, wanted) = (self.shapes[name].unwrap_or(Shape::Unknown), World::shape_of(letter));
+            if shape == Shape::Identity || !self.same(shape, wanted) {
+                let mut words = Words::new(&self.names[name]);
+                self.found.say(shape, words.text(" becomes "));
+                self.found.say(wanted, words.text("; it must be "));
+                self.told(line.place, words, ".");
+            }
+        }
+        if !missing.0.ends_with(' ') {
+            missing.text(": a step of a filter makes a new ").text(&self.names[X]).text(" and a new ");
+            missing.text(&self.names[P]);
+            self.told(last, missing, " of the old ones.");
         }
     }
 

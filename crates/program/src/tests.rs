@@ -197,7 +197,7 @@ fn all_faults_are_told_at_once_in_the_order_of_the_text() {
     );
     assert_eq!(
         faults("x = F x"),
-        ["1:2 No line makes P: a step of a filter makes a new x and a new P of the old ones."]
+        ["1:8 No line makes P: a step of a filter makes a new x and a new P of the old ones."]
     );
     assert!(faults("x = 1e400 x\nP = P")[0].contains("22 places"));
 }
