@@ -4,6 +4,7 @@ mod call;
 
 use crate::fault::{Faults, Place, line_of};
 use crate::size::{Found, Shape, Size};
+use crate::token::NO_TIMES;
 use crate::tree::{Function, Id, Name, Node, Tree};
 use crate::words::Words;
 use crate::world::{Letter, Notation, P, World, X};
@@ -138,11 +139,16 @@ impl Checker<'_, '_> {
         }
         let text = self.names[name].as_str();
         let mut words = Words::new(text);
+        let factors = self.factors(text);
         let later = self.tree.lines[self.line..].iter().find(|line| line.name == name && line.place.from > place.from);
         let is = |letter: Letter| self.notation.letter(letter) == text;
         if let Some(line) = later {
             words.text(" is not known here; line ").whole(i64::from(line_of(self.text, line.place.from)));
             words.text(" makes it.");
+        } else if text == "k" || text == "t" {
+            words = Words::new(NO_TIMES);
+        } else if !factors.0.is_empty() {
+            words.text(" is not known. A product has a blank or a * between its factors: ").text(&factors.0).text(".");
         } else if self.world == World::Robot && (is(Letter::F) || is(Letter::H) || is(Letter::G)) {
             words.text(" is not given in this world: it is a derivative, jac(");
             words.text(if is(Letter::H) { "h, " } else { "f, " });
@@ -158,6 +164,23 @@ impl Checker<'_, '_> {
         // Once is enough.
         self.shapes[name] = Some(Shape::Unknown);
         Shape::Unknown
+    }
+
+    /// A name as a product of names that are known, "F x" for "Fx"; empty where it is none.
+    fn factors(&self, text: &str) -> Words {
+        let (mut words, mut rest) = (Words::default(), text);
+        while !rest.is_empty() {
+            // I, n, p, m and π are no factors that one would write so.
+            let constants = self.world.identity()..self.world.identity() + 6;
+            let mut known = (0..self.names.len()).filter(|i| self.shapes[*i].is_some() && !constants.contains(i));
+            let Some(name) = known.find(|i| rest.starts_with(self.names[*i].as_str())) else {
+                return Words::default();
+            };
+            let name = &self.names[name];
+            words.text(if rest.len() < text.len() { " " } else { "" }).text(name);
+            rest = rest.get(name.len()..).unwrap_or_default();
+        }
+        words
     }
 
     fn shape(&mut self, id: Id) -> Shape {
