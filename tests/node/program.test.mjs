@@ -59,7 +59,7 @@ test('the chapter’s lines are a kalmanStep', () => {
     near(step.R, exact.R)
     ;[ours, theirs] = [exact, step]
   }
-  const { lines } = program.step(rail, belief, [0.1], [4.2])
+  const lines = program.lines(rail, belief, [0.1], [4.2])
   assert.deepEqual(
     lines.map(({ line, name }) => [line, name]),
     [
@@ -72,6 +72,7 @@ test('the chapter’s lines are a kalmanStep', () => {
       [7, 'P'],
     ],
   )
+  assert.deepEqual(lines[5].value.flat(), program.step(rail, belief, [0.1], [4.2]).x)
 })
 
 test('the robot’s lines are a step of the localizer', () => {
@@ -128,10 +129,22 @@ test('a judgement names what is wrong', () => {
 })
 
 test('bad input is refused by name', () => {
-  assert.match(thrown(() => new Program(7)), /EstimateError type text: .* must be a text/)
-  assert.match(thrown(() => new Program('a'.repeat(20_001))), /limit text/)
-  assert.match(thrown(() => new Program('', { notation: 'greek' })), /type options.notation/)
-  assert.match(thrown(() => new Program('', { letters: 'thrun' })), /type options.letters/)
+  assert.match(
+    thrown(() => new Program(7)),
+    /EstimateError type text: .* must be a text/,
+  )
+  assert.match(
+    thrown(() => new Program('a'.repeat(20_001))),
+    /limit text/,
+  )
+  assert.match(
+    thrown(() => new Program('', { notation: 'greek' })),
+    /type options.notation/,
+  )
+  assert.match(
+    thrown(() => new Program('', { letters: 'thrun' })),
+    /type options.letters/,
+  )
   const program = new Program(CHAPTER)
   const step = (...given) => thrown(() => program.step(...given))
   assert.match(step(rail, belief, [0], [NaN]), /not-finite y/)
@@ -139,9 +152,18 @@ test('bad input is refused by name', () => {
   assert.match(step(rail, { ...belief, P: [[1]] }, [0], [1]), /shape belief/)
   assert.match(step({ V: rail.V }, belief, [0], [1]), /type system/)
   const empty = new Program('x = ')
-  assert.match(thrown(() => empty.step(rail, belief, [0], [1])), /shape program: .*line 1: Here a formula/)
+  assert.match(
+    thrown(() => empty.step(rail, belief, [0], [1])),
+    /shape program: .*line 1: Here a formula/,
+  )
   const singular = new Program('x = x\nP = P\nA = inv(0 P)')
-  assert.match(thrown(() => singular.step(rail, belief, [0], [1])), /not-positive-semidefinite program: .*line 3/)
+  assert.match(
+    thrown(() => singular.step(rail, belief, [0], [1])),
+    /not-positive-semidefinite program: .*line 3/,
+  )
   const robot = new Program(ROBOT, { world: 'robot' })
-  assert.match(thrown(() => robot.step(rail, belief, [0], [1])), /type system.F/)
+  assert.match(
+    thrown(() => robot.step(rail, belief, [0], [1])),
+    /type system.F/,
+  )
 })

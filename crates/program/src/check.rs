@@ -49,12 +49,12 @@ impl Checker<'_, '_> {
                 self.shapes[line.name] = Some(shape);
             }
         }
-        // Behind the last line.
-        let mut last = Place::default();
-        if let Some(line) = self.tree.lines.last() {
-            let end = line.value.map_or(line.place.to, |value| self.tree.place(value).to);
-            last = Place { from: end, to: end };
+        // Behind the last sign.
+        let mut end = self.text.len();
+        while end > 0 && matches!(self.text.as_bytes()[end - 1], b'\n' | b'\r') {
+            end -= 1;
         }
+        let last = Place { from: end, to: end };
         self.outcome(last);
         if self.products > MOST_PRODUCTS {
             let mut words = Words::new("A step takes ");

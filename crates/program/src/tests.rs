@@ -204,6 +204,7 @@ fn all_faults_are_told_at_once_in_the_order_of_the_text() {
         faults("x = F x"),
         ["1:8 No line makes P: a step of a filter makes a new x and a new P of the old ones."]
     );
+    assert_eq!(faults("x = ")[0], "1:5 Here a formula is missing.");
     assert!(faults("x = 1e400 x\nP = P")[0].contains("22 places"));
 }
 
