@@ -1,5 +1,5 @@
 // What the fuzz test knows of the class Program: texts that are programs, texts that are nearly one, and their steps.
-import { matrix, sizes, system, vector } from './arguments.mjs'
+import { sizes, system, vector } from './arguments.mjs'
 import { covariance } from './nonsense.mjs'
 
 export const CHAPTER = `x = F x + G u
@@ -40,6 +40,16 @@ function spoilt(text, dice) {
   return letters.join('')
 }
 
+/** What a step is given, in the world of these options. */
+function given({ world }, dice) {
+  if (world === 'robot') {
+    const robot = { V: covariance(3, dice), W: covariance(2, dice), landmark: vector(2, dice) }
+    return [robot, { x: vector(3, dice), P: covariance(3, dice) }, vector(2, dice), vector(2, dice)]
+  }
+  const { n, p, m } = sizes(dice)
+  return [system({ n, p, m }, dice), { x: vector(n, dice), P: covariance(n, dice) }, vector(m, dice), vector(p, dice)]
+}
+
 export const program = {
   chain: 10,
   spoilt: 0.3,
@@ -56,15 +66,8 @@ export const program = {
   },
   methods: {
     judge: () => [],
-    step(dice, _, _it, [, { world }]) {
-      if (world === 'robot') {
-        const given = { V: covariance(3, dice), W: covariance(2, dice), landmark: vector(2, dice) }
-        return [given, { x: vector(3, dice), P: covariance(3, dice) }, vector(2, dice), vector(2, dice)]
-      }
-      const { n, p, m } = sizes(dice)
-      const belief = { x: matrix(n, 1, dice).flat(), P: covariance(n, dice) }
-      return [system({ n, p, m }, dice), belief, vector(m, dice), vector(p, dice)]
-    },
+    step: (dice, _, _it, [, options]) => given(options, dice),
+    lines: (dice, _, _it, [, options]) => given(options, dice),
   },
   look: (it) => [it.faults],
   covariances: () => [],

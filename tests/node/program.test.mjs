@@ -59,7 +59,7 @@ test('the chapter’s lines are a kalmanStep', () => {
     near(step.R, exact.R)
     ;[ours, theirs] = [exact, step]
   }
-  const { lines } = program.step(rail, belief, [0.1], [4.2])
+  const lines = program.lines(rail, belief, [0.1], [4.2])
   assert.deepEqual(
     lines.map(({ line, name }) => [line, name]),
     [
@@ -72,6 +72,7 @@ test('the chapter’s lines are a kalmanStep', () => {
       [7, 'P'],
     ],
   )
+  assert.deepEqual(lines[5].value.flat(), program.step(rail, belief, [0.1], [4.2]).x)
 })
 
 test('the robot’s lines are a step of the localizer', () => {
@@ -102,7 +103,7 @@ test('the robot’s lines are a step of the localizer', () => {
 })
 
 test('faults come all at once, with their places', () => {
-  const { faults } = new Program('x = F x + G\nP = F P F + \nR = K')
+  const { faults } = new Program('x = F x + H\nP = F P F + \nR = K')
   assert.deepEqual(
     faults.map(({ line, column }) => [line, column]),
     [
@@ -111,7 +112,7 @@ test('faults come all at once, with their places', () => {
       [3, 5],
     ],
   )
-  assert.equal(faults[0].message, 'F x is n×1 and G is n×m: both sides of a sum have one size.')
+  assert.equal(faults[0].message, 'F x is n×1 and H is p×n: both sides of a sum have one size.')
   assert.match(faults[2].message, /K is the gain in Thrun’s letters/)
   assert.deepEqual(new Program('mu = A mu\nSigma = A Sigma Aᵀ + R', { notation: 'thrun' }).faults, [])
 })

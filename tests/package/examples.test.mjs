@@ -33,6 +33,12 @@ test("npm's kalman-filter beside ours: each line runs", async () => {
   assert.match(lines.at(-1), /^\[ 0\.95\d+, 0\.47\d+ \]$/)
 })
 
+test("a filter as text: the README's program runs, and is right", async () => {
+  const said = await node(place, 'program.mjs')
+  assert.match(said, /^\[\]\n/)
+  assert.match(said, /Right: x and P are those of a right filter in all 12 cases/)
+})
+
 test("the filter of the book's README is that of the package's", async () => {
   const lines = (await node(place, 'track.mjs')).split('\n')
   assert.ok((await node(place, 'rail.mjs')).startsWith(`${lines[0]} `))

@@ -39,8 +39,15 @@ export interface ProgramStep {
   S: Matrix | null
   /** The gain, where the program makes it. */
   R: Matrix | null
-  /** What each line has made. */
-  lines: { line: number; name: string; value: Matrix }[]
+}
+/** What a line of a program has made. */
+export interface ProgramLine {
+  /** The line, from 1. */
+  line: number
+  /** The name that it makes. */
+  name: string
+  /** Its value behind the line; a number is [[x]]. */
+  value: Matrix
 }
 /** What is said of a program. */
 export interface ProgramVerdict {

@@ -73,6 +73,29 @@ impl Program {
         #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
     ) -> Result<JsValue, Thrown> {
+        self.stepped(system, belief, u, y, answer)
+    }
+
+    /// What each line makes in this step, in the order of the text.
+    #[wasm_bindgen(unchecked_return_type = "ProgramLine[]")]
+    pub fn lines(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem | RobotSystem")] system: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+    ) -> Result<JsValue, Thrown> {
+        self.stepped(system, belief, u, y, lines)
+    }
+
+    fn stepped(
+        &self,
+        system: &JsValue,
+        belief: &JsValue,
+        u: &JsValue,
+        y: &JsValue,
+        answer: fn(&Text, &Step) -> JsValue,
+    ) -> Result<JsValue, Thrown> {
         let world = self.0.read(CLASS, Text::world)?;
         let belief = belief_of(&Arg::new(belief, "belief"))?;
         let mut given = vec![Matrix::column(belief.x.as_slice()), matrix(&belief.p)];
@@ -155,20 +178,23 @@ fn by_rows(m: &Matrix) -> JsValue {
 fn answer(program: &Text, step: &Step) -> JsValue {
     let value = |quantity| program.made(step, quantity).map_or(JsValue::NULL, by_rows);
     let column = |quantity| program.made(step, quantity).map_or(JsValue::NULL, |m| list(&m.entries));
-    let lines = Array::new();
-    for made in &step.made {
-        let fields =
-            [("line", made.line.into()), ("name", program.name(made).into()), ("value", by_rows(made.value()))];
-        lines.push(&record(&fields));
-    }
     record(&[
         ("x", column(Quantity::X)),
         ("P", value(Quantity::P)),
         ("innovation", column(Quantity::Innovation)),
         ("S", value(Quantity::S)),
         ("R", value(Quantity::Gain)),
-        ("lines", lines.into()),
     ])
+}
+
+fn lines(program: &Text, step: &Step) -> JsValue {
+    let lines = Array::new();
+    for made in &step.made {
+        let fields =
+            [("line", made.line.into()), ("name", program.name(made).into()), ("value", by_rows(made.value()))];
+        lines.push(&record(&fields));
+    }
+    lines.into()
 }
 
 /// What a step that was not made says: where, and why.

@@ -128,7 +128,7 @@ impl BugMuseum {
         self.driven += 1;
         let [ahead, turn] = BUG_MUSEUM.u_sigma.map(|sigma| sigma * self.noise.normal());
         self.filter.predict(&Vector2::new(tick.ds + ahead, tick.dtheta + turn));
-        let reading = self.look();
+        let reading = look(&mut self.noise, self.truth, self.driven);
         self.readings.push_back(reading);
         if self.readings.len() > DELAY + 1 {
             self.readings.pop_front();
@@ -150,21 +150,6 @@ impl BugMuseum {
             self.last.iter().for_each(|(_, outcome)| self.sums.take_reading(outcome));
         }
         self.record();
-    }
-
-    /// The reading of this step, of the landmark whose turn it is: none beyond the sensor's reach.
-    fn look(&mut self) -> Option<Sighting> {
-        let constants = BUG_MUSEUM;
-        let landmark = &constants.landmarks[self.driven as usize % constants.landmarks.len()];
-        if !constants.sensor.reaches(self.truth, landmark) {
-            return None;
-        }
-        let mut seen = constants.sensor.sight(self.truth, landmark, &mut self.noise);
-        if self.noise.uniform() < constants.outliers {
-            seen.range += 1.0 + self.noise.uniform();
-            seen.bearing = geom::wrap(seen.bearing + self.noise.uniform() - 0.5);
-        }
-        Some(seen)
     }
 
     fn record(&mut self) {
@@ -195,6 +180,21 @@ impl BugMuseum {
             self.digest.take(outcome.innovation.as_slice());
         }
     }
+}
+
+/// The reading of a step, of the landmark whose turn it is: none beyond the sensor's reach.
+pub(crate) fn look(noise: &mut Noise, truth: SE2, step: u32) -> Option<Sighting> {
+    let constants = BUG_MUSEUM;
+    let landmark = &constants.landmarks[step as usize % constants.landmarks.len()];
+    if !constants.sensor.reaches(truth, landmark) {
+        return None;
+    }
+    let mut seen = constants.sensor.sight(truth, landmark, noise);
+    if noise.uniform() < constants.outliers {
+        seen.range += 1.0 + noise.uniform();
+        seen.bearing = geom::wrap(seen.bearing + noise.uniform() - 0.5);
+    }
+    Some(seen)
 }
 
 /// The bugs of the filter: those chosen, or those that the lot has drawn, which are never the same twice in a pair.

@@ -27,6 +27,7 @@ pub mod tune;
 pub mod two_bells;
 pub mod two_carts;
 mod typescript;
+pub mod worlds;
 
 pub use estimate::localizer::SensorKind;
 pub use figures::FIGURES;

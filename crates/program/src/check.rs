@@ -4,6 +4,7 @@ mod call;
 
 use crate::fault::{Faults, Place, line_of};
 use crate::size::{Found, Shape, Size};
+use crate::token::NO_TIMES;
 use crate::tree::{Function, Id, Name, Node, Tree};
 use crate::words::Words;
 use crate::world::{Letter, Notation, P, World, X};
@@ -48,10 +49,13 @@ impl Checker<'_, '_> {
                 self.shapes[line.name] = Some(shape);
             }
         }
-        let last = self.tree.lines.last().map_or(Place::default(), |line| line.place);
-        for (i, letter) in [Letter::X, Letter::P].into_iter().enumerate() {
-            self.outcome(letter, Place { from: last.from + i, ..last });
+        // Behind the last sign.
+        let mut end = self.text.len();
+        while end > 0 && matches!(self.text.as_bytes()[end - 1], b'\n' | b'\r') {
+            end -= 1;
         }
+        let last = Place { from: end, to: end };
+        self.outcome(last);
         if self.products > MOST_PRODUCTS {
             let mut words = Words::new("A step takes ");
             words.whole(self.products as i64).text(" products; at most ").whole(MOST_PRODUCTS as i64);
@@ -59,21 +63,26 @@ impl Checker<'_, '_> {
         }
     }
 
-    /// What a world takes: the new estimate and its covariance. What is not made is a fault at the last line.
-    fn outcome(&mut self, letter: Letter, last: Place) {
-        let Some(line) = self.tree.made(letter as usize) else {
-            let mut words = Words::new("No line makes ");
-            words.text(&self.names[letter as usize]).text(": a step of a filter makes a new ").text(&self.names[X]);
-            words.text(" and a new ").text(&self.names[P]).text(" of the old ones.");
-            self.faults.words(last, words);
-            return;
-        };
-        let (shape, wanted) = (self.shapes[line.name].unwrap_or(Shape::Unknown), World::shape_of(letter));
-        if shape == Shape::Identity || !self.same(shape, wanted) {
-            let mut words = Words::new(&self.names[line.name]);
-            self.found.say(shape, words.text(" becomes "));
-            self.found.say(wanted, words.text("; it must be "));
-            self.told(line.place, words, ".");
+    /// What a world takes: the new estimate and its covariance.
+    fn outcome(&mut self, last: Place) {
+        let mut missing = Words::new("No line makes ");
+        for (name, letter) in [(X, Letter::X), (P, Letter::P)] {
+            let Some(line) = self.tree.made(name) else {
+                missing.text(if missing.0.ends_with(' ') { "" } else { ", and none " }).text(&self.names[name]);
+                continue;
+            };
+            let (shape, wanted) = (self.shapes[name].unwrap_or(Shape::Unknown), World::shape_of(letter));
+            if shape == Shape::Identity || !self.same(shape, wanted) {
+                let mut words = Words::new(&self.names[name]);
+                self.found.say(shape, words.text(" becomes "));
+                self.found.say(wanted, words.text("; it must be "));
+                self.told(line.place, words, ".");
+            }
+        }
+        if !missing.0.ends_with(' ') {
+            missing.text(": a step of a filter makes a new ").text(&self.names[X]).text(" and a new ");
+            missing.text(&self.names[P]);
+            self.told(last, missing, " of the old ones.");
         }
     }
 
@@ -130,11 +139,16 @@ impl Checker<'_, '_> {
         }
         let text = self.names[name].as_str();
         let mut words = Words::new(text);
+        let factors = self.factors(text);
         let later = self.tree.lines[self.line..].iter().find(|line| line.name == name && line.place.from > place.from);
         let is = |letter: Letter| self.notation.letter(letter) == text;
         if let Some(line) = later {
             words.text(" is not known here; line ").whole(i64::from(line_of(self.text, line.place.from)));
             words.text(" makes it.");
+        } else if text == "k" || text == "t" {
+            words = Words::new(NO_TIMES);
+        } else if !factors.0.is_empty() {
+            words.text(" is not known. A product has a blank or a * between its factors: ").text(&factors.0).text(".");
         } else if self.world == World::Robot && (is(Letter::F) || is(Letter::H) || is(Letter::G)) {
             words.text(" is not given in this world: it is a derivative, jac(");
             words.text(if is(Letter::H) { "h, " } else { "f, " });
@@ -150,6 +164,23 @@ impl Checker<'_, '_> {
         // Once is enough.
         self.shapes[name] = Some(Shape::Unknown);
         Shape::Unknown
+    }
+
+    /// A name as a product of names that are known, "F x" for "Fx"; empty where it is none.
+    fn factors(&self, text: &str) -> Words {
+        let (mut words, mut rest) = (Words::default(), text);
+        while !rest.is_empty() {
+            // I, n, p, m and π are no factors that one would write so.
+            let constants = self.world.identity()..self.world.identity() + 6;
+            let mut known = (0..self.names.len()).filter(|i| self.shapes[*i].is_some() && !constants.contains(i));
+            let Some(name) = known.find(|i| rest.starts_with(self.names[*i].as_str())) else {
+                return Words::default();
+            };
+            let name = &self.names[name];
+            words.text(if rest.len() < text.len() { " " } else { "" }).text(name);
+            rest = rest.get(name.len()..).unwrap_or_default();
+        }
+        words
     }
 
     fn shape(&mut self, id: Id) -> Shape {

@@ -134,6 +134,11 @@ impl Program {
         self.world
     }
 
+    /// What a quantity is called in its letters.
+    pub fn letter(&self, quantity: Quantity) -> &'static str {
+        self.notation.letter(quantity)
+    }
+
     /// What is wrong with it, in the order of the text.
     pub fn faults(&self) -> &[Fault] {
         &self.faults

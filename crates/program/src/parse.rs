@@ -31,8 +31,7 @@ pub(crate) struct Parser<'a, 'b> {
     /// How deep each node's tree is.
     deep: Vec<u8>,
     depth: usize,
-    /// What is read: `(` where a line's end counts for nothing, a blank where blanks separate the parts of a matrix as
-    /// in MATLAB, else a comma.
+    /// `(` where a line's end counts for nothing, a blank where blanks separate a matrix's parts, else a comma.
     within: char,
 }
 
@@ -105,7 +104,6 @@ impl<'a, 'b> Parser<'a, 'b> {
         self.token().place
     }
 
-    /// Of the token before.
     fn before(&self) -> Place {
         self.tokens[self.at.saturating_sub(1)].place
     }
@@ -193,6 +191,9 @@ impl<'a, 'b> Parser<'a, 'b> {
             _ => None,
         };
         self.at += usize::from(added.is_some());
+        if self.kind() == Kind::Sign('^') {
+            return self.fail(self.place(), "Before the = there is a name, without a power: call it xm, say.");
+        }
         if !self.take('=') {
             return self.missing("a =");
         }

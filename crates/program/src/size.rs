@@ -129,18 +129,13 @@ impl Found {
     #[inline(never)]
     pub fn unify(&mut self, a: Size, b: Size) -> bool {
         let off = self.counts(a.plus(-1, b));
-        let mut open = 0;
-        for i in 1..4 {
-            if off[i] != 0 {
-                if open > 0 {
-                    return false;
-                }
-                open = i;
-            }
-        }
-        if open == 0 {
-            return off[0] == 0;
-        }
+        let open = match off {
+            [number, 0, 0, 0] => return number == 0,
+            [_, _, 0, 0] => 1,
+            [_, 0, _, 0] => 2,
+            [_, 0, 0, _] => 3,
+            _ => return false,
+        };
         // Only a single letter is found so.
         let value = -off[0] * off[open];
         // A system may be without inputs. That it has a single state no formula says: there a size is wrong.

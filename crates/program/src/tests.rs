@@ -173,6 +173,11 @@ fn a_name_says_where_it_is_made_or_whose_letter_it_is() {
             "3:5 Q is the noise of the reading in Thrun’s letters; \
           in Choset’s letters, which this program is in, that is W.",
         ),
+        ("a = FPF'", "3:5 FPF is not known. A product has a blank or a * between its factors: F P F."),
+        ("a = x(k)", "3:7 A program has no times: a name is what the last line above made it, as in x = F x + G u."),
+        ("x^- = F x", "3:2 Before the = there is a name, without a power: call it xm, say."),
+        ("a = W^{-1} H + y", "3:5 W^{-1} H is p×n and y is p×1: both sides of a sum have one size."),
+        ("a = xm", "3:5 xm is not known: no line above makes it, and the world gives x, P, u, y, V, W, F, G and H."),
         (
             "a = bogus",
             "3:5 bogus is not known: no line above makes it, and the world gives x, P, u, y, V, W, F, G and H.",
@@ -197,8 +202,9 @@ fn all_faults_are_told_at_once_in_the_order_of_the_text() {
     );
     assert_eq!(
         faults("x = F x"),
-        ["1:2 No line makes P: a step of a filter makes a new x and a new P of the old ones."]
+        ["1:8 No line makes P: a step of a filter makes a new x and a new P of the old ones."]
     );
+    assert_eq!(faults("x = ")[0], "1:5 Here a formula is missing.");
     assert!(faults("x = 1e400 x\nP = P")[0].contains("22 places"));
 }
 

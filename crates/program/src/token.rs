@@ -30,6 +30,10 @@ pub(crate) struct Token {
 /// Packages whose functions are called by their own name.
 const PACKAGES: [&str; 9] = ["np", "numpy", "linalg", "la", "scipy", "math", "jnp", "LA", "LinearAlgebra"];
 
+/// What is said where a formula has the chapter's times.
+pub(crate) const NO_TIMES: &str =
+    "A program has no times: a name is what the last line above made it, as in x = F x + G u.";
+
 struct Lexer<'a> {
     text: &'a str,
     at: usize,
@@ -117,6 +121,8 @@ impl Lexer<'_> {
             '³' => '3',
             ':' if self.take('=') => '=',
             '←' => '=',
+            '{' => '(',
+            '}' => ')',
             '+' | '-' | '*' | '/' | '\\' | '^' | '(' | ')' | '[' | ']' | ',' | ';' | ':' | '=' => c,
             c if begins_name(c) => {
                 let name = self.name(c);
@@ -126,6 +132,7 @@ impl Lexer<'_> {
                 let name = named(self.names, &name);
                 return self.push(Kind::Name(name), from);
             }
+            '|' => return faults.say(Place { from, to: self.at }, NO_TIMES),
             _ => return faults.say(Place { from, to: self.at }, "This sign belongs to no formula."),
         };
         self.push(Kind::Sign(sign), from);

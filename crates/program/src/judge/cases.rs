@@ -90,15 +90,16 @@ fn linear(dice: &mut Sequence, [n, p, m]: [usize; 3], noise: f64, far: f64) -> V
 /// Headings near ±π in every third case, bearings near ±π in every other.
 fn robot(dice: &mut Sequence, i: usize, noise: f64, far: f64) -> Vec<Matrix> {
     let pi = core::f64::consts::PI;
-    let heading = if i % 3 == 0 { pi - 0.02 } else { 2.5 * dice.next() };
+    let (turning, behind) = (i.is_multiple_of(3), i.is_multiple_of(2));
+    let heading = if turning { pi - 0.02 } else { 2.5 * dice.next() };
     let [x, y] = [dice.next(), dice.next()];
-    let (s, turn) = (0.6 + 0.2 * dice.next(), if i % 3 == 0 { 0.019 } else { 0.4 * dice.next() });
+    let (s, turn) = (0.6 + 0.2 * dice.next(), if turning { 0.019 } else { 0.4 * dice.next() });
     let moved = [x + s * libm::cos(heading), y + s * libm::sin(heading), geom::wrap(heading + turn)];
     // From this landmark the robot is seen at that bearing.
-    let bearing = if i % 2 == 0 { geom::wrap(pi + 0.02 * dice.next()) } else { 2.0 * dice.next() };
+    let bearing = if behind { geom::wrap(pi + 0.02 * dice.next()) } else { 2.0 * dice.next() };
     let (range, direction) = (2.5 + dice.next(), bearing + moved[2]);
     let mark = [moved[0] - range * libm::cos(direction), moved[1] - range * libm::sin(direction)];
-    let off = if i % 2 == 0 { -libm::copysign(0.3, bearing) } else { 0.05 * dice.next() };
+    let off = if behind { -libm::copysign(0.3, bearing) } else { 0.05 * dice.next() };
     // Past ±π the reading comes out at the other end, where an innovation that is not wrapped is off by a turn.
     let read = [range + 0.1 * far * dice.next(), geom::wrap(bearing - off)];
     vec![
