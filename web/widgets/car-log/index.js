@@ -53,7 +53,14 @@ function readouts({ logLikelihood, nis, lag1, used, refusals, learned, tunnel, r
 
 /** @type {import('../../figure/controls.js').Control[]} */
 const controls = [
-  { kind: 'range', name: 'delay', label: 'The speed is late by', words: (value) => `${fixed(value, 2)} s` },
+  {
+    kind: 'range',
+    name: 'delay',
+    label: 'The speed is late by',
+    // As far as the curve.
+    ends: [-0.5, 1.5],
+    words: (value) => `${fixed(value, 2)} s`,
+  },
   {
     kind: 'choice',
     name: 'fixes',

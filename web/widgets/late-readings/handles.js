@@ -14,7 +14,7 @@ const OUT = 30
  * @returns {Record<string, HandleSpec>}
  */
 export function handlesOf(frame, limits, plane, rows) {
-  const { params, picked, end, sensors } = frame
+  const { params, picked, sensors } = frame
   const { x, box } = plane
   const clamp = (/** @type {number} */ value, /** @type {number} */ low, /** @type {number} */ high) =>
     Math.max(low, Math.min(high, value))
@@ -41,8 +41,7 @@ export function handlesOf(frame, limits, plane, rows) {
     nudge: (dx, dy) => choose(picked.number + (dx || dy)),
     jump: (to) => choose(to === 'home' ? 0 : picked.of - 1),
   }
-  const { step, greatest } = limits.ownDelay
-  const most = Math.min(greatest, end - picked.measured)
+  const { step, greatest: most } = limits.ownDelay
   const delay = picked.came - picked.measured
   const comes = (/** @type {number} */ wanted) => ({
     ownDelay: Number((Math.round(clamp(wanted, 0, most) / step) * step).toFixed(2)),

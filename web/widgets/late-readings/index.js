@@ -49,7 +49,13 @@ const rate = (/** @type {number} */ value) => (value === 0 ? 'none' : `${value} 
 /** @type {import('../../figure/controls.js').Control[]} */
 const controls = [
   { kind: 'choice', name: 'way', label: 'What is late is taken', options: WAYS },
-  { kind: 'range', name: 'delay', label: 'The camera is late by *τ*', words: (value) => `${fixed(value, 2)} s` },
+  {
+    kind: 'range',
+    name: 'delay',
+    label: 'The camera is late by *τ*',
+    ends: [0, 1.5],
+    words: (value) => `${fixed(value, 2)} s`,
+  },
   { kind: 'range', name: 'sonarRate', label: 'Sonar (*σ* 0.5 m)', words: rate, more: true },
   { kind: 'range', name: 'laserRate', label: 'Laser (*σ* 0.05 m)', words: rate, more: true },
   { kind: 'range', name: 'cameraRate', label: 'Camera (*σ* 0.05 m)', words: rate, more: true },
@@ -118,7 +124,7 @@ export const figure = {
   layout: {
     narrow: ['line', 'controls', 'tries', 'verdict', 'innovations', 'costs', 'readouts'],
     medium: ['line line', 'controls controls', 'tries tries', 'innovations costs', 'innovations verdict'],
-    wide: ['line innovations', 'line costs', 'controls verdict', 'tries verdict'],
+    wide: ['line innovations', 'line costs', 'controls controls', 'tries verdict'],
     columns: { medium: '1fr 1fr', wide: '3fr 2fr' },
   },
   tries,
