@@ -34,7 +34,7 @@ fn the_gain_of_a_slow_filter_is_its_limit_and_not_that_of_step_1000() {
     let system = &OwnSystem::new(height()).expect("sound").known.system.clone();
     let at_1000 = dynamic::steady_state_gain(system, DMatrix::identity(3, 3), 1000, 0.0).expect("runs").r;
     assert!((at_1000[2] / frame.k[2][0] - 1.0).abs() > 0.5, "{at_1000} {:?}", frame.k);
-    // Step 100 000 is near the limit: it was not far from where the single steps lead.
+    // Single steps lead there too, a hundred thousand of them.
     let later = dynamic::steady_state_gain(system, DMatrix::identity(3, 3), 100_000, 0.0).expect("runs").r;
     (0..3).for_each(|i| assert!((later[i] / frame.k[i][0] - 1.0).abs() < 1e-9, "{later} {:?}", frame.k));
 }
