@@ -11,11 +11,12 @@ const plaza = path.join(root, 'content/logs/plaza1.csv')
 /** The module's instance, which shows its memory. @type {WebAssembly.Instance} */
 let instance
 const { Instance } = WebAssembly
-WebAssembly.Instance = /** @type {any} */ (
-  function (module, imports) {
-    return (instance = new Instance(module, imports))
+WebAssembly.Instance = class extends Instance {
+  constructor(module, imports) {
+    super(module, imports)
+    instance = this
   }
-)
+}
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const ROUNDS = 3
 const TIMES = 20

@@ -6,6 +6,7 @@ use crate::errors::Thrown;
 use crate::lab::{AnyLab, RobotLog};
 use crate::object::Held;
 use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Summary, log_likelihood};
+use estimate::validate::finite;
 use estimate::{Code, Error, Landmark};
 use js_sys::{Array, JsString};
 use lab::{Lab, Params, Plain};
@@ -195,7 +196,7 @@ impl RobotLog {
     pub fn log_likelihood(log: &JsValue, params: &JsValue, from: &JsValue) -> Result<JsValue, Thrown> {
         let log = logged(log)?;
         let params = LogParams::read(&mut Self::params(params)?.iter());
-        let from = Arg::new(from, "from").number()?;
+        let from = finite(Arg::new(from, "from").number()?, "from")?;
         let found = params.check().and_then(|()| log_likelihood(log.drive(), params.into(), from));
         let (sum, used) = found.map_err(|e| e.within("params"))?;
         Ok(record(&[("logLikelihood", sum.into()), ("used", used.into())]))

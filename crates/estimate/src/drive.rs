@@ -1,5 +1,5 @@
-//! A drive as it was logged, and its replay: the localizer of §8.3 over motion and readings, each at the time at which it
-//! was measured.
+//! A drive as it was logged, and its replay: the localizer of §8.3 over motion and readings, each at the time at which
+//! it was measured.
 //!
 //! Beyond [`Localizer`](crate::Localizer), which takes its process noise V in the state, a replay takes the noise of
 //! the *input* and carries it through the input's Jacobian (V = B M Bᵀ). Sensors may be late, and what they read may be

@@ -5,6 +5,7 @@ use crate::drive::replay::Replay;
 use crate::drive::row::Drive;
 use crate::drive::settings::Settings;
 use crate::error::Error;
+use crate::validate::finite;
 
 /// Σ −½ (ln det 2πS + d²) over the used readings that are stamped `from` or later, s; and how many these are.
 ///
@@ -12,7 +13,7 @@ use crate::error::Error;
 /// compares it with the gates off, and from a time behind every start. A gate's sum rewards what it refuses.
 ///
 /// # Errors
-/// As [`Course::new`] and [`Replay::take`].
+/// As [`Course::new`] and [`Replay::take`], and [`crate::Code::NotFinite`] naming `from`.
 ///
 /// # Example
 /// ```
@@ -27,6 +28,7 @@ use crate::error::Error;
 /// # Ok::<(), estimate::Error>(())
 /// ```
 pub fn log_likelihood(drive: &Drive, settings: Settings, from: f64) -> Result<(f64, u32), Error> {
+    finite(from, "from")?;
     let course = Course::new(drive, settings)?;
     let mut replay = Replay::new(&course);
     let (mut sum, mut used) = (0.0, 0);
