@@ -54,7 +54,7 @@ fn answers_or_refuses<L: Lab<World: Sample, Params: PartialEq + std::fmt::Debug>
     second: L::Params,
     steps: u32,
 ) -> Result<(), TestCaseError> {
-    let world = Sample::sample().expect("the log of the page");
+    let world = Sample::sample(L::NAME).expect("the log of the page");
     let Ok(mut lab) = L::start(world, first) else { return Ok(()) };
     for call in 0..3 {
         let before = (lab.params().clone(), lab.steps(), lab.digest());

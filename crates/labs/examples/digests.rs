@@ -11,7 +11,7 @@ use world::Sample;
 fn print<L: Lab<World: Sample>>() -> Result<(), Box<dyn std::error::Error>> {
     for params in L::tried() {
         let given = serde_json::to_string(&Shown(&params))?;
-        let lab = L::at(Sample::sample()?, params, 10_000)?;
+        let lab = L::at(Sample::sample(L::NAME)?, params, 10_000)?;
         println!("{} {:016x} {given}", L::NAME, lab.digest());
     }
     Ok(())

@@ -38,7 +38,7 @@ macro_rules! print_one {
 labs::figures!(print_one);
 
 fn print_frame<L: Lab<World: Sample>>(step: u32, params: &Value) -> Answer<()> {
-    let lab = L::at(Sample::sample()?, given(params)?, step)?;
+    let lab = L::at(Sample::sample(L::NAME)?, given(params)?, step)?;
     println!("{}", serde_json::to_string(&Shown(&lab.frame()))?);
     Ok(())
 }

@@ -6,23 +6,25 @@ use std::sync::Arc;
 
 /// What a lab stands on, as the page has it.
 pub trait Sample: Sized {
-    /// That.
+    /// That of the lab of this name.
     ///
     /// # Errors
     /// Where a file of it cannot be read.
-    fn sample() -> Result<Self, Box<dyn Error>>;
+    fn sample(_lab: &str) -> Result<Self, Box<dyn Error>>;
 }
 
 impl Sample for () {
-    fn sample() -> Result<Self, Box<dyn Error>> {
+    fn sample(_lab: &str) -> Result<Self, Box<dyn Error>> {
         Ok(())
     }
 }
 
-/// The log that the page fetches.
+/// The log that the lab's figure fetches.
 impl Sample for Arc<LoggedDrive> {
-    fn sample() -> Result<Self, Box<dyn Error>> {
-        let log = robot_log::parse(include_str!("../../../../content/logs/plaza1.csv"))?;
+    fn sample(lab: &str) -> Result<Self, Box<dyn Error>> {
+        let (car, mower) =
+            (include_str!("../../../../content/logs/car.csv"), include_str!("../../../../content/logs/plaza1.csv"));
+        let log = robot_log::parse(if lab == "car-log" { car } else { mower })?;
         Ok(Arc::new(LoggedDrive::new(log.drive)))
     }
 }
