@@ -107,8 +107,9 @@ test('a method or a property of one class refuses an object of every other', () 
   assert.ok(calls > 100, `${calls} calls`)
   for (const object of Object.values(objects)) {
     const look =
-      [object.frame, object.belief, object.contents, object.files, object.at?.bind(object, 0)].find(Boolean) ??
-      (() => object.x ?? object.next(1))
+      [object.frame, object.belief, object.contents, object.files, object.found, object.at?.bind(object, 0)].find(
+        Boolean,
+      ) ?? (() => object.x ?? object.next(1))
     look.call(object)
   }
 })
