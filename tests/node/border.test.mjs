@@ -68,6 +68,7 @@ const objects = {
     { window: 1, sensors: { scale: { H: [[1]], W: [[1]] } } },
   ),
   LogFiles: new core.LogFiles(),
+  LogFit: new core.LogFit(core.RobotLog.parse('L,7,3,4\nO,0,0,0\nO,9,0.1,0\nR,9,7,4.8\n'), {}),
   LogTable: new core.LogTable(LOG, {}, 'track'),
   EkfLocalizer: new core.EkfLocalizer(pose, [{ id: 1, x: 2, y: 1 }], { W }),
   EkfSlam: new core.EkfSlam(pose, { W, gate: 9.21, found: 50 }),
@@ -107,8 +108,9 @@ test('a method or a property of one class refuses an object of every other', () 
   assert.ok(calls > 100, `${calls} calls`)
   for (const object of Object.values(objects)) {
     const look =
-      [object.frame, object.belief, object.contents, object.files, object.at?.bind(object, 0)].find(Boolean) ??
-      (() => object.x ?? object.next(1))
+      [object.frame, object.belief, object.contents, object.files, object.found, object.at?.bind(object, 0)].find(
+        Boolean,
+      ) ?? (() => object.x ?? object.next(1))
     look.call(object)
   }
 })

@@ -7,6 +7,9 @@ import { StartForm } from './log-start.js'
 /** What was said of the log before and is not true of another. */
 const UNTOLD = ['start', 'startSigma', 'startSigmaHeading', 'withheld']
 
+/** How often the run is led on, milliseconds. */
+const FOLLOW_MS = 40
+
 export class Forms {
   /**
    * @param {HTMLElement} before what they stand before
@@ -17,11 +20,17 @@ export class Forms {
     const box = document.createElement('div')
     box.className = 'log-forms'
     before.before(box)
-    this.change = (/** @type {Record<string, unknown>} */ patch) => host.figure.change(patch)
+    this.host = host
+    /** What waits to follow the run. */
+    this.following = 0
+    this.change = (/** @type {Record<string, unknown>} */ patch) => {
+      host.figure.change(patch)
+      this.follow()
+    }
     const smooth = async () => {
       const running = await run()
       running.smooth()
-      host.figure.ask()
+      this.follow()
     }
     const fit = async () => {
       const running = await run()
@@ -33,6 +42,14 @@ export class Forms {
     this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stopFit(), take: this.change })
     /** Where the log begins by its first fixes, as text. */
     this.opening = ''
+  }
+
+  /** Leads the run on where the figure is far from the window: it takes its turns by itself only near to it. */
+  follow() {
+    clearTimeout(this.following)
+    const { figure } = this.host
+    figure.turn(performance.now())
+    if (figure.run?.busy) this.following = setTimeout(() => this.follow(), FOLLOW_MS)
   }
 
   /** @param {import('estimate-wasm').LogContents} contents */
