@@ -56,6 +56,7 @@ for (const [size, viewport] of SIZES) {
         })
       await region.scrollIntoViewIfNeeded()
       // A question gets its controls when it comes near the screen.
+      if (name === 'head') await page.locator('.vignette .handle').waitFor({ state: 'attached' })
       if (name === 'quiz') await region.locator('input').first().waitFor()
       await onWholePixels(region)
       await inBothThemes(page, region, name, size)

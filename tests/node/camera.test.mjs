@@ -49,7 +49,7 @@ test('Close the loop keeps every sighting in sight, from the start to the end of
   }
 })
 
-test('the map of another run is fitted anew, and that of the same run, or of one that is still computed, is not', () => {
+test('the map of another run is fitted anew, and not that of the same run or of one still computed', () => {
   const view = { memory: {}, elapsed: 16 }
   const at = (far, frame) => {
     for (;;) {
