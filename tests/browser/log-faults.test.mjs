@@ -77,7 +77,7 @@ test('a file of motion that is missing is no fault of another file', async (t) =
   ]
   await answer
     .getByText(
-      `The robot's motion is missing: ${roles.join(', ')}; a file of velocities or of odometry was expected.`,
+      `The robot's motion is missing: ${roles.join(', ')}; a file of velocities, of odometry or of encoders was expected.`,
       { exact: true },
     )
     .waitFor()

@@ -16,8 +16,8 @@ const TYPES: &str = r#"
 /** What a fit has found so far. */
 export interface LogFound {
     /**
-     * Each number, by its name among the parameters, and how well the log tells it: a σ's standard deviation relative to
-     * it, a delay's in seconds; null where the log does not tell it, and before the search has ended.
+     * Each number, by its name among the parameters, and how well the log tells it: a σ's standard deviation relative
+     * to it, a delay's in seconds; null where the log does not tell it, and before the search has ended.
      */
     numbers: { name: string; value: number; delay: boolean; sigma: number | null }[];
     /** The log-likelihood of the counted readings before and after. */

@@ -2,8 +2,8 @@
 //!
 //! The search moves one number after the other, by steps that grow while they lead up and shrink where neither way does
 //! (Hooke and Jeeves 1961, without their pattern moves). Derivatives are of no use: where a delay passes a row, the
-//! likelihood has a corner. Gates are off, since a sum over used readings rewards refusal, and the readings are the same
-//! ones in every replay: those stamped two seconds after the latest start that is tried.
+//! likelihood has a corner. Gates are off, since a sum over used readings rewards refusal, and the readings are the
+//! same ones in every replay: those stamped two seconds after the latest start that is tried.
 
 use crate::drive::course::Course;
 use crate::drive::fitted::Fitted;
@@ -66,8 +66,8 @@ pub struct Fit {
 }
 
 impl Fit {
-    /// A search that begins at `settings`, for the σ of motion and of the sensors that the log has and that are used, and
-    /// for their delays; the turn's stays 0, since a delay of all together cannot be seen.
+    /// A search that begins at `settings`, for the σ of motion and of the sensors that the log has and that are used,
+    /// and for their delays; the turn's stays 0, since a delay of all together cannot be seen.
     ///
     /// # Errors
     /// As [`Course::new`]; [`Code::Limit`] where the log has no reading that counts.

@@ -1,7 +1,7 @@
 //! How well a log tells the numbers that a fit has found: by how fast the likelihood falls beside them.
 //!
-//! At distances where the log-likelihood has fallen by 2, which are two standard deviations of a number by itself, second
-//! differences are the entries of the Hessian; less its inverse is the covariance of the numbers together.
+//! At distances where the log-likelihood has fallen by 2, which are two standard deviations of a number by itself,
+//! second differences are the entries of the Hessian; less its inverse is the covariance of the numbers together.
 
 use crate::drive::fitted::Fitted;
 use alloc::vec::Vec;
