@@ -77,7 +77,10 @@ test('a file of motion that is missing is no fault of another file', async (t) =
   ]
   await answer
     .getByText(
-      `The robot's motion is missing: ${roles.join(', ')}; a file of velocities, of odometry or of encoders was expected.`,
+      [
+        `The robot's motion is missing: ${roles.join(', ')}`,
+        'a file of velocities, of odometry or of encoders was expected.',
+      ].join('; '),
       { exact: true },
     )
     .waitFor()

@@ -35,7 +35,8 @@ export interface LogContents {
     bearings: boolean;
     /** Whether it is known where the robot really was. */
     truth: boolean;
-    /** Where the drive began by its first fixes, as parameters of a lab: null without a fix, or where the truth says it. */
+    /** Where the drive began by its first fixes, as parameters of a lab: null without a fix, or where the truth says
+        it. */
     opening: { start: [number, number, number]; startSigma: number; startSigmaHeading: number } | null;
     /** What was left out of the log's files or added to them, in sentences. */
     notes: string[];

@@ -1,4 +1,4 @@
-/** The fit of a log's noise and delays, in the worker: a replay at a time, between two of which it reads its messages. */
+/** The fit of a log's noise and delays, in the worker: a replay at a time; between two it reads its messages. */
 
 import { wordsOf } from '../../load/worker-server.js'
 
