@@ -20,6 +20,9 @@ const STATES = Number(process.env.DRAWN_STATES ?? 60)
 const STEPS = [0, 1, 2, 3, 12, 40, 250, 700]
 /** What belongs together in a system of the reader's own. */
 const MATRICES = ['states', 'inputs', 'readings', 'f', 'g', 'h', 'v', 'w', 'k', 'shown', 'names']
+/** What a log of odometry refuses: it is of held speeds and turn rates. */
+const OF_HELD_ROWS = ['speedScale', 'turnBias', 'learnSpeed', 'learnBias', 'delaySpeed', 'delayTurn']
+const CAR = readFileSync(new URL('../../content/logs/car.csv', import.meta.url), 'utf8')
 const nothing = () => {}
 
 /** A value of a parameter, now and then at an end of its range. @param {import('estimate-wasm').Parameter} parameter */
@@ -112,10 +115,10 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
     let previous = null
     let drawn = 0
     for (let turn = 0; turn < STATES; turn += 1) {
-      const log = spec.log ? [estimate[spec.lab].parse(LOG)] : []
-      const moved = parameters.filter(
-        ({ name }) => dice.uniform() < 0.5 && !(tag === 'own-system' && MATRICES.includes(name)),
-      )
+      const held = tag === 'robot-log' && dice.uniform() < 0.5
+      const log = spec.log ? [estimate[spec.lab].parse(held ? CAR : LOG)] : []
+      const apart = tag === 'own-system' ? MATRICES : tag === 'robot-log' && !held ? OF_HELD_ROWS : []
+      const moved = parameters.filter(({ name }) => dice.uniform() < 0.5 && !apart.includes(name))
       const params = {
         ...Object.fromEntries(moved.map((parameter) => [parameter.name, value(parameter, dice)])),
         ...(tag === 'own-system' ? system(dice) : {}),

@@ -163,6 +163,7 @@ if (FUNCTIONS[name]) {
       const restored = judged(`${name}.from(${say(bent)})`, () => Class.from(...before, bent))
       restored?.answer.free()
       const twin = judged(`${name}.from(${say(state)})`, () => Class.from(...before, state))
+      if (twin) CLASSES[name].again?.(twin.answer, it)
       if (!twin) fault('does not take back its own state', say(state))
       else if (!isDeepStrictEqual(twin.answer.frame(), it.frame()))
         fault('its state restores another frame', say(state))

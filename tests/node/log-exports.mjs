@@ -25,6 +25,7 @@ const TABLES = [
   't,x,y\n0,0,0\n1,1,0\n',
   'time,lat,lon,speed,yaw_rate\n0,48,11,1,0\n1,48,11.1,1,0\n',
   'time,left_ticks,right_ticks\n0,0,0\n1,40,42\n',
+  'time,left_ticks,right_ticks\n0,0,0\n1,41,44\n',
   't,d1,d2\n0,1,2\n1,1,nan\n',
   LOG,
 ]
@@ -44,6 +45,13 @@ const ROLES = [
 ]
 const VALUES = ['time', 'time', 'v', 'omega', 'x', 'range', 'landmark', 'heading', 'left', 'latitude']
 
+/** A file that was added, and what is asked of its columns; one that is `such` where there is one. */
+function fileOf(it, dice, such = () => true) {
+  const files = it.files().map(({ values, role }, at) => ({ at, values, role }))
+  return dice.pick(files.filter(such)) ?? dice.pick(files) ?? { at: 0, values: [] }
+}
+const encoders = (it, dice) => fileOf(it, dice, ({ role }) => role === 'encoders').at
+
 /** @param {object} lab what is known of a lab of the page, whose face a log's has too */
 export const logClasses = (lab) => ({
   RobotLog: {
@@ -57,6 +65,8 @@ export const logClasses = (lab) => ({
       smooth: () => [],
       summary: () => [],
     },
+    // A state does not say that the track was smoothed: what is asked of a lab is asked again of its twin.
+    again: (twin, it) => it.frame().smoothed && twin.smooth(),
   },
   CarLog: {
     ...lab,
@@ -74,15 +84,24 @@ export const logClasses = (lab) => ({
   },
   LogFiles: {
     make: () => [],
-    spoilt: 0.4,
+    spoilt: 0.3,
+    chain: 40,
+    least: { 'read()': 5, 'setRole()': 10, 'setUnit()': 10, 'setWheel()': 5, 'setCounting()': 5 },
     methods: {
       add: (dice) => [`${dice.below(9)}.csv`, dice.pick(TABLES)],
       files: () => [],
       setRole: (dice) => [dice.below(3), dice.pick(ROLES)],
-      setColumn: (dice) => [dice.pick([0, 0, 0, 1, 2]), dice.pick(VALUES), dice.pick([null, 0, 1, 2])],
-      setUnit: (dice) => [dice.below(3), dice.pick(VALUES), dice.pick(['ms', 's', 'mm', 'deg', 'date', 'km/h'])],
-      setWheel: (dice) => [dice.below(3), dice.pick(['ticks', 'radius', 'base']), dice.pick([0.1, 1000])],
-      setCounting: (dice) => [dice.below(3), dice.pick(['total', 'step'])],
+      setColumn(dice, _, it) {
+        const { at, values } = fileOf(it, dice)
+        return [at, dice.pick(values.length > 0 ? values.map(({ name }) => name) : VALUES), dice.pick([null, 0, 1, 2])]
+      },
+      setUnit(dice, _, it) {
+        const { at, values } = fileOf(it, dice, ({ values }) => values.some(({ units }) => units.length > 0))
+        const { name, units } = dice.pick(values.filter(({ units }) => units.length > 0)) ?? { name: 'v', units: ['s'] }
+        return [at, name, dice.pick(units)]
+      },
+      setWheel: (dice, _, it) => [encoders(it, dice), dice.pick(['ticks', 'radius', 'base']), dice.pick([0.1, 1000])],
+      setCounting: (dice, _, it) => [encoders(it, dice), dice.pick(['total', 'step'])],
       read: () => [],
     },
     often: ['add', 'setColumn'],

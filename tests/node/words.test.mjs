@@ -9,9 +9,7 @@ test('no readout of a figure is empty or wrong in kind, in any state', async () 
   for (const load of Object.values(WIDGETS)) {
     const spec = await load()
     const open = (state) =>
-      spec.lab === 'RobotLog'
-        ? estimate.RobotLog.from(estimate.RobotLog.parse(LOG), state)
-        : estimate[spec.lab].from(state)
+      spec.log ? estimate[spec.lab].from(estimate[spec.lab].parse(LOG), state) : estimate[spec.lab].from(state)
     for (const step of spec.timeless ? [0] : [0, 1, 300]) {
       const lab = open({ version: 1, lab: spec.name, step, params: spec.start.params })
       for (const { key, value } of spec.readouts(lab.frame()))

@@ -1,7 +1,7 @@
 //! Which column of a file each value of its role is in, and in which unit.
 
+use crate::axes::axes;
 use crate::fields::Line;
-use crate::guess::axes;
 use crate::names::{Name, candidates};
 use crate::role::{Quantity, Role, Value};
 use crate::row::number;

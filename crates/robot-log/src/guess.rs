@@ -1,6 +1,7 @@
 //! What a file probably is: a role, its columns and its units, by what its columns are called, by its name, and by its
 //! numbers. What is not certain is left open.
 
+use crate::axes::axes;
 use crate::binary;
 use crate::columns::{clockwise, columns, third_axis};
 use crate::names::{Name, candidates, is_acceleration, is_spread};
@@ -132,16 +133,6 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if v || omega || heading => certain(Role::Sensors),
         () => certain(said.first().copied().filter(|role| *role == Role::Ranges).unwrap_or(Role::Unused)),
     }
-}
-
-/// The columns of a gyroscope that says its axes and not which of them points up.
-pub(crate) fn axes(file: &str, names: &[Name]) -> Option<Vec<usize>> {
-    let gyro = |name: &Name| name.has_one(&["gyro", "gyroscope", "gyr", "gyroskop"]) || file.contains("gyro");
-    let on = |axis: &str| {
-        let with = |name: &Name| name.has(axis) || (axis == "z" && name.has("wz"));
-        names.iter().position(|name| gyro(name) && with(name))
-    };
-    Some(vec![on("x")?, on("y")?, on("z")?])
 }
 
 /// Whether a column is neither a speed, a turn rate or a time, nor one of those that are often beside them.

@@ -37,6 +37,7 @@
 //! # Ok::<(), robot_log::Error>(())
 //! ```
 
+mod axes;
 mod binary;
 mod cells;
 mod columns;
