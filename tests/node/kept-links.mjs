@@ -102,6 +102,8 @@ async function keep() {
         const params = { ...usual }
         if (count > 0) {
           for (const parameter of core[spec.lab].parameters()) {
+            // Some stay as they are: a log of odometry refuses what is of held speeds.
+            if (dice.uniform() < 0.6) continue
             const value = drawn(parameter, dice)
             if (value !== undefined) params[parameter.name] = value
           }
