@@ -35,7 +35,7 @@ for (const name of Object.keys(WIDGETS)) {
       await changes(it, () => page.mouse.click(x + 0.31 * width, y + height / 2), 'a click on a slider')
       await changes(it, () => slider.press('ArrowRight'), 'an arrow on a slider')
     }
-    const handle = it.locator('.live svg [role=slider]').first()
+    const handle = it.locator('.live svg [role=slider]:visible').first()
     if (await handle.count()) {
       await handle.scrollIntoViewIfNeeded()
       const grip = await handle.locator('.handle-dot').boundingBox()

@@ -98,7 +98,9 @@ for (const [tag, id] of [
     const step = widget.getByRole('button', { name: 'Step' })
     if (await step.count()) await step.click()
     // Off its usual place, and with digits that no control would give.
-    await widget.locator('.live input[type=range]:enabled:visible').first().press('Shift+ArrowRight')
+    const sliders = widget.locator('.live input[type=range]:enabled:visible')
+    const knobs = (await sliders.count()) ? sliders : widget.locator('.live svg [role=slider]:visible')
+    await knobs.first().press('Shift+ArrowRight')
     await page.waitForFunction(
       ([name, was]) =>
         JSON.stringify(document.querySelector(name).state) !== was && document.querySelector(name).settled,
@@ -156,13 +158,13 @@ for (const { version, links } of kept()) {
         const widget = tagOf(state.lab)
         const element = opened.locator(`#${id} ${widget}`)
         await comeTo(opened, `#${id}`, `#${id} ${widget}[data-state=live]`)
-        await opened.waitForFunction(
-          ([where, step]) => {
-            const it = document.querySelector(where)
-            return it.settled && it.state.step === step
-          },
-          [`#${id} ${widget}`, state.step],
-        )
+        const there = ([where, step]) => {
+          const it = document.querySelector(where)
+          return it.settled && it.state.step === step
+        }
+        await opened.waitForFunction(there, [`#${id} ${widget}`, state.step]).catch((error) => {
+          throw new Error(`${id}: ${error.message}`)
+        })
         assert.equal(await element.getByText(/could not be read/).count(), 0, id)
         assert.deepEqual(lost(state.params, (await stateOf(element)).params), [], id)
         assert.deepEqual(lost(frame, hashes(await frameOf(element))), [], id)

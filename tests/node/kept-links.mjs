@@ -97,8 +97,8 @@ async function keep() {
       for (let count = 0, tries = 0; count < 4; tries++) {
         if (tries > 400) throw new Error(`${figure}: no state by lot is accepted`)
         const usual = { ...spec.start.params, ...given.params }
-        const step =
-          count === 0 ? (given.step ?? spec.start.step) : dice.below(spec.start.step > 1000 ? spec.start.step : 400)
+        const most = spec.timeless ? 1 : spec.start.step > 1000 ? spec.start.step : 400
+        const step = count === 0 ? (given.step ?? spec.start.step) : dice.below(most)
         const params = { ...usual }
         if (count > 0) {
           for (const parameter of core[spec.lab].parameters()) {
@@ -115,6 +115,8 @@ async function keep() {
           continue
         }
         const state = lab.state()
+        const text = JSON.stringify(state)
+        if (links.some((link) => link.figure === figure && JSON.stringify(link.state) === text)) continue
         links.push({
           figure,
           widget,

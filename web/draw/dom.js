@@ -26,8 +26,10 @@ export function button(document, into, words, press, name = 'button') {
   return /** @type {HTMLButtonElement} */ (element)
 }
 
-/** Moves the focus to the first control of a figure: the control that had it is gone. @param {Element} host */
+/** Moves the focus to the first control of a figure that shows: the control that had it is gone. @param {Element} host */
 export function focusFirst(host) {
-  const next = host.querySelector('.figure-failure button, .live :is(button, input, select, [tabindex]):not(:disabled)')
+  const controls = '.figure-failure button, .live :is(button, input, select, [tabindex]):not(:disabled)'
+  // A figure that opens small hides some of its controls.
+  const next = [...host.querySelectorAll(controls)].find((one) => one.getClientRects().length > 0)
   if (next instanceof HTMLElement || next instanceof SVGElement) next.focus({ preventScroll: true })
 }
