@@ -127,10 +127,13 @@ const labs = Object.fromEntries(
     }
   }),
 )
+const overLogs = namesOf(core)
+  .filter((name) => core[name].parse)
+  .map((name) => name.replace(/\B[A-Z]/g, '-$&').toLowerCase())
 const digests = read('digests')
   .trim()
   .split('\n')
-  .filter((line) => !line.startsWith('robot-log '))
+  .filter((line) => !overLogs.includes(line.split(' ')[0]))
   .map((line) => {
     const [lab, digest, params] = line.split(' ')
     if (!labs[lab]) throw new Error(`the module has no lab ${lab}`)

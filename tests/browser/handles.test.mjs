@@ -92,6 +92,8 @@ const DRAGGED = [
 for (const tag of DRAGGED) {
   test(`a finger on a handle of the ${tag} moves it and not the page; beside it, the page`, async (t) => {
     const { page, it } = await openFigure(t, tag, { viewport: PHONE, touch: true })
+    // A small figure is on a phone's screen whole, and its page has nothing to scroll.
+    await page.evaluate(() => (document.body.style.paddingBlock = '100vh'))
     const wire = await page.context().newCDPSession(page)
     const swipe = async (x, y, far, sideways = 0) => {
       const touch = (type, part) =>

@@ -42,6 +42,9 @@ function finite(value) {
  */
 async function shuffle(page, element, dice) {
   const live = element.locator('.live')
+  await live.evaluate((part) => {
+    for (const fold of part.querySelectorAll('.controls details')) fold.open = true
+  })
   for (const select of await live.locator('select').all()) {
     if ((await select.locator('xpath=ancestor::label').innerText()).startsWith('Speed') || (await select.isDisabled()))
       continue

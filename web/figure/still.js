@@ -77,7 +77,7 @@ function closed(document, block) {
  */
 function likeness(document, control) {
   const span = document.createElement('span')
-  for (const name of ['hidden', 'data-at'])
+  for (const name of ['hidden', 'data-at', 'data-from'])
     if (control.hasAttribute(name)) span.setAttribute(name, control.getAttribute(name) ?? '')
   const kind = control.localName === 'input' ? control.getAttribute('type') : control.localName
   span.setAttribute('class', `${control.getAttribute('class') ?? ''} like-${kind}`.trim())
