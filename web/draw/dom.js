@@ -26,7 +26,7 @@ export function button(document, into, words, press, name = 'button') {
   return /** @type {HTMLButtonElement} */ (element)
 }
 
-/** Moves the focus to the first control of a figure that shows: the control that had it is gone. @param {Element} host */
+/** Moves the focus to the first control that shows: the control that had it is gone. @param {Element} host a figure */
 export function focusFirst(host) {
   const controls = '.figure-failure button, .live :is(button, input, select, [tabindex]):not(:disabled)'
   // A figure that opens small hides some of its controls.
