@@ -115,6 +115,7 @@ for (const name of Object.keys(WIDGETS)) {
     const own = await context.newPage()
     await own.goto(`${site.url}figure/${name}/`)
     const it = await lively(own, name)
+    await it.evaluate((host) => host.querySelectorAll('.live .controls details').forEach((fold) => (fold.open = true)))
     // A figure without a slider has a handle.
     const knob = it.locator('.live :is(input[type=range]:enabled, svg [role=slider])').locator('visible=true').last()
     await changes(it, () => knob.press('Shift+ArrowLeft'), 'an arrow')

@@ -50,18 +50,6 @@ test('the keys move the prediction of the picture in Firefox, to the frame that 
   skip: firefox ? false : notice,
 }, async () => {
   await alive('picture')
-  // A question locks it until some answer is given.
-  const id = await page.evaluate(() => document.querySelector('lab-picture').dataset.figure)
-  await page.evaluate((figure) => {
-    document.querySelector(`.quiz[data-unlocks="${figure}"]`).scrollIntoView()
-  }, id)
-  await wait((figure) => !!document.querySelector(`.quiz[data-unlocks="${figure}"] input`), id)
-  await page.evaluate((figure) => {
-    const form = document.querySelector(`.quiz[data-unlocks="${figure}"]`)
-    form.querySelector('input').click()
-    form.querySelector('[type=submit]').click()
-  }, id)
-  await wait((figure) => !!document.querySelector(`#${figure} .widget:not([inert])`), id)
   await page.evaluate(() => document.querySelector('lab-picture .live [role=slider][aria-label="Prediction"]').focus())
   const {
     mean: [x],
