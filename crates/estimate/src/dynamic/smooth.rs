@@ -103,8 +103,8 @@ fn at_row(mut error: Error, k: usize) -> Error {
 fn at_step(error: filters::Error, k: usize) -> Error {
     if error == filters::Error::InnovationNotPositiveDefinite {
         let message = format!(
-            "the predicted covariance FPFᵀ + V at row {k} cannot be factored: a combination of the states is known \
-             exactly; more noise V of the motion, or P of the belief, would make it positive definite"
+            "the predicted covariance at row {k} cannot be factored: a combination of the states is known exactly; \
+             give the motion more noise V"
         );
         return Error::new(Code::InnovationNotPositiveDefinite, "V", message);
     }
