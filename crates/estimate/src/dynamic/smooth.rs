@@ -102,10 +102,7 @@ fn at_row(mut error: Error, k: usize) -> Error {
 #[cold]
 fn at_step(error: filters::Error, k: usize) -> Error {
     if error == filters::Error::InnovationNotPositiveDefinite {
-        let message = format!(
-            "the predicted covariance at row {k} cannot be factored: a combination of the states is known exactly; \
-             give the motion more noise V"
-        );
+        let message = format!("the predicted covariance at row {k} cannot be factored: add noise V of the motion");
         return Error::new(Code::InnovationNotPositiveDefinite, "V", message);
     }
     at_row(Error::from(error).called(Argument::letter), k)
