@@ -77,18 +77,12 @@ for (const tag of Object.keys(WIDGETS)) {
   })
 }
 
-const DRAGGED = [
-  'picture',
-  'observability-probe',
-  'tune',
-  'loop-closure',
-  'late-readings',
-  'cart-copy',
-  'error-cloud',
-  'touch',
-  'two-bells',
-  'two-carts',
-]
+/** Figures of which a panel has handles when they open. */
+const DRAGGED = []
+for (const tag of Object.keys(WIDGETS)) {
+  const { figure: spec } = await import(`../../web/widgets/${tag}/index.js`)
+  if (spec.panels.some((panel) => panel.handles)) DRAGGED.push(tag)
+}
 for (const tag of DRAGGED) {
   test(`a finger on a handle of the ${tag} moves it and not the page; beside it, the page`, async (t) => {
     const { page, it } = await openFigure(t, tag, { viewport: PHONE, touch: true })
@@ -106,7 +100,8 @@ for (const tag of DRAGGED) {
       await touch('touchEnd')
       await quiet(page)
     }
-    const handles = await it.locator('.live svg [role=slider]').all()
+    await it.evaluate((host) => host.querySelectorAll('.live details').forEach((fold) => (fold.open = true)))
+    const handles = await it.locator('.live svg [role=slider]:visible').all()
     assert.ok(handles.length > 0)
     const place = async (handle) => {
       await handle.evaluate((element) =>
@@ -120,7 +115,9 @@ for (const tag of DRAGGED) {
       const name = await handle.getAttribute('aria-label')
       const [x, y, top] = await place(handle)
       // Handles that lie on one another: the upper has the finger, and holds the page as well.
-      const value = () => it.evaluate((host) => JSON.stringify(host.frame.params))
+      // What is asked for, and what the handle says: one of a step changes no parameter.
+      const value = async () =>
+        JSON.stringify(await it.evaluate((host) => host.frame.params)) + (await handle.getAttribute('aria-valuetext'))
       const before = await value()
       await swipe(x, y, -70)
       // At its upper end it goes down.
