@@ -2,6 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
+import { rail, refused } from './rail.mjs'
 
 // The module's face hides its table of references: it is taken from the instance.
 const { Instance } = WebAssembly
@@ -15,15 +16,6 @@ WebAssembly.Instance = class extends Instance {
 }
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 WebAssembly.Instance = Instance
-const refused = (call, code, argument) =>
-  assert.throws(
-    call,
-    (error) =>
-      error.name === 'EstimateError' &&
-      error.code === code &&
-      error.argument === argument &&
-      error.message.length < 400,
-  )
 
 const pose = {
   x: [0, 0, 0],
@@ -38,19 +30,6 @@ const W = [
   [0, 0.001],
 ]
 const LOG = core.RobotLog.parse('L,7,3,4\nO,0.5,0.1,0.02\nR,0.5,7,4.9\nO,1,0.1,0\nR,1,7,4.8\n')
-const rail = {
-  F: [
-    [1, 0.5],
-    [0, 1],
-  ],
-  G: [[0], [0.5]],
-  H: [[1, 0]],
-  V: [
-    [0.2, 0.05],
-    [0.05, 0.1],
-  ],
-  W: [[0.5]],
-}
 const objects = {
   DriveLog: LOG,
   RobotLog: new core.RobotLog(LOG),

@@ -2,6 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
+import { refused } from './rail.mjs'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
@@ -49,11 +50,6 @@ test('what it answers is a system that a filter takes as it is', () => {
 })
 
 test('a refusal names what is to blame', () => {
-  const refused = (call, code, argument) =>
-    assert.throws(call, (error) => {
-      assert.deepEqual([error.name, error.code, error.argument], ['EstimateError', code, argument])
-      return true
-    })
   refused(() => core.discretize(cart, -1), 'limit', 'dt')
   refused(() => core.discretize(cart, NaN), 'not-finite', 'dt')
   refused(() => core.discretize(cart, '1'), 'type', 'dt')

@@ -2,6 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
+import { belief, rail } from './rail.mjs'
 
 const require = createRequire(import.meta.url)
 const FACE = '../../target/pkg/node/estimate_wasm.js'
@@ -21,27 +22,6 @@ function loaded() {
   const core = require(FACE)
   WebAssembly.Instance = Instance
   return { core, memory }
-}
-
-const rail = {
-  F: [
-    [1, 0.5],
-    [0, 1],
-  ],
-  G: [[0], [0.5]],
-  H: [[1, 0]],
-  V: [
-    [0.2, 0.05],
-    [0.05, 0.1],
-  ],
-  W: [[0.5]],
-}
-const belief = {
-  x: [2, 4],
-  P: [
-    [1, 0],
-    [0, 2],
-  ],
 }
 
 test('a module that met a fault of its own says so by name at every call, frees in peace, and is loaded again', () => {

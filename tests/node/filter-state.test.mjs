@@ -2,29 +2,10 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
+import { belief, rail } from './rail.mjs'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
-const rail = {
-  F: [
-    [1, 0.5],
-    [0, 1],
-  ],
-  G: [[0], [0.5]],
-  H: [[1, 0]],
-  V: [
-    [0.2, 0.05],
-    [0.05, 0.1],
-  ],
-  W: [[0.5]],
-}
-const belief = {
-  x: [2, 4],
-  P: [
-    [1, 0],
-    [0, 2],
-  ],
-}
 const speed = { H: [[0, 1]], W: [[0.3]] }
 const shown = ({ x, P, nis, logLikelihood, conditioned, innovation, S, R }) => [
   ...[x, P, nis, logLikelihood, conditioned],

@@ -4,22 +4,10 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { runInNewContext } from 'node:vm'
+import { belief, rail, refused } from './rail.mjs'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
-const rail = {
-  F: [
-    [1, 0.5],
-    [0, 1],
-  ],
-  G: [[0], [0.5]],
-  H: [[1, 0]],
-  V: [
-    [0.2, 0.05],
-    [0.05, 0.1],
-  ],
-  W: [[0.5]],
-}
 const both = {
   ...rail,
   H: [
@@ -29,13 +17,6 @@ const both = {
   W: [
     [0.5, 0.1],
     [0.1, 0.4],
-  ],
-}
-const belief = {
-  x: [2, 4],
-  P: [
-    [1, 0],
-    [0, 2],
   ],
 }
 const three = {
@@ -65,12 +46,6 @@ const wide = {
     [0, 0, 1],
   ],
 }
-const refused = (call, code, argument) =>
-  assert.throws(
-    call,
-    (error) => error.name === 'EstimateError' && error.code === code && error.argument === argument,
-    `${code} ${argument}`,
-  )
 
 test('its steps are those of kalmanStep, and its likelihood that of kalmanReplay', () => {
   for (const [system, start] of [

@@ -2,29 +2,9 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
+import { belief, rail, refused } from './rail.mjs'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
-
-const rail = {
-  F: [
-    [1, 0.5],
-    [0, 1],
-  ],
-  G: [[0], [0.5]],
-  H: [[1, 0]],
-  V: [
-    [0.2, 0.05],
-    [0.05, 0.1],
-  ],
-  W: [[0.5]],
-}
-const belief = {
-  x: [2, 4],
-  P: [
-    [1, 0],
-    [0, 2],
-  ],
-}
 
 /** −½(ln det 2πS + νᵀS⁻¹ν) of one output or two, by the formulas for a 2×2. */
 function logDensity(nu, S) {
@@ -102,8 +82,6 @@ test('kalmanReplay is kalmanStep, for the rail robot and for another size', () =
 })
 
 test('kalmanReplay takes typed arrays only, and names what does not fit', () => {
-  const refused = (call, code, argument) =>
-    assert.throws(call, (error) => error.name === 'EstimateError' && error.code === code && error.argument === argument)
   refused(() => core.kalmanReplay(rail, belief, [0], new Float64Array(1)), 'type', 'inputs')
   refused(() => core.kalmanReplay(rail, belief, new Float64Array(2), new Float64Array(1)), 'shape', 'inputs')
   refused(() => core.kalmanReplay(rail, belief, new Float64Array(1), Float64Array.of(NaN)), 'not-finite', 'readings[0]')

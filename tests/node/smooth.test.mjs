@@ -2,30 +2,10 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
+import { belief, rail, refused } from './rail.mjs'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
-/** Half a second a step; position and speed, of which the first is read. */
-const rail = {
-  F: [
-    [1, 0.5],
-    [0, 1],
-  ],
-  G: [[0], [0.5]],
-  H: [[1, 0]],
-  V: [
-    [0.2, 0.05],
-    [0.05, 0.1],
-  ],
-  W: [[0.5]],
-}
-const belief = {
-  x: [2, 4],
-  P: [
-    [1, 0],
-    [0, 2],
-  ],
-}
 const us = Array.from({ length: 12 }, (_, k) => [Math.sin(k)])
 const ys = us.map((_, k) => ((k > 3 && k < 9) || k === 11 ? null : [2 + 0.3 * k]))
 
@@ -50,11 +30,6 @@ test('a point pushed about is smoothed as by hand', () => {
 })
 
 test('a refusal names the row', () => {
-  const refused = (call, code, argument) =>
-    assert.throws(call, (error) => {
-      assert.deepEqual([error.name, error.code, error.argument], ['EstimateError', code, argument])
-      return true
-    })
   refused(() => core.kalmanSmooth(rail, belief, [], []), 'limit', 'ys')
   refused(() => core.kalmanSmooth(rail, belief, us.slice(1), ys), 'shape', 'us')
   refused(() => core.kalmanSmooth(rail, belief, us.with(2, [1, 2]), ys), 'shape', 'us[2]')

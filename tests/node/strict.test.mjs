@@ -4,39 +4,10 @@ import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
 import { createRequire } from 'node:module'
 import { fileURLToPath } from 'node:url'
+import { belief, rail, refused } from './rail.mjs'
 
 const file = fileURLToPath(new URL('../../target/pkg/node/estimate_wasm.js', import.meta.url))
 const core = createRequire(import.meta.url)(file)
-
-const rail = {
-  F: [
-    [1, 0.5],
-    [0, 1],
-  ],
-  G: [[0], [0.5]],
-  H: [[1, 0]],
-  V: [
-    [0.2, 0.05],
-    [0.05, 0.1],
-  ],
-  W: [[0.5]],
-}
-const belief = {
-  x: [2, 4],
-  P: [
-    [1, 0],
-    [0, 2],
-  ],
-}
-const refused = (call, code, argument, message = /./) =>
-  assert.throws(
-    call,
-    (error) =>
-      error.name === 'EstimateError' &&
-      error.code === code &&
-      error.argument === argument &&
-      message.test(error.message),
-  )
 
 test('an array is as long as a whole number says', () => {
   const long = (length) =>
