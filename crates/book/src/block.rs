@@ -214,7 +214,7 @@ impl Writer<'_> {
             self.words.push(' ');
             Some((word, fact))
         });
-        context! { name, facts => facts.collect::<Vec<_>>() }
+        context! { name, run => attributes.value("run"), facts => facts.collect::<Vec<_>>() }
     }
 
     fn exercise(&mut self, attributes: &Attributes, place: &Place) -> Value {

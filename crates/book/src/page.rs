@@ -136,7 +136,7 @@ fn one<'a>(
         search,
         used: writer.used,
         readings: readings.into_iter().map(|(html, _)| html).collect(),
-        figures: figure::figures(site, texts, &labels, diagnostics),
+        figures: figure::figures(site, texts, (address, &labels), diagnostics),
         numbers,
         reading: Reading::of(&texts.concat()).words(),
     }

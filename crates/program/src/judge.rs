@@ -42,6 +42,8 @@ pub struct Verdict {
     pub line: Option<u32>,
     /// Why, in sentences.
     pub sentences: Vec<String>,
+    /// Whether a right form loses its digits where the prior knows nothing.
+    pub breaks: bool,
 }
 
 /// What a right filter's lines make, as a program in Choset's letters.
@@ -130,7 +132,7 @@ pub fn judge(program: &Program) -> Verdict {
 }
 
 fn refused(line: u32, sentence: String) -> Verdict {
-    Verdict { outcome: Outcome::Refused, line: Some(line), sentences: alloc::vec![sentence] }
+    Verdict { outcome: Outcome::Refused, line: Some(line), sentences: alloc::vec![sentence], breaks: false }
 }
 
 /// An entry that is off: which quantity, in which step of theirs, and where.

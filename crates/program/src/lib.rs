@@ -13,6 +13,7 @@ extern crate alloc;
 mod check;
 mod fault;
 pub mod judge;
+mod letters;
 mod matrix;
 mod parse;
 mod run;
@@ -24,6 +25,7 @@ pub mod words;
 mod world;
 
 pub use fault::Fault;
+pub use letters::{given, relettered};
 pub use matrix::Matrix;
 pub use parse::MOST_LINES;
 pub use run::Trouble;
@@ -147,6 +149,18 @@ impl Program {
     /// The name that a line makes.
     pub fn name(&self, made: &Made) -> &str {
         &self.names[made.name]
+    }
+
+    /// What its lines make, each name once, in the order of the text.
+    pub fn makes(&self) -> Vec<String> {
+        let mut made: Vec<String> = Vec::new();
+        for line in &self.tree.lines {
+            let name = &self.names[line.name];
+            if line.value.is_some() && !made.contains(name) {
+                made.push(name.clone());
+            }
+        }
+        made
     }
 
     /// n, p and m, where the text alone tells them: a number in it may say how many states there are.

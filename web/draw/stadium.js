@@ -1,15 +1,19 @@
 /** The stadium from above: landmarks, both tracks, the present reading, and the estimate with its ellipse. */
 
-import { followed } from '../../draw/camera.js'
-import { clear, drawLabels } from '../../draw/labels.js'
-import { dot, ellipseLevel, ellipsePath, meaning, scaleBar, segment, seriesPath } from '../../draw/plot.js'
-
-/** @typedef {import('estimate-wasm').MuseumFrame} Frame */
+import { followed } from './camera.js'
+import { clear, drawLabels } from './labels.js'
+import { dot, ellipseLevel, ellipsePath, meaning, scaleBar, segment, seriesPath } from './plot.js'
 
 /**
- * @param {import('../../figure/shell.js').Panel} panel
+ * @typedef {Pick<import('estimate-wasm').MuseumFrame, 'landmarks' | 'tracks' | 'truth' | 'estimate'> & {
+ *   ellipse: import('estimate-wasm').Ellipse | null,
+ *   sighting: { landmark: number, used: boolean } | null }} Frame an ellipse where there is one
+ */
+
+/**
+ * @param {import('../figure/shell.js').Panel} panel
  * @param {Frame} frame
- * @param {import('../../figure/spec.js').View} view
+ * @param {import('../figure/spec.js').View} view
  */
 export function drawMap({ pen, width, height }, frame, view) {
   const { landmarks, tracks, truth, estimate, ellipse, sighting } = frame
@@ -42,7 +46,8 @@ export function drawMap({ pen, width, height }, frame, view) {
       }
       for (const { id, x, y } of landmarks)
         to.mark('rect', `landmark${id}`, { class: 'corner', x: plane.x(x) - 4, y: plane.y(y) - 4, width: 8, height: 8 })
-      to.mark('path', 'ellipse', { ...meaning('outline', 'posterior'), d: ellipsePath(ellipse, estimate, plane) })
+      if (ellipse)
+        to.mark('path', 'ellipse', { ...meaning('outline', 'posterior'), d: ellipsePath(ellipse, estimate, plane) })
       dot(to, 'estimate', plane, estimate, { ...meaning('full', 'posterior'), r: 4 })
       const [x, y] = at(truth)
       to.mark('path', 'robot', {
