@@ -5,9 +5,10 @@ import { clear, drawLabels } from './labels.js'
 import { dot, ellipseLevel, ellipsePath, meaning, scaleBar, segment, seriesPath } from './plot.js'
 
 /**
- * @typedef {Pick<import('estimate-wasm').MuseumFrame, 'landmarks' | 'tracks' | 'truth' | 'estimate'> & {
- *   ellipse: import('estimate-wasm').Ellipse | null,
- *   sighting: { landmark: number, used: boolean } | null }} Frame an ellipse where there is one
+ * @typedef {Pick<import('estimate-wasm').MuseumFrame, 'landmarks' | 'tracks' | 'truth'> & {
+ *   estimate: number[] | null, ellipse: import('estimate-wasm').Ellipse | null,
+ *   sighting: { landmark: number, used: boolean } | null }} Frame an estimate and an ellipse
+ * where there are any
  */
 
 /**
@@ -46,9 +47,9 @@ export function drawMap({ pen, width, height }, frame, view) {
       }
       for (const { id, x, y } of landmarks)
         to.mark('rect', `landmark${id}`, { class: 'corner', x: plane.x(x) - 4, y: plane.y(y) - 4, width: 8, height: 8 })
-      if (ellipse)
+      if (ellipse && estimate)
         to.mark('path', 'ellipse', { ...meaning('outline', 'posterior'), d: ellipsePath(ellipse, estimate, plane) })
-      dot(to, 'estimate', plane, estimate, { ...meaning('full', 'posterior'), r: 4 })
+      if (estimate) dot(to, 'estimate', plane, estimate, { ...meaning('full', 'posterior'), r: 4 })
       const [x, y] = at(truth)
       to.mark('path', 'robot', {
         class: 'robot',
@@ -62,17 +63,26 @@ export function drawMap({ pen, width, height }, frame, view) {
       pen,
       { ...box, bottom: box.bottom - 20 },
       [
-        {
-          key: 'estimate-name',
-          words: 'estimate',
-          at: at(estimate),
-          kin: 'posterior',
-          gap: 14,
-          sides: ['below', 'above'],
-        },
+        ...(estimate
+          ? [
+              {
+                key: 'estimate-name',
+                words: 'estimate',
+                at: at(estimate),
+                kin: /** @type {const} */ ('posterior'),
+                gap: 14,
+                sides: /** @type {('below' | 'above')[]} */ (['below', 'above']),
+              },
+            ]
+          : []),
         { key: 'truth-name', words: 'truth', at: at(truth), kin: 'truth', gap: 14, sides: ['above', 'below'] },
       ],
-      [...marks.map((mark) => clear(mark, 7)), clear(at(estimate), 8), clear(at(truth), 11), bars],
+      [
+        ...marks.map((mark) => clear(mark, 7)),
+        ...(estimate ? [clear(at(estimate), 8)] : []),
+        clear(at(truth), 11),
+        bars,
+      ],
     )
     ellipseLevel(pen, box.left + 6, box.bottom - 4)
     scaleBar(pen, plane, box.right - 6, box.bottom - 4)

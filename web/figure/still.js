@@ -55,7 +55,8 @@ export function drawStill(document, spec, frame, parameters, aside = null) {
   ))
     part.setAttribute('aria-hidden', 'true')
   for (const part of into.querySelectorAll('.invite, .more dl')) part.remove()
-  for (const control of into.querySelectorAll('button, input, select, textarea')) control.replaceWith(likeness(document, control))
+  for (const control of into.querySelectorAll('button, input, select, textarea'))
+    control.replaceWith(likeness(document, control))
   for (const more of into.querySelectorAll('.more')) more.replaceWith(closed(document, more))
   const said = Object.values(spec.describe(frame)).filter(Boolean).join(' ')
   return { still: into, words: `${said} ${plain(spec.verdict?.(frame) ?? '')}`.trim() }

@@ -132,7 +132,9 @@ impl WriteFilter {
         let [run, _] = &mut self.runs;
         self.stopped = match run.next(&mut self.program) {
             Err(Stop::Fault(fault) | Stop::Trouble(_, fault)) => Some(fault),
-            Err(Stop::Given) => Some(view::said("The program makes no estimate and no covariance of the world’s size.")),
+            Err(Stop::Given) => {
+                Some(view::said("The program makes no estimate and no covariance of the world’s size."))
+            }
             Ok(()) => {
                 let (x, p) = &run.belief;
                 let within = |entries: &[f64], most: f64| entries.iter().all(|entry| entry.abs() <= most);

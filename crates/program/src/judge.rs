@@ -171,7 +171,7 @@ fn off(theirs: &Steps, ours: &Steps, quantity: Quantity) -> Option<Off> {
 impl Off {
     /// "In case 1 P[1, 2] is 3.2, and a right filter has 2.9."
     fn say(&self, of: &Steps, words: &mut Words) {
-        words.text("In case ").whole(of.steps[self.step].0 as i64 + 1).text(" ");
+        words.text("In case ").whole(of.steps[self.step].0 as i64 + 1).text(", ");
         self.entry(of, words);
         words.text(" is ").number(self.theirs).text(", and a right filter has ").number(self.ours).text(".");
     }

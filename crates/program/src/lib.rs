@@ -54,6 +54,8 @@ pub struct Program {
     notation: Notation,
     names: Vec<String>,
     tree: Tree,
+    /// Where in the text each line of the tree is, from 1.
+    lines: Vec<u32>,
     /// n, p and m, where the text tells them.
     found: Found,
     faults: Vec<Fault>,
@@ -118,7 +120,8 @@ impl Program {
                 found = checked(text, &tree, &names, world, notation, found, &mut faults);
             }
         }
-        Self { text: text.into(), world, notation, names, tree, found, faults: faults.sorted(), fitted: None }
+        let lines = tree.lines.iter().map(|line| line_of(text, line.place.from)).collect();
+        Self { text: text.into(), world, notation, names, tree, lines, found, faults: faults.sorted(), fitted: None }
     }
 
     /// The text.
@@ -218,7 +221,7 @@ impl Program {
         World::constants(sizes, &mut values);
         values.resize(self.names.len(), values[0].clone());
         let mut made = Vec::with_capacity(self.tree.lines.len());
-        for line in &self.tree.lines {
+        for (line, number) in self.tree.lines.iter().zip(&self.lines) {
             let Some(id) = line.value else { continue };
             let trouble = Cell::new((Trouble::NotFinite, id));
             let run = Run { tree: &self.tree, values: &values, varied: None, trouble: &trouble };
@@ -234,7 +237,7 @@ impl Program {
             if !numerics::all_finite(&value.m.entries) {
                 return Err(self.trouble(Trouble::NotFinite, line, line.place));
             }
-            made.push(Made { line: line_of(&self.text, line.place.from), name: line.name, value: value.clone() });
+            made.push(Made { line: *number, name: line.name, value: value.clone() });
             values[line.name] = value;
         }
         Ok(Step { made, sizes })

@@ -6,7 +6,7 @@
 import { button, part } from '../../draw/dom.js'
 import { faultOf, keep, last, textOf } from './kept.js'
 import { GROUPS, isBegin, opened, stepsOf } from './programs.js'
-import { reasons } from './words.js'
+import { isEmpty, reasons } from './words.js'
 
 /** Typing rests after this long, milliseconds. */
 const REST_MS = 300
@@ -50,19 +50,25 @@ export function buildEditor(document, change) {
   }))
     area.setAttribute(name, value)
   const fold = part(document, element, 'p', 'write-row')
-  const anew = button(document, fold, 'As it began', () => {
-    change({}, ({ params }) => {
-      keep(params.begin, null)
-      return { text: null }
-    })
-  }, 'quiet')
+  const anew = button(
+    document,
+    fold,
+    'As it began',
+    () => {
+      change({}, ({ params }) => {
+        keep(params.begin, null)
+        return { text: null }
+      })
+    },
+    'quiet',
+  )
   const faults = part(document, element, 'ol', 'write-faults')
   const why = part(document, element, 'div', 'write-why')
 
   /** What the box holds, by the parameters it came from or went to. */
   let shown = ''
   /** @type {ReturnType<typeof setTimeout> | undefined} */
-  let resting = undefined
+  let resting
   /** @type {Frame | null} */
   let frame = null
 
@@ -93,7 +99,7 @@ export function buildEditor(document, change) {
   function fit(text, of = null) {
     const count = text.split('\n').length
     area.setAttribute('rows', String(Math.min(MOST, Math.max(LEAST, count + 1))))
-    const wrong = new Set(of?.faults.map(({ line }) => line) ?? [])
+    const wrong = new Set(of === null || isEmpty(of) ? [] : of.faults.map(({ line }) => line))
     if (of && of.faults.length === 0 && of.outcome !== 'right' && of.line !== null) wrong.add(of.line)
     gutter.replaceChildren(
       ...Array.from({ length: count }, (_, i) => {
@@ -140,10 +146,11 @@ export function buildEditor(document, change) {
       frame = now
       if (resting === undefined) fit(now.text, now)
       writeNames(document, names, now)
-      list(now.faults)
+      list(isEmpty(now) ? [] : now.faults)
       why.replaceChildren()
       for (const words of reasons(now)) part(document, why, 'p', '').textContent = words
-      area.toggleAttribute('aria-invalid', now.faults.length > 0)
+      if (now.faults.length > 0 && !isEmpty(now)) area.setAttribute('aria-invalid', 'true')
+      else area.removeAttribute('aria-invalid')
     },
   }
 }
@@ -184,9 +191,7 @@ function watch(element, change) {
     if (notation === page) return
     page = notation
     change({}, ({ params }, lab) =>
-      params.notation === notation
-        ? {}
-        : { notation, text: params.text === null ? null : lab.textIn(notation) },
+      params.notation === notation ? {} : { notation, text: params.text === null ? null : lab.textIn(notation) },
     )
   }
   new MutationObserver(follow).observe(root, { attributeFilter: ['data-notation'] })

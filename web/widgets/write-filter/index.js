@@ -21,7 +21,7 @@ const start = { params: {}, step: 60 }
 /** @param {Frame} frame */
 const describe = (frame) => ({
   run: describeRun(frame),
-  errors: `Errors of the first two states against their claimed 2 σ, over ${frame.series.step.length - 1} steps.`,
+  errors: `Errors of the first two states against their claimed 2 σ, up to step ${frame.series.step.at(-1)}.`,
   worlds: describeWorlds(null),
 })
 
@@ -63,12 +63,13 @@ export const figure = {
   panels: [
     { name: 'run', width: 460, height: 330, draw: drawRun },
     { name: 'errors', width: 460, height: 300, draw: drawErrors },
-    { name: 'worlds', width: 460, height: 130, aside: true, draw: drawWorlds },
+    { name: 'worlds', width: 460, height: 150, aside: true, draw: drawWorlds },
   ],
   layout: {
     // Who writes looks at the text and at what is said of it: the pictures come after.
     narrow: ['tries', 'controls', 'verdict', 'run', 'worlds', 'readouts', 'errors'],
-    medium: ['tries tries', 'verdict verdict', 'controls run', 'controls worlds', 'controls errors'],
+    medium: ['tries tries', 'verdict verdict', 'controls controls', 'run errors', 'worlds worlds'],
+    wide: ['tries tries', 'verdict verdict', 'controls run', 'controls worlds', 'controls errors'],
     columns: { medium: '1fr 1fr' },
   },
   tries,
@@ -79,4 +80,3 @@ export const figure = {
   announce,
   series: ({ series }) => ({ ...series }),
 }
-

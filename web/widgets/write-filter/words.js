@@ -4,8 +4,13 @@ import { BUGS } from '../bug-museum/words.js'
 
 /** @typedef {import('estimate-wasm').WriteFrame} Frame */
 
+/** Whether nothing has been written yet. @param {Frame} frame */
+export const isEmpty = ({ made, faults }) => made.length === 0 && faults[0]?.message.startsWith('The program is empty')
+
 /** @param {Frame} frame */
-export function verdict({ faults, outcome, bug, line, breaks, sentences, observer, stopped }) {
+export function verdict(frame) {
+  if (isEmpty(frame)) return 'Nothing is written yet. A step predicts the estimate, and a reading corrects it.'
+  const { faults, outcome, bug, line, breaks, sentences, observer, stopped } = frame
   if (faults.length > 0) return `No filter yet: ${counted(faults.length)}, the first in line ${faults[0].line}.`
   const at = line === null ? '' : ` See line ${line}.`
   if (outcome === 'bug') return `The museum’s bug “${BUGS[bug].name}”.${at}`
@@ -26,6 +31,7 @@ export const reasons = ({ faults, sentences, stopped }) =>
 
 /** What a screen reader hears when typing rests. @param {Frame} frame */
 export function announce(frame) {
+  if (isEmpty(frame)) return verdict(frame)
   const [first] = frame.faults
   const why = first ? `Line ${first.line}, column ${first.column}: ${first.message}` : (frame.sentences[0] ?? '')
   return `${verdict(frame)} ${why}`

@@ -1,7 +1,6 @@
 /** The program in 500 worlds: the mean NEES and NIS in a right filter's bands. */
 
 import { fixed } from '../../draw/numbers.js'
-import { meaning } from '../../draw/plot.js'
 import { openPort } from '../../load/worker-port.js'
 
 /** Worlds, as `crates/labs/src/worlds.rs` counts them. */
@@ -120,25 +119,33 @@ export function drawWorlds({ pen, width, height }, frame, { aside }) {
   const found = /** @type {Found | null} */ (aside)
   const [left, right] = [LEFT, width - RIGHT]
   const third = (right - left) / 3
-  const row = (height - 30) / 2
+  const row = (height - 26) / 2
   pen.draw(() => {
-    const title = frame.outcome === 'refused' ? 'no worlds yet' : `means over ${found?.count ?? 0} worlds, and 99 % of right filters’`
+    const title =
+      frame.outcome === 'refused'
+        ? 'no worlds yet'
+        : `means over ${found?.count ?? 0} worlds, and 99 % of right filters’`
     pen.text('title', { class: 'plot-title', x: 0, y: 14 }, title)
     pen.mark('rect', 'band', { class: 'band', x: left + third, y: 26, width: third, height: 2 * row })
     for (const [i, [key, name]] of ROWS.entries()) {
-      const y = 26 + (i + 0.5) * row
+      const y = 26 + i * row + 12
       const mean = found?.[key] ?? null
       pen.text(`name${i}`, { class: 'tick', x: 0, y: y + 4 }, name)
       pen.mark('line', `line${i}`, { class: 'grid', x1: left, x2: right, y1: y, y2: y })
       const said = found?.sentences.find((sentence) => sentence.startsWith(`The mean ${name} `))?.split(': ')[1]
-      pen.text(`said${i}`, { class: 'rule-name', x: left, y: y - row / 2 + 11 }, mean || !found ? (said ?? '') : NAMELESS)
+      pen.text(`said${i}`, { class: 'rule-name', x: left, y: y + 32 }, mean || !found ? (said ?? '') : NAMELESS)
       pen.text(`value${i}`, { class: 'tick', x: width, y: y + 4, 'text-anchor': 'end' }, fixed(mean?.value, 2))
       if (!mean) continue
       const [low, high] = mean.band
       for (const [end, at] of mean.band.entries())
         pen.text(
           `end${i}${end}`,
-          { class: 'rule-name', x: left + third * (1 + end) + (end ? 4 : -4), y: y + row / 2 - 4, 'text-anchor': end ? 'start' : 'end' },
+          {
+            class: 'rule-name',
+            x: left + third * (1 + end) + (end ? 4 : -4),
+            y: y + 16,
+            'text-anchor': end ? 'start' : 'end',
+          },
           fixed(at, 2),
         )
       const place = Math.max(0, Math.min(3, 1 + (mean.value - low) / (high - low)))

@@ -49,6 +49,14 @@ const WORLDS: &str = "FilterWorlds";
 
 #[wasm_bindgen]
 impl FilterWorlds {
+    /// No world yet, of the program that the parameters say; what they leave out takes its default.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "Partial<WriteParams>")] params: &JsValue,
+    ) -> Result<FilterWorlds, Thrown> {
+        WriteFilter::new(params)?.worlds()
+    }
+
     /// Runs the program in the next world; whether there is another.
     pub fn step(&self) -> Result<bool, Thrown> {
         self.0.write(WORLDS, |worlds: &mut Worlds| {

@@ -2,8 +2,8 @@
 
 use super::frame::WriteObserver;
 use crate::worlds::linear::given;
-use estimate::rail::position_sensor;
 use estimate::Observer;
+use estimate::rail::position_sensor;
 use filters::linear;
 use nalgebra::{DMatrix, Matrix2, Vector1, Vector2};
 use program::{Matrix, Program, Quantity};

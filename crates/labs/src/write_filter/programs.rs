@@ -107,7 +107,9 @@ impl Begin {
                 ("P = sym(P - R H P)", again)
             }
             // H at the pose before the motion.
-            Self::MendThird => ("x = f(x, u)\nP = F P F' + V\nH = jac(h, x)", "H = jac(h, x)\nx = f(x, u)\nP = F P F' + V"),
+            Self::MendThird => {
+                ("x = f(x, u)\nP = F P F' + V\nH = jac(h, x)", "H = jac(h, x)\nx = f(x, u)\nP = F P F' + V")
+            }
             _ => return None,
         })
     }

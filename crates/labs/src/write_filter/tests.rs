@@ -37,7 +37,11 @@ fn each_program_is_what_it_begins_as() {
         assert!(frame.line.is_some());
     }
     let asymmetric = written(Begin::Asymmetric, None);
-    assert!(asymmetric.sentences.iter().any(|said| said.contains("“P is not symmetric”")), "{:?}", asymmetric.sentences);
+    assert!(
+        asymmetric.sentences.iter().any(|said| said.contains("“P is not symmetric”")),
+        "{:?}",
+        asymmetric.sentences
+    );
     for begin in [Begin::Forget, Begin::Observer, Begin::MendFirst, Begin::MendSecond, Begin::MendThird, Begin::Fixed] {
         assert_eq!(written(begin, None).outcome, Verdict::Wrong, "{begin:?}");
     }
