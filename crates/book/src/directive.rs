@@ -21,7 +21,7 @@ const RULES: [(&str, &str, &str, &str); 18] = [
     ("equation", "id", "eq", "Equation"),
     ("references", "", "", ""),
     ("own-log", "", "", ""),
-    ("exercises", "", "", ""),
+    ("exercises", "page", "", ""),
     ("asked-figures", "", "", ""),
     ("contents", "page", "", ""),
 ];
