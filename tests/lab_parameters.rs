@@ -116,7 +116,16 @@ fn values(shape: &'static Shape, limits: [f64; 2]) -> BoxedStrategy<Vec<f64>> {
         Shape::Between(least, most, entry) => prop::collection::vec(values(entry, limits), *least..=*most)
             .prop_map(|rows| [vec![rows.len() as f64], rows.concat()].concat())
             .boxed(),
-        Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => {
+        Shape::Text => {
+            let text = prop_oneof!["[xPuyFGHVWnS =+'*/()\\[\\]0-9\n-]{0,80}", "P = [0-9]{1,3} P\nx = F x"];
+            text.prop_map(|text| {
+                let mut row = Vec::new();
+                lab::Plain::write(text.as_str(), &mut row);
+                row
+            })
+            .boxed()
+        }
+        Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => {
             unreachable!("no parameter holds a {shape:?}")
         }
     }

@@ -264,6 +264,16 @@ for (const name of LABS) {
   }
 }
 
+CLASSES.WriteFilter.methods.textIn = (dice) => [dice.pick(['choset', 'thrun', 'common'])]
+CLASSES.WriteFilter.methods.worlds = () => []
+CLASSES.FilterWorlds = {
+  make: (dice) => [
+    { begin: dice.pick(['kalman', 'empty', 'observer', 'twice']), notation: dice.pick(['choset', 'thrun']) },
+  ],
+  methods: { step: () => [], found: () => [] },
+  look: (it) => it.found(),
+  covariances: () => [],
+}
 CLASSES.LateReadings.methods.seeds = (dice) => [dice.below(100), 1 + dice.below(3)]
 CLASSES.Tune.methods.likelihoodRow = (dice) => [dice.below(4), 4 + dice.below(5), 1 + dice.below(5)]
 

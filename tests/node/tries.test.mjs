@@ -22,6 +22,7 @@ for (const tag of [
   'own-system',
   'observability-probe',
   'late-readings',
+  'write-filter',
 ]) {
   test(`each phrase of the ${tag} gives the same after every other`, async () => {
     const spec = await WIDGETS[tag]()

@@ -55,7 +55,8 @@ export function drawStill(document, spec, frame, parameters, aside = null) {
   ))
     part.setAttribute('aria-hidden', 'true')
   for (const part of into.querySelectorAll('.invite, .more dl')) part.remove()
-  for (const control of into.querySelectorAll('button, input, select')) control.replaceWith(likeness(document, control))
+  for (const control of into.querySelectorAll('button, input, select, textarea'))
+    control.replaceWith(likeness(document, control))
   for (const more of into.querySelectorAll('.more')) more.replaceWith(closed(document, more))
   const said = Object.values(spec.describe(frame)).filter(Boolean).join(' ')
   return { still: into, words: `${said} ${plain(spec.verdict?.(frame) ?? '')}`.trim() }
@@ -81,6 +82,7 @@ function likeness(document, control) {
     if (control.hasAttribute(name)) span.setAttribute(name, control.getAttribute(name) ?? '')
   const kind = control.localName === 'input' ? control.getAttribute('type') : control.localName
   span.setAttribute('class', `${control.getAttribute('class') ?? ''} like-${kind}`.trim())
+  if (kind === 'textarea') span.append(control.textContent ?? '')
   if (kind === 'button') span.append(...control.childNodes)
   if (kind === 'number' || kind === 'text') span.append(control.getAttribute('value') ?? '')
   if (kind === 'checkbox' && control.hasAttribute('checked')) span.append('✓')

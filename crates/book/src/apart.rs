@@ -47,11 +47,12 @@ pub fn asked(site: &Site, texts: &[Vec<Node>]) -> Vec<String> {
     asked
 }
 
-impl Writer<'_> {
-    /// The exercises of other pages for a list: each with its questions, whose answers the browser keeps under the same
+impl<'a> Writer<'a> {
+    /// The exercises of the part called `page` for a list: each with its questions, whose answers the browser keeps under the same
     /// names on every page, and with every id that an address may name.
-    pub(crate) fn exercises(&mut self) -> Value {
-        let nodes = self.apart.exercises.clone();
+    pub(crate) fn exercises(&mut self, page: &str, place: &Place) -> Value {
+        let Some(texts) = self.texts_of(page, place) else { return Value::UNDEFINED };
+        let nodes = all(texts, "exercise");
         let listed = nodes.into_iter().map(|node| {
             let Kind::Piece(Piece::Directive { attributes, .. }) = &node.kind else { return Value::UNDEFINED };
             let value = |key: &str| attributes.value(key).unwrap_or_default();
@@ -81,14 +82,20 @@ impl Writer<'_> {
         listed.collect()
     }
 
+    /// The texts of the part called `page`.
+    fn texts_of(&self, page: &str, place: &Place) -> Option<&'a [Vec<Node>]> {
+        let end = format!("/{page}/");
+        let found = self.apart.texts.iter().find(|(at, _)| at.ends_with(&end)).map(|(_, texts)| *texts);
+        if found.is_none() {
+            self.diagnostics.report(place, format!("no part of this chapter is called `{page}`"));
+        }
+        found
+    }
+
     /// The sections of the part called `page` for a list: each with its title, and with the ids of the headings within
     /// it, which an address may name.
     pub(crate) fn contents(&mut self, page: &str, place: &Place) -> Value {
-        let end = format!("/{page}/");
-        let Some(texts) = self.apart.texts.iter().find(|(at, _)| at.ends_with(&end)).map(|(_, texts)| *texts) else {
-            self.diagnostics.report(place, format!("no part of this chapter is called `{page}`"));
-            return Value::UNDEFINED;
-        };
+        let Some(texts) = self.texts_of(page, place) else { return Value::UNDEFINED };
         let mut sections: Vec<(&Node, &str, Vec<String>)> = Vec::new();
         texts.iter().for_each(|text| {
             tree::walk(text, &mut |node| {

@@ -124,7 +124,7 @@ impl Writer<'_> {
                 return self.reference_list();
             }
             "own-log" => ("own_log", context! {}),
-            "exercises" => ("exercises", context! { exercises => self.exercises() }),
+            "exercises" => ("exercises", context! { exercises => self.exercises(text("page"), place) }),
             "contents" => ("contents", context! { sections => self.contents(text("page"), place) }),
             "asked-figures" => {
                 let figures = self.apart.figures.clone();
@@ -214,7 +214,7 @@ impl Writer<'_> {
             self.words.push(' ');
             Some((word, fact))
         });
-        context! { name, facts => facts.collect::<Vec<_>>() }
+        context! { name, run => attributes.value("run"), facts => facts.collect::<Vec<_>>() }
     }
 
     fn exercise(&mut self, attributes: &Attributes, place: &Place) -> Value {

@@ -56,7 +56,7 @@ impl Build<'_> {
         let config = &self.site.config;
         for chapter in &config.chapters {
             let figures = pages.chapter(chapter)?;
-            pages.figures(&chapter.slug, &format!("chapter {}: {}", chapter.number, chapter.title), &figures)?;
+            pages.figures(&format!("chapter {}: {}", chapter.number, chapter.title), &figures)?;
             if self.pdf {
                 pages.dist.elsewhere.insert(format!("{0}/{0}.pdf", chapter.slug));
                 let parts = chapter.apart.iter().map(|part| format!("{}/{1}/{1}.pdf", chapter.slug, part.slug));
@@ -69,7 +69,7 @@ impl Build<'_> {
             let address = format!("{}/", page.slug);
             let text = page::text(self.site, &[(path, file)], None, &address, self.diagnostics);
             let figures = pages.text("page", None, &address, page, text)?;
-            pages.figures(&page.slug, &page.title, &figures)?;
+            pages.figures(&page.title, &figures)?;
         }
         match self.diagnostics.check() {
             Err(error) if self.draft => eprintln!("{error}"),
@@ -159,9 +159,9 @@ impl Pages<'_> {
         Ok(text.figures)
     }
 
-    /// A page for each widget of the text at `slug`, whose name is `from`: its first figure in its usual state, or else
+    /// A page for each widget of the text whose name is `from`: its first figure in its usual state, or else
     /// its first figure.
-    fn figures(&mut self, slug: &str, from: &str, figures: &[Figure]) -> Result<(), BuildError> {
+    fn figures(&mut self, from: &str, figures: &[Figure]) -> Result<(), BuildError> {
         let usual = figures.iter().filter(|figure| figure.start.is_none());
         for figure in usual.chain(figures) {
             let address = figure::address(&figure.widget);
@@ -170,7 +170,7 @@ impl Pages<'_> {
             }
             let about = format!("{}: a figure of {from}, alive.", figure.name);
             let formulas = figure.caption.contains("class=\"katex");
-            let extra = context! { figure => serde(figure), slug, from, formulas };
+            let extra = context! { figure => serde(figure), from, formulas };
             self.page("figure", &address, &figure.name, &about, extra.clone())?;
             // An address of before opens the same page, which says where it is now.
             let was = self.build.site.figure(&figure.widget).and_then(|known| known.was);

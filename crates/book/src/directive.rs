@@ -11,7 +11,7 @@ const RULES: [(&str, &str, &str, &str); 18] = [
     ("note", "kind", "id title", ""),
     ("margin", "", "id", ""),
     ("figure", "id", "title widget start drawing opens", "Figure"),
-    ("algorithm", "id name", "in out cost", "Algorithm"),
+    ("algorithm", "id name", "in out cost run", "Algorithm"),
     ("exercise", "id title kind difficulty", "", "Exercise"),
     ("hint", "", "id title", ""),
     ("answer", "", "id title", ""),
@@ -21,7 +21,7 @@ const RULES: [(&str, &str, &str, &str); 18] = [
     ("equation", "id", "eq", "Equation"),
     ("references", "", "", ""),
     ("own-log", "", "", ""),
-    ("exercises", "", "", ""),
+    ("exercises", "page", "", ""),
     ("asked-figures", "", "", ""),
     ("contents", "page", "", ""),
 ];

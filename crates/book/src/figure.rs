@@ -12,7 +12,9 @@ use crate::writer::Writer;
 /// What the page of a figure shows.
 #[derive(Clone, Debug, Serialize)]
 pub struct Figure {
-    /// Its id in the chapter, under which an address holds its state.
+    /// The address of the page that has it, from the site's root.
+    pub page: String,
+    /// Its id there, under which an address holds its state.
     pub id: String,
     /// Its name, as the one list of figures has it.
     pub widget: String,
@@ -43,7 +45,12 @@ pub fn address(name: &str) -> String {
 }
 
 /// The figures of a page, in order.
-pub fn figures(site: &Site, texts: &[Vec<Node>], labels: &Labels, diagnostics: &Diagnostics) -> Vec<Figure> {
+pub fn figures(
+    site: &Site,
+    texts: &[Vec<Node>],
+    (address, labels): (&str, &Labels),
+    diagnostics: &Diagnostics,
+) -> Vec<Figure> {
     let mut figures = Vec::new();
     for text in texts {
         tree::walk(text, &mut |node| {
@@ -52,14 +59,14 @@ pub fn figures(site: &Site, texts: &[Vec<Node>], labels: &Labels, diagnostics: &
                 // The page has no glossary and no notation switch, and its one link leads to the chapter.
                 writer.plain = true;
                 writer.readings = None;
-                figures.extend(figure(&mut writer, node));
+                figures.extend(figure(&mut writer, address, node));
             }
         });
     }
     figures
 }
 
-fn figure(writer: &mut Writer<'_>, node: &Node) -> Option<Figure> {
+fn figure(writer: &mut Writer<'_>, page: &str, node: &Node) -> Option<Figure> {
     let Kind::Piece(Piece::Directive { attributes, .. }) = &node.kind else { return None };
     let value = |key: &str| attributes.value(key).unwrap_or_default().to_string();
     // A drawing that does not move needs no page.
@@ -69,6 +76,7 @@ fn figure(writer: &mut Writer<'_>, node: &Node) -> Option<Figure> {
     let still = stills.get(&id).or_else(|| stills.get(&widget)).cloned().unwrap_or_default();
     let title = writer.title(&value("title"), &node.place);
     Some(Figure {
+        page: page.into(),
         name: writer.words.trim().to_string(),
         title,
         label: writer.labels.get(&id, ROOT).map(|label| label.text).unwrap_or_default(),

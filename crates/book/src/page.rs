@@ -91,12 +91,10 @@ pub fn texts(site: &Site, pages: &[Sources], chapter: Option<u32>, diagnostics: 
     let parsed: Vec<Vec<Vec<Node>>> = pages.iter().map(|(_, files)| files.iter().map(parse).collect()).collect();
     let all: Vec<_> = pages.iter().zip(&parsed).map(|((address, _), texts)| (address.as_str(), &texts[..])).collect();
     let labels = Labels::collect(&all, chapter, diagnostics);
-    let rest = parsed.get(1..).unwrap_or_default();
     let write = |(i, (address, files)): (usize, &Sources)| {
         let texts = &parsed[i];
         let mut shown = Apart::default();
         if i == 0 {
-            shown.exercises = rest.iter().flat_map(|texts| apart::all(texts, "exercise")).collect();
             shown.texts = all[1..].iter().copied().collect();
         } else {
             let asked = apart::asked(site, texts);
@@ -136,7 +134,7 @@ fn one<'a>(
         search,
         used: writer.used,
         readings: readings.into_iter().map(|(html, _)| html).collect(),
-        figures: figure::figures(site, texts, &labels, diagnostics),
+        figures: figure::figures(site, texts, (address, &labels), diagnostics),
         numbers,
         reading: Reading::of(&texts.concat()).words(),
     }

@@ -50,7 +50,7 @@ impl Class {
     }
 
     /// What `f` answers of the lab itself, for what one kind of lab has beyond the others.
-    #[cfg(any(feature = "late", feature = "log"))]
+    #[cfg(any(feature = "late", feature = "log", feature = "filter"))]
     pub fn lab<L: Experiment + 'static, A>(
         &'static self,
         held: &Held,
@@ -172,6 +172,11 @@ fn copy(shape: &Shape, from: &mut std::slice::Iter<'_, f64>, to: &mut Vec<f64>) 
             to.push(length);
             (0..length as usize).for_each(|_| copy(entry, from, to));
         }
+        Shape::Text => {
+            let length = from.next().copied().unwrap_or(0.0);
+            to.push(length);
+            to.extend(from.take(length as usize));
+        }
         Shape::Maybe(value) => {
             to.extend(from.next());
             if to.last() == Some(&1.0) {
@@ -283,5 +288,9 @@ macro_rules! lab_classes {
 labs::figures!(lab_classes);
 
 /// What some labs can do beside the rest.
+#[cfg(feature = "filter")]
+mod filter;
+#[cfg(feature = "filter")]
+pub use filter::FilterWorlds;
 #[cfg(feature = "late")]
 mod late;

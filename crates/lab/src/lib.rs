@@ -24,6 +24,7 @@ mod shown;
 mod text;
 mod typescript;
 mod up_to;
+mod written;
 
 pub use check::Check;
 pub use declare::camel_case;
@@ -42,3 +43,4 @@ pub use shown::Shown;
 pub use text::Text;
 pub use typescript::{LONGEST, class, written};
 pub use up_to::UpTo;
+pub use written::{Written, is_plain};

@@ -69,7 +69,11 @@ impl Parameter {
                 Some((String::new(), code))
             }
             Shape::Flag | Shape::Word(_) => from.next().and(None),
-            Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => None,
+            Shape::Text => {
+                let length = from.next().map_or(0, |length| *length as usize);
+                from.take(length).last().and(None)
+            }
+            Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => None,
         }
     }
 }

@@ -117,8 +117,7 @@ impl Plain for &'static str {
     const SHAPE: Shape = Shape::Text;
 
     fn write(&self, to: &mut Vec<f64>) {
-        put(to, self.chars().count() as f64);
-        to.extend(self.chars().map(|letter| f64::from(u32::from(letter))));
+        str::write(self, to);
     }
 }
 

@@ -26,6 +26,7 @@ macro_rules! figures {
             robot_log::RobotLog of DriveLog in "log";
             car_log::CarLog of DriveLog in "log";
             own_system::OwnSystem in "system";
+            write_filter::WriteFilter in "filter";
         }
     };
 }

@@ -28,6 +28,7 @@ pub mod two_bells;
 pub mod two_carts;
 mod typescript;
 pub mod worlds;
+pub mod write_filter;
 
 pub use estimate::localizer::SensorKind;
 pub use figures::FIGURES;

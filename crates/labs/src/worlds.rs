@@ -4,8 +4,11 @@
 //! frame refuses a reading beyond the gate. A world is a seed, and worlds are counted one by one, so that whoever runs
 //! them can show how far it has come, and stop.
 
-mod linear;
+pub(crate) mod linear;
+mod run;
 mod stadium;
+
+pub(crate) use run::Run;
 
 use crate::bug_museum;
 use crate::ensemble::SEEDS;
@@ -13,6 +16,7 @@ use estimate::Error;
 use filters::consistency::chi2_interval;
 use program::words::Words;
 use program::{Matrix, Program, Quantity, Step, Stop, World};
+use sim::scenarios::BUG_MUSEUM;
 
 /// Steps of a linear world.
 const STEPS: u32 = 60;
@@ -77,10 +81,7 @@ impl Worlds {
     /// # Errors
     /// [`Stop`], where the program has a fault or a line has no value; the worlds before it stay counted.
     pub fn next_world(&mut self) -> Result<(), Stop> {
-        let shown = match self.program.world() {
-            World::Linear => linear::run(&mut self.program, self.count)?,
-            World::Robot => stadium::run(&mut self.program, self.count)?,
-        };
+        let shown = self.shown()?;
         self.count += 1;
         match shown.nees.1 {
             0 => self.lost += 1,
@@ -91,6 +92,25 @@ impl Worlds {
             self.readings += shown.nis.1;
         }
         Ok(())
+    }
+
+    /// The next world's run.
+    fn shown(&mut self) -> Result<Shown, Stop> {
+        let world = self.program.world();
+        let mut run = Run::start(world, self.count).map_err(|_| Stop::Given)?;
+        let mut shown = Shown::default();
+        let steps = if world == World::Robot { BUG_MUSEUM.steps } else { STEPS };
+        for k in 1..=steps {
+            run.next(&mut self.program)?;
+            if let Some(nis) = run.nis {
+                shown.nis = (shown.nis.0 + nis, shown.nis.1 + 1);
+            }
+            let counts = world == World::Robot || k == steps;
+            if let Some(nees) = run.nees().filter(|_| counts) {
+                shown.nees = (shown.nees.0 + nees, shown.nees.1 + 1);
+            }
+        }
+        Ok(shown)
     }
 
     /// The mean NEES over the worlds; none before the first, and where P was a covariance in none of them.

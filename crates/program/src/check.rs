@@ -153,6 +153,12 @@ impl Checker<'_, '_> {
             words.text(" is not given in this world: it is a derivative, jac(");
             words.text(if is(Letter::H) { "h, " } else { "f, " });
             words.text(if is(Letter::G) { "u" } else { &self.names[X] }).text(").");
+        } else if let Some(letter) = Letter::ALL.into_iter().find(|letter| is(*letter)) {
+            words.text(" is ").text(letter.meaning()).text(", and no line above makes it");
+            if let Some((whose, meaning, here)) = self.notation.foreign(text) {
+                words.text("; what is ").text(meaning).text(" in ").text(whose).text(" is ").text(here).text(" here");
+            }
+            words.text(".");
         } else if let Some((whose, meaning, here)) = self.notation.foreign(text) {
             words.text(" is ").text(meaning).text(" in ").text(whose).text("; in ").text(self.notation.whose());
             words.text(", which this program is in, that is ").text(here).text(".");

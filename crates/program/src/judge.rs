@@ -42,6 +42,8 @@ pub struct Verdict {
     pub line: Option<u32>,
     /// Why, in sentences.
     pub sentences: Vec<String>,
+    /// Whether a right form loses its digits where the prior knows nothing.
+    pub breaks: bool,
 }
 
 /// What a right filter's lines make, as a program in Choset's letters.
@@ -130,7 +132,7 @@ pub fn judge(program: &Program) -> Verdict {
 }
 
 fn refused(line: u32, sentence: String) -> Verdict {
-    Verdict { outcome: Outcome::Refused, line: Some(line), sentences: alloc::vec![sentence] }
+    Verdict { outcome: Outcome::Refused, line: Some(line), sentences: alloc::vec![sentence], breaks: false }
 }
 
 /// An entry that is off: which quantity, in which step of theirs, and where.
@@ -169,7 +171,7 @@ fn off(theirs: &Steps, ours: &Steps, quantity: Quantity) -> Option<Off> {
 impl Off {
     /// "In case 1 P[1, 2] is 3.2, and a right filter has 2.9."
     fn say(&self, of: &Steps, words: &mut Words) {
-        words.text("In case ").whole(of.steps[self.step].0 as i64 + 1).text(" ");
+        words.text("In case ").whole(of.steps[self.step].0 as i64 + 1).text(", ");
         self.entry(of, words);
         words.text(" is ").number(self.theirs).text(", and a right filter has ").number(self.ours).text(".");
     }

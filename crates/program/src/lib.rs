@@ -13,6 +13,7 @@ extern crate alloc;
 mod check;
 mod fault;
 pub mod judge;
+mod letters;
 mod matrix;
 mod parse;
 mod run;
@@ -24,6 +25,7 @@ pub mod words;
 mod world;
 
 pub use fault::Fault;
+pub use letters::{given, relettered};
 pub use matrix::Matrix;
 pub use parse::MOST_LINES;
 pub use run::Trouble;
@@ -52,6 +54,8 @@ pub struct Program {
     notation: Notation,
     names: Vec<String>,
     tree: Tree,
+    /// Where in the text each line of the tree is, from 1.
+    lines: Vec<u32>,
     /// n, p and m, where the text tells them.
     found: Found,
     faults: Vec<Fault>,
@@ -116,7 +120,8 @@ impl Program {
                 found = checked(text, &tree, &names, world, notation, found, &mut faults);
             }
         }
-        Self { text: text.into(), world, notation, names, tree, found, faults: faults.sorted(), fitted: None }
+        let lines = tree.lines.iter().map(|line| line_of(text, line.place.from)).collect();
+        Self { text: text.into(), world, notation, names, tree, lines, found, faults: faults.sorted(), fitted: None }
     }
 
     /// The text.
@@ -147,6 +152,18 @@ impl Program {
     /// The name that a line makes.
     pub fn name(&self, made: &Made) -> &str {
         &self.names[made.name]
+    }
+
+    /// What its lines make, each name once, in the order of the text.
+    pub fn makes(&self) -> Vec<String> {
+        let mut made: Vec<String> = Vec::new();
+        for line in &self.tree.lines {
+            let name = &self.names[line.name];
+            if line.value.is_some() && !made.contains(name) {
+                made.push(name.clone());
+            }
+        }
+        made
     }
 
     /// n, p and m, where the text alone tells them: a number in it may say how many states there are.
@@ -204,7 +221,7 @@ impl Program {
         World::constants(sizes, &mut values);
         values.resize(self.names.len(), values[0].clone());
         let mut made = Vec::with_capacity(self.tree.lines.len());
-        for line in &self.tree.lines {
+        for (line, number) in self.tree.lines.iter().zip(&self.lines) {
             let Some(id) = line.value else { continue };
             let trouble = Cell::new((Trouble::NotFinite, id));
             let run = Run { tree: &self.tree, values: &values, varied: None, trouble: &trouble };
@@ -220,7 +237,7 @@ impl Program {
             if !numerics::all_finite(&value.m.entries) {
                 return Err(self.trouble(Trouble::NotFinite, line, line.place));
             }
-            made.push(Made { line: line_of(&self.text, line.place.from), name: line.name, value: value.clone() });
+            made.push(Made { line: *number, name: line.name, value: value.clone() });
             values[line.name] = value;
         }
         Ok(Step { made, sizes })

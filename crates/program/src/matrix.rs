@@ -67,12 +67,20 @@ impl Matrix {
     }
 
     pub(crate) fn scaled(&self, by: f64) -> Self {
-        Self::made(self.rows, self.columns, &|i, j| by * self.at(i, j))
+        let mut scaled = self.clone();
+        for entry in &mut scaled.entries {
+            *entry *= by;
+        }
+        scaled
     }
 
     /// self + by · other, of one size.
     pub(crate) fn plus(&self, by: f64, other: &Self) -> Self {
-        Self::made(self.rows, self.columns, &|i, j| self.at(i, j) + by * other.at(i, j))
+        let mut sum = self.clone();
+        for (entry, other) in sum.entries.iter_mut().zip(&other.entries) {
+            *entry += by * other;
+        }
+        sum
     }
 
     /// The product; where either is a number, the multiple.
@@ -83,13 +91,18 @@ impl Matrix {
         if other.is_number() {
             return self.scaled(other.at(0, 0));
         }
-        Self::made(self.rows, other.columns, &|i, j| {
-            let mut sum = 0.0;
-            for k in 0..self.columns {
-                sum += self.at(i, k) * other.at(k, j);
+        let mut entries = Vec::with_capacity(self.rows * other.columns);
+        for row in self.entries.chunks(self.columns.max(1)) {
+            for j in 0..other.columns {
+                let column = other.entries.iter().skip(j).step_by(other.columns);
+                let mut sum = 0.0;
+                for (a, b) in row.iter().zip(column) {
+                    sum += a * b;
+                }
+                entries.push(sum);
             }
-            sum
-        })
+        }
+        Self::new(self.rows, other.columns, entries)
     }
 
     fn dense(&self) -> DMatrix<f64> {

@@ -167,6 +167,11 @@ fn sizes_are_told_by_their_letters_before_a_number_moves() {
 fn a_name_says_where_it_is_made_or_whose_letter_it_is() {
     let cases = [
         ("a = R\nR = P H'", "3:5 R is not known here; line 4 makes it."),
+        (
+            "a = R",
+            "3:5 R is the gain, and no line above makes it; \
+          what is the noise of the motion in Thrun’s letters is V here.",
+        ),
         ("a = K", "3:5 K is the gain in Thrun’s letters; in Choset’s letters, which this program is in, that is R."),
         (
             "a = Q",

@@ -82,6 +82,15 @@ const ROBOT: usize = 6;
 /// States, readings or inputs of a system.
 const MOST_STATES: usize = 16;
 
+impl Letter {
+    pub(crate) const ALL: [Self; 12] =
+        [L::X, L::P, L::U, L::Y, L::V, L::W, L::F, L::G, L::H, L::Innovation, L::S, L::Gain];
+
+    pub(crate) fn meaning(self) -> &'static str {
+        TABLE[self as usize].1
+    }
+}
+
 impl Notation {
     pub(crate) fn letter(self, letter: Letter) -> &'static str {
         TABLE[letter as usize].0[self as usize]
@@ -109,7 +118,7 @@ impl Notation {
 pub(crate) const X: usize = 0;
 pub(crate) const P: usize = 1;
 impl World {
-    fn letters(self) -> &'static [Letter] {
+    pub(crate) fn letters(self) -> &'static [Letter] {
         match self {
             Self::Linear => &LINEAR,
             Self::Robot => &LINEAR[..ROBOT],

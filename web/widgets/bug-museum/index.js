@@ -7,7 +7,8 @@ import { fixed } from '../../draw/numbers.js'
 import { plain } from '../../draw/words.js'
 import { drawCorrelation, drawFigures } from './figures.js'
 import { drawCovariance, drawErrors, drawInnovations, drawNees, drawNis } from './history.js'
-import { drawMap } from './map.js'
+import { drawMap } from '../../draw/stadium.js'
+import { buildSeeIt } from './see-it.js'
 import { FIGURES, NAMES, outside, share, shown, verdict } from './words.js'
 
 /** @typedef {import('estimate-wasm').MuseumFrame} Frame */
@@ -171,6 +172,7 @@ const controls = [
     notches: ({ params, steps }) => (params.many ? [] : [{ at: steps, name: 'a whole run' }]),
   },
   { kind: 'action', name: 'again', label: 'Another run', change: ({ params }) => ({ seed: nextSeed(params) }) },
+  { kind: 'custom', name: 'seeIt', build: buildSeeIt },
   { kind: 'action', name: 'hide', label: 'Hide a bug', change: draw(false) },
   {
     kind: 'action',

@@ -26,8 +26,6 @@ pub struct Used {
 /// What a page shows of the chapter's other pages.
 #[derive(Debug, Default)]
 pub struct Apart<'a> {
-    /// The exercises of the other pages.
-    pub exercises: Vec<&'a Node>,
     /// Figures of the other pages.
     pub figures: Vec<&'a Node>,
     /// The texts of the other pages, by their addresses.

@@ -19,7 +19,7 @@ impl Arg<'_> {
     }
 
     /// A text of at most so many bytes.
-    #[cfg(feature = "programs")]
+    #[cfg(any(feature = "programs", feature = "filter"))]
     pub fn text_of(&self, most: usize) -> Result<String, Error> {
         match self.value.dyn_ref::<JsString>() {
             None => Err(self.wrong_type("a text")),

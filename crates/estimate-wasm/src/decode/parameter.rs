@@ -38,7 +38,19 @@ impl Arg<'_> {
                 }
             }
             Shape::Each(names, value) => self.each(p, names, value, to)?,
-            Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => {
+            #[cfg(feature = "filter")]
+            Shape::Text => {
+                let most = p.greatest as usize;
+                let text = self.text_of(most)?;
+                if text.len() > most {
+                    return Err(self.refuse(Code::Limit, format!("is longer than {most} bytes")));
+                }
+                if !lab::is_plain(&text) {
+                    return Err(self.refuse(Code::Type, "has a control character"));
+                }
+                lab::Plain::write(text.as_str(), to);
+            }
+            _ => {
                 return Err(self.wrong_type("a parameter"));
             }
         }

@@ -27,7 +27,8 @@ pub fn read(shape: &Shape, value: &Value, to: &mut Vec<f64>) -> Option<()> {
             let of = |name| if value.is_object() { value.get(name) } else { Some(value) };
             names.iter().try_for_each(|name| read(inner, of(name)?, to))?;
         }
-        Shape::Text | Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => return None,
+        Shape::Text => lab::Plain::write(value.as_str()?, to),
+        Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => return None,
     }
     Some(())
 }

@@ -1,52 +1,55 @@
 //! The museum's stadium, with the same noise as there.
 
-use super::{Shown, UNREAD, nis, squared};
+use super::{UNREAD, nis};
 use crate::bug_museum::look;
 use estimate::Unicycle;
 use geom::SE2;
 use nalgebra::{Matrix2, Vector2, Vector3};
-use program::{Matrix, Program, Quantity, Step, Stop};
+use program::{Matrix, Program, Step, Stop};
 use sim::scenarios::BUG_MUSEUM;
 use sim::{Noise, Sighting};
 
-/// One world.
-pub(super) fn run(program: &mut Program, seed: u32) -> Result<Shown, Stop> {
-    let mut noise = Noise::new(u64::from(seed));
-    let mut truth = BUG_MUSEUM.course.start();
-    let off = Vector3::from_fn(|i, _| BUG_MUSEUM.p0_sigma[i] * noise.normal());
-    let start = crate::true_path::squares(BUG_MUSEUM.p0_sigma);
-    let mut belief =
-        (Matrix::column(truth.boxplus(&off).to_vector().as_slice()), Matrix::new(3, 3, start.as_slice().to_vec()));
-    let mut shown = Shown::default();
-    for k in 0..BUG_MUSEUM.steps {
-        let tick = BUG_MUSEUM.course.tick(k);
-        truth = tick.drive(truth);
-        let [ahead, turn] = BUG_MUSEUM.u_sigma.map(|sigma| sigma * noise.normal());
-        let u = Vector2::new(tick.ds + ahead, tick.dtheta + turn);
-        let step = match look(&mut noise, truth, k + 1) {
-            None => step(program, &belief, &u, None)?,
-            Some(seen) => {
-                let with = step(program, &belief, &u, Some(seen))?;
-                let nis = nis(program, &with);
-                // Without ν and S there is no gate.
-                if nis.is_some_and(|nis| nis > BUG_MUSEUM.gate) {
-                    step(program, &belief, &u, None)?
-                } else {
-                    if let Some(nis) = nis {
-                        shown.nis = (shown.nis.0 + nis, shown.nis.1 + 1);
-                    }
-                    with
-                }
-            }
-        };
-        let made = |quantity| program.made(&step, quantity).cloned().ok_or(Stop::Given);
-        belief = (made(Quantity::X)?, made(Quantity::P)?);
-        let error = truth.boxminus(SE2::from_vector(&Vector3::from_column_slice(&belief.0.entries)));
-        if let Some(nees) = squared(&Matrix::column(error.as_slice()), &belief.1) {
-            shown.nees = (shown.nees.0 + nees, shown.nees.1 + 1);
-        }
+/// The robot, and what the next step's noise is drawn from.
+#[derive(Clone, Debug)]
+pub(super) struct Stadium {
+    noise: Noise,
+    pub truth: SE2,
+    k: u32,
+    u: Vector2<f64>,
+    pub seen: Option<Sighting>,
+}
+
+impl Stadium {
+    /// The robot of a seed, and the belief before the first step.
+    pub fn start(seed: u32) -> (Self, (Matrix, Matrix)) {
+        let mut noise = Noise::new(u64::from(seed));
+        let truth = BUG_MUSEUM.course.start();
+        let off = Vector3::from_fn(|i, _| BUG_MUSEUM.p0_sigma[i] * noise.normal());
+        let start = crate::true_path::squares(BUG_MUSEUM.p0_sigma);
+        let x = Matrix::column(truth.boxplus(&off).to_vector().as_slice());
+        let belief = (x, Matrix::new(3, 3, start.as_slice().to_vec()));
+        (Self { noise, truth, k: 0, u: Vector2::zeros(), seen: None }, belief)
     }
-    Ok(shown)
+
+    /// The robot drives on, and looks.
+    pub fn moves(&mut self) {
+        let tick = BUG_MUSEUM.course.tick(self.k);
+        self.truth = tick.drive(self.truth);
+        let [ahead, turn] = BUG_MUSEUM.u_sigma.map(|sigma| sigma * self.noise.normal());
+        self.u = Vector2::new(tick.ds + ahead, tick.dtheta + turn);
+        self.k += 1;
+        self.seen = look(&mut self.noise, self.truth, self.k);
+    }
+
+    /// What a program makes of the step, and whether the gate lets the reading in; without ν and S there is no gate.
+    pub fn read(&self, program: &mut Program, belief: &(Matrix, Matrix)) -> Result<(Step, bool), Stop> {
+        let Some(seen) = self.seen else { return Ok((step(program, belief, &self.u, None)?, false)) };
+        let with = step(program, belief, &self.u, Some(seen))?;
+        if nis(program, &with).is_some_and(|nis| nis > BUG_MUSEUM.gate) {
+            return Ok((step(program, belief, &self.u, None)?, false));
+        }
+        Ok((with, true))
+    }
 }
 
 /// One step; without a reading, one of what is expected anyhow, with a variance that leaves nothing of it.

@@ -35,9 +35,11 @@ pub(super) fn is_right(theirs: &Steps, ours: &Steps, cases: usize) -> Verdict {
         words.text(": in the museum this is the bug “P is not symmetric”. A last line ").text(p).text(" = sym(");
         sentences.push(words.text(p).text(") cures it.").0.clone());
     }
-    sentences.extend(breaks(theirs));
+    let broken = breaks(theirs);
+    let breaks = broken.is_some();
+    sentences.extend(broken);
     let line = if sentences.len() > 1 { line_of(theirs, Quantity::P) } else { None };
-    Verdict { outcome: Outcome::Right, line, sentences }
+    Verdict { outcome: Outcome::Right, line, sentences, breaks }
 }
 
 /// Where a form that is right on paper loses its digits: a prior that knows nothing.
@@ -87,7 +89,7 @@ pub(super) fn is_bug(bug: Bug, theirs: &Steps, ours: &Steps, mutant: &Steps, off
     let mut numbers = Words::default();
     off.say(theirs, &mut numbers);
     numbers.text(" In all ").whole(theirs.steps.len() as i64).text(" cases the answer is that of this bug.");
-    Verdict { outcome: Outcome::Bug(bug), line, sentences: alloc::vec![words.0, numbers.0] }
+    Verdict { outcome: Outcome::Bug(bug), line, sentences: alloc::vec![words.0, numbers.0], breaks: false }
 }
 
 pub(super) fn is_wrong(theirs: &Steps, ours: &Steps, off_first: &Off) -> Verdict {
@@ -115,7 +117,7 @@ pub(super) fn is_wrong(theirs: &Steps, ours: &Steps, off_first: &Off) -> Verdict
                 words.text(" is ").number(off.theirs).text(" in case ");
                 words.whole(theirs.steps[off.step].0 as i64 + 1).text(", and a right filter has ").number(off.ours);
                 sentences.push(words.text(".").0.clone());
-                return Verdict { outcome: Outcome::Wrong, line: Some(at), sentences };
+                return Verdict { outcome: Outcome::Wrong, line: Some(at), sentences, breaks: false };
             }
         }
     }
@@ -134,5 +136,5 @@ pub(super) fn is_wrong(theirs: &Steps, ours: &Steps, off_first: &Off) -> Verdict
         sentences.push(words.text(" is right in all cases.").0.clone());
     }
     line = line.or(Some(1));
-    Verdict { outcome: Outcome::Wrong, line, sentences }
+    Verdict { outcome: Outcome::Wrong, line, sentences, breaks: false }
 }

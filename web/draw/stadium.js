@@ -1,15 +1,20 @@
 /** The stadium from above: landmarks, both tracks, the present reading, and the estimate with its ellipse. */
 
-import { followed } from '../../draw/camera.js'
-import { clear, drawLabels } from '../../draw/labels.js'
-import { dot, ellipseLevel, ellipsePath, meaning, scaleBar, segment, seriesPath } from '../../draw/plot.js'
-
-/** @typedef {import('estimate-wasm').MuseumFrame} Frame */
+import { followed } from './camera.js'
+import { clear, drawLabels } from './labels.js'
+import { dot, ellipseLevel, ellipsePath, meaning, scaleBar, segment, seriesPath } from './plot.js'
 
 /**
- * @param {import('../../figure/shell.js').Panel} panel
+ * @typedef {Pick<import('estimate-wasm').MuseumFrame, 'landmarks' | 'tracks' | 'truth'> & {
+ *   estimate: number[] | null, ellipse: import('estimate-wasm').Ellipse | null,
+ *   sighting: { landmark: number, used: boolean } | null }} Frame an estimate and an ellipse
+ * where there are any
+ */
+
+/**
+ * @param {import('../figure/shell.js').Panel} panel
  * @param {Frame} frame
- * @param {import('../../figure/spec.js').View} view
+ * @param {import('../figure/spec.js').View} view
  */
 export function drawMap({ pen, width, height }, frame, view) {
   const { landmarks, tracks, truth, estimate, ellipse, sighting } = frame
@@ -42,8 +47,9 @@ export function drawMap({ pen, width, height }, frame, view) {
       }
       for (const { id, x, y } of landmarks)
         to.mark('rect', `landmark${id}`, { class: 'corner', x: plane.x(x) - 4, y: plane.y(y) - 4, width: 8, height: 8 })
-      to.mark('path', 'ellipse', { ...meaning('outline', 'posterior'), d: ellipsePath(ellipse, estimate, plane) })
-      dot(to, 'estimate', plane, estimate, { ...meaning('full', 'posterior'), r: 4 })
+      if (ellipse && estimate)
+        to.mark('path', 'ellipse', { ...meaning('outline', 'posterior'), d: ellipsePath(ellipse, estimate, plane) })
+      if (estimate) dot(to, 'estimate', plane, estimate, { ...meaning('full', 'posterior'), r: 4 })
       const [x, y] = at(truth)
       to.mark('path', 'robot', {
         class: 'robot',
@@ -57,17 +63,26 @@ export function drawMap({ pen, width, height }, frame, view) {
       pen,
       { ...box, bottom: box.bottom - 20 },
       [
-        {
-          key: 'estimate-name',
-          words: 'estimate',
-          at: at(estimate),
-          kin: 'posterior',
-          gap: 14,
-          sides: ['below', 'above'],
-        },
+        ...(estimate
+          ? [
+              {
+                key: 'estimate-name',
+                words: 'estimate',
+                at: at(estimate),
+                kin: /** @type {const} */ ('posterior'),
+                gap: 14,
+                sides: /** @type {('below' | 'above')[]} */ (['below', 'above']),
+              },
+            ]
+          : []),
         { key: 'truth-name', words: 'truth', at: at(truth), kin: 'truth', gap: 14, sides: ['above', 'below'] },
       ],
-      [...marks.map((mark) => clear(mark, 7)), clear(at(estimate), 8), clear(at(truth), 11), bars],
+      [
+        ...marks.map((mark) => clear(mark, 7)),
+        ...(estimate ? [clear(at(estimate), 8)] : []),
+        clear(at(truth), 11),
+        bars,
+      ],
     )
     ellipseLevel(pen, box.left + 6, box.bottom - 4)
     scaleBar(pen, plane, box.right - 6, box.bottom - 4)

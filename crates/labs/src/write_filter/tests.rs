@@ -1,0 +1,83 @@
+//! Each program that a text may begin as is what it is meant to be, and a text of the reader's own takes its place.
+
+use super::*;
+use lab::Written;
+
+const BUGS: [(Begin, NamedBug); 9] = [
+    (Begin::UnwrappedInnovation, NamedBug::UnwrappedInnovation),
+    (Begin::UnwrappedHeading, NamedBug::UnwrappedHeading),
+    (Begin::WrongDerivative, NamedBug::WrongDerivative),
+    (Begin::Transposed, NamedBug::Transposed),
+    (Begin::Degrees, NamedBug::Degrees),
+    (Begin::Deviation, NamedBug::Deviation),
+    (Begin::StepLength, NamedBug::StepLength),
+    (Begin::ShortForm, NamedBug::ShortForm),
+    (Begin::Twice, NamedBug::Twice),
+];
+
+fn written(begin: Begin, text: Option<&str>) -> WriteFrame {
+    let text = text.map(|text| Written::new(text).expect("it fits"));
+    WriteFilter::at((), WriteParams { begin, text, ..WriteParams::default() }, 30).expect("a run").frame()
+}
+
+#[test]
+fn each_program_is_what_it_begins_as() {
+    for begin in [Begin::Kalman, Begin::Joseph, Begin::Short, Begin::Ekf, Begin::Asymmetric] {
+        let frame = written(begin, None);
+        assert_eq!(frame.outcome, Verdict::Right, "{begin:?} {:?}", frame.sentences);
+        assert!(frame.stopped.is_none());
+        // Beside the right filter, whose form is another, to rounding.
+        let off = |(a, b): (&f64, &f64)| (a - b).abs() < 1e-9;
+        assert!(frame.estimate.iter().zip(&frame.right).all(off), "{begin:?}");
+    }
+    assert!(written(Begin::Kalman, None).breaks && !written(Begin::Joseph, None).breaks);
+    for (begin, bug) in BUGS {
+        let frame = written(begin, None);
+        assert_eq!((frame.outcome, frame.bug), (Verdict::Bug, bug), "{:?}", frame.sentences);
+        assert!(frame.line.is_some());
+    }
+    let asymmetric = written(Begin::Asymmetric, None);
+    assert!(
+        asymmetric.sentences.iter().any(|said| said.contains("“P is not symmetric”")),
+        "{:?}",
+        asymmetric.sentences
+    );
+    for begin in [Begin::Forget, Begin::Observer, Begin::MendFirst, Begin::MendSecond, Begin::MendThird, Begin::Fixed] {
+        assert_eq!(written(begin, None).outcome, Verdict::Wrong, "{begin:?}");
+    }
+    for begin in [Begin::Empty, Begin::Fill, Begin::Extend, Begin::Information, Begin::Sequential] {
+        let frame = written(begin, None);
+        assert_ne!(frame.outcome, Verdict::Right, "{begin:?} {:?}", frame.sentences);
+    }
+}
+
+#[test]
+fn an_observer_is_known_by_its_numbers() {
+    let frame = written(Begin::Observer, None);
+    let observer = frame.observer.expect("its gain is fixed");
+    assert!((observer.gain[0] - 0.5).abs() < 1e-12 && (observer.gain[1] - 0.3).abs() < 1e-12);
+    assert!(observer.honest && observer.radius < 0.9, "{observer:?}");
+    assert!(frame.sentences.iter().any(|said| said.contains("fixed gain [0.5; 0.3]")), "{:?}", frame.sentences);
+    let still = written(Begin::Fixed, None).observer.expect("its gain is zero");
+    assert!(!(still.radius < 1.0), "{still:?}");
+    assert!(written(Begin::Kalman, None).observer.is_none());
+}
+
+#[test]
+fn an_own_text_takes_its_place_and_faults_stop_the_run() {
+    let frame = written(Begin::Kalman, Some("x = F x + (\nP = q"));
+    assert_eq!(frame.outcome, Verdict::Refused);
+    assert!(frame.faults.len() >= 2, "{:?}", frame.faults);
+    assert!(frame.stopped.is_some());
+    let frame = written(Begin::Empty, Some("x = 1e9 F x\nP = V"));
+    assert!(frame.stopped.is_some_and(|fault| fault.message.contains("left every bound")));
+    assert!(frame.series.step.len() < 30);
+}
+
+#[test]
+fn letters_change_and_come_back() {
+    let lab = WriteFilter::new(WriteParams { notation: Letters::Thrun, ..WriteParams::default() }).expect("a lab");
+    assert!(lab.frame().text.starts_with("mu = A mu + B u\nSigma = A Sigma A' + R\n"));
+    assert_eq!(lab.frame().outcome, Verdict::Right);
+    assert_eq!(lab.text_in(Letters::Choset), Begin::Kalman.text());
+}

@@ -1,0 +1,80 @@
+//! From a program and its run to the frame.
+
+use super::frame::{WriteFault, WriteFrame, WriteName};
+use super::{Judged, WriteFilter, observer};
+use crate::shapes::ellipse_of;
+use crate::worlds::Run;
+use geom::Ellipse;
+use nalgebra::Matrix2;
+use program::judge::judge;
+use program::words::Words;
+use program::{Fault, Program, Quantity, World, given};
+use sim::scenarios::BUG_MUSEUM;
+
+/// What is said of a program, whatever its run.
+pub(super) fn judged(program: &Program) -> Judged {
+    let mut verdict = judge(program);
+    let sound = program.faults().is_empty();
+    let observer = (sound && program.world() == World::Linear).then(|| observer::of(program)).flatten();
+    if let Some(observer) = observer {
+        let [first, second] = observer.gain;
+        let mut words = Words::new("It is an observer with the fixed gain [");
+        words.number(first).text("; ").number(second).text("]: an error is multiplied by ").number(observer.radius);
+        words.text(" a step in the end");
+        words.text(if observer.radius < 1.0 { ", and dies out. " } else { ", and does not die out. " });
+        words.text(program.letter(Quantity::P));
+        words.text(if observer.honest { " is the covariance of its error." } else { " is not that of its error." });
+        verdict.sentences.push(words.0);
+    }
+    let made = program.makes();
+    let names_gain = made.iter().any(|name| name == program.letter(Quantity::Gain));
+    Judged { verdict, observer, made, names_gain }
+}
+
+/// A fault of the run as a whole.
+pub(super) fn said(words: &str) -> Fault {
+    Fault { line: 1, column: 1, length: 0, message: words.into() }
+}
+
+pub(super) fn frame(lab: &WriteFilter) -> WriteFrame {
+    let Judged { verdict, observer, made, names_gain } = &*lab.judged;
+    let [run, right] = &lab.runs;
+    let (world, notation) = (lab.program.world(), lab.program.notation());
+    let name = |(name, about, size)| WriteName { name, about, size };
+    WriteFrame {
+        step: lab.step,
+        params: lab.params,
+        text: lab.program.text().into(),
+        world: lab.params.begin.world(),
+        given: given(world, notation).into_iter().map(name).collect(),
+        made: made.clone(),
+        faults: lab.program.faults().iter().map(WriteFault::from).collect(),
+        outcome: verdict.outcome.into(),
+        bug: verdict.outcome.into(),
+        line: verdict.line,
+        sentences: verdict.sentences.clone(),
+        breaks: verdict.breaks,
+        names_gain: *names_gain,
+        observer: *observer,
+        stopped: lab.stopped.as_ref().map(WriteFault::from),
+        truth: run.truth(),
+        estimate: run.belief.0.entries.clone(),
+        ellipse: ellipse(run),
+        right: right.belief.0.entries.clone(),
+        right_ellipse: ellipse(right),
+        landmarks: if world == World::Robot { &BUG_MUSEUM.landmarks } else { &[] },
+        sighted: run.seen().map(|seen| seen.landmark),
+        used: run.used,
+        nees: run.nees(),
+        series: lab.series.clone(),
+        tracks: lab.tracks.outlined(),
+    }
+}
+
+/// Of the first two states; none where their covariance is none.
+fn ellipse(run: &Run) -> Option<Ellipse> {
+    let p = &run.belief.1;
+    let p = Matrix2::new(p.at(0, 0), p.at(0, 1), p.at(1, 0), p.at(1, 1));
+    let p = filters::covariance::symmetric(p);
+    (p[(0, 0)] >= 0.0 && p[(1, 1)] >= 0.0 && p.determinant() >= 0.0).then(|| ellipse_of(&p))
+}

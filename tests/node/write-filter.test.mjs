@@ -1,0 +1,185 @@
+// The figure in which a reader writes a filter, beside its words: exercises are solved by their answers and by nothing
+// before, bugs typed by hand are named, worlds are counted in chunks, and what the browser keeps comes back.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { keyOf, unmet } from '../../web/page/answer.js'
+import { faultOf, keep, last, textOf } from '../../web/widgets/write-filter/kept.js'
+import { GROUPS, isBegin, stepsOf } from '../../web/widgets/write-filter/programs.js'
+import { reasons } from '../../web/widgets/write-filter/words.js'
+import { Counting, worlds } from '../../web/widgets/write-filter/worlds.js'
+import { Server } from '../../web/widgets/write-filter/server.js'
+import { estimate } from './claims.mjs'
+
+const { parseHTML } = createRequire(new URL('../../web/package.json', import.meta.url))('linkedom')
+const page = parseHTML(readFileSync(new URL('../../dist/kalman/filter/index.html', import.meta.url), 'utf8')).document
+const BEGINS = GROUPS.flatMap(({ programs }) => programs.map(([begin]) => begin))
+
+/** @param {Record<string, unknown>} params @param {number} [step] */
+function frameOf(params, step = 0) {
+  const lab = estimate.WriteFilter.from({ version: 1, lab: 'write-filter', step, params })
+  const frame = lab.frame()
+  lab.free()
+  return frame
+}
+
+test('the list of programs is the lab’s', () => {
+  const [{ words }] = estimate.WriteFilter.parameters()
+  assert.deepEqual([...BEGINS].sort(), [...words].sort())
+  for (const { world, programs } of GROUPS)
+    for (const [begin] of programs) assert.equal(frameOf({ begin }).world, world, begin)
+  assert.ok(isBegin('kalman') && !isBegin('toString') && !isBegin(null))
+  assert.deepEqual([stepsOf('kalman'), stepsOf('ekf')], [60, 240])
+})
+
+test('each exercise is solved by its answer, and not by the program that it begins with', () => {
+  const exercises = [...page.querySelectorAll('.exercise')]
+  assert.ok(exercises.length >= 8)
+  for (const exercise of exercises) {
+    const begin = exercise.id.replace('ex-filter-', '')
+    const link = [...exercise.querySelectorAll('a')].find((a) => a.getAttribute('href')?.includes('?program='))
+    assert.equal(link?.getAttribute('href'), `?program=${begin}#fig-filter`, exercise.id)
+    const key = keyOf(exercise.querySelector('.quiz'))
+    const text = exercise.querySelector('pre').textContent.trim()
+    assert.deepEqual(unmet(key, frameOf({ begin, text })), [], `${exercise.id}: ${frameOf({ begin, text }).sentences}`)
+    assert.notDeepEqual(unmet(key, frameOf({ begin })), [], `${exercise.id} is solved before it begins`)
+  }
+})
+
+test('Run it and See it lead to programs that there are', () => {
+  const chapter = readFileSync(new URL('../../dist/kalman/index.html', import.meta.url), 'utf8')
+  const programs = (html) => [...html.matchAll(/\?program=([\w-]+)#fig-filter/g)].map(([, name]) => name)
+  assert.deepEqual(programs(chapter), ['kalman', 'ekf'])
+  const shown = programs(page.toString())
+  const bugs = GROUPS[1].programs.map(([begin]) => begin).filter((begin) => begin !== 'ekf')
+  assert.equal(bugs.length, 10)
+  for (const name of [...bugs, ...shown]) assert.ok(isBegin(name), name)
+  assert.deepEqual(
+    bugs.filter((bug) => !shown.includes(bug)),
+    [],
+  )
+})
+
+const ROBOT = `F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])
+S = H P H' + W\nR = P H' inv(S)\nx = x + R nu\nx[3] = wrap(x[3])\nP = sym(P - R H P)`
+
+test('the ten bugs typed by hand are named, with their lines', () => {
+  for (const [bug, old, wrong, line] of [
+    ['unwrapped-innovation', 'nu[2] = wrap(nu[2])\n', '', 5],
+    ['unwrapped-heading', 'x[3] = wrap(x[3])\n', '', 9],
+    ['wrong-derivative', 'nu = y', 'r = norm(x[1:2] - l)\nH[2, 3] = -1 / r^2\nnu = y', 6],
+    ['transposed', "F P F'", "F' P F", 3],
+    ['degrees', '+ W', '+ [W[1, 1], 0; 0, (180 / pi)^2 W[2, 2]]', 7],
+    ['deviation', '+ W', '+ diag(sqrt(diag(W)))', 7],
+    ['step-length', '+ V', '+ V 16', 3],
+    ['short-form', "R = P H' inv(S)", "R = 13/10 P H' / S", 8],
+    [
+      'twice',
+      'sym(P - R H P)',
+      "P - R H P\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = P - R H P",
+      12,
+    ],
+  ]) {
+    const text = ROBOT.replace(old, wrong)
+    assert.notEqual(text, ROBOT, bug)
+    const frame = frameOf({ begin: 'extend', text })
+    assert.deepEqual([frame.outcome, frame.bug, frame.line], ['bug', bug, line], frame.sentences.join(' '))
+  }
+  const frame = frameOf({ begin: 'extend', text: ROBOT.replace('sym(P - R H P)', 'P - R H P') })
+  assert.equal(frame.outcome, 'right')
+  assert.match(reasons(frame).join(' '), /the bug “P is not symmetric”/)
+})
+
+test('a text that is no parameter is refused by name', () => {
+  const refused = (text, code) =>
+    assert.throws(
+      () => frameOf({ text }),
+      ({ name, code: said, argument }) => name === 'EstimateError' && said === code && argument === 'state.params.text',
+    )
+  refused('a'.repeat(2001), 'limit')
+  refused('ν'.repeat(1001), 'limit')
+  refused('x = F x\u0007', 'type')
+  refused(7, 'type')
+  assert.equal(frameOf({ text: 'ν'.repeat(1000) }).text.length, 1000)
+  assert.match(faultOf('ν'.repeat(1001)), /2002 bytes/)
+  assert.match(faultOf('\u0007'), /control character/)
+  assert.equal(faultOf('x = F x\n\tP'), '')
+})
+
+/** A server whose clock moves by `tick` at each look, with what it has told and what waits. */
+function serving(tick) {
+  const [told, waiting] = [[], []]
+  let now = 0
+  const server = new Server(
+    estimate,
+    (message) => told.push(message),
+    (act) => waiting.push(act),
+    () => (now += tick),
+  )
+  return { server, told, waiting }
+}
+
+test('worlds are counted in chunks, as at once, and a later program replaces an earlier one', () => {
+  const { server, told, waiting } = serving(2)
+  server.take({ kind: 'count', id: 1, params: { begin: 'kalman' } })
+  assert.equal(waiting.length, 1, 'it waits between chunks')
+  server.take({ kind: 'count', id: 2, params: { begin: 'forget' } })
+  while (waiting.length) waiting.shift()()
+  assert.equal(told.filter(({ id }) => id === 1).length, 1)
+  const lab = estimate.WriteFilter.from({ version: 1, lab: 'write-filter', step: 0, params: { begin: 'forget' } })
+  assert.deepEqual(told.at(-1), { kind: 'found', id: 2, found: worlds.whole(lab) })
+  assert.equal(told.at(-1).found.count, 500)
+  lab.free()
+  const before = told.length
+  server.take({ kind: 'count', id: 3, params: { begin: 'kalman' } })
+  server.take({ kind: 'cancel' })
+  while (waiting.length) waiting.shift()()
+  assert.equal(told.length, before + 1)
+  server.take({ kind: 'count', id: 4, params: { begin: 'nothing' } })
+  assert.equal(told.at(-1).kind, 'refused')
+})
+
+test('the figure asks for the worlds of each program once, and takes none that it no longer shows', async () => {
+  const sent = []
+  const port = { post: (message) => sent.push(message), onmessage: null }
+  let changes = 0
+  const counting = new Counting(
+    () => (changes += 1),
+    async () => port,
+  )
+  const shown = (begin) => frameOf({ begin })
+  counting.follow(shown('kalman'))
+  counting.follow(shown('kalman'))
+  await new Promise((resolve) => setImmediate(resolve))
+  assert.deepEqual(
+    sent.map(({ kind, id }) => [kind, id]),
+    [['count', 1]],
+  )
+  port.onmessage({ kind: 'found', id: 1, found: { count: 20 } })
+  assert.deepEqual([counting.value, counting.progress], [{ count: 20 }, { step: 20, of: 500, unit: 'world' }])
+  counting.follow(shown('empty'))
+  assert.deepEqual([counting.value, counting.progress], [null, null])
+  port.onmessage({ kind: 'found', id: 1, found: { count: 40 } })
+  assert.equal(counting.value, null)
+  counting.follow(shown('joseph'))
+  counting.cancel()
+  await new Promise((resolve) => setImmediate(resolve))
+  assert.deepEqual(
+    sent.map(({ kind }) => kind),
+    ['count', 'cancel', 'count', 'cancel'],
+  )
+  assert.equal(counting.progress, null)
+  assert.ok(changes >= 2)
+})
+
+test('what the browser has kept comes back, and nothing else does', () => {
+  assert.equal(last(), null)
+  keep('fill', { text: 'x = F x', notation: 'thrun' })
+  assert.equal(last(), 'fill')
+  assert.deepEqual(textOf('fill'), { text: 'x = F x', notation: 'thrun' })
+  keep('fill', null)
+  assert.equal(textOf('fill'), null)
+  keep('mend-1', { text: 'x'.repeat(2001), notation: 'choset' })
+  assert.equal(textOf('mend-1'), null)
+})

@@ -1,0 +1,38 @@
+/** What is said of a program, in a sentence. */
+
+import { BUGS } from '../bug-museum/words.js'
+
+/** @typedef {import('estimate-wasm').WriteFrame} Frame */
+
+/** Whether nothing has been written yet. @param {Frame} frame */
+export const isEmpty = ({ made, faults }) => made.length === 0 && faults[0]?.message.startsWith('The program is empty')
+
+/** @param {Frame} frame */
+export function verdict(frame) {
+  if (isEmpty(frame)) return 'Nothing is written yet. A step predicts the estimate, and a reading corrects it.'
+  const { faults, outcome, bug, line, breaks, sentences, observer, stopped } = frame
+  if (faults.length > 0) return `No filter yet: ${counted(faults.length)}, the first in line ${faults[0].line}.`
+  const at = line === null ? '' : ` See line ${line}.`
+  if (outcome === 'bug') return `The museum’s bug “${BUGS[bug].name}”.${at}`
+  if (outcome === 'right') {
+    const reserve = sentences.some((said) => said.includes('not symmetric')) ? ' Its P is not quite symmetric.' : ''
+    return breaks ? `A right filter, whose digits break where nothing is known.${reserve}` : `A right filter.${reserve}`
+  }
+  if (outcome === 'refused') return `No filter yet: line ${line ?? 1} has no value.`
+  if (observer) return 'No Kalman filter: an observer with a fixed gain.'
+  return `Not a right filter.${stopped ? ` Its run ends early.` : at}`
+}
+
+const counted = (/** @type {number} */ n) => (n === 1 ? 'one fault' : `${n} faults`)
+
+/** Why, in sentences: the faults themselves stand in a list. @param {Frame} frame */
+export const reasons = ({ faults, sentences, stopped }) =>
+  faults.length > 0 ? [] : [...sentences, ...(stopped ? [`The run stands still: ${stopped.message}`] : [])]
+
+/** What a screen reader hears when typing rests. @param {Frame} frame */
+export function announce(frame) {
+  if (isEmpty(frame)) return verdict(frame)
+  const [first] = frame.faults
+  const why = first ? `Line ${first.line}, column ${first.column}: ${first.message}` : (frame.sentences[0] ?? '')
+  return `${verdict(frame)} ${why}`
+}

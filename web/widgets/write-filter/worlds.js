@@ -1,0 +1,164 @@
+/** The program in 500 worlds: the mean NEES and NIS in a right filter's bands. */
+
+import { fixed } from '../../draw/numbers.js'
+import { openPort } from '../../load/worker-port.js'
+
+/** Worlds, as `crates/labs/src/worlds.rs` counts them. */
+const WORLDS = 500
+
+/** @typedef {import('estimate-wasm').WriteWorlds} Found */
+/** @typedef {{ post: (message: any) => void, onmessage: ((message: any) => void) | null }} Port */
+
+/** @type {import('../../figure/spec.js').Aside} */
+export const worlds = {
+  whole(lab) {
+    const counted = lab.worlds()
+    while (counted.step());
+    const found = counted.found()
+    counted.free()
+    return found
+  },
+  open: (changed) => new Counting(changed, begin),
+}
+
+/** @returns {Promise<Port>} */
+async function begin() {
+  const { default: address } = await import('write-filter-worker')
+  return openPort(address, async () => {
+    const [{ serve }, { loadLab }] = await Promise.all([import('./server.js'), import('../../load/modules.js')])
+    return (channel) => serve(channel, () => loadLab('write-filter'))
+  })
+}
+
+/** Worlds that are being counted, anew for each program. */
+export class Counting {
+  /** @param {() => void} changed @param {() => Promise<Port>} open the way to what counts */
+  constructor(changed, open) {
+    this.changed = changed
+    this.open = open
+    /** @type {Promise<Port> | null} */
+    this.port = null
+    /** @type {Found | null} */
+    this.value = null
+    this.id = 0
+    this.key = ''
+    this.counting = false
+  }
+
+  /** @returns {import('../../figure/progress.js').Work | null} */
+  get progress() {
+    return this.counting ? { step: this.value?.count ?? 0, of: WORLDS, unit: 'world' } : null
+  }
+
+  /** @param {import('estimate-wasm').WriteFrame} frame */
+  follow({ params: { begin, text, notation }, outcome }) {
+    const key = outcome === 'refused' ? '' : JSON.stringify([begin, text, notation])
+    if (key === this.key) return
+    this.key = key
+    this.id += 1
+    this.value = null
+    this.counting = key !== ''
+    this.say(key === '' ? { kind: 'cancel' } : { kind: 'count', id: this.id, params: { begin, text, notation } })
+  }
+
+  /** What has been counted stays. */
+  cancel() {
+    if (!this.counting) return
+    this.counting = false
+    this.id += 1
+    this.say({ kind: 'cancel' })
+    this.changed()
+  }
+
+  /** @param {any} message */
+  async say(message) {
+    if (message.kind === 'cancel' && !this.port) return
+    try {
+      this.port ??= this.open()
+      const port = await this.port
+      port.onmessage = (told) => this.take(told)
+      port.post(message)
+    } catch {
+      // Without its worlds the figure goes on; the next program tries again.
+      this.port = null
+      this.stop()
+    }
+  }
+
+  /** @param {any} message */
+  take({ kind, id, found }) {
+    if (kind === 'failed' || kind === 'ended' || (kind === 'refused' && id === this.id)) return this.stop()
+    if (id !== this.id || kind !== 'found') return
+    this.value = found
+    this.counting = found.count < WORLDS
+    this.changed()
+  }
+
+  stop() {
+    this.counting = false
+    this.key = ''
+    this.changed()
+  }
+}
+
+/** A row for each number: a right filter's band in the middle third, and the program's mean. */
+const ROWS = /** @type {const} */ ([
+  ['nees', 'NEES'],
+  ['nis', 'NIS'],
+])
+const [LEFT, RIGHT] = [48, 64]
+/** Where there is no mean. */
+const NAMELESS = 'the program names no innovation and no covariance of it'
+
+/**
+ * @param {import('../../figure/shell.js').Panel} panel
+ * @param {import('estimate-wasm').WriteFrame} frame
+ * @param {import('../../figure/spec.js').View} view
+ */
+export function drawWorlds({ pen, width, height }, frame, { aside }) {
+  const found = /** @type {Found | null} */ (aside)
+  const [left, right] = [LEFT, width - RIGHT]
+  const third = (right - left) / 3
+  const row = (height - 26) / 2
+  pen.draw(() => {
+    const title =
+      frame.outcome === 'refused'
+        ? 'no worlds yet'
+        : `means over ${found?.count ?? 0} worlds, and 99 % of right filters’`
+    pen.text('title', { class: 'plot-title', x: 0, y: 14 }, title)
+    pen.mark('rect', 'band', { class: 'band', x: left + third, y: 26, width: third, height: 2 * row })
+    for (const [i, [key, name]] of ROWS.entries()) {
+      const y = 26 + i * row + 12
+      const mean = found?.[key] ?? null
+      pen.text(`name${i}`, { class: 'tick', x: 0, y: y + 4 }, name)
+      pen.mark('line', `line${i}`, { class: 'grid', x1: left, x2: right, y1: y, y2: y })
+      const said = found?.sentences.find((sentence) => sentence.startsWith(`The mean ${name} `))?.split(': ')[1]
+      pen.text(`said${i}`, { class: 'rule-name', x: left, y: y + 32 }, mean || !found ? (said ?? '') : NAMELESS)
+      pen.text(`value${i}`, { class: 'tick', x: width, y: y + 4, 'text-anchor': 'end' }, fixed(mean?.value, 2))
+      if (!mean) continue
+      const [low, high] = mean.band
+      for (const [end, at] of mean.band.entries())
+        pen.text(
+          `end${i}${end}`,
+          {
+            class: 'rule-name',
+            x: left + third * (1 + end) + (end ? 4 : -4),
+            y: y + 16,
+            'text-anchor': end ? 'start' : 'end',
+          },
+          fixed(at, 2),
+        )
+      const place = Math.max(0, Math.min(3, 1 + (mean.value - low) / (high - low)))
+      pen.mark('circle', `dot${i}`, {
+        class: mean.value < low || mean.value > high ? 'mark eigenvalue outside' : 'mark full posterior',
+        cx: left + third * place,
+        cy: y,
+        r: 5,
+      })
+    }
+  })
+}
+
+/** @param {Found | null} found */
+export const describeWorlds = (found) =>
+  ['A right filter’s bands of NEES and NIS over many worlds.', ...(found?.sentences ?? [])].join(' ')
