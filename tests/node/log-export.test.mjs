@@ -5,7 +5,8 @@ import { execFileSync } from 'node:child_process'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
-import { filterpy, robotLocalization } from '../../web/page/log-export.js'
+import { robotLocalization } from '../../web/page/log-export.js'
+import { filterpy } from '../../web/page/log-filterpy.js'
 import { python } from './python.mjs'
 
 const root = path.join(import.meta.dirname, '../..')
