@@ -1,13 +1,14 @@
 // A system of one’s own that is copied as a program computes what the figure shows.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { execFileSync, spawnSync } from 'node:child_process'
+import { execFileSync } from 'node:child_process'
 import { copyFileSync, existsSync, mkdirSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { javascript, numpy, rust } from '../../web/widgets/own-system/copy-as.js'
 import { PRESETS, paramsOf } from '../../web/widgets/own-system/presets.js'
+import { python } from './python.mjs'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
@@ -114,19 +115,6 @@ test('a system copied as JavaScript prints what the figure shows', () => {
     compare(execFileSync(process.execPath, [file], { encoding: 'utf8' }), params, true)
   }
 })
-
-/** A Python with numpy: the system's, else one in a folder of the build. */
-function python() {
-  const has = (program) => spawnSync(program, ['-c', 'import numpy']).status === 0
-  if (has('python3')) return 'python3'
-  const own = path.join(root, 'target/python')
-  const program = path.join(own, 'bin/python3')
-  if (!has(program)) {
-    execFileSync('python3', ['-m', 'venv', own])
-    execFileSync(path.join(own, 'bin/pip'), ['install', '--quiet', 'numpy'])
-  }
-  return program
-}
 
 test('a system copied as numpy prints what the figure shows', { timeout: 120_000 }, () => {
   const program = python()

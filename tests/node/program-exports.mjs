@@ -66,10 +66,11 @@ export const program = {
   },
   methods: {
     judge: () => [],
+    tree: (dice) => dice.pick([[], [Object.values(sizes(dice))]]),
     step: (dice, _, _it, [, options]) => given(options, dice),
     lines: (dice, _, _it, [, options]) => given(options, dice),
   },
-  look: (it) => [it.faults],
+  look: (it) => [it.faults, it.letters],
   covariances: () => [],
   outcomes: (answer) => (answer?.outcome ? [answer.outcome] : []),
 }

@@ -12,6 +12,7 @@ import { part } from '../draw/dom.js'
 import { fetchWithPatience } from '../load/timeouts.js'
 import { WIDGETS } from '../widgets/index.js'
 import { awaken } from './figures.js'
+import { takeAlong } from './log-along.js'
 import { Answer, PASTED } from './log-answer.js'
 import { shortName } from './file-name.js'
 import { FileForm } from './log-files.js'
@@ -60,6 +61,15 @@ class OwnLog {
     )
     /** The question that brought the files that the form shows. @type {number | undefined} */
     this.set = undefined
+    /** The files of the log, as they are read. @type {import('estimate-wasm').LogFile[]} */
+    this.files = []
+    takeAlong(this.report.box, {
+      run: () => this.run(),
+      files: () => this.files,
+      reread: (change) => this.take({ kind: 'reading', set: this.set, change }),
+      change: (patch) => this.forms.change(patch),
+      say: (words) => this.report.say(words),
+    })
     /** How often the reader has given up a reading. */
     this.given = 0
     this.dropped()
@@ -165,6 +175,7 @@ class OwnLog {
       this.answer.end(bar.box)
       this.set = answer.set
       this.form.show(answer.files)
+      this.files = answer.files
       if (answer.kind === 'log') this.understood(answer, question.kind === 'files')
       else if (answer.kind === 'no-log') this.answer.wrong(answer)
       else this.answer.say(`${answer.message ?? answer.why} The figure keeps the previous log.`)

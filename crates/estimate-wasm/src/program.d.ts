@@ -60,3 +60,34 @@ export interface ProgramVerdict {
   /** Why, with numbers. */
   sentences: string[]
 }
+/** What a program calls each quantity: by their names in a system and in a step's answer. */
+export type ProgramLetters = Record<
+  'x' | 'P' | 'u' | 'y' | 'V' | 'W' | 'F' | 'G' | 'H' | 'innovation' | 'S' | 'R',
+  string
+>
+/** A part of a program's formula. */
+export interface ProgramFormula {
+  /**
+   * `number`, `name`, or what is done with the parts: `plus minus times over under negative power part end row stack
+   * inv eye zeros diag sqrt sin cos atan2 exp wrap det trace norm chol sym transpose abs length array jac f h`.
+   * A `part` has the whole, then first and last row, first and last column; `end` is the last.
+   */
+  word: string
+  /** The number, or the exponent of a `power`. */
+  number: number
+  /** The name; of `jac` the one by which is differentiated. */
+  name: string
+  /** Rows and columns; null without sizes, and of a multiple of I, which has the size of what it stands beside. */
+  sides: [number, number] | null
+  /** What it is made of, in the order in which it is written. */
+  parts: ProgramFormula[]
+}
+/** A line of a program: `name = value`, or `name[…] = value`. */
+export interface ProgramStatement {
+  name: string
+  /** Which part of the name, a formula whose word is `part`; null where the line makes the whole. */
+  part: ProgramFormula | null
+  value: ProgramFormula
+  /** Its first and last line in the text, from 1. */
+  lines: [number, number]
+}

@@ -9,7 +9,7 @@ use estimate::{Code, Error, validate};
 use js_sys::Array;
 use nalgebra::DMatrix;
 use program::judge::{Outcome, Verdict, judge};
-use program::{Fault, Matrix, Notation, Program as Text, Quantity, Step, Stop, Trouble, World};
+use program::{Fault, Formula, Matrix, Notation, Program as Text, Quantity, Statement, Step, Stop, Trouble, World};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -62,6 +62,29 @@ impl Program {
     #[wasm_bindgen(unchecked_return_type = "ProgramVerdict")]
     pub fn judge(&self) -> Result<JsValue, Thrown> {
         self.0.read(CLASS, |program: &Text| verdict(&judge(program)))
+    }
+
+    /// What each quantity is called in its letters.
+    #[wasm_bindgen(getter, unchecked_return_type = "ProgramLetters")]
+    pub fn letters(&self) -> Result<JsValue, Thrown> {
+        self.0.read(CLASS, |program: &Text| record(&LETTERS.map(|(name, it)| (name, program.letter(it).into()))))
+    }
+
+    /// Its lines as trees, for who writes them in another notation or language. With the `sizes` n, p and m of a system
+    /// each part of a formula has its rows and columns.
+    #[wasm_bindgen(unchecked_return_type = "ProgramStatement[]")]
+    pub fn tree(
+        &self,
+        #[wasm_bindgen(unchecked_optional_param_type = "[number, number, number]")] sizes: &JsValue,
+    ) -> Result<JsValue, Thrown> {
+        let arg = Arg::new(sizes, "sizes");
+        let sizes = if arg.is_undefined() { None } else { Some(sizes_of(&arg)?) };
+        let lines = self.0.read(CLASS, |program: &Text| program.tree(sizes))?;
+        let all = Array::new();
+        for line in lines.map_err(|fault| refused(Stop::Fault(fault)))? {
+            all.push(&statement(&line));
+        }
+        Ok(all.into())
     }
 
     /// One step from a belief, with the input `u` and the reading `y`.
@@ -131,11 +154,63 @@ impl Program {
     }
 }
 
+/// The quantities by their names in a system and in an answer.
+const LETTERS: [(&str, Quantity); 12] = [
+    ("x", Quantity::X),
+    ("P", Quantity::P),
+    ("u", Quantity::U),
+    ("y", Quantity::Y),
+    ("V", Quantity::V),
+    ("W", Quantity::W),
+    ("F", Quantity::F),
+    ("G", Quantity::G),
+    ("H", Quantity::H),
+    ("innovation", Quantity::Innovation),
+    ("S", Quantity::S),
+    ("R", Quantity::Gain),
+];
+
 /// A gate that refuses nothing.
 const OPEN: f64 = 1e12;
 
 fn column(value: &JsValue, name: &'static str, length: usize) -> Result<Matrix, Error> {
     Ok(Matrix::column(validate::vector(Arg::new(value, name).vector()?, length, name)?.as_slice()))
+}
+
+/// n, p and m.
+fn sizes_of(arg: &Arg<'_>) -> Result<[usize; 3], Error> {
+    let given = validate::vector(arg.vector()?, 3, "sizes")?;
+    let mut sizes = [0; 3];
+    for (size, given) in sizes.iter_mut().zip(given.iter()) {
+        if *given != given.trunc() || !(0.0..=16.0).contains(given) {
+            return Err(Error::new(Code::Shape, "sizes", "holds whole numbers of at most 16: n, p and m"));
+        }
+        *size = *given as usize;
+    }
+    Ok(sizes)
+}
+
+fn formula(it: &Formula) -> JsValue {
+    let parts = Array::new();
+    for part in &it.parts {
+        parts.push(&formula(part));
+    }
+    record(&[
+        ("word", it.word.into()),
+        ("number", it.number.into()),
+        ("name", it.name.as_str().into()),
+        ("sides", it.sides.map_or(JsValue::NULL, |sides| list(&sides.map(|side| side as f64)))),
+        ("parts", parts.into()),
+    ])
+}
+
+fn statement(it: &Statement) -> JsValue {
+    record(&[
+        ("name", it.name.as_str().into()),
+        ("part", it.part.as_ref().map_or(JsValue::NULL, formula)),
+        ("value", formula(&it.value)),
+        ("lines", list(&it.lines.map(f64::from))),
+    ])
 }
 
 fn matrix(m: &DMatrix<f64>) -> Matrix {

@@ -24,6 +24,8 @@ pub(crate) struct Checker<'a, 'b> {
     pub faults: &'a mut Faults<'b>,
     /// What each name is at the present line; none before a line makes it.
     pub shapes: Vec<Option<Shape>>,
+    /// What each part of a formula is.
+    pub of: Vec<Shape>,
     /// Products so far, where all sizes are known.
     pub products: u64,
     pub within_jacobian: bool,
@@ -34,6 +36,7 @@ impl Checker<'_, '_> {
     pub fn check(&mut self) {
         self.world.shapes(&mut self.shapes);
         self.shapes.resize(self.names.len(), None);
+        self.of.resize(self.tree.nodes.len(), Shape::Unknown);
         for (i, line) in self.tree.lines.iter().enumerate() {
             self.line = i;
             let shape = line.value.map_or(Shape::Unknown, |value| self.shape(value));
@@ -191,12 +194,14 @@ impl Checker<'_, '_> {
 
     fn shape(&mut self, id: Id) -> Shape {
         let place = self.tree.place(id);
-        match self.tree.node(id) {
+        let shape = match self.tree.node(id) {
             Node::Number(_) => Shape::NUMBER,
             Node::Name(name) => self.name(name, place),
             Node::Call(function, from, to) => self.call(function, self.tree.arguments(from, to), id, place),
             Node::Jacobian(a, name) => self.jacobian(a, name, place),
-        }
+        };
+        self.of[id] = shape;
+        shape
     }
 
     fn square(&mut self, id: Id, shape: Shape, place: Place) -> Shape {

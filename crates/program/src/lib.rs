@@ -17,6 +17,7 @@ mod letters;
 mod matrix;
 mod parse;
 mod run;
+mod shaped;
 mod size;
 mod token;
 mod tree;
@@ -29,6 +30,7 @@ pub use letters::{given, relettered};
 pub use matrix::Matrix;
 pub use parse::MOST_LINES;
 pub use run::Trouble;
+pub use shaped::{Formula, Statement};
 pub use world::{Letter as Quantity, Notation, World};
 
 use alloc::rc::Rc;
@@ -117,7 +119,7 @@ impl Program {
                 let words = "The program is empty: its lines make a new estimate and a new covariance of the old ones.";
                 faults.say(Place::default(), words);
             } else {
-                found = checked(text, &tree, &names, world, notation, found, &mut faults);
+                found = checked(text, &tree, &names, world, notation, found, &mut faults).found;
             }
         }
         let lines = tree.lines.iter().map(|line| line_of(text, line.place.from)).collect();
@@ -270,21 +272,21 @@ fn world_sizes(world: World) -> Found {
     if world == World::Robot { Found([3, 2, 2]) } else { Found::NOTHING }
 }
 
-fn checked(
-    text: &str,
-    tree: &Tree,
-    names: &[String],
+fn checked<'a, 'b>(
+    text: &'a str,
+    tree: &'a Tree,
+    names: &'a [String],
     world: World,
     notation: Notation,
     found: Found,
-    faults: &mut Faults<'_>,
-) -> Found {
-    let shapes = Vec::new();
+    faults: &'a mut Faults<'b>,
+) -> Checker<'a, 'b> {
+    let (shapes, of) = (Vec::new(), Vec::new());
     let (products, within_jacobian, line) = (0, false, 0);
     let mut checker =
-        Checker { text, tree, names, world, notation, found, faults, shapes, products, within_jacobian, line };
+        Checker { text, tree, names, world, notation, found, faults, shapes, of, products, within_jacobian, line };
     checker.check();
-    checker.found
+    checker
 }
 
 #[cfg(test)]

@@ -1,0 +1,122 @@
+// The settings of a log as a file: what is written is read again, and what is not known is refused by name.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
+import { nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
+import { applyChange } from '../../web/widgets/robot-log/change.js'
+
+const { LogFiles, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
+const known = RobotLog.parameters()
+
+const WHEELS = `time,left,right\n${Array.from({ length: 20 }, (_, k) => `${k / 10},${12 * k},${13 * k}\n`).join('')}`
+const FIXES = `stamp;east;north\n${Array.from({ length: 20 }, (_, k) => `${k / 10};${k / 20};0.5\n`).join('')}`
+
+/** @param {[string, string][]} named */
+function opened(...named) {
+  const files = new LogFiles()
+  for (const [name, text] of named) files.add(name, text)
+  return files
+}
+/** Reads open files as settings say. @param {any} files @param {any} settings */
+function follow(files, settings) {
+  let count = 0
+  for (let change = nextChange(settings.files, files.files()); change; count += 1) {
+    assert.ok(count < 100, JSON.stringify(change))
+    applyChange(files, change)
+    change = nextChange(settings.files, files.files())
+  }
+  return count
+}
+const bare = (files) => files.files().map(({ name: _, ...one }) => one)
+
+/** Files that are read as nobody would guess. */
+function corrected() {
+  const files = opened(['wheels.csv', WHEELS], ['fixes.csv', FIXES])
+  files.setRole(0, 'encoders')
+  const number = Object.entries({ ticks: 512, radius: 0.05, base: 0.3 })
+  for (const [name, value] of number) files.setWheel(0, name, value)
+  files.setCounting(0, 'total')
+  files.setRole(1, 'sensors')
+  files.setColumn(1, 'x', 2)
+  files.setUnit(1, 'x', 'mm')
+  files.setColumn(1, 'y', 1)
+  return files
+}
+const PARAMS = {
+  sigmaDistance: 0.25,
+  gate: { fix: 0.95 },
+  start: [1, 2, 0.5],
+  learnBias: true,
+  withheld: Float64Array.of(3, 5),
+}
+
+test('what is written is read again: settings, columns, units and wheels', () => {
+  const files = corrected()
+  const settings = readSettings(settingsText(PARAMS, files.files()), known)
+  const { params, missing } = settings
+  assert.deepEqual({ ...params, withheld: params.withheld }, { ...usual(), ...PARAMS, withheld: [3, 5] })
+  assert.equal(missing.length, known.length - 5)
+  const again = opened(['wheels.csv', WHEELS], ['fixes.csv', FIXES])
+  assert.ok(follow(again, settings) > 3)
+  assert.deepEqual(again.files(), files.files())
+  assert.equal(follow(again, settings), 0)
+  // The core takes what was read.
+  RobotLog.from(RobotLog.parse('V,0,1,0\nP,1,1,0\n'), { version: 1, lab: 'robot-log', params, step: 0 })
+})
+const usual = () => Object.fromEntries(known.map(({ name, default: value }) => [name, value]))
+
+test('another recording with the same columns is read so too, wherever a column stands', () => {
+  const files = corrected()
+  const settings = readSettings(settingsText({}, files.files()), known)
+  const again = opened(['later-fixes.csv', FIXES], ['later-wheels.csv', WHEELS])
+  follow(again, settings)
+  assert.deepEqual(bare(again), bare(files).reverse())
+  const moved = opened(['wheels.csv', WHEELS.replace('time,left', 'left,time')], ['fixes.csv', FIXES])
+  follow(moved, settings)
+  assert.deepEqual(
+    moved
+      .files()[0]
+      .values.slice(0, 2)
+      .map(({ column }) => column),
+    [1, 0],
+  )
+})
+
+test('a log in the book’s own format needs no columns', () => {
+  const files = opened(['mine.csv', 'V,0,1,0\nP,1,1,0\n'])
+  assert.deepEqual(readSettings(settingsText(PARAMS, files.files()), known).files, [])
+})
+
+test('what is not known or does not fit is refused by its name', () => {
+  const written = JSON.parse(settingsText(PARAMS, corrected().files()))
+  const of = (change) => {
+    const copy = structuredClone(written)
+    change(copy)
+    return () => readSettings(JSON.stringify(copy), known)
+  }
+  for (const [change, said] of [
+    [(it) => (it.format = 'other'), /^format is not/],
+    [(it) => (it.version = 2), /^version is 2; this page reads 1/],
+    [(it) => delete it.settings, /^settings is no object/],
+    [(it) => (it.more = 1), /the file has “more”/],
+    [(it) => (it.settings.sigma = 1), /settings has “sigma”, which is not known/],
+    [(it) => (it.settings.sigmaTurn = -1), /settings\.sigmaTurn is -1; it is a number between 0 and 10/],
+    [(it) => (it.settings.sigmaTurn = '1'), /settings\.sigmaTurn is "1"/],
+    [(it) => (it.settings.fixes = 1), /settings\.fixes is 1; it is true or false/],
+    [(it) => (it.settings.gate = 2), /settings\.gate is 2; it is a probability/],
+    [(it) => (it.settings.gate = { sonar: 0.9 }), /settings\.gate/],
+    [(it) => (it.settings.start = [1, 2]), /settings\.start is \[1,2\]/],
+    [(it) => (it.settings.every = -1), /settings\.every/],
+    [(it) => (it.files = {}), /files is no list/],
+    [(it) => delete it.files[1].role, /files\[1\] has no role/],
+    [(it) => (it.files[0].header = [1]), /files\[0\]\.header/],
+    [(it) => (it.files[1].values.x.column = 1), /files\[1\]\.values\.x: column 1 is not called "north"/],
+    [(it) => (it.files[0].wheels.size = 1), /files\[0\]\.wheels has “size”/],
+  ])
+    assert.throws(of(change), (error) => said.test(error.message), String(said))
+  assert.throws(() => readSettings('{', known), /no JSON/)
+  const { files } = readSettings(JSON.stringify(written), known)
+  assert.throws(() => nextChange(files, opened(['wheels.csv', WHEELS]).files()), /no open file is called fixes\.csv/)
+  const unit = of((it) => (it.files[1].values.x.unit = 'furlong'))()
+  assert.throws(() => follow(opened(['wheels.csv', WHEELS], ['fixes.csv', FIXES]), unit), /x is not read in furlong/)
+})

@@ -1,0 +1,138 @@
+/** What a reader has tuned on a log as a starting configuration of robot_localization’s extended filter. */
+
+/** @typedef {import('estimate-wasm').LogContents} LogContents */
+/** @typedef {import('estimate-wasm').LogFrame} Frame */
+
+/** The order of robot_localization’s state. */
+const STATE = 'x y z roll pitch yaw vx vy vz vroll vpitch vyaw ax ay az'.split(' ')
+/** Its own defaults of the process noise of speeds and accelerations, which a log does not tell. */
+const USUAL = { vx: 0.025, vy: 0.025, vz: 0.04, vroll: 0.01, vpitch: 0.01, vyaw: 0.02, ax: 0.01, ay: 0.01, az: 0.015 }
+export const SENSORS = /** @type {const} */ (['fix', 'heading', 'range', 'bearing'])
+
+/** @param {Frame['params']['gate']} gate @param {'fix' | 'heading' | 'range' | 'bearing'} sensor */
+export const gateOf = (gate, sensor) => (gate !== null && typeof gate === 'object' ? (gate[sensor] ?? null) : gate)
+/** @param {Frame['params']['every']} every @param {'fix' | 'heading' | 'range' | 'bearing'} sensor */
+export const everyOf = (every, sensor) => (typeof every === 'object' ? (every[sensor] ?? 0) : every)
+/** A number as a float of YAML’s and of Python’s. @param {number} x */
+export const float = (x) =>
+  Number.isInteger(x) && Math.abs(x) < 1e15 ? x.toFixed(1) : String(x).replace(/^(-?\d+)e/, '$1.0e')
+/** @param {string[]} names that are measured */
+const config = (names) => list(STATE.map((name) => String(names.includes(name))))
+/** Five rows of three, as the package’s own examples have them. @param {string[]} all */
+const list = (all) => `[${[0, 3, 6, 9, 12].map((at) => all.slice(at, at + 3).join(', ')).join(`,\n${' '.repeat(12)}`)}]`
+
+/** What was learned is fixed in an export. @param {Frame} frame */
+export function fixed({ params, summary }) {
+  const { learn, learnSpeed, learnBias } = params
+  return {
+    scale: (learn ? summary.epsilon : null) ?? params.scale,
+    speedScale: (learnSpeed ? summary.speedScale : null) ?? params.speedScale,
+    turnBias: (learnBias ? summary.turnBias : null) ?? params.turnBias,
+  }
+}
+
+/** What no setting of a program of others says, in sentences. @param {Frame} frame @param {LogContents} contents */
+function left(frame, contents) {
+  const { params } = frame
+  const { fix, heading } = contents.readings
+  const { speedScale, turnBias } = fixed(frame)
+  const late = [
+    ['speeds', params.delaySpeed, contents.motion === 'velocity'],
+    ['turn rates', params.delayTurn, contents.motion === 'velocity'],
+    ['fixes', params.delayFix, fix],
+    ['headings', params.delayHeading, heading],
+  ].filter(([, delay, there]) => there && delay !== 0)
+  return [
+    'A measurement’s covariance comes with each message, not from this file:',
+    ...(fix && params.fixes
+      ? [`  fixes: ${float(params.sigmaFix ** 2)} m² for x and for y, where a fix has no σ of its own;`]
+      : []),
+    ...(heading && params.headings ? [`  headings: ${float(params.sigmaHeading ** 2)} rad² for yaw;`] : []),
+    '  speeds and turn rates: little, as 1e-4; what they miss is in the process noise below.',
+    ...late.map(([name, delay]) => `Stamp ${name} ${float(Number(delay))} s earlier: nothing here takes a delay.`),
+    ...(speedScale !== 0 ? [`Multiply speeds by ${float(1 + speedScale)} before they are published.`] : []),
+    ...(turnBias !== 0 ? [`Take ${float(turnBias)} rad/s off each turn rate before it is published.`] : []),
+    ...(SENSORS.some((sensor) => everyOf(params.every, sensor) > 0)
+      ? ['Readings that the page passed over for coming too soon are not thinned out here.']
+      : []),
+    ...(heading && params.headings && gateOf(params.gate, 'heading') !== null
+      ? ['The gate of the headings is left out: set pose1_rejection_threshold by hand.']
+      : []),
+    ...(contents.landmarks.length > 0 ? ['robot_localization takes no ranges to landmarks: they are left out.'] : []),
+  ]
+}
+
+/** @param {number} history seconds */
+const late = (history) => `        # Readings that are late belong before others that were taken already.
+        smooth_lagged_data: true
+        history_length: ${float(Math.ceil(history + 1))}
+`
+/** χ² of two numbers has a quantile in closed form. @param {number} gate */
+const gated = (gate) => `        # The Mahalanobis distance within which ${float(100 * gate)} % of right fixes lie.
+        pose0_rejection_threshold: ${float(Math.sqrt(-2 * Math.log(1 - gate)))}
+`
+
+/**
+ * A starting configuration of robot_localization’s ekf_node, for ROS 2.
+ * @param {Frame} frame @param {LogContents} contents
+ */
+export function robotLocalization(frame, contents) {
+  const { params } = frame
+  const { fix, heading } = contents.readings
+  const [along, turn] = [params.sigmaDistance ** 2, params.sigmaTurn ** 2]
+  /** @type {Record<string, number>} */
+  const process = { x: along, y: along, z: 1e-9, roll: 1e-9, pitch: 1e-9, yaw: turn, ...USUAL }
+  const [place, way] = [params.startSigma ** 2, params.startSigmaHeading ** 2]
+  /** @type {Record<string, number>} */
+  const initial = { x: place, y: place, yaw: way, vx: 1, vyaw: 1 }
+  const [x, y, yaw] = params.start ?? [0, 0, 0]
+  /** @type {Record<string, number>} */
+  const start = { x, y, yaw }
+  const numbers = (/** @type {Record<string, number>} */ of, /** @type {number} */ other) =>
+    list(STATE.map((name) => float(of[name] ?? other)))
+  const fixGate = gateOf(params.gate, 'fix')
+  const delays = [params.delaySpeed, params.delayTurn, params.delayFix, params.delayHeading]
+  const history = Math.max(0, ...delays.map(Math.abs))
+  return `# A start for robot_localization’s ekf_node, from what was tuned on a log on a page of the book Robot Motion.
+# Topics and frames are examples. MIT or Apache-2.0.
+${left(frame, contents)
+  .map((line) => `# ${line}\n`)
+  .join('')}ekf_filter_node:
+    ros__parameters:
+        frequency: 30.0
+        two_d_mode: true
+        publish_tf: true
+        map_frame: map
+        odom_frame: odom
+        base_link_frame: base_link
+        world_frame: ${fix || heading ? 'map' : 'odom'}
+${history > 0 ? late(history) : ''}
+        # Speed and turn rate.
+        twist0: wheel/twist
+        twist0_config: ${config(['vx', 'vyaw'])}
+${
+  fix && params.fixes
+    ? `
+        # Fixes of the position.
+        pose0: fix/pose
+        pose0_config: ${config(['x', 'y'])}
+        pose0_differential: false
+${fixGate === null ? '' : gated(fixGate)}`
+    : ''
+}${
+  heading && params.headings
+    ? `
+        # Headings.
+        pose1: heading/pose
+        pose1_config: ${config(['yaw'])}
+        pose1_differential: false
+`
+    : ''
+}
+        # Diagonals; the process noise is that of a second. That of x and y is σ_d² both along the heading and across,
+        # where the page’s filter has it along the heading alone; that of speeds is the package’s own.
+        process_noise_covariance: ${numbers(process, 1e-9)}
+        initial_estimate_covariance: ${numbers(initial, 1e-9)}
+        initial_state: ${numbers(start, 0)}
+`
+}

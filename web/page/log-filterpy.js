@@ -1,0 +1,197 @@
+/** The page’s filter of a log, as it was tuned, as Python on filterpy. */
+
+import { SENSORS, everyOf, fixed, float, gateOf } from './log-export.js'
+
+/** @typedef {import('estimate-wasm').LogFrame} Frame */
+
+/** A value of Python’s. @param {number | boolean | null} value */
+const inPython = (value) =>
+  value === null ? 'None' : typeof value === 'boolean' ? (value ? 'True' : 'False') : float(value)
+
+/**
+ * It reads a log in the book’s own format.
+ * @param {Frame} frame
+ */
+export function filterpy(frame) {
+  const { params } = frame
+  const { scale, speedScale, turnBias } = fixed(frame)
+  const each = (/** @type {(sensor: 'fix' | 'heading' | 'range' | 'bearing') => number | boolean | null} */ of) =>
+    `{${SENSORS.map((sensor) => `"${sensor}": ${inPython(of(sensor))}`).join(', ')}}`
+  const { delaySpeed, delayTurn, delayFix, delayHeading, delaySighting } = params
+  const delays = { speed: delaySpeed, turn: delayTurn, fix: delayFix, heading: delayHeading, range: delaySighting }
+  const on = { fix: params.fixes, heading: params.headings, range: params.sightings, bearing: params.sightings }
+  const learned = params.learn || params.learnSpeed || params.learnBias
+  const settings = Object.entries({
+    SIGMA_DISTANCE: params.sigmaDistance,
+    SIGMA_TURN: params.sigmaTurn,
+    SIGMA_RANGE: params.sigmaRange,
+    SIGMA_BEARING: params.sigmaBearing,
+    SIGMA_FIX: params.sigmaFix,
+    SIGMA_HEADING: params.sigmaHeading,
+    START_SIGMA: params.startSigma,
+    START_SIGMA_HEADING: params.startSigmaHeading,
+    SCALE: scale,
+    OFFSET: params.offset,
+    BEARING_OFFSET: params.bearingOffset,
+    SPEED_SCALE: speedScale,
+    TURN_BIAS: turnBias,
+  }).map(([name, value]) => `${name} = ${float(value)}\n`)
+  return `"""The filter that was tuned on a page of the book Robot Motion, on filterpy. MIT or Apache-2.0.
+
+pip install filterpy; python3 filter.py LOG, where LOG has rows of the book's own format:
+L,id,x,y landmark | G,t,x,y,theta truth | O,t,distance,turn | V,t,v,omega | S,t,v | T,t,omega | R,t,id,range
+B,t,id,range,bearing | P,t,x,y[,sigma] fix | H,t,theta[,sigma]; seconds, metres, radians.
+${learned ? 'What the filter learned is fixed here at what the log had taught where the page stood.\n' : ''}"""
+
+import json
+import math
+import sys
+
+import numpy as np
+from filterpy.kalman import ExtendedKalmanFilter
+from scipy.stats import chi2
+
+${settings.join('')}# The pose at the start of a log without truth.
+START = [${(params.start ?? [0, 0, 0]).map(float).join(', ')}]
+# By sensor: whether it corrects, the probability of its gate, and the least time between two readings.
+ON = ${each((sensor) => on[sensor])}
+GATE = ${each((sensor) => gateOf(params.gate, sensor))}
+EVERY = ${each((sensor) => everyOf(params.every, sensor))}
+# How late rows are: they were measured at their stamp less this.
+DELAY = {${Object.entries(delays)
+    .map(([name, value]) => `"${name}": ${float(value)}`)
+    .join(', ')}, "bearing": ${float(delaySighting)}}
+# Fixes stamped between these two times do not correct.
+WITHHELD = ${params.withheld ? `(${Array.from(params.withheld, float).join(', ')})` : 'None'}
+
+${BODY}`
+}
+
+const BODY = `KINDS = {"P": "fix", "H": "heading", "R": "range", "B": "bearing"}
+
+
+def wrap(angle):
+    return math.remainder(angle, 2 * math.pi)
+
+
+def read(lines):
+    """Landmarks, the true start, and rows (time, is a reading, line, stamp, letter, numbers) in their order."""
+    landmarks, truth, rows = {}, [], []
+    for line, text in enumerate(lines):
+        letter, *cells = text.strip().split(",")
+        if letter == "" or letter.startswith("#"):
+            continue
+        numbers = [float(cell) for cell in cells if cell.strip()]
+        if letter == "L":
+            landmarks[int(numbers[0])] = numbers[1:]
+        elif letter == "G":
+            truth.append(numbers)
+        elif letter == "V" and DELAY["speed"] != DELAY["turn"]:
+            rows.append((numbers[0] - DELAY["speed"], False, line, numbers[0], "S", numbers[1:2]))
+            rows.append((numbers[0] - DELAY["turn"], False, line, numbers[0], "T", numbers[2:3]))
+        else:
+            late = {"O": 0.0, "V": DELAY["speed"], "S": DELAY["speed"], "T": DELAY["turn"]}
+            delay = late[letter] if letter in late else DELAY[KINDS[letter]]
+            rows.append((numbers[0] - delay, letter in KINDS, line, numbers[0], letter, numbers[1:]))
+    return landmarks, min(truth, default=None), sorted(rows, key=lambda row: row[:3])
+
+
+class Robot(ExtendedKalmanFilter):
+    """The distance and the turn of a move are its input."""
+
+    def predict_x(self, u=0):
+        theta = self.x[2]
+        moved = [self.x[0] + u[0] * math.cos(theta), self.x[1] + u[0] * math.sin(theta), wrap(theta + u[1])]
+        self.x = np.array(moved)
+
+    def move(self, distance, turn, dt):
+        c, s = math.cos(self.x[2]), math.sin(self.x[2])
+        self.F = np.array([[1, 0, -distance * s], [0, 1, distance * c], [0, 0, 1]])
+        b = np.array([[c, 0], [s, 0], [0, 1]])
+        self.Q = b @ np.diag([SIGMA_DISTANCE**2, SIGMA_TURN**2]) @ b.T * dt
+        self.predict((distance, turn))
+
+    def correct(self, sensor, z, h, jacobian, r):
+        """Takes a reading within its gate; the angle of a residual, its last entry, goes the short way round."""
+        def residual(a, b):
+            difference = a - b
+            if sensor in ("heading", "bearing"):
+                difference[-1] = wrap(difference[-1])
+            return difference
+
+        z, r = np.array(z), np.diag(r)
+        nu, H = residual(z, h(self.x)), jacobian(self.x)
+        gate = GATE[sensor]
+        if gate is not None and nu @ np.linalg.solve(H @ self.P @ H.T + r, nu) > chi2.ppf(gate, len(z)):
+            return
+        self.update(z, jacobian, h, R=r, residual=residual)
+        self.x[2] = wrap(self.x[2])
+
+
+def replay(landmarks, truth, rows):
+    """The robot behind the last row."""
+    robot = Robot(dim_x=3, dim_z=2)
+    fixes = [row for row in rows if row[4] == "P"]
+    start, robot.x = (fixes or rows)[0][0], np.array(START, dtype=float)
+    if truth is not None:
+        start, robot.x = truth[0], np.array(truth[1:4])
+    robot.P = np.diag([START_SIGMA**2, START_SIGMA**2, START_SIGMA_HEADING**2])
+    by_odometry = any(row[4] == "O" for row in rows)
+    before, speed, rate, last = start, 0.0, 0.0, {}
+    for time, _, _, stamp, letter, numbers in rows:
+        if time >= start:
+            dt = max(time - before, 0.0)
+            if letter == "O":
+                robot.move(numbers[0], numbers[1], dt)
+            elif not by_odometry:
+                robot.move(speed * (1 + SPEED_SCALE) * dt, (rate - TURN_BIAS) * dt, dt)
+            if letter == "O" or not by_odometry:
+                before = max(before, time)
+        if letter == "V":
+            speed, rate = numbers
+        elif letter == "S":
+            speed = numbers[0]
+        elif letter == "T":
+            rate = numbers[0]
+        sensor = KINDS.get(letter)
+        if sensor is None or time < start or not ON[sensor]:
+            continue
+        if sensor == "fix" and WITHHELD and WITHHELD[0] < stamp < WITHHELD[1]:
+            continue
+        if stamp - last.get(sensor, -math.inf) < EVERY[sensor] - 1e-9:
+            continue
+        last[sensor] = stamp
+        if sensor == "fix":
+            sigma = numbers[2] if len(numbers) > 2 else SIGMA_FIX
+            robot.correct(sensor, numbers[:2], lambda x: x[:2], lambda x: np.eye(2, 3), [sigma**2] * 2)
+        elif sensor == "heading":
+            sigma = numbers[1] if len(numbers) > 1 else SIGMA_HEADING
+            robot.correct(sensor, numbers[:1], lambda x: x[2:], lambda x: np.array([[0, 0, 1]]), [sigma**2])
+        else:
+            see(robot, sensor, landmarks[int(numbers[0])], numbers[1:])
+    return robot
+
+
+def see(robot, sensor, mark, z):
+    """A range to a landmark, and its bearing from the robot's nose."""
+    def off(x):
+        dx, dy = mark[0] - x[0], mark[1] - x[1]
+        return dx, dy, math.hypot(dx, dy)
+
+    def h(x):
+        dx, dy, rho = off(x)
+        seen = [(1 + SCALE) * rho + OFFSET, wrap(math.atan2(dy, dx) - x[2] + BEARING_OFFSET)]
+        return np.array(seen[:len(z)])
+
+    def jacobian(x):
+        dx, dy, rho = off(x)
+        by_range = [-(1 + SCALE) * dx / rho, -(1 + SCALE) * dy / rho, 0]
+        return np.array([by_range, [dy / rho**2, -dx / rho**2, -1]][:len(z)])
+
+    robot.correct(sensor, z, h, jacobian, [SIGMA_RANGE**2, SIGMA_BEARING**2][:len(z)])
+
+
+with open(sys.argv[1], encoding="utf-8") as file:
+    robot = replay(*read(file))
+print(json.dumps({"x": robot.x.tolist(), "P": robot.P.tolist()}))
+`

@@ -1,0 +1,202 @@
+/**
+ * The settings of a log as a file that the page reads again: what the filter is told, and how the files’ columns are
+ * read. A file with anything in it that is not known is refused by name, and changes nothing.
+ */
+
+/** @typedef {import('estimate-wasm').LogFile} LogFile */
+/** @typedef {import('estimate-wasm').Parameter} Parameter */
+/** @typedef {import('../widgets/robot-log/change.js').Change} Change */
+/** @typedef {{ column: number, header: string, unit: string | null } | null} SavedValue */
+/**
+ * @typedef {{
+ *   name: string, role: string, header: string[], values: Record<string, SavedValue>, wheels: LogFile['wheels'],
+ * }} SavedFile
+ */
+/** @typedef {{ params: Record<string, any>, files: SavedFile[], missing: string[] }} Settings */
+
+const FORMAT = 'robot-motion log settings'
+const VERSION = 1
+/** A larger file is none of these, bytes. */
+export const MOST_SETTINGS = 1_000_000
+const WHEELS = ['ticks', 'radius', 'base', 'counting']
+
+/** @param {Record<string, unknown>} params @param {LogFile[]} files */
+export function settingsText(params, files) {
+  const saved = files
+    .filter(({ role }) => role !== 'log')
+    .map(({ name, role, header, values, wheels }) => ({
+      name,
+      role,
+      header,
+      values: Object.fromEntries(
+        values.map(({ name: value, column, unit }) => [
+          value,
+          column === null ? null : { column, header: header[column], unit },
+        ]),
+      ),
+      wheels,
+    }))
+  const all = { format: FORMAT, version: VERSION, settings: params, files: saved }
+  return `${JSON.stringify(all, (_, value) => (ArrayBuffer.isView(value) ? Array.from(listOf(value)) : value), 2)}\n`
+}
+
+/** @param {any} view a list of numbers */
+const listOf = (view) => /** @type {Float64Array} */ (view)
+
+/**
+ * Reads such a file. What is wrong with it is an error whose words name the place.
+ * @param {string} text @param {Parameter[]} known what the page’s filter can be told
+ * @returns {Settings}
+ */
+export function readSettings(text, known) {
+  /** @type {any} */
+  let read
+  try {
+    read = JSON.parse(text)
+  } catch {
+    throw new Error('it is no JSON: it was changed, or is another file.')
+  }
+  only(read, ['format', 'version', 'settings', 'files'], 'the file')
+  if (read.format !== FORMAT) throw new Error(`format is not “${FORMAT}”: it is another file.`)
+  if (read.version !== VERSION) throw new Error(`version is ${shown(read.version)}; this page reads ${VERSION}.`)
+  only(
+    read.settings,
+    known.map(({ name }) => name),
+    'settings',
+  )
+  for (const one of known) if (one.name in read.settings) setting(read.settings[one.name], one)
+  if (!Array.isArray(read.files)) throw new Error('files is no list.')
+  read.files.forEach(file)
+  const missing = known.filter(({ name }) => !(name in read.settings))
+  const usual = Object.fromEntries(missing.map((one) => [one.name, one.default]))
+  return { params: { ...usual, ...read.settings }, files: read.files, missing: missing.map(({ name }) => name) }
+}
+
+/** @param {unknown} value */
+function shown(value) {
+  const text = JSON.stringify(value) ?? 'missing'
+  return text.length > 30 ? `${text.slice(0, 29)}…` : text
+}
+
+/**
+ * @param {unknown} value @param {string[]} names that it may have @param {string} where
+ * @param {string[]} [all] that it has to have
+ */
+function only(value, names, where, all = []) {
+  if (value === null || typeof value !== 'object' || Array.isArray(value)) throw new Error(`${where} is no object.`)
+  for (const name of Object.keys(value))
+    if (!names.includes(name)) throw new Error(`${where} has “${name}”, which is not known here.`)
+  for (const name of all) if (!(name in value)) throw new Error(`${where} has no ${name}.`)
+}
+
+const SENSORS = ['fix', 'heading', 'range', 'bearing']
+/** @param {unknown} value @param {number} count */
+const numbers = (value, count) => Array.isArray(value) && value.length === count && value.every(Number.isFinite)
+/** @param {unknown} value @param {(one: unknown) => boolean} fits one value, or each sensor’s */
+const bySensor = (value, fits) =>
+  value !== null && typeof value === 'object' && !Array.isArray(value)
+    ? Object.entries(value).every(([sensor, one]) => SENSORS.includes(sensor) && fits(one))
+    : fits(value)
+/**
+ * The settings that are no number and no yes or no: what they may be.
+ * @type {Record<string, [(value: unknown) => boolean, string]>}
+ */
+const MADE = {
+  gate: [
+    (value) => bySensor(value, (one) => one === null || (typeof one === 'number' && one > 0 && one < 1)),
+    'a probability between 0 and 1, null, or such by sensor',
+  ],
+  every: [
+    (value) => bySensor(value, (one) => typeof one === 'number' && one >= 0),
+    'a number of seconds, or such by sensor',
+  ],
+  start: [(value) => value === null || numbers(value, 3), 'x, y and the heading, or null'],
+  withheld: [(value) => value === null || numbers(value, 2), 'two times, or null'],
+}
+
+/** @param {unknown} value @param {Parameter} parameter */
+function setting(value, { name, default: usual, least, greatest }) {
+  const where = `settings.${name} is ${shown(value)}`
+  const made = MADE[name]
+  if (made) {
+    if (!made[0](value)) throw new Error(`${where}; it is ${made[1]}.`)
+  } else if (typeof usual === 'boolean') {
+    if (typeof value !== 'boolean') throw new Error(`${where}; it is true or false.`)
+  } else if (typeof value !== 'number' || value < least || value > greatest)
+    throw new Error(`${where}; it is a number between ${least} and ${greatest}.`)
+}
+
+/** @param {any} it @param {number} i */
+function file(it, i) {
+  const where = `files[${i}]`
+  const names = ['name', 'role', 'header', 'values', 'wheels']
+  only(it, names, where, names)
+  for (const name of ['name', 'role']) if (typeof it[name] !== 'string') throw new Error(`${where}.${name} is no text.`)
+  const texts = Array.isArray(it.header) && it.header.every((/** @type {unknown} */ one) => typeof one === 'string')
+  if (!texts) throw new Error(`${where}.header is no list of texts.`)
+  only(it.values, Object.keys(it.values ?? {}), `${where}.values`)
+  for (const [name, value] of Object.entries(it.values)) {
+    if (value === null) continue
+    only(value, ['column', 'header', 'unit'], `${where}.values.${name}`, ['column', 'header', 'unit'])
+    const { column, header, unit } = /** @type {any} */ (value)
+    if (!Number.isInteger(column) || column < 0 || it.header[column] !== header)
+      throw new Error(`${where}.values.${name}: column ${shown(column)} is not called ${shown(header)}.`)
+    if (unit !== null && typeof unit !== 'string') throw new Error(`${where}.values.${name}.unit is no text.`)
+  }
+  if (it.wheels !== null) only(it.wheels, WHEELS, `${where}.wheels`, WHEELS)
+}
+
+/**
+ * The next change by which open files come to be read as the settings say; null where they are. Files are found by
+ * their names, and another recording by its columns’.
+ * @param {SavedFile[]} saved @param {LogFile[]} files as they are read now
+ * @returns {Change | null}
+ */
+export function nextChange(saved, files) {
+  const places = saved.map((one) => placeOf(one, files))
+  const lost = saved[places.indexOf(-1)]
+  if (lost) throw new Error(`no open file is called ${lost.name} or has its columns. Open it first, then the settings.`)
+  for (const [i, one] of saved.entries()) {
+    const change = changeOf(one, files[places[i]])
+    if (change) return { file: places[i], ...change }
+  }
+  return null
+}
+
+/** @param {SavedFile} one @param {LogFile[]} files */
+function placeOf({ name, header }, files) {
+  const named = files.findIndex((file) => file.name === name)
+  if (named >= 0) return named
+  const alike = files.flatMap((file, i) => (JSON.stringify(file.header) === JSON.stringify(header) ? [i] : []))
+  return alike.length === 1 ? alike[0] : -1
+}
+
+/** @param {SavedFile} saved @param {LogFile} file @returns {Omit<Change, 'file'> | null} */
+function changeOf({ name, role, values, wheels }, { role: now, header, values: current, wheels: turning }) {
+  if (role !== now) return { role }
+  for (const [value, wanted] of Object.entries(values)) {
+    const found = current.find((one) => one.name === value)
+    if (!found) throw new Error(`${name} read as ${role} has no ${value}.`)
+    const column = wanted === null ? null : columnOf(wanted, header, name)
+    if (column !== found.column) return { value, column }
+    const unit = wanted?.unit ?? null
+    if (column === null || unit === null || unit === found.unit) continue
+    if (!found.units.includes(unit)) throw new Error(`${name}: ${value} is not read in ${unit}.`)
+    return { value, unit }
+  }
+  if (!wheels) return null
+  for (const wheel of /** @type {const} */ (['ticks', 'radius', 'base'])) {
+    const number = wheels[wheel]
+    if (number !== null && number !== turning?.[wheel]) return { wheel, number }
+  }
+  const { counting } = wheels
+  return counting !== null && counting !== turning?.counting ? { counting } : null
+}
+
+/** @param {NonNullable<SavedValue>} wanted @param {string[]} header @param {string} name */
+function columnOf({ column, header: called }, header, name) {
+  if (header[column] === called) return column
+  const at = header.indexOf(called)
+  if (at < 0 || header.lastIndexOf(called) !== at) throw new Error(`${name} has no column “${called}”, or two of them.`)
+  return at
+}
