@@ -4,6 +4,7 @@
  */
 
 import { Player } from '../../figure/player.js'
+import { NOTHING } from './looks.js'
 
 /** @typedef {import('../../figure/player.js').Outcome} Outcome */
 /**
@@ -49,6 +50,9 @@ export class RemoteRun extends Player {
     this.onfitting = null
     /** Whether the track is smoothed in the light of all readings. */
     this.smoothed = false
+    /** What the reader looks at, and whether the frame does not have it yet. @type {import('./looks.js').Looks} */
+    this.looks = NOTHING
+    this.looked = false
     this.sets = 0
     /** The questions of the files that were read last, and those that led to the log. @type {any[]} */
     this.tried = []
@@ -75,20 +79,28 @@ export class RemoteRun extends Player {
   }
 
   get busy() {
-    return Boolean(this.patch || this.sent || this.answer || this.wantsReset || this.frame.step !== this.goal)
+    const { patch, sent, answer, wantsReset, looked } = this
+    return Boolean(patch || sent || answer || wantsReset || looked || this.frame.step !== this.goal)
   }
 
   state() {
     return { version: 1, lab: 'robot-log', params: this.asked ?? this.frame.params, step: this.goal }
   }
 
-  /** @param {Record<string, unknown>} patch parameters, and `step` where the run is to go to one */
-  change({ step, ...patch }) {
+  /** @param {Record<string, unknown>} patch parameters, `step` where the run is to go to one, and `look` */
+  change({ step, look, ...patch }) {
+    if (look) this.look(look)
     if (typeof step === 'number') {
       this.playing = false
       this.goal = Math.max(0, Math.min(this.last, Math.round(step)))
     }
     if (Object.keys(patch).length > 0) this.patch = { ...this.patch, ...patch }
+  }
+
+  /** Looks at something else, of which the worker knows nothing. @param {Partial<import('./looks.js').Looks>} looks */
+  look(looks) {
+    this.looks = { ...this.looks, ...looks }
+    this.looked = true
   }
 
   /** @param {number} steps */
@@ -151,6 +163,7 @@ export class RemoteRun extends Player {
     else if (message.set === answer.set) this.tried = [...this.tried, message]
     if (answer.kind !== 'log') return answer
     this.story = this.tried
+    this.look(NOTHING)
     this.contents = answer.contents
     this.known = answer.parameters
     const params = this.asked
@@ -219,6 +232,11 @@ export class RemoteRun extends Player {
   /** @param {number} now @param {number} elapsed @param {boolean} calm @returns {Outcome} */
   turn(now, elapsed, calm) {
     const outcome = this.receive()
+    if (this.looked) {
+      this.looked = false
+      this.frame = { ...this.frame, looks: this.looks }
+      if (outcome.moved === 'nothing') outcome.moved = 'replay'
+    }
     if (this.playing && !this.sent && this.goal === this.frame.step)
       this.goal = Math.min(this.last, this.goal + this.dueSteps(now, elapsed, calm))
     this.send()
@@ -237,7 +255,8 @@ export class RemoteRun extends Player {
       this.goal = this.frame.step
       return { moved: 'nothing', refused: answer.message, ended: false }
     }
-    this.frame = answer.frame
+    this.frame = { ...answer.frame, looks: this.looks }
+    this.looked = false
     this.digest = answer.digest
     const ended = this.playing && this.frame.step === this.last
     if (ended) this.playing = false
