@@ -5,6 +5,7 @@
 
 import { button } from '../draw/dom.js'
 import { LikelihoodLine } from './log-likelihood.js'
+import { LikelihoodMap } from './log-map.js'
 import { SourceTable } from './log-sources.js'
 import { handOnTime } from './log-time.js'
 import { ViewBar } from './log-view.js'
@@ -26,6 +27,7 @@ export class Bench {
     this.likelihood = new LikelihoodLine({ change, look: this.look })
     this.view = new ViewBar(this.look)
     this.sources = new SourceTable(this.look)
+    this.map = new LikelihoodMap(() => host.figure.run, change)
     /** @type {HTMLElement | null} */
     this.live = null
     this.why = button(document, document.createElement('div'), 'Why?', () => this.open(), 'button log-why')
@@ -45,7 +47,7 @@ export class Bench {
     strip.className = 'log-strip'
     if (controls) strip.append(...controls.children, this.strip)
     controls?.append(strip)
-    live.append(this.view.box, this.likelihood.box, this.why, this.sources.box)
+    live.append(this.view.box, this.likelihood.box, this.why, this.sources.box, this.map.box)
     handOnTime(live, () => this.host.figure.run.frame, this.look)
     this.reveal(live.hasAttribute('data-why'))
   }
@@ -61,9 +63,10 @@ export class Bench {
     this.host.figure?.measure()
   }
 
-  /** Another log. */
-  begin() {
+  /** Another log. @param {import('estimate-wasm').LogContents} contents */
+  begin(contents) {
     this.likelihood.begin()
+    this.map.begin(contents)
   }
 
   /** @param {import('../widgets/robot-log/looks.js').Frame} frame */
@@ -72,5 +75,6 @@ export class Bench {
     this.likelihood.show(frame)
     this.view.show(frame)
     this.sources.show(frame)
+    this.map.show(frame)
   }
 }

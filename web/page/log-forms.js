@@ -38,7 +38,7 @@ export class Forms {
     }
     this.sensors = new SensorForm(box, this.change)
     this.start = new StartForm(box, this.change, smooth)
-    this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stopFit(), take: this.change })
+    this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stop('fit'), take: this.change })
     /** Where the log begins by its first fixes, as text. */
     this.opening = ''
   }

@@ -79,6 +79,19 @@ export function bySensor(value) {
 }
 
 /**
+ * Every number of a log that can be told apart from the others, with whose it is.
+ * @param {import('estimate-wasm').LogContents} contents
+ * @returns {{ words: string, told: Told }[]}
+ */
+export function numbersOf({ readings, motion }) {
+  const has = SENSORS.filter(({ name }) => readings[/** @type {'fix'} */ (name)])
+  const all = has.flatMap(({ words, numbers }) => numbers.map((told) => ({ words: `${words}: ${told[1]}`, told })))
+  const moving = [...MOTION, ...(motion === 'velocity' ? HELD : [])]
+  all.push(...moving.map((told) => ({ words: told[1], told })))
+  return all.filter(({ told }, i) => all.findIndex((other) => other.told[0] === told[0]) === i)
+}
+
+/**
  * What the filter was told, a row for each number, for the sensors that the log has.
  * @param {import('estimate-wasm').LogFrame} frame
  * @returns {[string, string][]}

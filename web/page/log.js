@@ -210,7 +210,7 @@ class OwnLog {
   hold(contents, names) {
     this.report.take(contents, names)
     this.forms.take(contents)
-    this.bench.begin()
+    this.bench.begin(contents)
   }
 
   /** Shows the frame that is there, among the figure's panels and below it. */

@@ -3,17 +3,10 @@
  * the worker what the reader has asked for, and takes what has come back.
  */
 
-import { Player } from '../../figure/player.js'
 import { NOTHING } from './looks.js'
+import { Asking } from './asking.js'
 
 /** @typedef {import('../../figure/player.js').Outcome} Outcome */
-/**
- * @typedef {object} Port the way to the worker
- * @property {(message: any) => void} post
- * @property {(message: any) => Promise<any>} ask
- * @property {((message: any) => void) | null} onmessage
- * @property {(why: string) => void} restart
- */
 /**
  * @typedef {{ kind: 'files', files: File[] }
  *   | { kind: 'reading', set: number | undefined, change: import('./change.js').Change }} Question
@@ -22,11 +15,10 @@ import { NOTHING } from './looks.js'
 /** Longer logs are smoothed when that is asked for, rows. */
 const MOST_SMOOTHED = 100_000
 
-export class RemoteRun extends Player {
-  /** @param {Port} port @param {number} pace rows a second at speed 1 */
+export class RemoteRun extends Asking {
+  /** @param {import('./asking.js').Port} port @param {number} pace rows a second at speed 1 */
   constructor(port, pace) {
-    super({ step: 0, rows: 0, params: {} }, pace)
-    this.port = port
+    super(port, pace)
     /** @type {import('estimate-wasm').Parameter[]} */
     this.known = []
     this.digest = ''
@@ -46,8 +38,6 @@ export class RemoteRun extends Player {
     this.progress = null
     /** Called with the words of the worker about a log that it reads. @type {((words: any) => void) | null} */
     this.onreading = null
-    /** Called with how far a fit has come. @type {((told: { done: number, of: number }) => void) | null} */
-    this.onfitting = null
     /** Whether the track is smoothed in the light of all readings. */
     this.smoothed = false
     /** What the reader looks at, and whether the frame does not have it yet. @type {import('./looks.js').Looks} */
@@ -154,6 +144,8 @@ export class RemoteRun extends Player {
    */
   async read(question) {
     const message = question.kind === 'files' ? { ...question, set: (this.sets += 1) } : question
+    // What is computed for the log before would be waited for.
+    this.stop('map')
     const answer = await this.port.ask(message)
     if (answer.kind === 'ended') {
       const { files = [], set } = (await this.restored) ?? {}
@@ -202,25 +194,11 @@ export class RemoteRun extends Player {
     this.restored = restored
   }
 
-  /** The replay as a table. @param {'track' | 'innovations'} table @returns {Promise<any>} */
-  table(table) {
-    return this.port.ask({ kind: 'table', params: this.asked ?? this.frame.params, table })
-  }
-
-  /** The σ and the delays under which the log's readings are likeliest. @returns {Promise<any>} */
-  fit() {
-    return this.port.ask({ kind: 'fit', params: this.asked ?? this.frame.params })
-  }
-
-  stopFit() {
-    this.port.post({ kind: 'stop-fit' })
-  }
-
   /** @param {any} message */
   hear(message) {
     if (message.kind === 'ended') return this.restore(message.message)
     if (message.kind === 'reading') return this.onreading?.(message)
-    if (message.kind === 'fitting') return this.onfitting?.(message)
+    if (this.told(message)) return
     if (message.id !== this.sent?.id) return
     if (message.kind === 'progress') this.progress = { step: message.step, of: message.of }
     else {
