@@ -52,20 +52,27 @@ export class LikelihoodLine {
 export function sentence({ summary }, before, kept) {
   const { logLikelihood, used } = summary
   if (logLikelihood === null) return 'Log-likelihood: no reading has been used yet.'
-  const now = `Log-likelihood ${fixed(logLikelihood, 1)} of ${readings(used)}`
+  const now = `Log-likelihood ${grouped(logLikelihood)} of ${readings(used)}`
   const changes = [against(summary, before, 'the last setting'), against(summary, kept, 'A')].filter(Boolean)
   return `${[now, ...changes].join('; ')}.`
 }
 
-/** Sums over other readings are not compared: refusing some raises them. */
-/** @param {Frame['summary']} now @param {Frame | null} other @param {string} name */
+/**
+ * Sums over other readings are not compared: refusing some raises them.
+ * @param {Frame['summary']} now @param {Frame | null} other @param {string} name */
 function against({ logLikelihood, used }, other, name) {
   const was = other?.summary.logLikelihood
   if (was === undefined || was === null || logLikelihood === null || !other) return ''
   if (other.summary.used !== used)
     return `${name} used ${readings(other.summary.used)}, and a sum over others is no measure`
   const change = logLikelihood - was
-  return `${change > 0 ? '+' : ''}${fixed(change, 1)} against ${name}`
+  return `${change > 0 ? '+' : ''}${grouped(change)} against ${name}`
+}
+
+/** With a digit behind the point and commas between thousands: changes of a tenth count. @param {number} value */
+export function grouped(value) {
+  const digits = { minimumFractionDigits: 1, maximumFractionDigits: 1 }
+  return Math.abs(value) < 1e15 ? value.toLocaleString('en', digits).replace('-', '−') : fixed(value, 1)
 }
 
 /** @param {number} count */

@@ -1,10 +1,10 @@
 /** The report on a log: its facts, the settings, the results, and the readings of each landmark. */
 
 import { button, part } from '../draw/dom.js'
-import { fixed } from '../draw/numbers.js'
 import { writeHtml } from '../draw/words.js'
 import { looksOf } from '../widgets/robot-log/looks.js'
 import { clock } from '../widgets/robot-log/words.js'
+import { grouped as likelihoodWords } from './log-likelihood.js'
 import { settingsOf } from './log-numbers.js'
 import { headsOf, rowsOf } from './log-sources.js'
 
@@ -156,7 +156,7 @@ function beside(a, b) {
 function results(spec, frame) {
   const { logLikelihood } = frame.summary
   /** @type {Words[][]} */
-  const rows = [['Log-likelihood', fixed(logLikelihood, 1)]]
+  const rows = [['Log-likelihood', logLikelihood === null ? '–' : likelihoodWords(logLikelihood)]]
   for (const { key, label, value, unit, shown } of spec.readouts(frame))
     if (shown !== false)
       rows.push([ALONE[key] ?? label, unit && value !== '–' ? `${grouped(value)}\u00a0${unit}` : grouped(value)])

@@ -160,6 +160,7 @@ impl Lab for RobotLog {
             timeline: logged.timeline(),
             landmarks: logged.drive().landmarks.clone(),
             bearings: logged.bearings(),
+            has_truth: !logged.drive().truth.poses().is_empty(),
             truth,
             reckoning: pose(reckoning),
             estimate: pose(replay),

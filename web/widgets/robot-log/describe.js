@@ -18,6 +18,7 @@ export function describe(frame) {
     landmarks,
     nis,
     truth,
+    hasTruth,
     errors,
     meanBearing,
   } = frame
@@ -46,7 +47,7 @@ export function describe(frame) {
       `${landmarks.length === 1 ? 'landmark' : 'landmarks'}, ${truth ? 'the true track, ' : ''}the ` +
       `dead-reckoned track and the estimate; ${error}.`,
     innovations: `Normalized innovations over time: ${time.length === 0 ? none : drawn}.`,
-    errors: errors.error.length === 0 && !truth ? '' : `Error of the position over time: ${errorNow(frame.errors)}.`,
+    errors: !hasTruth ? '' : `Error of the position over time: ${errorNow(errors)}.`,
     bearings: !frame.bearings
       ? ''
       : `Normalized innovations of the bearings over time: ${
@@ -74,7 +75,6 @@ export function describe(frame) {
 /** @param {Frame['errors']} errors */
 function errorNow({ time, error, bound }) {
   if (time.length === 0) return 'nothing is driven yet'
-  if (error.length === 0) return 'there is no truth, so only the claimed 2 σ is drawn'
   const last = (/** @type {number[]} */ values) => fixed(values[values.length - 1], 2)
   return `now ${last(error)} metres against a claimed 2 σ of ${last(bound)}`
 }

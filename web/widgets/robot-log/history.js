@@ -180,7 +180,6 @@ export function drawErrors(panel, frame) {
         const x = Math.max(plane.box.left, plane.x(time[last] / 60)) + 5
         pen.text(`${key}-name`, { class: `curve-name ${kin}`, x, y: at[i] + 4 }, name)
       }
-      if (error.length === 0) empty(pen, plane, 'there is no truth')
     },
     true,
   )

@@ -36,7 +36,7 @@ function announce(frame, before) {
 // View: nine panels, in the folder's files, and what is said beside them.
 
 /** Whether it is known where the robot really was. @param {Frame} frame */
-const known = ({ truth, tracks }) => truth !== null || tracks.truth.x.length > 0
+const known = ({ hasTruth }) => hasTruth
 
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
 function readouts(frame) {

@@ -238,6 +238,8 @@ record! {
         pub landmarks: Vec<Landmark>,
         /// Whether the log has bearings.
         pub bearings: bool,
+        /// Whether the log says where the robot really was.
+        pub has_truth: bool,
         /// Where the robot is, metres; null without a truth.
         pub truth: Option<[f64; 2]>,
         /// Where its odometry alone says it is: metres, metres, radians.
