@@ -7,7 +7,7 @@ import path from 'node:path'
 import { WORKER_POLICY } from '../../scripts/static-server.mjs'
 import { holdReplays } from './held-replays.mjs'
 import { PHONE, frameOf, root, stateOf, until } from './harness.mjs'
-import { MRCLAM, SMALL, drop, file, openLog } from './own-log.mjs'
+import { MRCLAM, SMALL, drop, enter, file, openLog, told } from './own-log.mjs'
 
 test('a log that is chosen, dropped or pasted is read here, and nothing is asked for afterwards', async (t) => {
   const { page, it, choose, answer } = await openLog(t)
@@ -29,7 +29,7 @@ test('a log that is chosen, dropped or pasted is read here, and nothing is asked
   await page.locator('.log-paste textarea').fill(`${marked(5)}O,6,0.1,0\nO,7,0.1,0\n`)
   await page.getByRole('button', { name: 'Read these rows' }).click()
   await until(it, ({ rows }) => rows === 7, 'the pasted log')
-  await it.locator('.live').getByLabel('ranges correct the estimate').check()
+  await told(page, 'ranges').getByLabel('used', { exact: true }).check()
   await until(it, ({ params, summary }) => params.sightings && summary.used === 2, 'the filter runs on it')
   await new Promise((resolve) => setTimeout(resolve, 500))
   assert.deepEqual(asked, [])
@@ -128,7 +128,7 @@ test('track and innovations come as CSV, and a link carries the settings and not
   const { page, it, choose } = await openLog(t)
   await choose(file('mine.csv', SMALL))
   await until(it, ({ rows }) => rows === 4, 'the log')
-  await it.locator('.live').getByLabel('ranges correct the estimate').check()
+  await told(page, 'ranges').getByLabel('used', { exact: true }).check()
   await until(it, ({ summary }) => summary.used === 2, 'the filter')
   for (const [name, head, rows] of [
     ['track', /^time,x,y,theta/, 3],
@@ -153,13 +153,13 @@ test('the copy with the mistake shows which beacons are taken for one another', 
   const { page, it } = await openLog(t, { at: 'log/?example=copied' })
   await until(it, ({ rows }) => rows === 13_186, 'the log')
   await page.locator('.log-answer').getByText('plaza1-copied.csv').waitFor()
-  await it.locator('.live').getByRole('button', { name: 'Gate them' }).click()
-  await until(it, ({ params }) => params.gate === 0.999, 'the gate')
-  await it.locator('.live').getByLabel(/Scale/).fill('0.07')
+  await told(page, 'ranges').getByLabel('gate').selectOption('99.9 %')
+  await until(it, ({ params }) => params.sightings && params.gate?.range === 0.999, 'the gate')
+  await enter(told(page, 'ranges'), 'scale ε', '0.07')
   const { byLandmark } = await until(it, ({ params }) => params.scale === 0.07, 'the scale')
   const share = new Map(byLandmark.map(({ id, used, refused }) => [id, refused / (used + refused)]))
   assert.ok(share.get(1) > 0.9 && share.get(6) > 0.9 && share.get(0) < 0.01 && share.get(5) < 0.01)
-  const table = await page.locator('.log-table', { hasText: 'By landmark' }).innerText()
+  const table = await page.locator('.log-report .log-table', { hasText: 'Each sensor' }).innerText()
   assert.match(table, /Refused/)
 })
 
@@ -173,10 +173,11 @@ test('the report has a heading and a place in the contents, and its lines stand 
   ])
   await choose(file('mine.csv', `L,10,0,5\n${SMALL}R,1,10,5\n`))
   await until(it, ({ rows }) => rows === 5, 'the log')
-  await it.locator('.live').getByLabel('ranges correct the estimate').check()
-  const column = (title) => page.locator('.log-table', { hasText: title }).locator('tbody th').allInnerTexts()
-  await page.waitForFunction(() => document.querySelector('.log-table.has-heads tbody tr:nth-child(2)'))
-  assert.deepEqual(await column('By landmark'), ['7', '10'])
+  await told(page, 'ranges').getByLabel('used', { exact: true }).check()
+  const column = (title) =>
+    page.locator('.log-report .log-table', { hasText: title }).locator('tbody th').allInnerTexts()
+  await page.waitForFunction(() => document.querySelector('.log-report .has-heads tbody tr:nth-child(3)'))
+  assert.deepEqual(await column('Each sensor'), ['Ranges', 'Landmark 7', 'Landmark 10'])
   for (const words of [...(await column('Settings')), ...(await column('Results'))])
     assert.ok(!/^(of|Its|Lag|[a-z])\b/.test(words) || /^σ/.test(words), words)
 })
@@ -196,7 +197,8 @@ test('the report prints with the figure as it is', async (t) => {
     '.log-actions',
     'robot-log .still',
     'robot-log .live .controls',
-    'robot-log .live .tries',
+    'robot-log .live .log-view',
+    'robot-log .live .log-tells',
     'robot-log .live .readouts',
     '#format',
   ])
@@ -205,7 +207,8 @@ test('the report prints with the figure as it is', async (t) => {
 
 test('the replay of two million rows is told of and given up, and the log stays', async (t) => {
   const { page, it } = await openLog(t)
-  await it.locator('.live').getByRole('button', { name: 'Let the filter learn the scale' }).click()
+  for (const label of ['used', 'learn the scale ε'])
+    await told(page, 'ranges').getByLabel(label, { exact: true }).check()
   await until(it, ({ params }) => params.learn, 'the filter with most to do')
   await page.evaluate(holdReplays)
   await page.evaluate(() => {
@@ -271,11 +274,12 @@ for (const width of [390, 900, 1280]) {
 
 test('on the page no title of a plot reaches out of its panel', async (t) => {
   const { page } = await openLog(t)
+  await page.getByRole('button', { name: 'Why?' }).click()
   for (const width of [640, 768, 900, 1024]) {
     await page.setViewportSize({ width, height: 900 })
     await page.waitForFunction(() =>
       [...document.querySelectorAll('robot-log .live > .panel')].every(
-        ({ clientWidth, viewBox }) => Math.abs(clientWidth - viewBox.baseVal.width) < 2,
+        ({ clientWidth, viewBox }) => clientWidth === 0 || Math.abs(clientWidth - viewBox.baseVal.width) < 2,
       ),
     )
     const cut = await page

@@ -50,3 +50,13 @@ export function drop(page, files) {
       .dispatchEvent(new DragEvent('drop', { dataTransfer: data, bubbles: true, cancelable: true }))
   }, files)
 }
+
+/** The row of a sensor, or of anything else that the filter is told, by its legend. */
+export const told = (page, legend) =>
+  page.locator('.log-strip .log-sensor', { has: page.locator('legend', { hasText: new RegExp(`^${legend}$`) }) })
+
+/** Writes a number into a field of such a row. */
+export async function enter(row, label, value) {
+  await row.getByLabel(label, { exact: true }).fill(value)
+  await row.getByLabel(label, { exact: true }).press('Enter')
+}

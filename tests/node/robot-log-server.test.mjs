@@ -158,7 +158,7 @@ test('a file that is guessed wrongly is read otherwise, and its log replayed', a
   assert.deepEqual(said.contents.span, [0, 4.9])
   assert.deepEqual(
     said.files[0].values.map(({ column }) => column),
-    [0, 1, 2, null],
+    [0, 1, 2, null, null],
   )
   said = await server.answer({ kind: 'reading', set: 1, change: { file: 0, value: 'v', column: null } })
   assert.match(said.message, /no column has been chosen for v/)

@@ -68,7 +68,9 @@ for (const [name, log] of Object.entries(LOGS)) {
         const frame = lab.frame()
         check(robotLog.verdict(frame), frame)
         const said = [
-          ...Object.values(robotLog.describe(frame)),
+          ...robotLog.panels
+            .filter(({ shown }) => shown?.(frame) ?? true)
+            .map(({ name }) => robotLog.describe(frame)[name]),
           ...robotLog.readouts(frame).map(({ value }) => value),
           robotLog.announce(frame, before ?? frame),
         ]

@@ -43,18 +43,20 @@ export function empty(pen, { box }, words) {
 /**
  * The autocorrelation of the innovations at the lags 1, 2, …, and the band that 95 % of white noise lie in.
  * @param {import('../figure/shell.js').Panel} panel
- * @param {{ values: number[], band: number }} correlation
+ * @param {{ values: number[], band: number, kept?: number[] }} correlation with those of another run, drawn pale
  * @param {{ title: import('./words.js').Words, lag: import('./words.js').Words, none: string }} words
  * @param {number} margin right of the plot, pixels: that of the plots above and below it
  */
-export function drawLags({ pen, width, height }, { values, band: half }, words, margin) {
+export function drawLags({ pen, width, height }, { values, band: half, kept = [] }, words, margin) {
   const box = { left: 40, top: 26, right: width - margin, bottom: height - 38 }
-  const [low, high] = [Math.min(-0.3, ...values), Math.max(0.5, ...values)]
+  const [low, high] = [Math.min(-0.3, ...values, ...kept), Math.max(0.5, ...values, ...kept)]
   const plane = planeOf(box, [0, 21], rounded(low, high, 4))
   pen.draw(() => {
     axes(pen, plane, { title: words.title, x: words.lag, ticks: [5, 4], zero: true })
     if (values.length === 0) return empty(pen, plane, words.none)
     band(pen, plane, -half, half)
+    for (const [i, value] of kept.entries())
+      pen.mark('circle', `kept${i}`, { class: 'mark end pale', cx: plane.x(i + 1), cy: plane.y(value), r: 3 })
     for (const [i, value] of values.entries()) {
       const x = plane.x(i + 1)
       pen.mark('line', `lag${i}`, {

@@ -31,6 +31,8 @@ const NAMES = /** @type {Record<string, string>} */ ({
   fraction: 'fraction of the second',
   'first range': 'first of the ranges',
   date: 'date or time of day',
+  day: 'day of the time',
+  quaternion: 'quaternion: x, y, z, w',
 })
 /** What encoders need besides, and its unit. @type {[string, string][]} */
 const WHEELS = [
@@ -39,7 +41,7 @@ const WHEELS = [
   ['base', 'distance between the wheels, m'],
 ]
 /** Values that a column may be chosen for only where there is one, or where a reader opens them. */
-const RARE = ['fraction', 'sigma', 'sigma of heading', 'latitude', 'longitude']
+const RARE = ['fraction', 'day', 'sigma', 'sigma of heading', 'latitude', 'longitude']
 
 export class FileForm {
   /** @param {HTMLElement} into @param {(change: Change) => void} change */

@@ -1,4 +1,4 @@
-/** What a reader tells the filter of a log, between the figure and the report: sensors, start, afterwards, fit. */
+/** What a reader tells the filter of a log, in the strip of the workbench: sensors, start, afterwards, fit. */
 
 import { FitForm } from './log-fit.js'
 import { SensorForm } from './log-sensors.js'
@@ -12,14 +12,13 @@ const FOLLOW_MS = 40
 
 export class Forms {
   /**
-   * @param {HTMLElement} before what they stand before
    * @param {{ figure: any }} host of the figure
    * @param {() => Promise<import('../widgets/robot-log/remote-run.js').RemoteRun>} run
    */
-  constructor(before, host, run) {
+  constructor(host, run) {
     const box = document.createElement('div')
     box.className = 'log-forms'
-    before.before(box)
+    this.box = box
     this.host = host
     /** What waits to follow the run. */
     this.following = 0
@@ -39,7 +38,7 @@ export class Forms {
     }
     this.sensors = new SensorForm(box, this.change)
     this.start = new StartForm(box, this.change, smooth)
-    this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stopFit(), take: this.change })
+    this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stop('fit'), take: this.change })
     /** Where the log begins by its first fixes, as text. */
     this.opening = ''
   }
@@ -68,7 +67,21 @@ export class Forms {
     this.opening = JSON.stringify(opening)
     if (!other && before === this.opening) return
     const usual = parameters.filter(({ name }) => UNTOLD.includes(name)).map((one) => [one.name, one.default])
-    this.change({ ...Object.fromEntries(usual), ...opening })
+    const { sightings } = this.host.figure.run.wanted.params
+    const first = other && !sightings && this.untouched(parameters)
+    this.change({ ...Object.fromEntries(usual), ...(first ? { sightings: true } : {}), ...opening })
+  }
+
+  /**
+   * Whether the reader has set nothing yet: the mower begins without its ranges, and no log of a reader's does.
+   * @param {import('estimate-wasm').Parameter[]} parameters
+   */
+  untouched(parameters) {
+    const { params } = this.host.figure.run.wanted
+    const set = parameters.filter(
+      ({ name, default: usual }) => name !== 'sightings' && JSON.stringify(params[name]) !== JSON.stringify(usual),
+    )
+    return set.length === 0
   }
 
   /** @param {import('estimate-wasm').LogFrame} frame */

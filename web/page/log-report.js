@@ -1,12 +1,15 @@
 /** The report on a log: its facts, the settings, the results, and the readings of each landmark. */
 
 import { button, part } from '../draw/dom.js'
-import { fixed } from '../draw/numbers.js'
 import { writeHtml } from '../draw/words.js'
-import { clock, percent } from '../widgets/robot-log/words.js'
+import { looksOf } from '../widgets/robot-log/looks.js'
+import { clock } from '../widgets/robot-log/words.js'
+import { grouped as likelihoodWords } from './log-likelihood.js'
+import { settingsOf } from './log-numbers.js'
+import { headsOf, rowsOf } from './log-sources.js'
 
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
-/** @typedef {import('estimate-wasm').LogFrame} Frame */
+/** @typedef {import('../widgets/robot-log/looks.js').Frame} Frame */
 /** @typedef {import('../draw/words.js').Words} Words */
 
 export class Report {
@@ -59,30 +62,23 @@ export class Report {
     this.say('')
     this.box.replaceChildren()
     this.table('The log', [], this.facts())
-    this.table('Settings', [], settings(spec.controls, frame))
+    const { kept } = looksOf(frame)
+    const heads = kept ? ['', 'A', 'B'] : []
+    const both = (/** @type {(one: Frame) => Words[][]} */ told) =>
+      kept ? beside(told(kept), told(frame)) : told(frame)
+    this.table('Settings', heads, both(settingsOf))
     this.table(
       'Results',
-      [],
-      spec
-        .readouts(frame)
-        .map((/** @type {any} */ { key, label, value, unit }) => [
-          ALONE[key] ?? label,
-          unit ? `${grouped(value)}\u00a0${unit}` : grouped(value),
-        ]),
+      heads,
+      both((one) => results(spec, one)),
     )
-    if (frame.byLandmark.length > 0) {
-      const landmarks = [...frame.byLandmark].sort((a, b) => a.id - b.id)
+    const sources = rowsOf(frame)
+    if (sources.length > 0)
       this.table(
-        'By landmark',
-        ['Landmark', 'Readings', 'Refused', 'Mean innovation'],
-        landmarks.map(({ id, used, refused, meanInnovation }) => [
-          String(id),
-          grouped(String(used + refused)),
-          used + refused > 0 ? percent(refused / (used + refused)) : '–',
-          `${fixed(meanInnovation, 2)} m`,
-        ]),
+        'Each sensor and landmark',
+        ['', ...headsOf(frame)],
+        sources.map(({ name, cells }) => [name, ...cells]),
       )
-    }
   }
 
   /** @param {string} title @param {string[]} heads @param {Words[][]} rows the first cell of each is its head */
@@ -117,11 +113,6 @@ const ALONE = {
   offset: 'Range’s error at 0 m',
   r2: '*R*^{2} of the line of the range’s error',
 }
-const SETTINGS = /** @type {Record<string, Words>} */ ({
-  sightings: 'Ranges correct the estimate',
-  learn: 'Learn the scale *ε*',
-})
-
 /** A whole number with commas between its thousands, as the others on the page. @param {string} value */
 function grouped(value) {
   return /^\d{4,}$/.test(value) ? Number(value).toLocaleString('en') : value
@@ -152,20 +143,22 @@ function headCell(row, scope, words) {
   writeHtml(cell, words)
 }
 
-/** What the controls are set to, in words. @param {any[]} controls @param {any} frame @returns {Words[][]} */
-function settings(controls, frame) {
-  return controls
-    .filter(({ shown }) => !shown || shown(frame))
-    .map((control) => {
-      const value = frame.params[control.name]
-      const label = SETTINGS[control.name] ?? control.label
-      if (control.kind === 'toggle') return [label, value ? 'yes' : 'no']
-      if (control.kind === 'choice')
-        return [
-          control.label,
-          control.options.find((/** @type {any} */ option) => option.value === value)?.label ??
-            (value === null ? 'off' : typeof value === 'object' ? 'by sensor' : percent(value)),
-        ]
-      return [control.label, control.words(value, frame)]
-    })
+/** The rows of A with the cells of B behind them; a row that one alone has gets a dash. */
+/** @param {Words[][]} a @param {Words[][]} b @returns {Words[][]} */
+function beside(a, b) {
+  const of = (/** @type {Words[][]} */ rows, /** @type {Words} */ name) =>
+    rows.find(([one]) => one === name)?.[1] ?? '–'
+  const names = [...new Set([...a, ...b].map(([name]) => name))]
+  return names.map((name) => [name, of(a, name), of(b, name)])
+}
+
+/** @param {any} spec the figure's @param {Frame} frame @returns {Words[][]} */
+function results(spec, frame) {
+  const { logLikelihood } = frame.summary
+  /** @type {Words[][]} */
+  const rows = [['Log-likelihood', logLikelihood === null ? '–' : likelihoodWords(logLikelihood)]]
+  for (const { key, label, value, unit, shown } of spec.readouts(frame))
+    if (shown !== false)
+      rows.push([ALONE[key] ?? label, unit && value !== '–' ? `${grouped(value)}\u00a0${unit}` : grouped(value)])
+  return rows
 }

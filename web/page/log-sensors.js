@@ -6,39 +6,13 @@
 import { part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { percent } from '../widgets/robot-log/words.js'
+import { GATES, HELD, MOTION, SENSORS, bySensor } from './log-numbers.js'
+import { numberSlider } from './log-slider.js'
 import { numberField } from './number-field.js'
 
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
 /** @typedef {import('estimate-wasm').LogFrame} Frame */
 /** @typedef {Record<string, unknown>} Patch */
-
-/** The sensors of readings, by their names in the summary. */
-const SENSORS = [
-  { name: 'fix', words: 'positions', on: 'fixes', delay: 'delayFix', sigmas: [['sigmaFix', 'σ, m']] },
-  { name: 'heading', words: 'headings', on: 'headings', delay: 'delayHeading', sigmas: [['sigmaHeading', 'σ, rad']] },
-  { name: 'range', words: 'ranges', on: 'sightings', delay: 'delaySighting', sigmas: [['sigmaRange', 'σ, m']] },
-  {
-    name: 'bearing',
-    words: 'ranges with bearings',
-    on: 'sightings',
-    delay: 'delaySighting',
-    sigmas: [
-      ['sigmaRange', 'σ of the range, m'],
-      ['sigmaBearing', 'σ of the bearing, rad'],
-    ],
-  },
-]
-/** What is known of the motion. @type {[string, string][]} */
-const MOTION = [
-  ['sigmaDistance', 'σ of the distance, m/√s'],
-  ['sigmaTurn', 'σ of the turn, rad/√s'],
-]
-/** Of motion that is held from row to row. @type {[string, string][]} */
-const HELD = [
-  ['delaySpeed', 'delay of the speed, s'],
-  ['delayTurn', 'delay of the turn rate, s'],
-]
-const GATES = [null, 0.95, 0.99, 0.999]
 
 export class SensorForm {
   /**
@@ -60,7 +34,7 @@ export class SensorForm {
       if (readings[/** @type {'fix'} */ (sensor.name)])
         this.sensor(sensor, readings[/** @type {'fix'} */ (sensor.name)])
     const row = this.row('motion')
-    for (const [name, words] of [...MOTION, ...(motion === 'velocity' ? HELD : [])]) this.number(row, name, words)
+    for (const number of [...MOTION, ...(motion === 'velocity' ? HELD : [])]) this.number(row, number)
     if (motion === 'velocity') {
       this.toggle(row, 'learnSpeed', 'learn the scale of the speed')
       this.toggle(row, 'learnBias', 'learn the bias of the turn rate')
@@ -81,17 +55,14 @@ export class SensorForm {
   }
 
   /** @param {(typeof SENSORS)[number]} sensor @param {number | undefined} count */
-  sensor({ name, words, on, delay, sigmas }, count) {
+  sensor({ name, words, on, numbers }, count) {
     const row = this.row(words)
     const key = /** @type {'fix'} */ (name)
     this.toggle(row, on, 'used')
-    for (const [sigma, label] of sigmas) this.number(row, sigma, label)
-    this.number(row, delay, 'delay, s')
+    for (const number of numbers) this.number(row, number)
+    if (on === 'sightings') this.toggle(row, 'learn', 'learn the scale ε')
     this.gate(row, key)
-    this.number(row, 'every', 'one in so many s', {
-      get: ({ every }) => bySensor(every)[key] ?? 0,
-      set: (value, { every }) => ({ every: { ...bySensor(every), [key]: value } }),
-    })
+    this.every(row, key)
     this.says(row, (frame) => {
       const said = frame.summary.sensors[key]
       const { used = 0, refused = 0, nis = null, meanInnovation = null } = said ?? {}
@@ -123,21 +94,25 @@ export class SensorForm {
     })
   }
 
-  /**
-   * @param {HTMLElement} row @param {string} name @param {string} words
-   * @param {{ get: (params: any) => number, set: (value: number, params: any) => Patch }} [how]
-   */
-  number(row, name, words, how) {
-    const {
-      get = (/** @type {any} */ params) => params[name],
-      set = (/** @type {number} */ value) => ({ [name]: value }),
-    } = how ?? {}
+  /** @param {HTMLElement} row @param {import('./log-numbers.js').Told} number */
+  number(row, [name, words, scale, unit = 1]) {
+    const slider = numberSlider(row, words, scale, (value) => this.change({ [name]: value * unit }))
+    // A scale that the filter learns is not told.
+    this.shows.push(({ params }) =>
+      slider.show(/** @type {any} */ (params)[name] / unit, name === 'scale' && params.learn),
+    )
+  }
+
+  /** @param {HTMLElement} row @param {'fix'} key of the sensor */
+  every(row, key) {
     /** @type {any} */
-    let params = {}
-    const field = numberField(row, words, (value) => this.change(set(value, params)))
-    this.shows.push((frame) => {
-      params = frame.params
-      field.show(get(params))
+    let every = 0
+    const field = numberField(row, 'one in so many s', (value) =>
+      this.change({ every: { ...bySensor(every), [key]: value } }),
+    )
+    this.shows.push(({ params }) => {
+      every = params.every
+      field.show(bySensor(every)[key] ?? 0)
     })
   }
 
@@ -169,12 +144,6 @@ export class SensorForm {
       line.textContent = words(frame)
     })
   }
-}
-
-/** A value for each sensor, of one for all or of some. @param {any} value @returns {Record<string, any>} */
-function bySensor(value) {
-  if (value !== null && typeof value === 'object') return value
-  return Object.fromEntries(SENSORS.map(({ name }) => [name, value]))
 }
 
 /** What a fix is off along and across the heading: a delay shows along it. @param {any} said */

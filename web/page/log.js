@@ -14,6 +14,7 @@ import { WIDGETS } from '../widgets/index.js'
 import { awaken } from './figures.js'
 import { takeAlong } from './log-along.js'
 import { Answer, PASTED } from './log-answer.js'
+import { Bench } from './log-bench.js'
 import { shortName } from './file-name.js'
 import { FileForm } from './log-files.js'
 import { Forms } from './log-forms.js'
@@ -45,7 +46,11 @@ class OwnLog {
   constructor(place) {
     this.figure = /** @type {HTMLElement & { figure: any }} */ (place.querySelector('robot-log'))
     const report = /** @type {HTMLElement} */ (place.querySelector('.log-report'))
-    this.forms = new Forms(report, this.figure, () => this.run())
+    this.forms = new Forms(this.figure, () => this.run())
+    this.bench = new Bench(this.figure, this.forms.box, {
+      change: this.forms.change,
+      follow: () => this.forms.follow(),
+    })
     this.report = new Report(report, {
       table: (kind) => this.download(kind),
       print: () => this.print(),
@@ -216,12 +221,15 @@ class OwnLog {
   hold(contents, names) {
     this.report.take(contents, names)
     this.forms.take(contents)
+    this.bench.begin(contents)
   }
 
-  /** Shows the frame that is there, below the figure. */
+  /** Shows the frame that is there, among the figure's panels and below it. */
   show() {
+    const { run } = this.figure.figure
+    this.bench.show(run.frame)
     this.report.show(this.figure.figure)
-    this.forms.show(this.figure.figure.run.frame)
+    this.forms.show(run.frame)
   }
 
   /** What the log holds, in sentences. */

@@ -93,6 +93,11 @@ const fn put_type<const N: usize>(text: &mut Text<N>, shape: &Shape) {
             Shape::Exactly(_, Shape::Number) | Shape::List(Shape::Number) | Shape::Between(_, _, Shape::Number) => {
                 text.put("Matrix");
             }
+            Shape::Maybe(_) | Shape::Each(..) | Shape::Word(_) => {
+                text.put("(");
+                put_type(text, entry);
+                text.put(")[]");
+            }
             _ => {
                 put_type(text, entry);
                 text.put("[]");

@@ -8,6 +8,7 @@ pub(crate) mod frame;
 mod logged;
 mod params;
 mod record;
+mod seen;
 mod table;
 
 pub use fit::LogFit;
@@ -17,6 +18,7 @@ pub use frame::{
 };
 pub use logged::LoggedDrive;
 pub use params::LogParams;
+pub use seen::LogSensor;
 pub use table::{LogTable, LogTableKind};
 
 use crate::shapes::{ellipse_of, rows};
@@ -158,6 +160,7 @@ impl Lab for RobotLog {
             timeline: logged.timeline(),
             landmarks: logged.drive().landmarks.clone(),
             bearings: logged.bearings(),
+            has_truth: !logged.drive().truth.poses().is_empty(),
             truth,
             reckoning: pose(reckoning),
             estimate: pose(replay),
@@ -179,6 +182,7 @@ impl Lab for RobotLog {
             histogram: record.histogram(),
             correlation: record.correlation(),
             by_landmark: record.by_landmark(logged),
+            mean_bearing: record.mean_bearing(),
             summary: self.summary(),
             bands: record.bands(),
             reckoned_rmse: reckoning.summary(&self.reckoned).rmse,

@@ -3,8 +3,10 @@
 use crate::error::Error;
 use crate::fields::{Field, Line};
 use crate::gathering::Place;
+use crate::quaternion;
 use crate::row;
 use crate::source::Source;
+use crate::unit::{QUATERNION, YEAR_FIRST};
 use crate::{stamp, unit};
 
 /// A row of a table, with the column of each value.
@@ -37,6 +39,20 @@ impl<'a> Cells<'a> {
         Ok(unit.map_or(number, |unit| unit::convert(unit, number)))
     }
 
+    /// The heading of a quaternion, of whose columns one is the value's; `None` of one that is all 0.
+    fn turned(&self, value: &str) -> Result<Option<f64>, Error> {
+        let column = self.source.column(value).unwrap_or(0);
+        let Some(columns) = quaternion::columns(&self.source.names, column) else {
+            return Err(self.place(value).refuse(format!("{value} has no x, y, z and w of a quaternion")));
+        };
+        let mut parts = [0.0; 4];
+        for (part, at) in parts.iter_mut().zip(columns) {
+            let Some(field) = self.line.fields.get(at).filter(|field| !is_none(field.text)) else { return Ok(None) };
+            *part = row::finite(self.line, *field, value).map_err(|e| e.within(self.file))?;
+        }
+        quaternion::heading(parts).map_err(|message| self.place(value).refuse(message))
+    }
+
     /// A value that must be there.
     pub fn number(&self, value: &str) -> Result<f64, Error> {
         let none = Field { text: "", column: self.line.end };
@@ -46,6 +62,15 @@ impl<'a> Cells<'a> {
     /// A value that a row may lack: its field is empty, or says so.
     pub fn given(&self, value: &str) -> Result<Option<f64>, Error> {
         let Some(field) = self.field(value) else { return Ok(None) };
+        if self
+            .source
+            .role
+            .index(value)
+            .and_then(|at| self.source.units[at])
+            .is_some_and(|unit| unit.name == QUATERNION)
+        {
+            return self.turned(value);
+        }
         if is_none(field.text) { Ok(None) } else { self.read(value, field).map(Some) }
     }
 
@@ -54,16 +79,27 @@ impl<'a> Cells<'a> {
         let Some(field) = self.field("time") else { return self.number("time") };
         if self.source.is_date() {
             let refuse = || self.place("time").refuse("the time is no date; one as 2026-05-01T12:00:00Z was expected");
-            return stamp::seconds(field.text).ok_or_else(refuse);
+            return Ok(stamp::seconds(field.text).ok_or_else(refuse)? + self.day()?);
         }
         let seconds = self.read("time", field)?;
         let time = seconds + self.field("fraction").map_or(Ok(0.0), |_| self.number("fraction"))?;
         row::in_bounds(self.line, field, time).map_err(|e| e.within(self.file))
     }
 
+    /// When the day of a time of day began, of a row that has the two in two columns.
+    fn day(&self) -> Result<f64, Error> {
+        let Some(field) = self.field("day") else { return Ok(0.0) };
+        let unit = self.source.role.index("day").and_then(|at| self.source.units[at]);
+        let order = unit.map_or(YEAR_FIRST, |unit| unit.name);
+        let refuse = || self.place("day").refuse(format!("the day is none; one as {order} was expected"));
+        stamp::day(field.text, order).ok_or_else(refuse)
+    }
+
     /// Whether the time is one of a day without its date.
     pub fn is_time_of_day(&self) -> bool {
-        self.source.is_date() && self.field("time").is_some_and(|field| stamp::is_time_of_day(field.text))
+        self.source.column("day").is_none()
+            && self.source.is_date()
+            && self.field("time").is_some_and(|field| stamp::is_time_of_day(field.text))
     }
 
     /// The number of a landmark. A program that keeps all numbers in one table writes 5 as 5.0.
@@ -73,6 +109,11 @@ impl<'a> Cells<'a> {
             return Ok(number as u32);
         }
         Err(self.place(value).refuse(format!("{value} is {number}; a whole number below 2^32 was expected")))
+    }
+
+    /// What a landmark is called, where that is no number.
+    pub fn called(&self, value: &str) -> Option<&'a str> {
+        self.field(value).map(|field| field.text).filter(|text| !is_none(text) && row::number(text).is_none())
     }
 
     /// The range in a column, if the row has one.

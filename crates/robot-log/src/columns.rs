@@ -3,11 +3,12 @@
 use crate::axes::axes;
 use crate::fields::Line;
 use crate::names::{Name, candidates};
+use crate::quaternion;
 use crate::role::{Quantity, Role, Value};
 use crate::row::number;
 use crate::source::Source;
 use crate::stamp;
-use crate::unit::{DATE, Unit, named};
+use crate::unit::{DATE, QUATERNION, Unit, named};
 use crate::wide;
 
 /// The rows whose numbers are looked at.
@@ -21,7 +22,7 @@ pub(crate) fn columns(source: &mut Source, file: &str, text: &str) {
     source.doubts = vec![Vec::new(); values.len()];
     let nameless = source.table.as_ref().is_some_and(|table| table.nameless);
     for (i, value) in values.iter().enumerate() {
-        let found = if nameless { Vec::new() } else { found(source, value, file) };
+        let found = if nameless { Vec::new() } else { found(source, value, file, text) };
         match found.as_slice() {
             [one] => source.columns[i] = Some(*one),
             several => source.doubts[i] = several.to_vec(),
@@ -43,7 +44,7 @@ pub(crate) fn columns(source: &mut Source, file: &str, text: &str) {
 }
 
 /// The columns that a value may be in.
-fn found(source: &Source, value: &Value, file: &str) -> Vec<usize> {
+fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
     let names = &source.names;
     let of = |value: &str, quantity| candidates(value, quantity, names);
     let mut found = of(value.name, value.quantity);
@@ -55,6 +56,7 @@ fn found(source: &Source, value: &Value, file: &str) -> Vec<usize> {
             let time = source.columns.first().copied().flatten();
             found = time.and_then(|time| found_fraction(names, time)).into_iter().collect();
         }
+        "day" => found = day_beside(source, text).into_iter().collect(),
         // An angular velocity is a velocity too.
         "v" => {
             let turns = of("omega", Quantity::AngleRate);
@@ -76,6 +78,10 @@ fn found(source: &Source, value: &Value, file: &str) -> Vec<usize> {
         // Beside coordinates a bearing is the course.
         "heading" if found.is_empty() && !of("latitude", Quantity::Coordinate).is_empty() => {
             found = of("bearing", Quantity::Angle);
+        }
+        // Where a robot's place is, its orientation is of the same frame; an inertial sensor's own may begin anywhere.
+        "heading" if found.is_empty() && !of("x", Quantity::Length).is_empty() => {
+            found.extend(quaternion::first(names));
         }
         "first range" => found = wide::group(names).and_then(|group| Some(vec![group.first()?.1])).unwrap_or_default(),
         // Coordinates say all that metres would, and the axes of a gyroscope are no place.
@@ -112,9 +118,29 @@ fn found_fraction(names: &[Name], time: usize) -> Option<usize> {
     })
 }
 
+/// The column of the day where the times are those of a day: one that is called so, and holds days.
+fn day_beside(source: &Source, text: &str) -> Option<usize> {
+    let (time, table) = (source.columns.first().copied().flatten()?, source.table.as_ref()?);
+    let lines: Vec<Line<'_>> = table.lines(text).filter_map(Result::ok).take(LOOKED_AT).collect();
+    let first = lines.first()?;
+    if !first.fields.get(time).is_some_and(|field| stamp::is_time_of_day(field.text)) {
+        return None;
+    }
+    let days = |at: usize| lines.iter().filter_map(move |line| line.fields.get(at)).map(|field| field.text);
+    (0..source.names.len()).find(|at| {
+        let said = ["date", "day", "datum", "tag", "jour", "fecha", "dia", "data", "giorno"];
+        source.names[*at].has_one(&said) && !stamp::orders(days(*at)).is_empty()
+    })
+}
+
 /// The column of the third axis of a gyroscope in an array: `xyz[2]`.
 pub(crate) fn third_axis(names: &[Name]) -> Option<usize> {
     names.iter().position(|name| name.has("2") && name.has_one(&["xyz", "gyro"]))
+}
+
+/// Whether a column is one of the four of a quaternion.
+fn is_part(names: &[Name], w: usize, column: usize) -> bool {
+    quaternion::columns(names, w).is_some_and(|columns| columns.contains(&column))
 }
 
 /// Whether a file's axes point forward, right and down, as those of flight controllers do: PX4 and ArduPilot.
@@ -159,6 +185,11 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             }
             said.or_else(|| by_rate(&numbers).and_then(usual))
         }
+        // The first of May, or the fifth of January: where both can be meant, it is asked.
+        Quantity::Day => match stamp::orders(lines.iter().map(|line| line.fields[column].text)).as_slice() {
+            [one] => usual(one),
+            _ => None,
+        },
         Quantity::Fraction => said.or_else(|| usual("ns")),
         Quantity::Length => {
             // Metres from one row to the next, to a landmark, and across a map.
@@ -192,6 +223,9 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
         Quantity::Angle => {
             let turn = if value.name == "turn" { 3.2 } else { 7.0 };
             said.or_else(|| usual(if most > turn { "deg" } else { "rad" }))
+        }
+        Quantity::Heading if quaternion::first(&source.names).is_some_and(|w| is_part(&source.names, w, column)) => {
+            usual(QUATERNION)
         }
         Quantity::Heading => {
             const COURSE: [&str; 13] = [

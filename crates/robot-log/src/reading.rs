@@ -4,6 +4,7 @@ use crate::cells::Cells;
 use crate::error::Error;
 use crate::gathering::{Gathering, Place, Unplaced};
 use crate::headed::headed;
+use crate::landmarks::Landmarks;
 use crate::log::Understood;
 use crate::notes::{self, Kept};
 use crate::role::Role;
@@ -22,6 +23,8 @@ pub(crate) struct Reading {
     pub to: Gathering,
     /// The landmark that carries each barcode.
     carried: Option<HashMap<u32, u32>>,
+    /// The numbers of those that have names.
+    landmarks: Landmarks,
     /// Sightings of a barcode that is in no list.
     unlisted: usize,
     /// True poses whose heading is not known.
@@ -70,7 +73,8 @@ impl Reading {
             Role::Sensors => self.sensors(cells)?,
             Role::Landmarks => {
                 self.to.begin(start)?;
-                let landmark = Landmark { id: cells.whole("landmark")?, x: cells.number("x")?, y: cells.number("y")? };
+                let id = self.landmark(cells)?;
+                let landmark = Landmark { id, x: cells.number("x")?, y: cells.number("y")? };
                 self.to.landmark(cells.place("landmark"), landmark)?;
             }
             Role::Truth => {
@@ -84,7 +88,7 @@ impl Reading {
             }
             Role::Sightings => {
                 self.to.begin(start)?;
-                let (time, seen) = (cells.time()?, cells.whole("landmark")?);
+                let (time, seen) = (cells.time()?, self.landmark(cells)?);
                 let at = cells.source.column("range").unwrap_or(0);
                 let missing = || cells.place("range").refuse("range is missing; a number was expected");
                 let range = cells.range("range", at)?.ok_or_else(missing)?;
@@ -146,6 +150,16 @@ impl Reading {
         Ok(())
     }
 
+    /// The number of a row's landmark, its own or that of its name.
+    fn landmark(&mut self, cells: Cells<'_>) -> Result<u32, Error> {
+        let refuse = |message: String| cells.place("landmark").refuse(message);
+        match cells.called("landmark") {
+            // A barcode is a number.
+            Some(name) if self.carried.is_none() => self.landmarks.named(name).map_err(refuse),
+            _ => self.landmarks.numbered(cells.whole("landmark")?).map_err(refuse),
+        }
+    }
+
     fn motion(&mut self, start: Place, time: f64, event: Event) -> Result<(), Error> {
         self.to.begin(start)?;
         self.to.motion(start, Row::new(time, event))
@@ -196,6 +210,7 @@ impl Reading {
             headed(&mut self.without_heading).into_iter().for_each(|pose| self.to.truth(pose));
             notes.push(notes::HEADED.into());
         }
+        notes.extend(self.landmarks.note());
         let mapped = self.to.has_landmarks();
         let (log, left_out) = self.to.finish(self.carried.is_some())?;
         notes.extend(notes::times(&log.drive));

@@ -1,6 +1,6 @@
 //! What a file of a log can hold, and in which units.
 
-use Quantity::{Angle, AngleRate, Coordinate, Fraction, Heading, Length, Number, Speed, Time, Wheel};
+use Quantity::{Angle, AngleRate, Coordinate, Day, Fraction, Heading, Length, Number, Speed, Time, Wheel};
 
 /// What a column measures, which decides its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -9,6 +9,8 @@ pub enum Quantity {
     Time,
     /// The part of a stamp that is added to its seconds.
     Fraction,
+    /// The day of a stamp whose time of day is in another column.
+    Day,
     /// A length.
     Length,
     /// An angle.
@@ -77,6 +79,8 @@ pub enum Role {
 
 /// The second column of a stamp.
 const FRACTION: Value = optional("fraction", Fraction);
+/// The day of a time of day.
+const DAY: Value = optional("day", Day);
 const TIME: Value = value("time", Time);
 
 impl Role {
@@ -103,10 +107,10 @@ impl Role {
 
     /// The values of a row, of which the optional ones stand last.
     pub fn values(self) -> &'static [Value] {
-        const VELOCITIES: [Value; 4] = [TIME, value("v", Speed), value("omega", AngleRate), FRACTION];
-        const ODOMETRY: [Value; 4] = [TIME, value("distance", Length), value("turn", Angle), FRACTION];
-        const ENCODERS: [Value; 4] = [TIME, value("left", Wheel), value("right", Wheel), FRACTION];
-        const SENSORS: [Value; 11] = [
+        const VELOCITIES: [Value; 5] = [TIME, value("v", Speed), value("omega", AngleRate), FRACTION, DAY];
+        const ODOMETRY: [Value; 5] = [TIME, value("distance", Length), value("turn", Angle), FRACTION, DAY];
+        const ENCODERS: [Value; 5] = [TIME, value("left", Wheel), value("right", Wheel), FRACTION, DAY];
+        const SENSORS: [Value; 12] = [
             TIME,
             optional("v", Speed),
             optional("omega", AngleRate),
@@ -118,12 +122,13 @@ impl Role {
             optional("heading", Heading),
             optional("sigma of heading", Angle),
             FRACTION,
+            DAY,
         ];
-        const SIGHTINGS: [Value; 5] =
-            [TIME, value("landmark", Number), value("range", Length), optional("bearing", Angle), FRACTION];
-        const RANGES: [Value; 3] = [TIME, value("first range", Length), FRACTION];
+        const SIGHTINGS: [Value; 6] =
+            [TIME, value("landmark", Number), value("range", Length), optional("bearing", Angle), FRACTION, DAY];
+        const RANGES: [Value; 4] = [TIME, value("first range", Length), FRACTION, DAY];
         const LANDMARKS: [Value; 3] = [value("landmark", Number), value("x", Length), value("y", Length)];
-        const TRUTH: [Value; 7] = [
+        const TRUTH: [Value; 8] = [
             TIME,
             optional("x", Length),
             optional("y", Length),
@@ -131,6 +136,7 @@ impl Role {
             optional("latitude", Coordinate),
             optional("longitude", Coordinate),
             FRACTION,
+            DAY,
         ];
         const BARCODES: [Value; 2] = [value("landmark", Number), value("barcode", Number)];
         match self {

@@ -1,7 +1,7 @@
 //! How a file of a log is read.
 
 use crate::names::Name;
-use crate::role::{Role, Value};
+use crate::role::{Quantity, Role, Value};
 use crate::table::Table;
 use crate::unit::{self, DATE, Unit};
 use crate::wheels::Wheels;
@@ -41,7 +41,9 @@ impl Source {
             if let Some(column) = self.columns[i] {
                 let wanted = !unit::units_of(value.quantity).is_empty();
                 if wanted && self.units[i].is_none() {
-                    asks.push(format!("In which unit is \u{201c}{}\u{201d}?", header[column]));
+                    let day = value.quantity == Quantity::Day;
+                    let what = if day { "order are the numbers of" } else { "unit is" };
+                    asks.push(format!("In which {what} \u{201c}{}\u{201d}?", header[column]));
                 }
             } else if !self.doubts[i].is_empty() {
                 let among: Vec<String> =

@@ -1,5 +1,7 @@
 //! Stamps that are dates or times of day: ISO 8601 with its zones, as programs and spreadsheets write it.
 
+use crate::unit::{DAY_FIRST, MONTH_FIRST, YEAR_FIRST};
+
 /// Seconds since the first of January 1970 in UTC, of `2026-05-01T12:00:00.5+02:00`; a blank may stand for the `T`, and
 /// without a zone it is UTC. Of a time of day alone, `12:00:00.5`, the seconds since midnight.
 pub(crate) fn seconds(text: &str) -> Option<f64> {
@@ -17,6 +19,33 @@ pub(crate) fn seconds(text: &str) -> Option<f64> {
     let rest = rest.strip_prefix(['T', 't', ' ', '_'])?;
     let (clock, zone) = zone(rest.trim());
     Some(86_400.0 * days(year, month, day) as f64 + time_of_day(clock.trim())? - zone?)
+}
+
+/// Seconds from 1970 to the beginning of a day, which is written in this order; without marks, 20260501, as well.
+pub(crate) fn day(text: &str, order: &str) -> Option<f64> {
+    let text = text.trim();
+    let eight = text.len() == 8 && text.bytes().all(|b| b.is_ascii_digit());
+    let parts: Vec<&str> = match order {
+        YEAR_FIRST if eight => vec![&text[..4], &text[4..6], &text[6..]],
+        _ if eight => vec![&text[..2], &text[2..4], &text[4..]],
+        _ => text.split(['-', '.', '/']).collect(),
+    };
+    let [first, second, third] = parts.as_slice() else { return None };
+    let (year, month, day) = match order {
+        YEAR_FIRST => (first, second, third),
+        DAY_FIRST => (third, second, first),
+        _ => (third, first, second),
+    };
+    let short = |text: &str| whole(text, 2).or_else(|| whole(text, 1));
+    let (year, month, day) = (whole(year, 4)?, short(month)?, short(day)?);
+    let there = (1..=12).contains(&month) && (1..=days_of(year, month)).contains(&day);
+    there.then(|| 86_400.0 * days(year, month, day) as f64)
+}
+
+/// The orders in which all these days can be read.
+pub(crate) fn orders<'t>(all: impl Iterator<Item = &'t str> + Clone) -> Vec<&'static str> {
+    let fits = |order: &&str| all.clone().next().is_some() && all.clone().all(|text| day(text, order).is_some());
+    [YEAR_FIRST, DAY_FIRST, MONTH_FIRST].into_iter().filter(fits).collect()
 }
 
 /// Whether the text is a time of day without its date: what comes after midnight is less than what came before.
@@ -106,5 +135,25 @@ mod tests {
         ] {
             assert_eq!(seconds(text), expected, "{text}");
         }
+    }
+
+    #[test]
+    fn a_day_is_read_in_its_order_and_in_no_other() {
+        let may = 1_777_593_600.0;
+        for (text, order, expected) in [
+            ("2026-05-01", YEAR_FIRST, Some(may)),
+            ("20260501", YEAR_FIRST, Some(may)),
+            ("1.5.2026", DAY_FIRST, Some(may)),
+            ("05/01/2026", "month, day, year", Some(may)),
+            ("2026-05-01", DAY_FIRST, None),
+            ("31.04.2026", DAY_FIRST, None),
+            ("1.5.26", DAY_FIRST, None),
+            ("", YEAR_FIRST, None),
+        ] {
+            assert_eq!(day(text, order), expected, "{text}");
+        }
+        assert_eq!(orders(["01/05/2026", "13/05/2026"].into_iter()), [DAY_FIRST]);
+        assert_eq!(orders(["01/05/2026", "02/05/2026"].into_iter()).len(), 2, "nobody knows");
+        assert!(orders([].into_iter()).is_empty());
     }
 }

@@ -26,6 +26,10 @@ const QUARTER: f64 = core::f64::consts::FRAC_PI_2;
 
 /// Dates are read by their text: `2026-05-01T12:00:00Z`, or `12:00:00.5`.
 pub(crate) const DATE: &str = "date";
+/// Days: `2026-05-01`, `01.05.2026`, `5/1/2026`.
+pub(crate) const YEAR_FIRST: &str = "year, month, day";
+pub(crate) const DAY_FIRST: &str = "day, month, year";
+pub(crate) const MONTH_FIRST: &str = "month, day, year";
 
 const TIMES: [Unit; 5] = [
     unit("s", 1.0, &["s", "sec", "secs", "second", "seconds", "sekunden", "secondes", "segundos", "secondi"]),
@@ -34,6 +38,8 @@ const TIMES: [Unit; 5] = [
     unit("ns", 1e-9, &["ns", "nsec", "nsecs", "nanos", "nanosec", "nanosecs", "nanoseconds"]),
     unit(DATE, 1.0, &["iso", "utc", "datetime", "iso8601"]),
 ];
+/// How the day of a stamp is written.
+const DAYS: [Unit; 3] = [unit(YEAR_FIRST, 1.0, &[]), unit(DAY_FIRST, 1.0, &[]), unit(MONTH_FIRST, 1.0, &[])];
 const LENGTHS: [Unit; 5] = [
     unit("m", 1.0, &["m", "meter", "meters", "metre", "metres", "mètres", "metros", "metri"]),
     unit("cm", 1e-2, &["cm", "centimeter", "centimeters"]),
@@ -50,11 +56,15 @@ const SPEEDS: [Unit; 6] = [
     unit("kn", 1852.0 / 3600.0, &["kn", "kt", "kts", "knots", "knoten"]),
 ];
 const ANGLES: [Unit; 2] = [unit("rad", 1.0, &RAD), unit("deg", DEGREE, &DEG)];
-const HEADINGS: [Unit; 4] = [
+/// A heading may be four numbers: x, y, z and w, of which one column is chosen.
+pub(crate) const QUATERNION: &str = "quaternion";
+
+const HEADINGS: [Unit; 5] = [
     unit("rad", 1.0, &RAD),
     unit("deg", DEGREE, &DEG),
     Unit { name: "deg from north", factor: -DEGREE, zero: QUARTER, written: &[] },
     Unit { name: "rad from north", factor: -1.0, zero: QUARTER, written: &[] },
+    unit(QUATERNION, 1.0, &[]),
 ];
 const RATES: [Unit; 4] = [
     unit("rad/s", 1.0, &["rad s", "rads", "rad"]),
@@ -86,6 +96,7 @@ pub fn units_of(quantity: Quantity) -> &'static [Unit] {
     match quantity {
         Quantity::Time => &TIMES,
         Quantity::Fraction => TIMES.split_at(4).0,
+        Quantity::Day => &DAYS,
         Quantity::Length => &LENGTHS,
         Quantity::Speed => &SPEEDS,
         Quantity::Angle => &ANGLES,

@@ -133,7 +133,7 @@ fn numbers_without_names_are_asked_and_can_be_corrected() {
     assert_refused(&files, 0, [0, 0], "run.csv asks: Its columns have no names");
     assert!(files.set_role(0, Role::Odometry));
     assert_eq!(files.files()[0].header(), ["column 1", "column 2", "column 3"]);
-    assert_eq!(files.files()[0].columns(), [Some(0), Some(1), Some(2), None]);
+    assert_eq!(files.files()[0].columns(), [Some(0), Some(1), Some(2), None, None]);
     for (value, unit) in [("time", "ms"), ("turn", "deg"), ("distance", "cm")] {
         assert!(files.set_unit(0, value, unit));
     }
@@ -154,7 +154,7 @@ fn numbers_without_names_are_asked_and_can_be_corrected() {
     );
     assert!(!files.set_unit(0, "time", "m") && !files.set_unit(1, "distance", "m") && !files.set_role(1, Role::Log));
     // What was refused has changed nothing.
-    assert_eq!(files.files()[0].columns(), [Some(0), Some(0), Some(2), None]);
+    assert_eq!(files.files()[0].columns(), [Some(0), Some(0), Some(2), None, None]);
 }
 
 #[test]

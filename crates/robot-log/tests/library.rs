@@ -114,3 +114,38 @@ fn two_receivers_have_one_origin() {
     // A ten-thousandth of a degree of latitude there is 11.12 m.
     assert!((poses[1].y - 11.12).abs() < 0.005, "{}", poses[1].y);
 }
+
+fn with(name: &str, others: &[(&str, &str)]) -> Files {
+    let mut files = file(name);
+    others.iter().for_each(|(name, text)| files.add(name, text).expect(name));
+    files
+}
+
+#[test]
+fn landmarks_with_names_are_numbered_in_all_files_alike_and_never_among_numbers() {
+    let anchors = std::fs::read_to_string(format!("{FOLDER}/uwb-named-anchors.csv")).expect("the anchors");
+    let motion = ("wheels.csv", "time,v,omega\n0,1,0\n1,1,0\n");
+    let read = with("uwb-named-ranges.csv", &[motion, ("anchors.csv", &anchors)]).read().expect("sound");
+    let kitchen = read.log.drive.landmarks.iter().position(|at| at.x == 0.0 && at.y == 0.0).expect("the kitchen");
+    let first = read.log.drive.rows.iter().find_map(|row| match row.event {
+        Event::Range { landmark, range } => Some((landmark, range)),
+        _ => None,
+    });
+    assert_eq!(first, Some((kitchen, 2.5)));
+    assert!(read.notes.iter().any(|note| note.contains("kitchen is 1, hall is 2, A3 is 3")), "{:?}", read.notes);
+    let mixed = with("uwb-mixed-ranges.csv", &[motion]).read().expect_err("a number and a name");
+    assert_eq!((mixed.line, mixed.column), (3, 5), "{mixed}");
+}
+
+#[test]
+fn a_day_and_its_order_are_said_and_a_quaternion_is_of_length_1() {
+    let mut days = file("date-time-ambiguous.csv");
+    assert!(days.read().is_err() && days.set_unit(0, "day", "day, month, year"));
+    let span = days.read().expect("sound").log.drive.span().expect("rows");
+    assert_eq!(span[1] - span[0], 31.0 * 86_400.0 + 2.0, "from the fifth of January to the fifth of February");
+    let mut turned = with("imu-with-place.csv", &[("wheels.csv", "time,v,omega\n0,1,0\n1,1,0\n")]);
+    assert!(turned.set_role(0, Role::Sensors));
+    assert!(turned.read().expect_err("0.1² + 0.9² is not 1").message.contains("squared length"));
+    assert!(turned.set_column(0, "heading", Some(1)) && turned.set_unit(0, "heading", "quaternion"));
+    assert!(turned.read().expect_err("x of a place").message.contains("no x, y, z and w"));
+}

@@ -86,7 +86,7 @@ fn a_unit_that_no_name_says_is_asked_where_numbers_are_too_large_for_metres() {
     let body = rows(20, |t| format!("{t},50,4"));
     let mut odometry = files(&[("odo.csv", &format!("time,distance,turn\n{body}"))]);
     let units: Vec<_> = odometry.files()[0].units().iter().map(|unit| unit.map(|unit| unit.name)).collect();
-    assert_eq!(units, [Some("s"), None, Some("deg"), None], "50 m and 4 rad in a tenth of a second are too much");
+    assert_eq!(units, [Some("s"), None, Some("deg"), None, None], "50 m and 4 rad in a tenth of a second are too much");
     assert_eq!(odometry.files()[0].asks(), ["In which unit is \u{201c}distance\u{201d}?"]);
     assert!(odometry.read().is_err() && odometry.set_unit(0, "distance", "mm"));
     assert_eq!(odometry.files()[0].follows(), "10 Hz, 0 to 1.9 s, 1 m of way, turned 0.222 turns");

@@ -5,9 +5,11 @@ import { drawCrosses, drawPoints } from '../../draw/points.js'
 import { rounded } from '../../draw/scale.js'
 import { band, empty, rule } from '../../draw/statistics.js'
 import { apart } from '../../draw/time-plot.js'
-import { expecting, unread } from './words.js'
+import { belongs, looksOf, nameOf, nearest, numbersOf, spanOf, touchedIn } from './looks.js'
+import { clock, expecting, unread } from './words.js'
 
-/** @typedef {import('estimate-wasm').LogFrame} Frame */
+/** @typedef {import('./looks.js').Frame} Frame */
+/** @typedef {import('./looks.js').Source} Source */
 /** @typedef {import('../../figure/shell.js').Panel} Panel */
 /** @typedef {import('../../draw/pen.js').Pen} Pen */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
@@ -18,81 +20,191 @@ import { expecting, unread } from './words.js'
 
 const minutes = (/** @type {number[]} */ seconds) => seconds.map((value) => value / 60)
 
+/** Left and right of every plot over time, pixels. */
+const [LEFT, RIGHT] = [40, 32]
 /** Innovations reach from −this to this at least, in σ; at most three times as far. */
 const LEAST = 4
 
-/** @param {Panel} panel @param {Frame} frame */
-export function drawInnovations(panel, frame) {
-  const { time, normalized, used } = frame.innovations
-  const most = Math.min(
+/** The time at a place of such a panel, seconds. @param {Frame} frame @param {number} x @param {number} width */
+export function timeAt(frame, x, width) {
+  const [from, to] = spanOf(frame)
+  const share = (x - LEFT) / (width - RIGHT - LEFT)
+  return from + Math.max(0, Math.min(1, share)) * (to - from)
+}
+
+/**
+ * The number of the reading nearest to a place of a panel of innovations; of a panel over time where `y` is null.
+ * @param {Frame} frame @param {Source | null} source
+ * @param {[number, number | null]} place @param {{ width: number, height: number }} size
+ */
+export function readingAt(frame, source, [x, y], size) {
+  const numbers = numbersOf(frame, source)
+  const most = reachOf(frame, numbers, belongs(frame, source))
+  const { x: across, y: up, box } = planeIn(frame, size, [-most, most])
+  const { time } = frame.innovations
+  const shown = (/** @type {number} */ i) => Math.max(box.top, Math.min(box.bottom, up(numbers[i])))
+  return nearest(frame, source, (i) => Math.hypot(across(time[i] / 60) - x, y === null ? 0 : shown(i) - y))
+}
+
+/** @param {Frame} frame @param {number[]} numbers @param {(i: number) => boolean} mine */
+const reachOf = (frame, numbers, mine) =>
+  Math.min(
     3 * LEAST,
-    normalized.reduce((sum, value) => Math.max(sum, Math.abs(value)), LEAST),
+    frame.innovations.time.reduce(
+      (most, _, i) => (mine(i) && Number.isFinite(numbers[i]) ? Math.max(most, Math.abs(numbers[i])) : most),
+      LEAST,
+    ),
   )
-  draw(
-    panel,
-    frame,
-    [-most, most],
-    `innovations {innov}/√*S*${frame.every > 1 ? `, every ${ordinal(frame.every)}` : ''}`,
-    (pen, plane) => {
-      band(pen, plane, -2, 2)
-      rule(pen, plane, 'high', 2)
-      rule(pen, plane, 'low', -2)
-      if (time.length === 0) return empty(pen, plane, unread(frame))
-      drawPoints(pen, 'used', plane, minutes(time), normalized, 'measurement', (i) => used[i])
-      drawCrosses(pen, 'refused', plane, minutes(time), normalized, (i) => !used[i])
-      if (used.includes(false))
-        pen.text(
-          'refused-name',
-          { class: 'tick', x: plane.box.right, y: plane.box.top - 9, 'text-anchor': 'end' },
-          '× refused',
-        )
-    },
+
+/** @param {Panel} panel @param {Frame} frame @param {import('../../figure/spec.js').View} view */
+export function drawInnovations(panel, frame, view) {
+  const { source, kept } = looksOf(frame)
+  drawReadings(panel, frame, view, source, kept)
+}
+
+/**
+ * The bearings, beside whatever the panel of the innovations shows.
+ * @param {Panel} panel @param {Frame} frame @param {import('../../figure/spec.js').View} view
+ */
+export function drawBearings(panel, frame, view) {
+  const { kept } = looksOf(frame)
+  drawReadings(panel, frame, view, { sensor: 'bearing', landmark: null, bearing: true }, kept)
+}
+
+/**
+ * @param {Panel} panel @param {Frame} frame @param {import('../../figure/spec.js').View} view
+ * @param {Source | null} source @param {Frame | null} kept
+ */
+function drawReadings(panel, frame, view, source, kept) {
+  const { time, used } = frame.innovations
+  const [mine, numbers] = [belongs(frame, source), numbersOf(frame, source)]
+  const most = reachOf(frame, numbers, mine)
+  const of = source ? ` of ${nameOf(source)}` : ''
+  const stride = time.length > 0 ? frame.everyLooked : frame.every
+  const every = stride > 1 ? `, every ${ordinal(stride)}` : ''
+  draw(panel, frame, [-most, most], `innovations {innov}/√*S*${of}${every}`, (pen, plane) => {
+    band(pen, plane, -2, 2)
+    rule(pen, plane, 'high', 2)
+    rule(pen, plane, 'low', -2)
+    if (!time.some((_, i) => mine(i))) return empty(pen, plane, unread(frame))
+    if (kept) {
+      const old = belongs(kept, source)
+      pen.group('kept', { class: 'pale' }, (to) =>
+        drawPoints(to, 'used', plane, minutes(kept.innovations.time), numbersOf(kept, source), 'prediction', old),
+      )
+    }
+    drawPoints(pen, 'used', plane, minutes(time), numbers, 'measurement', (i) => mine(i) && used[i])
+    drawCrosses(pen, 'refused', plane, minutes(time), numbers, (i) => mine(i) && !used[i])
+    if (used.includes(false))
+      pen.text(
+        'refused-name',
+        { class: 'tick', x: plane.box.right, y: plane.box.top - 9, 'text-anchor': 'end' },
+        '× refused',
+      )
+    drawTouched(pen, plane, frame, view, source, numbers)
+  })
+}
+
+/**
+ * The reading that was touched: arrow keys go to its neighbours.
+ * @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {import('../../figure/spec.js').View} view
+ * @param {Source | null} source @param {number[]} numbers
+ */
+function drawTouched(pen, plane, frame, view, source, numbers) {
+  const i = touchedIn(frame)
+  const { time } = frame.innovations
+  if (i < 0 || !belongs(frame, source)(i) || !Number.isFinite(numbers[i])) return
+  const x = plane.x(time[i] / 60)
+  if (x < plane.box.left - 1 || x > plane.box.right + 1) return
+  const mine = belongs(frame, source)
+  /** @param {number} to */
+  const look = (to) => ({ look: { touched: time[to] } })
+  pen.group('handles', {}, (to) =>
+    view.handle(to, 'touched', {
+      at: [x, Math.max(plane.box.top, Math.min(plane.box.bottom, plane.y(numbers[i])))],
+      small: true,
+      label: 'Reading',
+      value: `at ${clock(time[i])}, ${numbers[i].toFixed(1)} σ`,
+      now: time[i],
+      min: 0,
+      max: frame.duration,
+      move: (px) => {
+        const wanted = plane.x.invert(px) * 60
+        return look(nearest(frame, source, (at) => Math.abs(time[at] - wanted)))
+      },
+      nudge: (dx, dy) => {
+        const step = Math.sign(dx || dy)
+        let at = i
+        for (let next = i + step; next >= 0 && next < time.length; next += step)
+          if (mine(next) && Number.isFinite(numbers[next]) && time[next] !== time[i]) {
+            at = next
+            break
+          }
+        return look(at)
+      },
+    }),
   )
 }
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawErrors(panel, frame) {
   const { time, error, bound } = frame.errors
+  const { kept } = looksOf(frame)
+  const reach = kept?.errors
   draw(
     panel,
     frame,
-    decades(error, bound),
+    decades([...error, ...(reach?.error ?? [])], [...bound, ...(reach?.bound ?? [])]),
     'error *e* and claimed 2 *σ* (m)',
     (pen, plane) => {
-      const kin = frame.params.sightings ? 'posterior' : 'prediction'
       const held = (/** @type {number[]} */ values) => values.map((value) => Math.max(plane.y.domain[0], value))
-      const curves = /** @type {Curve[]} */ ([
-        {
-          key: 'bound',
-          name: '2 *σ*',
-          kin,
-          shape: frame.params.sightings ? 'curve' : 'curve dashed',
-          values: held(bound),
-        },
-        { key: 'error', name: '*e*', kin: 'truth', shape: 'curve', values: held(error) },
-      ]).filter(({ values }) => values.length > 0)
+      const curves = curvesOf(frame, held)
       if (curves.length === 0) return empty(pen, plane, 'nothing is driven yet')
       pen.window('curves', plane.box, (to) => {
+        if (kept)
+          to.group('kept', { class: 'pale' }, (old) => {
+            for (const { key, shape, kin, values } of curvesOf(kept, held))
+              old.mark('path', key, { ...meaning(shape, kin), d: seriesPath(plane, minutes(kept.errors.time), values) })
+          })
         for (const { key, shape, kin, values } of curves)
           to.mark('path', key, { ...meaning(shape, kin), d: seriesPath(plane, minutes(time), values) })
       })
+      const last = lastWithin(time, plane)
       const at = apart(
-        curves.map(({ values }) => plane.y(values[values.length - 1])),
+        curves.map(({ values }) => plane.y(values[last])),
         14,
         plane.box.top + 4,
         plane.box.bottom - 8,
       )
-      for (const [i, { key, name, kin, values }] of curves.entries()) {
-        pen.text(
-          `${key}-name`,
-          { class: `curve-name ${kin}`, x: plane.x(time[values.length - 1] / 60) + 5, y: at[i] + 4 },
-          name,
-        )
+      for (const [i, { key, name, kin }] of curves.entries()) {
+        const x = Math.max(plane.box.left, plane.x(time[last] / 60)) + 5
+        pen.text(`${key}-name`, { class: `curve-name ${kin}`, x, y: at[i] + 4 }, name)
       }
-      if (error.length === 0) empty(pen, plane, 'there is no truth')
     },
     true,
   )
+}
+
+/** @param {Frame} frame @param {(values: number[]) => number[]} held @returns {Curve[]} */
+function curvesOf({ errors: { error, bound }, params: { sightings } }, held) {
+  const curves = /** @type {Curve[]} */ ([
+    {
+      key: 'bound',
+      name: '2 *σ*',
+      kin: sightings ? 'posterior' : 'prediction',
+      shape: sightings ? 'curve' : 'curve dashed',
+      values: held(bound),
+    },
+    { key: 'error', name: '*e*', kin: 'truth', shape: 'curve', values: held(error) },
+  ])
+  return curves.filter(({ values }) => values.length > 0)
+}
+
+/** The number of the last time that a plot shows. @param {number[]} time @param {Plane} plane */
+function lastWithin(time, plane) {
+  let last = time.length - 1
+  while (last > 0 && plane.x(time[last] / 60) > plane.box.right + 1) last -= 1
+  return last
 }
 
 /**
@@ -113,7 +225,8 @@ function decades(error, bound) {
 /** @param {Panel} panel @param {Frame} frame */
 export function drawNis(panel, frame) {
   const { time, mean, low, high } = frame.nis
-  const most = Math.max(2, ...mean, ...high)
+  const { kept } = looksOf(frame)
+  const most = Math.max(2, ...mean, ...high, ...(kept?.nis.mean ?? []))
   draw(panel, frame, [0, most], 'NIS for each output, and its 95 % band', (pen, plane) => {
     if (mean.length === 0) {
       rule(pen, plane, 'one', 1)
@@ -121,9 +234,25 @@ export function drawNis(panel, frame) {
     }
     band(pen, plane, Math.min(...low), Math.max(...high))
     rule(pen, plane, 'one', 1)
-    pen.mark('path', 'nis', { ...meaning('curve', 'measurement'), d: seriesPath(plane, minutes(time), mean) })
+    const curve = (/** @type {number[]} */ times, /** @type {number[]} */ values) => ({
+      ...meaning('curve', 'measurement'),
+      d: seriesPath(plane, minutes(times), values),
+    })
+    pen.window('curves', plane.box, (to) => {
+      if (kept)
+        to.group('kept', { class: 'pale' }, (old) => old.mark('path', 'nis', curve(kept.nis.time, kept.nis.mean)))
+      to.mark('path', 'nis', curve(time, mean))
+    })
     drawPoints(pen, 'blocks', plane, minutes(time), mean, 'measurement')
   })
+}
+
+/** @param {Frame} frame @param {{ width: number, height: number }} size @param {[number, number]} up */
+function planeIn(frame, { width, height }, [low, high]) {
+  // The unit stands behind the last tick.
+  const box = { left: LEFT, top: 26, right: width - RIGHT, bottom: height - 24 }
+  const [from, to] = minutes(spanOf(frame))
+  return planeOf(box, [from, to], rounded(low, high + (high - low) * 0.02, 4))
 }
 
 /**
@@ -135,9 +264,8 @@ export function drawNis(panel, frame) {
  * @param {boolean} [log]
  */
 function draw({ pen, width, height }, frame, [low, high], title, paint, log = false) {
-  // The unit stands behind the last tick.
-  const box = { left: 40, top: 26, right: width - 32, bottom: height - 24 }
-  const flat = planeOf(box, [0, Math.max(frame.duration / 60, 1e-3)], rounded(low, high + (high - low) * 0.02, 4))
+  const flat = planeIn(frame, { width, height }, [low, high])
+  const { box } = flat
   const plane = log ? { ...flat, y: scaleLog([low, high], [box.bottom, box.top]) } : flat
   pen.draw(() => {
     axes(pen, plane, { title, ticks: [5, 4], zero: low < 0 })

@@ -4,7 +4,9 @@
  */
 
 import { fixed } from '../../draw/numbers.js'
-import { drawErrors, drawInnovations, drawNis } from './history.js'
+import { controls, mapped } from './controls.js'
+import { describe } from './describe.js'
+import { drawBearings, drawErrors, drawInnovations, drawNis } from './history.js'
 import { drawMap } from './map.js'
 import { drawCorrelation, drawHistogram, drawInner, drawRanges } from './statistics.js'
 import { clock, percent, verdict } from './words.js'
@@ -26,82 +28,25 @@ async function open(id, given, spec) {
   return openRun(log, spec, id, given)
 }
 
-/** @param {Frame} frame */
-function describe(frame) {
-  const { summary, correlation, histogram, innovations, rangeLine, innovationLine, landmarks, nis, truth } = frame
-  const known = truth ? 'true' : 'dead-reckoned'
-  const error =
-    summary.rmse === null
-      ? 'how far off the estimate is nobody knows'
-      : `the RMS error of the position so far is ${fixed(summary.rmse, 2)} metres, that of dead ` +
-        `reckoning ${fixed(frame.reckonedRmse, 2)} metres`
-  const none = 'no reading has been used'
-  const outside = (/** @type {number[]} */ values, /** @type {number} */ band) =>
-    values.filter((value) => Math.abs(value) > band).length
-  const { time, normalized, used } = innovations
-  const drawn =
-    `${outside(normalized, 2)} of the ${time.length} drawn lie outside ±2 σ, ` +
-    `${used.filter((one) => !one).length} were refused`
-  const line = (/** @type {{ slope: number, offset: number, r2: number }} */ { slope, offset, r2 }) =>
-    `a line of slope ${fixed(slope, 3)} and offset ${fixed(offset, 2)} metres explains ${percent(r2)} of it`
-  const inner = (/** @type {{ slope: number, r2: number }} */ { slope, r2 }) =>
-    `slope ${fixed(slope, 3)}, which explains ${percent(r2)}`
-  const { values, band } = correlation
-  const beyond = nis.mean.filter((mean, i) => mean < nis.low[i] || mean > nis.high[i]).length
-  return {
-    map:
-      `Map of the drive after ${clock(frame.time)} of ${clock(frame.duration)}: ${landmarks.length} ` +
-      `${landmarks.length === 1 ? 'landmark' : 'landmarks'}, ${truth ? 'the true track, ' : ''}the ` +
-      `dead-reckoned track and the estimate; ${error}.`,
-    innovations: `Normalized innovations over time: ${time.length === 0 ? none : drawn}.`,
-    errors: `Error of the position over time: ${errorNow(frame.errors)}.`,
-    ranges: !mapped(frame)
-      ? ''
-      : `Read less ${known} range, against the ${known} range: ` + `${rangeLine ? line(rangeLine) : 'no line yet'}.`,
-    inner: !mapped(frame)
-      ? ''
-      : 'The filter’s own innovations against the range it expected: ' +
-        `${innovationLine ? inner(innovationLine) : none}.`,
-    histogram:
-      'Histogram of the normalized innovations beside the standard normal density: ' +
-      `${summary.meanInnovation === null ? none : spread(summary.meanInnovation, histogram.beyond)}.`,
-    correlation:
-      `Autocorrelation of the innovations at ${values.length} lags: ` +
-      `${values.length === 0 ? none : `${outside(values, band)} outside the band of ±${fixed(band, 3)}`}.`,
-    nis:
-      `Normalized innovations squared, averaged over blocks of ${nis.block} readings: ` +
-      `${nis.mean.length === 0 ? 'no block is full yet' : `${beyond} of ${nis.mean.length} outside the band`}.`,
-  }
-}
-
-/** @param {Frame['errors']} errors */
-function errorNow({ time, error, bound }) {
-  if (time.length === 0) return 'nothing is driven yet'
-  if (error.length === 0) return 'there is no truth, so only the claimed 2 σ is drawn'
-  const last = (/** @type {number[]} */ values) => fixed(values[values.length - 1], 2)
-  return `now ${last(error)} metres against a claimed 2 σ of ${last(bound)}`
-}
-
-/** @param {number} mean @param {number} beyond */
-function spread(mean, beyond) {
-  return `their mean is ${fixed(mean, 2)}, and ${percent(beyond)} lie beyond five σ`
-}
-
 /** @param {Frame} frame @param {Frame} before */
 function announce(frame, before) {
   return `${frame.step === before.step ? '' : `After ${clock(frame.time)}: `}${verdict(frame)}`
 }
 
-// View: eight panels, in the folder's files, and what is said beside them.
+// View: nine panels, in the folder's files, and what is said beside them.
+
+/** Whether it is known where the robot really was. @param {Frame} frame */
+const known = ({ hasTruth }) => hasTruth
 
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
 function readouts(frame) {
   const { summary, rangeLine, reckonedRmse } = frame
   const { used, refused } = summary
+  const shown = known(frame)
   const share = used + refused === 0 ? '–' : percent(refused / (used + refused))
   return [
-    { key: 'rmse', label: 'RMS error', value: fixed(summary.rmse, 2), unit: 'm', kin: 'truth', headline: true },
-    { key: 'reckoned', label: 'of dead reckoning', value: fixed(reckonedRmse, 2), unit: 'm', kin: 'prediction' },
+    { key: 'rmse', label: 'RMS error', value: fixed(summary.rmse, 2), unit: 'm', kin: 'truth', headline: true, shown },
+    { key: 'reckoned', label: 'of dead reckoning', value: fixed(reckonedRmse, 2), unit: 'm', kin: 'prediction', shown },
     { key: 'refused', label: 'Readings refused', value: share },
     { key: 'nis', label: 'NIS for each output', value: fixed(summary.nis, 2), kin: 'measurement' },
     { key: 'mean', label: 'Mean of {innov}/√*S*', value: fixed(summary.meanInnovation, 2), kin: 'measurement' },
@@ -115,7 +60,7 @@ function readouts(frame) {
           : `${fixed(100 * summary.epsilon, 2)} ± ${fixed(100 * (summary.epsilonSigma ?? NaN), 2)} %`,
       kin: 'posterior',
     },
-    { key: 'worst', label: 'Worst error', value: fixed(summary.worst, 2), unit: 'm', kin: 'truth', more: true },
+    { key: 'worst', label: 'Worst error', value: fixed(summary.worst, 2), unit: 'm', kin: 'truth', more: true, shown },
     { key: 'used', label: 'Readings used', value: String(used), more: true },
     {
       key: 'slope',
@@ -145,74 +90,6 @@ function readouts(frame) {
 
 // Controls.
 
-/**
- * A slider over powers of ten: its numbers are the logarithms.
- * @param {string} name
- * @param {import('../../draw/words.js').Words} label
- * @param {[number, number]} ends
- * @param {string} unit
- * @param {number} decimals
- */
-function logarithmic(name, label, ends, unit, decimals) {
-  const [least] = ends.map((end) => 10 ** end)
-  return {
-    kind: /** @type {const} */ ('range'),
-    name,
-    label,
-    ends,
-    step: 0.02,
-    scale: (/** @type {number} */ value) => Math.log10(Math.max(value, least)),
-    set: (/** @type {number} */ value) => ({ [name]: Number((10 ** value).toPrecision(3)) }),
-    words: (/** @type {number} */ _, /** @type {Frame} */ frame) =>
-      `${fixed(frame.params[/** @type {'sigmaRange'} */ (name)], decimals)} ${unit}`,
-  }
-}
-
-const GATES = [null, 0.95, 0.99, 0.999]
-
-/** Whether there may be ranges. @param {Frame} frame */
-const mapped = ({ landmarks }) => landmarks.length > 0
-/** Whether ranges are the readings of the log. @param {Frame} frame */
-const ranged = ({ landmarks, summary: { sensors } }) => landmarks.length > 0 || !(sensors.fix || sensors.heading)
-
-/** @type {import('../../figure/controls.js').Control[]} */
-const controls = [
-  { kind: 'toggle', name: 'sightings', label: 'ranges correct the estimate', shown: ranged },
-  { kind: 'toggle', name: 'learn', label: 'learn the scale *ε*', shown: ranged },
-  {
-    kind: 'choice',
-    name: 'gate',
-    label: 'Gate',
-    options: GATES.map((value) => ({ value, label: value === null ? 'off' : `${fixed(100 * value, 1)} %` })),
-  },
-  {
-    kind: 'range',
-    name: 'scale',
-    label: 'Scale *ε* of the ranges',
-    ends: [-0.2, 0.2],
-    step: 0.001,
-    words: (value) => `${fixed(100 * value, 1)} %`,
-    enabled: ({ learn }) => !learn,
-    shown: ranged,
-  },
-  {
-    kind: 'range',
-    name: 'offset',
-    label: 'Offset of the ranges',
-    ends: [-5, 5],
-    step: 0.1,
-    words: (value) => `${fixed(value, 1)} m`,
-    shown: ranged,
-  },
-  { ...logarithmic('sigmaRange', '*σ*_ρ, of a range', [-1, 1], 'm', 2), shown: ranged },
-  {
-    ...logarithmic('sigmaBearing', '*σ*_β, of a bearing', [-3, 0], 'rad', 3),
-    shown: (/** @type {Frame} */ frame) => frame.bearings,
-  },
-  logarithmic('sigmaDistance', '*σ*_d, of the distance', [-3, 0], 'm/√s', 3),
-  logarithmic('sigmaTurn', '*σ*_θ, of the turn', [-3, 0], 'rad/√s', 3),
-]
-
 const usual = { sightings: true, gate: null, scale: 0, offset: 0, learn: false }
 
 /** @type {import('../../figure/spec.js').Try[]} */
@@ -239,12 +116,14 @@ export const figure = {
   panels: [
     { name: 'map', width: 580, height: 500, handles: true, draw: drawMap },
     { name: 'innovations', width: 360, height: 235, draw: drawInnovations },
-    { name: 'errors', width: 360, height: 235, draw: drawErrors },
+    { name: 'errors', width: 360, height: 235, shown: known, draw: drawErrors },
     { name: 'ranges', width: 312, height: 220, shown: mapped, draw: drawRanges },
     { name: 'inner', width: 312, height: 220, shown: mapped, draw: drawInner },
     { name: 'histogram', width: 312, height: 220, draw: drawHistogram },
     { name: 'correlation', width: 470, height: 200, draw: drawCorrelation },
     { name: 'nis', width: 470, height: 200, draw: drawNis },
+    // On the page log/ alone, whose style sheet says where it stands: the mower has no bearings.
+    { name: 'bearings', width: 470, height: 200, shown: ({ bearings }) => bearings, draw: drawBearings },
   ],
   layout: {
     narrow: [

@@ -7,9 +7,10 @@ import { followed } from '../../draw/camera.js'
 import { drawLabels, clear } from '../../draw/labels.js'
 import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../draw/plot.js'
 import { scaleLinear } from '../../draw/scale.js'
+import { looksOf, touchedIn } from './looks.js'
 import { clock, listens } from './words.js'
 
-/** @typedef {import('estimate-wasm').LogFrame} Frame */
+/** @typedef {import('./looks.js').Frame} Frame */
 /** @typedef {import('../../draw/pen.js').Pen} Pen */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
 
@@ -79,6 +80,14 @@ function drawTracks(pen, plane, frame) {
   ) => pen.mark('path', `${key}-track`, { ...meaning(shape, kin), d: seriesPath(plane, x, y) })
   track('truth', 'track fine', 'truth', tracks.truth)
   track('reckoning', 'track fine dashed', 'prediction', tracks.reckoning)
+  const { kept } = looksOf(frame)
+  if (kept)
+    pen.group('kept', { class: 'pale' }, (to) =>
+      to.mark('path', 'estimate-track', {
+        ...meaning('track fine', kinOf(kept)),
+        d: seriesPath(plane, kept.tracks.estimate.x, kept.tracks.estimate.y),
+      }),
+    )
   if (listens(frame)) track('estimate', 'track fine', 'posterior', tracks.estimate)
   if (smoothed) track('smoothed', 'track fine dotted', 'posterior', smoothed)
   pen.mark('path', 'ellipse', { ...meaning('outline', kinOf(frame)), d: ellipsePath(ellipse, estimate, plane) })
@@ -114,8 +123,16 @@ function drawBeacons(pen, plane, { landmarks, sighting, time }) {
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
 function drawRobots(pen, plane, frame) {
-  const { truth, estimate } = frame
+  const { truth, estimate, innovations } = frame
   const kin = kinOf(frame)
+  const touched = touchedIn(frame)
+  if (touched >= 0) {
+    const place = /** @type {[number, number]} */ ([innovations.x[touched], innovations.y[touched]])
+    const landmark = frame.landmarks.find(({ id }) => id === innovations.landmark[touched])
+    const line = meaning(innovations.used[touched] ? 'line' : 'line dashed', 'measurement')
+    if (landmark) segment(pen, 'touched-sight', plane, place, [landmark.x, landmark.y], line)
+    dot(pen, 'touched', plane, place, { ...meaning('hollow', 'measurement'), r: 9 })
+  }
   if (truth) dot(pen, 'truth-body', plane, truth, { ...meaning('hollow', 'truth'), r: 6 })
   const [x, y] = [plane.x(estimate[0]), plane.y(estimate[1])]
   pen.mark('line', 'estimate-nose', {

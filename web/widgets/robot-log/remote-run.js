@@ -3,16 +3,10 @@
  * the worker what the reader has asked for, and takes what has come back.
  */
 
-import { Player } from '../../figure/player.js'
+import { NOTHING } from './looks.js'
+import { Asking } from './asking.js'
 
 /** @typedef {import('../../figure/player.js').Outcome} Outcome */
-/**
- * @typedef {object} Port the way to the worker
- * @property {(message: any) => void} post
- * @property {(message: any) => Promise<any>} ask
- * @property {((message: any) => void) | null} onmessage
- * @property {(why: string) => void} restart
- */
 /**
  * @typedef {{ kind: 'files', files: File[] }
  *   | { kind: 'reading', set: number | undefined, change: import('./change.js').Change }} Question
@@ -21,11 +15,10 @@ import { Player } from '../../figure/player.js'
 /** Longer logs are smoothed when that is asked for, rows. */
 const MOST_SMOOTHED = 100_000
 
-export class RemoteRun extends Player {
-  /** @param {Port} port @param {number} pace rows a second at speed 1 */
+export class RemoteRun extends Asking {
+  /** @param {import('./asking.js').Port} port @param {number} pace rows a second at speed 1 */
   constructor(port, pace) {
-    super({ step: 0, rows: 0, params: {} }, pace)
-    this.port = port
+    super(port, pace)
     /** @type {import('estimate-wasm').Parameter[]} */
     this.known = []
     this.digest = ''
@@ -45,10 +38,11 @@ export class RemoteRun extends Player {
     this.progress = null
     /** Called with the words of the worker about a log that it reads. @type {((words: any) => void) | null} */
     this.onreading = null
-    /** Called with how far a fit has come. @type {((told: { done: number, of: number }) => void) | null} */
-    this.onfitting = null
     /** Whether the track is smoothed in the light of all readings. */
     this.smoothed = false
+    /** What the reader looks at, and whether the frame does not have it yet. @type {import('./looks.js').Looks} */
+    this.looks = NOTHING
+    this.looked = false
     this.sets = 0
     /** The questions of the files that were read last, and those that led to the log. @type {any[]} */
     this.tried = []
@@ -75,20 +69,28 @@ export class RemoteRun extends Player {
   }
 
   get busy() {
-    return Boolean(this.patch || this.sent || this.answer || this.wantsReset || this.frame.step !== this.goal)
+    const { patch, sent, answer, wantsReset, looked } = this
+    return Boolean(patch || sent || answer || wantsReset || looked || this.frame.step !== this.goal)
   }
 
   state() {
     return { version: 1, lab: 'robot-log', params: this.asked ?? this.frame.params, step: this.goal }
   }
 
-  /** @param {Record<string, unknown>} patch parameters, and `step` where the run is to go to one */
-  change({ step, ...patch }) {
+  /** @param {Record<string, unknown>} patch parameters, `step` where the run is to go to one, and `look` */
+  change({ step, look, ...patch }) {
+    if (look) this.look(look)
     if (typeof step === 'number') {
       this.playing = false
       this.goal = Math.max(0, Math.min(this.last, Math.round(step)))
     }
     if (Object.keys(patch).length > 0) this.patch = { ...this.patch, ...patch }
+  }
+
+  /** Looks at something else, of which the worker knows nothing. @param {Partial<import('./looks.js').Looks>} looks */
+  look(looks) {
+    this.looks = { ...this.looks, ...looks }
+    this.looked = true
   }
 
   /** @param {number} steps */
@@ -142,6 +144,8 @@ export class RemoteRun extends Player {
    */
   async read(question) {
     const message = question.kind === 'files' ? { ...question, set: (this.sets += 1) } : question
+    // What is computed for the log before would be waited for.
+    this.stop('map')
     const answer = await this.port.ask(message)
     if (answer.kind === 'ended') {
       const { files = [], set } = (await this.restored) ?? {}
@@ -151,6 +155,7 @@ export class RemoteRun extends Player {
     else if (message.set === answer.set) this.tried = [...this.tried, message]
     if (answer.kind !== 'log') return answer
     this.story = this.tried
+    this.look(NOTHING)
     this.contents = answer.contents
     this.known = answer.parameters
     const params = this.asked
@@ -189,25 +194,11 @@ export class RemoteRun extends Player {
     this.restored = restored
   }
 
-  /** The replay as a table. @param {'track' | 'innovations'} table @returns {Promise<any>} */
-  table(table) {
-    return this.port.ask({ kind: 'table', params: this.asked ?? this.frame.params, table })
-  }
-
-  /** The σ and the delays under which the log's readings are likeliest. @returns {Promise<any>} */
-  fit() {
-    return this.port.ask({ kind: 'fit', params: this.asked ?? this.frame.params })
-  }
-
-  stopFit() {
-    this.port.post({ kind: 'stop-fit' })
-  }
-
   /** @param {any} message */
   hear(message) {
     if (message.kind === 'ended') return this.restore(message.message)
     if (message.kind === 'reading') return this.onreading?.(message)
-    if (message.kind === 'fitting') return this.onfitting?.(message)
+    if (this.told(message)) return
     if (message.id !== this.sent?.id) return
     if (message.kind === 'progress') this.progress = { step: message.step, of: message.of }
     else {
@@ -219,6 +210,11 @@ export class RemoteRun extends Player {
   /** @param {number} now @param {number} elapsed @param {boolean} calm @returns {Outcome} */
   turn(now, elapsed, calm) {
     const outcome = this.receive()
+    if (this.looked) {
+      this.looked = false
+      this.frame = { ...this.frame, looks: this.looks }
+      if (outcome.moved === 'nothing') outcome.moved = 'replay'
+    }
     if (this.playing && !this.sent && this.goal === this.frame.step)
       this.goal = Math.min(this.last, this.goal + this.dueSteps(now, elapsed, calm))
     this.send()
@@ -237,7 +233,8 @@ export class RemoteRun extends Player {
       this.goal = this.frame.step
       return { moved: 'nothing', refused: answer.message, ended: false }
     }
-    this.frame = answer.frame
+    this.frame = Object.assign(answer.frame, { looks: this.looks })
+    this.looked = false
     this.digest = answer.digest
     const ended = this.playing && this.frame.step === this.last
     if (ended) this.playing = false

@@ -11,6 +11,8 @@
  *   of CSV, or `{ kind: 'no-table', message }`
  * - `{ kind: 'fit', params }`: `{ kind: 'fit', found }` or `{ kind: 'no-fit', message }`; on the way
  *   `{ kind: 'fitting', done, of }` is told; told `{ kind: 'stop-fit' }` it ends
+ * - `{ kind: 'map', params, from, across, up }`: `{ kind: 'map' }` or `{ kind: 'no-map', message }`; on the way each row
+ *   is told as `{ kind: 'mapped', row, values }`; told `{ kind: 'stop-map' }` it ends
  * - told `{ kind: 'go', id, params, step, smooth }`, it tells `{ kind: 'progress', id, step, of }` on the way; then
  *   `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }`
  * - told `{ kind: 'cancel' }`, it tells nothing more about the replay that was under way
@@ -24,6 +26,7 @@ import { attend, wordsOf } from '../../load/worker-server.js'
 import { Pace } from '../../figure/time-slices.js'
 import { applyChange } from './change.js'
 import { Fitting } from './fit.js'
+import { Mapping } from './likelihood.js'
 import { decode, lineOf } from './text.js'
 
 /** How long the worker computes without reading its messages, milliseconds. */
@@ -64,6 +67,7 @@ export class Server {
     this.clock = clock
     this.calls = new Pace(clock)
     this.fitting = new Fitting(tell, soon, clock)
+    this.mapping = new Mapping(tell, soon, clock)
     /**
      * The files of the log that was read last, as long as one of them is a table that can be read otherwise.
      * @type {any}
@@ -92,12 +96,14 @@ export class Server {
     if (message.kind === 'go') this.go(message)
     if (message.kind === 'cancel') this.cancel()
     if (message.kind === 'stop-fit') this.fitting.stop()
+    if (message.kind === 'stop-map') this.mapping.stop()
   }
 
   /** @param {any} message @returns {Promise<any>} */
   async answer(message) {
     const { kind, set, files, change } = message
     if (kind === 'table') return this.table(message)
+    if (kind === 'map') return this.mapping.map(this.module, this.log, message)
     if (kind === 'fit') return this.fitting.fit(this.module, this.log, message.params)
     if (kind === 'files') this.said = await this.open(files, set)
     // A change of files that are gone changes nothing of those that came meanwhile.

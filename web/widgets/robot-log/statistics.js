@@ -5,9 +5,11 @@ import { axes, meaning, plane as planeOf, seriesPath } from '../../draw/plot.js'
 import { drawCrosses, drawPoints } from '../../draw/points.js'
 import { rounded } from '../../draw/scale.js'
 import { drawLags, empty } from '../../draw/statistics.js'
+import { looksOf } from './looks.js'
 import { expecting } from './words.js'
 
-/** @typedef {import('estimate-wasm').LogFrame} Frame */
+/** @typedef {import('./looks.js').Frame} Frame */
+/** @typedef {{ xs: number[], ys: number[] }} Points */
 /** @typedef {import('../../figure/shell.js').Panel} Panel */
 
 /** Errors of ranges reach from −this to this at least, metres; at most three times as far. */
@@ -33,25 +35,33 @@ export function drawRanges(panel, frame) {
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawInner(panel, frame) {
-  const { expected, innovation, used } = frame.innovations
+  const { kept } = looksOf(frame)
+  const { xs, ys, used } = rangesOf(frame)
   scatter(
     panel,
     'the filter’s innovation {innov} (m)',
     'expected range (m)',
-    expected,
-    innovation,
+    xs,
+    ys,
     frame.innovationLine,
     (i) => used[i],
     expecting(frame, 'no slope if the model is right'),
+    kept && rangesOf(kept),
   )
+}
+
+/** Expected ranges and their innovations: what a fix or a heading is off is no range. @param {Frame} frame */
+function rangesOf({ innovations: { expected, innovation, used, sensor } }) {
+  const mine = (/** @type {unknown} */ _, /** @type {number} */ i) => sensor[i] === 'range' || sensor[i] === 'bearing'
+  return { xs: expected.filter(mine), ys: innovation.filter(mine), used: used.filter(mine) }
 }
 
 /**
  * @param {Panel} panel @param {string} title @param {string} across @param {number[]} xs @param {number[]} ys
  * @param {{ slope: number, offset: number, r2: number } | null} line @param {(i: number) => boolean} used
- * @param {string} none what it says without a point
+ * @param {string} none what it says without a point @param {Points | null} [kept] those of A
  */
-function scatter({ pen, width, height }, title, across, xs, ys, line, used, none) {
+function scatter({ pen, width, height }, title, across, xs, ys, line, used, none, kept) {
   const box = { left: 36, top: 26, right: width - 10, bottom: height - 38 }
   const most = Math.min(
     3 * LEAST,
@@ -65,6 +75,8 @@ function scatter({ pen, width, height }, title, across, xs, ys, line, used, none
   pen.draw(() => {
     axes(pen, { ...plane, box }, { title, x: across, ticks: [5, 4], zero: true })
     if (xs.length === 0) return empty(pen, plane, none)
+    if (kept)
+      pen.group('kept', { class: 'pale' }, (to) => drawPoints(to, 'used', plane, kept.xs, kept.ys, 'prediction'))
     drawPoints(pen, 'used', plane, xs, ys, 'measurement', used)
     drawCrosses(pen, 'refused', plane, xs, ys, (i) => !used(i))
     if (!line) return
@@ -120,7 +132,7 @@ export function drawHistogram({ pen, width, height }, { histogram }) {
 export function drawCorrelation(panel, frame) {
   drawLags(
     panel,
-    frame.correlation,
+    { ...frame.correlation, kept: looksOf(frame).kept?.correlation.values },
     {
       title: 'autocorrelation of {innov}/√*S* and its 95 % band',
       lag: 'lag, used readings',

@@ -8,13 +8,8 @@ const SIZE = 96
 const STILL_SIZE = 40
 
 /**
- * @typedef {object} Likelihood
- * @property {number} size cells to a side
- * @property {number} rows how many are filled, from the least W on
- * @property {number[]} values by rows
- * @property {number} top the greatest log-likelihood within the limits
- * @property {number} limit twice what noise may lack of it that 95 of 100 true ones do
- * @property {boolean} stopped whether the reader has cancelled the rest
+ * @typedef {import('../../draw/likelihood.js').Likelihood & { stopped: boolean }} Likelihood `stopped` where the reader
+ * has cancelled the rest
  */
 
 /**

@@ -3,22 +3,15 @@
  * unsealed, the true.
  */
 
-import { contours } from 'd3-contour'
-import { clear, drawLabels, widthOf } from '../../draw/labels.js'
+import { clear, drawLabels } from '../../draw/labels.js'
+import { drawLegend, drawLikelihood } from '../../draw/likelihood.js'
 import { dot, ellipsePath, axes, meaning, plane as planeOf, scaleLog, segment } from '../../draw/plot.js'
-import { Outline } from '../../draw/path.js'
 import { level } from './words.js'
 
 /** @typedef {import('estimate-wasm').TuneFrame} Frame */
-/** @typedef {import('./likelihood.js').Likelihood} Likelihood */
 /** @typedef {import('../../draw/pen.js').Pen} Pen */
-/** @typedef {import('../../draw/plot.js').Box} Box */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
 
-/** Edges of the colours: how far the log-likelihood lies below its maximum. */
-const LEVELS = [1000, 300, 100, 30, 10]
-/** The least room for a colour and its number, pixels. */
-const LEVEL_WIDTH = 46
 /** An arrow moves the noise by so many decimal logarithms. */
 const STEP = 0.02
 
@@ -44,68 +37,6 @@ export function drawMap({ pen, width, height }, frame, view) {
     drawNames(pen, logs, frame)
     pen.group('handles', {}, (to) => view.handle(to, 'noise', handleOf(frame, view, logs)))
   })
-}
-
-/**
- * The closed line is drawn with the likeliest noise, which it would give away.
- * @param {Pen} pen @param {Box} box @param {Likelihood | null} map @param {boolean} found
- */
-function drawLikelihood(pen, box, map, found) {
-  // Two rows are the least that has a contour.
-  if (!map || map.rows < 2) return
-  const { size, rows, values, top, limit } = map
-  const contour = contours().size([size, rows])
-  const path = (/** @type {number} */ below) => outline(contour.contour(values, top - below), box, size)
-  pen.group(
-    'colours',
-    {},
-    (to) => {
-      for (const below of LEVELS) to.mark('path', `below${below}`, { class: 'likely', d: path(below) })
-    },
-    `${map.rows} ${top} ${JSON.stringify(box)}`,
-  )
-  if (found) pen.mark('path', 'contour', { class: 'likely contour', d: path(limit / 2) })
-}
-
-/**
- * Polygons in cells of the map as one path.
- * @param {{ coordinates: number[][][][] }} polygons
- * @param {Box} box
- * @param {number} size
- */
-function outline({ coordinates }, { left, right, top, bottom }, size) {
-  const out = new Outline()
-  let d = ''
-  for (const ring of coordinates.flat()) {
-    out.data = ''
-    for (const [i, [x, y]] of ring.entries()) {
-      const at = /** @type {[number, number]} */ ([
-        left + (x / size) * (right - left),
-        bottom - (y / size) * (bottom - top),
-      ])
-      if (i === 0) out.move(...at)
-      else out.line(...at)
-    }
-    d += `${out.data}Z`
-  }
-  return d
-}
-
-/** Which colour stands for what. @param {Pen} pen @param {Box} box @param {number} y */
-function drawLegend(pen, box, y) {
-  const said = 'below the maximum:'
-  const wide = box.right - box.left - widthOf(said) > LEVEL_WIDTH * LEVELS.length
-  // On a narrow map the words stand above.
-  pen.text('legend', { class: 'tick', x: box.left, y: wide ? y : y - 17 }, said)
-  const from = wide ? box.left + widthOf(said) : box.left
-  const step = Math.min(54, (box.right - from) / LEVELS.length)
-  for (const [i, below] of LEVELS.entries()) {
-    const x = from + i * step
-    // As many coats as the map has there.
-    for (let coat = 0; coat <= i; coat += 1)
-      pen.mark('rect', `swatch${below}-${coat}`, { class: 'likely', x, y: y - 10, width: 10, height: 12 })
-    pen.text(`swatch-name${below}`, { class: 'tick', x: x + 13, y }, `${below}`)
-  }
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */

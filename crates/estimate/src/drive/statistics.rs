@@ -19,7 +19,9 @@ pub struct Judged {
     pub innovation: f64,
     /// S₁₁, its variance before the reading.
     pub variance: f64,
-    /// ν/√S of the second number, a bearing.
+    /// ν of the second number, a bearing, rad.
+    pub bearing: Option<f64>,
+    /// ν/√S of it.
     pub second: Option<f64>,
     /// ν/√S of a fix along the estimated heading, and to the left of it.
     pub along: Option<[f64; 2]>,
@@ -64,9 +66,21 @@ impl Judged {
             let (sin, cos) = libm::sincos(heading);
             [part(Vector2::new(cos, sin)), part(Vector2::new(-sin, cos))]
         });
-        let second = (sensor == Sensor::Bearing).then(|| nu[1] / sqrt(s[(1, 1)]));
+        let bearing = (sensor == Sensor::Bearing).then_some(nu[1]);
+        let second = bearing.map(|nu| nu / sqrt(s[(1, 1)]));
         let (innovation, variance) = (nu[0], s[(0, 0)]);
-        Ok(Self { sensor, used: corrected.accepted, innovation, variance, second, along, d2, log_det, outputs })
+        Ok(Self {
+            sensor,
+            used: corrected.accepted,
+            innovation,
+            variance,
+            bearing,
+            second,
+            along,
+            d2,
+            log_det,
+            outputs,
+        })
     }
 
     /// −½ (ln det 2πS + d²).

@@ -1,6 +1,7 @@
 //! What the figure on a robot's log shows.
 
 use super::LogParams;
+use super::seen::LogSensor;
 use estimate::Landmark;
 use estimate::drive::{Line, Summary};
 use geom::Ellipse;
@@ -125,6 +126,18 @@ record! {
         pub innovation: Vec<f64>,
         /// Whether the reading was used.
         pub used: Vec<bool>,
+        /// Which sensor it is of.
+        pub sensor: Vec<LogSensor>,
+        /// Of which landmark, by its id; null of a fix and a heading.
+        pub landmark: Vec<Option<u32>>,
+        /// ν of the bearing, radians; null of a reading without one.
+        pub bearing: Vec<Option<f64>>,
+        /// ν/√S of the bearing.
+        pub second: Vec<Option<f64>>,
+        /// Where the estimate was after it, metres.
+        pub x: Vec<f64>,
+        /// Metres.
+        pub y: Vec<f64>,
     }
 
     /// The error of the position against what the filter claims.
@@ -187,6 +200,14 @@ record! {
         pub refused: u32,
         /// The mean innovation ν of all of them, metres; null without a reading.
         pub mean_innovation: Option<f64>,
+        /// Mean of d²/p over the used ones: 1 is expected.
+        pub nis: Option<f64>,
+        /// Mean of ν/√S of the range over the used ones: 0 is expected.
+        pub mean: Option<f64>,
+        /// Its autocorrelation from one used reading of this landmark to the next: 0 is expected.
+        pub lag1: Option<f64>,
+        /// Mean ν of the bearing over the used ones, radians: 0 is expected.
+        pub mean_bearing: Option<f64>,
     }
 
     /// How far the statistics of a filter whose model holds stay from what is expected, in 95 of 100 runs of this
@@ -217,6 +238,8 @@ record! {
         pub landmarks: Vec<Landmark>,
         /// Whether the log has bearings.
         pub bearings: bool,
+        /// Whether the log says where the robot really was.
+        pub has_truth: bool,
         /// Where the robot is, metres; null without a truth.
         pub truth: Option<[f64; 2]>,
         /// Where its odometry alone says it is: metres, metres, radians.
@@ -260,6 +283,9 @@ record! {
         pub correlation: LogCorrelation,
         /// The readings of each landmark; empty while no reading has been looked at.
         pub by_landmark: Vec<LogLandmark>,
+        /// Mean ν of the bearing over all used sightings, radians: the offset of a turned camera, as far as the estimate
+        /// has not taken it for its own heading. Null without a bearing.
+        pub mean_bearing: Option<f64>,
         /// The summary so far.
         pub summary: Summary,
         /// How far its statistics may stray; null without a used sighting.

@@ -5,6 +5,7 @@ use super::frame::{
     LogLandmark, LogNis, LogRanges, LogSighting,
 };
 use super::logged::LoggedDrive;
+use super::seen::Seen;
 use estimate::drive::{Event, Judged, Line, Points, Taken};
 use filters::Autocorrelation;
 use filters::consistency::chi2_interval;
@@ -33,8 +34,8 @@ pub(super) struct Record {
     nis: Blocks,
     bins: [u32; BINS],
     normalized: Autocorrelation<LAGS>,
-    /// For each landmark: readings used and refused, and the sum of their innovations.
-    landmarks: Vec<(u32, u32, f64)>,
+    /// For each landmark.
+    landmarks: Vec<Seen>,
     pub sighting: Option<LogSighting>,
     pub fixes: LogFixes,
     pub fix_innovations: LogFixInnovations,
@@ -95,14 +96,12 @@ impl Record {
             self.ranges.residual.push(range - known);
         }
         let Some(judged) = judged else { return };
-        self.landmarks.resize(logged.drive().landmarks.len(), (0, 0, 0.0));
-        let (used, refused, sum) = &mut self.landmarks[landmark];
-        *if judged.used { used } else { refused } += 1;
-        *sum += judged.innovation;
+        self.landmarks.resize(logged.drive().landmarks.len(), Seen::default());
+        self.landmarks[landmark].take(judged);
         if judged.used {
             self.innovation_points.take(range - judged.innovation, judged.innovation);
         }
-        self.judged(logged, at, range, judged);
+        self.judged(logged, at, (range, Some(logged.drive().landmarks[landmark].id)), judged);
     }
 
     /// Takes a fix or a heading, and what the filter made of it.
@@ -119,7 +118,7 @@ impl Record {
             _ => return,
         };
         if let Some(judged) = &taken.judged {
-            self.judged(logged, at, first, judged);
+            self.judged(logged, at, (first, None), judged);
         }
     }
 
@@ -129,8 +128,8 @@ impl Record {
         (self.readings - 1).is_multiple_of(logged.sighting_stride())
     }
 
-    /// Takes what became of a reading whose first number is `first`.
-    fn judged(&mut self, logged: &LoggedDrive, at: &At, first: f64, judged: &Judged) {
+    /// Takes what became of a reading whose first number is `first`, and the id of its landmark.
+    fn judged(&mut self, logged: &LoggedDrive, at: &At, (first, id): (f64, Option<u32>), judged: &Judged) {
         let normalized = judged.normalized();
         self.looked += 1;
         if (self.looked - 1).is_multiple_of(self.looked_stride.max(1)) {
@@ -148,6 +147,12 @@ impl Record {
             self.innovations.expected.push(first - judged.innovation);
             self.innovations.innovation.push(judged.innovation);
             self.innovations.used.push(judged.used);
+            self.innovations.sensor.push(judged.sensor.into());
+            self.innovations.landmark.push(id);
+            self.innovations.bearing.push(judged.bearing);
+            self.innovations.second.push(judged.second);
+            self.innovations.x.push(at.estimate[0]);
+            self.innovations.y.push(at.estimate[1]);
         }
         if judged.used {
             self.normalized.take(normalized);
@@ -196,14 +201,12 @@ impl Record {
     }
 
     pub fn by_landmark(&self, logged: &LoggedDrive) -> Vec<LogLandmark> {
-        let seen = logged.drive().landmarks.iter().zip(&self.landmarks);
-        seen.map(|(landmark, &(used, refused, sum))| LogLandmark {
-            id: landmark.id,
-            used,
-            refused,
-            mean_innovation: (used + refused > 0).then(|| sum / f64::from(used + refused)),
-        })
-        .collect()
+        logged.drive().landmarks.iter().zip(&self.landmarks).map(|(landmark, seen)| seen.told(landmark.id)).collect()
+    }
+
+    pub fn mean_bearing(&self) -> Option<f64> {
+        let (sum, count) = self.landmarks.iter().fold((0.0, 0), |(sum, n), seen| (sum + seen.bearings, n + seen.count));
+        (count > 0).then(|| sum / f64::from(count))
     }
 
     pub fn bands(&self) -> Option<LogBands> {

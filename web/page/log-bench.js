@@ -1,0 +1,80 @@
+/**
+ * The workbench: what stands between and beside the panels of the page's figure. The strip has what a reader sets; the
+ * likelihood, the bar of what is shown and the table of sensors stand with the panels that they speak of.
+ */
+
+import { button } from '../draw/dom.js'
+import { LikelihoodLine } from './log-likelihood.js'
+import { LikelihoodMap } from './log-map.js'
+import { SourceTable } from './log-sources.js'
+import { handOnTime } from './log-time.js'
+import { ViewBar } from './log-view.js'
+
+export class Bench {
+  /**
+   * @param {HTMLElement & { figure: any }} host of the figure
+   * @param {HTMLElement} strip what a reader sets
+   * @param {{ change: (patch: Record<string, unknown>) => void, follow: () => void }} orders
+   */
+  constructor(host, strip, { change, follow }) {
+    this.host = host
+    this.strip = strip
+    this.look = (/** @type {any} */ looks) => {
+      host.figure.run?.look(looks)
+      host.figure.ask()
+      follow()
+    }
+    this.likelihood = new LikelihoodLine({ change, look: this.look })
+    this.view = new ViewBar(this.look)
+    this.sources = new SourceTable(this.look)
+    this.map = new LikelihoodMap(() => host.figure.run, change)
+    /** @type {HTMLElement | null} */
+    this.live = null
+    this.why = button(document, document.createElement('div'), 'Why?', () => this.open(), 'button log-why')
+  }
+
+  /** Takes its place in the figure, which builds its panels anew after a failure. */
+  enter() {
+    const live = /** @type {HTMLElement | null} */ (this.host.querySelector(':scope > .live'))
+    if (!live || live === this.live) return
+    this.live = live
+    live.querySelector('.controls > .params')?.remove()
+    live.querySelector('.controls > .more')?.remove()
+    live.querySelector('.tries')?.remove()
+    live.querySelector('.run > .control')?.remove()
+    const controls = live.querySelector('.controls')
+    const strip = document.createElement('div')
+    strip.className = 'log-strip'
+    if (controls) strip.append(...controls.children, this.strip)
+    controls?.append(strip)
+    live.append(this.view.box, this.likelihood.box, this.why, this.sources.box, this.map.box)
+    handOnTime(live, () => this.host.figure.run.frame, this.look)
+    this.reveal(live.hasAttribute('data-why'))
+  }
+
+  /** Shows the panels behind the verdict, or hides them. */
+  open() {
+    if (this.live) this.reveal(this.live.toggleAttribute('data-why'))
+  }
+
+  /** @param {boolean} open */
+  reveal(open) {
+    this.why.setAttribute('aria-expanded', String(open))
+    this.host.figure?.measure()
+  }
+
+  /** Another log. @param {import('estimate-wasm').LogContents} contents */
+  begin(contents) {
+    this.likelihood.begin()
+    this.map.begin(contents)
+  }
+
+  /** @param {import('../widgets/robot-log/looks.js').Frame} frame */
+  show(frame) {
+    this.enter()
+    this.likelihood.show(frame)
+    this.view.show(frame)
+    this.sources.show(frame)
+    this.map.show(frame)
+  }
+}

@@ -1,0 +1,118 @@
+/** The numbers that the filter is told of a log: their words, how far their sliders go, and what they are set to. */
+
+import { percent } from '../widgets/robot-log/words.js'
+
+const DEGREE = Math.PI / 180
+/** @param {number} from @param {number} to decimal logarithms */
+const powers = (from, to) => ({ ends: /** @type {[number, number]} */ ([from, to]), step: 0.02, log: true })
+const LATE = { ends: /** @type {[number, number]} */ ([-1.5, 1.5]), step: 0.01 }
+/**
+ * A number of the filter: its name, its words, how far its slider goes, and what one of its units is in the lab's.
+ * @typedef {[string, string, import('./log-slider.js').Scale, number?]} Told
+ */
+/** @type {Told} */
+const SIGMA_RANGE = ['sigmaRange', 'σ of a range, m', powers(-2, 1.5)]
+/** What ranges have besides, with or without a bearing. @type {Told[]} */
+const RANGED = [
+  ['scale', 'scale ε', { ends: [-0.2, 0.2], step: 0.001 }],
+  ['offset', 'offset, m', { ends: [-5, 5], step: 0.05 }],
+]
+
+/**
+ * The sensors of readings, by their names in the summary.
+ * @type {{ name: string, words: string, on: string, numbers: Told[] }[]}
+ */
+export const SENSORS = [
+  {
+    name: 'fix',
+    words: 'positions',
+    on: 'fixes',
+    numbers: [
+      ['sigmaFix', 'σ, m', powers(-2, 2)],
+      ['delayFix', 'delay, s', LATE],
+    ],
+  },
+  {
+    name: 'heading',
+    words: 'headings',
+    on: 'headings',
+    numbers: [
+      ['sigmaHeading', 'σ, rad', powers(-3, 0.5)],
+      ['delayHeading', 'delay, s', LATE],
+    ],
+  },
+  {
+    name: 'range',
+    words: 'ranges',
+    on: 'sightings',
+    numbers: [SIGMA_RANGE, ['delaySighting', 'delay, s', LATE], ...RANGED],
+  },
+  {
+    name: 'bearing',
+    words: 'ranges with bearings',
+    on: 'sightings',
+    numbers: [
+      SIGMA_RANGE,
+      ['sigmaBearing', 'σ of a bearing, rad', powers(-3, 0)],
+      ['bearingOffset', 'offset of the bearings, °', { ends: [-15, 15], step: 0.1 }, DEGREE],
+      ['delaySighting', 'delay, s', LATE],
+      ...RANGED,
+    ],
+  },
+]
+/** What is known of the motion. @type {Told[]} */
+export const MOTION = [
+  ['sigmaDistance', 'σ of the distance, m/√s', powers(-3, 0.5)],
+  ['sigmaTurn', 'σ of the turn, rad/√s', powers(-4, 0.5)],
+]
+/** Of motion that is held from row to row. @type {Told[]} */
+export const HELD = [
+  ['delaySpeed', 'delay of the speed, s', LATE],
+  ['delayTurn', 'delay of the turn rate, s', LATE],
+]
+export const GATES = [null, 0.95, 0.99, 0.999]
+
+/** A value for each sensor, of one for all or of some. @param {any} value @returns {Record<string, any>} */
+export function bySensor(value) {
+  if (value !== null && typeof value === 'object') return value
+  return Object.fromEntries(SENSORS.map(({ name }) => [name, value]))
+}
+
+/**
+ * Every number of a log that can be told apart from the others, with whose it is.
+ * @param {import('estimate-wasm').LogContents} contents
+ * @returns {{ words: string, told: Told }[]}
+ */
+export function numbersOf({ readings, motion }) {
+  const has = SENSORS.filter(({ name }) => readings[/** @type {'fix'} */ (name)])
+  const all = has.flatMap(({ words, numbers }) => numbers.map((told) => ({ words: `${words}: ${told[1]}`, told })))
+  const moving = [...MOTION, ...(motion === 'velocity' ? HELD : [])]
+  all.push(...moving.map((told) => ({ words: told[1], told })))
+  return all.filter(({ told }, i) => all.findIndex((other) => other.told[0] === told[0]) === i)
+}
+
+/**
+ * What the filter was told, a row for each number, for the sensors that the log has.
+ * @param {import('estimate-wasm').LogFrame} frame
+ * @returns {[string, string][]}
+ */
+export function settingsOf({ params, summary: { sensors } }) {
+  const value = (/** @type {string} */ name) => /** @type {any} */ (params)[name]
+  const digits = (/** @type {number} */ number) => String(Number(number.toPrecision(4))).replace('-', '−')
+  const said = (/** @type {string} */ whose, /** @type {Told} */ [name, words, , unit = 1]) =>
+    /** @type {[string, string]} */ ([`${whose}: ${words}`, digits(value(name) / unit)])
+  /** @type {[string, string][]} */
+  const rows = []
+  for (const { name, words, on, numbers } of SENSORS) {
+    if (!sensors[/** @type {'fix'} */ (name)]) continue
+    const gate = bySensor(params.gate)[name] ?? null
+    rows.push([`${words}: used`, value(on) ? 'yes' : 'no'], ...numbers.map((number) => said(words, number)))
+    rows.push([`${words}: gate`, gate === null ? 'off' : percent(gate)])
+    rows.push([`${words}: one in so many s`, digits(bySensor(params.every)[name] ?? 0)])
+    if (on === 'sightings') rows.push([`${words}: learn the scale ε`, params.learn ? 'yes' : 'no'])
+  }
+  rows.push(...[...MOTION, ...HELD].map((number) => said('motion', number)))
+  if (params.learnSpeed) rows.push(['motion: learn the scale of the speed', 'yes'])
+  if (params.learnBias) rows.push(['motion: learn the bias of the turn rate', 'yes'])
+  return rows.map(([name, words]) => [`${name[0].toUpperCase()}${name.slice(1)}`, words])
+}
