@@ -85,6 +85,11 @@ impl Filter {
         DVector::from_fn(which.states(), |i, _| if i < 3 { pose[i] } else { numbers[i - 3] })
     }
 
+    /// That of x and y.
+    pub fn place_covariance(&self) -> Matrix2<f64> {
+        of_any_size!(self, localizer => localizer.filter.p.fixed_view::<2, 2>(0, 0).into_owned())
+    }
+
     /// P.
     pub fn covariance(&self) -> DMatrix<f64> {
         of_any_size!(self, localizer => {
