@@ -1,18 +1,19 @@
 //! Prints what a verdict names first in logs with one planted fault, and in logs without any:
-//! `cargo run --release -p chapter-tests --example planted_faults`.
+//! `cargo run -p chapter-tests --example planted_faults`. A number behind it takes other logs: those from there on.
 
 use chapter_tests::planted::{Case, EACH, FAULTS, SOUND, judged, planted, sound};
 use estimate::Error;
 use estimate::drive::{Fault, Size, Standing};
 
 fn main() -> Result<(), Error> {
+    let from = std::env::args().nth(1).and_then(|word| word.parse().ok()).unwrap_or(0);
     let names = FAULTS.map(Fault::name);
     println!("| planted | {} | none | its number | sure | gain | within 2 σ |", names.join(" | "));
     println!("|---|{}---|---|---|---|---|", "---|".repeat(names.len()));
     for fault in FAULTS.map(Some).into_iter().chain([None]) {
         let cases: Vec<Case> = match fault {
-            Some(fault) => (0..EACH).map(|n| planted(fault, n)).collect(),
-            None => (0..SOUND).map(sound).collect(),
+            Some(fault) => (from..from + EACH).map(|n| planted(fault, n)).collect(),
+            None => (from..from + SOUND).map(sound).collect(),
         };
         row(fault, &cases)?;
     }

@@ -9,6 +9,7 @@ mod logged;
 mod params;
 mod record;
 mod table;
+mod verdict;
 
 pub use fit::LogFit;
 pub use frame::{
@@ -18,6 +19,7 @@ pub use frame::{
 pub use logged::LoggedDrive;
 pub use params::LogParams;
 pub use table::{LogTable, LogTableKind};
+pub use verdict::LogVerdict;
 
 use crate::shapes::{ellipse_of, rows};
 use estimate::drive::{BySensor, Course, Event, Judged, Replay, Settings, Smoothed, Summary, Taken};

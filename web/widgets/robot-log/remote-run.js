@@ -4,6 +4,7 @@
  */
 
 import { Player } from '../../figure/player.js'
+import { Judging } from './judging.js'
 
 /** @typedef {import('../../figure/player.js').Outcome} Outcome */
 /**
@@ -26,6 +27,7 @@ export class RemoteRun extends Player {
   constructor(port, pace) {
     super({ step: 0, rows: 0, params: {} }, pace)
     this.port = port
+    this.judging = new Judging(port)
     /** @type {import('estimate-wasm').Parameter[]} */
     this.known = []
     this.digest = ''
@@ -75,7 +77,8 @@ export class RemoteRun extends Player {
   }
 
   get busy() {
-    return Boolean(this.patch || this.sent || this.answer || this.wantsReset || this.frame.step !== this.goal)
+    const asked = this.patch || this.sent || this.answer || this.wantsReset || this.frame.step !== this.goal
+    return Boolean(asked || this.judging.busy)
   }
 
   state() {
@@ -107,6 +110,7 @@ export class RemoteRun extends Player {
 
   cancel() {
     this.port.post({ kind: 'cancel' })
+    this.judging.stop()
     this.sent = null
     this.answer = null
     this.patch = null
@@ -151,6 +155,8 @@ export class RemoteRun extends Player {
     else if (message.set === answer.set) this.tried = [...this.tried, message]
     if (answer.kind !== 'log') return answer
     this.story = this.tried
+    // The log that a figure opens with is its reader's to find out.
+    this.judging.on = this.contents !== null
     this.contents = answer.contents
     this.known = answer.parameters
     const params = this.asked
@@ -208,6 +214,7 @@ export class RemoteRun extends Player {
     if (message.kind === 'ended') return this.restore(message.message)
     if (message.kind === 'reading') return this.onreading?.(message)
     if (message.kind === 'fitting') return this.onfitting?.(message)
+    if (message.kind === 'judging') return this.judging.tell(message)
     if (message.id !== this.sent?.id) return
     if (message.kind === 'progress') this.progress = { step: message.step, of: message.of }
     else {
@@ -222,7 +229,12 @@ export class RemoteRun extends Player {
     if (this.playing && !this.sent && this.goal === this.frame.step)
       this.goal = Math.min(this.last, this.goal + this.dueSteps(now, elapsed, calm))
     this.send()
-    return outcome
+    const { found, progress } = this.judging
+    if (!this.sent) this.progress = progress
+    if (!found || outcome.moved !== 'nothing') return outcome
+    this.judging.found = null
+    this.frame = { ...this.frame, judgement: found }
+    return { ...outcome, moved: 'replay' }
   }
 
   /** @returns {Outcome} */
@@ -241,6 +253,7 @@ export class RemoteRun extends Player {
     this.digest = answer.digest
     const ended = this.playing && this.frame.step === this.last
     if (ended) this.playing = false
+    this.judging.begin(this.frame)
     return { moved: sent.moved, refused: null, ended }
   }
 
@@ -251,6 +264,7 @@ export class RemoteRun extends Player {
     if (!patch && !this.wantsReset && there) return
     // While steps are played the worker is asked again once it has answered.
     if (sent && !patch && !this.wantsReset && this.playing) return
+    this.judging.stop()
     const params = this.asked ?? frame.params
     const moved = this.wantsReset
       ? 'reset'
