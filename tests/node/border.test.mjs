@@ -48,6 +48,7 @@ const objects = {
   ),
   LogFiles: new core.LogFiles(),
   LogFit: new core.LogFit(core.RobotLog.parse('L,7,3,4\nO,0,0,0\nO,9,0.1,0\nR,9,7,4.8\n'), {}),
+  LogVerdict: new core.LogVerdict(core.RobotLog.parse('L,7,3,4\nO,0,0,0\nO,9,0.1,0\nR,9,7,4.8\n'), {}),
   LogTable: new core.LogTable(LOG, {}, 'track'),
   EkfLocalizer: new core.EkfLocalizer(pose, [{ id: 1, x: 2, y: 1 }], { W }),
   EkfSlam: new core.EkfSlam(pose, { W, gate: 9.21, found: 50 }),

@@ -116,6 +116,14 @@ export const logClasses = (lab) => ({
     look: (it) => it.found(),
     covariances: () => [],
   },
+  LogVerdict: {
+    before: (core) => [core.RobotLog.parse(LOG)],
+    make: (dice) => [{ gate: dice.pick([null, 0.99]) }],
+    spoilt: 0.5,
+    methods: { step: () => [], found: () => [] },
+    look: (it) => it.found(),
+    covariances: () => [],
+  },
   LogTable: {
     before: (core) => [core.RobotLog.parse(LOG)],
     make: (dice) => [{ gate: dice.pick([null, 0.99]) }, dice.pick(['track', 'innovations'])],

@@ -6,3 +6,5 @@
 #[allow(rustdoc::invalid_codeblock_attributes)]
 #[doc = include_str!("../../README.md")]
 pub struct Readme;
+
+pub mod planted;

@@ -1,4 +1,4 @@
-/** Finds the σ and the delays of a log by the likelihood of its readings, and says how well the log tells them. */
+/** Finds the σ, delays, scale and offset of a log by the likelihood of its readings, and says how well the log tells them. */
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
@@ -18,6 +18,8 @@ const NAMES = {
   delayFix: 'delay of the positions, s',
   delayHeading: 'delay of the headings, s',
   delaySighting: 'delay of the ranges, s',
+  scale: 'scale ε of the ranges',
+  bearingOffset: 'offset of the bearings, rad',
 }
 
 export class FitForm {
@@ -36,8 +38,8 @@ export class FitForm {
     part(document, row, 'legend', '').textContent = 'fit'
     const words = part(document, row, 'p', 'log-says')
     words.textContent =
-      'Fit finds the σ and the delays under which the readings are likeliest. Gates are off meanwhile, and the turn ' +
-      'rate’s delay is 0: a delay of all sensors together cannot be seen.'
+      'Fit finds the σ, the delays, the scale of ranges and the offset of bearings under which the readings are ' +
+      'likeliest. Gates are off meanwhile, and the turn rate’s delay is 0: a delay of all sensors together cannot be seen.'
     const actions = part(document, row, 'div', 'log-actions')
     this.result = part(document, row, 'div', 'log-says')
     this.result.setAttribute('role', 'status')
@@ -96,9 +98,10 @@ export class FitForm {
 }
 
 /** How well the log tells a number. @param {LogFound['numbers'][number]} number */
-function sentence({ name, value, delay, sigma }) {
+function sentence({ name, value, relative, sigma }) {
   const words = NAMES[name] ?? name
   if (sigma === null) return `${words}: the log does not tell it.`
-  if (delay) return `${words}: ${fixed(value, 2)} ± ${fixed(sigma, 2)}`
-  return `${words}: ${fixed(value, 3)} ± ${fixed(100 * sigma, 0)} %`
+  if (relative) return `${words}: ${fixed(value, 3)} ± ${fixed(100 * sigma, 0)} %`
+  const decimals = name.startsWith('delay') ? 2 : 4
+  return `${words}: ${fixed(value, decimals)} ± ${fixed(sigma, decimals)}`
 }

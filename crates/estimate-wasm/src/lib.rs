@@ -43,6 +43,8 @@ mod log_files;
 mod log_fit;
 #[cfg(feature = "log")]
 mod log_table;
+#[cfg(feature = "log")]
+mod log_verdict;
 mod names;
 mod object;
 #[cfg(feature = "models")]
@@ -71,7 +73,9 @@ pub use self::{
     ekf_localizer::EkfLocalizer, ekf_slam::EkfSlam, functions::*, kalman_filter::KalmanFilter, timeline::Timeline,
 };
 #[cfg(feature = "log")]
-pub use self::{log_files::LogFiles, log_fit::LogFit, log_table::LogTable, robot_log::DriveLog};
+pub use self::{
+    log_files::LogFiles, log_fit::LogFit, log_table::LogTable, log_verdict::LogVerdict, robot_log::DriveLog,
+};
 
 use wasm_bindgen::prelude::*;
 

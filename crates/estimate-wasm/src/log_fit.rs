@@ -17,9 +17,10 @@ const TYPES: &str = r#"
 export interface LogFound {
     /**
      * Each number, by its name among the parameters, and how well the log tells it: a σ's standard deviation relative
-     * to it, a delay's in seconds; null where the log does not tell it, and before the search has ended.
+     * to it, another's in its unit; null where the log does not tell it, and before the search has ended. `relative`
+     * says which of the two.
      */
-    numbers: { name: string; value: number; delay: boolean; sigma: number | null }[];
+    numbers: { name: string; value: number; relative: boolean; sigma: number | null }[];
     /** The log-likelihood of the counted readings before and after. */
     logLikelihood: [number, number];
     /** How many readings are counted. */
@@ -31,7 +32,8 @@ export interface LogFound {
 }
 "#;
 
-/// A search for the σ and the delays under which a log's readings are likeliest. Gates are off, the turn rate's delay
+/// A search for the σ, the delays, the scale of ranges and the offset of bearings under which a log's readings are
+/// likeliest. Gates are off, the turn rate's delay
 /// is 0, and the readings are the same in every replay.
 #[wasm_bindgen]
 #[repr(transparent)]
@@ -70,7 +72,7 @@ fn shown(found: &Found) -> JsValue {
         record(&[
             ("name", number.name().into()),
             ("value", (*value).into()),
-            ("delay", number.is_delay().into()),
+            ("relative", number.is_sigma().into()),
             ("sigma", sigma.map_or(JsValue::NULL, Into::into)),
         ])
     });

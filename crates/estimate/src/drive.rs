@@ -7,26 +7,32 @@
 //! that the filter learns. [`Smoothed`] is the track in the light of all readings.
 
 mod course;
+mod evidence;
 mod filter;
 mod fit;
 mod fitted;
+mod freed;
 mod gap;
 mod learned;
 mod likelihood;
 mod line;
 mod opening;
 mod replay;
+mod round;
 mod row;
 mod sensor;
 mod settings;
 mod smoother;
 mod statistics;
 mod summary;
+mod suspect;
 mod told;
 mod truth;
+mod verdict;
 
 pub use crate::scaled::{FIRST_SIGMA, PoseAndScale, Scalable, Scaled};
 pub use course::Course;
+pub use evidence::Against;
 pub use fit::{Fit, Found};
 pub use fitted::Fitted;
 pub use learned::FIRST_SIGMA_BIAS;
@@ -40,7 +46,9 @@ pub use settings::{Delays, MAX_DELAY, Settings};
 pub use smoother::{Smoothed, SmoothedPose};
 pub use statistics::Judged;
 pub use summary::{BearingSummary, FixSummary, SensorSummary, Sensors, Summary, Withheld};
+pub use suspect::{Fault, Size, Standing, Suspect};
 pub use truth::{Pose, Truth};
+pub use verdict::{Judgement, MOST_JUDGED, Verdict};
 
 #[cfg(test)]
 mod tests;

@@ -10,6 +10,7 @@ mod params;
 mod record;
 mod seen;
 mod table;
+mod verdict;
 
 pub use fit::LogFit;
 pub use frame::{
@@ -20,6 +21,7 @@ pub use logged::LoggedDrive;
 pub use params::LogParams;
 pub use seen::LogSensor;
 pub use table::{LogTable, LogTableKind};
+pub use verdict::LogVerdict;
 
 use crate::shapes::{ellipse_of, rows};
 use estimate::drive::{BySensor, Course, Event, Judged, Replay, Settings, Smoothed, Summary, Taken};

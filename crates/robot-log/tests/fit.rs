@@ -5,6 +5,7 @@ use estimate::drive::{BySensor, Fit, Fitted, Found, Settings};
 use robot_log::parse;
 
 const CAR: &str = include_str!("../../../content/logs/car.csv");
+const MOWER: &str = include_str!("../../../content/logs/plaza1.csv");
 
 fn fitted(text: &str, settings: Settings) -> Found {
     let drive = parse(text).expect("a log").drive;
@@ -28,6 +29,52 @@ fn the_car_tells_that_its_speed_is_half_a_second_late() {
     let [(speed, sigma), (fix, _)] = [Fitted::DelaySpeed, Fitted::DelayFix].map(|which| of(&found, which));
     assert!((speed - fix - 0.58).abs() < 0.1 && sigma.expect("told") < 0.15, "{speed} {fix} {sigma:?}");
     assert!(found.settled && found.log_likelihood[1] - found.log_likelihood[0] > 148.0);
+}
+
+#[test]
+fn the_speed_s_delay_alone_is_found_within_its_own_sigma() {
+    let every = BySensor { fix: 1.0, ..BySensor::all(0.0) };
+    let settings = Settings { sigma_distance: 0.3, sigma_turn: 0.03, start_sigma: 1.0, every, ..Settings::default() };
+    let drive = parse(CAR).expect("a log").drive;
+    let mut fit = Fit::only(&drive, settings, &[Fitted::DelaySpeed]).expect("readings");
+    while fit.step(&drive).expect("a replay") {}
+    let found = fit.found();
+    let (delay, sigma) = of(&found, Fitted::DelaySpeed);
+    assert!(found.settled && found.numbers.len() == 1);
+    assert!((delay - 0.58).abs() < sigma.expect("told"), "{delay} {sigma:?}");
+    let gain = found.log_likelihood[1] - found.log_likelihood[0];
+    assert!((gain - 148.0).abs() < 2.0, "{gain}");
+    let none = Fit::only(&drive, settings, &[Fitted::Scale]).expect_err("a log without ranges");
+    assert_eq!(none.code, Code::Limit);
+}
+
+#[test]
+fn the_mower_tells_the_scale_of_its_ranges() {
+    let drive = parse(MOWER).expect("a log").drive;
+    let mut fit = Fit::only(&drive, Settings::default(), &[Fitted::Scale]).expect("readings");
+    while fit.step(&drive).expect("a replay") {}
+    let (scale, sigma) = of(&fit.found(), Fitted::Scale);
+    assert!((scale - 0.0701).abs() < 0.002 && sigma.expect("told") < 0.002, "{scale} {sigma:?}");
+}
+
+#[test]
+fn the_turn_of_a_camera_is_found() {
+    use core::fmt::Write;
+    let mut text = String::from("L,1,6,8\nL,2,-7,5\nG,0,0,0,0\n");
+    // The robot drives straight on, and its camera looks 0.1 rad to the right.
+    for i in 0..80 {
+        let x = 0.1 * f64::from(i);
+        let (dx, dy) = if i % 2 == 0 { (6.0 - x, 8.0) } else { (-7.0 - x, 5.0) };
+        let wave = 0.02 * (7.0 * f64::from(i)).sin();
+        let (range, bearing) = (dx.hypot(dy) + wave, dy.atan2(dx) + 0.1 + wave);
+        writeln!(text, "O,{i},{},0\nB,{i},{},{range},{bearing}", if i == 0 { 0.0 } else { 0.1 }, 1 + i % 2)
+            .expect("text");
+    }
+    let drive = parse(&text).expect("a log").drive;
+    let mut fit = Fit::only(&drive, Settings::default(), &[Fitted::BearingOffset]).expect("readings");
+    while fit.step(&drive).expect("a replay") {}
+    let (offset, sigma) = of(&fit.found(), Fitted::BearingOffset);
+    assert!((offset - 0.1).abs() < 0.01 && sigma.expect("told") < 0.05, "{offset} {sigma:?}");
 }
 
 #[test]

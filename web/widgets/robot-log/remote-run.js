@@ -5,6 +5,7 @@
 
 import { NOTHING } from './looks.js'
 import { Asking } from './asking.js'
+import { Judging } from './judging.js'
 
 /** @typedef {import('../../figure/player.js').Outcome} Outcome */
 /**
@@ -19,6 +20,7 @@ export class RemoteRun extends Asking {
   /** @param {import('./asking.js').Port} port @param {number} pace rows a second at speed 1 */
   constructor(port, pace) {
     super(port, pace)
+    this.judging = new Judging(port)
     /** @type {import('estimate-wasm').Parameter[]} */
     this.known = []
     this.digest = ''
@@ -69,8 +71,8 @@ export class RemoteRun extends Asking {
   }
 
   get busy() {
-    const { patch, sent, answer, wantsReset, looked } = this
-    return Boolean(patch || sent || answer || wantsReset || looked || this.frame.step !== this.goal)
+    const { patch, sent, answer, wantsReset, looked, judging } = this
+    return Boolean(patch || sent || answer || wantsReset || looked || judging.busy || this.frame.step !== this.goal)
   }
 
   state() {
@@ -109,6 +111,7 @@ export class RemoteRun extends Asking {
 
   cancel() {
     this.port.post({ kind: 'cancel' })
+    this.judging.stop()
     this.sent = null
     this.answer = null
     this.patch = null
@@ -156,6 +159,8 @@ export class RemoteRun extends Asking {
     if (answer.kind !== 'log') return answer
     this.story = this.tried
     this.look(NOTHING)
+    // The log that a figure opens with is its reader's to find out.
+    this.judging.on = this.contents !== null
     this.contents = answer.contents
     this.known = answer.parameters
     const params = this.asked
@@ -199,6 +204,7 @@ export class RemoteRun extends Asking {
     if (message.kind === 'ended') return this.restore(message.message)
     if (message.kind === 'reading') return this.onreading?.(message)
     if (this.told(message)) return
+    if (message.kind === 'judging') return this.judging.tell(message)
     if (message.id !== this.sent?.id) return
     if (message.kind === 'progress') this.progress = { step: message.step, of: message.of }
     else {
@@ -218,7 +224,12 @@ export class RemoteRun extends Asking {
     if (this.playing && !this.sent && this.goal === this.frame.step)
       this.goal = Math.min(this.last, this.goal + this.dueSteps(now, elapsed, calm))
     this.send()
-    return outcome
+    const { found, progress } = this.judging
+    if (!this.sent) this.progress = progress
+    if (!found || outcome.moved !== 'nothing') return outcome
+    this.judging.found = null
+    this.frame = { ...this.frame, judgement: found }
+    return { ...outcome, moved: 'replay' }
   }
 
   /** @returns {Outcome} */
@@ -238,6 +249,7 @@ export class RemoteRun extends Asking {
     this.digest = answer.digest
     const ended = this.playing && this.frame.step === this.last
     if (ended) this.playing = false
+    this.judging.begin(this.frame)
     return { moved: sent.moved, refused: null, ended }
   }
 
@@ -248,6 +260,7 @@ export class RemoteRun extends Asking {
     if (!patch && !this.wantsReset && there) return
     // While steps are played the worker is asked again once it has answered.
     if (sent && !patch && !this.wantsReset && this.playing) return
+    this.judging.stop()
     const params = this.asked ?? frame.params
     const moved = this.wantsReset
       ? 'reset'

@@ -13,6 +13,8 @@
  *   `{ kind: 'fitting', done, of }` is told; told `{ kind: 'stop-fit' }` it ends
  * - `{ kind: 'map', params, from, across, up }`: `{ kind: 'map' }` or `{ kind: 'no-map', message }`; on the way each row
  *   is told as `{ kind: 'mapped', row, values }`; told `{ kind: 'stop-map' }` it ends
+ * - `{ kind: 'verdict', params }`: `{ kind: 'verdict', found }` or `{ kind: 'no-verdict', message }`; on the way
+ *   `{ kind: 'judging', done, of }` is told; the next `go` ends it
  * - told `{ kind: 'go', id, params, step, smooth }`, it tells `{ kind: 'progress', id, step, of }` on the way; then
  *   `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }`
  * - told `{ kind: 'cancel' }`, it tells nothing more about the replay that was under way
@@ -25,8 +27,8 @@
 import { attend, wordsOf } from '../../load/worker-server.js'
 import { Pace } from '../../figure/time-slices.js'
 import { applyChange } from './change.js'
-import { Fitting } from './fit.js'
 import { Mapping } from './likelihood.js'
+import { Searching } from './searching.js'
 import { decode, lineOf } from './text.js'
 
 /** How long the worker computes without reading its messages, milliseconds. */
@@ -66,7 +68,8 @@ export class Server {
     this.soon = soon
     this.clock = clock
     this.calls = new Pace(clock)
-    this.fitting = new Fitting(tell, soon, clock)
+    this.fitting = new Searching(tell, soon, clock)
+    this.judging = new Searching(tell, soon, clock)
     this.mapping = new Mapping(tell, soon, clock)
     /**
      * The files of the log that was read last, as long as one of them is a table that can be read otherwise.
@@ -105,6 +108,7 @@ export class Server {
     if (kind === 'table') return this.table(message)
     if (kind === 'map') return this.mapping.map(this.module, this.log, message)
     if (kind === 'fit') return this.fitting.fit(this.module, this.log, message.params)
+    if (kind === 'verdict') return this.judging.judge(this.module, this.log, message.params)
     if (kind === 'files') this.said = await this.open(files, set)
     // A change of files that are gone changes nothing of those that came meanwhile.
     else if (set === this.set && this.files) this.said = this.reread(change)
@@ -212,6 +216,7 @@ export class Server {
 
   /** @param {Wish} wish */
   go(wish) {
+    this.judging.stop()
     this.wish = wish
     if (!this.replay) this.start()
     else if (this.remaining() > NEARLY_THERE_MS) {
@@ -221,6 +226,7 @@ export class Server {
   }
 
   cancel() {
+    this.judging.stop()
     this.wish = null
     this.drop()
   }

@@ -1,8 +1,12 @@
 /** What the figure of a log says: each sentence follows from the numbers of the frame. */
 
 import { fixed } from '../../draw/numbers.js'
+import { ranked } from './verdict.js'
 
-/** @typedef {import('estimate-wasm').LogFrame} Frame */
+/**
+ * @typedef {import('estimate-wasm').LogFrame & { judgement?: import('estimate-wasm').LogJudgement }} Frame with the
+ * verdict on the log, once it has come
+ */
 
 /** A mean this far from 0, in σ, is called a bias: a radio off by a fifth of its own noise. */
 export const BIAS = 0.2
@@ -58,9 +62,11 @@ export function verdict(frame) {
   if (used + refused === 0) return `No ${noun(frame)} has been read yet.${errorOf(frame, false)}`
   if (used === 0)
     return `The gate has refused every ${noun(frame)} so far: this is dead reckoning.${errorOf(frame, false)}`
-  return [errorOf(frame, true), gateOf(frame), learnedOf(frame), meanOf(frame), nisOf(frame), lagOf(frame)]
-    .join('')
-    .trim()
+  const { judgement, rows, truth } = frame
+  const told = judgement
+    ? [` ${ranked(judgement, { rows, truth: Boolean(truth) })}`]
+    : [meanOf(frame), nisOf(frame), lagOf(frame)]
+  return [errorOf(frame, true), gateOf(frame), learnedOf(frame), ...told].join('').trim()
 }
 
 /** @param {Frame} frame @param {boolean} compared */

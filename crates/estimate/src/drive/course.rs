@@ -102,6 +102,15 @@ impl Course {
         Ok(course)
     }
 
+    /// The same from a pose so far beside: m, m, rad.
+    pub(crate) fn shifted(self, [x, y, theta]: [f64; 3]) -> Self {
+        let pose = self.pose;
+        if [x, y, theta] == [0.0; 3] {
+            return self;
+        }
+        Self { pose: SE2::new(pose.x() + x, pose.y() + y, pose.theta() + theta), ..self }
+    }
+
     /// The settings.
     pub fn settings(&self) -> &Settings {
         &self.settings

@@ -11,12 +11,11 @@ use filters::{Ekf, MotionModel};
 use geom::SE2;
 use nalgebra::{DMatrix, DVector, Matrix2, SMatrix, Vector2, Vector3};
 
-/// The localizer, by how many states it has.
+/// The localizer: of the pose alone, or with all that can be learned. States that are not learned stay at 0, and no
+/// covariance ties them to the others, so that every digit is that of a filter without them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Filter {
     Three(Localizer),
-    Four(Localizer<Learned<4>, 4>),
-    Five(Localizer<Learned<5>, 5>),
     Six(Localizer<Learned<6>, 6>),
 }
 
@@ -25,8 +24,6 @@ macro_rules! of_any_size {
     ($filter:expr, $localizer:ident => $answer:expr) => {
         match $filter {
             Filter::Three($localizer) => $answer,
-            Filter::Four($localizer) => $answer,
-            Filter::Five($localizer) => $answer,
             Filter::Six($localizer) => $answer,
         }
     };
@@ -54,8 +51,6 @@ impl Filter {
         let which = course.which();
         match which.states() {
             3 => Self::Three(Localizer { filter: Ekf { x: course.pose(), p: first(course) } }),
-            4 => Self::Four(learning(course)),
-            5 => Self::Five(learning(course)),
             _ => Self::Six(learning(course)),
         }
     }
@@ -72,8 +67,6 @@ impl Filter {
     pub fn estimate(&self) -> (SE2, Which, Vector3<f64>) {
         match self {
             Self::Three(localizer) => (localizer.filter.x, Which::default(), Vector3::zeros()),
-            Self::Four(Localizer { filter }) => (filter.x.pose, filter.x.which, filter.x.numbers),
-            Self::Five(Localizer { filter }) => (filter.x.pose, filter.x.which, filter.x.numbers),
             Self::Six(Localizer { filter }) => (filter.x.pose, filter.x.which, filter.x.numbers),
         }
     }
@@ -85,11 +78,17 @@ impl Filter {
         DVector::from_fn(which.states(), |i, _| if i < 3 { pose[i] } else { numbers[i - 3] })
     }
 
-    /// P.
+    /// That of x and y.
+    pub fn place_covariance(&self) -> Matrix2<f64> {
+        of_any_size!(self, localizer => localizer.filter.p.fixed_view::<2, 2>(0, 0).into_owned())
+    }
+
+    /// P of the states that there are.
     pub fn covariance(&self) -> DMatrix<f64> {
+        let n = self.estimate().1.states();
         of_any_size!(self, localizer => {
             let p = &localizer.filter.p;
-            DMatrix::from_column_slice(p.nrows(), p.ncols(), p.as_slice())
+            DMatrix::from_fn(n, n, |i, j| p[(i, j)])
         })
     }
 }
@@ -103,7 +102,7 @@ where
     Ok(filter.predict(&moved.rolling, &moved.u, &v)?)
 }
 
-fn learning<const N: usize>(course: &Course) -> Localizer<Learned<N>, N> {
+fn learning(course: &Course) -> Localizer<Learned<6>, 6> {
     let x = Learned { pose: course.pose(), which: course.which(), numbers: Vector3::zeros() };
     Localizer { filter: Ekf { x, p: first(course) } }
 }
@@ -115,6 +114,8 @@ fn first<const N: usize>(course: &Course) -> SMatrix<f64, N, N> {
         0 | 1 => settings.start_sigma,
         2 => settings.start_sigma_heading,
         _ if which.turn_bias() == Some(i) => FIRST_SIGMA_BIAS,
+        // Any that is not 0: a smoother factors P.
+        _ if i >= which.states() => 1.0,
         _ => FIRST_SIGMA[3],
     };
     SMatrix::from_fn(|i, j| if i == j { sigma(i) * sigma(i) } else { 0.0 })

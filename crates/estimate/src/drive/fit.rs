@@ -16,7 +16,7 @@ use crate::error::{Code, Error};
 use alloc::vec::Vec;
 
 /// Readings count from so long after the latest start that is tried, s.
-const SETTLED: f64 = 2.0;
+pub(crate) const SETTLED: f64 = 2.0;
 /// Delays are tried so far either way, s, and no further than this share of the log.
 const MOST_DELAY: f64 = 3.0;
 const SHARE: f64 = 0.1;
@@ -26,10 +26,15 @@ const MOST_REPLAYS: u32 = 600;
 const LONGER: f64 = 1.6;
 const SHORTER: f64 = 0.4;
 
+/// How far delays are tried either way in a log of so many seconds, s.
+pub(crate) fn most_delay(duration: f64) -> f64 {
+    MOST_DELAY.min(SHARE * duration)
+}
+
 /// What a fit has found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// Each number: what it is, its value, and its standard deviation, relative of a σ, in seconds of a delay. `None`
+    /// Each number: what it is, its value, and its standard deviation, relative of a σ, else in the number's unit. `None`
     /// where the log does not tell it.
     pub numbers: Vec<(Fitted, f64, Option<f64>)>,
     /// The log-likelihood of the counted readings before and after.
@@ -67,17 +72,32 @@ pub struct Fit {
 
 impl Fit {
     /// A search that begins at `settings`, for the σ of motion and of the sensors that the log has and that are used,
-    /// and for their delays; the turn's stays 0, since a delay of all together cannot be seen.
+    /// for their delays, the scale of ranges and the offset of bearings; the turn's delay stays 0, since a delay of all
+    /// together cannot be seen.
     ///
     /// # Errors
     /// As [`Course::new`]; [`Code::Limit`] where the log has no reading that counts.
     pub fn new(drive: &Drive, settings: Settings) -> Result<Self, Error> {
+        Self::begin(drive, settings, Fitted::of)
+    }
+
+    /// A search for these numbers alone, as far as the log may tell them.
+    ///
+    /// # Errors
+    /// As [`Fit::new`], and where the log may tell none of them.
+    pub fn only(drive: &Drive, settings: Settings, numbers: &[Fitted]) -> Result<Self, Error> {
+        Self::begin(drive, settings, |drive, course| {
+            Fitted::all(drive, course).into_iter().filter(|number| numbers.contains(number)).collect()
+        })
+    }
+
+    fn begin(drive: &Drive, settings: Settings, which: impl Fn(&Drive, &Course) -> Vec<Fitted>) -> Result<Self, Error> {
         let mut settings = Settings { gate: BySensor::all(None), ..settings };
         settings.delays.turn = 0.0;
         let course = Course::new(drive, settings)?;
         let [first, last] = drive.span().unwrap_or_default();
-        let most = MOST_DELAY.min(SHARE * (last - first));
-        let numbers = Fitted::of(drive, &course);
+        let most = most_delay(last - first);
+        let numbers = which(drive, &course);
         let at: Vec<f64> = numbers.iter().map(|number| number.get(&settings)).collect();
         let bounds: Vec<[f64; 2]> = numbers.iter().map(|number| number.bounds(most)).collect();
         let at = at.iter().zip(&bounds).map(|(at, [least, greatest])| at.clamp(*least, *greatest)).collect();

@@ -1,9 +1,10 @@
-//! The numbers that a fit may find, and how it moves them: a σ by its logarithm, a delay as it is.
+//! The numbers that a fit may find, and how it moves them: a σ by its logarithm, others as they are.
 
 use crate::drive::course::Course;
 use crate::drive::row::{Drive, Event, Motion};
 use crate::drive::settings::Settings;
 use alloc::vec::Vec;
+use core::f64::consts::{LN_2, PI};
 
 /// A number that a fit may find.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -28,14 +29,33 @@ pub enum Fitted {
     DelayHeading,
     /// The delay of the sightings.
     DelaySighting,
+    /// ε, the scale of the ranges.
+    Scale,
+    /// The offset of the ranges.
+    Offset,
+    /// What a bearing reads of a landmark straight ahead.
+    BearingOffset,
+    /// κ, the scale of the speed.
+    SpeedScale,
+    /// b, the bias of the turn rate.
+    TurnBias,
 }
 
 /// The least and the greatest σ that is tried.
 const SIGMAS: [f64; 2] = [1e-4, 1e3];
 
 impl Fitted {
-    /// Those that a drive may tell: of its motion, and of the readings that its course uses.
+    /// The least σ that is tried.
+    pub(crate) const LEAST: f64 = SIGMAS[0];
+
+    /// Those that a fit looks for unless it is told which: of the motion, and of the readings that a course uses.
     pub(crate) fn of(drive: &Drive, course: &Course) -> Vec<Self> {
+        let usual = |number: &Self| !matches!(number, Self::Offset | Self::SpeedScale | Self::TurnBias);
+        Self::all(drive, course).into_iter().filter(usual).collect()
+    }
+
+    /// Those that a drive may tell.
+    pub(crate) fn all(drive: &Drive, course: &Course) -> Vec<Self> {
         let (sensors, s) = (course.sensors(), course.settings());
         let own = |event: &Event| match event {
             Event::Position { sigma, .. } => Some((Self::SigmaFix, sigma.is_some())),
@@ -46,21 +66,27 @@ impl Fitted {
         let open = |which: Self| drive.rows.iter().any(|row| own(&row.event) == Some((which, false)));
         let (fix, heading) = (sensors.fix && s.fixes, sensors.heading && s.headings);
         let (range, bearing) = (sensors.range && s.sightings, sensors.bearing && s.sightings);
+        let (sighting, held) = (range || bearing, drive.motion == Motion::Velocity);
         [
             (Self::SigmaFix, fix && open(Self::SigmaFix)),
             (Self::SigmaHeading, heading && open(Self::SigmaHeading)),
-            (Self::SigmaRange, range || bearing),
+            (Self::SigmaRange, sighting),
             (Self::SigmaBearing, bearing),
-            (Self::DelaySpeed, drive.motion == Motion::Velocity),
+            (Self::DelaySpeed, held),
             (Self::DelayFix, fix),
             (Self::DelayHeading, heading),
-            (Self::DelaySighting, range || bearing),
+            (Self::DelaySighting, sighting),
+            (Self::Scale, sighting && !s.learn),
+            (Self::Offset, sighting),
+            (Self::BearingOffset, bearing),
+            (Self::SpeedScale, held && !s.learn_speed),
+            (Self::TurnBias, held && !s.learn_bias),
             (Self::SigmaDistance, true),
             (Self::SigmaTurn, true),
         ]
         .into_iter()
         .filter_map(|(number, told)| told.then_some(number))
-        .filter(|_| fix || heading || range || bearing)
+        .filter(|_| fix || heading || sighting)
         .collect()
     }
 
@@ -77,12 +103,23 @@ impl Fitted {
             Self::DelayFix => "delayFix",
             Self::DelayHeading => "delayHeading",
             Self::DelaySighting => "delaySighting",
+            Self::Scale => "scale",
+            Self::Offset => "offset",
+            Self::BearingOffset => "bearingOffset",
+            Self::SpeedScale => "speedScale",
+            Self::TurnBias => "turnBias",
         }
     }
 
-    /// Whether it is a delay, and not a σ.
+    /// Whether it is a delay.
     pub fn is_delay(self) -> bool {
         matches!(self, Self::DelaySpeed | Self::DelayFix | Self::DelayHeading | Self::DelaySighting)
+    }
+
+    /// Whether it is a standard deviation: a fit then says how well the log tells it relative to itself.
+    pub fn is_sigma(self) -> bool {
+        !self.is_delay()
+            && !matches!(self, Self::Scale | Self::Offset | Self::BearingOffset | Self::SpeedScale | Self::TurnBias)
     }
 
     fn place(self, settings: &mut Settings) -> &mut f64 {
@@ -97,6 +134,11 @@ impl Fitted {
             Self::DelayFix => &mut settings.delays.fix,
             Self::DelayHeading => &mut settings.delays.heading,
             Self::DelaySighting => &mut settings.delays.sighting,
+            Self::Scale => &mut settings.scale,
+            Self::Offset => &mut settings.offset,
+            Self::BearingOffset => &mut settings.bearing_offset,
+            Self::SpeedScale => &mut settings.speed_scale,
+            Self::TurnBias => &mut settings.turn_bias,
         }
     }
 
@@ -104,12 +146,12 @@ impl Fitted {
     pub(crate) fn get(self, settings: &Settings) -> f64 {
         let mut settings = *settings;
         let value = *self.place(&mut settings);
-        if self.is_delay() { value } else { libm::log(value.max(SIGMAS[0])) }
+        if self.is_sigma() { libm::log(value.max(SIGMAS[0])) } else { value }
     }
 
     /// Its value where the search has it at `at`.
     pub(crate) fn value(self, at: f64) -> f64 {
-        if self.is_delay() { at } else { libm::exp(at) }
+        if self.is_sigma() { libm::exp(at) } else { at }
     }
 
     pub(crate) fn set(self, settings: &mut Settings, at: f64) {
@@ -118,16 +160,36 @@ impl Fitted {
 
     /// How far it is tried, with delays of at most so much.
     pub(crate) fn bounds(self, most: f64) -> [f64; 2] {
-        if self.is_delay() { [-most, most] } else { SIGMAS.map(libm::log) }
+        match self {
+            Self::Scale | Self::SpeedScale => [-0.5, 1.0],
+            Self::Offset => [-1e3, 1e3],
+            Self::BearingOffset => [-PI, PI],
+            Self::TurnBias => [-1.0, 1.0],
+            _ if self.is_delay() => [-most, most],
+            _ => SIGMAS.map(libm::log),
+        }
     }
 
-    /// The first step: half a second at most, or a factor of two.
+    /// The first step of a fit: half a second at most, a factor of two of a σ, a few per cent, metres or degrees.
     pub(crate) fn first_step(self, most: f64) -> f64 {
-        if self.is_delay() { (most / 4.0).min(0.5) } else { core::f64::consts::LN_2 }
+        match self {
+            Self::Scale | Self::SpeedScale => 0.02,
+            Self::Offset => 0.2,
+            Self::BearingOffset => 0.05,
+            Self::TurnBias => 0.01,
+            _ if self.is_delay() => (most / 4.0).min(0.5),
+            _ => LN_2,
+        }
     }
 
-    /// A step that is fine enough: five milliseconds, or one part in a hundred.
+    /// A step that is fine enough: five milliseconds, one part in a hundred of a σ, a centimetre, 10⁻³ of a scale.
     pub(crate) fn fine(self) -> f64 {
-        if self.is_delay() { 0.005 } else { 0.01 }
+        match self {
+            Self::Scale | Self::SpeedScale | Self::BearingOffset => 1e-3,
+            Self::Offset => 0.01,
+            Self::TurnBias => 1e-5,
+            _ if self.is_delay() => 0.005,
+            _ => 0.01,
+        }
     }
 }

@@ -235,6 +235,11 @@ impl Replay {
         self.filter.covariance()
     }
 
+    /// The covariance of x and y.
+    pub(crate) fn place_covariance(&self) -> Matrix2<f64> {
+        self.filter.place_covariance()
+    }
+
     /// The time that the estimate is of, s.
     pub fn time(&self) -> f64 {
         self.time

@@ -77,8 +77,6 @@ impl Smoothed {
             Filter::Three(last) => {
                 smoothed(&asked, last, |it| if let Filter::Three(of) = it { Some(of) } else { None })
             }
-            Filter::Four(last) => smoothed(&asked, last, |it| if let Filter::Four(of) = it { Some(of) } else { None }),
-            Filter::Five(last) => smoothed(&asked, last, |it| if let Filter::Five(of) = it { Some(of) } else { None }),
             Filter::Six(last) => smoothed(&asked, last, |it| if let Filter::Six(of) = it { Some(of) } else { None }),
         }
     }

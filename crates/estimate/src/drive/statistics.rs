@@ -5,7 +5,7 @@ use crate::error::{Code, Error};
 use crate::likelihood::LN_TWO_PI;
 use crate::reading::Corrected;
 use filters::Autocorrelation;
-use nalgebra::{Matrix1, Vector2};
+use nalgebra::{Matrix1, Matrix2, Vector2};
 use numerics::{Spd, sqrt};
 
 /// What became of a reading.
@@ -25,6 +25,8 @@ pub struct Judged {
     pub second: Option<f64>,
     /// ν/√S of a fix along the estimated heading, and to the left of it.
     pub along: Option<[f64; 2]>,
+    /// L⁻¹ν with S = L Lᵀ, whose squares add up to d²; 0 where the reading has one number, or S cannot be factored.
+    pub white: [f64; 2],
     /// d² = νᵀS⁻¹ν.
     pub d2: f64,
     /// ln det 2πS, infinite of a refused reading whose S cannot be factored.
@@ -69,6 +71,7 @@ impl Judged {
         let bearing = (sensor == Sensor::Bearing).then_some(nu[1]);
         let second = bearing.map(|nu| nu / sqrt(s[(1, 1)]));
         let (innovation, variance) = (nu[0], s[(0, 0)]);
+        let white = white(&nu, &s, outputs);
         Ok(Self {
             sensor,
             used: corrected.accepted,
@@ -77,6 +80,7 @@ impl Judged {
             bearing,
             second,
             along,
+            white,
             d2,
             log_det,
             outputs,
@@ -92,6 +96,14 @@ impl Judged {
     pub fn normalized(&self) -> f64 {
         self.innovation / sqrt(self.variance)
     }
+}
+
+/// L⁻¹ν.
+fn white(nu: &Vector2<f64>, s: &Matrix2<f64>, outputs: u32) -> [f64; 2] {
+    let root = sqrt(s[(0, 0)]);
+    let (first, below) = (nu[0] / root, s[(1, 0)] / root);
+    let left = if outputs == 2 { s[(1, 1)] - below * below } else { 0.0 };
+    if left > 0.0 { [first, (nu[1] - below * first) / sqrt(left)] } else { [first, 0.0] }
 }
 
 /// Sums over the errors of the position.

@@ -1,0 +1,143 @@
+//! The verdict on a log, which a worker goes on with suspect by suspect.
+
+use crate::encode::{list, record};
+use crate::errors::Thrown;
+use crate::lab::RobotLog;
+use crate::object::Held;
+use crate::robot_log::logged;
+use estimate::drive::{Against, Judgement, Sensor, Size, Standing, Suspect};
+use js_sys::Array;
+use lab::Params;
+use std::sync::Arc;
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** A fault that was looked for in a log. */
+export interface LogSuspect {
+    fault: 'start' | 'clock' | 'bias' | 'scale' | 'tails' | 'sigma' | 'turned';
+    /** The parameter that mends it; null of the start, and of outliers, which a gate refuses. */
+    name: string | null;
+    /** The sensor that has outliers, else null. */
+    sensor: 'fix' | 'heading' | 'range' | 'bearing' | null;
+    /**
+     * As it is set, where the readings are likeliest, and how well they tell it, null where they do not: of the
+     * parameter; of the start x, y and θ in metres and radians; of outliers their share.
+     */
+    sizes: { now: number; value: number; sigma: number | null }[];
+    /** By how much the log-likelihood of the readings rises where it is freed. */
+    gain: number;
+    /** By how much that is more than chance brings in 97 of 100 logs without a fault. */
+    excess: number;
+    /** Whether it is the one, may be one, or is no likelier than chance explains. */
+    standing: 'sure' | 'maybe' | 'cleared';
+    /** How far the mended filter is from the truth: of the first suspect, where there is a truth. */
+    mended: LogAgainst | null;
+}
+
+/** How far a filter is from the truth. */
+export interface LogAgainst {
+    /** Root of the mean squared distance, metres. */
+    rmse: number;
+    /** The mean of eᵀP⁻¹e of the position, 2 if P is right. */
+    nees: number;
+    /** The share of the errors beyond the ellipse that should hold 95 of 100. */
+    outside: number;
+}
+
+/** What is wrong with a log or its settings. */
+export interface LogJudgement {
+    /** All that was looked for, the likeliest fault first; empty until all were looked at. */
+    suspects: LogSuspect[];
+    /** Readings that are counted. */
+    readings: number;
+    /** Rows that are judged, from the first on. */
+    rows: number;
+    /** Suspects that were tried, and how many there are. */
+    tried: [number, number];
+    /** How far the filter is from the truth as it is set; null without a truth. */
+    against: LogAgainst | null;
+    /** Whether gates were off, because they refuse more than one reading in ten. */
+    ungated: boolean;
+}
+"#;
+
+/// A verdict on a log: each number that may be wrong is freed by itself, and the readings say which of them makes them
+/// likelier, and by how much.
+#[wasm_bindgen]
+#[repr(transparent)]
+pub struct LogVerdict(Held);
+
+const VERDICT: &str = "LogVerdict";
+
+#[wasm_bindgen]
+impl LogVerdict {
+    /// A verdict on the log under `params`; what they leave out takes its default.
+    #[wasm_bindgen(constructor)]
+    pub fn new(
+        #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Partial<LogParams>")] params: &JsValue,
+    ) -> Result<LogVerdict, Thrown> {
+        let log = logged(log)?;
+        let params = RobotLog::params(params)?;
+        let verdict = labs::LogVerdict::new(Arc::clone(&log), Params::read(&mut params.iter()));
+        Ok(Self(Held::new(VERDICT, verdict.map_err(|e| e.within("params"))?)))
+    }
+
+    /// Looks at the next suspect, by one to some twenty replays; whether there is more to do.
+    pub fn step(&self) -> Result<bool, Thrown> {
+        self.0.write(VERDICT, labs::LogVerdict::step)
+    }
+
+    /// What has been found so far.
+    #[wasm_bindgen(unchecked_return_type = "LogJudgement")]
+    pub fn found(&self) -> Result<JsValue, Thrown> {
+        self.0.read(VERDICT, |verdict: &labs::LogVerdict| shown(&verdict.found()))
+    }
+}
+
+fn shown(judgement: &Judgement) -> JsValue {
+    record(&[
+        ("suspects", judgement.suspects.iter().map(suspect).collect::<Array>().into()),
+        ("readings", judgement.readings.into()),
+        ("rows", judgement.rows.into()),
+        ("tried", list(&judgement.tried.map(f64::from))),
+        ("against", against(judgement.against)),
+        ("ungated", judgement.ungated.into()),
+    ])
+}
+
+fn suspect(suspect: &Suspect) -> JsValue {
+    let sensor = suspect.sensor.map(|sensor| match sensor {
+        Sensor::Fix => "fix",
+        Sensor::Heading => "heading",
+        Sensor::Range => "range",
+        Sensor::Bearing => "bearing",
+    });
+    let standing = match suspect.standing {
+        Standing::Sure => "sure",
+        Standing::Maybe => "maybe",
+        Standing::Cleared => "cleared",
+    };
+    record(&[
+        ("fault", suspect.fault.name().into()),
+        ("name", suspect.number.map_or(JsValue::NULL, |number| number.name().into())),
+        ("sensor", sensor.map_or(JsValue::NULL, Into::into)),
+        ("sizes", suspect.sizes.iter().map(size).collect::<Array>().into()),
+        ("gain", suspect.gain.into()),
+        ("excess", suspect.excess.into()),
+        ("standing", standing.into()),
+        ("mended", against(suspect.mended)),
+    ])
+}
+
+fn size(Size { now, value, sigma }: &Size) -> JsValue {
+    let sigma = if sigma.is_finite() { (*sigma).into() } else { JsValue::NULL };
+    record(&[("now", (*now).into()), ("value", (*value).into()), ("sigma", sigma)])
+}
+
+fn against(against: Option<Against>) -> JsValue {
+    against.map_or(JsValue::NULL, |Against { rmse, nees, outside }| {
+        record(&[("rmse", rmse.into()), ("nees", nees.into()), ("outside", outside.into())])
+    })
+}

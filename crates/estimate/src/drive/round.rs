@@ -1,0 +1,123 @@
+//! A look at some suspects beside one replay.
+
+use crate::drive::course::Course;
+use crate::drive::evidence::{Evidence, OUTLIERS, Place};
+use crate::drive::freed::{Freed, Numbers, Search};
+use crate::drive::row::Drive;
+use crate::drive::sensor::Sensor;
+use crate::drive::suspect::{Fault, Size, Standing, Suspect, Tried};
+use crate::error::Error;
+use alloc::vec::Vec;
+
+/// What is the same for all suspects of a log.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Scope {
+    /// So many rows are judged.
+    pub rows: u32,
+    /// What a single number gains by chance, and what the three of the start do.
+    pub chance: [f64; 2],
+    /// Readings from this row on count for delays: the same in every replay.
+    pub from: u32,
+    /// How far delays are changed, s.
+    pub most: f64,
+    /// Motion is read about so often, s.
+    pub period: f64,
+}
+
+/// Suspects, and the replay beside which each is freed.
+#[derive(Clone, Debug)]
+pub(crate) struct Round {
+    pub place: Place,
+    pub base: Option<Evidence>,
+    pub tried: Vec<Tried>,
+    /// Those that were looked at, each with the place where it is mended.
+    pub found: Vec<(Suspect, Place)>,
+}
+
+impl Round {
+    pub fn new(place: Place, tried: Vec<Tried>) -> Self {
+        Self { place, base: None, found: Vec::with_capacity(tried.len()), tried }
+    }
+
+    /// Replays the log as it is, or looks at the next suspect; whether there was one.
+    pub fn step(&mut self, drive: &Drive, scope: &Scope) -> Result<bool, Error> {
+        let Some(base) = &self.base else {
+            self.base = Some(Evidence::new(drive, &self.place, scope.rows)?);
+            return Ok(true);
+        };
+        let Some(tried) = self.tried.get(self.found.len()) else { return Ok(false) };
+        let looked = self.look(drive, scope, base, *tried);
+        self.found.push(looked);
+        Ok(true)
+    }
+
+    /// The likeliest fault first; of those that gain as much to within `tie`, the earlier kind.
+    pub fn rank(&mut self, tie: f64) {
+        let mut left = core::mem::take(&mut self.found);
+        while !left.is_empty() {
+            let best = left.iter().map(|(suspect, _)| suspect.excess).fold(f64::NEG_INFINITY, f64::max);
+            // What falls short of chance is ordered by its gain alone.
+            let tie = if best > 0.0 { tie } else { 0.0 };
+            let ties = left.iter().enumerate().filter(|(_, (suspect, _))| suspect.excess >= best - tie);
+            let first = ties.min_by_key(|(_, (suspect, _))| suspect.fault).map_or(0, |(i, _)| i);
+            self.found.push(left.remove(first));
+        }
+    }
+
+    fn look(&self, drive: &Drive, scope: &Scope, base: &Evidence, tried: Tried) -> (Suspect, Place) {
+        let clock = tried.fault() == Fault::Clock;
+        let search = Search { drive, rows: scope.rows, from: if clock { scope.from } else { 0 }, base };
+        let first = tried.first(&self.place);
+        let place = |at: &[f64]| tried.place(&self.place, at);
+        let numbers = Numbers {
+            steps: tried.steps(&self.place, scope.period),
+            bounds: tried.bounds(&first, scope.most),
+            both: clock,
+            place: &place,
+            first,
+        };
+        let freed = match tried {
+            Tried::Outliers(sensor) => outliers(&search, sensor, &place(&[])),
+            _ if tried.fault() == Fault::Sigma => search.sigma(&numbers),
+            _ => search.means(&numbers),
+        };
+        let freed = freed.unwrap_or_else(|| Freed { at: numbers.first.clone(), sigmas: Vec::new(), gain: 0.0 });
+        let begin = Course::new(drive, self.place.settings)
+            .map_or([0.0; 3], |course| [course.pose().x(), course.pose().y(), course.pose().theta()]);
+        let size = |(i, at): (usize, &f64)| {
+            let sigma = freed.sigmas.get(i).copied().unwrap_or(f64::INFINITY);
+            match tried {
+                Tried::Start => Size { now: begin[i], value: begin[i] + at, sigma },
+                Tried::Number(number) => {
+                    let (now, value) = (number.value(numbers.first[i]), number.value(*at));
+                    Size { now, value, sigma: if number.is_sigma() { value * sigma } else { sigma } }
+                }
+                Tried::Outliers(_) => Size { now: 0.0, value: *at, sigma },
+            }
+        };
+        let suspect = Suspect {
+            fault: tried.fault(),
+            number: if let Tried::Number(number) = tried { Some(number) } else { None },
+            sensor: if let Tried::Outliers(sensor) = tried { Some(sensor) } else { None },
+            sizes: freed.at.iter().enumerate().map(size).collect(),
+            gain: freed.gain,
+            excess: freed.gain - scope.chance[usize::from(tried.freedom() > 1)],
+            standing: Standing::Cleared,
+            mended: None,
+        };
+        (suspect, place(&freed.at))
+    }
+}
+
+/// What a gate brings that takes what it refuses for outliers, whose share is the one that is found.
+fn outliers(search: &Search<'_>, sensor: Sensor, place: &Place) -> Option<Freed> {
+    let evidence = Evidence::new(search.drive, place, search.rows).ok()?;
+    let [refused, all] = evidence.refused(|of| of == sensor).map(f64::from);
+    let share = refused / all;
+    let of = |count: f64, share: f64, assumed: f64| if count > 0.0 { count * libm::log(share / assumed) } else { 0.0 };
+    let gain = evidence.gain(search.base, search.from)
+        + of(refused, share, OUTLIERS)
+        + of(all - refused, 1.0 - share, 1.0 - OUTLIERS);
+    let sigma = libm::sqrt(share * (1.0 - share) / all);
+    (gain.is_finite() && refused > 0.0).then(|| Freed { at: alloc::vec![share], sigmas: alloc::vec![sigma], gain })
+}

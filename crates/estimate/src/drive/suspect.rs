@@ -1,0 +1,199 @@
+//! What may be wrong with a log or its settings, and how each is tried.
+
+use crate::drive::course::Course;
+use crate::drive::evidence::{Against, Place};
+use crate::drive::fitted::Fitted;
+use crate::drive::row::Drive;
+use crate::drive::sensor::Sensor;
+use crate::drive::settings::MAX_DELAY;
+use alloc::vec::Vec;
+
+/// A kind of fault, in the order in which they are named where their evidence ties.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Fault {
+    /// The robot did not start where the filter does.
+    Start,
+    /// A sensor's clock is late, or early.
+    Clock,
+    /// What is read is off by a constant: a turn rate, a range.
+    Bias,
+    /// A speed or a range reads too much or too little by a share.
+    Scale,
+    /// Outliers: more readings lie far off than a normal distribution has.
+    Tails,
+    /// A standard deviation is claimed too small or too large.
+    Sigma,
+    /// The camera does not look straight ahead.
+    Turned,
+}
+
+impl Fault {
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Start => "start",
+            Self::Clock => "clock",
+            Self::Bias => "bias",
+            Self::Scale => "scale",
+            Self::Tails => "tails",
+            Self::Sigma => "sigma",
+            Self::Turned => "turned",
+        }
+    }
+}
+
+/// How far a verdict commits itself.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Standing {
+    /// The readings are much likelier with this fault than without, and than with any other.
+    Sure,
+    /// Much likelier than without; another explains them about as well, or better.
+    Maybe,
+    /// No likelier than chance explains.
+    Cleared,
+}
+
+/// A number: what the settings say, and what the readings do.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Size {
+    /// As it is set.
+    pub now: f64,
+    /// Where the readings are likeliest.
+    pub value: f64,
+    /// The standard deviation of `value`; infinite where the readings do not tell it.
+    pub sigma: f64,
+}
+
+/// A fault that was looked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Suspect {
+    /// Of which kind.
+    pub fault: Fault,
+    /// The setting that mends it; `None` of the start, and of outliers, which a gate refuses.
+    pub number: Option<Fitted>,
+    /// The sensor whose readings have outliers.
+    pub sensor: Option<Sensor>,
+    /// The number; of the start x, y and θ in m, m and rad; of outliers their share.
+    pub sizes: Vec<Size>,
+    /// By how much the log-likelihood of the readings rises where it is freed.
+    pub gain: f64,
+    /// By how much that is more than the best of all suspects brings by chance, in 97 of 100 logs without a fault.
+    pub excess: f64,
+    /// What is said of it.
+    pub standing: Standing,
+    /// How far the mended filter is from the truth: of the first suspect, where there is a truth.
+    pub mended: Option<Against>,
+}
+
+impl Suspect {
+    /// What was tried.
+    pub(crate) fn tried(&self) -> Tried {
+        match (self.number, self.sensor) {
+            (Some(number), _) => Tried::Number(number),
+            (None, Some(sensor)) => Tried::Outliers(sensor),
+            (None, None) => Tried::Start,
+        }
+    }
+}
+
+/// What is tried.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub(crate) enum Tried {
+    Start,
+    Number(Fitted),
+    Outliers(Sensor),
+}
+
+/// The first difference of the start's place and heading: a share of their standard deviations, at most so much.
+const START_SHARE: f64 = 0.1;
+const START_MOST: f64 = 0.1;
+/// That of a delay, s, and at least so many periods of the motion.
+const DELAY: f64 = 0.05;
+const PERIODS: f64 = 2.0;
+
+impl Tried {
+    /// All that a drive may tell.
+    pub fn all(drive: &Drive, course: &Course) -> Vec<Self> {
+        let (has, s, gate) = (course.sensors(), course.settings(), course.gates());
+        let numbers = Fitted::all(drive, course);
+        if numbers.is_empty() {
+            return Vec::new();
+        }
+        let free = |sensor: Sensor, on: bool| on && *has.of(sensor) && gate.of(sensor).is_none();
+        let sensors = [
+            (Sensor::Fix, s.fixes),
+            (Sensor::Heading, s.headings),
+            (Sensor::Range, s.sightings),
+            (Sensor::Bearing, s.sightings),
+        ];
+        let outliers = sensors.into_iter().filter(|(sensor, on)| free(*sensor, *on)).map(|it| Self::Outliers(it.0));
+        // A σ of 0 has no logarithm.
+        let open = |number: &Fitted| !number.is_sigma() || number.value(number.get(s)) > 2.0 * Fitted::LEAST;
+        let numbers = numbers.iter().copied().filter(open).map(Self::Number);
+        core::iter::once(Self::Start).chain(numbers).chain(outliers).collect()
+    }
+
+    pub fn fault(self) -> Fault {
+        match self {
+            Self::Start => Fault::Start,
+            Self::Outliers(_) => Fault::Tails,
+            Self::Number(Fitted::TurnBias | Fitted::Offset) => Fault::Bias,
+            Self::Number(Fitted::Scale | Fitted::SpeedScale) => Fault::Scale,
+            Self::Number(Fitted::BearingOffset) => Fault::Turned,
+            Self::Number(number) if number.is_delay() => Fault::Clock,
+            Self::Number(_) => Fault::Sigma,
+        }
+    }
+
+    /// How many numbers are freed.
+    pub fn freedom(self) -> u32 {
+        if self == Self::Start { 3 } else { 1 }
+    }
+
+    /// Where they are, as a search moves them.
+    pub fn first(self, place: &Place) -> Vec<f64> {
+        match self {
+            Self::Start => alloc::vec![0.0; 3],
+            Self::Number(number) => alloc::vec![number.get(&place.settings)],
+            Self::Outliers(_) => Vec::new(),
+        }
+    }
+
+    /// The replay in which they are `at`.
+    pub fn place(self, place: &Place, at: &[f64]) -> Place {
+        let mut place = *place;
+        match (self, at) {
+            (Self::Start, &[x, y, theta]) => place.shift = [x, y, theta],
+            (Self::Number(number), &[at]) => number.set(&mut place.settings, at),
+            (Self::Outliers(sensor), _) => {
+                *place.settings.gate.of_mut(sensor) = Some(crate::drive::evidence::OUTLIER_GATE);
+            }
+            _ => {}
+        }
+        place
+    }
+
+    /// How far differences go, with motion every so many seconds.
+    pub fn steps(self, place: &Place, period: f64) -> Vec<f64> {
+        let s = &place.settings;
+        let begins = |sigma: f64| (START_SHARE * sigma).min(START_MOST);
+        match self {
+            Self::Start => [s.start_sigma, s.start_sigma, s.start_sigma_heading].map(begins).to_vec(),
+            Self::Number(number) if number.is_delay() => alloc::vec![DELAY.max(PERIODS * period)],
+            Self::Number(number) => alloc::vec![number.fine()],
+            Self::Outliers(_) => Vec::new(),
+        }
+    }
+
+    /// How far they are tried, with delays changed by at most so much.
+    pub fn bounds(self, first: &[f64], most: f64) -> Vec<[f64; 2]> {
+        match self {
+            Self::Number(number) if number.is_delay() => {
+                let around = |at: &f64| [(at - most).max(-MAX_DELAY), (at + most).min(MAX_DELAY)];
+                first.iter().map(around).collect()
+            }
+            Self::Number(number) => alloc::vec![number.bounds(most)],
+            _ => alloc::vec![[f64::MIN, f64::MAX]; first.len()],
+        }
+    }
+}

@@ -1,0 +1,224 @@
+//! What is wrong with a log or its settings, ranked: each number that may be wrong is freed by itself, and the readings
+//! say which of them makes them likelier, and by how much.
+//!
+//! Twice the gain in log-likelihood of a number without a fault is χ² (Wilks 1938). So many are tried that the best
+//! gains by chance: a fault is named beyond the quantile that the best of all stays below in 97 of 100 sound logs
+//! (Bonferroni). Faults are compared by what they gain beyond it. Readings that a gate refuses count as outliers; a
+//! gate that refuses one in ten hides a fault, and is off meanwhile.
+//!
+//! A larger σ makes any error of the model likelier. Where one explains most, the other faults are freed once more
+//! beside it, and what makes the readings much likelier even so is named before it.
+
+use crate::drive::course::Course;
+use crate::drive::evidence::{Against, Evidence, Place};
+use crate::drive::fit::{SETTLED, most_delay};
+use crate::drive::round::{Round, Scope};
+use crate::drive::row::Drive;
+use crate::drive::sensor::BySensor;
+use crate::drive::settings::Settings;
+use crate::drive::suspect::{Fault, Standing, Suspect, Tried};
+use crate::error::{Code, Error};
+use alloc::vec::Vec;
+use filters::consistency::chi2_quantile;
+
+/// So many rows are judged at most: what is kept of their readings needs 48 bytes for each.
+pub const MOST_JUDGED: u32 = 200_000;
+/// A sound log has a fault named with this probability, where its start is as uncertain as it is said to be.
+const CHANCE: f64 = 0.03;
+/// Faults whose gains differ by less than this tie, and the earlier kind is named first.
+const TIE: f64 = 0.5;
+/// A fault is sure where neither chance nor any other comes as near as this: the readings are 20 times likelier with it.
+const CLEAR: f64 = 3.0;
+/// A mended filter that is farther from the truth than before, by this ratio, is not mended.
+const WORSE: f64 = 1.05;
+/// A gate that refuses more than this share hides a fault.
+const HIDING: f64 = 0.1;
+
+/// What a verdict has found so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judgement {
+    /// All that was looked for, the likeliest fault first.
+    pub suspects: Vec<Suspect>,
+    /// How many readings were counted, and among how many rows.
+    pub readings: u32,
+    /// Rows that were judged: those from the first on, [`MOST_JUDGED`] at most.
+    pub rows: u32,
+    /// Suspects that have been tried, and how many there are.
+    pub tried: [u32; 2],
+    /// How far the filter is from the truth as it is set; `None` without a truth.
+    pub against: Option<Against>,
+    /// Whether gates are off meanwhile, because they refuse too much.
+    pub ungated: bool,
+}
+
+/// A verdict on a log, suspect by suspect.
+///
+/// # Example
+/// ```
+/// use estimate::drive::{Drive, Event, Fault, Motion, Row, Settings, Standing, Truth, Verdict};
+/// // Fixes say that the robot drives a tenth faster than it reads.
+/// let fix = |k: i32| Event::Position { x: 1.1 * f64::from(k), y: 0.1 * f64::from(k % 2), sigma: Some(0.1) };
+/// let drives = Event::Velocity { v: 1.0, omega: 0.0 };
+/// let rows = (0..60).flat_map(|k| [drives, fix(k)].map(|event| Row::new(f64::from(k), event))).collect();
+/// let drive = Drive { landmarks: Vec::new(), truth: Truth::default(), rows, motion: Motion::Velocity };
+/// let mut verdict = Verdict::new(&drive, Settings::default())?;
+/// while verdict.step(&drive)? {}
+/// let judgement = verdict.found();
+/// let first = &judgement.suspects[0];
+/// assert_eq!((first.fault, first.standing), (Fault::Scale, Standing::Sure));
+/// assert!((first.sizes[0].value - 0.1).abs() < 3.0 * first.sizes[0].sigma);
+/// # Ok::<(), estimate::Error>(())
+/// ```
+#[derive(Clone, Debug)]
+pub struct Verdict {
+    scope: Scope,
+    first: Round,
+    /// The faults beside a σ that is enlarged.
+    beside: Option<Round>,
+    stage: Stage,
+    ungated: bool,
+    suspects: Vec<Suspect>,
+}
+
+/// How far a verdict has come.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Stage {
+    First,
+    Beside,
+    Done,
+}
+
+impl Verdict {
+    /// A verdict on `drive` under `settings`.
+    ///
+    /// # Errors
+    /// As [`Course::new`]; [`Code::Limit`] where no reading is used.
+    pub fn new(drive: &Drive, settings: Settings) -> Result<Self, Error> {
+        let course = Course::new(drive, settings)?;
+        let tried = Tried::all(drive, &course);
+        if tried.is_empty() || course.looked_at(drive) == 0 {
+            return Err(Error::new(Code::Limit, "log", "has no reading that is used, and could be judged by"));
+        }
+        let rows = (drive.rows.len() as u32).min(MOST_JUDGED);
+        let judged = &drive.rows[..rows as usize];
+        let duration = judged.last().map_or(0.0, |row| row.time) - judged.first().map_or(0.0, |row| row.time);
+        let most = most_delay(duration);
+        let settled = course.start() + most + SETTLED;
+        let moves = judged.iter().filter(|row| row.event.is_motion()).count();
+        let probability = 1.0 - CHANCE / tried.len() as f64;
+        let scope = Scope {
+            rows,
+            chance: [0.5 * chi2_quantile(1, probability)?, 0.5 * chi2_quantile(3, probability)?],
+            from: judged.partition_point(|row| row.time < settled) as u32,
+            most,
+            period: duration / moves.max(1) as f64,
+        };
+        let first = Round::new(Place { settings, shift: [0.0; 3] }, tried);
+        Ok(Self { scope, first, beside: None, stage: Stage::First, ungated: false, suspects: Vec::new() })
+    }
+
+    /// Looks at the next suspect, by one to some twenty replays; whether there is more to do.
+    ///
+    /// # Errors
+    /// The log cannot be replayed under the settings.
+    pub fn step(&mut self, drive: &Drive) -> Result<bool, Error> {
+        let more = match self.stage {
+            Stage::First => self.first.step(drive, &self.scope)?,
+            Stage::Beside => self.beside.as_mut().map_or(Ok(false), |round| round.step(drive, &self.scope))?,
+            Stage::Done => return Ok(false),
+        };
+        if self.first.found.is_empty() && !self.ungated {
+            self.open_gates();
+        }
+        if more {
+            return Ok(true);
+        }
+        if self.stage == Stage::First {
+            self.first.rank(TIE);
+            self.beside = self.explained();
+        }
+        self.stage = if self.stage == Stage::First && self.beside.is_some() { Stage::Beside } else { Stage::Done };
+        if self.stage == Stage::Done {
+            self.conclude(drive);
+        }
+        Ok(self.stage != Stage::Done)
+    }
+
+    /// Begins again without gates where these refuse too much.
+    fn open_gates(&mut self) {
+        let Round { place, base: Some(base), .. } = &self.first else { return };
+        let [refused, all] = base.refused(|sensor| place.settings.gate.of(sensor).is_some());
+        if f64::from(refused) > HIDING * f64::from(all) {
+            self.first.place.settings.gate = BySensor::all(None);
+            self.first.base = None;
+            self.ungated = true;
+        }
+    }
+
+    /// The faults that are left to try beside a larger σ, where that explains most.
+    fn explained(&self) -> Option<Round> {
+        let (first, place) = self.first.found.first()?;
+        let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
+        let others =
+            self.first.found.iter().filter(|(suspect, _)| suspect.excess > 0.0 && suspect.fault != Fault::Sigma);
+        let tried: Vec<Tried> = others.map(|(suspect, _)| suspect.tried()).collect();
+        (larger && first.excess > 0.0 && !tried.is_empty()).then(|| Round::new(*place, tried))
+    }
+
+    /// Puts what gains much beside the larger σ before it; whether there was any.
+    fn hoist(&mut self, mut round: Round) -> bool {
+        round.rank(TIE);
+        let much = round.found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
+        if much == 0 {
+            return false;
+        }
+        let others = round.found.split_off(much);
+        let before = core::mem::replace(&mut self.first.found, round.found);
+        let rest = before.into_iter().filter(|(suspect, _)| !round.tried.contains(&suspect.tried())).chain(others);
+        self.first.found.extend(rest);
+        self.first.found[much..].sort_by(|(a, _), (b, _)| b.excess.total_cmp(&a.excess));
+        true
+    }
+
+    /// Says how sure each suspect is, and holds the first against the truth.
+    fn conclude(&mut self, drive: &Drive) {
+        let hoisted = self.beside.take().is_some_and(|round| self.hoist(round));
+        let places: Vec<Place> = self.first.found.iter().map(|(_, place)| *place).collect();
+        self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
+        // What a larger σ explains as well is no rival of what is named before it.
+        let kept = |suspect: &&Suspect| !hoisted || suspect.fault != Fault::Sigma;
+        let rival = self.suspects.iter().skip(1).filter(kept).map(|s| s.excess).next().unwrap_or(0.0).max(0.0);
+        // Another number of the same kind that explains as much leaves open which of them it is.
+        for (i, suspect) in self.suspects.iter_mut().enumerate().filter(|(_, suspect)| suspect.excess > 0.0) {
+            let clear = i == 0 && suspect.excess >= rival + CLEAR;
+            suspect.standing = if clear { Standing::Sure } else { Standing::Maybe };
+        }
+        let (Some(first), Some(place)) = (self.suspects.first_mut(), places.first()) else { return };
+        if first.excess > 0.0 && !drive.truth.poses().is_empty() {
+            first.mended = Evidence::new(drive, place, self.scope.rows).ok().and_then(|mended| mended.against);
+        }
+        let before = self.first.base.as_ref().and_then(|base| base.against);
+        if let (Some(before), Some(after)) = (before, first.mended)
+            && after.rmse > WORSE * before.rmse
+        {
+            first.standing = Standing::Maybe;
+        }
+    }
+
+    /// What has been found so far; suspects once all were looked at.
+    pub fn found(&self) -> Judgement {
+        let (base, beside) = (self.first.base.as_ref(), self.beside.as_ref());
+        let of = |round: &Round| [round.found.len() as u32, round.tried.len() as u32];
+        let all = self.first.tried.len() as u32;
+        let [done, more] = beside.map_or([0, 0], of);
+        let looked = if self.stage == Stage::First { self.first.found.len() as u32 } else { all };
+        Judgement {
+            suspects: self.suspects.clone(),
+            readings: base.map_or(0, |base| base.readings.len() as u32),
+            rows: self.scope.rows,
+            tried: [looked + done, all + more],
+            against: base.and_then(|base| base.against),
+            ungated: self.ungated,
+        }
+    }
+}

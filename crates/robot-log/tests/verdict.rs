@@ -1,0 +1,50 @@
+//! Verdicts on the two real logs.
+
+use estimate::Code;
+use estimate::drive::{BySensor, Fault, Fitted, Judgement, Settings, Standing, Verdict};
+use robot_log::parse;
+
+const CAR: &str = include_str!("../../../content/logs/car.csv");
+const MOWER: &str = include_str!("../../../content/logs/plaza1.csv");
+
+fn verdict(text: &str, settings: Settings) -> Judgement {
+    let drive = parse(text).expect("a log").drive;
+    let mut verdict = Verdict::new(&drive, settings).expect("readings");
+    while verdict.step(&drive).expect("a replay") {}
+    verdict.found()
+}
+
+#[test]
+fn the_mower_s_ranges_are_scaled_and_a_gate_does_not_hide_it() {
+    for gate in [BySensor::all(None), BySensor::all(Some(0.999))] {
+        let judgement = verdict(MOWER, Settings { gate, ..Settings::default() });
+        let first = &judgement.suspects[0];
+        assert_eq!((first.fault, first.number), (Fault::Scale, Some(Fitted::Scale)));
+        assert_eq!((first.standing, judgement.ungated), (Standing::Sure, gate.range.is_some()));
+        let size = first.sizes[0];
+        assert!((size.value - 0.07).abs() < 0.002 && size.sigma < 0.001, "{size:?}");
+        let (before, after) = (judgement.against.expect("a truth"), first.mended.expect("a truth"));
+        assert!(before.rmse > 3.0 && after.rmse < 0.4 && after.nees < before.nees);
+    }
+}
+
+#[test]
+fn the_car_s_speed_is_late() {
+    let every = BySensor { fix: 1.0, ..BySensor::all(0.0) };
+    let settings = Settings { sigma_distance: 0.3, sigma_turn: 0.03, start_sigma: 1.0, every, ..Settings::default() };
+    let judgement = verdict(CAR, settings);
+    let clock = &judgement.suspects[0];
+    assert_eq!((clock.fault, clock.number, clock.standing), (Fault::Clock, Some(Fitted::DelaySpeed), Standing::Sure));
+    assert!((clock.sizes[0].value - 0.58).abs() < 2.0 * clock.sizes[0].sigma, "{clock:?}");
+    // A larger σ of the distance gains more, and hides it.
+    let next = &judgement.suspects[1];
+    assert!(next.number == Some(Fitted::SigmaDistance) && next.gain > clock.gain, "{next:?}");
+    assert!(judgement.against.is_none() && judgement.suspects[0].mended.is_none());
+}
+
+#[test]
+fn a_log_without_a_reading_that_is_used_is_refused() {
+    let drive = parse(CAR).expect("a log").drive;
+    let off = Settings { fixes: false, ..Settings::default() };
+    assert_eq!(Verdict::new(&drive, off).expect_err("dead reckoning").code, Code::Limit);
+}

@@ -1,0 +1,216 @@
+// The verdict on a log in words: each sentence says what the core has found, on logs with a known fault; and the run
+// asks for it once it stands at the end of a log of the reader's own.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { readFileSync } from 'node:fs'
+import { createRequire } from 'node:module'
+import { Server } from '../../web/widgets/robot-log/server.js'
+import { RemoteRun } from '../../web/widgets/robot-log/remote-run.js'
+import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
+import { verdict } from '../../web/widgets/robot-log/words.js'
+
+const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
+const mower = readFileSync(new URL('../../content/logs/plaza1.csv', import.meta.url), 'utf8')
+
+function judged(text, params = {}) {
+  const judging = new core.LogVerdict(core.RobotLog.parse(text), params)
+  while (judging.step());
+  const found = judging.found()
+  judging.free()
+  return found
+}
+
+/** A drive in loops that reads its landmarks; `see` spoils what is seen. @param {(one: any) => any} see */
+function drive(see, start = [0, 0, 0]) {
+  const places = [
+    [6, 8],
+    [-7, 5],
+    [4, -9],
+  ]
+  const rows = [...places.map(([x, y], id) => `L,${id},${x},${y}`), `G,0,${start.join(',')}`]
+  let [x, y, theta] = [0, 0, 0]
+  for (let i = 0; i < 600; i++) {
+    const [v, omega] = [1 + 0.5 * Math.sin(i / 9), 0.2 + 0.3 * Math.sin(i / 17)]
+    const id = i % 3
+    const [dx, dy] = [places[id][0] - x, places[id][1] - y]
+    const noise = (much, phase) => much * (Math.sin(12.9898 * (i + phase)) * 1.4)
+    const range = Math.hypot(dx, dy) + noise(0.2, 0.3)
+    const bearing = Math.atan2(dy, dx) - theta + noise(0.05, 7.7)
+    const seen = see({ v, omega, range, bearing, i })
+    rows.push(`V,${i / 10},${seen.v},${seen.omega}`, `B,${i / 10},${id},${Math.max(0, seen.range)},${seen.bearing}`)
+    x += v * 0.1 * Math.cos(theta)
+    y += v * 0.1 * Math.sin(theta)
+    theta += omega * 0.1
+  }
+  return rows.join('\n')
+}
+
+const params = { sigmaRange: 0.2, sigmaBearing: 0.05 }
+const words = (text, log = { rows: 1200, truth: true }) => ranked(judged(text, params), log)
+
+test('a turned camera, a bias, a scale, outliers and a wrong start are told with their sizes and remedies', () => {
+  assert.match(
+    words(drive((one) => ({ ...one, bearing: one.bearing + 0.06 }))),
+    /^The camera is turned by 3\.\d+ ± 0\.\d+°: set the offset of its bearings to 0\.0(59|60|61)\d* rad\. The log-/,
+  )
+  assert.match(
+    words(drive((one) => ({ ...one, omega: one.omega + 0.05 }))),
+    /^The turn rate reads 0\.0(4[89]|5\d)\d* ± [\d.]+ rad\/s too much: set its bias to 0\.0/,
+  )
+  assert.match(
+    words(drive((one) => ({ ...one, v: one.v / 1.1 }))),
+    /^The speed reads (9|10|11)\.?\d* ± [\d.]+ % too low: let the filter learn its scale\./,
+  )
+  assert.match(
+    words(drive((one) => ({ ...one, range: one.range + (one.i % 40 === 5 ? 2 : 0) }))),
+    /^2\.\d+ ± \d\.\d+ % of the ranges with a bearing are outliers: switch their gate on/,
+  )
+  assert.match(
+    words(drive((one) => one, [0.7, 0.3, 0.5])),
+    /^The robot did not start at the first true pose, but 0\.\d+ m beside, and turned by \d+°: mend that row/,
+  )
+})
+
+test('the mower’s ranges read seven per cent long, and mending them brings the estimate to the truth', () => {
+  const said = ranked(judged(mower), { rows: 13_186, truth: true })
+  assert.match(said, /^The ranges read 7\.0\d+ ± 0\.0\d+ % too long: set their scale to 7\.0\d+ %\. The log-likelihood/)
+  assert.match(said, /What else is wrong shows once this is mended\. Against the truth the NEES of the position is 266/)
+  assert.match(said, /Mended so, the RMS error goes from 3\.47 to 0\.37 m and the NEES to 2\.2\.$/)
+  const gated = ranked(judged(mower, { gate: 0.999 }), { rows: 13_186, truth: true })
+  assert.match(gated, /^The gate refuses more than one reading in ten, .*\. The ranges read 7\./)
+})
+
+const suspect = (given) => ({
+  fault: 'clock',
+  name: 'delayFix',
+  sensor: null,
+  sizes: [{ now: 0, value: 0.35, sigma: 0.021 }],
+  gain: 20,
+  excess: 15,
+  standing: 'sure',
+  mended: null,
+  ...given,
+})
+const judgement = (suspects, more) => ({
+  suspects,
+  readings: 2067,
+  rows: 1000,
+  tried: [9, 9],
+  against: null,
+  ungated: false,
+  ...more,
+})
+const log = { rows: 1000, truth: false }
+
+test('a clock is late or early, by itself or beside what is set', () => {
+  const clock = (size, name = 'delayFix') => sentence(suspect({ name, sizes: [size] }), false)
+  assert.equal(
+    clock({ now: 0, value: 0.35, sigma: 0.021 }),
+    'The positions come 0.350 ± 0.021 s late: set the delay to 0.350 s.',
+  )
+  assert.match(
+    clock({ now: 0, value: -0.35, sigma: 0.021 }),
+    /come 0\.350 ± 0\.021 s early: set the delay to −0\.350 s/,
+  )
+  assert.match(clock({ now: 0.2, value: 0.58, sigma: 0.09 }, 'delaySpeed'), /speed comes 0\.380 ± 0\.090 s later than/)
+})
+
+test('a σ is claimed too small or too large, and what is not told has no ±', () => {
+  const sigma = (value, told) =>
+    sentence(suspect({ fault: 'sigma', name: 'sigmaFix', sizes: [{ now: 1, value, sigma: told }] }), false)
+  assert.equal(sigma(1.64, 0.1), 'The σ of a position is 1.64 ± 0.10 m, and is claimed as 1: set it higher.')
+  assert.match(sigma(0.2, null), /is about 0\.20 m, and is claimed as 1: set it lower/)
+})
+
+test('where two explain the readings alike both are named, and where chance does it is said', () => {
+  const other = suspect({ name: 'delaySpeed', standing: 'maybe', excess: 13 })
+  const either = ranked(judgement([suspect({ standing: 'maybe' }), other]), log)
+  assert.match(either, /^Either: The positions come .* Or: The speed comes .* The readings do not tell which\.$/)
+  const little = ranked(judgement([suspect({ standing: 'maybe', excess: 0.4 })]), log)
+  assert.match(little, /^Perhaps: The positions .* Chance explains it nearly as well\.$/)
+  const none = ranked(judgement([suspect({ standing: 'cleared' })]), log)
+  assert.equal(
+    none,
+    'No fault: of the 1 that were looked for, none makes the 2,067 readings likelier than chance does.',
+  )
+  const long = ranked(judgement([suspect({ standing: 'cleared' })]), { rows: 5000, truth: false })
+  assert.match(long, / The first 1,000 rows are judged\.$/)
+})
+
+test('a remedy that leads away from the truth is none', () => {
+  const [against, mended] = [
+    { rmse: 0.13, nees: 3, outside: 0.2 },
+    { rmse: 0.25, nees: 9, outside: 0.4 },
+  ]
+  const said = ranked(judgement([suspect({ standing: 'maybe', mended })], { against }), log)
+  assert.match(said, /^Perhaps: .* the error would grow from 0\.13 to 0\.25 m: something else is wrong\.$/)
+})
+
+test('the worker judges suspect by suspect, and a change of the settings ends it', async () => {
+  const acts = []
+  const server = new Server(
+    core,
+    () => {},
+    (act) => acts.push(act),
+  )
+  await server.answer({ kind: 'files', files: [new File([mower], 'log.csv')] })
+  const goOn = async (answer) => {
+    let said = null
+    answer.then((it) => {
+      said = it
+    })
+    while (said === null) {
+      acts.shift()?.()
+      await new Promise((resolve) => setImmediate(resolve))
+    }
+    return said
+  }
+  const said = await goOn(server.answer({ kind: 'verdict', params: {} }))
+  assert.deepEqual([said.kind, said.found], ['verdict', judged(mower)])
+  const given = server.answer({ kind: 'verdict', params: {} })
+  server.take({ kind: 'go', id: 1, params: { scale: 0.07 }, step: 10 })
+  assert.deepEqual(await goOn(given), { kind: 'no-verdict', message: 'The verdict was given up.' })
+  const none = await goOn(server.answer({ kind: 'verdict', params: { sightings: false } }))
+  assert.equal(none.kind, 'no-verdict')
+})
+
+test('a run asks for the verdict at the end of a log of the reader’s own, and shows it beside the same frame', async () => {
+  const lab = core.RobotLog.from(core.RobotLog.parse(mower), {
+    version: 1,
+    lab: 'robot-log',
+    params: {},
+    step: 13_186,
+  })
+  const asked = []
+  const port = {
+    onmessage: null,
+    post: () => {},
+    ask: (message) => new Promise((answer) => asked.push({ message, answer })),
+  }
+  const run = new RemoteRun(port, 200)
+  const there = () => {
+    run.change({ scale: 0 })
+    run.turn(0, 16, false)
+    run.hear({ kind: 'there', id: run.sent.id, frame: lab.frame(), digest: '' })
+    run.turn(0, 16, false)
+  }
+  run.frame = lab.frame()
+  run.goal = run.frame.step
+  there()
+  assert.equal(asked.length, 0, 'what the figure opens with is its reader’s to find out')
+  run.judging.on = true
+  there()
+  there()
+  assert.deepEqual(
+    asked.map(({ message }) => message.kind),
+    ['verdict', 'verdict'],
+  )
+  assert.ok(run.busy)
+  const found = judged(mower)
+  asked[0].answer({ kind: 'verdict', found: null })
+  asked[1].answer({ kind: 'verdict', found })
+  await new Promise((resolve) => setImmediate(resolve))
+  assert.equal(run.turn(0, 16, false).moved, 'replay')
+  assert.ok(run.frame.judgement === found && !run.busy)
+  assert.match(verdict(run.frame), /^The RMS error .* dead reckoning\. The ranges read 7\.0/)
+})
