@@ -62,7 +62,11 @@ function falsehoods(spec, all, claims) {
       spec.announce(frame, { ...frame, step: frame.step + 1 }),
     ]
     for (const said of [words, ...others]) {
-      if (/undefined|NaN|null|[a-z]'[a-z]|\[object|(?<![.\d])\d{5}|\.\d{6}| {2}|\b1 (steps|ticks|laps|directions)\b/.test(said))
+      if (
+        /undefined|NaN|null|[a-z]'[a-z]|\[object|(?<![.\d])\d{5}|\.\d{6}| {2}|\b1 (steps|ticks|laps|directions)\b/.test(
+          said,
+        )
+      )
         found.add(`“${said}” is no sentence; ${where}`)
     }
   }
