@@ -98,6 +98,26 @@ check(
       },
     ],
     [
+      /^Its correlation with landmark (\d+), framed in the square, is still (−?[\d.]+)\.$/,
+      ({ correlation, sightings, map, pulls }, landmark, value) => {
+        const row = map.landmarks.findIndex(({ truth }) => truth + 1 === Number(landmark)) + 1
+        const read = new Set(sightings.map((one) => one.landmark))
+        const strongest = (unread) =>
+          map.landmarks
+            .map(({ truth }, i) => [truth, Math.abs(correlation[unread][i + 1])])
+            .filter(([truth]) => read.has(truth))
+            .reduce((one, other) => (other[1] > one[1] ? other : one))
+        return (
+          read.has(Number(landmark) - 1) &&
+          pulls.some(({ id }) => {
+            const at = map.landmarks.findIndex((one) => one.id === id) + 1
+            const { truth } = map.landmarks[at - 1]
+            return !read.has(truth) && prints(value, correlation[at][row]) && strongest(at)[0] === Number(landmark) - 1
+          })
+        )
+      },
+    ],
+    [
       /^The mean NEES of the pose is ([\d.]+), where 3 is expected\.$/,
       ({ meanNees, neesBand }, mean) => prints(mean, meanNees) && meanNees <= neesBand[1],
     ],

@@ -1,8 +1,7 @@
 /**
  * Draws a still picture of each figure into target/stills, with the figure's own view code and the module's build for
- * Node: one for each widget in its usual state, one for each figure that the text opens in another state, and the
- * drawings that do not move. Each figure's still is there once more, in target/stills/apart, with its panels in a file
- * beside it.
+ * Node: one for each widget in its usual state, and one for each figure that the text opens in another state. Each is
+ * there once more, in target/stills/apart, with its panels in a file beside it.
  */
 
 import { mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs'
@@ -11,11 +10,8 @@ import { dirname, join } from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { parseHTML } from 'linkedom'
 import { apart } from './apart.mjs'
-import { SVG } from '../draw/dom.js'
 import { coarse } from '../draw/path.js'
-import { Pen } from '../draw/pen.js'
 import { drawStill } from '../figure/still.js'
-import { DRAWINGS } from '../drawings/index.js'
 import { WIDGETS } from '../widgets/index.js'
 
 const root = dirname(dirname(dirname(fileURLToPath(import.meta.url))))
@@ -29,20 +25,6 @@ for (const [name, load] of Object.entries(WIDGETS)) await draw(name, await load(
 // The book's program, which reads the text, has written which figures open in a state of their own.
 for (const { id, name, start } of JSON.parse(readFileSync(join(root, 'target/opened.json'), 'utf8'))) {
   await draw(id, await WIDGETS[name](), start)
-}
-for (const [name, { lab, name: known, width, height, draw: paint, describe }] of Object.entries(DRAWINGS)) {
-  const run = estimate[lab].from({ version: 1, lab: known, step: 0, params: {} })
-  const svg = emptyPage().createElementNS(SVG, 'svg')
-  for (const [key, value] of Object.entries({
-    class: 'panel',
-    viewBox: `0 0 ${width} ${height}`,
-    'aria-hidden': 'true',
-    focusable: 'false',
-  }))
-    svg.setAttribute(key, value)
-  paint(new Pen(svg), run.frame())
-  write(name, svg.outerHTML, describe(run.frame()))
-  run.free()
 }
 console.log(
   `target/stills: ${readdirSync(out)

@@ -13,7 +13,6 @@ use crate::notation::Row;
 use crate::output::Outputs;
 use crate::piece::{Piece, Tex};
 use crate::search::Entry;
-use crate::still::DRAWINGS;
 use crate::syntax::statements;
 use crate::template::safe;
 use crate::tex::{Formula, Style};
@@ -169,16 +168,11 @@ impl Writer<'_> {
     }
 
     fn figure(&mut self, id: &str, attributes: &Attributes, place: &Place) -> Value {
-        let (widget, drawing) = (attributes.value("widget"), attributes.value("drawing"));
-        let name = widget.or(drawing).unwrap_or_default();
-        let known =
-            if widget.is_some() { self.site.figures.iter().map(Figure::name).collect() } else { DRAWINGS.to_vec() };
-        let tag = self.site.figure(name).map(Figure::tag);
-        if widget.is_some() == drawing.is_some() {
-            self.diagnostics.report(place, "a figure has a widget or a drawing");
-        } else if !known.contains(&name) {
-            let kind = if widget.is_some() { "widget" } else { "drawing" };
-            self.diagnostics.report(place, format!("no {kind} is called `{name}`; there are {}", known.join(", ")));
+        let widget = attributes.value("widget").unwrap_or_default();
+        let tag = self.site.figure(widget).map(Figure::tag);
+        if tag.is_none() {
+            let known: Vec<_> = self.site.figures.iter().map(Figure::name).collect();
+            self.diagnostics.report(place, format!("no widget is called `{widget}`; there are {}", known.join(", ")));
         }
         let start = attributes.value("start");
         if let Some(start) = start {
@@ -192,10 +186,9 @@ impl Writer<'_> {
         // Once more on another page, beside what asks for it, it is whole.
         let small = opens.is_some() && self.apart.figures.is_empty();
         let title = safe(self.title(attributes.value("title").unwrap_or_default(), place));
-        let still = self.site.stills.get(id).or_else(|| self.site.stills.get(name)).cloned().unwrap_or_default();
+        let still = self.site.stills.get(id).or_else(|| self.site.stills.get(widget)).cloned().unwrap_or_default();
         // The first figure is there at once; the drawings of the others come when a reader comes near.
-        let later = self.used.widget && widget.is_some();
-        self.used.widget |= widget.is_some();
+        let later = std::mem::replace(&mut self.used.widget, true);
         let html = match still.apart.filter(|_| later) {
             Some(apart) => {
                 let html = apart.html(self.root);

@@ -10,7 +10,7 @@ const RULES: [(&str, &str, &str, &str); 18] = [
     ("definition", "term", "id", "Definition"),
     ("note", "kind", "id title", ""),
     ("margin", "", "id", ""),
-    ("figure", "id", "title widget start drawing opens", "Figure"),
+    ("figure", "id widget", "title start opens", "Figure"),
     ("algorithm", "id name", "in out cost run", "Algorithm"),
     ("exercise", "id title kind difficulty", "", "Exercise"),
     ("hint", "", "id title", ""),

@@ -69,7 +69,6 @@ pub fn figures(
 fn figure(writer: &mut Writer<'_>, page: &str, node: &Node) -> Option<Figure> {
     let Kind::Piece(Piece::Directive { attributes, .. }) = &node.kind else { return None };
     let value = |key: &str| attributes.value(key).unwrap_or_default().to_string();
-    // A drawing that does not move needs no page.
     let widget = attributes.value("widget")?.to_string();
     let id = attributes.id.clone().unwrap_or_default();
     let stills = &writer.site.stills;

@@ -49,7 +49,7 @@ impl Reading {
                     return;
                 }
                 "quiz" => QUESTION,
-                "figure" if attributes.value("widget").is_some() => FIGURE,
+                "figure" => FIGURE,
                 _ => 0.0,
             },
             _ => 0.0,
@@ -81,9 +81,9 @@ mod tests {
     fn words_formulas_figures_and_questions_take_their_time() {
         assert!((reading(&"word ".repeat(236)).text - 236.0 / WORDS).abs() < 1e-12);
         assert!((reading("The *value* $x$.\n").text - 4.0 / WORDS).abs() < 1e-12);
-        let own = "$$\nx\n$$\n\n:::figure{#f widget=\"a\"}\n:::\n\n:::figure{#g drawing=\"a\"}\n:::\n\n\
+        let own = "$$\nx\n$$\n\n:::figure{#f widget=\"a\"}\n:::\n\n:::figure{#g widget=\"a\"}\n:::\n\n\
             :::quiz{id=\"q\"}\n:::\n";
-        assert!((reading(own).text - (DISPLAY + FIGURE + QUESTION)).abs() < 1e-12);
+        assert!((reading(own).text - (DISPLAY + 2.0 * FIGURE + QUESTION)).abs() < 1e-12);
     }
 
     #[test]

@@ -8,9 +8,6 @@ use crate::file;
 use crate::hash::fnv1a;
 use lab::Figure;
 
-/// The drawings that do not move, of `web/drawings`.
-pub const DRAWINGS: [&str; 1] = ["covariance"];
-
 /// A still picture and what it shows in words.
 #[derive(Clone, Debug, Default)]
 pub struct Still {
@@ -18,8 +15,7 @@ pub struct Still {
     pub svg: String,
     /// Description for those who do not see it.
     pub words: String,
-    /// The same with its panels in a file of their own, for figures that a page's first view does not show; a drawing
-    /// has none.
+    /// The same with its panels in a file of their own, for figures that a page's first view does not show.
     pub apart: Option<Apart>,
 }
 
@@ -52,16 +48,14 @@ impl Apart {
 /// The stills, by widget; by figure where one opens in a state of its own.
 pub type Stills = BTreeMap<String, Still>;
 
-/// Reads each `<name>.svg` and `<name>.txt` of `folder`; one of a widget or a drawing that is missing is an error when
-/// `strict`.
+/// Reads each `<name>.svg` and `<name>.txt` of `folder`; one of a widget that is missing is an error when `strict`.
 ///
 /// # Errors
 /// [`BuildError`] when a file is missing under `strict`, or cannot be read.
 pub fn load(folder: &Path, figures: &[Figure], strict: bool) -> Result<Stills, BuildError> {
     let entries = std::fs::read_dir(folder).into_iter().flatten().flatten();
     let drawn = entries.filter_map(|entry| entry.file_name().to_str()?.strip_suffix(".svg").map(String::from));
-    let names: BTreeSet<String> =
-        drawn.chain(figures.iter().map(Figure::name).chain(DRAWINGS).map(String::from)).collect();
+    let names: BTreeSet<String> = drawn.chain(figures.iter().map(|figure| figure.name().into())).collect();
     let mut stills = Stills::new();
     for name in names {
         let [svg, words] = ["svg", "txt"].map(|extension| folder.join(format!("{name}.{extension}")));

@@ -3,12 +3,11 @@
 mod common;
 
 /// Each text with a complaint it must draw.
-const CASES: [(&str, &str); 40] = [
+const CASES: [(&str, &str); 39] = [
     ("a\n\n:::nothing\n:::\n", "page.md:3: unknown directive `:::nothing`"),
     ("a\n\n:::margin\nb\n", "page.md:3: `:::margin` is not closed"),
     ("a\n\n:::\n", "page.md:3: `:::` closes nothing"),
-    (":::figure{#f}\n:::\n", "page.md:1: a figure has a widget or a drawing"),
-    (":::figure{#f drawing=\"x\"}\n:::\n", "page.md:1: no drawing is called `x`"),
+    (":::figure{#f}\n:::\n", "page.md:1: `:::figure` needs `widget`"),
     (":::figure{#f widget=\"x\"}\n:::\n", "page.md:1: no widget is called `x`"),
     (":::figure{#f widget=\"observer-bench\" start='x'}\n:::\n", "page.md:1: `start` is no JSON object"),
     (":::margin{kind=\"x\"}\n:::\n", "page.md:1: `:::margin` has no `kind`"),

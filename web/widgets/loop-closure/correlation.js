@@ -2,6 +2,7 @@
 
 import { pixel } from '../../draw/path.js'
 import { widthOf } from '../../draw/labels.js'
+import { pairOf } from './pair.js'
 
 /** @typedef {import('estimate-wasm').LoopFrame} Frame */
 
@@ -10,7 +11,8 @@ const SHADES = 10
 const TICK = 12 / 13
 
 /** @param {import('../../figure/shell.js').Panel} panel @param {Frame} frame */
-export function drawHeat({ pen, width, height }, { correlation, map, landmarks }) {
+export function drawHeat({ pen, width, height }, frame) {
+  const { correlation, map, landmarks } = frame
   const top = 46
   const side = Math.min(width - 40, height - top - 26)
   const box = { left: 32, top, right: 32 + side, bottom: top + side }
@@ -41,6 +43,15 @@ export function drawHeat({ pen, width, height }, { correlation, map, landmarks }
     for (const [i, d] of shades.entries())
       pen.mark('path', `shade${i}`, { class: 'heat', 'fill-opacity': Math.round(100 * ((i + 1) / SHADES)) / 100, d })
     pen.mark('path', 'below', { class: 'heat-below', d: below })
+    const pair = pairOf(frame)
+    const cells = pair
+      ? [
+          [pair.moved.at, pair.by.at],
+          [pair.by.at, pair.moved.at],
+        ]
+      : []
+    const around = cells.map(([i, j]) => square(box.left + j * cell, box.top + i * cell, cell)).join('')
+    pen.mark('path', 'pair', { class: 'heat-pair', d: around })
     // Where the cells are small every other one has a name, or fewer.
     const [rows, columns] = [Math.ceil(15 / cell), Math.ceil((TICK * widthOf('15') + 1) / cell)]
     for (let i = 0; i < n; i += 1) {
@@ -54,3 +65,6 @@ export function drawHeat({ pen, width, height }, { correlation, map, landmarks }
     pen.text('key', { class: 'tick', x: 2, y: box.bottom + 18 }, 'R: the robot; full 1, blank 0, dash < 0')
   })
 }
+
+/** @param {number} x @param {number} y @param {number} side */
+const square = (x, y, side) => `M${pixel(x)} ${pixel(y)}h${pixel(side)}v${pixel(side)}h${pixel(-side)}z`

@@ -15,6 +15,7 @@ import {
   seriesPath,
 } from '../../draw/plot.js'
 import { ghosts } from './ghosts.js'
+import { pairOf } from './pair.js'
 
 /** @typedef {import('estimate-wasm').LoopFrame} Frame */
 /** @typedef {import('../../draw/pen.js').Pen} Pen */
@@ -115,8 +116,16 @@ function drawBefore(pen, plane, { pulls }) {
     pen.mark('path', `before${id}`, { ...meaning('outline was', 'posterior'), d: ellipsePath(ellipse, from, plane) })
 }
 
-/** Where that step moves each landmark. @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function drawPulls(pen, plane, { pulls }) {
+/**
+ * Where that step moves each landmark, and the pair of them whose cell is framed in the square.
+ * @param {Pen} pen
+ * @param {Plane} plane
+ * @param {Frame} frame
+ */
+function drawPulls(pen, plane, frame) {
+  const { pulls } = frame
+  const pair = pairOf(frame)
+  if (pair) segment(pen, 'pair', plane, pair.moved.to, pair.by.to, { class: 'mark pair' })
   for (const { id, from, to } of pulls) {
     const tip = to.map((value, i) => from[i] + LONGER * (value - from[i]))
     arrow(pen, `pull${id}`, plane, from, tip, 'posterior')

@@ -1,8 +1,8 @@
 /** What the figure of the loop says: each sentence follows from the numbers of the frame. */
 
 import { fixed } from '../../draw/numbers.js'
-import { ghosts } from './ghosts.js'
 import { LONGER } from './map.js'
+import { pairOf } from './pair.js'
 
 /** @typedef {import('estimate-wasm').LoopFrame} Frame */
 
@@ -68,18 +68,14 @@ function closureOf({ closure, lap }) {
  * @param {Frame} frame
  */
 function pullOf(frame) {
-  const { pulls, sightings, map } = frame
-  const spooky = ghosts(frame)
-  const read = new Set(sightings.map(({ landmark }) => landmark))
-  const truth = new Map(map.landmarks.map((it) => [it.id, it.truth]))
-  const unread = pulls.filter(({ id }) => !spooky.has(id) && !read.has(truth.get(id) ?? -1))
-  if (unread.length === 0) return ''
-  const far = (/** @type {Frame['pulls'][number]} */ { from, to }) => Math.hypot(to[0] - from[0], to[1] - from[1])
-  const most = unread.reduce((one, other) => (far(other) > far(one) ? other : one))
+  const pair = pairOf(frame)
+  if (!pair) return ''
+  const { moved, by, correlation } = pair
   return (
-    `Nothing was read of landmark ${(truth.get(most.id) ?? 0) + 1}: its row of the gain, ` +
-    `${fixed(most.reach, 3)} m for a reading off by one σ, moved it by ${fixed(far(most), 3)} m ` +
-    `(the arrows are ${LONGER} times as long).`
+    `Nothing was read of landmark ${moved.truth + 1}: its row of the gain, ` +
+    `${fixed(moved.reach, 3)} m for a reading off by one σ, moved it by ${fixed(moved.far, 3)} m ` +
+    `(the arrows are ${LONGER} times as long). ` +
+    `Its correlation with landmark ${by.truth + 1}, framed in the square, is still ${fixed(correlation, 2)}.`
   )
 }
 
