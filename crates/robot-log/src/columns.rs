@@ -245,7 +245,7 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
 /// Of gaps between 5 and 20 nobody knows whether they are seconds or milliseconds.
 fn by_rate(times: &[f64]) -> Option<&'static str> {
     let mut gaps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > 0.0).collect();
-    gaps.sort_by(f64::total_cmp);
+    gaps.sort_unstable_by(f64::total_cmp);
     let since_1970 = times.first().map_or(0.0, |time| time.abs());
     Some(match gaps.get(gaps.len().saturating_sub(1) / 2) {
         _ if since_1970 > 1e17 => "ns",

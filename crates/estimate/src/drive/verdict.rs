@@ -12,7 +12,7 @@
 use crate::drive::course::Course;
 use crate::drive::evidence::{Against, Evidence, Place};
 use crate::drive::fit::{SETTLED, most_delay};
-use crate::drive::round::{Round, Scope};
+use crate::drive::round::{Round, Scope, ranked};
 use crate::drive::row::Drive;
 use crate::drive::sensor::BySensor;
 use crate::drive::settings::Settings;
@@ -134,7 +134,7 @@ impl Verdict {
             return Ok(true);
         }
         if self.stage == Stage::First {
-            self.first.rank(TIE);
+            self.first.found = ranked(core::mem::take(&mut self.first.found), TIE);
             self.beside = self.explained();
         }
         self.stage = if self.stage == Stage::First && self.beside.is_some() { Stage::Beside } else { Stage::Done };
@@ -167,16 +167,16 @@ impl Verdict {
 
     /// Puts what gains much beside the larger σ before it; whether there was any.
     fn hoist(&mut self, mut round: Round) -> bool {
-        round.rank(TIE);
-        let much = round.found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
+        let mut found = ranked(core::mem::take(&mut round.found), TIE);
+        let much = found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
         if much == 0 {
             return false;
         }
-        let others = round.found.split_off(much);
-        let before = core::mem::replace(&mut self.first.found, round.found);
-        let rest = before.into_iter().filter(|(suspect, _)| !round.tried.contains(&suspect.tried())).chain(others);
-        self.first.found.extend(rest);
-        self.first.found[much..].sort_by(|(a, _), (b, _)| b.excess.total_cmp(&a.excess));
+        let mut rest = found.split_off(much);
+        let before = core::mem::take(&mut self.first.found).into_iter();
+        rest.extend(before.filter(|(suspect, _)| !round.tried.contains(&suspect.tried())));
+        found.extend(ranked(rest, TIE));
+        self.first.found = found;
         true
     }
 
