@@ -174,7 +174,7 @@ test('the worker judges suspect by suspect, and a change of the settings ends it
   assert.equal(none.kind, 'no-verdict')
 })
 
-test('a run asks for the verdict at the end of a log of the reader’s own, and shows it beside the same frame', async () => {
+test('a run asks for the verdict at the end of a log of the reader’s own, and shows it beside its frame', async () => {
   const lab = core.RobotLog.from(core.RobotLog.parse(mower), {
     version: 1,
     lab: 'robot-log',

@@ -1,4 +1,4 @@
-//! The best track afterwards, along an extended Kalman filter of any state and any model (Rauch, Tung and Striebel 1965).
+//! The best track afterwards, along an extended Kalman filter of any state and model (Rauch, Tung and Striebel 1965).
 
 use crate::error::{Code, Error};
 use crate::gap::{Gap, Linear};

@@ -27,7 +27,7 @@ pub const MOST_JUDGED: u32 = 200_000;
 const CHANCE: f64 = 0.03;
 /// Faults whose gains differ by less than this tie, and the earlier kind is named first.
 const TIE: f64 = 0.5;
-/// A fault is sure where neither chance nor any other comes as near as this: the readings are 20 times likelier with it.
+/// A fault is sure where neither chance nor another comes as near as this: the readings are 20 times likelier with it.
 const CLEAR: f64 = 3.0;
 /// A mended filter that is farther from the truth than before, by this ratio, is not mended.
 const WORSE: f64 = 1.05;
