@@ -49,7 +49,10 @@ fn found(source: &Source, value: &Value, file: &str) -> Vec<usize> {
     let mut found = of(value.name, value.quantity);
     match value.name {
         "time" => {
-            found.retain(|at| !is_seconds(&names[*at]) || found_fraction(names, *at).is_some() || !stamped(names))
+            found.retain(|at| !is_seconds(&names[*at]) || found_fraction(names, *at).is_some() || !stamped(names));
+            // Beside a counter of milliseconds the time may be that of a clock, its digits in one number.
+            let counter = names.iter().position(|name| name.words == ["millis"]);
+            found.extend(counter.filter(|at| !found.contains(at)));
         }
         "fraction" => {
             let time = source.columns.first().copied().flatten();
