@@ -55,7 +55,7 @@ test('a turned camera, a bias, a scale, outliers and a wrong start are told with
   )
   assert.match(
     words(drive((one) => ({ ...one, omega: one.omega + 0.05 }))),
-    /^The turn rate reads 0\.0(4[89]|5\d)\d* ± [\d.]+ rad\/s too much: set its bias to 0\.0/,
+    /^The turn rate reads 0\.0(4[89]|5\d)\d* ± [\d.]+ rad\/s too much: let the filter learn its bias\./,
   )
   assert.match(
     words(drive((one) => ({ ...one, v: one.v / 1.1 }))),
@@ -174,7 +174,7 @@ test('the worker judges suspect by suspect, and a change of the settings ends it
   assert.equal(none.kind, 'no-verdict')
 })
 
-test('a run asks for the verdict at the end of a log of the reader’s own, and shows it beside the same frame', async () => {
+test('a run asks for the verdict at the end of a log of the reader’s own, and shows it beside its frame', async () => {
   const lab = core.RobotLog.from(core.RobotLog.parse(mower), {
     version: 1,
     lab: 'robot-log',

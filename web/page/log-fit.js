@@ -1,4 +1,4 @@
-/** Finds the σ, delays, scale and offset of a log by the likelihood of its readings, and says how well the log tells them. */
+/** Finds σ, delays, scale and offset by the likelihood of a log's readings, and says how well the log tells them. */
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
@@ -39,7 +39,8 @@ export class FitForm {
     const words = part(document, row, 'p', 'log-says')
     words.textContent =
       'Fit finds the σ, the delays, the scale of ranges and the offset of bearings under which the readings are ' +
-      'likeliest. Gates are off meanwhile, and the turn rate’s delay is 0: a delay of all sensors together cannot be seen.'
+      'likeliest. Gates are off meanwhile, and the turn rate’s delay is 0: a delay of all sensors together cannot be ' +
+      'seen.'
     const actions = part(document, row, 'div', 'log-actions')
     this.result = part(document, row, 'div', 'log-says')
     this.result.setAttribute('role', 'status')

@@ -12,7 +12,6 @@ mod filter;
 mod fit;
 mod fitted;
 mod freed;
-mod gap;
 mod learned;
 mod likelihood;
 mod line;

@@ -50,7 +50,10 @@ fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
     let mut found = of(value.name, value.quantity);
     match value.name {
         "time" => {
-            found.retain(|at| !is_seconds(&names[*at]) || found_fraction(names, *at).is_some() || !stamped(names))
+            found.retain(|at| !is_seconds(&names[*at]) || found_fraction(names, *at).is_some() || !stamped(names));
+            // Beside a counter of milliseconds the time may be that of a clock, its digits in one number.
+            let counter = names.iter().position(|name| name.words == ["millis"]);
+            found.extend(counter.filter(|at| !found.contains(at)));
         }
         "fraction" => {
             let time = source.columns.first().copied().flatten();
@@ -279,7 +282,7 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
 /// Of gaps between 5 and 20 nobody knows whether they are seconds or milliseconds.
 fn by_rate(times: &[f64]) -> Option<&'static str> {
     let mut gaps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > 0.0).collect();
-    gaps.sort_by(f64::total_cmp);
+    gaps.sort_unstable_by(f64::total_cmp);
     let since_1970 = times.first().map_or(0.0, |time| time.abs());
     Some(match gaps.get(gaps.len().saturating_sub(1) / 2) {
         _ if since_1970 > 1e17 => "ns",

@@ -29,7 +29,7 @@ pub(crate) fn follows(read: &Reading) -> String {
 
 /// How often rows come, and from when to when.
 fn rate(mut times: Vec<f64>) -> Vec<String> {
-    times.sort_by(f64::total_cmp);
+    times.sort_unstable_by(f64::total_cmp);
     times.dedup();
     let (Some(from), Some(to)) = (times.first(), times.last()) else { return Vec::new() };
     let span = to - from;

@@ -43,8 +43,8 @@ impl Spread {
 const WAYS: [(&str, &str); 19] = [
     (
         "time",
-        "header stamp sec,header stamp secs,header stamp,=stamp sec,=stamp secs,=time,=timestamp,=t,=stamp,=zeit,\
-         =temps,=tiempo,=tempo,=zeitstempel,=sec,=secs,=seconds,=utc,=clock,timestamp,time stamp,stamp,time,\
+        "header stamp sec,header stamp secs,header stamp,=stamp sec,=stamp secs,=time,=times,=timestamp,=t,=stamp,\
+         =zeit,=temps,=tiempo,=tempo,=zeitstempel,=sec,=secs,=seconds,=utc,=clock,timestamp,time stamp,stamp,time,\
          seconds elapsed,elapsed,zeit,zeitstempel,uhrzeit,temps,horodatage,heure,tiempo,hora,tempo,ora,sec,secs,\
          seconds,clock,t",
     ),

@@ -51,3 +51,18 @@ fn too_many_files_are_refused() {
     assert!(error.message.contains("at most 16 files"), "{error}");
     assert_eq!(files.files().len(), robot_log::MAX_FILES);
 }
+
+#[test]
+fn beside_a_counter_of_milliseconds_the_digits_of_a_clock_are_asked_for() {
+    // Two seconds over a minute's end: as one number the clock's digits would jump by 42 s.
+    let rows = [(123_859_000, 59_000), (123_859_500, 59_500), (123_900_000, 60_000), (123_900_500, 60_500)];
+    let row = |(clock, millis): &(u32, u32)| format!("260314,{clock},13958375{millis}.25,0.1,2.0,51.0,13.7\n");
+    let text =
+        format!("date,time,millis,yawrate,speed,latitude,longitude\n{}", rows.iter().map(row).collect::<String>());
+    let mut files = Files::default();
+    files.add("car.csv", &text).expect("a table");
+    assert!(files.files()[0].asks()[0].contains("“time” or “millis”"), "{:?}", files.files()[0].asks());
+    assert!(files.set_column(0, "time", Some(2)));
+    let drive = files.read().expect("a log").log.drive;
+    assert_eq!(drive.span().map(|[first, last]| last - first), Some(1.5));
+}

@@ -1,9 +1,9 @@
 //! Faults that are planted in a sound log.
 //!
-//! **How large an effect is.** A number that is off by z of the standard errors with which the log tells it has an effect
-//! of z σ. The standard error is taken on the log as it was before, where nothing is wrong, by the second difference of
-//! the log-likelihood: the readings are then likelier by about z²/2 where the fault is mended. For outliers, which have
-//! no such number, z is the root of twice that gain.
+//! **How large an effect is.** A number that is off by z of the standard errors with which the log tells it has an
+//! effect of z σ. The standard error is taken on the log as it was before, where nothing is wrong, by the second
+//! difference of the log-likelihood: the readings are then likelier by about z²/2 where the fault is mended. For
+//! outliers, which have no such number, z is the root of twice that gain.
 
 use super::{Log, WORLDS, World};
 use estimate::drive::{Event, Fault, Fitted, Pose, Row, Settings, Truth, log_likelihood};

@@ -52,7 +52,8 @@ export function ranked(judgement, { rows, truth }) {
 
 /** @param {Suspect} first @param {Suspect[]} others @param {boolean} truth */
 function named(first, others, truth) {
-  const gain = `The log-likelihood rises by ${fixed(first.gain, 1)}.`
+  const rise = first.gain < 1000 ? fixed(first.gain, 1) : count(Math.round(first.gain))
+  const gain = `The log-likelihood rises by ${rise}.`
   const more = others.some(({ standing }) => standing !== 'cleared')
   const next = more ? ' What else is wrong shows once this is mended.' : ''
   if (first.standing === 'sure') return `${sentence(first, truth)} ${gain}${next}`
@@ -110,7 +111,7 @@ export function sentence(suspect, truth) {
   if (name === 'turnBias')
     return (
       `The turn rate reads ${plusMinus(much)} rad/s too ${off > 0 ? 'much' : 'little'}: ` +
-      `set its bias to ${digits(size)} rad/s.`
+      'let the filter learn its bias.'
     )
   if (name === 'offset')
     return `The ranges read ${plusMinus(much)} m too ${length(off)}: set their offset to ${digits(size)} m.`

@@ -14,6 +14,7 @@ use nalgebra::{DMatrix, DVector, Matrix2, SMatrix, Vector2, Vector3};
 /// The localizer: of the pose alone, or with all that can be learned. States that are not learned stay at 0, and no
 /// covariance ties them to the others, so that every digit is that of a filter without them.
 #[derive(Clone, Copy, Debug)]
+#[expect(clippy::large_enum_variant, reason = "a replay is copied, and what is boxed is not")]
 pub(crate) enum Filter {
     Three(Localizer),
     Six(Localizer<Learned<6>, 6>),

@@ -34,8 +34,8 @@ pub(crate) fn most_delay(duration: f64) -> f64 {
 /// What a fit has found.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Found {
-    /// Each number: what it is, its value, and its standard deviation, relative of a σ, else in the number's unit. `None`
-    /// where the log does not tell it.
+    /// Each number: what it is, its value, and its standard deviation, relative of a σ, else in the number's unit.
+    /// `None` where the log does not tell it.
     pub numbers: Vec<(Fitted, f64, Option<f64>)>,
     /// The log-likelihood of the counted readings before and after.
     pub log_likelihood: [f64; 2],

@@ -51,19 +51,6 @@ impl Round {
         Ok(true)
     }
 
-    /// The likeliest fault first; of those that gain as much to within `tie`, the earlier kind.
-    pub fn rank(&mut self, tie: f64) {
-        let mut left = core::mem::take(&mut self.found);
-        while !left.is_empty() {
-            let best = left.iter().map(|(suspect, _)| suspect.excess).fold(f64::NEG_INFINITY, f64::max);
-            // What falls short of chance is ordered by its gain alone.
-            let tie = if best > 0.0 { tie } else { 0.0 };
-            let ties = left.iter().enumerate().filter(|(_, (suspect, _))| suspect.excess >= best - tie);
-            let first = ties.min_by_key(|(_, (suspect, _))| suspect.fault).map_or(0, |(i, _)| i);
-            self.found.push(left.remove(first));
-        }
-    }
-
     fn look(&self, drive: &Drive, scope: &Scope, base: &Evidence, tried: Tried) -> (Suspect, Place) {
         let clock = tried.fault() == Fault::Clock;
         let search = Search { drive, rows: scope.rows, from: if clock { scope.from } else { 0 }, base };
@@ -107,6 +94,20 @@ impl Round {
         };
         (suspect, place(&freed.at))
     }
+}
+
+/// The likeliest fault first; of those that gain as much to within `tie`, the earlier kind.
+pub(crate) fn ranked(mut left: Vec<(Suspect, Place)>, tie: f64) -> Vec<(Suspect, Place)> {
+    let mut all = Vec::with_capacity(left.len());
+    while !left.is_empty() {
+        let best = left.iter().map(|(suspect, _)| suspect.excess).fold(f64::NEG_INFINITY, f64::max);
+        // What falls short of chance is ordered by its gain alone.
+        let tie = if best > 0.0 { tie } else { 0.0 };
+        let ties = left.iter().enumerate().filter(|(_, (suspect, _))| suspect.excess >= best - tie);
+        let first = ties.min_by_key(|(_, (suspect, _))| suspect.fault).map_or(0, |(i, _)| i);
+        all.push(left.remove(first));
+    }
+    all
 }
 
 /// What a gate brings that takes what it refuses for outliers, whose share is the one that is found.

@@ -2,14 +2,15 @@
 
 use crate::drive::course::{Course, Step};
 use crate::drive::filter::Filter;
-use crate::drive::gap::{Gap, Linear, refused};
 use crate::drive::learned::{Moved, Rolling};
 use crate::drive::replay::{Replay, Taken};
 use crate::drive::row::{Drive, Event};
 use crate::drive::statistics::Errors;
 use crate::drive::summary::{Summary, Withheld};
 use crate::ekf::Localizer;
-use crate::error::Error;
+use crate::error::{Code, Error};
+use crate::gap::{Gap, Linear};
+use alloc::format;
 use alloc::vec::Vec;
 use filters::{Ekf, MotionModel};
 use geom::SE2;
@@ -230,4 +231,18 @@ where
     }
     answer.track.reverse();
     Ok(answer)
+}
+
+/// Why the smoother cannot go back to the row that was measured at `time`; `row` counts the rows of motion and readings
+/// as they are replayed, from 1.
+#[cold]
+fn refused(error: filters::Error, row: u32, time: f64) -> Error {
+    let at = format!("row {row} of the replay, measured at {time} s");
+    let (code, message) = match error {
+        filters::Error::InnovationNotPositiveDefinite => {
+            (Code::InnovationNotPositiveDefinite, format!("cannot be factored behind {at}"))
+        }
+        _ => (Code::NotFinite, format!("leaves the range of numbers at {at}")),
+    };
+    Error::new(code, "P", message)
 }

@@ -12,7 +12,7 @@
 use crate::drive::course::Course;
 use crate::drive::evidence::{Against, Evidence, Place};
 use crate::drive::fit::{SETTLED, most_delay};
-use crate::drive::round::{Round, Scope};
+use crate::drive::round::{Round, Scope, ranked};
 use crate::drive::row::Drive;
 use crate::drive::sensor::BySensor;
 use crate::drive::settings::Settings;
@@ -27,7 +27,7 @@ pub const MOST_JUDGED: u32 = 200_000;
 const CHANCE: f64 = 0.03;
 /// Faults whose gains differ by less than this tie, and the earlier kind is named first.
 const TIE: f64 = 0.5;
-/// A fault is sure where neither chance nor any other comes as near as this: the readings are 20 times likelier with it.
+/// A fault is sure where neither chance nor another comes as near as this: the readings are 20 times likelier with it.
 const CLEAR: f64 = 3.0;
 /// A mended filter that is farther from the truth than before, by this ratio, is not mended.
 const WORSE: f64 = 1.05;
@@ -134,7 +134,7 @@ impl Verdict {
             return Ok(true);
         }
         if self.stage == Stage::First {
-            self.first.rank(TIE);
+            self.first.found = ranked(core::mem::take(&mut self.first.found), TIE);
             self.beside = self.explained();
         }
         self.stage = if self.stage == Stage::First && self.beside.is_some() { Stage::Beside } else { Stage::Done };
@@ -167,16 +167,16 @@ impl Verdict {
 
     /// Puts what gains much beside the larger σ before it; whether there was any.
     fn hoist(&mut self, mut round: Round) -> bool {
-        round.rank(TIE);
-        let much = round.found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
+        let mut found = ranked(core::mem::take(&mut round.found), TIE);
+        let much = found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
         if much == 0 {
             return false;
         }
-        let others = round.found.split_off(much);
-        let before = core::mem::replace(&mut self.first.found, round.found);
-        let rest = before.into_iter().filter(|(suspect, _)| !round.tried.contains(&suspect.tried())).chain(others);
-        self.first.found.extend(rest);
-        self.first.found[much..].sort_by(|(a, _), (b, _)| b.excess.total_cmp(&a.excess));
+        let mut rest = found.split_off(much);
+        let before = core::mem::take(&mut self.first.found).into_iter();
+        rest.extend(before.filter(|(suspect, _)| !round.tried.contains(&suspect.tried())));
+        found.extend(ranked(rest, TIE));
+        self.first.found = found;
         true
     }
 

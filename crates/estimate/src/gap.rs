@@ -1,11 +1,8 @@
-//! The way back of a smoother over the steps between two rows.
+//! The way back of a smoother over the steps between two beliefs.
 
-use crate::drive::learned::Moved;
-use crate::error::{Code, Error};
-use alloc::format;
 use filters::covariance::symmetric;
 use filters::linear::{gain, predicted_covariance};
-use filters::{Ekf, Quantity};
+use filters::{Ekf, Quantity, State};
 use nalgebra::{DMatrix, SMatrix, SVector};
 use numerics::{MIN_PIVOT, Spd, all_finite};
 
@@ -30,7 +27,7 @@ pub(crate) struct Gap<X, const N: usize> {
     motion: Option<Linear<N>>,
 }
 
-impl<X: Moved<N>, const N: usize> Gap<X, N> {
+impl<X: State<N> + Copy, const N: usize> Gap<X, N> {
     /// The end of a replay, where the smoothed belief is the filter's.
     pub fn new(last: &Ekf<X, N>) -> Self {
         Self { smoothed: *last, predicted: *last, motion: None }
@@ -89,29 +86,20 @@ impl<X: Moved<N>, const N: usize> Gap<X, N> {
     }
 }
 
-/// The rare way: C, and the smoothed covariance, of P, F, V and P⁺(all). Compiled once for all sizes.
-#[cold]
-#[inline(never)]
+/// The rare way: C, and the smoothed covariance, of P, F, V and P⁺(all).
 fn corrected<const N: usize>(
     given: [&SMatrix<f64, N, N>; 4],
 ) -> Result<(SMatrix<f64, N, N>, SMatrix<f64, N, N>), filters::Error> {
-    let [p, f, v, after] = given.map(|m| DMatrix::from_column_slice(N, N, m.as_slice()));
-    let corrected = gain(&p, &f, &v)?;
-    let smoothed = predicted_covariance(&corrected.k, &after, &corrected.p)?;
+    let (c, p) = corrected_of_any_size(given.map(|m| DMatrix::from_column_slice(N, N, m.as_slice())))?;
     let of_size = |m: &DMatrix<f64>| SMatrix::from_column_slice(m.as_slice());
-    Ok((of_size(&corrected.k), of_size(&smoothed)))
+    Ok((of_size(&c), of_size(&p)))
 }
 
-/// Why the smoother cannot go back to the row that was measured at `time`; `row` counts the rows of motion and readings
-/// as they are replayed, from 1.
+/// Compiled once for all sizes.
 #[cold]
-pub(crate) fn refused(error: filters::Error, row: u32, time: f64) -> Error {
-    let at = format!("row {row} of the replay, measured at {time} s");
-    let (code, message) = match error {
-        filters::Error::InnovationNotPositiveDefinite => {
-            (Code::InnovationNotPositiveDefinite, format!("cannot be factored behind {at}"))
-        }
-        _ => (Code::NotFinite, format!("leaves the range of numbers at {at}")),
-    };
-    Error::new(code, "P", message)
+#[inline(never)]
+fn corrected_of_any_size([p, f, v, after]: [DMatrix<f64>; 4]) -> Result<(DMatrix<f64>, DMatrix<f64>), filters::Error> {
+    let corrected = gain(&p, &f, &v)?;
+    let smoothed = predicted_covariance(&corrected.k, &after, &corrected.p)?;
+    Ok((corrected.k, smoothed))
 }
