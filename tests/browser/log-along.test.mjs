@@ -5,8 +5,9 @@ import { readFileSync } from 'node:fs'
 import { file, openLog } from './own-log.mjs'
 
 /** Columns that a reader has to exchange by hand. */
-const FIXES = `stamp,east,north\n${Array.from({ length: 30 }, (_, k) => `${k / 2},${k / 4},${(k % 3) / 10}\n`).join('')}`
-const SPEEDS = `time,v,omega\n${Array.from({ length: 30 }, (_, k) => `${k / 2},0.5,0\n`).join('')}`
+const table = (row) => Array.from({ length: 30 }, (_, k) => `${k / 2},${row(k)}\n`).join('')
+const FIXES = `stamp,east,north\n${table((k) => `${k / 4},${(k % 3) / 10}`)}`
+const SPEEDS = `time,v,omega\n${table(() => '0.5,0')}`
 
 /** What a button gives as a file: its name and its text. */
 async function given(page, label) {
