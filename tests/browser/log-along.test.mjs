@@ -2,6 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
+import { until } from './harness.mjs'
 import { file, openLog } from './own-log.mjs'
 
 /** Columns that a reader has to exchange by hand. */
@@ -25,16 +26,20 @@ test('settings and the reading of columns are taken along, and read again in a f
   await choose(file('speeds.csv', SPEEDS), file('fixes.csv', FIXES))
   const asked = 'Are x and y the true position'
   await page.locator('.log-ask', { hasText: asked }).waitFor()
-  const chosen = (key, option) => page.locator(`[data-key="1 ${key}"]`).selectOption(option)
+  // Each answer builds the form anew: only then is the next choice made.
+  const chosen = async (key, option) => {
+    await page.evaluate(() => document.querySelector('.log-file').toggleAttribute('data-before', true))
+    await page.locator(`[data-key="1 ${key}"]`).selectOption(option)
+    await page.locator('.log-file[data-before]').waitFor({ state: 'detached' })
+  }
   const read = () => page.locator('.log-file select').evaluateAll((all) => all.map(({ value }) => value))
   await chosen('read as', 'sensors')
   await answer.getByText('Files: speeds.csv, fixes.csv').waitFor()
   const guessed = await read()
   await chosen('x', { label: 'north' })
-  await page.waitForFunction(() => document.querySelector('[data-key="1 x"]')?.value === '2')
   await chosen('y', { label: 'east' })
-  await page.waitForFunction(() => document.querySelector('[data-key="1 y"]')?.value === '1')
   await it.evaluate((host) => host.figure.change({ sigmaFix: 0.25, gate: 0.99 }))
+  await until(it, ({ params }) => params.sigmaFix === 0.25, 'the change')
   const corrected = await read()
   assert.notDeepEqual(corrected, guessed)
   const { name, text } = await given(page, 'Download the settings')

@@ -36,7 +36,8 @@ export function takeAlong(before, page) {
     save(name, type, text(run))
   }
   button(document, row, 'Download the settings', () =>
-    exported('settings.json', 'application/json', ({ frame }) => settingsText(frame.params, page.files())),
+    // What was asked for last is told, whether it is drawn yet or not.
+    exported('settings.json', 'application/json', (run) => settingsText(run.state().params, page.files())),
   )
   const input = /** @type {HTMLInputElement} */ (part(document, row, 'input', ''))
   input.type = 'file'
