@@ -22,11 +22,16 @@ import { MOST_SETTINGS, nextChange, readSettings, settingsText } from './log-set
 /** Changes of reading that one file of settings may need, and more than any needs. */
 const MOST_CHANGES = 500
 
-/** @param {HTMLElement} before what it stands before @param {Page} page */
+/** @param {HTMLElement} before what it stands before @param {Omit<Page, 'say'>} page */
 export function takeAlong(before, page) {
   const row = document.createElement('p')
   row.className = 'log-actions'
   before.before(row)
+  // The report’s own note is emptied by each frame; this one stays until something else is said.
+  const note = part(document, row, 'span', 'log-note')
+  const say = (/** @type {string} */ words) => {
+    note.textContent = words
+  }
   const exported = async (
     /** @type {string} */ name,
     /** @type {string} */ type,
@@ -36,7 +41,8 @@ export function takeAlong(before, page) {
     save(name, type, text(run))
   }
   button(document, row, 'Download the settings', () =>
-    exported('settings.json', 'application/json', ({ frame }) => settingsText(frame.params, page.files())),
+    // What was asked for last is told, whether it is drawn yet or not.
+    exported('settings.json', 'application/json', (run) => settingsText(run.state().params, page.files())),
   )
   const input = /** @type {HTMLInputElement} */ (part(document, row, 'input', ''))
   input.type = 'file'
@@ -45,13 +51,15 @@ export function takeAlong(before, page) {
   button(document, row, 'Open settings', () => input.click())
   input.addEventListener('change', async () => {
     const [file] = input.files ?? []
-    if (file) await open(file, page)
+    if (file) await open(file, { ...page, say })
     input.value = ''
   })
   button(document, row, 'For robot_localization', () =>
     exported('ekf.yaml', 'application/yaml', ({ frame, contents }) => robotLocalization(frame, contents)),
   )
   button(document, row, 'For filterpy', () => exported('filter.py', 'text/x-python', ({ frame }) => filterpy(frame)))
+  note.setAttribute('role', 'status')
+  row.append(note)
 }
 
 /** @param {File} file @param {Page} page */

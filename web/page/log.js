@@ -73,7 +73,6 @@ class OwnLog {
       files: () => this.files,
       reread: (change) => this.take({ kind: 'reading', set: this.set, change }),
       change: (patch) => this.forms.change(patch),
-      say: (words) => this.report.say(words),
     })
     /** How often the reader has given up a reading. */
     this.given = 0
