@@ -44,6 +44,12 @@ function* frames(spec, axes, steps) {
 /** Sentences: a full stop within a number ends none. */
 export const sentences = (text) => text.split(/(?<=\.)\s+/)
 
+/** What a sentence does not have; more digits than anybody reads among it. */
+const NO_SENTENCE = pattern(
+  /undefined|NaN|null|[a-z]'[a-z]|\[object|(?<![.\d])\d{5}|\.\d{6}| {2}|/,
+  /\b1 (steps|ticks|laps|directions)\b/,
+)
+
 /** Says what of a widget's words is false of its frames. */
 function falsehoods(spec, all, claims) {
   const found = new Set()
@@ -62,12 +68,7 @@ function falsehoods(spec, all, claims) {
       spec.announce(frame, { ...frame, step: frame.step + 1 }),
     ]
     for (const said of [words, ...others]) {
-      if (
-        /undefined|NaN|null|[a-z]'[a-z]|\[object|(?<![.\d])\d{5}|\.\d{6}| {2}|\b1 (steps|ticks|laps|directions)\b/.test(
-          said,
-        )
-      )
-        found.add(`“${said}” is no sentence; ${where}`)
+      if (NO_SENTENCE.test(said)) found.add(`“${said}” is no sentence; ${where}`)
     }
   }
   return [...found].slice(0, 12)

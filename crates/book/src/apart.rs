@@ -48,8 +48,8 @@ pub fn asked(site: &Site, texts: &[Vec<Node>]) -> Vec<String> {
 }
 
 impl<'a> Writer<'a> {
-    /// The exercises of the part called `page` for a list: each with its questions, whose answers the browser keeps under the same
-    /// names on every page, and with every id that an address may name.
+    /// The exercises of the part called `page` for a list: each with its questions, whose answers the browser keeps
+    /// under the same names on every page, and with every id that an address may name.
     pub(crate) fn exercises(&mut self, page: &str, place: &Place) -> Value {
         let Some(texts) = self.texts_of(page, place) else { return Value::UNDEFINED };
         let nodes = all(texts, "exercise");

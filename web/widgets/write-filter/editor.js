@@ -1,6 +1,7 @@
 /**
- * Where the reader writes: the names that the world gives, the text with its marks, its faults, and what the judge says.
- * What is typed goes to the lab when typing rests; until its answer is there, the marks are those of the text before.
+ * Where the reader writes: the names that the world gives, the text with its marks, its faults, and why it is judged as
+ * it is. What is typed goes to the lab when typing rests; until its answer is there, the marks are those of the text
+ * before.
  */
 
 import { button, part } from '../../draw/dom.js'
@@ -20,7 +21,9 @@ const LETTERS = /** @type {const} */ ([
 
 /** @typedef {import('estimate-wasm').WriteFrame} Frame */
 /** @typedef {import('estimate-wasm').WriteParams} Params */
-/** @typedef {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} Change */
+/**
+ * @typedef {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} Change
+ */
 
 /** @param {Document} document @param {Change} change */
 export function buildEditor(document, change) {

@@ -36,7 +36,7 @@ impl Rail {
     /// The robot moves, and its sensor reads.
     pub fn moves(&mut self) {
         let system = &self.system;
-        let u = Vector1::new(if self.k / 10 % 2 == 0 { 1.0 } else { -1.0 });
+        let u = Vector1::new(if (self.k / 10).is_multiple_of(2) { 1.0 } else { -1.0 });
         self.k += 1;
         self.truth = system.f * self.truth + system.g * u + self.noise.correlated(&self.root_v);
         let y = (system.h * self.truth)[0] + system.w[0].sqrt() * self.noise.normal();
