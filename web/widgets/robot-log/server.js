@@ -11,8 +11,8 @@
  *   of CSV, or `{ kind: 'no-table', message }`
  * - `{ kind: 'fit', params }`: `{ kind: 'fit', found }` or `{ kind: 'no-fit', message }`; on the way
  *   `{ kind: 'fitting', done, of }` is told; told `{ kind: 'stop-fit' }` it ends
- * - `{ kind: 'map', params, from, across, up }`: `{ kind: 'map' }` or `{ kind: 'no-map', message }`; on the way each row
- *   is told as `{ kind: 'mapped', row, values }`; told `{ kind: 'stop-map' }` it ends
+ * - `{ kind: 'map', params, from, across, up }`: `{ kind: 'map' }` or `{ kind: 'no-map', message }`; on the way each
+ *   row is told as `{ kind: 'mapped', row, values }`; told `{ kind: 'stop-map' }` it ends
  * - told `{ kind: 'go', id, params, step, smooth }`, it tells `{ kind: 'progress', id, step, of }` on the way; then
  *   `{ kind: 'there', id, frame, digest }`, or `{ kind: 'refused', id, message }`
  * - told `{ kind: 'cancel' }`, it tells nothing more about the replay that was under way
