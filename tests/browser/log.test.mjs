@@ -202,7 +202,6 @@ test('the report prints with the figure as it is', async (t) => {
     '.log-actions',
     'robot-log .still',
     'robot-log .live .controls',
-    'robot-log .live .log-view',
     'robot-log .live .log-tells',
     'robot-log .live .readouts',
     '#format',
