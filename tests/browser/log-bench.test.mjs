@@ -27,7 +27,7 @@ const seen = (page, names) =>
     })
   }, names)
 
-test('map, innovations, verdict, likelihood and the sliders are on one screen, and so they are on a phone but for these', async (t) => {
+test('evidence and sliders are on one screen; on a phone map, verdict and innovations are', async (t) => {
   const evidence = ['.panel-map', '.verdict', '.panel-innovations']
   const wide = [...evidence, '.panel-nis', '.log-likelihood', '.log-number']
   for (const [viewport, names] of [

@@ -190,14 +190,18 @@ test('the report prints with the figure as it is', async (t) => {
     document.documentElement.dataset.report = ''
   })
   await page.emulateMedia({ media: 'print' })
-  for (const shown of ['h1', 'robot-log .live svg.panel-map', '.log-table >> nth=0', 'robot-log .live .verdict'])
+  for (const shown of [
+    'h1',
+    'robot-log .live svg.panel-map',
+    '.log-report .log-table >> nth=0',
+    'robot-log .live .verdict',
+  ])
     assert.ok(await page.locator(shown).first().isVisible(), shown)
   for (const hidden of [
     '.log-intake',
     '.log-actions',
     'robot-log .still',
     'robot-log .live .controls',
-    'robot-log .live .log-view',
     'robot-log .live .log-tells',
     'robot-log .live .readouts',
     '#format',

@@ -48,7 +48,8 @@ export class Forms {
     clearTimeout(this.following)
     const { figure } = this.host
     figure.turn(performance.now())
-    if (figure.run?.busy) this.following = setTimeout(() => this.follow(), FOLLOW_MS)
+    // A panel may have been left for a later turn.
+    if (figure.run?.busy || figure.behind) this.following = setTimeout(() => this.follow(), FOLLOW_MS)
   }
 
   /** @param {import('estimate-wasm').LogContents} contents */

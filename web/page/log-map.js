@@ -1,4 +1,4 @@
-/** The map of a log's likelihood over any two numbers of the filter: what the log tells of each, and of both together. */
+/** The map of a log's likelihood over any two numbers of the filter: what the log tells of each and of both. */
 
 import { SVG, button, part } from '../draw/dom.js'
 import { drawLegend, drawLikelihood } from '../draw/likelihood.js'

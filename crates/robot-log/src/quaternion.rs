@@ -36,8 +36,8 @@ pub(crate) fn first(names: &[Name]) -> Option<usize> {
     })
 }
 
-/// The angle from the axis of x, counter-clockwise, of [x, y, z, w]: atan2(2 (wz + xy), 1 − 2 (y² + z²)), rad. `None` of
-/// one that is all 0, which says that there is no orientation.
+/// The angle from the axis of x, counter-clockwise, of [x, y, z, w]: atan2(2 (wz + xy), w² + x² − y² − z²), rad. `None`
+/// of one that is all 0, which says that there is no orientation.
 pub(crate) fn heading([x, y, z, w]: [f64; 4]) -> Result<Option<f64>, String> {
     let square = x * x + y * y + z * z + w * w;
     if square == 0.0 {

@@ -1,6 +1,6 @@
 /**
- * A map of a log's likelihood over two of its numbers, in the worker: a replay for each cell; between two parts it reads
- * its messages.
+ * A map of a log's likelihood over two of its numbers, in the worker: a replay for each cell; between two parts it
+ * reads its messages.
  */
 
 import { wordsOf } from '../../load/worker-server.js'

@@ -4,7 +4,10 @@
  */
 
 /** @typedef {import('estimate-wasm').LogFrame} LogFrame */
-/** @typedef {{ sensor: string, landmark: number | null, bearing: boolean }} Source `bearing` where its bearings are meant */
+/**
+ * @typedef {{ sensor: string, landmark: number | null, bearing: boolean }} Source
+ * `bearing` where its bearings are meant
+ */
 /**
  * @typedef {object} Looks
  * @property {[number, number] | null} window from when to when, seconds since the log's first row

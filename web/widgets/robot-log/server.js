@@ -11,8 +11,8 @@
  *   of CSV, or `{ kind: 'no-table', message }`
  * - `{ kind: 'fit', params }`: `{ kind: 'fit', found }` or `{ kind: 'no-fit', message }`; on the way
  *   `{ kind: 'fitting', done, of }` is told; told `{ kind: 'stop-fit' }` it ends
- * - `{ kind: 'map', params, from, across, up }`: `{ kind: 'map' }` or `{ kind: 'no-map', message }`; on the way each row
- *   is told as `{ kind: 'mapped', row, values }`; told `{ kind: 'stop-map' }` it ends
+ * - `{ kind: 'map', params, from, across, up }`: `{ kind: 'map' }` or `{ kind: 'no-map', message }`; on the way each
+ *   row is told as `{ kind: 'mapped', row, values }`; told `{ kind: 'stop-map' }` it ends
  * - `{ kind: 'verdict', params }`: `{ kind: 'verdict', found }` or `{ kind: 'no-verdict', message }`; on the way
  *   `{ kind: 'judging', done, of }` is told; the next `go` ends it
  * - told `{ kind: 'go', id, params, step, smooth }`, it tells `{ kind: 'progress', id, step, of }` on the way; then

@@ -283,8 +283,8 @@ record! {
         pub correlation: LogCorrelation,
         /// The readings of each landmark; empty while no reading has been looked at.
         pub by_landmark: Vec<LogLandmark>,
-        /// Mean ν of the bearing over all used sightings, radians: the offset of a turned camera, as far as the estimate
-        /// has not taken it for its own heading. Null without a bearing.
+        /// Mean ν of the bearing over all used sightings, radians: the offset of a turned camera, as far as the
+        /// estimate has not taken it for its own heading. Null without a bearing.
         pub mean_bearing: Option<f64>,
         /// The summary so far.
         pub summary: Summary,
