@@ -32,7 +32,7 @@ export function vignette(pkg) {
       `style="--mx:${mx}px;--my:${my}px;--dx:${fx - mx}px;--dy:${fy - my}px">`,
     `<path class="mark outline prediction" d="${ellipsePath(predicted.ellipse, mean, plane)}"/>`,
     `<path class="mark line measurement" d="M0 ${line}H${SIZE.width}"/>`,
-    `<path class="mark curve prediction" ` + `d="${ellipsePath(foot.ellipse, mean, plane)}"/>`,
+    `<path class="mark curve prediction" d="${ellipsePath(foot.ellipse, mean, plane)}"/>`,
     `<path class="mark way posterior" pathLength="1" d="M${mx} ${my}L${fx} ${fy}"/>`,
     `<circle class="mark hollow prediction" cx="${mx}" cy="${my}" r="4.5"/>`,
     `<circle class="mark full posterior" cx="${fx}" cy="${fy}" r="5"/>`,

@@ -29,6 +29,7 @@ import { Pace } from '../../figure/time-slices.js'
 import { applyChange } from './change.js'
 import { Mapping } from './likelihood.js'
 import { Searching } from './searching.js'
+import { tableOf } from './table.js'
 import { decode, lineOf } from './text.js'
 
 /** How long the worker computes without reading its messages, milliseconds. */
@@ -39,9 +40,6 @@ const NEARLY_THERE_MS = 150
 const PROGRESS_MS = 50
 
 /** @typedef {{ id: number, params: Record<string, unknown>, step: number | null, smooth?: boolean }} Wish */
-/** Rows of a table that are written in one go. */
-const TABLE_ROWS = 5000
-
 /** @typedef {import('./change.js').Change} Change */
 /** @typedef {{ wish: Wish, lab: any, of: number, from: number, began: number, told: number }} Replay */
 
@@ -105,7 +103,7 @@ export class Server {
   /** @param {any} message @returns {Promise<any>} */
   async answer(message) {
     const { kind, set, files, change } = message
-    if (kind === 'table') return this.table(message)
+    if (kind === 'table') return tableOf(this.module, this.log, message, this.soon)
     if (kind === 'map') return this.mapping.map(this.module, this.log, message)
     if (kind === 'fit') return this.fitting.fit(this.module, this.log, message.params)
     if (kind === 'verdict') return this.judging.judge(this.module, this.log, message.params)
@@ -192,25 +190,6 @@ export class Server {
       const asked = line === 0 && shown[file]?.asks.length > 0
       const mend = asked ? 'Answer below' : ''
       return { ...NO_LOG, set, files: shown, file, line, column, message, shown: from, mend }
-    }
-  }
-
-  /**
-   * Writes the replay as CSV, a part at a time; a `go` that comes meanwhile is answered between two parts.
-   * @param {{ params: any, table: string }} wish
-   */
-  async table({ params, table: kind }) {
-    try {
-      const table = new this.module.LogTable(this.log, params, kind)
-      const parts = []
-      for (let part = table.next(TABLE_ROWS); part !== undefined; part = table.next(TABLE_ROWS)) {
-        parts.push(part)
-        await new Promise((resolve) => this.soon(() => resolve(undefined)))
-      }
-      table.free()
-      return { kind: 'table', text: new Blob(parts, { type: 'text/csv' }) }
-    } catch (error) {
-      return { kind: 'no-table', message: wordsOf(error) }
     }
   }
 
