@@ -117,13 +117,14 @@ fn values(shape: &'static Shape, limits: [f64; 2]) -> BoxedStrategy<Vec<f64>> {
             .prop_map(|rows| [vec![rows.len() as f64], rows.concat()].concat())
             .boxed(),
         Shape::Text => {
-            let text = prop_oneof!["[xPuyFGHVWnS =+'*/()\\[\\]0-9\n-]{0,80}", "P = [0-9]{1,3} P\nx = F x"];
-            text.prop_map(|text| {
-                let mut row = Vec::new();
-                lab::Plain::write(text.as_str(), &mut row);
-                row
-            })
-            .boxed()
+            let parts = "x = F x\n|P = 9 P\n|P = F P F' + V\n|x = x + |nu|K = |(|)|'| H|\\|^-1|[1, 2]|1e9 ".split('|');
+            prop::collection::vec(prop::sample::select(parts.collect::<Vec<_>>()), 0..12)
+                .prop_map(|parts| {
+                    let mut row = Vec::new();
+                    lab::Plain::write(parts.concat().as_str(), &mut row);
+                    row
+                })
+                .boxed()
         }
         Shape::List(_) | Shape::Record(..) | Shape::Sparse(..) => {
             unreachable!("no parameter holds a {shape:?}")

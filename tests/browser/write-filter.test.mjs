@@ -51,7 +51,7 @@ test('a step typed from an empty box is called right, and is there again after a
   assert.equal(await area.inputValue(), '')
 })
 
-test('faults are listed with their places, marked beside their lines, and read out', async (t) => {
+test('faults are listed with their places, marked beside their lines, and the first is said', async (t) => {
   const { it, area } = await openWriting(t)
   await area.fill(['x = F x + G u', 'P = F P F + q', 'y = H'].join('\n'))
   await area.blur()

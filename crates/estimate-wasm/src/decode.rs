@@ -34,13 +34,13 @@ extern "C" {
 }
 
 mod fields;
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 mod matrix;
 #[cfg(feature = "labs")]
 mod parameter;
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 mod plain;
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 pub(crate) use plain::Reading;
 
 /// Where in a call's arguments a value was found; spelt out for an error only.
@@ -160,7 +160,7 @@ impl<'a> Arg<'a> {
     }
 
     /// A number that may be left out, or null.
-    #[cfg(feature = "functions")]
+    #[cfg(feature = "arguments")]
     pub fn number_or_null(&self) -> Result<Option<f64>, Error> {
         if self.is_undefined() || self.is_null() { Ok(None) } else { self.number().map(Some) }
     }
@@ -179,7 +179,7 @@ impl<'a> Arg<'a> {
     }
 
     /// Reads the field `name` into `to`, when there is one.
-    #[cfg(feature = "functions")]
+    #[cfg(feature = "arguments")]
     pub fn given<T>(
         &self,
         name: &'static str,

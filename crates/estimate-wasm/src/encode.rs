@@ -139,7 +139,7 @@ pub(crate) fn list(numbers: &[f64]) -> JsValue {
 }
 
 /// A number, or null where there is none.
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 pub(crate) fn number_or_null(number: Option<f64>) -> JsValue {
     number.map_or(JsValue::NULL, JsValue::from_f64)
 }
@@ -153,10 +153,10 @@ pub(crate) fn record(fields: &[(&'static str, JsValue)]) -> JsValue {
     object.into()
 }
 
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 pub(crate) use answers::{Arrays, rows, shown};
 
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 mod answers {
     use super::Row;
     use nalgebra::{Dim, Matrix, RawStorage};

@@ -14,9 +14,12 @@
 //! A matrix has at most 16 rows and 16 columns, any other array at most 10 000 entries; a call that accepts fewer, and
 //! a typed array, say so where they stand.
 
+// A build with some of the classes takes of what all share the part that these need.
+#![cfg_attr(not(feature = "functions"), allow(dead_code, unused_imports))]
+
 #[cfg(feature = "analysis")]
 mod analysis;
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 mod arguments;
 #[cfg(feature = "log")]
 mod car_log;

@@ -1,6 +1,6 @@
 //! Names as JavaScript has them, made once: making a string takes longer than reading or writing a field.
 
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 use js_sys::Array;
 use lab::Field;
 use std::cell::RefCell;
@@ -31,7 +31,7 @@ pub(crate) fn name(text: &'static str) -> &'static JsValue {
 }
 
 /// An array of the names.
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 pub(crate) fn array(names: &'static [&'static str]) -> &'static JsValue {
     &once((names.as_ptr().cast(), names.len()), &|| vec![names.iter().copied().map(name).collect::<Array>().into()])[0]
 }

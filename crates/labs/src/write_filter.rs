@@ -5,12 +5,14 @@ mod observer;
 mod params;
 mod programs;
 mod view;
+pub(crate) mod world;
 
 pub use frame::{
     NamedBug, Verdict, WriteFault, WriteFrame, WriteMean, WriteName, WriteObserver, WriteSeries, WriteWorlds,
 };
 pub use params::{FilterWorld, Letters, MOST_BYTES, WriteParams};
 pub use programs::Begin;
+pub use world::{WriteBelief, WriteStep, WriteSystem, WriteWorld};
 
 use crate::worlds::Run;
 use estimate::{Code, Error};
@@ -66,7 +68,7 @@ fn text_of(params: &WriteParams) -> String {
 
 impl Lab for WriteFilter {
     named! {
-        "write-filter", WriteParams, WriteFrame, &[frame::INTERFACES],
+        "write-filter", WriteParams, WriteFrame, &[frame::INTERFACES, world::INTERFACES],
         "A filter that the reader writes, what is wrong with it, and its run beside a right filter's."
     }
     kept! {}
@@ -119,6 +121,14 @@ impl WriteFilter {
     /// The worlds in which a program is counted.
     pub fn worlds(&self) -> crate::worlds::Worlds {
         crate::worlds::Worlds::new(&self.program)
+    }
+
+    /// The first steps of the run's world, on which the program is tested in another language.
+    ///
+    /// # Errors
+    /// None, on the chapter's constants.
+    pub fn world(&self) -> Result<WriteWorld, Error> {
+        world::of(self)
     }
 
     /// The program's text in the letters of another notation.

@@ -5,6 +5,7 @@
  */
 
 import { button, part } from '../../draw/dom.js'
+import { buildCopies } from './copies.js'
 import { faultOf, keep, last, textOf } from './kept.js'
 import { GROUPS, isBegin, opened, stepsOf } from './programs.js'
 import { isEmpty, reasons } from './words.js'
@@ -67,6 +68,7 @@ export function buildEditor(document, change) {
   )
   const faults = part(document, element, 'ol', 'write-faults')
   const why = part(document, element, 'div', 'write-why')
+  const taken = buildCopies(document, element, change)
 
   /** What the box holds, by the parameters it came from or went to. */
   let shown = ''
@@ -137,6 +139,7 @@ export function buildEditor(document, change) {
       anew.hidden = params.text === null
       // While a run is computed the frame is older than what was asked for.
       if (keyOf(now.params) !== keyOf(params)) return
+      taken.show(now)
       const key = keyOf(params)
       if (key !== shown && resting === undefined) {
         shown = key

@@ -63,12 +63,12 @@ export const figure = {
   panels: [
     { name: 'run', width: 460, height: 330, draw: drawRun },
     { name: 'errors', width: 460, height: 300, draw: drawErrors },
-    { name: 'worlds', width: 460, height: 150, aside: true, draw: drawWorlds },
+    { name: 'worlds', width: 460, height: 200, aside: true, draw: drawWorlds },
   ],
   layout: {
     // Who writes looks at the text and at what is said of it: the pictures come after.
     narrow: ['tries', 'controls', 'verdict', 'run', 'worlds', 'readouts', 'errors'],
-    medium: ['tries tries', 'verdict verdict', 'controls controls', 'run errors', 'worlds worlds'],
+    medium: ['tries tries', 'verdict verdict', 'controls controls', 'run errors', 'worlds readouts'],
     wide: ['tries tries', 'verdict verdict', 'controls run', 'controls worlds', 'controls errors'],
     columns: { medium: '1fr 1fr' },
   },

@@ -107,8 +107,18 @@ const ROWS = /** @type {const} */ ([
   ['nis', 'NIS'],
 ])
 const [LEFT, RIGHT] = [48, 64]
-/** Where there is no mean. */
-const NAMELESS = 'the program names no innovation and no covariance of it'
+/** What a mean below its band says, and one above it. */
+const BEYOND = {
+  nees: ['errors are smaller than P says', 'errors are larger than P says'],
+  nis: ['innovations are smaller than S says', 'innovations are larger than S says'],
+}
+
+/** @param {'nees' | 'nis'} key @param {import('estimate-wasm').WriteMean | null} mean */
+function told(key, mean) {
+  if (!mean) return key === 'nis' ? 'innovation and S are not named' : 'P is no covariance'
+  const { value, band } = mean
+  return value < band[0] ? BEYOND[key][0] : value > band[1] ? BEYOND[key][1] : ''
+}
 
 /**
  * @param {import('../../figure/shell.js').Panel} panel
@@ -132,8 +142,7 @@ export function drawWorlds({ pen, width, height }, frame, { aside }) {
       const mean = found?.[key] ?? null
       pen.text(`name${i}`, { class: 'tick', x: 0, y: y + 4 }, name)
       pen.mark('line', `line${i}`, { class: 'grid', x1: left, x2: right, y1: y, y2: y })
-      const said = found?.sentences.find((sentence) => sentence.startsWith(`The mean ${name} `))?.split(': ')[1]
-      pen.text(`said${i}`, { class: 'rule-name', x: left, y: y + 32 }, mean || !found ? (said ?? '') : NAMELESS)
+      pen.text(`said${i}`, { class: 'rule-name', x: left, y: y + 32 }, found ? told(key, mean) : '')
       pen.text(`value${i}`, { class: 'tick', x: width, y: y + 4, 'text-anchor': 'end' }, fixed(mean?.value, 2))
       if (!mean) continue
       const [low, high] = mean.band

@@ -1,6 +1,6 @@
 //! The fields of an object, and texts.
 
-#[cfg(feature = "functions")]
+#[cfg(feature = "arguments")]
 use super::get;
 use super::{Arg, listed, own_keys};
 use crate::names::name;
@@ -31,7 +31,7 @@ impl Arg<'_> {
     }
 
     /// A name: a text that is not long.
-    #[cfg(feature = "functions")]
+    #[cfg(feature = "arguments")]
     pub fn name(&self) -> Result<String, Error> {
         match self.value.dyn_ref::<JsString>() {
             None => Err(self.wrong_type("a text")),
@@ -57,7 +57,7 @@ impl Arg<'_> {
 
     /// The own fields of an object whose names are the caller's, in their order, and at most so many. Their values are
     /// to be decoded by themselves.
-    #[cfg(feature = "functions")]
+    #[cfg(feature = "arguments")]
     pub fn own_fields(&self, most: u32) -> Result<Vec<(String, JsValue)>, Error> {
         let keys = self.keys()?;
         if keys.length() > most {

@@ -8,7 +8,7 @@ use crate::object::Held;
 use estimate::{Code, Error};
 use lab::Plain;
 use labs::worlds::Worlds;
-use labs::{Letters, WriteWorlds};
+use labs::{Letters, WriteWorld, WriteWorlds};
 use program::Stop;
 use wasm_bindgen::prelude::*;
 
@@ -17,6 +17,8 @@ const TYPES: &str = r#"
 export interface WriteFilter {
     /** The program's text in the letters of a notation: only names change. */
     textIn(notation: "choset" | "thrun" | "common"): string;
+    /** The first ten steps of the run's world, on which the program is tested in another language. */
+    world(): WriteWorld;
     /** The program in the worlds of 500 seeds, none of which has been run yet. */
     worlds(): FilterWorlds;
 }
@@ -31,6 +33,14 @@ impl WriteFilter {
         let letters = [Letters::Choset, Letters::Thrun, Letters::Common];
         let letters = letters[Arg::new(notation, "notation").word(&["choset", "thrun", "common"])?];
         Self::CLASS.lab(&self.0, |lab: &labs::WriteFilter| Ok(lab.text_in(letters)))
+    }
+
+    /// The first steps of the run's world, as its type says.
+    pub fn world(&self) -> Result<JsValue, Thrown> {
+        let world = Self::CLASS.lab(&self.0, labs::WriteFilter::world)?;
+        let mut numbers = Vec::new();
+        world.write(&mut numbers);
+        Ok(Row::new(&numbers).value(&<WriteWorld as Plain>::SHAPE))
     }
 
     /// The program in many worlds, as its type says.

@@ -19,7 +19,8 @@ pub(super) struct Rail {
     noise: Noise,
     pub truth: Vector2<f64>,
     k: u32,
-    given: Vec<Matrix>,
+    /// What the last step gives a program.
+    pub given: Vec<Matrix>,
 }
 
 impl Rail {

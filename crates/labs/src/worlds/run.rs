@@ -51,16 +51,30 @@ impl Run {
     /// # Errors
     /// [`Stop`]; the belief then is as it was.
     pub fn next(&mut self, program: &mut Program) -> Result<(), Stop> {
-        match &mut self.robot {
-            Robot::Rail(rail) => rail.moves(),
-            Robot::Stadium(stadium) => stadium.moves(),
-        }
+        self.moves();
         let (step, used) = self.read(program)?;
         let made = |quantity| program.made(&step, quantity).cloned().ok_or(Stop::Given);
         let belief = (made(Quantity::X)?, made(Quantity::P)?);
         self.nis = if used { nis(program, &step) } else { None };
         (self.used, self.belief) = (used, belief);
         Ok(())
+    }
+
+    fn moves(&mut self) {
+        match &mut self.robot {
+            Robot::Rail(rail) => rail.moves(),
+            Robot::Stadium(stadium) => stadium.moves(),
+        }
+    }
+
+    /// A step of the world, and what it gives a program: input, reading, V, W, then F, G and H or landmark and gate. The
+    /// motion's noise is as at the first estimate.
+    pub fn given(&mut self) -> Vec<Matrix> {
+        self.moves();
+        match &self.robot {
+            Robot::Rail(rail) => rail.given.clone(),
+            Robot::Stadium(stadium) => stadium.given(&self.belief.0),
+        }
     }
 
     fn read(&self, program: &mut Program) -> Result<(Step, bool), Stop> {

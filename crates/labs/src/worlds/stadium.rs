@@ -41,6 +41,11 @@ impl Stadium {
         self.seen = look(&mut self.noise, self.truth, self.k);
     }
 
+    /// What the step gives a program, the noise as at an estimate.
+    pub fn given(&self, x: &Matrix) -> Vec<Matrix> {
+        given(x, &self.u, self.seen)
+    }
+
     /// What a program makes of the step, and whether the gate lets the reading in; without ν and S there is no gate.
     pub fn read(&self, program: &mut Program, belief: &(Matrix, Matrix)) -> Result<(Step, bool), Stop> {
         let Some(seen) = self.seen else { return Ok((step(program, belief, &self.u, None)?, false)) };
@@ -59,6 +64,11 @@ fn step(
     u: &Vector2<f64>,
     seen: Option<Sighting>,
 ) -> Result<Step, Stop> {
+    program.step([&[x.clone(), p.clone()], &given(x, u, seen)[..]].concat())
+}
+
+/// Input, reading, noise, landmark and gate as a program takes them, at an estimate.
+fn given(x: &Matrix, u: &Vector2<f64>, seen: Option<Sighting>) -> Vec<Matrix> {
     let sensor = BUG_MUSEUM.sensor;
     let pose = SE2::from_vector(&Vector3::from_column_slice(&x.entries));
     let input = Matrix2::from_diagonal(&Vector2::from(BUG_MUSEUM.u_sigma.map(|sigma| sigma * sigma)));
@@ -67,14 +77,12 @@ fn step(
     let [range, bearing] = [sensor.range_sigma, sensor.bearing_sigma].map(|sigma| scale * sigma * sigma);
     let landmark = BUG_MUSEUM.landmarks[seen.map_or(0, |seen| seen.landmark as usize)];
     let y = seen.map_or([0.0, 0.0], |seen| [seen.range, seen.bearing]);
-    program.step(vec![
-        x.clone(),
-        p.clone(),
+    vec![
         Matrix::column(u.as_slice()),
         Matrix::column(&y),
         Matrix::new(3, 3, v.transpose().as_slice().to_vec()),
         Matrix::new(2, 2, vec![range, 0.0, 0.0, bearing]),
         Matrix::column(&[landmark.x, landmark.y]),
         Matrix::column(&[BUG_MUSEUM.gate]),
-    ])
+    ]
 }
