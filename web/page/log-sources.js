@@ -23,7 +23,7 @@ export function headsOf({ bearings }) {
 }
 
 /** A row for each sensor that has readings, and one for each landmark. @param {Frame} frame @returns {Row[]} */
-export function rowsOf({ summary: { sensors }, byLandmark, bearings, meanBearing }) {
+export function rowsOf({ summary: { sensors }, byLandmark, landmarkStatistics, bearings, meanBearing }) {
   /** @typedef {{ used: number, refused: number, nis?: number | null, lag1?: number | null }} Sums */
   const cells = (
     /** @type {Sums} */ { used, refused, nis, lag1 },
@@ -44,7 +44,8 @@ export function rowsOf({ summary: { sensors }, byLandmark, bearings, meanBearing
     rows.push({ name, source, cells: cells(said, said.meanInnovation, sensor === 'bearing' ? meanBearing : null) })
   }
   const sensor = sensors.bearing ? 'bearing' : 'range'
-  for (const seen of [...byLandmark].sort((a, b) => a.id - b.id)) {
+  const each = byLandmark.map((seen, i) => ({ ...seen, ...landmarkStatistics[i] }))
+  for (const seen of each.sort((a, b) => a.id - b.id)) {
     if (seen.used + seen.refused === 0) continue
     const source = { sensor, landmark: seen.id, bearing: false }
     rows.push({ name: `Landmark ${seen.id}`, source, cells: cells(seen, seen.mean, seen.meanBearing) })

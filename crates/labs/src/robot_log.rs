@@ -15,7 +15,8 @@ mod verdict;
 pub use fit::LogFit;
 pub use frame::{
     FixOutcome, LogBands, LogCorrelation, LogErrors, LogFixInnovations, LogFixes, LogFrame, LogHistogram,
-    LogInnovations, LogLandmark, LogNis, LogRanges, LogSighting, LogSmoothed, LogTimeline, LogTracks,
+    LogInnovations, LogLandmark, LogLandmarkStatistics, LogNis, LogRanges, LogSighting, LogSmoothed, LogTimeline,
+    LogTracks,
 };
 pub use logged::LoggedDrive;
 pub use params::LogParams;
@@ -184,6 +185,7 @@ impl Lab for RobotLog {
             histogram: record.histogram(),
             correlation: record.correlation(),
             by_landmark: record.by_landmark(logged),
+            landmark_statistics: record.landmark_statistics(),
             mean_bearing: record.mean_bearing(),
             summary: self.summary(),
             bands: record.bands(),

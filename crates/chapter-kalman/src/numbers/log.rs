@@ -222,7 +222,7 @@ fn wrong(logged: &Arc<LoggedDrive>, calibrated: LogParams, to: &mut Listing) -> 
     to.add("log.wrong.mended", share(sound.used, sound.refused), "the share of refused readings with the right map")
         .add("log.wrong.mended.rmse", sound.rmse.ok_or_else(off)?, "RMS error of the position with it, m")
         .add("log.wrong.rmse", copied.summary.rmse.ok_or_else(off)?, "the same of the log with a mistake, m");
-    for LogLandmark { id, used, refused, mean_innovation, .. } in copied.by_landmark {
+    for LogLandmark { id, used, refused, mean_innovation } in copied.by_landmark {
         let (readings, mean) = (f64::from(used + refused), mean_innovation.ok_or_else(off)?);
         to.add(format!("log.wrong.{id}.readings"), readings, "a beacon's readings in the log with a mistake")
             .add(format!("log.wrong.{id}.refused"), share(used, refused), "the share of them that the gate refuses")

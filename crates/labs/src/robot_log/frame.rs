@@ -128,7 +128,7 @@ record! {
         pub used: Vec<bool>,
         /// Which sensor it is of.
         pub sensor: Vec<LogSensor>,
-        /// Of which landmark, by its id; null of a fix and a heading.
+        /// The id of its landmark; null of a fix and a heading.
         pub landmark: Vec<Option<u32>>,
         /// ν of the bearing, radians; null of a reading without one.
         pub bearing: Vec<Option<f64>>,
@@ -139,7 +139,6 @@ record! {
         /// Metres.
         pub y: Vec<f64>,
     }
-
     /// The error of the position against what the filter claims.
     #[derive(Default)]
     pub struct LogErrors {
@@ -200,6 +199,10 @@ record! {
         pub refused: u32,
         /// The mean innovation ν of all of them, metres; null without a reading.
         pub mean_innovation: Option<f64>,
+    }
+
+    /// Whether the used readings of one landmark are what the model claims.
+    pub struct LogLandmarkStatistics {
         /// Mean of d²/p over the used ones: 1 is expected.
         pub nis: Option<f64>,
         /// Mean of ν/√S of the range over the used ones: 0 is expected.
@@ -283,8 +286,9 @@ record! {
         pub correlation: LogCorrelation,
         /// The readings of each landmark; empty while no reading has been looked at.
         pub by_landmark: Vec<LogLandmark>,
-        /// Mean ν of the bearing over all used sightings, radians: the offset of a turned camera, as far as the
-        /// estimate has not taken it for its own heading. Null without a bearing.
+        /// Their statistics, in the same order.
+        pub landmark_statistics: Vec<LogLandmarkStatistics>,
+        /// Mean ν of the bearing over all used sightings, radians; a turned camera shows here. Null without a bearing.
         pub mean_bearing: Option<f64>,
         /// The summary so far.
         pub summary: Summary,

@@ -2,7 +2,7 @@
 
 use super::frame::{
     FixOutcome, LogBands, LogCorrelation, LogErrors, LogFixInnovations, LogFixes, LogHistogram, LogInnovations,
-    LogLandmark, LogNis, LogRanges, LogSighting,
+    LogLandmark, LogLandmarkStatistics, LogNis, LogRanges, LogSighting,
 };
 use super::logged::LoggedDrive;
 use super::seen::Seen;
@@ -202,6 +202,10 @@ impl Record {
 
     pub fn by_landmark(&self, logged: &LoggedDrive) -> Vec<LogLandmark> {
         logged.drive().landmarks.iter().zip(&self.landmarks).map(|(landmark, seen)| seen.told(landmark.id)).collect()
+    }
+
+    pub fn landmark_statistics(&self) -> Vec<LogLandmarkStatistics> {
+        self.landmarks.iter().map(Seen::statistics).collect()
     }
 
     pub fn mean_bearing(&self) -> Option<f64> {

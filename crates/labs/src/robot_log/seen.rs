@@ -1,6 +1,6 @@
 //! What the filter made of the readings of one landmark, as sums.
 
-use super::frame::LogLandmark;
+use super::frame::{LogLandmark, LogLandmarkStatistics};
 use estimate::drive::{Judged, Sensor};
 use filters::Autocorrelation;
 use lab::words;
@@ -56,6 +56,13 @@ impl Seen {
             used,
             refused,
             mean_innovation: (used + refused > 0).then(|| self.innovations / f64::from(used + refused)),
+        }
+    }
+
+    /// Whether they are what the model claims.
+    pub fn statistics(&self) -> LogLandmarkStatistics {
+        let used = self.normalized.count();
+        LogLandmarkStatistics {
             nis: (used > 0).then(|| self.nis / f64::from(used)),
             mean: self.normalized.mean(),
             lag1: self.normalized.at(1),

@@ -290,9 +290,9 @@ fn a_turned_camera_shows_in_the_bearings_of_each_landmark() {
     }
     let sigmas = LogParams { sigma_distance: 0.01, sigma_turn: 0.001, sigma_range: 0.02, ..LogParams::default() };
     let frame = |bearing_offset| whole(&logged(&text), LogParams { bearing_offset, ..sigmas }).frame();
-    let LogFrame { mean_bearing, by_landmark, innovations, .. } = frame(0.0);
+    let LogFrame { mean_bearing, landmark_statistics: each, innovations, .. } = frame(0.0);
     assert!(mean_bearing.is_some_and(|mean| (0.8..1.1).contains(&(mean / turned))), "{mean_bearing:?}");
-    assert!(by_landmark.iter().all(|seen| seen.mean_bearing.is_some_and(|mean| mean > 0.5 * turned)));
+    assert!(each.iter().all(|seen| seen.mean_bearing.is_some_and(|mean| mean > 0.5 * turned)));
     assert_eq!((innovations.second.len(), innovations.landmark[1]), (innovations.time.len(), Some(2)));
     let told = frame(turned).mean_bearing;
     assert!(told.is_some_and(|mean| mean.abs() < 1e-3), "{told:?}");
