@@ -43,7 +43,9 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
   function remarks({ as, unused, system }) {
     return [
       as,
-      system.continuous ? `taken as continuous in time and sampled every ${system.period} s` : '',
+      system.continuous
+        ? `taken as continuous in time and sampled every ${system.period} s, with the noise of the motion per second`
+        : '',
       unused.length > 0 ? `not used: ${unused.map((name) => name.slice(0, 20)).join(', ')}` : '',
     ]
       .filter(Boolean)

@@ -12,7 +12,7 @@ import { buildGrid } from './grid.js'
 import { givenName, lettersOf } from './names.js'
 import { MATRICES, MOST, PRESETS, paramsOf, partOf, runOf, sizeOf } from './presets.js'
 import { buildTime } from './time.js'
-import { faultOf, numberOf } from './value.js'
+import { faultOf, numberOf } from './number.js'
 import { grown, keyOf, same, wordsOf } from './typed-system.js'
 
 /**

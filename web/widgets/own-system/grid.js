@@ -3,7 +3,7 @@
 import { part } from '../../draw/dom.js'
 import { writeHtml } from '../../draw/words.js'
 import { textBox, write } from './fields.js'
-import { numberOf } from './value.js'
+import { numberOf } from './number.js'
 
 /** What each matrix means; in continuous time another word stands for a step. */
 const MEANINGS = /** @type {Record<string, import('../../draw/words.js').Words>} */ ({
