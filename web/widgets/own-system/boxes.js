@@ -26,16 +26,25 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
    */
   let pasted = null
 
+  /** Where the focus was before is where it is afterwards. */
+  let close = () => {}
+  box.addEventListener('keydown', (event) => {
+    if (/** @type {KeyboardEvent} */ (event).key === 'Escape') close()
+  })
+
   /** @param {string} name @param {string} kind @param {() => void} closed */
   function open(name, kind, closed) {
+    const from = /** @type {HTMLElement | null} */ (document.activeElement)
     box.replaceChildren()
     const label = part(document, box, 'label', 'own-paste')
     part(document, label, 'span', 'control-name').textContent = name
     const area = /** @type {HTMLTextAreaElement} */ (part(document, label, 'textarea', kind))
-    button(document, box, 'Close', () => {
+    close = () => {
       box.replaceChildren()
       closed()
-    })
+      from?.focus()
+    }
+    button(document, box, 'Close', () => close())
     return area
   }
 
