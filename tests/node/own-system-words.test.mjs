@@ -110,6 +110,44 @@ check(
         /^Whether it is detectable is undecided within the tolerance\.$/,
         ({ detectable }) => detectable === 'undecided',
       ],
+      [
+        pattern(
+          /^Counts as not detectable: what is not seen dies out so slowly that the tolerance of (\S.*) /,
+          /does not tell it from what stays\.$/,
+        ),
+        ({ detectable, unseenModes }) =>
+          detectable === 'no' && unseenModes.every(({ re, im }) => Math.hypot(re, im) < 1),
+      ],
+      [
+        pattern(
+          /^Whether the covariance has a limit is not said: from this start a step has no answer, /,
+          /because a reading without noise tells nothing new, or because a number grows too large\.$/,
+        ),
+        ({ detectable, tried, doubled }) => detectable === 'yes' && tried === null && !doubled.converged,
+      ],
+      [
+        pattern(
+          /^Whether the covariance has a limit is undecided: something unseen dies out within the tolerance, if at all, /,
+          /and from this start the covariance comes to rest in (about|more than) (\d+|\S+ × 10\S+) steps\.$/,
+        ),
+        ({ limit, doubled }, how, steps) =>
+          limit === 'none' &&
+          doubled.converged &&
+          (how === 'about') === doubled.steps < 1.1e15 &&
+          Math.abs(written(steps) / doubled.steps - 1) < 0.06,
+      ],
+      [
+        /^From this start it takes more than (\S+ × 10\S+) steps\.$/,
+        ({ settled, doubled }, steps) => settled === null && doubled.steps >= 0.95 * written(steps),
+      ],
+      [
+        pattern(
+          /^From this start it goes on falling as the variance of an average does: /,
+          /where no noise is, each reading counts\.$/,
+        ),
+        ({ settled, noise, spectralRadius }) =>
+          settled === null && noise.reachable === 'no' && Math.abs(spectralRadius - 1) < 1e-3,
+      ],
       [/^Noise reaches every state\.$/, ({ noise }) => noise.reachable === 'yes'],
       [
         /^Whether noise reaches every state is undecided within the tolerance\.$/,

@@ -63,7 +63,7 @@ test('a system is read as engineers have it: with comments, continued lines, tra
       '[[0.01, 0], [0, 0.01]], "W": [[0.5]]}',
     'F = [1 0.5; 0 1] G = [0; 0.5] H = [1 0] W = 0.5\nV =\n\n   1.0e-02 *\n\n     1     0\n     0     1\n',
     'F = [1 .5; 0 1]; G = [0; .5]; H = [1 0]; V = 0.01*(eye(2)); W = 0.5',
-    'F = [1 .5; 0 1]; G = [0; .5]; H = [1 0]; V = 0.01*diag(ones(2, 1)); W = 0.5*np.ones((1, 1))',
+    'F = [1 .5; 0 1]; G = [0; .5]; H = [1 0]; V = 0.01*diag(ones(2, 1)); W = 0.5*ones(1, 1)',
     'F = [1 .5; 0 1]; G = [0; .5]; H = [1 0]; V = 0.01 * np.diag(np.ones(2)); W = np.array(np.eye(1))/2',
   ])
     assert.deepEqual(readSystem(text).system, half, text)
@@ -76,12 +76,12 @@ test('a decimal comma, a product of matrices and a name of another book are told
       whole.replace('0.5', '0,5'),
       /^F: row 2 has 2 numbers, row 1 has 3\. A comma stands between numbers: write 0\.5 for 0,5\.$/,
     ],
-    [whole.replace('[1 0; 0 1]', '[1 0; 0 1] + eye(3)'), /^V: “\+” is not understood here/],
+    [whole.replace('[1 0; 0 1]', '[1 0; 0 1] + eye(3)'), /^V: a 2 × 2 and a 3 × 3 matrix have no sum\.$/],
     [whole.replace('[1 0; 0 1]', '[1 0; 0 1]*[1; 0; 1]'), /^V: a 2 × 2 and a 3 × 1 matrix have no product\.$/],
-    [whole.replace('[1 0; 0 1]', 'np.eye(2) * np.eye(2)'), /^V: “\*” is not understood/],
-    [whole.replace('[1 0; 0 1]', 'eye(n)'), /^V: “eye\(n\)” is not understood/],
+    [whole.replace('[1 0; 0 1]', 'np.eye(2) * np.eye(3)'), /^V: a 2 × 2 and a 3 × 3 matrix have no product\.$/],
+    [whole.replace('[1 0; 0 1]', 'eye(n)'), /^V: “n” is not a number\.$/],
     [whole.replace('[1 0; 0 1]', 'eye(2)/0'), /^V: “\/ 0” is not understood/],
-    [whole.replace('[1 0; 0 1]', 'np.diag((1, 1))'), /^V: “, 1\)\)” is not understood/],
+    [whole.replace('[1 0; 0 1]', 'np.diag((1, 1), 0, 2)'), /^V: “diag” does not take 3 values here\.$/],
     [whole.replace('[1 0.5; 0 1]', '[1 0.5 2; 0 1 2]'), /^F is 2 × 3; it has to be square\.$/],
     [whole.replace('1 0.5', '1,,0.5'), /^F, row 1, column 2: a number is missing\.$/],
     [whole.replace('[1 0; 0 1]', 'eye(2) W'), /^V: “W” is not understood/],
@@ -112,7 +112,7 @@ test('what is wrong with a pasted system is named with its matrix', () => {
     [whole.replace('F = [1 0.5; 0 1]', 'F = [1 0.5; 0 1'), /^F: a bracket is not closed\.$/],
     [`${whole}\nF = 1`, /^F is given twice\.$/],
     [whole.replace('[1 0.5; 0 1]', '[]'), /^F is empty\.$/],
-    [whole.replace('[1 0.5; 0 1]', 'zeros(5) + [1 2; 3 4]'), /^F: “\+” is not understood/],
+    [whole.replace('[1 0.5; 0 1]', 'zeros(5) + [1 2; 3 4]'), /^F: a 5 × 5 and a 2 × 2 matrix have no sum\.$/],
     [whole.replace('0.5', '1e999'), /is not a number/],
   ]) {
     const read = readSystem(text)

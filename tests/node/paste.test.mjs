@@ -28,7 +28,7 @@ test('an entry given by itself is taken, counted as its brackets say', () => {
 
 test('what is not understood is a fault with its line, and nothing of the paste is taken', () => {
   for (const [text, line, fault] of [
-    [`F = eye(2)\nF *= 2\n${REST}`, 2, /“F \*= 2” is not understood/],
+    [`F *= 2\nF = eye(2)\n${REST}`, 1, /“F \*=” is not understood/],
     [`F = eye(2)\n\nF += 2\n${REST}`, 3, /“F \+= 2” is not understood/],
     [`F = eye(2)\nF(:,1) = 2\n${REST}`, 2, /“F\(:,1\) = 2” is not understood/],
     [`F = eye(2)\nF(3,1) = 2\n${REST}`, 2, /^F\(3,1\): F is 2 × 2\.$/],
@@ -87,7 +87,7 @@ test('whatever line is put wherever into a system is taken, named or a fault', (
   const taken = { 'G = [0; 1]': 'G', 'F(1,2) = 3': 'F' }
   const named = ['rate = 0.1', 'x0 = {1, 2}']
   const faults = [
-    'F *= 2',
+    'F *= [1 2]',
     'F -= 1',
     'print F',
     '7',
@@ -171,6 +171,39 @@ test('names stand for what was given before, and the length of a step is known b
   ])
 })
 
+test('a system is of continuous time, and its step has a length, where the text says so', () => {
+  const slow = 'A = [0 1; -4 -0.4]\nC = [1 0]\nQ = eye(2)\nR = 1\n'
+  for (const [text, continuous, period, unused] of [
+    ['T = 0.2\nsys = ss(A, B, C, 0)', true, 0.2, []],
+    ['sys = ss(A, B, C, 0, 0.1)', undefined, 0.1, []],
+    ['sys = ss(A, B, C, 0, -1)', undefined, undefined, []],
+    ['sys = ss(Ac, Bc, C, 0)', undefined, undefined, []],
+    ['d = signal.cont2discrete((A, B, C, D), dt=0.1)', true, 0.1, []],
+    ['d = StateSpace(A, B, C, D).to_discrete(0.1)', true, 0.1, []],
+    ['Ts = 0.01; T = 10', undefined, 0.01, ['T']],
+    ['Ts = 0.01; T = 10\nc2d(sys, T)', true, 10, ['Ts']],
+    ['Ts = 0.1; dt = 0.1', undefined, 0.1, ['dt']],
+  ]) {
+    const found = read(slow + text)
+    assert.deepEqual(
+      [text, found.system?.continuous, found.system?.period, found.unused],
+      [text, continuous, period, unused],
+      found.fault,
+    )
+  }
+  for (const [text, line, fault] of [
+    ["T = 0.1\nd = c2d(sys, T, 'tustin')", 6, /^“tustin” is not done here: an input is held over a step \(“zoh”\)\.$/],
+    ["d = sys.sample(0.1, method='bilinear')", 5, /^“bilinear” is not done here/],
+    ['sys = ss(A, B, C, 0)', 0, /^The length of a step is missing: write T = …, in seconds\.$/],
+    ['Ts = 0.2; dt = 0.3', 0, /^Ts is 0\.2 and dt is 0\.3, and both are the length of a step; give one\.$/],
+    ['T = 0,01', 5, /^T: “0,01” is not a number\. Write 0\.01\.$/],
+  ]) {
+    const found = read(slow + text)
+    assert.deepEqual([text, found.ok, found.line], [text, false, line])
+    assert.match(found.fault, fault)
+  }
+})
+
 test('a start, a system in continuous time and nine states are taken as they are given', () => {
   const slow = 'A = [0 1; -1 -0.1]\nB = [0; 1]\nC = [1 0]\nD = 0\nQ = diag([0 0.1])\nR = 0.01\n'
   for (const [text, period] of [
@@ -194,5 +227,5 @@ test('a start, a system in continuous time and nine states are taken as they are
   assert.equal(read(`F = eye(2)\n${REST}`).system.spread, undefined)
   const nine = read('n = 9\nF = eye(n)\nH = ones(1, 9)\nV = 0.1*eye(n)\nW = 1')
   assert.deepEqual([nine.system?.F.length, nine.unused], [9, []], nine.fault)
-  assert.match(read('F = eye(10)\nH = ones(1, 9)\nV = 0.1\nW = 1').fault, /“eye\(10\)” is not understood/)
+  assert.match(read('F = eye(10)\nH = ones(1, 9)\nV = 0.1\nW = 1').fault, /^F: at most 9 states are shown here\.$/)
 })

@@ -26,16 +26,25 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
    */
   let pasted = null
 
+  /** Where the focus was before is where it is afterwards. */
+  let close = () => {}
+  box.addEventListener('keydown', (event) => {
+    if (/** @type {KeyboardEvent} */ (event).key === 'Escape') close()
+  })
+
   /** @param {string} name @param {string} kind @param {() => void} closed */
   function open(name, kind, closed) {
+    const from = /** @type {HTMLElement | null} */ (document.activeElement)
     box.replaceChildren()
     const label = part(document, box, 'label', 'own-paste')
     part(document, label, 'span', 'control-name').textContent = name
     const area = /** @type {HTMLTextAreaElement} */ (part(document, label, 'textarea', kind))
-    button(document, box, 'Close', () => {
+    close = () => {
       box.replaceChildren()
       closed()
-    })
+      from?.focus()
+    }
+    button(document, box, 'Close', () => close())
     return area
   }
 
@@ -43,7 +52,9 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
   function remarks({ as, unused, system }) {
     return [
       as,
-      system.continuous ? `taken as continuous in time and sampled every ${system.period} s` : '',
+      system.continuous
+        ? `taken as continuous in time and sampled every ${system.period} s, with the noise of the motion per second`
+        : '',
       unused.length > 0 ? `not used: ${unused.map((name) => name.slice(0, 20)).join(', ')}` : '',
     ]
       .filter(Boolean)

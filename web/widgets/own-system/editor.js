@@ -12,7 +12,7 @@ import { buildGrid } from './grid.js'
 import { givenName, lettersOf } from './names.js'
 import { MATRICES, MOST, PRESETS, paramsOf, partOf, runOf, sizeOf } from './presets.js'
 import { buildTime } from './time.js'
-import { faultOf, numberOf } from './value.js'
+import { faultOf, numberOf } from './number.js'
 import { grown, keyOf, same, wordsOf } from './typed-system.js'
 
 /**
@@ -90,7 +90,8 @@ export function buildEditor(document, change) {
 
   /** @param {string} name @param {number} i @param {number} j */
   function typed(name, i, j) {
-    const cells = /** @type {typeof matrices[0]} */ (matrices.find((each) => each.name === name)).cells()
+    const grid = /** @type {typeof matrices[0]} */ (matrices.find((each) => each.name === name))
+    const cells = grid.cells()
     // A covariance is symmetric: the other of two entries follows.
     if ((name === 'V' || name === 'W') && i !== j) write(cells[j][i], cells[i][j].value)
     propose(name, ({ params }) => {
@@ -101,12 +102,13 @@ export function buildEditor(document, change) {
       )
       for (let r = 0; r < rows; r += 1) {
         for (let c = 0; c < columns; c += 1) {
-          entries[r][c] = numberOf(cells[r][c].value)
+          const text = grid.textOf(cells[r][c])
+          entries[r][c] = numberOf(text)
           const bad = !Number.isFinite(entries[r][c])
           cells[r][c].toggleAttribute('aria-invalid', false)
           if (bad) cells[r][c].setAttribute('aria-invalid', 'true')
           const place = name === 'P' ? `The variance of state ${c + 1}` : `${name}, row ${r + 1}, column ${c + 1}`
-          if (bad) first ||= `${place}: ${faultOf(cells[r][c].value)}`
+          if (bad) first ||= `${place}: ${faultOf(text)}`
         }
       }
       if (first) throw new Error(first)

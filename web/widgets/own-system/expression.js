@@ -1,123 +1,299 @@
-/** Numbers as they are written in programs: `T^2/2`, `-2*pi*f`, `sqrt(q)`, with names that were given before. */
+/**
+ * Reads one value of a paste by recursive descent: a matrix in brackets, also of blocks, a number, what was given
+ * before, and sums, products, powers, transposes and functions of these, as MATLAB and numpy take them.
+ */
 
-const NUMBER = /^(?:\d+\.?\d*|\.\d+)(?:e[+-]?\d+)?/i
+import {
+  FUNCTIONS,
+  beside,
+  combined,
+  divided,
+  each,
+  inverse,
+  isLine,
+  isScalar,
+  line,
+  raised,
+  times,
+  transposed,
+} from './matrices.js'
+import { assembled, below } from './bracket.js'
+import { Fault, faultOf, numberIn } from './number.js'
+import { printed } from './printed.js'
 
-/** @type {Record<string, number>} */
-const CONSTANTS = { pi: Math.PI }
-/** @type {Record<string, (x: number) => number>} */
-const FUNCTIONS = {
-  sqrt: Math.sqrt,
-  exp: Math.exp,
-  log: Math.log,
-  sin: Math.sin,
-  cos: Math.cos,
-  tan: Math.tan,
-  abs: Math.abs,
-  deg2rad: (x) => (x * Math.PI) / 180,
-  radians: (x) => (x * Math.PI) / 180,
-  float: Number,
-}
+/** @typedef {number[][]} Matrix */
+/** @typedef {{ get: (name: string) => Matrix | undefined, numpy: boolean }} Scope what names stand for */
+/** @typedef {import('./bracket.js').Item} Item */
+/** @typedef {import('./bracket.js').List} List */
 
-/** @typedef {(name: string) => number | undefined} Names what a name stands for, and notes that it was of use */
+const DIGITS = /^(?:\d+(?:\.(?![*/^'\\])\d*)?|\.\d+)(?:e[+-]?\d+)?(?!\w)/i
+const NAME =
+  /^(?:(?:np|numpy|jnp|math|scipy|sp|linalg|la|LA)\.)*((?:[A-Za-z_]\w*\.(?!(?:T|transpose|dot)\b))*)([A-Za-z_]\w*)/
+/** Behind a value stands its end, or the next name. */
+const END = /^[^\S\n]*(?:$|[\n;,})]|(["']?)[A-Za-z]\w*\1\s*[:=](?!=))/
+/** The type of an array's numbers. */
+const TYPE = /^(?:dtype\s*=\s*["']?[\w.]+["']?|(?:np\.)?float(?:32|64)?(?=\s*\)))/
+/** So deep may brackets and powers be within one another. */
+const DEEPEST = 60
 
-/** A scalar that is being read. */
-class Scalar {
-  /** @param {string} text @param {Names} names */
-  constructor(text, names) {
+export class Expression {
+  /** @param {string} text @param {string} name @param {Scope} [scope] */
+  constructor(text, name, scope = { get: () => undefined, numpy: false }) {
+    this.name = name
     this.rest = text
-    this.names = names
+    this.scope = scope
+    /** The brackets that are open, with the rows that were read of each. @type {{ open: string, rows: Item[][] }[]} */
+    this.open = []
+    this.depth = 0
+    /** Within `np.block`, where matrices stand beside one another. */
+    this.blocks = false
+    /** The bracket that was read last: the lengths of the text at its two ends. */
+    this.last = { from: -1, to: -1, list: /** @type {List | null} */ (null) }
   }
 
-  /** @param {RegExp} pattern @returns {string | undefined} what the pattern's bracket holds, or all of it */
+  /** @param {RegExp} pattern */
   take(pattern) {
     const match = pattern.exec(this.rest)
     if (match) this.rest = this.rest.slice(match[0].length)
-    return match ? (match[1] ?? match[0]) : undefined
+    return match
   }
 
-  /** @returns {number} */
+  /** @returns {Matrix} */
+  read() {
+    try {
+      const value = each(printed((pattern) => this.take(pattern)) ?? this.value(), (x) => x)
+      if (!value.flat().every(Number.isFinite)) throw new Fault('a number that comes of it is not finite.')
+      return value
+    } catch (error) {
+      if (!(error instanceof Fault)) throw error
+      throw new Fault(`${this.place()}${error.message.startsWith('is ') ? '' : ':'} ${error.message}`)
+    }
+  }
+
+  /** The matrix, and where in it the reading stands. */
+  place() {
+    const [outer, inner] = this.open.filter(({ open }) => open === '[').map(({ rows }) => rows)
+    if (!outer || (inner && outer.flat().some(({ list }) => !list))) return this.name
+    const row = inner ? outer.flat().length + 1 : outer.length
+    return `${this.name}, row ${row}, column ${(inner ?? outer)[(inner ?? outer).length - 1].length + 1}`
+  }
+
+  /** @param {string} words @returns {never} */
+  refuse(words) {
+    const [word] = words.trim().split('\n')
+    throw new Fault(`“${word.slice(0, 20)}” is not understood here; write the numbers that come of it.`)
+  }
+
+  /** @returns {Matrix} */
+  value() {
+    // numpy's print below the name.
+    this.take(/^\s*\n\s*(?=\[|array\()/)
+    const value = this.sum()
+    const comma = isScalar(value) ? this.take(/^,\d+/) : null
+    if (comma) throw new Fault(faultOf(`${value[0][0]}${comma[0]}`))
+    if (!END.test(this.rest)) this.refuse(this.rest)
+    return value
+  }
+
+  /** Whether blanks part two entries: not within round brackets, nor in the code of Python. */
+  get parting() {
+    const round = this.open.map(({ open }) => open).lastIndexOf('(')
+    return this.open.length > 0 && (this.scope.numpy ? round < 0 : round < this.open.length - 1)
+  }
+
+  /** An operator, over the blanks before it. @param {RegExp} pattern */
+  operator(pattern) {
+    const before = this.rest
+    this.take(this.open[this.open.length - 1]?.open === '(' ? /^\s*/ : /^[^\S\n]*/)
+    const found = this.take(pattern)
+    if (!found) this.rest = before
+    return found?.[1]
+  }
+
+  /** @returns {Matrix} */
   sum() {
     let value = this.product()
-    for (let sign; (sign = this.take(/^\s*([-+])/)); ) value += (sign === '-' ? -1 : 1) * this.product()
+    // Within brackets `1 -T` are two entries, and `1 - T` is one.
+    while (!this.parting || !/^[^\S\n]+[-+]\S/.test(this.rest)) {
+      const sign = this.operator(/^\.?([-+])(?!=)\s*/)
+      if (!sign) break
+      value = combined(value, this.product(), (x, y) => (sign === '-' ? x - y : x + y), 'sum')
+    }
     return value
   }
 
-  /** @returns {number} */
+  /** @returns {Matrix} */
   product() {
     let value = this.signed()
-    for (let sign; (sign = this.take(/^\s*(\.?[*/])(?![*/])/)); ) {
-      const next = this.signed()
-      value = sign.endsWith('*') ? value * next : next === 0 ? NaN : value / next
-    }
+    for (let sign; (sign = this.operator(/^(\.?[*/\\]|@)(?![*/=])\s*/)); )
+      value = this.multiplied(value, this.signed(), sign)
     return value
   }
 
-  /** @returns {number} */
-  signed() {
-    const sign = this.take(/^\s*([-+])/)
-    if (sign) return (sign === '-' ? -1 : 1) * this.signed()
-    const base = this.factor()
-    return this.take(/^\s*\.?(?:\^|\*\*)/) === undefined ? base : base ** this.signed()
+  /** With numpy `*` goes entry by entry. @param {Matrix} a @param {Matrix} b @param {string} sign */
+  multiplied(a, b, sign) {
+    const { numpy } = this.scope
+    if (sign === '@') return times(a, b)
+    if (sign.endsWith('*')) {
+      if (sign === '.*' || numpy || isScalar(a) || isScalar(b)) return combined(a, b, (x, y) => x * y, 'product')
+      return times(a, b)
+    }
+    if (sign.endsWith('\\')) {
+      if (numpy) this.refuse(sign)
+      return sign === '.\\' || isScalar(a) ? divided(b, a) : times(inverse(a), b)
+    }
+    return sign === './' || numpy || isScalar(b) ? divided(a, b) : times(a, inverse(b))
   }
 
-  /** @returns {number} */
+  /** @param {() => Matrix} [of] @returns {Matrix} */
+  signed(of = () => this.power()) {
+    const signs = this.take(/^\s*(?:[-+]\s*)*/)?.[0] ?? ''
+    const value = of()
+    return signs.replace(/[^-]/g, '').length % 2 === 1 ? each(value, (x) => 0 - x) : value
+  }
+
+  /** @returns {Matrix} */
+  power() {
+    this.depth += 1
+    if (this.depth > DEEPEST) throw new Fault(`more than ${DEEPEST} brackets or powers are within one another.`)
+    let value = this.factor()
+    for (let sign; ; ) {
+      if (this.take(/^(?:\.?'|\.T\b|\.transpose\(\s*\))/)) value = transposed(value)
+      else if (this.take(/^\.dot(?=\()/)) value = this.called('dot', [value, ...this.values()])
+      else if ((sign = this.operator(/^(\*\*|\.?\^)\s*/))) {
+        if (sign === '^' && this.scope.numpy) this.refuse(sign)
+        // Python's power is taken from the right, MATLAB's from the left.
+        const by = this.signed(sign === '**' ? undefined : () => this.factor())
+        const whole = sign === '^' && !isScalar(value)
+        if (whole && !isScalar(by)) this.refuse(sign)
+        value = whole ? raised(value, by[0][0]) : combined(value, by, (x, y) => x ** y, 'power')
+      } else break
+    }
+    this.depth -= 1
+    return value
+  }
+
+  /** @returns {Matrix} */
   factor() {
     this.take(/^\s+/)
-    const digits = this.take(NUMBER)
-    if (digits !== undefined) {
-      // A number too small for a double would be zero without a word.
-      const lost = Number(digits) === 0 && /[1-9]/.test(digits.replace(/e.*/i, ''))
-      return lost ? NaN : Number(digits)
+    const digits = this.take(DIGITS)
+    if (digits) return [[numberIn(digits[0])]]
+    if (/^[[(]/.test(this.rest)) return this.bracketed()
+    const found = this.take(NAME)
+    if (!found) throw new Fault(faultOf(/^[^\s,;()[\]{}]*/.exec(this.rest)?.[0] ?? ''))
+    const name = found[2]
+    if (this.parting ? this.rest.startsWith('(') : /^\s*\(/.test(this.rest)) {
+      this.take(/^\s+/)
+      if (Object.hasOwn(FUNCTIONS, name) || /^[hv]stack$/.test(name)) return this.function(name)
+      this.refuse(`${name}${this.rest}`)
     }
-    const name = this.take(/^(?:(?:np|numpy|math|jnp)\.)?([A-Za-z_]\w*)/)
-    const open = this.take(/^\s*\(/) !== undefined
-    if (open) {
-      const inner = this.sum()
-      if (this.take(/^\s*\)/) === undefined) return NaN
-      if (name === undefined) return inner
-      return Object.hasOwn(FUNCTIONS, name) ? FUNCTIONS[name](inner) : NaN
-    }
-    if (name === undefined) return NaN
-    return this.names(name) ?? (Object.hasOwn(CONSTANTS, name) ? CONSTANTS[name] : NaN)
+    const value = this.scope.get(name) ?? (name === 'pi' ? [[Math.PI]] : undefined)
+    if (!value) throw new Fault(faultOf(name))
+    return value
   }
-}
 
-/**
- * The number that a text stands for; NaN of what is none.
- * @param {string} text @param {Names} names
- */
-export function scalarOf(text, names) {
-  const scalar = new Scalar(text.replace(/[−–]/g, '-'), names)
-  const value = scalar.sum()
-  return scalar.rest.trim() === '' ? value : NaN
-}
-
-/**
- * A row's entries. They stand between commas or blanks; `[1 -T]` are two, and `[1 - T]` is one, as in MATLAB.
- * @param {string} line
- */
-export function entriesOf(line) {
-  const all = []
-  let [word, depth] = ['', 0]
-  const text = line.trim().replace(/\s*,$/, '')
-  for (let i = 0; i < text.length; i += 1) {
-    const letter = text[i]
-    if ('(['.includes(letter)) depth += 1
-    if (')]'.includes(letter)) depth -= 1
-    if (depth > 0 || !/[\s,]/.test(letter)) {
-      word += letter
-      continue
+  /** @param {string} name */
+  function(name) {
+    const { blocks } = this
+    this.blocks = name === 'block' || (blocks && !/array|mat/.test(name))
+    if (name.endsWith('stack')) {
+      if (!this.take(/^\(\s*(?=[[(])/)) this.refuse(name + this.rest)
+      const all = this.items()
+        .rows.flat()
+        .map(({ value }) => value)
+      if (!this.take(/^\s*,?\s*\)/) || all.length === 0) this.refuse(name)
+      const even = name === 'vstack' ? below(all) : beside(all)
+      return line(even, name === 'hstack' && all.every(isLine))
     }
-    const gap = /^\s*,?\s*/.exec(text.slice(i))?.[0] ?? letter
-    const next = text.slice(i + gap.length)
-    const goesOn =
-      !gap.includes(',') && (/[-+*/^]$/.test(word) ? !/e[-+]$/i.test(word) : /^(?:\.?[*/^]|[-+]\s)/.test(next))
-    if (goesOn) word += ' '
-    else {
-      all.push(word)
-      word = ''
-    }
-    i += gap.length - 1
+    const all = this.values()
+    this.blocks = blocks
+    return this.called(name, all)
   }
-  return [...all, word]
+
+  /** @param {string} name @param {Matrix[]} all */
+  called(name, all) {
+    const [least, most, call] = FUNCTIONS[name]
+    if (all.length < least || all.length > most) throw new Fault(`“${name}” does not take ${all.length} values here.`)
+    return call(all, this.scope.numpy)
+  }
+
+  /** What stands between the brackets of a function. */
+  values() {
+    return this.items()
+      .rows.flat()
+      .map(({ value }) => value)
+  }
+
+  bracketed() {
+    const text = this.rest
+    const { rows, list } = this.items()
+    const all = rows.flat()
+    if (text[0] === '(' && !list.marks.has(',')) {
+      if (all.length === 0) throw new Fault(faultOf(''))
+      return all[0].value
+    }
+    const value = assembled(rows, list, {
+      numpy: this.scope.numpy,
+      blocks: this.blocks,
+      text: text.slice(0, text.length - this.rest.length),
+    })
+    this.last = { from: text.length, to: this.rest.length, list }
+    return value
+  }
+
+  /** The items of a bracket, by rows. @returns {{ rows: Item[][], list: List }} */
+  items() {
+    const rows = /** @type {Item[][]} */ ([[]])
+    const marks = /** @type {Set<string>} */ (new Set())
+    const open = this.rest[0]
+    if (this.open.length === 0 && !this.closes()) throw new Fault('a bracket is not closed.')
+    // In a list within a list, and behind a comma of Python, a line only goes on.
+    const whole = open === '(' || this.open[this.open.length - 1]?.open === '['
+    this.open.push({ open, rows })
+    this.rest = this.rest.slice(1)
+    for (let before = ','; ; ) {
+      const gap = this.take(/^\s+/)?.[0] ?? ''
+      const row = rows[rows.length - 1]
+      if (this.rest === '') {
+        this.open = []
+        throw new Fault('a bracket is not closed.')
+      }
+      if (this.take(open === '[' ? /^\]/ : /^\)/)) break
+      if (gap.includes('\n') && !whole && row.length > 0 && !(before === ',' && this.scope.numpy)) {
+        rows.push([])
+        before = ';'
+      }
+      const mark = this.take(open === '[' ? /^[,;]/ : /^,/)?.[0]
+      if (mark === ',' && before !== '') throw new Fault(faultOf(''))
+      if (mark) marks.add(mark)
+      if (mark === ';' && row.length > 0) rows.push([])
+      if (mark) before = mark
+      else if (before === '' && (gap === '' || !this.parting)) this.refuse(this.rest)
+      else {
+        if (before === '') marks.add(' ')
+        if (open !== '(' || !this.take(TYPE)) rows[rows.length - 1].push(this.item())
+        before = ''
+      }
+    }
+    this.open.pop()
+    return { rows: rows.filter((row) => row.length > 0), list: { marks, nested: rows.flat().some(({ list }) => list) } }
+  }
+
+  /** Whether the bracket that begins here ends. */
+  closes() {
+    let depth = 0
+    for (const [mark] of this.rest.matchAll(/[[\](){}]/g)) {
+      depth += '([{'.includes(mark) ? 1 : -1
+      if (depth === 0) return true
+    }
+    return false
+  }
+
+  /** @returns {Item} */
+  item() {
+    const from = this.rest.length
+    const value = this.sum()
+    const alone = this.last.from === from && this.last.to === this.rest.length
+    return { value, list: alone ? this.last.list : null }
+  }
 }

@@ -3,7 +3,8 @@
 import { part } from '../../draw/dom.js'
 import { writeHtml } from '../../draw/words.js'
 import { textBox, write } from './fields.js'
-import { numberOf } from './value.js'
+import { fitted } from './names.js'
+import { numberOf } from './number.js'
 
 /** What each matrix means; in continuous time another word stands for a step. */
 const MEANINGS = /** @type {Record<string, import('../../draw/words.js').Words>} */ ({
@@ -39,6 +40,8 @@ export function buildGrid(document, into, name, typed) {
   /** @type {HTMLInputElement[][]} */
   let cells = []
   let inTime = false
+  /** What a box shows and what it stands for. @type {WeakMap<HTMLInputElement, { short: string, whole: string }>} */
+  const wholes = new WeakMap()
 
   /** @param {number} i @param {number} j */
   function box(i, j) {
@@ -49,7 +52,26 @@ export function buildGrid(document, into, name, typed) {
       name === 'P' ? `Variance at the start of state ${j + 1}` : `${name}, row ${i + 1}, column ${j + 1}`,
     )
     input.addEventListener('input', () => typed(i, j))
+    // A box shows as many digits as fit, and all of them to whoever types there.
+    input.addEventListener('focus', () => write(input, textOf(input)))
+    input.addEventListener('blur', () => {
+      const number = numberOf(input.value)
+      if (Number.isFinite(number) && fitted(number).length < input.value.length) shorten(input, input.value)
+    })
     return input
+  }
+
+  /** @param {HTMLInputElement} input @param {string} whole */
+  function shorten(input, whole) {
+    const short = fitted(numberOf(whole))
+    write(input, short)
+    wholes.set(input, { short, whole })
+  }
+
+  /** What a box stands for, with the digits that it does not show. @param {HTMLInputElement} input */
+  function textOf(input) {
+    const held = wholes.get(input)
+    return held?.short === input.value ? held.whole : input.value
   }
 
   /** Makes room for so many rows and columns; a box keeps its place. @param {number} rows @param {number} columns */
@@ -72,6 +94,7 @@ export function buildGrid(document, into, name, typed) {
     name,
     group,
     cells: () => cells,
+    textOf,
     /**
      * @param {number[][]} entries @param {[number, number]} size
      * @param {{ hidden: boolean, wrong: boolean, foreign: boolean, continuous: boolean }} how
@@ -89,7 +112,7 @@ export function buildGrid(document, into, name, typed) {
           cell.toggleAttribute('hidden', i >= rows || j >= columns)
           // What is being typed stays as it is typed, and so does what could not be read.
           if (i >= rows || j >= columns || wrong || (document.activeElement === cell && !foreign)) return
-          if (numberOf(cell.value) !== entries[i][j] || cell.value === '') write(cell, String(entries[i][j]))
+          if (numberOf(textOf(cell)) !== entries[i][j] || cell.value === '') shorten(cell, String(entries[i][j]))
         }),
       )
     },

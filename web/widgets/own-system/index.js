@@ -8,11 +8,11 @@ import { drawDisc } from './disc.js'
 import { buildEditor } from './editor.js'
 import { drawGain, drawRun, drawVariance } from './history.js'
 import { buildMore } from './more.js'
-import { decimalsOf, seconds, short, steps } from './names.js'
+import { decimalsOf, seconds, short } from './names.js'
 import { MOST, PRESETS, paramsOf, runOf } from './presets.js'
 import { drawRanks } from './ranks.js'
 import { buildShown } from './shown.js'
-import { describe, rootsOf, shownState, verdict } from './words.js'
+import { describe, rootsOf, settles, shownState, verdict } from './words.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
 
@@ -32,7 +32,7 @@ function announce(frame, before) {
 
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
 function readouts(frame) {
-  const { rank, params, noise, input, settled, tried, doubled, eigenvalues, decay } = frame
+  const { rank, params, noise, input, doubled, eigenvalues, decay } = frame
   const decimals = decimalsOf(eigenvalues, 3)
   const slowest = decay[0]
   const i = shownState(params)
@@ -56,15 +56,8 @@ function readouts(frame) {
     { key: 'input', label: 'Inputs reach all', value: input.reachable },
     {
       key: 'settled',
-      label: 'Covariance settles',
-      value:
-        settled !== null
-          ? `in ${settled} steps`
-          : doubled.converged
-            ? `in about ${steps(doubled.steps)} steps`
-            : tried === null
-              ? 'never'
-              : `not in ${tried}`,
+      label: 'Filter’s covariance settles',
+      value: settles(frame),
     },
     { key: 'tolerance', label: 'Tolerance', value: power(frame.tolerance), more: true },
     {
@@ -72,14 +65,16 @@ function readouts(frame) {
       label: 'Gain, by rows',
       value: frame.K.map((row) => row.map(short).join(', ')).join('; '),
       more: true,
+      wide: true,
     },
     { key: 'movable', label: 'Eigenvalues a gain moves', value: `${frame.movable} of ${params.states}`, more: true },
     {
       key: 'limit',
-      label: 'Diagonal of the limit',
+      label: 'Diagonal of the filter’s limit, before a reading',
       value: frame.limitP === null ? 'none' : frame.limitP.map((row, j) => short(row[j])).join(', '),
       kin: 'prediction',
       more: true,
+      wide: true,
     },
     {
       key: 'roots',
@@ -88,6 +83,7 @@ function readouts(frame) {
         .map((root, j) => (decay[j].seconds === null ? root : `${root} (${seconds(decay[j].seconds)})`))
         .join(', '),
       more: true,
+      wide: true,
     },
     {
       key: 'depends',
@@ -204,13 +200,14 @@ export const figure = {
     { name: 'variance', width: 312, height: 190, draw: drawVariance },
     { name: 'ranks', width: 312, height: 170, handles: true, draw: drawRanks },
   ],
+  // What is dragged in the disc changes the verdict’s lines, which therefore stand below it.
   layout: {
-    narrow: ['controls', 'ranks', 'verdict', 'disc', 'tries', 'readouts', 'run', 'gain', 'variance'],
+    narrow: ['controls', 'ranks', 'disc', 'verdict', 'tries', 'readouts', 'run', 'gain', 'variance'],
     medium: [
       'controls controls controls controls controls controls',
       'ranks ranks ranks ranks ranks ranks',
-      'verdict verdict verdict verdict verdict verdict',
       'disc disc disc run run run',
+      'verdict verdict verdict verdict verdict verdict',
       'gain gain gain variance variance variance',
       'tries tries tries tries tries tries',
       'readouts readouts readouts readouts readouts readouts',
@@ -218,9 +215,9 @@ export const figure = {
     wide: [
       'controls controls controls',
       'ranks ranks ranks',
-      'verdict verdict verdict',
       'disc run gain',
       'disc run variance',
+      'verdict verdict verdict',
       'tries tries tries',
       'readouts readouts readouts',
     ],

@@ -1,6 +1,7 @@
 /** The letters of other books: which of the matrices that were given is which here. */
 
-import { Fault, hintOf, transposed } from './value.js'
+import { turned } from './matrices.js'
+import { Fault, hintOf } from './number.js'
 
 /** @typedef {{ matrix: number[][], line: number, from: 0 | 1 }} Given `from`: what `[ ]` count from */
 /** @typedef {Record<string, Given>} Found by the letter that the reader gave */
@@ -76,7 +77,7 @@ export function systemOf(found, text, at) {
   )
   const n = m.F.length
   // In numpy a row of numbers has no direction: it is taken as the one that fits.
-  if (m.G?.length === 1 && n > 1 && m.G[0].length === n) m.G = transposed(m.G)
+  if (m.G?.length === 1 && n > 1 && m.G[0].length === n) m.G = turned(m.G)
   const p = m.H.length
   const inputs = m.G?.[0]?.length ?? 0
   const sizes = /** @type {Record<Role, [number, number]>} */ ({

@@ -67,6 +67,21 @@ export function decimalsOf(eigenvalues, least) {
   return least
 }
 
+/** So many letters fit a box of a matrix. */
+const FIT = 7
+
+/** A number for a box: as many of its digits as fit, small and large ones by their power of ten. @param {number} value */
+export function fitted(value) {
+  const size = Math.abs(value)
+  const plain = size === 0 || (size >= 1e-3 && size < 1e5)
+  for (let digits = 6; digits > 1; digits -= 1) {
+    const rounded = Number(value.toPrecision(digits))
+    const text = plain ? String(rounded) : rounded.toExponential().replace('e+', 'e')
+    if (text.length <= FIT) return text
+  }
+  return value.toExponential(0).replace('e+', 'e')
+}
+
 /** A number of steps, to two digits: `670`, `6.6 × 10⁴`. @param {number} count */
 export const steps = (count) => fixed(Number(count.toPrecision(2)), 0)
 

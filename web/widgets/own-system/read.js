@@ -6,16 +6,17 @@
  *   F = eye(2); F(1,2) = 0.5          F = np.eye(2)         F[0, 1] = 0.5
  */
 
+import { Expression } from './expression.js'
 import { LETTERS, spreadOf, systemOf } from './letters.js'
-import { Fault, Value } from './value.js'
+import { Fault } from './number.js'
+import { Sampling, isStep } from './sampling.js'
 
-export { faultOf, numberOf } from './value.js'
+export { faultOf, numberOf } from './number.js'
 
 /** So much is read while the reader types; the largest system with all its digits is a tenth of it. */
 const MOST_LETTERS = 20_000
 const TOO_LONG = `The text has more than ${MOST_LETTERS.toLocaleString('en')} letters. Paste the system alone.`
-/** What the length of a step is called, and the covariance of the start. */
-const PERIOD = /^(?:T|Ts|T_s|dt|delta_t)$/
+/** What the covariance of the start is called. */
 const START = /^(?:P|P0|P_0|P00|Sigma0)$/
 
 /** What may stand between matrices and says nothing of them: marks of structure, a prompt, a line that sets up. */
@@ -27,12 +28,14 @@ const BETWEEN = [
   /^(?:disp|print|console\.log)\s*\([^()\n]*\)/,
   /^(?:const|let|var|export|return)\s+(?=[A-Za-z_"'{])/,
 ]
-/** Systems of continuous time, and how they are sampled: the last argument that is a number is the period. */
-const SPACE = /^(?:\[[\w\s,~]*\]|[A-Za-z_]\w*)\s*=\s*(?:[A-Za-z_]\w*\.)*(?:ss|StateSpace)\s*\([^()\n]*\)/
-const SAMPLED =
-  /^(?:(?:\[[\w\s,~]*\]|[\w\s,]+?)\s*=\s*)?(?:[A-Za-z_]\w*\.)*(?:c2d|cont2discrete|sample_system)\s*(?=\()/
+/** Systems, and how they are sampled. */
+const SPACE = /^(?:\[[\w\s,~]*\]|[A-Za-z_]\w*)\s*=\s*(?:[A-Za-z_]\w*\.)*(?:ss|StateSpace)\s*(?=\()/
+const SAMPLED = new RegExp(
+  /^(?:(?:\[[\w\s,~]*\]|[\w\s,]+?)\s*=\s*)?(?:[A-Za-z_]\w*\.)*/.source +
+    /(?:c2d|cont2discrete|sample_system|to_discrete|sample)\s*(?=\()/.source,
+)
 /** `P *= 1000`, as filterpy's users write it. */
-const TIMES = /^(?:[A-Za-z_]\w*\.)*(P)\s*\*=\s*/
+const TIMES = /^(?:[A-Za-z_]\w*\.)*([A-Za-z_]\w*)\s*\*=\s*/
 /** What begins a statement that does more than give a value. */
 const DOES = /^(?:class|def|do|elif|else|elseif|end|except|finally|for|from|function|if|try|while|with)\b/
 /** The name of what is given, perhaps of an object's part: `F =`, `"F":`, `kf.F =`. */
@@ -115,12 +118,16 @@ class Paste {
     this.unused = []
     /** What other names stand for. @type {Map<string, number[][]>} */
     this.values = new Map()
-    this.continuous = false
-    /** @type {number | undefined} */
-    this.period = undefined
     /** @type {{ name: string, matrix: number[][], line: number } | null} */
     this.start = null
-    this.numpy = /\b(?:np|numpy|jnp)\.|\barray\(/.test(text)
+    this.scope = {
+      numpy: /\b(?:np|numpy|jnp)\.|\barray\(|\b(?:from|import) numpy\b/.test(text),
+      get: (/** @type {string} */ name) => {
+        this.unused = this.unused.filter((each) => each !== name)
+        return this.values.get(name) ?? this.found[name]?.matrix
+      },
+    }
+    this.sampling = new Sampling(this.scope)
   }
 
   get rest() {
@@ -147,8 +154,8 @@ class Paste {
 
   statement() {
     if (DOES.test(this.rest)) throw this.notUnderstood(this.rest)
-    if (this.take(SPACE)) return
-    if (this.take(SAMPLED)) return this.sampled()
+    if (this.take(SPACE)) return this.sampling.space(this.skip())
+    if (this.take(SAMPLED)) return this.sampling.sample(this.skip())
     const entry = this.take(ENTRY)
     if (entry) return this.entry(entry)
     const times = this.take(TIMES)
@@ -170,56 +177,34 @@ class Paste {
     try {
       const matrix = this.value(name)
       this.values.set(name, matrix)
-      if (PERIOD.test(name) && matrix.flat().length === 1) {
-        this.period = matrix[0][0]
-        return
-      }
+      if (isStep(name) && matrix.flat().length === 1) this.sampling.step(name, matrix[0][0])
       if (START.test(name)) {
         this.start = { name, matrix, line: this.line }
         return
       }
     } catch (error) {
-      if (!(error instanceof Fault)) throw error
+      const number = isStep(name) && /^\s*[-+.\d]/.test(this.text.slice(before))
+      if (!(error instanceof Fault) || number) throw error
       this.at = before
       this.skip()
     }
     this.unused.push(name)
   }
 
-  /** `c2d(sys, T)` and its like. */
-  sampled() {
-    const before = this.at
-    this.skip()
-    const statement = this.text.slice(before, this.at)
-    const [last] = /[^,()]*(?=\)[^()]*$)/.exec(statement.replace(/,\s*(?:'[^']*'|"[^"]*"|\w+\s*=\s*'[^']*')/g, '')) ?? [
-      '',
-    ]
-    const [[period]] = new Value(last.trim(), 'The period', this.scope()).scalar()
-    this.continuous = true
-    this.period = period
-  }
-
-  /** @param {string} name */
+  /** `kf.Q *= 0.1`; of the start, which is 1 without a word, also where nothing was given. @param {string} name */
   times(name) {
+    const start = START.test(name)
+    const of = start ? (this.start?.matrix ?? [[1]]) : this.found[name]?.matrix
     const by = this.value(name)
-    if (by.flat().length !== 1) throw this.notUnderstood(`${name} *=`)
-    const matrix = this.start ? this.start.matrix.map((row) => row.map((entry) => entry * by[0][0])) : by
-    this.start = { name, matrix, line: this.line }
-  }
-
-  scope() {
-    return {
-      numpy: this.numpy,
-      get: (/** @type {string} */ name) => {
-        this.unused = this.unused.filter((each) => each !== name)
-        return this.values.get(name) ?? this.found[name]?.matrix
-      },
-    }
+    if (!of || by.flat().length !== 1) throw this.notUnderstood(`${name} *=`)
+    const matrix = of.map((row) => row.map((entry) => entry * by[0][0]))
+    if (start) this.start = { name, matrix, line: this.line }
+    else this.found[name].matrix = matrix
   }
 
   /** @param {string} name */
   value(name) {
-    const value = new Value(this.rest, name, this.scope())
+    const value = new Expression(this.rest, name, this.scope)
     const matrix = value.read()
     this.at = this.text.length - value.rest.length
     return matrix
@@ -228,7 +213,7 @@ class Paste {
   /** @param {RegExpExecArray} found */
   entry([words, name, ...indices]) {
     const of = this.start?.name === name ? { matrix: this.start.matrix, from: 0 } : this.found[name]
-    if (!of && (this.unused.includes(name) || this.values.has(name))) return this.skip()
+    if (!of && (this.unused.includes(name) || this.values.has(name))) return void this.skip()
     if (!of) throw this.notUnderstood(words)
     const { matrix, from } = of
     const [row, column] = (indices[0] ? indices.slice(0, 2) : indices.slice(2)).map(
@@ -241,8 +226,9 @@ class Paste {
     matrix[row][column] = given[0][0]
   }
 
-  /** Goes behind a value that is not needed: to the end of its line or of its part, but not within brackets. */
+  /** Goes behind a value, which it answers: to the end of its line or of its part, but not within brackets. */
   skip() {
+    const before = this.at
     let depth = 0
     const marks = /"(?:[^"\\\n]|\\.)*"|(?<=[\s=([{,:])'[^'\n]*'|[[\](){}\n;,]/g
     for (const { 0: mark, index } of this.rest.matchAll(marks)) {
@@ -250,11 +236,12 @@ class Paste {
       else if (depth > 0 && '])}'.includes(mark)) depth -= 1
       else if (depth === 0 && mark.length === 1) {
         this.at += index
-        return
+        return this.text.slice(before, this.at)
       }
     }
     if (depth > 0) throw new Fault('A bracket is not closed.')
     this.at = this.text.length
+    return this.text.slice(before)
   }
 
   /** @param {string} words */
@@ -270,12 +257,10 @@ class Paste {
     const through = this.values.get('D')
     if (through?.flat().some((entry) => entry !== 0))
       throw new Fault('D is not 0: a reading does not depend on the input here.')
-    this.unused = this.unused.filter((name) => name !== 'D')
-    if (this.period !== undefined) {
-      if (!(this.period > 0)) throw new Fault('The length of a step must be more than 0.')
-      given.period = this.period
-    }
-    if (this.continuous) given.continuous = true
+    const { continuous, period, name } = this.sampling.answer()
+    if (period !== undefined) given.period = period
+    if (continuous) given.continuous = true
+    this.unused = this.unused.filter((each) => each !== 'D' && each !== name)
     if (this.start) {
       this.line = this.start.line
       given.spread = spreadOf(this.start.matrix, system.F.length, this.start.name)

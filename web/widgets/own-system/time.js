@@ -2,7 +2,7 @@
 
 import { part } from '../../draw/dom.js'
 import { textBox, write } from './fields.js'
-import { faultOf, numberOf } from './value.js'
+import { faultOf, numberOf } from './number.js'
 
 /** The length of a step that a system in continuous time is given where the reader has given none, seconds. */
 const USUAL = 0.1

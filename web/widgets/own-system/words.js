@@ -42,8 +42,14 @@ function seen({ rank, observable, params, tolerance }) {
 }
 
 /** @param {Frame} frame */
-function dies({ observable, detectable }) {
+function dies({ observable, detectable, unseenModes, tolerance }) {
   if (observable === 'yes') return ''
+  const slow = unseenModes.length > 0 && unseenModes.every(({ re, im }) => Math.hypot(re, im) < 1)
+  if (detectable === 'no' && slow)
+    return (
+      'Counts as not detectable: what is not seen dies out so slowly that the tolerance of ' +
+      `${power(tolerance)} does not tell it from what stays.`
+    )
   return {
     yes: 'Detectable: what is not seen dies out by itself.',
     no: 'Not detectable: what is not seen does not die out.',
@@ -59,8 +65,54 @@ function reached({ noise, params }) {
   return `Noise never moves ${sumsOf(noise.unreached, params)}.`
 }
 
+/** As far as doubled steps go. */
+const FURTHEST = 2 ** 50
+
+/** Whether single steps or doubled ones came to a limit, and none is only as far as they went. @param {Frame} frame */
+const arrives = ({ doubled }) => doubled.converged && doubled.steps < 0.99 * FURTHEST
+
+/**
+ * Whether the variance falls as that of an average does: by its own inverse count, where a decay takes many times as
+ * long as its time constant.
+ * @param {Frame} frame
+ */
+const averages = ({ limit: kind, settled, doubled, params, spectralRadius, noise }) =>
+  kind === 'from-large-start' &&
+  noise.reachable === 'no' &&
+  settled === null &&
+  doubled.converged &&
+  params.gain === 'filter' &&
+  (1 - spectralRadius) * doubled.steps < 8
+
+/** Whether a step of the filter has no answer though its covariance is bounded. @param {Frame} frame */
+const breaks = ({ settled, tried, doubled, detectable }) =>
+  settled === null && tried === null && !doubled.converged && detectable === 'yes'
+
+/** When the filter’s covariance settles, in a few words. @param {Frame} frame */
+export function settles(frame) {
+  const { settled, tried, doubled, limit: kind } = frame
+  if (breaks(frame)) return 'a step has no answer'
+  if (settled !== null) return kind === 'none' ? `no change after ${settled}` : `in ${settled} steps`
+  if (averages(frame)) return 'falls as an average'
+  if (arrives(frame)) return `in about ${steps(doubled.steps)} steps`
+  if (doubled.converged) return `in more than ${steps(FURTHEST)} steps`
+  return tried === null ? 'never' : `not in ${tried}`
+}
+
 /** @param {Frame} frame */
-function limit({ limit: kind, settled, tried, doubled, params }) {
+function limit(frame) {
+  const { limit: kind, settled, tried, doubled, params } = frame
+  if (breaks(frame))
+    return (
+      'Whether the covariance has a limit is not said: from this start a step has no answer, because a reading ' +
+      'without noise tells nothing new, or because a number grows too large.'
+    )
+  if (kind === 'none' && settled === null && doubled.converged)
+    return (
+      'Whether the covariance has a limit is undecided: something unseen dies out within the tolerance, if at all, ' +
+      `and from this start the covariance comes to rest in ${arrives(frame) ? 'about' : 'more than'} ` +
+      `${steps(Math.min(doubled.steps, FURTHEST))} steps.`
+    )
   const lasting = params.period > 0 ? `, ${seconds(doubled.steps * params.period)}` : ''
   const another = doubled.dependsOnStart ? '; a larger start leads to another limit' : ''
   const run =
@@ -68,11 +120,15 @@ function limit({ limit: kind, settled, tried, doubled, params }) {
       ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.`
       : settled !== null
         ? ` From this start it settles in ${settled} steps${another}.`
-        : doubled.converged
-          ? ` From this start it settles in about ${steps(doubled.steps)} steps${lasting}${another}.`
-          : tried === null
-            ? ' From this start it outgrows every number.'
-            : ` From this start it has not settled after ${tried} steps.`
+        : averages(frame)
+          ? ' From this start it goes on falling as the variance of an average does: where no noise is, each reading counts.'
+          : doubled.converged && !arrives(frame)
+            ? ` From this start it takes more than ${steps(FURTHEST)} steps.`
+            : doubled.converged
+              ? ` From this start it settles in about ${steps(doubled.steps)} steps${lasting}${another}.`
+              : tried === null
+                ? ' From this start it outgrows every number.'
+                : ` From this start it has not settled after ${tried} steps.`
   return (
     {
       'from-every-start':
