@@ -38,6 +38,11 @@ test('each fault is named while it is typed, and the figure keeps the last syste
     await fault(it).filter({ hasText: /^$/ }).waitFor({ state: 'attached' })
   }
   assert.deepEqual((await frameOf(it)).params, before)
+  const dimmed = () => it.locator('.live .verdict').evaluate((verdict) => getComputedStyle(verdict).opacity !== '1')
+  assert.equal(await dimmed(), false)
+  await cell(it, 'F', 1, 2).fill('x')
+  await fault(it).filter({ hasText: 'is not a number' }).waitFor()
+  assert.equal(await dimmed(), true, 'what is shown is of the system before')
 })
 
 test('a system that is pasted is taken, its faults are named, and a preset replaces it', async (t) => {
@@ -55,6 +60,21 @@ test('a system that is pasted is taken, its faults are named, and a preset repla
   await it.locator('.verdict').filter({ hasText: 'value − bias is never seen' }).waitFor()
   await it.getByLabel('Name of x2').fill('offset')
   await it.locator('.verdict').filter({ hasText: 'value − offset is never seen' }).waitFor()
+})
+
+test('the box of a paste closes by its button and by Escape, and the focus goes back', async (t) => {
+  const { page, it } = await openFigure(t, TAG)
+  const paste = it.getByRole('button', { name: 'Paste a system' })
+  for (const close of [
+    () => page.keyboard.press('Escape'),
+    () => it.getByRole('button', { name: 'Close' }).press('Enter'),
+  ]) {
+    await paste.press('Enter')
+    await it.locator('.own-paste textarea').waitFor()
+    await close()
+    await it.locator('.own-paste').waitFor({ state: 'detached' })
+    assert.ok(await paste.evaluate((button) => button === document.activeElement))
+  }
 })
 
 test('an eigenvalue that is dragged takes its conjugate along, and by hand one goes on from its gain', async (t) => {
@@ -89,7 +109,12 @@ test('an eigenvalue that is dragged takes its conjugate along, and by hand one g
     2,
     'a slider for each entry',
   )
+  // A box shows the digits that fit, and all of them to whoever types there.
+  assert.ok(Math.abs(Number(await cell(it, 'K', 1, 1).inputValue()) - K[0][0]) < 1e-3)
+  await cell(it, 'K', 1, 1).focus()
   assert.equal(await cell(it, 'K', 1, 1).inputValue(), String(K[0][0]))
+  await cell(it, 'K', 2, 1).fill('0.25')
+  assert.equal((await until(it, ({ params }) => params.k[1][0] === 0.25, 'an entry')).params.k[0][0], K[0][0])
 })
 
 test('the tolerance is dragged, and a verdict that it does not decide says so', async (t) => {

@@ -53,7 +53,12 @@ export function buildGrid(document, into, name, typed) {
     )
     input.addEventListener('input', () => typed(i, j))
     // A box shows as many digits as fit, and all of them to whoever types there.
-    input.addEventListener('focus', () => write(input, textOf(input)))
+    input.addEventListener('focus', () => {
+      const whole = textOf(input)
+      if (whole === input.value) return
+      write(input, whole)
+      input.select()
+    })
     input.addEventListener('blur', () => {
       const number = numberOf(input.value)
       if (Number.isFinite(number) && fitted(number).length < input.value.length) shorten(input, input.value)
