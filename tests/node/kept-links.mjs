@@ -2,7 +2,7 @@
 // opened. Run as a program, this file keeps links of the version in Cargo.toml: before its release, and never again.
 import { spawnSync } from 'node:child_process'
 import { createHash } from 'node:crypto'
-import { readFileSync, readdirSync, writeFileSync } from 'node:fs'
+import { existsSync, readFileSync, readdirSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { fileURLToPath, pathToFileURL } from 'node:url'
@@ -85,13 +85,15 @@ async function keep() {
   if (spawnSync('git', ['rev-parse', '--verify', '--quiet', `v${version}`], { cwd: root }).status === 0)
     throw new Error(`${version} is released; its links stay as they are`)
   const dice = seeded(1)
-  const links = []
+  // A link that is kept stays; figures that have none get theirs.
+  const links = existsSync(file) ? JSON.parse(readFileSync(file, 'utf8')).links : []
+  const known = new Set(links.map((link) => link.figure))
   for (const [page, text] of pages()) {
     for (const [, figure, widget, start] of text.matchAll(
       /^:::figure\{#(\S+) widget="([^"]+)"[^\n]*?(?: start='([^'\n]+)')?\}$/gm,
     )) {
       // The page of one's own log opens no log by itself.
-      if (!WIDGETS[widget] || page === 'log/') continue
+      if (!WIDGETS[widget] || page === 'log/' || known.has(figure)) continue
       const spec = await WIDGETS[widget]()
       const given = JSON.parse(start ?? '{}')
       for (let count = 0, tries = 0; count < 4; tries++) {
@@ -136,17 +138,22 @@ async function keep() {
 
 /** Each page of the book by its address, with its Markdown. */
 function pages() {
-  const read = (name) => readFileSync(path.join(root, 'content', name), 'utf8')
-  const chapter = readdirSync(path.join(root, 'content/kalman'))
-    .filter((name) => name.endsWith('.md'))
-    .sort()
-    .map((name) => read(`kalman/${name}`))
-    .join('\n')
+  const content = path.join(root, 'content')
+  const text = (/** @type {string} */ folder) =>
+    readdirSync(path.join(content, folder))
+      .filter((name) => name.endsWith('.md'))
+      .sort()
+      .map((name) => readFileSync(path.join(content, folder, name), 'utf8'))
+      .join('\n')
+  // Parts of a chapter that have a page of their own stand in folders of its.
+  const parts = readdirSync(path.join(content, 'kalman'), { withFileTypes: true })
+    .filter((entry) => entry.isDirectory())
+    .map(({ name }) => `kalman/${name}`)
   return [
-    ['kalman/', chapter],
-    ...readdirSync(path.join(root, 'content/pages')).map((name) => [
+    ...['kalman', ...parts].map((folder) => [`${folder}/`, text(folder)]),
+    ...readdirSync(path.join(content, 'pages')).map((name) => [
       `${path.basename(name, '.md')}/`,
-      read(`pages/${name}`),
+      readFileSync(path.join(content, 'pages', name), 'utf8'),
     ]),
   ]
 }
