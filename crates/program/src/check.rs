@@ -158,14 +158,15 @@ impl Checker<'_, '_> {
             words.text(if is(Letter::G) { "u" } else { &self.names[X] }).text(").");
         } else if let Some(letter) = Letter::ALL.into_iter().find(|letter| is(*letter)) {
             words.text(" is ").text(letter.meaning()).text(", and no line above makes it");
-            if let Some((whose, meaning, here)) = self.notation.foreign(text) {
-                words.text("; what is ").text(meaning).text(" in ").text(whose).text(" is ").text(here).text(" here");
+            let mut others = Words::new("; it is ");
+            if self.notation.say_foreign(text, &mut others) {
+                words.text(&others.0);
             }
             words.text(".");
-        } else if let Some((whose, meaning, here)) = self.notation.foreign(text) {
-            words.text(" is ").text(meaning).text(" in ").text(whose).text("; in ").text(self.notation.whose());
-            words.text(", which this program is in, that is ").text(here).text(".");
+        } else if self.notation.say_foreign(text, words.text(" is ")) {
+            words.text(".");
         } else {
+            words = Words::new(text);
             words.text(" is not known: no line above makes it, and the world gives ");
             words.list(&self.names[..self.world.identity()]).text(".");
         }

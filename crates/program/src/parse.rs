@@ -1,5 +1,6 @@
 //! Tokens as a tree: lines, and operators by their rank, as the chapter, numpy, MATLAB and Julia write them.
 
+mod beginning;
 mod bracket;
 mod operand;
 
@@ -38,13 +39,6 @@ pub(crate) struct Parser<'a, 'b> {
 /// The place of the fault has been told.
 pub(super) struct Told;
 pub(super) type Parsed<T> = Result<T, Told>;
-
-/// What a line does not begin with, and why.
-const NO_BEGINNING: [(&[&str], &str); 3] = [
-    (&["return", "end"], "A program needs no end: what its names are then is its answer."),
-    (&["import", "from", "using"], "A program needs no packages: leave this line out."),
-    (&["def", "function", "for", "while", "if", "let"], "A program is lines, without loops, choices and functions."),
-];
 
 impl<'a, 'b> Parser<'a, 'b> {
     pub fn new(tokens: &'a [Token], names: &'a mut Vec<String>, robot: bool, faults: &'a mut Faults<'b>) -> Self {
@@ -167,11 +161,7 @@ impl<'a, 'b> Parser<'a, 'b> {
         let Kind::Name(name) = self.kind() else {
             return self.fail(place, "A line begins with the name that it makes: name = formula.");
         };
-        for (beginnings, why) in NO_BEGINNING {
-            if beginnings.contains(&self.names[name].as_str()) {
-                return self.fail(place, why);
-            }
-        }
+        self.begins(name, place)?;
         self.at += 1;
         let closing = match self.kind() {
             Kind::Sign('[') => Some(']'),
@@ -191,9 +181,7 @@ impl<'a, 'b> Parser<'a, 'b> {
             _ => None,
         };
         self.at += usize::from(added.is_some());
-        if self.kind() == Kind::Sign('^') {
-            return self.fail(self.place(), "Before the = there is a name, without a power: call it xm, say.");
-        }
+        self.names_one(name, place)?;
         if !self.take('=') {
             return self.missing("a =");
         }

@@ -169,18 +169,23 @@ fn a_name_says_where_it_is_made_or_whose_letter_it_is() {
         ("a = R\nR = P H'", "3:5 R is not known here; line 4 makes it."),
         (
             "a = R",
-            "3:5 R is the gain, and no line above makes it; \
-          what is the noise of the motion in Thrun’s letters is V here.",
+            "3:5 R is the gain, and no line above makes it; it is the noise of the motion in Thrun’s letters, here V; \
+          the noise of the reading in the common letters, here W.",
         ),
-        ("a = K", "3:5 K is the gain in Thrun’s letters; in Choset’s letters, which this program is in, that is R."),
+        ("a = K", "3:5 K is the gain in Thrun’s letters, here R, and so in the common letters."),
         (
             "a = Q",
-            "3:5 Q is the noise of the reading in Thrun’s letters; \
-          in Choset’s letters, which this program is in, that is W.",
+            "3:5 Q is the noise of the reading in Thrun’s letters, here W; \
+          the noise of the motion in the common letters, here V.",
         ),
         ("a = FPF'", "3:5 FPF is not known. A product has a blank or a * between its factors: F P F."),
         ("a = x(k)", "3:7 A program has no times: a name is what the last line above made it, as in x = F x + G u."),
-        ("x^- = F x", "3:2 Before the = there is a name, without a power: call it xm, say."),
+        (
+            "x^- = F x",
+            "3:2 Before the = there is a name, without a power. Call a prediction xm, say, and the result x.",
+        ),
+        ("a = F x^ + G u", "3:8 Here ^ has no power. Name a prediction xm or Pm, and an estimate x, without a hat."),
+        ("VectorXd a = F x", "3:1 A line begins with the name that it makes and a =; the name’s type is left out."),
         ("a = W^{-1} H + y", "3:5 W^{-1} H is p×n and y is p×1: both sides of a sum have one size."),
         ("a = xm", "3:5 xm is not known: no line above makes it, and the world gives x, P, u, y, V, W, F, G and H."),
         (

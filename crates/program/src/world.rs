@@ -3,6 +3,7 @@
 use crate::matrix::Matrix;
 use crate::size::{Found, LETTERS, Shape, Size};
 use crate::value::Value;
+use crate::words::Words;
 use alloc::rc::Rc;
 use alloc::string::String;
 use alloc::vec::Vec;
@@ -101,16 +102,24 @@ impl Notation {
         ["Choset’s letters", "Thrun’s letters", "the common letters"][self as usize]
     }
 
-    /// What a name means in letters that this notation has not: whose they are, what it is, and its name here.
-    pub(crate) fn foreign(self, name: &str) -> Option<(&'static str, &'static str, &'static str)> {
+    /// Says what a name means in other letters, and its name here; whether it means anything there.
+    pub(crate) fn say_foreign(self, name: &str, words: &mut Words) -> bool {
+        let (mut said, mut before) = (false, "");
         for other in [Self::Choset, Self::Thrun, Self::Common] {
-            for (letters, meaning) in TABLE {
-                if letters[other as usize] == name && other != self {
-                    return Some((other.whose(), meaning, letters[self as usize]));
-                }
+            let meant = TABLE.iter().find(|(letters, _)| letters[other as usize] == name);
+            let Some((letters, meaning)) = meant.filter(|(letters, _)| other != self && letters[self as usize] != name)
+            else {
+                continue;
+            };
+            if *meaning == before {
+                words.text(", and so in ").text(other.whose());
+                continue;
             }
+            words.text(if said { "; " } else { "" }).text(meaning).text(" in ").text(other.whose());
+            words.text(", here ").text(letters[self as usize]);
+            (said, before) = (true, meaning);
         }
-        None
+        said
     }
 }
 

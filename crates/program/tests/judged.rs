@@ -71,7 +71,7 @@ fn each_of_the_museums_formulas_is_named_with_its_line() {
             "P = sym(P - R H P)",
             "P = P - R H P\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)\nP = P - R H P",
             Bug::Twice,
-            8,
+            10,
         ),
         (
             World::Robot,
@@ -80,7 +80,7 @@ fn each_of_the_museums_formulas_is_named_with_its_line() {
              x = x + R nu\n\
              x[3] = wrap(x[3])\nP = P - R H P",
             Bug::Twice,
-            12,
+            13,
         ),
     ];
     for (world, old, new, bug, line) in cases {
@@ -164,5 +164,27 @@ fn the_right_filter_is_the_cores_in_every_case() {
         near(of(Quantity::Innovation), nu.as_slice(), &format!("case {i}, ν"));
         near(of(Quantity::P), core.p.as_slice(), &format!("case {i}, P"));
         near(of(Quantity::X), core.x.to_vector().as_slice(), &format!("case {i}, x"));
+    }
+}
+
+#[test]
+fn a_quantity_that_is_named_and_off_is_told_of_a_right_answer() {
+    let text = "x = F x + G u\nP = F P F' + V\nnu = H x - y\nK = P H' / (H P H' + W)\nx = x - K nu\nP = P - K H P";
+    let verdict = judged(text, World::Linear, Notation::Choset);
+    assert_eq!(verdict.outcome, Outcome::Right, "{verdict:#?}");
+    assert!(verdict.sentences.iter().any(|said| said.starts_with("But line 3 makes another nu")), "{verdict:#?}");
+}
+
+#[test]
+fn a_prediction_that_no_line_makes_is_looked_at_first() {
+    let with =
+        |x: &str, p: &str| format!("{x}\n{p}\nnu = y - H x\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nP = P - R H P");
+    for (text, line, what) in [
+        (with("x = F x + G u", "P = F P F'"), 2, "predicted covariance: look at line 2"),
+        (with("x = F x", "P = F P F' + V"), 1, "predicted estimate: look at line 1"),
+    ] {
+        let verdict = judged(&text, World::Linear, Notation::Choset);
+        assert_eq!((verdict.outcome, verdict.line), (Outcome::Wrong, Some(line)), "{verdict:#?}");
+        assert!(verdict.sentences.iter().any(|said| said.contains(what)), "{verdict:#?}");
     }
 }

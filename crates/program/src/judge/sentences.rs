@@ -1,8 +1,8 @@
 //! What a judgement says, with numbers.
 
 use super::{Bug, Off, Outcome, Steps, TOLERANCE, Verdict, apart, cases, line_of, off};
-use crate::Quantity;
 use crate::words::Words;
+use crate::{Formula, Quantity};
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -32,14 +32,36 @@ pub(super) fn is_right(theirs: &Steps, ours: &Steps, cases: usize) -> Verdict {
     if let Some(case) = lopsided {
         let mut words = Words::new(p);
         words.text(" is not symmetric in its last digits, as in case ").whole(case as i64 + 1);
-        words.text(": in the museum this is the bug “P is not symmetric”. A last line ").text(p).text(" = sym(");
+        words
+            .text(", which in a long run is the museum’s bug “P is not symmetric”. A last line ")
+            .text(p)
+            .text(" = sym(");
         sentences.push(words.text(p).text(") cures it.").0.clone());
+    }
+    for quantity in [Quantity::Innovation, Quantity::S, Quantity::Gain] {
+        if let Some((line, other)) = line_of(theirs, quantity).zip(another(theirs, ours, quantity)) {
+            let mut words = Words::new("But line ");
+            words.whole(i64::from(line)).text(" makes another ").text(theirs.program.notation().letter(quantity));
+            words.text(" than a right filter has, which a gate or a statistic would use. ");
+            other.say(theirs, &mut words);
+            sentences.push(words.0);
+        }
     }
     let broken = breaks(theirs);
     let breaks = broken.is_some();
     sentences.extend(broken);
     let line = if sentences.len() > 1 { line_of(theirs, Quantity::P) } else { None };
     Verdict { outcome: Outcome::Right, line, sentences, breaks }
+}
+
+/// Where a named quantity of the size that it has is off.
+fn another(theirs: &Steps, ours: &Steps, quantity: Quantity) -> Option<Off> {
+    let sized = |(step, (case, _)): (usize, &(usize, _))| {
+        let ours = ours.on(*case).and_then(|step| ours.made(step, quantity))?;
+        Some((theirs.made(step, quantity)?, ours)).filter(|(a, b)| (a.rows, a.columns) == (b.rows, b.columns))
+    };
+    let all = theirs.steps.iter().enumerate().all(|step| sized(step).is_some());
+    off(theirs, ours, quantity).filter(|_| all)
 }
 
 /// Where a form that is right on paper loses its digits: a prior that knows nothing.
@@ -80,7 +102,10 @@ pub(super) fn is_bug(bug: Bug, theirs: &Steps, ours: &Steps, mutant: &Steps, off
     let any = |line: usize, of: &Steps| (0..lines(of)).any(|other| stays(of, other) && same(line, of, other));
     let tells = |line: &usize| any(*line, mutant) && !any(*line, ours);
     let first = (0..lines(theirs)).find(tells);
-    let line = first.map(|line| theirs.steps[0].1.made[line].line).or_else(|| line_of(theirs, off.quantity));
+    let line = match bug {
+        Bug::Twice => last_use(theirs),
+        _ => first.map(|line| theirs.steps[0].1.made[line].line).or_else(|| line_of(theirs, off.quantity)),
+    };
     let mut words = Words::default();
     if let Some(line) = line {
         words.text("Line ").whole(i64::from(line)).text(": ");
@@ -90,6 +115,43 @@ pub(super) fn is_bug(bug: Bug, theirs: &Steps, ours: &Steps, mutant: &Steps, off
     off.say(theirs, &mut numbers);
     numbers.text(" In all ").whole(theirs.steps.len() as i64).text(" cases the answer is that of this bug.");
     Verdict { outcome: Outcome::Bug(bug), line, sentences: alloc::vec![words.0, numbers.0], breaks: false }
+}
+
+/// The last line before `at` that makes something of a prediction's size, where no line makes the right one.
+fn unpredicted(theirs: &Steps, ours: &Steps, quantity: Quantity, at: u32) -> Option<u32> {
+    let name = match quantity {
+        Quantity::Innovation => "xm",
+        Quantity::S => "Pm",
+        _ => return None,
+    };
+    let right = |case: usize| {
+        let (_, step) = &ours.steps[ours.on(case)?];
+        step.made.iter().find(|made| ours.program.name(made) == name).map(|made| made.value())
+    };
+    let made = |line: usize| {
+        theirs.steps.iter().all(|(case, step)| {
+            let ours = right(*case);
+            step.made.get(line).zip(ours).is_some_and(|(a, b)| apart(a.value(), b) <= TOLERANCE)
+        })
+    };
+    let (case, first) = theirs.steps.first()?;
+    let expected = right(*case)?;
+    let candidates = |line: &usize| {
+        let value = first.made[*line].value();
+        first.made[*line].line < at && (value.rows, value.columns) == (expected.rows, expected.columns)
+    };
+    let last = (0..first.made.len()).filter(candidates).next_back()?;
+    (!(0..first.made.len()).any(made)).then(|| first.made[last].line)
+}
+
+/// The last line that uses the reading.
+fn last_use(of: &Steps) -> Option<u32> {
+    fn uses(formula: &Formula, letter: &str) -> bool {
+        formula.name == letter || formula.parts.iter().any(|part| uses(part, letter))
+    }
+    let letter = of.program.notation().letter(Quantity::Y);
+    let lines = of.program.tree(None).ok()?;
+    lines.iter().rev().find(|line| uses(&line.value, letter)).map(|line| line.lines[0])
 }
 
 pub(super) fn is_wrong(theirs: &Steps, ours: &Steps, off_first: &Off) -> Verdict {
@@ -112,12 +174,19 @@ pub(super) fn is_wrong(theirs: &Steps, ours: &Steps, off_first: &Off) -> Verdict
                 if !right.is_empty() {
                     words.list(&right).text(if right.len() > 1 { " are right. " } else { " is right. " });
                 }
-                words.text("Line ").whole(i64::from(at)).text(" is off: ");
+                words.text("In line ").whole(i64::from(at)).text(", ");
                 off.entry(theirs, &mut words);
                 words.text(" is ").number(off.theirs).text(" in case ");
                 words.whole(theirs.steps[off.step].0 as i64 + 1).text(", and a right filter has ").number(off.ours);
                 sentences.push(words.text(".").0.clone());
-                return Verdict { outcome: Outcome::Wrong, line: Some(at), sentences, breaks: false };
+                let before = unpredicted(theirs, ours, quantity, at);
+                if let Some(line) = before {
+                    let mut words = Words::new("No line makes a right filter’s ");
+                    let of = if quantity == Quantity::Innovation { "estimate" } else { "covariance" };
+                    words.text("predicted ").text(of).text(": look at line ").whole(i64::from(line)).text(" first.");
+                    sentences.push(words.0);
+                }
+                return Verdict { outcome: Outcome::Wrong, line: before.or(Some(at)), sentences, breaks: false };
             }
         }
     }

@@ -46,6 +46,9 @@ impl Parser<'_, '_> {
 
     /// Behind ^: a whole number, or T for the transpose; its last token is left.
     fn power(&mut self) -> Parsed<Function> {
+        self.at -= 1;
+        let caret = self.place();
+        self.at += 1;
         let bracket = self.take('(');
         let sign = if self.take('-') { -1.0 } else { 1.0 };
         let function = match self.kind() {
@@ -53,7 +56,13 @@ impl Parser<'_, '_> {
             Kind::Number(power) if libm::trunc(power) == power && (1.0..=16.0).contains(&power) => {
                 Function::Power((sign * power) as i8)
             }
-            _ => return self.fail(self.place(), "A power is a whole number of at most 16; a root is sqrt or chol."),
+            Kind::Number(_) | Kind::Name(_) => {
+                return self.fail(self.place(), "A power is a whole number of at most 16; a root is sqrt or chol.");
+            }
+            _ => {
+                return self
+                    .fail(caret, "Here ^ has no power. Name a prediction xm or Pm, and an estimate x, without a hat.");
+            }
         };
         self.at += usize::from(bracket);
         if bracket && self.kind() != Kind::Sign(')') { self.missing("a )") } else { Ok(function) }
@@ -69,7 +78,7 @@ impl Parser<'_, '_> {
             "inverse" => Function::Inverse,
             "dot" => Function::Times,
             "copy" => Function::Array,
-            _ => return self.fail(place, "Behind a point only T is known, the transpose."),
+            _ => return self.fail(place, "Behind a point stands T, transpose(), inverse() or dot()."),
         };
         if !self.take('(') {
             return self.missing("a (");

@@ -11,14 +11,14 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         Linear,
         Choset,
         "x = F x + G u\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)\nP = P - R H P",
-        "Line 2 is off",
+        "In line 2, ",
     ),
     (
         "V is forgotten",
         Linear,
         Choset,
         "x = F x + G u\nP = F P F'\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)\nP = P - R H P",
-        "Line 3 is off",
+        "In line 3, ",
     ),
     (
         "W is forgotten in S",
@@ -26,21 +26,21 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         Choset,
         "x = F x + G u\nP = F P F' + V\nnu = y - H x\nS = H P H' + 0 W + 1e-9 I\nR = P H' / S\nx = x + R nu\n\
          P = P - R H P",
-        "nu is right. Line 4 is off",
+        "nu is right. In line 4, ",
     ),
     (
         "W is twice as large",
         Linear,
         Choset,
         "x = F x + G u\nP = F P F' + V\nS = H P H' + 2 W\nR = P H' / S\nx = x + R (y - H x)\nP = P - R H P",
-        "Line 3 is off",
+        "In line 3, ",
     ),
     (
         "the innovation has the other sign",
         Linear,
         Choset,
         "x = F x + G u\nP = F P F' + V\nnu = H x - y\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nP = P - R H P",
-        "Line 3 is off",
+        "In line 3, ",
     ),
     (
         "the correction is subtracted",
@@ -54,21 +54,21 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         Linear,
         Choset,
         "nu = y - H x\nx = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nP = P - R H P",
-        "Line 1 is off",
+        "In line 1, ",
     ),
     (
         "the gain of the old covariance",
         Linear,
         Choset,
         "S = H P H' + W\nR = P H' / S\nx = F x + G u\nP = F P F' + V\nx = x + R (y - H x)\nP = P - R H P",
-        "Line 1 is off",
+        "In line 1, ",
     ),
     (
         "the input is forgotten",
         Linear,
         Choset,
         "x = F x\nP = F P F' + V\nnu = y - H x\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nP = P - R H P",
-        "Line 3 is off",
+        "In line 3, ",
     ),
     (
         "the covariance grows by the update",
@@ -97,21 +97,21 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         Linear,
         Choset,
         "x = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = 0.5 P H' / S\nx = x + R (y - H x)\nP = P - R H P",
-        "S is right. Line 4 is off",
+        "S is right. In line 4, ",
     ),
     (
         "F on the wrong side, of a power",
         Linear,
         Choset,
         "x = F x + G u\nP = F F P F' F' + V\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)\nP = P - R H P",
-        "Line 3 is off",
+        "In line 3, ",
     ),
     (
         "the covariances are exchanged in their roles",
         Linear,
         Choset,
         "x = F x + G u\nP = F P F' + H' W H\nS = H P H' + H V H'\nR = P H' / S\nx = x + R (y - H x)\nP = P - R H P",
-        "Line 3 is off",
+        "In line 3, ",
     ),
     (
         "only the diagonal of P is kept",
@@ -148,7 +148,7 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         Choset,
         "F = jac(f, x)\nH = jac(h, x)\nx = f(x, u)\nP = F P F' + V\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\n\
          S = H P H' + W\nR = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = P - R H P",
-        "nu is right. Line 7 is off",
+        "nu is right. In line 7, ",
     ),
     (
         "F of the new pose",
@@ -156,7 +156,7 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         Choset,
         "x = f(x, u)\nF = jac(f, x)\nP = F P F' + V\nH = jac(h, x)\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\n\
          S = H P H' + W\nR = P H' / S\nx = x + R nu\nx[3] = wrap(x[3])\nP = P - R H P",
-        "nu is right. Line 7 is off",
+        "nu is right. In line 7, ",
     ),
     (
         "the bearing from the robot",
@@ -165,6 +165,6 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         "F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nd = l - x[1:2]\nr = norm(d)\nH = jac(h, x)\n\
          nu = [y[1] - r; wrap(y[2] - atan2(d[2], d[1]) + x[3])]\nS = H P H' + W\nR = P H' / S\nx = x + R nu\n\
          x[3] = wrap(x[3])\nP = P - R H P",
-        "Line 7 is off",
+        "In line 7, ",
     ),
 ];
