@@ -140,7 +140,7 @@ fn unpredicted(theirs: &Steps, ours: &Steps, quantity: Quantity, at: u32) -> Opt
         let value = first.made[*line].value();
         first.made[*line].line < at && (value.rows, value.columns) == (expected.rows, expected.columns)
     };
-    let last = (0..first.made.len()).filter(candidates).next_back()?;
+    let last = (0..first.made.len()).rfind(candidates)?;
     (!(0..first.made.len()).any(made)).then(|| first.made[last].line)
 }
 
