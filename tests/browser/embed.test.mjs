@@ -116,9 +116,13 @@ for (const name of Object.keys(WIDGETS)) {
     await own.goto(`${site.url}figure/${name}/`)
     const it = await lively(own, name)
     await it.evaluate((host) => host.querySelectorAll('.live .controls details').forEach((fold) => (fold.open = true)))
-    // A figure without a slider has a handle.
+    // A figure without a slider has a handle, or a box to write in.
     const knob = it.locator('.live :is(input[type=range]:enabled, svg [role=slider])').locator('visible=true').last()
-    await changes(it, () => knob.press('Shift+ArrowLeft'), 'an arrow')
+    const write = async () => {
+      await it.locator('.live textarea:not([readonly])').fill('x = F x')
+      await own.keyboard.press('Tab')
+    }
+    await changes(it, async () => ((await knob.count()) ? knob.press('Shift+ArrowLeft') : write()), 'a knob or a text')
     const there = await stateOf(it)
     await it.getByRole('button', { name: 'Embed' }).click()
     const box = it.locator('.copy-box textarea')

@@ -150,7 +150,7 @@ for (const [tag, id] of [
 for (const { version, links } of kept()) {
   for (const page of new Set(links.map(({ address }) => address.split('?')[0]))) {
     test(`the page ${page} opens links of ${version}`, async (t) => {
-      const there = links.filter(({ address }) => address.startsWith(page))
+      const there = links.filter(({ address }) => address.split('?')[0] === page)
       const last = there.filter(({ figure: id }, i) => there.findLastIndex((link) => link.figure === id) === i)
       const query = new URLSearchParams(last.flatMap(({ address }) => [...new URL(address, SITE).searchParams]))
       const opened = await open(t, { at: `${page}?${query}` })

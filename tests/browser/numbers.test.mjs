@@ -47,7 +47,7 @@ test('a number shows what computes it and which check pins it, hovered, focused,
       box.querySelector('.number-check')?.href,
     ])
     assert.equal(name, id)
-    assert.match(source, /\/source\/crates\/[a-z]+\/src\/.*\.rs\.html#L\d+$/)
+    assert.match(source, /\/source\/crates\/[a-z-]+\/src\/.*\.rs\.html#L\d+$/)
     return check
   }
   // In the text, by mouse.

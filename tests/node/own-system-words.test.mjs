@@ -127,8 +127,8 @@ check(
       ],
       [
         pattern(
-          /^Whether the covariance has a limit is undecided: something unseen dies out within the tolerance, if at all, /,
-          /and from this start the covariance comes to rest in (about|more than) (\d+|\S+ × 10\S+) steps\.$/,
+          /^Whether the covariance has a limit is undecided: something unseen dies out within the tolerance, /,
+          /if at all, and from this start the covariance comes to rest in (about|more than) (\d+|\S+ × 10\S+) steps\.$/,
         ),
         ({ limit, doubled }, how, steps) =>
           limit === 'none' &&
@@ -142,7 +142,7 @@ check(
       ],
       [
         pattern(
-          /^From this start it goes on falling as the variance of an average does: /,
+          /^From this start it goes on falling as the variance of an average: /,
           /where no noise is, each reading counts\.$/,
         ),
         ({ settled, noise, spectralRadius }) =>

@@ -74,7 +74,7 @@ test('the ten bugs typed by hand are named, with their lines', () => {
     ['deviation', '+ W', '+ diag(sqrt(diag(W)))', 7],
     ['step-length', '+ V', '+ V 16', 3],
     ['short-form', "R = P H' inv(S)", "R = 13/10 P H' / S", 8],
-    ['twice', 'sym(P - R H P)', `P - R H P\n${ROBOT.slice(ROBOT.indexOf('H = jac'))}`, 12],
+    ['twice', 'sym(P - R H P)', `P - R H P\n${ROBOT.slice(ROBOT.indexOf('H = jac'))}`, 13],
   ]) {
     const text = ROBOT.replace(old, wrong)
     assert.notEqual(text, ROBOT, bug)
@@ -83,7 +83,7 @@ test('the ten bugs typed by hand are named, with their lines', () => {
   }
   const frame = frameOf({ begin: 'extend', text: ROBOT.replace('sym(P - R H P)', 'P - R H P') })
   assert.equal(frame.outcome, 'right')
-  assert.match(reasons(frame).join(' '), /the bug “P is not symmetric”/)
+  assert.match(reasons(frame).join(' '), /the museum’s bug “P is not symmetric”/)
 })
 
 test('a text that is no parameter is refused by name', () => {

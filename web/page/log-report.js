@@ -138,8 +138,9 @@ function headed(into) {
 
 /** @param {Element} row @param {'row' | 'col'} scope @param {Words} words */
 function headCell(row, scope, words) {
-  const cell = part(document, row, 'th', '')
-  cell.setAttribute('scope', scope)
+  // Above the names of the rows there is nothing to say.
+  const cell = part(document, row, words === '' ? 'td' : 'th', '')
+  if (words !== '') cell.setAttribute('scope', scope)
   writeHtml(cell, words)
 }
 

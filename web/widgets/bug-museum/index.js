@@ -172,7 +172,6 @@ const controls = [
     notches: ({ params, steps }) => (params.many ? [] : [{ at: steps, name: 'a whole run' }]),
   },
   { kind: 'action', name: 'again', label: 'Another run', change: ({ params }) => ({ seed: nextSeed(params) }) },
-  { kind: 'custom', name: 'seeIt', build: buildSeeIt },
   { kind: 'action', name: 'hide', label: 'Hide a bug', change: draw(false) },
   {
     kind: 'action',
@@ -197,6 +196,7 @@ const controls = [
     change: () => ({ ...fresh, lot: 0, pair: false }),
     shown: drawn,
   },
+  { kind: 'custom', name: 'seeIt', build: buildSeeIt },
 ]
 
 /** @param {string} bug */

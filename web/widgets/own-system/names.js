@@ -70,7 +70,7 @@ export function decimalsOf(eigenvalues, least) {
 /** So many letters fit a box of a matrix. */
 const FIT = 7
 
-/** A number for a box: as many of its digits as fit, small and large ones by their power of ten. @param {number} value */
+/** A number for a box: digits that fit, small and large ones by their power of ten. @param {number} value */
 export function fitted(value) {
   const size = Math.abs(value)
   const plain = size === 0 || (size >= 1e-3 && size < 1e5)

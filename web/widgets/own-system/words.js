@@ -121,7 +121,7 @@ function limit(frame) {
       : settled !== null
         ? ` From this start it settles in ${settled} steps${another}.`
         : averages(frame)
-          ? ' From this start it goes on falling as the variance of an average does: where no noise is, each reading counts.'
+          ? ' From this start it goes on falling as the variance of an average: where no noise is, each reading counts.'
           : doubled.converged && !arrives(frame)
             ? ` From this start it takes more than ${steps(FURTHEST)} steps.`
             : doubled.converged

@@ -5,7 +5,7 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { buildEditor } from './editor.js'
-import { opened, stepsOf } from './programs.js'
+import { opened } from './programs.js'
 import { describeRun, drawErrors, drawRun } from './run.js'
 import { announce, verdict } from './words.js'
 import { describeWorlds, drawWorlds, worlds } from './worlds.js'
@@ -59,7 +59,6 @@ export const figure = {
   aside: worlds,
   seeded: true,
   pace: 12,
-  end: ({ params }) => stepsOf(params.begin),
   panels: [
     { name: 'run', width: 460, height: 330, draw: drawRun },
     { name: 'errors', width: 460, height: 300, draw: drawErrors },

@@ -67,8 +67,8 @@ impl Run {
         }
     }
 
-    /// A step of the world, and what it gives a program: input, reading, V, W, then F, G and H or landmark and gate. The
-    /// motion's noise is as at the first estimate.
+    /// A step of the world, and what it gives a program: input, reading, V, W, then F, G and H or landmark and gate.
+    /// The motion's noise is as at the first estimate.
     pub fn given(&mut self) -> Vec<Matrix> {
         self.moves();
         match &self.robot {
