@@ -151,10 +151,11 @@ for (const name of Object.keys(WIDGETS)) {
     assert.ok(title.length > 5 && sandbox.includes('allow-scripts') && !sandbox.includes('allow-same-origin'))
     assert.equal(await inner().evaluate(() => self.origin), 'null')
     // The way back to its place in the chapter.
-    const place = name === 'own-system' ? 'system/' : 'kalman/'
+    const places = { 'own-system': 'system/', 'write-filter': 'kalman/filter/' }
+    const place = places[name] ?? 'kalman/'
     const id = await shown.evaluate((host) => host.dataset.figure)
     const way = frame.locator('.figure-source').getByRole('link')
-    assert.match(await way.textContent(), place === 'kalman/' ? /chapter 15/ : /Your own system/)
+    assert.match(await way.textContent(), place === 'system/' ? /Your own system/ : /chapter 15|Write the filter/)
     assert.equal(await way.evaluate(({ href }) => href), `${site.url}${place}#${id}`)
     const [opened] = await Promise.all([page.context().waitForEvent('page'), way.click()])
     await opened.waitForLoadState('domcontentloaded')
