@@ -7,43 +7,30 @@ import { fileURLToPath } from 'node:url'
 import { lettersOf, nameOf, sumOf } from '../../web/widgets/own-system/names.js'
 import { PRESETS, paramsOf, systemOf } from '../../web/widgets/own-system/presets.js'
 import { faultOf, numberOf, readSystem } from '../../web/widgets/own-system/read.js'
+import { rail } from './rail.mjs'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const open = (params, step = 0) => core.OwnSystem.from({ version: 1, lab: 'own-system', step, params })
 
-const SYSTEM = {
-  F: [
-    [1, 0.5],
-    [0, 1],
-  ],
-  G: [[0], [0.5]],
-  H: [[1, 0]],
-  V: [
-    [0.2, 0.05],
-    [0.05, 0.1],
-  ],
-  W: [[0.5]],
-}
-
 test('a system is read in JSON, in MATLAB and in numpy notation', () => {
   const texts = [
-    JSON.stringify(SYSTEM),
-    JSON.stringify(SYSTEM, null, 2),
+    JSON.stringify(rail),
+    JSON.stringify(rail, null, 2),
     'F = [1 0.5; 0 1];\nG = [0; .5] % the input\nH = [1, 0]\nV = [0.2 0.05\n 0.05 0.1]\nW = 0.5',
     'import numpy as np\nF = np.array([[1., 1/2], [0, 1]])  # dynamics\nG = np.array([[0], [5e-1]])\n' +
       'H = np.array([[1, 0]])\nV = np.array([[.2, .05],\n              [.05, .1]])\nW = np.array([[0.5]])',
     'F = np.array([[1, 0.5], [0, 1]]); G = np.array([0, 0.5]); H = np.array([1, 0]); ' +
       'V = np.array([[0.2, 0.05], [0.05, 0.1]]); W = 0.5',
   ]
-  for (const text of texts) assert.deepEqual(readSystem(text).system, SYSTEM, text)
+  for (const text of texts) assert.deepEqual(readSystem(text).system, rail, text)
   const without = readSystem('F = [1 0.5; 0 1]\nH = [1 0]\nV = [0.2 0.05; 0.05 0.1]\nW = 0.5')
   assert.deepEqual(without.system.G, [[], []])
 })
 
 test('a system is read as engineers have it: with comments, continued lines, transposes and factors', () => {
   const half = {
-    ...SYSTEM,
+    ...rail,
     V: [
       [0.01, 0],
       [0, 0.01],
