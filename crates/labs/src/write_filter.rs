@@ -7,9 +7,7 @@ mod programs;
 mod view;
 pub(crate) mod world;
 
-pub use frame::{
-    NamedBug, Verdict, WriteFault, WriteFrame, WriteMean, WriteName, WriteObserver, WriteSeries, WriteWorlds,
-};
+pub use frame::{Verdict, WriteFault, WriteFrame, WriteMean, WriteName, WriteObserver, WriteSeries, WriteWorlds};
 pub use params::{FilterWorld, Letters, MOST_BYTES, WriteParams};
 pub use programs::Begin;
 pub use world::{WriteBelief, WriteStep, WriteSystem, WriteWorld};

@@ -1,5 +1,6 @@
 /** The map of a log's likelihood as a figure sees it: filled row by row by a worker, anew for each log. */
 
+import { Beside } from '../../figure/beside.js'
 import { openPort } from '../../load/worker-port.js'
 
 /** Cells to a side. */
@@ -10,12 +11,6 @@ const STILL_SIZE = 40
 /**
  * @typedef {import('../../draw/likelihood.js').Likelihood & { stopped: boolean }} Likelihood `stopped` where the reader
  * has cancelled the rest
- */
-
-/**
- * @typedef {object} Port the way to what computes
- * @property {(message: any) => void} post
- * @property {((message: any) => void) | null} onmessage
  */
 
 /** @type {import('../../figure/spec.js').Aside} */
@@ -32,7 +27,7 @@ export const likelihood = {
   open: (changed) => new Filling(changed, begin),
 }
 
-/** @returns {Promise<Port>} */
+/** @returns {Promise<import('../../figure/beside.js').Port>} */
 async function begin() {
   const { default: address } = await import('tune-worker')
   return openPort(address, async () => {
@@ -41,24 +36,14 @@ async function begin() {
   })
 }
 
-/** A map that is being filled. */
-export class Filling {
-  /** @param {() => void} changed @param {() => Promise<Port>} open the way to what computes */
-  constructor(changed, open) {
-    this.changed = changed
-    this.open = open
-    /** @type {Promise<Port> | null} */
-    this.port = null
-    /** @type {Likelihood | null} */
-    this.value = null
-    this.id = 0
-    this.log = ''
-    this.filling = false
-  }
+/** A map that is being filled. @extends {Beside<Likelihood>} */
+export class Filling extends Beside {
+  /** Whether the reader asked for the fit last. */
+  fit = false
 
   /** @returns {import('../../figure/progress.js').Work | null} */
   get progress() {
-    return this.filling ? { step: this.value?.rows ?? 0, of: SIZE, unit: 'row' } : null
+    return this.working ? { step: this.value?.rows ?? 0, of: SIZE, unit: 'row' } : null
   }
 
   /**
@@ -69,53 +54,20 @@ export class Filling {
     const log = `${seed} ${length}`
     const again = this.value?.stopped && fit && !this.fit
     this.fit = fit
-    if (log === this.log && !again) return
-    this.log = log
-    this.id += 1
-    this.value = null
-    this.filling = true
-    this.say({ kind: 'fill', id: this.id, params: { seed, length }, size: SIZE })
+    if (log !== this.key || again) this.ask(log, { kind: 'fill', params: { seed, length }, size: SIZE })
   }
 
   cancel() {
-    if (!this.filling) return
-    this.filling = false
-    this.id += 1
-    if (this.value) this.value = { ...this.value, stopped: true }
-    this.say({ kind: 'cancel' })
-    this.changed()
+    if (this.working && this.value) this.value = { ...this.value, stopped: true }
+    super.cancel()
   }
 
   /** @param {any} message */
-  async say(message) {
-    try {
-      this.port ??= this.open()
-      const port = await this.port
-      port.onmessage = (told) => this.take(told)
-      port.post(message)
-    } catch {
-      // Without its map the figure goes on; the next log tries again.
-      this.port = null
-      this.stop()
-    }
-  }
-
-  /** @param {any} message */
-  take({ kind, id, top, limit, values }) {
-    if (kind === 'failed' || kind === 'ended' || (kind === 'refused' && id === this.id)) return this.stop()
-    if (id !== this.id) return
+  hear({ kind, top, limit, values }) {
     if (kind === 'top') this.value = { size: SIZE, rows: 0, values: [], top, limit, stopped: false }
-    if (kind === 'rows' && this.value) {
-      const all = [...this.value.values, ...values]
-      this.value = { ...this.value, values: all, rows: all.length / SIZE }
-      this.filling = this.value.rows < SIZE
-    }
-    this.changed()
-  }
-
-  stop() {
-    this.filling = false
-    this.log = ''
-    this.changed()
+    if (kind !== 'rows' || !this.value) return
+    const all = [...this.value.values, ...values]
+    this.value = { ...this.value, values: all, rows: all.length / SIZE }
+    this.working = this.value.rows < SIZE
   }
 }

@@ -8,12 +8,8 @@
  * Between two chunks it reads its messages. A later `fill` replaces an earlier one.
  */
 
-import { attend, wordsOf } from '../../load/worker-server.js'
-
-/** How long it computes without reading its messages, milliseconds. */
-const CHUNK_MS = 24
-
-/** @typedef {{ id: number, lab: any, size: number, row: number }} Work */
+import { PartServer } from '../../load/part-server.js'
+import { attend } from '../../load/worker-server.js'
 
 /**
  * Answers what comes through a channel.
@@ -22,69 +18,36 @@ const CHUNK_MS = 24
  */
 export const serve = (channel, load) => attend(channel, load, (module, tell, soon) => new Server(module, tell, soon))
 
-export class Server {
-  /**
-   * @param {any} module with `Tune`
-   * @param {(message: any) => void} tell
-   * @param {(act: () => void) => void} soon calls back once waiting messages have been read
-   * @param {() => number} [clock]
-   */
-  constructor(module, tell, soon, clock = () => performance.now()) {
-    this.module = module
-    this.tell = tell
-    this.soon = soon
-    this.clock = clock
-    /** @type {Work | null} */
-    this.work = null
-  }
-
+/** Its module has `Tune`. */
+export class Server extends PartServer {
   /** @param {any} message */
   take(message) {
-    this.drop()
-    if (message.kind === 'fill') this.fill(message)
-  }
-
-  drop() {
-    this.work?.lab.free()
-    this.work = null
+    if (message.kind === 'fill') this.begin(message.id, () => this.map(message))
+    else this.drop()
   }
 
   /** @param {{ id: number, params: Record<string, unknown>, size: number }} wish */
-  fill({ id, params, size }) {
-    this.attempt(id, () => {
-      const lab = this.module.Tune.from({ version: 1, lab: 'tune', step: 0, params: { ...params, fit: true } })
-      this.work = { id, lab, size, row: 0 }
-      const { logLikelihood: top, limit } = lab.frame().fit
-      this.tell({ kind: 'top', id, top, limit })
-      this.goOn()
-    })
-  }
-
-  /** A part of a map: one that fails ends the map, and says so. @param {number} id @param {() => void} act */
-  attempt(id, act) {
-    try {
-      act()
-    } catch (error) {
-      const message = wordsOf(error)
-      this.drop()
-      this.tell({ kind: 'refused', id, message })
+  map({ id, params, size }) {
+    const lab = this.module.Tune.from({ version: 1, lab: 'tune', step: 0, params: { ...params, fit: true } })
+    let [row, told] = [0, -1]
+    /** @type {number[]} rows that are not told yet */
+    let values = []
+    return {
+      part() {
+        values.push(...lab.likelihoodRow(row, size, size))
+        row += 1
+        return row < size
+      },
+      tell: () => {
+        // First what the rows are measured against.
+        if (told < 0) {
+          const { logLikelihood: top, limit } = lab.frame().fit
+          this.tell({ kind: 'top', id, top, limit })
+        }
+        this.tell({ kind: 'rows', id, values })
+        ;[told, values] = [row, []]
+      },
+      free: () => lab.free(),
     }
-  }
-
-  goOn() {
-    const { work } = this
-    if (!work) return
-    const { id, lab, size } = work
-    const began = this.clock()
-    const values = []
-    while (work.row < size && this.clock() - began < CHUNK_MS) {
-      values.push(...lab.likelihoodRow(work.row, size, size))
-      work.row += 1
-    }
-    this.tell({ kind: 'rows', id, values })
-    if (work.row === size) return this.drop()
-    this.soon(() => {
-      if (this.work === work) this.attempt(id, () => this.goOn())
-    })
   }
 }

@@ -1,13 +1,13 @@
 /** The program in 500 worlds: the mean NEES and NIS in a right filter's bands. */
 
 import { fixed } from '../../draw/numbers.js'
+import { Beside } from '../../figure/beside.js'
 import { openPort } from '../../load/worker-port.js'
 
 /** Worlds, as `crates/labs/src/worlds.rs` counts them. */
 const WORLDS = 500
 
 /** @typedef {import('estimate-wasm').WriteWorlds} Found */
-/** @typedef {{ post: (message: any) => void, onmessage: ((message: any) => void) | null }} Port */
 
 /** @type {import('../../figure/spec.js').Aside} */
 export const worlds = {
@@ -21,7 +21,7 @@ export const worlds = {
   open: (changed) => new Counting(changed, begin),
 }
 
-/** @returns {Promise<Port>} */
+/** @returns {Promise<import('../../figure/beside.js').Port>} */
 async function begin() {
   const { default: address } = await import('write-filter-worker')
   return openPort(address, async () => {
@@ -30,74 +30,24 @@ async function begin() {
   })
 }
 
-/** Worlds that are being counted, anew for each program. */
-export class Counting {
-  /** @param {() => void} changed @param {() => Promise<Port>} open the way to what counts */
-  constructor(changed, open) {
-    this.changed = changed
-    this.open = open
-    /** @type {Promise<Port> | null} */
-    this.port = null
-    /** @type {Found | null} */
-    this.value = null
-    this.id = 0
-    this.key = ''
-    this.counting = false
-  }
-
+/** Worlds that are being counted, anew for each program. @extends {Beside<Found>} */
+export class Counting extends Beside {
   /** @returns {import('../../figure/progress.js').Work | null} */
   get progress() {
-    return this.counting ? { step: this.value?.count ?? 0, of: WORLDS, unit: 'world' } : null
+    return this.working ? { step: this.value?.count ?? 0, of: WORLDS, unit: 'world' } : null
   }
 
   /** @param {import('estimate-wasm').WriteFrame} frame */
   follow({ params: { begin, text, notation }, outcome }) {
-    const key = outcome === 'refused' ? '' : JSON.stringify([begin, text, notation])
-    if (key === this.key) return
-    this.key = key
-    this.id += 1
-    this.value = null
-    this.counting = key !== ''
-    this.say(key === '' ? { kind: 'cancel' } : { kind: 'count', id: this.id, params: { begin, text, notation } })
+    const params = { begin, text, notation }
+    const key = outcome === 'refused' ? '' : JSON.stringify(params)
+    if (key !== this.key) this.ask(key, key === '' ? null : { kind: 'count', params })
   }
 
-  /** What has been counted stays. */
-  cancel() {
-    if (!this.counting) return
-    this.counting = false
-    this.id += 1
-    this.say({ kind: 'cancel' })
-    this.changed()
-  }
-
-  /** @param {any} message */
-  async say(message) {
-    if (message.kind === 'cancel' && !this.port) return
-    try {
-      this.port ??= this.open()
-      const port = await this.port
-      port.onmessage = (told) => this.take(told)
-      port.post(message)
-    } catch {
-      // Without its worlds the figure goes on; the next program tries again.
-      this.port = null
-      this.stop()
-    }
-  }
-
-  /** @param {any} message */
-  take({ kind, id, found }) {
-    if (kind === 'failed' || kind === 'ended' || (kind === 'refused' && id === this.id)) return this.stop()
-    if (id !== this.id || kind !== 'found') return
+  /** @param {{ found: Found }} message */
+  hear({ found }) {
     this.value = found
-    this.counting = found.count < WORLDS
-    this.changed()
-  }
-
-  stop() {
-    this.counting = false
-    this.key = ''
-    this.changed()
+    this.working = found.count < WORLDS
   }
 }
 

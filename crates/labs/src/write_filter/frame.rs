@@ -7,7 +7,7 @@ use geom::Ellipse;
 use lab::record;
 use lab::series::{Series, Tracks};
 use program::Fault;
-use program::judge::{Bug, Outcome};
+use program::judge::Outcome;
 
 lab::worded! {
     Verdict {
@@ -42,57 +42,6 @@ impl From<Outcome> for Verdict {
     }
 }
 
-lab::worded! {
-    NamedBug {
-        None = "none",
-        UnwrappedInnovation = "unwrapped-innovation",
-        UnwrappedHeading = "unwrapped-heading",
-        WrongDerivative = "wrong-derivative",
-        Transposed = "transposed",
-        Degrees = "degrees",
-        Deviation = "deviation",
-        StepLength = "step-length",
-        ShortForm = "short-form",
-        Asymmetric = "asymmetric",
-        Twice = "twice",
-    }
-}
-
-/// The museum's word for what is wrong.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-#[allow(missing_docs)]
-pub enum NamedBug {
-    None,
-    UnwrappedInnovation,
-    UnwrappedHeading,
-    WrongDerivative,
-    Transposed,
-    Degrees,
-    Deviation,
-    StepLength,
-    ShortForm,
-    Asymmetric,
-    Twice,
-}
-
-impl From<Outcome> for NamedBug {
-    fn from(outcome: Outcome) -> Self {
-        let Outcome::Bug(bug) = outcome else { return Self::None };
-        match bug {
-            Bug::UnwrappedInnovation => Self::UnwrappedInnovation,
-            Bug::UnwrappedHeading => Self::UnwrappedHeading,
-            Bug::WrongDerivative => Self::WrongDerivative,
-            Bug::Transposed => Self::Transposed,
-            Bug::Degrees => Self::Degrees,
-            Bug::Deviation => Self::Deviation,
-            Bug::StepLength => Self::StepLength,
-            Bug::ShortForm => Self::ShortForm,
-            Bug::Asymmetric => Self::Asymmetric,
-            Bug::Twice => Self::Twice,
-        }
-    }
-}
-
 record! {
     /// A program, what the judge says of it, and its run.
     pub struct WriteFrame {
@@ -112,8 +61,8 @@ record! {
         pub faults: Vec<WriteFault>,
         /// What the program is.
         pub outcome: Verdict,
-        /// The bug that it has.
-        pub bug: NamedBug,
+        /// The museum's word for the bug that it has, or none.
+        pub bug: Option<&'static str>,
         /// The line to look at, from 1.
         pub line: Option<u32>,
         /// Why, in sentences.

@@ -3,16 +3,16 @@
 use super::*;
 use lab::Written;
 
-const BUGS: [(Begin, NamedBug); 9] = [
-    (Begin::UnwrappedInnovation, NamedBug::UnwrappedInnovation),
-    (Begin::UnwrappedHeading, NamedBug::UnwrappedHeading),
-    (Begin::WrongDerivative, NamedBug::WrongDerivative),
-    (Begin::Transposed, NamedBug::Transposed),
-    (Begin::Degrees, NamedBug::Degrees),
-    (Begin::Deviation, NamedBug::Deviation),
-    (Begin::StepLength, NamedBug::StepLength),
-    (Begin::ShortForm, NamedBug::ShortForm),
-    (Begin::Twice, NamedBug::Twice),
+const BUGS: [(Begin, &str); 9] = [
+    (Begin::UnwrappedInnovation, "unwrapped-innovation"),
+    (Begin::UnwrappedHeading, "unwrapped-heading"),
+    (Begin::WrongDerivative, "wrong-derivative"),
+    (Begin::Transposed, "transposed"),
+    (Begin::Degrees, "degrees"),
+    (Begin::Deviation, "deviation"),
+    (Begin::StepLength, "step-length"),
+    (Begin::ShortForm, "short-form"),
+    (Begin::Twice, "twice"),
 ];
 
 fn written(begin: Begin, text: Option<&str>) -> WriteFrame {
@@ -33,7 +33,7 @@ fn each_program_is_what_it_begins_as() {
     assert!(written(Begin::Kalman, None).breaks && !written(Begin::Joseph, None).breaks);
     for (begin, bug) in BUGS {
         let frame = written(begin, None);
-        assert_eq!((frame.outcome, frame.bug), (Verdict::Bug, bug), "{:?}", frame.sentences);
+        assert_eq!((frame.outcome, frame.bug), (Verdict::Bug, Some(bug)), "{:?}", frame.sentences);
         assert!(frame.line.is_some());
     }
     let asymmetric = written(Begin::Asymmetric, None);

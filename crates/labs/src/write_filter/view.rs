@@ -6,7 +6,7 @@ use crate::shapes::ellipse_of;
 use crate::worlds::Run;
 use geom::Ellipse;
 use nalgebra::Matrix2;
-use program::judge::judge;
+use program::judge::{Outcome, judge};
 use program::words::Words;
 use program::{Fault, Program, Quantity, World, given};
 use sim::scenarios::BUG_MUSEUM;
@@ -50,7 +50,7 @@ pub(super) fn frame(lab: &WriteFilter) -> WriteFrame {
         made: made.clone(),
         faults: lab.program.faults().iter().map(WriteFault::from).collect(),
         outcome: verdict.outcome.into(),
-        bug: verdict.outcome.into(),
+        bug: bug_of(verdict.outcome),
         line: verdict.line,
         sentences: verdict.sentences.clone(),
         breaks: verdict.breaks,
@@ -69,6 +69,10 @@ pub(super) fn frame(lab: &WriteFilter) -> WriteFrame {
         series: lab.series.clone(),
         tracks: lab.tracks.outlined(),
     }
+}
+
+fn bug_of(outcome: Outcome) -> Option<&'static str> {
+    if let Outcome::Bug(bug) = outcome { Some(bug.word()) } else { None }
 }
 
 /// Of the first two states; none where their covariance is none.
