@@ -25,7 +25,10 @@ export class Beside {
     this.working = false
   }
 
-  /** Asks for something else; with null, for nothing. @param {string} key @param {Record<string, unknown> | null} wish */
+  /**
+   * Asks for something else; with null, for nothing.
+   * @param {string} key @param {Record<string, unknown> | null} wish
+   */
   ask(key, wish) {
     this.key = key
     this.id += 1
