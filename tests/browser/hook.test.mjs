@@ -4,7 +4,7 @@ import assert from 'node:assert/strict'
 import { frameOf, openFigure, until } from './harness.mjs'
 
 test('the plot of the wheel comes with the switch, and the bias is learned with fixes and not without', async (t) => {
-  const { it } = await openFigure(t, 'odometry-hook')
+  const { page, it } = await openFigure(t, 'odometry-hook')
   const plot = it.locator('.live .panel-wheel:not([hidden])')
   assert.equal(await plot.count(), 0, 'calm at first')
   assert.equal(await it.locator('.live .readout').filter({ hasText: 'Learned bias' }).isVisible(), false)
@@ -36,8 +36,10 @@ test('the plot of the wheel comes with the switch, and the bias is learned with 
   const blind = await until(it, ({ params }) => !params.fixes, 'without fixes')
   assert.deepEqual([blind.wheel.epsilon, blind.wheel.rank], [0, 0])
   const box = it.getByRole('checkbox', { name: /learn the wheel/ })
-  const { y } = await box.boundingBox()
-  await box.uncheck()
+  // By the pointer itself: a click of the driver's may scroll the page first.
+  await box.scrollIntoViewIfNeeded()
+  const { x, y, width, height } = await box.boundingBox()
+  await page.mouse.click(x + width / 2, y + height / 2)
   await until(it, ({ wheel }) => wheel === null, 'as it was')
   assert.equal(await plot.count(), 0)
   assert.ok(Math.abs((await box.boundingBox()).y - y) < 4, 'the box stays under the pointer')

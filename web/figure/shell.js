@@ -153,11 +153,22 @@ export function buildShell(document, spec, into, orders, parameters) {
 
   return {
     panels,
-    /** Gives the panels whose height goes with the frame their height. @param {any} frame */
+    /**
+     * Gives the panels whose height goes with the frame their height, and hides those that it has not: in one turn, or
+     * the figure would be of another height for a moment, and what the reader presses would move.
+     * @param {any} frame
+     */
     fit(frame) {
-      for (const { name, width, height } of spec.panels) {
+      for (const { name, width, height, shown: there } of spec.panels) {
+        const panel = panels[name]
+        const hidden = there ? !there(frame) : false
+        if (panel.svg.hasAttribute('hidden') !== hidden) {
+          panel.svg.toggleAttribute('hidden', hidden)
+          // Nothing that is hidden is left for a key or a finger.
+          if (hidden) panel.pen.draw(() => {})
+        }
         if (typeof height !== 'function') continue
-        const [panel, tall] = [panels[name], String(height(frame))]
+        const tall = String(height(frame))
         if (panel.svg.getAttribute('height') === tall) continue
         panel.svg.setAttribute('height', tall)
         panel.height = (panel.width * Number(tall)) / width
@@ -182,13 +193,6 @@ export function buildShell(document, spec, into, orders, parameters) {
       for (const control of shown) control.show(params, frame)
       const judged = spec.verdict?.(frame) ?? ''
       if (said !== judged) writeHtml(verdict, held((said = judged)).replaceAll('σ', '*σ*'))
-      for (const { name, shown: there } of spec.panels) {
-        const hidden = there ? !there(frame) : false
-        if (panels[name].svg.hasAttribute('hidden') === hidden) continue
-        panels[name].svg.toggleAttribute('hidden', hidden)
-        // Nothing that is hidden is left for a key or a finger.
-        if (hidden) panels[name].pen.draw(() => {})
-      }
       readouts.show(spec.readouts(frame))
     },
   }
