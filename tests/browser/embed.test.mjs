@@ -3,7 +3,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { around, changes, lively, stateOf } from './embedding.mjs'
-import { quiet, stage, tagOf } from './harness.mjs'
+import { pageOf, quiet, stage, tagOf } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
@@ -151,11 +151,10 @@ for (const name of Object.keys(WIDGETS)) {
     assert.ok(title.length > 5 && sandbox.includes('allow-scripts') && !sandbox.includes('allow-same-origin'))
     assert.equal(await inner().evaluate(() => self.origin), 'null')
     // The way back to its place in the chapter.
-    const places = { 'own-system': 'system/', 'write-filter': 'kalman/filter/' }
-    const place = places[name] ?? 'kalman/'
+    const place = pageOf(name)
     const id = await shown.evaluate((host) => host.dataset.figure)
     const way = frame.locator('.figure-source').getByRole('link')
-    assert.match(await way.textContent(), place === 'system/' ? /Your own system/ : /chapter 15|Write the filter/)
+    assert.match(await way.textContent(), /Your own system|chapter 15|Write the filter/)
     assert.equal(await way.evaluate(({ href }) => href), `${site.url}${place}#${id}`)
     const [opened] = await Promise.all([page.context().waitForEvent('page'), way.click()])
     await opened.waitForLoadState('domcontentloaded')

@@ -6,7 +6,7 @@ import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:f
 import { tmpdir } from 'node:os'
 import path from 'node:path'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, dist, figure, HANGS_MS, launch, quiet, watch } from './harness.mjs'
+import { BASE, dist, figure, HANGS_MS, launch, pageOf, quiet, watch } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const copies = mkdtempSync(path.join(tmpdir(), 'book-copies-'))
@@ -53,9 +53,6 @@ function deploy(folder, version) {
   edit('sw.js', (script) => script.replace(/VERSION = (['"])[^'"]*/, `VERSION = $1${version}`))
 }
 
-/** Figures that stand on another page than the chapter's. */
-const ELSEWHERE = { 'own-system': 'system/', 'write-filter': 'kalman/filter/' }
-
 test('after one visit every page, figure and check works without a network, in both letters', async () => {
   await visit(dist, BASE, async ({ page, url, unplug }) => {
     await page.goto(`${url}kalman/`)
@@ -77,11 +74,9 @@ test('after one visit every page, figure and check works without a network, in b
       await page.goto(url + at)
       assert.ok((await page.locator('h1').first().textContent()).length > 3, `/${at}`)
     }
-    await page.goto(`${url}kalman/`)
-    for (const tag of Object.keys(WIDGETS).filter((name) => !(name in ELSEWHERE))) await figure(page, tag)
-    for (const [tag, at] of Object.entries(ELSEWHERE)) {
-      await page.goto(url + at)
-      await figure(page, tag)
+    for (const name of Object.keys(WIDGETS).sort((a, b) => pageOf(a).localeCompare(pageOf(b)))) {
+      if (page.url() !== url + pageOf(name)) await page.goto(url + pageOf(name))
+      await figure(page, name)
     }
     await page.goto(`${url}kalman/`)
     await page.locator('[data-set-notation="thrun"]').click()

@@ -1,6 +1,6 @@
 // Where things are, and how Chromium is started.
 import assert from 'node:assert/strict'
-import { existsSync } from 'node:fs'
+import { existsSync, readFileSync } from 'node:fs'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { FIGURES } from '../../target/figures.js'
@@ -11,25 +11,25 @@ export const dist = path.join(root, 'dist')
 export const fixture = path.join(root, 'target/fixture-site')
 /** Served from a sub-path, as a project page of a static host would be. */
 export const BASE = '/shelf/robot-motion/'
-/** The pages a reader can land on, relative to the site's root. */
-export const PAGES = [
-  '',
-  'kalman/',
-  'kalman/exercises/',
-  'kalman/rust/',
-  'kalman/numbers/',
-  'check/',
-  'hosting/',
-  'log/',
-  'system/',
-  'teaching/',
-]
+/** The pages a reader can land on, relative to the site's root; those of figures and of sources are of one kind each. */
+export const PAGES = JSON.parse(readFileSync(path.join(dist, 'precache.json'), 'utf8'))
+  .map((/** @type {{ url: string }} */ { url }) => url.replace('./', ''))
+  .filter((/** @type {string} */ at) => /(^|\/)$/.test(at) && !/^(figure|source)\//.test(at))
+  .sort()
 /** Where the exercises stand. */
 export const EXERCISES = 'kalman/exercises/'
 /** The pages that hold one figure each. */
 export const FIGURE_PAGES = FIGURES.map(({ name }) => `figure/${name}/`)
 /** The custom element of the figure called `name`; any other name is a custom element itself. */
 export const tagOf = (name) => FIGURES.find((figure) => figure.name === name)?.tag ?? name
+/** The page of the book on which a figure stands, relative to the site's root. @param {string} name */
+export function pageOf(name) {
+  const page = PAGES.find((/** @type {string} */ at) =>
+    readFileSync(path.join(dist, at, 'index.html'), 'utf8').includes(`<${tagOf(name)} `),
+  )
+  assert.ok(page !== undefined, `no page has ${name}`)
+  return page
+}
 export const CHROMIUM_FLAGS = [
   '--no-sandbox',
   '--disable-gpu',
