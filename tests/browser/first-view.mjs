@@ -19,6 +19,14 @@ export async function firstView() {
     const page = await context.newPage()
     const wire = await context.newCDPSession(page)
     await wire.send('Network.enable')
+    // How far ahead a browser fetches pictures goes with the connection: this is the usual one, without a limit.
+    await wire.send('Network.emulateNetworkConditions', {
+      offline: false,
+      latency: 1,
+      downloadThroughput: -1,
+      uploadThroughput: -1,
+      connectionType: 'cellular4g',
+    })
     const names = new Map(),
       sizes = []
     wire.on('Network.responseReceived', ({ requestId, response }) =>
@@ -30,7 +38,7 @@ export async function firstView() {
     await page.goto(`${site.url}kalman/`, { waitUntil: 'networkidle' })
     const first = page.locator('.widget').first()
     await first.scrollIntoViewIfNeeded()
-    await page.waitForTimeout(1500)
+    await page.locator('.widget[data-state="live"]').first().waitFor()
     await page.waitForLoadState('networkidle')
     return sizes
   } finally {
