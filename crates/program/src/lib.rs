@@ -189,13 +189,8 @@ impl Program {
         let mut faults = Faults::new(&self.text);
         let wanted = sizes.map(|size| size as i32);
         checked(&self.text, &self.tree, &self.names, self.world, self.notation, Found(wanted), &mut faults);
-        let Some(mut fault) = faults.sorted().into_iter().next() else {
-            self.fitted = Some(sizes);
-            self.constants.clear();
-            World::constants(sizes, &mut self.constants);
-            return Ok(());
-        };
-        // By itself the text is right: what it says of sizes is another than the system's.
+        // By itself the text is right: what it says of sizes is another than the system's. Where a number takes the
+        // place of a column, no formula shows it.
         let mut words = Words::default();
         for (i, letter) in LETTERS.iter().enumerate() {
             let known = self.found.0[i];
@@ -204,8 +199,23 @@ impl Program {
                 words.text(", and this system has ").text(letter).text(" = ").whole(i64::from(wanted[i])).text(". ");
             }
         }
-        fault.message = words.text(&fault.message).0.clone();
-        Err(fault)
+        match faults.sorted().into_iter().next() {
+            Some(mut fault) => {
+                fault.message = words.text(&fault.message).0.clone();
+                Err(fault)
+            }
+            None if !words.0.is_empty() => {
+                words.0.pop();
+                let place = self.tree.lines.first().map_or(Place::default(), |line| line.place);
+                Err(fault::shown(&self.text, place, words.0))
+            }
+            None => {
+                self.fitted = Some(sizes);
+                self.constants.clear();
+                World::constants(sizes, &mut self.constants);
+                Ok(())
+            }
+        }
     }
 
     /// One step with what the world gives: x, P, u, y, V, W, then F, G, H in a linear world, the landmark and the gate

@@ -238,6 +238,10 @@ fn an_identity_of_a_size_fits_no_system_of_another() {
     let message = "The program is written for n = 4, and this system has n = 2. eye(4) is 4×4 and R H is 2×2: \
                    both sides of a sum have one size.";
     assert_eq!(fault.message, message);
+    // A single reading is a number, which any matrix takes.
+    let mut program = Program::new("x = x\nP = P\na = eye(2) y", World::Linear, Notation::Choset);
+    let Err(Stop::Fault(fault)) = program.step(rail()) else { panic!("for two readings") };
+    assert_eq!(fault.message, "The program is written for p = 2, and this system has p = 1.");
 }
 
 #[test]
