@@ -47,6 +47,19 @@ test('each exercise is solved by its answer, and not by the program that it begi
   }
 })
 
+test('the chapter lists each exercise of its pages once, and the page of exercises those with programs', () => {
+  const of = (/** @type {string} */ at) =>
+    parseHTML(readFileSync(new URL(`../../dist/kalman/${at}index.html`, import.meta.url), 'utf8')).document
+  const ids = (/** @type {any} */ document, /** @type {string} */ which) =>
+    [...document.querySelectorAll(which)].map(({ id }) => id).sort()
+  const [chapter, exercises] = [of(''), of('exercises/')]
+  const programs = ids(page, '.exercise')
+  assert.deepEqual(ids(chapter, '.exercise-elsewhere'), [...ids(exercises, '.exercise'), ...programs].sort())
+  assert.deepEqual(ids(exercises, '.exercise-elsewhere'), programs)
+  for (const part of ['algorithms', 'wrong', 'exercises'])
+    assert.ok(chapter.querySelectorAll(`section[data-part="${part}"] [id^="ex-filter-"]`).length >= 2, part)
+})
+
 test('Run it and See it lead to programs that there are', () => {
   const chapter = readFileSync(new URL('../../dist/kalman/index.html', import.meta.url), 'utf8')
   const programs = (html) => [...html.matchAll(/\?program=([\w-]+)#fig-filter/g)].map(([, name]) => name)

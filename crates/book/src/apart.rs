@@ -49,10 +49,18 @@ pub fn asked(site: &Site, texts: &[Vec<Node>]) -> Vec<String> {
 
 impl<'a> Writer<'a> {
     /// The exercises of the part called `page` for a list: each with its questions, whose answers the browser keeps
-    /// under the same names on every page, and with every id that an address may name.
-    pub(crate) fn exercises(&mut self, page: &str, place: &Place) -> Value {
+    /// under the same names on every page, and with every id that an address may name; with `beside` those that say
+    /// they stand beside it.
+    pub(crate) fn exercises(&mut self, page: &str, beside: &str, place: &Place) -> Value {
         let Some(texts) = self.texts_of(page, place) else { return Value::UNDEFINED };
-        let nodes = all(texts, "exercise");
+        let mut nodes = all(texts, "exercise");
+        nodes.retain(|node| {
+            let Kind::Piece(Piece::Directive { attributes, .. }) = &node.kind else { return false };
+            beside.is_empty() || attributes.value("beside") == Some(beside)
+        });
+        if nodes.is_empty() {
+            self.diagnostics.report(place, format!("no exercise of `{page}` stands beside `{beside}`"));
+        }
         let listed = nodes.into_iter().map(|node| {
             let Kind::Piece(Piece::Directive { attributes, .. }) = &node.kind else { return Value::UNDEFINED };
             let value = |key: &str| attributes.value(key).unwrap_or_default();

@@ -123,7 +123,7 @@ impl Writer<'_> {
                 return self.reference_list();
             }
             "own-log" => ("own_log", context! {}),
-            "exercises" => ("exercises", context! { exercises => self.exercises(text("page"), place) }),
+            "exercises" => ("exercises", context! { exercises => self.exercises(text("page"), text("beside"), place) }),
             "contents" => ("contents", context! { sections => self.contents(text("page"), place) }),
             "asked-figures" => {
                 let figures = self.apart.figures.clone();

@@ -12,7 +12,7 @@ const RULES: [(&str, &str, &str, &str); 18] = [
     ("margin", "", "id", ""),
     ("figure", "id widget", "title start opens", "Figure"),
     ("algorithm", "id name", "in out cost run", "Algorithm"),
-    ("exercise", "id title kind difficulty", "", "Exercise"),
+    ("exercise", "id title kind difficulty", "beside", "Exercise"),
     ("hint", "", "id title", ""),
     ("answer", "", "id title", ""),
     ("starter", "", "id title", ""),
@@ -21,7 +21,7 @@ const RULES: [(&str, &str, &str, &str); 18] = [
     ("equation", "id", "eq", "Equation"),
     ("references", "", "", ""),
     ("own-log", "", "", ""),
-    ("exercises", "page", "", ""),
+    ("exercises", "page", "beside", ""),
     ("asked-figures", "", "", ""),
     ("contents", "page", "", ""),
 ];

@@ -93,10 +93,8 @@ pub fn texts(site: &Site, pages: &[Sources], chapter: Option<u32>, diagnostics: 
     let labels = Labels::collect(&all, chapter, diagnostics);
     let write = |(i, (address, files)): (usize, &Sources)| {
         let texts = &parsed[i];
-        let mut shown = Apart::default();
-        if i == 0 {
-            shown.texts = all[1..].iter().copied().collect();
-        } else {
+        let mut shown = Apart { texts: all[1..].iter().copied().collect(), ..Apart::default() };
+        if i > 0 {
             let asked = apart::asked(site, texts);
             let figures = parsed.iter().flat_map(|texts| apart::all(texts, "figure"));
             shown.figures = figures.filter(|figure| asked.iter().any(|id| id == apart::id(figure))).collect();

@@ -1,7 +1,7 @@
 // Vectors and matrices across the border in one call for all of them, where Rust would need one for each entry.
 //
 // They lie one behind another in a row of numbers: a matrix as [rows, columns, entries row by row …], a vector as
-// [-1, length, entries …].
+// [-1, length, entries …], and in an answer what is not there as [-2, 0].
 //
 // The readers take plain arrays of finite numbers and nothing else. Whatever is unusual (a hole, a NaN, a number too
 // many, a getter that throws) is left to the decoder in Rust, which reads the argument again and names what is wrong
@@ -12,6 +12,8 @@
 const MOST = 16
 /** In the place of a matrix's rows: a vector follows. */
 const VECTOR = -1
+/** In the place of a matrix's rows: there is none. */
+const NOTHING = -2
 
 /**
  * Writes the arrays in these fields of an object.
@@ -110,7 +112,8 @@ export function putFields(object, names, from) {
   for (const name of names) {
     const [rows, columns] = [from[at], from[at + 1]]
     at += 2
-    if (rows === VECTOR) object[name] = numbers(from, at, columns)
+    if (rows === NOTHING) object[name] = null
+    else if (rows === VECTOR) object[name] = numbers(from, at, columns)
     else object[name] = matrix(from, at, rows, columns)
     at += (rows === VECTOR ? 1 : rows) * columns
   }

@@ -196,6 +196,21 @@ mod answers {
             self
         }
 
+        /// A matrix whose entries lie row by row.
+        #[cfg(feature = "programs")]
+        pub fn rows(mut self, [rows, columns]: [usize; 2], entries: &[f64]) -> Self {
+            self.0.extend([rows as f64, columns as f64]);
+            self.0.extend(entries);
+            self
+        }
+
+        /// What is not there.
+        #[cfg(feature = "programs")]
+        pub fn nothing(mut self) -> Self {
+            self.0.extend([-2.0, 0.0]);
+            self
+        }
+
         /// Puts them on an object, under these names.
         pub fn put(self, object: &JsValue, names: &'static [&'static str]) {
             put_fields(object, crate::names::array(names), &self.0);

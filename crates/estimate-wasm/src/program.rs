@@ -2,7 +2,7 @@
 
 use crate::arguments::{belief_of, system_of};
 use crate::decode::Arg;
-use crate::encode::{list, record, rows};
+use crate::encode::{Arrays, list, record, rows};
 use crate::errors::Thrown;
 use crate::object::Held;
 use estimate::{Code, Error, validate};
@@ -214,7 +214,7 @@ fn statement(it: &Statement) -> JsValue {
 }
 
 fn matrix(m: &DMatrix<f64>) -> Matrix {
-    Matrix::new(m.nrows(), m.ncols(), m.transpose().as_slice().to_vec())
+    Matrix::new(m.nrows(), m.ncols(), m.transpose().data.into())
 }
 
 /// What is said of a program.
@@ -251,15 +251,17 @@ fn by_rows(m: &Matrix) -> JsValue {
 }
 
 fn answer(program: &Text, step: &Step) -> JsValue {
-    let value = |quantity| program.made(step, quantity).map_or(JsValue::NULL, by_rows);
-    let column = |quantity| program.made(step, quantity).map_or(JsValue::NULL, |m| list(&m.entries));
-    record(&[
-        ("x", column(Quantity::X)),
-        ("P", value(Quantity::P)),
-        ("innovation", column(Quantity::Innovation)),
-        ("S", value(Quantity::S)),
-        ("R", value(Quantity::Gain)),
-    ])
+    let mut arrays = Arrays::default();
+    for quantity in [Quantity::X, Quantity::P, Quantity::Innovation, Quantity::S, Quantity::Gain] {
+        arrays = match program.made(step, quantity) {
+            None => arrays.nothing(),
+            Some(m) if matches!(quantity, Quantity::X | Quantity::Innovation) => arrays.vector(&m.entries),
+            Some(m) => arrays.rows([m.rows, m.columns], &m.entries),
+        };
+    }
+    let object = record(&[]);
+    arrays.put(&object, &["x", "P", "innovation", "S", "R"]);
+    object
 }
 
 fn lines(program: &Text, step: &Step) -> JsValue {

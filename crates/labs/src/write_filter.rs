@@ -45,6 +45,8 @@ pub struct WriteFilter {
 #[derive(Clone, Debug)]
 struct Judged {
     verdict: judge::Verdict,
+    /// Of the text, or of its sizes in this world.
+    faults: Vec<Fault>,
     observer: Option<WriteObserver>,
     made: Vec<String>,
     names_gain: bool,
@@ -76,10 +78,11 @@ impl Lab for WriteFilter {
         let world: World = params.begin.world().into();
         let program = program_of(&params);
         let run = Run::start(world, params.seed)?;
+        let judged = Rc::new(view::judged(&program));
         let mut lab = Self {
-            judged: Rc::new(view::judged(&program)),
             right: Program::new(&judge::right(world), world, Notation::Choset),
-            stopped: program.faults().first().cloned(),
+            stopped: judged.faults.first().cloned(),
+            judged,
             program,
             params,
             step: 0,

@@ -5,7 +5,7 @@ mod call;
 use crate::fault::{Faults, Place, line_of};
 use crate::size::{Found, Shape, Size};
 use crate::token::NO_TIMES;
-use crate::tree::{Function, Id, Name, Node, Tree};
+use crate::tree::{Function, Id, Line, Name, Node, Tree};
 use crate::words::Words;
 use crate::world::{Letter, Notation, P, World, X};
 use alloc::string::String;
@@ -85,7 +85,15 @@ impl Checker<'_, '_> {
         if !missing.0.ends_with(' ') {
             missing.text(": a step of a filter makes a new ").text(&self.names[X]).text(" and a new ");
             missing.text(&self.names[P]);
-            self.told(last, missing, " of the old ones.");
+            missing.text(" of the old ones.");
+            for name in [X, P] {
+                let other = |line: &&Line| self.names[line.name].starts_with(self.names[name].as_str());
+                if let (None, Some(line)) = (self.tree.made(name), self.tree.lines.iter().rev().find(other)) {
+                    missing.text(" Line ").whole(i64::from(line_of(self.text, line.place.from))).text(" makes ");
+                    missing.text(&self.names[line.name]).text(": call it ").text(&self.names[name]).text(".");
+                }
+            }
+            self.told(last, missing, "");
         }
     }
 
@@ -148,10 +156,14 @@ impl Checker<'_, '_> {
         if let Some(line) = later {
             words.text(" is not known here; line ").whole(i64::from(line_of(self.text, line.place.from)));
             words.text(" makes it.");
-        } else if text == "k" || text == "t" {
+        } else if text == "k" || text == "t" || text.ends_with('_') || text.ends_with("_k") {
             words = Words::new(NO_TIMES);
         } else if !factors.0.is_empty() {
             words.text(" is not known. A product has a blank or a * between its factors: ").text(&factors.0).text(".");
+        } else if let Some(whole) =
+            self.like(text, |name| text.strip_prefix(name).is_some_and(|t| t == "t" || t == "T"))
+        {
+            words.text(" is not known. The transpose of ").text(whole).text(" is ").text(whole).text("'.");
         } else if self.world == World::Robot && (is(Letter::F) || is(Letter::H) || is(Letter::G)) {
             words.text(" is not given in this world: it is a derivative, jac(");
             words.text(if is(Letter::H) { "h, " } else { "f, " });
@@ -165,6 +177,9 @@ impl Checker<'_, '_> {
             words.text(".");
         } else if self.notation.say_foreign(text, words.text(" is ")) {
             words.text(".");
+        } else if let Some(other) = self.like(text, |name| name.eq_ignore_ascii_case(text)) {
+            words = Words::new(text);
+            words.text(" is not known, and ").text(other).text(" is: capitals are letters of their own.");
         } else {
             words = Words::new(text);
             words.text(" is not known: no line above makes it, and the world gives ");
@@ -174,6 +189,12 @@ impl Checker<'_, '_> {
         // Once is enough.
         self.shapes[name] = Some(Shape::Unknown);
         Shape::Unknown
+    }
+
+    /// A name that is known, and like one that is not.
+    fn like(&self, text: &str, is: impl Fn(&str) -> bool) -> Option<&str> {
+        let known = |i: &usize| self.shapes[*i].is_some() && self.names[*i] != text && is(&self.names[*i]);
+        (0..self.names.len()).find(known).map(|i| self.names[i].as_str())
     }
 
     /// A name as a product of names that are known, "F x" for "Fx"; empty where it is none.

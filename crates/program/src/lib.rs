@@ -61,8 +61,9 @@ pub struct Program {
     /// n, p and m, where the text tells them.
     found: Found,
     faults: Vec<Fault>,
-    /// The sizes for which it has been found to fit.
+    /// The sizes for which it has been found to fit, and the values of I, n, p, m and π there.
     fitted: Option<[usize; 3]>,
+    constants: Vec<Rc<Value>>,
 }
 
 /// What a line has made.
@@ -123,7 +124,8 @@ impl Program {
             }
         }
         let lines = tree.lines.iter().map(|line| line_of(text, line.place.from)).collect();
-        Self { text: text.into(), world, notation, names, tree, lines, found, faults: faults.sorted(), fitted: None }
+        let (text, faults) = (text.into(), faults.sorted());
+        Self { text, world, notation, names, tree, lines, found, faults, fitted: None, constants: Vec::new() }
     }
 
     /// The text.
@@ -185,24 +187,32 @@ impl Program {
             return Ok(());
         }
         let mut faults = Faults::new(&self.text);
-        let wanted = [sizes[0] as i32, sizes[1] as i32, sizes[2] as i32];
+        let wanted = sizes.map(|size| size as i32);
+        checked(&self.text, &self.tree, &self.names, self.world, self.notation, Found(wanted), &mut faults);
+        // By itself the text is right: what it says of sizes is another than the system's. Where a number takes the
+        // place of a column, no formula shows it.
+        let mut words = Words::default();
         for (i, letter) in LETTERS.iter().enumerate() {
             let known = self.found.0[i];
             if known >= 0 && known != wanted[i] {
-                let mut words = Words::new("The program is written for ");
-                words.text(letter).text(" = ").whole(i64::from(known)).text(", and this system has ");
-                words.text(letter).text(" = ").whole(i64::from(wanted[i])).text(".");
-                faults.words(self.tree.lines.first().map_or(Place::default(), |line| line.place), words);
+                words.text("The program is written for ").text(letter).text(" = ").whole(i64::from(known));
+                words.text(", and this system has ").text(letter).text(" = ").whole(i64::from(wanted[i])).text(". ");
             }
         }
-        if faults.is_empty() {
-            let found = Found(wanted);
-            checked(&self.text, &self.tree, &self.names, self.world, self.notation, found, &mut faults);
-        }
         match faults.sorted().into_iter().next() {
-            Some(fault) => Err(fault),
+            Some(mut fault) => {
+                fault.message = words.text(&fault.message).0.clone();
+                Err(fault)
+            }
+            None if !words.0.is_empty() => {
+                words.0.pop();
+                let place = self.tree.lines.first().map_or(Place::default(), |line| line.place);
+                Err(fault::shown(&self.text, place, words.0))
+            }
             None => {
                 self.fitted = Some(sizes);
+                self.constants.clear();
+                World::constants(sizes, &mut self.constants);
                 Ok(())
             }
         }
@@ -220,22 +230,19 @@ impl Program {
         for m in given {
             values.push(Rc::new(Value::from(m)));
         }
-        World::constants(sizes, &mut values);
+        values.extend_from_slice(&self.constants);
         values.resize(self.names.len(), values[0].clone());
         let mut made = Vec::with_capacity(self.tree.lines.len());
         for (line, number) in self.tree.lines.iter().zip(&self.lines) {
             let Some(id) = line.value else { continue };
             let trouble = Cell::new((Trouble::NotFinite, id));
             let run = Run { tree: &self.tree, values: &values, varied: None, trouble: &trouble };
-            let Some(mut value) = run.value(id) else {
+            let Some(value) = run.value(id) else {
                 let (trouble, id) = trouble.get();
                 return Err(self.trouble(trouble, line, self.tree.place(id)));
             };
-            if let Some(part) = line.part
-                && let Some(filled) = run::refilled(&run, &values[line.name].m, part, &value.m)
-            {
-                value = Rc::new(filled.into());
-            }
+            let filled = line.part.and_then(|part| run::refilled(&run, &values[line.name].m, part, &value.m));
+            let value = Rc::new(filled.map_or_else(|| value.into_owned(), Value::from));
             if !numerics::all_finite(&value.m.entries) {
                 return Err(self.trouble(Trouble::NotFinite, line, line.place));
             }

@@ -114,7 +114,13 @@ impl Matrix {
     }
 
     pub(crate) fn is_symmetric(&self) -> bool {
-        self.rows == self.columns && self.transposed().entries == self.entries
+        let mut symmetric = self.rows == self.columns;
+        for i in 0..self.rows {
+            for j in 0..i {
+                symmetric &= self.at(i, j) == self.at(j, i);
+            }
+        }
+        symmetric
     }
 
     /// L with LLᵀ = self, of which the lower triangle is read; none where it is not positive definite.

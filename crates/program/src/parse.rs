@@ -159,7 +159,11 @@ impl<'a, 'b> Parser<'a, 'b> {
     fn line(&mut self) -> Parsed<()> {
         let place = self.place();
         let Kind::Name(name) = self.kind() else {
-            return self.fail(place, "A line begins with the name that it makes: name = formula.");
+            let why = match self.kind() {
+                Kind::Number(_) => "A line begins with the name that it makes; a number before it is left out.",
+                _ => "A line begins with the name that it makes: name = formula.",
+            };
+            return self.fail(place, why);
         };
         self.begins(name, place)?;
         self.at += 1;
@@ -174,8 +178,10 @@ impl<'a, 'b> Parser<'a, 'b> {
             let whole = self.node(Node::Name(name), place)?;
             part = Some(self.part(whole, closing, place)?);
         }
-        // `x += a` is x = x + a.
+        // `x += a` is x = x + a, and `x- = a` is a name that cannot be.
+        let close = !self.tokens[(self.at + 1).min(self.tokens.len() - 1)].blank;
         let added = match (self.kind(), self.ahead(1)) {
+            _ if !close => None,
             (Kind::Sign('+'), Kind::Sign('=')) => Some(Function::Plus),
             (Kind::Sign('-'), Kind::Sign('=')) => Some(Function::Minus),
             _ => None,

@@ -4,6 +4,7 @@ use crate::matrix::Matrix;
 use crate::tree::{Function, Id, Name, Node, Tree};
 use crate::value::Value;
 use crate::world::robot;
+use alloc::borrow::Cow;
 use alloc::rc::Rc;
 use alloc::vec::Vec;
 use core::cell::Cell;
@@ -25,29 +26,37 @@ pub(crate) struct Run<'a> {
     /// What each name is.
     pub values: &'a [Rc<Value>],
     /// The one by which is differentiated.
-    pub varied: Option<(Name, Rc<Value>)>,
+    pub varied: Option<(Name, &'a Value)>,
     /// Why there is no value, and at which node.
     pub trouble: &'a Cell<(Trouble, Id)>,
 }
 
-impl Run<'_> {
-    pub fn value(&self, id: Id) -> Option<Rc<Value>> {
+impl<'a> Run<'a> {
+    /// A name's value is lent, and what is computed is the caller's: most of a step's time went into keeping parts of
+    /// formulas that one reader has.
+    pub fn value(&self, id: Id) -> Option<Cow<'a, Value>> {
         let value = match self.tree.node(id) {
             Node::Number(x) => Value::number(x),
             Node::Name(name) => {
-                return Some(match &self.varied {
-                    Some((varied, value)) if *varied == name => value.clone(),
-                    _ => self.values[name].clone(),
-                });
+                return Some(Cow::Borrowed(match self.varied {
+                    Some((varied, value)) if varied == name => value,
+                    _ => &self.values[name],
+                }));
             }
             Node::Jacobian(a, name) => self.jacobian(a, name)?,
             Node::Call(function, from, to) => {
                 let arguments = self.tree.arguments(from, to);
-                let mut values = Vec::with_capacity(arguments.len());
-                for argument in arguments {
-                    values.push(self.value(*argument)?);
-                }
-                let value = call(function, &values);
+                let value = match *arguments {
+                    [a] => call(function, &[self.value(a)?]),
+                    [a, b] => call(function, &[self.value(a)?, self.value(b)?]),
+                    _ => {
+                        let mut values = Vec::with_capacity(arguments.len());
+                        for argument in arguments {
+                            values.push(self.value(*argument)?);
+                        }
+                        call(function, &values)
+                    }
+                };
                 if value.is_none() {
                     let root = function == Function::Root;
                     self.trouble.set((if root { Trouble::NotPositiveDefinite } else { Trouble::Singular }, id));
@@ -55,7 +64,7 @@ impl Run<'_> {
                 value?
             }
         };
-        Some(Rc::new(value))
+        Some(Cow::Owned(value))
     }
 
     fn jacobian(&self, a: Id, name: Name) -> Option<Value> {
@@ -64,8 +73,8 @@ impl Run<'_> {
         let mut columns = Vec::with_capacity(n);
         for i in 0..n {
             let along = Matrix::made(n, 1, &|j, _| f64::from(u8::from(i == j)));
-            let varied = Some((name, Rc::new(Value { m: at.m.clone(), d: Some(along), identity: false })));
-            columns.push(Run { varied, ..*self }.value(a)?.slope());
+            let varied = Value { m: at.m.clone(), d: Some(along), identity: false };
+            columns.push(Run { varied: Some((name, &varied)), ..*self }.value(a)?.slope());
         }
         let rows = columns.first()?.rows;
         Some(Matrix::made(rows, n, &|i, j| columns[j].at(i, 0)).into())
@@ -73,7 +82,7 @@ impl Run<'_> {
 }
 
 /// First and one past the last row, then column, from 0, by the numbers behind a part's matrix. The end is 0.
-fn ends(whole: &Matrix, bounds: &[Rc<Value>]) -> [usize; 4] {
+fn ends(whole: &Matrix, bounds: &[Cow<'_, Value>]) -> [usize; 4] {
     let mut ends = [0, whole.rows, 0, whole.columns];
     // One pair of bounds is of the rows of a column, or of the columns of a row.
     let skipped = if bounds.len() == 2 && whole.columns != 1 { 2 } else { 0 };
@@ -119,12 +128,12 @@ fn cos(x: f64) -> f64 {
 }
 
 /// None where an inverse or a root is missing.
-fn call(function: Function, values: &[Rc<Value>]) -> Option<Value> {
+fn call(function: Function, values: &[Cow<'_, Value>]) -> Option<Value> {
     use Function as F;
     if function == F::End {
         return Some(Value::number(0.0));
     }
-    let (a, b) = (&**values.first()?, &**values.last()?);
+    let (a, b): (&Value, &Value) = (values.first()?, values.last()?);
     let side = |of: &Value| of.m.at(0, 0) as usize;
     Some(match function {
         F::Plus => a.plus(1.0, b),
@@ -182,7 +191,7 @@ fn call(function: Function, values: &[Rc<Value>]) -> Option<Value> {
 }
 
 /// Parts beside or below one another.
-fn joined(values: &[Rc<Value>], below: bool) -> Value {
+fn joined(values: &[Cow<'_, Value>], below: bool) -> Value {
     let join = |slope: bool| {
         let (mut rows, mut columns) = (0, 0);
         for value in values {

@@ -180,10 +180,7 @@ fn a_name_says_where_it_is_made_or_whose_letter_it_is() {
         ),
         ("a = FPF'", "3:5 FPF is not known. A product has a blank or a * between its factors: F P F."),
         ("a = x(k)", "3:7 A program has no times: a name is what the last line above made it, as in x = F x + G u."),
-        (
-            "x^- = F x",
-            "3:2 Before the = there is a name, without a power. Call a prediction xm, say, and the result x.",
-        ),
+        ("x^- = F x", "3:2 Before the = there is a name alone. Call a prediction xm, say, and the result x."),
         ("a = F x^ + G u", "3:8 Here ^ has no power. Name a prediction xm or Pm, and an estimate x, without a hat."),
         ("VectorXd a = F x", "3:1 A line begins with the name that it makes and a =; the name’s type is left out."),
         ("a = W^{-1} H + y", "3:5 W^{-1} H is p×n and y is p×1: both sides of a sum have one size."),
@@ -199,6 +196,52 @@ fn a_name_says_where_it_is_made_or_whose_letter_it_is() {
     let robot = faults_in("mu = mu\nSigma = A Sigma A' + R", World::Robot, Notation::Thrun);
     assert_eq!(robot, ["2:9 A is not given in this world: it is a derivative, jac(f, mu)."]);
     assert_eq!(faults_in("x = F x\nP = F P F' + Q", World::Linear, Notation::Common), [] as [&str; 0]);
+}
+
+/// What people type who have read the chapter's section on the algorithm and nothing else.
+#[test]
+fn first_mistakes_are_told_what_to_type() {
+    let cases = [
+        ("a = F P Ft", "3:9 Ft is not known. The transpose of F is F'."),
+        ("a = P HT", "3:7 HT is not known. The transpose of H is H'."),
+        ("a = X", "3:5 X is not known, and x is: capitals are letters of their own."),
+        ("a = (1 - P) x", "3:6 1 is 1×1 and P is n×n: both sides of a sum have one size. The identity is I."),
+        ("1. a = x", "3:1 A line begins with the name that it makes; a number before it is left out."),
+        ("xm- = F x", "3:3 Before the = there is a name alone. Call a prediction xmm, say, and the result xm."),
+        ("x' = F x", "3:2 Before the = there is a name alone. Call a prediction xm, say, and the result x."),
+        ("a = G u_k", "3:7 A program has no times: a name is what the last line above made it, as in x = F x + G u."),
+    ];
+    for (line, expected) in cases {
+        assert_eq!(tried(line).first().map(String::as_str), Some(expected), "{line}");
+    }
+    // A result of another name is that name's, and its line is told.
+    assert_eq!(
+        faults("xm = F x\nPm = F P F'\nx_new = xm\nP_new = Pm"),
+        ["4:11 No line makes x, and none P: a step of a filter makes a new x and a new P of the old ones. \
+          Line 3 makes x_new: call it x. Line 4 makes P_new: call it P."]
+    );
+    // The algorithm's box as it is printed, and with T above a line.
+    let printed = "x̂⁻ = F x̂ + G u\nP⁻ = F P F⊤ + V\nν = y − H x̂⁻\nS = H P⁻ H⊤ + W\nR = P⁻ H⊤ S⁻¹\nx̂⁺ = x̂⁻ + R ν\n\
+                   P⁺ = P⁻ − R H P⁻";
+    let ((program, step), (_, chapter)) = (run(printed), run(CHAPTER));
+    assert_eq!(program.made(&step, Quantity::X), Some(chapter.made[5].value()));
+}
+
+/// `eye(4)` is 4×4, whatever it stands beside, once the system's sizes are known.
+#[test]
+fn an_identity_of_a_size_fits_no_system_of_another() {
+    let text = "x = F x\nP = F P F' + V\nR = P H' / (H P H' + W)\nP = (eye(4) - R H) P";
+    let mut program = Program::new(text, World::Linear, Notation::Choset);
+    assert_eq!((program.faults(), program.sizes()[0]), (&[][..], Some(4)));
+    let Err(Stop::Fault(fault)) = program.step(rail()) else { panic!("for four states") };
+    assert_eq!((fault.line, fault.column, fault.length), (4, 6, 12));
+    let message = "The program is written for n = 4, and this system has n = 2. eye(4) is 4×4 and R H is 2×2: \
+                   both sides of a sum have one size.";
+    assert_eq!(fault.message, message);
+    // A single reading is a number, which any matrix takes.
+    let mut program = Program::new("x = x\nP = P\na = eye(2) y", World::Linear, Notation::Choset);
+    let Err(Stop::Fault(fault)) = program.step(rail()) else { panic!("for two readings") };
+    assert_eq!(fault.message, "The program is written for p = 2, and this system has p = 1.");
 }
 
 #[test]
@@ -243,5 +286,7 @@ fn a_step_that_has_no_number_says_its_line_and_keeps_nothing() {
     assert_eq!(program.step(vec![]), Err(Stop::Given));
     let mut program = Program::new("x = [1, 0, 0; 0, 1, 0; 0, 0, 1] x\nP = P", World::Linear, Notation::Choset);
     let Err(Stop::Fault(fault)) = program.step(rail()) else { panic!("another size") };
-    assert_eq!(fault.message, "The program is written for n = 3, and this system has n = 2.");
+    let message = "The program is written for n = 3, and this system has n = 2. This part is 3×3 and x is 2×1: \
+                   a product needs as many columns on the left as rows on the right.";
+    assert_eq!((fault.column, fault.message.as_str()), (5, message));
 }

@@ -115,7 +115,7 @@ impl Lexer<'_> {
             '−' | '–' => '-',
             '×' | '·' | '⋅' | '@' => '*',
             '*' if self.take('*') => '^',
-            'ᵀ' | '′' | '’' | '\'' => 't',
+            'ᵀ' | '⊤' | '′' | '’' | '\'' => 't',
             '⁻' if self.take('¹') => 'i',
             '²' => '2',
             '³' => '3',
@@ -162,6 +162,10 @@ impl Lexer<'_> {
             if next.is_some() {
                 self.next();
             }
+        }
+        // An estimate behind its reading is the one that is taken.
+        while name.ends_with('⁺') {
+            name.pop();
         }
         if let Some(end) = name.strip_suffix("_hat").map(str::len) {
             name.truncate(end);

@@ -171,14 +171,19 @@ impl World {
         Shape::Of(rows, columns)
     }
 
+    /// The shape of the name that is given as this one: of a letter, or of the landmark and the gate.
+    fn shape(self, at: usize) -> Shape {
+        match self.letters().get(at) {
+            Some(letter) => Self::shape_of(*letter),
+            None if at == ROBOT => Shape::Of(Size::number(2), Size::ONE),
+            None => Shape::NUMBER,
+        }
+    }
+
     /// The shape of each name that is given.
     pub(crate) fn shapes(self, shapes: &mut Vec<Option<Shape>>) {
-        for letter in self.letters() {
-            shapes.push(Some(Self::shape_of(*letter)));
-        }
-        if self == Self::Robot {
-            shapes.push(Some(Shape::Of(Size::number(2), Size::ONE)));
-            shapes.push(Some(Shape::NUMBER));
+        for at in 0..self.identity() {
+            shapes.push(Some(self.shape(at)));
         }
         shapes.push(Some(Shape::Identity));
         shapes.resize(shapes.len() + 5, Some(Shape::NUMBER));
@@ -204,13 +209,11 @@ impl World {
     /// n, p and m of what is given; none where they do not fit one another.
     pub(crate) fn sizes(self, given: &[Matrix]) -> Option<[usize; 3]> {
         let sizes = [given.first()?.rows, given.get(3)?.rows, given.get(2)?.rows];
-        let mut shapes = Vec::new();
-        self.shapes(&mut shapes);
         if given.len() != self.identity() || sizes.iter().any(|size| *size > MOST_STATES) {
             return None;
         }
-        for (m, shape) in given.iter().zip(shapes) {
-            if !Self::fits(shape?, m, sizes) {
+        for (at, m) in given.iter().enumerate() {
+            if !Self::fits(self.shape(at), m, sizes) {
                 return None;
             }
         }

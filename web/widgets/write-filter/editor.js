@@ -225,7 +225,7 @@ function writeNames(document, into, { given, world, params }) {
     code(x.name),
     ' and ',
     code(p.name),
-    `; ${nu} count if they are named. Type F' for Fᵀ, inv(S) for S⁻¹, # before a remark.`,
+    `; ${nu} count if they are named. Type F P F' with blanks for FPFᵀ, inv(S) for S⁻¹, # before a remark.`,
   )
 }
 

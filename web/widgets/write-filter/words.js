@@ -13,7 +13,7 @@ export function verdict(frame) {
   const { faults, outcome, bug, line, breaks, sentences, observer, stopped } = frame
   if (faults.length > 0) return `No filter yet: ${counted(faults.length)}, the first in line ${faults[0].line}.`
   const at = line === null ? '' : ` See line ${line}.`
-  if (bug && outcome === 'bug') return `The museum’s bug “${BUGS[bug].name}”.${at}`
+  if (bug !== null) return `The museum’s bug “${BUGS[bug].name}”.${at}`
   if (outcome === 'right') {
     const reserve = sentences.some((said) => said.includes('not symmetric')) ? ' Its P is not quite symmetric.' : ''
     return breaks ? `A right filter, whose digits break where nothing is known.${reserve}` : `A right filter.${reserve}`

@@ -75,6 +75,18 @@ fn an_own_text_takes_its_place_and_faults_stop_the_run() {
 }
 
 #[test]
+fn a_text_for_another_count_of_states_is_refused_at_its_place() {
+    let text = "x = F x + G u\nP = F P F' + V\nR = P H' / (H P H' + W)\nx = x + R (y - H x)\nP = (eye(4) - R H) P";
+    let frame = written(Begin::Empty, Some(text));
+    let [fault] = &frame.faults[..] else { panic!("one fault: {:?}", frame.faults) };
+    assert_eq!((frame.outcome, fault.line, fault.column), (Verdict::Refused, 5, 6));
+    assert!(fault.message.contains("eye(4) is 4×4 and R H is 2×2"), "{fault:?}");
+    // Two readings are the judge's to give: the run alone ends.
+    let frame = written(Begin::Sequential, None);
+    assert!(frame.faults.is_empty() && frame.stopped.is_some(), "{:?}", frame.faults);
+}
+
+#[test]
 fn letters_change_and_come_back() {
     let lab = WriteFilter::new(WriteParams { notation: Letters::Thrun, ..WriteParams::default() }).expect("a lab");
     assert!(lab.frame().text.starts_with("mu = A mu + B u\nSigma = A Sigma A' + R\n"));

@@ -6,15 +6,20 @@ use crate::shapes::ellipse_of;
 use crate::worlds::Run;
 use geom::Ellipse;
 use nalgebra::Matrix2;
-use program::judge::{Outcome, judge};
+use program::judge::{Outcome, Verdict, judge};
 use program::words::Words;
 use program::{Fault, Program, Quantity, World, given};
 use sim::scenarios::BUG_MUSEUM;
 
 /// What is said of a program, whatever its run.
 pub(super) fn judged(program: &Program) -> Judged {
-    let mut verdict = judge(program);
-    let sound = program.faults().is_empty();
+    let (mut faults, mut verdict) = (program.faults().to_vec(), judge(program));
+    if let Some(fault) = misfit(program) {
+        let (line, sentences) = (Some(fault.line), vec![fault.message.clone()]);
+        verdict = Verdict { outcome: Outcome::Refused, line, sentences, breaks: false };
+        faults.push(fault);
+    }
+    let sound = faults.is_empty();
     let observer = (sound && program.world() == World::Linear).then(|| observer::of(program)).flatten();
     if let Some(observer) = observer {
         let [first, second] = observer.gain;
@@ -28,7 +33,17 @@ pub(super) fn judged(program: &Program) -> Judged {
     }
     let made = program.makes();
     let names_gain = made.iter().any(|name| name == program.letter(Quantity::Gain));
-    Judged { verdict, observer, made, names_gain }
+    Judged { verdict, faults, observer, made, names_gain }
+}
+
+/// The fault of a text that is right by itself, and is for another count of states or inputs than the rail has. There
+/// may be more readings: the judge's cases have up to three.
+fn misfit(program: &Program) -> Option<Fault> {
+    if program.world() == World::Robot || !program.faults().is_empty() {
+        return None;
+    }
+    let readings = program.sizes()[1].unwrap_or(1);
+    program.clone().fit([2, readings, 1]).err()
 }
 
 /// A fault of the run as a whole.
@@ -37,7 +52,7 @@ pub(super) fn said(words: &str) -> Fault {
 }
 
 pub(super) fn frame(lab: &WriteFilter) -> WriteFrame {
-    let Judged { verdict, observer, made, names_gain } = &*lab.judged;
+    let Judged { verdict, faults, observer, made, names_gain } = &*lab.judged;
     let [run, right] = &lab.runs;
     let (world, notation) = (lab.program.world(), lab.program.notation());
     let name = |(name, about, size)| WriteName { name, about, size };
@@ -48,7 +63,7 @@ pub(super) fn frame(lab: &WriteFilter) -> WriteFrame {
         world: lab.params.begin.world(),
         given: given(world, notation).into_iter().map(name).collect(),
         made: made.clone(),
-        faults: lab.program.faults().iter().map(WriteFault::from).collect(),
+        faults: faults.iter().map(WriteFault::from).collect(),
         outcome: verdict.outcome.into(),
         bug: bug_of(verdict.outcome),
         line: verdict.line,

@@ -38,7 +38,13 @@ impl Checker<'_, '_> {
                     self.count([rows, columns, Size::ONE]);
                 }
                 if !self.same(a, b) {
-                    return self.misfit(id, [(first, a), (last, b)], ": both sides of a sum have one size.");
+                    let number = self.is_number(a) || self.is_number(b);
+                    let why = if number {
+                        ": both sides of a sum have one size. The identity is I."
+                    } else {
+                        ": both sides of a sum have one size."
+                    };
+                    return self.misfit(id, [(first, a), (last, b)], why);
                 }
                 if a == Shape::Identity { b } else { a }
             }

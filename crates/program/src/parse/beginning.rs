@@ -26,8 +26,8 @@ impl Parser<'_, '_> {
     /// Whether nothing but a = follows the name, or what does is told.
     pub(super) fn names_one(&mut self, name: Name, place: Place) -> Parsed<()> {
         match self.kind() {
-            Kind::Sign('^') => {
-                let mut words = Words::new("Before the = there is a name, without a power. Call a prediction ");
+            Kind::Sign('^' | '-' | '+' | 't') => {
+                let mut words = Words::new("Before the = there is a name alone. Call a prediction ");
                 words.text(&self.names[name]).text("m, say, and the result ").text(&self.names[name]).text(".");
                 self.told(self.place(), words)
             }
