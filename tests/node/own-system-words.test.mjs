@@ -103,7 +103,7 @@ check(
       [
         pattern(
           /^Badly scaled: F and H as written are observable, but the numbers through which (.*) (are|is) read are so /,
-          /small beside others that rounding may hide them; choose other units\.$/,
+          /small beside others that rounding may hide them\.$/,
         ),
         ({ observable, badlyScaled, rank }, list) =>
           observable === 'undecided' && badlyScaled && apart(list) === sizes(rank.directions),

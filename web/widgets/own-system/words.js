@@ -37,8 +37,7 @@ function seen({ rank, observable, badlyScaled, params, tolerance }) {
   if (badlyScaled)
     return (
       `Badly scaled: F and H as written are observable, but the numbers through which ${hidden} ` +
-      `${rank.directions.length > 1 ? 'are' : 'is'} read are so small beside others that rounding may hide them; ` +
-      'choose other units.'
+      `${rank.directions.length > 1 ? 'are' : 'is'} read are so small beside others that rounding may hide them.`
     )
   return observable === 'no'
     ? `Not observable: ${hidden} ${rank.directions.length > 1 ? 'are' : 'is'} never seen.`
@@ -89,6 +88,7 @@ const breaks = ({ settled, tried, doubled, detectable }) =>
 export function settles(frame) {
   const { settled, tried, doubled, limit: kind } = frame
   if (breaks(frame)) return 'a step has no answer'
+  if (frame.badlyScaled) return 'undecided'
   if (settled !== null) return kind === 'none' ? `no change after ${settled}` : `in ${settled} steps`
   if (averages(frame)) return 'falls as an average'
   if (arrives(frame)) return `in about ${steps(doubled.steps)} steps`
@@ -112,8 +112,10 @@ function limit(frame) {
     )
   const lasting = params.period > 0 ? `, ${seconds(doubled.steps * params.period)}` : ''
   const another = doubled.dependsOnStart ? '; a larger start leads to another limit' : ''
-  const run =
-    settled !== null && kind === 'none'
+  // A sum that loses what a weakly read state adds comes to rest early: that says nothing.
+  const run = frame.badlyScaled
+    ? ''
+    : settled !== null && kind === 'none'
       ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.`
       : settled !== null
         ? ` From this start it settles in ${settled} steps${another}.`

@@ -48,6 +48,7 @@ fn a_covariance_falls_as_an_average_under_every_gain_on_show() {
         let frame = open(with(|p| {
             p.gain = gain;
             p.v = [[0.0, 0.0], [0.0, 0.0]].map(UpTo::from).into();
+            p.w[0] = [1.0].into();
         }));
         assert!(frame.doubled.averages && frame.limit == RiccatiLimit::FromLargeStart, "{gain:?}");
         assert!(!open(with(|p| p.gain = gain)).doubled.averages);
