@@ -80,36 +80,6 @@ test('A stays pale behind B, the likelihood is held against it, and the report h
   await page.waitForFunction(() => !document.querySelector('robot-log .live .pale'))
 })
 
-/** The log-likelihood that the page shows. */
-const shownLikelihood = async (page) => {
-  const words = await page.locator('.log-likelihood').innerText()
-  return Number(/Log-likelihood (−?[\d,.]+) of/.exec(words)[1].replace('−', '-').replaceAll(',', ''))
-}
-
-test('by keys on its delay the speed is found late, with the log-likelihood in sight at every width', async (t) => {
-  for (const viewport of [{ width: 1440, height: 900 }, { width: 900, height: 700 }, PHONE]) {
-    const { page, it, choose } = await openLog(t, { viewport })
-    await choose(file('car.csv', CAR))
-    await until(it, ({ summary }) => summary.used > 2000, 'the car')
-    const slider = told(page, 'motion').getByLabel('delay of the speed, s, slider')
-    await slider.focus()
-    const seen = new Map()
-    for (let delay = 0; delay <= 1; delay += 0.1) {
-      const tenth = Math.round(10 * delay) / 10
-      while (Number(await slider.inputValue()) < tenth - 1e-9) await slider.press('ArrowRight')
-      await until(it, ({ params }) => Math.abs(params.delaySpeed - tenth) < 1e-9, `${tenth} s`)
-      seen.set(tenth, await shownLikelihood(page))
-      const boxes = await Promise.all([page.locator('.log-likelihood'), slider].map((one) => one.boundingBox()))
-      for (const { y, height } of boxes)
-        assert.ok(y >= 0 && y + height <= viewport.height, `${tenth} s at ${viewport.width} px: ${y}`)
-      const [{ y, height }, { y: below }] = boxes
-      assert.ok(y + height <= below, 'the line does not cover the slider')
-    }
-    const [best] = [...seen].reduce((one, other) => (other[1] > one[1] ? other : one))
-    assert.ok(best >= 0.5 && best <= 0.6, `${viewport.width} px: ${JSON.stringify([...seen])}`)
-  }
-})
-
 test('a reading that is touched has its place on the map, and panels show one stretch of time', async (t) => {
   const { page, it, choose } = await openLog(t)
   await choose(file('camera.csv', CAMERA.join('\n')))
