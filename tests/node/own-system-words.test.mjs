@@ -25,6 +25,10 @@ check(
         [1, 1e12],
         [0, 1],
       ]),
+      four([
+        [1e20, 0.1],
+        [0, 1],
+      ]),
     ],
     h: [four([[1, 0]]), four([[0, 1]]), four([[1, 1]])],
     v: [
@@ -97,6 +101,14 @@ check(
         ({ observable, rank }, list) => observable === 'undecided' && apart(list) === sizes(rank.directions),
       ],
       [
+        pattern(
+          /^Badly scaled: F and H as written are observable, but the numbers through which (.*) (are|is) read are so /,
+          /small beside others that rounding may hide them\.$/,
+        ),
+        ({ observable, badlyScaled, rank }, list) =>
+          observable === 'undecided' && badlyScaled && apart(list) === sizes(rank.directions),
+      ],
+      [
         /^Detectable: what is not seen dies out by itself\.$/,
         ({ observable, detectable }) => detectable === 'yes' && observable !== 'yes',
       ],
@@ -145,8 +157,10 @@ check(
           /^From this start it goes on falling as the variance of an average: /,
           /where no noise is, each reading counts\.$/,
         ),
-        ({ settled, noise, spectralRadius }) =>
-          settled === null && noise.reachable === 'no' && Math.abs(spectralRadius - 1) < 1e-3,
+        ({ settled, noise, spectralRadius, params }) =>
+          settled === null &&
+          noise.reachable === 'no' &&
+          (params.gain !== 'filter' || Math.abs(spectralRadius - 1) < 1e-3),
       ],
       [/^Noise reaches every state\.$/, ({ noise }) => noise.reachable === 'yes'],
       [
@@ -235,6 +249,18 @@ check(
           (({ 'the filter’s gain': 'filter', 'this gain': 'hand' })[who] ?? 'placement') === params.gain &&
           (spectralRadius >= 1e4 || prints(radius, spectralRadius)) &&
           Boolean(lives) === spectralRadius >= 1,
+      ],
+      [
+        pattern(
+          /^The filter’s gain tends to one that leaves eigenvalues on the unit circle: the error falls as that of /,
+          /an average, and by no factor in each step\.$/,
+        ),
+        ({ params, doubled, spectralRadius }) =>
+          params.gain === 'filter' && doubled.averages && Math.abs(spectralRadius - 1) < 1e-3,
+      ],
+      [
+        /^(One|2) of them (?:counts|count) as out of reach of every gain\.$/,
+        ({ badlyScaled, movable }, count) => badlyScaled && movable === 2 - (count === 'One' ? 1 : 2),
       ],
       [
         /^(One|2) of them (?:stays where it is|stay where they are) whatever the gain\.$/,

@@ -1,6 +1,7 @@
 /**
- * The workbench: what stands between and beside the panels of the page's figure. The strip has what a reader sets; the
- * likelihood, the bar of what is shown and the table of sensors stand with the panels that they speak of.
+ * The workbench: what stands between and beside the panels of the page's figure. The strip has what a reader sets,
+ * below the likelihood that tells what comes of it; the bar of what is shown and the table of sensors stand with the
+ * panels that they speak of.
  */
 
 import { button } from '../draw/dom.js'
@@ -45,9 +46,9 @@ export class Bench {
     const controls = live.querySelector('.controls')
     const strip = document.createElement('div')
     strip.className = 'log-strip'
-    if (controls) strip.append(...controls.children, this.strip)
+    if (controls) strip.append(this.likelihood.box, ...controls.children, this.strip)
     controls?.append(strip)
-    live.append(this.view.box, this.likelihood.box, this.why, this.sources.box, this.map.box)
+    live.append(this.view.box, this.why, this.sources.box, this.map.box)
     handOnTime(live, () => this.host.figure.run.frame, this.look)
     this.reveal(live.hasAttribute('data-why'))
   }

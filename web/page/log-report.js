@@ -72,7 +72,7 @@ export class Report {
       heads,
       both((one) => results(spec, one)),
     )
-    const sources = rowsOf(frame)
+    const sources = kept ? underOneAnother(rowsOf(kept), rowsOf(frame)) : rowsOf(frame)
     if (sources.length > 0)
       this.table(
         'Each sensor and landmark',
@@ -151,6 +151,21 @@ function beside(a, b) {
     rows.find(([one]) => one === name)?.[1] ?? '–'
   const names = [...new Set([...a, ...b].map(([name]) => name))]
   return names.map((name) => [name, of(a, name), of(b, name)])
+}
+
+/**
+ * The row of A and below it that of B, for each sensor or landmark: side by side they would be wider than a phone. One
+ * without readings in one of them has dashes there.
+ * @param {import('./log-sources.js').Row[]} a @param {import('./log-sources.js').Row[]} b
+ */
+function underOneAnother(a, b) {
+  const of = (/** @type {import('./log-sources.js').Row[]} */ rows, /** @type {string} */ name) =>
+    rows.find((row) => row.name === name)?.cells ?? (a[0] ?? b[0]).cells.map(() => '–')
+  const names = [...new Set([...a, ...b].map(({ name }) => name))]
+  return names.flatMap((name) => [
+    { name: `${name}, A`, cells: of(a, name) },
+    { name: `${name}, B`, cells: of(b, name) },
+  ])
 }
 
 /** @param {any} spec the figure's @param {Frame} frame @returns {Words[][]} */

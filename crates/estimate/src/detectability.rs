@@ -5,6 +5,7 @@
 //! the tolerance counted and not counted; where the two differ, the verdict is that the tolerance does not decide.
 
 use crate::balance::{Balanced, balanced};
+use crate::by_entry::is_observable;
 use crate::decay::{decays, rounding};
 use crate::error::{Code, Error};
 use crate::staircase::Staircase;
@@ -29,6 +30,9 @@ pub struct Detectability {
     pub unseen: Vec<DVector<f64>>,
     /// The eigenvalues of F along them, by decreasing modulus. No gain moves them.
     pub modes: Vec<Complex<f64>>,
+    /// Whether every pair whose entries are these to within the tolerance, each as a part of itself, is observable. If
+    /// directions count as unseen nevertheless, it is because these entries are small beside others.
+    pub by_entry: bool,
 }
 
 /// Whether (`f`, `c`), n×n and p×n and finite, is observable, and whether it is detectable: each state and each output
@@ -40,6 +44,14 @@ pub struct Detectability {
 /// # Errors
 /// [`Code::Tolerance`]; [`Code::DidNotConverge`] or [`Code::NotFinite`] blaming F.
 pub(crate) fn detectability(f: &DMatrix<f64>, c: &DMatrix<f64>, tolerance: f64) -> Result<Detectability, Error> {
+    blurred(f, c, 0.0, tolerance)
+}
+
+/// The same of a `c` that was computed: each entry may be off by `blur` of the largest in its column.
+///
+/// # Errors
+/// As [`detectability`].
+pub(crate) fn blurred(f: &DMatrix<f64>, c: &DMatrix<f64>, blur: f64, tolerance: f64) -> Result<Detectability, Error> {
     let tolerance = validate::tolerance(tolerance, "tolerance")?;
     let (n, noise) = (f.nrows(), rounding(f.nrows()));
     let given = balanced(f, c);
@@ -62,12 +74,19 @@ pub(crate) fn detectability(f: &DMatrix<f64>, c: &DMatrix<f64>, tolerance: f64) 
     }
     forms.push(at_tolerance.clone());
     let decaying = |form: &Staircase| decays(&form.unseen_block(), tolerance);
-    let verdicts: Vec<Verdict> = forms.iter().map(decaying).collect::<Result<_, _>>()?;
+    let mut verdicts: Vec<Verdict> = forms.iter().map(decaying).collect::<Result<_, _>>()?;
+    let mut all_seen: Vec<Verdict> = forms.iter().map(|form| Verdict::from(form.seen == n)).collect();
+    // The size of a matrix says nothing of its zeros: what these let see is never said to be unseen.
+    if is_observable(f, c, noise, blur) {
+        verdicts.push(Verdict::Yes);
+        all_seen.push(Verdict::Yes);
+    }
     Ok(Detectability {
-        observable: Verdict::of_all(forms.iter().map(|form| Verdict::from(form.seen == n))),
+        observable: Verdict::of_all(all_seen),
         detectable: Verdict::of_all(verdicts),
         unseen: unseen(&at_tolerance, &units),
         modes: eigenvalues(&at_tolerance.unseen_block()).map_err(|e| Error::of_matrix(e, "F"))?,
+        by_entry: is_observable(f, c, tolerance.max(noise), blur),
     })
 }
 

@@ -32,6 +32,7 @@ extern crate alloc;
 
 mod balance;
 mod blame;
+mod by_entry;
 mod coasting;
 mod decay;
 mod detectability;

@@ -2,7 +2,7 @@
 //! which are observability and detectability of the transposed pair (Anderson and Moore, Optimal Filtering, appendix
 //! C).
 
-use crate::detectability::detectability;
+use crate::detectability::blurred;
 use crate::error::Error;
 use crate::verdict::Verdict;
 use alloc::vec::Vec;
@@ -30,9 +30,22 @@ pub struct Reachability {
 /// Whether (`f`, `b`), n×n and n×m and finite, is reachable, and whether it is stabilizable.
 ///
 /// # Errors
-/// As [`detectability`].
+/// As [`detectability`](crate::detectability::detectability).
 pub(crate) fn reachability(f: &DMatrix<f64>, b: &DMatrix<f64>, tolerance: f64) -> Result<Reachability, Error> {
-    let dual = detectability(&f.transpose(), &b.transpose(), tolerance)?;
+    reached_by(f, b, 0.0, tolerance)
+}
+
+/// The same of noise of the covariance `v`, n×n.
+///
+/// # Errors
+/// As [`reachability`], and as [`noise_input`].
+pub(crate) fn noise_reach(f: &DMatrix<f64>, v: &DMatrix<f64>, tolerance: f64) -> Result<Reachability, Error> {
+    // A direction of less than this part of a state's noise is rounding; the root of it is what `noise_input` leaves.
+    reached_by(f, &noise_input(v)?, sqrt(ROUNDING), tolerance)
+}
+
+fn reached_by(f: &DMatrix<f64>, b: &DMatrix<f64>, blur: f64, tolerance: f64) -> Result<Reachability, Error> {
+    let dual = blurred(&f.transpose(), &b.transpose(), blur, tolerance)?;
     Ok(Reachability {
         reachable: dual.observable,
         stabilizable: dual.detectable,
@@ -74,6 +87,17 @@ mod tests {
         let b = noise_input(&(&g * g.transpose() * 0.1)).expect("found");
         assert_eq!(b.column(1).amax(), 0.0);
         assert_eq!(noise_input(&DMatrix::zeros(2, 2)).expect("found"), DMatrix::zeros(2, 2));
+    }
+
+    #[test]
+    fn noise_that_a_small_number_lets_through_is_not_said_to_stop() {
+        let kicks = dmatrix![0.0, 0.0; 0.0, 1.0];
+        let reached = |f: DMatrix<f64>| noise_reach(&f, &kicks, 1e-9).expect("found").reachable;
+        assert_eq!(reached(dmatrix![1e20, 0.1; 0.0, 1.0]), Verdict::Undecided);
+        assert_eq!(reached(dmatrix![1e20, 0.0; 0.1, 1.0]), No);
+        // Noise of rank one in full coordinates: its second direction is rounding.
+        let g = dmatrix![0.3; 0.7];
+        assert_eq!(noise_reach(&DMatrix::identity(2, 2), &(&g * g.transpose()), 1e-9).expect("found").reachable, No);
     }
 
     #[test]

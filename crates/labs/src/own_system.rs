@@ -13,7 +13,7 @@ use analysis::{Analysis, tolerance};
 use directions::readable;
 use estimate::dynamic::Belief;
 use estimate::kf::kalman_step;
-use estimate::{Error, Observer, Reachability, RiccatiLimit, validate};
+use estimate::{Error, Observer, Reachability, RiccatiLimit, Verdict, validate};
 use filters::{Conditioning, linear};
 use lab::{Digest, Lab, Params, kept, named};
 use nalgebra::{DMatrix, DVector};
@@ -141,6 +141,7 @@ impl Lab for OwnSystem {
             },
             observable: seen.observable,
             detectable: seen.detectable,
+            badly_scaled: seen.by_entry && seen.observable != Verdict::Yes,
             unseen_modes: seen.modes.clone(),
             noise: reach(noise),
             input: reach(input),

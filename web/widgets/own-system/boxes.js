@@ -54,7 +54,10 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
       as,
       system.continuous
         ? `taken as continuous in time and sampled every ${system.period} s, with the noise of the motion per second`
-        : '',
+        : /^A\b/.test(as)
+          ? // A is the letter of both: taken wrongly, an oscillator that dies out grows without bound.
+            'taken as what one step does: tick “Continuous time” if A is of a differential equation'
+          : '',
       unused.length > 0 ? `not used: ${unused.map((name) => name.slice(0, 20)).join(', ')}` : '',
     ]
       .filter(Boolean)

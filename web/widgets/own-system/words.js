@@ -19,7 +19,7 @@ function lost({ conditioned }) {
 }
 
 /** @param {Frame} frame */
-function seen({ rank, observable, params, tolerance }) {
+function seen({ rank, observable, badlyScaled, params, tolerance }) {
   const n = params.states
   if (rank.rank === n && observable === 'no')
     return 'Not observable: the rank is full only because rounding errors exceed so small a tolerance.'
@@ -34,6 +34,11 @@ function seen({ rank, observable, params, tolerance }) {
       'far apart for the rank to say so.'
     )
   const hidden = sumsOf(rank.directions, params)
+  if (badlyScaled)
+    return (
+      `Badly scaled: F and H as written are observable, but the numbers through which ${hidden} ` +
+      `${rank.directions.length > 1 ? 'are' : 'is'} read are so small beside others that rounding may hide them.`
+    )
   return observable === 'no'
     ? `Not observable: ${hidden} ${rank.directions.length > 1 ? 'are' : 'is'} never seen.`
     : `${upper(hidden)} ${rank.directions.length > 1 ? 'count' : 'counts'} as unseen: less is read ` +
@@ -71,18 +76,9 @@ const FURTHEST = 2 ** 50
 /** Whether single steps or doubled ones came to a limit, and none is only as far as they went. @param {Frame} frame */
 const arrives = ({ doubled }) => doubled.converged && doubled.steps < 0.99 * FURTHEST
 
-/**
- * Whether the variance falls as that of an average does: by its own inverse count, where a decay takes many times as
- * long as its time constant.
- * @param {Frame} frame
- */
-const averages = ({ limit: kind, settled, doubled, params, spectralRadius, noise }) =>
-  kind === 'from-large-start' &&
-  noise.reachable === 'no' &&
-  settled === null &&
-  doubled.converged &&
-  params.gain === 'filter' &&
-  (1 - spectralRadius) * doubled.steps < 8
+/** Whether the variance falls as that of an average does. @param {Frame} frame */
+const averages = ({ limit: kind, doubled, noise }) =>
+  kind === 'from-large-start' && noise.reachable === 'no' && doubled.averages
 
 /** Whether a step of the filter has no answer though its covariance is bounded. @param {Frame} frame */
 const breaks = ({ settled, tried, doubled, detectable }) =>
@@ -92,6 +88,7 @@ const breaks = ({ settled, tried, doubled, detectable }) =>
 export function settles(frame) {
   const { settled, tried, doubled, limit: kind } = frame
   if (breaks(frame)) return 'a step has no answer'
+  if (frame.badlyScaled) return 'undecided'
   if (settled !== null) return kind === 'none' ? `no change after ${settled}` : `in ${settled} steps`
   if (averages(frame)) return 'falls as an average'
   if (arrives(frame)) return `in about ${steps(doubled.steps)} steps`
@@ -115,8 +112,10 @@ function limit(frame) {
     )
   const lasting = params.period > 0 ? `, ${seconds(doubled.steps * params.period)}` : ''
   const another = doubled.dependsOnStart ? '; a larger start leads to another limit' : ''
-  const run =
-    settled !== null && kind === 'none'
+  // A sum that loses what a weakly read state adds comes to rest early: that says nothing.
+  const run = frame.badlyScaled
+    ? ''
+    : settled !== null && kind === 'none'
       ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.`
       : settled !== null
         ? ` From this start it settles in ${settled} steps${another}.`
@@ -151,10 +150,16 @@ function limit(frame) {
 }
 
 /** @param {Frame} frame */
-function stability({ params, placed, spectralRadius, movable, eigenvalues, diverged }) {
+function stability(frame) {
+  const { params, placed, spectralRadius, movable, eigenvalues, diverged, badlyScaled } = frame
   const decimals = decimalsOf(eigenvalues, 3)
   if (diverged) return 'The simulated run has left every bound and stands still.'
   if (placed === false) return 'No gain was found that puts the eigenvalues there, so the gain is 0.'
+  if (params.gain === 'filter' && averages(frame))
+    return (
+      'The filter’s gain tends to one that leaves eigenvalues on the unit circle: the error falls as that of ' +
+      'an average, and by no factor in each step.'
+    )
   const who = { filter: 'With the filter’s gain', hand: 'With this gain', placement: 'With the gain that places them' }[
     params.gain
   ]
@@ -162,8 +167,10 @@ function stability({ params, placed, spectralRadius, movable, eigenvalues, diver
   const fixedOnes =
     stuck === 0
       ? ''
-      : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ` +
-        `${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
+      : badlyScaled
+        ? ` ${stuck === 1 ? 'One of them counts' : `${stuck} of them count`} as out of reach of every gain.`
+        : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ` +
+          `${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
   const forEver = spectralRadius < 1 ? '' : ', so an error need not die out'
   const reach = `the eigenvalues of the error’s matrix reach the modulus ${fixed(spectralRadius, decimals)}`
   return `${who} ${reach}${forEver}.${fixedOnes}`

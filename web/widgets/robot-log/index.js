@@ -126,12 +126,14 @@ export const figure = {
     { name: 'bearings', width: 470, height: 200, shown: ({ bearings }) => bearings, draw: drawBearings },
   ],
   layout: {
+    // What the hand moves stands below the map and the innovations, which tell what came of it; what explains them is
+    // further down.
     narrow: [
       'map',
       'verdict',
+      'innovations',
       'tries',
       'controls',
-      'innovations',
       'readouts',
       'ranges',
       'inner',
@@ -144,14 +146,20 @@ export const figure = {
       'map map map map map map map innovations innovations innovations innovations innovations',
       'map map map map map map map errors errors errors errors errors',
       'verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict',
+      'tries tries tries tries tries tries tries tries tries tries tries tries',
+      'controls controls controls controls controls controls controls controls controls controls controls controls',
       'ranges ranges ranges ranges ranges ranges inner inner inner inner inner inner',
       'correlation correlation correlation correlation correlation correlation nis nis nis nis nis nis',
-      'histogram histogram histogram histogram histogram histogram tries tries tries tries tries tries',
+      'readouts readouts readouts readouts readouts readouts readouts readouts readouts readouts readouts readouts',
+      'histogram histogram histogram histogram histogram histogram . . . . . .',
     ],
     wide: [
       'map map map map map map map innovations innovations innovations innovations innovations',
       'map map map map map map map errors errors errors errors errors',
       'verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict verdict',
+      'tries tries tries tries tries tries tries tries tries tries tries tries',
+      'controls controls controls controls controls controls controls controls controls controls controls controls',
+      'readouts readouts readouts readouts readouts readouts readouts readouts readouts readouts readouts readouts',
       'ranges ranges ranges ranges inner inner inner inner histogram histogram histogram histogram',
       'correlation correlation correlation correlation correlation correlation nis nis nis nis nis nis',
     ],

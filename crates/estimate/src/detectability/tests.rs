@@ -123,6 +123,19 @@ fn a_coupling_below_the_tolerance_leaves_the_question_open() {
     assert_eq!(verdicts(&dmatrix![1.0, 0.0; 5e-17, 0.5], &dmatrix![0.0, 1.0]), (Undecided, Undecided));
 }
 
+/// Beside 1e20 the coupling of 0.1 is nothing, and yet H·F has it: no such system hides its second state.
+#[test]
+fn a_badly_scaled_system_is_not_said_to_hide_a_state() {
+    for large in [1e12, 1e20, 1e60] {
+        let f = dmatrix![large, 0.1; 0.0, 1.0];
+        let found = detectability(&f, &dmatrix![1.0, 0.0], 1e-9).expect("found");
+        assert_eq!((found.observable, found.detectable, found.by_entry), (Undecided, Undecided, true), "{large}");
+        assert_eq!(verdicts(&f, &dmatrix![0.0, 1.0]), (No, No));
+    }
+    let alike = detectability(&dmatrix![1.0, 0.0; 0.0, 1.0 + 1e-11], &dmatrix![1.0, 1.0], 1e-9).expect("found");
+    assert_eq!((alike.observable, alike.by_entry), (Undecided, false));
+}
+
 #[test]
 fn sixteen_states_are_judged_too() {
     let chain = DMatrix::from_fn(16, 16, |i, j| {

@@ -71,8 +71,10 @@ pub fn movable(f: DMatrix<f64>, h: DMatrix<f64>, tolerance: f64) -> Result<Movab
 /// # Errors
 /// As there; for V as [`validate::covariance`].
 pub fn noise_reach(f: DMatrix<f64>, v: DMatrix<f64>, tolerance: f64) -> Result<Reachability, Error> {
-    let v = validate::covariance(v, f.nrows(), "V")?;
-    stabilizability(f, reachability::noise_input(&v)?, tolerance)
+    let n = f.nrows();
+    size(n, MAX_STATES, "F")?;
+    let v = validate::covariance(v, n, "V")?;
+    reachability::noise_reach(&validate::matrix(f, (n, n), "F")?, &v, tolerance)
 }
 
 /// A matrix B, n×n, with V = BBᵀ, also of a singular `v`: Bz is noise of the covariance V for n independent standard

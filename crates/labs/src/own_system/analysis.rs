@@ -16,6 +16,10 @@ const SETTLE_STEPS: usize = 1000;
 /// What single steps and the limit may differ by where they are the same.
 const SAME: f64 = 1e-9;
 
+/// A decay takes many times as long as its time constant. P that comes to rest in fewer time constants than this falls as
+/// the variance of an average does.
+const AVERAGING: f64 = 8.0;
+
 /// What is known of a system before it runs.
 #[derive(Debug)]
 pub(super) struct Analysis {
@@ -60,8 +64,10 @@ impl Analysis {
         let settled = arrived.filter(|state| !limit.converged || same_covariance(state, &limit));
         let limit_p = settled.map(|state| state.p.clone()).or_else(|| limit.converged.then(|| limit.p.clone()));
         let mut placed = None;
+        let filter = filter_gain(stepped.as_ref(), &limit);
+        let averages = settled.is_none() && limit.converged && averages(&system, &filter, limit.steps);
         let gain = match params.gain {
-            GainBy::Filter => Some(filter_gain(stepped.as_ref(), &limit)),
+            GainBy::Filter => Some(filter),
             GainBy::Hand => Some(part(&params.k, [n, p])),
             GainBy::Placement => {
                 let found = movable.gain(&wanted(&params.poles[..], movable.count()));
@@ -85,6 +91,7 @@ impl Analysis {
                 gain_converged: limit.gain_converged,
                 depends_on_start: limit.depends_on_start,
                 steps: limit.steps,
+                averages,
             },
             decay: decay_of(&eigenvalues, params.period),
             run_length: run_length(&eigenvalues, n + p),
@@ -148,6 +155,13 @@ fn filter_gain(stepped: Option<&SteadyState<Dyn, Dyn>>, limit: &Limit) -> DMatri
         Some(state) if !limit.gain_converged || near(&state.r) => state.r.clone(),
         _ => limit.r.clone(),
     }
+}
+
+/// Whether what comes to rest in so many steps does so as the variance of an average: too early for the slowest of the
+/// errors under the filter's gain.
+fn averages(system: &System, gain: &DMatrix<f64>, steps: f64) -> bool {
+    let Ok(found) = dynamic::error_eigenvalues(system, gain.clone()) else { return false };
+    found.first().is_some_and(|slowest| (1.0 - hypot(slowest.re, slowest.im)) * steps < AVERAGING)
 }
 
 /// Whether the last of single steps is the limit, each entry in units of its own.

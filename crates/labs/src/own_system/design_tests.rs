@@ -1,6 +1,7 @@
 //! What an engineer relies on: the limit of a slow filter, continuous time, nine states, a start for each state.
 
 use super::*;
+use estimate::Verdict::Undecided;
 use estimate::dynamic;
 use lab::UpTo;
 
@@ -25,6 +26,33 @@ fn height() -> OwnParams {
         p.w[0] = [0.25].into();
         p.period = 0.01;
     })
+}
+
+/// F = [1e20 0.1; 0 1] and H = [1 0] with noise of the second state.
+#[test]
+fn a_badly_scaled_system_is_said_to_be_that() {
+    let frame = open(with(|p| {
+        p.f = [[1e20, 0.1], [0.0, 1.0]].map(UpTo::from).into();
+        p.h[0] = [1.0].into();
+        p.v = [[0.0, 0.0], [0.0, 1.0]].map(UpTo::from).into();
+    }));
+    assert_eq!((frame.observable, frame.detectable, frame.noise.reachable), (Undecided, Undecided, Undecided));
+    assert!(frame.badly_scaled && frame.limit == RiccatiLimit::Undecided);
+    assert!(!open(with(|p| p.h[0] = [0.0, 1.0].into())).badly_scaled);
+}
+
+/// Without noise each reading counts for ever, whatever gain is looked at.
+#[test]
+fn a_covariance_falls_as_an_average_under_every_gain_on_show() {
+    for gain in [GainBy::Filter, GainBy::Hand, GainBy::Placement] {
+        let frame = open(with(|p| {
+            p.gain = gain;
+            p.v = [[0.0, 0.0], [0.0, 0.0]].map(UpTo::from).into();
+            p.w[0] = [1.0].into();
+        }));
+        assert!(frame.doubled.averages && frame.limit == RiccatiLimit::FromLargeStart, "{gain:?}");
+        assert!(!open(with(|p| p.gain = gain)).doubled.averages);
+    }
 }
 
 #[test]
