@@ -2,10 +2,11 @@
 // its curve is the lab's.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { InParts } from '../../web/figure/in-parts.js'
 import { readFileSync } from 'node:fs'
 import { fixed } from '../../web/draw/numbers.js'
 import { plain } from '../../web/draw/words.js'
-import { Tracing, curve } from '../../web/widgets/car-log/curve.js'
+import { curve, tracing as task } from '../../web/widgets/car-log/curve.js'
 import { of } from '../../web/widgets/car-log/open.js'
 import { LOG, estimate, number, prints, sentences, widget } from './claims.mjs'
 
@@ -92,7 +93,8 @@ test('each phrase leads to what it speaks of, whatever was pressed before', asyn
 test('the curve is the lab’s, a delay at a time, and stays while only the delay moves', async () => {
   const waiting = []
   const Lab = of(estimate.CarLog, car)
-  const tracing = new Tracing(
+  const tracing = new InParts(
+    task,
     () => {},
     async (params) => Lab.from(state(params)),
     (act) => waiting.push(act),

@@ -1,7 +1,8 @@
 // What the figure of late readings says is held against its frames: way, lag, innovations, error, gap.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { Counting, costs } from '../../web/widgets/late-readings/costs.js'
+import { InParts } from '../../web/figure/in-parts.js'
+import { costs, counting as task } from '../../web/widgets/late-readings/costs.js'
 import { check, estimate, number, pattern, prints, widget } from './claims.mjs'
 
 const camera = ({ sensors }) => sensors[2]
@@ -90,7 +91,8 @@ const lab = (params) => estimate.LateReadings.from({ version: 1, lab: 'late-read
 test('the costs are the lab’s, a few seeds at a time, and those of the last schedule asked for', async () => {
   const waiting = []
   let told = 0
-  const counting = new Counting(
+  const counting = new InParts(
+    task,
     () => (told += 1),
     async (params) => lab(params),
     (act) => waiting.push(act),

@@ -7,6 +7,7 @@ import { fixed } from '../../draw/numbers.js'
 import { axes, meaning, plane as planeOf, seriesPath } from '../../draw/plot.js'
 import { rounded } from '../../draw/scale.js'
 import { empty } from '../../draw/statistics.js'
+import { InParts, inOne } from '../../figure/in-parts.js'
 import { carLab } from './open.js'
 
 /** @typedef {import('estimate-wasm').CarFrame} Frame */
@@ -18,79 +19,28 @@ const DELAYS = Array.from({ length: Math.round((TO - FROM) / STEP) + 1 }, (_, i)
   Number((FROM + i * STEP).toFixed(2)),
 )
 
-/** The curve of a lab whose reader looks at it. @param {any} lab @param {number} count @returns {Curve} */
-function curveOf(lab, count) {
-  const delays = DELAYS.slice(0, count)
-  return { delays, values: delays.map((delay) => lab.likelihood(delay)) }
+/**
+ * Begins anew where the filter is told something else than a delay.
+ * @type {import('../../figure/in-parts.js').Task<Curve>}
+ */
+export const tracing = {
+  parts: DELAYS.length,
+  unit: 'delay',
+  each: 1,
+  stays: false,
+  about: (params) => JSON.stringify({ ...params, delay: 0 }),
+  wanted: ({ fixes }) => fixes !== 'none',
+  compute: (lab, from) => [lab.likelihood(DELAYS[from])],
+  value: (values) => ({ delays: DELAYS.slice(0, values.length), values: [...values] }),
 }
 
 /** @type {import('../../figure/spec.js').Aside} */
 export const curve = {
-  whole: (lab) => curveOf(lab, DELAYS.length),
+  whole: (lab) => inOne(tracing, lab),
   open: (changed) =>
-    new Tracing(changed, async (params) => (await carLab()).from({ version: 1, lab: 'car-log', step: 0, params })),
-}
-
-export class Tracing {
-  /**
-   * @param {() => void} changed
-   * @param {(params: any) => Promise<any>} open
-   * @param {(act: () => void) => void} [soon] calls back after what waits
-   */
-  constructor(changed, open, soon = (act) => setTimeout(act, 0)) {
-    this.changed = changed
-    this.open = open
-    this.soon = soon
-    /** @type {Curve | null} */
-    this.value = null
-    this.key = ''
-    this.id = 0
-    this.tracing = false
-  }
-
-  /** @returns {import('../../figure/progress.js').Work | null} */
-  get progress() {
-    return this.tracing ? { step: this.value?.delays.length ?? 0, of: DELAYS.length, unit: 'delay' } : null
-  }
-
-  /** Begins anew where the filter is told something else than a delay. @param {{ params: any }} frame */
-  follow({ params }) {
-    const key = JSON.stringify({ ...params, delay: 0 })
-    if (key === this.key) return
-    this.key = key
-    this.id += 1
-    this.value = null
-    this.tracing = params.fixes !== 'none'
-    if (this.tracing) this.trace(this.id, params)
-  }
-
-  /** @param {number} id @param {any} params */
-  async trace(id, params) {
-    try {
-      const lab = await this.open(params)
-      const go = () => {
-        const last = this.value ?? { delays: [], values: [] }
-        if (id === this.id && this.tracing) {
-          const delay = DELAYS[last.delays.length]
-          this.value = { delays: [...last.delays, delay], values: [...last.values, lab.likelihood(delay)] }
-          this.tracing = this.value.delays.length < DELAYS.length
-          this.changed()
-        }
-        if (id === this.id && this.tracing) this.soon(go)
-        else lab.free()
-      }
-      this.soon(go)
-    } catch {
-      // Without its curve the figure goes on.
-      if (id === this.id) this.cancel()
-    }
-  }
-
-  cancel() {
-    this.id += 1
-    this.tracing = false
-    this.changed()
-  }
+    new InParts(tracing, changed, async (params) =>
+      (await carLab()).from({ version: 1, lab: 'car-log', step: 0, params }),
+    ),
 }
 
 /**
