@@ -1,6 +1,6 @@
 // How far a reader of the chapter's first half has to read from one thing to move to the next: the picture at the head,
-// then the figures. Prints each way in pixels and in screens of 900 px, and fails where one is longer than two screens, or
-// three on a phone: its column holds two thirds of the words that a wide one has in the same height.
+// then the figures. Prints each way in pixels and in screens of 900 px, and fails where one is longer than two screens,
+// or three on a phone: its column holds two thirds of the words that a wide one has in the same height.
 //   node tests/browser/distances.mjs [WIDTH]
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
