@@ -11,7 +11,7 @@ export const dist = path.join(root, 'dist')
 export const fixture = path.join(root, 'target/fixture-site')
 /** Served from a sub-path, as a project page of a static host would be. */
 export const BASE = '/shelf/robot-motion/'
-/** The pages a reader can land on, relative to the site's root; those of figures and of sources are of one kind each. */
+/** The pages a reader can land on, relative to the site's root; those of figures and sources are of one kind each. */
 export const PAGES = JSON.parse(readFileSync(path.join(dist, 'precache.json'), 'utf8'))
   .map((/** @type {{ url: string }} */ { url }) => url.replace('./', ''))
   .filter((/** @type {string} */ at) => /(^|\/)$/.test(at) && !/^(figure|source)\//.test(at))

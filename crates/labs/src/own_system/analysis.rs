@@ -16,8 +16,8 @@ const SETTLE_STEPS: usize = 1000;
 /// What single steps and the limit may differ by where they are the same.
 const SAME: f64 = 1e-9;
 
-/// A decay takes many times as long as its time constant. P that comes to rest in fewer time constants than this falls as
-/// the variance of an average does.
+/// A decay takes many times as long as its time constant. P that comes to rest in fewer time constants than this falls
+/// as the variance of an average does.
 const AVERAGING: f64 = 8.0;
 
 /// What is known of a system before it runs.

@@ -39,8 +39,8 @@ record! {
         pub observable: Verdict,
         /// Whether every direction that is not seen dies out by itself.
         pub detectable: Verdict,
-        /// Whether the entries of F and H, each known to within the tolerance as a part of itself, let every direction be
-        /// seen, though some are so small beside others that a direction counts as unseen.
+        /// Whether the entries of F and H, each known to within the tolerance as a part of itself, let every direction
+        /// be seen, though some are so small beside others that a direction counts as unseen.
         pub badly_scaled: bool,
         /// The eigenvalues of F along the unseen directions, by decreasing modulus.
         pub unseen_modes: Vec<Complex<f64>>,
@@ -138,8 +138,8 @@ record! {
         pub depends_on_start: bool,
         /// Steps until they no longer change: a power of two and a few more.
         pub steps: f64,
-        /// Whether P falls as the variance of an average does, by its own inverse count: the error of the limit gain takes
-        /// longer to die out than P to come to rest.
+        /// Whether P falls as the variance of an average does, by its own inverse count: the error of the limit gain
+        /// takes longer to die out than P to come to rest.
         pub averages: bool,
     }
 
