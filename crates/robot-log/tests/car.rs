@@ -94,8 +94,8 @@ fn a_fix_in_every_second_meets_the_reference() {
         counts: [205, 0],
         innovations: Some([2.923664776, -1076.425374044]),
         kappa: None,
-        // The reference's x is −47.633002286, 7 · 10⁻⁶ from what three replays answer, one of them in 50 digits; all else
-        // agrees in every digit. docs/decisions/0049-the-smoother-goes-back-over-gaps.md says what was looked for.
+        // The reference's x is −47.633002286, 7 · 10⁻⁶ from what three replays answer, one of them in 50 digits; all
+        // else agrees in every digit. docs/decisions/0049-the-smoother-goes-back-over-gaps.md says what was looked for.
         pose: [None, Some(2.441176421), Some(-3.134825471)],
     };
     assert_meets(one_a_second(), &reference);
