@@ -54,6 +54,9 @@ export function drawStill(document, spec, frame, parameters, aside = null) {
     '.tries, .controls, .grow-list, .further, .readouts, .figure-tools, .verdict',
   ))
     part.setAttribute('aria-hidden', 'true')
+  // What is in a hidden part needs no name, and need not be hidden again.
+  for (const part of into.querySelectorAll('[aria-hidden] *'))
+    for (const name of ['aria-hidden', 'aria-label', 'role']) part.removeAttribute(name)
   for (const part of into.querySelectorAll('.invite, .more dl')) part.remove()
   for (const control of into.querySelectorAll('button, input, select, textarea'))
     control.replaceWith(likeness(document, control))

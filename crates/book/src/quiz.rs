@@ -24,7 +24,7 @@ pub struct Quiz {
     /// How it is answered.
     pub answer: Answer,
     /// Hash of all that a reader is asked and told.
-    pub hash: u64,
+    pub hash: u32,
 }
 
 /// How a quiz is answered.
@@ -199,8 +199,9 @@ impl Reader<'_> {
     }
 }
 
-/// FNV-1a over everything a reader is asked and told.
-fn hash(asked: &Asked, answer: &Answer) -> u64 {
+/// The upper half of FNV-1a over everything a reader is asked and told. It tells one wording of a question from another,
+/// and stands in the page once for each question: more digits would only weigh.
+fn hash(asked: &Asked, answer: &Answer) -> u32 {
     let texts = [Some(&asked.id), Some(&asked.prompt), Some(&asked.why), asked.title.as_ref()];
     let mut parts: Vec<String> = texts.into_iter().flatten().map(|text| text.markdown.clone()).collect();
     match answer {
@@ -212,7 +213,7 @@ fn hash(asked: &Asked, answer: &Answer) -> u64 {
         Answer::Values(values) => parts.extend(values.parts()),
         Answer::State(state) => parts.extend(state.parts()),
     }
-    fnv1a(parts.join("\u{0}").as_bytes())
+    (fnv1a(parts.join("\u{0}").as_bytes()) >> 32) as u32
 }
 
 #[cfg(test)]
