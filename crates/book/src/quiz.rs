@@ -199,8 +199,8 @@ impl Reader<'_> {
     }
 }
 
-/// The upper half of FNV-1a over everything a reader is asked and told. It tells one wording of a question from another,
-/// and stands in the page once for each question: more digits would only weigh.
+/// The upper half of FNV-1a over everything a reader is asked and told. It tells one wording of a question from
+/// another, and stands in the page once for each question: more digits would only weigh.
 fn hash(asked: &Asked, answer: &Answer) -> u32 {
     let texts = [Some(&asked.id), Some(&asked.prompt), Some(&asked.why), asked.title.as_ref()];
     let mut parts: Vec<String> = texts.into_iter().flatten().map(|text| text.markdown.clone()).collect();
