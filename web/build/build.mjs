@@ -11,6 +11,7 @@ import { build } from 'esbuild'
 import { FIGURES } from '../../target/figures.js'
 import { subsetFonts } from './fonts.mjs'
 import { styleHeights } from './heights.mjs'
+import { styleLayouts } from './layouts.mjs'
 import { lap, vignette } from './vignette.mjs'
 
 const web = dirname(dirname(fileURLToPath(import.meta.url)))
@@ -138,7 +139,11 @@ const styles = await build({
     katex: join(web, 'node_modules/katex/dist/katex.min.css'),
   },
   loader: { '.woff2': 'file' },
-  alias: { 'cut-fonts': fonts, 'part-heights': styleHeights(join(root, 'target/heights')) },
+  alias: {
+    'cut-fonts': fonts,
+    'part-heights': styleHeights(join(root, 'target/heights')),
+    'figure-layouts': await styleLayouts(join(root, 'target/layouts')),
+  },
   plugins: [ownFaces()],
 })
 collect(styles.metafile)

@@ -28,19 +28,30 @@ export const isLater = ({ narrow }, name) =>
   narrow.includes('readouts') && narrow.indexOf(name) > narrow.indexOf('readouts')
 
 /**
- * The layout as custom properties, for the `style` of the element that holds the parts.
- * @param {Layout} layout
- * @param {boolean} grows whether it may open small, and has a place for the buttons that show more
+ * Whether on a narrow figure the first panel stays in sight while what moves it passes below.
+ * @param {import('./spec.js').FigureSpec} spec
  */
-export function placed({ narrow, medium, wide = medium, columns }, grows) {
+export const isPinned = ({ panels: [{ name, height }], layout: { narrow } }) =>
+  narrow[0] === name && typeof height === 'number'
+
+/**
+ * The layout as custom properties, for the style rule of the element that holds the parts (web/build/layouts.mjs).
+ * Where the first panel stays in sight it reaches over all rows, and a box of its shape keeps its place in the first.
+ * @param {import('./spec.js').FigureSpec} spec
+ */
+export function layoutOf(spec) {
+  const { narrow, medium, wide = medium, columns } = spec.layout
   const styles = {
     narrow: [further(narrow.includes('readouts') ? narrow : [...narrow, 'readouts']), 'minmax(0,1fr)'],
     medium: [medium, columns.medium],
     wide: [wide, columns.wide ?? columns.medium],
   }
-  return Object.entries(styles)
-    .map(([name, [rows, widths]]) => `--${name}:${template(/** @type {string[]} */ (rows), String(widths), grows)}`)
-    .join(';')
+  const rows = Object.entries(styles).map(
+    ([name, [rows, widths]]) =>
+      `--${name}:${template(/** @type {string[]} */ (rows), String(widths), Boolean(spec.stages))}`,
+  )
+  const [{ name, width, height }] = spec.panels
+  return [...rows, ...(isPinned(spec) ? [`--first:${name}`, `--shape:${width}/${height}`] : [])].join(';')
 }
 
 /** @param {string[]} rows @param {string} widths @param {boolean} grows */

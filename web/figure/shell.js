@@ -5,7 +5,7 @@
 
 import { buildControl } from './controls.js'
 import { SVG, button, part } from '../draw/dom.js'
-import { isLater, placed } from './layout.js'
+import { isLater, isPinned } from './layout.js'
 import { Pen } from '../draw/pen.js'
 import { Readouts } from './readouts.js'
 import { held, writeHtml } from '../draw/words.js'
@@ -41,7 +41,7 @@ export const SPEEDS = [0.5, 1, 2, 5, 10]
  */
 export function buildShell(document, spec, into, orders, parameters) {
   into.replaceChildren()
-  into.setAttribute('style', placed(spec.layout, Boolean(spec.stages)) + pinned(spec))
+  into.toggleAttribute('data-pinned', isPinned(spec))
   const stage = (/** @type {Element} */ element, /** @type {string} */ name, where = spec.stages?.hand) => {
     if (where?.[name]) element.setAttribute('data-from', String(where[name]))
   }
@@ -196,15 +196,6 @@ export function buildShell(document, spec, into, orders, parameters) {
       readouts.show(spec.readouts(frame))
     },
   }
-}
-
-/**
- * On a narrow figure the first panel stays in sight while what moves it passes below: it reaches over all rows, and a
- * box of its shape keeps its place in the first.
- * @param {import('./spec.js').FigureSpec} spec
- */
-function pinned({ panels: [{ name, width, height }], layout: { narrow } }) {
-  return narrow[0] === name && typeof height === 'number' ? `;--first:${name};--shape:${width}/${height}` : ''
 }
 
 /**
