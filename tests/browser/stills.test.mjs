@@ -15,15 +15,10 @@ test('with scripts off every figure is a still with words, and the page is whole
     0,
     'nothing to press that would not answer',
   )
-  const shown = await page.locator('figure.figure-widget .still').evaluateAll((all) =>
-    all.map((still) => {
-      const { widget, start } = still.parentElement.dataset
-      return { state: `${widget} ${start}`, picture: still.innerHTML }
-    }),
-  )
-  const different = (/** @type {'state' | 'picture'} */ what) => new Set(shown.map((one) => one[what])).size
-  assert.ok(different('state') > 20)
-  assert.equal(different('picture'), different('state'), 'each figure shows its own state')
+  const pictures = await page
+    .locator('figure.figure-widget .still')
+    .evaluateAll((all) => all.map((still) => still.innerHTML))
+  assert.equal(new Set(pictures).size, pictures.length, 'each figure shows its own state')
   assert.ok((await page.locator('main p').count()) > 30)
 })
 
