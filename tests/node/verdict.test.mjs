@@ -80,6 +80,25 @@ test('the mower’s ranges read seven per cent long, and mending them brings the
   assert.match(gated, /^The gate refuses more than one reading in ten, .*\. The ranges read 7\./)
 })
 
+test('what is counted beside a larger σ is said so: the page’s own sum rises by more', () => {
+  const car = readFileSync(new URL('../../content/logs/car.csv', import.meta.url), 'utf8')
+  const found = judged(car)
+  assert.ok(found.beside)
+  const log = { rows: 14_667, truth: false }
+  assert.match(
+    ranked(found, log),
+    /^The speed comes .* Even with a σ so large that it allows for the other errors, the log-/,
+  )
+  const sums = [0, found.suspects[0].sizes[0].value].map((delaySpeed) => {
+    const log = core.RobotLog.parse(car)
+    const { steps } = log.contents()
+    return core.RobotLog.from(log, { version: 1, lab: 'robot-log', params: { delaySpeed }, step: steps }).frame()
+      .summary.logLikelihood
+  })
+  assert.ok(sums[1] - sums[0] > 2 * found.suspects[0].gain, `${sums}`)
+  assert.doesNotMatch(ranked({ ...found, beside: false }, log), /Even with/)
+})
+
 const suspect = (given) => ({
   fault: 'clock',
   name: 'delayFix',
@@ -98,6 +117,7 @@ const judgement = (suspects, more) => ({
   tried: [9, 9],
   against: null,
   ungated: false,
+  beside: false,
   ...more,
 })
 const log = { rows: 1000, truth: false }

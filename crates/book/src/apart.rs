@@ -70,7 +70,7 @@ impl<'a> Writer<'a> {
                 let Kind::Piece(Piece::Directive { name, attributes }) = &inner.kind else { return };
                 let Some(id) = &attributes.id else { return };
                 match (name.as_str(), self.site.quizzes.get(id)) {
-                    ("quiz", Some(quiz)) => quizzes.push(context! { id, hash => format!("{:08x}", quiz.hash) }),
+                    ("quiz", Some(quiz)) => quizzes.push(context! { id, hash => &quiz.hash }),
                     ("quiz", None) => {}
                     _ => ids.push(id.clone()),
                 }

@@ -23,8 +23,8 @@ pub struct Quiz {
     pub asked: Asked,
     /// How it is answered.
     pub answer: Answer,
-    /// Hash of all that a reader is asked and told.
-    pub hash: u32,
+    /// What changes with all that a reader is asked and told: eight digits.
+    pub hash: String,
 }
 
 /// How a quiz is answered.
@@ -201,7 +201,7 @@ impl Reader<'_> {
 
 /// The upper half of FNV-1a over everything a reader is asked and told. It tells one wording of a question from
 /// another, and stands in the page once for each question: more digits would only weigh.
-fn hash(asked: &Asked, answer: &Answer) -> u32 {
+fn hash(asked: &Asked, answer: &Answer) -> String {
     let texts = [Some(&asked.id), Some(&asked.prompt), Some(&asked.why), asked.title.as_ref()];
     let mut parts: Vec<String> = texts.into_iter().flatten().map(|text| text.markdown.clone()).collect();
     match answer {
@@ -213,7 +213,7 @@ fn hash(asked: &Asked, answer: &Answer) -> u32 {
         Answer::Values(values) => parts.extend(values.parts()),
         Answer::State(state) => parts.extend(state.parts()),
     }
-    (fnv1a(parts.join("\u{0}").as_bytes()) >> 32) as u32
+    format!("{:08x}", fnv1a(parts.join("\u{0}").as_bytes()) >> 32)
 }
 
 #[cfg(test)]

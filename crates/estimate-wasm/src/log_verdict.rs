@@ -59,6 +59,8 @@ export interface LogJudgement {
     against: LogAgainst | null;
     /** Whether gates were off, because they refuse more than one reading in ten. */
     ungated: boolean;
+    /** Whether what the first suspect gains is counted beside a σ that is enlarged. */
+    beside: boolean;
 }
 "#;
 
@@ -104,6 +106,7 @@ fn shown(judgement: &Judgement) -> JsValue {
         ("tried", list(&judgement.tried.map(f64::from))),
         ("against", against(judgement.against)),
         ("ungated", judgement.ungated.into()),
+        ("beside", judgement.beside.into()),
     ])
 }
 

@@ -142,6 +142,7 @@ fn quotes_and_other_separators_are_refused_with_a_word_on_them() {
         ("L 7 3 4\n", "blanks were found"),
         ("L\t7\t3\t4\n", "tabs were found"),
         ("L|7|3|4\n", "'|' was found"),
+        (&"R\t1.014892e+00\t5.543292e-01".repeat(4), "tabs were found"),
     ] {
         assert_refused(text, [1, 1], words);
     }

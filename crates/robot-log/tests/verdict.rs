@@ -21,6 +21,7 @@ fn the_mower_s_ranges_are_scaled_and_a_gate_does_not_hide_it() {
         let first = &judgement.suspects[0];
         assert_eq!((first.fault, first.number), (Fault::Scale, Some(Fitted::Scale)));
         assert_eq!((first.standing, judgement.ungated), (Standing::Sure, gate.range.is_some()));
+        assert!(!judgement.beside);
         let size = first.sizes[0];
         assert!((size.value - 0.07).abs() < 0.002 && size.sigma < 0.001, "{size:?}");
         let (before, after) = (judgement.against.expect("a truth"), first.mended.expect("a truth"));
@@ -39,6 +40,7 @@ fn the_car_s_speed_is_late() {
     // A larger σ of the distance gains more, and hides it.
     let next = &judgement.suspects[1];
     assert!(next.number == Some(Fitted::SigmaDistance) && next.gain > clock.gain, "{next:?}");
+    assert!(judgement.beside, "so it is counted beside a larger one");
     assert!(judgement.against.is_none() && judgement.suspects[0].mended.is_none());
 }
 

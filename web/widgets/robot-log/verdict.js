@@ -37,23 +37,26 @@ const SIGMAS = {
  */
 export function ranked(judgement, { rows, truth }) {
   const { suspects, readings, against, ungated } = judgement
-  const [first, ...others] = suspects
+  const [first] = suspects
   const parts = [
     ungated ? 'The gate refuses more than one reading in ten, which hides a fault: it is off for this verdict.' : '',
     first.standing === 'cleared'
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
         'likelier than chance does.'
-      : named(first, others, truth),
+      : named(judgement, truth),
     against ? errors(first, against) : '',
     judgement.rows < rows ? `The first ${count(judgement.rows)} rows are judged.` : '',
   ]
   return parts.filter((part) => part !== '').join(' ')
 }
 
-/** @param {Suspect} first @param {Suspect[]} others @param {boolean} truth */
-function named(first, others, truth) {
+/** @param {LogJudgement} judgement @param {boolean} truth */
+function named({ suspects: [first, ...others], beside }, truth) {
   const rise = first.gain < 1000 ? fixed(first.gain, 1) : count(Math.round(first.gain))
-  const gain = `The log-likelihood rises by ${rise}.`
+  // A larger σ explains any error of the model, and with it this one gains less than the page's own sum shows.
+  const gain = beside
+    ? `Even with a σ so large that it allows for the other errors, the log-likelihood rises by ${rise}.`
+    : `The log-likelihood rises by ${rise}.`
   const more = others.some(({ standing }) => standing !== 'cleared')
   const next = more ? ' What else is wrong shows once this is mended.' : ''
   if (first.standing === 'sure') return `${sentence(first, truth)} ${gain}${next}`

@@ -88,7 +88,7 @@ fn broken_questions_are_named_with_their_line() {
 
 #[test]
 fn the_hash_follows_the_content() {
-    let hash = |text: &str| read(text).0["n"].hash;
+    let hash = |text: &str| read(text).0["n"].hash.clone();
     assert_eq!(hash(NUMBER), hash(NUMBER));
     assert_ne!(hash(NUMBER), hash(&NUMBER.replace("'p'", "'q'")));
 }

@@ -49,6 +49,8 @@ pub struct Judgement {
     pub against: Option<Against>,
     /// Whether gates are off meanwhile, because they refuse too much.
     pub ungated: bool,
+    /// Whether what the first suspects gain is counted beside a σ that is enlarged.
+    pub beside: bool,
 }
 
 /// A verdict on a log, suspect by suspect.
@@ -77,6 +79,8 @@ pub struct Verdict {
     beside: Option<Round>,
     stage: Stage,
     ungated: bool,
+    /// Whether the first suspects were found beside the larger σ.
+    hoisted: bool,
     suspects: Vec<Suspect>,
 }
 
@@ -114,7 +118,15 @@ impl Verdict {
             period: duration / moves.max(1) as f64,
         };
         let first = Round::new(Place { settings, shift: [0.0; 3] }, tried);
-        Ok(Self { scope, first, beside: None, stage: Stage::First, ungated: false, suspects: Vec::new() })
+        Ok(Self {
+            scope,
+            first,
+            beside: None,
+            stage: Stage::First,
+            ungated: false,
+            hoisted: false,
+            suspects: Vec::new(),
+        })
     }
 
     /// Looks at the next suspect, by one to some twenty replays; whether there is more to do.
@@ -183,6 +195,7 @@ impl Verdict {
     /// Says how sure each suspect is, and holds the first against the truth.
     fn conclude(&mut self, drive: &Drive) {
         let hoisted = self.beside.take().is_some_and(|round| self.hoist(round));
+        self.hoisted = hoisted;
         let places: Vec<Place> = self.first.found.iter().map(|(_, place)| *place).collect();
         self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
         // What a larger σ explains as well is no rival of what is named before it.
@@ -219,6 +232,7 @@ impl Verdict {
             tried: [looked + done, all + more],
             against: base.and_then(|base| base.against),
             ungated: self.ungated,
+            beside: self.hoisted,
         }
     }
 }
