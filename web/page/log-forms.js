@@ -85,9 +85,14 @@ export class Forms {
     return set.length === 0
   }
 
-  /** @param {import('estimate-wasm').LogFrame} frame */
+  /**
+   * What the reader has set last, and not what the frame was computed with: a slider that went back to it would take
+   * the next key from there.
+   * @param {import('estimate-wasm').LogFrame} frame
+   */
   show(frame) {
-    this.sensors.show(frame)
-    this.start.show(frame)
+    const told = { ...frame, params: this.host.figure.run.wanted.params }
+    this.sensors.show(told)
+    this.start.show(told)
   }
 }
