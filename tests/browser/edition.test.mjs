@@ -7,7 +7,7 @@ import { createServer } from 'node:http'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, dist, figure, launch, quiet, stateOf } from './harness.mjs'
+import { BASE, dist, figure, keptOffline, launch, quiet, stateOf } from './harness.mjs'
 
 const copies = mkdtempSync(path.join(tmpdir(), 'book-editions-'))
 after(() => rmSync(copies, { recursive: true, force: true }))
@@ -50,17 +50,10 @@ async function visit(worker, act) {
   }
 }
 
-/** Waits until the whole book is kept for reading offline. */
-const kept = (page) =>
-  page.evaluate(async () => {
-    const { active } = await navigator.serviceWorker.ready
-    while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
-  })
-
 test('a page that is open while a new edition is published goes on whole', async () => {
   await visit(true, async ({ page, context, folder, url }) => {
     await page.goto(`${url}kalman/`)
-    await kept(page)
+    await keptOffline(page)
     await page.reload()
     publish(folder)
     // Another visit brings the new edition's worker.
@@ -130,7 +123,7 @@ for (const [what, answer] of [
   test(`where the server ${what} the kept page is shown`, async (t) => {
     await visit(true, async ({ page, url, site }) => {
       await page.goto(`${url}kalman/`)
-      await kept(page)
+      await keptOffline(page)
       await site.close()
       const broken = createServer(answer).listen(Number(new URL(url).port), '127.0.0.1')
       try {

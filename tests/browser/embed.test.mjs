@@ -2,6 +2,7 @@
 // comes to life, answers to mouse and keys, tells its height, takes the theme, and says nothing in the console.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { HEAP } from '../heap.mjs'
 import { around, changes, lively, stateOf } from './embedding.mjs'
 import { pageOf, quiet, stage, tagOf } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
@@ -186,20 +187,7 @@ test('in a frame a link is shown where the clipboard is closed, and there is not
 
 test('a long run in a frame is computed in slices, without a worker', async (t) => {
   const { site } = await stage()
-  const state = code([
-    1,
-    'observability-probe',
-    60_000,
-    {
-      count: 3,
-      forget: true,
-      landmarks: [
-        [2, 3],
-        [2.3, 3],
-        [2.6, 3],
-      ],
-    },
-  ])
+  const state = code([1, 'observability-probe', 60_000, HEAP])
   const { frame } = await around(t, { src: `${site.url}figure/observability-probe/?fig-probe=${state}` })
   const probe = await lively(frame, 'observability-probe')
   await probe

@@ -6,7 +6,7 @@ import { cpSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:f
 import { tmpdir } from 'node:os'
 import path from 'node:path'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, dist, figure, HANGS_MS, launch, pageOf, quiet, watch } from './harness.mjs'
+import { BASE, dist, figure, HANGS_MS, keptOffline, launch, pageOf, quiet, watch } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 const copies = mkdtempSync(path.join(tmpdir(), 'book-copies-'))
@@ -35,11 +35,6 @@ async function visit(folder, base, act) {
   }
 }
 
-const kept = (page) =>
-  page.evaluate(async () => {
-    const { active } = await navigator.serviceWorker.ready
-    while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
-  })
 const waitFor = async (page, met) => {
   for (const deadline = Date.now() + HANGS_MS; Date.now() < deadline && !(await met()); ) await quiet(page, 3)
 }
@@ -56,7 +51,7 @@ function deploy(folder, version) {
 test('after one visit every page, figure and check works without a network, in both letters', async () => {
   await visit(dist, BASE, async ({ page, url, unplug }) => {
     await page.goto(`${url}kalman/`)
-    await kept(page)
+    await keptOffline(page)
     await unplug()
     const files = JSON.parse(readFileSync(path.join(dist, 'precache.json'), 'utf8')).map((file) => file.url)
     const pages = files.filter((at) => /(\/|\.html)$/.test(at))
@@ -101,7 +96,7 @@ test('two copies on one origin keep a store each, and a new version takes the pl
   await visit(copies, '/shelf/', async ({ page, url, unplug }) => {
     for (const at of ['one/', 'two/']) {
       await page.goto(url + at)
-      await kept(page)
+      await keptOffline(page)
     }
     assert.deepEqual(await stores(page), ['book-/shelf/one/#first', 'book-/shelf/two/#other'])
 

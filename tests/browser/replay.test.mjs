@@ -5,20 +5,11 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import path from 'node:path'
+import { HEAP } from '../heap.mjs'
 import { frameOf, open, openFigure, root, stateOf, until } from './harness.mjs'
 
 const estimate = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
-/** Three landmarks in a heap, and a robot that has forgotten its map: each step corrects all that it has founded. */
-const HEAP = {
-  count: 3,
-  forget: true,
-  landmarks: [
-    [2, 3],
-    [2.3, 3],
-    [2.6, 3],
-  ],
-}
 const probeAt = (step, params) =>
   `figure/observability-probe/?fig-probe=${code([1, 'observability-probe', step, params])}`
 

@@ -1,5 +1,12 @@
 // How a page comes to rest: nothing loads, moves, fades or computes any more.
 
+/** Waits until the whole book is kept for reading offline. */
+export const keptOffline = (page) =>
+  page.evaluate(async () => {
+    const { active } = await navigator.serviceWorker.ready
+    while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
+  })
+
 /** Shows the page in another theme, until nothing fades any more; what is not laid out does not fade. */
 export async function turn(page, theme) {
   await page.emulateMedia({ colorScheme: theme })

@@ -1,14 +1,8 @@
 // The programs whose copies are compiled and run: the chapter’s algorithm in its forms, the museum’s bugs that are
 // formulas, and whatever else the language knows.
 
-const KALMAN = `x = F x + G u
-P = F P Fᵀ + V
-ν = y − H x      # the innovation
-S = H P Hᵀ + W
-R = P Hᵀ S⁻¹
-x = x + R ν
-P = P − R H P
-`
+import { CHAPTER } from './program-exports.mjs'
+
 const ROBOT = `# one sighting of a known landmark
 F = jac(f, x)
 x = f(x, u)
@@ -28,15 +22,15 @@ function changed(text, old, by) {
   return text.replace(old, by)
 }
 /** @param {string} old @param {string} by */
-const linear = (old, by) => ({ text: changed(KALMAN, old, by) })
+const linear = (old, by) => ({ text: changed(CHAPTER, old, by) })
 /** @param {string} old @param {string} by */
 const robot = (old, by) => ({ text: changed(ROBOT, old, by), world: 'robot' })
 
 /** @type {Record<string, { text: string, world?: string, notation?: string, readings?: number }>} */
 export const PROGRAMS = {
-  kalman: { text: KALMAN },
+  kalman: { text: CHAPTER },
   // What a comment holds is nobody’s code.
-  comments: { text: `# */ oops /* \\\\\n# \u2028 oops()\n${KALMAN}# */ \u2029 oops(` },
+  comments: { text: `# */ oops /* \\\\\n# \u2028 oops()\n${CHAPTER}# */ \u2029 oops(` },
   marks: {
     text: 'x̂⁻ = F x̂ + G u\nP⁻ = F P Fᵀ + V\nR = P⁻ Hᵀ / (H P⁻ Hᵀ + W)\nx̂ = x̂⁻ + R (y − H x̂⁻)\nP = P⁻ − R H P⁻',
   },

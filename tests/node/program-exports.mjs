@@ -4,7 +4,7 @@ import { covariance } from './nonsense.mjs'
 
 export const CHAPTER = `x = F x + G u
 P = F P Fᵀ + V
-ν = y − H x
+ν = y − H x      # the innovation
 S = H P Hᵀ + W
 R = P Hᵀ S⁻¹
 x = x + R ν

@@ -5,17 +5,9 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { CALL_MS, FIRST_CALL, Pace } from '../../web/figure/time-slices.js'
 import { Run } from '../../web/figure/run.js'
+import { HEAP } from '../heap.mjs'
 
 const estimate = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
-const MAP = {
-  count: 3,
-  forget: true,
-  landmarks: [
-    [2, 3],
-    [2.3, 3],
-    [2.6, 3],
-  ],
-}
 const LAST = 100_000
 
 /**
@@ -90,7 +82,7 @@ test('where the clock is too coarse to see a call, calls at most double', () => 
 })
 
 for (const [name, params, step] of [
-  ['ObservabilityProbe', MAP, 1500],
+  ['ObservabilityProbe', HEAP, 1500],
   ['ObservabilityProbe', { count: 2 }, 9000],
   ['OdometryHook', { fixes: true }, 20_000],
   ['ObserverBench', { gain: 0.7 }, 20_000],
@@ -240,7 +232,7 @@ test('a lab that refuses a step of a replay leaves the run as it was', () => {
 })
 
 test('where motion is not wanted a run is not shown between two lumps', () => {
-  const run = runOf('ObservabilityProbe', MAP, 0)
+  const run = runOf('ObservabilityProbe', HEAP, 0)
   run.advance(600)
   const outcomes = []
   while (run.busy) outcomes.push(run.turn(0, 16, true))
