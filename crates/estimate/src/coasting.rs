@@ -1,7 +1,7 @@
 //! A robot whose speed is a state: it keeps its speed until something changes it, and a speedometer reads it.
 
 use crate::odometry::Unicycle;
-use crate::scaled::{Scalable, of_pose};
+use crate::scaled::{HasPose, of_pose};
 use filters::{MotionModel, State};
 use geom::SE2;
 use nalgebra::{Matrix4, SVector, Vector2, Vector3, Vector4};
@@ -31,7 +31,7 @@ impl State<4> for PoseAndSpeed {
     }
 }
 
-impl Scalable<4> for PoseAndSpeed {
+impl HasPose<4> for PoseAndSpeed {
     fn pose(&self) -> SE2 {
         self.pose
     }

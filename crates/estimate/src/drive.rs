@@ -29,7 +29,7 @@ mod told;
 mod truth;
 mod verdict;
 
-pub use crate::scaled::{FIRST_SIGMA, PoseAndScale, Scalable, Scaled};
+pub use crate::scaled::{FIRST_SIGMA, HasPose, PoseAndScale, RangeFirst, Scaled};
 pub use course::Course;
 pub use evidence::Against;
 pub use fit::{Fit, Found};

@@ -2,6 +2,7 @@
 
 use crate::error::{Code, Error};
 use crate::landmark::Landmark;
+use crate::scaled::RangeFirst;
 use alloc::vec::Vec;
 use filters::association::{Association, Candidate, Rule, Thresholds, associate};
 use filters::{Ekf, MeasurementModel, Parameter, State};
@@ -79,6 +80,9 @@ impl MeasurementModel<SE2, 3, 1> for RangeOnly<'_> {
     }
 }
 // ANCHOR_END: range_only
+
+impl RangeFirst<2> for RangeBearing<'_> {}
+impl RangeFirst<1> for RangeOnly<'_> {}
 
 /// The bearing row of the Jacobian as Choset prints it, unsimplified: the derivative of the arctangent through
 /// 1/(1 + (Δy/Δx)²). It is 0/0 where Δx = 0, and equal to the simple row elsewhere.

@@ -1,6 +1,6 @@
 //! Sensors of the robot's own position, heading and speed.
 
-use crate::scaled::Scalable;
+use crate::scaled::HasPose;
 use filters::MeasurementModel;
 use geom::angle_diff;
 use nalgebra::{SMatrix, SVector, Vector1, Vector2};
@@ -8,7 +8,7 @@ use nalgebra::{SMatrix, SVector, Vector1, Vector2};
 /// The position alone: h(x) = (x, y).
 pub(crate) struct Fix;
 
-impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 2> for Fix {
+impl<X: HasPose<N>, const N: usize> MeasurementModel<X, N, 2> for Fix {
     fn h(&self, x: &X, _: usize) -> Result<SVector<f64, 2>, filters::Error> {
         Ok(Vector2::new(x.pose().x(), x.pose().y()))
     }
@@ -21,7 +21,7 @@ impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 2> for Fix {
 /// The heading alone: h(x) = θ.
 pub(crate) struct Compass;
 
-impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 1> for Compass {
+impl<X: HasPose<N>, const N: usize> MeasurementModel<X, N, 1> for Compass {
     fn h(&self, x: &X, _: usize) -> Result<SVector<f64, 1>, filters::Error> {
         Ok(Vector1::new(x.pose().theta()))
     }
@@ -38,7 +38,7 @@ impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 1> for Compass {
 /// The speed alone: h(x) = v, the fourth number of the state.
 pub(crate) struct Speedometer;
 
-impl<X: Scalable<N>, const N: usize> MeasurementModel<X, N, 1> for Speedometer {
+impl<X: HasPose<N>, const N: usize> MeasurementModel<X, N, 1> for Speedometer {
     fn h(&self, x: &X, _: usize) -> Result<SVector<f64, 1>, filters::Error> {
         Ok(Vector1::new(x.speed().unwrap_or(0.0)))
     }

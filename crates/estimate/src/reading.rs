@@ -5,7 +5,7 @@ use crate::error::Error;
 use crate::landmark::Landmark;
 use crate::landmarks::{Among, RangeBearing, RangeOnly, best};
 use crate::pose_sensors::{Compass, Fix, Speedometer};
-use crate::scaled::{Scalable, Scaled};
+use crate::scaled::{HasPose, Scaled};
 use filters::association::{Association, Candidate, Rule};
 use filters::{MeasurementModel, Update};
 use geom::wrap;
@@ -102,7 +102,7 @@ pub struct Corrected {
     pub chi2: Result<f64, filters::Error>,
 }
 
-impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
+impl<X: HasPose<N>, const N: usize> Localizer<X, N> {
     /// Corrects the belief with a reading within the gate; one beyond it leaves the belief alone, whether its landmark
     /// was named or found.
     ///
@@ -112,20 +112,17 @@ impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
     #[inline(always)]
     pub fn correct(&mut self, reading: &Reading, setup: &Setup<'_>) -> Result<Corrected, Error> {
         let Setup { map, scale, offset, gate } = *setup;
+        let among = |rule| Among { landmarks: map.len(), rule, gate };
         match *reading {
             Reading::Range { landmark, range, w } => {
                 let model = Scaled { sensor: RangeOnly { map }, scale, offset };
                 let (y, w) = (Vector1::new(range), Matrix1::new(w));
-                let among = Among { landmarks: map.len(), rule: Rule::ChiSquared, gate };
-                let j = self.seen(landmark, &model, &y, &w, among)?;
-                self.within(gate, &model, Some(j), &y, &w)
+                self.sighted(landmark, &model, &y, &w, among(Rule::ChiSquared))
             }
             Reading::RangeBearing { landmark, range, bearing, w } => {
                 let model = Scaled { sensor: RangeBearing { map }, scale, offset };
                 let y = Vector2::new(range, wrap(bearing));
-                let among = Among { landmarks: map.len(), rule: Rule::MaximumLikelihood, gate };
-                let j = self.seen(landmark, &model, &y, &w, among)?;
-                self.within(gate, &model, Some(j), &y, &w)
+                self.sighted(landmark, &model, &y, &w, among(Rule::MaximumLikelihood))
             }
             Reading::Position { x, y, w } => self.within(gate, &Fix, None, &Vector2::new(x, y), &w),
             Reading::Speed { v, w } if self.filter.x.speed().is_some() => {
@@ -136,23 +133,24 @@ impl<X: Scalable<N>, const N: usize> Localizer<X, N> {
         }
     }
 
-    /// The landmark that is named, or else the best of all.
+    /// Corrects the belief by the landmark that is named, or else by the best of all.
     #[inline(always)]
-    fn seen<const M: usize>(
-        &self,
+    fn sighted<const M: usize>(
+        &mut self,
         named: Option<usize>,
         model: &impl MeasurementModel<X, N, M>,
         y: &SVector<f64, M>,
         w: &SMatrix<f64, M, M>,
         among: Among,
-    ) -> Result<usize, Error> {
-        if let Some(j) = named {
-            return Ok(j);
-        }
-        match best(model, &self.filter, y, w, among)? {
-            Association::Matched(best) | Association::Rejected(best) => Ok(best.j),
-            Association::New => Err(Error::new(crate::Code::Index, "landmarks", "is empty")),
-        }
+    ) -> Result<Corrected, Error> {
+        let j = match named {
+            Some(j) => j,
+            None => match best(model, &self.filter, y, w, among)? {
+                Association::Matched(best) | Association::Rejected(best) => best.j,
+                Association::New => return Err(Error::new(crate::Code::Index, "landmarks", "is empty")),
+            },
+        };
+        self.within(among.gate, model, Some(j), y, w)
     }
 
     /// Corrects the belief, and takes that back where χ² is beyond the gate.
@@ -266,6 +264,7 @@ mod tests {
             Reading::Position { x: 1e300, y: 0.0, w: Matrix2::identity() },
             Reading::Range { landmark: None, range: 8.0, w: 0.01 },
             Reading::Range { landmark: Some(0), range: 1e300, w: 0.01 },
+            Reading::RangeBearing { landmark: None, range: 8.0, bearing: 0.0, w: Matrix2::identity() * 0.01 },
         ] {
             let mut localizer = before;
             assert!(!localizer.correct(&reading, &setup(Some(6.63))).expect("positive definite").accepted);

@@ -33,7 +33,7 @@ impl State<4> for PoseAndScale {
 
 /// A state with a pose from which sensors read, and perhaps the scale of its ranges or its speed: `[x, y, θ]`,
 /// `[x, y, θ, ε]`, or `[x, y, θ, v]`.
-pub trait Scalable<const N: usize>: State<N> {
+pub trait HasPose<const N: usize>: State<N> {
     /// The pose.
     fn pose(&self) -> SE2;
 
@@ -47,7 +47,7 @@ pub trait Scalable<const N: usize>: State<N> {
     }
 }
 
-impl Scalable<3> for SE2 {
+impl HasPose<3> for SE2 {
     fn pose(&self) -> SE2 {
         *self
     }
@@ -57,7 +57,7 @@ impl Scalable<3> for SE2 {
     }
 }
 
-impl Scalable<4> for PoseAndScale {
+impl HasPose<4> for PoseAndScale {
     fn pose(&self) -> SE2 {
         self.pose
     }
@@ -87,11 +87,13 @@ impl MotionModel<PoseAndScale, 4, 2> for Unicycle {
     }
 }
 
-/// A sensor of the pose whose first output is a range ρ, with that range read as (1 + ε) ρ + offset. ε is given, or the
-/// state's.
+/// A sensor of the pose whose first output is a range: no other may stand in [`Scaled`].
+pub trait RangeFirst<const M: usize>: MeasurementModel<SE2, 3, M> {}
+
+/// A sensor whose range ρ is read as (1 + ε) ρ + offset. ε is given, or the state's.
 #[derive(Clone, Copy, Debug)]
 pub struct Scaled<S> {
-    /// The sensor: [`RangeOnly`](crate::landmarks::RangeOnly) or [`RangeBearing`](crate::landmarks::RangeBearing).
+    /// The sensor.
     pub sensor: S,
     /// ε where it is given; `None` takes it from the state, and 0 where the state has none.
     pub scale: Option<f64>,
@@ -101,8 +103,8 @@ pub struct Scaled<S> {
 
 impl<S, X, const N: usize, const M: usize> MeasurementModel<X, N, M> for Scaled<S>
 where
-    S: MeasurementModel<SE2, 3, M>,
-    X: Scalable<N>,
+    S: RangeFirst<M>,
+    X: HasPose<N>,
 {
     fn h(&self, x: &X, j: usize) -> Result<SVector<f64, M>, filters::Error> {
         self.linearized(x, j).map(|(h, _)| h)

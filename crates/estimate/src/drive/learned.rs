@@ -1,7 +1,7 @@
 //! A pose, and the numbers that a replay learns with it.
 
 use crate::odometry::Unicycle;
-use crate::scaled::{Scalable, of_pose};
+use crate::scaled::{HasPose, of_pose};
 use filters::{MotionModel, State};
 use geom::SE2;
 use nalgebra::{SMatrix, SVector, Vector2, Vector3};
@@ -69,7 +69,7 @@ impl<const N: usize> State<N> for Learned<N> {
 }
 
 /// A state with a pose, and with what is learned of how it moves.
-pub(crate) trait Moved<const N: usize>: Scalable<N> {
+pub(crate) trait Moved<const N: usize>: HasPose<N> {
     /// Which numbers are learned.
     fn which(&self) -> Which;
     /// One of the state's numbers behind the pose.
@@ -96,7 +96,7 @@ impl<const N: usize> Moved<N> for Learned<N> {
     }
 }
 
-impl<const N: usize> Scalable<N> for Learned<N> {
+impl<const N: usize> HasPose<N> for Learned<N> {
     fn pose(&self) -> SE2 {
         self.pose
     }

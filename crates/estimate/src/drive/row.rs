@@ -66,13 +66,6 @@ pub enum Event {
     },
 }
 
-impl Event {
-    /// Whether the row says how the robot moved, and not what a sensor read.
-    pub fn is_motion(&self) -> bool {
-        matches!(self, Self::Odometry { .. } | Self::Velocity { .. } | Self::Speed { .. } | Self::TurnRate { .. })
-    }
-}
-
 /// A row of a log.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Row {

@@ -23,7 +23,7 @@ impl Sensor {
             Event::Heading { .. } => Some(Self::Heading),
             Event::Range { .. } => Some(Self::Range),
             Event::RangeBearing { .. } => Some(Self::Bearing),
-            _ => None,
+            Event::Odometry { .. } | Event::Velocity { .. } | Event::Speed { .. } | Event::TurnRate { .. } => None,
         }
     }
 
@@ -33,6 +33,13 @@ impl Sensor {
             Self::Fix | Self::Bearing => 2,
             Self::Heading | Self::Range => 1,
         }
+    }
+}
+
+impl Event {
+    /// Whether the row says how the robot moved, and not what a sensor read.
+    pub fn is_motion(&self) -> bool {
+        Sensor::of(self).is_none()
     }
 }
 
