@@ -4,6 +4,13 @@ import { part } from '../draw/dom.js'
 import { unmet } from './answer.js'
 
 const EVERY_MS = 400
+const HERE = 'This is the state that the exercise asks for. '
+const GONE = 'The figure has been in the state that the exercise asks for, and has moved on. '
+
+/** @param {HTMLElement} status @param {string} words told once, however often they are true */
+function say(status, words) {
+  if (status.textContent !== words) status.textContent = words
+}
 
 /**
  * The frame on the screen of a question's figure; null while the figure is not running.
@@ -40,13 +47,19 @@ export function lookAt(question, key, met) {
   figure.scrollIntoView({ block: 'start' })
   widget.tabIndex = -1
   widget.focus({ preventScroll: true })
+  let [before, reached] = [false, false]
   const timer = setInterval(() => {
     if (!words.isConnected) return clearInterval(timer)
     const frame = frameOf(question)
-    if (!frame || unmet(key, frame).length > 0) return
-    clearInterval(timer)
-    status.textContent = 'This is the state that the exercise asks for. '
-    met()
+    if (!frame) return
+    const here = unmet(key, frame).length === 0
+    // A state that is only passed on the way is not yet found: the figure is in it at two looks in a row.
+    if (here && before && !reached) {
+      reached = true
+      met()
+    }
+    before = here
+    if (reached) say(status, here ? HERE : GONE)
   }, EVERY_MS)
 }
 

@@ -113,6 +113,12 @@ impl Builder<'_> {
     }
 
     fn words(&mut self, words: &str, place: &Place) {
+        // The two stars may come one by one.
+        let before = self.open.last().and_then(|parent| parent.children.last()).map(|node| &node.kind);
+        let starred = matches!(before, Some(Kind::Text(before)) if before.ends_with('*') && words.starts_with('*'));
+        if starred || words.contains("**") {
+            self.diagnostics.report(place, "`**` makes nothing bold here: it stands about a span, as in `**[…]{#id}**`");
+        }
         if !words.is_empty() {
             self.add(Node::new(Kind::Text(words.to_string()), place.clone()));
         }

@@ -3,7 +3,7 @@
 mod common;
 
 /// Each text with a complaint it must draw.
-const CASES: [(&str, &str); 39] = [
+const CASES: [(&str, &str); 40] = [
     ("a\n\n:::nothing\n:::\n", "page.md:3: unknown directive `:::nothing`"),
     ("a\n\n:::margin\nb\n", "page.md:3: `:::margin` is not closed"),
     ("a\n\n:::\n", "page.md:3: `:::` closes nothing"),
@@ -33,6 +33,7 @@ const CASES: [(&str, &str); 39] = [
     ("[@nope]\n", "page.md:1: unknown citation `@nope`"),
     ("[a]{.term key=\"nope\"}\n", "page.md:1: unknown glossary key `nope`"),
     ("[a]{.nope}\n", "page.md:1: unknown class `.nope`"),
+    ("[**a.**]{#id}\n", "page.md:1: `**` makes nothing bold here"),
     ("{{listing crates/nope.rs#a}}\n", "page.md:1: no source `crates/nope.rs`"),
     ("a\n\n{{listing crates/demo/src/lib.rs#nope}}\n", "page.md:3: no anchor `nope` in crates/demo/src/lib.rs"),
     ("{{output nope}}\n", "page.md:1: no output of `nope`"),

@@ -18,7 +18,7 @@ const start = { params: {}, step: 4 }
 // View: one panel, in `rail.js`.
 
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
-function readouts({ innovation, nudge, error, step }) {
+function readouts({ innovation, nudge, error, step, K }) {
   return [
     { key: 'innovation', label: 'Innovation {innov}', value: fixed(innovation, 2), unit: 'm/s', kin: 'measurement' },
     {
@@ -30,6 +30,7 @@ function readouts({ innovation, nudge, error, step }) {
     },
     { key: 'position', label: 'Copy − cart', value: fixed(error[0]), unit: 'm', kin: 'truth' },
     { key: 'speed', label: 'Copy − cart, speed', value: fixed(error[1]), unit: 'm/s', kin: 'truth' },
+    { key: 'gain', label: 'Gain {K}', value: `${fixed(K[0])} s, ${fixed(K[1])}`, wide: true },
     { key: 'step', label: 'Step', value: String(step) },
   ]
 }

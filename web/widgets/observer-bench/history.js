@@ -35,7 +35,7 @@ export function drawVariance(panel, frame) {
   panel.pen.draw(
     (pen) =>
       void timePlot(pen, panel, {
-        title: 'variance (m², m²/s²)',
+        title: 'variance (m², m²/s²), log scale',
         steps: step,
         log: true,
         include: [0.2, 4],

@@ -36,7 +36,10 @@ export function drawPlane({ pen, width, height }, frame, view) {
       if (touches) segment(to, 'off', plane, frame.guess, frame.touch, meaning('track', 'posterior'))
     })
     dot(pen, 'mean', plane, frame.mean, meaning('hollow', 'prediction'))
-    if (touches) dot(pen, 'touch', plane, frame.touch, { ...meaning('full', 'posterior'), r: 6 })
+    if (touches) {
+      dot(pen, 'gray-foot', plane, frame.below, { ...meaning('foot', 'truth'), r: 4 })
+      dot(pen, 'touch', plane, frame.touch, { ...meaning('full', 'posterior'), r: 6 })
+    }
     const grip = guess(plane, frame, view)
     names(pen, plane, frame, radius, touches, grip.at)
     pen.group('handles', {}, (to) => view.handle(to, 'guess', grip))
@@ -80,6 +83,17 @@ function names(pen, { x, y, box }, frame, radius, touches, guess) {
               kin: 'posterior',
               sides: off < 0 ? ['below-right', 'below'] : ['below-left', 'below'],
             }),
+            ...(apart(frame) && !narrow
+              ? [
+                  /** @type {import('../../draw/labels.js').Label} */ ({
+                    key: 'gray-name',
+                    words: 'gray foot',
+                    at: at(frame.below),
+                    kin: 'truth',
+                    sides: ['above-right', 'above', 'above-left'],
+                  }),
+                ]
+              : []),
           ]
         : []),
       {
@@ -110,6 +124,10 @@ function names(pen, { x, y, box }, frame, radius, touches, guess) {
     [clear(at(frame.mean), 6), clear(guess, 12), ...(touches ? [clear(at(frame.touch), 7)] : [])],
   )
 }
+
+/** Whether the gray foot stands where nothing else does. @param {Frame} frame */
+const apart = ({ below, guess: [across], touch }) =>
+  Math.min(Math.abs(below[0] - across), Math.abs(below[0] - touch[0])) > 0.25
 
 /**
  * The reader's dot, which stays on the line; after a move the ellipse is small again.

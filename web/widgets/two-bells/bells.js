@@ -9,7 +9,7 @@ import { axes, meaning, plane as planeOf } from '../../draw/plot.js'
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
 /** @typedef {import('../../figure/spec.js').HandleSpec} HandleSpec */
 
-const TITLE = 'velocity (m/s)'
+const TITLE = 'opinions about the velocity (m/s)'
 /** The velocities in sight, m/s. */
 const AXIS = /** @type {[number, number]} */ ([-0.5, 7.5])
 /** A bell's height at one standard deviation, a part of that in the middle. */

@@ -18,8 +18,10 @@ const start = { params: {}, step: 0 }
 // View: one panel, in `bells.js`.
 
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
-function readouts({ likely, variance, weights: [expected, read, both] }) {
+function readouts({ params, likely, variance, weights: [expected, read, both] }) {
   return [
+    { key: 'expected', label: 'Prediction', value: fixed(params.expected), unit: 'm/s', kin: 'prediction' },
+    { key: 'read', label: 'Reading {y}', value: fixed(params.reading), unit: 'm/s', kin: 'measurement' },
     { key: 'likely', label: '{y}^{∗}', value: fixed(likely), unit: 'm/s', kin: 'measurement' },
     {
       key: 'weights',
