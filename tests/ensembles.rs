@@ -4,7 +4,7 @@
 //! would pass, another constant or a broken filter would not.
 
 use chapter_kalman::checks::chapter_checks;
-use chapter_kalman::ensembles::{SEEDS, Spread, probe, probe_run, slam};
+use chapter_kalman::ensembles::{SEEDS, Spread, probe, probe_laps, probe_run, slam};
 use filters::consistency::{chi2_interval, chi2_quantile};
 use labs::SensorKind;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
@@ -30,6 +30,22 @@ fn check_10_the_traces_scatter_about_those_of_the_true_path() {
         let (run, _) = probe_run(landmarks, SensorKind::Range, 1).expect("computed");
         let share = ensemble.trace.share_below(run);
         assert!((0.02..0.98).contains(&share), "so is that of the quoted run: {share}");
+    }
+}
+
+/// What the filter claims falls behind the true path's trace, lap after lap, and its NEES leaves χ² with 3 degrees of
+/// freedom, whose median is 2.37.
+#[test]
+fn jacobians_at_estimates_claim_what_no_reading_shows() {
+    let laps = probe_laps(&[240, 480, 960, 1920], SEEDS).expect("computed");
+    for (laps, [trace, nees], band) in [
+        (&laps[0], [0.47, 2.8], [0.04, 0.6]),
+        (&laps[1], [0.75, 3.4], [0.08, 0.9]),
+        (&laps[2], [0.95, 6.0], [0.1, 1.8]),
+        (&laps[3], [1.04, 20.0], [0.12, 7.0]),
+    ] {
+        near(&laps.trace, 0.5, trace, band[0]);
+        near(&laps.nees, 0.5, nees, band[1]);
     }
 }
 

@@ -72,11 +72,18 @@ test('on a phone the ellipse stays in sight while the knob is turned, and one bu
 })
 
 for (const name of ['odometry-hook', 'picture', 'observability-probe', 'tune', 'loop-closure', 'bug-museum'])
-  test(`on a phone the ${name} is at most two screens high`, async (t) => {
+  test(`on a phone the ${name} is at most two screens high, and what opens the rest stays in place`, async (t) => {
     const { page } = await openFigure(t, name, { viewport: PHONE, touch: true })
     await quiet(page)
     const { height } = await page.locator('.widget').boundingBox()
     assert.ok(height <= 2 * PHONE.height, `${height} px`)
+    const more = page.locator('.live .further, .live .more > summary').filter({ visible: true }).first()
+    await more.evaluate((it) => it.scrollIntoView({ block: 'center', behavior: 'instant' }))
+    await quiet(page)
+    const { y } = await more.boundingBox()
+    await more.tap()
+    await quiet(page)
+    assert.ok(Math.abs((await more.boundingBox()).y - y) < 2, `it was pressed at ${y} px`)
   })
 
 test('the line at the head of the chapter is moved by keys and by hand, and the touching point slides', async (t) => {

@@ -32,40 +32,58 @@ const FRAMES = 12
 const PATIENCE_MS = 3000
 
 /**
- * Keeps what the reader presses in a figure under the finger: above it matrices grow and sentences get longer.
+ * Keeps what the reader presses in a figure under the finger, and a slider as long as it is dragged: above it matrices
+ * grow and sentences get longer.
  * @param {Element} into @param {() => boolean} busy whether the figure has still to answer
  */
 export function keepPressed(into, busy) {
   let presses = 0
   const { documentElement: page } = into.ownerDocument
+  /** @param {Element} pressed @param {() => boolean} down whether the finger is still on it */
+  const hold = (pressed, down) => {
+    const mine = ++presses
+    const { top } = pressed.getBoundingClientRect()
+    let began = performance.now()
+    let y = page.scrollTop
+    let left = FRAMES
+    // A browser that anchors on what stands below a figure would scroll by all that opens above it.
+    page.style.setProperty('overflow-anchor', 'none')
+    const keep = () => {
+      if (down()) began = performance.now()
+      const now = pressed.getBoundingClientRect()
+      // Who scrolls meanwhile wants to be elsewhere, and a figure out of sight does not answer.
+      if (
+        mine !== presses ||
+        left === 0 ||
+        now.height === 0 ||
+        page.scrollTop !== y ||
+        performance.now() - began > PATIENCE_MS
+      ) {
+        if (mine === presses) page.style.removeProperty('overflow-anchor')
+        return
+      }
+      if (Math.abs(now.top - top) >= 1) scrollBy({ top: now.top - top, behavior: 'instant' })
+      y = page.scrollTop
+      if (!down() && !busy()) left--
+      requestAnimationFrame(keep)
+    }
+    requestAnimationFrame(keep)
+  }
   into.addEventListener(
     'click',
-    (event) => {
-      const pressed = event.target instanceof Element ? event.target.closest('button, label') : null
-      if (!pressed) return
-      const mine = ++presses
-      const { top } = pressed.getBoundingClientRect()
-      const began = performance.now()
-      let y = page.scrollTop
-      let left = FRAMES
-      const keep = () => {
-        const now = pressed.getBoundingClientRect()
-        // Who scrolls meanwhile wants to be elsewhere, and a figure out of sight does not answer.
-        if (
-          mine !== presses ||
-          left === 0 ||
-          now.height === 0 ||
-          page.scrollTop !== y ||
-          performance.now() - began > PATIENCE_MS
-        )
-          return
-        if (Math.abs(now.top - top) >= 1) scrollBy({ top: now.top - top, behavior: 'instant' })
-        y = page.scrollTop
-        if (!busy()) left--
-        requestAnimationFrame(keep)
-      }
-      requestAnimationFrame(keep)
+    ({ target }) => {
+      const pressed = target instanceof Element ? target.closest('button, label, summary') : null
+      if (pressed) hold(pressed, () => false)
     },
     true,
   )
+  into.addEventListener('pointerdown', ({ target }) => {
+    if (!(target instanceof HTMLInputElement) || target.type !== 'range') return
+    let down = true
+    const lift = new AbortController()
+    for (const end of ['pointerup', 'pointercancel'])
+      addEventListener(end, () => lift.abort(), { signal: lift.signal, capture: true })
+    lift.signal.addEventListener('abort', () => (down = false))
+    hold(target, () => down)
+  })
 }

@@ -178,8 +178,8 @@ function addControls(form) {
   if (label) {
     const input = /** @type {HTMLInputElement} */ (part(document, label, 'input', ''))
     const entries = entriesOf(form)
-    const inputMode = entries > 1 ? 'text' : 'decimal'
-    Object.assign(input, { type: 'text', inputMode, autocomplete: 'off', name: 'answer', maxLength: entries * LONGEST })
+    // No `inputMode` of numbers: a phone's keys for them may have no minus.
+    Object.assign(input, { type: 'text', autocomplete: 'off', name: 'answer', maxLength: entries * LONGEST })
   }
   const actions = form.querySelector('.quiz-actions')
   if (!actions) return

@@ -20,7 +20,7 @@ use sim::scenarios::{PROBE, RANGE_BEARING_SLAM, RangeBearingSlam};
 pub struct ProbeEnsemble {
     /// The pose trace at the end, m² and rad² added.
     pub trace: Spread,
-    /// The mean NEES of a run.
+    /// Its NEES.
     pub nees: Spread,
 }
 
@@ -41,6 +41,28 @@ pub fn probe_run(landmarks: u32, sensor: SensorKind, seed: u32) -> Result<(f64, 
 pub fn probe(landmarks: u32, seeds: u32) -> Result<ProbeEnsemble, Error> {
     let runs = over_seeds(seeds, |seed| probe_run(landmarks, SensorKind::Range, seed))?;
     Ok(ProbeEnsemble { trace: Spread::new(runs.iter().map(|r| r.0)), nees: Spread::new(runs.iter().map(|r| r.1)) })
+}
+
+/// The Probe with one range-only landmark, over the seeds after so many steps: the pose trace, and the NEES of that step.
+///
+/// # Errors
+/// As [`probe_run`].
+pub fn probe_laps(steps: &[u32], seeds: u32) -> Result<Vec<ProbeEnsemble>, Error> {
+    let runs = over_seeds(seeds, |seed| {
+        let mut probe = ObservabilityProbe::new(ProbeParams { seed, ..Default::default() })?;
+        let mut run = Vec::new();
+        for &step in steps {
+            probe.run(step - probe.steps())?;
+            run.push((probe.last_trace(), probe.frame().nees.unwrap_or(f64::NAN)));
+        }
+        Ok(run)
+    })?;
+    Ok((0..steps.len())
+        .map(|i| ProbeEnsemble {
+            trace: Spread::new(runs.iter().map(|run| run[i].0)),
+            nees: Spread::new(runs.iter().map(|run| run[i].1)),
+        })
+        .collect())
 }
 
 /// Range–bearing SLAM over the seeds.

@@ -54,7 +54,7 @@ export const BUGS = {
       'NIS and NEES are far too small, and an innovation of a bearing resembles the one before.',
   },
   'step-length': {
-    name: 'V of a longer step',
+    name: 'V of another step',
     why:
       'The noise of the motion is sixteen times too large. The filter runs after each reading: ' +
       'NIS and NEES are too small, and successive innovations of a bearing tend to have opposite signs.',

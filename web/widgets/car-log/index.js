@@ -86,7 +86,7 @@ const tries = [
   { name: 'all', label: 'All fixes', change: () => ({ ...usual, fixes: 'all' }) },
   { name: 'second', label: 'One a second', change: () => usual },
   { name: 'learn', label: 'Learn the scale', change: () => ({ ...usual, delay: late, learn: true }) },
-  { name: 'tunnel', label: 'A tunnel', change: () => ({ ...usual, delay: late, tunnel: true }) },
+  { name: 'tunnel', label: 'A tunnel', change: () => ({ ...usual, tunnel: true }) },
   { name: 'gate', label: 'A gate', change: () => ({ ...usual, delay: late, learn: true, gate: true }) },
 ]
 

@@ -106,6 +106,16 @@ const dial = (name, label) => ({
 
 /** @type {import('../../figure/controls.js').Control[]} */
 const controls = [
+  // On a phone right below what they move.
+  dial('ghostAround', 'Ghost, about landmark 1'),
+  {
+    kind: 'range',
+    name: 'ghostShift',
+    label: 'Ghost, shifted east',
+    words: (value) => `${fixed(value, 2)} m`,
+    shown: ({ ghost }) => Boolean(ghost),
+  },
+  dial('ghostTurn', 'Ghost, on the spot'),
   {
     kind: 'choice',
     name: 'count',
@@ -128,7 +138,6 @@ const controls = [
     get: (_, frame) => frame.sensor,
     enabled: (params) => !params.forget,
   },
-  { kind: 'toggle', name: 'forget', label: 'forget the map' },
   {
     kind: 'toggle',
     name: 'stop',
@@ -136,21 +145,6 @@ const controls = [
     get: (params) => params.stop !== null,
     set: (on, _, { step }) => ({ stop: on ? step : null }),
   },
-  {
-    kind: 'toggle',
-    name: 'ghost',
-    label: 'let a ghost drive along (with the map)',
-    enabled: (params) => !params.forget,
-  },
-  dial('ghostAround', 'Ghost, about landmark 1'),
-  {
-    kind: 'range',
-    name: 'ghostShift',
-    label: 'Ghost, shifted east',
-    words: (value) => `${fixed(value, 2)} m`,
-    shown: ({ ghost }) => Boolean(ghost),
-  },
-  dial('ghostTurn', 'Ghost, on the spot'),
   {
     kind: 'range',
     name: 'tolerance',
@@ -164,6 +158,13 @@ const controls = [
     // In powers of ten, as far down as the parameter's own step.
     scale: (value, { step }) => Math.log10(Math.max(value, step)),
     set: (value) => ({ tolerance: 10 ** value }),
+  },
+  { kind: 'toggle', name: 'forget', label: 'forget the map' },
+  {
+    kind: 'toggle',
+    name: 'ghost',
+    label: 'let a ghost drive along (with the map)',
+    enabled: (params) => !params.forget,
   },
 ]
 
@@ -181,8 +182,8 @@ const tries = [
     name: 'line',
     label: 'Put the last landmark in line',
     change: (/** @type {Frame} */ { params }, lab) => {
-      // A line takes a second landmark, and ranges alone see that it is one; the lab puts it there as it will be shown.
-      const shown = { ...plainly(lab), count: Math.max(2, params.count) }
+      // A line takes a second landmark and no third, and ranges alone see that it is one; the lab puts it there.
+      const shown = { ...plainly(lab), count: 2 }
       const other = lab.constructor.from({ ...lab.state(), params: { ...params, ...shown } })
       const last = shown.count - 1
       const at = Array.from(other.collinearPoint(last))
@@ -206,6 +207,17 @@ const tries = [
       ghostAround: 10 * degree,
       ghostShift: 0,
       ghostTurn: 0,
+    }),
+  },
+  {
+    name: 'map',
+    label: 'Forget the map',
+    change: (_, lab) => ({
+      ...plainly(lab),
+      ...usual(lab, 'landmarks'),
+      count: 3,
+      sensor: 'range-bearing',
+      forget: true,
     }),
   },
 ]
@@ -244,7 +256,7 @@ export const figure = {
     },
   ],
   layout: {
-    narrow: ['map', 'ranks', 'verdict', 'tries', 'ranges', 'bearings', 'controls', 'trace', 'readouts', 'nees', 'nis'],
+    narrow: ['map', 'verdict', 'tries', 'ranks', 'ranges', 'bearings', 'controls', 'trace', 'readouts', 'nees', 'nis'],
     medium: ['map verdict', 'map ranks', 'ranges bearings', 'trace nees', 'nis tries'],
     wide: ['map verdict', 'map ranks', 'map trace', 'ranges bearings', 'nees nis'],
     columns: { medium: '1fr 1fr' },

@@ -34,7 +34,7 @@ export const GROUPS = [
       ['transposed', 'FᵀPF for FPFᵀ'],
       ['degrees', 'degrees for radians'],
       ['deviation', 'σ for σ²'],
-      ['step-length', 'V of a longer step'],
+      ['step-length', 'V of another step'],
       ['short-form', 'short form, gain by hand'],
       ['asymmetric', 'P not made symmetric'],
       ['twice', 'readings used twice'],

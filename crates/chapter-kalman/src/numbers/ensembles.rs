@@ -1,10 +1,13 @@
 //! Numbers over 500 seeds.
 
-use crate::ensembles::{SEEDS, Spread, probe, slam};
+use crate::ensembles::{SEEDS, Spread, probe, probe_laps, slam};
 use estimate::Error;
 use filters::consistency::chi2_interval;
 use lab::Listing;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
+
+/// Steps after which the Probe's runs with one landmark are looked at.
+const LAPS: [u32; 4] = [240, 480, 960, 1920];
 
 pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     let [one, two] = [probe(1, SEEDS)?, probe(2, SEEDS)?];
@@ -17,6 +20,12 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     to.by("filters::consistency::chi2_interval", None)
         .add("ensemble.probe.nees.band.low", low, "below it one run in twenty, were its steps independent")
         .add("ensemble.probe.nees.band.high", high, "above it one run in twenty, were its steps independent");
+
+    to.by("chapter_kalman::ensembles::probe_laps", None);
+    for (laps, steps) in probe_laps(&LAPS, SEEDS)?.iter().zip(LAPS) {
+        to.add(format!("ensemble.probe.laps.{steps}.trace"), laps.trace.median(), "the pose trace, the median of the runs")
+            .add(format!("ensemble.probe.laps.{steps}.nees"), laps.nees.median(), "the NEES of that step, their median");
+    }
 
     let runs = slam(RANGE_BEARING_SLAM.found, SEEDS)?;
     to.by("chapter_kalman::ensembles::slam", Some(12));

@@ -55,7 +55,7 @@ fn traces(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
             .add(format!("probe.trace.{name}.heading"), heading, "its part in rad²");
     }
     to.by("labs::true_path::after", None);
-    for steps in [480, 960] {
+    for steps in [480, 960, 1920] {
         let trace = after(probe, 1, SensorKind::Range, steps)?.trace();
         to.add(format!("probe.trace.one.{steps}"), trace, "the same with one landmark, after more laps");
     }

@@ -180,6 +180,7 @@ fn noise(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .add("tuning.variance.relative", of_variance, "relative standard error of a variance from 100 samples")
         .by("filters::consistency::chi2_quantile", None)
         .add("gate.99", chi2_quantile(2, 0.99)?, "the 99 % quantile of χ² with 2 degrees of freedom")
+        .add("nees.median", chi2_quantile(3, 0.5)?, "the median of χ² with 3 degrees of freedom")
         .by("filters::consistency::chi2_interval", None)
         .add("nees.low", nees.0, "lower end of the 95 % interval of χ² with 3 degrees of freedom")
         .add("nees.high", nees.1, "upper end of the 95 % interval of χ² with 3 degrees of freedom")
