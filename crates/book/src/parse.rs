@@ -117,7 +117,7 @@ impl Builder<'_> {
         let before = self.open.last().and_then(|parent| parent.children.last()).map(|node| &node.kind);
         let starred = matches!(before, Some(Kind::Text(before)) if before.ends_with('*') && words.starts_with('*'));
         if starred || words.contains("**") {
-            self.diagnostics.report(place, "`**` makes nothing bold here: it stands about a span, as in `**[…]{#id}**`");
+            self.diagnostics.report(place, "`**` makes nothing bold here: it stands about a span, `**[…]{#id}**`");
         }
         if !words.is_empty() {
             self.add(Node::new(Kind::Text(words.to_string()), place.clone()));

@@ -43,7 +43,7 @@ pub fn probe(landmarks: u32, seeds: u32) -> Result<ProbeEnsemble, Error> {
     Ok(ProbeEnsemble { trace: Spread::new(runs.iter().map(|r| r.0)), nees: Spread::new(runs.iter().map(|r| r.1)) })
 }
 
-/// The Probe with one range-only landmark, over the seeds after so many steps: the pose trace, and the NEES of that step.
+/// The Probe with one range-only landmark, over the seeds after so many steps: the pose trace, and that step's NEES.
 ///
 /// # Errors
 /// As [`probe_run`].

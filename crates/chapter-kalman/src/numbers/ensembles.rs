@@ -23,8 +23,11 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
 
     to.by("chapter_kalman::ensembles::probe_laps", None);
     for (laps, steps) in probe_laps(&LAPS, SEEDS)?.iter().zip(LAPS) {
-        to.add(format!("ensemble.probe.laps.{steps}.trace"), laps.trace.median(), "the pose trace, the median of the runs")
-            .add(format!("ensemble.probe.laps.{steps}.nees"), laps.nees.median(), "the NEES of that step, their median");
+        to.add(format!("ensemble.probe.laps.{steps}.trace"), laps.trace.median(), "the pose trace, their median").add(
+            format!("ensemble.probe.laps.{steps}.nees"),
+            laps.nees.median(),
+            "the NEES of that step, their median",
+        );
     }
 
     let runs = slam(RANGE_BEARING_SLAM.found, SEEDS)?;
