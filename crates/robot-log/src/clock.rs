@@ -1,10 +1,10 @@
 //! Which columns of a file are its clock's: the time, its fraction, and its day.
 
-use crate::columns::LOOKED_AT;
 use crate::fields::Line;
 use crate::names::Name;
 use crate::source::Source;
 use crate::stamp;
+use crate::table::LOOKED_AT;
 
 /// The one column that is called a time and whose stamps are dates.
 pub(crate) fn dated(source: &Source, text: &str) -> Option<usize> {

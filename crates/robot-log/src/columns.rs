@@ -9,11 +9,9 @@ use crate::role::{Quantity, Role, Value};
 use crate::row::number;
 use crate::source::Source;
 use crate::stamp;
+use crate::table::LOOKED_AT;
 use crate::unit::{DATE, QUATERNION, Unit, named};
 use crate::wide;
-
-/// The rows whose numbers are looked at.
-pub(crate) const LOOKED_AT: usize = 200;
 
 /// Finds the columns and units of a file's role: by names, or, where no column has a name, in the usual order.
 pub(crate) fn columns(source: &mut Source, file: &str, text: &str) {

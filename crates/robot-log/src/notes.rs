@@ -65,7 +65,7 @@ impl Kept {
 /// Lines about a file and units, which stand above its rows beside the names.
 pub(crate) fn words(name: &str, lines: usize) -> Option<String> {
     let what = if lines == 1 { "line" } else { "lines" };
-    (lines > 0).then(|| format!("{name}: {lines} {what} of words above the numbers left out; no unit is read there."))
+    (lines > 0).then(|| format!("{name}: {lines} {what} of words above the numbers left out."))
 }
 
 /// What was left out of a log: sightings of a barcode in no list, and sightings of what no file places.

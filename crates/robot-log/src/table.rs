@@ -6,6 +6,9 @@ use crate::ros;
 use crate::row::number;
 use crate::stamp;
 
+/// The rows whose numbers are looked at to find out what they are.
+pub(crate) const LOOKED_AT: usize = 200;
+
 /// The most columns of a table.
 const MAX_COLUMNS: usize = 1024;
 
@@ -65,6 +68,8 @@ impl Table {
             });
             // Within quotes a quote is written twice.
             let names = fields.into_iter().map(|name| beginning(name).replace("\"\"", "\"")).collect();
+            let below = text.lines().take(rows as usize).skip(above as usize + 1).filter(|line| !is_empty(line));
+            let names = apart(names, below.collect(), separator);
             let words = text.lines().take(rows as usize).filter(|line| !is_empty(line) && !is_sep(line)).count() - 1;
             return Some(Self { separator, names, nameless: false, skipped: rows, words, fault });
         }
@@ -108,7 +113,6 @@ impl Table {
 /// Where the names stand, and their line: the first one, but where loggers write about the file above them. Then it has
 /// few fields, and the rows further down have as many as the names.
 fn behind_preamble<'t>(text: &'t str, first: (u32, &'t str)) -> (u32, &'t str) {
-    const LOOKED_AT: usize = 60;
     let all = || text.lines().enumerate().filter(|(_, line)| !is_empty(line)).take(LOOKED_AT);
     let Some((_, row)) = all().last() else { return first };
     let separator = separator(row);
@@ -127,6 +131,22 @@ fn first_row(text: &str, above: u32, columns: usize, separator: Separator) -> (u
     let whole = |line: &str| split(line, separator).take(MAX_COLUMNS + 1).count() == columns;
     let near = below().take_while(|(_, line)| whole(line)).find(|(_, line)| numbers(line, separator) > 0);
     near.map_or_else(|| (above + 1, below().next().map_or("", |(_, line)| line)), |(i, line)| (i as u32, line))
+}
+
+/// Columns of one name are told apart by the words that stand below it: a unit, a device.
+fn apart(names: Vec<String>, below: Vec<&str>, separator: Separator) -> Vec<String> {
+    if below.is_empty() {
+        return names;
+    }
+    let words: Vec<Vec<&str>> =
+        below.iter().map(|line| split(line, separator).map(|(_, word)| word).collect()).collect();
+    let alone = |name: &String| names.iter().filter(|other| *other == name).take(2).count() == 1;
+    let told = |(i, name): (usize, &String)| {
+        let said: Vec<&str> =
+            words.iter().filter_map(|line| line.get(i).copied()).filter(|it| !it.is_empty()).collect();
+        if said.is_empty() || alone(name) { name.clone() } else { format!("{name} ({})", said.join(", ")) }
+    };
+    names.iter().enumerate().map(told).collect()
 }
 
 /// How many fields of a line are numbers.

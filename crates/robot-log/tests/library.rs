@@ -180,3 +180,17 @@ fn what_is_left_out_of_one_file_leaves_the_others_whole() {
     assert_eq!(seen, [(0, 5.0), (1, 6.0), (2, 7.0)]);
     assert_eq!(read.log.drive.rows.iter().filter(|row| matches!(row.event, Event::Position { .. })).count(), 2);
 }
+
+#[test]
+fn words_above_the_numbers_are_passed_over_and_tell_columns_of_one_name_apart() {
+    let mut timer = file("lap-timer.csv");
+    assert!(timer.set_column(0, "v", Some(10)));
+    assert_eq!(timer.files()[0].units()[1].map(|unit| unit.name), Some("m/s"));
+    let read = timer.read().expect("sound");
+    assert_eq!(read.log.drive.rows.iter().filter(|row| matches!(row.event, Event::Speed { .. })).count(), 12);
+    assert!(read.notes.iter().any(|note| note == "lap-timer.csv: 6 lines of words above the numbers left out."));
+    // A line of names that lacks one is refused in its place, as ever.
+    let mut short = Files::default();
+    short.add("wheels.csv", "time,v,omega\n0,1,0,5\n1,1,0,5\n").expect("a file");
+    assert_eq!(short.read().expect_err("a name is missing").line, 2);
+}
