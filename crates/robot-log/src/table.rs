@@ -9,6 +9,9 @@ use crate::stamp;
 /// The rows whose numbers are looked at to find out what they are.
 pub(crate) const LOOKED_AT: usize = 200;
 
+/// Between the name of a column and the words below it, where these tell it from others of its name.
+pub(crate) const BELOW: &str = " · ";
+
 /// The most columns of a table.
 const MAX_COLUMNS: usize = 1024;
 
@@ -144,7 +147,7 @@ fn apart(names: Vec<String>, below: Vec<&str>, separator: Separator) -> Vec<Stri
     let told = |(i, name): (usize, &String)| {
         let said: Vec<&str> =
             words.iter().filter_map(|line| line.get(i).copied()).filter(|it| !it.is_empty()).collect();
-        if said.is_empty() || alone(name) { name.clone() } else { format!("{name} ({})", said.join(", ")) }
+        if said.is_empty() || alone(name) { name.clone() } else { format!("{name}{BELOW}{}", said.join(", ")) }
     };
     names.iter().enumerate().map(told).collect()
 }

@@ -184,7 +184,7 @@ fn what_is_left_out_of_one_file_leaves_the_others_whole() {
 #[test]
 fn words_above_the_numbers_are_passed_over_and_tell_columns_of_one_name_apart() {
     let mut timer = file("lap-timer.csv");
-    assert!(timer.set_column(0, "v", Some(10)));
+    assert!(timer.set_column(0, "v", Some(11)));
     assert_eq!(timer.files()[0].units()[1].map(|unit| unit.name), Some("m/s"));
     let read = timer.read().expect("sound");
     assert_eq!(read.log.drive.rows.iter().filter(|row| matches!(row.event, Event::Speed { .. })).count(), 12);
