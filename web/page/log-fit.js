@@ -2,6 +2,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
+import { grouped } from './log-likelihood.js'
 
 /** @typedef {import('estimate-wasm').LogFound} LogFound */
 /** @typedef {{ fit: () => Promise<any>, stop: () => void, take: (patch: Record<string, unknown>) => void }} Orders */
@@ -84,9 +85,9 @@ export class FitForm {
   found({ numbers, logLikelihood: [before, after], readings, settled }) {
     const { result } = this
     if (!result) return
-    const gain = fixed(after - before, 1)
+    const gain = grouped(after - before)
     part(document, result, 'p', '').textContent =
-      `The log-likelihood of ${readings.toLocaleString('en')} readings rises by ${gain}, to ${fixed(after, 1)}.` +
+      `The log-likelihood of ${readings.toLocaleString('en')} readings rises by ${gain}, to ${grouped(after)}.` +
       `${settled ? '' : ' The search was ended before it settled.'}`
     const list = part(document, result, 'ul', '')
     for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number)

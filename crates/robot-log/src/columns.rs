@@ -1,6 +1,7 @@
 //! Which column of a file each value of its role is in, and in which unit.
 
 use crate::axes::axes;
+use crate::clock::{dated, day_beside, found_fraction, is_seconds, stamped};
 use crate::fields::Line;
 use crate::names::{Name, candidates};
 use crate::quaternion;
@@ -8,11 +9,9 @@ use crate::role::{Quantity, Role, Value};
 use crate::row::number;
 use crate::source::Source;
 use crate::stamp;
+use crate::table::LOOKED_AT;
 use crate::unit::{DATE, QUATERNION, Unit, named};
 use crate::wide;
-
-/// The rows whose numbers are looked at.
-const LOOKED_AT: usize = 200;
 
 /// Finds the columns and units of a file's role: by names, or, where no column has a name, in the usual order.
 pub(crate) fn columns(source: &mut Source, file: &str, text: &str) {
@@ -54,6 +53,11 @@ fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
             // Beside a counter of milliseconds the time may be that of a clock, its digits in one number.
             let counter = names.iter().position(|name| name.words == ["millis"]);
             found.extend(counter.filter(|at| !found.contains(at)));
+            // Beside the clocks of several sensors, the time of the row may be the one that is written as a date.
+            if found.len() > 1 {
+                let dated = dated(source, text).filter(|at| !found.contains(at));
+                found = dated.into_iter().chain(found.iter().copied()).collect();
+            }
         }
         "fraction" => {
             let time = source.columns.first().copied().flatten();
@@ -81,6 +85,8 @@ fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
         // Beside coordinates a bearing is the course.
         "heading" if found.is_empty() && !of("latitude", Quantity::Coordinate).is_empty() => {
             found = of("bearing", Quantity::Angle);
+            // A steering angle is none.
+            found.retain(|at| names[*at].has_one(&["bearing", "azimuth", "peilung"]));
         }
         // Where a robot's place is, its orientation is of the same frame; an inertial sensor's own may begin anywhere.
         "heading" if found.is_empty() && !of("x", Quantity::Length).is_empty() => {
@@ -97,43 +103,6 @@ fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
         _ => {}
     }
     found
-}
-
-/// Whether a column holds the whole seconds of a stamp.
-fn is_seconds(name: &Name) -> bool {
-    name.words.last().is_some_and(|word| matches!(word.as_str(), "sec" | "secs"))
-}
-
-fn stamped(names: &[Name]) -> bool {
-    names.iter().any(|name| name.has_one(&["nanosec", "nanosecs", "nsec", "nsecs"]))
-}
-
-/// The column with the fraction of a stamp whose seconds are in another: it is called as that one is, but for its unit.
-fn found_fraction(names: &[Name], time: usize) -> Option<usize> {
-    let (last, path) = names[time].words.split_last()?;
-    if !matches!(last.as_str(), "sec" | "secs" | "seconds" | "s") {
-        return None;
-    }
-    let parts = ["nanosec", "nanosecs", "nsec", "nsecs", "nanoseconds", "ns", "usec", "usecs", "us", "msec", "ms"];
-    names.iter().position(|name| {
-        let Some((last, other)) = name.words.split_last() else { return false };
-        other == path && parts.contains(&last.as_str())
-    })
-}
-
-/// The column of the day where the times are those of a day: one that is called so, and holds days.
-fn day_beside(source: &Source, text: &str) -> Option<usize> {
-    let (time, table) = (source.columns.first().copied().flatten()?, source.table.as_ref()?);
-    let lines: Vec<Line<'_>> = table.lines(text).filter_map(Result::ok).take(LOOKED_AT).collect();
-    let first = lines.first()?;
-    if !first.fields.get(time).is_some_and(|field| stamp::is_time_of_day(field.text)) {
-        return None;
-    }
-    let days = |at: usize| lines.iter().filter_map(move |line| line.fields.get(at)).map(|field| field.text);
-    (0..source.names.len()).find(|at| {
-        let said = ["date", "day", "datum", "tag", "jour", "fecha", "dia", "data", "giorno"];
-        source.names[*at].has_one(&said) && !stamp::orders(days(*at)).is_empty()
-    })
 }
 
 /// The column of the third axis of a gyroscope in an array: `xyz[2]`.

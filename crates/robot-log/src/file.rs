@@ -52,6 +52,11 @@ impl File {
         self.source.table.as_ref().map_or(&[], |table| &table.names)
     }
 
+    /// How many lines above its rows are neither names nor comments.
+    pub(crate) fn words(&self) -> usize {
+        self.source.table.as_ref().map_or(0, |table| table.words)
+    }
+
     /// For each value of its role the column that it is read from.
     pub fn columns(&self) -> &[Option<usize>] {
         &self.source.columns

@@ -106,7 +106,7 @@ impl Files {
                 Role::Unused | Role::Undecided | Role::Barcodes => {}
                 role => {
                     file.rows(i, |row| reading.take(role, row))?;
-                    reading.end_file(file.name());
+                    reading.end_file(file.name(), file.words());
                 }
             }
         }

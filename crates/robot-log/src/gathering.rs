@@ -62,6 +62,8 @@ pub(crate) struct Gathering {
     motion: Option<(Motion, &'static str)>,
     /// The sightings. A landmark's row may stand behind them.
     sightings: Vec<Sighting>,
+    /// The rows that say again what one before them has said.
+    copies: Vec<usize>,
     count: usize,
     last: Option<Place>,
 }
@@ -122,6 +124,11 @@ impl Gathering {
         self.reading(row);
     }
 
+    /// Leaves rows out of the log: they say again what others have said.
+    pub fn leave_out(&mut self, mut rows: Vec<usize>) {
+        self.copies.append(&mut rows);
+    }
+
     /// The rows so far, in the order in which they came.
     pub fn rows(&self) -> &[Row] {
         &self.rows
@@ -172,6 +179,9 @@ impl Gathering {
                 },
             }
         }
+        let strangers = left_out.len();
+        left_out.append(&mut self.copies);
+        left_out.sort_unstable();
         if !left_out.is_empty() {
             let (mut i, mut out) = (0, left_out.iter().copied().peekable());
             self.rows.retain(|_| {
@@ -189,6 +199,6 @@ impl Gathering {
         self.rows.sort_by(|a, b| a.time.total_cmp(&b.time).then(sighting(a).cmp(&sighting(b))));
         let truth = Truth::new(self.poses);
         let drive = Drive { landmarks: self.landmarks, truth, rows: self.rows, motion };
-        Ok((Log { drive, count: self.count }, left_out.len()))
+        Ok((Log { drive, count: self.count }, strangers))
     }
 }

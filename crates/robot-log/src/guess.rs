@@ -100,8 +100,12 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         };
         return (if has("barcode", Quantity::Number) && landmark { Role::Barcodes } else { role }, None);
     }
-    let is_true = said.contains(&Role::Truth)
-        || names.iter().any(|name| name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]));
+    // True north, and the course from there, are no truth.
+    let of_truth = |name: &Name| {
+        let of_north = name.has("true") && name.has_one(&["heading", "north", "course", "track", "bearing"]);
+        name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]) && !of_north
+    };
+    let is_true = said.contains(&Role::Truth) || names.iter().any(of_truth);
     let wheel = ["encoder", "enc", "ticks", "tick", "wheel", "count", "counts", "rad", "impulse", "rpm"];
     let side = |value| candidates(value, Quantity::Wheel, names);
     let of_wheel = |at: &usize| {
@@ -113,6 +117,8 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
     let ask = |why: &str| (Role::Undecided, Some(why.to_string()));
     let certain = |role| (role, None);
     match () {
+        // A column of some number of the device is no landmark.
+        () if fix && (v || omega) && !is_true => certain(Role::Sensors),
         () if sightings && !said.contains(&Role::Velocities) => certain(Role::Sightings),
         () if wide::group(names).is_some() => certain(Role::Ranges),
         () if encoders => certain(Role::Encoders),

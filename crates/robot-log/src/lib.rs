@@ -40,6 +40,7 @@
 mod axes;
 mod binary;
 mod cells;
+mod clock;
 mod columns;
 mod error;
 mod evidence;

@@ -1,6 +1,7 @@
 //! The names of columns as words: in small letters, without accents, parted at points, blanks, capitals and digits.
 
 use crate::role::Quantity;
+use crate::table::BELOW;
 use crate::unit::{self, Unit};
 use crate::vocabulary::{FORBIDDEN, Spread, Way, ways};
 use core::cmp::Ordering;
@@ -10,11 +11,14 @@ use core::cmp::Ordering;
 pub(crate) struct Name {
     /// All its words, units among them.
     pub words: Vec<String>,
+    /// How many of them are the name; the others stand below it, and make it no longer.
+    own: usize,
 }
 
 impl Name {
     pub fn new(name: &str) -> Self {
-        Self { words: words(name) }
+        let own = name.split(BELOW).next().map_or(0, |own| words(own).len());
+        Self { words: words(name), own }
     }
 
     pub fn has(&self, word: &str) -> bool {
@@ -63,7 +67,8 @@ pub(crate) fn candidates(value: &str, quantity: Quantity, names: &[Name]) -> Vec
 }
 
 fn longer(a: &Name, b: &Name, quantity: Quantity) -> Ordering {
-    a.base(quantity).len().cmp(&b.base(quantity).len())
+    let length = |name: &Name| name.base(quantity).len().min(name.own);
+    length(a).cmp(&length(b))
 }
 
 fn follows(way: Way<'_>, name: &Name, quantity: Quantity) -> bool {

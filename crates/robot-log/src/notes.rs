@@ -5,7 +5,7 @@ use estimate::drive::Drive;
 pub(crate) const HEADED: &str = "The truth has no heading; the first 0.2 m of its way gives the first one.";
 
 /// What is counted while a file is read.
-#[derive(Clone, Copy, Debug, Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
     pub rows: usize,
     /// The time of the row before, and how many have the time of the one before.
@@ -13,10 +13,13 @@ pub(crate) struct Kept {
     pub repeats: usize,
     /// What two encoders had counted.
     pub counted: Option<[f64; 2]>,
-    /// The fix before; how many there are, and how many of them are the one before to the last digit.
-    pub fix: Option<[f64; 2]>,
+    /// The fix before and the heading beside it; how many fixes there are, and how many are the one before to the last
+    /// digit.
+    pub fix: Option<([f64; 2], Option<f64>)>,
     pub fixes: usize,
     pub copies: usize,
+    /// The rows of the log that these copies are, with the headings beside them that are copies too.
+    pub copied: Vec<usize>,
     /// Rows, or ranges of rows, without a number.
     pub missing: usize,
     /// Fixes at latitude and longitude 0.
@@ -26,6 +29,11 @@ pub(crate) struct Kept {
 }
 
 impl Kept {
+    /// Whether the file writes each fix again until the next one comes: most are the one before.
+    pub fn holds(&self) -> bool {
+        self.fixes >= 5 && 2 * self.copies > self.fixes
+    }
+
     /// What was strange in a file.
     pub fn notes(&self, name: &str) -> Vec<String> {
         let Self { rows, repeats, fixes, copies, missing, nowhere, without_sigma, .. } = *self;
@@ -35,10 +43,10 @@ impl Kept {
                 "{name}: {repeats} of {rows} times repeat the one before. Are fractions of a second in another column?"
             ));
         }
-        if fixes >= 5 && 2 * copies > fixes {
+        if self.holds() {
             notes.push(format!(
-                "{name}: {copies} of {fixes} positions are the one before to the last digit. A fix that is written \
-                 again in each row counts as many fixes."
+                "{name}: {copies} of {fixes} positions are the one before to the last digit, and are left out: a fix \
+                 that is written again in each row until the next one comes was measured once."
             ));
         }
         if missing > 0 {
@@ -52,6 +60,12 @@ impl Kept {
         }
         notes
     }
+}
+
+/// Lines about a file and units, which stand above its rows beside the names.
+pub(crate) fn words(name: &str, lines: usize) -> Option<String> {
+    let what = if lines == 1 { "line" } else { "lines" };
+    (lines > 0).then(|| format!("{name}: {lines} {what} of words above the numbers left out."))
 }
 
 /// What was left out of a log: sightings of a barcode in no list, and sightings of what no file places.

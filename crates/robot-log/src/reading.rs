@@ -42,10 +42,14 @@ impl Reading {
         Self { carried, ..Self::default() }
     }
 
-    /// Ends a file, and says what was strange in it.
-    pub fn end_file(&mut self, name: &str) {
+    /// Ends a file, and says what was strange in it; so many lines above its rows were passed over.
+    pub fn end_file(&mut self, name: &str, words: usize) {
         let kept = core::mem::take(&mut self.kept);
+        self.notes.extend(notes::words(name, words));
         self.notes.extend(kept.notes(name));
+        if kept.holds() {
+            self.to.leave_out(kept.copied);
+        }
     }
 
     /// Takes a row of a table.
@@ -130,18 +134,25 @@ impl Reading {
         if let Some(event) = motion {
             self.motion(start, time, event)?;
         }
-        let place = self.place(cells)?;
+        let (place, heading) = (self.place(cells)?, cells.given("heading")?);
+        let before = place.and_then(|at| self.kept.fix.replace((at, heading)));
+        let is_copy = before.is_some_and(|(at, _)| Some(at) == place);
         if let Some([x, y]) = place {
             let sigma = self.kept.sigma(cells, "sigma")?;
             self.to.begin(start)?;
-            self.to.reading(Row::new(time, Event::Position { x, y, sigma }));
-            self.kept.copies += usize::from(self.kept.fix.replace([x, y]) == Some([x, y]));
             self.kept.fixes += 1;
+            if is_copy {
+                self.kept.copies += 1;
+                self.kept.copied.push(self.to.rows().len());
+            }
+            self.to.reading(Row::new(time, Event::Position { x, y, sigma }));
         }
-        let heading = cells.given("heading")?;
         if let Some(theta) = heading {
             let sigma = self.kept.sigma(cells, "sigma of heading")?;
             self.to.begin(start)?;
+            if is_copy && before.is_some_and(|(_, beside)| beside == heading) {
+                self.kept.copied.push(self.to.rows().len());
+            }
             self.to.reading(Row::new(time, Event::Heading { theta, sigma }));
         }
         if motion.is_none() && place.is_none() && heading.is_none() {

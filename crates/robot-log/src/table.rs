@@ -6,6 +6,12 @@ use crate::ros;
 use crate::row::number;
 use crate::stamp;
 
+/// The rows whose numbers are looked at to find out what they are.
+pub(crate) const LOOKED_AT: usize = 200;
+
+/// Between the name of a column and the words below it, where these tell it from others of its name.
+pub(crate) const BELOW: &str = " · ";
+
 /// The most columns of a table.
 const MAX_COLUMNS: usize = 1024;
 
@@ -28,8 +34,10 @@ pub(crate) struct Table {
     pub names: Vec<String>,
     /// Whether they have no other name than their number.
     pub nameless: bool,
-    /// Lines up to the header, which is no row.
+    /// Lines up to the first row.
     skipped: u32,
+    /// How many of these are neither names nor comments: they say something about the file, or units.
+    pub words: usize,
     /// What is wrong with the header.
     pub fault: Option<Error>,
 }
@@ -43,7 +51,7 @@ impl Table {
             match line.trim() {
                 "" => {}
                 // Spreadsheets say in a first line what parts the fields of the others.
-                line if line.len() == 5 && line.starts_with("sep=") => {}
+                line if is_sep(line) => {}
                 line if line.starts_with('#') => comment = line.trim_start_matches('#'),
                 line => {
                     first = Some((i as u32, line));
@@ -51,11 +59,11 @@ impl Table {
                 }
             }
         }
-        let (above, line) = first?;
-        let second = text.lines().skip(above as usize + 1).find(|line| !is_empty(line)).unwrap_or("");
+        let (above, line) = behind_preamble(text, first?);
         let separator = separator(line);
         let found: Vec<(usize, &str)> = split(line, separator).take(MAX_COLUMNS + 1).collect();
         let fields: Vec<&str> = found.iter().map(|(_, field)| unquoted(field)).collect();
+        let (rows, second) = first_row(text, above, fields.len(), separator);
         if is_header(&fields, second, separator) {
             let fault = found.iter().find_map(|(at, field)| {
                 let message = name_fault(field)?;
@@ -63,7 +71,10 @@ impl Table {
             });
             // Within quotes a quote is written twice.
             let names = fields.into_iter().map(|name| beginning(name).replace("\"\"", "\"")).collect();
-            return Some(Self { separator, names, nameless: false, skipped: above + 1, fault });
+            let below = text.lines().take(rows as usize).skip(above as usize + 1).filter(|line| !is_empty(line));
+            let names = apart(names, below.collect(), separator);
+            let words = text.lines().take(rows as usize).filter(|line| !is_empty(line) && !is_sep(line)).count() - 1;
+            return Some(Self { separator, names, nameless: false, skipped: rows, words, fault });
         }
         let named: Option<Vec<String>> = [Separator::Char(','), Separator::Char(';'), Separator::Char('\t')]
             .into_iter()
@@ -76,7 +87,7 @@ impl Table {
         // Numbers have no blanks in them, so that tabs among blanks are blanks too.
         let numbers = fields.iter().all(|field| is_number(field));
         let separator = if separator == Separator::Char('\t') && numbers { Separator::Blanks } else { separator };
-        Some(Self { separator, names: named, nameless, skipped: above, fault: None })
+        Some(Self { separator, names: named, nameless, skipped: above, words: 0, fault: None })
     }
 
     /// The lines of numbers; `text` must be the one that the table was made of.
@@ -102,6 +113,51 @@ impl Table {
     }
 }
 
+/// Where the names stand, and their line: the first one, but where loggers write about the file above them. Then it has
+/// few fields, and the rows further down have as many as the names.
+fn behind_preamble<'t>(text: &'t str, first: (u32, &'t str)) -> (u32, &'t str) {
+    let all = || text.lines().enumerate().filter(|(_, line)| !is_empty(line)).take(LOOKED_AT);
+    let Some((_, row)) = all().last() else { return first };
+    let separator = separator(row);
+    let count = |line: &str| split(line, separator).take(MAX_COLUMNS + 1).count();
+    let columns = count(row);
+    if separator == Separator::Blanks || columns < 4 || 2 * count(first.1) >= columns || numbers(row, separator) == 0 {
+        return first;
+    }
+    all().find(|(_, line)| count(line) == columns).map_or(first, |(i, line)| (i as u32, line))
+}
+
+/// The first line below the names that has a number in it, and how many stand above it; units may stand between. Where
+/// there is none so near, the next line.
+fn first_row(text: &str, above: u32, columns: usize, separator: Separator) -> (u32, &str) {
+    let below = || text.lines().enumerate().skip(above as usize + 1).filter(|(_, line)| !is_empty(line)).take(4);
+    let whole = |line: &str| split(line, separator).take(MAX_COLUMNS + 1).count() == columns;
+    let near = below().take_while(|(_, line)| whole(line)).find(|(_, line)| numbers(line, separator) > 0);
+    near.map_or_else(|| (above + 1, below().next().map_or("", |(_, line)| line)), |(i, line)| (i as u32, line))
+}
+
+/// Columns of one name are told apart by the words that stand below it: a unit, a device.
+fn apart(names: Vec<String>, below: Vec<&str>, separator: Separator) -> Vec<String> {
+    if below.is_empty() {
+        return names;
+    }
+    let words: Vec<Vec<&str>> =
+        below.iter().map(|line| split(line, separator).map(|(_, word)| word).collect()).collect();
+    let alone = |name: &String| names.iter().filter(|other| *other == name).take(2).count() == 1;
+    let told = |(i, name): (usize, &String)| {
+        let said: Vec<&str> =
+            words.iter().filter_map(|line| line.get(i).copied()).filter(|it| !it.is_empty()).collect();
+        if said.is_empty() || alone(name) { name.clone() } else { format!("{name}{BELOW}{}", said.join(", ")) }
+    };
+    names.iter().enumerate().map(told).collect()
+}
+
+/// How many fields of a line are numbers.
+fn numbers(line: &str, separator: Separator) -> usize {
+    let full = |field: &str| !field.is_empty() && is_number(field);
+    split(line, separator).take(MAX_COLUMNS + 1).filter(|(_, field)| full(unquoted(field))).count()
+}
+
 /// What parts the fields of a table's first line: what makes numbers of them; between names, what stands there.
 fn separator(line: &str) -> Separator {
     const ALL: [Separator; 4] = [Separator::Char(';'), Separator::Char(','), Separator::Char('\t'), Separator::Blanks];
@@ -124,10 +180,13 @@ fn is_header(fields: &[&str], second: &str, separator: Separator) -> bool {
     }
     let below: Vec<&str> = split(second, separator).take(MAX_COLUMNS + 1).map(|(_, field)| unquoted(field)).collect();
     let full = |field: &str| !field.is_empty() && is_number(field);
-    let numbers = below.iter().filter(|field| full(field)).count();
     below.len() != fields.len()
-        || numbers == 0
+        || numbers(second, separator) == 0
         || fields.iter().zip(&below).any(|(above, below)| !is_number(above) && full(below))
+}
+
+fn is_sep(line: &str) -> bool {
+    line.trim().len() == 5 && line.trim().starts_with("sep=")
 }
 
 fn is_empty(line: &str) -> bool {
