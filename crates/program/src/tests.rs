@@ -1,6 +1,7 @@
 //! The language: what is read, what is refused and where.
 
 mod derivatives;
+mod times;
 
 use crate::{Matrix, Notation, Program, Quantity, Step, Stop, Trouble, World};
 use alloc::string::String;
@@ -179,8 +180,11 @@ fn a_name_says_where_it_is_made_or_whose_letter_it_is() {
           the noise of the motion in the common letters, here V.",
         ),
         ("a = FPF'", "3:5 FPF is not known. A product has a blank or a * between its factors: F P F."),
-        ("a = x(k)", "3:7 A program has no times: a name is what the last line above made it, as in x = F x + G u."),
-        ("x^- = F x", "3:2 Before the = there is a name alone. Call a prediction xm, say, and the result x."),
+        (
+            "a = x (k)",
+            "3:8 k is not known. A time stands right behind its name, as in x(k+1|k) or x_k, or is left out.",
+        ),
+        ("x^2 = F x", "3:2 Before the = there is a name alone. Call a prediction xm, say, and the result x."),
         ("a = F x^ + G u", "3:8 Here ^ has no power. Name a prediction xm or Pm, and an estimate x, without a hat."),
         ("VectorXd a = F x", "3:1 A line begins with the name that it makes and a =; the name’s type is left out."),
         ("a = W^{-1} H + y", "3:5 W^{-1} H is p×n and y is p×1: both sides of a sum have one size."),
@@ -209,7 +213,10 @@ fn first_mistakes_are_told_what_to_type() {
         ("1. a = x", "3:1 A line begins with the name that it makes; a number before it is left out."),
         ("xm- = F x", "3:3 Before the = there is a name alone. Call a prediction xmm, say, and the result xm."),
         ("x' = F x", "3:2 Before the = there is a name alone. Call a prediction xm, say, and the result x."),
-        ("a = G u_k", "3:7 A program has no times: a name is what the last line above made it, as in x = F x + G u."),
+        (
+            "a = G uk",
+            "3:7 uk is not known. A time stands right behind its name, as in x(k+1|k) or x_k, or is left out.",
+        ),
     ];
     for (line, expected) in cases {
         assert_eq!(tried(line).first().map(String::as_str), Some(expected), "{line}");
