@@ -89,10 +89,15 @@ impl Checker<'_, '_> {
             for name in [X, P] {
                 let known = self.names[name].as_str();
                 let begins = |name: &str| name.get(..known.len()).is_some_and(|head| head.eq_ignore_ascii_case(known));
-                let other = |line: &&Line| begins(&self.names[line.name]);
+                // A prediction is none.
+                let other = |line: &&Line| begins(&self.names[line.name]) && !self.names[line.name].ends_with('⁻');
                 if let (None, Some(line)) = (self.tree.made(name), self.tree.lines.iter().rev().find(other)) {
                     missing.text(" Line ").whole(i64::from(line_of(self.text, line.place.from))).text(" makes ");
-                    missing.text(&self.names[line.name]).text(": call it ").text(&self.names[name]).text(".");
+                    missing
+                        .text(&self.names[line.name])
+                        .text(": if that is the new one, call it ")
+                        .text(known)
+                        .text(".");
                 }
             }
             self.told(last, missing, "");

@@ -165,6 +165,7 @@ impl<'a, 'b> Parser<'a, 'b> {
         let Kind::Name(name) = kind else {
             let why = match kind {
                 Kind::Number(_) => "A line begins with the name that it makes; a number before it is left out.",
+                Kind::Sign('\\') => "A letter is typed by its name alone: mu, Sigma, nu.",
                 _ => "A line begins with the name that it makes: name = formula.",
             };
             return self.fail(place, why);

@@ -51,13 +51,15 @@ pub(crate) fn time(text: &str) -> Option<(Time, usize)> {
     // The hat of a formula that is copied from the page.
     let hat = reader.take(&['^']);
     let low = !hat && reader.take(&['_']);
+    // As in xk|k-1, where the bar says that k is no letter of the name.
+    let close = !hat && !low && text.starts_with(['k', 't']);
     let closing = if reader.take(&['(']) {
         ')'
     } else if !hat && reader.take(&['[']) {
         ']'
     } else if low && reader.take(&['{']) {
         '}'
-    } else if low || !hat && text.starts_with(['ₖ', 'ₜ']) {
+    } else if low || close || !hat && text.starts_with(['ₖ', 'ₜ']) {
         ' '
     } else {
         return None;
@@ -69,7 +71,7 @@ pub(crate) fn time(text: &str) -> Option<(Time, usize)> {
         ' ' => !reader.0.starts_with(goes_on) || reader.0.starts_with(".T"),
         closing => reader.take(&[closing]),
     };
-    ends.then(|| (Time { of, by }, text.len() - reader.0.len()))
+    (ends && (by != 0 || !close)).then(|| (Time { of, by }, text.len() - reader.0.len()))
 }
 
 #[cfg(test)]
@@ -93,10 +95,13 @@ mod tests {
             ("_{t-1}", 6, 0, 6),
             ("ₜ₋₁", 6, 0, 9),
             ("[t]", 4, 0, 3),
+            ("k-1|k-1 + B", before, before, 7),
         ] {
             assert_eq!(time(text), Some((Time { of, by }, length)), "{text}");
         }
-        for text in ["_kalman", "_t2", "_tilde", "_k-1.5", "(k-2)", "(k+1|1)", "(t + 2", "(x)", "", "^k", "_"] {
+        for text in
+            ["_kalman", "_t2", "_tilde", "_k-1.5", "(k-2)", "(k+1|1)", "(t + 2", "(x)", "", "^k", "_", "k", "t-1"]
+        {
             assert_eq!(time(text), None, "{text}");
         }
     }

@@ -25,6 +25,7 @@ fn the_box_of_each_notation_is_a_step_to_the_same_bits() {
                   P_{k|k} = P_{k|k-1} - K H P_{k|k-1}";
     let bare = common.replace(['{', '}'], "").replace("S^-1", "S^(-1)");
     let hats = common.replace("x_", "x_hat_");
+    let close = bare.replace("x_", "x").replace("P_", "P");
     let raised = common.replace("_{k|k-1}", "_k^-").replace("_{k-1|k-1}", "_{k-1}").replace("_{k|k}", "_k");
     for (notation, text) in [
         (Notation::Choset, CHOSET),
@@ -34,6 +35,7 @@ fn the_box_of_each_notation_is_a_step_to_the_same_bits() {
         (Notation::Thrun, marks),
         (Notation::Common, common),
         (Notation::Common, &bare),
+        (Notation::Common, &close),
         (Notation::Common, &hats),
         (Notation::Common, &raised),
     ] {
@@ -68,4 +70,12 @@ fn other_letters_keep_the_times_or_mark_the_prediction() {
     let thrun = relettered(CHOSET, World::Linear, [Notation::Choset, Notation::Thrun]);
     assert!(thrun.starts_with("mu⁻ = A mu + B u(k)\nSigma⁻ = A Sigma Aᵀ + R\nν = z − C mu⁻\n"), "{thrun}");
     assert_eq!(Program::new(&thrun, World::Linear, Notation::Thrun).faults(), []);
+}
+
+#[test]
+fn the_short_marks_of_the_chapter_are_names() {
+    let printed = "x̂⁻ = F x̂ + G u\nP⁻ = F P F⊤ + V\nν = y − H x̂⁻\nS = H P⁻ H⊤ + W\nR = P⁻ H⊤ S⁻¹\nx̂⁺ = x̂⁻ + R ν\n\
+                   P⁺ = P⁻ − R H P⁻";
+    let ((program, step), (_, chapter)) = (run(printed), run(CHAPTER));
+    assert_eq!(program.made(&step, Quantity::X), Some(chapter.made[5].value()));
 }
