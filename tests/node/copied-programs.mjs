@@ -34,6 +34,25 @@ export const PROGRAMS = {
   marks: {
     text: 'x̂⁻ = F x̂ + G u\nP⁻ = F P Fᵀ + V\nR = P⁻ Hᵀ / (H P⁻ Hᵀ + W)\nx̂ = x̂⁻ + R (y − H x̂⁻)\nP = P⁻ − R H P⁻',
   },
+  times: {
+    text: `x̂(k+1|k) = F x̂(k|k) + G u(k)
+P(k+1|k) = F P(k|k) Fᵀ + V
+ν = y(k+1) − H x̂(k+1|k)
+S = H P(k+1|k) Hᵀ + W
+R = P(k+1|k) Hᵀ S⁻¹
+x̂(k+1|k+1) = x̂(k+1|k) + R ν
+P(k+1|k+1) = P(k+1|k) − R H P(k+1|k)
+`,
+  },
+  bars: {
+    text: `μ̄ₜ = A μₜ₋₁ + B uₜ
+Σ̄ₜ = A Σₜ₋₁ Aᵀ + R
+K = Σ̄ₜ Cᵀ / (C Σ̄ₜ Cᵀ + Q)
+μₜ = μ̄ₜ + K (zₜ − C μ̄ₜ)
+Σₜ = Σ̄ₜ − K C Σ̄ₜ
+`,
+    notation: 'thrun',
+  },
   joseph: linear('P = P − R H P', 'A = I − R H\nP = A P Aᵀ + R W Rᵀ'),
   symmetric: linear('P − R H P', 'sym(P − R H P)'),
   observer: {

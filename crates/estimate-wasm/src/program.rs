@@ -2,12 +2,15 @@
 
 use crate::arguments::{belief_of, system_of};
 use crate::decode::Arg;
-use crate::encode::{Arrays, list, record, rows};
+#[cfg(feature = "functions")]
+use crate::encode::rows;
+use crate::encode::{Arrays, list, record};
 use crate::errors::Thrown;
 use crate::object::Held;
 use estimate::{Code, Error, validate};
 use js_sys::Array;
 use nalgebra::DMatrix;
+#[cfg(feature = "functions")]
 use program::judge::{Outcome, Verdict, judge};
 use program::{Fault, Formula, Matrix, Notation, Program as Text, Quantity, Statement, Step, Stop, Trouble, World};
 use wasm_bindgen::prelude::*;
@@ -57,13 +60,6 @@ impl Program {
         })
     }
 
-    /// Whether it is a right filter: one step beside a right filter's on a dozen cases, and beside what bugs that real
-    /// code has had make of the same cases. Any form is right that gives the same numbers.
-    #[wasm_bindgen(unchecked_return_type = "ProgramVerdict")]
-    pub fn judge(&self) -> Result<JsValue, Thrown> {
-        self.0.read(CLASS, |program: &Text| verdict(&judge(program)))
-    }
-
     /// What each quantity is called in its letters.
     #[wasm_bindgen(getter, unchecked_return_type = "ProgramLetters")]
     pub fn letters(&self) -> Result<JsValue, Thrown> {
@@ -97,18 +93,6 @@ impl Program {
         #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
     ) -> Result<JsValue, Thrown> {
         self.stepped(system, belief, u, y, answer)
-    }
-
-    /// What each line makes in this step, in the order of the text.
-    #[wasm_bindgen(unchecked_return_type = "ProgramLine[]")]
-    pub fn lines(
-        &self,
-        #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem | RobotSystem")] system: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
-    ) -> Result<JsValue, Thrown> {
-        self.stepped(system, belief, u, y, lines)
     }
 
     fn stepped(
@@ -151,6 +135,30 @@ impl Program {
             Ok(step) => Ok(answer(program, &step)),
             Err(stop) => Err(refused(stop)),
         })
+    }
+}
+
+/// What a program of the package can do beside that, and the figure's lab does by itself.
+#[cfg(feature = "functions")]
+#[wasm_bindgen]
+impl Program {
+    /// Whether it is a right filter: one step beside a right filter's on a dozen cases, and beside what bugs that real
+    /// code has had make of the same cases. Any form is right that gives the same numbers.
+    #[wasm_bindgen(unchecked_return_type = "ProgramVerdict")]
+    pub fn judge(&self) -> Result<JsValue, Thrown> {
+        self.0.read(CLASS, |program: &Text| verdict(&judge(program)))
+    }
+
+    /// What each line makes in this step, in the order of the text.
+    #[wasm_bindgen(unchecked_return_type = "ProgramLine[]")]
+    pub fn lines(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem | RobotSystem")] system: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+    ) -> Result<JsValue, Thrown> {
+        self.stepped(system, belief, u, y, lines)
     }
 }
 
@@ -218,6 +226,7 @@ fn matrix(m: &DMatrix<f64>) -> Matrix {
 }
 
 /// What is said of a program.
+#[cfg(feature = "functions")]
 fn verdict(verdict: &Verdict) -> JsValue {
     let (outcome, bug) = match verdict.outcome {
         Outcome::Refused => ("refused", None),
@@ -246,6 +255,7 @@ fn shown(fault: &Fault) -> JsValue {
     ])
 }
 
+#[cfg(feature = "functions")]
 fn by_rows(m: &Matrix) -> JsValue {
     rows(&DMatrix::from_row_slice(m.rows, m.columns, &m.entries))
 }
@@ -264,6 +274,7 @@ fn answer(program: &Text, step: &Step) -> JsValue {
     object
 }
 
+#[cfg(feature = "functions")]
 fn lines(program: &Text, step: &Step) -> JsValue {
     let lines = Array::new();
     for made in &step.made {

@@ -1,10 +1,10 @@
 //! Sizes and names, before a number moves.
 
 mod call;
+mod name;
 
 use crate::fault::{Faults, Place, line_of};
 use crate::size::{Found, Shape, Size};
-use crate::token::NO_TIMES;
 use crate::tree::{Function, Id, Line, Name, Node, Tree};
 use crate::words::Words;
 use crate::world::{Letter, Notation, P, World, X};
@@ -87,10 +87,17 @@ impl Checker<'_, '_> {
             missing.text(&self.names[P]);
             missing.text(" of the old ones.");
             for name in [X, P] {
-                let other = |line: &&Line| self.names[line.name].starts_with(self.names[name].as_str());
+                let known = self.names[name].as_str();
+                let begins = |name: &str| name.get(..known.len()).is_some_and(|head| head.eq_ignore_ascii_case(known));
+                // A prediction is none.
+                let other = |line: &&Line| begins(&self.names[line.name]) && !self.names[line.name].ends_with('⁻');
                 if let (None, Some(line)) = (self.tree.made(name), self.tree.lines.iter().rev().find(other)) {
                     missing.text(" Line ").whole(i64::from(line_of(self.text, line.place.from))).text(" makes ");
-                    missing.text(&self.names[line.name]).text(": call it ").text(&self.names[name]).text(".");
+                    missing
+                        .text(&self.names[line.name])
+                        .text(": if that is the new one, call it ")
+                        .text(known)
+                        .text(".");
                 }
             }
             self.told(last, missing, "");
@@ -136,82 +143,13 @@ impl Checker<'_, '_> {
         self.products = self.products.saturating_add(product);
     }
 
+    #[inline(never)]
     fn is_one(&self, size: Size) -> bool {
         self.found.known(size) == Some(1)
     }
 
     fn is_number(&self, shape: Shape) -> bool {
         matches!(shape, Shape::Of(rows, columns) if self.is_one(rows) && self.is_one(columns))
-    }
-
-    fn name(&mut self, name: Name, place: Place) -> Shape {
-        if let Some(shape) = self.shapes[name] {
-            return shape;
-        }
-        let text = self.names[name].as_str();
-        let mut words = Words::new(text);
-        let factors = self.factors(text);
-        let later = self.tree.lines[self.line..].iter().find(|line| line.name == name && line.place.from > place.from);
-        let is = |letter: Letter| self.notation.letter(letter) == text;
-        if let Some(line) = later {
-            words.text(" is not known here; line ").whole(i64::from(line_of(self.text, line.place.from)));
-            words.text(" makes it.");
-        } else if text == "k" || text == "t" || text.ends_with('_') || text.ends_with("_k") {
-            words = Words::new(NO_TIMES);
-        } else if !factors.0.is_empty() {
-            words.text(" is not known. A product has a blank or a * between its factors: ").text(&factors.0).text(".");
-        } else if let Some(whole) =
-            self.like(text, |name| text.strip_prefix(name).is_some_and(|t| t == "t" || t == "T"))
-        {
-            words.text(" is not known. The transpose of ").text(whole).text(" is ").text(whole).text("'.");
-        } else if self.world == World::Robot && (is(Letter::F) || is(Letter::H) || is(Letter::G)) {
-            words.text(" is not given in this world: it is a derivative, jac(");
-            words.text(if is(Letter::H) { "h, " } else { "f, " });
-            words.text(if is(Letter::G) { "u" } else { &self.names[X] }).text(").");
-        } else if let Some(letter) = Letter::ALL.into_iter().find(|letter| is(*letter)) {
-            words.text(" is ").text(letter.meaning()).text(", and no line above makes it");
-            let mut others = Words::new("; it is ");
-            if self.notation.say_foreign(text, &mut others) {
-                words.text(&others.0);
-            }
-            words.text(".");
-        } else if self.notation.say_foreign(text, words.text(" is ")) {
-            words.text(".");
-        } else if let Some(other) = self.like(text, |name| name.eq_ignore_ascii_case(text)) {
-            words = Words::new(text);
-            words.text(" is not known, and ").text(other).text(" is: capitals are letters of their own.");
-        } else {
-            words = Words::new(text);
-            words.text(" is not known: no line above makes it, and the world gives ");
-            words.list(&self.names[..self.world.identity()]).text(".");
-        }
-        self.faults.words(place, words);
-        // Once is enough.
-        self.shapes[name] = Some(Shape::Unknown);
-        Shape::Unknown
-    }
-
-    /// A name that is known, and like one that is not.
-    fn like(&self, text: &str, is: impl Fn(&str) -> bool) -> Option<&str> {
-        let known = |i: &usize| self.shapes[*i].is_some() && self.names[*i] != text && is(&self.names[*i]);
-        (0..self.names.len()).find(known).map(|i| self.names[i].as_str())
-    }
-
-    /// A name as a product of names that are known, "F x" for "Fx"; empty where it is none.
-    fn factors(&self, text: &str) -> Words {
-        let (mut words, mut rest) = (Words::default(), text);
-        while !rest.is_empty() {
-            // I, n, p, m and π are no factors that one would write so.
-            let constants = self.world.identity()..self.world.identity() + 6;
-            let mut known = (0..self.names.len()).filter(|i| self.shapes[*i].is_some() && !constants.contains(i));
-            let Some(name) = known.find(|i| rest.starts_with(self.names[*i].as_str())) else {
-                return Words::default();
-            };
-            let name = &self.names[name];
-            words.text(if rest.len() < text.len() { " " } else { "" }).text(name);
-            rest = rest.get(name.len()..).unwrap_or_default();
-        }
-        words
     }
 
     fn shape(&mut self, id: Id) -> Shape {

@@ -29,7 +29,7 @@ pub struct Fault {
 
 /// The faults of a text.
 pub(crate) struct Faults<'a> {
-    text: &'a str,
+    pub text: &'a str,
     found: Vec<(Place, String)>,
 }
 

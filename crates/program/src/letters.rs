@@ -39,7 +39,7 @@ pub fn relettered(text: &str, world: World, [from, to]: [Notation; 2]) -> String
     let mut renamed: Vec<String> = Vec::new();
     for (id, name) in names.iter().enumerate() {
         let base = name.trim_end_matches(['⁻', '⁺']);
-        let marks = &name[base.len()..];
+        let marks = name.get(base.len()..).unwrap_or_default();
         let letter = Letter::ALL.into_iter().find(|letter| from.letter(*letter) == base);
         let mut new = String::from(letter.map_or(base, |letter| to.letter(letter)));
         new.push_str(marks);
@@ -49,16 +49,17 @@ pub fn relettered(text: &str, world: World, [from, to]: [Notation; 2]) -> String
         }
         renamed.push(new);
     }
+    let part = |from: usize, to: usize| text.get(from..to).unwrap_or_default();
     let (mut written, mut at) = (String::new(), 0);
     for token in &tokens {
         let Kind::Name(id) = token.kind else { continue };
         if renamed[id] != names[id] {
-            written.push_str(&text[at..token.place.from]);
+            written.push_str(part(at, token.place.from));
             written.push_str(&renamed[id]);
             at = token.place.to;
         }
     }
-    written.push_str(&text[at..]);
+    written.push_str(part(at, text.len()));
     written
 }
 

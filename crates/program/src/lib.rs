@@ -18,7 +18,10 @@ mod matrix;
 mod parse;
 mod run;
 mod shaped;
+mod sign;
 mod size;
+mod step;
+mod time;
 mod token;
 mod tree;
 mod value;
@@ -31,15 +34,14 @@ pub use matrix::Matrix;
 pub use parse::MOST_LINES;
 pub use run::Trouble;
 pub use shaped::{Formula, Statement};
+pub use step::{Made, Step, Stop};
 pub use world::{Letter as Quantity, Notation, World};
 
 use alloc::rc::Rc;
 use alloc::string::String;
 use alloc::vec::Vec;
 use check::Checker;
-use core::cell::Cell;
 use fault::{Faults, Place, line_of};
-use run::Run;
 use size::{Found, LETTERS};
 use tree::Tree;
 use value::Value;
@@ -51,6 +53,15 @@ pub const MOST_TEXT: usize = 20_000;
 /// A program: its text, what is wrong with it, and, where nothing is, how to run it.
 #[derive(Clone, Debug)]
 pub struct Program {
+    read: Rc<Read>,
+    /// The sizes for which it has been found to fit, and the values of I, n, p, m and π there.
+    fitted: Option<[usize; 3]>,
+    constants: Vec<Rc<Value>>,
+}
+
+/// What has been read of a text: copies of a program share it.
+#[derive(Debug)]
+struct Read {
     text: String,
     world: World,
     notation: Notation,
@@ -61,46 +72,6 @@ pub struct Program {
     /// n, p and m, where the text tells them.
     found: Found,
     faults: Vec<Fault>,
-    /// The sizes for which it has been found to fit, and the values of I, n, p, m and π there.
-    fitted: Option<[usize; 3]>,
-    constants: Vec<Rc<Value>>,
-}
-
-/// What a line has made.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Made {
-    /// The line of the text, from 1.
-    pub line: u32,
-    /// Which of the names, as a number.
-    name: usize,
-    value: Rc<Value>,
-}
-
-impl Made {
-    /// The name's value behind the line.
-    pub fn value(&self) -> &Matrix {
-        &self.value.m
-    }
-}
-
-/// One step: what each line has made, in the order of the text.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Step {
-    /// Line by line.
-    pub made: Vec<Made>,
-    /// n, p and m.
-    sizes: [usize; 3],
-}
-
-/// Why a step was not made.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Stop {
-    /// The program has faults, or does not fit a world of these sizes: the first fault.
-    Fault(Fault),
-    /// A line has no value.
-    Trouble(Trouble, Fault),
-    /// What is given is not of one system's sizes.
-    Given,
 }
 
 impl Program {
@@ -125,44 +96,40 @@ impl Program {
         }
         let lines = tree.lines.iter().map(|line| line_of(text, line.place.from)).collect();
         let (text, faults) = (text.into(), faults.sorted());
-        Self { text, world, notation, names, tree, lines, found, faults, fitted: None, constants: Vec::new() }
+        let read = Read { text, world, notation, names, tree, lines, found, faults };
+        Self { read: Rc::new(read), fitted: None, constants: Vec::new() }
     }
 
     /// The text.
     pub fn text(&self) -> &str {
-        &self.text
+        &self.read.text
     }
 
     /// Whose letters it is in.
     pub fn notation(&self) -> Notation {
-        self.notation
+        self.read.notation
     }
 
     /// The world that it is for.
     pub fn world(&self) -> World {
-        self.world
+        self.read.world
     }
 
     /// What a quantity is called in its letters.
     pub fn letter(&self, quantity: Quantity) -> &'static str {
-        self.notation.letter(quantity)
+        self.read.notation.letter(quantity)
     }
 
     /// What is wrong with it, in the order of the text.
     pub fn faults(&self) -> &[Fault] {
-        &self.faults
-    }
-
-    /// The name that a line makes.
-    pub fn name(&self, made: &Made) -> &str {
-        &self.names[made.name]
+        &self.read.faults
     }
 
     /// What its lines make, each name once, in the order of the text.
     pub fn makes(&self) -> Vec<String> {
         let mut made: Vec<String> = Vec::new();
-        for line in &self.tree.lines {
-            let name = &self.names[line.name];
+        for line in &self.read.tree.lines {
+            let name = &self.read.names[line.name];
             if line.value.is_some() && !made.contains(name) {
                 made.push(name.clone());
             }
@@ -172,7 +139,7 @@ impl Program {
 
     /// n, p and m, where the text alone tells them: a number in it may say how many states there are.
     pub fn sizes(&self) -> [Option<usize>; 3] {
-        [0, 1, 2].map(|letter| usize::try_from(self.found.0[letter]).ok())
+        [0, 1, 2].map(|letter| usize::try_from(self.read.found.0[letter]).ok())
     }
 
     /// Makes sure that it fits a system of `sizes` n, p and m.
@@ -180,20 +147,28 @@ impl Program {
     /// # Errors
     /// The first fault, of the text or of its sizes.
     pub fn fit(&mut self, sizes: [usize; 3]) -> Result<(), Fault> {
-        if let Some(fault) = self.faults.first() {
+        if let Some(fault) = self.read.faults.first() {
             return Err(fault.clone());
         }
         if self.fitted == Some(sizes) {
             return Ok(());
         }
-        let mut faults = Faults::new(&self.text);
+        let mut faults = Faults::new(&self.read.text);
         let wanted = sizes.map(|size| size as i32);
-        checked(&self.text, &self.tree, &self.names, self.world, self.notation, Found(wanted), &mut faults);
+        checked(
+            &self.read.text,
+            &self.read.tree,
+            &self.read.names,
+            self.read.world,
+            self.read.notation,
+            Found(wanted),
+            &mut faults,
+        );
         // By itself the text is right: what it says of sizes is another than the system's. Where a number takes the
         // place of a column, no formula shows it.
         let mut words = Words::default();
         for (i, letter) in LETTERS.iter().enumerate() {
-            let known = self.found.0[i];
+            let known = self.read.found.0[i];
             if known >= 0 && known != wanted[i] {
                 words.text("The program is written for ").text(letter).text(" = ").whole(i64::from(known));
                 words.text(", and this system has ").text(letter).text(" = ").whole(i64::from(wanted[i])).text(". ");
@@ -206,8 +181,8 @@ impl Program {
             }
             None if !words.0.is_empty() => {
                 words.0.pop();
-                let place = self.tree.lines.first().map_or(Place::default(), |line| line.place);
-                Err(fault::shown(&self.text, place, words.0))
+                let place = self.read.tree.lines.first().map_or(Place::default(), |line| line.place);
+                Err(fault::shown(&self.read.text, place, words.0))
             }
             None => {
                 self.fitted = Some(sizes);
@@ -216,61 +191,6 @@ impl Program {
                 Ok(())
             }
         }
-    }
-
-    /// One step with what the world gives: x, P, u, y, V, W, then F, G, H in a linear world, the landmark and the gate
-    /// in the robot's. Nothing is kept from one step to the next.
-    ///
-    /// # Errors
-    /// See [`Stop`].
-    pub fn step(&mut self, given: Vec<Matrix>) -> Result<Step, Stop> {
-        let sizes = self.world.sizes(&given).ok_or(Stop::Given)?;
-        self.fit(sizes).map_err(Stop::Fault)?;
-        let mut values = Vec::with_capacity(self.names.len());
-        for m in given {
-            values.push(Rc::new(Value::from(m)));
-        }
-        values.extend_from_slice(&self.constants);
-        values.resize(self.names.len(), values[0].clone());
-        let mut made = Vec::with_capacity(self.tree.lines.len());
-        for (line, number) in self.tree.lines.iter().zip(&self.lines) {
-            let Some(id) = line.value else { continue };
-            let trouble = Cell::new((Trouble::NotFinite, id));
-            let run = Run { tree: &self.tree, values: &values, varied: None, trouble: &trouble };
-            let Some(value) = run.value(id) else {
-                let (trouble, id) = trouble.get();
-                return Err(self.trouble(trouble, line, self.tree.place(id)));
-            };
-            let filled = line.part.and_then(|part| run::refilled(&run, &values[line.name].m, part, &value.m));
-            let value = Rc::new(filled.map_or_else(|| value.into_owned(), Value::from));
-            if !numerics::all_finite(&value.m.entries) {
-                return Err(self.trouble(Trouble::NotFinite, line, line.place));
-            }
-            made.push(Made { line: *number, name: line.name, value: value.clone() });
-            values[line.name] = value;
-        }
-        Ok(Step { made, sizes })
-    }
-
-    /// What a step has made of a quantity; none where the program has no line for it, or where what it calls so is of
-    /// another size.
-    pub fn made<'a>(&self, step: &'a Step, quantity: Quantity) -> Option<&'a Matrix> {
-        let last = |text: &str| step.made.iter().rev().find(|made| self.names[made.name] == text);
-        let found = last(self.notation.letter(quantity));
-        // filterpy calls the innovation y.
-        let common = self.notation == Notation::Common && quantity == Quantity::Innovation;
-        let found = found.or_else(|| last("y").filter(|_| common)).map(Made::value)?;
-        World::fits(World::shape_of(quantity), found, step.sizes).then_some(found)
-    }
-
-    fn trouble(&self, trouble: Trouble, line: &tree::Line, place: Place) -> Stop {
-        let mut words = Words::default();
-        match trouble {
-            Trouble::Singular => words.text("What is divided by here has no inverse."),
-            Trouble::NotPositiveDefinite => words.text("The matrix whose root is taken here is not positive definite."),
-            Trouble::NotFinite => words.text(&self.names[line.name]).text(" is not finite any more."),
-        };
-        Stop::Trouble(trouble, fault::shown(&self.text, place, words.0))
     }
 }
 

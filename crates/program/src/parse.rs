@@ -5,6 +5,7 @@ mod bracket;
 mod operand;
 
 use crate::fault::{Faults, Place};
+use crate::time::Time;
 use crate::token::{Kind, Token};
 use crate::tree::{Function, Id, Line, Name, Node, Tree};
 use crate::words::Words;
@@ -28,7 +29,8 @@ pub(crate) struct Parser<'a, 'b> {
     robot: bool,
     faults: &'a mut Faults<'b>,
     pub tree: Tree,
-    assigned: Vec<Name>,
+    /// What lines have made, with its time.
+    assigned: Vec<(Name, Time, Place)>,
     /// How deep each node's tree is.
     deep: Vec<u8>,
     depth: usize,
@@ -71,8 +73,9 @@ impl<'a, 'b> Parser<'a, 'b> {
     fn leave(&mut self, first: usize) {
         let at = core::mem::replace(&mut self.at, first);
         if let (Kind::Name(name), Kind::Sign('=' | '[')) = (self.kind(), self.ahead(1)) {
-            self.assigned.push(name);
-            self.tree.lines.push(Line { name, part: None, value: None, place: self.place() });
+            let Token { time, place, .. } = self.token();
+            self.assigned.push((name, time, place));
+            self.tree.lines.push(Line { name, part: None, value: None, place });
         }
         self.at = at;
         while !matches!(self.kind(), Kind::Line | Kind::End) {
@@ -85,6 +88,7 @@ impl<'a, 'b> Parser<'a, 'b> {
         self.tokens[self.at.min(self.tokens.len() - 1)]
     }
 
+    #[inline(never)]
     fn kind(&self) -> Kind {
         self.token().kind
     }
@@ -157,10 +161,11 @@ impl<'a, 'b> Parser<'a, 'b> {
     }
 
     fn line(&mut self) -> Parsed<()> {
-        let place = self.place();
-        let Kind::Name(name) = self.kind() else {
-            let why = match self.kind() {
+        let Token { kind, time, place, .. } = self.token();
+        let Kind::Name(name) = kind else {
+            let why = match kind {
                 Kind::Number(_) => "A line begins with the name that it makes; a number before it is left out.",
+                Kind::Sign('\\') => "A letter is typed by its name alone: mu, Sigma, nu.",
                 _ => "A line begins with the name that it makes: name = formula.",
             };
             return self.fail(place, why);
@@ -205,7 +210,7 @@ impl<'a, 'b> Parser<'a, 'b> {
             Kind::Sign(')' | ']') => return self.fail(self.place(), "This bracket was never opened."),
             _ => return self.missing("a sign of an operation"),
         }
-        self.assigned.push(name);
+        self.assigned.push((name, time, place));
         self.tree.lines.push(Line { name, part, value: Some(value), place });
         Ok(())
     }

@@ -119,11 +119,11 @@ fn filled(whole: &Matrix, [top, bottom, left, right]: [usize; 4], by: &Matrix) -
 }
 
 /// Sine and cosine as the models' own take them: both at once.
-fn sin(x: f64) -> f64 {
+pub(crate) fn sin(x: f64) -> f64 {
     libm::sincos(x).0
 }
 
-fn cos(x: f64) -> f64 {
+pub(crate) fn cos(x: f64) -> f64 {
     libm::sincos(x).1
 }
 

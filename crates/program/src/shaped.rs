@@ -42,27 +42,34 @@ impl Program {
     /// # Errors
     /// The first fault, of the text or of its sizes.
     pub fn tree(&self, sizes: Option<[usize; 3]>) -> Result<Vec<Statement>, Fault> {
-        if let Some(fault) = self.faults.first() {
+        if let Some(fault) = self.read.faults.first() {
             return Err(fault.clone());
         }
-        let mut reader = Reader { program: self, shapes: Vec::new(), found: self.found };
+        let mut reader = Reader { program: self, shapes: Vec::new(), found: self.read.found };
         if let Some(sizes) = sizes {
             self.clone().fit(sizes)?;
             reader.found.0 = sizes.map(|size| size as i32);
-            let mut faults = Faults::new(&self.text);
-            let checker =
-                checked(&self.text, &self.tree, &self.names, self.world, self.notation, reader.found, &mut faults);
+            let mut faults = Faults::new(&self.read.text);
+            let checker = checked(
+                &self.read.text,
+                &self.read.tree,
+                &self.read.names,
+                self.read.world,
+                self.read.notation,
+                reader.found,
+                &mut faults,
+            );
             reader.shapes = checker.of;
         }
-        let mut lines = Vec::with_capacity(self.tree.lines.len());
-        for line in &self.tree.lines {
+        let mut lines = Vec::with_capacity(self.read.tree.lines.len());
+        for line in &self.read.tree.lines {
             let Some(value) = line.value else { continue };
-            let ends = [line.place.from, self.tree.place(value).to.max(line.place.from + 1) - 1];
+            let ends = [line.place.from, self.read.tree.place(value).to.max(line.place.from + 1) - 1];
             lines.push(Statement {
-                name: self.names[line.name].clone(),
+                name: self.read.names[line.name].clone(),
                 part: line.part.map(|part| reader.formula(part)),
                 value: reader.formula(value),
-                lines: ends.map(|at| line_of(&self.text, at)),
+                lines: ends.map(|at| line_of(&self.read.text, at)),
             });
         }
         Ok(lines)
@@ -84,11 +91,11 @@ impl Reader<'_> {
             _ => None,
         };
         let mut it = Formula { word: "number", number: 0.0, name: String::new(), sides, parts: Vec::new() };
-        match self.program.tree.node(id) {
+        match self.program.read.tree.node(id) {
             Node::Number(number) => it.number = number,
-            Node::Name(name) => (it.word, it.name) = ("name", self.program.names[name].clone()),
+            Node::Name(name) => (it.word, it.name) = ("name", self.program.read.names[name].clone()),
             Node::Jacobian(of, by) => {
-                (it.word, it.name) = ("jac", self.program.names[by].clone());
+                (it.word, it.name) = ("jac", self.program.read.names[by].clone());
                 it.parts.push(self.formula(of));
             }
             Node::Call(function, from, to) => {
@@ -96,7 +103,7 @@ impl Reader<'_> {
                 if let Function::Power(power) = function {
                     it.number = f64::from(power);
                 }
-                for part in self.program.tree.arguments(from, to) {
+                for part in self.program.read.tree.arguments(from, to) {
                     it.parts.push(self.formula(*part));
                 }
             }

@@ -1,7 +1,9 @@
 //! A text as tokens.
 
 use crate::fault::{Faults, Place};
-use crate::tree::Name;
+use crate::sign::{begins_name, is_blank, is_mark, raised_mark};
+use crate::time::{Time, time};
+use crate::tree::{FUNCTIONS, Name};
 use alloc::string::String;
 use alloc::vec::Vec;
 
@@ -21,6 +23,8 @@ pub(crate) enum Kind {
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Token {
     pub kind: Kind,
+    /// What stands behind a name, as in x(k+1|k).
+    pub time: Time,
     pub place: Place,
     /// Whether a blank stands before it, and whether one stands behind.
     pub blank: bool,
@@ -30,9 +34,8 @@ pub(crate) struct Token {
 /// Packages whose functions are called by their own name.
 const PACKAGES: [&str; 9] = ["np", "numpy", "linalg", "la", "scipy", "math", "jnp", "LA", "LinearAlgebra"];
 
-/// What is said where a formula has the chapter's times.
-pub(crate) const NO_TIMES: &str =
-    "A program has no times: a name is what the last line above made it, as in x = F x + G u.";
+/// What is said of a time that is none.
+pub(crate) const TIMES: &str = "A time stands right behind its name, as in x(k+1|k) or x_k, or is left out.";
 
 struct Lexer<'a> {
     text: &'a str,
@@ -41,11 +44,13 @@ struct Lexer<'a> {
     names: &'a mut Vec<String>,
     /// Whether what was read last is a blank.
     blank: bool,
+    /// The time of the name that was read last.
+    time: Time,
 }
 
 /// The tokens of a text, the last of which is its end. What belongs to no formula is a fault, and is left out.
 pub(crate) fn tokens(text: &str, names: &mut Vec<String>, faults: &mut Faults<'_>) -> Vec<Token> {
-    let mut lexer = Lexer { text, at: 0, tokens: Vec::new(), names, blank: false };
+    let mut lexer = Lexer { text, at: 0, tokens: Vec::new(), names, blank: false, time: Time::default() };
     loop {
         let from = lexer.at;
         let Some(c) = lexer.next() else { break };
@@ -67,6 +72,7 @@ impl Lexer<'_> {
         Some(c)
     }
 
+    #[inline(never)]
     fn take(&mut self, wanted: char) -> bool {
         let found = self.peek() == Some(wanted);
         if found {
@@ -78,7 +84,8 @@ impl Lexer<'_> {
     fn push(&mut self, kind: Kind, from: usize) {
         let blank = core::mem::take(&mut self.blank);
         let blank_behind = self.peek().is_some_and(|c| is_blank(c) || c == '\n');
-        self.tokens.push(Token { kind, place: Place { from, to: self.at }, blank, blank_behind });
+        let time = core::mem::take(&mut self.time);
+        self.tokens.push(Token { kind, time, place: Place { from, to: self.at }, blank, blank_behind });
     }
 
     fn token(&mut self, c: char, from: usize, faults: &mut Faults<'_>) {
@@ -132,7 +139,7 @@ impl Lexer<'_> {
                 let name = named(self.names, &name);
                 return self.push(Kind::Name(name), from);
             }
-            '|' => return faults.say(Place { from, to: self.at }, NO_TIMES),
+            '|' | '∣' => return faults.say(Place { from, to: self.at }, TIMES),
             _ => return faults.say(Place { from, to: self.at }, "This sign belongs to no formula."),
         };
         self.push(Kind::Sign(sign), from);
@@ -144,12 +151,15 @@ impl Lexer<'_> {
         }
     }
 
-    /// A name in one spelling: Greek letters written out, hats taken off.
+    /// A name in one spelling: Greek letters written out, hats taken off, and a minus behind a prediction. An estimate
+    /// behind its reading is the one that is taken.
     fn name(&mut self, first: char) -> String {
-        let mut name = String::new();
+        let (mut name, mut predicted) = (String::new(), false);
         let mut next = Some(first);
         while let Some(c) = next {
             match c {
+                '⁻' => predicted = true,
+                '⁺' => {}
                 'ν' => name.push_str("nu"),
                 'μ' | 'µ' => name.push_str("mu"),
                 'Σ' => name.push_str("Sigma"),
@@ -157,15 +167,20 @@ impl Lexer<'_> {
                 '\u{302}' => {}
                 _ => name.push(c),
             }
-            let minus_one = self.text.get(self.at..).is_some_and(|rest| rest.starts_with("⁻¹"));
-            next = self.peek().filter(|c| (begins_name(*c) || c.is_ascii_digit() || is_mark(*c)) && !minus_one);
-            if next.is_some() {
-                self.next();
+            let rest = self.text.get(self.at..).unwrap_or_default();
+            let minus_one = rest.starts_with("⁻¹");
+            let timed = self.time != Time::default();
+            let behind = |c: &char| is_mark(*c) || !timed && (begins_name(*c) || c.is_ascii_digit());
+            if let Some((time, length)) = time(rest).filter(|_| !timed && self.has_times(&name, rest)) {
+                predicted |= time.predicts();
+                (self.time, self.at, next) = (time, self.at + length, Some('⁺'));
+            } else if let Some(mark) = raised_mark(rest) {
+                self.at += 1 + mark.len_utf8();
+                next = Some(if mark == '+' { '⁺' } else { '⁻' });
+            } else {
+                next = self.peek().filter(|c| behind(c) && !minus_one);
+                self.at += next.map_or(0, char::len_utf8);
             }
-        }
-        // An estimate behind its reading is the one that is taken.
-        while name.ends_with('⁺') {
-            name.pop();
         }
         if let Some(end) = name.strip_suffix("_hat").map(str::len) {
             name.truncate(end);
@@ -173,7 +188,20 @@ impl Lexer<'_> {
         if name == "xhat" {
             name.truncate(1);
         }
+        if predicted {
+            name.push('⁻');
+        }
         name
+    }
+
+    /// Whether brackets behind a name may hold a time: it is no function's, and the text has no k or t of its own.
+    fn has_times(&self, name: &str, rest: &str) -> bool {
+        let own = |pair: &[Token]| {
+            matches!(pair, [Token { kind: Kind::Name(name), .. }, Token { kind: Kind::Sign('='), .. }]
+            if matches!(self.names[*name].as_str(), "k" | "t"))
+        };
+        !rest.starts_with(['(', '['])
+            || !FUNCTIONS.iter().any(|known| known.0 == name) && !self.tokens.windows(2).any(own)
     }
 
     /// A number of at most fifteen digits or so, whose power of ten a number holds exactly: it is then right to the
@@ -232,24 +260,4 @@ pub(crate) fn named(names: &mut Vec<String>, name: &str) -> Name {
         names.push(name.into());
         names.len() - 1
     })
-}
-
-/// Blanks, those of other alphabets' typography among them.
-fn is_blank(c: char) -> bool {
-    matches!(
-        c,
-        ' ' | '\t' | '\r' | '\u{a0}' | '\u{2000}'..='\u{200b}' | '\u{202f}' | '\u{205f}' | '\u{3000}' | '\u{feff}'
-    )
-}
-
-/// Letters, Greek and others among them, and what marks a name as predicted or updated.
-fn begins_name(c: char) -> bool {
-    c.is_ascii_alphabetic()
-        || c == '_'
-        || matches!(c, '\u{aa}' | '\u{b5}' | '\u{c0}'..='\u{d6}' | '\u{d8}'..='\u{f6}' | '\u{f8}'..='\u{1d2b}')
-        || matches!(c, '\u{1e00}'..='\u{1ffe}' | '₀'..='ₜ' | '\u{2c60}'..='\u{2c7f}')
-}
-
-fn is_mark(c: char) -> bool {
-    matches!(c, '⁻' | '⁺')
 }

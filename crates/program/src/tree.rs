@@ -132,6 +132,7 @@ impl Tree {
         self.nodes[id].1
     }
 
+    #[inline(never)]
     pub fn node(&self, id: Id) -> Node {
         self.nodes[id].0
     }
@@ -141,11 +142,13 @@ impl Tree {
     }
 
     /// Whether a node is a call of this function.
+    #[inline(never)]
     pub fn calls(&self, id: Id, function: Function) -> bool {
         matches!(self.node(id), Node::Call(other, ..) if other == function)
     }
 
     /// The last line that makes a name.
+    #[inline(never)]
     pub fn made(&self, name: Name) -> Option<&Line> {
         self.lines.iter().rev().find(|line| line.name == name)
     }

@@ -28,6 +28,7 @@ fn both(a: Option<Matrix>, b: Option<Matrix>) -> Option<Matrix> {
 }
 
 impl Value {
+    #[inline(never)]
     pub(crate) fn number(x: f64) -> Self {
         Matrix::number(x).into()
     }
@@ -93,6 +94,7 @@ impl Value {
         self.solved(&Self { identity: !self.m.is_number(), ..Self::number(1.0) })
     }
 
+    #[inline(never)]
     pub(crate) fn transposed(&self) -> Self {
         self.linear(&Matrix::transposed)
     }

@@ -55,8 +55,15 @@ impl Words {
         if size == 0.0 {
             return self.text("0");
         }
-        let mut exponent = libm::floor(libm::log10(size)) as i32;
-        let mut digits = libm::round(size / libm::pow(10.0, f64::from(exponent - 3))) as i64;
+        let power = |exponent: i32| libm::pow(10.0, f64::from(exponent));
+        let mut exponent = 0;
+        while power(exponent + 1) <= size {
+            exponent += 1;
+        }
+        while power(exponent) > size {
+            exponent -= 1;
+        }
+        let mut digits = libm::round(size / power(exponent - 3)) as i64;
         if digits >= 10_000 {
             (digits, exponent) = (digits / 10, exponent + 1);
         }

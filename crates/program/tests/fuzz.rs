@@ -4,7 +4,7 @@
 
 use program::{Matrix, Notation, Program, Stop, World};
 
-const PIECES: [&str; 95] = [
+const PIECES: [&str; 102] = [
     "x",
     "P",
     "u",
@@ -100,6 +100,13 @@ const PIECES: [&str; 95] = [
     "é",
     "end",
     "\u{1d49e}",
+    "(k+1|k)",
+    "(k|k)",
+    "_{t-1}",
+    "_k",
+    "ₜ₋₁",
+    "^-",
+    "∣",
 ];
 
 const WHOLE: [&str; 5] = [

@@ -213,6 +213,7 @@ function writeNames(document, into, { given, world, params }) {
   }
   const [x, p] = given
   const nu = params.notation === 'choset' ? 'nu, S and R' : 'nu, S and K'
+  const [typed, printed] = params.notation === 'thrun' ? ["A Sigma A'", 'AΣAᵀ'] : ["F P F'", 'FPFᵀ']
   into.replaceChildren(
     'Given: ',
     ...given.flatMap(({ name, about, size }, i) => {
@@ -225,7 +226,7 @@ function writeNames(document, into, { given, world, params }) {
     code(x.name),
     ' and ',
     code(p.name),
-    `; ${nu} count if they are named. Type F P F' with blanks for FPFᵀ, inv(S) for S⁻¹, # before a remark.`,
+    `; ${nu} count if they are named. Type ${typed} with blanks for ${printed}, inv(S) for S⁻¹, # before a remark.`,
   )
 }
 

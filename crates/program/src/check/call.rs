@@ -40,7 +40,7 @@ impl Checker<'_, '_> {
                 if !self.same(a, b) {
                     let number = self.is_number(a) || self.is_number(b);
                     let why = if number {
-                        ": both sides of a sum have one size. The identity is I."
+                        ": both sides of a sum have one size. The identity is I, and an inverse inv(S)."
                     } else {
                         ": both sides of a sum have one size."
                     };

@@ -136,7 +136,7 @@ const AGAIN: [&str; 2] = [
 pub(super) fn text(world: World, changes: Option<&[Change]>) -> String {
     let mut text = String::new();
     for (i, line) in RIGHT.iter().enumerate() {
-        let (whose, mut line) = line.split_at(1);
+        let (whose, mut line) = line.split_at_checked(1).unwrap_or_default();
         for (at, by) in changes.unwrap_or_default() {
             if *at == i {
                 match by.strip_prefix('+') {

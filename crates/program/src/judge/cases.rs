@@ -1,6 +1,7 @@
 //! The cases on which filters are compared: correlated covariances, several readings, small noise, readings far off,
 //! and for the robot headings and bearings near ±π. They are made of a fixed sequence, so they are always the same.
 
+use crate::run::{cos, sin};
 use crate::{Matrix, World};
 use alloc::vec;
 use alloc::vec::Vec;
@@ -94,11 +95,11 @@ fn robot(dice: &mut Sequence, i: usize, noise: f64, far: f64) -> Vec<Matrix> {
     let heading = if turning { pi - 0.02 } else { 2.5 * dice.next() };
     let [x, y] = [dice.next(), dice.next()];
     let (s, turn) = (0.6 + 0.2 * dice.next(), if turning { 0.019 } else { 0.4 * dice.next() });
-    let moved = [x + s * libm::cos(heading), y + s * libm::sin(heading), geom::wrap(heading + turn)];
+    let moved = [x + s * cos(heading), y + s * sin(heading), geom::wrap(heading + turn)];
     // From this landmark the robot is seen at that bearing.
     let bearing = if behind { geom::wrap(pi + 0.02 * dice.next()) } else { 2.0 * dice.next() };
     let (range, direction) = (2.5 + dice.next(), bearing + moved[2]);
-    let mark = [moved[0] - range * libm::cos(direction), moved[1] - range * libm::sin(direction)];
+    let mark = [moved[0] - range * cos(direction), moved[1] - range * sin(direction)];
     let off = if behind { -libm::copysign(0.3, bearing) } else { 0.05 * dice.next() };
     // Past ±π the reading comes out at the other end, where an innovation that is not wrapped is off by a turn.
     let read = [range + 0.1 * far * dice.next(), geom::wrap(bearing - off)];

@@ -1,8 +1,9 @@
 //! What stands between operators: names, numbers, brackets, calls, and what stands behind them.
 
 use super::{Parsed, Parser, Told};
-use crate::fault::Place;
-use crate::token::{Kind, named};
+use crate::fault::{Place, line_of};
+use crate::time::Time;
+use crate::token::{Kind, Token, named};
 use crate::tree::{FUNCTIONS, Function, Id, Name, Node};
 use crate::words::Words;
 use crate::world::X;
@@ -52,7 +53,7 @@ impl Parser<'_, '_> {
         let bracket = self.take('(');
         let sign = if self.take('-') { -1.0 } else { 1.0 };
         let function = match self.kind() {
-            Kind::Name(name) if self.is(name, "T") && sign > 0.0 => Function::Transpose,
+            Kind::Name(name) if (self.is(name, "T") || self.is(name, "t")) && sign > 0.0 => Function::Transpose,
             Kind::Number(power) if libm::trunc(power) == power && (1.0..=16.0).contains(&power) => {
                 Function::Power((sign * power) as i8)
             }
@@ -99,6 +100,7 @@ impl Parser<'_, '_> {
                 self.node(Node::Number(number), from)
             }
             Kind::Name(name) => {
+                self.timely(name)?;
                 self.at += 1;
                 self.name(name, from)
             }
@@ -134,7 +136,7 @@ impl Parser<'_, '_> {
 
     fn name(&mut self, name: Name, from: Place) -> Parsed<Id> {
         let open = self.kind() == Kind::Sign('(');
-        if open && !self.assigned.contains(&name) {
+        if open && self.made(name).is_none() {
             for &(text, function, least, most) in &FUNCTIONS {
                 let known = self.robot || !matches!(function, Function::Motion | Function::Sensor);
                 if known && self.is(name, text) {
@@ -151,6 +153,24 @@ impl Parser<'_, '_> {
             return self.part(value, ')', from);
         }
         Ok(value)
+    }
+
+    /// The last line that has made a name, with its time.
+    fn made(&self, name: Name) -> Option<(Name, Time, Place)> {
+        self.assigned.iter().rev().find(|made| made.0 == name).copied()
+    }
+
+    /// Whether a name is read with the time with which the last line made it, or what to do is told: of two times a
+    /// program would keep one, and the other would be wrong in silence.
+    fn timely(&mut self, name: Name) -> Parsed<()> {
+        let Token { time, place, .. } = self.token();
+        let Some((.., made)) = self.made(name).filter(|made| made.1 != time) else { return Ok(()) };
+        let text = |place: Place| self.faults.text.get(place.from..place.to).unwrap_or_default();
+        let mut words = Words::new(text(place));
+        words.text(" is read here, and line ").whole(i64::from(line_of(self.faults.text, made.from)));
+        words.text(" makes ").text(text(made)).text(": they are one name, which keeps one value. ");
+        words.text("Give the old value a name of its own before, as x0 = x.");
+        self.told(place, words)
     }
 
     fn function(&mut self, function: Function, [least, most]: [u8; 2], text: &str, from: Place) -> Parsed<Id> {
@@ -198,7 +218,7 @@ impl Parser<'_, '_> {
         let mut bare = None;
         if let (Kind::Name(name), Kind::Sign(',')) = (self.kind(), self.ahead(1))
             && self.robot
-            && !self.assigned.contains(&name)
+            && self.made(name).is_none()
         {
             for (text, function, other) in [("f", Function::Motion, "u"), ("h", Function::Sensor, "l")] {
                 if self.is(name, text) {

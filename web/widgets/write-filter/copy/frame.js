@@ -127,6 +127,9 @@ export function identifiers(names, reserved, helpers) {
   for (const name of names) {
     if (given.has(name)) continue
     const plain = name
+      .normalize('NFD')
+      .replace(/\u0303/g, '_tilde')
+      .replace(/\u0304/g, '_bar')
       .replace(/⁻/g, '_prior')
       .replace(/⁺/g, '_post')
       .replace(/[₀-₉]/g, (digit) => String(Number(digit.codePointAt(0)) - 0x2080))
