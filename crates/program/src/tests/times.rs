@@ -57,7 +57,7 @@ fn a_value_of_a_time_that_is_gone_is_not_read() {
     assert_eq!(with("x_t = x + P H' y"), [expected("x")]);
 }
 
-/// A name that were empty would begin every other one without end.
+/// An empty name would begin every other one, without end.
 #[test]
 fn a_hat_by_itself_is_no_name() {
     for text in ["\u{302} = 1\nx = bogus", "_hat = 1\nx = bogus", "\u{302}(k) = 1\na = bogus"] {
