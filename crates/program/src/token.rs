@@ -34,6 +34,8 @@ pub(crate) struct Token {
 /// Packages whose functions are called by their own name.
 const PACKAGES: [&str; 9] = ["np", "numpy", "linalg", "la", "scipy", "math", "jnp", "LA", "LinearAlgebra"];
 
+const NO_SIGN: &str = "This sign belongs to no formula.";
+
 /// What is said of a time that is none.
 pub(crate) const TIMES: &str = "A time stands right behind its name, as in x(k+1|k) or x_k, or is left out.";
 
@@ -133,6 +135,10 @@ impl Lexer<'_> {
             '+' | '-' | '*' | '/' | '\\' | '^' | '(' | ')' | '[' | ']' | ',' | ';' | ':' | '=' => c,
             c if begins_name(c) => {
                 let name = self.name(c);
+                // A hat by itself.
+                if name.is_empty() {
+                    return faults.say(Place { from, to: self.at }, NO_SIGN);
+                }
                 if PACKAGES.contains(&name.as_str()) && self.take('.') {
                     return;
                 }
@@ -140,7 +146,7 @@ impl Lexer<'_> {
                 return self.push(Kind::Name(name), from);
             }
             '|' | '∣' => return faults.say(Place { from, to: self.at }, TIMES),
-            _ => return faults.say(Place { from, to: self.at }, "This sign belongs to no formula."),
+            _ => return faults.say(Place { from, to: self.at }, NO_SIGN),
         };
         self.push(Kind::Sign(sign), from);
     }
@@ -182,7 +188,7 @@ impl Lexer<'_> {
                 self.at += next.map_or(0, char::len_utf8);
             }
         }
-        if let Some(end) = name.strip_suffix("_hat").map(str::len) {
+        if let Some(end) = name.strip_suffix("_hat").map(str::len).filter(|end| *end > 0) {
             name.truncate(end);
         }
         if name == "xhat" {

@@ -4,7 +4,7 @@
 
 use program::{Matrix, Notation, Program, Stop, World};
 
-const PIECES: [&str; 102] = [
+const PIECES: [&str; 104] = [
     "x",
     "P",
     "u",
@@ -107,6 +107,8 @@ const PIECES: [&str; 102] = [
     "ₜ₋₁",
     "^-",
     "∣",
+    "\u{302}",
+    "_hat",
 ];
 
 const WHOLE: [&str; 5] = [

@@ -77,7 +77,8 @@ impl Checker<'_, '_> {
             // I, n, p, m and π are no factors that one would write so.
             let constants = self.world.identity()..self.world.identity() + 6;
             let mut known = (0..self.names.len()).filter(|i| self.shapes[*i].is_some() && !constants.contains(i));
-            let Some(name) = known.find(|i| rest.starts_with(self.names[*i].as_str())) else {
+            let begins = |name: &str| !name.is_empty() && rest.starts_with(name);
+            let Some(name) = known.find(|i| begins(&self.names[*i])) else {
                 return Words::default();
             };
             let name = &self.names[name];

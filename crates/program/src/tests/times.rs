@@ -57,6 +57,15 @@ fn a_value_of_a_time_that_is_gone_is_not_read() {
     assert_eq!(with("x_t = x + P H' y"), [expected("x")]);
 }
 
+/// An empty name would begin every other one, without end.
+#[test]
+fn a_hat_by_itself_is_no_name() {
+    for text in ["\u{302} = 1\nx = bogus", "_hat = 1\nx = bogus", "\u{302}(k) = 1\na = bogus"] {
+        assert!(faults(text).iter().any(|fault| fault.contains("No line makes")), "{text}");
+    }
+    assert_eq!(faults("x = x \u{302}\nP = P"), ["1:7 This sign belongs to no formula."]);
+}
+
 /// A k of the reader's own is a number, and a function has no time.
 #[test]
 fn brackets_that_hold_no_time_are_brackets() {
