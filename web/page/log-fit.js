@@ -40,8 +40,8 @@ export class FitForm {
     const words = part(document, row, 'p', 'log-says')
     words.textContent =
       'Fit finds the σ, the delays, the scale of ranges and the offset of bearings under which the readings are ' +
-      'likeliest. Gates are off meanwhile, and the turn rate’s delay is 0: a delay of all sensors together cannot be ' +
-      'seen.'
+      'likeliest. Gates are off meanwhile. A delay of all sensors together cannot be seen: the turn rate’s is 0, and ' +
+      'without turn rates the speed’s stays as it is.'
     const actions = part(document, row, 'div', 'log-actions')
     this.result = part(document, row, 'div', 'log-says')
     this.result.setAttribute('role', 'status')

@@ -84,3 +84,16 @@ fn a_log_without_readings_is_refused() {
     let drive = parse("V,0,1,0\nP,1,1,0\nV,3,1,0\n").expect("a log").drive;
     assert!(Fit::new(&drive, Settings::default()).is_err(), "its only fix is the start");
 }
+
+#[test]
+fn without_turn_rates_delays_are_counted_from_the_speed_s() {
+    let delays = |letters: &str| {
+        let kept: Vec<&str> = CAR.lines().filter(|row| row.starts_with(|first| letters.contains(first))).collect();
+        let drive = parse(&kept.join("\n")).expect("a log").drive;
+        let found = Fit::new(&drive, Settings::default()).expect("readings").found();
+        found.numbers.iter().map(|(number, ..)| *number).filter(|number| number.is_delay()).collect::<Vec<_>>()
+    };
+    assert_eq!(delays("STP"), [Fitted::DelaySpeed, Fitted::DelayFix]);
+    assert_eq!(delays("SP"), [Fitted::DelayFix]);
+    assert_eq!(delays("TP"), [Fitted::DelayFix]);
+}

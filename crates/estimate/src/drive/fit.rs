@@ -73,7 +73,7 @@ pub struct Fit {
 impl Fit {
     /// A search that begins at `settings`, for the σ of motion and of the sensors that the log has and that are used,
     /// for their delays, the scale of ranges and the offset of bearings; the turn's delay stays 0, since a delay of all
-    /// together cannot be seen.
+    /// together cannot be seen. In a log without turn rates the speed's stays what it is instead.
     ///
     /// # Errors
     /// As [`Course::new`]; [`Code::Limit`] where the log has no reading that counts.

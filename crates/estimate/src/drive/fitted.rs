@@ -67,12 +67,16 @@ impl Fitted {
         let (fix, heading) = (sensors.fix && s.fixes, sensors.heading && s.headings);
         let (range, bearing) = (sensors.range && s.sightings, sensors.bearing && s.sightings);
         let (sighting, held) = (range || bearing, drive.motion == Motion::Velocity);
+        let has = |is: fn(&Event) -> bool| drive.rows.iter().any(|row| is(&row.event));
+        let turns = has(|event| matches!(event, Event::Velocity { .. } | Event::TurnRate { .. }));
+        let speeds = has(|event| matches!(event, Event::Velocity { .. } | Event::Speed { .. }));
         [
             (Self::SigmaFix, fix && open(Self::SigmaFix)),
             (Self::SigmaHeading, heading && open(Self::SigmaHeading)),
             (Self::SigmaRange, sighting),
             (Self::SigmaBearing, bearing),
-            (Self::DelaySpeed, held),
+            // Delays are counted from that of the turn rate; where there is none, from the speed's own.
+            (Self::DelaySpeed, turns && speeds),
             (Self::DelayFix, fix),
             (Self::DelayHeading, heading),
             (Self::DelaySighting, sighting),
