@@ -115,7 +115,7 @@ fn the_table_of_the_page_has_a_dash_where_a_bug_is_invisible() {
         let cells: Vec<&str> = row.trim_matches('|').split('|').map(str::trim).skip(1).collect();
         assert_eq!(cells.len(), PANELS.len(), "{bug:?}");
         for ((shown, sight), (panel, _)) in cells.into_iter().zip(recorded.chars()).zip(PANELS) {
-            let number = format!("{{{{number {cell}{panel} .0f}}}}");
+            let number = format!("{{{{number {cell}{panel} side.0}}}}");
             assert_eq!(shown, if sight == '-' { "–" } else { &number }, "{bug:?} {panel}");
         }
     }

@@ -7,6 +7,7 @@
  * the living figure has them.
  */
 
+import { turns } from './ellipse.js'
 import { readings, unmarked } from './words.js'
 
 /** @typedef {import('./plot.js').Box} Box */
@@ -53,11 +54,11 @@ export function widthOf(words) {
 /** A disc that names keep clear of. @param {number[]} at @param {number} r @returns {Box} */
 export const clear = ([x, y], r) => ({ left: x - r, top: y - r, right: x + r, bottom: y + r })
 
-/** The line of a circle that names keep clear of. @param {number[]} at its middle @param {number} r @returns {Box[]} */
-export const rim = ([x, y], r) =>
-  Array.from({ length: 120 }, (_, i) =>
-    clear([x + r * Math.cos((i * Math.PI) / 60), y + r * Math.sin((i * Math.PI) / 60)], 2),
-  )
+/** A line that names keep clear of. @param {number[][]} points along it */
+export const along = (points) => points.map((at) => clear(at, 2))
+
+/** The line of a circle that names keep clear of. @param {number[]} at its middle @param {number} r */
+export const rim = ([x, y], r) => along(turns(120).map(([u, v]) => [x + r * u, y + r * v]))
 
 /**
  * @param {import('./pen.js').Pen} pen
@@ -66,11 +67,12 @@ export const rim = ([x, y], r) =>
  * @param {Box[]} [taken] what is to stay free
  */
 export function drawLabels(pen, box, labels, taken = []) {
-  const used = [...taken]
+  /** @type {Box[]} */
+  const names = []
   for (const label of labels) {
     const width = widthOf(label.words)
-    const place = placeOf(label, width, box, used)
-    used.push(place.box)
+    const place = placeOf(label, width, box, names, taken)
+    names.push(place.box)
     if (place.away > FAR) {
       const [x, y] = nearest(place.box, label.at)
       pen.mark('line', `${label.key}-lead`, {
@@ -94,8 +96,8 @@ export function drawLabels(pen, box, labels, taken = []) {
   }
 }
 
-/** @param {Label} label @param {number} width @param {Box} box @param {Box[]} used */
-function placeOf({ at: [x, y], gap = 10, sides = [] }, width, box, used) {
+/** @param {Label} label @param {number} width @param {Box} box @param {Box[]} names @param {Box[]} taken */
+function placeOf({ at: [x, y], gap = 10, sides = [] }, width, box, names, taken) {
   const order = [...sides, .../** @type {Side[]} */ (Object.keys(SIDES)).filter((side) => !sides.includes(side))]
   let best = null
   let least = Infinity
@@ -107,7 +109,9 @@ function placeOf({ at: [x, y], gap = 10, sides = [] }, width, box, used) {
       const left = anchor === 'start' ? px : anchor === 'end' ? px - width : px - width / 2
       const top = y + dy * (away + (dx === 0 ? HEIGHT / 2 - 2 : 0)) - HEIGHT / 2
       const there = { left, top, right: left + width, bottom: top + HEIGHT }
-      const cost = outside(there, box) * 3 + used.reduce((sum, other) => sum + shared(there, other), 0)
+      const on = (/** @type {Box[]} */ others) => others.reduce((sum, other) => sum + shared(there, other), 0)
+      // A name over a line can be read, one over another name or an edge cannot.
+      const cost = 3 * outside(there, box) + 3 * on(names) + on(taken)
       if (cost < least) [best, least] = [{ box: there, x: px, anchor, away: away - gap }, cost]
       if (cost === 0) return /** @type {NonNullable<typeof best>} */ (best)
     }

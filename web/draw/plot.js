@@ -5,9 +5,10 @@
  * so that a word of the text can light the mark up.
  */
 
-import { Outline, pairs, pixel, polyline } from './path.js'
+import { pairs, pixel, polyline } from './path.js'
 import { scaleLinear, scaleLog } from './scale.js'
 
+export { ellipsePath, ellipsePoints, halves } from './ellipse.js'
 export { scaleLinear, scaleLog }
 
 /** @typedef {import('./pen.js').Pen} Pen */
@@ -58,15 +59,6 @@ export function evenPlane(box, [cx, cy], reach) {
  */
 export function plane(box, across, up) {
   return { box, x: scaleLinear(across, [box.left, box.right]), y: scaleLinear(up, [box.bottom, box.top]) }
-}
-
-/**
- * Half the width and half the height of an ellipse's box.
- * @param {{ semiMajor: number, semiMinor: number, angle: number }} ellipse
- */
-export function halves({ semiMajor, semiMinor, angle }) {
-  const [c, s] = [Math.cos(angle), Math.sin(angle)]
-  return [Math.hypot(semiMajor * c, semiMinor * s), Math.hypot(semiMajor * s, semiMinor * c)]
 }
 
 /**
@@ -149,16 +141,6 @@ function shown(ticks, scale, low, high) {
   return lead.length <= 7 ? lead : all.filter((value) => Number.isInteger(Math.round(Math.log10(value) * 1e6) / 1e6))
 }
 
-/** How far along its tangent a quarter of a circle leans, for the cubic nearest to it (within 2 parts in 10 000). */
-const LEAN = 0.5519150244935106
-const QUARTERS = /** @type {const} */ ([
-  [1, 0],
-  [0, 1],
-  [-1, 0],
-  [0, -1],
-  [1, 0],
-])
-
 /**
  * Says at which level the ellipses of a drawing stand. It is one level in every figure: (x − x̂)ᵀP⁻¹(x − x̂) = 1.
  * @param {Pen} pen @param {number} x @param {number} y
@@ -199,28 +181,6 @@ export function arrow(pen, key, plane, from, to, kin) {
   const barb = (/** @type {number} */ side) =>
     `${pixel(x2 - 9 * u + side * 4.5 * v)} ${pixel(y2 - 9 * v - side * 4.5 * u)}`
   pen.mark('path', key, { ...meaning('arrow', kin), d: `M${x1} ${y1}L${x2} ${y2}M${barb(1)}L${x2} ${y2}L${barb(-1)}` })
-}
-
-/**
- * The outline of an ellipse under the plane's scales: four cubics, which the scales keep.
- * @param {{ semiMajor: number, semiMinor: number, angle: number }} ellipse
- * @param {number[]} centre
- * @param {Plane} plane
- * @param {number} [radius] a multiple of the axes
- */
-export function ellipsePath({ semiMajor, semiMinor, angle }, centre, plane, radius = 1) {
-  const [c, s] = [Math.cos(angle), Math.sin(angle)]
-  const [a, b] = [radius * semiMajor, radius * semiMinor]
-  const x = (/** @type {number} */ u, /** @type {number} */ v) => plane.x(centre[0] + c * a * u - s * b * v)
-  const y = (/** @type {number} */ u, /** @type {number} */ v) => plane.y(centre[1] + s * a * u + c * b * v)
-  const out = new Outline()
-  out.move(x(1, 0), y(1, 0))
-  for (let i = 1; i < 5; i += 1) {
-    const [[u0, v0], [u1, v1]] = [QUARTERS[i - 1], QUARTERS[i]]
-    const [cu, cv, du, dv] = [u0 + LEAN * u1, v0 + LEAN * v1, u1 + LEAN * u0, v1 + LEAN * v0]
-    out.curve(x(cu, cv), y(cu, cv), x(du, dv), y(du, dv), x(u1, v1), y(u1, v1))
-  }
-  return `${out.data}Z`
 }
 
 /**

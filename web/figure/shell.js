@@ -100,10 +100,13 @@ export function buildShell(document, spec, into, orders, parameters) {
   const elements = (/** @type {boolean} */ more) =>
     spec.controls.flatMap((control, i) => (Boolean(control.more) === more ? [shown[i].element] : []))
   part(document, controls, 'div', 'params').append(...elements(false))
-  if (elements(true).length > 0) {
-    const fold = part(document, controls, 'details', 'more')
+  const waiting = elements(true)
+  if (waiting.length > 0) {
+    const fold = /** @type {HTMLDetailsElement} */ (part(document, controls, 'details', 'more'))
     part(document, fold, 'summary', '').textContent = 'More'
-    part(document, fold, 'div', 'params').append(...elements(true))
+    part(document, fold, 'div', 'params').append(...waiting)
+    // On a phone one word has all that waits.
+    fold.addEventListener('toggle', () => into.toggleAttribute('data-further', fold.open))
   }
   if (spec.timeless && shown.length === 0) controls.remove()
   for (const [i, { name }] of spec.controls.entries()) stage(shown[i].element, name)
@@ -131,12 +134,14 @@ export function buildShell(document, spec, into, orders, parameters) {
       writeHtml(grow, words)
     }
   }
-  const further = button(document, into, 'More: plots, numbers, speed, link', () => {
-    further.setAttribute('aria-expanded', String(into.toggleAttribute('data-further')))
-  })
-  further.setAttribute('class', 'further')
-  further.setAttribute('aria-expanded', 'false')
-  stage(further, 'readouts')
+  if (waiting.length === 0) {
+    const further = button(document, into, 'More: plots, numbers, speed, link', () => {
+      further.setAttribute('aria-expanded', String(into.toggleAttribute('data-further')))
+    })
+    further.setAttribute('class', 'further')
+    further.setAttribute('aria-expanded', 'false')
+    stage(further, 'readouts')
+  }
   const readouts = new Readouts(document, into)
   stage(readouts.into, 'readouts')
   let [playing, said] = [false, '']

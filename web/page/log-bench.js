@@ -40,7 +40,6 @@ export class Bench {
     if (!live || live === this.live) return
     this.live = live
     live.querySelector('.controls > .params')?.remove()
-    live.querySelector('.controls > .more')?.remove()
     live.querySelector('.tries')?.remove()
     live.querySelector('.run > .control')?.remove()
     const controls = live.querySelector('.controls')

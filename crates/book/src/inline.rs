@@ -88,12 +88,12 @@ impl Writer<'_> {
     }
 
     /// A computed number as `print` prints it; it counts as used.
-    fn printed(
+    fn printed<T>(
         &mut self,
         number: &NumberRef,
-        print: fn(Format, f64) -> Result<String, String>,
+        print: fn(Format, f64) -> Result<T, String>,
         place: &Place,
-    ) -> Option<String> {
+    ) -> Option<T> {
         let value = self.site.numbers.get(&number.id).map(|number| number.value);
         let printed = value.and_then(|value| print(Format::parse(&number.format)?, value));
         let printed = self.diagnostics.ok(place, printed)?;
@@ -103,11 +103,12 @@ impl Writer<'_> {
 
     /// A computed number in the text.
     fn number(&mut self, number: &NumberRef, place: &Place) -> String {
-        let Some(printed) = self.printed(number, Format::html, place) else { return "?".into() };
+        let print = |format: Format, value| Ok((format.html(value)?, format.shade(value)));
+        let Some((printed, shade)) = self.printed(number, print, place) else { return "?".into() };
         self.words.push_str(&printed.replace("<sup>", "^").replace("</sup>", ""));
         self.fill_inline(
             "computed",
-            context! { id => &number.id, printed => safe(printed), plain => self.plain },
+            context! { id => &number.id, printed => safe(printed), shade, plain => self.plain },
             place,
         )
     }

@@ -42,22 +42,24 @@ pub enum Format {
     Percent(usize),
     /// `int`: a whole number
     Whole,
+    /// `side.0`: a share in per cent, with an arrow up where it is above zero and one down where it is below
+    Side(usize),
 }
 
 impl Format {
-    /// Reads `.3f`, `.2e`, `%.1` or `int`.
+    /// Reads `.3f`, `.2e`, `%.1`, `int` or `side.0`.
     ///
     /// # Errors
     /// A message when `text` is none of these.
     pub fn parse(text: &str) -> Result<Self, String> {
-        let formats: [(&str, &str, fn(usize) -> Self); 3] =
-            [(".", "f", Self::Fixed), (".", "e", Self::Power), ("%.", "", Self::Percent)];
+        let formats: [(&str, &str, fn(usize) -> Self); 4] =
+            [(".", "f", Self::Fixed), (".", "e", Self::Power), ("%.", "", Self::Percent), ("side.", "", Self::Side)];
         let with_decimals = formats.into_iter().find_map(|(start, end, format)| {
             let decimals = text.strip_prefix(start)?.strip_suffix(end)?.parse().ok()?;
             (decimals <= 17).then(|| format(decimals))
         });
         let format = if text == "int" { Some(Self::Whole) } else { with_decimals };
-        format.ok_or_else(|| format!("unknown number format `{text}`; use .3f, .2e, %.1 or int"))
+        format.ok_or_else(|| format!("unknown number format `{text}`; use .3f, .2e, %.1, int or side.0"))
     }
 
     /// `value` as TeX.
@@ -68,6 +70,7 @@ impl Format {
         let (digits, power) = self.digits(value)?;
         Ok(match (self, power) {
             (Self::Percent(_), _) => format!(r"{digits}\,\%"),
+            (Self::Side(_), _) => digits.replace('↑', r"\uparrow ").replace('↓', r"\downarrow "),
             (_, Some(power)) => format!(r"{digits}\times 10^{{{power}}}"),
             _ => digits,
         })
@@ -85,6 +88,12 @@ impl Format {
             _ => digits,
         }
         .replace('-', "\u{2212}"))
+    }
+
+    /// How dark the ground of a share is, in quarters of the whole; no other number has a shade.
+    pub fn shade(self, value: f64) -> Option<u8> {
+        let quarter = (value.abs() / 25.0).floor().min(3.0);
+        matches!(self, Self::Side(_)).then_some(quarter as u8)
     }
 
     /// The digits, and the power of ten where the format has one.
@@ -108,6 +117,10 @@ impl Format {
                 return Err(format!("{value} is not a whole number"));
             }
             Self::Whole => (fixed(value, 0), None),
+            Self::Side(decimals) if value == 0.0 => (fixed(value, decimals), None),
+            Self::Side(decimals) => {
+                (format!("{}{}", if value < 0.0 { '↓' } else { '↑' }, fixed(value.abs(), decimals)), None)
+            }
             Self::Power(decimals) => {
                 let text = format!("{value:.decimals$e}");
                 let (digits, power) = text.split_once('e').unwrap_or((&text, "0"));
@@ -132,8 +145,20 @@ mod tests {
         assert_eq!(html(-0.0004, ".2f"), "0.00");
         assert_eq!(html(0.00945, "%.3"), "0.945\u{202f}%");
         assert_eq!(html(2.0, "int"), "2");
+        assert_eq!(html(93.6, "side.0"), "↑94");
+        assert_eq!(html(-2.4, "side.0"), "↓2");
         assert_eq!(html(4.2e-16, ".1e"), "4.2\u{202f}×\u{202f}10<sup>\u{2212}16</sup>");
         assert_eq!(Format::parse(".0e").unwrap().tex(2e-16).unwrap(), r"2\times 10^{-16}");
+    }
+
+    #[test]
+    fn a_share_is_the_darker_the_larger_it_is_on_either_side() {
+        let shade = |value| Format::Side(0).shade(value);
+        assert_eq!(
+            [24.9, -25.0, 50.0, 74.9, -75.0, 100.0].map(shade),
+            [Some(0), Some(1), Some(2), Some(2), Some(3), Some(3)]
+        );
+        assert_eq!(Format::Fixed(0).shade(90.0), None);
     }
 
     #[test]

@@ -3,7 +3,7 @@
  * state. An arrow leads from the prediction to the estimate: the correction, which the knob makes longer or shorter.
  */
 
-import { clear, drawLabels, widthOf } from '../../draw/labels.js'
+import { along, clear, drawLabels, widthOf } from '../../draw/labels.js'
 import { Scale, between } from '../../figure/motion.js'
 import {
   arrow,
@@ -12,6 +12,7 @@ import {
   dot,
   ellipseLevel,
   ellipsePath,
+  ellipsePoints,
   halves,
   meaning,
   plane as planeOf,
@@ -103,7 +104,9 @@ function drawScene(pen, plane, frame, { orange, purple, first, corrects, reading
 }
 
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame @param {ReturnType<typeof stage>} scene */
-function names(pen, { box, x, y }, frame, { orange, purple, reading }) {
+function names(pen, plane, frame, { orange, purple, reading }) {
+  const { box, x, y } = plane
+  const outlines = [orange, purple].flatMap((belief) => ellipsePoints(belief.ellipse, belief.x, plane))
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const lefter = purple.x[0] < orange.x[0]
   /** @type {import('../../draw/labels.js').Label[]} */
@@ -136,14 +139,11 @@ function names(pen, { box, x, y }, frame, { orange, purple, reading }) {
     // At the end that is farther from the ellipses, unless the usual one is clear of them.
     const free = (/** @type {number[]} */ [px, py]) =>
       Math.min(
-        ...[orange, purple].flatMap((belief) =>
-          outline(belief).map((point) => {
-            const [dx, dy] = [
-              Math.abs(x(point[0]) - px) - (flat ? half : 2 * half),
-              Math.abs(y(point[1]) - py) - (flat ? 18 : 8),
-            ]
-            return Math.max(dx, dy)
-          }),
+        ...outlines.map((point) =>
+          Math.max(
+            Math.abs(point[0] - px) - (flat ? half : 2 * half), //
+            Math.abs(point[1] - py) - (flat ? 18 : 8),
+          ),
         ),
       )
     const end = free(ends[0]) > 0 || free(ends[0]) >= free(ends[1]) ? ends[0] : ends[1]
@@ -158,17 +158,6 @@ function names(pen, { box, x, y }, frame, { orange, purple, reading }) {
         sides: flat ? ['above', 'below'] : ['right', 'left'],
       })
   }
-  drawLabels(pen, box, labels, [clear(at(orange.x), 5), clear(at(purple.x), 5), clear(at([0, 0]), 6)])
-}
-
-/**
- * Points of an ellipse's outline.
- * @param {{ x: number[], ellipse: import('estimate-wasm').BenchBelief['ellipse'] }} belief
- */
-function outline({ x, ellipse: { semiMajor, semiMinor, angle } }) {
-  const [c, s] = [Math.cos(angle), Math.sin(angle)]
-  return Array.from({ length: 48 }, (_, i) => {
-    const [a, b] = [semiMajor * Math.cos((i * Math.PI) / 24), semiMinor * Math.sin((i * Math.PI) / 24)]
-    return [x[0] + a * c - b * s, x[1] + a * s + b * c]
-  })
+  const dots = [clear(at(orange.x), 5), clear(at(purple.x), 5), clear(at([0, 0]), 6)]
+  drawLabels(pen, box, labels, [...dots, ...along(outlines)])
 }

@@ -4,9 +4,19 @@
  * While the answer is sealed, nothing that gives it away is drawn.
  */
 
-import { clear, drawLabels } from '../../draw/labels.js'
+import { along, clear, drawLabels } from '../../draw/labels.js'
 import { handlesOf, within } from './handles.js'
-import { axes, clipLine, dot, ellipseLevel, ellipsePath, evenPlane, meaning, segment } from '../../draw/plot.js'
+import {
+  axes,
+  clipLine,
+  dot,
+  ellipseLevel,
+  ellipsePath,
+  ellipsePoints,
+  evenPlane,
+  meaning,
+  segment,
+} from '../../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
 /** @typedef {import('../../draw/pen.js').Pen} Pen */
@@ -39,6 +49,9 @@ export function drawPlane({ pen, width, height }, frame, view) {
   })
 }
 
+/** The ellipses of equal probability that lead to the touching one, as parts of it. @param {Frame} frame */
+const levels = ({ params: { radius, sealed } }) => (radius > 0 || sealed ? [] : [1 / 3, 2 / 3, 1])
+
 /** How far the axes reach from their middle: as far as prediction and line.
  * @param {Frame} frame @param {number[]} shape how much longer than the shorter one each axis is */
 function reachOf({ params, euclideanFoot }, shape) {
@@ -66,7 +79,7 @@ function drawScene(pen, plane, frame) {
       ...meaning('curve', 'prediction'),
       d: ellipsePath(predicted.ellipse, mean, plane, radius),
     })
-  for (const part of radius > 0 || sealed ? [] : [1 / 3, 2 / 3, 1]) {
+  for (const part of levels(frame)) {
     pen.mark('path', `equal${part}`, {
       ...meaning(part === 1 ? 'curve' : 'curve thin', 'prediction'),
       d: ellipsePath(purple.ellipse, mean, plane, part),
@@ -192,5 +205,15 @@ function names(pen, plane, frame, grips) {
   const marks = [frame.euclideanFoot.at, ...(sealed ? [] : [frame.mahalanobisFoot.at, frame.update.at])].map((place) =>
     clear(at(place), 4),
   )
-  drawLabels(pen, box, labels, [...marks, ...Object.values(grips).map((grip) => clear(grip.at, 11))])
+  const { predicted, posterior, mahalanobisFoot, params } = frame
+  const outlines = [
+    ...ellipsePoints(predicted.ellipse, params.mean, plane),
+    ...levels(frame).flatMap((part) => ellipsePoints(mahalanobisFoot.ellipse, params.mean, plane, part)),
+    ...(sealed ? [] : ellipsePoints(posterior.ellipse, posterior.x, plane)),
+  ]
+  drawLabels(pen, box, labels, [
+    ...marks,
+    ...along(outlines),
+    ...Object.values(grips).map((grip) => clear(grip.at, 11)),
+  ])
 }

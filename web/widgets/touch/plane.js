@@ -1,8 +1,18 @@
 /** The plane: a prediction, the line of a reading, the reader's dot on it, and an ellipse that grows to the line. */
 
 import { fixed } from '../../draw/numbers.js'
-import { clear, drawLabels } from '../../draw/labels.js'
-import { axes, clipLine, dot, ellipsePath, evenPlane, halves, meaning, segment } from '../../draw/plot.js'
+import { along, clear, drawLabels } from '../../draw/labels.js'
+import {
+  axes,
+  clipLine,
+  dot,
+  ellipsePath,
+  ellipsePoints,
+  evenPlane,
+  halves,
+  meaning,
+  segment,
+} from '../../draw/plot.js'
 
 /** @typedef {import('estimate-wasm').TouchFrame} Frame */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
@@ -58,7 +68,8 @@ function grown({ params, touchRadius }, { memory, elapsed }) {
  * @param {import('../../draw/pen.js').Pen} pen @param {Plane} plane @param {Frame} frame
  * @param {number} radius @param {boolean} touches @param {[number, number]} guess
  */
-function names(pen, { x, y, box }, frame, radius, touches, guess) {
+function names(pen, plane, frame, radius, touches, guess) {
+  const { x, y, box } = plane
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const narrow = box.right - box.left < 420
   const off = frame.off
@@ -121,7 +132,12 @@ function names(pen, { x, y, box }, frame, radius, touches, guess) {
         sides: ['above'],
       },
     ],
-    [clear(at(frame.mean), 6), clear(guess, 12), ...(touches ? [clear(at(frame.touch), 7)] : [])],
+    [
+      clear(at(frame.mean), 6),
+      clear(guess, 12),
+      ...(touches ? [clear(at(frame.touch), 7)] : []),
+      ...along(ellipsePoints(frame.ellipse, frame.mean, plane, radius)),
+    ],
   )
 }
 

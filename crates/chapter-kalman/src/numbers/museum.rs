@@ -55,11 +55,13 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     let judged = runs(0)?;
     to.by("labs::bug_museum::Symptoms", None);
     for (bug, runs) in all.iter().zip(&judged) {
-        let beyond = Symptoms::of(runs).beyond.map(|[below, above]| 100.0 * (below + above));
+        // A share below the band is negative.
+        let beyond = Symptoms::of(runs).beyond.map(|[below, above]| if below > above { -below } else { above });
         for (panel, figures) in PANELS {
-            let most = figures.iter().map(|&i| beyond[i]).fold(0.0, f64::max);
-            let about =
-                "runs in whose most telling figure of this panel is outside a right filter's 95 % band, per cent";
+            let further = |most: f64, &i: &usize| if beyond[i].abs() > most.abs() { beyond[i] } else { most };
+            let most = 100.0 * figures.iter().fold(0.0, further);
+            let about = "runs whose most telling figure of this panel is above a right filter's 95 % band, per cent; \
+                         negative: below it";
             to.add(format!("museum.{}.{panel}", bug.word()), most, about);
         }
     }

@@ -1,0 +1,34 @@
+// A name hides no line that its figure tells it of: one inside an ellipse lies on no point of the outline.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { along, drawLabels, widthOf } from '../../web/draw/labels.js'
+import { ellipsePoints, plane } from '../../web/draw/plot.js'
+
+const box = { left: 0, top: 0, right: 600, bottom: 400 }
+const paper = plane(box, [-3, 3], [-2, 2])
+
+/** Whether the name of the middle lies on a point. */
+function hides(points, taken) {
+  let on = null
+  const pen = {
+    mark() {},
+    text(_, { x, y, 'text-anchor': anchor }, words) {
+      const width = widthOf(words)
+      const left = anchor === 'start' ? x : anchor === 'end' ? x - width : x - width / 2
+      on = points.some(([px, py]) => px > left && px < left + width && py > y - 9 && py < y)
+    },
+  }
+  drawLabels(pen, box, [{ key: 'name', words: 'prediction', at: [300, 200], gap: 8 }], taken)
+  return on
+}
+
+test('the name of an ellipse’s middle lies on no point of its outline, whatever its size and lean', () => {
+  const blind = []
+  for (const size of [0.1, 0.3, 0.6, 1, 1.5])
+    for (const angle of [0, 0.7, 1.57, 2.4]) {
+      const points = ellipsePoints({ semiMajor: size, semiMinor: size / 2, angle }, [0, 0], paper)
+      assert.equal(hides(points, along(points)), false, `${size}, ${angle}`)
+      blind.push(hides(points, []))
+    }
+  assert.ok(blind.includes(true), 'a name that is not told of the outline lies on one of them')
+})
