@@ -24,7 +24,7 @@ test('a receiver is a sensor: the filter starts at its first fix, and its row ha
   await until(it, ({ params }) => params.delayFix === 0.5, 'the delay')
   await row.getByLabel('gate').selectOption('99.0 %')
   await until(it, ({ params }) => params.gate?.fix === 0.99 && params.gate.range === null, 'a gate of its own')
-  await enter(row, 'one in so many s', '10')
+  await enter(row, 'least gap in time, s', '10')
   await until(it, ({ params, summary }) => params.every?.fix === 10 && summary.sensors.fix.used === 6, 'six of sixty')
   await row.getByLabel('used', { exact: true }).uncheck()
   await until(it, ({ params, summary }) => params.fixes === false && summary.used === 0, 'dead reckoning')

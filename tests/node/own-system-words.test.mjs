@@ -182,6 +182,14 @@ check(
       ],
       [
         pattern(
+          /^The covariance tends to 0 from every start, and ever more slowly: no noise moves the state, /,
+          /so each reading counts for ever\.$/,
+        ),
+        ({ detectable, params, settled }) =>
+          detectable === 'yes' && settled === null && params.v.flat().every((entry) => entry === 0),
+      ],
+      [
+        pattern(
           /^The covariance tends to a limit from every large enough start, because the system is detectable; /,
           /noise does not reach all that does not die out, or whether it does is undecided; /,
           /so a smaller start may lead elsewhere, /,

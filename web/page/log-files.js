@@ -40,7 +40,7 @@ const WHEELS = [
   ['radius', 'radius of a wheel, m'],
   ['base', 'distance between the wheels, m'],
 ]
-/** Values that a column may be chosen for only where there is one, or where a reader opens them. */
+/** Values that few files have. */
 const RARE = ['fraction', 'day', 'sigma', 'sigma of heading', 'latitude', 'longitude']
 
 export class FileForm {
@@ -65,17 +65,23 @@ export class FileForm {
 
   /** @param {number} i @param {LogFile} file */
   showFile(i, { name, role, header, values, wheels, asks, follows }) {
-    const set = part(document, this.box, 'fieldset', asks.length > 0 ? 'log-file asks' : 'log-file')
+    const set = part(document, this.box, 'fieldset', `log-file${asks.length > 0 ? ' asks' : ''}`)
     part(document, set, 'legend', '').textContent = name
     for (const ask of asks) part(document, set, 'p', 'log-ask').textContent = ask
     const roles = Object.entries(ROLES).filter(([key]) => key !== 'undecided' || role === key)
-    this.choice(set, `${i} read as`, 'read as', roles, role, (value) => ({ file: i, role: value }))
+    const what = part(document, set, 'div', `log-value log-role${role === 'undecided' ? ' asked' : ''}`)
+    this.choice(what, `${i} read as`, 'read as', roles, role, (value) => ({ file: i, role: value }))
     /** @type {[string, string][]} */
     const columns = [
       ['', '–'],
       ...header.map((column, at) => /** @type {[string, string]} */ ([String(at), column || `column ${at + 1}`])),
     ]
-    const shown = values.filter(({ name: value, column }) => column !== null || !RARE.includes(value))
+    // What the file has, what it must have and what is asked; of a file in which nothing is known, what is usual.
+    const known = values.some(({ name: value, column, asked }) => asked || (column !== null && value !== 'time'))
+    const shown = values.filter(
+      ({ name: value, column, optional, asked }) =>
+        column !== null || asked || !optional || (!known && !RARE.includes(value)),
+    )
     const hidden = values.filter((value) => !shown.includes(value))
     for (const value of shown) this.value(set, i, columns, value)
     if (hidden.length > 0) {
@@ -92,9 +98,9 @@ export class FileForm {
 
   /** A value: its column, its unit, and what stands there. */
   /** @param {Element} into @param {number} i @param {[string, string][]} columns @param {LogValue} value */
-  value(into, i, columns, { name, column, unit, units, samples }) {
+  value(into, i, columns, { name, column, unit, units, asked, samples }) {
     const words = NAMES[name] ?? name
-    const cell = part(document, into, 'div', 'log-value')
+    const cell = part(document, into, 'div', `log-value${asked ? ' asked' : ''}`)
     this.choice(cell, `${i} ${words}`, words, columns, column === null ? '' : String(column), (at) => ({
       file: i,
       value: name,

@@ -108,7 +108,7 @@ export function settingsOf({ params, summary: { sensors } }) {
     const gate = bySensor(params.gate)[name] ?? null
     rows.push([`${words}: used`, value(on) ? 'yes' : 'no'], ...numbers.map((number) => said(words, number)))
     rows.push([`${words}: gate`, gate === null ? 'off' : percent(gate)])
-    rows.push([`${words}: one in so many s`, digits(bySensor(params.every)[name] ?? 0)])
+    rows.push([`${words}: least gap in time, s`, digits(bySensor(params.every)[name] ?? 0)])
     if (on === 'sightings') rows.push([`${words}: learn the scale ε`, params.learn ? 'yes' : 'no'])
   }
   rows.push(...[...MOTION, ...HELD].map((number) => said('motion', number)))

@@ -70,7 +70,8 @@ export class Report {
     this.table(
       'Results',
       heads,
-      both((one) => results(spec, one)),
+      // What this log does not tell, such as the scale of ranges where there are none, is no result.
+      both((one) => results(spec, one)).filter(([, ...cells]) => cells.some((cell) => cell !== '–')),
     )
     const sources = kept ? underOneAnother(rowsOf(kept), rowsOf(frame)) : rowsOf(frame)
     if (sources.length > 0)

@@ -107,7 +107,7 @@ export class SensorForm {
   every(row, key) {
     /** @type {any} */
     let every = 0
-    const field = numberField(row, 'one in so many s', (value) =>
+    const field = numberField(row, 'least gap in time, s', (value) =>
       this.change({ every: { ...bySensor(every), [key]: value } }),
     )
     this.shows.push(({ params }) => {

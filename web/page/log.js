@@ -20,6 +20,7 @@ import { FileForm } from './log-files.js'
 import { Forms } from './log-forms.js'
 import { readingBar } from './log-reading.js'
 import { Report } from './log-report.js'
+import { sight } from './log-sight.js'
 
 /** Larger files are refused before they are read, bytes. */
 const MOST_BYTES = 64_000_000
@@ -66,6 +67,8 @@ class OwnLog {
     )
     /** The question that brought the files that the form shows. @type {number | undefined} */
     this.set = undefined
+    /** The one that brought the files of the log that the figure shows. @type {number | undefined} */
+    this.held = undefined
     /** The files of the log, as they are read. @type {import('estimate-wasm').LogFile[]} */
     this.files = []
     takeAlong(this.report.box, {
@@ -169,6 +172,7 @@ class OwnLog {
   /** @param {import('../widgets/robot-log/remote-run.js').Question} question */
   async take(question) {
     const { given } = this
+    const bring = question.kind === 'files' ? sight() : () => {}
     const bar = readingBar(question.kind === 'files' ? question.files : [], () => this.giveUp())
     this.answer.begin(bar.box)
     try {
@@ -180,13 +184,15 @@ class OwnLog {
       this.set = answer.set
       this.form.show(answer.files)
       this.files = answer.files
-      if (answer.kind === 'log') this.understood(answer, question.kind === 'files')
+      if (answer.kind === 'log') this.understood(answer, answer.set !== this.held)
       else if (answer.kind === 'no-log') this.answer.wrong(answer)
       else this.answer.say(`${answer.message ?? answer.why} The figure keeps the previous log.`)
       this.figure.figure.ask()
+      bring(this.answer.box)
     } catch (error) {
       this.answer.end(bar.box)
       this.answer.say(error instanceof Error ? error.message : 'The log could not be read.')
+      bring(this.answer.box)
     }
   }
 
@@ -240,7 +246,8 @@ class OwnLog {
   }
 
   /** @param {any} answer @param {boolean} other whether it is another log, and not the same one read otherwise */
-  understood({ contents, files, parameters }, other) {
+  understood({ set, contents, files, parameters }, other) {
+    this.held = set
     this.hold(
       contents,
       files.map((/** @type {any} */ { name }) => name),

@@ -26,6 +26,8 @@ export interface LogValue {
     unit: string | null;
     /** The units it may be in. */
     units: string[];
+    /** Whether its column or its unit has to be said. */
+    asked: boolean;
     /** Three values of its column, as they stand in the file. */
     samples: string[];
 }
@@ -187,13 +189,14 @@ fn texts<T: AsRef<str>>(all: impl IntoIterator<Item = T>) -> JsValue {
 
 fn shown(file: &File) -> JsValue {
     let columns = file.columns().iter().zip(file.units());
-    let values = file.role().values().iter().zip(columns).map(|(value, (column, unit))| {
+    let values = file.role().values().iter().zip(columns).enumerate().map(|(i, (value, (column, unit)))| {
         record(&[
             ("name", value.name.into()),
             ("optional", value.optional.into()),
             ("column", column.map_or(JsValue::NULL, |column| (column as u32).into())),
             ("unit", unit.map_or(JsValue::NULL, |unit| unit.name.into())),
             ("units", texts(units_of(value.quantity).iter().map(|unit| unit.name))),
+            ("asked", file.is_asked(i).into()),
             ("samples", texts(column.map_or(Vec::new(), |column| file.samples(column)))),
         ])
     });

@@ -15,6 +15,8 @@ pub(crate) struct Cells<'a> {
     pub file: usize,
     pub line: &'a Line<'a>,
     pub source: &'a Source,
+    /// The columns in which −1 stands for what is not known.
+    pub absent: &'a [usize],
 }
 
 impl<'a> Cells<'a> {
@@ -61,7 +63,7 @@ impl<'a> Cells<'a> {
 
     /// A value that a row may lack: its field is empty, or says so.
     pub fn given(&self, value: &str) -> Result<Option<f64>, Error> {
-        let Some(field) = self.field(value) else { return Ok(None) };
+        let Some(field) = self.field(value).filter(|_| !self.is_absent(value)) else { return Ok(None) };
         if self
             .source
             .role
@@ -72,6 +74,12 @@ impl<'a> Cells<'a> {
             return self.turned(value);
         }
         if is_none(field.text) { Ok(None) } else { self.read(value, field).map(Some) }
+    }
+
+    /// Whether a field says by −1 that its value is not known.
+    pub fn is_absent(&self, value: &str) -> bool {
+        let column = self.source.column(value).filter(|at| self.absent.contains(at));
+        column.and_then(|at| self.line.fields.get(at)).is_some_and(|field| row::number(field.text) == Some(-1.0))
     }
 
     /// The row's time, its seconds and their fraction together.

@@ -3,6 +3,8 @@
 use crate::axes::axes;
 use crate::clock::{dated, day_beside, found_fraction, is_seconds, stamped};
 use crate::fields::Line;
+use crate::heading;
+use crate::lists;
 use crate::names::{Name, candidates};
 use crate::quaternion;
 use crate::role::{Quantity, Role, Value};
@@ -69,9 +71,10 @@ fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
             let turns = of("omega", Quantity::AngleRate);
             found.retain(|at| !turns.contains(at));
             // One part of a velocity is not the speed.
-            let beside = names.iter().position(|name| name.has("vy"));
+            let is_part = |name: &Name, one: &str, axis: &str| name.has(one) || (name.has("vel") && name.has(axis));
+            let beside = names.iter().position(|name| is_part(name, "vy", "y") && !name.has("angular"));
             if let ([at], Some(other)) = (found.as_slice(), beside)
-                && names[*at].has("vx")
+                && is_part(&names[*at], "vx", "x")
             {
                 found.push(other);
             }
@@ -98,6 +101,14 @@ fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
             let global = ["latitude", "longitude"].iter().all(|it| !of(it, Quantity::Coordinate).is_empty());
             if global || axes(&file.to_lowercase(), names).is_some() {
                 found.clear();
+            }
+            // A receiver's place beside the robot's: only the reader knows which is meant.
+            let received = |name: &Name| name.has_one(&["gps", "gnss", "rtk"]) && name.has(value.name);
+            if let [at] = found.as_slice()
+                && names.iter().filter(|name| received(name)).count() == 1
+                && !received(&names[*at])
+            {
+                found.extend(names.iter().position(received));
             }
         }
         _ => {}
@@ -140,7 +151,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
     let (table, name) = (source.table.as_ref()?, source.names.get(column)?);
     let said = name.unit(value.quantity);
     let lines: Vec<Line<'_>> = table.lines(text).filter_map(Result::ok).take(LOOKED_AT).collect();
-    let numbers: Vec<f64> = lines.iter().filter_map(|line| number(line.fields[column].text)).collect();
+    let listed = |line: &Line<'_>| lists::parts(line.fields[column].text).iter().filter_map(|it| number(it)).collect();
+    let numbers: Vec<f64> = lines.iter().flat_map(|line| -> Vec<f64> { listed(line) }).collect();
     let most = numbers.iter().filter(|number| number.is_finite()).fold(0.0_f64, |most, it| most.max(it.abs()));
     let usual = |name| named(value.quantity, name);
     let down = clockwise(&source.names, file);
@@ -200,35 +212,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             usual(QUATERNION)
         }
         Quantity::Heading => {
-            const COURSE: [&str; 13] = [
-                "course",
-                "cog",
-                "compass",
-                "gcrs",
-                "kurs",
-                "cap",
-                "rumbo",
-                "rotta",
-                "azimuth",
-                "bearing",
-                "north",
-                "direction",
-                "richtung",
-            ];
             let global = !candidates("latitude", Quantity::Coordinate, &source.names).is_empty();
-            let course = global || name.has_one(&COURSE);
-            let from_north = down || course;
-            let degrees = said.map_or(most > 7.0 || course, |unit| unit.name == "deg");
-            // Degrees of a heading are a compass's as often as they are counted from the axis of x.
-            if degrees && !from_north && name.has("heading") {
-                return None;
-            }
-            usual(match (degrees, from_north) {
-                (false, false) => "rad",
-                (true, false) => "deg",
-                (false, true) => "rad from north",
-                (true, true) => "deg from north",
-            })
+            heading::unit(name, said, most, [down, global]).and_then(usual)
         }
         Quantity::Coordinate => {
             // Both are in one unit: near Greenwich a longitude is small in any.

@@ -8,7 +8,9 @@ use crate::guess;
 use crate::parse;
 use crate::reading::Reading;
 use crate::role::Role;
+use crate::row;
 use crate::source::Source;
+use crate::table::Table;
 use crate::unit::{self, Unit};
 use crate::wheels::{Counting, Wheels};
 
@@ -76,6 +78,11 @@ impl File {
     /// What has to be said before it can be read, in sentences: a guess that is not certain chooses nothing.
     pub fn asks(&self) -> Vec<String> {
         self.source.asks()
+    }
+
+    /// Whether a question is about a value of its role, the `at`-th: about its column, or its unit.
+    pub fn is_asked(&self, at: usize) -> bool {
+        self.source.is_asked(at)
     }
 
     /// Three values of a column as they stand in the file: of its first, a middle and the last of its first rows.
@@ -156,6 +163,22 @@ impl File {
         }
     }
 
+    /// The columns of a receiver's speed and course in which −1 says that they are not known, as phones write it: no
+    /// other of their numbers is below 0.
+    fn absent(&self, table: &Table) -> Vec<usize> {
+        let column = |value: &str| self.source.column(value);
+        if self.role() != Role::Sensors || column("latitude").is_none() {
+            return Vec::new();
+        }
+        let columns = ["v", "heading"].into_iter().filter_map(column);
+        let below = |at: usize| {
+            let fields =
+                table.lines(&self.text).filter_map(Result::ok).filter_map(move |line| line.fields.get(at).copied());
+            fields.filter_map(|field| row::number(field.text)).filter(|number| *number < 0.0)
+        };
+        columns.filter(|at| below(*at).all(|number| number == -1.0)).collect()
+    }
+
     /// Hands over each row, its values known by their names in the role.
     pub(crate) fn rows(&self, index: usize, mut take: impl FnMut(Cells<'_>) -> Result<(), Error>) -> Result<(), Error> {
         let source = &self.source;
@@ -165,12 +188,13 @@ impl File {
             let role = source.role.name();
             return Err(refuse(format!("no column has been chosen for {value}, which {role} need")));
         }
+        let absent = self.absent(table);
         let mut none = matches!(source.role, Role::Velocities | Role::Odometry | Role::Encoders | Role::Sensors);
         for line in table.lines(&self.text) {
             none = false;
             let line = line.map_err(|e| e.within(index))?;
             parse::check_text(&line).map_err(|e| e.within(index))?;
-            take(Cells { file: index, line: &line, source })?;
+            take(Cells { file: index, line: &line, source, absent: &absent })?;
         }
         if none { Err(refuse("the file has no row of numbers".into())) } else { Ok(()) }
     }

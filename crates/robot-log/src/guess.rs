@@ -46,7 +46,7 @@ pub(crate) fn guess(name: &str, text: &str) -> Source {
         let role = Role::Log;
         return Source { refused, ..empty(role, None, Vec::new()) };
     };
-    let names: Vec<Name> = table.names.iter().map(|name| Name::new(name)).collect();
+    let names = Name::all(&table.names);
     let (role, undecided) = role(name, text, &table, &names);
     let mut source = Source { undecided, ..empty(role, Some(table), names) };
     columns(&mut source, name, text);

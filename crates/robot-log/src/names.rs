@@ -13,12 +13,24 @@ pub(crate) struct Name {
     pub words: Vec<String>,
     /// How many of them are the name; the others stand below it, and make it no longer.
     own: usize,
+    /// How many of the first ones all columns of its table have: a topic's, as in `GPS_Lat`, `GPS_Lon`.
+    shared: usize,
 }
 
 impl Name {
     pub fn new(name: &str) -> Self {
         let own = name.split(BELOW).next().map_or(0, |own| words(own).len());
-        Self { words: words(name), own }
+        Self { words: words(name), own, shared: 0 }
+    }
+
+    /// The names of a table's columns.
+    pub fn all(names: &[String]) -> Vec<Self> {
+        let mut all: Vec<Self> = names.iter().map(|name| Self::new(name)).collect();
+        let first = all.first().and_then(|name| name.words.first()).cloned();
+        let shared =
+            all.len() > 1 && all.iter().all(|name| name.words.len() > 1 && name.words.first() == first.as_ref());
+        all.iter_mut().for_each(|name| name.shared = usize::from(shared));
+        all
     }
 
     pub fn has(&self, word: &str) -> bool {
@@ -73,7 +85,7 @@ fn longer(a: &Name, b: &Name, quantity: Quantity) -> Ordering {
 
 fn follows(way: Way<'_>, name: &Name, quantity: Quantity) -> bool {
     match way {
-        Way::Whole(words) => name.base(quantity).into_iter().eq(words.split(' ')),
+        Way::Whole(words) => name.base(quantity).into_iter().skip(name.shared).eq(words.split(' ')),
         Way::First(word) => name.words.first().is_some_and(|first| first == word),
         Way::Within(words) => words.split(' ').all(|word| name.has(word)),
     }
@@ -96,8 +108,11 @@ pub(crate) fn is_acceleration(name: &Name) -> bool {
 fn words(name: &str) -> Vec<String> {
     let mut spaced = String::new();
     let mut before = ' ';
-    for c in name.chars() {
+    let mut chars = name.chars().peekable();
+    while let Some(c) = chars.next() {
         let parts = (before.is_lowercase() && c.is_uppercase())
+            // The last capital of several begins a word: `GPSTime`.
+            || (before.is_uppercase() && c.is_uppercase() && chars.peek().is_some_and(|next| next.is_lowercase()))
             || (before.is_alphabetic() && c.is_ascii_digit())
             || (before.is_ascii_digit() && c.is_alphabetic());
         if parts {
@@ -111,7 +126,15 @@ fn words(name: &str) -> Vec<String> {
             _ => spaced.push(' '),
         }
     }
-    spaced.split_whitespace().map(String::from).collect()
+    spaced.split_whitespace().flat_map(with_axis).map(String::from).collect()
+}
+
+/// A word, and the axis that is written to it without a mark: `posx`, `vely`.
+fn with_axis(word: &str) -> impl Iterator<Item = &str> {
+    const WRITTEN: [&str; 7] = ["pos", "vel", "acc", "gyro", "gyr", "gps", "mag"];
+    let at = word.strip_suffix(['x', 'y', 'z']).filter(|stem| WRITTEN.contains(stem)).map_or(word.len(), str::len);
+    let (stem, axis) = word.split_at(at);
+    [stem, axis].into_iter().filter(|part| !part.is_empty())
 }
 
 fn without_accent(c: char) -> char {
@@ -135,6 +158,9 @@ mod tests {
     fn a_name_is_parted_into_words_and_its_unit_is_known() {
         assert_eq!(words("twist.twist.linear.x"), ["twist", "twist", "linear", "x"]);
         assert_eq!(words("GyrZ"), ["gyr", "z"]);
+        assert_eq!(words("GPS_GPSTime"), ["gps", "gps", "time"]);
+        assert_eq!(words("TimeUS"), ["time", "us"]);
+        assert_eq!(words("velx"), ["vel", "x"]);
         assert_eq!(words("d1"), ["d", "1"]);
         assert_eq!(words("Longitud (°)"), ["longitud", "deg"]);
         assert_eq!(words("Vitesse_lacet [°/s]"), ["vitesse", "lacet", "deg", "s"]);
@@ -174,6 +200,15 @@ mod tests {
         assert_eq!(of("omega", Quantity::AngleRate, &imu), [1]);
         assert_eq!(of("v", Quantity::Speed, &imu), []);
         assert_eq!(of("v", Quantity::Speed, &["gps_speed", "wheel_speed"]), [0, 1]);
+        assert_eq!(of("v", Quantity::Speed, &["roll_vel", "pitch_vel", "yaw_vel"]), []);
+        assert_eq!(of("omega", Quantity::AngleRate, &["roll_vel", "pitch_vel", "yaw_vel"]), [2]);
         assert_eq!(of("v", Quantity::Speed, &["wheel speed", "speed (m/s)"]), [1]);
+    }
+
+    #[test]
+    fn the_topic_before_all_names_of_a_table_says_nothing() {
+        let names = Name::all(&["GPS_Lat", "GPS_EPH", "GPS_EPV"].map(String::from));
+        assert_eq!(candidates("sigma", Quantity::Length, &names), [1]);
+        assert_eq!(candidates("x", Quantity::Length, &Name::all(&["gyro_x", "gyro_y"].map(String::from))), []);
     }
 }

@@ -11,6 +11,8 @@ pub(crate) struct Kept {
     /// The time of the row before, and how many have the time of the one before.
     pub last: Option<f64>,
     pub repeats: usize,
+    /// How many times lie before that of the row before.
+    pub backward: usize,
     /// What two encoders had counted.
     pub counted: Option<[f64; 2]>,
     /// The fix before and the heading beside it; how many fixes there are, and how many are the one before to the last
@@ -22,6 +24,8 @@ pub(crate) struct Kept {
     pub copied: Vec<usize>,
     /// Rows, or ranges of rows, without a number.
     pub missing: usize,
+    /// Speeds and courses of −1, which says that they are not known.
+    pub unknown: usize,
     /// Fixes at latitude and longitude 0.
     pub nowhere: usize,
     /// Standard deviations that are not above 0.
@@ -36,11 +40,16 @@ impl Kept {
 
     /// What was strange in a file.
     pub fn notes(&self, name: &str) -> Vec<String> {
-        let Self { rows, repeats, fixes, copies, missing, nowhere, without_sigma, .. } = *self;
+        let Self { rows, repeats, backward, fixes, copies, missing, unknown, nowhere, without_sigma, .. } = *self;
         let mut notes = Vec::new();
         if rows >= 5 && 5 * repeats > rows {
             notes.push(format!(
                 "{name}: {repeats} of {rows} times repeat the one before. Are fractions of a second in another column?"
+            ));
+        }
+        if rows >= 5 && 5 * backward > rows {
+            notes.push(format!(
+                "{name}: {backward} of {rows} times lie before the one above. Is the time in another column?"
             ));
         }
         if self.holds() {
@@ -51,6 +60,12 @@ impl Kept {
         }
         if missing > 0 {
             notes.push(format!("{name}: {} without a number left out.", readings(missing)));
+        }
+        if unknown > 0 {
+            notes.push(format!(
+                "{name}: {} of \u{2212}1 left out: so a receiver says that it does not know the speed or the course.",
+                readings(unknown)
+            ));
         }
         if nowhere > 0 {
             notes.push(format!("{name}: {} at latitude 0, longitude 0 left out: there was no fix.", readings(nowhere)));

@@ -5,6 +5,7 @@ use crate::error::Error;
 use crate::gathering::{Gathering, Place, Unplaced};
 use crate::headed::headed;
 use crate::landmarks::Landmarks;
+use crate::lists;
 use crate::log::Understood;
 use crate::notes::{self, Kept};
 use crate::role::Role;
@@ -91,6 +92,11 @@ impl Reading {
                 }
             }
             Role::Sightings => {
+                let columns = ["landmark", "range", "bearing"].map(|value| cells.source.column(value));
+                let columns: Vec<usize> = columns.into_iter().flatten().collect();
+                if let Some(rows) = lists::rows(cells.line, &columns).map_err(|e| e.within(cells.file))? {
+                    return rows.iter().try_for_each(|line| self.take(role, Cells { line, ..cells }));
+                }
                 self.to.begin(start)?;
                 let (time, seen) = (cells.time()?, self.landmark(cells)?);
                 let at = cells.source.column("range").unwrap_or(0);
@@ -124,6 +130,7 @@ impl Reading {
     /// What the sensors of a row have read; each may be missing.
     fn sensors(&mut self, cells: Cells<'_>) -> Result<(), Error> {
         let (start, time) = (cells.start(), self.kept.time(cells)?);
+        self.kept.unknown += ["v", "heading"].iter().filter(|value| cells.is_absent(value)).count();
         let (v, omega) = (cells.given("v")?, cells.given("omega")?);
         let motion = match (v, omega) {
             (Some(v), Some(omega)) => Some(Event::Velocity { v, omega }),
@@ -236,6 +243,7 @@ impl Kept {
         let time = cells.time()?;
         if let Some(before) = self.last.replace(time) {
             self.repeats += usize::from(before == time);
+            self.backward += usize::from(time < before);
             if before - time > HALF_A_DAY && cells.is_time_of_day() {
                 let message = "the time of day goes back, past midnight; stamps with their dates were expected";
                 return Err(cells.place("time").refuse(message));

@@ -33,19 +33,28 @@ impl Source {
         self.columns[self.role.index(value)?]
     }
 
+    /// Whether the column of a value has to be said, or its unit.
+    pub fn is_asked(&self, at: usize) -> bool {
+        let Some(value) = self.role.values().get(at) else { return false };
+        match self.columns[at] {
+            Some(_) => !unit::units_of(value.quantity).is_empty() && self.units[at].is_none(),
+            None => !self.doubts[at].is_empty(),
+        }
+    }
+
     /// What has to be said before the file can be read, in sentences.
     pub fn asks(&self) -> Vec<String> {
         let mut asks: Vec<String> = self.undecided.iter().cloned().collect();
         let header = self.table.as_ref().map_or(&[][..], |table| &table.names);
         for (i, value) in self.role.values().iter().enumerate() {
+            if !self.is_asked(i) {
+                continue;
+            }
             if let Some(column) = self.columns[i] {
-                let wanted = !unit::units_of(value.quantity).is_empty();
-                if wanted && self.units[i].is_none() {
-                    let day = value.quantity == Quantity::Day;
-                    let what = if day { "order are the numbers of" } else { "unit is" };
-                    asks.push(format!("In which {what} \u{201c}{}\u{201d}?", header[column]));
-                }
-            } else if !self.doubts[i].is_empty() {
+                let day = value.quantity == Quantity::Day;
+                let what = if day { "order are the numbers of" } else { "unit is" };
+                asks.push(format!("In which {what} \u{201c}{}\u{201d}?", header[column]));
+            } else {
                 let among: Vec<String> =
                     self.doubts[i].iter().map(|at| format!("\u{201c}{}\u{201d}", header[*at])).collect();
                 asks.push(format!("Which column is {}: {}?", said(value), among.join(" or ")));

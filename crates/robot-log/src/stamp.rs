@@ -3,20 +3,22 @@
 use crate::unit::{DAY_FIRST, MONTH_FIRST, YEAR_FIRST};
 
 /// Seconds since the first of January 1970 in UTC, of `2026-05-01T12:00:00.5+02:00`; a blank may stand for the `T`, and
-/// without a zone it is UTC. Of a time of day alone, `12:00:00.5`, the seconds since midnight.
+/// without a zone it is UTC. Slashes may part the date, and stand for the `T` then. Of a time of day alone,
+/// `12:00:00.5`, the seconds since midnight.
 pub(crate) fn seconds(text: &str) -> Option<f64> {
     let text = text.trim();
     if let Some(of_day) = time_of_day(text) {
         return Some(of_day);
     }
     let (date, rest) = text.split_at_checked(10)?;
-    let mut fields = date.split('-');
+    let mark = if date.contains('/') { '/' } else { '-' };
+    let mut fields = date.split(mark);
     let mut field = |digits: usize| whole(fields.next()?, digits);
     let (year, month, day) = (field(4)?, field(2)?, field(2)?);
     if fields.next().is_some() || !(1..=12).contains(&month) || !(1..=days_of(year, month)).contains(&day) {
         return None;
     }
-    let rest = rest.strip_prefix(['T', 't', ' ', '_'])?;
+    let rest = rest.strip_prefix(['T', 't', ' ', '_', mark]).filter(|_| mark == '/' || !rest.starts_with('-'))?;
     let (clock, zone) = zone(rest.trim());
     Some(86_400.0 * days(year, month, day) as f64 + time_of_day(clock.trim())? - zone?)
 }
@@ -122,6 +124,10 @@ mod tests {
             ("2026-05-01 05:30:00.25-0630", Some(1_777_636_800.25)),
             ("2026-05-01 12:00", Some(1_777_636_800.0)),
             ("2024-02-29T00:00:00+00", Some(1_709_164_800.0)),
+            ("2026/05/01 12:00", Some(1_777_636_800.0)),
+            ("2026/05/01/12:00:00.25", Some(1_777_636_800.25)),
+            ("2026-05/01 12:00", None),
+            ("2026-05-01-12:00", None),
             ("1969-12-31T23:59:59Z", Some(-1.0)),
             ("23:59:59.5", Some(86_399.5)),
             ("2023-02-29T00:00:00Z", None),

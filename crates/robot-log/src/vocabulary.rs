@@ -56,7 +56,8 @@ const WAYS: [(&str, &str); 19] = [
     (
         "omega",
         "angular velocity z,angular z,rotation rate z,gyroscope z,gyro z,gyr z,gyroskop z,omega z,=wz,yaw rate,\
-         yawrate,yaw speed,yawspeed,turn rate,heading rate,=omega,=ω,=w,omega,ω,drehrate,winkelgeschwindigkeit,\
+         yawrate,yaw speed,yawspeed,yaw vel,yaw velocity,\
+         turn rate,heading rate,=omega,=ω,=w,omega,ω,drehrate,winkelgeschwindigkeit,\
          gierrate,drehgeschwindigkeit,vitesse angulaire,vitesse rotation,vitesse lacet,taux lacet,velocidad angular,\
          velocidad giro,velocita angolare,velocita rotazione,velocita imbardata,angular velocity,angular speed,\
          angular,rotational,wz,gyro",
@@ -98,7 +99,7 @@ const WAYS: [(&str, &str); 19] = [
     ),
     (
         "heading",
-        "=heading,gcrs,cog,course,=theta,=θ,=yaw,heading,yaw,theta,θ,orientation,compass,azimuth,kurs,ausrichtung,\
+        "=heading,g crs,cog,course,=theta,=θ,=yaw,heading,yaw,theta,θ,orientation,compass,azimuth,kurs,ausrichtung,\
          gierwinkel,richtung,=cap,cap,lacet,rumbo,guinada,orientacion,prua,rotta,imbardata,orientamento,direction",
     ),
     ("latitude", "=lat,=latitude,latitude,lat,breite,breitengrad,latitud,latitudine"),
@@ -161,10 +162,12 @@ pub(crate) const FORBIDDEN: [(&str, &[&str]); 13] = [
             "wind",
             "max",
             "min",
+            "roll",
+            "pitch",
         ],
     ),
     ("distance", &["left", "right", "links", "rechts", "min", "max", "gauche", "droite"]),
-    ("turn", &["rate", "velocity", "speed", "x", "y", "w", "vitesse", "velocidad", "velocita", "number"]),
+    ("turn", &["rate", "velocity", "vel", "speed", "x", "y", "w", "vitesse", "velocidad", "velocita", "number"]),
     ("landmark", &["x", "y", "z", "range", "dist", "distance", "time", "frame"]),
     ("range", &["min", "max", "left", "right", "travelled", "traveled", "type"]),
     ("bearing", &["rate", "min", "max", "increment", "speed"]),
@@ -175,6 +178,7 @@ pub(crate) const FORBIDDEN: [(&str, &[&str]); 13] = [
         &[
             "rate",
             "velocity",
+            "vel",
             "speed",
             "x",
             "y",

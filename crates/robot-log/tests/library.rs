@@ -194,3 +194,27 @@ fn words_above_the_numbers_are_passed_over_and_tell_columns_of_one_name_apart() 
     short.add("wheels.csv", "time,v,omega\n0,1,0,5\n1,1,0,5\n").expect("a file");
     assert_eq!(short.read().expect_err("a name is missing").line, 2);
 }
+
+#[test]
+fn a_simulator_s_axes_are_asked_one_by_one() {
+    let mut files = file("simulator-axes.csv");
+    assert!(files.set_role(0, Role::Sensors));
+    let asks = files.files()[0].asks().join(" ");
+    for wanted in
+        ["the speed: \u{201c}velx\u{201d} or \u{201c}vely\u{201d}", "x: \u{201c}posx\u{201d} or \u{201c}gpsx\u{201d}"]
+    {
+        assert!(asks.contains(wanted), "{asks}");
+    }
+    assert!(!asks.contains("turn rate"), "yaw_vel is: {asks}");
+}
+
+#[test]
+fn lists_of_ranges_are_rows_each_with_its_anchor() {
+    let (motion, anchors) =
+        (("wheels.csv", "time,v,omega\n0,1,0\n1,1,0\n"), ("anchors.csv", "id,x,y\n7,0,0\n9,3,0\n12,0,4\n"));
+    let mut files = with("uwb-lists.csv", &[motion, anchors]);
+    assert!(files.read().is_err() && files.set_unit(0, "range", "mm"));
+    assert_eq!(files.files()[0].follows(), "5 Hz, 0.4 s long, ranges 1.25 \u{2026} 3.04 m to 3 landmarks");
+    let ranges = files.read().expect("sound").log.drive.rows.iter().filter(|row| !row.event.is_motion()).count();
+    assert_eq!(ranges, 3 + 2 + 2);
+}

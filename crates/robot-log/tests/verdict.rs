@@ -1,7 +1,7 @@
 //! Verdicts on the two real logs.
 
 use estimate::Code;
-use estimate::drive::{BySensor, Fault, Fitted, Judgement, Settings, Standing, Verdict};
+use estimate::drive::{BySensor, Delays, Fault, Fitted, Judgement, Settings, Standing, Verdict, log_likelihood};
 use robot_log::parse;
 
 const CAR: &str = include_str!("../../../content/logs/car.csv");
@@ -42,6 +42,21 @@ fn the_car_s_speed_is_late() {
     assert!(next.number == Some(Fitted::SigmaDistance) && next.gain > clock.gain, "{next:?}");
     assert!(judgement.beside, "so it is counted beside a larger one");
     assert!(judgement.against.is_none() && judgement.suspects[0].mended.is_none());
+}
+
+/// A reader who moves the delay watches the log-likelihood: what the sentence says and what the line shows are one.
+#[test]
+fn the_delay_that_is_said_is_where_the_likelihood_of_the_settings_is_highest() {
+    let settings = Settings { start_sigma: 1.0, ..Settings::default() };
+    let judgement = verdict(CAR, settings);
+    let clock = &judgement.suspects[0];
+    assert!(judgement.beside && clock.number == Some(Fitted::DelaySpeed), "{clock:?}");
+    let drive = parse(CAR).expect("a log").drive;
+    let told = |by: f64| {
+        let delays = Delays { speed: clock.sizes[0].value + by, ..Delays::default() };
+        log_likelihood(&drive, Settings { delays, ..settings }, 4.0).expect("a replay").0
+    };
+    assert!(told(0.0) > told(-0.04) && told(0.0) > told(0.04), "{:?}", [-0.04, 0.0, 0.04].map(told));
 }
 
 #[test]

@@ -80,6 +80,9 @@ const arrives = ({ doubled }) => doubled.converged && doubled.steps < 0.99 * FUR
 const averages = ({ limit: kind, doubled, noise }) =>
   kind === 'from-large-start' && noise.reachable === 'no' && doubled.averages
 
+/** Whether it falls to 0 and is never there. @param {Frame} frame */
+const vanishes = (frame) => averages(frame) && Boolean(frame.limitP?.every((row) => row.every((entry) => entry === 0)))
+
 /** Whether a step of the filter has no answer though its covariance is bounded. @param {Frame} frame */
 const breaks = ({ settled, tried, doubled, detectable }) =>
   settled === null && tried === null && !doubled.converged && detectable === 'yes'
@@ -90,6 +93,7 @@ export function settles(frame) {
   if (breaks(frame)) return 'a step has no answer'
   if (frame.badlyScaled) return 'undecided'
   if (settled !== null) return kind === 'none' ? `no change after ${settled}` : `in ${settled} steps`
+  if (vanishes(frame)) return 'falls towards 0'
   if (averages(frame)) return 'falls as an average'
   if (arrives(frame)) return `in about ${steps(doubled.steps)} steps`
   if (doubled.converged) return `in more than ${steps(FURTHEST)} steps`
@@ -109,6 +113,11 @@ function limit(frame) {
       'Whether the covariance has a limit is undecided: something unseen dies out within the tolerance, if at all, ' +
       `and from this start the covariance comes to rest in ${arrives(frame) ? 'about' : 'more than'} ` +
       `${steps(Math.min(doubled.steps, FURTHEST))} steps.`
+    )
+  if (vanishes(frame))
+    return (
+      'The covariance tends to 0 from every start, and ever more slowly: no noise moves the state, so each reading ' +
+      'counts for ever.'
     )
   const lasting = params.period > 0 ? `, ${seconds(doubled.steps * params.period)}` : ''
   const another = doubled.dependsOnStart ? '; a larger start leads to another limit' : ''

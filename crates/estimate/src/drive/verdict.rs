@@ -184,6 +184,15 @@ impl Verdict {
         if much == 0 {
             return false;
         }
+        // How large it is, the settings as they are tell: the log-likelihood that a reader watches is highest
+        // there, and a σ that allows for all errors moves that place. How well it is known, the larger σ tells.
+        for (suspect, place) in &mut found {
+            let Some((alone, at)) = self.first.found.iter().find(|(it, _)| it.tried() == suspect.tried()) else {
+                continue;
+            };
+            suspect.sizes.iter_mut().zip(&alone.sizes).for_each(|(size, alone)| size.value = alone.value);
+            *place = *at;
+        }
         let mut rest = found.split_off(much);
         let before = core::mem::take(&mut self.first.found).into_iter();
         rest.extend(before.filter(|(suspect, _)| !round.tried.contains(&suspect.tried())));

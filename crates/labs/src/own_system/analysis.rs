@@ -7,7 +7,7 @@ use super::params::{Entries, GainBy, OwnParams};
 use estimate::dynamic::{self, Continuous, Discrete, Limit, System};
 use estimate::observability::Observability;
 use estimate::riccati::SteadyState;
-use estimate::{Code, Complex, Detectability, Error, Movable, Reachability};
+use estimate::{Code, Complex, Detectability, Error, Movable, Reachability, Verdict};
 use nalgebra::{DMatrix, DVector, Dyn};
 use numerics::hypot;
 
@@ -15,6 +15,11 @@ use numerics::hypot;
 const SETTLE_STEPS: usize = 1000;
 /// What single steps and the limit may differ by where they are the same.
 const SAME: f64 = 1e-9;
+
+/// As far as doubled steps go: 2⁵⁰.
+const FURTHEST: f64 = 1_125_899_906_842_624.0;
+/// A modulus that differs from 1 by less is 1 up to rounding.
+const ON_CIRCLE: f64 = 1e-12;
 
 /// A decay takes many times as long as its time constant. P that comes to rest in fewer time constants than this falls
 /// as the variance of an average does.
@@ -58,6 +63,9 @@ impl Analysis {
             Err(error) if error.code == Code::NotFinite => nowhere(&p0, p),
             found => found?,
         };
+        let seen = dynamic::detectability(f.clone(), h.clone(), tolerance)?;
+        let falls = falls_to_zero(&system, &seen);
+        let limit = if falls { zero(n, p) } else { limit };
         // Where P grows beyond every number, or so far that it hides all that is read, there is no last step.
         let stepped = dynamic::steady_state_gain(&system, p0.clone(), SETTLE_STEPS, 1e-12).ok();
         let arrived = stepped.as_ref().filter(|state| state.converged && state.gain_converged);
@@ -65,7 +73,7 @@ impl Analysis {
         let limit_p = settled.map(|state| state.p.clone()).or_else(|| limit.converged.then(|| limit.p.clone()));
         let mut placed = None;
         let filter = filter_gain(stepped.as_ref(), &limit);
-        let averages = settled.is_none() && limit.converged && averages(&system, &filter, limit.steps);
+        let averages = falls || settled.is_none() && limit.converged && averages(&system, &filter, limit.steps);
         let gain = match params.gain {
             GainBy::Filter => Some(filter),
             GainBy::Hand => Some(part(&params.k, [n, p])),
@@ -80,7 +88,7 @@ impl Analysis {
         let eigenvalues = marked(&found, &movable.fixed()?);
         Ok(Self {
             rank: dynamic::observability(f.clone(), h.clone(), tolerance)?,
-            seen: dynamic::detectability(f.clone(), h.clone(), tolerance)?,
+            seen,
             noise: dynamic::noise_reach(f.clone(), system.v.clone(), tolerance)?,
             input: dynamic::stabilizability(f.clone(), system.g.clone(), tolerance)?,
             settled: settled.map(|state| state.iterations as u32),
@@ -131,6 +139,29 @@ fn system_of(params: &OwnParams) -> Result<System, Error> {
         Discrete { f, g, v }
     };
     System::new(f, g, part(&params.h, [p, n]), v, part(&params.w, [p, p]))
+}
+
+/// Whether P falls to 0 from every start and never comes to rest: no noise moves the state, F has eigenvalues on the
+/// unit circle and none beyond it, and all of them are seen. Then every reading counts, for ever. Doubling cannot tell
+/// the limit of a state that falls faster than others, as a speed's 1/k³ beside a place's 1/k.
+fn falls_to_zero(system: &System, seen: &Detectability) -> bool {
+    let still = system.v.iter().all(|entry| *entry == 0.0) && seen.detectable == Verdict::Yes;
+    let gain = DMatrix::zeros(system.h.ncols(), system.h.nrows());
+    let slowest = |found: &[Complex<f64>]| found.first().map(|it| hypot(it.re, it.im));
+    let modulus = dynamic::error_eigenvalues(system, gain).ok().and_then(|found| slowest(&found));
+    still && modulus.is_some_and(|modulus| (modulus - 1.0).abs() <= ON_CIRCLE)
+}
+
+/// The limit that is 0.
+fn zero(states: usize, outputs: usize) -> Limit {
+    Limit {
+        r: DMatrix::zeros(states, outputs),
+        p: DMatrix::zeros(states, states),
+        converged: true,
+        gain_converged: true,
+        depends_on_start: false,
+        steps: FURTHEST,
+    }
 }
 
 /// Where the first step has no answer.

@@ -55,6 +55,27 @@ fn a_covariance_falls_as_an_average_under_every_gain_on_show() {
     }
 }
 
+/// A speed's variance falls as 1/k³ beside its place's 1/k, which no doubling tells from rest.
+#[test]
+fn without_noise_the_limit_is_zero_and_never_reached() {
+    let still = |f: [[f64; 2]; 2]| {
+        open(with(|p| {
+            p.f = f.map(UpTo::from).into();
+            p.h[0] = [1.0, 0.0].into();
+            p.v = [[0.0, 0.0], [0.0, 0.0]].map(UpTo::from).into();
+            p.w[0] = [0.5].into();
+        }))
+    };
+    let frame = still([[1.0, 1.0], [0.0, 1.0]]);
+    assert_eq!(frame.limit_p, Some(vec![vec![0.0; 2]; 2]), "{frame:?}");
+    assert!(frame.doubled.averages && frame.settled.is_none() && frame.spectral_radius == 1.0, "{frame:?}");
+    assert_eq!(frame.k, [[0.0], [0.0]]);
+    // What grows by itself has to be followed, and what is never seen stays uncertain.
+    for f in [[[1.1, 1.0], [0.0, 1.0]], [[1.0, 0.0], [0.0, 1.0]]] {
+        assert_ne!(still(f).limit_p, Some(vec![vec![0.0; 2]; 2]), "{f:?}");
+    }
+}
+
 #[test]
 fn the_gain_of_a_slow_filter_is_its_limit_and_not_that_of_step_1000() {
     let frame = open(height());

@@ -1,0 +1,43 @@
+//! The unit of a heading: from which direction it is counted, and in what.
+
+use crate::names::Name;
+use crate::unit::Unit;
+
+/// Words for a heading from north, clockwise.
+const COURSE: [&str; 13] = [
+    "course",
+    "cog",
+    "compass",
+    "crs",
+    "kurs",
+    "cap",
+    "rumbo",
+    "rotta",
+    "azimuth",
+    "bearing",
+    "north",
+    "direction",
+    "richtung",
+];
+
+/// The unit of a column of headings, whose name may say one and whose largest number is `most`; `None` where it has to
+/// be asked. `down`: the axes point forward, right and down; `global`: latitudes stand beside it.
+pub(crate) fn unit(name: &Name, said: Option<&Unit>, most: f64, [down, global]: [bool; 2]) -> Option<&'static str> {
+    let course = global || name.has_one(&COURSE);
+    let from_north = down || course;
+    let degrees = said.map_or(most > 7.0 || course, |unit| unit.name == "deg");
+    // A course without a unit that stays below a full turn in radians may be in either; ArduPilot's is in degrees.
+    if course && said.is_none() && !name.has("crs") && most > 0.0 && most < 6.3 {
+        return None;
+    }
+    // Degrees of a heading are a compass's as often as they are counted from the axis of x.
+    if degrees && !from_north && name.has("heading") {
+        return None;
+    }
+    Some(match (degrees, from_north) {
+        (false, false) => "rad",
+        (true, false) => "deg",
+        (false, true) => "rad from north",
+        (true, true) => "deg from north",
+    })
+}
