@@ -178,6 +178,21 @@ test('a reload leads to the place that was left, and not to the one that the add
   near(await page.locator('[data-part="ekf"]').evaluate((it) => it.getBoundingClientRect().top), 24, 'ekf')
 })
 
+test('a link within the page leads there as often as it is pressed', async (t) => {
+  const page = await open(t)
+  const link = page.locator('main a[href="#schedule"]').first()
+  const target = page.locator('#schedule')
+  for (const time of ['first', 'second', 'third']) {
+    await link.scrollIntoViewIfNeeded()
+    await settle(page)
+    await link.click()
+    await settle(page)
+    near(await target.evaluate((it) => it.getBoundingClientRect().top), 24, `the ${time} time`)
+    await page.evaluate(() => document.querySelector('#intuition').scrollIntoView({ behavior: 'instant' }))
+    await settle(page)
+  }
+})
+
 test('words far below the screen are found in the page', async (t) => {
   const page = await open(t)
   const words = await page.evaluate(() =>

@@ -54,9 +54,17 @@ export function keepPlace() {
   // A link within the page begins a new entry; what is left is noted before.
   addEventListener('click', note, true)
   addEventListener('pagehide', note)
+  // Pressing a link again leads to its place once more, within the same entry: only another entry has a place to go
+  // back to.
+  let present = entry()
   addEventListener('popstate', () => {
-    const place = noted()
+    const was = present
+    present = entry()
+    const place = present === was ? undefined : noted()
     if (place) hold(place)
+  })
+  addEventListener('hashchange', () => {
+    present = entry()
   })
   const place = noted()
   return place ? hold(place) : Promise.resolve()
