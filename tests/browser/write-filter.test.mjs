@@ -51,6 +51,38 @@ test('a step typed from an empty box is called right, and is there again after a
   assert.equal(await area.inputValue(), '')
 })
 
+test('the chapter’s box, copied and pasted, is a right program in the letters of each notation', async (t) => {
+  const page = await open(t)
+  const steps = page.locator('#alg-kalman .algorithm-steps')
+  const copied = {}
+  for (const notation of ['choset', 'thrun', 'common']) {
+    await page.evaluate((name) => document.querySelector(`[data-set-notation="${name}"]`).click(), notation)
+    await page.waitForFunction((name) => (document.documentElement.dataset.letters ?? 'choset') === name, notation)
+    await steps.evaluate((it) => {
+      it.scrollIntoView({ behavior: 'instant' })
+      getSelection().selectAllChildren(it)
+    })
+    await page.waitForFunction(() => {
+      const clipboardData = new DataTransfer()
+      document.dispatchEvent(new ClipboardEvent('copy', { clipboardData }))
+      return clipboardData.getData('text/plain') !== ''
+    })
+    await page.keyboard.press('Control+c')
+    copied[notation] = (await page.evaluate(() => navigator.clipboard.readText())).replace(/\r/g, '')
+  }
+  assert.match(copied.choset, /^x̂\(k\+1\|k\) = F x̂\(k\|k\) \+ G u\(k\) # \(8\.26\)$/m)
+  assert.equal(copied.choset.split('\n').length, 8)
+  const { it, area } = await openWriting(t, '?program=empty')
+  for (const [notation, text] of Object.entries(copied)) {
+    await it.page().evaluate((name) => (document.documentElement.dataset.notation = name), notation)
+    await until(it, ({ params }) => params.notation === notation, notation)
+    await area.fill(text)
+    await area.blur()
+    const { outcome, faults } = await until(it, ({ params }) => params.text === text, 'it is read')
+    assert.deepEqual([outcome, faults], ['right', []], text)
+  }
+})
+
 test('faults are listed with their places, marked beside their lines, and the first is said', async (t) => {
   const { it, area } = await openWriting(t)
   await area.fill(['x = F x + G u', 'P = F P F + q', 'y = H'].join('\n'))

@@ -13,6 +13,13 @@ export function later() {
   terms()
   scrollBoxes()
   offline()
+  const copied = () =>
+    import('./copied.js').then(
+      ({ copyLines }) => copyLines(),
+      () => {},
+    )
+  if (getSelection()?.isCollapsed === false) copied()
+  else document.addEventListener('selectionchange', copied, { once: true })
   if (document.querySelector('[data-toy]'))
     import('./toy.js').then(
       ({ toys }) => toys(),
