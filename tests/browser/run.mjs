@@ -5,11 +5,11 @@
 // With the files that have changed in CHANGED, a line each, only what they can touch (tests/touched.mjs).
 import { spawn } from 'node:child_process'
 import { once } from 'node:events'
-import { readdirSync } from 'node:fs'
 import os from 'node:os'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
 import { buildFixture } from '../fixture-book/build.mjs'
+import { named } from '../named.mjs'
 import { touched } from '../touched.mjs'
 import { fixture, HANGS_MS } from './places.mjs'
 
@@ -17,18 +17,9 @@ const folder = path.dirname(fileURLToPath(import.meta.url))
 /** They put a whole machine's load on it. */
 const ALONE = new Set(['lighthouse', 'firefox'])
 
-const all = readdirSync(folder)
-  .filter((file) => file.endsWith('.test.mjs'))
-  .map((file) => file.replace('.test.mjs', ''))
-const wanted = process.argv.slice(2)
-for (const name of wanted) {
-  if (all.includes(name)) continue
-  console.error(`✗ There is no browser test '${name}'. There are: ${all.join(', ')}`)
-  process.exit(2)
-}
-
-const some = process.env.CHANGED && wanted.length === 0 ? touched(folder, process.env.CHANGED.trim().split('\n')) : null
-const whole = some?.whole ?? (wanted.length > 0 ? wanted : all)
+const { all, asked } = named(folder, 'browser')
+const some = process.env.CHANGED && !asked ? touched(folder, process.env.CHANGED.trim().split('\n')) : null
+const whole = some?.whole ?? all
 
 buildFixture(fixture)
 

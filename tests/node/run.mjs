@@ -1,16 +1,14 @@
 // Runs the tests of the module and of the scripts through Node.
-//   node tests/node/run.mjs
+//   node tests/node/run.mjs [NAME …]   only the files of these names, e.g. lines tries
 // With the files that have changed in CHANGED, a line each, only what they can touch (tests/touched.mjs).
 import { spawnSync } from 'node:child_process'
-import { readdirSync } from 'node:fs'
 import path from 'node:path'
+import { named } from '../named.mjs'
 import { touched } from '../touched.mjs'
 
 const folder = import.meta.dirname
-const all = readdirSync(folder)
-  .filter((file) => file.endsWith('.test.mjs'))
-  .map((file) => file.replace('.test.mjs', ''))
-const some = process.env.CHANGED ? touched(folder, process.env.CHANGED.trim().split('\n')) : null
+const { all, asked } = named(folder, 'Node')
+const some = process.env.CHANGED && !asked ? touched(folder, process.env.CHANGED.trim().split('\n')) : null
 const passed = [run(some?.whole ?? all), some && run(some.parts, [`--test-name-pattern=${some.pattern}`])]
 process.exitCode = passed.includes(false) ? 1 : 0
 
