@@ -41,3 +41,19 @@ test('a copy that is put down starts the run anew, and the cart stays where it w
   await until(it, (frame) => frame.step === 1, 'a step')
   assert.ok(Math.abs((await frameOf(it)).error[0] + 0.5) < 1e-12, 'no gain takes it away')
 })
+
+test('a press anywhere in the cloud takes the error that is nearest', async (t) => {
+  const { page, it } = await openFigure(t, 'error-cloud', { touch: true })
+  const ring = it.getByRole('slider', { name: 'The error that is touched' })
+  const place = async () => {
+    const { x, y, width, height } = await ring.boundingBox()
+    return [x + width / 2, y + height / 2]
+  }
+  const before = (await frameOf(it)).params.dot
+  const [[x, y], plane] = [await place(), await it.locator('.live svg').first().boundingBox()]
+  // Where the ring is, mirrored in the middle of the drawing.
+  await page.touchscreen.tap(2 * plane.x + plane.width - x, 2 * plane.y + plane.height - y)
+  await until(it, ({ params }) => params.dot !== before, 'another error')
+  const [nowX, nowY] = await place()
+  assert.ok(Math.hypot(nowX + x - 2 * plane.x - plane.width, nowY + y - 2 * plane.y - plane.height) < 40)
+})

@@ -19,12 +19,16 @@ check(
   () => [
     [
       pattern(
-        /^The product of the error you touch is \+?(\S+) m²\/s, and a two-hundredth of it, \+?(\S+), /,
-        /goes into P12\.$/,
+        /^The product of the error you touch is \+?(\S+) m²\/s(, of an error at the edge of the drawing or beyond)?, /,
+        /and a two-hundredth of it, \+?(\S+), goes into P12\.$/,
       ),
-      (frame, product, share) => {
+      (frame, product, beyond, share) => {
         const [position, velocity] = frame.dots[frame.params.dot]
-        return prints(product, position * velocity) && prints(share, (position * velocity) / frame.dots.length)
+        return (
+          Boolean(beyond) === (Math.abs(velocity) >= 3.4 || Math.abs(position) >= 4.5) &&
+          prints(product, position * velocity) &&
+          prints(share, (position * velocity) / frame.dots.length)
+        )
       },
     ],
     [

@@ -60,7 +60,15 @@ export function liveHandles(change, settle, drop) {
       if (element.getAttribute(name) !== String(value)) element.setAttribute(name, String(value))
     }
     if (known) return
-    drag(element, /** @type {SVGElement} */ (element).ownerSVGElement ?? element, {
+    const frame = /** @type {SVGElement} */ (element).ownerSVGElement ?? element
+    if (handle.pressed)
+      frame.addEventListener('click', (event) => {
+        const { target, clientX, clientY } = /** @type {MouseEvent} */ (event)
+        if (/** @type {Element} */ (target).closest('.handle')) return
+        const { left, top } = frame.getBoundingClientRect()
+        change(spec().move(clientX - left, clientY - top))
+      })
+    drag(element, frame, {
       at: () => spec().at,
       move: (x, y) => change(spec().move(x, y)),
       drop,

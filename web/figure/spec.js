@@ -17,6 +17,7 @@
  * @property {[number, number]} [nameAt] where the name stands, from the middle of the handle; right of it if not given
  * @property {string} value its value in words
  * @property {boolean} [small] drawn small; the finger has the same room
+ * @property {boolean} [pressed] whether it goes to where its panel is pressed
  * @property {import('../draw/plot.js').Kin} [kin]
  * @property {number} [now] `aria-valuenow`; of a handle with two values, the one that Home and End change
  * @property {number} [min]

@@ -5,6 +5,7 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { drawPlane } from './plane.js'
+import { isShown } from './reach.js'
 import { describe, verdict } from './words.js'
 
 /** @typedef {import('estimate-wasm').ErrorCloudFrame} Frame */
@@ -46,9 +47,9 @@ const tries = [
   { name: 'dot', label: 'Touch one that takes away', change: takesAway },
 ]
 
-/** The error whose product takes most away from P₁₂. @param {Frame} frame */
+/** The error in the drawing whose product takes most away from P₁₂. @param {Frame} frame */
 function takesAway({ dots }) {
-  const products = dots.map(([a, b]) => a * b)
+  const products = dots.map((error) => (isShown(error) ? error[0] * error[1] : Infinity))
   return { dot: products.indexOf(Math.min(...products)) }
 }
 

@@ -6,14 +6,13 @@
 import { clear, drawLabels } from '../../draw/labels.js'
 import { axes, ellipseLevel, ellipsePath, evenPlane, meaning, segment } from '../../draw/plot.js'
 import { pixel } from '../../draw/path.js'
+import { REACH } from './reach.js'
 import { signed } from './words.js'
 
 /** @typedef {import('estimate-wasm').ErrorCloudFrame} Frame */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
 /** @typedef {import('../../figure/spec.js').HandleSpec} HandleSpec */
 
-/** How far the axes reach from zero to the nearer edge: they hold still while the cloud turns. */
-const REACH = 3.4
 /** How far the two lines go up and down, m/s. */
 const LINE = 3.1
 
@@ -127,6 +126,7 @@ function handles({ x, y, box }, { params, dots }, { limits }) {
     dot: {
       at: inside(x(a), y(b)),
       small: true,
+      pressed: true,
       label: 'The error that is touched',
       kin: 'posterior',
       value: `${words(a)} metres and ${words(b)} metres a second, dot ${dot + 1} of ${dots.length}`,

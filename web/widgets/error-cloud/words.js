@@ -1,6 +1,7 @@
 /** What the cloud says: what one error puts into P₁₂, and how all of them make it. */
 
 import { fixed } from '../../draw/numbers.js'
+import { isShown } from './reach.js'
 
 /** @typedef {import('estimate-wasm').ErrorCloudFrame} Frame */
 
@@ -8,10 +9,11 @@ import { fixed } from '../../draw/numbers.js'
 export const signed = (value, decimals = 2) => `${value > 0 ? '+' : ''}${fixed(value, decimals)}`
 
 /** @param {Frame} frame */
-export function verdict({ product, share, positive, positives, negative, dots, P }) {
+export function verdict({ error, product, share, positive, positives, negative, dots, P }) {
   return (
-    `The product of the error you touch is ${signed(product)} m²/s, and a two-hundredth of it, ${signed(share, 3)}, ` +
-    `goes into {P}_{12}. The ${positives} dots with a positive product add ${fixed(positive)}, the other ` +
+    `The product of the error you touch is ${signed(product)} m²/s` +
+    `${isShown(error) ? '' : ', of an error at the edge of the drawing or beyond'}, and a two-hundredth of it, ` +
+    `${signed(share, 3)}, goes into {P}_{12}. The ${positives} dots with a positive product add ${fixed(positive)}, the other ` +
     `${dots.length - positives} take away ${fixed(-negative)}: {P}_{12} = ${fixed(P[0][1])}.`
   )
 }
