@@ -10,6 +10,8 @@
 /**
  * @typedef {object} Layout
  * @property {string[]} narrow rows of one area each
+ * @property {string} [pin] on a narrow figure, the panel that stays in sight; the first row's if not given
+ * @property {(frame: any) => boolean} [pins] whether it stays in sight now; always if not given
  * @property {string[]} medium
  * @property {string[]} [wide] as on a medium figure if not given
  * @property {{ medium: string, wide?: string }} columns widths of the columns, as CSS writes them
@@ -28,15 +30,16 @@ export const isLater = ({ narrow }, name) =>
   narrow.includes('readouts') && narrow.indexOf(name) > narrow.indexOf('readouts')
 
 /**
- * Whether on a narrow figure the first panel stays in sight while what moves it passes below.
+ * The panel that stays in sight on a narrow figure while what moves it passes below: the one that the layout names, or
+ * the first.
  * @param {import('./spec.js').FigureSpec} spec
  */
-export const isPinned = ({ panels: [{ name, height }], layout: { narrow } }) =>
-  narrow[0] === name && typeof height === 'number'
+export const pinOf = ({ panels, layout: { narrow, pin = narrow[0] } }) =>
+  panels.find(({ name, height }) => name === pin && typeof height === 'number')
 
 /**
  * The layout as custom properties, for the style rule of the element that holds the parts (web/build/layouts.mjs).
- * Where the first panel stays in sight it reaches over all rows, and a box of its shape keeps its place in the first.
+ * The panel that stays in sight reaches from its row over all that follow, and a box of its shape keeps its place.
  * @param {import('./spec.js').FigureSpec} spec
  */
 export function layoutOf(spec) {
@@ -50,8 +53,11 @@ export function layoutOf(spec) {
     ([name, [rows, widths]]) =>
       `--${name}:${template(/** @type {string[]} */ (rows), String(widths), Boolean(spec.stages))}`,
   )
-  const [{ name, width, height }] = spec.panels
-  return [...rows, ...(isPinned(spec) ? [`--first:${name}`, `--shape:${width}/${height}`] : [])].join(';')
+  const pin = pinOf(spec)
+  const place = pin
+    ? [`--first:${pin.name}`, `--from:${narrow.indexOf(pin.name) + 1}`, `--shape:${pin.width}/${pin.height}`]
+    : []
+  return [...rows, ...place].join(';')
 }
 
 /** @param {string[]} rows @param {string} widths @param {boolean} grows */

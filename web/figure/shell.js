@@ -5,7 +5,7 @@
 
 import { buildControl } from './controls.js'
 import { SVG, button, part } from '../draw/dom.js'
-import { isLater, isPinned } from './layout.js'
+import { isLater, pinOf } from './layout.js'
 import { Pen } from '../draw/pen.js'
 import { Readouts } from './readouts.js'
 import { held, writeHtml } from '../draw/words.js'
@@ -41,7 +41,8 @@ export const SPEEDS = [0.5, 1, 2, 5, 10]
  */
 export function buildShell(document, spec, into, orders, parameters) {
   into.replaceChildren()
-  into.toggleAttribute('data-pinned', isPinned(spec))
+  const pin = pinOf(spec)
+  into.toggleAttribute('data-pinned', Boolean(pin))
   const stage = (/** @type {Element} */ element, /** @type {string} */ name, where = spec.stages?.hand) => {
     if (where?.[name]) element.setAttribute('data-from', String(where[name]))
   }
@@ -59,6 +60,7 @@ export function buildShell(document, spec, into, orders, parameters) {
     svg.setAttribute('height', String(height))
     svg.setAttribute('role', handles ? 'group' : 'img')
     stage(svg, name, spec.stages?.panels)
+    if (name === pin?.name) svg.toggleAttribute('data-pin', true)
     if (isLater(spec.layout, name)) svg.toggleAttribute('data-later', true)
     into.append(svg)
     panels[name] = { svg, pen: new Pen(svg), width, height }
@@ -109,7 +111,11 @@ export function buildShell(document, spec, into, orders, parameters) {
     fold.addEventListener('toggle', () => into.toggleAttribute('data-further', fold.open))
   }
   if (spec.timeless && shown.length === 0) controls.remove()
-  for (const [i, { name }] of spec.controls.entries()) stage(shown[i].element, name)
+  for (const [i, { name }] of spec.controls.entries()) {
+    stage(shown[i].element, name)
+    // Words in the text bring what comes with a stage into sight (web/page/show-part.js).
+    if (spec.stages?.hand[name]) shown[i].element.dataset.control = name
+  }
   const options = SPEEDS.map((value) => ({ value, label: `${value === 0.5 ? '½' : value}×` }))
   const speed = buildControl(
     document,
@@ -164,6 +170,7 @@ export function buildShell(document, spec, into, orders, parameters) {
      * @param {any} frame
      */
     fit(frame) {
+      if (pin && spec.layout.pins) into.toggleAttribute('data-pinned', spec.layout.pins(frame))
       for (const { name, width, height, shown: there } of spec.panels) {
         const panel = panels[name]
         const hidden = there ? !there(frame) : false

@@ -22,6 +22,12 @@ const PRESSES = {
     const widget = document.querySelector(`${link.getAttribute('href')} .widget`)
     const stage = link.getAttribute('data-grow') ?? ''
     if (widget && stage > (widget.getAttribute('data-stage') ?? '3')) widget.setAttribute('data-stage', stage)
+    const shows = link.getAttribute('data-shows')
+    if (widget && shows)
+      import('./show-part.js').then(
+        ({ showPart }) => showPart(widget, shows),
+        () => {},
+      )
   },
   'data-run-checks': (button) =>
     import('./checks.js').then(

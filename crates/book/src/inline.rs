@@ -150,12 +150,13 @@ impl Writer<'_> {
             return self.fill_inline("span", context! { id, class, body => safe(body) }, place);
         }
         if class == "grow" {
-            let [figure, stage] = ["figure", "stage"].map(|key| attributes.value(key).unwrap_or_default());
-            if !matches!(stage, "2" | "3") {
+            let [figure, stage, shows] =
+                ["figure", "stage", "shows"].map(|key| attributes.value(key).unwrap_or_default());
+            if !matches!(stage, "2" | "3") && (!stage.is_empty() || shows.is_empty()) {
                 self.diagnostics.report(place, format!("a figure grows to stage 2 or 3, not to `{stage}`"));
             }
             let href = self.diagnostics.ok(place, self.labels.get(figure, self.root)).map(|label| label.href);
-            return self.fill_inline("grow", context! { href, stage, body => safe(body) }, place);
+            return self.fill_inline("grow", context! { href, stage, shows, body => safe(body) }, place);
         }
         let key = match class.as_str() {
             "term" => attributes.value("key").unwrap_or_default(),

@@ -154,23 +154,6 @@ const controls = [
     shown: drawn,
     enabled: (params) => params.pair && hidden(params),
   },
-  {
-    kind: 'toggle',
-    name: 'many',
-    label: 'count over seeds',
-    set: (many, _, frame) => ({ many, step: many ? SEEDS : frame.steps }),
-  },
-  {
-    kind: 'range',
-    name: 'step',
-    label: 'Step of the run, or seeds',
-    ends: [0, SEEDS],
-    step: 1,
-    get: (_, frame) => frame.step,
-    set: (step) => ({ step }),
-    words: (step) => String(step),
-    notches: ({ params, steps }) => (params.many ? [] : [{ at: steps, name: 'a whole run' }]),
-  },
   { kind: 'action', name: 'again', label: 'Another run', change: ({ params }) => ({ seed: nextSeed(params) }) },
   { kind: 'action', name: 'hide', label: 'Hide a bug', change: draw(false) },
   {
@@ -195,6 +178,23 @@ const controls = [
     label: 'Back to the switches',
     change: () => ({ ...fresh, lot: 0, pair: false }),
     shown: drawn,
+  },
+  {
+    kind: 'toggle',
+    name: 'many',
+    label: 'count over seeds',
+    set: (many, _, frame) => ({ many, step: many ? SEEDS : frame.steps }),
+  },
+  {
+    kind: 'range',
+    name: 'step',
+    label: 'Step of the run, or seeds',
+    ends: [0, SEEDS],
+    step: 1,
+    get: (_, frame) => frame.step,
+    set: (step) => ({ step }),
+    words: (step) => String(step),
+    notches: ({ params, steps }) => (params.many ? [] : [{ at: steps, name: 'a whole run' }]),
   },
   { kind: 'custom', name: 'seeIt', build: buildSeeIt },
 ]
@@ -231,11 +231,11 @@ export const figure = {
     // The switches stand at the figures of the run, which are what a bug changes, and at what is said of a name; the
     // plots that explain it follow.
     narrow: [
-      'map',
       'figures',
       'tries',
-      'controls',
       'verdict',
+      'controls',
+      'map',
       'readouts',
       'errors',
       'nees',

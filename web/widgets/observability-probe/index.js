@@ -256,7 +256,9 @@ export const figure = {
     },
   ],
   layout: {
-    narrow: ['map', 'verdict', 'tries', 'ranks', 'ranges', 'bearings', 'controls', 'trace', 'readouts', 'nees', 'nis'],
+    narrow: ['map', 'tries', 'ranks', 'ranges', 'bearings', 'verdict', 'controls', 'trace', 'readouts', 'nees', 'nis'],
+    // Who turns the world by hand looks at its readings.
+    pins: ({ ghost }) => !ghost,
     medium: ['map verdict', 'map ranks', 'ranges bearings', 'trace nees', 'nis tries'],
     wide: ['map verdict', 'map ranks', 'map trace', 'ranges bearings', 'nees nis'],
     columns: { medium: '1fr 1fr' },

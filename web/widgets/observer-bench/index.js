@@ -189,7 +189,8 @@ export const figure = {
     { name: 'error', width: 312, height: 190, draw: drawError },
   ],
   layout: {
-    narrow: ['phase', 'disc', 'verdict', 'tries', 'controls', 'gain', 'readouts', 'variance', 'error'],
+    // The knob and what it moves are on one screen: first the disc, and then the variances between.
+    narrow: ['phase', 'controls', 'variance', 'disc', 'verdict', 'tries', 'gain', 'readouts', 'error'],
     medium: [
       'phase phase phase phase disc disc',
       'phase phase phase phase verdict verdict',

@@ -196,7 +196,7 @@ export const figure = {
   ],
   layout: {
     // The plots move the robot on the map, and the switches change the plots.
-    narrow: ['map', 'verdict', 'tries', 'position', 'heading', 'wheel', 'controls', 'readouts'],
+    narrow: ['map', 'tries', 'position', 'heading', 'wheel', 'verdict', 'controls', 'readouts'],
     medium: ['map position', 'map heading', 'map wheel', 'verdict verdict'],
     columns: { medium: '59fr 41fr', wide: '62fr 38fr' },
   },
