@@ -44,6 +44,8 @@ export function lookAt(question, key, met) {
   back.textContent = 'Back to the exercise'
   // Above the picture, where the page now goes to, and in sight as long as the figure is.
   widget.before(words)
+  // The browser's way back leads to the exercise.
+  location.hash = figure.id
   figure.scrollIntoView({ block: 'start' })
   widget.tabIndex = -1
   widget.focus({ preventScroll: true })
