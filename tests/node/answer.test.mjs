@@ -80,6 +80,7 @@ test('a number rounded to two digits or more is right, and one that is nearly ri
   assert.equal(told({ values: [1.07], tolerance: 0.001 }, '15/14'), 'nearly')
   // Where the digits leave open which of the two was meant, a digit more is asked for.
   assert.equal(told({ values: [1.73], tolerance: 0.001, near: [[1.68]] }, '1.7'), 'nearly')
+  assert.equal(told({ values: [1, 2, -1], direction: true, tolerance: 0.005 }, '1, 2, -1.1'), 'wrong')
   const vector = { values: [1.234, 0], tolerance: 0.0001 }
   assert.deepEqual(
     ['1.2, 0', '1.23 0.0', '1, 0', '1.2 0.1', '1.2 0.05'].map((text) => told(vector, text)),

@@ -25,8 +25,8 @@ const SLACK = 1e-9
 
 /**
  * The verdict on numbers: right within the tolerance, or rounded by the reader to two digits or more; else which of the
- * well-known wrong answers they are, or whether they are nearly right. Null when the text holds other than the key asks
- * for. A well-known wrong answer comes first: it may be what the right one is rounded to.
+ * well-known wrong answers they are, or whether they are nearly right, which no direction is. Null when the text holds
+ * other than the key asks for. A well-known wrong answer comes first: it may be what the right one is rounded to.
  * @param {Key} key
  * @param {string} text
  * @returns {{ right: boolean, near: number, nearly: boolean } | null}
@@ -57,8 +57,8 @@ export function judge({ values = [], unit = '', tolerance = 0, direction = false
   if (known >= 0) return { right: false, near: known, nearly: false }
   if (rounds(values)) return { right: rounded < 0, near: -1, nearly: rounded >= 0 }
   if (rounded >= 0) return { right: false, near: rounded, nearly: false }
-  const size = direction ? 1 : Math.max(...values.map(Math.abs))
-  const close = given.some(({ entries }) => gap(entries, values, direction) <= NEARLY * size)
+  const size = Math.max(...values.map(Math.abs))
+  const close = !direction && given.some(({ entries }) => gap(entries, values, false) <= NEARLY * size)
   return { right: false, near: -1, nearly: close || rounds(values, 1) }
 }
 
