@@ -125,6 +125,7 @@ test('the page recognises the collinear trap in the figure, and names what is mi
   await page.reload()
   await check(page, 'collinear-state')
   await page.locator('#quiz-collinear-state[data-answered="right"]').waitFor()
+  assert.ok(!(await page.locator('#quiz-collinear-state .quiz-todo').isVisible()), 'nothing is missing any more')
 })
 
 test('the page recognises the fastest knob, reached by keys', async (t) => {

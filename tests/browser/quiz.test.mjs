@@ -119,9 +119,10 @@ test('a number is right within its tolerance, in the ways people write numbers',
     if (answered) await it.again.click()
     return [answered, said]
   }
-  const [RIGHT, WRONG, NONE] = [
+  const [RIGHT, WRONG, NEARLY, NONE] = [
     ['right', 'Right.'],
-    ['wrong', 'Not this time. Here is why.'],
+    ['wrong', 'Not this time. Here is the answer.'],
+    [null, 'Nearly: give it with a digit more, and try once more.'],
     [null, 'That is not a number.'],
   ]
   for (const text of [
@@ -135,14 +136,12 @@ test('a number is right within its tolerance, in the ways people write numbers',
   ]) {
     assert.deepEqual(await judged(text), RIGHT, text)
   }
-  for (const text of [
-    String(value + 1.1 * tolerance),
-    String(value - 1.1 * tolerance),
-    String(-value),
-    `−${value}`,
-    '0',
-  ]) {
-    assert.deepEqual(await judged(text), WRONG, text)
+  for (const text of [String(-value), `−${value}`, '0']) assert.deepEqual(await judged(text), WRONG, text)
+  // A number that is nearly right may be given once more.
+  for (const text of [String(value + 1.1 * tolerance), value.toPrecision(1)]) {
+    assert.deepEqual(await judged(text), NEARLY, text)
+    assert.ok(!(await shown(it)))
+    assert.deepEqual(await judged(String(value - 1.1 * tolerance)), WRONG, 'the second try')
   }
   for (const text of ['much', '1/0', '1..2', '1/2/3', 'NaN', 'Infinity', '0x10', '<b>1</b>'])
     assert.deepEqual(await judged(text), NONE, text)

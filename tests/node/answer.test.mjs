@@ -43,3 +43,47 @@ test('a vector keeps its commas, and a direction of zeros is none', () => {
   const direction = { values: [1, 2, -1], direction: true, tolerance: 1e-9 }
   assert.deepEqual(verdicts(direction, '-2, -4, 2', '0, 0, 0'), [true, null])
 })
+
+test('a number rounded to two digits or more is right, and one that is nearly right is told so', () => {
+  const told = (key, text) => {
+    const { right, near, nearly } = judge(key, text) ?? assert.fail(text)
+    return right ? 'right' : near >= 0 ? near : nearly ? 'nearly' : 'wrong'
+  }
+  const third = { values: [1.873], tolerance: 0.005, near: [[2.0625], [1.698]] }
+  for (const text of ['1.873', '1.87', '1,88', '1.9', '1.87298']) assert.equal(told(third, text), 'right', text)
+  for (const text of ['2', '1.90', '1.86', '1.8']) assert.equal(told(third, text), 'nearly', text)
+  for (const text of ['1.6', '18.7', '0.19', '3']) assert.equal(told(third, text), 'wrong', text)
+  // The well-known wrong ones are told as themselves, rounded too.
+  assert.deepEqual(
+    ['2.0626', '2.06', '2.1', '1.7'].map((text) => told(third, text)),
+    [0, 0, 0, 1],
+  )
+  const share = { values: [0.11476], unit: '%', tolerance: 0.002, near: [[0.0011476]] }
+  for (const text of ['0.115 %', '0.12', '0.11', '1.1e-1', '.115']) assert.equal(told(share, text), 'right', text)
+  assert.deepEqual(
+    ['0.1', '0.00115', '0.0011', '11.5', '12'].map((text) => told(share, text)),
+    ['nearly', 0, 0, 'wrong', 'wrong'],
+  )
+  const threshold = { values: [27.631], tolerance: 0.1, near: [[13.8155]] }
+  assert.deepEqual(
+    ['28', '27.6', '27', '30', '14', '20'].map((text) => told(threshold, text)),
+    ['right', 'right', 'nearly', 'nearly', 0, 'wrong'],
+  )
+  const lag = { values: [-0.49], tolerance: 0.005, near: [[0.49]] }
+  assert.deepEqual(
+    ['-0.49', '-0.5', '0.5', '-1', '0'].map((text) => told(lag, text)),
+    ['right', 'nearly', 'wrong', 'wrong', 'wrong'],
+  )
+  // Zeros at the end of a whole number may stand for what was rounded; a tolerance wider than the digits is enough.
+  assert.equal(told({ values: [6628], tolerance: 1 }, '6600'), 'right')
+  assert.equal(told({ values: [33.13], tolerance: 0.6 }, '34'), 'nearly')
+  assert.equal(told({ values: [1.07], tolerance: 0.001 }, '15/14'), 'nearly')
+  // Where the digits leave open which of the two was meant, a digit more is asked for.
+  assert.equal(told({ values: [1.73], tolerance: 0.001, near: [[1.68]] }, '1.7'), 'nearly')
+  assert.equal(told({ values: [1, 2, -1], direction: true, tolerance: 0.005 }, '1, 2, -1.1'), 'wrong')
+  const vector = { values: [1.234, 0], tolerance: 0.0001 }
+  assert.deepEqual(
+    ['1.2, 0', '1.23 0.0', '1, 0', '1.2 0.1', '1.2 0.05'].map((text) => told(vector, text)),
+    ['right', 'right', 'nearly', 'wrong', 'nearly'],
+  )
+})

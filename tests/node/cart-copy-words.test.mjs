@@ -32,7 +32,7 @@ check(
     ],
     [/^The innovation was (\S+) m\/s\.$/, ({ innovation, step }, said) => prints(said, innovation) && step > 0],
     [
-      pattern(/^The nudge changed the copy’s speed by (\S+) m\/s and its position by (\S+) m; /, /it is still (.+)\.$/),
+      pattern(/^The nudge changed the copy’s speed by (\S+) m\/s and its position by (\S+) m; /, /it is now (.+)\.$/),
       ({ nudge, error }, speed, position, words) =>
         prints(speed, nudge[1]) && prints(position, nudge[0]) && stands(words, error),
     ],

@@ -18,20 +18,64 @@ export function keyOf({ dataset }) {
   return JSON.parse(new TextDecoder().decode(Uint8Array.from(bytes, (byte) => parseInt(byte, 16))) || '{}')
 }
 
+/** A number within this part of the right one is nearly right. */
+const NEARLY = 0.05
+/** Rounding of the machine, as a part of half a digit. */
+const SLACK = 1e-9
+
 /**
- * The verdict on numbers, and which of the well-known wrong answers they are; null when the text holds other than the
- * key asks for.
+ * The verdict on numbers: right within the tolerance, or rounded by the reader to two digits or more; else which of the
+ * well-known wrong answers they are, or whether they are nearly right, which no direction is. Null when the text holds
+ * other than the key asks for. A well-known wrong answer comes first: it may be what the right one is rounded to.
  * @param {Key} key
  * @param {string} text
+ * @returns {{ right: boolean, near: number, nearly: boolean } | null}
  */
 export function judge({ values = [], unit = '', tolerance = 0, direction = false, near = [] }, text) {
   const bare = withoutUnit(text, unit)
-  const readings = values.length > 1 ? [vector(bare)] : [bare, ungrouped(bare)].map((one) => [number(one)])
-  const given = readings.filter((entries) => entries.length === values.length && !entries.includes(null))
-  const entries = /** @type {number[][]} */ (given).filter((one) => !direction || one.some((entry) => entry !== 0))
-  if (entries.length === 0) return null
-  const meets = (/** @type {number[]} */ wanted) => entries.some((one) => gap(one, wanted, direction) <= tolerance)
-  return meets(values) ? { right: true, near: -1 } : { right: false, near: near.findIndex(meets) }
+  const readings = values.length > 1 ? [vector(bare)] : [bare, ungrouped(bare)].map((one) => [one])
+  const given = readings
+    .map((words) => ({ words, entries: words.map(number) }))
+    .filter(({ entries }) => entries.length === values.length && !entries.includes(null))
+    .map(({ words, entries }) => ({ words, entries: /** @type {number[]} */ (entries) }))
+    .filter(({ entries }) => !direction || entries.some((entry) => entry !== 0))
+  if (given.length === 0) return null
+  const meets = (/** @type {number[]} */ wanted) =>
+    given.some(({ entries }) => gap(entries, wanted, direction) <= tolerance)
+  /** Whether each entry is the wanted one, or one within the tolerance, rounded to the digits that stand there. */
+  const rounds = (/** @type {number[]} */ wanted, digits = 2) =>
+    !direction &&
+    given.some(({ words, entries }) =>
+      entries.every((entry, i) => {
+        const [half, off] = [halfOfLast(words[i], digits), Math.abs(entry - wanted[i])]
+        return off <= tolerance || (half !== null && tolerance <= half * (1 + SLACK) && off <= half + tolerance)
+      }),
+    )
+  const known = near.findIndex(meets)
+  const rounded = near.findIndex((wanted) => rounds(wanted))
+  if (meets(values)) return { right: true, near: -1, nearly: false }
+  if (known >= 0) return { right: false, near: known, nearly: false }
+  if (rounds(values)) return { right: rounded < 0, near: -1, nearly: rounded >= 0 }
+  if (rounded >= 0) return { right: false, near: rounded, nearly: false }
+  const size = Math.max(...values.map(Math.abs))
+  const close = !direction && given.some(({ entries }) => gap(entries, values, false) <= NEARLY * size)
+  return { right: false, near: -1, nearly: close || rounds(values, 1) }
+}
+
+/**
+ * Half of what one counts for in the last digit of a number that has at least so many digits, of which zeros at the
+ * end of a whole number count only where they are needed for that; null for fewer, and for a fraction.
+ * @param {string} text
+ * @param {number} digits
+ */
+function halfOfLast(text, digits) {
+  const parts = /^[-+\u2212]?(\d*)(?:[.,](\d*))?(?:e([-+]?\d+))?$/i.exec(text.trim())
+  if (!parts) return null
+  const [, whole = '', behind = '', power = '0'] = parts
+  const written = (whole + behind).replace(/^0+/, '')
+  const zeros = behind ? 0 : (/0*$/.exec(written)?.[0].length ?? 0)
+  if (written.length < digits) return null
+  return 0.5 * 10 ** (Number(power) - behind.length + Math.min(zeros, written.length - digits))
 }
 
 /**
@@ -85,7 +129,7 @@ function unitVector(v) {
 }
 
 /**
- * Numbers between spaces, commas or semicolons; with semicolons or spaces a comma may be a decimal one.
+ * The words of numbers between spaces, commas or semicolons; with semicolons or spaces a comma may be a decimal one.
  * @param {string} text
  */
 function vector(text) {
@@ -96,7 +140,7 @@ function vector(text) {
     .replace(/\s*\/\s*/g, '/')
     .trim()
   const between = inner.includes(';') ? /\s*;\s*/ : /,\s/.test(inner) || !/\s/.test(inner) ? /\s*,\s*/ : /\s+/
-  return inner.split(between).map(number)
+  return inner.split(between)
 }
 
 /**

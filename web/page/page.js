@@ -36,6 +36,8 @@ const PRESSES = {
     ),
 }
 document.addEventListener('click', ({ target }) => {
+  const link = target instanceof Element ? target.closest('a[href^="#"]') : null
+  if (link) unfold(link.getAttribute('href') ?? '')
   for (const [attribute, act] of Object.entries(PRESSES)) {
     const pressed = target instanceof Element ? target.closest(`[${attribute}]`) : null
     if (pressed) act(pressed)
@@ -63,8 +65,18 @@ idle(() => {
   import('./when-idle.js').then(({ later }) => later())
 })
 
+/**
+ * A browser opens what holds the target of an address; a derivation that is itself the target opens too.
+ * @param {string} hash
+ */
+function unfold(hash) {
+  const block = document.getElementById(hash.slice(1))
+  if (block?.matches('.derivation')) block.setAttribute('open', '')
+}
+
 /** An address that names an exercise or a section of another page leads there, with what it says of figures. */
 function goWhereItIs() {
+  unfold(location.hash)
   // `:target` is not known yet when a page that the browser holds has just been read.
   const item = document.getElementById(location.hash.slice(1))?.closest('.exercise-elsewhere, .part-elsewhere')
   const there = item?.querySelector('a')?.href.split('#')[0]

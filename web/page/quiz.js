@@ -70,17 +70,20 @@ function wake(form) {
 }
 
 /**
- * A wrong number that is well known is told what it is, and may be mended once before the answer is shown.
+ * A wrong number that is well known is told what it is, and one that is nearly right that it is: each may be mended
+ * once before the answer is shown.
  * @param {HTMLFormElement} form
  * @param {string} answer
  */
 function isFirstMiss(form, answer) {
-  const verdict = form.dataset.kind === 'choice' || form.dataset.missed ? null : verdictOn(form, answer)
-  if (!verdict || verdict.right || verdict.mine < 0) return false
-  form.dataset.missed = answer
+  const verdict = form.dataset.kind === 'choice' ? null : verdictOn(form, answer)
+  if (!verdict || verdict.right) return false
+  const known = verdict.mine >= 0
+  if (known ? form.dataset.missed : !verdict.nearly || form.dataset.nearly) return false
+  form.dataset[known ? 'missed' : 'nearly'] = answer
   count(form, false)
   showScore()
-  say(form, 'Not yet: try once more. ')
+  say(form, known ? 'Not yet: try once more. ' : 'Nearly: give it with a digit more, and try once more.')
   const why = form.querySelector(`[data-choice="${verdict.mine}"] .quiz-reason`)?.cloneNode(true)
   form.querySelector('.quiz-verdict')?.append(...(why?.childNodes ?? []))
   const input = form.querySelector('input')
@@ -211,15 +214,15 @@ function entriesOf(form) {
  */
 function verdictOn(form, answer) {
   const key = keyOf(form)
-  if (form.dataset.kind === 'state') return answer === MET ? { right: true, mine: -1 } : null
+  if (form.dataset.kind === 'state') return answer === MET ? { right: true, mine: -1, nearly: false } : null
   if (form.dataset.kind === 'choice') {
     const mine = [...form.querySelectorAll('[data-choice]')].findIndex(
       (item) => item.getAttribute('data-choice') === answer,
     )
-    return mine < 0 ? null : { right: mine === key.right, mine }
+    return mine < 0 ? null : { right: mine === key.right, mine, nearly: false }
   }
   const judged = judge(key, answer)
-  return judged && { right: judged.right, mine: judged.near }
+  return judged && { right: judged.right, mine: judged.near, nearly: judged.nearly }
 }
 
 /** @param {HTMLElement} form @param {string | null} answer */
@@ -236,7 +239,8 @@ function commit(form, answer) {
   const verdict = answer === SHOWN ? null : verdictOn(form, answer)
   if (answer !== SHOWN && !verdict) return false
   form.dataset.answered = verdict ? (verdict.right ? 'right' : 'wrong') : SHOWN
-  say(form, verdict ? (verdict.right ? 'Right.' : 'Not this time. Here is why.') : 'Here is the answer.')
+  const wrong = `Not this time. Here is ${verdict && verdict.mine < 0 ? 'the answer' : 'why'}.`
+  say(form, verdict ? (verdict.right ? 'Right.' : wrong) : 'Here is the answer.')
   const inputs = [...form.querySelectorAll('input')]
   for (const input of inputs) {
     if (input.type === 'radio') input.checked = input.value === answer
@@ -257,6 +261,7 @@ function commit(form, answer) {
 function forget(form) {
   delete form.dataset.answered
   delete form.dataset.missed
+  delete form.dataset.nearly
   for (const input of form.querySelectorAll('input')) input.disabled = false
   for (const mark of form.querySelectorAll('.quiz-choice .quiz-mark')) mark.remove()
   for (const item of form.querySelectorAll('.is-yours')) item.classList.remove('is-yours')

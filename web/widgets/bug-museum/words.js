@@ -162,7 +162,7 @@ function judged({ driven, steps, figures, seeds }) {
   if (driven < steps) return `The run is at step ${driven} of ${steps}; its figures are judged at the end.`
   const out = figures.filter(outside).length
   const run =
-    `${out === 0 ? 'All' : `${out} of`} ${figures.length} figures of this run lie ` +
+    `${out === 0 ? 'All' : `${out} of`} ${figures.length} figures of this run ${out === 1 ? 'lies' : 'lie'} ` +
     `${out === 0 ? 'within' : 'outside'} a right filter’s 95 % bands.`
   if (seeds === 0) return run
   return (

@@ -35,7 +35,7 @@ export function verdict(frame) {
     return `The innovation is ${fixed(innovation)} m/s, and at gain 0 nothing is nudged. The copy is ${stands(frame)}.`
   return (
     `The innovation was ${fixed(innovation)} m/s. The nudge changed the copy’s speed by ${fixed(nudge[1])} m/s and ` +
-    `its position by ${fixed(nudge[0])} m; it is still ${stands(frame)}.`
+    `its position by ${fixed(nudge[0])} m; it is now ${stands(frame)}.`
   )
 }
 

@@ -4,6 +4,7 @@
  */
 
 import { fixed } from '../../draw/numbers.js'
+import { usual } from '../../figure/defaults.js'
 import { drawPlane } from './plane.js'
 import { isShown } from './reach.js'
 import { describe, verdict } from './words.js'
@@ -42,10 +43,21 @@ function readouts({ P, correlation, regression, longAxis }) {
 
 /** @type {import('../../figure/spec.js').Try[]} */
 const tries = [
-  { name: 'other', label: 'Lean it the other way', change: ({ params }) => ({ angle: Math.PI - params.angle }) },
+  { name: 'other', label: 'Lean it the other way', change: leansBack },
   { name: 'upright', label: 'No lean', change: () => ({ angle: Math.PI / 2 }) },
   { name: 'dot', label: 'Touch one that takes away', change: takesAway },
 ]
+
+/**
+ * The mirror image of the tilt; of one that stands upright, that of the usual tilt.
+ * @param {Frame} frame
+ * @param {any} lab
+ */
+function leansBack({ params: { angle } }, lab) {
+  const first = /** @type {{ angle: number }} */ (usual(lab, 'angle'))
+  const upright = Math.abs(angle - Math.PI / 2) < 1e-9
+  return { angle: Math.PI - (upright ? first.angle : angle) }
+}
 
 /** The error in the drawing whose product takes most away from P₁₂. @param {Frame} frame */
 function takesAway({ dots }) {

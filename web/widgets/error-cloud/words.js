@@ -13,8 +13,8 @@ export function verdict({ error, product, share, positive, positives, negative, 
   return (
     `The product of the error you touch is ${signed(product)} m²/s` +
     `${isShown(error) ? '' : ', of an error at the edge of the drawing or beyond'}, and a two-hundredth of it, ` +
-    `${signed(share, 3)}, goes into {P}_{12}. The ${positives} dots with a positive product add ${fixed(positive)}, the other ` +
-    `${dots.length - positives} take away ${fixed(-negative)}: {P}_{12} = ${fixed(P[0][1])}.`
+    `${signed(share, 3)}, goes into {P}_{12}. The ${positives} dots with a positive product add ${fixed(positive)}, ` +
+    `the other ${dots.length - positives} take away ${fixed(-negative)}: {P}_{12} = ${fixed(P[0][1])}.`
   )
 }
 

@@ -26,7 +26,10 @@ function readouts(frame) {
   const { params, ways, lag, travelled, sensors, gap } = frame
   const own = ways[WAYS.findIndex(({ value }) => value === params.way)]
   const metres = (/** @type {number | null | undefined} */ value) => (value == null ? '–' : fixed(value, 2))
-  const innovation = (/** @type {number} */ i) => ({ value: mean(sensors[i]).replace(' m', ''), unit: 'm' })
+  const innovation = (/** @type {number} */ i) => ({
+    value: mean(sensors[i]).replace(' m', ''),
+    unit: sensors[i].mean === null ? undefined : 'm',
+  })
   return [
     { key: 'rms', label: 'Error (RMS)', value: metres(own.rms), unit: 'm', headline: true },
     { key: 'lag', label: 'behind, in the mean', value: metres(lag), unit: 'm', kin: 'posterior' },

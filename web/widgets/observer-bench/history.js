@@ -9,10 +9,13 @@ import { timePlot } from '../../draw/time-plot.js'
 export function drawGain(panel, frame) {
   const { step, r1, r2, knob } = frame.series
   const [s1, s2] = frame.steadyGain
+  // A gain that the filter computes has one letter, and one that is set has another.
+  const filters = frame.params.mode === 'filter'
+  const letter = filters ? '{R}' : '{K}'
   panel.pen.draw(
     (pen) =>
       void timePlot(pen, panel, {
-        title: 'gain {Rk} and its knob *g*',
+        title: `gain ${filters ? '{Rk}' : '{K}'} and its knob *g*`,
         steps: step,
         include: [0, 1],
         unit: '{k}',
@@ -21,8 +24,8 @@ export function drawGain(panel, frame) {
           { key: '2', at: s2 },
         ],
         lines: [
-          { key: '1', values: r1, name: '{R}_1', kin: 'posterior' },
-          { key: '2', values: r2, name: '{R}_2', kin: 'posterior', shape: 'dashed' },
+          { key: '1', values: r1, name: `${letter}_1`, kin: 'posterior' },
+          { key: '2', values: r2, name: `${letter}_2`, kin: 'posterior', shape: 'dashed' },
           { key: 'knob', values: knob, name: '*g*', kin: null, shape: 'thin' },
         ],
       }),

@@ -88,6 +88,7 @@ function announce(frame, before) {
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
 function readouts(frame) {
   const pair = (/** @type {number[]} */ [a, b]) => `[${fixed(a, 3)}, ${fixed(b, 3)}]`
+  const filters = frame.params.mode === 'filter'
   return [
     {
       key: 'error',
@@ -99,7 +100,8 @@ function readouts(frame) {
       headline: true,
     },
     { key: 'step', label: 'Step', value: String(frame.step) },
-    { key: 'gain', label: 'Gain {R}', value: pair(frame.R), kin: 'posterior' },
+    { key: 'gain', label: 'Gain {R}', value: pair(frame.R), kin: 'posterior', shown: filters },
+    { key: 'own-gain', label: 'Gain {K}', value: pair(frame.R), kin: 'posterior', shown: !filters },
     { key: 'knob', label: 'Equivalent knob', value: fixed(frame.equivalentKnob, 3), more: true },
     { key: 'steady', label: '{R}_∞', value: pair(frame.steadyGain), kin: 'posterior', more: true },
     {

@@ -39,7 +39,7 @@ function readouts({
   const zero = (/** @type {number} */ value) => fixed(Math.abs(value) < 5e-4 ? 0 : value, 3)
   /** One over a variance. @param {number} variance */
   const weight = (variance) => (variance === 0 ? '∞' : fixed(1 / variance, 3))
-  const [byRuler, byMetric] = ['by the ruler', 'in the metric of {P}']
+  const [byRuler, byMetric] = ['⟨*a*, Δ*x*⟩, ruler', '⟨*a*, Δ*x*⟩, metric of {P}']
   /**
    * ⟨a, Δx⟩ of a foot.
    * @param {string} key

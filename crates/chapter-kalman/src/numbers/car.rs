@@ -41,15 +41,20 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
         .add("car.gain", top - known(second.log_likelihood), "by how much the log-likelihood rises to there");
     let late = CarParams { delay: best, ..open };
     let learned = frame(CarParams { learn: true, ..late })?;
-    let (tunnel, gated) =
-        (frame(CarParams { tunnel: true, ..open })?, frame(CarParams { learn: true, gate: true, ..late })?);
+    let tunnel = frame(CarParams { tunnel: true, ..open })?;
+    let gated = [
+        ("car.gate", frame(CarParams { learn: true, gate: true, ..late })?),
+        ("car.gate.open", frame(CarParams { gate: true, ..open })?),
+    ];
     to.by("labs::CarLog::frame", None)
         .add("car.kappa", known(learned.learned.map(|it| it.speed_scale)), "the learned scale of the speed")
         .add("car.tunnel.seconds", TUNNEL[1] - TUNNEL[0], "how long fixes are withheld, s")
         .add("car.tunnel.worst", known(tunnel.tunnel.map(|it| it.worst)), "the filter's worst distance there, m")
-        .add("car.tunnel.smoothed", known(tunnel.tunnel.and_then(|it| it.worst_smoothed)), "the smoother's, m")
-        .add("car.gate.refused", f64::from(gated.refusals), "fixes beyond the gate")
-        .add("car.gate.of", f64::from(gated.used + gated.refusals), "of so many")
-        .add("car.gate.nis", known(gated.nis), "the NIS of the others");
+        .add("car.tunnel.smoothed", known(tunnel.tunnel.and_then(|it| it.worst_smoothed)), "the smoother's, m");
+    for (id, gated) in gated {
+        to.add(format!("{id}.refused"), f64::from(gated.refusals), "fixes beyond the gate")
+            .add(format!("{id}.of"), f64::from(gated.used + gated.refusals), "of so many")
+            .add(format!("{id}.nis"), known(gated.nis), "the NIS of the others");
+    }
     Ok(())
 }

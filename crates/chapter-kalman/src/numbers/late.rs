@@ -7,6 +7,8 @@ use labs::ensemble::SEEDS;
 use labs::{Course, LateFrame, LateParams, LateReadings, Way};
 use sim::scenarios::THREE_SENSORS;
 
+/// The standard deviation at the end of a gap that an exercise asks for, metres.
+const HALF: f64 = 0.5;
 /// The camera's place among the sensors.
 const CAMERA: usize = 2;
 
@@ -32,6 +34,21 @@ fn camera(frame: &LateFrame) -> f64 {
     frame.sensors[CAMERA].mean.unwrap_or(f64::NAN)
 }
 
+/// The mean lag of the estimate just before a reading of the camera is taken: ν is y − x̂⁻, and y is off by y − x.
+fn before(frame: &LateFrame) -> f64 {
+    let camera = &frame.sensors[CAMERA];
+    let mut used = camera.used.iter().zip(&camera.came).zip(&camera.off).filter(|((used, _), _)| **used);
+    let (mut sum, mut count) = (0.0, 0.0);
+    for innovation in &camera.innovation {
+        let Some(((_, came), off)) = used.next() else { break };
+        if *came >= frame.settled {
+            sum += innovation - off;
+            count += 1.0;
+        }
+    }
+    sum / count
+}
+
 pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     let (beside, by_itself) = (frame(open(Way::AsNew))?, frame(alone(Way::AsNew))?);
     to.by("labs::LateReadings::frame", None)
@@ -39,6 +56,7 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
         .add("late.travelled", beside.travelled, "v·τ: how far the robot drives in the delay, in the mean, m")
         .add("late.lag", beside.lag, "how far the estimate is behind, where late readings are taken as new, m")
         .add("late.camera", camera(&beside), "the camera's mean innovation then, m")
+        .add("late.lag.before", before(&beside), "how far the estimate is behind when a camera's reading comes, m")
         .add("late.nis", beside.sensors[CAMERA].nis.unwrap_or(f64::NAN), "the camera's mean NIS then")
         .add("late.alone.lag", by_itself.lag, "how far the estimate is behind with the camera alone, m")
         .add("late.alone.camera", camera(&by_itself), "the camera's mean innovation then, m")
@@ -57,6 +75,24 @@ fn gap(to: &mut Listing) -> Result<(), Error> {
             .add("late.gap.worst", gap.worst_place.unwrap_or(f64::NAN), "where that is, a part of the gap")
             .add("late.gap.helped", gap.helped_place.unwrap_or(f64::NAN), "where the smoother takes most off σ");
     }
+    // By the steps of the handles.
+    let (from, step) = (8.0, 0.05);
+    let (mut long, mut least) = (f64::NAN, f64::INFINITY);
+    for steps in 20..100 {
+        let seconds = step * f64::from(steps);
+        let gap = frame(LateParams { gap: Some([from, from + seconds]), ..in_gap() })?.gap;
+        let miss = gap.map_or(f64::INFINITY, |gap| (gap.sigma_after - HALF).abs());
+        if miss < least {
+            (long, least) = (seconds, miss);
+        }
+    }
+    to.by("labs::LateReadings::frame", None)
+        .add(
+            "late.gap.half.seconds",
+            long,
+            "how long a gap from the same beginning is that ends with the exercise's σ, s",
+        )
+        .add("ex.gap.half", HALF, "the σ at the end of a gap that the exercise asks for, m");
     Ok(())
 }
 

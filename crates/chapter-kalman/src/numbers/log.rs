@@ -119,6 +119,7 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
             "mean of (error / claimed σ)² of the position, 1 is expected",
         );
     }
+    stops(logged, LogParams { scale, ..usual }, tuned, to)?;
     wrong(logged, LogParams { scale, ..usual }, to)?;
     to.by("labs::RobotLog", None)
         .add("log.given.gate", GATE, "the gate's probability that the text tries")
@@ -149,6 +150,21 @@ fn replays(logged: &Arc<LoggedDrive>, to: &mut Listing) -> Result<(), Error> {
         sigma,
         "its standard deviation",
     );
+    Ok(())
+}
+
+/// The two stops of the figure's slider about `sigma`, 50 to a power of ten and of three decimals, and the NIS there.
+fn stops(logged: &Arc<LoggedDrive>, scaled: LogParams, sigma: f64, to: &mut Listing) -> Result<(), Error> {
+    let below = (50.0 * libm::log10(sigma)).floor();
+    for (name, stop) in [("below", below), ("above", below + 1.0)] {
+        let sigma_range = (1000.0 * libm::exp10(0.02 * stop)).round() / 1000.0;
+        let frame = whole(logged, LogParams { sigma_range, ..scaled })?;
+        to.add(format!("log.stop.{name}.sigma"), sigma_range, "a stop of the slider of σ_ρ, m").add(
+            format!("log.stop.{name}.nis"),
+            frame.summary.nis.unwrap_or(f64::NAN),
+            "the NIS there",
+        );
+    }
     Ok(())
 }
 
@@ -222,11 +238,12 @@ fn wrong(logged: &Arc<LoggedDrive>, calibrated: LogParams, to: &mut Listing) -> 
     to.add("log.wrong.mended", share(sound.used, sound.refused), "the share of refused readings with the right map")
         .add("log.wrong.mended.rmse", sound.rmse.ok_or_else(off)?, "RMS error of the position with it, m")
         .add("log.wrong.rmse", copied.summary.rmse.ok_or_else(off)?, "the same of the log with a mistake, m");
-    for LogLandmark { id, used, refused, mean_innovation } in copied.by_landmark {
-        let (readings, mean) = (f64::from(used + refused), mean_innovation.ok_or_else(off)?);
+    for (LogLandmark { id, used, refused, .. }, said) in copied.by_landmark.iter().zip(&copied.landmark_statistics) {
+        let (readings, mean) = (f64::from(used + refused), said.mean.ok_or_else(off)?);
         to.add(format!("log.wrong.{id}.readings"), readings, "a beacon's readings in the log with a mistake")
-            .add(format!("log.wrong.{id}.refused"), share(used, refused), "the share of them that the gate refuses")
-            .add(format!("log.wrong.{id}.mean"), mean, "the mean of all their innovations, m");
+            .add(format!("log.wrong.{id}.refused"), share(*used, *refused), "the share of them that the gate refuses")
+            .add(format!("log.wrong.{id}.mean"), mean, "the mean of ν/√S of those that are used")
+            .add(format!("log.wrong.{id}.nis"), said.nis.ok_or_else(off)?, "their NIS");
     }
     Ok(())
 }

@@ -2,10 +2,12 @@
 
 use crate::checks::maps::{linear_limit, linear_slam};
 use crate::givens::Givens;
-use estimate::Error;
+use estimate::localizer::SensorKind;
+use estimate::{Code, Error};
 use filters::linear;
-use lab::Listing;
+use lab::{Lab, Listing};
 use labs::mapping::chapter_run;
+use labs::observability_probe::{ObservabilityProbe, ProbeParams};
 use nalgebra::Matrix1;
 
 pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
@@ -50,6 +52,20 @@ pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
         .add("rbslam.matched", f64::from(tally.matched), "of which so many were matched")
         .add("rbslam.worst", worst.map_or(f64::NAN, |w| w.error), "the worst landmark's error, m")
         .add("rbslam.sigma", worst.map_or(f64::NAN, |w| w.sigma), "the same in its own standard deviations");
+    in_the_figure(givens, to)
+}
+
+/// The same run in the Probe, which opens later in it.
+fn in_the_figure(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
+    let params = ProbeParams { count: 3, sensor: SensorKind::RangeBearing, forget: true, ..ProbeParams::default() };
+    let mut probe = ObservabilityProbe::new(ProbeParams { seed: givens.seed, ..params })?;
+    probe.run(givens.probe.steps)?;
+    let map = probe.frame().slam.ok_or(Error::new(Code::Limit, "slam", "the map was not forgotten"))?;
+    to.by("labs::ObservabilityProbe", None)
+        .add("rbslam.step", f64::from(givens.range_bearing_slam.poses) - 1.0, "the step of the figure after 200 poses")
+        .add("rbslam.figure.step", f64::from(probe.frame().step), "the step at which the figure opens")
+        .add("rbslam.figure.total", f64::from(map.sightings - map.founded), "sightings until then that founded nothing")
+        .add("rbslam.figure.matched", f64::from(map.matched), "of which so many were matched");
     Ok(())
 }
 
@@ -63,6 +79,9 @@ mod tests {
         let mut listing = Listing::new();
         list(&Givens::default(), &mut listing).expect("computed");
         let n: BTreeMap<_, _> = listing.numbers.into_iter().map(|n| (n.id, n.value)).collect();
+        // The text says both of the run: what it counts after 200 poses, and where the figure opens.
+        assert_eq!(n["rbslam.step"] + 1.0, n["rbslam.sightings"] / 3.0);
+        assert!(n["rbslam.figure.total"] - n["rbslam.figure.matched"] == n["rbslam.total"] - n["rbslam.matched"]);
         // p²/(p + 0.02) = 0.01 has the root p = 0.02, of which an update leaves a half.
         assert!((n["slam.linear.readings"] - 0.01).abs() < 1e-15);
         // The limit is extrapolated from 2000 and 4000 steps as a + b/k; the next term is of the order of 1/k².

@@ -12,6 +12,11 @@ use labs::true_path::after;
 use nalgebra::Vector2;
 use std::sync::Arc;
 
+/// The seed of the run that the text sends a reader to.
+const WANDERING: u32 = 2;
+/// Until there the usual run shows nothing of the kind.
+const LUCKY: u32 = 960;
+
 pub(super) fn list(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     ranks(givens, to)?;
     turned(to)?;
@@ -38,6 +43,10 @@ fn turned(to: &mut Listing) -> Result<(), Error> {
     let ranks = stacked_ranks(moments.iter(), SensorKind::Range, false, 1e-9)?;
     to.by("labs::observability_probe::stacked_ranks", None).add("ex.ghost.rank", ranks.rank as f64, "its rank");
     if let [c] = &ranks.directions[..] {
+        let [x, y] = [c[0] / c[2], c[1] / c[2]];
+        to.vector("ex.ghost.back", [x, y, -1.0].iter(), "the same with the heading turned the other way")
+            .vector("ex.ghost.along", [y, -x, 0.0].iter(), "the way along the line of sight")
+            .vector("ex.ghost.mirrored", [x, -y, 1.0].iter(), "the unseen direction with a wrong sign");
         to.vector("ex.ghost.c", c.map(|e| e / c[2]).iter(), "its unseen direction, scaled to end with 1");
         to.vector("ex.ghost.tangent", [c[0] / c[2], c[1] / c[2], 0.0].iter(), "the same with the heading left alone");
     }
@@ -76,5 +85,45 @@ fn runs(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
             .add(format!("probe.run.nees.{name}"), frame.mean.nees.unwrap_or(f64::NAN), "the mean NEES of that run")
             .add(ratio, frame.frozen.relative[2], "the smallest frozen singular value over the largest, at its end");
     }
+    wandering(to)
+}
+
+/// A run of the figure whose estimate wanders along the hidden direction, lap after lap.
+fn wandering(to: &mut Listing) -> Result<(), Error> {
+    let mut probe = ObservabilityProbe::new(ProbeParams { seed: WANDERING, ..Default::default() })?;
+    let mut lucky = ObservabilityProbe::new(ProbeParams::default())?;
+    lucky.run(LUCKY)?;
+    to.by("labs::ObservabilityProbe", None)
+        .add("probe.wandering.seed", f64::from(WANDERING), "the run's seed")
+        .add("probe.lucky.steps", f64::from(LUCKY), "steps of the run that the figure begins with")
+        .add("probe.lucky.nees", lucky.frame().mean.nees.unwrap_or(f64::NAN), "its mean NEES until then");
+    for steps in [240, 480, 960, 1920] {
+        probe.run(steps - probe.frame().step)?;
+        let frame = probe.frame();
+        let (id, error) = (format!("probe.wandering.{steps}"), numerics::hypot(frame.error[0], frame.error[1]));
+        to.add(format!("{id}.trace"), frame.trace.total, "the pose trace of that run")
+            .add(format!("{id}.error"), error, "the error of the position then, m")
+            .add(format!("{id}.nees"), frame.mean.nees.unwrap_or(f64::NAN), "the mean NEES until then");
+    }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeMap;
+
+    #[test]
+    fn a_wandering_run_errs_ever_more_while_its_trace_stalls_and_the_usual_run_does_not() {
+        let mut listing = Listing::new();
+        wandering(&mut listing).expect("computed");
+        let n: BTreeMap<_, _> = listing.numbers.into_iter().map(|n| (n.id, n.value)).collect();
+        let of = |steps: u32, part: &str| n[&format!("probe.wandering.{steps}.{part}")];
+        for (before, after) in [(240, 480), (480, 960), (960, 1920)] {
+            assert!(of(before, "error") < of(after, "error") && of(before, "nees") < of(after, "nees"), "{after}");
+        }
+        // The trace of the true path doubles with each doubling of the drive.
+        assert!(of(1920, "trace") < of(960, "trace") && of(1920, "nees") > 20.0);
+        assert!(n["probe.lucky.nees"] < 3.0, "{}", n["probe.lucky.nees"]);
+    }
 }

@@ -149,6 +149,8 @@ fn the_log_s_story_holds() {
         (n["log.scatter"] / n["log.tuned.sigma"] - 1.0).abs() < 0.1,
         "the truth says of the radios what the filter says"
     );
+    assert!(n["log.stop.below.sigma"] < n["log.tuned.sigma"] && n["log.tuned.sigma"] < n["log.stop.above.sigma"]);
+    assert!(n["log.stop.above.nis"] < 1.0 && n["log.stop.below.nis"] > 1.0, "the stops lie about a NIS of 1");
     let refused = |beacon: u32| n[&format!("log.wrong.{beacon}.refused")];
     assert!(
         refused(1) > 0.9 && refused(6) > 0.9 && refused(0) < 0.01 && refused(5) < 0.01 && n["log.wrong.mended"] < 0.001
@@ -249,6 +251,11 @@ fn what_the_text_says_of_late_readings_holds() {
     }
     assert!(n["late.lag"] > 0.5 * n["late.travelled"] && n["late.lag"] < n["late.travelled"]);
     assert!(n["late.camera"] < -0.3 * n["late.travelled"]);
+    // Between its readings the others bring the estimate forward; its innovation is what the lag leaves of v·τ, but for
+    // the noise of its readings, 0.05 m over the root of their number.
+    assert!(n["late.lag.before"] < 0.8 * n["late.lag"]);
+    assert!((n["late.camera"] - n["late.lag.before"] + n["late.travelled"]).abs() < 0.05, "{}", n["late.lag.before"]);
+    assert!((n["late.gap.half.seconds"] - 3.0).abs() < 0.5, "{}", n["late.gap.half.seconds"]);
     let rms = |id: &str| n[&format!("ensemble.late.{id}.rms")];
     assert!(rms("all.dropped") < 1.4 * rms("all.back") && rms("all.new") > 3.0 * rms("all.dropped"));
     assert!(rms("alone.dropped") > 10.0 * rms("alone.back"));
@@ -269,9 +276,15 @@ fn what_the_text_says_of_the_car_holds() {
         ("car.tunnel.worst", 48.340891009, 1e-6),
         ("car.tunnel.smoothed", 13.977784991, 1e-6),
         ("car.gate.of", 205.0, 1e-12),
+        ("car.gate.open.of", 205.0, 1e-12),
         ("car.alone", 90.0, 5.0),
     ] {
         assert!((n[id] - value).abs() < within, "{id}: {}", n[id]);
     }
     assert!(n["car.gate.refused"] > 20.0 && n["car.gate.nis"] < 1.2, "{}", n["car.gate.nis"]);
+    assert!(n["car.gate.open.refused"] > 1.8 * n["car.gate.refused"], "{}", n["car.gate.open.refused"]);
+    assert!(
+        (n["car.gate.open.nis"] - n["car.gate.nis"]).abs() < 0.1,
+        "the NIS of what passes does not tell them apart"
+    );
 }
