@@ -27,6 +27,7 @@ const TABLES = [
   'time,left_ticks,right_ticks\n0,0,0\n1,40,42\n',
   'time,left_ticks,right_ticks\n0,0,0\n1,41,44\n',
   't,d1,d2\n0,1,2\n1,1,nan\n',
+  't,tag,anchor,range\n0,T7,6,2\n1,T9,6,3\n',
   LOG,
 ]
 const ROLES = [
@@ -101,7 +102,8 @@ export const logClasses = (lab) => ({
         return [at, name, dice.pick(units)]
       },
       setWheel: (dice, _, it) => [encoders(it, dice), dice.pick(['ticks', 'radius', 'base']), dice.pick([0.1, 1000])],
-      setCounting: (dice, _, it) => [encoders(it, dice), dice.pick(['total', 'step'])],
+      setCounting: (dice, _, it) => [encoders(it, dice), dice.pick(['total', 'step', 'restarted'])],
+      setOnly: (dice, _, it) => [fileOf(it, dice, ({ several }) => several !== null).at, dice.pick([null, 'T7', 'T9'])],
       read: () => [],
     },
     often: ['add', 'setColumn'],

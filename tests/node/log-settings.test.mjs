@@ -65,6 +65,23 @@ test('what is written is read again: settings, columns, units and wheels', () =>
 })
 const usual = () => Object.fromEntries(known.map(({ name, default: value }) => [name, value]))
 
+test('whose rows are read, of several tags, is written and read again', () => {
+  const table = ['ranges.csv', 't,tag,anchor,range\n0,T7,6,2\n1,T9,6,3\n2,T7,6,2.5\n']
+  const files = opened(table)
+  const asked = () => readSettings(settingsText({}, files.files()), known).files[0]
+  assert.ok(!('only' in asked()), 'not said yet')
+  for (const only of ['T7', null]) {
+    files.setOnly(0, only)
+    const again = opened(table)
+    assert.equal(follow(again, readSettings(settingsText({}, files.files()), known)), 1)
+    assert.deepEqual(again.files(), files.files())
+  }
+  files.setOnly(0, 'T7')
+  const settings = readSettings(settingsText({}, files.files()), known)
+  const other = opened(['ranges.csv', 't,tag,anchor,range\n0,T8,6,2\n1,T9,6,3\n'])
+  assert.throws(() => follow(other, settings), /ranges\.csv has no rows of T7\./)
+})
+
 test('another recording with the same columns is read so too, wherever a column stands', () => {
   const files = corrected()
   const settings = readSettings(settingsText({}, files.files()), known)

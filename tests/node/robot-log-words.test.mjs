@@ -87,6 +87,23 @@ for (const [name, log] of Object.entries(LOGS)) {
   })
 }
 
+test('in the CSV of the figure each reading has its time, and a range what it is off by', () => {
+  const log = 'L,4,9,1\nV,0,1,0\nP,0,0.5,0.25\nH,1,0.125\nR,1,4,8.2\nR,1,4,8.3\nP,2,2,0.5\nR,3,4,6\n'
+  const drive = RobotLog.parse(log)
+  const { steps } = drive.contents()
+  const { time, sensor, landmark, range, residual, innovation } = robotLog.series(
+    RobotLog.from(drive, { version: 1, lab: 'robot-log', params: {}, step: steps }).frame(),
+  )
+  assert.deepEqual([...time], [0, 1, 1, 1, 2, 3])
+  assert.deepEqual([...sensor], ['fix', 'heading', 'range', 'range', 'fix', 'range'])
+  assert.deepEqual([...landmark], [null, null, 4, 4, null, 4])
+  assert.deepEqual(
+    range.map((one) => one === null),
+    [true, true, false, false, true, false],
+  )
+  assert.ok(Math.abs(residual[3] - residual[2] - 0.1) < 1e-9 && innovation.length === 6)
+})
+
 test('of a log with positions the words are on readings, and its panels of ranges are not there', () => {
   const rows = Array.from(
     { length: 80 },

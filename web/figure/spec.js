@@ -90,7 +90,7 @@
  * @property {(frame: any) => import('../draw/words.js').Words} [verdict] the state in one sentence, shown; every σ is
  * set as a symbol
  * @property {(frame: any, previous: any) => string} announce what has changed, for screen readers
- * @property {(frame: any) => Record<string, number[]>} series columns of the CSV
+ * @property {(frame: any) => Record<string, any[]>} series columns of the CSV
  */
 
 /**

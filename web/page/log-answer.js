@@ -1,6 +1,6 @@
 /** What is said of a log that was opened: what it holds, what is wrong with it and where, and that it is being read. */
 
-import { part } from '../draw/dom.js'
+import { button, part } from '../draw/dom.js'
 
 /** What pasted rows are called, as a file has its name. */
 export const PASTED = 'pasted rows'
@@ -66,6 +66,22 @@ export class Answer {
     const at = from + Math.max(0, [...(lines[line - 1] ?? '')].slice(0, column - 1).join('').length)
     text.focus()
     text.setSelectionRange(at, from + (lines[line - 1]?.length ?? 0))
+  }
+
+  /**
+   * Says something that a press makes otherwise.
+   * @param {{ words: string, press: string, after: string }} told @param {() => void} act
+   */
+  offer({ words, press, after }, act) {
+    const line = part(document, this.box, 'p', 'log-offer')
+    line.append(`${words} `)
+    const pressed = button(document, line, press, () => {
+      act()
+      line.textContent = after
+      line.tabIndex = -1
+      line.focus({ preventScroll: true })
+    })
+    pressed.className = 'try'
   }
 
   /** @param {string} words */

@@ -58,6 +58,8 @@ function left(frame, contents) {
     ...(heading && params.headings && gateOf(params.gate, 'heading') !== null
       ? ['The gate of the headings is left out: set pose1_rejection_threshold by hand.']
       : []),
+    'A covariance below is a diagonal of 15 numbers, which robot_localization reads since May 2022: an older one wants',
+    'all 225 of the matrix.',
     ...(contents.landmarks.length > 0 ? ['robot_localization takes no ranges to landmarks: they are left out.'] : []),
   ]
 }

@@ -64,7 +64,7 @@ export class FileForm {
   }
 
   /** @param {number} i @param {LogFile} file */
-  showFile(i, { name, role, header, values, wheels, asks, follows }) {
+  showFile(i, { name, role, header, values, wheels, several, asks, follows }) {
     const set = part(document, this.box, 'fieldset', `log-file${asks.length > 0 ? ' asks' : ''}`)
     part(document, set, 'legend', '').textContent = name
     for (const ask of asks) part(document, set, 'p', 'log-ask').textContent = ask
@@ -92,6 +92,7 @@ export class FileForm {
       const inner = part(document, more, 'div', 'log-values')
       for (const value of hidden) this.value(inner, i, columns, value)
     }
+    if (several) this.several(set, i, header, several)
     if (wheels) this.wheels(set, i, wheels)
     if (follows) part(document, set, 'p', 'log-follows').textContent = `So: ${follows}.`
   }
@@ -141,9 +142,31 @@ export class FileForm {
     const ways = [
       ['total', 'the count since the start'],
       ['step', 'the count since the row before'],
+      ['restarted', 'the count since the start, and a jump begins it anew'],
     ]
     if (wheels.counting === null) ways.unshift(['', 'choose one'])
     this.choice(set, `${i} counting`, 'a row has', ways, wheels.counting ?? '', (counting) => ({ file: i, counting }))
+  }
+
+  /**
+   * Whose rows are read, of several robots.
+   * @param {Element} into @param {number} i @param {string[]} header @param {NonNullable<LogFile['several']>} several
+   */
+  several(into, i, header, { column, values, only, asked }) {
+    const words = `rows of which ${header[column]}`
+    const cell = part(document, into, 'div', `log-value${asked ? ' asked' : ''}`)
+    /** @type {[string, string][]} */
+    const options = values.map(({ value, rows }, at) => [
+      String(at),
+      `${value || '(empty)'}: ${rows.toLocaleString('en')} rows`,
+    ])
+    if (asked) options.unshift(['', 'choose one'])
+    options.push(['all', 'all rows'])
+    const chosen = asked ? '' : only === null ? 'all' : String(values.findIndex(({ value }) => value === only))
+    this.choice(cell, `${i} only`, words, options, chosen, (at) => ({
+      file: i,
+      only: at === 'all' ? null : values[Number(at)].value,
+    }))
   }
 
   /**

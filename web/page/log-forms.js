@@ -1,11 +1,32 @@
 /** What a reader tells the filter of a log, in the strip of the workbench: sensors, start, afterwards, fit. */
 
 import { FitForm } from './log-fit.js'
+import { settingWords } from './log-numbers.js'
 import { SensorForm } from './log-sensors.js'
 import { StartForm } from './log-start.js'
 
 /** What was said of the log before and is not true of another. */
 const UNTOLD = ['start', 'startSigma', 'startSigmaHeading', 'withheld']
+
+/**
+ * What became of settings: a sentence, a press that makes it otherwise, what it sets, and what is said after.
+ * @typedef {{ words: string, press: string, patch: Record<string, unknown>, after: string }} Told
+ */
+
+/**
+ * The settings that are not the usual ones, by their names.
+ * @param {Record<string, unknown>} params @param {import('estimate-wasm').Parameter[]} parameters
+ */
+function changed(params, parameters) {
+  const set = parameters.filter((one) => JSON.stringify(params[one.name]) !== JSON.stringify(one.default))
+  return set.map(({ name }) => name).filter((name) => !UNTOLD.includes(name))
+}
+
+/** @param {Record<string, unknown>} params @param {string[]} names */
+const only = (params, names) => Object.fromEntries(names.map((name) => [name, params[name]]))
+
+/** @param {string[]} names */
+const listed = (names) => names.map(settingWords).join('; ')
 
 /** How often the run is led on, milliseconds. */
 const FOLLOW_MS = 40
@@ -41,6 +62,8 @@ export class Forms {
     this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stop('fit'), take: this.change })
     /** Where the log begins by its first fixes, as text. */
     this.opening = ''
+    /** The names of the files of the reader's log, as text; null until there is one. @type {string | null} */
+    this.names = null
   }
 
   /** Leads the run on where the figure is far from the window: it takes its turns by itself only near to it. */
@@ -58,19 +81,41 @@ export class Forms {
   }
 
   /**
-   * Starts another log, or one that is read otherwise, where its first fixes say.
+   * Starts another log, or one that is read otherwise, where its first fixes say. A log whose files are called as those
+   * of the one before is that one, mended: it keeps the settings. So does the first, as they may have come with a link.
+   * Others begin with the usual ones.
    * @param {import('estimate-wasm').LogContents} contents
    * @param {import('estimate-wasm').Parameter[]} parameters
-   * @param {boolean} other whether it is another log
+   * @param {boolean} other whether other files were opened
+   * @param {string[]} names of the files
+   * @returns {Told | null} what became of settings that the reader had changed
    */
-  begin({ opening }, parameters, other) {
-    const before = this.opening
+  begin({ opening }, parameters, other, names) {
+    const [before, called] = [this.opening, this.names]
     this.opening = JSON.stringify(opening)
-    if (!other && before === this.opening) return
-    const usual = parameters.filter(({ name }) => UNTOLD.includes(name)).map((one) => [one.name, one.default])
-    const { sightings } = this.host.figure.run.wanted.params
-    const first = other && !sightings && this.untouched(parameters)
-    this.change({ ...Object.fromEntries(usual), ...(first ? { sightings: true } : {}), ...opening })
+    if (other) this.names = JSON.stringify(names)
+    const moved = before !== this.opening
+    const { params } = this.host.figure.run.wanted
+    const usual = Object.fromEntries(parameters.map((one) => [one.name, one.default]))
+    const untold = Object.fromEntries(UNTOLD.map((name) => [name, usual[name]]))
+    if (!other) {
+      if (moved) this.change({ ...untold, ...opening })
+      return null
+    }
+    const set = changed(params, parameters)
+    const mended = called === this.names
+    if (called !== null && !mended) {
+      this.change({ ...usual, ...opening })
+      if (set.length === 0) return null
+      const words = `The settings are the usual ones; those of the log before are not taken over: ${listed(set)}.`
+      return { words, press: 'Take them over', patch: only(params, set), after: 'They are taken over.' }
+    }
+    const first = called === null && !params.sightings && this.untouched(parameters)
+    if (!mended || moved) this.change({ ...untold, ...(first ? { sightings: true } : {}), ...opening })
+    const kept = first ? [] : set
+    if (kept.length === 0) return null
+    const words = `Settings from before are kept: ${listed(kept)}.`
+    return { words, press: 'Begin with the usual ones', patch: only(usual, kept), after: 'They are the usual ones.' }
   }
 
   /**

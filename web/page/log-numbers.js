@@ -72,6 +72,31 @@ export const HELD = [
 ]
 export const GATES = [null, 0.95, 0.99, 0.999]
 
+/**
+ * What a setting is that is no number of one sensor.
+ * @type {Record<string, string>}
+ */
+const OTHERS = {
+  fixes: 'whether positions are used',
+  headings: 'whether headings are used',
+  sightings: 'whether ranges are used',
+  gate: 'gates',
+  every: 'least gaps in time',
+  learn: 'learn the scale ε',
+  learnSpeed: 'learn the scale of the speed',
+  learnBias: 'learn the bias of the turn rate',
+  speedScale: 'scale of the speed',
+  turnBias: 'bias of the turn rate',
+}
+
+/** A setting in words. @param {string} name */
+export function settingWords(name) {
+  const sensor = SENSORS.find(({ numbers }) => numbers.some((told) => told[0] === name))
+  const told = [...(sensor?.numbers ?? []), ...MOTION, ...HELD].find((one) => one[0] === name)
+  const words = told ? told[1].replace(/, [^,]+$/, '') : (OTHERS[name] ?? name)
+  return sensor ? `${words} of ${sensor.words}` : words
+}
+
 /** A value for each sensor, of one for all or of some. @param {any} value @returns {Record<string, any>} */
 export function bySensor(value) {
   if (value !== null && typeof value === 'object') return value

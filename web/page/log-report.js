@@ -1,6 +1,7 @@
 /** The report on a log: its facts, the settings, the results, and the readings of each landmark. */
 
 import { button, part } from '../draw/dom.js'
+import { fixed } from '../draw/numbers.js'
 import { writeHtml } from '../draw/words.js'
 import { looksOf } from '../widgets/robot-log/looks.js'
 import { clock } from '../widgets/robot-log/words.js'
@@ -66,12 +67,18 @@ export class Report {
     const heads = kept ? ['', 'A', 'B'] : []
     const both = (/** @type {(one: Frame) => Words[][]} */ told) =>
       kept ? beside(told(kept), told(frame)) : told(frame)
-    this.table('Settings', heads, both(settingsOf))
+    this.table(
+      'Settings',
+      heads,
+      both((one) => [...settingsOf(one), ...begun(one, this.contents)]),
+    )
     this.table(
       'Results',
       heads,
       // What this log does not tell, such as the scale of ranges where there are none, is no result.
-      both((one) => results(spec, one)).filter(([, ...cells]) => cells.some((cell) => cell !== '–')),
+      both((one) => [...results(spec, one), ...tested(one)]).filter(([, ...cells]) =>
+        cells.some((cell) => cell !== '–'),
+      ),
     )
     const sources = kept ? underOneAnother(rowsOf(kept), rowsOf(frame)) : rowsOf(frame)
     if (sources.length > 0)
@@ -167,6 +174,42 @@ function underOneAnother(a, b) {
     { name: `${name}, A`, cells: of(a, name) },
     { name: `${name}, B`, cells: of(b, name) },
   ])
+}
+
+/**
+ * Where the filter begins, of a log without a truth, and the stretch of fixes that is withheld from it.
+ * @param {Frame} frame @param {LogContents | null} contents
+ * @returns {Words[][]}
+ */
+function begun({ params: { start, startSigma, startSigmaHeading, withheld } }, contents) {
+  if (!contents) return []
+  const { truth, readings, span } = contents
+  const [x, y, theta] = start ?? [0, 0, 0]
+  const degrees = (/** @type {number} */ angle) => `${fixed((angle * 180) / Math.PI, 1)}°`
+  /** @type {Words[][]} */
+  const rows = []
+  if (!truth)
+    rows.push(
+      ['Start', `${fixed(x, 2)} m, ${fixed(y, 2)} m, ${degrees(theta)}`],
+      ['*σ* at the start', `${fixed(startSigma, 2)} m, ${degrees(startSigmaHeading)}`],
+    )
+  const seconds = (/** @type {number} */ time) => fixed(time - span[0], 1)
+  if (readings.fix)
+    rows.push(['Withheld fixes', withheld ? `from ${seconds(withheld[0])} s to ${seconds(withheld[1])} s` : 'none'])
+  return rows
+}
+
+/** What withheld fixes say of the filter, and of the smoother. @param {Frame} frame @returns {Words[][]} */
+function tested({ summary: { withheld } }) {
+  if (!withheld || withheld.rows === 0) return []
+  const { rows, rms, worst, rmsSmoothed, worstSmoothed } = withheld
+  const far = (/** @type {number | null | undefined} */ one, /** @type {number | null | undefined} */ most) =>
+    one === null || one === undefined ? '–' : `${fixed(one, 2)} m RMS, ${fixed(most ?? Number.NaN, 2)} m at worst`
+  return [
+    ['Fixes that were withheld', rows.toLocaleString('en')],
+    ['The filter’s distance from them', far(rms, worst)],
+    ['The smoothed track’s distance from them', far(rmsSmoothed, worstSmoothed)],
+  ]
 }
 
 /** @param {any} spec the figure's @param {Frame} frame @returns {Words[][]} */

@@ -10,7 +10,8 @@
 /**
  * @typedef {{
  *   name: string, role: string, header: string[], values: Record<string, SavedValue>, wheels: LogFile['wheels'],
- * }} SavedFile
+ *   only?: string | null,
+ * }} SavedFile with `only` where a column tells the rows of several robots apart, and it was said whose are read
  */
 /** @typedef {{ params: Record<string, any>, files: SavedFile[], missing: string[] }} Settings */
 
@@ -24,7 +25,7 @@ const WHEELS = ['ticks', 'radius', 'base', 'counting']
 export function settingsText(params, files) {
   const saved = files
     .filter(({ role }) => role !== 'log')
-    .map(({ name, role, header, values, wheels }) => ({
+    .map(({ name, role, header, values, wheels, several }) => ({
       name,
       role,
       header,
@@ -35,6 +36,7 @@ export function settingsText(params, files) {
         ]),
       ),
       wheels,
+      ...(several && !several.asked ? { only: several.only } : {}),
     }))
   const all = { format: FORMAT, version: VERSION, settings: params, files: saved }
   return `${JSON.stringify(all, (_, value) => (ArrayBuffer.isView(value) ? Array.from(listOf(value)) : value), 2)}\n`
@@ -130,7 +132,9 @@ function setting(value, { name, default: usual, least, greatest }) {
 function file(it, i) {
   const where = `files[${i}]`
   const names = ['name', 'role', 'header', 'values', 'wheels']
-  only(it, names, where, names)
+  only(it, [...names, 'only'], where, names)
+  if (it.only !== undefined && it.only !== null && typeof it.only !== 'string')
+    throw new Error(`${where}.only is no text.`)
   for (const name of ['name', 'role']) if (typeof it[name] !== 'string') throw new Error(`${where}.${name} is no text.`)
   const texts = Array.isArray(it.header) && it.header.every((/** @type {unknown} */ one) => typeof one === 'string')
   if (!texts) throw new Error(`${where}.header is no list of texts.`)
@@ -172,7 +176,8 @@ function placeOf({ name, header }, files) {
 }
 
 /** @param {SavedFile} saved @param {LogFile} file @returns {Omit<Change, 'file'> | null} */
-function changeOf({ name, role, values, wheels }, { role: now, header, values: current, wheels: turning }) {
+function changeOf(saved, { role: now, header, values: current, wheels: turning, several }) {
+  const { name, role, values, wheels, only: one } = saved
   if (role !== now) return { role }
   for (const [value, wanted] of Object.entries(values)) {
     const found = current.find((one) => one.name === value)
@@ -183,6 +188,11 @@ function changeOf({ name, role, values, wheels }, { role: now, header, values: c
     if (column === null || unit === null || unit === found.unit) continue
     if (!found.units.includes(unit)) throw new Error(`${name}: ${value} is not read in ${unit}.`)
     return { value, unit }
+  }
+  if (one !== undefined && several && (several.asked || several.only !== one)) {
+    if (one !== null && several.values.every(({ value }) => value !== one))
+      throw new Error(`${name} has no rows of ${one}.`)
+    return { only: one }
   }
   if (!wheels) return null
   for (const wheel of /** @type {const} */ (['ticks', 'radius', 'base'])) {

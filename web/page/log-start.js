@@ -83,25 +83,35 @@ export class StartForm {
     const row = this.row('withheld fixes, and the track afterwards')
     /** @type {ArrayLike<number> | null} */
     let withheld = null
-    let end = 0
+    /** An end of a stretch whose other one is not typed yet: alone it withholds nothing. @type {(number | null)[]} */
+    let typed = [null, null]
     /** @param {0 | 1} at @param {number} value */
     const set = (at, value) => {
-      const other = withheld ? withheld[1 - at] - first : at === 0 ? end : 0
+      const other = withheld ? withheld[1 - at] - first : typed[1 - at]
+      if (other === null) {
+        typed[at] = value
+        words.textContent = at === 0 ? 'Say also until when.' : 'Say also from when.'
+        return
+      }
+      typed = [null, null]
       const pair = at === 0 ? [value, Math.max(other, value)] : [Math.min(other, value), value]
       this.change({ withheld: pair.map((seconds) => first + seconds) })
     }
     const from = numberField(row, 'withhold from, s', (value) => set(0, value))
     const to = numberField(row, 'to, s', (value) => set(1, value))
     const actions = part(document, row, 'div', 'log-actions')
-    button(document, actions, 'Withhold none', () => this.change({ withheld: null }))
+    button(document, actions, 'Withhold none', () => {
+      typed = [null, null]
+      this.change({ withheld: null })
+    })
     button(document, actions, 'Smooth the track', () => this.smooth())
     const words = part(document, row, 'p', 'log-says')
     this.shows.push((frame) => {
       withheld = frame.params.withheld
-      end = frame.duration
-      from.show(withheld ? withheld[0] - first : null)
-      to.show(withheld ? withheld[1] - first : null)
-      words.textContent = `${tested(frame)}${smoothed(frame)}`
+      if (withheld) typed = [null, null]
+      from.show(withheld ? withheld[0] - first : typed[0])
+      to.show(withheld ? withheld[1] - first : typed[1])
+      if (typed.every((end) => end === null)) words.textContent = `${tested(frame)}${smoothed(frame)}`
     })
   }
 }

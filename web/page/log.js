@@ -248,13 +248,12 @@ class OwnLog {
   /** @param {any} answer @param {boolean} other whether it is another log, and not the same one read otherwise */
   understood({ set, contents, files, parameters }, other) {
     this.held = set
-    this.hold(
-      contents,
-      files.map((/** @type {any} */ { name }) => name),
-    )
-    this.forms.begin(contents, parameters, other)
-    this.answer.say(`${this.facts()}${contents.opening ? ' The filter starts at the first fix.' : ''}`)
+    const names = files.map((/** @type {any} */ { name }) => name)
+    this.hold(contents, names)
+    const told = this.forms.begin(contents, parameters, other, names)
+    this.answer.say(`${this.facts()}${contents.opening ? ' The filter starts where the first fixes say.' : ''}`)
     for (const note of contents.notes) part(document, this.answer.box, 'p', '').textContent = note
+    if (told) this.answer.offer(told, () => this.forms.change(told.patch))
   }
 
   // What the reader takes away.

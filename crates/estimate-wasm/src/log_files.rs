@@ -36,7 +36,18 @@ export interface LogWheels {
     ticks: number | null;
     radius: number | null;
     base: number | null;
-    counting: "total" | "step" | null;
+    counting: "total" | "step" | "restarted" | null;
+}
+/** The rows of several robots or tags in one file, which a column tells apart. */
+export interface LogSeveral {
+    /** The column, counted from 0. */
+    column: number;
+    /** What stands in it, and in how many rows. */
+    values: { value: string; rows: number }[];
+    /** Whose rows are read; null where all are, and where that is asked. */
+    only: string | null;
+    /** Whether it has to be said whose rows are read. */
+    asked: boolean;
 }
 /** How a file of a log is read. */
 export interface LogFile {
@@ -47,6 +58,8 @@ export interface LogFile {
     values: LogValue[];
     /** What encoders need besides; null of another file. */
     wheels: LogWheels | null;
+    /** The rows of several robots; null where no column tells such apart. */
+    several: LogSeveral | null;
     /** What has to be said before the file can be read: a guess that is not certain chooses nothing. */
     asks: string[];
     /** What follows from how it is read, in words, such as "20 Hz, 0 to 120 s, turned 2 turns". */
@@ -61,7 +74,8 @@ export interface LogFile {
 pub struct LogFiles(Held);
 
 const FILES: &str = "LogFiles";
-const COUNTINGS: [&str; 2] = ["total", "step"];
+const COUNTINGS: [(&str, Counting); 3] =
+    [("total", Counting::Total), ("step", Counting::Step), ("restarted", Counting::Restarted)];
 /// The most files, rows of a header, or columns that an index may count.
 const MOST: u32 = 10_000;
 
@@ -133,6 +147,20 @@ impl LogFiles {
         self.change(file, "unit", |files, file| files.set_unit(file, &value, &unit))
     }
 
+    /// Reads only the rows of one of several robots, by what stands in the column that tells them apart, or of all, by
+    /// null.
+    #[wasm_bindgen(js_name = setOnly)]
+    pub fn set_only(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] file: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "string | null")] only: &JsValue,
+    ) -> Result<(), Thrown> {
+        self.0.is(FILES)?;
+        let only = Arg::new(only, "only");
+        let only = if only.is_null() { None } else { Some(only.text()?) };
+        self.change(file, "only", |files, file| files.set_only(file, only.as_deref()))
+    }
+
     /// Says a number of encoders, above 0: `"ticks"` of a turn of the wheel, its `"radius"` or the wheels' `"base"`, m.
     #[wasm_bindgen(js_name = setWheel)]
     pub fn set_wheel(
@@ -150,15 +178,15 @@ impl LogFiles {
         self.change(file, "file", |files, file| files.set_wheel(file, name, number))
     }
 
-    /// Says whether encoders count on, or anew from row to row.
+    /// Says whether encoders count on, or anew from row to row, or count on and begin anew where they jump.
     #[wasm_bindgen(js_name = setCounting)]
     pub fn set_counting(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number")] file: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "'total' | 'step'")] counting: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "'total' | 'step' | 'restarted'")] counting: &JsValue,
     ) -> Result<(), Thrown> {
         self.0.is(FILES)?;
-        let counting = [Counting::Total, Counting::Step][Arg::new(counting, "counting").word(&COUNTINGS)?];
+        let (_, counting) = COUNTINGS[Arg::new(counting, "counting").word(&COUNTINGS.map(|(name, _)| name))?];
         self.change(file, "file", |files, file| files.set_counting(file, counting))
     }
 
@@ -187,6 +215,18 @@ fn texts<T: AsRef<str>>(all: impl IntoIterator<Item = T>) -> JsValue {
     all.into_iter().map(|text| JsValue::from_str(text.as_ref())).collect::<Array>().into()
 }
 
+/// The rows of several robots in a file.
+fn several(file: &File) -> JsValue {
+    let Some((column, values)) = file.several() else { return JsValue::NULL };
+    let each = values.iter().map(|(value, rows)| record(&[("value", value.into()), ("rows", (*rows as f64).into())]));
+    record(&[
+        ("column", (column as u32).into()),
+        ("values", each.collect::<Array>().into()),
+        ("only", file.only().flatten().map_or(JsValue::NULL, Into::into)),
+        ("asked", file.only().is_none().into()),
+    ])
+}
+
 fn shown(file: &File) -> JsValue {
     let columns = file.columns().iter().zip(file.units());
     let values = file.role().values().iter().zip(columns).enumerate().map(|(i, (value, (column, unit)))| {
@@ -201,7 +241,8 @@ fn shown(file: &File) -> JsValue {
         ])
     });
     let wheels = || {
-        let counting = file.wheels().counting.map(|counting| COUNTINGS[usize::from(counting == Counting::Step)]);
+        let said = |counting| COUNTINGS.iter().find(|(_, it)| *it == counting).map(|(name, _)| *name);
+        let counting = file.wheels().counting.and_then(said);
         let numbers = WHEEL_NUMBERS.map(|name| (name, file.wheels().number(name).map_or(JsValue::NULL, Into::into)));
         let [ticks, radius, base] = numbers;
         record(&[ticks, radius, base, ("counting", counting.map_or(JsValue::NULL, Into::into))])
@@ -211,6 +252,7 @@ fn shown(file: &File) -> JsValue {
         ("role", file.role().name().into()),
         ("header", texts(file.header())),
         ("values", values.collect::<Array>().into()),
+        ("several", several(file)),
         ("wheels", if file.role() == Role::Encoders { wheels() } else { JsValue::NULL }),
         ("asks", texts(file.asks())),
         ("follows", file.follows().into()),

@@ -11,7 +11,7 @@ use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 /// A log's replay that is written as CSV while it goes on: `"track"` has the estimate at each row of motion,
-/// `"innovations"` what the filter made of each sighting. Lengths are in metres, times in seconds by the log's own
+/// `"innovations"` what the filter made of each reading. Lengths are in metres, times in seconds by the log's own
 /// clock, angles in radians.
 #[wasm_bindgen]
 #[repr(transparent)]

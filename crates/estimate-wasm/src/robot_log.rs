@@ -5,7 +5,7 @@ use crate::encode::{Row, record};
 use crate::errors::Thrown;
 use crate::lab::{AnyLab, RobotLog};
 use crate::object::Held;
-use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Summary, log_likelihood};
+use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Settings, Summary, log_likelihood};
 use estimate::validate::finite;
 use estimate::{Code, Error, Landmark};
 use js_sys::{Array, JsString};
@@ -164,7 +164,7 @@ fn readings(drive: &Drive) -> JsValue {
 
 /// Where a drive began by its first fixes, if no truth says it; a fix without a σ of its own has the default's.
 fn opening(drive: &Drive) -> JsValue {
-    let found = drive.truth.poses().is_empty().then(|| drive.opening(LogParams::default().sigma_fix)).flatten();
+    let found = drive.truth.poses().is_empty().then(|| drive.opening(&Settings::default())).flatten();
     found.map_or(JsValue::NULL, |Opening { pose, sigma, sigma_heading }| {
         record(&[
             ("start", crate::encode::list(&pose)),

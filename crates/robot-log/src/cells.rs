@@ -1,5 +1,6 @@
 //! A row of a table: its values in seconds, metres and radians.
 
+use crate::counter::Jumps;
 use crate::error::Error;
 use crate::fields::{Field, Line};
 use crate::gathering::Place;
@@ -17,6 +18,8 @@ pub(crate) struct Cells<'a> {
     pub source: &'a Source,
     /// The columns in which −1 stands for what is not known.
     pub absent: &'a [usize],
+    /// Where the counters of encoders jump.
+    pub jumps: &'a Jumps,
 }
 
 impl<'a> Cells<'a> {
@@ -124,13 +127,33 @@ impl<'a> Cells<'a> {
         self.field(value).map(|field| field.text).filter(|text| !is_none(text) && row::number(text).is_none())
     }
 
-    /// The range in a column, if the row has one.
-    pub fn range(&self, value: &str, column: usize) -> Result<Option<f64>, Error> {
-        let Some(field) = self.line.fields.get(column).filter(|field| !is_none(field.text)) else { return Ok(None) };
+    /// The range in a column, or how the field says that there was none.
+    pub fn range(&self, value: &str, column: usize) -> Result<Result<f64, NoRange>, Error> {
+        let text = self.line.fields.get(column).map_or("", |field| field.text);
+        let Some(field) = self.line.fields.get(column).filter(|_| !is_none(text)) else {
+            return Ok(Err(NoRange::Missing));
+        };
+        match row::number(text) {
+            Some(number) if number == 0.0 => return Ok(Err(NoRange::Zero)),
+            Some(number) if number == -1.0 => return Ok(Err(NoRange::MinusOne)),
+            Some(number) if number.is_nan() => return Ok(Err(NoRange::Missing)),
+            Some(number) if number == f64::INFINITY => return Ok(Err(NoRange::Infinite)),
+            _ => {}
+        }
         let range = self.read(value, *field)?;
         let place = Place::of(self.file, self.line, column);
-        if range >= 0.0 { Ok(Some(range)) } else { Err(place.refuse("a range of at least 0 was expected")) }
+        if range >= 0.0 { Ok(Ok(range)) } else { Err(place.refuse("a range of at least 0 was expected")) }
     }
+}
+
+/// How a row says that its sensor has read no range.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum NoRange {
+    /// The field is empty, or has no number.
+    Missing,
+    Zero,
+    MinusOne,
+    Infinite,
 }
 
 /// Whether a field says that there is no number.

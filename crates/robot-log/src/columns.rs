@@ -12,7 +12,8 @@ use crate::row::number;
 use crate::source::Source;
 use crate::stamp;
 use crate::table::LOOKED_AT;
-use crate::unit::{DATE, QUATERNION, Unit, named};
+use crate::unit::{DATE, QUATERNION, Unit, VARIANCE, named};
+use crate::vocabulary::VARIANCES;
 use crate::wide;
 
 /// Finds the columns and units of a file's role: by names, or, where no column has a name, in the usual order.
@@ -135,6 +136,13 @@ pub(crate) fn clockwise(names: &[Name], file: &str) -> bool {
     ardupilot || px4
 }
 
+/// Whether a file is of a motion capture.
+fn captured(names: &[Name], file: &str) -> bool {
+    const CALLED: [&str; 6] = ["mocap", "motion_capture", "vicon", "optitrack", "qualisys", "motive"];
+    let file = file.to_lowercase();
+    CALLED.iter().any(|called| file.contains(called)) || names.iter().any(|name| name.has_one(&CALLED))
+}
+
 /// In a frame of north, east and down the first axis is north.
 fn swap_axes(source: &mut Source, file: &str) {
     if clockwise(&source.names, file)
@@ -179,7 +187,6 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             // Metres from one row to the next, to a landmark, and across a map.
             let far = match value.name {
                 "distance" => 20.0,
-                "sigma" => 200.0,
                 "range" | "first range" => 1000.0,
                 _ => 5000.0,
             };
@@ -188,6 +195,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             let size = if matches!(value.name, "x" | "y") { widest } else { most };
             said.or_else(|| if size > far { None } else { usual("m") })
         }
+        Quantity::Spread if name.has_one(&VARIANCES) => usual(VARIANCE),
+        Quantity::Spread => said.or_else(|| if most > 200.0 { None } else { usual("m") }),
         Quantity::Speed => said.or_else(|| if most > 30.0 { None } else { usual("m/s") }),
         Quantity::AngleRate => {
             let degrees = match said {
@@ -213,7 +222,7 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
         }
         Quantity::Heading => {
             let global = !candidates("latitude", Quantity::Coordinate, &source.names).is_empty();
-            heading::unit(name, said, most, [down, global]).and_then(usual)
+            heading::unit(name, said, most, [down, global, captured(&source.names, file)]).and_then(usual)
         }
         Quantity::Coordinate => {
             // Both are in one unit: near Greenwich a longitude is small in any.

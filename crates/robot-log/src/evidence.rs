@@ -20,6 +20,7 @@ pub(crate) fn follows(read: &Reading) -> String {
     parts.extend(rate(times));
     parts.extend(motion(&rows));
     parts.extend(places("positions", &fixes(&rows)));
+    parts.extend(spreads(&rows));
     parts.extend(places("true positions", &poses.iter().map(|pose| [pose.x, pose.y]).collect::<Vec<_>>()));
     parts.extend(headings(&rows, &poses));
     parts.extend(ranges(&rows, seen.len()));
@@ -85,6 +86,14 @@ fn fixes(rows: &[Row]) -> Vec<[f64; 2]> {
     rows.iter()
         .filter_map(|row| if let Event::Position { x, y, .. } = row.event { Some([x, y]) } else { None })
         .collect()
+}
+
+/// The standard deviations that fixes have of their own.
+fn spreads(rows: &[Row]) -> Option<String> {
+    let own = rows.iter().filter_map(|row| if let Event::Position { sigma, .. } = row.event { sigma } else { None });
+    let [least, most] = between(&own.collect::<Vec<_>>())?;
+    let to = if least == most { String::new() } else { format!(" \u{2026} {}", short(most)) };
+    Some(format!("their \u{3c3} {}{to} m", short(least)))
 }
 
 /// How far places reach.

@@ -2,17 +2,20 @@
 
 use crate::cells::Cells;
 use crate::columns;
+use crate::counter::Jumps;
 use crate::error::Error;
 use crate::evidence;
+use crate::fields::Line;
 use crate::guess;
 use crate::parse;
 use crate::reading::Reading;
 use crate::role::Role;
 use crate::row;
+use crate::several::{grouped, several};
 use crate::source::Source;
 use crate::table::Table;
 use crate::unit::{self, Unit};
-use crate::wheels::{Counting, Wheels};
+use crate::wheels::{Counting, Wheels, is_speed};
 
 /// How many values of a column are shown, of the first rows.
 const SAMPLES: usize = 3;
@@ -32,7 +35,19 @@ impl File {
         // Some spreadsheets end a line with a carriage return alone.
         let text = if text.contains('\n') { text.to_string() } else { text.replace('\r', "\n") };
         let source = guess::guess(name, &text);
-        Self { name: name.to_string(), text, source }
+        let mut file = Self { name: name.to_string(), text, source };
+        file.tell_apart();
+        file
+    }
+
+    /// Looks whether a column tells the rows of several robots apart; another column than before asks anew.
+    fn tell_apart(&mut self) {
+        let source = &mut self.source;
+        let table = source.table.as_ref();
+        let found = table.and_then(|table| several(source.role, table, &source.names, &source.columns, &self.text));
+        if found != source.several {
+            (source.several, source.only) = (found, None);
+        }
     }
 
     /// Its name.
@@ -77,7 +92,70 @@ impl File {
 
     /// What has to be said before it can be read, in sentences: a guess that is not certain chooses nothing.
     pub fn asks(&self) -> Vec<String> {
-        self.source.asks()
+        let mut asks = self.source.asks();
+        if self.wheels().counting == Some(Counting::Total) {
+            asks.extend(self.odd_jumps());
+        }
+        asks
+    }
+
+    /// The column whose names tell the rows of several robots apart, and each name with the number of its rows; `None`
+    /// of a file without such a column.
+    pub fn several(&self) -> Option<(usize, &[(String, usize)])> {
+        self.source.several.as_ref().map(|several| (several.column, several.values.as_slice()))
+    }
+
+    /// Whose rows are read: one's, or all of them; `None` where that is asked or there is nothing to be said.
+    pub fn only(&self) -> Option<Option<&str>> {
+        self.source.only.as_ref().map(Option::as_deref)
+    }
+
+    /// What is said of rows that are left out, as they are another robot's.
+    pub(crate) fn others(&self) -> Option<String> {
+        let (several, only) = (self.source.several.as_ref()?, self.only()??);
+        let rows = several.values.iter().filter(|(value, _)| value != only).map(|(_, rows)| rows).sum();
+        let (name, column) = (&self.name, &self.header()[several.column]);
+        Some(format!("{name}: only the rows whose {column} is {only} are read; {} are not.", grouped(rows)))
+    }
+
+    /// The jumps of its encoders that neither motion nor the end of a counter's range explains, as a question.
+    fn odd_jumps(&self) -> Option<String> {
+        let jumps = self.jumps();
+        let first = jumps.odd.first()?;
+        let column = self.source.column(["left", "right"][first.side])?;
+        let (name, line, from, to) = (&self.header()[column], first.line, first.from, first.to);
+        let more = jumps.odd.len() - 1;
+        let others = if more == 0 { String::new() } else { format!(" ({more} more like it)") };
+        Some(format!(
+            "In line {line} \u{201c}{name}\u{201d} jumps from {from} to {to}, which no motion does{others}: mend the \
+             file, or say that the count begins anew at a jump."
+        ))
+    }
+
+    /// Where its encoders' counts jump, as far as they are totals.
+    fn jumps(&self) -> Jumps {
+        let Source { table: Some(table), units, columns, wheels, .. } = &self.source else { return Jumps::default() };
+        let counts = matches!(wheels.counting, Some(Counting::Total | Counting::Restarted));
+        let Some(unit) = units.get(1).copied().flatten().filter(|unit| counts && !is_speed(unit.name)) else {
+            return Jumps::default();
+        };
+        let [Some(time), Some(left), Some(right)] = [0, 1, 2].map(|i| columns[i]) else { return Jumps::default() };
+        let number = |line: &Line<'_>, at: usize| row::number(line.fields.get(at)?.text).filter(|it| it.is_finite());
+        let lines = table.lines(&self.text).filter_map(Result::ok).filter(|line| self.source.is_read(line));
+        let counted = lines.filter_map(|line| {
+            let [left, right] = [number(&line, left)?, number(&line, right)?].map(|it| unit::convert(unit, it));
+            // Of dates the difference does not matter: then the steps themselves are compared.
+            Some((line.number, number(&line, time).unwrap_or(0.0), [left, right]))
+        });
+        Jumps::of(&counted.collect::<Vec<_>>(), unit)
+    }
+
+    /// What its reader should know of how it was read.
+    pub(crate) fn notes(&self) -> Vec<String> {
+        let unit = self.source.units.get(1).copied().flatten();
+        let counted =
+            unit.filter(|_| self.role() == Role::Encoders).and_then(|unit| self.jumps().note(&self.name, unit));
+        self.others().into_iter().chain(counted).collect()
     }
 
     /// Whether a question is about a value of its role, the `at`-th: about its column, or its unit.
@@ -112,6 +190,16 @@ impl File {
         self.source.role = role;
         self.source.undecided = (role == Role::Undecided).then(|| "What is it?".into());
         columns::columns(&mut self.source, &self.name, &self.text);
+        self.tell_apart();
+    }
+
+    pub(crate) fn set_only(&mut self, only: Option<&str>) -> bool {
+        let Some(several) = &self.source.several else { return false };
+        let known = only.is_none_or(|only| several.values.iter().any(|(value, _)| value == only));
+        if known {
+            self.source.only = Some(only.map(String::from));
+        }
+        known
     }
 
     pub(crate) fn set_column(&mut self, value: &str, column: Option<usize>) -> bool {
@@ -123,6 +211,7 @@ impl File {
         source.columns[at] = column;
         source.doubts[at].clear();
         source.units[at] = columns::unit(source, at, &self.name, &self.text);
+        self.tell_apart();
         true
     }
 
@@ -188,13 +277,15 @@ impl File {
             let role = source.role.name();
             return Err(refuse(format!("no column has been chosen for {value}, which {role} need")));
         }
-        let absent = self.absent(table);
+        let (absent, jumps) = (self.absent(table), self.jumps());
         let mut none = matches!(source.role, Role::Velocities | Role::Odometry | Role::Encoders | Role::Sensors);
         for line in table.lines(&self.text) {
             none = false;
             let line = line.map_err(|e| e.within(index))?;
             parse::check_text(&line).map_err(|e| e.within(index))?;
-            take(Cells { file: index, line: &line, source, absent: &absent })?;
+            if source.is_read(&line) {
+                take(Cells { file: index, line: &line, source, absent: &absent, jumps: &jumps })?;
+            }
         }
         if none { Err(refuse("the file has no row of numbers".into())) } else { Ok(()) }
     }

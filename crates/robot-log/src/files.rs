@@ -69,6 +69,12 @@ impl Files {
         self.files.get_mut(file).is_some_and(|file| file.set_unit(value, unit))
     }
 
+    /// Reads only the rows of one of several robots of a file, or, by `None`, all of them. Answers whether the file has
+    /// several ([`File::several`]), and this one among them.
+    pub fn set_only(&mut self, file: usize, only: Option<&str>) -> bool {
+        self.files.get_mut(file).is_some_and(|file| file.set_only(only))
+    }
+
     /// Says a number of a file's wheels: `ticks` of a turn, `radius` or `base` in metres. Answers whether there is such
     /// a file of encoders, such a number, and whether it is above 0.
     pub fn set_wheel(&mut self, file: usize, name: &str, number: f64) -> bool {
@@ -107,6 +113,7 @@ impl Files {
                 role => {
                     file.rows(i, |row| reading.take(role, row))?;
                     reading.end_file(file.name(), file.words());
+                    reading.say(file.notes());
                 }
             }
         }

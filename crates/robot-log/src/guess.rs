@@ -56,7 +56,19 @@ pub(crate) fn guess(name: &str, text: &str) -> Source {
 fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
     let (columns, units, doubts) = (Vec::new(), Vec::new(), Vec::new());
     let wheels = Wheels::default();
-    Source { role, table, names, columns, units, doubts, wheels, undecided: None, refused: None }
+    Source {
+        role,
+        table,
+        names,
+        columns,
+        units,
+        doubts,
+        wheels,
+        several: None,
+        only: None,
+        undecided: None,
+        refused: None,
+    }
 }
 
 /// Whether a text is in the book's own format, or is meant to be: a row begins with a letter, or it is no text at all.

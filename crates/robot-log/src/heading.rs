@@ -20,9 +20,31 @@ const COURSE: [&str; 13] = [
     "richtung",
 ];
 
+/// Words for a heading that some count from north and others from the axis of x; a θ is always counted from there.
+const ASKED: [&str; 12] = [
+    "heading",
+    "yaw",
+    "gierwinkel",
+    "ausrichtung",
+    "orientation",
+    "lacet",
+    "guinada",
+    "orientacion",
+    "imbardata",
+    "orientamento",
+    "prua",
+    "psi",
+];
+
 /// The unit of a column of headings, whose name may say one and whose largest number is `most`; `None` where it has to
-/// be asked. `down`: the axes point forward, right and down; `global`: latitudes stand beside it.
-pub(crate) fn unit(name: &Name, said: Option<&Unit>, most: f64, [down, global]: [bool; 2]) -> Option<&'static str> {
+/// be asked. `down`: the axes point forward, right and down; `global`: latitudes stand beside it; `captured`: it is of
+/// a motion capture, whose angles are counted as its own axes say.
+pub(crate) fn unit(
+    name: &Name,
+    said: Option<&Unit>,
+    most: f64,
+    [down, global, captured]: [bool; 3],
+) -> Option<&'static str> {
     let course = global || name.has_one(&COURSE);
     let from_north = down || course;
     let degrees = said.map_or(most > 7.0 || course, |unit| unit.name == "deg");
@@ -30,8 +52,9 @@ pub(crate) fn unit(name: &Name, said: Option<&Unit>, most: f64, [down, global]: 
     if course && said.is_none() && !name.has("crs") && most > 0.0 && most < 6.3 {
         return None;
     }
-    // Degrees of a heading are a compass's as often as they are counted from the axis of x.
-    if degrees && !from_north && name.has("heading") {
+    // Degrees of a heading or a yaw are a compass's as often as they are counted from the axis of x. In radians they
+    // are a program's own, and robots' programs count from there.
+    if degrees && !from_north && !captured && name.has_one(&ASKED) {
         return None;
     }
     Some(match (degrees, from_north) {

@@ -24,6 +24,10 @@ pub(crate) struct Kept {
     pub copied: Vec<usize>,
     /// Rows, or ranges of rows, without a number.
     pub missing: usize,
+    /// Ranges of 0, of −1 and without an end, by which sensors say that there was no echo or no answer.
+    pub zero: usize,
+    pub minus_one: usize,
+    pub infinite: usize,
     /// Speeds and courses of −1, which says that they are not known.
     pub unknown: usize,
     /// Fixes at latitude and longitude 0.
@@ -41,6 +45,7 @@ impl Kept {
     /// What was strange in a file.
     pub fn notes(&self, name: &str) -> Vec<String> {
         let Self { rows, repeats, backward, fixes, copies, missing, unknown, nowhere, without_sigma, .. } = *self;
+        let Self { zero, minus_one, infinite, .. } = *self;
         let mut notes = Vec::new();
         if rows >= 5 && 5 * repeats > rows {
             notes.push(format!(
@@ -60,6 +65,12 @@ impl Kept {
         }
         if missing > 0 {
             notes.push(format!("{name}: {} without a number left out.", readings(missing)));
+        }
+        let ranges = [(zero, "0"), (minus_one, "\u{2212}1"), (infinite, "infinity")];
+        for (count, what) in ranges.into_iter().filter(|(count, _)| *count > 0) {
+            let what =
+                if count == 1 { format!("1 range of {what} is") } else { format!("{count} ranges of {what} are") };
+            notes.push(format!("{name}: {what} left out: so a sensor says that it has no reading."));
         }
         if unknown > 0 {
             notes.push(format!(

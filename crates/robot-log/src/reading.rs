@@ -1,6 +1,6 @@
 //! Rows of tables become rows of a log.
 
-use crate::cells::Cells;
+use crate::cells::{Cells, NoRange};
 use crate::error::Error;
 use crate::gathering::{Gathering, Place, Unplaced};
 use crate::headed::headed;
@@ -53,6 +53,11 @@ impl Reading {
         }
     }
 
+    /// Says something of a file that is not seen row by row.
+    pub fn say(&mut self, notes: Vec<String>) {
+        self.notes.extend(notes);
+    }
+
     /// Takes a row of a table.
     pub fn take(&mut self, role: Role, cells: Cells<'_>) -> Result<(), Error> {
         let start = cells.start();
@@ -70,8 +75,9 @@ impl Reading {
             Role::Encoders => {
                 let (time, counted) = (self.kept.time(cells)?, [cells.number("left")?, cells.number("right")?]);
                 let unit = cells.source.role.index("left").and_then(|at| cells.source.units[at]);
-                let before = self.kept.counted.replace(counted);
-                if let Some(event) = unit.and_then(|unit| cells.source.wheels.event(unit, counted, before)) {
+                let before = self.kept.counted.replace(counted).filter(|_| !cells.jumps.begins_anew(start.line));
+                let wheels = &cells.source.wheels;
+                if let Some(event) = unit.and_then(|unit| wheels.event(unit, counted, before, cells.jumps)) {
                     self.motion(start, time, event)?;
                 }
             }
@@ -99,9 +105,10 @@ impl Reading {
                 }
                 self.to.begin(start)?;
                 let (time, seen) = (cells.time()?, self.landmark(cells)?);
-                let at = cells.source.column("range").unwrap_or(0);
-                let missing = || cells.place("range").refuse("range is missing; a number was expected");
-                let range = cells.range("range", at)?.ok_or_else(missing)?;
+                let range = match cells.range("range", cells.source.column("range").unwrap_or(0))? {
+                    Ok(range) => range,
+                    Err(none) => return self.kept.without(none),
+                };
                 let event = match cells.given("bearing")? {
                     Some(bearing) => Event::RangeBearing { landmark: 0, range, bearing },
                     None => Event::Range { landmark: 0, range },
@@ -113,12 +120,12 @@ impl Reading {
                 let first = cells.source.column("first range").unwrap_or(0);
                 for (seen, column) in wide::group_of(&cells.source.names, first).unwrap_or_default() {
                     match cells.range("first range", column)? {
-                        Some(range) => {
+                        Ok(range) => {
                             self.to.begin(start)?;
                             let row = Row::new(time, Event::Range { landmark: 0, range });
                             self.sighting(Place::of(cells.file, cells.line, column), row, seen);
                         }
-                        None => self.kept.missing += 1,
+                        Err(none) => self.kept.without(none)?,
                     }
                 }
             }
@@ -251,6 +258,17 @@ impl Kept {
         }
         self.rows += 1;
         Ok(time)
+    }
+
+    /// A range that was not read.
+    fn without(&mut self, none: NoRange) -> Result<(), Error> {
+        match none {
+            NoRange::Missing => self.missing += 1,
+            NoRange::Zero => self.zero += 1,
+            NoRange::MinusOne => self.minus_one += 1,
+            NoRange::Infinite => self.infinite += 1,
+        }
+        Ok(())
     }
 
     /// A standard deviation that the row has of its own; one that is not above 0 is none.

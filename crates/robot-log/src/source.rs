@@ -1,7 +1,9 @@
 //! How a file of a log is read.
 
+use crate::fields::Line;
 use crate::names::Name;
 use crate::role::{Quantity, Role, Value};
+use crate::several::{Several, grouped};
 use crate::table::Table;
 use crate::unit::{self, DATE, Unit};
 use crate::wheels::Wheels;
@@ -21,6 +23,10 @@ pub(crate) struct Source {
     pub doubts: Vec<Vec<usize>>,
     /// What encoders need besides.
     pub wheels: Wheels,
+    /// The column that tells the rows of several robots apart.
+    pub several: Option<Several>,
+    /// Whose rows are read: one's, or, as `None`, all of them; not said yet.
+    pub only: Option<Option<String>>,
     /// Why it is not known what the file is.
     pub undecided: Option<String>,
     /// Why the file is refused, whatever it is read as.
@@ -60,6 +66,14 @@ impl Source {
                 asks.push(format!("Which column is {}: {}?", said(value), among.join(" or ")));
             }
         }
+        if let Some(Several { column, values }) = self.several.as_ref().filter(|_| self.only.is_none()) {
+            let each: Vec<String> = values
+                .iter()
+                .map(|(value, rows)| format!("\u{201c}{value}\u{201d} in {} rows", grouped(*rows)))
+                .collect();
+            let (column, each) = (&header[*column], each.join(", "));
+            asks.push(format!("Whose rows are the log\u{2019}s? \u{201c}{column}\u{201d} is {each}."));
+        }
         if self.role == Role::Encoders {
             let unit = self.role.index("left").and_then(|at| self.units[at]);
             asks.extend(unit.and_then(|unit| self.wheels.lacks(unit.name)));
@@ -86,6 +100,12 @@ impl Source {
             }
             _ => None,
         })
+    }
+
+    /// Whether a line is one of those that are read: of several robots it may be another's.
+    pub fn is_read(&self, line: &Line<'_>) -> bool {
+        let (Some(several), Some(Some(only))) = (&self.several, &self.only) else { return true };
+        line.fields.get(several.column).is_some_and(|field| field.text == only)
     }
 
     /// Whether a column's stamps are dates.

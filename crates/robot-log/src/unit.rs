@@ -47,6 +47,11 @@ const LENGTHS: [Unit; 5] = [
     unit("km", 1e3, &["km"]),
     unit("ft", 0.3048, &["ft", "feet"]),
 ];
+/// A variance: its root is the standard deviation.
+pub(crate) const VARIANCE: &str = "m\u{b2}";
+
+const SPREADS: [Unit; 6] =
+    [LENGTHS[0], LENGTHS[1], LENGTHS[2], LENGTHS[3], LENGTHS[4], unit(VARIANCE, 1.0, &["m\u{b2}", "m 2", "m2"])];
 const SPEEDS: [Unit; 6] = [
     unit("m/s", 1.0, &["m s", "mps", "m s 1", "ms 1"]),
     unit("cm/s", 1e-2, &["cm s", "cm"]),
@@ -99,6 +104,7 @@ pub fn units_of(quantity: Quantity) -> &'static [Unit] {
         Quantity::Day => &DAYS,
         Quantity::Length => &LENGTHS,
         Quantity::Speed => &SPEEDS,
+        Quantity::Spread => &SPREADS,
         Quantity::Angle => &ANGLES,
         Quantity::Heading => &HEADINGS,
         Quantity::AngleRate => &RATES,
@@ -132,6 +138,9 @@ pub(crate) fn written(quantity: Quantity, words: &[String]) -> Option<(&'static 
 
 /// `number` of a unit in seconds, metres and radians.
 pub(crate) fn convert(unit: &Unit, number: f64) -> f64 {
+    if unit.name == VARIANCE {
+        return number.max(0.0).sqrt();
+    }
     if unit.factor.abs() > 0.1 && unit.factor != DEGREE && unit.factor != -DEGREE {
         return unit.zero + number * unit.factor;
     }

@@ -108,7 +108,8 @@ const WAYS: [(&str, &str); 19] = [
         "sigma",
         "horizontal accuracy,position accuracy,position sigma,position std,=sigma,=σ,=accuracy,=std,=hacc,=h acc,=eph,\
          =genauigkeit,=standardabweichung,=precision,=precisione,=desviacion,=ecart type,sigma position,sigma pos,\
-         accuracy,genauigkeit,precision,precisione,standardabweichung",
+         accuracy,genauigkeit,precision,precisione,standardabweichung,position covariance 0,position variance,\
+         =variance,=var,=variance x,=var x,=cov x,=cov xx,=covariance xx,varianz",
     ),
     (
         "sigma of heading",
@@ -118,6 +119,9 @@ const WAYS: [(&str, &str); 19] = [
     ("left", "left,links,linkes,gauche,izquierda,izquierdo,sinistra,sinistro"),
     ("right", "right,rechts,rechtes,droite,derecha,derecho,destra,destro"),
 ];
+
+/// Words of a variance, whose root is a standard deviation.
+pub(crate) const VARIANCES: [&str; 5] = ["covariance", "cov", "variance", "var", "varianz"];
 
 /// Words that a column of a value has not.
 pub(crate) const FORBIDDEN: [(&str, &[&str]); 13] = [

@@ -1,5 +1,6 @@
 //! Encoders of two wheels: what they count becomes the way and the turn of a robot with a differential drive.
 
+use crate::counter::Jumps;
 use crate::unit::Unit;
 use estimate::drive::Event;
 
@@ -10,6 +11,8 @@ pub enum Counting {
     Total,
     /// The count since the row before.
     Step,
+    /// The count since the start, and a jump that no motion makes is another start: it says nothing of the way.
+    Restarted,
 }
 
 /// What is known of the wheels.
@@ -74,17 +77,23 @@ impl Wheels {
 
     /// What two wheels have done, or how fast they are; `before` is what they had counted in the row before. The first
     /// row of totals has none before it and says nothing.
-    pub(crate) fn event(&self, unit: &Unit, [left, right]: [f64; 2], before: Option<[f64; 2]>) -> Option<Event> {
+    pub(crate) fn event(
+        &self,
+        unit: &Unit,
+        [left, right]: [f64; 2],
+        before: Option<[f64; 2]>,
+        jumps: &Jumps,
+    ) -> Option<Event> {
         let metres = match unit.name {
             "ticks" => core::f64::consts::TAU / self.ticks? * self.radius?,
             name if is_angle(name) => self.radius?,
             _ => 1.0,
         };
         let before = match self.counting {
-            Some(Counting::Total) if !is_speed(unit.name) => before?,
+            Some(Counting::Total | Counting::Restarted) if !is_speed(unit.name) => before?,
             _ => [0.0, 0.0],
         };
-        let (left, right) = ((left - before[0]) * metres, (right - before[1]) * metres);
+        let (left, right) = (jumps.step(before[0], left) * metres, jumps.step(before[1], right) * metres);
         let (along, turned) = ((left + right) / 2.0, (right - left) / self.base?);
         Some(match is_speed(unit.name) {
             true => Event::Velocity { v: along, omega: turned },
@@ -98,6 +107,6 @@ fn is_angle(unit: &str) -> bool {
     matches!(unit, "ticks" | "rad" | "deg" | "rad/s" | "rpm")
 }
 
-fn is_speed(unit: &str) -> bool {
+pub(crate) fn is_speed(unit: &str) -> bool {
     matches!(unit, "rad/s" | "rpm" | "m/s")
 }

@@ -200,7 +200,7 @@ fn a_fault_in_a_table_is_told_with_its_file_line_and_column() {
     };
     let seen = "time_s,landmark,range\n0.5,1,2\n";
     refused(2, &format!("{seen}0.6,1,x\n"), [3, 7], "range is 'x'");
-    refused(2, &format!("{seen}0.6,1,-1\n"), [3, 7], "at least 0");
+    refused(2, &format!("{seen}0.6,1,-2\n"), [3, 7], "at least 0");
     refused(2, &format!("{seen}0.6, 1.5 ,1\n"), [3, 6], "whole number");
     refused(2, &format!("{seen}0.6,9,1\n"), [3, 5], "no landmark 9");
     refused(2, &format!("{seen}\n# a comment\n0.6,1\n"), [5, 6], "has 2 fields; 3 were expected");

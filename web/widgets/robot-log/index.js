@@ -8,6 +8,7 @@ import { controls, mapped } from './controls.js'
 import { describe } from './describe.js'
 import { drawBearings, drawErrors, drawInnovations, drawNis } from './history.js'
 import { drawMap } from './map.js'
+import { series } from './series.js'
 import { drawCorrelation, drawHistogram, drawInner, drawRanges } from './statistics.js'
 import { clock, percent, verdict } from './words.js'
 
@@ -171,17 +172,5 @@ export const figure = {
   readouts,
   verdict,
   announce,
-  series: ({ innovations, ranges }) => ({
-    time: ranges.time,
-    range: ranges.range,
-    residual: ranges.residual,
-    ...(innovations.time.length > 0
-      ? {
-          expected: innovations.expected,
-          innovation: innovations.innovation,
-          normalized: innovations.normalized,
-          used: innovations.used.map(Number),
-        }
-      : {}),
-  }),
+  series,
 }

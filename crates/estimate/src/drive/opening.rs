@@ -1,67 +1,244 @@
-//! Where a drive began, as far as its first fixes tell: a place to start a filter from where no truth says it.
+//! Where a drive began, as far as its first readings tell: a place to start a filter from where no truth says it.
+//!
+//! The first fixes alone do not tell the heading of a robot that turns on its way from one to the next, nor that of one
+//! that drives backwards. The log has the motion between them: the heading is the one under which the filter finds the
+//! first fixes most likely.
 
-use super::{Drive, Event};
+use super::{Course, Drive, Event, Replay, Settings, Truth};
+use alloc::vec::Vec;
 use core::f64::consts::PI;
+use geom::wrap;
+use nalgebra::{Matrix3, Vector3};
 
-/// A second fix tells the heading once it is so many of its standard deviations away from the first.
+/// Where no motion tells the way, a second fix tells the heading once it is so many of its standard deviations away.
 const FAR: f64 = 5.0;
+/// So many fixes are tried first, and then twice as many, to so many rows.
+const FEWEST: usize = 4;
+const MOST_ROWS: usize = 50_000;
+/// A heading that is so well known needs no more fixes, rad.
+const ENOUGH: f64 = 0.05;
+/// Beyond this the likelihood of a heading is no parabola, rad.
+const PARABOLIC: f64 = 0.6;
+/// The start is tried so exactly known that it is the one that is tried, in standard deviations of a fix, and rad.
+const KNOWN: f64 = 1e-3;
+/// How often the top of the parabola is sought anew.
+const ROUNDS: usize = 4;
 
-/// The start of a drive by its first fixes.
+/// The start of a drive by its first readings.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Opening {
-    /// x, y and θ: the first fix, and the direction to the first one far from it. Metres, radians.
+    /// x, y and θ: metres, radians.
     pub pose: [f64; 3],
-    /// The standard deviation of x and of y, m: the fix's.
+    /// The standard deviation of x and of y, m: the first fix's. A filter reads the first fixes again, and would count
+    /// them twice if it knew the place as well as all of them tell it.
     pub sigma: f64,
-    /// That of the heading, rad: √2 σ over the distance of the two fixes; π, which is no knowledge, where none is far.
+    /// That of the heading, rad; π, which is no knowledge, where nothing tells it.
     pub sigma_heading: f64,
 }
 
+/// A fix of a stretch: where the robot was by its motion alone, from the origin along x, and by the fix, with its σ.
+struct Pair {
+    reckoned: [f64; 2],
+    fix: [f64; 2],
+    sigma: f64,
+}
+
 impl Drive {
-    /// The start by the first fixes; one without a standard deviation of its own takes `sigma`. `None` without a fix.
+    /// The start by the first readings; fixes and headings without a standard deviation of their own take that of
+    /// `settings`, of which the noise of the motion counts too. `None` without a fix.
     ///
-    /// The direction of the way is the heading of a robot that drives forward.
-    pub fn opening(&self, sigma: f64) -> Option<Opening> {
+    /// The place and the heading are those under which the first fixes are most likely, with the motion that is logged
+    /// between them; of the stretches of 4, 8, 16 … fixes the one is taken that tells the heading best. Its standard
+    /// deviation is that of the likelihood's top, widened by √NIS where the fixes are farther from the motion than is
+    /// claimed. A heading that was read, led back to the start by the turns since, is taken where it is better known.
+    /// Where the motion tells no way, the direction to the first fix that is far away is the heading.
+    pub fn opening(&self, settings: &Settings) -> Option<Opening> {
+        let first = self.rows.iter().position(|row| matches!(row.event, Event::Position { .. }))?;
+        let Event::Position { x, y, sigma } = self.rows[first].event else { return None };
+        let sigma = sigma.unwrap_or(settings.sigma_fix);
+        let by_chord = || {
+            let (theta, off) = self.chord(settings.sigma_fix).unwrap_or((0.0, PI));
+            ([x, y, theta], off)
+        };
+        let fixes = self.fitted(settings);
+        let (mut pose, mut off) = fixes.unwrap_or_else(by_chord);
+        if let Some((theta, read)) = self.first_heading(settings).filter(|(_, read)| *read < off) {
+            (pose, off) = ([pose[0], pose[1], theta], read);
+        }
+        Some(Opening { pose, sigma, sigma_heading: off.min(PI) })
+    }
+
+    /// The direction from the first fix to the first one far from it, and its σ: √2 σ over their distance.
+    fn chord(&self, usual: f64) -> Option<(f64, f64)> {
         let fix = |event: &Event| match *event {
-            Event::Position { x, y, sigma: own } => Some((x, y, own.unwrap_or(sigma))),
+            Event::Position { x, y, sigma } => Some((x, y, sigma.unwrap_or(usual))),
             _ => None,
         };
         let mut fixes = self.rows.iter().filter_map(|row| fix(&row.event));
         let (x, y, first) = fixes.next()?;
-        // Either fix is off by its own σ in each direction.
-        let apart = |&(px, py, own): &(f64, f64, f64)| (libm::hypot(px - x, py - y), libm::hypot(first, own));
-        let far = fixes.map(|fix| (fix, apart(&fix))).find(|(_, (distance, off))| *distance > FAR * off);
-        let (theta, sigma_heading) = match far {
-            Some(((px, py, _), (distance, off))) => (libm::atan2(py - y, px - x), off / distance),
-            None => (0.0, PI),
-        };
-        Some(Opening { pose: [x, y, theta], sigma: first, sigma_heading })
+        fixes.find_map(|(px, py, own)| {
+            let (distance, off) = (libm::hypot(px - x, py - y), libm::hypot(first, own));
+            (distance > FAR * off).then(|| (libm::atan2(py - y, px - x), off / distance))
+        })
+    }
+
+    /// The first heading that was read at the start or behind it, led back by the turns since, and its σ.
+    fn first_heading(&self, settings: &Settings) -> Option<(f64, f64)> {
+        let at = self.rows.iter().take(MOST_ROWS).position(|row| matches!(row.event, Event::Heading { .. }))?;
+        let Event::Heading { theta, sigma } = self.rows[at].event else { return None };
+        let stretch = self.stretch(at + 1);
+        let course = Course::new(&stretch, Settings { start: None, ..settings.reckoning() }).ok()?;
+        let mut replay = Replay::new(&course);
+        while replay.take(&stretch, &course).ok()?.is_some() {}
+        let drifted = settings.sigma_turn * libm::sqrt((self.rows[at].time - course.start()).max(0.0));
+        let before = self.rows[at].time < course.start();
+        let off = libm::hypot(sigma.unwrap_or(settings.sigma_heading), drifted);
+        (!before).then(|| (wrap(theta - replay.pose().theta()), off))
+    }
+
+    /// The first rows of the drive, without truth and headings.
+    fn stretch(&self, rows: usize) -> Drive {
+        let rows = self.rows.iter().take(rows).copied().collect();
+        Drive { landmarks: Vec::new(), truth: Truth::new(Vec::new()), rows, motion: self.motion }
+    }
+
+    /// The start under which the first fixes are most likely, and the σ of its heading; `None` where the motion between
+    /// them does not tell it.
+    fn fitted(&self, settings: &Settings) -> Option<([f64; 3], f64)> {
+        let mut best: Option<([f64; 3], f64)> = None;
+        let mut count = FEWEST;
+        loop {
+            let mut fixes = self.rows.iter().enumerate().filter(|(_, row)| matches!(row.event, Event::Position { .. }));
+            let last = fixes.by_ref().nth(count - 1).map(|(at, _)| at + 1);
+            let rows = last.unwrap_or(self.rows.len());
+            if rows > MOST_ROWS {
+                return best;
+            }
+            let found = fit(&self.without_sightings(rows), settings);
+            let better = found.is_some_and(|(_, off)| best.is_none_or(|(_, known)| off < known));
+            match (better, best) {
+                (true, _) => best = found,
+                // More fixes told less: the motion has drifted by more than they tell.
+                (false, Some(_)) => return best,
+                (false, None) => {}
+            }
+            if last.is_none() || best.is_some_and(|(_, off)| off < ENOUGH) {
+                return best;
+            }
+            count *= 2;
+        }
+    }
+
+    fn without_sightings(&self, rows: usize) -> Drive {
+        let mut stretch = self.stretch(rows);
+        stretch.rows.retain(|row| row.event.is_motion() || matches!(row.event, Event::Position { .. }));
+        stretch
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::super::{Motion, Row, Truth};
-    use super::*;
-    use alloc::vec::Vec;
-
-    fn drive(fixes: &[(f64, f64, Option<f64>)]) -> Drive {
-        let row = |(i, &(x, y, sigma)): (usize, &(f64, f64, Option<f64>))| {
-            Row::new(i as f64, Event::Position { x, y, sigma })
-        };
-        let rows: Vec<Row> = fixes.iter().enumerate().map(row).collect();
-        Drive { landmarks: Vec::new(), truth: Truth::new(Vec::new()), rows, motion: Motion::Velocity }
+/// The start of a stretch of motion and fixes, and the σ of its heading.
+fn fit(stretch: &Drive, settings: &Settings) -> Option<([f64; 3], f64)> {
+    let pairs = pairs(stretch, settings)?;
+    let (mut pose, rough) = turned(&pairs)?;
+    let small = pairs[0].sigma * KNOWN;
+    let told = |pose: Vector3<f64>| likelihood(stretch, settings, pose, small);
+    // The steps in which the likelihood is felt out: so far it falls by about a half.
+    let steps = Vector3::new(pairs[0].sigma, pairs[0].sigma, rough.min(PARABOLIC)) * 0.5;
+    let mut off = None;
+    for _ in 0..ROUNDS {
+        let (slope, bend) = parabola(&told, pose, steps)?;
+        let covariance = (-bend).try_inverse().filter(|it| (0..3).all(|i| it[(i, i)] > 0.0))?;
+        let step = covariance * slope;
+        pose += step;
+        off = Some(libm::sqrt(covariance[(2, 2)]));
+        if (0..3).all(|i| step[i].abs() < 0.01 * libm::sqrt(covariance[(i, i)])) {
+            break;
+        }
     }
+    let (_, nis) = told(pose)?;
+    let off = off? * libm::sqrt(nis.max(1.0));
+    (off < PARABOLIC && pose.iter().all(|it| it.is_finite())).then(|| ([pose[0], pose[1], wrap(pose[2])], off))
+}
 
-    #[test]
-    fn the_first_fixes_tell_place_and_heading_and_how_well() {
-        assert_eq!(drive(&[]).opening(1.0), None);
-        let near = drive(&[(3.0, 4.0, None), (3.5, 4.0, None)]).opening(1.0).expect("a fix");
-        assert_eq!(near, Opening { pose: [3.0, 4.0, 0.0], sigma: 1.0, sigma_heading: PI });
-        // Seven σ are too near where both are off by one: five of √2 are 7.07.
-        let fixes = [(3.0, 4.0, Some(0.1)), (3.7, 4.0, Some(0.1)), (3.0, 5.0, Some(0.1))];
-        let far = drive(&fixes).opening(1.0).expect("a fix");
-        assert_eq!((far.pose, far.sigma), ([3.0, 4.0, PI / 2.0], 0.1));
-        assert!((far.sigma_heading - 0.1 * 2_f64.sqrt()).abs() < 1e-15, "{}", far.sigma_heading);
+/// Each fix of a stretch beside where the motion alone leads.
+fn pairs(stretch: &Drive, settings: &Settings) -> Option<Vec<Pair>> {
+    let course = Course::new(stretch, Settings { start: None, ..settings.reckoning() }).ok()?;
+    let (mut replay, mut pairs) = (Replay::new(&course), Vec::new());
+    while let Some(taken) = replay.take(stretch, &course).ok()? {
+        if let Event::Position { x, y, sigma } = stretch.rows[taken.row].event {
+            let reckoned = [replay.pose().x(), replay.pose().y()];
+            pairs.push(Pair { reckoned, fix: [x, y], sigma: sigma.unwrap_or(settings.sigma_fix) });
+        }
     }
+    (!pairs.is_empty()).then_some(pairs)
+}
+
+/// The pose that turns and shifts what was reckoned onto the fixes, each counted by 1/σ², and the σ of its heading as
+/// if the motion had no noise. `None` where what was reckoned has no extent.
+fn turned(pairs: &[Pair]) -> Option<(Vector3<f64>, f64)> {
+    let weight: f64 = pairs.iter().map(|pair| 1.0 / (pair.sigma * pair.sigma)).sum();
+    let mean =
+        |of: fn(&Pair) -> f64| pairs.iter().map(|pair| of(pair) / (pair.sigma * pair.sigma)).sum::<f64>() / weight;
+    let reckoned = [mean(|pair| pair.reckoned[0]), mean(|pair| pair.reckoned[1])];
+    let fixed = [mean(|pair| pair.fix[0]), mean(|pair| pair.fix[1])];
+    let (mut along, mut across, mut extent) = (0.0, 0.0, 0.0);
+    for Pair { reckoned: at, fix, sigma } in pairs {
+        let weight = 1.0 / (sigma * sigma);
+        let (qx, qy) = (at[0] - reckoned[0], at[1] - reckoned[1]);
+        let (px, py) = (fix[0] - fixed[0], fix[1] - fixed[1]);
+        along += weight * (qx * px + qy * py);
+        across += weight * (qx * py - qy * px);
+        extent += weight * (qx * qx + qy * qy);
+    }
+    let off = 1.0 / libm::sqrt(extent);
+    if off > PARABOLIC {
+        return None;
+    }
+    let theta = libm::atan2(across, along);
+    let (sin, cos) = libm::sincos(theta);
+    let x = fixed[0] - cos * reckoned[0] + sin * reckoned[1];
+    let y = fixed[1] - sin * reckoned[0] - cos * reckoned[1];
+    Some((Vector3::new(x, y, theta), off))
+}
+
+/// The log-likelihood of a stretch's fixes from a start, and their NIS for each output.
+fn likelihood(stretch: &Drive, settings: &Settings, pose: Vector3<f64>, small: f64) -> Option<(f64, f64)> {
+    let start = Some([pose[0], pose[1], pose[2]]);
+    let Settings { sigma_distance, sigma_turn, sigma_fix, .. } = *settings;
+    let usual = Settings { sigma_distance, sigma_turn, sigma_fix, ..Settings::default() };
+    let told = Settings { start, start_sigma: small, start_sigma_heading: KNOWN, ..usual };
+    let course = Course::new(stretch, told).ok()?;
+    let (mut replay, mut sum) = (Replay::new(&course), 0.0);
+    while let Some(taken) = replay.take(stretch, &course).ok()? {
+        sum += taken.judged.map_or(0.0, |judged| judged.log_likelihood());
+    }
+    Some((sum, replay.summary(&course).nis?))
+}
+
+/// Slope and bend of the likelihood at a pose, by its values so far to either side.
+fn parabola(
+    told: impl Fn(Vector3<f64>) -> Option<(f64, f64)>,
+    pose: Vector3<f64>,
+    steps: Vector3<f64>,
+) -> Option<(Vector3<f64>, Matrix3<f64>)> {
+    let at = |moved: Vector3<f64>| told(pose + moved).map(|(sum, _)| sum);
+    let side = |i: usize, sign: f64| {
+        let mut moved = Vector3::zeros();
+        moved[i] = sign * steps[i];
+        moved
+    };
+    let here = at(Vector3::zeros())?;
+    let (mut slope, mut bend) = (Vector3::zeros(), Matrix3::zeros());
+    for i in 0..3 {
+        let (after, before) = (at(side(i, 1.0))?, at(side(i, -1.0))?);
+        slope[i] = (after - before) / (2.0 * steps[i]);
+        bend[(i, i)] = (after - 2.0 * here + before) / (steps[i] * steps[i]);
+        for j in 0..i {
+            let alike = at(side(i, 1.0) + side(j, 1.0))? + at(side(i, -1.0) + side(j, -1.0))?;
+            let unlike = at(side(i, 1.0) + side(j, -1.0))? + at(side(i, -1.0) + side(j, 1.0))?;
+            bend[(i, j)] = (alike - unlike) / (4.0 * steps[i] * steps[j]);
+            bend[(j, i)] = bend[(i, j)];
+        }
+    }
+    Some((slope, bend))
 }

@@ -21,6 +21,8 @@ pub struct Judged {
     pub variance: f64,
     /// ν of the second number, a bearing, rad.
     pub bearing: Option<f64>,
+    /// ν of the second number, the y of a fix, m.
+    pub of_y: Option<f64>,
     /// ν/√S of it.
     pub second: Option<f64>,
     /// ν/√S of a fix along the estimated heading, and to the left of it.
@@ -69,6 +71,7 @@ impl Judged {
             [part(Vector2::new(cos, sin)), part(Vector2::new(-sin, cos))]
         });
         let bearing = (sensor == Sensor::Bearing).then_some(nu[1]);
+        let of_y = (sensor == Sensor::Fix).then_some(nu[1]);
         let second = bearing.map(|nu| nu / sqrt(s[(1, 1)]));
         let (innovation, variance) = (nu[0], s[(0, 0)]);
         let white = white(&nu, &s, outputs);
@@ -78,6 +81,7 @@ impl Judged {
             innovation,
             variance,
             bearing,
+            of_y,
             second,
             along,
             white,

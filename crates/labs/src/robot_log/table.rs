@@ -12,7 +12,7 @@ use std::sync::Arc;
 pub enum LogTableKind {
     /// The estimate at each row of motion.
     Track,
-    /// What the filter made of each sighting.
+    /// What the filter made of each reading.
     Innovations,
 }
 
@@ -54,7 +54,7 @@ impl LogTable {
                 LogTableKind::Track => {
                     "time,x,y,theta,sigma_x,sigma_y,sigma_theta,epsilon,sigma_epsilon,true_x,true_y\n"
                 }
-                LogTableKind::Innovations => "time,landmark,range,expected,innovation,sigma,d2,outputs,used\n",
+                LogTableKind::Innovations => INNOVATIONS,
             });
         }
         let before = self.replay;
@@ -84,28 +84,50 @@ impl LogTable {
                 let truth = drive.truth.position(taken.time);
                 cells.extend([0, 1].map(|i| truth.map(|at| at[i])));
             }
-            (
-                LogTableKind::Innovations,
-                Event::Range { landmark, range } | Event::RangeBearing { landmark, range, .. },
-                Some(judged),
-            ) => {
-                let id = drive.landmarks.get(landmark).map(|it| f64::from(it.id));
-                let expected = range - judged.innovation;
-                let sigma = judged.variance.sqrt();
-                cells.extend([id, Some(range), Some(expected), Some(judged.innovation), Some(sigma)]);
-                cells.extend([judged.d2, f64::from(judged.outputs), f64::from(u8::from(judged.used))].map(Some));
+            (LogTableKind::Innovations, event, Some(judged)) => {
+                let Some((sensor, landmark, measured)) = told(&event) else { return };
+                let id = landmark.and_then(|at| drive.landmarks.get(at)).map(|it| f64::from(it.id));
+                let nu = [Some(judged.innovation), judged.bearing.or(judged.of_y)];
+                let expected = |i: usize| measured[i].zip(nu[i]).map(|(measured, nu)| measured - nu);
+                write(&[Some(taken.time)], to);
+                let _ = write!(to, ",{sensor},");
+                write(&[id, measured[0], expected(0), nu[0], Some(judged.variance.sqrt())], to);
+                to.push(',');
+                write(&[measured[1], expected(1), nu[1]], to);
+                to.push(',');
+                cells = [judged.d2, f64::from(judged.outputs), f64::from(u8::from(judged.used))].map(Some).to_vec();
             }
             _ => return,
         }
-        for (i, cell) in cells.into_iter().enumerate() {
-            if i > 0 {
-                to.push(',');
-            }
-            if let Some(number) = cell {
-                // A String takes whatever is written.
-                let _ = write!(to, "{number}");
-            }
-        }
+        write(&cells, to);
         to.push('\n');
+    }
+}
+
+/// Of a reading's first number there is σ of ν too; of a bearing or the y of a fix, what was measured and expected.
+const INNOVATIONS: &str = "time,sensor,landmark,measured,expected,innovation,sigma,measured_2,expected_2,innovation_2,\
+                           d2,outputs,used\n";
+
+/// The sensor of a reading, the index of its landmark, and what was measured.
+fn told(event: &Event) -> Option<(&'static str, Option<usize>, [Option<f64>; 2])> {
+    Some(match *event {
+        Event::Position { x, y, .. } => ("fix", None, [Some(x), Some(y)]),
+        Event::Heading { theta, .. } => ("heading", None, [Some(theta), None]),
+        Event::Range { landmark, range } => ("range", Some(landmark), [Some(range), None]),
+        Event::RangeBearing { landmark, range, bearing } => ("bearing", Some(landmark), [Some(range), Some(bearing)]),
+        _ => return None,
+    })
+}
+
+/// Numbers with commas between them; what there is not is empty.
+fn write(cells: &[Option<f64>], to: &mut String) {
+    for (i, cell) in cells.iter().enumerate() {
+        if i > 0 {
+            to.push(',');
+        }
+        if let Some(number) = cell {
+            // A String takes whatever is written.
+            let _ = write!(to, "{number}");
+        }
     }
 }

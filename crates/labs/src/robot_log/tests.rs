@@ -3,6 +3,8 @@ use lab::Plain;
 use std::f64::consts::PI;
 use std::fmt::Write;
 
+mod table;
+
 fn logged(text: &str) -> Arc<LoggedDrive> {
     Arc::new(LoggedDrive::new(robot_log::parse(text).expect("a sound log").drive))
 }
@@ -162,48 +164,6 @@ fn bearings_and_velocities_are_replayed_too() {
     let frame = lab.frame();
     assert!(frame.bearings && frame.summary.rmse.expect("there is a truth") < 0.1, "{:?}", frame.summary);
     assert_eq!(frame.summary.used, 200);
-}
-
-/// A table that is taken `n` rows at a time.
-fn table(logged: &Arc<LoggedDrive>, params: LogParams, kind: LogTableKind, n: u32) -> String {
-    let mut table = LogTable::new(Arc::clone(logged), params, kind).expect("sound parameters");
-    let mut text = String::new();
-    while let Some(part) = table.next(n).expect("a sound log") {
-        text.push_str(&part);
-    }
-    text
-}
-
-#[test]
-fn a_table_has_a_row_for_each_motion_or_sighting_and_ends_where_the_replay_ends() {
-    let plaza = plaza();
-    let params = LogParams { gate: BySensor::all(Some(0.999)), learn: true, ..LogParams::default() };
-    let lab = whole(&plaza, params);
-    let track = table(&plaza, params, LogTableKind::Track, 1_000_000);
-    assert_eq!(track, table(&plaza, params, LogTableKind::Track, 777), "however it is cut");
-    let numbers = |line: &str| line.split(',').map(|cell| cell.parse().unwrap_or(f64::NAN)).collect::<Vec<f64>>();
-    let last = numbers(track.lines().last().expect("rows"));
-    let (pose, p) = (lab.replay.pose(), lab.replay.covariance());
-    assert_eq!(track.lines().count(), 1 + 13_186 - 3529);
-    assert_eq!(last[1..4], [pose.x(), pose.y(), pose.theta()], "to the last bit");
-    assert_eq!(last[8], p[(3, 3)].sqrt());
-    let sightings = table(&plaza, params, LogTableKind::Innovations, 5000);
-    let rows: Vec<Vec<f64>> = sightings.lines().skip(1).map(numbers).collect();
-    let refused = rows.iter().filter(|row| row[8] == 0.0).count();
-    assert_eq!((rows.len(), refused), (3529, lab.summary().refused as usize));
-    assert!(rows.iter().all(|row| (row[2] - row[3] - row[4]).abs() < 1e-9), "innovation is range less expected");
-    assert!(
-        table(&plaza, LogParams::default(), LogTableKind::Track, 10).lines().all(|line| line.split(',').count() == 11)
-    );
-}
-
-#[test]
-fn a_table_that_meets_a_bad_row_stays_where_it_was() {
-    let logged = logged("L,1,0,5\nO,1,1,0\nR,1,1,5\nO,2,1e300,0\nR,2,1,5\n");
-    let mut table = LogTable::new(logged, LogParams::default(), LogTableKind::Track).expect("sound parameters");
-    assert!(table.next(2).is_ok_and(|part| part.is_some_and(|part| part.lines().count() == 2)));
-    let first = table.next(2).expect_err("too large");
-    assert_eq!(table.next(2).expect_err("still too large").code, first.code);
 }
 
 #[test]

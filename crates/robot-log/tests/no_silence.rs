@@ -1,0 +1,118 @@
+//! What files hold that would be read wrong in silence: counters that wrap, rows of two robots, variances, and ranges
+//! by which a sensor says that it has none.
+
+use estimate::drive::Event;
+use robot_log::{Counting, Files, Understood};
+
+const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/logs");
+const WHEELS: &str = "time,v,omega\n0,1,0\n1,1,0\n";
+
+fn library(name: &str) -> Files {
+    let text = std::fs::read_to_string(format!("{FOLDER}/{name}")).expect(name);
+    files(&[(name, &text)])
+}
+
+fn files(all: &[(&str, &str)]) -> Files {
+    let mut files = Files::default();
+    all.iter().for_each(|(name, text)| files.add(name, text).expect(name));
+    files
+}
+
+fn with(mut files: Files, others: &[(&str, &str)]) -> Files {
+    others.iter().for_each(|(name, text)| files.add(name, text).expect(name));
+    files
+}
+
+fn distances(read: &Understood) -> Vec<f64> {
+    let distance = |event: &Event| if let Event::Odometry { distance, .. } = event { Some(*distance) } else { None };
+    read.log.drive.rows.iter().filter_map(|row| distance(&row.event)).collect()
+}
+
+fn wheels(files: &mut Files, counting: Counting) {
+    for (name, number) in [("ticks", 1000.0), ("radius", 0.1), ("base", 0.4)] {
+        assert!(files.set_wheel(0, name, number), "{name}");
+    }
+    assert!(files.set_counting(0, counting));
+}
+
+#[test]
+fn counters_of_16_bits_are_counted_on_over_their_end_and_it_is_said() {
+    let mut encoders = library("encoders-16-bit.csv");
+    wheels(&mut encoders, Counting::Total);
+    let read = encoders.read().expect("sound");
+    // 145 and 152 ticks in a row.
+    let step = (145.0 + 152.0) / 2.0 * core::f64::consts::TAU / 1000.0 * 0.1;
+    assert!(distances(&read).iter().all(|distance| (distance - step).abs() < 1e-12), "{:?}", distances(&read));
+    assert!(read.notes.iter().any(|note| note.contains("begin anew after 65536 ticks, 2 times")), "{:?}", read.notes);
+}
+
+#[test]
+fn a_jump_that_no_motion_makes_is_asked_and_may_be_a_new_start() {
+    let count = |i: i32| if i < 20 { 40_000 + 150 * i } else { 150 * (i - 20) };
+    let rows: String = (0..30).map(|i| format!("{},{},{}\n", 50 * i, count(i), count(i))).collect();
+    let mut encoders = files(&[("encoders.csv", &format!("time_ms,left_ticks,right_ticks\n{rows}"))]);
+    wheels(&mut encoders, Counting::Total);
+    let asked = encoders.read().expect_err("a jump").message;
+    assert!(asked.contains("In line 22 \u{201c}left_ticks\u{201d} jumps from 42850 to 0"), "{asked}");
+    assert!(encoders.set_counting(0, Counting::Restarted));
+    let distances = distances(&encoders.read().expect("sound"));
+    let step = 150.0 * core::f64::consts::TAU / 1000.0 * 0.1;
+    assert_eq!(distances.len(), 28, "one less for the first row, and one for the jump");
+    assert!(distances.iter().all(|distance| (distance - step).abs() < 1e-12), "{distances:?}");
+}
+
+#[test]
+fn rows_of_two_tags_are_asked_and_only_one_s_are_read() {
+    let anchors = ("anchors.csv", "id,x,y\nA1,0,0\nA2,5,0\nA3,0,5\n");
+    let mut tags = with(library("uwb-two-tags.csv"), &[("wheels.csv", WHEELS), anchors]);
+    let asked = tags.read().expect_err("whose rows?").message;
+    assert!(asked.contains("\u{201c}T7\u{201d} in 6 rows, \u{201c}T9\u{201d} in 5 rows"), "{asked}");
+    assert!(!tags.set_only(0, Some("T8")) && !tags.set_only(1, None) && tags.set_only(0, Some("T7")));
+    let ranges = |read: &Understood| read.log.drive.rows.iter().filter(|row| !row.event.is_motion()).count();
+    let read = tags.read().expect("sound");
+    assert_eq!(ranges(&read), 6);
+    assert!(read.notes.iter().any(|note| note.ends_with("whose tag is T7 are read; 5 are not.")), "{:?}", read.notes);
+    assert!(tags.set_only(0, None));
+    assert_eq!(ranges(&tags.read().expect("sound")), 11);
+    // A column that holds a value of the file tells nothing apart, and one of a single tag does not ask.
+    let one = files(&[("uwb.csv", "t,tag,anchor,range\n0,7,1,5\n1,7,2,5\n")]);
+    assert!(one.files()[0].several().is_none() && one.files()[0].asks().is_empty());
+}
+
+#[test]
+fn ranges_that_were_not_read_are_left_out_counted_and_said() {
+    let anchors = ("anchors.csv", "id,x,y\n1,0,0\n2,5,0\n3,0,5\n");
+    let read = with(library("uwb-no-reading.csv"), &[("wheels.csv", WHEELS), anchors]).read().expect("sound");
+    assert_eq!(read.log.drive.rows.iter().filter(|row| !row.event.is_motion()).count(), 6);
+    for wanted in [
+        "2 readings without a number left out.",
+        "2 ranges of \u{2212}1 are left out",
+        "1 range of 0 is left out",
+        "1 range of infinity is left out",
+    ] {
+        assert!(read.notes.iter().any(|note| note.contains(wanted)), "{wanted}: {:?}", read.notes);
+    }
+    let ranges = |cell: &str| {
+        let text = format!("t,landmark,range\n0,1,5\n1,2,{cell}\n");
+        files(&[("ranges.csv", &text), ("wheels.csv", WHEELS), anchors]).read()
+    };
+    assert!(ranges("-1").is_ok());
+    assert_eq!(ranges("-0.4").expect_err("below 0").line, 3);
+    assert_eq!(ranges("abc").expect_err("no number").line, 3);
+    let motion = files(&[("wheels.csv", "time,v,omega\n0,1,0\n1,nan,0\n")]).read();
+    assert_eq!(motion.expect_err("motion has to be there").line, 3);
+}
+
+#[test]
+fn a_variance_is_read_as_its_root() {
+    let text = "time,latitude,longitude,position_covariance0\n0,48,11,0.25\n1,48,11.00001,0.25\n2,48,11.00002,0\n";
+    let mut fixes = files(&[("gps.csv", text), ("wheels.csv", WHEELS)]);
+    let sigmas = |files: &Files| -> Vec<Option<f64>> {
+        let rows = files.read().expect("sound").log.drive.rows;
+        let own = |event: &Event| if let Event::Position { sigma, .. } = event { Some(*sigma) } else { None };
+        rows.iter().filter_map(|row| own(&row.event)).collect()
+    };
+    assert_eq!(sigmas(&fixes), [Some(0.5), Some(0.5), None], "of 0 the setting is taken");
+    assert!(fixes.set_unit(0, "sigma", "m"));
+    assert_eq!(sigmas(&fixes), [Some(0.25), Some(0.25), None]);
+}
