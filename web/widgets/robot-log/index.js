@@ -127,13 +127,13 @@ export const figure = {
     { name: 'bearings', width: 470, height: 200, shown: ({ bearings }) => bearings, draw: drawBearings },
   ],
   layout: {
-    // What the hand moves stands below the map and the innovations, which tell what came of it; what explains them is
-    // further down.
+    // What the hand moves stands right below the innovations and the sentence that tell what came of it; what explains
+    // them is further down.
     narrow: [
       'map',
-      'verdict',
-      'innovations',
       'tries',
+      'innovations',
+      'verdict',
       'controls',
       'readouts',
       'ranges',
