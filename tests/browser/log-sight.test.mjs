@@ -50,7 +50,7 @@ test('a question is marked where it is answered, and the log that comes of it co
   const asked = page.locator('.log-file .asked')
   await asked.waitFor()
   assert.equal(await asked.count(), 1)
-  assert.equal(await page.locator('.log-file.asks .log-value').count(), 3, 'what it is, the time, and what is asked')
+  assert.equal(await page.locator('.log-file.asks > .log-value').count(), 3, 'what it is, the time, and what is asked')
   await asked.locator('select').selectOption({ label: 'z (rad/s)' })
   await until(it, ({ params, summary }) => params.sightings && summary.used === 2, 'the ranges are used')
   assert.equal(await page.locator('.log-file .asked').count(), 0)
