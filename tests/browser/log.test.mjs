@@ -132,7 +132,7 @@ test('track and innovations come as CSV, and a link carries the settings and not
   await until(it, ({ summary }) => summary.used === 2, 'the filter')
   for (const [name, head, rows] of [
     ['track', /^time,x,y,theta/, 3],
-    ['innovations', /^time,landmark,range/, 3],
+    ['innovations', /^time,sensor,landmark,measured/, 3],
   ]) {
     const [download] = await Promise.all([
       page.waitForEvent('download'),

@@ -166,9 +166,11 @@ test('a run is as long as the slowest error, and the limit is that of the recurs
   const frame = await until(it, ({ step, runLength }) => step === runLength && step > 5000, 'a long run')
   assert.ok(frame.series.step.length > 200 && frame.series.step[0] === 0)
   assert.ok(frame.doubled.converged && frame.settled === null)
+  const { near } = frame
+  assert.ok(near > 5000 && near < frame.doubled.steps, `${near} steps to within 1 %`)
   await it
     .locator('.verdict')
-    .filter({ hasText: /settles in about 6\.6\s×\s10⁴\ssteps, \d+\ss\./ })
+    .filter({ hasText: /settles in (\d{4}|\d\.?\d*\s×\s10⁴)\ssteps, \d+\ss\./ })
     .waitFor()
 })
 

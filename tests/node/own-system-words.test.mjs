@@ -157,8 +157,8 @@ check(
           /^From this start it goes on falling as the variance of an average: /,
           /where no noise is, each reading counts\.$/,
         ),
-        ({ settled, noise, spectralRadius, params }) =>
-          settled === null &&
+        ({ noise, spectralRadius, params, slowly, near }) =>
+          (slowly || near === null) &&
           noise.reachable === 'no' &&
           (params.gain !== 'filter' || Math.abs(spectralRadius - 1) < 1e-3),
       ],
@@ -185,18 +185,27 @@ check(
           /^The covariance tends to 0 from every start, and ever more slowly: no noise moves the state, /,
           /so each reading counts for ever\.$/,
         ),
-        ({ detectable, params, settled }) =>
-          detectable === 'yes' && settled === null && params.v.flat().every((entry) => entry === 0),
+        ({ detectable, params, slowly, near }) =>
+          detectable === 'yes' && (slowly || near === null) && params.v.flat().every((entry) => entry === 0),
+      ],
+      [
+        /^The covariance tends to 0 from every start: no noise moves the state, so each reading counts for ever\.$/,
+        ({ detectable, params }) => detectable === 'yes' && params.v.flat().every((entry) => entry === 0),
+      ],
+      [
+        /^From this start, which knows what does not die out, 1 % is left after (\d+) steps?\.$/,
+        ({ slowly, near, params }, steps) => !slowly && near === Number(steps) && params.spread.includes(0),
       ],
       [
         pattern(
           /^The covariance tends to a limit from every large enough start, because the system is detectable; /,
-          /noise does not reach all that does not die out, or whether it does is undecided; /,
+          /(noise does not reach|whether noise reaches) all that does not die out( is undecided)?; /,
           /so a smaller start may lead elsewhere, /,
           /and the filter may in the end stop correcting what noise does not reach\.$/,
         ),
-        ({ detectable, noise, limit }) =>
-          limit === 'from-large-start' && detectable === 'yes' && noise.stabilizable !== 'yes',
+        ({ detectable, noise, limit }, how, undecided) =>
+          [limit, detectable, noise.stabilizable].join() === `from-large-start,yes,${undecided ? 'undecided' : 'no'}` &&
+          how.startsWith('whether') === Boolean(undecided),
       ],
       [
         pattern(
@@ -218,9 +227,17 @@ check(
         ({ limit }) => limit === 'undecided',
       ],
       [
-        /^From this start it settles in (\d+) steps(; a larger start leads to another limit)?\.$/,
-        ({ settled, limit, doubled }, steps, depends) =>
-          settled === Number(steps) && limit !== 'none' && Boolean(depends) === doubled.dependsOnStart,
+        pattern(
+          /^From this start it settles in (\d+|\S+ × 10\S+) steps?(, .+ s)?/,
+          /(; a larger start leads to another limit)?\.$/,
+        ),
+        ({ near, slowly, limit, doubled, params }, steps, lasting, depends) =>
+          near !== null &&
+          !slowly &&
+          limit !== 'none' &&
+          Math.abs(written(steps) - near) <= (near < 1e4 ? 0 : 0.06 * near) &&
+          Boolean(lasting) === params.period > 0 &&
+          Boolean(depends) === doubled.dependsOnStart,
       ],
       [
         pattern(

@@ -4,6 +4,7 @@ mod analysis;
 mod decay;
 mod directions;
 pub(crate) mod frame;
+mod nearing;
 mod params;
 
 pub use frame::{OwnDecay, OwnEigenvalue, OwnFrame, OwnLimit, OwnRank, OwnReach, OwnSeries};
@@ -150,6 +151,8 @@ impl Lab for OwnSystem {
             tried: self.known.tried,
             limit_p: self.known.limit_p.as_ref().map(rows),
             doubled: self.known.doubled,
+            near: self.known.near.map(|near| near.steps),
+            slowly: self.known.near.is_some_and(|near| near.slowly),
             f: rows(&self.known.system.f),
             g: rows(&self.known.system.g),
             v: rows(&self.known.system.v),

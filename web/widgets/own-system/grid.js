@@ -70,6 +70,7 @@ export function buildGrid(document, into, name, typed) {
   function shorten(input, whole) {
     const short = fitted(numberOf(whole))
     write(input, short)
+    input.title = short === whole ? '' : whole
     wholes.set(input, { short, whole })
   }
 

@@ -46,10 +46,14 @@ function seen({ rank, observable, badlyScaled, params, tolerance }) {
         'undecided.'
 }
 
+/** A modulus that differs from 1 by less is 1 up to rounding. */
+const ON_CIRCLE = 1e-12
+
 /** @param {Frame} frame */
 function dies({ observable, detectable, unseenModes, tolerance }) {
   if (observable === 'yes') return ''
-  const slow = unseenModes.length > 0 && unseenModes.every(({ re, im }) => Math.hypot(re, im) < 1)
+  // On the circle, up to rounding, nothing dies out.
+  const slow = unseenModes.length > 0 && unseenModes.every(({ re, im }) => Math.hypot(re, im) < 1 - ON_CIRCLE)
   if (detectable === 'no' && slow)
     return (
       'Counts as not detectable: what is not seen dies out so slowly that the tolerance of ' +
@@ -92,13 +96,26 @@ export function settles(frame) {
   const { settled, tried, doubled, limit: kind } = frame
   if (breaks(frame)) return 'a step has no answer'
   if (frame.badlyScaled) return 'undecided'
-  if (settled !== null) return kind === 'none' ? `no change after ${settled}` : `in ${settled} steps`
-  if (vanishes(frame)) return 'falls towards 0'
-  if (averages(frame)) return 'falls as an average'
+  if (settled !== null && kind === 'none') return `no change after ${settled}`
+  if (frame.slowly || frame.near === null) {
+    if (vanishes(frame)) return 'falls towards 0'
+    if (frame.slowly || averages(frame)) return 'falls as an average'
+  }
+  if (frame.near !== null && kind !== 'none') return `in ${stepsTo(frame.near)}`
+  if (settled !== null) return `in ${settled} steps`
   if (arrives(frame)) return `in about ${steps(doubled.steps)} steps`
   if (doubled.converged) return `in more than ${steps(FURTHEST)} steps`
   return tried === null ? 'never' : `not in ${tried}`
 }
+
+/** A number of steps. @param {number} count */
+const stepsTo = (count) => `${count < 1e4 ? count : steps(count)} ${count === 1 ? 'step' : 'steps'}`
+
+/** What of noise lets a small start lead elsewhere. @param {Frame} frame */
+const unreached = ({ noise }) =>
+  noise.stabilizable === 'no'
+    ? 'noise does not reach all that does not die out'
+    : 'whether noise reaches all that does not die out is undecided'
 
 /** @param {Frame} frame */
 function limit(frame) {
@@ -115,25 +132,26 @@ function limit(frame) {
       `${steps(Math.min(doubled.steps, FURTHEST))} steps.`
     )
   if (vanishes(frame))
-    return (
-      'The covariance tends to 0 from every start, and ever more slowly: no noise moves the state, so each reading ' +
-      'counts for ever.'
-    )
-  const lasting = params.period > 0 ? `, ${seconds(doubled.steps * params.period)}` : ''
+    return frame.slowly || frame.near === null
+      ? 'The covariance tends to 0 from every start, and ever more slowly: no noise moves the state, so each reading ' +
+          'counts for ever.'
+      : 'The covariance tends to 0 from every start: no noise moves the state, so each reading counts for ever. ' +
+          `From this start, which knows what does not die out, 1 % is left after ${stepsTo(frame.near)}.`
+  const lasts = (/** @type {number} */ count) => (params.period > 0 ? `, ${seconds(count * params.period)}` : '')
   const another = doubled.dependsOnStart ? '; a larger start leads to another limit' : ''
   // A sum that loses what a weakly read state adds comes to rest early: that says nothing.
   const run = frame.badlyScaled
     ? ''
     : settled !== null && kind === 'none'
       ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.`
-      : settled !== null
-        ? ` From this start it settles in ${settled} steps${another}.`
-        : averages(frame)
+      : frame.near !== null && !frame.slowly && kind !== 'none'
+        ? ` From this start it settles in ${stepsTo(frame.near)}${lasts(frame.near)}${another}.`
+        : averages(frame) || (frame.slowly && kind !== 'none')
           ? ' From this start it goes on falling as the variance of an average: where no noise is, each reading counts.'
           : doubled.converged && !arrives(frame)
             ? ` From this start it takes more than ${steps(FURTHEST)} steps.`
             : doubled.converged
-              ? ` From this start it settles in about ${steps(doubled.steps)} steps${lasting}${another}.`
+              ? ` From this start it settles in about ${steps(doubled.steps)} steps${lasts(doubled.steps)}${another}.`
               : tried === null
                 ? ' From this start it outgrows every number.'
                 : ` From this start it has not settled after ${tried} steps.`
@@ -144,8 +162,7 @@ function limit(frame) {
         'noise reaches all that does not die out.',
       'from-large-start':
         'The covariance tends to a limit from every large enough start, because the system is ' +
-        'detectable; noise does not reach all that does not die out, or whether it does is ' +
-        'undecided; so a smaller start may lead elsewhere, and the filter may in the end stop ' +
+        `detectable; ${unreached(frame)}; so a smaller start may lead elsewhere, and the filter may in the end stop ` +
         'correcting what noise does not reach.',
       none:
         'The covariance has no limit: something unseen does not die out, and noise feeds it, so its ' +

@@ -3,6 +3,7 @@
 
 use super::decay::{decay_of, run_length};
 use super::frame::{OwnDecay, OwnEigenvalue, OwnLimit};
+use super::nearing::{Nearing, nearing};
 use super::params::{Entries, GainBy, OwnParams};
 use estimate::dynamic::{self, Continuous, Discrete, Limit, System};
 use estimate::observability::Observability;
@@ -39,6 +40,8 @@ pub(super) struct Analysis {
     pub tried: Option<u32>,
     pub limit_p: Option<DMatrix<f64>>,
     pub doubled: OwnLimit,
+    /// How soon P is near its limit.
+    pub near: Option<Nearing>,
     pub p0: DMatrix<f64>,
     pub decay: Vec<OwnDecay>,
     pub run_length: u32,
@@ -71,6 +74,10 @@ impl Analysis {
         let arrived = stepped.as_ref().filter(|state| state.converged && state.gain_converged);
         let settled = arrived.filter(|state| !limit.converged || same_covariance(state, &limit));
         let limit_p = settled.map(|state| state.p.clone()).or_else(|| limit.converged.then(|| limit.p.clone()));
+        // From a start that knows nothing for certain, what falls to 0 from every start does so ever more slowly.
+        let whole = falls && p0.diagonal().iter().all(|variance| *variance > 0.0);
+        let near = limit_p.as_ref().and_then(|limit| nearing(&system, &p0, limit));
+        let near = near.map(|near| Nearing { slowly: near.slowly || whole, ..near });
         let mut placed = None;
         let filter = filter_gain(stepped.as_ref(), &limit);
         let averages = falls || settled.is_none() && limit.converged && averages(&system, &filter, limit.steps);
@@ -94,6 +101,7 @@ impl Analysis {
             settled: settled.map(|state| state.iterations as u32),
             tried: stepped.as_ref().map(|state| state.iterations as u32),
             limit_p,
+            near,
             doubled: OwnLimit {
                 converged: limit.converged,
                 gain_converged: limit.gain_converged,

@@ -60,6 +60,11 @@ record! {
         pub limit_p: Option<Vec<Vec<f64>>>,
         /// What doubling the steps says of the limit.
         pub doubled: OwnLimit,
+        /// Steps until P(k+1 | k) is within 1 % of its limit from this start, or, where that is 0, until 1 % is left;
+        /// null where it has none, or comes to it only later than numbers tell.
+        pub near: Option<f64>,
+        /// Whether it comes ever more slowly, as the variance of an average does.
+        pub slowly: bool,
         /// F over a step, by rows: as given, or sampled.
         #[name = "F"]
         pub f: Vec<Vec<f64>>,
