@@ -26,7 +26,7 @@ const LEVEL_WIDTH = 46
 export function drawLikelihood(pen, box, map, found) {
   // Two rows are the least that has a contour.
   if (!map || map.rows < 2) return
-  const { size, rows, values, top, limit } = map
+  const { size, rows, values, top } = map
   const contour = contours().size([size, rows])
   const path = (/** @type {number} */ below) => outline(contour.contour(values, top - below), box, size)
   pen.group(
@@ -37,7 +37,17 @@ export function drawLikelihood(pen, box, map, found) {
     },
     `${map.rows} ${top} ${JSON.stringify(box)}`,
   )
-  if (found) pen.mark('path', 'contour', { class: 'likely contour', d: path(limit / 2) })
+  if (found) drawLimit(pen, box, map)
+}
+
+/**
+ * The line about the likeliest alone.
+ * @param {Pen} pen @param {Box} box @param {Omit<Likelihood, 'rows'>} map that is filled
+ */
+export function drawLimit(pen, box, { size, values, top, limit }) {
+  const contour = contours().size([size, values.length / size])
+  const d = outline(contour.contour(values, top - limit / 2), box, size)
+  pen.mark('path', 'contour', { class: 'likely contour', d })
 }
 
 /**

@@ -38,14 +38,23 @@ export class LikelihoodLine {
 
   /** @param {Frame} frame */
   show(frame) {
-    const { present } = this
-    if (present && JSON.stringify(present.params) !== JSON.stringify(frame.params)) this.before = present
+    this.before = settingBefore(this.before, this.present, frame)
     this.present = frame
     this.kept = looksOf(frame).kept
     const words = sentence(frame, this.before, this.kept)
     if (this.words.textContent !== words) this.words.textContent = words
     this.back.hidden = this.drop.hidden = !this.kept
   }
+}
+
+/**
+ * The frame of the setting before, once another frame comes. A log that has just come shows the one before once more,
+ * which is no setting of its own.
+ * @param {Frame | null} before @param {Frame | null} present @param {Frame} frame
+ */
+export function settingBefore(before, present, frame) {
+  if (present && present.log !== frame.log) return null
+  return present && JSON.stringify(present.params) !== JSON.stringify(frame.params) ? present : before
 }
 
 /** @param {Frame} frame @param {Frame | null} before @param {Frame | null} kept */

@@ -1,24 +1,29 @@
 /** The map of a log's likelihood over any two numbers of the filter: what the log tells of each and of both. */
 
 import { SVG, button, part } from '../draw/dom.js'
-import { drawLegend, drawLikelihood } from '../draw/likelihood.js'
+import { drawLegend, drawLikelihood, drawLimit } from '../draw/likelihood.js'
+import { fixed } from '../draw/numbers.js'
 import { Pen } from '../draw/pen.js'
 import { axes, plane as planeOf, scaleLog } from '../draw/plot.js'
 import { liveHandles } from '../figure/handle.js'
+import { LIMIT, closer, tells, within } from './log-limit.js'
 import { numbersOf } from './log-numbers.js'
 
 /** @typedef {import('../widgets/robot-log/looks.js').Frame} Frame */
 /** @typedef {import('../widgets/robot-log/remote-run.js').RemoteRun} Run */
 /** @typedef {ReturnType<typeof numbersOf>[0]} Choice */
 /** @typedef {{ number: Choice, places: number[] }} Axis `places` as the slider has them: logarithms of a σ */
+/** @typedef {{ axes: [Axis, Axis], values: number[] }} Grid */
 
 /** Cells to a side, and the share of a slider's way that lies either side of the present value. */
 const [SIZE, SHARE] = [28, 0.2]
-/** Of two numbers, the χ² quantile of 95 % is −2 ln 0.05. */
-const LIMIT = -2 * Math.log(0.05)
+/** How often the map is drawn finer about its top at most. */
+const FINER = 4
 /** Readings count from so long after the first fix, s: behind every start that a delay leads to. */
 const SETTLED = 2
 const [WIDTH, HEIGHT] = [460, 430]
+/** Digits of the numbers that are tried. */
+const PRECISE = 9
 
 export class LikelihoodMap {
   /** @param {() => Run} run @param {(patch: Record<string, unknown>) => void} change */
@@ -51,8 +56,10 @@ export class LikelihoodMap {
     )
     /** @type {Choice[]} */
     this.numbers = []
-    /** What is drawn. @type {{ axes: [Axis, Axis], values: number[] } | null} */
+    /** What is drawn, and the finer map that has the line. @type {Grid | null} */
     this.map = null
+    /** @type {Grid | null} */
+    this.line = null
     /** @type {Frame | null} */
     this.frame = null
     this.wait(false)
@@ -63,6 +70,7 @@ export class LikelihoodMap {
     this.run()?.stop('map')
     this.numbers = numbersOf(contents)
     this.map = null
+    this.line = null
     this.words.textContent = ''
     for (const [i, select] of [this.across, this.up].entries()) {
       select.replaceChildren(...this.numbers.map(({ words }, at) => new Option(words, String(at))))
@@ -93,37 +101,83 @@ export class LikelihoodMap {
       this.words.textContent = 'Choose two numbers that differ.'
       return
     }
-    const run = this.run()
     const [across, up] = chosen.map((number) => axisOf(number, frame))
     const map = { axes: /** @type {[Axis, Axis]} */ ([across, up]), values: /** @type {number[]} */ ([]) }
     this.map = map
+    this.line = null
     this.wait(true)
+    this.words.textContent = ''
+    const told = (await this.fill(map, frame)) ?? (await this.draws(map, frame))
+    if (this.map !== map) return
+    this.wait(false)
+    this.start.focus({ preventScroll: true })
+    this.words.textContent = told
+    this.paint()
+  }
+
+  /**
+   * Fills a grid; what there is to say where that was given up.
+   * @param {Grid} grid @param {Frame} frame @returns {Promise<string | null>}
+   */
+  async fill(grid, frame) {
+    const { map } = this
+    const run = this.run()
     this.bar.max = SIZE
     this.bar.value = 0
-    this.words.textContent = ''
     run.onmapped = ({ row, values }) => {
       if (this.map !== map) return
-      map.values.push(...values)
+      grid.values.push(...values)
       this.bar.value = row + 1
       this.paint()
     }
     const first = run.contents.span[0] + (frame.fixes.time[0] ?? 0)
     const wish = (/** @type {Axis} */ { number, places }) => ({
       name: number.told[0],
-      values: places.map((place) => valueAt(number, place)),
+      values: places.map((place) => valueAt(number, place, PRECISE)),
     })
+    const [across, up] = grid.axes
     const answer = await run.map({ from: first + SETTLED, across: wish(across), up: wish(up) })
-    if (this.map !== map) return
-    this.wait(false)
-    this.start.focus({ preventScroll: true })
-    this.words.textContent =
-      answer.kind === 'map'
-        ? 'If the model holds, the line is around the true numbers in 95 of 100 logs. Gates are off here.'
-        : (answer.message ?? 'The map was given up.')
+    return answer.kind === 'map' ? null : (answer.message ?? 'The map was given up.')
+  }
+
+  /**
+   * Looks finer about the top until the cells tell the line, and says what it is.
+   * @param {Grid} map @param {Frame} frame
+   */
+  async draws(map, frame) {
+    if (within(map.values, SIZE).edge)
+      return (
+        'Within the map no line closes: the likelihood is still high at its edge. Press Fit, or set the two numbers ' +
+        'nearer to the likeliest, and draw it again. Gates are off here.'
+      )
+    let grid = map
+    for (let finer = 0; finer < FINER; finer += 1) {
+      const found = within(grid.values, SIZE)
+      if (tells(found) && !found.edge) break
+      const [across, up] = grid.axes
+      const axes = /** @type {[Axis, Axis]} */ ([
+        { ...across, places: closer(across.places, found.columns, found.edge) },
+        { ...up, places: closer(up.places, found.rows, found.edge) },
+      ])
+      grid = { axes, values: [] }
+      const given = await this.fill(grid, frame)
+      if (given !== null || this.map !== map) return given ?? ''
+    }
+    const found = within(grid.values, SIZE)
+    if (!tells(found) || found.edge)
+      return (
+        'The line that is around the true numbers in 95 of 100 logs is thinner than the cells of a map here, and is ' +
+        'not drawn: the two numbers stand in for one another along a ridge. Gates are off here.'
+      )
+    this.line = grid
+    return (
+      `If the model holds, the line is around the true numbers in 95 of 100 logs: ` +
+      `${reaches(grid.axes[0], found.columns)}, ${reaches(grid.axes[1], found.rows)}. Gates are off here.`
+    )
   }
 
   paint() {
-    const { map, frame, pen, svg } = this
+    const { map, line, frame, pen, svg } = this
     svg.toggleAttribute('hidden', !map)
     svg.style.display = map ? '' : 'none'
     if (!map || !frame) return pen.draw(() => {})
@@ -147,11 +201,15 @@ export class LikelihoodMap {
       y: scale(up, [box.bottom, box.top], places.y),
     }
     const rows = Math.floor(map.values.length / SIZE)
-    const top = map.values.reduce((most, value) => Math.max(most, value), -Infinity)
+    const top = [...map.values, ...(line?.values ?? [])].reduce((most, value) => Math.max(most, value), -Infinity)
     pen.draw(() => {
-      pen.window('likelihood', box, (to) =>
-        drawLikelihood(to, box, { size: SIZE, rows, values: map.values, top, limit: LIMIT }, rows === SIZE),
-      )
+      pen.window('likelihood', box, (to) => {
+        drawLikelihood(to, box, { size: SIZE, rows, values: map.values, top, limit: LIMIT }, false)
+        if (!line) return
+        const [[left, right], [bottom, high]] = line.axes.map(ends)
+        const part = { left: places.x(left), right: places.x(right), bottom: places.y(bottom), top: places.y(high) }
+        drawLimit(to, part, { size: SIZE, values: line.values, top, limit: LIMIT })
+      })
       axes(pen, shown, {
         title: `log-likelihood; ${up.number.words}`,
         x: across.number.words,
@@ -189,9 +247,18 @@ function choice(into, words) {
   return /** @type {HTMLSelectElement} */ (part(document, label, 'select', ''))
 }
 
-/** The number in the lab's unit. @param {Choice} number @param {number} place */
-function valueAt({ told: [, , { log }, unit = 1] }, place) {
-  return Number(((log ? 10 ** place : place) * unit).toPrecision(4))
+/** The number in the lab's unit. @param {Choice} number @param {number} place @param {number} [digits] */
+function valueAt({ told: [, , { log }, unit = 1] }, place, digits = 4) {
+  return Number(((log ? 10 ** place : place) * unit).toPrecision(digits))
+}
+
+/** From where to where the line reaches along an axis. @param {Axis} axis @param {[number, number]} ends its cells */
+function reaches({ number, places }, [from, to]) {
+  const step = places[1] - places[0]
+  const { log } = number.told[2]
+  const [low, high] = [places[from] - step / 2, places[to] + step / 2].map((place) => (log ? 10 ** place : place))
+  const digits = Math.max(0, Math.min(6, 2 - Math.floor(Math.log10(high - low))))
+  return `${number.words} from ${fixed(low, digits)} to ${fixed(high, digits)}`
 }
 
 /** Where the present numbers are. @param {[Axis, Axis]} axes @param {Frame} frame */

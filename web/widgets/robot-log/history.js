@@ -222,6 +222,23 @@ function decades(error, bound) {
   return [10 ** Math.min(-1, top - 2, Math.floor(low)), 10 ** top]
 }
 
+/** A gap between two values that is this many times the usual one is no way between them. */
+const GAP = 3
+
+/**
+ * A series with a break wherever its times leave a gap, as over a stretch whose readings are withheld.
+ * @param {number[]} times @param {number[]} values @returns {[number[], number[]]}
+ */
+export function broken(times, values) {
+  const gaps = times.slice(1).map((time, i) => time - times[i])
+  const most = GAP * [...gaps].sort((a, b) => a - b)[gaps.length >> 1]
+  const far = (/** @type {number} */ i) => i > 0 && gaps[i - 1] > most
+  return [
+    times.flatMap((time, i) => (far(i) ? [time, time] : [time])),
+    values.flatMap((value, i) => (far(i) ? [Number.NaN, value] : [value])),
+  ]
+}
+
 /** @param {Panel} panel @param {Frame} frame */
 export function drawNis(panel, frame) {
   const { time, mean, low, high } = frame.nis
@@ -236,7 +253,7 @@ export function drawNis(panel, frame) {
     rule(pen, plane, 'one', 1)
     const curve = (/** @type {number[]} */ times, /** @type {number[]} */ values) => ({
       ...meaning('curve', 'measurement'),
-      d: seriesPath(plane, minutes(times), values),
+      d: seriesPath(plane, ...broken(minutes(times), values)),
     })
     pen.window('curves', plane.box, (to) => {
       if (kept)

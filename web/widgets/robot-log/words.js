@@ -33,6 +33,10 @@ export function listens({ params, summary: { sensors } }) {
   return Boolean((params.sightings && ranges) || (params.fixes && fix) || (params.headings && heading))
 }
 
+/** Whether the log has any reading that could correct the estimate. @param {Frame} frame */
+const readable = ({ summary: { sensors } }) =>
+  Boolean(sensors.fix || sensors.heading || sensors.range || sensors.bearing)
+
 /** What a reading of the log is called. @param {Frame} frame */
 function noun({ summary: { sensors } }) {
   return sensors.fix || sensors.heading ? 'reading' : 'range'
@@ -41,6 +45,7 @@ function noun({ summary: { sensors } }) {
 /** Why a panel of readings has none to show. @param {Frame} frame */
 export function unread(frame) {
   const { used, refused } = frame.summary
+  if (!readable(frame)) return 'the log has no reading'
   if (!listens(frame)) return `switch the ${noun(frame)}s on`
   if (used + refused === 0) return 'no reading so far'
   return used === 0 ? 'every reading is refused' : 'too few readings so far'
@@ -58,6 +63,8 @@ export function verdict(frame) {
   const { step, summary } = frame
   if (step === 0) return 'Before the first row of the log.'
   const { used, refused } = summary
+  if (!readable(frame))
+    return `Dead reckoning: the log has no reading that could correct the estimate.${errorOf(frame, false)}`
   if (!listens(frame)) return `Dead reckoning: odometry alone, no ${noun(frame)} is used.${errorOf(frame, false)}`
   if (used + refused === 0) return `No ${noun(frame)} has been read yet.${errorOf(frame, false)}`
   if (used === 0)
