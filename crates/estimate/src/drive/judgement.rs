@@ -1,10 +1,11 @@
 //! What a verdict has found, and what is told by the truth of it.
 
 use crate::drive::course::Otherwise;
-use crate::drive::evidence::{Against, Place};
+use crate::drive::evidence::{Against, Evidence, Place};
 use crate::drive::fitted::Fitted;
-use crate::drive::row::{Event, Row};
-use crate::drive::suspect::Suspect;
+use crate::drive::round::{Round, Scope};
+use crate::drive::row::{Drive, Event, Row};
+use crate::drive::suspect::{Fault, Suspect};
 use alloc::vec::Vec;
 
 /// A mended filter that is farther from the truth than before, by this ratio, is not mended.
@@ -49,6 +50,23 @@ pub(crate) fn refuted(before: &Against, after: &Against) -> bool {
     share > WORSE || (share >= 1.0 && farther) || (after.nees > WILD && share > BETTER)
 }
 
+/// By how much the readings of a round are likelier for a robot that turns on its way, where that is more than any
+/// suspect brings by itself, or more than chance once the likeliest, a clock, is mended: what is held puts that off.
+pub(crate) fn turning(drive: &Drive, round: &Round, scope: &Scope) -> Option<f64> {
+    let with = |place: &Place, arcs| {
+        let place = Place { otherwise: Otherwise { arcs, ..place.otherwise }, ..*place };
+        Evidence::new(drive, &place, scope.rows).ok()
+    };
+    let (chance, found) = (scope.chance[0], &round.found);
+    let alone = with(&round.place, true)?.gain(round.base.as_ref()?, 0);
+    if alone > found.iter().map(|(suspect, _)| suspect.gain).fold(chance, f64::max) {
+        return Some(alone);
+    }
+    let (clock, mended) = found.iter().find(|(suspect, _)| suspect.fault != Fault::Sigma)?;
+    let more = with(mended, true)?.gain(&with(mended, false)?, 0);
+    (clock.fault == Fault::Clock && more > chance).then_some(more)
+}
+
 /// What a reader has who mends no more than this: the robot turns where it does, and what is the model's own stays.
 pub(crate) fn as_mended(place: &Place, own: &[Suspect]) -> Place {
     let mut mended = Place { otherwise: Otherwise { arcs: false, ..place.otherwise }, ..*place };
@@ -62,7 +80,9 @@ pub(crate) fn as_mended(place: &Place, own: &[Suspect]) -> Place {
 /// Whether a suspect is the motion model's own, with motion about every `period` seconds.
 pub(crate) fn is_own(suspect: &Suspect, period: f64) -> bool {
     let delay = suspect.number.filter(|number| Fitted::is_delay(*number)).and(suspect.sizes.first());
-    delay.is_some_and(|size| (size.value - size.now).abs() <= 0.5 * period)
+    let half = 0.5 * period;
+    // One that is not known to be longer is not.
+    delay.is_some_and(|size| (size.value - size.now).abs() <= half + (2.0 * size.sigma).min(0.3 * half))
 }
 
 /// The median time between rows of motion, s: of speeds or of turn rates, whichever come less often.

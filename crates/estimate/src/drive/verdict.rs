@@ -17,7 +17,7 @@ use crate::drive::course::{Course, Otherwise};
 use crate::drive::evidence::{Against, Evidence, Place};
 use crate::drive::exchange::pairs;
 use crate::drive::fit::{SETTLED, most_delay};
-use crate::drive::judgement::{Judgement, as_mended, is_own, period, refuted};
+use crate::drive::judgement::{Judgement, as_mended, is_own, period, refuted, turning};
 use crate::drive::round::{Round, Scope, explained, ranked, sifted};
 use crate::drive::row::Drive;
 use crate::drive::sensor::BySensor;
@@ -180,20 +180,19 @@ impl Verdict {
     }
 
     /// Frees the suspects anew beside a robot that turns on its way, where that makes the readings likelier than any of
-    /// them does by itself; whether it does.
+    /// them does by itself, or likelier still where the likeliest, a clock, is mended; whether it does.
     fn turn_on_the_way(&mut self, drive: &Drive) -> bool {
-        let (false, Some(base)) = (self.asked, &self.first.base) else { return false };
-        self.asked = true;
-        let place = Place { otherwise: Otherwise { arcs: true, ..Otherwise::default() }, ..self.first.place };
-        let Ok(arcs) = Evidence::new(drive, &place, self.scope.rows) else { return false };
-        let gain = arcs.gain(base, 0);
-        let rival = self.first.found.iter().map(|(suspect, _)| suspect.gain).fold(self.scope.chance[0], f64::max);
-        if !(gain.is_finite() && gain > rival) {
+        if self.asked {
             return false;
         }
+        self.asked = true;
+        self.arcs = turning(drive, &self.first, &self.scope);
+        if self.arcs.is_none() {
+            return false;
+        }
+        let place = Place { otherwise: Otherwise { arcs: true, ..Otherwise::default() }, ..self.first.place };
         self.before += self.first.tried.len() as u32;
         self.first = Round::new(place, core::mem::take(&mut self.first.tried));
-        self.arcs = Some(gain);
         true
     }
 
