@@ -48,7 +48,8 @@ fn worst(search: &Search<'_>) -> Vec<usize> {
     let mut seen: Vec<(usize, f64)> = sums
         .into_iter()
         .enumerate()
-        .filter_map(|(i, (sum, count))| (count > 0).then(|| (i, sum / f64::from(count))))
+        .filter(|(_, (_, count))| *count > 0)
+        .map(|(i, (sum, count))| (i, sum / f64::from(count)))
         .collect();
     seen.sort_by(|a, b| a.1.total_cmp(&b.1));
     seen.into_iter().take(MOST).map(|(i, _)| i).collect()

@@ -198,8 +198,8 @@ impl Verdict {
 
     /// Sets a delay apart that is the motion model's own, and frees the others beside it; whether there was one.
     fn set_apart(&mut self) -> bool {
-        let likely = self.first.found.iter().filter(|(suspect, _)| suspect.excess > 0.0);
-        let Some((own, place)) = likely.filter(|(suspect, _)| suspect.fault != Fault::Sigma).next() else {
+        let likely = |suspect: &Suspect| suspect.excess > 0.0 && suspect.fault != Fault::Sigma;
+        let Some((own, place)) = self.first.found.iter().find(|(suspect, _)| likely(suspect)) else {
             return false;
         };
         if !is_own(own, self.period) {
