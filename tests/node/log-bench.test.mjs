@@ -3,12 +3,14 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { sentence } from '../../web/page/log-likelihood.js'
+import { sentence as fitted } from '../../web/page/log-fit.js'
+import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
+import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
 import { numbersOf as numbersToTell, settingsOf } from '../../web/page/log-numbers.js'
 import { headsOf, rowsOf } from '../../web/page/log-sources.js'
 import { Mapping } from '../../web/widgets/robot-log/likelihood.js'
 import { belongs, nameOf, numbersOf, sourcesOf, touchedIn } from '../../web/widgets/robot-log/looks.js'
-import { readingAt, timeAt } from '../../web/widgets/robot-log/history.js'
+import { broken, readingAt, timeAt } from '../../web/widgets/robot-log/history.js'
 
 const { RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
@@ -70,6 +72,62 @@ test('log-likelihoods are compared where they are of the same readings, and only
   assert.match(fewer, /A used 440 readings, and a sum over others is no measure/)
   assert.doesNotMatch(fewer, /against/)
   assert.equal(sentence(frameOf({}, 0), null, null), 'Log-likelihood: no reading has been used yet.')
+})
+
+test('a setting is compared with the one before of the same log alone', () => {
+  const [one, other] = [{}, {}]
+  const frame = (log, scale) => ({ log, params: { scale } })
+  const [a, b] = [frame(one, 0), frame(one, 1)]
+  assert.equal(settingBefore(null, a, b), a)
+  assert.equal(settingBefore(a, b, { ...b }), a, 'the same setting anew')
+  assert.equal(settingBefore(null, a, frame(other, 1)), null)
+  assert.equal(settingBefore(a, b, frame(other, 1)), null)
+})
+
+test('what a fit has found has as many digits as it is known to', () => {
+  const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative })
+  assert.equal(number('delayFix', 0.38547, 0.00134), 'delay of the positions, s: 0.3855 ± 0.0013')
+  assert.equal(number('delayFix', 0.399941, 0.0000202), 'delay of the positions, s: 0.399941 ± 0.000020')
+  assert.equal(number('sigmaFix', 0.029967, 0.01342, true), 'σ of a position, m: 0.02997 ± 1.3 %')
+  assert.equal(number('headingOffset', 0.2, 0.0025), 'offset of the headings, °: 11.46 ± 0.14')
+  assert.equal(number('offset', -12.3, 25), 'offset of the ranges, m: −12 ± 25')
+  assert.match(number('scale', 0.03, null), /does not tell it/)
+})
+
+const hill = ([across, up], sigma, turn = 0) =>
+  up.flatMap((y) => across.map((x) => -((x + 0.5 * y) ** 2) / 2 - ((y - turn * x - 0.013) / sigma) ** 2 / 2))
+
+test('the line of a map follows the likelihood where its cells are too coarse, and is not told on a ridge', () => {
+  const SIZE = 28
+  const axis = (half) => Array.from({ length: SIZE }, (_, i) => half * ((2 * i) / (SIZE - 1) - 1))
+  const coarse = [axis(5), axis(5)]
+  const found = within(hill(coarse, 0.02), SIZE)
+  assert.ok(!tells(found) && !found.edge)
+  const looks = (sigma, turn) => {
+    let places = coarse
+    for (let finer = 0; finer < 4; finer += 1) {
+      const { columns, rows, edge } = within(hill(places, sigma, turn), SIZE)
+      places = [closer(places[0], columns, edge), closer(places[1], rows, edge)]
+    }
+    return { places, line: within(hill(places, sigma, turn), SIZE) }
+  }
+  const { places, line } = looks(0.02)
+  assert.ok(tells(line) && !line.edge)
+  // Of two numbers the line reaches √(2 ln 20) = 2.45 standard deviations: to within a cell on each side.
+  const [low, high] = line.rows.map((row) => places[1][row])
+  const cell = places[1][1] - places[1][0]
+  assert.ok(Math.abs((high - low) / 2 - 0.02 * Math.sqrt(LIMIT)) < cell, `${low} ${high} ${cell}`)
+  assert.ok(Math.abs((high + low) / 2 - 0.013) < cell)
+  assert.ok(!tells(looks(0.002, 1).line), 'a ridge')
+  assert.ok(within(hill([axis(1), axis(1)], 5), SIZE).edge)
+})
+
+test('a curve breaks over a stretch without readings', () => {
+  const [times, values] = broken([0, 1, 2, 9, 10], [1, 2, 3, 4, 5])
+  assert.deepEqual(times, [0, 1, 2, 9, 9, 10])
+  assert.deepEqual(values, [1, 2, 3, Number.NaN, 4, 5])
+  assert.deepEqual(broken([], []), [[], []])
+  assert.deepEqual(broken([3], [1]), [[3], [1]])
 })
 
 test('innovations are shown of all readings, of a sensor, of a landmark, and of its bearings', () => {

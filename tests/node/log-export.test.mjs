@@ -48,6 +48,7 @@ const LOGS = {
       turnBias: -0.01,
       sigmaFix: 1.2,
       sigmaHeading: 0.2,
+      headingOffset: 0.15,
       gate: { fix: 0.95, heading: 0.9 },
       every: { heading: 0.4 },
       withheld: [5, 6.5],

@@ -146,6 +146,7 @@ test('the defaults are those of the documentation', () => {
       scale: 0,
       offset: 0,
       bearingOffset: 0,
+      headingOffset: 0,
       learn: false,
       sightings: true,
       fixes: true,

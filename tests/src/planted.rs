@@ -4,7 +4,7 @@ mod fault;
 mod world;
 
 pub use fault::{Case, FAULTS, planted, sound};
-pub use world::{Log, WORLDS, World};
+pub use world::{ARCS, Log, WORLDS, World};
 
 use estimate::Error;
 use estimate::drive::{Judgement, Verdict};

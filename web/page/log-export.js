@@ -52,6 +52,9 @@ function left(frame, contents) {
     ...late.map(([name, delay]) => `Stamp ${name} ${float(Number(delay))} s earlier: nothing here takes a delay.`),
     ...(speedScale !== 0 ? [`Multiply speeds by ${float(1 + speedScale)} before they are published.`] : []),
     ...(turnBias !== 0 ? [`Take ${float(turnBias)} rad/s off each turn rate before it is published.`] : []),
+    ...(heading && params.headings && params.headingOffset !== 0
+      ? [`Take ${float(params.headingOffset)} rad off each heading before it is published.`]
+      : []),
     ...(SENSORS.some((sensor) => everyOf(params.every, sensor) > 0)
       ? ['Readings that the page passed over for coming too soon are not thinned out here.']
       : []),

@@ -33,6 +33,7 @@ export function filterpy(frame) {
     SCALE: scale,
     OFFSET: params.offset,
     BEARING_OFFSET: params.bearingOffset,
+    HEADING_OFFSET: params.headingOffset,
     SPEED_SCALE: speedScale,
     TURN_BIAS: turnBias,
   }).map(([name, value]) => `${name} = ${float(value)}\n`)
@@ -166,7 +167,8 @@ def replay(landmarks, truth, rows):
             robot.correct(sensor, numbers[:2], lambda x: x[:2], lambda x: np.eye(2, 3), [sigma**2] * 2)
         elif sensor == "heading":
             sigma = numbers[1] if len(numbers) > 1 else SIGMA_HEADING
-            robot.correct(sensor, numbers[:1], lambda x: x[2:], lambda x: np.array([[0, 0, 1]]), [sigma**2])
+            theta = wrap(numbers[0] - HEADING_OFFSET)
+            robot.correct(sensor, [theta], lambda x: x[2:], lambda x: np.array([[0, 0, 1]]), [sigma**2])
         else:
             see(robot, sensor, landmarks[int(numbers[0])], numbers[1:])
     return robot

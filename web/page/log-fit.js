@@ -1,4 +1,4 @@
-/** Finds σ, delays, scale and offset by the likelihood of a log's readings, and says how well the log tells them. */
+/** Finds σ, delays, scales and offsets by the likelihood of a log's readings, and says how well the log tells them. */
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
@@ -20,7 +20,9 @@ const NAMES = {
   delayHeading: 'delay of the headings, s',
   delaySighting: 'delay of the ranges, s',
   scale: 'scale ε of the ranges',
-  bearingOffset: 'offset of the bearings, rad',
+  offset: 'offset of the ranges, m',
+  bearingOffset: 'offset of the bearings, °',
+  headingOffset: 'offset of the headings, °',
 }
 
 export class FitForm {
@@ -39,9 +41,10 @@ export class FitForm {
     part(document, row, 'legend', '').textContent = 'fit'
     const words = part(document, row, 'p', 'log-says')
     words.textContent =
-      'Fit finds the σ, the delays, the scale of ranges and the offset of bearings under which the readings are ' +
-      'likeliest. Gates are off meanwhile. A delay of all sensors together cannot be seen: the turn rate’s is 0, and ' +
-      'without turn rates the speed’s stays as it is.'
+      'Fit finds the σ, the delays, the scale and the offset of ranges, and the offsets of bearings and headings ' +
+      'under which the readings are likeliest. Gates are off meanwhile. A delay of all sensors together cannot be ' +
+      'seen: the turn rate’s is 0, and without turn rates the speed’s stays as it is. A delay of less than half a ' +
+      'step between rows of motion may be the motion model’s own.'
     const actions = part(document, row, 'div', 'log-actions')
     this.result = part(document, row, 'div', 'log-says')
     this.result.setAttribute('role', 'status')
@@ -92,7 +95,7 @@ export class FitForm {
     const list = part(document, result, 'ul', '')
     for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number)
     const patch = Object.fromEntries(
-      numbers.filter(({ sigma }) => sigma !== null).map(({ name, value }) => [name, Number(value.toPrecision(4))]),
+      numbers.filter(({ sigma }) => sigma !== null).map(({ name, value }) => [name, Number(value.toPrecision(6))]),
     )
     const actions = part(document, result, 'div', 'log-actions')
     button(document, actions, 'Take what the log tells', () => this.orders.take({ ...patch, gate: null, delayTurn: 0 }))
@@ -100,10 +103,15 @@ export class FitForm {
 }
 
 /** How well the log tells a number. @param {LogFound['numbers'][number]} number */
-function sentence({ name, value, relative, sigma }) {
+export function sentence({ name, value, relative, sigma }) {
   const words = NAMES[name] ?? name
   if (sigma === null) return `${words}: the log does not tell it.`
-  if (relative) return `${words}: ${fixed(value, 3)} ± ${fixed(100 * sigma, 0)} %`
-  const decimals = name.startsWith('delay') ? 2 : 4
-  return `${words}: ${fixed(value, decimals)} ± ${fixed(sigma, decimals)}`
+  const unit = words.endsWith('°') ? 180 / Math.PI : 1
+  const told = (relative ? value * sigma : sigma) * unit
+  const digits = decimalsOf(told)
+  if (relative) return `${words}: ${fixed(value, digits)} ± ${fixed(100 * sigma, sigma < 0.1 ? 1 : 0)} %`
+  return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}`
 }
+
+/** So many decimals that an uncertainty has two digits. @param {number} sigma */
+const decimalsOf = (sigma) => (sigma > 0 ? Math.max(0, Math.min(12, 1 - Math.floor(Math.log10(sigma)))) : 12)

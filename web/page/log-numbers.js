@@ -38,6 +38,7 @@ export const SENSORS = [
     on: 'headings',
     numbers: [
       ['sigmaHeading', 'σ, rad', powers(-3, 0.5)],
+      ['headingOffset', 'offset, °', { ends: [-180, 180], step: 0.5 }, DEGREE],
       ['delayHeading', 'delay, s', LATE],
     ],
   },

@@ -32,9 +32,9 @@ export interface LogFound {
 }
 "#;
 
-/// A search for the σ, the delays, the scale of ranges and the offset of bearings under which a log's readings are
-/// likeliest. Gates are off, the turn rate's delay
-/// is 0, and the readings are the same in every replay.
+/// A search for the σ, the delays, the scale and the offset of ranges, and the offsets of bearings and headings under
+/// which a log's readings are likeliest. Gates are off, the turn rate's delay is 0, and the readings are the same in
+/// every replay.
 #[wasm_bindgen]
 #[repr(transparent)]
 pub struct LogFit(Held);

@@ -15,14 +15,18 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** A fault that was looked for in a log. */
 export interface LogSuspect {
-    fault: 'start' | 'clock' | 'bias' | 'scale' | 'tails' | 'sigma' | 'turned';
-    /** The parameter that mends it; null of the start, and of outliers, which a gate refuses. */
+    fault: 'start' | 'clock' | 'bias' | 'scale' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'exchanged';
+    /** The parameter that mends it; null of the start, of outliers, which a gate refuses, and where none does. */
     name: string | null;
+    /** The parameter that mends it together with that one. */
+    with: string | null;
     /** The sensor that has outliers, else null. */
     sensor: 'fix' | 'heading' | 'range' | 'bearing' | null;
+    /** The ids of two landmarks that are exchanged, else null. */
+    landmarks: [number, number] | null;
     /**
-     * As it is set, where the readings are likeliest, and how well they tell it, null where they do not: of the
-     * parameter; of the start x, y and θ in metres and radians; of outliers their share.
+     * As it is set, where the readings are likeliest, and how well they tell it, null where they do not: of each
+     * parameter; of the start x, y and θ in metres and radians; of outliers their share. Empty where nothing is set.
      */
     sizes: { now: number; value: number; sigma: number | null }[];
     /** By how much the log-likelihood of the readings rises where it is freed. */
@@ -31,7 +35,9 @@ export interface LogSuspect {
     excess: number;
     /** Whether it is the one, may be one, or is no likelier than chance explains. */
     standing: 'sure' | 'maybe' | 'cleared';
-    /** How far the mended filter is from the truth: of the first suspect, where there is a truth. */
+    /** Whether it is the motion model's own: a delay of at most half a step between rows of motion. It is cleared. */
+    own: boolean;
+    /** How far the mended filter is from the truth, of those that were held against it, where there is a truth. */
     mended: LogAgainst | null;
 }
 
@@ -61,6 +67,15 @@ export interface LogJudgement {
     ungated: boolean;
     /** Whether what the first suspect gains is counted beside a σ that is enlarged. */
     beside: boolean;
+    /**
+     * By how much the log-likelihood rises where the robot turns on its way between two rows of motion; null where that
+     * is no more than chance. The motion model drives straight and turns then.
+     */
+    arcs: number | null;
+    /** The median time between rows of motion, seconds. */
+    period: number;
+    /** Whether no suspect, mended, brings the filter nearer to the truth: something else is wrong. */
+    other: boolean;
 }
 "#;
 
@@ -107,6 +122,9 @@ fn shown(judgement: &Judgement) -> JsValue {
         ("against", against(judgement.against)),
         ("ungated", judgement.ungated.into()),
         ("beside", judgement.beside.into()),
+        ("arcs", judgement.arcs.map_or(JsValue::NULL, Into::into)),
+        ("period", judgement.period.into()),
+        ("other", judgement.other.into()),
     ])
 }
 
@@ -125,11 +143,14 @@ fn suspect(suspect: &Suspect) -> JsValue {
     record(&[
         ("fault", suspect.fault.name().into()),
         ("name", suspect.number.map_or(JsValue::NULL, |number| number.name().into())),
+        ("with", suspect.with.map_or(JsValue::NULL, |number| number.name().into())),
         ("sensor", sensor.map_or(JsValue::NULL, Into::into)),
+        ("landmarks", suspect.landmarks.map_or(JsValue::NULL, |ids| list(&ids.map(f64::from)))),
         ("sizes", suspect.sizes.iter().map(size).collect::<Array>().into()),
         ("gain", suspect.gain.into()),
         ("excess", suspect.excess.into()),
         ("standing", standing.into()),
+        ("own", suspect.own.into()),
         ("mended", against(suspect.mended)),
     ])
 }

@@ -5,17 +5,26 @@
 //! the *input* and carries it through the input's Jacobian (V = B M Bᵀ). Sensors may be late, and what they read may be
 //! scaled, offset and biased: a radio that reads 7 % long says y = 1.07 ρ. Such numbers are given, or they are states
 //! that the filter learns. [`Smoothed`] is the track in the light of all readings.
+//!
+//! What is read of the motion is held until the next row, and each step is driven straight along the heading at its
+//! beginning, with the turn at its end. A robot that turns on its way is therefore seen a little aside, as if its turn
+//! rate came half a step late: in a log with sparse rows of motion that looks like a clock. A [`Verdict`] asks for it,
+//! and takes no delay of up to half a step for a fault.
 
 mod course;
 mod evidence;
+mod exchange;
 mod filter;
 mod fit;
 mod fitted;
 mod freed;
+mod judgement;
 mod learned;
 mod likelihood;
 mod line;
+mod moves;
 mod opening;
+mod read;
 mod replay;
 mod round;
 mod row;
@@ -34,6 +43,7 @@ pub use course::Course;
 pub use evidence::Against;
 pub use fit::{Fit, Found};
 pub use fitted::Fitted;
+pub use judgement::Judgement;
 pub use learned::FIRST_SIGMA_BIAS;
 pub use likelihood::log_likelihood;
 pub use line::{Line, Points};
@@ -47,7 +57,7 @@ pub use statistics::Judged;
 pub use summary::{BearingSummary, FixSummary, SensorSummary, Sensors, Summary, Withheld};
 pub use suspect::{Fault, Size, Standing, Suspect};
 pub use truth::{Pose, Truth};
-pub use verdict::{Judgement, MOST_JUDGED, Verdict};
+pub use verdict::{MOST_JUDGED, Verdict};
 
 #[cfg(test)]
 mod tests;

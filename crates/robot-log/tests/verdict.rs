@@ -5,6 +5,7 @@ use estimate::drive::{BySensor, Delays, Fault, Fitted, Judgement, Settings, Stan
 use robot_log::parse;
 
 const CAR: &str = include_str!("../../../content/logs/car.csv");
+const COPIED: &str = include_str!("../../../content/logs/plaza1-copied.csv");
 const MOWER: &str = include_str!("../../../content/logs/plaza1.csv");
 
 fn verdict(text: &str, settings: Settings) -> Judgement {
@@ -26,6 +27,38 @@ fn the_mower_s_ranges_are_scaled_and_a_gate_does_not_hide_it() {
         assert!((size.value - 0.07).abs() < 0.002 && size.sigma < 0.001, "{size:?}");
         let (before, after) = (judgement.against.expect("a truth"), first.mended.expect("a truth"));
         assert!(before.rmse > 3.0 && after.rmse < 0.4 && after.nees < before.nees);
+    }
+}
+
+/// The copy with two beacons exchanged, under the settings at which an exercise looks at it: no start is blamed.
+#[test]
+fn two_beacons_of_the_copy_are_exchanged() {
+    for scale in [0.0, 0.07] {
+        let judgement = verdict(COPIED, Settings { scale, gate: BySensor::all(Some(0.999)), ..Settings::default() });
+        let first = &judgement.suspects[0];
+        assert_eq!((first.fault, first.landmarks, first.standing), (Fault::Exchanged, Some([1, 6]), Standing::Sure));
+        let (before, after) = (judgement.against.expect("a truth"), first.mended.expect("a truth"));
+        assert!(!judgement.other && after.rmse < 0.5 * before.rmse, "{after:?}");
+        assert!(scale == 0.0 || after.rmse < 0.4, "{after:?}");
+    }
+}
+
+/// Three beacons whose places went round: no exchange of two mends it, and nothing else that is looked for.
+#[test]
+fn a_remedy_that_does_not_bring_the_truth_nearer_is_none() {
+    let places = ["-46.623,11.026", "11.036,-6.959", "22.053,23.848"];
+    let mut text = String::from(MOWER);
+    for (i, id) in [0, 1, 6].into_iter().enumerate() {
+        text = text.replace(&format!("L,{id},{}\n", places[i]), &format!("L,{id},{}\n", places[(i + 1) % 3]));
+    }
+    let judgement = verdict(&text, Settings { scale: 0.07, ..Settings::default() });
+    assert!(judgement.other, "{:?}", judgement.suspects[0]);
+    let before = judgement.against.expect("a truth");
+    let held: Vec<_> = judgement.suspects.iter().filter(|suspect| suspect.excess > 0.0).collect();
+    assert!(held.len() > 2 && held.iter().all(|suspect| suspect.standing == Standing::Maybe));
+    for suspect in held {
+        let after = suspect.mended.expect("held against the truth");
+        assert!(after.rmse > 0.9 * before.rmse, "{suspect:?} {before:?}");
     }
 }
 

@@ -90,7 +90,7 @@ fn numbers(world: &World, fault: Fault) -> Vec<Fitted> {
         ],
         Fault::Bias => &[(Fitted::TurnBias, held), (Fitted::Offset, sightings)],
         Fault::Scale => &[(Fitted::SpeedScale, held), (Fitted::Scale, sightings)],
-        _ => &[(Fitted::BearingOffset, world.bearings)],
+        _ => &[(Fitted::BearingOffset, world.bearings), (Fitted::HeadingOffset, headings)],
     };
     all.iter().filter(|(_, has)| *has).map(|(number, _)| *number).collect()
 }
@@ -125,6 +125,7 @@ fn off(settings: &Settings, number: Fitted, by: f64) -> Settings {
         Fitted::Scale => s.scale += by,
         Fitted::Offset => s.offset += by,
         Fitted::BearingOffset => s.bearing_offset += by,
+        Fitted::HeadingOffset => s.heading_offset += by,
         Fitted::SpeedScale => s.speed_scale += by,
         Fitted::TurnBias => s.turn_bias += by,
     }
@@ -171,6 +172,7 @@ fn corrupted(mut log: Log, number: Fitted, by: f64) -> Log {
             (Event::Range { range, .. } | Event::RangeBearing { range, .. }, Fitted::Scale) => *range *= 1.0 + by,
             (Event::Range { range, .. } | Event::RangeBearing { range, .. }, Fitted::Offset) => *range += by,
             (Event::RangeBearing { bearing, .. }, Fitted::BearingOffset) => *bearing += by,
+            (Event::Heading { theta, .. }, Fitted::HeadingOffset) => *theta += by,
             _ => {}
         }
     }

@@ -23,6 +23,10 @@ pub struct World {
     pub odometry: bool,
     /// Seconds.
     pub duration: f64,
+    /// Seconds between rows of motion.
+    pub period: f64,
+    /// Whether it turns on its way, on arcs, and not at the end of each step as the filter has it.
+    pub arcs: bool,
     /// σ of motion and sensors.
     pub settings: fn() -> Settings,
 }
@@ -37,6 +41,8 @@ pub const WORLDS: [World; 5] = [
         speed: 1.0,
         odometry: false,
         duration: 100.0,
+        period: 0.1,
+        arcs: false,
         settings: || Settings { sigma_range: 0.15, sigma_distance: 0.05, sigma_turn: 0.03, ..Settings::default() },
     },
     World {
@@ -47,6 +53,8 @@ pub const WORLDS: [World; 5] = [
         speed: 0.7,
         odometry: false,
         duration: 80.0,
+        period: 0.1,
+        arcs: false,
         settings: || Settings { sigma_range: 0.1, sigma_bearing: 0.03, sigma_turn: 0.04, ..Settings::default() },
     },
     World {
@@ -57,6 +65,8 @@ pub const WORLDS: [World; 5] = [
         speed: 8.0,
         odometry: false,
         duration: 160.0,
+        period: 0.1,
+        arcs: false,
         settings: || Settings { sigma_fix: 0.8, sigma_distance: 0.3, sigma_turn: 0.02, ..Settings::default() },
     },
     World {
@@ -67,6 +77,8 @@ pub const WORLDS: [World; 5] = [
         speed: 2.0,
         odometry: false,
         duration: 120.0,
+        period: 0.1,
+        arcs: false,
         settings: || Settings { sigma_fix: 0.4, sigma_heading: 0.04, sigma_distance: 0.15, ..Settings::default() },
     },
     World {
@@ -77,9 +89,27 @@ pub const WORLDS: [World; 5] = [
         speed: 0.8,
         odometry: true,
         duration: 110.0,
+        period: 0.1,
+        arcs: false,
         settings: || Settings { sigma_range: 0.2, sigma_distance: 0.06, sigma_turn: 0.04, ..Settings::default() },
     },
 ];
+
+/// Two robots that turn on their way, whose fixes are precise: one reads its motion rarely.
+pub const ARCS: [World; 2] = [World { period: 0.5, ..TURNING }, World { period: 0.1, ..TURNING }];
+
+const TURNING: World = World {
+    name: "turning",
+    landmarks: 0,
+    bearings: false,
+    periods: [0.0, 0.5, 0.0],
+    speed: 1.5,
+    odometry: false,
+    duration: 200.0,
+    period: 0.1,
+    arcs: true,
+    settings: || Settings { sigma_fix: 0.05, sigma_distance: 0.02, sigma_turn: 0.01, ..Settings::default() },
+};
 
 /// A log, and the settings under which it is looked at.
 #[derive(Clone, Debug)]
@@ -90,8 +120,6 @@ pub struct Log {
     pub settings: Settings,
 }
 
-/// Motion is read so often, s.
-const PERIOD: f64 = 0.1;
 /// A robot stands so long at first, s.
 const REST: f64 = 2.0;
 
@@ -119,8 +147,10 @@ impl World {
             let [d, turn] = held.map(|held| held * dt);
             let true_d = d + settings.sigma_distance * root * noise.normal();
             let true_turn = turn + settings.sigma_turn * root * noise.normal();
-            let (sin, cos) = libm::sincos(pose[2]);
-            pose = [pose[0] + true_d * cos, pose[1] + true_d * sin, wrap(pose[2] + true_turn)];
+            let half = if self.arcs { 0.5 * true_turn } else { 0.0 };
+            let chord = if half == 0.0 { true_d } else { true_d * libm::sin(half) / half };
+            let (sin, cos) = libm::sincos(pose[2] + half);
+            pose = [pose[0] + chord * cos, pose[1] + chord * sin, wrap(pose[2] + true_turn)];
             (time, since) = (at, [since[0] + d, since[1] + turn]);
             let event = match what {
                 0 => {
@@ -165,9 +195,9 @@ impl World {
     /// When something happens, and what: motion (0), a landmark (1), a fix (2), a heading (3). Motion comes first.
     fn moments(&self) -> Vec<(f64, u8)> {
         let count = |period: f64| if period > 0.0 { (self.duration / period) as u32 } else { 0 };
-        let motions = (0..count(PERIOD)).map(|k| (f64::from(k) * PERIOD, 0));
+        let motions = (0..count(self.period)).map(|k| (f64::from(k) * self.period, 0));
         // A log that moves by `O` rows says nothing of where the robot was between them.
-        let at = |time: f64| if self.odometry { (time / PERIOD).round() * PERIOD } else { time };
+        let at = |time: f64| if self.odometry { (time / self.period).round() * self.period } else { time };
         let readings = (1..=3).zip(self.periods).flat_map(|(what, period)| {
             (0..count(period)).map(move |k| (at(f64::from(k) * period + 0.003 * f64::from(what)), what))
         });

@@ -8,8 +8,6 @@ import { fixed } from '../../draw/numbers.js'
 
 /** A suspect this near to the first, in log-likelihood, is named beside it. */
 const NEAR = 3
-/** A mended filter whose error grows by more than this ratio is not mended. */
-const WORSE = 1.05
 const DEGREES = 180 / Math.PI
 
 /** What the rows of a sensor are called. */
@@ -30,21 +28,36 @@ const SIGMAS = {
   sigmaRange: ['a range', 'm'],
   sigmaBearing: ['a bearing', 'rad'],
 }
+/** @type {Record<string, string>} what a number that is off is called */
+const NAMES = {
+  turnBias: 'a bias of the turn rate',
+  offset: 'an offset of the ranges',
+  scale: 'a scale of the ranges',
+  speedScale: 'a scale of the speed',
+  bearingOffset: 'a turned camera',
+  headingOffset: 'a turned compass',
+}
 
 /**
  * @param {LogJudgement} judgement
  * @param {{ rows: number, truth: boolean }} log
  */
 export function ranked(judgement, { rows, truth }) {
-  const { suspects, readings, against, ungated } = judgement
+  const { suspects, readings, ungated, other } = judgement
   const [first] = suspects
+  const own = suspects.filter((suspect) => suspect.own)
+  const sound = first.standing === 'cleared'
   const parts = [
     ungated ? 'The gate refuses more than one reading in ten, which hides a fault: it is off for this verdict.' : '',
-    first.standing === 'cleared'
+    sound
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
-        'likelier than chance does.'
-      : named(judgement, truth),
-    against ? errors(first, against) : '',
+        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.`
+      : other
+        ? foreign(judgement)
+        : named(judgement, truth),
+    ...own.map((suspect) => model(suspect, judgement)),
+    sound ? arcs(judgement) : '',
+    errors(judgement),
     judgement.rows < rows ? `The first ${count(judgement.rows)} rows are judged.` : '',
   ]
   return parts.filter((part) => part !== '').join(' ')
@@ -52,36 +65,105 @@ export function ranked(judgement, { rows, truth }) {
 
 /** @param {LogJudgement} judgement @param {boolean} truth */
 function named({ suspects: [first, ...others], beside }, truth) {
-  const rise = first.gain < 1000 ? fixed(first.gain, 1) : count(Math.round(first.gain))
   // A larger σ explains any error of the model, and with it this one gains less than the page's own sum shows.
   const gain = beside
-    ? `Even with a σ so large that it allows for the other errors, the log-likelihood rises by ${rise}.`
-    : `The log-likelihood rises by ${rise}.`
+    ? `Even with a σ so large that it allows for the other errors, the log-likelihood rises by ${rise(first.gain)}.`
+    : `The log-likelihood rises by ${rise(first.gain)}.`
   const more = others.some(({ standing }) => standing !== 'cleared')
   const next = more ? ' What else is wrong shows once this is mended.' : ''
   if (first.standing === 'sure') return `${sentence(first, truth)} ${gain}${next}`
-  const rivals = others.filter(({ standing, excess }) => standing !== 'cleared' && excess > first.excess - NEAR)
+  // What was held against the truth, and is not the first, mends nothing.
+  const rivals = others.filter(
+    ({ standing, excess, mended }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended,
+  )
   const [rival] = rivals
   if (rival) return `Either: ${sentence(first, truth)} Or: ${sentence(rival, truth)} The readings do not tell which.`
   if (first.excess < NEAR) return `Perhaps: ${sentence(first, truth)} Chance explains it nearly as well.`
   return `Perhaps: ${sentence(first, truth)} ${gain}`
 }
 
-/** @param {Suspect} first @param {NonNullable<LogJudgement['against']>} against */
-function errors({ mended }, { rmse, nees, outside }) {
+/** What is wrong is none of the suspects. @param {LogJudgement} judgement */
+function foreign({ suspects, ungated, against }) {
+  const [first] = suspects
+  const most = `Something is wrong that none of the ${suspects.length} faults that were looked for mends.`
+  if (!first.mended || !against) return most
+  const from = `${fixed(first.mended.rmse, 2)} m from the truth, where it is ${fixed(against.rmse, 2)} m from it now`
+  return (
+    `${most} The likeliest is ${kind(first)}; mended so, the estimate would be ` +
+    `${from}${ungated ? ' without the gate' : ''} (RMS).`
+  )
+}
+
+/** A delay that is shorter than a step. @param {Suspect} suspect @param {LogJudgement} judgement */
+function model(suspect, { period }) {
+  const [size] = suspect.sizes
+  const off = size.value - size.now
+  return (
+    `${late(suspect, off)}: less than half a step of ${brief(period)} s between rows of motion. ` +
+    'That is the motion model’s own, which holds what it reads for a step, drives it straight and turns then.'
+  )
+}
+
+/** What a robot that turns on its way would bring. @param {LogJudgement} judgement */
+function arcs({ arcs: gain, period }) {
+  if (gain === null) return ''
+  return (
+    `The filter drives each step straight and turns then: with rows of motion ${brief(period)} s apart this costs ` +
+    `${rise(gain)} of the log-likelihood. That is the motion model’s own too, and no fault of the log.`
+  )
+}
+
+/** @param {LogJudgement} judgement */
+function errors({ suspects: [{ mended }], against, ungated, other }) {
+  if (!against) return ''
+  const { rmse, nees, outside } = against
+  const off = ungated ? ', without the gate,' : ''
   const now =
-    `Against the truth the NEES of the position is ${fixed(nees, 1)}, where 2 is expected, and ` +
+    `Against the truth${off} the NEES of the position is ${fixed(nees, 1)}, where 2 is expected, and ` +
     `${fixed(100 * outside, 0)} % of the errors lie beyond the ellipse that should hold 95 %.`
-  if (!mended) return now
+  if (!mended || other) return now
   const after = `from ${fixed(rmse, 2)} to ${fixed(mended.rmse, 2)} m`
-  if (mended.rmse > WORSE * rmse) return `${now} Mended so, the error would grow ${after}: something else is wrong.`
-  return `${now} Mended so, the RMS error goes ${after} and the NEES to ${fixed(mended.nees, 1)}.`
+  return `${now} Mended so, the RMS error${off} goes ${after} and the NEES to ${fixed(mended.nees, 1)}.`
+}
+
+/** @param {number} gain */
+const rise = (gain) => (gain < 1000 ? fixed(gain, 1) : count(Math.round(gain)))
+
+/** Who is late, and by how much. @param {Suspect} suspect @param {number} off */
+function late({ name, sizes: [size] }, off) {
+  const [what, verb] = DELAYED[name ?? '']
+  const further = off > 0 ? 'later' : 'earlier'
+  const claim = size.now === 0 ? (off > 0 ? 'late' : 'early') : `${further} than set`
+  return `The ${what} ${verb} ${plusMinus({ ...size, value: Math.abs(off) })} s ${claim}`
+}
+
+/** What a fault is called. @param {Suspect} suspect */
+function kind({ fault, name, with: other, sensor }) {
+  if (fault === 'start') return 'another start'
+  if (fault === 'tails') return `a share of outliers among the ${READINGS[sensor ?? 'fix']}`
+  if (fault === 'clock') return `a delay of the ${DELAYED[name ?? ''][0]}`
+  if (fault === 'sigma') return `another σ of ${SIGMAS[name ?? ''][0]}`
+  if (fault === 'mirrored') return 'the sign of the turns'
+  if (fault === 'exchanged') return 'an exchange of two landmarks'
+  return other ? 'scale and offset of the ranges together' : NAMES[name ?? '']
 }
 
 /** What is wrong, and what to do. @param {Suspect} suspect @param {boolean} truth */
 export function sentence(suspect, truth) {
-  const { fault, name, sensor, sizes } = suspect
-  const [size] = sizes
+  const { fault, name, sensor, sizes, landmarks } = suspect
+  if (fault === 'exchanged') {
+    const [one, other] = landmarks ?? []
+    return (
+      `Landmarks ${one} and ${other} are taken for one another: ` +
+      'exchange their numbers where their places are said.'
+    )
+  }
+  if (fault === 'mirrored')
+    return (
+      'The turns have the wrong sign: read them as clockwise, or change their sign in the file. ' +
+      'If they are right, x and y of the places are exchanged.'
+    )
+  const [size, second] = sizes
   const { now, value } = size
   const off = value - now
   if (fault === 'start') return start(sizes, truth)
@@ -89,15 +171,7 @@ export function sentence(suspect, truth) {
     const rows = READINGS[sensor ?? 'fix']
     return `${plusMinus(size, 100)} % of the ${rows} are outliers: switch their gate on, which refuses them.`
   }
-  if (fault === 'clock') {
-    const [what, verb] = DELAYED[name ?? '']
-    const late = off > 0 ? 'later' : 'earlier'
-    const claim = now === 0 ? (off > 0 ? 'late' : 'early') : `${late} than set`
-    return (
-      `The ${what} ${verb} ${plusMinus({ ...size, value: Math.abs(off) })} s ${claim}: ` +
-      `set the delay to ${digits(size)} s.`
-    )
-  }
+  if (fault === 'clock') return `${late(suspect, off)}: set the delay to ${digits(size)} s.`
   if (fault === 'sigma') {
     const [whose, unit] = SIGMAS[name ?? '']
     return (
@@ -109,13 +183,26 @@ export function sentence(suspect, truth) {
   if (name === 'bearingOffset')
     return (
       `The camera is turned by ${plusMinus({ ...size, value: off }, DEGREES)}°: ` +
-      `set the offset of its bearings to ${digits(size)} rad.`
+      `set the offset of its bearings to ${digits(size, DEGREES)}°.`
+    )
+  if (name === 'headingOffset')
+    return (
+      `The compass is turned by ${plusMinus({ ...size, value: off }, DEGREES)}°: ` +
+      `set the offset of the headings to ${digits(size, DEGREES)}°.`
     )
   if (name === 'turnBias')
     return (
       `The turn rate reads ${plusMinus(much)} rad/s too ${off > 0 ? 'much' : 'little'}: ` +
       'let the filter learn its bias.'
     )
+  if (second) {
+    const by = second.value - second.now
+    return (
+      `The ranges read ${plusMinus(much, 100)} % too ${length(off)} and ` +
+      `${plusMinus({ ...second, value: Math.abs(by) })} m too ${length(by)}: ` +
+      `set their scale to ${digits(size, 100)} % and their offset to ${digits(second)} m.`
+    )
+  }
   if (name === 'offset')
     return `The ranges read ${plusMinus(much)} m too ${length(off)}: set their offset to ${digits(size)} m.`
   if (name === 'speedScale')
@@ -159,3 +246,6 @@ function plusMinus(size, times = 1) {
 
 /** A σ as it is set. @param {number} value */
 const claimed = (value) => String(Number(value.toPrecision(3)))
+
+/** A time, with the digits that matter. @param {number} seconds */
+const brief = (seconds) => String(Number(seconds.toPrecision(2)))

@@ -41,6 +41,19 @@ pub(crate) enum Fate {
     LookedAt,
 }
 
+/// What a verdict takes otherwise than settings say it.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub(crate) struct Otherwise {
+    /// What is added to the pose at the start: m, m, rad.
+    pub shift: [f64; 3],
+    /// Whether the robot turns on the way, and not at its end.
+    pub arcs: bool,
+    /// Whether the turns have the other sign.
+    pub mirrored: bool,
+    /// Two landmarks, by their places in the list, that are taken for one another.
+    pub exchanged: Option<[usize; 2]>,
+}
+
 /// How a drive is replayed under some settings.
 ///
 /// Each row was measured at its stamp less its sensor's delay, and rows go by that time: at equal times motion before
@@ -62,6 +75,7 @@ pub struct Course {
     pose: SE2,
     gates: BySensor<Option<f64>>,
     sensors: BySensor<bool>,
+    otherwise: Otherwise,
 }
 
 impl Course {
@@ -88,7 +102,8 @@ impl Course {
         }
         let steps = order.as_ref().map_or(drive.rows.len(), Vec::len);
         let (start, pose, motion) = (0.0, SE2::new(0.0, 0.0, 0.0), drive.motion);
-        let mut course = Self { settings, motion, order, splits, steps, start, pose, gates, sensors };
+        let otherwise = Otherwise::default();
+        let mut course = Self { settings, motion, order, splits, steps, start, pose, gates, sensors, otherwise };
         if let Some(first) = drive.truth.poses().first() {
             course.start = first.time;
             course.pose = SE2::new(first.x, first.y, first.theta);
@@ -102,13 +117,27 @@ impl Course {
         Ok(course)
     }
 
-    /// The same from a pose so far beside: m, m, rad.
-    pub(crate) fn shifted(self, [x, y, theta]: [f64; 3]) -> Self {
-        let pose = self.pose;
-        if [x, y, theta] == [0.0; 3] {
-            return self;
+    /// The same, but for what is taken otherwise.
+    pub(crate) fn with(self, otherwise: Otherwise) -> Self {
+        let (pose, [x, y, theta]) = (self.pose, otherwise.shift);
+        if otherwise.shift == [0.0; 3] {
+            return Self { otherwise, ..self };
         }
-        Self { pose: SE2::new(pose.x() + x, pose.y() + y, pose.theta() + theta), ..self }
+        Self { pose: SE2::new(pose.x() + x, pose.y() + y, pose.theta() + theta), otherwise, ..self }
+    }
+
+    /// The landmark that a row which names one is taken to have seen.
+    pub(crate) fn seen(&self, landmark: usize) -> usize {
+        match self.otherwise.exchanged {
+            Some([a, b]) if landmark == a => b,
+            Some([a, b]) if landmark == b => a,
+            _ => landmark,
+        }
+    }
+
+    /// What is taken otherwise than the settings say.
+    pub(crate) fn otherwise(&self) -> &Otherwise {
+        &self.otherwise
     }
 
     /// The settings.

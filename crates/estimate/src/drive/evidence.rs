@@ -1,6 +1,6 @@
 //! What a replay says of every reading, so that two replays can be compared reading by reading; and of its errors.
 
-use crate::drive::course::Course;
+use crate::drive::course::{Course, Otherwise};
 use crate::drive::replay::Replay;
 use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
@@ -21,8 +21,7 @@ pub(crate) const OUTLIER_GATE: f64 = 0.9995;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     pub settings: Settings,
-    /// What is added to the pose at the start: m, m, rad.
-    pub shift: [f64; 3],
+    pub otherwise: Otherwise,
 }
 
 /// A reading as a replay found it.
@@ -57,7 +56,7 @@ pub(crate) struct Evidence {
 impl Evidence {
     /// Replays the first `rows` rows.
     pub fn new(drive: &Drive, place: &Place, rows: u32) -> Result<Self, Error> {
-        let course = Course::new(drive, place.settings)?.shifted(place.shift);
+        let course = Course::new(drive, place.settings)?.with(place.otherwise);
         let mut replay = Replay::new(&course);
         let (mut readings, mut compared) = (Vec::new(), Compared::new()?);
         while replay.rows() < rows
@@ -133,7 +132,8 @@ impl Compared {
     }
 
     fn take(&mut self, drive: &Drive, replay: &Replay, time: f64) {
-        let Some([x, y]) = drive.truth.position(time) else { return };
+        let known = drive.truth.position(time).filter(|_| drive.truth.covers(time));
+        let Some([x, y]) = known else { return };
         let error = Vector2::new(replay.pose().x() - x, replay.pose().y() - y);
         // Where P has no inverse nothing is claimed that could be compared.
         let Ok(squared) = nees(&error, &replay.place_covariance()) else { return };

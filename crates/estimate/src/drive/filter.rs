@@ -4,7 +4,6 @@ use crate::drive::course::Course;
 use crate::drive::learned::{FIRST_SIGMA_BIAS, Learned, Moved, Rolling, Which};
 use crate::ekf::Localizer;
 use crate::error::Error;
-use crate::odometry::Unicycle;
 use crate::reading::{Corrected, Reading, Setup};
 use crate::scaled::{FIRST_SIGMA, of_pose};
 use filters::{Ekf, MotionModel};
@@ -42,7 +41,7 @@ pub(crate) struct Move {
 impl Move {
     /// V = B M Bᵀ at a state.
     pub fn process<X: Moved<N>, const N: usize>(&self, x: &X) -> SMatrix<f64, N, N> {
-        of_pose(&Unicycle::process_covariance(&x.pose(), &self.noise))
+        of_pose(&self.rolling.process(x, &self.u, &self.noise))
     }
 }
 

@@ -1,14 +1,16 @@
 //! Noise and delays of a log, by the likelihood of its readings: a search that goes on by one replay at a time.
 //!
-//! The search moves one number after the other, by steps that grow while they lead up and shrink where neither way does
-//! (Hooke and Jeeves 1961, without their pattern moves). Derivatives are of no use: where a delay passes a row, the
-//! likelihood has a corner. Gates are off, since a sum over used readings rewards refusal, and the readings are the
-//! same ones in every replay: those stamped two seconds after the latest start that is tried.
+//! The search moves one number after the other, and on along the way that a round has led, by steps that grow while
+//! they lead up and shrink where neither way does (Hooke and Jeeves 1961). Where all are fine it begins again with long
+//! ones, until that leads up no more. Derivatives are of no use: where a delay passes a row, the likelihood has a
+//! corner. Gates are off, since a sum over used readings rewards refusal, and the readings are the same ones in every
+//! replay: those stamped two seconds after the latest start that is tried.
 
 use crate::drive::course::Course;
 use crate::drive::fitted::Fitted;
 use crate::drive::likelihood::log_likelihood;
-use crate::drive::row::Drive;
+use crate::drive::moves::Moves;
+use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::Settings;
 use crate::drive::told::Told;
@@ -21,10 +23,9 @@ pub(crate) const SETTLED: f64 = 2.0;
 const MOST_DELAY: f64 = 3.0;
 const SHARE: f64 = 0.1;
 /// The most replays of the search itself.
-const MOST_REPLAYS: u32 = 600;
-/// A step that has led up is followed by a longer one, one that has not by a shorter one.
-const LONGER: f64 = 1.6;
-const SHORTER: f64 = 0.4;
+const MOST_REPLAYS: u32 = 1200;
+/// A search that has risen by no more than this since it last began is at its end.
+const RISEN: f64 = 0.2;
 
 /// How far delays are tried either way in a log of so many seconds, s.
 pub(crate) fn most_delay(duration: f64) -> f64 {
@@ -54,13 +55,12 @@ pub struct Fit {
     /// Readings stamped before are not counted.
     from: f64,
     numbers: Vec<Fitted>,
-    /// The numbers as the search moves them, and how far its next step goes.
+    /// The numbers as the search moves them.
     at: Vec<f64>,
-    steps: Vec<f64>,
     bounds: Vec<[f64; 2]>,
-    /// Which is moved now, and whether it was moved the one way already.
-    now: usize,
-    turned: bool,
+    moves: Moves,
+    /// The log-likelihood where the search last began.
+    began: f64,
     first: Option<f64>,
     best: f64,
     readings: u32,
@@ -72,8 +72,9 @@ pub struct Fit {
 
 impl Fit {
     /// A search that begins at `settings`, for the σ of motion and of the sensors that the log has and that are used,
-    /// for their delays, the scale of ranges and the offset of bearings; the turn's delay stays 0, since a delay of all
-    /// together cannot be seen. In a log without turn rates the speed's stays what it is instead.
+    /// for their delays, the scale and the offset of ranges, the offsets of bearings and headings; the turn's delay
+    /// stays 0, since a delay of all together cannot be seen. In a log without turn rates the speed's stays what it is
+    /// instead.
     ///
     /// # Errors
     /// As [`Course::new`]; [`Code::Limit`] where the log has no reading that counts.
@@ -100,18 +101,17 @@ impl Fit {
         let numbers = which(drive, &course);
         let at: Vec<f64> = numbers.iter().map(|number| number.get(&settings)).collect();
         let bounds: Vec<[f64; 2]> = numbers.iter().map(|number| number.bounds(most)).collect();
-        let at = at.iter().zip(&bounds).map(|(at, [least, greatest])| at.clamp(*least, *greatest)).collect();
-        let steps = numbers.iter().map(|number| number.first_step(most)).collect();
+        let at: Vec<f64> = at.iter().zip(&bounds).map(|(at, [least, greatest])| at.clamp(*least, *greatest)).collect();
+        let moves = Moves::new(&numbers, &at, &bounds, [most, mean_range(drive)]);
         let start = drive.truth.poses().first().map_or(first + most, |pose| pose.time);
         let mut fit = Self {
             settings,
             from: start + SETTLED,
             numbers,
             at,
-            steps,
             bounds,
-            now: 0,
-            turned: false,
+            moves,
+            began: f64::NEG_INFINITY,
             first: None,
             best: f64::NEG_INFINITY,
             readings: 0,
@@ -149,25 +149,21 @@ impl Fit {
             (self.first, self.best, self.readings) = (Some(value), value, readings);
             return Ok(true);
         }
-        let i = self.now;
-        let [least, greatest] = self.bounds[i];
-        let mut tried = self.at.clone();
-        tried[i] = (tried[i] + self.steps[i]).clamp(least, greatest);
         // What leaves the numbers is no likelihood that could be the greatest.
-        let moved = tried[i] != self.at[i];
-        let value = if moved { self.replay(drive, &tried).map_or(f64::NEG_INFINITY, |it| it.0) } else { self.best };
-        if moved && value > self.best {
-            (self.at, self.best, self.turned) = (tried, value, false);
-            self.steps[i] *= LONGER;
-            self.now = (i + 1) % self.numbers.len();
-        } else if !self.turned {
-            (self.steps[i], self.turned) = (-self.steps[i], true);
-        } else {
-            (self.steps[i], self.turned) = (-SHORTER * self.steps[i], false);
-            self.now = (i + 1) % self.numbers.len();
+        let better = self.moves.next(&self.at).and_then(|tried| {
+            let value = self.replay(drive, &tried).map_or(f64::NEG_INFINITY, |it| it.0);
+            (value > self.best).then_some((tried, value))
+        });
+        let up = better.is_some();
+        if let Some((tried, value)) = better {
+            (self.at, self.best) = (tried, value);
         }
-        let fine = |(step, number): (&f64, &Fitted)| step.abs() < number.fine();
-        self.settled = self.steps.iter().zip(&self.numbers).all(fine);
+        self.moves.take(up, &self.at);
+        if self.moves.settled() {
+            self.settled = self.best - self.began <= RISEN;
+            self.began = self.best;
+            self.moves.again(&self.at);
+        }
         if self.settled || self.replays >= MOST_REPLAYS {
             self.told = Some(Told::new(&self.numbers, &self.bounds, self.best));
         }
@@ -195,4 +191,14 @@ impl Fit {
             settled: self.settled,
         }
     }
+}
+
+/// The mean of the ranges, m.
+fn mean_range(drive: &Drive) -> f64 {
+    let ranges = drive.rows.iter().filter_map(|row| match row.event {
+        Event::Range { range, .. } | Event::RangeBearing { range, .. } => Some(range),
+        _ => None,
+    });
+    let (sum, count) = ranges.fold((0.0, 0_u32), |(sum, count), range| (sum + range, count + 1));
+    if count == 0 { 0.0 } else { sum / f64::from(count) }
 }

@@ -35,6 +35,8 @@ pub enum Fitted {
     Offset,
     /// What a bearing reads of a landmark straight ahead.
     BearingOffset,
+    /// What a compass reads of a robot that heads along the axis of x.
+    HeadingOffset,
     /// κ, the scale of the speed.
     SpeedScale,
     /// b, the bias of the turn rate.
@@ -50,7 +52,7 @@ impl Fitted {
 
     /// Those that a fit looks for unless it is told which: of the motion, and of the readings that a course uses.
     pub(crate) fn of(drive: &Drive, course: &Course) -> Vec<Self> {
-        let usual = |number: &Self| !matches!(number, Self::Offset | Self::SpeedScale | Self::TurnBias);
+        let usual = |number: &Self| !matches!(number, Self::SpeedScale | Self::TurnBias);
         Self::all(drive, course).into_iter().filter(usual).collect()
     }
 
@@ -83,6 +85,7 @@ impl Fitted {
             (Self::Scale, sighting && !s.learn),
             (Self::Offset, sighting),
             (Self::BearingOffset, bearing),
+            (Self::HeadingOffset, heading),
             (Self::SpeedScale, held && !s.learn_speed),
             (Self::TurnBias, held && !s.learn_bias),
             (Self::SigmaDistance, true),
@@ -110,6 +113,7 @@ impl Fitted {
             Self::Scale => "scale",
             Self::Offset => "offset",
             Self::BearingOffset => "bearingOffset",
+            Self::HeadingOffset => "headingOffset",
             Self::SpeedScale => "speedScale",
             Self::TurnBias => "turnBias",
         }
@@ -123,7 +127,8 @@ impl Fitted {
     /// Whether it is a standard deviation: a fit then says how well the log tells it relative to itself.
     pub fn is_sigma(self) -> bool {
         !self.is_delay()
-            && !matches!(self, Self::Scale | Self::Offset | Self::BearingOffset | Self::SpeedScale | Self::TurnBias)
+            && !matches!(self, Self::Scale | Self::Offset | Self::BearingOffset | Self::HeadingOffset)
+            && !matches!(self, Self::SpeedScale | Self::TurnBias)
     }
 
     fn place(self, settings: &mut Settings) -> &mut f64 {
@@ -141,6 +146,7 @@ impl Fitted {
             Self::Scale => &mut settings.scale,
             Self::Offset => &mut settings.offset,
             Self::BearingOffset => &mut settings.bearing_offset,
+            Self::HeadingOffset => &mut settings.heading_offset,
             Self::SpeedScale => &mut settings.speed_scale,
             Self::TurnBias => &mut settings.turn_bias,
         }
@@ -167,7 +173,7 @@ impl Fitted {
         match self {
             Self::Scale | Self::SpeedScale => [-0.5, 1.0],
             Self::Offset => [-1e3, 1e3],
-            Self::BearingOffset => [-PI, PI],
+            Self::BearingOffset | Self::HeadingOffset => [-PI, PI],
             Self::TurnBias => [-1.0, 1.0],
             _ if self.is_delay() => [-most, most],
             _ => SIGMAS.map(libm::log),
@@ -179,18 +185,18 @@ impl Fitted {
         match self {
             Self::Scale | Self::SpeedScale => 0.02,
             Self::Offset => 0.2,
-            Self::BearingOffset => 0.05,
+            Self::BearingOffset | Self::HeadingOffset => 0.05,
             Self::TurnBias => 0.01,
             _ if self.is_delay() => (most / 4.0).min(0.5),
             _ => LN_2,
         }
     }
 
-    /// A step that is fine enough: five milliseconds, one part in a hundred of a σ, a centimetre, 10⁻³ of a scale.
+    /// A step that is fine enough: five milliseconds, one part in a hundred of a σ, a millimetre, 10⁻⁴ of a scale.
     pub(crate) fn fine(self) -> f64 {
         match self {
-            Self::Scale | Self::SpeedScale | Self::BearingOffset => 1e-3,
-            Self::Offset => 0.01,
+            Self::Scale | Self::SpeedScale | Self::BearingOffset | Self::HeadingOffset => 1e-4,
+            Self::Offset => 1e-3,
             Self::TurnBias => 1e-5,
             _ if self.is_delay() => 0.005,
             _ => 0.01,

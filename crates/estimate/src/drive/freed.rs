@@ -47,7 +47,7 @@ pub(crate) struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn replay(&self, place: &Place) -> Option<Evidence> {
+    pub fn replay(&self, place: &Place) -> Option<Evidence> {
         // What leaves the numbers is no place that could be the best.
         Evidence::new(self.drive, place, self.rows).ok()
     }

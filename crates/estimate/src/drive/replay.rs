@@ -1,16 +1,16 @@
 //! The replay of a drive, row by row.
 
-use crate::drive::course::{Course, Fate, Step};
+use crate::drive::course::{Course, Fate, Otherwise, Step};
 use crate::drive::filter::{Filter, Move};
 use crate::drive::learned::Rolling;
+use crate::drive::read::reading;
 use crate::drive::row::{Drive, Event, Motion};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::statistics::{Errors, Judged, Statistics};
 use crate::drive::summary::Summary;
 use crate::error::{Code, Error};
-use crate::reading::{Reading, Setup};
-use core::f64::consts::PI;
-use geom::{SE2, wrap};
+use crate::reading::Setup;
+use geom::SE2;
 use nalgebra::{DMatrix, Matrix2, Vector2};
 use numerics::hypot;
 
@@ -147,9 +147,11 @@ impl Replay {
             _ if course.moves_by() == Motion::Velocity => self.held * dt,
             _ => return None,
         };
+        let Otherwise { arcs, mirrored, .. } = *course.otherwise();
+        let u = if mirrored { Vector2::new(u[0], -u[1]) } else { u };
         let s = course.settings();
         let noise = Matrix2::new(s.sigma_distance * s.sigma_distance, 0.0, 0.0, s.sigma_turn * s.sigma_turn) * dt;
-        Some(Move { u, rolling: Rolling { dt, speed_scale: s.speed_scale, turn_bias: s.turn_bias }, noise })
+        Some(Move { u, rolling: Rolling { dt, speed_scale: s.speed_scale, turn_bias: s.turn_bias, arcs }, noise })
     }
 
     /// Moves the estimate, and its time, to a step.
@@ -266,29 +268,4 @@ impl Replay {
         let belief = (self.filter.state(), self.filter.covariance());
         Summary::new(belief, course, &self.statistics, [&self.errors, &self.withheld])
     }
-}
-
-/// The reading of a row; `None` of a row of motion.
-fn reading(course: &Course, event: &Event) -> Option<Reading> {
-    let s = course.settings();
-    Some(match *event {
-        Event::Position { x, y, sigma } => {
-            let sigma = sigma.unwrap_or(s.sigma_fix);
-            Reading::Position { x, y, w: Matrix2::identity() * (sigma * sigma) }
-        }
-        Event::Heading { theta, sigma } => {
-            let sigma = sigma.unwrap_or(s.sigma_heading);
-            Reading::Heading { theta, w: sigma * sigma }
-        }
-        Event::Range { landmark, range } => {
-            Reading::Range { landmark: Some(landmark), range, w: s.sigma_range * s.sigma_range }
-        }
-        Event::RangeBearing { landmark, range, bearing } => {
-            let w = Matrix2::new(s.sigma_range * s.sigma_range, 0.0, 0.0, s.sigma_bearing * s.sigma_bearing);
-            // A log has the bearing from the robot's nose.
-            let bearing = wrap(bearing - s.bearing_offset + PI);
-            Reading::RangeBearing { landmark: Some(landmark), range, bearing, w }
-        }
-        Event::Odometry { .. } | Event::Velocity { .. } | Event::Speed { .. } | Event::TurnRate { .. } => return None,
-    })
 }

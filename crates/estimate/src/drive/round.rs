@@ -1,7 +1,9 @@
 //! A look at some suspects beside one replay.
 
-use crate::drive::course::Course;
+use crate::drive::course::{Course, Otherwise};
 use crate::drive::evidence::{Evidence, OUTLIERS, Place};
+use crate::drive::exchange::likeliest;
+use crate::drive::fitted::Fitted;
 use crate::drive::freed::{Freed, Numbers, Search};
 use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
@@ -9,13 +11,18 @@ use crate::drive::suspect::{Fault, Size, Standing, Suspect, Tried};
 use crate::error::Error;
 use alloc::vec::Vec;
 
+/// Readings of which this share would be outliers have none: the model is wrong.
+const MANY: f64 = 0.5;
+
 /// What is the same for all suspects of a log.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Scope {
     /// So many rows are judged.
     pub rows: u32,
-    /// What a single number gains by chance, and what the three of the start do.
-    pub chance: [f64; 2],
+    /// What the best of all gains by chance, by how many numbers it frees: none, one, a pair, the three of the start.
+    pub chance: [f64; 4],
+    /// How many pairs of landmarks are exchanged.
+    pub pairs: f64,
     /// Readings from this row on count for delays: the same in every replay.
     pub from: u32,
     /// How far delays are changed, s.
@@ -63,36 +70,54 @@ impl Round {
             place: &place,
             first,
         };
+        let nothing = || Freed { at: numbers.first.clone(), sigmas: Vec::new(), gain: 0.0 };
+        let (mut mended, mut pair) = (None, None);
         let freed = match tried {
             Tried::Outliers(sensor) => outliers(&search, sensor, &place(&[])),
+            Tried::Mirrored => {
+                let gain = search.replay(&place(&[])).map(|evidence| evidence.gain(base, search.from));
+                gain.filter(|gain| gain.is_finite()).map(|gain| Freed { gain, ..nothing() })
+            }
+            Tried::Exchanged => likeliest(&search, &self.place).map(|(landmarks, gain)| {
+                pair = Some(landmarks);
+                mended = Some(Place { otherwise: Otherwise { exchanged: pair, ..self.place.otherwise }, ..self.place });
+                Freed { gain, ..nothing() }
+            }),
             _ if tried.fault() == Fault::Sigma => search.sigma(&numbers),
             _ => search.means(&numbers),
         };
-        let freed = freed.unwrap_or_else(|| Freed { at: numbers.first.clone(), sigmas: Vec::new(), gain: 0.0 });
+        let freed = freed.unwrap_or_else(nothing);
         let begin = Course::new(drive, self.place.settings)
             .map_or([0.0; 3], |course| [course.pose().x(), course.pose().y(), course.pose().theta()]);
+        let which = tried.numbers();
         let size = |(i, at): (usize, &f64)| {
             let sigma = freed.sigmas.get(i).copied().unwrap_or(f64::INFINITY);
-            match tried {
-                Tried::Start => Size { now: begin[i], value: begin[i] + at, sigma },
-                Tried::Number(number) => {
+            match (which.get(i), tried) {
+                (Some(number), _) => {
                     let (now, value) = (number.value(numbers.first[i]), number.value(*at));
                     Size { now, value, sigma: if number.is_sigma() { value * sigma } else { sigma } }
                 }
-                Tried::Outliers(_) => Size { now: 0.0, value: *at, sigma },
+                (None, Tried::Start) => Size { now: begin[i], value: begin[i] + at, sigma },
+                (None, _) => Size { now: 0.0, value: *at, sigma },
             }
         };
+        let chance =
+            scope.chance[tried.freedom()] + if tried == Tried::Exchanged { libm::log(scope.pairs) } else { 0.0 };
+        let id = |at: usize| drive.landmarks.get(at).map_or(0, |landmark| landmark.id);
         let suspect = Suspect {
             fault: tried.fault(),
-            number: if let Tried::Number(number) = tried { Some(number) } else { None },
+            number: which.first().copied(),
+            with: which.get(1).copied(),
             sensor: if let Tried::Outliers(sensor) = tried { Some(sensor) } else { None },
+            landmarks: pair.map(|pair: [usize; 2]| pair.map(id)),
             sizes: freed.at.iter().enumerate().map(size).collect(),
             gain: freed.gain,
-            excess: freed.gain - scope.chance[usize::from(tried.freedom() > 1)],
+            excess: freed.gain - chance,
             standing: Standing::Cleared,
+            own: false,
             mended: None,
         };
-        (suspect, place(&freed.at))
+        (suspect, mended.unwrap_or_else(|| place(&freed.at)))
     }
 }
 
@@ -110,6 +135,29 @@ pub(crate) fn ranked(mut left: Vec<(Suspect, Place)>, tie: f64) -> Vec<(Suspect,
     all
 }
 
+/// The faults that are left to try beside a larger σ, where that explains most in a round.
+pub(crate) fn explained(round: &Round) -> Option<Round> {
+    let (first, place) = round.found.first()?;
+    let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
+    let others = round.found.iter().filter(|(suspect, _)| suspect.excess > 0.0 && suspect.fault != Fault::Sigma);
+    let tried: Vec<Tried> = others.map(|(suspect, _)| suspect.tried()).collect();
+    (larger && first.excess > 0.0 && !tried.is_empty()).then(|| Round::new(*place, tried))
+}
+
+/// Leaves of the ranges' scale and offset both together where neither explains as much by itself, to within what a
+/// number gains by chance; else those by themselves.
+pub(crate) fn sifted(found: &mut Vec<(Suspect, Place)>, chance: f64) {
+    let gain = |tried: &dyn Fn(&Suspect) -> bool| {
+        let gains = found.iter().filter(|(suspect, _)| tried(suspect)).map(|(suspect, _)| suspect.gain);
+        gains.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let alone =
+        |suspect: &Suspect| suspect.with.is_none() && matches!(suspect.number, Some(Fitted::Scale | Fitted::Offset));
+    let pair = |suspect: &Suspect| suspect.with.is_some();
+    let both = gain(&pair) > gain(&alone).max(0.0) + chance;
+    found.retain(|(suspect, _)| if both { !alone(suspect) } else { !pair(suspect) });
+}
+
 /// What a gate brings that takes what it refuses for outliers, whose share is the one that is found.
 fn outliers(search: &Search<'_>, sensor: Sensor, place: &Place) -> Option<Freed> {
     let evidence = Evidence::new(search.drive, place, search.rows).ok()?;
@@ -120,5 +168,9 @@ fn outliers(search: &Search<'_>, sensor: Sensor, place: &Place) -> Option<Freed>
         + of(refused, share, OUTLIERS)
         + of(all - refused, 1.0 - share, 1.0 - OUTLIERS);
     let sigma = libm::sqrt(share * (1.0 - share) / all);
-    (gain.is_finite() && refused > 0.0).then(|| Freed { at: alloc::vec![share], sigmas: alloc::vec![sigma], gain })
+    (gain.is_finite() && refused > 0.0 && share < MANY).then(|| Freed {
+        at: alloc::vec![share],
+        sigmas: alloc::vec![sigma],
+        gain,
+    })
 }

@@ -56,6 +56,8 @@ pub struct Settings {
     pub offset: f64,
     /// What a bearing reads of a landmark straight ahead, rad.
     pub bearing_offset: f64,
+    /// What a compass reads of a robot that heads along the axis of x, rad.
+    pub heading_offset: f64,
     /// Whether ε is a state, which starts at 0 with the standard deviation 0.1 and gets no process noise.
     pub learn: bool,
     /// Whether sightings correct the estimate.
@@ -95,6 +97,7 @@ impl Default for Settings {
             scale: 0.0,
             offset: 0.0,
             bearing_offset: 0.0,
+            heading_offset: 0.0,
             learn: false,
             sightings: true,
             fixes: true,
@@ -134,7 +137,9 @@ impl Settings {
         ] {
             limit(finite(sigma, name)? > 0.0, name, "is not positive; this standard deviation is above 0")?;
         }
-        for (name, number) in [("offset", self.offset), ("bearingOffset", self.bearing_offset)] {
+        for (name, number) in
+            [("offset", self.offset), ("bearingOffset", self.bearing_offset), ("headingOffset", self.heading_offset)]
+        {
             finite(number, name)?;
         }
         for (name, scale) in [("scale", self.scale), ("speedScale", self.speed_scale)] {

@@ -3,7 +3,7 @@
 use crate::drive::course::Course;
 use crate::drive::evidence::{Against, Place};
 use crate::drive::fitted::Fitted;
-use crate::drive::row::Drive;
+use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::Sensor;
 use crate::drive::settings::MAX_DELAY;
 use alloc::vec::Vec;
@@ -23,8 +23,12 @@ pub enum Fault {
     Tails,
     /// A standard deviation is claimed too small or too large.
     Sigma,
-    /// The camera does not look straight ahead.
+    /// The camera does not look straight ahead, or the compass reads another north.
     Turned,
+    /// Turns are counted the other way round.
+    Mirrored,
+    /// Two landmarks are taken for one another.
+    Exchanged,
 }
 
 impl Fault {
@@ -38,6 +42,8 @@ impl Fault {
             Self::Tails => "tails",
             Self::Sigma => "sigma",
             Self::Turned => "turned",
+            Self::Mirrored => "mirrored",
+            Self::Exchanged => "exchanged",
         }
     }
 }
@@ -69,11 +75,15 @@ pub struct Size {
 pub struct Suspect {
     /// Of which kind.
     pub fault: Fault,
-    /// The setting that mends it; `None` of the start, and of outliers, which a gate refuses.
+    /// The setting that mends it; `None` of the start, of outliers, which a gate refuses, and of what no setting mends.
     pub number: Option<Fitted>,
+    /// The setting that mends it together with that one.
+    pub with: Option<Fitted>,
     /// The sensor whose readings have outliers.
     pub sensor: Option<Sensor>,
-    /// The number; of the start x, y and θ in m, m and rad; of outliers their share.
+    /// The two landmarks that are exchanged, by their ids.
+    pub landmarks: Option<[u32; 2]>,
+    /// The numbers; of the start x, y and θ in m, m and rad; of outliers their share.
     pub sizes: Vec<Size>,
     /// By how much the log-likelihood of the readings rises where it is freed.
     pub gain: f64,
@@ -81,17 +91,22 @@ pub struct Suspect {
     pub excess: f64,
     /// What is said of it.
     pub standing: Standing,
-    /// How far the mended filter is from the truth: of the first suspect, where there is a truth.
+    /// Whether it is the motion model's own: a delay of at most half a step between rows of motion. It is cleared.
+    pub own: bool,
+    /// How far the mended filter is from the truth, of those that were held against it.
     pub mended: Option<Against>,
 }
 
 impl Suspect {
     /// What was tried.
     pub(crate) fn tried(&self) -> Tried {
-        match (self.number, self.sensor) {
-            (Some(number), _) => Tried::Number(number),
-            (None, Some(sensor)) => Tried::Outliers(sensor),
-            (None, None) => Tried::Start,
+        match (self.fault, self.number, self.sensor) {
+            (Fault::Mirrored, ..) => Tried::Mirrored,
+            (Fault::Exchanged, ..) => Tried::Exchanged,
+            (_, Some(_), _) if self.with.is_some() => Tried::Ruler,
+            (_, Some(number), _) => Tried::Number(number),
+            (_, None, Some(sensor)) => Tried::Outliers(sensor),
+            (_, None, None) => Tried::Start,
         }
     }
 }
@@ -101,9 +116,15 @@ impl Suspect {
 pub(crate) enum Tried {
     Start,
     Number(Fitted),
+    /// Scale and offset of the ranges together.
+    Ruler,
     Outliers(Sensor),
+    Mirrored,
+    Exchanged,
 }
 
+/// Scale and offset of the ranges.
+const RULER: [Fitted; 2] = [Fitted::Scale, Fitted::Offset];
 /// The first difference of the start's place and heading: a share of their standard deviations, at most so much.
 const START_SHARE: f64 = 0.1;
 const START_MOST: f64 = 0.1;
@@ -128,9 +149,16 @@ impl Tried {
         ];
         let outliers = sensors.into_iter().filter(|(sensor, on)| free(*sensor, *on)).map(|it| Self::Outliers(it.0));
         // A σ of 0 has no logarithm.
+        let landmarks = drive.landmarks.len() > 1 && s.sightings && (has.range || has.bearing);
+        let others = [
+            (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
+            (Self::Mirrored, drive.rows.iter().any(|row| turns(&row.event))),
+            (Self::Exchanged, landmarks),
+        ];
+        let others = others.into_iter().filter_map(|(tried, there)| there.then_some(tried));
         let open = |number: &Fitted| !number.is_sigma() || number.value(number.get(s)) > 2.0 * Fitted::LEAST;
         let numbers = numbers.iter().copied().filter(open).map(Self::Number);
-        core::iter::once(Self::Start).chain(numbers).chain(outliers).collect()
+        core::iter::once(Self::Start).chain(numbers).chain(outliers).chain(others).collect()
     }
 
     pub fn fault(self) -> Fault {
@@ -138,37 +166,52 @@ impl Tried {
             Self::Start => Fault::Start,
             Self::Outliers(_) => Fault::Tails,
             Self::Number(Fitted::TurnBias | Fitted::Offset) => Fault::Bias,
-            Self::Number(Fitted::Scale | Fitted::SpeedScale) => Fault::Scale,
-            Self::Number(Fitted::BearingOffset) => Fault::Turned,
+            Self::Number(Fitted::Scale | Fitted::SpeedScale) | Self::Ruler => Fault::Scale,
+            Self::Number(Fitted::BearingOffset | Fitted::HeadingOffset) => Fault::Turned,
+            Self::Mirrored => Fault::Mirrored,
+            Self::Exchanged => Fault::Exchanged,
             Self::Number(number) if number.is_delay() => Fault::Clock,
             Self::Number(_) => Fault::Sigma,
         }
     }
 
     /// How many numbers are freed.
-    pub fn freedom(self) -> u32 {
-        if self == Self::Start { 3 } else { 1 }
+    pub fn freedom(self) -> usize {
+        match self {
+            Self::Start => 3,
+            Self::Ruler => 2,
+            Self::Number(_) | Self::Outliers(_) => 1,
+            Self::Mirrored | Self::Exchanged => 0,
+        }
+    }
+
+    /// The settings that are freed.
+    pub fn numbers(self) -> Vec<Fitted> {
+        match self {
+            Self::Number(number) => alloc::vec![number],
+            Self::Ruler => RULER.to_vec(),
+            _ => Vec::new(),
+        }
     }
 
     /// Where they are, as a search moves them.
     pub fn first(self, place: &Place) -> Vec<f64> {
-        match self {
-            Self::Start => alloc::vec![0.0; 3],
-            Self::Number(number) => alloc::vec![number.get(&place.settings)],
-            Self::Outliers(_) => Vec::new(),
+        if self == Self::Start {
+            return alloc::vec![0.0; 3];
         }
+        self.numbers().iter().map(|number| number.get(&place.settings)).collect()
     }
 
     /// The replay in which they are `at`.
     pub fn place(self, place: &Place, at: &[f64]) -> Place {
         let mut place = *place;
         match (self, at) {
-            (Self::Start, &[x, y, theta]) => place.shift = [x, y, theta],
-            (Self::Number(number), &[at]) => number.set(&mut place.settings, at),
+            (Self::Start, &[x, y, theta]) => place.otherwise.shift = [x, y, theta],
             (Self::Outliers(sensor), _) => {
                 *place.settings.gate.of_mut(sensor) = Some(crate::drive::evidence::OUTLIER_GATE);
             }
-            _ => {}
+            (Self::Mirrored, _) => place.otherwise.mirrored = true,
+            _ => self.numbers().iter().zip(at).for_each(|(number, at)| number.set(&mut place.settings, *at)),
         }
         place
     }
@@ -177,23 +220,32 @@ impl Tried {
     pub fn steps(self, place: &Place, period: f64) -> Vec<f64> {
         let s = &place.settings;
         let begins = |sigma: f64| (START_SHARE * sigma).min(START_MOST);
-        match self {
-            Self::Start => [s.start_sigma, s.start_sigma, s.start_sigma_heading].map(begins).to_vec(),
-            Self::Number(number) if number.is_delay() => alloc::vec![DELAY.max(PERIODS * period)],
-            Self::Number(number) => alloc::vec![number.fine()],
-            Self::Outliers(_) => Vec::new(),
+        if self == Self::Start {
+            return [s.start_sigma, s.start_sigma, s.start_sigma_heading].map(begins).to_vec();
         }
+        let step = |number: &Fitted| if number.is_delay() { DELAY.max(PERIODS * period) } else { number.fine() };
+        self.numbers().iter().map(step).collect()
     }
 
     /// How far they are tried, with delays changed by at most so much.
     pub fn bounds(self, first: &[f64], most: f64) -> Vec<[f64; 2]> {
-        match self {
-            Self::Number(number) if number.is_delay() => {
-                let around = |at: &f64| [(at - most).max(-MAX_DELAY), (at + most).min(MAX_DELAY)];
-                first.iter().map(around).collect()
-            }
-            Self::Number(number) => alloc::vec![number.bounds(most)],
-            _ => alloc::vec![[f64::MIN, f64::MAX]; first.len()],
+        if self == Self::Start {
+            return alloc::vec![[f64::MIN, f64::MAX]; 3];
         }
+        let bound = |(number, at): (&Fitted, &f64)| match number.is_delay() {
+            true => [(at - most).max(-MAX_DELAY), (at + most).min(MAX_DELAY)],
+            false => number.bounds(most),
+        };
+        self.numbers().iter().zip(first).map(bound).collect()
+    }
+}
+
+/// Whether a row says that the robot turns.
+fn turns(event: &Event) -> bool {
+    match event {
+        Event::Odometry { turn: rate, .. } | Event::Velocity { omega: rate, .. } | Event::TurnRate { omega: rate } => {
+            *rate != 0.0
+        }
+        _ => false,
     }
 }

@@ -33,6 +33,12 @@ impl Truth {
         &self.poses
     }
 
+    /// Whether the true position at `time` is known, and not that of the pose nearest to it.
+    pub(crate) fn covers(&self, time: f64) -> bool {
+        let (first, last) = (self.poses.first(), self.poses.last());
+        first.zip(last).is_some_and(|(first, last)| first.time < last.time && first.time <= time && time <= last.time)
+    }
+
     /// The true position at `time`, interpolated linearly in time; before the first pose the first, after the last the
     /// last. `None` in a log without truth.
     pub fn position(&self, time: f64) -> Option<[f64; 2]> {

@@ -8,11 +8,17 @@
 //!
 //! A larger σ makes any error of the model likelier. Where one explains most, the other faults are freed once more
 //! beside it, and what makes the readings much likelier even so is named before it.
+//!
+//! The motion model has faults of its own: what it reads is held until the next row, and it drives straight and turns
+//! then. Where the readings are likelier with the turn on the way, all is freed beside that; a delay of at most half a
+//! step between rows of motion is set apart, and the others are freed beside it.
 
-use crate::drive::course::Course;
+use crate::drive::course::{Course, Otherwise};
 use crate::drive::evidence::{Against, Evidence, Place};
+use crate::drive::exchange::pairs;
 use crate::drive::fit::{SETTLED, most_delay};
-use crate::drive::round::{Round, Scope, ranked};
+use crate::drive::judgement::{Judgement, as_mended, is_own, period, refuted, turning};
+use crate::drive::round::{Round, Scope, explained, ranked, sifted};
 use crate::drive::row::Drive;
 use crate::drive::sensor::BySensor;
 use crate::drive::settings::Settings;
@@ -29,29 +35,8 @@ const CHANCE: f64 = 0.03;
 const TIE: f64 = 0.5;
 /// A fault is sure where neither chance nor another comes as near as this: the readings are 20 times likelier with it.
 const CLEAR: f64 = 3.0;
-/// A mended filter that is farther from the truth than before, by this ratio, is not mended.
-const WORSE: f64 = 1.05;
 /// A gate that refuses more than this share hides a fault.
 const HIDING: f64 = 0.1;
-
-/// What a verdict has found so far.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Judgement {
-    /// All that was looked for, the likeliest fault first.
-    pub suspects: Vec<Suspect>,
-    /// How many readings were counted, and among how many rows.
-    pub readings: u32,
-    /// Rows that were judged: those from the first on, [`MOST_JUDGED`] at most.
-    pub rows: u32,
-    /// Suspects that have been tried, and how many there are.
-    pub tried: [u32; 2],
-    /// How far the filter is from the truth as it is set; `None` without a truth.
-    pub against: Option<Against>,
-    /// Whether gates are off meanwhile, because they refuse too much.
-    pub ungated: bool,
-    /// Whether what the first suspects gain is counted beside a σ that is enlarged.
-    pub beside: bool,
-}
 
 /// A verdict on a log, suspect by suspect.
 ///
@@ -81,6 +66,16 @@ pub struct Verdict {
     ungated: bool,
     /// Whether the first suspects were found beside the larger σ.
     hoisted: bool,
+    /// How far the filter is from the truth as it is set, once that is known.
+    against: Option<Against>,
+    /// Whether it was asked what turns on the way would bring, and that.
+    asked: bool,
+    arcs: Option<f64>,
+    /// Delays that are the motion model's own, and how many suspects were tried before they were set apart.
+    own: Vec<Suspect>,
+    before: u32,
+    period: f64,
+    other: bool,
     suspects: Vec<Suspect>,
 }
 
@@ -109,15 +104,18 @@ impl Verdict {
         let most = most_delay(duration);
         let settled = course.start() + most + SETTLED;
         let moves = judged.iter().filter(|row| row.event.is_motion()).count();
-        let probability = 1.0 - CHANCE / tried.len() as f64;
+        let share = CHANCE / tried.len() as f64;
+        let chance = |freedom: u32| chi2_quantile(freedom, 1.0 - share).map(|quantile| 0.5 * quantile);
         let scope = Scope {
             rows,
-            chance: [0.5 * chi2_quantile(1, probability)?, 0.5 * chi2_quantile(3, probability)?],
+            // Without a number to free, readings are e^g times likelier by chance in e^−g of all logs at most.
+            chance: [-libm::log(share), chance(1)?, chance(2)?, chance(3)?],
+            pairs: pairs(drive.landmarks.len()).max(1) as f64,
             from: judged.partition_point(|row| row.time < settled) as u32,
             most,
             period: duration / moves.max(1) as f64,
         };
-        let first = Round::new(Place { settings, shift: [0.0; 3] }, tried);
+        let first = Round::new(Place { settings, otherwise: Otherwise::default() }, tried);
         Ok(Self {
             scope,
             first,
@@ -125,6 +123,13 @@ impl Verdict {
             stage: Stage::First,
             ungated: false,
             hoisted: false,
+            against: None,
+            asked: false,
+            arcs: None,
+            own: Vec::new(),
+            before: 0,
+            period: period(judged),
+            other: false,
             suspects: Vec::new(),
         })
     }
@@ -139,15 +144,20 @@ impl Verdict {
             Stage::Beside => self.beside.as_mut().map_or(Ok(false), |round| round.step(drive, &self.scope))?,
             Stage::Done => return Ok(false),
         };
-        if self.first.found.is_empty() && !self.ungated {
-            self.open_gates();
+        if self.first.found.is_empty() && !self.asked && !self.open_gates() {
+            self.against = self.first.base.as_ref().and_then(|base| base.against);
         }
         if more {
             return Ok(true);
         }
         if self.stage == Stage::First {
-            self.first.found = ranked(core::mem::take(&mut self.first.found), TIE);
-            self.beside = self.explained();
+            let mut found = core::mem::take(&mut self.first.found);
+            sifted(&mut found, self.scope.chance[1]);
+            self.first.found = ranked(found, TIE);
+            if self.turn_on_the_way(drive) || self.set_apart() {
+                return Ok(true);
+            }
+            self.beside = explained(&self.first);
         }
         self.stage = if self.stage == Stage::First && self.beside.is_some() { Stage::Beside } else { Stage::Done };
         if self.stage == Stage::Done {
@@ -156,30 +166,57 @@ impl Verdict {
         Ok(self.stage != Stage::Done)
     }
 
-    /// Begins again without gates where these refuse too much.
-    fn open_gates(&mut self) {
-        let Round { place, base: Some(base), .. } = &self.first else { return };
+    /// Begins again without gates where these refuse too much; whether it did.
+    fn open_gates(&mut self) -> bool {
+        let Round { place, base: Some(base), .. } = &self.first else { return false };
         let [refused, all] = base.refused(|sensor| place.settings.gate.of(sensor).is_some());
-        if f64::from(refused) > HIDING * f64::from(all) {
+        let hides = f64::from(refused) > HIDING * f64::from(all);
+        if hides {
             self.first.place.settings.gate = BySensor::all(None);
             self.first.base = None;
             self.ungated = true;
         }
+        hides
     }
 
-    /// The faults that are left to try beside a larger σ, where that explains most.
-    fn explained(&self) -> Option<Round> {
-        let (first, place) = self.first.found.first()?;
-        let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
-        let others =
-            self.first.found.iter().filter(|(suspect, _)| suspect.excess > 0.0 && suspect.fault != Fault::Sigma);
-        let tried: Vec<Tried> = others.map(|(suspect, _)| suspect.tried()).collect();
-        (larger && first.excess > 0.0 && !tried.is_empty()).then(|| Round::new(*place, tried))
+    /// Frees the suspects anew beside a robot that turns on its way, where that makes the readings likelier than any of
+    /// them does by itself, or likelier still where the likeliest, a clock, is mended; whether it does.
+    fn turn_on_the_way(&mut self, drive: &Drive) -> bool {
+        if self.asked {
+            return false;
+        }
+        self.asked = true;
+        self.arcs = turning(drive, &self.first, &self.scope);
+        if self.arcs.is_none() {
+            return false;
+        }
+        let place = Place { otherwise: Otherwise { arcs: true, ..Otherwise::default() }, ..self.first.place };
+        self.before += self.first.tried.len() as u32;
+        self.first = Round::new(place, core::mem::take(&mut self.first.tried));
+        true
+    }
+
+    /// Sets a delay apart that is the motion model's own, and frees the others beside it; whether there was one.
+    fn set_apart(&mut self) -> bool {
+        let likely = |suspect: &Suspect| suspect.excess > 0.0 && suspect.fault != Fault::Sigma;
+        let Some((own, place)) = self.first.found.iter().find(|(suspect, _)| likely(suspect)) else {
+            return false;
+        };
+        if !is_own(own, self.period) {
+            return false;
+        }
+        let tried: Vec<Tried> = self.first.tried.iter().copied().filter(|tried| *tried != own.tried()).collect();
+        self.before += self.first.tried.len() as u32;
+        self.own.push(Suspect { own: true, ..own.clone() });
+        self.first = Round::new(*place, tried);
+        true
     }
 
     /// Puts what gains much beside the larger σ before it; whether there was any.
     fn hoist(&mut self, mut round: Round) -> bool {
-        let mut found = ranked(core::mem::take(&mut round.found), TIE);
+        let mut found = core::mem::take(&mut round.found);
+        sifted(&mut found, self.scope.chance[1]);
+        let mut found = ranked(found, TIE);
         let much = found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
         if much == 0 {
             return false;
@@ -215,33 +252,45 @@ impl Verdict {
             let clear = i == 0 && suspect.excess >= rival + CLEAR;
             suspect.standing = if clear { Standing::Sure } else { Standing::Maybe };
         }
-        let (Some(first), Some(place)) = (self.suspects.first_mut(), places.first()) else { return };
-        if first.excess > 0.0 && !drive.truth.poses().is_empty() {
-            first.mended = Evidence::new(drive, place, self.scope.rows).ok().and_then(|mended| mended.against);
+        self.hold_against_the_truth(drive, &places);
+        self.suspects.append(&mut self.own);
+    }
+
+    /// Mends the likeliest suspects until the truth does not say that it is none, and puts that one first.
+    fn hold_against_the_truth(&mut self, drive: &Drive, places: &[Place]) {
+        let Some(before) = self.against else { return };
+        let likely = self.suspects.iter().take_while(|suspect| suspect.excess > 0.0).count();
+        for (i, place) in places.iter().enumerate().take(likely) {
+            let mended =
+                Evidence::new(drive, &as_mended(place, &self.own), self.scope.rows).ok().and_then(|it| it.against);
+            self.suspects[i].mended = mended;
+            if mended.is_none_or(|after| !refuted(&before, &after)) {
+                self.suspects[..=i].rotate_right(1);
+                return;
+            }
+            self.suspects[i].standing = Standing::Maybe;
         }
-        let before = self.first.base.as_ref().and_then(|base| base.against);
-        if let (Some(before), Some(after)) = (before, first.mended)
-            && after.rmse > WORSE * before.rmse
-        {
-            first.standing = Standing::Maybe;
-        }
+        self.other = likely > 0;
     }
 
     /// What has been found so far; suspects once all were looked at.
     pub fn found(&self) -> Judgement {
         let (base, beside) = (self.first.base.as_ref(), self.beside.as_ref());
         let of = |round: &Round| [round.found.len() as u32, round.tried.len() as u32];
-        let all = self.first.tried.len() as u32;
+        let all = self.before + self.first.tried.len() as u32;
         let [done, more] = beside.map_or([0, 0], of);
-        let looked = if self.stage == Stage::First { self.first.found.len() as u32 } else { all };
+        let looked = if self.stage == Stage::First { self.before + self.first.found.len() as u32 } else { all };
         Judgement {
             suspects: self.suspects.clone(),
             readings: base.map_or(0, |base| base.readings.len() as u32),
             rows: self.scope.rows,
             tried: [looked + done, all + more],
-            against: base.and_then(|base| base.against),
+            against: self.against,
             ungated: self.ungated,
             beside: self.hoisted,
+            arcs: self.arcs,
+            period: self.period,
+            other: self.other,
         }
     }
 }

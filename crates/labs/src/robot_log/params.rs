@@ -36,6 +36,8 @@ params! {
         pub offset: f64 = 0.0, from (-1000.0) to 1000.0 by 0.1 in "m";
         /// What a bearing reads of a landmark straight ahead: radians.
         pub bearing_offset: f64 = 0.0, from (-10.0) to 10.0 by 0.01 in "rad";
+        /// What a compass reads of a robot that heads along the axis of x: radians.
+        pub heading_offset: f64 = 0.0, from (-10.0) to 10.0 by 0.01 in "rad";
         /// Whether ε is a state of the filter.
         pub learn: bool = false;
         /// Whether sightings correct the estimate.
@@ -72,7 +74,7 @@ impl From<LogParams> for Settings {
     fn from(params: LogParams) -> Self {
         let LogParams { sigma_distance, sigma_turn, sigma_range, sigma_bearing, sigma_fix, sigma_heading, .. } = params;
         let LogParams { start_sigma, start_sigma_heading, start, gate, every, withheld, .. } = params;
-        let LogParams { scale, offset, bearing_offset, learn, sightings, fixes, headings, .. } = params;
+        let LogParams { scale, offset, bearing_offset, heading_offset, learn, sightings, fixes, headings, .. } = params;
         let LogParams { speed_scale, turn_bias, learn_speed, learn_bias, .. } = params;
         let delays = Delays {
             speed: params.delay_speed,
@@ -96,6 +98,7 @@ impl From<LogParams> for Settings {
             scale,
             offset,
             bearing_offset,
+            heading_offset,
             learn,
             sightings,
             fixes,

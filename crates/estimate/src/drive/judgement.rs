@@ -1,0 +1,99 @@
+//! What a verdict has found, and what is told by the truth of it.
+
+use crate::drive::course::Otherwise;
+use crate::drive::evidence::{Against, Evidence, Place};
+use crate::drive::fitted::Fitted;
+use crate::drive::round::{Round, Scope};
+use crate::drive::row::{Drive, Event, Row};
+use crate::drive::suspect::{Fault, Suspect};
+use alloc::vec::Vec;
+
+/// A mended filter that is farther from the truth than before, by this ratio, is not mended.
+const WORSE: f64 = 1.05;
+/// One with a NEES beyond this still has a fault, unless the error has fallen by this ratio meanwhile.
+const WILD: f64 = 20.0;
+const BETTER: f64 = 0.9;
+/// What is expected of the NEES of a position.
+const EXPECTED: f64 = 2.0;
+
+/// What a verdict has found so far.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Judgement {
+    /// All that was looked for, the likeliest fault first.
+    pub suspects: Vec<Suspect>,
+    /// How many readings were counted, and among how many rows.
+    pub readings: u32,
+    /// Rows that were judged: those from the first on, [`MOST_JUDGED`] at most.
+    pub rows: u32,
+    /// Suspects that have been tried, and how many there are.
+    pub tried: [u32; 2],
+    /// How far the filter is from the truth as it is set; `None` without a truth.
+    pub against: Option<Against>,
+    /// Whether gates are off meanwhile, because they refuse too much.
+    pub ungated: bool,
+    /// Whether what the first suspects gain is counted beside a σ that is enlarged.
+    pub beside: bool,
+    /// By how much the log-likelihood rises where the robot turns on its way between two rows of motion, where that is
+    /// more than chance: the motion model drives straight and turns then. The suspects are freed beside it.
+    pub arcs: Option<f64>,
+    /// The median time between rows of motion, s. A delay of at most half of it is the model's own.
+    pub period: f64,
+    /// Whether no suspect, mended, brings the filter nearer to the truth: something else is wrong.
+    pub other: bool,
+}
+
+/// Whether the truth says that a remedy is none: neither the error nor what is claimed of it gets better, or the error
+/// grows, or the filter stays as far from its claims as nothing but another fault explains.
+pub(crate) fn refuted(before: &Against, after: &Against) -> bool {
+    let far = |against: &Against| libm::log(against.nees / EXPECTED).abs();
+    let (share, farther) = (after.rmse / before.rmse, far(after) >= far(before));
+    share > WORSE || (share >= 1.0 && farther) || (after.nees > WILD && share > BETTER)
+}
+
+/// By how much the readings of a round are likelier for a robot that turns on its way, where that is more than any
+/// suspect brings by itself, or more than chance once the likeliest, a clock, is mended: what is held puts that off.
+pub(crate) fn turning(drive: &Drive, round: &Round, scope: &Scope) -> Option<f64> {
+    let with = |place: &Place, arcs| {
+        let place = Place { otherwise: Otherwise { arcs, ..place.otherwise }, ..*place };
+        Evidence::new(drive, &place, scope.rows).ok()
+    };
+    let (chance, found) = (scope.chance[0], &round.found);
+    let alone = with(&round.place, true)?.gain(round.base.as_ref()?, 0);
+    if alone > found.iter().map(|(suspect, _)| suspect.gain).fold(chance, f64::max) {
+        return Some(alone);
+    }
+    let (clock, mended) = found.iter().find(|(suspect, _)| suspect.fault != Fault::Sigma)?;
+    let more = with(mended, true)?.gain(&with(mended, false)?, 0);
+    (clock.fault == Fault::Clock && more > chance).then_some(more)
+}
+
+/// What a reader has who mends no more than this: the robot turns where it does, and what is the model's own stays.
+pub(crate) fn as_mended(place: &Place, own: &[Suspect]) -> Place {
+    let mut mended = Place { otherwise: Otherwise { arcs: false, ..place.otherwise }, ..*place };
+    for suspect in own {
+        let now = suspect.sizes.first().map_or(0.0, |size| size.now);
+        suspect.number.into_iter().for_each(|number| number.set(&mut mended.settings, now));
+    }
+    mended
+}
+
+/// Whether a suspect is the motion model's own, with motion about every `period` seconds.
+pub(crate) fn is_own(suspect: &Suspect, period: f64) -> bool {
+    let delay = suspect.number.filter(|number| Fitted::is_delay(*number)).and(suspect.sizes.first());
+    let half = 0.5 * period;
+    // One that is not known to be longer is not.
+    delay.is_some_and(|size| (size.value - size.now).abs() <= half + (2.0 * size.sigma).min(0.3 * half))
+}
+
+/// The median time between rows of motion, s: of speeds or of turn rates, whichever come less often.
+pub(crate) fn period(rows: &[Row]) -> f64 {
+    let speeds = median(rows, |event| !matches!(event, Event::TurnRate { .. }));
+    speeds.max(median(rows, |event| !matches!(event, Event::Speed { .. })))
+}
+
+fn median(rows: &[Row], of: impl Fn(&Event) -> bool) -> f64 {
+    let times: Vec<f64> = rows.iter().filter(|row| row.event.is_motion() && of(&row.event)).map(|it| it.time).collect();
+    let mut gaps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > 0.0).collect();
+    gaps.sort_by(f64::total_cmp);
+    gaps.get(gaps.len() / 2).copied().unwrap_or(0.0)
+}

@@ -1,0 +1,143 @@
+// The sentences of a verdict on a log, each from what it is told: who is late, what is claimed, what is no remedy, and
+// what is the motion model's own.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
+
+const suspect = (given) => ({
+  fault: 'clock',
+  name: 'delayFix',
+  sensor: null,
+  sizes: [{ now: 0, value: 0.35, sigma: 0.021 }],
+  gain: 20,
+  excess: 15,
+  standing: 'sure',
+  mended: null,
+  own: false,
+  with: null,
+  landmarks: null,
+  ...given,
+})
+const judgement = (suspects, more) => ({
+  suspects,
+  readings: 2067,
+  rows: 1000,
+  tried: [9, 9],
+  against: null,
+  ungated: false,
+  beside: false,
+  arcs: null,
+  period: 0.1,
+  other: false,
+  ...more,
+})
+const log = { rows: 1000, truth: false }
+
+test('a clock is late or early, by itself or beside what is set', () => {
+  const clock = (size, name = 'delayFix') => sentence(suspect({ name, sizes: [size] }), false)
+  assert.equal(
+    clock({ now: 0, value: 0.35, sigma: 0.021 }),
+    'The positions come 0.350 ± 0.021 s late: set the delay to 0.350 s.',
+  )
+  assert.match(
+    clock({ now: 0, value: -0.35, sigma: 0.021 }),
+    /come 0\.350 ± 0\.021 s early: set the delay to −0\.350 s/,
+  )
+  assert.match(clock({ now: 0.2, value: 0.58, sigma: 0.09 }, 'delaySpeed'), /speed comes 0\.380 ± 0\.090 s later than/)
+})
+
+test('a σ is claimed too small or too large, and what is not told has no ±', () => {
+  const sigma = (value, told) =>
+    sentence(suspect({ fault: 'sigma', name: 'sigmaFix', sizes: [{ now: 1, value, sigma: told }] }), false)
+  assert.equal(sigma(1.64, 0.1), 'The σ of a position is 1.64 ± 0.10 m, and is claimed as 1: set it higher.')
+  assert.match(sigma(0.2, null), /is about 0\.20 m, and is claimed as 1: set it lower/)
+})
+
+test('where two explain the readings alike both are named, and where chance does it is said', () => {
+  const other = suspect({ name: 'delaySpeed', standing: 'maybe', excess: 13 })
+  const either = ranked(judgement([suspect({ standing: 'maybe' }), other]), log)
+  assert.match(either, /^Either: The positions come .* Or: The speed comes .* The readings do not tell which\.$/)
+  const little = ranked(judgement([suspect({ standing: 'maybe', excess: 0.4 })]), log)
+  assert.match(little, /^Perhaps: The positions .* Chance explains it nearly as well\.$/)
+  const none = ranked(judgement([suspect({ standing: 'cleared' })]), log)
+  assert.equal(
+    none,
+    'No fault: of the 1 that were looked for, none makes the 2,067 readings likelier than chance does.',
+  )
+  const long = ranked(judgement([suspect({ standing: 'cleared' })]), { rows: 5000, truth: false })
+  assert.match(long, / The first 1,000 rows are judged\.$/)
+})
+
+test('a remedy that leads away from the truth is none', () => {
+  const [against, mended] = [
+    { rmse: 0.13, nees: 3, outside: 0.2 },
+    { rmse: 0.25, nees: 9, outside: 0.4 },
+  ]
+  const wrong = suspect({ fault: 'start', name: null, standing: 'maybe', mended, sizes: [] })
+  const said = ranked(judgement([wrong], { against, other: true }), log)
+  assert.match(
+    said,
+    /^Something is wrong that none of the 1 faults that were looked for mends\. The likeliest is another/,
+  )
+  assert.match(
+    said,
+    /another start; mended so, the estimate would be 0\.25 m from the truth, where it is 0\.13 m from it now/,
+  )
+  assert.doesNotMatch(said, /set the|mend that row|Mended so, the RMS/)
+  // One that was held against the truth and fell is no rival of the one that did not.
+  const better = suspect({ standing: 'maybe', mended: { rmse: 0.1, nees: 2, outside: 0.05 } })
+  const passed = ranked(judgement([better, suspect({ standing: 'maybe', excess: 16, mended })], { against }), log)
+  assert.match(passed, /^Perhaps: The positions come .* Mended so, the RMS error goes from 0\.13 to 0\.10 m/)
+})
+
+test('numbers that hold without the gate alone are said to', () => {
+  const [against, mended] = [
+    { rmse: 11.14, nees: 5896, outside: 0.92 },
+    { rmse: 0.37, nees: 2.2, outside: 0.06 },
+  ]
+  const said = ranked(judgement([suspect({ mended })], { against, ungated: true }), log)
+  assert.match(
+    said,
+    /Against the truth, without the gate, the NEES .* the RMS error, without the gate, goes from 11\.14/,
+  )
+})
+
+test('a turned compass, turns of the wrong sign, and scale and offset together have their sentences', () => {
+  const of = (given) => sentence(suspect(given), false)
+  assert.equal(
+    of({ fault: 'turned', name: 'headingOffset', sizes: [{ now: 0, value: 0.2, sigma: 0.0026 }] }),
+    'The compass is turned by 11.46 ± 0.15°: set the offset of the headings to 11.46°.',
+  )
+  assert.match(
+    of({ fault: 'mirrored', name: null, sizes: [] }),
+    /^The turns have the wrong sign: read them as clockwise/,
+  )
+  const sizes = [
+    { now: 0.0395, value: 0.03, sigma: 0.00055 },
+    { now: 0, value: 0.493, sigma: 0.028 },
+  ]
+  assert.equal(
+    of({ fault: 'scale', name: 'scale', with: 'offset', sizes }),
+    'The ranges read 0.950 ± 0.055 % too short and 0.493 ± 0.028 m too long: ' +
+      'set their scale to 3.000 % and their offset to 0.493 m.',
+  )
+})
+
+test('what is the motion model’s own is said, and is no fault', () => {
+  const own = suspect({ standing: 'cleared', own: true, sizes: [{ now: 0, value: -0.021, sigma: 0.009 }] })
+  const said = ranked(judgement([suspect({ standing: 'cleared' }), own], { arcs: 171.24, period: 0.5 }), log)
+  assert.match(
+    said,
+    /^No fault: of the 2 .* than chance does, but for what is the motion model’s own\. The positions come/,
+  )
+  assert.match(
+    said,
+    /come 0\.0210 ± 0\.0090 s early: less than half a step of 0\.5 s between rows of motion\. That is the/,
+  )
+  assert.match(
+    said,
+    /with rows of motion 0\.5 s apart this costs 171\.2 of the log-likelihood\. .* no fault of the log\.$/,
+  )
+  // A log with a fault tells what its steps cost as soon as that is mended.
+  assert.doesNotMatch(ranked(judgement([suspect({})], { arcs: 50 }), log), /costs/)
+})
