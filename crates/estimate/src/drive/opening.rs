@@ -213,7 +213,7 @@ fn likelihood(stretch: &Drive, settings: &Settings, pose: Vector3<f64>, small: f
     let start = Some([pose[0], pose[1], pose[2]]);
     let Settings { sigma_distance, sigma_turn, sigma_fix, .. } = *settings;
     let usual = Settings { sigma_distance, sigma_turn, sigma_fix, ..Settings::default() };
-    // The scale of the speed and the bias of the turn rate are not known here: they may be what their states begin with.
+    // Scale of the speed and bias of the turn rate are not known here: they may be what their states begin with.
     let held = stretch.motion == Motion::Velocity;
     let usual = Settings { learn_speed: held, learn_bias: held, ..usual };
     let told = Settings { start, start_sigma: small, start_sigma_heading: KNOWN, ..usual };
