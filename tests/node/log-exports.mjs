@@ -48,7 +48,7 @@ const VALUES = ['time', 'time', 'v', 'omega', 'x', 'range', 'landmark', 'heading
 
 /** A file that was added, and what is asked of its columns; one that is `such` where there is one. */
 function fileOf(it, dice, such = () => true) {
-  const files = it.files().map(({ values, role }, at) => ({ at, values, role }))
+  const files = it.files().map(({ values, role, several }, at) => ({ at, values, role, several }))
   return dice.pick(files.filter(such)) ?? dice.pick(files) ?? { at: 0, values: [] }
 }
 const encoders = (it, dice) => fileOf(it, dice, ({ role }) => role === 'encoders').at
@@ -87,7 +87,7 @@ export const logClasses = (lab) => ({
     make: () => [],
     spoilt: 0.3,
     chain: 40,
-    least: { 'read()': 5, 'setRole()': 10, 'setUnit()': 10, 'setWheel()': 5, 'setCounting()': 5 },
+    least: { 'read()': 5, 'setRole()': 10, 'setUnit()': 10, 'setWheel()': 5, 'setCounting()': 5, 'setOnly()': 5 },
     methods: {
       add: (dice) => [`${dice.below(9)}.csv`, dice.pick(TABLES)],
       files: () => [],

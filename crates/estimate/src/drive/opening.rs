@@ -4,7 +4,7 @@
 //! that drives backwards. The log has the motion between them: the heading is the one under which the filter finds the
 //! first fixes most likely.
 
-use super::{Course, Drive, Event, Replay, Settings, Truth};
+use super::{Course, Drive, Event, Motion, Replay, Settings, Truth};
 use alloc::vec::Vec;
 use core::f64::consts::PI;
 use geom::wrap;
@@ -15,6 +15,9 @@ const FAR: f64 = 5.0;
 /// So many fixes are tried first, and then twice as many, to so many rows.
 const FEWEST: usize = 4;
 const MOST_ROWS: usize = 50_000;
+/// A heading that is known is sought again in so many rows at most, and as long as σ falls to this part.
+const MANY_ROWS: usize = 4000;
+const BETTER: f64 = 0.8;
 /// A heading that is so well known needs no more fixes, rad.
 const ENOUGH: f64 = 0.05;
 /// Beyond this the likelihood of a heading is no parabola, rad.
@@ -49,9 +52,10 @@ impl Drive {
     ///
     /// The place and the heading are those under which the first fixes are most likely, with the motion that is logged
     /// between them; of the stretches of 4, 8, 16 … fixes the one is taken that tells the heading best. Its standard
-    /// deviation is that of the likelihood's top, widened by √NIS where the fixes are farther from the motion than is
-    /// claimed. A heading that was read, led back to the start by the turns since, is taken where it is better known.
-    /// Where the motion tells no way, the direction to the first fix that is far away is the heading.
+    /// deviation is that of the likelihood's top, where the scale of the speed and the bias of the turn rate are not
+    /// known; it is widened by √NIS where the fixes are farther from the motion than is claimed. A heading that was
+    /// read, led back to the start by the turns since, is taken where it is better known. Where the motion tells no
+    /// way, the direction to the first fix that is far away is the heading.
     pub fn opening(&self, settings: &Settings) -> Option<Opening> {
         let first = self.rows.iter().position(|row| matches!(row.event, Event::Position { .. }))?;
         let Event::Position { x, y, sigma } = self.rows[first].event else { return None };
@@ -111,17 +115,20 @@ impl Drive {
             let mut fixes = self.rows.iter().enumerate().filter(|(_, row)| matches!(row.event, Event::Position { .. }));
             let last = fixes.by_ref().nth(count - 1).map(|(at, _)| at + 1);
             let rows = last.unwrap_or(self.rows.len());
-            if rows > MOST_ROWS {
+            if rows > MOST_ROWS || (best.is_some() && rows > MANY_ROWS) {
                 return best;
             }
             let found = fit(&self.without_sightings(rows), settings);
-            let better = found.is_some_and(|(_, off)| best.is_none_or(|(_, known)| off < known));
-            match (better, best) {
-                (true, _) => best = found,
-                // More fixes told less: the motion has drifted by more than they tell.
-                (false, Some(_)) => return best,
-                (false, None) => {}
+            if let (Some((_, known)), Some((_, off))) = (best, found)
+                && off > BETTER * known
+            {
+                // More fixes tell hardly more, or less: the motion has drifted by more than they tell.
+                return if off < known { found } else { best };
             }
+            if best.is_some() && found.is_none() {
+                return best;
+            }
+            best = found;
             if last.is_none() || best.is_some_and(|(_, off)| off < ENOUGH) {
                 return best;
             }
@@ -206,6 +213,9 @@ fn likelihood(stretch: &Drive, settings: &Settings, pose: Vector3<f64>, small: f
     let start = Some([pose[0], pose[1], pose[2]]);
     let Settings { sigma_distance, sigma_turn, sigma_fix, .. } = *settings;
     let usual = Settings { sigma_distance, sigma_turn, sigma_fix, ..Settings::default() };
+    // Scale of the speed and bias of the turn rate are not known here: they may be what their states begin with.
+    let held = stretch.motion == Motion::Velocity;
+    let usual = Settings { learn_speed: held, learn_bias: held, ..usual };
     let told = Settings { start, start_sigma: small, start_sigma_heading: KNOWN, ..usual };
     let course = Course::new(stretch, told).ok()?;
     let (mut replay, mut sum) = (Replay::new(&course), 0.0);

@@ -60,10 +60,28 @@ fn the_heading_at_the_start_is_off_by_what_is_claimed_forwards_backwards_and_in_
             let found = opened(&arc(theta, [v, omega], &mut seed)).expect("fixes");
             let off = geom::wrap(found.pose[2] - theta) / found.sigma_heading;
             (square, worst) = (square + off * off / f64::from(runs), worst.max(off.abs()));
-            assert!(found.sigma_heading < 0.35, "{v} {omega}: {found:?}");
+            assert!(found.sigma_heading < 0.5, "{v} {omega}: {found:?}");
         }
-        // The mean of forty squares is off from 1 by √(2/40) = 0.22; three of these, and more below for the widening.
-        assert!((0.25..1.7).contains(&square) && worst < 3.5, "{v} m/s, {omega} rad/s: {square}, worst {worst}");
+        // The mean of forty squares is off from 1 by √(2/40) = 0.22; three of these, and more below: here the bias of
+        // the turn rate is 0, which the filter does not know.
+        assert!((0.2..1.7).contains(&square) && worst < 3.5, "{v} m/s, {omega} rad/s: {square}, worst {worst}");
+    }
+}
+
+#[test]
+fn a_turn_rate_with_a_bias_is_covered() {
+    let mut seed = 5;
+    for run in 0..8 {
+        let theta = geom::wrap(f64::from(run) * 0.8);
+        let mut rows = arc(theta, [1.0, 0.2], &mut seed);
+        for (_, event) in &mut rows {
+            if let Event::Velocity { omega, .. } = event {
+                *omega += 0.03;
+            }
+        }
+        let found = opened(&rows).expect("fixes");
+        let off = geom::wrap(found.pose[2] - theta) / found.sigma_heading;
+        assert!(off.abs() < 3.0 && found.sigma_heading < 0.5, "{off}: {found:?}");
     }
 }
 
