@@ -98,16 +98,14 @@ test('the page recognises the collinear trap in the figure, and names what is mi
   await probe.locator('.live .figure-tools').scrollIntoViewIfNeeded()
   assert.ok(await inView(), 'below the figure too')
   // So is the browser's own way back.
+  const inSight = (id) =>
+    page.waitForFunction((name) => {
+      const { top, bottom } = document.getElementById(name).getBoundingClientRect()
+      return top < innerHeight && bottom > 0
+    }, id)
   await page.goBack()
-  await page.waitForFunction((id) => {
-    const { top, bottom } = document.getElementById(id).getBoundingClientRect()
-    return top < innerHeight && bottom > 0
-  }, 'quiz-collinear-state')
+  await inSight('quiz-collinear-state')
   await page.goForward()
-  await page.waitForFunction(() => {
-    const { top, bottom } = document.querySelector('#fig-probe').getBoundingClientRect()
-    return top < innerHeight && bottom > 0
-  })
   await watch.getByRole('link', { name: 'Back to the exercise' }).click()
   await it.commit.click()
   await it.verdict.filter({ hasText: 'Show two landmarks.' }).waitFor()
