@@ -87,7 +87,7 @@ export const logClasses = (lab) => ({
     make: () => [],
     spoilt: 0.3,
     chain: 40,
-    least: { 'read()': 5, 'setRole()': 10, 'setUnit()': 10, 'setWheel()': 5, 'setCounting()': 5, 'setOnly()': 5 },
+    least: { 'read()': 2, 'setRole()': 10, 'setUnit()': 10, 'setWheel()': 5, 'setCounting()': 5, 'setOnly()': 5 },
     methods: {
       add: (dice) => [`${dice.below(9)}.csv`, dice.pick(TABLES)],
       files: () => [],
