@@ -134,8 +134,8 @@ impl<'a> Cells<'a> {
             return Ok(Err(NoRange::Missing));
         };
         match row::number(text) {
-            Some(number) if number == 0.0 => return Ok(Err(NoRange::Zero)),
-            Some(number) if number == -1.0 => return Ok(Err(NoRange::MinusOne)),
+            Some(0.0) => return Ok(Err(NoRange::Zero)),
+            Some(-1.0) => return Ok(Err(NoRange::MinusOne)),
             Some(number) if number.is_nan() => return Ok(Err(NoRange::Missing)),
             Some(number) if number == f64::INFINITY => return Ok(Err(NoRange::Infinite)),
             _ => {}

@@ -23,7 +23,7 @@ pub struct Judgement {
     pub suspects: Vec<Suspect>,
     /// How many readings were counted, and among how many rows.
     pub readings: u32,
-    /// Rows that were judged: those from the first on, [`MOST_JUDGED`] at most.
+    /// Rows that were judged: those from the first on, [`MOST_JUDGED`](super::MOST_JUDGED) at most.
     pub rows: u32,
     /// Suspects that have been tried, and how many there are.
     pub tried: [u32; 2],

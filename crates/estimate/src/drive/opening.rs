@@ -153,7 +153,7 @@ fn fit(stretch: &Drive, settings: &Settings) -> Option<([f64; 3], f64)> {
     let steps = Vector3::new(pairs[0].sigma, pairs[0].sigma, rough.min(PARABOLIC)) * 0.5;
     let mut off = None;
     for _ in 0..ROUNDS {
-        let (slope, bend) = parabola(&told, pose, steps)?;
+        let (slope, bend) = parabola(told, pose, steps)?;
         let covariance = (-bend).try_inverse().filter(|it| (0..3).all(|i| it[(i, i)] > 0.0))?;
         let step = covariance * slope;
         pose += step;
