@@ -71,7 +71,7 @@ test('drawings that are files follow theme and notation, and a search in the pag
   const found = await page.evaluate(
     () => (
       getSelection().removeAllRanges(),
-      find('gain R(k) and its knob g,') ? getSelection().anchorNode.parentElement.closest('figure')?.id : null
+      find('gain K and its knob g,') ? getSelection().anchorNode.parentElement.closest('figure')?.id : null
     ),
   )
   assert.equal(found, 'fig-bench')
