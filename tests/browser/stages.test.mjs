@@ -2,7 +2,7 @@
 // pictures at the heads are in the reader's hand.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { comeTo, open, openFigure, PHONE, quiet } from './harness.mjs'
+import { comeTo, DESKTOP, figure, open, openFigure, PHONE, quiet } from './harness.mjs'
 
 /** The parts of a figure that are there, by name. */
 const there = (page, figure) =>
@@ -127,3 +127,22 @@ test('the cover has a lap whose end is the handle, and every place of it has its
   assert.match(worst, /^a wheel 1\.00 % smaller than believed: [3-6]\.\d m off after a lap$/)
   assert.equal(await end.getAttribute('aria-valuetext'), worst)
 })
+
+for (const [size, viewport] of Object.entries({ desktop: DESKTOP, phone: PHONE }))
+  test(`words bring what they speak of into sight, from behind More too, ${size}`, async (t) => {
+    const page = await open(t, { viewport, touch: viewport === PHONE })
+    for (const [words, name, place] of [
+      ['Let the filter choose.', 'observer-bench', '[data-control="mode"]'],
+      ['readouts', 'picture', '.readouts'],
+    ]) {
+      const part = (await figure(page, name)).locator(`.live ${place}`)
+      await page.locator('a.grow', { hasText: words }).first().click()
+      await page.waitForFunction(
+        (found) => {
+          const { top, bottom } = found.getBoundingClientRect()
+          return found.checkVisibility() && top >= 0 && bottom <= innerHeight + 1
+        },
+        await part.elementHandle(),
+      )
+    }
+  })
