@@ -14,8 +14,8 @@ import { touched } from '../touched.mjs'
 import { fixture, HANGS_MS } from './places.mjs'
 
 const folder = path.dirname(fileURLToPath(import.meta.url))
-/** They put a whole machine's load on it. */
-const ALONE = new Set(['lighthouse', 'firefox'])
+/** It puts a whole machine's load on it. */
+const ALONE = new Set(['firefox'])
 
 const { all, asked } = named(folder, 'browser')
 const some = process.env.CHANGED && !asked ? touched(folder, process.env.CHANGED.trim().split('\n')) : null

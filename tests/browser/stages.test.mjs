@@ -3,6 +3,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { comeTo, DESKTOP, figure, open, openFigure, PHONE, quiet } from './harness.mjs'
+import { WIDGETS } from '../../web/widgets/index.js'
 
 /** The parts of a figure that are there, by name. */
 const there = (page, figure) =>
@@ -69,6 +70,22 @@ test('on a phone the ellipse stays in sight while the knob is turned, and one bu
   assert.ok(hand.y + hand.height <= PHONE.height, 'and the knob on the same screen')
   await page.getByRole('button', { name: /More: plots/ }).click()
   assert.equal((await there(page, 'figure')).length, 7)
+})
+
+test('on a phone held across, each figure’s picture stays in sight beside its last slider', async (t) => {
+  const across = { width: PHONE.height, height: PHONE.width }
+  for (const name of Object.keys(WIDGETS)) {
+    const { page } = await openFigure(t, name, { viewport: across, touch: true })
+    const pin = page.locator('.live > [data-pin]')
+    const sliders = page.locator('.live .controls > :not(details) input[type=range]').filter({ visible: true })
+    if ((await pin.count()) === 0 || (await sliders.count()) === 0) continue
+    await sliders.last().evaluate((it) => it.scrollIntoView({ block: 'end', behavior: 'instant' }))
+    await quiet(page)
+    const [picture, hand] = await Promise.all([pin.boundingBox(), sliders.last().boundingBox()])
+    assert.ok(picture.x + picture.width <= hand.x, `${name}: beside one another`)
+    assert.ok(picture.y >= -1 && picture.y + picture.height <= across.height, `${name}: from ${picture.y} px`)
+    await page.close()
+  }
 })
 
 for (const name of ['odometry-hook', 'picture', 'observability-probe', 'tune', 'loop-closure', 'bug-museum'])

@@ -60,7 +60,7 @@ export class SensorForm {
     const key = /** @type {'fix'} */ (name)
     this.toggle(row, on, 'used')
     for (const number of numbers) this.number(row, number)
-    if (on === 'sightings') this.toggle(row, 'learn', 'learn the scale ε')
+    if (on === 'sightings') this.toggle(row, 'learn', 'learn the scale\u00a0ε')
     this.gate(row, key)
     this.every(row, key)
     this.says(row, (frame) => {
