@@ -68,6 +68,7 @@ export function liveHandles(change, settle, drop) {
         const { left, top } = frame.getBoundingClientRect()
         change(spec().move(clientX - left, clientY - top))
       })
+    frame.addEventListener('pointerdown', toNearest, true)
     drag(element, frame, {
       at: () => spec().at,
       move: (x, y) => change(spec().move(x, y)),
@@ -83,4 +84,27 @@ export function liveHandles(change, settle, drop) {
       },
     })
   }
+}
+
+/**
+ * Where the reaches of handles overlap, the one whose ring is nearest to the pointer has it, and not the one drawn last.
+ * @param {Event} event
+ */
+function toNearest(event) {
+  const { target, clientX, clientY, isTrusted } = /** @type {PointerEvent} */ (event)
+  const reach = /** @type {Element} */ (target)
+  if (!isTrusted || !reach.matches('.handle circle')) return
+  const off = (/** @type {Element} */ circle) => {
+    const { left, top, width, height } = circle.getBoundingClientRect()
+    return Math.hypot(left + width / 2 - clientX, top + height / 2 - clientY)
+  }
+  const rings = /** @type {Element} */ (event.currentTarget).querySelectorAll('.handle-ring')
+  const own = /** @type {Element} */ (reach.parentElement)
+  let [least, nearest] = [off(reach), own]
+  for (const ring of rings)
+    if (off(ring) < least - 0.5) [least, nearest] = [off(ring), /** @type {Element} */ (ring.parentElement)]
+  if (nearest === own) return
+  event.stopPropagation()
+  event.preventDefault()
+  nearest.dispatchEvent(new PointerEvent('pointerdown', /** @type {PointerEvent} */ (event)))
 }

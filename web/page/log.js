@@ -28,13 +28,14 @@ const MOST_BYTES = 64_000_000
 const DRAWN_MS = 2000
 const GIVEN_UP = 'Reading was given up. The figure keeps the previous log.'
 /**
- * Logs of ours, by the name that the page and an address give them.
- * @type {Record<string, { file: string, address: string }>}
+ * Logs of ours, by the name that the page and an address give them. What is wrong with one that an exercise asks about
+ * is for the reader to find: the page gives no verdict on it.
+ * @type {Record<string, { file: string, address: string, exercise?: boolean }>}
  */
 const EXAMPLES = {
   small: { file: 'example.csv', address: example },
   mower: { file: 'plaza1.csv', address: mower },
-  copied: { file: 'plaza1-copied.csv', address: copied },
+  copied: { file: 'plaza1-copied.csv', address: copied, exercise: true },
 }
 
 export function ownLog() {
@@ -145,12 +146,12 @@ class OwnLog {
     for (const kind of /** @type {const} */ (['dragover', 'dragleave', 'drop'])) document.addEventListener(kind, over)
   }
 
-  /** @param {{ file: string, address: string }} one of ours */
+  /** @param {(typeof EXAMPLES)[string]} one of ours */
   async open(one) {
     this.answer.say(`Fetching ${one.file} …`)
     try {
       const bytes = await fetchWithPatience(addressOf(one)).then((answer) => answer.arrayBuffer())
-      await this.give([new File([bytes], one.file)])
+      await this.give([new File([bytes], one.file)], one.exercise)
     } catch {
       this.answer.say(`${one.file} could not be fetched.`)
     }
@@ -158,15 +159,15 @@ class OwnLog {
 
   // What the worker makes of it.
 
-  /** @param {File[]} given */
-  give(given) {
+  /** @param {File[]} given @param {boolean} [exercise] whether one asks about them */
+  give(given, exercise) {
     const files = given.map((file) =>
       shortName(file.name) === file.name ? file : new File([file], shortName(file.name)),
     )
     const bytes = files.reduce((sum, { size }) => sum + size, 0)
     if (bytes > MOST_BYTES)
       return this.answer.say(`The files have ${Math.ceil(bytes / 1e6)} MB; at most ${MOST_BYTES / 1e6} MB can be read.`)
-    return this.take({ kind: 'files', files })
+    return this.take({ kind: 'files', files, exercise })
   }
 
   /** @param {import('../widgets/robot-log/remote-run.js').Question} question */

@@ -59,7 +59,8 @@ export function terms() {
     const caller = callerOf(event.target)
     if (caller) later(() => show(caller), 160)
     else if (box.contains(/** @type {Node} */ (event.target))) clearTimeout(timer)
-    else if (owner && !pinned) later(hide, 220)
+    // What has the focus keeps its explanation: a page that scrolls to it moves under a mouse that lies still.
+    else if (owner && !pinned && owner !== document.activeElement) later(hide, 220)
     else clearTimeout(timer)
   })
   document.addEventListener('focusin', (event) => {

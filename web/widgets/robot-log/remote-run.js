@@ -9,7 +9,7 @@ import { Judging } from './judging.js'
 
 /** @typedef {import('../../figure/player.js').Outcome} Outcome */
 /**
- * @typedef {{ kind: 'files', files: File[] }
+ * @typedef {{ kind: 'files', files: File[], exercise?: boolean }
  *   | { kind: 'reading', set: number | undefined, change: import('./change.js').Change }} Question
  */
 
@@ -159,8 +159,8 @@ export class RemoteRun extends Asking {
     if (answer.kind !== 'log') return answer
     this.story = this.tried
     this.look(NOTHING)
-    // The log that a figure opens with is its reader's to find out.
-    this.judging.on = this.contents !== null
+    // What is wrong with the log that a figure opens with, or with one of an exercise, is its reader's to find out.
+    if (message.kind === 'files') this.judging.on = this.contents !== null && !message.exercise
     this.contents = answer.contents
     this.known = answer.parameters
     const params = this.asked
