@@ -104,3 +104,30 @@ fn a_limit_is_found_where_there_is_one_and_only_there() {
     assert!(faults.is_empty(), "{}:\n{}", faults.len(), faults.join("\n"));
     assert!(right > 100 && open < 20, "{right} found, {open} left open");
 }
+
+/// A value beside a bias of which only their sum is read, in three shapes: each step adds less to a variance than
+/// rounding leaves of it once it is large, and yet it has no end.
+#[test]
+fn a_growth_that_rounding_hides_is_no_limit() {
+    let diagonal = |entries: &[f64]| DMatrix::from_diagonal(&nalgebra::DVector::from_row_slice(entries));
+    let three = DMatrix::from_row_slice(3, 3, &[1.0, 0.1, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]);
+    let [sum, sums, of_place] =
+        [(1, 2, vec![1.0, 1.0]), (2, 3, vec![1.0, 1.0, 0.0, 0.0, 1.0, 1.0]), (1, 3, vec![1.0, 0.0, 1.0])]
+            .map(|(rows, columns, entries)| DMatrix::from_row_slice(rows, columns, &entries));
+    for (f, h, v) in [
+        (diagonal(&[1.0; 2]), sum, diagonal(&[5e-4, 5e-6])),
+        (diagonal(&[1.0; 3]), sums, diagonal(&[0.01, 0.02, 0.03])),
+        (three, of_place, diagonal(&[0.0, 0.01, 1e-4])),
+    ] {
+        let (n, p) = (f.nrows(), h.nrows());
+        let system = System::new(f, DMatrix::zeros(n, 0), h, v, DMatrix::identity(p, p) * 0.04).expect("sound");
+        let found = from_one("a bias", &system);
+        assert!(!found.converged && !found.depends_on_start && found.gain_converged, "{found:?}");
+        // As single steps have it.
+        let stepped = dynamic::steady_state_gain(&system, DMatrix::identity(n, n), 20_000, 0.0).expect("runs");
+        assert!((&found.r - &stepped.r).amax() < 1e-9, "{found:?} {stepped:?}");
+        let grows =
+            |steps| dynamic::steady_state_gain(&system, DMatrix::identity(n, n), steps, 0.0).expect("runs").p.trace();
+        assert!(grows(40_000) > grows(20_000) + 0.01, "{system:?}");
+    }
+}

@@ -184,8 +184,9 @@ impl Doubling {
         (is_finite(&next.a) && is_finite(&next.g) && is_finite(&next.e)).then_some(next)
     }
 
-    /// Doubles until nothing changes any more; `None` where even the first gain cannot be told.
-    pub fn run(mut self, scaled: &Scaled) -> Option<Found> {
+    /// Doubles until nothing changes any more; `None` where even the first gain cannot be told. Of a P that is not
+    /// `bounded` the gain alone may settle: a growth by less than rounding would look like rest.
+    pub fn run(mut self, scaled: &Scaled, bounded: bool) -> Option<Found> {
         let (mut size, mut falls, mut forgotten) = (f64::INFINITY, 0, f64::INFINITY);
         // P where it has settled: since when, and where it changed least.
         let mut settled: Option<(f64, f64, DMatrix<f64>)> = None;
@@ -214,15 +215,15 @@ impl Doubling {
                 }
                 r = next;
             }
-            if size <= SETTLED && settled.as_ref().is_none_or(|(_, least, _)| size < *least) {
+            if bounded && size <= SETTLED && settled.as_ref().is_none_or(|(_, least, _)| size < *least) {
                 let since = settled.map_or(last.steps, |(since, ..)| since);
                 settled = Some((since, size, last.p.clone()));
             }
-            whole = size <= NONE && forgotten <= NONE;
+            whole = bounded && size <= NONE && forgotten <= NONE;
             if whole {
                 break;
             }
-            dying = k == DOUBLINGS && falls > 3 && size <= DYING;
+            dying = bounded && k == DOUBLINGS && falls > 3 && size <= DYING;
             if dying {
                 // What is yet to come: each doubling brings half of what the one before it brought.
                 settled = Some((last.steps, size, &last.p + change));

@@ -2,7 +2,10 @@
 
 use super::blame;
 use super::doubling::{Doubling, Found, Scaled, System, step};
+use crate::Verdict;
+use crate::detectability::detectability;
 use crate::error::Error;
+use crate::reachability::noise_reach;
 use crate::validate;
 use filters::linear;
 use nalgebra::DMatrix;
@@ -10,6 +13,8 @@ use nalgebra::DMatrix;
 /// Steps that are taken one by one before the first doubling: what a reading tells at once is then known, and a large
 /// start no longer hides a small limit.
 const FIRST: usize = 32;
+/// A direction is unseen, or not moved by noise, if what tells is below this part of what else there is.
+const STRUCTURE: f64 = 1e-12;
 /// How often the doubling begins anew where it has come to: the change is then small, and so is its rounding.
 const STAGES: usize = 4;
 
@@ -64,15 +69,24 @@ pub fn steady_state(system: &System, p0: DMatrix<f64>) -> Result<Limit, Error> {
     }
     let scaled = Scaled::of(system, &p);
     let none = || blame(filters::Error::InnovationNotPositiveDefinite);
-    let found = Doubling::at(&scaled)?.run(&scaled).ok_or_else(none)?;
+    let bounded = !grows(system);
+    let found = Doubling::at(&scaled)?.run(&scaled, bounded).ok_or_else(none)?;
     let steps = |found: &Found| first as f64 + found.steps;
     if found.whole
         && let Some((own, better)) = refined(system, scaled.clone(), found.clone())
     {
         return Ok(answer(&own, &better, steps(&found)));
     }
-    let found = Doubling::from_nothing(&scaled).and_then(|from| from.run(&scaled)).unwrap_or(found);
+    let found = Doubling::from_nothing(&scaled).and_then(|from| from.run(&scaled, bounded)).unwrap_or(found);
     Ok(answer(&scaled, &found, steps(&found)))
+}
+
+/// Whether P grows without bound from every start, however slowly: noise reaches every direction that does not die out,
+/// and of these one is not seen. A bounded P would have a limit with a gain under which every error dies out.
+fn grows(system: &System) -> bool {
+    let System { f, h, v, .. } = system;
+    detectability(f, h, STRUCTURE).is_ok_and(|seen| seen.detectable == Verdict::No)
+        && noise_reach(f, v, STRUCTURE).is_ok_and(|noise| noise.stabilizable == Verdict::Yes)
 }
 
 fn answer(scaled: &Scaled, found: &Found, steps: f64) -> Limit {
@@ -90,7 +104,7 @@ fn answer(scaled: &Scaled, found: &Found, steps: f64) -> Limit {
 fn refined(system: &System, mut scaled: Scaled, mut found: Found) -> Option<(Scaled, Found)> {
     for _ in 0..STAGES {
         let again = Scaled::of(system, &scaled.given(&found.p));
-        let Some(better) = Doubling::at(&again).ok()?.run(&again).filter(|better| better.whole) else { break };
+        let Some(better) = Doubling::at(&again).ok()?.run(&again, true).filter(|better| better.whole) else { break };
         let same = again.units == scaled.units;
         (scaled, found) = (again, better);
         if same {

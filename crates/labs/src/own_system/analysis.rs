@@ -1,7 +1,7 @@
 //! What is known of a system before it runs: ranks, verdicts, the limit of the covariance, and the eigenvalues under
 //! the gain in use.
 
-use super::decay::{decay_of, run_length};
+use super::decay::{ON_CIRCLE, decay_of, run_length};
 use super::frame::{OwnDecay, OwnEigenvalue, OwnLimit};
 use super::nearing::{Nearing, nearing};
 use super::params::{Entries, GainBy, OwnParams};
@@ -19,8 +19,6 @@ const SAME: f64 = 1e-9;
 
 /// As far as doubled steps go: 2⁵⁰.
 const FURTHEST: f64 = 1_125_899_906_842_624.0;
-/// A modulus that differs from 1 by less is 1 up to rounding.
-const ON_CIRCLE: f64 = 1e-12;
 
 /// A decay takes many times as long as its time constant. P that comes to rest in fewer time constants than this falls
 /// as the variance of an average does.

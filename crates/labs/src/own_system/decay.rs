@@ -2,6 +2,8 @@
 
 use super::frame::{OwnDecay, OwnEigenvalue};
 
+/// A modulus that differs from 1 by less is 1 up to rounding.
+pub(super) const ON_CIRCLE: f64 = 1e-12;
 /// What is left of an error when it counts as gone.
 const LEFT: f64 = 0.05;
 /// The shortest run.
@@ -15,7 +17,7 @@ const MOST_WORK: f64 = 240_000.0;
 fn steps(modulus: f64) -> Option<f64> {
     match modulus {
         0.0 => Some(1.0),
-        _ if modulus < 1.0 => Some(libm::log(LEFT) / libm::log(modulus)),
+        _ if modulus < 1.0 - ON_CIRCLE => Some(libm::log(LEFT) / libm::log(modulus)),
         _ => None,
     }
 }
@@ -23,7 +25,7 @@ fn steps(modulus: f64) -> Option<f64> {
 /// Each eigenvalue's decay, where a step lasts `period` seconds, or 0 for no one knows how many.
 pub(super) fn decay_of(eigenvalues: &[OwnEigenvalue], period: f64) -> Vec<OwnDecay> {
     let of = |l: &OwnEigenvalue| {
-        let dies = l.modulus > 0.0 && l.modulus < 1.0 && period > 0.0;
+        let dies = l.modulus > 0.0 && l.modulus < 1.0 - ON_CIRCLE && period > 0.0;
         OwnDecay { steps: steps(l.modulus), seconds: dies.then(|| -period / libm::log(l.modulus)) }
     };
     eigenvalues.iter().map(of).collect()

@@ -77,6 +77,21 @@ fn without_noise_the_limit_is_zero_and_never_reached() {
 }
 
 #[test]
+fn a_bias_that_only_its_sum_shows_grows_and_has_no_time_constant() {
+    let frame = open(with(|p| {
+        p.f = [[1.0, 0.0], [0.0, 1.0]].map(UpTo::from).into();
+        p.h[0] = [1.0, 1.0].into();
+        p.v = [[5e-4, 0.0], [0.0, 5e-6]].map(UpTo::from).into();
+        p.w[0] = [0.04].into();
+        p.period = 1.0;
+    }));
+    assert!(!frame.doubled.converged && frame.doubled.gain_converged && frame.limit_p.is_none(), "{frame:?}");
+    assert_eq!(frame.limit, estimate::RiccatiLimit::None);
+    let slowest = &frame.decay[0];
+    assert_eq!((slowest.steps, slowest.seconds), (None, None), "{frame:?}");
+}
+
+#[test]
 fn the_gain_of_a_slow_filter_is_its_limit_and_not_that_of_step_1000() {
     let frame = open(height());
     assert!(frame.doubled.converged && !frame.doubled.depends_on_start && frame.settled.is_none(), "{frame:?}");
