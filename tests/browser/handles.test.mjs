@@ -82,6 +82,18 @@ for (const tag of Object.keys(WIDGETS)) {
   })
 }
 
+/** The middle of each handle's ring, by its name. */
+const ringsOf = async (it) =>
+  new Map(
+    await it.evaluate((host) =>
+      [...host.querySelectorAll('.live svg [role=slider]')].map((handle) => {
+        const { left, top, width, height } = handle.querySelector('.handle-ring').getBoundingClientRect()
+        return [handle.getAttribute('aria-label'), [left + width / 2, top + height / 2]]
+      }),
+    ),
+  )
+const apart = ([a, b], [c, d]) => Math.hypot(a - c, b - d)
+
 /** Figures of which a panel has handles when they open. */
 const DRAGGED = []
 for (const tag of Object.keys(WIDGETS)) {
@@ -124,7 +136,11 @@ for (const tag of DRAGGED) {
       const value = async () =>
         JSON.stringify(await it.evaluate((host) => host.frame.params)) + (await handle.getAttribute('aria-valuetext'))
       const before = await value()
+      const rings = await ringsOf(it)
       await swipe(x, y, -70)
+      // Of handles whose reaches overlap, the one under the finger has it.
+      const taken = await page.evaluate(() => document.activeElement.getAttribute('aria-label'))
+      assert.ok(apart(rings.get(name), rings.get(taken)) < 2, `${name} is pressed, and ${taken} moves`)
       // At its upper end it goes down.
       if ((await value()) === before) await swipe(x, y, 70)
       // Along an axis only the way sideways counts.

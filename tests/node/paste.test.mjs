@@ -1,7 +1,10 @@
 // A pasted system: every line is taken, of no use and named, or a fault with its line.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
+import { paramsOf } from '../../web/widgets/own-system/presets.js'
 import { readSystem } from '../../web/widgets/own-system/read.js'
+import { wordsOf } from '../../web/widgets/own-system/typed-system.js'
 import { dice } from './nonsense.mjs'
 
 const REST = 'H = [1 0]\nV = [1 0; 0 1]\nW = 1'
@@ -228,4 +231,25 @@ test('a start, a system in continuous time and nine states are taken as they are
   const nine = read('n = 9\nF = eye(n)\nH = ones(1, 9)\nV = 0.1*eye(n)\nW = 1')
   assert.deepEqual([nine.system?.F.length, nine.unused], [9, []], nine.fault)
   assert.match(read('F = eye(10)\nH = ones(1, 9)\nV = 0.1\nW = 1').fault, /^F: at most 9 states are shown here\.$/)
+})
+
+test('what the core refuses of a paste has its line, the letter of the paste, and entries counted from 1', () => {
+  const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
+  const refused = (text) => {
+    const { system, places } = read(text)
+    try {
+      core.OwnSystem.from({ version: 1, lab: 'own-system', step: 0, params: paramsOf(system) }).free()
+    } catch (error) {
+      return wordsOf(error, places)
+    }
+    return 'taken'
+  }
+  const before = 'A = [1 0.5; 0 1]\nC = [1 0]\n'
+  assert.match(refused(`${before}Q = [1 2\n2 1]\nR = 1`), /^Line 3: Q .*negative eigenvalue/)
+  assert.match(refused(`${before}Q = eye(2)\nR = -1`), /^Line 4: R .*negative eigenvalue/)
+  assert.match(
+    refused(`${before}Q = [1 0; 0.5 1]\nR = 1`),
+    /^Line 3: Q .*entries \((?:1, 2|2, 1)\) and \((?:1, 2|2, 1)\)/,
+  )
+  assert.equal(refused(`${before}Q = eye(2)\nR = 1`), 'taken')
 })

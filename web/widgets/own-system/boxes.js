@@ -13,7 +13,7 @@ const TITLE = 'A system in JSON, MATLAB or numpy notation, in any book’s lette
  * @property {import('./editor.js').Change} change
  * @property {(name: string, words: string) => void} say names a fault
  * @property {() => string} wrong where the fault is
- * @property {(name: string, make: (frame: any) => Record<string, unknown>) => void} propose
+ * @property {import('./editor.js').Propose} propose
  * @property {() => string} made the system that the reader has made last
  */
 
@@ -83,7 +83,7 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
         const remark = read.ok ? remarks(read) : ''
         if (area.previousSibling) area.previousSibling.textContent = remark ? `${TITLE}.${remark}` : TITLE
         if (!read.ok) return say('paste', `${read.line > 0 ? `Line ${read.line}: ` : ''}${read.fault}`)
-        propose('paste', () => paramsOf(read.system))
+        propose('paste', () => paramsOf(read.system), read.places)
         if (wrong() === '') pasted = { area, is: made() }
       })
       area.focus()

@@ -17,6 +17,8 @@ import { grown, keyOf, same, wordsOf } from './typed-system.js'
 
 /**
  * @typedef {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} Change
+ * @typedef {(name: string, make: (frame: any) => Record<string, unknown>, places?: import('./letters.js').Places) =>
+ *   void} Propose
  */
 
 const SIZES = [
@@ -119,10 +121,9 @@ export function buildEditor(document, change) {
 
   /**
    * Asks the lab whether a change makes a system, and makes it if so: with a run that is as long as its slowest error.
-   * @param {string} name the matrix that is being typed, if one, or `paste`
-   * @param {(frame: any) => Record<string, unknown>} make
+   * @type {Propose}
    */
-  function propose(name, make) {
+  function propose(name, make, places) {
     change({}, (frame, lab) => {
       try {
         const patch = make(frame)
@@ -133,7 +134,7 @@ export function buildEditor(document, change) {
         made = keyOf({ ...frame.params, ...patch })
         return { ...patch, ...runOf(runLength) }
       } catch (error) {
-        say(name, wordsOf(error))
+        say(name, wordsOf(error, places))
         return {}
       }
     })

@@ -6,6 +6,7 @@ import { Fault, hintOf } from './number.js'
 /** @typedef {{ matrix: number[][], line: number, from: 0 | 1 }} Given `from`: what `[ ]` count from */
 /** @typedef {Record<string, Given>} Found by the letter that the reader gave */
 /** @typedef {'F' | 'G' | 'H' | 'V' | 'W'} Role */
+/** @typedef {Partial<Record<Role, { name: string, line: number }>>} Places what each is called in a text, and where */
 
 /** What each matrix may be called: here, in control theory and in filterpy, in Thrun's book. */
 const CALLED = /** @type {Record<Role, string[]>} */ ({
@@ -68,7 +69,7 @@ function missing(role, of) {
 /**
  * The matrices, if they fit one another, and what they were called where that is not what they are called here.
  * @param {Found} found @param {string} text @param {(line: number) => void} at tells where the fault is
- * @returns {{ system: Record<Role, number[][]>, as: string }}
+ * @returns {{ system: Record<Role, number[][]>, as: string, places: Places }}
  */
 export function systemOf(found, text, at) {
   const of = assigned(found)
@@ -107,7 +108,9 @@ export function systemOf(found, text, at) {
   at(0)
   const other = ROLES.filter((role) => of[role] && of[role] !== role)
   const as = other.length > 0 ? `${other.map((role) => of[role]).join(', ')} read as ${other.join(', ')}` : ''
-  return { system: /** @type {any} */ ({ G: m.F.map(() => []), ...m }), as }
+  const place = (/** @type {string[]} */ [role, name]) => [role, { name, line: found[name].line }]
+  const places = Object.fromEntries(Object.entries(of).map(place))
+  return { system: /** @type {any} */ ({ G: m.F.map(() => []), ...m }), as, places }
 }
 
 /**

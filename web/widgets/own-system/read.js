@@ -54,7 +54,7 @@ const REST_OR_COMMENT = /^((?:(?!\/\/|\/\*)[^%#"'\n])*?)(\d[\d.]*[^\S\n]*%[^\S\n
 /**
  * @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices
  * @typedef {Matrices & { period?: number, continuous?: boolean, spread?: number[] }} Given
- * @typedef {{ ok: true, system: Given, unused: string[], as: string }} Good
+ * @typedef {{ ok: true, system: Given, unused: string[], as: string, places: import('./letters.js').Places }} Good
  * @typedef {Good | { ok: false, fault: string, line: number }} Read `as`: which letters were read as which
  */
 
@@ -252,7 +252,7 @@ class Paste {
 
   /** The system, if its matrices fit one another. */
   whole() {
-    const { system, as } = systemOf(this.found, this.text, (line) => void (this.line = line))
+    const { system, as, places } = systemOf(this.found, this.text, (line) => void (this.line = line))
     const given = /** @type {Given} */ (system)
     const through = this.values.get('D')
     if (through?.flat().some((entry) => entry !== 0))
@@ -266,6 +266,6 @@ class Paste {
       given.spread = spreadOf(this.start.matrix, system.F.length, this.start.name)
       this.line = 0
     }
-    return { system: given, as, unused: [...new Set(this.unused)] }
+    return { system: given, as, places, unused: [...new Set(this.unused)] }
   }
 }

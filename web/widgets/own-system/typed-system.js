@@ -69,8 +69,9 @@ const NAMES = /** @type {Record<string, string>} */ ({
  * What the lab says of a system that it refuses, with the letter of the matrix, or what the reader knows it as. The lab
  * names its parameter first, which no reader has seen.
  * @param {unknown} error
+ * @param {import('./letters.js').Places} [places] of the matrices in a text
  */
-export function wordsOf(error) {
+export function wordsOf(error, places = {}) {
   const { message, argument = '' } = /** @type {{ message: string, argument?: string }} */ (error)
   const place = argument.split('.').pop() ?? ''
   const [name] = /^\w*/.exec(place) ?? ['']
@@ -78,5 +79,8 @@ export function wordsOf(error) {
   const at = [...place.matchAll(/\[(\d+)\]/g)].map(([, index]) => Number(index) + 1)
   const where = at.length === 2 && of?.length === 1 ? `, row ${at[0]}, column ${at[1]}:` : ''
   const said = message.startsWith(argument) ? message.slice(argument.length).replace(/^[\s:]+/, '') : message
-  return of ? `${of}${where} ${said}` : said
+  // The page counts rows and columns from 1.
+  const counted = said.replace(/\((\d+), (\d+)\)/g, (_, i, j) => `(${Number(i) + 1}, ${Number(j) + 1})`)
+  const { name: called = of, line } = places[/** @type {'V'} */ (of)] ?? {}
+  return of ? `${line ? `Line ${line}: ` : ''}${called}${where} ${counted}` : counted
 }
