@@ -1,8 +1,8 @@
 /** What a reader can take away of a figure: a link to its state, markup that embeds it, its picture and its numbers. */
 
 import { copied, offer } from './clipboard.js'
-import { asCsv, asSvg, save } from './download.js'
 import { focusFirst } from '../draw/dom.js'
+import { inTime } from '../load/timeouts.js'
 import { markup, pageOf } from './embed.js'
 import { withState } from './state-in-url.js'
 
@@ -71,15 +71,23 @@ export class Share {
     if (this.tools) offer(this.tools, name, text, () => focusFirst(this.host))
   }
 
-  /** @param {'svg' | 'csv'} kind */
-  download(kind) {
+  /**
+   * Few readers take a file away: what makes it is fetched when one does.
+   * @param {'svg' | 'csv'} kind
+   */
+  async download(kind) {
     const {
       id,
       run: { frame },
       spec,
     } = this
-    if (kind === 'csv') return save(`${id}.csv`, 'text/csv', asCsv(spec.series(frame)))
-    const panels = this.host.querySelector('.live')
-    if (panels) save(`${id}.svg`, 'image/svg+xml', asSvg(panels, Object.values(spec.describe(frame)).join(' ')))
+    try {
+      const { asCsv, asSvg, save } = await inTime(import('./download.js'))
+      if (kind === 'csv') return save(`${id}.csv`, 'text/csv', asCsv(spec.series(frame)))
+      const panels = this.host.querySelector('.live')
+      if (panels) save(`${id}.svg`, 'image/svg+xml', asSvg(panels, Object.values(spec.describe(frame)).join(' ')))
+    } catch {
+      this.voice.tell('The file could not be made: a part of the page could not be fetched.')
+    }
   }
 }
