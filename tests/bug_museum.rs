@@ -2,11 +2,17 @@
 
 use chapter_kalman::ensembles::{FIGURES, PANELS, SEEDS, Sight, Spread, Symptoms, bands, diagnosed, museum_runs};
 use labs::Bug;
+use labs::bug_museum::MuseumParams;
 
 /// The seeds of the bands, which are none of those that are judged by them.
 const CALIBRATION: (u32, u32) = (100_000, 4000);
 /// The seeds that a symptom table is made of, when other ones are diagnosed with it.
 const TABLE: u32 = 10_000;
+
+/// The first of the seeds that the figure and the page's table count over.
+fn counted() -> u32 {
+    MuseumParams::default().seed
+}
 
 fn symptoms(bug: Bug, first: u32) -> Symptoms {
     Symptoms::of(&museum_runs([bug, Bug::None], first, SEEDS).expect("computed"))
@@ -30,7 +36,7 @@ fn the_bands_are_those_of_4000_right_runs() {
 /// 5 % of right runs leave a 95 % band, with a standard error of 1 % over 500 seeds.
 #[test]
 fn a_right_filter_leaves_its_bands_as_often_as_chance_allows() {
-    let right = symptoms(Bug::None, 0);
+    let right = symptoms(Bug::None, counted());
     for (i, beyond) in right.beyond.into_iter().enumerate().take(FIGURES - 1) {
         let share = beyond[0] + beyond[1];
         assert!((0.02..=0.08).contains(&share), "figure {i}: {share}");
@@ -44,7 +50,7 @@ fn a_right_filter_leaves_its_bands_as_often_as_chance_allows() {
 #[test]
 fn the_mean_nees_leaves_its_band_as_recorded() {
     for (bug, below, above) in NEES {
-        let [low, high] = symptoms(bug, 0).beyond[3].map(|share| 100.0 * share);
+        let [low, high] = symptoms(bug, counted()).beyond[3].map(|share| 100.0 * share);
         let near = |found: f64, recorded: f64| {
             let p = (recorded / 100.0_f64).clamp(0.005, 0.995);
             (found - recorded).abs() <= 300.0 * (p * (1.0 - p) / f64::from(SEEDS)).sqrt()
@@ -71,18 +77,18 @@ const NEES: [(Bug, f64, f64); 14] = [
 ];
 
 /// What can be seen of each bug, panel by panel: `*` in more than half of the single runs, `o` over 500 seeds, `-` not
-/// at all, which is to say that the mean over 500 seeds lies within the 99 % band of such means of the right filter.
+/// at all, which is to say that chance explains the mean over 500 seeds, and the runs on either side of the band.
 const SIGHTS: [(Bug, &str); 13] = [
     //                          map, error, NEES, NIS, mean, correlation, covariance
-    (Bug::UnwrappedInnovation, "ooo*--*"),
-    (Bug::UnwrappedHeading, "*-o*--*"),
-    (Bug::FrozenJacobian, "***o-oo"),
+    (Bug::UnwrappedInnovation, "ooo*oo*"),
+    (Bug::UnwrappedHeading, "*oo*oo*"),
+    (Bug::FrozenJacobian, "***oooo"),
     (Bug::WrongDerivative, "****oo*"),
-    (Bug::Transposed, "o**o-oo"),
-    (Bug::Degrees, "*-o*-*o"),
+    (Bug::Transposed, "o**oooo"),
+    (Bug::Degrees, "*oo*-*o"),
     (Bug::Deviation, "o***-*o"),
     (Bug::StepLength, "o***-**"),
-    (Bug::ShortForm, "o**o-o*"),
+    (Bug::ShortForm, "o**ooo*"),
     (Bug::Asymmetric, "------*"),
     (Bug::Twice, "oo**-*o"),
     (Bug::OpenGate, "******o"),
@@ -92,7 +98,7 @@ const SIGHTS: [(Bug, &str); 13] = [
 #[test]
 fn what_can_be_seen_of_a_bug_is_as_recorded_and_every_bug_can_be_seen_somewhere() {
     for (bug, recorded) in SIGHTS {
-        let symptoms = symptoms(bug, 0);
+        let symptoms = symptoms(bug, counted());
         let sights: String = (0..PANELS.len())
             .map(|panel| match symptoms.panel(panel) {
                 Sight::Invisible => '-',
@@ -130,7 +136,7 @@ fn the_bugs_are_told_apart_by_their_panels_alone() {
     for (together, least, mean) in [(1, 0.6, 0.88), (5, 0.9, 0.98)] {
         let mut sum = 0.0;
         for bug in &all {
-            let runs = museum_runs([*bug, Bug::None], 0, SEEDS).expect("computed");
+            let runs = museum_runs([*bug, Bug::None], counted(), SEEDS).expect("computed");
             let groups: Vec<_> = runs.chunks_exact(together).collect();
             let named = groups.iter().filter(|some| diagnosed(&table, some) == Some(*bug)).count();
             let share = named as f64 / groups.len() as f64;

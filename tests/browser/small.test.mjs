@@ -6,7 +6,7 @@ import { frameOf, openFigure, until } from './harness.mjs'
 
 test('the ellipse grows to its touch before it is said where, and is small again under the next guess', async (t) => {
   const { page, it } = await openFigure(t, 'touch', { motion: 'no-preference' })
-  const named = it.locator('.live svg text', { hasText: 'it touches here' })
+  const named = it.locator('.live svg text', { hasText: 'purple foot' })
   assert.equal(await named.count(), 0)
   await it.evaluate((host) => {
     const ellipse = host.querySelector('.live svg .outline.prediction')

@@ -60,7 +60,7 @@ check(
           prints(sigma, 100 * wheel.sigma),
       ],
       [
-        /^The readings so far have rank (\d) of 4: they do not tell the bias from the pose\.$/,
+        /^The readings so far fix (\d) of 4 numbers \(their rank\): they do not tell the bias from the pose\.$/,
         ({ params, step, wheel }, rank) =>
           params.learn && params.fixes && step < 186 && Number(rank) === wheel.rank && wheel.rank < 4,
       ],

@@ -54,6 +54,15 @@ function check(words, { params, step, summary, reckonedRmse, bands, correlation 
   says(/ below its band/, heard && nis < bands.nis[0])
   says(/ within its band/, heard && nis >= bands.nis[0] && nis <= bands.nis[1])
   says(/are correlated/, heard && lag1 !== null && Math.abs(lag1) > correlation.band)
+  const [, apart, alike] = /those (\d+) apart more so \(([-−\d.]+)\)/.exec(words) ?? []
+  if (/are correlated/.test(words)) {
+    const most = Math.max(...correlation.values.map(Math.abs))
+    assert.equal(apart !== undefined, most > Math.abs(correlation.values[0]), words)
+    if (apart !== undefined) {
+      assert.equal(Math.abs(correlation.values[apart - 1]), most, words)
+      assert.equal(Number(alike.replace('−', '-')).toFixed(2), correlation.values[apart - 1].toFixed(2), words)
+    }
+  }
   says(/The gate has refused [\d.]+ %/, heard && params.gate !== null)
   says(/The learned scale is/, heard && epsilon !== null)
   assert.ok(!/NaN|undefined|null|Infinity/.test(words), words)
@@ -88,6 +97,19 @@ for (const [name, log] of Object.entries(LOGS)) {
     }
   })
 }
+
+test('a phrase leads to the same from any state, and the first to what the lab has at first', () => {
+  const drive = RobotLog.parse(text)
+  const frame = (params) => RobotLog.from(drive, { version: 1, lab: 'robot-log', params, step: 900 }).frame()
+  const fresh = frame({})
+  const set = { gate: 0.95, scale: 0.1, offset: 1, learn: true, sigmaRange: 0.5, sigmaDistance: 1, sigmaTurn: 0.9 }
+  const shown = robotLog.controls.filter(({ shown }) => shown?.(fresh) ?? true).map(({ name }) => name)
+  assert.deepEqual(shown.sort(), [...Object.keys(set), 'sightings'].sort(), 'all that a reader can set')
+  for (const { name, change } of robotLog.tries) {
+    const { params } = frame({ ...set, ...change(fresh) })
+    assert.deepEqual(params, frame(name === 'raw' ? {} : change(fresh)).params, name)
+  }
+})
 
 test('in the CSV of the figure each reading has its time, and a range what it is off by', () => {
   const log = 'L,4,9,1\nV,0,1,0\nP,0,0.5,0.25\nH,1,0.125\nR,1,4,8.2\nR,1,4,8.3\nP,2,2,0.5\nR,3,4,6\n'

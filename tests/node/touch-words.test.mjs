@@ -22,8 +22,8 @@ check(
     ],
     [
       pattern(
-        /^The ellipse touches at ([\d.]+) σ, /,
-        /(?:straight below the prediction|([\d.]+) m to the (left|right) of straight below)\.$/,
+        /^The ellipse touches at ([\d.]+) σ, at the purple foot, /,
+        /(?:where the gray foot is too|([\d.]+) m to the (left|right) of the gray foot)\.$/,
       ),
       ({ touchRadius, touch, below, guessRadius }, radius, away, side) => {
         const off = touch[0] - below[0]
@@ -38,7 +38,7 @@ check(
     [
       pattern(
         /^Your dot is ([\d.]+) m away; the ellipse reaches it at ([\d.]+) σ, /,
-        /and the touch is (more than 999|[\d.]+) times as probable\.$/,
+        /and the purple foot is (more than 999|[\d.]+) times as probable\.$/,
       ),
       ({ guess, touch, guessRadius, touchRadius }, away, radius, times) => {
         const ratio = Math.exp((guessRadius ** 2 - touchRadius ** 2) / 2)

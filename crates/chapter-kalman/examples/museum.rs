@@ -3,6 +3,7 @@
 
 use chapter_kalman::ensembles::{FIGURES, PANELS, SEEDS, Sight, Spread, Symptoms, diagnosed, museum_runs};
 use labs::Bug;
+use labs::bug_museum::MuseumParams;
 
 /// The seeds of the bands are none of those that are judged by them.
 const CALIBRATION: (u32, u32) = (100_000, 4000);
@@ -10,6 +11,7 @@ const CALIBRATION: (u32, u32) = (100_000, 4000);
 const TABLE: u32 = 10_000;
 
 fn main() -> Result<(), estimate::Error> {
+    let judged = MuseumParams::default().seed;
     let right = museum_runs([Bug::None; 2], CALIBRATION.0, CALIBRATION.1)?;
     for i in 0..FIGURES {
         let spread = Spread::new(right.iter().map(|run| run[i]));
@@ -20,7 +22,7 @@ fn main() -> Result<(), estimate::Error> {
     let all: Vec<Bug> = [Bug::None].into_iter().chain(Bug::ALL).collect();
     let mut table = Vec::new();
     for bug in &all {
-        let runs = museum_runs([*bug, Bug::None], 0, SEEDS)?;
+        let runs = museum_runs([*bug, Bug::None], judged, SEEDS)?;
         let symptoms = Symptoms::of(&runs);
         print!("{:22}", format!("{bug:?}"));
         for (panel, (_, figures)) in PANELS.iter().enumerate() {
@@ -34,7 +36,7 @@ fn main() -> Result<(), estimate::Error> {
                 .map(|&i| {
                     let median = Spread::new(runs.iter().map(|run| run[i])).median();
                     let [below, above] = symptoms.beyond[i].map(|share| 100.0 * share);
-                    format!("{median:.3} {below:.0}/{above:.0}")
+                    format!("{median:.3} {below:.1}/{above:.1}")
                 })
                 .collect();
             print!(" {mark}[{}]", shares.join(", "));
@@ -45,7 +47,7 @@ fn main() -> Result<(), estimate::Error> {
     for together in [1, 5] {
         println!("diagnosed from {together} runs:");
         for bug in &all {
-            let runs = museum_runs([*bug, Bug::None], 0, SEEDS)?;
+            let runs = museum_runs([*bug, Bug::None], judged, SEEDS)?;
             let named: Vec<Option<Bug>> = runs.chunks_exact(together).map(|some| diagnosed(&table, some)).collect();
             let share = |other: Bug| {
                 named.iter().filter(|name| **name == Some(other)).count() as f64 / named.len() as f64 * 100.0

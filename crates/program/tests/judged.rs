@@ -188,3 +188,12 @@ fn a_prediction_that_no_line_makes_is_looked_at_first() {
         assert!(verdict.sentences.iter().any(|said| said.contains(what)), "{verdict:#?}");
     }
 }
+
+#[test]
+fn a_jacobian_at_the_wrong_pose_is_looked_at_first() {
+    let text = "F = jac(f, x)\nH = jac(h, x)\nx = f(x, u)\nP = F P F' + V\nnu = y - h(x, l)\nnu[2] = wrap(nu[2])\n\
+                S = H P H' + W\nR = P H' inv(S)\nx = x + R nu\nx[3] = wrap(x[3])\nP = sym(P - R H P)";
+    let verdict = judged(text, World::Robot, Notation::Choset);
+    assert_eq!((verdict.outcome, verdict.line), (Outcome::Wrong, Some(2)), "{verdict:#?}");
+    assert!(verdict.sentences[2].ends_with("Jacobian of the reading: look at line 2 first."), "{verdict:#?}");
+}

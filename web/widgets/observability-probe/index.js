@@ -23,7 +23,7 @@ const start = { params: {}, step: 240 }
 // View: seven panels, each in a file of the folder, and what is said beside them.
 
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
-function readouts({ frozen, alongPath, trace, mean, slam, step, ghost }) {
+function readouts({ frozen, alongPath, trace, mean, slam, step, ghost, error }) {
   /** [dx, dy, dθ] with the position's part 1 m long, if it has one. @param {number[] | null | undefined} c */
   const vector = (c) => (c ? `[${c.map((entry) => fixed(entry, 2)).join(', ')}]` : '–')
   const haunted = Boolean(ghost)
@@ -75,6 +75,14 @@ function readouts({ frozen, alongPath, trace, mean, slam, step, ghost }) {
       value: fixed(trace.heading, 4),
       unit: 'rad²',
       kin: 'posterior',
+      more: true,
+    },
+    {
+      key: 'error',
+      label: 'Error of the position',
+      value: fixed(Math.hypot(error[0], error[1]), 2),
+      unit: 'm',
+      kin: 'truth',
       more: true,
     },
     { key: 'nees', label: 'Mean NEES (expected 3)', value: fixed(mean.nees, 2), more: true },

@@ -45,7 +45,7 @@ function ofTheWheel({ wheel, params }) {
       ? ` No reading yet: the bias is taken as ${stands}.`
       : ` No reading is used, so the bias stays at ${stands}.`
   if (wheel.rank < 4)
-    return ` The readings so far have rank ${wheel.rank} of 4: they do not tell the bias from the pose.`
+    return ` The readings so far fix ${wheel.rank} of 4 numbers (their rank): they do not tell the bias from the pose.`
   return ` The bias is learned as ${stands}; in truth it is ${percent(params.bias)}.`
 }
 

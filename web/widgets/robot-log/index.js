@@ -91,7 +91,9 @@ function readouts(frame) {
 
 // Controls.
 
-const usual = { sightings: true, gate: null, scale: 0, offset: 0, learn: false }
+// What the lab has at first, of all that stands in the figure: a phrase leads to the text's numbers from any state.
+const noise = { sigmaRange: 0.6, sigmaDistance: 0.05, sigmaTurn: 0.02 }
+const usual = { sightings: true, gate: null, scale: 0, offset: 0, learn: false, ...noise }
 
 /** @type {import('../../figure/spec.js').Try[]} */
 const tries = [

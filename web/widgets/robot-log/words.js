@@ -127,5 +127,7 @@ function nisOf({ summary: { nis }, bands }) {
 /** @param {Frame} frame */
 function lagOf({ summary: { lag1 }, correlation }) {
   if (lag1 === null || Math.abs(lag1) <= correlation.band) return ''
-  return ` Neighbouring innovations are correlated (${fixed(lag1, 2)}).`
+  const most = correlation.values.reduce((far, value, i, all) => (Math.abs(value) > Math.abs(all[far]) ? i : far), 0)
+  const further = most === 0 ? '' : `; those ${most + 1} apart more so (${fixed(correlation.values[most], 2)})`
+  return ` Neighbouring innovations are correlated (${fixed(lag1, 2)})${further}.`
 }

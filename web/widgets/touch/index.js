@@ -22,10 +22,10 @@ function readouts({ params: { grown }, touchRadius, guessRadius, off, times }) {
   /** @param {string} value */
   const answer = (value) => (grown ? value : '–')
   return [
-    { key: 'off', label: 'Your dot − touch', value: answer(fixed(off)), unit: 'm', kin: 'measurement' },
-    { key: 'touch', label: 'Touch at', value: answer(fixed(touchRadius)), unit: 'σ', kin: 'posterior' },
+    { key: 'off', label: 'Your dot − purple foot', value: answer(fixed(off)), unit: 'm', kin: 'measurement' },
+    { key: 'touch', label: 'Purple foot at', value: answer(fixed(touchRadius)), unit: 'σ', kin: 'posterior' },
     { key: 'guess', label: 'Your dot at', value: answer(fixed(guessRadius)), unit: 'σ', kin: 'measurement' },
-    { key: 'times', label: 'Density, touch over dot', value: answer(times < 1000 ? fixed(times) : '> 999') },
+    { key: 'times', label: 'Density, foot over dot', value: answer(times < 1000 ? fixed(times) : '> 999') },
   ]
 }
 
@@ -39,6 +39,7 @@ const leaning = (covariance) => () => ({ covariance, grown: false })
 
 /** @type {import('../../figure/spec.js').Try[]} */
 const tries = [
+  { name: 'step', label: 'As in step 1', change: leaning(1.05) },
   { name: 'other', label: 'Lean it the other way', change: leaning(-1.05) },
   { name: 'none', label: 'No lean', change: leaning(0) },
   { name: 'more', label: 'Lean it more', change: leaning(1.7) },

@@ -23,6 +23,8 @@ const REACH = 1.85
 /** The ellipse begins so small, and grows by so much in a second, in standard deviations. */
 const SEED = 0.25
 const A_SECOND = 0.8
+/** Two dots nearer than this lie on one another, m. */
+const COVERS = 0.1
 
 /**
  * @param {import('../../figure/shell.js').Panel} panel
@@ -47,7 +49,9 @@ export function drawPlane({ pen, width, height }, frame, view) {
     })
     dot(pen, 'mean', plane, frame.mean, meaning('hollow', 'prediction'))
     if (touches) {
-      dot(pen, 'gray-foot', plane, frame.below, { ...meaning('foot', 'truth'), r: 4 })
+      // Where another dot lies on it, a ring of it is to be seen.
+      const covered = Math.min(...[frame.guess, frame.touch].map(([across]) => Math.abs(frame.below[0] - across)))
+      dot(pen, 'gray-foot', plane, frame.below, { ...meaning('foot', 'truth'), r: covered < COVERS ? 8 : 4 })
       dot(pen, 'touch', plane, frame.touch, { ...meaning('full', 'posterior'), r: 6 })
     }
     const grip = guess(plane, frame, view)
@@ -89,18 +93,19 @@ function names(pen, plane, frame, radius, touches, guess) {
         ? [
             /** @type {import('../../draw/labels.js').Label} */ ({
               key: 'touch-name',
-              words: 'it touches here',
+              words: 'purple foot',
               at: at(frame.touch),
               kin: 'posterior',
               sides: off < 0 ? ['below-right', 'below'] : ['below-left', 'below'],
             }),
-            ...(apart(frame) && !narrow
+            ...(apart(frame)
               ? [
                   /** @type {import('../../draw/labels.js').Label} */ ({
                     key: 'gray-name',
                     words: 'gray foot',
                     at: at(frame.below),
                     kin: 'truth',
+                    gap: 12,
                     sides: ['above-right', 'above', 'above-left'],
                   }),
                 ]
@@ -141,9 +146,8 @@ function names(pen, plane, frame, radius, touches, guess) {
   )
 }
 
-/** Whether the gray foot stands where nothing else does. @param {Frame} frame */
-const apart = ({ below, guess: [across], touch }) =>
-  Math.min(Math.abs(below[0] - across), Math.abs(below[0] - touch[0])) > 0.25
+/** Whether the gray foot stands apart from the purple one. @param {Frame} frame */
+const apart = ({ below, touch }) => Math.abs(below[0] - touch[0]) > 0.25
 
 /**
  * The reader's dot, which stays on the line; after a move the ellipse is small again.

@@ -7,11 +7,11 @@ import { fixed } from '../../draw/numbers.js'
 /** Within half a step of the dot it is where the ellipse touches. */
 const THERE = 0.026
 
-/** @param {number} value m */
+/** Where the purple foot is. @param {number} value m */
 const side = (value) =>
   Math.abs(value) < 0.005
-    ? 'straight below the prediction'
-    : `${fixed(Math.abs(value))} m to the ${value < 0 ? 'left' : 'right'} of straight below`
+    ? 'where the gray foot is too'
+    : `${fixed(Math.abs(value))} m to the ${value < 0 ? 'left' : 'right'} of the gray foot`
 
 /** @param {Frame} frame */
 export function verdict({ params, touch, below, touchRadius, guessRadius, off, times, reading }) {
@@ -20,11 +20,11 @@ export function verdict({ params, touch, below, touchRadius, guessRadius, off, t
       `The sensor has read ${fixed(reading, 1)} m/s, without noise: the state is on the green line. ` +
       'Where will the growing ellipse first touch it? Drag the dot there and press Grow.'
     )
-  const where = `The ellipse touches at ${fixed(touchRadius)} σ, ${side(touch[0] - below[0])}.`
+  const where = `The ellipse touches at ${fixed(touchRadius)} σ, at the purple foot, ${side(touch[0] - below[0])}.`
   if (Math.abs(off) < THERE) return `${where} Your dot is there.`
   return (
     `${where} Your dot is ${fixed(Math.abs(off))} m away; the ellipse reaches it at ${fixed(guessRadius)} σ, ` +
-    `and the touch is ${times < 1000 ? fixed(times) : 'more than 999'} times as probable.`
+    `and the purple foot is ${times < 1000 ? fixed(times) : 'more than 999'} times as probable.`
   )
 }
 

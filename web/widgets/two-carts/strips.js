@@ -24,7 +24,7 @@ export function drawStrips({ pen, width, height }, { params, readings }) {
       const box = { left: 40, top: i * tall + 24, right: width - 12, bottom: (i + 1) * tall - 22 }
       const plane = planeOf(box, [-0.4, steps.length - 0.6], up)
       pen.group(words, {}, (to) => {
-        axes(to, plane, { title: `${words} cart: readings (${unit})`, ticks: [8, 3] })
+        axes(to, plane, { title: `${words} cart: readings (${unit}) at step *k*`, ticks: [8, 3] })
         to.window('strip', box, (into) => {
           if (i > 0)
             into.mark('path', 'other', {

@@ -40,13 +40,18 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
         .add("car.delay", best, "the delay of the speed under which the fixes are likeliest, s")
         .add("car.gain", top - known(second.log_likelihood), "by how much the log-likelihood rises to there");
     let late = CarParams { delay: best, ..open };
-    let learned = frame(CarParams { learn: true, ..late })?;
+    let both = lab(CarParams { learn: true, ..late })?;
+    let learned = both.frame();
     let tunnel = frame(CarParams { tunnel: true, ..open })?;
     let gated = [
         ("car.gate", frame(CarParams { learn: true, gate: true, ..late })?),
         ("car.gate.open", frame(CarParams { gate: true, ..open })?),
     ];
-    to.by("labs::CarLog::frame", None)
+    to.by("labs::CarLog::summary", None)
+        .add("car.learned.lag1", known(both.summary()?.lag1), "the innovations at lag 1 with both right")
+        .by("labs::CarLog::frame", None)
+        .add("car.late.nis", known(frame(late)?.nis), "the NIS with the delay right")
+        .add("car.learned.nis", known(learned.nis), "and with the scale learned too")
         .add("car.kappa", known(learned.learned.map(|it| it.speed_scale)), "the learned scale of the speed")
         .add("car.tunnel.seconds", TUNNEL[1] - TUNNEL[0], "how long fixes are withheld, s")
         .add("car.tunnel.worst", known(tunnel.tunnel.map(|it| it.worst)), "the filter's worst distance there, m")

@@ -4,6 +4,7 @@ use crate::ensembles::{FIGURES, PANELS, SEEDS, Symptoms, diagnosed, museum_runs}
 use estimate::Error;
 use lab::Listing;
 use labs::Bug;
+use labs::bug_museum::MuseumParams;
 use sim::scenarios::BUG_MUSEUM;
 
 /// The first seed of the runs that a symptom table is made of, when others are diagnosed with it.
@@ -52,7 +53,8 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     let runs = |first: u32| -> Result<Vec<_>, Error> {
         all.iter().map(|bug| museum_runs([*bug, Bug::None], first, SEEDS)).collect()
     };
-    let judged = runs(0)?;
+    // Those that the figure counts over, so that both say the same.
+    let judged = runs(MuseumParams::default().seed)?;
     to.by("labs::bug_museum::Symptoms", None);
     for (bug, runs) in all.iter().zip(&judged) {
         // A share below the band is negative.

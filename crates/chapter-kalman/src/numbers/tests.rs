@@ -2,6 +2,8 @@
 //! core: closed forms, and the covariance recursion of the rail robot written out in numbers.
 
 use super::*;
+use lab::Lab;
+use labs::bug_museum::{Bug, BugMuseum, MuseumParams};
 use std::collections::BTreeMap;
 
 fn by_id(givens: &Givens) -> BTreeMap<String, f64> {
@@ -221,6 +223,10 @@ fn what_the_text_says_of_beacons_bugs_and_sigma_points_holds() {
     ] {
         assert!((n[id] - value).abs() < within, "{id}: {}", n[id]);
     }
+    // The table says of a bug what its figure counts.
+    let params = MuseumParams { bug: Bug::FrozenJacobian, many: true, ..MuseumParams::default() };
+    let figure = BugMuseum::from_state(lab::State { params, step: crate::ensembles::SEEDS }).expect("sound").frame();
+    assert_eq!(n["museum.frozen-jacobian.map"], 100.0 * figure.figures[0].beyond[1]);
     let gate = n["museum.open-gate.mean.0"] / n["museum.none.mean.0"];
     assert!((1.5..4.0).contains(&gate), "an open gate multiplies the position's error by {gate}");
 }
@@ -272,6 +278,8 @@ fn what_the_text_says_of_the_car_holds() {
         ("car.second.nis", 2.923664776, 1e-6),
         ("car.delay", 0.58, 0.021),
         ("car.gain", 148.0, 1.0),
+        ("car.late.nis", 2.20, 0.02),
+        ("car.learned.lag1", 0.89, 0.01),
         ("car.kappa", 0.025, 0.005),
         ("car.tunnel.worst", 48.340891009, 1e-6),
         ("car.tunnel.smoothed", 13.977784991, 1e-6),

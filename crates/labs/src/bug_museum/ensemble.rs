@@ -95,10 +95,10 @@ impl Seeds {
 /// What can be seen of a bug in a figure or a panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Sight {
-    /// The mean over 500 seeds lies in the range that holds 99 of 100 such means of a right filter.
+    /// Chance explains the runs of 500 seeds: their mean lies in the range that holds 99 of 100 such means of a right
+    /// filter, and neither side of its 95 % band has more runs than in 99 of 100 cases by chance.
     Invisible,
-    /// The mean over 500 seeds lies outside that range, but at least half of the single runs lie in a right filter's 99
-    /// % band.
+    /// Chance does not explain them, but at least half of the single runs lie in a right filter's 99 % band.
     InMany,
     /// More than half of the single runs lie outside that band.
     InOne,
@@ -119,6 +119,7 @@ impl Symptoms {
         let count = runs.len() as f64;
         let mut seeds = Seeds::default();
         runs.iter().for_each(|run| seeds.take(run));
+        let (beyond, most) = (seeds.shares(), by_chance(seeds.count));
         let sight = |i: usize| {
             let spread = Spread::new(runs.iter().map(|run| run[i]));
             let [least, _, _, greatest] = BANDS[i];
@@ -127,19 +128,36 @@ impl Symptoms {
             let error = 2.576 * sigma / count.sqrt();
             if !(least..=greatest).contains(&spread.median()) {
                 Sight::InOne
-            } else if (spread.mean() - mean).abs() <= error {
+            } else if (spread.mean() - mean).abs() <= error && beyond[i].iter().all(|share| *share <= most) {
                 Sight::Invisible
             } else {
                 Sight::InMany
             }
         };
-        Self { beyond: seeds.shares(), sight: std::array::from_fn(sight) }
+        Self { beyond, sight: std::array::from_fn(sight) }
     }
 
     /// What can be seen in a panel: in the most telling of its figures.
     pub fn panel(&self, panel: usize) -> Sight {
         PANELS[panel].1.iter().map(|&i| self.sight[i]).max().unwrap_or(Sight::Invisible)
     }
+}
+
+/// The share of so many runs of a right filter that lie on one side of its 95 % band, at most, in 99 of 100 cases: each
+/// run does so with a probability of 1/40, so their number is binomial.
+fn by_chance(count: u32) -> f64 {
+    const SIDE: f64 = 1.0 / 40.0;
+    let runs = f64::from(count);
+    let (mut term, mut sum, mut most) = (libm::pow(1.0 - SIDE, runs), 0.0, 0.0);
+    while most < runs {
+        sum += term;
+        if sum >= 0.99 {
+            break;
+        }
+        term *= (runs - most) / (most + 1.0) * SIDE / (1.0 - SIDE);
+        most += 1.0;
+    }
+    most / runs.max(1.0)
 }
 
 /// The bug, or none, that the runs look like by the symptom table alone: the one under which it is likeliest that each

@@ -134,3 +134,14 @@ fn a_long_run_keeps_its_memory_and_stays_finite() {
     assert_eq!(frame.series.p11.len(), DRAWN);
     assert!(!frame.diverged && frame.posterior.p[0][0] > 2900.0);
 }
+
+/// What the text asks for: at a late step P₁₁ is least at a gain near 1, and early at a smaller one.
+#[test]
+fn the_later_the_step_the_nearer_to_one_is_the_gain_with_the_least_position_variance() {
+    let least = |step| {
+        let p11 = |gain| at(with(Sensor::Velocity, Mode::Fixed, gain), step).frame().posterior.p[0][0];
+        (50..150).map(|hundredths| f64::from(hundredths) * 0.01).min_by(|a, b| p11(*a).total_cmp(&p11(*b)))
+    };
+    let [early, late] = [12, 200].map(|step| least(step).expect("gains"));
+    assert!(early < 0.96 && (0.985..1.005).contains(&late), "{early} {late}");
+}

@@ -117,13 +117,17 @@ pub(super) fn is_bug(bug: Bug, theirs: &Steps, ours: &Steps, mutant: &Steps, off
     Verdict { outcome: Outcome::Bug(bug), line, sentences: alloc::vec![words.0, numbers.0], breaks: false }
 }
 
-/// The last line before `at` that makes something of a prediction's size, where no line makes the right one.
-fn unpredicted(theirs: &Steps, ours: &Steps, quantity: Quantity, at: u32) -> Option<u32> {
-    let name = match quantity {
-        Quantity::Innovation => "xm",
-        Quantity::S => "Pm",
-        _ => return None,
-    };
+/// What a quantity is made of, by a right filter's name, and in words.
+fn parts(quantity: Quantity) -> &'static [(&'static str, &'static str)] {
+    match quantity {
+        Quantity::Innovation => &[("xm", "predicted estimate")],
+        Quantity::S => &[("Pm", "predicted covariance"), ("H", "Jacobian of the reading")],
+        _ => &[],
+    }
+}
+
+/// The last line before `at` that makes something of such a part's size, where no line makes the right one.
+fn unmade(theirs: &Steps, ours: &Steps, name: &str, at: u32) -> Option<u32> {
     let right = |case: usize| {
         let (_, step) = &ours.steps[ours.on(case)?];
         step.made.iter().find(|made| ours.program.name(made) == name).map(|made| made.value())
@@ -179,14 +183,15 @@ pub(super) fn is_wrong(theirs: &Steps, ours: &Steps, off_first: &Off) -> Verdict
                 words.text(" is ").number(off.theirs).text(" in case ");
                 words.whole(theirs.steps[off.step].0 as i64 + 1).text(", and a right filter has ").number(off.ours);
                 sentences.push(words.text(".").0.clone());
-                let before = unpredicted(theirs, ours, quantity, at);
-                if let Some(line) = before {
+                let missing = |(name, of): &(&str, &'static str)| Some((unmade(theirs, ours, name, at)?, *of));
+                let before = parts(quantity).iter().find_map(missing);
+                if let Some((line, of)) = before {
                     let mut words = Words::new("No line makes a right filter’s ");
-                    let of = if quantity == Quantity::Innovation { "estimate" } else { "covariance" };
-                    words.text("predicted ").text(of).text(": look at line ").whole(i64::from(line)).text(" first.");
+                    words.text(of).text(": look at line ").whole(i64::from(line)).text(" first.");
                     sentences.push(words.0);
                 }
-                return Verdict { outcome: Outcome::Wrong, line: before.or(Some(at)), sentences, breaks: false };
+                let line = before.map(|(line, _)| line).or(Some(at));
+                return Verdict { outcome: Outcome::Wrong, line, sentences, breaks: false };
             }
         }
     }
