@@ -88,6 +88,55 @@ test('on a phone held across, each figure’s picture stays in sight beside its 
   }
 })
 
+test('on a phone what is said stays in sight by the hand, and covers neither picture nor hand', async (t) => {
+  for (const viewport of [PHONE, { width: 360, height: 640 }])
+    for (const name of Object.keys(WIDGETS)) {
+      if (!(await WIDGETS[name]()).layout.along) continue
+      const { page } = await openFigure(t, name, { viewport, touch: true })
+      const hand = page.locator('.live .params > *').filter({ visible: true }).first()
+      await hand.evaluate((it) => it.scrollIntoView({ block: 'center', behavior: 'instant' }))
+      await quiet(page)
+      const box = await hand.boundingBox()
+      const said = await page.locator('.live .verdict').boundingBox()
+      assert.ok(said.y + said.height <= viewport.height + 1, `${name}: said down to ${said.y + said.height} px`)
+      assert.ok(said.y >= box.y + Math.min(box.height, 60), `${name}: from ${said.y} px, the hand is at ${box.y}`)
+      const pin = page.locator('.live[data-pinned] > [data-pin]')
+      if (await pin.count()) {
+        const picture = await pin.boundingBox()
+        assert.ok(picture.y + picture.height < said.y, `${name}: the picture ends at ${picture.y + picture.height} px`)
+      }
+      await page.close()
+    }
+})
+
+test('what is being computed is told in a line of its own, over no picture', async (t) => {
+  for (const viewport of [DESKTOP, PHONE])
+    for (const name of Object.keys(WIDGETS)) {
+      const spec = await WIDGETS[name]()
+      if (!spec.slow) continue
+      const { page, it } = await openFigure(t, name, { viewport })
+      await quiet(page)
+      const { height } = await it.boundingBox()
+      await it.locator('.live .progress').evaluate((box) => {
+        box.hidden = false
+      })
+      const bar = await it.locator('.live .progress').boundingBox()
+      assert.equal((await it.boundingBox()).height, height, `${name}: nothing moves`)
+      const words = await it.locator('.live .verdict').evaluate((said) => {
+        const range = document.createRange()
+        range.selectNodeContents(said)
+        return range.getBoundingClientRect().bottom
+      })
+      assert.ok(bar.y >= words - 1, `${name}: from ${bar.y} px, the words end at ${words}`)
+      for (const panel of await it.locator('.live > .panel:not([data-pin])').filter({ visible: true }).all()) {
+        const { x, y, width, height: tall } = await panel.boundingBox()
+        const apart = y >= bar.y + bar.height || y + tall <= bar.y || x >= bar.x + bar.width || x + width <= bar.x
+        assert.ok(apart || viewport === PHONE, `${name}: over ${await panel.getAttribute('class')}`)
+      }
+      await page.close()
+    }
+})
+
 for (const name of ['odometry-hook', 'picture', 'observability-probe', 'tune', 'loop-closure', 'bug-museum'])
   test(`on a phone the ${name} is at most two screens high, and what opens the rest stays in place`, async (t) => {
     const { page } = await openFigure(t, name, { viewport: PHONE, touch: true })

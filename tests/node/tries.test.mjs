@@ -5,8 +5,8 @@ import assert from 'node:assert/strict'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { estimate } from './claims.mjs'
 
-/** Phrases that build on the state by their own words: what is counted or fitted is what the reader has before them. */
-const RELATIVE = { 'bug-museum': ['seeds'], tune: ['fit', 'next'] }
+/** Phrases that build on the state by their own words: what is counted, fitted or driven is what the reader has. */
+const RELATIVE = { 'odometry-hook': ['lap'], 'bug-museum': ['seeds'], tune: ['fit', 'next'] }
 /** What a phrase may leave as it was: marks that are shown beside what it sets, and what its run does not read. */
 const BESIDE = {
   tune: ['fit', 'committed', 'seed'],
@@ -65,9 +65,16 @@ test('the figure that learns the wheel opens in a state that every phrase change
     step: spec.start.step,
     params: { fixes: true, learn: true },
   })
+  // The whole lap is that of the wheel that the reader has set, with its fixes and what is learned of it.
+  assert.deepEqual(spec.tries[0].change(lab.frame(), lab), { step: spec.still })
+  const set = Object.fromEntries(spec.tries.map(({ name, change }) => [name, change(lab.frame(), lab)]))
+  // The whole lap is that of the wheel as it is set, with its fixes and with what is learned of it.
+  assert.deepEqual(set.lap, { step: spec.still })
   // What the phrases call usual is what the lab has at first.
+  const { fixes, ...usual } = set.fixes
+  assert.ok(fixes)
   for (const { name, default: value } of estimate.OdometryHook.parameters())
-    assert.ok([undefined, value].includes(spec.tries[0].change(lab.frame(), lab)[name]), name)
+    assert.ok([undefined, value].includes(usual[name]), name)
   for (const { label, change } of spec.tries) {
     const { step, ...changed } = change(lab.frame(), lab)
     const { params, step: now } = lab.frame()

@@ -8,14 +8,23 @@ import { join } from 'node:path'
 import { layoutOf } from '../figure/layout.js'
 import { WIDGETS } from '../widgets/index.js'
 
-/** Writes `layouts.css` into `folder`. @param {string} folder @returns {Promise<string>} the folder */
+/** Figures whose pages have a style sheet of their own: it takes their rules, and a chapter does without. */
+const APART = ['own-system', 'write-filter']
+
+/**
+ * Writes into `folder` `layouts.css`, and a file for each figure apart.
+ * @param {string} folder
+ * @returns {Promise<string>} the folder
+ */
 export async function styleLayouts(folder) {
-  const rules = await Promise.all(
-    Object.entries(WIDGETS).map(
-      async ([name, load]) => `[data-widget=${name}]>:is(.still,.live){${layoutOf(await load())}}`,
-    ),
-  )
+  /** @type {Map<string, string[]>} */
+  const files = new Map()
+  for (const [name, load] of Object.entries(WIDGETS)) {
+    const file = APART.includes(name) ? name : 'layouts'
+    const rule = `[data-widget=${name}]>:is(.still,.live){${layoutOf(await load())}}`
+    files.set(file, [...(files.get(file) ?? []), rule])
+  }
   mkdirSync(folder, { recursive: true })
-  writeFileSync(join(folder, 'layouts.css'), `${rules.join('\n')}\n`)
+  for (const [file, rules] of files) writeFileSync(join(folder, `${file}.css`), `${rules.join('\n')}\n`)
   return folder
 }

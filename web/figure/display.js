@@ -133,6 +133,7 @@ export class Display {
     if (asked || shown.frame !== frame) {
       this.shown = { ...shown, frame, wanted, at: began, rate, playing }
       shell.show(frame, this.shown, wanted.params)
+      if (spec.layout.along) shell.into.setAttribute('data-said', shell.verdict.textContent ?? '')
     }
     if (
       shown.described !== frame &&

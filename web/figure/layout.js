@@ -12,6 +12,7 @@
  * @property {string[]} narrow rows of one area each
  * @property {string} [pin] on a narrow figure, the panel that stays in sight; the first row's if not given
  * @property {(frame: any) => boolean} [pins] whether it stays in sight now; always if not given
+ * @property {string} [along] on a narrow figure, the row from which on the sentence stays in sight, at the lower edge
  * @property {string[]} medium
  * @property {string[]} [wide] as on a medium figure if not given
  * @property {{ medium: string, wide?: string }} columns widths of the columns, as CSS writes them
@@ -39,11 +40,12 @@ export const pinOf = ({ panels, layout: { narrow, pin = narrow[0] } }) =>
 
 /**
  * The layout as custom properties, for the style rule of the element that holds the parts (web/build/layouts.mjs).
- * The panel that stays in sight reaches from its row over all that follow, and a box of its shape keeps its place.
+ * The panel that stays in sight reaches from its row over all that follow, and a box of its shape keeps its place; the
+ * sentence reaches over those before it, and its words, unseen, keep its own.
  * @param {import('./spec.js').FigureSpec} spec
  */
 export function layoutOf(spec) {
-  const { narrow, medium, wide = medium, columns } = spec.layout
+  const { narrow, along, medium, wide = medium, columns } = spec.layout
   const styles = {
     narrow: [further(narrow.includes('readouts') ? narrow : [...narrow, 'readouts']), 'minmax(0,1fr)'],
     medium: [medium, columns.medium],
@@ -57,7 +59,8 @@ export function layoutOf(spec) {
   const place = pin
     ? [`--first:${pin.name}`, `--from:${narrow.indexOf(pin.name) + 1}`, `--shape:${pin.width}/${pin.height}`]
     : []
-  return [...rows, ...place].join(';')
+  const said = along ? [`--said:${narrow.indexOf(along) + 1}/${narrow.indexOf('verdict') + 2}`] : []
+  return [...rows, ...place, ...said].join(';')
 }
 
 /** @param {string[]} rows @param {string} widths @param {boolean} grows */

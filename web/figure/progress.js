@@ -1,4 +1,7 @@
-/** The bar over a figure that computes for longer than a moment: how far it has come, and a way to stop it. */
+/**
+ * How far a figure has come that computes for longer than a moment, and a way to stop it: in the last line of its
+ * sentence.
+ */
 
 import { button, part } from '../draw/dom.js'
 
@@ -8,7 +11,7 @@ import { button, part } from '../draw/dom.js'
  */
 
 /** A computation that is over sooner than this, milliseconds, shows no bar. */
-const PATIENCE = 250
+const PATIENCE = 500
 /** The words change this often, milliseconds, so that they can be read. */
 const WORDS_MS = 200
 

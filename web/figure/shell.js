@@ -43,6 +43,7 @@ export function buildShell(document, spec, into, orders, parameters) {
   into.replaceChildren()
   const pin = pinOf(spec)
   into.toggleAttribute('data-pinned', Boolean(pin))
+  into.toggleAttribute('data-slow', Boolean(spec.slow))
   const stage = (/** @type {Element} */ element, /** @type {string} */ name, where = spec.stages?.hand) => {
     if (where?.[name]) element.setAttribute('data-from', String(where[name]))
   }
@@ -192,6 +193,7 @@ export function buildShell(document, spec, into, orders, parameters) {
     note,
     tools,
     into,
+    verdict,
     /**
      * @param {any} frame
      * @param {{ rate: number, playing: boolean }} life

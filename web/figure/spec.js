@@ -77,6 +77,7 @@
  * @property {string} [log] the log that its lab replays, in the repository
  * @property {Stages} [stages] what a figure that opens small in the text shows later
  * @property {boolean} seeded whether `seed` is among the parameters
+ * @property {boolean} [slow] whether it often computes for longer than a moment: a line is kept for how far it is
  * @property {boolean} [timeless] a lab without steps: no Play, Step, Reset, speed
  * @property {number} [pace] steps a second at speed 1; 2 if not given
  * @property {number} [stride] steps of one press on Step; 1 if not given

@@ -39,6 +39,9 @@ export class Bench {
     const live = /** @type {HTMLElement | null} */ (this.host.querySelector(':scope > .live'))
     if (!live || live === this.live) return
     this.live = live
+    // Here the map stays in sight on a phone.
+    live.querySelector('[data-pin]')?.removeAttribute('data-pin')
+    live.querySelector('.panel-map')?.setAttribute('data-pin', '')
     live.querySelector('.controls > .params')?.remove()
     live.querySelector('.tries')?.remove()
     live.querySelector('.run > .control')?.remove()

@@ -55,7 +55,7 @@ function touching(svg) {
   const { mean, foot, reading, expected } = Object.fromEntries(
     Object.entries(svg.dataset).map(([key, value]) => [key, (value ?? '').split(' ').map(Number)]),
   )
-  const { handle, words } = hold(svg, 'The line of the reading', 'drag')
+  const { handle, words } = hold(svg, 'The line of the reading', 'drag up or down')
   const far = foot[1] - mean[1]
   // The line stays in the picture, and the estimate too.
   const most = Math.min((svg.viewBox.baseVal.height - 18 - mean[1]) / far, mean[0] / Math.abs(foot[0] - mean[0]))

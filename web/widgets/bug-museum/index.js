@@ -214,6 +214,7 @@ const tries = [
 export const figure = {
   start,
   seeded: true,
+  slow: true,
   pace: 20,
   lap: 240,
   end: ({ params, steps }) => (params.many ? SEEDS : steps),
@@ -228,13 +229,13 @@ export const figure = {
     { name: 'covariance', width: 460, height: 260, draw: drawCovariance },
   ],
   layout: {
-    // The switches stand at the figures of the run, which are what a bug changes, and at what is said of a name; the
-    // plots that explain it follow.
+    // The switches stand at the figures of the run, which are what a bug changes; what is said of a name goes along,
+    // and the plots that explain it follow.
     narrow: [
       'figures',
       'tries',
-      'verdict',
       'controls',
+      'verdict',
       'map',
       'readouts',
       'errors',
@@ -244,6 +245,7 @@ export const figure = {
       'correlation',
       'covariance',
     ],
+    along: 'tries',
     medium: [
       'map figures',
       'verdict verdict',

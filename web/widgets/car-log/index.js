@@ -98,6 +98,7 @@ export const figure = {
   open,
   seeded: false,
   timeless: true,
+  slow: true,
   panels: [
     { name: 'map', width: 500, height: 420, draw: drawMap },
     { name: 'curve', width: 400, height: 260, handles: true, aside: true, draw: drawCurve },
@@ -105,6 +106,7 @@ export const figure = {
   ],
   layout: {
     narrow: ['map', 'curve', 'tries', 'controls', 'verdict', 'along', 'readouts'],
+    along: 'tries',
     medium: ['map map', 'curve along', 'verdict verdict', 'tries tries'],
     wide: ['map curve', 'map along', 'verdict verdict', 'tries tries'],
     columns: { medium: '1fr 1fr', wide: '5fr 4fr' },

@@ -119,6 +119,7 @@ export const figure = {
   start,
   seeded: false,
   timeless: true,
+  slow: true,
   panels: [
     { name: 'line', width: 560, height: 490, handles: true, draw: drawLine },
     { name: 'innovations', width: 380, height: 310, draw: drawInnovations },
@@ -126,6 +127,7 @@ export const figure = {
   ],
   layout: {
     narrow: ['line', 'controls', 'tries', 'verdict', 'innovations', 'costs', 'readouts'],
+    along: 'controls',
     medium: ['line line', 'controls controls', 'tries tries', 'innovations costs', 'innovations verdict'],
     wide: ['line innovations', 'line costs', 'controls controls', 'tries verdict'],
     columns: { medium: '1fr 1fr', wide: '3fr 2fr' },

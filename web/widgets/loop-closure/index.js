@@ -131,7 +131,9 @@ export const figure = {
     { name: 'errors', width: 460, height: 215, draw: drawErrors },
   ],
   layout: {
-    narrow: ['map', 'verdict', 'thresholds', 'tries', 'controls', 'heat', 'readouts', 'nees', 'errors'],
+    // The matrix stands right below the words that change it.
+    narrow: ['map', 'thresholds', 'controls', 'tries', 'heat', 'verdict', 'readouts', 'nees', 'errors'],
+    along: 'thresholds',
     medium: [
       'map map map map heat heat',
       'verdict verdict verdict verdict heat heat',

@@ -114,7 +114,7 @@ const dial = (name, label) => ({
 
 /** @type {import('../../figure/controls.js').Control[]} */
 const controls = [
-  // On a phone right below what they move.
+  // On a phone right below what they move; the tolerance below the plot that has its line.
   dial('ghostAround', 'Ghost, about landmark 1'),
   {
     kind: 'range',
@@ -124,6 +124,20 @@ const controls = [
     shown: ({ ghost }) => Boolean(ghost),
   },
   dial('ghostTurn', 'Ghost, on the spot'),
+  {
+    kind: 'range',
+    name: 'tolerance',
+    label: 'Relative rank tolerance',
+    step: 0.5,
+    words: (value) => power(10 ** value),
+    notches: () => [
+      { at: -6, name: '10^{−6}' },
+      { at: 0, name: '1' },
+    ],
+    // In powers of ten, as far down as the parameter's own step.
+    scale: (value, { step }) => Math.log10(Math.max(value, step)),
+    set: (value) => ({ tolerance: 10 ** value }),
+  },
   {
     kind: 'choice',
     name: 'count',
@@ -152,20 +166,6 @@ const controls = [
     label: 'stop the robot',
     get: (params) => params.stop !== null,
     set: (on, _, { step }) => ({ stop: on ? step : null }),
-  },
-  {
-    kind: 'range',
-    name: 'tolerance',
-    label: 'Relative rank tolerance',
-    step: 0.5,
-    words: (value) => power(10 ** value),
-    notches: () => [
-      { at: -6, name: '10^{−6}' },
-      { at: 0, name: '1' },
-    ],
-    // In powers of ten, as far down as the parameter's own step.
-    scale: (value, { step }) => Math.log10(Math.max(value, step)),
-    set: (value) => ({ tolerance: 10 ** value }),
   },
   { kind: 'toggle', name: 'forget', label: 'forget the map' },
   {
@@ -264,7 +264,21 @@ export const figure = {
     },
   ],
   layout: {
-    narrow: ['map', 'tries', 'ranks', 'ranges', 'bearings', 'verdict', 'controls', 'trace', 'readouts', 'nees', 'nis'],
+    narrow: [
+      'map',
+      'tries',
+      'ranks',
+      'ranges',
+      'bearings',
+      'controls',
+      'grow',
+      'verdict',
+      'trace',
+      'readouts',
+      'nees',
+      'nis',
+    ],
+    along: 'tries',
     // Who turns the world by hand looks at its readings.
     pins: ({ ghost }) => !ghost,
     medium: ['map verdict', 'map ranks', 'ranges bearings', 'trace nees', 'nis tries'],

@@ -191,15 +191,16 @@ export const figure = {
     { name: 'error', width: 312, height: 190, draw: drawError },
   ],
   layout: {
-    // The knob and what it moves are on one screen: first the disc, and then the variances between.
-    narrow: ['phase', 'controls', 'variance', 'disc', 'verdict', 'tries', 'gain', 'readouts', 'error'],
+    // The knob and what it moves are on one screen: the disc, then the gain. What a button adds comes below it.
+    narrow: ['phase', 'controls', 'grow', 'disc', 'gain', 'verdict', 'tries', 'variance', 'readouts', 'error'],
     medium: [
       'phase phase phase phase disc disc',
       'phase phase phase phase verdict verdict',
+      'controls controls controls controls controls controls',
       'gain gain gain variance variance variance',
       'error error error tries tries tries',
     ],
-    wide: ['phase phase disc', 'phase phase verdict', 'gain variance error'],
+    wide: ['phase phase disc', 'phase phase verdict', 'controls controls controls', 'gain variance error'],
     columns: { medium: Array(6).fill('1fr').join(' '), wide: '1fr 1fr 1fr' },
   },
   stages: {

@@ -167,7 +167,8 @@ const lap = (but) => () => ({ bias: 0.005, fixes: false, learn: false, step: LAP
 
 /** @type {import('../../figure/spec.js').Try[]} */
 const tries = [
-  { name: 'lap', label: 'Show the whole lap', change: lap() },
+  // What is set stays set: only the way is shortened.
+  { name: 'lap', label: 'Show the whole lap', change: () => ({ step: LAP }) },
   { name: 'honest', label: 'Give the wheels no bias', change: lap({ bias: 0 }) },
   { name: 'fixes', label: 'Correct by the corners', change: lap({ fixes: true }) },
   { name: 'learn', label: 'Learn the wheel', change: lap({ fixes: true, learn: true }) },
@@ -195,8 +196,10 @@ export const figure = {
     { name: 'wheel', width: 350, height: tall, handles: true, draw: drawWheel, shown: ({ wheel }) => Boolean(wheel) },
   ],
   layout: {
-    // The plots move the robot on the map, and the switches change the plots.
-    narrow: ['map', 'tries', 'position', 'heading', 'wheel', 'verdict', 'controls', 'readouts'],
+    // The plots move the robot on the map, which stays in sight; the switches change the plots, and stand right above
+    // the heading's, which tells most of them.
+    narrow: ['map', 'tries', 'controls', 'heading', 'wheel', 'position', 'verdict', 'readouts'],
+    along: 'tries',
     medium: ['map position', 'map heading', 'map wheel', 'verdict verdict'],
     columns: { medium: '59fr 41fr', wide: '62fr 38fr' },
   },

@@ -114,6 +114,7 @@ export const figure = {
   start,
   open,
   seeded: false,
+  slow: true,
   pace: 220,
   stride: 100,
   panels: [
@@ -129,14 +130,14 @@ export const figure = {
     { name: 'bearings', width: 470, height: 200, shown: ({ bearings }) => bearings, draw: drawBearings },
   ],
   layout: {
-    // What the hand moves stands right below the innovations and the sentence that tell what came of it; what explains
-    // them is further down.
+    // What the hand moves stands right below the innovations, which tell what came of it and stay in sight, as does the
+    // sentence; what explains them is further down.
     narrow: [
       'map',
       'tries',
       'innovations',
-      'verdict',
       'controls',
+      'verdict',
       'readouts',
       'ranges',
       'inner',
@@ -145,6 +146,8 @@ export const figure = {
       'nis',
       'errors',
     ],
+    pin: 'innovations',
+    along: 'innovations',
     medium: [
       'map map map map map map map innovations innovations innovations innovations innovations',
       'map map map map map map map errors errors errors errors errors',

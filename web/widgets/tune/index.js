@@ -136,6 +136,7 @@ export const figure = {
   start,
   seeded: false,
   timeless: true,
+  slow: true,
   panels: [
     { name: 'map', width: 460, height: 470, handles: true, aside: true, draw: drawMap },
     { name: 'innovations', width: 460, height: 220, draw: drawInnovations },
@@ -144,7 +145,8 @@ export const figure = {
     { name: 'nees', width: 460, height: 220, draw: drawNees },
   ],
   layout: {
-    // The sentence is longer or shorter with what is shown: it stands below what a finger is on.
+    // The sentence is longer or shorter with what is shown: it goes along below what a finger is on.
+    along: 'tries',
     narrow: ['map', 'tries', 'controls', 'verdict', 'innovations', 'correlation', 'readouts', 'nis', 'nees'],
     medium: [
       'map map map map innovations innovations innovations',

@@ -58,6 +58,7 @@ export const figure = {
   start,
   aside: worlds,
   seeded: true,
+  slow: true,
   pace: 12,
   panels: [
     { name: 'run', width: 460, height: 330, draw: drawRun },
@@ -66,6 +67,7 @@ export const figure = {
   ],
   layout: {
     // Who writes looks at the text and at what is said of it: the pictures come after.
+    along: 'controls',
     narrow: ['tries', 'controls', 'verdict', 'run', 'worlds', 'readouts', 'errors'],
     medium: ['tries tries', 'verdict verdict', 'controls controls', 'run errors', 'worlds readouts'],
     wide: ['tries tries', 'verdict verdict', 'controls run', 'controls worlds', 'controls errors'],
