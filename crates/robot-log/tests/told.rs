@@ -157,3 +157,19 @@ fn a_wide_table_whose_columns_have_no_known_name_is_asked_and_no_role_is_taken_i
     let told = notes(&[("wheels.csv", &wheels), ("gps.csv", none)]);
     assert!(said(&told, "gps.csv: read as sensors, it has no row that says anything."), "{told:?}");
 }
+
+#[test]
+fn ticks_of_l_and_r_are_of_the_wheels_and_courses_are_headings_within_half_a_turn() {
+    for head in ["t,ticks_l,ticks_r", "t,enc_l,enc_r", "t,l_ticks,r_ticks"] {
+        let files = files(&[("wheels.csv", &table(head, every(0.1, 9), "100,200"))]);
+        assert_eq!(files.files()[0].role(), Role::Encoders, "{head}");
+        assert_eq!(files.files()[0].columns()[1..3], [Some(1), Some(2)], "{head}");
+    }
+    let courses = "t,gps_x,gps_y,course_deg\n0,0,0,350\n1,1,0,10\n2,2,0,100\n3,3,0,170\n4,4,0,200\n";
+    let files = files(&[("gps.csv", courses)]);
+    assert!(
+        files.files()[0].follows().ends_with("headings \u{2212}110 \u{2026} 100\u{b0}"),
+        "{:?}",
+        files.files()[0].follows()
+    );
+}
