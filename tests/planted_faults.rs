@@ -54,10 +54,7 @@ fn a_delay_of_half_a_step_is_set_apart_and_a_longer_one_is_named() {
     for (world, n) in ARCS.iter().flat_map(|world| (0..3).map(move |n| (world, n))) {
         for (steps, fault) in [(-0.4, None), (1.5, Some(Fault::Clock))] {
             let mut log = world.sound(7100 + n, false);
-            for row in &mut log.drive.rows {
-                row.time += if row.event.is_motion() { 0.0 } else { steps * world.period };
-            }
-            log.drive.rows.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.line.cmp(&b.line)));
+            later(&mut log, steps * world.period);
             let judgement = judged(&log).expect("a verdict");
             let first = &judgement.suspects[0];
             let named = (first.standing != Standing::Cleared).then_some(first.fault);
@@ -69,15 +66,52 @@ fn a_delay_of_half_a_step_is_set_apart_and_a_longer_one_is_named() {
 }
 
 fn first(log: &Log) -> Suspect {
-    let first = judged(log).expect("a verdict").suspects.remove(0);
-    assert_eq!(first.standing, Standing::Sure, "{first:?}");
-    first
+    let mut suspects = judged(log).expect("a verdict").suspects;
+    assert_eq!(suspects[0].standing, Standing::Sure, "{:?}", &suspects[..3]);
+    suspects.remove(0)
 }
 
-fn spoiled(world: usize, n: u64, spoil: impl Fn(&mut Event)) -> Log {
+fn spoiled(world: usize, n: u64, mut spoil: impl FnMut(&mut Event)) -> Log {
     let mut log = WORLDS[world].sound(7200 + n, n.is_multiple_of(2));
     log.drive.rows.iter_mut().for_each(|row| spoil(&mut row.event));
     log
+}
+
+/// All rows of a log's readings, stamped so much later.
+fn later(log: &mut Log, by: f64) {
+    for row in &mut log.drive.rows {
+        row.time += if row.event.is_motion() { 0.0 } else { by };
+    }
+    log.drive.rows.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.line.cmp(&b.line)));
+}
+
+/// A receiver of positions and headings has one clock. Who mends the speed's instead meets the turn rate's.
+#[test]
+fn two_sensors_that_are_late_together_are_named_together_and_no_remedy_ends_before() {
+    for n in 0..6 {
+        let mut log = WORLDS[3].sound(7400 + n, n.is_multiple_of(2));
+        later(&mut log, 0.4);
+        let both = first(&log);
+        assert_eq!(
+            (both.fault, both.number, both.with),
+            (Fault::Clock, Some(Fitted::DelayFix), Some(Fitted::DelayHeading))
+        );
+        for size in &both.sizes {
+            assert!((size.value - 0.4).abs() < 4.0 * size.sigma && size.sigma < 0.1, "{size:?}");
+        }
+        assert_eq!(both.sizes.len(), 2);
+        // The truth, which has a clock of its own, tells that apart.
+        if n.is_multiple_of(2) {
+            continue;
+        }
+        log.settings.delays.speed = -0.4;
+        let turn = first(&log);
+        assert_eq!((turn.fault, turn.number, turn.with), (Fault::Clock, Some(Fitted::DelayTurn), None), "{turn:?}");
+        assert!((turn.sizes[0].value + 0.4).abs() < 4.0 * turn.sizes[0].sigma, "{turn:?}");
+        log.settings.delays.turn = -0.4;
+        let rest = judged(&log).expect("a verdict");
+        assert_eq!(rest.suspects[0].standing, Standing::Cleared, "{:?}", rest.suspects[0]);
+    }
 }
 
 #[test]
@@ -134,10 +168,7 @@ fn a_fit_ends_where_another_finds_no_better() {
     };
     for (world, n) in [0, 3].into_iter().flat_map(|world| (0..2).map(move |n| (world, n))) {
         let mut log = WORLDS[world].sound(7300 + n, false);
-        for row in &mut log.drive.rows {
-            row.time += if row.event.is_motion() { 0.0 } else { 0.4 };
-        }
-        log.drive.rows.sort_by(|a, b| a.time.total_cmp(&b.time).then(a.line.cmp(&b.line)));
+        later(&mut log, 0.4);
         let found = fitted(&log, log.settings);
         let mut settings = log.settings;
         for (number, value, _) in &found.numbers {
@@ -160,4 +191,39 @@ fn a_fit_ends_where_another_finds_no_better() {
         let again = fitted(&log, settings).log_likelihood;
         assert!(found.settled && again[1] - found.log_likelihood[1] < 0.5, "{world} {n}: {found:?} {again:?}");
     }
+}
+
+/// Between two rows of odometry the estimate stands still: a delay is told to within a step, and no better.
+#[test]
+fn a_delay_beside_odometry_is_told_as_a_stair() {
+    let mut log = WORLDS[4].sound(7500, false);
+    later(&mut log, 0.35);
+    let Suspect { number, flat: Some([from, to]), .. } = first(&log) else { panic!("a stair") };
+    assert!(number == Some(Fitted::DelaySighting) && (from - 0.25).abs() < 0.02 && (to - 0.35).abs() < 0.02);
+    let mut fit = Fit::only(&log.drive, log.settings, &[Fitted::DelaySighting]).expect("readings");
+    while fit.step(&log.drive).expect("a replay") {}
+    let [(Fitted::DelaySighting, [from, to])] = fit.found().flat[..] else { panic!("a stair") };
+    assert!((from - 0.25).abs() < 0.02 && (to - 0.35).abs() < 0.02, "{from} {to}");
+    let held = &mut WORLDS[0].sound(7500, false);
+    later(held, 0.35);
+    assert_eq!(first(held).flat, None, "speeds that are held drive on in between");
+}
+
+#[test]
+fn a_fit_counts_the_outliers_that_have_bent_it() {
+    let beyond = |log: &Log| {
+        let mut fit = Fit::only(&log.drive, log.settings, &[Fitted::SigmaRange, Fitted::Offset]).expect("readings");
+        assert_eq!(fit.found().beyond, 0);
+        while fit.step(&log.drive).expect("a replay") {}
+        f64::from(fit.found().beyond) / f64::from(fit.found().readings)
+    };
+    assert!(beyond(&WORLDS[0].sound(7600, false)) < 0.006);
+    let mut k = 0;
+    let bent = beyond(&spoiled(0, 1, |event| {
+        if let Event::Range { range, .. } = event {
+            k += 1;
+            *range += if k % 40 == 0 { 3.0 } else { 0.0 };
+        }
+    }));
+    assert!((0.01..0.03).contains(&bent), "{bent}");
 }

@@ -3,10 +3,10 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { sentence as fitted } from '../../web/page/log-fit.js'
+import { bentBy, sentence as fitted } from '../../web/page/log-fit.js'
 import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
 import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
-import { numbersOf as numbersToTell, settingsOf } from '../../web/page/log-numbers.js'
+import { numbersOf as numbersToTell, ownSigma, settingsOf } from '../../web/page/log-numbers.js'
 import { headsOf, rowsOf } from '../../web/page/log-sources.js'
 import { Mapping } from '../../web/widgets/robot-log/likelihood.js'
 import { belongs, nameOf, numbersOf, sourcesOf, touchedIn } from '../../web/widgets/robot-log/looks.js'
@@ -92,6 +92,28 @@ test('what a fit has found has as many digits as it is known to', () => {
   assert.equal(number('headingOffset', 0.2, 0.0025), 'offset of the headings, °: 11.46 ± 0.14')
   assert.equal(number('offset', -12.3, 25), 'offset of the ranges, m: −12 ± 25')
   assert.match(number('scale', 0.03, null), /does not tell it/)
+  const stair = fitted({ name: 'delayFix', value: 0.317, sigma: 0.025, relative: false, flat: [0.3, 0.4] })
+  assert.match(stair, /^delay of the positions, s: 0\.30 to 0\.40, all alike: the log has no row of motion in between$/)
+})
+
+test('a fit that outliers have bent says so, and a sound one does not', () => {
+  assert.match(
+    bentBy(40, 0.001, 2000),
+    /^2\.0 % of these readings lie beyond what should hold 99\.9 % of them: outliers/,
+  )
+  assert.equal(bentBy(4, 0.001, 2000), '')
+  assert.equal(bentBy(3, 0.001, 100), '', 'few readings say nothing')
+})
+
+test('a σ that readings bring along is said in place of the setting that they do not take', () => {
+  const contents = camera.contents()
+  assert.equal(ownSigma(contents, 'sigmaFix'), 'each brings its own: 0.1 m')
+  assert.equal(ownSigma(contents, 'sigmaHeading') + ownSigma(contents, 'sigmaTurn') + ownSigma(null, 'sigmaFix'), '')
+  const value = (of) => settingsOf(frameOf(), of).find(([words]) => words === 'Positions: σ, m')?.[1]
+  assert.equal(value(contents), 'each brings its own: 0.1 m')
+  const some = RobotLog.parse('V,0,1,0\nP,0,0,0,0.25\nP,1,1,0,0.5\nP,2,2,0\nH,2,0,0.01').contents()
+  assert.equal(value(some), '1; 2 of 3 bring their own: 0.25 to 0.5 m')
+  assert.equal(ownSigma(some, 'sigmaHeading'), 'each brings its own: 0.01 rad')
 })
 
 const hill = ([across, up], sigma, turn = 0) =>

@@ -169,6 +169,8 @@ test('a run asks for the verdict at the end of a log of the reader’s own, and 
     ['verdict', 'verdict'],
   )
   assert.ok(run.busy)
+  // What the innovations say by themselves would be replaced a moment later.
+  assert.match(verdict(run.frame), /dead reckoning\. Still looking for what may be wrong …$/)
   const found = judged(mower)
   asked[0].answer({ kind: 'verdict', found: null })
   asked[1].answer({ kind: 'verdict', found })
@@ -176,4 +178,10 @@ test('a run asks for the verdict at the end of a log of the reader’s own, and 
   assert.equal(run.turn(0, 16, false).moved, 'replay')
   assert.ok(run.frame.judgement === found && !run.busy)
   assert.match(verdict(run.frame), /^The RMS error .* dead reckoning\. The ranges read 7\.0/)
+  there()
+  asked[2].answer({ kind: 'no-verdict', message: '' })
+  await new Promise((resolve) => setImmediate(resolve))
+  assert.equal(run.turn(0, 16, false).moved, 'replay')
+  assert.match(verdict(run.frame), / The innovations’ mean is /, 'none has come of it')
+  assert.equal(run.turn(0, 16, false).moved, 'nothing')
 })

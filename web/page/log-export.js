@@ -47,7 +47,9 @@ function left(frame, contents) {
     ...(fix && params.fixes
       ? [`  fixes: ${float(params.sigmaFix ** 2)} m² for x and for y, where a fix has no σ of its own;`]
       : []),
-    ...(heading && params.headings ? [`  headings: ${float(params.sigmaHeading ** 2)} rad² for yaw;`] : []),
+    ...(heading && params.headings
+      ? [`  headings: ${float(params.sigmaHeading ** 2)} rad² for yaw, where a heading has no σ of its own;`]
+      : []),
     '  speeds and turn rates: little, as 1e-4; what they miss is in the process noise below.',
     ...late.map(([name, delay]) => `Stamp ${name} ${float(Number(delay))} s earlier: nothing here takes a delay.`),
     ...(speedScale !== 0 ? [`Multiply speeds by ${float(1 + speedScale)} before they are published.`] : []),

@@ -2,6 +2,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
+import { percent } from '../widgets/robot-log/words.js'
 import { grouped } from './log-likelihood.js'
 
 /** @typedef {import('estimate-wasm').LogFound} LogFound */
@@ -42,9 +43,10 @@ export class FitForm {
     const words = part(document, row, 'p', 'log-says')
     words.textContent =
       'Fit finds the σ, the delays, the scale and the offset of ranges, and the offsets of bearings and headings ' +
-      'under which the readings are likeliest. Gates are off meanwhile. A delay of all sensors together cannot be ' +
-      'seen: the turn rate’s is 0, and without turn rates the speed’s stays as it is. A delay of less than half a ' +
-      'step between rows of motion may be the motion model’s own.'
+      'under which the readings are likeliest. Gates are off meanwhile, and the first seconds, where a delay moves ' +
+      'the start, do not count. A delay of all sensors together cannot be seen: the turn rate’s ' +
+      'is 0, and without turn rates the speed’s stays as it is. A delay of less than half a step between rows of ' +
+      'motion may be the motion model’s own.'
     const actions = part(document, row, 'div', 'log-actions')
     this.result = part(document, row, 'div', 'log-says')
     this.result.setAttribute('role', 'status')
@@ -62,6 +64,8 @@ export class FitForm {
     this.bar.hidden = !waiting
     this.end.hidden = !waiting
     this.bar.removeAttribute('value')
+    // The strip scrolls by itself: its end may hide what was begun here.
+    if (waiting) this.end.scrollIntoView({ block: 'nearest' })
   }
 
   /** @param {{ done: number, of: number }} told */
@@ -82,29 +86,48 @@ export class FitForm {
     this.begin?.focus({ preventScroll: true })
     if (answer.kind === 'fit') this.found(answer.found)
     else result.textContent = answer.message ?? answer.why ?? 'The fit was given up.'
+    result.scrollIntoView({ block: 'nearest' })
   }
 
   /** @param {LogFound} found */
-  found({ numbers, logLikelihood: [before, after], readings, settled }) {
+  found({ numbers, logLikelihood: [before, after], readings, settled, beyond, expected }) {
     const { result } = this
     if (!result) return
     const gain = grouped(after - before)
     part(document, result, 'p', '').textContent =
       `The log-likelihood of ${readings.toLocaleString('en')} readings rises by ${gain}, to ${grouped(after)}.` +
       `${settled ? '' : ' The search was ended before it settled.'}`
+    const bent = bentBy(beyond, expected, readings)
+    if (bent) part(document, result, 'p', '').textContent = bent
     const list = part(document, result, 'ul', '')
     for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number)
     const patch = Object.fromEntries(
       numbers.filter(({ sigma }) => sigma !== null).map(({ name, value }) => [name, Number(value.toPrecision(6))]),
     )
     const actions = part(document, result, 'div', 'log-actions')
-    button(document, actions, 'Take what the log tells', () => this.orders.take({ ...patch, gate: null, delayTurn: 0 }))
+    button(document, actions, 'Take what the log tells', () => this.orders.take({ ...patch, delayTurn: 0 }))
   }
 }
 
+/**
+ * What outliers have done to a fit, which has no gate.
+ * @param {number} beyond @param {number} share @param {number} readings
+ */
+export function bentBy(beyond, share, readings) {
+  const expected = share * readings
+  if (!(beyond > 5 * expected && beyond > expected + 5)) return ''
+  return (
+    `${percent(beyond / readings)} of these readings lie beyond what should hold ` +
+    `${fixed(100 * (1 - share), 1)} % of them: ` +
+    'outliers have bent the fit, as it has no gate, and each σ comes out too large. Your gates stay as they are set.'
+  )
+}
+
 /** How well the log tells a number. @param {LogFound['numbers'][number]} number */
-export function sentence({ name, value, relative, sigma }) {
+export function sentence({ name, value, relative, sigma, flat }) {
   const words = NAMES[name] ?? name
+  if (flat)
+    return `${words}: ${fixed(flat[0], 2)} to ${fixed(flat[1], 2)}, all alike: the log has no row of motion in between`
   if (sigma === null) return `${words}: the log does not tell it.`
   const unit = words.endsWith('°') ? 180 / Math.PI : 1
   const told = (relative ? value * sigma : sigma) * unit

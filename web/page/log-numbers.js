@@ -118,15 +118,37 @@ export function numbersOf({ readings, motion }) {
 }
 
 /**
+ * What is said where readings bring a σ of their own: the setting is for the others.
+ * @param {import('estimate-wasm').LogContents | null} contents @param {string} name of a setting
+ */
+export function ownSigma(contents, name) {
+  const sensor = name === 'sigmaFix' ? 'fix' : name === 'sigmaHeading' ? 'heading' : null
+  const own = sensor && contents?.own[sensor]
+  if (!own) return ''
+  const [least, most] = own.sigmas.map((sigma) => String(Number(sigma.toPrecision(3))))
+  const unit = sensor === 'fix' ? 'm' : 'rad'
+  const sigmas = least === most ? `${least} ${unit}` : `${least} to ${most} ${unit}`
+  const all = contents?.readings[sensor] ?? 0
+  if (own.count === all) return `each brings its own: ${sigmas}`
+  return `${own.count.toLocaleString('en')} of ${all.toLocaleString('en')} bring their own: ${sigmas}`
+}
+
+/**
  * What the filter was told, a row for each number, for the sensors that the log has.
  * @param {import('estimate-wasm').LogFrame} frame
+ * @param {import('estimate-wasm').LogContents | null} [contents]
  * @returns {[string, string][]}
  */
-export function settingsOf({ params, summary: { sensors } }) {
+export function settingsOf({ params, summary: { sensors } }, contents = null) {
   const value = (/** @type {string} */ name) => /** @type {any} */ (params)[name]
   const digits = (/** @type {number} */ number) => String(Number(number.toPrecision(4))).replace('-', '−')
+  // A number that no reading is read by was not told.
+  const told = (/** @type {string} */ name, /** @type {string} */ number) => {
+    const own = ownSigma(contents, name)
+    return own.startsWith('each') ? own : own ? `${number}; ${own}` : number
+  }
   const said = (/** @type {string} */ whose, /** @type {Told} */ [name, words, , unit = 1]) =>
-    /** @type {[string, string]} */ ([`${whose}: ${words}`, digits(value(name) / unit)])
+    /** @type {[string, string]} */ ([`${whose}: ${words}`, told(name, digits(value(name) / unit))])
   /** @type {[string, string][]} */
   const rows = []
   for (const { name, words, on, numbers } of SENSORS) {

@@ -70,7 +70,7 @@ export class Report {
     this.table(
       'Settings',
       heads,
-      both((one) => [...settingsOf(one), ...begun(one, this.contents)]),
+      both((one) => [...settingsOf(one, this.contents), ...begun(one, this.contents)]),
     )
     this.table(
       'Results',

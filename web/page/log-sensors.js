@@ -6,7 +6,7 @@
 import { part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { percent } from '../widgets/robot-log/words.js'
-import { GATES, HELD, MOTION, SENSORS, bySensor } from './log-numbers.js'
+import { GATES, HELD, MOTION, SENSORS, bySensor, ownSigma } from './log-numbers.js'
 import { numberSlider } from './log-slider.js'
 import { numberField } from './number-field.js'
 
@@ -27,12 +27,11 @@ export class SensorForm {
   }
 
   /** Builds the rows that a log has. @param {LogContents} contents */
-  take({ readings, motion }) {
+  take(contents) {
+    const { readings, motion } = contents
     this.box.replaceChildren()
     this.shows = []
-    for (const sensor of SENSORS)
-      if (readings[/** @type {'fix'} */ (sensor.name)])
-        this.sensor(sensor, readings[/** @type {'fix'} */ (sensor.name)])
+    for (const sensor of SENSORS) if (readings[/** @type {'fix'} */ (sensor.name)]) this.sensor(sensor, contents)
     const row = this.row('motion')
     for (const number of [...MOTION, ...(motion === 'velocity' ? HELD : [])]) this.number(row, number)
     if (motion === 'velocity') {
@@ -54,12 +53,17 @@ export class SensorForm {
     for (const show of this.shows) show(frame)
   }
 
-  /** @param {(typeof SENSORS)[number]} sensor @param {number | undefined} count */
-  sensor({ name, words, on, numbers }, count) {
+  /** @param {(typeof SENSORS)[number]} sensor @param {LogContents} contents */
+  sensor({ name, words, on, numbers }, contents) {
     const row = this.row(words)
     const key = /** @type {'fix'} */ (name)
+    const count = contents.readings[key]
     this.toggle(row, on, 'used')
-    for (const number of numbers) this.number(row, number)
+    for (const number of numbers) {
+      this.number(row, number)
+      const own = ownSigma(contents, number[0])
+      if (own) part(document, row, 'p', 'log-says').textContent = `σ: ${own}.`
+    }
     if (on === 'sightings') this.toggle(row, 'learn', 'learn the scale\u00a0ε')
     this.gate(row, key)
     this.every(row, key)

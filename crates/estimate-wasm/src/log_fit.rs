@@ -5,7 +5,7 @@ use crate::errors::Thrown;
 use crate::lab::RobotLog;
 use crate::object::Held;
 use crate::robot_log::logged;
-use estimate::drive::Found;
+use estimate::drive::{Fitted, Found};
 use js_sys::Array;
 use lab::Params;
 use std::sync::Arc;
@@ -20,7 +20,11 @@ export interface LogFound {
      * to it, another's in its unit; null where the log does not tell it, and before the search has ended. `relative`
      * says which of the two.
      */
-    numbers: { name: string; value: number; relative: boolean; sigma: number | null }[];
+    numbers: {
+        name: string; value: number; relative: boolean; sigma: number | null;
+        /** Of a delay, from where to where the likelihood is the same: a log of odometry tells no more; else null. */
+        flat: [number, number] | null;
+    }[];
     /** The log-likelihood of the counted readings before and after. */
     logLikelihood: [number, number];
     /** How many readings are counted. */
@@ -29,6 +33,9 @@ export interface LogFound {
     replays: [number, number];
     /** Whether the search has ended where no step leads up. */
     settled: boolean;
+    /** How many of the counted readings lie far out, and which share is expected to: more have bent the fit. */
+    beyond: number;
+    expected: number;
 }
 "#;
 
@@ -68,12 +75,14 @@ impl LogFit {
 }
 
 fn shown(found: &Found) -> JsValue {
+    let flat = |of: &Fitted| found.flat.iter().find(|(number, _)| number == of).map(|(_, flat)| list(flat));
     let numbers = found.numbers.iter().map(|(number, value, sigma)| {
         record(&[
             ("name", number.name().into()),
             ("value", (*value).into()),
             ("relative", number.is_sigma().into()),
             ("sigma", sigma.map_or(JsValue::NULL, Into::into)),
+            ("flat", flat(number).unwrap_or(JsValue::NULL)),
         ])
     });
     record(&[
@@ -82,5 +91,7 @@ fn shown(found: &Found) -> JsValue {
         ("readings", found.readings.into()),
         ("replays", list(&found.replays.map(f64::from))),
         ("settled", found.settled.into()),
+        ("beyond", found.beyond.into()),
+        ("expected", found.expected.into()),
     ])
 }

@@ -5,7 +5,7 @@ use crate::errors::Thrown;
 use crate::lab::RobotLog;
 use crate::object::Held;
 use crate::robot_log::logged;
-use estimate::drive::{Against, Judgement, Sensor, Size, Standing, Suspect};
+use estimate::drive::{Against, Gaps, Judgement, Sensor, Size, Standing, Suspect};
 use js_sys::Array;
 use lab::Params;
 use std::sync::Arc;
@@ -18,7 +18,7 @@ export interface LogSuspect {
     fault: 'start' | 'clock' | 'bias' | 'scale' | 'tails' | 'sigma' | 'turned' | 'mirrored' | 'exchanged';
     /** The parameter that mends it; null of the start, of outliers, which a gate refuses, and where none does. */
     name: string | null;
-    /** The parameter that mends it together with that one. */
+    /** The parameter that mends it together with that one; of three sensors that are late together the second. */
     with: string | null;
     /** The sensor that has outliers, else null. */
     sensor: 'fix' | 'heading' | 'range' | 'bearing' | null;
@@ -37,6 +37,8 @@ export interface LogSuspect {
     standing: 'sure' | 'maybe' | 'cleared';
     /** Whether it is the motion model's own: a delay of at most half a step between rows of motion. It is cleared. */
     own: boolean;
+    /** From where to where the likelihood of a delay is the same, where the motion has too few rows to tell more. */
+    flat: [number, number] | null;
     /** How far the mended filter is from the truth, of those that were held against it, where there is a truth. */
     mended: LogAgainst | null;
 }
@@ -74,6 +76,11 @@ export interface LogJudgement {
     arcs: number | null;
     /** The median time between rows of motion, seconds. */
     period: number;
+    /**
+     * Where no motion was read, by what is missing: how many gaps, and from when to when the longest is, seconds since
+     * the first row.
+     */
+    gaps: { what: 'held' | 'speed' | 'turn rate' | 'odometry'; count: number; longest: [number, number] }[];
     /** Whether no suspect, mended, brings the filter nearer to the truth: something else is wrong. */
     other: boolean;
 }
@@ -124,6 +131,7 @@ fn shown(judgement: &Judgement) -> JsValue {
         ("beside", judgement.beside.into()),
         ("arcs", judgement.arcs.map_or(JsValue::NULL, Into::into)),
         ("period", judgement.period.into()),
+        ("gaps", judgement.gaps.iter().map(gap).collect::<Array>().into()),
         ("other", judgement.other.into()),
     ])
 }
@@ -151,8 +159,13 @@ fn suspect(suspect: &Suspect) -> JsValue {
         ("excess", suspect.excess.into()),
         ("standing", standing.into()),
         ("own", suspect.own.into()),
+        ("flat", suspect.flat.map_or(JsValue::NULL, |flat| list(&flat))),
         ("mended", against(suspect.mended)),
     ])
+}
+
+fn gap(gaps: &Gaps) -> JsValue {
+    record(&[("what", gaps.what.name().into()), ("count", gaps.count.into()), ("longest", list(&gaps.longest))])
 }
 
 fn size(Size { now, value, sigma }: &Size) -> JsValue {

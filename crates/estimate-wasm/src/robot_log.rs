@@ -31,6 +31,8 @@ export interface LogContents {
     motion: "odometry" | "velocity";
     /** How many readings each sensor has; one without any is not there. */
     readings: { fix?: number; heading?: number; range?: number; bearing?: number };
+    /** Of the sensors whose readings bring a σ of their own: how many do, and the least and the greatest of these. */
+    own: { fix?: { count: number; sigmas: [number, number] }; heading?: { count: number; sigmas: [number, number] } };
     /** Whether a sighting has a bearing. */
     bearings: boolean;
     /** Whether it is known where the robot really was. */
@@ -124,6 +126,7 @@ impl DriveLog {
                 ("landmarks", landmarks),
                 ("motion", if drive.motion == Motion::Odometry { "odometry" } else { "velocity" }.into()),
                 ("readings", readings(drive)),
+                ("own", own(drive)),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
                 ("opening", opening(drive)),
@@ -160,6 +163,15 @@ fn readings(drive: &Drive) -> JsValue {
     }
     let there = counts.each().into_iter().filter(|(_, count)| **count > 0);
     record(&there.map(|(name, count)| (name, (*count).into())).collect::<Vec<_>>())
+}
+
+/// The standard deviations that readings bring along.
+fn own(drive: &Drive) -> JsValue {
+    let of = |(name, sensor)| {
+        let (count, sigmas) = drive.own_sigmas(sensor)?;
+        Some((name, record(&[("count", count.into()), ("sigmas", crate::encode::list(&sigmas))])))
+    };
+    record(&[("fix", Sensor::Fix), ("heading", Sensor::Heading)].into_iter().filter_map(of).collect::<Vec<_>>())
 }
 
 /// Where a drive began by its first fixes, if no truth says it; a fix without a σ of its own has the default's.

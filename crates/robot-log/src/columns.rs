@@ -96,7 +96,11 @@ fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
         "heading" if found.is_empty() && !of("x", Quantity::Length).is_empty() => {
             found.extend(quaternion::first(names));
         }
-        "first range" => found = wide::group(names).and_then(|group| Some(vec![group.first()?.1])).unwrap_or_default(),
+        "first range" => {
+            let called = source.called.first().map(|(_, at)| *at);
+            let first = called.or_else(|| Some(wide::group(names)?.first()?.1));
+            found = first.into_iter().collect();
+        }
         // Coordinates say all that metres would, and the axes of a gyroscope are no place.
         "x" | "y" if matches!(source.role, Role::Sensors | Role::Truth) => {
             let global = ["latitude", "longitude"].iter().all(|it| !of(it, Quantity::Coordinate).is_empty());

@@ -2,7 +2,7 @@
 //! shows here.
 
 use crate::reading::Reading;
-use core::f64::consts::TAU;
+use core::f64::consts::{PI, TAU};
 use estimate::Landmark;
 use estimate::drive::{Event, Pose, Row};
 
@@ -106,7 +106,9 @@ fn places(what: &str, places: &[[f64; 2]]) -> Option<String> {
 fn headings(rows: &[Row], poses: &[Pose]) -> Option<String> {
     let read =
         rows.iter().filter_map(|row| if let Event::Heading { theta, .. } = row.event { Some(theta) } else { None });
-    let all: Vec<f64> = read.chain(poses.iter().map(|pose| pose.theta)).collect();
+    // A course of 0 to 360 degrees from north is a heading from −270 to 90: within a half turn either way it is known.
+    let within = |theta: f64| if theta.abs() > PI { theta - TAU * (theta / TAU).round() } else { theta };
+    let all: Vec<f64> = read.chain(poses.iter().map(|pose| pose.theta)).map(within).collect();
     let [least, most] = between(&all)?;
     (least != most)
         .then(|| format!("headings {} \u{2026} {}\u{b0}", short(least.to_degrees()), short(most.to_degrees())))

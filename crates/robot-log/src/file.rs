@@ -26,7 +26,7 @@ const SAMPLED: usize = 200;
 pub struct File {
     name: String,
     text: String,
-    source: Source,
+    pub(crate) source: Source,
 }
 
 impl File {
@@ -155,7 +155,7 @@ impl File {
         let unit = self.source.units.get(1).copied().flatten();
         let counted =
             unit.filter(|_| self.role() == Role::Encoders).and_then(|unit| self.jumps().note(&self.name, unit));
-        self.others().into_iter().chain(counted).collect()
+        self.others().into_iter().chain(counted).chain(self.left_speed()).collect()
     }
 
     /// Whether a question is about a value of its role, the `at`-th: about its column, or its unit.

@@ -1,6 +1,7 @@
 //! The files of a log as others write them: the five of a UTIAS MRCLAM data set, or plain tables of motion, sightings,
 //! landmarks and truth.
 
+use crate::beside;
 use crate::error::Error;
 use crate::file::File;
 use crate::log::{MAX_BYTES, Understood};
@@ -45,6 +46,8 @@ impl Files {
             return refuse(format!("the log has {bytes} bytes; at most {MAX_BYTES} were expected"));
         }
         self.files.push(File::new(name, text));
+        beside::names(&mut self.files, None);
+        beside::speeds(&mut self.files);
         Ok(())
     }
 
@@ -55,7 +58,9 @@ impl Files {
 
     /// Reads a file as another role, its columns guessed anew. Answers whether there is such a file.
     pub fn set_role(&mut self, file: usize, role: Role) -> bool {
-        self.files.get_mut(file).map(|file| file.set_role(role)).is_some()
+        let known = self.files.get_mut(file).map(|file| file.set_role(role)).is_some();
+        beside::names(&mut self.files, Some(file));
+        known
     }
 
     /// Reads a value from another column of its file, or from none. Answers whether there are such a value and such a
@@ -111,7 +116,13 @@ impl Files {
                 Role::Log => parse::gather(file.text(), i, &mut reading.to)?,
                 Role::Unused | Role::Undecided | Role::Barcodes => {}
                 role => {
+                    let before = reading.taken();
                     file.rows(i, |row| reading.take(role, row))?;
+                    if reading.taken() == before {
+                        let name = file.name();
+                        reading
+                            .say(vec![format!("{name}: read as {}, it has no row that says anything.", role.name())]);
+                    }
                     reading.end_file(file.name(), file.words());
                     reading.say(file.notes());
                 }
@@ -124,6 +135,7 @@ impl Files {
             return Err(self.without_motion());
         }
         let mut read = reading.finish()?;
+        read.notes.extend(beside::note(&self.files));
         let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
         read.notes.extend(unused.map(|file| format!("{} is not used.", file.name())));
         Ok(read)

@@ -63,6 +63,8 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         columns,
         units,
         doubts,
+        called: Vec::new(),
+        driven_by: None,
         wheels,
         several: None,
         only: None,

@@ -38,6 +38,7 @@
 //! ```
 
 mod axes;
+mod beside;
 mod binary;
 mod cells;
 mod clock;
@@ -66,6 +67,7 @@ mod row;
 mod several;
 mod source;
 mod stamp;
+mod stamps;
 mod table;
 mod unit;
 mod vocabulary;

@@ -1,18 +1,15 @@
 //! What is said of a log that was read and still looks strange: sentences for its reader.
 
-use estimate::drive::Drive;
+use crate::stamps::Stamps;
+use estimate::drive::{Drive, Gaps, Missing};
 
 pub(crate) const HEADED: &str = "The truth has no heading; the first 0.2 m of its way gives the first one.";
 
 /// What is counted while a file is read.
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Kept {
-    pub rows: usize,
-    /// The time of the row before, and how many have the time of the one before.
-    pub last: Option<f64>,
-    pub repeats: usize,
-    /// How many times lie before that of the row before.
-    pub backward: usize,
+    /// The times of its rows.
+    pub stamps: Stamps,
     /// What two encoders had counted.
     pub counted: Option<[f64; 2]>,
     /// The fix before and the heading beside it; how many fixes there are, and how many are the one before to the last
@@ -44,19 +41,9 @@ impl Kept {
 
     /// What was strange in a file.
     pub fn notes(&self, name: &str) -> Vec<String> {
-        let Self { rows, repeats, backward, fixes, copies, missing, unknown, nowhere, without_sigma, .. } = *self;
+        let Self { fixes, copies, missing, unknown, nowhere, without_sigma, .. } = *self;
         let Self { zero, minus_one, infinite, .. } = *self;
-        let mut notes = Vec::new();
-        if rows >= 5 && 5 * repeats > rows {
-            notes.push(format!(
-                "{name}: {repeats} of {rows} times repeat the one before. Are fractions of a second in another column?"
-            ));
-        }
-        if rows >= 5 && 5 * backward > rows {
-            notes.push(format!(
-                "{name}: {backward} of {rows} times lie before the one above. Is the time in another column?"
-            ));
-        }
+        let mut notes = self.stamps.notes(name);
         if self.holds() {
             notes.push(format!(
                 "{name}: {copies} of {fixes} positions are the one before to the last digit, and are left out: a fix \
@@ -108,6 +95,25 @@ pub(crate) fn left_out(unlisted: usize, left_out: usize, mapped: bool) -> Vec<St
         notes.push(format!("{left_out} left out: no file says where the landmarks are. This is dead reckoning."));
     }
     notes
+}
+
+/// Where no motion was read: the replay goes on with what it has, and says so.
+pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
+    let note = |Gaps { what, count, longest }: Gaps| {
+        let [begin, end] = longest.map(|time| (10.0 * time).round() / 10.0);
+        let (rows, held) = match what {
+            Missing::Held => ("rows of motion", "the last speed and turn rate are held meanwhile"),
+            Missing::Speed => ("speed", "the last one is held meanwhile"),
+            Missing::TurnRate => ("turn rate", "the last one is held meanwhile"),
+            Missing::Odometry => ("rows of motion", "the row after it is taken for the whole way and turn since"),
+        };
+        let more = if count > 1 { format!(" This is the longest of {count} such gaps.") } else { String::new() };
+        format!(
+            "No {rows} from {begin} to {end} s after the first row: {held}. What is estimated there is a guess; cut \
+             the log at the gap to judge it without.{more}"
+        )
+    };
+    estimate::drive::gaps(&drive.rows, drive.motion).into_iter().map(note).collect()
 }
 
 /// What is strange about the times of a drive. A wrong column, a wrong unit or a second clock shows here.

@@ -9,14 +9,11 @@ use crate::lists;
 use crate::log::Understood;
 use crate::notes::{self, Kept};
 use crate::role::Role;
+use crate::source::Landmark as Of;
 use crate::wgs84::Origin;
-use crate::wide;
 use estimate::Landmark;
 use estimate::drive::{Event, Pose, Row};
 use std::collections::HashMap;
-
-/// Half a day, s: a time of day that goes back so far has passed midnight.
-const HALF_A_DAY: f64 = 43_200.0;
 
 /// A log while its tables are read.
 #[derive(Default)]
@@ -53,6 +50,11 @@ impl Reading {
         }
     }
 
+    /// How much has been taken: rows, true poses, landmarks, and sightings whose barcode is in no list.
+    pub fn taken(&self) -> usize {
+        self.to.rows().len() + self.poses().len() + self.to.landmarks().0.len() + self.unlisted
+    }
+
     /// Says something of a file that is not seen row by row.
     pub fn say(&mut self, notes: Vec<String>) {
         self.notes.extend(notes);
@@ -64,16 +66,16 @@ impl Reading {
         match role {
             Role::Velocities => {
                 let event = Event::Velocity { v: cells.number("v")?, omega: cells.number("omega")? };
-                let time = self.kept.time(cells)?;
+                let time = self.kept.stamps.take(cells)?;
                 self.motion(start, time, event)?;
             }
             Role::Odometry => {
                 let event = Event::Odometry { distance: cells.number("distance")?, turn: cells.number("turn")? };
-                let time = self.kept.time(cells)?;
+                let time = self.kept.stamps.take(cells)?;
                 self.motion(start, time, event)?;
             }
             Role::Encoders => {
-                let (time, counted) = (self.kept.time(cells)?, [cells.number("left")?, cells.number("right")?]);
+                let (time, counted) = (self.kept.stamps.take(cells)?, [cells.number("left")?, cells.number("right")?]);
                 let unit = cells.source.role.index("left").and_then(|at| cells.source.units[at]);
                 let before = self.kept.counted.replace(counted).filter(|_| !cells.jumps.begins_anew(start.line));
                 let wheels = &cells.source.wheels;
@@ -90,7 +92,7 @@ impl Reading {
             }
             Role::Truth => {
                 self.to.begin(start)?;
-                let time = self.kept.time(cells)?;
+                let time = self.kept.stamps.take(cells)?;
                 let Some([x, y]) = self.place(cells)? else { return Ok(()) };
                 match cells.given("heading")? {
                     Some(theta) => self.to.truth(Pose { time, x, y, theta }),
@@ -116,14 +118,19 @@ impl Reading {
                 self.sighting(cells.place("landmark"), Row::new(time, event), seen);
             }
             Role::Ranges => {
-                let time = self.kept.time(cells)?;
-                let first = cells.source.column("first range").unwrap_or(0);
-                for (seen, column) in wide::group_of(&cells.source.names, first).unwrap_or_default() {
+                let time = self.kept.stamps.take(cells)?;
+                for (seen, column) in cells.source.ranges() {
+                    let place = Place::of(cells.file, cells.line, column);
+                    let seen = match seen {
+                        Of::Called(name) => self.landmarks.named(name),
+                        Of::Number(number) => self.landmarks.numbered(number),
+                    };
+                    let seen = seen.map_err(|message| place.refuse(message))?;
                     match cells.range("first range", column)? {
                         Ok(range) => {
                             self.to.begin(start)?;
                             let row = Row::new(time, Event::Range { landmark: 0, range });
-                            self.sighting(Place::of(cells.file, cells.line, column), row, seen);
+                            self.sighting(place, row, seen);
                         }
                         Err(none) => self.kept.without(none)?,
                     }
@@ -136,7 +143,7 @@ impl Reading {
 
     /// What the sensors of a row have read; each may be missing.
     fn sensors(&mut self, cells: Cells<'_>) -> Result<(), Error> {
-        let (start, time) = (cells.start(), self.kept.time(cells)?);
+        let (start, time) = (cells.start(), self.kept.stamps.take(cells)?);
         self.kept.unknown += ["v", "heading"].iter().filter(|value| cells.is_absent(value)).count();
         let (v, omega) = (cells.given("v")?, cells.given("omega")?);
         let motion = match (v, omega) {
@@ -239,27 +246,13 @@ impl Reading {
         let mapped = self.to.has_landmarks();
         let (log, left_out) = self.to.finish(self.carried.is_some())?;
         notes.extend(notes::times(&log.drive));
+        notes.extend(notes::gaps(&log.drive));
         notes.extend(notes::left_out(self.unlisted, left_out, mapped));
         Ok(Understood { log, notes })
     }
 }
 
 impl Kept {
-    /// The time of a row; times that repeat are counted.
-    fn time(&mut self, cells: Cells<'_>) -> Result<f64, Error> {
-        let time = cells.time()?;
-        if let Some(before) = self.last.replace(time) {
-            self.repeats += usize::from(before == time);
-            self.backward += usize::from(time < before);
-            if before - time > HALF_A_DAY && cells.is_time_of_day() {
-                let message = "the time of day goes back, past midnight; stamps with their dates were expected";
-                return Err(cells.place("time").refuse(message));
-            }
-        }
-        self.rows += 1;
-        Ok(time)
-    }
-
     /// A range that was not read.
     fn without(&mut self, none: NoRange) -> Result<(), Error> {
         match none {

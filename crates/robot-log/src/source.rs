@@ -7,6 +7,7 @@ use crate::several::{Several, grouped};
 use crate::table::Table;
 use crate::unit::{self, DATE, Unit};
 use crate::wheels::Wheels;
+use crate::wide;
 
 /// How a file is read.
 #[derive(Clone, Debug, PartialEq)]
@@ -21,6 +22,10 @@ pub(crate) struct Source {
     pub units: Vec<Option<&'static Unit>>,
     /// The columns of which each value may be in one.
     pub doubts: Vec<Vec<usize>>,
+    /// The columns that are called as landmarks of another file, with the landmarks' names.
+    pub called: Vec<(String, usize)>,
+    /// The file whose speed is taken instead of this one's.
+    pub driven_by: Option<String>,
     /// What encoders need besides.
     pub wheels: Wheels,
     /// The column that tells the rows of several robots apart.
@@ -74,11 +79,30 @@ impl Source {
             let (column, each) = (&header[*column], each.join(", "));
             asks.push(format!("Whose rows are the log\u{2019}s? \u{201c}{column}\u{201d} is {each}."));
         }
+        if let (Role::Ranges, Some(at)) = (self.role, self.column("first range"))
+            && self.ranges().is_empty()
+        {
+            let name = &header[at];
+            asks.push(format!(
+                "\u{201c}{name}\u{201d} has no number in its name, and no landmark is called so: which column is \
+                 the first of the ranges?"
+            ));
+        }
         if self.role == Role::Encoders {
             let unit = self.role.index("left").and_then(|at| self.units[at]);
             asks.extend(unit.and_then(|unit| self.wheels.lacks(unit.name)));
         }
         asks
+    }
+
+    /// The columns of ranges, each with its landmark's name, or, where columns are told apart by it, its number.
+    pub fn ranges(&self) -> Vec<(Landmark<'_>, usize)> {
+        let Some(first) = self.column("first range") else { return Vec::new() };
+        if self.called.iter().any(|(_, at)| *at == first) {
+            return self.called.iter().map(|(name, at)| (Landmark::Called(name), *at)).collect();
+        }
+        let group = wide::group_of(&self.names, first).unwrap_or_default();
+        group.into_iter().map(|(number, at)| (Landmark::Number(number), at)).collect()
     }
 
     /// Which value lacks its column, if one does.
@@ -112,6 +136,13 @@ impl Source {
     pub fn is_date(&self) -> bool {
         self.units.first().copied().flatten().is_some_and(|unit| unit.name == DATE)
     }
+}
+
+/// Of which landmark a column is.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Landmark<'a> {
+    Called(&'a str),
+    Number(u32),
 }
 
 /// A value as a question names it.

@@ -116,8 +116,8 @@ const WAYS: [(&str, &str); 19] = [
         "heading accuracy,bearing accuracy,course accuracy,yaw accuracy,heading sigma,sigma heading,heading std,\
          yaw std",
     ),
-    ("left", "left,links,linkes,gauche,izquierda,izquierdo,sinistra,sinistro"),
-    ("right", "right,rechts,rechtes,droite,derecha,derecho,destra,destro"),
+    ("left", "left,links,linkes,gauche,izquierda,izquierdo,sinistra,sinistro,=l,=enc l,=encoder l,=wheel l"),
+    ("right", "right,rechts,rechtes,droite,derecha,derecho,destra,destro,=r,=enc r,=encoder r,=wheel r"),
 ];
 
 /// Words of a variance, whose root is a standard deviation.

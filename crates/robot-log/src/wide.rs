@@ -1,6 +1,7 @@
 //! A table with a column of ranges for each landmark: `d1, d2, d3`. The number in a column's name is the landmark's.
 
 use crate::names::Name;
+use crate::role::Quantity;
 
 /// What such a column may be called, besides its number.
 const CALLED: [&str; 17] = [
@@ -25,17 +26,37 @@ const CALLED: [&str; 17] = [
 
 /// The columns of the first such group, or of the one that a column is in, each with its landmark.
 pub(crate) fn group(names: &[Name]) -> Option<Vec<(u32, usize)>> {
-    (0..names.len()).find_map(|at| group_of(names, at).filter(|found| found.len() > 1))
+    let is_range =
+        |at: &usize| parted(&names[*at]).is_some_and(|(words, _)| words.iter().any(|it| CALLED.contains(it)));
+    (0..names.len()).filter(is_range).find_map(|at| group_of(names, at).filter(|found| found.len() > 1))
 }
 
 /// The columns that are called as one of them is, but for the number.
 pub(crate) fn group_of(names: &[Name], at: usize) -> Option<Vec<(u32, usize)>> {
     let (called, _) = parted(names.get(at)?)?;
-    if !called.iter().any(|word| CALLED.contains(word)) {
-        return None;
-    }
     let alike = |name: &Name| parted(name).filter(|(other, _)| *other == called).map(|(_, number)| number);
     Some(names.iter().enumerate().filter_map(|(i, name)| Some((alike(name)?, i))).collect())
+}
+
+/// Whether some columns differ by a number alone.
+pub(crate) fn numbered(names: &[Name]) -> bool {
+    (0..names.len()).any(|at| group_of(names, at).is_some_and(|found| found.len() > 1))
+}
+
+/// The columns that are called as landmarks are, but for words of a range and its unit: `A1`, `range_A1 [mm]`.
+pub(crate) fn called(names: &[Name], landmarks: &[String]) -> Vec<(String, usize)> {
+    let is_called = |name: &Name, landmark: &str| {
+        let (base, own) = (name.base(Quantity::Length), Name::new(landmark).words);
+        let parts = base.len().checked_sub(own.len()).map(|at| base.split_at(at));
+        parts.is_some_and(|(before, it)| it == own && before.iter().all(|word| CALLED.contains(word)))
+    };
+    let column = |landmark: &String| {
+        let mut columns = (0..names.len()).filter(|at| is_called(&names[*at], landmark));
+        columns.next().map(|at| (landmark.clone(), at)).filter(|_| columns.next().is_none())
+    };
+    let mut found: Vec<(String, usize)> = landmarks.iter().filter_map(column).collect();
+    found.sort_by_key(|(_, at)| *at);
+    if found.len() > 1 { found } else { Vec::new() }
 }
 
 /// The words of a name, and the number that stands among them.

@@ -119,6 +119,7 @@ fn off(settings: &Settings, number: Fitted, by: f64) -> Settings {
         Fitted::SigmaRange => s.sigma_range *= libm::exp(by),
         Fitted::SigmaBearing => s.sigma_bearing *= libm::exp(by),
         Fitted::DelaySpeed => s.delays.speed += by,
+        Fitted::DelayTurn => s.delays.turn += by,
         Fitted::DelayFix => s.delays.fix += by,
         Fitted::DelayHeading => s.delays.heading += by,
         Fitted::DelaySighting => s.delays.sighting += by,

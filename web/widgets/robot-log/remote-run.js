@@ -226,9 +226,14 @@ export class RemoteRun extends Asking {
     this.send()
     const { found, progress } = this.judging
     if (!this.sent) this.progress = progress
+    // No verdict has come of it.
+    if (this.frame.judging && !this.judging.busy) {
+      this.frame = { ...this.frame, judging: false }
+      return { ...outcome, moved: outcome.moved === 'nothing' ? 'replay' : outcome.moved }
+    }
     if (!found || outcome.moved !== 'nothing') return outcome
     this.judging.found = null
-    this.frame = { ...this.frame, judgement: found }
+    this.frame = { ...this.frame, judgement: found, judging: false }
     return { ...outcome, moved: 'replay' }
   }
 
@@ -250,6 +255,7 @@ export class RemoteRun extends Asking {
     const ended = this.playing && this.frame.step === this.last
     if (ended) this.playing = false
     this.judging.begin(this.frame)
+    if (this.judging.waiting) this.frame.judging = true
     return { moved: sent.moved, refused: null, ended }
   }
 

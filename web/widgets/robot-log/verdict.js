@@ -15,6 +15,7 @@ const READINGS = { fix: 'positions', heading: 'headings', range: 'ranges', beari
 /** @type {Record<string, [string, string]>} what comes late, and its verb */
 const DELAYED = {
   delaySpeed: ['speed', 'comes'],
+  delayTurn: ['turn rate', 'comes'],
   delayFix: ['positions', 'come'],
   delayHeading: ['headings', 'come'],
   delaySighting: ['ranges', 'come'],
@@ -48,6 +49,7 @@ export function ranked(judgement, { rows, truth }) {
   const own = suspects.filter((suspect) => suspect.own)
   const sound = first.standing === 'cleared'
   const parts = [
+    ...(sound ? [] : judgement.gaps.map(bridged)),
     ungated ? 'The gate refuses more than one reading in ten, which hides a fault: it is off for this verdict.' : '',
     sound
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
@@ -80,6 +82,18 @@ function named({ suspects: [first, ...others], beside }, truth) {
   if (rival) return `Either: ${sentence(first, truth)} Or: ${sentence(rival, truth)} The readings do not tell which.`
   if (first.excess < NEAR) return `Perhaps: ${sentence(first, truth)} Chance explains it nearly as well.`
   return `Perhaps: ${sentence(first, truth)} ${gain}`
+}
+
+/** What is held over a gap looks like any fault of the motion. @param {LogJudgement['gaps'][number]} gap */
+function bridged({ what, count, longest }) {
+  const [from, to] = longest.map((time) => fixed(time, 1))
+  const rows = what === 'held' || what === 'odometry' ? 'rows of motion' : what
+  const held = what === 'odometry' ? 'the row after it is taken for all since' : 'what was read last is held meanwhile'
+  const more = count > 1 ? ` (the longest of ${count} such gaps)` : ''
+  return (
+    `No ${rows} from ${from} to ${to} s after the first row${more}: ${held}, ` +
+    'which looks like a fault of the motion. Cut the log there first.'
+  )
 }
 
 /** What is wrong is none of the suspects. @param {LogJudgement} judgement */
@@ -130,18 +144,28 @@ function errors({ suspects: [{ mended }], against, ungated, other }) {
 const rise = (gain) => (gain < 1000 ? fixed(gain, 1) : count(Math.round(gain)))
 
 /** Who is late, and by how much. @param {Suspect} suspect @param {number} off */
-function late({ name, sizes: [size] }, off) {
-  const [what, verb] = DELAYED[name ?? '']
+function late({ name, with: other, flat, sizes: [size, , third] }, off) {
+  const [what, verb] = other ? [together(name, other, third), 'come together'] : DELAYED[name ?? '']
   const further = off > 0 ? 'later' : 'earlier'
   const claim = size.now === 0 ? (off > 0 ? 'late' : 'early') : `${further} than set`
-  return `The ${what} ${verb} ${plusMinus({ ...size, value: Math.abs(off) })} s ${claim}`
+  const much = flat
+    ? flat
+        .map((end) => fixed(Math.abs(end - size.now), 2))
+        .sort()
+        .join(' to ')
+    : plusMinus({ ...size, value: Math.abs(off) })
+  return `The ${what} ${verb} ${much} s ${claim}${flat ? ', and the rows of motion tell no more' : ''}`
 }
 
+/** What comes late by the same. @param {string | null} name @param {string} other @param {Size} [third] */
+const together = (name, other, third) => (third ? 'readings' : `${DELAYED[name ?? ''][0]} and the ${DELAYED[other][0]}`)
+
 /** What a fault is called. @param {Suspect} suspect */
-function kind({ fault, name, with: other, sensor }) {
+function kind({ fault, name, with: other, sensor, sizes }) {
   if (fault === 'start') return 'another start'
   if (fault === 'tails') return `a share of outliers among the ${READINGS[sensor ?? 'fix']}`
-  if (fault === 'clock') return `a delay of the ${DELAYED[name ?? ''][0]}`
+  if (fault === 'clock')
+    return `a delay of the ${other ? `${together(name, other, sizes[2])} together` : DELAYED[name ?? ''][0]}`
   if (fault === 'sigma') return `another σ of ${SIGMAS[name ?? ''][0]}`
   if (fault === 'mirrored') return 'the sign of the turns'
   if (fault === 'exchanged') return 'an exchange of two landmarks'
@@ -171,6 +195,7 @@ export function sentence(suspect, truth) {
     const rows = READINGS[sensor ?? 'fix']
     return `${plusMinus(size, 100)} % of the ${rows} are outliers: switch their gate on, which refuses them.`
   }
+  if (fault === 'clock' && second) return `${late(suspect, off)}: ${delays(suspect)}${truth ? '' : MOTION}`
   if (fault === 'clock') return `${late(suspect, off)}: set the delay to ${digits(size)} s.`
   if (fault === 'sigma') {
     const [whose, unit] = SIGMAS[name ?? '']
@@ -208,6 +233,18 @@ export function sentence(suspect, truth) {
   if (name === 'speedScale')
     return `The speed reads ${plusMinus(much, 100)} % too ${off > 0 ? 'low' : 'high'}: let the filter learn its scale.`
   return `The ranges read ${plusMinus(much, 100)} % too ${length(off)}: set their scale to ${digits(size, 100)} %.`
+}
+
+const MOTION = ' That the motion is off by as much the other way would look the same.'
+
+/** Sensors that have one clock; or it is the motion's that is off the other way. @param {Suspect} suspect */
+function delays({ sizes }) {
+  const all = sizes.map((size) => digits(size))
+  const same = all.every((value) => value === all[0])
+  const set = same
+    ? `set ${all.length > 2 ? 'all their' : 'both'} delays to ${all[0]} s`
+    : `set their delays to ${all.join(' s and ')} s`
+  return `${set}.`
 }
 
 /** @param {Size[]} sizes @param {boolean} truth */

@@ -4,8 +4,9 @@ import { fixed } from '../../draw/numbers.js'
 import { ranked } from './verdict.js'
 
 /**
- * @typedef {import('estimate-wasm').LogFrame & { judgement?: import('estimate-wasm').LogJudgement }} Frame with the
- * verdict on the log, once it has come
+ * @typedef {import('estimate-wasm').LogFrame & {
+ *   judgement?: import('estimate-wasm').LogJudgement, judging?: boolean,
+ * }} Frame with the verdict on the log, once it has come, and whether it is being looked for
  */
 
 /** A mean this far from 0, in σ, is called a bias: a radio off by a fifth of its own noise. */
@@ -69,10 +70,12 @@ export function verdict(frame) {
   if (used + refused === 0) return `No ${noun(frame)} has been read yet.${errorOf(frame, false)}`
   if (used === 0)
     return `The gate has refused every ${noun(frame)} so far: this is dead reckoning.${errorOf(frame, false)}`
-  const { judgement, rows, truth } = frame
+  const { judgement, judging, rows, truth } = frame
   const told = judgement
     ? [` ${ranked(judgement, { rows, truth: Boolean(truth) })}`]
-    : [meanOf(frame), nisOf(frame), lagOf(frame)]
+    : judging
+      ? [' Still looking for what may be wrong …']
+      : [meanOf(frame), nisOf(frame), lagOf(frame)]
   return [errorOf(frame, true), gateOf(frame), learnedOf(frame), ...told].join('').trim()
 }
 

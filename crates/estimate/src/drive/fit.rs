@@ -8,7 +8,8 @@
 
 use crate::drive::course::Course;
 use crate::drive::fitted::Fitted;
-use crate::drive::likelihood::log_likelihood;
+use crate::drive::flat::flat;
+use crate::drive::likelihood::{beyond, log_likelihood};
 use crate::drive::moves::Moves;
 use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::{BySensor, Sensor};
@@ -22,6 +23,8 @@ pub(crate) const SETTLED: f64 = 2.0;
 /// Delays are tried so far either way, s, and no further than this share of the log.
 const MOST_DELAY: f64 = 3.0;
 const SHARE: f64 = 0.1;
+/// Readings are held against what holds all but this share of them.
+const EXPECTED: f64 = 0.001;
 /// The most replays of the search itself.
 const MOST_REPLAYS: u32 = 1200;
 /// A search that has risen by no more than this since it last began is at its end.
@@ -46,6 +49,13 @@ pub struct Found {
     pub replays: [u32; 2],
     /// Whether the search has ended where no step leads up, and not at the most replays.
     pub settled: bool,
+    /// How many of the counted readings lie where this share of them is expected under what was found: more are
+    /// outliers, which have bent it. 0 before the search has ended.
+    pub beyond: u32,
+    /// That share.
+    pub expected: f64,
+    /// Delays of a log of odometry, from where to where its likelihood is the same.
+    pub flat: Vec<(Fitted, [f64; 2])>,
 }
 
 /// A search for the noise and the delays under which a log's readings are likeliest.
@@ -68,6 +78,8 @@ pub struct Fit {
     settled: bool,
     /// How well the log tells the numbers, once they are found.
     told: Option<Told>,
+    beyond: u32,
+    flat: Option<Vec<(Fitted, [f64; 2])>>,
 }
 
 impl Fit {
@@ -118,6 +130,8 @@ impl Fit {
             replays: 0,
             settled: false,
             told: None,
+            beyond: 0,
+            flat: None,
         };
         let fix = drive.rows.iter().find(|row| Sensor::of(&row.event) == Some(Sensor::Fix));
         if let (Some(fix), true) = (fix, drive.truth.poses().is_empty()) {
@@ -135,7 +149,10 @@ impl Fit {
     /// The log cannot be replayed under the settings that the search begins at.
     pub fn step(&mut self, drive: &Drive) -> Result<bool, Error> {
         if let Some(told) = &mut self.told {
-            let Some(at) = told.next(&self.at) else { return Ok(false) };
+            let Some(at) = told.next(&self.at) else {
+                self.look_back(drive)?;
+                return Ok(false);
+            };
             self.replays += 1;
             let value = self.replay(drive, &at).map_or(f64::NEG_INFINITY, |(value, _)| value);
             if let Some(told) = &mut self.told {
@@ -170,6 +187,27 @@ impl Fit {
         Ok(true)
     }
 
+    /// Looks for outliers, and for delays that the log tells in stairs, once.
+    fn look_back(&mut self, drive: &Drive) -> Result<(), Error> {
+        if self.flat.is_some() {
+            return Ok(());
+        }
+        let mut settings = self.settings;
+        self.numbers.iter().zip(&self.at).for_each(|(number, at)| number.set(&mut settings, *at));
+        [self.beyond, _] = beyond(drive, settings, self.from, 1.0 - EXPECTED)?;
+        let stair = |(i, number): (usize, &Fitted)| {
+            let value = |to: f64| {
+                let mut at = self.at.clone();
+                at[i] = to;
+                self.replay(drive, &at).ok().map(|it| it.0)
+            };
+            Some((*number, flat(drive, self.at[i], value)?))
+        };
+        let delays = self.numbers.iter().enumerate().filter(|(_, number)| number.is_delay());
+        self.flat = Some(delays.filter_map(stair).collect());
+        Ok(())
+    }
+
     /// The log-likelihood of the counted readings, and how many there are.
     fn replay(&self, drive: &Drive, at: &[f64]) -> Result<(f64, u32), Error> {
         let mut settings = self.settings;
@@ -189,6 +227,9 @@ impl Fit {
             readings: self.readings,
             replays: [self.replays, most],
             settled: self.settled,
+            beyond: self.beyond,
+            expected: EXPECTED,
+            flat: self.flat.clone().unwrap_or_default(),
         }
     }
 }

@@ -23,6 +23,8 @@ pub enum Fitted {
     SigmaBearing,
     /// The delay of the speed.
     DelaySpeed,
+    /// The delay of the turn rate. A fit holds it: a delay of all together cannot be seen.
+    DelayTurn,
     /// The delay of the fixes.
     DelayFix,
     /// The delay of the headings.
@@ -52,7 +54,7 @@ impl Fitted {
 
     /// Those that a fit looks for unless it is told which: of the motion, and of the readings that a course uses.
     pub(crate) fn of(drive: &Drive, course: &Course) -> Vec<Self> {
-        let usual = |number: &Self| !matches!(number, Self::SpeedScale | Self::TurnBias);
+        let usual = |number: &Self| !matches!(number, Self::SpeedScale | Self::TurnBias | Self::DelayTurn);
         Self::all(drive, course).into_iter().filter(usual).collect()
     }
 
@@ -69,6 +71,7 @@ impl Fitted {
         let (fix, heading) = (sensors.fix && s.fixes, sensors.heading && s.headings);
         let (range, bearing) = (sensors.range && s.sightings, sensors.bearing && s.sightings);
         let (sighting, held) = (range || bearing, drive.motion == Motion::Velocity);
+        let several = [fix, heading, sighting].into_iter().filter(|it| *it).count() > 1;
         let has = |is: fn(&Event) -> bool| drive.rows.iter().any(|row| is(&row.event));
         let turns = has(|event| matches!(event, Event::Velocity { .. } | Event::TurnRate { .. }));
         let speeds = has(|event| matches!(event, Event::Velocity { .. } | Event::Speed { .. }));
@@ -79,6 +82,8 @@ impl Fitted {
             (Self::SigmaBearing, bearing),
             // Delays are counted from that of the turn rate; where there is none, from the speed's own.
             (Self::DelaySpeed, turns && speeds),
+            // It differs from the speed's and the readings' where these are not late as one.
+            (Self::DelayTurn, turns && speeds && several),
             (Self::DelayFix, fix),
             (Self::DelayHeading, heading),
             (Self::DelaySighting, sighting),
@@ -107,6 +112,7 @@ impl Fitted {
             Self::SigmaRange => "sigmaRange",
             Self::SigmaBearing => "sigmaBearing",
             Self::DelaySpeed => "delaySpeed",
+            Self::DelayTurn => "delayTurn",
             Self::DelayFix => "delayFix",
             Self::DelayHeading => "delayHeading",
             Self::DelaySighting => "delaySighting",
@@ -121,7 +127,12 @@ impl Fitted {
 
     /// Whether it is a delay.
     pub fn is_delay(self) -> bool {
-        matches!(self, Self::DelaySpeed | Self::DelayFix | Self::DelayHeading | Self::DelaySighting)
+        matches!(self, Self::DelaySpeed | Self::DelayTurn) || self.is_reading_delay()
+    }
+
+    /// Whether it is the delay of a sensor's readings, and not of the motion.
+    pub(crate) fn is_reading_delay(self) -> bool {
+        matches!(self, Self::DelayFix | Self::DelayHeading | Self::DelaySighting)
     }
 
     /// Whether it is a standard deviation: a fit then says how well the log tells it relative to itself.
@@ -140,6 +151,7 @@ impl Fitted {
             Self::SigmaRange => &mut settings.sigma_range,
             Self::SigmaBearing => &mut settings.sigma_bearing,
             Self::DelaySpeed => &mut settings.delays.speed,
+            Self::DelayTurn => &mut settings.delays.turn,
             Self::DelayFix => &mut settings.delays.fix,
             Self::DelayHeading => &mut settings.delays.heading,
             Self::DelaySighting => &mut settings.delays.sighting,

@@ -3,9 +3,11 @@
 use crate::drive::course::Otherwise;
 use crate::drive::evidence::{Against, Evidence, Place};
 use crate::drive::fitted::Fitted;
+use crate::drive::flat::flat;
+use crate::drive::gaps::{self, Gaps};
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::{Drive, Event, Row};
-use crate::drive::suspect::{Fault, Suspect};
+use crate::drive::suspect::{Fault, Standing, Suspect};
 use alloc::vec::Vec;
 
 /// A mended filter that is farther from the truth than before, by this ratio, is not mended.
@@ -13,6 +15,8 @@ const WORSE: f64 = 1.05;
 /// One with a NEES beyond this still has a fault, unless the error has fallen by this ratio meanwhile.
 const WILD: f64 = 20.0;
 const BETTER: f64 = 0.9;
+/// So many delays are looked at for stairs: those that a sentence may name.
+const NAMED: usize = 2;
 /// What is expected of the NEES of a position.
 const EXPECTED: f64 = 2.0;
 
@@ -38,6 +42,8 @@ pub struct Judgement {
     pub arcs: Option<f64>,
     /// The median time between rows of motion, s. A delay of at most half of it is the model's own.
     pub period: f64,
+    /// Where no motion was read: what is held there looks like a fault of the motion.
+    pub gaps: Vec<Gaps>,
     /// Whether no suspect, mended, brings the filter nearer to the truth: something else is wrong.
     pub other: bool,
 }
@@ -57,12 +63,14 @@ pub(crate) fn turning(drive: &Drive, round: &Round, scope: &Scope) -> Option<f64
         let place = Place { otherwise: Otherwise { arcs, ..place.otherwise }, ..*place };
         Evidence::new(drive, &place, scope.rows).ok()
     };
-    let (chance, found) = (scope.chance[0], &round.found);
+    // A turn rate that comes half a step early is what a turn on the way looks like.
+    let others = |(suspect, _): &&(Suspect, Place)| suspect.number != Some(Fitted::DelayTurn);
+    let (chance, found) = (scope.chance[0], || round.found.iter().filter(others));
     let alone = with(&round.place, true)?.gain(round.base.as_ref()?, 0);
-    if alone > found.iter().map(|(suspect, _)| suspect.gain).fold(chance, f64::max) {
+    if alone > found().map(|(suspect, _)| suspect.gain).fold(chance, f64::max) {
         return Some(alone);
     }
-    let (clock, mended) = found.iter().find(|(suspect, _)| suspect.fault != Fault::Sigma)?;
+    let (clock, mended) = found().find(|(suspect, _)| suspect.fault != Fault::Sigma)?;
     let more = with(mended, true)?.gain(&with(mended, false)?, 0);
     (clock.fault == Fault::Clock && more > chance).then_some(more)
 }
@@ -71,8 +79,8 @@ pub(crate) fn turning(drive: &Drive, round: &Round, scope: &Scope) -> Option<f64
 pub(crate) fn as_mended(place: &Place, own: &[Suspect]) -> Place {
     let mut mended = Place { otherwise: Otherwise { arcs: false, ..place.otherwise }, ..*place };
     for suspect in own {
-        let now = suspect.sizes.first().map_or(0.0, |size| size.now);
-        suspect.number.into_iter().for_each(|number| number.set(&mut mended.settings, now));
+        let set = suspect.tried().numbers().into_iter().zip(&suspect.sizes);
+        set.for_each(|(number, size)| number.set(&mut mended.settings, size.now));
     }
     mended
 }
@@ -85,6 +93,26 @@ pub(crate) fn is_own(suspect: &Suspect, period: f64) -> bool {
     delay.is_some_and(|size| (size.value - size.now).abs() <= half + (2.0 * size.sigma).min(0.3 * half))
 }
 
+/// Says of the likeliest delays how far the readings tell them at all.
+pub(crate) fn stairs(drive: &Drive, suspects: &mut [Suspect], places: &[Place], scope: &Scope) {
+    let clocks = suspects.iter_mut().zip(places);
+    let clocks = clocks.filter(|(it, _)| it.fault == Fault::Clock && it.standing != Standing::Cleared);
+    for (suspect, place) in clocks.take(NAMED) {
+        let Some(begin) = suspect.sizes.first().map(|size| size.value) else { continue };
+        let numbers = suspect.tried().numbers();
+        let value = |to: f64| {
+            let mut place = *place;
+            for number in &numbers {
+                let now = number.get(&place.settings);
+                number.set(&mut place.settings, now + to - begin);
+            }
+            let evidence = Evidence::new(drive, &place, scope.rows).ok()?;
+            Some(evidence.readings.iter().filter(|it| it.row >= scope.from).map(|it| it.log_likelihood).sum())
+        };
+        suspect.flat = flat(drive, begin, value);
+    }
+}
+
 /// The median time between rows of motion, s: of speeds or of turn rates, whichever come less often.
 pub(crate) fn period(rows: &[Row]) -> f64 {
     let speeds = median(rows, |event| !matches!(event, Event::TurnRate { .. }));
@@ -93,7 +121,5 @@ pub(crate) fn period(rows: &[Row]) -> f64 {
 
 fn median(rows: &[Row], of: impl Fn(&Event) -> bool) -> f64 {
     let times: Vec<f64> = rows.iter().filter(|row| row.event.is_motion() && of(&row.event)).map(|it| it.time).collect();
-    let mut gaps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > 0.0).collect();
-    gaps.sort_by(f64::total_cmp);
-    gaps.get(gaps.len() / 2).copied().unwrap_or(0.0)
+    gaps::median(times.windows(2).map(|pair| pair[1] - pair[0]))
 }

@@ -6,6 +6,7 @@ use crate::drive::row::Drive;
 use crate::drive::settings::Settings;
 use crate::error::Error;
 use crate::validate::finite;
+use filters::consistency::chi2_quantile;
 
 /// Σ −½ (ln det 2πS + d²) over the used readings that are stamped `from` or later, s; and how many these are.
 ///
@@ -39,4 +40,24 @@ pub fn log_likelihood(drive: &Drive, settings: Settings, from: f64) -> Result<(f
         }
     }
     Ok((sum, used))
+}
+
+/// How many of the used readings that are stamped `from` or later, s, lie beyond what holds `share` of them if the
+/// model is right, and how many there are. More than 1 − `share` of them are outliers, or the model is wrong.
+///
+/// # Errors
+/// As [`log_likelihood`], and where `share` is no probability.
+pub fn beyond(drive: &Drive, settings: Settings, from: f64, share: f64) -> Result<[u32; 2], Error> {
+    finite(from, "from")?;
+    let within = [chi2_quantile(1, share)?, chi2_quantile(2, share)?];
+    let course = Course::new(drive, settings)?;
+    let mut replay = Replay::new(&course);
+    let mut counts = [0, 0];
+    while let Some(taken) = replay.take(drive, &course)? {
+        if let Some(judged) = taken.judged.filter(|judged| judged.used && drive.rows[taken.row].time >= from) {
+            counts[0] += u32::from(judged.d2 > within[usize::from(judged.outputs > 1)]);
+            counts[1] += 1;
+        }
+    }
+    Ok(counts)
 }

@@ -101,6 +101,15 @@ impl Round {
                 (None, _) => Size { now: 0.0, value: *at, sigma },
             }
         };
+        let mut sizes: Vec<Size> = freed.at.iter().enumerate().map(size).collect();
+        if let (Tried::Together(_), &[by]) = (tried, freed.at.as_slice()) {
+            let sigma = sizes[0].sigma;
+            let of = |number: &Fitted| {
+                let now = number.get(&self.place.settings);
+                Size { now, value: now + by, sigma }
+            };
+            sizes = which.iter().map(of).collect();
+        }
         let chance =
             scope.chance[tried.freedom()] + if tried == Tried::Exchanged { libm::log(scope.pairs) } else { 0.0 };
         let id = |at: usize| drive.landmarks.get(at).map_or(0, |landmark| landmark.id);
@@ -110,11 +119,12 @@ impl Round {
             with: which.get(1).copied(),
             sensor: if let Tried::Outliers(sensor) = tried { Some(sensor) } else { None },
             landmarks: pair.map(|pair: [usize; 2]| pair.map(id)),
-            sizes: freed.at.iter().enumerate().map(size).collect(),
+            sizes,
             gain: freed.gain,
             excess: freed.gain - chance,
             standing: Standing::Cleared,
             own: false,
+            flat: None,
             mended: None,
         };
         (suspect, mended.unwrap_or_else(|| place(&freed.at)))
@@ -153,7 +163,7 @@ pub(crate) fn sifted(found: &mut Vec<(Suspect, Place)>, chance: f64) {
     };
     let alone =
         |suspect: &Suspect| suspect.with.is_none() && matches!(suspect.number, Some(Fitted::Scale | Fitted::Offset));
-    let pair = |suspect: &Suspect| suspect.with.is_some();
+    let pair = |suspect: &Suspect| suspect.with.is_some() && suspect.fault == Fault::Scale;
     let both = gain(&pair) > gain(&alone).max(0.0) + chance;
     found.retain(|(suspect, _)| if both { !alone(suspect) } else { !pair(suspect) });
 }

@@ -1,6 +1,6 @@
 //! The sensors of a log, and what is told or said of each.
 
-use crate::drive::row::Event;
+use crate::drive::row::{Drive, Event, Row};
 
 /// A sensor of a log that corrects the estimate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -33,6 +33,21 @@ impl Sensor {
             Self::Fix | Self::Bearing => 2,
             Self::Heading | Self::Range => 1,
         }
+    }
+}
+
+impl Drive {
+    /// How many readings of a sensor bring a standard deviation of their own, and the least and the greatest of these;
+    /// `None` where none does.
+    pub fn own_sigmas(&self, sensor: Sensor) -> Option<(u32, [f64; 2])> {
+        let of = |row: &Row| match (sensor, &row.event) {
+            (Sensor::Fix, Event::Position { sigma, .. }) | (Sensor::Heading, Event::Heading { sigma, .. }) => *sigma,
+            _ => None,
+        };
+        self.rows.iter().filter_map(of).fold(None, |all, sigma| {
+            let (count, [least, most]) = all.unwrap_or((0, [sigma; 2]));
+            Some((count + 1, [least.min(sigma), most.max(sigma)]))
+        })
     }
 }
 

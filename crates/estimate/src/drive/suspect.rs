@@ -77,7 +77,7 @@ pub struct Suspect {
     pub fault: Fault,
     /// The setting that mends it; `None` of the start, of outliers, which a gate refuses, and of what no setting mends.
     pub number: Option<Fitted>,
-    /// The setting that mends it together with that one.
+    /// The setting that mends it together with that one: the other of the ranges' scale and offset, or a second delay.
     pub with: Option<Fitted>,
     /// The sensor whose readings have outliers.
     pub sensor: Option<Sensor>,
@@ -93,6 +93,8 @@ pub struct Suspect {
     pub standing: Standing,
     /// Whether it is the motion model's own: a delay of at most half a step between rows of motion. It is cleared.
     pub own: bool,
+    /// From where to where the likelihood of a delay is the same, where the motion has rows too rarely to tell more.
+    pub flat: Option<[f64; 2]>,
     /// How far the mended filter is from the truth, of those that were held against it.
     pub mended: Option<Against>,
 }
@@ -103,6 +105,9 @@ impl Suspect {
         match (self.fault, self.number, self.sensor) {
             (Fault::Mirrored, ..) => Tried::Mirrored,
             (Fault::Exchanged, ..) => Tried::Exchanged,
+            (Fault::Clock, ..) if self.with.is_some() => {
+                Tried::Together(READINGS.map(|it| self.sizes.len() > 2 || [self.number, self.with].contains(&Some(it))))
+            }
             (_, Some(_), _) if self.with.is_some() => Tried::Ruler,
             (_, Some(number), _) => Tried::Number(number),
             (_, None, Some(sensor)) => Tried::Outliers(sensor),
@@ -118,6 +123,8 @@ pub(crate) enum Tried {
     Number(Fitted),
     /// Scale and offset of the ranges together.
     Ruler,
+    /// The delays of several sensors by the same, as of one receiver: which of [`READINGS`].
+    Together([bool; 3]),
     Outliers(Sensor),
     Mirrored,
     Exchanged,
@@ -125,6 +132,8 @@ pub(crate) enum Tried {
 
 /// Scale and offset of the ranges.
 const RULER: [Fitted; 2] = [Fitted::Scale, Fitted::Offset];
+/// The delays of what is read beside the motion.
+const READINGS: [Fitted; 3] = [Fitted::DelayFix, Fitted::DelayHeading, Fitted::DelaySighting];
 /// The first difference of the start's place and heading: a share of their standard deviations, at most so much.
 const START_SHARE: f64 = 0.1;
 const START_MOST: f64 = 0.1;
@@ -150,7 +159,9 @@ impl Tried {
         let outliers = sensors.into_iter().filter(|(sensor, on)| free(*sensor, *on)).map(|it| Self::Outliers(it.0));
         // A σ of 0 has no logarithm.
         let landmarks = drive.landmarks.len() > 1 && s.sightings && (has.range || has.bearing);
+        let read = READINGS.map(|number| numbers.contains(&number));
         let others = [
+            (Self::Together(read), read.iter().filter(|it| **it).count() > 1),
             (Self::Ruler, RULER.iter().all(|number| numbers.contains(number))),
             (Self::Mirrored, drive.rows.iter().any(|row| turns(&row.event))),
             (Self::Exchanged, landmarks),
@@ -170,6 +181,7 @@ impl Tried {
             Self::Number(Fitted::BearingOffset | Fitted::HeadingOffset) => Fault::Turned,
             Self::Mirrored => Fault::Mirrored,
             Self::Exchanged => Fault::Exchanged,
+            Self::Together(_) => Fault::Clock,
             Self::Number(number) if number.is_delay() => Fault::Clock,
             Self::Number(_) => Fault::Sigma,
         }
@@ -180,7 +192,7 @@ impl Tried {
         match self {
             Self::Start => 3,
             Self::Ruler => 2,
-            Self::Number(_) | Self::Outliers(_) => 1,
+            Self::Number(_) | Self::Outliers(_) | Self::Together(_) => 1,
             Self::Mirrored | Self::Exchanged => 0,
         }
     }
@@ -190,14 +202,18 @@ impl Tried {
         match self {
             Self::Number(number) => alloc::vec![number],
             Self::Ruler => RULER.to_vec(),
+            Self::Together(which) => READINGS.into_iter().zip(which).filter(|it| it.1).map(|it| it.0).collect(),
             _ => Vec::new(),
         }
     }
 
     /// Where they are, as a search moves them.
     pub fn first(self, place: &Place) -> Vec<f64> {
-        if self == Self::Start {
-            return alloc::vec![0.0; 3];
+        match self {
+            Self::Start => return alloc::vec![0.0; 3],
+            // By how much all of them are later than they are set.
+            Self::Together(_) => return alloc::vec![0.0],
+            _ => {}
         }
         self.numbers().iter().map(|number| number.get(&place.settings)).collect()
     }
@@ -211,6 +227,10 @@ impl Tried {
                 *place.settings.gate.of_mut(sensor) = Some(crate::drive::evidence::OUTLIER_GATE);
             }
             (Self::Mirrored, _) => place.otherwise.mirrored = true,
+            (Self::Together(_), &[by]) => self.numbers().iter().for_each(|number| {
+                let now = number.get(&place.settings);
+                number.set(&mut place.settings, now + by);
+            }),
             _ => self.numbers().iter().zip(at).for_each(|(number, at)| number.set(&mut place.settings, *at)),
         }
         place
@@ -224,13 +244,16 @@ impl Tried {
             return [s.start_sigma, s.start_sigma, s.start_sigma_heading].map(begins).to_vec();
         }
         let step = |number: &Fitted| if number.is_delay() { DELAY.max(PERIODS * period) } else { number.fine() };
-        self.numbers().iter().map(step).collect()
+        self.numbers().iter().take(self.freedom()).map(step).collect()
     }
 
     /// How far they are tried, with delays changed by at most so much.
     pub fn bounds(self, first: &[f64], most: f64) -> Vec<[f64; 2]> {
         if self == Self::Start {
             return alloc::vec![[f64::MIN, f64::MAX]; 3];
+        }
+        if let Self::Together(_) = self {
+            return alloc::vec![[-most, most]];
         }
         let bound = |(number, at): (&Fitted, &f64)| match number.is_delay() {
             true => [(at - most).max(-MAX_DELAY), (at + most).min(MAX_DELAY)],

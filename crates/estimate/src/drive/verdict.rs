@@ -17,7 +17,8 @@ use crate::drive::course::{Course, Otherwise};
 use crate::drive::evidence::{Against, Evidence, Place};
 use crate::drive::exchange::pairs;
 use crate::drive::fit::{SETTLED, most_delay};
-use crate::drive::judgement::{Judgement, as_mended, is_own, period, refuted, turning};
+use crate::drive::gaps::{Gaps, gaps};
+use crate::drive::judgement::{Judgement, as_mended, is_own, period, refuted, stairs, turning};
 use crate::drive::round::{Round, Scope, explained, ranked, sifted};
 use crate::drive::row::Drive;
 use crate::drive::sensor::BySensor;
@@ -75,6 +76,7 @@ pub struct Verdict {
     own: Vec<Suspect>,
     before: u32,
     period: f64,
+    gaps: Vec<Gaps>,
     other: bool,
     suspects: Vec<Suspect>,
 }
@@ -129,6 +131,7 @@ impl Verdict {
             own: Vec::new(),
             before: 0,
             period: period(judged),
+            gaps: gaps(judged, drive.motion),
             other: false,
             suspects: Vec::new(),
         })
@@ -247,11 +250,11 @@ impl Verdict {
         // What a larger σ explains as well is no rival of what is named before it.
         let kept = |suspect: &&Suspect| !hoisted || suspect.fault != Fault::Sigma;
         let rival = self.suspects.iter().skip(1).filter(kept).map(|s| s.excess).next().unwrap_or(0.0).max(0.0);
-        // Another number of the same kind that explains as much leaves open which of them it is.
         for (i, suspect) in self.suspects.iter_mut().enumerate().filter(|(_, suspect)| suspect.excess > 0.0) {
             let clear = i == 0 && suspect.excess >= rival + CLEAR;
             suspect.standing = if clear { Standing::Sure } else { Standing::Maybe };
         }
+        stairs(drive, &mut self.suspects, &places, &self.scope);
         self.hold_against_the_truth(drive, &places);
         self.suspects.append(&mut self.own);
     }
@@ -290,6 +293,7 @@ impl Verdict {
             beside: self.hoisted,
             arcs: self.arcs,
             period: self.period,
+            gaps: self.gaps.clone(),
             other: self.other,
         }
     }

@@ -1,0 +1,102 @@
+//! What the files of a log say of one another: how the landmarks are called to which a table has a column of ranges
+//! each, and which of several tables with a speed is the one that is driven by.
+
+use crate::file::File;
+use crate::log::MAX_LANDMARKS;
+use crate::names::candidates;
+use crate::role::{Quantity, Role};
+use crate::row;
+use crate::wide;
+
+/// Looks for the names of landmarks among the columns of the others; a table that has them is one of ranges, but for
+/// the file whose role a reader has said just now.
+pub(crate) fn names(files: &mut [File], said: Option<usize>) {
+    let placed = |file: &&File| file.role() == Role::Landmarks;
+    let called: Vec<String> = files.iter().filter(placed).flat_map(File::landmarks).collect();
+    let there = files.iter().any(|file| placed(&file));
+    for (at, file) in files.iter_mut().enumerate().filter(|(_, file)| file.role() != Role::Landmarks) {
+        file.call(&called, there, said == Some(at));
+    }
+}
+
+/// Leaves out the speed that a receiver of positions has besides, where another table says how the robot moved: two
+/// speeds would be held in turn.
+pub(crate) fn speeds(files: &mut [File]) {
+    let first = |files: &[File]| {
+        let driven = files.iter().filter(|file| file.has_speed());
+        driven.max_by_key(|file| (file.turns(), file.text().lines().count())).map(|file| file.name().to_string())
+    };
+    let Some(name) = first(files) else { return };
+    files.iter_mut().filter(|file| file.name() != name).for_each(|file| file.leave_speed(&name));
+}
+
+/// What is said where several tables still have a speed.
+pub(crate) fn note(files: &[File]) -> Option<String> {
+    let with: Vec<&str> = files.iter().filter(|file| file.has_speed()).map(File::name).collect();
+    let [first, .., last] = with.as_slice() else { return None };
+    Some(format!(
+        "{first} and {last} both have a speed, and each is held until the next of either: leave one out (its column \
+         \u{2013}) if they are of one time."
+    ))
+}
+
+impl File {
+    /// What the landmarks of its rows are called, where these are no numbers.
+    fn landmarks(&self) -> Vec<String> {
+        let (Some(table), Some(at)) = (&self.source.table, self.source.column("landmark")) else { return Vec::new() };
+        let lines = table.lines(self.text()).filter_map(Result::ok).take(MAX_LANDMARKS);
+        let fields = lines.filter_map(|line| line.fields.get(at).map(|field| field.text.to_string()));
+        fields.filter(|text| !text.is_empty() && row::number(text).is_none()).collect()
+    }
+
+    /// Learns what the landmarks of other files are called: a table with columns of these names is one of ranges, and
+    /// one whose columns differ by a number alone may be one, where landmarks are there.
+    fn call(&mut self, landmarks: &[String], there: bool, said: bool) {
+        let found = wide::called(&self.source.names, landmarks);
+        let timed = !candidates("time", Quantity::Time, &self.source.names).is_empty();
+        let open = matches!(self.role(), Role::Unused | Role::Undecided) && timed;
+        let numbered = there && wide::numbered(&self.source.names);
+        let changed = found != self.source.called;
+        self.source.called = found;
+        if changed && !self.source.called.is_empty() && ((open && !said) || self.role() == Role::Ranges) {
+            self.set_role(Role::Ranges);
+        } else if self.role() == Role::Unused && timed && numbered && !said {
+            self.set_role(Role::Undecided);
+            let ask = "Are its columns the ranges to landmarks, one for each? Else leave it out.";
+            self.source.undecided = Some(ask.into());
+        }
+    }
+
+    /// Whether it says how fast the robot was.
+    pub(crate) fn has_speed(&self) -> bool {
+        match self.role() {
+            Role::Velocities | Role::Odometry | Role::Encoders => true,
+            Role::Sensors => self.source.column("v").is_some(),
+            _ => false,
+        }
+    }
+
+    /// Whether it says how the robot turned besides.
+    fn turns(&self) -> bool {
+        self.role() != Role::Sensors || self.source.column("omega").is_some()
+    }
+
+    /// Leaves out the speed of a receiver of positions, for that of the file of this name.
+    fn leave_speed(&mut self, other: &str) {
+        let source = &mut self.source;
+        let receiver = source.role == Role::Sensors && (source.column("x").or(source.column("latitude"))).is_some();
+        if receiver && source.column("v").is_some() && source.column("omega").is_none() {
+            source.driven_by = Some(other.to_string());
+            self.set_column("v", None);
+        }
+    }
+
+    /// What is said of the speed that is left out.
+    pub(crate) fn left_speed(&self) -> Option<String> {
+        let other = self.source.driven_by.as_ref().filter(|_| self.source.column("v").is_none())?;
+        let name = self.name();
+        Some(format!(
+            "{name}: its speed is not used, as {other} says how the robot moved; to use it, choose its column."
+        ))
+    }
+}
