@@ -20,14 +20,15 @@ pub(crate) fn names(files: &mut [File], said: Option<usize>) {
 }
 
 /// Leaves out the speed that a receiver of positions has besides, where another table says how the robot moved: two
-/// speeds would be held in turn.
-pub(crate) fn speeds(files: &mut [File]) {
+/// speeds would be held in turn. Of a file whose role was said just now alone: of others the reader may have chosen it.
+pub(crate) fn speeds(files: &mut [File], said: Option<usize>) {
     let first = |files: &[File]| {
         let driven = files.iter().filter(|file| file.has_speed());
         driven.max_by_key(|file| (file.turns(), file.text().lines().count())).map(|file| file.name().to_string())
     };
     let Some(name) = first(files) else { return };
-    files.iter_mut().filter(|file| file.name() != name).for_each(|file| file.leave_speed(&name));
+    let looked = files.iter_mut().enumerate().filter(|(at, _)| said.is_none_or(|said| said == *at));
+    looked.filter(|(_, file)| file.name() != name).for_each(|(_, file)| file.leave_speed(&name));
 }
 
 /// What is said where several tables still have a speed.

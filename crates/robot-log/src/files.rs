@@ -47,7 +47,7 @@ impl Files {
         }
         self.files.push(File::new(name, text));
         beside::names(&mut self.files, None);
-        beside::speeds(&mut self.files);
+        beside::speeds(&mut self.files, None);
         Ok(())
     }
 
@@ -60,6 +60,7 @@ impl Files {
     pub fn set_role(&mut self, file: usize, role: Role) -> bool {
         let known = self.files.get_mut(file).map(|file| file.set_role(role)).is_some();
         beside::names(&mut self.files, Some(file));
+        beside::speeds(&mut self.files, Some(file));
         known
     }
 

@@ -100,6 +100,9 @@ fn of_two_speeds_the_one_beside_the_turn_rate_is_driven_by_and_it_is_said() {
         assert_eq!(speeds(&both), 110, "a reader may want both");
         assert!(!said(&both.notes, "is not used") && said(&both.notes, "both have a speed"), "{:?}", both.notes);
     }
+    let mut asked = files(&[("can.csv", &wheels), ("places.csv", &gps.replace("gps_", ""))]);
+    assert!(asked.read().is_err() && asked.set_role(1, Role::Sensors));
+    assert_eq!(speeds(&asked.read().expect("sound")), 100, "once it is said what it is");
     let steps = table("t,distance,turn", every(0.1, 100), "0.1,0");
     files(&[("odometry.csv", &steps), ("gps.csv", &gps)]).read().expect("a log moves by one kind");
 }
