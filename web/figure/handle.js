@@ -87,7 +87,7 @@ export function liveHandles(change, settle, drop) {
 }
 
 /**
- * Where the reaches of handles overlap, the one whose ring is nearest to the pointer has it, and not the one drawn last.
+ * Where the reaches of handles overlap, the one whose ring is nearest to the pointer has it, whichever is drawn last.
  * @param {Event} event
  */
 function toNearest(event) {
