@@ -5,6 +5,11 @@ import assert from 'node:assert/strict'
 import { figure, openFigure, PHONE, quiet, tagOf } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
+/** Figures of which a panel has handles when they open, known before the first test: nothing is awaited after that. */
+const DRAGGED = []
+for (const [tag, load] of Object.entries(WIDGETS))
+  if ((await load()).panels.some(({ handles }) => handles)) DRAGGED.push(tag)
+
 /** Not the sliders that a figure hides where there is nothing to set. */
 const KNOBS = '.live :is(svg [role=slider], input[type=range]:enabled):not([hidden] *)'
 
@@ -94,12 +99,6 @@ const ringsOf = async (it) =>
   )
 const apart = ([a, b], [c, d]) => Math.hypot(a - c, b - d)
 
-/** Figures of which a panel has handles when they open. */
-const DRAGGED = []
-for (const tag of Object.keys(WIDGETS)) {
-  const { figure: spec } = await import(`../../web/widgets/${tag}/index.js`)
-  if (spec.panels.some((panel) => panel.handles)) DRAGGED.push(tag)
-}
 for (const tag of DRAGGED) {
   test(`a finger on a handle of the ${tag} moves it and not the page; beside it, the page`, async (t) => {
     const { page, it } = await openFigure(t, tag, { viewport: PHONE, touch: true })
