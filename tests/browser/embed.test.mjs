@@ -59,7 +59,7 @@ for (const name of Object.keys(WIDGETS)) {
       await page.mouse.up()
       await changes(it, () => handle.press('ArrowLeft'), 'an arrow on a handle')
     }
-    const step = it.getByRole('button', { name: 'Step' })
+    const step = it.getByRole('button', { name: 'Step', exact: true })
     if (await step.count()) await changes(it, () => step.click(), 'Step')
 
     // Its faces are there: the figure is written in the book's own letters.

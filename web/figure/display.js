@@ -133,7 +133,12 @@ export class Display {
     if (asked || shown.frame !== frame) {
       this.shown = { ...shown, frame, wanted, at: began, rate, playing }
       shell.show(frame, this.shown, wanted.params)
-      if (spec.layout.along) shell.into.setAttribute('data-said', shell.verdict.textContent ?? '')
+      // The room that the sentence needs is that of its words in one notation.
+      if (spec.layout.along)
+        shell.into.setAttribute(
+          'data-said',
+          (shell.verdict.querySelector('.in-choset') ?? shell.verdict).textContent ?? '',
+        )
     }
     if (
       shown.described !== frame &&
