@@ -44,16 +44,22 @@ test('the report has the start and the withheld stretch, and its innovations tho
   assert.match(await rowOf(page, 'Start').innerText(), /^−?\d+\.\d\d m, −?\d+\.\d\d m, −?\d+\.\d°$/)
   assert.equal(await rowOf(page, 'Fixes that were withheld').innerText(), '19')
   assert.match(await rowOf(page, 'The filter’s distance from them').innerText(), /m RMS, .* m at worst$/)
-  const [saved] = await Promise.all([
-    page.waitForEvent('download'),
-    page.getByRole('button', { name: 'Download the innovations' }).click(),
-  ])
-  const chunks = []
-  for await (const chunk of await saved.createReadStream()) chunks.push(chunk)
-  const [head, ...rows] = Buffer.concat(chunks).toString().trim().split('\n')
+  const saved = async (name) => {
+    const [file] = await Promise.all([
+      page.waitForEvent('download'),
+      page.getByRole('button', { name: `Download the ${name}` }).click(),
+    ])
+    const chunks = []
+    for await (const chunk of await file.createReadStream()) chunks.push(chunk)
+    return [file.suggestedFilename(), ...Buffer.concat(chunks).toString().trim().split('\n')]
+  }
+  const [, head, ...rows] = await saved('innovations')
   assert.match(head, /^time,sensor,landmark,measured,expected,innovation,/)
   assert.equal(rows.length, 41)
   assert.ok(rows.every((row) => /^\d+,fix,,/.test(row)))
+  const [name, ...written] = await saved('log’s rows')
+  assert.equal(name, 'log.csv')
+  assert.equal(written.length, await it.evaluate(({ frame }) => frame.log.rows), 'a line for each row')
 })
 
 const boxOf = (page, selector) => page.locator(selector).first().boundingBox()

@@ -128,7 +128,7 @@ export const logClasses = (lab) => ({
   },
   LogTable: {
     before: (core) => [core.RobotLog.parse(LOG)],
-    make: (dice) => [{ gate: dice.pick([null, 0.99]) }, dice.pick(['track', 'innovations'])],
+    make: (dice) => [{ gate: dice.pick([null, 0.99]) }, dice.pick(['track', 'innovations', 'log'])],
     spoilt: 0.5,
     methods: { next: (dice) => [1 + dice.below(50)] },
     look: () => [],

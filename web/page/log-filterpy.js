@@ -39,7 +39,8 @@ export function filterpy(frame) {
   }).map(([name, value]) => `${name} = ${float(value)}\n`)
   return `"""The filter that was tuned on a page of the book Robot Motion, on filterpy. MIT or Apache-2.0.
 
-pip install filterpy; python3 filter.py LOG, where LOG has rows of the book's own format:
+pip install filterpy; python3 filter.py LOG, where LOG has rows of the book's own format, in which the page's button
+"Download the log's rows" writes whatever log it has read:
 L,id,x,y landmark | G,t,x,y,theta truth | O,t,distance,turn | V,t,v,omega | S,t,v | T,t,omega | R,t,id,range
 B,t,id,range,bearing | P,t,x,y[,sigma] fix | H,t,theta[,sigma]; seconds, metres, radians.
 ${learned ? 'What the filter learned is fixed here at what the log had taught where the page stood.\n' : ''}"""

@@ -14,7 +14,10 @@ import { headsOf, rowsOf } from './log-sources.js'
 /** @typedef {import('../draw/words.js').Words} Words */
 
 export class Report {
-  /** @param {HTMLElement} into @param {{ table: (kind: 'track' | 'innovations') => void, print: () => void }} orders */
+  /**
+   * @param {HTMLElement} into
+   * @param {{ table: (kind: 'track' | 'innovations' | 'log') => void, print: () => void }} orders
+   */
   constructor(into, { table, print }) {
     /** @type {LogContents | null} */
     this.contents = null
@@ -25,6 +28,7 @@ export class Report {
     button(document, actions, 'Print the report', print)
     button(document, actions, 'Download the track', () => table('track'))
     button(document, actions, 'Download the innovations', () => table('innovations'))
+    button(document, actions, 'Download the log’s rows', () => table('log'))
     this.note = part(document, actions, 'span', 'log-note')
     this.note.setAttribute('role', 'status')
     this.box = part(document, into, 'div', 'log-tables')

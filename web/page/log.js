@@ -259,7 +259,7 @@ class OwnLog {
 
   // What the reader takes away.
 
-  /** @param {'track' | 'innovations'} kind */
+  /** @param {'track' | 'innovations' | 'log'} kind */
   async download(kind) {
     const run = await this.run()
     const { text, message } = await run.table(kind)

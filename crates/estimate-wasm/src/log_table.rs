@@ -1,4 +1,4 @@
-//! A replay as a table, for a reader who takes the numbers away.
+//! A log and its replay as tables, for a reader who takes the numbers away.
 
 use crate::decode::Arg;
 use crate::errors::Thrown;
@@ -11,7 +11,8 @@ use std::sync::Arc;
 use wasm_bindgen::prelude::*;
 
 /// A log's replay that is written as CSV while it goes on: `"track"` has the estimate at each row of motion,
-/// `"innovations"` what the filter made of each reading. Lengths are in metres, times in seconds by the log's own
+/// `"innovations"` what the filter made of each reading. `"log"` is the log itself in the book's own format, whatever
+/// it was read from: read again it is the same log to the bit. Lengths are in metres, times in seconds by the log's own
 /// clock, angles in radians.
 #[wasm_bindgen]
 #[repr(transparent)]
@@ -26,12 +27,12 @@ impl LogTable {
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "DriveLog")] log: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Partial<LogParams>")] params: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "'track' | 'innovations'")] kind: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "'track' | 'innovations' | 'log'")] kind: &JsValue,
     ) -> Result<LogTable, Thrown> {
         let log = logged(log)?;
         let params = RobotLog::params(params)?;
-        let kind = Arg::new(kind, "kind").word(&["track", "innovations"])?;
-        let kind = [LogTableKind::Track, LogTableKind::Innovations][kind];
+        let kind = Arg::new(kind, "kind").word(&["track", "innovations", "log"])?;
+        let kind = [LogTableKind::Track, LogTableKind::Innovations, LogTableKind::Log][kind];
         let table = labs::LogTable::new(Arc::clone(&log), Params::read(&mut params.iter()), kind);
         Ok(Self(Held::new(TABLE, table.map_err(|e| e.within("params"))?)))
     }

@@ -8,6 +8,7 @@ pub(crate) mod frame;
 mod logged;
 mod params;
 mod record;
+mod rows;
 mod seen;
 mod table;
 mod verdict;

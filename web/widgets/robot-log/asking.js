@@ -21,7 +21,7 @@ export class Asking extends Player {
     this.onmapped = null
   }
 
-  /** The replay as a table. @param {'track' | 'innovations'} table @returns {Promise<any>} */
+  /** The log, or its replay, as a table. @param {'track' | 'innovations' | 'log'} table @returns {Promise<any>} */
   table(table) {
     return this.port.ask({ kind: 'table', params: this.asked ?? this.frame.params, table })
   }

@@ -7,8 +7,8 @@
  *   the way `{ kind: 'reading', name, done, of }` is told, in bytes
  * - `{ kind: 'reading', set, change }`, to read one of the files of `set` otherwise: the same; once other files have
  *   been read, what was said of them
- * - `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'`: `{ kind: 'table', text }`, a `Blob`
- *   of CSV, or `{ kind: 'no-table', message }`
+ * - `{ kind: 'table', params, table }`, the replay as `'track'` or `'innovations'`, or the log itself as `'log'`:
+ *   `{ kind: 'table', text }`, a `Blob` of CSV, or `{ kind: 'no-table', message }`
  * - `{ kind: 'fit', params }`: `{ kind: 'fit', found }` or `{ kind: 'no-fit', message }`; on the way
  *   `{ kind: 'fitting', done, of }` is told; told `{ kind: 'stop-fit' }` it ends
  * - `{ kind: 'map', params, from, across, up }`: `{ kind: 'map' }` or `{ kind: 'no-map', message }`; on the way each

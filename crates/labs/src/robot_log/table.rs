@@ -1,8 +1,9 @@
-//! A replay as a table, row by row: for a reader who goes on with the numbers elsewhere.
+//! A log and its replay as tables, row by row: for a reader who goes on with the numbers elsewhere.
 
+use super::rows::Rows;
 use super::{LogParams, LoggedDrive};
 use estimate::Error;
-use estimate::drive::{Course, Event, Replay, Settings, Taken};
+use estimate::drive::{Course, Drive, Event, Replay, Settings, Taken};
 use lab::Params;
 use std::fmt::Write;
 use std::sync::Arc;
@@ -14,16 +15,22 @@ pub enum LogTableKind {
     Track,
     /// What the filter made of each reading.
     Innovations,
+    /// The log itself in the book's own format, whatever it was read from: no parameter changes it.
+    Log,
 }
 
-/// A replay that is written as CSV while it goes on. Every number has the digits that give its bits back; lengths are
+/// A table that is written as CSV while it goes on. Every number has the digits that give its bits back; lengths are
 /// in metres, times in seconds by the log's own clock, angles in radians.
 #[derive(Clone, Debug)]
 pub struct LogTable {
     logged: Arc<LoggedDrive>,
-    kind: LogTableKind,
-    course: Course,
-    replay: Replay,
+    written: Written,
+}
+
+#[derive(Clone, Debug)]
+enum Written {
+    Replayed(Box<Replayed>),
+    Logged(Rows),
 }
 
 impl LogTable {
@@ -33,9 +40,14 @@ impl LogTable {
     /// As [`lab::Lab::start`].
     pub fn new(logged: Arc<LoggedDrive>, params: LogParams, kind: LogTableKind) -> Result<Self, Error> {
         params.check()?;
-        let course = Course::new(logged.drive(), Settings::from(params))?;
-        let replay = Replay::new(&course);
-        Ok(Self { logged, kind, course, replay })
+        let written = match kind {
+            LogTableKind::Log => Written::Logged(Rows::new(logged.drive())),
+            _ => {
+                let course = Course::new(logged.drive(), Settings::from(params))?;
+                Written::Replayed(Box::new(Replayed { kind, replay: Replay::new(&course), course }))
+            }
+        };
+        Ok(Self { logged, written })
     }
 
     /// What the next `n` rows of the log add to the table, before the first of them its header; `None` behind the last.
@@ -43,32 +55,42 @@ impl LogTable {
     /// # Errors
     /// As [`lab::Lab::run`]; the table is then as it was.
     pub fn next(&mut self, n: u32) -> Result<Option<String>, Error> {
-        let logged = Arc::clone(&self.logged);
+        match &mut self.written {
+            Written::Replayed(table) => table.next(&self.logged, n),
+            Written::Logged(rows) => Ok(rows.next(self.logged.drive(), n)),
+        }
+    }
+}
+
+/// What the replay makes of a log.
+#[derive(Clone, Debug)]
+struct Replayed {
+    kind: LogTableKind,
+    course: Course,
+    replay: Replay,
+}
+
+impl Replayed {
+    fn next(&mut self, logged: &LoggedDrive, n: u32) -> Result<Option<String>, Error> {
         let left = logged.rows() - self.replay.rows();
         if left == 0 {
             return Ok(None);
         }
         let mut text = String::new();
         if self.replay.rows() == 0 {
-            text.push_str(match self.kind {
-                LogTableKind::Track => {
-                    "time,x,y,theta,sigma_x,sigma_y,sigma_theta,epsilon,sigma_epsilon,true_x,true_y\n"
-                }
-                LogTableKind::Innovations => INNOVATIONS,
-            });
+            text.push_str(if self.kind == LogTableKind::Track { TRACK } else { INNOVATIONS });
         }
         let before = self.replay;
         for _ in 0..left.min(n) {
             let taken = self.replay.take(logged.drive(), &self.course).inspect_err(|_| self.replay = before)?;
             if let Some(taken) = taken {
-                self.write(&taken, &mut text);
+                self.write(logged.drive(), &taken, &mut text);
             }
         }
         Ok(Some(text))
     }
 
-    fn write(&self, taken: &Taken, to: &mut String) {
-        let drive = self.logged.drive();
+    fn write(&self, drive: &Drive, taken: &Taken, to: &mut String) {
         if taken.early {
             return;
         }
@@ -104,6 +126,7 @@ impl LogTable {
     }
 }
 
+const TRACK: &str = "time,x,y,theta,sigma_x,sigma_y,sigma_theta,epsilon,sigma_epsilon,true_x,true_y\n";
 /// Of a reading's first number there is σ of ν too; of a bearing or the y of a fix, what was measured and expected.
 const INNOVATIONS: &str = "time,sensor,landmark,measured,expected,innovation,sigma,measured_2,expected_2,innovation_2,\
                            d2,outputs,used\n";
@@ -120,14 +143,17 @@ fn told(event: &Event) -> Option<(&'static str, Option<usize>, [Option<f64>; 2])
 }
 
 /// Numbers with commas between them; what there is not is empty.
-fn write(cells: &[Option<f64>], to: &mut String) {
+pub(super) fn write(cells: &[Option<f64>], to: &mut String) {
     for (i, cell) in cells.iter().enumerate() {
         if i > 0 {
             to.push(',');
         }
-        if let Some(number) = cell {
-            // A String takes whatever is written.
-            let _ = write!(to, "{number}");
-        }
+        // A String takes whatever is written.
+        let _ = match cell {
+            // Hundreds of zeros are no field that a log may have.
+            Some(number) if *number != 0.0 && !(1e-7..1e21).contains(&number.abs()) => write!(to, "{number:e}"),
+            Some(number) => write!(to, "{number}"),
+            None => Ok(()),
+        };
     }
 }

@@ -62,3 +62,22 @@ fn a_table_that_meets_a_bad_row_stays_where_it_was() {
     let first = table.next(2).expect_err("too large");
     assert_eq!(table.next(2).expect_err("still too large").code, first.code);
 }
+
+#[test]
+fn a_log_that_is_written_reads_as_the_same_log_and_replays_to_the_same_bits() {
+    let mixed = "G,0,1e-300,0.1,-0.25\nP,2,2,0.5\nL,4,9,1\nV,0,1,0\nP,0,0.5,0.25,3\nH,1.5,0.125,0.1\nR,1,4,8\n\
+                 B,2,4,7,0.25\nS,1,0.30000000000000004\nT,1,-1e22\nH,1,0.2\n";
+    let params = LogParams { learn: true, delay_sighting: 0.5, delay_heading: 0.5, ..LogParams::default() };
+    for logged in [plaza(), logged(mixed)] {
+        let text = table(&logged, params, LogTableKind::Log, 7);
+        let read = robot_log::parse(&text).expect("a log");
+        assert_eq!(read.count, text.lines().count());
+        let (was, is) = (logged.drive(), &read.drive);
+        assert_eq!((&is.landmarks, &is.truth, is.motion), (&was.landmarks, &was.truth, was.motion));
+        let told = |drive: &estimate::drive::Drive| drive.rows.iter().map(|it| (it.time, it.event)).collect::<Vec<_>>();
+        assert_eq!(told(is), told(was));
+        let again = Arc::new(LoggedDrive::new(read.drive));
+        let ends = |of: &Arc<LoggedDrive>| table(of, params, LogTableKind::Track, 1000);
+        assert_eq!(ends(&again), ends(&logged), "what is late is taken in the same order");
+    }
+}
