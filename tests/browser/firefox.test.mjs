@@ -9,7 +9,7 @@ import { createServer } from 'node:http'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { FIGURES } from '../../target/figures.js'
-import { alive, browser, complaints, firefox, page, site, wait, waitIn } from './firefox.mjs'
+import { alive, browser, complaints, firefox, go, page, site, wait, waitIn } from './firefox.mjs'
 import { holdReplays } from './held-replays.mjs'
 import { root, tagOf } from './places.mjs'
 
@@ -73,7 +73,7 @@ for (const [name, lab, handle] of [
     skip: firefox ? false : notice,
   }, async () => {
     // On its own page no question locks it.
-    await page.goto(`${site.url}figure/${name}/`)
+    await go(`figure/${name}/`)
     const tag = tagOf(name)
     await alive(tag)
     const button = await page.evaluateHandle(
@@ -174,7 +174,7 @@ test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : not
     .map((line) => line.split(' '))
     .filter(shown)) {
     // On its own page, since not every figure is in the chapter.
-    if (shownOn !== name) await page.goto(`${site.url}figure/${name}/`)
+    if (shownOn !== name) await go(`figure/${name}/`)
     shownOn = name
     await alive(name)
     const there = await page.evaluate(
@@ -193,9 +193,7 @@ test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : not
 test('in Firefox a log that is dropped is filtered in a worker, and a long replay is given up', {
   skip: firefox ? false : notice,
 }, async () => {
-  // A page that is left while it still fetches its scripts complains.
-  await page.waitForNetworkIdle()
-  await page.goto(`${site.url}log/`)
+  await go('log/')
   await alive('robot-log')
   const drop = (name, rows) =>
     page.evaluate(
