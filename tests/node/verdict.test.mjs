@@ -185,3 +185,21 @@ test('a run asks for the verdict at the end of a log of the reader’s own, and 
   assert.match(verdict(run.frame), / The innovations’ mean is /, 'none has come of it')
   assert.equal(run.turn(0, 16, false).moved, 'nothing')
 })
+
+test('a log that asks how it is read is judged once it is answered, and one of an exercise is not', async () => {
+  const log = { kind: 'log', contents: { steps: 2 }, parameters: [] }
+  const answers = []
+  const run = new RemoteRun({ onmessage: null, post: () => {}, ask: async () => answers.shift() }, 200)
+  run.frame = { step: 0, params: {} }
+  const read = async (question, answer) => {
+    answers.push(answer)
+    await run.read(question)
+    return run.judging.on
+  }
+  const files = []
+  assert.equal(await read({ kind: 'files', files }, { ...log, set: 1 }), false, 'what the figure opens with')
+  assert.equal(await read({ kind: 'files', files }, { kind: 'no-log', set: 2 }), false, 'the log before stays')
+  assert.equal(await read({ kind: 'reading', set: 2, change: {} }, { ...log, set: 2 }), true, 'asked and answered')
+  assert.equal(await read({ kind: 'files', files, exercise: true }, { ...log, set: 3 }), false, 'an exercise')
+  assert.equal(await read({ kind: 'reading', set: 3, change: {} }, { ...log, set: 3 }), false, 'read otherwise')
+})

@@ -57,7 +57,7 @@ export class FileForm {
     const focused = document.activeElement?.getAttribute('data-key')
     this.box.replaceChildren()
     // A log in the book's own format says itself what it is.
-    if (files.every(({ role }) => role === 'log')) return
+    if (files.every(({ role, header }) => role === 'log' && header.length === 0)) return
     for (const [i, file] of files.entries()) this.showFile(i, file)
     const again = focused && this.box.querySelector(`[data-key="${focused}"]`)
     if (again instanceof HTMLElement) again.focus({ preventScroll: true })

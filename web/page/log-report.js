@@ -26,7 +26,7 @@ export class Report {
     headed(into)
     const actions = part(document, into, 'p', 'log-actions')
     button(document, actions, 'Print the report', print)
-    button(document, actions, 'Download the track', () => table('track'))
+    button(document, actions, 'Download the filter’s track', () => table('track'))
     button(document, actions, 'Download the innovations', () => table('innovations'))
     button(document, actions, 'Download the log’s rows', () => table('log'))
     this.note = part(document, actions, 'span', 'log-note')
@@ -53,7 +53,7 @@ export class Report {
     return [
       ['Files', names.join(', ')],
       ['Rows', rows.toLocaleString('en')],
-      ['Duration', clock(span[1] - span[0])],
+      ['Duration', clock(Math.round(span[1] - span[0]))],
       ['Motion', motion === 'velocity' ? 'velocities' : 'distances and turns'],
       ['Landmarks', `${landmarks.length}${landmarks.length > 0 && bearings ? ', with bearings' : ''}`],
       ['True track', truth ? 'known' : 'not known'],

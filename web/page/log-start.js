@@ -67,7 +67,8 @@ export class StartForm {
     if (opening) button(document, actions, 'From the first fixes', () => this.change({ ...opening }))
     button(document, actions, 'At the origin', () => this.change({ start: null }))
     const words = part(document, row, 'p', 'log-says')
-    words.textContent = 'Go to the beginning of the time line, and drag the start on the map.'
+    words.textContent =
+      'Keep this as A, go to the beginning of the time line, and drag the start on the map against the fixes of A.'
     this.shows.push(({ params }) => {
       pose = params.start ?? [0, 0, 0]
       fields.forEach((field, i) => {

@@ -4,9 +4,6 @@
  * anywhere.
  */
 
-import example from '../../content/logs/example.csv'
-import copied from '../../content/logs/plaza1-copied.csv'
-import mower from '../../content/logs/plaza1.csv'
 import { save } from '../figure/download.js'
 import { part } from '../draw/dom.js'
 import { fetchWithPatience } from '../load/timeouts.js'
@@ -16,6 +13,7 @@ import { takeAlong } from './log-along.js'
 import { Answer, PASTED } from './log-answer.js'
 import { Bench } from './log-bench.js'
 import { shortName } from './file-name.js'
+import { EXAMPLES, PUZZLE, addressOf } from './log-examples.js'
 import { FileForm } from './log-files.js'
 import { Forms } from './log-forms.js'
 import { readingBar } from './log-reading.js'
@@ -27,16 +25,6 @@ const MOST_BYTES = 64_000_000
 /** How long printing waits for the figure, milliseconds. */
 const DRAWN_MS = 2000
 const GIVEN_UP = 'Reading was given up. The figure keeps the previous log.'
-/**
- * Logs of ours, by the name that the page and an address give them. What is wrong with one that an exercise asks about
- * is for the reader to find: the page gives no verdict on it.
- * @type {Record<string, { file: string, address: string, exercise?: boolean }>}
- */
-const EXAMPLES = {
-  small: { file: 'example.csv', address: example },
-  mower: { file: 'plaza1.csv', address: mower },
-  copied: { file: 'plaza1-copied.csv', address: copied, exercise: true },
-}
 
 export function ownLog() {
   const place = document.querySelector('.own-log')
@@ -185,7 +173,7 @@ class OwnLog {
       this.set = answer.set
       this.form.show(answer.files)
       this.files = answer.files
-      if (answer.kind === 'log') this.understood(answer, answer.set !== this.held)
+      if (answer.kind === 'log') this.understood(answer, answer.set !== this.held, run.asks)
       else if (answer.kind === 'no-log') this.answer.wrong(answer)
       else this.answer.say(`${answer.message ?? answer.why} The figure keeps the previous log.`)
       this.figure.figure.ask()
@@ -246,14 +234,19 @@ class OwnLog {
       .join(' ')
   }
 
-  /** @param {any} answer @param {boolean} other whether it is another log, and not the same one read otherwise */
-  understood({ set, contents, files, parameters }, other) {
+  /**
+   * @param {any} answer
+   * @param {boolean} other whether it is another log, and not the same one read otherwise
+   * @param {boolean} asks whether an exercise asks about it
+   */
+  understood({ set, contents, files, parameters }, other, asks) {
     this.held = set
     const names = files.map((/** @type {any} */ { name }) => name)
     this.hold(contents, names)
     const told = this.forms.begin(contents, parameters, other, names)
     this.answer.say(`${this.facts()}${contents.opening ? ' The filter starts where the first fixes say.' : ''}`)
-    for (const note of contents.notes) part(document, this.answer.box, 'p', '').textContent = note
+    const notes = asks ? [PUZZLE, ...contents.notes] : contents.notes
+    for (const note of notes) part(document, this.answer.box, 'p', '').textContent = note
     if (told) this.answer.offer(told, () => this.forms.change(told.patch))
   }
 
@@ -290,9 +283,4 @@ class OwnLog {
     for (const until = performance.now() + DRAWN_MS; !fits() && performance.now() < until; )
       await new Promise(requestAnimationFrame)
   }
-}
-
-/** @param {{ address: string }} one */
-function addressOf({ address }) {
-  return new URL(address, import.meta.url)
 }

@@ -1,4 +1,4 @@
-//! Files of other programs that are no text: how each is known, and how a table is got out of it.
+//! Files of other programs that are no table: how each is known, and how a table is got out of it.
 
 /// Why a file is refused that is a log of another program, with the way to a table.
 pub(crate) fn refusal(name: &str, text: &str) -> Option<String> {
@@ -17,8 +17,18 @@ pub(crate) fn refusal(name: &str, text: &str) -> Option<String> {
         ("a spreadsheet or an archive", "save its table as CSV")
     } else if ends(".bin") || ends(".tlog") {
         ("a log of ArduPilot", "`mavlogdump.py --format csv --types GPS FILE > gps.csv` writes a CSV of a message")
+    } else if is_echo(text) {
+        let way = "`ros2 topic echo --csv TOPIC > FILE`, of ROS 1 `rostopic echo -p TOPIC > FILE`, writes one";
+        ("what `ros2 topic echo` prints", way)
     } else {
         return None;
     };
     Some(format!("the file is {what}, and a table of text was expected: {way}"))
+}
+
+/// Whether a text is messages of ROS as they are printed: names and values one below the other.
+fn is_echo(text: &str) -> bool {
+    let mut lines = text.lines().map(str::trim).filter(|line| !line.is_empty() && *line != "---");
+    let begins = lines.next().is_some_and(|first| first.ends_with(':') && !first.contains([',', ';', '\t', ' ']));
+    begins && lines.take(8).any(|line| line.starts_with("stamp:"))
 }

@@ -82,9 +82,17 @@ fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
         }
         "omega" if clockwise(names, file) => found.extend(third_axis(names).filter(|_| found.is_empty())),
         "omega" => {
+            // The w behind an x, a y and a z is a quaternion's.
+            found.retain(|at| quaternion::columns(names, *at).is_none());
             if let Some(axes) = axes(&file.to_lowercase(), names) {
                 found = axes;
             }
+        }
+        // Of a course the accuracy of a compass says nothing, nor the other way round.
+        "sigma of heading" => {
+            let is_course = |name: &Name| name.has_one(&["course", "cog", "crs", "track"]);
+            let heading = source.column("heading").map(|at| is_course(&names[at]));
+            found.retain(|at| heading.is_some_and(|course| course == is_course(&names[*at])));
         }
         // Beside coordinates a bearing is the course.
         "heading" if found.is_empty() && !of("latitude", Quantity::Coordinate).is_empty() => {

@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::evidence;
 use crate::fields::Line;
 use crate::guess;
+use crate::notes;
 use crate::parse;
 use crate::reading::Reading;
 use crate::role::Role;
@@ -155,7 +156,14 @@ impl File {
         let unit = self.source.units.get(1).copied().flatten();
         let counted =
             unit.filter(|_| self.role() == Role::Encoders).and_then(|unit| self.jumps().note(&self.name, unit));
-        self.others().into_iter().chain(counted).chain(self.left_speed()).collect()
+        let own = self.role() == Role::Velocities && guess::is_own_pose(&self.source.names);
+        let own = own.then(|| notes::own_pose(&self.name));
+        self.others().into_iter().chain(counted).chain(self.left_speed()).chain(own).collect()
+    }
+
+    /// What is said of it where it is not used.
+    pub(crate) fn unused(&self) -> String {
+        notes::unused(&self.name, &self.source.names)
     }
 
     /// Whether a question is about a value of its role, the `at`-th: about its column, or its unit.

@@ -138,7 +138,7 @@ impl Files {
         let mut read = reading.finish()?;
         read.notes.extend(beside::note(&self.files));
         let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
-        read.notes.extend(unused.map(|file| format!("{} is not used.", file.name())));
+        read.notes.extend(unused.map(|file| format!("{}.", file.unused())));
         Ok(read)
     }
 
@@ -147,7 +147,7 @@ impl Files {
         let read = self.files.iter().map(|file| match file.role() {
             Role::Log => format!("{} has no rows of motion", file.name()),
             Role::Sensors => format!("{} has neither speeds nor turn rates", file.name()),
-            Role::Unused => format!("{} is not used", file.name()),
+            Role::Unused => file.unused(),
             role => format!("{} is read as {}", file.name(), role.name()),
         });
         let read = read.collect::<Vec<_>>().join(", ");

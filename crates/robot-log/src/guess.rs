@@ -46,7 +46,10 @@ pub(crate) fn guess(name: &str, text: &str) -> Source {
         let role = Role::Log;
         return Source { refused, ..empty(role, None, Vec::new()) };
     };
-    let names = Name::all(&table.names);
+    let mut names = Name::all(&table.names);
+    for head in &table.heads {
+        names[*head] = Name::new("");
+    }
     let (role, undecided) = role(name, text, &table, &names);
     let mut source = Source { undecided, ..empty(role, Some(table), names) };
     columns(&mut source, name, text);
@@ -142,9 +145,10 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if odometry && !place => certain(Role::Odometry),
         () if (place || fix) && is_true && !(v && omega) => certain(Role::Truth),
         () if place && said.contains(&Role::Sensors) => certain(Role::Sensors),
-        () if place && (v || omega) => {
-            ask("Are x and y the true position, or what a sensor read? To read it as both, open the file twice.")
-        }
+        () if place && (v || omega) => ask(
+            "Are x and y the true position, or what a sensor read? To read it as both, open it together with a copy \
+                 that has another name.",
+        ),
         () if place => ask("Are x and y the true position, or a sensor\u{2019}s fixes?"),
         () if sightings => certain(Role::Sightings),
         () if (v != omega) && !heading && !down && !axes && has_unknown(names) => {
@@ -165,7 +169,7 @@ fn has_unknown(names: &[Name]) -> bool {
 }
 
 /// Whether the positions beside velocities are a robot's own reckoning, as in a message of odometry.
-fn is_own_pose(names: &[Name]) -> bool {
+pub(crate) fn is_own_pose(names: &[Name]) -> bool {
     let both = |one: &str, other: &str| names.iter().any(|name| name.has(one) && name.has(other));
     both("pose", "position") && (both("twist", "linear") || both("twist", "angular"))
 }

@@ -57,6 +57,7 @@ mod landmarks;
 mod lists;
 mod log;
 mod names;
+mod nested;
 mod notes;
 mod parse;
 mod quaternion;

@@ -1,5 +1,6 @@
 //! What is said of a log that was read and still looks strange: sentences for its reader.
 
+use crate::names::Name;
 use crate::stamps::Stamps;
 use estimate::drive::{Drive, Gaps, Missing};
 
@@ -12,13 +13,9 @@ pub(crate) struct Kept {
     pub stamps: Stamps,
     /// What two encoders had counted.
     pub counted: Option<[f64; 2]>,
-    /// The fix before and the heading beside it; how many fixes there are, and how many are the one before to the last
-    /// digit.
-    pub fix: Option<([f64; 2], Option<f64>)>,
-    pub fixes: usize,
-    pub copies: usize,
-    /// The rows of the log that these copies are, with the headings beside them that are copies too.
-    pub copied: Vec<usize>,
+    /// Fixes, and the headings of the same file.
+    pub fixes: Held<[f64; 2]>,
+    pub headings: Held<f64>,
     /// Rows, or ranges of rows, without a number.
     pub missing: usize,
     /// Ranges of 0, of −1 and without an end, by which sensors say that there was no echo or no answer.
@@ -33,21 +30,60 @@ pub(crate) struct Kept {
     pub without_sigma: usize,
 }
 
-impl Kept {
-    /// Whether the file writes each fix again until the next one comes: most are the one before.
+/// What a file reads again and again, and which of it is the one before to the last digit.
+#[derive(Clone, Debug, Default)]
+pub(crate) struct Held<T> {
+    before: Option<T>,
+    pub count: usize,
+    /// The rows of the log that are such copies.
+    pub copies: Vec<usize>,
+}
+
+impl<T: PartialEq> Held<T> {
+    /// Counts what becomes the log's row of this index.
+    pub fn take(&mut self, it: T, row: usize) {
+        self.count += 1;
+        if self.before.as_ref() == Some(&it) {
+            self.copies.push(row);
+        }
+        self.before = Some(it);
+    }
+
+    /// Whether each is written again until the next one comes: most are the one before.
     pub fn holds(&self) -> bool {
-        self.fixes >= 5 && 2 * self.copies > self.fixes
+        self.count >= 5 && 2 * self.copies.len() > self.count
+    }
+}
+
+impl Kept {
+    /// The rows that were measured once and written again. Headings count only where the fixes beside them are written
+    /// so: a compass of few digits reads the same twice and has measured twice.
+    pub fn copies(&self) -> Vec<usize> {
+        let Self { fixes, headings, .. } = self;
+        match (fixes.holds(), headings.holds()) {
+            (true, true) => fixes.copies.iter().chain(&headings.copies).copied().collect(),
+            (true, false) => fixes.copies.clone(),
+            _ => Vec::new(),
+        }
     }
 
     /// What was strange in a file.
     pub fn notes(&self, name: &str) -> Vec<String> {
-        let Self { fixes, copies, missing, unknown, nowhere, without_sigma, .. } = *self;
+        let Self { fixes, headings, missing, unknown, nowhere, without_sigma, .. } = self;
+        let (missing, unknown, nowhere, without_sigma) = (*missing, *unknown, *nowhere, *without_sigma);
         let Self { zero, minus_one, infinite, .. } = *self;
         let mut notes = self.stamps.notes(name);
-        if self.holds() {
+        if fixes.holds() {
+            let told = |copies: usize, count: usize, what| format!("{copies} of {count} {what}");
+            let copies = told(fixes.copies.len(), fixes.count, "positions");
+            let beside = if headings.holds() {
+                format!(" and {}", told(headings.copies.len(), headings.count, "headings"))
+            } else {
+                String::new()
+            };
             notes.push(format!(
-                "{name}: {copies} of {fixes} positions are the one before to the last digit, and are left out: a fix \
-                 that is written again in each row until the next one comes was measured once."
+                "{name}: {copies}{beside} are the one before to the last digit, and are left out: what is written \
+                 again in each row until the next one comes was measured once."
             ));
         }
         if missing > 0 {
@@ -73,6 +109,18 @@ impl Kept {
         }
         notes
     }
+}
+
+/// Of a message of odometry the poses are no truth and no sensor's.
+pub(crate) fn own_pose(file: &str) -> String {
+    format!("{file}: its poses are what the robot has reckoned from these velocities, and are not read.")
+}
+
+/// What is said of a file that is not used.
+pub(crate) fn unused(file: &str, names: &[Name]) -> String {
+    let scan = names.iter().any(|name| name.has("angle") && name.has("increment"));
+    let why = if scan { ": a laser scan does not say which landmark it saw" } else { "" };
+    format!("{file} is not used{why}")
 }
 
 /// Lines about a file and units, which stand above its rows beside the names.

@@ -45,9 +45,7 @@ impl Reading {
         let kept = core::mem::take(&mut self.kept);
         self.notes.extend(notes::words(name, words));
         self.notes.extend(kept.notes(name));
-        if kept.holds() {
-            self.to.leave_out(kept.copied);
-        }
+        self.to.leave_out(kept.copies());
     }
 
     /// How much has been taken: rows, true poses, landmarks, and sightings whose barcode is in no list.
@@ -156,24 +154,16 @@ impl Reading {
             self.motion(start, time, event)?;
         }
         let (place, heading) = (self.place(cells)?, cells.given("heading")?);
-        let before = place.and_then(|at| self.kept.fix.replace((at, heading)));
-        let is_copy = before.is_some_and(|(at, _)| Some(at) == place);
         if let Some([x, y]) = place {
             let sigma = self.kept.sigma(cells, "sigma")?;
             self.to.begin(start)?;
-            self.kept.fixes += 1;
-            if is_copy {
-                self.kept.copies += 1;
-                self.kept.copied.push(self.to.rows().len());
-            }
+            self.kept.fixes.take([x, y], self.to.rows().len());
             self.to.reading(Row::new(time, Event::Position { x, y, sigma }));
         }
         if let Some(theta) = heading {
             let sigma = self.kept.sigma(cells, "sigma of heading")?;
             self.to.begin(start)?;
-            if is_copy && before.is_some_and(|(_, beside)| beside == heading) {
-                self.kept.copied.push(self.to.rows().len());
-            }
+            self.kept.headings.take(theta, self.to.rows().len());
             self.to.reading(Row::new(time, Event::Heading { theta, sigma }));
         }
         if motion.is_none() && place.is_none() && heading.is_none() {

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::fields::{Field, Line};
+use crate::nested::nested;
 use crate::ros;
 use crate::row::number;
 use crate::stamp;
@@ -32,6 +33,8 @@ pub(crate) struct Table {
     separator: Separator,
     /// What the columns are called: by the line above the numbers, by the last comment above them, or by their number.
     pub names: Vec<String>,
+    /// Columns that hold nothing: their names are heads of those behind them.
+    pub heads: Vec<usize>,
     /// Whether they have no other name than their number.
     pub nameless: bool,
     /// Lines up to the first row.
@@ -74,7 +77,11 @@ impl Table {
             let below = text.lines().take(rows as usize).skip(above as usize + 1).filter(|line| !is_empty(line));
             let names = apart(names, below.collect(), separator);
             let words = text.lines().take(rows as usize).filter(|line| !is_empty(line) && !is_sep(line)).count() - 1;
-            return Some(Self { separator, names, nameless: false, skipped: rows, words, fault });
+            let mut table = Self { separator, names, heads: Vec::new(), nameless: false, skipped: rows, words, fault };
+            if let Some((names, heads)) = nested(&table.names, &table.empty(text)) {
+                (table.names, table.heads) = (names, heads);
+            }
+            return Some(table);
         }
         let named: Option<Vec<String>> = [Separator::Char(','), Separator::Char(';'), Separator::Char('\t')]
             .into_iter()
@@ -87,7 +94,16 @@ impl Table {
         // Numbers have no blanks in them, so that tabs among blanks are blanks too.
         let numbers = fields.iter().all(|field| is_number(field));
         let separator = if separator == Separator::Char('\t') && numbers { Separator::Blanks } else { separator };
-        Some(Self { separator, names: named, nameless, skipped: above, words: 0, fault: None })
+        Some(Self { separator, names: named, heads: Vec::new(), nameless, skipped: above, words: 0, fault: None })
+    }
+
+    /// Which columns hold nothing in the first rows.
+    fn empty(&self, text: &str) -> Vec<bool> {
+        let mut empty = vec![true; self.names.len()];
+        for line in self.lines(text).filter_map(Result::ok).take(LOOKED_AT) {
+            empty.iter_mut().zip(&line.fields).for_each(|(empty, field)| *empty &= field.text.is_empty());
+        }
+        empty
     }
 
     /// The lines of numbers; `text` must be the one that the table was made of.

@@ -97,3 +97,28 @@ fn without_turn_rates_delays_are_counted_from_the_speed_s() {
     assert_eq!(delays("SP"), [Fitted::DelayFix]);
     assert_eq!(delays("TP"), [Fitted::DelayFix]);
 }
+
+#[test]
+fn a_sigma_at_the_least_that_is_tried_is_not_told() {
+    // The wheels count without any noise, the fixes are a third of a metre off.
+    let mut text = String::from("O,0,0,0\n");
+    let (mut x, mut y, mut theta) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for i in 1..400 {
+        let (distance, turn) = (0.1, 0.03 * (f64::from(i) / 40.0).sin());
+        x += distance * theta.cos();
+        y += distance * theta.sin();
+        theta += turn;
+        text += &format!("O,{},{distance},{turn}\n", f64::from(i) / 10.0);
+        if i % 5 == 0 {
+            let off = |much: f64| 0.3 * (f64::from(i) * much).sin() * std::f64::consts::SQRT_2;
+            text += &format!("P,{},{},{}\n", f64::from(i) / 10.0, x + off(12.9898), y + off(78.233));
+        }
+    }
+    let found = fitted(&text, Settings::default());
+    for which in [Fitted::SigmaDistance, Fitted::SigmaTurn] {
+        let (sigma, told) = of(&found, which);
+        assert!(sigma < 0.02 && told.is_none(), "{which:?} {sigma} {told:?}");
+    }
+    let (fix, told) = of(&found, Fitted::SigmaFix);
+    assert!((fix - 0.3).abs() < 0.05 && told.is_some_and(|it| it < 0.2), "{fix} {told:?}");
+}

@@ -66,3 +66,13 @@ fn beside_a_counter_of_milliseconds_the_digits_of_a_clock_are_asked_for() {
     let drive = files.read().expect("a log").log.drive;
     assert_eq!(drive.span().map(|[first, last]| last - first), Some(1.5));
 }
+
+#[test]
+fn a_laser_scan_and_printed_messages_are_refused_with_the_reason() {
+    let of = |name: &str| {
+        let text = std::fs::read_to_string(format!("{}/../../tests/logs/{name}", env!("CARGO_MANIFEST_DIR")));
+        files(&[(name, &text.expect(name))]).read().expect_err(name).message
+    };
+    assert!(of("scan.csv").contains("scan.csv is not used: a laser scan does not say which landmark it saw"));
+    assert!(of("echo.yaml").contains("`ros2 topic echo --csv TOPIC > FILE`"));
+}

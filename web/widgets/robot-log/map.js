@@ -52,7 +52,8 @@ export function drawMap({ pen, width, height }, frame, view) {
  * end no more than half of what the landmarks and the true track take.
  * @param {Frame} frame @param {number} axis
  */
-function seen({ landmarks, tracks, estimate, ellipse }, axis) {
+function seen(frame, axis) {
+  const { landmarks, tracks, estimate, ellipse } = frame
   const at = axis ? 'y' : 'x'
   const fixed = [...landmarks.map((landmark) => landmark[at]), ...tracks.truth[at]]
   const extent = fixed.reduce(
@@ -60,7 +61,10 @@ function seen({ landmarks, tracks, estimate, ellipse }, axis) {
     [estimate[axis], estimate[axis]],
   )
   const half = 1 + Math.min(halves(ellipse)[axis], (extent[1] - extent[0]) / 2)
+  // At the beginning of the time line the start is dragged against what was kept.
+  const { kept } = looksOf(frame)
   return [
+    ...(kept ? [kept.tracks.estimate[at], kept.fixes[at]] : []),
     [estimate[axis] - half, estimate[axis] + half],
     landmarks.map((landmark) => landmark[at]),
     ...Object.values(tracks).map((track) => track[at]),
@@ -82,12 +86,13 @@ function drawTracks(pen, plane, frame) {
   track('reckoning', 'track fine dashed', 'prediction', tracks.reckoning)
   const { kept } = looksOf(frame)
   if (kept)
-    pen.group('kept', { class: 'pale' }, (to) =>
+    pen.group('kept', { class: 'pale' }, (to) => {
+      to.mark('path', 'fixes', { ...meaning('track fine', 'measurement'), d: crosses(plane, kept.fixes) })
       to.mark('path', 'estimate-track', {
         ...meaning('track fine', kinOf(kept)),
         d: seriesPath(plane, kept.tracks.estimate.x, kept.tracks.estimate.y),
-      }),
-    )
+      })
+    })
   if (listens(frame)) track('estimate', 'track fine', 'posterior', tracks.estimate)
   if (smoothed) track('smoothed', 'track fine dotted', 'posterior', smoothed)
   pen.mark('path', 'ellipse', { ...meaning('outline', kinOf(frame)), d: ellipsePath(ellipse, estimate, plane) })

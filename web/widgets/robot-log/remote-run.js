@@ -62,6 +62,12 @@ export class RemoteRun extends Asking {
     return this.frame.rows
   }
 
+  /** Whether an exercise asks about the log that is tried. */
+  get asks() {
+    const [files] = this.tried
+    return files?.kind === 'files' && Boolean(files.exercise)
+  }
+
   parameters() {
     return this.known
   }
@@ -159,8 +165,9 @@ export class RemoteRun extends Asking {
     if (answer.kind !== 'log') return answer
     this.story = this.tried
     this.look(NOTHING)
-    // What is wrong with the log that a figure opens with, or with one of an exercise, is its reader's to find out.
-    if (message.kind === 'files') this.judging.on = this.contents !== null && !message.exercise
+    // What is wrong with the log that a figure opens with, or with one of an exercise, is its reader's to find out. A
+    // log that asked how it is read comes with an answer, behind its files.
+    this.judging.on = this.contents !== null && !this.asks
     this.contents = answer.contents
     this.known = answer.parameters
     const params = this.asked

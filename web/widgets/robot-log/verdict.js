@@ -250,15 +250,21 @@ function delays({ sizes }) {
 /** @param {Size[]} sizes @param {boolean} truth */
 function start([x, y, theta], truth) {
   const far = Math.hypot(x.value - x.now, y.value - y.now)
-  const by = theta.value - theta.now
-  const turned = Math.abs(Math.atan2(Math.sin(by), Math.cos(by))) * DEGREES
+  const turned = Math.abs(wrapped(theta.value - theta.now)) * DEGREES
   const where = `${fixed(far, 2)} m beside, and turned by ${fixed(turned, 0)}°`
   if (truth) return `The robot did not start at the first true pose, but ${where}: mend that row of the truth.`
   return (
     `The robot did not start where the filter does, but ${where}: ` +
-    `set the start to ${digits(x)} m, ${digits(y)} m and ${digits(theta, DEGREES)}°.`
+    `set the start to ${digits(x)} m, ${digits(y)} m and ` +
+    `${digits({ ...theta, value: wrapped(theta.value) }, DEGREES)}°.${turned > 60 ? FAR : ''}`
   )
 }
+
+/** What is looked for begins where the filter starts: from far off it comes nearer, and no further. */
+const FAR = ' So far off this is a first step: the verdict after it brings the next.'
+
+/** An angle within half a turn. @param {number} angle */
+const wrapped = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle))
 
 /** @param {number} off */
 const length = (off) => (off > 0 ? 'long' : 'short')

@@ -7,7 +7,7 @@ use crate::drive::fitted::Fitted;
 use alloc::vec::Vec;
 use nalgebra::{Cholesky, DMatrix};
 
-/// The fall at which the curvature is taken, and the least that is enough.
+/// The fall at which the curvature is taken, and the least on either side that is enough.
 const FALL: f64 = 2.0;
 const ENOUGH: f64 = 0.5;
 /// How often a distance is doubled to find that fall.
@@ -95,7 +95,9 @@ impl Told {
             [Some(above), Some(below)] => self.best - (above + below) / 2.0,
             _ => 0.0,
         };
-        let told: Vec<usize> = (0..n).filter(|i| fall(&self.sides[*i]) > ENOUGH).collect();
+        // A σ at the least that is tried has no side below: how far down it goes, the log does not tell.
+        let one_sided = |side: &Side| side.values.iter().flatten().any(|value| self.best - value < ENOUGH);
+        let told: Vec<usize> = (0..n).filter(|i| !one_sided(&self.sides[*i])).collect();
         let entry = |a: usize, b: usize| {
             let (i, j) = (told[a].min(told[b]), told[a].max(told[b]));
             let (one, other) = (&self.sides[i], &self.sides[j]);
