@@ -3,7 +3,11 @@
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
 import { tower } from './lighthouse.mjs'
-import { PAGES } from './places.mjs'
+import { PAGES, RELEASE } from './places.mjs'
+
+/** A page of each kind; a release is tried on all. axe looks at every page each time (access.test.mjs). */
+const KINDS = ['', 'kalman/', 'kalman/exercises/', 'kalman/numbers/', 'log/', 'teaching/']
+for (const at of KINDS) assert.ok(PAGES.includes(at), `there is no /${at}`)
 
 let run, close
 before(async () => {
@@ -11,7 +15,7 @@ before(async () => {
 })
 after(() => close?.())
 
-for (const at of PAGES) {
+for (const at of RELEASE ? PAGES : KINDS) {
   test(`Lighthouse on /${at}`, async () => {
     const { categories, audits } = await run(at)
     const score = (name) => Math.round((categories[name].score ?? 0) * 100)
