@@ -11,7 +11,7 @@ const BENCH = (step) => code([1, 'observer-bench', step, { sensor: 'velocity', m
 const notice = (page) => page.locator('main > .link-notice')
 
 test('a link without a hash that cannot be read says so where the page opens, until it is dismissed', async (t) => {
-  const page = await open(t, { at: 'kalman/?fig-bench=cut' })
+  const page = await open(t, { at: 'kalman/?fig-bench=cut', prepare: ({ clock }) => clock.install() })
   await notice(page)
     .getByText(/Turn the gain.*could not be read/)
     .waitFor()
@@ -20,7 +20,7 @@ test('a link without a hash that cannot be read says so where the page opens, un
   // The figure's own stays as well, longer than what is said in passing, until something is done.
   const bench = await figure(page, 'observer-bench')
   const note = bench.locator('.live .figure-note')
-  await page.waitForTimeout(8500)
+  await page.clock.fastForward(8500)
   assert.match(await note.innerText(), /could not be read/)
   assert.ok(await notice(page).isVisible())
   await bench.getByRole('button', { name: 'Step' }).click()

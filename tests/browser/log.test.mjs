@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs'
 import path from 'node:path'
 import { WORKER_POLICY } from '../../scripts/static-server.mjs'
 import { holdReplays } from './held-replays.mjs'
-import { PHONE, frameOf, root, stateOf, until } from './harness.mjs'
+import { PHONE, frameOf, quiet, root, stateOf, until } from './harness.mjs'
 import { MRCLAM, SMALL, drop, enter, file, openLog, told } from './own-log.mjs'
 
 test('a log that is chosen, dropped or pasted is read here, and nothing is asked for afterwards', async (t) => {
@@ -31,7 +31,7 @@ test('a log that is chosen, dropped or pasted is read here, and nothing is asked
   await until(it, ({ rows }) => rows === 7, 'the pasted log')
   await told(page, 'ranges').getByLabel('used', { exact: true }).check()
   await until(it, ({ params, summary }) => params.sightings && summary.used === 2, 'the filter runs on it')
-  await new Promise((resolve) => setTimeout(resolve, 500))
+  await quiet(page)
   assert.deepEqual(asked, [])
   const kept = await page.evaluate(() => JSON.stringify([{ ...localStorage }, { ...sessionStorage }, location.href]))
   assert.ok(!kept.includes('MARKER'), kept)

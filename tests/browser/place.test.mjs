@@ -47,7 +47,7 @@ const readTo = async (page, part, share = 0.5) => {
       for (let i = 0; i < 3; i++) {
         const { top, height } = section.getBoundingClientRect()
         scrollTo({ top: scrollY + top + height * at, behavior: 'instant' })
-        await new Promise((resolve) => setTimeout(resolve, 120))
+        for (let frame = 0; frame < 8; frame++) await new Promise((resolve) => requestAnimationFrame(resolve))
       }
     },
     [part, share],

@@ -62,13 +62,14 @@ test('in a checkout that cannot be written to every script says so in a sentence
 test('a lock ends with the script that held it, however it ends', async () => {
   const lock = path.join(home, 'lock-killed')
   const holder = bash(`alone '${lock}' 'the other' exec sleep 60`)
-  while (!readdirSync(home).includes('lock-killed')) await new Promise((resolve) => setTimeout(resolve, 50))
-  await new Promise((resolve) => setTimeout(resolve, 300))
-  const children = spawnSync('ps', ['-o', 'pid=', '--ppid', String(holder.pid)], { encoding: 'utf8' })
-    .stdout.trim()
-    .split(/\s+/)
-    .filter(Boolean)
-    .map(Number)
+  let below = ''
+  while (!/\bsleep\b/.test(below)) {
+    await new Promise((resolve) => setTimeout(resolve, 50))
+    below = spawnSync('ps', ['-o', 'pid=,args=', '--ppid', String(holder.pid)], { encoding: 'utf8' }).stdout
+    assert.equal(holder.exitCode, null, 'the holder has ended')
+  }
+  assert.ok(readdirSync(home).includes('lock-killed'))
+  const children = [...below.matchAll(/^\s*(\d+)/gm)].map(([, pid]) => Number(pid))
   for (const pid of [...children, holder.pid]) process.kill(pid, 'SIGKILL')
   const { status } = await ended(bash(`alone '${lock}' 'the other' true`))
   assert.equal(status, 0)
