@@ -104,7 +104,7 @@ byEveryHand('car-log', async ({ it, press, drag, frame }) => {
   await press('One a second')
   const second = await frame(({ params }) => params.fixes === 'second' && params.delay === 0, 'one a second')
   assert.ok(all.nis < 0.7 && second.nis > 2.8 && all.lag1 > 0.5, 'ten times the readings tell no more')
-  await press('Learn the scale')
+  await press('Learn scale and bias')
   const { learned } = await frame(({ learned: now }) => now, 'the scale')
   assert.ok(Math.abs(learned.speedScale - 0.025) < 0.005)
   await press('A tunnel')

@@ -3,6 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { InParts } from '../../web/figure/in-parts.js'
 import { costs, counting as task } from '../../web/widgets/late-readings/costs.js'
+import { handlesOf } from '../../web/widgets/late-readings/handles.js'
 import { check, estimate, number, pattern, prints, widget } from './claims.mjs'
 
 const camera = ({ sensors }) => sensors[2]
@@ -137,4 +138,25 @@ test('the figure opens with one switch, one slider and the handles on its line o
     panels.filter(({ handles }) => handles).map(({ name }) => name),
     ['line'],
   )
+})
+
+test('what a gap withholds has no handle for when it came, and the phrase has another reading in hand', async () => {
+  const { tries, lab: name } = await widget('late-readings')
+  const of = (params) => {
+    const lab = estimate[name].from({ version: 1, lab: 'late-readings', step: 0, params })
+    const frame = lab.frame()
+    lab.free()
+    return frame
+  }
+  const scale = Object.assign((value) => value, { invert: (pixel) => pixel })
+  const plane = { x: scale, y: scale, box: { left: 0, top: 0, right: 20, bottom: 20 } }
+  const limits = { ownDelay: { step: 0.05, greatest: 10 }, gap: { step: 0.05 } }
+  const grips = (frame) => handlesOf(frame, limits, plane, { measured: 80, came: 44, height: 400 })
+  const inside = of({ gap: [8, 13], picked: 9 })
+  assert.ok(inside.picked.missing)
+  assert.deepEqual(Object.keys(grips(inside)).sort(), ['gap-from', 'gap-to', 'which'])
+  assert.match(grips(inside).which.value, /^number 10 of \d+, in the gap at 10\.00 s: never measured$/)
+  const shown = of(tries.find(({ name: one }) => one === 'gap').change())
+  assert.ok(shown.gap && !shown.picked.missing)
+  assert.ok('came' in grips(shown))
 })

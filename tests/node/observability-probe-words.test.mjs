@@ -2,6 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { check, estimate, prints, widget, pattern } from './claims.mjs'
+import { marksOf } from './marks.mjs'
 
 const many = (word) => ['no', 'one', 'two', 'three'].indexOf(word.toLowerCase())
 
@@ -163,4 +164,54 @@ test('to put the last landmark in line leaves two, in line with the robot, howev
     const off = Math.abs((px - x) * (qy - y) - (py - y) * (qx - x))
     assert.ok(off < 1e-3, `with ${count} shown it is off by ${off}`)
   }
+})
+
+const frameAt = (params, step) => {
+  const lab = estimate.ObservabilityProbe.from({ version: 1, lab: 'observability-probe', step, params })
+  const frame = lab.frame()
+  lab.free()
+  return frame
+}
+const panelOf = async (name) => (await widget('observability-probe')).panels.find((panel) => panel.name === name)
+
+test('no dot of a singular value hides another one', async () => {
+  const { draw, ...size } = await panelOf('ranks')
+  for (const params of [{ count: 2 }, { count: 3, sensor: 'range-bearing' }, { stop: 20 }, { tolerance: 1 }]) {
+    const marks = marksOf(draw, size, frameAt(params, 240))
+    for (const row of ['frozen', 'path']) {
+      const dots = marks.filter(({ tag, key }) => tag === 'circle' && key.startsWith(`${row}-`))
+      assert.equal(dots.length, 3)
+      for (const [i, a] of dots.entries())
+        for (const b of dots.slice(0, i))
+          assert.ok(Math.hypot(a.cx - b.cx, a.cy - b.cy) >= 7, `${JSON.stringify(params)}: ${a.key} on ${b.key}`)
+    }
+  }
+})
+
+test('what leads a name to its mark stays on the map, wherever the estimate has gone', async () => {
+  const { draw, ...size } = await panelOf('map')
+  for (const step of [1200, 1920, 2400, 2657, 3000]) {
+    for (const { key, tag, x1, y1 } of marksOf(draw, size, frameAt({ seed: 2 }, step))) {
+      if (tag !== 'line' || !key.endsWith('-lead')) continue
+      assert.ok(x1 >= 0 && x1 <= size.width && y1 >= 0 && y1 <= size.height, `${key} at step ${step}: ${x1}, ${y1}`)
+    }
+  }
+})
+
+test('the run that the trace is laid beside is said to have two landmarks and ranges only', async () => {
+  const spec = await widget('observability-probe')
+  const frame = frameAt({ sensor: 'range-bearing' }, 240)
+  const { draw, ...size } = spec.panels.find(({ name }) => name === 'trace')
+  const title = marksOf(draw, size, frame).find(({ key }) => key === 'title').words
+  const { label } = spec.readouts(frame).find(({ key }) => key === 'reference')
+  for (const words of [title, label, spec.describe(frame).trace]) assert.match(words, /two.* ranges only/)
+  assert.equal(frame.trace.reference, frameAt({ count: 2 }, 240).trace.reference)
+  assert.notEqual(frame.trace.reference, frameAt({ count: 2, sensor: 'range-bearing' }, 240).trace.total)
+})
+
+test('to drive twice as far leads to the ends of laps that the text compares', async () => {
+  const { tries } = await widget('observability-probe')
+  const { change } = tries.find(({ name }) => name === 'farther')
+  const steps = [0, 100, 240, 480, 500, 960, 1920, 3000].map((step) => change({ step }).step)
+  assert.deepEqual(steps, [240, 240, 480, 960, 960, 1920, 1920, 1920])
 })

@@ -32,6 +32,21 @@ test('every choice of every question has a reason of its own, and one is right',
   }
 })
 
+test('the natural slips of three questions are known, and are told apart from what is nearly right', () => {
+  for (const [id, slip, tells] of [
+    ['third-step', '1.75', /counts twice/],
+    ['third-step', '1.76', /counts twice/],
+    ['gate-ratio', '5.8', /left out the half/],
+    ['wheel-sigma', '0.108', /own noise out/],
+    ['wheel-sigma', '0.107', /own noise out/],
+  ]) {
+    const { it, key } = questions.find((question) => question.id === id)
+    const { right, near } = judge(key, slip)
+    assert.ok(!right && near >= 0, `${id}: ${slip}`)
+    assert.match(words(all('.quiz-reasons > li .quiz-reason', it)[near]), tells, `${id}: ${slip}`)
+  }
+})
+
 test('every exercise is checked, and every right answer is taken', () => {
   const exercises = onPages('.exercise')
   assert.ok(exercises.length >= 15)

@@ -2,6 +2,8 @@
 // and is chosen anew where a run begins.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { axes, plane as plainPlane } from '../../web/draw/plot.js'
+import { rounded } from '../../web/draw/scale.js'
 import { Scale } from '../../web/figure/motion.js'
 
 /** The range when the scale has arrived. */
@@ -35,4 +37,21 @@ test('after something huge a scale comes back, and nothing that is no number mov
   assert.deepEqual(arrived(scale, [-1000, 1000], true), [-2048, 2048])
   assert.deepEqual(arrived(scale, [-0.3, 0.3]), [-0.5, 0.5])
   assert.deepEqual(arrived(scale, [-Infinity, NaN]), [-0.5, 0.5])
+})
+
+test('an axis has two ticks or more, none nearer than its words are high', () => {
+  const at = (high, most) => {
+    const marks = []
+    const plane = plainPlane({ left: 0, top: 0, right: 300, bottom: high }, [0, 10], [-most, most])
+    const pen = { group: (_key, _attributes, act) => act(pen), mark: () => {}, text: (key) => marks.push(key) }
+    axes(pen, plane, { ticks: [5, 3] })
+    return marks.filter((key) => key.startsWith('ty')).map((key) => plane.y(Number(key.slice(2))))
+  }
+  for (let high = 40; high < 140; high += 7) {
+    for (let most = 0.3; most < 5000; most *= 1.07) {
+      const ticks = at(high, rounded(-most, most, 3)[1])
+      const gaps = ticks.slice(1).map((tick, i) => Math.abs(tick - ticks[i]))
+      assert.ok(ticks.length >= 2 && gaps.every((gap) => gap >= 15), `±${most} on ${high} pixels: ${ticks}`)
+    }
+  }
 })

@@ -6,12 +6,31 @@ import { WIDGETS } from '../../web/widgets/index.js'
 import { estimate } from './claims.mjs'
 
 /** Phrases that build on the state by their own words: what is counted, fitted or driven is what the reader has. */
-const RELATIVE = { 'odometry-hook': ['lap'], 'bug-museum': ['seeds'], tune: ['fit', 'next'] }
+const RELATIVE = {
+  'observability-probe': ['farther'],
+  'odometry-hook': ['lap'],
+  'bug-museum': ['seeds'],
+  tune: ['fit', 'next'],
+}
 /** What a phrase may leave as it was: marks that are shown beside what it sets, and what its run does not read. */
 const BESIDE = {
   tune: ['fit', 'committed', 'seed'],
   'own-system': ['poles'],
   'observability-probe': ['landmarks', 'ghostAround', 'ghostShift', 'ghostTurn'],
+}
+/** What a phrase does not speak of, so that the reader's own stays: which noise is drawn, and what is marked. */
+const KEPT = { tune: ['seed', 'length'], 'own-system': ['shown'], 'late-readings': ['seed'], 'bug-museum': ['seed'] }
+/** Phrases that only drive on: those after them leave the robot there. */
+const DRIVES = { 'observability-probe': ['farther'] }
+/** A value that a parameter without limits of its own may have. */
+const OTHER = { 'observability-probe': { stop: 20 }, 'late-readings': { gap: [3, 6], ownDelay: 2 } }
+
+/** Another value than the usual one. */
+function other({ name, words, step, least, greatest, default: value }, own = {}) {
+  if (name in own) return own[name]
+  if (words) return words.find((word) => word !== value)
+  if (typeof value === 'boolean') return !value
+  return value === greatest ? least : Math.min(greatest, value + Math.max(step, (greatest - least) / 4))
 }
 
 for (const tag of [
@@ -45,13 +64,25 @@ for (const tag of [
       lab.free()
       return words
     }
+    // What a reader may have set before: each switch, slider and choice at another value, one at a time.
+    const declared = estimate[spec.lab].parameters()
+    const set = spec.controls.flatMap(({ name }) => {
+      const parameter = declared.find((one) => one.name === name)
+      return parameter && !KEPT[tag]?.includes(name) ? [[name, other(parameter, OTHER[tag])]] : []
+    })
     assert.ok(phrases.length >= 2)
     for (const phrase of phrases) {
       const fresh = pressed(first, phrase)
-      for (const other of spec.tries) {
-        const after = pressed(pressed(first, other), phrase)
-        assert.deepEqual(seen(after), seen(fresh), `“${phrase.label}” after “${other.label}”`)
-        if (tag !== 'tune') assert.equal(said(after), said(fresh), `“${phrase.label}” after “${other.label}”`)
+      const before = [
+        ...spec.tries
+          .filter(({ name }) => !DRIVES[tag]?.includes(name))
+          .map((one) => [`“${one.label}”`, pressed(first, one)]),
+        ...set.map(([name, value]) => [name, { ...first, params: { ...first.params, [name]: value } }]),
+      ]
+      for (const [what, state] of before) {
+        const after = pressed(state, phrase)
+        assert.deepEqual(seen(after), seen(fresh), `“${phrase.label}” after ${what}`)
+        if (tag !== 'tune') assert.equal(said(after), said(fresh), `“${phrase.label}” after ${what}`)
       }
     }
   })

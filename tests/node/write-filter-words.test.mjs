@@ -38,5 +38,10 @@ check('write-filter', { begin: BEGINS, text: OWN, seed: [1, 7], notation: ['chos
     ({ outcome, observer }) => outcome === 'wrong' && observer !== null,
   ],
   [/^Not a right filter\.$/, ({ outcome, observer }) => outcome === 'wrong' && observer === null],
+  [
+    /^Find the line at fault, and change it\.$/,
+    ({ outcome, line, params: { begin, text } }) =>
+      outcome === 'wrong' && line !== null && text === null && begin.startsWith('mend-'),
+  ],
   [/^Its run ends early\.$/, ({ outcome, stopped }) => outcome === 'wrong' && stopped !== null],
 ])

@@ -10,7 +10,7 @@ import { GROUPS, isBegin, stepsOf } from '../../web/widgets/write-filter/program
 import { reasons } from '../../web/widgets/write-filter/words.js'
 import { Counting, worlds } from '../../web/widgets/write-filter/worlds.js'
 import { Server } from '../../web/widgets/write-filter/server.js'
-import { estimate } from './claims.mjs'
+import { estimate, widget } from './claims.mjs'
 
 const { parseHTML } = createRequire(new URL('../../web/package.json', import.meta.url))('linkedom')
 const page = parseHTML(readFileSync(new URL('../../dist/kalman/filter/index.html', import.meta.url), 'utf8')).document
@@ -45,6 +45,32 @@ test('each exercise is solved by its answer, and not by the program that it begi
     assert.deepEqual(unmet(key, frameOf({ begin, text })), [], `${exercise.id}: ${frameOf({ begin, text }).sentences}`)
     assert.notDeepEqual(unmet(key, frameOf({ begin })), [], `${exercise.id} is solved before it begins`)
   }
+})
+
+test('an exercise that asks for the line at fault does not name it before a line is changed', async () => {
+  const spec = await widget('write-filter')
+  const said = (frame) => [spec.verdict(frame), spec.announce(frame, frame), ...reasons(frame)].join(' ')
+  for (const begin of ['mend-1', 'mend-2', 'mend-3']) {
+    const frame = frameOf({ begin }, 30)
+    assert.ok(frame.line !== null, begin)
+    assert.doesNotMatch(said(frame), /line \d/i, begin)
+    assert.match(said(frameOf({ begin, text: `${frame.text}\n` }, 30)), /line \d/i, begin)
+  }
+})
+
+test('of a program that does not run no step and no NEES is said, and the plane shows the right filter', async () => {
+  const spec = await widget('write-filter')
+  const value = (frame, name) => spec.readouts(frame).find(({ key }) => key === name).value
+  const running = frameOf({ begin: 'kalman' }, 60)
+  assert.deepEqual([value(running, 'step'), value(running, 'nees') === '–'], ['60', false])
+  for (const params of [{ begin: 'fill' }, { begin: 'empty' }, { begin: 'empty', text: 'x = F x + (' }]) {
+    const frame = frameOf(params, 60)
+    assert.deepEqual([value(frame, 'step'), value(frame, 'nees')], ['–', '–'], JSON.stringify(params))
+    assert.deepEqual([frame.truth, frame.right, frame.ellipse], [running.truth, running.right, null])
+    assert.equal(spec.describe(frame).run, 'The run waits for a program without faults.')
+  }
+  const ended = frameOf({ begin: 'empty', text: 'x = 1e6 F x\nP = V' }, 60)
+  assert.match(spec.describe(ended).run, /^The program’s run ends after step [1-9]\d*\.$/)
 })
 
 test('the chapter lists each exercise of its pages once, and the page of exercises those with programs', () => {

@@ -114,23 +114,20 @@ function inside(at, low, high) {
 }
 
 /**
- * At most so many ticks, and no two of them nearer than `gap` pixels: on a small plot there are fewer. None if `most`
- * is 0.
+ * At most so many ticks, and no two of them nearer than `gap` pixels: on a small plot there are fewer, but two or more
+ * where some count has them, since one alone tells no scale. None if `most` is 0.
  * @param {Scale} scale @param {number} most @param {number} low @param {number} high @param {number} gap
  */
 function apart(scale, most, low, high, gap) {
-  if (most === 0) return { ticks: [], count: 1 }
-  for (let count = most; ; count -= 1) {
-    const ticks = shown(scale.ticks(count), scale, low, high)
-    const near = ticks.some((value, i) => i > 0 && Math.abs(scale(value) - scale(ticks[i - 1])) < gap)
-    if (!near) return { ticks, count }
-    if (count > 1) continue
+  let best = { ticks: /** @type {number[]} */ ([]), count: 1 }
+  for (let count = most; count > 0; count -= 1) {
+    const all = shown(scale.ticks(count), scale, low, high)
     let last = Infinity
-    return {
-      count,
-      ticks: ticks.filter((value) => Math.abs(scale(value) - last) >= gap && ((last = scale(value)), true)),
-    }
+    const ticks = all.filter((value) => Math.abs(scale(value) - last) >= gap && ((last = scale(value)), true))
+    if (ticks.length > 1 && (ticks.length === all.length || count === 1)) return { ticks, count }
+    if (ticks.length > best.ticks.length) best = { ticks, count }
   }
+  return best
 }
 
 /** @param {number[]} ticks @param {Scale} scale @param {number} low @param {number} high */

@@ -156,11 +156,13 @@ impl WriteFilter {
     }
 
     fn record(&mut self) {
-        let [run, _] = &self.runs;
+        let [run, right] = &self.runs;
         let (truth, x, p) = (run.truth(), &run.belief.0, &run.belief.1);
         self.digest.take(&truth);
         self.digest.take(&x.entries);
         self.digest.take(&p.entries);
+        let driven = right.truth();
+        self.tracks.truth.push(driven[0], driven[1], TRACK);
         if self.stopped.is_some() && self.step > 0 {
             return;
         }
@@ -173,7 +175,6 @@ impl WriteFilter {
         series.two_sigma_first.push(two_sigma(0));
         series.two_sigma_second.push(two_sigma(1));
         series.nees.push(run.nees().unwrap_or(f64::NAN));
-        self.tracks.truth.push(truth[0], truth[1], TRACK);
         self.tracks.estimate.push(x.entries[0], x.entries[1], TRACK);
     }
 }

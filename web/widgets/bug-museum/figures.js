@@ -13,6 +13,8 @@ import { FIGURES, outside, shown } from './words.js'
 
 /** How wide a share is, with the dot beside it, pixels. */
 const SHARE = 38
+/** A row that is no higher than this has no room for words over its bars, pixels. */
+const ROOM = 16
 
 /**
  * The autocorrelation of range and bearing at each lag, beside each other.
@@ -82,14 +84,15 @@ export function drawFigures({ pen, width, height }, frame) {
           ...meaning('area bars', 'posterior'),
           d: bars(figure.counts, left, right, y + row / 2 - 1, row / 2 - 1),
         })
-        // On a phone there is no room for both: the bars say it there.
-        // Beside the run's own value, where that lies at an end.
-        if (below > 0 && row > 16)
-          pen.text(`below${i}`, { class: 'rule-name', x: at < left + SHARE ? at + 7 : left, y: y + 4 }, percent(below))
-        if (above > 0 && row > 16)
+        // On a phone there is no room for both: the bars say it there. Beside the run's own value, where that lies at
+        // an end, and above the bars, as far as the row goes.
+        const said = y + 4 - Math.min(5, row - ROOM)
+        if (below > 0 && row > ROOM)
+          pen.text(`below${i}`, { class: 'rule-name', x: at < left + SHARE ? at + 7 : left, y: said }, percent(below))
+        if (above > 0 && row > ROOM)
           pen.text(
             `above${i}`,
-            { class: 'rule-name', x: at > right - SHARE ? at - 7 : right, y: y + 4, 'text-anchor': 'end' },
+            { class: 'rule-name', x: at > right - SHARE ? at - 7 : right, y: said, 'text-anchor': 'end' },
             percent(above),
           )
       }

@@ -71,7 +71,7 @@ const controls = [
       { value: 'none', label: 'None' },
     ],
   },
-  { kind: 'toggle', name: 'learn', label: 'learn scale and bias', more: true },
+  { kind: 'toggle', name: 'learn', label: 'learn the speed’s scale and the turn rate’s bias', more: true },
   { kind: 'toggle', name: 'tunnel', label: 'a tunnel of 30 s', more: true },
   { kind: 'toggle', name: 'gate', label: 'a gate of 99.9 %', more: true },
 ]
@@ -85,7 +85,7 @@ const tries = [
   { name: 'none', label: 'Without fixes', change: () => ({ ...usual, fixes: 'none' }) },
   { name: 'all', label: 'All fixes', change: () => ({ ...usual, fixes: 'all' }) },
   { name: 'second', label: 'One a second', change: () => usual },
-  { name: 'learn', label: 'Learn the scale', change: () => ({ ...usual, delay: late, learn: true }) },
+  { name: 'learn', label: 'Learn scale and bias', change: () => ({ ...usual, delay: late, learn: true }) },
   { name: 'tunnel', label: 'A tunnel', change: () => ({ ...usual, tunnel: true }) },
   { name: 'gate', label: 'A gate', change: () => ({ ...usual, delay: late, learn: true, gate: true }) },
 ]

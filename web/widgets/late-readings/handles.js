@@ -33,7 +33,11 @@ export function handlesOf(frame, limits, plane, rows) {
     small: true,
     kin: 'measurement',
     label: 'Which of the camera’s readings is in hand',
-    value: `number ${picked.number + 1} of ${picked.of}, measured at ${picked.measured.toFixed(2)} s`,
+    value:
+      `number ${picked.number + 1} of ${picked.of}, ` +
+      (picked.missing
+        ? `in the gap at ${picked.measured.toFixed(2)} s: never measured`
+        : `measured at ${picked.measured.toFixed(2)} s`),
     now: picked.number + 1,
     min: 1,
     max: picked.of,
@@ -41,6 +45,8 @@ export function handlesOf(frame, limits, plane, rows) {
     nudge: (dx, dy) => choose(picked.number + (dx || dy)),
     jump: (to) => choose(to === 'home' ? 0 : picked.of - 1),
   }
+  // What was never measured never comes.
+  if (picked.missing) return grips
   const { step, greatest: most } = limits.ownDelay
   const delay = picked.came - picked.measured
   const comes = (/** @type {number} */ wanted) => ({

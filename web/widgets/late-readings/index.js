@@ -109,7 +109,8 @@ const tries = [
   {
     name: 'gap',
     label: 'A gap, and the track afterwards',
-    change: () => ({ ...usual, way: 'go-back', delay: 0.6, gap: [8, 13], smooth: true }),
+    // In hand is a reading from before the gap.
+    change: () => ({ ...usual, way: 'go-back', delay: 0.6, gap: [8, 13], picked: 4, smooth: true }),
   },
 ]
 

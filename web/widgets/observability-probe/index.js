@@ -4,12 +4,12 @@
  */
 
 import { fixed, power } from '../../draw/numbers.js'
-import { usual } from '../../figure/defaults.js'
 import { drawMap } from './map.js'
 import { turns } from './hidden.js'
 import { drawConsistency, drawTrace } from './history.js'
 import { drawBearings, drawRanges, sketch } from './ghost.js'
 import { drawRanks } from './ranks.js'
+import { degree, tries } from './tries.js'
 import { describe, verdict } from './words.js'
 
 /** @typedef {import('estimate-wasm').ProbeFrame} Frame */
@@ -33,7 +33,7 @@ function readouts({ frozen, alongPath, trace, mean, slam, step, ghost, error }) 
     { key: 'path', label: 'Rank, along the path', value: alongPath.steps === 0 ? '–' : of(alongPath), headline: true },
     { key: 'frozen', label: 'Rank, frozen', value: of(frozen) },
     { key: 'trace', label: 'Spread, tr {P}', value: fixed(trace.total, 3), kin: 'posterior' },
-    { key: 'reference', label: 'with two landmarks', value: fixed(trace.reference, 3), kin: 'truth' },
+    { key: 'reference', label: 'with two, ranges only', value: fixed(trace.reference, 3), kin: 'truth' },
     { key: 'step', label: 'Step', value: String(step) },
     { key: 'path-turns', label: 'Stroke path: the heading turns', value: turns(alongPath), wide: true, row: true },
     { key: 'frozen-turns', label: 'Stroke frozen: the heading turns', value: turns(frozen), wide: true },
@@ -92,8 +92,6 @@ function readouts({ frozen, alongPath, trace, mean, slam, step, ghost, error }) 
 }
 
 // Controls. The landmarks are handles on the map.
-
-const degree = Math.PI / 180
 
 /**
  * A dial of the ghost, in degrees.
@@ -173,60 +171,6 @@ const controls = [
     name: 'ghost',
     label: 'let a ghost drive along (with the map)',
     enabled: (params) => !params.forget,
-  },
-]
-
-/** What the phrases change, as it is at first. @param {any} lab */
-const plainly = (lab) => usual(lab, 'sensor', 'forget', 'ghost')
-
-/** @type {import('../../figure/spec.js').Try[]} */
-const tries = [
-  {
-    name: 'two',
-    label: 'Two landmarks',
-    change: (_, lab) => ({ ...plainly(lab), ...usual(lab, 'landmarks'), count: 2 }),
-  },
-  {
-    name: 'line',
-    label: 'Put the last landmark in line',
-    change: (/** @type {Frame} */ { params }, lab) => {
-      // A line takes a second landmark and no third, and ranges alone see that it is one; the lab puts it there.
-      const shown = { ...plainly(lab), count: 2 }
-      const other = lab.constructor.from({ ...lab.state(), params: { ...params, ...shown } })
-      const last = shown.count - 1
-      const at = Array.from(other.collinearPoint(last))
-      other.free()
-      return { ...shown, landmarks: params.landmarks.map((point, i) => (i === last ? at : point)) }
-    },
-  },
-  {
-    name: 'bearing',
-    label: 'One landmark, range and bearing',
-    change: (_, lab) => ({ ...plainly(lab), count: 1, sensor: 'range-bearing' }),
-  },
-  {
-    name: 'ghost',
-    label: 'Turn the world',
-    change: (_, lab) => ({
-      ...plainly(lab),
-      count: 1,
-      sensor: 'range-bearing',
-      ghost: true,
-      ghostAround: 10 * degree,
-      ghostShift: 0,
-      ghostTurn: 0,
-    }),
-  },
-  {
-    name: 'map',
-    label: 'Forget the map',
-    change: (_, lab) => ({
-      ...plainly(lab),
-      ...usual(lab, 'landmarks'),
-      count: 3,
-      sensor: 'range-bearing',
-      forget: true,
-    }),
   },
 ]
 

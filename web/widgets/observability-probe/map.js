@@ -146,6 +146,12 @@ function drawNames(pen, plane, frame) {
   const landmarks = frame.params.landmarks.slice(0, frame.params.count).map(at)
   const strokes = hidden(frame)
   const { left, top, right, bottom } = inside(plane, frame)
+  // Of a stroke that leaves the map, the name belongs to the part that is on it.
+  const kept = (/** @type {[number, number]} */ [px, py]) =>
+    /** @type {[number, number]} */ ([
+      Math.max(box.left, Math.min(box.right, px)),
+      Math.max(box.top, Math.min(box.bottom, py)),
+    ])
   drawLabels(
     pen,
     box,
@@ -162,7 +168,7 @@ function drawNames(pen, plane, frame) {
       ...strokes.map(({ key, words, ends }, i) => ({
         key: `${key}-name`,
         words,
-        at: at(ends?.[i % 2] ?? frame.estimate),
+        at: kept(at(ends?.[i % 2] ?? frame.estimate)),
         gap: ends ? 8 : 24,
       })),
     ],

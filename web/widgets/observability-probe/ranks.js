@@ -9,6 +9,8 @@ import { scaleLog } from '../../draw/plot.js'
 
 /** Zero stands at the scale's left end. */
 const FLOOR = 1e-17
+/** Dots nearer than this would hide one another; so far below the one before the next one stands, pixels. */
+const [COVERS, BELOW] = [7, 8]
 
 /** @param {import('../../figure/shell.js').Panel} panel @param {Frame} frame */
 export function drawRanks({ pen, width, height }, { frozen, alongPath, params }) {
@@ -59,9 +61,17 @@ export function drawRanks({ pen, width, height }, { frozen, alongPath, params })
       pen.mark('line', `${key}-base`, { class: 'axis', x1: box.left, x2: box.right, y1: y, y2: y })
       pen.text(`${key}-name`, { class: 'mark-name', x: box.left, y: y - 12 }, name)
       if (key === 'path' && alongPath.steps === 0) continue
-      ranks.relative.forEach((value, i) => {
+      const places = ranks.relative.map(place)
+      ranks.relative.forEach((_, i) => {
         const seen = i < ranks.rank
-        pen.mark('circle', `${key}-${i}`, { class: seen ? 'mark full' : 'mark hollow', cx: place(value), cy: y, r: 6 })
+        // One that would lie on the one before it stands below that.
+        const down = places.slice(0, i).filter((at) => Math.abs(at - places[i]) < COVERS).length
+        pen.mark('circle', `${key}-${i}`, {
+          class: seen ? 'mark full' : 'mark hollow',
+          cx: places[i],
+          cy: y + BELOW * down,
+          r: 6,
+        })
       })
     }
   })

@@ -81,7 +81,7 @@ export function describe(frame) {
       `${alongPath.steps === 0 ? 'no step yet' : ranks(alongPath)}.`,
     trace:
       `Trace of the pose covariance over time, now ${fixed(trace.total, 3)}; ` +
-      `with two landmarks it would be ${fixed(trace.reference, 3)}.`,
+      `with two landmarks and ranges only it would be ${fixed(trace.reference, 3)}.`,
     ranges: ghost
       ? `Ranges over time, of the robot and of the ghost; they differ by up to ${fixed(ghost.rangeGap, 3)} metres.`
       : '',

@@ -163,7 +163,7 @@ const controls = [
  * @param {Record<string, unknown>} [but]
  * @returns {import('../../figure/spec.js').Try['change']}
  */
-const lap = (but) => () => ({ bias: 0.005, fixes: false, learn: false, step: LAP, ...but })
+const lap = (but) => () => ({ bias: 0.005, slip: 0.001, fixes: false, learn: false, step: LAP, ...but })
 
 /** @type {import('../../figure/spec.js').Try[]} */
 const tries = [

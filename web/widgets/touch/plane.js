@@ -23,6 +23,8 @@ const REACH = 1.85
 /** The ellipse begins so small, and grows by so much in a second, in standard deviations. */
 const SEED = 0.25
 const A_SECOND = 0.8
+/** The ring of a handle while it is held, pixels. */
+const HELD = 14
 /** Two dots nearer than this lie on one another, m. */
 const COVERS = 0.1
 
@@ -139,7 +141,7 @@ function names(pen, plane, frame, radius, touches, guess) {
     ],
     [
       clear(at(frame.mean), 6),
-      clear(guess, 12),
+      clear(guess, HELD),
       ...(touches ? [clear(at(frame.touch), 7)] : []),
       ...along(ellipsePoints(frame.ellipse, frame.mean, plane, radius)),
     ],

@@ -12,6 +12,8 @@ import { axes, meaning, plane as planeOf } from '../../draw/plot.js'
 const TITLE = 'opinions about the velocity (m/s)'
 /** The velocities in sight, m/s. */
 const AXIS = /** @type {[number, number]} */ ([-0.5, 7.5])
+/** The ring of a handle while it is held, pixels. */
+const HELD = 14
 /** A bell's height at one standard deviation, a part of that in the middle. */
 const FLANK = Math.exp(-0.5)
 
@@ -66,7 +68,7 @@ function names(pen, { x, y, box }, { likely }, all, top, grips) {
       words: one.words,
       at: /** @type {[number, number]} */ ([x(one.mean), y(top(one))]),
       kin: one.kin,
-      gap: one.key === 'product' ? 6 : 14,
+      gap: one.key === 'product' ? 6 : HELD + 4,
       sides:
         one.mean < likely || (one.mean === likely && one.key === 'read')
           ? ['left', 'above-left']
@@ -74,7 +76,7 @@ function names(pen, { x, y, box }, { likely }, all, top, grips) {
     })),
     [
       { left: 0, right: box.left + widthOf(TITLE), top: 0, bottom: box.top - 6 },
-      ...Object.values(grips).map(({ at }) => clear(at, 9)),
+      ...Object.values(grips).map(({ at }) => clear(at, HELD)),
     ],
   )
 }

@@ -79,7 +79,8 @@ function handles(x, middle, tip, { params, start: [first, second] }, { limits })
       at: tip,
       label: 'Speed of the second cart, from the first’s',
       name: 'speed',
-      nameAt: tip[0] > x(RAIL[1]) - 40 ? [-15, 4] : undefined,
+      // Beside the ring as it is while it is held.
+      nameAt: [tip[0] > x(RAIL[1]) - 40 ? -18 : 18, 4],
       value: `${fixed(params.speed)} metres a second`,
       move: (px) => put('speed', (x.invert(px) - second[0]) / ARROW),
     },

@@ -8,7 +8,7 @@ import { button, part } from '../../draw/dom.js'
 import { buildCopies } from './copies.js'
 import { faultOf, keep, last, textOf } from './kept.js'
 import { GROUPS, isBegin, opened, stepsOf } from './programs.js'
-import { isEmpty, reasons } from './words.js'
+import { isEmpty, isRiddle, reasons } from './words.js'
 
 /** Typing rests after this long, milliseconds. */
 const REST_MS = 300
@@ -105,7 +105,8 @@ export function buildEditor(document, change) {
     const count = text.split('\n').length
     area.setAttribute('rows', String(Math.min(MOST, Math.max(LEAST, count + 1))))
     const wrong = new Set(of === null || isEmpty(of) ? [] : of.faults.map(({ line }) => line))
-    if (of && of.faults.length === 0 && of.outcome !== 'right' && of.line !== null) wrong.add(of.line)
+    const told = of && of.faults.length === 0 && of.outcome !== 'right' && !isRiddle(of)
+    if (told && of.line !== null) wrong.add(of.line)
     gutter.replaceChildren(
       ...Array.from({ length: count }, (_, i) => {
         const mark = document.createElement('span')

@@ -28,9 +28,11 @@ const describe = (frame) => ({
 // View: three panels, in the folder's files, and the numbers beside them.
 
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
-function readouts({ step, nees, made, faults }) {
+function readouts({ step, nees, made, faults, stopped, series }) {
+  // A program that does not run has made no step.
+  const ran = stopped === null || series.step.length > 1
   return [
-    { key: 'step', label: 'Step', value: String(step), headline: true },
+    { key: 'step', label: 'Step', value: ran ? String(step) : '–', headline: true },
     { key: 'nees', label: 'NEES of this step', value: fixed(nees ?? undefined, 2), kin: 'posterior' },
     { key: 'faults', label: 'Faults', value: String(faults.length) },
     { key: 'made', label: 'The program makes', value: made.slice(0, 12).join(', ') || '–' },

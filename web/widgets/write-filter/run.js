@@ -31,8 +31,11 @@ export function drawRun(panel, frame, view) {
   return drawMap(panel, { landmarks, tracks, truth: pose, estimate, ellipse, sighting }, view)
 }
 
-/** Whether the program has made a step. @param {Frame} frame */
-const alive = ({ series, stopped }) => stopped === null || series.step.length > 1
+/**
+ * Whether the program's run goes on: where it has ended, the world and the right filter go on alone.
+ * @param {Frame} frame
+ */
+const alive = ({ stopped }) => stopped === null
 
 /** A track without what has left the map. @param {{ x: number[], y: number[] }} track */
 function near({ x, y }) {
@@ -124,8 +127,11 @@ export function drawErrors(panel, { series, world }) {
 
 /** @param {Frame} frame */
 export function describeRun(frame) {
-  const { world, step, truth, estimate, ellipse } = frame
-  if (!alive(frame)) return 'The run waits for a program without faults.'
+  const { world, step, truth, estimate, ellipse, series } = frame
+  if (!alive(frame)) {
+    const last = series.step.at(-1) ?? 0
+    return last > 0 ? `The program’s run ends after step ${last}.` : 'The run waits for a program without faults.'
+  }
   const off = Math.hypot(truth[0] - estimate[0], truth[1] - estimate[1])
   const [where, unit] = world === 'linear' ? ['Position and velocity', ''] : ['The stadium from above', ' metres']
   const claimed = ellipse

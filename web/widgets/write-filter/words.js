@@ -7,8 +7,12 @@ import { BUGS } from '../bug-museum/words.js'
 /** Whether nothing has been written yet. @param {Frame} frame */
 export const isEmpty = ({ made, faults }) => made.length === 0 && faults[0]?.message.startsWith('The program is empty')
 
+/** Whether an exercise asks where the fault is, and nothing is changed yet. @param {Frame} frame */
+export const isRiddle = ({ params }) => params.text === null && params.begin.startsWith('mend-')
+
 /** @param {Frame} frame */
 export function verdict(frame) {
+  if (isRiddle(frame)) return 'Not a right filter. Find the line at fault, and change it.'
   if (isEmpty(frame)) return 'Nothing is written yet. A step predicts the estimate, and a reading corrects it.'
   const { faults, outcome, bug, line, breaks, sentences, observer, stopped } = frame
   if (faults.length > 0) return `No filter yet: ${counted(faults.length)}, the first in line ${faults[0].line}.`
@@ -26,12 +30,15 @@ export function verdict(frame) {
 const counted = (/** @type {number} */ n) => (n === 1 ? 'one fault' : `${n} faults`)
 
 /** Why, in sentences: the faults themselves stand in a list. @param {Frame} frame */
-export const reasons = ({ faults, sentences, stopped }) =>
-  faults.length > 0 ? [] : [...sentences, ...(stopped ? [`The run stands still: ${stopped.message}`] : [])]
+export const reasons = (frame) => {
+  const { faults, sentences, stopped } = frame
+  if (faults.length > 0 || isRiddle(frame)) return []
+  return [...sentences, ...(stopped ? [`The run stands still: ${stopped.message}`] : [])]
+}
 
 /** What a screen reader hears when typing rests. @param {Frame} frame */
 export function announce(frame) {
-  if (isEmpty(frame)) return verdict(frame)
+  if (isEmpty(frame) || isRiddle(frame)) return verdict(frame)
   const [first] = frame.faults
   const why = first ? `Line ${first.line}, column ${first.column}: ${first.message}` : (frame.sentences[0] ?? '')
   return `${verdict(frame)} ${why}`

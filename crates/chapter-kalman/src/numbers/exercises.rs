@@ -77,7 +77,8 @@ fn candidates(to: &mut Listing) {
         .vector("ex.gate.S", CANDIDATES.map(|c| c[1]).iter(), "its variance, m²")
         .vector("ex.gate.d", d.iter(), "χ² of a candidate")
         .vector("ex.gate.score", score.iter(), "χ² + log S of a candidate")
-        .add("ex.gate.ratio", libm::exp(0.5 * (score[1] - score[0])), "likelihood of the first over the second");
+        .add("ex.gate.ratio", libm::exp(0.5 * (score[1] - score[0])), "likelihood of the first over the second")
+        .add("ex.gate.unhalved", libm::exp(score[1] - score[0]), "the same without the half in the exponent");
 }
 
 /// Statistics of the innovations of a filter whose model is not the robot's: their mean over √S, the correlation of one
@@ -222,6 +223,7 @@ mod tests {
             ("ex.gate.d.1", 2.25),
             ("ex.gate.d.2", 1.0),
             ("ex.gate.ratio", 4.5 * (-0.625_f64).exp()),
+            ("ex.gate.unhalved", 20.25 * (-1.25_f64).exp()),
             ("ex.bias.velocity", 1.0),
             ("ex.bias.position", 2.0),
             ("ex.bias.both", 3.0),

@@ -85,6 +85,17 @@ fn runs(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
             .add(format!("probe.run.nees.{name}"), frame.mean.nees.unwrap_or(f64::NAN), "the mean NEES of that run")
             .add(ratio, frame.frozen.relative[2], "the smallest frozen singular value over the largest, at its end");
     }
+    let bearing = ProbeParams { sensor: SensorKind::RangeBearing, seed: givens.seed, ..Default::default() };
+    let mut probe = ObservabilityProbe::new(bearing)?;
+    for steps in [240, 480, 960, 1920] {
+        probe.run(steps - probe.frame().step)?;
+        let trace = probe.frame().trace.total;
+        to.add(
+            format!("probe.run.trace.rb.{steps}"),
+            trace,
+            "the pose trace of the figure's run with range and bearing",
+        );
+    }
     wandering(to)
 }
 

@@ -50,7 +50,11 @@ fn wrong_third_steps(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     let right = linear::predicted_covariance(&sys.f, p, &sys.v)?;
     let no_v = linear::predicted_covariance(&sys.f, p, &Matrix2::zeros())?;
     let transposed = linear::predicted_covariance(&sys.f.transpose(), p, &sys.v)?;
+    // The corner of FPFᵀ is P₁₁ + 2T P₁₂ + T²P₂₂.
+    let mut cross_once = right;
+    cross_once[(0, 0)] -= sys.f[(0, 1)] * p[(0, 1)];
     to.by("chapter_kalman::numbers::rail::wrong_third_steps", None)
+        .add("step3.near.cross-once", after(&cross_once, sys.w[0])?, "P₁₁ of the third step with T P₁₂ counted once")
         .add("step3.near.no-update", right[(0, 0)], "P₁₁ of the third step without its update")
         .add("step3.near.no-v", after(&no_v, sys.w[0])?, "P₁₁ of the third step when V is forgotten")
         .add("step3.near.no-w", after(&right, 0.0)?, "P₁₁ of the third step when W is forgotten")

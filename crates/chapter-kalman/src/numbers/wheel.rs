@@ -53,19 +53,20 @@ fn lap(fixes: bool) -> Result<Lap, Error> {
 }
 
 /// The exercise: the lap as one reading of the bias. ε turns the estimate by `lever` ε, slip adds to that, and the
-/// heading is read once at the end. Answers the lever, the slip's variance, and σ of ε with and without the slip.
-fn one_reading() -> Result<(f64, f64, [f64; 2]), Error> {
+/// heading is read once at the end. Answers the lever, the slip's variance, and σ of ε: with both noises, without the
+/// slip, and without the sensor's.
+fn one_reading() -> Result<(f64, f64, [f64; 3]), Error> {
     let lever = bias_for(1.0).recip();
     let slip = f64::from(HOOK.course.lap()) * slip_covariance(&HOOK.wheels, HOOK.slip)[(1, 1)];
     let (p, h) = (Matrix1::new(HOOK.bias_sigma * HOOK.bias_sigma), Matrix1::new(lever));
     let read = HOOK.sensor.bearing_sigma * HOOK.sensor.bearing_sigma;
     let after = |w: f64| linear::gain(&p, &h, &Matrix1::new(w)).map(|gain| gain.p[0].sqrt());
-    Ok((lever, slip, [after(read + slip)?, after(read)?]))
+    Ok((lever, slip, [after(read + slip)?, after(read)?, after(slip)?]))
 }
 
 pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     let [blind, fixed] = [lap(false)?, lap(true)?];
-    let (lever, slip, [learned, slipless]) = one_reading()?;
+    let (lever, slip, [learned, slipless, noiseless]) = one_reading()?;
     to.by("chapter_kalman::numbers::wheel::lap", None)
         .add("wheel.sigma.first", HOOK.bias_sigma, "the first standard deviation of the wheel's bias")
         .add("wheel.rank.blind", blind.rank as f64, "rank of pose and bias along a lap without fixes")
@@ -80,6 +81,7 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
         .add("ex.wheel.sigma", 100.0 * learned, "σ of ε after one reading of the heading, per cent")
         .add("ex.wheel.share", learned, "the same as a fraction")
         .add("ex.wheel.slipless", 100.0 * slipless, "the same if nothing slipped, per cent")
+        .add("ex.wheel.noiseless", 100.0 * noiseless, "the same if the sensor had no noise, per cent")
         .add("ex.wheel.first", 100.0 * HOOK.bias_sigma, "σ of ε before it, per cent");
     Ok(())
 }
@@ -102,13 +104,14 @@ mod tests {
     }
     #[test]
     fn one_reading_of_the_heading_tells_about_as_much_of_the_bias_as_the_fixes_of_a_lap() {
-        let (lever, slip, [learned, slipless]) = one_reading().expect("computed");
+        let (lever, slip, [learned, slipless, noiseless]) = one_reading().expect("computed");
         // 1/σ² = 1/0.01² + h²/W, with h = (32 + 0.4 π)/0.4 and W = 640 · 2 · 0.0025² + 0.035².
         let h = (32.0 + 0.4 * core::f64::consts::PI) / 0.4;
         let by_pencil = |w: f64| (1e4 + h * h / w).sqrt().recip();
         assert!((lever - h).abs() < 1e-12 && (slip - 0.008).abs() < 1e-15);
         assert!((learned - by_pencil(0.008 + 0.035 * 0.035)).abs() < 1e-15);
         assert!((slipless - by_pencil(0.035 * 0.035)).abs() < 1e-15);
+        assert!((noiseless - by_pencil(0.008)).abs() < 1e-15);
         let fixed = lap(true).expect("computed");
         assert!((0.5..2.0).contains(&(fixed.bias / learned)), "{} and {learned}", fixed.bias);
     }

@@ -77,9 +77,10 @@ record! {
         pub stopped: Option<WriteFault>,
         /// The true state.
         pub truth: Vec<f64>,
-        /// The program's estimate.
+        /// The program's estimate; where its run stands still, the last one.
         pub estimate: Vec<f64>,
-        /// The one-sigma ellipse of the first two states that it claims; none where P is no covariance.
+        /// The one-sigma ellipse of the first two states that it claims; none where P is no covariance, or its run
+        /// stands still.
         pub ellipse: Option<Ellipse>,
         /// A right filter's estimate of the same readings.
         pub right: Vec<f64>,
@@ -91,7 +92,7 @@ record! {
         pub sighted: Option<u32>,
         /// Whether the gate let the reading in.
         pub used: bool,
-        /// eᵀP⁻¹e; none where P is no covariance.
+        /// eᵀP⁻¹e; none where P is no covariance, or its run stands still.
         pub nees: Option<f64>,
         /// The run so far.
         pub series: WriteSeries,

@@ -141,23 +141,25 @@ impl Begin {
                  P = P - R H P"
             }
             Self::Fill => {
-                "x = F x + G u\nP = F P F' + V\n# four lines are missing: nu, S, R and the new x\nP = P - R H P"
+                "x = F x + G u\nP = F P F' + V\n# four lines are missing:\n# nu, S, R and the new x\nP = P - R H P"
             }
             Self::Fixed => {
                 "x = F x + G u\nP = F P F' + V\nK = [0; 0]  # choose\nx = x + K (y - H x)\n# and P after the reading"
             }
             Self::Information => {
-                "x = F x + G u\nP = F P F' + V\n# the inverse of P grows by H' inv(W) H; no gain is needed"
+                "x = F x + G u\nP = F P F' + V\n# the inverse of P grows by H' inv(W) H;\n# no gain is needed"
             }
             Self::MendFirst => {
                 "nu = y - H x\nx = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = P H' inv(S)\nx = x + R nu\n\
                  P = P - R H P"
             }
             Self::MendSecond => kalman!("P = (I - R H) P (I - R H)'"),
-            Self::Extend => "# f(x, u) moves the robot, h(x, l) is what it reads of l; jac(f, x) is the derivative",
+            Self::Extend => {
+                "# f(x, u) moves the robot,\n# h(x, l) is what it reads of l;\n# jac(f, x) is the derivative"
+            }
             Self::Sequential => {
-                "two = eye(2) y  # there are two readings, with independent noises\nx = F x + G u\nP = F P F' + V\n\
-                 # first y[1] with H[1, :] and W[1, 1], then the other: nothing is inverted"
+                "two = eye(2) y  # of independent noises\nx = F x + G u\nP = F P F' + V\n\
+                 # first y[1] with H[1, :] and W[1, 1],\n# then the other: nothing is inverted"
             }
             _ => EKF,
         }

@@ -1,7 +1,7 @@
 //! Each program that a text may begin as is what it is meant to be, and a text of the reader's own takes its place.
 
 use super::*;
-use lab::Written;
+use lab::{Knob, Plain, Shape, Written};
 
 const BUGS: [(Begin, &str); 9] = [
     (Begin::UnwrappedInnovation, "unwrapped-innovation"),
@@ -52,6 +52,15 @@ fn each_program_is_what_it_begins_as() {
 }
 
 #[test]
+fn no_line_of_a_program_is_longer_than_its_box() {
+    let Shape::Word(words) = Begin::SHAPE else { panic!("Begin is a word") };
+    for (i, word) in words.iter().enumerate() {
+        let text = Begin::read(&mut [i as f64].iter()).text();
+        assert!(text.lines().all(|line| line.len() <= 42), "{word}: {text}");
+    }
+}
+
+#[test]
 fn an_observer_is_known_by_its_numbers() {
     let frame = written(Begin::Observer, None);
     let observer = frame.observer.expect("its gain is fixed");
@@ -72,6 +81,32 @@ fn an_own_text_takes_its_place_and_faults_stop_the_run() {
     let frame = written(Begin::Empty, Some("x = 1e9 F x\nP = V"));
     assert!(frame.stopped.is_some_and(|fault| fault.message.contains("left every bound")));
     assert!(frame.series.step.len() < 30);
+}
+
+#[test]
+fn a_program_that_does_not_run_leaves_truth_and_right_filter_where_they_are() {
+    let beside = |begin: Begin, text| {
+        let WriteFrame { truth, right, right_ellipse, sighted, tracks, nees, ellipse, used, stopped, .. } =
+            written(begin, text);
+        (
+            (truth, right, format!("{right_ellipse:?}"), sighted, tracks.truth.x),
+            (nees, ellipse, used),
+            stopped.is_some(),
+        )
+    };
+    for (running, others) in [
+        (Begin::Kalman, [(Begin::Fill, None), (Begin::Empty, None), (Begin::Empty, Some("x = 1e9 F x\nP = V"))]),
+        (Begin::Ekf, [(Begin::Extend, None), (Begin::Ekf, Some("x = x + (")), (Begin::Ekf, Some("x = 1e9 x\nP = V"))]),
+    ] {
+        let (as_it_is, (nees, ..), stopped) = beside(running, None);
+        assert!(nees.is_some() && !stopped);
+        for (begin, text) in others {
+            let (world, said, stopped) = beside(begin, text);
+            assert!(stopped, "{begin:?} {text:?}");
+            assert_eq!(world, as_it_is, "{begin:?} {text:?}");
+            assert_eq!(said, (None, None, false), "{begin:?} {text:?}: nothing is said of it");
+        }
+    }
 }
 
 #[test]

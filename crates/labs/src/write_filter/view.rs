@@ -53,7 +53,9 @@ pub(super) fn said(words: &str) -> Fault {
 
 pub(super) fn frame(lab: &WriteFilter) -> WriteFrame {
     let Judged { verdict, faults, observer, made, names_gain } = &*lab.judged;
+    // The world is the right filter's, which goes on where the program's run has ended.
     let [run, right] = &lab.runs;
+    let runs = lab.stopped.is_none();
     let (world, notation) = (lab.program.world(), lab.program.notation());
     let name = |(name, about, size)| WriteName { name, about, size };
     WriteFrame {
@@ -72,15 +74,15 @@ pub(super) fn frame(lab: &WriteFilter) -> WriteFrame {
         names_gain: *names_gain,
         observer: *observer,
         stopped: lab.stopped.as_ref().map(WriteFault::from),
-        truth: run.truth(),
+        truth: right.truth(),
         estimate: run.belief.0.entries.clone(),
-        ellipse: ellipse(run),
+        ellipse: if runs { ellipse(run) } else { None },
         right: right.belief.0.entries.clone(),
         right_ellipse: ellipse(right),
         landmarks: if world == World::Robot { &BUG_MUSEUM.landmarks } else { &[] },
-        sighted: run.seen().map(|seen| seen.landmark),
-        used: run.used,
-        nees: run.nees(),
+        sighted: right.seen().map(|seen| seen.landmark),
+        used: runs && run.used,
+        nees: if runs { run.nees() } else { None },
         series: lab.series.clone(),
         tracks: lab.tracks.outlined(),
     }
