@@ -34,6 +34,8 @@ export class Display {
     /** What has been computed beside the run. @type {any} */
     this.aside = null
     this.beatStart = -Infinity
+    /** @type {any} */
+    this.far = null
     this.memory = {}
     /** Whether the first panel is still moving, by its camera or by the animation of a step. */
     this.moving = false
@@ -59,13 +61,15 @@ export class Display {
    * @param {any} frame to be shown
    * @param {any} previous the one a step led from
    * @param {number} beatStart when its animation starts
+   * @param {any} far the one of its run that has come farthest
    */
-  take(frame, previous, beatStart) {
+  take(frame, previous, beatStart, far) {
     this.shell.fit(frame)
     this.frame = frame
     this.wanted = frame
     this.previous = previous
     this.beatStart = beatStart
+    this.far = far
   }
 
   /** @param {boolean} [anew] whether every panel is to be drawn again */
@@ -97,6 +101,7 @@ export class Display {
       beat,
       elapsed: glide,
       memory: this.memory,
+      far: this.far,
       aside: this.aside,
       limits: this.shell.limits,
       handle: this.handle,
@@ -167,6 +172,7 @@ export class Display {
       beat: /** @type {const} */ ({ name: 'rest', t: 1 }),
       elapsed: Infinity,
       memory: this.memory,
+      far: this.far,
       aside: this.aside,
       limits: shell.limits,
       handle: this.handle,
