@@ -54,7 +54,7 @@ check(
   ],
 )
 
-test('without a lean the two variances are what they were, and leant the other way the covariance is the opposite', async () => {
+test('without a lean the two variances stay, and leant the other way the covariance is the opposite', async () => {
   const spec = await widget('error-cloud')
   const open = (params) => estimate.ErrorCloud.from({ version: 1, lab: spec.name, step: 0, params })
   const after = (params, name) => {

@@ -72,8 +72,8 @@
  * @property {number} [lap] play stops at each multiple of so many steps
  * @property {(frame: any) => number} [end] the step that a run has no more behind: play stops there, and begins the run
  * anew from there
- * @property {(far: any, frame: { step: number }) => boolean} [whole] whether a run that is changed is computed as far as
- * it had come, in `far`, while the screen shows a step of before: what it draws of the whole run stays whole
+ * @property {(far: any, frame: { step: number }) => boolean} [whole] whether a run that is changed is computed as far
+ * as it had come, in `far`, while the screen shows a step of before: what it draws of the whole run stays whole
  * @property {(id: string, given: string | undefined, spec: FigureSpec) => Promise<Opened>} [open] opens the run where
  * the lab is not in the page
  * @property {Aside} [aside] what is computed beside the run and is no part of its frame

@@ -24,10 +24,10 @@ const CLOSE = 0.05
 const SLACK = 1e-9
 
 /**
- * The verdict on numbers: right within the tolerance or the bounds, or rounded by the reader to two digits or more; else
- * which of the well-known wrong answers they are; whether they are the right one in too few digits to tell; or whether
- * they are close, which no direction is. Null when the text holds other than the key asks for. A well-known wrong
- * answer comes first: it may be what the right one is rounded to.
+ * The verdict on numbers: right within the tolerance or the bounds, or rounded by the reader to two digits or more;
+ * else which of the well-known wrong answers they are; whether they are the right one in too few digits to tell; or
+ * whether they are close, which no direction is. Null when the text holds other than the key asks for. A well-known
+ * wrong answer comes first: it may be what the right one is rounded to.
  * @param {Key} key
  * @param {string} text
  * @returns {{ right: boolean, near: number, nearly: boolean, close: boolean } | null}

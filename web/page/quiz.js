@@ -70,8 +70,8 @@ function wake(form) {
 }
 
 /**
- * A wrong number may be mended once before the answer is shown, and one that is well known is told what it is. The right
- * one in too few digits is not wrong: once, it is asked for more of them.
+ * A wrong number may be mended once before the answer is shown, and one that is well known is told what it is. The
+ * right one in too few digits is not wrong: once, it is asked for more of them.
  * @param {HTMLFormElement} form
  * @param {string} answer
  */
