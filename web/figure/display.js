@@ -34,8 +34,7 @@ export class Display {
     /** What has been computed beside the run. @type {any} */
     this.aside = null
     this.beatStart = -Infinity
-    /** @type {any} */
-    this.far = null
+    /** @type {import('./spec.js').View['memory']} */
     this.memory = {}
     /** Whether the first panel is still moving, by its camera or by the animation of a step. */
     this.moving = false
@@ -69,7 +68,7 @@ export class Display {
     this.wanted = frame
     this.previous = previous
     this.beatStart = beatStart
-    this.far = far
+    this.memory.far = far
   }
 
   /** @param {boolean} [anew] whether every panel is to be drawn again */
@@ -101,7 +100,6 @@ export class Display {
       beat,
       elapsed: glide,
       memory: this.memory,
-      far: this.far,
       aside: this.aside,
       limits: this.shell.limits,
       handle: this.handle,
@@ -172,7 +170,6 @@ export class Display {
       beat: /** @type {const} */ ({ name: 'rest', t: 1 }),
       elapsed: Infinity,
       memory: this.memory,
-      far: this.far,
       aside: this.aside,
       limits: shell.limits,
       handle: this.handle,

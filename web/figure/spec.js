@@ -34,8 +34,8 @@
  * @property {any} previous the frame of the step before, or null
  * @property {Beat} beat
  * @property {number} elapsed milliseconds since the last drawing; infinite for the first and for a still
- * @property {Record<string, any>} memory what the figure keeps between two drawings, its cameras; empty at first
- * @property {any} [far] the frame of this run that has come farthest; none for a still
+ * @property {Record<string, any>} memory what the figure keeps between two drawings, its cameras, and beside them
+ * `far`, the frame of this run that has come farthest; empty at first, and for a still
  * @property {Limits} limits how far each parameter goes
  * @property {any} aside what has been computed beside the run, as far as it has come; null before
  * @property {(pen: import('../draw/pen.js').Pen, key: string, handle: HandleSpec) => void} handle draws a handle; alive

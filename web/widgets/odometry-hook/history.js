@@ -94,7 +94,7 @@ export const whole = (far, { step }) => far.series.step[0] <= step
  * @param {View} view
  * @returns {Frame}
  */
-const farthest = (frame, { far }) => (far && whole(far, frame) ? far : frame)
+const farthest = (frame, { memory: { far } }) => (far && whole(far, frame) ? far : frame)
 
 /**
  * @param {Panel} panel
