@@ -14,7 +14,6 @@ import {
   ellipsePath,
   ellipsePoints,
   evenPlane,
-  halves,
   meaning,
   segment,
 } from '../../draw/plot.js'
@@ -53,11 +52,11 @@ export function drawPlane({ pen, width, height }, frame, view) {
 /** The ellipses of equal probability that lead to the touching one, as parts of it. @param {Frame} frame */
 const levels = ({ params: { radius, sealed } }) => (radius > 0 || sealed ? [] : [1 / 3, 2 / 3, 1])
 
-/** How far the axes reach from their middle: as far as prediction, its ellipse and line.
+/** How far the axes reach from their middle: as far as prediction and line. With the ellipse, a prediction that End
+ * takes to the edge would be taken farther by the next.
  * @param {Frame} frame @param {number[]} shape how much longer than the shorter one each axis is */
-function reachOf({ params: { mean }, euclideanFoot, predicted }, shape) {
-  const half = halves(predicted.ellipse)
-  const points = [...[-1, 1].map((side) => mean.map((value, i) => value + side * half[i])), euclideanFoot.at]
+function reachOf({ params, euclideanFoot }, shape) {
+  const points = [params.mean, euclideanFoot.at]
   const far = Math.max(...points.flatMap((at) => at.map((value, i) => Math.abs(value - CENTRE[i]) / shape[i])))
   // A little farther, so that nothing of a handle lies beyond the edge.
   return REACHES.find((reach) => reach >= 1.02 * far) ?? 1.02 * far
