@@ -46,3 +46,17 @@ test('the plot of the wheel comes with the switch, and the bias is learned with 
   assert.equal(await it.locator('.live .panel-wheel [role=slider]').count(), 0, 'no handle is left in what is hidden')
   assert.equal((await frameOf(it)).params.learn, false)
 })
+
+test('a change at a tick of before draws the curves as far as the robot had come', async (t) => {
+  const { it } = await openFigure(t, 'odometry-hook')
+  await it.getByRole('button', { name: 'Show the whole lap' }).click()
+  await until(it, ({ step }) => step === 640, 'a lap')
+  await it.locator('.live .panel-heading').getByRole('slider', { name: 'Tick shown on the map' }).press('Home')
+  await until(it, ({ step }) => step === 0, 'back at the start')
+  const end = it.locator('.live .panel-heading .mark.end').first()
+  const [across, up] = [await end.getAttribute('cx'), await end.getAttribute('cy')]
+  await it.getByRole('checkbox', { name: 'landmark fixes' }).check()
+  await until(it, ({ params, step }) => params.fixes && step === 0, 'with fixes, at the same tick')
+  assert.equal(await end.getAttribute('cx'), across)
+  assert.notEqual(await end.getAttribute('cy'), up)
+})

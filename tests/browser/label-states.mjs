@@ -135,6 +135,9 @@ export const STATES = {
     { guess: 2 },
     { sealed: false, radius: 0 },
     { guess: -0.65, noise: 0 },
+    { guess: null, semiMajor: 0.4, semiMinor: 0.4 },
+    { noise: 0.5 },
+    { mean: [4, 6.4], semiMajor: 2 },
     { mean: [20, 20], noise: 4 },
   ],
   'loop-closure': [

@@ -10,6 +10,8 @@ test('answers are remembered after a reload, and forgotten one by one or all at 
   await foot.form.locator('input').nth(2).check()
   await foot.commit.click()
   await third.input.fill('0.7')
+  // A wrong number has a second try.
+  await third.commit.click()
   await third.commit.click()
   assert.equal(Object.keys(await kept(page)).length, 2)
 

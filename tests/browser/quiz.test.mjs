@@ -119,10 +119,12 @@ test('a number is right within its tolerance, in the ways people write numbers',
     if (answered) await it.again.click()
     return [answered, said]
   }
-  const [RIGHT, WRONG, NEARLY, NONE] = [
+  const [RIGHT, WRONG, AGAIN, CLOSE, NEARLY, NONE] = [
     ['right', 'Right.'],
     ['wrong', 'Not this time. Here is the answer.'],
-    [null, 'Nearly: give it with a digit more, and try once more.'],
+    [null, 'Not yet: try once more.'],
+    [null, 'Close, but that is not it: try once more.'],
+    [null, 'Nearly: give it with a digit more.'],
     [null, 'That is not a number.'],
   ]
   for (const text of [
@@ -136,16 +138,31 @@ test('a number is right within its tolerance, in the ways people write numbers',
   ]) {
     assert.deepEqual(await judged(text), RIGHT, text)
   }
-  for (const text of [String(-value), `−${value}`, '0']) assert.deepEqual(await judged(text), WRONG, text)
-  // A number that is nearly right may be given once more.
-  for (const text of [String(value + 1.1 * tolerance), value.toPrecision(1)]) {
-    assert.deepEqual(await judged(text), NEARLY, text)
+  // Any wrong number may be mended once; the second one ends the question.
+  for (const [text, said] of [
+    [String(-value), AGAIN],
+    [`−${value}`, AGAIN],
+    ['0', AGAIN],
+    [String(value + 1.1 * tolerance), CLOSE],
+  ]) {
+    assert.deepEqual(await judged(text), said, text)
     assert.ok(!(await shown(it)))
     assert.deepEqual(await judged(String(value - 1.1 * tolerance)), WRONG, 'the second try')
   }
-  for (const text of ['much', '1/0', '1..2', '1/2/3', 'NaN', 'Infinity', '0x10', '<b>1</b>'])
-    assert.deepEqual(await judged(text), NONE, text)
-  assert.deepEqual(await judged('  '), [null, 'Type a number first.'])
+  // What is right in too few digits to tell is asked for more, once, and that is no wrong number.
+  assert.deepEqual(await judged(value.toPrecision(1)), NEARLY)
+  assert.deepEqual(await judged('0'), AGAIN)
+  assert.deepEqual(await judged(value.toPrecision(1)), WRONG)
+  // What is no number costs nothing, before the first wrong one and after it.
+  const tries = () => page.evaluate(() => Object.entries(localStorage).filter(([key]) => /^(quiz|tries):/.test(key)))
+  for (const wrong of [AGAIN, WRONG]) {
+    const before = await tries()
+    for (const text of ['much', '1/0', '1..2', '1/2/3', 'NaN', 'Infinity', '0x10', '<b>1</b>'])
+      assert.deepEqual(await judged(text), NONE, text)
+    assert.deepEqual(await judged('  '), [null, 'Type a number first.'])
+    assert.deepEqual(await tries(), before)
+    assert.deepEqual(await judged('0'), wrong)
+  }
 
   // A wrong answer worth recognising is recognised.
   const near = it.form.locator('[data-choice="0"]')

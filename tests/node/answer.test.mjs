@@ -44,14 +44,15 @@ test('a vector keeps its commas, and a direction of zeros is none', () => {
   assert.deepEqual(verdicts(direction, '-2, -4, 2', '0, 0, 0'), [true, null])
 })
 
-test('a number rounded to two digits or more is right, and one that is nearly right is told so', () => {
+test('a number rounded to two digits or more is right, and one in fewer is asked for more, if it is that', () => {
   const told = (key, text) => {
-    const { right, near, nearly } = judge(key, text) ?? assert.fail(text)
-    return right ? 'right' : near >= 0 ? near : nearly ? 'nearly' : 'wrong'
+    const { right, near, nearly, close } = judge(key, text) ?? assert.fail(text)
+    return right ? 'right' : near >= 0 ? near : nearly ? 'nearly' : close ? 'close' : 'wrong'
   }
   const third = { values: [1.873], tolerance: 0.005, near: [[2.0625], [1.698]] }
   for (const text of ['1.873', '1.87', '1,88', '1.9', '1.87298']) assert.equal(told(third, text), 'right', text)
-  for (const text of ['2', '1.90', '1.86', '1.8']) assert.equal(told(third, text), 'nearly', text)
+  assert.equal(told(third, '2'), 'nearly')
+  for (const text of ['1.90', '1.86', '1.8']) assert.equal(told(third, text), 'close', text)
   for (const text of ['1.6', '18.7', '0.19', '3']) assert.equal(told(third, text), 'wrong', text)
   // The well-known wrong ones are told as themselves, rounded too.
   assert.deepEqual(
@@ -67,7 +68,7 @@ test('a number rounded to two digits or more is right, and one that is nearly ri
   const threshold = { values: [27.631], tolerance: 0.1, near: [[13.8155]] }
   assert.deepEqual(
     ['28', '27.6', '27', '30', '14', '20'].map((text) => told(threshold, text)),
-    ['right', 'right', 'nearly', 'nearly', 0, 'wrong'],
+    ['right', 'right', 'close', 'nearly', 0, 'wrong'],
   )
   const lag = { values: [-0.49], tolerance: 0.005, near: [[0.49]] }
   assert.deepEqual(
@@ -76,14 +77,26 @@ test('a number rounded to two digits or more is right, and one that is nearly ri
   )
   // Zeros at the end of a whole number may stand for what was rounded; a tolerance wider than the digits is enough.
   assert.equal(told({ values: [6628], tolerance: 1 }, '6600'), 'right')
-  assert.equal(told({ values: [33.13], tolerance: 0.6 }, '34'), 'nearly')
-  assert.equal(told({ values: [1.07], tolerance: 0.001 }, '15/14'), 'nearly')
+  assert.equal(told({ values: [33.13], tolerance: 0.6 }, '34'), 'close')
+  assert.equal(told({ values: [1.07], tolerance: 0.001 }, '15/14'), 'close')
+  // A digit more helps who has the right one rounded, and nobody else.
+  const gain = { values: [0.27016], tolerance: 0.002, near: [[0.358]] }
+  assert.deepEqual(
+    ['0.27', '0.3', '0.30', '0.28', '0.32'].map((text) => told(gain, text)),
+    ['right', 'nearly', 'wrong', 'close', 'wrong'],
+  )
+  // Where bounds say what is right a rounded number is not enough.
+  const knob = { values: [1.0706], tolerance: 0.001, bounds: [1.0564, 1.071], near: [[5.58], [1]] }
+  assert.deepEqual(
+    ['1.06', '1.07', '1.071', '1.1', '1.09', '1.05', '1', '1.0', '1.2'].map((text) => told(knob, text)),
+    ['right', 'right', 'right', 'nearly', 'close', 'close', 1, 1, 'wrong'],
+  )
   // Where the digits leave open which of the two was meant, a digit more is asked for.
   assert.equal(told({ values: [1.73], tolerance: 0.001, near: [[1.68]] }, '1.7'), 'nearly')
   assert.equal(told({ values: [1, 2, -1], direction: true, tolerance: 0.005 }, '1, 2, -1.1'), 'wrong')
   const vector = { values: [1.234, 0], tolerance: 0.0001 }
   assert.deepEqual(
     ['1.2, 0', '1.23 0.0', '1, 0', '1.2 0.1', '1.2 0.05'].map((text) => told(vector, text)),
-    ['right', 'right', 'nearly', 'wrong', 'nearly'],
+    ['right', 'right', 'nearly', 'wrong', 'close'],
   )
 })

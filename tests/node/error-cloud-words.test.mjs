@@ -1,5 +1,7 @@
 // What the cloud says of the error that is touched, and of all of them, is true of its frames.
-import { check, pattern, prints } from './claims.mjs'
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { check, estimate, pattern, prints, widget } from './claims.mjs'
 
 const products = (/** @type {{ dots: number[][] }} */ { dots }) =>
   dots.map(([position, velocity]) => position * velocity)
@@ -51,3 +53,34 @@ check(
     ],
   ],
 )
+
+test('without a lean the two variances stay, and leant the other way the covariance is the opposite', async () => {
+  const spec = await widget('error-cloud')
+  const open = (params) => estimate.ErrorCloud.from({ version: 1, lab: spec.name, step: 0, params })
+  const after = (params, name) => {
+    const lab = open(params)
+    const changed = { ...lab.frame().params, ...spec.tries.find((one) => one.name === name).change(lab.frame(), lab) }
+    const { P } = open(changed).frame()
+    return { changed, P, before: lab.frame().P }
+  }
+  const near = (a, b) => assert.ok(Math.abs(a - b) < 1e-9, `${a}, ${b}`)
+  for (const params of [{}, { angle: 2.4 }, { angle: -1.1, semiMajor: 0.4 }]) {
+    const { P, before } = after(params, 'upright')
+    for (const [a, b] of [
+      [P[0][0], before[0][0]],
+      [P[1][1], before[1][1]],
+      [P[0][1], 0],
+    ])
+      near(a, b)
+    near(after(params, 'other').P[0][1], -before[0][1])
+  }
+  // From upright it is the usual ellipse that leans the other way.
+  const usual = open({}).frame().P
+  const { P } = after(after({}, 'upright').changed, 'other')
+  for (const [i, j, sign] of [
+    [0, 0, 1],
+    [1, 1, 1],
+    [0, 1, -1],
+  ])
+    near(P[i][j], sign * usual[i][j])
+})

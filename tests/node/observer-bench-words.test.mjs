@@ -1,4 +1,6 @@
-import { check, number, prints, pattern } from './claims.mjs'
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { check, estimate, number, prints, pattern, widget } from './claims.mjs'
 
 /** The modulus of the largest eigenvalue that a gain moves. */
 const moving = ({ pinned, modulus, spectralRadius }) => (pinned === null ? spectralRadius : modulus[1 - pinned])
@@ -15,6 +17,7 @@ check(
   () => [
     [/^The estimate has left every bound, and the run has stopped\.$/, ({ diverged }) => diverged],
     [/^Turn the gain below ([\d.]+)\.$/, ({ stableUpTo, diverged }, limit) => diverged && prints(limit, stableUpTo)],
+    [/^No gain has been used yet\.$/, ({ step, params }) => step === 0 && params.mode === 'filter'],
     [
       /^Dead reckoning: no reading is used, and nothing takes an error back\.$/,
       ({ params, R }) => params.mode === 'fixed' && R.every((entry) => entry === 0),
@@ -52,14 +55,37 @@ check(
     ],
     [
       pattern(
-        /^If the filter kept this step’s gain, /,
+        /^If the filter kept (this step’s gain|that of step 1), /,
         /(every|a velocity) error would shrink by the factor ([\d.]+) a step in the long run\.$/,
       ),
-      (frame, which, factor) =>
+      (frame, gain, which, factor) =>
         frame.params.mode === 'filter' &&
+        (gain === 'that of step 1') === (frame.step === 0) &&
         (which === 'every') === (frame.pinned === null) &&
         number(factor) < 1 &&
         prints(factor, moving(frame)),
     ],
   ],
 )
+
+test('before the first step of the filter no gain is read out', async () => {
+  const spec = await widget('observer-bench')
+  for (const sensor of ['velocity', 'position']) {
+    const lab = estimate.ObserverBench.from({
+      version: 1,
+      lab: spec.name,
+      step: 0,
+      params: { sensor, mode: 'filter' },
+    })
+    const read = () => Object.fromEntries(spec.readouts(lab.frame()).map(({ key, value }) => [key, value]))
+    const knob = spec.controls.find(({ name }) => name === 'gain')
+    const shown = () => knob.words(knob.get(lab.frame().params, lab.frame()), lab.frame())
+    assert.deepEqual([read().gain, read().knob, read().innovation, shown()], ['–', '–', '–', '–'])
+    assert.match(spec.describe(lab.frame()).gain, /none used yet/)
+    assert.match(spec.describe(lab.frame()).disc, /in step 1 are/)
+    lab.run(1)
+    assert.match(read().gain, /^\[[\d.]+, [\d.]+\]$/)
+    assert.match(`${read().knob} ${shown()}`, /^[\d.]+ [\d.]+$/)
+    lab.free()
+  }
+})

@@ -1,5 +1,7 @@
 // What the two bells say of weights and of the point of balance is true of their frames.
-import { check, pattern, prints } from './claims.mjs'
+import assert from 'node:assert/strict'
+import { test } from 'node:test'
+import { check, estimate, pattern, prints, widget } from './claims.mjs'
 
 const weights = ({ params }) => [1 / params.expectedVariance, 1 / params.noise]
 const balance = (frame) => {
@@ -47,3 +49,14 @@ check(
     ],
   ],
 )
+
+test('a poor sensor weighs less than the prediction, whatever either weighed before', async () => {
+  const spec = await widget('two-bells')
+  const { change } = spec.tries.find(({ name }) => name === 'noisy')
+  const open = (params) => estimate.TwoBells.from({ version: 1, lab: spec.name, step: 0, params })
+  for (const params of [{}, { noise: 4 }, { noise: 4, expectedVariance: 4 }, { noise: 0.05, expectedVariance: 4 }]) {
+    const lab = open(params)
+    const [expected, read] = open({ ...lab.frame().params, ...change(lab.frame(), lab) }).frame().weights
+    assert.ok(expected > 1.5 * read, `${expected}, ${read} after ${JSON.stringify(params)}`)
+  }
+})

@@ -34,6 +34,7 @@ export class Display {
     /** What has been computed beside the run. @type {any} */
     this.aside = null
     this.beatStart = -Infinity
+    /** @type {import('./spec.js').View['memory']} */
     this.memory = {}
     /** Whether the first panel is still moving, by its camera or by the animation of a step. */
     this.moving = false
@@ -59,13 +60,15 @@ export class Display {
    * @param {any} frame to be shown
    * @param {any} previous the one a step led from
    * @param {number} beatStart when its animation starts
+   * @param {any} far the one of its run that has come farthest
    */
-  take(frame, previous, beatStart) {
+  take(frame, previous, beatStart, far) {
     this.shell.fit(frame)
     this.frame = frame
     this.wanted = frame
     this.previous = previous
     this.beatStart = beatStart
+    this.memory.far = far
   }
 
   /** @param {boolean} [anew] whether every panel is to be drawn again */

@@ -103,7 +103,7 @@ export class Figure {
     if (!loaded.ok) return this.fail(loaded.why)
     try {
       const { lab, linked, mangled } = openLab(loaded.module, this.spec, this.id, this.host.dataset.start)
-      this.run = new Run(lab, this.spec.pace ?? 2, undefined, this.spec.lap, this.spec.end)
+      this.run = new Run(lab, this.spec.pace ?? 2, undefined, this.spec.lap, this.spec.end, this.spec.whole)
       if (linked) {
         this.run.open(linked.lab, linked.step, MANGLED)
         // A link was made of a whole figure.
@@ -165,7 +165,7 @@ export class Figure {
       focusFirst(this.host)
     })
     this.display = new Display(this.spec, this.shell, this.handle)
-    this.display.take(run.frame, null, -Infinity)
+    this.display.take(run.frame, null, -Infinity, run.far)
     this.voice.begin(this.shell.note, run.frame)
     keepTop(this.host)
     keepPressed(into, () => run.busy && !run.playing)
@@ -252,7 +252,7 @@ export class Figure {
     const stepped = moved === 'steps'
     const slow = !run.playing || run.rate * run.pace <= 1000 / STEP_MS
     const inBeats = stepped && slow && spec.beats && !this.calm.matches
-    display.take(run.frame, stepped ? display.frame : null, inBeats ? now : -Infinity)
+    display.take(run.frame, stepped ? display.frame : null, inBeats ? now : -Infinity, run.far)
     this.beside?.follow(run.frame)
     this.voice.soon()
     this.host.dispatchEvent(new Event('frame'))

@@ -23,7 +23,7 @@ const MOST_STEPS = 64
 /** @typedef {import('./state-in-url.js').State} State */
 /**
  * @typedef {{ lab: any, params: Record<string, unknown>, step: number, of: number, spent: number, moved: 'replay' |
- * 'reset', onRefusal?: string }} Replay
+ * 'reset', onRefusal?: string, same: boolean, ahead: number, far?: any }} Replay it runs to `ahead` first, for `far`
  */
 /** @typedef {import('./player.js').Outcome} Outcome */
 
@@ -34,12 +34,17 @@ export class Run extends Player {
    * @param {Pace} [calls]
    * @param {number} [lap] play stops at each multiple of so many steps
    * @param {(frame: any) => number} [end] the step that a run has no more behind
+   * @param {(far: any, frame: { step: number }) => boolean} [whole] whether the figure draws the run as far as it has
+   * come, though the screen shows a frame of before
    */
-  constructor(lab, pace, calls = new Pace(), lap = LAST_STEP, end = () => LAST_STEP) {
+  constructor(lab, pace, calls = new Pace(), lap = LAST_STEP, end = () => LAST_STEP, whole = () => false) {
     super(lab.frame(), pace)
     this.lab = lab
     this.lap = lap
     this.end = end
+    this.whole = whole
+    /** The frame of this run that has come farthest. */
+    this.far = this.frame
     this.calls = calls
     this.step = lab.state().step
     this.goal = this.step
@@ -70,7 +75,8 @@ export class Run extends Player {
 
   /** How far a replay has come, null where there is none. @returns {{ step: number, of: number } | null} */
   get progress() {
-    return this.replay && { step: this.replay.step, of: this.replay.of }
+    const { replay } = this
+    return replay && { step: replay.far ? replay.ahead : replay.step, of: Math.max(replay.of, replay.ahead) }
   }
 
   /** Parameters and step as a link carries them; during a replay, those it leads to. @returns {State} */
@@ -126,7 +132,11 @@ export class Run extends Player {
    */
   begin(lab, moved, onRefusal) {
     this.replay?.lab.free()
-    this.replay = { lab, params: lab.state().params, step: 0, of: this.goal, spent: 0, moved, onRefusal }
+    const { far, goal } = this
+    const { params } = lab.state()
+    const same = moved === 'replay' && JSON.stringify(params) === JSON.stringify(far.params)
+    const ahead = moved === 'replay' && !same && this.whole(far, { step: goal }) ? far.step : 0
+    this.replay = { lab, params, step: 0, of: goal, spent: 0, moved, onRefusal, same, ahead }
   }
 
   /** Gives the replay up: the run on the screen stays. */
@@ -183,13 +193,22 @@ export class Run extends Player {
   /** @param {number} budget @returns {{ moved: Outcome['moved'] }} */
   goOn(budget) {
     const replay = /** @type {Replay} */ (this.replay)
+    const ahead = !replay.far && replay.ahead > this.goal
     // Steps asked for meanwhile.
-    replay.of = this.goal
+    replay.of = ahead ? replay.ahead : this.goal
     const began = this.calls.clock()
     if (replay.step < replay.of) replay.step += this.calls.run(replay.lab, replay.of - replay.step, budget)
     replay.spent += this.calls.clock() - began
     if (replay.step < replay.of) return { moved: 'nothing' }
     const frame = replay.lab.frame()
+    if (ahead) {
+      const again = replay.lab.constructor.from({ ...replay.lab.state(), step: 0 })
+      replay.lab.free()
+      Object.assign(replay, { lab: again, step: 0, far: frame })
+      return this.goOn(Math.max(0, budget - this.calls.clock() + began))
+    }
+    const far = replay.far ?? (replay.same ? this.far : frame)
+    this.far = far.step > frame.step ? far : frame
     this.lab.free()
     this.replay = null
     this.lab = replay.lab
@@ -220,6 +239,7 @@ export class Run extends Player {
     // Where motion is not wanted nothing is shown of the way to the step asked for.
     if (this.step === before || (calm && this.step < this.goal)) return { moved: 'nothing', ended }
     this.frame = this.lab.frame()
+    if (!(this.far.step > this.frame.step)) this.far = this.frame
     return { moved: 'steps', ended }
   }
 }

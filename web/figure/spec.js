@@ -34,7 +34,8 @@
  * @property {any} previous the frame of the step before, or null
  * @property {Beat} beat
  * @property {number} elapsed milliseconds since the last drawing; infinite for the first and for a still
- * @property {Record<string, any>} memory what the figure keeps between two drawings, its cameras; empty at first
+ * @property {Record<string, any>} memory what the figure keeps between two drawings, its cameras, and beside them
+ * `far`, the frame of this run that has come farthest; empty at first, and for a still
  * @property {Limits} limits how far each parameter goes
  * @property {any} aside what has been computed beside the run, as far as it has come; null before
  * @property {(pen: import('../draw/pen.js').Pen, key: string, handle: HandleSpec) => void} handle draws a handle; alive
@@ -71,6 +72,8 @@
  * @property {number} [lap] play stops at each multiple of so many steps
  * @property {(frame: any) => number} [end] the step that a run has no more behind: play stops there, and begins the run
  * anew from there
+ * @property {(far: any, frame: { step: number }) => boolean} [whole] whether a run that is changed is computed as far
+ * as it had come, in `far`, while the screen shows a step of before: what it draws of the whole run stays whole
  * @property {(id: string, given: string | undefined, spec: FigureSpec) => Promise<Opened>} [open] opens the run where
  * the lab is not in the page
  * @property {Aside} [aside] what is computed beside the run and is no part of its frame

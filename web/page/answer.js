@@ -8,8 +8,8 @@ export const LONGEST = 40
 
 /**
  * @typedef {{ path: string, is?: string, least?: number, most?: number }} Condition of a figure's frame
- * @typedef {{ right?: number, values?: number[], unit?: string, tolerance?: number, direction?: boolean,
- *   near?: number[][], conditions?: Condition[] }} Key
+ * @typedef {{ right?: number, values?: number[], unit?: string, tolerance?: number, bounds?: number[],
+ *   direction?: boolean, near?: number[][], conditions?: Condition[] }} Key
  */
 
 /** @param {HTMLElement} question @returns {Key} */
@@ -18,20 +18,21 @@ export function keyOf({ dataset }) {
   return JSON.parse(new TextDecoder().decode(Uint8Array.from(bytes, (byte) => parseInt(byte, 16))) || '{}')
 }
 
-/** A number within this part of the right one is nearly right. */
-const NEARLY = 0.05
+/** A number within this part of the right one is close. */
+const CLOSE = 0.05
 /** Rounding of the machine, as a part of half a digit. */
 const SLACK = 1e-9
 
 /**
- * The verdict on numbers: right within the tolerance, or rounded by the reader to two digits or more; else which of the
- * well-known wrong answers they are, or whether they are nearly right, which no direction is. Null when the text holds
- * other than the key asks for. A well-known wrong answer comes first: it may be what the right one is rounded to.
+ * The verdict on numbers: right within the tolerance or the bounds, or rounded by the reader to two digits or more;
+ * else which of the well-known wrong answers they are; whether they are the right one in too few digits to tell; or
+ * whether they are close, which no direction is. Null when the text holds other than the key asks for. A well-known
+ * wrong answer comes first: it may be what the right one is rounded to.
  * @param {Key} key
  * @param {string} text
- * @returns {{ right: boolean, near: number, nearly: boolean } | null}
+ * @returns {{ right: boolean, near: number, nearly: boolean, close: boolean } | null}
  */
-export function judge({ values = [], unit = '', tolerance = 0, direction = false, near = [] }, text) {
+export function judge({ values = [], unit = '', tolerance = 0, bounds, direction = false, near = [] }, text) {
   const bare = withoutUnit(text, unit)
   const readings = values.length > 1 ? [vector(bare)] : [bare, ungrouped(bare)].map((one) => [one])
   const given = readings
@@ -53,13 +54,15 @@ export function judge({ values = [], unit = '', tolerance = 0, direction = false
     )
   const known = near.findIndex(meets)
   const rounded = near.findIndex((wanted) => rounds(wanted))
-  if (meets(values)) return { right: true, near: -1, nearly: false }
-  if (known >= 0) return { right: false, near: known, nearly: false }
-  if (rounds(values)) return { right: rounded < 0, near: -1, nearly: rounded >= 0 }
-  if (rounded >= 0) return { right: false, near: rounded, nearly: false }
+  const right = bounds ? given.some(({ entries: [entry] }) => bounds[0] <= entry && entry <= bounds[1]) : meets(values)
+  const verdict = { right, near: -1, nearly: false, close: false }
+  if (right) return verdict
+  if (known >= 0) return { ...verdict, near: known }
+  if (rounds(values)) return bounds || rounded >= 0 ? { ...verdict, nearly: true } : { ...verdict, right: true }
+  if (rounded >= 0) return { ...verdict, near: rounded }
+  if (rounds(values, 1)) return { ...verdict, nearly: true }
   const size = Math.max(...values.map(Math.abs))
-  const close = !direction && given.some(({ entries }) => gap(entries, values, false) <= NEARLY * size)
-  return { right: false, near: -1, nearly: close || rounds(values, 1) }
+  return { ...verdict, close: !direction && given.some(({ entries }) => gap(entries, values, false) <= CLOSE * size) }
 }
 
 /**

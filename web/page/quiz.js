@@ -70,20 +70,21 @@ function wake(form) {
 }
 
 /**
- * A wrong number that is well known is told what it is, and one that is nearly right that it is: each may be mended
- * once before the answer is shown.
+ * A wrong number may be mended once before the answer is shown, and one that is well known is told what it is. The
+ * right one in too few digits is not wrong: once, it is asked for more of them.
  * @param {HTMLFormElement} form
  * @param {string} answer
  */
 function isFirstMiss(form, answer) {
   const verdict = form.dataset.kind === 'choice' ? null : verdictOn(form, answer)
   if (!verdict || verdict.right) return false
-  const known = verdict.mine >= 0
-  if (known ? form.dataset.missed : !verdict.nearly || form.dataset.nearly) return false
-  form.dataset[known ? 'missed' : 'nearly'] = answer
-  count(form, false)
+  const vague = verdict.nearly && !form.dataset.nearly
+  if (!vague && form.dataset.missed) return false
+  form.dataset[vague ? 'nearly' : 'missed'] = answer
+  if (!vague) count(form, false)
   showScore()
-  say(form, known ? 'Not yet: try once more. ' : 'Nearly: give it with a digit more, and try once more.')
+  const missed = verdict.close ? 'Close, but that is not it' : 'Not yet'
+  say(form, vague ? 'Nearly: give it with a digit more.' : `${missed}: try once more. `)
   const why = form.querySelector(`[data-choice="${verdict.mine}"] .quiz-reason`)?.cloneNode(true)
   form.querySelector('.quiz-verdict')?.append(...(why?.childNodes ?? []))
   const input = form.querySelector('input')
@@ -214,15 +215,16 @@ function entriesOf(form) {
  */
 function verdictOn(form, answer) {
   const key = keyOf(form)
-  if (form.dataset.kind === 'state') return answer === MET ? { right: true, mine: -1, nearly: false } : null
+  const verdict = { right: true, mine: -1, nearly: false, close: false }
+  if (form.dataset.kind === 'state') return answer === MET ? verdict : null
   if (form.dataset.kind === 'choice') {
     const mine = [...form.querySelectorAll('[data-choice]')].findIndex(
       (item) => item.getAttribute('data-choice') === answer,
     )
-    return mine < 0 ? null : { right: mine === key.right, mine, nearly: false }
+    return mine < 0 ? null : { ...verdict, right: mine === key.right, mine }
   }
   const judged = judge(key, answer)
-  return judged && { right: judged.right, mine: judged.near, nearly: judged.nearly }
+  return judged && { ...judged, mine: judged.near }
 }
 
 /** @param {HTMLElement} form @param {string | null} answer */

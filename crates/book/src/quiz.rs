@@ -88,6 +88,8 @@ pub struct Asked {
     pub unlocks: Option<Text>,
     answer: Option<String>,
     tolerance: Option<f64>,
+    least: Option<String>,
+    most: Option<String>,
     #[serde(default)]
     direction: bool,
     #[serde(default)]
@@ -180,6 +182,8 @@ impl Reader<'_> {
             ("choice", !asked.choice.is_empty()),
             ("answer", asked.answer.is_some()),
             ("tolerance", asked.tolerance.is_some()),
+            ("least", asked.least.is_some()),
+            ("most", asked.most.is_some()),
             ("direction", asked.direction),
             ("near", !asked.near.is_empty()),
             ("figure", asked.figure.is_some()),

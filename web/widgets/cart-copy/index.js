@@ -30,7 +30,7 @@ function readouts({ innovation, nudge, error, step, K }) {
     },
     { key: 'position', label: 'Copy − cart', value: fixed(error[0]), unit: 'm', kin: 'truth' },
     { key: 'speed', label: 'Copy − cart, speed', value: fixed(error[1]), unit: 'm/s', kin: 'truth' },
-    { key: 'gain', label: 'Gain {K}', value: `${fixed(K[0])} s, ${fixed(K[1])}`, wide: true },
+    { key: 'gain', label: 'Gain {K}', value: `${fixed(K[0])} s, ${fixed(K[1])}` },
     { key: 'step', label: 'Step', value: String(step) },
   ]
 }

@@ -44,19 +44,24 @@ function readouts({ P, correlation, regression, longAxis }) {
 /** @type {import('../../figure/spec.js').Try[]} */
 const tries = [
   { name: 'other', label: 'Lean it the other way', change: leansBack },
-  { name: 'upright', label: 'No lean', change: () => ({ angle: Math.PI / 2 }) },
+  { name: 'upright', label: 'No lean', change: standsUp },
   { name: 'dot', label: 'Touch one that takes away', change: takesAway },
 ]
 
+/** The same two variances, and no covariance between them. @param {Frame} frame */
+function standsUp({ sigma: [position, velocity] }) {
+  return { semiMajor: velocity, semiMinor: position, angle: Math.PI / 2 }
+}
+
 /**
- * The mirror image of the tilt; of one that stands upright, that of the usual tilt.
+ * The mirror image of the tilt; of an ellipse that stands upright, that of the usual one.
  * @param {Frame} frame
  * @param {any} lab
  */
 function leansBack({ params: { angle } }, lab) {
-  const first = /** @type {{ angle: number }} */ (usual(lab, 'angle'))
+  const first = /** @type {{ angle: number }} */ (usual(lab, 'angle', 'semiMajor', 'semiMinor'))
   const upright = Math.abs(angle - Math.PI / 2) < 1e-9
-  return { angle: Math.PI - (upright ? first.angle : angle) }
+  return upright ? { ...first, angle: Math.PI - first.angle } : { angle: Math.PI - angle }
 }
 
 /** The error in the drawing whose product takes most away from P₁₂. @param {Frame} frame */

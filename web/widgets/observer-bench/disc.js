@@ -13,6 +13,8 @@ const TITLE = {
   fixed: 'eigenvalues of (*I* − {K}{H}){F}',
   // The filter's gain changes at every step, so its eigenvalues are those of one step's matrix as if it stayed.
   filter: 'frozen eigenvalues of (*I* − {R}{H}){F}',
+  // No gain has been used yet: these are of the first step to come.
+  coming: 'step 1: frozen eigenvalues of (*I* − {R}{H}){F}',
 }
 
 /**
@@ -22,8 +24,13 @@ const TITLE = {
 export function drawDisc({ pen, width, height }, frame) {
   const plane = evenPlane({ left: 14, top: 30, right: width - 14, bottom: height - 12 }, [0, 0], REACH)
   const { x, y, box } = plane
+  const filters = frame.params.mode === 'filter'
   pen.draw(() => {
-    pen.text('title', { class: 'plot-title', x: box.left, y: 16 }, TITLE[frame.params.mode])
+    pen.text(
+      'title',
+      { class: 'plot-title', x: box.left, y: 16 },
+      TITLE[frame.step === 0 && filters ? 'coming' : frame.params.mode],
+    )
     pen.mark('circle', 'disc', { class: 'disc', cx: x(0), cy: y(0), r: x(1) - x(0) })
     pen.mark('line', 'real', { class: 'zero', x1: box.left, x2: box.right, y1: y(0), y2: y(0) })
     pen.mark('line', 'imaginary', { class: 'zero', x1: x(0), x2: x(0), y1: box.top, y2: box.bottom })

@@ -7,7 +7,11 @@ import { timePlot } from '../../draw/time-plot.js'
 
 /** @param {Panel} panel @param {Frame} frame */
 export function drawGain(panel, frame) {
-  const { step, r1, r2, knob } = frame.series
+  const { step } = frame.series
+  // A gain is used from the first step on: what the run begins with is the next one's.
+  const [r1, r2, knob] = [frame.series.r1, frame.series.r2, frame.series.knob].map((values) =>
+    step[0] === 0 ? [NaN, ...values.slice(1)] : values,
+  )
   const [s1, s2] = frame.steadyGain
   // A gain that the filter computes has one letter, and one that is set has another.
   const filters = frame.params.mode === 'filter'

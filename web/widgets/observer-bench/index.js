@@ -22,6 +22,9 @@ function rate(modulus) {
   return words === '1.00' ? fixed(modulus, 3) : words
 }
 
+/** The filter has used no gain before its first step: its frame has the one that comes. @param {Frame} frame */
+const before = ({ step, params }) => step === 0 && params.mode === 'filter'
+
 /** @param {Frame} frame */
 function verdict(frame) {
   const { pinned, diverged, params, modulus, spectralRadius, stableUpTo } = frame
@@ -34,7 +37,10 @@ function verdict(frame) {
   // R(k) changes at every step. The eigenvalues of one step's matrix say what would happen if that gain were kept.
   if (params.mode === 'filter')
     return (
-      `If the filter kept this step’s gain, ${pinned === null ? 'every' : 'a velocity'} error would shrink by the ` +
+      (before(frame)
+        ? 'No gain has been used yet. If the filter kept that of step 1, '
+        : 'If the filter kept this step’s gain, ') +
+      `${pinned === null ? 'every' : 'a velocity'} error would shrink by the ` +
       `factor ${factor} a step in the long run.${other}`
     )
   if (Number(factor) === 1)
@@ -64,19 +70,20 @@ function describe(frame) {
       `of ${spread(posterior)}; the estimate is off by ${fixed(off[0], 2)} metres and ${fixed(off[1], 2)} ` +
       'metres a second.',
     disc:
-      `Unit disc: the ${frame.params.mode === 'filter' ? 'frozen ' : ''}eigenvalues of the error dynamics are ` +
+      `Unit disc: the ${frame.params.mode === 'filter' ? 'frozen ' : ''}eigenvalues of the error dynamics ` +
+      `${before(frame) ? 'in step 1 ' : ''}are ` +
       `${eigen}${frame.pinned === null ? '' : ', one of them pinned at 1'}.`,
-    gain: `Gain over time, now ${last(series.r1)} and ${last(series.r2)}.`,
+    gain: `Gain over time, ${frame.step === 0 ? 'none used yet' : `now ${last(series.r1)} and ${last(series.r2)}`}.`,
     variance: `Variances over time, now ${last(series.p11)} and ${last(series.p22)}.`,
     error: `Errors over time, truth minus estimate, now ${last(series.e1)} and ${last(series.e2)}.`,
   }
 }
 
-/** @param {Frame} frame @param {Frame} before */
-function announce(frame, before) {
+/** @param {Frame} frame @param {Frame} old */
+function announce(frame, old) {
   const { params } = frame
-  const step = frame.step === before.step ? '' : `Step ${frame.step}. `
-  if (frame.diverged || params.sensor !== before.params.sensor || frame.stable !== before.stable)
+  const step = frame.step === old.step ? '' : `Step ${frame.step}. `
+  if (frame.diverged || before(frame) || params.sensor !== old.params.sensor || frame.stable !== old.stable)
     return step + verdict(frame)
   return params.mode === 'filter'
     ? `${step}Equivalent knob ${fixed(frame.equivalentKnob, 3)}.`
@@ -89,6 +96,7 @@ function announce(frame, before) {
 function readouts(frame) {
   const pair = (/** @type {number[]} */ [a, b]) => `[${fixed(a, 3)}, ${fixed(b, 3)}]`
   const filters = frame.params.mode === 'filter'
+  const unused = before(frame)
   return [
     {
       key: 'error',
@@ -100,9 +108,9 @@ function readouts(frame) {
       headline: true,
     },
     { key: 'step', label: 'Step', value: String(frame.step) },
-    { key: 'gain', label: 'Gain {R}', value: pair(frame.R), kin: 'posterior', shown: filters },
+    { key: 'gain', label: 'Gain {R}', value: unused ? '–' : pair(frame.R), kin: 'posterior', shown: filters },
     { key: 'own-gain', label: 'Gain {K}', value: pair(frame.R), kin: 'posterior', shown: !filters },
-    { key: 'knob', label: 'Equivalent knob', value: fixed(frame.equivalentKnob, 3), more: true },
+    { key: 'knob', label: 'Equivalent knob', value: fixed(unused ? null : frame.equivalentKnob, 3), more: true },
     { key: 'steady', label: '{R}_∞', value: pair(frame.steadyGain), kin: 'posterior', more: true },
     {
       key: 'innovation',
@@ -132,8 +140,8 @@ const controls = [
     name: 'gain',
     wide: true,
     label: 'Gain *g*, in units of {R}_∞',
-    get: (params, frame) => (params.mode === 'filter' ? frame.equivalentKnob : params.gain),
-    words: (value) => fixed(value, 2),
+    get: (params, frame) => (params.mode === 'filter' && frame.step > 0 ? frame.equivalentKnob : params.gain),
+    words: (value, frame) => fixed(before(frame) ? null : value, 2),
     notches: (/** @type {Frame} */ frame) => [
       { at: 0, name: '0' },
       { at: 1, name: '{R}_∞' },

@@ -81,18 +81,20 @@ const cursorAt = ({ step }, view) => ({
 })
 
 /**
+ * Whether the curves of the frame that has come farthest still begin before the step that is shown.
+ * @param {Frame} far
+ * @param {{ step: number }} frame
+ */
+export const whole = (far, { step }) => far.series.step[0] <= step
+
+/**
  * The frame whose curves are drawn: of one run the one that has come farthest, so that a reader can go back and on
  * again.
  * @param {Frame} frame
  * @param {View} view
+ * @returns {Frame}
  */
-function farthest(frame, { memory }) {
-  const run = JSON.stringify(frame.params)
-  if (memory.run !== run || !(memory.far?.step >= frame.step) || memory.far.series.step[0] > frame.step)
-    memory.far = frame
-  memory.run = run
-  return memory.far
-}
+const farthest = (frame, { memory: { far } }) => (far && whole(far, frame) ? far : frame)
 
 /**
  * @param {Panel} panel

@@ -5,7 +5,7 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { learned } from './bias.js'
-import { drawHeading, drawPosition, drawWheel } from './history.js'
+import { drawHeading, drawPosition, drawWheel, whole } from './history.js'
 import { drawMap } from './map.js'
 
 /** @typedef {import('estimate-wasm').HookFrame} Frame */
@@ -186,6 +186,7 @@ export const figure = {
   still: LAP,
   invite: 'Drive one lap',
   lap: LAP,
+  whole,
   seeded: true,
   pace: 40,
   stride: 10,

@@ -52,7 +52,8 @@ export function drawPlane({ pen, width, height }, frame, view) {
 /** The ellipses of equal probability that lead to the touching one, as parts of it. @param {Frame} frame */
 const levels = ({ params: { radius, sealed } }) => (radius > 0 || sealed ? [] : [1 / 3, 2 / 3, 1])
 
-/** How far the axes reach from their middle: as far as prediction and line.
+/** How far the axes reach from their middle: as far as prediction and line. With the ellipse, a prediction that End
+ * takes to the edge would be taken farther by the next.
  * @param {Frame} frame @param {number[]} shape how much longer than the shorter one each axis is */
 function reachOf({ params, euclideanFoot }, shape) {
   const points = [params.mean, euclideanFoot.at]
@@ -142,32 +143,36 @@ function names(pen, plane, frame, grips) {
     .filter(([key]) => key !== 'guess')
     .map(ofGrip)
   const { sealed } = frame.params
-  // What lies outside the drawing has no name in it.
+  const [gray, purple, update] = [frame.euclideanFoot, frame.mahalanobisFoot, frame.update].map((foot) => at(foot.at))
+  const meet = (/** @type {number[]} */ one, /** @type {number[]} */ other) =>
+    Math.hypot(one[0] - other[0], one[1] - other[1]) < 4
+  // What is one point has one name; what lies outside the drawing has none in it.
+  const one = meet(gray, purple)
   if (!sealed)
     labels.push(
       .../** @type {import('../../draw/labels.js').Label[]} */ ([
         {
           key: 'gray-name',
-          words: 'gray foot',
-          at: at(frame.euclideanFoot.at),
-          kin: 'truth',
+          words: !one ? 'gray foot' : meet(gray, update) ? 'both feet, update' : 'both feet',
+          at: gray,
+          kin: one ? 'posterior' : 'truth',
           sides: lefter ? ['below-right', 'right'] : ['below-left', 'left'],
         },
         {
           key: 'purple-name',
           words: 'purple foot',
-          at: at(frame.mahalanobisFoot.at),
+          at: purple,
           kin: 'posterior',
           sides: lefter ? ['below-left', 'left'] : ['below-right', 'right'],
         },
         {
           key: 'update-name',
           words: 'update',
-          at: at(frame.update.at),
+          at: update,
           kin: 'posterior',
           sides: lefter ? ['above-left', 'left'] : ['above-right', 'right'],
         },
-      ]).filter((label) => within(label.at, box)),
+      ]).filter((label, i) => within(label.at, box) && !(one && (i === 1 || (i === 2 && meet(gray, update))))),
     )
   // A guess is put near the feet, whose names keep their places.
   if (grips.guess) labels.push(ofGrip(['guess', grips.guess]))

@@ -4,6 +4,7 @@
  */
 
 import { fixed } from '../../draw/numbers.js'
+import { usual } from '../../figure/defaults.js'
 import { drawBells } from './bells.js'
 import { describe, verdict } from './words.js'
 
@@ -42,16 +43,10 @@ const tries = [
     label: 'Two equal opinions',
     change: (/** @type {Frame} */ { params }) => ({ noise: params.expectedVariance }),
   },
-  { name: 'noisy', label: 'A poor sensor', change: () => ({ noise: 4 }) },
-  { name: 'step', label: 'As in step 1', change: defaults },
+  // A sensor is poor beside the prediction of step 1.
+  { name: 'noisy', label: 'A poor sensor', change: (_, lab) => ({ ...usual(lab, 'expectedVariance'), noise: 4 }) },
+  { name: 'step', label: 'As in step 1', change: (_, lab) => usual(lab) },
 ]
-
-/** @param {Frame} _ @param {any} lab */
-function defaults(_, lab) {
-  /** @type {import('estimate-wasm').Parameter[]} */
-  const parameters = lab.constructor.parameters()
-  return Object.fromEntries(parameters.map((parameter) => [parameter.name, parameter.default]))
-}
 
 /** @type {import('../../figure/spec.js').Widget} */
 export const figure = {

@@ -34,6 +34,7 @@ fn a_key_tells_the_page_what_is_right() {
         key(NUMBER, "n"),
         json!({ "values": [1.873], "tolerance": 0.005, "direction": false, "unit": "", "near": [] })
     );
+    assert_eq!(key(&NUMBER.replace("'a'", "'a'\nleast = '1.5'\nmost = 'b'"), "n")["bounds"], json!([1.5, 3.05]));
     let near = format!("{VECTOR}direction = true\n[[quiz.near]]\nvalue = '0, b'\nwhy = 'r'\n");
     let expected =
         json!({ "values": [1.873, 3.05], "tolerance": 0.005, "direction": true, "unit": "", "near": [[0.0, 3.05]] });
@@ -69,6 +70,9 @@ fn broken_questions_are_named_with_their_line() {
         (format!("{CHOICE}[[quiz.near]]\nvalue = 'b'\nwhy = 'r'\n"), "has no `near`"),
         (NUMBER.replace("0.005", "0.005\nformat = '.1f'"), "as it is printed, 1.9, misses"),
         (NUMBER.replace("'a'", "'a, b'"), "2 entries"),
+        (NUMBER.replace("'a'", "'a'\nleast = '1.5'"), "go together"),
+        (NUMBER.replace("'a'", "'a'\nleast = '1.874'\nmost = 'b'"), "as it is printed, 1.873, misses"),
+        (VECTOR.replace("'a, b'", "'a, b'\nleast = '1'"), "has no `least`"),
         (VECTOR.replace("'a, b'", "'a, z'"), "unknown number `z`"),
         (format!("{VECTOR}[[quiz.near]]\nvalue = '1'\nwhy = 'r'\n"), "not as many entries"),
         (format!("{VECTOR}direction = true\n[[quiz.near]]\nvalue = '-3.746, -6.1'\nwhy = 'r'\n"), "a right answer"),

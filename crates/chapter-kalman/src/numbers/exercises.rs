@@ -170,6 +170,10 @@ fn other_gains(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     // The pair of eigenvalues meets on the real axis where (2 − g s)² = 4 (1 − g R₁), s = R₁ + T R₂.
     let s = steady[0] + sys.f[(0, 1)] * steady[1];
     let knob = 4.0 * (s - steady[0]) / (s * s);
+    let radius = (1.0 - knob * steady[0]).sqrt();
+    // The largest radius that prints like the least. Below the pair has it, above a real λ: (1 − λ)² = g (R₁ − s λ).
+    let most = (radius * 100.0).round() / 100.0 + 0.005;
+    let [from, upto] = [(1.0 - most * most) / steady[0], (1.0 - most) * (1.0 - most) / (steady[0] - s * most)];
     let settled = |k: &Vector2<f64>| -> Result<f64, Error> {
         (0..LONG)
             .try_fold(*p0, |p, _| {
@@ -179,7 +183,10 @@ fn other_gains(givens: &Givens, to: &mut Listing) -> Result<(), Error> {
     };
     to.by("chapter_kalman::numbers::exercises::other_gains", None)
         .add("ex.fastest.knob", knob, "the knob at which the spectral radius is least")
-        .add("ex.fastest.radius", (1.0 - knob * steady[0]).sqrt(), "the spectral radius there")
+        .add("ex.fastest.radius", radius, "the spectral radius there")
+        .add("ex.fastest.most", most, "the largest radius that two decimals print like it")
+        .add("ex.fastest.from", from, "the least knob with no larger radius")
+        .add("ex.fastest.to", upto, "the greatest knob with no larger radius")
         .add("ex.fastest.P", settled(&(steady * knob))?, "P₁₁ that this observer settles at, m²")
         .add("ex.fastest.best", settled(&steady)?, "P₁₁ that the filter settles at, m²");
     let noisy = Lti { w: givens.velocity.w * 2.0, ..givens.velocity };
@@ -288,5 +295,8 @@ mod tests {
         assert!((radius(best) - n["ex.fastest.radius"]).abs() < 1e-6, "{}", radius(best));
         assert!([0.9, 0.98, 0.995, 1.005, 1.02, 1.1].iter().all(|f| radius(best * f) > radius(best)));
         assert!(n["ex.fastest.P"] > n["ex.fastest.best"]);
+        let [from, to] = [n["ex.fastest.from"], n["ex.fastest.to"]];
+        let prints = |g: f64| format!("{:.2}", radius(g)) == format!("{:.2}", radius(best));
+        assert!(prints(from + 1e-4) && !prints(from - 1e-4) && prints(to - 1e-4) && !prints(to + 1e-4));
     }
 }
