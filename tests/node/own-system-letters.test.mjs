@@ -44,3 +44,35 @@ test('where the sizes do not tell, Q and R mean what the reader’s letters have
   const both = readSystem('A = [1 1; 0 1]; C = eye(2)', 'R')
   assert.equal(!both.ok && both.fault, 'R, the noise of the motion, is missing.')
 })
+
+test('matrices that are written in the call of a system are read, and what is not read there is named', () => {
+  const [A, noises] = ['A = [0 1; -4 -0.4]\n', '\nQ = eye(2)\nR = 1\nT = 0.1']
+  const whole = /** @type {any} */ (readSystem(`${A}B = [0; 1]\nC = [1 0]${noises}\nc2d(ss(A, B, C, 0), T)`))
+  for (const text of [
+    `${A}C = [1 0]\nsys = ss(A, [0; 1], C, 0)${noises}`,
+    `sys = ss([0 1; -4 -0.4], [0; 1], [1 0], 0)${noises}`,
+    `${A}in = [0; 1]\nout = [1 0]\nsys = ss(A, in, out, 0)${noises}`,
+    `a = [0 1; -4 -0.4]\nsys = ss(a, [0; 1], [1 0], 0)${noises}`,
+    `d = c2d(ss([0 1; -4 -0.4], [0; 1], [1 0], 0), 0.1)${noises.replace('T = 0.1', '')}`,
+    `${A}d = signal.cont2discrete((A, [[0], [1]], [[1, 0]], 0), dt=0.1)${noises.replace('T = 0.1', '')}`,
+    `d = signal.StateSpace([[0, 1], [-4, -0.4]], [[0], [1]], [[1, 0]], 0).to_discrete(0.1)${noises.slice(0, -8)}`,
+    `${A}sys = ss(A, [0; 1], ...\n [1 0], 0)${noises}`,
+  ]) {
+    const { system, unused, fault } = /** @type {any} */ (readSystem(text))
+    assert.deepEqual([text, system, unused], [text, whole.system, []], fault)
+  }
+  const read = (/** @type {string} */ text) => /** @type {any} */ (readSystem(text))
+  const other = read(`${A}B = [0; 1]\nC = [1 0]\nsys = ss(A, [0; 2], C, 0)${noises}`)
+  assert.deepEqual([other.system.G, other.unused], [[[0], [1]], ['B of the call']])
+  assert.deepEqual(read(`${A}C = [1 0]\nsys = ss(A, Bc, C, 0)${noises}`).unused, ['Bc'])
+  assert.deepEqual(read(`${A}C = [1 0]\nsys = ss(A, [], C, [])${noises}`).system.G, [[], []])
+  for (const [call, line, fault] of /** @type {[string, number, RegExp][]} */ ([
+    ['ss(A, [0; 1], C, 1)', 3, /^D is not 0/],
+    ['ss(A, [0; q], C, 0)', 3, /^B, row 2, column 1: “q” is not a number\.$/],
+    ['ss(A, [0; 1; 2], C, 0)', 3, /^B is 3 × 1; with A 2 × 2 and C 1 × 2 it needs to be 2 × 1\.$/],
+  ])) {
+    const found = read(`${A}C = [1 0]\nsys = ${call}${noises}`)
+    assert.deepEqual([call, found.ok, found.line], [call, false, line], found.fault)
+    assert.match(found.fault, fault)
+  }
+})

@@ -9,7 +9,7 @@ import { Fault, hintOf } from './number.js'
 /** @typedef {Partial<Record<Role, { name: string, line: number }>>} Places what each is called in a text, and where */
 
 /** What each matrix may be called: here, in control theory and in filterpy, in Thrun's book. */
-const CALLED = /** @type {Record<Role, string[]>} */ ({
+export const CALLED = /** @type {Record<Role, string[]>} */ ({
   F: ['F', 'A'],
   G: ['G', 'B'],
   H: ['H', 'C'],

@@ -9,7 +9,7 @@
 import { Expression } from './expression.js'
 import { LETTERS, spreadOf, systemOf } from './letters.js'
 import { Fault } from './number.js'
-import { Sampling, isStep } from './sampling.js'
+import { Sampling, THROUGH, isStep } from './sampling.js'
 
 export { faultOf, numberOf } from './number.js'
 
@@ -131,7 +131,11 @@ class Paste {
         return this.values.get(name) ?? this.found[name]?.matrix
       },
     }
-    this.sampling = new Sampling(this.scope)
+    this.sampling = new Sampling(this.scope, {
+      get: (letters) => letters.map((letter) => this.found[letter]?.matrix).find(Boolean),
+      add: (letter, matrix) => void (this.found[letter] = { matrix, line: this.line, from: 1 }),
+      leave: (words) => void this.unused.push(words),
+    })
   }
 
   get rest() {
@@ -260,8 +264,7 @@ class Paste {
     const { system, ...words } = systemOf(this.found, this.text, this.motion, at)
     const given = /** @type {Given} */ (system)
     const through = this.values.get('D')
-    if (through?.flat().some((entry) => entry !== 0))
-      throw new Fault('D is not 0: a reading does not depend on the input here.')
+    if (through?.flat().some((entry) => entry !== 0)) throw new Fault(THROUGH)
     const { continuous, period, name } = this.sampling.answer()
     if (period !== undefined) given.period = period
     if (continuous) given.continuous = true
