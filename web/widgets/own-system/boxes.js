@@ -3,6 +3,7 @@
 import { button, part } from '../../draw/dom.js'
 import { copied } from '../../figure/clipboard.js'
 import { motionIn, wordsOfNoises } from './letters.js'
+import { begun } from './number.js'
 import { paramsOf } from './presets.js'
 import { readSystem } from './read.js'
 import { keyOf, written } from './typed-system.js'
@@ -60,7 +61,7 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
           ? // A is the letter of both: taken wrongly, an oscillator that dies out grows without bound.
             'taken as what one step does: tick “Continuous time” if A is of a differential equation'
           : '',
-      unused.length > 0 ? `not used: ${unused.map((name) => name.slice(0, 20)).join(', ')}` : '',
+      unused.length > 0 ? `not used: ${unused.map((name) => begun(name)).join(', ')}` : '',
     ]
       .filter(Boolean)
       .map((words) => ` ${words.charAt(0).toUpperCase()}${words.slice(1)}.`)

@@ -46,7 +46,10 @@ function assigned(found, motion) {
   const of = /** @type {Partial<Record<Role, string>>} */ ({})
   for (const role of /** @type {Role[]} */ (['F', 'G', 'H'])) {
     const given = CALLED[role].filter((letter) => found[letter])
-    if (given.length > 1) throw new Fault(`${given[0]} and ${given[1]} are both given, and both are ${MEANT[role]}.`)
+    if (given.length > 1)
+      throw new Fault(
+        `${given[0]} and ${given[1]} are both given, and both are ${MEANT[role]}.${renamed(role, given[1])}`,
+      )
     if (given.length > 0) of[role] = given[0]
   }
   if (found.V) of.V = 'V'
@@ -74,6 +77,9 @@ function assigned(found, motion) {
     if (!of[role]) throw new Fault(`${missing(role, of, motion)}, ${MEANT[role]}, is missing.`)
   return of
 }
+
+/** Many a script has a B that is no input: nothing tells it from one. @param {Role} role @param {string} name */
+const renamed = (role, name) => (role === 'G' && name === 'B' ? ' Give B another name if it is not that.' : '')
 
 /**
  * The letter that a reader would look for.
@@ -156,7 +162,8 @@ export function systemOf(found, text, motion, at) {
       role === 'F'
         ? 'it has to be square'
         : `with ${of.F} ${n} × ${m.F[0].length} and ${of.H} ${p} × ${m.H[0].length} it needs to be ${height} × ${width}`
-    if (rows !== height || columns !== width) throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}`)
+    if (rows !== height || columns !== width)
+      throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}${renamed(role, name)}`)
   }
   at(0)
   const other = ROLES.filter((role) => of[role] && of[role] !== role)

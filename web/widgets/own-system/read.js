@@ -8,7 +8,7 @@
 
 import { Expression } from './expression.js'
 import { LETTERS, spreadOf, systemOf } from './letters.js'
-import { Fault } from './number.js'
+import { Fault, begun } from './number.js'
 import { Sampling, THROUGH, isStep } from './sampling.js'
 
 export { faultOf, numberOf } from './number.js'
@@ -255,7 +255,7 @@ class Paste {
   /** @param {string} words */
   notUnderstood(words) {
     const [line] = words.trim().split(/[\n\v]/)
-    return new Fault(`“${line.slice(0, 30)}” is not understood here; write each matrix as NAME = its numbers.`)
+    return new Fault(`“${begun(line, 30)}” is not understood here; write each matrix as NAME = its numbers.`)
   }
 
   /** The system, if its matrices fit one another. */

@@ -2,7 +2,7 @@
 
 import { Expression } from './expression.js'
 import { CALLED as MATRICES, LETTERS } from './letters.js'
-import { Fault } from './number.js'
+import { Fault, begun } from './number.js'
 
 /** What the length of a step is called: by a name that means nothing else before one that may. */
 const CALLED = [/^(?:Ts|T_s|dt|delta_t)$/, /^T$/]
@@ -116,7 +116,7 @@ export class Sampling {
     const positions = all.filter((value) => {
       const [, , method] = STRING.exec(value) ?? []
       if (method !== undefined && method !== 'zoh')
-        throw new Fault(`“${method.slice(0, 20)}” is not done here: an input is held over a step (“zoh”).`)
+        throw new Fault(`“${begun(method)}” is not done here: an input is held over a step (“zoh”).`)
       return method === undefined
     })
     const [step] = positions.map((value) => STEP.exec(value)?.[1] ?? '').filter(Boolean)
