@@ -197,3 +197,11 @@ test('a gain by hand begins with that of the filter, and with 0 where only round
   const { set } = /** @type {any} */ (figure.controls.find(({ name }) => name === 'gain'))
   assert.deepEqual(set('hand', { k: [] }, { K }).k[0].slice(0, 2), [0.5, 0])
 })
+
+test('beside a gain that is no good it is said whose covariance settles, and that an error need not die out', () => {
+  const [cart] = PRESETS
+  const params = { ...paramsOf(cart), gain: 'hand', k: [-30, 5, 0, 0].map((entry) => [entry, 0, 0, 0]) }
+  const words = figure.verdict(open(params, 60).frame())
+  assert.match(words, /The filter’s covariance tends to one limit .* it settles in \d+ steps/)
+  assert.match(words, /has left every bound and stands still\. With this gain .*, so an error need not die out\.$/)
+})
