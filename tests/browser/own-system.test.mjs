@@ -151,7 +151,7 @@ test('a system in any book’s letters and of continuous time is taken, and its 
   const { params, F, P } = await until(it, ({ params }) => params.continuous, 'continuous time')
   assert.deepEqual([params.period, params.spread.slice(0, 2), params.f[1][0], F[0][0] < 1], [0.05, [4, 9], -1, true])
   assert.ok(P[0][0] < 4)
-  await it.getByText('A, B, C, Q, R read as F, G, H, V, W. Taken as continuous in time').waitFor()
+  await it.getByText(/read as F, G, H, V, W\. Q as the noise of a second and .* Taken as continuous in time/).waitFor()
   assert.equal(await it.getByRole('textbox', { name: 'Length of a step, s' }).inputValue(), '0.05')
   await it.locator('.live .readout').filter({ hasText: 'Slowest time constant' }).filter({ hasText: / s$/ }).waitFor()
   await it.getByRole('textbox', { name: 'Length of a step, s' }).fill('-1')

@@ -7,6 +7,7 @@ import { fileURLToPath } from 'node:url'
 import { lettersOf, nameOf, sumOf } from '../../web/widgets/own-system/names.js'
 import { PRESETS, paramsOf, systemOf } from '../../web/widgets/own-system/presets.js'
 import { faultOf, numberOf, readSystem } from '../../web/widgets/own-system/read.js'
+import { figure, handed } from '../../web/widgets/own-system/index.js'
 import { rail } from './rail.mjs'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
@@ -181,4 +182,26 @@ test('the functions of the module and the lab give one answer', () => {
     ).reachable,
     'yes',
   )
+})
+
+test('a gain by hand begins with that of the filter, and with 0 where only rounding stands', () => {
+  const K = [
+    [0.5, -4e-16],
+    [3e-15, 1e-9],
+  ]
+  assert.deepEqual(handed(K), [
+    [0.5, 0],
+    [0, 1e-9],
+  ])
+  assert.deepEqual(handed([[0], [0]]), [[0], [0]])
+  const { set } = /** @type {any} */ (figure.controls.find(({ name }) => name === 'gain'))
+  assert.deepEqual(set('hand', { k: [] }, { K }).k[0].slice(0, 2), [0.5, 0])
+})
+
+test('beside a gain that is no good it is said whose covariance settles, and that an error need not die out', () => {
+  const [cart] = PRESETS
+  const params = { ...paramsOf(cart), gain: 'hand', k: [-30, 5, 0, 0].map((entry) => [entry, 0, 0, 0]) }
+  const words = figure.verdict(open(params, 60).frame())
+  assert.match(words, /The filter’s covariance tends to one limit .* it settles in \d+ steps/)
+  assert.match(words, /has left every bound and stands still\. With this gain .*, so an error need not die out\.$/)
 })

@@ -33,7 +33,7 @@ use crate::observability::{self, Observability};
 use crate::observer::{Observer, error_matrix};
 use crate::placement;
 use crate::riccati::SteadyState;
-pub use crate::riccati::{Limit, steady_state};
+pub use crate::riccati::{Limit, after_exact_readings, before_exact_readings, steady_state};
 use crate::validate::{self, MAX_INPUTS, MAX_OUTPUTS, MAX_STATES, size};
 use alloc::format;
 use alloc::vec::Vec;

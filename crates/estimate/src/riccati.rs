@@ -9,8 +9,10 @@ use filters::linear::{self, Gain};
 use nalgebra::{DefaultAllocator, Dim, OMatrix};
 
 mod doubling;
+mod exact;
 mod steady;
 
+pub use exact::{after_exact_readings, before_exact_readings};
 pub use steady::{Limit, steady_state};
 
 /// The largest number of iterations of a steady-state search; of a large system fewer, see [`validate::MAX_WORK`].

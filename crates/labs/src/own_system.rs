@@ -14,7 +14,7 @@ use analysis::{Analysis, tolerance};
 use directions::readable;
 use estimate::dynamic::Belief;
 use estimate::kf::kalman_step;
-use estimate::{Error, Observer, Reachability, RiccatiLimit, Verdict, validate};
+use estimate::{Error, Observer, Reachability, Verdict, validate};
 use filters::{Conditioning, linear};
 use lab::{Digest, Lab, Params, kept, named};
 use nalgebra::{DMatrix, DVector};
@@ -146,7 +146,7 @@ impl Lab for OwnSystem {
             unseen_modes: seen.modes.clone(),
             noise: reach(noise),
             input: reach(input),
-            limit: RiccatiLimit::of(seen.detectable, noise.stabilizable),
+            limit: self.known.kind,
             settled: self.known.settled,
             tried: self.known.tried,
             limit_p: self.known.limit_p.as_ref().map(rows),

@@ -2,6 +2,8 @@
 
 import { button, part } from '../../draw/dom.js'
 import { copied } from '../../figure/clipboard.js'
+import { motionIn, wordsOfNoises } from './letters.js'
+import { begun } from './number.js'
 import { paramsOf } from './presets.js'
 import { readSystem } from './read.js'
 import { keyOf, written } from './typed-system.js'
@@ -49,16 +51,17 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
   }
 
   /** What was made of a paste, beside its title. @param {import('./read.js').Good} read */
-  function remarks({ as, unused, system }) {
+  function remarks({ as, noises, unused, system }) {
     return [
       as,
+      wordsOfNoises(noises, system.continuous),
       system.continuous
         ? `taken as continuous in time and sampled every ${system.period} s, with the noise of the motion per second`
         : /^A\b/.test(as)
           ? // A is the letter of both: taken wrongly, an oscillator that dies out grows without bound.
             'taken as what one step does: tick “Continuous time” if A is of a differential equation'
           : '',
-      unused.length > 0 ? `not used: ${unused.map((name) => name.slice(0, 20)).join(', ')}` : '',
+      unused.length > 0 ? `not used: ${unused.map((name) => begun(name)).join(', ')}` : '',
     ]
       .filter(Boolean)
       .map((words) => ` ${words.charAt(0).toUpperCase()}${words.slice(1)}.`)
@@ -73,19 +76,33 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
       })
       area.rows = 7
       area.spellcheck = false
+      /** Which of Q and R is the noise of the motion, once the reader has said so, and which it is not. */
+      let said = /** @type {import('./letters.js').Motion | null} */ (null)
+      let unsaid = /** @type {import('./letters.js').Motion} */ ('R')
+      const other = button(document, box, '', () => {
+        said = unsaid
+        read()
+        area.focus()
+      })
+      other.hidden = true
       change({}, ({ params }) => {
         pasted = { area, is: keyOf(params) }
         area.value = written(params)
         return {}
       })
-      area.addEventListener('input', () => {
-        const read = readSystem(area.value)
+      function read() {
+        const read = readSystem(area.value, said ?? motionIn(document.documentElement.dataset.notation ?? ''))
         const remark = read.ok ? remarks(read) : ''
         if (area.previousSibling) area.previousSibling.textContent = remark ? `${TITLE}.${remark}` : TITLE
+        // Where the sizes fit both books, the other is a press away.
+        other.hidden = !read.ok || read.noises?.told !== 'letters'
         if (!read.ok) return say('paste', `${read.line > 0 ? `Line ${read.line}: ` : ''}${read.fault}`)
+        unsaid = read.noises?.V === 'Q' ? 'R' : 'Q'
+        other.textContent = `Take ${unsaid} as the noise of the motion`
         propose('paste', () => paramsOf(read.system), read.places)
         if (wrong() === '') pasted = { area, is: made() }
-      })
+      }
+      area.addEventListener('input', read)
       area.focus()
       area.select()
     },

@@ -18,7 +18,7 @@ import {
   transposed,
 } from './matrices.js'
 import { assembled, below } from './bracket.js'
-import { Fault, faultOf, numberIn } from './number.js'
+import { Fault, begun, faultOf, numberIn } from './number.js'
 import { printed } from './printed.js'
 
 /** @typedef {number[][]} Matrix */
@@ -81,7 +81,7 @@ export class Expression {
   /** @param {string} words @returns {never} */
   refuse(words) {
     const [word] = words.trim().split('\n')
-    throw new Fault(`“${word.slice(0, 20)}” is not understood here; write the numbers that come of it.`)
+    throw new Fault(`“${begun(word)}” is not understood here; write the numbers that come of it.`)
   }
 
   /** @returns {Matrix} */

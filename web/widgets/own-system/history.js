@@ -70,7 +70,8 @@ export function drawVariance(panel, frame) {
   panel.pen.draw(
     (pen) =>
       void timePlot(pen, panel, {
-        title: 'variances {Pk}',
+        // Another gain has other variances than the filter’s, of which the sentence speaks.
+        title: frame.params.gain === 'filter' ? 'variances {Pk}' : 'variances {Pk} under the gain {K}',
         ...axis(frame),
         log: true,
         include: [0.5, 2],

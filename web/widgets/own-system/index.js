@@ -109,6 +109,12 @@ const FROM = ['filter', 'hand', 'placement']
 /** A matrix of as many rows and columns as the lab takes. @param {(i: number, j: number) => number} entry */
 const square = (entry) => Array.from({ length: MOST }, (_, i) => Array.from({ length: MOST }, (_, j) => entry(i, j)))
 
+/** A gain to go on from: an entry that is rounding beside the largest is 0. @param {number[][]} gain */
+export function handed(gain) {
+  const none = 1e-14 * Math.max(...gain.flat().map(Math.abs))
+  return gain.map((row) => row.map((entry) => (Math.abs(entry) < none ? 0 : entry)))
+}
+
 /**
  * A slider for one entry of the gain.
  * @param {number} i
@@ -150,7 +156,7 @@ const controls = [
       value === 'hand'
         ? {
             gain: value,
-            k: square((i, j) => frame.K[i]?.[j] ?? params.k[i]?.[j] ?? 0),
+            k: square((i, j) => handed(frame.K)[i]?.[j] ?? params.k[i]?.[j] ?? 0),
           }
         : { gain: value },
   },

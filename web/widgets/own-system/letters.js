@@ -9,7 +9,7 @@ import { Fault, hintOf } from './number.js'
 /** @typedef {Partial<Record<Role, { name: string, line: number }>>} Places what each is called in a text, and where */
 
 /** What each matrix may be called: here, in control theory and in filterpy, in Thrun's book. */
-const CALLED = /** @type {Record<Role, string[]>} */ ({
+export const CALLED = /** @type {Record<Role, string[]>} */ ({
   F: ['F', 'A'],
   G: ['G', 'B'],
   H: ['H', 'C'],
@@ -28,23 +28,42 @@ const MEANT = /** @type {Record<Role, string>} */ ({
 const MOST = /** @type {const} */ ({ states: 9, others: 8 })
 const EXPECTED = 'Write F = …, G = …, H = …, V = …, W = …, or A, B, C, Q, R, in JSON, MATLAB or numpy notation.'
 
-/** Which letter stands for which matrix. @param {Found} found @returns {Partial<Record<Role, string>>} */
-function assigned(found) {
+/**
+ * How a reader means Q and R: which of them is the noise of the motion.
+ * @typedef {'Q' | 'R'} Motion
+ */
+
+/** As a notation of this book has it: Thrun’s R is of the motion, and of all others Q is. @param {string} notation */
+export const motionIn = (notation) => /** @type {Motion} */ (notation === 'thrun' ? 'R' : 'Q')
+
+/**
+ * Which letter stands for which matrix.
+ * @param {Found} found @param {Motion} motion of Q and R, where their sizes do not tell
+ * @returns {Partial<Record<Role, string>>}
+ */
+function assigned(found, motion) {
   if (Object.keys(found).length === 0) throw new Fault(`No matrix was found. ${EXPECTED}`)
   const of = /** @type {Partial<Record<Role, string>>} */ ({})
   for (const role of /** @type {Role[]} */ (['F', 'G', 'H'])) {
     const given = CALLED[role].filter((letter) => found[letter])
-    if (given.length > 1) throw new Fault(`${given[0]} and ${given[1]} are both given, and both are ${MEANT[role]}.`)
+    if (given.length > 1)
+      throw new Fault(
+        `${given[0]} and ${given[1]} are both given, and both are ${MEANT[role]}.${renamed(role, given[1])}`,
+      )
     if (given.length > 0) of[role] = given[0]
   }
   if (found.V) of.V = 'V'
   if (found.W) of.W = 'W'
   const rest = ['Q', 'R'].filter((letter) => found[letter])
-  if (!of.V && !of.W && rest.length === 2) {
-    // Thrun's R is of the motion. Where the sizes do not tell, Q is, as in control theory and in filterpy.
-    const [n, p] = [of.F, of.H].map((letter) => (letter ? found[letter].matrix.length : 0))
-    const thrun = n !== p && found.R.matrix.length === n && found.Q.matrix.length === p
-    ;[of.V, of.W] = thrun ? ['R', 'Q'] : ['Q', 'R']
+  const other = motion === 'Q' ? 'R' : 'Q'
+  if (!of.V && !of.W && rest.length > 0) {
+    const sizes = [of.F, of.H].map((letter) => (letter ? found[letter].matrix.length : 0))
+    const fit = (/** @type {string[]} */ names) =>
+      names.every((name, i) => !found[name] || found[name].matrix.length === sizes[i])
+    const turned = fit([other, motion]) && !fit([motion, other])
+    const [v, w] = turned ? [other, motion] : [motion, other]
+    if (found[v]) of.V = v
+    if (found[w]) of.W = w
   } else if (rest.length > 0) {
     for (const letter of rest) {
       const role = letter === 'Q' ? 'V' : 'W'
@@ -55,24 +74,64 @@ function assigned(found) {
     }
   }
   for (const role of /** @type {Role[]} */ (['F', 'H', 'V', 'W']))
-    if (!of[role]) throw new Fault(`${missing(role, of)}, ${MEANT[role]}, is missing.`)
+    if (!of[role]) throw new Fault(`${missing(role, of, motion)}, ${MEANT[role]}, is missing.`)
   return of
 }
 
-/** The letter that a reader would look for. @param {Role} role @param {Partial<Record<Role, string>>} of */
-function missing(role, of) {
+/** Many a script has a B that is no input: nothing tells it from one. @param {Role} role @param {string} name */
+const renamed = (role, name) => (role === 'G' && name === 'B' ? ' Give B another name if it is not that.' : '')
+
+/**
+ * The letter that a reader would look for.
+ * @param {Role} role @param {Partial<Record<Role, string>>} of @param {Motion} motion
+ */
+function missing(role, of, motion) {
   if (role === 'F' || role === 'H') return of.F === 'A' || of.H === 'C' ? CALLED[role][1] : role
-  const others = /** @type {Record<string, string>} */ ({ V: 'Q', W: 'R' })
-  return of.V === 'Q' || of.W === 'R' || of.F === 'A' || of.G === 'B' ? others[role] : role
+  const [given] = [of.V, of.W].filter((letter) => letter === 'Q' || letter === 'R')
+  if (given) return given === 'Q' ? 'R' : 'Q'
+  if (of.F !== 'A' && of.G !== 'B') return role
+  return (role === 'V') === (motion === 'Q') ? 'Q' : 'R'
+}
+
+/**
+ * What Q and R were taken for, and what told so: their sizes, the reader’s letters, or what the other noise is called.
+ * @typedef {{ V?: Motion, W?: Motion, told: 'sizes' | 'letters' | 'rest' }} Noises
+ */
+
+/** @param {Partial<Record<Role, string>>} of @param {Found} found @returns {Noises | null} */
+function noisesOf(of, found) {
+  const [V, W] = /** @type {(Motion | undefined)[]} */ (
+    [of.V, of.W].map((letter) => (letter === 'Q' || letter === 'R' ? letter : undefined))
+  )
+  if (!V && !W) return null
+  const same = found[String(of.F)].matrix.length === found[String(of.H)].matrix.length
+  return { V, W, told: !V || !W ? 'rest' : same ? 'letters' : 'sizes' }
+}
+
+/**
+ * The same in words, for whoever has Q or R in mind as another book has them.
+ * @param {Noises | null} noises @param {boolean} [continuous]
+ */
+export function wordsOfNoises(noises, continuous = false) {
+  if (!noises) return ''
+  const { V, W, told } = noises
+  const step = `the noise of a ${continuous ? 'second' : 'step'}`
+  if (!V || !W) return V ? `${V} as ${step}` : `${W} as the noise of a reading`
+  const taken = `${V} as ${step} and ${W} as the noise of a reading, `
+  if (told === 'sizes') return `${taken}as their sizes tell`
+  return V === 'R'
+    ? `${taken}as in Thrun’s letters; elsewhere it is the other way round, and their sizes fit both`
+    : `${taken}as is common; in Thrun’s letters it is the other way round, and their sizes fit both`
 }
 
 /**
  * The matrices, if they fit one another, and what they were called where that is not what they are called here.
- * @param {Found} found @param {string} text @param {(line: number) => void} at tells where the fault is
- * @returns {{ system: Record<Role, number[][]>, as: string, places: Places }}
+ * @param {Found} found @param {string} text @param {Motion} motion
+ * @param {(line: number) => void} at tells where the fault is
+ * @returns {{ system: Record<Role, number[][]>, as: string, noises: Noises | null, places: Places }}
  */
-export function systemOf(found, text, at) {
-  const of = assigned(found)
+export function systemOf(found, text, motion, at) {
+  const of = assigned(found, motion)
   const m = /** @type {Record<string, number[][]>} */ (
     Object.fromEntries(Object.entries(of).map(([role, letter]) => [role, found[letter].matrix]))
   )
@@ -103,14 +162,16 @@ export function systemOf(found, text, at) {
       role === 'F'
         ? 'it has to be square'
         : `with ${of.F} ${n} × ${m.F[0].length} and ${of.H} ${p} × ${m.H[0].length} it needs to be ${height} × ${width}`
-    if (rows !== height || columns !== width) throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}`)
+    if (rows !== height || columns !== width)
+      throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}${renamed(role, name)}`)
   }
   at(0)
   const other = ROLES.filter((role) => of[role] && of[role] !== role)
   const as = other.length > 0 ? `${other.map((role) => of[role]).join(', ')} read as ${other.join(', ')}` : ''
   const place = (/** @type {string[]} */ [role, name]) => [role, { name, line: found[name].line }]
   const places = Object.fromEntries(Object.entries(of).map(place))
-  return { system: /** @type {any} */ ({ G: m.F.map(() => []), ...m }), as, places }
+  const system = /** @type {any} */ ({ G: m.F.map(() => []), ...m })
+  return { system, as, noises: noisesOf(of, found), places }
 }
 
 /**

@@ -24,12 +24,15 @@ export function numberOf(text) {
   return more !== undefined || under === 0 ? NaN : decimalOf(above) / under
 }
 
+/** A word in quotes of a fault: of a long one the beginning. @param {string} word @param {number} [most] */
+export const begun = (word, most = 20) => (word.length > most ? `${word.slice(0, most)}…` : word)
+
 /** What is wrong with a text that is no number. @param {string} text */
 export function faultOf(text) {
   const word = text.trim()
   if (word === '') return 'a number is missing.'
   const instead = /^[-+−]?\d*,\d+$/.test(word) ? ` Write ${word.replace(',', '.')}.` : ''
-  return `“${word.slice(0, 20)}” is not a number.${instead}`
+  return `“${begun(word)}” is not a number.${instead}`
 }
 
 /** A decimal; of what is none, the fault. @param {string} word */

@@ -8,8 +8,8 @@
 
 import { Expression } from './expression.js'
 import { LETTERS, spreadOf, systemOf } from './letters.js'
-import { Fault } from './number.js'
-import { Sampling, isStep } from './sampling.js'
+import { Fault, begun } from './number.js'
+import { Sampling, THROUGH, isStep } from './sampling.js'
 
 export { faultOf, numberOf } from './number.js'
 
@@ -54,15 +54,18 @@ const REST_OR_COMMENT = /^((?:(?!\/\/|\/\*)[^%#"'\n])*?)(\d[\d.]*[^\S\n]*%[^\S\n
 /**
  * @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices
  * @typedef {Matrices & { period?: number, continuous?: boolean, spread?: number[] }} Given
- * @typedef {{ ok: true, system: Given, unused: string[], as: string, places: import('./letters.js').Places }} Good
+ * @typedef {import('./letters.js').Places} Places
+ * @typedef {import('./letters.js').Noises} Noises
+ * @typedef {{ ok: true, system: Given, unused: string[], as: string, noises: Noises | null, places: Places }} Good
  * @typedef {Good | { ok: false, fault: string, line: number }} Read `as`: which letters were read as which
  */
 
 /**
  * @param {string} text
+ * @param {import('./letters.js').Motion} [motion] of Q and R the noise of the motion, where their sizes do not tell
  * @returns {Read} `line` is 0 where the fault is in no line; `unused` are names that were given and are not needed
  */
-export function readSystem(text) {
+export function readSystem(text, motion = 'Q') {
   if (text.length > MOST_LETTERS) return { ok: false, fault: TOO_LONG, line: 0 }
   const unsure = REST_OR_COMMENT.exec(text)
   if (unsure) {
@@ -73,7 +76,7 @@ export function readSystem(text) {
       line,
     }
   }
-  const paste = new Paste(withoutComments(text))
+  const paste = new Paste(withoutComments(text), motion)
   try {
     return { ok: true, ...paste.system() }
   } catch (error) {
@@ -106,9 +109,10 @@ function withoutComments(text) {
 
 /** A text that is read from its beginning to its end. */
 class Paste {
-  /** @param {string} text */
-  constructor(text) {
+  /** @param {string} text @param {import('./letters.js').Motion} motion */
+  constructor(text, motion) {
     this.text = text
+    this.motion = motion
     this.at = 0
     /** The line where the present statement begins, counted from 1; 0 behind the last. */
     this.line = 1
@@ -127,7 +131,11 @@ class Paste {
         return this.values.get(name) ?? this.found[name]?.matrix
       },
     }
-    this.sampling = new Sampling(this.scope)
+    this.sampling = new Sampling(this.scope, {
+      get: (letters) => letters.map((letter) => this.found[letter]?.matrix).find(Boolean),
+      add: (letter, matrix) => void (this.found[letter] = { matrix, line: this.line, from: 1 }),
+      leave: (words) => void this.unused.push(words),
+    })
   }
 
   get rest() {
@@ -247,16 +255,16 @@ class Paste {
   /** @param {string} words */
   notUnderstood(words) {
     const [line] = words.trim().split(/[\n\v]/)
-    return new Fault(`“${line.slice(0, 30)}” is not understood here; write each matrix as NAME = its numbers.`)
+    return new Fault(`“${begun(line, 30)}” is not understood here; write each matrix as NAME = its numbers.`)
   }
 
   /** The system, if its matrices fit one another. */
   whole() {
-    const { system, as, places } = systemOf(this.found, this.text, (line) => void (this.line = line))
+    const at = (/** @type {number} */ line) => void (this.line = line)
+    const { system, ...words } = systemOf(this.found, this.text, this.motion, at)
     const given = /** @type {Given} */ (system)
     const through = this.values.get('D')
-    if (through?.flat().some((entry) => entry !== 0))
-      throw new Fault('D is not 0: a reading does not depend on the input here.')
+    if (through?.flat().some((entry) => entry !== 0)) throw new Fault(THROUGH)
     const { continuous, period, name } = this.sampling.answer()
     if (period !== undefined) given.period = period
     if (continuous) given.continuous = true
@@ -266,6 +274,6 @@ class Paste {
       given.spread = spreadOf(this.start.matrix, system.F.length, this.start.name)
       this.line = 0
     }
-    return { system: given, as, places, unused: [...new Set(this.unused)] }
+    return { system: given, ...words, unused: [...new Set(this.unused)] }
   }
 }

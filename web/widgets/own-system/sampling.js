@@ -1,13 +1,16 @@
 /** Whether a pasted system is of continuous time, and how long its step lasts. */
 
 import { Expression } from './expression.js'
-import { LETTERS } from './letters.js'
-import { Fault } from './number.js'
+import { CALLED as MATRICES, LETTERS } from './letters.js'
+import { Fault, begun } from './number.js'
 
 /** What the length of a step is called: by a name that means nothing else before one that may. */
 const CALLED = [/^(?:Ts|T_s|dt|delta_t)$/, /^T$/]
 const STRING = /^(?:method\s*=\s*)?(["'])(.*)\1$/
 const STEP = /^(?:dt|Ts|ts)\s*=\s*(.*)$/
+
+/** What is said of a system whose readings depend on the input. */
+export const THROUGH = 'D is not 0: a reading does not depend on the input here.'
 
 /** Whether a name may be that of the length of a step. @param {string} name */
 export const isStep = (name) => CALLED.some((called) => called.test(name))
@@ -25,10 +28,22 @@ function valuesOf(text) {
   return values.map((value) => value.trim()).filter(Boolean)
 }
 
+/** The call of a system, and what it says of its matrices: of F, G and H, as `ss(A, B, C, D)` has them. */
+const SPACE = /^(?:[A-Za-z_]\w*\.)*(?:ss|StateSpace)\s*(?=\()/
+const SLOTS = /** @type {const} */ (['F', 'G', 'H'])
+
+/**
+ * @typedef {object} Given what the text has given besides
+ * @property {(letters: string[]) => number[][] | undefined} get the matrix of one of these letters
+ * @property {(letter: string, matrix: number[][]) => void} add
+ * @property {(words: string) => void} leave names what is of no use
+ */
+
 export class Sampling {
-  /** @param {import('./expression.js').Scope} scope */
-  constructor(scope) {
+  /** @param {import('./expression.js').Scope} scope @param {Given} given */
+  constructor(scope, given) {
     this.scope = scope
+    this.given = given
     this.continuous = false
     /** Whether it is given how the system is sampled. */
     this.sampled = false
@@ -51,22 +66,57 @@ export class Sampling {
   /** `ss(A, B, C, D)` is of continuous time, and with a fifth value of discrete time. @param {string} call */
   space(call) {
     const values = valuesOf(call)
+    this.matrices(values)
     const [, more] = /\)\s*\.\s*(?:to_discrete|sample)\s*(\([\s\S]*)$/.exec(call) ?? []
     if (more) return this.sample(more)
     const [step] = values.map((value) => STEP.exec(value)?.[1] ?? '').filter(Boolean)
     const positions = values.filter((value) => !/^\w+\s*=/.test(value) && !STRING.test(value))
     const last = step ?? positions[4]
-    // A system of matrices that are not read says nothing of those that are.
-    if (/^\w+$/.test(values[0] ?? '') && !LETTERS.includes(values[0])) return
+    if (this.isAnother(values)) return
     this.continuous = last === undefined || (last !== 'True' && this.length(last, 'ss') === 0)
+  }
+
+  /** A system of matrices that are not read says nothing of those that are. @param {string[]} values */
+  isAnother([first = '']) {
+    return /^[A-Za-z_]\w*$/.test(first) && !LETTERS.includes(first) && !this.scope.get(first)
+  }
+
+  /** Matrices that are written in the call itself, or have names of their own there. @param {string[]} values */
+  matrices(values) {
+    const slots = values.filter((value) => !/^\w+\s*=/.test(value))
+    if (slots.length < 3 || this.isAnother(values)) return
+    SLOTS.forEach((role, i) => {
+      const [value, letter] = [slots[i], MATRICES[role][1]]
+      if (LETTERS.includes(value) || /^\[\s*\]$/.test(value)) return
+      const known = this.given.get(MATRICES[role])
+      const name = /^[A-Za-z_]\w*$/.test(value)
+      if (name && !this.scope.get(value)) return known ? undefined : this.given.leave(value)
+      if (!known) return this.given.add(letter, new Expression(value, letter, this.scope).read())
+      if (String(this.valueOf(value)) !== String(known)) this.given.leave(name ? value : `${letter} of the call`)
+    })
+    const through = slots[3] === undefined ? undefined : this.valueOf(slots[3])
+    if (through?.flat().some((entry) => entry !== 0)) throw new Fault(THROUGH)
+  }
+
+  /** @param {string} text @returns {number[][] | undefined} */
+  valueOf(text) {
+    try {
+      return new Expression(text, '', this.scope).read()
+    } catch (error) {
+      if (error instanceof Fault) return undefined
+      throw error
+    }
   }
 
   /** `c2d(sys, T)` and its like: the last value that is no word is the length of a step. @param {string} call */
   sample(call) {
-    const positions = valuesOf(call).filter((value) => {
+    const all = valuesOf(call)
+    if (/^\(/.test(all[0] ?? '')) this.matrices(valuesOf(all[0]))
+    else if (SPACE.test(all[0] ?? '')) this.matrices(valuesOf(all[0].replace(SPACE, '')))
+    const positions = all.filter((value) => {
       const [, , method] = STRING.exec(value) ?? []
       if (method !== undefined && method !== 'zoh')
-        throw new Fault(`“${method.slice(0, 20)}” is not done here: an input is held over a step (“zoh”).`)
+        throw new Fault(`“${begun(method)}” is not done here: an input is held over a step (“zoh”).`)
       return method === undefined
     })
     const [step] = positions.map((value) => STEP.exec(value)?.[1] ?? '').filter(Boolean)

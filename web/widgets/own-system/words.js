@@ -80,9 +80,15 @@ const FURTHEST = 2 ** 50
 /** Whether single steps or doubled ones came to a limit, and none is only as far as they went. @param {Frame} frame */
 const arrives = ({ doubled }) => doubled.converged && doubled.steps < 0.99 * FURTHEST
 
+/**
+ * Whether a reading without noise lets a small start lead elsewhere: noise reaches what does not die out, but a filter
+ * that trusts the reading wholly does not lose all its errors. @param {Frame} frame
+ */
+const trusting = ({ limit: kind, noise }) => kind === 'from-large-start' && noise.stabilizable === 'yes'
+
 /** Whether the variance falls as that of an average does. @param {Frame} frame */
-const averages = ({ limit: kind, doubled, noise }) =>
-  kind === 'from-large-start' && noise.reachable === 'no' && doubled.averages
+const averages = (frame) =>
+  frame.limit === 'from-large-start' && (frame.noise.reachable === 'no' || trusting(frame)) && frame.doubled.averages
 
 /** Whether it falls to 0 and is never there. @param {Frame} frame */
 const vanishes = (frame) => averages(frame) && Boolean(frame.limitP?.every((row) => row.every((entry) => entry === 0)))
@@ -117,8 +123,17 @@ const unreached = ({ noise }) =>
     ? 'noise does not reach all that does not die out'
     : 'whether noise reaches all that does not die out is undecided'
 
-/** @param {Frame} frame */
+/** Of which covariance it speaks: beside another gain the plots show that of another. @param {Frame} frame */
 function limit(frame) {
+  const words = limitOf(frame)
+  if (frame.params.gain === 'filter') return words
+  return words.replace(/^The covariance|(?<=^Whether )the covariance/, (it) =>
+    it.replace('covariance', 'filter’s covariance'),
+  )
+}
+
+/** @param {Frame} frame */
+function limitOf(frame) {
   const { limit: kind, settled, tried, doubled, params } = frame
   if (breaks(frame))
     return (
@@ -146,24 +161,30 @@ function limit(frame) {
       ? ` From this start it grows too slowly to show: after ${settled} steps no digit changes.`
       : frame.near !== null && !frame.slowly && kind !== 'none'
         ? ` From this start it settles in ${stepsTo(frame.near)}${lasts(frame.near)}${another}.`
-        : averages(frame) || (frame.slowly && kind !== 'none')
-          ? ' From this start it goes on falling as the variance of an average: where no noise is, each reading counts.'
-          : doubled.converged && !arrives(frame)
-            ? ` From this start it takes more than ${steps(FURTHEST)} steps.`
-            : doubled.converged
-              ? ` From this start it settles in about ${steps(doubled.steps)} steps${lasts(doubled.steps)}${another}.`
-              : tried === null
-                ? ' From this start it outgrows every number.'
-                : ` From this start it has not settled after ${tried} steps.`
+        : trusting(frame) && (averages(frame) || frame.slowly)
+          ? ' From this start it goes on falling, and ever more slowly, as the variance of an average.'
+          : averages(frame) || (frame.slowly && kind !== 'none')
+            ? ' From this start it goes on falling as the variance of an average: where no noise is, each reading ' +
+              'counts.'
+            : doubled.converged && !arrives(frame)
+              ? ` From this start it takes more than ${steps(FURTHEST)} steps.`
+              : doubled.converged
+                ? ` From this start it settles in about ${steps(doubled.steps)} steps${lasts(doubled.steps)}${another}.`
+                : tried === null
+                  ? ' From this start it outgrows every number.'
+                  : ` From this start it has not settled after ${tried} steps.`
   return (
     {
       'from-every-start':
         'The covariance tends to one limit from every start, because the system is detectable and ' +
         'noise reaches all that does not die out.',
-      'from-large-start':
-        'The covariance tends to a limit from every large enough start, because the system is ' +
-        `detectable; ${unreached(frame)}; so a smaller start may lead elsewhere, and the filter may in the end stop ` +
-        'correcting what noise does not reach.',
+      'from-large-start': trusting(frame)
+        ? 'The covariance tends to a limit from every large enough start, because the system is detectable; ' +
+          'a reading has no noise, and a filter that trusts it wholly need not lose its other errors, ' +
+          'so a smaller start may lead elsewhere.'
+        : 'The covariance tends to a limit from every large enough start, because the system is ' +
+          `detectable; ${unreached(frame)}; so a smaller start may lead elsewhere, and the filter may in the end ` +
+          'stop correcting what noise does not reach.',
       none:
         'The covariance has no limit: something unseen does not die out, and noise feeds it, so its ' +
         'variance grows without end.',
@@ -177,9 +198,14 @@ function limit(frame) {
 
 /** @param {Frame} frame */
 function stability(frame) {
-  const { params, placed, spectralRadius, movable, eigenvalues, diverged, badlyScaled } = frame
+  const words = underGain(frame)
+  return frame.diverged ? `The simulated run has left every bound and stands still. ${words}` : words
+}
+
+/** @param {Frame} frame */
+function underGain(frame) {
+  const { params, placed, spectralRadius, movable, eigenvalues, badlyScaled } = frame
   const decimals = decimalsOf(eigenvalues, 3)
-  if (diverged) return 'The simulated run has left every bound and stands still.'
   if (placed === false) return 'No gain was found that puts the eigenvalues there, so the gain is 0.'
   if (params.gain === 'filter' && averages(frame))
     return (
@@ -197,7 +223,8 @@ function stability(frame) {
         ? ` ${stuck === 1 ? 'One of them counts' : `${stuck} of them count`} as out of reach of every gain.`
         : ` ${stuck === 1 ? 'One of them stays' : `${stuck} of them stay`} where ` +
           `${stuck === 1 ? 'it is' : 'they are'} whatever the gain.`
-  const forEver = spectralRadius < 1 ? '' : ', so an error need not die out'
+  // What is computed as a little less than 1 need not be less.
+  const forEver = spectralRadius < 1 - ON_CIRCLE ? '' : ', so an error need not die out'
   const reach = `the eigenvalues of the error’s matrix reach the modulus ${fixed(spectralRadius, decimals)}`
   return `${who} ${reach}${forEver}.${fixedOnes}`
 }

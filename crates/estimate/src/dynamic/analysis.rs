@@ -95,7 +95,8 @@ pub fn noise_input(v: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
     reachability::noise_input(&validate::covariance(v, n, "V")?)
 }
 
-/// Whether P(k+1 | k) tends to a limit, and why.
+/// Whether P(k+1 | k) tends to a limit, and why. Of a reading without noise what noise reaches is asked of what is left
+/// to know after it ([`after_exact_readings`](super::after_exact_readings)).
 ///
 /// # Errors
 /// As [`detectability`].
@@ -111,6 +112,9 @@ pub fn noise_input(v: DMatrix<f64>) -> Result<DMatrix<f64>, Error> {
 /// ```
 pub fn riccati_limit(system: &System, tolerance: f64) -> Result<RiccatiLimit, Error> {
     let detectable = detectability(system.f.clone(), system.h.clone(), tolerance)?.detectable;
-    let stabilizable = noise_reach(system.f.clone(), system.v.clone(), tolerance)?.stabilizable;
+    validate::covariance(system.v.clone(), system.f.nrows(), "V")?;
+    let left = super::after_exact_readings(system);
+    let System { f, v, .. } = left.last().unwrap_or(system);
+    let stabilizable = reachability::noise_reach(f, v, tolerance)?.stabilizable;
     Ok(RiccatiLimit::of(detectable, stabilizable))
 }

@@ -2,6 +2,7 @@
 
 use super::blame;
 use super::doubling::{Doubling, Found, Scaled, System, step};
+use super::exact::{after_exact_readings, before_exact_readings, is_noisy, start_after};
 use crate::Verdict;
 use crate::detectability::detectability;
 use crate::error::Error;
@@ -78,7 +79,18 @@ pub fn steady_state(system: &System, p0: DMatrix<f64>) -> Result<Limit, Error> {
         return Ok(answer(&own, &better, steps(&found)));
     }
     let found = Doubling::from_nothing(&scaled).and_then(|from| from.run(&scaled, bounded)).unwrap_or(found);
-    Ok(answer(&scaled, &found, steps(&found)))
+    let found = answer(&scaled, &found, steps(&found));
+    if found.converged { Ok(found) } else { Ok(of_what_is_left(system, &p0).unwrap_or(found)) }
+}
+
+/// The limit where a reading has no noise, by way of what is left to know after it: near such a limit the difference of
+/// two covariances loses its digits. `None` where each reading has noise, or one is never reached by any.
+fn of_what_is_left(system: &System, p0: &DMatrix<f64>) -> Option<Limit> {
+    let left = after_exact_readings(system);
+    let last = left.last().filter(|last| is_noisy(last))?;
+    let found = steady_state(last, start_after(&left, p0)?).ok().filter(|found| found.converged)?;
+    let (p, r) = before_exact_readings(system, &left, found.p.clone())?;
+    Some(Limit { r, p, steps: found.steps + left.len() as f64, ..found })
 }
 
 /// Whether P grows without bound from every start, however slowly: noise reaches every direction that does not die out,

@@ -8,7 +8,7 @@ use super::params::{Entries, GainBy, OwnParams};
 use estimate::dynamic::{self, Continuous, Discrete, Limit, System};
 use estimate::observability::Observability;
 use estimate::riccati::SteadyState;
-use estimate::{Code, Complex, Detectability, Error, Movable, Reachability, Verdict};
+use estimate::{Code, Complex, Detectability, Error, Movable, Reachability, RiccatiLimit, Verdict};
 use nalgebra::{DMatrix, DVector, Dyn};
 use numerics::hypot;
 
@@ -30,6 +30,7 @@ pub(super) struct Analysis {
     pub system: System,
     pub rank: Observability,
     pub seen: Detectability,
+    pub kind: RiccatiLimit,
     pub noise: Reachability,
     pub input: Reachability,
     pub movable: Movable,
@@ -65,8 +66,11 @@ impl Analysis {
             found => found?,
         };
         let seen = dynamic::detectability(f.clone(), h.clone(), tolerance)?;
-        let falls = falls_to_zero(&system, &seen);
-        let limit = if falls { zero(n, p) } else { limit };
+        // Of readings without noise it is asked of what is left to know after them.
+        let left = dynamic::after_exact_readings(&system);
+        let zero = falls_to_zero(left.last().unwrap_or(&system), &seen).then(|| zero(&system, &left)).flatten();
+        let falls = zero.is_some();
+        let limit = zero.unwrap_or(limit);
         // Where P grows beyond every number, or so far that it hides all that is read, there is no last step.
         let stepped = dynamic::steady_state_gain(&system, p0.clone(), SETTLE_STEPS, 1e-12).ok();
         let arrived = stepped.as_ref().filter(|state| state.converged && state.gain_converged);
@@ -94,6 +98,7 @@ impl Analysis {
         Ok(Self {
             rank: dynamic::observability(f.clone(), h.clone(), tolerance)?,
             seen,
+            kind: dynamic::riccati_limit(&system, tolerance)?,
             noise: dynamic::noise_reach(f.clone(), system.v.clone(), tolerance)?,
             input: dynamic::stabilizability(f.clone(), system.g.clone(), tolerance)?,
             settled: settled.map(|state| state.iterations as u32),
@@ -158,16 +163,11 @@ fn falls_to_zero(system: &System, seen: &Detectability) -> bool {
     still && modulus.is_some_and(|modulus| (modulus - 1.0).abs() <= ON_CIRCLE)
 }
 
-/// The limit that is 0.
-fn zero(states: usize, outputs: usize) -> Limit {
-    Limit {
-        r: DMatrix::zeros(states, outputs),
-        p: DMatrix::zeros(states, states),
-        converged: true,
-        gain_converged: true,
-        depends_on_start: false,
-        steps: FURTHEST,
-    }
+/// The limit where nothing is left to know: 0, or after a reading without noise what the noise of a step adds.
+fn zero(system: &System, left: &[System]) -> Option<Limit> {
+    let (p, r) = dynamic::before_exact_readings(system, left, system.f.map(|_| 0.0))?;
+    let ends = Limit { r, p, converged: true, gain_converged: true, depends_on_start: false, steps: FURTHEST };
+    Some(ends)
 }
 
 /// Where the first step has no answer.

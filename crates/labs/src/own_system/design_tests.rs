@@ -1,6 +1,7 @@
 //! What an engineer relies on: the limit of a slow filter, continuous time, nine states, a start for each state.
 
 use super::*;
+use estimate::RiccatiLimit;
 use estimate::Verdict::Undecided;
 use estimate::dynamic;
 use lab::UpTo;
@@ -73,6 +74,27 @@ fn without_noise_the_limit_is_zero_and_never_reached() {
     // What grows by itself has to be followed, and what is never seen stays uncertain.
     for f in [[[1.1, 1.0], [0.0, 1.0]], [[1.0, 0.0], [0.0, 1.0]]] {
         assert_ne!(still(f).limit_p, Some(vec![vec![0.0; 2]; 2]), "{f:?}");
+    }
+}
+
+/// The place is read without noise and only the turns of the speed hide: the speed's error keeps its size.
+#[test]
+fn a_reading_without_noise_may_leave_an_error_on_the_circle() {
+    for start in [0.0, 0.5, 1.0] {
+        let frame = open(with(|p| {
+            p.v = [[0.0015625, 0.00625], [0.00625, 0.025]].map(UpTo::from).into();
+            (p.w[0], p.h[0]) = ([0.0].into(), [1.0, 0.0].into());
+            (p.period, p.start) = (0.5, start);
+        }));
+        assert_eq!(frame.limit, RiccatiLimit::FromLargeStart, "{start}");
+        assert!(
+            frame.doubled.averages && frame.doubled.converged && frame.noise.stabilizable == estimate::Verdict::Yes
+        );
+        assert_eq!((frame.decay[0].steps, frame.decay[0].seconds), (None, None), "{:?}", frame.eigenvalues);
+        assert!((frame.k[0][0] - 1.0).abs() < 1e-15 && (frame.k[1][0] - 4.0).abs() < 1e-14, "{:?}", frame.k);
+        let limit = frame.limit_p.expect("the noise of a step");
+        assert!((limit[0][0] - 0.0015625).abs() < 1e-18 && (limit[1][1] - 0.025).abs() < 1e-16, "{limit:?}");
+        assert_eq!(frame.slowly, start > 0.0);
     }
 }
 

@@ -3,7 +3,7 @@
 use super::analysis::wanted;
 use super::*;
 use estimate::Verdict::{No, Yes};
-use estimate::{Code, Complex};
+use estimate::{Code, Complex, RiccatiLimit};
 use lab::UpTo;
 
 fn open(params: OwnParams) -> OwnFrame {

@@ -1,0 +1,23 @@
+// What Q and R of a paste mean where their sizes do not tell: as the page's letters have it, or as a button says.
+import { test } from 'node:test'
+import { openFigure, until } from './harness.mjs'
+
+test('a paste of Thrun’s letters is read as the page is, and a button turns Q and R round', async (t) => {
+  const { page, it } = await openFigure(t, 'own-system')
+  await it.getByRole('button', { name: 'Paste a system' }).click()
+  const area = it.locator('.own-paste textarea')
+  await area.fill('A=[1 1;0 1]; C=[1 0;0 1]; R=[4 0;0 9]; Q=[0.1 0;0 0.2]')
+  await until(it, ({ params }) => params.v[0][0] === 0.1 && params.w[1][1] === 9, 'Q is of the motion')
+  await it.getByText('Q as the noise of a step and R as the noise of a reading, as is common').waitFor()
+  await it.getByRole('button', { name: 'Take R as the noise of the motion' }).click()
+  await until(it, ({ params }) => params.v[0][0] === 4 && params.w[1][1] === 0.2, 'R is of the motion')
+  await it.getByRole('button', { name: 'Take Q as the noise of the motion' }).waitFor()
+  await it.getByRole('button', { name: 'Close' }).click()
+  await page.evaluate(() => document.documentElement.setAttribute('data-notation', 'thrun'))
+  await it.getByRole('button', { name: 'Paste a system' }).click()
+  await area.fill('A=[1 1;0 1]; C=[1 0;0 1]; R=[5 0;0 9]; Q=[0.1 0;0 0.2]')
+  await it.getByText('R as the noise of a step and Q as the noise of a reading, as in Thrun’s letters').waitFor()
+  await until(it, ({ params }) => params.v[0][0] === 5, 'R is of the motion')
+  await area.fill('A=[1 1;0 1]; C=[1 0]; R=[5 0;0 9]; Q=0.1')
+  await it.getByRole('button', { name: /as the noise of the motion/ }).waitFor({ state: 'hidden' })
+})
