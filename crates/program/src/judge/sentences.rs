@@ -128,18 +128,13 @@ fn parts(quantity: Quantity) -> &'static [(&'static str, &'static str)] {
 
 /// The last line before `at` that makes something of such a part's size, where no line makes the right one.
 fn unmade(theirs: &Steps, ours: &Steps, name: &str, at: u32) -> Option<u32> {
-    let right = |case: usize| {
-        let (_, step) = &ours.steps[ours.on(case)?];
-        step.made.iter().find(|made| ours.program.name(made) == name).map(|made| made.value())
-    };
     let made = |line: usize| {
         theirs.steps.iter().all(|(case, step)| {
-            let ours = right(*case);
-            step.made.get(line).zip(ours).is_some_and(|(a, b)| apart(a.value(), b) <= TOLERANCE)
+            step.made.get(line).zip(ours.line(*case, name)).is_some_and(|(a, b)| apart(a.value(), b) <= TOLERANCE)
         })
     };
     let (case, first) = theirs.steps.first()?;
-    let expected = right(*case)?;
+    let expected = ours.line(*case, name)?;
     let candidates = |line: &usize| {
         let value = first.made[*line].value();
         first.made[*line].line < at && (value.rows, value.columns) == (expected.rows, expected.columns)
