@@ -86,6 +86,7 @@ fn a_beginning_with_a_fault_is_told_the_line_at_fault() {
             4,
             "No line corrects P by the reading yet.",
         ),
+        ("x = F x + G u\nP = F P F' + V\nK = 0 H'\nx = x + K (y - H x)", 4, "No line corrects P by the reading yet."),
         // A line that leaves out the correction is at fault.
         (
             "x = F x + G u\nP = F P F' + V\nR = P H' / (H P H' + W)\nx = x + R (y - H x)\nP = P",

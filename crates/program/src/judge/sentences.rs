@@ -143,14 +143,16 @@ fn unmade(theirs: &Steps, ours: &Steps, name: &str, at: u32) -> Option<u32> {
     (!(0..first.made.len()).any(made)).then(|| first.made[last].line)
 }
 
+/// Whether a formula has one of these names.
+pub(super) fn uses(formula: &Formula, names: &[String]) -> bool {
+    names.iter().any(|name| formula.name == *name) || formula.parts.iter().any(|part| uses(part, names))
+}
+
 /// The last line that uses the reading.
 fn last_use(of: &Steps) -> Option<u32> {
-    fn uses(formula: &Formula, letter: &str) -> bool {
-        formula.name == letter || formula.parts.iter().any(|part| uses(part, letter))
-    }
-    let letter = of.program.notation().letter(Quantity::Y);
+    let letter = [String::from(of.program.notation().letter(Quantity::Y))];
     let lines = of.program.tree(None).ok()?;
-    lines.iter().rev().find(|line| uses(&line.value, letter)).map(|line| line.lines[0])
+    lines.iter().rev().find(|line| uses(&line.value, &letter)).map(|line| line.lines[0])
 }
 
 pub(super) fn is_wrong(theirs: &Steps, ours: &Steps, off_first: &Off) -> Verdict {

@@ -1,6 +1,7 @@
 //! How far a program has come that is right so far: its prediction, parts of its update, and no answer yet. What
 //! stands there is no line's fault.
 
+use super::sentences::uses;
 use super::{Outcome, Steps, TOLERANCE, Verdict, apart, line_of};
 use crate::tree::Node;
 use crate::words::Words;
@@ -33,7 +34,7 @@ pub(super) fn judged(theirs: &Steps, ours: &Steps) -> (Vec<Quantity>, Option<Ver
         let lacking = !meets(theirs, quantity, angle, answer);
         if !lacking {
             right.push(String::from(letter));
-        } else if !is_copied(theirs, quantity) && meets(theirs, quantity, angle, prediction) {
+        } else if !is_copied(theirs, quantity) && !reads(theirs, letter) && meets(theirs, quantity, angle, prediction) {
             right.push(Words::new("the predicted ").text(letter).0.clone());
             lacks.push(quantity);
         } else {
@@ -82,6 +83,20 @@ fn meets<'a>(theirs: &Steps, quantity: Quantity, angle: usize, of: impl Fn(usize
         }
         apart(&made, wanted) <= TOLERANCE
     })
+}
+
+/// Whether what a name has become depends on the reading, if only by a gain of zero.
+fn reads(theirs: &Steps, name: &str) -> bool {
+    let mut of_it = alloc::vec![String::from(theirs.program.notation().letter(Quantity::Y))];
+    for line in theirs.program.tree(None).unwrap_or_default() {
+        let reads = uses(&line.value, &of_it);
+        if !reads && line.part.is_none() {
+            of_it.retain(|known| *known != line.name);
+        } else if reads {
+            of_it.push(line.name);
+        }
+    }
+    of_it.iter().any(|known| known == name)
 }
 
 /// Whether the last line that makes it is a name alone, as P = P: that line leaves out the correction.
