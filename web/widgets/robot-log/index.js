@@ -147,7 +147,7 @@ export const figure = {
       'errors',
     ],
     pin: 'innovations',
-    along: 'controls',
+    along: 'innovations',
     medium: [
       'map map map map map map map innovations innovations innovations innovations innovations',
       'map map map map map map map errors errors errors errors errors',
