@@ -93,7 +93,7 @@ test('the page recognises the collinear trap in the figure, and names what is mi
   const inView = () =>
     watch.evaluate((bar) => {
       const { top, bottom } = bar.getBoundingClientRect()
-      return top >= 0 && bottom <= innerHeight
+      return top >= 0 && bottom <= innerHeight && bar.querySelector('a').offsetHeight >= 24
     })
   assert.ok(await inView(), 'the way back is on the screen')
   await probe.locator('.live .figure-tools').scrollIntoViewIfNeeded()

@@ -105,8 +105,44 @@ test('on a phone what is said stays in sight by the hand, and covers neither pic
         const picture = await pin.boundingBox()
         assert.ok(picture.y + picture.height < said.y, `${name}: the picture ends at ${picture.y + picture.height} px`)
       }
+      assert.deepEqual(await page.evaluate(covered), [], `${name}: the sentence covers the picture`)
       await page.close()
     }
+})
+
+/** Where, as the page is scrolled down, the sentence lies on the panel that stays in sight, and not below it. */
+function covered() {
+  const [pin, said] = ['[data-pin]', '.verdict'].map((part) => document.querySelector(`.live > ${part}`))
+  const found = []
+  document.body.style.paddingBottom = '100vh'
+  for (let y = 0; pin && y < document.documentElement.scrollHeight; y += 40) {
+    scrollTo({ top: y, behavior: 'instant' })
+    const [picture, words] = [pin, said].map((part) => part.getBoundingClientRect())
+    const top = Math.max(picture.top, words.top, 0)
+    const bottom = Math.min(picture.bottom, words.bottom, innerHeight)
+    const at = document.elementFromPoint(picture.left + picture.width / 2, (top + bottom) / 2)
+    if (bottom - top > 1 && said.contains(at)) found.push(y)
+  }
+  return found
+}
+
+test('on a phone the Bench’s variances come between the ellipse and the knob that moves them', async (t) => {
+  for (const viewport of [PHONE, { width: 360, height: 640 }]) {
+    const page = await open(t, { viewport, touch: true })
+    await comeTo(page, '#fig-bench', '#fig-bench .widget[data-state=live]')
+    await page.getByRole('link', { name: 'Watch the variances.' }).tap()
+    await page.locator('#fig-bench .live .panel-variance').waitFor()
+    await quiet(page)
+    const [pin, variance, knob] = await Promise.all(
+      ['.panel-phase', '.panel-variance', '.params input[type=range]'].map((part) =>
+        page.locator(`#fig-bench .live ${part}`).first().boundingBox(),
+      ),
+    )
+    assert.ok(variance.y >= pin.y + pin.height - 1, `the variances from ${variance.y} px, below the ellipse`)
+    assert.ok(knob.y >= variance.y + variance.height - 1, `the knob at ${knob.y} px, below the variances`)
+    assert.ok(knob.y + knob.height <= viewport.height + 1, `the knob down to ${knob.y + knob.height} px`)
+    await page.context().close()
+  }
 })
 
 test('what is being computed is told in a line of its own, over no picture', async (t) => {

@@ -2,9 +2,14 @@
 // and is chosen anew where a run begins.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
+import { Pen } from '../../web/draw/pen.js'
 import { axes, plane as plainPlane } from '../../web/draw/plot.js'
 import { rounded } from '../../web/draw/scale.js'
 import { Scale } from '../../web/figure/motion.js'
+import { drawPhase } from '../../web/widgets/observer-bench/phase.js'
+
+const { parseHTML } = createRequire(new URL('../../web/package.json', import.meta.url))('linkedom')
 
 /** The range when the scale has arrived. */
 function arrived(scale, range, anew = false) {
@@ -35,6 +40,7 @@ test('a scale on its way shows every size between, and one of a still is there a
 test('after something huge a scale comes back, and nothing that is no number moves it', () => {
   const scale = new Scale(0.5)
   assert.deepEqual(arrived(scale, [-1000, 1000], true), [-2048, 2048])
+  assert.ok(scale.isLoose([-0.3, 0.3]) && !scale.isLoose([-300, 300]))
   assert.deepEqual(arrived(scale, [-0.3, 0.3]), [-0.5, 0.5])
   assert.deepEqual(arrived(scale, [-Infinity, NaN]), [-0.5, 0.5])
 })
@@ -54,4 +60,23 @@ test('an axis has two ticks or more, none nearer than its words are high', () =>
       assert.ok(ticks.length >= 2 && gaps.every((gap) => gap >= 15), `±${most} on ${high} pixels: ${ticks}`)
     }
   }
+})
+
+test('where one axis of the Bench comes back to something small, the other does too', () => {
+  const svg = parseHTML('<html><svg></svg></html>').document.querySelector('svg')
+  const panel = { pen: new Pen(svg), svg, width: 560, height: 400 }
+  const view = { memory: {}, beat: { name: 'rest', t: 1 }, previous: null, elapsed: Infinity }
+  const shown = (/** @type {number[]} */ x) => {
+    const at = { x, ellipse: { semiMajor: 0.5, semiMinor: 0.5, angle: 0 } }
+    const frame = { step: 9, params: { sensor: 'position' }, truth: [0, 0], H: [1, 0], reading: null }
+    drawPhase(panel, { ...frame, first: at, predicted: at, posterior: at }, view)
+    return view.memory.phase.scales.map(({ now }) => now)
+  }
+  assert.deepEqual(shown([0, 0]), [
+    [-1, 1],
+    [-1, 1],
+  ])
+  assert.deepEqual(shown([12, 30])[0][1], 16)
+  // The position alone would keep the sixteen metres.
+  assert.deepEqual(shown([2.4, 0])[0][1], 4)
 })

@@ -8,6 +8,8 @@ const balance = (frame) => {
   const [expected, read] = weights(frame)
   return (frame.params.expected * expected + frame.params.reading * read) / (expected + read)
 }
+/** Whether both opinions are printed as they are. */
+const told = ({ params }, prediction, reading) => prints(prediction, params.expected) && prints(reading, params.reading)
 
 check(
   'two-bells',
@@ -20,10 +22,10 @@ check(
   [0],
   () => [
     [
-      /^Both opinions weigh the same, and the beam balances half way, at y\^?∗ = (\S+) m\/s\.$/,
-      (frame, at) => {
+      /^Both opinions weigh the same: the beam balances half way from (\S+) to (\S+), at y\^?∗ = (\S+) m\/s\.$/,
+      (frame, prediction, reading, at) => {
         const [expected, read] = weights(frame)
-        return Math.abs(expected / read - 1) < 0.005 && prints(at, balance(frame))
+        return Math.abs(expected / read - 1) < 0.005 && told(frame, prediction, reading) && prints(at, balance(frame))
       },
     ],
     [
@@ -39,10 +41,11 @@ check(
     ],
     [
       pattern(
-        /^The beam balances at y\^?∗ = (\S+) m\/s, ([\d.]+) m\/s from the prediction /,
-        /and ([\d.]+) m\/s from the reading\.$/,
+        /^The beam balances at y\^?∗ = (\S+) m\/s, ([\d.]+) m\/s from the prediction of (\S+) /,
+        /and ([\d.]+) m\/s from the reading of (\S+)\.$/,
       ),
-      (frame, at, left, right) =>
+      (frame, at, left, prediction, right, reading) =>
+        told(frame, prediction, reading) &&
         prints(at, balance(frame)) &&
         prints(left, Math.abs(balance(frame) - frame.params.expected)) &&
         prints(right, Math.abs(frame.params.reading - balance(frame))),

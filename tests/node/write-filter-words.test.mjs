@@ -3,7 +3,17 @@ import { BUGS } from '../../web/widgets/bug-museum/words.js'
 import { GROUPS } from '../../web/widgets/write-filter/programs.js'
 
 const BEGINS = GROUPS.flatMap(({ programs }) => programs.map(([begin]) => begin))
-const OWN = [null, "x = F x + G u\nP = F P F' + V + q\ny = S", 'x = 1e9 F x\nP = V', 'P = inv(0 P)\nx = F x']
+const BEGUN = ['x = F x + G u', "P = F P F' + V", "R = P H' / (H P H' + W)", 'x = x + R (y - H x)']
+const OWN = [
+  null,
+  ...BEGUN.map((_, i) => BEGUN.slice(0, i + 1).join('\n')),
+  "x = F x + G u\nP = F P F' + V + q\ny = S",
+  'x = 1e9 F x\nP = V',
+  'P = inv(0 P)\nx = F x',
+]
+/** Whether no line is marked, and each of these letters has its line or is told to lack one. */
+const lacking = ({ line, sentences }, letters) =>
+  line === null && sentences[0].includes(`${letters} by the reading yet`)
 const named = (bug) => BUGS[bug].name
 
 check('write-filter', { begin: BEGINS, text: OWN, seed: [1, 7], notation: ['choset', 'thrun'] }, [0, 1, 60], () => [
@@ -20,6 +30,15 @@ check('write-filter', { begin: BEGINS, text: OWN, seed: [1, 7], notation: ['chos
   [
     /^No filter yet: line (\d+) has no value\.$/,
     ({ outcome, faults, line }, at) => outcome === 'refused' && faults.length === 0 && number(at) === line,
+  ],
+  [
+    /^No filter yet: no line makes (\w+)(?:, and none (\w+))?\.$/,
+    ({ made, faults, line }, ...names) =>
+      faults.length === 1 && line === null && names.every((name) => !made.includes(name)),
+  ],
+  [
+    /^Not finished: no line corrects (.+) by the reading yet\.$/,
+    (frame, letters) => frame.outcome === 'unfinished' && lacking(frame, letters),
   ],
   [/^The museum’s bug “(.+)”\.$/, ({ outcome, bug }, name) => outcome === 'bug' && named(bug) === name],
   [/^See line (\d+)\.$/, ({ outcome, line }, at) => ['bug', 'wrong'].includes(outcome) && number(at) === line],

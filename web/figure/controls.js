@@ -113,13 +113,19 @@ export function buildControl(document, control, change, limits) {
   }
 }
 
+/** The row of the button that was pressed last, until what it brings is there. @type {Element | null} */
+let pressed = null
+
 /** @param {Document} document @param {ActionControl} control @param {Function} change @returns {Shown} */
 function action(document, control, change) {
   const button = document.createElement('button')
   button.type = 'button'
   button.className = 'button'
   writeHtml(button, control.label)
-  button.addEventListener('click', () => change({}, control.change))
+  button.addEventListener('click', () => {
+    pressed = button.parentElement
+    change({}, control.change)
+  })
   return {
     element: button,
     show(params, frame) {
@@ -130,13 +136,21 @@ function action(document, control, change) {
 }
 
 /**
- * Shows a control or hides it. The focus of one that goes is taken by the first that is there.
+ * Shows a control or hides it. The focus of one that goes is taken by the first that is there; one that a press of its
+ * row brings comes into sight.
  * @param {HTMLElement} element @param {boolean} there
  */
 function reveal(element, there) {
   if (element.hidden === !there) return
   const focused = !there && element.contains(element.ownerDocument.activeElement)
   element.hidden = !there
+  if (there && pressed && pressed === element.parentElement) {
+    element.scrollIntoView({ block: 'nearest', behavior: 'instant' })
+    // Others come with it, in the same turn.
+    queueMicrotask(() => {
+      pressed = null
+    })
+  }
   if (!focused) return
   const other = /** @type {HTMLElement | null | undefined} */ (
     element.parentElement?.querySelector(

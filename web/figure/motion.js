@@ -102,15 +102,20 @@ export class Scale {
     return [-this.sides[0], this.sides[1]]
   }
 
+  /** Whether what is shown has become small. @param {[number, number]} range */
+  isLoose(range) {
+    return Math.max(...distances(range)) * MUCH < Math.max(...this.goal)
+  }
+
   /**
    * @param {[number, number]} range of what is shown
    * @param {number} elapsed
    * @param {boolean} anew whether a run begins
    * @returns {boolean} whether it still moves
    */
-  follow([low, high], elapsed, anew) {
-    const far = [-low, high].map((side) => Math.max(0, side) * ROOM)
-    if (anew || Math.max(...far) * MUCH < Math.max(...this.goal)) this.goal = [0, 0]
+  follow(range, elapsed, anew) {
+    const far = distances(range)
+    if (anew || this.isLoose(range)) this.goal = [0, 0]
     this.goal = this.goal.map((goal, i) => doubled(goal || this.least, far[i]))
     if (!this.sides[0] || elapsed === Infinity) this.sides = this.goal
     const t = 1 - Math.exp(-elapsed / 140)
@@ -120,6 +125,9 @@ export class Scale {
     return !arrived
   }
 }
+
+/** @param {[number, number]} range */
+const distances = ([low, high]) => [-low, high].map((side) => Math.max(0, side) * ROOM)
 
 /** Twice as much as often as it takes. @param {number} goal @param {number} far */
 function doubled(goal, far) {

@@ -16,12 +16,13 @@ export function showPart(widget, name) {
   // On a phone it may wait with all that waits.
   if (!part.checkVisibility()) press(figure.querySelector('.further, .more > summary'))
   const { roof, floor, picture } = roomOf(figure)
-  const knob = figure.querySelector('.params input[type=range]')?.closest('.control')
+  const hand = figure.querySelector('.params input[type=range]')
+  const knob = hand?.closest('.control')
   // As much as there is room for: the part, what moves it, and the picture.
-  const groups = [[part, knob, picture], [part, knob], [part]].map((group) =>
+  const groups = [[part, knob, picture], [part, knob], [part, hand], [part]].map((group) =>
     reach(group.flatMap((it) => (it?.checkVisibility() ? it : []))),
   )
-  const { top, bottom } = groups.find((it) => it.bottom - it.top <= floor - roof) ?? groups[2]
+  const { top, bottom } = groups.find((it) => it.bottom - it.top <= floor - roof) ?? groups[3]
   const by = top < roof ? top - roof : Math.max(0, Math.min(bottom - floor, top - roof))
   if (by !== 0) scrollBy({ top: by, behavior: 'instant' })
 }

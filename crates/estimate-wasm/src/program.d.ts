@@ -51,8 +51,11 @@ export interface ProgramLine {
 }
 /** What is said of a program. */
 export interface ProgramVerdict {
-  /** `right`, a `bug` that real code has had, `wrong` in another way, or `refused`: with faults, or without a value. */
-  outcome: 'right' | 'bug' | 'wrong' | 'refused'
+  /**
+   * `right`, a `bug` that real code has had, `wrong` in another way, `unfinished` where what stands there is right and
+   * no line corrects x or P by the reading yet, or `refused`: with faults, or without a value.
+   */
+  outcome: 'right' | 'bug' | 'wrong' | 'unfinished' | 'refused'
   /** Which bug, by the word of the chapter's museum. */
   bug: string | null
   /** The line to look at, from 1, where one can be told. */

@@ -232,6 +232,7 @@ fn verdict(verdict: &Verdict) -> JsValue {
         Outcome::Refused => ("refused", None),
         Outcome::Right => ("right", None),
         Outcome::Bug(bug) => ("bug", Some(bug.word())),
+        Outcome::Unfinished => ("unfinished", None),
         Outcome::Wrong => ("wrong", None),
     };
     let sentences = Array::new();

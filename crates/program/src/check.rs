@@ -100,6 +100,7 @@ impl Checker<'_, '_> {
                         .text(".");
                 }
             }
+            self.faults.lacking = self.faults.is_empty();
             self.told(last, missing, "");
         }
     }

@@ -30,12 +30,14 @@ pub struct Fault {
 /// The faults of a text.
 pub(crate) struct Faults<'a> {
     pub text: &'a str,
+    /// Whether all that is wrong is that no line makes an answer: no line is at fault.
+    pub lacking: bool,
     found: Vec<(Place, String)>,
 }
 
 impl<'a> Faults<'a> {
     pub fn new(text: &'a str) -> Self {
-        Self { text, found: Vec::new() }
+        Self { text, lacking: false, found: Vec::new() }
     }
 
     pub fn is_empty(&self) -> bool {

@@ -7,12 +7,13 @@
 mod bugs;
 mod cases;
 mod sentences;
+mod unfinished;
 
 pub use bugs::Bug;
 pub use cases::cases;
 
 use crate::words::Words;
-use crate::{Matrix, Notation, Program, Quantity, Step, Stop, World};
+use crate::{Made, Matrix, Notation, Program, Quantity, Step, Stop, World};
 use alloc::string::String;
 use alloc::vec::Vec;
 use sentences::{is_bug, is_right, is_wrong};
@@ -29,6 +30,8 @@ pub enum Outcome {
     Right,
     /// It gives what a bug of the museum gives.
     Bug(Bug),
+    /// What stands there is right, and no line corrects the estimate or its covariance by the reading yet.
+    Unfinished,
     /// It gives something else.
     Wrong,
 }
@@ -83,6 +86,12 @@ impl Steps {
         self.program.made(&self.steps[step].1, quantity)
     }
 
+    /// What the lines of a name have made on a case.
+    fn line(&self, case: usize, name: &str) -> Option<&Matrix> {
+        let (_, step) = &self.steps[self.on(case)?];
+        step.made.iter().find(|made| self.program.name(made) == name).map(Made::value)
+    }
+
     /// Its step on a case.
     fn on(&self, case: usize) -> Option<usize> {
         self.steps.iter().position(|(at, _)| *at == case)
@@ -103,7 +112,9 @@ fn apart(a: &Matrix, b: &Matrix) -> f64 {
 pub fn judge(program: &Program) -> Verdict {
     let world = program.world();
     if let Some(fault) = program.faults().first() {
-        return refused(fault.line, Words::default().text(&fault.message).0.clone());
+        let verdict = refused(fault.line, fault.message.clone());
+        // What is missing is no line's fault.
+        return if program.read.lacking { Verdict { line: None, ..verdict } } else { verdict };
     }
     let cases = cases(world, program.sizes());
     let theirs = match Steps::of(program.clone(), &cases) {
@@ -120,6 +131,10 @@ pub fn judge(program: &Program) -> Verdict {
         return refused(1, String::from("The right filter has no value."));
     };
     let Some(off) = first_off(&theirs, &ours) else { return is_right(&theirs, &ours, cases.len()) };
+    let (lacks, unfinished) = unfinished::judged(&theirs, &ours);
+    if let Some(verdict) = unfinished {
+        return verdict;
+    }
     for bug in Bug::of(world) {
         for text in bugs::texts(world, *bug) {
             let Some(mutant) = Steps::known(world, &text, &cases) else { continue };
@@ -128,7 +143,13 @@ pub fn judge(program: &Program) -> Verdict {
             }
         }
     }
-    is_wrong(&theirs, &ours, &off)
+    // What is not corrected yet is right so far: the other is off.
+    let other = if lacks == [Quantity::X] { self::off(&theirs, &ours, Quantity::P) } else { None };
+    let mut verdict = is_wrong(&theirs, &ours, &other.unwrap_or(off));
+    if !lacks.is_empty() {
+        verdict.sentences.push(unfinished::said(&theirs, &lacks, "No line corrects "));
+    }
+    verdict
 }
 
 fn refused(line: u32, sentence: String) -> Verdict {

@@ -72,6 +72,8 @@ struct Read {
     /// n, p and m, where the text tells them.
     found: Found,
     faults: Vec<Fault>,
+    /// Whether all that is wrong is that no line makes a new estimate, or none its covariance.
+    lacking: bool,
 }
 
 impl Program {
@@ -95,8 +97,8 @@ impl Program {
             }
         }
         let lines = tree.lines.iter().map(|line| line_of(text, line.place.from)).collect();
-        let (text, faults) = (text.into(), faults.sorted());
-        let read = Read { text, world, notation, names, tree, lines, found, faults };
+        let (text, lacking, faults) = (text.into(), faults.lacking, faults.sorted());
+        let read = Read { text, world, notation, names, tree, lines, found, faults, lacking };
         Self { read: Rc::new(read), fitted: None, constants: Vec::new() }
     }
 

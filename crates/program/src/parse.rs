@@ -127,11 +127,12 @@ impl<'a, 'b> Parser<'a, 'b> {
         Err(Told)
     }
 
-    /// What is missing here.
+    /// What is missing here; at a line's end there, where others have been passed over to look for it.
     fn missing<T>(&mut self, what: &str) -> Parsed<T> {
         let mut words = Words::new("Here ");
         words.text(what).text(" is missing.");
-        self.told(self.place(), words)
+        let ends = self.tokens.iter().take(self.at + 1).rev().take_while(|token| token.kind == Kind::Line);
+        self.told(ends.last().map_or(self.place(), |end| end.place), words)
     }
 
     #[inline(never)]

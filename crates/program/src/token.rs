@@ -146,6 +146,11 @@ impl Lexer<'_> {
                 return self.push(Kind::Name(name), from);
             }
             '|' | '∣' => return faults.say(Place { from, to: self.at }, TIMES),
+            '—' | '―' | '‒' | '‑' | '‐' => {
+                let words = "This is a dash of texts, not a sign of an operation. A minus is typed -.";
+                faults.say(Place { from, to: self.at }, words);
+                '-'
+            }
             _ => return faults.say(Place { from, to: self.at }, NO_SIGN),
         };
         self.push(Kind::Sign(sign), from);

@@ -200,7 +200,7 @@ export const figure = {
   ],
   layout: {
     // The knob and what it moves are on one screen: the disc, then the gain. What a button adds comes below it.
-    narrow: ['phase', 'controls', 'grow', 'disc', 'gain', 'verdict', 'tries', 'variance', 'readouts', 'error'],
+    narrow: ['phase', 'variance', 'controls', 'grow', 'disc', 'gain', 'verdict', 'tries', 'readouts', 'error'],
     medium: [
       'phase phase phase phase disc disc',
       'phase phase phase phase verdict verdict',

@@ -32,11 +32,13 @@ import {
 export function drawPhase({ pen, width, height }, frame, view) {
   const scene = stage(frame, view)
   const held = (view.memory.phase ??= { scales: [new Scale(0.5), new Scale(0.25)], sensor: '' })
-  // A run is one from its first step on; another sensor has another run.
-  const anew = frame.step === 0 || held.sensor !== frame.params.sensor
-  held.sensor = frame.params.sensor
   /** @type {Scale[]} */
   const scales = held.scales
+  // A run is one from its first step on; another sensor has another run. Where one axis comes back, both do: else what
+  // is drawn would be flat.
+  const small = scales.some((scale, i) => scale.isLoose(scene.reach[i]))
+  const anew = small || frame.step === 0 || held.sensor !== frame.params.sensor
+  held.sensor = frame.params.sensor
   const moving = scales.map((scale, i) => scale.follow(scene.reach[i], view.elapsed, anew)).includes(true)
   const [across, up] = scales.map(({ now }) => now)
   const plane = planeOf({ left: 48, top: 30, right: width - 14, bottom: height - 42 }, across, up)

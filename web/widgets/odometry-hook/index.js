@@ -198,8 +198,8 @@ export const figure = {
   ],
   layout: {
     // The plots move the robot on the map, which stays in sight; the switches change the plots, and stand right above
-    // the heading's, which tells most of them.
-    narrow: ['map', 'tries', 'controls', 'heading', 'wheel', 'position', 'verdict', 'readouts'],
+    // the wheel's, which one of them brings, and the heading's, which tells most of them.
+    narrow: ['map', 'tries', 'controls', 'wheel', 'heading', 'position', 'verdict', 'readouts'],
     along: 'tries',
     medium: ['map position', 'map heading', 'map wheel', 'verdict verdict'],
     columns: { medium: '59fr 41fr', wide: '62fr 38fr' },

@@ -5,15 +5,17 @@ import { fixed } from '../../draw/numbers.js'
 /** @typedef {import('estimate-wasm').TwoBellsFrame} Frame */
 
 /** @param {Frame} frame */
-export function verdict({ likely, weights: [expected, read], arms }) {
+export function verdict({ likely, weights: [expected, read], arms, params }) {
+  const [prediction, reading] = [params.expected, params.reading].map((one) => fixed(one))
   const at = `{y}^{∗} = ${fixed(likely)} m/s`
   const times = expected / read
-  if (Math.abs(times - 1) < 0.005) return `Both opinions weigh the same, and the beam balances half way, at ${at}.`
+  if (Math.abs(times - 1) < 0.005)
+    return `Both opinions weigh the same: the beam balances half way from ${prediction} to ${reading}, at ${at}.`
   const [heavy, light] = times > 1 ? ['prediction', 'reading'] : ['reading', 'prediction']
   const ways = arms.map((arm) => fixed(Math.abs(arm)))
   return (
     `The ${heavy} weighs ${fixed(Math.max(times, 1 / times))} times as much as the ${light}. The beam balances ` +
-    `at ${at}, ${ways[0]} m/s from the prediction and ${ways[1]} m/s from the reading.`
+    `at ${at}, ${ways[0]} m/s from the prediction of ${prediction} and ${ways[1]} m/s from the reading of ${reading}.`
   )
 }
 

@@ -60,7 +60,7 @@ export const figure = {
   timeless: true,
   panels: [
     { name: 'rails', width: 500, height: 165, handles: true, draw: drawRails },
-    { name: 'strips', width: 500, height: 280, draw: drawStrips },
+    { name: 'strips', width: 500, height: 300, draw: drawStrips },
   ],
   layout: {
     narrow: ['rails', 'strips', 'controls', 'verdict', 'readouts'],

@@ -8,7 +8,7 @@ import { button, part } from '../../draw/dom.js'
 import { buildCopies } from './copies.js'
 import { faultOf, keep, last, textOf } from './kept.js'
 import { GROUPS, isBegin, opened, stepsOf } from './programs.js'
-import { isEmpty, isRiddle, reasons } from './words.js'
+import { isEmpty, isRiddle, lacks, reasons } from './words.js'
 
 /** Typing rests after this long, milliseconds. */
 const REST_MS = 300
@@ -104,7 +104,7 @@ export function buildEditor(document, change) {
   function fit(text, of = null) {
     const count = text.split('\n').length
     area.setAttribute('rows', String(Math.min(MOST, Math.max(LEAST, count + 1))))
-    const wrong = new Set(of === null || isEmpty(of) ? [] : of.faults.map(({ line }) => line))
+    const wrong = new Set(of === null || isEmpty(of) || lacks(of) ? [] : of.faults.map(({ line }) => line))
     const told = of && of.faults.length === 0 && of.outcome !== 'right' && !isRiddle(of)
     if (told && of.line !== null) wrong.add(of.line)
     gutter.replaceChildren(
@@ -117,13 +117,12 @@ export function buildEditor(document, change) {
     )
   }
 
-  /** @param {{ line: number, column: number, message: string }[]} all */
-  function list(all) {
+  /** @param {{ line: number, column: number, message: string }[]} all @param {boolean} [placed] */
+  function list(all, placed = true) {
     faults.replaceChildren(
       ...all.map(({ line, column, message }) => {
         const one = document.createElement('li')
-        const place = part(document, one, 'b', '')
-        place.textContent = `Line ${line}, column ${column}: `
+        if (placed) part(document, one, 'b', '').textContent = `Line ${line}, column ${column}: `
         one.append(message)
         return one
       }),
@@ -153,10 +152,10 @@ export function buildEditor(document, change) {
       frame = now
       if (resting === undefined) fit(now.text, now)
       writeNames(document, names, now)
-      list(isEmpty(now) ? [] : now.faults)
+      list(isEmpty(now) ? [] : now.faults, !lacks(now))
       why.replaceChildren()
       for (const words of reasons(now)) part(document, why, 'p', '').textContent = words
-      if (now.faults.length > 0 && !isEmpty(now)) area.setAttribute('aria-invalid', 'true')
+      if (now.faults.length > 0 && !isEmpty(now) && !lacks(now)) area.setAttribute('aria-invalid', 'true')
       else area.removeAttribute('aria-invalid')
     },
   }

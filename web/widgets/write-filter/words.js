@@ -15,7 +15,9 @@ export function verdict(frame) {
   if (isRiddle(frame)) return 'Not a right filter. Find the line at fault, and change it.'
   if (isEmpty(frame)) return 'Nothing is written yet. A step predicts the estimate, and a reading corrects it.'
   const { faults, outcome, bug, line, breaks, sentences, observer, stopped } = frame
+  if (lacks(frame)) return `No filter yet: n${faults[0].message.split(':')[0].slice(1)}.`
   if (faults.length > 0) return `No filter yet: ${counted(faults.length)}, the first in line ${faults[0].line}.`
+  if (outcome === 'unfinished') return sentences[0]
   const at = line === null ? '' : ` See line ${line}.`
   if (bug !== null) return `The museum’s bug “${BUGS[bug].name}”.${at}`
   if (outcome === 'right') {
@@ -29,17 +31,24 @@ export function verdict(frame) {
 
 const counted = (/** @type {number} */ n) => (n === 1 ? 'one fault' : `${n} faults`)
 
+/** Whether all that is wrong is that a line is missing: no line has a fault. @param {Frame} frame */
+export const lacks = ({ faults, line }) => faults.length > 0 && line === null
+
 /** Why, in sentences: the faults themselves stand in a list. @param {Frame} frame */
 export const reasons = (frame) => {
-  const { faults, sentences, stopped } = frame
+  const { faults, outcome, sentences, stopped } = frame
   if (faults.length > 0 || isRiddle(frame)) return []
-  return [...sentences, ...(stopped ? [`The run stands still: ${stopped.message}`] : [])]
+  return [
+    ...(outcome === 'unfinished' ? sentences.slice(1) : sentences),
+    ...(stopped ? [`The run stands still: ${stopped.message}`] : []),
+  ]
 }
 
 /** What a screen reader hears when typing rests. @param {Frame} frame */
 export function announce(frame) {
   if (isEmpty(frame) || isRiddle(frame)) return verdict(frame)
   const [first] = frame.faults
-  const why = first ? `Line ${first.line}, column ${first.column}: ${first.message}` : (frame.sentences[0] ?? '')
+  if (lacks(frame)) return `No filter yet. ${first.message}`
+  const why = first ? `Line ${first.line}, column ${first.column}: ${first.message}` : (reasons(frame)[0] ?? '')
   return `${verdict(frame)} ${why}`
 }

@@ -2,14 +2,13 @@
 
 use crate::checks::rail::hand_steps;
 use crate::givens::Givens;
-use lab::Listing;
-
 use estimate::kf::Gaussian;
 use estimate::observability::{analyze, observability_matrix};
 use estimate::slam::{EkfSlam, Reading};
 use estimate::{Error, Lti, Observer};
 use filters::association::Thresholds;
 use filters::linear::{self, Gain};
+use lab::Listing;
 use nalgebra::{Matrix1, Matrix2, Matrix2x3, Matrix3, RowVector3, U1, U2, Vector2, Vector3};
 
 const TOLERANCE: f64 = 1e-9;
@@ -290,12 +289,11 @@ mod tests {
             let roots = Observer { sys, k: steady * g, xhat: Vector2::zeros() }.error_eigs().expect("2×2");
             numerics::hypot(roots[0].re, roots[0].im)
         };
-        let best = n["ex.fastest.knob"];
+        let [best, from, to] = ["knob", "from", "to"].map(|it| n[&format!("ex.fastest.{it}")]);
         // The two eigenvalues meet here, and two that meet move like a root: 1e-3 of the knob is 3e-2 of the radius.
         assert!((radius(best) - n["ex.fastest.radius"]).abs() < 1e-6, "{}", radius(best));
         assert!([0.9, 0.98, 0.995, 1.005, 1.02, 1.1].iter().all(|f| radius(best * f) > radius(best)));
         assert!(n["ex.fastest.P"] > n["ex.fastest.best"]);
-        let [from, to] = [n["ex.fastest.from"], n["ex.fastest.to"]];
         let prints = |g: f64| format!("{:.2}", radius(g)) == format!("{:.2}", radius(best));
         assert!(prints(from + 1e-4) && !prints(from - 1e-4) && prints(to - 1e-4) && !prints(to + 1e-4));
     }

@@ -14,6 +14,7 @@ lab::worded! {
         Refused = "refused",
         Right = "right",
         Bug = "bug",
+        Unfinished = "unfinished",
         Wrong = "wrong",
     }
 }
@@ -27,6 +28,8 @@ pub enum Verdict {
     Right,
     /// It gives what a bug of the museum gives.
     Bug,
+    /// What stands there is right, and no line corrects the estimate or its covariance by the reading yet.
+    Unfinished,
     /// It gives something else.
     Wrong,
 }
@@ -37,6 +40,7 @@ impl From<Outcome> for Verdict {
             Outcome::Refused => Self::Refused,
             Outcome::Right => Self::Right,
             Outcome::Bug(_) => Self::Bug,
+            Outcome::Unfinished => Self::Unfinished,
             Outcome::Wrong => Self::Wrong,
         }
     }

@@ -19,7 +19,7 @@ pub(super) fn judged(program: &Program) -> Judged {
         verdict = Verdict { outcome: Outcome::Refused, line, sentences, breaks: false };
         faults.push(fault);
     }
-    let sound = faults.is_empty();
+    let sound = faults.is_empty() && verdict.outcome != Outcome::Unfinished;
     let observer = (sound && program.world() == World::Linear).then(|| observer::of(program)).flatten();
     if let Some(observer) = observer {
         let [first, second] = observer.gain;

@@ -128,18 +128,13 @@ fn parts(quantity: Quantity) -> &'static [(&'static str, &'static str)] {
 
 /// The last line before `at` that makes something of such a part's size, where no line makes the right one.
 fn unmade(theirs: &Steps, ours: &Steps, name: &str, at: u32) -> Option<u32> {
-    let right = |case: usize| {
-        let (_, step) = &ours.steps[ours.on(case)?];
-        step.made.iter().find(|made| ours.program.name(made) == name).map(|made| made.value())
-    };
     let made = |line: usize| {
         theirs.steps.iter().all(|(case, step)| {
-            let ours = right(*case);
-            step.made.get(line).zip(ours).is_some_and(|(a, b)| apart(a.value(), b) <= TOLERANCE)
+            step.made.get(line).zip(ours.line(*case, name)).is_some_and(|(a, b)| apart(a.value(), b) <= TOLERANCE)
         })
     };
     let (case, first) = theirs.steps.first()?;
-    let expected = right(*case)?;
+    let expected = ours.line(*case, name)?;
     let candidates = |line: &usize| {
         let value = first.made[*line].value();
         first.made[*line].line < at && (value.rows, value.columns) == (expected.rows, expected.columns)
@@ -148,14 +143,16 @@ fn unmade(theirs: &Steps, ours: &Steps, name: &str, at: u32) -> Option<u32> {
     (!(0..first.made.len()).any(made)).then(|| first.made[last].line)
 }
 
+/// Whether a formula has one of these names.
+pub(super) fn uses(formula: &Formula, names: &[String]) -> bool {
+    names.iter().any(|name| formula.name == *name) || formula.parts.iter().any(|part| uses(part, names))
+}
+
 /// The last line that uses the reading.
 fn last_use(of: &Steps) -> Option<u32> {
-    fn uses(formula: &Formula, letter: &str) -> bool {
-        formula.name == letter || formula.parts.iter().any(|part| uses(part, letter))
-    }
-    let letter = of.program.notation().letter(Quantity::Y);
+    let letter = [String::from(of.program.notation().letter(Quantity::Y))];
     let lines = of.program.tree(None).ok()?;
-    lines.iter().rev().find(|line| uses(&line.value, letter)).map(|line| line.lines[0])
+    lines.iter().rev().find(|line| uses(&line.value, &letter)).map(|line| line.lines[0])
 }
 
 pub(super) fn is_wrong(theirs: &Steps, ours: &Steps, off_first: &Off) -> Verdict {

@@ -78,10 +78,10 @@ pub const WRONG: [(&str, World, Notation, &str, &str); 22] = [
         "x is right in all cases",
     ),
     (
-        "the covariance is not updated",
+        "the covariance keeps its prediction",
         Linear,
         Choset,
-        "x = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)",
+        "x = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = P H' / S\nx = x + R (y - H x)\nP = P",
         "x is right in all cases",
     ),
     (
