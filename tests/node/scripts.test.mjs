@@ -13,9 +13,12 @@ const root = fileURLToPath(new URL('../..', import.meta.url))
 const home = mkdtempSync(path.join(tmpdir(), 'scripts-'))
 after(() => rmSync(home, { recursive: true }))
 
-/** Runs lines of bash after scripts/common.sh. */
+/**
+ * Runs lines of bash after scripts/common.sh, without the user's .bashrc: where its input is a socket, as a pipe of
+ * Node's is, bash may take itself for a remote shell and read that, and a PATH of its own comes before the test's.
+ */
 const bash = (lines, env = {}) =>
-  spawn('bash', ['-c', `. scripts/common.sh; ${lines}`], { cwd: root, env: { ...process.env, ...env } })
+  spawn('bash', ['--norc', '-c', `. scripts/common.sh; ${lines}`], { cwd: root, env: { ...process.env, ...env } })
 const ended = async (program) => {
   let said = ''
   program.stderr.on('data', (part) => {
@@ -65,7 +68,7 @@ test('a lock ends with the script that held it, however it ends', async () => {
   let below = ''
   while (!/\bsleep\b/.test(below)) {
     await new Promise((resolve) => setTimeout(resolve, 50))
-    below = spawnSync('ps', ['-o', 'pid=,args=', '--ppid', String(holder.pid)], { encoding: 'utf8' }).stdout
+    below = spawnSync('ps', ['-o', 'pid=,comm=', '--ppid', String(holder.pid)], { encoding: 'utf8' }).stdout
     assert.equal(holder.exitCode, null, 'the holder has ended')
   }
   assert.ok(readdirSync(home).includes('lock-killed'))
