@@ -145,7 +145,7 @@ fn unmade(theirs: &Steps, ours: &Steps, name: &str, at: u32) -> Option<u32> {
 
 /// Whether a formula has one of these names.
 pub(super) fn uses(formula: &Formula, names: &[String]) -> bool {
-    names.iter().any(|name| formula.name == *name) || formula.parts.iter().any(|part| uses(part, names))
+    names.contains(&formula.name) || formula.parts.iter().any(|part| uses(part, names))
 }
 
 /// The last line that uses the reading.
