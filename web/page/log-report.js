@@ -80,7 +80,7 @@ export class Report {
       'Results',
       heads,
       // What this log does not tell, such as the scale of ranges where there are none, is no result.
-      both((one) => [...results(spec, one), ...tested(one)]).filter(([, ...cells]) =>
+      both((one) => [...results(spec, one, Boolean(this.contents?.truth)), ...tested(one)]).filter(([, ...cells]) =>
         cells.some((cell) => cell !== '–'),
       ),
     )
@@ -216,13 +216,16 @@ function tested({ summary: { withheld } }) {
   ]
 }
 
-/** @param {any} spec the figure's @param {Frame} frame @returns {Words[][]} */
-function results(spec, frame) {
+/** Where the range's error is held against dead reckoning, for want of a truth, it is no result. */
+const OF_A_TRUTH = ['slope', 'offset', 'r2']
+
+/** @param {any} spec the figure's @param {Frame} frame @param {boolean} truth @returns {Words[][]} */
+function results(spec, frame, truth) {
   const { logLikelihood } = frame.summary
   /** @type {Words[][]} */
   const rows = [['Log-likelihood', logLikelihood === null ? '–' : likelihoodWords(logLikelihood)]]
   for (const { key, label, value, unit, shown } of spec.readouts(frame))
-    if (shown !== false)
+    if (shown !== false && (truth || !OF_A_TRUTH.includes(key)))
       rows.push([ALONE[key] ?? label, unit && value !== '–' ? `${grouped(value)}\u00a0${unit}` : grouped(value)])
   return rows
 }

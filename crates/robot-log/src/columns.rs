@@ -143,7 +143,9 @@ fn is_part(names: &[Name], w: usize, column: usize) -> bool {
 pub(crate) fn clockwise(names: &[Name], file: &str) -> bool {
     let file = file.to_lowercase();
     let px4 = ["vehicle_", "sensor_combined", "sensor_gps", "sensor_gyro", "estimator_"];
-    let ardupilot = names.iter().any(|name| name.words == ["time", "us"]);
+    // Others count microseconds as well: a log of ArduPilot has more of its names.
+    let called = |words: &[&str]| names.iter().any(|name| name.words == words);
+    let ardupilot = called(&["time", "us"]) && (called(&["gyr", "z"]) || called(&["spd"]) || called(&["g", "crs"]));
     let px4 = names.iter().any(|name| name.words == ["timestamp"]) && px4.iter().any(|topic| file.contains(topic));
     ardupilot || px4
 }
@@ -170,6 +172,12 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
     let column = source.columns[at]?;
     let (table, name) = (source.table.as_ref()?, source.names.get(column)?);
     let said = name.unit(value.quantity);
+    use Quantity::{Angle, AngleRate, Heading, Length, Speed, Spread};
+    let measured = matches!(value.quantity, Length | Spread | Speed | AngleRate | Angle | Heading);
+    // A unit that stands there and is not known is asked about.
+    if table.units && name.has_below() && measured && said.is_none() {
+        return None;
+    }
     let lines: Vec<Line<'_>> = table.lines(text).filter_map(Result::ok).take(LOOKED_AT).collect();
     let listed = |line: &Line<'_>| lists::parts(line.fields[column].text).iter().filter_map(|it| number(it)).collect();
     let numbers: Vec<f64> = lines.iter().flat_map(|line| -> Vec<f64> { listed(line) }).collect();
@@ -209,7 +217,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
         }
         Quantity::Spread if name.has_one(&VARIANCES) => usual(VARIANCE),
         Quantity::Spread => said.or_else(|| if most > 200.0 { None } else { usual("m") }),
-        Quantity::Speed => said.or_else(|| if most > 30.0 { None } else { usual("m/s") }),
+        // A speed over ground is often in knots.
+        Quantity::Speed => said.or_else(|| if most > 30.0 || name.has("sog") { None } else { usual("m/s") }),
         Quantity::AngleRate => {
             let degrees = match said {
                 Some(unit) => unit.name == "deg/s",

@@ -156,9 +156,8 @@ impl File {
         let unit = self.source.units.get(1).copied().flatten();
         let counted =
             unit.filter(|_| self.role() == Role::Encoders).and_then(|unit| self.jumps().note(&self.name, unit));
-        let own = self.role() == Role::Velocities && guess::is_own_pose(&self.source.names);
-        let own = own.then(|| notes::own_pose(&self.name));
-        self.others().into_iter().chain(counted).chain(self.left_speed()).chain(own).collect()
+        let frame = notes::frame(&self.name, &self.source);
+        self.others().into_iter().chain(counted).chain(self.left_speed()).chain(frame).collect()
     }
 
     /// What is said of it where it is not used.

@@ -41,6 +41,11 @@ impl Name {
         words.iter().any(|word| self.has(word))
     }
 
+    /// Whether words stand below the name.
+    pub fn has_below(&self) -> bool {
+        self.own < self.words.len()
+    }
+
     /// The unit that the name says, of those of a quantity.
     pub fn unit(&self, quantity: Quantity) -> Option<&'static Unit> {
         unit::written(quantity, &self.words).map(|(unit, _)| unit)
@@ -89,6 +94,15 @@ fn follows(way: Way<'_>, name: &Name, quantity: Quantity) -> bool {
         Way::First(word) => name.words.first().is_some_and(|first| first == word),
         Way::Within(words) => words.split(' ').all(|word| name.has(word)),
     }
+}
+
+/// Whether a text is a unit of some quantity and nothing else.
+pub(crate) fn is_unit(text: &str) -> bool {
+    use Quantity::{Angle, AngleRate, Length, Speed, Time};
+    let words = words(text);
+    [Time, Length, Speed, Angle, AngleRate]
+        .into_iter()
+        .any(|quantity| unit::written(quantity, &words).is_some_and(|(_, range)| range.len() == words.len()))
 }
 
 /// How far a number may be off.

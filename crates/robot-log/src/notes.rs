@@ -1,6 +1,10 @@
 //! What is said of a log that was read and still looks strange: sentences for its reader.
 
+use crate::columns::clockwise;
+use crate::guess;
 use crate::names::Name;
+use crate::role::Role;
+use crate::source::Source;
 use crate::stamps::Stamps;
 use estimate::drive::{Drive, Gaps, Missing};
 
@@ -111,9 +115,15 @@ impl Kept {
     }
 }
 
-/// Of a message of odometry the poses are no truth and no sensor's.
-pub(crate) fn own_pose(file: &str) -> String {
-    format!("{file}: its poses are what the robot has reckoned from these velocities, and are not read.")
+/// Of a message of odometry the poses are no truth and no sensor's; the axes of flight controllers are their own.
+pub(crate) fn frame(file: &str, source: &Source) -> Option<String> {
+    if source.role == Role::Velocities && guess::is_own_pose(&source.names) {
+        let what = "its poses are what the robot has reckoned from these velocities, and are not read.";
+        return Some(format!("{file}: {what}"));
+    }
+    let turned = source.units.iter().flatten().any(|unit| unit.name.ends_with("clockwise"));
+    let what = "read with the axes of PX4 and ArduPilot, forward, right and down: its turn rates are clockwise.";
+    (turned && clockwise(&source.names, file)).then(|| format!("{file}: {what}"))
 }
 
 /// What is said of a file that is not used.

@@ -2,6 +2,7 @@
 
 use crate::error::Error;
 use crate::fields::{Field, Line};
+use crate::names::is_unit;
 use crate::nested::nested;
 use crate::ros;
 use crate::row::number;
@@ -33,6 +34,8 @@ pub(crate) struct Table {
     separator: Separator,
     /// What the columns are called: by the line above the numbers, by the last comment above them, or by their number.
     pub names: Vec<String>,
+    /// Whether units stand below the names.
+    pub units: bool,
     /// Columns that hold nothing: their names are heads of those behind them.
     pub heads: Vec<usize>,
     /// Whether they have no other name than their number.
@@ -75,9 +78,12 @@ impl Table {
             // Within quotes a quote is written twice.
             let names = fields.into_iter().map(|name| beginning(name).replace("\"\"", "\"")).collect();
             let below = text.lines().take(rows as usize).skip(above as usize + 1).filter(|line| !is_empty(line));
-            let names = apart(names, below.collect(), separator);
+            let below: Vec<&str> = below.collect();
+            let units = below.iter().any(|line| split(line, separator).any(|(_, word)| is_unit(unquoted(word))));
+            let names = apart(names, below, separator, units);
             let words = text.lines().take(rows as usize).filter(|line| !is_empty(line) && !is_sep(line)).count() - 1;
-            let mut table = Self { separator, names, heads: Vec::new(), nameless: false, skipped: rows, words, fault };
+            let (heads, nameless, skipped) = (Vec::new(), false, rows);
+            let mut table = Self { separator, names, units, heads, nameless, skipped, words, fault };
             if let Some((names, heads)) = nested(&table.names, &table.empty(text)) {
                 (table.names, table.heads) = (names, heads);
             }
@@ -94,7 +100,16 @@ impl Table {
         // Numbers have no blanks in them, so that tabs among blanks are blanks too.
         let numbers = fields.iter().all(|field| is_number(field));
         let separator = if separator == Separator::Char('\t') && numbers { Separator::Blanks } else { separator };
-        Some(Self { separator, names: named, heads: Vec::new(), nameless, skipped: above, words: 0, fault: None })
+        Some(Self {
+            separator,
+            names: named,
+            units: false,
+            heads: Vec::new(),
+            nameless,
+            skipped: above,
+            words: 0,
+            fault: None,
+        })
     }
 
     /// Which columns hold nothing in the first rows.
@@ -152,8 +167,9 @@ fn first_row(text: &str, above: u32, columns: usize, separator: Separator) -> (u
     near.map_or_else(|| (above + 1, below().next().map_or("", |(_, line)| line)), |(i, line)| (i as u32, line))
 }
 
-/// Columns of one name are told apart by the words that stand below it: a unit, a device.
-fn apart(names: Vec<String>, below: Vec<&str>, separator: Separator) -> Vec<String> {
+/// Columns of one name are told apart by the words that stand below it: a unit, a device. A line of units says each
+/// column's.
+fn apart(names: Vec<String>, below: Vec<&str>, separator: Separator, units: bool) -> Vec<String> {
     if below.is_empty() {
         return names;
     }
@@ -163,7 +179,11 @@ fn apart(names: Vec<String>, below: Vec<&str>, separator: Separator) -> Vec<Stri
     let told = |(i, name): (usize, &String)| {
         let said: Vec<&str> =
             words.iter().filter_map(|line| line.get(i).copied()).filter(|it| !it.is_empty()).collect();
-        if said.is_empty() || alone(name) { name.clone() } else { format!("{name}{BELOW}{}", said.join(", ")) }
+        if said.is_empty() || (alone(name) && !units) {
+            name.clone()
+        } else {
+            format!("{name}{BELOW}{}", said.join(", "))
+        }
     };
     names.iter().enumerate().map(told).collect()
 }

@@ -98,3 +98,33 @@ fn a_log_without_a_reading_that_is_used_is_refused() {
     let off = Settings { fixes: false, ..Settings::default() };
     assert_eq!(Verdict::new(&drive, off).expect_err("dead reckoning").code, Code::Limit);
 }
+
+/// Fixes that are better than they are said to be: with the right σ the estimate follows them more closely, and is a
+/// little farther off by chance.
+#[test]
+fn a_sigma_is_mended_for_its_claim_and_not_for_the_error() {
+    let mut seed = 11_u64;
+    let mut unit = || {
+        seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (seed >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    // The sum of twelve is nearly normal.
+    let mut normal = || (0..12).map(|_| unit()).sum::<f64>() - 6.0;
+    let mut text = String::new();
+    let (mut x, mut y, mut theta) = (0.0_f64, 0.0_f64, 0.0_f64);
+    for i in 0..3000 {
+        let (time, v, omega) = (f64::from(i) / 10.0, 1.2, 0.1 * (f64::from(i) / 150.0).sin());
+        text += &format!("G,{time},{x},{y},{theta}\nV,{time},{v},{omega}\n");
+        if i % 10 == 0 {
+            text += &format!("P,{time},{},{}\n", x + 0.4 * normal(), y + 0.4 * normal());
+        }
+        x += 0.1 * v * theta.cos() + 0.003 * normal();
+        y += 0.1 * v * theta.sin() + 0.003 * normal();
+        theta += 0.1 * omega + 0.001 * normal();
+    }
+    let judgement = verdict(&text, Settings::default());
+    let first = &judgement.suspects[0];
+    assert!(!judgement.other && first.fault == Fault::Sigma, "{first:?}");
+    assert_eq!(first.number, Some(Fitted::SigmaFix));
+    assert!((first.sizes[0].value - 0.4).abs() < 0.05, "{first:?}");
+}

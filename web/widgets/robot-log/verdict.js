@@ -41,9 +41,9 @@ const NAMES = {
 
 /**
  * @param {LogJudgement} judgement
- * @param {{ rows: number, truth: boolean }} log
+ * @param {{ rows: number, truth: boolean, steps?: boolean }} log `steps`: it moves by distances and turns
  */
-export function ranked(judgement, { rows, truth }) {
+export function ranked(judgement, { rows, truth, steps = false }) {
   const { suspects, readings, ungated, other } = judgement
   const [first] = suspects
   const own = suspects.filter((suspect) => suspect.own)
@@ -53,7 +53,7 @@ export function ranked(judgement, { rows, truth }) {
     ungated ? 'The gate refuses more than one reading in ten, which hides a fault: it is off for this verdict.' : '',
     sound
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
-        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.`
+        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.${steps ? UNSOUGHT : ''}`
       : other
         ? foreign(judgement)
         : named(judgement, truth),
@@ -64,6 +64,9 @@ export function ranked(judgement, { rows, truth }) {
   ]
   return parts.filter((part) => part !== '').join(' ')
 }
+
+/** Their turns and distances have no scale to learn. */
+const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
 
 /** @param {LogJudgement} judgement @param {boolean} truth */
 function named({ suspects: [first, ...others], beside }, truth) {
@@ -184,7 +187,7 @@ export function sentence(suspect, truth) {
   }
   if (fault === 'mirrored')
     return (
-      'The turns have the wrong sign: read them as clockwise, or change their sign in the file. ' +
+      'The turns have the wrong sign: choose the unit of ω that turns the other way, or change their sign in the file. ' +
       'If they are right, x and y of the places are exchanged.'
     )
   const [size, second] = sizes

@@ -12,6 +12,7 @@ use alloc::vec::Vec;
 
 /// A mended filter that is farther from the truth than before, by this ratio, is not mended.
 const WORSE: f64 = 1.05;
+const FOR_THE_CLAIM: f64 = 1.3;
 /// One with a NEES beyond this still has a fault, unless the error has fallen by this ratio meanwhile.
 const WILD: f64 = 20.0;
 const BETTER: f64 = 0.9;
@@ -49,11 +50,14 @@ pub struct Judgement {
 }
 
 /// Whether the truth says that a remedy is none: neither the error nor what is claimed of it gets better, or the error
-/// grows, or the filter stays as far from its claims as nothing but another fault explains.
-pub(crate) fn refuted(before: &Against, after: &Against) -> bool {
+/// grows, or the filter stays as far from its claims as nothing but another fault explains. A σ is mended for the sake
+/// of the claim: where that is twice as near, the error may grow a little.
+pub(crate) fn refuted(fault: Fault, before: &Against, after: &Against) -> bool {
     let far = |against: &Against| libm::log(against.nees / EXPECTED).abs();
     let (share, farther) = (after.rmse / before.rmse, far(after) >= far(before));
-    share > WORSE || (share >= 1.0 && farther) || (after.nees > WILD && share > BETTER)
+    let claims = fault == Fault::Sigma && far(after) + core::f64::consts::LN_2 < far(before);
+    let worse = if claims { FOR_THE_CLAIM } else { WORSE };
+    share > worse || (share >= 1.0 && farther) || (after.nees > WILD && share > BETTER)
 }
 
 /// By how much the readings of a round are likelier for a robot that turns on its way, where that is more than any

@@ -267,7 +267,7 @@ impl Verdict {
             let mended =
                 Evidence::new(drive, &as_mended(place, &self.own), self.scope.rows).ok().and_then(|it| it.against);
             self.suspects[i].mended = mended;
-            if mended.is_none_or(|after| !refuted(&before, &after)) {
+            if mended.is_none_or(|after| !refuted(self.suspects[i].fault, &before, &after)) {
                 self.suspects[..=i].rotate_right(1);
                 return;
             }
