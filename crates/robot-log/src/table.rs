@@ -81,7 +81,9 @@ impl Table {
             let below: Vec<&str> = below.collect();
             let units = below.iter().any(|line| split(line, separator).any(|(_, word)| is_unit(unquoted(word))));
             let names = apart(names, below, separator, units);
-            let words = text.lines().take(rows as usize).filter(|line| !is_empty(line) && !is_sep(line)).count() - 1;
+            let words = text.lines().take(rows as usize).filter(|line| !is_empty(line) && !is_sep(line)).count()
+                - 1
+                - usize::from(units);
             let (heads, nameless, skipped) = (Vec::new(), false, rows);
             let mut table = Self { separator, names, units, heads, nameless, skipped, words, fault };
             if let Some((names, heads)) = nested(&table.names, &table.empty(text)) {
