@@ -187,8 +187,9 @@ export async function comeTo(page, selector, sign) {
  * alive.
  */
 export async function walkDown(page) {
-  // What the page does when it is idle comes first: some of its scripts begin to watch the screen then.
-  await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve)))
+  // What the page does when it is idle comes first: some of its scripts begin to watch the screen then. On a machine
+  // that is never idle they do not wait for ever either (web/page/page.js).
+  await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve, { timeout: 5000 })))
   await page.waitForLoadState('networkidle')
   await page.evaluate(async () => {
     const frame = () => new Promise((resolve) => requestAnimationFrame(resolve))

@@ -131,7 +131,7 @@ test('track and innovations come as CSV, and a link carries the settings and not
   await told(page, 'ranges').getByLabel('used', { exact: true }).check()
   await until(it, ({ summary }) => summary.used === 2, 'the filter')
   for (const [name, head, rows] of [
-    ['track', /^time,x,y,theta/, 3],
+    ['filter’s track', /^time,x,y,theta/, 3],
     ['innovations', /^time,sensor,landmark,measured/, 3],
   ]) {
     const [download] = await Promise.all([

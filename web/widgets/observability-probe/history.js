@@ -10,7 +10,7 @@ export function drawTrace(panel, { series }) {
   panel.pen.draw(
     (pen) =>
       void timePlot(pen, panel, {
-        title: 'tr {P} (m² and rad² added); dashed: two, ranges only',
+        title: 'tr {P} (m² + rad²); dashed: two, ranges only',
         steps: series.step,
         log: true,
         lines: [
