@@ -148,7 +148,7 @@ test('a turned compass, turns of the wrong sign, and scale and offset together h
   )
   assert.match(
     of({ fault: 'mirrored', name: null, sizes: [] }),
-    /^The turns have the wrong sign: read them as clockwise/,
+    /^The turns have the wrong sign: choose the unit of ω that turns the other way/,
   )
   const sizes = [
     { now: 0.0395, value: 0.03, sigma: 0.00055 },

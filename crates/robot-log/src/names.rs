@@ -1,7 +1,7 @@
 //! The names of columns as words: in small letters, without accents, parted at points, blanks, capitals and digits.
 
+use crate::nested::BELOW;
 use crate::role::Quantity;
-use crate::table::BELOW;
 use crate::unit::{self, Unit};
 use crate::vocabulary::{FORBIDDEN, Spread, Way, ways};
 use core::cmp::Ordering;

@@ -1,6 +1,9 @@
 //! Names of columns that stand below another's. Some exports of ROS write `position,x,y,z,orientation,x,y,z,w`, where
 //! the columns of `position` and `orientation` are empty and the others go by names that occur twice.
 
+/// Between the name of a column and the words below it, where these say its unit or tell it from others of its name.
+pub(crate) const BELOW: &str = " · ";
+
 /// The names, each behind those that it stands below, as in `orientation.w`, and the columns of these heads. `empty`
 /// says which columns hold nothing. `None` where no name occurs twice.
 pub(crate) fn nested(names: &[String], empty: &[bool]) -> Option<(Vec<String>, Vec<usize>)> {

@@ -3,16 +3,13 @@
 use crate::error::Error;
 use crate::fields::{Field, Line};
 use crate::names::is_unit;
-use crate::nested::nested;
+use crate::nested::{BELOW, nested};
 use crate::ros;
 use crate::row::number;
 use crate::stamp;
 
 /// The rows whose numbers are looked at to find out what they are.
 pub(crate) const LOOKED_AT: usize = 200;
-
-/// Between the name of a column and the words below it, where these tell it from others of its name.
-pub(crate) const BELOW: &str = " · ";
 
 /// The most columns of a table.
 const MAX_COLUMNS: usize = 1024;

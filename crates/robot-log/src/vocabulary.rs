@@ -44,7 +44,8 @@ const WAYS: [(&str, &str); 19] = [
     (
         "time",
         "header stamp sec,header stamp secs,header stamp,=stamp sec,=stamp secs,=time,=times,=timestamp,=t,=stamp,\
-         =zeit,=temps,=tiempo,=tempo,=zeitstempel,=sec,=secs,=seconds,=utc,=clock,=datetime,=date time,timestamp,time stamp,stamp,time,\
+         =zeit,=temps,=tiempo,=tempo,=zeitstempel,=sec,=secs,=seconds,=utc,=clock,=datetime,=date time,timestamp,\
+         time stamp,stamp,time,\
          seconds elapsed,elapsed,zeit,zeitstempel,uhrzeit,temps,horodatage,heure,tiempo,hora,tempo,ora,sec,secs,\
          seconds,clock,t",
     ),

@@ -15,7 +15,10 @@
  * @property {number | null} touched when the reading was that the reader has touched, seconds since the log's first row
  * @property {LogFrame | null} kept A
  */
-/** @typedef {LogFrame & { looks?: Looks, log?: { motion: string } }} Frame with the contents of its log, one object for a log */
+/**
+ * @typedef {LogFrame & { looks?: Looks, log?: { motion: string } }} Frame with the contents of its log, one object for
+ * a log
+ */
 
 /** @type {Looks} */
 export const NOTHING = { window: null, source: null, touched: null, kept: null }

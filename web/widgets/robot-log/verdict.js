@@ -53,7 +53,8 @@ export function ranked(judgement, { rows, truth, steps = false }) {
     ungated ? 'The gate refuses more than one reading in ten, which hides a fault: it is off for this verdict.' : '',
     sound
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
-        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.${steps ? UNSOUGHT : ''}`
+        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.` +
+        (steps ? UNSOUGHT : '')
       : other
         ? foreign(judgement)
         : named(judgement, truth),
@@ -187,7 +188,8 @@ export function sentence(suspect, truth) {
   }
   if (fault === 'mirrored')
     return (
-      'The turns have the wrong sign: choose the unit of ω that turns the other way, or change their sign in the file. ' +
+      'The turns have the wrong sign: choose the unit of ω that turns the other way, or change their sign ' +
+      'in the file. ' +
       'If they are right, x and y of the places are exchanged.'
     )
   const [size, second] = sizes
