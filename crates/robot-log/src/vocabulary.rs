@@ -65,8 +65,8 @@ const WAYS: [(&str, &str); 19] = [
     ),
     (
         "v",
-        "linear x,=v,=vx,=speed,=spd,=sog,speed,forward,=geschwindigkeit,linear,velocity,vel,spd,v x,vx,^v,geschwindigkeit,\
-         fahrgeschwindigkeit,vitesse,velocidad,velocita",
+        "linear x,=v,=vx,=speed,=spd,=sog,speed,forward,=geschwindigkeit,linear,velocity,vel,spd,v x,vx,^v,\
+         geschwindigkeit,fahrgeschwindigkeit,vitesse,velocidad,velocita",
     ),
     (
         "distance",
