@@ -2,14 +2,17 @@ import { check } from './claims.mjs'
 import { claims } from './own-system-claims.mjs'
 
 const four = (rows) => Array.from({ length: 4 }, (_, i) => Array.from({ length: 4 }, (_, j) => rows[i]?.[j] ?? 0))
+/** A place and its speed, every half second. */
+const CONSTANT_VELOCITY = four([
+  [1, 0.5],
+  [0, 1],
+])
+
 check(
   'own-system',
   {
     f: [
-      four([
-        [1, 0.5],
-        [0, 1],
-      ]),
+      CONSTANT_VELOCITY,
       four([
         [0.5, 0],
         [0, 1],
@@ -58,12 +61,7 @@ check(
 check(
   'own-system',
   {
-    f: [
-      four([
-        [1, 0.5],
-        [0, 1],
-      ]),
-    ],
+    f: [CONSTANT_VELOCITY],
     v: [0.1, 0.125, 0.15].map((place) =>
       four([
         [place * place, 0.5 * place],
