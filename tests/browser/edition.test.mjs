@@ -99,7 +99,7 @@ test('without a store an open page says that there is a new edition, and a reloa
     await reload.click()
     await page.locator('h1[data-edition=new]').waitFor({ state: 'attached' })
     await page.locator('observability-probe[data-state=live]').first().waitFor()
-    await quiet(page, 90)
+    await quiet(page)
     assert.ok(
       Math.abs((await top()) - before) < 29,
       `the place: ${await top()} px from the top after, ${before} before`,

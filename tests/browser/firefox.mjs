@@ -34,14 +34,18 @@ if (firefox) {
       headless: true,
       defaultViewport: null,
       args: ['--width=1280', '--height=900'],
+      timeout: HANGS_MS,
+      protocolTimeout: HANGS_MS,
     })
     page = await browser.newPage()
+    page.setDefaultTimeout(HANGS_MS)
+    page.setDefaultNavigationTimeout(HANGS_MS)
     page.on('console', (message) => {
       const text = message.text()
       if (message.type() === 'error' && !(leaving && CUT_OFF.test(text))) complaints.push(text)
     })
     page.on('pageerror', (error) => complaints.push(String(error)))
-    await page.goto(`${site.url}kalman/`, { timeout: HANGS_MS })
+    await page.goto(`${site.url}kalman/`)
   })
   after(async () => {
     await browser?.close()

@@ -6,7 +6,7 @@ import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
 import lighthouse from 'lighthouse'
 import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, chromiumPath, dist } from './places.mjs'
+import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, HANGS_MS } from './places.mjs'
 
 /** A served site and a browser that Lighthouse can drive. `run` gives Lighthouse's report on a page. */
 export async function tower() {
@@ -18,6 +18,7 @@ export async function tower() {
   const browser = await chromium.launch({
     executablePath: chromiumPath(),
     args: [...CHROMIUM_FLAGS, `--remote-debugging-port=${port}`],
+    timeout: HANGS_MS,
   })
   return {
     run: async (at, options = {}) =>

@@ -178,7 +178,7 @@ test('a link to a derivation opens it, and once more where it was closed again',
   const block = page.locator('#der-bias')
   for (const time of ['first', 'second']) {
     await page.locator('main a[href="#der-bias"]').first().click()
-    await page.locator('#der-bias[open]').waitFor({ timeout: 10_000 })
+    await page.locator('#der-bias[open]').waitFor()
     assert.ok(await block.locator('.derivation-body').isVisible(), `the ${time} time`)
     await block.evaluate((it) => it.removeAttribute('open'))
   }

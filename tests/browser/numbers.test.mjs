@@ -2,7 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { open, quiet } from './harness.mjs'
-import { listening, popover, rest, resting } from './popover.mjs'
+import { listening, popover, rest } from './popover.mjs'
 
 /** The list of the chapter's numbers, by id. */
 const entries = (page) =>
@@ -64,7 +64,7 @@ test('a number shows what computes it and which check pins it, hovered, focused,
   const at = ids.findIndex((id) => listed[id].check)
   assert.ok(at >= 0, 'there is a number in the text that a check pins')
   await pinned.nth(at).scrollIntoViewIfNeeded()
-  await resting(pinned.nth(at))
+  await quiet(page)
   await pinned.nth(at).hover()
   assert.match(await says(ids[at]), /\/check\/(index\.html)?#check-\d+$/)
   // The mouse can go into it and follow the link to the check.
@@ -80,7 +80,7 @@ test('a number shows what computes it and which check pins it, hovered, focused,
   // Digits inside a formula.
   const digits = page.locator('main .katex [data-number]:not(math *)').locator('visible=true').first()
   await digits.scrollIntoViewIfNeeded()
-  await resting(digits)
+  await quiet(page)
   await digits.hover()
   await says(await digits.getAttribute('data-number'))
   await rest(page)

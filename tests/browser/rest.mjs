@@ -1,4 +1,5 @@
 // How a page comes to rest: nothing loads, moves, fades or computes any more.
+import { HANGS_MS } from './places.mjs'
 
 /** Waits until the whole book is kept for reading offline. */
 export const keptOffline = (page) =>
@@ -27,7 +28,7 @@ export async function turn(page, theme) {
  */
 export async function quiet(page, frames = 20, held = false) {
   await page.evaluate(
-    async ([wanted, holds]) => {
+    async ([wanted, holds, hangs]) => {
       const look = () => {
         const { scrollHeight, clientWidth } = document.documentElement
         const onScreen = ({ top, bottom }) => bottom > 0 && top < innerHeight
@@ -49,20 +50,27 @@ export async function quiet(page, frames = 20, held = false) {
           (it) => !it.complete && it.checkVisibility() && onScreen(it.getBoundingClientRect()),
         )
         const works = figures.some(([state, settled]) => (state === 'loading' ? !holds : settled === false))
-        return moves || missing || works ? null : JSON.stringify([scrollX, scrollY, scrollHeight, clientWidth, figures])
+        return {
+          state:
+            moves || missing || works ? null : JSON.stringify([scrollX, scrollY, scrollHeight, clientWidth, figures]),
+          ends: moves || works,
+        }
       }
       await document.fonts.ready
       let before = null
+      const began = performance.now()
       // What never rests (a figure that plays, a picture that does not come) is looked at as it is, after ten times as
-      // many frames.
-      for (let held = 0, seen = 0; held < wanted && seen < Math.max(120, 10 * wanted); seen++) {
+      // many frames; what computes or fades is waited for.
+      for (let held = 0, seen = 0; held < wanted && seen < Math.max(120, 10 * wanted); ) {
         await new Promise((resolve) => requestIdleCallback(resolve, { timeout: 500 }))
         await new Promise((resolve) => requestAnimationFrame(resolve))
-        const now = look()
+        const { state: now, ends } = look()
         held = now !== null && now === before ? held + 1 : 0
         before = now
+        if (!ends) seen++
+        if (performance.now() - began > hangs) throw new Error('The page never comes to rest.')
       }
     },
-    [frames, held],
+    [frames, held, HANGS_MS],
   )
 }

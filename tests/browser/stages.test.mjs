@@ -2,7 +2,7 @@
 // pictures at the heads are in the reader's hand.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { comeTo, DESKTOP, figure, open, openFigure, PHONE, quiet } from './harness.mjs'
+import { comeTo, DESKTOP, figure, open, openFigure, PHONE, quiet, unlock } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 /** The parts of a figure that are there, by name. */
@@ -45,6 +45,25 @@ test('the Bench opens with its ellipse and its knob, and its words and buttons b
   assert.equal((await there(page, '#fig-bench')).length, 7)
 })
 
+for (const [id, tag, later] of [
+  ['fig-picture', 'picture', 'axis'],
+  ['fig-probe', 'observability-probe', 'trace'],
+])
+  test(`${id} opens small too, and its buttons bring the rest`, async (t) => {
+    const page = await open(t)
+    await figure(page, tag)
+    await unlock(page, id)
+    const [panel, tools] = [`.panel-${later}`, '.figure-tools'].map((part) => page.locator(`#${id} .live ${part}`))
+    assert.ok(!(await panel.isVisible()) && !(await tools.isVisible()), 'it is small')
+    const grow = page.locator(`#${id} .grow-list button`).filter({ visible: true }).first()
+    await grow.click()
+    await panel.waitFor()
+    assert.ok(!(await tools.isVisible()))
+    await grow.click()
+    await tools.waitFor()
+    assert.equal(await page.locator(`#${id} .grow-list :visible`).count(), 0, 'nothing is left to show')
+  })
+
 test('a link to a state opens the whole figure, and so does its own page', async (t) => {
   const state = Buffer.from(JSON.stringify([1, 'observer-bench', 3, {}])).toString('base64url')
   const page = await open(t, { at: `kalman/?fig-bench=${state}#fig-bench` })
@@ -74,6 +93,7 @@ test('on a phone the ellipse stays in sight while the knob is turned, and one bu
 
 test('on a phone held across, each figure’s picture stays in sight beside its last slider', async (t) => {
   const across = { width: PHONE.height, height: PHONE.width }
+  let beside = 0
   for (const name of Object.keys(WIDGETS)) {
     const { page } = await openFigure(t, name, { viewport: across, touch: true })
     const pin = page.locator('.live > [data-pin]')
@@ -84,8 +104,10 @@ test('on a phone held across, each figure’s picture stays in sight beside its 
     const [picture, hand] = await Promise.all([pin.boundingBox(), sliders.last().boundingBox()])
     assert.ok(picture.x + picture.width <= hand.x, `${name}: beside one another`)
     assert.ok(picture.y >= -1 && picture.y + picture.height <= across.height, `${name}: from ${picture.y} px`)
+    beside += 1
     await page.close()
   }
+  assert.ok(beside > 5, `${beside} figures`)
 })
 
 test('on a phone what is said stays in sight by the hand, and covers neither picture nor hand', async (t) => {
@@ -146,6 +168,7 @@ test('on a phone the Bench’s variances come between the ellipse and the knob t
 })
 
 test('what is being computed is told in a line of its own, over no picture', async (t) => {
+  let told = 0
   for (const viewport of [DESKTOP, PHONE])
     for (const name of Object.keys(WIDGETS)) {
       const spec = await WIDGETS[name]()
@@ -169,8 +192,10 @@ test('what is being computed is told in a line of its own, over no picture', asy
         const apart = y >= bar.y + bar.height || y + tall <= bar.y || x >= bar.x + bar.width || x + width <= bar.x
         assert.ok(apart || viewport === PHONE, `${name}: over ${await panel.getAttribute('class')}`)
       }
+      told += 1
       await page.close()
     }
+  assert.ok(told > 2, `${told} figures`)
 })
 
 for (const name of ['odometry-hook', 'picture', 'observability-probe', 'tune', 'loop-closure', 'bug-museum'])

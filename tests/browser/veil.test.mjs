@@ -1,7 +1,7 @@
 // A veil on a figure far above the place where a page comes up moves nothing: in the chapter, where such figures are.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { open, quiet } from './harness.mjs'
+import { open, PHONE, quiet } from './harness.mjs'
 
 test('a veil on a page that comes up at a place below it moves nothing', async (t) => {
   const page = await open(t, {
@@ -44,4 +44,18 @@ test('a figure keeps its height when it is answered, and a reader who skips at i
   const after = await box()
   assert.ok(Math.abs(after.height - before.height) < 2, `${before.height} px, then ${after.height}`)
   assert.ok(Math.abs(after.top - before.top) < 2, `its top at ${before.top}, then at ${after.top}`)
+})
+
+test('on a phone a reader who skips in the question keeps the figure in sight', async (t) => {
+  const page = await open(t, { at: 'kalman/#fig-museum', viewport: PHONE, touch: true })
+  const form = page.locator('#quiz-museum-gate')
+  await form.getByRole('button', { name: /^Skip/ }).scrollIntoViewIfNeeded()
+  await quiet(page)
+  const top = () => page.locator('#fig-museum .widget').evaluate((it) => it.getBoundingClientRect().top)
+  const before = await top()
+  await form.getByRole('button', { name: /^Skip/ }).tap()
+  await page.locator('#quiz-museum-gate[data-answered="shown"]').waitFor()
+  await quiet(page)
+  const after = await top()
+  assert.ok(after <= before + 2 && after < PHONE.height, `the figure at ${before} px, then at ${after}`)
 })

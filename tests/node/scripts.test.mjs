@@ -8,6 +8,7 @@ import { once } from 'node:events'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { HANGS_MS } from '../browser/places.mjs'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
 const home = mkdtempSync(path.join(tmpdir(), 'scripts-'))
@@ -27,22 +28,38 @@ const ended = async (program) => {
   const [status] = await once(program, 'close')
   return { status, said }
 }
+/** Waits until a program has said this. @param {RegExp} words */
+const says = (program, words) =>
+  new Promise((resolve) => {
+    let said = ''
+    program.stderr.on('data', (part) => {
+      said += part
+      if (words.test(said)) resolve(said)
+    })
+  })
 
 test('of two scripts under one lock the second waits, and says so', async () => {
-  const [lock, log] = [path.join(home, 'lock'), path.join(home, 'log')]
+  const [lock, log, go] = ['lock', 'log', 'go'].map((name) => path.join(home, name))
   const run = (name) =>
     bash(
-      `work() { echo '${name} in' >>'${log}'; sleep 0.5; echo '${name} out' >>'${log}'; }; ` +
+      `work() { echo '${name} in' >>'${log}'; until [ -e '${go}' ]; do sleep 0.05; done; echo '${name} out' >>'${log}'; }; ` +
         `alone '${lock}' 'the other' work`,
     )
-  const both = await Promise.all([ended(run('a')), ended(run('b'))])
+  const first = run('a')
+  while (!existsSync(log)) {
+    await new Promise((resolve) => setTimeout(resolve, 50))
+    assert.equal(first.exitCode, null, 'the first has ended')
+  }
+  const second = run('b')
+  const both = [ended(first), ended(second)]
+  // The first holds the lock until the second has said that it waits.
+  await says(second, /Waiting for the other to end/)
+  writeFileSync(go, '')
   assert.deepEqual(
-    both.map(({ status }) => status),
+    (await Promise.all(both)).map(({ status }) => status),
     [0, 0],
   )
-  const [first, second] = readFileSync(log, 'utf8')[0] === 'a' ? ['a', 'b'] : ['b', 'a']
-  assert.equal(readFileSync(log, 'utf8'), `${first} in\n${first} out\n${second} in\n${second} out\n`)
-  assert.match(both.map(({ said }) => said).join(''), /Waiting for the other to end/)
+  assert.equal(readFileSync(log, 'utf8'), 'a in\na out\nb in\nb out\n')
 })
 
 test('in a checkout that cannot be written to every script says so in a sentence', () => {
@@ -151,7 +168,7 @@ const buildIn = (folder, env) =>
   spawnSync('bash', ['scripts/build', '--module'], {
     cwd: folder,
     encoding: 'utf8',
-    timeout: 60_000,
+    timeout: HANGS_MS,
     env: { ...process.env, ...env },
   })
 
@@ -246,7 +263,7 @@ test('an argument that a script does not know stops it at once', () => {
     const { status, stderr } = spawnSync('bash', [`scripts/${script}`, argument], {
       cwd: root,
       encoding: 'utf8',
-      timeout: 60_000,
+      timeout: HANGS_MS,
     })
     assert.equal(status, 1, script)
     assert.match(stderr, /knows|know /, script)

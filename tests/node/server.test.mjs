@@ -10,6 +10,7 @@ import { once } from 'node:events'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { HANGS_MS } from '../browser/places.mjs'
 import { WORKER_POLICY, serve } from '../../scripts/static-server.mjs'
 
 const root = fileURLToPath(new URL('../..', import.meta.url))
@@ -161,7 +162,7 @@ test('a port that is none is refused before anything is built', () => {
     const { status, stderr } = spawnSync('bash', ['scripts/serve', `--port=${port}`], {
       cwd: root,
       encoding: 'utf8',
-      timeout: 20_000,
+      timeout: HANGS_MS,
     })
     assert.equal(status, 1, port)
     assert.match(stderr, /whole number from 0 to 65535/, port)

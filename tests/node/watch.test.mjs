@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs'
 import { tmpdir } from 'node:os'
 import path from 'node:path'
+import { HANGS_MS } from '../browser/places.mjs'
 import { Rebuilder } from '../../scripts/rebuild.mjs'
 import { serve } from '../../scripts/static-server.mjs'
 
@@ -47,7 +48,7 @@ test('a page is sent with the script that waits for a build, and the worker keep
   assert.match(await (await fetch(`${site.url}sw.js`)).text(), /unregister/)
 })
 
-test('a change is built and told, a fault with its words, and the repair too', { timeout: 60_000 }, async () => {
+test('a change is built and told, a fault with its words, and the repair too', { timeout: HANGS_MS }, async () => {
   writeFileSync(path.join(home, 'content/a.md'), 'two words')
   assert.deepEqual(await told(), { name: 'built', data: '' })
   writeFileSync(path.join(home, 'content/a.md'), 'wrong')

@@ -8,7 +8,7 @@ import { after } from 'node:test'
 import { fileURLToPath } from 'node:url'
 import { promisify } from 'node:util'
 import { serve } from '../../scripts/static-server.mjs'
-import { CHROMIUM_FLAGS, chromiumPath } from '../browser/places.mjs'
+import { CHROMIUM_FLAGS, chromiumPath, HANGS_MS } from '../browser/places.mjs'
 
 export const root = fileURLToPath(new URL('../..', import.meta.url))
 const { chromium } = createRequire(new URL('../browser/package.json', import.meta.url))('playwright-core')
@@ -53,9 +53,11 @@ export const NAME = /\[package\.metadata\.npm\]\nname = "(.+)"/.exec(
 /** Serves a folder, opens a page of it in Chromium, and answers what the page puts into `window.answer`. */
 export async function answerOf(place, page = 'index.html') {
   const server = await serve({ folder: place })
-  const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
+  const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS, timeout: HANGS_MS })
   try {
     const tab = await browser.newPage()
+    tab.setDefaultTimeout(HANGS_MS)
+    tab.setDefaultNavigationTimeout(HANGS_MS)
     const faults = []
     tab.on('console', (message) => {
       if (['error', 'warning'].includes(message.type())) faults.push(message.text())
@@ -68,9 +70,7 @@ export async function answerOf(place, page = 'index.html') {
     const failed = new Promise((_, reject) => {
       tab.on('pageerror', (error) => reject(error))
     })
-    const answered = tab
-      .waitForFunction(() => window.answer, null, { timeout: 60_000 })
-      .then((handle) => handle.jsonValue())
+    const answered = tab.waitForFunction(() => window.answer).then((handle) => handle.jsonValue())
     const answer = await Promise.race([answered, failed]).catch((error) => {
       throw new Error(`${error.message}\n${faults.join('\n')}`)
     })

@@ -11,10 +11,16 @@ import { ellipsePath, evenPlane, seriesPath } from '../draw/plot.js'
 
 const SIZE = { width: 300, height: 190 }
 
-/** The picture as SVG. @param {string} pkg the module's build for Node */
+/**
+ * The picture as SVG. The ellipse leans to the other side than that of the figures, whose question is where it touches.
+ * @param {string} pkg the module's build for Node
+ */
 export function vignette(pkg) {
   const { Picture } = createRequire(import.meta.url)(join(pkg, 'estimate_wasm.js'))
-  const lab = Picture.from({ version: 1, lab: 'picture', step: 0, params: { noise: 0 } })
+  const open = (/** @type {object} */ params) => Picture.from({ version: 1, lab: 'picture', step: 0, params })
+  const figures = open({})
+  const lab = open({ noise: 0, angle: Math.PI - figures.frame().params.angle })
+  figures.free()
   const {
     params: { mean, reading },
     predicted,

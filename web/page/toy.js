@@ -82,6 +82,7 @@ function touching(svg) {
     at: () => [0, place() / scaleOf(svg)],
     move: (_, y) => set((y * scaleOf(svg) - mean[1]) / far),
     nudge: (dx, dy) => set(share - (0.05 * (dy || dx)) / Math.sign(far)),
+    jump: (end) => set((end === 'home') === far > 0 ? most : least),
   })
   show()
 }

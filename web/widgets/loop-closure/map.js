@@ -2,12 +2,13 @@
 
 import { followed } from '../../draw/camera.js'
 import { drawBuilding, drawRobot } from '../../draw/building.js'
-import { clear, drawLabels } from '../../draw/labels.js'
+import { along as outline, clear, drawLabels } from '../../draw/labels.js'
 import {
   arrow,
   dot,
   ellipseLevel,
   ellipsePath,
+  ellipsePoints,
   halves,
   meaning,
   scaleBar,
@@ -21,7 +22,8 @@ import { pairOf } from './pair.js'
 /** @typedef {import('../../draw/pen.js').Pen} Pen */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
 
-const FOOT = 20
+/** What the words below the map take of it, pixels. */
+export const FOOT = 20
 /** The closing step moves landmarks by centimetres: its arrows are drawn so many times as long. */
 export const LONGER = 5
 
@@ -169,8 +171,17 @@ function along([x1, y1], [x2, y2]) {
   )
 }
 
+/** The ellipses on the map: of the robot, of its landmarks, and of those that were tugged before that. @param {Frame} frame */
+export const ellipses = ({ estimate, ellipse, map, pulls }) => [
+  { ellipse, at: estimate },
+  ...map.landmarks.map((one) => ({ ellipse: one.ellipse, at: [one.x, one.y] })),
+  ...pulls.map((one) => ({ ellipse: one.ellipse, at: one.from })),
+]
+
 /** @param {Pen} pen @param {Plane} plane @param {Frame} frame */
-function drawNames(pen, { x, y, box }, { truth, estimate, landmarks, predicted, sightings }) {
+function drawNames(pen, plane, frame) {
+  const { truth, estimate, landmarks, predicted, sightings } = frame
+  const { x, y, box } = plane
   const at = (/** @type {number[]} */ p) => /** @type {[number, number]} */ ([x(p[0]), y(p[1])])
   const places = landmarks.map((landmark) => at([landmark.x, landmark.y]))
   /** @type {import('../../draw/labels.js').Label[]} */
@@ -190,6 +201,7 @@ function drawNames(pen, { x, y, box }, { truth, estimate, landmarks, predicted, 
     ...places.map((place) => clear(place, 5)),
     clear(at(truth), 8),
     clear(at(estimate), 8),
+    ...ellipses(frame).flatMap((one) => outline(ellipsePoints(one.ellipse, one.at, plane))),
     ...sights,
   ])
 }

@@ -46,16 +46,18 @@ export function drawMap({ pen, width, height }, frame, view) {
 }
 
 /**
- * What has to be seen: the estimate with its ellipse, the course with its corridor, and the estimate's track.
+ * What has to be seen: the estimate with its ellipse, those that it left behind, the course with its corridor, and the
+ * estimate's track.
  * @param {Frame} frame
  * @param {number} axis
  */
-function seen({ world, tracks, estimate, ellipse }, axis) {
+function seen({ world, tracks, trail, estimate, ellipse }, axis) {
   const at = axis ? 'y' : 'x'
   const half = halves(ellipse)[axis] + 0.5
   return [
     [estimate[axis] - half, estimate[axis] + half],
     world.corners.map((corner) => corner[at]),
+    trail.flatMap(({ x, ellipse: left }) => [-1, 1].map((side) => x[axis] + side * halves(left)[axis])),
     tracks.estimate[at],
   ]
 }
