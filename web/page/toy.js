@@ -64,7 +64,7 @@ function touching(svg) {
   const place = () => mean[1] + share * far
   const show = () => {
     svg.style.setProperty('--share', String(share))
-    handle.setAttribute('transform', `translate(${svg.viewBox.baseVal.width - 22} ${place()})`)
+    handle.setAttribute('transform', `translate(22 ${place()})`)
     const value = expected[0] + share * (reading[0] - expected[0])
     handle.setAttribute('aria-valuetext', `${value.toFixed(1)} metres a second; the estimate goes with it`)
     handle.setAttribute('aria-valuenow', value.toFixed(1))
@@ -75,9 +75,8 @@ function touching(svg) {
     share = Math.max(least, Math.min(most, next))
     show()
   }
-  words.setAttribute('x', '-14')
+  words.setAttribute('x', '14')
   words.setAttribute('y', '-12')
-  words.setAttribute('text-anchor', 'end')
   drag(handle, svg, {
     at: () => [0, place() / scaleOf(svg)],
     move: (_, y) => set((y * scaleOf(svg) - mean[1]) / far),
