@@ -45,14 +45,14 @@ test('the Bench opens with its ellipse and its knob, and its words and buttons b
   assert.equal((await there(page, '#fig-bench')).length, 7)
 })
 
-for (const [id, tag, later] of [
-  ['fig-picture', 'picture', 'axis'],
-  ['fig-probe', 'observability-probe', 'trace'],
+for (const [id, later] of [
+  ['fig-picture', 'axis'],
+  ['fig-probe', 'trace'],
 ])
   test(`${id} opens small too, and its buttons bring the rest`, async (t) => {
     const page = await open(t)
-    await figure(page, tag)
     await unlock(page, id)
+    await comeTo(page, `#${id}`, `#${id} .widget[data-state=live]`)
     const [panel, tools] = [`.panel-${later}`, '.figure-tools'].map((part) => page.locator(`#${id} .live ${part}`))
     assert.ok(!(await panel.isVisible()) && !(await tools.isVisible()), 'it is small')
     const grow = page.locator(`#${id} .grow-list button`).filter({ visible: true }).first()

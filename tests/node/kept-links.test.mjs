@@ -52,3 +52,14 @@ test('a parameter or number that is gone or changed is found, and what is new is
   ])
   assert.deepEqual(lost({ gain: 1, gate: null }, { gain: 1 }), ['gate'])
 })
+
+test('a place of the chapter that an address once named is on the chapter still, or its line that leads on is', () => {
+  const chapter = readFileSync(new URL('dist/kalman/index.html', root), 'utf8')
+  const ids = new Set([...chapter.matchAll(/ id="?([^" >]+)/g)].map(([, id]) => id))
+  const places = readFileSync(new URL('tests/links/places.txt', root), 'utf8').trim().split('\n')
+  assert.ok(places.length > 200)
+  assert.deepEqual(
+    places.filter((id) => !ids.has(id)),
+    [],
+  )
+})

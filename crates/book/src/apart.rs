@@ -50,21 +50,29 @@ pub fn asked(site: &Site, texts: &[Vec<Node>]) -> Vec<String> {
 impl<'a> Writer<'a> {
     /// The exercises of the part called `page` for a list: each with its questions, whose answers the browser keeps
     /// under the same names on every page, and with every id that an address may name; with `beside` those that say
-    /// they stand beside it.
+    /// they stand beside it. Without `beside` the first exercise below a heading has the heading's id too: an address of
+    /// before names it.
     pub(crate) fn exercises(&mut self, page: &str, beside: &str, place: &Place) -> Value {
         let Some(texts) = self.texts_of(page, place) else { return Value::UNDEFINED };
-        let mut nodes = all(texts, "exercise");
-        nodes.retain(|node| {
-            let Kind::Piece(Piece::Directive { attributes, .. }) = &node.kind else { return false };
-            beside.is_empty() || attributes.value("beside") == Some(beside)
+        let mut nodes: Vec<(&Node, Vec<String>)> = Vec::new();
+        let mut above = Vec::new();
+        texts.iter().for_each(|text| {
+            tree::walk(text, &mut |node| match &node.kind {
+                Kind::Element(Tag::Heading { id: Some(id), .. }) if beside.is_empty() => above.push(id.to_string()),
+                Kind::Piece(Piece::Directive { name, attributes })
+                    if name == "exercise" && (beside.is_empty() || attributes.value("beside") == Some(beside)) =>
+                {
+                    nodes.push((node, std::mem::take(&mut above)));
+                }
+                _ => {}
+            });
         });
         if nodes.is_empty() {
             self.diagnostics.report(place, format!("no exercise of `{page}` stands beside `{beside}`"));
         }
-        let listed = nodes.into_iter().map(|node| {
+        let listed = nodes.into_iter().map(|(node, mut ids)| {
             let Kind::Piece(Piece::Directive { attributes, .. }) = &node.kind else { return Value::UNDEFINED };
             let value = |key: &str| attributes.value(key).unwrap_or_default();
-            let mut ids = Vec::new();
             let mut quizzes = Vec::new();
             tree::walk(&node.children, &mut |inner| {
                 let Kind::Piece(Piece::Directive { name, attributes }) = &inner.kind else { return };

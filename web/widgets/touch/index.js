@@ -62,8 +62,9 @@ export const figure = {
   readouts,
   verdict,
   announce: (frame) => verdict(frame),
-  series: ({ mean, guess, touch, below }) => ({
-    x1: [mean[0], guess[0], touch[0], below[0]],
-    x2: [mean[1], guess[1], touch[1], below[1]],
-  }),
+  // Where it touches is the figure's question.
+  series: ({ params: { grown }, mean, guess, touch, below }) => {
+    const points = [mean, guess, ...(grown ? [touch, below] : [])]
+    return { x1: points.map(([x]) => x), x2: points.map(([, v]) => v) }
+  },
 }
