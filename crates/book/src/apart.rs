@@ -50,8 +50,8 @@ pub fn asked(site: &Site, texts: &[Vec<Node>]) -> Vec<String> {
 impl<'a> Writer<'a> {
     /// The exercises of the part called `page` for a list: each with its questions, whose answers the browser keeps
     /// under the same names on every page, and with every id that an address may name; with `beside` those that say
-    /// they stand beside it. Without `beside` the first exercise below a heading has the heading's id too: an address of
-    /// before names it.
+    /// they stand beside it. Without `beside` the first exercise below a heading has the heading's id too, the last one
+    /// that of a heading without any: an address of before names it.
     pub(crate) fn exercises(&mut self, page: &str, beside: &str, place: &Place) -> Value {
         let Some(texts) = self.texts_of(page, place) else { return Value::UNDEFINED };
         let mut nodes: Vec<(&Node, Vec<String>)> = Vec::new();
@@ -67,6 +67,9 @@ impl<'a> Writer<'a> {
                 _ => {}
             });
         });
+        if let Some((_, ids)) = nodes.last_mut() {
+            ids.append(&mut above);
+        }
         if nodes.is_empty() {
             self.diagnostics.report(place, format!("no exercise of `{page}` stands beside `{beside}`"));
         }
