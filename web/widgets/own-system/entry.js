@@ -14,6 +14,15 @@ export const ENTRY = new RegExp(
  * @typedef {0 | 1 | undefined} From
  */
 
+/** Rows parted by semicolons in one pair of brackets: where its entries have square brackets, that is Julia. */
+const ROWS_IN_ONE = /^\s*\[[^[\]]*;[^[\]]*\]/
+
+/** @param {string} value how it is written @param {boolean} numpy @returns {From} */
+export function countsFrom(value, numpy) {
+  if (numpy || /^\s*(?:\w+\()*\[\s*\[/.test(value)) return 0
+  return ROWS_IN_ONE.test(value) ? 1 : undefined
+}
+
 /**
  * One part of a matrix that is set.
  * @typedef {object} Part

@@ -8,6 +8,8 @@ const START = /^(?:P|P0|P_0|P00|Sigma0|initial_state_covariance)$/
 /** What a filter of filterpy has where nothing is given: 1, of so many rows. */
 const DIMENSION = /** @type {Record<string, string>} */ ({ Q: 'dim_x', R: 'dim_z' })
 
+const WEIGHTS = 'Q and R are weights of a controller here, and no noises; write the noises as V = … and W = ….'
+
 /** @param {string} name */
 export const isStart = (name) => START.test(name)
 
@@ -59,6 +61,7 @@ export class Given {
   matrix(name, matrix, from) {
     // Made of itself, it is set anew.
     if (this.found[name] && !this.uses.delete(name)) throw new Fault(`${name} is given twice.`)
+    if (this.found[name] && this.sampling.of === name) this.sampling.of = `${name} before`
     this.found[name] = { matrix, line: this.line, from, uses: this.uses }
   }
 
@@ -98,6 +101,20 @@ export class Given {
     const matrix = this.values.get(name)
     const uses = this.made.get(name)
     return matrix && uses ? { matrix, uses, from: this.counts.get(name) } : this.found[name]
+  }
+
+  /** What a name stood for is not known any more. @param {string} name */
+  forget(name) {
+    this.values.delete(name)
+    this.unused.push(name)
+  }
+
+  /** Weights of a controller are no noises; whether any was given. @param {string} text */
+  weigh(text) {
+    const calls = [...text.matchAll(/\b(?:d?lqr|lqi|lqry)\s*\(([^()]*)\)/g)].map(([, words]) => words).join()
+    const weights = ['Q', 'R'].filter((name) => this.found[name] && new RegExp(`\\b${name}\\b`).test(calls))
+    for (const name of weights) delete this.found[name]
+    if (weights.length > 0 && !(this.found.V && this.found.W)) throw new Fault(WEIGHTS)
   }
 
   /** @param {string} name @param {number[][]} matrix */

@@ -7,9 +7,10 @@
  */
 
 import { isMatrix, isStepwise, ofStep } from './called.js'
-import { ENTRY, partOf, setPart } from './entry.js'
+import { ENTRY, countsFrom, partOf, setPart } from './entry.js'
+import { restOrComment, withoutComments } from './comments.js'
 import { Expression, OF_R } from './expression.js'
-import { Given } from './given.js'
+import { Given, isStart } from './given.js'
 import { spreadOf, systemOf } from './letters.js'
 import { Fault, begun } from './number.js'
 import { changed } from './operators.js'
@@ -50,11 +51,6 @@ const NAME = /^(?:[A-Za-z_]\w*\.)*(["']?)([A-Za-z_]\w*)\1\s*[:=](?!=)/
 /** What opens a list of matrices: `dict(`, `KalmanFilter(`. */
 const OPENS = /^\s*[A-Za-z_][\w.]*\s*\(\s*(?=["']?[A-Za-z_]\w*["']?\s*[:=](?!=))/
 
-/** Rows parted by semicolons in one pair of brackets: where its entries have square brackets, that is Julia. */
-const ROWS_IN_ONE = /^\s*\[[^[\]]*;[^[\]]*\]/
-/** What MATLAB ends with a comment, and Python computes: the rest of a division; not within a comment or a string. */
-const REST_OR_COMMENT = /^((?:(?!\/\/|\/\*)[^%#"'\n])*?)(\d[\d.]*[^\S\n]*%[^\S\n]*\d[\d.]*)[^\S\n]*(?=[\n;,)\]]|$)/m
-
 /**
  * @typedef {{ F: number[][], G: number[][], H: number[][], V: number[][], W: number[][] }} Matrices
  * @typedef {Matrices & { period?: number, continuous?: boolean, spread?: number[] }} System
@@ -73,15 +69,8 @@ const REST_OR_COMMENT = /^((?:(?!\/\/|\/\*)[^%#"'\n])*?)(\d[\d.]*[^\S\n]*%[^\S\n
  */
 export function readSystem(text, motion = 'Q') {
   if (text.length > MOST_LETTERS) return { ok: false, fault: TOO_LONG, line: 0 }
-  const unsure = REST_OR_COMMENT.exec(text)
-  if (unsure) {
-    const line = text.slice(0, unsure.index).split(/\r\n?|\n/).length
-    return {
-      ok: false,
-      fault: `“${unsure[2]}” is a comment in MATLAB and a rest in Python; write one number.`,
-      line,
-    }
-  }
+  const unsure = restOrComment(text)
+  if (unsure) return { ok: false, ...unsure }
   const paste = new Paste(withoutComments(text), motion)
   try {
     return { ok: true, ...paste.system() }
@@ -89,28 +78,6 @@ export function readSystem(text, motion = 'Q') {
     if (!(error instanceof Fault)) return { ok: false, fault: 'The text could not be read.', line: 0 }
     return { ok: false, fault: error.message, line: paste.given.line }
   }
-}
-
-/**
- * Without comments, each line in its place: a line that goes on after `…` is joined to the next by a vertical tab.
- * @param {string} text
- */
-function withoutComments(text) {
-  const lines = (/** @type {string} */ gone) => gone.replace(/[^\n]/g, '')
-  return (
-    text
-      .replace(/\r\n?/g, '\n')
-      .replace(/\v/g, ' ')
-      .replace(/^\s*%\{\s*\n[\s\S]*?^\s*%\}.*$/gm, lines)
-      // One after the other, as they stand: a mark within a comment or a string begins nothing. 5//2 is no comment.
-      .replace(
-        /("(?:[^"\\\n]|\\.)*")|\/\*[\s\S]*?\*\/|(?:[%#]|\/\/(?!(?<=\d\/\/)\d)).*$/gm,
-        (all, string) => string ?? lines(all),
-      )
-      // Python's prompt of a line that goes on; elsewhere the same dots join two lines.
-      .replace(/^\.\.\.(?=\s)/gm, ' ')
-      .replace(/(\.\.\.|…)[^\n]*\n/g, '\v')
-  )
 }
 
 /** A text that is read from its beginning to its end. */
@@ -166,15 +133,16 @@ class Paste {
     if (change) return this.change(change[1], change[2])
     const named = this.take(NAME)
     if (!named) throw this.notUnderstood(this.rest)
+    const { given } = this
     const [words, , name] = named
     const [, object] = /^([A-Za-z_]\w*)\./.exec(words) ?? []
-    if (object) this.given.objects.add(object)
+    if (object) given.objects.add(object)
     const same = SAME.exec(this.rest)
     if (isMatrix(name)) {
       // What c2d makes is made here of what it is given.
-      if (same && this.given.sampling.made.has(same[1])) return void (this.at += same[0].length)
-      const from = this.from
-      this.given.matrix(name, this.value(name), from)
+      if (same && given.sampling.made.has(same[1])) return void (this.at += same[0].length)
+      const from = countsFrom(this.rest, given.scope.numpy)
+      given.matrix(name, this.value(name), from)
     } else if (!this.take(OPENS)) this.other(name)
   }
 
@@ -184,7 +152,7 @@ class Paste {
     const before = this.at
     given.unused = given.unused.filter((each) => each !== name)
     try {
-      const { from } = this
+      const from = countsFrom(this.rest, given.scope.numpy)
       given.set(name, this.value(name), from)
       if (given.start?.name === name) return
     } catch (error) {
@@ -194,12 +162,6 @@ class Paste {
       this.skip()
     }
     given.unused.push(name)
-  }
-
-  /** What `[ ]` of the value that begins here count from. */
-  get from() {
-    if (this.given.scope.numpy || /^\s*(?:\w+\()*\[\s*\[/.test(this.rest)) return 0
-    return ROWS_IN_ONE.test(this.rest) ? 1 : undefined
   }
 
   /** @param {string} name @param {string} sign */
@@ -222,24 +184,33 @@ class Paste {
 
   /** @param {RegExpExecArray} first */
   entry(first) {
+    const { given } = this
     const all = [first]
     for (let more; (more = this.take(ENTRY)); ) all.push(more)
+    const before = this.at
+    try {
+      this.parts(all)
+    } catch (error) {
+      // Of what is none of the matrices nothing is known any more.
+      const known = all.every(([, name]) => given.values.has(name) || given.unused.includes(name))
+      if (!(error instanceof Fault) || !known || all.some(([, name]) => isStart(name))) throw error
+      this.at = before
+      this.skip()
+      for (const [, name] of all) given.forget(name)
+    }
+  }
+
+  /** @param {RegExpExecArray[]} all */
+  parts(all) {
     const parts = all.map((found) => {
       const of = this.given.partly(found[1])
-      return of ? { ...of, part: partOf(found, of.matrix, of.from) } : null
+      if (!of) throw this.notUnderstood(found[0])
+      return { ...of, part: partOf(found, of.matrix, of.from) }
     })
-    if (parts.includes(null)) {
-      // A part of what could not be read, or of what is not there.
-      const [words] = all[parts.indexOf(null)]
-      const [, name] = all[parts.indexOf(null)]
-      if (!this.given.unused.includes(name) || parts.length > 1) throw this.notUnderstood(words)
-      return void this.skip()
-    }
-    const value = this.value(first[1])
-    for (const one of parts) {
-      if (!one) continue
-      setPart(one.matrix, one.part, value)
-      this.given.uses.forEach((name) => void one.uses.add(name))
+    const value = this.value(all[0][1])
+    for (const { matrix, part, uses } of parts) {
+      setPart(matrix, part, value)
+      for (const name of this.given.uses) uses.add(name)
     }
   }
 
@@ -271,6 +242,7 @@ class Paste {
   whole() {
     const { given } = this
     const at = (/** @type {number} */ line) => void (given.line = line)
+    given.weigh(this.text)
     const { system: matrices, of, idle, ...words } = systemOf(given.found, this.text, this.motion, at)
     const system = /** @type {System} */ (matrices)
     const through = THROUGH_NAMES.flatMap((name) => given.values.get(name)?.flat() ?? [])
@@ -290,7 +262,8 @@ class Paste {
       system.spread = spreadOf(given.start.matrix, system.F.length, given.start.name)
       at(0)
     }
-    const held = of.G && /^[BG]$/.test(of.G) && stepwise && !isStepwise(String(of.F)) ? of.G : ''
+    const beside = stepwise && ['F', 'A'].some((name) => name !== of.F && given.found[name])
+    const held = of.G && /^[BG]$/.test(of.G) && beside ? of.G : ''
     const computed = held && [...given.found[held].uses].some((each) => isStep(each) || isMatrix(each))
     return { system, ...words, held: computed ? '' : held, unused: [...new Set(unused)] }
   }

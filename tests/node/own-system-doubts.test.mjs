@@ -1,0 +1,58 @@
+// What a script might be misread as in silence: weights for noises, a matrix before for the one after.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { readSystem } from '../../web/widgets/own-system/read.js'
+
+/** @param {string} text */
+const read = (text) => /** @type {any} */ (readSystem(text))
+const WHOLE = 'A = [0 1; -4 -0.4]; B = [0; 1]; C = [1 0]; T = 0.1; Q = 0.01*eye(2); R = 0.5;\n'
+
+test('a matrix that is set anew is no longer that of the system in continuous time', () => {
+  const { system, fault } = read(`${WHOLE}sys = ss(A, B, C, 0); A = eye(2) + A*T;`)
+  assert.deepEqual([system?.F[0][1], system?.continuous], [0.1, undefined], fault)
+  assert.equal(read(`A = [0 4; -16 -1.6]; ${WHOLE.slice(20)}A = A/4; sys = ss(A, B, C, 0);`).system.continuous, true)
+})
+
+test('an input beside a computed F is said to be that of a step, whatever F is called', () => {
+  for (const [text, held] of /** @type {[string, string][]} */ ([
+    ['F = expm(A*T);', 'B'],
+    ['Ad = expm(A*T);', 'B'],
+    ['Phi = [1 0.1; 0 1];', 'B'],
+    ['Ad = expm(A*T); Bd = [0; 0.1];', ''],
+    ['Ad = expm(A*T); G = T*B;', ''],
+    ['', ''],
+  ])) {
+    const found = read(WHOLE + text)
+    assert.deepEqual([text, found.held], [text, held], found.fault)
+  }
+})
+
+test('the weights of a controller are not taken for noises', () => {
+  for (const call of ['K = dlqr(A, B, Q, R);', '[K, S, e] = lqr(A, B, Q, R)', 'K, S, E = ct.dlqr(A, B, Q, R)']) {
+    assert.equal(
+      read(WHOLE + call).fault,
+      'Q and R are weights of a controller here, and no noises; write the noises as V = … and W = ….',
+    )
+    const both = read(`${WHOLE}V = eye(2); W = 3; ${call}`)
+    assert.deepEqual(
+      [both.system?.V, both.system?.W],
+      [
+        [
+          [1, 0],
+          [0, 1],
+        ],
+        [[3]],
+      ],
+      both.fault,
+    )
+  }
+  assert.equal(read(`${WHOLE}K = dlqr(A, B, eye(2), 1)`).system.W[0][0], 0.5)
+})
+
+test('a name that is set in part to what cannot be read is not the name before', () => {
+  const whole = 'F = [1 0.1; 0 1]; H = [1 0]; R = 1\n'
+  const idle = read(`${whole}Q = eye(2); x = zeros(2, 1); x(1, 1) = rand`)
+  assert.deepEqual([idle.fault, idle.unused], [undefined, ['x']])
+  assert.match(read(`${whole}x = eye(2); x(1, 1) = rand; Q = 2*x`).fault, /^Q: “x” is not a number\.$/)
+  assert.match(read(`${whole}Q = eye(2); Q(1, 1) = rand`).fault, /^Q: “rand” is not a number\.$/)
+})
