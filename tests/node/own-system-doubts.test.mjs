@@ -56,3 +56,51 @@ test('a name that is set in part to what cannot be read is not the name before',
   assert.match(read(`${whole}x = eye(2); x(1, 1) = rand; Q = 2*x`).fault, /^Q: “x” is not a number\.$/)
   assert.match(read(`${whole}Q = eye(2); Q(1, 1) = rand`).fault, /^Q: “rand” is not a number\.$/)
 })
+
+test('a letter that a formula alone uses is a variable where it is no matrix of its role', () => {
+  const noises = 'Q = eye(2); R = 1'
+  const gamma = "Phi = [1 .1; 0 1]; B = [2; 1]; Gamma = [1; 2]; H = [1 0]; Q = Gamma*0.5*Gamma'; R = 1"
+  assert.deepEqual([read(gamma).system?.G, read(gamma).variables], [[[2], [1]], ['Gamma']], read(gamma).fault)
+  const b = read(`B = 0.3; F = [1 B; 0 1]; H = [1 0]; ${noises}`)
+  assert.deepEqual([b.system?.F[0][1], b.system?.G, b.variables], [0.3, [[], []], ['B']], b.fault)
+  const r = read('R = 4; F = [1 0.1; 0 1]; H = [1/R 0]; V = eye(2); W = 2')
+  assert.deepEqual([r.system?.H[0][0], r.system?.W, r.variables], [0.25, [[2]], ['R']], r.fault)
+  for (const none of ['B = []', 'kf.B = None']) {
+    const found = read(`${none}\nF = [1 0.1; 0 1]; H = [1 0]; ${noises}`)
+    assert.deepEqual([none, found.system?.G], [none, [[], []]], found.fault)
+  }
+})
+
+test('a size is that of what was given', () => {
+  for (const [one, numpy] of /** @type {[string, boolean][]} */ ([
+    ['eye(size(A))', false],
+    ['eye(size(A, 1))', false],
+    ['eye(length(A))', false],
+    ['np.eye(len(A))', true],
+    ['np.eye(A.shape[0])', true],
+    ['np.eye(A.shape[0], A.shape[1])', true],
+  ])) {
+    const [A, H] = numpy ? ['np.array([[0, 1], [0, 0]])', 'np.array([[1, 0]])'] : ['[0 1; 0 0]', '[1 0]']
+    const found = read(`A = ${A}; F = ${one} + A*0.5; H = ${H}; Q = ${one}; R = 1`)
+    assert.deepEqual(
+      [one, found.system?.F],
+      [
+        one,
+        [
+          [1, 0.5],
+          [0, 1],
+        ],
+      ],
+      found.fault,
+    )
+  }
+  const like = read('F = np.eye(2); H = np.array([[1, 0]]); Q = np.zeros_like(F); Q[1, 1] = 3; R = 1')
+  assert.deepEqual(
+    like.system?.V,
+    [
+      [0, 0],
+      [0, 3],
+    ],
+    like.fault,
+  )
+})

@@ -1,5 +1,6 @@
 /** What each matrix may be called, and which of several names for one is meant. */
 
+import { isScalar } from './matrices.js'
 import { Fault } from './number.js'
 
 /**
@@ -40,6 +41,8 @@ export const MEANT = /** @type {Record<Role, string>} */ ({
 /** Whether a name may be that of a matrix of the system. @param {string} name */
 export const isMatrix = (name) => LETTERS.has(name)
 /** @param {string} name */
+export const isInput = (name) => sure('G').includes(name)
+/** @param {string} name */
 export const isStepwise = (name) => ROLES.some((role) => STEPWISE[role].includes(name))
 /** Names that are of this role alone. @param {Role} role */
 const sure = (role) => [...(/[VW]/.test(role) ? [role] : CALLED[role]), ...STEPWISE[role]]
@@ -64,6 +67,9 @@ const alike = (found, a, b) =>
 function chosen(role, found, stepwise) {
   const given = sure(role).filter((name) => found[name])
   let left = given.filter((name) => !given.some((other) => other !== name && found[other].uses.has(name)))
+  // What shapes the noise of the motion is no input beside one that does not.
+  const quiet = left.filter((name) => !/^(?:G|Gamma)$/.test(name) || !used(found, ['Q', ...sure('V')], name))
+  if (quiet.length > 0) left = role === 'G' ? quiet : left
   const [usual, ...others] = left.filter((name) => !isStepwise(name))
   if (usual && others.length === 0 && left.length > 1) {
     // What has another size is another thing, such as a coefficient of drag that is called Cd.
@@ -72,16 +78,15 @@ function chosen(role, found, stepwise) {
     else if (steps.length === 1 && (stepwise || role === 'F')) left = steps
     else if (role === 'H') left = [usual]
   }
-  // What shapes the noise of the motion is no input beside one that does not.
-  const inputs = left.filter((name) => !noisy(found, ['Q', ...sure('V')], name))
+  const inputs = left.filter((name) => !used(found, ['Q', ...sure('V')], name))
   if (role === 'G' && inputs.length === 1) left = inputs
   if (left.length === 0) left = given
   if (left.length > 1) throw twice(role, left[0], left[1])
   return /** @type {string | undefined} */ (left[0])
 }
 
-/** Whether a formula of these noises has a name. @param {Found} found @param {string[]} noises @param {string} name */
-const noisy = (found, noises, name) => noises.some((each) => each !== name && found[each]?.uses.has(name))
+/** Whether a formula of these matrices has a name. @param {Found} found @param {string[]} of @param {string} name */
+const used = (found, of, name) => of.some((each) => each !== name && found[each]?.uses.has(name))
 
 /**
  * Whether F comes of another matrix of the motion, or its name says that it is of one step.
@@ -101,6 +106,8 @@ export function assigned(found, motion) {
     const name = chosen(role, found, ofStep(found, of.F))
     if (name) of[role] = name
   }
+  const small = of.G && of.F && isScalar(found[of.G].matrix) && !isScalar(found[of.F].matrix)
+  if (small && used(found, Object.keys(found), String(of.G))) delete of.G
   const rest = ['Q', 'R'].filter((letter) => found[letter])
   const other = motion === 'Q' ? 'R' : 'Q'
   if (!of.V && !of.W && rest.length > 0) {
@@ -118,8 +125,8 @@ export function assigned(found, motion) {
     const name = of[role]
     if (!name) of[role] = letter
     // `V = G*Q*G'` keeps V, and `Q = G*W*G'` beside R leaves R.
-    else if (found[name].uses.has(letter)) continue
-    else if (found[letter].uses.has(name) || (name === 'W' && noisy(found, ['V', 'Q'], name))) of[role] = letter
+    else if (used(found, [name, ...[of.F, of.H].map(String)], letter)) continue
+    else if (found[letter].uses.has(name) || (name === 'W' && used(found, ['V', 'Q'], name))) of[role] = letter
     else if (!isStepwise(name) || !ofStep(found, of.F) || !alike(found, name, letter)) throw twice(role, name, letter)
   }
   return of
@@ -132,6 +139,6 @@ export function assigned(found, motion) {
 export function leftOf(found, of) {
   const taken = Object.values(of)
   const left = Object.keys(found).filter((name) => !taken.includes(name))
-  const variables = left.filter((name) => noisy(found, taken, name))
+  const variables = left.filter((name) => used(found, taken, name))
   return { variables, idle: left.filter((name) => !variables.includes(name)) }
 }

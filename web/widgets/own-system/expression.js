@@ -22,7 +22,7 @@ import { isWhiteNoise, whiteNoise } from './white-noise.js'
 const DIGITS = /^(?:\d+(?:\.(?![*/^'\\])\d*)?|\.\d+)(?:e[+-]?\d+)?(?!\w)/i
 const NAME = new RegExp(
   /^(?:(?:np|numpy|jnp|math|scipy|sp|linalg|la|LA)\.)*/.source +
-    /((?:[A-Za-z_]\w*\.(?!(?:T|transpose|dot|copy|astype)\b))*)([A-Za-z_]\w*)/.source,
+    /((?:[A-Za-z_]\w*\.(?!(?:T|transpose|dot|copy|astype|shape)\b))*)([A-Za-z_]\w*)/.source,
 )
 /** Behind a value stands its end, or the next name. */
 const END = /^[^\S\n]*(?:$|[\n;,})]|(["']?)[A-Za-z]\w*\1\s*[:=](?!=))/
@@ -136,6 +136,8 @@ export class Expression {
     for (let sign; ; ) {
       if (this.take(/^(?:\.?'|\.T\b|\.transpose\(\s*\))/)) value = transposed(value)
       else if (this.take(/^\.(?:copy\(\s*\)|astype\(\s*(?:np\.)?(?:float|float64|"float"|'float')\s*\))/)) continue
+      else if ((sign = this.take(/^\.shape\s*\[\s*([01])\s*\]/)?.[1]))
+        value = [[isLine(value) ? value[0].length : [value.length, value[0].length][Number(sign)]]]
       else if (this.take(/^\.dot(?=\()/)) value = this.called('dot', [value, ...this.values()])
       else if ((sign = this.operator(/^(\*\*|\.?\^)\s*/))) {
         if (sign === '^' && this.scope.numpy) refuse(sign)

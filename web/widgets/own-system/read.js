@@ -6,7 +6,7 @@
  *   F = eye(2); F(1,2) = 0.5          F = np.eye(2)         F[0, 1] = 0.5
  */
 
-import { isMatrix, isStepwise, ofStep } from './called.js'
+import { isInput, isMatrix, isStepwise, ofStep } from './called.js'
 import { ENTRY, countsFrom, partOf, setPart } from './entry.js'
 import { restOrComment, withoutComments } from './comments.js'
 import { Expression, OF_R } from './expression.js'
@@ -28,7 +28,7 @@ const BETWEEN = [
   /^(?:>>>?|In \[\d+\]:)\s*/,
   /^(?:import|using|from\s+[\w.]+\s+import)\s[^\n;]*/,
   /^(?:clear|clearvars|clc|close|format|hold|more)\b(?:[^\S\n]+(?:all|compact|long|on|off))?(?=\s*[\n;]|\s*$)/,
-  /^(?:disp|print|console\.log)\s*\([^()\n]*\)/,
+  /^(?:disp|print|console\.log|np\.set_printoptions)\s*\([^()\n]*\)/,
   /^(?:const|let|var|export|return)\s+(?=[A-Za-z_"'{])/,
 ]
 /** Systems, and how they are sampled. */
@@ -42,6 +42,8 @@ const CHANGE = /^(?:[A-Za-z_]\w*\.)*([A-Za-z_]\w*)\s*\.?([-+*/@])=(?!=)\s*/
 /** Several values of one call. */
 const SEVERAL = /^\[?\s*([A-Za-z_]\w*(?:\s*,\s*[A-Za-z_~]\w*)+)\s*\]?\s*=(?!=)(?=\s*[A-Za-z_][\w.]*\s*\()/
 const THROUGH_NAMES = ['D', 'Dd', 'D_d']
+/** No input at all. */
+const NONE = /^\s*(?:\[\s*\]|None|null|nothing)(?=[^\S\n]*(?:[;\n,)}]|$))/
 /** The same value as another name's. */
 const SAME = /^\s*([A-Za-z_]\w*)(?:\.[A-Za-z]\w*)?[^\S\n]*(?=[;\n,]|$)/
 /** What begins a statement that does more than give a value. */
@@ -138,6 +140,7 @@ class Paste {
     const [, object] = /^([A-Za-z_]\w*)\./.exec(words) ?? []
     if (object) given.objects.add(object)
     const same = SAME.exec(this.rest)
+    if (isInput(name) && this.take(NONE)) return
     if (isMatrix(name)) {
       // What c2d makes is made here of what it is given.
       if (same && given.sampling.made.has(same[1])) return void (this.at += same[0].length)
