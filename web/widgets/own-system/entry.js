@@ -2,7 +2,8 @@
 
 import { Fault } from './number.js'
 
-const INDEX = /\s*(?:\d+|end|\d*\s*:\s*(?:\d+|end)?)\s*/.source
+/** Of few letters: a long run of blanks would be tried in every way. */
+const INDEX = /[\d\s:end]{1,40}/.source
 /** Both indices in one bracket, or each in its own. */
 export const ENTRY = new RegExp(
   `^(?:[A-Za-z_]\\w*\\.)*([A-Za-z_]\\w*)\\s*(?:\\((${INDEX}),(${INDEX})\\)|` +
@@ -38,6 +39,8 @@ export function partOf([all, name, ...four], matrix, from) {
   const sizes = [matrix.length, matrix[0].length]
   const round = four[0] !== undefined
   const indices = (round ? four.slice(0, 2) : four.slice(2)).map((index) => index.replace(/\s/g, ''))
+  if (!indices.every((index) => /^(?:\d+|end|\d*:(?:\d+|end)?)$/.test(index)))
+    throw new Fault(`“${words}” is not understood here; write the whole matrix.`)
   const first = round ? 1 : (from ?? told(words, indices, sizes))
   const ranges = indices.map((index, i) => {
     const [begin, end = begin] = index.split(':').map((word) => word.replace('end', String(sizes[i])))

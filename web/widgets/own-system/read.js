@@ -34,7 +34,7 @@ const BETWEEN = [
 /** Systems, and how they are sampled. */
 const SPACE = /^(?:\[[\w\s,~]*\]|[A-Za-z_]\w*)\s*=\s*(?:[A-Za-z_]\w*\.)*(?:ss|StateSpace)\s*(?=\()/
 const SAMPLED = new RegExp(
-  /^(?:(?:\[[\w\s,~]*\]|[\w\s,]+?)\s*=\s*)?(?:[A-Za-z_]\w*\.)*/.source +
+  /^(?:(?:\[[\w\s,~]*\]\s*|[\w\s,]+)=\s*)?(?:[A-Za-z_]\w*\.)*/.source +
     /(?:c2d|cont2discrete|sample_system|to_discrete|sample)\s*(?=\()/.source,
 )
 /** `P *= 1000`, as filterpy's users write it, and its like. */
