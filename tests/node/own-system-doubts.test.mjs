@@ -104,3 +104,23 @@ test('a size is that of what was given', () => {
     like.fault,
   )
 })
+
+test('two names of numpy for one matrix are one matrix, and in MATLAB two', () => {
+  const [numpy, matlab] = [
+    'F = np.eye(2); H = np.array([[1, 0]]); R = 1; Q = np.eye(2)\n',
+    'F = eye(2); H = [1 0]; R = 1; Q = eye(2)\n',
+  ]
+  for (const [text, F, Q] of /** @type {[string, number, number][]} */ ([
+    [`${numpy}M = F\nM[0, 1] = 0.3`, 0.3, 1],
+    [`${numpy}M = F.copy()\nM[0, 1] = 0.3`, 0, 1],
+    [`${numpy}M = Q\nQ *= 2\nQ[0, 0] = M[1, 1]`.replace('M[1, 1]', '5'), 0, 5],
+    [`${numpy}M = Q\nM *= 2`, 0, 2],
+    [`${numpy}M = Q\nM = M*2`, 0, 1],
+    [`${numpy}r = R\nr *= 2`, 0, 1],
+    [`${matlab}M = F; M(1, 2) = 0.3`, 0, 1],
+    [`${matlab}M = Q; M = M*2`, 0, 1],
+  ])) {
+    const { system, fault } = read(text)
+    assert.deepEqual([text, system?.F[0][1], system?.V[0][0], system?.W], [text, F, Q, [[1]]], fault)
+  }
+})

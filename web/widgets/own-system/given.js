@@ -1,5 +1,6 @@
 /** What a paste has given so far: matrices of the system, other names, the start, and how it is sampled. */
 
+import { isScalar } from './matrices.js'
 import { Fault } from './number.js'
 import { Sampling, isStep } from './sampling.js'
 
@@ -119,6 +120,12 @@ export class Given {
 
   /** @param {string} name @param {number[][]} matrix */
   change(name, matrix) {
+    const now = this.found[name]?.matrix ?? this.values.get(name)
+    // numpy changes a matrix where it stands, also under another name; a number has no other.
+    if (this.scope.numpy && now && !isScalar(now) && matrix.length === now.length) {
+      for (const [i, row] of matrix.entries()) now[i] = row
+      matrix = now
+    }
     if (isStart(name) || (this.values.has(name) && !this.found[name]))
       return this.set(name, matrix, this.counts.get(name), true)
     const { line, from, uses } = this.found[name] ?? { line: this.line, from: 0, uses: [] }

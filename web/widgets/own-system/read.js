@@ -42,6 +42,7 @@ const CHANGE = /^(?:[A-Za-z_]\w*\.)*([A-Za-z_]\w*)\s*\.?([-+*/@])=(?!=)\s*/
 /** Several values of one call. */
 const SEVERAL = /^\[?\s*([A-Za-z_]\w*(?:\s*,\s*[A-Za-z_~]\w*)+)\s*\]?\s*=(?!=)(?=\s*[A-Za-z_][\w.]*\s*\()/
 const THROUGH_NAMES = ['D', 'Dd', 'D_d']
+const NAME_ALONE = /^\s*((?:[A-Za-z_]\w*\.)*)([A-Za-z_]\w*)[^\S\n]*(?=[;\n]|$)/
 /** No input at all. */
 const NONE = /^\s*(?:\[\s*\]|None|null|nothing)(?=[^\S\n]*(?:[;\n,)}]|$))/
 /** The same value as another name's. */
@@ -180,7 +181,11 @@ class Paste {
   value(name, then) {
     const value = new Expression(this.rest, name, this.given.scope)
     this.given.uses = new Set()
-    const matrix = value.read(then)
+    const [, object, other = ''] = (!then && NAME_ALONE.exec(this.rest)) || []
+    const alone = other !== 'T' && this.given.scope.numpy
+    const read = value.read(then)
+    // In numpy two names may be of one matrix: what is set in the one is set in the other.
+    const matrix = (alone && other && this.given.get(other, object ?? '')) || read
     this.at = this.text.length - value.rest.length
     return matrix
   }
