@@ -65,6 +65,8 @@ test('a letter that a formula alone uses is a variable where it is no matrix of 
   assert.deepEqual([b.system?.F[0][1], b.system?.G, b.variables], [0.3, [[], []], ['B']], b.fault)
   const r = read('R = 4; F = [1 0.1; 0 1]; H = [1/R 0]; V = eye(2); W = 2')
   assert.deepEqual([r.system?.H[0][0], r.system?.W, r.variables], [0.25, [[2]], ['R']], r.fault)
+  assert.match(read(`Phi = 0.3; F = 1; H = 1; Q = 1; R = 1`).fault ?? 'read', /^F and Phi are both given/)
+  assert.equal(read(`Ad = 0.3; A = 1; H = 1; Q = 1; R = 1`).system.F[0][0], 0.3)
   for (const none of ['B = []', 'kf.B = None']) {
     const found = read(`${none}\nF = [1 0.1; 0 1]; H = [1 0]; ${noises}`)
     assert.deepEqual([none, found.system?.G], [none, [[], []]], found.fault)

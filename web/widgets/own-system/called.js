@@ -75,6 +75,8 @@ function chosen(role, found, stepwise) {
     // What has another size is another thing, such as a coefficient of drag that is called Cd.
     const steps = left.filter((name) => isStepwise(name) && alike(found, name, usual))
     if (steps.length === 0) left = [usual]
+    // A single Phi may be an angle.
+    else if (steps[0] === 'Phi' && isScalar(found.Phi.matrix)) throw twice(role, usual, 'Phi')
     else if (steps.length === 1 && (stepwise || role === 'F')) left = steps
     else if (role === 'H') left = [usual]
   }
