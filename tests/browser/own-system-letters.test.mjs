@@ -21,3 +21,22 @@ test('a paste of Thrun’s letters is read as the page is, and a button turns Q 
   await area.fill('A=[1 1;0 1]; C=[1 0]; R=[5 0;0 9]; Q=0.1')
   await it.getByRole('button', { name: /as the noise of the motion/ }).waitFor({ state: 'hidden' })
 })
+
+test('a script that computes F from A is taken, and it is said what is a variable of it', async (t) => {
+  const { it } = await openFigure(t, 'own-system')
+  await it.getByRole('button', { name: 'Paste a system' }).click()
+  const area = it.locator('.own-paste textarea')
+  await area.fill('A = [0 1; -4 -0.4]; B = [0; 1]; T = 0.1\nF = expm(A*T)\nH = [1 0]; Q = 0.01*eye(2); R = 1; R *= 5')
+  await it
+    .getByText(/Taken as variables of the formulas alone: A\. B as what an input does in one step: write G = …/)
+    .waitFor()
+  await until(
+    it,
+    ({ params }) => params.w[0][0] === 5 && !params.continuous && params.f[1][0] < -0.38,
+    'F is of a step',
+  )
+  await area.fill('Phi = [1 0.1; 0 1]; H = [1 0]; Q = eye(2); R = 1')
+  await it.getByText('Phi, Q, R read as F, V, W.').waitFor()
+  const readout = it.locator('.live .readout').filter({ hasText: 'Inputs reach all' })
+  await readout.filter({ hasText: 'there are none' }).waitFor()
+})

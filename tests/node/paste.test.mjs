@@ -31,15 +31,15 @@ test('an entry given by itself is taken, counted as its brackets say', () => {
 
 test('what is not understood is a fault with its line, and nothing of the paste is taken', () => {
   for (const [text, line, fault] of [
-    [`F *= 2\nF = eye(2)\n${REST}`, 1, /“F \*=” is not understood/],
-    [`F = eye(2)\n\nF += 2\n${REST}`, 3, /“F \+= 2” is not understood/],
-    [`F = eye(2)\nF(:,1) = 2\n${REST}`, 2, /“F\(:,1\) = 2” is not understood/],
+    [`F *= 2\nF = eye(2)\n${REST}`, 1, /^F is changed before it is given; write F = its/],
+    [`F = eye(2)\n\nF ^= 2\n${REST}`, 3, /“F \^= 2” is not understood/],
+    [`F = eye(2)\nF(:,k) = 2\n${REST}`, 2, /“F\(:,k\) = 2” is not understood/],
     [`F = eye(2)\nF(3,1) = 2\n${REST}`, 2, /^F\(3,1\): F is 2 × 2\.$/],
     [`F = np.eye(2)\nF[0, 2] = 2\n${REST}`, 2, /^F\[0, 2\]: F is 2 × 2\.$/],
     [`F = np.eye(2)\nF[0, 1] = dt\n${REST}`, 2, /“dt” is not a number/],
-    [`F = np.eye(2)\nF[0, 1] = [1 2]\n${REST}`, 2, /is not understood/],
+    [`F = np.eye(2)\nF[0, 1] = [1 2]\n${REST}`, 2, /^F\[0, 1\] is 1 × 1, and what it is set to 1 × 2\.$/],
     [`F(1,2) = 0.5\nF = eye(2)\n${REST}`, 1, /“F\(1,2\) =” is not understood/],
-    [`F = eye(2)\nF = 2*F\n${REST}`, 2, /F is given twice/],
+    [`F = eye(2)\nF = 2*eye(2)\n${REST}`, 2, /F is given twice/],
     [`F = eye(2)\n${REST}\nfor i = 1:3\nend`, 5, /“for i = 1:3” is not understood/],
     [`F = eye(2)\n${REST.replace('W = 1', 'W = 5 % 3')}`, 4, /“5 % 3” is a comment in MATLAB and a rest in Python/],
     [`F = [1 0; 0 1]\nF[0, 1] = 2\n${REST}`, 2, /^F\[0, 1\]: F is 2 × 2\.$/],
@@ -94,7 +94,7 @@ test('whatever line is put wherever into a system is taken, named or a fault', (
   const named = ['rate = 0.1', 'x0 = {1, 2}']
   const faults = [
     'F *= [1 2]',
-    'F -= 1',
+    'F ^= 1',
     'print F',
     '7',
     '= 3',
@@ -227,7 +227,7 @@ test('a start, a system in continuous time and nine states are taken as they are
     ['kf.P *= 1000.', [1000, 1000]],
     ['P = eye(2)\nP *= 9', [9, 9]],
     ['P0 = 2', [2, 2]],
-    ['P = eye(2)\nP[1, 1] = 7', [1, 7]],
+    ['P = np.eye(2)\nP[1, 1] = 7', [1, 7]],
   ])
     assert.deepEqual([text, read(`F = eye(2)\n${REST}\n${text}`).system?.spread], [text, spread])
   assert.equal(read(`F = eye(2)\n${REST}`).system.spread, undefined)

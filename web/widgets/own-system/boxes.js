@@ -51,9 +51,11 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
   }
 
   /** What was made of a paste, beside its title. @param {import('./read.js').Good} read */
-  function remarks({ as, noises, unused, system }) {
+  function remarks({ as, noises, unused, system, variables, held }) {
     return [
       as,
+      variables.length > 0 ? `taken as variables of the formulas alone: ${variables.join(', ')}` : '',
+      held ? `${held} as what an input does in one step: write G = … if it is of a differential equation` : '',
       wordsOfNoises(noises, system.continuous),
       system.continuous
         ? `taken as continuous in time and sampled every ${system.period} s, with the noise of the motion per second`

@@ -5,7 +5,7 @@ import { Fault, hintOf } from './number.js'
 
 /** @typedef {number[][]} Matrix */
 /** @typedef {{ marks: Set<string>, nested: boolean }} List how the items of a bracket are parted */
-/** @typedef {{ value: Matrix, list: List | null }} Item `list` where the item is a bracket by itself */
+/** @typedef {{ value: Matrix, list: List | null, key?: string }} Item `list` where the item is a bracket by itself */
 
 /**
  * @param {Item[][]} rows @param {List} list
@@ -39,4 +39,14 @@ export function below(strips, text = '') {
   if (uneven < 0) return strips.flat()
   const count = `${counts[uneven]} ${counts[uneven] === 1 ? 'number' : 'numbers'}`
   throw new Fault(`row ${uneven + 2} has ${count}, row 1 has ${first}.${hintOf(text)}`)
+}
+
+/** Whether the bracket that begins a text ends. @param {string} text */
+export function closes(text) {
+  let depth = 0
+  for (const [mark] of text.matchAll(/[[\](){}]/g)) {
+    depth += '([{'.includes(mark) ? 1 : -1
+    if (depth === 0) return true
+  }
+  return false
 }

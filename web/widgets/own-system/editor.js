@@ -144,7 +144,8 @@ export function buildEditor(document, change) {
   function say(name, words) {
     wrong = words === '' ? '' : name
     if (fault.textContent !== words) fault.textContent = words
-    element.toggleAttribute('data-wrong', words !== '')
+    if (words === '') element.removeAttribute('data-wrong')
+    else element.setAttribute('data-wrong', name)
     time.mark(wrong)
     for (const { name: each, group, cells } of matrices) {
       const all = cells().flat()

@@ -3,36 +3,33 @@
  * before, and sums, products, powers, transposes and functions of these, as MATLAB and numpy take them.
  */
 
-import {
-  FUNCTIONS,
-  beside,
-  combined,
-  divided,
-  each,
-  inverse,
-  isLine,
-  isScalar,
-  line,
-  raised,
-  times,
-  transposed,
-} from './matrices.js'
-import { assembled, below } from './bracket.js'
-import { Fault, begun, faultOf, numberIn } from './number.js'
+import { FUNCTIONS, added, beside, combined, each, isLine, isScalar, line, raised, transposed } from './matrices.js'
+import { assembled, below, closes } from './bracket.js'
+import { Fault, faultOf, numberIn, refuse } from './number.js'
+import { multiplied } from './operators.js'
 import { printed } from './printed.js'
+import { isWhiteNoise, whiteNoise } from './white-noise.js'
 
 /** @typedef {number[][]} Matrix */
-/** @typedef {{ get: (name: string) => Matrix | undefined, numpy: boolean }} Scope what names stand for */
+/**
+ * @typedef {object} Scope what names stand for
+ * @property {(name: string, object?: string) => Matrix | undefined} get also of a part of an object: `sys.` of `sys.A`
+ * @property {boolean} numpy @property {boolean} [old] whether there are matrices of numpy, whose product is that of `@`
+ */
 /** @typedef {import('./bracket.js').Item} Item */
 /** @typedef {import('./bracket.js').List} List */
 
 const DIGITS = /^(?:\d+(?:\.(?![*/^'\\])\d*)?|\.\d+)(?:e[+-]?\d+)?(?!\w)/i
-const NAME =
-  /^(?:(?:np|numpy|jnp|math|scipy|sp|linalg|la|LA)\.)*((?:[A-Za-z_]\w*\.(?!(?:T|transpose|dot)\b))*)([A-Za-z_]\w*)/
+const NAME = new RegExp(
+  /^(?:(?:np|numpy|jnp|math|scipy|sp|linalg|la|LA)\.)*/.source +
+    /((?:[A-Za-z_]\w*\.(?!(?:T|transpose|dot|copy|astype|shape)\b))*)([A-Za-z_]\w*)/.source,
+)
 /** Behind a value stands its end, or the next name. */
 const END = /^[^\S\n]*(?:$|[\n;,})]|(["']?)[A-Za-z]\w*\1\s*[:=](?!=))/
 /** The type of an array's numbers. */
 const TYPE = /^(?:dtype\s*=\s*["']?[\w.]+["']?|(?:np\.)?float(?:32|64)?(?=\s*\)))/
+/** What R’s `c(…)` and `<-` are answered with. */
+export const OF_R = 'R’s notation is not read here; write each matrix by its rows, as F = [1 0.5; 0 1].'
 /** So deep may brackets and powers be within one another. */
 const DEEPEST = 60
 
@@ -58,10 +55,10 @@ export class Expression {
     return match
   }
 
-  /** @returns {Matrix} */
-  read() {
+  /** @param {(value: Matrix) => Matrix} [then] what is made of it @returns {Matrix} */
+  read(then = (value) => value) {
     try {
-      const value = each(printed((pattern) => this.take(pattern)) ?? this.value(), (x) => x)
+      const value = each(then(printed((pattern) => this.take(pattern)) ?? this.value()), (x) => x)
       if (!value.flat().every(Number.isFinite)) throw new Fault('a number that comes of it is not finite.')
       return value
     } catch (error) {
@@ -78,12 +75,6 @@ export class Expression {
     return `${this.name}, row ${row}, column ${(inner ?? outer)[(inner ?? outer).length - 1].length + 1}`
   }
 
-  /** @param {string} words @returns {never} */
-  refuse(words) {
-    const [word] = words.trim().split('\n')
-    throw new Fault(`“${begun(word)}” is not understood here; write the numbers that come of it.`)
-  }
-
   /** @returns {Matrix} */
   value() {
     // numpy's print below the name.
@@ -91,7 +82,7 @@ export class Expression {
     const value = this.sum()
     const comma = isScalar(value) ? this.take(/^,\d+/) : null
     if (comma) throw new Fault(faultOf(`${value[0][0]}${comma[0]}`))
-    if (!END.test(this.rest)) this.refuse(this.rest)
+    if (!END.test(this.rest)) refuse(this.rest)
     return value
   }
 
@@ -117,7 +108,7 @@ export class Expression {
     while (!this.parting || !/^[^\S\n]+[-+]\S/.test(this.rest)) {
       const sign = this.operator(/^\.?([-+])(?!=)\s*/)
       if (!sign) break
-      value = combined(value, this.product(), (x, y) => (sign === '-' ? x - y : x + y), 'sum')
+      value = added(value, this.product(), sign)
     }
     return value
   }
@@ -126,23 +117,8 @@ export class Expression {
   product() {
     let value = this.signed()
     for (let sign; (sign = this.operator(/^(\.?[*/\\]|@)(?![*/=])\s*/)); )
-      value = this.multiplied(value, this.signed(), sign)
+      value = multiplied(value, this.signed(), sign, this.scope)
     return value
-  }
-
-  /** With numpy `*` goes entry by entry. @param {Matrix} a @param {Matrix} b @param {string} sign */
-  multiplied(a, b, sign) {
-    const { numpy } = this.scope
-    if (sign === '@') return times(a, b)
-    if (sign.endsWith('*')) {
-      if (sign === '.*' || numpy || isScalar(a) || isScalar(b)) return combined(a, b, (x, y) => x * y, 'product')
-      return times(a, b)
-    }
-    if (sign.endsWith('\\')) {
-      if (numpy) this.refuse(sign)
-      return sign === '.\\' || isScalar(a) ? divided(b, a) : times(inverse(a), b)
-    }
-    return sign === './' || numpy || isScalar(b) ? divided(a, b) : times(a, inverse(b))
   }
 
   /** @param {() => Matrix} [of] @returns {Matrix} */
@@ -159,13 +135,16 @@ export class Expression {
     let value = this.factor()
     for (let sign; ; ) {
       if (this.take(/^(?:\.?'|\.T\b|\.transpose\(\s*\))/)) value = transposed(value)
+      else if (this.take(/^\.(?:copy\(\s*\)|astype\(\s*(?:np\.)?(?:float|float64|"float"|'float')\s*\))/)) continue
+      else if ((sign = this.take(/^\.shape\s*\[\s*([01])\s*\]/)?.[1]))
+        value = [[isLine(value) ? value[0].length : [value.length, value[0].length][Number(sign)]]]
       else if (this.take(/^\.dot(?=\()/)) value = this.called('dot', [value, ...this.values()])
       else if ((sign = this.operator(/^(\*\*|\.?\^)\s*/))) {
-        if (sign === '^' && this.scope.numpy) this.refuse(sign)
+        if (sign === '^' && this.scope.numpy) refuse(sign)
         // Python's power is taken from the right, MATLAB's from the left.
         const by = this.signed(sign === '**' ? undefined : () => this.factor())
         const whole = sign === '^' && !isScalar(value)
-        if (whole && !isScalar(by)) this.refuse(sign)
+        if (whole && !isScalar(by)) refuse(sign)
         value = whole ? raised(value, by[0][0]) : combined(value, by, (x, y) => x ** y, 'power')
       } else break
     }
@@ -184,24 +163,28 @@ export class Expression {
     const name = found[2]
     if (this.parting ? this.rest.startsWith('(') : /^\s*\(/.test(this.rest)) {
       this.take(/^\s+/)
-      if (Object.hasOwn(FUNCTIONS, name) || /^[hv]stack$/.test(name)) return this.function(name)
-      this.refuse(`${name}${this.rest}`)
+      // I is a name for much else, and a function in Julia.
+      const known = name === 'I' ? !this.scope.get(name) : Object.hasOwn(FUNCTIONS, name)
+      if (known || /^[hv]stack$/.test(name) || isWhiteNoise(name)) return this.function(name)
+      if (name === 'c') throw new Fault(OF_R)
+      refuse(`${name}${this.rest}`)
     }
-    const value = this.scope.get(name) ?? (name === 'pi' ? [[Math.PI]] : undefined)
+    const value = this.scope.get(name, found[1]) ?? (name === 'pi' ? [[Math.PI]] : undefined)
     if (!value) throw new Fault(faultOf(name))
     return value
   }
 
   /** @param {string} name */
   function(name) {
+    if (isWhiteNoise(name)) return whiteNoise(name, this.items().rows.flat())
     const { blocks } = this
     this.blocks = name === 'block' || (blocks && !/array|mat/.test(name))
     if (name.endsWith('stack')) {
-      if (!this.take(/^\(\s*(?=[[(])/)) this.refuse(name + this.rest)
+      if (!this.take(/^\(\s*(?=[[(])/)) refuse(name + this.rest)
       const all = this.items()
         .rows.flat()
         .map(({ value }) => value)
-      if (!this.take(/^\s*,?\s*\)/) || all.length === 0) this.refuse(name)
+      if (!this.take(/^\s*,?\s*\)/) || all.length === 0) refuse(name)
       const even = name === 'vstack' ? below(all) : beside(all)
       return line(even, name === 'hstack' && all.every(isLine))
     }
@@ -219,15 +202,18 @@ export class Expression {
 
   /** What stands between the brackets of a function. */
   values() {
-    return this.items()
-      .rows.flat()
-      .map(({ value }) => value)
+    const all = this.items().rows.flat()
+    const named = all.find(({ key }) => key)
+    if (named) refuse(`${named.key} =`)
+    return all.map(({ value }) => value)
   }
 
   bracketed() {
     const text = this.rest
     const { rows, list } = this.items()
     const all = rows.flat()
+    const named = all.find(({ key }) => key)
+    if (named) refuse(`${named.key} =`)
     if (text[0] === '(' && !list.marks.has(',')) {
       if (all.length === 0) throw new Fault(faultOf(''))
       return all[0].value
@@ -246,7 +232,7 @@ export class Expression {
     const rows = /** @type {Item[][]} */ ([[]])
     const marks = /** @type {Set<string>} */ (new Set())
     const open = this.rest[0]
-    if (this.open.length === 0 && !this.closes()) throw new Fault('a bracket is not closed.')
+    if (this.open.length === 0 && !closes(this.rest)) throw new Fault('a bracket is not closed.')
     // In a list within a list, and behind a comma of Python, a line only goes on.
     const whole = open === '(' || this.open[this.open.length - 1]?.open === '['
     this.open.push({ open, rows })
@@ -268,10 +254,10 @@ export class Expression {
       if (mark) marks.add(mark)
       if (mark === ';' && row.length > 0) rows.push([])
       if (mark) before = mark
-      else if (before === '' && (gap === '' || !this.parting)) this.refuse(this.rest)
+      else if (before === '' && (gap === '' || !this.parting)) refuse(this.rest)
       else {
         if (before === '') marks.add(' ')
-        if (open !== '(' || !this.take(TYPE)) rows[rows.length - 1].push(this.item())
+        if (open !== '(' || !this.take(TYPE)) rows[rows.length - 1].push(this.item(open === '('))
         before = ''
       }
     }
@@ -279,21 +265,14 @@ export class Expression {
     return { rows: rows.filter((row) => row.length > 0), list: { marks, nested: rows.flat().some(({ list }) => list) } }
   }
 
-  /** Whether the bracket that begins here ends. */
-  closes() {
-    let depth = 0
-    for (const [mark] of this.rest.matchAll(/[[\](){}]/g)) {
-      depth += '([{'.includes(mark) ? 1 : -1
-      if (depth === 0) return true
-    }
-    return false
-  }
-
-  /** @returns {Item} */
-  item() {
+  /** @param {boolean} named whether it may have a name of its own @returns {Item} */
+  item(named) {
+    const key = named ? this.take(/^([A-Za-z_]\w*)\s*=(?!=)\s*/)?.[1] : undefined
+    const truth = key && this.take(/^(?:True|False)\b/i)?.[0]
+    if (truth) return { key, value: [[Number(/^t/i.test(truth))]], list: null }
     const from = this.rest.length
     const value = this.sum()
     const alone = this.last.from === from && this.last.to === this.rest.length
-    return { value, list: alone ? this.last.list : null }
+    return { key, value, list: alone ? this.last.list : null }
   }
 }

@@ -53,7 +53,7 @@ function readouts(frame) {
     { key: 'detectable', label: 'Detectable', value: frame.detectable },
     { key: 'noise', label: 'Noise reaches all', value: noise.reachable },
     { key: 'stabilizable', label: 'Stabilizable by noise', value: noise.stabilizable },
-    { key: 'input', label: 'Inputs reach all', value: input.reachable },
+    { key: 'input', label: 'Inputs reach all', value: params.inputs === 0 ? 'there are none' : input.reachable },
     {
       key: 'settled',
       label: 'Filter’s covariance settles',

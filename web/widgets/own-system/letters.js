@@ -1,30 +1,13 @@
-/** The letters of other books: which of the matrices that were given is which here. */
+/** The letters of other books: whether the matrices that were given make a system, and what was read as what. */
 
+import { CALLED, MEANT, ROLES, assigned, isStepwise, leftOf, renamed } from './called.js'
 import { turned } from './matrices.js'
 import { Fault, hintOf } from './number.js'
 
-/** @typedef {{ matrix: number[][], line: number, from: 0 | 1 }} Given `from`: what `[ ]` count from */
-/** @typedef {Record<string, Given>} Found by the letter that the reader gave */
-/** @typedef {'F' | 'G' | 'H' | 'V' | 'W'} Role */
+/** @typedef {import('./called.js').Found} Found */
+/** @typedef {import('./called.js').Role} Role */
 /** @typedef {Partial<Record<Role, { name: string, line: number }>>} Places what each is called in a text, and where */
 
-/** What each matrix may be called: here, in control theory and in filterpy, in Thrun's book. */
-export const CALLED = /** @type {Record<Role, string[]>} */ ({
-  F: ['F', 'A'],
-  G: ['G', 'B'],
-  H: ['H', 'C'],
-  V: ['V', 'Q', 'R'],
-  W: ['W', 'R', 'Q'],
-})
-export const ROLES = /** @type {Role[]} */ (Object.keys(CALLED))
-export const LETTERS = [...new Set(ROLES.flatMap((role) => CALLED[role]))]
-const MEANT = /** @type {Record<Role, string>} */ ({
-  F: 'what a step does to the state',
-  G: 'what an input does',
-  H: 'what a reading tells',
-  V: 'the noise of the motion',
-  W: 'the noise of a reading',
-})
 const MOST = /** @type {const} */ ({ states: 9, others: 8 })
 const EXPECTED = 'Write F = …, G = …, H = …, V = …, W = …, or A, B, C, Q, R, in JSON, MATLAB or numpy notation.'
 
@@ -36,50 +19,14 @@ const EXPECTED = 'Write F = …, G = …, H = …, V = …, W = …, or A, B, C,
 /** As a notation of this book has it: Thrun’s R is of the motion, and of all others Q is. @param {string} notation */
 export const motionIn = (notation) => /** @type {Motion} */ (notation === 'thrun' ? 'R' : 'Q')
 
-/**
- * Which letter stands for which matrix.
- * @param {Found} found @param {Motion} motion of Q and R, where their sizes do not tell
- * @returns {Partial<Record<Role, string>>}
- */
-function assigned(found, motion) {
+/** @param {Found} found @param {Motion} motion */
+function whole(found, motion) {
   if (Object.keys(found).length === 0) throw new Fault(`No matrix was found. ${EXPECTED}`)
-  const of = /** @type {Partial<Record<Role, string>>} */ ({})
-  for (const role of /** @type {Role[]} */ (['F', 'G', 'H'])) {
-    const given = CALLED[role].filter((letter) => found[letter])
-    if (given.length > 1)
-      throw new Fault(
-        `${given[0]} and ${given[1]} are both given, and both are ${MEANT[role]}.${renamed(role, given[1])}`,
-      )
-    if (given.length > 0) of[role] = given[0]
-  }
-  if (found.V) of.V = 'V'
-  if (found.W) of.W = 'W'
-  const rest = ['Q', 'R'].filter((letter) => found[letter])
-  const other = motion === 'Q' ? 'R' : 'Q'
-  if (!of.V && !of.W && rest.length > 0) {
-    const sizes = [of.F, of.H].map((letter) => (letter ? found[letter].matrix.length : 0))
-    const fit = (/** @type {string[]} */ names) =>
-      names.every((name, i) => !found[name] || found[name].matrix.length === sizes[i])
-    const turned = fit([other, motion]) && !fit([motion, other])
-    const [v, w] = turned ? [other, motion] : [motion, other]
-    if (found[v]) of.V = v
-    if (found[w]) of.W = w
-  } else if (rest.length > 0) {
-    for (const letter of rest) {
-      const role = letter === 'Q' ? 'V' : 'W'
-      const instead = of.V && !of.W && letter === 'Q' ? null : role
-      if (!instead || of[instead])
-        throw new Fault(`${of[role] ?? role} and ${letter} are both given, and both are ${MEANT[role]}.`)
-      of[instead] = letter
-    }
-  }
+  const of = assigned(found, motion)
   for (const role of /** @type {Role[]} */ (['F', 'H', 'V', 'W']))
     if (!of[role]) throw new Fault(`${missing(role, of, motion)}, ${MEANT[role]}, is missing.`)
   return of
 }
-
-/** Many a script has a B that is no input: nothing tells it from one. @param {Role} role @param {string} name */
-const renamed = (role, name) => (role === 'G' && name === 'B' ? ' Give B another name if it is not that.' : '')
 
 /**
  * The letter that a reader would look for.
@@ -89,6 +36,7 @@ function missing(role, of, motion) {
   if (role === 'F' || role === 'H') return of.F === 'A' || of.H === 'C' ? CALLED[role][1] : role
   const [given] = [of.V, of.W].filter((letter) => letter === 'Q' || letter === 'R')
   if (given) return given === 'Q' ? 'R' : 'Q'
+  if (isStepwise(of.V ?? of.W ?? '')) return role === 'V' ? 'Q' : 'R'
   if (of.F !== 'A' && of.G !== 'B') return role
   return (role === 'V') === (motion === 'Q') ? 'Q' : 'R'
 }
@@ -128,10 +76,11 @@ export function wordsOfNoises(noises, continuous = false) {
  * The matrices, if they fit one another, and what they were called where that is not what they are called here.
  * @param {Found} found @param {string} text @param {Motion} motion
  * @param {(line: number) => void} at tells where the fault is
- * @returns {{ system: Record<Role, number[][]>, as: string, noises: Noises | null, places: Places }}
+ * @returns {{ system: Record<Role, number[][]>, of: Partial<Record<Role, string>>, as: string, noises: Noises | null,
+ *   places: Places, variables: string[], idle: string[] }}
  */
 export function systemOf(found, text, motion, at) {
-  const of = assigned(found, motion)
+  const of = whole(found, motion)
   const m = /** @type {Record<string, number[][]>} */ (
     Object.fromEntries(Object.entries(of).map(([role, letter]) => [role, found[letter].matrix]))
   )
@@ -147,6 +96,11 @@ export function systemOf(found, text, motion, at) {
     V: [n, n],
     W: [p, p],
   })
+  // In MATLAB’s dlqe and kalman, Q is of a noise that G takes to the state.
+  const shaped = (/** @type {Role} */ role) =>
+    role === 'V' && m.G && m.V.length === inputs && m.V[0].length === inputs
+      ? ` Write ${of.V} = ${of.G}*${of.V}*${of.G}' if ${of.G} takes it to the state.`
+      : ''
   for (const role of ROLES.filter((each) => m[each])) {
     const name = String(of[role])
     at(found[name].line)
@@ -163,7 +117,7 @@ export function systemOf(found, text, motion, at) {
         ? 'it has to be square'
         : `with ${of.F} ${n} × ${m.F[0].length} and ${of.H} ${p} × ${m.H[0].length} it needs to be ${height} × ${width}`
     if (rows !== height || columns !== width)
-      throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}${renamed(role, name)}`)
+      throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}${renamed(name)}${shaped(role)}`)
   }
   at(0)
   const other = ROLES.filter((role) => of[role] && of[role] !== role)
@@ -171,7 +125,7 @@ export function systemOf(found, text, motion, at) {
   const place = (/** @type {string[]} */ [role, name]) => [role, { name, line: found[name].line }]
   const places = Object.fromEntries(Object.entries(of).map(place))
   const system = /** @type {any} */ ({ G: m.F.map(() => []), ...m })
-  return { system, as, noises: noisesOf(of, found), places }
+  return { system, of, as, noises: noisesOf(of, found), places, ...leftOf(found, of) }
 }
 
 /**

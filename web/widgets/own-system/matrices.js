@@ -50,6 +50,9 @@ export function combined(a, b, f, what) {
   return line(all, (isLine(a) || isLine(b)) && [a, b].every((m) => isLine(m) || isScalar(m)))
 }
 
+/** @param {Matrix} a @param {Matrix} b @param {string} sign */
+export const added = (a, b, sign) => combined(a, b, (x, y) => (sign === '-' ? x - y : x + y), 'sum')
+
 /** The product of two matrices. @param {Matrix} a @param {Matrix} b @returns {Matrix} */
 export function times(a, b) {
   if (isLine(b) && !isScalar(b)) return line(turned(times(a, turned(b))))
@@ -178,17 +181,26 @@ const radians = entries((x) => (x * Math.PI) / 180)
  * @type {Record<string, [number, number, Call]>}
  */
 export const FUNCTIONS = {
-  ...Object.fromEntries(['array', 'asarray', 'matrix', 'mat', 'double', 'float'].map((name) => [name, [1, 1, as]])),
-  ...Object.fromEntries(['eye', 'identity'].map((name) => [name, [1, 2, filled(1, true)]])),
+  ...Object.fromEntries(
+    ['array', 'asarray', 'matrix', 'mat', 'double', 'float', 'atleast_2d'].map((name) => [name, [1, 1, as]]),
+  ),
+  ...Object.fromEntries(['eye', 'identity', 'I'].map((name) => [name, [1, 2, filled(1, true)]])),
   zeros: [1, 2, filled(0, false)],
   ones: [1, 2, filled(1, false)],
+  fill: [3, 3, ([value, ...size]) => filled(value[0][0], false)(size, false)],
   diag: [1, 2, ([m, k], numpy) => diagonal(m, k?.[0][0] ?? 0, numpy)],
+  ...Object.fromEntries(['Diagonal', 'diagm'].map((name) => [name, [1, 1, ([m]) => diagonal(m, 0, false)]])),
   kron: [2, 2, ([a, b]) => kron(a, b)],
   blkdiag: [1, MOST, blocks],
   block_diag: [1, MOST, blocks],
   block: [1, 1, as],
   horzcat: [1, MOST, beside],
   vertcat: [1, MOST, (all) => all.flat()],
+  size: [1, 2, ([m, k]) => (k ? [[[m.length, m[0].length][k[0][0] - 1] ?? 1]] : [[m.length, m[0].length]])],
+  length: [1, 1, ([m]) => [[Math.max(m.length, m[0].length)]]],
+  len: [1, 1, ([m]) => [[isLine(m) ? m[0].length : m.length]]],
+  zeros_like: [1, 1, entries(() => 0)],
+  ones_like: [1, 1, entries(() => 1)],
   inv: [1, 1, ([m]) => inverse(m)],
   expm: [1, 1, ([m]) => exponential(m)],
   dot: [2, 2, product],
@@ -205,6 +217,7 @@ export const FUNCTIONS = {
   transpose: [1, 1, ([m]) => transposed(m)],
   matrix_power: [2, 2, ([m, by]) => raised(m, by[0][0])],
   sqrt: [1, 1, entries(Math.sqrt)],
+  square: [1, 1, entries((x) => x * x)],
   exp: [1, 1, entries(Math.exp)],
   log: [1, 1, entries(Math.log)],
   sin: [1, 1, entries(Math.sin)],

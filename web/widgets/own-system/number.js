@@ -45,3 +45,9 @@ export function numberIn(word) {
 /** Numbers like 0,5 are two numbers here. @param {string} text */
 export const hintOf = (text) =>
   /\d,\d/.test(text) && !/\d\.\d|,\s|\[\s*\[/.test(text) ? ' A comma stands between numbers: write 0.5 for 0,5.' : ''
+
+/** @param {string} words @returns {never} */
+export function refuse(words) {
+  const [word] = words.trim().split('\n')
+  throw new Fault(`“${begun(word)}” is not understood here; write the numbers that come of it.`)
+}

@@ -1,7 +1,7 @@
 /** Whether a pasted system is of continuous time, and how long its step lasts. */
 
 import { Expression } from './expression.js'
-import { CALLED as MATRICES, LETTERS } from './letters.js'
+import { CALLED as MATRICES, isMatrix } from './called.js'
 import { Fault, begun } from './number.js'
 
 /** What the length of a step is called: by a name that means nothing else before one that may. */
@@ -47,12 +47,24 @@ export class Sampling {
     this.continuous = false
     /** Whether it is given how the system is sampled. */
     this.sampled = false
+    /** The first matrix of the system that is sampled, or of continuous time; empty where the text does not tell. */
+    this.of = ''
+    /** What a call that samples makes: it is made here after the text is read. @type {Set<string>} */
+    this.made = new Set()
     /** @type {{ name: string, step: number, rank: number }[]} */
     this.steps = []
   }
 
-  /** @param {string} name @param {number} step */
-  step(name, step) {
+  /** The names of what a call makes, which stand before it. @param {string} words */
+  makes(words) {
+    if (!this.sampled) return
+    const [, names = ''] = /^([^=]*)=/.exec(words) ?? []
+    for (const [name] of names.matchAll(/[A-Za-z_]\w*/g)) if (!isStep(name)) this.made.add(name)
+  }
+
+  /** @param {string} name @param {number} step @param {boolean} [anew] in place of what it was */
+  step(name, step, anew = false) {
+    if (anew) this.steps = this.steps.filter((one) => one.name !== name)
     this.steps.push({ name, step, rank: CALLED.findIndex((called) => called.test(name)) })
   }
 
@@ -78,7 +90,7 @@ export class Sampling {
 
   /** A system of matrices that are not read says nothing of those that are. @param {string[]} values */
   isAnother([first = '']) {
-    return /^[A-Za-z_]\w*$/.test(first) && !LETTERS.includes(first) && !this.scope.get(first)
+    return /^[A-Za-z_]\w*$/.test(first) && !isMatrix(first) && !this.scope.get(first)
   }
 
   /** Matrices that are written in the call itself, or have names of their own there. @param {string[]} values */
@@ -87,8 +99,9 @@ export class Sampling {
     if (slots.length < 3 || this.isAnother(values)) return
     SLOTS.forEach((role, i) => {
       const [value, letter] = [slots[i], MATRICES[role][1]]
-      if (LETTERS.includes(value) || /^\[\s*\]$/.test(value)) return
       const known = this.given.get(MATRICES[role])
+      if (role === 'F') this.of = isMatrix(value) ? value : known ? '' : letter
+      if (isMatrix(value) || /^\[\s*\]$/.test(value)) return
       const name = /^[A-Za-z_]\w*$/.test(value)
       if (name && !this.scope.get(value)) return known ? undefined : this.given.leave(value)
       if (!known) return this.given.add(letter, new Expression(value, letter, this.scope).read())
@@ -111,6 +124,7 @@ export class Sampling {
   /** `c2d(sys, T)` and its like: the last value that is no word is the length of a step. @param {string} call */
   sample(call) {
     const all = valuesOf(call)
+    if (isMatrix(all[0] ?? '')) this.of = all[0]
     if (/^\(/.test(all[0] ?? '')) this.matrices(valuesOf(all[0]))
     else if (SPACE.test(all[0] ?? '')) this.matrices(valuesOf(all[0].replace(SPACE, '')))
     const positions = all.filter((value) => {
@@ -124,9 +138,13 @@ export class Sampling {
     this.sampled = true
   }
 
-  /** The length of a step, and the name that it has. */
-  answer() {
-    const continuous = this.continuous || this.sampled
+  /**
+   * The length of a step, and the name that it has.
+   * @param {string} f the matrix that was taken for F @param {boolean} stepwise whether that is of one step
+   */
+  answer(f, stepwise) {
+    const meant = this.of === '' ? !stepwise : this.of === f
+    const continuous = meant && (this.continuous || this.sampled)
     const rank = Math.min(...this.steps.map((one) => one.rank))
     const [first, ...others] = this.steps.filter((one) => one.rank === rank)
     const other = others.find(({ step }) => step !== first.step)
