@@ -39,7 +39,9 @@ const FILES = {
   'assets/text-A1B2C3D4.woff2': LONG,
 }
 
-let home, server, port
+let home, port
+/** @type {import('node:child_process').ChildProcess | undefined} */
+let server
 before(async () => {
   if (skip) return
   home = mkdtempSync(path.join(tmpdir(), 'nginx-'))
@@ -70,7 +72,7 @@ before(async () => {
       }
     }`,
   )
-  server = spawn(nginx, ['-p', home, '-c', path.join(home, 'nginx.conf'), '-e', path.join(home, 'errors')], {
+  server = spawn(String(nginx), ['-p', home, '-c', path.join(home, 'nginx.conf'), '-e', path.join(home, 'errors')], {
     stdio: 'inherit',
   })
   for (let tries = 0; ; tries++) {
@@ -81,7 +83,7 @@ before(async () => {
     if (up) break
     const errors = path.join(home, 'errors')
     const said = existsSync(errors) ? readFileSync(errors, 'utf8') : ''
-    assert.ok(tries < 100 && server.exitCode === null, `nginx does not answer: ${said}`)
+    assert.ok(tries < 100 && server?.exitCode === null, `nginx does not answer: ${said}`)
     await new Promise((resolve) => setTimeout(resolve, 100))
   }
 })

@@ -69,7 +69,7 @@ export async function answerOf(place, page = 'index.html') {
       tab.on('pageerror', (error) => reject(error))
     })
     const answered = tab
-      .waitForFunction(() => window.answer, null, { timeout: 60_000 })
+      .waitForFunction(() => globalThis.answer, null, { timeout: 60_000 })
       .then((handle) => handle.jsonValue())
     const answer = await Promise.race([answered, failed]).catch((error) => {
       throw new Error(`${error.message}\n${faults.join('\n')}`)
