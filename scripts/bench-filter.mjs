@@ -110,16 +110,16 @@ const filters = {
 const STEPS = { KalmanFilter: 100_000, 'ml-matrix': 20_000, 'kalman-filter': 10_000 }
 const median = (values) => values.sort((a, b) => a - b)[values.length >> 1]
 
-for (const [title, model] of [
+for (const [title, model] of /** @type {[string, any][]} */ ([
   ['2 states, 1 reading', line],
   ['4 states, 2 readings', plane],
-]) {
+])) {
   const means = Object.values(filters).map((run) => run(model, 500))
   for (const mean of means) {
     if (!mean.every((entry, i) => Math.abs(entry - means[0][i]) < 1e-9))
       throw new Error(`the filters disagree: ${JSON.stringify(means)}`)
   }
-  const times = Object.fromEntries(Object.keys(filters).map((name) => [name, []]))
+  const times = Object.fromEntries(Object.keys(filters).map((name) => [name, /** @type {number[]} */ ([])]))
   for (let round = -1; round < ROUNDS; round++) {
     for (const [name, run] of Object.entries(filters)) {
       const start = process.hrtime.bigint()

@@ -63,7 +63,7 @@ function parsing() {
   const parsed = core.RobotLog.parse(whole)
   const read = Number(process.hrtime.bigint() - began) / 1e9
   // The module's memory never shrinks: its size is the most that was in use.
-  const megabytes = () => instance.exports.memory.buffer.byteLength / 1e6
+  const megabytes = () => /** @type {WebAssembly.Memory} */ (instance.exports.memory).buffer.byteLength / 1e6
   const memory = [megabytes()]
   const lab = new core.RobotLog(parsed)
   const from = process.hrtime.bigint()

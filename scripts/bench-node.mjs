@@ -200,6 +200,7 @@ function growth(where) {
     points.reduce((sum, p) => sum + (p[0] - x) * (p[1] - y), 0) / points.reduce((sum, p) => sum + (p[0] - x) ** 2, 0)
   ).toFixed(2)
 }
+/** @type {[what: string, value: string | number, goal?: number][]} */
 const rows = [
   ['Kalman step of a log, module / native', ratio('Kalman step of a log, module', 'Kalman step of a log, native'), 1.8],
   ['Kalman step of a log, module / JavaScript', ratio('Kalman step of a log, module', 'Kalman step, JavaScript'), 4],

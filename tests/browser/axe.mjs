@@ -12,6 +12,9 @@ export const COLOURS = ['color-contrast', 'link-in-text-block']
 /**
  * What axe finds on the page as it stands, or in its parts that selectors name; of these rules alone, without these, or
  * of all.
+ *
+ * @param {any} page
+ * @param {{ within?: string[], rules?: string[], without?: string[] }} [wishes]
  */
 export async function faults(page, { within, rules, without = [] } = {}) {
   if (!(await page.evaluate(() => 'axe' in globalThis))) await page.evaluate(axe)

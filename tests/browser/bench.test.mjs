@@ -66,7 +66,7 @@ test('the filter, when it may choose, ends where the knob says 1', async (t) => 
   assert.ok(await knob(bench).isDisabled())
   await bench.getByRole('button', { name: 'Play' }).click()
   await bench.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })
-  const frame = await until(bench, ({ step }) => step >= 30, 'it plays to step 30', 30_000)
+  const frame = await until(bench, ({ step }) => step >= 30, 'it plays to step 30')
   await bench.getByRole('button', { name: 'Pause' }).click()
   const shown = await readout(bench, 'Equivalent knob')
   assert.ok(!close(first.series.knob[0], 1, 0.1), `it starts at ${first.series.knob[0]}`)
@@ -147,7 +147,7 @@ test('a change is the whole run as it would have been, and a step is announced',
 })
 
 test('with reduced motion a step shows at once; without, in two beats', async (t) => {
-  for (const motion of ['reduce', 'no-preference']) {
+  for (const motion of /** @type {const} */ (['reduce', 'no-preference'])) {
     const { page, it: bench } = await openFigure(t, 'observer-bench', { motion })
     await quiet(page)
     // Every outline of the ellipse that the step shows, frame by frame.

@@ -115,11 +115,11 @@ const half = (_, response) => {
   response.write(whole.subarray(0, whole.length / 2))
 }
 
-for (const [what, answer] of [
+for (const [what, answer] of /** @type {[string, import('node:http').RequestListener][]} */ ([
   ['hangs', () => {}],
   ['hangs in the middle of a page', half],
   ['fails', (_, response) => response.writeHead(503).end('Not now.')],
-]) {
+])) {
   test(`where the server ${what} the kept page is shown`, async (t) => {
     await visit(true, async ({ page, url, site }) => {
       await page.goto(`${url}kalman/`)

@@ -182,7 +182,7 @@ test('in a frame a link is shown where the clipboard is closed, and there is not
   await bench.getByRole('button', { name: 'Copy link to this state' }).click()
   const link = new URL(await bench.locator('.copy-box textarea').inputValue())
   assert.equal(link.pathname, `${new URL(site.url).pathname}figure/observer-bench/`)
-  assert.equal(JSON.parse(Buffer.from(link.searchParams.get('fig-limit'), 'base64url'))[2], 20)
+  assert.equal(JSON.parse(String(Buffer.from(link.searchParams.get('fig-limit'), 'base64url')))[2], 20)
 })
 
 test('a long run in a frame is computed in slices, without a worker', async (t) => {

@@ -7,6 +7,9 @@ import { HANGS_MS, stage, tagOf, watch } from './harness.mjs'
 /**
  * A page around one frame, served from a port of its own. It keeps every message it gets and gives the frame its
  * height.
+ *
+ * @param {any} t
+ * @param {{ src?: string, sandbox?: string, width?: number, markup?: string }} wishes `markup` in place of the others
  */
 export async function around(t, { src, sandbox = 'allow-scripts', width = 700, markup }) {
   const frame =
@@ -29,7 +32,8 @@ export async function around(t, { src, sandbox = 'allow-scripts', width = 700, m
   )
   server.listen(0, '127.0.0.1')
   await once(server, 'listening')
-  const home = `http://127.0.0.1:${server.address().port}/`
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address())
+  const home = `http://127.0.0.1:${port}/`
   const { browser, site } = await stage()
   const context = await browser.newContext({ viewport: { width: 900, height: 900 }, reducedMotion: 'reduce' })
   const page = await context.newPage()

@@ -113,7 +113,7 @@ test('where there is no WebAssembly the figures are stills', async (t) => {
   const page = await open(t, {
     prepare: (it) =>
       it.addInitScript(() => {
-        delete globalThis.WebAssembly
+        Reflect.deleteProperty(globalThis, 'WebAssembly')
       }),
   })
   const bench = page.locator('observer-bench').first()

@@ -130,7 +130,8 @@ test('a figure lives in a sandboxed frame of another origin in Firefox, and tell
     other.on('console', (message) => {
       if (message.type() === 'error') complaints.push(message.text())
     })
-    await other.goto(`http://127.0.0.1:${server.address().port}/`)
+    const { port } = /** @type {import('node:net').AddressInfo} */ (server.address())
+    await other.goto(`http://127.0.0.1:${port}/`)
     const frame = other.frames()[1]
     await waitIn(frame, () => document.querySelector('observer-bench').settled)
     assert.equal(await frame.evaluate(() => self.origin), 'null')
@@ -166,7 +167,7 @@ test('no formula has to be scrolled in Firefox', { skip: firefox ? false : notic
 
 test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice }, async () => {
   // The lab of the log is in a worker; digits.test.mjs asks for its hash in Chromium.
-  const shown = ([name]) => !FIGURES.find((figure) => figure.name === name).world
+  const shown = (/** @type {string[]} */ [name]) => !FIGURES.find((figure) => figure.name === name).world
   let shownOn
   for (const [name, hash, given] of native
     .trim()

@@ -47,7 +47,7 @@ try {
     let [x, y, turns] = [0, 0, 0]
     if (held) {
       await handle.scrollIntoViewIfNeeded()
-      const box = await handle.boundingBox()
+      const box = /** @type {any} */ (await handle.boundingBox())
       ;[x, y] = [box.x + box.width / 2, box.y + box.height / 2]
       await page.mouse.move(x, y)
       await page.mouse.down()

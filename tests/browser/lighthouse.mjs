@@ -12,7 +12,7 @@ import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, HANGS_MS } from './places.mjs
 export async function tower() {
   const probe = createServer().listen(0, '127.0.0.1')
   await once(probe, 'listening')
-  const { port } = probe.address()
+  const { port } = /** @type {import('node:net').AddressInfo} */ (probe.address())
   probe.close()
   const site = await serve({ folder: dist, base: BASE })
   const browser = await chromium.launch({
@@ -22,7 +22,7 @@ export async function tower() {
   })
   return {
     run: async (at, options = {}) =>
-      (await lighthouse(site.url + at, { port, output: 'json', logLevel: 'error', ...options })).lhr,
+      /** @type {any} */ (await lighthouse(site.url + at, { port, output: 'json', logLevel: 'error', ...options })).lhr,
     close: async () => {
       await browser.close()
       await site.close()

@@ -41,7 +41,7 @@ test('a copied link opens the same state, to the same digits', async (t) => {
   assert.deepEqual(await frameOf(restored), there.frame)
 })
 
-for (const [what, mangle] of [
+for (const [what, mangle] of /** @type {[string, (text: string) => string][]} */ ([
   ['cut short', (text) => text.slice(0, -7)],
   ['no base64 at all', () => '%3Cscript%3Ealert(1)%3C/script%3E'],
   ['of another version', () => btoa(JSON.stringify([99, 'observer-bench', 3, {}])).replace(/=+$/, '')],
@@ -53,7 +53,7 @@ for (const [what, mangle] of [
   ],
   ['far too long', () => 'A'.repeat(9_000)],
   ['with a step beyond all', () => btoa(JSON.stringify([1, 'observer-bench', 1e15, {}])).replace(/=+$/, '')],
-]) {
+])) {
   test(`a link ${what} gives the usual figure and a notice`, async (t) => {
     const good = btoa(
       JSON.stringify([1, 'observer-bench', 3, { sensor: 'velocity', mode: 'fixed', gain: 1, seed: 1 }]),

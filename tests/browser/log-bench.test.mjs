@@ -30,11 +30,11 @@ const seen = (page, names) =>
 test('evidence and sliders are on one screen; on a phone map, verdict and innovations are', async (t) => {
   const evidence = ['.panel-map', '.verdict', '.panel-innovations']
   const wide = [...evidence, '.panel-nis', '.log-likelihood', '.log-number']
-  for (const [viewport, names] of [
+  for (const [viewport, names] of /** @type {[typeof PHONE, string[]][]} */ ([
     [{ width: 1440, height: 900 }, wide],
     [{ width: 1000, height: 800 }, wide],
     [PHONE, evidence],
-  ]) {
+  ])) {
     const { page, it, choose } = await openLog(t, { viewport })
     await choose(file('car.csv', CAR))
     await until(it, ({ rows, summary }) => rows > 14_000 && summary.used > 2000, 'the car')

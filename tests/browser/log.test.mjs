@@ -139,7 +139,7 @@ test('track and innovations come as CSV, and a link carries the settings and not
       page.getByRole('button', { name: `Download the ${name}` }).click(),
     ])
     const text = readFileSync(await download.path(), 'utf8')
-    assert.match(text, head)
+    assert.match(text, /** @type {RegExp} */ (head))
     assert.equal(text.trim().split('\n').length, rows, text)
   }
   await it.getByRole('button', { name: 'Copy link' }).click()

@@ -16,7 +16,7 @@ await browser.startTracing(page, {
 await page.goto(site.url + at)
 // Nothing is asked of the page meanwhile: what the driver brings into a page for a question takes a long task itself.
 await new Promise((resolve) => setTimeout(resolve, 5000))
-const { traceEvents: all } = JSON.parse(await browser.stopTracing())
+const { traceEvents: all } = JSON.parse(String(await browser.stopTracing()))
 await browser.close()
 await site.close()
 

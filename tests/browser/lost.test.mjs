@@ -49,7 +49,7 @@ test('it is dark in the dark, as the reader has set it, and axe finds nothing', 
   await page.reload()
   assert.equal(await paper(), 'rgb(255, 253, 248)')
   await page.evaluate(() => localStorage.clear())
-  for (const theme of ['light', 'dark']) {
+  for (const theme of /** @type {const} */ (['light', 'dark'])) {
     const other = await open(t, { at: 'a/b/c', theme, expected: EXPECTED })
     // The driver puts axe in from outside; the policy of the page does not concern it.
     await other.evaluate(axe)

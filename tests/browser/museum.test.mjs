@@ -70,7 +70,7 @@ test('three hidden bugs named in a row unlock two at once, and nothing on the pa
 test('a count over seeds can be stopped on its way, and says what it has', async (t) => {
   const { it, page } = await openFigure(t, 'bug-museum')
   await it.getByRole('checkbox', { name: 'count over seeds' }).check()
-  const { seeds, figures } = await until(it, (frame) => frame.seeds === 500, 'all seeds', 60_000)
+  const { seeds, figures } = await until(it, (frame) => frame.seeds === 500, 'all seeds')
   assert.ok(
     figures.every(({ beyond: [below, above] }) => below + above <= 1) && figures[7].beyond[1] > 0.9,
     `refused readings give the bug away, of ${seeds}`,

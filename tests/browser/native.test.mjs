@@ -22,7 +22,7 @@ function native(link, id) {
     input: text,
     maxBuffer: 2 ** 26,
   })
-  return { text, frame: JSON.parse(frame) }
+  return { text, frame: JSON.parse(String(frame)) }
 }
 
 // Before any test, since cargo may have to compile it: no test's time is spent on that.
@@ -146,7 +146,7 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
         ])
       assert.ok(said.length >= 3, `${tag} has readouts`)
       assert.deepEqual(shown.readouts, said, where)
-      assert.equal(shown.verdict, held(plain(spec.verdict(run.frame))), where)
+      assert.equal(shown.verdict, held(plain(/** @type {any} */ (spec).verdict(run.frame))), where)
       assert.deepEqual(shown.panels, spec.describe(run.frame), where)
     }
   })

@@ -20,7 +20,7 @@ async function pages(pdf) {
   const texts = []
   for (let i = 1; i <= document.numPages; i++) {
     const { items } = await (await document.getPage(i)).getTextContent()
-    texts.push(items.map((item) => item.str + (item.hasEOL ? ' ' : '')).join(''))
+    texts.push(items.map((/** @type {any} */ item) => item.str + (item.hasEOL ? ' ' : '')).join(''))
   }
   return texts
 }
@@ -32,7 +32,7 @@ async function pages(pdf) {
 async function isTaggedWithBookmarks(pdf, sections) {
   const document = await reading(pdf)
   assert.equal((await document.getMarkInfo())?.Marked, true)
-  const { info } = await document.getMetadata()
+  const info = /** @type {any} */ ((await document.getMetadata()).info)
   assert.match(info.Title, /Kalman/)
   assert.match(info.Language, /^en/)
   const titles = []
@@ -68,7 +68,9 @@ async function alone(pdf, names) {
   const found = []
   let seen = 0
   for (let i = 1; i <= document.numPages; i++) {
-    const items = (await (await document.getPage(i)).getTextContent()).items.filter(({ str }) => str.trim())
+    /** @type {any[]} */
+    const texts = (await (await document.getPage(i)).getTextContent()).items
+    const items = texts.filter(({ str }) => str.trim())
     for (const [
       n,
       {
@@ -190,10 +192,10 @@ test('with scripts off what is closed on the screen is open on paper', async (t)
   assert.ok(whole.includes('belowthemaximum:'), 'a drawing far down the page is on paper')
 })
 
-for (const [at, least] of [
+for (const [at, least] of /** @type {[string, number][]} */ ([
   ['kalman/', 40],
   [EXERCISES, 10],
-])
+]))
   test(`in print nothing to press is left on /${at}; figures and questions are as paper needs them`, async (t) => {
     // As wide as a sheet between its margins.
     const page = await open(t, { at, viewport: { width: 688, height: 1000 } })

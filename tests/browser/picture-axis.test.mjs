@@ -67,10 +67,10 @@ test('while a bell is dragged the axis keeps its scale: an even drag moves it ev
   const { page, it } = await picture(t)
   const ticks = () => it.locator('.live .panel-axis .tick').allTextContents()
   const places = await ticks()
-  for (const [label, read, side] of [
+  for (const [label, read, side] of /** @type {[string, (frame: any) => number, number][]} */ ([
     ['Expected output', ({ expectedOutput }) => expectedOutput, 1],
     ['Output that is read', ({ params }) => params.reading, -1],
-  ]) {
+  ])) {
     const grip = handle(it, label)
     await grip.scrollIntoViewIfNeeded()
     const box = await grip.locator('.handle-dot').boundingBox()

@@ -10,6 +10,7 @@ import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, root } from './places.mjs'
 /**
  * Name of the picture, how many pixels it has for one of the page, the figure with its id, its lab, and the state to
  * show.
+ * @type {[string, number, string, string, string, number, Record<string, unknown>][]}
  */
 const PICTURES = [
   ['knob', 1.5, 'observer-bench', 'fig-bench', 'observer-bench', 12, {}],
@@ -20,7 +21,7 @@ const PICTURES = [
 const site = await serve({ folder: dist, base: BASE })
 const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS })
 try {
-  for (const theme of ['light', 'dark']) {
+  for (const theme of /** @type {const} */ (['light', 'dark'])) {
     for (const [name, deviceScaleFactor, widget, id, lab, step, params] of PICTURES) {
       // As wide as in the chapter.
       const page = await browser.newPage({
@@ -35,8 +36,8 @@ try {
       await figure.waitFor()
       await page.waitForFunction((tag) => document.querySelector(tag).settled, widget)
       await page.evaluate(() => document.fonts.ready)
-      const { x, y, width } = await figure.boundingBox()
-      const below = await figure.locator('.live .readouts').boundingBox()
+      const { x, y, width } = /** @type {any} */ (await figure.boundingBox())
+      const below = /** @type {any} */ (await figure.locator('.live .readouts').boundingBox())
       const shot = PNG.sync.read(
         await page.screenshot({
           animations: 'disabled',

@@ -232,6 +232,7 @@ test('a part that is not laid out has nearly its real height, and holds no form 
 })
 
 test('a figure that comes alive while it is read stays where it is, and is as high as its still', async (t) => {
+  /** @type {any} */
   let answer
   const asked = new Promise((resolve) => {
     answer = resolve
@@ -264,6 +265,7 @@ test('a figure that comes alive while it is read stays where it is, and is as hi
 
 for (const [size, how] of Object.entries(SIZES)) {
   test(`a text is not moved by a figure above it that comes alive, ${size}`, async (t) => {
+    /** @type {any} */
     let answer
     const asked = new Promise((resolve) => {
       answer = resolve

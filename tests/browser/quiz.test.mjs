@@ -145,7 +145,7 @@ test('a number is right within its tolerance, in the ways people write numbers',
     ['0', AGAIN],
     [String(value + 1.1 * tolerance), CLOSE],
   ]) {
-    assert.deepEqual(await judged(text), said, text)
+    assert.deepEqual(await judged(text), said, String(text))
     assert.ok(!(await shown(it)))
     assert.deepEqual(await judged(String(value - 1.1 * tolerance)), WRONG, 'the second try')
   }

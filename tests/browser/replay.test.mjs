@@ -68,7 +68,7 @@ test('a link to the last step of all opens in many short calls, to the bits of o
     prepare: (it) => noteBar(it, 'observability-probe'),
   })
   const probe = await alive(page, 'observability-probe')
-  await until(probe, ({ step }) => step === 100_000, 'it arrives', 120_000)
+  await until(probe, ({ step }) => step === 100_000, 'it arrives')
   const whole = estimate.ObservabilityProbe.from({
     version: 1,
     lab: 'observability-probe',
@@ -97,9 +97,9 @@ test('fast play reaches the last step, and stops there', async (t) => {
   await hook.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })
   await hook.getByRole('button', { name: 'Play', exact: true }).click()
   // Play stops at the end of each lap of 640 ticks.
-  await until(hook, ({ step }) => step === 99_840, 'the end of a lap', 30_000)
+  await until(hook, ({ step }) => step === 99_840, 'the end of a lap')
   await hook.getByRole('button', { name: 'Play', exact: true }).click()
-  await until(hook, ({ step }) => step === 100_000, 'the last step', 30_000)
+  await until(hook, ({ step }) => step === 100_000, 'the last step')
   await hook.getByRole('button', { name: 'Play', exact: true }).waitFor()
   await hook
     .locator('.live .figure-note')
@@ -110,7 +110,7 @@ test('fast play reaches the last step, and stops there', async (t) => {
 test('a change during a long replay supersedes it; a key moves the knob on from where it was', async (t) => {
   const page = await open(t, { at: probeAt(60_000, { count: 3 }) })
   const probe = await alive(page, 'observability-probe')
-  await until(probe, ({ step }) => step === 60_000, 'it arrives', 60_000)
+  await until(probe, ({ step }) => step === 60_000, 'it arrives')
   // Each call of the lab from here on is noted.
   await probe.evaluate((it) => {
     const lab = Object.getPrototypeOf(it.figure.lab)
@@ -131,7 +131,6 @@ test('a change during a long replay supersedes it; a key moves the knob on from 
     probe,
     (frame) => frame.params.seed === 5 && frame.params.landmarks[0][0] < before - 0.12,
     'both changes hold',
-    60_000,
   )
   assert.ok(Math.abs(params.landmarks[0][0] - (before - 0.15)) < 1e-9, 'each press counts')
   const calls = await page.evaluate(() => globalThis.calls)

@@ -4,7 +4,7 @@ import { HANGS_MS } from './places.mjs'
 /** Waits until the whole book is kept for reading offline. */
 export const keptOffline = (page) =>
   page.evaluate(async () => {
-    const { active } = await navigator.serviceWorker.ready
+    const { active } = /** @type {any} */ (await navigator.serviceWorker.ready)
     while (active.state !== 'activated') await new Promise((resolve) => setTimeout(resolve, 50))
   })
 
@@ -41,7 +41,7 @@ export async function quiet(page, frames = 20, held = false) {
         const moves = document
           .getAnimations()
           .some(
-            ({ playState, effect }) =>
+            (/** @type {any} */ { playState, effect }) =>
               playState === 'running' &&
               Number.isFinite(effect?.getComputedTiming().endTime) &&
               effect.target?.checkVisibility({ contentVisibilityAuto: true }),

@@ -11,6 +11,7 @@ const REGIONS = [
   ['derivation', 'details.derivation'],
   ['quiz', '.quiz'],
 ]
+/** @type {[string, typeof PHONE][]} */
 const SIZES = [
   ['desktop', DESKTOP],
   ['phone', PHONE],

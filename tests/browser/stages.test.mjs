@@ -236,7 +236,7 @@ test('the line at the head of the chapter is moved by keys and by hand, and the 
   const [first, keys, hand] = at.map(({ x, y }) => [x, y])
   assert.ok(keys[1] > first[1] && hand[1] < keys[1] - 30, 'it goes with the line')
   // It slides along one straight line.
-  const slope = ([x1, y1], [x2, y2]) => (x2 - x1) / (y2 - y1)
+  const slope = (/** @type {number[]} */ [x1, y1], /** @type {number[]} */ [x2, y2]) => (x2 - x1) / (y2 - y1)
   assert.ok(Math.abs(slope(first, keys) - slope(keys, hand)) < 0.03, `${slope(first, keys)} and ${slope(keys, hand)}`)
   assert.ok(Math.abs(slope(first, keys)) > 0.1, 'not straight down')
 })

@@ -17,7 +17,7 @@ export async function stills(page) {
     const inked = (image) => {
       const canvas = document.createElement('canvas')
       Object.assign(canvas, { width: 300, height: 200 })
-      const brush = canvas.getContext('2d')
+      const brush = /** @type {any} */ (canvas.getContext('2d'))
       if (image.naturalWidth > 0) brush.drawImage(image, 0, 0, 300, 200)
       return brush.getImageData(0, 0, 300, 200).data.filter((value, i) => i % 4 === 3 && value > 60).length / 100
     }

@@ -70,8 +70,8 @@ test('drawings that are files follow theme and notation, and a search in the pag
   assert.equal(differenceOf(await shot(), dark).part, 0)
   const found = await page.evaluate(
     () => (
-      getSelection().removeAllRanges(),
-      find('gain K and its knob g,') ? getSelection().anchorNode.parentElement.closest('figure')?.id : null
+      getSelection()?.removeAllRanges(),
+      find('gain K and its knob g,') ? getSelection()?.anchorNode?.parentElement?.closest('figure')?.id : null
     ),
   )
   assert.equal(found, 'fig-bench')
@@ -96,6 +96,7 @@ const laid = (page, part) =>
 for (const width of [320, 390, 768, 1280]) {
   test(`at ${width} px a still has the places and the height of the figure that comes to life`, {}, async (t) => {
     for (const at of FIGURE_PAGES) {
+      /** @type {any} */
       let release
       const released = new Promise((resolve) => {
         release = resolve

@@ -122,7 +122,7 @@ test('every coloured symbol and every number in a formula can be pointed at', as
       const runs = []
       const texts = document.createTreeWalker(part, NodeFilter.SHOW_TEXT)
       while (texts.nextNode())
-        if (!texts.currentNode.parentElement.closest('.accent-body')) runs.push(texts.currentNode)
+        if (!texts.currentNode.parentElement?.closest('.accent-body')) runs.push(texts.currentNode)
       return runs
     })
     const boxOf = (text) => {
@@ -132,7 +132,7 @@ test('every coloured symbol and every number in a formula can be pointed at', as
     }
     const seen = leaves.filter((leaf) => boxOf(leaf).width > 2)
     const missed = seen.filter((leaf) => {
-      const holder = leaf.parentElement
+      const holder = /** @type {any} */ (leaf.parentElement)
       const box = holder.closest('.scroll-box, .katex-display') ?? holder
       box.scrollIntoView({ block: 'center' })
       holder.scrollIntoView({ block: 'nearest', inline: 'center' })
@@ -144,7 +144,7 @@ test('every coloured symbol and every number in a formula can be pointed at', as
     return {
       all: seen.length,
       missed: missed.map(
-        (leaf) => `${leaf.textContent} in ${leaf.parentElement.closest('.katex').textContent.slice(0, 80)}`,
+        (leaf) => `${leaf.textContent} in ${leaf.parentElement?.closest('.katex').textContent.slice(0, 80)}`,
       ),
     }
   })

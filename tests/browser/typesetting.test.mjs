@@ -64,6 +64,7 @@ test('no line begins with the mark behind a formula or ends with the one before,
           (boxes[0] ?? formula).getClientRects()[0],
           [...(boxes.at(-1) ?? formula).getClientRects()].at(-1),
         ]
+        /** @type {any[]} */
         const [behind, before] = [beside(formula, 'nextNode'), beside(formula, 'previousNode')]
         const found = []
         if (/^[.,;:!?)’”-]/.test(behind?.data ?? '')) {

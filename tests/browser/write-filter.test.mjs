@@ -60,7 +60,7 @@ test('the chapter’s box, copied and pasted, is a right program in the letters 
     await page.waitForFunction((name) => (document.documentElement.dataset.letters ?? 'choset') === name, notation)
     await steps.evaluate((it) => {
       it.scrollIntoView({ behavior: 'instant' })
-      getSelection().selectAllChildren(it)
+      getSelection()?.selectAllChildren(it)
     })
     await page.waitForFunction(() => {
       const clipboardData = new DataTransfer()

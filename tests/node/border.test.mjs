@@ -9,6 +9,7 @@ const { Instance } = WebAssembly
 /** @type {any} */
 let raw
 WebAssembly.Instance = class extends Instance {
+  /** @param {ConstructorParameters<typeof Instance>} given */
   constructor(...given) {
     super(...given)
     raw = this.exports
@@ -30,6 +31,7 @@ const W = [
   [0, 0.001],
 ]
 const LOG = core.RobotLog.parse('L,7,3,4\nO,0.5,0.1,0.02\nR,0.5,7,4.9\nO,1,0.1,0\nR,1,7,4.8\n')
+/** @type {Record<string, any>} */
 const objects = {
   DriveLog: LOG,
   RobotLog: new core.RobotLog(LOG),
@@ -79,7 +81,7 @@ test('a method or a property of one class refuses an object of every other', () 
     for (const method of methods) {
       for (const [other, object] of Object.entries(objects)) {
         if (other === name) continue
-        const { value, get } = Object.getOwnPropertyDescriptor(core[name].prototype, method)
+        const { value, get } = Object.getOwnPropertyDescriptors(core[name].prototype)[method]
         refused(() => (value ?? get).call(object, ...(own[name]?.[method] ?? arguments_[method] ?? [])), 'type', 'this')
         calls += 1
       }

@@ -50,6 +50,7 @@ test('Close the loop keeps every sighting in sight, from the start to the end of
 })
 
 test('the map of another run is fitted anew, and not that of the same run or of one still computed', () => {
+  /** @type {any} */
   const view = { memory: {}, elapsed: 16 }
   const at = (far, frame) => {
     for (;;) {

@@ -4,7 +4,9 @@ import assert from 'node:assert/strict'
 import { readFileSync, readdirSync } from 'node:fs'
 
 const content = new URL('../../content/', import.meta.url)
-const files = readdirSync(content, { recursive: true }).filter((name) => name.endsWith('.md') && name !== 'README.md')
+const files = readdirSync(content, { recursive: true, encoding: 'utf8' }).filter(
+  (name) => name.endsWith('.md') && name !== 'README.md',
+)
 
 /** The figures of a text: [id, caption]. @param {string} text */
 const figures = (text) =>

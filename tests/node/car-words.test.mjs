@@ -14,6 +14,7 @@ const car = estimate.CarLog.parse(readFileSync(new URL('../../content/logs/car.c
 const state = (params) => ({ version: 1, lab: 'car-log', step: 0, params })
 const lab = (params) => estimate.CarLog.from(car, state(params))
 
+/** @type {any[][]} */
 const CLAIMS = [
   [
     /^Speeds and turn rates alone are off a fix by (\d+) m at worst\.$/,
@@ -78,7 +79,7 @@ test('each phrase leads to what it speaks of, whatever was pressed before', asyn
   const open = lab({}).frame()
   const after = Object.fromEntries(
     spec.tries.map(({ name, change }) => {
-      const params = change(open)
+      const params = change(open, null)
       assert.deepEqual(Object.keys(params).sort(), Object.keys(open.params).sort(), 'all of them')
       return [name, lab(params).frame()]
     }),
@@ -93,6 +94,7 @@ test('each phrase leads to what it speaks of, whatever was pressed before', asyn
 test('the curve is the lab’s, a delay at a time, and stays while only the delay moves', async () => {
   const waiting = []
   const Lab = of(estimate.CarLog, car)
+  /** @type {any} */
   const tracing = new InParts(
     task,
     () => {},

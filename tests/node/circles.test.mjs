@@ -53,7 +53,7 @@ function crateGraph(source) {
         const [text] = readFileSync(path.join(source, name), 'utf8').split(/^\s*#\[cfg\(test\)\]/m)
         return [name.replace(/\.rs$/, '').split(path.sep), text.replace(/\/\/.*$/gm, '')]
       })
-      .map(([module, text]) => [module.join('::'), text]),
+      .map((/** @type {any} */ [module, text]) => [module.join('::'), text]),
   )
   const top = (name) => name.split('::')[0]
   // A name that the crate hands out at its root, by the module it comes from.

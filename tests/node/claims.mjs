@@ -15,8 +15,12 @@ export const number = (text) => Number(text.replace('\u2212', '-').replace('∞'
 export const prints = (text, value) =>
   Math.abs(number(text) - value) <= 0.51 * 10 ** -(text.split('.')[1]?.length ?? 0) + 1e-9 * Math.abs(value)
 
-/** The specification of a figure. @param {string} name */
-export const widget = (name) => WIDGETS[name]()
+/**
+ * The specification of a figure.
+ * @param {string} name
+ * @returns {Promise<Required<import('../../web/figure/spec.js').FigureSpec>>} with all that its test reads of it
+ */
+export const widget = (name) => /** @type {any} */ (WIDGETS[name]())
 
 /** A pattern of these parts, for a sentence that is longer than a line. @param {RegExp[]} parts */
 export const pattern = (...parts) => new RegExp(parts.map(({ source }) => source).join(''))

@@ -137,7 +137,7 @@ test('copies in MATLAB are programs of the language again, and their steps have 
     assert.deepEqual(again.faults, [], `${name}\n${body}`)
     let belief = world.belief
     const count = name === 'short-form' ? 1 : 10
-    for (const { u, y, landmark, W = world.system.W } of world.steps.slice(0, count)) {
+    for (const { u, y, landmark, W = world.system.W } of /** @type {any[]} */ (world.steps.slice(0, count))) {
       const system = { ...world.system, W, ...(landmark && { landmark }) }
       const ours = program.step(system, belief, u, y)
       const theirs = again.step(system, belief, u, y)

@@ -105,6 +105,7 @@ for (const [tag, load] of Object.entries(WIDGETS)) {
       reset: nothing,
       speed: nothing,
       change: nothing,
+      grow: nothing,
       link: nothing,
       embed: nothing,
       download: nothing,
@@ -202,6 +203,7 @@ test('a panel of a log says why it is empty, and one alone says what to do', asy
       reset: nothing,
       speed: nothing,
       change: nothing,
+      grow: nothing,
       link: nothing,
       embed: nothing,
       download: nothing,
@@ -214,7 +216,7 @@ test('a panel of a log says why it is empty, and one alone says what to do', asy
       step,
     }).frame()
     for (const { name, draw, shown } of spec.panels.slice(1))
-      if (shown?.(frame) ?? true) draw(shell.panels[name], frame, {})
+      if (shown?.(frame) ?? true) draw(shell.panels[name], frame, /** @type {any} */ ({}))
     return Object.fromEntries(
       spec.panels.map(({ name }) => [
         name,
@@ -241,6 +243,7 @@ test('the claimed 2 σ of dead reckoning stays in its panel', async () => {
     reset: nothing,
     speed: nothing,
     change: nothing,
+    grow: nothing,
     link: nothing,
     embed: nothing,
     download: nothing,
@@ -256,7 +259,7 @@ test('the claimed 2 σ of dead reckoning stays in its panel', async () => {
       params,
       step: 4000,
     })
-    draw(errors, lab.frame(), {})
+    draw(errors, lab.frame(), /** @type {any} */ ({}))
     // One stroke: its first point, and from each point the way to the next.
     const ways = errors.svg
       .querySelector('path.curve')

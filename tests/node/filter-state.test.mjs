@@ -13,7 +13,7 @@ const shown = ({ x, P, nis, logLikelihood, conditioned, innovation, S, R }) => [
 ]
 
 function refused(call, code, argument, message = /./) {
-  assert.throws(call, (error) => {
+  assert.throws(call, (/** @type {any} */ error) => {
     assert.deepEqual([error.name, error.code, error.argument], ['EstimateError', code, argument], error.message)
     assert.match(error.message, message)
     return true
@@ -101,7 +101,7 @@ test('a state that was changed is refused by name', () => {
     [{ last: { ...filter.state().last, R: [[1]] } }, 'shape', 'state.last.R'],
     [{ more: 1 }, 'type', 'state.more'],
   ]) {
-    refused(() => core.KalmanFilter.from({ ...filter.state(), ...change }), code, argument)
+    refused(() => core.KalmanFilter.from({ ...filter.state(), .../** @type {object} */ (change) }), code, argument)
   }
 })
 

@@ -75,7 +75,7 @@ function hammer(name, cases) {
       if (message.fault && faults.length < 50) faults.push(message.fault)
       if (message.done) end(message)
     })
-    worker.on('error', (error) => {
+    worker.on('error', (/** @type {any} */ error) => {
       faults.push(`the worker died: ${error.stack}\n    in ${call}`)
       end({})
     })

@@ -41,7 +41,8 @@ const say = (value) => {
     return String(value)
   }
 }
-const fault = (what, call) => parentPort.postMessage({ fault: `${what}\n    in ${call}` })
+const port = /** @type {import('node:worker_threads').MessagePort} */ (parentPort)
+const fault = (what, call) => port.postMessage({ fault: `${what}\n    in ${call}` })
 let accepted = 0,
   refused = 0
 /** How often each outcome, each code and each method's answer has come up. */
@@ -53,7 +54,7 @@ const count = (what) => {
 /** Calls, and judges how it came back; undefined where it threw as it should. */
 function judged(call, run) {
   Atomics.add(ticks, 0, 1)
-  parentPort.postMessage({ call })
+  port.postMessage({ call })
   try {
     const answer = run()
     accepted++
@@ -172,4 +173,4 @@ if (FUNCTIONS[name]) {
     it.free()
   }
 }
-parentPort.postMessage({ done: true, accepted, refused, tally })
+port.postMessage({ done: true, accepted, refused, tally })

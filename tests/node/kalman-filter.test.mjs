@@ -96,7 +96,7 @@ test('a number, a text, a hole or a wrong length is refused by name, and the fil
       throw new Error('no')
     },
   })
-  for (const [call, code, argument] of [
+  for (const [call, code, argument] of /** @type {[() => unknown, string, string][]} */ ([
     [() => filter.predict(0.1), 'type', 'u'],
     [() => filter.predict(null), 'type', 'u'],
     [() => filter.predict('0.1'), 'type', 'u'],
@@ -110,7 +110,7 @@ test('a number, a text, a hole or a wrong length is refused by name, and the fil
     [() => filter.update(new Float64Array(16)), 'shape', 'y'],
     [() => filter.step(throwing, [1]), 'type', 'u'],
     [() => filter.step([0]), 'type', 'y'],
-  ]) {
+  ])) {
     refused(call, code, argument)
     assert.deepEqual(shown(), before)
   }

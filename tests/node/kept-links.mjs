@@ -53,7 +53,7 @@ export function hashes(frame) {
 }
 /** Typed arrays as arrays, and what JSON does not know in words. */
 const exact = (_, value) => {
-  if (ArrayBuffer.isView(value)) return [...value]
+  if (ArrayBuffer.isView(value)) return [.../** @type {Float64Array} */ (value)]
   return typeof value === 'number' && (!Number.isFinite(value) || Object.is(value, -0))
     ? `${Object.is(value, -0) ? '-' : ''}${value}`
     : value

@@ -92,6 +92,7 @@ const lab = (params) => estimate.LateReadings.from({ version: 1, lab: 'late-read
 test('the costs are the lab’s, a few seeds at a time, and those of the last schedule asked for', async () => {
   const waiting = []
   let told = 0
+  /** @type {any} */
   const counting = new InParts(
     task,
     () => (told += 1),
@@ -149,14 +150,16 @@ test('what a gap withholds has no handle for when it came, and the phrase has an
     return frame
   }
   const scale = Object.assign((value) => value, { invert: (pixel) => pixel })
+  /** @type {any} */
   const plane = { x: scale, y: scale, box: { left: 0, top: 0, right: 20, bottom: 20 } }
+  /** @type {any} */
   const limits = { ownDelay: { step: 0.05, greatest: 10 }, gap: { step: 0.05 } }
   const grips = (frame) => handlesOf(frame, limits, plane, { measured: 80, came: 44, height: 400 })
   const inside = of({ gap: [8, 13], picked: 9 })
   assert.ok(inside.picked.missing)
   assert.deepEqual(Object.keys(grips(inside)).sort(), ['gap-from', 'gap-to', 'which'])
   assert.match(grips(inside).which.value, /^number 10 of \d+, in the gap at 10\.00 s: never measured$/)
-  const shown = of(tries.find(({ name: one }) => one === 'gap').change())
+  const shown = of(tries.find(({ name: one }) => one === 'gap').change(null, null))
   assert.ok(shown.gap && !shown.picked.missing)
   assert.ok('came' in grips(shown))
 })

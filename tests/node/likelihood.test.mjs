@@ -11,6 +11,7 @@ const lab = (params) => estimate.Tune.from({ version: 1, lab: 'tune', step: 0, p
 
 /** A server whose clock moves by `tick` at each look, with what it has told and what waits. */
 function serving(tick) {
+  /** @type {any[][]} */
   const [told, waiting] = [[], []]
   let now = 0
   const server = new Server(
@@ -66,8 +67,10 @@ test('a later log replaces an earlier one, and a cancelled map is computed no fu
 /** A map whose port is the test's. */
 function filling() {
   const sent = []
+  /** @type {any} */
   const port = { post: (message) => sent.push(message), onmessage: null }
   let changes = 0
+  /** @type {any} */
   const map = new Filling(
     () => {
       changes += 1

@@ -76,6 +76,7 @@ test('log-likelihoods are compared where they are of the same readings, and only
 
 test('a setting is compared with the one before of the same log alone', () => {
   const [one, other] = [{}, {}]
+  /** @returns {any} */
   const frame = (log, scale) => ({ log, params: { scale } })
   const [a, b] = [frame(one, 0), frame(one, 1)]
   assert.equal(settingBefore(null, a, b), a)
@@ -85,7 +86,7 @@ test('a setting is compared with the one before of the same log alone', () => {
 })
 
 test('what a fit has found has as many digits as it is known to', () => {
-  const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative })
+  const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative, flat: null })
   assert.equal(number('delayFix', 0.38547, 0.00134), 'delay of the positions, s: 0.3855 ± 0.0013')
   assert.equal(number('delayFix', 0.399941, 0.0000202), 'delay of the positions, s: 0.399941 ± 0.000020')
   assert.equal(number('sigmaFix', 0.029967, 0.01342, true), 'σ of a position, m: 0.02997 ± 1.3 %')
@@ -116,6 +117,7 @@ test('a σ that readings bring along is said in place of the setting that they d
   assert.equal(ownSigma(some, 'sigmaHeading'), 'each brings its own: 0.01 rad')
 })
 
+/** @param {number[][]} places @param {number} sigma */
 const hill = ([across, up], sigma, turn = 0) =>
   up.flatMap((y) => across.map((x) => -((x + 0.5 * y) ** 2) / 2 - ((y - turn * x - 0.013) / sigma) ** 2 / 2))
 

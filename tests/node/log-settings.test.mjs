@@ -66,6 +66,7 @@ test('what is written is read again: settings, columns, units and wheels', () =>
 const usual = () => Object.fromEntries(known.map(({ name, default: value }) => [name, value]))
 
 test('whose rows are read, of several tags, is written and read again', () => {
+  /** @type {[string, string]} */
   const table = ['ranges.csv', 't,tag,anchor,range\n0,T7,6,2\n1,T9,6,3\n2,T7,6,2.5\n']
   const files = opened(table)
   const asked = () => readSettings(settingsText({}, files.files()), known).files[0]
@@ -111,7 +112,7 @@ test('what is not known or does not fit is refused by its name', () => {
     change(copy)
     return () => readSettings(JSON.stringify(copy), known)
   }
-  for (const [change, said] of [
+  for (const [change, said] of /** @type {[(it: any) => unknown, RegExp][]} */ ([
     [(it) => (it.format = 'other'), /^format is not/],
     [(it) => (it.version = 2), /^version is 2; this page reads 1/],
     [(it) => delete it.settings, /^settings is no object/],
@@ -129,8 +130,8 @@ test('what is not known or does not fit is refused by its name', () => {
     [(it) => (it.files[0].header = [1]), /files\[0\]\.header/],
     [(it) => (it.files[1].values.x.column = 1), /files\[1\]\.values\.x: column 1 is not called "north"/],
     [(it) => (it.files[0].wheels.size = 1), /files\[0\]\.wheels has “size”/],
-  ])
-    assert.throws(of(change), (error) => said.test(error.message), String(said))
+  ]))
+    assert.throws(of(change), (/** @type {any} */ error) => said.test(error.message), String(said))
   assert.throws(() => readSettings('{', known), /no JSON/)
   const { files } = readSettings(JSON.stringify(written), known)
   assert.throws(() => nextChange(files, opened(['wheels.csv', WHEELS]).files()), /no open file is called fixes\.csv/)

@@ -3,7 +3,7 @@
 
 /**
  * @param {(panel: any, frame: any, view: any) => unknown} draw of a panel
- * @param {{ width: number, height: number }} size
+ * @param {{ width: number, height: number | ((frame: any) => number) }} size
  * @param {any} frame
  * @param {object} [view]
  * @returns {(Record<string, any> & { key: string })[]}

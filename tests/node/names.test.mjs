@@ -14,7 +14,9 @@ const paper = plane(box, [-3, 3], [-2, 2])
 
 /** Whether the name of the middle lies on a point. */
 function hides(points, taken) {
+  /** @type {boolean | null} */
   let on = null
+  /** @type {any} */
   const pen = {
     mark() {},
     text(_, { x, y, 'text-anchor': anchor }, words) {
@@ -28,6 +30,7 @@ function hides(points, taken) {
 }
 
 test('the name of an ellipse’s middle lies on no point of its outline, whatever its size and lean', () => {
+  /** @type {any[]} */
   const blind = []
   for (const size of [0.1, 0.3, 0.6, 1, 1.5])
     for (const angle of [0, 0.7, 1.57, 2.4]) {

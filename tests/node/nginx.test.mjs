@@ -40,7 +40,9 @@ const FILES = {
   'assets/text-A1B2C3D4.woff2': LONG,
 }
 
-let home, server, port
+let home, port
+/** @type {import('node:child_process').ChildProcess | undefined} */
+let server
 before(async () => {
   if (skip) return
   home = mkdtempSync(path.join(tmpdir(), 'nginx-'))
@@ -71,7 +73,7 @@ before(async () => {
       }
     }`,
   )
-  server = spawn(nginx, ['-p', home, '-c', path.join(home, 'nginx.conf'), '-e', path.join(home, 'errors')], {
+  server = spawn(String(nginx), ['-p', home, '-c', path.join(home, 'nginx.conf'), '-e', path.join(home, 'errors')], {
     stdio: 'inherit',
   })
   for (const end = Date.now() + HANGS_MS; ; ) {
@@ -82,7 +84,7 @@ before(async () => {
     if (up) break
     const errors = path.join(home, 'errors')
     const said = existsSync(errors) ? readFileSync(errors, 'utf8') : ''
-    assert.ok(Date.now() < end && server.exitCode === null, `nginx does not answer: ${said}`)
+    assert.ok(Date.now() < end && server?.exitCode === null, `nginx does not answer: ${said}`)
     await new Promise((resolve) => setTimeout(resolve, 100))
   }
 })

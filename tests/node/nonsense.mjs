@@ -33,6 +33,7 @@ const NUMBERS = [
   4294967296,
   2 ** 53 + 2,
 ]
+/** @type {unknown[]} */
 const OTHERS = [
   undefined,
   null,

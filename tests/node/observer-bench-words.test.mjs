@@ -78,6 +78,7 @@ test('before the first step of the filter no gain is read out', async () => {
       params: { sensor, mode: 'filter' },
     })
     const read = () => Object.fromEntries(spec.readouts(lab.frame()).map(({ key, value }) => [key, value]))
+    /** @type {any} */
     const knob = spec.controls.find(({ name }) => name === 'gain')
     const shown = () => knob.words(knob.get(lab.frame().params, lab.frame()), lab.frame())
     assert.deepEqual([read().gain, read().knob, read().innovation, shown()], ['–', '–', '–', '–'])

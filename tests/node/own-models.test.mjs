@@ -37,7 +37,7 @@ const make = {
 }
 
 function refused(call, code, argument) {
-  assert.throws(call, (error) => {
+  assert.throws(call, (/** @type {any} */ error) => {
     assert.deepEqual([error.name, error.code, error.argument], ['EstimateError', code, argument], error.message)
     return true
   })

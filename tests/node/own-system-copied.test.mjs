@@ -94,11 +94,11 @@ mkdirSync(path.join(programs, 'src/bin'), { recursive: true })
 
 test('a program says first which package it needs, and where that is', () => {
   const frame = open(paramsOf(PRESETS[8])).frame()
-  for (const [text, needs] of [
+  for (const [text, needs] of /** @type {[string, RegExp][]} */ ([
     [rust(frame), /^\/\/ The crate robot-motion-estimate, in crates\/estimate of the book’s source/],
     [javascript(frame), /^\/\/ The package robot-motion: \.\/scripts\/package in the book’s source makes/],
     [numpy(frame), /^# numpy alone\./],
-  ]) {
+  ])) {
     assert.match(text, needs)
     assert.match(text, /F, G and V are sampled every 0\.1 s from continuous time\./)
   }

@@ -65,7 +65,7 @@ test('what is not understood is a fault with its line, and nothing of the paste 
   ]) {
     const found = read(text)
     assert.deepEqual([text, found.ok, found.line], [text, false, line], found.fault)
-    assert.match(found.fault, fault)
+    assert.match(found.fault, /** @type {RegExp} */ (fault))
   }
 })
 
@@ -206,7 +206,7 @@ test('a system is of continuous time, and its step has a length, where the text 
   ]) {
     const found = read(slow + text)
     assert.deepEqual([text, found.ok, found.line], [text, false, line])
-    assert.match(found.fault, fault)
+    assert.match(found.fault, /** @type {RegExp} */ (fault))
   }
 })
 

@@ -8,7 +8,7 @@ import { belief, rail } from './rail.mjs'
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 const { Program } = core
 
-/** @param {unknown} a @param {unknown} b */
+/** @param {any} a @param {any} b */
 function near(a, b) {
   const [found, wanted] = [a, b].map((value) => [value].flat(2))
   assert.equal(found.length, wanted.length)

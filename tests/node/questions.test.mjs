@@ -13,6 +13,7 @@ const pages = ['kalman', 'kalman/exercises'].map(
 )
 const all = (selector, of) => [...of.querySelectorAll(selector)]
 const onPages = (selector) => pages.flatMap((page) => all(selector, page))
+/** @type {{ it: any, id: string, kind: string, key: any }[]} */
 const questions = onPages('.quiz').map((it) => ({ it, id: it.dataset.quiz, kind: it.dataset.kind, key: keyOf(it) }))
 const words = (element) => element?.textContent.trim() ?? ''
 
@@ -33,15 +34,15 @@ test('every choice of every question has a reason of its own, and one is right',
 })
 
 test('the natural slips of three questions are known, and are told apart from what is nearly right', () => {
-  for (const [id, slip, tells] of [
+  for (const [id, slip, tells] of /** @type {[string, string, RegExp][]} */ ([
     ['third-step', '1.75', /counts twice/],
     ['third-step', '1.76', /counts twice/],
     ['gate-ratio', '5.8', /left out the half/],
     ['wheel-sigma', '0.108', /own noise out/],
     ['wheel-sigma', '0.107', /own noise out/],
-  ]) {
+  ])) {
     const { it, key } = questions.find((question) => question.id === id)
-    const { right, near } = judge(key, slip)
+    const { right, near } = /** @type {any} */ (judge(key, slip))
     assert.ok(!right && near >= 0, `${id}: ${slip}`)
     assert.match(words(all('.quiz-reasons > li .quiz-reason', it)[near]), tells, `${id}: ${slip}`)
   }
@@ -55,7 +56,7 @@ test('every exercise is checked, and every right answer is taken', () => {
     if (kind === 'choice') assert.ok(Number.isInteger(key.right), id)
     else if (kind === 'state') assert.ok(key.conditions.length > 0, id)
     else {
-      const told = (values) => judge(key, values.join(' '))
+      const told = (values) => /** @type {any} */ (judge(key, values.join(' ')))
       const verdict = { right: true, near: -1, nearly: false, close: false }
       assert.deepEqual(told(key.values), verdict, id)
       // A mistake worth recognising is no right answer, and is recognised as itself.
@@ -66,7 +67,7 @@ test('every exercise is checked, and every right answer is taken', () => {
         const rounded = (values) => values.map((value) => value.toPrecision(digits))
         if (
           !key.bounds &&
-          !key.near.some((values) => judge({ ...key, values, near: [] }, rounded(key.values).join(' ')).right)
+          !key.near.some((values) => judge({ ...key, values, near: [] }, rounded(key.values).join(' '))?.right)
         )
           assert.ok(told(rounded(key.values)).right, `${id}, ${rounded(key.values)}`)
         for (const values of key.near) assert.ok(!told(rounded(values)).right, `${id}, ${rounded(values)}`)

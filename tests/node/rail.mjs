@@ -32,7 +32,7 @@ const SHORT = /^.{1,399}$/s
  * @param {RegExp} message
  */
 export const refused = (call, code, argument, message = SHORT) =>
-  assert.throws(call, (error) => {
+  assert.throws(call, (/** @type {any} */ error) => {
     assert.deepEqual([error.name, error.code, error.argument], ['EstimateError', code, argument], error.message)
     assert.match(error.message, message)
     return true

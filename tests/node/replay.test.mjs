@@ -150,7 +150,7 @@ test('a log with gaps is its steps one by one, to the last bit', () => {
   const refused = (rows, code, argument) =>
     assert.throws(
       () => core.kalmanReplay(rail, belief, new Float64Array(rows.length), rows),
-      (error) => {
+      (/** @type {any} */ error) => {
         assert.deepEqual([error.code, error.argument], [code, argument], error.message)
         return true
       },

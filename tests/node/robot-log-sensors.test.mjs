@@ -25,13 +25,14 @@ const near = (value, expected) => assert.ok(Math.abs(value - expected) < 1e-6, `
 
 /** Asserts that `call` throws an EstimateError with this code and argument. */
 function refused(call, code, argument) {
-  assert.throws(call, (error) => {
+  assert.throws(call, (/** @type {any} */ error) => {
     assert.deepEqual([error.name, error.code, error.argument], ['EstimateError', code, argument], error.message)
     return true
   })
 }
 
 // Each row: parameters; used, refused; NIS per output, log-likelihood; κ; final x, y, θ.
+/** @type {any[][]} */
 const REFERENCE = [
   ['speed and turn alone', { ...BASE, fixes: false }, [0, 0], null, null, [-80.814100043, -80.738533752, -3.06894598]],
   ['all fixes', BASE, [2067, 0], [0.633428672, -5331.045830071], null, [-47.122956758, 2.238019868, -3.121725242]],

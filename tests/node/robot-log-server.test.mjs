@@ -196,6 +196,7 @@ test('a fit is told of, ends, can be given up, and finds what the log was made w
   }
   const { server, told, acts } = await served(rows.join('\n'), () => 0)
   const drive = async (answered) => {
+    /** @type {any} */
     let said
     answered.then((answer) => {
       said = answer

@@ -26,6 +26,7 @@ const refused = (call, code, argument) => {
 }
 
 // Each row: parameters; used, refused; RMSE, worst; NIS per output, mean of ν/√S, lag 1; ε; final x, y, θ.
+/** @type {any[][]} */
 const REFERENCE = [
   [
     'dead reckoning',
@@ -211,7 +212,7 @@ test('a text that is no log is refused with line and column', () => {
       ['log', 'text', line, column],
       `${JSON.stringify(bad)}: ${error.message}`,
     )
-    assert.match(error.message, message)
+    assert.match(error.message, /** @type {RegExp} */ (message))
   }
   assert.equal(RobotLog.parse(`\ufeff${SMALL.replace(/\n/g, '\r\n')}`).contents().rows, 5)
 })

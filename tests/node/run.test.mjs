@@ -20,7 +20,7 @@ const ticking = () => {
 
 /** A lab that takes `cost(step)` milliseconds of `time` for each step, and notes the length of each call. */
 function slow(cost) {
-  const time = { now: 0, calls: [], steps: 0 }
+  const time = { now: 0, calls: /** @type {number[]} */ ([]), steps: 0 }
   const lab = {
     run(n) {
       time.calls.push(n)
@@ -40,6 +40,7 @@ function finish(run, most = 100_000) {
   return outcomes
 }
 
+/** @returns {any} */
 const runOf = (name, params, step) =>
   new Run(estimate[name].from({ version: 1, lab: nameOf(name), params, step }), 20, new Pace(ticking()))
 const nameOf = (name) =>
@@ -50,11 +51,11 @@ const nameOf = (name) =>
     Picture: 'picture',
   })[name]
 
-for (const [what, cost] of [
+for (const [what, cost] of /** @type {[string, (step: number) => number][]} */ ([
   ['each step costs the same', () => 0.5],
   ['steps become ever dearer', (step) => 0.01 + step / 2000],
   ['a step is dear from one on', (step) => (step < 5000 ? 0.001 : 2)],
-]) {
+])) {
   test(`no call of a lab grows long where ${what}`, () => {
     const { lab, time, pace } = slow(cost)
     let taken = 0
@@ -81,12 +82,12 @@ test('where the clock is too coarse to see a call, calls at most double', () => 
   for (let i = 1; i < calls.length; i++) assert.ok(calls[i] <= 2 * calls[i - 1], `${calls}`)
 })
 
-for (const [name, params, step] of [
+for (const [name, params, step] of /** @type {[string, object, number][]} */ ([
   ['ObservabilityProbe', HEAP, 1500],
   ['ObservabilityProbe', { count: 2 }, 9000],
   ['OdometryHook', { fixes: true }, 20_000],
   ['ObserverBench', { gain: 0.7 }, 20_000],
-]) {
+])) {
   test(`a replay of the ${name} to step ${step} in slices has the bits of one call`, () => {
     const whole = estimate[name].from({ version: 1, lab: nameOf(name), params, step })
     const run = runOf(name, { ...params, seed: 9 }, step)

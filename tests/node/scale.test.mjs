@@ -49,6 +49,7 @@ test('an axis has two ticks or more, none nearer than its words are high', () =>
   const at = (high, most) => {
     const marks = []
     const plane = plainPlane({ left: 0, top: 0, right: 300, bottom: high }, [0, 10], [-most, most])
+    /** @type {any} */
     const pen = { group: (_key, _attributes, act) => act(pen), mark: () => {}, text: (key) => marks.push(key) }
     axes(pen, plane, { ticks: [5, 3] })
     return marks.filter((key) => key.startsWith('ty')).map((key) => plane.y(Number(key.slice(2))))
@@ -65,9 +66,12 @@ test('an axis has two ticks or more, none nearer than its words are high', () =>
 test('where one axis of the Bench comes back to something small, the other does too', () => {
   const svg = parseHTML('<html><svg></svg></html>').document.querySelector('svg')
   const panel = { pen: new Pen(svg), svg, width: 560, height: 400 }
+  /** @type {any} */
   const view = { memory: {}, beat: { name: 'rest', t: 1 }, previous: null, elapsed: Infinity }
   const shown = (/** @type {number[]} */ x) => {
+    /** @type {any} */
     const at = { x, ellipse: { semiMajor: 0.5, semiMinor: 0.5, angle: 0 } }
+    /** @type {any} */
     const frame = { step: 9, params: { sensor: 'position' }, truth: [0, 0], H: [1, 0], reading: null }
     drawPhase(panel, { ...frame, first: at, predicted: at, posterior: at }, view)
     return view.memory.phase.scales.map(({ now }) => now)

@@ -90,7 +90,7 @@ test('a lock ends with the script that held it, however it ends', async () => {
   }
   assert.ok(readdirSync(home).includes('lock-killed'))
   const children = [...below.matchAll(/^\s*(\d+)/gm)].map(([, pid]) => Number(pid))
-  for (const pid of [...children, holder.pid]) process.kill(pid, 'SIGKILL')
+  for (const pid of [...children, Number(holder.pid)]) process.kill(pid, 'SIGKILL')
   const { status } = await ended(bash(`alone '${lock}' 'the other' true`))
   assert.equal(status, 0)
 })

@@ -7,6 +7,7 @@ import { belief, rail, refused } from './rail.mjs'
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
 const us = Array.from({ length: 12 }, (_, k) => [Math.sin(k)])
+/** @type {((number | string | null)[] | null)[]} */
 const ys = us.map((_, k) => ((k > 3 && k < 9) || k === 11 ? null : [2 + 0.3 * k]))
 
 test('a gap is closed from both ends, and after the last reading the track is the filter’s', () => {
@@ -33,7 +34,7 @@ test('a refusal names the row', () => {
   refused(() => core.kalmanSmooth(rail, belief, [], []), 'limit', 'ys')
   refused(() => core.kalmanSmooth(rail, belief, us.slice(1), ys), 'shape', 'us')
   refused(() => core.kalmanSmooth(rail, belief, us.with(2, [1, 2]), ys), 'shape', 'us[2]')
-  refused(() => core.kalmanSmooth(rail, belief, us.with(2, null), ys), 'type', 'us[2]')
+  refused(() => core.kalmanSmooth(rail, belief, us.with(2, /** @type {any} */ (null)), ys), 'type', 'us[2]')
   refused(() => core.kalmanSmooth(rail, belief, us, ys.with(1, [NaN])), 'not-finite', 'ys[1]')
   refused(() => core.kalmanSmooth(rail, belief, us, ys.with(1, ['2'])), 'type', 'ys[1][0]')
   refused(() => core.kalmanSmooth(rail, belief, us, ys.with(1, [null, null])), 'shape', 'ys[1]')

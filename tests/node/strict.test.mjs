@@ -156,7 +156,7 @@ test('of a matrix, every entry is a number of its own: nothing is coerced and no
           [4, 0],
           [entry, 1],
         ]),
-      code,
+      String(code),
       code === 'type' ? 'P[1][0]' : 'P',
     )
   }

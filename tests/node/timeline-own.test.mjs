@@ -96,7 +96,7 @@ test('what a function throws comes through, what it answers is checked, and the 
       ({ code, argument }) => assert.deepEqual([code, argument], ['type', 'this']),
     ],
   ]
-  for (const [bad, check] of cases) {
+  for (const [bad, check] of /** @type {[any, any][]} */ (cases)) {
     answer = bad
     // It is late: what follows is replayed, and h asked again.
     check(refusal(() => it.reading('own', 1, [2])))

@@ -101,7 +101,7 @@ test('what finds no place says why, and changes nothing', () => {
 
 test('a refusal names what is to blame, and leaves the line as it was', () => {
   const refused = (call, code, argument) =>
-    assert.throws(call, (error) => {
+    assert.throws(call, (/** @type {any} */ error) => {
       assert.deepEqual([error.name, error.code, error.argument], ['EstimateError', code, argument])
       return true
     })

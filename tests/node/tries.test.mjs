@@ -2,8 +2,7 @@
 // sets only what it speaks of.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { WIDGETS } from '../../web/widgets/index.js'
-import { estimate } from './claims.mjs'
+import { estimate, widget } from './claims.mjs'
 
 /** Phrases that build on the state by their own words: what is counted, fitted or driven is what the reader has. */
 const RELATIVE = {
@@ -44,7 +43,7 @@ for (const tag of [
   'write-filter',
 ]) {
   test(`each phrase of the ${tag} gives the same after every other`, async () => {
-    const spec = await WIDGETS[tag]()
+    const spec = await widget(tag)
     const phrases = spec.tries.filter(({ name }) => !RELATIVE[tag]?.includes(name))
     const usual = Object.fromEntries(estimate[spec.lab].parameters().map(({ name, default: value }) => [name, value]))
     const first = { params: { ...usual, ...spec.start.params }, step: spec.start.step }
@@ -89,7 +88,7 @@ for (const tag of [
 }
 
 test('the figure that learns the wheel opens in a state that every phrase changes', async () => {
-  const spec = await WIDGETS['odometry-hook']()
+  const spec = await widget('odometry-hook')
   const lab = estimate.OdometryHook.from({
     version: 1,
     lab: spec.name,
@@ -141,7 +140,7 @@ const SPEAKS_OF = {
 }
 
 test('a phrase of the Picture shows the same after any other', async () => {
-  const spec = await WIDGETS.picture()
+  const spec = await widget('picture')
   assert.deepEqual(
     spec.tries.map(({ name }) => name),
     Object.keys(SPEAKS_OF),

@@ -21,7 +21,7 @@ function files(folder) {
   const names = readdirSync(folder, { recursive: true, withFileTypes: true }).filter((entry) => entry.isFile())
   return new Map(
     names.map((entry) => {
-      const file = path.join(entry.parentPath ?? entry.path, entry.name)
+      const file = path.join(entry.parentPath ?? /** @type {any} */ (entry).path, entry.name)
       return [path.relative(folder, file), readFileSync(file)]
     }),
   )

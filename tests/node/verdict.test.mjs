@@ -118,6 +118,7 @@ test('the worker judges suspect by suspect, and a change of the settings ends it
   )
   await server.answer({ kind: 'files', files: [new File([mower], 'log.csv')] })
   const goOn = async (answer) => {
+    /** @type {any} */
     let said = null
     answer.then((it) => {
       said = it
@@ -145,6 +146,7 @@ test('a run asks for the verdict at the end of a log of the reader’s own, and 
     step: 13_186,
   })
   const asked = []
+  /** @type {any} */
   const port = {
     onmessage: null,
     post: () => {},
@@ -154,7 +156,7 @@ test('a run asks for the verdict at the end of a log of the reader’s own, and 
   const there = () => {
     run.change({ scale: 0 })
     run.turn(0, 16, false)
-    run.hear({ kind: 'there', id: run.sent.id, frame: lab.frame(), digest: '' })
+    run.hear({ kind: 'there', id: run.sent?.id, frame: lab.frame(), digest: '' })
     run.turn(0, 16, false)
   }
   run.frame = lab.frame()
@@ -189,7 +191,9 @@ test('a run asks for the verdict at the end of a log of the reader’s own, and 
 test('a log that asks how it is read is judged once it is answered, and one of an exercise is not', async () => {
   const log = { kind: 'log', contents: { steps: 2 }, parameters: [] }
   const answers = []
-  const run = new RemoteRun({ onmessage: null, post: () => {}, ask: async () => answers.shift() }, 200)
+  /** @type {any} */
+  const port = { onmessage: null, post: () => {}, ask: async () => answers.shift() }
+  const run = new RemoteRun(port, 200)
   run.frame = { step: 0, params: {} }
   const read = async (question, answer) => {
     answers.push(answer)
@@ -205,6 +209,7 @@ test('a log that asks how it is read is judged once it is answered, and one of a
 })
 
 test('beside rows of distances a verdict without a fault says what it has not looked for', () => {
+  /** @type {any} */
   const sound = {
     suspects: [{ standing: 'cleared' }],
     readings: 90,

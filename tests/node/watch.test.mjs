@@ -26,8 +26,8 @@ before(async () => {
   site = await serve({ folder: path.join(home, 'dist'), live: rebuilder })
   rebuilder.watch(stop.signal)
   const response = await fetch(`${site.url}.live/events`)
-  events = response.body.pipeThrough(new TextDecoderStream()).getReader()
-  assert.match((await events.read()).value, /^: open/)
+  events = /** @type {any} */ (response.body).pipeThrough(new TextDecoderStream()).getReader()
+  assert.match(String((await events.read()).value), /^: open/)
 })
 after(async () => {
   stop.abort()
@@ -44,7 +44,7 @@ const told = async () => {
 
 test('a page is sent with the script that waits for a build, and the worker keeps nothing', async () => {
   assert.match(await (await fetch(site.url)).text(), /<script src="\/\.live\/reload\.js" defer><\/script><\/head>/)
-  assert.match((await fetch(`${site.url}.live/reload.js`)).headers.get('content-type'), /^text\/javascript/)
+  assert.match(String((await fetch(`${site.url}.live/reload.js`)).headers.get('content-type')), /^text\/javascript/)
   assert.match(await (await fetch(`${site.url}sw.js`)).text(), /unregister/)
 })
 

@@ -56,6 +56,7 @@ async function connected(module = core) {
     attend(far, async () => ({ ok: true, module }), make)
     return { channel: near, end }
   }
+  /** @type {any} */
   const run = new RemoteRun(new Port(await start(), start), 2)
   const turns = async () => {
     let refused = null
@@ -68,6 +69,7 @@ async function connected(module = core) {
 
 const wheels = (rows) => `time,v,omega\n${Array.from({ length: rows }, (_, i) => `${i},0.5,1\n`).join('')}`
 const file = (name, text) => new File([text], name)
+/** @returns {any} */
 const files = (...given) => ({ kind: 'files', files: given })
 const orders = (all) =>
   all.length ? all.flatMap((one) => orders(all.filter((x) => x !== one)).map((rest) => [one, ...rest])) : [[]]
@@ -152,11 +154,11 @@ test('what meets a fault is replaced: the reader is told, the log stays, and wha
   await turns()
   const frame = run.frame
   const said = /met a fault of its own and was started anew/
-  for (const [at, ask] of [
+  for (const [at, ask] of /** @type {[string, () => Promise<any>][]} */ ([
     ['read', () => run.read(files(file('other.csv', wheels(6))))],
     ['read as', () => run.read({ kind: 'reading', set, change: { file: 0, role: 'unused' } })],
     ['table', () => run.table('track')],
-  ]) {
+  ])) {
     broken.at = at
     const asked = ask()
     // The next program has no fault.

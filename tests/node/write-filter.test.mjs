@@ -104,7 +104,7 @@ const ROBOT = `F = jac(f, x)\nx = f(x, u)\nP = F P F' + V\nH = jac(h, x)\nnu = y
 S = H P H' + W\nR = P H' inv(S)\nx = x + R nu\nx[3] = wrap(x[3])\nP = sym(P - R H P)`
 
 test('the ten bugs typed by hand are named, with their lines', () => {
-  for (const [bug, old, wrong, line] of [
+  for (const [bug, old, wrong, line] of /** @type {[string, string, string, number][]} */ ([
     ['unwrapped-innovation', 'nu[2] = wrap(nu[2])\n', '', 5],
     ['unwrapped-heading', 'x[3] = wrap(x[3])\n', '', 9],
     ['wrong-derivative', 'nu = y', 'r = norm(x[1:2] - l)\nH[2, 3] = -1 / r^2\nnu = y', 6],
@@ -114,7 +114,7 @@ test('the ten bugs typed by hand are named, with their lines', () => {
     ['step-length', '+ V', '+ V 16', 3],
     ['short-form', "R = P H' inv(S)", "R = 13/10 P H' / S", 8],
     ['twice', 'sym(P - R H P)', `P - R H P\n${ROBOT.slice(ROBOT.indexOf('H = jac'))}`, 13],
-  ]) {
+  ])) {
     const text = ROBOT.replace(old, wrong)
     assert.notEqual(text, ROBOT, bug)
     const frame = frameOf({ begin: 'extend', text })
@@ -143,6 +143,7 @@ test('a text that is no parameter is refused by name', () => {
 
 /** A server whose clock moves by `tick` at each look, with what it has told and what waits. */
 function serving(tick) {
+  /** @type {any[][]} */
   const [told, waiting] = [[], []]
   let now = 0
   const server = new Server(
@@ -176,6 +177,7 @@ test('worlds are counted in chunks, as at once, and a later program replaces an 
 
 test('the figure asks for the worlds of each program once, and takes none that it no longer shows', async () => {
   const sent = []
+  /** @type {any} */
   const port = { post: (message) => sent.push(message), onmessage: null }
   let changes = 0
   const counting = new Counting(

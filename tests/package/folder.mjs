@@ -70,7 +70,7 @@ export async function answerOf(place, page = 'index.html') {
     const failed = new Promise((_, reject) => {
       tab.on('pageerror', (error) => reject(error))
     })
-    const answered = tab.waitForFunction(() => window.answer).then((handle) => handle.jsonValue())
+    const answered = tab.waitForFunction(() => globalThis.answer).then((handle) => handle.jsonValue())
     const answer = await Promise.race([answered, failed]).catch((error) => {
       throw new Error(`${error.message}\n${faults.join('\n')}`)
     })

@@ -40,7 +40,7 @@ test('the package holds what its README and manifest name, and nothing of this m
   ]
   assert.deepEqual(files.sort(), [...once, ...entry, ...entry.map((file) => `filters/${file}`)].sort())
   for (const file of files) {
-    const bytes = readFileSync(path.join(installed(place), file), 'latin1')
+    const bytes = readFileSync(path.join(installed(place), String(file)), 'latin1')
     for (const secret of [root, homedir()])
       assert.ok(!bytes.includes(secret) || secret.length < 6, `${file} names ${secret}`)
   }

@@ -26,6 +26,12 @@ const pkg = new Map([
   ['whole', join(root, 'target/pkg/web')],
 ])
 const [atHand] = pkg.keys()
+/** The folder of one of them. @param {string | undefined} build */
+function folderOf(build) {
+  const folder = pkg.get(build ?? '')
+  if (!folder) throw new Error(`no build “${build}” of the module`)
+  return folder
+}
 
 /**
  * KaTeX has a rule for each change from one of eleven sizes to another; formulas here change among these
@@ -40,6 +46,7 @@ const LEFT_OUT = new RegExp(`\\.(?:${[...UNUSED, 'katex-mathml'].join('|')})(?![
 /** Logical name → file name. @type {Record<string, string>} */
 const manifest = {}
 
+/** @type {import('esbuild').BuildOptions & { metafile: true }} */
 const shared = {
   bundle: true,
   minify: true,
@@ -62,7 +69,7 @@ const shared = {
 const wasm = {
   name: 'wasm',
   setup(to) {
-    const folder = (figure) => pkg.get(FIGURES.find(({ name }) => name === figure)?.build)
+    const folder = (figure) => folderOf(FIGURES.find(({ name }) => name === figure)?.build)
     const virtual = (contents) => ({ contents, resolveDir: join(web, 'load') })
     to.onResolve({ filter: /^estimate-wasm\/of\// }, ({ path }) => ({
       path: join(folder(path.split('/')[2]), 'estimate_wasm.js'),
@@ -77,7 +84,7 @@ const wasm = {
         export const BUILDS = { ${[...pkg.keys()].map((name) => `'${name}': ${loader(name)}`)} }`),
     )
     to.onLoad({ filter: /^module-build\//, namespace: 'module' }, ({ path }) => {
-      const file = (name) => JSON.stringify(join(pkg.get(path.split('/')[1]), name))
+      const file = (name) => JSON.stringify(join(folderOf(path.split('/')[1]), name))
       return virtual(`import init, * as estimate from ${file('estimate_wasm.js')}
         import address from ${file('estimate_wasm_bg.wasm')}
         import { loader } from './loader.js'

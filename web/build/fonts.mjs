@@ -114,7 +114,7 @@ const TEXT = [
     LATIN,
     { wght: 400 },
   ],
-].map(([name, family, weight, style, source, always, letters, axes]) => ({
+].map((/** @type {any[]} */ [name, family, weight, style, source, always, letters, axes]) => ({
   name,
   family,
   weight,
