@@ -19,9 +19,9 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** What a log holds. */
 export interface LogContents {
-    /** All rows of the file, landmarks and truth among them; comments and blank lines are none. */
+    /** All lines of the files that say something, landmarks and truth among them; comments and blank lines do not. */
     rows: number;
-    /** The rows of motion and sightings, which a replay takes. */
+    /** The rows of motion and readings that these hold, which a replay takes: a line may have several. */
     steps: number;
     /** The first and the last time of these, seconds. */
     span: [number, number];

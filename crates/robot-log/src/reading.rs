@@ -238,7 +238,7 @@ impl Reading {
         notes.extend(notes::times(&log.drive));
         notes.extend(notes::gaps(&log.drive));
         notes.extend(notes::left_out(self.unlisted, left_out, mapped));
-        Ok(Understood { log, notes })
+        Ok(Understood { log, notes, landmarks: self.landmarks.names() })
     }
 }
 

@@ -80,7 +80,7 @@ const WAYS: [(&str, &str); 19] = [
     (
         "landmark",
         "landmark,beacon,anchor,tag,marker,feature,subject,=id,id,barcode,landmarke,bake,anker,balise,amer,ancre,\
-         baliza,ancla,boa,faro,ancora",
+         baliza,ancla,boa,faro,ancora,=name,=label,=bezeichnung,=nom,=nombre,=nome",
     ),
     ("range", "=range,range,=r,=rho,=ρ,distance,dist,abstand,entfernung,distanz,portee,distancia,alcance,distanza"),
     (
