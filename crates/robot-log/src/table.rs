@@ -196,13 +196,12 @@ fn numbers(line: &str, separator: Separator) -> usize {
 /// What parts the fields of a line: what makes numbers of them; between words, what stands there. There a tab comes
 /// before a comma, which may be a decimal one or stand within a name, but not where every comma has its tab.
 fn separator(line: &str) -> Separator {
-    const ALL: [Separator; 4] = [Separator::Char(';'), Separator::Char(','), Separator::Char('\t'), Separator::Blanks];
+    use Separator::{Blanks, Char};
+    const ALL: [Separator; 5] = [Char(';'), Char(','), Char('\t'), Char('|'), Blanks];
     let parts = |by: Separator| split(line, by).nth(1).is_some();
     let numbers = |by: Separator| split(line, by).all(|(_, field)| is_number(unquoted(field)));
     let found = ALL.into_iter().find(|by| parts(*by) && numbers(*by));
-    let tab = || {
-        Some(Separator::Char('\t')).filter(|by| parts(*by) && ![",\t", "\t,", ";"].iter().any(|it| line.contains(it)))
-    };
+    let tab = || Some(Char('\t')).filter(|by| parts(*by) && ![",\t", "\t,", ";"].iter().any(|it| line.contains(it)));
     found.or_else(tab).or_else(|| ALL.into_iter().find(|by| parts(*by))).unwrap_or(Separator::Blanks)
 }
 
