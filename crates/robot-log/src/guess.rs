@@ -71,6 +71,8 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         wheels,
         several: None,
         only: None,
+        foreign: false,
+        frame: None,
         undecided: None,
         refused: None,
     }
@@ -168,8 +170,8 @@ fn halfway(v: bool, table: &Table, names: &[Name]) -> String {
     let columns = candidates(value, quantity, names);
     let columns: Vec<String> = columns.iter().map(|at| format!("\u{201c}{}\u{201d}", table.names[*at])).collect();
     format!(
-        "It has a {known}, {}, and no column whose name is known for a {missing}: what is the file? Read as sensors, it \
-         has the {known} alone.",
+        "It has a {known}, {}, and no column whose name is known for a {missing}: what is the file? Read as sensors, \
+         it has the {known} alone.",
         columns.join(" or ")
     )
 }
