@@ -2,7 +2,7 @@
 
 use crate::cells::{Cells, NoRange};
 use crate::error::Error;
-use crate::frames::Moved;
+use crate::frames::{self, Moved};
 use crate::gathering::{Gathering, Place, Unplaced};
 use crate::headed::headed;
 use crate::landmarks::Landmarks;
@@ -250,6 +250,7 @@ impl Reading {
         let mapped = self.to.has_landmarks();
         let (log, left_out) = self.to.finish(self.carried.is_some())?;
         notes.extend(notes::times(&log.drive));
+        notes.extend(frames::apart(&log.drive));
         notes.extend(notes::gaps(&log.drive));
         notes.extend(notes::left_out(self.unlisted, left_out, mapped));
         Ok(Understood { log, notes, landmarks: self.landmarks.names() })

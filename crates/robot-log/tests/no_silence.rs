@@ -150,3 +150,14 @@ fn landmarks_and_fixes_in_metres_beside_latitudes_are_said_to_need_their_origin(
     let notes = files(&[log[0], log[2]]).read().expect("sound").notes;
     assert!(!notes.iter().any(|note| note.contains("east and north")), "{notes:?}");
 }
+
+#[test]
+fn a_first_fix_that_is_farther_from_the_truth_than_that_reaches_is_said() {
+    let notes = |fix: &str| {
+        let gps = format!("time [s],gps_x,gps_y\n10,{fix}\n");
+        files(&[("wheels.csv", WHEELS), ("gps.csv", &gps), ("truth.csv", TRUTH)]).read().expect("sound").notes
+    };
+    let said = |notes: &[String]| notes.iter().any(|note| note.contains("The first fix is 894 m from the truth: are"));
+    assert!(said(&notes("0,0")), "{:?}", notes("0,0"));
+    assert!(!notes("402,790").iter().any(|note| note.contains("from the truth")));
+}
