@@ -8,6 +8,7 @@ import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
 import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
 import { numbersOf as numbersToTell, ownSigma, settingsOf } from '../../web/page/log-numbers.js'
 import { headsOf, rowsOf } from '../../web/page/log-sources.js'
+import { fieldText } from '../../web/page/number-field.js'
 import { Mapping } from '../../web/widgets/robot-log/likelihood.js'
 import { belongs, nameOf, numbersOf, sourcesOf, touchedIn } from '../../web/widgets/robot-log/looks.js'
 import { broken, readingAt, timeAt } from '../../web/widgets/robot-log/history.js'
@@ -157,7 +158,8 @@ test('a curve breaks over a stretch without readings', () => {
 test('innovations are shown of all readings, of a sensor, of a landmark, and of its bearings', () => {
   const frame = frameOf()
   const sources = sourcesOf(frame)
-  assert.deepEqual(sources.map(nameOf).slice(0, 4), ['positions', 'ranges', 'ranges of 1', 'ranges of 2'])
+  const names = sources.map((one) => nameOf(one, frame))
+  assert.deepEqual(names.slice(0, 4), ['positions', 'ranges', 'ranges of 1', 'ranges of 2'])
   assert.equal(sources.length, 1 + 5 + 5)
   const { innovations } = frame
   const count = (source) => innovations.time.filter((_, i) => belongs(frame, source)(i)).length
@@ -236,4 +238,17 @@ test('a map is a replay for each cell, row by row, and is given up between two',
   const wrong = await mapping.map({ RobotLog }, camera, { ...wish, across: { name: 'sigmaRange', values: [-1] } })
   assert.equal(wrong.kind, 'no-map')
   assert.match(wrong.message, /sigmaRange/)
+})
+
+test('landmarks have the names of their file in the table and wherever innovations are named', () => {
+  const frame = { ...frameOf(), log: { motion: 'velocity', names: ['A12', 'north door', 'C', 'D'] } }
+  const names = rowsOf(frame).map(({ name }) => name)
+  assert.deepEqual(names.slice(-4), ['Landmark A12', 'Landmark north door', 'Landmark C', 'Landmark D'])
+  assert.equal(nameOf({ sensor: 'range', landmark: 2, bearing: false }, frame), 'ranges of north door')
+  assert.equal(nameOf({ sensor: 'range', landmark: 2, bearing: false }, frameOf()), 'ranges of 2')
+})
+
+test('a field keeps the millimetres of a place far from its origin, and six digits of a small number', () => {
+  const shown = [4430123.456, -5333000.0004, 999.1234, 0.00012345678, 0.1 + 0.2].map(fieldText)
+  assert.deepEqual(shown, ['4430123.456', '-5333000', '999.123', '0.000123457', '0.3'])
 })

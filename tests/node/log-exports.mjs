@@ -27,6 +27,7 @@ const TABLES = [
   'time,left_ticks,right_ticks\n0,0,0\n1,40,42\n',
   'time,left_ticks,right_ticks\n0,0,0\n1,41,44\n',
   't,d1,d2\n0,1,2\n1,1,nan\n',
+  't,true_x,true_y\n0,9,9\n1,10,9\n',
   't,tag,anchor,range\n0,T7,6,2\n1,T9,6,3\n',
   LOG,
 ]
@@ -48,7 +49,7 @@ const VALUES = ['time', 'time', 'v', 'omega', 'x', 'range', 'landmark', 'heading
 
 /** A file that was added, and what is asked of its columns; one that is `such` where there is one. */
 function fileOf(it, dice, such = () => true) {
-  const files = it.files().map(({ values, role, several }, at) => ({ at, values, role, several }))
+  const files = it.files().map(({ values, role, several, frame }, at) => ({ at, values, role, several, frame }))
   return dice.pick(files.filter(such)) ?? dice.pick(files) ?? { at: 0, values: [] }
 }
 const encoders = (it, dice) => fileOf(it, dice, ({ role }) => role === 'encoders').at
@@ -87,7 +88,15 @@ export const logClasses = (lab) => ({
     make: () => [],
     spoilt: 0.3,
     chain: 40,
-    least: { 'read()': 2, 'setRole()': 10, 'setUnit()': 10, 'setWheel()': 5, 'setCounting()': 5, 'setOnly()': 5 },
+    least: {
+      'read()': 2,
+      'setRole()': 10,
+      'setUnit()': 10,
+      'setWheel()': 5,
+      'setCounting()': 5,
+      'setOnly()': 5,
+      'setFrame()': 1,
+    },
     methods: {
       add: (dice) => [`${dice.below(9)}.csv`, dice.pick(TABLES)],
       files: () => [],
@@ -104,6 +113,7 @@ export const logClasses = (lab) => ({
       setWheel: (dice, _, it) => [encoders(it, dice), dice.pick(['ticks', 'radius', 'base']), dice.pick([0.1, 1000])],
       setCounting: (dice, _, it) => [encoders(it, dice), dice.pick(['total', 'step', 'restarted'])],
       setOnly: (dice, _, it) => [fileOf(it, dice, ({ several }) => several !== null).at, dice.pick([null, 'T7', 'T9'])],
+      setFrame: (dice, _, it) => [fileOf(it, dice, ({ frame }) => frame !== null).at, dice.pick(['same', 'moved'])],
       read: () => [],
     },
     often: ['add', 'setColumn'],

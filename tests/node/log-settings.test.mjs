@@ -2,10 +2,10 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
+import { isSameLog, nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 
-const { LogFiles, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
+const { LogFiles, LogTable, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 const known = RobotLog.parameters()
 
 const WHEELS = `time,left,right\n${Array.from({ length: 20 }, (_, k) => `${k / 10},${12 * k},${13 * k}\n`).join('')}`
@@ -137,4 +137,45 @@ test('what is not known or does not fit is refused by its name', () => {
   assert.throws(() => nextChange(files, opened(['wheels.csv', WHEELS]).files()), /no open file is called fixes\.csv/)
   const unit = of((it) => (it.files[1].values.x.unit = 'furlong'))()
   assert.throws(() => follow(opened(['wheels.csv', WHEELS], ['fixes.csv', FIXES]), unit), /x is not read in furlong/)
+})
+
+test('where the origin of a truth lies is written and read again', () => {
+  const tables = [
+    ['gps.csv', 'time,speed,yaw_rate,latitude,longitude\n0,1,0,50,8\n1,1,0,50.0001,8\n'],
+    ['truth.csv', 'time,true_x,true_y\n0,400,800\n1,400,811\n'],
+  ]
+  const files = opened(...tables)
+  assert.equal(files.files()[1].frame.said, null)
+  assert.ok(!('frame' in readSettings(settingsText({}, files.files()), known).files[1]), 'not said yet')
+  files.setFrame(1, 'moved')
+  const settings = readSettings(settingsText({}, files.files()), known)
+  const again = opened(...tables)
+  assert.equal(follow(again, settings), 1)
+  assert.deepEqual(again.files(), files.files())
+  const spoilt = settingsText({}, files.files()).replace('"moved"', '"turned"')
+  assert.throws(() => readSettings(spoilt, known), /files\[1\]\.frame is "turned"/)
+})
+
+test('the settings of a log are of use to the rows that the page has written of it, and to no others', () => {
+  const table = opened(['drive.csv', 'time,v,omega,gps_x,gps_y\n0,1,0,0,0\n1,1,0,,\n2,1,0,2,0\n'])
+  table.setRole(0, 'sensors')
+  const log = table.read()
+  const saved = readSettings(settingsText({}, table.files(), log.contents()), known)
+  const text = (it) => {
+    const rows = new LogTable(it, {}, 'log')
+    return rows.next(100)
+  }
+  const rows = opened(['log.csv', text(log)])
+  assert.equal(isSameLog(saved, rows.files(), rows.read().contents()), true)
+  assert.equal(isSameLog(saved, table.files(), log.contents()), false, 'its table is read by its columns')
+  const other = opened(['other.csv', 'V,0,1,0\nP,1,1,0\n'])
+  const asked = () => isSameLog(saved, other.files(), other.read().contents())
+  assert.throws(asked, /it is of a log from drive\.csv\. other\.csv is in the book’s own format and has 2 rows of .* 5/)
+  const bare = readSettings(settingsText({}, table.files()), known)
+  assert.throws(
+    () => isSameLog(bare, rows.files(), rows.read().contents()),
+    /do not say what that log held\. Open drive/,
+  )
+  const own = readSettings(settingsText({}, rows.files(), rows.read().contents()), known)
+  assert.equal(isSameLog(own, other.files(), other.read().contents()), false, 'no columns, no question')
 })

@@ -179,3 +179,32 @@ test('what is the motion model’s own is said, and is no fault', () => {
   // A log with a fault tells what its steps cost as soon as that is mended.
   assert.doesNotMatch(ranked(judgement([suspect({})], { arcs: 50 }), log), /costs/)
 })
+
+test('a scale is the speed’s, or that of the distances that a log of O rows has', () => {
+  const size = { now: 0, value: 0.05, sigma: 0.0021 }
+  const scaled = suspect({ fault: 'scale', name: 'speedScale', sizes: [size] })
+  assert.match(sentence(scaled, false), /^The speed reads 5\.00 ± 0\.21 % too low: let the filter learn its scale\.$/)
+  const steps = { ...log, log: { motion: 'odometry', names: [] } }
+  const said = ranked(judgement([scaled]), steps)
+  assert.match(said, /^The distances of O rows read 5\.00 ± 0\.21 % too low: let the filter learn their scale\./)
+  const against = { rmse: 2, nees: 9, outside: 0.4 }
+  const wrong = { ...scaled, standing: 'maybe', mended: { ...against, rmse: 1.9 } }
+  assert.match(ranked(judgement([wrong], { against, other: true }), steps), /likeliest is a scale of the distances;/)
+})
+
+test('landmarks that are exchanged have the names of their file, or their numbers', () => {
+  const exchanged = suspect({ fault: 'exchanged', name: null, sizes: [], landmarks: [1, 2] })
+  const named = { motion: 'velocity', names: ['A12', 'north door'] }
+  assert.match(sentence(exchanged, false, named), /^Landmarks A12 and north door are .* exchange their names where/)
+  assert.match(sentence(exchanged, false), /^Landmarks 1 and 2 are taken for one another: exchange their numbers where/)
+})
+
+test('a start far from its origin is said with its digits', () => {
+  const size = (value, sigma) => ({ now: 0, value, sigma })
+  const far = suspect({
+    fault: 'start',
+    name: null,
+    sizes: [size(4430123.456, 0.012), size(5333.1, 0.3), size(1, 0.1)],
+  })
+  assert.match(sentence(far, false), /set the start to 4430123\.456 m, 5333\.10 m and/)
+})

@@ -16,6 +16,14 @@ export function fixed(value, decimals = 2) {
       .replace('-', MINUS)
       .replace('e+', ' × 10^')
       .replace(/\^(\d+)$/, (_, power) => raised(power))
+  return decimal(value, decimals)
+}
+
+/**
+ * The same of a finite number, but with all its digits however large it is: a place may lie far from its origin.
+ * @param {number} value @param {number} [decimals]
+ */
+export function decimal(value, decimals = 3) {
   const text = value.toFixed(decimals)
   return Number(text) === 0 ? text.replace('-', '') : text.replace('-', MINUS)
 }

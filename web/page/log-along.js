@@ -4,7 +4,7 @@ import { button, part } from '../draw/dom.js'
 import { save } from '../figure/download.js'
 import { robotLocalization } from './log-export.js'
 import { filterpy } from './log-filterpy.js'
-import { MOST_SETTINGS, nextChange, readSettings, settingsText } from './log-settings.js'
+import { MOST_SETTINGS, isSameLog, nextChange, readSettings, settingsText } from './log-settings.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('../widgets/robot-log/change.js').Change} Change */
@@ -42,7 +42,9 @@ export function takeAlong(before, page) {
   }
   button(document, row, 'Download the settings', () =>
     // What was asked for last is told, whether it is drawn yet or not.
-    exported('settings.json', 'application/json', (run) => settingsText(run.state().params, page.files())),
+    exported('settings.json', 'application/json', (run) =>
+      settingsText(run.state().params, page.files(), run.contents),
+    ),
   )
   const input = /** @type {HTMLInputElement} */ (part(document, row, 'input', ''))
   input.type = 'file'
@@ -68,7 +70,9 @@ async function open(file, page) {
   try {
     if (file.size > MOST_SETTINGS) throw new Error('it is too large to hold settings.')
     const [text, run] = await Promise.all([file.text(), page.run()])
-    const { params, files, missing } = readSettings(text, run.parameters())
+    const settings = readSettings(text, run.parameters())
+    const { params, missing } = settings
+    const files = isSameLog(settings, page.files(), run.contents) ? [] : settings.files
     for (; read < MOST_CHANGES; read += 1) {
       const change = nextChange(files, page.files())
       if (!change) break

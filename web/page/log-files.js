@@ -64,7 +64,7 @@ export class FileForm {
   }
 
   /** @param {number} i @param {LogFile} file */
-  showFile(i, { name, role, header, values, wheels, several, asks, follows }) {
+  showFile(i, { name, role, header, values, wheels, several, frame, asks, follows }) {
     const set = part(document, this.box, 'fieldset', `log-file${asks.length > 0 ? ' asks' : ''}`)
     part(document, set, 'legend', '').textContent = name
     for (const ask of asks) part(document, set, 'p', 'log-ask').textContent = ask
@@ -94,6 +94,7 @@ export class FileForm {
     }
     if (several) this.several(set, i, header, several)
     if (wheels) this.wheels(set, i, wheels)
+    if (frame) this.frame(set, i, frame)
     if (follows) part(document, set, 'p', 'log-follows').textContent = `So: ${follows}.`
   }
 
@@ -167,6 +168,18 @@ export class FileForm {
       file: i,
       only: at === 'all' ? null : values[Number(at)].value,
     }))
+  }
+
+  /** Where a truth’s origin lies. @param {Element} into @param {number} i @param {{ said: string | null }} frame */
+  frame(into, i, { said }) {
+    const cell = part(document, into, 'div', `log-value${said === null ? ' asked' : ''}`)
+    /** @type {[string, string][]} */
+    const options = [
+      ['same', 'where that of the positions does, with the same axes'],
+      ['moved', 'elsewhere: it is moved onto the first fix'],
+    ]
+    if (said === null) options.unshift(['', 'choose one'])
+    this.choice(cell, `${i} frame`, 'its origin lies', options, said ?? '', (frame) => ({ file: i, frame }))
   }
 
   /**

@@ -1,7 +1,7 @@
 /** The report on a log: its facts, the settings, the results, and the readings of each landmark. */
 
 import { button, part } from '../draw/dom.js'
-import { fixed } from '../draw/numbers.js'
+import { decimal, fixed } from '../draw/numbers.js'
 import { writeHtml } from '../draw/words.js'
 import { looksOf } from '../widgets/robot-log/looks.js'
 import { clock } from '../widgets/robot-log/words.js'
@@ -194,7 +194,7 @@ function begun({ params: { start, startSigma, startSigmaHeading, withheld } }, c
   const rows = []
   if (!truth)
     rows.push(
-      ['Start', `${fixed(x, 2)} m, ${fixed(y, 2)} m, ${degrees(theta)}`],
+      ['Start', `${decimal(x)} m, ${decimal(y)} m, ${degrees(theta)}`],
       ['*σ* at the start', `${fixed(startSigma, 2)} m, ${degrees(startSigmaHeading)}`],
     )
   const seconds = (/** @type {number} */ time) => fixed(time - span[0], 1)

@@ -4,28 +4,41 @@
  */
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
+/** @typedef {import('estimate-wasm').LogContents} LogContents */
 /** @typedef {import('estimate-wasm').Parameter} Parameter */
 /** @typedef {import('../widgets/robot-log/change.js').Change} Change */
 /** @typedef {{ column: number, header: string, unit: string | null } | null} SavedValue */
 /**
  * @typedef {{
  *   name: string, role: string, header: string[], values: Record<string, SavedValue>, wheels: LogFile['wheels'],
- *   only?: string | null,
- * }} SavedFile with `only` where a column tells the rows of several robots apart, and it was said whose are read
+ *   only?: string | null, frame?: string,
+ * }} SavedFile with `only` where a column tells the rows of several robots apart, and it was said whose are read, and
+ * `frame` where it was said where the origin of a truth lies
  */
-/** @typedef {{ params: Record<string, any>, files: SavedFile[], missing: string[] }} Settings */
+/**
+ * @typedef {object} SavedLog what tells a log from another, whatever it was read from
+ * @property {number} steps @property {number[]} span @property {string} motion @property {number} landmarks
+ * @property {Record<string, number>} readings
+ */
+/** @typedef {{ params: Record<string, any>, files: SavedFile[], missing: string[], log: SavedLog | null }} Settings */
 
 const FORMAT = 'robot-motion log settings'
 const VERSION = 1
 /** A larger file is none of these, bytes. */
 export const MOST_SETTINGS = 1_000_000
+const LOG = ['steps', 'span', 'motion', 'landmarks', 'readings']
+/** Where the origin of a truth may lie. */
+const FRAMES = ['same', 'moved']
 const WHEELS = ['ticks', 'radius', 'base', 'counting']
 
-/** @param {Record<string, unknown>} params @param {LogFile[]} files */
-export function settingsText(params, files) {
+/**
+ * @param {Record<string, unknown>} params @param {LogFile[]} files
+ * @param {LogContents | null} [contents] of the log that they make
+ */
+export function settingsText(params, files, contents = null) {
   const saved = files
     .filter(({ role }) => role !== 'log')
-    .map(({ name, role, header, values, wheels, several }) => ({
+    .map(({ name, role, header, values, wheels, several, frame }) => ({
       name,
       role,
       header,
@@ -37,10 +50,21 @@ export function settingsText(params, files) {
       ),
       wheels,
       ...(several && !several.asked ? { only: several.only } : {}),
+      ...(frame?.said ? { frame: frame.said } : {}),
     }))
-  const all = { format: FORMAT, version: VERSION, settings: params, files: saved }
+  const log = contents ? { log: logOf(contents) } : {}
+  const all = { format: FORMAT, version: VERSION, settings: params, files: saved, ...log }
   return `${JSON.stringify(all, (_, value) => (ArrayBuffer.isView(value) ? Array.from(listOf(value)) : value), 2)}\n`
 }
+
+/** @param {LogContents} contents @returns {SavedLog} */
+const logOf = ({ steps, span, motion, landmarks, readings }) => ({
+  steps,
+  span: [...span],
+  motion,
+  landmarks: landmarks.length,
+  readings: Object.fromEntries(Object.entries(readings).sort()),
+})
 
 /** @param {any} view a list of numbers */
 const listOf = (view) => /** @type {Float64Array} */ (view)
@@ -58,7 +82,7 @@ export function readSettings(text, known) {
   } catch {
     throw new Error('it is no JSON: it was changed, or is another file.')
   }
-  only(read, ['format', 'version', 'settings', 'files'], 'the file')
+  only(read, ['format', 'version', 'settings', 'files', 'log'], 'the file')
   if (read.format !== FORMAT) throw new Error(`format is not “${FORMAT}”: it is another file.`)
   if (read.version !== VERSION) throw new Error(`version is ${shown(read.version)}; this page reads ${VERSION}.`)
   only(
@@ -69,9 +93,11 @@ export function readSettings(text, known) {
   for (const one of known) if (one.name in read.settings) setting(read.settings[one.name], one)
   if (!Array.isArray(read.files)) throw new Error('files is no list.')
   read.files.forEach(file)
+  const log = read.log ?? null
+  if (log !== null) only(log, LOG, 'log', LOG)
   const missing = known.filter(({ name }) => !(name in read.settings))
   const usual = Object.fromEntries(missing.map((one) => [one.name, one.default]))
-  return { params: { ...usual, ...read.settings }, files: read.files, missing: missing.map(({ name }) => name) }
+  return { params: { ...usual, ...read.settings }, files: read.files, missing: missing.map(({ name }) => name), log }
 }
 
 /** @param {unknown} value */
@@ -132,7 +158,8 @@ function setting(value, { name, default: usual, least, greatest }) {
 function file(it, i) {
   const where = `files[${i}]`
   const names = ['name', 'role', 'header', 'values', 'wheels']
-  only(it, [...names, 'only'], where, names)
+  only(it, [...names, 'only', 'frame'], where, names)
+  if (it.frame !== undefined && !FRAMES.includes(it.frame)) throw new Error(`${where}.frame is ${shown(it.frame)}.`)
   if (it.only !== undefined && it.only !== null && typeof it.only !== 'string')
     throw new Error(`${where}.only is no text.`)
   for (const name of ['name', 'role']) if (typeof it[name] !== 'string') throw new Error(`${where}.${name} is no text.`)
@@ -167,6 +194,24 @@ export function nextChange(saved, files) {
   return null
 }
 
+/**
+ * Whether a log in the book’s own format, which says itself how it is read, holds what the settings were saved for, as
+ * the rows of a log do that the page has written. Settings of tables are of no use to another one: that is an error.
+ * @param {Settings} settings @param {LogFile[]} files that are open @param {LogContents} contents of their log
+ */
+export function isSameLog({ files: saved, log }, files, contents) {
+  if (saved.length === 0 || files.some(({ role }) => role !== 'log')) return false
+  if (JSON.stringify(log) === JSON.stringify(logOf(contents))) return true
+  const [open, tables] = [files, saved].map((all) => all.map(({ name }) => name).join(', '))
+  const other = log
+    ? `has ${contents.steps} rows of motion and readings where that log has ${log.steps}, or other times or sensors`
+    : 'may be another: the settings do not say what that log held'
+  throw new Error(
+    `it is of a log from ${tables}. ${open} is in the book’s own format and ${other}. ` +
+      `Open ${tables} first, then the settings, or save the settings again.`,
+  )
+}
+
 /** @param {SavedFile} one @param {LogFile[]} files */
 function placeOf({ name, header }, files) {
   const named = files.findIndex((file) => file.name === name)
@@ -176,8 +221,8 @@ function placeOf({ name, header }, files) {
 }
 
 /** @param {SavedFile} saved @param {LogFile} file @returns {Omit<Change, 'file'> | null} */
-function changeOf(saved, { role: now, header, values: current, wheels: turning, several }) {
-  const { name, role, values, wheels, only: one } = saved
+function changeOf(saved, { role: now, header, values: current, wheels: turning, several, frame: origin }) {
+  const { name, role, values, wheels, only: one, frame } = saved
   if (role !== now) return { role }
   for (const [value, wanted] of Object.entries(values)) {
     const found = current.find((one) => one.name === value)
@@ -194,6 +239,7 @@ function changeOf(saved, { role: now, header, values: current, wheels: turning, 
       throw new Error(`${name} has no rows of ${one}.`)
     return { only: one }
   }
+  if (frame !== undefined && origin && origin.said !== frame) return { frame }
   if (!wheels) return null
   for (const wheel of /** @type {const} */ (['ticks', 'radius', 'base'])) {
     const number = wheels[wheel]

@@ -2,7 +2,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
-import { looksOf } from '../widgets/robot-log/looks.js'
+import { landmarkName, looksOf } from '../widgets/robot-log/looks.js'
 import { percent } from '../widgets/robot-log/words.js'
 
 /** @typedef {import('../widgets/robot-log/looks.js').Frame} Frame */
@@ -23,7 +23,9 @@ export function headsOf({ bearings }) {
 }
 
 /** A row for each sensor that has readings, and one for each landmark. @param {Frame} frame @returns {Row[]} */
-export function rowsOf({ summary: { sensors }, byLandmark, landmarkStatistics, bearings, meanBearing }) {
+export function rowsOf(frame) {
+  const { summary, byLandmark, landmarkStatistics, bearings, meanBearing } = frame
+  const { sensors } = summary
   /** @typedef {{ used: number, refused: number, nis?: number | null, lag1?: number | null }} Sums */
   const cells = (
     /** @type {Sums} */ { used, refused, nis, lag1 },
@@ -48,7 +50,11 @@ export function rowsOf({ summary: { sensors }, byLandmark, landmarkStatistics, b
   for (const seen of each.sort((a, b) => a.id - b.id)) {
     if (seen.used + seen.refused === 0) continue
     const source = { sensor, landmark: seen.id, bearing: false }
-    rows.push({ name: `Landmark ${seen.id}`, source, cells: cells(seen, seen.mean, seen.meanBearing) })
+    rows.push({
+      name: `Landmark ${landmarkName(frame, seen.id)}`,
+      source,
+      cells: cells(seen, seen.mean, seen.meanBearing),
+    })
   }
   return rows
 }

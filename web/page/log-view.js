@@ -24,6 +24,7 @@ export class ViewBar {
     )
     /** @type {Source[]} */
     this.sources = []
+    this.said = ''
     /** @param {0 | 1} at @param {number} value */
     const set = (at, value) => {
       const other = this.window ?? [0, this.duration]
@@ -45,9 +46,10 @@ export class ViewBar {
     this.window = window
     this.duration = frame.duration
     const sources = sourcesOf(frame)
-    const names = [ALL, ...sources.map(nameOf)]
-    if (JSON.stringify(sources) !== JSON.stringify(this.sources) || this.select.options.length === 0) {
-      this.sources = sources
+    const names = [ALL, ...sources.map((one) => nameOf(one, frame))]
+    const said = JSON.stringify([sources, names])
+    if (said !== this.said) {
+      ;[this.said, this.sources] = [said, sources]
       this.select.replaceChildren(
         ...names.map((name, i) => {
           const option = document.createElement('option')
@@ -74,7 +76,7 @@ function touchedWords(frame) {
   const { source } = looksOf(frame)
   const turned = source?.bearing ? bearing[i] : null
   const value = numbersOf(frame, source)[i]
-  const whose = nameOf({ sensor: sensor[i], landmark: landmark[i], bearing: turned !== null })
+  const whose = nameOf({ sensor: sensor[i], landmark: landmark[i], bearing: turned !== null }, frame)
   const raw = turned === null ? '' : `${fixed((180 / Math.PI) * turned, 1)}°, `
   return `At ${fixed(time[i], 2)} s, ${whose}: ${raw}${fixed(value, 1)} σ, ${used[i] ? 'used' : 'refused'}.`
 }

@@ -23,10 +23,19 @@ export function numberField(into, words, change) {
     input,
     show(value) {
       if (document.activeElement === input) return
-      input.value = value === null ? '' : String(Number(value.toPrecision(6)))
+      input.value = value === null ? '' : fieldText(value)
       input.removeAttribute('aria-invalid')
     },
   }
+}
+
+/**
+ * A number as a field shows it: six digits that count, and of a large one three decimals: places in metres are whole to
+ * the millimetre wherever their origin is.
+ * @param {number} value
+ */
+export function fieldText(value) {
+  return String(Number(Math.abs(value) >= 1000 ? value.toFixed(3) : value.toPrecision(6)))
 }
 
 /** @param {string} text */

@@ -7,7 +7,7 @@ use crate::object::Held;
 use crate::robot_log::{DriveLog, text_of};
 use estimate::{Code, Error};
 use js_sys::Array;
-use robot_log::{Counting, File, Files, Role, WHEEL_NUMBERS, units_of};
+use robot_log::{Counting, File, Files, Frame, Role, WHEEL_NUMBERS, units_of};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -49,6 +49,11 @@ export interface LogSeveral {
     /** Whether it has to be said whose rows are read. */
     asked: boolean;
 }
+/** Where the origin of a truth lies: where the fixes' does, or elsewhere, and the truth is moved onto the first fix. */
+export interface LogOrigin {
+    /** Null where it has to be said. */
+    said: "same" | "moved" | null;
+}
 /** How a file of a log is read. */
 export interface LogFile {
     name: string;
@@ -60,6 +65,9 @@ export interface LogFile {
     wheels: LogWheels | null;
     /** The rows of several robots; null where no column tells such apart. */
     several: LogSeveral | null;
+    /** Where the origin of a truth lies that counts its places from another point than the fixes do; null of a file
+        that is not asked. */
+    frame: LogOrigin | null;
     /** What has to be said before the file can be read: a guess that is not certain chooses nothing. */
     asks: string[];
     /** What follows from how it is read, in words, such as "20 Hz, 0 to 120 s, turned 2 turns". */
@@ -76,6 +84,7 @@ pub struct LogFiles(Held);
 const FILES: &str = "LogFiles";
 const COUNTINGS: [(&str, Counting); 3] =
     [("total", Counting::Total), ("step", Counting::Step), ("restarted", Counting::Restarted)];
+const FRAMES: [(&str, Frame); 2] = [("same", Frame::Same), ("moved", Frame::Moved)];
 /// The most files, rows of a header, or columns that an index may count.
 const MOST: u32 = 10_000;
 
@@ -161,6 +170,18 @@ impl LogFiles {
         self.change(file, "only", |files, file| files.set_only(file, only.as_deref()))
     }
 
+    /// Says where the origin of a truth lies, of which that is asked.
+    #[wasm_bindgen(js_name = setFrame)]
+    pub fn set_frame(
+        &self,
+        #[wasm_bindgen(unchecked_param_type = "number")] file: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "'same' | 'moved'")] frame: &JsValue,
+    ) -> Result<(), Thrown> {
+        self.0.is(FILES)?;
+        let (_, frame) = FRAMES[Arg::new(frame, "frame").word(&FRAMES.map(|(name, _)| name))?];
+        self.change(file, "file", |files, file| files.set_frame(file, frame))
+    }
+
     /// Says a number of encoders, above 0: `"ticks"` of a turn of the wheel, its `"radius"` or the wheels' `"base"`, m.
     #[wasm_bindgen(js_name = setWheel)]
     pub fn set_wheel(
@@ -194,7 +215,7 @@ impl LogFiles {
     #[wasm_bindgen(unchecked_return_type = "DriveLog")]
     pub fn read(&self) -> Result<DriveLog, Thrown> {
         let read = self.0.read(FILES, |files: &Files| files.read())??;
-        Ok(DriveLog::keep(read.log, read.notes))
+        Ok(DriveLog::keep(read.log, read.notes, read.landmarks))
     }
 
     /// Changes how a file is read; what there is not is refused in the name of `argument`.
@@ -227,6 +248,13 @@ fn several(file: &File) -> JsValue {
     ])
 }
 
+/// Where the origin of a truth lies.
+fn origin(file: &File) -> JsValue {
+    let said = FRAMES.iter().find(|(_, frame)| file.frame() == Some(*frame)).map(|(name, _)| *name);
+    let record = || record(&[("said", said.map_or(JsValue::NULL, Into::into))]);
+    if file.is_foreign() { record() } else { JsValue::NULL }
+}
+
 fn shown(file: &File) -> JsValue {
     let columns = file.columns().iter().zip(file.units());
     let values = file.role().values().iter().zip(columns).enumerate().map(|(i, (value, (column, unit)))| {
@@ -254,6 +282,7 @@ fn shown(file: &File) -> JsValue {
         ("values", values.collect::<Array>().into()),
         ("several", several(file)),
         ("wheels", if file.role() == Role::Encoders { wheels() } else { JsValue::NULL }),
+        ("frame", origin(file)),
         ("asks", texts(file.asks())),
         ("follows", file.follows().into()),
     ])

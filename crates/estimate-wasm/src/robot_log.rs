@@ -19,14 +19,16 @@ use wasm_bindgen::prelude::*;
 const TYPES: &str = r#"
 /** What a log holds. */
 export interface LogContents {
-    /** All rows of the file, landmarks and truth among them; comments and blank lines are none. */
+    /** All lines of the files that say something, landmarks and truth among them; comments and blank lines do not. */
     rows: number;
-    /** The rows of motion and sightings, which a replay takes. */
+    /** The rows of motion and readings that these hold, which a replay takes: a line may have several. */
     steps: number;
     /** The first and the last time of these, seconds. */
     span: [number, number];
     /** The landmarks, at known places. */
     landmarks: Landmark[];
+    /** What the files call the landmarks whose ids are 1, 2 and so on; empty where they have numbers. */
+    names: string[];
     /** How the robot's motion is logged: by O rows, or by rows that are held (V, S, T). */
     motion: "odometry" | "velocity";
     /** How many readings each sensor has; one without any is not there. */
@@ -105,6 +107,7 @@ struct Kept {
     logged: Arc<LoggedDrive>,
     rows: usize,
     notes: Vec<String>,
+    names: Vec<String>,
 }
 
 const LOG: &str = "DriveLog";
@@ -130,7 +133,8 @@ impl DriveLog {
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
                 ("opening", opening(drive)),
-                ("notes", held.notes.iter().map(|note| JsValue::from_str(note)).collect::<Array>().into()),
+                ("names", texts(&held.names)),
+                ("notes", texts(&held.notes)),
             ])
         })
     }
@@ -142,8 +146,12 @@ impl DriveLog {
 }
 
 impl DriveLog {
-    /// A log that was read, and what was left out of it.
-    pub(crate) fn keep(robot_log::Log { drive, count }: robot_log::Log, notes: Vec<String>) -> Self {
+    /// A log that was read, what was left out of it, and what its landmarks are called.
+    pub(crate) fn keep(
+        robot_log::Log { drive, count }: robot_log::Log,
+        notes: Vec<String>,
+        names: Vec<String>,
+    ) -> Self {
         let logged = Arc::new(LoggedDrive::new(drive));
         let handle = LOGS.with_borrow_mut(|logs| {
             let handle = logs.last().map_or(1.0, |(last, _)| last + 1.0);
@@ -151,8 +159,12 @@ impl DriveLog {
             logs.push((handle, Arc::downgrade(&logged)));
             handle
         });
-        Self(Held::new(LOG, Kept { handle, logged, rows: count, notes }))
+        Self(Held::new(LOG, Kept { handle, logged, rows: count, notes, names }))
     }
+}
+
+fn texts(all: &[String]) -> JsValue {
+    all.iter().map(|text| JsValue::from_str(text)).collect::<Array>().into()
 }
 
 /// How many readings each sensor of a log has.
@@ -201,7 +213,7 @@ impl RobotLog {
     /// Reads a log. What is no log throws a `LogError`, which says in which line and column.
     pub fn parse(text: &JsValue) -> Result<DriveLog, Thrown> {
         let text = text_of(text)?;
-        Ok(DriveLog::keep(robot_log::parse(&text)?, Vec::new()))
+        Ok(DriveLog::keep(robot_log::parse(&text)?, Vec::new(), Vec::new()))
     }
 
     /// How likely the readings from a time on are under `params`.

@@ -2,10 +2,12 @@
 //! each, and which of several tables with a speed is the one that is driven by.
 
 use crate::file::File;
+use crate::frames::Frame;
 use crate::log::MAX_LANDMARKS;
 use crate::names::candidates;
 use crate::role::{Quantity, Role};
 use crate::row;
+use crate::source::Source;
 use crate::wide;
 
 /// Looks for the names of landmarks among the columns of the others; a table that has them is one of ranges, but for
@@ -41,7 +43,85 @@ pub(crate) fn note(files: &[File]) -> Option<String> {
     ))
 }
 
+/// How the places of a file are said.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Places {
+    /// In latitude and longitude.
+    Global,
+    /// In metres.
+    Metric,
+}
+
+impl Places {
+    /// Those of a file, as it is read; `None` of one without any.
+    fn of(source: &Source) -> Option<Self> {
+        let has = |value: &str| source.column(value).is_some();
+        match source.role {
+            Role::Sensors | Role::Truth | Role::Landmarks if has("latitude") => Some(Self::Global),
+            Role::Sensors | Role::Truth | Role::Landmarks if has("x") => Some(Self::Metric),
+            _ => None,
+        }
+    }
+}
+
+/// How the fixes of a log say their places: in metres, in latitude and longitude.
+fn fixes(files: &[File]) -> [bool; 2] {
+    let has = |places| {
+        let said = |file: &File| file.role() == Role::Sensors && Places::of(&file.source) == Some(places);
+        files.iter().any(said)
+    };
+    [has(Places::Metric), has(Places::Global)]
+}
+
+/// Finds the truths whose places are counted from another point than those of the fixes.
+pub(crate) fn frames(files: &mut [File]) {
+    let [metric, global] = fixes(files);
+    for file in files.iter_mut() {
+        let places = Places::of(&file.source).filter(|_| file.role() == Role::Truth);
+        file.source.foreign = match places {
+            Some(Places::Metric) => global,
+            Some(Places::Global) => metric && !global,
+            None => false,
+        };
+    }
+}
+
+/// What is said of landmarks and fixes in metres beside latitudes and longitudes.
+pub(crate) fn origins(files: &[File]) -> Vec<String> {
+    let of = |file: &&File| Places::of(&file.source);
+    if !files.iter().any(|file| of(&file) == Some(Places::Global)) {
+        return Vec::new();
+    }
+    let metric = files.iter().filter(|file| of(file) == Some(Places::Metric) && file.role() != Role::Truth);
+    let said = |file: &File| {
+        let name = file.name();
+        format!(
+            "{name}: its x and y are taken as metres east and north of the first latitude and longitude; if its origin \
+             or its axes are others, they do not belong together."
+        )
+    };
+    metric.map(said).collect()
+}
+
 impl File {
+    /// Where the origin of its places lies, as it was said; `None` where that has not been said.
+    pub fn frame(&self) -> Option<Frame> {
+        self.source.frame
+    }
+
+    /// Whether its places are counted from another point than those of the log's fixes: then that is asked.
+    pub fn is_foreign(&self) -> bool {
+        self.source.foreign
+    }
+
+    pub(crate) fn set_frame(&mut self, frame: Frame) -> bool {
+        let foreign = self.source.foreign;
+        if foreign {
+            self.source.frame = Some(frame);
+        }
+        foreign
+    }
+
     /// What the landmarks of its rows are called, where these are no numbers.
     fn landmarks(&self) -> Vec<String> {
         let (Some(table), Some(at)) = (&self.source.table, self.source.column("landmark")) else { return Vec::new() };

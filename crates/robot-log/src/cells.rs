@@ -2,7 +2,7 @@
 
 use crate::counter::Jumps;
 use crate::error::Error;
-use crate::fields::{Field, Line};
+use crate::fields::{Field, Line, is_none};
 use crate::gathering::Place;
 use crate::quaternion;
 use crate::row;
@@ -39,7 +39,8 @@ impl<'a> Cells<'a> {
 
     /// A field read as a value.
     fn read(&self, value: &str, field: Field<'_>) -> Result<f64, Error> {
-        let number = row::finite(self.line, field, value).map_err(|e| e.within(self.file))?;
+        let text = if is_none(field.text) { "" } else { field.text };
+        let number = row::finite(self.line, Field { text, ..field }, value).map_err(|e| e.within(self.file))?;
         let unit = self.source.role.index(value).and_then(|at| self.source.units[at]);
         Ok(unit.map_or(number, |unit| unit::convert(unit, number)))
     }
@@ -154,9 +155,4 @@ pub(crate) enum NoRange {
     Zero,
     MinusOne,
     Infinite,
-}
-
-/// Whether a field says that there is no number.
-fn is_none(text: &str) -> bool {
-    ["", "nan", "null", "none", "na", "n/a", "-", "--"].iter().any(|none| text.eq_ignore_ascii_case(none))
 }

@@ -268,10 +268,13 @@ fn by_rate(times: &[f64]) -> Option<&'static str> {
     let mut gaps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|gap| *gap > 0.0).collect();
     gaps.sort_unstable_by(f64::total_cmp);
     let since_1970 = times.first().map_or(0.0, |time| time.abs());
+    // Dates as spreadsheets and MATLAB count them, whose rows are seconds apart and no millionth of one.
+    let is_day = |gap: f64| gap < 1e-4 && (2e4..1e6).contains(&since_1970);
     Some(match gaps.get(gaps.len().saturating_sub(1) / 2) {
         _ if since_1970 > 1e17 => "ns",
         _ if since_1970 > 1e14 => "us",
         _ if since_1970 > 1e11 => "ms",
+        Some(gap) if is_day(*gap) => "days",
         Some(gap) if *gap > 1e6 => "ns",
         Some(gap) if *gap > 2e3 => "us",
         Some(gap) if *gap > 20.0 => "ms",

@@ -1,13 +1,38 @@
 //! What follows from how a file is read: its rate and span, and the extent of what it holds. A wrong column or unit
 //! shows here.
 
+use crate::fields::is_none;
 use crate::reading::Reading;
+use crate::table::Table;
 use core::f64::consts::{PI, TAU};
 use estimate::Landmark;
 use estimate::drive::{Event, Pose, Row};
 
 /// Times beyond this are those of a calendar, s.
 const CALENDAR: f64 = 1e8;
+
+/// How many values of a column are shown, of the first rows; where these have fewer, of those behind them.
+const SAMPLES: usize = 3;
+const SAMPLED: usize = 200;
+const SAMPLED_AT_MOST: usize = 20_000;
+
+/// Three values of a column: of its first, a middle and the last of its first rows, or the first three that are there.
+pub(crate) fn samples<'t>(table: &Table, text: &'t str, column: usize) -> Vec<&'t str> {
+    let (mut all, mut looked) = (Vec::new(), 0);
+    for line in table.lines(text).filter_map(Result::ok).take(SAMPLED_AT_MOST) {
+        if looked >= SAMPLED && all.len() >= SAMPLES {
+            break;
+        }
+        looked += 1;
+        all.extend(line.fields.get(column).map(|field| field.text).filter(|text| !is_none(text)));
+    }
+    match all.as_slice() {
+        [] if looked > 0 => vec![""],
+        sparse if 2 * sparse.len() < looked => sparse.iter().take(SAMPLES).copied().collect(),
+        few if few.len() <= SAMPLES => few.to_vec(),
+        all => vec![all[0], all[all.len() / 2], all[all.len() - 1]],
+    }
+}
 
 /// What follows from the rows that a file has by itself, in words; empty of a file without rows.
 pub(crate) fn follows(read: &Reading) -> String {

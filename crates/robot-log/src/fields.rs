@@ -26,6 +26,24 @@ pub(crate) struct Line<'t> {
     pub end: u32,
 }
 
+/// Words for a value that is not there, as programs and spreadsheets write them, in small letters.
+const NONE: [&str; 12] = ["", "nan", "null", "none", "na", "n/a", "-", "--", "#n/a", "#n/d", "#nv", "#na"];
+
+/// Whether a field says that there is no number: by one of these words, by the name of a fault as spreadsheets write
+/// it, `#WERT!`, `#DIV/0!`, `#NAME?`, or by a column that was too narrow to be shown, `###`.
+pub(crate) fn is_none(text: &str) -> bool {
+    let fault = |name: &str| name.len() < 12 && name.ends_with(['!', '?']) && !name.contains(' ');
+    let narrow = |name: &str| name.len() > 1 && name.bytes().all(|b| b == b'#');
+    NONE.iter().any(|none| text.eq_ignore_ascii_case(none))
+        || text.strip_prefix('#').is_some_and(|name| fault(name) || narrow(name))
+}
+
+/// Whether a line of a table is for people alone. A spreadsheet's `#N/A` in the first column is none.
+pub(crate) fn is_comment(line: &str) -> bool {
+    let first = line.split([',', ';', '\t']).next().unwrap_or(line);
+    line.starts_with('#') && !(first.len() < line.len() && is_none(first.trim()))
+}
+
 /// Reads a text line by line.
 pub(crate) struct Lines<'t> {
     /// What has not been read yet.

@@ -18,10 +18,6 @@ use crate::table::Table;
 use crate::unit::{self, Unit};
 use crate::wheels::{Counting, Wheels, is_speed};
 
-/// How many values of a column are shown, of the first rows.
-const SAMPLES: usize = 3;
-const SAMPLED: usize = 200;
-
 /// A file of a log, and how it is read.
 #[derive(Clone, Debug, PartialEq)]
 pub struct File {
@@ -170,15 +166,10 @@ impl File {
         self.source.is_asked(at)
     }
 
-    /// Three values of a column as they stand in the file: of its first, a middle and the last of its first rows.
+    /// Three values of a column as they stand in the file: of its first, a middle and the last of its first rows, or
+    /// the first three that are there where most rows have none. A column without any has one that is empty.
     pub fn samples(&self, column: usize) -> Vec<&str> {
-        let Some(table) = &self.source.table else { return Vec::new() };
-        let lines = table.lines(&self.text).filter_map(Result::ok).take(SAMPLED);
-        let all: Vec<&str> = lines.filter_map(|line| line.fields.get(column).map(|field| field.text)).collect();
-        match all.as_slice() {
-            all if all.len() <= SAMPLES => all.to_vec(),
-            all => vec![all[0], all[all.len() / 2], all[all.len() - 1]],
-        }
+        self.source.table.as_ref().map_or(Vec::new(), |table| evidence::samples(table, &self.text, column))
     }
 
     /// What follows from how it is read, in words: "20 Hz, 0 to 120 s, v −0.1 … 1 m/s, turned 2 turns". Empty where it

@@ -4,6 +4,7 @@
 use crate::beside;
 use crate::error::Error;
 use crate::file::File;
+use crate::frames::Frame;
 use crate::log::{MAX_BYTES, Understood};
 use crate::parse;
 use crate::reading::Reading;
@@ -48,6 +49,7 @@ impl Files {
         self.files.push(File::new(name, text));
         beside::names(&mut self.files, None);
         beside::speeds(&mut self.files, None);
+        beside::frames(&mut self.files);
         Ok(())
     }
 
@@ -61,13 +63,16 @@ impl Files {
         let known = self.files.get_mut(file).map(|file| file.set_role(role)).is_some();
         beside::names(&mut self.files, Some(file));
         beside::speeds(&mut self.files, Some(file));
+        beside::frames(&mut self.files);
         known
     }
 
     /// Reads a value from another column of its file, or from none. Answers whether there are such a value and such a
     /// column.
     pub fn set_column(&mut self, file: usize, value: &str, column: Option<usize>) -> bool {
-        self.files.get_mut(file).is_some_and(|file| file.set_column(value, column))
+        let known = self.files.get_mut(file).is_some_and(|file| file.set_column(value, column));
+        beside::frames(&mut self.files);
+        known
     }
 
     /// Reads a value in another unit. Answers whether there is such a value in the file, and such a unit of it.
@@ -79,6 +84,12 @@ impl Files {
     /// several ([`File::several`]), and this one among them.
     pub fn set_only(&mut self, file: usize, only: Option<&str>) -> bool {
         self.files.get_mut(file).is_some_and(|file| file.set_only(only))
+    }
+
+    /// Says where the origin of a truth lies. Answers whether there is such a file, and that is asked of it
+    /// ([`File::is_foreign`]).
+    pub fn set_frame(&mut self, file: usize, frame: Frame) -> bool {
+        self.files.get_mut(file).is_some_and(|file| file.set_frame(frame))
     }
 
     /// Says a number of a file's wheels: `ticks` of a turn, `radius` or `base` in metres. Answers whether there is such
@@ -137,6 +148,7 @@ impl Files {
         }
         let mut read = reading.finish()?;
         read.notes.extend(beside::note(&self.files));
+        read.notes.extend(beside::origins(&self.files));
         let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
         read.notes.extend(unused.map(|file| format!("{}.", file.unused())));
         Ok(read)

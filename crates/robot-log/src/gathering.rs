@@ -64,7 +64,9 @@ pub(crate) struct Gathering {
     sightings: Vec<Sighting>,
     /// The rows that say again what one before them has said.
     copies: Vec<usize>,
+    /// Rows of the log, of which a line may have several, and lines.
     count: usize,
+    lines: usize,
     last: Option<Place>,
 }
 
@@ -72,6 +74,8 @@ impl Gathering {
     /// Counts a row that begins at `place`.
     pub fn begin(&mut self, place: Place) -> Result<(), Error> {
         self.count += 1;
+        let another = |last: Place| (last.file, last.line) != (place.file, place.line);
+        self.lines += usize::from(self.last.is_none_or(another));
         self.last = Some(place);
         if self.count > MAX_ROWS {
             return Err(place.refuse(format!("the log has more than {MAX_ROWS} rows")));
@@ -199,6 +203,6 @@ impl Gathering {
         self.rows.sort_by(|a, b| a.time.total_cmp(&b.time).then(sighting(a).cmp(&sighting(b))));
         let truth = Truth::new(self.poses);
         let drive = Drive { landmarks: self.landmarks, truth, rows: self.rows, motion };
-        Ok((Log { drive, count: self.count }, strangers))
+        Ok((Log { drive, count: self.lines }, strangers))
     }
 }

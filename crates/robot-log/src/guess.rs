@@ -71,6 +71,8 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         wheels,
         several: None,
         only: None,
+        foreign: false,
+        frame: None,
         undecided: None,
         refused: None,
     }
@@ -152,11 +154,26 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if place => ask("Are x and y the true position, or a sensor\u{2019}s fixes?"),
         () if sightings => certain(Role::Sightings),
         () if (v != omega) && !heading && !down && !axes && has_unknown(names) => {
-            ask("Only one of speed and turn rate has a name that is known: what is the file?")
+            (Role::Undecided, Some(halfway(v, table, names)))
         }
         () if v || omega || heading => certain(Role::Sensors),
         () => certain(said.first().copied().filter(|role| *role == Role::Ranges).unwrap_or(Role::Unused)),
     }
+}
+
+/// What a file with a speed and no turn rate asks, or with a turn rate and no speed.
+fn halfway(v: bool, table: &Table, names: &[Name]) -> String {
+    let [(known, value, quantity), (missing, ..)] = match v {
+        true => [("speed", "v", Quantity::Speed), ("turn rate", "omega", Quantity::AngleRate)],
+        false => [("turn rate", "omega", Quantity::AngleRate), ("speed", "v", Quantity::Speed)],
+    };
+    let columns = candidates(value, quantity, names);
+    let columns: Vec<String> = columns.iter().map(|at| format!("\u{201c}{}\u{201d}", table.names[*at])).collect();
+    format!(
+        "It has a {known}, {}, and no column whose name is known for a {missing}: what is the file? Read as sensors, \
+         it has the {known} alone.",
+        columns.join(" or ")
+    )
 }
 
 /// Whether a column is neither a speed, a turn rate or a time, nor one of those that are often beside them.

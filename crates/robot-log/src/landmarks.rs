@@ -43,6 +43,11 @@ impl Landmarks {
         }
     }
 
+    /// The names: the first one's number is 1, and so on. None where landmarks have numbers.
+    pub fn names(self) -> Vec<String> {
+        self.names
+    }
+
     /// Which number each name has here, in a sentence.
     pub fn note(&self) -> Option<String> {
         const MOST: usize = 12;

@@ -14,7 +14,8 @@ pub const MAX_LANDMARKS: usize = 500;
 pub struct Log {
     /// What it says.
     pub drive: Drive,
-    /// All rows of the file, landmarks and truth among them.
+    /// All lines of the files that say something, landmarks and truth among them: a line of a table may have several
+    /// readings.
     pub count: usize,
 }
 
@@ -25,4 +26,6 @@ pub struct Understood {
     pub log: Log,
     /// What was left out or added, in sentences.
     pub notes: Vec<String>,
+    /// What the files call the landmarks of the numbers 1, 2 and so on; none where they have numbers.
+    pub landmarks: Vec<String>,
 }

@@ -2,6 +2,7 @@
 
 use crate::cells::{Cells, NoRange};
 use crate::error::Error;
+use crate::frames::{self, Moved};
 use crate::gathering::{Gathering, Place, Unplaced};
 use crate::headed::headed;
 use crate::landmarks::Landmarks;
@@ -27,6 +28,8 @@ pub(crate) struct Reading {
     unlisted: usize,
     /// True poses whose heading is not known.
     without_heading: Vec<Pose>,
+    /// True poses of another origin.
+    moved: Moved,
     /// The first fix in degrees, about which all others are.
     origin: Option<Origin>,
     /// What is kept of the file that is being read.
@@ -92,7 +95,13 @@ impl Reading {
                 self.to.begin(start)?;
                 let time = self.kept.stamps.take(cells)?;
                 let Some([x, y]) = self.place(cells)? else { return Ok(()) };
-                match cells.given("heading")? {
+                let heading = cells.given("heading")?;
+                if cells.source.is_moved() {
+                    let theta = heading.unwrap_or(0.0);
+                    self.moved.poses.push((Pose { time, x, y, theta }, heading.is_some()));
+                    return Ok(());
+                }
+                match heading {
                     Some(theta) => self.to.truth(Pose { time, x, y, theta }),
                     None => self.without_heading.push(Pose { time, x, y, theta: 0.0 }),
                 }
@@ -219,7 +228,8 @@ impl Reading {
 
     /// The true poses so far.
     pub fn poses(&self) -> Vec<Pose> {
-        self.to.poses().iter().chain(&self.without_heading).copied().collect()
+        let moved = self.moved.poses.iter().map(|(pose, _)| pose);
+        self.to.poses().iter().chain(&self.without_heading).chain(moved).copied().collect()
     }
 
     /// The log, and what was left out of it.
@@ -227,6 +237,10 @@ impl Reading {
         let mut notes = self.notes;
         if let Some(origin) = self.origin {
             notes.push(format!("Positions are in metres east and north of the first fix, {origin}."));
+        }
+        notes.extend(self.moved.onto(self.to.rows()));
+        for (pose, known) in self.moved.poses {
+            if known { self.to.truth(pose) } else { self.without_heading.push(pose) }
         }
         if !self.without_heading.is_empty() {
             headed(&mut self.without_heading).into_iter().for_each(|pose| self.to.truth(pose));
@@ -236,9 +250,10 @@ impl Reading {
         let mapped = self.to.has_landmarks();
         let (log, left_out) = self.to.finish(self.carried.is_some())?;
         notes.extend(notes::times(&log.drive));
+        notes.extend(frames::apart(&log.drive));
         notes.extend(notes::gaps(&log.drive));
         notes.extend(notes::left_out(self.unlisted, left_out, mapped));
-        Ok(Understood { log, notes })
+        Ok(Understood { log, notes, landmarks: self.landmarks.names() })
     }
 }
 

@@ -1,6 +1,7 @@
 //! How a file of a log is read.
 
 use crate::fields::Line;
+use crate::frames::{self, Frame};
 use crate::names::Name;
 use crate::role::{Quantity, Role, Value};
 use crate::several::{Several, grouped};
@@ -32,6 +33,9 @@ pub(crate) struct Source {
     pub several: Option<Several>,
     /// Whose rows are read: one's, or, as `None`, all of them; not said yet.
     pub only: Option<Option<String>>,
+    /// Whether its places are counted from another point than those of the log's fixes, and what is said of that.
+    pub foreign: bool,
+    pub frame: Option<Frame>,
     /// Why it is not known what the file is.
     pub undecided: Option<String>,
     /// Why the file is refused, whatever it is read as.
@@ -88,6 +92,7 @@ impl Source {
                  the first of the ranges?"
             ));
         }
+        asks.extend((self.foreign && self.frame.is_none()).then(|| frames::ASK.into()));
         if self.role == Role::Encoders {
             let unit = self.role.index("left").and_then(|at| self.units[at]);
             asks.extend(unit.and_then(|unit| self.wheels.lacks(unit.name)));
@@ -130,6 +135,11 @@ impl Source {
     pub fn is_read(&self, line: &Line<'_>) -> bool {
         let (Some(several), Some(Some(only))) = (&self.several, &self.only) else { return true };
         line.fields.get(several.column).is_some_and(|field| field.text == only)
+    }
+
+    /// Whether its true poses are moved onto the first fix.
+    pub fn is_moved(&self) -> bool {
+        self.foreign && self.frame == Some(Frame::Moved)
     }
 
     /// Whether a column's stamps are dates.

@@ -10,6 +10,11 @@ pub(crate) fn seconds(text: &str) -> Option<f64> {
     if let Some(of_day) = time_of_day(text) {
         return Some(of_day);
     }
+    // Points part a date whose day stands first, as in `01.05.2026 12:00:00,5`.
+    if let Some((date, clock)) = text.split_once([' ', 'T']).filter(|(date, _)| date.contains('.')) {
+        let (clock, zone) = zone(clock.trim());
+        return Some(day(date, DAY_FIRST)? + time_of_day(clock.trim())? - zone?);
+    }
     let (date, rest) = text.split_at_checked(10)?;
     let mark = if date.contains('/') { '/' } else { '-' };
     let mut fields = date.split(mark);
@@ -126,6 +131,10 @@ mod tests {
             ("2024-02-29T00:00:00+00", Some(1_709_164_800.0)),
             ("2026/05/01 12:00", Some(1_777_636_800.0)),
             ("2026/05/01/12:00:00.25", Some(1_777_636_800.25)),
+            ("01.05.2026 12:00:00,25", Some(1_777_636_800.25)),
+            ("1.5.2026 14:00+02:00", Some(1_777_636_800.0)),
+            ("31.04.2026 12:00", None),
+            ("0.5 12:00", None),
             ("2026-05/01 12:00", None),
             ("2026-05-01-12:00", None),
             ("1969-12-31T23:59:59Z", Some(-1.0)),

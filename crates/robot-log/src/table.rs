@@ -1,7 +1,7 @@
 //! A file of numbers in columns, which commas, semicolons, tabs or blanks part.
 
 use crate::error::Error;
-use crate::fields::{Field, Line};
+use crate::fields::{Field, Line, is_comment, is_none};
 use crate::names::is_unit;
 use crate::nested::{BELOW, nested};
 use crate::ros;
@@ -55,7 +55,7 @@ impl Table {
                 "" => {}
                 // Spreadsheets say in a first line what parts the fields of the others.
                 line if is_sep(line) => {}
-                line if line.starts_with('#') => comment = line.trim_start_matches('#'),
+                line if is_comment(line) => comment = line.trim_start_matches('#'),
                 line => {
                     first = Some((i as u32, line));
                     break;
@@ -189,22 +189,25 @@ fn apart(names: Vec<String>, below: Vec<&str>, separator: Separator, units: bool
 
 /// How many fields of a line are numbers.
 fn numbers(line: &str, separator: Separator) -> usize {
-    let full = |field: &str| !field.is_empty() && is_number(field);
+    let full = |field: &str| !is_none(field) && is_number(field);
     split(line, separator).take(MAX_COLUMNS + 1).filter(|(_, field)| full(unquoted(field))).count()
 }
 
-/// What parts the fields of a table's first line: what makes numbers of them; between names, what stands there.
+/// What parts the fields of a line: what makes numbers of them; between words, what stands there. There a tab comes
+/// before a comma, which may be a decimal one or stand within a name, but not where every comma has its tab.
 fn separator(line: &str) -> Separator {
-    const ALL: [Separator; 4] = [Separator::Char(';'), Separator::Char(','), Separator::Char('\t'), Separator::Blanks];
+    use Separator::{Blanks, Char};
+    const ALL: [Separator; 5] = [Char(';'), Char(','), Char('\t'), Char('|'), Blanks];
     let parts = |by: Separator| split(line, by).nth(1).is_some();
     let numbers = |by: Separator| split(line, by).all(|(_, field)| is_number(unquoted(field)));
     let found = ALL.into_iter().find(|by| parts(*by) && numbers(*by));
-    found.or_else(|| ALL.into_iter().find(|by| parts(*by))).unwrap_or(Separator::Blanks)
+    let tab = || Some(Char('\t')).filter(|by| parts(*by) && ![",\t", "\t,", ";"].iter().any(|it| line.contains(it)));
+    found.or_else(tab).or_else(|| ALL.into_iter().find(|by| parts(*by))).unwrap_or(Separator::Blanks)
 }
 
 /// Whether a field may be among numbers: a row may leave one out.
 fn is_number(field: &str) -> bool {
-    field.is_empty() || number(field).is_some() || stamp::seconds(field).is_some()
+    is_none(field) || number(field).is_some() || stamp::seconds(field).is_some()
 }
 
 /// Whether a line names columns: it is no row of numbers, and in the line after it a number stands below a word.
@@ -214,7 +217,7 @@ fn is_header(fields: &[&str], second: &str, separator: Separator) -> bool {
         return false;
     }
     let below: Vec<&str> = split(second, separator).take(MAX_COLUMNS + 1).map(|(_, field)| unquoted(field)).collect();
-    let full = |field: &str| !field.is_empty() && is_number(field);
+    let full = |field: &str| !is_none(field) && is_number(field);
     below.len() != fields.len()
         || numbers(second, separator) == 0
         || fields.iter().zip(&below).any(|(above, below)| !is_number(above) && full(below))
@@ -226,7 +229,7 @@ fn is_sep(line: &str) -> bool {
 
 fn is_empty(line: &str) -> bool {
     let line = line.trim();
-    line.is_empty() || line.starts_with('#')
+    line.is_empty() || is_comment(line)
 }
 
 /// The fields of a line without the blanks around them, each with the byte at which it begins.

@@ -31,12 +31,14 @@ pub(crate) const YEAR_FIRST: &str = "year, month, day";
 pub(crate) const DAY_FIRST: &str = "day, month, year";
 pub(crate) const MONTH_FIRST: &str = "month, day, year";
 
-const TIMES: [Unit; 5] = [
+const TIMES: [Unit; 6] = [
     unit("s", 1.0, &["s", "sec", "secs", "second", "seconds", "sekunden", "secondes", "segundos", "secondi"]),
     unit("ms", 1e-3, &["ms", "msec", "millis", "milliseconds", "millisekunden", "boot ms"]),
     unit("us", 1e-6, &["us", "usec", "usecs", "micros", "microseconds", "mikrosekunden"]),
     unit("ns", 1e-9, &["ns", "nsec", "nsecs", "nanos", "nanosec", "nanosecs", "nanoseconds"]),
     unit(DATE, 1.0, &["iso", "utc", "datetime", "iso8601"]),
+    // A spreadsheet's number of a date counts them since 1900, one of a program of mathematics since the year 0.
+    unit("days", 86_400.0, &["days", "tage", "jours", "dias", "giorni"]),
 ];
 /// How the day of a stamp is written.
 const DAYS: [Unit; 3] = [unit(YEAR_FIRST, 1.0, &[]), unit(DAY_FIRST, 1.0, &[]), unit(MONTH_FIRST, 1.0, &[])];

@@ -43,7 +43,7 @@ impl Spread {
 const WAYS: [(&str, &str); 19] = [
     (
         "time",
-        "header stamp sec,header stamp secs,header stamp,=stamp sec,=stamp secs,=time,=times,=timestamp,=t,=stamp,\
+        "header stamp sec,header stamp secs,header stamp,=stamp sec,=stamp secs,=time,=times,=timestamp,=t,=ts,=stamp,\
          =zeit,=temps,=tiempo,=tempo,=zeitstempel,=sec,=secs,=seconds,=utc,=clock,=datetime,=date time,timestamp,\
          time stamp,stamp,time,\
          seconds elapsed,elapsed,zeit,zeitstempel,uhrzeit,temps,horodatage,heure,tiempo,hora,tempo,ora,sec,secs,\
@@ -66,7 +66,7 @@ const WAYS: [(&str, &str); 19] = [
     (
         "v",
         "linear x,=v,=vx,=speed,=spd,=sog,speed,forward,=geschwindigkeit,linear,velocity,vel,spd,v x,vx,^v,\
-         geschwindigkeit,fahrgeschwindigkeit,vitesse,velocidad,velocita",
+         geschwindigkeit,geschw,fahrgeschwindigkeit,vitesse,velocidad,velocita",
     ),
     (
         "distance",
@@ -80,7 +80,7 @@ const WAYS: [(&str, &str); 19] = [
     (
         "landmark",
         "landmark,beacon,anchor,tag,marker,feature,subject,=id,id,barcode,landmarke,bake,anker,balise,amer,ancre,\
-         baliza,ancla,boa,faro,ancora",
+         baliza,ancla,boa,faro,ancora,=name,=label,=bezeichnung,=nom,=nombre,=nome",
     ),
     ("range", "=range,range,=r,=rho,=ρ,distance,dist,abstand,entfernung,distanz,portee,distancia,alcance,distanza"),
     (

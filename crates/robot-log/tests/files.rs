@@ -82,7 +82,7 @@ fn the_five_files_of_mrclam_are_understood_as_they_are() {
                 file.units().iter().flatten().all(|unit| ["s", "m", "rad", "m/s", "rad/s"].contains(&unit.name));
             assert!(usual, "{name}: {:?}", file.units());
         }
-        let Understood { log, notes } = files.read().expect("sound");
+        let Understood { log, notes, .. } = files.read().expect("sound");
         assert_eq!(log.drive.landmarks, [Landmark { id: 6, x: 2.0, y: 0.5 }, Landmark { id: 7, x: 3.0, y: -1.0 }]);
         let events: Vec<Event> = log.drive.rows.iter().map(|row| row.event).collect();
         assert_eq!(
@@ -111,7 +111,7 @@ fn names_of_columns_say_what_is_in_them_and_in_which_unit() {
     let truth = "t,x,y\n1.0,0,0\n1.2,0.3,0.3\n";
     let files = files(&[("a.csv", wheels), ("b.csv", radios), ("c.tsv", map), ("truth.csv", truth)]);
     assert_eq!(roles(&files), [Role::Velocities, Role::Sightings, Role::Landmarks, Role::Truth]);
-    let Understood { log, notes } = files.read().expect("sound");
+    let Understood { log, notes, .. } = files.read().expect("sound");
     let rows: Vec<(f64, Event)> = log.drive.rows.iter().map(|row| (row.time, row.event)).collect();
     assert_eq!(
         rows,
@@ -169,7 +169,7 @@ fn times_in_small_units_are_known_by_how_far_apart_they_are() {
 #[test]
 fn a_log_in_the_books_own_format_is_read_as_before() {
     let text = "# mine\nL,7,3.0,4.0\nO,0.5,0.1,0.02\nR,0.5,7,4.9\n";
-    let Understood { log, notes } = read(&[("mine.csv", text)]);
+    let Understood { log, notes, .. } = read(&[("mine.csv", text)]);
     assert_eq!((Ok(log), notes.len()), (robot_log::parse(text), 0));
     for (text, at, words) in [
         ("O;0;1;0\n", [1, 1], "';' was found"),
@@ -185,7 +185,7 @@ fn a_log_in_the_books_own_format_is_read_as_before() {
 
 #[test]
 fn a_log_without_landmarks_is_dead_reckoning() {
-    let Understood { log, notes } =
+    let Understood { log, notes, .. } =
         read(&[MRCLAM[0], ("seen.csv", "time,landmark,range\n1248272263.2,6,2\n1248272263.3,7,2\n")]);
     assert_eq!((log.drive.rows.len(), log.drive.landmarks.len()), (3, 0));
     assert!(notes[0].starts_with("2 readings left out") && notes[0].contains("dead reckoning"), "{notes:?}");

@@ -2,7 +2,7 @@
 //! by which a sensor says that it has none.
 
 use estimate::drive::Event;
-use robot_log::{Counting, Files, Understood};
+use robot_log::{Counting, Files, Frame, Role, Understood};
 
 const FOLDER: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/../../tests/logs");
 const WHEELS: &str = "time,v,omega\n0,1,0\n1,1,0\n";
@@ -115,4 +115,49 @@ fn a_variance_is_read_as_its_root() {
     assert_eq!(sigmas(&fixes), [Some(0.5), Some(0.5), None], "of 0 the setting is taken");
     assert!(fixes.set_unit(0, "sigma", "m"));
     assert_eq!(sigmas(&fixes), [Some(0.25), Some(0.25), None]);
+}
+
+/// Fixes in latitude and longitude, 11.1 m apart to the north, and the truth of the same way from an origin of its own.
+const GLOBAL: &str = "time [s],latitude,longitude\n10,50,8\n20,50.0001,8\n";
+const TRUTH: &str = "time [s],true_x,true_y\n0,400,795\n10,400,800\n20,400,811\n";
+
+#[test]
+fn a_truth_in_metres_beside_latitudes_is_asked_for_its_origin_and_can_be_moved() {
+    let mut log = files(&[("wheels.csv", WHEELS), ("gps.csv", GLOBAL), ("truth.csv", TRUTH)]);
+    let asked = log.read().expect_err("another origin").message;
+    assert!(asked.contains("truth.csv asks: It counts its places from another point"), "{asked}");
+    assert!(log.files()[2].is_foreign() && !log.set_frame(1, Frame::Same), "only the truth is asked");
+    assert!(log.set_frame(2, Frame::Moved));
+    let read = log.read().expect("sound");
+    let poses: Vec<[f64; 2]> = read.log.drive.truth.poses().iter().map(|pose| [pose.x, pose.y]).collect();
+    assert_eq!(poses, [[0.0, -5.0], [0.0, 0.0], [0.0, 11.0]], "its place at the time of the first fix lies there");
+    let said = |what: &str| read.notes.iter().any(|note| note.contains(what));
+    assert!(said("The truth is moved by \u{2212}400.00 m along x and \u{2212}800.00 m along y"), "{:?}", read.notes);
+    assert!(log.set_frame(2, Frame::Same));
+    assert_eq!(log.read().expect("sound").log.drive.truth.poses()[1].x, 400.0);
+    assert!(log.set_role(2, Role::Unused));
+    assert!(log.read().expect("sound").log.drive.truth.poses().is_empty());
+    // Nothing is asked of those that are counted alike.
+    let metric = files(&[("wheels.csv", WHEELS), ("gps.csv", "t,gps_x,gps_y\n0,0,0\n"), ("truth.csv", TRUTH)]);
+    assert!(metric.read().is_ok() && !metric.files()[2].is_foreign());
+}
+
+#[test]
+fn landmarks_and_fixes_in_metres_beside_latitudes_are_said_to_need_their_origin() {
+    let log = [("wheels.csv", WHEELS), ("gps.csv", GLOBAL), ("landmarks.csv", "id,x,y\n1,3,4\n")];
+    let notes = files(&log).read().expect("sound").notes;
+    assert!(notes.iter().any(|note| note.contains("landmarks.csv: its x and y are taken as metres east")), "{notes:?}");
+    let notes = files(&[log[0], log[2]]).read().expect("sound").notes;
+    assert!(!notes.iter().any(|note| note.contains("east and north")), "{notes:?}");
+}
+
+#[test]
+fn a_first_fix_that_is_farther_from_the_truth_than_that_reaches_is_said() {
+    let notes = |fix: &str| {
+        let gps = format!("time [s],gps_x,gps_y\n10,{fix}\n");
+        files(&[("wheels.csv", WHEELS), ("gps.csv", &gps), ("truth.csv", TRUTH)]).read().expect("sound").notes
+    };
+    let said = |notes: &[String]| notes.iter().any(|note| note.contains("The first fix is 894 m from the truth: are"));
+    assert!(said(&notes("0,0")), "{:?}", notes("0,0"));
+    assert!(!notes("402,790").iter().any(|note| note.contains("from the truth")));
 }

@@ -137,3 +137,51 @@ fn swapped_columns_are_known_by_their_names_and_corrected_without_names() {
     assert_eq!(files.read().expect("sound").log, named);
     assert_eq!(named.drive.rows[1].event, Event::Velocity { v: 0.5, omega: 0.1 });
 }
+
+#[test]
+fn tabs_part_a_table_whose_numbers_have_decimal_commas_and_whose_days_are_dates() {
+    let heads = [
+        "Datum\tUhrzeit\tGeschwindigkeit (m/s)\tDrehrate (rad/s)\tBemerkung",
+        "Datum\tUhrzeit\tGeschwindigkeit, m/s\tDrehrate, rad/s\tBemerkung, frei",
+    ];
+    for head in heads {
+        let mut text = format!("{head}\n");
+        for i in 0..6 {
+            text += &format!("13.05.2026\t12:00:0{i},5\t0,{i}5\t0,0{i}\tgut, oder\n");
+        }
+        let mut files = Files::default();
+        files.add("fahrt.txt", &text).expect("small");
+        let file = &files.files()[0];
+        assert_eq!(file.header(), head.split('\t').collect::<Vec<_>>());
+        assert_eq!(file.asks(), Vec::<String>::new());
+        let read = files.read().expect("sound");
+        assert_eq!(read.log.drive.rows[3].event, Event::Velocity { v: 0.35, omega: 0.03 });
+        assert_eq!(read.log.drive.rows[1].time - read.log.drive.rows[0].time, 1.0);
+    }
+}
+
+#[test]
+fn what_a_spreadsheet_writes_for_no_number_is_a_missing_value() {
+    let words = ["#N/A", "#NV", "#WERT!", "n/a", "-", "#DIV/0!", "#NAME?", "#N/D", "###", ""];
+    for word in words {
+        // In the first row as well, and at its beginning.
+        let text = format!("x,time,v,omega,y\n{word},0,0.5,{word},{word}\n1,1,0.5,0.1,2\n{word},2,0.5,{word},{word}\n");
+        let mut files = Files::default();
+        files.add("gps.csv", &text).expect("small");
+        assert!(files.set_role(0, Role::Sensors));
+        let rows = files.read().expect(word).log.drive.rows;
+        let events: Vec<Event> = rows.iter().map(|row| row.event).collect();
+        let speed = Event::Speed { v: 0.5 };
+        let fix = Event::Position { x: 1.0, y: 2.0, sigma: None };
+        assert_eq!(events, [speed, Event::Velocity { v: 0.5, omega: 0.1 }, fix, speed], "{word}");
+        // A value that a row needs is missing, whatever is written for it.
+        let mut wheels = Files::default();
+        wheels.add("wheels.csv", &format!("time,v,omega\n0,0.5,0\n1,{word},0\n")).expect("small");
+        let refused = wheels.read().expect_err(word);
+        assert_eq!((refused.line, refused.message.as_str()), (3, "v is missing; a number was expected"), "{word}");
+        // And a table without names begins with a row of numbers all the same.
+        let mut nameless = Files::default();
+        nameless.add("rows.csv", &format!("0,0.5,{word}\n1,0.5,0.1\n2,0.5,0.1\n")).expect("small");
+        assert_eq!(nameless.files()[0].header()[0], "column 1", "{word}");
+    }
+}

@@ -176,3 +176,44 @@ fn ticks_of_l_and_r_are_of_the_wheels_and_courses_are_headings_within_half_a_tur
         files.files()[0].follows()
     );
 }
+
+#[test]
+fn what_the_files_call_their_landmarks_is_known_behind_the_numbers() {
+    let places = "name,x,y\nA12,0,0\nnorth door,5,5\n";
+    let seen = "time,beacon,range\n0,north door,7\n0.1,A12,0.5\n";
+    let wheels = "time,v,omega\n0,1,0\n1,1,0\n";
+    let read = files(&[("landmarks.csv", places), ("ranges.csv", seen), ("wheels.csv", wheels)]).read().expect("sound");
+    let ids: Vec<u32> = read.log.drive.landmarks.iter().map(|it| it.id).collect();
+    assert_eq!((ids, read.landmarks), (vec![1, 2], vec!["A12".to_string(), "north door".to_string()]));
+    let numbered = files(&[("landmarks.csv", "id,x,y\n7,0,0\n"), ("wheels.csv", wheels)]).read().expect("sound");
+    assert_eq!(numbered.landmarks, Vec::<String>::new());
+}
+
+#[test]
+fn a_file_with_one_of_speed_and_turn_rate_says_which() {
+    let asks = |head: &str| files(&[("drive.csv", &table(head, every(0.1, 30), "1,0.1"))]).files()[0].asks();
+    assert!(asks("time,speed,widdershins")[0].starts_with("It has a speed, \u{201c}speed\u{201d}, and no column"));
+    assert!(asks("time,knolls,yaw_rate")[0].starts_with("It has a turn rate, \u{201c}yaw_rate\u{201d}, and no column"));
+}
+
+#[test]
+fn samples_of_a_sparse_column_are_values_that_are_there() {
+    let mut text = String::from("time,v,omega,gps_x,gps_y,never\n");
+    for i in 0..400 {
+        let fix = if i % 10 == 3 { format!("{i},#N/A") } else { "#N/A,".into() };
+        let _ = writeln!(text, "{},1,0.1,{fix},", f64::from(i) / 10.0);
+    }
+    let files = files(&[("drive.csv", &text)]);
+    let samples = |column: usize| files.files()[0].samples(column);
+    assert_eq!((samples(3), samples(0)), (vec!["3", "13", "23"], vec!["0", "10", "19.9"]));
+    assert_eq!((samples(4), samples(5)), (vec![""], vec![""]));
+}
+
+#[test]
+fn what_is_counted_are_lines_and_not_what_they_hold() {
+    let head = "time,v,omega,gps_x,gps_y,heading_rad";
+    let mut files = files(&[("drive.csv", &table(head, every(0.1, 30), "1,0.1,5,6,0.3"))]);
+    assert!(files.set_role(0, Role::Sensors));
+    let read = files.read().expect("sound");
+    assert_eq!((read.log.count, read.log.drive.rows.len()), (30, 32));
+}

@@ -79,7 +79,7 @@ function drawReadings(panel, frame, view, source, kept) {
   const { time, used } = frame.innovations
   const [mine, numbers] = [belongs(frame, source), numbersOf(frame, source)]
   const most = reachOf(frame, numbers, mine)
-  const of = source ? ` of ${nameOf(source)}` : ''
+  const of = source ? ` of ${nameOf(source, frame)}` : ''
   const stride = time.length > 0 ? frame.everyLooked : frame.every
   const every = stride > 1 ? `, every ${ordinal(stride)}` : ''
   draw(panel, frame, [-most, most], `innovations {innov}/√*S*${of}${every}`, (pen, plane) => {

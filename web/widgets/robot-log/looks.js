@@ -15,8 +15,9 @@
  * @property {number | null} touched when the reading was that the reader has touched, seconds since the log's first row
  * @property {LogFrame | null} kept A
  */
+/** @typedef {{ motion: string, names: string[] }} Log what panels need of a log’s contents */
 /**
- * @typedef {LogFrame & { looks?: Looks, log?: { motion: string } }} Frame with the contents of its log, one object for
+ * @typedef {LogFrame & { looks?: Looks, log?: Log | null }} Frame with the contents of its log, one object for
  * a log
  */
 
@@ -70,10 +71,15 @@ const NAMES = /** @type {Record<string, string>} */ ({
   bearing: 'ranges',
 })
 
-/** @param {Source} source */
-export function nameOf({ sensor, landmark, bearing }) {
+/** What a landmark is called: by its file, or by its number. @param {{ log?: Log | null }} frame @param {number} id */
+export function landmarkName({ log }, id) {
+  return log?.names[id - 1] ?? String(id)
+}
+
+/** @param {Source} source @param {Frame} frame */
+export function nameOf({ sensor, landmark, bearing }, frame) {
   const what = bearing ? 'bearings' : NAMES[sensor]
-  return landmark === null ? what : `${what} of ${landmark}`
+  return landmark === null ? what : `${what} of ${landmarkName(frame, landmark)}`
 }
 
 /** Every sensor and landmark of which there are readings. @param {LogFrame} frame @returns {Source[]} */

@@ -5,9 +5,10 @@
 
 import { followed } from '../../draw/camera.js'
 import { drawLabels, clear } from '../../draw/labels.js'
+import { decimal } from '../../draw/numbers.js'
 import { dot, ellipseLevel, ellipsePath, halves, meaning, scaleBar, segment, seriesPath } from '../../draw/plot.js'
 import { scaleLinear } from '../../draw/scale.js'
-import { looksOf, touchedIn } from './looks.js'
+import { landmarkName, looksOf, touchedIn } from './looks.js'
 import { clock, listens } from './words.js'
 
 /** @typedef {import('./looks.js').Frame} Frame */
@@ -170,7 +171,7 @@ function drawNames(pen, { x, y, box }, frame) {
     landmarks.length <= 12
       ? landmarks.map(({ id }, i) => ({
           key: `landmark-name${id}`,
-          words: String(id),
+          words: shortly(landmarkName(frame, id)),
           at: beacons[i],
           name: 'label',
           gap: 8,
@@ -178,6 +179,9 @@ function drawNames(pen, { x, y, box }, frame) {
       : []
   drawLabels(pen, box, [...names, ...few], [...beacons.map((beacon) => clear(beacon, 5)), clear(at(estimate), 8)])
 }
+
+/** The beginning of a long name. @param {string} name */
+const shortly = (name) => (name.length > 16 ? `${name.slice(0, 15)}…` : name)
 
 /**
  * The start, which a reader moves where no truth says it: its place, and its heading at the end of a line.
@@ -195,7 +199,7 @@ function drawStart(pen, plane, { step, params, tracks }, view) {
     view.handle(into, 'start-place', {
       at: [px, py],
       label: 'Start of the filter',
-      value: `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m`,
+      value: `x ${decimal(x)} m, y ${decimal(y)} m`,
       move: (mx, my) => to([plane.x.invert(mx), plane.y.invert(my), theta]),
       nudge: (dx, dy) => to([x + dx / 10, y + dy / 10, theta]),
     })

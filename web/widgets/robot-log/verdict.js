@@ -1,10 +1,13 @@
 /** The verdict on a log in words: which fault the readings tell, how large it is, and what mends it. */
 
 import { fixed } from '../../draw/numbers.js'
+import { landmarkName } from './looks.js'
+import { brief, claimed, digits, plusMinus } from './sized.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /** @typedef {import('estimate-wasm').LogSuspect} Suspect */
 /** @typedef {Suspect['sizes'][number]} Size */
+/** @typedef {import('./looks.js').Log} Log */
 
 /** A suspect this near to the first, in log-likelihood, is named beside it. */
 const NEAR = 3
@@ -41,9 +44,9 @@ const NAMES = {
 
 /**
  * @param {LogJudgement} judgement
- * @param {{ rows: number, truth: boolean, steps?: boolean }} log `steps`: it moves by distances and turns
+ * @param {{ rows: number, truth: boolean, log?: Log | null }} drive
  */
-export function ranked(judgement, { rows, truth, steps = false }) {
+export function ranked(judgement, { rows, truth, log = null }) {
   const { suspects, readings, ungated, other } = judgement
   const [first] = suspects
   const own = suspects.filter((suspect) => suspect.own)
@@ -53,11 +56,10 @@ export function ranked(judgement, { rows, truth, steps = false }) {
     ungated ? 'The gate refuses more than one reading in ten, which hides a fault: it is off for this verdict.' : '',
     sound
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
-        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.` +
-        (steps ? UNSOUGHT : '')
+        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.`
       : other
-        ? foreign(judgement)
-        : named(judgement, truth),
+        ? foreign(judgement, log)
+        : named(judgement, truth, log),
     ...own.map((suspect) => model(suspect, judgement)),
     sound ? arcs(judgement) : '',
     errors(judgement),
@@ -66,26 +68,24 @@ export function ranked(judgement, { rows, truth, steps = false }) {
   return parts.filter((part) => part !== '').join(' ')
 }
 
-/** Their turns and distances have no scale to learn. */
-const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
-
-/** @param {LogJudgement} judgement @param {boolean} truth */
-function named({ suspects: [first, ...others], beside }, truth) {
+/** @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log */
+function named({ suspects: [first, ...others], beside }, truth, log) {
+  const told = (/** @type {Suspect} */ suspect) => sentence(suspect, truth, log)
   // A larger σ explains any error of the model, and with it this one gains less than the page's own sum shows.
   const gain = beside
     ? `Even with a σ so large that it allows for the other errors, the log-likelihood rises by ${rise(first.gain)}.`
     : `The log-likelihood rises by ${rise(first.gain)}.`
   const more = others.some(({ standing }) => standing !== 'cleared')
   const next = more ? ' What else is wrong shows once this is mended.' : ''
-  if (first.standing === 'sure') return `${sentence(first, truth)} ${gain}${next}`
+  if (first.standing === 'sure') return `${told(first)} ${gain}${next}`
   // What was held against the truth, and is not the first, mends nothing.
   const rivals = others.filter(
     ({ standing, excess, mended }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended,
   )
   const [rival] = rivals
-  if (rival) return `Either: ${sentence(first, truth)} Or: ${sentence(rival, truth)} The readings do not tell which.`
-  if (first.excess < NEAR) return `Perhaps: ${sentence(first, truth)} Chance explains it nearly as well.`
-  return `Perhaps: ${sentence(first, truth)} ${gain}`
+  if (rival) return `Either: ${told(first)} Or: ${told(rival)} The readings do not tell which.`
+  if (first.excess < NEAR) return `Perhaps: ${told(first)} Chance explains it nearly as well.`
+  return `Perhaps: ${told(first)} ${gain}`
 }
 
 /** What is held over a gap looks like any fault of the motion. @param {LogJudgement['gaps'][number]} gap */
@@ -100,14 +100,14 @@ function bridged({ what, count, longest }) {
   )
 }
 
-/** What is wrong is none of the suspects. @param {LogJudgement} judgement */
-function foreign({ suspects, ungated, against }) {
+/** What is wrong is none of the suspects. @param {LogJudgement} judgement @param {Log | null} log */
+function foreign({ suspects, ungated, against }, log) {
   const [first] = suspects
   const most = `Something is wrong that none of the ${suspects.length} faults that were looked for mends.`
   if (!first.mended || !against) return most
   const from = `${fixed(first.mended.rmse, 2)} m from the truth, where it is ${fixed(against.rmse, 2)} m from it now`
   return (
-    `${most} The likeliest is ${kind(first)}; mended so, the estimate would be ` +
+    `${most} The likeliest is ${kind(first, log)}; mended so, the estimate would be ` +
     `${from}${ungated ? ' without the gate' : ''} (RMS).`
   )
 }
@@ -164,8 +164,8 @@ function late({ name, with: other, flat, sizes: [size, , third] }, off) {
 /** What comes late by the same. @param {string | null} name @param {string} other @param {Size} [third] */
 const together = (name, other, third) => (third ? 'readings' : `${DELAYED[name ?? ''][0]} and the ${DELAYED[other][0]}`)
 
-/** What a fault is called. @param {Suspect} suspect */
-function kind({ fault, name, with: other, sensor, sizes }) {
+/** What a fault is called. @param {Suspect} suspect @param {Log | null} log */
+function kind({ fault, name, with: other, sensor, sizes }, log) {
   if (fault === 'start') return 'another start'
   if (fault === 'tails') return `a share of outliers among the ${READINGS[sensor ?? 'fix']}`
   if (fault === 'clock')
@@ -173,17 +173,19 @@ function kind({ fault, name, with: other, sensor, sizes }) {
   if (fault === 'sigma') return `another σ of ${SIGMAS[name ?? ''][0]}`
   if (fault === 'mirrored') return 'the sign of the turns'
   if (fault === 'exchanged') return 'an exchange of two landmarks'
+  if (name === 'speedScale' && log?.motion === 'odometry') return 'a scale of the distances'
   return other ? 'scale and offset of the ranges together' : NAMES[name ?? '']
 }
 
-/** What is wrong, and what to do. @param {Suspect} suspect @param {boolean} truth */
-export function sentence(suspect, truth) {
+/** What is wrong, and what to do. @param {Suspect} suspect @param {boolean} truth @param {Log | null} [log] */
+export function sentence(suspect, truth, log = null) {
   const { fault, name, sensor, sizes, landmarks } = suspect
   if (fault === 'exchanged') {
-    const [one, other] = landmarks ?? []
+    const [one, other] = (landmarks ?? []).map((id) => landmarkName({ log }, id))
+    const what = log?.names.length ? 'names' : 'numbers'
     return (
       `Landmarks ${one} and ${other} are taken for one another: ` +
-      'exchange their numbers where their places are said.'
+      `exchange their ${what} where their places are said.`
     )
   }
   if (fault === 'mirrored')
@@ -235,8 +237,12 @@ export function sentence(suspect, truth) {
   }
   if (name === 'offset')
     return `The ranges read ${plusMinus(much)} m too ${length(off)}: set their offset to ${digits(size)} m.`
+  const steps = log?.motion === 'odometry'
   if (name === 'speedScale')
-    return `The speed reads ${plusMinus(much, 100)} % too ${off > 0 ? 'low' : 'high'}: let the filter learn its scale.`
+    return (
+      `${steps ? 'The distances of O rows read' : 'The speed reads'} ${plusMinus(much, 100)} % too ` +
+      `${off > 0 ? 'low' : 'high'}: let the filter learn ${steps ? 'their' : 'its'} scale.`
+    )
   return `The ranges read ${plusMinus(much, 100)} % too ${length(off)}: set their scale to ${digits(size, 100)} %.`
 }
 
@@ -276,24 +282,3 @@ const length = (off) => (off > 0 ? 'long' : 'short')
 
 /** @param {number} number */
 const count = (number) => number.toLocaleString('en')
-
-/** So many decimals that the uncertainty has two digits. @param {Size} size @param {number} times */
-function decimals({ value, sigma }, times) {
-  const told = (sigma || Math.abs(value) || 1) * times
-  return Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(told))))
-}
-
-/** @param {Size} size @param {number} [times] */
-const digits = (size, times = 1) => fixed(size.value * times, decimals(size, times))
-
-/** @param {Size} size @param {number} [times] */
-function plusMinus(size, times = 1) {
-  const value = digits(size, times)
-  return size.sigma === null ? `about ${value}` : `${value} ± ${fixed(size.sigma * times, decimals(size, times))}`
-}
-
-/** A σ as it is set. @param {number} value */
-const claimed = (value) => String(Number(value.toPrecision(3)))
-
-/** A time, with the digits that matter. @param {number} seconds */
-const brief = (seconds) => String(Number(seconds.toPrecision(2)))

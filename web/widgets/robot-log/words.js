@@ -5,7 +5,7 @@ import { ranked } from './verdict.js'
 
 /**
  * @typedef {import('estimate-wasm').LogFrame & {
- *   judgement?: import('estimate-wasm').LogJudgement, judging?: boolean, log?: { motion: string },
+ *   judgement?: import('estimate-wasm').LogJudgement, judging?: boolean, log?: import('./looks.js').Log | null,
  * }} Frame with the verdict on the log, once it has come, and whether it is being looked for
  */
 
@@ -72,7 +72,7 @@ export function verdict(frame) {
     return `The gate has refused every ${noun(frame)} so far: this is dead reckoning.${errorOf(frame, false)}`
   const { judgement, judging, rows, truth } = frame
   const told = judgement
-    ? [` ${ranked(judgement, { rows, truth: Boolean(truth), steps: frame.log?.motion === 'odometry' })}`]
+    ? [` ${ranked(judgement, { rows, truth: Boolean(truth), log: frame.log })}`]
     : judging
       ? [' Still looking for what may be wrong …']
       : [meanOf(frame), nisOf(frame), lagOf(frame)]

@@ -1,0 +1,26 @@
+/** The sizes of a fault in words: a number with the digits that its uncertainty leaves it. */
+
+import { decimal, fixed } from '../../draw/numbers.js'
+
+/** @typedef {import('estimate-wasm').LogSuspect['sizes'][number]} Size */
+
+/** So many decimals that the uncertainty has two digits. @param {Size} size @param {number} times */
+function decimals({ value, sigma }, times) {
+  const told = (sigma || Math.abs(value) || 1) * times
+  return Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(told))))
+}
+
+/** @param {Size} size @param {number} [times] */
+export const digits = (size, times = 1) => decimal(size.value * times, decimals(size, times))
+
+/** @param {Size} size @param {number} [times] */
+export function plusMinus(size, times = 1) {
+  const value = digits(size, times)
+  return size.sigma === null ? `about ${value}` : `${value} ± ${fixed(size.sigma * times, decimals(size, times))}`
+}
+
+/** A σ as it is set. @param {number} value */
+export const claimed = (value) => String(Number(value.toPrecision(3)))
+
+/** A time, with the digits that matter. @param {number} seconds */
+export const brief = (seconds) => String(Number(seconds.toPrecision(2)))
