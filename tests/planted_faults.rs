@@ -136,20 +136,6 @@ fn scale_and_offset_of_ranges_together_are_told_apart() {
 }
 
 #[test]
-fn a_scale_of_the_distances_of_o_rows_is_named() {
-    for (n, by) in [(0, 0.12), (1, -0.1), (2, 0.1)] {
-        let scaled = first(&spoiled(4, n, |event| {
-            if let Event::Odometry { distance, .. } = event {
-                *distance /= 1.0 + by;
-            }
-        }));
-        assert_eq!((scaled.fault, scaled.number, scaled.with), (Fault::Scale, Some(Fitted::SpeedScale), None), "{n}");
-        let size = scaled.sizes[0];
-        assert!((size.value - by).abs() < 4.0 * size.sigma && size.sigma < 0.015, "{size:?}");
-    }
-}
-
-#[test]
 fn turns_of_the_wrong_sign_are_named() {
     for (world, n) in [0, 1, 2, 3, 4].into_iter().flat_map(|world| (0..2).map(move |n| (world, n))) {
         let mirrored = first(&spoiled(world, n, |event| match event {

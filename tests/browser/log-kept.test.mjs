@@ -41,7 +41,7 @@ test('the report has the start and the withheld stretch, and its innovations tho
   await enter(after, 'to, s', '40')
   await until(it, ({ summary }) => summary.withheld?.rows === 19, 'the fixes between')
   assert.equal(await rowOf(page, 'Withheld fixes').innerText(), 'from 20.0 s to 40.0 s')
-  assert.match(await rowOf(page, 'Start').innerText(), /^−?\d+\.\d\d m, −?\d+\.\d\d m, −?\d+\.\d°$/)
+  assert.match(await rowOf(page, 'Start').innerText(), /^−?\d+\.\d\d\d m, −?\d+\.\d\d\d m, −?\d+\.\d°$/)
   assert.equal(await rowOf(page, 'Fixes that were withheld').innerText(), '19')
   assert.match(await rowOf(page, 'The filter’s distance from them').innerText(), /m RMS, .* m at worst$/)
   const saved = async (name) => {

@@ -21,7 +21,7 @@ const STEPS = [0, 1, 2, 3, 12, 40, 250, 700]
 /** What belongs together in a system of the reader's own. */
 const MATRICES = ['states', 'inputs', 'readings', 'f', 'g', 'h', 'v', 'w', 'k', 'shown', 'names']
 /** What a log of odometry refuses: it is of held speeds and turn rates. */
-const OF_HELD_ROWS = ['turnBias', 'learnBias', 'delaySpeed', 'delayTurn']
+const OF_HELD_ROWS = ['speedScale', 'turnBias', 'learnSpeed', 'learnBias', 'delaySpeed', 'delayTurn']
 const CAR = readFileSync(new URL('../../content/logs/car.csv', import.meta.url), 'utf8')
 const nothing = () => {}
 

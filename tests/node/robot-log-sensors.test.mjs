@@ -228,7 +228,14 @@ test('parameters of several sensors are taken strictly, and a refusal changes no
 
 test('a log of O rows is not asked for what speeds and turn rates have', () => {
   const log = RobotLog.parse('O,0,1,0\nP,1,1,0\n')
-  for (const params of [{ turnBias: 0.1 }, { learnBias: true }, { delaySpeed: 0.1 }, { delayTurn: 0.1 }])
+  for (const params of [
+    { speedScale: 0.1 },
+    { turnBias: 0.1 },
+    { learnSpeed: true },
+    { learnBias: true },
+    { delaySpeed: 0.1 },
+    { delayTurn: 0.1 },
+  ])
     refused(() => new RobotLog(log, params), 'limit', `params.${Object.keys(params)[0]}`)
   assert.equal(whole(log, { delayFix: 0.1, delayHeading: 1 }).summary().used, 1, 'fixes have a delay there too')
 })

@@ -180,18 +180,6 @@ test('what is the motion model’s own is said, and is no fault', () => {
   assert.doesNotMatch(ranked(judgement([suspect({})], { arcs: 50 }), log), /costs/)
 })
 
-test('a scale is the speed’s, or that of the distances that a log of O rows has', () => {
-  const size = { now: 0, value: 0.05, sigma: 0.0021 }
-  const scaled = suspect({ fault: 'scale', name: 'speedScale', sizes: [size] })
-  assert.match(sentence(scaled, false), /^The speed reads 5\.00 ± 0\.21 % too low: let the filter learn its scale\.$/)
-  const steps = { ...log, log: { motion: 'odometry', names: [] } }
-  const said = ranked(judgement([scaled]), steps)
-  assert.match(said, /^The distances of O rows read 5\.00 ± 0\.21 % too low: let the filter learn their scale\./)
-  const against = { rmse: 2, nees: 9, outside: 0.4 }
-  const wrong = { ...scaled, standing: 'maybe', mended: { ...against, rmse: 1.9 } }
-  assert.match(ranked(judgement([wrong], { against, other: true }), steps), /likeliest is a scale of the distances;/)
-})
-
 test('landmarks that are exchanged have the names of their file, or their numbers', () => {
   const exchanged = suspect({ fault: 'exchanged', name: null, sizes: [], landmarks: [1, 2] })
   const named = { motion: 'velocity', names: ['A12', 'north door'] }

@@ -207,3 +207,21 @@ test('a log that asks how it is read is judged once it is answered, and one of a
   assert.equal(await read({ kind: 'files', files, exercise: true }, { ...log, set: 3 }), false, 'an exercise')
   assert.equal(await read({ kind: 'reading', set: 3, change: {} }, { ...log, set: 3 }), false, 'read otherwise')
 })
+
+test('beside rows of distances a verdict without a fault says what it has not looked for', () => {
+  const sound = {
+    suspects: [{ standing: 'cleared' }],
+    readings: 90,
+    rows: 1,
+    gaps: [],
+    arcs: null,
+    against: null,
+    ungated: false,
+    other: false,
+  }
+  assert.match(
+    ranked(sound, { rows: 1, truth: false, log: { motion: 'odometry', names: [] } }),
+    / A scale of the distances of O rows is not among/,
+  )
+  assert.doesNotMatch(ranked(sound, { rows: 1, truth: false }), /not among/)
+})

@@ -36,7 +36,6 @@ function left(frame, contents) {
   const { params } = frame
   const { fix, heading } = contents.readings
   const { speedScale, turnBias } = fixed(frame)
-  const ways = contents.motion === 'velocity' ? 'speeds' : 'distances'
   const late = [
     ['speeds', params.delaySpeed, contents.motion === 'velocity'],
     ['turn rates', params.delayTurn, contents.motion === 'velocity'],
@@ -53,7 +52,7 @@ function left(frame, contents) {
       : []),
     '  speeds and turn rates: little, as 1e-4; what they miss is in the process noise below.',
     ...late.map(([name, delay]) => `Stamp ${name} ${float(Number(delay))} s earlier: nothing here takes a delay.`),
-    ...(speedScale !== 0 ? [`Multiply ${ways} by ${float(1 + speedScale)} before they are published.`] : []),
+    ...(speedScale !== 0 ? [`Multiply speeds by ${float(1 + speedScale)} before they are published.`] : []),
     ...(turnBias !== 0 ? [`Take ${float(turnBias)} rad/s off each turn rate before it is published.`] : []),
     ...(heading && params.headings && params.headingOffset !== 0
       ? [`Take ${float(params.headingOffset)} rad off each heading before it is published.`]

@@ -144,7 +144,7 @@ def replay(landmarks, truth, rows):
         if time >= start:
             dt = max(time - before, 0.0)
             if letter == "O":
-                robot.move(numbers[0] * (1 + SPEED_SCALE), numbers[1], dt)
+                robot.move(numbers[0], numbers[1], dt)
             elif not by_odometry:
                 robot.move(speed * (1 + SPEED_SCALE) * dt, (rate - TURN_BIAS) * dt, dt)
             if letter == "O" or not by_odometry:

@@ -84,9 +84,9 @@ const OTHERS = {
   gate: 'gates',
   every: 'least gaps in time',
   learn: 'learn the scale ε',
-  learnSpeed: 'learn the scale of the speed or the distances',
+  learnSpeed: 'learn the scale of the speed',
   learnBias: 'learn the bias of the turn rate',
-  speedScale: 'scale of the speed or the distances',
+  speedScale: 'scale of the speed',
   turnBias: 'bias of the turn rate',
 }
 
@@ -160,7 +160,7 @@ export function settingsOf({ params, summary: { sensors } }, contents = null) {
     if (on === 'sightings') rows.push([`${words}: learn the scale ε`, params.learn ? 'yes' : 'no'])
   }
   rows.push(...[...MOTION, ...HELD].map((number) => said('motion', number)))
-  if (params.learnSpeed) rows.push(['motion: learn the scale of the speed or the distances', 'yes'])
+  if (params.learnSpeed) rows.push(['motion: learn the scale of the speed', 'yes'])
   if (params.learnBias) rows.push(['motion: learn the bias of the turn rate', 'yes'])
   return rows.map(([name, words]) => [`${name[0].toUpperCase()}${name.slice(1)}`, words])
 }

@@ -34,18 +34,18 @@ export class SensorForm {
     for (const sensor of SENSORS) if (readings[/** @type {'fix'} */ (sensor.name)]) this.sensor(sensor, contents)
     const row = this.row('motion')
     for (const number of [...MOTION, ...(motion === 'velocity' ? HELD : [])]) this.number(row, number)
-    const held = motion === 'velocity'
-    const ways = held ? 'Speed' : 'Distances'
-    this.toggle(row, 'learnSpeed', `learn the scale of the ${held ? 'speed' : 'distances'}`)
-    if (held) this.toggle(row, 'learnBias', 'learn the bias of the turn rate')
-    this.says(row, ({ summary: { speedScale, speedScaleSigma, turnBias, turnBiasSigma } }) =>
-      [
-        speedScale === null
-          ? ''
-          : `${ways} × ${fixed(1 + speedScale, 3)} ± ${fixed(speedScaleSigma ?? Number.NaN, 3)}.`,
-        turnBias === null ? '' : `Bias ${fixed(turnBias, 4)} ± ${fixed(turnBiasSigma ?? Number.NaN, 4)} rad/s.`,
-      ].join(' '),
-    )
+    if (motion === 'velocity') {
+      this.toggle(row, 'learnSpeed', 'learn the scale of the speed')
+      this.toggle(row, 'learnBias', 'learn the bias of the turn rate')
+      this.says(row, ({ summary: { speedScale, speedScaleSigma, turnBias, turnBiasSigma } }) =>
+        [
+          speedScale === null
+            ? ''
+            : `Speed × ${fixed(1 + speedScale, 3)} ± ${fixed(speedScaleSigma ?? Number.NaN, 3)}.`,
+          turnBias === null ? '' : `Bias ${fixed(turnBias, 4)} ± ${fixed(turnBiasSigma ?? Number.NaN, 4)} rad/s.`,
+        ].join(' '),
+      )
+    }
   }
 
   /** @param {Frame} frame */

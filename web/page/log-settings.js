@@ -200,7 +200,7 @@ export function nextChange(saved, files) {
  * @param {Settings} settings @param {LogFile[]} files that are open @param {LogContents} contents of their log
  */
 export function isSameLog({ files: saved, log }, files, contents) {
-  if (saved.length === 0 || files.some(({ role }) => role !== 'log')) return false
+  if (saved.length === 0 || files.length === 0 || files.some(({ role }) => role !== 'log')) return false
   if (JSON.stringify(log) === JSON.stringify(logOf(contents))) return true
   const [open, tables] = [files, saved].map((all) => all.map(({ name }) => name).join(', '))
   const other = log

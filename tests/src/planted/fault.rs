@@ -89,7 +89,7 @@ fn numbers(world: &World, fault: Fault) -> Vec<Fitted> {
             (Fitted::DelayHeading, headings),
         ],
         Fault::Bias => &[(Fitted::TurnBias, held), (Fitted::Offset, sightings)],
-        Fault::Scale => &[(Fitted::SpeedScale, true), (Fitted::Scale, sightings)],
+        Fault::Scale => &[(Fitted::SpeedScale, held), (Fitted::Scale, sightings)],
         _ => &[(Fitted::BearingOffset, world.bearings), (Fitted::HeadingOffset, headings)],
     };
     all.iter().filter(|(_, has)| *has).map(|(number, _)| *number).collect()
@@ -168,9 +168,7 @@ fn corrupted(mut log: Log, number: Fitted, by: f64) -> Log {
             | (Event::Position { .. }, Fitted::DelayFix)
             | (Event::Heading { .. }, Fitted::DelayHeading)
             | (Event::Range { .. } | Event::RangeBearing { .. }, Fitted::DelaySighting) => row.time += by,
-            (Event::Velocity { v: way, .. } | Event::Odometry { distance: way, .. }, Fitted::SpeedScale) => {
-                *way /= 1.0 + by;
-            }
+            (Event::Velocity { v, .. }, Fitted::SpeedScale) => *v /= 1.0 + by,
             (Event::Velocity { omega, .. }, Fitted::TurnBias) => *omega += by,
             (Event::Range { range, .. } | Event::RangeBearing { range, .. }, Fitted::Scale) => *range *= 1.0 + by,
             (Event::Range { range, .. } | Event::RangeBearing { range, .. }, Fitted::Offset) => *range += by,

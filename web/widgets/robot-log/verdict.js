@@ -56,7 +56,8 @@ export function ranked(judgement, { rows, truth, log = null }) {
     ungated ? 'The gate refuses more than one reading in ten, which hides a fault: it is off for this verdict.' : '',
     sound
       ? `No fault: of the ${suspects.length} that were looked for, none makes the ${count(readings)} readings ` +
-        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.`
+        `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.` +
+        (log?.motion === 'odometry' ? UNSOUGHT : '')
       : other
         ? foreign(judgement, log)
         : named(judgement, truth, log),
@@ -68,6 +69,9 @@ export function ranked(judgement, { rows, truth, log = null }) {
   return parts.filter((part) => part !== '').join(' ')
 }
 
+/** Their turns and distances have no scale to learn. */
+const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
+
 /** @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log */
 function named({ suspects: [first, ...others], beside }, truth, log) {
   const told = (/** @type {Suspect} */ suspect) => sentence(suspect, truth, log)
@@ -77,15 +81,15 @@ function named({ suspects: [first, ...others], beside }, truth, log) {
     : `The log-likelihood rises by ${rise(first.gain)}.`
   const more = others.some(({ standing }) => standing !== 'cleared')
   const next = more ? ' What else is wrong shows once this is mended.' : ''
-  if (first.standing === 'sure') return `${told(first)} ${gain}${next}`
+  if (first.standing === 'sure') return `${sentence(first, truth)} ${gain}${next}`
   // What was held against the truth, and is not the first, mends nothing.
   const rivals = others.filter(
     ({ standing, excess, mended }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended,
   )
   const [rival] = rivals
-  if (rival) return `Either: ${told(first)} Or: ${told(rival)} The readings do not tell which.`
-  if (first.excess < NEAR) return `Perhaps: ${told(first)} Chance explains it nearly as well.`
-  return `Perhaps: ${told(first)} ${gain}`
+  if (rival) return `Either: ${sentence(first, truth)} Or: ${sentence(rival, truth)} The readings do not tell which.`
+  if (first.excess < NEAR) return `Perhaps: ${sentence(first, truth)} Chance explains it nearly as well.`
+  return `Perhaps: ${sentence(first, truth)} ${gain}`
 }
 
 /** What is held over a gap looks like any fault of the motion. @param {LogJudgement['gaps'][number]} gap */
@@ -173,7 +177,6 @@ function kind({ fault, name, with: other, sensor, sizes }, log) {
   if (fault === 'sigma') return `another σ of ${SIGMAS[name ?? ''][0]}`
   if (fault === 'mirrored') return 'the sign of the turns'
   if (fault === 'exchanged') return 'an exchange of two landmarks'
-  if (name === 'speedScale' && log?.motion === 'odometry') return 'a scale of the distances'
   return other ? 'scale and offset of the ranges together' : NAMES[name ?? '']
 }
 
@@ -237,12 +240,8 @@ export function sentence(suspect, truth, log = null) {
   }
   if (name === 'offset')
     return `The ranges read ${plusMinus(much)} m too ${length(off)}: set their offset to ${digits(size)} m.`
-  const steps = log?.motion === 'odometry'
   if (name === 'speedScale')
-    return (
-      `${steps ? 'The distances of O rows read' : 'The speed reads'} ${plusMinus(much, 100)} % too ` +
-      `${off > 0 ? 'low' : 'high'}: let the filter learn ${steps ? 'their' : 'its'} scale.`
-    )
+    return `The speed reads ${plusMinus(much, 100)} % too ${off > 0 ? 'low' : 'high'}: let the filter learn its scale.`
   return `The ranges read ${plusMinus(much, 100)} % too ${length(off)}: set their scale to ${digits(size, 100)} %.`
 }
 

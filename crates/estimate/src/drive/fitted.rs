@@ -39,7 +39,7 @@ pub enum Fitted {
     BearingOffset,
     /// What a compass reads of a robot that heads along the axis of x.
     HeadingOffset,
-    /// κ, the scale of the speed, or of the distances of `O` rows.
+    /// κ, the scale of the speed.
     SpeedScale,
     /// b, the bias of the turn rate.
     TurnBias,
@@ -91,7 +91,7 @@ impl Fitted {
             (Self::Offset, sighting),
             (Self::BearingOffset, bearing),
             (Self::HeadingOffset, heading),
-            (Self::SpeedScale, !s.learn_speed),
+            (Self::SpeedScale, held && !s.learn_speed),
             (Self::TurnBias, held && !s.learn_bias),
             (Self::SigmaDistance, true),
             (Self::SigmaTurn, true),

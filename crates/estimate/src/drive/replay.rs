@@ -34,9 +34,9 @@ pub struct Taken {
 /// The state is [x, y, θ], and behind it, as far as they are learned, ε, κ and b.
 ///
 /// Over dt seconds, with the distance d and the turn a at the heading θ,
-/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring a distance, of which
-/// d is 1 + κ times, and a; speeds v and turn rates ω are held and move the estimate to the time of every later row, by
-/// d = v (1 + κ) dt and a = (ω − b) dt. A reading is gated by its d² and taken in Joseph's form.
+/// x ← [x + d cos θ, y + d sin θ, θ + a] and P ← F P Fᵀ + B diag(σ_d², σ_θ²) Bᵀ dt. `O` rows bring d and a; speeds v
+/// and turn rates ω are held and move the estimate to the time of every later row, by d = v (1 + κ) dt and
+/// a = (ω − b) dt. A reading is gated by its d² and taken in Joseph's form.
 ///
 /// # Example
 /// ```

@@ -68,8 +68,7 @@ pub struct Settings {
     pub headings: bool,
     /// How late each sensor is.
     pub delays: Delays,
-    /// κ: the robot drives (1 + κ) times the speed, or the distance of an `O` row, that is read, where it is not
-    /// learned.
+    /// κ: the robot drives (1 + κ) times the speed that is read. Of held motion alone, where it is not learned.
     pub speed_scale: f64,
     /// b: the robot turns by the rate that is read less b, rad/s. Of held motion alone, where it is not learned.
     pub turn_bias: f64,
@@ -186,10 +185,12 @@ impl Settings {
         Ok(())
     }
 
-    /// What says how turn rates are read, and when, says nothing of distances and turns.
+    /// What says how speeds and turn rates are read says nothing of distances and turns.
     fn check_odometry(&self) -> Result<(), Error> {
         for (name, asked) in [
+            ("speedScale", self.speed_scale != 0.0),
             ("turnBias", self.turn_bias != 0.0),
+            ("learnSpeed", self.learn_speed),
             ("learnBias", self.learn_bias),
             ("delaySpeed", self.delays.speed != 0.0),
             ("delayTurn", self.delays.turn != 0.0),

@@ -162,7 +162,9 @@ fn settings_out_of_bounds_are_refused_by_name() {
         // Of speeds and turn rates, which a log of O rows has not.
         (Settings { delays: Delays { speed: 0.1, ..none }, ..sound }, Code::Limit, "delaySpeed"),
         (Settings { delays: Delays { turn: 0.1, ..none }, ..sound }, Code::Limit, "delayTurn"),
+        (Settings { speed_scale: 0.1, ..sound }, Code::Limit, "speedScale"),
         (Settings { turn_bias: 0.1, ..sound }, Code::Limit, "turnBias"),
+        (Settings { learn_speed: true, ..sound }, Code::Limit, "learnSpeed"),
         (Settings { learn_bias: true, ..sound }, Code::Limit, "learnBias"),
     ] {
         let error = Course::new(&log, settings).expect_err("out of bounds");

@@ -56,8 +56,7 @@ params! {
         pub delay_heading: f64 = 0.0, from (-10.0) to 10.0 by 0.01 in "s";
         /// How late ranges are, with or without a bearing.
         pub delay_sighting: f64 = 0.0, from (-10.0) to 10.0 by 0.01 in "s";
-        /// κ, where it is not learned: the robot drives (1 + κ) times the speed, or the distance of an `O` row, that is
-        /// read.
+        /// κ, where it is not learned: the robot drives (1 + κ) times the speed that is read.
         pub speed_scale: f64 = 0.0, from (-0.99) to 10.0 by 0.001;
         /// b, where it is not learned: the robot turns by the rate that is read less b. Radians a second.
         pub turn_bias: f64 = 0.0, from (-10.0) to 10.0 by 0.001 in "rad/s";
