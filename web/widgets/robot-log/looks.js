@@ -16,8 +16,8 @@
  * @property {LogFrame | null} kept A
  */
 /**
- * @typedef {LogFrame & { looks?: Looks, log?: { motion: string } }} Frame with the contents of its log, one object for
- * a log
+ * @typedef {LogFrame & { looks?: Looks, log?: { motion: string, span: [number, number] } }} Frame
+ * with the contents of its log, one object for a log
  */
 
 /** @type {Looks} */
