@@ -179,7 +179,7 @@ test('10,000 rows of the log have the same hash in a worker of Firefox', {
     const code = Buffer.from(JSON.stringify([1, name, 10_000, JSON.parse(given)])).toString('base64url')
     await go(`figure/${name}/?fig-log=${code}`)
     await alive(name)
-    await wait(() => document.querySelector('robot-log').step === 10_000)
+    await wait(() => document.querySelector('robot-log').frame?.step === 10_000)
     assert.equal(await page.evaluate(() => document.querySelector('robot-log').figure.run.digest), hash, given)
   }
 })

@@ -11,6 +11,7 @@ import { headsOf, rowsOf } from '../../web/page/log-sources.js'
 import { Mapping } from '../../web/widgets/robot-log/likelihood.js'
 import { belongs, nameOf, numbersOf, sourcesOf, touchedIn } from '../../web/widgets/robot-log/looks.js'
 import { broken, readingAt, timeAt } from '../../web/widgets/robot-log/history.js'
+import { withheldIn, withholdingShown } from '../../web/widgets/robot-log/withheld.js'
 
 const { RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
@@ -234,4 +235,14 @@ test('a map is a replay for each cell, row by row, and is given up between two',
   const wrong = await mapping.map({ RobotLog }, camera, { ...wish, across: { name: 'sigmaRange', values: [-1] } })
   assert.equal(wrong.kind, 'no-map')
   assert.match(wrong.message, /sigmaRange/)
+})
+
+test('the stretch that is withheld is counted from the log’s first row, and so is the one that is shown', () => {
+  const frame = { params: { withheld: [1010, 1025] }, summary: { withheld: { rows: 3 } }, log: { span: [1000, 1060] } }
+  assert.deepEqual(withheldIn(frame), [10, 25])
+  assert.equal(withheldIn({ ...frame, params: { withheld: null } }), null)
+  // Where fixes are off, or there are none, nothing is withheld.
+  assert.equal(withheldIn({ ...frame, summary: { withheld: null } }), null)
+  assert.equal(withholdingShown(frame), null)
+  assert.deepEqual(withholdingShown({ ...frame, looks: { window: [5, 8] } }), { withheld: [1005, 1008] })
 })

@@ -8,12 +8,12 @@ import { looksOf } from './looks.js'
 const NAME = 56
 
 /**
- * The stretch in seconds since the log's first row, as panels and looks count; null where nothing is withheld.
+ * The stretch in seconds since the log's first row, as panels and looks count; null where no fix is withheld.
  * @param {Frame} frame @returns {[number, number] | null}
  */
-export function withheldIn({ params: { withheld }, log }) {
+export function withheldIn({ params: { withheld }, summary, log }) {
   const first = log?.span[0] ?? 0
-  return withheld && [withheld[0] - first, withheld[1] - first]
+  return withheld && summary.withheld ? [withheld[0] - first, withheld[1] - first] : null
 }
 
 /** What withholds the fixes of the stretch that the panels show; null where they show all. @param {Frame} frame */
