@@ -45,6 +45,32 @@ function greatMap() {
   return () => slam.update(sights(0))
 }
 
+/** The greatest time line, but for one event: what comes late by all of them has them all replayed. */
+function fullTimeline() {
+  const sensors = { far: { H: system.H, W: system.W } }
+  const A = diagonal(N, N, -1).map((row, i) => row.map((entry, j) => (j === i + 1 ? 1 : entry)))
+  const make = () => {
+    const line = new core.Timeline({ A, Q: system.V }, belief, { window: 100, capacity: 10_000, sensors })
+    for (let k = 1; k < 10_000; k++) line.reading('far', k / 1000, Array(P).fill(k % 3))
+    return line
+  }
+  // A call puts its reading into the line, so each has a line of its own.
+  const lines = Array.from({ length: 3 }, make)
+  return () => {
+    const { outcome } = lines.pop().reading('far', 0.0005, Array(P).fill(0))
+    if (outcome !== 'accepted') throw new Error(`the late reading is ${outcome}`)
+  }
+}
+
+/** A filter of own models without Jacobians: each is found by differences. */
+function ownModels(Filter) {
+  const filter = new Filter(belief)
+  return () => {
+    filter.predict((x) => x.map((entry, i) => 0.9 * entry + 0.1 * Math.sin(x[(i + 1) % N])), system.V)
+    filter.update(Array(P).fill(0), (x) => x.slice(0, P).map((entry) => entry + 0.1 * entry ** 2), system.W)
+  }
+}
+
 /** Three landmarks so close together that ghosts of them have filled the Probe's map. */
 function fullProbe() {
   const lab = new core.ObservabilityProbe({
@@ -66,6 +92,11 @@ const calls = {
   'gainSchedule, 16 states, 10 000 steps': () => core.gainSchedule(system, belief.P, 10_000),
   'kalmanReplay, 16 states, 10 000 steps': () =>
     core.kalmanReplay(system, belief, new Float64Array(10_000 * M), new Float64Array(10_000 * P)),
+  'kalmanSmooth, 16 states, 8 outputs, 2160 rows': () =>
+    core.kalmanSmooth(system, belief, Array(2160).fill(Array(M).fill(0)), Array(2160).fill(Array(P).fill(0))),
+  'Timeline.reading, 16 states, 8 outputs, late by 9999': fullTimeline(),
+  'ExtendedKalmanFilter, 16 states, 8 outputs, a step': ownModels(core.ExtendedKalmanFilter),
+  'UnscentedKalmanFilter, 16 states, 8 outputs, a step': ownModels(core.UnscentedKalmanFilter),
   'observability, 16 states, 8 outputs': () => core.observability(F, system.H),
   'errorEigenvalues, 16 states': () => core.errorEigenvalues(system, diagonal(N, P, 0.3)),
   'placeObserverGain, 16 states': () =>

@@ -74,7 +74,12 @@ function writeEntry({ at, part, built }) {
     `// For browsers, workers and bundlers: the binary beside this file is loaded before the import is done.
 import init, { ${names.join(', ')} } from './slim.js'
 
-await init({ module_or_path: new URL('./estimate.wasm', import.meta.url) })
+const binary = new URL('./estimate.wasm', import.meta.url)
+await init({ module_or_path: binary }).catch((cause) => {
+  const slim = '${path.posix.join(ours.metadata.npm.name, at, 'slim')}'
+  const help = \`With esbuild, import \${slim} (README, "In a page").\`
+  throw new Error(\`The binary could not be loaded from \${binary}: \${cause.message} \${help}\`, { cause })
+})
 
 export { ${names.join(', ')} }
 `,

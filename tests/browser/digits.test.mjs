@@ -7,6 +7,7 @@ import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { FIGURES } from '../../target/figures.js'
+import { carFrames, carStates, framesThere } from './car-frames.mjs'
 import { openFigure, root, until } from './harness.mjs'
 
 const native = execFileSync('cargo', ['run', '--quiet', '--locked', '--example', 'digests', '-p', 'labs'], {
@@ -33,10 +34,15 @@ for (const [tag, hash, given] of native.filter(([tag]) => tag === 'robot-log')) 
   })
 }
 
+test('the car’s log has the frames in Chromium that Node computes, to the bit', async (t) => {
+  const { page } = await openFigure(t, 'car-log')
+  assert.deepEqual(JSON.parse(await page.evaluate(framesThere, carStates)), carFrames())
+})
+
 for (const { name, lab: known, world } of FIGURES) {
   const runs = native.filter(([of]) => of === name)
   test(`the native code has run the lab of ${name}`, () => assert.ok(runs.length > 0))
-  // The log's is compared above, in its worker.
+  // Those over a log are compared above.
   for (const [, hash, given] of world ? [] : runs) {
     test(`10,000 steps of ${name} with ${given} have the hash ${hash} in Node and in Chromium`, async (t) => {
       const params = JSON.parse(given)

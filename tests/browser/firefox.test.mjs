@@ -9,6 +9,7 @@ import { createServer } from 'node:http'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { FIGURES } from '../../target/figures.js'
+import { carFrames, carStates, framesThere } from './car-frames.mjs'
 import { alive, browser, complaints, firefox, go, page, site, wait, waitIn } from './firefox.mjs'
 import { holdReplays } from './held-replays.mjs'
 import { root, tagOf } from './places.mjs'
@@ -165,15 +166,38 @@ test('no formula has to be scrolled in Firefox', { skip: firefox ? false : notic
   assert.deepEqual(wide, [])
 })
 
+const digests = native
+  .trim()
+  .split('\n')
+  .map((line) => line.split(' '))
+
+test('10,000 rows of the log have the same hash in a worker of Firefox', {
+  skip: firefox ? false : notice,
+}, async () => {
+  const runs = digests.filter(([name]) => name === 'robot-log')
+  assert.ok(runs.length > 0)
+  for (const [name, hash, given] of runs) {
+    const code = Buffer.from(JSON.stringify([1, name, 10_000, JSON.parse(given)])).toString('base64url')
+    await go(`figure/${name}/?fig-log=${code}`)
+    await alive(name)
+    await wait(() => document.querySelector('robot-log').frame?.step === 10_000)
+    assert.equal(await page.evaluate(() => document.querySelector('robot-log').figure.run.digest), hash, given)
+  }
+})
+
+test('the car’s log has the frames in Firefox that Node computes, to the bit', {
+  skip: firefox ? false : notice,
+}, async () => {
+  await go('figure/car-log/')
+  await alive('car-log')
+  assert.deepEqual(JSON.parse(await page.evaluate(framesThere, carStates)), carFrames())
+})
+
 test('10,000 steps have the same hash in Firefox', { skip: firefox ? false : notice }, async () => {
-  // The lab of the log is in a worker; digits.test.mjs asks for its hash in Chromium.
+  // Those over a log are compared above.
   const shown = (/** @type {string[]} */ [name]) => !FIGURES.find((figure) => figure.name === name).world
   let shownOn
-  for (const [name, hash, given] of native
-    .trim()
-    .split('\n')
-    .map((line) => line.split(' '))
-    .filter(shown)) {
+  for (const [name, hash, given] of digests.filter(shown)) {
     // On its own page, since not every figure is in the chapter.
     if (shownOn !== name) await go(`figure/${name}/`)
     shownOn = name

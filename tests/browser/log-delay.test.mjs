@@ -1,4 +1,4 @@
-// The delay of a log, found by hand: by keys on its slider, with the log-likelihood in sight.
+// The delay of a log, found by hand: by keys on its slider, with the log-likelihood in sight; and by Fit.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
@@ -35,3 +35,37 @@ for (const viewport of [{ width: 1440, height: 900 }, { width: 900, height: 700 
     assert.ok(best === 0.5 || best === 0.6, JSON.stringify(seen))
   })
 }
+
+/** The same drive with one turn rate and one fix in ten, and every other speed: it is fitted in a third of the time. */
+function thinned() {
+  const [seen, every] = [
+    { S: 0, T: 0, P: 0 },
+    { S: 2, T: 10, P: 10 },
+  ]
+  const kept = CAR.split('\n').filter(([kind]) => !(kind in seen) || seen[kind]++ % every[kind] === 0)
+  return kept.join('\n')
+}
+
+test('Fit tells how far it is, is given up, and finds the speed half a second later than the positions', async (t) => {
+  const { page, it, choose } = await openLog(t)
+  await choose(file('car.csv', CAR))
+  await until(it, ({ summary }) => summary.used > 2000, 'the car')
+  const row = told(page, 'fit')
+  const press = (name) => row.getByRole('button', { name, exact: true }).click()
+  await press('Fit')
+  await row.locator('progress[value]').waitFor()
+  await press('Cancel')
+  await row.getByText('The fit was given up.').waitFor()
+  assert.equal(await row.locator('progress').isVisible(), false)
+
+  await choose(file('thin.csv', thinned()))
+  await until(it, ({ summary }) => summary.used > 200 && summary.used < 210, 'the car with a fix a second')
+  await press('Fit')
+  await row.locator('li').first().waitFor()
+  const words = await row.innerText()
+  const delay = (of) => Number(new RegExp(`delay of the ${of}, s: (\\d\\.\\d+) ±`).exec(words)?.[1])
+  assert.ok(Math.abs(delay('speed') - delay('positions') - 0.58) < 0.15, words)
+  await press('Take what the log tells')
+  const { params } = await until(it, ({ params }) => params.delaySpeed > 0, 'what is taken')
+  assert.ok(Math.abs(params.delaySpeed - delay('speed')) < 0.01 && params.delayTurn === 0)
+})

@@ -2,10 +2,11 @@
 import { covariance } from './nonsense.mjs'
 
 export const vector = (n, dice) => Array.from({ length: n }, () => dice.normal() * 10 ** dice.below(3))
-export const matrix = (rows, columns, dice) => Array.from({ length: rows }, () => vector(columns, dice))
-
 /** A vector as a program may hand it over. */
 export const row = (n, dice) => (dice.uniform() < 0.5 ? vector(n, dice) : Float64Array.from(vector(n, dice)))
+
+/** A matrix as a program may hand it over, row by row. */
+export const matrix = (rows, columns, dice) => Array.from({ length: rows }, () => row(columns, dice))
 
 /** A reading as a program may hand it over: now and then a part of it is missing, or every part. */
 export function reading(n, dice) {

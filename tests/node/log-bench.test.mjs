@@ -12,6 +12,7 @@ import { fieldText } from '../../web/page/number-field.js'
 import { Mapping } from '../../web/widgets/robot-log/likelihood.js'
 import { belongs, nameOf, numbersOf, sourcesOf, touchedIn } from '../../web/widgets/robot-log/looks.js'
 import { broken, readingAt, timeAt } from '../../web/widgets/robot-log/history.js'
+import { withheldIn, withholdingShown } from '../../web/widgets/robot-log/withheld.js'
 
 const { RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 
@@ -251,4 +252,14 @@ test('landmarks have the names of their file in the table and wherever innovatio
 test('a field keeps the millimetres of a place far from its origin, and six digits of a small number', () => {
   const shown = [4430123.456, -5333000.0004, 999.1234, 0.00012345678, 0.1 + 0.2].map(fieldText)
   assert.deepEqual(shown, ['4430123.456', '-5333000', '999.123', '0.000123457', '0.3'])
+})
+
+test('the stretch that is withheld is counted from the log’s first row, and so is the one that is shown', () => {
+  const frame = { params: { withheld: [1010, 1025] }, summary: { withheld: { rows: 3 } }, log: { span: [1000, 1060] } }
+  assert.deepEqual(withheldIn(frame), [10, 25])
+  assert.equal(withheldIn({ ...frame, params: { withheld: null } }), null)
+  // Where fixes are off, or there are none, nothing is withheld.
+  assert.equal(withheldIn({ ...frame, summary: { withheld: null } }), null)
+  assert.equal(withholdingShown(frame), null)
+  assert.deepEqual(withholdingShown({ ...frame, looks: { window: [5, 8] } }), { withheld: [1005, 1008] })
 })

@@ -121,6 +121,11 @@ function copy(value) {
 
 function spoilOnce(value, dice) {
   if (typeof value === 'string' && dice.uniform() < 0.7) return spoiltText(value, dice)
+  if (value instanceof Float64Array && value.length > 0 && dice.uniform() < 0.5) {
+    const floats = value.slice()
+    floats[dice.below(floats.length)] = dice.pick(NUMBERS)
+    return floats
+  }
   const inside = value !== null && typeof value === 'object' ? Object.keys(value) : []
   if (inside.length === 0 || ArrayBuffer.isView(value) || dice.uniform() < 0.12) return junk(dice)
   const key = dice.pick(inside)
@@ -148,7 +153,7 @@ function spoilOnce(value, dice) {
 export function matrices(args) {
   const found = []
   const walk = (value, keys) => {
-    if (Array.isArray(value) && Array.isArray(value[0])) {
+    if (Array.isArray(value) && (Array.isArray(value[0]) || value[0] instanceof Float64Array)) {
       const put = (matrix) => {
         const others = copy(args)
         keys.slice(0, -1).reduce((inner, key) => inner[key], others)[keys.at(-1)] = matrix

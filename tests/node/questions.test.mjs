@@ -4,7 +4,9 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
-import { judge, keyOf } from '../../web/page/answer.js'
+import { judge, keyOf, unmet } from '../../web/page/answer.js'
+import { handlesOf } from '../../web/widgets/late-readings/handles.js'
+import { estimate, widget } from './claims.mjs'
 
 const { parseHTML } = createRequire(new URL('../../web/package.json', import.meta.url))('linkedom')
 /** The chapter, and the page of its exercises. */
@@ -91,4 +93,38 @@ test('nothing in the options tells the right one', () => {
     )
     assert.doesNotMatch(it.dataset.key, /right|value|least/, id)
   }
+})
+
+test('the gap that ends with half a metre is had by the figure’s own controls, and is judged right', async () => {
+  const { key } = questions.find(({ id }) => id === 'late-gap-state')
+  const spec = await widget('late-readings')
+  let params = {}
+  const frame = () => {
+    const lab = estimate[spec.lab].from({ version: 1, lab: 'late-readings', step: 0, params })
+    const now = lab.frame()
+    lab.free()
+    return now
+  }
+  const set = (name, value) => {
+    const control = spec.controls.find((one) => one.name === name)
+    params = { ...params, ...(control.set?.(value, frame().params) ?? { [name]: value }) }
+    return control
+  }
+  assert.deepEqual(unmet(key, frame()), [0, 1], 'as it opens')
+  assert.ok(set('way', 'go-back').options.some(({ value }) => value === 'go-back'))
+  assert.deepEqual(unmet(key, frame()), [1], 'without a gap')
+  assert.equal(set('gap', true).get(frame().params), true)
+  assert.deepEqual(unmet(key, frame()), [1], 'the gap is too long')
+  // Its end is brought nearer, a key at a time.
+  const limits = Object.fromEntries(estimate[spec.lab].parameters().map((one) => [one.name, one]))
+  const scale = Object.assign((value) => value, { invert: (pixel) => pixel })
+  const plane = { x: scale, y: scale, box: { left: 0, top: 0, right: 20, bottom: 20 } }
+  const rows = { measured: 80, came: 44, height: 400 }
+  let presses = 0
+  while (unmet(key, frame()).length > 0 && presses++ < 100)
+    params = { ...params, ...handlesOf(frame(), limits, plane, rows)['gap-to'].nudge(-1, 0) }
+  assert.deepEqual(unmet(key, frame()), [], JSON.stringify(params))
+  assert.ok(presses > 0 && frame().gap.to > frame().gap.from)
+  set('gap', false)
+  assert.deepEqual(unmet(key, frame()), [1], 'the gap is closed')
 })

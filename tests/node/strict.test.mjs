@@ -45,6 +45,48 @@ test('a typed array is what its class says, and as long', () => {
   refused(() => replay([2.7]), 'type', 'readings[0]', /Float64Array/)
 })
 
+test('a row, and a vector, may be a Float64Array: the same bits', () => {
+  const floats = (matrix) => matrix.map((row) => Float64Array.from(row))
+  const typed = Object.fromEntries(Object.entries(rail).map(([letter, matrix]) => [letter, floats(matrix)]))
+  const start = { x: Float64Array.from(belief.x), P: floats(belief.P) }
+  const step = core.kalmanStep(rail, belief, [0], [2.7])
+  assert.deepEqual(core.kalmanStep(typed, start, Float64Array.of(0), Float64Array.of(2.7)), step)
+  const mixed = { ...rail, F: [rail.F[0], Float64Array.from(rail.F[1])], V: [Float64Array.from(rail.V[0]), rail.V[1]] }
+  assert.deepEqual(core.kalmanStep(mixed, belief, [0], [2.7]), step)
+  const filter = new core.KalmanFilter(typed, start)
+  filter.step([0], [2.7])
+  assert.deepEqual([filter.x, filter.P], [step.x, step.P])
+  const [A, Q] = [
+    [
+      [0, 1],
+      [0, 0],
+    ],
+    [
+      [0, 0],
+      [0, 1],
+    ],
+  ]
+  assert.deepEqual(core.discretize({ A: floats(A), Q: floats(Q) }, 0.5), core.discretize({ A, Q }, 0.5))
+  const own = (F) => {
+    const ekf = new core.ExtendedKalmanFilter(belief)
+    ekf.predict((x) => x, rail.V, F)
+    return ekf.P
+  }
+  assert.deepEqual(
+    own(() => floats(rail.F)),
+    own(() => rail.F),
+  )
+  // What is nearly one is named as any other row.
+  const P = (row) => core.covarianceEllipse([[4, 0], row])
+  for (const row of [new Float32Array(2), new Proxy(Float64Array.of(0, 1), {}), { 0: 0, 1: 1, length: 2 }, null])
+    refused(() => P(row), 'type', 'P[1]', /an array of numbers or a Float64Array/)
+  refused(() => P(Float64Array.of(0)), 'shape', 'P', /ragged/)
+  refused(() => P(Float64Array.of(0, NaN)), 'not-finite', 'P')
+  refused(() => core.covarianceEllipse([new Float64Array(17)]), 'limit', 'P[0]', /at most 16/)
+  refused(() => core.covarianceEllipse(Float64Array.of(4, 0)), 'type', 'P', /an array/)
+  refused(() => core.kalmanStep(rail, { ...belief, x: new Float64Array(17) }, [0], [1]), 'limit', 'belief.x')
+})
+
 test('a getter may call the module, or throw', () => {
   const P = {
     get x() {

@@ -99,6 +99,19 @@ test('what finds no place says why, and changes nothing', () => {
   it.free()
 })
 
+test('a hundred thousand readings at one time are answered, and the belief of 10⁹ s later is a finite one', () => {
+  const it = line({ capacity: 10_000 })
+  const told = { accepted: 0, full: 0 }
+  for (let id = 0; id < 1e5; id++) told[it.reading('wheel', 11, [1], id).outcome] += 1
+  assert.deepEqual([told, it.length], [{ accepted: 10_000, full: 90_000 }, 10_000])
+  const finite = ({ x, P }) => [...x, ...P.flat()].every(Number.isFinite)
+  assert.ok(finite(it.at(1e9)))
+  it.free()
+  const empty = new core.Timeline(cart, belief, { window: 1, sensors })
+  assert.ok(finite(empty.at(0)) && finite(empty.at(1e9)))
+  empty.free()
+})
+
 test('a refusal names what is to blame, and leaves the line as it was', () => {
   const refused = (call, code, argument) =>
     assert.throws(call, (/** @type {any} */ error) => {

@@ -50,8 +50,11 @@ export const NAME = /\[package\.metadata\.npm\]\nname = "(.+)"/.exec(
   readFileSync(path.join(root, 'crates/estimate-wasm/Cargo.toml'), 'utf8'),
 )[1]
 
-/** Serves a folder, opens a page of it in Chromium, and answers what the page puts into `window.answer`. */
-export async function answerOf(place, page = 'index.html') {
+/**
+ * Serves a folder, opens a page of it in Chromium, and answers what the page puts into `window.answer`.
+ * @param {RegExp} [expected] faults that the page is to have
+ */
+export async function answerOf(place, page = 'index.html', expected) {
   const server = await serve({ folder: place })
   const browser = await chromium.launch({ executablePath: chromiumPath(), args: CHROMIUM_FLAGS, timeout: HANGS_MS })
   try {
@@ -60,7 +63,8 @@ export async function answerOf(place, page = 'index.html') {
     tab.setDefaultNavigationTimeout(HANGS_MS)
     const faults = []
     tab.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) faults.push(message.text())
+      const fault = ['error', 'warning'].includes(message.type()) && !expected?.test(message.text())
+      if (fault) faults.push(message.text())
     })
     tab.on('pageerror', (error) => faults.push(String(error)))
     tab.on('request', (request) => {

@@ -169,7 +169,7 @@ test('Vite builds it, with a worker, under a strict policy: the same bits in Chr
   await asInNode(await answerOf(path.join(at, 'dist')))
 })
 
-test('a page that filters without labs fetches at most 150 kB with gzip: the same bits in Chromium', async () => {
+test('a page that filters without labs fetches at most 150 kB with gzip: the same bits in Chromium', async (t) => {
   const { build } = await import('vite')
   const main = `${EXAMPLES['track.mjs'].replace(`'${NAME}'`, `'${NAME}/filters'`).replace(/console\.log.*\n/g, '')}
 window.answer = { x: filter.x, P: filter.P }`
@@ -187,6 +187,7 @@ window.answer = { x: filter.x, P: filter.P }`
     (file) => gzipSync(readFileSync(path.join(assets, file)), { level: 9 }).length,
   )
   const weight = weights.reduce((sum, one) => sum + one, 0)
+  t.diagnostic(`${weight} bytes`)
   assert.ok(weight > 0 && weight <= 150_000, `${weight} bytes`)
 })
 
@@ -210,6 +211,36 @@ test('webpack builds it, with a worker, under a strict policy: the same bits in 
   await asInNode(await answerOf(path.join(at, 'dist')))
 })
 
+/** @param {string} at the folder @param {string} entry what esbuild bundles there, into `dist` */
+const esbuild = (at, entry) =>
+  run(
+    bin('web', 'esbuild'),
+    [entry, '--bundle', '--format=esm', '--loader:.wasm=file', '--log-level=warning', '--outdir=dist'],
+    { cwd: at },
+  )
+
+test('esbuild builds the slim entry with its binary, as the README says, under a strict policy', async () => {
+  const answer = '\nwindow.answer = JSON.parse(document.body.textContent)\n'
+  const at = await folder('esbuild', { 'boat.js': EXAMPLES['boat.js'] + answer })
+  await esbuild(at, 'boat.js')
+  const html = built(`${POLICY}<body><script type="module" src="./boat.js"></script>`)
+  writeFileSync(path.join(at, 'dist/index.html'), html)
+  assert.deepEqual(await answerOf(path.join(at, 'dist')), { semiMajor: 2, semiMinor: 1, angle: 0 })
+})
+
+test('where esbuild has left the binary behind, the page says so, and what to import', async () => {
+  for (const entry of ['', '/filters']) {
+    const at = await folder(`esbuild-index${entry.replace('/', '-')}`, {
+      'main.js': `import('${NAME}${entry}').catch(({ message }) => { window.answer = message })`,
+    })
+    await esbuild(at, 'main.js')
+    writeFileSync(path.join(at, 'dist/index.html'), built('<script type="module" src="./main.js"></script>'))
+    const said = await answerOf(path.join(at, 'dist'), 'index.html', /404 \(Not Found\)/)
+    assert.match(said, /The binary could not be loaded from http:.*estimate\.wasm: .*With esbuild, import /)
+    assert.ok(said.includes(`import ${NAME}${entry}/slim (README, "In a page")`), said)
+  }
+})
+
 test('a page without a bundler imports it, and so does its worker', async () => {
   const answer = 'window.answer = JSON.parse(document.body.textContent)\n</script>'
   const at = await folder('plain', {
@@ -229,6 +260,9 @@ const filter = new KalmanFilter(system, { x: [0, 0], P: [[1, 0], [0, 1]] })
 filter.step(new Float64Array(1), [1])
 const speed: number | undefined = filter.x[1]
 const nis: number | null = filter.nis
+const floats = (matrix: number[][]) => matrix.map((row) => Float64Array.from(row))
+const typed = { ...system, F: floats(system.F), V: [new Float64Array(2), [0, 1]] }
+kalmanStep(typed, { x: new Float64Array(2), P: floats(system.V) }, new Float64Array(1), [1])
 const step: KalmanStep = kalmanStep(system, { x: [0, 0], P: [[1, 0], [0, 1]] }, [0], [1])
 // @ts-expect-error The mean is read only.
 filter.x = [1, 2]

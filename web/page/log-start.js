@@ -1,10 +1,11 @@
 /**
  * Where the filter starts in a log without truth: typed, taken from the first fixes, or dragged on the map. Then the
- * stretch whose fixes are withheld, and the track afterwards.
+ * stretch whose fixes are withheld, typed or as the panels show it, and the track afterwards.
  */
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
+import { withholdingShown } from '../widgets/robot-log/withheld.js'
 import { numberField } from './number-field.js'
 
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
@@ -18,6 +19,8 @@ const POSE = [
   ['y, m', 1],
   ['heading, °', DEGREE],
 ]
+
+const UNZOOMED = 'The panels show the whole log. Drag across one over time first.'
 
 export class StartForm {
   /** @param {HTMLElement} into @param {(patch: Patch) => void} change @param {() => void} smooth */
@@ -84,6 +87,8 @@ export class StartForm {
     const row = this.row('withheld fixes, and the track afterwards')
     /** @type {ArrayLike<number> | null} */
     let withheld = null
+    /** What withholds the stretch that the panels show. @type {Patch | null} */
+    let shown = null
     /** An end of a stretch whose other one is not typed yet: alone it withholds nothing. @type {(number | null)[]} */
     let typed = [null, null]
     /** @param {0 | 1} at @param {number} value */
@@ -101,6 +106,10 @@ export class StartForm {
     const from = numberField(row, 'withhold from, s', (value) => set(0, value))
     const to = numberField(row, 'to, s', (value) => set(1, value))
     const actions = part(document, row, 'div', 'log-actions')
+    button(document, actions, 'Withhold what is shown', () => {
+      if (shown) this.change(shown)
+      else words.textContent = UNZOOMED
+    })
     button(document, actions, 'Withhold none', () => {
       typed = [null, null]
       this.change({ withheld: null })
@@ -109,6 +118,7 @@ export class StartForm {
     const words = part(document, row, 'p', 'log-says')
     this.shows.push((frame) => {
       withheld = frame.params.withheld
+      shown = withholdingShown(frame)
       if (withheld) typed = [null, null]
       from.show(withheld ? withheld[0] - first : typed[0])
       to.show(withheld ? withheld[1] - first : typed[1])

@@ -3,10 +3,11 @@
 // They lie one behind another in a row of numbers: a matrix as [rows, columns, entries row by row …], a vector as
 // [-1, length, entries …], and in an answer what is not there as [-2, 0].
 //
-// The readers take plain arrays of finite numbers and nothing else. Whatever is unusual (a hole, a NaN, a number too
-// many, a getter that throws) is left to the decoder in Rust, which reads the argument again and names what is wrong
-// with it. A getter or a proxy may do and answer anything in between, so every value is looked at after it was read,
-// and read once; and when a getter calls the module and its memory grows, `to` is left with a length of 0.
+// The readers take plain arrays of finite numbers, and Float64Arrays as rows and vectors, and nothing else. Whatever is
+// unusual (a hole, a NaN, a number too many, a getter that throws) is left to the decoder in Rust, which reads the
+// argument again and names what is wrong with it. A getter or a proxy may do and answer anything in between, so every
+// value is looked at after it was read, and read once; and when a getter calls the module and its memory grows, `to` is
+// left with a length of 0.
 
 /** The most rows, columns and entries of a vector. */
 const MOST = 16
@@ -52,7 +53,7 @@ export function readArray(array, to) {
  */
 export function readNumbers(array, to) {
   try {
-    const length = array instanceof Float64Array ? array.length : lengthOf(array)
+    const length = lengthOf(array)
     if (!(length <= to.length)) return -1
     for (let i = 0; i < length; i++) {
       const number = array[i]
@@ -65,9 +66,9 @@ export function readNumbers(array, to) {
   }
 }
 
-/** The length of a short array; NaN of what is none. @param {any} array */
+/** The length of a short array or Float64Array; NaN of what is none. @param {any} array */
 function lengthOf(array) {
-  if (!Array.isArray(array)) return NaN
+  if (!Array.isArray(array) && !(array instanceof Float64Array)) return NaN
   const { length } = array
   return Number.isInteger(length) && length >= 0 && length <= MOST ? length : NaN
 }
@@ -83,7 +84,7 @@ function read(array, to, from) {
   let columns = VECTOR
   for (let i = 0; i < rows; i++) {
     const entry = array[i]
-    if (i === 0 && Array.isArray(entry)) columns = lengthOf(entry)
+    if (i === 0 && typeof entry === 'object') columns = lengthOf(entry)
     else if (columns !== VECTOR && lengthOf(entry) !== columns) return 0
     if (Number.isNaN(columns)) return 0
     if (columns === VECTOR) {

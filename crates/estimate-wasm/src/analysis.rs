@@ -17,8 +17,8 @@ const TYPES: &str = include_str!("analysis.d.ts");
 /// tolerance or more does not decay. At most 16 states and 8 outputs.
 #[wasm_bindgen(unchecked_return_type = "Detectability")]
 pub fn detectability(
-    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
-    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
+    #[wasm_bindgen(js_name = F, unchecked_param_type = "Rows")] f: &JsValue,
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Rows")] h: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let tolerance = tolerance_of(tolerance)?;
@@ -35,8 +35,8 @@ pub fn detectability(
 /// itself. At most 16 states and 16 inputs; the tolerance is as in `detectability`.
 #[wasm_bindgen(unchecked_return_type = "Reachability")]
 pub fn stabilizability(
-    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
-    #[wasm_bindgen(js_name = B, unchecked_param_type = "Matrix")] b: &JsValue,
+    #[wasm_bindgen(js_name = F, unchecked_param_type = "Rows")] f: &JsValue,
+    #[wasm_bindgen(js_name = B, unchecked_param_type = "Rows")] b: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let tolerance = tolerance_of(tolerance)?;
@@ -46,8 +46,8 @@ pub fn stabilizability(
 /// `stabilizability` of (F, V^½): what noise of the covariance `V` reaches.
 #[wasm_bindgen(js_name = noiseReach, unchecked_return_type = "Reachability")]
 pub fn noise_reach(
-    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
-    #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
+    #[wasm_bindgen(js_name = F, unchecked_param_type = "Rows")] f: &JsValue,
+    #[wasm_bindgen(js_name = V, unchecked_param_type = "Rows")] v: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let tolerance = tolerance_of(tolerance)?;

@@ -31,7 +31,7 @@ impl EkfLocalizer {
     /// A localizer with a belief over [x, y, θ] and a map.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Landmark[]")] landmarks: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "LocalizerOptions")] options: &JsValue,
     ) -> Result<EkfLocalizer, Thrown> {
@@ -53,8 +53,8 @@ impl EkfLocalizer {
     /// The pose moves by `u` = [Δs, Δθ] along the old heading; `V`, 3×3, is the process noise in the state.
     pub fn predict(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
-        #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
+        #[wasm_bindgen(js_name = V, unchecked_param_type = "Rows")] v: &JsValue,
     ) -> Result<(), Thrown> {
         let (u, v) = (Arg::new(u, "u").vector()?, Arg::new(v, "V").matrix()?);
         self.write(|ekf| ekf.predict(u, v))
@@ -80,7 +80,7 @@ impl EkfLocalizer {
         &self,
         #[wasm_bindgen(unchecked_param_type = "Float64Array")] log: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Uint32Array")] landmarks: &JsValue,
-        #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
+        #[wasm_bindgen(js_name = V, unchecked_param_type = "Rows")] v: &JsValue,
     ) -> Result<Vec<f64>, Thrown> {
         let most = MAX_LOG as u32;
         let landmarks = Arg::new(landmarks, "landmarks").wholes(most)?;

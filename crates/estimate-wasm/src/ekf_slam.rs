@@ -48,7 +48,7 @@ impl EkfSlam {
     /// A robot with a belief over [x, y, θ] and an empty map.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "SlamOptions")] options: &JsValue,
     ) -> Result<EkfSlam, Thrown> {
         let belief = belief_of(&Arg::new(belief, "belief"))?;
@@ -62,8 +62,8 @@ impl EkfSlam {
     /// The pose moves by `u` = [Δs, Δθ] along the old heading; `V`, 3×3, is the process noise in the pose.
     pub fn predict(
         &self,
-        #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
-        #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
+        #[wasm_bindgen(js_name = V, unchecked_param_type = "Rows")] v: &JsValue,
     ) -> Result<(), Thrown> {
         let (u, v) = (Arg::new(u, "u").vector()?, Arg::new(v, "V").matrix()?);
         self.write(|slam| slam.predict_by(u, v))

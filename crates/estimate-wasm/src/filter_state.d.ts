@@ -1,7 +1,7 @@
 /** What a `KalmanFilter` holds. */
 export interface KalmanFilterState {
   version: 1
-  system: System
+  system: Record<'F' | 'G' | 'H' | 'V' | 'W', Matrix>
   belief: Belief
   logLikelihood: number | null
   /** What the last reading has told; null where none was read. */

@@ -1,42 +1,56 @@
 /** x(k+1) = F x(k) + G u(k) + v, y(k) = H x(k) + w; at most 16 states, 8 inputs, 8 outputs. */
 export interface System {
   /** How the state moves in a step, n × n. */
-  F: Matrix
+  F: Rows
   /** What an input adds to it, n × m; left out where there are no inputs. */
-  G?: Matrix
+  G?: Rows
   /** What the sensor reads of it, p × n. */
-  H: Matrix
+  H: Rows
   /** The covariance of the motion's noise v, n × n (Thrun: R, filterpy: Q). */
-  V: Matrix
+  V: Rows
   /** The covariance of the reading's noise w, p × p (Thrun: Q, filterpy: R). */
-  W: Matrix
+  W: Rows
 }
 /** A system in filterpy's letters: B is the matrix of the inputs, Q the process noise, R the noise of the reading. */
 export interface FilterpySystem {
   letters: 'filterpy'
-  F: Matrix
-  B?: Matrix
-  H: Matrix
-  Q: Matrix
-  R: Matrix
+  /** How the state moves in a step, n × n. */
+  F: Rows
+  /** What an input adds to it, n × m; left out where there are no inputs. */
+  B?: Rows
+  /** What the sensor reads of it, p × n. */
+  H: Rows
+  /** The covariance of the process noise, n × n. */
+  Q: Rows
+  /** The covariance of the reading's noise, p × p. */
+  R: Rows
 }
 /** x' = A x + B u + noise; at most 16 states, 8 inputs. */
 export interface ContinuousSystem {
   /** How fast the state changes by itself, n × n. */
-  A: Matrix
+  A: Rows
   /** What an input adds to that, n × m; left out where there are no inputs. */
-  B?: Matrix
+  B?: Rows
   /** The density of the noise: over a short time h it adds Q h to the covariance, n × n. */
-  Q: Matrix
+  Q: Rows
 }
 /** x(t + dt) = F x(t) + G u + v, Cov v = V, for an input that is held. */
 export interface DiscreteSystem {
   /** e^{A dt}, n × n. */
   F: Matrix
-  /** ∫ e^{As} B ds, n × m; as an argument, left out where there are no inputs. */
-  G?: Matrix
+  /** ∫ e^{As} B ds, n × m. */
+  G: Matrix
   /** ∫ e^{As} Q e^{Aᵀs} ds, n × n. */
   V: Matrix
+}
+/** x(k+1) = F x(k) + G u(k) + v for one step: what `discretize` answers, or matrices of one's own. */
+export interface GivenStep {
+  /** How the state moves in the step, n × n. */
+  F: Rows
+  /** What an input adds to it, n × m; left out where there are no inputs. */
+  G?: Rows
+  /** The covariance of the motion's noise v, n × n. */
+  V: Rows
 }
 export interface KalmanStep {
   /** x(k+1 | k), P(k+1 | k) */
@@ -90,7 +104,7 @@ export interface SteadyState {
 }
 export interface LocalizerOptions {
   /** Noise covariance of a reading: 2×2 for range and bearing, 1×1 for a range alone. */
-  W: Matrix
+  W: Rows
   /** A reading whose χ² is greater is left aside; null, or absent, for none. */
   gate?: number | null
   /** Default "range-bearing". */
@@ -112,7 +126,7 @@ export interface LandmarkUpdate {
 }
 export interface SlamOptions {
   /** Noise covariance of a sighting, 2×2. */
-  W: Matrix
+  W: Rows
   /** A sighting whose χ² is greater is not used; null, or absent, for none. */
   gate?: number | null
   /** A sighting whose χ² is greater for every landmark founds a new one; at least the gate, better far above it. */

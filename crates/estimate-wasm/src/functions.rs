@@ -22,9 +22,9 @@ const TYPES_OF_THE_CORE: &str = lab::written(&[&[lab::OF_THE_CORE]]).as_str();
 #[wasm_bindgen(js_name = kalmanStep, unchecked_return_type = "KalmanStep")]
 pub fn kalman_step(
     #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let (system, belief) = (system_of(system)?, belief_of(&Arg::new(belief, "belief"))?);
     let (u, y) = (Arg::new(u, "u").vector()?, Arg::new(y, "y").vector()?);
@@ -49,7 +49,7 @@ pub fn kalman_step(
 #[wasm_bindgen(js_name = kalmanReplay, unchecked_return_type = "KalmanReplay")]
 pub fn kalman_replay(
     #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Float64Array")] inputs: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "Float64Array | (PartialVector | Float64Array | null)[]")] readings: &JsValue,
 ) -> Result<JsValue, Thrown> {
@@ -80,7 +80,7 @@ pub fn kalman_replay(
 #[wasm_bindgen(js_name = kalmanSmooth, unchecked_return_type = "Belief[]")]
 pub fn kalman_smooth(
     #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "(Vector | Float64Array)[]")] us: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "(PartialVector | Float64Array | null)[]")] ys: &JsValue,
 ) -> Result<JsValue, Thrown> {
@@ -99,7 +99,7 @@ fn with_gaps(rows: &Arg<'_>, p: usize) -> Result<Vec<Vec<Option<f64>>>, Error> {
 
 /// What a system in continuous time, x' = A x + B u + noise of density Q, is over `dt` seconds, zero or more:
 /// F = e^{A dt}, G = ∫ e^{As} B ds, V = ∫ e^{As} Q e^{Aᵀs} ds. At most 16 states and 8 inputs.
-#[wasm_bindgen(unchecked_return_type = "Required<DiscreteSystem>")]
+#[wasm_bindgen(unchecked_return_type = "DiscreteSystem")]
 pub fn discretize(
     #[wasm_bindgen(unchecked_param_type = "ContinuousSystem")] system: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "number")] dt: &JsValue,
@@ -114,10 +114,10 @@ pub fn discretize(
 #[wasm_bindgen(js_name = observerStep, unchecked_return_type = "Vector")]
 pub fn observer_step(
     #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
-    #[wasm_bindgen(js_name = K, unchecked_param_type = "Matrix")] k: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+    #[wasm_bindgen(js_name = K, unchecked_param_type = "Rows")] k: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] x: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let (k, x) = (Arg::new(k, "K").matrix()?, Arg::new(x, "x").vector()?);
     let (system, u, y) = (system_of(system)?, Arg::new(u, "u").vector()?, Arg::new(y, "y").vector()?);
@@ -128,7 +128,7 @@ pub fn observer_step(
 #[wasm_bindgen(js_name = errorEigenvalues, unchecked_return_type = "Complex[]")]
 pub fn error_eigenvalues(
     #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
-    #[wasm_bindgen(js_name = K, unchecked_param_type = "Matrix")] k: &JsValue,
+    #[wasm_bindgen(js_name = K, unchecked_param_type = "Rows")] k: &JsValue,
 ) -> Result<JsValue, Thrown> {
     Ok(shown(&dynamic::error_eigenvalues(&system_of(system)?, Arg::new(k, "K").matrix()?)?))
 }
@@ -137,8 +137,8 @@ pub fn error_eigenvalues(
 /// most 16 states and 8 outputs.
 #[wasm_bindgen(unchecked_return_type = "Observability")]
 pub fn observability(
-    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
-    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
+    #[wasm_bindgen(js_name = F, unchecked_param_type = "Rows")] f: &JsValue,
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Rows")] h: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let tolerance = number_or(tolerance, "tolerance", 1e-9)?;
@@ -158,7 +158,7 @@ pub fn observability(
 #[wasm_bindgen(js_name = steadyStateGain, unchecked_return_type = "SteadyState")]
 pub fn steady_state_gain(
     #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
-    #[wasm_bindgen(js_name = P0, unchecked_param_type = "Matrix")] p0: &JsValue,
+    #[wasm_bindgen(js_name = P0, unchecked_param_type = "Rows")] p0: &JsValue,
     #[wasm_bindgen(js_name = maxIterations, unchecked_optional_param_type = "number")] max_iterations: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
 ) -> Result<JsValue, Thrown> {
@@ -193,7 +193,7 @@ pub fn steady_state_gain(
 #[wasm_bindgen(js_name = gainSchedule, unchecked_return_type = "Matrix[]")]
 pub fn gain_schedule(
     #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
-    #[wasm_bindgen(js_name = P0, unchecked_param_type = "Matrix")] p0: &JsValue,
+    #[wasm_bindgen(js_name = P0, unchecked_param_type = "Rows")] p0: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "number")] steps: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let steps = Arg::new(steps, "steps").whole(1, estimate::riccati::MAX_STEPS as u32)?;
@@ -204,7 +204,7 @@ pub fn gain_schedule(
 /// The ellipse {x : xᵀP⁻¹x = radius²} of a 2×2 covariance; the radius is 1 when left out.
 #[wasm_bindgen(js_name = covarianceEllipse, unchecked_return_type = "Ellipse")]
 pub fn covariance_ellipse(
-    #[wasm_bindgen(js_name = P, unchecked_param_type = "Matrix")] p: &JsValue,
+    #[wasm_bindgen(js_name = P, unchecked_param_type = "Rows")] p: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] radius: &JsValue,
 ) -> Result<JsValue, Thrown> {
     Ok(shown(&dynamic::covariance_ellipse(Arg::new(p, "P").matrix()?, number_or(radius, "radius", 1.0)?)?))
@@ -213,9 +213,9 @@ pub fn covariance_ellipse(
 /// The point of Ω = {x : Hx = y} nearest to `x` in the Euclidean metric; at most 16 states and 8 outputs.
 #[wasm_bindgen(js_name = euclideanFoot, unchecked_return_type = "Vector")]
 pub fn euclidean_foot(
-    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Rows")] h: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] x: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let (h, x, y) = (Arg::new(h, "H").tall()?, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?);
     Ok(list(dynamic::euclidean_foot(h, x, y)?.as_slice()))
@@ -224,10 +224,10 @@ pub fn euclidean_foot(
 /// The point of Ω = {x : Hx = y} nearest to `x` in the Mahalanobis metric of `P`; at most 16 states and 8 outputs.
 #[wasm_bindgen(js_name = mahalanobisFoot, unchecked_return_type = "Vector")]
 pub fn mahalanobis_foot(
-    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
-    #[wasm_bindgen(js_name = P, unchecked_param_type = "Matrix")] p: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Rows")] h: &JsValue,
+    #[wasm_bindgen(js_name = P, unchecked_param_type = "Rows")] p: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] x: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let (h, p) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?);
     Ok(list(dynamic::mahalanobis_foot(h, p, Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?)?.as_slice()))
@@ -237,11 +237,11 @@ pub fn mahalanobis_foot(
 /// states and 8 outputs.
 #[wasm_bindgen(js_name = mostLikelyOutput, unchecked_return_type = "Vector")]
 pub fn most_likely_output(
-    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
-    #[wasm_bindgen(js_name = P, unchecked_param_type = "Matrix")] p: &JsValue,
-    #[wasm_bindgen(js_name = W, unchecked_param_type = "Matrix")] w: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] x: &JsValue,
-    #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Rows")] h: &JsValue,
+    #[wasm_bindgen(js_name = P, unchecked_param_type = "Rows")] p: &JsValue,
+    #[wasm_bindgen(js_name = W, unchecked_param_type = "Rows")] w: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] x: &JsValue,
+    #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let (h, p, w) = (Arg::new(h, "H").tall()?, Arg::new(p, "P").matrix()?, Arg::new(w, "W").matrix()?);
     let (x, y) = (Arg::new(x, "x").vector()?, Arg::new(y, "y").vector()?);

@@ -26,7 +26,7 @@ impl KalmanFilter {
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem")] system: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
     ) -> Result<KalmanFilter, Thrown> {
         let filter = Filter::new(&system_of(system)?, &belief_of(&Arg::new(belief, "belief"))?)?;
         Ok(Self(Held::new(CLASS, filter)))
@@ -37,7 +37,7 @@ impl KalmanFilter {
     pub fn predict(
         &self,
         #[wasm_bindgen(unchecked_optional_param_type = "Vector | Float64Array")] u: &JsValue,
-        #[wasm_bindgen(unchecked_optional_param_type = "DiscreteSystem")] step: &JsValue,
+        #[wasm_bindgen(unchecked_optional_param_type = "GivenStep")] step: &JsValue,
     ) -> Result<(), Thrown> {
         let u = if u.is_undefined() { Vec::new() } else { Arg::new(u, "u").short()? };
         if step.is_undefined() {

@@ -1,7 +1,7 @@
 /** A function from the numbers of a state to those of a state, or of a reading. */
 export type Model = (x: Vector) => Vector | Float64Array
 /** The Jacobian of a `Model`, an array of rows. */
-export type ModelJacobian = (x: Vector) => Matrix
+export type ModelJacobian = (x: Vector) => Rows
 export interface OwnStateOptions {
   /** The indices of x, from 0, that are angles: they are kept in (−π, π], and differences go the short way round. */
   angles?: number[]

@@ -39,7 +39,7 @@ impl ExtendedKalmanFilter {
     /// The filter with the belief before the first step.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "OwnStateOptions")] options: &JsValue,
     ) -> Result<ExtendedKalmanFilter, Thrown> {
         let belief = belief_of(&Arg::new(belief, "belief"))?;
@@ -53,7 +53,7 @@ impl ExtendedKalmanFilter {
     pub fn predict(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Model")] f: &JsValue,
-        #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
+        #[wasm_bindgen(js_name = V, unchecked_param_type = "Rows")] v: &JsValue,
         #[wasm_bindgen(js_name = F, unchecked_optional_param_type = "ModelJacobian")] jacobian: &JsValue,
     ) -> Result<(), Thrown> {
         let (f, v) = (function(f, "f")?, Arg::new(v, "V").matrix()?);
@@ -73,7 +73,7 @@ impl ExtendedKalmanFilter {
         &self,
         #[wasm_bindgen(unchecked_param_type = "PartialVector | Float64Array")] y: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Model")] h: &JsValue,
-        #[wasm_bindgen(js_name = W, unchecked_param_type = "Matrix")] w: &JsValue,
+        #[wasm_bindgen(js_name = W, unchecked_param_type = "Rows")] w: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "OwnUpdateOptions")] options: &JsValue,
     ) -> Result<JsValue, Thrown> {
         let (reading, h) = (Told::new(y, w, options, &["angles", "gate", "H"])?, function(h, "h")?);
@@ -125,7 +125,7 @@ impl UnscentedKalmanFilter {
     /// The filter with the belief before the first step.
     #[wasm_bindgen(constructor)]
     pub fn new(
-        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "UnscentedOptions")] options: &JsValue,
     ) -> Result<UnscentedKalmanFilter, Thrown> {
         let belief = belief_of(&Arg::new(belief, "belief"))?;
@@ -144,7 +144,7 @@ impl UnscentedKalmanFilter {
     pub fn predict(
         &self,
         #[wasm_bindgen(unchecked_param_type = "Model")] f: &JsValue,
-        #[wasm_bindgen(js_name = V, unchecked_param_type = "Matrix")] v: &JsValue,
+        #[wasm_bindgen(js_name = V, unchecked_param_type = "Rows")] v: &JsValue,
     ) -> Result<(), Thrown> {
         let (f, v) = (function(f, "f")?, Arg::new(v, "V").matrix()?);
         self.0.write(UNSCENTED, |filter: &mut Unscented| filter.predict(&mut |x| called(&f, x, "f(x)"), v))
@@ -156,7 +156,7 @@ impl UnscentedKalmanFilter {
         &self,
         #[wasm_bindgen(unchecked_param_type = "PartialVector | Float64Array")] y: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "Model")] h: &JsValue,
-        #[wasm_bindgen(js_name = W, unchecked_param_type = "Matrix")] w: &JsValue,
+        #[wasm_bindgen(js_name = W, unchecked_param_type = "Rows")] w: &JsValue,
         #[wasm_bindgen(unchecked_optional_param_type = "UnscentedUpdateOptions")] options: &JsValue,
     ) -> Result<JsValue, Thrown> {
         let (reading, h) = (Told::new(y, w, options, &["angles", "gate"])?, function(h, "h")?);

@@ -15,8 +15,8 @@ const TYPES: &str = include_str!("placement.d.ts");
 /// states. Where F is singular one eigenvalue is 0 whatever K is, and 0 must be among the poles.
 #[wasm_bindgen(js_name = placeObserverGain, unchecked_return_type = "Matrix")]
 pub fn place_observer_gain(
-    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
-    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
+    #[wasm_bindgen(js_name = F, unchecked_param_type = "Rows")] f: &JsValue,
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Rows")] h: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "(number | Complex)[]")] poles: &JsValue,
 ) -> Result<JsValue, Thrown> {
     let poles = poles_of(poles)?;
@@ -29,8 +29,8 @@ pub fn place_observer_gain(
 /// states and 8 outputs.
 #[wasm_bindgen(js_name = placeMovable, unchecked_return_type = "Placement")]
 pub fn place_movable(
-    #[wasm_bindgen(js_name = F, unchecked_param_type = "Matrix")] f: &JsValue,
-    #[wasm_bindgen(js_name = H, unchecked_param_type = "Matrix")] h: &JsValue,
+    #[wasm_bindgen(js_name = F, unchecked_param_type = "Rows")] f: &JsValue,
+    #[wasm_bindgen(js_name = H, unchecked_param_type = "Rows")] h: &JsValue,
     #[wasm_bindgen(unchecked_param_type = "(number | Complex)[]")] poles: &JsValue,
     #[wasm_bindgen(unchecked_optional_param_type = "number")] tolerance: &JsValue,
 ) -> Result<JsValue, Thrown> {

@@ -19,11 +19,11 @@ export interface ProgramFault {
 /** What a robot's step stands on: one sighting of a landmark that is known. */
 export interface RobotSystem {
   /** The covariance of the motion's noise, 3 × 3. */
-  V: Matrix
+  V: Rows
   /** The covariance of a sighting, of range and bearing, 2 × 2. */
-  W: Matrix
+  W: Rows
   /** Where the landmark stands, x and y. */
-  landmark: Vector
+  landmark: Vector | Float64Array
   /** χ² beyond which a sighting is refused, for programs that ask. */
   gate?: number
 }

@@ -88,9 +88,9 @@ impl Program {
     pub fn step(
         &self,
         #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem | RobotSystem")] system: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
     ) -> Result<JsValue, Thrown> {
         self.stepped(system, belief, u, y, answer)
     }
@@ -154,9 +154,9 @@ impl Program {
     pub fn lines(
         &self,
         #[wasm_bindgen(unchecked_param_type = "System | FilterpySystem | RobotSystem")] system: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Vector")] u: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Vector")] y: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] u: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "Vector | Float64Array")] y: &JsValue,
     ) -> Result<JsValue, Thrown> {
         self.stepped(system, belief, u, y, lines)
     }

@@ -42,7 +42,7 @@ impl Timeline {
     #[wasm_bindgen(constructor)]
     pub fn new(
         #[wasm_bindgen(unchecked_param_type = "ContinuousSystem")] system: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "Belief")] belief: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "GivenBelief")] belief: &JsValue,
         #[wasm_bindgen(unchecked_param_type = "TimelineOptions")] options: &JsValue,
     ) -> Result<Timeline, Thrown> {
         let (system, belief) = (continuous_of(system)?, belief_of(&Arg::new(belief, "belief"))?);

@@ -2,12 +2,21 @@
 export type Vector = number[]
 /** A reading, of which a part that is null was not made. */
 export type PartialVector = (number | null)[]
-/** An array of rows; as an argument at most 16 rows and 16 columns. */
+/** An array of rows. */
 export type Matrix = number[][]
+/** A matrix as an argument: an array of rows, each an array or a Float64Array; at most 16 rows and 16 columns. */
+export type Rows = (Vector | Float64Array)[]
 /** N(x, P). */
 export interface Belief {
   x: Vector
   P: Matrix
+}
+/** A `Belief` as an argument. */
+export interface GivenBelief {
+  /** The mean. */
+  x: Vector | Float64Array
+  /** The covariance, n × n. */
+  P: Rows
 }
 /** Why a call was refused. Everything it could have changed is as it was. A method called after `free()`, or on what is
     no object of this module, throws wasm-bindgen's own error instead.

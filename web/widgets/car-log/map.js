@@ -47,6 +47,8 @@ export function drawMap({ pen, width, height }, frame, view) {
       labels.push({ key: 'alone', words: 'speed and turn alone', at: place(reckoning, 0.8), kin: 'prediction' })
     if (frame.params.fixes !== 'none' && estimate.x.length > 0)
       labels.push({ key: 'estimate-name', words: 'estimate', at: place(estimate, 0.3), kin: 'posterior' })
+    if (smoothed.x.length > 0)
+      labels.push({ key: 'smoothed-name', words: 'the track afterwards', at: place(smoothed, 0.6), kin: 'posterior' })
     if (withheld.x.length > 0)
       labels.push({ key: 'withheld-name', words: 'withheld', at: place(withheld, 0.5), kin: 'truth' })
     drawLabels(pen, box, labels)

@@ -49,6 +49,9 @@ function readouts(frame) {
 
 const rate = (/** @type {number} */ value) => (value === 0 ? 'none' : `${value} a second`)
 
+/** A gap as it opens, from when to when, seconds. */
+const GAP = [8, 13]
+
 /** @type {import('../../figure/controls.js').Control[]} */
 const controls = [
   { kind: 'choice', name: 'way', label: 'What is late is taken', options: WAYS },
@@ -70,6 +73,14 @@ const controls = [
       { value: 'steady', label: 'Steadily' },
       { value: 'to-and-fro', label: 'To and fro' },
     ],
+    more: true,
+  },
+  {
+    kind: 'toggle',
+    name: 'gap',
+    label: 'a gap, in which nothing is read',
+    get: ({ gap }) => gap !== null,
+    set: (on) => ({ gap: on ? GAP : null }),
     more: true,
   },
   { kind: 'toggle', name: 'smooth', label: 'the best track afterwards', more: true },
@@ -110,7 +121,7 @@ const tries = [
     name: 'gap',
     label: 'A gap, and the track afterwards',
     // In hand is a reading from before the gap.
-    change: () => ({ ...usual, way: 'go-back', delay: 0.6, gap: [8, 13], picked: 4, smooth: true }),
+    change: () => ({ ...usual, way: 'go-back', delay: 0.6, gap: GAP, picked: 4, smooth: true }),
   },
 ]
 

@@ -6,6 +6,7 @@ import { rounded } from '../../draw/scale.js'
 import { band, empty, rule } from '../../draw/statistics.js'
 import { apart } from '../../draw/time-plot.js'
 import { belongs, looksOf, nameOf, nearest, numbersOf, spanOf, touchedIn } from './looks.js'
+import { drawWithheld } from './withheld.js'
 import { clock, expecting, unread } from './words.js'
 
 /** @typedef {import('./looks.js').Frame} Frame */
@@ -287,6 +288,7 @@ function draw({ pen, width, height }, frame, [low, high], title, paint, log = fa
   pen.draw(() => {
     axes(pen, plane, { title, ticks: [5, 4], zero: low < 0 })
     pen.text('unit', { class: 'axis-name', x: width - 2, y: box.bottom + 15, 'text-anchor': 'end' }, 'min')
+    drawWithheld(pen, plane, frame)
     paint(pen, plane)
   })
 }

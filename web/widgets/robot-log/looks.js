@@ -17,8 +17,8 @@
  */
 /** @typedef {{ motion: string, names: string[] }} Log what panels need of a log’s contents */
 /**
- * @typedef {LogFrame & { looks?: Looks, log?: Log | null }} Frame with the contents of its log, one object for
- * a log
+ * @typedef {LogFrame & { looks?: Looks, log?: (Log & { span: [number, number] }) | null }} Frame
+ * with the contents of its log, one object for a log
  */
 
 /** @type {Looks} */

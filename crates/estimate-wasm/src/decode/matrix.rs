@@ -41,16 +41,13 @@ impl Arg<'_> {
         (0..length).map(|i| self.entry(i)?.number()).collect()
     }
 
-    /// A vector.
+    /// A vector: an array or a Float64Array.
     pub fn vector(&self) -> Result<DVector<f64>, Error> {
-        match self.plain(|arrays| arrays.vector()) {
-            Some(vector) => Ok(vector),
-            None => self.numbers().map(DVector::from_vec),
-        }
+        self.short().map(DVector::from_vec)
     }
 
-    /// An array of rows of one length. One too large is of the wrong shape: another argument says what its sides must
-    /// be.
+    /// An array of rows of one length, each an array or a Float64Array. One too large is of the wrong shape: another
+    /// argument says what its sides must be.
     pub fn matrix(&self) -> Result<DMatrix<f64>, Error> {
         self.matrix_within(Code::Shape, Code::Shape)
     }
@@ -72,6 +69,9 @@ impl Arg<'_> {
         }
         let numbers = |i: u32| {
             let row = self.entry(i)?;
+            if !row.array()? {
+                return row.short_floats();
+            }
             row.first_numbers(self.side(row.length()?, wide, "columns")?)
         };
         let count = self.side(self.length()?, tall, "rows")?;

@@ -105,7 +105,7 @@ impl Arg<'_> {
         room.get(..length).map(<[f64]>::to_vec)
     }
 
-    fn short_floats(&self) -> Result<Vec<f64>, Error> {
+    pub(super) fn short_floats(&self) -> Result<Vec<f64>, Error> {
         self.floats(MAX_SIDE).map_err(|error| match error.code {
             Code::Type => self.wrong_type("an array of numbers or a Float64Array"),
             _ => error,

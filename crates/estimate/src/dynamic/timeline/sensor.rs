@@ -36,7 +36,9 @@ pub struct Sensor<H = DMatrix<f64>> {
 pub struct Memory {
     /// How much older than the latest event another may be, in seconds.
     pub window: f64,
-    /// How many events within the window are kept, from 1 to [`MAX_CAPACITY`].
+    /// How many events within the window are kept, from 1 to [`MAX_CAPACITY`]. It bounds the work of a call: what comes
+    /// late has all that are later replayed. So n that come in reversed order, by their times or by their ids at one
+    /// time, have n²/2 replayed in all.
     pub capacity: usize,
 }
 
