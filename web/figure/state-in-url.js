@@ -4,7 +4,7 @@ const VERSION = 1
 /** The last step that a lab runs to. */
 export const LAST_STEP = 100_000
 /** The last step of any lab: a log may be longer. */
-const MOST_STEPS = 2_000_000
+export const MOST_STEPS = 2_000_000
 const MAX_LENGTH = 7000
 
 /** @typedef {{ version: number, lab: string, params: Record<string, unknown>, step: number }} State */
