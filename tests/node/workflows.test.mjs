@@ -37,7 +37,7 @@ test('every push and pull request runs all tests, the thirteen checks by wasm-pa
   )
   assert.match(script, /^exec scripts\/test --ci "\$@"$/m)
   assert.match(tests, /^ +--ci\) with_wasm=yes ;;$/m)
-  assert.match(tests, /^ +wasm-pack .*test --node .*tests -- --test thirteen_checks$/m)
+  assert.match(tests, /^ +wasm-pack .*test --node .*tests --test thirteen_checks$/m)
 })
 
 test('on a tag the release is made by the script that a person runs, with the releases before it at hand', () => {
