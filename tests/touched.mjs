@@ -1,7 +1,8 @@
 // Which tests a change can touch, for `scripts/test --changed`. Where only folders of figures and tests have changed,
 // it is those tests; the tests that reach one of the figures, by its name or by a file of it, themselves or through
-// what they import; and of those that go through all figures the tests of these figures. Whatever else has changed may
-// touch any test; CI runs all of them at each push.
+// what they import; and of those that go through all figures the tests of these figures. A browser that opens every
+// figure for the sake of one is left to CI, which runs all tests at each push. Whatever else has changed may touch any
+// test.
 import { existsSync, readFileSync, readdirSync } from 'node:fs'
 import path from 'node:path'
 import { FIGURES } from '../target/figures.js'
@@ -71,13 +72,16 @@ function figuresOf(changed) {
   return FIGURES.filter((figure) => own.includes(figure.name) || others.includes(figure))
 }
 
+/** Ahead of a name that is meant: not of a word that something is compared with, or one of the words of a type. */
+const NAMED = '(?<!(?:[!=]==|\\|) )'
+
 /** The names of figures where a file speaks of them. @param {{ name: string, tag: string }[]} figures */
 const namesOf = (figures) =>
   new RegExp(
     figures
       .flatMap(({ name, tag }) => [
-        `'${name}'`,
-        `'${tag}'`,
+        `${NAMED}'${name}'`,
+        `${NAMED}'${tag}'`,
         `\\b(?:widgets|figure)/${name}/`,
         `\\bWIDGETS\\.${name}\\b`,
       ])
@@ -95,8 +99,9 @@ function speaksOf(figures) {
  * name. Those whose title has the name of the figure are found by that.
  * @param {string} text of the file
  * @param {RegExp} speaks
+ * @param {boolean} ofList whether those that go through the whole list are wanted
  */
-function titlesOf(text, speaks) {
+function titlesOf(text, speaks, ofList) {
   return text.split(/\n(?=(?:test\(|for \())/).flatMap((chunk) =>
     chunk.split(/(?=^ *test\()/m).flatMap((part, at, parts) => {
       const title = /^ *test\(\s*(['"`])(.*?)\1,/s.exec(part)?.[2]
@@ -104,7 +109,7 @@ function titlesOf(text, speaks) {
       const head = at > 0 && !parts[0].startsWith('test(') ? parts[0] : ''
       const named = /\$\{(tag|name)\}/.test(title) || (/\$\{at\}/.test(title) && /FIGURE_PAGES/.test(head))
       const body = part.split(new RegExp(`^${/^ */.exec(part)?.[0]}\\}`, 'm'))[0]
-      if (named || !(speaks.test(head + body) || WHOLE_LIST.test(body))) return []
+      if (named || !(speaks.test(head + body) || (ofList && WHOLE_LIST.test(body)))) return []
       const literal = title.split(/\$\{[^}]*\}/).map((words) => words.replace(/[.*+?^${}()|[\]\\/]/g, '\\$&'))
       return [`^${literal.join('.*')}$`]
     }),
@@ -141,7 +146,7 @@ export function touched(folder, changed) {
     if (tests.has(name) || reaches) whole.push(name)
     else if (ofAll && figures.length > 0) {
       parts.push(name)
-      titles.push(...titlesOf(text, speaks))
+      titles.push(...titlesOf(text, speaks, path.basename(folder) === 'node'))
     }
   }
   return { whole, parts, pattern: [...new Set(titles)].join('|') }

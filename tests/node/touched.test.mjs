@@ -47,14 +47,7 @@ const TITLES = [
   ],
   ['observer-bench', browser, 'stages', 'a link to a state opens the whole figure, and so does its own page'],
   ['observer-bench', browser, 'stages', 'on a phone the ellipse stays in sight while the knob is turned, and one'],
-  [
-    'cart-copy',
-    browser,
-    'stages',
-    'on a phone held across, each figure’s picture stays in sight beside its last slider',
-  ],
   ['observer-bench', browser, 'firefox', 'the keys turn the knob in Firefox'],
-  ['two-carts', browser, 'stills', 'at 390 px a still has the places and the height of the figure that comes to life'],
 ]
 for (const [figure, folder, name, begins] of TITLES) {
   test(`a change of ${figure} runs “${begins.slice(0, 50)}…” of ${name}`, () => {
@@ -67,3 +60,9 @@ for (const [figure, folder, name, begins] of TITLES) {
     assert.match(title, new RegExp(pattern))
   })
 }
+
+test('no browser opens every figure for a change of one, and a word that is compared is no name of a figure', () => {
+  const { whole, pattern } = touched(browser, ['web/widgets/touch/words.js'])
+  assert.ok(whole.includes('small') && !whole.includes('own-time'), `${whole}`)
+  assert.doesNotMatch('on a phone held across, each figure’s picture stays in sight', new RegExp(pattern))
+})
