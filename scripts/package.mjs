@@ -4,6 +4,7 @@ import { cpSync, readFileSync, readdirSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { fileURLToPath } from 'node:url'
+import { FIGURES } from '../target/figures.js'
 
 const root = path.resolve(path.dirname(fileURLToPath(import.meta.url)), '..')
 const [parts, out] = [path.join(root, 'target/npm/parts'), path.join(root, 'target/npm/package')]
@@ -122,27 +123,17 @@ for (const entry of ENTRIES) writeEntry(entry)
 
 // ── The digests of the reference runs, as the native code has them; but those over a robot's log, which the package
 // does not hold. ──
-const labs = Object.fromEntries(
-  namesOf(core).flatMap((name) => {
-    try {
-      const lab = new core[name]()
-      return lab.digest ? [[lab.state().lab, name]] : []
-    } catch {
-      return []
-    }
-  }),
-)
-const overLogs = namesOf(core)
-  .filter((name) => core[name].parse)
-  .map((name) => name.replace(/\B[A-Z]/g, '-$&').toLowerCase())
+const classes = new Map(FIGURES.map(({ name, lab }) => [name, lab]))
+const overLogs = FIGURES.filter(({ world }) => world).map(({ name }) => name)
 const digests = read('digests')
   .trim()
   .split('\n')
   .filter((line) => !overLogs.includes(line.split(' ')[0]))
   .map((line) => {
     const [lab, digest, params] = line.split(' ')
-    if (!labs[lab]) throw new Error(`the module has no lab ${lab}`)
-    return { class: labs[lab], params: JSON.parse(params), steps: 10_000, digest }
+    const known = classes.get(lab) ?? ''
+    if (!core[known]) throw new Error(`the module has no lab ${lab}`)
+    return { class: known, params: JSON.parse(params), steps: 10_000, digest }
   })
 write('digests.json', `${JSON.stringify(digests, null, 2)}\n`)
 

@@ -7,22 +7,6 @@ import { PHONE, open, root } from './harness.mjs'
 
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
 
-test('one check by its number is that check of the thirteen, to the last bit', () => {
-  const all = core.chapterChecks()
-  assert.deepEqual(
-    all.map(({ id }) => id),
-    Array.from({ length: 13 }, (_, i) => i + 1),
-  )
-  for (const check of all) {
-    assert.ok(check.passed, check.title)
-    assert.deepEqual(core.chapterCheck(check.id), check)
-  }
-  for (const id of [0, 14, -1, 2 ** 40])
-    assert.throws(() => core.chapterCheck(id), { name: 'EstimateError', code: 'index', argument: 'id' })
-  for (const id of ['1', null, undefined, 1.5])
-    assert.throws(() => core.chapterCheck(id), { name: 'EstimateError', code: 'type', argument: 'id' })
-})
-
 test('on a phone the values of the build and of the browser are on the screen', async (t) => {
   const page = await open(t, { at: 'check/', viewport: PHONE, touch: true })
   await page.getByRole('button', { name: 'Run the checks here' }).tap()

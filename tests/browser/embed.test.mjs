@@ -4,13 +4,11 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { HEAP } from '../heap.mjs'
 import { around, changes, lively, stateOf } from './embedding.mjs'
-import { pageOf, quiet, stage, tagOf } from './harness.mjs'
+import { codeOf, pageOf, quiet, stage, stateIn, tagOf } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 /** What the pages with figures call themselves. */
 const NAMES = { 'kalman/': /chapter 15/, 'kalman/filter/': /chapter 15/, 'system/': /Your own system/ }
-
-const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
 
 for (const name of Object.keys(WIDGETS)) {
   test(`the ${name} lives in a sandboxed frame of another origin`, async (t) => {
@@ -170,7 +168,7 @@ for (const name of Object.keys(WIDGETS)) {
 test('in a frame a link is shown where the clipboard is closed, and there is nothing to download', async (t) => {
   const { site } = await stage()
   const { frame } = await around(t, {
-    src: `${site.url}figure/observer-bench/?fig-limit=${code([1, 'observer-bench', 20, { gain: 2.5 }])}`,
+    src: `${site.url}figure/observer-bench/?fig-limit=${codeOf('observer-bench', 20, { gain: 2.5 })}`,
   })
   const bench = await lively(frame, 'observer-bench')
   assert.deepEqual(
@@ -182,12 +180,12 @@ test('in a frame a link is shown where the clipboard is closed, and there is not
   await bench.getByRole('button', { name: 'Copy link to this state' }).click()
   const link = new URL(await bench.locator('.copy-box textarea').inputValue())
   assert.equal(link.pathname, `${new URL(site.url).pathname}figure/observer-bench/`)
-  assert.equal(JSON.parse(String(Buffer.from(link.searchParams.get('fig-limit'), 'base64url')))[2], 20)
+  assert.equal(stateIn(link, 'fig-limit').step, 20)
 })
 
 test('a long run in a frame is computed in slices, without a worker', async (t) => {
   const { site } = await stage()
-  const state = code([1, 'observability-probe', 60_000, HEAP])
+  const state = codeOf('observability-probe', 60_000, HEAP)
   const { frame } = await around(t, { src: `${site.url}figure/observability-probe/?fig-probe=${state}` })
   const probe = await lively(frame, 'observability-probe')
   await probe
@@ -210,7 +208,7 @@ test('in a frame the likelihood’s map is filled in slices, without a worker, a
   assert.equal(page.workers().length, 0)
 
   const other = await around(t, {
-    src: `${site.url}figure/loop-closure/?fig-loop=${code([1, 'loop-closure', 112, {}])}`,
+    src: `${site.url}figure/loop-closure/?fig-loop=${codeOf('loop-closure', 112, {})}`,
   })
   const loop = await lively(other.frame, 'loop-closure')
   assert.equal(JSON.parse(await stateOf(loop)).step, 112)

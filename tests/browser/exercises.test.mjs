@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import path from 'node:path'
-import { comeTo, EXERCISES, figure, open, root } from './harness.mjs'
+import { codeOf, comeTo, EXERCISES, figure, open, root } from './harness.mjs'
 
 const keyOf = (form) =>
   form.evaluate(({ dataset }) =>
@@ -267,7 +267,7 @@ test('an old address of an exercise, a question or an answer leads to its page, 
     await page.locator(`.exercise #${id}, .exercise#${id}`).waitFor()
   }
   await there('ex-ghost')
-  const state = Buffer.from(JSON.stringify([1, 'observability-probe', 3, {}])).toString('base64url')
+  const state = codeOf('observability-probe', 3)
   const chapter = page.url().replace(/exercises\/.*/, '')
   await page.goto(`${chapter}?fig-probe=${state}#quiz-ghost-state`)
   await there('quiz-ghost-state')

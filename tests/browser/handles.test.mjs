@@ -2,7 +2,7 @@
 // words, moved by the keys; and under a finger only the handle itself holds the page.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { figure, openFigure, PHONE, quiet, tagOf } from './harness.mjs'
+import { figure, openFigure, PHONE, quiet, settled, tagOf } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 /** Figures of which a panel has handles when they open, known before the first test: nothing is awaited after that. */
@@ -204,15 +204,7 @@ test('on a slow machine plots, numbers and labels come after the hand, and come'
             `${part.querySelector('[class*=curve]')?.getAttribute('d')}`,
         ),
     )
-  const settled = () =>
-    it.evaluate(
-      (host) =>
-        new Promise((done) => {
-          const look = () => (host.settled ? done(true) : requestAnimationFrame(look))
-          requestAnimationFrame(look)
-        }),
-    )
-  await settled()
+  await settled(it)
   const late = await shown()
   // The same state by another way: opened from a link, on a machine that is not slow.
   await wire.send('Emulation.setCPUThrottlingRate', { rate: 1 })
@@ -220,7 +212,7 @@ test('on a slow machine plots, numbers and labels come after the hand, and come'
   const link = await page.evaluate(() => navigator.clipboard.readText())
   await page.goto(link)
   await figure(page, 'observability-probe')
-  await settled()
+  await settled(it)
   const fresh = await shown()
   assert.deepEqual(late, fresh)
   assert.ok(late.length > 3 && late.every((words) => words.length > 20))

@@ -5,6 +5,7 @@ import assert from 'node:assert/strict'
 import { existsSync } from 'node:fs'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
+import { readState, withState } from '../../web/figure/state-in-url.js'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, DESKTOP, dist, HANGS_MS, tagOf } from './places.mjs'
 
 export * from './places.mjs'
@@ -151,6 +152,24 @@ export async function figure(page, name) {
   })
   await page.waitForFunction((of) => document.querySelector(of).settled, tag)
   return element
+}
+
+/** Waits until nothing is left to compute in a figure, and what was computed is on the screen. */
+export const settled = (it) =>
+  it.evaluate(async (host) => {
+    do await new Promise((resolve) => requestAnimationFrame(resolve))
+    while (host.figure.asked || !host.settled)
+  })
+
+/** A state as an address holds it. */
+export const codeOf = (lab, step, params = {}) =>
+  new URL(withState('https://any/', 'it', { version: 1, lab, step, params })).searchParams.get('it')
+
+/** The state that a link holds for the figure `id`. @param {string | URL} link @param {string} id */
+export function stateIn(link, id) {
+  const state = readState(String(link), id)
+  assert.ok(state && state !== 'mangled', `a state of ${id} in ${link}`)
+  return state
 }
 
 /** Commits to some answer where a question locks the figure `id`. */

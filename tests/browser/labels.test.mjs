@@ -5,7 +5,7 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { FIGURES } from '../../target/figures.js'
-import { openFigure, RELEASE, root } from './harness.mjs'
+import { openFigure, RELEASE, root, settled } from './harness.mjs'
 import { STATES } from './label-states.mjs'
 
 const core = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
@@ -63,19 +63,14 @@ for (const { name: tag, lab } of FIGURES) {
             if (change) host.figure.change(change)
             // A new width is noticed at the end of a frame, and drawn in the next.
             await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
-            do await new Promise((resolve) => requestAnimationFrame(resolve))
-            while (host.figure.asked || !host.settled)
           },
           Object.keys(state).length ? state : null,
         )
+        await settled(it)
         for (const fault of await it.evaluate(faults)) found.push(`${width} px, ${JSON.stringify(state)}: ${fault}`)
       }
       await it.evaluate(
-        async (host, start) => {
-          host.figure.change(start)
-          do await new Promise((resolve) => requestAnimationFrame(resolve))
-          while (host.figure.asked || !host.settled)
-        },
+        (host, start) => host.figure.change(start),
         await it.evaluate((host) => ({
           ...Object.fromEntries(
             Object.values(host.figure.shell.limits).map(({ name, default: value }) => [name, value]),
@@ -83,6 +78,7 @@ for (const { name: tag, lab } of FIGURES) {
           step: host.figure.spec.start.step,
         })),
       )
+      await settled(it)
     }
     assert.deepEqual([...new Set(found)].slice(0, 30), [], `${found.length} in all`)
   })

@@ -4,13 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import path from 'node:path'
-import { comeTo, EXERCISES, figure, frameOf, open, openFigure, root } from './harness.mjs'
-
-const settled = (it) =>
-  it.evaluate(async (host) => {
-    do await new Promise((resolve) => requestAnimationFrame(resolve))
-    while (host.figure.asked || !host.settled)
-  })
+import { comeTo, EXERCISES, figure, frameOf, open, openFigure, root, settled } from './harness.mjs'
 
 test('the module with the labs of late figures is fetched when one of them comes near, and not before', async (t) => {
   const late = readFileSync(path.join(root, 'target/pkg/late/estimate_wasm_bg.wasm')).length

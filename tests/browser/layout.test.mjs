@@ -1,7 +1,12 @@
 // From 320 px up nothing makes a page scroll sideways; what is wide scrolls inside its own box.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { FIGURE_PAGES, PAGES, PHONE, figure, layOut, open, unlock, walkDown } from './harness.mjs'
+import { FIGURE_PAGES, PAGES, PHONE, figure, layOut, open, pageOf, unlock, walkDown } from './harness.mjs'
+import { WIDGETS } from '../../web/widgets/index.js'
+
+/** Figures that can play, known before the first test: nothing is awaited after that. */
+const PLAYED = []
+for (const [tag, load] of Object.entries(WIDGETS)) if (!(await load()).timeless) PLAYED.push(tag)
 
 /** How far the page goes on beyond its right edge, and what stands there. */
 const beyond = (page) =>
@@ -90,9 +95,9 @@ test('the contents called up on a phone are whole', async (t) => {
   assert.deepEqual(cut, [])
 })
 
-for (const tag of ['observer-bench', 'odometry-hook', 'observability-probe']) {
+for (const tag of PLAYED) {
   test(`the page stays where it is while the ${tag} plays`, async (t) => {
-    const page = await open(t, { motion: 'no-preference' })
+    const page = await open(t, { at: pageOf(tag), motion: 'no-preference' })
     const widget = await figure(page, tag)
     await unlock(page, await widget.getAttribute('data-figure'))
     await widget.getByRole('button', { name: 'Play' }).click()
@@ -100,11 +105,12 @@ for (const tag of ['observer-bench', 'odometry-hook', 'observability-probe']) {
     await widget.evaluate((element) =>
       scrollTo({ top: scrollY + element.getBoundingClientRect().top - 20, behavior: 'instant' }),
     )
-    const places = await page.evaluate(async () => {
-      const seen = new Set()
-      for (const until = performance.now() + 3000; performance.now() < until; ) {
+    const places = await widget.evaluate(async (host) => {
+      const [seen, steps] = [new Set(), new Set()]
+      for (let frames = 0; frames < 120 || steps.size < 3; frames += 1) {
         await new Promise((resolve) => requestAnimationFrame(resolve))
         seen.add(scrollY)
+        steps.add(host.frame.step)
       }
       return [...seen]
     })

@@ -2,6 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
+import { WIDGETS } from '../../web/widgets/index.js'
 import { SITE, hashes, kept, lost } from '../node/kept-links.mjs'
 import {
   comeTo,
@@ -84,23 +85,20 @@ test('the figure and its series can be taken along', async (t) => {
   assert.doesNotMatch(svg.text, /var\(--/, 'the colours are in the file')
 })
 
-for (const [tag, id] of [
-  ['odometry-hook', 'fig-odometry'],
-  ['picture', 'fig-picture'],
-  ['observability-probe', 'fig-probe'],
-  ['tune', 'fig-tune'],
-  ['loop-closure', 'fig-loop'],
-  ['late-readings', 'fig-late'],
-]) {
+for (const tag of Object.keys(WIDGETS)) {
   test(`state, picture and series of the ${tag} can be taken along`, async (t) => {
     const { page, it: widget } = await openFigure(t, tag)
-    const before = await stateOf(widget)
+    const [id, before] = [await widget.getAttribute('data-figure'), await stateOf(widget)]
     const step = widget.getByRole('button', { name: 'Step' })
     if (await step.count()) await step.click()
-    // Off its usual place, and with digits that no control would give.
-    const sliders = widget.locator('.live input[type=range]:enabled:visible')
-    const knobs = (await sliders.count()) ? sliders : widget.locator('.live svg [role=slider]:visible')
-    await knobs.first().press('Shift+ArrowRight')
+    // Off its usual place. A figure without a slider has a handle, or a box to write in.
+    await widget.evaluate((host) => host.querySelectorAll('.live .controls details').forEach((it) => (it.open = true)))
+    const knobs = widget.locator('.live :is(input[type=range]:enabled, svg [role=slider])').locator('visible=true')
+    if (await knobs.count()) await knobs.last().press('Shift+ArrowLeft')
+    else {
+      await widget.locator('.live textarea:not([readonly])').fill('x = F x')
+      await page.keyboard.press('Tab')
+    }
     await page.waitForFunction(
       ([name, was]) =>
         JSON.stringify(document.querySelector(name).state) !== was && document.querySelector(name).settled,
@@ -108,7 +106,7 @@ for (const [tag, id] of [
     )
     await quiet(page)
     const there = { frame: await frameOf(widget), state: await stateOf(widget) }
-    assert.notDeepEqual(there.state.params, before.params)
+    assert.notDeepEqual(there.state, before)
     const link = await copied(page, widget)
 
     const take = async (name) => {

@@ -6,7 +6,7 @@ import { readFileSync } from 'node:fs'
 import path from 'node:path'
 import { WORKER_POLICY } from '../../scripts/static-server.mjs'
 import { holdReplays } from './held-replays.mjs'
-import { PHONE, frameOf, quiet, root, stateOf, until } from './harness.mjs'
+import { codeOf, frameOf, PHONE, quiet, root, stateIn, stateOf, until } from './harness.mjs'
 import { MRCLAM, SMALL, drop, enter, file, openLog, told } from './own-log.mjs'
 
 test('a log that is chosen, dropped or pasted is read here, and nothing is asked for afterwards', async (t) => {
@@ -144,8 +144,8 @@ test('track and innovations come as CSV, and a link carries the settings and not
   }
   await it.getByRole('button', { name: 'Copy link' }).click()
   const link = await page.evaluate(() => navigator.clipboard.readText())
-  const state = JSON.parse(Buffer.from(new URL(link).searchParams.get('fig-own-log'), 'base64url').toString())
-  assert.deepEqual([state[1], state[2], state[3].sightings], ['robot-log', 4, true])
+  const { lab, step, params } = stateIn(link, 'fig-own-log')
+  assert.deepEqual([lab, step, params.sightings], ['robot-log', 4, true])
   assert.equal(await it.getByRole('button', { name: 'Embed' }).count(), 0, 'another page has not this log')
 })
 
@@ -237,9 +237,7 @@ test('the replay of two million rows is told of and given up, and the log stays'
 })
 
 test('a link to a log of another length shows the end of this one', async (t) => {
-  const code = Buffer.from(JSON.stringify([1, 'robot-log', 1_500_000, { sightings: true, gate: 0.99 }])).toString(
-    'base64url',
-  )
+  const code = codeOf('robot-log', 1_500_000, { sightings: true, gate: 0.99 })
   const { it } = await openLog(t, { at: `log/?fig-own-log=${code}` })
   const { step, params } = await stateOf(it)
   assert.deepEqual([step, params.gate, params.sightings], [13_186, 0.99, true])

@@ -5,7 +5,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { execFileSync } from 'node:child_process'
-import { frameOf, openFigure, root, stateOf } from './harness.mjs'
+import { frameOf, openFigure, root, settled, stateOf } from './harness.mjs'
 import { held, plain } from '../../web/draw/words.js'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { dice as seeded } from '../node/nonsense.mjs'
@@ -90,14 +90,6 @@ async function shuffle(page, element, dice) {
   const step = live.getByRole('button', { name: 'Step', exact: true })
   if (await step.count()) for (let presses = dice.below(12); presses > 0; presses--) await step.click()
   await settled(element)
-}
-
-/** Waits until nothing is left to compute, and what was computed is on the screen. */
-async function settled(element) {
-  await element.evaluate(async (it) => {
-    do await new Promise((resolve) => requestAnimationFrame(resolve))
-    while (it.figure.asked || !it.settled)
-  })
 }
 
 for (const [tag, load] of Object.entries(WIDGETS)) {

@@ -6,12 +6,10 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import path from 'node:path'
 import { HEAP } from '../heap.mjs'
-import { frameOf, open, openFigure, root, stateOf, until } from './harness.mjs'
+import { codeOf, frameOf, open, openFigure, root, stateOf, until } from './harness.mjs'
 
 const estimate = createRequire(import.meta.url)(path.join(root, 'target/pkg/node/estimate_wasm.js'))
-const code = (value) => Buffer.from(JSON.stringify(value)).toString('base64url')
-const probeAt = (step, params) =>
-  `figure/observability-probe/?fig-probe=${code([1, 'observability-probe', step, params])}`
+const probeAt = (step, params) => `figure/observability-probe/?fig-probe=${codeOf('observability-probe', step, params)}`
 
 /** Notes at every animation frame what the bar of the figure `tag` says. */
 const noteBar = (page, tag) =>
@@ -91,7 +89,7 @@ test('a link to the last step of all opens in many short calls, to the bits of o
 
 test('fast play reaches the last step, and stops there', async (t) => {
   const { it: hook } = await openFigure(t, 'odometry-hook', {
-    query: `?fig-odometry=${code([1, 'odometry-hook', 99_700, {}])}`,
+    query: `?fig-odometry=${codeOf('odometry-hook', 99_700, {})}`,
     motion: 'no-preference',
   })
   await hook.getByRole('combobox', { name: 'Speed' }).selectOption({ label: '10×' })

@@ -2,7 +2,7 @@
 // pictures at the heads are in the reader's hand.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { comeTo, DESKTOP, figure, open, openFigure, PHONE, quiet, unlock } from './harness.mjs'
+import { codeOf, comeTo, DESKTOP, figure, open, openFigure, PHONE, quiet, unlock } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
 /** The parts of a figure that are there, by name. */
@@ -65,7 +65,7 @@ for (const [id, later] of [
   })
 
 test('a link to a state opens the whole figure, and so does its own page', async (t) => {
-  const state = Buffer.from(JSON.stringify([1, 'observer-bench', 3, {}])).toString('base64url')
+  const state = codeOf('observer-bench', 3)
   const page = await open(t, { at: `kalman/?fig-bench=${state}#fig-bench` })
   await comeTo(page, '#fig-bench', '#fig-bench .widget[data-state=live]')
   assert.equal((await there(page, '#fig-bench')).length, 7)

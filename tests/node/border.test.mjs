@@ -2,6 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
+import { FIGURES } from '../../target/figures.js'
 import { rail, refused } from './rail.mjs'
 
 // The module's face hides its table of references: it is taken from the instance.
@@ -31,11 +32,13 @@ const W = [
   [0, 0.001],
 ]
 const LOG = core.RobotLog.parse('L,7,3,4\nO,0.5,0.1,0.02\nR,0.5,7,4.9\nO,1,0.1,0\nR,1,7,4.8\n')
+/** Speeds that hold until the next: of such a log every parameter can be set. */
+const HELD = core.CarLog.parse('L,7,3,4\nV,0,0.2,0.1\nP,0.5,0.1,0\nR,0.5,7,4.9\nV,1,0.2,0\nP,1,0.2,0\n')
+/** A lab as it is at first, one of logs on that. */
+const opened = ({ lab, world }) => (world ? new core[lab](HELD) : new core[lab]())
 /** @type {Record<string, any>} */
 const objects = {
   DriveLog: LOG,
-  RobotLog: new core.RobotLog(LOG),
-  CarLog: new core.CarLog(LOG),
   KalmanFilter: new core.KalmanFilter(rail, {
     x: [2, 4],
     P: [
@@ -54,9 +57,7 @@ const objects = {
   LogTable: new core.LogTable(LOG, {}, 'track'),
   EkfLocalizer: new core.EkfLocalizer(pose, [{ id: 1, x: 2, y: 1 }], { W }),
   EkfSlam: new core.EkfSlam(pose, { W, gate: 9.21, found: 50 }),
-  ...Object.fromEntries(
-    ['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture'].map((name) => [name, new core[name]()]),
-  ),
+  ...Object.fromEntries(FIGURES.map((figure) => [figure.lab, opened(figure)])),
 }
 
 test('a method or a property of one class refuses an object of every other', () => {
@@ -189,13 +190,21 @@ test('a huge name is shortened', () => {
 })
 
 test('a lab says how far its parameters go, and takes what it says', () => {
-  for (const name of ['ObserverBench', 'OdometryHook', 'ObservabilityProbe', 'Picture']) {
-    const lab = new core[name]()
+  for (const figure of FIGURES) {
+    const [name, lab] = [figure.lab, opened(figure)]
     const parameters = core[name].parameters()
     assert.deepEqual(Object.fromEntries(parameters.map((p) => [p.name, p.default])), lab.state().params)
+    // What does not go together with the rest, as a noise with a size, is refused for that.
+    const taken = (params) => {
+      try {
+        lab.set(params)
+      } catch (error) {
+        assert.ok(error.name === 'EstimateError' && error.code !== 'limit', `${name}: ${error.message}`)
+      }
+    }
     for (const p of parameters.filter(({ default: usual }) => typeof usual === 'number')) {
       for (const end of [p.least, p.greatest]) {
-        if (Math.abs(end) < 1e300) lab.set({ [p.name]: end })
+        if (Math.abs(end) < 1e300) taken({ [p.name]: end })
       }
       if (p.greatest < 2 ** 31)
         assert.throws(

@@ -5,10 +5,10 @@ import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { CALL_MS, FIRST_CALL, Pace } from '../../web/figure/time-slices.js'
 import { Run } from '../../web/figure/run.js'
+import { LAST_STEP as LAST } from '../../web/figure/state-in-url.js'
 import { HEAP } from '../heap.mjs'
 
 const estimate = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
-const LAST = 100_000
 
 /**
  * A clock by which each call of a lab takes just as long as it should, so that a turn is over after a few short calls.

@@ -2,6 +2,8 @@
 // a file of its own (`*-words.test.mjs`).
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
+import { existsSync } from 'node:fs'
+import path from 'node:path'
 import { WIDGETS } from '../../web/widgets/index.js'
 import { LOG, estimate } from './claims.mjs'
 
@@ -16,4 +18,11 @@ test('no readout of a figure is empty or wrong in kind, in any state', async () 
         assert.doesNotMatch(`${key}: ${value}`, /undefined|NaN|null|: $/)
     }
   }
+})
+
+test('the sentences of each figure are claims in a file of its name', () => {
+  const missing = Object.keys(WIDGETS).filter(
+    (name) => !existsSync(path.join(import.meta.dirname, `${name}-words.test.mjs`)),
+  )
+  assert.deepEqual(missing, [])
 })

@@ -29,6 +29,17 @@ test('a job that may write neither checks out nor runs code of the repository', 
   }
 })
 
+test('every push and pull request runs all tests, the thirteen checks by wasm-pack among them', () => {
+  assert.match(readFileSync(path.join(folder, 'test.yml'), 'utf8'), /^ +- run: \.\/\.ci\/run$/m)
+  assert.match(readFileSync(path.join(folder, 'pages.yml'), 'utf8'), /^ +uses: \.\/\.github\/workflows\/test\.yml$/m)
+  const [script, tests] = ['.ci/run', 'scripts/test'].map((name) =>
+    readFileSync(path.join(folder, '../..', name), 'utf8'),
+  )
+  assert.match(script, /^exec scripts\/test --ci "\$@"$/m)
+  assert.match(tests, /^ +--ci\) with_wasm=yes ;;$/m)
+  assert.match(tests, /^ +wasm-pack .*test --node .*tests --test thirteen_checks$/m)
+})
+
 test('on a tag the release is made by the script that a person runs, with the releases before it at hand', () => {
   const text = readFileSync(path.join(folder, 'release.yml'), 'utf8')
   assert.match(text, /^ {4}tags: \['v\*'\]$/m)

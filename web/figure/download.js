@@ -71,17 +71,3 @@ export function asCsv(series) {
   for (let i = 0; i < rows; i += 1) lines.push(names.map((name) => series[name][i] ?? '').join(','))
   return `${lines.join('\n')}\n`
 }
-
-/**
- * @param {string} name
- * @param {string} type
- * @param {string} text
- */
-export function save(name, type, text) {
-  const url = URL.createObjectURL(new Blob([text], { type }))
-  const link = document.createElement('a')
-  link.href = url
-  link.download = name
-  link.click()
-  setTimeout(() => URL.revokeObjectURL(url), 10_000)
-}

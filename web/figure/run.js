@@ -9,14 +9,8 @@
 
 import { Player } from './player.js'
 import { LAST_STEP } from './state-in-url.js'
-import { Pace } from './time-slices.js'
+import { NEARLY_DONE_MS, Pace, TURN_MS, remaining } from './time-slices.js'
 
-/**
- * How long the lab may work in one turn, milliseconds: half of it would leave most of the time between frames unused.
- */
-export const TURN_MS = 24
-/** A replay that needs no longer than this, milliseconds, is finished before the next change begins. */
-const NEARLY_DONE_MS = 150
 /** Steps of one turn in play, at most: after a pause of the browser the run goes on, and does not catch up. */
 const MOST_STEPS = 64
 
@@ -183,7 +177,10 @@ export class Run extends Player {
   startReplay() {
     const { patch, wantsReset, replay } = this
     if (!patch && !wantsReset) return
-    if (replay && !wantsReset && remaining(replay) < NEARLY_DONE_MS) return
+    if (replay && !wantsReset) {
+      const { step, of, spent } = replay
+      if (remaining({ done: step, left: of - step, spent }) < NEARLY_DONE_MS) return
+    }
     const params = this.asked ?? this.frame.params
     this.patch = null
     this.wantsReset = false
@@ -242,11 +239,6 @@ export class Run extends Player {
     if (!(this.far.step > this.frame.step)) this.far = this.frame
     return { moved: 'steps', ended }
   }
-}
-
-/** Milliseconds that a replay still needs, as far as it has shown. @param {Replay} replay */
-function remaining({ step, of, spent }) {
-  return step === 0 ? Infinity : (spent * (of - step)) / step
 }
 
 /** @param {unknown} error */

@@ -82,7 +82,7 @@ export class Share {
       spec,
     } = this
     try {
-      const { asCsv, asSvg, save } = await inTime(import('./download.js'))
+      const [{ asCsv, asSvg }, { save }] = await inTime(Promise.all([import('./download.js'), import('./save.js')]))
       if (kind === 'csv') return save(`${id}.csv`, 'text/csv', asCsv(spec.series(frame)))
       const panels = this.host.querySelector('.live')
       if (panels) save(`${id}.svg`, 'image/svg+xml', asSvg(panels, Object.values(spec.describe(frame)).join(' ')))

@@ -1,10 +1,10 @@
 /** A figure's state in an address, with its version and to the last digit; what is read from an address is checked. */
 
-const VERSION = 1
+export const VERSION = 1
 /** The last step that a lab runs to. */
 export const LAST_STEP = 100_000
 /** The last step of any lab: a log may be longer. */
-const MOST_STEPS = 2_000_000
+export const MOST_STEPS = 2_000_000
 const MAX_LENGTH = 7000
 
 /** @typedef {{ version: number, lab: string, params: Record<string, unknown>, step: number }} State */
@@ -50,34 +50,5 @@ export function readState(address, figure, lab) {
     return { version, lab: name, step, params }
   } catch {
     return 'mangled'
-  }
-}
-
-/**
- * A figure's lab in its usual state (the page's `data-start`, else the specification's), and, where the address holds
- * another state, a second lab at the start of the run that leads there.
- * @param {any} module
- * @param {import('./spec.js').FigureSpec} spec
- * @param {string} figure
- * @param {string | undefined} given the page's
- * @returns {{ lab: any, linked: { lab: any, step: number } | null, mangled: boolean }}
- */
-export function openLab(module, spec, figure, given) {
-  const Lab = module[spec.lab]
-  if (!Lab) throw new Error(`the module holds no ${spec.lab}`)
-  const page = JSON.parse(given ?? '{}')
-  const lab = Lab.from({
-    version: VERSION,
-    lab: spec.name,
-    step: page.step ?? spec.start.step,
-    params: { ...spec.start.params, ...page.params },
-  })
-  const state = readState(location.href, figure, spec.name)
-  if (state === null) return { lab, linked: null, mangled: false }
-  if (state === 'mangled' || state.step > LAST_STEP) return { lab, linked: null, mangled: true }
-  try {
-    return { lab, linked: { lab: Lab.from({ ...state, step: 0 }), step: state.step }, mangled: false }
-  } catch {
-    return { lab, linked: null, mangled: true }
   }
 }

@@ -7,6 +7,19 @@
 export const CALL_MS = 6
 /** Steps of the first call. */
 export const FIRST_CALL = 16
+/**
+ * How long it may go on in one turn of a page, or of a worker before that reads its messages, milliseconds: half of it
+ * would leave most of the time between a page's frames unused.
+ */
+export const TURN_MS = 24
+/** A replay that needs no longer than this, milliseconds, is finished before a later one begins. */
+export const NEARLY_DONE_MS = 150
+
+/**
+ * Milliseconds that a replay still needs, as far as it has shown.
+ * @param {{ done: number, left: number, spent: number }} replay steps, and the milliseconds of those that are done
+ */
+export const remaining = ({ done, left, spent }) => (done === 0 ? Infinity : (spent * left) / done)
 
 export class Pace {
   /** @param {() => number} [clock] milliseconds */

@@ -3,10 +3,8 @@
  * earlier one, and one that fails is over, and says so by `{ kind: 'refused', id, message }`.
  */
 
+import { TURN_MS } from '../figure/time-slices.js'
 import { wordsOf } from './worker-server.js'
-
-/** How long it computes without reading its messages, milliseconds. */
-const CHUNK_MS = 24
 
 /**
  * @typedef {object} Work
@@ -62,7 +60,7 @@ export class PartServer {
     if (!work) return
     const began = this.clock()
     let more = true
-    while (more && this.clock() - began < CHUNK_MS) more = work.part()
+    while (more && this.clock() - began < TURN_MS) more = work.part()
     work.tell()
     if (!more) return this.drop()
     this.soon(() => {

@@ -33,6 +33,20 @@ export async function openPort(address, inPage) {
   return new Port(await start(), start)
 }
 
+/**
+ * The way to the worker that computes with one figure's lab, or to the same code in the page.
+ * @param {Promise<{ default: string }>} worker its script's address, which the build knows
+ * @param {string} name the figure's
+ * @param {() => Promise<{ serve: (channel: Channel, load: () => Promise<any>) => void }>} server fetches what answers
+ */
+export async function openWorker(worker, name, server) {
+  const { default: address } = await worker
+  return openPort(address, async () => {
+    const [{ serve }, { loadLab }] = await Promise.all([server(), import('./modules.js')])
+    return (channel) => serve(channel, () => loadLab(name))
+  })
+}
+
 /** Waits until the worker says that it runs. @param {Worker} worker @returns {Promise<Worker>} */
 function started(worker) {
   return new Promise((resolve, reject) => {

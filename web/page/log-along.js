@@ -1,7 +1,7 @@
 /** What a reader takes along from a log: the settings as a file, which is read again, and programs of others. */
 
 import { button, part } from '../draw/dom.js'
-import { save } from '../figure/download.js'
+import { save } from '../figure/save.js'
 import { robotLocalization } from './log-export.js'
 import { filterpy } from './log-filterpy.js'
 import { MOST_SETTINGS, isSameLog, nextChange, readSettings, settingsText } from './log-settings.js'

@@ -4,7 +4,7 @@
  * anywhere.
  */
 
-import { save } from '../figure/download.js'
+import { save } from '../figure/save.js'
 import { part } from '../draw/dom.js'
 import { fetchWithPatience } from '../load/timeouts.js'
 import { WIDGETS } from '../widgets/index.js'

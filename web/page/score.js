@@ -4,7 +4,7 @@
  * rest.
  */
 
-import { save } from '../figure/download.js'
+import { save } from '../figure/save.js'
 import { button, part } from '../draw/dom.js'
 import { tried } from './answers-kept.js'
 import { outlasts } from './storage.js'

@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use lab::Check;
 use minijinja::{Value, context};
 use serde::Serialize;
 
@@ -28,8 +27,6 @@ pub struct Build<'a> {
     pub site: &'a Site,
     /// Scripts, styles, fonts.
     pub assets: &'a Assets,
-    /// The checks as computed natively.
-    pub checks: &'a [Check],
     /// Where complaints go.
     pub diagnostics: &'a Diagnostics,
     /// Whether a PDF of each chapter will be beside it.
@@ -76,7 +73,7 @@ impl Build<'_> {
             result => result?,
         }
         pages.page("cover", "index.html", &config.title, &config.description, context! {})?;
-        let checks = check::rows(self.checks, &self.site.sources);
+        let checks = check::rows(&self.site.checks, &self.site.sources);
         let about = "The checks that pin every number of the chapter, run again in your own browser.";
         pages.page("check", "check/", "Check this book", about, context! { checks })?;
         pages.page("404", "404.html", "Not found", "There is no such page in this book.", context! {})?;

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use lab::Check;
 use pulldown_cmark::{HeadingLevel, Tag};
 
 use crate::diagnostic::{Diagnostics, Place};
@@ -26,23 +27,22 @@ pub struct Label {
 #[derive(Clone, Debug, Default)]
 pub struct Labels {
     by_id: BTreeMap<String, (Label, Place)>,
+    /// The numbers of the checks, which have a page of their own.
+    checks: Vec<u8>,
 }
 
 /// The texts of one page, and its address.
 pub type Texts<'a> = (&'a str, &'a [Vec<Node>]);
-
-/// The checks of the chapter, which have a page of their own.
-pub const CHECKS: u8 = 13;
 
 /// Ids that the page's template uses itself.
 const RESERVED: [&str; 5] = ["main", "search", "footnotes", "glossary", "your-answers"];
 
 impl Labels {
     /// Numbers everything in `pages`, the sections of the first under `chapter` (no numbers when `None`). What is not a
-    /// section is numbered through all of them.
-    pub fn collect(pages: &[Texts<'_>], chapter: Option<u32>, diagnostics: &Diagnostics) -> Self {
+    /// section is numbered through all of them. The `checks` are numbered already.
+    pub fn collect(pages: &[Texts<'_>], chapter: Option<u32>, checks: &[Check], diagnostics: &Diagnostics) -> Self {
         let mut collector = Collector {
-            labels: Self::default(),
+            labels: Self { checks: checks.iter().map(|check| check.id).collect(), ..Self::default() },
             diagnostics,
             chapter,
             section: 0,
@@ -70,7 +70,7 @@ impl Labels {
     /// # Errors
     /// A message when nothing has this id.
     pub fn get(&self, id: &str, root: &str) -> Result<Label, String> {
-        let check = id.strip_prefix("check-").and_then(|n| n.parse().ok()).filter(|n| (1..=CHECKS).contains(n));
+        let check = id.strip_prefix("check-").and_then(|n| n.parse().ok()).filter(|n| self.checks.contains(n));
         if let Some(n) = check {
             let text = format!("Check\u{a0}{n}");
             let page = "check/".to_string();
@@ -192,7 +192,8 @@ mod tests {
         let diagnostics = Diagnostics::default();
         let name = |i| Place::new(format!("{i}.md"), 1);
         let texts: Vec<_> = texts.iter().enumerate().map(|(i, text)| parse(text, &name(i), &diagnostics)).collect();
-        let labels = Labels::collect(&[("one/", &texts)], Some(15), &diagnostics).on("one/", &[]);
+        let checks = [1, 7].map(|id| Check::new(id, "A check", vec![1.0], vec![1.0], 0.0));
+        let labels = Labels::collect(&[("one/", &texts)], Some(15), &checks, &diagnostics).on("one/", &[]);
         (labels, diagnostics.check().err().map(|error| error.to_string()).unwrap_or_default())
     }
 
@@ -210,7 +211,7 @@ mod tests {
         assert_eq!(text("two"), "Derivation 1, step 2");
         assert_eq!(text("d-step-1"), "Derivation 1, step 1");
         assert_eq!(labels.get("check-7", "../").unwrap().href, "../check/#check-7");
-        assert!(labels.get("check-14", "../").is_err());
+        assert!(labels.get("check-2", "../").is_err());
     }
 
     #[test]

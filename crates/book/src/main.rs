@@ -55,7 +55,6 @@ fn build(options: &Options) -> Result<String, BuildError> {
     let failed = |e| BuildError::Missing(format!("the labs: {e}"));
     let cache = Cache::by_this_program(&options.cache);
     let numbers = cache.or("numbers", "", || with_ensembles(&Givens::default())).map_err(failed)?;
-    let checks = chapter_checks().map_err(failed)?;
     let stills = book::load_stills(&options.stills, FIGURES, options.strict)?;
     let mut site = Site::load(
         &options.root,
@@ -67,12 +66,12 @@ fn build(options: &Options) -> Result<String, BuildError> {
     )?;
     site.answers = !options.no_answers;
     site.cache = cache;
+    site.checks = chapter_checks().map_err(failed)?;
     let assets = Assets::load(&options.assets, options.strict)?;
     let build = Build {
         root: &options.root,
         site: &site,
         assets: &assets,
-        checks: &checks,
         diagnostics: &diagnostics,
         pdf: options.pdf,
         draft: options.draft,

@@ -90,7 +90,7 @@ pub fn texts(site: &Site, pages: &[Sources], chapter: Option<u32>, diagnostics: 
     let parse = |(path, text): &(String, String)| parse(text, &Place::new(path.clone(), 1), diagnostics);
     let parsed: Vec<Vec<Vec<Node>>> = pages.iter().map(|(_, files)| files.iter().map(parse).collect()).collect();
     let all: Vec<_> = pages.iter().zip(&parsed).map(|((address, _), texts)| (address.as_str(), &texts[..])).collect();
-    let labels = Labels::collect(&all, chapter, diagnostics);
+    let labels = Labels::collect(&all, chapter, &site.checks, diagnostics);
     let write = |(i, (address, files)): (usize, &Sources)| {
         let texts = &parsed[i];
         let mut shown = Apart { texts: all[1..].iter().copied().collect(), ..Apart::default() };

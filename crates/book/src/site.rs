@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::path::Path;
 
-use lab::Figure;
+use lab::{Check, Figure};
 
 use crate::cache::Cache;
 use crate::code::Highlighter;
@@ -30,6 +30,8 @@ pub struct Site {
     pub figures: &'static [Figure],
     /// What the labs computed.
     pub numbers: Numbers,
+    /// The checks as computed natively: a page of their own runs them again.
+    pub checks: Vec<Check>,
     /// Works cited.
     pub references: References,
     /// Terms.
@@ -81,6 +83,7 @@ impl Site {
             glossary: glossary::glossary(&data("glossary.toml")?, diagnostics),
             notation: data("notation.toml")?.parse::<notation::Table>(diagnostics).row,
             quizzes: quiz::quizzes(&DataFile::all(root, "quizzes")?, &numbers, figures, diagnostics),
+            checks: Vec::new(),
             answers: true,
             cache: Cache::nothing(),
             sources: Sources::load(root)?,

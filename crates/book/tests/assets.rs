@@ -38,16 +38,10 @@ fn the_worker_lists_every_file_and_its_version_follows_them() {
         let diagnostics = Diagnostics::default();
         let mut site = common::site(&diagnostics);
         site.config.chapters.clear();
+        site.checks.clear();
         let root = common::fixtures().join("../../../..");
-        let build = Build {
-            root: &root,
-            site: &site,
-            assets: &assets,
-            checks: &[],
-            diagnostics: &diagnostics,
-            pdf: false,
-            draft: false,
-        };
+        let build =
+            Build { root: &root, site: &site, assets: &assets, diagnostics: &diagnostics, pdf: false, draft: false };
         build.run().unwrap_or_else(|error| panic!("{error}"))
     };
     let dist = build("1");

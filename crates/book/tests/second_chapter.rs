@@ -1,8 +1,8 @@
 //! A second chapter stands beside the first: a page with one number and one figure that no crate of ours knows.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
-use book::{Assets, Build, Diagnostics, Number, Outputs, Site, Stills};
+use book::{Assets, Build, BuildError, Diagnostics, Dist, Number, Outputs, Site, Stills};
 use estimate::Error;
 use lab::{Check, Digest, Figure, Kind, Lab, Listing, Params, kept, named, params, record};
 
@@ -77,9 +77,9 @@ fn numbers() -> Result<Vec<Number>, Error> {
     Ok(listing.numbers)
 }
 
-#[test]
-fn a_second_chapter_has_a_number_and_a_figure_of_its_own() {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target/second-chapter");
+/// Builds a book of two chapters in a folder of its own, `words` among those of the second.
+fn build(folder: &str, words: &str) -> (PathBuf, Result<Dist, BuildError>) {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../target").join(folder);
     let repository = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
     let write = |name: &str, text: &str| {
         let path = root.join(name);
@@ -100,11 +100,11 @@ fn a_second_chapter_has_a_number_and_a_figure_of_its_own() {
     write("content/quizzes/none.toml", "");
     write("content/macros.toml", "");
     write("content/one/01-a.md", "## One {#one}\n\nThe first.\n");
-    write(
-        "content/two/01-a.md",
-        "## Two {#two}\n\nIt pulls with {{number spring.force .1f}}.\n\n\
-         :::figure{#fig-spring start='{\"step\": 2}' widget=\"spring\" title=\"Pull\"}\nPull it.\n:::\n",
+    let text = format!(
+        "## Two {{#two}}\n\nIt pulls with {{{{number spring.force .1f}}}}. {words}\n\n\
+         :::figure{{#fig-spring start='{{\"step\": 2}}' widget=\"spring\" title=\"Pull\"}}\nPull it.\n:::\n"
     );
+    write("content/two/01-a.md", &text);
     for file in book_templates(&repository) {
         let text = std::fs::read_to_string(repository.join(&file)).expect("a template");
         write(&file, &text);
@@ -115,22 +115,22 @@ fn a_second_chapter_has_a_number_and_a_figure_of_its_own() {
     let mut site =
         Site::load(&root, numbers, &FIGURES, Outputs::of(&root), Stills::new(), &diagnostics).expect("its data");
     site.sources.insert("crates/second/src/lib.rs", "/// A force.\npub fn force() {}\n");
-    let checks = [Check::new(1, "The force of the third step", vec![6.0], vec![6.0], 0.0)];
+    site.checks = vec![Check::new(1, "The force of the third step", vec![6.0], vec![6.0], 0.0)];
     let assets = Assets::default();
-    let build = Build {
-        root: &root,
-        site: &site,
-        assets: &assets,
-        checks: &checks,
-        diagnostics: &diagnostics,
-        pdf: false,
-        draft: false,
-    };
-    let dist = build.run().unwrap_or_else(|error| panic!("{error}"));
+    let build =
+        Build { root: &root, site: &site, assets: &assets, diagnostics: &diagnostics, pdf: false, draft: false };
+    let dist = build.run();
+    (root, dist)
+}
 
+#[test]
+fn a_second_chapter_has_a_number_and_a_figure_of_its_own() {
+    let (root, dist) = build("second-chapter", "{{ref check-1}} holds it.");
+    let dist = dist.unwrap_or_else(|error| panic!("{error}"));
     let page = |path: &str| String::from_utf8(dist.files[path].clone()).expect("text");
     let two = page("two/index.html");
     assert!(two.contains("6.0") && two.contains("<lab-spring class=\"widget\" data-widget=\"spring\""), "{two}");
+    assert!(two.contains("href=\"../check/#check-1\""), "{two}");
     assert!(!page("one/index.html").contains("spring"));
     let figure = page("figure/spring/index.html");
     assert!(figure.contains("<lab-spring ") && !figure.contains("canonical"));
@@ -144,6 +144,13 @@ fn a_second_chapter_has_a_number_and_a_figure_of_its_own() {
     let opened: serde_json::Value = serde_json::from_str(&told("opened.json")).expect("JSON");
     assert_eq!(opened, serde_json::json!([{ "id": "fig-spring", "name": "spring", "start": { "step": 2 } }]));
     assert_eq!(book::builds(&FIGURES), ["springs", "linear"]);
+}
+
+#[test]
+fn a_chapter_of_one_check_has_no_second() {
+    let (_, dist) = build("second-chapter-without", "{{ref check-2}} holds it.");
+    let error = dist.err().expect("a link to nothing").to_string();
+    assert!(error.contains("check-2"), "{error}");
 }
 
 /// The templates of pages, which a second chapter shares with the first.

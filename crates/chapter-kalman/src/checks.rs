@@ -48,7 +48,10 @@ pub fn chapter_check(id: u32) -> Result<Check, Error> {
     let at = usize::try_from(id).ok().and_then(|id| id.checked_sub(1));
     match at.and_then(|at| CHECKS.get(at)) {
         Some(check) => check(&Givens::default()),
-        None => Err(Error::new(Code::Index, "id", "is the number of no check; they are numbered from 1 to 13")),
+        None => {
+            let message = format!("is the number of no check; they are numbered from 1 to {}", CHECKS.len());
+            Err(Error::new(Code::Index, "id", message))
+        }
     }
 }
 

@@ -1,5 +1,5 @@
 export interface Check {
-  /** 1 to 13, the chapter's numbering. */
+  /** The chapter's numbering, from 1. */
   id: number
   title: string
   /** What the chapter claims. */

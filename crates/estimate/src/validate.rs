@@ -13,7 +13,7 @@ pub const MAX_OUTPUTS: usize = 8;
 /// The largest number of inputs of a run-time system.
 pub const MAX_INPUTS: usize = 8;
 /// The most work of one call, counted as (n + p)³ for each Kalman step of n states and p outputs: 10 000 steps of the
-/// largest run-time system. A page that calls must have an answer while its reader waits.
+/// largest run-time system. So whoever waits for a call knows beforehand how long it can take at most.
 pub const MAX_WORK: usize = 10_000 * (MAX_STATES + MAX_OUTPUTS).pow(3);
 
 /// `value`, when it is neither a NaN nor an infinity.

@@ -129,7 +129,7 @@ where
 ///
 /// # Errors
 /// [`Error::NotFinite`].
-// In line: as a call it would read back from memory what was just computed, a tenth of an EKF step in wasm.
+// In line: as a call it would read back from memory what was just computed.
 #[inline(always)]
 pub(crate) fn mend<N: Dim>(predicted: &mut OMatrix<f64, N, N>) -> Result<bool, Error>
 where

@@ -38,7 +38,7 @@ where
     ///
     /// # Errors
     /// [`Error::NotFinite`] when an argument is not finite or a product overflows.
-    // In wasm, where it is of many sizes, one function for each.
+    // Where a binary is fetched, one function for each size, and none in each caller.
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn predicted<U: Dim>(
         &self,
@@ -59,7 +59,8 @@ where
     ///
     /// # Errors
     /// As there.
-    // In line, with `correct`: an answer handed over in memory costs a step in wasm more than its arithmetic.
+    // In line, with `correct`: of few states, an answer that is handed over in memory may cost more than its
+    // arithmetic.
     #[inline(always)]
     pub fn predict<U: Dim, S: Storage<f64, U>>(
         &mut self,
@@ -104,7 +105,7 @@ where
     /// assert!((corrected.x[0] - 2.0).abs() < 1e-15 && (corrected.p[0] - 2.0 / 3.0).abs() < 1e-15);
     /// # Ok::<(), filters::Error>(())
     /// ```
-    // In wasm, where it is of many sizes, one function for each.
+    // Where a binary is fetched, one function for each size, and none in each caller.
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn corrected<M: Dim>(
         &self,

@@ -198,7 +198,7 @@ where
 /// A variance of S that a closer look changes by a smaller part is the one that was factored.
 const SAME_S: f64 = 1e-9;
 
-/// [`gain`] where an answer handed over in memory would cost a step in wasm more than its arithmetic.
+/// [`gain`] in line: of few states, an answer that is handed over in memory may cost more than its arithmetic.
 #[inline(always)]
 pub(crate) fn gain_in_line<N: Dim, M: Dim>(
     p: &OMatrix<f64, N, N>,

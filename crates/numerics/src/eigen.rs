@@ -71,7 +71,7 @@ fn found_with(
         _ => found.extend(beyond_two(&core)?),
     }
     let modulus = |l: &Complex<f64>| hypot(l.re, l.im);
-    // By insertion: a handful of values do not pay for the standard library's sort, 20 kB of the module.
+    // By insertion: eigenvalues are few, and a general sort is much code where a binary has to be small.
     let mut ordered: Vec<Complex<f64>> = Vec::with_capacity(found.len());
     for l in found {
         let before = |o: &Complex<f64>| {

@@ -1,8 +1,8 @@
 //! Singular values by one-sided Jacobi rotations (Hestenes 1958; Golub and Van Loan, Matrix Computations, §8.6.3).
 //!
-//! Not nalgebra's SVD: that iterates for ever on some finite matrices, brings three more factorizations into the wasm
-//! module, and knows a small singular value only to the rounding of the largest. Rotations until all columns are
-//! orthogonal keep the digits of the small ones.
+//! Not nalgebra's SVD: that iterates for ever on some finite matrices, brings three more factorizations with it, and
+//! knows a small singular value only to the rounding of the largest. Rotations until all columns are orthogonal keep
+//! the digits of the small ones.
 //!
 //! # Why it ends
 //!

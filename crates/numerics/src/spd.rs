@@ -10,9 +10,9 @@ pub const MIN_PIVOT: f64 = 1e-8;
 
 /// A factorization S = LDLᵀ of a finite, numerically positive definite S, with ones on the diagonal of L.
 ///
-/// Not nalgebra's Cholesky: that one takes its square roots from `libm`, which computes them in software in wasm, ten
-/// times as long as the rest of the step; and it answers an infinite matrix with an infinite factor. Without square
-/// roots, and with one division for each pivot, a solve costs little more than its products.
+/// Not nalgebra's Cholesky: without the standard library that one takes its square roots from `libm`, which may compute
+/// them in software; and it answers an infinite matrix with an infinite factor. Without square roots, and with one
+/// division for each pivot, a solve costs little more than its products.
 ///
 /// # Example
 /// ```

@@ -199,7 +199,7 @@ pub struct Hook {
     pub sensor: Sensor,
     /// The right wheel's nominal radius exceeds its true one by this fraction.
     pub bias: f64,
-    /// First standard deviation of the bias for a filter that learns it: the largest bias that the figure offers.
+    /// First standard deviation of the bias for a filter that learns it.
     pub bias_sigma: f64,
 }
 

@@ -8,6 +8,7 @@ import { plain } from '../../draw/words.js'
 import { drawCorrelation, drawFigures } from './figures.js'
 import { drawCovariance, drawErrors, drawInnovations, drawNees, drawNis } from './history.js'
 import { drawMap } from '../../draw/stadium.js'
+import { SEEDS } from '../../figure/ensemble.js'
 import { buildSeeIt } from './see-it.js'
 import { FIGURES, NAMES, outside, share, shown, verdict } from './words.js'
 
@@ -16,8 +17,7 @@ import { FIGURES, NAMES, outside, share, shown, verdict } from './words.js'
 // State: a whole run of a filter whose innovation is not wrapped.
 
 const start = { params: { bug: 'unwrapped-innovation' }, step: 240 }
-/** Whole runs that are counted, and hidden bugs in a row that unlock pairs. */
-const SEEDS = 500
+/** Hidden bugs in a row that unlock pairs. */
 const UNLOCKS = 3
 /** A greater number of a draw would make a long link. */
 const LOTS = 1e6

@@ -1,7 +1,7 @@
 /** The car's log and its lab, which stands on the log: fetched once for the figure and for what it computes beside. */
 
 import { Run } from '../../figure/run.js'
-import { openLab } from '../../figure/state-in-url.js'
+import { openLab } from '../../figure/open-lab.js'
 import { fetchWithPatience } from '../../load/timeouts.js'
 
 /** @typedef {import('../../figure/spec.js').Opened} Opened */

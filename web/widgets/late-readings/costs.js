@@ -3,9 +3,9 @@
  * of readings.
  */
 
+import { SEEDS } from '../../figure/ensemble.js'
 import { InParts, inOne } from '../../figure/in-parts.js'
 
-export const SEEDS = 500
 /** Seeds of one call: about five milliseconds. */
 const CALL = 20
 /** What the costs do not depend on. */

@@ -2,9 +2,8 @@
 
 import { readState } from '../../figure/state-in-url.js'
 import { fetchWithPatience } from '../../load/timeouts.js'
-import { openPort } from '../../load/worker-port.js'
+import { openWorker } from '../../load/worker-port.js'
 import { RemoteRun } from './remote-run.js'
-import { serve } from './server.js'
 
 /** @typedef {{ ok: true, run: RemoteRun, mangled: boolean } | { ok: false, why: string }} Opened */
 
@@ -18,7 +17,7 @@ import { serve } from './server.js'
 export async function openRun(log, spec, id, given) {
   try {
     const [port, bytes] = await Promise.all([
-      start(),
+      openWorker(import('robot-log-worker'), 'robot-log', () => import('./server.js')),
       fetchWithPatience(new URL(log, import.meta.url)).then((answer) => answer.arrayBuffer()),
     ])
     const run = new RemoteRun(port, spec.pace ?? 2)
@@ -43,12 +42,4 @@ export async function openRun(log, spec, id, given) {
       why: error instanceof TypeError ? 'its log could not be fetched' : /** @type {Error} */ (error).message,
     }
   }
-}
-
-async function start() {
-  const { default: address } = await import('robot-log-worker')
-  return openPort(address, async () => {
-    const { loadLab } = await import('../../load/modules.js')
-    return (channel) => serve(channel, () => loadLab('robot-log'))
-  })
 }

@@ -25,17 +25,13 @@
  */
 
 import { attend, wordsOf } from '../../load/worker-server.js'
-import { Pace } from '../../figure/time-slices.js'
+import { NEARLY_DONE_MS, Pace, TURN_MS, remaining } from '../../figure/time-slices.js'
 import { applyChange } from './change.js'
 import { Mapping } from './likelihood.js'
 import { Searching } from './searching.js'
 import { tableOf } from './table.js'
 import { decode, lineOf } from './text.js'
 
-/** How long the worker computes without reading its messages, milliseconds. */
-const CHUNK_MS = 24
-/** A replay that needs no longer than this, milliseconds, is finished before a later one begins. */
-const NEARLY_THERE_MS = 150
 /** The words for a progress bar come this often, milliseconds. */
 const PROGRESS_MS = 50
 
@@ -198,7 +194,7 @@ export class Server {
     this.judging.stop()
     this.wish = wish
     if (!this.replay) this.start()
-    else if (this.remaining() > NEARLY_THERE_MS) {
+    else if (this.remaining() > NEARLY_DONE_MS) {
       this.drop()
       this.start()
     }
@@ -246,7 +242,7 @@ export class Server {
     const { wish, lab, of } = replay
     try {
       const { step } = lab.state()
-      if (step < of) this.calls.run(lab, of - step, CHUNK_MS)
+      if (step < of) this.calls.run(lab, of - step, TURN_MS)
       if (lab.state().step < of) return this.wait(replay)
       this.replay = null
       if (this.lab !== lab) this.lab?.free()
@@ -278,6 +274,6 @@ export class Server {
     if (!this.replay) return 0
     const { lab, of, from, began } = this.replay
     const { step } = lab.state()
-    return step === from ? Infinity : ((this.clock() - began) * (of - step)) / (step - from)
+    return remaining({ done: step - from, left: of - step, spent: this.clock() - began })
   }
 }

@@ -1,7 +1,7 @@
 /** The map of a log's likelihood as a figure sees it: filled row by row by a worker, anew for each log. */
 
 import { Beside } from '../../figure/beside.js'
-import { openPort } from '../../load/worker-port.js'
+import { openWorker } from '../../load/worker-port.js'
 
 /** Cells to a side. */
 const SIZE = 96
@@ -28,13 +28,7 @@ export const likelihood = {
 }
 
 /** @returns {Promise<import('../../figure/beside.js').Port>} */
-async function begin() {
-  const { default: address } = await import('tune-worker')
-  return openPort(address, async () => {
-    const [{ serve }, { loadLab }] = await Promise.all([import('./server.js'), import('../../load/modules.js')])
-    return (channel) => serve(channel, () => loadLab('tune'))
-  })
-}
+const begin = () => openWorker(import('tune-worker'), 'tune', () => import('./server.js'))
 
 /** A map that is being filled. @extends {Beside<Likelihood>} */
 export class Filling extends Beside {

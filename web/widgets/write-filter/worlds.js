@@ -2,10 +2,8 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { Beside } from '../../figure/beside.js'
-import { openPort } from '../../load/worker-port.js'
-
-/** Worlds, as `crates/labs/src/worlds.rs` counts them. */
-const WORLDS = 500
+import { SEEDS } from '../../figure/ensemble.js'
+import { openWorker } from '../../load/worker-port.js'
 
 /** @typedef {import('estimate-wasm').WriteWorlds} Found */
 
@@ -22,19 +20,13 @@ export const worlds = {
 }
 
 /** @returns {Promise<import('../../figure/beside.js').Port>} */
-async function begin() {
-  const { default: address } = await import('write-filter-worker')
-  return openPort(address, async () => {
-    const [{ serve }, { loadLab }] = await Promise.all([import('./server.js'), import('../../load/modules.js')])
-    return (channel) => serve(channel, () => loadLab('write-filter'))
-  })
-}
+const begin = () => openWorker(import('write-filter-worker'), 'write-filter', () => import('./server.js'))
 
 /** Worlds that are being counted, anew for each program. @extends {Beside<Found>} */
 export class Counting extends Beside {
   /** @returns {import('../../figure/progress.js').Work | null} */
   get progress() {
-    return this.working ? { step: this.value?.count ?? 0, of: WORLDS, unit: 'world' } : null
+    return this.working ? { step: this.value?.count ?? 0, of: SEEDS, unit: 'world' } : null
   }
 
   /** @param {import('estimate-wasm').WriteFrame} frame */
@@ -47,7 +39,7 @@ export class Counting extends Beside {
   /** @param {{ found: Found }} message */
   hear({ found }) {
     this.value = found
-    this.working = found.count < WORLDS
+    this.working = found.count < SEEDS
   }
 }
 

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use book::{Apart, Diagnostics, Number, Outputs, Site, Still, Stills};
+use lab::Check;
 
 /// The folder of fixtures.
 pub fn fixtures() -> PathBuf {
@@ -34,6 +35,7 @@ pub fn site(diagnostics: &Diagnostics) -> Site {
         .expect("the fixtures are there");
     let source = "//! Demo.\n\n// ANCHOR: half\n/// Half of `x`.\npub fn half(x: f64) -> f64 {\n    x / 2.0\n}\n\
         // ANCHOR_END: half\n";
+    site.checks = [1, 7].map(|id| Check::new(id, "A check", vec![1.0], vec![1.0], 0.0)).into();
     site.sources.insert("crates/demo/src/lib.rs", source);
     site
 }

@@ -26,13 +26,16 @@ fn root() -> PathBuf {
 
 /// The book's data with `numbers`.
 fn load(numbers: Vec<Number>, diagnostics: &Diagnostics) -> Site {
-    Site::load(&root(), numbers.into_iter().collect(), labs::FIGURES, Outputs::of(root()), Stills::new(), diagnostics)
-        .expect("the content is there")
+    let numbers = numbers.into_iter().collect();
+    let mut site = Site::load(&root(), numbers, labs::FIGURES, Outputs::of(root()), Stills::new(), diagnostics)
+        .expect("the content is there");
+    site.checks = chapter_checks().expect("computed");
+    site
 }
 
 /// Its pages.
 fn build(site: &Site, diagnostics: &Diagnostics) -> Dist {
-    let (root, assets, checks) = (root(), Assets::default(), chapter_checks().expect("computed"));
-    let build = Build { root: &root, site, assets: &assets, checks: &checks, diagnostics, pdf: false, draft: false };
+    let (root, assets) = (root(), Assets::default());
+    let build = Build { root: &root, site, assets: &assets, diagnostics, pdf: false, draft: false };
     build.run().unwrap_or_else(|error| panic!("{error}"))
 }

@@ -56,8 +56,8 @@ impl Clone for KalmanFilter {
     }
 }
 
-/// The sizes that are compiled, as n and p: `Kind` has a filter for each, and one for all others. Each weighs 3 kB; a
-/// build that has to be light is compiled with `--cfg few_sizes`, and gives the same bits.
+/// The sizes that are compiled, as n and p: `Kind` has a filter for each, and one for all others. Each is code of its
+/// own; a build that has to be light is compiled with `--cfg few_sizes`, and gives the same bits.
 macro_rules! kinds {
     ($($(#[$if:meta])? $kind:ident: $n:literal, $p:literal;)*) => {
         #[derive(Clone, Debug)]

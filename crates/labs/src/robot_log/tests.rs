@@ -257,3 +257,8 @@ fn a_turned_camera_shows_in_the_bearings_of_each_landmark() {
     let told = frame(turned).mean_bearing;
     assert!(told.is_some_and(|mean| mean.abs() < 1e-3), "{told:?}");
 }
+
+#[test]
+fn the_settings_that_a_reader_finds_are_those_of_the_core() {
+    assert_eq!(Settings::from(LogParams::default()), Settings::default());
+}

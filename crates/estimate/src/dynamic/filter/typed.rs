@@ -58,7 +58,7 @@ where
         Self { system, belief: belief.into(), log_likelihood: Some(0.0), last: None }
     }
 
-    // In wasm a half is one function, in a step too: in line it would weigh twice, and be hardly quicker.
+    // Where a binary is fetched, a half is one function, in a step too: in line it would be there twice.
     #[cfg_attr(target_arch = "wasm32", inline(never))]
     pub fn predict(&mut self, u: &[f64]) -> Result<(), Error> {
         let system = &self.system;
