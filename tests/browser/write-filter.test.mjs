@@ -49,6 +49,19 @@ test('a step typed from an empty box is called right, and is there again after a
   await again.getByRole('button', { name: 'As it began' }).click()
   await until(again, ({ params }) => params.text === null, 'it is as it began')
   assert.equal(await area.inputValue(), '')
+  // Nothing is lost by that, until something else is typed.
+  await again.getByRole('button', { name: 'Back to yours' }).click()
+  await until(again, right, 'the text is there again')
+  assert.equal(await area.inputValue(), LINES.join('\n'))
+  await page.reload()
+  await until(await figure(page, NAME), right, 'and the browser keeps it')
+  await again.getByRole('button', { name: 'As it began' }).click()
+  await until(again, ({ params }) => params.text === null, 'it is as it began')
+  await area.fill('x = F x')
+  await area.blur()
+  await until(again, ({ params }) => params.text === 'x = F x', 'another is read')
+  await again.getByRole('button', { name: 'As it began' }).waitFor()
+  assert.equal(await again.getByRole('button', { name: 'Back to yours' }).count(), 0)
 })
 
 test('the chapter’s box, copied and pasted, is a right program in the letters of each notation', async (t) => {
@@ -138,18 +151,57 @@ test('See it opens a bug with its line marked, and an exercise in place', async 
     .click()
 })
 
-test('500 worlds are counted in a worker, and a count can be stopped', async (t) => {
-  const { it } = await openWriting(t, '?program=ekf')
-  await until(it, ({ params }) => params.begin === 'ekf', 'the robot’s filter')
-  const counted = () =>
-    it.locator('.live .panel-worlds').evaluate((panel) => /over (\d+) worlds/.exec(panel.textContent)?.[1])
-  await it.locator('.live .panel-worlds', { hasText: /over [1-9]\d* worlds/ }).waitFor()
-  // The bar with its button appears after a moment only: this is what the button does.
-  await it.evaluate((host) => host.figure.beside.cancel())
-  const some = Number(await counted())
-  assert.ok(some > 0 && some <= 500, `${some} worlds`)
-  assert.equal(await it.evaluate((host) => host.figure.beside.progress), null)
-  await it.getByRole('button', { name: 'Joseph’s form' }).click()
+test('500 worlds are counted in a worker', async (t) => {
+  const { it } = await openWriting(t, '?program=joseph')
   await it.locator('.live .panel-worlds', { hasText: 'over 500 worlds' }).waitFor()
   assert.deepEqual((await frameOf(it)).faults, [])
+})
+
+test('Cancel stops a count, and what comes after that is not shown', async (t) => {
+  const { it } = await openWriting(t, '?program=joseph')
+  const counted = (/** @type {number} */ count) =>
+    it.locator('.live .panel-worlds', { hasText: `over ${count} worlds` })
+  await counted(500).waitFor()
+  // A worker that answers when it is told to, in the place of the figure's own.
+  await it.evaluate((host) => {
+    const { beside } = host.figure
+    const { value } = beside
+    host.asked = []
+    const port = { post: (message) => host.asked.push(message), onmessage: null }
+    host.found = (count) => port.onmessage({ kind: 'found', id: host.asked[0].id, found: { ...value, count } })
+    beside.port = Promise.resolve(port)
+  })
+  await it.getByRole('button', { name: 'The short form' }).click()
+  await counted(0).waitFor()
+  // The bar with its button appears when a count has gone on for a while.
+  await it.evaluate(async (host) => {
+    const appeared = () => host.asked.length > 0 && !host.querySelector('.progress').hidden
+    while (!appeared()) {
+      if (host.asked.length > 0) host.found(20)
+      await new Promise((resolve) => requestAnimationFrame(resolve))
+    }
+  })
+  await counted(20).waitFor()
+  await it.locator('.progress').getByRole('button', { name: 'Cancel' }).click()
+  await it.locator('.progress').waitFor({ state: 'hidden' })
+  // What was under way when the button was pressed comes still, and two frames are drawn.
+  await it.evaluate(async (host) => {
+    host.found(40)
+    for (let frame = 0; frame < 2; frame += 1) {
+      host.figure.ask()
+      await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)))
+    }
+  })
+  assert.match(String(await it.locator('.live .panel-worlds').textContent()), /over 20 worlds/)
+  assert.deepEqual(await it.evaluate((host) => host.asked.map(({ kind }) => kind)), ['count', 'cancel'])
+})
+
+test('a copy says how long its test is, and a program that has none says why', async (t) => {
+  const { it } = await openWriting(t, '?program=kalman')
+  await it.locator('.write-copies summary').click()
+  const said = it.locator('.write-copies .write-said')
+  await said.filter({ hasText: /^main\.rs: its test is the first 10 steps of this run\.$/ }).waitFor()
+  await it.getByRole('combobox', { name: 'Begin with' }).selectOption('sequential')
+  await said.filter({ hasText: /^This program cannot be copied: .*p = 2/ }).waitFor()
+  assert.equal(await it.getByRole('textbox', { name: 'The program in that language' }).isVisible(), false)
 })

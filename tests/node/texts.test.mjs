@@ -16,13 +16,14 @@ const SEED = Number(process.env.FUZZ_SEED ?? 1)
  *
  * @param {string} who @param {string[]} sound texts that it reads
  * @param {(text: string) => boolean} read throws where the reader broke its promise
+ * @param {number} [count] of texts
  */
-function fuzz(who, sound, read) {
+function fuzz(who, sound, read, count = TEXTS) {
   test(`${who} reads a spoilt text, or says what is wrong with it`, (t) => {
     for (const text of sound) assert.ok(read(text), `${JSON.stringify(text)} is sound`)
     const dice = seeded(SEED)
     let [taken, refused] = [0, 0]
-    for (let i = 0; i < TEXTS; i++) {
+    for (let i = 0; i < count; i++) {
       const text = spoiltText(dice.pick(sound), dice)
       try {
         if (read(text)) taken++
@@ -32,7 +33,7 @@ function fuzz(who, sound, read) {
       }
     }
     t.diagnostic(`${taken} read, ${refused} refused`)
-    assert.ok(taken > TEXTS / 100 && refused > TEXTS / 100, `${taken} read and ${refused} refused`)
+    assert.ok(taken > count / 100 && refused > count / 100, `${taken} read and ${refused} refused`)
   })
 }
 
@@ -131,3 +132,38 @@ fuzz('The state in a link', NUMBERS, (text) => {
   url.searchParams.set('fig-bench', Buffer.from(text).toString('base64url'))
   return opened(url.href)
 })
+
+const PROGRAM = new core.WriteFilter().state()
+const PROGRAMS = ['kalman', 'joseph', 'ekf', 'twice'].map((begin) => {
+  const lab = core.WriteFilter.from({ ...PROGRAM, step: 0, params: { ...PROGRAM.params, begin } })
+  const { text } = lab.frame()
+  lab.free()
+  return `${begin}\n${text}`
+})
+/** A program is read and judged when its link opens, which takes three thousandths of a second. */
+const FEWER = Math.ceil(TEXTS / 40)
+fuzz(
+  'A link with a program',
+  PROGRAMS,
+  (written) => {
+    const [begin, ...lines] = written.split('\n')
+    const params = { ...PROGRAM.params, begin, text: lines.join('\n') }
+    const link = withState('https://example.org/kalman/filter/', 'fig-filter', { ...PROGRAM, step: 2, params })
+    const read = readState(link, 'fig-filter', 'write-filter')
+    if (read === 'mangled' || read === null) return false
+    try {
+      const lab = core.WriteFilter.from(read)
+      const { outcome, faults, sentences, text } = lab.frame()
+      lab.free()
+      const last = text.split('\n').length
+      for (const { line, message } of faults) assert.ok(line >= 1 && line <= last && message.length > 10, message)
+      assert.ok(sentences.length > 0 && sentences.every((/** @type {string} */ said) => said.length > 10))
+      assert.ok(faults.length === 0 || outcome === 'refused')
+      return faults.length === 0
+    } catch (error) {
+      if (error.name !== 'EstimateError') throw error
+      return false
+    }
+  },
+  FEWER,
+)

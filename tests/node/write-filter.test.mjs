@@ -43,8 +43,34 @@ test('each exercise is solved by its answer, and not by the program that it begi
     const key = keyOf(exercise.querySelector('.quiz'))
     const text = exercise.querySelector('pre').textContent.trim()
     assert.deepEqual(unmet(key, frameOf({ begin, text })), [], `${exercise.id}: ${frameOf({ begin, text }).sentences}`)
-    assert.notDeepEqual(unmet(key, frameOf({ begin })), [], `${exercise.id} is solved before it begins`)
+    for (const other of BEGINS)
+      assert.notDeepEqual(
+        unmet(key, frameOf({ begin: other })),
+        [],
+        `${exercise.id} is solved by ${other} as it begins`,
+      )
   }
+})
+
+/** What an exercise asks for and a program does not have. */
+function asked(/** @type {string} */ begin, /** @type {string} */ text) {
+  const form = page.querySelector(`#ex-filter-${begin} .quiz`)
+  const frame = frameOf({ begin, text })
+  assert.equal(frame.outcome, 'right', `${text}\n${frame.sentences}`)
+  const { conditions = [] } = keyOf(form)
+  return unmet(keyOf(form), frame).map((i) => conditions[i].path)
+}
+
+test('a gain by another name is one, and so is a division by a matrix where numbers are asked for', () => {
+  const after = (...lines) => ['x = F x + G u', "P = F P F' + V", ...lines].join('\n')
+  const gain = after("K = P H'/(H P H' + W)", 'x = x + K (y - H x)', 'P = P - K H P')
+  assert.deepEqual(asked('information', gain), ['namesGain'])
+  const inside = after("x = x + P H'/(H P H' + W) (y - H x)", "P = inv(inv(P) + H' inv(W) H)")
+  assert.deepEqual(asked('information', inside), ['namesGain'])
+  const none = after("P = inv(inv(P) + H' inv(W) H)", "x = x + P H' (W \\ (y - H x))")
+  assert.deepEqual(asked('information', none), [])
+  assert.deepEqual(asked('sequential', `two = eye(2) y\n${gain}`), ['divides'])
+  assert.deepEqual(asked('sequential', `two = eye(2) y\n${none}`), ['divides'])
 })
 
 test('an exercise that asks for the line at fault does not name it before a line is changed', async () => {

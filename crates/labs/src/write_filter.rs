@@ -50,6 +50,7 @@ struct Judged {
     observer: Option<WriteObserver>,
     made: Vec<String>,
     names_gain: bool,
+    divides: bool,
 }
 
 /// The program that the parameters say.

@@ -6,11 +6,13 @@
 
 mod bugs;
 mod cases;
+mod forms;
 mod sentences;
 mod unfinished;
 
 pub use bugs::Bug;
 pub use cases::cases;
+pub use forms::{divides, has_gain};
 
 use crate::words::Words;
 use crate::{Made, Matrix, Notation, Program, Quantity, Step, Stop, World};

@@ -20,6 +20,9 @@ pub enum Trouble {
     NotFinite,
 }
 
+/// Sees the value of a part of a formula, by its node.
+pub(crate) type Look<'a> = &'a dyn Fn(Id, &Matrix);
+
 /// One line at work.
 pub(crate) struct Run<'a> {
     pub tree: &'a Tree,
@@ -29,6 +32,8 @@ pub(crate) struct Run<'a> {
     pub varied: Option<(Name, &'a Value)>,
     /// Why there is no value, and at which node.
     pub trouble: &'a Cell<(Trouble, Id)>,
+    /// Who sees what is computed.
+    pub look: Option<Look<'a>>,
 }
 
 impl<'a> Run<'a> {
@@ -64,6 +69,9 @@ impl<'a> Run<'a> {
                 value?
             }
         };
+        if let Some(look) = self.look {
+            look(id, &value.m);
+        }
         Some(Cow::Owned(value))
     }
 

@@ -60,6 +60,11 @@ impl Program {
     /// # Errors
     /// See [`Stop`].
     pub fn step(&mut self, given: Vec<Matrix>) -> Result<Step, Stop> {
+        self.step_seen(given, None)
+    }
+
+    /// The same, where `look` sees the value of each part of a formula that is computed.
+    pub(crate) fn step_seen(&mut self, given: Vec<Matrix>, look: Option<run::Look<'_>>) -> Result<Step, Stop> {
         let sizes = self.read.world.sizes(&given).ok_or(Stop::Given)?;
         self.fit(sizes).map_err(Stop::Fault)?;
         let mut values = Vec::with_capacity(self.read.names.len());
@@ -72,7 +77,7 @@ impl Program {
         for (line, number) in self.read.tree.lines.iter().zip(&self.read.lines) {
             let Some(id) = line.value else { continue };
             let trouble = Cell::new((Trouble::NotFinite, id));
-            let run = Run { tree: &self.read.tree, values: &values, varied: None, trouble: &trouble };
+            let run = Run { tree: &self.read.tree, values: &values, varied: None, trouble: &trouble, look };
             let Some(value) = run.value(id) else {
                 let (trouble, id) = trouble.get();
                 return Err(self.trouble(trouble, line, self.read.tree.place(id)));

@@ -1,8 +1,10 @@
-//! Random texts, spoilt pastes and their steps: nothing panics, everything ends, and every fault lies in the text.
+//! Random texts, spoilt pastes, their steps, verdicts, trees and other letters: nothing panics, everything ends, and
+//! every fault lies in the text.
 //!
 //! `TEXTS` says how many, `SEED` which; a release (`RELEASE=1`) reads a million.
 
-use program::{Matrix, Notation, Program, Stop, World};
+use program::judge::{Outcome, divides, has_gain, judge};
+use program::{Matrix, Notation, Program, Stop, World, relettered};
 
 const PIECES: [&str; 104] = [
     "x",
@@ -199,6 +201,11 @@ fn every_text_is_answered_and_every_fault_lies_in_it() {
         let notation = [Notation::Choset, Notation::Thrun, Notation::Common][dice.below(3)];
         let mut program = Program::new(&text, world, notation);
         program.faults().iter().for_each(|fault| lies_in(&text, fault));
+        is_judged(&program, &text);
+        has_a_tree(&program, &text);
+        let other = [Notation::Choset, Notation::Thrun, Notation::Common][dice.below(3)];
+        let again = relettered(&relettered(&text, world, [notation, other]), world, [other, notation]);
+        assert_eq!(again.lines().count(), text.lines().count(), "{text}\n{again}");
         for _ in 0..2 {
             match program.step(dice.given(world)) {
                 Ok(step) => {
@@ -214,6 +221,31 @@ fn every_text_is_answered_and_every_fault_lies_in_it() {
         }
     }
     assert!(steps > 100 && stops > 100, "{steps} steps, {stops} refusals");
+}
+
+/// A verdict says something of a line that there is, and refuses what has a fault.
+fn is_judged(program: &Program, text: &str) {
+    let verdict = judge(program);
+    assert!(!verdict.sentences.is_empty() && verdict.sentences.iter().all(|said| !said.is_empty()), "{text}");
+    assert!(verdict.line.is_none_or(|line| line >= 1 && line as usize <= text.split('\n').count()), "{text}");
+    assert!(program.faults().is_empty() || verdict.outcome == Outcome::Refused, "{text}\n{verdict:?}");
+    if !program.faults().is_empty() {
+        assert!(!has_gain(program) && !divides(program), "{text}");
+    }
+}
+
+/// What has no fault has a tree, whose lines are in the text.
+fn has_a_tree(program: &Program, text: &str) {
+    let lines = program.tree(None);
+    assert_eq!(lines.is_ok(), program.faults().is_empty(), "{text}");
+    let last = text.split('\n').count() as u32;
+    let within = |[from, to]: [u32; 2]| from >= 1 && from <= to && to <= last;
+    assert!(lines.iter().flatten().all(|line| within(line.lines)), "{text}\n{lines:?}");
+    let sizes = [0, 1, 2].map(|i| program.sizes()[i].unwrap_or([2, 2, 1][i]));
+    match program.tree(Some(sizes)) {
+        Ok(lines) => assert!(lines.iter().all(|line| within(line.lines)), "{text}"),
+        Err(fault) => lies_in(text, &fault),
+    }
 }
 
 fn lies_in(text: &str, fault: &program::Fault) {
@@ -246,6 +278,8 @@ fn long_and_deep_texts_end_soon() {
     for text in texts {
         let mut program = Program::new(&text, World::Linear, Notation::Choset);
         program.faults().iter().for_each(|fault| lies_in(&text, fault));
+        is_judged(&program, &text);
+        has_a_tree(&program, &text);
         let n = 16;
         let given = vec![
             Matrix::column(&[0.1; 16]),

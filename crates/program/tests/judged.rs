@@ -13,6 +13,7 @@ use filters::{Ekf, MeasurementModel};
 use geom::SE2;
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, Vector2};
 use program::judge::{Bug, Outcome, Verdict, cases, judge};
+use program::words::Words;
 use program::{Matrix, Notation, Program, Quantity, World};
 use right::RIGHT;
 use wrong::WRONG;
@@ -39,6 +40,72 @@ fn wrong_filters_are_called_wrong_by_a_sentence_that_is_true() {
         assert_eq!(verdict.outcome, Outcome::Wrong, "{name}: {verdict:#?}");
         let all = verdict.sentences.join(" ");
         assert!(all.contains(said), "{name}: {verdict:#?}");
+    }
+}
+
+/// What a sentence says of an entry: the quantity, its place, the case, and the values of the program and of a right
+/// filter; none of a sentence that compares nothing.
+fn compared(said: &str, notation: Notation) -> Option<(Quantity, [usize; 2], usize, [&str; 2])> {
+    let sentence = said.split(". ").find(|part| part.contains("and a right filter has "))?;
+    let (before, ours) = sentence.split_once(", and a right filter has ")?;
+    let (case, entry, theirs) = match before.strip_prefix("In case ") {
+        Some(rest) => {
+            let (case, rest) = rest.split_once(", ")?;
+            let (entry, theirs) = rest.split_once(" is ")?;
+            (case, entry, theirs)
+        }
+        None => {
+            let (_, rest) = before.strip_prefix("In line ")?.split_once(", ")?;
+            let (entry, rest) = rest.split_once(" is ")?;
+            let (theirs, case) = rest.split_once(" in case ")?;
+            (case, entry, theirs)
+        }
+    };
+    let (letter, place) = entry.strip_suffix(']')?.split_once('[')?;
+    let mut place = place.split(", ").map(|number| number.parse::<usize>().expect("a number") - 1);
+    let place = [place.next()?, place.next().unwrap_or(0)];
+    let letters = [Quantity::X, Quantity::P, Quantity::Innovation, Quantity::S, Quantity::Gain];
+    let program = Program::new("", World::Linear, notation);
+    let quantity = letters.into_iter().find(|quantity| program.letter(*quantity) == letter)?;
+    Some((quantity, place, case.parse::<usize>().ok()? - 1, [theirs, ours.trim_end_matches('.')]))
+}
+
+/// Holds the numbers of a verdict to those of the two filters in the case that it names; answers how many there were.
+fn the_numbers_are_those_of_the_case(text: &str, world: World, notation: Notation) -> usize {
+    let mut theirs = Program::new(text, world, notation);
+    let mut ours = Program::new(&program::judge::right(world), world, Notation::Choset);
+    let verdict = judge(&theirs);
+    let cases = cases(world, theirs.sizes());
+    let mut count = 0;
+    for said in &verdict.sentences {
+        let Some((quantity, [i, j], case, numbers)) = compared(said, notation) else {
+            assert!(!said.contains("and a right filter has "), "not understood: {said}");
+            continue;
+        };
+        let values = [&mut theirs, &mut ours].map(|program| {
+            let step = program.step(cases[case].clone()).expect("a step");
+            let made = program.made(&step, quantity).expect("a value");
+            Words::default().number(made.at(i, j)).0.clone()
+        });
+        assert_eq!(values, numbers, "{said}\n{text}");
+        assert_ne!(numbers[0], numbers[1], "{said}");
+        count += 1;
+    }
+    count
+}
+
+#[test]
+fn the_numbers_of_a_sentence_are_those_of_its_case() {
+    for (name, world, notation, text, _) in WRONG {
+        assert!(the_numbers_are_those_of_the_case(text, world, notation) >= 1, "{name}");
+    }
+    for (world, old, new) in [
+        (World::Linear, "P = F P F' + V", "P = F' P F + V"),
+        (World::Robot, "nu[2] = wrap(nu[2])\n", ""),
+        (World::Robot, "+ W", "+ chol(W)"),
+    ] {
+        let right = if world == World::Robot { ROBOT } else { LINEAR };
+        assert_eq!(the_numbers_are_those_of_the_case(&right.replace(old, new), world, Notation::Choset), 1, "{new}");
     }
 }
 

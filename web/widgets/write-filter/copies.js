@@ -34,7 +34,9 @@ export function buildCopies(document, into, change) {
     const copy = chosen()
     area.value = copy?.text ?? ''
     row.hidden = area.hidden = copy === undefined
-    if (copy) said.textContent = `${copy.file}: its test is the first ten steps of this run.`
+    if (!copy) return
+    const steps = copy.steps === 1 ? 'step' : `${copy.steps} steps`
+    said.textContent = `${copy.file}: its test is the first ${steps} of this run.`
   }
   language.addEventListener('change', show)
   button(
@@ -57,7 +59,7 @@ export function buildCopies(document, into, change) {
   /** @param {Frame} frame @param {World} world */
   async function write(frame, world) {
     const which = (asked += 1)
-    const { copies, why } = await copiesOf(frame, world)
+    const { copies, why } = await copiesOf(frame, world).catch(failed)
     if (which !== asked) return
     const before = language.selectedIndex
     all = copies
@@ -84,19 +86,26 @@ export function buildCopies(document, into, change) {
   }
 }
 
+/** What is said where a script does not come. @param {Error} error */
+const failed = ({ message }) => ({ copies: /** @type {Copy[]} */ ([]), why: `Nothing can be copied: ${message}.` })
+
 /** @param {Frame} frame @param {World} world @returns {Promise<ReturnType<typeof import('./copy.js').copies>>} */
-async function copiesOf({ text, params, world: kind }, { system, belief, steps }) {
+async function copiesOf({ text, params, world: kind }, world) {
   // Only a browser has the build, and few readers ask for a copy.
   const [{ copies }, { loadLab }] = await Promise.all([import('./copy.js'), import('../../load/modules.js')])
   const loaded = await loadLab('write-filter')
   if (!loaded.ok) return { copies: [], why: `Nothing can be copied: ${loaded.why}.` }
   const program = new loaded.module.Program(text, { notation: params.notation, world: kind })
   try {
-    return copies(program, text, /** @type {any} */ ({ system: given(system), belief, steps: steps.map(given) }))
+    return copies(program, text, worldOfCopy(world))
   } finally {
     program.free()
   }
 }
+
+/** A lab's world as a copy has it. @param {World} world @returns {import('./copy/frame.js').World} */
+export const worldOfCopy = ({ system, belief, steps }) =>
+  /** @type {any} */ ({ system: given(system), belief, steps: steps.map(given) })
 
 /** Without what is null. @template T @param {T} fields */
 const given = (fields) =>

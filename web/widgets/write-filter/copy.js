@@ -8,7 +8,10 @@ import { Refusal } from './copy/node.js'
 import { numpy } from './copy/numpy.js'
 import { rust } from './copy/rust.js'
 
-/** @typedef {{ language: string, label: string, file: string, text: string }} Copy */
+/**
+ * `steps` is how many of its world’s first ten are its test: fewer where the program has no value in the next.
+ * @typedef {{ language: string, label: string, file: string, text: string, steps: number }} Copy
+ */
 
 const LANGUAGES = [
   { language: 'rust', label: 'Rust', file: 'main.rs', write: rust },
@@ -19,7 +22,7 @@ const LANGUAGES = [
 ]
 
 /**
- * The program in each language, as a whole program whose test is the first ten steps of its world; or, where there is
+ * The program in each language, as a whole program whose test is the first steps of its world; or, where there is
  * none, why.
  * @param {import('estimate-wasm').Program} program @param {string} text what it was read from
  * @param {import('./copy/frame.js').World} world
@@ -30,9 +33,10 @@ export function copies(program, text, world) {
   if (fault) return { copies: [], why: `Line ${fault.line} has a fault: ${fault.message}` }
   try {
     const frame = frameOf(program, text, world)
-    return { copies: LANGUAGES.map(({ write, ...copy }) => ({ ...copy, text: write(frame) })), why: '' }
+    const steps = frame.steps.length
+    return { copies: LANGUAGES.map(({ write, ...copy }) => ({ ...copy, text: write(frame), steps })), why: '' }
   } catch (error) {
     if (!(error instanceof Refusal)) throw error
-    return { copies: [], why: `This program cannot be copied: ${error.message}.` }
+    return { copies: [], why: `This program cannot be copied: ${error.message.replace(/\.+$/, '')}.` }
   }
 }

@@ -22,6 +22,7 @@ const LETTERS = /** @type {const} */ ([
 
 /** @typedef {import('estimate-wasm').WriteFrame} Frame */
 /** @typedef {import('estimate-wasm').WriteParams} Params */
+/** @typedef {import('./kept.js').Own} Own */
 /**
  * @typedef {(patch: Record<string, unknown>, make?: (frame: any, lab: any) => Record<string, unknown>) => void} Change
  */
@@ -54,21 +55,27 @@ export function buildEditor(document, change) {
   }))
     area.setAttribute(name, value)
   const fold = part(document, element, 'p', 'write-row')
+  /** The text that “As it began” took away, until another is typed. @type {{ begin: string, own: Own } | null} */
+  let taken = null
+  const isBack = (/** @type {Params} */ { begin, text }) => text === null && taken?.begin === begin
   const anew = button(
     document,
     fold,
     'As it began',
     () => {
-      change({}, ({ params }) => {
-        keep(params.begin, null)
-        return { text: null }
+      change({}, ({ params: { begin, text, notation } }) => {
+        const held = taken
+        const back = text === null && held && held.begin === begin ? held.own : null
+        taken = text === null ? null : { begin, own: { text, notation } }
+        keep(begin, back)
+        return back ?? { text: null }
       })
     },
     'quiet',
   )
   const faults = part(document, element, 'ol', 'write-faults')
   const why = part(document, element, 'div', 'write-why')
-  const taken = buildCopies(document, element, change)
+  const inOthers = buildCopies(document, element, change)
 
   /** What the box holds, by the parameters it came from or went to. */
   let shown = ''
@@ -89,6 +96,7 @@ export function buildEditor(document, change) {
     })
   }
   area.addEventListener('input', () => {
+    taken = null
     fit(area.value)
     clearTimeout(resting)
     resting = setTimeout(send, REST_MS)
@@ -136,10 +144,11 @@ export function buildEditor(document, change) {
     show(params, now) {
       choose(begin, params.begin)
       choose(letters, params.notation)
-      anew.hidden = params.text === null
+      anew.hidden = params.text === null && !isBack(params)
+      anew.textContent = isBack(params) ? 'Back to yours' : 'As it began'
       // While a run is computed the frame is older than what was asked for.
       if (keyOf(now.params) !== keyOf(params)) return
-      taken.show(now)
+      inOthers.show(now)
       const key = keyOf(params)
       if (key !== shown && resting === undefined) {
         shown = key

@@ -1,9 +1,12 @@
 //! Right filters lie in their bands, and the bugs that NEES or NIS shows lie outside.
 
-use super::Worlds;
-use crate::bug_museum::{Bug, museum_run};
+use super::{Run, Worlds};
+use crate::bug_museum::{Bug, BugMuseum, MuseumParams, museum_run};
 use crate::ensemble::SEEDS;
+use crate::write_filter::Begin;
+use lab::{Knob, Lab, Plain, Shape};
 use program::{Notation, Program, Stop, World, judge};
+use sim::scenarios::BUG_MUSEUM;
 
 const LINEAR: &str =
     "x = F x + G u\nP = F P F' + V\nnu = y - H x\nS = H P H' + W\nR = P H' / S\nx = x + R nu\nP = sym(P - R H P)";
@@ -54,6 +57,54 @@ fn the_robots_right_filter_does_in_the_stadium_what_the_museums_does() {
     let mean = |figure: usize| museum.iter().map(|run| run[figure]).sum::<f64>() / f64::from(runs);
     // A step without a reading is one of variance 10¹²: what that moves is far below these digits.
     assert!((nees - mean(3)).abs() < 1e-6 && (nis - mean(4)).abs() < 1e-6, "{nees} {nis} {} {}", mean(3), mean(4));
+}
+
+/// The greatest gap between the estimates of a bug's program and of the museum's filter in whole runs of three seeds,
+/// metres or radians, as long as both gates let the same readings in; and how many steps that were.
+fn gap(begin: Begin, bug: Bug) -> (f64, u32) {
+    let (mut worst, mut steps) = (0.0_f64, 0);
+    for seed in 1..=3 {
+        let mut program = Program::new(&begin.text(), World::Robot, Notation::Choset);
+        let mut run = Run::start(World::Robot, seed).expect("a run");
+        let mut museum = BugMuseum::new(MuseumParams { bug, seed, ..MuseumParams::default() }).expect("a museum");
+        for step in 1..=BUG_MUSEUM.steps {
+            run.next(&mut program).expect("every line has a value");
+            museum.step().expect("within the limit");
+            let frame = museum.frame();
+            assert_eq!(run.truth(), frame.truth, "{bug:?}, seed {seed}, step {step}");
+            let uses = frame.readings.step.iter().zip(frame.readings.used.iter());
+            if uses.filter(|(at, _)| *at == f64::from(step)).any(|(_, used)| (used == 1.0) != run.used) {
+                break;
+            }
+            steps += 1;
+            for (i, (ours, theirs)) in run.belief.0.entries.iter().zip(frame.estimate).enumerate() {
+                let off = ours - theirs;
+                // Where both wrap a heading, one may stand at π and the other at −π.
+                let turned = i == 2 && bug != Bug::UnwrappedHeading;
+                worst = worst.max(if turned { geom::wrap(off) } else { off }.abs());
+            }
+        }
+    }
+    (worst, steps)
+}
+
+#[test]
+fn the_programs_of_the_museums_bugs_give_the_museums_estimates() {
+    let Shape::Word(words) = Begin::SHAPE else { panic!("Begin is a word") };
+    let mut compared = 0;
+    for bug in Bug::ALL {
+        let Some(at) = words.iter().position(|word| *word == bug.word()) else { continue };
+        compared += 1;
+        let (gap, steps) = gap(Begin::read(&mut [at as f64].iter()), bug);
+        // A step without a reading is one of variance 10¹²: what is left of it is more where P is large, for want of
+        // readings or because W is said to be.
+        let large = matches!(bug, Bug::UnwrappedHeading | Bug::Deviation);
+        assert!(gap < if large { 1e-5 } else { 1e-7 }, "{bug:?}: {gap}");
+        // The museum asks its gate at each of two uses, a program's world asks at the last.
+        let whole = 3 * BUG_MUSEUM.steps;
+        assert!(if bug == Bug::Twice { steps > 60 } else { steps == whole }, "{bug:?}: {steps} of {whole} steps");
+    }
+    assert_eq!(compared, 10);
 }
 
 #[test]

@@ -73,8 +73,10 @@ record! {
         pub sentences: Vec<String>,
         /// Whether a right form loses its digits where the prior knows nothing.
         pub breaks: bool,
-        /// Whether the program names its gain.
+        /// Whether the program names its gain, makes a right filter's by another name, or has its S in a line.
         pub names_gain: bool,
+        /// Whether a line divides by a matrix of more than one row, or inverts one.
+        pub divides: bool,
         /// What it is as an observer, where its gain depends on nothing.
         pub observer: Option<WriteObserver>,
         /// Why the run stands still, where it does.

@@ -105,7 +105,6 @@ impl Begin {
     fn change(self) -> Option<(&'static str, &'static str)> {
         Some(match self {
             Self::UnwrappedInnovation => ("nu[2] = wrap(nu[2])\n", ""),
-            Self::UnwrappedHeading => ("x[3] = wrap(x[3])\n", ""),
             Self::WrongDerivative => ("nu = y", "H[2, 3] = -1 / norm(x[1:2] - l)^2\nnu = y"),
             Self::Transposed => ("F P F' + V", "F' P F + V"),
             Self::Degrees => ("S = H", "W[2, 2] = (180 / pi)^2 W[2, 2]\nS = H"),
@@ -152,6 +151,13 @@ impl Begin {
             Self::MendFirst => {
                 "nu = y - H x\nx = F x + G u\nP = F P F' + V\nS = H P H' + W\nR = P H' inv(S)\nx = x + R nu\n\
                  P = P - R H P"
+            }
+            // As in the museum: no line wraps the heading, and the innovation is taken back by one turn at most.
+            Self::UnwrappedHeading => {
+                "F = jac(f, x)\nx = [f(x, u)[1:2]; x[3] + u[2]]\nP = F P F' + V\nH = jac(h, x)\nnu = y - h(x, l)\n\
+                 nu[2] = nu[2] + x[3] - wrap(x[3])\nt = (nu[2] - wrap(nu[2])) / (2 pi) # turns\n\
+                 t = (abs(t + 1) - abs(t - 1)) / 2 # one\nnu[2] = nu[2] - 2 pi t\nS = H P H' + W\n\
+                 R = P H' inv(S)\nx = x + R nu\nP = sym(P - R H P)"
             }
             Self::MendSecond => kalman!("P = (I - R H) P (I - R H)'"),
             Self::Extend => {

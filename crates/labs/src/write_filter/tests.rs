@@ -52,6 +52,28 @@ fn each_program_is_what_it_begins_as() {
 }
 
 #[test]
+fn a_heading_that_is_not_wrapped_is_said_to_do_what_it_does() {
+    let greatest = |text| {
+        let params = WriteParams { begin: Begin::UnwrappedHeading, text, ..WriteParams::default() };
+        let mut lab = WriteFilter::new(params).expect("a lab");
+        let mut greatest = 0.0_f64;
+        for _ in 0..240 {
+            lab.step().expect("within the limit");
+            greatest = greatest.max(lab.frame().estimate[2].abs());
+        }
+        let said = lab.frame().sentences.join(" ");
+        assert!(said.contains("where the motion does not wrap it either, it grows from lap to lap"), "{said}");
+        greatest
+    };
+    let pi = core::f64::consts::PI;
+    assert!(greatest(None) > 9.0 * pi, "five laps");
+    // Where f wraps, only the last correction can carry it beyond ±π.
+    let wrapping = Begin::Ekf.text().replace("x[3] = wrap(x[3])\n", "");
+    let most = greatest(Some(Written::new(&wrapping).expect("it fits")));
+    assert!(most > pi && most < 1.1 * pi, "{most}");
+}
+
+#[test]
 fn no_line_of_a_program_is_longer_than_its_box() {
     let Shape::Word(words) = Begin::SHAPE else { panic!("Begin is a word") };
     for (i, word) in words.iter().enumerate() {

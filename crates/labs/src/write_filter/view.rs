@@ -6,7 +6,7 @@ use crate::shapes::ellipse_of;
 use crate::worlds::Run;
 use geom::Ellipse;
 use nalgebra::Matrix2;
-use program::judge::{Outcome, Verdict, judge};
+use program::judge::{Outcome, Verdict, divides, has_gain, judge};
 use program::words::Words;
 use program::{Fault, Program, Quantity, World, given};
 use sim::scenarios::BUG_MUSEUM;
@@ -32,8 +32,8 @@ pub(super) fn judged(program: &Program) -> Judged {
         verdict.sentences.push(words.0);
     }
     let made = program.makes();
-    let names_gain = made.iter().any(|name| name == program.letter(Quantity::Gain));
-    Judged { verdict, faults, observer, made, names_gain }
+    let names_gain = made.iter().any(|name| name == program.letter(Quantity::Gain)) || has_gain(program);
+    Judged { verdict, faults, observer, made, names_gain, divides: divides(program) }
 }
 
 /// The fault of a text that is right by itself, and is for another count of states or inputs than the rail has. There
@@ -52,7 +52,7 @@ pub(super) fn said(words: &str) -> Fault {
 }
 
 pub(super) fn frame(lab: &WriteFilter) -> WriteFrame {
-    let Judged { verdict, faults, observer, made, names_gain } = &*lab.judged;
+    let Judged { verdict, faults, observer, made, names_gain, divides } = &*lab.judged;
     // The world is the right filter's, which goes on where the program's run has ended.
     let [run, right] = &lab.runs;
     let runs = lab.stopped.is_none();
@@ -72,6 +72,7 @@ pub(super) fn frame(lab: &WriteFilter) -> WriteFrame {
         sentences: verdict.sentences.clone(),
         breaks: verdict.breaks,
         names_gain: *names_gain,
+        divides: *divides,
         observer: *observer,
         stopped: lab.stopped.as_ref().map(WriteFault::from),
         truth: right.truth(),

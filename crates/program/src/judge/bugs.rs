@@ -67,7 +67,10 @@ impl Bug {
     pub(super) fn sentence(self) -> &'static str {
         match self {
             Self::UnwrappedInnovation => "the innovation of the bearing is not wrapped: near ±π it is off by a turn.",
-            Self::UnwrappedHeading => "the heading is not wrapped: it leaves (−π, π], and grows from lap to lap.",
+            Self::UnwrappedHeading => {
+                "the heading is not wrapped: it leaves (−π, π], and where the motion does not wrap it either, it grows \
+                 from lap to lap."
+            }
             Self::WrongDerivative => "the bearing’s derivative by the heading is −1, and here it is −1/ρ².",
             Self::Transposed => "this computes FᵀPF, and the prediction is FPFᵀ: the transpose goes on the right.",
             Self::Degrees => "the bearing’s σ is in degrees here, and the filter computes in radians.",

@@ -43,7 +43,8 @@ export function frameOf(program, text, { system, belief, steps }) {
   const robot = system.F === undefined
   const n = belief.x.length
   const [{ u: input, y: reading }] = steps
-  const lines = sized(program.tree([n, reading.length, input.length]), [n, reading.length, input.length])
+  const sizes = /** @type {[number, number, number]} */ ([n, reading.length, input.length])
+  const lines = sized(treeOf(program, sizes), sizes)
   const used = new Set(lines.flatMap(({ name, value }) => [name, ...[...all(value)].map((it) => it.name)]))
   const several = steps.some((step) => step.W)
   /** What is given, in the order in which the world gives it. @type {[string, Rows | null][]} */
@@ -95,6 +96,18 @@ export function frameOf(program, text, { system, belief, steps }) {
     ended,
     // What a language could take for the end of a comment’s line is left out.
     text: text.split('\n').map((line) => line.replace(/[\p{C}\p{Zl}\p{Zp}]/gu, ' ').trim()),
+  }
+}
+
+/**
+ * A program without faults may be for other sizes than its world has.
+ * @param {Program} program @param {[number, number, number]} sizes n, p and m
+ */
+function treeOf(program, sizes) {
+  try {
+    return program.tree(sizes)
+  } catch (error) {
+    throw new Refusal(/** @type {Error} */ (error).message)
   }
 }
 
