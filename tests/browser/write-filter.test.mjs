@@ -167,6 +167,7 @@ test('Cancel stops a count, and what comes after that is not shown', async (t) =
     const { beside } = host.figure
     const { value } = beside
     host.asked = []
+    /** @type {any} */
     const port = { post: (message) => host.asked.push(message), onmessage: null }
     host.found = (count) => port.onmessage({ kind: 'found', id: host.asked[0].id, found: { ...value, count } })
     beside.port = Promise.resolve(port)

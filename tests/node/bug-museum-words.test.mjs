@@ -99,7 +99,7 @@ test('what the frame, the words and the link of a hidden bug hold is the same fo
 test('a bug that is a formula leads to the program that has it, and a setting says that it is none', () => {
   const { parseHTML } = createRequire(new URL('../../web/package.json', import.meta.url))('linkedom')
   const { document } = parseHTML('<!doctype html><html data-root="../"><body></body></html>')
-  const { element, show } = buildSeeIt(document)
+  const { element, show } = /** @type {{ element: any, show: (params: any) => void }} */ (buildSeeIt(document))
   const settings = []
   for (const bug of Object.keys(BUGS)) {
     show({ bug, lot: 0 })
@@ -126,7 +126,8 @@ test('a bug that is a formula leads to the program that has it, and a setting sa
 
 test('where a page is not known, there is no way to a program', () => {
   const { parseHTML } = createRequire(new URL('../../web/package.json', import.meta.url))('linkedom')
-  const { element, show } = buildSeeIt(parseHTML('<!doctype html><html><body></body></html>').document)
+  const { document } = parseHTML('<!doctype html><html><body></body></html>')
+  const { element, show } = /** @type {{ element: any, show: (params: any) => void }} */ (buildSeeIt(document))
   show({ bug: 'transposed', lot: 0 })
   assert.ok(element.hidden && element.textContent === '')
 })

@@ -255,6 +255,7 @@ test('a field keeps the millimetres of a place far from its origin, and six digi
 })
 
 test('the stretch that is withheld is counted from the log’s first row, and so is the one that is shown', () => {
+  /** @type {any} */
   const frame = { params: { withheld: [1010, 1025] }, summary: { withheld: { rows: 3 } }, log: { span: [1000, 1060] } }
   assert.deepEqual(withheldIn(frame), [10, 25])
   assert.equal(withheldIn({ ...frame, params: { withheld: null } }), null)

@@ -140,6 +140,7 @@ test('what is not known or does not fit is refused by its name', () => {
 })
 
 test('where the origin of a truth lies is written and read again', () => {
+  /** @type {[string, string][]} */
   const tables = [
     ['gps.csv', 'time,speed,yaw_rate,latitude,longitude\n0,1,0,50,8\n1,1,0,50.0001,8\n'],
     ['truth.csv', 'time,true_x,true_y\n0,400,800\n1,400,811\n'],

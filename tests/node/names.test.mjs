@@ -65,7 +65,7 @@ test('Close the loop: when the map is tugged, the names of landmarks lie on none
         names.push({ words, left, right: left + wide, y })
       },
     }
-    drawMap({ pen, width, height }, frame, view)
+    drawMap(/** @type {any} */ ({ pen, width, height }), frame, view)
     const box = { left: 0, top: 0, right: width, bottom: height - FOOT }
     const { plane } = followed(view, box, (axis) => seen(frame, axis))
     const points = ellipses(frame).flatMap(({ ellipse, at }) => ellipsePoints(ellipse, at, plane))

@@ -106,6 +106,7 @@ test('the gap that ends with half a metre is had by the figure’s own controls,
     return now
   }
   const set = (name, value) => {
+    /** @type {any} */
     const control = spec.controls.find((one) => one.name === name)
     params = { ...params, ...(control.set?.(value, frame().params) ?? { [name]: value }) }
     return control

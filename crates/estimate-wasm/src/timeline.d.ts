@@ -15,9 +15,9 @@ export interface TimelineOptions {
   /** How much older than the latest another reading may be, in seconds; more than 0. */
   window: number
   /** How many inputs and readings within the window are kept: at most 10 000, 1000 when left out. It bounds the work of
-      a call: what comes late has all that are later replayed, of two states about a microsecond each, of 16 states
+      a call: what comes late has all that are later replayed, of two states some 1.5 µs each, of 16 states
       and 8 outputs a hundred times that. So n that come in reversed order have n²/2 replayed in all: 10 000 of two
-      states take a minute, in calls of 10 ms. */
+      states take one to two minutes, in calls of at most 15 ms. */
   capacity?: number
   /** The sensors by name, from 1 to 64. As in any object of JavaScript, names that are whole numbers come first. */
   sensors: Record<string, AnyTimelineSensor>

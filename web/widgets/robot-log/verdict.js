@@ -59,7 +59,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
         `likelier than chance does${own.length > 0 ? ', but for what is the motion model’s own' : ''}.` +
         (log?.motion === 'odometry' ? UNSOUGHT : '')
       : other
-        ? foreign(judgement, log)
+        ? foreign(judgement)
         : named(judgement, truth, log),
     ...own.map((suspect) => model(suspect, judgement)),
     sound ? arcs(judgement) : '',
@@ -81,15 +81,15 @@ function named({ suspects: [first, ...others], beside }, truth, log) {
     : `The log-likelihood rises by ${rise(first.gain)}.`
   const more = others.some(({ standing }) => standing !== 'cleared')
   const next = more ? ' What else is wrong shows once this is mended.' : ''
-  if (first.standing === 'sure') return `${sentence(first, truth)} ${gain}${next}`
+  if (first.standing === 'sure') return `${told(first)} ${gain}${next}`
   // What was held against the truth, and is not the first, mends nothing.
   const rivals = others.filter(
     ({ standing, excess, mended }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended,
   )
   const [rival] = rivals
-  if (rival) return `Either: ${sentence(first, truth)} Or: ${sentence(rival, truth)} The readings do not tell which.`
-  if (first.excess < NEAR) return `Perhaps: ${sentence(first, truth)} Chance explains it nearly as well.`
-  return `Perhaps: ${sentence(first, truth)} ${gain}`
+  if (rival) return `Either: ${told(first)} Or: ${told(rival)} The readings do not tell which.`
+  if (first.excess < NEAR) return `Perhaps: ${told(first)} Chance explains it nearly as well.`
+  return `Perhaps: ${told(first)} ${gain}`
 }
 
 /** What is held over a gap looks like any fault of the motion. @param {LogJudgement['gaps'][number]} gap */
@@ -104,14 +104,14 @@ function bridged({ what, count, longest }) {
   )
 }
 
-/** What is wrong is none of the suspects. @param {LogJudgement} judgement @param {Log | null} log */
-function foreign({ suspects, ungated, against }, log) {
+/** What is wrong is none of the suspects. @param {LogJudgement} judgement */
+function foreign({ suspects, ungated, against }) {
   const [first] = suspects
   const most = `Something is wrong that none of the ${suspects.length} faults that were looked for mends.`
   if (!first.mended || !against) return most
   const from = `${fixed(first.mended.rmse, 2)} m from the truth, where it is ${fixed(against.rmse, 2)} m from it now`
   return (
-    `${most} The likeliest is ${kind(first, log)}; mended so, the estimate would be ` +
+    `${most} The likeliest is ${kind(first)}; mended so, the estimate would be ` +
     `${from}${ungated ? ' without the gate' : ''} (RMS).`
   )
 }
@@ -168,8 +168,8 @@ function late({ name, with: other, flat, sizes: [size, , third] }, off) {
 /** What comes late by the same. @param {string | null} name @param {string} other @param {Size} [third] */
 const together = (name, other, third) => (third ? 'readings' : `${DELAYED[name ?? ''][0]} and the ${DELAYED[other][0]}`)
 
-/** What a fault is called. @param {Suspect} suspect @param {Log | null} log */
-function kind({ fault, name, with: other, sensor, sizes }, log) {
+/** What a fault is called. @param {Suspect} suspect */
+function kind({ fault, name, with: other, sensor, sizes }) {
   if (fault === 'start') return 'another start'
   if (fault === 'tails') return `a share of outliers among the ${READINGS[sensor ?? 'fix']}`
   if (fault === 'clock')
