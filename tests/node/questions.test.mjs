@@ -119,6 +119,7 @@ test('the gap that ends with half a metre is had by the figure’s own controls,
   // Its end is brought nearer, a key at a time.
   const limits = Object.fromEntries(estimate[spec.lab].parameters().map((one) => [one.name, one]))
   const scale = Object.assign((value) => value, { invert: (pixel) => pixel })
+  /** @type {any} */
   const plane = { x: scale, y: scale, box: { left: 0, top: 0, right: 20, bottom: 20 } }
   const rows = { measured: 80, came: 44, height: 400 }
   let presses = 0

@@ -42,7 +42,8 @@ test('of two scripts under one lock the second waits, and says so', async () => 
   const [lock, log, go] = ['lock', 'log', 'go'].map((name) => path.join(home, name))
   const run = (name) =>
     bash(
-      `work() { echo '${name} in' >>'${log}'; until [ -e '${go}' ]; do sleep 0.05; done; echo '${name} out' >>'${log}'; }; ` +
+      `work() { echo '${name} in' >>'${log}'; until [ -e '${go}' ]; do sleep 0.05; done; ` +
+        `echo '${name} out' >>'${log}'; }; ` +
         `alone '${lock}' 'the other' work`,
     )
   const first = run('a')

@@ -8,6 +8,12 @@ import { touched } from '../touched.mjs'
 
 const [node, browser] = [import.meta.dirname, path.join(import.meta.dirname, '../browser')]
 
+/** What a change of figures touches. @returns {NonNullable<ReturnType<typeof touched>>} */
+const some = (folder, files) => {
+  const found = touched(folder, files)
+  assert.ok(found, 'not all tests')
+  return found
+}
 /** A changed file, and tests that read what is in it: the folder, and the names. */
 const ROWS = [
   ['robot-log/words.js', browser, 'log-along log-delay log-faults log-kept log-reading log-sensors log-sight log'],
@@ -23,7 +29,7 @@ const ROWS = [
 ]
 for (const [file, folder, names] of ROWS) {
   test(`a change of ${file} runs the tests of ${path.basename(folder)} that reach it`, () => {
-    const { whole } = touched(folder, [`web/widgets/${file}`])
+    const whole = some(folder, [`web/widgets/${file}`]).whole
     for (const name of names.split(' ')) assert.ok(whole.includes(name), `${name} is left out`)
   })
 }
@@ -51,7 +57,7 @@ const TITLES = [
 ]
 for (const [figure, folder, name, begins] of TITLES) {
   test(`a change of ${figure} runs “${begins.slice(0, 50)}…” of ${name}`, () => {
-    const { whole, parts, pattern } = touched(folder, [`web/widgets/${figure}/words.js`])
+    const { whole, parts, pattern } = some(folder, [`web/widgets/${figure}/words.js`])
     assert.ok(!whole.includes(name) && parts.includes(name))
     const text = readFileSync(path.join(folder, `${name}.test.mjs`), 'utf8')
     const at = text.indexOf(begins)
@@ -62,7 +68,7 @@ for (const [figure, folder, name, begins] of TITLES) {
 }
 
 test('no browser opens every figure for a change of one, and a word that is compared is no name of a figure', () => {
-  const { whole, pattern } = touched(browser, ['web/widgets/touch/words.js'])
+  const { whole, pattern } = some(browser, ['web/widgets/touch/words.js'])
   assert.ok(whole.includes('small') && !whole.includes('own-time'), `${whole}`)
   assert.doesNotMatch('on a phone held across, each figure’s picture stays in sight', new RegExp(pattern))
 })

@@ -171,7 +171,10 @@ function along([x1, y1], [x2, y2]) {
   )
 }
 
-/** The ellipses on the map: of the robot, of its landmarks, and of those that were tugged before that. @param {Frame} frame */
+/**
+ * The ellipses on the map: of the robot, of its landmarks, and of those that were tugged before that.
+ * @param {Frame} frame
+ */
 export const ellipses = ({ estimate, ellipse, map, pulls }) => [
   { ellipse, at: estimate },
   ...map.landmarks.map((one) => ({ ellipse: one.ellipse, at: [one.x, one.y] })),
