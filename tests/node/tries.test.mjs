@@ -106,7 +106,7 @@ for (const tag of Object.keys(WIDGETS).filter((name) => !(name in APART))) {
     const there = open(first)
     const frame = there.frame()
     there.free()
-    const set = spec.controls.flatMap(({ name, shown }) => {
+    const set = spec.controls.flatMap((/** @type {any} */ { name, shown }) => {
       const parameter = declared.find((one) => one.name === name)
       return parameter && (shown?.(frame) ?? true) && !KEPT[tag]?.includes(name)
         ? [[name, other(parameter, OTHER[tag])]]

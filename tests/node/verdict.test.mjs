@@ -209,6 +209,7 @@ test('a log that asks how it is read is judged once it is answered, and one of a
 })
 
 test('beside rows of distances a verdict without a fault says what it has not looked for', () => {
+  /** @type {any} */
   const sound = {
     suspects: [{ standing: 'cleared' }],
     readings: 90,
