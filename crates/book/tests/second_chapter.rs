@@ -149,7 +149,7 @@ fn a_second_chapter_has_a_number_and_a_figure_of_its_own() {
 #[test]
 fn a_chapter_of_one_check_has_no_second() {
     let (_, dist) = build("second-chapter-without", "{{ref check-2}} holds it.");
-    let error = dist.err().expect("a link to nothing").to_string();
+    let error = dist.expect_err("a link to nothing").to_string();
     assert!(error.contains("check-2"), "{error}");
 }
 
