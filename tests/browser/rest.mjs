@@ -49,7 +49,7 @@ export async function quiet(page, frames = 20, held = false) {
         const missing = [...document.images].some(
           (it) => !it.complete && it.checkVisibility() && onScreen(it.getBoundingClientRect()),
         )
-        const works = figures.some(([state, settled]) => (state === 'loading' ? !holds : settled === false))
+        const works = figures.some(([state, settled]) => (state === 'loading' ? !holds : state === 'live' && !settled))
         return {
           state:
             moves || missing || works ? null : JSON.stringify([scrollX, scrollY, scrollHeight, clientWidth, figures]),
