@@ -2,7 +2,7 @@
 // against references.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { DESKTOP, PHONE, open, openFigure, turn } from './harness.mjs'
+import { DESKTOP, open, openFigure, PHONE, quiet, turn } from './harness.mjs'
 import { colour, compare, differenceOf, reference, tolerance } from './snapshots.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
 
@@ -27,6 +27,7 @@ const TALL = 2400
 const onWholePixels = (part) =>
   part.evaluate((it) => {
     it.style.position = 'relative'
+    it.style.top = '0'
     it.style.top = `${-((it.getBoundingClientRect().top + scrollY) % 1)}px`
   })
 
@@ -34,6 +35,8 @@ const onWholePixels = (part) =>
 async function inBothThemes(page, part, name, size) {
   for (const theme of ['light', 'dark']) {
     await turn(page, theme)
+    // What came to life above it meanwhile may have moved it by a part of a pixel.
+    await onWholePixels(part)
     compare(await part.screenshot({ animations: 'disabled' }), `${name}-${theme}-${size}`)
   }
 }
@@ -59,7 +62,7 @@ for (const [size, viewport] of SIZES) {
       // A question gets its controls when it comes near the screen.
       if (name === 'head') await page.locator('.vignette .handle').waitFor({ state: 'attached' })
       if (name === 'quiz') await region.locator('input').first().waitFor()
-      await onWholePixels(region)
+      await quiet(page)
       await inBothThemes(page, region, name, size)
     }
   })
@@ -71,7 +74,6 @@ for (const [size, viewport] of SIZES) {
       })
       await page.evaluate(() => document.fonts.ready)
       await page.mouse.move(0, 0)
-      await onWholePixels(it)
       await inBothThemes(page, it, tag, size)
     })
   }
