@@ -12,10 +12,16 @@ pub enum Frame {
     Moved,
 }
 
-pub(crate) const ASK: &str = "It counts its places from another point than the positions do, which are in latitude \
-                              and longitude where it is in metres, or the other way round: do the two origins lie in \
-                              one place, or is it moved so that it lies on the first fix? Until that is known, an \
-                              error against it means nothing; it may also be left out.";
+/// What is asked of a truth whose origin is not that of the fixes. Either it is in latitude and longitude, and they are
+/// in metres, or it is the other way round.
+pub(crate) fn question(truth_is_global: bool) -> String {
+    let (truth, fixes) = ("in metres", "in latitude and longitude");
+    let (truth, fixes) = if truth_is_global { (fixes, truth) } else { (truth, fixes) };
+    format!(
+        "Its places are {truth}, the positions are {fixes}: where does its origin lie? Until that is said, no error \
+         against it means anything. You may also leave the file out."
+    )
+}
 
 /// True poses that are moved once the first fix is known.
 #[derive(Clone, Debug, Default)]

@@ -92,7 +92,8 @@ impl Source {
                  the first of the ranges?"
             ));
         }
-        asks.extend((self.foreign && self.frame.is_none()).then(|| frames::ASK.into()));
+        let origin = || frames::question(self.column("latitude").is_some());
+        asks.extend((self.foreign && self.frame.is_none()).then(origin));
         if self.role == Role::Encoders {
             let unit = self.role.index("left").and_then(|at| self.units[at]);
             asks.extend(unit.and_then(|unit| self.wheels.lacks(unit.name)));

@@ -125,7 +125,7 @@ const TRUTH: &str = "time [s],true_x,true_y\n0,400,795\n10,400,800\n20,400,811\n
 fn a_truth_in_metres_beside_latitudes_is_asked_for_its_origin_and_can_be_moved() {
     let mut log = files(&[("wheels.csv", WHEELS), ("gps.csv", GLOBAL), ("truth.csv", TRUTH)]);
     let asked = log.read().expect_err("another origin").message;
-    assert!(asked.contains("truth.csv asks: It counts its places from another point"), "{asked}");
+    assert!(asked.contains("truth.csv asks: Its places are in metres, the positions are in latitude"), "{asked}");
     assert!(log.files()[2].is_foreign() && !log.set_frame(1, Frame::Same), "only the truth is asked");
     assert!(log.set_frame(2, Frame::Moved));
     let read = log.read().expect("sound");
@@ -137,6 +137,13 @@ fn a_truth_in_metres_beside_latitudes_is_asked_for_its_origin_and_can_be_moved()
     assert_eq!(log.read().expect("sound").log.drive.truth.poses()[1].x, 400.0);
     assert!(log.set_role(2, Role::Unused));
     assert!(log.read().expect("sound").log.drive.truth.poses().is_empty());
+    let global = "time [s],true_latitude,true_longitude\n0,50,8\n10,50.0001,8\n";
+    let turned = files(&[("wheels.csv", WHEELS), ("gps.csv", "t,gps_x,gps_y\n0,0,0\n"), ("truth.csv", global)]);
+    let asked = turned.read().expect_err("another origin").message;
+    assert!(
+        asked.contains("truth.csv asks: Its places are in latitude and longitude, the positions are in metres"),
+        "{asked}"
+    );
     // Nothing is asked of those that are counted alike.
     let metric = files(&[("wheels.csv", WHEELS), ("gps.csv", "t,gps_x,gps_y\n0,0,0\n"), ("truth.csv", TRUTH)]);
     assert!(metric.read().is_ok() && !metric.files()[2].is_foreign());
