@@ -1,6 +1,6 @@
 //! What 500 seeds say of each bug in the museum. Natively only.
 
-use chapter_kalman::ensembles::{FIGURES, PANELS, SEEDS, Sight, Spread, Symptoms, bands, diagnosed, museum_runs};
+use chapter_kalman::ensembles::{Distribution, FIGURES, PANELS, SEEDS, Sight, Symptoms, bands, diagnosed, museum_runs};
 use labs::Bug;
 use labs::bug_museum::MuseumParams;
 
@@ -22,7 +22,7 @@ fn symptoms(bug: Bug, first: u32) -> Symptoms {
 fn the_bands_are_those_of_4000_right_runs() {
     let runs = museum_runs([Bug::None; 2], CALIBRATION.0, CALIBRATION.1).expect("computed");
     for i in 0..FIGURES {
-        let spread = Spread::new(runs.iter().map(|run| run[i]));
+        let spread = Distribution::new(runs.iter().map(|run| run[i]));
         let variance = runs.iter().map(|run| (run[i] - spread.mean()).powi(2)).sum::<f64>() / runs.len() as f64;
         let (band, pooled) = bands(i);
         let expected = [0.005, 0.025, 0.975, 0.995].map(|p| spread.percentile(p));

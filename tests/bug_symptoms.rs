@@ -1,6 +1,6 @@
 //! What the museum's text says of single bugs besides the figures of its table, over 100 seeds. Natively only.
 
-use chapter_kalman::ensembles::Spread;
+use chapter_kalman::ensembles::Distribution;
 use lab::{Lab, State};
 use labs::{Bug, BugMuseum, MuseumFrame, MuseumParams, MuseumSeries};
 use sim::scenarios::BUG_MUSEUM;
@@ -19,7 +19,8 @@ fn runs(bug: Bug) -> Vec<MuseumFrame> {
 /// Of the middle run: the root mean square error of the position, and the mean standard deviation that is claimed of x
 /// and of y.
 fn error_and_claims(runs: &[MuseumFrame]) -> [f64; 3] {
-    let middle = |of: fn(&MuseumSeries) -> f64| Spread::new(runs.iter().map(|run| of(&run.series))).percentile(0.5);
+    let middle =
+        |of: fn(&MuseumSeries) -> f64| Distribution::new(runs.iter().map(|run| of(&run.series))).percentile(0.5);
     [
         middle(|run| (run.x.iter().chain(run.y.iter()).map(|e| e * e).sum::<f64>() / run.step.len() as f64).sqrt()),
         middle(|run| run.two_sigma_x.iter().sum::<f64>() / 2.0 / run.step.len() as f64),

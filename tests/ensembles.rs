@@ -4,12 +4,12 @@
 //! would pass, another constant or a broken filter would not.
 
 use chapter_kalman::checks::chapter_checks;
-use chapter_kalman::ensembles::{SEEDS, Spread, probe, probe_laps, probe_run, slam};
+use chapter_kalman::ensembles::{Distribution, SEEDS, probe, probe_laps, probe_run, slam};
 use filters::consistency::{chi2_interval, chi2_quantile};
 use labs::SensorKind;
 use sim::scenarios::{PROBE, RANGE_BEARING_SLAM};
 
-fn near(spread: &Spread, p: f64, value: f64, band: f64) {
+fn near(spread: &Distribution, p: f64, value: f64, band: f64) {
     let found = spread.percentile(p);
     assert!((found - value).abs() <= band, "the {p} percentile is {found}, not {value} ± {band}");
 }

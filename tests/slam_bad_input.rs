@@ -6,7 +6,7 @@
 #[path = "src/draws.rs"]
 mod draws;
 
-use estimate::slam::{EkfSlam, Reading};
+use estimate::slam::{EkfSlam, LandmarkReading};
 use estimate::validate;
 use nalgebra::{DMatrix, dvector};
 use proptest::prelude::*;
@@ -47,10 +47,10 @@ proptest! {
         for (a, b, c, d, id, named) in steps {
             let (x, before) = slam.belief();
             let (x, before) = (x.to_vec(), before);
-            let one = Reading { range: c.abs(), bearing: d, landmark: named.then_some(id) };
+            let one = LandmarkReading { range: c.abs(), bearing: d, landmark: named.then_some(id) };
             let accepted = match id {
                 0 => slam.predict_by(dvector![a, b], v.clone()).is_ok(),
-                1 => slam.update(&[one, Reading { range: a, bearing: b, landmark: None }]).is_ok(),
+                1 => slam.update(&[one, LandmarkReading { range: a, bearing: b, landmark: None }]).is_ok(),
                 _ => slam.update(&[one]).is_ok(),
             };
             let (now, after) = slam.belief();

@@ -4,7 +4,7 @@
 use criterion::measurement::WallTime;
 use criterion::{BenchmarkGroup, BenchmarkId, Criterion, criterion_group, criterion_main};
 use estimate::kf::Gaussian;
-use estimate::slam::{EkfSlam, Outcome, Reading};
+use estimate::slam::{EkfSlam, LandmarkReading, Outcome};
 use filters::association::Thresholds;
 use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
 use std::hint::black_box;
@@ -14,9 +14,9 @@ use std::time::{Duration, Instant};
 const SIZES: [u32; 5] = [3, 30, 100, 300, 500];
 
 /// Landmarks on a spiral about the robot, none near another.
-fn reading(j: u32, landmark: Option<u32>) -> Reading {
+fn reading(j: u32, landmark: Option<u32>) -> LandmarkReading {
     let j = f64::from(j);
-    Reading { range: 3.0 + 0.5 * j, bearing: 2.4 * j, landmark }
+    LandmarkReading { range: 3.0 + 0.5 * j, bearing: 2.4 * j, landmark }
 }
 
 /// A robot that has met n landmarks.
@@ -32,7 +32,7 @@ fn slam(n: u32) -> Option<EkfSlam> {
 
 /// Standing still and reading what is expected, a filter can step for ever without leaving its place. Whether the
 /// sighting was matched: a rejected one would cost next to nothing.
-fn step(slam: &mut EkfSlam, reading: &Reading) -> bool {
+fn step(slam: &mut EkfSlam, reading: &LandmarkReading) -> bool {
     let (u, v) = (Vector2::zeros(), Matrix3::identity() * 1e-6);
     let matched = |slam: &mut EkfSlam| {
         let reports = slam.update(black_box(std::slice::from_ref(reading)));

@@ -15,7 +15,7 @@ use crate::file;
 use crate::hash::fnv1a;
 use crate::notation::NOTATIONS;
 use crate::page;
-use crate::search::Found;
+use crate::search::SearchEntry;
 use crate::site::Site;
 use crate::template::{Templates, safe, serde};
 
@@ -139,7 +139,7 @@ impl Pages<'_> {
         self.page(kind, address, title, description, extra)?;
         // A place of another page than a chapter is told with the page's title.
         let of = if kind == "chapter" { "" } else { title };
-        self.dist.search.extend(text.search.into_iter().map(|found| Found { of: of.into(), ..found }));
+        self.dist.search.extend(text.search.into_iter().map(|found| SearchEntry { of: of.into(), ..found }));
         for (file, picture) in text.used.pictures {
             self.dist.put(&format!("assets/{file}"), picture.into_bytes());
         }

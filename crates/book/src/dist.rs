@@ -9,7 +9,7 @@ use crate::asset::Assets;
 use crate::diagnostic::BuildError;
 use crate::hash::fnv1a;
 use crate::link;
-use crate::search::Found;
+use crate::search::SearchEntry;
 
 /// The built site: path to bytes.
 #[derive(Debug, Default)]
@@ -19,7 +19,7 @@ pub struct Dist {
     /// Paths of files that somebody else puts beside these, so that links may lead to them.
     pub(crate) elsewhere: BTreeSet<String>,
     /// What the search finds.
-    pub(crate) search: Vec<Found>,
+    pub(crate) search: Vec<SearchEntry>,
 }
 
 /// An entry of the list the service worker caches.

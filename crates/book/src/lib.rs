@@ -63,7 +63,7 @@ pub use listed::{builds, write as write_list};
 pub use number::{Format, Number, Numbers};
 pub use output::Outputs;
 pub use page::{Section, Text, files, pages, text, texts};
-pub use search::Found;
+pub use search::SearchEntry;
 pub use site::Site;
 pub use source::{Listing, Sources};
 pub use still::{Apart, Still, Stills, load as load_stills};

@@ -11,8 +11,8 @@ use crate::figure::{self, Figure};
 use crate::file;
 use crate::label::Labels;
 use crate::parse::parse;
-use crate::reading::Reading;
-use crate::search::{Found, found};
+use crate::reading::ReadingTime;
+use crate::search::{SearchEntry, found};
 use crate::site::Site;
 use crate::tree::Node;
 use crate::writer::{Apart, Heading, Used, Writer};
@@ -25,7 +25,7 @@ pub struct Text {
     /// Headings of levels 2 and 3.
     pub contents: Vec<Section>,
     /// What the search finds.
-    pub search: Vec<Found>,
+    pub search: Vec<SearchEntry>,
     /// What the text used.
     pub used: Used,
     /// The formulas in the letters of the other notations, where any of these differs, by the index in `data-other`;
@@ -134,7 +134,7 @@ fn one<'a>(
         readings: readings.into_iter().map(|(html, _)| html).collect(),
         figures: figure::figures(site, texts, (address, &labels), diagnostics),
         numbers,
-        reading: Reading::of(&texts.concat()).words(),
+        reading: ReadingTime::of(&texts.concat()).words(),
     }
 }
 

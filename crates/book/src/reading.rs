@@ -21,14 +21,14 @@ const EXERCISES: [f64; 4] = [5.0, 10.0, 20.0, 60.0];
 
 /// Times in minutes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
-pub struct Reading {
+pub struct ReadingTime {
     /// For the text with its derivations, figures and questions.
     pub text: f64,
     /// For the exercises.
     pub exercises: f64,
 }
 
-impl Reading {
+impl ReadingTime {
     /// The times of `nodes`.
     pub fn of(nodes: &[Node]) -> Self {
         let mut reading = Self::default();
@@ -73,8 +73,8 @@ mod tests {
     use crate::diagnostic::{Diagnostics, Place};
     use crate::parse::parse;
 
-    fn reading(text: &str) -> Reading {
-        Reading::of(&parse(text, &Place::new("a.md", 1), &Diagnostics::default()))
+    fn reading(text: &str) -> ReadingTime {
+        ReadingTime::of(&parse(text, &Place::new("a.md", 1), &Diagnostics::default()))
     }
 
     #[test]
@@ -91,15 +91,15 @@ mod tests {
         let text = |level: &str| {
             format!(":::exercise{{#e title=\"t\" kind=\"practical\" difficulty=\"{level}\"}}\nMany words.\n:::\n")
         };
-        assert_eq!(reading(&text("4")), Reading { text: 0.0, exercises: 60.0 });
+        assert_eq!(reading(&text("4")), ReadingTime { text: 0.0, exercises: 60.0 });
         assert_eq!(reading(&(text("1") + &text("2"))).exercises, 15.0);
         assert_eq!(reading(&text("0")).exercises, 0.0);
     }
 
     #[test]
     fn times_are_told_to_five_minutes() {
-        let words = Reading { text: 96.0, exercises: 0.0 }.words();
+        let words = ReadingTime { text: 96.0, exercises: 0.0 }.words();
         assert_eq!(words, ["1\u{a0}h 35\u{a0}min", ""]);
-        assert_eq!(Reading { text: 42.0, exercises: 181.0 }.words(), ["40\u{a0}min", "3\u{a0}h"]);
+        assert_eq!(ReadingTime { text: 42.0, exercises: 181.0 }.words(), ["40\u{a0}min", "3\u{a0}h"]);
     }
 }

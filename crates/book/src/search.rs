@@ -18,7 +18,7 @@ pub struct Entry {
 
 /// What the search finds as one.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
-pub struct Found {
+pub struct SearchEntry {
     /// Page and id.
     pub id: String,
     /// The page, from the site's root.
@@ -38,14 +38,14 @@ pub struct Found {
 }
 
 /// The entries of the page at `address`, in order.
-pub fn found(entries: &[Entry], words: &str, address: &str) -> Vec<Found> {
+pub fn found(entries: &[Entry], words: &str, address: &str) -> Vec<SearchEntry> {
     // Every second part is code.
     let parts = |from: usize, to: usize, first: usize| {
         let between = words.get(from..to).unwrap_or_default().split(CODE).skip(first).step_by(2);
         between.flat_map(str::split_whitespace).collect::<Vec<_>>().join(" ")
     };
     let ends = entries.iter().skip(1).map(|next| next.words.0).chain([words.len()]);
-    let mut found: Vec<Found> = Vec::new();
+    let mut found: Vec<SearchEntry> = Vec::new();
     for (entry, end) in entries.iter().zip(ends) {
         let id = format!("{address}#{}", entry.id);
         let (starts, begins) = entry.words;
@@ -55,7 +55,7 @@ pub fn found(entries: &[Entry], words: &str, address: &str) -> Vec<Found> {
                 join(&mut other.text, &text);
                 join(&mut other.code, &code);
             }
-            None => found.push(Found {
+            None => found.push(SearchEntry {
                 id,
                 page: address.to_string(),
                 of: String::new(),

@@ -25,7 +25,7 @@ const STRICT: [&str; 8] = ["hat", "delim-size1", "delim-size4", "katex-inner", "
 
 /// A formula in one notation.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Reading {
+pub struct Typeset {
     /// MathML to read and spans to look at, or plain text where that says it all.
     pub html: String,
     /// Its letters, for the search.
@@ -38,7 +38,7 @@ pub struct Reading {
 ///
 /// # Errors
 /// A message when `html` is not well formed.
-pub fn slim(html: &str) -> Result<Reading, String> {
+pub fn slim(html: &str) -> Result<Typeset, String> {
     let mut nodes = parse(html)?;
     nodes.iter().try_for_each(known)?;
     nodes.iter_mut().for_each(|node| visit(node, false));
@@ -50,7 +50,7 @@ pub fn slim(html: &str) -> Result<Reading, String> {
     }
     let mut out = String::with_capacity(html.len() / 2);
     nodes.iter().for_each(|node| write(node, &mut out));
-    Ok(Reading { html: out, letters, plain })
+    Ok(Typeset { html: out, letters, plain })
 }
 
 fn visit(node: &mut Node, display: bool) {

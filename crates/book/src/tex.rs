@@ -7,7 +7,7 @@ use katex::{KatexContext, Settings, TrustSetting};
 use serde::Deserialize;
 
 use crate::notation::{COUNT, Letters};
-use crate::slim::{Reading, slim};
+use crate::slim::{Typeset, slim};
 
 /// `content/macros.toml`.
 #[derive(Debug, Default, Deserialize)]
@@ -62,7 +62,7 @@ impl Typesetter {
         Ok(Formula { readings: readings.collect::<Result<_, _>>()? })
     }
 
-    fn one(&self, tex: &str, settings: &Settings) -> Result<Reading, String> {
+    fn one(&self, tex: &str, settings: &Settings) -> Result<Typeset, String> {
         let html = katex::render_to_string(&self.context, tex, settings)
             .map_err(|error| format!("TeX: {error} in ${tex}$"))?;
         slim(&html)
@@ -73,12 +73,12 @@ impl Typesetter {
 #[derive(Debug)]
 pub struct Formula {
     /// Its readings, in the order of [`crate::notation::NOTATIONS`].
-    readings: Vec<Reading>,
+    readings: Vec<Typeset>,
 }
 
 impl Formula {
     /// In the page's own letters.
-    pub fn own(&self) -> &Reading {
+    pub fn own(&self) -> &Typeset {
         &self.readings[0]
     }
 
@@ -86,7 +86,7 @@ impl Formula {
     /// own.
     pub fn others(&self) -> Option<Vec<String>> {
         let (own, others) = self.readings.split_first()?;
-        let html = |reading: &Reading| if reading == own { String::new() } else { reading.html.clone() };
+        let html = |reading: &Typeset| if reading == own { String::new() } else { reading.html.clone() };
         others.iter().any(|reading| reading != own).then(|| others.iter().map(html).collect())
     }
 

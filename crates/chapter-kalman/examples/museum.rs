@@ -1,7 +1,7 @@
 //! The museum of bugs over many seeds: the bands of the right filter, the symptoms of each bug, and whether the bugs
 //! are told apart by the symptom table alone.
 
-use chapter_kalman::ensembles::{FIGURES, PANELS, SEEDS, Sight, Spread, Symptoms, diagnosed, museum_runs};
+use chapter_kalman::ensembles::{Distribution, FIGURES, PANELS, SEEDS, Sight, Symptoms, diagnosed, museum_runs};
 use labs::Bug;
 use labs::bug_museum::MuseumParams;
 
@@ -14,7 +14,7 @@ fn main() -> Result<(), estimate::Error> {
     let judged = MuseumParams::default().seed;
     let right = museum_runs([Bug::None; 2], CALIBRATION.0, CALIBRATION.1)?;
     for i in 0..FIGURES {
-        let spread = Spread::new(right.iter().map(|run| run[i]));
+        let spread = Distribution::new(right.iter().map(|run| run[i]));
         let quantiles = [0.005, 0.025, 0.975, 0.995].map(|p| spread.percentile(p));
         let variance = right.iter().map(|run| (run[i] - spread.mean()).powi(2)).sum::<f64>() / right.len() as f64;
         println!("    {quantiles:?}, // {i}: {:?}", [spread.mean(), variance.sqrt()]);
@@ -34,7 +34,7 @@ fn main() -> Result<(), estimate::Error> {
             let shares: Vec<String> = figures
                 .iter()
                 .map(|&i| {
-                    let median = Spread::new(runs.iter().map(|run| run[i])).median();
+                    let median = Distribution::new(runs.iter().map(|run| run[i])).median();
                     let [below, above] = symptoms.beyond[i].map(|share| 100.0 * share);
                     format!("{median:.3} {below:.1}/{above:.1}")
                 })

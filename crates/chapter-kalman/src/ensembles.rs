@@ -9,7 +9,7 @@ use estimate::localizer::SensorKind;
 pub use fits::{FitEnsemble, fits};
 use lab::Lab;
 pub use labs::bug_museum::{FIGURES, Figures, PANELS, Sight, Symptoms, bands, diagnosed, museum_run, museum_runs};
-pub use labs::ensemble::{SEEDS, Spread, over_seeds};
+pub use labs::ensemble::{Distribution, SEEDS, over_seeds};
 use labs::mapping::chapter_run;
 use labs::observability_probe::{ObservabilityProbe, ProbeParams};
 pub use loops::{LoopEnsemble, loops};
@@ -19,9 +19,9 @@ use sim::scenarios::{PROBE, RANGE_BEARING_SLAM, RangeBearingSlam};
 #[derive(Clone, Debug, PartialEq)]
 pub struct ProbeEnsemble {
     /// The pose trace at the end, m² and rad² added.
-    pub trace: Spread,
+    pub trace: Distribution,
     /// Its NEES.
-    pub nees: Spread,
+    pub nees: Distribution,
 }
 
 /// The trace at the end and the mean NEES of one run of the Probe.
@@ -40,7 +40,10 @@ pub fn probe_run(landmarks: u32, sensor: SensorKind, seed: u32) -> Result<(f64, 
 /// As [`probe_run`].
 pub fn probe(landmarks: u32, seeds: u32) -> Result<ProbeEnsemble, Error> {
     let runs = over_seeds(seeds, |seed| probe_run(landmarks, SensorKind::Range, seed))?;
-    Ok(ProbeEnsemble { trace: Spread::new(runs.iter().map(|r| r.0)), nees: Spread::new(runs.iter().map(|r| r.1)) })
+    Ok(ProbeEnsemble {
+        trace: Distribution::new(runs.iter().map(|r| r.0)),
+        nees: Distribution::new(runs.iter().map(|r| r.1)),
+    })
 }
 
 /// The Probe with one range-only landmark, over the seeds after so many steps: the pose trace, and that step's NEES.
@@ -59,8 +62,8 @@ pub fn probe_laps(steps: &[u32], seeds: u32) -> Result<Vec<ProbeEnsemble>, Error
     })?;
     Ok((0..steps.len())
         .map(|i| ProbeEnsemble {
-            trace: Spread::new(runs.iter().map(|run| run[i].0)),
-            nees: Spread::new(runs.iter().map(|run| run[i].1)),
+            trace: Distribution::new(runs.iter().map(|run| run[i].0)),
+            nees: Distribution::new(runs.iter().map(|run| run[i].1)),
         })
         .collect())
 }
@@ -69,11 +72,11 @@ pub fn probe_laps(steps: &[u32], seeds: u32) -> Result<Vec<ProbeEnsemble>, Error
 #[derive(Clone, Debug, PartialEq)]
 pub struct SlamEnsemble {
     /// Sightings matched in a run.
-    pub matched: Spread,
+    pub matched: Distribution,
     /// The worst landmark's error at the end, metres.
-    pub worst: Spread,
+    pub worst: Distribution,
     /// The same in its own standard deviations.
-    pub sigma: Spread,
+    pub sigma: Distribution,
     /// Landmarks founded though they were in the map, over all runs.
     pub spurious: u32,
     /// Sightings matched to the wrong landmark, over all runs.
@@ -94,9 +97,9 @@ pub fn slam(found: f64, seeds: u32) -> Result<SlamEnsemble, Error> {
         Ok((run.tally, worst.map_or(f64::NAN, |w| w.error), worst.map_or(f64::NAN, |w| w.sigma)))
     })?;
     Ok(SlamEnsemble {
-        matched: Spread::new(runs.iter().map(|r| f64::from(r.0.matched))),
-        worst: Spread::new(runs.iter().map(|r| r.1)),
-        sigma: Spread::new(runs.iter().map(|r| r.2)),
+        matched: Distribution::new(runs.iter().map(|r| f64::from(r.0.matched))),
+        worst: Distribution::new(runs.iter().map(|r| r.1)),
+        sigma: Distribution::new(runs.iter().map(|r| r.2)),
         spurious: runs.iter().map(|r| r.0.spurious).sum(),
         wrong: runs.iter().map(|r| r.0.wrong).sum(),
         with_spurious: runs.iter().map(|r| u32::from(r.0.spurious > 0)).sum(),

@@ -41,7 +41,7 @@ mod parameter;
 #[cfg(feature = "arguments")]
 mod plain;
 #[cfg(feature = "arguments")]
-pub(crate) use plain::Reading;
+pub(crate) use plain::Outputs;
 
 /// Where in a call's arguments a value was found; spelt out for an error only.
 #[derive(Clone, Copy)]

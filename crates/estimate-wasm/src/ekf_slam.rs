@@ -6,7 +6,7 @@ use crate::encode::{list, record, rows};
 use crate::errors::Thrown;
 use crate::object::Held;
 use estimate::Error;
-use estimate::slam::{EkfSlam as Slam, Mapped, Outcome, Reading, Report};
+use estimate::slam::{EkfSlam as Slam, LandmarkReading, Mapped, Outcome, Report};
 use js_sys::Array;
 use wasm_bindgen::prelude::*;
 
@@ -78,7 +78,7 @@ impl EkfSlam {
         let arg = Arg::new(sightings, "sightings");
         let several = arg.array()?;
         let read = || if several { arg.entries()?.iter().map(sighting).collect() } else { Ok(vec![sighting(&arg)?]) };
-        let readings: Vec<Reading> = read()?;
+        let readings: Vec<LandmarkReading> = read()?;
         // The core counts sightings where there are several; an array of one is counted too.
         let whole = if several { "sightings[0]" } else { "sightings" };
         let blame = |e: Error| e.part_of(whole, &["range", "bearing", "landmark"]);
@@ -111,9 +111,9 @@ impl EkfSlam {
     }
 }
 
-fn sighting(arg: &Arg<'_>) -> Result<Reading, Error> {
+fn sighting(arg: &Arg<'_>) -> Result<LandmarkReading, Error> {
     arg.only(["range", "bearing", "landmark"].into_iter())?;
     let mut landmark = None;
     arg.given("landmark", |a| a.whole(0, u32::MAX).map(Some), &mut landmark)?;
-    Ok(Reading { range: arg.field("range")?.number()?, bearing: arg.field("bearing")?.number()?, landmark })
+    Ok(LandmarkReading { range: arg.field("range")?.number()?, bearing: arg.field("bearing")?.number()?, landmark })
 }

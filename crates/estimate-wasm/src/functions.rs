@@ -1,7 +1,7 @@
 //! The linear functions: decode, call, encode.
 
 use crate::arguments::{belief_of, continuous_of, number_or, shown_belief, system_of};
-use crate::decode::{Arg, Reading};
+use crate::decode::{Arg, Outputs};
 use crate::encode::{Arrays, list, number_or_null, record, rows, shown};
 use crate::errors::Thrown;
 use estimate::dynamic::{self, Discrete, Replayed};
@@ -93,7 +93,7 @@ pub fn kalman_smooth(
 
 /// The readings of `p` outputs, row by row; one that is null has no part.
 fn with_gaps(rows: &Arg<'_>, p: usize) -> Result<Vec<Vec<Option<f64>>>, Error> {
-    let row = |y: &Arg<'_>| if y.is_null() { Ok(vec![None; p]) } else { y.reading().map(Reading::parts) };
+    let row = |y: &Arg<'_>| if y.is_null() { Ok(vec![None; p]) } else { y.reading().map(Outputs::parts) };
     rows.entries()?.iter().map(row).collect()
 }
 

@@ -1,7 +1,7 @@
 //! The linear Kalman filter's class, for programs that filter as they read.
 
 use crate::arguments::{belief_of, step_of, system_of};
-use crate::decode::{Arg, Reading};
+use crate::decode::{Arg, Outputs};
 use crate::encode::{list, number_or_null, rows};
 use crate::errors::Thrown;
 use crate::object::Held;
@@ -65,8 +65,8 @@ impl KalmanFilter {
             return self.0.write(CLASS, |filter: &mut Filter| filter.update_by(&y, h, w).map_err(blame));
         }
         self.0.write(CLASS, |filter: &mut Filter| match &y {
-            Reading::Whole(y) => filter.update(y),
-            Reading::Partial(y) => filter.update_partly(y),
+            Outputs::Whole(y) => filter.update(y),
+            Outputs::Partial(y) => filter.update_partly(y),
         })
     }
 
@@ -79,8 +79,8 @@ impl KalmanFilter {
     ) -> Result<(), Thrown> {
         let (u, y) = (Arg::new(u, "u").short()?, Arg::new(y, "y").reading()?);
         self.0.write(CLASS, |filter: &mut Filter| match &y {
-            Reading::Whole(y) => filter.step(&u, y),
-            Reading::Partial(y) => filter.step_partly(&u, y),
+            Outputs::Whole(y) => filter.step(&u, y),
+            Outputs::Partial(y) => filter.step_partly(&u, y),
         })
     }
 

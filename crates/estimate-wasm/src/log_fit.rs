@@ -5,7 +5,7 @@ use crate::errors::Thrown;
 use crate::lab::RobotLog;
 use crate::object::Held;
 use crate::robot_log::logged;
-use estimate::drive::{Fitted, Found};
+use estimate::drive::{FitResult, Fitted};
 use js_sys::Array;
 use lab::Params;
 use std::sync::Arc;
@@ -74,7 +74,7 @@ impl LogFit {
     }
 }
 
-fn shown(found: &Found) -> JsValue {
+fn shown(found: &FitResult) -> JsValue {
     let flat = |of: &Fitted| found.flat.iter().find(|(number, _)| number == of).map(|(_, flat)| list(flat));
     let numbers = found.numbers.iter().map(|(number, value, sigma)| {
         record(&[

@@ -1,7 +1,7 @@
 //! The filters of a caller's own models: f and h are JavaScript functions on arrays.
 
 use crate::arguments::belief_of;
-use crate::decode::{Arg, Reading};
+use crate::decode::{Arg, Outputs};
 use crate::encode::{list, number_or_null, record, rows};
 use crate::errors::{Refused, Thrown};
 use crate::object::Held;
@@ -188,7 +188,7 @@ struct Told {
 
 impl Told {
     fn new(y: &JsValue, w: &JsValue, options: &JsValue, known: &[&'static str]) -> Result<Self, Error> {
-        let (y, w) = (Arg::new(y, "y").reading().map(Reading::parts)?, Arg::new(w, "W").matrix()?);
+        let (y, w) = (Arg::new(y, "y").reading().map(Outputs::parts)?, Arg::new(w, "W").matrix()?);
         let read = |it: &Arg<'_>| Ok((angles_of(it, MAX_OUTPUTS)?, it.field("gate")?.number_or_null()?));
         let (angles, gate) = optional(&Arg::new(options, "options"), known, read)?.unwrap_or_default();
         Ok(Self { y, w, angles, gate })

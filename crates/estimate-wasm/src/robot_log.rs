@@ -102,7 +102,7 @@ thread_local! {
 pub struct DriveLog(Held);
 
 /// What a [`DriveLog`] holds.
-struct Kept {
+struct LogContents {
     handle: f64,
     logged: Arc<LoggedDrive>,
     rows: usize,
@@ -117,7 +117,7 @@ impl DriveLog {
     /// What the log holds.
     #[wasm_bindgen(unchecked_return_type = "LogContents")]
     pub fn contents(&self) -> Result<JsValue, Thrown> {
-        self.0.read(LOG, |held: &Kept| {
+        self.0.read(LOG, |held: &LogContents| {
             let (drive, [first, last]) = (held.logged.drive(), held.logged.span());
             let mut numbers = Vec::new();
             held.logged.drive().landmarks.write(&mut numbers);
@@ -141,7 +141,7 @@ impl DriveLog {
 
     /// The number by which a lab knows this log.
     pub fn handle(&self) -> Result<f64, Thrown> {
-        self.0.read(LOG, |held: &Kept| held.handle)
+        self.0.read(LOG, |held: &LogContents| held.handle)
     }
 }
 
@@ -159,7 +159,7 @@ impl DriveLog {
             logs.push((handle, Arc::downgrade(&logged)));
             handle
         });
-        Self(Held::new(LOG, Kept { handle, logged, rows: count, notes, names }))
+        Self(Held::new(LOG, LogContents { handle, logged, rows: count, notes, names }))
     }
 }
 

@@ -1,7 +1,7 @@
 //! The class of a time line: several sensors, each reading at the time at which it was measured.
 
 use crate::arguments::{belief_of, continuous_of, shown_belief};
-use crate::decode::{Arg, Reading};
+use crate::decode::{Arg, Outputs};
 use crate::encode::{list, number_or_null, record, rows};
 use crate::errors::Thrown;
 use crate::object::Held;
@@ -88,7 +88,7 @@ impl Timeline {
         #[wasm_bindgen(unchecked_optional_param_type = "number")] id: &JsValue,
     ) -> Result<JsValue, Thrown> {
         let (name, t) = (Arg::new(name, "name").name()?, Arg::new(t, "t").number()?);
-        let y = Arg::new(y, "y").reading().map(Reading::parts)?;
+        let y = Arg::new(y, "y").reading().map(Outputs::parts)?;
         let id = match Arg::new(id, "id") {
             id if id.is_undefined() => 0,
             id => id.whole(0, u32::MAX)?,

@@ -43,7 +43,7 @@ mod verdict;
 pub use crate::scaled::{FIRST_SIGMA, HasPose, PoseAndScale, RangeFirst, Scaled};
 pub use course::Course;
 pub use evidence::Against;
-pub use fit::{Fit, Found};
+pub use fit::{Fit, FitResult};
 pub use fitted::Fitted;
 pub use gaps::{Gaps, Missing, gaps};
 pub use judgement::Judgement;

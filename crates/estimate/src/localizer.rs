@@ -28,7 +28,7 @@ pub const MAX_COMPARISONS: usize = 10_000_000;
 
 /// What the sensor reads, with its noise covariance W.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Sensor {
+enum SensorNoise {
     RangeBearing(Matrix2<f64>),
     Range(f64),
 }
@@ -56,7 +56,7 @@ enum Sensor {
 pub struct EkfLocalizer {
     localizer: Localizer,
     map: Vec<Landmark>,
-    sensor: Sensor,
+    sensor: SensorNoise,
     gate: Option<f64>,
 }
 
@@ -96,9 +96,9 @@ impl EkfLocalizer {
         let sensor = match sensor {
             SensorKind::RangeBearing => {
                 let w = validate::covariance(w, 2, "W")?;
-                Sensor::RangeBearing(Matrix2::from_fn(|i, j| w[(i, j)]))
+                SensorNoise::RangeBearing(Matrix2::from_fn(|i, j| w[(i, j)]))
             }
-            SensorKind::Range => Sensor::Range(validate::covariance(w, 1, "W")?[0]),
+            SensorKind::Range => SensorNoise::Range(validate::covariance(w, 1, "W")?[0]),
         };
         let belief = Gaussian { x: SVector::from_fn(|i, _| x[i]), p: Matrix3::from_fn(|i, j| p[(i, j)]) };
         Ok(Self { localizer: Localizer::new(&belief), map: landmarks, sensor, gate })
@@ -169,13 +169,13 @@ impl EkfLocalizer {
         let wrong = |message: &'static str| Err(Error::new(Code::Type, "bearing", message));
         let landmark = || reading.landmark.map(|id| self.index(id)).transpose();
         match (self.sensor, reading.bearing) {
-            (Sensor::RangeBearing(w), Some(bearing)) => {
+            (SensorNoise::RangeBearing(w), Some(bearing)) => {
                 let bearing = validate::finite(bearing, "bearing")?;
                 Ok(Reading::RangeBearing { landmark: landmark()?, range, bearing, w })
             }
-            (Sensor::Range(w), None) => Ok(Reading::Range { landmark: landmark()?, range, w }),
-            (Sensor::RangeBearing(_), None) => wrong("is missing; this sensor reads range and bearing"),
-            (Sensor::Range(_), Some(_)) => wrong("is given; this sensor reads the range alone"),
+            (SensorNoise::Range(w), None) => Ok(Reading::Range { landmark: landmark()?, range, w }),
+            (SensorNoise::RangeBearing(_), None) => wrong("is missing; this sensor reads range and bearing"),
+            (SensorNoise::Range(_), Some(_)) => wrong("is given; this sensor reads the range alone"),
         }
     }
 
@@ -223,8 +223,8 @@ impl EkfLocalizer {
     /// Which sensor it has.
     pub fn sensor(&self) -> SensorKind {
         match self.sensor {
-            Sensor::RangeBearing(_) => SensorKind::RangeBearing,
-            Sensor::Range(_) => SensorKind::Range,
+            SensorNoise::RangeBearing(_) => SensorKind::RangeBearing,
+            SensorNoise::Range(_) => SensorKind::Range,
         }
     }
 

@@ -26,7 +26,7 @@ use geom::{SE2, wrap};
 use nalgebra::{DMatrix, DVector, Matrix2, Matrix3, U3, Vector2};
 use numerics::PackedSymmetric;
 use numerics::sqrt;
-pub use sighting::{Outcome, Reading, Report};
+pub use sighting::{LandmarkReading, Outcome, Report};
 
 /// The largest map.
 pub const MAX_LANDMARKS: usize = 500;
@@ -38,13 +38,13 @@ pub const MAX_SIGHTINGS: usize = 100;
 /// # Example
 /// ```
 /// use estimate::kf::Gaussian;
-/// use estimate::slam::{EkfSlam, Outcome, Reading};
+/// use estimate::slam::{EkfSlam, Outcome, LandmarkReading};
 /// use filters::association::Thresholds;
 /// use nalgebra::{Matrix2, Matrix3, Vector3};
 /// let belief = Gaussian { x: Vector3::zeros(), p: Matrix3::identity() * 1e-4 };
 /// let w = Matrix2::new(0.01, 0.0, 0.0, 0.0009);
 /// let mut slam = EkfSlam::new(&belief, &w, Thresholds { gate: 9.21, found: 50.0 })?;
-/// let reading = Reading { range: 3.0, bearing: 0.5, landmark: None };
+/// let reading = LandmarkReading { range: 3.0, bearing: 0.5, landmark: None };
 /// assert_eq!(slam.update(&[reading])?[0].outcome, Outcome::Founded);
 /// assert_eq!(slam.update(&[reading])?[0].outcome, Outcome::Matched);
 /// # Ok::<(), estimate::Error>(())
@@ -199,7 +199,7 @@ impl EkfSlam {
     /// landmark that the estimate stands on, or a range of 0 that would found one; [`Code::NotPositiveSemidefinite`]
     /// where P would lose its digits; [`Code::Index`] when two sightings name one landmark. Of several sightings the
     /// name says which: `sightings[1].range`. Belief and map are then as they were.
-    pub fn update(&mut self, readings: &[Reading]) -> Result<Vec<Report>, Error> {
+    pub fn update(&mut self, readings: &[LandmarkReading]) -> Result<Vec<Report>, Error> {
         validate::count(readings.len(), MAX_SIGHTINGS, "sightings")?;
         match readings {
             [one] => {
@@ -227,7 +227,7 @@ impl EkfSlam {
         }
     }
 
-    fn update_all(&mut self, readings: &[Reading]) -> Result<Vec<Report>, Error> {
+    fn update_all(&mut self, readings: &[LandmarkReading]) -> Result<Vec<Report>, Error> {
         let (mut reports, mut matched, mut unfounded) = (Vec::new(), Vec::new(), Vec::new());
         let named: Vec<u32> = readings.iter().filter_map(|r| r.landmark).collect();
         let mut taken: Vec<usize> = named.iter().filter_map(|id| self.index(*id)).collect();

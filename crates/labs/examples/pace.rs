@@ -85,9 +85,9 @@ fn localizer() -> f64 {
 }
 
 /// Landmarks on a spiral about the robot, none near another.
-fn spiral(j: u32) -> slam::Reading {
+fn spiral(j: u32) -> slam::LandmarkReading {
     let at = f64::from(j);
-    slam::Reading { range: 3.0 + 0.5 * at, bearing: 2.4 * at, landmark: Some(j) }
+    slam::LandmarkReading { range: 3.0 + 0.5 * at, bearing: 2.4 * at, landmark: Some(j) }
 }
 
 /// Predict and one sighting with `n` landmarks in the map.

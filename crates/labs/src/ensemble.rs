@@ -7,11 +7,11 @@ pub const SEEDS: u32 = 500;
 
 /// A number over an ensemble.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Spread {
+pub struct Distribution {
     sorted: Vec<f64>,
 }
 
-impl Spread {
+impl Distribution {
     /// The spread of these values.
     pub fn new(values: impl IntoIterator<Item = f64>) -> Self {
         let mut sorted: Vec<f64> = values.into_iter().collect();
@@ -87,10 +87,10 @@ mod tests {
 
     #[test]
     fn a_percentile_is_the_value_of_one_run() {
-        let spread = Spread::new((0..101).rev().map(f64::from));
+        let spread = Distribution::new((0..101).rev().map(f64::from));
         assert_eq!((spread.min(), spread.percentile(0.05), spread.median(), spread.max()), (0.0, 5.0, 50.0, 100.0));
         assert_eq!((spread.mean(), spread.share_below(9.5)), (50.0, 10.0 / 101.0));
-        assert!(Spread::new([]).median().is_nan());
+        assert!(Distribution::new([]).median().is_nan());
     }
 
     #[test]

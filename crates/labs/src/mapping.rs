@@ -3,7 +3,7 @@
 
 use crate::true_path::sensor_covariance;
 use estimate::kf::Gaussian;
-use estimate::slam::{EkfSlam, Outcome, Reading, Report};
+use estimate::slam::{EkfSlam, LandmarkReading, Outcome, Report};
 use estimate::{Error, Landmark};
 use filters::association::Thresholds;
 use geom::SE2;
@@ -116,8 +116,8 @@ impl Mapping {
         let sighted = near.map(|(index, landmark)| (index, sensor.sight(truth, landmark, noise)));
         // A landmark under the robot has no bearing.
         let seen: Vec<_> = sighted.filter(|(_, z)| z.range > 0.0).collect();
-        let readings: Vec<Reading> =
-            seen.iter().map(|(_, z)| Reading { range: z.range, bearing: z.bearing, landmark: None }).collect();
+        let readings: Vec<LandmarkReading> =
+            seen.iter().map(|(_, z)| LandmarkReading { range: z.range, bearing: z.bearing, landmark: None }).collect();
         self.last_seen = readings.len();
         if readings.is_empty() {
             return Ok(Vec::new());

@@ -16,7 +16,7 @@ pub use frame::{
 pub use params::HookParams;
 
 use estimate::Error;
-use frame::Record;
+use frame::HookRecord;
 use lab::{Digest, Lab, named};
 use sim::scenarios::HOOK;
 
@@ -24,7 +24,7 @@ use sim::scenarios::HOOK;
 #[derive(Clone, Debug)]
 pub struct OdometryHook {
     drive: Drive,
-    record: Record,
+    record: HookRecord,
     digest: Digest,
 }
 
@@ -36,7 +36,7 @@ impl Lab for OdometryHook {
     type World = ();
 
     fn start((): (), params: HookParams) -> Result<Self, Error> {
-        let mut lab = Self { drive: Drive::new(params)?, record: Record::default(), digest: Digest::default() };
+        let mut lab = Self { drive: Drive::new(params)?, record: HookRecord::default(), digest: Digest::default() };
         lab.note();
         Ok(lab)
     }

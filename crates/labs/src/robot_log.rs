@@ -30,7 +30,7 @@ use estimate::drive::{BySensor, Course, Event, Judged, Replay, Settings, Smoothe
 use estimate::{Code, Error};
 use lab::{Digest, Lab, Params, named};
 use nalgebra::{Matrix2, Matrix3};
-use record::{At, Record};
+use record::{At, LogRecord};
 use std::sync::Arc;
 
 /// The lab.
@@ -45,7 +45,7 @@ pub struct RobotLog {
     reckoning: Replay,
     /// When the last row that was taken was measured, s.
     time: f64,
-    record: Record,
+    record: LogRecord,
     /// The smoothed track of the rows that are taken, once it was asked for.
     smoothed: Option<Arc<Smoothed>>,
     digest: Digest,
@@ -69,7 +69,7 @@ impl Lab for RobotLog {
         let (replay, reckoning) = (Replay::new(&course), Replay::new(&reckoned));
         let time = logged.span()[0];
         let looked_stride = logged.looked_stride(course.looked_at(logged.drive()));
-        let (record, digest) = (Record::new(looked_stride), Digest::default());
+        let (record, digest) = (LogRecord::new(looked_stride), Digest::default());
         Ok(Self { logged, params, course, replay, reckoned, reckoning, time, record, smoothed: None, digest })
     }
 

@@ -18,7 +18,7 @@ pub(crate) fn squares(sigma: [f64; 3]) -> Matrix3<f64> {
 }
 
 /// W of a sensor: range and bearing.
-pub fn sensor_covariance(sensor: &sim::Sensor) -> Matrix2<f64> {
+pub fn sensor_covariance(sensor: &sim::LandmarkSensor) -> Matrix2<f64> {
     let [r, b] = [sensor.range_sigma, sensor.bearing_sigma];
     Matrix2::new(r * r, 0.0, 0.0, b * b)
 }

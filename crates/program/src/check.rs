@@ -3,8 +3,8 @@
 mod call;
 mod name;
 
-use crate::fault::{Faults, Place, line_of};
-use crate::size::{Found, Shape, Size};
+use crate::fault::{Faults, Span, line_of};
+use crate::size::{Inferred, Shape, Size};
 use crate::tree::{Function, Id, Line, Name, Node, Tree};
 use crate::words::Words;
 use crate::world::{Letter, Notation, P, World, X};
@@ -20,7 +20,7 @@ pub(crate) struct Checker<'a, 'b> {
     pub names: &'a [String],
     pub world: World,
     pub notation: Notation,
-    pub found: Found,
+    pub found: Inferred,
     pub faults: &'a mut Faults<'b>,
     /// What each name is at the present line; none before a line makes it.
     pub shapes: Vec<Option<Shape>>,
@@ -57,7 +57,7 @@ impl Checker<'_, '_> {
         while end > 0 && matches!(self.text.as_bytes()[end - 1], b'\n' | b'\r') {
             end -= 1;
         }
-        let last = Place { from: end, to: end };
+        let last = Span { from: end, to: end };
         self.outcome(last);
         if self.products > MOST_PRODUCTS {
             let mut words = Words::new("A step takes ");
@@ -67,7 +67,7 @@ impl Checker<'_, '_> {
     }
 
     /// What a world takes: the new estimate and its covariance.
-    fn outcome(&mut self, last: Place) {
+    fn outcome(&mut self, last: Span) {
         let mut missing = Words::new("No line makes ");
         for (name, letter) in [(X, Letter::X), (P, Letter::P)] {
             let Some(line) = self.tree.made(name) else {
@@ -116,7 +116,7 @@ impl Checker<'_, '_> {
 
     /// "F P is n×n"; of a long formula "This part".
     fn sized(&self, id: Id, shape: Shape) -> Words {
-        let Place { from, to } = self.tree.place(id);
+        let Span { from, to } = self.tree.place(id);
         let text = self.text.get(from..to).unwrap_or_default();
         let mut words = Words::new(if text.len() <= 24 && !text.contains('\n') { text } else { "This part" });
         self.found.say(shape, words.text(" is "));
@@ -124,13 +124,13 @@ impl Checker<'_, '_> {
     }
 
     #[inline(never)]
-    fn fault(&mut self, place: Place, words: &str) -> Shape {
+    fn fault(&mut self, place: Span, words: &str) -> Shape {
         self.faults.say(place, words);
         Shape::Unknown
     }
 
     #[inline(never)]
-    fn told(&mut self, place: Place, mut words: Words, last: &str) -> Shape {
+    fn told(&mut self, place: Span, mut words: Words, last: &str) -> Shape {
         words.text(last);
         self.faults.words(place, words);
         Shape::Unknown
@@ -165,7 +165,7 @@ impl Checker<'_, '_> {
         shape
     }
 
-    fn square(&mut self, id: Id, shape: Shape, place: Place) -> Shape {
+    fn square(&mut self, id: Id, shape: Shape, place: Span) -> Shape {
         match shape {
             Shape::Of(rows, columns) if !self.found.unify(rows, columns) => {
                 let words = self.sized(id, shape);
@@ -176,7 +176,7 @@ impl Checker<'_, '_> {
     }
 
     /// A part of `whole`: `bounds` are its first and last row, and its first and last column.
-    fn part(&mut self, whole: Shape, bounds: &[Id], place: Place) -> Shape {
+    fn part(&mut self, whole: Shape, bounds: &[Id], place: Span) -> Shape {
         let Shape::Of(height, width) = whole else { return Shape::Unknown };
         let mut words = Words::new("This is ");
         self.found.say(whole, &mut words);
@@ -212,7 +212,7 @@ impl Checker<'_, '_> {
         Shape::Of(sides[0], sides[1])
     }
 
-    fn jacobian(&mut self, a: Id, name: Name, place: Place) -> Shape {
+    fn jacobian(&mut self, a: Id, name: Name, place: Span) -> Shape {
         if self.within_jacobian {
             return self.fault(place, "A derivative of a derivative is not known here.");
         }

@@ -9,7 +9,7 @@ pub const MOST_FAULTS: usize = 50;
 
 /// From where to where something stands in the text, in bytes.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) struct Place {
+pub(crate) struct Span {
     pub from: usize,
     pub to: usize,
 }
@@ -32,7 +32,7 @@ pub(crate) struct Faults<'a> {
     pub text: &'a str,
     /// Whether all that is wrong is that no line makes an answer: no line is at fault.
     pub lacking: bool,
-    found: Vec<(Place, String)>,
+    found: Vec<(Span, String)>,
 }
 
 impl<'a> Faults<'a> {
@@ -44,11 +44,11 @@ impl<'a> Faults<'a> {
         self.found.is_empty()
     }
 
-    pub fn say(&mut self, place: Place, words: &str) {
+    pub fn say(&mut self, place: Span, words: &str) {
         self.words(place, Words::new(words));
     }
 
-    pub fn words(&mut self, place: Place, words: Words) {
+    pub fn words(&mut self, place: Span, words: Words) {
         let mut at = 0;
         for (other, _) in &self.found {
             at += usize::from(other.from < place.from);
@@ -73,7 +73,7 @@ impl<'a> Faults<'a> {
 }
 
 /// A fault at a place of a text.
-pub(crate) fn shown(text: &str, place: Place, message: String) -> Fault {
+pub(crate) fn shown(text: &str, place: Span, message: String) -> Fault {
     let (mut line, mut column, mut length) = (1, 1, 0);
     for (at, c) in text.char_indices() {
         if at >= place.to || at >= place.from && c == '\n' {

@@ -41,8 +41,8 @@ use alloc::rc::Rc;
 use alloc::string::String;
 use alloc::vec::Vec;
 use check::Checker;
-use fault::{Faults, Place, line_of};
-use size::{Found, LETTERS};
+use fault::{Faults, Span, line_of};
+use size::{Inferred, LETTERS};
 use tree::Tree;
 use value::Value;
 use words::Words;
@@ -70,7 +70,7 @@ struct Read {
     /// Where in the text each line of the tree is, from 1.
     lines: Vec<u32>,
     /// n, p and m, where the text tells them.
-    found: Found,
+    found: Inferred,
     faults: Vec<Fault>,
     /// Whether all that is wrong is that no line makes a new estimate, or none its covariance.
     lacking: bool,
@@ -83,7 +83,7 @@ impl Program {
         let (mut names, mut tree) = (world.names(notation), Tree::default());
         let mut found = world_sizes(world);
         if text.len() > MOST_TEXT {
-            faults.say(Place::default(), "The text is too long: at most 20000 characters are read.");
+            faults.say(Span::default(), "The text is too long: at most 20000 characters are read.");
         } else {
             let tokens = token::tokens(text, &mut names, &mut faults);
             let mut parser = parse::Parser::new(&tokens, &mut names, world == World::Robot, &mut faults);
@@ -91,7 +91,7 @@ impl Program {
             tree = parser.tree;
             if tree.lines.is_empty() && faults.is_empty() {
                 let words = "The program is empty: its lines make a new estimate and a new covariance of the old ones.";
-                faults.say(Place::default(), words);
+                faults.say(Span::default(), words);
             } else {
                 found = checked(text, &tree, &names, world, notation, found, &mut faults).found;
             }
@@ -163,7 +163,7 @@ impl Program {
             &self.read.names,
             self.read.world,
             self.read.notation,
-            Found(wanted),
+            Inferred(wanted),
             &mut faults,
         );
         // By itself the text is right: what it says of sizes is another than the system's. Where a number takes the
@@ -183,7 +183,7 @@ impl Program {
             }
             None if !words.0.is_empty() => {
                 words.0.pop();
-                let place = self.read.tree.lines.first().map_or(Place::default(), |line| line.place);
+                let place = self.read.tree.lines.first().map_or(Span::default(), |line| line.place);
                 Err(fault::shown(&self.read.text, place, words.0))
             }
             None => {
@@ -197,8 +197,8 @@ impl Program {
 }
 
 /// n, p and m of a world, where it has its own.
-fn world_sizes(world: World) -> Found {
-    if world == World::Robot { Found([3, 2, 2]) } else { Found::NOTHING }
+fn world_sizes(world: World) -> Inferred {
+    if world == World::Robot { Inferred([3, 2, 2]) } else { Inferred::NOTHING }
 }
 
 fn checked<'a, 'b>(
@@ -207,7 +207,7 @@ fn checked<'a, 'b>(
     names: &'a [String],
     world: World,
     notation: Notation,
-    found: Found,
+    found: Inferred,
     faults: &'a mut Faults<'b>,
 ) -> Checker<'a, 'b> {
     let (shapes, of) = (Vec::new(), Vec::new());

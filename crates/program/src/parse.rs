@@ -4,7 +4,7 @@ mod beginning;
 mod bracket;
 mod operand;
 
-use crate::fault::{Faults, Place};
+use crate::fault::{Faults, Span};
 use crate::time::Time;
 use crate::token::{Kind, Token};
 use crate::tree::{Function, Id, Line, Name, Node, Tree};
@@ -30,7 +30,7 @@ pub(crate) struct Parser<'a, 'b> {
     faults: &'a mut Faults<'b>,
     pub tree: Tree,
     /// What lines have made, with its time.
-    assigned: Vec<(Name, Time, Place)>,
+    assigned: Vec<(Name, Time, Span)>,
     /// How deep each node's tree is.
     deep: Vec<u8>,
     depth: usize,
@@ -98,11 +98,11 @@ impl<'a, 'b> Parser<'a, 'b> {
         self.tokens[(self.at + by).min(self.tokens.len() - 1)].kind
     }
 
-    fn place(&self) -> Place {
+    fn place(&self) -> Span {
         self.token().place
     }
 
-    fn before(&self) -> Place {
+    fn before(&self) -> Span {
         self.tokens[self.at.saturating_sub(1)].place
     }
 
@@ -117,12 +117,12 @@ impl<'a, 'b> Parser<'a, 'b> {
     }
 
     #[inline(never)]
-    fn fail<T>(&mut self, place: Place, words: &str) -> Parsed<T> {
+    fn fail<T>(&mut self, place: Span, words: &str) -> Parsed<T> {
         self.faults.say(place, words);
         Err(Told)
     }
 
-    fn told<T>(&mut self, place: Place, words: Words) -> Parsed<T> {
+    fn told<T>(&mut self, place: Span, words: Words) -> Parsed<T> {
         self.faults.words(place, words);
         Err(Told)
     }
@@ -136,7 +136,7 @@ impl<'a, 'b> Parser<'a, 'b> {
     }
 
     #[inline(never)]
-    fn node(&mut self, node: Node, from: Place) -> Parsed<Id> {
+    fn node(&mut self, node: Node, from: Span) -> Parsed<Id> {
         if self.tree.nodes.len() >= MOST_NODES {
             return self.fail(from, "The program is too long: from here on it is not read.");
         }
@@ -151,11 +151,11 @@ impl<'a, 'b> Parser<'a, 'b> {
         }
         self.deep.push(deep + 1);
         let to = self.before().to.max(from.to);
-        self.tree.nodes.push((node, Place { from: from.from, to }));
+        self.tree.nodes.push((node, Span { from: from.from, to }));
         Ok(self.tree.nodes.len() - 1)
     }
 
-    fn call(&mut self, function: Function, arguments: &[Id], from: Place) -> Parsed<Id> {
+    fn call(&mut self, function: Function, arguments: &[Id], from: Span) -> Parsed<Id> {
         let first = self.tree.arguments.len();
         self.tree.arguments.extend_from_slice(arguments);
         self.node(Node::Call(function, first, first + arguments.len()), from)
@@ -241,7 +241,7 @@ impl<'a, 'b> Parser<'a, 'b> {
     }
 
     /// The left side, with what stands behind the operator.
-    fn joined(&mut self, sign: Function, left: Id, from: Place, read: fn(&mut Self) -> Parsed<Id>) -> Parsed<Id> {
+    fn joined(&mut self, sign: Function, left: Id, from: Span, read: fn(&mut Self) -> Parsed<Id>) -> Parsed<Id> {
         self.at += 1;
         // A formula that ends with an operator goes on in the next line.
         self.skip_lines();

@@ -79,7 +79,7 @@ impl Program {
 struct Reader<'a> {
     program: &'a Program,
     shapes: Vec<Shape>,
-    found: crate::size::Found,
+    found: crate::size::Inferred,
 }
 
 impl Reader<'_> {

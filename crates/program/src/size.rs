@@ -81,9 +81,9 @@ impl Shape {
 
 /// What has been found of the letters so far; −1 of those that nothing tells yet.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Found(pub [i32; 3]);
+pub(crate) struct Inferred(pub [i32; 3]);
 
-impl Found {
+impl Inferred {
     pub const NOTHING: Self = Self([-1; 3]);
 
     /// A size's counts with all that is known put in.

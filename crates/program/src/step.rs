@@ -1,6 +1,6 @@
 //! One step of a program: what each line makes of what the world gives.
 
-use crate::fault::{self, Fault, Place};
+use crate::fault::{self, Fault, Span};
 use crate::matrix::Matrix;
 use crate::run::{self, Run, Trouble};
 use crate::tree;
@@ -104,7 +104,7 @@ impl Program {
         World::fits(World::shape_of(quantity), found, step.sizes).then_some(found)
     }
 
-    fn trouble(&self, trouble: Trouble, line: &tree::Line, place: Place) -> Stop {
+    fn trouble(&self, trouble: Trouble, line: &tree::Line, place: Span) -> Stop {
         let mut words = Words::default();
         match trouble {
             Trouble::Singular => words.text("What is divided by here has no inverse."),

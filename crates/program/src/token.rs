@@ -1,6 +1,6 @@
 //! A text as tokens.
 
-use crate::fault::{Faults, Place};
+use crate::fault::{Faults, Span};
 use crate::sign::{begins_name, is_blank, is_mark, raised_mark};
 use crate::time::{Time, time};
 use crate::tree::{FUNCTIONS, Name};
@@ -25,7 +25,7 @@ pub(crate) struct Token {
     pub kind: Kind,
     /// What stands behind a name, as in x(k+1|k).
     pub time: Time,
-    pub place: Place,
+    pub place: Span,
     /// Whether a blank stands before it, and whether one stands behind.
     pub blank: bool,
     pub blank_behind: bool,
@@ -87,7 +87,7 @@ impl Lexer<'_> {
         let blank = core::mem::take(&mut self.blank);
         let blank_behind = self.peek().is_some_and(|c| is_blank(c) || c == '\n');
         let time = core::mem::take(&mut self.time);
-        self.tokens.push(Token { kind, time, place: Place { from, to: self.at }, blank, blank_behind });
+        self.tokens.push(Token { kind, time, place: Span { from, to: self.at }, blank, blank_behind });
     }
 
     fn token(&mut self, c: char, from: usize, faults: &mut Faults<'_>) {
@@ -118,7 +118,7 @@ impl Lexer<'_> {
                 _ => {
                     self.next();
                     let words = "Products of single entries are not part of the language: * is the matrices' product.";
-                    return faults.say(Place { from, to: self.at }, words);
+                    return faults.say(Span { from, to: self.at }, words);
                 }
             },
             '−' | '–' => '-',
@@ -137,7 +137,7 @@ impl Lexer<'_> {
                 let name = self.name(c);
                 // A hat by itself.
                 if name.is_empty() {
-                    return faults.say(Place { from, to: self.at }, NO_SIGN);
+                    return faults.say(Span { from, to: self.at }, NO_SIGN);
                 }
                 if PACKAGES.contains(&name.as_str()) && self.take('.') {
                     return;
@@ -145,13 +145,13 @@ impl Lexer<'_> {
                 let name = named(self.names, &name);
                 return self.push(Kind::Name(name), from);
             }
-            '|' | '∣' => return faults.say(Place { from, to: self.at }, TIMES),
+            '|' | '∣' => return faults.say(Span { from, to: self.at }, TIMES),
             '—' | '―' | '‒' | '‑' | '‐' => {
                 let words = "This is a dash of texts, not a sign of an operation. A minus is typed -.";
-                faults.say(Place { from, to: self.at }, words);
+                faults.say(Span { from, to: self.at }, words);
                 '-'
             }
-            _ => return faults.say(Place { from, to: self.at }, NO_SIGN),
+            _ => return faults.say(Span { from, to: self.at }, NO_SIGN),
         };
         self.push(Kind::Sign(sign), from);
     }
@@ -257,7 +257,7 @@ impl Lexer<'_> {
         }
         if !exact || power.abs() > 22 {
             let words = "A number has at most 15 digits, and at most 22 places before or behind the point.";
-            faults.say(Place { from, to: self.at }, words);
+            faults.say(Span { from, to: self.at }, words);
         }
         let unit = (0..power.abs().min(22)).fold(1.0, |unit, _| 10.0 * unit);
         let number = if power < 0 { whole as f64 / unit } else { whole as f64 * unit };

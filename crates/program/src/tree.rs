@@ -1,6 +1,6 @@
 //! A program as a tree.
 
-use crate::fault::Place;
+use crate::fault::Span;
 use alloc::vec::Vec;
 
 /// The number of a node.
@@ -116,19 +116,19 @@ pub(crate) struct Line {
     /// Where in it, as a part of it.
     pub part: Option<Id>,
     pub value: Option<Id>,
-    pub place: Place,
+    pub place: Span,
 }
 
 #[derive(Clone, Debug, Default)]
 pub(crate) struct Tree {
-    pub nodes: Vec<(Node, Place)>,
+    pub nodes: Vec<(Node, Span)>,
     /// The arguments of all calls, one after another.
     pub arguments: Vec<Id>,
     pub lines: Vec<Line>,
 }
 
 impl Tree {
-    pub fn place(&self, id: Id) -> Place {
+    pub fn place(&self, id: Id) -> Span {
         self.nodes[id].1
     }
 

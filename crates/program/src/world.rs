@@ -1,7 +1,7 @@
 //! What a world gives a program and what it takes, in the letters of three books.
 
 use crate::matrix::Matrix;
-use crate::size::{Found, LETTERS, Shape, Size};
+use crate::size::{Inferred, LETTERS, Shape, Size};
 use crate::value::Value;
 use crate::words::Words;
 use alloc::rc::Rc;
@@ -202,7 +202,7 @@ impl World {
     pub(crate) fn fits(shape: Shape, m: &Matrix, sizes: [usize; 3]) -> bool {
         let Shape::Of(rows, columns) = shape else { return false };
         let [n, p, inputs] = sizes;
-        let found = Found([n as i32, p as i32, inputs as i32]);
+        let found = Inferred([n as i32, p as i32, inputs as i32]);
         found.known(rows) == Some(m.rows as i32) && found.known(columns) == Some(m.columns as i32)
     }
 

@@ -3,7 +3,7 @@
 use crate::counter::Jumps;
 use crate::error::Error;
 use crate::fields::{Field, Line, is_none};
-use crate::gathering::Place;
+use crate::gathering::CellPlace;
 use crate::quaternion;
 use crate::row;
 use crate::source::Source;
@@ -24,13 +24,13 @@ pub(crate) struct Cells<'a> {
 
 impl<'a> Cells<'a> {
     /// Where the row begins.
-    pub fn start(&self) -> Place {
-        Place { file: self.file, line: self.line.number, column: 1 }
+    pub fn start(&self) -> CellPlace {
+        CellPlace { file: self.file, line: self.line.number, column: 1 }
     }
 
     /// Where a value stands.
-    pub fn place(&self, value: &str) -> Place {
-        Place::of(self.file, self.line, self.source.column(value).unwrap_or(0))
+    pub fn place(&self, value: &str) -> CellPlace {
+        CellPlace::of(self.file, self.line, self.source.column(value).unwrap_or(0))
     }
 
     fn field(&self, value: &str) -> Option<Field<'a>> {
@@ -142,7 +142,7 @@ impl<'a> Cells<'a> {
             _ => {}
         }
         let range = self.read(value, *field)?;
-        let place = Place::of(self.file, self.line, column);
+        let place = CellPlace::of(self.file, self.line, column);
         if range >= 0.0 { Ok(Ok(range)) } else { Err(place.refuse("a range of at least 0 was expected")) }
     }
 }

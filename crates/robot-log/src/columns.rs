@@ -172,8 +172,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
     let column = source.columns[at]?;
     let (table, name) = (source.table.as_ref()?, source.names.get(column)?);
     let said = name.unit(value.quantity);
-    use Quantity::{Angle, AngleRate, Heading, Length, Speed, Spread};
-    let measured = matches!(value.quantity, Length | Spread | Speed | AngleRate | Angle | Heading);
+    use Quantity::{Angle, AngleRate, Heading, Length, SigmaWords, Speed};
+    let measured = matches!(value.quantity, Length | SigmaWords | Speed | AngleRate | Angle | Heading);
     // A unit that stands there and is not known is asked about.
     if table.units && name.has_below() && measured && said.is_none() {
         return None;
@@ -215,8 +215,8 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
             let size = if matches!(value.name, "x" | "y") { widest } else { most };
             said.or_else(|| if size > far { None } else { usual("m") })
         }
-        Quantity::Spread if name.has_one(&VARIANCES) => usual(VARIANCE),
-        Quantity::Spread => said.or_else(|| if most > 200.0 { None } else { usual("m") }),
+        Quantity::SigmaWords if name.has_one(&VARIANCES) => usual(VARIANCE),
+        Quantity::SigmaWords => said.or_else(|| if most > 200.0 { None } else { usual("m") }),
         // A speed over ground is often in knots.
         Quantity::Speed => said.or_else(|| if most > 30.0 || name.has("sog") { None } else { usual("m/s") }),
         Quantity::AngleRate => {

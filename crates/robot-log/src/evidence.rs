@@ -2,7 +2,7 @@
 //! shows here.
 
 use crate::fields::is_none;
-use crate::reading::Reading;
+use crate::reading::LogReader;
 use crate::table::Table;
 use core::f64::consts::{PI, TAU};
 use estimate::Landmark;
@@ -35,7 +35,7 @@ pub(crate) fn samples<'t>(table: &Table, text: &'t str, column: usize) -> Vec<&'
 }
 
 /// What follows from the rows that a file has by itself, in words; empty of a file without rows.
-pub(crate) fn follows(read: &Reading) -> String {
+pub(crate) fn follows(read: &LogReader) -> String {
     let mut rows = read.to.rows().to_vec();
     rows.sort_by(|a, b| a.time.total_cmp(&b.time));
     let poses = read.poses();

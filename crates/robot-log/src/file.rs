@@ -9,7 +9,7 @@ use crate::fields::Line;
 use crate::guess;
 use crate::notes;
 use crate::parse;
-use crate::reading::Reading;
+use crate::reading::LogReader;
 use crate::role::Role;
 use crate::row;
 use crate::several::{grouped, several};
@@ -178,7 +178,7 @@ impl File {
         if self.source.table.is_none() || self.check().is_err() || !self.asks().is_empty() {
             return String::new();
         }
-        let mut reading = Reading::default();
+        let mut reading = LogReader::default();
         let role = self.role();
         let _ = self.rows(0, |row| reading.take(role, row));
         evidence::follows(&reading)

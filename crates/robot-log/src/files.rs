@@ -7,7 +7,7 @@ use crate::file::File;
 use crate::frames::Frame;
 use crate::log::{MAX_BYTES, Understood};
 use crate::parse;
-use crate::reading::Reading;
+use crate::reading::LogReader;
 use crate::role::Role;
 use crate::wheels::Counting;
 use std::collections::HashMap;
@@ -122,7 +122,7 @@ impl Files {
         if !self.files.iter().any(|file| file.role().moves()) {
             return Err(self.without_motion());
         }
-        let mut reading = Reading::new(self.barcodes()?);
+        let mut reading = LogReader::new(self.barcodes()?);
         for (i, file) in self.files.iter().enumerate() {
             match file.role() {
                 Role::Log => parse::gather(file.text(), i, &mut reading.to)?,

@@ -13,13 +13,13 @@ const LISTED: &str = "and sightings that name barcodes need the list of these";
 
 /// A place in the files of a log: file, line and column.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct CellPlace {
     pub file: usize,
     pub line: u32,
     pub column: u32,
 }
 
-impl Place {
+impl CellPlace {
     /// The beginning of a line, or of one of its fields.
     pub fn of(file: usize, line: &Line<'_>, field: usize) -> Self {
         Self { file, line: line.number, column: line.fields.get(field).map_or(line.end, |field| field.column) }
@@ -46,7 +46,7 @@ struct Sighting {
     row: usize,
     /// Its landmark's id, and where that stands.
     id: u32,
-    place: Place,
+    place: CellPlace,
     unplaced: Unplaced,
 }
 
@@ -67,14 +67,14 @@ pub(crate) struct Gathering {
     /// Rows of the log, of which a line may have several, and lines.
     count: usize,
     lines: usize,
-    last: Option<Place>,
+    last: Option<CellPlace>,
 }
 
 impl Gathering {
     /// Counts a row that begins at `place`.
-    pub fn begin(&mut self, place: Place) -> Result<(), Error> {
+    pub fn begin(&mut self, place: CellPlace) -> Result<(), Error> {
         self.count += 1;
-        let another = |last: Place| (last.file, last.line) != (place.file, place.line);
+        let another = |last: CellPlace| (last.file, last.line) != (place.file, place.line);
         self.lines += usize::from(self.last.is_none_or(another));
         self.last = Some(place);
         if self.count > MAX_ROWS {
@@ -84,9 +84,11 @@ impl Gathering {
     }
 
     /// A landmark, whose id stands at `place`.
-    pub fn landmark(&mut self, place: Place, landmark: Landmark) -> Result<(), Error> {
+    pub fn landmark(&mut self, place: CellPlace, landmark: Landmark) -> Result<(), Error> {
         if self.landmarks.len() == MAX_LANDMARKS {
-            return Err(Place { column: 1, ..place }.refuse(format!("the log has more than {MAX_LANDMARKS} landmarks")));
+            return Err(
+                CellPlace { column: 1, ..place }.refuse(format!("the log has more than {MAX_LANDMARKS} landmarks"))
+            );
         }
         if self.index.insert(landmark.id, self.landmarks.len()).is_some() {
             let message = format!("landmark {} stands here for the second time; each has one row", landmark.id);
@@ -101,7 +103,7 @@ impl Gathering {
     }
 
     /// A row of motion, which begins at `place`.
-    pub fn motion(&mut self, place: Place, row: Row) -> Result<(), Error> {
+    pub fn motion(&mut self, place: CellPlace, row: Row) -> Result<(), Error> {
         let (motion, letter) = match row.event {
             Event::Velocity { .. } => (Motion::Velocity, "V"),
             Event::Speed { .. } => (Motion::Velocity, "S"),
@@ -123,7 +125,7 @@ impl Gathering {
     }
 
     /// A sighting of the landmark `id`, which stands at `place`.
-    pub fn sighting(&mut self, place: Place, row: Row, id: u32, unplaced: Unplaced) {
+    pub fn sighting(&mut self, place: CellPlace, row: Row, id: u32, unplaced: Unplaced) {
         self.sightings.push(Sighting { row: self.rows.len(), id, place, unplaced });
         self.reading(row);
     }
@@ -194,9 +196,9 @@ impl Gathering {
             });
         }
         let Some((motion, _)) = self.motion else {
-            let last = self.last.unwrap_or(Place { file: 0, line: 1, column: 1 });
+            let last = self.last.unwrap_or(CellPlace { file: 0, line: 1, column: 1 });
             let message = "the log has no motion; O, V, S or T rows were expected";
-            return Err(Place { column: 1, ..last }.refuse(message));
+            return Err(CellPlace { column: 1, ..last }.refuse(message));
         };
         // The sort is stable: rows of one time and kind stay in the order of their lines.
         let sighting = |row: &Row| !row.event.is_motion();

@@ -3,7 +3,7 @@
 use crate::nested::BELOW;
 use crate::role::Quantity;
 use crate::unit::{self, Unit};
-use crate::vocabulary::{FORBIDDEN, Spread, Way, ways};
+use crate::vocabulary::{FORBIDDEN, SigmaWords, Way, ways};
 use core::cmp::Ordering;
 
 /// The name of a column.
@@ -107,7 +107,7 @@ pub(crate) fn is_unit(text: &str) -> bool {
 
 /// How far a number may be off.
 pub(crate) fn is_spread(name: &Name) -> bool {
-    name.has_one(&Spread::ALL)
+    name.has_one(&SigmaWords::ALL)
 }
 
 /// Metres in a second in a second: never a speed.

@@ -12,14 +12,14 @@ pub(crate) const HEADED: &str = "The truth has no heading; the first 0.2 m of it
 
 /// What is counted while a file is read.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Kept {
+pub(crate) struct Counts {
     /// The times of its rows.
     pub stamps: Stamps,
     /// What two encoders had counted.
     pub counted: Option<[f64; 2]>,
     /// Fixes, and the headings of the same file.
-    pub fixes: Held<[f64; 2]>,
-    pub headings: Held<f64>,
+    pub fixes: Repeats<[f64; 2]>,
+    pub headings: Repeats<f64>,
     /// Rows, or ranges of rows, without a number.
     pub missing: usize,
     /// Ranges of 0, of −1 and without an end, by which sensors say that there was no echo or no answer.
@@ -36,14 +36,14 @@ pub(crate) struct Kept {
 
 /// What a file reads again and again, and which of it is the one before to the last digit.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Held<T> {
+pub(crate) struct Repeats<T> {
     before: Option<T>,
     pub count: usize,
     /// The rows of the log that are such copies.
     pub copies: Vec<usize>,
 }
 
-impl<T: PartialEq> Held<T> {
+impl<T: PartialEq> Repeats<T> {
     /// Counts what becomes the log's row of this index.
     pub fn take(&mut self, it: T, row: usize) {
         self.count += 1;
@@ -59,7 +59,7 @@ impl<T: PartialEq> Held<T> {
     }
 }
 
-impl Kept {
+impl Counts {
     /// The rows that were measured once and written again. Headings count only where the fixes beside them are written
     /// so: a compass of few digits reads the same twice and has measured twice.
     pub fn copies(&self) -> Vec<usize> {

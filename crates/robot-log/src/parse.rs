@@ -2,7 +2,7 @@
 
 use crate::error::Error;
 use crate::fields::{Line, Lines};
-use crate::gathering::{Gathering, Place, Unplaced};
+use crate::gathering::{CellPlace, Gathering, Unplaced};
 use crate::log::{Log, MAX_BYTES};
 use crate::row::{Read, read};
 
@@ -29,8 +29,8 @@ pub(crate) fn gather(text: &str, file: usize, to: &mut Gathering) -> Result<(), 
     while let Some(line) = lines.next().map_err(|e| e.within(file))? {
         check_text(&line).map_err(|e| e.within(file))?;
         let row = read(&line).map_err(|e| e.within(file))?;
-        let place = |field| Place::of(file, &line, field);
-        let start = Place { column: 1, ..place(0) };
+        let place = |field| CellPlace::of(file, &line, field);
+        let start = CellPlace { column: 1, ..place(0) };
         to.begin(start)?;
         match row {
             Read::Landmark(landmark) => to.landmark(place(1), landmark)?,

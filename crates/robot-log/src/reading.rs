@@ -3,12 +3,12 @@
 use crate::cells::{Cells, NoRange};
 use crate::error::Error;
 use crate::frames::{self, Moved};
-use crate::gathering::{Gathering, Place, Unplaced};
+use crate::gathering::{CellPlace, Gathering, Unplaced};
 use crate::headed::headed;
 use crate::landmarks::Landmarks;
 use crate::lists;
 use crate::log::Understood;
-use crate::notes::{self, Kept};
+use crate::notes::{self, Counts};
 use crate::role::Role;
 use crate::source::Landmark as Of;
 use crate::wgs84::Origin;
@@ -18,7 +18,7 @@ use std::collections::HashMap;
 
 /// A log while its tables are read.
 #[derive(Default)]
-pub(crate) struct Reading {
+pub(crate) struct LogReader {
     pub to: Gathering,
     /// The landmark that carries each barcode.
     carried: Option<HashMap<u32, u32>>,
@@ -33,11 +33,11 @@ pub(crate) struct Reading {
     /// The first fix in degrees, about which all others are.
     origin: Option<Origin>,
     /// What is kept of the file that is being read.
-    kept: Kept,
+    kept: Counts,
     notes: Vec<String>,
 }
 
-impl Reading {
+impl LogReader {
     /// Nothing yet; `carried` is the landmark that carries each barcode, where a file says so.
     pub fn new(carried: Option<HashMap<u32, u32>>) -> Self {
         Self { carried, ..Self::default() }
@@ -127,7 +127,7 @@ impl Reading {
             Role::Ranges => {
                 let time = self.kept.stamps.take(cells)?;
                 for (seen, column) in cells.source.ranges() {
-                    let place = Place::of(cells.file, cells.line, column);
+                    let place = CellPlace::of(cells.file, cells.line, column);
                     let seen = match seen {
                         Of::Called(name) => self.landmarks.named(name),
                         Of::Number(number) => self.landmarks.numbered(number),
@@ -191,12 +191,12 @@ impl Reading {
         }
     }
 
-    fn motion(&mut self, start: Place, time: f64, event: Event) -> Result<(), Error> {
+    fn motion(&mut self, start: CellPlace, time: f64, event: Event) -> Result<(), Error> {
         self.to.begin(start)?;
         self.to.motion(start, Row::new(time, event))
     }
 
-    fn sighting(&mut self, place: Place, row: Row, seen: u32) {
+    fn sighting(&mut self, place: CellPlace, row: Row, seen: u32) {
         match self.carried.as_ref().map_or(Some(&seen), |carried| carried.get(&seen)) {
             Some(id) => self.to.sighting(place, row, *id, Unplaced::LeftOut),
             None => self.unlisted += 1,
@@ -257,7 +257,7 @@ impl Reading {
     }
 }
 
-impl Kept {
+impl Counts {
     /// A range that was not read.
     fn without(&mut self, none: NoRange) -> Result<(), Error> {
         match none {

@@ -1,6 +1,6 @@
 //! What a file of a log can hold, and in which units.
 
-use Quantity::{Angle, AngleRate, Coordinate, Day, Fraction, Heading, Length, Number, Speed, Spread, Time, Wheel};
+use Quantity::{Angle, AngleRate, Coordinate, Day, Fraction, Heading, Length, Number, SigmaWords, Speed, Time, Wheel};
 
 /// What a column measures, which decides its unit.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -14,7 +14,7 @@ pub enum Quantity {
     /// A length.
     Length,
     /// How far a length may be off.
-    Spread,
+    SigmaWords,
     /// An angle.
     Angle,
     /// An angle with a direction that is 0: the axis of x, or north.
@@ -120,7 +120,7 @@ impl Role {
             optional("y", Length),
             optional("latitude", Coordinate),
             optional("longitude", Coordinate),
-            optional("sigma", Spread),
+            optional("sigma", SigmaWords),
             optional("heading", Heading),
             optional("sigma of heading", Angle),
             FRACTION,

@@ -2,7 +2,7 @@
 
 use crate::cells::Cells;
 use crate::error::Error;
-use crate::gathering::Place;
+use crate::gathering::CellPlace;
 use crate::role::Role;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
@@ -31,7 +31,7 @@ impl Counted {
 /// A clock that has gone back.
 #[derive(Clone, Copy, Debug)]
 struct Back {
-    place: Place,
+    place: CellPlace,
     from: f64,
     to: f64,
     /// How many rows have gone on from there.

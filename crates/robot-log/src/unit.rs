@@ -106,7 +106,7 @@ pub fn units_of(quantity: Quantity) -> &'static [Unit] {
         Quantity::Day => &DAYS,
         Quantity::Length => &LENGTHS,
         Quantity::Speed => &SPEEDS,
-        Quantity::Spread => &SPREADS,
+        Quantity::SigmaWords => &SPREADS,
         Quantity::Angle => &ANGLES,
         Quantity::Heading => &HEADINGS,
         Quantity::AngleRate => &RATES,

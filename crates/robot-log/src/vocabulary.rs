@@ -13,9 +13,9 @@ pub(crate) enum Way<'w> {
 }
 
 /// Words for how far a number may be off: such a column holds no value but a σ.
-pub(crate) struct Spread;
+pub(crate) struct SigmaWords;
 
-impl Spread {
+impl SigmaWords {
     pub const ALL: [&str; 19] = [
         "covariance",
         "cov",

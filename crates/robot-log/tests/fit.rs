@@ -1,20 +1,20 @@
 //! Noise and delays that a log tells: of the car, and of a drive that is made up with known ones.
 
 use estimate::Code;
-use estimate::drive::{BySensor, Fit, Fitted, Found, Settings};
+use estimate::drive::{BySensor, Fit, FitResult, Fitted, Settings};
 use robot_log::parse;
 
 const CAR: &str = include_str!("../../../content/logs/car.csv");
 const MOWER: &str = include_str!("../../../content/logs/plaza1.csv");
 
-fn fitted(text: &str, settings: Settings) -> Found {
+fn fitted(text: &str, settings: Settings) -> FitResult {
     let drive = parse(text).expect("a log").drive;
     let mut fit = Fit::new(&drive, settings).expect("readings");
     while fit.step(&drive).expect("a replay") {}
     fit.found()
 }
 
-fn of(found: &Found, which: Fitted) -> (f64, Option<f64>) {
+fn of(found: &FitResult, which: Fitted) -> (f64, Option<f64>) {
     let number = found.numbers.iter().find(|(number, ..)| *number == which).expect("among them");
     (number.1, number.2)
 }

@@ -2,7 +2,7 @@
 //!
 //! - [`Apartment`]: rooms, walls, and the corners on the map;
 //! - [`Rusty`]: a differential drive and its encoders;
-//! - [`Sensor`]: noisy range and bearing to a landmark within its reach;
+//! - [`LandmarkSensor`]: noisy range and bearing to a landmark within its reach;
 //! - [`paths`]: the courses that the chapter drives;
 //! - [`scenarios`]: every constant of every experiment, with where it comes from;
 //! - [`Noise`]: seeded normal numbers with the same bits everywhere.
@@ -17,4 +17,4 @@ mod sensor;
 pub use apartment::{Apartment, Room, Wall};
 pub use noise::Noise;
 pub use rusty::Rusty;
-pub use sensor::{Sensor, Sighting};
+pub use sensor::{LandmarkSensor, Sighting};

@@ -10,7 +10,7 @@ pub use three_sensors::{THREE_SENSORS, ThreeSensors};
 
 use crate::apartment::Apartment;
 use crate::paths::{CORRIDOR, LOOP, Rectangle, SQUARE, Stadium};
-use crate::sensor::Sensor;
+use crate::sensor::LandmarkSensor;
 use core::f64::consts::FRAC_PI_4;
 use estimate::slam::linear_slam::Variances;
 use estimate::{Landmark, Wheels};
@@ -44,7 +44,7 @@ pub struct Probe {
     /// Process noise per tick, one sigma each of x, y (metres) and heading (radians): 1 cm and 1.7° on 0.1 m.
     pub v_sigma: [f64; 3],
     /// The sensor: 0.3 m, as from signal strength, and 2.9°; the room is within reach.
-    pub sensor: Sensor,
+    pub sensor: LandmarkSensor,
     /// First uncertainty, one sigma each of x, y and heading; the first estimate is drawn from it.
     pub p0_sigma: [f64; 3],
 }
@@ -60,7 +60,7 @@ pub const PROBE: Probe = Probe {
         Landmark { id: 2, x: 3.0, y: 0.0 },
     ],
     v_sigma: [0.01, 0.01, 0.03],
-    sensor: Sensor { range_sigma: 0.3, bearing_sigma: 0.05, reach: 12.0 },
+    sensor: LandmarkSensor { range_sigma: 0.3, bearing_sigma: 0.05, reach: 12.0 },
     p0_sigma: [0.1, 0.1, 0.05],
 };
 
@@ -78,7 +78,7 @@ pub struct RangeBearingSlam {
     /// Noise of the input [Δs, Δθ] per tick, one sigma each, metres and radians; V = G diag(σ²) Gᵀ.
     pub u_sigma: [f64; 2],
     /// The sensor.
-    pub sensor: Sensor,
+    pub sensor: LandmarkSensor,
     /// χ² beyond which a sighting is not a known landmark's: the 99 % quantile of two degrees of freedom.
     pub gate: f64,
     /// χ² beyond which it is a new landmark's. Far above the gate: with one threshold for both, every rejected sighting
@@ -95,7 +95,7 @@ pub const RANGE_BEARING_SLAM: RangeBearingSlam = RangeBearingSlam {
     landmarks: &PROBE.landmarks,
     home: None,
     u_sigma: [0.02, 0.01],
-    sensor: Sensor { range_sigma: 0.1, bearing_sigma: 0.03, reach: 12.0 },
+    sensor: LandmarkSensor { range_sigma: 0.1, bearing_sigma: 0.03, reach: 12.0 },
     gate: 9.21,
     found: 50.0,
 };
@@ -108,7 +108,7 @@ pub const LOOP_CLOSURE: RangeBearingSlam = RangeBearingSlam {
     landmarks: &WALL_MARKS,
     home: Some(Apartment::new()),
     u_sigma: [0.02, 0.007],
-    sensor: Sensor { range_sigma: 0.1, bearing_sigma: 0.03, reach: 2.5 },
+    sensor: LandmarkSensor { range_sigma: 0.1, bearing_sigma: 0.03, reach: 2.5 },
     gate: RANGE_BEARING_SLAM.gate,
     found: RANGE_BEARING_SLAM.found,
 };
@@ -144,7 +144,7 @@ pub struct BugMuseum {
     /// Noise of the input [Δs, Δθ] per tick, one sigma each, metres and radians; V = G diag(σ²) Gᵀ.
     pub u_sigma: [f64; 2],
     /// The sensor.
-    pub sensor: Sensor,
+    pub sensor: LandmarkSensor,
     /// The share of readings that are wrong, as when a landmark is taken for another or an echo came by a detour: too
     /// long by one to two metres, and off by up to half a radian.
     pub outliers: f64,
@@ -166,7 +166,7 @@ pub const BUG_MUSEUM: BugMuseum = BugMuseum {
         Landmark { id: 2, x: 2.0, y: 2.5 },
     ],
     u_sigma: [0.02, 0.03],
-    sensor: Sensor { range_sigma: 0.1, bearing_sigma: 0.03, reach: 4.0 },
+    sensor: LandmarkSensor { range_sigma: 0.1, bearing_sigma: 0.03, reach: 4.0 },
     outliers: 0.05,
     gate: RANGE_BEARING_SLAM.gate,
     p0_sigma: [0.1, 0.1, 0.05],
@@ -196,7 +196,7 @@ pub struct Hook {
     /// One sigma of what a wheel slips in a tick, metres: 2 % of the way.
     pub slip: f64,
     /// The sensor: a corner is recognized from 2 m, and read once as it comes within reach.
-    pub sensor: Sensor,
+    pub sensor: LandmarkSensor,
     /// The right wheel's nominal radius exceeds its true one by this fraction.
     pub bias: f64,
     /// First standard deviation of the bias for a filter that learns it.
@@ -209,7 +209,7 @@ pub const HOOK: Hook = Hook {
     period: 0.1,
     wheels: Wheels { baseline: 0.40, radius: 0.05, ticks_per_turn: 4096.0 },
     slip: 0.001,
-    sensor: Sensor { range_sigma: 0.1, bearing_sigma: 0.035, reach: 2.0 },
+    sensor: LandmarkSensor { range_sigma: 0.1, bearing_sigma: 0.035, reach: 2.0 },
     bias: 0.005,
     bias_sigma: 0.01,
 };

@@ -18,7 +18,7 @@ pub struct Sighting {
 
 /// What one sensor can see, and how well.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Sensor {
+pub struct LandmarkSensor {
     /// One sigma of the range, metres.
     pub range_sigma: f64,
     /// One sigma of the bearing, radians.
@@ -27,7 +27,7 @@ pub struct Sensor {
     pub reach: f64,
 }
 
-impl Sensor {
+impl LandmarkSensor {
     /// Whether the landmark is near enough. [`Apartment::in_sight`](crate::Apartment::in_sight) says whether a wall
     /// stands between.
     pub fn reaches(&self, world_from_robot: SE2, landmark: &Landmark) -> bool {
@@ -48,7 +48,7 @@ mod tests {
     use super::*;
     use core::f64::consts::{FRAC_PI_2, PI};
 
-    const EXACT: Sensor = Sensor { range_sigma: 0.0, bearing_sigma: 0.0, reach: 2.0 };
+    const EXACT: LandmarkSensor = LandmarkSensor { range_sigma: 0.0, bearing_sigma: 0.0, reach: 2.0 };
 
     #[test]
     fn the_bearing_is_the_landmark_s() {
@@ -67,7 +67,7 @@ mod tests {
         let landmark = Landmark { id: 0, x: 0.0, y: 0.0 };
         assert!(EXACT.reaches(SE2::new(2.0, 0.0, 0.0), &landmark));
         assert!(!EXACT.reaches(SE2::new(2.0, 0.01, 0.0), &landmark));
-        let sensor = Sensor { range_sigma: 0.1, bearing_sigma: 0.05, reach: 2.0 };
+        let sensor = LandmarkSensor { range_sigma: 0.1, bearing_sigma: 0.05, reach: 2.0 };
         let mut noise = Noise::new(3);
         let (mut range, mut bearing) = (0.0, 0.0);
         let n = 4000;

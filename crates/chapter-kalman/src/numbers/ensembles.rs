@@ -1,6 +1,6 @@
 //! Numbers over 500 seeds.
 
-use crate::ensembles::{SEEDS, Spread, probe, probe_laps, slam};
+use crate::ensembles::{Distribution, SEEDS, probe, probe_laps, slam};
 use estimate::Error;
 use filters::consistency::chi2_interval;
 use lab::Listing;
@@ -47,7 +47,7 @@ pub(super) fn list(to: &mut Listing) -> Result<(), Error> {
     Ok(())
 }
 
-pub(super) fn percentiles(to: &mut Listing, id: &str, spread: &Spread, about: &'static str) {
+pub(super) fn percentiles(to: &mut Listing, id: &str, spread: &Distribution, about: &'static str) {
     for (name, p) in [("p05", 0.05), ("p50", 0.5), ("p90", 0.9), ("p95", 0.95)] {
         to.add(format!("{id}.{name}"), spread.percentile(p), about);
     }

@@ -4,7 +4,7 @@ use crate::checks::rail::hand_steps;
 use crate::givens::Givens;
 use estimate::kf::Gaussian;
 use estimate::observability::{analyze, observability_matrix};
-use estimate::slam::{EkfSlam, Reading};
+use estimate::slam::{EkfSlam, LandmarkReading};
 use estimate::{Error, Lti, Observer};
 use filters::association::Thresholds;
 use filters::linear::{self, Gain};
@@ -137,7 +137,7 @@ fn founded(to: &mut Listing) -> Result<(), Error> {
     let w = Matrix2::new(0.01, 0.0, 0.0, 0.0009);
     let mut slam = EkfSlam::new(&pose, &w, Thresholds { gate: 9.21, found: 50.0 })?;
     // The chapter's bearing is taken from the landmark: straight ahead of the robot it is π.
-    slam.update(&[Reading { range: 5.0, bearing: core::f64::consts::PI, landmark: None }])?;
+    slam.update(&[LandmarkReading { range: 5.0, bearing: core::f64::consts::PI, landmark: None }])?;
     let p = slam.belief().1;
     to.by("estimate::slam::EkfSlam", None)
         .add("ex.found.x", p[(3, 3)], "variance of the founded landmark along the line of sight, m²")

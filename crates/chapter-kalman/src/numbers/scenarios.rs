@@ -3,7 +3,7 @@
 use crate::givens::Givens;
 use lab::Listing;
 use sim::scenarios::{HOOK, LOOP_CLOSURE, THREE_SENSORS, TUNING};
-use sim::{Sensor, paths::Rectangle};
+use sim::{LandmarkSensor, paths::Rectangle};
 
 pub(super) fn list(givens: &Givens, to: &mut Listing) {
     hook(to);
@@ -21,7 +21,7 @@ fn course(to: &mut Listing, id: &str, course: &Rectangle) {
         .add(format!("{id}.lap"), f64::from(course.lap()), "ticks a lap");
 }
 
-fn sensor(to: &mut Listing, id: &str, sensor: &Sensor) {
+fn sensor(to: &mut Listing, id: &str, sensor: &LandmarkSensor) {
     to.add(format!("{id}.range"), sensor.range_sigma, "standard deviation of a range, m")
         .add(format!("{id}.bearing"), sensor.bearing_sigma, "standard deviation of a bearing, rad")
         .add(format!("{id}.reach"), sensor.reach, "reach of the sensor, m");

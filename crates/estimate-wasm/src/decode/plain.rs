@@ -21,12 +21,12 @@ extern "C" {
 const ROOM: usize = 2 + (MAX_SIDE * MAX_SIDE) as usize;
 
 /// A reading, of which parts may be missing.
-pub(crate) enum Reading {
+pub(crate) enum Outputs {
     Whole(Vec<f64>),
     Partial(Vec<Option<f64>>),
 }
 
-impl Reading {
+impl Outputs {
     /// The parts, and where there is none.
     pub fn parts(self) -> Vec<Option<f64>> {
         match self {
@@ -78,14 +78,14 @@ impl Arg<'_> {
     }
 
     /// The same, where an entry may be null.
-    pub fn reading(&self) -> Result<Reading, Error> {
+    pub fn reading(&self) -> Result<Outputs, Error> {
         match self.plain_numbers() {
-            Some(numbers) => Ok(Reading::Whole(numbers)),
+            Some(numbers) => Ok(Outputs::Whole(numbers)),
             None if self.is_short_array()? => {
                 let parts = self.entries()?;
-                parts.iter().map(Arg::part).collect::<Result<_, Error>>().map(Reading::Partial)
+                parts.iter().map(Arg::part).collect::<Result<_, Error>>().map(Outputs::Partial)
             }
-            None => self.short_floats().map(Reading::Whole),
+            None => self.short_floats().map(Outputs::Whole),
         }
     }
 

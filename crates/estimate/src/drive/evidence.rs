@@ -19,7 +19,7 @@ pub(crate) const OUTLIER_GATE: f64 = 0.9995;
 
 /// Where in the space of what may be wrong a replay is done.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Place {
+pub(crate) struct Trial {
     pub settings: Settings,
     pub otherwise: Otherwise,
 }
@@ -55,7 +55,7 @@ pub(crate) struct Evidence {
 
 impl Evidence {
     /// Replays the first `rows` rows.
-    pub fn new(drive: &Drive, place: &Place, rows: u32) -> Result<Self, Error> {
+    pub fn new(drive: &Drive, place: &Trial, rows: u32) -> Result<Self, Error> {
         let course = Course::new(drive, place.settings)?.with(place.otherwise);
         let mut replay = Replay::new(&course);
         let (mut readings, mut compared) = (Vec::new(), Compared::new()?);

@@ -1,7 +1,7 @@
 //! Two landmarks that are taken for one another: each pair of those whose readings fit worst is exchanged, and the log
 //! replayed.
 
-use crate::drive::evidence::Place;
+use crate::drive::evidence::Trial;
 use crate::drive::freed::Search;
 use crate::drive::row::Event;
 use alloc::vec::Vec;
@@ -17,7 +17,7 @@ pub(crate) fn pairs(landmarks: usize) -> usize {
 
 /// The pair whose exchange makes the readings likeliest, by their places in the list, and by how much; `None` where no
 /// exchange can be replayed.
-pub(crate) fn likeliest(search: &Search<'_>, place: &Place) -> Option<([usize; 2], f64)> {
+pub(crate) fn likeliest(search: &Search<'_>, place: &Trial) -> Option<([usize; 2], f64)> {
     let worst = worst(search);
     let pairs =
         worst.iter().enumerate().flat_map(|(i, a)| worst.iter().skip(i + 1).map(move |b| [*a.min(b), *a.max(b)]));

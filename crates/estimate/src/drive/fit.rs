@@ -37,7 +37,7 @@ pub(crate) fn most_delay(duration: f64) -> f64 {
 
 /// What a fit has found.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Found {
+pub struct FitResult {
     /// Each number: what it is, its value, and its standard deviation, relative of a σ, else in the number's unit.
     /// `None` where the log does not tell it.
     pub numbers: Vec<(Fitted, f64, Option<f64>)>,
@@ -216,12 +216,12 @@ impl Fit {
     }
 
     /// What has been found so far.
-    pub fn found(&self) -> Found {
+    pub fn found(&self) -> FitResult {
         let sigmas = self.told.as_ref().map(Told::sigmas);
         let sigma = |i: usize| sigmas.as_ref().and_then(|sigmas| sigmas[i]);
         let number = |(i, number): (usize, &Fitted)| (*number, number.value(self.at[i]), sigma(i));
         let most = MOST_REPLAYS + Told::most(self.numbers.len());
-        Found {
+        FitResult {
             numbers: self.numbers.iter().enumerate().map(number).collect(),
             log_likelihood: [self.first.unwrap_or(self.best), self.best],
             readings: self.readings,

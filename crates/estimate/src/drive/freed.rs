@@ -1,6 +1,6 @@
 //! How much likelier readings become where a number, or a few together, are freed: a search by a few replays.
 
-use crate::drive::evidence::{Evidence, Place, Weighed};
+use crate::drive::evidence::{Evidence, Trial, Weighed};
 use crate::drive::row::Drive;
 use alloc::vec::Vec;
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -28,7 +28,7 @@ pub(crate) struct Freed {
 }
 
 /// Numbers to be freed together: where they are, how far a difference goes, and how far they may go.
-pub(crate) struct Numbers<'a, F: Fn(&[f64]) -> Place> {
+pub(crate) struct Numbers<'a, F: Fn(&[f64]) -> Trial> {
     pub first: Vec<f64>,
     pub steps: Vec<f64>,
     pub bounds: Vec<[f64; 2]>,
@@ -47,14 +47,14 @@ pub(crate) struct Search<'a> {
 }
 
 impl Search<'_> {
-    pub fn replay(&self, place: &Place) -> Option<Evidence> {
+    pub fn replay(&self, place: &Trial) -> Option<Evidence> {
         // What leaves the numbers is no place that could be the best.
         Evidence::new(self.drive, place, self.rows).ok()
     }
 
     /// Numbers that move what is expected of the readings (Gauss and Newton): with e = L⁻¹ν the gradient of the
     /// log-likelihood is −Σ eᵀ∂e, and its information Σ ∂eᵀ∂e. `None` where the readings do not tell them.
-    pub fn means<F: Fn(&[f64]) -> Place>(&self, numbers: &Numbers<'_, F>) -> Option<Freed> {
+    pub fn means<F: Fn(&[f64]) -> Trial>(&self, numbers: &Numbers<'_, F>) -> Option<Freed> {
         let mut found = Freed { at: numbers.first.clone(), sigmas: Vec::new(), gain: 0.0 };
         let mut here: Option<Evidence> = None;
         for round in 0..ROUNDS {
@@ -74,7 +74,7 @@ impl Search<'_> {
     }
 
     /// The step to where the gradient vanishes, the standard deviations there, and what it promises.
-    fn step<F: Fn(&[f64]) -> Place>(
+    fn step<F: Fn(&[f64]) -> Trial>(
         &self,
         numbers: &Numbers<'_, F>,
         at: &[f64],
@@ -103,7 +103,7 @@ impl Search<'_> {
     }
 
     /// ∂e of each reading; 0 of those that one of the replays has not used.
-    fn slope<F: Fn(&[f64]) -> Place>(
+    fn slope<F: Fn(&[f64]) -> Trial>(
         &self,
         numbers: &Numbers<'_, F>,
         at: &[f64],
@@ -134,7 +134,7 @@ impl Search<'_> {
     }
 
     /// The step, or a shorter one, that leads up.
-    fn climb<F: Fn(&[f64]) -> Place>(
+    fn climb<F: Fn(&[f64]) -> Trial>(
         &self,
         found: &Freed,
         step: &[f64],
@@ -152,7 +152,7 @@ impl Search<'_> {
 
     /// A standard deviation by its logarithm, by the likelihood's own differences. `None` where the readings do not
     /// tell it.
-    pub fn sigma<F: Fn(&[f64]) -> Place>(&self, numbers: &Numbers<'_, F>) -> Option<Freed> {
+    pub fn sigma<F: Fn(&[f64]) -> Trial>(&self, numbers: &Numbers<'_, F>) -> Option<Freed> {
         let value = |at: f64| {
             self.replay(&(numbers.place)(&[at])).map_or(f64::NEG_INFINITY, |it| it.gain(self.base, self.from))
         };

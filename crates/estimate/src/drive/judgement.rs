@@ -1,7 +1,7 @@
 //! What a verdict has found, and what is told by the truth of it.
 
 use crate::drive::course::Otherwise;
-use crate::drive::evidence::{Against, Evidence, Place};
+use crate::drive::evidence::{Against, Evidence, Trial};
 use crate::drive::fitted::Fitted;
 use crate::drive::flat::flat;
 use crate::drive::gaps::{self, Gaps};
@@ -63,12 +63,12 @@ pub(crate) fn refuted(fault: Fault, before: &Against, after: &Against) -> bool {
 /// By how much the readings of a round are likelier for a robot that turns on its way, where that is more than any
 /// suspect brings by itself, or more than chance once the likeliest, a clock, is mended: what is held puts that off.
 pub(crate) fn turning(drive: &Drive, round: &Round, scope: &Scope) -> Option<f64> {
-    let with = |place: &Place, arcs| {
-        let place = Place { otherwise: Otherwise { arcs, ..place.otherwise }, ..*place };
+    let with = |place: &Trial, arcs| {
+        let place = Trial { otherwise: Otherwise { arcs, ..place.otherwise }, ..*place };
         Evidence::new(drive, &place, scope.rows).ok()
     };
     // A turn rate that comes half a step early is what a turn on the way looks like.
-    let others = |(suspect, _): &&(Suspect, Place)| suspect.number != Some(Fitted::DelayTurn);
+    let others = |(suspect, _): &&(Suspect, Trial)| suspect.number != Some(Fitted::DelayTurn);
     let (chance, found) = (scope.chance[0], || round.found.iter().filter(others));
     let alone = with(&round.place, true)?.gain(round.base.as_ref()?, 0);
     if alone > found().map(|(suspect, _)| suspect.gain).fold(chance, f64::max) {
@@ -80,8 +80,8 @@ pub(crate) fn turning(drive: &Drive, round: &Round, scope: &Scope) -> Option<f64
 }
 
 /// What a reader has who mends no more than this: the robot turns where it does, and what is the model's own stays.
-pub(crate) fn as_mended(place: &Place, own: &[Suspect]) -> Place {
-    let mut mended = Place { otherwise: Otherwise { arcs: false, ..place.otherwise }, ..*place };
+pub(crate) fn as_mended(place: &Trial, own: &[Suspect]) -> Trial {
+    let mut mended = Trial { otherwise: Otherwise { arcs: false, ..place.otherwise }, ..*place };
     for suspect in own {
         let set = suspect.tried().numbers().into_iter().zip(&suspect.sizes);
         set.for_each(|(number, size)| number.set(&mut mended.settings, size.now));
@@ -98,7 +98,7 @@ pub(crate) fn is_own(suspect: &Suspect, period: f64) -> bool {
 }
 
 /// Says of the likeliest delays how far the readings tell them at all.
-pub(crate) fn stairs(drive: &Drive, suspects: &mut [Suspect], places: &[Place], scope: &Scope) {
+pub(crate) fn stairs(drive: &Drive, suspects: &mut [Suspect], places: &[Trial], scope: &Scope) {
     let clocks = suspects.iter_mut().zip(places);
     let clocks = clocks.filter(|(it, _)| it.fault == Fault::Clock && it.standing != Standing::Cleared);
     for (suspect, place) in clocks.take(NAMED) {

@@ -1,7 +1,7 @@
 //! A look at some suspects beside one replay.
 
 use crate::drive::course::{Course, Otherwise};
-use crate::drive::evidence::{Evidence, OUTLIERS, Place};
+use crate::drive::evidence::{Evidence, OUTLIERS, Trial};
 use crate::drive::exchange::likeliest;
 use crate::drive::fitted::Fitted;
 use crate::drive::freed::{Freed, Numbers, Search};
@@ -34,15 +34,15 @@ pub(crate) struct Scope {
 /// Suspects, and the replay beside which each is freed.
 #[derive(Clone, Debug)]
 pub(crate) struct Round {
-    pub place: Place,
+    pub place: Trial,
     pub base: Option<Evidence>,
     pub tried: Vec<Tried>,
     /// Those that were looked at, each with the place where it is mended.
-    pub found: Vec<(Suspect, Place)>,
+    pub found: Vec<(Suspect, Trial)>,
 }
 
 impl Round {
-    pub fn new(place: Place, tried: Vec<Tried>) -> Self {
+    pub fn new(place: Trial, tried: Vec<Tried>) -> Self {
         Self { place, base: None, found: Vec::with_capacity(tried.len()), tried }
     }
 
@@ -58,7 +58,7 @@ impl Round {
         Ok(true)
     }
 
-    fn look(&self, drive: &Drive, scope: &Scope, base: &Evidence, tried: Tried) -> (Suspect, Place) {
+    fn look(&self, drive: &Drive, scope: &Scope, base: &Evidence, tried: Tried) -> (Suspect, Trial) {
         let clock = tried.fault() == Fault::Clock;
         let search = Search { drive, rows: scope.rows, from: if clock { scope.from } else { 0 }, base };
         let first = tried.first(&self.place);
@@ -80,7 +80,7 @@ impl Round {
             }
             Tried::Exchanged => likeliest(&search, &self.place).map(|(landmarks, gain)| {
                 pair = Some(landmarks);
-                mended = Some(Place { otherwise: Otherwise { exchanged: pair, ..self.place.otherwise }, ..self.place });
+                mended = Some(Trial { otherwise: Otherwise { exchanged: pair, ..self.place.otherwise }, ..self.place });
                 Freed { gain, ..nothing() }
             }),
             _ if tried.fault() == Fault::Sigma => search.sigma(&numbers),
@@ -132,7 +132,7 @@ impl Round {
 }
 
 /// The likeliest fault first; of those that gain as much to within `tie`, the earlier kind.
-pub(crate) fn ranked(mut left: Vec<(Suspect, Place)>, tie: f64) -> Vec<(Suspect, Place)> {
+pub(crate) fn ranked(mut left: Vec<(Suspect, Trial)>, tie: f64) -> Vec<(Suspect, Trial)> {
     let mut all = Vec::with_capacity(left.len());
     while !left.is_empty() {
         let best = left.iter().map(|(suspect, _)| suspect.excess).fold(f64::NEG_INFINITY, f64::max);
@@ -156,7 +156,7 @@ pub(crate) fn explained(round: &Round) -> Option<Round> {
 
 /// Leaves of the ranges' scale and offset both together where neither explains as much by itself, to within what a
 /// number gains by chance; else those by themselves.
-pub(crate) fn sifted(found: &mut Vec<(Suspect, Place)>, chance: f64) {
+pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, chance: f64) {
     let gain = |tried: &dyn Fn(&Suspect) -> bool| {
         let gains = found.iter().filter(|(suspect, _)| tried(suspect)).map(|(suspect, _)| suspect.gain);
         gains.fold(f64::NEG_INFINITY, f64::max)
@@ -169,7 +169,7 @@ pub(crate) fn sifted(found: &mut Vec<(Suspect, Place)>, chance: f64) {
 }
 
 /// What a gate brings that takes what it refuses for outliers, whose share is the one that is found.
-fn outliers(search: &Search<'_>, sensor: Sensor, place: &Place) -> Option<Freed> {
+fn outliers(search: &Search<'_>, sensor: Sensor, place: &Trial) -> Option<Freed> {
     let evidence = Evidence::new(search.drive, place, search.rows).ok()?;
     let [refused, all] = evidence.refused(|of| of == sensor).map(f64::from);
     let share = refused / all;

@@ -1,7 +1,7 @@
 //! What may be wrong with a log or its settings, and how each is tried.
 
 use crate::drive::course::Course;
-use crate::drive::evidence::{Against, Place};
+use crate::drive::evidence::{Against, Trial};
 use crate::drive::fitted::Fitted;
 use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::Sensor;
@@ -208,7 +208,7 @@ impl Tried {
     }
 
     /// Where they are, as a search moves them.
-    pub fn first(self, place: &Place) -> Vec<f64> {
+    pub fn first(self, place: &Trial) -> Vec<f64> {
         match self {
             Self::Start => return alloc::vec![0.0; 3],
             // By how much all of them are later than they are set.
@@ -219,7 +219,7 @@ impl Tried {
     }
 
     /// The replay in which they are `at`.
-    pub fn place(self, place: &Place, at: &[f64]) -> Place {
+    pub fn place(self, place: &Trial, at: &[f64]) -> Trial {
         let mut place = *place;
         match (self, at) {
             (Self::Start, &[x, y, theta]) => place.otherwise.shift = [x, y, theta],
@@ -237,7 +237,7 @@ impl Tried {
     }
 
     /// How far differences go, with motion every so many seconds.
-    pub fn steps(self, place: &Place, period: f64) -> Vec<f64> {
+    pub fn steps(self, place: &Trial, period: f64) -> Vec<f64> {
         let s = &place.settings;
         let begins = |sigma: f64| (START_SHARE * sigma).min(START_MOST);
         if self == Self::Start {

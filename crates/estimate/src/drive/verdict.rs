@@ -14,7 +14,7 @@
 //! step between rows of motion is set apart, and the others are freed beside it.
 
 use crate::drive::course::{Course, Otherwise};
-use crate::drive::evidence::{Against, Evidence, Place};
+use crate::drive::evidence::{Against, Evidence, Trial};
 use crate::drive::exchange::pairs;
 use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps};
@@ -117,7 +117,7 @@ impl Verdict {
             most,
             period: duration / moves.max(1) as f64,
         };
-        let first = Round::new(Place { settings, otherwise: Otherwise::default() }, tried);
+        let first = Round::new(Trial { settings, otherwise: Otherwise::default() }, tried);
         Ok(Self {
             scope,
             first,
@@ -193,7 +193,7 @@ impl Verdict {
         if self.arcs.is_none() {
             return false;
         }
-        let place = Place { otherwise: Otherwise { arcs: true, ..Otherwise::default() }, ..self.first.place };
+        let place = Trial { otherwise: Otherwise { arcs: true, ..Otherwise::default() }, ..self.first.place };
         self.before += self.first.tried.len() as u32;
         self.first = Round::new(place, core::mem::take(&mut self.first.tried));
         true
@@ -245,7 +245,7 @@ impl Verdict {
     fn conclude(&mut self, drive: &Drive) {
         let hoisted = self.beside.take().is_some_and(|round| self.hoist(round));
         self.hoisted = hoisted;
-        let places: Vec<Place> = self.first.found.iter().map(|(_, place)| *place).collect();
+        let places: Vec<Trial> = self.first.found.iter().map(|(_, place)| *place).collect();
         self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
         // What a larger σ explains as well is no rival of what is named before it.
         let kept = |suspect: &&Suspect| !hoisted || suspect.fault != Fault::Sigma;
@@ -260,7 +260,7 @@ impl Verdict {
     }
 
     /// Mends the likeliest suspects until the truth does not say that it is none, and puts that one first.
-    fn hold_against_the_truth(&mut self, drive: &Drive, places: &[Place]) {
+    fn hold_against_the_truth(&mut self, drive: &Drive, places: &[Trial]) {
         let Some(before) = self.against else { return };
         let likely = self.suspects.iter().take_while(|suspect| suspect.excess > 0.0).count();
         for (i, place) in places.iter().enumerate().take(likely) {

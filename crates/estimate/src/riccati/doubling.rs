@@ -104,7 +104,7 @@ pub(super) struct Doubling {
 
 /// Where the doublings have come to, in the units of [`Scaled`].
 #[derive(Clone)]
-pub(super) struct Found {
+pub(super) struct Doubled {
     pub p: DMatrix<f64>,
     pub r: DMatrix<f64>,
     pub converged: bool,
@@ -186,7 +186,7 @@ impl Doubling {
 
     /// Doubles until nothing changes any more; `None` where even the first gain cannot be told. Of a P that is not
     /// `bounded` the gain alone may settle: a growth by less than rounding would look like rest.
-    pub fn run(mut self, scaled: &Scaled, bounded: bool) -> Option<Found> {
+    pub fn run(mut self, scaled: &Scaled, bounded: bool) -> Option<Doubled> {
         let (mut size, mut falls, mut forgotten) = (f64::INFINITY, 0, f64::INFINITY);
         // P where it has settled: since when, and where it changed least.
         let mut settled: Option<(f64, f64, DMatrix<f64>)> = None;
@@ -244,7 +244,7 @@ impl Doubling {
             None => (scaled.gain(&scaled.p)?, scaled.p.clone(), 0.0),
         };
         let depends_on_start = !whole && forgotten > SAME;
-        Some(Found { gain_converged, whole: whole && converged, depends_on_start, steps, converged, p, r })
+        Some(Doubled { gain_converged, whole: whole && converged, depends_on_start, steps, converged, p, r })
     }
 }
 

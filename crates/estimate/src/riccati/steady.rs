@@ -1,7 +1,7 @@
 //! The limit of the Riccati recursion, found in doublings instead of steps.
 
 use super::blame;
-use super::doubling::{Doubling, Found, Scaled, System, step};
+use super::doubling::{Doubled, Doubling, Scaled, System, step};
 use super::exact::{after_exact_readings, before_exact_readings, is_noisy, start_after};
 use crate::Verdict;
 use crate::detectability::detectability;
@@ -72,7 +72,7 @@ pub fn steady_state(system: &System, p0: DMatrix<f64>) -> Result<Limit, Error> {
     let none = || blame(filters::Error::InnovationNotPositiveDefinite);
     let bounded = !grows(system);
     let found = Doubling::at(&scaled)?.run(&scaled, bounded).ok_or_else(none)?;
-    let steps = |found: &Found| first as f64 + found.steps;
+    let steps = |found: &Doubled| first as f64 + found.steps;
     if found.whole
         && let Some((own, better)) = refined(system, scaled.clone(), found.clone())
     {
@@ -101,7 +101,7 @@ fn grows(system: &System) -> bool {
         && noise_reach(f, v, STRUCTURE).is_ok_and(|noise| noise.stabilizable == Verdict::Yes)
 }
 
-fn answer(scaled: &Scaled, found: &Found, steps: f64) -> Limit {
+fn answer(scaled: &Scaled, found: &Doubled, steps: f64) -> Limit {
     Limit {
         r: scaled.given_gain(&found.r),
         p: scaled.given(&found.p),
@@ -113,7 +113,7 @@ fn answer(scaled: &Scaled, found: &Found, steps: f64) -> Limit {
 }
 
 /// The limit, sought once more from where it was found, in units that fit it; `None` where it does not hold there.
-fn refined(system: &System, mut scaled: Scaled, mut found: Found) -> Option<(Scaled, Found)> {
+fn refined(system: &System, mut scaled: Scaled, mut found: Doubled) -> Option<(Scaled, Doubled)> {
     for _ in 0..STAGES {
         let again = Scaled::of(system, &scaled.given(&found.p));
         let Some(better) = Doubling::at(&again).ok()?.run(&again, true).filter(|better| better.whole) else { break };

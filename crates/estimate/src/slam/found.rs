@@ -1,7 +1,7 @@
 //! A landmark that is new to the map: the state grows by its two coordinates.
 
 use super::sighting::founding;
-use super::{EkfSlam, MAX_LANDMARKS, Reading, digits_lost};
+use super::{EkfSlam, LandmarkReading, MAX_LANDMARKS, digits_lost};
 use crate::blame::Blame;
 use crate::error::{Code, Error};
 use alloc::vec::Vec;
@@ -11,7 +11,7 @@ use numerics::sqrt;
 
 impl EkfSlam {
     /// Appends a landmark where the reading puts it, with its covariance and its correlations with everything else.
-    pub(super) fn found(&mut self, reading: &Reading, id: Option<u32>, blame: Blame) -> Result<(), Error> {
+    pub(super) fn found(&mut self, reading: &LandmarkReading, id: Option<u32>, blame: Blame) -> Result<(), Error> {
         let unnamed = || blame.field(Error::new(Code::Limit, "landmark", "no number is left to call it by"));
         let id = id.ok_or_else(unnamed)?;
         if self.len() == MAX_LANDMARKS {

@@ -1,7 +1,7 @@
 //! What becomes of a sighting: matched, rejected, or the first of a new landmark.
 
 use super::EkfSlam;
-use super::sighting::{Expected, Outcome, Reading, Report};
+use super::sighting::{Expected, LandmarkReading, Outcome, Report};
 use crate::blame::Blame;
 use crate::error::{Code, Error};
 use alloc::vec::Vec;
@@ -18,19 +18,19 @@ impl EkfSlam {
     pub fn expected_sighting(&self, id: u32) -> Result<(Vector2<f64>, Matrix2<f64>), Error> {
         let unknown = || Error::new(Code::Index, "landmark", "is not in the map");
         let j = self.index(id).ok_or_else(unknown)?;
-        let expected = self.expected(j, &Reading { range: 0.0, bearing: 0.0, landmark: None })?;
+        let expected = self.expected(j, &LandmarkReading { range: 0.0, bearing: 0.0, landmark: None })?;
         Ok((-expected.innovation, expected.s))
     }
 
     /// What is expected of landmark `j` at the present estimate.
-    pub(super) fn expected(&self, j: usize, reading: &Reading) -> Result<Expected, filters::Error> {
+    pub(super) fn expected(&self, j: usize, reading: &LandmarkReading) -> Result<Expected, filters::Error> {
         Expected::new(&self.x, &self.p, j, reading, &self.w)
     }
 
     /// What becomes of a reading; its expectation, when it is matched.
     pub(super) fn judged(
         &self,
-        reading: &Reading,
+        reading: &LandmarkReading,
         taken: &[usize],
         blame: Blame,
     ) -> Result<(Report, Option<Expected>), Error> {
@@ -38,7 +38,11 @@ impl EkfSlam {
         self.associated(reading, taken).map_err(|e| blame.step(e.into()))
     }
 
-    fn associated(&self, reading: &Reading, taken: &[usize]) -> Result<(Report, Option<Expected>), filters::Error> {
+    fn associated(
+        &self,
+        reading: &LandmarkReading,
+        taken: &[usize],
+    ) -> Result<(Report, Option<Expected>), filters::Error> {
         let weigh = |j| -> Result<Candidate<2>, filters::Error> {
             let e = self.expected(j, reading)?;
             Candidate::new(j, e.innovation, e.s, Rule::MaximumLikelihood)

@@ -22,7 +22,7 @@ impl EkfSlam {
     /// # Example
     /// ```
     /// use estimate::kf::Gaussian;
-    /// use estimate::slam::{EkfSlam, Mapped, Outcome, Reading};
+    /// use estimate::slam::{EkfSlam, Mapped, Outcome, LandmarkReading};
     /// use filters::association::Thresholds;
     /// use nalgebra::{Matrix2, Matrix3, Vector2, Vector3};
     /// let belief = Gaussian { x: Vector3::zeros(), p: Matrix3::identity() * 1e-4 };
@@ -30,7 +30,7 @@ impl EkfSlam {
     /// let w = Matrix2::new(0.01, 0.0, 0.0, 0.0009);
     /// let mut slam = EkfSlam::with_map(&belief, &[corner], &w, Thresholds { gate: 9.21, found: 50.0 })?;
     /// // Seen from the landmark, the robot is in the direction π.
-    /// let reading = Reading { range: 3.1, bearing: 3.14, landmark: None };
+    /// let reading = LandmarkReading { range: 3.1, bearing: 3.14, landmark: None };
     /// assert_eq!(slam.update(&[reading])?[0].outcome, Outcome::Matched);
     /// # Ok::<(), estimate::Error>(())
     /// ```
@@ -67,7 +67,7 @@ impl EkfSlam {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::slam::{Outcome, Reading};
+    use crate::slam::{LandmarkReading, Outcome};
     use nalgebra::{Matrix3, Vector2, Vector3};
 
     fn map() -> [Mapped; 2] {
@@ -93,7 +93,7 @@ mod tests {
     #[test]
     fn it_goes_on_like_any_other() {
         let mut slam = with(&map()).expect("sound");
-        let named = |id| Reading { range: 2.0, bearing: 3.5, landmark: Some(id) };
+        let named = |id| LandmarkReading { range: 2.0, bearing: 3.5, landmark: Some(id) };
         assert_eq!(slam.update(&[named(4)]).expect("sound")[0].outcome, Outcome::Matched);
         assert!(slam.belief().1[(0, 3)] != 0.0, "a sighting ties robot and landmark");
         assert_eq!(slam.update(&[named(10)]).expect("sound")[0].outcome, Outcome::Founded);
@@ -106,7 +106,7 @@ mod tests {
         let mut slam = with(&map()).expect("sound");
         let (expected, s) = slam.expected_sighting(9).expect("in the map");
         let (range, bearing) = (expected[0] + 0.3, expected[1] - 0.1);
-        let report = slam.update(&[Reading { range, bearing, landmark: Some(9) }]).expect("sound")[0];
+        let report = slam.update(&[LandmarkReading { range, bearing, landmark: Some(9) }]).expect("sound")[0];
         let (innovation, covariance, _) = report.evidence.expect("compared");
         assert!((innovation - Vector2::new(0.3, -0.1)).amax() < 1e-15 && covariance == s);
         assert_eq!(slam.expected_sighting(5).expect_err("unknown").code, Code::Index);

@@ -10,7 +10,7 @@ use numerics::PackedSymmetric;
 
 /// A range and a bearing (Choset's, from the landmark), of a landmark that is named or not.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Reading {
+pub struct LandmarkReading {
     /// Metres, zero or more.
     pub range: f64,
     /// Radians.
@@ -19,7 +19,7 @@ pub struct Reading {
     pub landmark: Option<u32>,
 }
 
-impl Reading {
+impl LandmarkReading {
     /// # Errors
     /// [`Code::NotFinite`], or [`Code::Limit`] for a negative range.
     pub(super) fn check(&self) -> Result<(), Error> {
@@ -70,7 +70,7 @@ impl Expected {
         x: &[f64],
         p: &PackedSymmetric,
         j: usize,
-        reading: &Reading,
+        reading: &LandmarkReading,
         w: &Matrix2<f64>,
     ) -> Result<Self, filters::Error> {
         let c = 3 + 2 * j;
@@ -110,8 +110,11 @@ impl Expected {
 
 /// Where a reading puts a new landmark, ℓ = r − ρ [cos(θ + β), sin(θ + β)], with the Jacobians by the pose and by the
 /// reading.
-pub(super) fn founding(pose: &SE2, reading: &Reading) -> Result<(Vector2<f64>, Matrix2x3<f64>, Matrix2<f64>), Error> {
-    let Reading { range, bearing, .. } = *reading;
+pub(super) fn founding(
+    pose: &SE2,
+    reading: &LandmarkReading,
+) -> Result<(Vector2<f64>, Matrix2x3<f64>, Matrix2<f64>), Error> {
+    let LandmarkReading { range, bearing, .. } = *reading;
     if range < NEAREST {
         let message = "is 0, or next to it: a reading taken on a landmark has no bearing, and cannot found one";
         return Err(Error::new(Code::AtLandmark, "range", message));

@@ -24,10 +24,10 @@ fn slam() -> EkfSlam {
     EkfSlam::new(&Gaussian { x: Vector3::new(0.1, -0.2, 0.3), p }, &W, THRESHOLDS).expect("sound")
 }
 
-fn reading(truth: &SE2, j: usize, noise: &mut Noise, named: bool) -> Reading {
+fn reading(truth: &SE2, j: usize, noise: &mut Noise, named: bool) -> LandmarkReading {
     let z = RangeBearing { map: &WORLD }.h(truth, j).expect("apart");
     let landmark = named.then_some(WORLD[j].id);
-    Reading { range: z[0] + 0.05 * noise.next(), bearing: wrap(z[1] + 0.02 * noise.next()), landmark }
+    LandmarkReading { range: z[0] + 0.05 * noise.next(), bearing: wrap(z[1] + 0.02 * noise.next()), landmark }
 }
 
 mod dense;
@@ -36,7 +36,7 @@ mod dense;
 fn founding_carries_the_pose_s_uncertainty_and_its_correlations() {
     let mut slam = slam();
     let before = slam.pose_covariance();
-    let given = Reading { range: 2.5, bearing: -1.1, landmark: Some(7) };
+    let given = LandmarkReading { range: 2.5, bearing: -1.1, landmark: Some(7) };
     slam.update(&[given]).expect("founded");
     // By central differences of ℓ(pose, reading).
     let place = |v: &Vector5<f64>| {
@@ -58,15 +58,15 @@ fn founding_carries_the_pose_s_uncertainty_and_its_correlations() {
         }
     }
     // A second reading at the same place expects what was read.
-    let again = slam.clone().update(&[Reading { landmark: None, ..given }]).expect("sound");
+    let again = slam.clone().update(&[LandmarkReading { landmark: None, ..given }]).expect("sound");
     assert!(again[0].evidence.expect("matched").0.amax() < 1e-14);
 }
 
 #[test]
 fn a_second_landmark_is_correlated_with_the_first() {
     let mut slam = slam();
-    slam.update(&[Reading { range: 2.0, bearing: 0.4, landmark: None }]).expect("founded");
-    slam.update(&[Reading { range: 5.0, bearing: 2.4, landmark: None }]).expect("founded");
+    slam.update(&[LandmarkReading { range: 2.0, bearing: 0.4, landmark: None }]).expect("founded");
+    slam.update(&[LandmarkReading { range: 5.0, bearing: 2.4, landmark: None }]).expect("founded");
     let (_, p) = slam.belief();
     assert_eq!(slam.landmarks().map(|l| l.id).collect::<Vec<_>>(), [1, 2]);
     assert!(p[(3, 5)] > 0.03, "both hang on the same pose: {}", p[(3, 5)]);
@@ -76,37 +76,37 @@ fn a_second_landmark_is_correlated_with_the_first() {
 #[test]
 fn sightings_are_matched_rejected_or_found() {
     let mut slam = slam();
-    let first = Reading { range: 3.0, bearing: 0.5, landmark: None };
-    let outcome = |slam: &mut EkfSlam, r: Reading| slam.update(&[r]).expect("sound")[0].outcome;
+    let first = LandmarkReading { range: 3.0, bearing: 0.5, landmark: None };
+    let outcome = |slam: &mut EkfSlam, r: LandmarkReading| slam.update(&[r]).expect("sound")[0].outcome;
     assert_eq!(outcome(&mut slam, first), Outcome::Founded);
     assert_eq!(outcome(&mut slam, first), Outcome::Matched);
     let before = slam.belief().1;
-    assert_eq!(outcome(&mut slam, Reading { range: 3.45, ..first }), Outcome::Rejected);
+    assert_eq!(outcome(&mut slam, LandmarkReading { range: 3.45, ..first }), Outcome::Rejected);
     assert_eq!(slam.belief().1, before, "a rejected sighting changes nothing");
-    assert_eq!(outcome(&mut slam, Reading { bearing: -2.5, ..first }), Outcome::Founded);
+    assert_eq!(outcome(&mut slam, LandmarkReading { bearing: -2.5, ..first }), Outcome::Founded);
     assert_eq!(slam.len(), 2);
     // The gate holds for a named landmark too.
-    assert_eq!(outcome(&mut slam, Reading { range: 3.45, landmark: Some(1), ..first }), Outcome::Rejected);
-    assert_eq!(outcome(&mut slam, Reading { landmark: Some(40), ..first }), Outcome::Founded);
+    assert_eq!(outcome(&mut slam, LandmarkReading { range: 3.45, landmark: Some(1), ..first }), Outcome::Rejected);
+    assert_eq!(outcome(&mut slam, LandmarkReading { landmark: Some(40), ..first }), Outcome::Founded);
     assert_eq!(slam.landmarks().last().map(|l| l.id), Some(40));
 }
 
 #[test]
 fn one_step_never_matches_a_landmark_twice() {
     let mut slam = slam();
-    let one = Reading { range: 3.0, bearing: 0.5, landmark: None };
+    let one = LandmarkReading { range: 3.0, bearing: 0.5, landmark: None };
     slam.update(&[one]).expect("founded");
-    let reports = slam.update(&[one, Reading { range: 3.02, ..one }]).expect("sound");
+    let reports = slam.update(&[one, LandmarkReading { range: 3.02, ..one }]).expect("sound");
     assert_eq!([reports[0].outcome, reports[1].outcome], [Outcome::Matched, Outcome::Rejected]);
     assert_eq!((reports[1].landmark, slam.len()), (Some(1), 1));
     // A sighting far from every known landmark is of a new one, whatever else was matched.
-    let reports = slam.update(&[one, Reading { bearing: 3.0, ..one }]).expect("sound");
+    let reports = slam.update(&[one, LandmarkReading { bearing: 3.0, ..one }]).expect("sound");
     assert_eq!((reports[1].outcome, reports[1].landmark), (Outcome::Founded, Some(2)));
 }
 
 #[test]
 fn no_two_landmarks_share_a_name() {
-    let at = |bearing, landmark| Reading { range: 3.0, bearing, landmark };
+    let at = |bearing, landmark| LandmarkReading { range: 3.0, bearing, landmark };
     for known in [false, true] {
         let mut slam = slam();
         if known {
@@ -126,38 +126,38 @@ fn no_two_landmarks_share_a_name() {
 #[test]
 fn a_refused_sighting_leaves_the_nis_of_the_last() {
     let mut slam = slam();
-    let one = Reading { range: 3.0, bearing: 0.4, landmark: Some(1) };
+    let one = LandmarkReading { range: 3.0, bearing: 0.4, landmark: Some(1) };
     assert!(slam.is_empty());
     slam.update(&[one]).expect("founded");
     assert!(!slam.is_empty());
     assert_eq!(slam.nis(), None, "nothing was matched");
     let mut nudged = slam.clone();
-    let reports = nudged.update(&[Reading { range: 3.1, ..one }]).expect("matched");
+    let reports = nudged.update(&[LandmarkReading { range: 3.1, ..one }]).expect("matched");
     let chi2 = reports[0].evidence.map(|(_, _, chi2)| chi2).expect("a known landmark");
     assert!(nudged.nis().is_some_and(|(nis, dof)| (nis - chi2).abs() < 1e-12 && dof == 2 && chi2 > 0.1));
     slam.update(&[one]).expect("matched");
     let before = slam.nis();
     assert!(before.is_some_and(|(nis, dof)| (0.0..1e-12).contains(&nis) && dof == 2), "the same again: {before:?}");
-    slam.update(&[Reading { range: 1e200, bearing: 0.4, landmark: Some(2) }]).expect_err("too far to found");
+    slam.update(&[LandmarkReading { range: 1e200, bearing: 0.4, landmark: Some(2) }]).expect_err("too far to found");
     assert_eq!(slam.nis(), before);
 }
 
 #[test]
 fn a_refused_call_leaves_belief_and_map() {
     let mut slam = slam();
-    slam.update(&[Reading { range: 3.0, bearing: 0.5, landmark: Some(1) }]).expect("founded");
+    slam.update(&[LandmarkReading { range: 3.0, bearing: 0.5, landmark: Some(1) }]).expect("founded");
     let before = slam.belief().1;
-    let good = Reading { range: 4.0, bearing: -2.0, landmark: Some(2) };
+    let good = LandmarkReading { range: 4.0, bearing: -2.0, landmark: Some(2) };
     for (bad, code, argument) in [
-        (Reading { range: f64::NAN, ..good }, Code::NotFinite, "range"),
-        (Reading { range: -1.0, ..good }, Code::Limit, "range"),
-        (Reading { bearing: f64::INFINITY, ..good }, Code::NotFinite, "bearing"),
-        (Reading { range: 0.0, ..good }, Code::AtLandmark, "range"),
-        (Reading { range: 1e200, ..good }, Code::NotFinite, "range"),
+        (LandmarkReading { range: f64::NAN, ..good }, Code::NotFinite, "range"),
+        (LandmarkReading { range: -1.0, ..good }, Code::Limit, "range"),
+        (LandmarkReading { bearing: f64::INFINITY, ..good }, Code::NotFinite, "bearing"),
+        (LandmarkReading { range: 0.0, ..good }, Code::AtLandmark, "range"),
+        (LandmarkReading { range: 1e200, ..good }, Code::NotFinite, "range"),
     ] {
         let refused = slam.update(&[bad]).expect_err("bad");
         assert_eq!((refused.code, refused.argument.as_ref()), (code, argument), "{bad:?}");
-        let two = [good, Reading { landmark: Some(3), ..bad }];
+        let two = [good, LandmarkReading { landmark: Some(3), ..bad }];
         assert_eq!(slam.update(&two).expect_err("one of two is bad").code, code, "{bad:?}");
     }
     assert!(slam.update(&[]).is_err());
@@ -168,20 +168,20 @@ fn a_refused_call_leaves_belief_and_map() {
 
 #[test]
 fn the_reading_to_blame_is_named() {
-    let one = Reading { range: 3.0, bearing: 0.5, landmark: Some(1) };
+    let one = LandmarkReading { range: 3.0, bearing: 0.5, landmark: Some(1) };
     let mut slam = slam();
     slam.update(&[one]).expect("founded");
-    let mut blamed = |readings: &[Reading]| {
+    let mut blamed = |readings: &[LandmarkReading]| {
         let refused = slam.update(readings).expect_err("refused");
         (refused.code, refused.argument.to_string())
     };
-    let other = Reading { bearing: -2.0, landmark: Some(2), ..one };
+    let other = LandmarkReading { bearing: -2.0, landmark: Some(2), ..one };
     for (range, code) in [(0.0, Code::AtLandmark), (1e200, Code::NotFinite), (1e308, Code::NotFinite)] {
-        let bad = Reading { range, landmark: Some(3), ..one };
+        let bad = LandmarkReading { range, landmark: Some(3), ..one };
         assert_eq!(blamed(&[bad]), (code, "range".into()), "a new landmark at {range}");
         assert_eq!(blamed(&[one, other, bad]), (code, "sightings[2].range".into()), "a new landmark at {range}");
     }
-    let far = Reading { range: 1e308, ..one };
+    let far = LandmarkReading { range: 1e308, ..one };
     assert_eq!(blamed(&[far]), (Code::NotFinite, "range".into()));
     assert_eq!(blamed(&[other, far]), (Code::NotFinite, "sightings[1].range".into()));
 
@@ -195,9 +195,10 @@ fn the_reading_to_blame_is_named() {
 fn a_map_has_its_cap() {
     let mut slam = slam();
     for id in 0..MAX_LANDMARKS as u32 {
-        slam.update(&[Reading { range: 3.0, bearing: 0.001 * f64::from(id), landmark: Some(id) }]).expect("founded");
+        slam.update(&[LandmarkReading { range: 3.0, bearing: 0.001 * f64::from(id), landmark: Some(id) }])
+            .expect("founded");
     }
-    let one_more = slam.update(&[Reading { range: 3.0, bearing: 0.0, landmark: Some(u32::MAX) }]);
+    let one_more = slam.update(&[LandmarkReading { range: 3.0, bearing: 0.0, landmark: Some(u32::MAX) }]);
     assert_eq!(one_more.expect_err("full").code, Code::Limit);
     assert_eq!(slam.len(), MAX_LANDMARKS);
 }
@@ -214,7 +215,7 @@ fn where_rounding_would_show_the_update_is_refused() {
         for k in 0..40_u32 {
             let id = k % 3;
             let z = RangeBearing { map: &WORLD }.h(&SE2::new(0.0, 0.0, 0.0), id as usize).expect("apart");
-            let _ = slam.update(&[Reading { range: z[0], bearing: z[1], landmark: Some(id) }]);
+            let _ = slam.update(&[LandmarkReading { range: z[0], bearing: z[1], landmark: Some(id) }]);
             let (_, p) = slam.belief();
             let eigenvalues = p.symmetric_eigenvalues();
             assert!(eigenvalues.min() >= -1e-12 * eigenvalues.max(), "{prior} {noise_variance} {k}: {eigenvalues}");
@@ -235,7 +236,8 @@ fn in_a_large_map_a_cancellation_over_a_long_lever_leaves_a_covariance_or_is_ref
         let mut slam = EkfSlam::new(&Gaussian { x: Vector3::zeros(), p }, &W, THRESHOLDS).expect("sound");
         for j in 0..20 {
             let bearing = 0.3 * f64::from(j);
-            slam.update(&[Reading { range: 1.0 + 0.1 * f64::from(j), bearing, landmark: Some(j) }]).expect("founded");
+            slam.update(&[LandmarkReading { range: 1.0 + 0.1 * f64::from(j), bearing, landmark: Some(j) }])
+                .expect("founded");
         }
         assert!(slam.belief().0.len() > 35);
         let still = Matrix3::zeros();
@@ -246,7 +248,7 @@ fn in_a_large_map_a_cancellation_over_a_long_lever_leaves_a_covariance_or_is_ref
         }
         let mut seen = slam.clone();
         if seen.predict(&Vector2::new(lever, 0.0), &still).is_ok() {
-            let far = Reading { range: lever, bearing: 0.0, landmark: Some(99) };
+            let far = LandmarkReading { range: lever, bearing: 0.0, landmark: Some(99) };
             let refused = seen.update(&[far]).is_err();
             assert!(refused || semidefinite(&seen), "seen from {lever}");
         }

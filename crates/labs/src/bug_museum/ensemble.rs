@@ -3,7 +3,7 @@
 use super::bands::{BANDS, POOLED};
 use super::scale::{PARTS, part};
 use super::{Bug, BugMuseum, FIGURES, MuseumParams, PANELS};
-use crate::ensemble::{SEEDS, Spread, over_seeds};
+use crate::ensemble::{Distribution, SEEDS, over_seeds};
 use estimate::Error;
 use lab::Lab;
 use lab::series::Series;
@@ -121,7 +121,7 @@ impl Symptoms {
         runs.iter().for_each(|run| seeds.take(run));
         let (beyond, most) = (seeds.shares(), by_chance(seeds.count));
         let sight = |i: usize| {
-            let spread = Spread::new(runs.iter().map(|run| run[i]));
+            let spread = Distribution::new(runs.iter().map(|run| run[i]));
             let [least, _, _, greatest] = BANDS[i];
             let [mean, sigma] = POOLED[i];
             // 99 % of a normal distribution lie within 2.576 standard deviations.

@@ -223,13 +223,13 @@ impl Quality {
 
 /// Tracks, trail and series, each of bounded length.
 #[derive(Clone, Debug, Default)]
-pub(crate) struct Record {
+pub(crate) struct HookRecord {
     pub tracks: Tracks,
     pub trail: VecDeque<Stop>,
     pub series: HookSeries,
 }
 
-impl Record {
+impl HookRecord {
     pub fn take(
         &mut self,
         step: u32,

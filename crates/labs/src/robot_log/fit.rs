@@ -2,7 +2,7 @@
 
 use super::{LogParams, LoggedDrive};
 use estimate::Error;
-use estimate::drive::{Fit, Found, Settings};
+use estimate::drive::{Fit, FitResult, Settings};
 use lab::Params;
 use std::sync::Arc;
 
@@ -33,7 +33,7 @@ impl LogFit {
     }
 
     /// What has been found so far.
-    pub fn found(&self) -> Found {
+    pub fn found(&self) -> FitResult {
         self.fit.found()
     }
 }

@@ -23,7 +23,7 @@ const BAND: f64 = 0.95;
 
 /// Everything that a frame shows of the way there.
 #[derive(Clone, Debug, Default)]
-pub(super) struct Record {
+pub(super) struct LogRecord {
     pub estimate: Track,
     pub reckoning: Track,
     pub errors: LogErrors,
@@ -55,7 +55,7 @@ pub(super) struct At {
     pub truth: Option<[f64; 2]>,
 }
 
-impl Record {
+impl LogRecord {
     /// Nothing yet; every `looked_stride`th reading that is looked at will be drawn.
     pub fn new(looked_stride: u32) -> Self {
         Self { looked_stride, ..Self::default() }

@@ -1,14 +1,14 @@
 //! The sizes of what operators and functions answer.
 
 use super::Checker;
-use crate::fault::Place;
+use crate::fault::Span;
 use crate::size::{MOST_SIDE, Shape, Size};
 use crate::tree::{Function, Id, Node};
 
 const NEEDS_SIZE: &str = "Here I needs its size: eye(n), eye(p) or eye(2).";
 
 impl Checker<'_, '_> {
-    pub(super) fn call(&mut self, function: Function, arguments: &[Id], id: Id, place: Place) -> Shape {
+    pub(super) fn call(&mut self, function: Function, arguments: &[Id], id: Id, place: Span) -> Shape {
         use Function as F;
         if let F::Eye | F::Zeros = function {
             let (Some(rows), Some(columns)) = (self.side(arguments[0]), self.side(arguments[arguments.len() - 1]))
@@ -125,7 +125,7 @@ impl Checker<'_, '_> {
         let other = self.sized(b.0, b.1);
         words.text(" and ").text(&other.0).text(why);
         // The formula that is named, not the line that begins there.
-        let place = Place { from: self.tree.place(a.0).from, to: self.tree.place(id).to };
+        let place = Span { from: self.tree.place(a.0).from, to: self.tree.place(id).to };
         self.told(place, words, "")
     }
 

@@ -1,7 +1,7 @@
 //! Names: what each is, and what one that is not known may have been meant for.
 
 use super::Checker;
-use crate::fault::{Place, line_of};
+use crate::fault::{Span, line_of};
 use crate::size::{Shape, Size};
 use crate::token::TIMES;
 use crate::tree::Name;
@@ -10,7 +10,7 @@ use crate::world::{Letter, World, X};
 
 impl Checker<'_, '_> {
     /// What a name is; one that is not known is told once, with what it may have been meant for.
-    pub(super) fn name(&mut self, name: Name, place: Place) -> Shape {
+    pub(super) fn name(&mut self, name: Name, place: Span) -> Shape {
         if let Some(shape) = self.shapes[name] {
             return shape;
         }

@@ -1,7 +1,7 @@
 //! What stands before the = of a line.
 
 use super::{Parsed, Parser};
-use crate::fault::Place;
+use crate::fault::Span;
 use crate::token::Kind;
 use crate::tree::Name;
 use crate::words::Words;
@@ -15,7 +15,7 @@ const NO_BEGINNING: [(&[&str], &str); 3] = [
 
 impl Parser<'_, '_> {
     /// Whether a line may begin with this name.
-    pub(super) fn begins(&mut self, name: Name, place: Place) -> Parsed<()> {
+    pub(super) fn begins(&mut self, name: Name, place: Span) -> Parsed<()> {
         let is = |(beginnings, _): &&(&[&str], _)| beginnings.contains(&self.names[name].as_str());
         match NO_BEGINNING.iter().find(is) {
             Some((_, why)) => self.fail(place, why),
@@ -24,7 +24,7 @@ impl Parser<'_, '_> {
     }
 
     /// Whether nothing but a = follows the name, or what does is told.
-    pub(super) fn names_one(&mut self, name: Name, place: Place) -> Parsed<()> {
+    pub(super) fn names_one(&mut self, name: Name, place: Span) -> Parsed<()> {
         match self.kind() {
             Kind::Sign('^' | '-' | '+' | 't') => {
                 let mut words = Words::new("Before the = there is a name alone. Call a prediction ");

@@ -1,7 +1,7 @@
 //! Square brackets, and round ones where MATLAB has them: matrices by their parts, and parts of matrices.
 
 use super::{Parsed, Parser};
-use crate::fault::Place;
+use crate::fault::Span;
 use crate::token::Kind;
 use crate::tree::{Function, Id, Node};
 use alloc::vec;
@@ -60,7 +60,7 @@ impl Parser<'_, '_> {
     }
 
     /// The numbers of rows and columns of a part, up to the closing bracket.
-    pub(super) fn part(&mut self, whole: Id, closing: char, from: Place) -> Parsed<Id> {
+    pub(super) fn part(&mut self, whole: Id, closing: char, from: Span) -> Parsed<Id> {
         let opened = self.before();
         let within = core::mem::replace(&mut self.within, '(');
         let mut arguments = vec![whole];
@@ -93,7 +93,7 @@ impl Parser<'_, '_> {
     }
 
     /// Rows of parts up to the closing bracket. Without a comma, blanks separate the parts of a row, as in MATLAB.
-    pub(super) fn block(&mut self, opened: Place) -> Parsed<Id> {
+    pub(super) fn block(&mut self, opened: Span) -> Parsed<Id> {
         let separator = if self.separates() { ' ' } else { ',' };
         let within = core::mem::replace(&mut self.within, separator);
         let (mut rows, mut row) = (Vec::new(), Vec::new());

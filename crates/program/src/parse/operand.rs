@@ -1,7 +1,7 @@
 //! What stands between operators: names, numbers, brackets, calls, and what stands behind them.
 
 use super::{Parsed, Parser, Told};
-use crate::fault::{Place, line_of};
+use crate::fault::{Span, line_of};
 use crate::time::Time;
 use crate::token::{Kind, Token, named};
 use crate::tree::{FUNCTIONS, Function, Id, Name, Node};
@@ -69,7 +69,7 @@ impl Parser<'_, '_> {
         if bracket && self.kind() != Kind::Sign(')') { self.missing("a )") } else { Ok(function) }
     }
 
-    fn method(&mut self, name: Name, value: Id, from: Place) -> Parsed<Id> {
+    fn method(&mut self, name: Name, value: Id, from: Span) -> Parsed<Id> {
         let place = self.place();
         self.at += 1;
         let function = match self.names[name].as_str() {
@@ -123,7 +123,7 @@ impl Parser<'_, '_> {
     }
 
     /// Between brackets a line's end counts for nothing.
-    pub(super) fn close(&mut self, sign: char, opened: Place) -> Parsed<()> {
+    pub(super) fn close(&mut self, sign: char, opened: Span) -> Parsed<()> {
         self.skip_lines();
         if self.take(sign) {
             return Ok(());
@@ -134,7 +134,7 @@ impl Parser<'_, '_> {
         self.missing(if sign == ')' { "a )" } else { "a ]" })
     }
 
-    fn name(&mut self, name: Name, from: Place) -> Parsed<Id> {
+    fn name(&mut self, name: Name, from: Span) -> Parsed<Id> {
         let open = self.kind() == Kind::Sign('(');
         if open && self.made(name).is_none() {
             for &(text, function, least, most) in &FUNCTIONS {
@@ -156,7 +156,7 @@ impl Parser<'_, '_> {
     }
 
     /// The last line that has made a name, with its time.
-    fn made(&self, name: Name) -> Option<(Name, Time, Place)> {
+    fn made(&self, name: Name) -> Option<(Name, Time, Span)> {
         self.assigned.iter().rev().find(|made| made.0 == name).copied()
     }
 
@@ -165,7 +165,7 @@ impl Parser<'_, '_> {
     fn timely(&mut self, name: Name) -> Parsed<()> {
         let Token { time, place, .. } = self.token();
         let Some((.., made)) = self.made(name).filter(|made| made.1 != time) else { return Ok(()) };
-        let text = |place: Place| self.faults.text.get(place.from..place.to).unwrap_or_default();
+        let text = |place: Span| self.faults.text.get(place.from..place.to).unwrap_or_default();
         let mut words = Words::new(text(place));
         words.text(" is read here, and line ").whole(i64::from(line_of(self.faults.text, made.from)));
         words.text(" makes ").text(text(made)).text(": they are one name, which keeps one value. ");
@@ -173,7 +173,7 @@ impl Parser<'_, '_> {
         self.told(place, words)
     }
 
-    fn function(&mut self, function: Function, [least, most]: [u8; 2], text: &str, from: Place) -> Parsed<Id> {
+    fn function(&mut self, function: Function, [least, most]: [u8; 2], text: &str, from: Span) -> Parsed<Id> {
         if function == Function::Jacobian {
             return self.jacobian(from);
         }
@@ -212,7 +212,7 @@ impl Parser<'_, '_> {
     }
 
     /// `jac(formula, name)`; of `jac(f, name)` and `jac(h, name)` the other argument is the world's own.
-    fn jacobian(&mut self, from: Place) -> Parsed<Id> {
+    fn jacobian(&mut self, from: Span) -> Parsed<Id> {
         let (opened, place) = (self.before(), self.place());
         let within = core::mem::replace(&mut self.within, '(');
         let mut bare = None;

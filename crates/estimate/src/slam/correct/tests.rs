@@ -1,5 +1,5 @@
 use super::*;
-use crate::slam::Reading;
+use crate::slam::LandmarkReading;
 use filters::Gaussian;
 use filters::association::Thresholds;
 use nalgebra::{DMatrix, Matrix2, Matrix3, Vector3};
@@ -13,7 +13,8 @@ fn slam(n: u32) -> EkfSlam {
     let belief = Gaussian { x: Vector3::new(0.1, -0.2, 0.3), p };
     let mut slam = EkfSlam::new(&belief, &W, Thresholds { gate: 9.21, found: 50.0 }).expect("sound");
     for j in 0..n {
-        let reading = Reading { range: 3.0 + 0.5 * f64::from(j), bearing: 2.4 * f64::from(j), landmark: Some(j) };
+        let reading =
+            LandmarkReading { range: 3.0 + 0.5 * f64::from(j), bearing: 2.4 * f64::from(j), landmark: Some(j) };
         slam.update(&[reading]).expect("founded");
     }
     slam
@@ -97,7 +98,7 @@ fn a_step_reports_its_largest_terms_and_its_largest_new_variance() {
     // All of it correlated: in a fresh map a second sighting says nothing of the other landmarks.
     let p = |i: usize, j: usize| if i == j { 1.0 + 0.1 * i as f64 } else { 0.05 + 0.04 * libm::cos((i * j) as f64) };
     map.p = PackedSymmetric::from_fn(map.x.len(), p);
-    let reading = Reading { range: 4.1, bearing: 4.75, landmark: Some(2) };
+    let reading = LandmarkReading { range: 4.1, bearing: 4.75, landmark: Some(2) };
     let expected = map.expected(2, &reading).expect("apart");
     let innovation = Vector2::new(0.05, -0.02);
     let step = map.worked_out(&expected, &innovation).expect("positive definite");
@@ -121,7 +122,7 @@ fn a_step_reports_its_largest_terms_and_its_largest_new_variance() {
 
 #[test]
 fn an_update_that_overflows_is_refused() {
-    let reading = Reading { range: 4.0, bearing: 2.4, landmark: Some(0) };
+    let reading = LandmarkReading { range: 4.0, bearing: 2.4, landmark: Some(0) };
     let refused = |slam: &mut EkfSlam, innovation: f64| {
         let (before, expected) = (slam.clone(), slam.expected(0, &reading).expect("apart"));
         let error = slam.correct(&expected, &Vector2::new(innovation, 0.0)).expect_err("refused");

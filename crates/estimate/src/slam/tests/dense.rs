@@ -26,7 +26,7 @@ impl Dense {
         self.x.fixed_rows_mut::<3>(0).copy_from(&Unicycle.f(&pose, u).to_vector());
     }
 
-    fn update(&mut self, readings: &[(usize, Reading)]) {
+    fn update(&mut self, readings: &[(usize, LandmarkReading)]) {
         let (n, rows) = (self.x.len(), 2 * readings.len());
         let (mut h, mut nu, mut w) = (DMatrix::zeros(rows, n), DVector::zeros(rows), DMatrix::zeros(rows, rows));
         for (i, (j, reading)) in readings.iter().enumerate() {
@@ -58,7 +58,7 @@ fn the_structured_filter_is_the_dense_one() {
         slam.predict(&u, &v).expect("finite");
         dense.predict(&u, &v);
         let seen: Vec<usize> = (0..3).filter(|j| k % (j + 2) != 0).collect();
-        let readings: Vec<Reading> = seen.iter().map(|&j| reading(&truth, j, &mut noise, true)).collect();
+        let readings: Vec<LandmarkReading> = seen.iter().map(|&j| reading(&truth, j, &mut noise, true)).collect();
         if !readings.is_empty() {
             let reports = slam.update(&readings).expect("sound");
             let used = |i: &usize| reports[*i].outcome == Outcome::Matched;
