@@ -24,7 +24,7 @@ check(
       /^The innovation is 0, so nothing is nudged: the copy stays (.+), whatever the gain\.$/,
       ({ error, nudge }, words) => stands(words, [error[0], 0]) && Math.hypot(...nudge) < 0.01 * 5,
     ],
-    [/^The copy is (.+)\.$/, ({ error }, words) => stands(words, error)],
+    [/^The copy is (?:now )?(.+)\.$/, ({ error }, words) => stands(words, error)],
     [/^Press Step: both drive, you compare, the copy is nudged\.$/, ({ step, nudge }) => step === 0 && nudge[0] === 0],
     [
       /^The innovation is (\S+) m\/s, and at gain 0 nothing is nudged\.$/,
@@ -32,9 +32,12 @@ check(
     ],
     [/^The innovation was (\S+) m\/s\.$/, ({ innovation, step }, said) => prints(said, innovation) && step > 0],
     [
-      pattern(/^The nudge changed the copy’s speed by (\S+) m\/s and its position by (\S+) m; /, /it is now (.+)\.$/),
-      ({ nudge, error }, speed, position, words) =>
-        prints(speed, nudge[1]) && prints(position, nudge[0]) && stands(words, error),
+      pattern(
+        /^The nudge is K times that: (\S+) of it, (\S+) m\/s, for the copy’s speed, /,
+        /and (\S+) m for its position\.$/,
+      ),
+      ({ nudge, K }, part, speed, position) =>
+        prints(part, K[1]) && prints(speed, nudge[1]) && prints(position, nudge[0]),
     ],
   ],
 )

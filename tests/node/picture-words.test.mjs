@@ -54,9 +54,14 @@ check(
         ({ guess, mahalanobisFoot: { at } }) => Math.hypot(guess.at[0] - at[0], guess.at[1] - at[1]) < 0.03,
       ],
       [
-        /^The purple foot is (more than 999|[\d.]+) times as probable as your guess\.$/,
-        ({ guess, params }, times) =>
-          !params.sealed && (times === 'more than 999' ? guess.density < 1 / 999 : prints(times, 1 / guess.density)),
+        /^The purple foot is (hardly more probable than|(more than 999|[\d.]+) times as probable as) your guess\.$/,
+        ({ guess, params }, hardly, times) =>
+          !params.sealed &&
+          (times === undefined
+            ? guess.density > 0.995 && hardly.startsWith('hardly')
+            : times === 'more than 999'
+              ? guess.density < 1 / 999
+              : prints(times, 1 / guess.density)),
       ],
       [
         pattern(

@@ -28,6 +28,16 @@ export function decimal(value, decimals = 3) {
   return Number(text) === 0 ? text.replace('-', '') : text.replace('-', MINUS)
 }
 
+/**
+ * How much more probable something is than `other`, or than what was named before.
+ * @param {number} times @param {string} [other]
+ */
+export function timesAsProbable(times, other) {
+  if (times < 1.005) return `hardly more probable${other ? ` than ${other}` : ''}`
+  const many = times < 9.95 ? fixed(times) : times < 999.5 ? fixed(times, 0) : 'more than 999'
+  return `${many} times as probable${other ? ` as ${other}` : ''}`
+}
+
 /** @param {string} digits */
 function raised(digits) {
   return [...digits].map((digit) => (digit === '-' ? '⁻' : '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)])).join('')

@@ -23,7 +23,7 @@ function stands({ error: [position, speed] }) {
 
 /** @param {Frame} frame */
 export function verdict(frame) {
-  const { innovation, nudge, params, step, error } = frame
+  const { innovation, nudge, params, step, error, K } = frame
   if (stands(frame) === '') return 'The copy does what the cart does, and the innovation is 0.'
   if (Math.abs(innovation) < SEEN && Math.abs(error[1]) < SEEN)
     return (
@@ -34,8 +34,9 @@ export function verdict(frame) {
   if (params.gain === 0)
     return `The innovation is ${fixed(innovation)} m/s, and at gain 0 nothing is nudged. The copy is ${stands(frame)}.`
   return (
-    `The innovation was ${fixed(innovation)} m/s. The nudge changed the copy’s speed by ${fixed(nudge[1])} m/s and ` +
-    `its position by ${fixed(nudge[0])} m; it is now ${stands(frame)}.`
+    `The innovation was ${fixed(innovation)} m/s. The nudge is {K} times that: ${fixed(K[1])} of it, ` +
+    `${fixed(nudge[1])} m/s, for the copy’s speed, and ${fixed(nudge[0])} m for its position. ` +
+    `The copy is now ${stands(frame)}.`
   )
 }
 

@@ -7,7 +7,7 @@ import { fixed } from '../../draw/numbers.js'
 import { usual } from '../../figure/defaults.js'
 import { drawPlane } from './plane.js'
 import { isShown } from './reach.js'
-import { describe, verdict } from './words.js'
+import { describe, isLong, verdict } from './words.js'
 
 /** @typedef {import('estimate-wasm').ErrorCloudFrame} Frame */
 
@@ -20,7 +20,9 @@ const start = { params: {}, step: 0 }
 // View: one panel, in `plane.js`.
 
 /** @param {Frame} frame @returns {import('../../figure/shell.js').Readout[]} */
-function readouts({ P, correlation, regression, longAxis }) {
+function readouts(frame) {
+  const { P, correlation, regression, longAxis } = frame
+  const axis = isLong(frame) && Math.abs(longAxis) < 1000 ? fixed(longAxis) : '–'
   /**
    * @param {string} key @param {import('../../draw/words.js').Words} label @param {number} value
    * @param {[import('../../draw/words.js').Words, import('../../draw/words.js').Words]} place
@@ -34,7 +36,7 @@ function readouts({ P, correlation, regression, longAxis }) {
     cell('p21', '{P}_{21}', P[1][0], [velocity, position]),
     cell('p22', '{P}_{22}', P[1][1], [velocity, velocity]),
     { key: 'regression', label: 'Regression {P}_{12}/{P}_{22}', value: fixed(regression), unit: 's' },
-    { key: 'axis', label: 'Long axis', value: Math.abs(longAxis) < 1000 ? fixed(longAxis) : '–', unit: 's' },
+    { key: 'axis', label: 'Long axis', value: axis, unit: 's' },
     { key: 'correlation', label: 'Correlation', value: fixed(correlation) },
   ]
 }

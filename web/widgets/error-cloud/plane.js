@@ -7,7 +7,7 @@ import { clear, drawLabels } from '../../draw/labels.js'
 import { axes, ellipseLevel, ellipsePath, evenPlane, meaning, segment } from '../../draw/plot.js'
 import { pixel } from '../../draw/path.js'
 import { REACH } from './reach.js'
-import { signed } from './words.js'
+import { isLong, signed } from './words.js'
 
 /** @typedef {import('estimate-wasm').ErrorCloudFrame} Frame */
 /** @typedef {import('../../draw/plot.js').Plane} Plane */
@@ -36,7 +36,8 @@ export function drawPlane({ pen, width, height }, frame, view) {
 }
 
 /** @param {import('../../draw/pen.js').Pen} pen @param {Plane} plane @param {Frame} frame @param {number} r of a dot */
-function drawScene(pen, plane, { dots, ellipse, regression, longAxis, error }, r) {
+function drawScene(pen, plane, frame, r) {
+  const { dots, ellipse, regression, longAxis, error } = frame
   const { x, y } = plane
   pen.mark('path', 'product', {
     ...meaning('area', 'posterior'),
@@ -56,7 +57,7 @@ function drawScene(pen, plane, { dots, ellipse, regression, longAxis, error }, r
     const high = Math.min(LINE, 100 / Math.max(1e-9, Math.abs(slope)))
     segment(pen, key, plane, [-slope * high, -high], [slope * high, high], meaning(shape))
   }
-  line('axis', Math.max(-1e6, Math.min(1e6, longAxis)), 'way dashed')
+  if (isLong(frame)) line('axis', Math.max(-1e6, Math.min(1e6, longAxis)), 'way dashed')
   line('regression', regression, 'line')
 }
 

@@ -205,7 +205,8 @@ export const figure = {
     { name: 'axis', width: 370, height: 260, handles: true, draw: drawAxis },
   ],
   layout: {
-    narrow: ['plane', 'verdict', 'tries', 'axis', 'controls', 'readouts'],
+    // What a button adds comes below it.
+    narrow: ['plane', 'verdict', 'tries', 'grow', 'axis', 'controls', 'readouts'],
     medium: ['plane verdict', 'plane axis', 'plane tries', 'controls controls', 'readouts readouts'],
     columns: { medium: '8fr 5fr' },
   },

@@ -2,7 +2,7 @@
  * What the Picture says: of its feet, of how reading and expectation weigh, of a guess and of an ellipse that grows.
  */
 
-import { fixed } from '../../draw/numbers.js'
+import { fixed, timesAsProbable } from '../../draw/numbers.js'
 
 /** @typedef {import('estimate-wasm').PictureFrame} Frame */
 
@@ -25,7 +25,7 @@ function ofTheGuess({ guess, mahalanobisFoot: purple }) {
   const off = Math.hypot(guess.at[0] - purple.at[0], guess.at[1] - purple.at[1])
   if (off < 0.026) return ' Your guess is the purple foot, the most probable point of the line.'
   const times = 1 / guess.density
-  return ` The purple foot is ${times < 1000 ? fixed(times, 2) : 'more than 999'} times as probable as your guess.`
+  return ` The purple foot is ${timesAsProbable(times, 'your guess')}.`
 }
 
 /** How the two opinions weigh against each other: each weighs one over its variance. @param {Frame} frame */

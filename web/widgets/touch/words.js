@@ -1,6 +1,6 @@
 /** What the touch says: where the ellipse touches, and how far from there the reader's dot is. */
 
-import { fixed } from '../../draw/numbers.js'
+import { fixed, timesAsProbable } from '../../draw/numbers.js'
 
 /** @typedef {import('estimate-wasm').TouchFrame} Frame */
 
@@ -24,7 +24,7 @@ export function verdict({ params, touch, below, touchRadius, guessRadius, off, t
   if (Math.abs(off) < THERE) return `${where} Your dot is there.`
   return (
     `${where} Your dot is ${fixed(Math.abs(off))} m away; the ellipse reaches it at ${fixed(guessRadius)} σ, ` +
-    `and the purple foot is ${times < 1000 ? fixed(times) : 'more than 999'} times as probable.`
+    `and the purple foot is ${timesAsProbable(times)}.`
   )
 }
 

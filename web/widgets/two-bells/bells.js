@@ -88,13 +88,16 @@ function names(pen, { x, y, box }, { likely }, all, top, grips) {
  */
 function handles({ x, y }, { params }, { limits }, [expected, read], top) {
   const away = read.mean < expected.mean ? 1 : -1
+  /** How far the axis reaches on a side of a bell, m/s. @param {Bell} bell @param {number} side */
+  const room = ({ mean }, side) => (side > 0 ? AXIS[1] - mean : mean - AXIS[0])
   /**
-   * The middle of a bell and its flank.
+   * The middle of a bell and its flank: that on this side, and the other where this one lies beyond the axis.
    * @param {Bell} bell @param {'expected' | 'reading'} mean @param {'expectedVariance' | 'noise'} variance
-   * @param {string} label @param {1 | -1} side
+   * @param {string} label @param {number} wished
    * @returns {Record<string, HandleSpec>}
    */
-  const pair = (bell, mean, variance, label, side) => {
+  const pair = (bell, mean, variance, label, wished) => {
+    const side = bell.sigma <= room(bell, wished) ? wished : -wished
     const put = (
       /** @type {'expected' | 'reading' | 'expectedVariance' | 'noise'} */ name,
       /** @type {number} */ value,
@@ -128,7 +131,8 @@ function handles({ x, y }, { params }, { limits }, [expected, read], top) {
         now: bell.sigma,
         min: Math.sqrt(limits[variance].least),
         max: Math.sqrt(limits[variance].greatest),
-        move: (px) => spread(side * (x.invert(px) - bell.mean)),
+        // Beyond the axis the flank would change sides under the hand.
+        move: (px) => spread(Math.min(room(bell, side), side * (x.invert(px) - bell.mean))),
         nudge: (dx, dy) => spread(bell.sigma + 0.05 * (dx || dy)),
         jump: (which) => put(variance, end(variance, which)),
       },
@@ -136,6 +140,6 @@ function handles({ x, y }, { params }, { limits }, [expected, read], top) {
   }
   return {
     ...pair(expected, 'expected', 'expectedVariance', 'What the prediction expects', away),
-    ...pair(read, 'reading', 'noise', 'What the sensor reads', /** @type {1 | -1} */ (-away)),
+    ...pair(read, 'reading', 'noise', 'What the sensor reads', -away),
   }
 }
