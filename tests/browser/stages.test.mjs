@@ -259,11 +259,11 @@ for (const [size, viewport] of Object.entries({ desktop: DESKTOP, phone: PHONE }
   test(`words bring what they speak of into sight, from behind More too, ${size}`, async (t) => {
     const page = await open(t, { viewport, touch: viewport === PHONE })
     for (const [words, name, place] of [
-      ['Let the filter choose.', 'observer-bench', '[data-control="mode"]'],
-      ['readouts', 'picture', '.readouts'],
+      ['[href="#fig-bench"][data-shows="mode"]', 'observer-bench', '[data-control="mode"]'],
+      ['[href="#fig-picture"][data-shows="readouts"]', 'picture', '.readouts'],
     ]) {
       const part = (await figure(page, name)).locator(`.live ${place}`)
-      await page.locator('a.grow', { hasText: words }).first().click()
+      await page.locator(`a.grow${words}`).first().click()
       await page.waitForFunction(
         (found) => {
           const { top, bottom } = found.getBoundingClientRect()
