@@ -78,3 +78,18 @@ test('a worker that met a fault is replaced: a sentence says so, the log stays a
   await until(it, ({ rows }) => rows === 50, 'the other log')
   assert.notEqual(page.workers()[0], worker)
 })
+
+test('the answers to what positions are stand beside the question, and what is not read is named', async (t) => {
+  const { page, it, choose } = await openLog(t)
+  const rows = Array.from({ length: 30 }, (_, k) => `${k / 2},0.5,0,${k / 4},${(k % 3) / 10},21\n`).join('')
+  await choose({ name: 'both.csv', mimeType: 'text/csv', buffer: Buffer.from(`t,v,omega,x,y,temp\n${rows}`) })
+  const press = page.getByRole('button', { name: 'what a sensor read', exact: true })
+  assert.equal(await page.locator('.log-choices button').count(), 2)
+  await press.focus()
+  await page.keyboard.press('Enter')
+  await until(it, ({ rows: count }) => count === 60, 'the log')
+  assert.equal(await page.locator('[data-key="0 read as"]').inputValue(), 'sensors')
+  assert.equal(await page.evaluate(() => document.activeElement.getAttribute('data-key')), '0 read as')
+  assert.equal(await page.locator('.log-choices').count(), 0)
+  assert.equal(await page.locator('.log-unread').innerText(), 'Not read: temp.')
+})
