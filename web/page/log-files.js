@@ -42,10 +42,10 @@ const WHEELS = [
 ]
 /** The answers to the question of what a file is, where it names them. @type {Record<string, string>} */
 const ANSWERS = {
-  truth: 'the true position',
-  sensors: 'what a sensor read',
-  ranges: 'ranges to landmarks',
-  unused: 'leave it out',
+  truth: 'The true position',
+  sensors: 'What a sensor read',
+  ranges: 'Ranges to landmarks',
+  unused: 'Leave it out',
 }
 /** How long the list of columns that are not read may be, letters. */
 const MOST_UNREAD = 90

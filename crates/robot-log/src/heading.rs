@@ -40,13 +40,13 @@ const ASKED: [&str; 13] = [
 /// A full turn, in degrees, and what rounding may add.
 const FULL_TURN: f64 = 360.5;
 
-/// The unit of a column of headings, whose name may say one and whose largest number is `most`; `None` where it has to
-/// be asked. `down`: the axes point forward, right and down; `global`: latitudes stand beside it; `captured`: it is of
-/// a motion capture, whose angles are counted as its own axes say.
+/// The unit of a column of headings, whose name may say one and whose largest number is `most` in the first rows and
+/// `furthest` in all; `None` where it has to be asked. `down`: the axes point forward, right and down; `global`:
+/// latitudes stand beside it; `captured`: it is of a motion capture, whose angles are counted as its own axes say.
 pub(crate) fn unit(
     name: &Name,
     said: Option<&Unit>,
-    most: f64,
+    [most, furthest]: [f64; 2],
     [down, global, captured]: [bool; 3],
 ) -> Option<&'static str> {
     if let Some(unit) = said.filter(|unit| unit.name == HUNDREDTHS_FROM_NORTH) {
@@ -64,7 +64,7 @@ pub(crate) fn unit(
         return None;
     }
     // No heading is more than a full turn: they are hundredths of a degree, or turns are counted on.
-    if degrees && most > FULL_TURN {
+    if degrees && furthest > FULL_TURN {
         return None;
     }
     // Degrees of a heading or a yaw are a compass's as often as they are counted from the axis of x. In radians they

@@ -60,5 +60,9 @@ fn a_heading_of_more_than_a_full_turn_and_one_that_is_called_hdg_alone_are_asked
         );
         assert!(files.set_unit(0, "heading", FROM_NORTH) && files.read().is_ok());
     }
+    // It may stand near north for a while, and turn later.
+    let later: Vec<String> = (0..400).map(|k| (if k < 300 { 12 } else { 60 * k }).to_string()).collect();
+    let later: Vec<&str> = later.iter().map(String::as_str).collect();
+    assert_eq!(heading(&of("heading_deg", &later)).0, None);
     assert!(units_of(Quantity::Angle).iter().any(|unit| unit.name == "0.01 deg"));
 }
