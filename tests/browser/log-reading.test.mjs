@@ -84,6 +84,7 @@ test('the answers to what positions are stand beside the question, and what is n
   const rows = Array.from({ length: 30 }, (_, k) => `${k / 2},0.5,0,${k / 4},${(k % 3) / 10},21\n`).join('')
   await choose({ name: 'both.csv', mimeType: 'text/csv', buffer: Buffer.from(`t,v,omega,x,y,temp\n${rows}`) })
   const press = page.getByRole('button', { name: 'What a sensor read', exact: true })
+  await press.waitFor()
   assert.equal(await page.locator('.log-choices button').count(), 2)
   await press.focus()
   await page.keyboard.press('Enter')
