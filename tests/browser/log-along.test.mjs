@@ -3,7 +3,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { until } from './harness.mjs'
-import { file, openLog } from './own-log.mjs'
+import { drop, file, openLog } from './own-log.mjs'
 
 /** Columns that a reader has to exchange by hand. */
 const table = (row) => Array.from({ length: 30 }, (_, k) => `${k / 2},${row(k)}\n`).join('')
@@ -54,13 +54,33 @@ test('settings and the reading of columns are taken along, and read again in a f
   await settingsInput(fresh.page).setInputFiles(file('settings.json', text))
   await said(fresh.page, 'settings.json: no open file is called speeds.csv')
   await fresh.choose(file('speeds.csv', SPEEDS), file('fixes.csv', FIXES))
-  await fresh.page.locator('.log-ask', { hasText: asked }).waitFor()
-  await settingsInput(fresh.page).setInputFiles(file('settings.json', text))
   await said(fresh.page, 'The filter has the settings of settings.json.')
   const again = await fresh.page.locator('.log-file select').evaluateAll((all) => all.map(({ value }) => value))
   assert.deepEqual(again, corrected)
   const params = await fresh.it.evaluate((host) => host.figure.run.state().params)
   assert.deepEqual([params.sigmaFix, params.gate], [0.25, 0.99])
+
+  // Dropped with the files, or behind them while their question is open, they are settings as well.
+  const log = [
+    ['speeds.csv', SPEEDS],
+    ['fixes.csv', FIXES],
+  ]
+  const settings = ['settings.json', text]
+  for (const drops of [[[...log, settings]], [log, [settings]], [[settings], log]]) {
+    const other = await openLog(t)
+    for (const [at, files] of drops.entries()) {
+      await drop(other.page, files)
+      if (at === 0 && drops.length > 1)
+        await (files === log
+          ? other.page.locator('.log-ask', { hasText: asked }).waitFor()
+          : other.answer.getByText('settings.json: no open file is called speeds.csv').waitFor())
+    }
+    await other.answer.getByText('The filter has the settings of settings.json.').waitFor()
+    assert.deepEqual(await other.page.locator('.log-file legend').allTextContents(), ['speeds.csv', 'fixes.csv'])
+    const found = await other.page.locator('.log-file select').evaluateAll((all) => all.map(({ value }) => value))
+    assert.deepEqual(found, corrected)
+    await until(other.it, ({ params: now }) => now.sigmaFix === 0.25 && now.gate === 0.99, 'the settings')
+  }
 })
 
 test('a file that is no settings, or holds one that is not known, changes nothing and says why', async (t) => {

@@ -52,6 +52,19 @@ test('evidence and sliders are on one screen; on a phone map, verdict and innova
   }
 })
 
+test('the strip fades at its lower edge for as long as it goes on there', async (t) => {
+  const { page, it, choose } = await openLog(t, { viewport: { width: 1440, height: 900 } })
+  await choose(file('car.csv', CAR))
+  await until(it, ({ summary }) => summary.used > 2000, 'the car')
+  const strip = page.locator('robot-log .live .log-strip')
+  const faded = () => strip.evaluate((box) => getComputedStyle(box).maskImage !== 'none')
+  await page.locator('robot-log .live .log-strip[data-more]').waitFor()
+  assert.ok(await faded())
+  await strip.evaluate((box) => box.scrollTo(0, box.scrollHeight))
+  await page.locator('robot-log .live .log-strip:not([data-more])').waitFor()
+  assert.ok(!(await faded()))
+})
+
 test('A stays pale behind B, the likelihood is held against it, and the report has both', async (t) => {
   const { page, it, choose } = await openLog(t)
   await choose(file('car.csv', CAR))
@@ -111,6 +124,15 @@ test('a reading that is touched has its place on the map, and panels show one st
   const [innovations, nis, bearings] = await ends()
   assert.ok(innovations.length > 0 && innovations === nis && nis === bearings, await ends())
   assert.match(innovations, /^0\.1/)
+  // A drag from one corner of a panel to the other, and beyond, selects none of its letters.
+  for (const name of ['map', 'innovations', 'bearings']) {
+    const box = await page.locator(`robot-log .live .panel-${name}`).boundingBox()
+    await page.mouse.move(box.x + 2, box.y + 2)
+    await page.mouse.down()
+    await page.mouse.move(box.x + box.width - 2, box.y + box.height + 20, { steps: 8 })
+    assert.equal(await page.evaluate(() => String(getSelection())), '', name)
+    await page.mouse.up()
+  }
 })
 
 test('the map of the likelihood is drawn, and its point moves both numbers', async (t) => {

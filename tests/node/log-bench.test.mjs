@@ -7,6 +7,7 @@ import { bentBy, sentence as fitted } from '../../web/page/log-fit.js'
 import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
 import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
 import { numbersOf as numbersToTell, ownSigma, settingsOf } from '../../web/page/log-numbers.js'
+import { unreadWords } from '../../web/page/log-files.js'
 import { headsOf, rowsOf } from '../../web/page/log-sources.js'
 import { fieldText } from '../../web/page/number-field.js'
 import { Mapping } from '../../web/widgets/robot-log/likelihood.js'
@@ -263,4 +264,14 @@ test('the stretch that is withheld is counted from the log’s first row, and so
   assert.equal(withheldIn({ ...frame, summary: { withheld: null } }), null)
   assert.equal(withholdingShown(frame), null)
   assert.deepEqual(withholdingShown({ ...frame, looks: { window: [5, 8] } }), { withheld: [1005, 1008] })
+})
+
+test('columns that are not read are named in one short sentence', () => {
+  assert.equal(unreadWords([]), '')
+  assert.equal(unreadWords(['hdg', 'temp']), 'Not read: hdg, temp.')
+  const many = Array.from({ length: 400 }, (_, k) => `covariance.${k}`)
+  const words = unreadWords(many)
+  assert.match(words, /^Not read: covariance\.0, covariance\.1, .* and 39\d more\.$/)
+  assert.ok(words.length < 130, words)
+  assert.ok(unreadWords(['x'.repeat(5000)]).length < 40, 'a long name is cut')
 })

@@ -5,7 +5,7 @@ import { execFileSync } from 'node:child_process'
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import path from 'node:path'
-import { robotLocalization } from '../../web/page/log-export.js'
+import { float, robotLocalization } from '../../web/page/log-export.js'
 import { filterpy } from '../../web/page/log-filterpy.js'
 import { python } from './python.mjs'
 
@@ -117,8 +117,10 @@ test('the configuration of robot_localization is YAML of its parameters, of thei
     }
     const { sigmaDistance, sigmaTurn, startSigma } = frame.params
     const noise = params.process_noise_covariance
-    assert.deepEqual([noise[0], noise[1], noise[5]], [sigmaDistance ** 2, sigmaDistance ** 2, sigmaTurn ** 2])
-    assert.equal(params.initial_estimate_covariance[0], startSigma ** 2)
+    const written = [noise[0], noise[1], noise[5], params.initial_estimate_covariance[0]]
+    const squares = [sigmaDistance, sigmaDistance, sigmaTurn, startSigma].map((sigma) => sigma ** 2)
+    for (const [i, square] of squares.entries())
+      assert.ok(Math.abs(written[i] - square) <= 1e-12 * Math.min(1, square), `${name}: ${written} and ${squares}`)
     assert.match(text, /A measurement’s covariance comes with each message/)
   }
   const [, , { frame, contents }] = all
@@ -127,4 +129,20 @@ test('the configuration of robot_localization is YAML of its parameters, of thei
   assert.match(late, /smooth_lagged_data: true\n +history_length: 2\.0/)
   assert.match(late, /# Stamp fixes 0\.3 s earlier/)
   assert.match(robotLocalization(all[0].frame, all[0].contents), /takes no ranges to landmarks/)
+})
+
+test('a number is written with the digits that matter, and never moved by more than 1e-12', () => {
+  for (const [x, text] of [
+    [0.4 ** 2, '0.16'],
+    [0.1 + 0.2, '0.3'],
+    [-0.05, '-0.05'],
+    [1e-9, '1.0e-9'],
+    [3, '3.0'],
+    [0, '0.0'],
+    [1 / 3, '0.333333333333'],
+    [1.7e9 + 0.123456, '1700000000.123456'],
+  ])
+    assert.equal(float(Number(x)), text)
+  for (const { frame, contents } of all)
+    assert.doesNotMatch(robotLocalization(frame, contents), /\d{15}/, 'no digits that rounding has made')
 })

@@ -2,7 +2,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { isSameLog, nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
+import { NotOpen, isSameLog, isSettings, nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 
 const { LogFiles, LogTable, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
@@ -135,6 +135,7 @@ test('what is not known or does not fit is refused by its name', () => {
   assert.throws(() => readSettings('{', known), /no JSON/)
   const { files } = readSettings(JSON.stringify(written), known)
   assert.throws(() => nextChange(files, opened(['wheels.csv', WHEELS]).files()), /no open file is called fixes\.csv/)
+  assert.throws(() => nextChange(files, []), NotOpen)
   const unit = of((it) => (it.files[1].values.x.unit = 'furlong'))()
   assert.throws(() => follow(opened(['wheels.csv', WHEELS], ['fixes.csv', FIXES]), unit), /x is not read in furlong/)
 })
@@ -173,10 +174,22 @@ test('the settings of a log are of use to the rows that the page has written of 
   const asked = () => isSameLog(saved, other.files(), other.read().contents())
   assert.throws(asked, /it is of a log from drive\.csv\. other\.csv is in the book’s own format and has 2 rows of .* 5/)
   const bare = readSettings(settingsText({}, table.files()), known)
-  assert.throws(
-    () => isSameLog(bare, rows.files(), rows.read().contents()),
-    /do not say what that log held\. Open drive/,
-  )
+  const unknown = () => isSameLog(bare, rows.files(), rows.read().contents())
+  assert.throws(unknown, /do not say what that log held\./)
+  assert.throws(unknown, NotOpen, 'they wait for the log that they are of')
   const own = readSettings(settingsText({}, rows.files(), rows.read().contents()), known)
   assert.equal(isSameLog(own, other.files(), other.read().contents()), false, 'no columns, no question')
+})
+
+test('a file of settings is known by its first words among other files', async () => {
+  const written = settingsText({}, corrected().files())
+  for (const [text, is] of [
+    [written, true],
+    [JSON.stringify(JSON.parse(written)), true],
+    [`${written.slice(0, 120)}`, true],
+    ['', false],
+    ['{"format":"another"}', false],
+    ['t,v\n0,1\n', false],
+  ])
+    assert.equal(await isSettings(new Blob([String(text)])), is, String(text).slice(0, 40))
 })

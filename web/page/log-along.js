@@ -4,26 +4,37 @@ import { button, part } from '../draw/dom.js'
 import { save } from '../figure/save.js'
 import { robotLocalization } from './log-export.js'
 import { filterpy } from './log-filterpy.js'
-import { MOST_SETTINGS, isSameLog, nextChange, readSettings, settingsText } from './log-settings.js'
+import {
+  MOST_SETTINGS,
+  NotOpen,
+  isSameLog,
+  isSettings,
+  nextChange,
+  readSettings,
+  settingsText,
+} from './log-settings.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('../widgets/robot-log/change.js').Change} Change */
 /**
- * What the page gives: the run, its log, the files as they are read, how one is read otherwise, the filter told, and
- * where something is said.
+ * What the page gives: the run, its log, the files as they are read, whether these make the log that the figure shows,
+ * how one is read otherwise, and the filter told.
  * @typedef {object} Page
  * @property {() => Promise<import('../widgets/robot-log/remote-run.js').RemoteRun>} run
  * @property {() => LogFile[]} files
+ * @property {() => boolean} isLog
  * @property {(change: Change) => Promise<void>} reread
  * @property {(patch: Record<string, unknown>) => void} change
- * @property {(words: string) => void} say
  */
+
+/** @typedef {(words: string, taken: boolean) => void} Say */
 
 /** Changes of reading that one file of settings may need, and more than any needs. */
 const MOST_CHANGES = 500
 
-/** @param {HTMLElement} before what it stands before @param {Omit<Page, 'say'>} page */
+/** @param {HTMLElement} before what it stands before @param {Page} page */
 export function takeAlong(before, page) {
+  const opened = new Opened(page)
   const row = document.createElement('p')
   row.className = 'log-actions'
   before.before(row)
@@ -53,7 +64,7 @@ export function takeAlong(before, page) {
   button(document, row, 'Open settings', () => input.click())
   input.addEventListener('change', async () => {
     const [file] = input.files ?? []
-    if (file) await open(file, { ...page, say })
+    if (file) await opened.open(file, say)
     input.value = ''
   })
   button(document, row, 'For robot_localization', () =>
@@ -62,29 +73,95 @@ export function takeAlong(before, page) {
   button(document, row, 'For filterpy', () => exported('filter.py', 'text/x-python', ({ frame }) => filterpy(frame)))
   note.setAttribute('role', 'status')
   row.append(note)
+  return opened
 }
 
-/** @param {File} file @param {Page} page */
-async function open(file, page) {
-  let read = 0
-  try {
-    if (file.size > MOST_SETTINGS) throw new Error('it is too large to hold settings.')
-    const [text, run] = await Promise.all([file.text(), page.run()])
-    const settings = readSettings(text, run.parameters())
-    const { params, missing } = settings
-    const files = isSameLog(settings, page.files(), run.contents) ? [] : settings.files
-    for (; read < MOST_CHANGES; read += 1) {
-      const change = nextChange(files, page.files())
-      if (!change) break
-      const before = JSON.stringify(page.files())
-      await page.reread(change)
-      if (JSON.stringify(page.files()) === before) throw new Error('the open files cannot be read as it says.')
+/** Files of settings that are opened: one may wait for the log that it is of, or for the answers to its questions. */
+class Opened {
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page
+    /** @type {{ file: File, say: Say } | null} */
+    this.waiting = null
+    this.busy = false
+  }
+
+  /**
+   * Reads files of which one may be one of settings; where none is called so, they are read at once.
+   * @param {File[]} files @param {(log: File[]) => Promise<void>} read @param {Say} say
+   */
+  give(files, read, say) {
+    return files.some(({ name }) => /\.json$/i.test(name)) ? this.giveApart(files, read, say) : read(files)
+  }
+
+  /** @param {File[]} files @param {(log: File[]) => Promise<void>} read @param {Say} say */
+  async giveApart(files, read, say) {
+    const told = await Promise.all(files.map(isSettings))
+    const [settings, second] = files.filter((_, i) => told[i])
+    if (second) return say(`${settings.name} and ${second.name} are both settings: open one of them.`, false)
+    const log = files.filter((_, i) => !told[i])
+    if (log.length === 0) return this.open(settings, say)
+    if (settings) this.wait(settings, say)
+    return read(log)
+  }
+
+  /** Leaves a file until files have been read. @param {File} file @param {Say} say */
+  wait(file, say) {
+    this.waiting = { file, say }
+  }
+
+  /** Files have been read: what waited for them is taken. */
+  async arrived() {
+    const { waiting, busy } = this
+    if (waiting && !busy) await this.open(waiting.file, waiting.say)
+  }
+
+  /** @param {File} file @param {Say} say */
+  async open(file, say) {
+    this.waiting = null
+    this.busy = true
+    try {
+      say(...(await this.take(file, say)))
+    } finally {
+      this.busy = false
     }
-    page.change(params)
-    const usual = missing.length > 0 ? ` It says nothing of ${missing.join(', ')}: they have their usual values.` : ''
-    page.say(`The filter has the settings of ${file.name}.${usual}`)
-  } catch (error) {
-    const stays = read > 0 ? ' What was read otherwise before that stays so.' : ''
-    page.say(`${file.name}: ${error instanceof Error ? error.message : 'it could not be read.'}${stays}`)
+  }
+
+  /**
+   * @param {File} file @param {Say} say
+   * @returns {Promise<[string, boolean]>} what has come of it, and whether the filter has its settings now
+   */
+  async take(file, say) {
+    const { page } = this
+    let read = 0
+    try {
+      if (file.size > MOST_SETTINGS) throw new Error('it is too large to hold settings.')
+      const [text, run] = await Promise.all([file.text(), page.run()])
+      const settings = readSettings(text, run.parameters())
+      const { params, missing } = settings
+      const files = page.isLog() && isSameLog(settings, page.files(), run.contents) ? [] : settings.files
+      for (; read < MOST_CHANGES; read += 1) {
+        const change = nextChange(files, page.files())
+        if (!change) break
+        const before = JSON.stringify(page.files())
+        await page.reread(change)
+        if (JSON.stringify(page.files()) === before) throw new Error('the open files cannot be read as it says.')
+      }
+      if (!page.isLog()) {
+        this.wait(file, say)
+        const then = 'The filter has its settings once the files make a log.'
+        return [`${file.name}: the files are read as it says. ${then}`, false]
+      }
+      page.change(params)
+      const usual = missing.length > 0 ? ` It says nothing of ${missing.join(', ')}: they have their usual values.` : ''
+      return [`The filter has the settings of ${file.name}.${usual}`, true]
+    } catch (error) {
+      const stays = read > 0 ? ' What was read otherwise before that stays so.' : ''
+      const waits = error instanceof NotOpen
+      if (waits) this.wait(file, say)
+      const then = waits ? ' The settings wait until you open that.' : ''
+      const why = error instanceof Error ? error.message : 'it could not be read.'
+      return [`${file.name}: ${why}${then}${stays}`, false]
+    }
   }
 }

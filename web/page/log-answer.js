@@ -84,6 +84,17 @@ export class Answer {
     pressed.className = 'try'
   }
 
+  /**
+   * What came of a file of settings, below what is said of the log.
+   * @param {string} words @param {boolean} taken then no others are offered
+   */
+  tell(words, taken) {
+    if (taken) this.box.querySelector('.log-offer')?.remove()
+    const before = this.box.querySelector('.log-told')
+    const line = before ?? part(document, this.box, 'p', 'log-told')
+    line.textContent = words
+  }
+
   /** @param {string} words */
   say(words) {
     this.box.replaceChildren()

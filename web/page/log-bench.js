@@ -50,6 +50,7 @@ export class Bench {
     strip.className = 'log-strip'
     if (controls) strip.append(this.likelihood.box, ...controls.children, this.strip)
     controls?.append(strip)
+    markMore(strip)
     live.append(this.view.box, this.why, this.sources.box, this.map.box)
     handOnTime(live, () => this.host.figure.run.frame, this.look)
     this.reveal(live.hasAttribute('data-why'))
@@ -80,4 +81,12 @@ export class Bench {
     this.sources.show(frame)
     this.map.show(frame)
   }
+}
+
+/** Marks a box that scrolls for as long as it goes on below its lower edge. @param {HTMLElement} box */
+function markMore(box) {
+  const mark = () => box.toggleAttribute('data-more', box.scrollTop < box.scrollHeight - box.clientHeight - 1)
+  const eye = new ResizeObserver(mark)
+  for (const one of [box, ...box.children]) eye.observe(one)
+  box.addEventListener('scroll', mark, { passive: true })
 }

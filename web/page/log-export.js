@@ -13,9 +13,22 @@ export const SENSORS = /** @type {const} */ (['fix', 'heading', 'range', 'bearin
 export const gateOf = (gate, sensor) => (gate !== null && typeof gate === 'object' ? (gate[sensor] ?? null) : gate)
 /** @param {Frame['params']['every']} every @param {'fix' | 'heading' | 'range' | 'bearing'} sensor */
 export const everyOf = (every, sensor) => (typeof every === 'object' ? (every[sensor] ?? 0) : every)
-/** A number as a float of YAML’s and of Python’s. @param {number} x */
-export const float = (x) =>
+/** How far a number that is written may lie from what was computed: rounding has made the digits beyond. */
+const WITHIN = 1e-12
+/** The shortest number that is as near to one as that, in its own size where it is small. @param {number} x */
+function shortest(x) {
+  const near = (/** @type {number} */ one) => Math.abs(one - x) <= WITHIN * Math.min(1, Math.abs(x))
+  for (let digits = 1; digits <= 16; digits += 1) {
+    const one = Number(x.toPrecision(digits))
+    if (near(one)) return one
+  }
+  return x
+}
+/** A number as a float of YAML’s and of Python’s, with all its digits. @param {number} x */
+export const exact = (x) =>
   Number.isInteger(x) && Math.abs(x) < 1e15 ? x.toFixed(1) : String(x).replace(/^(-?\d+)e/, '$1.0e')
+/** The same with the digits that matter. @param {number} x */
+export const float = (x) => exact(shortest(x))
 /** @param {string[]} names that are measured */
 const config = (names) => list(STATE.map((name) => String(names.includes(name))))
 /** Five rows of three, as the package’s own examples have them. @param {string[]} all */

@@ -3,7 +3,7 @@
  * a file asks, and what follows from how it is read.
  */
 
-import { part } from '../draw/dom.js'
+import { button, part } from '../draw/dom.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('estimate-wasm').LogValue} LogValue */
@@ -40,6 +40,15 @@ const WHEELS = [
   ['radius', 'radius of a wheel, m'],
   ['base', 'distance between the wheels, m'],
 ]
+/** The answers to the question of what a file is, where it names them. @type {Record<string, string>} */
+const ANSWERS = {
+  truth: 'The true position',
+  sensors: 'What a sensor read',
+  ranges: 'Ranges to landmarks',
+  unused: 'Leave it out',
+}
+/** How long the list of columns that are not read may be, letters. */
+const MOST_UNREAD = 90
 /** Values that few files have. */
 const RARE = ['fraction', 'day', 'sigma', 'sigma of heading', 'latitude', 'longitude']
 
@@ -59,15 +68,23 @@ export class FileForm {
     // A log in the book's own format says itself what it is.
     if (files.every(({ role, header }) => role === 'log' && header.length === 0)) return
     for (const [i, file] of files.entries()) this.showFile(i, file)
-    const again = focused && this.box.querySelector(`[data-key="${focused}"]`)
+    const find = (/** @type {string} */ key) => this.box.querySelector(`[data-key="${key}"]`)
+    // An answer's button is gone once it was pressed: what was chosen stands in the list.
+    const again = focused && (find(focused) ?? find(focused.replace(/ read as .*$/, ' read as')))
     if (again instanceof HTMLElement) again.focus({ preventScroll: true })
   }
 
   /** @param {number} i @param {LogFile} file */
-  showFile(i, { name, role, header, values, wheels, several, frame, asks, follows }) {
+  showFile(i, { name, role, header, values, unread, wheels, several, frame, asks, answers, follows }) {
     const set = part(document, this.box, 'fieldset', `log-file${asks.length > 0 ? ' asks' : ''}`)
     part(document, set, 'legend', '').textContent = name
-    for (const ask of asks) part(document, set, 'p', 'log-ask').textContent = ask
+    for (const [at, ask] of asks.entries()) {
+      part(document, set, 'p', 'log-ask').textContent = ask
+      // What the file is is asked first.
+      if (at > 0 || answers.length === 0) continue
+      const line = part(document, set, 'p', 'log-choices')
+      for (const one of answers) this.answer(line, i, one)
+    }
     const roles = Object.entries(ROLES).filter(([key]) => key !== 'undecided' || role === key)
     const what = part(document, set, 'div', `log-value log-role${role === 'undecided' ? ' asked' : ''}`)
     this.choice(what, `${i} read as`, 'read as', roles, role, (value) => ({ file: i, role: value }))
@@ -96,6 +113,14 @@ export class FileForm {
     if (wheels) this.wheels(set, i, wheels)
     if (frame) this.frame(set, i, frame)
     if (follows) part(document, set, 'p', 'log-follows').textContent = `So: ${follows}.`
+    const left = unreadWords(unread.map((at) => header[at] || `column ${at + 1}`))
+    if (left) part(document, set, 'p', 'log-unread').textContent = left
+  }
+
+  /** A press that answers what a file is. @param {Element} into @param {number} i @param {string} role */
+  answer(into, i, role) {
+    const press = button(document, into, ANSWERS[role] ?? role, () => this.change({ file: i, role }))
+    press.setAttribute('data-key', `${i} read as ${role}`)
   }
 
   /** A value: its column, its unit, and what stands there. */
@@ -205,6 +230,24 @@ export class FileForm {
     }
     select.addEventListener('change', () => this.change(make(select.value)))
   }
+}
+
+/**
+ * The columns of a file that are not read, in one short sentence; empty where all are.
+ * @param {string[]} names
+ */
+export function unreadWords(names) {
+  /** @type {string[]} */
+  const listed = []
+  let length = 0
+  for (const name of names.map(short)) {
+    length += name.length + 2
+    if (length > MOST_UNREAD && listed.length > 0) break
+    listed.push(name)
+  }
+  const more = names.length - listed.length
+  if (listed.length === 0) return ''
+  return `Not read: ${listed.join(', ')}${more > 0 ? ` and ${more} more` : ''}.`
 }
 
 /** The beginning of what stands in a field. @param {string} text */

@@ -1,12 +1,12 @@
 /** The page’s filter of a log, as it was tuned, as Python on filterpy. */
 
-import { SENSORS, everyOf, fixed, float, gateOf } from './log-export.js'
+import { SENSORS, everyOf, exact, fixed, gateOf } from './log-export.js'
 
 /** @typedef {import('estimate-wasm').LogFrame} Frame */
 
 /** A value of Python’s. @param {number | boolean | null} value */
 const inPython = (value) =>
-  value === null ? 'None' : typeof value === 'boolean' ? (value ? 'True' : 'False') : float(value)
+  value === null ? 'None' : typeof value === 'boolean' ? (value ? 'True' : 'False') : exact(value)
 
 /**
  * It reads a log in the book’s own format.
@@ -36,7 +36,7 @@ export function filterpy(frame) {
     HEADING_OFFSET: params.headingOffset,
     SPEED_SCALE: speedScale,
     TURN_BIAS: turnBias,
-  }).map(([name, value]) => `${name} = ${float(value)}\n`)
+  }).map(([name, value]) => `${name} = ${exact(value)}\n`)
   return `"""The filter that was tuned on a page of the book Robot Motion, on filterpy. MIT or Apache-2.0.
 
 pip install filterpy; python3 filter.py LOG, where LOG has rows of the book's own format, in which the page's button
@@ -54,17 +54,17 @@ from filterpy.kalman import ExtendedKalmanFilter
 from scipy.stats import chi2
 
 ${settings.join('')}# The pose at the start of a log without truth.
-START = [${(params.start ?? [0, 0, 0]).map(float).join(', ')}]
+START = [${(params.start ?? [0, 0, 0]).map(exact).join(', ')}]
 # By sensor: whether it corrects, the probability of its gate, and the least time between two readings.
 ON = ${each((sensor) => on[sensor])}
 GATE = ${each((sensor) => gateOf(params.gate, sensor))}
 EVERY = ${each((sensor) => everyOf(params.every, sensor))}
 # How late rows are: they were measured at their stamp less this.
 DELAY = {${Object.entries(delays)
-    .map(([name, value]) => `"${name}": ${float(value)}`)
-    .join(', ')}, "bearing": ${float(delaySighting)}}
+    .map(([name, value]) => `"${name}": ${exact(value)}`)
+    .join(', ')}, "bearing": ${exact(delaySighting)}}
 # Fixes stamped between these two times do not correct.
-WITHHELD = ${params.withheld ? `(${Array.from(params.withheld, float).join(', ')})` : 'None'}
+WITHHELD = ${params.withheld ? `(${Array.from(params.withheld, exact).join(', ')})` : 'None'}
 
 ${BODY}`
 }

@@ -31,6 +31,13 @@ const LOG = ['steps', 'span', 'motion', 'landmarks', 'readings']
 const FRAMES = ['same', 'moved']
 const WHEELS = ['ticks', 'radius', 'base', 'counting']
 
+/** Settings are of files that are not open. */
+export class NotOpen extends Error {}
+
+/** Whether a file is one of settings, whatever it is called: it begins with what it is. @param {Blob} file */
+export const isSettings = async (file) =>
+  /^\s*\{\s*"format"\s*:\s*"robot-motion log settings"/.test(await file.slice(0, 200).text())
+
 /**
  * @param {Record<string, unknown>} params @param {LogFile[]} files
  * @param {LogContents | null} [contents] of the log that they make
@@ -186,7 +193,7 @@ function file(it, i) {
 export function nextChange(saved, files) {
   const places = saved.map((one) => placeOf(one, files))
   const lost = saved[places.indexOf(-1)]
-  if (lost) throw new Error(`no open file is called ${lost.name} or has its columns. Open it first, then the settings.`)
+  if (lost) throw new NotOpen(`no open file is called ${lost.name} or has its columns.`)
   for (const [i, one] of saved.entries()) {
     const change = changeOf(one, files[places[i]])
     if (change) return { file: places[i], ...change }
@@ -206,10 +213,7 @@ export function isSameLog({ files: saved, log }, files, contents) {
   const other = log
     ? `has ${contents.steps} rows of motion and readings where that log has ${log.steps}, or other times or sensors`
     : 'may be another: the settings do not say what that log held'
-  throw new Error(
-    `it is of a log from ${tables}. ${open} is in the book’s own format and ${other}. ` +
-      `Open ${tables} first, then the settings, or save the settings again.`,
-  )
+  throw new NotOpen(`it is of a log from ${tables}. ${open} is in the book’s own format and ${other}.`)
 }
 
 /** @param {SavedFile} one @param {LogFile[]} files */

@@ -60,9 +60,10 @@ class OwnLog {
     this.held = undefined
     /** The files of the log, as they are read. @type {import('estimate-wasm').LogFile[]} */
     this.files = []
-    takeAlong(this.report.box, {
+    this.along = takeAlong(this.report.box, {
       run: () => this.run(),
       files: () => this.files,
+      isLog: () => this.set === this.held,
       reread: (change) => this.take({ kind: 'reading', set: this.set, change }),
       change: (patch) => this.forms.change(patch),
     })
@@ -147,7 +148,10 @@ class OwnLog {
 
   // What the worker makes of it.
 
-  /** @param {File[]} given @param {boolean} [exercise] whether one asks about them */
+  /**
+   * Settings among the files are taken once the others have been read.
+   * @param {File[]} given @param {boolean} [exercise] whether one asks about them
+   */
   give(given, exercise) {
     const files = given.map((file) =>
       shortName(file.name) === file.name ? file : new File([file], shortName(file.name)),
@@ -155,7 +159,8 @@ class OwnLog {
     const bytes = files.reduce((sum, { size }) => sum + size, 0)
     if (bytes > MOST_BYTES)
       return this.answer.say(`The files have ${Math.ceil(bytes / 1e6)} MB; at most ${MOST_BYTES / 1e6} MB can be read.`)
-    return this.take({ kind: 'files', files, exercise })
+    const read = (/** @type {File[]} */ log) => this.take({ kind: 'files', files: log, exercise })
+    return this.along.give(files, read, this.answer.tell.bind(this.answer))
   }
 
   /** @param {import('../widgets/robot-log/remote-run.js').Question} question */
@@ -178,6 +183,7 @@ class OwnLog {
       else this.answer.say(`${answer.message ?? answer.why} The figure keeps the previous log.`)
       this.figure.figure.ask()
       bring(this.answer.box)
+      await this.along.arrived()
     } catch (error) {
       this.answer.end(bar.box)
       this.answer.say(error instanceof Error ? error.message : 'The log could not be read.')

@@ -61,6 +61,8 @@ export interface LogFile {
     /** What its columns are called; empty of a log in the book's own format. */
     header: string[];
     values: LogValue[];
+    /** The columns from which nothing is read, counted from 0. */
+    unread: number[];
     /** What encoders need besides; null of another file. */
     wheels: LogWheels | null;
     /** The rows of several robots; null where no column tells such apart. */
@@ -70,6 +72,8 @@ export interface LogFile {
     frame: LogOrigin | null;
     /** What has to be said before the file can be read: a guess that is not certain chooses nothing. */
     asks: string[];
+    /** The roles that the question of what the file is names as its answers; empty where any may be one. */
+    answers: LogRole[];
     /** What follows from how it is read, in words, such as "20 Hz, 0 to 120 s, turned 2 turns". */
     follows: string;
 }
@@ -280,10 +284,12 @@ fn shown(file: &File) -> JsValue {
         ("role", file.role().name().into()),
         ("header", texts(file.header())),
         ("values", values.collect::<Array>().into()),
+        ("unread", file.unread().into_iter().map(|at| JsValue::from(at as u32)).collect::<Array>().into()),
         ("several", several(file)),
         ("wheels", if file.role() == Role::Encoders { wheels() } else { JsValue::NULL }),
         ("frame", origin(file)),
         ("asks", texts(file.asks())),
+        ("answers", texts(file.answers().iter().map(|role| role.name()))),
         ("follows", file.follows().into()),
     ])
 }

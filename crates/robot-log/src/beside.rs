@@ -7,7 +7,7 @@ use crate::log::MAX_LANDMARKS;
 use crate::names::candidates;
 use crate::role::{Quantity, Role};
 use crate::row;
-use crate::source::Source;
+use crate::source::{Question, Source};
 use crate::wide;
 
 /// Looks for the names of landmarks among the columns of the others; a table that has them is one of ranges, but for
@@ -144,7 +144,7 @@ impl File {
         } else if self.role() == Role::Unused && timed && numbered && !said {
             self.set_role(Role::Undecided);
             let ask = "Are its columns the ranges to landmarks, one for each? Else leave it out.";
-            self.source.undecided = Some(ask.into());
+            self.source.undecided = Some(Question { words: ask.into(), answers: &[Role::Ranges, Role::Unused] });
         }
     }
 

@@ -7,7 +7,7 @@ use crate::gathering::CellPlace;
 use crate::quaternion;
 use crate::row;
 use crate::source::Source;
-use crate::unit::{QUATERNION, YEAR_FIRST};
+use crate::unit::{HUNDREDTHS_FROM_NORTH, QUATERNION, YEAR_FIRST};
 use crate::{stamp, unit};
 
 /// A row of a table, with the column of each value.
@@ -67,14 +67,9 @@ impl<'a> Cells<'a> {
 
     /// A value that a row may lack: its field is empty, or says so.
     pub fn given(&self, value: &str) -> Result<Option<f64>, Error> {
-        let Some(field) = self.field(value).filter(|_| !self.is_absent(value)) else { return Ok(None) };
-        if self
-            .source
-            .role
-            .index(value)
-            .and_then(|at| self.source.units[at])
-            .is_some_and(|unit| unit.name == QUATERNION)
-        {
+        let absent = self.is_absent(value) || self.is_no_heading(value);
+        let Some(field) = self.field(value).filter(|_| !absent) else { return Ok(None) };
+        if self.is_in(value, QUATERNION) {
             return self.turned(value);
         }
         if is_none(field.text) { Ok(None) } else { self.read(value, field).map(Some) }
@@ -84,6 +79,17 @@ impl<'a> Cells<'a> {
     pub fn is_absent(&self, value: &str) -> bool {
         let column = self.source.column(value).filter(|at| self.absent.contains(at));
         column.and_then(|at| self.line.fields.get(at)).is_some_and(|field| row::number(field.text) == Some(-1.0))
+    }
+
+    /// Whether a field says by 65535 that a heading in hundredths of a degree is not known, as MAVLink does.
+    pub fn is_no_heading(&self, value: &str) -> bool {
+        let number = || self.field(value).and_then(|field| row::number(field.text));
+        self.is_in(value, HUNDREDTHS_FROM_NORTH) && number() == Some(65535.0)
+    }
+
+    /// Whether a value is read in this unit.
+    fn is_in(&self, value: &str, unit: &str) -> bool {
+        self.source.role.index(value).and_then(|at| self.source.units[at]).is_some_and(|it| it.name == unit)
     }
 
     /// The row's time, its seconds and their fraction together.

@@ -243,7 +243,10 @@ pub(crate) fn unit(source: &Source, at: usize, file: &str, text: &str) -> Option
         }
         Quantity::Heading => {
             let global = !candidates("latitude", Quantity::Coordinate, &source.names).is_empty();
-            heading::unit(name, said, most, [down, global, captured(&source.names, file)]).and_then(usual)
+            // Far from a full turn at first, a heading may pass it later on.
+            let all = table.lines(text).filter_map(Result::ok).filter_map(|line| number(line.fields.get(column)?.text));
+            let furthest = all.filter(|it| it.is_finite()).fold(most, |most, it| most.max(it.abs()));
+            heading::unit(name, said, [most, furthest], [down, global, captured(&source.names, file)]).and_then(usual)
         }
         Quantity::Coordinate => {
             // Both are in one unit: near Greenwich a longitude is small in any.

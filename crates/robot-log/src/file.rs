@@ -13,7 +13,7 @@ use crate::reading::LogReader;
 use crate::role::Role;
 use crate::row;
 use crate::several::{grouped, several};
-use crate::source::Source;
+use crate::source::{Question, Source};
 use crate::table::Table;
 use crate::unit::{self, Unit};
 use crate::wheels::{Counting, Wheels, is_speed};
@@ -186,7 +186,7 @@ impl File {
 
     pub(crate) fn set_role(&mut self, role: Role) {
         self.source.role = role;
-        self.source.undecided = (role == Role::Undecided).then(|| "What is it?".into());
+        self.source.undecided = (role == Role::Undecided).then(|| Question::open("What is it?"));
         columns::columns(&mut self.source, &self.name, &self.text);
         self.tell_apart();
     }

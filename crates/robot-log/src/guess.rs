@@ -6,7 +6,7 @@ use crate::binary;
 use crate::columns::{clockwise, columns, third_axis};
 use crate::names::{Name, candidates, is_acceleration, is_spread};
 use crate::role::{Quantity, Role};
-use crate::source::Source;
+use crate::source::{Question, Source};
 use crate::table::Table;
 use crate::vocabulary::BESIDE;
 use crate::wheels::Wheels;
@@ -93,13 +93,13 @@ fn is_log(text: &str) -> bool {
 }
 
 /// The role of a file, and why it has to be said where it is not certain.
-fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<String>) {
+fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<Question>) {
     let file = file.to_lowercase();
     let said: Vec<Role> = FILES.iter().filter(|(word, _)| file.contains(word)).map(|(_, role)| *role).collect();
     if table.nameless {
         let rows = table.lines(text).take(1).any(|line| line.is_ok());
         let ask = "Its columns have no names: what is it?";
-        return if rows { (Role::Undecided, Some(ask.into())) } else { (Role::Unused, None) };
+        return if rows { (Role::Undecided, Some(Question::open(ask))) } else { (Role::Unused, None) };
     }
     let has = |value: &str, quantity| !candidates(value, quantity, names).is_empty();
     let timed = has("time", Quantity::Time);
@@ -121,7 +121,7 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
     }
     // True north, and the course from there, are no truth.
     let of_truth = |name: &Name| {
-        let of_north = name.has("true") && name.has_one(&["heading", "north", "course", "track", "bearing"]);
+        let of_north = name.has("true") && name.has_one(&["heading", "hdg", "north", "course", "track", "bearing"]);
         name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]) && !of_north
     };
     let is_true = said.contains(&Role::Truth) || names.iter().any(of_truth);
@@ -133,7 +133,9 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
     let encoders = side("left").iter().any(of_wheel) && side("right").iter().any(of_wheel);
     let sightings = landmark && has("range", Quantity::Length);
     let odometry = has("distance", Quantity::Length) && has("turn", Quantity::Angle);
-    let ask = |why: &str| (Role::Undecided, Some(why.to_string()));
+    // Places are the truth or a sensor's.
+    let ask =
+        |why: &str| (Role::Undecided, Some(Question { words: why.into(), answers: &[Role::Truth, Role::Sensors] }));
     let certain = |role| (role, None);
     match () {
         // A column of some number of the device is no landmark.
@@ -154,7 +156,7 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         () if place => ask("Are x and y the true position, or a sensor\u{2019}s fixes?"),
         () if sightings => certain(Role::Sightings),
         () if (v != omega) && !heading && !down && !axes && has_unknown(names) => {
-            (Role::Undecided, Some(halfway(v, table, names)))
+            (Role::Undecided, Some(Question::open(halfway(v, table, names))))
         }
         () if v || omega || heading => certain(Role::Sensors),
         () => certain(said.first().copied().filter(|role| *role == Role::Ranges).unwrap_or(Role::Unused)),

@@ -67,11 +67,13 @@ mod role;
 mod ros;
 mod row;
 mod several;
+mod shown;
 mod source;
 mod stamp;
 mod stamps;
 mod table;
 mod unit;
+
 mod vocabulary;
 mod wgs84;
 mod wheels;

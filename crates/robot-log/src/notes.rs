@@ -6,7 +6,7 @@ use crate::names::Name;
 use crate::role::Role;
 use crate::source::Source;
 use crate::stamps::Stamps;
-use estimate::drive::{Drive, Gaps, Missing};
+use estimate::drive::{Drive, Event, Gaps, Missing, Row};
 
 pub(crate) const HEADED: &str = "The truth has no heading; the first 0.2 m of its way gives the first one.";
 
@@ -28,6 +28,8 @@ pub(crate) struct Counts {
     pub infinite: usize,
     /// Speeds and courses of −1, which says that they are not known.
     pub unknown: usize,
+    /// Headings of 65535, which says the same.
+    pub no_heading: usize,
     /// Fixes at latitude and longitude 0.
     pub nowhere: usize,
     /// Standard deviations that are not above 0.
@@ -105,6 +107,12 @@ impl Counts {
                 readings(unknown)
             ));
         }
+        if self.no_heading > 0 {
+            notes.push(format!(
+                "{name}: {} of 65535 left out: so MAVLink says that the heading is not known.",
+                readings(self.no_heading)
+            ));
+        }
         if nowhere > 0 {
             notes.push(format!("{name}: {} at latitude 0, longitude 0 left out: there was no fix.", readings(nowhere)));
         }
@@ -171,7 +179,26 @@ pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
              the log at the gap to judge it without.{more}"
         )
     };
-    estimate::drive::gaps(&drive.rows, drive.motion).into_iter().map(note).collect()
+    estimate::drive::gaps(&drive.rows, drive.motion).into_iter().map(note).chain(unread(&drive.rows)).collect()
+}
+
+/// A robot's own readings are missed where they are away for longer than this, s, besides ten usual steps.
+const MISSED: f64 = 5.0;
+
+/// Where no fix was read, or no heading: the motion alone leads on there.
+fn unread(rows: &[Row]) -> Vec<String> {
+    let fix: fn(&Event) -> bool = |event| matches!(event, Event::Position { .. });
+    let heading: fn(&Event) -> bool = |event| matches!(event, Event::Heading { .. });
+    let note = |what: &str, is| {
+        let (count, longest) = estimate::drive::gaps_of(rows, MISSED, is)?;
+        let [begin, end] = longest.map(|time| (10.0 * time).round() / 10.0);
+        let more = if count > 1 { format!(" This is the longest of {count} such gaps.") } else { String::new() };
+        Some(format!(
+            "No {what} from {begin} to {end} s after the first row: meanwhile the motion leads the estimate on, and \
+             other readings if there are any.{more}"
+        ))
+    };
+    [note("positions", fix), note("headings", heading)].into_iter().flatten().collect()
 }
 
 /// What is strange about the times of a drive. A wrong column, a wrong unit or a second clock shows here.

@@ -152,6 +152,7 @@ impl LogReader {
     fn sensors(&mut self, cells: Cells<'_>) -> Result<(), Error> {
         let (start, time) = (cells.start(), self.kept.stamps.take(cells)?);
         self.kept.unknown += ["v", "heading"].iter().filter(|value| cells.is_absent(value)).count();
+        self.kept.no_heading += usize::from(cells.is_no_heading("heading"));
         let (v, omega) = (cells.given("v")?, cells.given("omega")?);
         let motion = match (v, omega) {
             (Some(v), Some(omega)) => Some(Event::Velocity { v, omega }),

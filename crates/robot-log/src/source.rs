@@ -36,10 +36,25 @@ pub(crate) struct Source {
     /// Whether its places are counted from another point than those of the log's fixes, and what is said of that.
     pub foreign: bool,
     pub frame: Option<Frame>,
-    /// Why it is not known what the file is.
-    pub undecided: Option<String>,
+    /// The question of what the file is, where that is not known.
+    pub undecided: Option<Question>,
     /// Why the file is refused, whatever it is read as.
     pub refused: Option<String>,
+}
+
+/// The question of what a file is.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Question {
+    pub words: String,
+    /// The roles that it names as its answers; none where any may be one.
+    pub answers: &'static [Role],
+}
+
+impl Question {
+    /// A question that any role may answer.
+    pub fn open(words: impl Into<String>) -> Self {
+        Self { words: words.into(), answers: &[] }
+    }
 }
 
 impl Source {
@@ -59,7 +74,7 @@ impl Source {
 
     /// What has to be said before the file can be read, in sentences.
     pub fn asks(&self) -> Vec<String> {
-        let mut asks: Vec<String> = self.undecided.iter().cloned().collect();
+        let mut asks: Vec<String> = self.undecided.iter().map(|asked| asked.words.clone()).collect();
         let header = self.table.as_ref().map_or(&[][..], |table| &table.names);
         for (i, value) in self.role.values().iter().enumerate() {
             if !self.is_asked(i) {

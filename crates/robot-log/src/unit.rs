@@ -62,15 +62,20 @@ const SPEEDS: [Unit; 6] = [
     unit("mph", 0.44704, &["mph", "mi h"]),
     unit("kn", 1852.0 / 3600.0, &["kn", "kt", "kts", "knots", "knoten"]),
 ];
-const ANGLES: [Unit; 2] = [unit("rad", 1.0, &RAD), unit("deg", DEGREE, &DEG)];
+const ANGLES: [Unit; 3] =
+    [unit("rad", 1.0, &RAD), unit("deg", DEGREE, &DEG), unit("0.01 deg", DEGREE / 100.0, &HUNDREDTHS)];
 /// A heading may be four numbers: x, y, z and w, of which one column is chosen.
 pub(crate) const QUATERNION: &str = "quaternion";
 
-const HEADINGS: [Unit; 5] = [
+/// Hundredths of a degree, in which MAVLink and ArduPilot write headings: always from north.
+pub(crate) const HUNDREDTHS_FROM_NORTH: &str = "0.01 deg from north";
+
+const HEADINGS: [Unit; 6] = [
     unit("rad", 1.0, &RAD),
     unit("deg", DEGREE, &DEG),
     Unit { name: "deg from north", factor: -DEGREE, zero: QUARTER, written: &[] },
     Unit { name: "rad from north", factor: -1.0, zero: QUARTER, written: &[] },
+    Unit { name: HUNDREDTHS_FROM_NORTH, factor: -DEGREE / 100.0, zero: QUARTER, written: &HUNDREDTHS },
     unit(QUATERNION, 1.0, &[]),
 ];
 const RATES: [Unit; 4] = [
@@ -97,6 +102,19 @@ const WHEELS: [Unit; 8] = [
 ];
 const RAD: [&str; 3] = ["rad", "rads", "radians"];
 const DEG: [&str; 8] = ["deg", "degs", "degree", "degrees", "grad", "degres", "grados", "gradi"];
+const HUNDREDTHS: [&str; 11] = [
+    "cdeg",
+    "cdegs",
+    "centideg",
+    "centidegs",
+    "centidegree",
+    "centidegrees",
+    "centi deg",
+    "centi degrees",
+    "0 01 deg",
+    "1 e 2 deg",
+    "deg e 2",
+];
 
 /// The units of a quantity, the one that is usual first; none of a number.
 pub fn units_of(quantity: Quantity) -> &'static [Unit] {
@@ -148,6 +166,7 @@ pub(crate) fn convert(unit: &Unit, number: f64) -> f64 {
     }
     // A small unit has a whole number of parts in one: dividing by that rounds once.
     match unit.factor {
+        factor if factor.abs() == DEGREE / 100.0 => unit.zero + (number / 100.0).to_radians() * factor.signum(),
         factor if factor == DEGREE => number.to_radians(),
         factor if factor == -DEGREE => unit.zero - number.to_radians(),
         factor => unit.zero + number / libm::round(1.0 / factor),

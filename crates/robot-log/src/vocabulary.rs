@@ -100,8 +100,9 @@ const WAYS: [(&str, &str); 19] = [
     ),
     (
         "heading",
-        "=heading,g crs,cog,course,=theta,=θ,=yaw,heading,yaw,theta,θ,orientation,compass,azimuth,kurs,ausrichtung,\
-         gierwinkel,richtung,=cap,cap,lacet,rumbo,guinada,orientacion,prua,rotta,imbardata,orientamento,direction",
+        "=heading,g crs,cog,course,=hdg,=theta,=θ,=yaw,heading,hdg,yaw,theta,θ,orientation,compass,azimuth,kurs,\
+         ausrichtung,gierwinkel,richtung,=cap,cap,lacet,rumbo,guinada,orientacion,prua,rotta,imbardata,\
+         orientamento,direction",
     ),
     ("latitude", "=lat,=latitude,latitude,lat,breite,breitengrad,latitud,latitudine"),
     ("longitude", "=lon,=lng,=longitude,longitude,lon,lng,long,lange,laenge,langengrad,longitud,longitudine"),

@@ -217,3 +217,44 @@ fn what_is_counted_are_lines_and_not_what_they_hold() {
     let read = files.read().expect("sound");
     assert_eq!((read.log.count, read.log.drive.rows.len()), (30, 32));
 }
+
+#[test]
+fn a_gap_between_fixes_that_is_long_beside_their_usual_step_is_said() {
+    let wheels = table("t,v,omega", every(0.1, 1200), "1,0.1");
+    let fixes = |gap: fn(f64) -> bool| {
+        let times = every(0.5, 240).filter(|t| !gap(*t));
+        times.fold(String::from("t,gps_x,gps_y\n"), |text, t| format!("{text}{t},{t},0\n"))
+    };
+    let told = |gap| notes(&[("wheels.csv", &wheels), ("gps.csv", &fixes(gap))]);
+    let long = told(|t| 40.0 < t && t < 90.0);
+    assert!(said(&long, "No positions from 40 to 90 s after the first row: "), "{long:?}");
+    let two = told(|t| (20.0 < t && t < 30.0) || (40.0 < t && t < 60.0));
+    assert!(said(&two, "from 40 to 60 s") && said(&two, "the longest of 2 such gaps"), "{two:?}");
+    assert_eq!(told(|t| 40.0 < t && t < 45.0), Vec::<String>::new(), "ten steps are none");
+}
+
+#[test]
+fn columns_that_are_not_read_are_known() {
+    let unread = |name: &str, text: &str| {
+        let files = files(&[(name, text)]);
+        let file = &files.files()[0];
+        file.unread().into_iter().map(|at| file.header()[at].clone()).collect::<Vec<_>>()
+    };
+    assert_eq!(unread("a.csv", "t,v,temp,omega,pressure\n0,1,20,0,5\n1,1,20,0,5\n"), ["temp", "pressure"]);
+    assert_eq!(unread("a.csv", "t,v,omega\n0,1,0\n1,1,0\n"), [""; 0]);
+    assert_eq!(unread("b.csv", "temp,pressure\n0,1\n1,1\n"), [""; 0], "of a file that is not used all are not");
+    let ranges = "t,A1,A2,quality\n0,1,2,9\n1,1,2,9\n";
+    let files = files(&[("ranges.csv", ranges), ("anchors.csv", "anchor,x,y\nA1,0,0\nA2,5,0\n")]);
+    assert_eq!(files.files()[0].unread(), [3]);
+}
+
+#[test]
+fn the_question_of_what_a_file_is_names_its_answers() {
+    let answers = |text: &str| files(&[("places.csv", text)]).files()[0].answers();
+    assert_eq!(answers("t,x,y\n0,1,0\n1,1,0\n"), [Role::Truth, Role::Sensors]);
+    assert_eq!(answers("t,v,omega,x,y\n0,1,0,1,0\n1,1,0,1,0\n"), [Role::Truth, Role::Sensors]);
+    assert_eq!(answers("t,v,omega\n0,1,0\n1,1,0\n"), []);
+    let mut said = files(&[("places.csv", "t,x,y\n0,1,0\n1,1,0\n")]);
+    assert!(said.set_role(0, Role::Undecided));
+    assert_eq!(said.files()[0].answers(), [], "who has said nothing may mean anything");
+}

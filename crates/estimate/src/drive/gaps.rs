@@ -69,14 +69,28 @@ pub fn gaps(rows: &[Row], motion: Motion) -> Vec<Gaps> {
 }
 
 fn of(rows: &[Row], what: Missing, is: impl Fn(&Event) -> bool) -> Option<Gaps> {
+    gaps_of(rows, LEAST, is).map(|(count, longest)| Gaps { what, count, longest })
+}
+
+/// How many gaps there are between the rows of one kind, each of more than ten median steps and more than `least`
+/// seconds, and from when to when the longest is, s since the first row of all; `None` where there is none.
+///
+/// # Example
+/// ```
+/// use estimate::drive::{Event, Row, gaps_of};
+/// let fix = Event::Position { x: 0.0, y: 0.0, sigma: None };
+/// let rows: Vec<Row> = [0.0, 0.5, 1.0, 1.5, 9.5, 10.0].map(|time| Row::new(time, fix)).to_vec();
+/// assert_eq!(gaps_of(&rows, 5.0, |event| matches!(event, Event::Position { .. })), Some((1, [1.5, 9.5])));
+/// ```
+pub fn gaps_of(rows: &[Row], least: f64, is: impl Fn(&Event) -> bool) -> Option<(u32, [f64; 2])> {
     let first = rows.first().map_or(0.0, |row| row.time);
     let times: Vec<f64> = rows.iter().filter(|row| is(&row.event)).map(|row| row.time - first).collect();
     let pairs = || times.windows(2).map(|pair| [pair[0], pair[1]]);
     let length = |[from, to]: [f64; 2]| to - from;
-    let enough = LEAST.max(STEPS * median(pairs().map(length)));
+    let enough = least.max(STEPS * median(pairs().map(length)));
     let long: Vec<[f64; 2]> = pairs().filter(|pair| length(*pair) > enough).collect();
     let longest = long.iter().copied().max_by(|a, b| length(*a).total_cmp(&length(*b)))?;
-    Some(Gaps { what, count: long.len() as u32, longest })
+    Some((long.len() as u32, longest))
 }
 
 /// The median of the steps above 0, or 0.
