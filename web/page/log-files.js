@@ -173,7 +173,7 @@ export class FileForm {
   /** A truth’s frame and clock. @param {Element} into @param {number} i @param {NonNullable<LogFile['frame']>} frame */
   frame(into, i, frame) {
     const { said, foreign } = frame
-    const cell = part(document, into, 'div', `log-value${said === null ? ' asked' : ''}`)
+    const cell = part(document, into, 'div', `log-value log-role${said === null ? ' asked' : ''}`)
     const options = framesOf(frame)
     if (said === null) options.unshift(['', 'choose one'])
     const label = foreign ? 'its origin lies' : 'its frame and clock'

@@ -25,6 +25,8 @@ struct Made {
     unit: f64,
     /// Whether the robot drives straight on.
     straight: bool,
+    /// Whether the fixes are in latitude and longitude.
+    global: bool,
 }
 
 const HEALTHY: Made = Made {
@@ -41,6 +43,7 @@ const HEALTHY: Made = Made {
     scale: 1.0,
     unit: 1.0,
     straight: false,
+    global: false,
 };
 const TURNED: Made = Made { turn: 0.7, shift: [12.0, -7.0], ..HEALTHY };
 
@@ -81,13 +84,17 @@ fn files(made: Made) -> Files {
         let (along, turning) = (made.scale * v(then) + 0.04 * draws.normal(), omega(then) + 0.02 * draws.normal());
         writeln!(wheels, "{t:.3},{along:.4},{:.5}", turning + made.bias).expect("text");
     }
-    let (mut gps, mut wander) = (String::from("time_s,x,y\n"), [0.0; 2]);
+    let header = if made.global { "time_s,latitude,longitude\n" } else { "time_s,x,y\n" };
+    let (mut gps, mut wander) = (String::from(header), [0.0; 2]);
     for t in (1..480).map(|i| 0.4 * f64::from(i)) {
         let [x, y, _] = at(t - made.late[0]);
         wander = wander.map(|w| 0.99 * w + made.wander * libm::sqrt(1.0 - 0.99 * 0.99) * draws.normal());
         let far = if draws.share() < made.outliers { 10.0 } else { 0.0 };
         let off = [0, 1].map(|i| wander[i] + (made.sigma + far) * draws.normal());
-        writeln!(gps, "{t:.3},{:.3},{:.3}", x + off[0], y + off[1]).expect("text");
+        let [x, y] = [x + off[0], y + off[1]];
+        // A degree at a latitude of 50 degrees, m.
+        let [x, y] = if made.global { [50.0 + y / 111_229.0, 8.0 + x / 71_696.0] } else { [x, y] };
+        writeln!(gps, "{t:.3},{x:.8},{y:.8}").expect("text");
     }
     let mut truth = String::from("time_s,mocap_x_m,mocap_y_m\n");
     for t in (0..2000).map(|i| 0.1 * f64::from(i)) {
@@ -224,6 +231,20 @@ fn a_clock_of_its_own_is_one_that_the_motion_tells_too() {
     let own = late.files()[2].own().expect("a frame");
     assert_eq!(own.delay, 0.0);
     assert!((own.frame.expect("turned").turn + 0.7).abs() < 4.0 * own.sigmas[0], "{own:?}");
+}
+
+#[test]
+fn a_truth_in_metres_beside_latitudes_may_be_moved_onto_the_first_fix_or_turned_onto_all() {
+    let mut log = files(Made { global: true, ..TURNED });
+    let asks = log.files()[2].asks();
+    assert!(
+        asks[0].starts_with("Its places are in metres") && asks[1].starts_with("Turned by \u{2212}40."),
+        "{asks:?}"
+    );
+    assert!(log.set_frame(2, Frame::Moved) && log.files()[2].asks().is_empty());
+    assert!(distance(&log) > 5.0, "a turn is left");
+    assert!(log.set_frame(2, Frame::Own));
+    assert!((distance(&log) - 0.3 * 2.0_f64.sqrt()).abs() < 0.05, "{}", distance(&log));
 }
 
 #[test]
