@@ -2,7 +2,7 @@
 //!
 //! The rule. One explanation beats another if it lowers the mean square distance of the fixes from the truth by a third
 //! or more, and by more than 25 times what chance lowers it for each number that is fitted besides (an F-test, in which
-//! fixes whose errors go together count as fewer). Fixes beyond four times the median distance are set aside.
+//! fixes whose errors go together count as fewer, and few have to tell more). Fixes beyond four times the median distance are set aside.
 //!
 //! - A frame is another one if a turn and a shift beat the truth as it is, and beat what a shift in time alone does:
 //!   late fixes are a fault of their own.
@@ -19,11 +19,13 @@ const MOST_DELAY: f64 = 5.0;
 const PART: f64 = 1.0 / 6.0;
 /// How finely shifts in time are tried, s, first and then.
 const STEPS: [f64; 2] = [0.1, 0.01];
-/// The fewest fixes, and the fewest that they count for where their errors go together.
+/// The fewest fixes, and the fewest numbers that they leave free where their errors go together.
 const FEWEST: usize = 20;
-const FEWEST_FREE: f64 = 10.0;
-/// So many times more than chance, and by this part, an explanation is better.
+const FEWEST_FREE: f64 = 5.0;
+/// So many times more than chance, and by this part, an explanation is better; where so few numbers are free, chance
+/// does more.
 const CHANCE: f64 = 25.0;
+const FEW: f64 = 20.0;
 const BETTER: f64 = 1.0 / 3.0;
 /// Distances below this, m, are rounding of the files.
 const ROUNDING: f64 = 1e-3;
@@ -181,12 +183,13 @@ pub(crate) fn own(drive: &Drive, framed: bool) -> Option<Own> {
     let (full, mirrored) = hand(&beside)?;
     let rest = moved(mirrored);
     let free = free(&beside.left(full.delay, by(&full, mirrored)));
-    if beside.fixes.len() < FEWEST || free < 2.0 * FEWEST_FREE {
+    if beside.fixes.len() < FEWEST || free < FEWEST_FREE {
         return None;
     }
+    let chance = CHANCE * (1.0 + (FEW / free) * (FEW / free));
     let beats = |this: f64, other: f64, numbers: f64| {
         let lower = other - this;
-        lower > BETTER * other && lower * free / numbers > CHANCE * (this + ROUNDING * ROUNDING)
+        lower > BETTER * other && lower * free / numbers > chance * (this + ROUNDING * ROUNDING)
     };
     let (as_is, late) = (beside.at(0.0)?, beside.nearest(|sums| sums.same)?);
     if !beats(rest(&full.sums), as_is.sums.same, if framed { 4.0 } else { 1.0 }) {

@@ -140,6 +140,7 @@ fn a_healthy_log_is_asked_nothing_nor_one_with_the_faults_of_its_sensors() {
             ("late motion", Made { late: [0.0, 0.6], ..seeded }),
             ("outliers", Made { outliers: 0.05, ..seeded }),
             ("fixes that wander", Made { wander: 1.5, ..seeded }),
+            ("fixes that wander, less noise", Made { wander: 2.0, sigma: 0.1, ..seeded }),
             ("bias", Made { bias: 0.03, ..seeded }),
             ("scale", Made { scale: 1.07, ..seeded }),
             ("a straight way, late", Made { late: [0.4, 0.0], straight: true, ..seeded }),
@@ -205,7 +206,9 @@ fn a_small_turn_a_shift_alone_a_quarter_and_a_mirror_are_told_apart() {
     assert!((distance(&mirror) - 0.3 * 2.0_f64.sqrt()).abs() < 0.05);
     let pose = mirror.read().expect("sound").log.drive.truth.poses()[0];
     assert!((pose.theta + 1.1).abs() < 0.1, "{pose:?}");
-    // Far fixes hide no frame.
+    // Neither fixes that wander nor far ones hide a frame.
+    let wander = asked(Made { wander: 1.5, ..TURNED });
+    assert!(wander.starts_with("Turned by"), "{wander}");
     let far = asked(Made { turn: 0.07, shift: [0.5, -0.8], outliers: 0.05, ..HEALTHY });
     assert!(far.starts_with("Turned by"), "{far}");
 }
