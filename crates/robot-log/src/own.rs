@@ -2,7 +2,8 @@
 //!
 //! The rule. One explanation beats another if it lowers the mean square distance of the fixes from the truth by a third
 //! or more, and by more than 25 times what chance lowers it for each number that is fitted besides (an F-test, in which
-//! fixes whose errors go together count as fewer, and few have to tell more). Fixes beyond four times the median distance are set aside.
+//! fixes whose errors go together count as fewer, and few have to tell more). Fixes beyond four times the
+//! median distance are set aside.
 //!
 //! - A frame is another one if a turn and a shift beat the truth as it is, and beat what a shift in time alone does:
 //!   late fixes are a fault of their own.
