@@ -45,6 +45,7 @@ const ROLES = [
   'undecided',
   'unused',
 ]
+const FRAMES = ['same', 'moved', 'own']
 const VALUES = ['time', 'time', 'v', 'omega', 'x', 'range', 'landmark', 'heading', 'left', 'latitude']
 
 /** A file that was added, and what is asked of its columns; one that is `such` where there is one. */
@@ -113,7 +114,7 @@ export const logClasses = (lab) => ({
       setWheel: (dice, _, it) => [encoders(it, dice), dice.pick(['ticks', 'radius', 'base']), dice.pick([0.1, 1000])],
       setCounting: (dice, _, it) => [encoders(it, dice), dice.pick(['total', 'step', 'restarted'])],
       setOnly: (dice, _, it) => [fileOf(it, dice, ({ several }) => several !== null).at, dice.pick([null, 'T7', 'T9'])],
-      setFrame: (dice, _, it) => [fileOf(it, dice, ({ frame }) => frame !== null).at, dice.pick(['same', 'moved'])],
+      setFrame: (dice, _, it) => [fileOf(it, dice, ({ frame }) => frame !== null).at, dice.pick(FRAMES)],
       read: () => [],
     },
     often: ['add', 'setColumn'],

@@ -195,16 +195,14 @@ export class FileForm {
     }))
   }
 
-  /** Where a truth’s origin lies. @param {Element} into @param {number} i @param {{ said: string | null }} frame */
-  frame(into, i, { said }) {
-    const cell = part(document, into, 'div', `log-value${said === null ? ' asked' : ''}`)
-    /** @type {[string, string][]} */
-    const options = [
-      ['same', 'where that of the positions does, with the same axes'],
-      ['moved', 'elsewhere: it is moved onto the first fix'],
-    ]
+  /** A truth’s frame and clock. @param {Element} into @param {number} i @param {NonNullable<LogFile['frame']>} frame */
+  frame(into, i, frame) {
+    const { said, foreign } = frame
+    const cell = part(document, into, 'div', `log-value log-role${said === null ? ' asked' : ''}`)
+    const options = framesOf(frame)
     if (said === null) options.unshift(['', 'choose one'])
-    this.choice(cell, `${i} frame`, 'its origin lies', options, said ?? '', (frame) => ({ file: i, frame }))
+    const label = foreign ? 'its origin lies' : 'its frame and clock'
+    this.choice(cell, `${i} frame`, label, options, said ?? '', (frame) => ({ file: i, frame }))
   }
 
   /**
@@ -248,6 +246,33 @@ export function unreadWords(names) {
   const more = names.length - listed.length
   if (listed.length === 0) return ''
   return `Not read: ${listed.join(', ')}${more > 0 ? ` and ${more} more` : ''}.`
+}
+
+/**
+ * What a truth’s frame and clock may be, in words.
+ * @param {NonNullable<LogFile['frame']>} frame
+ * @returns {[string, string][]}
+ */
+export function framesOf({ foreign, own }) {
+  /** @type {[string, string][]} */
+  const options = foreign
+    ? [
+        ['same', 'where that of the positions does, with the same axes'],
+        ['moved', 'elsewhere: it is moved onto the first fix'],
+      ]
+    : [['same', own?.framed ? 'the same frame' : 'the same clock']]
+  if (own) options.push(['own', ownWords(own)])
+  return options
+}
+
+/** @param {import('estimate-wasm').LogOwn} own */
+function ownWords({ framed, mirrored, turn, delay }) {
+  const late = `${Math.abs(delay).toFixed(2)} s ${delay < 0 ? 'earlier' : 'later'}`
+  if (!framed) return `its own clock: it is taken ${late}`
+  const done = [...(mirrored ? ['mirrored'] : []), ...(turn === 0 ? [] : ['turned']), 'moved']
+  const last = done.pop()
+  const moved = `${done.length > 0 ? `${done.join(', ')} and ${last}` : last} onto the positions`
+  return delay === 0 ? `its own: it is ${moved}` : `its own, and its own clock: it is ${moved}, and taken ${late}`
 }
 
 /** The beginning of what stands in a field. @param {string} text */

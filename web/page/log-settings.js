@@ -13,7 +13,7 @@
  *   name: string, role: string, header: string[], values: Record<string, SavedValue>, wheels: LogFile['wheels'],
  *   only?: string | null, frame?: string,
  * }} SavedFile with `only` where a column tells the rows of several robots apart, and it was said whose are read, and
- * `frame` where it was said where the origin of a truth lies
+ * `frame` where it was said which frame and clock a truth has
  */
 /**
  * @typedef {object} SavedLog what tells a log from another, whatever it was read from
@@ -27,8 +27,8 @@ const VERSION = 1
 /** A larger file is none of these, bytes. */
 export const MOST_SETTINGS = 1_000_000
 const LOG = ['steps', 'span', 'motion', 'landmarks', 'readings']
-/** Where the origin of a truth may lie. */
-const FRAMES = ['same', 'moved']
+/** What the frame and the clock of a truth may be. */
+const FRAMES = ['same', 'moved', 'own']
 const WHEELS = ['ticks', 'radius', 'base', 'counting']
 
 /** Settings are of files that are not open. */
@@ -243,7 +243,9 @@ function changeOf(saved, { role: now, header, values: current, wheels: turning, 
       throw new Error(`${name} has no rows of ${one}.`)
     return { only: one }
   }
-  if (frame !== undefined && origin && origin.said !== frame) return { frame }
+  // Of another recording the truth may lie on the positions, or be in latitude and longitude: then nothing is said.
+  const offered = { same: true, moved: origin?.foreign, own: Boolean(origin?.own) }
+  if (frame !== undefined && origin && origin.said !== frame && offered[/** @type {'same'} */ (frame)]) return { frame }
   if (!wheels) return null
   for (const wheel of /** @type {const} */ (['ticks', 'radius', 'base'])) {
     const number = wheels[wheel]

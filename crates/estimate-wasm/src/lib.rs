@@ -41,6 +41,7 @@ mod kalman_filter;
 #[cfg(feature = "labs")]
 mod lab;
 #[cfg(feature = "log")]
+mod log_file;
 mod log_files;
 #[cfg(feature = "log")]
 mod log_fit;

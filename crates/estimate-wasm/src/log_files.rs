@@ -1,83 +1,14 @@
 //! The files of a log as others write them: added one by one, read as guessed or as corrected.
 
 use crate::decode::Arg;
-use crate::encode::record;
 use crate::errors::Thrown;
+use crate::log_file::{COUNTINGS, FRAMES, shown};
 use crate::object::Held;
 use crate::robot_log::{DriveLog, text_of};
 use estimate::{Code, Error};
 use js_sys::Array;
-use robot_log::{Counting, File, Files, Frame, Role, WHEEL_NUMBERS, units_of};
+use robot_log::{Files, Role, WHEEL_NUMBERS};
 use wasm_bindgen::prelude::*;
-
-#[wasm_bindgen(typescript_custom_section)]
-const TYPES: &str = r#"
-/** What a file of a log is. */
-export type LogRole = "log" | "velocities" | "odometry" | "encoders" | "sensors" | "sightings" | "ranges" | "landmarks"
-    | "truth" | "barcodes" | "undecided" | "unused";
-/** A value that a file's role has. */
-export interface LogValue {
-    name: string;
-    /** Whether a file may do without it. */
-    optional: boolean;
-    /** The column it is read from, counted from 0. */
-    column: number | null;
-    /** The unit it is read in: null where it has none, or where that has to be said. */
-    unit: string | null;
-    /** The units it may be in. */
-    units: string[];
-    /** Whether its column or its unit has to be said. */
-    asked: boolean;
-    /** Three values of its column, as they stand in the file. */
-    samples: string[];
-}
-/** Ticks of a turn of the wheel, its radius and the distance between the wheels in m, and how the encoders count. */
-export interface LogWheels {
-    ticks: number | null;
-    radius: number | null;
-    base: number | null;
-    counting: "total" | "step" | "restarted" | null;
-}
-/** The rows of several robots or tags in one file, which a column tells apart. */
-export interface LogSeveral {
-    /** The column, counted from 0. */
-    column: number;
-    /** What stands in it, and in how many rows. */
-    values: { value: string; rows: number }[];
-    /** Whose rows are read; null where all are, and where that is asked. */
-    only: string | null;
-    /** Whether it has to be said whose rows are read. */
-    asked: boolean;
-}
-/** Where the origin of a truth lies: where the fixes' does, or elsewhere, and the truth is moved onto the first fix. */
-export interface LogOrigin {
-    /** Null where it has to be said. */
-    said: "same" | "moved" | null;
-}
-/** How a file of a log is read. */
-export interface LogFile {
-    name: string;
-    role: LogRole;
-    /** What its columns are called; empty of a log in the book's own format. */
-    header: string[];
-    values: LogValue[];
-    /** The columns from which nothing is read, counted from 0. */
-    unread: number[];
-    /** What encoders need besides; null of another file. */
-    wheels: LogWheels | null;
-    /** The rows of several robots; null where no column tells such apart. */
-    several: LogSeveral | null;
-    /** Where the origin of a truth lies that counts its places from another point than the fixes do; null of a file
-        that is not asked. */
-    frame: LogOrigin | null;
-    /** What has to be said before the file can be read: a guess that is not certain chooses nothing. */
-    asks: string[];
-    /** The roles that the question of what the file is names as its answers; empty where any may be one. */
-    answers: LogRole[];
-    /** What follows from how it is read, in words, such as "20 Hz, 0 to 120 s, turned 2 turns". */
-    follows: string;
-}
-"#;
 
 /// The files of one log. A file that is added is guessed to be in the book's own format, or a table whose columns have
 /// names: the five files of a UTIAS MRCLAM data set are such tables.
@@ -86,9 +17,6 @@ export interface LogFile {
 pub struct LogFiles(Held);
 
 const FILES: &str = "LogFiles";
-const COUNTINGS: [(&str, Counting); 3] =
-    [("total", Counting::Total), ("step", Counting::Step), ("restarted", Counting::Restarted)];
-const FRAMES: [(&str, Frame); 2] = [("same", Frame::Same), ("moved", Frame::Moved)];
 /// The most files, rows of a header, or columns that an index may count.
 const MOST: u32 = 10_000;
 
@@ -116,7 +44,10 @@ impl LogFiles {
     /// The files and how each is read.
     #[wasm_bindgen(unchecked_return_type = "LogFile[]")]
     pub fn files(&self) -> Result<JsValue, Thrown> {
-        self.0.read(FILES, |files: &Files| files.files().iter().map(shown).collect::<Array>().into())
+        self.0.write(FILES, |files: &mut Files| {
+            files.compare();
+            Ok::<_, Error>(files.files().iter().map(shown).collect::<Array>().into())
+        })
     }
 
     /// Reads a file as another role; its columns are guessed anew.
@@ -174,12 +105,12 @@ impl LogFiles {
         self.change(file, "only", |files, file| files.set_only(file, only.as_deref()))
     }
 
-    /// Says where the origin of a truth lies, of which that is asked.
+    /// Says which frame a truth is in, of which that is asked.
     #[wasm_bindgen(js_name = setFrame)]
     pub fn set_frame(
         &self,
         #[wasm_bindgen(unchecked_param_type = "number")] file: &JsValue,
-        #[wasm_bindgen(unchecked_param_type = "'same' | 'moved'")] frame: &JsValue,
+        #[wasm_bindgen(unchecked_param_type = "'same' | 'moved' | 'own'")] frame: &JsValue,
     ) -> Result<(), Thrown> {
         self.0.is(FILES)?;
         let (_, frame) = FRAMES[Arg::new(frame, "frame").word(&FRAMES.map(|(name, _)| name))?];
@@ -218,7 +149,10 @@ impl LogFiles {
     /// The log that the files make. What is no log throws a `LogError`, which says in which file, line and column.
     #[wasm_bindgen(unchecked_return_type = "DriveLog")]
     pub fn read(&self) -> Result<DriveLog, Thrown> {
-        let read = self.0.read(FILES, |files: &Files| files.read())??;
+        let read = self.0.write(FILES, |files: &mut Files| {
+            files.compare();
+            Ok::<_, Error>(files.read())
+        })??;
         Ok(DriveLog::keep(read.log, read.notes, read.landmarks))
     }
 
@@ -234,62 +168,4 @@ impl LogFiles {
             if f(files, file) { Ok(()) } else { Err(Error::new(Code::Index, argument, "is not there in this file")) }
         })
     }
-}
-
-fn texts<T: AsRef<str>>(all: impl IntoIterator<Item = T>) -> JsValue {
-    all.into_iter().map(|text| JsValue::from_str(text.as_ref())).collect::<Array>().into()
-}
-
-/// The rows of several robots in a file.
-fn several(file: &File) -> JsValue {
-    let Some((column, values)) = file.several() else { return JsValue::NULL };
-    let each = values.iter().map(|(value, rows)| record(&[("value", value.into()), ("rows", (*rows as f64).into())]));
-    record(&[
-        ("column", (column as u32).into()),
-        ("values", each.collect::<Array>().into()),
-        ("only", file.only().flatten().map_or(JsValue::NULL, Into::into)),
-        ("asked", file.only().is_none().into()),
-    ])
-}
-
-/// Where the origin of a truth lies.
-fn origin(file: &File) -> JsValue {
-    let said = FRAMES.iter().find(|(_, frame)| file.frame() == Some(*frame)).map(|(name, _)| *name);
-    let record = || record(&[("said", said.map_or(JsValue::NULL, Into::into))]);
-    if file.is_foreign() { record() } else { JsValue::NULL }
-}
-
-fn shown(file: &File) -> JsValue {
-    let columns = file.columns().iter().zip(file.units());
-    let values = file.role().values().iter().zip(columns).enumerate().map(|(i, (value, (column, unit)))| {
-        record(&[
-            ("name", value.name.into()),
-            ("optional", value.optional.into()),
-            ("column", column.map_or(JsValue::NULL, |column| (column as u32).into())),
-            ("unit", unit.map_or(JsValue::NULL, |unit| unit.name.into())),
-            ("units", texts(units_of(value.quantity).iter().map(|unit| unit.name))),
-            ("asked", file.is_asked(i).into()),
-            ("samples", texts(column.map_or(Vec::new(), |column| file.samples(column)))),
-        ])
-    });
-    let wheels = || {
-        let said = |counting| COUNTINGS.iter().find(|(_, it)| *it == counting).map(|(name, _)| *name);
-        let counting = file.wheels().counting.and_then(said);
-        let numbers = WHEEL_NUMBERS.map(|name| (name, file.wheels().number(name).map_or(JsValue::NULL, Into::into)));
-        let [ticks, radius, base] = numbers;
-        record(&[ticks, radius, base, ("counting", counting.map_or(JsValue::NULL, Into::into))])
-    };
-    record(&[
-        ("name", file.name().into()),
-        ("role", file.role().name().into()),
-        ("header", texts(file.header())),
-        ("values", values.collect::<Array>().into()),
-        ("unread", file.unread().into_iter().map(|at| JsValue::from(at as u32)).collect::<Array>().into()),
-        ("several", several(file)),
-        ("wheels", if file.role() == Role::Encoders { wheels() } else { JsValue::NULL }),
-        ("frame", origin(file)),
-        ("asks", texts(file.asks())),
-        ("answers", texts(file.answers().iter().map(|role| role.name()))),
-        ("follows", file.follows().into()),
-    ])
 }

@@ -5,6 +5,7 @@ use crate::file::File;
 use crate::frames::Frame;
 use crate::log::MAX_LANDMARKS;
 use crate::names::candidates;
+use crate::own::Own;
 use crate::role::{Quantity, Role};
 use crate::row;
 use crate::source::{Question, Source};
@@ -86,6 +87,17 @@ pub(crate) fn frames(files: &mut [File]) {
     }
 }
 
+/// The one truth of a log that is compared with its fixes, and whether its frame may be another one: not where both are
+/// in latitude and longitude. A log in the book's own format says itself where it was.
+pub(crate) fn compared(files: &[File]) -> Option<(usize, bool)> {
+    let mut truths = files.iter().enumerate().filter(|(_, file)| file.role() == Role::Truth);
+    let (at, truth) = truths.next().filter(|_| truths.next().is_none())?;
+    let [metric, global] = fixes(files);
+    let alone = (metric || global) && !files.iter().any(|file| file.role() == Role::Log);
+    let places = Places::of(&truth.source).filter(|_| alone)?;
+    Some((at, metric || places == Places::Metric))
+}
+
 /// What is said of landmarks and fixes in metres beside latitudes and longitudes.
 pub(crate) fn origins(files: &[File]) -> Vec<String> {
     let of = |file: &&File| Places::of(&file.source);
@@ -104,9 +116,15 @@ pub(crate) fn origins(files: &[File]) -> Vec<String> {
 }
 
 impl File {
-    /// Where the origin of its places lies, as it was said; `None` where that has not been said.
+    /// Which frame its places are in, as it was said; `None` where that has not been said.
     pub fn frame(&self) -> Option<Frame> {
-        self.source.frame
+        self.source.said_frame()
+    }
+
+    /// What brings a truth onto the log's fixes, where it has a frame or a clock of its own
+    /// ([`Files::compare`](crate::Files::compare)).
+    pub fn own(&self) -> Option<&Own> {
+        self.source.own.as_ref()
     }
 
     /// Whether its places are counted from another point than those of the log's fixes: then that is asked.
@@ -115,11 +133,11 @@ impl File {
     }
 
     pub(crate) fn set_frame(&mut self, frame: Frame) -> bool {
-        let foreign = self.source.foreign;
-        if foreign {
+        let may_be = self.source.may_be(frame);
+        if may_be {
             self.source.frame = Some(frame);
         }
-        foreign
+        may_be
     }
 
     /// What the landmarks of its rows are called, where these are no numbers.

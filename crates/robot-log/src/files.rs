@@ -6,6 +6,7 @@ use crate::error::Error;
 use crate::file::File;
 use crate::frames::Frame;
 use crate::log::{MAX_BYTES, Understood};
+use crate::own::{Own, own};
 use crate::parse;
 use crate::reading::LogReader;
 use crate::role::Role;
@@ -28,6 +29,8 @@ pub const MAX_FILES: usize = 16;
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Files {
     files: Vec<File>,
+    /// Whether the truth has been compared with the fixes since the last change.
+    compared: bool,
 }
 
 impl Files {
@@ -49,7 +52,7 @@ impl Files {
         self.files.push(File::new(name, text));
         beside::names(&mut self.files, None);
         beside::speeds(&mut self.files, None);
-        beside::frames(&mut self.files);
+        self.changed();
         Ok(())
     }
 
@@ -63,7 +66,7 @@ impl Files {
         let known = self.files.get_mut(file).map(|file| file.set_role(role)).is_some();
         beside::names(&mut self.files, Some(file));
         beside::speeds(&mut self.files, Some(file));
-        beside::frames(&mut self.files);
+        self.changed();
         known
     }
 
@@ -71,39 +74,69 @@ impl Files {
     /// column.
     pub fn set_column(&mut self, file: usize, value: &str, column: Option<usize>) -> bool {
         let known = self.files.get_mut(file).is_some_and(|file| file.set_column(value, column));
-        beside::frames(&mut self.files);
+        self.changed();
         known
     }
 
     /// Reads a value in another unit. Answers whether there is such a value in the file, and such a unit of it.
     pub fn set_unit(&mut self, file: usize, value: &str, unit: &str) -> bool {
+        self.changed();
         self.files.get_mut(file).is_some_and(|file| file.set_unit(value, unit))
     }
 
     /// Reads only the rows of one of several robots of a file, or, by `None`, all of them. Answers whether the file has
     /// several ([`File::several`]), and this one among them.
     pub fn set_only(&mut self, file: usize, only: Option<&str>) -> bool {
+        self.changed();
         self.files.get_mut(file).is_some_and(|file| file.set_only(only))
     }
 
-    /// Says where the origin of a truth lies. Answers whether there is such a file, and that is asked of it
-    /// ([`File::is_foreign`]).
+    /// Says which frame a truth is in. Answers whether there is such a file, and that is asked of it
+    /// ([`File::is_foreign`], [`File::own`]).
     pub fn set_frame(&mut self, file: usize, frame: Frame) -> bool {
+        self.compare();
         self.files.get_mut(file).is_some_and(|file| file.set_frame(frame))
     }
 
     /// Says a number of a file's wheels: `ticks` of a turn, `radius` or `base` in metres. Answers whether there is such
     /// a file of encoders, such a number, and whether it is above 0.
     pub fn set_wheel(&mut self, file: usize, name: &str, number: f64) -> bool {
+        self.changed();
         self.files.get_mut(file).is_some_and(|file| file.set_wheel(name, number))
     }
 
     /// Says how a file's encoders count. Answers whether there is such a file of encoders.
     pub fn set_counting(&mut self, file: usize, counting: Counting) -> bool {
+        self.changed();
         self.files.get_mut(file).is_some_and(|file| file.set_counting(counting))
     }
 
-    /// The log that the files make.
+    fn changed(&mut self) {
+        self.compared = false;
+        beside::frames(&mut self.files);
+    }
+
+    /// Compares the truth with the fixes and with the motion: where it has a frame or a clock of its own, its file asks
+    /// from then on. A log without fixes is not compared, nor one with several truths.
+    pub fn compare(&mut self) {
+        if core::mem::replace(&mut self.compared, true) {
+            return;
+        }
+        let found = beside::compared(&self.files).and_then(|(at, framed)| Some((at, self.found(framed)?)));
+        for (at, file) in self.files.iter_mut().enumerate() {
+            file.source.own = found.filter(|(truth, _)| *truth == at).map(|(_, own)| own);
+        }
+    }
+
+    /// What brings the truth onto the fixes, where the files can be read so far.
+    fn found(&self, framed: bool) -> Option<Own> {
+        let sound = |file: &File| file.check().is_ok() && file.source.asks_itself().is_empty();
+        let log = self.files.iter().all(sound).then(|| self.gathered(true).ok()?.finish(None).ok())??.log;
+        own(&log.drive, framed)
+    }
+
+    /// The log that the files make. A truth with a frame or a clock of its own is asked for that, once it has been
+    /// compared ([`Files::compare`]).
     ///
     /// # Errors
     /// As [`parse`](crate::parse), naming the file; a value that a role needs has no column; a file is empty; a name in
@@ -122,7 +155,25 @@ impl Files {
         if !self.files.iter().any(|file| file.role().moves()) {
             return Err(self.without_motion());
         }
-        let mut reading = LogReader::new(self.barcodes()?);
+        let reading = self.gathered(false)?;
+        // One file in the book's own format is refused at its last row; several have no row that stands for all of
+        // them.
+        let only_log = matches!(self.files.as_slice(), [file] if file.role() == Role::Log);
+        if !only_log && !reading.to.has_motion() {
+            return Err(self.without_motion());
+        }
+        let own = self.files.iter().find(|file| file.frame() == Some(Frame::Own)).and_then(File::own);
+        let mut read = reading.finish(own)?;
+        read.notes.extend(beside::note(&self.files));
+        read.notes.extend(beside::origins(&self.files));
+        let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
+        read.notes.extend(unused.map(|file| format!("{}.", file.unused())));
+        Ok(read)
+    }
+
+    /// The rows of all files; `as_written`, a truth is not moved.
+    fn gathered(&self, as_written: bool) -> Result<LogReader, Error> {
+        let mut reading = LogReader::new(self.barcodes()?, as_written);
         for (i, file) in self.files.iter().enumerate() {
             match file.role() {
                 Role::Log => parse::gather(file.text(), i, &mut reading.to)?,
@@ -140,18 +191,7 @@ impl Files {
                 }
             }
         }
-        // One file in the book's own format is refused at its last row; several have no row that stands for all of
-        // them.
-        let only_log = matches!(self.files.as_slice(), [file] if file.role() == Role::Log);
-        if !only_log && !reading.to.has_motion() {
-            return Err(self.without_motion());
-        }
-        let mut read = reading.finish()?;
-        read.notes.extend(beside::note(&self.files));
-        read.notes.extend(beside::origins(&self.files));
-        let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
-        read.notes.extend(unused.map(|file| format!("{}.", file.unused())));
-        Ok(read)
+        Ok(reading)
     }
 
     /// No file has the robot's motion: what each was read as instead.

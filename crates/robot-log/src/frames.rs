@@ -1,15 +1,18 @@
 //! From which point the places of a log's files are counted. Latitudes and longitudes become metres east and north of
 //! the first of them; a table in metres has an origin of its own, and nobody but the reader knows where that lies.
 
+use crate::own::Own;
 use estimate::drive::{Drive, Event, Pose, Row, Truth};
 
-/// Where the origin of a truth lies whose places are counted otherwise than those of the fixes.
+/// Which frame and which clock a truth has that does not lie on the fixes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Frame {
-    /// Where the others' lies.
+    /// Those of the others.
     Same,
     /// Elsewhere: the truth is moved so that it lies on the first fix.
     Moved,
+    /// Its own: the truth is turned, shifted and shifted in time so that it lies on all fixes.
+    Own,
 }
 
 /// What is asked of a truth whose origin is not that of the fixes. Either it is in latitude and longitude, and they are
@@ -39,12 +42,82 @@ impl Moved {
         for (pose, _) in &mut self.poses {
             (pose.x, pose.y) = (pose.x + by[0], pose.y + by[1]);
         }
-        let metres = by.map(|by| format!("{by:.2}").replace('-', "\u{2212}"));
+        let metres = by.map(signed);
         Some(format!(
             "The truth is moved by {} m along x and {} m along y, so that it lies on the first fix: what that fix \
              was off is in every error, and so is a turn between the axes of the two.",
             metres[0], metres[1]
         ))
+    }
+}
+
+/// A number with two decimals, and a minus that is one.
+fn signed(number: f64) -> String {
+    format!("{number:.2}").replace('-', "\u{2212}")
+}
+
+impl Own {
+    /// What is done with the truth, in words that go on: "turned by 40.0° about its origin".
+    fn done(&self) -> String {
+        let late = if self.delay < 0.0 { "earlier" } else { "later" };
+        let mut done = Vec::new();
+        done.extend((self.delay != 0.0).then(|| format!("{:.2} s {late}", self.delay.abs())));
+        if let Some(frame) = &self.frame {
+            let degrees = format!("{:.1}", frame.turn.to_degrees()).replace('-', "\u{2212}");
+            done.extend(frame.mirrored.then(|| "mirrored (its y against itself)".to_string()));
+            done.extend((frame.turn != 0.0).then(|| format!("turned by {degrees}\u{b0} about its origin")));
+            let [x, y] = frame.shift.map(signed);
+            done.push(format!("shifted by {x} and {y} m"));
+        }
+        let last = done.pop().unwrap_or_default();
+        if done.is_empty() { last } else { format!("{} and {last}", done.join(", ")) }
+    }
+
+    /// How near the truth then is to the positions.
+    fn near(&self) -> String {
+        let [before, after] = self.distances;
+        format!("{after:.2} m from them instead of {before:.2} m (root mean square)")
+    }
+
+    /// What is asked of a truth that would lie on the fixes otherwise.
+    pub(crate) fn question(&self) -> String {
+        let (done, near) = (self.done(), self.near());
+        let mut letters = done.chars();
+        let first = letters.next().map(|c| c.to_uppercase().to_string()).unwrap_or_default();
+        let (agree, another) = match (self.frame, self.delay != 0.0) {
+            (Some(_), false) => ("", "is its frame another one"),
+            (None, _) => (", and goes as the motion does", "is its clock another one"),
+            (Some(_), true) => (", and goes as the motion does", "are its frame and its clock others"),
+        };
+        format!(
+            "{first}{}, the truth lies on the positions, {near}{agree}: {another}? Until that is said, no error \
+             against it means anything.",
+            letters.as_str()
+        )
+    }
+
+    /// What is said of a truth that was brought onto the fixes, and what it costs.
+    pub(crate) fn note(&self) -> String {
+        let [turn, shift, delay] = self.sigmas;
+        let (mut known, mut lost) = (Vec::new(), Vec::new());
+        if let Some(frame) = &self.frame {
+            let turned = frame.turn != 0.0;
+            known.extend(turned.then(|| format!("{:.2}\u{b0} of the turn", turn.to_degrees())));
+            known.push(format!("{shift:.2} m of the shift"));
+            lost.push(if turned { "off and turned by" } else { "off by" });
+        }
+        if self.delay != 0.0 {
+            known.push(format!("{delay:.3} s of the clock"));
+            lost.push("late by");
+        }
+        format!(
+            "The truth is {}, so that it lies on the positions, {}: what all positions together are {} is in no error \
+             now, and the errors are no surer than the standard deviations of that, {}.",
+            self.done(),
+            self.near(),
+            lost.join(" or "),
+            known.join(" and ")
+        )
     }
 }
 

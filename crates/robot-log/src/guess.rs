@@ -72,6 +72,7 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         several: None,
         only: None,
         foreign: false,
+        own: None,
         frame: None,
         undecided: None,
         refused: None,

@@ -37,6 +37,7 @@
 //! # Ok::<(), robot_log::Error>(())
 //! ```
 
+mod alignment;
 mod axes;
 mod beside;
 mod binary;
@@ -54,12 +55,14 @@ mod gathering;
 mod guess;
 mod headed;
 mod heading;
+mod lag;
 mod landmarks;
 mod lists;
 mod log;
 mod names;
 mod nested;
 mod notes;
+mod own;
 mod parse;
 mod quaternion;
 mod reading;
@@ -79,11 +82,13 @@ mod wgs84;
 mod wheels;
 mod wide;
 
+pub use alignment::Rigid;
 pub use error::Error;
 pub use file::File;
 pub use files::{Files, MAX_FILES};
 pub use frames::Frame;
 pub use log::{Log, MAX_BYTES, MAX_LANDMARKS, MAX_ROWS, Understood};
+pub use own::Own;
 pub use parse::parse;
 pub use role::{Quantity, Role, Value};
 pub use unit::{Unit, units_of};

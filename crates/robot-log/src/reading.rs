@@ -9,6 +9,7 @@ use crate::landmarks::Landmarks;
 use crate::lists;
 use crate::log::Understood;
 use crate::notes::{self, Counts};
+use crate::own::Own;
 use crate::role::Role;
 use crate::source::Landmark as Of;
 use crate::wgs84::Origin;
@@ -35,12 +36,15 @@ pub(crate) struct LogReader {
     /// What is kept of the file that is being read.
     kept: Counts,
     notes: Vec<String>,
+    /// Whether a truth of another origin stays where it is.
+    as_written: bool,
 }
 
 impl LogReader {
-    /// Nothing yet; `carried` is the landmark that carries each barcode, where a file says so.
-    pub fn new(carried: Option<HashMap<u32, u32>>) -> Self {
-        Self { carried, ..Self::default() }
+    /// Nothing yet; `carried` is the landmark that carries each barcode, where a file says so; `as_written`, no truth
+    /// is moved.
+    pub fn new(carried: Option<HashMap<u32, u32>>, as_written: bool) -> Self {
+        Self { carried, as_written, ..Self::default() }
     }
 
     /// Ends a file, and says what was strange in it; so many lines above its rows were passed over.
@@ -96,7 +100,7 @@ impl LogReader {
                 let time = self.kept.stamps.take(cells)?;
                 let Some([x, y]) = self.place(cells)? else { return Ok(()) };
                 let heading = cells.given("heading")?;
-                if cells.source.is_moved() {
+                if cells.source.is_moved() && !self.as_written {
                     let theta = heading.unwrap_or(0.0);
                     self.moved.poses.push((Pose { time, x, y, theta }, heading.is_some()));
                     return Ok(());
@@ -233,8 +237,8 @@ impl LogReader {
         self.to.poses().iter().chain(&self.without_heading).chain(moved).copied().collect()
     }
 
-    /// The log, and what was left out of it.
-    pub fn finish(mut self) -> Result<Understood, Error> {
+    /// The log, and what was left out of it; its truth is brought onto the fixes by what is given.
+    pub fn finish(mut self, own: Option<&Own>) -> Result<Understood, Error> {
         let mut notes = self.notes;
         if let Some(origin) = self.origin {
             notes.push(format!("Positions are in metres east and north of the first fix, {origin}."));
@@ -249,7 +253,11 @@ impl LogReader {
         }
         notes.extend(self.landmarks.note());
         let mapped = self.to.has_landmarks();
-        let (log, left_out) = self.to.finish(self.carried.is_some())?;
+        let (mut log, left_out) = self.to.finish(self.carried.is_some())?;
+        if let Some(own) = own {
+            log.drive.truth = own.truth(&log.drive.truth);
+            notes.push(own.note());
+        }
         notes.extend(notes::times(&log.drive));
         notes.extend(frames::apart(&log.drive));
         notes.extend(notes::gaps(&log.drive));

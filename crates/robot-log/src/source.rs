@@ -3,6 +3,7 @@
 use crate::fields::Line;
 use crate::frames::{self, Frame};
 use crate::names::Name;
+use crate::own::Own;
 use crate::role::{Quantity, Role, Value};
 use crate::several::{Several, grouped};
 use crate::table::Table;
@@ -35,6 +36,8 @@ pub(crate) struct Source {
     pub only: Option<Option<String>>,
     /// Whether its places are counted from another point than those of the log's fixes, and what is said of that.
     pub foreign: bool,
+    /// What brings a truth onto the log's fixes, where it does not lie on them.
+    pub own: Option<Own>,
     pub frame: Option<Frame>,
     /// The question of what the file is, where that is not known.
     pub undecided: Option<Question>,
@@ -74,6 +77,16 @@ impl Source {
 
     /// What has to be said before the file can be read, in sentences.
     pub fn asks(&self) -> Vec<String> {
+        let mut asks = self.asks_itself();
+        if self.said_frame().is_none() {
+            asks.extend(self.foreign.then(|| frames::question(self.column("latitude").is_some())));
+            asks.extend(self.own.map(|own| own.question()));
+        }
+        asks
+    }
+
+    /// What is asked of the file, whatever the others of the log are.
+    pub fn asks_itself(&self) -> Vec<String> {
         let mut asks: Vec<String> = self.undecided.iter().map(|asked| asked.words.clone()).collect();
         let header = self.table.as_ref().map_or(&[][..], |table| &table.names);
         for (i, value) in self.role.values().iter().enumerate() {
@@ -107,8 +120,6 @@ impl Source {
                  the first of the ranges?"
             ));
         }
-        let origin = || frames::question(self.column("latitude").is_some());
-        asks.extend((self.foreign && self.frame.is_none()).then(origin));
         if self.role == Role::Encoders {
             let unit = self.role.index("left").and_then(|at| self.units[at]);
             asks.extend(unit.and_then(|unit| self.wheels.lacks(unit.name)));
@@ -155,7 +166,21 @@ impl Source {
 
     /// Whether its true poses are moved onto the first fix.
     pub fn is_moved(&self) -> bool {
-        self.foreign && self.frame == Some(Frame::Moved)
+        self.said_frame() == Some(Frame::Moved)
+    }
+
+    /// Where the places of a truth are counted from, as it was said and still may be.
+    pub fn said_frame(&self) -> Option<Frame> {
+        self.frame.filter(|frame| self.may_be(*frame))
+    }
+
+    /// Whether that may be said of the file.
+    pub fn may_be(&self, frame: Frame) -> bool {
+        match frame {
+            Frame::Same => self.foreign || self.own.is_some(),
+            Frame::Moved => self.foreign,
+            Frame::Own => self.own.is_some(),
+        }
     }
 
     /// Whether a column's stamps are dates.

@@ -1,0 +1,172 @@
+//! A file of a log as the page shows it: how it is read, and what it asks.
+
+use crate::encode::record;
+use js_sys::Array;
+use robot_log::{Counting, File, Frame, Own, Rigid, Role, WHEEL_NUMBERS, units_of};
+use wasm_bindgen::prelude::*;
+
+#[wasm_bindgen(typescript_custom_section)]
+const TYPES: &str = r#"
+/** What a file of a log is. */
+export type LogRole = "log" | "velocities" | "odometry" | "encoders" | "sensors" | "sightings" | "ranges" | "landmarks"
+    | "truth" | "barcodes" | "undecided" | "unused";
+/** A value that a file's role has. */
+export interface LogValue {
+    name: string;
+    /** Whether a file may do without it. */
+    optional: boolean;
+    /** The column it is read from, counted from 0. */
+    column: number | null;
+    /** The unit it is read in: null where it has none, or where that has to be said. */
+    unit: string | null;
+    /** The units it may be in. */
+    units: string[];
+    /** Whether its column or its unit has to be said. */
+    asked: boolean;
+    /** Three values of its column, as they stand in the file. */
+    samples: string[];
+}
+/** Ticks of a turn of the wheel, its radius and the distance between the wheels in m, and how the encoders count. */
+export interface LogWheels {
+    ticks: number | null;
+    radius: number | null;
+    base: number | null;
+    counting: "total" | "step" | "restarted" | null;
+}
+/** The rows of several robots or tags in one file, which a column tells apart. */
+export interface LogSeveral {
+    /** The column, counted from 0. */
+    column: number;
+    /** What stands in it, and in how many rows. */
+    values: { value: string; rows: number }[];
+    /** Whose rows are read; null where all are, and where that is asked. */
+    only: string | null;
+    /** Whether it has to be said whose rows are read. */
+    asked: boolean;
+}
+/** What brings a truth onto the log's fixes: mirrored (y against itself), turned about its origin, then shifted. */
+export interface LogOwn {
+    /** Whether its frame is another one than the fixes'; else mirrored is false and turn and shift are 0. */
+    framed: boolean;
+    mirrored: boolean;
+    /** rad, counter-clockwise. */
+    turn: number;
+    /** m. */
+    shift: [number, number];
+    /** How far its stamps are shifted, s; 0 where its clock is the log's. */
+    delay: number;
+}
+/** Which frame and clock a truth has: those of the fixes; another origin, and the truth is moved onto the first fix; or
+    its own, and the truth is turned, shifted and shifted in time onto all fixes. */
+export interface LogOrigin {
+    /** Null where it has to be said. */
+    said: "same" | "moved" | "own" | null;
+    /** Whether its places are counted from another point than the fixes', as their units say: it may be "moved". */
+    foreign: boolean;
+    /** What the fixes and the motion tell: it may be "own"; else null. */
+    own: LogOwn | null;
+}
+/** How a file of a log is read. */
+export interface LogFile {
+    name: string;
+    role: LogRole;
+    /** What its columns are called; empty of a log in the book's own format. */
+    header: string[];
+    values: LogValue[];
+    /** The columns from which nothing is read, counted from 0. */
+    unread: number[];
+    /** What encoders need besides; null of another file. */
+    wheels: LogWheels | null;
+    /** The rows of several robots; null where no column tells such apart. */
+    several: LogSeveral | null;
+    /** The frame of a truth that does not lie on the fixes; null of a file that is not asked. */
+    frame: LogOrigin | null;
+    /** What has to be said before the file can be read: a guess that is not certain chooses nothing. */
+    asks: string[];
+    /** The roles that the question of what the file is names as its answers; empty where any may be one. */
+    answers: LogRole[];
+    /** What follows from how it is read, in words, such as "20 Hz, 0 to 120 s, turned 2 turns". */
+    follows: string;
+}
+"#;
+
+pub(crate) const COUNTINGS: [(&str, Counting); 3] =
+    [("total", Counting::Total), ("step", Counting::Step), ("restarted", Counting::Restarted)];
+pub(crate) const FRAMES: [(&str, Frame); 3] = [("same", Frame::Same), ("moved", Frame::Moved), ("own", Frame::Own)];
+
+fn texts<T: AsRef<str>>(all: impl IntoIterator<Item = T>) -> JsValue {
+    all.into_iter().map(|text| JsValue::from_str(text.as_ref())).collect::<Array>().into()
+}
+
+/// The rows of several robots in a file.
+fn several(file: &File) -> JsValue {
+    let Some((column, values)) = file.several() else { return JsValue::NULL };
+    let each = values.iter().map(|(value, rows)| record(&[("value", value.into()), ("rows", (*rows as f64).into())]));
+    record(&[
+        ("column", (column as u32).into()),
+        ("values", each.collect::<Array>().into()),
+        ("only", file.only().flatten().map_or(JsValue::NULL, Into::into)),
+        ("asked", file.only().is_none().into()),
+    ])
+}
+
+/// Which frame and clock a truth has.
+fn origin(file: &File) -> JsValue {
+    if !file.is_foreign() && file.own().is_none() {
+        return JsValue::NULL;
+    }
+    let said = FRAMES.iter().find(|(_, frame)| file.frame() == Some(*frame)).map(|(name, _)| *name);
+    record(&[
+        ("said", said.map_or(JsValue::NULL, Into::into)),
+        ("foreign", file.is_foreign().into()),
+        ("own", file.own().map_or(JsValue::NULL, own)),
+    ])
+}
+
+/// What brings a truth onto the fixes.
+fn own(own: &Own) -> JsValue {
+    let frame = own.frame.unwrap_or(Rigid { mirrored: false, turn: 0.0, shift: [0.0; 2] });
+    record(&[
+        ("framed", own.frame.is_some().into()),
+        ("mirrored", frame.mirrored.into()),
+        ("turn", frame.turn.into()),
+        ("shift", frame.shift.map(JsValue::from_f64).into_iter().collect::<Array>().into()),
+        ("delay", own.delay.into()),
+    ])
+}
+
+/// How a file is read.
+pub(crate) fn shown(file: &File) -> JsValue {
+    let columns = file.columns().iter().zip(file.units());
+    let values = file.role().values().iter().zip(columns).enumerate().map(|(i, (value, (column, unit)))| {
+        record(&[
+            ("name", value.name.into()),
+            ("optional", value.optional.into()),
+            ("column", column.map_or(JsValue::NULL, |column| (column as u32).into())),
+            ("unit", unit.map_or(JsValue::NULL, |unit| unit.name.into())),
+            ("units", texts(units_of(value.quantity).iter().map(|unit| unit.name))),
+            ("asked", file.is_asked(i).into()),
+            ("samples", texts(column.map_or(Vec::new(), |column| file.samples(column)))),
+        ])
+    });
+    let wheels = || {
+        let said = |counting| COUNTINGS.iter().find(|(_, it)| *it == counting).map(|(name, _)| *name);
+        let counting = file.wheels().counting.and_then(said);
+        let numbers = WHEEL_NUMBERS.map(|name| (name, file.wheels().number(name).map_or(JsValue::NULL, Into::into)));
+        let [ticks, radius, base] = numbers;
+        record(&[ticks, radius, base, ("counting", counting.map_or(JsValue::NULL, Into::into))])
+    };
+    record(&[
+        ("name", file.name().into()),
+        ("role", file.role().name().into()),
+        ("header", texts(file.header())),
+        ("values", values.collect::<Array>().into()),
+        ("unread", file.unread().into_iter().map(|at| JsValue::from(at as u32)).collect::<Array>().into()),
+        ("several", several(file)),
+        ("wheels", if file.role() == Role::Encoders { wheels() } else { JsValue::NULL }),
+        ("frame", origin(file)),
+        ("asks", texts(file.asks())),
+        ("answers", texts(file.answers().iter().map(|role| role.name()))),
+        ("follows", file.follows().into()),
+    ])
+}

@@ -1,0 +1,108 @@
+// A truth in a frame or on a clock of its own: what its file is asked, which answers it has and in which words, and
+// that the answer is written with the settings and read again.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { createRequire } from 'node:module'
+import { nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
+import { framesOf } from '../../web/page/log-files.js'
+import { applyChange } from '../../web/widgets/robot-log/change.js'
+
+const { LogFiles, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
+const known = RobotLog.parameters()
+
+/** Where a robot is that drives in curves, and how fast it goes and turns. @param {number} t */
+const speed = (t) => 0.8 + 0.4 * Math.sin(t / 1.7)
+const turning = (t) => 0.5 * Math.sin(t / 3) + 0.1
+const STEP = 0.01
+const WAY = [[0, 0, 0]]
+for (let k = 0; k < 12000; k += 1) {
+  const [x, y, theta] = WAY[k]
+  const [v, omega] = [speed(k * STEP), turning(k * STEP)]
+  WAY.push([x + v * STEP * Math.cos(theta), y + v * STEP * Math.sin(theta), theta + omega * STEP])
+}
+/** @param {number} t */
+const at = (t) => WAY[Math.max(0, Math.min(Math.round(t / STEP), WAY.length - 1))]
+/** @param {number} count @param {number} apart @param {(t: number) => number[]} row */
+const rows = (count, apart, row) =>
+  Array.from({ length: count }, (_, k) => `${[k * apart, ...row(k * apart)].map((one) => one.toFixed(4))}\n`).join('')
+const WHEELS = `time_s,v,omega\n${rows(1200, 0.1, (t) => [speed(t), turning(t)])}`
+// The errors of the fixes are the same in each run, and neighbours have nothing in common.
+const error = (/** @type {number} */ t) => 0.3 * Math.sin(1e4 * Math.sin(77 * t + 1))
+const FIXES = `time_s,gps_x,gps_y\n${rows(300, 0.4, (t) => [at(t)[0] + error(t), at(t)[1] + error(t + 3000)])}`
+
+/** @param {number} turn rad @param {number[]} shift m @param {number} [late] s */
+function truth(turn, [dx, dy], late = 0) {
+  const [sin, cos] = [Math.sin(turn), Math.cos(turn)]
+  return `time_s,true_x,true_y\n${rows(1200, 0.1, (t) => {
+    const [x, y] = at(t - late)
+    return [cos * x - sin * y + dx, sin * x + cos * y + dy]
+  })}`
+}
+/** @param {string} text */
+function opened(text) {
+  const files = new LogFiles()
+  for (const [name, one] of [
+    ['wheels.csv', WHEELS],
+    ['gps.csv', FIXES],
+    ['truth.csv', text],
+  ])
+    files.add(name, one)
+  return files
+}
+/** @param {any} files */
+const last = (files) => files.files()[2]
+
+test('a truth that lies on the positions is asked nothing', () => {
+  const { frame, asks } = last(opened(truth(0, [0, 0])))
+  assert.deepEqual([frame, asks], [null, []])
+})
+
+test('a truth in another frame has two answers, and its own turns it onto the positions', () => {
+  const files = opened(truth(0.7, [12, -7]))
+  const { frame, asks } = last(files)
+  assert.match(
+    asks[0],
+    /^Turned by −40\.\d° about its origin and shifted by −4\.\d\d and 13\.\d\d m, the truth lies on /,
+  )
+  assert.ok(Math.abs(frame.own.turn + 0.7) < 0.02, String(frame.own.turn))
+  assert.deepEqual(framesOf(frame), [
+    ['same', 'the same frame'],
+    ['own', 'its own: it is turned and moved onto the positions'],
+  ])
+  assert.throws(() => files.read(), /truth\.csv asks/)
+  assert.throws(() => files.setFrame(2, 'moved'), /file/)
+  files.setFrame(2, 'own')
+  assert.deepEqual(last(files).asks, [])
+  const { notes } = files.read().contents()
+  assert.ok(notes.some((/** @type {string} */ note) => /^The truth is turned by −40.*is in no error now/.test(note)))
+})
+
+test('a clock of its own and both are said as such', () => {
+  const clock = last(opened(truth(0, [0, 0], 1.5)))
+  assert.match(clock.asks[0], /^1\.[45]\d s earlier, the truth lies on the positions, .*is its clock another one\?/)
+  const [same, own] = framesOf(clock.frame).map(([, words]) => words)
+  assert.equal(same, 'the same clock')
+  assert.match(own, /^its own clock: it is taken 1\.[45]\d s earlier$/)
+  const both = last(opened(truth(0.7, [12, -7], 1.5)))
+  assert.match(both.asks[0], /are its frame and its clock others\?/)
+  const words = /^its own, and its own clock: it is turned and moved onto the positions, and taken 1\.[45]\d s earlier$/
+  assert.match(framesOf(both.frame)[1][1], words)
+  const mirrored = { foreign: false, own: { ...both.frame.own, mirrored: true, delay: 0 } }
+  assert.equal(framesOf(mirrored)[1][1], 'its own: it is mirrored, turned and moved onto the positions')
+})
+
+test('the answer is written and read again, and of a truth that lies on the positions nothing is said', () => {
+  const files = opened(truth(0.7, [12, -7]))
+  files.setFrame(2, 'own')
+  const settings = readSettings(settingsText({}, files.files()), known)
+  const follow = (/** @type {any} */ again) => {
+    const change = nextChange(settings.files, again.files())
+    if (change) applyChange(again, change)
+    return change
+  }
+  const again = opened(truth(0.7, [12, -7]))
+  assert.deepEqual(follow(again), { file: 2, frame: 'own' })
+  assert.deepEqual(again.files(), files.files())
+  assert.equal(nextChange(settings.files, again.files()), null)
+  assert.equal(follow(opened(truth(0, [0, 0]))), null)
+})
