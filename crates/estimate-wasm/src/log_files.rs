@@ -215,7 +215,7 @@ impl LogFiles {
     #[wasm_bindgen(unchecked_return_type = "DriveLog")]
     pub fn read(&self) -> Result<DriveLog, Thrown> {
         let read = self.0.read(FILES, |files: &Files| files.read())??;
-        Ok(DriveLog::keep(read.log, read.notes, read.landmarks))
+        Ok(DriveLog::keep(read.log, read.notes, read.landmarks, read.wheels))
     }
 
     /// Changes how a file is read; what there is not is refused in the name of `argument`.

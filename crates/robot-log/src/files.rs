@@ -147,6 +147,7 @@ impl Files {
             return Err(self.without_motion());
         }
         let mut read = reading.finish()?;
+        read.wheels = beside::wheels(&self.files);
         read.notes.extend(beside::note(&self.files));
         read.notes.extend(beside::origins(&self.files));
         let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
