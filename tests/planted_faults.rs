@@ -3,6 +3,17 @@
 use chapter_tests::planted::{ARCS, EACH, FAULTS, Log, SOUND, WORLDS, judged, planted, sound};
 use estimate::drive::{Event, Fault, Fit, Fitted, Settings, Standing, Suspect};
 
+/// Whether a size is at least two of its own standard deviations away from what is set; outliers are counted.
+fn clear(Suspect { fault, number, sizes, .. }: &Suspect) -> bool {
+    let ratio = number.is_some_and(Fitted::is_sigma);
+    let off = |now: f64, value: f64, sigma: f64| match ratio {
+        true => (value / now).ln().abs() * value / sigma,
+        false => (value - now).abs() / sigma,
+    };
+    let told = sizes.iter().filter(|size| size.sigma.is_finite());
+    *fault == Fault::Tails || told.clone().count() == 0 || told.clone().any(|it| off(it.now, it.value, it.sigma) >= 2.0)
+}
+
 /// What is named first in each log of this fault; `None` where nothing is.
 fn named(fault: Fault) -> Vec<(Option<Fault>, bool)> {
     let first = |n| {
@@ -10,6 +21,9 @@ fn named(fault: Fault) -> Vec<(Option<Fault>, bool)> {
         assert!((5.0..10.0).contains(&case.effect) && case.truth == (n % 2 == 0));
         let judgement = judged(&case.log).expect("a verdict");
         assert_eq!(judgement.against.is_some(), case.truth, "errors are known where the truth is");
+        for suspect in judgement.suspects.iter().filter(|it| it.standing != Standing::Cleared) {
+            assert!(clear(suspect), "{fault:?} {n}: {suspect:?}");
+        }
         let first = &judgement.suspects[0];
         let named = (first.standing != Standing::Cleared).then_some(first.fault);
         (named, first.standing == Standing::Sure)

@@ -6,8 +6,8 @@ import { createRequire } from 'node:module'
 import { bentBy, sentence as fitted } from '../../web/page/log-fit.js'
 import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
 import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
-import { numbersOf as numbersToTell, ownSigma, settingsOf } from '../../web/page/log-numbers.js'
 import { unreadWords } from '../../web/page/log-files.js'
+import { numbersOf as numbersToTell, settingsOf } from '../../web/page/log-numbers.js'
 import { headsOf, rowsOf } from '../../web/page/log-sources.js'
 import { fieldText } from '../../web/page/number-field.js'
 import { Mapping } from '../../web/widgets/robot-log/likelihood.js'
@@ -107,17 +107,6 @@ test('a fit that outliers have bent says so, and a sound one does not', () => {
   )
   assert.equal(bentBy(4, 0.001, 2000), '')
   assert.equal(bentBy(3, 0.001, 100), '', 'few readings say nothing')
-})
-
-test('a σ that readings bring along is said in place of the setting that they do not take', () => {
-  const contents = camera.contents()
-  assert.equal(ownSigma(contents, 'sigmaFix'), 'each brings its own: 0.1 m')
-  assert.equal(ownSigma(contents, 'sigmaHeading') + ownSigma(contents, 'sigmaTurn') + ownSigma(null, 'sigmaFix'), '')
-  const value = (of) => settingsOf(frameOf(), of).find(([words]) => words === 'Positions: σ, m')?.[1]
-  assert.equal(value(contents), 'each brings its own: 0.1 m')
-  const some = RobotLog.parse('V,0,1,0\nP,0,0,0,0.25\nP,1,1,0,0.5\nP,2,2,0\nH,2,0,0.01').contents()
-  assert.equal(value(some), '1; 2 of 3 bring their own: 0.25 to 0.5 m')
-  assert.equal(ownSigma(some, 'sigmaHeading'), 'each brings its own: 0.01 rad')
 })
 
 /** @param {number[][]} places @param {number} sigma */

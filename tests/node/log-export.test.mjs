@@ -23,7 +23,7 @@ const CAR = Array.from({ length: 60 }, (_, k) => {
     k % 3 === 0 ? `V,${t},${(2 + 0.3 * Math.sin(k)).toFixed(3)},${(0.2 * Math.cos(k / 9)).toFixed(4)}` : `S,${t},2.1`,
     ...(k % 7 === 0 ? [`T,${t},0.05`] : []),
     ...(k % 5 === 2 ? [`P,${t},${x},${y}${k % 2 ? ',0.7' : ''}`] : []),
-    ...(k % 6 === 1 ? [`H,${t},${(3.1 + 0.3 * Math.sin(k)).toFixed(3)}`] : []),
+    ...(k % 6 === 1 ? [`H,${t},${(3.1 + 0.3 * Math.sin(k)).toFixed(3)}${k % 4 === 1 ? ',0.15' : ''}`] : []),
   ].join('\n')
 }).join('\n')
 
@@ -47,6 +47,8 @@ const LOGS = {
       speedScale: 0.03,
       turnBias: -0.01,
       sigmaFix: 1.2,
+      fixSigmaScale: 1.7,
+      headingSigmaScale: 0.8,
       sigmaHeading: 0.2,
       headingOffset: 0.15,
       gate: { fix: 0.95, heading: 0.9 },
@@ -86,6 +88,16 @@ test('what was learned is in the program as a number', () => {
   const text = filterpy(frame)
   assert.match(text, /What the filter learned is fixed here/)
   assert.ok(frame.summary.epsilon !== null && text.includes(`SCALE = ${frame.summary.epsilon}\n`), text)
+})
+
+test('what is exported has the σ that was used: that which readings bring times its factor', () => {
+  const { frame, contents } = all[2]
+  const text = robotLocalization(frame, contents)
+  assert.match(text, /fixes: 1\.44 m² .* has no σ of its own;\n# {3}where it has one: that covariance times 2\.89;/)
+  assert.match(text, /headings: .*;\n# {3}where it has one: that covariance times 0\.64;/)
+  assert.doesNotMatch(robotLocalization(all[0].frame, all[0].contents), /that covariance times/)
+  const usual = { ...frame, params: { ...frame.params, fixSigmaScale: 1 } }
+  assert.doesNotMatch(robotLocalization(usual, contents), /covariance times 2/)
 })
 
 /** What robot_localization’s ekf_node declares in its documentation: without a sensor’s number. */

@@ -17,6 +17,7 @@ const suspect = (given) => ({
   flat: null,
   with: null,
   landmarks: null,
+  claims: null,
   ...given,
 })
 const judgement = (suspects, more) => ({
@@ -89,6 +90,44 @@ test('a σ is claimed too small or too large, and what is not told has no ±', (
     sentence(suspect({ fault: 'sigma', name: 'sigmaFix', sizes: [{ now: 1, value, sigma: told }] }), false)
   assert.equal(sigma(1.64, 0.1), 'The σ of a position is 1.64 ± 0.10 m, and is claimed as 1: set it higher.')
   assert.match(sigma(0.2, null), /is about 0\.20 m, and is claimed as 1: set it lower/)
+})
+
+test('what readings claim is named with what fits, and the factor that mends it', () => {
+  const claims = (more, size = { now: 1, value: 5.0017, sigma: 0.1176 }) =>
+    suspect({ fault: 'sigma', name: 'fixSigmaScale', claims: [0.1, 0.1, 0.1], sizes: [size], ...more })
+  assert.equal(
+    sentence(claims({}), false),
+    'The positions claim 0.1 m, and 0.500 ± 0.012 m fits: set the factor on their own σ to 5.00.',
+  )
+  assert.match(sentence(claims({ claims: [0.05, 0.1, 9] }), false), /^The positions claim 0\.1 m in the median, and/)
+  assert.match(
+    sentence(claims({}, { now: 2, value: 4.5, sigma: 0.1 }), false),
+    /^The positions claim 0\.1 m, taken times 2, and 0\.450 ± 0\.010 m fits: set the factor on their own σ to 4\.50\./,
+  )
+  assert.match(
+    sentence(claims({ name: 'headingSigmaScale' }, { now: 1, value: 0.25, sigma: 0.006 }), false),
+    /^The headings claim 0\.1 rad, and 0\.02500 ± 0\.00060 rad fits: set the factor on their own σ to 0\.2500\.$/,
+  )
+  const mended = { rmse: 3, nees: 9, outside: 0.4 }
+  const none = judgement([claims({ mended })], { against: { rmse: 2, nees: 3, outside: 0.2 }, other: true })
+  assert.match(ranked(none, log), /likeliest is a factor on the σ that the positions bring; mended/)
+})
+
+test('a bias of turns that come from two wheels may be that of a wheel of another size', () => {
+  const bias = suspect({ fault: 'bias', name: 'turnBias', sizes: [{ now: 0, value: 0.05, sigma: 0.004 }] })
+  const said = (wheels) => sentence(bias, false, { motion: 'velocity', names: [], wheels })
+  assert.match(
+    said(true),
+    /learn its bias\. It comes from two wheels, and there is no gyro .* growing with the speed\.$/,
+  )
+  assert.match(said(false), /let the filter learn its bias\.$/)
+})
+
+test('a share of outliers has its ± where it is clear of it, and a handful is about so many', () => {
+  const tails = (value, sigma) =>
+    sentence(suspect({ fault: 'tails', name: null, sensor: 'fix', sizes: [{ now: 0, value, sigma }] }), false)
+  assert.match(tails(0.13, 0.0154), /^13\.0 ± 1\.5 % of the positions are outliers: switch their gate on/)
+  assert.match(tails(0.0075, 0.0043), /^About 0\.75 % of the positions are outliers: switch their gate on/)
 })
 
 test('where two explain the readings alike both are named, and where chance does it is said', () => {

@@ -44,6 +44,12 @@ export function fixed({ params, summary }) {
   }
 }
 
+/** What a factor on the readings’ own σ does to their covariance. @param {unknown} own @param {number} factor */
+const scaled = (own, factor) =>
+  own && factor !== 1
+    ? [`  where it has one: that covariance times ${float(Number((factor ** 2).toPrecision(6)))};`]
+    : []
+
 /** What no setting of a program of others says, in sentences. @param {Frame} frame @param {LogContents} contents */
 function left(frame, contents) {
   const { params } = frame
@@ -58,10 +64,16 @@ function left(frame, contents) {
   return [
     'A measurement’s covariance comes with each message, not from this file:',
     ...(fix && params.fixes
-      ? [`  fixes: ${float(params.sigmaFix ** 2)} m² for x and for y, where a fix has no σ of its own;`]
+      ? [
+          `  fixes: ${float(params.sigmaFix ** 2)} m² for x and for y, where a fix has no σ of its own;`,
+          ...scaled(contents.own.fix, params.fixSigmaScale),
+        ]
       : []),
     ...(heading && params.headings
-      ? [`  headings: ${float(params.sigmaHeading ** 2)} rad² for yaw, where a heading has no σ of its own;`]
+      ? [
+          `  headings: ${float(params.sigmaHeading ** 2)} rad² for yaw, where a heading has no σ of its own;`,
+          ...scaled(contents.own.heading, params.headingSigmaScale),
+        ]
       : []),
     '  speeds and turn rates: little, as 1e-4; what they miss is in the process noise below.',
     ...late.map(([name, delay]) => `Stamp ${name} ${float(Number(delay))} s earlier: nothing here takes a delay.`),

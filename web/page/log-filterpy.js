@@ -28,6 +28,8 @@ export function filterpy(frame) {
     SIGMA_BEARING: params.sigmaBearing,
     SIGMA_FIX: params.sigmaFix,
     SIGMA_HEADING: params.sigmaHeading,
+    FIX_SIGMA_SCALE: params.fixSigmaScale,
+    HEADING_SIGMA_SCALE: params.headingSigmaScale,
     START_SIGMA: params.startSigma,
     START_SIGMA_HEADING: params.startSigmaHeading,
     SCALE: scale,
@@ -164,10 +166,10 @@ def replay(landmarks, truth, rows):
             continue
         last[sensor] = stamp
         if sensor == "fix":
-            sigma = numbers[2] if len(numbers) > 2 else SIGMA_FIX
+            sigma = numbers[2] * FIX_SIGMA_SCALE if len(numbers) > 2 else SIGMA_FIX
             robot.correct(sensor, numbers[:2], lambda x: x[:2], lambda x: np.eye(2, 3), [sigma**2] * 2)
         elif sensor == "heading":
-            sigma = numbers[1] if len(numbers) > 1 else SIGMA_HEADING
+            sigma = numbers[1] * HEADING_SIGMA_SCALE if len(numbers) > 1 else SIGMA_HEADING
             theta = wrap(numbers[0] - HEADING_OFFSET)
             robot.correct(sensor, [theta], lambda x: x[2:], lambda x: np.array([[0, 0, 1]]), [sigma**2])
         else:

@@ -13,7 +13,9 @@ const NAMES = {
   sigmaDistance: 'σ of the distance, m/√s',
   sigmaTurn: 'σ of the turn, rad/√s',
   sigmaFix: 'σ of a position, m',
+  fixSigmaScale: 'factor on the positions’ own σ',
   sigmaHeading: 'σ of a heading, rad',
+  headingSigmaScale: 'factor on the headings’ own σ',
   sigmaRange: 'σ of a range, m',
   sigmaBearing: 'σ of a bearing, rad',
   delaySpeed: 'delay of the speed, s',
@@ -42,11 +44,11 @@ export class FitForm {
     part(document, row, 'legend', '').textContent = 'fit'
     const words = part(document, row, 'p', 'log-says')
     words.textContent =
-      'Fit finds the σ, the delays, the scale and the offset of ranges, and the offsets of bearings and headings ' +
-      'under which the readings are likeliest. Gates are off meanwhile, and the first seconds, where a delay moves ' +
-      'the start, do not count. A delay of all sensors together cannot be seen: the turn rate’s ' +
-      'is 0, and without turn rates the speed’s stays as it is. A delay of less than half a step between rows of ' +
-      'motion may be the motion model’s own.'
+      'Fit finds the σ, or the factor on what readings bring as theirs, the delays, the scale and the offset of ' +
+      'ranges, and the offsets of bearings and headings under which the readings are likeliest. Gates are ' +
+      'off meanwhile, and the first seconds, where a delay moves the start, do not count. A delay of all sensors ' +
+      'together cannot be seen: the turn rate’s is 0, and without turn rates the speed’s stays as it is. A ' +
+      'delay of less than half a step between rows of motion may be the motion model’s own.'
     const actions = part(document, row, 'div', 'log-actions')
     this.result = part(document, row, 'div', 'log-says')
     this.result.setAttribute('role', 'status')

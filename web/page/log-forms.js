@@ -1,7 +1,7 @@
 /** What a reader tells the filter of a log, in the strip of the workbench: sensors, start, afterwards, fit. */
 
 import { FitForm } from './log-fit.js'
-import { settingWords } from './log-numbers.js'
+import { openingOf, settingWords } from './log-numbers.js'
 import { SensorForm } from './log-sensors.js'
 import { StartForm } from './log-start.js'
 
@@ -43,8 +43,10 @@ export class Forms {
     this.host = host
     /** What waits to follow the run. */
     this.following = 0
+    /** @type {import('estimate-wasm').LogContents | null} */
+    this.contents = null
     this.change = (/** @type {Record<string, unknown>} */ patch) => {
-      host.figure.change(patch)
+      host.figure.change({ ...this.withStart(patch), ...patch })
       this.follow()
     }
     const smooth = async () => {
@@ -77,6 +79,7 @@ export class Forms {
 
   /** @param {import('estimate-wasm').LogContents} contents */
   take(contents) {
+    this.contents = contents
     for (const form of [this.sensors, this.start, this.fit]) form.take(contents)
   }
 
@@ -90,12 +93,15 @@ export class Forms {
    * @param {string[]} names of the files
    * @returns {Told | null} what became of settings that the reader had changed
    */
-  begin({ opening }, parameters, other, names) {
+  begin(contents, parameters, other, names) {
+    this.contents = contents
+    const { opening: usually } = contents
     const [before, called] = [this.opening, this.names]
-    this.opening = JSON.stringify(opening)
+    this.opening = JSON.stringify(usually)
     if (other) this.names = JSON.stringify(names)
     const moved = before !== this.opening
     const { params } = this.host.figure.run.wanted
+    const opening = openingOf(contents, params.fixSigmaScale)
     const usual = Object.fromEntries(parameters.map((one) => [one.name, one.default]))
     const untold = Object.fromEntries(UNTOLD.map((name) => [name, usual[name]]))
     if (!other) {
@@ -105,7 +111,7 @@ export class Forms {
     const set = changed(params, parameters)
     const mended = called === this.names
     if (called !== null && !mended) {
-      this.change({ ...usual, ...opening })
+      this.change({ ...usual, ...usually })
       if (set.length === 0) return null
       const words = `The settings are the usual ones; those of the log before are not taken over: ${listed(set)}.`
       return { words, press: 'Take them over', patch: only(params, set), after: 'They are taken over.' }
@@ -116,6 +122,18 @@ export class Forms {
     if (kept.length === 0) return null
     const words = `Settings from before are kept: ${listed(kept)}.`
     return { words, press: 'Begin with the usual ones', patch: only(usual, kept), after: 'They are the usual ones.' }
+  }
+
+  /**
+   * The σ of a start that is at the first fix, where the factor on the fixes’ own changes: it is a fix’s own too.
+   * @param {Record<string, unknown>} patch
+   */
+  withStart({ fixSigmaScale: factor }) {
+    const { contents } = this
+    const params = this.host.figure.run?.wanted.params
+    if (typeof factor !== 'number' || !contents || !params) return {}
+    const [before, after] = [params.fixSigmaScale, factor].map((one) => openingOf(contents, one)?.startSigma)
+    return before !== undefined && params.startSigma === before ? { startSigma: after } : {}
   }
 
   /**

@@ -18,6 +18,10 @@ const RANGED = [
   ['offset', 'offset, m', { ends: [-5, 5], step: 0.05 }],
 ]
 
+/** What is told of the σ that readings bring themselves. */
+const OWN = 'factor on own σ'
+const TIMES = powers(-1.5, 1.5)
+
 /**
  * The sensors of readings, by their names in the summary.
  * @type {{ name: string, words: string, on: string, numbers: Told[] }[]}
@@ -29,6 +33,7 @@ export const SENSORS = [
     on: 'fixes',
     numbers: [
       ['sigmaFix', 'σ, m', powers(-2, 2)],
+      ['fixSigmaScale', OWN, TIMES],
       ['delayFix', 'delay, s', LATE],
     ],
   },
@@ -38,6 +43,7 @@ export const SENSORS = [
     on: 'headings',
     numbers: [
       ['sigmaHeading', 'σ, rad', powers(-3, 0.5)],
+      ['headingSigmaScale', OWN, TIMES],
       ['headingOffset', 'offset, °', { ends: [-180, 180], step: 0.5 }, DEGREE],
       ['delayHeading', 'delay, s', LATE],
     ],
@@ -105,16 +111,40 @@ export function bySensor(value) {
 }
 
 /**
+ * Whose σ a number is of, and whether it is a factor on what the readings bring.
+ * @type {Record<string, ['fix' | 'heading', boolean]>}
+ */
+const SAID = {
+  sigmaFix: ['fix', false],
+  fixSigmaScale: ['fix', true],
+  sigmaHeading: ['heading', false],
+  headingSigmaScale: ['heading', true],
+}
+
+/**
+ * Whether a number does anything to a log: a σ does nothing where each reading brings its own, nor does the factor on
+ * their own where none does.
+ * @param {import('estimate-wasm').LogContents} contents @param {string} name
+ */
+export function acts({ own, readings }, name) {
+  const [sensor, factor] = SAID[name] ?? []
+  if (!sensor) return true
+  return factor ? Boolean(own[sensor]) : own[sensor]?.count !== readings[sensor]
+}
+
+/**
  * Every number of a log that can be told apart from the others, with whose it is.
  * @param {import('estimate-wasm').LogContents} contents
  * @returns {{ words: string, told: Told }[]}
  */
-export function numbersOf({ readings, motion }) {
+export function numbersOf(contents) {
+  const { readings, motion } = contents
   const has = SENSORS.filter(({ name }) => readings[/** @type {'fix'} */ (name)])
   const all = has.flatMap(({ words, numbers }) => numbers.map((told) => ({ words: `${words}: ${told[1]}`, told })))
   const moving = [...MOTION, ...(motion === 'velocity' ? HELD : [])]
   all.push(...moving.map((told) => ({ words: told[1], told })))
-  return all.filter(({ told }, i) => all.findIndex((other) => other.told[0] === told[0]) === i)
+  const first = (/** @type {string} */ name) => all.findIndex(({ told }) => told[0] === name)
+  return all.filter(({ told: [name] }, i) => first(name) === i && acts(contents, name))
 }
 
 /**
@@ -134,6 +164,31 @@ export function ownSigma(contents, name) {
 }
 
 /**
+ * What is said beside the factor on the σ that readings bring.
+ * @param {import('estimate-wasm').LogContents} contents @param {string} name of a setting
+ */
+export function ownFactor(contents, name) {
+  const [sensor, factor] = SAID[name] ?? []
+  if (!sensor || !factor) return ''
+  const own = ownSigma(contents, sensor === 'fix' ? 'sigmaFix' : 'sigmaHeading')
+  const start = sensor === 'fix' && startsAt(contents) ? ' With it goes the σ of a start at the first fix.' : ''
+  const others = own.startsWith('each') ? '' : ' The others have the σ above.'
+  return `σ: ${own}. The filter takes it times this factor.${others}${start}`
+}
+
+/** Whether the σ of the start is a fix’s own. @param {import('estimate-wasm').LogContents} contents */
+const startsAt = (contents) => contents.opening !== null && !acts(contents, 'sigmaFix')
+
+/**
+ * Where a log begins by its first fixes, whose σ has the factor that theirs have.
+ * @param {import('estimate-wasm').LogContents} contents @param {number} factor
+ */
+export function openingOf(contents, factor) {
+  const { opening } = contents
+  return opening && { ...opening, startSigma: opening.startSigma * (startsAt(contents) ? factor : 1) }
+}
+
+/**
  * What the filter was told, a row for each number, for the sensors that the log has.
  * @param {import('estimate-wasm').LogFrame} frame
  * @param {import('estimate-wasm').LogContents | null} [contents]
@@ -143,18 +198,20 @@ export function settingsOf({ params, summary: { sensors } }, contents = null) {
   const value = (/** @type {string} */ name) => /** @type {any} */ (params)[name]
   const digits = (/** @type {number} */ number) => String(Number(number.toPrecision(4))).replace('-', '−')
   // A number that no reading is read by was not told.
-  const told = (/** @type {string} */ name, /** @type {string} */ number) => {
+  const wording = (/** @type {string} */ name, /** @type {string} */ number) => {
     const own = ownSigma(contents, name)
     return own.startsWith('each') ? own : own ? `${number}; ${own}` : number
   }
   const said = (/** @type {string} */ whose, /** @type {Told} */ [name, words, , unit = 1]) =>
-    /** @type {[string, string]} */ ([`${whose}: ${words}`, told(name, digits(value(name) / unit))])
+    /** @type {[string, string]} */ ([`${whose}: ${words}`, wording(name, digits(value(name) / unit))])
   /** @type {[string, string][]} */
   const rows = []
   for (const { name, words, on, numbers } of SENSORS) {
     if (!sensors[/** @type {'fix'} */ (name)]) continue
     const gate = bySensor(params.gate)[name] ?? null
-    rows.push([`${words}: used`, value(on) ? 'yes' : 'no'], ...numbers.map((number) => said(words, number)))
+    // A factor on what no reading brings was not told either.
+    const told = numbers.filter(([name]) => !SAID[name]?.[1] || (contents && acts(contents, name)))
+    rows.push([`${words}: used`, value(on) ? 'yes' : 'no'], ...told.map((number) => said(words, number)))
     rows.push([`${words}: gate`, gate === null ? 'off' : percent(gate)])
     rows.push([`${words}: least gap in time, s`, digits(bySensor(params.every)[name] ?? 0)])
     if (on === 'sightings') rows.push([`${words}: learn the scale ε`, params.learn ? 'yes' : 'no'])

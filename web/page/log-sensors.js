@@ -6,7 +6,7 @@
 import { part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { percent } from '../widgets/robot-log/words.js'
-import { GATES, HELD, MOTION, SENSORS, bySensor, ownSigma } from './log-numbers.js'
+import { GATES, HELD, MOTION, SENSORS, acts, bySensor, ownFactor } from './log-numbers.js'
 import { numberSlider } from './log-slider.js'
 import { numberField } from './number-field.js'
 
@@ -59,10 +59,10 @@ export class SensorForm {
     const key = /** @type {'fix'} */ (name)
     const count = contents.readings[key]
     this.toggle(row, on, 'used')
-    for (const number of numbers) {
+    for (const number of numbers.filter(([name]) => acts(contents, name))) {
       this.number(row, number)
-      const own = ownSigma(contents, number[0])
-      if (own) part(document, row, 'p', 'log-says').textContent = `σ: ${own}.`
+      const own = ownFactor(contents, number[0])
+      if (own) part(document, row, 'p', 'log-says').textContent = own
     }
     if (on === 'sightings') this.toggle(row, 'learn', 'learn the scale\u00a0ε')
     this.gate(row, key)

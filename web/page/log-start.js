@@ -6,6 +6,7 @@
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { withholdingShown } from '../widgets/robot-log/withheld.js'
+import { openingOf } from './log-numbers.js'
 import { numberField } from './number-field.js'
 
 /** @typedef {import('estimate-wasm').LogContents} LogContents */
@@ -33,10 +34,11 @@ export class StartForm {
   }
 
   /** @param {LogContents} contents */
-  take({ truth, opening, readings, span }) {
+  take(contents) {
+    const { truth, readings, span } = contents
     this.box.replaceChildren()
     this.shows = []
-    if (!truth) this.start(opening)
+    if (!truth) this.start(contents)
     if (readings.fix) this.afterwards(span[0])
   }
 
@@ -52,8 +54,8 @@ export class StartForm {
     return row
   }
 
-  /** @param {LogContents['opening']} opening */
-  start(opening) {
+  /** @param {LogContents} contents */
+  start(contents) {
     const row = this.row('start')
     /** @type {number[]} */
     let pose = [0, 0, 0]
@@ -67,12 +69,15 @@ export class StartForm {
       this.change({ startSigmaHeading: value * DEGREE }),
     )
     const actions = part(document, row, 'div', 'log-actions')
-    if (opening) button(document, actions, 'From the first fixes', () => this.change({ ...opening }))
+    let factor = 1
+    const opened = () => this.change({ ...openingOf(contents, factor) })
+    if (contents.opening) button(document, actions, 'From the first fixes', opened)
     button(document, actions, 'At the origin', () => this.change({ start: null }))
     const words = part(document, row, 'p', 'log-says')
     words.textContent =
       'Keep this as A, go to the beginning of the time line, and drag the start on the map against the fixes of A.'
     this.shows.push(({ params }) => {
+      factor = params.fixSigmaScale
       pose = params.start ?? [0, 0, 0]
       fields.forEach((field, i) => {
         field.show(pose[i] / POSE[i][1])

@@ -153,7 +153,7 @@ impl LogFiles {
             files.compare();
             Ok::<_, Error>(files.read())
         })??;
-        Ok(DriveLog::keep(read.log, read.notes, read.landmarks))
+        Ok(DriveLog::keep(read.log, read.notes, read.landmarks, read.wheels))
     }
 
     /// Changes how a file is read; what there is not is refused in the name of `argument`.

@@ -29,9 +29,14 @@ export interface LogSuspect {
      * parameter; of the start x, y and θ in metres and radians; of outliers their share. Empty where nothing is set.
      */
     sizes: { now: number; value: number; sigma: number | null }[];
+    /** Of a factor on the σ that readings bring: the least of these, their median and the greatest; else null. */
+    claims: [number, number, number] | null;
     /** By how much the log-likelihood of the readings rises where it is freed. */
     gain: number;
-    /** By how much that is more than chance brings in 97 of 100 logs without a fault. */
+    /**
+     * By how much that is more than chance brings in 97 of 100 logs without a fault; 0 at most where no size is two of
+     * its own standard deviations away from what is set.
+     */
     excess: number;
     /** Whether it is the one, may be one, or is no likelier than chance explains. */
     standing: 'sure' | 'maybe' | 'cleared';
@@ -155,6 +160,7 @@ fn suspect(suspect: &Suspect) -> JsValue {
         ("sensor", sensor.map_or(JsValue::NULL, Into::into)),
         ("landmarks", suspect.landmarks.map_or(JsValue::NULL, |ids| list(&ids.map(f64::from)))),
         ("sizes", suspect.sizes.iter().map(size).collect::<Array>().into()),
+        ("claims", suspect.claims.map_or(JsValue::NULL, |claims| list(&claims))),
         ("gain", suspect.gain.into()),
         ("excess", suspect.excess.into()),
         ("standing", standing.into()),

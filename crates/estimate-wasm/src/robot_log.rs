@@ -31,6 +31,8 @@ export interface LogContents {
     names: string[];
     /** How the robot's motion is logged: by O rows, or by rows that are held (V, S, T). */
     motion: "odometry" | "velocity";
+    /** Whether turn rates come from the encoders of two wheels alone: no gyro reads any. */
+    wheels: boolean;
     /** How many readings each sensor has; one without any is not there. */
     readings: { fix?: number; heading?: number; range?: number; bearing?: number };
     /** Of the sensors whose readings bring a σ of their own: how many do, and the least and the greatest of these. */
@@ -108,6 +110,7 @@ struct LogContents {
     rows: usize,
     notes: Vec<String>,
     names: Vec<String>,
+    wheels: bool,
 }
 
 const LOG: &str = "DriveLog";
@@ -130,6 +133,7 @@ impl DriveLog {
                 ("motion", if drive.motion == Motion::Odometry { "odometry" } else { "velocity" }.into()),
                 ("readings", readings(drive)),
                 ("own", own(drive)),
+                ("wheels", held.wheels.into()),
                 ("bearings", held.logged.bearings().into()),
                 ("truth", (!drive.truth.poses().is_empty()).into()),
                 ("opening", opening(drive)),
@@ -146,11 +150,12 @@ impl DriveLog {
 }
 
 impl DriveLog {
-    /// A log that was read, what was left out of it, and what its landmarks are called.
+    /// A log that was read, what was left out of it, what its landmarks are called, and whether wheels alone turn it.
     pub(crate) fn keep(
         robot_log::Log { drive, count }: robot_log::Log,
         notes: Vec<String>,
         names: Vec<String>,
+        wheels: bool,
     ) -> Self {
         let logged = Arc::new(LoggedDrive::new(drive));
         let handle = LOGS.with_borrow_mut(|logs| {
@@ -159,7 +164,7 @@ impl DriveLog {
             logs.push((handle, Arc::downgrade(&logged)));
             handle
         });
-        Self(Held::new(LOG, LogContents { handle, logged, rows: count, notes, names }))
+        Self(Held::new(LOG, LogContents { handle, logged, rows: count, notes, names, wheels }))
     }
 }
 
@@ -213,7 +218,7 @@ impl RobotLog {
     /// Reads a log. What is no log throws a `LogError`, which says in which line and column.
     pub fn parse(text: &JsValue) -> Result<DriveLog, Thrown> {
         let text = text_of(text)?;
-        Ok(DriveLog::keep(robot_log::parse(&text)?, Vec::new(), Vec::new()))
+        Ok(DriveLog::keep(robot_log::parse(&text)?, Vec::new(), Vec::new(), false))
     }
 
     /// How likely the readings from a time on are under `params`.

@@ -39,6 +39,7 @@ mod suspect;
 mod told;
 mod truth;
 mod verdict;
+mod weight;
 
 pub use crate::scaled::{FIRST_SIGMA, HasPose, PoseAndScale, RangeFirst, Scaled};
 pub use course::Course;

@@ -44,6 +44,12 @@ pub(crate) fn note(files: &[File]) -> Option<String> {
     ))
 }
 
+/// Whether the turns come from encoders of wheels alone: then there is no gyro.
+pub(crate) fn wheels(files: &[File]) -> bool {
+    let mut turning = files.iter().filter(|file| file.role().moves() && file.turns()).peekable();
+    turning.peek().is_some() && turning.all(|file| file.role() == Role::Encoders)
+}
+
 /// How the places of a file are said.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Places {

@@ -164,6 +164,7 @@ impl Files {
         }
         let own = self.files.iter().find(|file| file.frame() == Some(Frame::Own)).and_then(File::own);
         let mut read = reading.finish(own)?;
+        read.wheels = beside::wheels(&self.files);
         read.notes.extend(beside::note(&self.files));
         read.notes.extend(beside::origins(&self.files));
         let unused = self.files.iter().filter(|file| file.role() == Role::Unused);

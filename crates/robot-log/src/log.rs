@@ -28,4 +28,6 @@ pub struct Understood {
     pub notes: Vec<String>,
     /// What the files call the landmarks of the numbers 1, 2 and so on; none where they have numbers.
     pub landmarks: Vec<String>,
+    /// Whether turn rates come from the encoders of two wheels alone: no gyro reads any.
+    pub wheels: bool,
 }

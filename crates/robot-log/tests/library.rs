@@ -83,6 +83,13 @@ fn what_was_asked_and_is_said_is_read() {
     let mut speeds = file("wheel-speeds.csv");
     assert!(speeds.set_wheel(0, "radius", 0.1) && speeds.set_wheel(0, "base", 0.5));
     let first = speeds.read().expect("sound").log.drive.rows[0].event;
+    // Wheels alone turn it, until a gyro does too; fixes beside them do not.
+    assert!(speeds.read().expect("sound").wheels);
+    let mut beside = speeds.clone();
+    beside.add("gps.csv", "t,x,y,sigma\n0.1,1,2,0.5\n0.2,1,2,0.5\n").expect("a file");
+    assert!(beside.set_role(1, Role::Sensors) && beside.read().expect("sound").wheels);
+    beside.add("gyro.csv", "t,omega\n0.1,0.2\n0.2,0.2\n").expect("a file");
+    assert!(!beside.read().expect("sound").wheels);
     // 60 and 62 turns a minute of 0.2 pi m.
     let [left, right] = [60.0, 62.0].map(|turns| turns / 60.0 * core::f64::consts::TAU * 0.1);
     let Event::Velocity { v, omega } = first else { panic!("{first:?}") };

@@ -116,6 +116,8 @@ fn off(settings: &Settings, number: Fitted, by: f64) -> Settings {
         Fitted::SigmaTurn => s.sigma_turn *= libm::exp(by),
         Fitted::SigmaFix => s.sigma_fix *= libm::exp(by),
         Fitted::SigmaHeading => s.sigma_heading *= libm::exp(by),
+        Fitted::FixSigmaScale => s.fix_sigma_scale *= libm::exp(by),
+        Fitted::HeadingSigmaScale => s.heading_sigma_scale *= libm::exp(by),
         Fitted::SigmaRange => s.sigma_range *= libm::exp(by),
         Fitted::SigmaBearing => s.sigma_bearing *= libm::exp(by),
         Fitted::DelaySpeed => s.delays.speed += by,

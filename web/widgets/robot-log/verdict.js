@@ -2,7 +2,8 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { landmarkName } from './looks.js'
-import { brief, claimed, digits, plusMinus } from './sized.js'
+import { sigmaKind, sigmaSentence } from './sigmas.js'
+import { brief, digits, plusMinus } from './sized.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /** @typedef {import('estimate-wasm').LogSuspect} Suspect */
@@ -22,15 +23,6 @@ const DELAYED = {
   delayFix: ['positions', 'come'],
   delayHeading: ['headings', 'come'],
   delaySighting: ['ranges', 'come'],
-}
-/** @type {Record<string, [string, string]>} whose σ it is, and its unit */
-const SIGMAS = {
-  sigmaDistance: ['the distance driven', 'm/√s'],
-  sigmaTurn: ['the turn', 'rad/√s'],
-  sigmaFix: ['a position', 'm'],
-  sigmaHeading: ['a heading', 'rad'],
-  sigmaRange: ['a range', 'm'],
-  sigmaBearing: ['a bearing', 'rad'],
 }
 /** @type {Record<string, string>} what a number that is off is called */
 const NAMES = {
@@ -174,7 +166,7 @@ function kind({ fault, name, with: other, sensor, sizes }) {
   if (fault === 'tails') return `a share of outliers among the ${READINGS[sensor ?? 'fix']}`
   if (fault === 'clock')
     return `a delay of the ${other ? `${together(name, other, sizes[2])} together` : DELAYED[name ?? ''][0]}`
-  if (fault === 'sigma') return `another σ of ${SIGMAS[name ?? ''][0]}`
+  if (fault === 'sigma') return sigmaKind(name)
   if (fault === 'mirrored') return 'the sign of the turns'
   if (fault === 'exchanged') return 'an exchange of two landmarks'
   return other ? 'scale and offset of the ranges together' : NAMES[name ?? '']
@@ -198,22 +190,18 @@ export function sentence(suspect, truth, log = null) {
       'If they are right, x and y of the places are exchanged.'
     )
   const [size, second] = sizes
-  const { now, value } = size
-  const off = value - now
+  const off = size.value - size.now
   if (fault === 'start') return start(sizes, truth)
   if (fault === 'tails') {
     const rows = READINGS[sensor ?? 'fix']
-    return `${plusMinus(size, 100)} % of the ${rows} are outliers: switch their gate on, which refuses them.`
+    // A handful are counted: that they are there is sure, and their share is not.
+    const few = size.sigma !== null && size.value < 2 * size.sigma
+    const share = few ? `About ${digits(size, 100)}` : plusMinus(size, 100)
+    return `${share} % of the ${rows} are outliers: switch their gate on, which refuses them.`
   }
   if (fault === 'clock' && second) return `${late(suspect, off)}: ${delays(suspect)}${truth ? '' : MOTION}`
   if (fault === 'clock') return `${late(suspect, off)}: set the delay to ${digits(size)} s.`
-  if (fault === 'sigma') {
-    const [whose, unit] = SIGMAS[name ?? '']
-    return (
-      `The σ of ${whose} is ${plusMinus(size)} ${unit}, and is claimed as ${claimed(now)}: ` +
-      `set it ${off > 0 ? 'higher' : 'lower'}.`
-    )
-  }
+  if (fault === 'sigma') return sigmaSentence(suspect)
   const much = { ...size, value: Math.abs(off) }
   if (name === 'bearingOffset')
     return (
@@ -228,7 +216,7 @@ export function sentence(suspect, truth, log = null) {
   if (name === 'turnBias')
     return (
       `The turn rate reads ${plusMinus(much)} rad/s too ${off > 0 ? 'much' : 'little'}: ` +
-      'let the filter learn its bias.'
+      `let the filter learn its bias.${log?.wheels ? WHEELS : ''}`
     )
   if (second) {
     const by = second.value - second.now
@@ -269,6 +257,11 @@ function start([x, y, theta], truth) {
     `${digits({ ...theta, value: wrapped(theta.value) }, DEGREES)}°.${turned > 60 ? FAR : ''}`
   )
 }
+
+/** What a wheel of another size does, where there is no gyro. */
+const WHEELS =
+  ' It comes from two wheels, and there is no gyro to have a bias: a wheel of another size than was said makes one ' +
+  'too, growing with the speed.'
 
 /** What is looked for begins where the filter starts: from far off it comes nearer, and no further. */
 const FAR = ' So far off this is a first step: the verdict after it brings the next.'

@@ -2,6 +2,7 @@
 
 use crate::drive::course::Course;
 use crate::drive::row::{Drive, Event, Motion};
+use crate::drive::sensor::Sensor;
 use crate::drive::settings::Settings;
 use alloc::vec::Vec;
 use core::f64::consts::{LN_2, PI};
@@ -17,6 +18,10 @@ pub enum Fitted {
     SigmaFix,
     /// σ_H, of a heading.
     SigmaHeading,
+    /// The factor on the σ that fixes bring.
+    FixSigmaScale,
+    /// The factor on the σ that headings bring.
+    HeadingSigmaScale,
     /// σ_ρ, of a range.
     SigmaRange,
     /// σ_β, of a bearing.
@@ -66,8 +71,8 @@ impl Fitted {
             Event::Heading { sigma, .. } => Some((Self::SigmaHeading, sigma.is_some())),
             _ => None,
         };
-        // A σ of all readings is to be found where one has none of its own.
-        let open = |which: Self| drive.rows.iter().any(|row| own(&row.event) == Some((which, false)));
+        // A σ of all readings is to be found where one has none of its own, and a factor on it where one has.
+        let there = |which: Self, is: bool| drive.rows.iter().any(|row| own(&row.event) == Some((which, is)));
         let (fix, heading) = (sensors.fix && s.fixes, sensors.heading && s.headings);
         let (range, bearing) = (sensors.range && s.sightings, sensors.bearing && s.sightings);
         let (sighting, held) = (range || bearing, drive.motion == Motion::Velocity);
@@ -76,8 +81,10 @@ impl Fitted {
         let turns = has(|event| matches!(event, Event::Velocity { .. } | Event::TurnRate { .. }));
         let speeds = has(|event| matches!(event, Event::Velocity { .. } | Event::Speed { .. }));
         [
-            (Self::SigmaFix, fix && open(Self::SigmaFix)),
-            (Self::SigmaHeading, heading && open(Self::SigmaHeading)),
+            (Self::SigmaFix, fix && there(Self::SigmaFix, false)),
+            (Self::FixSigmaScale, fix && there(Self::SigmaFix, true)),
+            (Self::SigmaHeading, heading && there(Self::SigmaHeading, false)),
+            (Self::HeadingSigmaScale, heading && there(Self::SigmaHeading, true)),
             (Self::SigmaRange, sighting),
             (Self::SigmaBearing, bearing),
             // Delays are counted from that of the turn rate; where there is none, from the speed's own.
@@ -109,6 +116,8 @@ impl Fitted {
             Self::SigmaTurn => "sigmaTurn",
             Self::SigmaFix => "sigmaFix",
             Self::SigmaHeading => "sigmaHeading",
+            Self::FixSigmaScale => "fixSigmaScale",
+            Self::HeadingSigmaScale => "headingSigmaScale",
             Self::SigmaRange => "sigmaRange",
             Self::SigmaBearing => "sigmaBearing",
             Self::DelaySpeed => "delaySpeed",
@@ -135,11 +144,21 @@ impl Fitted {
         matches!(self, Self::DelayFix | Self::DelayHeading | Self::DelaySighting)
     }
 
-    /// Whether it is a standard deviation: a fit then says how well the log tells it relative to itself.
+    /// Whether it is a standard deviation or a factor on some: a fit then says how well the log tells it relative to
+    /// itself.
     pub fn is_sigma(self) -> bool {
         !self.is_delay()
             && !matches!(self, Self::Scale | Self::Offset | Self::BearingOffset | Self::HeadingOffset)
             && !matches!(self, Self::SpeedScale | Self::TurnBias)
+    }
+
+    /// Whose readings bring the standard deviations that it is a factor on.
+    pub(crate) fn claimed_by(self) -> Option<Sensor> {
+        match self {
+            Self::FixSigmaScale => Some(Sensor::Fix),
+            Self::HeadingSigmaScale => Some(Sensor::Heading),
+            _ => None,
+        }
     }
 
     fn place(self, settings: &mut Settings) -> &mut f64 {
@@ -148,6 +167,8 @@ impl Fitted {
             Self::SigmaTurn => &mut settings.sigma_turn,
             Self::SigmaFix => &mut settings.sigma_fix,
             Self::SigmaHeading => &mut settings.sigma_heading,
+            Self::FixSigmaScale => &mut settings.fix_sigma_scale,
+            Self::HeadingSigmaScale => &mut settings.heading_sigma_scale,
             Self::SigmaRange => &mut settings.sigma_range,
             Self::SigmaBearing => &mut settings.sigma_bearing,
             Self::DelaySpeed => &mut settings.delays.speed,

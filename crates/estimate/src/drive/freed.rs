@@ -9,7 +9,9 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 const HOPELESS: f64 = 1.5;
 /// A step that promises less is the last.
 const LITTLE: f64 = 0.05;
-const ROUNDS: u32 = 4;
+/// So many steps are taken: of a claim that is wrong by a factor, whose logarithm moves by about ½ in each, more.
+pub(crate) const ROUNDS: u32 = 4;
+pub(crate) const ROUNDS_OF_A_CLAIM: u32 = 12;
 /// How often a step that does not lead up is halved.
 const HALVINGS: u32 = 3;
 /// Steps of ln σ, by which the likelihood's curvature is taken, and the longest that is tried.
@@ -34,6 +36,8 @@ pub(crate) struct Numbers<'a, F: Fn(&[f64]) -> Trial> {
     pub bounds: Vec<[f64; 2]>,
     /// Whether a difference is taken to both sides: of what the likelihood has corners in.
     pub both: bool,
+    /// How many steps of a standard deviation are taken at most.
+    pub rounds: u32,
     pub place: &'a F,
 }
 
@@ -157,7 +161,7 @@ impl Search<'_> {
             self.replay(&(numbers.place)(&[at])).map_or(f64::NEG_INFINITY, |it| it.gain(self.base, self.from))
         };
         let mut found = Freed { at: numbers.first.clone(), sigmas: Vec::new(), gain: 0.0 };
-        for round in 0..ROUNDS {
+        for round in 0..numbers.rounds {
             let at = found.at[0];
             let [above, below] = [SIGMA_STEP, -SIGMA_STEP].map(|by| value(at + by));
             let slope = (above - below) / (2.0 * SIGMA_STEP);

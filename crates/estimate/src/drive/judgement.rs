@@ -18,6 +18,8 @@ const WILD: f64 = 20.0;
 const BETTER: f64 = 0.9;
 /// So many delays are looked at for stairs: those that a sentence may name.
 const NAMED: usize = 2;
+/// One whose NEES is what is expected, to within this logarithm, claims what it is: a σ is not refuted by so little.
+const CLAIMED: f64 = 0.1;
 /// What is expected of the NEES of a position.
 const EXPECTED: f64 = 2.0;
 
@@ -57,7 +59,8 @@ pub(crate) fn refuted(fault: Fault, before: &Against, after: &Against) -> bool {
     let (share, farther) = (after.rmse / before.rmse, far(after) >= far(before));
     let claims = fault == Fault::Sigma && far(after) + core::f64::consts::LN_2 < far(before);
     let worse = if claims { FOR_THE_CLAIM } else { WORSE };
-    share > worse || (share >= 1.0 && farther) || (after.nees > WILD && share > BETTER)
+    let right = fault == Fault::Sigma && far(after) < CLAIMED;
+    share > worse || (share >= 1.0 && farther && !right) || (after.nees > WILD && share > BETTER)
 }
 
 /// By how much the readings of a round are likelier for a robot that turns on its way, where that is more than any

@@ -59,9 +59,9 @@ impl Drive {
     pub fn opening(&self, settings: &Settings) -> Option<Opening> {
         let first = self.rows.iter().position(|row| matches!(row.event, Event::Position { .. }))?;
         let Event::Position { x, y, sigma } = self.rows[first].event else { return None };
-        let sigma = sigma.unwrap_or(settings.sigma_fix);
+        let sigma = settings.of_fix(sigma);
         let by_chord = || {
-            let (theta, off) = self.chord(settings.sigma_fix).unwrap_or((0.0, PI));
+            let (theta, off) = self.chord(settings).unwrap_or((0.0, PI));
             ([x, y, theta], off)
         };
         let fixes = self.fitted(settings);
@@ -73,9 +73,9 @@ impl Drive {
     }
 
     /// The direction from the first fix to the first one far from it, and its σ: √2 σ over their distance.
-    fn chord(&self, usual: f64) -> Option<(f64, f64)> {
+    fn chord(&self, settings: &Settings) -> Option<(f64, f64)> {
         let fix = |event: &Event| match *event {
-            Event::Position { x, y, sigma } => Some((x, y, sigma.unwrap_or(usual))),
+            Event::Position { x, y, sigma } => Some((x, y, settings.of_fix(sigma))),
             _ => None,
         };
         let mut fixes = self.rows.iter().filter_map(|row| fix(&row.event));
@@ -96,7 +96,7 @@ impl Drive {
         while replay.take(&stretch, &course).ok()?.is_some() {}
         let drifted = settings.sigma_turn * libm::sqrt((self.rows[at].time - course.start()).max(0.0));
         let before = self.rows[at].time < course.start();
-        let off = libm::hypot(sigma.unwrap_or(settings.sigma_heading), drifted);
+        let off = libm::hypot(settings.of_heading(sigma), drifted);
         (!before).then(|| (wrap(theta - replay.pose().theta()), off))
     }
 
@@ -174,7 +174,7 @@ fn pairs(stretch: &Drive, settings: &Settings) -> Option<Vec<Pair>> {
     while let Some(taken) = replay.take(stretch, &course).ok()? {
         if let Event::Position { x, y, sigma } = stretch.rows[taken.row].event {
             let reckoned = [replay.pose().x(), replay.pose().y()];
-            pairs.push(Pair { reckoned, fix: [x, y], sigma: sigma.unwrap_or(settings.sigma_fix) });
+            pairs.push(Pair { reckoned, fix: [x, y], sigma: settings.of_fix(sigma) });
         }
     }
     (!pairs.is_empty()).then_some(pairs)
@@ -211,8 +211,8 @@ fn turned(pairs: &[Pair]) -> Option<(Vector3<f64>, f64)> {
 /// The log-likelihood of a stretch's fixes from a start, and their NIS for each output.
 fn likelihood(stretch: &Drive, settings: &Settings, pose: Vector3<f64>, small: f64) -> Option<(f64, f64)> {
     let start = Some([pose[0], pose[1], pose[2]]);
-    let Settings { sigma_distance, sigma_turn, sigma_fix, .. } = *settings;
-    let usual = Settings { sigma_distance, sigma_turn, sigma_fix, ..Settings::default() };
+    let Settings { sigma_distance, sigma_turn, sigma_fix, fix_sigma_scale, .. } = *settings;
+    let usual = Settings { sigma_distance, sigma_turn, sigma_fix, fix_sigma_scale, ..Settings::default() };
     // Scale of the speed and bias of the turn rate are not known here: they may be what their states begin with.
     let held = stretch.motion == Motion::Velocity;
     let usual = Settings { learn_speed: held, learn_bias: held, ..usual };

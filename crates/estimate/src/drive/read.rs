@@ -12,11 +12,11 @@ pub(crate) fn reading(course: &Course, event: &Event) -> Option<Reading> {
     let s = course.settings();
     Some(match *event {
         Event::Position { x, y, sigma } => {
-            let sigma = sigma.unwrap_or(s.sigma_fix);
+            let sigma = s.of_fix(sigma);
             Reading::Position { x, y, w: Matrix2::identity() * (sigma * sigma) }
         }
         Event::Heading { theta, sigma } => {
-            let sigma = sigma.unwrap_or(s.sigma_heading);
+            let sigma = s.of_heading(sigma);
             let theta = if s.heading_offset == 0.0 { theta } else { wrap(theta - s.heading_offset) };
             Reading::Heading { theta, w: sigma * sigma }
         }

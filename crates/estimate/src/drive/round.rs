@@ -4,7 +4,7 @@ use crate::drive::course::{Course, Otherwise};
 use crate::drive::evidence::{Evidence, OUTLIERS, Trial};
 use crate::drive::exchange::likeliest;
 use crate::drive::fitted::Fitted;
-use crate::drive::freed::{Freed, Numbers, Search};
+use crate::drive::freed::{Freed, Numbers, ROUNDS, ROUNDS_OF_A_CLAIM, Search};
 use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
 use crate::drive::suspect::{Fault, Size, Standing, Suspect, Tried};
@@ -67,6 +67,7 @@ impl Round {
             steps: tried.steps(&self.place, scope.period),
             bounds: tried.bounds(&first, scope.most),
             both: clock,
+            rounds: if tried.is_claim() { ROUNDS_OF_A_CLAIM } else { ROUNDS },
             place: &place,
             first,
         };
@@ -113,13 +114,14 @@ impl Round {
         let chance =
             scope.chance[tried.freedom()] + if tried == Tried::Exchanged { libm::log(scope.pairs) } else { 0.0 };
         let id = |at: usize| drive.landmarks.get(at).map_or(0, |landmark| landmark.id);
-        let suspect = Suspect {
+        let mut suspect = Suspect {
             fault: tried.fault(),
             number: which.first().copied(),
             with: which.get(1).copied(),
             sensor: if let Tried::Outliers(sensor) = tried { Some(sensor) } else { None },
             landmarks: pair.map(|pair: [usize; 2]| pair.map(id)),
             sizes,
+            claims: which.first().and_then(|number| number.claimed_by()).and_then(|sensor| drive.claims(sensor)),
             gain: freed.gain,
             excess: freed.gain - chance,
             standing: Standing::Cleared,
@@ -127,45 +129,9 @@ impl Round {
             flat: None,
             mended: None,
         };
+        suspect.weigh();
         (suspect, mended.unwrap_or_else(|| place(&freed.at)))
     }
-}
-
-/// The likeliest fault first; of those that gain as much to within `tie`, the earlier kind.
-pub(crate) fn ranked(mut left: Vec<(Suspect, Trial)>, tie: f64) -> Vec<(Suspect, Trial)> {
-    let mut all = Vec::with_capacity(left.len());
-    while !left.is_empty() {
-        let best = left.iter().map(|(suspect, _)| suspect.excess).fold(f64::NEG_INFINITY, f64::max);
-        // What falls short of chance is ordered by its gain alone.
-        let tie = if best > 0.0 { tie } else { 0.0 };
-        let ties = left.iter().enumerate().filter(|(_, (suspect, _))| suspect.excess >= best - tie);
-        let first = ties.min_by_key(|(_, (suspect, _))| suspect.fault).map_or(0, |(i, _)| i);
-        all.push(left.remove(first));
-    }
-    all
-}
-
-/// The faults that are left to try beside a larger σ, where that explains most in a round.
-pub(crate) fn explained(round: &Round) -> Option<Round> {
-    let (first, place) = round.found.first()?;
-    let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
-    let others = round.found.iter().filter(|(suspect, _)| suspect.excess > 0.0 && suspect.fault != Fault::Sigma);
-    let tried: Vec<Tried> = others.map(|(suspect, _)| suspect.tried()).collect();
-    (larger && first.excess > 0.0 && !tried.is_empty()).then(|| Round::new(*place, tried))
-}
-
-/// Leaves of the ranges' scale and offset both together where neither explains as much by itself, to within what a
-/// number gains by chance; else those by themselves.
-pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, chance: f64) {
-    let gain = |tried: &dyn Fn(&Suspect) -> bool| {
-        let gains = found.iter().filter(|(suspect, _)| tried(suspect)).map(|(suspect, _)| suspect.gain);
-        gains.fold(f64::NEG_INFINITY, f64::max)
-    };
-    let alone =
-        |suspect: &Suspect| suspect.with.is_none() && matches!(suspect.number, Some(Fitted::Scale | Fitted::Offset));
-    let pair = |suspect: &Suspect| suspect.with.is_some() && suspect.fault == Fault::Scale;
-    let both = gain(&pair) > gain(&alone).max(0.0) + chance;
-    found.retain(|(suspect, _)| if both { !alone(suspect) } else { !pair(suspect) });
 }
 
 /// What a gate brings that takes what it refuses for outliers, whose share is the one that is found.

@@ -1,5 +1,6 @@
 //! The sensors of a log, and what is told or said of each.
 
+use crate::drive::gaps::median;
 use crate::drive::row::{Drive, Event, Row};
 
 /// A sensor of a log that corrects the estimate.
@@ -40,13 +41,22 @@ impl Drive {
     /// How many readings of a sensor bring a standard deviation of their own, and the least and the greatest of these;
     /// `None` where none does.
     pub fn own_sigmas(&self, sensor: Sensor) -> Option<(u32, [f64; 2])> {
-        let of = |row: &Row| match (sensor, &row.event) {
-            (Sensor::Fix, Event::Position { sigma, .. }) | (Sensor::Heading, Event::Heading { sigma, .. }) => *sigma,
-            _ => None,
-        };
-        self.rows.iter().filter_map(of).fold(None, |all, sigma| {
+        self.each_own(sensor).fold(None, |all, sigma| {
             let (count, [least, most]) = all.unwrap_or((0, [sigma; 2]));
             Some((count + 1, [least.min(sigma), most.max(sigma)]))
+        })
+    }
+
+    /// The least of the standard deviations that readings of a sensor bring, their median and the greatest.
+    pub(crate) fn claims(&self, sensor: Sensor) -> Option<[f64; 3]> {
+        let (_, [least, most]) = self.own_sigmas(sensor)?;
+        Some([least, median(self.each_own(sensor)), most])
+    }
+
+    fn each_own(&self, sensor: Sensor) -> impl Iterator<Item = f64> {
+        self.rows.iter().filter_map(move |row: &Row| match (sensor, &row.event) {
+            (Sensor::Fix, Event::Position { sigma, .. }) | (Sensor::Heading, Event::Heading { sigma, .. }) => *sigma,
+            _ => None,
         })
     }
 }

@@ -40,6 +40,10 @@ pub struct Settings {
     pub sigma_fix: f64,
     /// σ_H: standard deviation of a heading that has none of its own, rad.
     pub sigma_heading: f64,
+    /// A fix that brings a standard deviation has one so many times as large.
+    pub fix_sigma_scale: f64,
+    /// A heading that brings a standard deviation has one so many times as large.
+    pub heading_sigma_scale: f64,
     /// Standard deviation of x and of y at the start, m.
     pub start_sigma: f64,
     /// Standard deviation of the heading at the start, rad.
@@ -89,6 +93,8 @@ impl Default for Settings {
             sigma_bearing: 0.05,
             sigma_fix: 1.0,
             sigma_heading: 0.05,
+            fix_sigma_scale: 1.0,
+            heading_sigma_scale: 1.0,
             start_sigma: FIRST_SIGMA[0],
             start_sigma_heading: FIRST_SIGMA[2],
             start: None,
@@ -120,6 +126,16 @@ impl Settings {
         Self { sightings: false, fixes: false, headings: false, ..off }
     }
 
+    /// The standard deviation of a fix, m, by the one that it brings.
+    pub(crate) fn of_fix(&self, own: Option<f64>) -> f64 {
+        own.map_or(self.sigma_fix, |sigma| sigma * self.fix_sigma_scale)
+    }
+
+    /// That of a heading, rad.
+    pub(crate) fn of_heading(&self, own: Option<f64>) -> f64 {
+        own.map_or(self.sigma_heading, |sigma| sigma * self.heading_sigma_scale)
+    }
+
     /// # Errors
     /// [`Code::NotFinite`] or [`Code::Limit`] naming the first setting that is out of bounds, or that asks of `motion`
     /// what it has not.
@@ -132,6 +148,8 @@ impl Settings {
             ("sigmaBearing", self.sigma_bearing),
             ("sigmaFix", self.sigma_fix),
             ("sigmaHeading", self.sigma_heading),
+            ("fixSigmaScale", self.fix_sigma_scale),
+            ("headingSigmaScale", self.heading_sigma_scale),
             ("startSigma", self.start_sigma),
             ("startSigmaHeading", self.start_sigma_heading),
         ] {

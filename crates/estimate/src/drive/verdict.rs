@@ -19,11 +19,12 @@ use crate::drive::exchange::pairs;
 use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps};
 use crate::drive::judgement::{Judgement, as_mended, is_own, period, refuted, stairs, turning};
-use crate::drive::round::{Round, Scope, explained, ranked, sifted};
+use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
 use crate::drive::sensor::BySensor;
 use crate::drive::settings::Settings;
 use crate::drive::suspect::{Fault, Standing, Suspect, Tried};
+use crate::drive::weight::{CLEAR, explained, parted, ranked, sifted, stand};
 use crate::error::{Code, Error};
 use alloc::vec::Vec;
 use filters::consistency::chi2_quantile;
@@ -32,10 +33,6 @@ use filters::consistency::chi2_quantile;
 pub const MOST_JUDGED: u32 = 200_000;
 /// A sound log has a fault named with this probability, where its start is as uncertain as it is said to be.
 const CHANCE: f64 = 0.03;
-/// Faults whose gains differ by less than this tie, and the earlier kind is named first.
-const TIE: f64 = 0.5;
-/// A fault is sure where neither chance nor another comes as near as this: the readings are 20 times likelier with it.
-const CLEAR: f64 = 3.0;
 /// A gate that refuses more than this share hides a fault.
 const HIDING: f64 = 0.1;
 
@@ -156,7 +153,7 @@ impl Verdict {
         if self.stage == Stage::First {
             let mut found = core::mem::take(&mut self.first.found);
             sifted(&mut found, self.scope.chance[1]);
-            self.first.found = ranked(found, TIE);
+            self.first.found = ranked(found);
             if self.turn_on_the_way(drive) || self.set_apart() {
                 return Ok(true);
             }
@@ -219,7 +216,7 @@ impl Verdict {
     fn hoist(&mut self, mut round: Round) -> bool {
         let mut found = core::mem::take(&mut round.found);
         sifted(&mut found, self.scope.chance[1]);
-        let mut found = ranked(found, TIE);
+        let mut found = ranked(found);
         let much = found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
         if much == 0 {
             return false;
@@ -232,13 +229,15 @@ impl Verdict {
             };
             suspect.sizes.iter_mut().zip(&alone.sizes).for_each(|(size, alone)| size.value = alone.value);
             *place = *at;
+            suspect.weigh();
         }
-        let mut rest = found.split_off(much);
+        let [mut found, mut rest] = parted(found, much);
         let before = core::mem::take(&mut self.first.found).into_iter();
         rest.extend(before.filter(|(suspect, _)| !round.tried.contains(&suspect.tried())));
-        found.extend(ranked(rest, TIE));
+        let any = !found.is_empty();
+        found.extend(ranked(rest));
         self.first.found = found;
-        true
+        any
     }
 
     /// Says how sure each suspect is, and holds the first against the truth.
@@ -247,13 +246,7 @@ impl Verdict {
         self.hoisted = hoisted;
         let places: Vec<Trial> = self.first.found.iter().map(|(_, place)| *place).collect();
         self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
-        // What a larger σ explains as well is no rival of what is named before it.
-        let kept = |suspect: &&Suspect| !hoisted || suspect.fault != Fault::Sigma;
-        let rival = self.suspects.iter().skip(1).filter(kept).map(|s| s.excess).next().unwrap_or(0.0).max(0.0);
-        for (i, suspect) in self.suspects.iter_mut().enumerate().filter(|(_, suspect)| suspect.excess > 0.0) {
-            let clear = i == 0 && suspect.excess >= rival + CLEAR;
-            suspect.standing = if clear { Standing::Sure } else { Standing::Maybe };
-        }
+        stand(&mut self.suspects, hoisted);
         stairs(drive, &mut self.suspects, &places, &self.scope);
         self.hold_against_the_truth(drive, &places);
         self.suspects.append(&mut self.own);

@@ -18,6 +18,10 @@ params! {
         pub sigma_fix: f64 = 1.0, from 0.0001 to 100000.0 by 0.1 in "m";
         /// σ_H, of a heading that has none of its own: radians.
         pub sigma_heading: f64 = 0.05, from 0.0001 to 100.0 by 0.01 in "rad";
+        /// By how much the σ that a fix brings is multiplied.
+        pub fix_sigma_scale: f64 = 1.0, from 0.0001 to 10000.0 by 0.1;
+        /// By how much the σ that a heading brings is multiplied.
+        pub heading_sigma_scale: f64 = 1.0, from 0.0001 to 10000.0 by 0.1;
         /// The standard deviation of x and of y at the start: metres.
         pub start_sigma: f64 = 0.2, from 0.0001 to 1000000.0 by 0.1 in "m";
         /// The standard deviation of the heading at the start: radians.
@@ -73,6 +77,7 @@ params! {
 impl From<LogParams> for Settings {
     fn from(params: LogParams) -> Self {
         let LogParams { sigma_distance, sigma_turn, sigma_range, sigma_bearing, sigma_fix, sigma_heading, .. } = params;
+        let LogParams { fix_sigma_scale, heading_sigma_scale, .. } = params;
         let LogParams { start_sigma, start_sigma_heading, start, gate, every, withheld, .. } = params;
         let LogParams { scale, offset, bearing_offset, heading_offset, learn, sightings, fixes, headings, .. } = params;
         let LogParams { speed_scale, turn_bias, learn_speed, learn_bias, .. } = params;
@@ -90,6 +95,8 @@ impl From<LogParams> for Settings {
             sigma_bearing,
             sigma_fix,
             sigma_heading,
+            fix_sigma_scale,
+            heading_sigma_scale,
             start_sigma,
             start_sigma_heading,
             start,

@@ -1,0 +1,136 @@
+//! How evidence is weighed: what counts of a suspect's gain, which suspect goes before which, and how sure each is.
+
+use crate::drive::evidence::Trial;
+use crate::drive::fitted::Fitted;
+use crate::drive::round::Round;
+use crate::drive::suspect::{Fault, Size, Standing, Suspect, Tried};
+use alloc::vec::Vec;
+
+/// Faults whose gains differ by less than this tie, and the earlier kind is named first.
+const TIE: f64 = 0.5;
+/// A fault is sure where neither chance nor another comes as near as this: the readings are 20 times likelier with it.
+pub(crate) const CLEAR: f64 = 3.0;
+/// A size that is not so many of its own standard deviations away from what is set is none.
+const CLEAR_OF_ITSELF: f64 = 2.0;
+
+impl Size {
+    /// Whether what the readings tell is another value than is set, and not within its own uncertainty of it. What has
+    /// no uncertainty that could be said has only its gain to be judged by. A `ratio` is compared by its logarithm.
+    fn is_clear(&self, ratio: bool) -> bool {
+        let (off, sigma) = match ratio {
+            true => (libm::log(self.value / self.now), self.sigma / self.value),
+            false => (self.value - self.now, self.sigma),
+        };
+        !sigma.is_finite() || off.abs() >= CLEAR_OF_ITSELF * sigma
+    }
+}
+
+impl Suspect {
+    /// Weighs its evidence: what it gains beyond chance counts where its size is clear of its own uncertainty, of
+    /// several numbers that of one. A share of outliers is what was counted, and is no size of that kind.
+    pub(crate) fn weigh(&mut self) {
+        let ratio = self.number.is_some_and(Fitted::is_sigma);
+        let clear =
+            self.fault == Fault::Tails || self.sizes.is_empty() || self.sizes.iter().any(|it| it.is_clear(ratio));
+        if !clear {
+            self.excess = self.excess.min(0.0);
+        }
+    }
+}
+
+/// The likeliest fault first; of those whose gains tie, the earlier kind.
+pub(crate) fn ranked(mut left: Vec<(Suspect, Trial)>) -> Vec<(Suspect, Trial)> {
+    let mut all = Vec::with_capacity(left.len());
+    while !left.is_empty() {
+        let best = left.iter().map(|(suspect, _)| suspect.excess).fold(f64::NEG_INFINITY, f64::max);
+        // What falls short of chance is ordered by its gain alone.
+        let tie = if best > 0.0 { TIE } else { 0.0 };
+        let ties = left.iter().enumerate().filter(|(_, (suspect, _))| suspect.excess >= best - tie);
+        let first = ties.min_by_key(|(_, (suspect, _))| suspect.fault).map_or(0, |(i, _)| i);
+        all.push(left.remove(first));
+    }
+    all
+}
+
+/// The faults that are left to try beside a larger σ, where that explains most in a round. Where it is what fixes
+/// claim, a start is not: it was taken from these, and its σ is their claim.
+pub(crate) fn explained(round: &Round) -> Option<Round> {
+    let (first, place) = round.found.first()?;
+    let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
+    let of_fixes = first.number == Some(Fitted::FixSigmaScale);
+    let kept = |it: &Suspect| it.fault != Fault::Sigma && !(of_fixes && it.fault == Fault::Start);
+    let others = round.found.iter().filter(|(suspect, _)| suspect.excess > 0.0 && kept(suspect));
+    let tried: Vec<Tried> = others.map(|(suspect, _)| suspect.tried()).collect();
+    (larger && first.excess > 0.0 && !tried.is_empty()).then(|| Round::new(*place, tried))
+}
+
+/// Leaves of the ranges' scale and offset both together where neither explains as much by itself, to within what a
+/// number gains by chance; else those by themselves.
+pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, chance: f64) {
+    let gain = |tried: &dyn Fn(&Suspect) -> bool| {
+        let gains = found.iter().filter(|(suspect, _)| tried(suspect)).map(|(suspect, _)| suspect.gain);
+        gains.fold(f64::NEG_INFINITY, f64::max)
+    };
+    let alone =
+        |suspect: &Suspect| suspect.with.is_none() && matches!(suspect.number, Some(Fitted::Scale | Fitted::Offset));
+    let pair = |suspect: &Suspect| suspect.with.is_some() && suspect.fault == Fault::Scale;
+    let both = gain(&pair) > gain(&alone).max(0.0) + chance;
+    found.retain(|(suspect, _)| if both { !alone(suspect) } else { !pair(suspect) });
+}
+
+/// Those of the first so many whose evidence still counts, and the others.
+pub(crate) fn parted(found: Vec<(Suspect, Trial)>, much: usize) -> [Vec<(Suspect, Trial)>; 2] {
+    let (mut first, mut others) = (Vec::new(), Vec::new());
+    for (i, one) in found.into_iter().enumerate() {
+        if i < much && one.0.excess > 0.0 { first.push(one) } else { others.push(one) }
+    }
+    [first, others]
+}
+
+/// Says how sure each suspect is; `hoisted` where the first are counted beside a larger σ.
+pub(crate) fn stand(suspects: &mut [Suspect], hoisted: bool) {
+    // What a larger σ explains as well is no rival of what is named before it.
+    let kept = |suspect: &&Suspect| !hoisted || suspect.fault != Fault::Sigma;
+    let rival = suspects.iter().skip(1).filter(kept).map(|s| s.excess).next().unwrap_or(0.0).max(0.0);
+    for (i, suspect) in suspects.iter_mut().enumerate().filter(|(_, suspect)| suspect.excess > 0.0) {
+        let clear = i == 0 && suspect.excess >= rival + CLEAR;
+        suspect.standing = if clear { Standing::Sure } else { Standing::Maybe };
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn weighed(fault: Fault, number: Option<Fitted>, [now, value, sigma]: [f64; 3]) -> f64 {
+        let mut suspect = Suspect {
+            fault,
+            number,
+            with: None,
+            sensor: None,
+            landmarks: None,
+            sizes: alloc::vec![Size { now, value, sigma }],
+            claims: None,
+            gain: 9.0,
+            excess: 5.0,
+            standing: Standing::Cleared,
+            own: false,
+            flat: None,
+            mended: None,
+        };
+        suspect.weigh();
+        suspect.excess
+    }
+
+    #[test]
+    fn a_size_that_is_not_clear_of_its_own_uncertainty_is_no_evidence() {
+        let scale = |size| weighed(Fault::Scale, Some(Fitted::SpeedScale), size);
+        assert_eq!([scale([0.0, 0.01, 0.1]), scale([0.0, -0.21, 0.1]), scale([0.05, 0.3, 0.1])], [0.0, 5.0, 5.0]);
+        assert_eq!(weighed(Fault::Clock, Some(Fitted::DelaySpeed), [0.0, 0.15, 0.11]), 0.0);
+        // A σ is compared by its logarithm: to a tenth, whatever is left of it.
+        let sigma = |size| weighed(Fault::Sigma, Some(Fitted::SigmaTurn), size);
+        assert_eq!([sigma([1.0, 0.1, 0.1]), sigma([1.0, 1.3, 0.2])], [5.0, 0.0]);
+        assert_eq!(sigma([1.0, 1e-4, f64::INFINITY]), 5.0, "what is not told at all has its gain");
+        assert_eq!(weighed(Fault::Tails, None, [0.0, 0.003, 0.002]), 5.0, "outliers are counted");
+    }
+}

@@ -1,0 +1,46 @@
+/** A σ that is not what it is said to be, in words: one of the settings, or one that readings bring. */
+
+import { claimed, digits, plusMinus } from './sized.js'
+
+/** @typedef {import('estimate-wasm').LogSuspect} Suspect */
+
+/** @type {Record<string, [string, string]>} whose σ it is, and its unit */
+const SIGMAS = {
+  sigmaDistance: ['the distance driven', 'm/√s'],
+  sigmaTurn: ['the turn', 'rad/√s'],
+  sigmaFix: ['a position', 'm'],
+  sigmaHeading: ['a heading', 'rad'],
+  sigmaRange: ['a range', 'm'],
+  sigmaBearing: ['a bearing', 'rad'],
+}
+/** @type {Record<string, [string, string]>} whose readings bring one, and its unit */
+const CLAIMS = {
+  fixSigmaScale: ['positions', 'm'],
+  headingSigmaScale: ['headings', 'rad'],
+}
+
+/** What such a fault is called. @param {string | null} name of the setting that mends it */
+export function sigmaKind(name) {
+  const [who] = CLAIMS[name ?? ''] ?? []
+  return who ? `a factor on the σ that the ${who} bring` : `another σ of ${SIGMAS[name ?? ''][0]}`
+}
+
+/** What it is, and what mends it. @param {Suspect} suspect */
+export function sigmaSentence({ name, claims, sizes: [size] }) {
+  const { now, value } = size
+  if (!claims) {
+    const [whose, unit] = SIGMAS[name ?? '']
+    return (
+      `The σ of ${whose} is ${plusMinus(size)} ${unit}, and is claimed as ${claimed(now)}: ` +
+      `set it ${value > now ? 'higher' : 'lower'}.`
+    )
+  }
+  const [who, unit] = CLAIMS[name ?? '']
+  const [least, claim, most] = claims
+  const middle = least === most ? '' : ' in the median'
+  const taken = now === 1 ? '' : `, taken times ${claimed(now)},`
+  return (
+    `The ${who} claim ${claimed(claim)} ${unit}${middle}${taken || ','} and ${plusMinus(size, claim)} ${unit} fits: ` +
+    `set the factor on their own σ to ${digits(size)}.`
+  )
+}
