@@ -42,6 +42,7 @@ mod kalman_filter;
 mod lab;
 #[cfg(feature = "log")]
 mod log_file;
+#[cfg(feature = "log")]
 mod log_files;
 #[cfg(feature = "log")]
 mod log_fit;
