@@ -138,6 +138,8 @@ test('the defaults are those of the documentation', () => {
       sigmaRange: 0.6,
       sigmaBearing: 0.05,
       sigmaFix: 1,
+      fixSigmaScale: 1,
+      headingSigmaScale: 1,
       sigmaHeading: 0.05,
       startSigma: 0.2,
       startSigmaHeading: 0.1,
