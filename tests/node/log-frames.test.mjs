@@ -87,7 +87,7 @@ test('a clock of its own and both are said as such', () => {
   assert.match(both.asks[0], /are its frame and its clock others\?/)
   const words = /^its own, and its own clock: it is turned and moved onto the positions, and taken 1\.[45]\d s earlier$/
   assert.match(framesOf(both.frame)[1][1], words)
-  const mirrored = { foreign: false, own: { ...both.frame.own, mirrored: true, delay: 0 } }
+  const mirrored = { said: null, foreign: false, own: { ...both.frame.own, mirrored: true, delay: 0 } }
   assert.equal(framesOf(mirrored)[1][1], 'its own: it is mirrored, turned and moved onto the positions')
 })
 
