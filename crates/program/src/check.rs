@@ -82,25 +82,34 @@ impl Checker<'_, '_> {
                 self.told(line.place, words, ".");
             }
         }
-        if !missing.0.ends_with(' ') {
+        // What is missing is no line's fault: it is said where no line has one.
+        if !missing.0.ends_with(' ') && self.faults.is_empty() {
             missing.text(": a step of a filter makes a new ").text(&self.names[X]).text(" and a new ");
             missing.text(&self.names[P]);
             missing.text(" of the old ones.");
             for name in [X, P] {
                 let known = self.names[name].as_str();
                 let begins = |name: &str| name.get(..known.len()).is_some_and(|head| head.eq_ignore_ascii_case(known));
-                // A prediction is none.
-                let other = |line: &&Line| begins(&self.names[line.name]) && !self.names[line.name].ends_with('⁻');
+                // A prediction is none, nor what a later line goes on with.
+                let goes_on = |line: &Line| {
+                    let of_it = |(node, place): &(Node, Span)| {
+                        matches!(node, Node::Name(name) if *name == line.name) && place.from > line.place.from
+                    };
+                    self.tree.nodes.iter().any(of_it)
+                };
+                let other = |line: &&Line| {
+                    begins(&self.names[line.name]) && !self.names[line.name].ends_with('⁻') && !goes_on(line)
+                };
                 if let (None, Some(line)) = (self.tree.made(name), self.tree.lines.iter().rev().find(other)) {
                     missing.text(" Line ").whole(i64::from(line_of(self.text, line.place.from))).text(" makes ");
                     missing
                         .text(&self.names[line.name])
-                        .text(": if that is the new one, call it ")
+                        .text(": if the reading has corrected it, call it ")
                         .text(known)
                         .text(".");
                 }
             }
-            self.faults.lacking = self.faults.is_empty();
+            self.faults.lacking = true;
             self.told(last, missing, "");
         }
     }

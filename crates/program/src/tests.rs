@@ -228,8 +228,8 @@ fn first_mistakes_are_told_what_to_type() {
     assert_eq!(
         faults("xm = F x\nPm = F P F'\nx_new = xm\nP_new = Pm"),
         ["4:11 No line makes x, and none P: a step of a filter makes a new x and a new P of the old ones. \
-          Line 3 makes x_new: if that is the new one, call it x. \
-          Line 4 makes P_new: if that is the new one, call it P."]
+          Line 3 makes x_new: if the reading has corrected it, call it x. \
+          Line 4 makes P_new: if the reading has corrected it, call it P."]
     );
 }
 

@@ -75,6 +75,20 @@ fn what_is_missing_is_named() {
 }
 
 #[test]
+fn a_prediction_of_its_own_name_is_no_result_and_what_is_missing_is_no_lines_fault() {
+    let begun = "xp = F x + G u\nPp = F P F' + V\nnu = y - H xp\nS = H Pp H' + W";
+    let messages = |text: &str| -> Vec<String> {
+        Program::new(text, Linear, Notation::Choset).faults().iter().map(|fault| fault.message.clone()).collect()
+    };
+    let missing = "No line makes x, and none P: a step of a filter makes a new x and a new P of the old ones.";
+    assert_eq!(messages(begun), [missing], "a later line goes on with both");
+    let last = messages("xp = F x + G u\nPp = F P F' + V");
+    assert!(last[0].ends_with("Line 2 makes Pp: if the reading has corrected it, call it P."), "{last:?}");
+    let faulty = messages(&begun.replace("F P F'", "FPF'"));
+    assert!(faulty.len() == 1 && faulty[0].starts_with("FPF is not known."), "{faulty:?}");
+}
+
+#[test]
 fn a_beginning_with_a_fault_is_told_the_line_at_fault() {
     for (text, line, said) in [
         ("x = F x + G u\nP = F' P F + V", 2, "No line corrects x by the reading yet."),
