@@ -43,7 +43,7 @@ const controls = [
     kind: 'range',
     name: 'gain',
     label: 'Gain: how much the copy is nudged',
-    words: (value, { K }) => `${fixed(value)}: K = ${fixed(K[0])} s, ${fixed(K[1])}`,
+    words: (value) => fixed(value, 2),
     notches: () => [
       { at: 0, name: '0' },
       { at: 1, name: '1' },
