@@ -57,7 +57,7 @@ const BEYOND = {
 
 /** @param {'nees' | 'nis'} key @param {import('estimate-wasm').WriteMean | null} mean */
 function told(key, mean) {
-  if (!mean) return key === 'nis' ? 'needs a line for the innovation and one for S' : 'P is no covariance'
+  if (!mean) return key === 'nis' ? 'innovation or S has no line' : 'P is no covariance'
   const { value, band } = mean
   return value < band[0] ? BEYOND[key][0] : value > band[1] ? BEYOND[key][1] : ''
 }
