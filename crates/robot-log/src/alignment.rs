@@ -1,7 +1,7 @@
 //! The rigid motion that brings a truth onto the fixes: a turn, a shift, and a mirror where the axes have another hand.
 //! In the plane least squares has a closed form: the turn is the direction of one sum of products.
 
-use estimate::drive::{Drive, Event, Pose};
+use estimate::drive::{Drive, Event, Pose, Truth};
 
 /// The most fixes that are compared: of more, as many are taken evenly.
 const MOST_FIXES: usize = 2000;
@@ -37,32 +37,34 @@ impl Rigid {
 
 /// The truth as a path that is asked for places at times.
 pub(crate) struct Path<'a> {
-    poses: &'a [Pose],
+    truth: &'a Truth,
     gap: f64,
 }
 
 impl<'a> Path<'a> {
     /// `None` of less than three poses.
-    pub fn new(poses: &'a [Pose]) -> Option<Self> {
-        let mut apart: Vec<f64> = poses.windows(2).map(|two| two[1].time - two[0].time).collect();
+    pub fn new(truth: &'a Truth) -> Option<Self> {
+        let mut apart: Vec<f64> = truth.poses().windows(2).map(|two| two[1].time - two[0].time).collect();
         apart.sort_unstable_by(f64::total_cmp);
         let usual = apart.get(apart.len() / 2).filter(|_| apart.len() > 1)?;
-        Some(Self { poses, gap: GAP.max(3.0 * usual) })
+        Some(Self { truth, gap: GAP.max(3.0 * usual) })
     }
 
     /// The first and the last time.
     pub fn span(&self) -> [f64; 2] {
-        [self.poses[0].time, self.poses[self.poses.len() - 1].time]
+        let poses = self.truth.poses();
+        [poses[0].time, poses[poses.len() - 1].time]
     }
 
     /// Where the truth is at a time that lies between two poses near one another.
     pub fn at(&self, time: f64) -> Option<[f64; 2]> {
-        let after = self.poses.partition_point(|pose| pose.time <= time);
-        let (before, next) = (self.poses.get(after.checked_sub(1)?)?, self.poses.get(after)?);
-        let apart = next.time - before.time;
-        let share = (time - before.time) / apart;
-        let between = |a: f64, b: f64| a + share * (b - a);
-        (apart <= self.gap).then(|| [between(before.x, next.x), between(before.y, next.y)])
+        let poses = self.truth.poses();
+        let after = poses.partition_point(|pose| pose.time <= time);
+        let (before, next) = (poses.get(after.checked_sub(1)?)?, poses.get(after)?);
+        if next.time - before.time > self.gap {
+            return None;
+        }
+        self.truth.position(time)
     }
 }
 
@@ -175,7 +177,8 @@ mod tests {
             Pose { time: t, x: 3.0 * libm::sin(0.3 * t) + 0.1 * t, y: 5.0 * libm::cos(0.21 * t), theta: 0.0 }
         };
         let poses: Vec<Pose> = (0..600).map(pose).collect();
-        let path = Path::new(&poses).expect("poses");
+        let truth = Truth::new(poses.clone());
+        let path = Path::new(&truth).expect("poses");
         for (mirrored, turn) in [(false, -0.7), (true, 2.4), (false, 3.1)] {
             let wanted = Rigid { mirrored, turn, shift: [120.0, -7.0] };
             let fix = |pose: &Pose| Fix { time: pose.time + 1.5, at: wanted.place([pose.x, pose.y]) };

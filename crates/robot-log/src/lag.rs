@@ -32,9 +32,9 @@ pub(crate) struct Lag {
 }
 
 /// How far the robot went and turned since the first row of motion: time, m, rad.
-struct Course(Vec<[f64; 3]>);
+struct Travelled(Vec<[f64; 3]>);
 
-impl Course {
+impl Travelled {
     fn new(drive: &Drive) -> Self {
         let (mut knots, mut held) = (Vec::<[f64; 3]>::new(), [0.0; 2]);
         for row in drive.rows.iter().filter(|row| row.event.is_motion()) {
@@ -99,7 +99,7 @@ fn together(pairs: &[[f64; 2]]) -> f64 {
 /// Compares the truth with the motion, its stamps shifted by up to `most`, s. `None` where the two do not go together:
 /// then the motion says nothing of the truth's clock.
 pub(crate) fn lag(drive: &Drive, path: &Path<'_>, most: f64) -> Option<Lag> {
-    let (course, [from, to]) = (Course::new(drive), path.span());
+    let (course, [from, to]) = (Travelled::new(drive), path.span());
     let (from, to) = (from + most + WINDOW, to - most - WINDOW);
     if to - from < EVERY * FEWEST as f64 {
         return None;

@@ -159,7 +159,7 @@ fn free(left: &[(Fix, [f64; 2])]) -> f64 {
 
 /// The frame and the clock of the truth's own, where the log's fixes and motion tell one.
 pub(crate) fn own(drive: &Drive, framed: bool) -> Option<Own> {
-    let path = Path::new(drive.truth.poses())?;
+    let path = Path::new(&drive.truth)?;
     let [from, to] = path.span();
     let known = fixes(drive, [from, to]);
     let shared = known.last()?.time - known.first()?.time;
