@@ -267,12 +267,11 @@ export function framesOf({ foreign, own }) {
 
 /** @param {import('estimate-wasm').LogOwn} own */
 function ownWords({ framed, mirrored, turn, delay }) {
-  const late = `${Math.abs(delay).toFixed(2)} s ${delay < 0 ? 'earlier' : 'later'}`
-  if (!framed) return `its own clock: it is taken ${late}`
+  if (!framed) return `its own clock: taken ${Math.abs(delay).toFixed(2)} s ${delay < 0 ? 'earlier' : 'later'}`
+  if (delay !== 0) return 'its own frame and clock'
   const done = [...(mirrored ? ['mirrored'] : []), ...(turn === 0 ? [] : ['turned']), 'moved']
   const last = done.pop()
-  const moved = `${done.length > 0 ? `${done.join(', ')} and ${last}` : last} onto the positions`
-  return delay === 0 ? `its own: it is ${moved}` : `its own, and its own clock: it is ${moved}, and taken ${late}`
+  return `its own frame: ${done.length > 0 ? `${done.join(', ')} and ${last}` : last}`
 }
 
 /** The beginning of what stands in a field. @param {string} text */
