@@ -163,21 +163,24 @@ pub(crate) fn left_out(unlisted: usize, left_out: usize, mapped: bool) -> Vec<St
     notes
 }
 
+/// Where something is missing for longest, what comes of that, and how many such gaps there are.
+fn missed(what: &str, count: u32, longest: [f64; 2], comes: &str) -> String {
+    let [begin, end] = longest.map(|time| (10.0 * time).round() / 10.0);
+    let more = if count > 1 { format!(" This is the longest of {count} such gaps.") } else { String::new() };
+    format!("No {what} from {begin} to {end} s after the first row: {comes}{more}")
+}
+
 /// Where no motion was read: the replay goes on with what it has, and says so.
 pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
     let note = |Gaps { what, count, longest }: Gaps| {
-        let [begin, end] = longest.map(|time| (10.0 * time).round() / 10.0);
         let (rows, held) = match what {
             Missing::Held => ("rows of motion", "the last speed and turn rate are held meanwhile"),
             Missing::Speed => ("speed", "the last one is held meanwhile"),
             Missing::TurnRate => ("turn rate", "the last one is held meanwhile"),
             Missing::Odometry => ("rows of motion", "the row after it is taken for the whole way and turn since"),
         };
-        let more = if count > 1 { format!(" This is the longest of {count} such gaps.") } else { String::new() };
-        format!(
-            "No {rows} from {begin} to {end} s after the first row: {held}. What is estimated there is a guess; cut \
-             the log at the gap to judge it without.{more}"
-        )
+        let guess = "What is estimated there is a guess; cut the log at the gap to judge it without.";
+        missed(rows, count, longest, &format!("{held}. {guess}"))
     };
     estimate::drive::gaps(&drive.rows, drive.motion).into_iter().map(note).chain(unread(&drive.rows)).collect()
 }
@@ -191,12 +194,8 @@ fn unread(rows: &[Row]) -> Vec<String> {
     let heading: fn(&Event) -> bool = |event| matches!(event, Event::Heading { .. });
     let note = |what: &str, is| {
         let (count, longest) = estimate::drive::gaps_of(rows, MISSED, is)?;
-        let [begin, end] = longest.map(|time| (10.0 * time).round() / 10.0);
-        let more = if count > 1 { format!(" This is the longest of {count} such gaps.") } else { String::new() };
-        Some(format!(
-            "No {what} from {begin} to {end} s after the first row: meanwhile the motion leads the estimate on, and \
-             other readings if there are any.{more}"
-        ))
+        let led = "meanwhile the motion leads the estimate on, and other readings if there are any.";
+        Some(missed(what, count, longest, led))
     };
     [note("positions", fix), note("headings", heading)].into_iter().flatten().collect()
 }
