@@ -6,7 +6,7 @@ import { existsSync } from 'node:fs'
 import { chromium } from 'playwright-core'
 import { serve } from '../../scripts/static-server.mjs'
 import { readState, withState } from '../../web/figure/state-in-url.js'
-import { BASE, CHROMIUM_FLAGS, chromiumPath, DESKTOP, dist, HANGS_MS, tagOf } from './places.mjs'
+import { BASE, CHROMIUM_FLAGS, chromiumPath, DESKTOP, dist, HANGS_MS, STANDS_STILL_MS, tagOf } from './places.mjs'
 
 export * from './places.mjs'
 export * from './rest.mjs'
@@ -88,7 +88,14 @@ export async function open(t, wishes = {}) {
   })
   const page = await context.newPage()
   const complaints = watch(page, site.url)
+  // What a test awaits inside a page has no limit of its own. A page that is gone ends the wait, and the test that
+  // stood still is named, before the limit of its whole file names none.
+  const limit = setTimeout(() => {
+    complaints.push(`the test stood still for ${STANDS_STILL_MS / 1000} s`)
+    context.close()
+  }, STANDS_STILL_MS)
   t.after(async () => {
+    clearTimeout(limit)
     await context.close()
     assert.deepEqual(
       complaints.filter((line) => !expected.some((pattern) => pattern.test(line))),

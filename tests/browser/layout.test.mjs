@@ -100,20 +100,29 @@ for (const tag of PLAYED) {
     const page = await open(t, { at: pageOf(tag), motion: 'no-preference' })
     const widget = await figure(page, tag)
     await unlock(page, await widget.getAttribute('data-figure'))
-    await widget.getByRole('button', { name: 'Play' }).click()
-    // Where the figure fills the window there is nothing else to hold the place by.
-    await widget.evaluate((element) =>
-      scrollTo({ top: scrollY + element.getBoundingClientRect().top - 20, behavior: 'instant' }),
-    )
-    const places = await widget.evaluate(async (host) => {
-      const [seen, steps] = [new Set(), new Set()]
-      for (let frames = 0; frames < 120 || steps.size < 3; frames += 1) {
+    await widget.getByRole('button', { name: 'Play' }).waitFor()
+    // Watched from the press on, in one go: a short run might have come to its end before a second look.
+    const { places, steps } = await widget.evaluate(async (host) => {
+      // Where the figure fills the window there is nothing else to hold the place by. What stands above it is laid out
+      // as it comes near, and moves it: it is brought back until it stays.
+      for (let stays = 0; stays < 3; ) {
+        const before = host.getBoundingClientRect().top
+        scrollTo({ top: scrollY + before - 20, behavior: 'instant' })
         await new Promise((resolve) => requestAnimationFrame(resolve))
-        seen.add(scrollY)
+        stays = host.getBoundingClientRect().top === before ? stays + 1 : 0
+      }
+      const [places, steps] = [new Set([scrollY]), new Set([host.frame.step])]
+      const play = [...host.querySelectorAll('button')].find(({ textContent }) => textContent.trim() === 'Play')
+      play.click()
+      const { run } = host.figure
+      for (let frames = 0; frames < 120 || (steps.size < 4 && run.playing); frames += 1) {
+        await new Promise((resolve) => requestAnimationFrame(resolve))
+        places.add(scrollY)
         steps.add(host.frame.step)
       }
-      return [...seen]
+      return { places: [...places], steps: steps.size }
     })
+    assert.ok(steps > 3, `it played: ${steps} steps were seen`)
     assert.equal(places.length, 1, `it was at ${places}`)
   })
 }
