@@ -9,6 +9,7 @@ use crate::names::{Name, candidates};
 use crate::quaternion;
 use crate::role::{Quantity, Role, Value};
 use crate::row::number;
+use crate::sigma;
 use crate::source::Source;
 use crate::stamp;
 use crate::table::LOOKED_AT;
@@ -88,12 +89,8 @@ fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
                 found = axes;
             }
         }
-        // Of a course the accuracy of a compass says nothing, nor the other way round.
-        "sigma of heading" => {
-            let is_course = |name: &Name| name.has_one(&["course", "cog", "crs", "track"]);
-            let heading = source.column("heading").map(|at| is_course(&names[at]));
-            found.retain(|at| heading.is_some_and(|course| course == is_course(&names[*at])));
-        }
+        "sigma" => found.retain(|at| sigma::is_of_position(names, *at)),
+        "sigma of heading" => found = sigma::of_heading(names, source.column("heading"), found),
         // Beside coordinates a bearing is the course.
         "heading" if found.is_empty() && !of("latitude", Quantity::Coordinate).is_empty() => {
             found = of("bearing", Quantity::Angle);

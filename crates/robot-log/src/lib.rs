@@ -71,6 +71,7 @@ mod ros;
 mod row;
 mod several;
 mod shown;
+mod sigma;
 mod source;
 mod stamp;
 mod stamps;
