@@ -6,6 +6,7 @@ import { execFileSync } from 'node:child_process'
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { fileURLToPath } from 'node:url'
+import { acts } from '../../web/page/log-numbers.js'
 
 const { RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 const root = fileURLToPath(new URL('../..', import.meta.url))
@@ -149,6 +150,19 @@ test('a value for all sensors and an object by sensor are one parameter', () => 
   lab.set({ gate: 0.99 })
   assert.deepEqual(lab.state().params.every, { fix: 1, heading: 0, range: 0, bearing: 0 }, 'set leaves the others')
   assert.deepEqual(RobotLog.from(car, lab.state()).state(), lab.state())
+})
+
+test('what acts on a speed or a turn rate is there for logs that read one', () => {
+  const names = ['delaySpeed', 'learnSpeed', 'delayTurn', 'learnBias']
+  const there = (text) => {
+    const contents = RobotLog.parse(text).contents()
+    return [contents.lacks, ...names.filter((name) => acts(contents, name))]
+  }
+  assert.deepEqual(there('V,0,1,0\nV,1,1,0'), [null, ...names])
+  assert.deepEqual(there('S,0,1\nT,0,0'), [null, ...names])
+  assert.deepEqual(there('S,0,1\nS,1,1'), ['turn rate', 'delaySpeed', 'learnSpeed'])
+  assert.deepEqual(there('T,0,0\nT,1,0'), ['speed', 'delayTurn', 'learnBias'])
+  assert.deepEqual(there('O,0,0,0\nO,1,1,0'), [null])
 })
 
 test('a log says which sensors it has', () => {

@@ -1,5 +1,6 @@
 /** The numbers that the filter is told of a log: their words, how far their sliders go, and what they are set to. */
 
+import { fixed } from '../draw/numbers.js'
 import { percent } from '../widgets/robot-log/words.js'
 
 const DEGREE = Math.PI / 180
@@ -111,6 +112,12 @@ export function bySensor(value) {
 }
 
 /**
+ * Of which reading of held motion a setting is.
+ * @type {Record<string, import('estimate-wasm').LogContents['lacks']>}
+ */
+const OF_HELD = { delaySpeed: 'speed', learnSpeed: 'speed', delayTurn: 'turn rate', learnBias: 'turn rate' }
+
+/**
  * Whose σ a number is of, and whether it is a factor on what the readings bring.
  * @type {Record<string, ['fix' | 'heading', boolean]>}
  */
@@ -126,7 +133,9 @@ const SAID = {
  * their own where none does.
  * @param {import('estimate-wasm').LogContents} contents @param {string} name
  */
-export function acts({ own, readings }, name) {
+export function acts({ own, readings, motion, lacks }, name) {
+  const held = OF_HELD[name]
+  if (held) return motion === 'velocity' && lacks !== held
   const [sensor, factor] = SAID[name] ?? []
   if (!sensor) return true
   return factor ? Boolean(own[sensor]) : own[sensor]?.count !== readings[sensor]
@@ -138,11 +147,10 @@ export function acts({ own, readings }, name) {
  * @returns {{ words: string, told: Told }[]}
  */
 export function numbersOf(contents) {
-  const { readings, motion } = contents
+  const { readings } = contents
   const has = SENSORS.filter(({ name }) => readings[/** @type {'fix'} */ (name)])
   const all = has.flatMap(({ words, numbers }) => numbers.map((told) => ({ words: `${words}: ${told[1]}`, told })))
-  const moving = [...MOTION, ...(motion === 'velocity' ? HELD : [])]
-  all.push(...moving.map((told) => ({ words: told[1], told })))
+  all.push(...[...MOTION, ...HELD].map((told) => ({ words: told[1], told })))
   const first = (/** @type {string} */ name) => all.findIndex(({ told }) => told[0] === name)
   return all.filter(({ told: [name] }, i) => first(name) === i && acts(contents, name))
 }
@@ -194,7 +202,8 @@ export function openingOf(contents, factor) {
  * @param {import('estimate-wasm').LogContents | null} [contents]
  * @returns {[string, string][]}
  */
-export function settingsOf({ params, summary: { sensors } }, contents = null) {
+export function settingsOf({ params, summary }, contents = null) {
+  const { sensors } = summary
   const value = (/** @type {string} */ name) => /** @type {any} */ (params)[name]
   const digits = (/** @type {number} */ number) => String(Number(number.toPrecision(4))).replace('-', '−')
   // A number that no reading is read by was not told.
@@ -216,8 +225,23 @@ export function settingsOf({ params, summary: { sensors } }, contents = null) {
     rows.push([`${words}: least gap in time, s`, digits(bySensor(params.every)[name] ?? 0)])
     if (on === 'sightings') rows.push([`${words}: learn the scale ε`, params.learn ? 'yes' : 'no'])
   }
-  rows.push(...[...MOTION, ...HELD].map((number) => said('motion', number)))
-  if (params.learnSpeed) rows.push(['motion: learn the scale of the speed', 'yes'])
-  if (params.learnBias) rows.push(['motion: learn the bias of the turn rate', 'yes'])
+  const moving = [...MOTION, ...HELD].filter(([name]) => !contents || acts(contents, name))
+  rows.push(...moving.map((number) => said('motion', number)))
+  const { speed, bias } = learnedWords(summary)
+  if (params.learnSpeed) rows.push(['motion: learn the scale of the speed', `yes${speed && `: ${speed}`}`])
+  if (params.learnBias) rows.push(['motion: learn the bias of the turn rate', `yes${bias && `: ${bias}`}`])
   return rows.map(([name, words]) => [`${name[0].toUpperCase()}${name.slice(1)}`, words])
+}
+
+/**
+ * What a filter has learned of its motion so far: the factor of the speed and the bias of the turn rate; empty words
+ * where it learns none.
+ * @param {import('estimate-wasm').LogFrame['summary']} summary
+ */
+export function learnedWords({ speedScale, speedScaleSigma, turnBias, turnBiasSigma }) {
+  const { NaN: unknown } = Number
+  return {
+    speed: speedScale === null ? '' : `× ${fixed(1 + speedScale, 3)} ± ${fixed(speedScaleSigma ?? unknown, 3)}`,
+    bias: turnBias === null ? '' : `${fixed(turnBias, 4)} ± ${fixed(turnBiasSigma ?? unknown, 4)} rad/s`,
+  }
 }

@@ -6,7 +6,7 @@
 import { part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { percent } from '../widgets/robot-log/words.js'
-import { GATES, HELD, MOTION, SENSORS, acts, bySensor, ownFactor } from './log-numbers.js'
+import { GATES, HELD, MOTION, SENSORS, acts, bySensor, learnedWords, ownFactor } from './log-numbers.js'
 import { numberSlider } from './log-slider.js'
 import { numberField } from './number-field.js'
 
@@ -33,18 +33,14 @@ export class SensorForm {
     this.shows = []
     for (const sensor of SENSORS) if (readings[/** @type {'fix'} */ (sensor.name)]) this.sensor(sensor, contents)
     const row = this.row('motion')
-    for (const number of [...MOTION, ...(motion === 'velocity' ? HELD : [])]) this.number(row, number)
+    for (const number of [...MOTION, ...HELD].filter(([name]) => acts(contents, name))) this.number(row, number)
     if (motion === 'velocity') {
-      this.toggle(row, 'learnSpeed', 'learn the scale of the speed')
-      this.toggle(row, 'learnBias', 'learn the bias of the turn rate')
-      this.says(row, ({ summary: { speedScale, speedScaleSigma, turnBias, turnBiasSigma } }) =>
-        [
-          speedScale === null
-            ? ''
-            : `Speed × ${fixed(1 + speedScale, 3)} ± ${fixed(speedScaleSigma ?? Number.NaN, 3)}.`,
-          turnBias === null ? '' : `Bias ${fixed(turnBias, 4)} ± ${fixed(turnBiasSigma ?? Number.NaN, 4)} rad/s.`,
-        ].join(' '),
-      )
+      if (acts(contents, 'learnSpeed')) this.toggle(row, 'learnSpeed', 'learn the scale of the speed')
+      if (acts(contents, 'learnBias')) this.toggle(row, 'learnBias', 'learn the bias of the turn rate')
+      this.says(row, ({ summary }) => {
+        const { speed, bias } = learnedWords(summary)
+        return [speed && `Speed ${speed}.`, bias && `Bias ${bias}.`].join(' ').trim()
+      })
     }
   }
 

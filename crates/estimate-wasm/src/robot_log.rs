@@ -5,7 +5,7 @@ use crate::encode::{Row, record};
 use crate::errors::Thrown;
 use crate::lab::{AnyLab, RobotLog};
 use crate::object::Held;
-use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Settings, Summary, log_likelihood};
+use estimate::drive::{BySensor, Drive, Motion, Opening, Sensor, Settings, Summary, lacks, log_likelihood};
 use estimate::validate::finite;
 use estimate::{Code, Error, Landmark};
 use js_sys::{Array, JsString};
@@ -31,6 +31,8 @@ export interface LogContents {
     names: string[];
     /** How the robot's motion is logged: by O rows, or by rows that are held (V, S, T). */
     motion: "odometry" | "velocity";
+    /** What no row of held motion reads. */
+    lacks: "speed" | "turn rate" | null;
     /** Whether turn rates come from the encoders of two wheels alone: no gyro reads any. */
     wheels: boolean;
     /** How many readings each sensor has; one without any is not there. */
@@ -131,6 +133,7 @@ impl DriveLog {
                 ("span", crate::encode::list(&[first, last])),
                 ("landmarks", landmarks),
                 ("motion", if drive.motion == Motion::Odometry { "odometry" } else { "velocity" }.into()),
+                ("lacks", lacks(&drive.rows, drive.motion).map_or(JsValue::NULL, |lacking| lacking.name().into())),
                 ("readings", readings(drive)),
                 ("own", own(drive)),
                 ("wheels", held.wheels.into()),

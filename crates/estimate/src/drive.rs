@@ -46,7 +46,7 @@ pub use course::Course;
 pub use evidence::Against;
 pub use fit::{Fit, FitResult};
 pub use fitted::Fitted;
-pub use gaps::{Gaps, Missing, gaps, gaps_of};
+pub use gaps::{Gaps, Missing, gaps, gaps_of, lacks};
 pub use judgement::Judgement;
 pub use learned::FIRST_SIGMA_BIAS;
 pub use likelihood::{beyond, log_likelihood};

@@ -170,6 +170,18 @@ fn missed(what: &str, count: u32, longest: [f64; 2], comes: &str) -> String {
     format!("No {what} from {begin} to {end} s after the first row: {comes}{more}")
 }
 
+/// What no row of motion reads, and what the filter does without.
+pub(crate) fn lacking(drive: &Drive) -> Option<String> {
+    let (what, taken, number, really) = match estimate::drive::lacks(&drive.rows, drive.motion)? {
+        Missing::TurnRate => ("turn rate", "drive straight on", "turn", "much it turns"),
+        _ => ("speed", "stand", "distance", "far it goes"),
+    };
+    Some(format!(
+        "The log has no {what}: between readings the robot is taken to {taken}, and the \u{3c3} of the {number} has to \
+         cover how {really}."
+    ))
+}
+
 /// Where no motion was read: the replay goes on with what it has, and says so.
 pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
     let note = |Gaps { what, count, longest }: Gaps| {

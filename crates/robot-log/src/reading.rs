@@ -260,6 +260,7 @@ impl LogReader {
         }
         notes.extend(notes::times(&log.drive));
         notes.extend(frames::apart(&log.drive));
+        notes.extend(notes::lacking(&log.drive));
         notes.extend(notes::gaps(&log.drive));
         notes.extend(notes::left_out(self.unlisted, left_out, mapped));
         Ok(Understood { log, notes, landmarks: self.landmarks.names(), wheels: false })

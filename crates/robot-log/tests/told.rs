@@ -54,6 +54,17 @@ fn a_gap_between_rows_of_motion_is_said_with_what_is_held_meanwhile() {
 }
 
 #[test]
+fn a_log_without_turn_rates_or_without_speeds_says_so_and_what_is_taken_instead() {
+    let rows = || every(0.1, 60);
+    let speeds = notes(&[("wheels.csv", &table("t,speed", rows(), "1")), ("gps.csv", FIXES)]);
+    assert!(said(&speeds, "The log has no turn rate: between readings the robot is taken to drive straight on"));
+    let turns = notes(&[("gyro.csv", &table("t,gyro_z", rows(), "0.1")), ("gps.csv", FIXES)]);
+    assert!(said(&turns, "The log has no speed: between readings the robot is taken to stand"), "{turns:?}");
+    let both = notes(&[("wheels.csv", &table("t,v,omega", rows(), "1,0.1")), ("gps.csv", FIXES)]);
+    assert!(!said(&both, "The log has no"), "{both:?}");
+}
+
+#[test]
 fn few_rows_that_are_doubled_or_go_back_are_counted_with_the_line_of_the_first() {
     let doubled =
         table("t,distance,turn", every(0.1, 100).flat_map(|t| [Some(t), (t == 4.0).then_some(t)]).flatten(), "0.1,0");

@@ -58,13 +58,31 @@ pub fn gaps(rows: &[Row], motion: Motion) -> Vec<Gaps> {
     if motion == Motion::Odometry {
         return of(rows, Missing::Odometry, Event::is_motion).into_iter().collect();
     }
-    let speed = of(rows, Missing::Speed, |event| matches!(event, Event::Velocity { .. } | Event::Speed { .. }));
-    let turn = of(rows, Missing::TurnRate, |event| matches!(event, Event::Velocity { .. } | Event::TurnRate { .. }));
+    let speed = of(rows, Missing::Speed, Event::has_speed);
+    let turn = of(rows, Missing::TurnRate, Event::has_turn_rate);
     match (speed, turn) {
         (Some(speed), Some(turn)) if speed == (Gaps { what: Missing::Speed, ..turn }) => {
             alloc::vec![Gaps { what: Missing::Held, ..speed }]
         }
         (speed, turn) => speed.into_iter().chain(turn).collect(),
+    }
+}
+
+/// What a log whose motion is held never reads: its speed or its turn rate.
+///
+/// # Example
+/// ```
+/// use estimate::drive::{Event, Missing, Motion, Row, lacks};
+/// let rows = [Row::new(0.0, Event::Speed { v: 1.0 }), Row::new(0.1, Event::Speed { v: 1.0 })];
+/// assert_eq!(lacks(&rows, Motion::Velocity), Some(Missing::TurnRate));
+/// ```
+pub fn lacks(rows: &[Row], motion: Motion) -> Option<Missing> {
+    let has = |is: fn(&Event) -> bool| rows.iter().any(|row| is(&row.event));
+    match motion {
+        Motion::Odometry => None,
+        Motion::Velocity if !has(Event::has_turn_rate) => Some(Missing::TurnRate),
+        Motion::Velocity if !has(Event::has_speed) => Some(Missing::Speed),
+        Motion::Velocity => None,
     }
 }
 

@@ -66,6 +66,16 @@ impl Event {
     pub fn is_motion(&self) -> bool {
         Sensor::of(self).is_none()
     }
+
+    /// Whether the row reads a speed that is held.
+    pub fn has_speed(&self) -> bool {
+        matches!(self, Self::Velocity { .. } | Self::Speed { .. })
+    }
+
+    /// Whether the row reads a turn rate that is held.
+    pub fn has_turn_rate(&self) -> bool {
+        matches!(self, Self::Velocity { .. } | Self::TurnRate { .. })
+    }
 }
 
 /// Something for each sensor.
