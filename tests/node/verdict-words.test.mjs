@@ -88,8 +88,8 @@ test('where no motion was read, that is said before any fault', () => {
 test('a σ is claimed too small or too large, and what is not told has no ±', () => {
   const sigma = (value, told) =>
     sentence(suspect({ fault: 'sigma', name: 'sigmaFix', sizes: [{ now: 1, value, sigma: told }] }), false)
-  assert.equal(sigma(1.64, 0.1), 'The σ of a position is 1.64 ± 0.10 m, and is claimed as 1: set it higher.')
-  assert.match(sigma(0.2, null), /is about 0\.20 m, and is claimed as 1: set it lower/)
+  assert.equal(sigma(1.64, 0.1), 'The σ of a position is 1.64 ± 0.10 m, and is set to 1: set it higher.')
+  assert.match(sigma(0.2, null), /is about 0\.20 m, and is set to 1: set it lower/)
 })
 
 test('what readings claim is named with what fits, and the factor that mends it', () => {

@@ -68,6 +68,13 @@ export class Answer {
     text.setSelectionRange(at, from + (lines[line - 1]?.length ?? 0))
   }
 
+  /** The way to what the filter makes of the log: on a phone the files, as they are read, stand before it. */
+  lead() {
+    const link = /** @type {HTMLAnchorElement} */ (part(document, part(document, this.box, 'p', 'log-lead'), 'a', ''))
+    link.href = '#fig-own-log'
+    link.textContent = 'See the map and the verdict'
+  }
+
   /**
    * Says something that a press makes otherwise.
    * @param {{ words: string, press: string, after: string }} told @param {() => void} act

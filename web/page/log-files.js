@@ -201,7 +201,7 @@ export class FileForm {
     const cell = part(document, into, 'div', `log-value log-role${said === null ? ' asked' : ''}`)
     const options = framesOf(frame)
     if (said === null) options.unshift(['', 'choose one'])
-    const label = foreign ? 'its origin lies' : 'its frame and clock'
+    const label = foreign ? 'its frame' : 'its frame and clock'
     this.choice(cell, `${i} frame`, label, options, said ?? '', (frame) => ({ file: i, frame }))
   }
 
@@ -257,8 +257,8 @@ export function framesOf({ foreign, own }) {
   /** @type {[string, string][]} */
   const options = foreign
     ? [
-        ['same', 'where that of the positions does, with the same axes'],
-        ['moved', 'elsewhere: it is moved onto the first fix'],
+        ['same', 'origin and axes of the positions'],
+        ['moved', 'same axes, another origin: moved onto the first fix'],
       ]
     : [['same', own?.framed ? 'the same frame' : 'the same clock']]
   if (own) options.push(['own', ownWords(own)])

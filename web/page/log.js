@@ -253,6 +253,7 @@ class OwnLog {
     this.answer.say(`${this.facts()}${contents.opening ? ' The filter starts where the first fixes say.' : ''}`)
     const notes = asks ? [PUZZLE, ...contents.notes] : contents.notes
     for (const note of notes) part(document, this.answer.box, 'p', '').textContent = note
+    this.answer.lead()
     if (told) this.answer.offer(told, () => this.forms.change(told.patch))
   }
 

@@ -31,7 +31,7 @@ async function open(id, given, spec) {
 
 /** @param {Frame} frame @param {Frame} before */
 function announce(frame, before) {
-  return `${frame.step === before.step ? '' : `After ${clock(frame.time)}: `}${verdict(frame)}`
+  return `${frame.step === before.step ? '' : `After ${clock(frame.time)} of the log: `}${verdict(frame)}`
 }
 
 // View: nine panels, in the folder's files, and what is said beside them.

@@ -31,7 +31,7 @@ export function sigmaSentence({ name, claims, sizes: [size] }) {
   if (!claims) {
     const [whose, unit] = SIGMAS[name ?? '']
     return (
-      `The σ of ${whose} is ${plusMinus(size)} ${unit}, and is claimed as ${claimed(now)}: ` +
+      `The σ of ${whose} is ${plusMinus(size)} ${unit}, and is set to ${claimed(now)}: ` +
       `set it ${value > now ? 'higher' : 'lower'}.`
     )
   }
