@@ -8,6 +8,11 @@ const ACTS = /** @type {const} */ (['pointerdown', 'keydown', 'wheel', 'touchsta
  */
 export function sight() {
   const { scrollY: stood } = window
+  const middle = document.elementFromPoint(innerWidth / 2, innerHeight / 2)
+  const top = () => middle?.getBoundingClientRect().top ?? 0
+  const lay = top()
+  // What grows above the window moves its distance from the page's top, and nothing that is seen in it.
+  const moved = () => Math.abs(scrollY - stood) > 1 && Math.abs(top() - lay) > 1
   let acted = false
   const act = () => {
     acted = true
@@ -15,7 +20,7 @@ export function sight() {
   for (const kind of ACTS) addEventListener(kind, act, { capture: true, passive: true, once: true })
   return (element) => {
     for (const kind of ACTS) removeEventListener(kind, act, { capture: true })
-    if (acted || Math.abs(scrollY - stood) > 1) return
+    if (acted || moved()) return
     const still = matchMedia('(prefers-reduced-motion: reduce)').matches
     element.scrollIntoView({ block: 'start', behavior: still ? 'instant' : 'smooth' })
   }
