@@ -35,7 +35,7 @@ fn row(fault: Option<Fault>, cases: &[Case]) -> Result<(), Error> {
         let own = judgement.suspects.iter().find(|s| Some(s.fault) == fault && s.number == case.number);
         if let Some(own) = own {
             gain += own.gain;
-            let Size { now, value, sigma } = own.sizes[0];
+            let Size { now, value, sigma, .. } = own.sizes[0];
             // A σ is claimed e^size times too large.
             let (off, sigma) = match fault {
                 Some(Fault::Sigma) => ((value / now).ln() + case.size, sigma / value),

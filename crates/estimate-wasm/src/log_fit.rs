@@ -36,6 +36,8 @@ export interface LogFound {
     /** How many of the counted readings lie far out, and which share is expected to: more have bent the fit. */
     beyond: number;
     expected: number;
+    /** The mean distance of a second in which the robot drives, metres: what σ of the distance is held against. */
+    pace: number;
 }
 "#;
 
@@ -93,5 +95,6 @@ fn shown(found: &FitResult) -> JsValue {
         ("settled", found.settled.into()),
         ("beyond", found.beyond.into()),
         ("expected", found.expected.into()),
+        ("pace", found.pace.into()),
     ])
 }

@@ -5,7 +5,7 @@ use crate::errors::Thrown;
 use crate::lab::RobotLog;
 use crate::object::Held;
 use crate::robot_log::logged;
-use estimate::drive::{Against, Gaps, Judgement, Sensor, Size, Standing, Suspect};
+use estimate::drive::{Against, Gaps, Judgement, Sensor, Size, Standing, Suspect, Times};
 use js_sys::Array;
 use lab::Params;
 use std::sync::Arc;
@@ -28,7 +28,16 @@ export interface LogSuspect {
      * As it is set, where the readings are likeliest, and how well they tell it, null where they do not: of each
      * parameter; of the start x, y and θ in metres and radians; of outliers their share. Empty where nothing is set.
      */
-    sizes: { now: number; value: number; sigma: number | null }[];
+    sizes: {
+        now: number; value: number; sigma: number | null;
+        /** Whether it is the last value that is tried: the readings are likeliest there or beyond. */
+        end: boolean;
+    }[];
+    /**
+     * Of a scale, how many times what is there is read, how well that is known, and what the filter takes it for as it
+     * is set; and the unit that it may be in, with the one in which it is then taken. Else null.
+     */
+    times: { value: number; sigma: number | null; set: number; unit: [string, string] | null } | null;
     /** Of a factor on the σ that readings bring: the least of these, their median and the greatest; else null. */
     claims: [number, number, number] | null;
     /** By how much the log-likelihood of the readings rises where it is freed. */
@@ -81,6 +90,8 @@ export interface LogJudgement {
     arcs: number | null;
     /** The median time between rows of motion, seconds. */
     period: number;
+    /** The mean distance of a second in which the robot drives, metres. */
+    pace: number;
     /**
      * Where no motion was read, by what is missing: how many gaps, and from when to when the longest is, seconds since
      * the first row.
@@ -136,6 +147,7 @@ fn shown(judgement: &Judgement) -> JsValue {
         ("beside", judgement.beside.into()),
         ("arcs", judgement.arcs.map_or(JsValue::NULL, Into::into)),
         ("period", judgement.period.into()),
+        ("pace", judgement.pace.into()),
         ("gaps", judgement.gaps.iter().map(gap).collect::<Array>().into()),
         ("other", judgement.other.into()),
     ])
@@ -160,6 +172,7 @@ fn suspect(suspect: &Suspect) -> JsValue {
         ("sensor", sensor.map_or(JsValue::NULL, Into::into)),
         ("landmarks", suspect.landmarks.map_or(JsValue::NULL, |ids| list(&ids.map(f64::from)))),
         ("sizes", suspect.sizes.iter().map(size).collect::<Array>().into()),
+        ("times", suspect.times().map_or(JsValue::NULL, times)),
         ("claims", suspect.claims.map_or(JsValue::NULL, |claims| list(&claims))),
         ("gain", suspect.gain.into()),
         ("excess", suspect.excess.into()),
@@ -174,9 +187,20 @@ fn gap(gaps: &Gaps) -> JsValue {
     record(&[("what", gaps.what.name().into()), ("count", gaps.count.into()), ("longest", list(&gaps.longest))])
 }
 
-fn size(Size { now, value, sigma }: &Size) -> JsValue {
+fn size(Size { now, value, sigma, end }: &Size) -> JsValue {
     let sigma = if sigma.is_finite() { (*sigma).into() } else { JsValue::NULL };
-    record(&[("now", (*now).into()), ("value", (*value).into()), ("sigma", sigma)])
+    record(&[("now", (*now).into()), ("value", (*value).into()), ("sigma", sigma), ("end", (*end).into())])
+}
+
+fn times(Times { value, sigma, set, unit }: Times) -> JsValue {
+    let sigma = if sigma.is_finite() { sigma.into() } else { JsValue::NULL };
+    let names = |unit: [&str; 2]| unit.iter().map(|name| JsValue::from(*name)).collect::<Array>().into();
+    record(&[
+        ("value", value.into()),
+        ("sigma", sigma),
+        ("set", set.into()),
+        ("unit", unit.map_or(JsValue::NULL, names)),
+    ])
 }
 
 fn against(against: Option<Against>) -> JsValue {

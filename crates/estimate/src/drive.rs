@@ -11,6 +11,7 @@
 //! rate came half a step late: in a log with sparse rows of motion that looks like a clock. A [`Verdict`] asks for it,
 //! and takes no delay of up to half a step for a fault.
 
+mod beside;
 mod course;
 mod evidence;
 mod exchange;
@@ -26,6 +27,7 @@ mod likelihood;
 mod line;
 mod moves;
 mod opening;
+mod pace;
 mod read;
 mod replay;
 mod round;
@@ -36,6 +38,7 @@ mod smoother;
 mod statistics;
 mod summary;
 mod suspect;
+mod times;
 mod told;
 mod truth;
 mod verdict;
@@ -60,6 +63,7 @@ pub use smoother::{Smoothed, SmoothedPose};
 pub use statistics::Judged;
 pub use summary::{BearingSummary, FixSummary, SensorSummary, Sensors, Summary, Withheld};
 pub use suspect::{Fault, Size, Standing, Suspect};
+pub use times::Times;
 pub use truth::{Pose, Truth};
 pub use verdict::{MOST_JUDGED, Verdict};
 

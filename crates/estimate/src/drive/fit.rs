@@ -11,6 +11,7 @@ use crate::drive::fitted::Fitted;
 use crate::drive::flat::flat;
 use crate::drive::likelihood::{beyond, log_likelihood};
 use crate::drive::moves::Moves;
+use crate::drive::pace::pace;
 use crate::drive::row::{Drive, Event};
 use crate::drive::sensor::{BySensor, Sensor};
 use crate::drive::settings::Settings;
@@ -54,6 +55,9 @@ pub struct FitResult {
     pub beyond: u32,
     /// That share.
     pub expected: f64,
+    /// The mean distance of a second in which the robot drives, m: a σ of the distance that is a good part of it, in
+    /// m/√s, is more than noise.
+    pub pace: f64,
     /// Delays of a log of odometry, from where to where its likelihood is the same.
     pub flat: Vec<(Fitted, [f64; 2])>,
 }
@@ -62,6 +66,7 @@ pub struct FitResult {
 #[derive(Clone, Debug)]
 pub struct Fit {
     settings: Settings,
+    pace: f64,
     /// Readings stamped before are not counted.
     from: f64,
     numbers: Vec<Fitted>,
@@ -118,6 +123,7 @@ impl Fit {
         let start = drive.truth.poses().first().map_or(first + most, |pose| pose.time);
         let mut fit = Self {
             settings,
+            pace: pace(drive, &settings),
             from: start + SETTLED,
             numbers,
             at,
@@ -229,6 +235,7 @@ impl Fit {
             settled: self.settled,
             beyond: self.beyond,
             expected: EXPECTED,
+            pace: self.pace,
             flat: self.flat.clone().unwrap_or_default(),
         }
     }

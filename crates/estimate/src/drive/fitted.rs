@@ -204,7 +204,8 @@ impl Fitted {
     /// How far it is tried, with delays of at most so much.
     pub(crate) fn bounds(self, most: f64) -> [f64; 2] {
         match self {
-            Self::Scale | Self::SpeedScale => [-0.5, 1.0],
+            // A factor of ten either way: feet and kilometres an hour lie well within.
+            Self::Scale | Self::SpeedScale => [-0.9, 9.0],
             Self::Offset => [-1e3, 1e3],
             Self::BearingOffset | Self::HeadingOffset => [-PI, PI],
             Self::TurnBias => [-1.0, 1.0],

@@ -7,11 +7,13 @@ use nalgebra::{Cholesky, DMatrix, DVector};
 
 /// A number whose freeing promises less than this is not looked at further: it is far from any verdict.
 const HOPELESS: f64 = 1.5;
+/// A number whose freeing promises more than this may be far off, and is sought elsewhere too.
+const FAR: f64 = 100.0;
 /// A step that promises less is the last.
 const LITTLE: f64 = 0.05;
-/// So many steps are taken: of a claim that is wrong by a factor, whose logarithm moves by about ½ in each, more.
+/// So many steps are taken: of what is wrong by a factor, as a claim whose logarithm moves by about ½ in each, more.
 pub(crate) const ROUNDS: u32 = 4;
-pub(crate) const ROUNDS_OF_A_CLAIM: u32 = 12;
+pub(crate) const ROUNDS_OF_A_FACTOR: u32 = 12;
 /// How often a step that does not lead up is halved.
 const HALVINGS: u32 = 3;
 /// Steps of ln σ, by which the likelihood's curvature is taken, and the longest that is tried.
@@ -36,7 +38,9 @@ pub(crate) struct Numbers<'a, F: Fn(&[f64]) -> Trial> {
     pub bounds: Vec<[f64; 2]>,
     /// Whether a difference is taken to both sides: of what the likelihood has corners in.
     pub both: bool,
-    /// How many steps of a standard deviation are taken at most.
+    /// Where else the first is sought, as far as it may be far off.
+    pub others: Vec<f64>,
+    /// How many steps are taken at most.
     pub rounds: u32,
     pub place: &'a F,
 }
@@ -59,22 +63,52 @@ impl Search<'_> {
     /// Numbers that move what is expected of the readings (Gauss and Newton): with e = L⁻¹ν the gradient of the
     /// log-likelihood is −Σ eᵀ∂e, and its information Σ ∂eᵀ∂e. `None` where the readings do not tell them.
     pub fn means<F: Fn(&[f64]) -> Trial>(&self, numbers: &Numbers<'_, F>) -> Option<Freed> {
-        let mut found = Freed { at: numbers.first.clone(), sigmas: Vec::new(), gain: 0.0 };
-        let mut here: Option<Evidence> = None;
-        for round in 0..ROUNDS {
+        let first = Freed { at: numbers.first.clone(), sigmas: Vec::new(), gain: 0.0 };
+        let (near, promised) = self.ascend(numbers, first, None)?;
+        let lost = near.gain == 0.0 && promised >= HOPELESS;
+        if promised < FAR && !lost {
+            return Some(near);
+        }
+        // So far off the way up from where they are may lead nowhere.
+        let mut best: Option<(Freed, Evidence)> = None;
+        for value in &numbers.others {
+            let mut at = numbers.first.clone();
+            at[0] = *value;
+            let Some(evidence) = self.replay(&(numbers.place)(&at)) else { continue };
+            let gain = evidence.gain(self.base, self.from);
+            if gain > best.as_ref().map_or(near.gain, |(best, _)| best.gain) {
+                best = Some((Freed { at, sigmas: near.sigmas.clone(), gain }, evidence));
+            }
+        }
+        let far = best.and_then(|(from, here)| self.ascend(numbers, from, Some(here)));
+        Some(far.map_or(near, |(found, _)| found))
+    }
+
+    /// Steps up from what was found, and what the first of them promised.
+    fn ascend<F: Fn(&[f64]) -> Trial>(
+        &self,
+        numbers: &Numbers<'_, F>,
+        mut found: Freed,
+        mut here: Option<Evidence>,
+    ) -> Option<(Freed, f64)> {
+        let (mut first, begins) = (0.0, here.is_none());
+        for round in 0..numbers.rounds {
             let (step, sigmas, promised) = self.step(numbers, &found.at, here.as_ref().unwrap_or(self.base))?;
             found.sigmas = sigmas;
-            if round == 0 && promised < HOPELESS {
-                found.at.iter_mut().zip(&step).for_each(|(at, step)| *at += step);
-                found.gain = promised;
-                return Some(found);
+            if round == 0 {
+                first = promised;
+                if begins && promised < HOPELESS {
+                    found.at.iter_mut().zip(&step).for_each(|(at, step)| *at += step);
+                    found.gain = promised;
+                    break;
+                }
             }
             let Some((at, evidence, gain)) = self.climb(&found, &step, numbers).filter(|_| promised > LITTLE) else {
                 break;
             };
             (found.at, found.gain, here) = (at, gain, Some(evidence));
         }
-        Some(found)
+        Some((found, first))
     }
 
     /// The step to where the gradient vanishes, the standard deviations there, and what it promises.

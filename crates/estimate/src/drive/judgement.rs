@@ -45,6 +45,8 @@ pub struct Judgement {
     pub arcs: Option<f64>,
     /// The median time between rows of motion, s. A delay of at most half of it is the model's own.
     pub period: f64,
+    /// The mean distance of a second in which the robot drives, m: what σ of the distance is to be held against.
+    pub pace: f64,
     /// Where no motion was read: what is held there looks like a fault of the motion.
     pub gaps: Vec<Gaps>,
     /// Whether no suspect, mended, brings the filter nearer to the truth: something else is wrong.

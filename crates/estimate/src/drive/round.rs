@@ -4,7 +4,7 @@ use crate::drive::course::{Course, Otherwise};
 use crate::drive::evidence::{Evidence, OUTLIERS, Trial};
 use crate::drive::exchange::likeliest;
 use crate::drive::fitted::Fitted;
-use crate::drive::freed::{Freed, Numbers, ROUNDS, ROUNDS_OF_A_CLAIM, Search};
+use crate::drive::freed::{Freed, Numbers, ROUNDS, ROUNDS_OF_A_FACTOR, Search};
 use crate::drive::row::Drive;
 use crate::drive::sensor::Sensor;
 use crate::drive::suspect::{Fault, Size, Standing, Suspect, Tried};
@@ -67,7 +67,8 @@ impl Round {
             steps: tried.steps(&self.place, scope.period),
             bounds: tried.bounds(&first, scope.most),
             both: clock,
-            rounds: if tried.is_claim() { ROUNDS_OF_A_CLAIM } else { ROUNDS },
+            others: tried.others(),
+            rounds: if tried.is_far() { ROUNDS_OF_A_FACTOR } else { ROUNDS },
             place: &place,
             first,
         };
@@ -93,21 +94,22 @@ impl Round {
         let which = tried.numbers();
         let size = |(i, at): (usize, &f64)| {
             let sigma = freed.sigmas.get(i).copied().unwrap_or(f64::INFINITY);
+            let end = numbers.bounds.get(i).is_some_and(|bounds| bounds.contains(at));
             match (which.get(i), tried) {
                 (Some(number), _) => {
                     let (now, value) = (number.value(numbers.first[i]), number.value(*at));
-                    Size { now, value, sigma: if number.is_sigma() { value * sigma } else { sigma } }
+                    Size { now, value, sigma: if number.is_sigma() { value * sigma } else { sigma }, end }
                 }
-                (None, Tried::Start) => Size { now: begin[i], value: begin[i] + at, sigma },
-                (None, _) => Size { now: 0.0, value: *at, sigma },
+                (None, Tried::Start) => Size { now: begin[i], value: begin[i] + at, sigma, end },
+                (None, _) => Size { now: 0.0, value: *at, sigma, end },
             }
         };
         let mut sizes: Vec<Size> = freed.at.iter().enumerate().map(size).collect();
         if let (Tried::Together(_), &[by]) = (tried, freed.at.as_slice()) {
-            let sigma = sizes[0].sigma;
+            let Size { sigma, end, .. } = sizes[0];
             let of = |number: &Fitted| {
                 let now = number.get(&self.place.settings);
-                Size { now, value: now + by, sigma }
+                Size { now, value: now + by, sigma, end }
             };
             sizes = which.iter().map(of).collect();
         }

@@ -68,6 +68,8 @@ pub struct Size {
     pub value: f64,
     /// The standard deviation of `value`; infinite where the readings do not tell it.
     pub sigma: f64,
+    /// Whether `value` is the last that is tried: the readings are likeliest there or beyond, and it is no estimate.
+    pub end: bool,
 }
 
 /// A fault that was looked for.
@@ -190,9 +192,9 @@ impl Tried {
         }
     }
 
-    /// Whether it is a factor on what readings claim.
-    pub fn is_claim(self) -> bool {
-        self.numbers().iter().any(|number| number.claimed_by().is_some())
+    /// Whether it is a factor, on what readings claim or on what they read, which may be far from one.
+    pub fn is_far(self) -> bool {
+        self.fault() == Fault::Scale || self.numbers().iter().any(|number| number.claimed_by().is_some())
     }
 
     /// How many numbers are freed.
@@ -253,6 +255,12 @@ impl Tried {
         }
         let step = |number: &Fitted| if number.is_delay() { DELAY.max(PERIODS * period) } else { number.fine() };
         self.numbers().iter().take(self.freedom()).map(step).collect()
+    }
+
+    /// Where the first is sought beside where it is: a scale at factors half as large again each, an eighth to eight.
+    pub fn others(self) -> Vec<f64> {
+        let factors = [0.12, 0.2, 0.3, 0.45, 0.65, 1.5, 2.2, 3.3, 5.0, 8.0];
+        if self.fault() == Fault::Scale { factors.map(|factor| factor - 1.0).to_vec() } else { Vec::new() }
     }
 
     /// How far they are tried, with delays changed by at most so much.

@@ -7,24 +7,27 @@
 //! gate that refuses one in ten hides a fault, and is off meanwhile.
 //!
 //! A larger σ makes any error of the model likelier. Where one explains most, the other faults are freed once more
-//! beside it, and what makes the readings much likelier even so is named before it.
+//! beside it, and what makes the readings much likelier even so is named before it: at once where it alone explains by
+//! itself most of what that σ does.
 //!
 //! The motion model has faults of its own: what it reads is held until the next row, and it drives straight and turns
 //! then. Where the readings are likelier with the turn on the way, all is freed beside that; a delay of at most half a
 //! step between rows of motion is set apart, and the others are freed beside it.
 
+use crate::drive::beside::{by_itself, explained, hoist};
 use crate::drive::course::{Course, Otherwise};
 use crate::drive::evidence::{Against, Evidence, Trial};
 use crate::drive::exchange::pairs;
 use crate::drive::fit::{SETTLED, most_delay};
 use crate::drive::gaps::{Gaps, gaps};
 use crate::drive::judgement::{Judgement, as_mended, is_own, period, refuted, stairs, turning};
+use crate::drive::pace::pace;
 use crate::drive::round::{Round, Scope};
 use crate::drive::row::Drive;
 use crate::drive::sensor::BySensor;
 use crate::drive::settings::Settings;
 use crate::drive::suspect::{Fault, Standing, Suspect, Tried};
-use crate::drive::weight::{CLEAR, explained, parted, ranked, sifted, stand};
+use crate::drive::weight::{ranked, sifted, stand};
 use crate::error::{Code, Error};
 use alloc::vec::Vec;
 use filters::consistency::chi2_quantile;
@@ -62,8 +65,9 @@ pub struct Verdict {
     beside: Option<Round>,
     stage: Stage,
     ungated: bool,
-    /// Whether the first suspects were found beside the larger σ.
+    /// Whether the first suspects were found beside the larger σ, and whether the first goes before it by itself.
     hoisted: bool,
+    sole: bool,
     /// How far the filter is from the truth as it is set, once that is known.
     against: Option<Against>,
     /// Whether it was asked what turns on the way would bring, and that.
@@ -73,6 +77,7 @@ pub struct Verdict {
     own: Vec<Suspect>,
     before: u32,
     period: f64,
+    pace: f64,
     gaps: Vec<Gaps>,
     other: bool,
     suspects: Vec<Suspect>,
@@ -122,12 +127,14 @@ impl Verdict {
             stage: Stage::First,
             ungated: false,
             hoisted: false,
+            sole: false,
             against: None,
             asked: false,
             arcs: None,
             own: Vec::new(),
             before: 0,
             period: period(judged),
+            pace: pace(drive, &settings),
             gaps: gaps(judged, drive.motion),
             other: false,
             suspects: Vec::new(),
@@ -157,7 +164,8 @@ impl Verdict {
             if self.turn_on_the_way(drive) || self.set_apart() {
                 return Ok(true);
             }
-            self.beside = explained(&self.first);
+            self.sole = by_itself(&mut self.first, drive, &self.scope)?;
+            self.beside = if self.sole { None } else { explained(&self.first) };
         }
         self.stage = if self.stage == Stage::First && self.beside.is_some() { Stage::Beside } else { Stage::Done };
         if self.stage == Stage::Done {
@@ -212,41 +220,13 @@ impl Verdict {
         true
     }
 
-    /// Puts what gains much beside the larger σ before it; whether there was any.
-    fn hoist(&mut self, mut round: Round) -> bool {
-        let mut found = core::mem::take(&mut round.found);
-        sifted(&mut found, self.scope.chance[1]);
-        let mut found = ranked(found);
-        let much = found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
-        if much == 0 {
-            return false;
-        }
-        // How large it is, the settings as they are tell: the log-likelihood that a reader watches is highest
-        // there, and a σ that allows for all errors moves that place. How well it is known, the larger σ tells.
-        for (suspect, place) in &mut found {
-            let Some((alone, at)) = self.first.found.iter().find(|(it, _)| it.tried() == suspect.tried()) else {
-                continue;
-            };
-            suspect.sizes.iter_mut().zip(&alone.sizes).for_each(|(size, alone)| size.value = alone.value);
-            *place = *at;
-            suspect.weigh();
-        }
-        let [mut found, mut rest] = parted(found, much);
-        let before = core::mem::take(&mut self.first.found).into_iter();
-        rest.extend(before.filter(|(suspect, _)| !round.tried.contains(&suspect.tried())));
-        let any = !found.is_empty();
-        found.extend(ranked(rest));
-        self.first.found = found;
-        any
-    }
-
     /// Says how sure each suspect is, and holds the first against the truth.
     fn conclude(&mut self, drive: &Drive) {
-        let hoisted = self.beside.take().is_some_and(|round| self.hoist(round));
+        let hoisted = self.beside.take().is_some_and(|round| hoist(&mut self.first, round, &self.scope));
         self.hoisted = hoisted;
         let places: Vec<Trial> = self.first.found.iter().map(|(_, place)| *place).collect();
         self.suspects = core::mem::take(&mut self.first.found).into_iter().map(|(suspect, _)| suspect).collect();
-        stand(&mut self.suspects, hoisted);
+        stand(&mut self.suspects, hoisted || self.sole);
         stairs(drive, &mut self.suspects, &places, &self.scope);
         self.hold_against_the_truth(drive, &places);
         self.suspects.append(&mut self.own);
@@ -286,6 +266,7 @@ impl Verdict {
             beside: self.hoisted,
             arcs: self.arcs,
             period: self.period,
+            pace: self.pace,
             gaps: self.gaps.clone(),
             other: self.other,
         }

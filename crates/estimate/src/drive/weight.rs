@@ -2,8 +2,7 @@
 
 use crate::drive::evidence::Trial;
 use crate::drive::fitted::Fitted;
-use crate::drive::round::Round;
-use crate::drive::suspect::{Fault, Size, Standing, Suspect, Tried};
+use crate::drive::suspect::{Fault, Size, Standing, Suspect};
 use alloc::vec::Vec;
 
 /// Faults whose gains differ by less than this tie, and the earlier kind is named first.
@@ -52,18 +51,6 @@ pub(crate) fn ranked(mut left: Vec<(Suspect, Trial)>) -> Vec<(Suspect, Trial)> {
     all
 }
 
-/// The faults that are left to try beside a larger σ, where that explains most in a round. Where it is what fixes
-/// claim, a start is not: it was taken from these, and its σ is their claim.
-pub(crate) fn explained(round: &Round) -> Option<Round> {
-    let (first, place) = round.found.first()?;
-    let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
-    let of_fixes = first.number == Some(Fitted::FixSigmaScale);
-    let kept = |it: &Suspect| it.fault != Fault::Sigma && !(of_fixes && it.fault == Fault::Start);
-    let others = round.found.iter().filter(|(suspect, _)| suspect.excess > 0.0 && kept(suspect));
-    let tried: Vec<Tried> = others.map(|(suspect, _)| suspect.tried()).collect();
-    (larger && first.excess > 0.0 && !tried.is_empty()).then(|| Round::new(*place, tried))
-}
-
 /// Leaves of the ranges' scale and offset both together where neither explains as much by itself, to within what a
 /// number gains by chance; else those by themselves.
 pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, chance: f64) {
@@ -76,15 +63,6 @@ pub(crate) fn sifted(found: &mut Vec<(Suspect, Trial)>, chance: f64) {
     let pair = |suspect: &Suspect| suspect.with.is_some() && suspect.fault == Fault::Scale;
     let both = gain(&pair) > gain(&alone).max(0.0) + chance;
     found.retain(|(suspect, _)| if both { !alone(suspect) } else { !pair(suspect) });
-}
-
-/// Those of the first so many whose evidence still counts, and the others.
-pub(crate) fn parted(found: Vec<(Suspect, Trial)>, much: usize) -> [Vec<(Suspect, Trial)>; 2] {
-    let (mut first, mut others) = (Vec::new(), Vec::new());
-    for (i, one) in found.into_iter().enumerate() {
-        if i < much && one.0.excess > 0.0 { first.push(one) } else { others.push(one) }
-    }
-    [first, others]
 }
 
 /// Says how sure each suspect is; `hoisted` where the first are counted beside a larger σ.
@@ -109,7 +87,7 @@ mod tests {
             with: None,
             sensor: None,
             landmarks: None,
-            sizes: alloc::vec![Size { now, value, sigma }],
+            sizes: alloc::vec![Size { now, value, sigma, end: false }],
             claims: None,
             gain: 9.0,
             excess: 5.0,

@@ -1,0 +1,101 @@
+//! Faults beside a σ that is larger than is said: it makes any error of the model likelier.
+//!
+//! The faults are freed once more beside it, and what makes the readings much likelier even so goes before it. A σ that
+//! is enlarged until it allows for a fault leaves nothing of it, though: turns of the wrong sign are not seen where the
+//! turn is as good as unknown. What explains by itself about as much as that σ is therefore not freed beside it: with
+//! the fault mended the σ is found anew, and both are held against the σ alone.
+
+use crate::drive::evidence::Trial;
+use crate::drive::fitted::Fitted;
+use crate::drive::round::{Round, Scope};
+use crate::drive::row::Drive;
+use crate::drive::suspect::{Fault, Suspect};
+use crate::drive::weight::{CLEAR, ranked, sifted};
+use crate::error::Error;
+use alloc::vec::Vec;
+
+/// It explains at least this share of what the larger σ does, and no other fault explains as much.
+const MOST: f64 = 0.5;
+
+/// Puts before a larger σ the one fault that explains by itself most of what that does; whether there was one.
+pub(crate) fn by_itself(round: &mut Round, drive: &Drive, scope: &Scope) -> Result<bool, Error> {
+    let Some((sigma, others)) = beside(round) else { return Ok(false) };
+    // Outliers are what a larger σ allows for, too.
+    let mut others = others.into_iter().filter(|(_, it)| it.fault != Fault::Tails);
+    let sigma = sigma.clone();
+    let Some((at, alone)) = others.next() else { return Ok(false) };
+    let rival = others.find(|(_, it)| !same(it, alone)).map_or(0.0, |(_, it)| it.excess);
+    if alone.excess < MOST * sigma.excess || rival >= MOST * sigma.excess {
+        return Ok(false);
+    }
+    let mut anew = Round::new(round.found[at].1, alloc::vec![sigma.tried()]);
+    while anew.step(drive, scope)? {}
+    let both = alone.gain + anew.found.first().map_or(0.0, |(it, _)| it.gain);
+    let much = both - sigma.gain - (alone.gain - alone.excess) >= CLEAR;
+    if much {
+        round.found[..=at].rotate_right(1);
+    }
+    Ok(much)
+}
+
+/// A larger σ, where that explains most in a round, and the faults that are left beside it, each with its place among
+/// all. Where it is what fixes claim, a start is not: it was taken from these, and its σ is their claim.
+fn beside(round: &Round) -> Option<(&Suspect, Vec<(usize, &Suspect)>)> {
+    let (first, _) = round.found.first()?;
+    let larger = first.fault == Fault::Sigma && first.sizes.iter().all(|size| size.value > size.now);
+    let of_fixes = first.number == Some(Fitted::FixSigmaScale);
+    let kept = |it: &Suspect| it.fault != Fault::Sigma && !(of_fixes && it.fault == Fault::Start);
+    let all = round.found.iter().map(|(suspect, _)| suspect).enumerate();
+    let others: Vec<_> = all.filter(|(_, suspect)| suspect.excess > 0.0 && kept(suspect)).collect();
+    (larger && first.excess > 0.0 && !others.is_empty()).then_some((first, others))
+}
+
+/// The faults that are to be tried anew beside a larger σ.
+pub(crate) fn explained(round: &Round) -> Option<Round> {
+    let (_, others) = beside(round)?;
+    Some(Round::new(round.found.first()?.1, others.iter().map(|(_, suspect)| suspect.tried()).collect()))
+}
+
+/// Puts what gains much beside the larger σ before it; whether there was any.
+pub(crate) fn hoist(first: &mut Round, mut round: Round, scope: &Scope) -> bool {
+    let mut found = core::mem::take(&mut round.found);
+    sifted(&mut found, scope.chance[1]);
+    let mut found = ranked(found);
+    let much = found.iter().take_while(|(suspect, _)| suspect.excess >= CLEAR).count();
+    if much == 0 {
+        return false;
+    }
+    // How large it is, the settings as they are tell: the log-likelihood that a reader watches is highest
+    // there, and a σ that allows for all errors moves that place. How well it is known, the larger σ tells.
+    for (suspect, place) in &mut found {
+        let Some((alone, at)) = first.found.iter().find(|(it, _)| it.tried() == suspect.tried()) else {
+            continue;
+        };
+        let sizes = suspect.sizes.iter_mut().zip(&alone.sizes);
+        sizes.for_each(|(size, alone)| (size.value, size.end) = (alone.value, alone.end));
+        *place = *at;
+        suspect.weigh();
+    }
+    let [mut found, mut rest] = parted(found, much);
+    let before = core::mem::take(&mut first.found).into_iter();
+    rest.extend(before.filter(|(suspect, _)| !round.tried.contains(&suspect.tried())));
+    let any = !found.is_empty();
+    found.extend(ranked(rest));
+    first.found = found;
+    any
+}
+
+/// Whether they are the same fault, of one sensor or of several together.
+fn same(one: &Suspect, other: &Suspect) -> bool {
+    let of = |it: &Suspect| it.tried().numbers();
+    one.fault == other.fault && one.fault != Fault::Start && of(one).iter().any(|number| of(other).contains(number))
+}
+
+/// Those of the first so many whose evidence still counts, and the others.
+fn parted(found: Vec<(Suspect, Trial)>, much: usize) -> [Vec<(Suspect, Trial)>; 2] {
+    let (mut first, mut others) = (Vec::new(), Vec::new());
+    for (i, one) in found.into_iter().enumerate() {
+        if i < much && one.0.excess > 0.0 { first.push(one) } else { others.push(one) }
+    }
+    [first, others]
+}
