@@ -35,9 +35,9 @@ const CLAIMS = [
   [
     /^The speed reads ([\d.]+) % (low|high) \(±([\d.]+) %\)\.$/,
     ({ learned }, scale, side, sigma) =>
-      prints(scale, 100 * Math.abs(learned.speedScale)) &&
+      prints(scale, 100 * Math.abs(1 / (1 + learned.speedScale) - 1)) &&
       (side === 'high') === learned.speedScale < 0 &&
-      prints(sigma, 100 * learned.speedScaleSigma),
+      prints(sigma, (100 * learned.speedScaleSigma) / (1 + learned.speedScale) ** 2),
   ],
   [
     /^In the tunnel the filter is off by up to (\d+) m, the track afterwards by (\d+) m\.$/,

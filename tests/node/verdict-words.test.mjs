@@ -18,8 +18,10 @@ const suspect = (given) => ({
   with: null,
   landmarks: null,
   claims: null,
+  times: null,
   ...given,
 })
+const times = (value, sigma, set = 1, unit = null) => ({ value, sigma, set, unit })
 const judgement = (suspects, more) => ({
   suspects,
   readings: 2067,
@@ -30,6 +32,7 @@ const judgement = (suspects, more) => ({
   beside: false,
   arcs: null,
   period: 0.1,
+  pace: 1.5,
   gaps: [],
   other: false,
   ...more,
@@ -194,9 +197,9 @@ test('a turned compass, turns of the wrong sign, and scale and offset together h
     { now: 0, value: 0.493, sigma: 0.028 },
   ]
   assert.equal(
-    of({ fault: 'scale', name: 'scale', with: 'offset', sizes }),
-    'The ranges read 0.950 ± 0.055 % too short and 0.493 ± 0.028 m too long: ' +
-      'set their scale to 3.000 % and their offset to 0.493 m.',
+    of({ fault: 'scale', name: 'scale', with: 'offset', sizes, times: times(1.03, 0.00055, 1.0395) }),
+    'The ranges read 3.000 ± 0.055 % too long and 0.493 ± 0.028 m too long, ' +
+      'where 3.95 % too long is what the settings say: set their scale to 3.000 % and their offset to 0.493 m.',
   )
 })
 

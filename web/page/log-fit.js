@@ -2,6 +2,7 @@
 
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
+import { hides } from '../widgets/robot-log/sigmas.js'
 import { percent } from '../widgets/robot-log/words.js'
 import { grouped } from './log-likelihood.js'
 
@@ -92,7 +93,7 @@ export class FitForm {
   }
 
   /** @param {LogFound} found */
-  found({ numbers, logLikelihood: [before, after], readings, settled, beyond, expected }) {
+  found({ numbers, logLikelihood: [before, after], readings, settled, beyond, expected, pace }) {
     const { result } = this
     if (!result) return
     const gain = grouped(after - before)
@@ -102,7 +103,7 @@ export class FitForm {
     const bent = bentBy(beyond, expected, readings)
     if (bent) part(document, result, 'p', '').textContent = bent
     const list = part(document, result, 'ul', '')
-    for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number)
+    for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number, pace)
     const patch = Object.fromEntries(
       numbers.filter(({ sigma }) => sigma !== null).map(({ name, value }) => [name, Number(value.toPrecision(6))]),
     )
@@ -125,8 +126,11 @@ export function bentBy(beyond, share, readings) {
   )
 }
 
-/** How well the log tells a number. @param {LogFound['numbers'][number]} number */
-export function sentence({ name, value, relative, sigma, flat }) {
+/**
+ * How well the log tells a number, and what may hide in it.
+ * @param {LogFound['numbers'][number]} number @param {number} pace metres driven in a second
+ */
+export function sentence({ name, value, relative, sigma, flat }, pace) {
   const words = NAMES[name] ?? name
   if (flat)
     return `${words}: ${fixed(flat[0], 2)} to ${fixed(flat[1], 2)}, all alike: the log has no row of motion in between`
@@ -134,7 +138,9 @@ export function sentence({ name, value, relative, sigma, flat }) {
   const unit = words.endsWith('°') ? 180 / Math.PI : 1
   const told = (relative ? value * sigma : sigma) * unit
   const digits = decimalsOf(told)
-  if (relative) return `${words}: ${fixed(value, digits)} ± ${fixed(100 * sigma, sigma < 0.1 ? 1 : 0)} %`
+  const more = name === 'sigmaDistance' ? hides(value, pace) : ''
+  if (relative)
+    return `${words}: ${fixed(value, digits)} ± ${fixed(100 * sigma, sigma < 0.1 ? 1 : 0)} %${more && `. ${more}`}`
   return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}`
 }
 

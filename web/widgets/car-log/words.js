@@ -31,8 +31,10 @@ function ofTheFixes({ reckonedOff, used, refusals, nis, logLikelihood }) {
 /** @param {Frame} frame */
 function ofTheLearned({ learned }) {
   if (!learned) return ''
-  const { speedScale: scale, speedScaleSigma: sigma } = learned
-  return `The speed reads ${percent(Math.abs(scale))} ${scale < 0 ? 'high' : 'low'} (±${percent(sigma)}).`
+  // It drives so many times what is read: what is read is the inverse of it.
+  const driven = 1 + learned.speedScale
+  const [off, sigma] = [1 / driven - 1, learned.speedScaleSigma / driven ** 2]
+  return `The speed reads ${percent(Math.abs(off))} ${off > 0 ? 'high' : 'low'} (±${percent(sigma)}).`
 }
 
 /** @param {Frame} frame */

@@ -1,5 +1,6 @@
 /** A σ that is not what it is said to be, in words: one of the settings, or one that readings bring. */
 
+import { fixed } from '../../draw/numbers.js'
 import { claimed, digits, plusMinus } from './sized.js'
 
 /** @typedef {import('estimate-wasm').LogSuspect} Suspect */
@@ -25,13 +26,27 @@ export function sigmaKind(name) {
   return who ? `a factor on the σ that the ${who} bring` : `another σ of ${SIGMAS[name ?? ''][0]}`
 }
 
+/** A σ of the distance that is this share of what is driven in a second is more than noise. */
+const LOOSE = 0.2
+
+/**
+ * What a σ of the distance, m/√s, may hide, where so many metres are driven in a second.
+ * @param {number} sigma @param {number} pace
+ */
+export function hides(sigma, pace) {
+  if (!(pace > 0 && sigma > LOOSE * pace)) return ''
+  const share = fixed((100 * sigma) / pace, 0)
+  return `So much is ${share} % of what is driven in a second: a fault of the motion may hide in it.`
+}
+
 /** What it is, and what mends it. @param {Suspect} suspect */
 export function sigmaSentence({ name, claims, sizes: [size] }) {
   const { now, value } = size
+  const beyond = value > now ? 'more than' : 'less than'
   if (!claims) {
     const [whose, unit] = SIGMAS[name ?? '']
     return (
-      `The σ of ${whose} is ${plusMinus(size)} ${unit}, and is set to ${claimed(now)}: ` +
+      `The σ of ${whose} is ${plusMinus(size, 1, beyond)} ${unit}, and is set to ${claimed(now)}: ` +
       `set it ${value > now ? 'higher' : 'lower'}.`
     )
   }
@@ -40,7 +55,7 @@ export function sigmaSentence({ name, claims, sizes: [size] }) {
   const middle = least === most ? '' : ' in the median'
   const taken = now === 1 ? '' : `, taken times ${claimed(now)},`
   return (
-    `The ${who} claim ${claimed(claim)} ${unit}${middle}${taken || ','} and ${plusMinus(size, claim)} ${unit} fits: ` +
-    `set the factor on their own σ to ${digits(size)}.`
+    `The ${who} claim ${claimed(claim)} ${unit}${middle}${taken || ','} ` +
+    `and ${plusMinus(size, claim, beyond)} ${unit} fits: set the factor on their own σ to ${digits(size)}.`
   )
 }

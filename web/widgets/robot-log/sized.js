@@ -5,17 +5,21 @@ import { decimal, fixed } from '../../draw/numbers.js'
 /** @typedef {import('estimate-wasm').LogSuspect['sizes'][number]} Size */
 
 /** So many decimals that the uncertainty has two digits. @param {Size} size @param {number} times */
-function decimals({ value, sigma }, times) {
-  const told = (sigma || Math.abs(value) || 1) * times
+function decimals({ value, sigma, end }, times) {
+  const told = ((!end && sigma) || Math.abs(value) || 1) * times
   return Math.max(0, Math.min(6, 1 - Math.floor(Math.log10(told))))
 }
 
 /** @param {Size} size @param {number} [times] */
 export const digits = (size, times = 1) => decimal(size.value * times, decimals(size, times))
 
-/** @param {Size} size @param {number} [times] */
-export function plusMinus(size, times = 1) {
+/**
+ * A size and how well it is known; of one at the end of what was tried, that it is beyond.
+ * @param {Size} size @param {number} [times] @param {string} [beyond]
+ */
+export function plusMinus(size, times = 1, beyond = 'more than') {
   const value = digits(size, times)
+  if (size.end) return `${beyond} ${value}`
   return size.sigma === null ? `about ${value}` : `${value} ± ${fixed(size.sigma * times, decimals(size, times))}`
 }
 

@@ -2,8 +2,9 @@
 
 import { fixed } from '../../draw/numbers.js'
 import { landmarkName } from './looks.js'
-import { sigmaKind, sigmaSentence } from './sigmas.js'
-import { brief, digits, plusMinus } from './sized.js'
+import { off as offset, scaleSentence } from './scales.js'
+import { hides, sigmaKind, sigmaSentence } from './sigmas.js'
+import { brief, claimed, digits, plusMinus } from './sized.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /** @typedef {import('estimate-wasm').LogSuspect} Suspect */
@@ -55,6 +56,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
         : named(judgement, truth, log),
     ...own.map((suspect) => model(suspect, judgement)),
     sound ? arcs(judgement) : '',
+    sound ? loose(judgement) : '',
     errors(judgement),
     judgement.rows < rows ? `The first ${count(judgement.rows)} rows are judged.` : '',
   ]
@@ -65,8 +67,11 @@ export function ranked(judgement, { rows, truth, log = null }) {
 const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
 
 /** @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log */
-function named({ suspects: [first, ...others], beside }, truth, log) {
-  const told = (/** @type {Suspect} */ suspect) => sentence(suspect, truth, log)
+function named({ suspects: [first, ...others], beside, pace }, truth, log) {
+  const told = (/** @type {Suspect} */ suspect) => {
+    const more = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : ''
+    return `${sentence(suspect, truth, log)}${more && ` ${more}`}`
+  }
   // A larger σ explains any error of the model, and with it this one gains less than the page's own sum shows.
   const gain = beside
     ? `Even with a σ so large that it allows for the other errors, the log-likelihood rises by ${rise(first.gain)}.`
@@ -125,6 +130,13 @@ function arcs({ arcs: gain, period }) {
     `The filter drives each step straight and turns then: with rows of motion ${brief(period)} s apart this costs ` +
     `${rise(gain)} of the log-likelihood. That is the motion model’s own too, and no fault of the log.`
   )
+}
+
+/** A σ of the distance, as it is set, that may have taken in what is wrong. @param {LogJudgement} judgement */
+function loose({ suspects, pace }) {
+  const distance = suspects.find(({ name }) => name === 'sigmaDistance')
+  const said = distance ? hides(distance.sizes[0].now, pace) : ''
+  return said && `The σ of the distance is set to ${claimed(distance?.sizes[0].now ?? 0)} m/√s. ${said}`
 }
 
 /** @param {LogJudgement} judgement */
@@ -199,18 +211,22 @@ export function sentence(suspect, truth, log = null) {
     const share = few ? `About ${digits(size, 100)}` : plusMinus(size, 100)
     return `${share} % of the ${rows} are outliers: switch their gate on, which refuses them.`
   }
-  if (fault === 'clock' && second) return `${late(suspect, off)}: ${delays(suspect)}${truth ? '' : MOTION}`
-  if (fault === 'clock') return `${late(suspect, off)}: set the delay to ${digits(size)} s.`
+  if (fault === 'clock') {
+    const what = second ? `${delays(suspect)}${truth ? '' : MOTION}` : `set the delay to ${digits(size)} s.`
+    return `${late(suspect, off)}: ${what}${size.end ? END : ''}`
+  }
   if (fault === 'sigma') return sigmaSentence(suspect)
   const much = { ...size, value: Math.abs(off) }
+  // Half a turn is no end: it goes on at the other side.
+  const turned = { ...size, value: off, sigma: size.end ? null : size.sigma, end: false }
   if (name === 'bearingOffset')
     return (
-      `The camera is turned by ${plusMinus({ ...size, value: off }, DEGREES)}°: ` +
+      `The camera is turned by ${plusMinus(turned, DEGREES)}°: ` +
       `set the offset of its bearings to ${digits(size, DEGREES)}°.`
     )
   if (name === 'headingOffset')
     return (
-      `The compass is turned by ${plusMinus({ ...size, value: off }, DEGREES)}°: ` +
+      `The compass is turned by ${plusMinus(turned, DEGREES)}°: ` +
       `set the offset of the headings to ${digits(size, DEGREES)}°.`
     )
   if (name === 'turnBias')
@@ -218,21 +234,11 @@ export function sentence(suspect, truth, log = null) {
       `The turn rate reads ${plusMinus(much)} rad/s too ${off > 0 ? 'much' : 'little'}: ` +
       `let the filter learn its bias.${log?.wheels ? WHEELS : ''}`
     )
-  if (second) {
-    const by = second.value - second.now
-    return (
-      `The ranges read ${plusMinus(much, 100)} % too ${length(off)} and ` +
-      `${plusMinus({ ...second, value: Math.abs(by) })} m too ${length(by)}: ` +
-      `set their scale to ${digits(size, 100)} % and their offset to ${digits(second)} m.`
-    )
-  }
-  if (name === 'offset')
-    return `The ranges read ${plusMinus(much)} m too ${length(off)}: set their offset to ${digits(size)} m.`
-  if (name === 'speedScale')
-    return `The speed reads ${plusMinus(much, 100)} % too ${off > 0 ? 'low' : 'high'}: let the filter learn its scale.`
-  return `The ranges read ${plusMinus(much, 100)} % too ${length(off)}: set their scale to ${digits(size, 100)} %.`
+  if (fault === 'scale') return scaleSentence(suspect)
+  return `The ranges read ${offset(size)}: set their offset to ${digits(size)} m.`
 }
 
+const END = ' No longer delay was tried: the verdict after it goes on from there.'
 const MOTION = ' That the motion is off by as much the other way would look the same.'
 
 /** Sensors that have one clock; or it is the motion's that is off the other way. @param {Suspect} suspect */
@@ -268,9 +274,6 @@ const FAR = ' So far off this is a first step: the verdict after it brings the n
 
 /** An angle within half a turn. @param {number} angle */
 const wrapped = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle))
-
-/** @param {number} off */
-const length = (off) => (off > 0 ? 'long' : 'short')
 
 /** @param {number} number */
 const count = (number) => number.toLocaleString('en')
