@@ -13,7 +13,9 @@ mod replay;
 mod smooth;
 mod timeline;
 
-pub use analysis::{detectability, movable, noise_input, noise_reach, riccati_limit, stabilizability};
+pub use analysis::{
+    detectability, falls_as_average, movable, noise_input, noise_reach, riccati_limit, stabilizability,
+};
 pub use continuous::{Continuous, Discrete};
 pub use feet::{euclidean_foot, mahalanobis_foot, most_likely_output};
 pub use filter::{FilterState, KalmanFilter, LastReading};

@@ -30,6 +30,7 @@
 
 extern crate alloc;
 
+mod averages;
 mod balance;
 mod blame;
 mod by_entry;

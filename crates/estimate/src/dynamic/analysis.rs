@@ -2,12 +2,14 @@
 //! limit.
 
 use super::{System, pair};
+use crate::averages;
 use crate::detectability::{self, Detectability};
 use crate::error::{Code, Error};
 use crate::placement::Movable;
 use crate::reachability::{self, Reachability};
 use crate::riccati_limit::RiccatiLimit;
 use crate::validate::{self, MAX_STATES, size};
+use crate::verdict::Verdict;
 use alloc::format;
 use nalgebra::DMatrix;
 
@@ -117,4 +119,31 @@ pub fn riccati_limit(system: &System, tolerance: f64) -> Result<RiccatiLimit, Er
     let System { f, v, .. } = left.last().unwrap_or(system);
     let stabilizable = reachability::noise_reach(f, v, tolerance)?.stabilizable;
     Ok(RiccatiLimit::of(detectable, stabilizable))
+}
+
+/// Whether P(k+1 | k) falls for ever as the variance of an average does, by 1/k and not by a factor in each step: from
+/// every start that does not know for certain what is averaged. It does where the readings tell, by itself, a
+/// combination of the states that F keeps alive on the unit circle and noise does not feed. A combination that they
+/// tell only in a sum with another that noise feeds is known from the start alone, and P comes to rest. Of a reading
+/// without noise it is asked of what is left to know after it.
+///
+/// # Errors
+/// As [`riccati_limit`].
+///
+/// # Example
+/// ```
+/// use estimate::{Verdict, dynamic::{System, falls_as_average}};
+/// use nalgebra::{DMatrix, dmatrix};
+/// let constants = |h, v| System::new(DMatrix::identity(2, 2), DMatrix::zeros(2, 0), h, v, dmatrix![0.2]);
+/// let still = constants(dmatrix![1.0, 0.0], DMatrix::zeros(2, 2))?;
+/// assert_eq!(falls_as_average(&still, 1e-12)?, Verdict::Yes);
+/// // Beside a walk that the same reading tells, the constant is told by the start alone.
+/// let beside = constants(dmatrix![1.0, 1.0], dmatrix![0.001, 0.0; 0.0, 0.0])?;
+/// assert_eq!(falls_as_average(&beside, 1e-12)?, Verdict::No);
+/// # Ok::<(), estimate::Error>(())
+/// ```
+pub fn falls_as_average(system: &System, tolerance: f64) -> Result<Verdict, Error> {
+    validate::covariance(system.v.clone(), system.f.nrows(), "V")?;
+    let left = super::after_exact_readings(system);
+    averages::falls_as_average(left.last().unwrap_or(system), tolerance)
 }
