@@ -12,6 +12,13 @@ export const claims = () => {
   return [
     [
       pattern(
+        /^F is taken as what one step does, and looks like one of a differential equation: /,
+        /tick “Continuous time” if it is\.$/,
+      ),
+      ({ looksLikeRates, params }) => looksLikeRates && !params.continuous,
+    ],
+    [
+      pattern(
         /^The filter’s numbers have lost their digits: /,
         /P of the start, V and W lie too many powers of ten apart\.$/,
       ),

@@ -79,3 +79,27 @@ check(
   [0, 60],
   claims,
 )
+
+// What one step does, and rates that are given as that.
+check(
+  'own-system',
+  {
+    f: [
+      four([
+        [0, 1],
+        [-4, -0.4],
+      ]),
+      four([[0, 1]]),
+      four([
+        [0, 1],
+        [9.81, 0],
+      ]),
+      CONSTANT_VELOCITY,
+    ],
+    h: [four([[1, 0]]), four([[0, 1]])],
+    period: [0, 0.01],
+    gain: ['filter', 'hand'],
+  },
+  [0, 60],
+  claims,
+)

@@ -6,6 +6,7 @@ mod directions;
 pub(crate) mod frame;
 mod nearing;
 mod params;
+mod rates;
 
 pub use frame::{OwnDecay, OwnEigenvalue, OwnFrame, OwnLimit, OwnRank, OwnReach, OwnSeries};
 pub use params::{Entries, GainBy, MOST, OwnParams};
@@ -157,6 +158,7 @@ impl Lab for OwnSystem {
             g: rows(&self.known.system.g),
             v: rows(&self.known.system.v),
             k: rows(&self.known.gain),
+            looks_like_rates: self.known.looks_like_rates,
             decay: self.known.decay.clone(),
             run_length: self.known.run_length,
             spectral_radius: eigenvalues.first().map_or(0.0, |l| l.modulus),

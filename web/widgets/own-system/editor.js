@@ -11,7 +11,7 @@ import { choose, select, textBox, write } from './fields.js'
 import { buildGrid } from './grid.js'
 import { givenName, lettersOf } from './names.js'
 import { MATRICES, MOST, PRESETS, paramsOf, partOf, runOf, sizeOf } from './presets.js'
-import { buildTime } from './time.js'
+import { buildQuestion, buildTime } from './time.js'
 import { faultOf, numberOf } from './number.js'
 import { grown, keyOf, same, wordsOf } from './typed-system.js'
 
@@ -72,6 +72,7 @@ export function buildEditor(document, change) {
   const grids = part(document, element, 'div', 'own-grids')
   const matrices = [...MATRICES, 'P', 'K'].map((name) => buildGrid(document, grids, name, (i, j) => typed(name, i, j)))
 
+  const question = buildQuestion(document, element, propose, () => time.focus())
   const fault = part(document, element, 'p', 'own-fault')
   fault.setAttribute('role', 'status')
   const tools = part(document, element, 'div', 'own-row own-tools')
@@ -157,8 +158,8 @@ export function buildEditor(document, change) {
 
   return {
     element,
-    /** @param {any} params */
-    show(params) {
+    /** @param {any} params @param {import('estimate-wasm').OwnFrame} frame */
+    show(params, frame) {
       const now = keyOf(params)
       // A system that comes from elsewhere takes the place of what could not be read here.
       const foreign = shown !== '' && now !== shown && now !== made
@@ -169,6 +170,7 @@ export function buildEditor(document, change) {
       choose(preset, chosen)
       for (const { name, from, input } of sizes) choose(input, params[name] - from)
       time.show(params, foreign)
+      question.show(frame.looksLikeRates)
       named.forEach(({ label, input }, i) => {
         label.toggleAttribute('hidden', i >= params.states)
         if (document.activeElement !== input) write(input, givenName(params, i))

@@ -63,7 +63,9 @@ function readouts(frame) {
     {
       key: 'gain',
       label: 'Gain, by rows',
-      value: frame.K.map((row) => row.map(short).join(', ')).join('; '),
+      value: withoutRounding(frame)
+        .map((row) => row.map(short).join(', '))
+        .join('; '),
       more: true,
       wide: true,
     },
@@ -113,6 +115,19 @@ const square = (entry) => Array.from({ length: MOST }, (_, i) => Array.from({ le
 export function handed(gain) {
   const none = 1e-14 * Math.max(...gain.flat().map(Math.abs))
   return gain.map((row) => row.map((entry) => (Math.abs(entry) < none ? 0 : entry)))
+}
+
+/**
+ * The gain as it is shown. Of the filter's, an entry is 0 that rounding leaves beside those of its reading: with each
+ * state in units of its own σ, so that no unit makes an entry small, less than 10⁻¹² of the largest. So many digits the
+ * limit that it is computed from has not. What the reader sets is shown as it is set.
+ * @param {Pick<Frame, 'K' | 'limitP'> & { params: Pick<Frame['params'], 'gain'> }} frame
+ */
+export function withoutRounding({ K, limitP, params }) {
+  if (params.gain !== 'filter' || limitP === null) return K
+  const part = (/** @type {number} */ i, /** @type {number} */ j) => Math.abs(K[i][j]) / Math.sqrt(limitP[i][i])
+  const largest = K[0].map((_, j) => Math.max(...K.map((_, i) => part(i, j)).filter(Number.isFinite)))
+  return K.map((row, i) => row.map((entry, j) => (part(i, j) < 1e-12 * largest[j] ? 0 : entry)))
 }
 
 /**

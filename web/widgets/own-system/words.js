@@ -7,8 +7,16 @@ import { decimalsOf, seconds, steps, sumsOf } from './names.js'
 
 /** @param {Frame} frame */
 export function verdict(frame) {
-  const sentences = [lost, seen, dies, reached, limit, stability].map((say) => say(frame))
+  const sentences = [asks, lost, seen, dies, reached, limit, stability].map((say) => say(frame))
   return sentences.filter(Boolean).join(' ')
+}
+
+/** @param {Frame} frame */
+function asks({ looksLikeRates }) {
+  return looksLikeRates
+    ? 'F is taken as what one step does, and looks like one of a differential equation: tick “Continuous time” if ' +
+        'it is.'
+    : ''
 }
 
 /** @param {Frame} frame */

@@ -5,6 +5,7 @@ use super::decay::{ON_CIRCLE, decay_of, run_length};
 use super::frame::{OwnDecay, OwnEigenvalue, OwnLimit};
 use super::nearing::{Nearing, nearing};
 use super::params::{Entries, GainBy, OwnParams};
+use super::rates::looks_like_rates;
 use estimate::dynamic::{self, Continuous, Discrete, Limit, System};
 use estimate::observability::Observability;
 use estimate::riccati::SteadyState;
@@ -24,6 +25,9 @@ const FURTHEST: f64 = 1_125_899_906_842_624.0;
 /// as the variance of an average does.
 const AVERAGING: f64 = 8.0;
 
+/// What tells a direction that is seen, or moved by noise, from one that is not, whatever tolerance the reader sets.
+const STRUCTURE: f64 = 1e-12;
+
 /// What is known of a system before it runs.
 #[derive(Debug)]
 pub(super) struct Analysis {
@@ -42,6 +46,7 @@ pub(super) struct Analysis {
     /// How soon P is near its limit.
     pub near: Option<Nearing>,
     pub p0: DMatrix<f64>,
+    pub looks_like_rates: bool,
     pub decay: Vec<OwnDecay>,
     pub run_length: u32,
     /// The gain whose eigenvalues are shown.
@@ -76,13 +81,18 @@ impl Analysis {
         let arrived = stepped.as_ref().filter(|state| state.converged && state.gain_converged);
         let settled = arrived.filter(|state| !limit.converged || same_covariance(state, &limit));
         let limit_p = settled.map(|state| state.p.clone()).or_else(|| limit.converged.then(|| limit.p.clone()));
-        // From a start that knows nothing for certain, what falls to 0 from every start does so ever more slowly.
-        let whole = falls && p0.diagonal().iter().all(|variance| *variance > 0.0);
         let near = limit_p.as_ref().and_then(|limit| nearing(&system, &p0, limit));
-        let near = near.map(|near| Nearing { slowly: near.slowly || whole, ..near });
+        // Numbers alone do not tell it: rounding of a limit that the start decides looks like the end of a slow fall,
+        // and a slow fall far enough on like rest.
+        let structure = dynamic::falls_as_average(&system, STRUCTURE).unwrap_or(Verdict::Undecided);
+        let unknown = p0.diagonal().iter().all(|variance| *variance > 0.0);
+        let certain = structure == Verdict::Yes && unknown && left.is_empty() && settled.is_none();
+        let slowly = |near: &Nearing| certain || falls && unknown || near.slowly && structure != Verdict::No;
+        let near = near.map(|near| Nearing { slowly: slowly(&near), ..near });
         let mut placed = None;
         let filter = filter_gain(stepped.as_ref(), &limit);
-        let averages = falls || settled.is_none() && limit.converged && averages(&system, &filter, limit.steps);
+        let unsettled = structure != Verdict::No && settled.is_none() && limit.converged;
+        let averages = falls || unsettled && (certain || averages(&system, &filter, limit.steps));
         let gain = match params.gain {
             GainBy::Filter => Some(filter),
             GainBy::Hand => Some(part(&params.k, [n, p])),
@@ -112,6 +122,7 @@ impl Analysis {
                 steps: limit.steps,
                 averages,
             },
+            looks_like_rates: !params.continuous && looks_like_rates(f, &own_modes(&system)?, params.period),
             decay: decay_of(&eigenvalues, params.period),
             run_length: run_length(&eigenvalues, n + p),
             eigenvalues,
@@ -157,10 +168,14 @@ fn system_of(params: &OwnParams) -> Result<System, Error> {
 /// the limit of a state that falls faster than others, as a speed's 1/k³ beside a place's 1/k.
 fn falls_to_zero(system: &System, seen: &Detectability) -> bool {
     let still = system.v.iter().all(|entry| *entry == 0.0) && seen.detectable == Verdict::Yes;
-    let gain = DMatrix::zeros(system.h.ncols(), system.h.nrows());
     let slowest = |found: &[Complex<f64>]| found.first().map(|it| hypot(it.re, it.im));
-    let modulus = dynamic::error_eigenvalues(system, gain).ok().and_then(|found| slowest(&found));
+    let modulus = own_modes(system).ok().and_then(|found| slowest(&found));
     still && modulus.is_some_and(|modulus| (modulus - 1.0).abs() <= ON_CIRCLE)
+}
+
+/// The eigenvalues of F, the largest first.
+fn own_modes(system: &System) -> Result<Vec<Complex<f64>>, Error> {
+    dynamic::error_eigenvalues(system, DMatrix::zeros(system.h.ncols(), system.h.nrows()))
 }
 
 /// The limit where nothing is left to know: 0, or after a reading without noise what the noise of a step adds.

@@ -171,3 +171,63 @@ fn each_state_has_a_start_of_its_own_and_there_may_be_nine() {
     assert_eq!((nine.k.len(), nine.k[0].len(), nine.eigenvalues.len()), (9, 8, 9));
     assert_eq!((nine.series.truth.len(), nine.series.gain[8].len(), nine.movable), (9, 8, 8));
 }
+
+/// P(k+1 | k) after so many steps, from the start of these parameters.
+fn stepped(params: &OwnParams, steps: usize) -> DMatrix<f64> {
+    let known = OwnSystem::new(*params).expect("sound").known;
+    dynamic::steady_state_gain(&known.system, known.p0.clone(), steps, 0.0).expect("runs").p
+}
+
+/// Constants of which only the start tells one from a walk: their P comes to rest. What a reading tells by itself falls
+/// on.
+#[test]
+fn a_constant_beside_a_walk_comes_to_rest_and_one_by_itself_does_not() {
+    let beside = |f: [f64; 3], h: [[f64; 3]; 2], v: [f64; 3], start: f64| {
+        with(|p| {
+            (p.states, p.inputs, p.start) = (3, 0, start);
+            (0..3).for_each(|i| (p.f[i], p.v[i]) = (UpTo::default(), UpTo::default()));
+            (0..3).for_each(|i| (p.f[i][i], p.v[i][i]) = (f[i], v[i]));
+            (p.readings, p.h[0], p.h[1]) = (if h[1] == [0.0; 3] { 1 } else { 2 }, h[0].into(), h[1].into());
+            p.w = [[0.2, 0.0], [0.0, 0.2]].map(UpTo::from).into();
+        })
+    };
+    let sum = [[1.0; 3], [0.0; 3]];
+    for params in [
+        beside([0.9, 1.0, 1.0], sum, [0.1, 0.001, 0.0], 1.0),
+        beside([0.9, 1.0, 1.0], sum, [0.1, 0.01, 0.0], 1.0),
+        beside([1.0, 0.9, 1.0], sum, [0.0, 0.1, 0.001], 2.0),
+        beside([1.0, 0.5, 1.0], [[1.0, 0.0, 1.0], [0.0; 3]], [0.0, 0.1, 0.001], 1.0),
+    ] {
+        let frame = open(params);
+        assert!(!frame.slowly && !frame.doubled.averages && frame.doubled.depends_on_start, "{frame:?}");
+        let limit = frame.limit_p.expect("a limit");
+        let far = stepped(&params, 20_000);
+        (0..3).for_each(|i| assert!((far[(i, i)] - limit[i][i]).abs() < 1e-9, "{far} {limit:?}"));
+        // It is within a hundredth of its limit after as many steps as are said, and not before.
+        let off = |steps: f64| {
+            let p = stepped(&params, steps as usize + 1);
+            (0..3).map(|i| (p[(i, i)] / far[(i, i)] - 1.0).abs()).fold(0.0, f64::max)
+        };
+        let near = frame.near.expect("it comes near");
+        assert!(near > 1.0 && near < 1000.0 && off(near) <= 0.01 && off(0.0) > 0.01, "{near} {}", off(near));
+    }
+    let params = beside([0.9, 0.5, 1.0], sum, [0.1, 0.001, 0.0], 1.0);
+    let [one, two] = [4000, 8000].map(|steps| stepped(&params, steps)[(2, 2)]);
+    assert!((one / two - 2.0).abs() < 0.1, "each reading counts: {one} {two}");
+    let frame = open(params);
+    assert!(frame.slowly || frame.near.is_none() && frame.doubled.averages, "{frame:?}");
+}
+
+#[test]
+fn rates_that_are_given_as_a_step_are_asked_about_until_they_are_ticked() {
+    let motor = |continuous: bool| {
+        open(with(|p| {
+            (p.states, p.inputs, p.continuous, p.period) = (3, 0, continuous, 0.005);
+            p.f = [[0.0, 1.0, 0.0], [0.0, -10.0, 5.0], [0.0, -1.0, -20.0]].map(UpTo::from).into();
+            p.v = [[0.0, 0.0, 0.0], [0.0, 0.5, 0.0], [0.0, 0.0, 0.2]].map(UpTo::from).into();
+            (p.h[0], p.w[0]) = ([1.0].into(), [1e-4].into());
+        }))
+    };
+    assert!(motor(false).looks_like_rates && !motor(true).looks_like_rates);
+    assert!(!open(OwnParams::default()).looks_like_rates && !open(height()).looks_like_rates);
+}

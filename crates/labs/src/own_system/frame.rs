@@ -74,6 +74,8 @@ record! {
         /// V over a step, by rows.
         #[name = "V"]
         pub v: Vec<Vec<f64>>,
+        /// Whether F, taken as what one step does, looks like one of a differential equation.
+        pub looks_like_rates: bool,
         /// The gain whose eigenvalues are shown, n×p by rows: the filter's limit, the reader's, or the one that places
         /// the poles.
         #[name = "K"]
