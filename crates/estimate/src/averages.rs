@@ -14,28 +14,34 @@
 //! tells the two apart, and beyond that no reading counts. Both conditions are one: noise of V and more noise along all
 //! that is unseen would not reach λ.
 
+use crate::balance::balanced;
 use crate::detectability::detectability;
 use crate::error::Error;
 use crate::lti::Lti;
-use crate::reachability::{noise_input, reachability};
+use crate::reachability::noise_reach_beside;
 use crate::verdict::Verdict::{self, No, Undecided, Yes};
-use nalgebra::{DMatrix, Dyn};
+use nalgebra::Dyn;
 use numerics::hypot;
 
 /// What is farther from the circle than this is not on it: of two equal eigenvalues rounding leaves half the digits.
 const OFF: f64 = 1e-6;
+/// A state that has a smaller part in an unseen direction, each in its own unit, has none: else the noise along it
+/// would be said to reach that state.
+const ROUNDING: f64 = 1e-13;
 
 /// Whether P falls as the variance of an average does from every start that does not know for certain what is averaged.
 ///
 /// # Errors
-/// As [`detectability`]; as [`noise_input`].
+/// As [`detectability`]; as [`noise_reach_beside`].
 pub(crate) fn falls_as_average(system: &Lti<Dyn, Dyn, Dyn>, tolerance: f64) -> Result<Verdict, Error> {
     let Lti { f, h, v, .. } = system;
-    let unseen = detectability(f, h, tolerance)?.unseen;
-    let noise = noise_input(v)?;
-    let (n, m) = noise.shape();
-    let fed = DMatrix::from_fn(n, m + unseen.len(), |i, j| if j < m { noise[(i, j)] } else { unseen[j - m][i] });
-    let found = reachability(f, &fed, tolerance)?;
+    let units = balanced(f, h).units;
+    let mut unseen = detectability(f, h, tolerance)?.unseen;
+    for direction in &mut unseen {
+        let own = direction.component_div(&units);
+        (0..own.len()).filter(|i| own[*i].abs() <= ROUNDING * own.amax()).for_each(|i| direction[i] = 0.0);
+    }
+    let found = noise_reach_beside(f, v, &unseen, tolerance)?;
     let off = found.modes.iter().map(|l| (hypot(l.re, l.im) - 1.0).abs()).fold(f64::INFINITY, f64::min);
     Ok(match found.stabilizable {
         Yes => No,
@@ -50,7 +56,7 @@ pub(crate) fn falls_as_average(system: &Lti<Dyn, Dyn, Dyn>, tolerance: f64) -> R
 mod tests {
     use super::*;
     use crate::dynamic::{System, steady_state};
-    use nalgebra::dmatrix;
+    use nalgebra::{DMatrix, dmatrix};
 
     /// The verdict, and whether iterating agrees: of a fall by 1/k half is left after twice as many steps.
     fn verdict(f: DMatrix<f64>, h: DMatrix<f64>, v: &[f64], start: f64) -> Verdict {
@@ -87,6 +93,13 @@ mod tests {
         // A second reading tells the third state, beside a sum whose parts only the start tells.
         let both = dmatrix![1.0, 1.0, 0.0; 0.0, 0.0, 1.0];
         assert_eq!(verdict(DMatrix::identity(3, 3), both, &[0.001, 0.0, 0.0], 1.0), Yes);
+        // What is unseen beside it dies out, and is found but for rounding.
+        let dying = DMatrix::from_diagonal(&nalgebra::dvector![1.0, 0.9, 0.9]);
+        let beside = dmatrix![1.0, 0.0, 0.0; 1.0, 1.0, 1.0];
+        assert_eq!(verdict(dying.clone(), beside, &[0.0, 0.001, 0.1], 1.0), Yes);
+        assert_eq!(verdict(dying, dmatrix![1.0, 1.0, 1.0], &[0.0, 0.001, 0.0], 1.0), Yes);
+        let dying = DMatrix::from_diagonal(&nalgebra::dvector![0.5, 1.0, 0.5]);
+        assert_eq!(verdict(dying, dmatrix![1.0, 0.0, 1.0; 1.0, 1.0, 1.0], &[0.001, 0.0, 0.001], 1.0), Yes);
         // A turn that no noise feeds.
         assert_eq!(verdict(dmatrix![0.6, 0.8; -0.8, 0.6], dmatrix![1.0, 0.0], &[0.0, 0.0], 1.0), Yes);
     }

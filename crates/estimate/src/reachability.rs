@@ -40,8 +40,23 @@ pub(crate) fn reachability(f: &DMatrix<f64>, b: &DMatrix<f64>, tolerance: f64) -
 /// # Errors
 /// As [`reachability`], and as [`noise_input`].
 pub(crate) fn noise_reach(f: &DMatrix<f64>, v: &DMatrix<f64>, tolerance: f64) -> Result<Reachability, Error> {
+    noise_reach_beside(f, v, &[], tolerance)
+}
+
+/// The same where there is noise along these directions too.
+///
+/// # Errors
+/// As [`noise_reach`].
+pub(crate) fn noise_reach_beside(
+    f: &DMatrix<f64>,
+    v: &DMatrix<f64>,
+    others: &[DVector<f64>],
+    tolerance: f64,
+) -> Result<Reachability, Error> {
+    let (noise, n) = (noise_input(v)?, f.nrows());
+    let all = DMatrix::from_fn(n, n + others.len(), |i, j| if j < n { noise[(i, j)] } else { others[j - n][i] });
     // A direction of less than this part of a state's noise is rounding; the root of it is what `noise_input` leaves.
-    reached_by(f, &noise_input(v)?, sqrt(ROUNDING), tolerance)
+    reached_by(f, &all, sqrt(ROUNDING), tolerance)
 }
 
 fn reached_by(f: &DMatrix<f64>, b: &DMatrix<f64>, blur: f64, tolerance: f64) -> Result<Reachability, Error> {

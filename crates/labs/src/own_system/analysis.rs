@@ -122,7 +122,8 @@ impl Analysis {
                 steps: limit.steps,
                 averages,
             },
-            looks_like_rates: !params.continuous && looks_like_rates(f, &own_modes(&system)?, params.period),
+            looks_like_rates: !params.continuous
+                && own_modes(&system).is_ok_and(|modes| looks_like_rates(f, &modes, params.period)),
             decay: decay_of(&eigenvalues, params.period),
             run_length: run_length(&eigenvalues, n + p),
             eigenvalues,
