@@ -93,12 +93,17 @@ fn of_what_is_left(system: &System, p0: &DMatrix<f64>) -> Option<Limit> {
     Some(Limit { r, p, steps: found.steps + left.len() as f64, ..found })
 }
 
-/// Whether P grows without bound from every start, however slowly: noise reaches every direction that does not die out,
-/// and of these one is not seen. A bounded P would have a limit with a gain under which every error dies out.
+/// Whether P grows without bound from every start, however slowly: of what does not die out a direction is neither seen
+/// nor told by a combination that noise does not feed. Without such a combination noise moves it, and no gain can let
+/// its error die out. Where noise reaches all that does not die out, it is enough that one direction is not seen.
 fn grows(system: &System) -> bool {
     let System { f, h, v, .. } = system;
-    detectability(f, h, STRUCTURE).is_ok_and(|seen| seen.detectable == Verdict::No)
-        && noise_reach(f, v, STRUCTURE).is_ok_and(|noise| noise.stabilizable == Verdict::Yes)
+    let Ok(noise) = noise_reach(f, v, STRUCTURE) else { return false };
+    let still = noise.unreached;
+    let (n, p) = (f.nrows(), h.nrows());
+    let told = DMatrix::from_fn(p + still.len(), n, |i, j| if i < p { h[(i, j)] } else { still[i - p][j] });
+    noise.stabilizable != Verdict::Undecided
+        && detectability(f, &told, STRUCTURE).is_ok_and(|seen| seen.detectable == Verdict::No)
 }
 
 fn answer(scaled: &Scaled, found: &Doubled, steps: f64) -> Limit {
@@ -125,4 +130,38 @@ fn refined(system: &System, mut scaled: Scaled, mut found: Doubled) -> Option<(S
     }
     let own = Scaled::of(system, &scaled.given(&found.p));
     own.holds_still().then_some((scaled, found))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::dmatrix;
+
+    fn system(f: DMatrix<f64>, h: DMatrix<f64>, v: &[f64]) -> System {
+        let (n, p) = (f.nrows(), h.nrows());
+        let v = DMatrix::from_diagonal(&nalgebra::DVector::from_column_slice(v));
+        System::new(f, DMatrix::zeros(n, 0), h, v, DMatrix::identity(p, p) * 0.2).expect("sound")
+    }
+
+    /// Whether P grows, and that iterating agrees: what grows without bound has grown by as much again in as many steps.
+    fn grown(system: &System) -> bool {
+        let n = system.f.nrows();
+        let after = |steps: usize| system.steady_state_gain(&DMatrix::identity(n, n), steps, 0.0).expect("runs").p;
+        let [one, two, four] = [2000, 4000, 8000].map(|steps| after(steps).trace());
+        let iterated = four - two > 1.5 * (two - one) && four - two > 1e-6 * four;
+        let limit = steady_state(system, DMatrix::identity(n, n)).expect("found");
+        assert_eq!(limit.converged, !iterated, "{system:?}: {one} {two} {four}");
+        iterated
+    }
+
+    #[test]
+    fn a_walk_that_no_reading_tells_apart_from_another_grows_whatever_else_is_told() {
+        let both = dmatrix![1.0, 1.0, 0.0; 1.0, 1.0, 1.0];
+        assert!(grown(&system(DMatrix::identity(3, 3), both.clone(), &[0.001, 0.001, 0.0])));
+        assert!(grown(&system(DMatrix::identity(2, 2), dmatrix![1.0, 1.0], &[0.001, 0.001])));
+        // A walk beside a constant: what the start says of the constant tells them apart for ever.
+        assert!(!grown(&system(DMatrix::identity(2, 2), dmatrix![1.0, 1.0], &[0.001, 0.0])));
+        assert!(!grown(&system(DMatrix::identity(3, 3), both, &[0.001, 0.0, 0.001])));
+        assert!(grown(&system(dmatrix![1.0, 1.0; 0.0, 1.0], dmatrix![0.0, 1.0], &[0.0, 0.001])));
+    }
 }
