@@ -143,7 +143,7 @@ mod tests {
         System::new(f, DMatrix::zeros(n, 0), h, v, DMatrix::identity(p, p) * 0.2).expect("sound")
     }
 
-    /// Whether P grows, and that iterating agrees: what grows without bound has grown by as much again in as many steps.
+    /// Whether P grows, and that iterating agrees: what grows for ever has grown by as much again in as many steps.
     fn grown(system: &System) -> bool {
         let n = system.f.nrows();
         let after = |steps: usize| system.steady_state_gain(&DMatrix::identity(n, n), steps, 0.0).expect("runs").p;
