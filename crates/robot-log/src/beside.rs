@@ -182,7 +182,7 @@ impl File {
     }
 
     /// Whether it says how the robot turned besides.
-    fn turns(&self) -> bool {
+    pub(crate) fn turns(&self) -> bool {
         self.role() != Role::Sensors || self.source.column("omega").is_some()
     }
 

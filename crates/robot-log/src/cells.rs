@@ -149,7 +149,11 @@ impl<'a> Cells<'a> {
         }
         let range = self.read(value, *field)?;
         let place = CellPlace::of(self.file, self.line, column);
-        if range >= 0.0 { Ok(Ok(range)) } else { Err(place.refuse("a range of at least 0 was expected")) }
+        match range {
+            _ if range >= 0.0 => Ok(Ok(range)),
+            _ if range > -1.0 => Ok(Err(NoRange::Negative)),
+            _ => Err(place.refuse("a range of at least 0 was expected")),
+        }
     }
 }
 
@@ -161,4 +165,6 @@ pub(crate) enum NoRange {
     Zero,
     MinusOne,
     Infinite,
+    /// Below 0 by less than a metre.
+    Negative,
 }

@@ -10,6 +10,7 @@ use crate::own::{Own, own};
 use crate::parse;
 use crate::reading::LogReader;
 use crate::role::Role;
+use crate::turning;
 use crate::wheels::Counting;
 use std::collections::HashMap;
 
@@ -166,6 +167,7 @@ impl Files {
         let mut read = reading.finish(own)?;
         read.wheels = beside::wheels(&self.files);
         read.notes.extend(beside::note(&self.files));
+        read.notes.extend(turning::note(&self.files));
         read.notes.extend(beside::origins(&self.files));
         let unused = self.files.iter().filter(|file| file.role() == Role::Unused);
         read.notes.extend(unused.map(|file| format!("{}.", file.unused())));
@@ -175,12 +177,14 @@ impl Files {
     /// The rows of all files; `as_written`, a truth is not moved.
     fn gathered(&self, as_written: bool) -> Result<LogReader, Error> {
         let mut reading = LogReader::new(self.barcodes()?, as_written);
+        let gyro = turning::gyro(&self.files);
         for (i, file) in self.files.iter().enumerate() {
             match file.role() {
                 Role::Log => parse::gather(file.text(), i, &mut reading.to)?,
                 Role::Unused | Role::Undecided | Role::Barcodes => {}
                 role => {
                     let before = reading.taken();
+                    reading.begin_file(gyro.is_some_and(|gyro| gyro != i) && turning::drives(file));
                     file.rows(i, |row| reading.take(role, row))?;
                     if reading.taken() == before {
                         let name = file.name();

@@ -126,11 +126,13 @@ fn role(file: &str, text: &str, table: &Table, names: &[Name]) -> (Role, Option<
         name.has_one(&["true", "truth", "gt", "groundtruth", "vicon", "mocap"]) && !of_north
     };
     let is_true = said.contains(&Role::Truth) || names.iter().any(of_truth);
-    let wheel = ["encoder", "enc", "ticks", "tick", "wheel", "count", "counts", "rad", "impulse", "rpm"];
+    let wheel = [
+        "encoder", "enc", "ticks", "tick", "wheel", "count", "counts", "rad", "impulse", "rpm", "v", "vel", "velocity",
+        "speed",
+    ];
+    let of_wheels = ["encoder", "wheel", "odom"].iter().any(|word| file.contains(word));
     let side = |value| candidates(value, Quantity::Wheel, names);
-    let of_wheel = |at: &usize| {
-        names[*at].has_one(&wheel) || names[*at].base(Quantity::Wheel).len() == 1 || file.contains("encoder")
-    };
+    let of_wheel = |at: &usize| of_wheels || names[*at].has_one(&wheel) || names[*at].base(Quantity::Wheel).len() == 1;
     let encoders = side("left").iter().any(of_wheel) && side("right").iter().any(of_wheel);
     let sightings = landmark && has("range", Quantity::Length);
     let odometry = has("distance", Quantity::Length) && has("turn", Quantity::Angle);

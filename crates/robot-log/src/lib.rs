@@ -76,6 +76,7 @@ mod source;
 mod stamp;
 mod stamps;
 mod table;
+mod turning;
 mod unit;
 
 mod vocabulary;

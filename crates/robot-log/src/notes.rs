@@ -1,6 +1,8 @@
 //! What is said of a log that was read and still looks strange: sentences for its reader.
 
+use crate::cells::{Cells, NoRange};
 use crate::columns::clockwise;
+use crate::error::Error;
 use crate::guess;
 use crate::names::Name;
 use crate::role::Role;
@@ -26,6 +28,8 @@ pub(crate) struct Counts {
     pub zero: usize,
     pub minus_one: usize,
     pub infinite: usize,
+    /// Ranges of less than 0 by less than a metre: noise beside a landmark.
+    pub negative: usize,
     /// Speeds and courses of −1, which says that they are not known.
     pub unknown: usize,
     /// Headings of 65535, which says the same.
@@ -62,6 +66,26 @@ impl<T: PartialEq> Repeats<T> {
 }
 
 impl Counts {
+    /// A range that was not read.
+    pub fn without(&mut self, none: NoRange) -> Result<(), Error> {
+        match none {
+            NoRange::Missing => self.missing += 1,
+            NoRange::Zero => self.zero += 1,
+            NoRange::MinusOne => self.minus_one += 1,
+            NoRange::Infinite => self.infinite += 1,
+            NoRange::Negative => self.negative += 1,
+        }
+        Ok(())
+    }
+
+    /// A standard deviation that the row has of its own; one that is not above 0 is none.
+    pub fn sigma(&mut self, cells: Cells<'_>, value: &str) -> Result<Option<f64>, Error> {
+        let given = cells.given(value)?;
+        let sound = given.filter(|sigma| *sigma > 0.0);
+        self.without_sigma += usize::from(given.is_some() && sound.is_none());
+        Ok(sound)
+    }
+
     /// The rows that were measured once and written again. Headings count only where the fixes beside them are written
     /// so: a compass of few digits reads the same twice and has measured twice.
     pub fn copies(&self) -> Vec<usize> {
@@ -100,6 +124,12 @@ impl Counts {
             let what =
                 if count == 1 { format!("1 range of {what} is") } else { format!("{count} ranges of {what} are") };
             notes.push(format!("{name}: {what} left out: so a sensor says that it has no reading."));
+        }
+        if self.negative > 0 {
+            let what = if self.negative == 1 { "1 range" } else { &format!("{} ranges", self.negative) };
+            notes.push(format!(
+                "{name}: {what} below 0 left out: no distance is, but beside a landmark noise makes one."
+            ));
         }
         if unknown > 0 {
             notes.push(format!(

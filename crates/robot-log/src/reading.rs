@@ -1,6 +1,6 @@
 //! Rows of tables become rows of a log.
 
-use crate::cells::{Cells, NoRange};
+use crate::cells::Cells;
 use crate::error::Error;
 use crate::frames::{self, Moved};
 use crate::gathering::{CellPlace, Gathering, Unplaced};
@@ -12,6 +12,7 @@ use crate::notes::{self, Counts};
 use crate::own::Own;
 use crate::role::Role;
 use crate::source::Landmark as Of;
+use crate::turning::Way;
 use crate::wgs84::Origin;
 use estimate::Landmark;
 use estimate::drive::{Event, Pose, Row};
@@ -38,6 +39,9 @@ pub(crate) struct LogReader {
     notes: Vec<String>,
     /// Whether a truth of another origin stays where it is.
     as_written: bool,
+    /// Whether a gyro says how the robot turned, and not the file that is being read.
+    turned: bool,
+    way: Way,
 }
 
 impl LogReader {
@@ -45,6 +49,11 @@ impl LogReader {
     /// is moved.
     pub fn new(carried: Option<HashMap<u32, u32>>, as_written: bool) -> Self {
         Self { carried, as_written, ..Self::default() }
+    }
+
+    /// Begins a file, whose turns are not taken where a gyro says them.
+    pub fn begin_file(&mut self, turned: bool) {
+        (self.turned, self.way) = (turned, Way::default());
     }
 
     /// Ends a file, and says what was strange in it; so many lines above its rows were passed over.
@@ -72,21 +81,20 @@ impl LogReader {
             Role::Velocities => {
                 let event = Event::Velocity { v: cells.number("v")?, omega: cells.number("omega")? };
                 let time = self.kept.stamps.take(cells)?;
-                self.motion(start, time, event)?;
+                self.driven(start, time, Some(event))?;
             }
             Role::Odometry => {
                 let event = Event::Odometry { distance: cells.number("distance")?, turn: cells.number("turn")? };
                 let time = self.kept.stamps.take(cells)?;
-                self.motion(start, time, event)?;
+                self.driven(start, time, Some(event))?;
             }
             Role::Encoders => {
                 let (time, counted) = (self.kept.stamps.take(cells)?, [cells.number("left")?, cells.number("right")?]);
                 let unit = cells.source.role.index("left").and_then(|at| cells.source.units[at]);
                 let before = self.kept.counted.replace(counted).filter(|_| !cells.jumps.begins_anew(start.line));
                 let wheels = &cells.source.wheels;
-                if let Some(event) = unit.and_then(|unit| wheels.event(unit, counted, before, cells.jumps)) {
-                    self.motion(start, time, event)?;
-                }
+                let event = unit.and_then(|unit| wheels.event(unit, counted, before, cells.jumps));
+                self.driven(start, time, event)?;
             }
             Role::Sensors => self.sensors(cells)?,
             Role::Landmarks => {
@@ -196,6 +204,16 @@ impl LogReader {
         }
     }
 
+    /// A row that says how the robot drove and turned, if it says anything.
+    fn driven(&mut self, start: CellPlace, time: f64, event: Option<Event>) -> Result<(), Error> {
+        let row = match self.turned {
+            true => self.way.speed(time, event),
+            false => event.map(|event| Row::new(time, event)),
+        };
+        let Some(row) = row else { return Ok(()) };
+        self.motion(start, row.time, row.event)
+    }
+
     fn motion(&mut self, start: CellPlace, time: f64, event: Event) -> Result<(), Error> {
         self.to.begin(start)?;
         self.to.motion(start, Row::new(time, event))
@@ -264,26 +282,5 @@ impl LogReader {
         notes.extend(notes::gaps(&log.drive));
         notes.extend(notes::left_out(self.unlisted, left_out, mapped));
         Ok(Understood { log, notes, landmarks: self.landmarks.names(), wheels: false })
-    }
-}
-
-impl Counts {
-    /// A range that was not read.
-    fn without(&mut self, none: NoRange) -> Result<(), Error> {
-        match none {
-            NoRange::Missing => self.missing += 1,
-            NoRange::Zero => self.zero += 1,
-            NoRange::MinusOne => self.minus_one += 1,
-            NoRange::Infinite => self.infinite += 1,
-        }
-        Ok(())
-    }
-
-    /// A standard deviation that the row has of its own; one that is not above 0 is none.
-    fn sigma(&mut self, cells: Cells<'_>, value: &str) -> Result<Option<f64>, Error> {
-        let given = cells.given(value)?;
-        let sound = given.filter(|sigma| *sigma > 0.0);
-        self.without_sigma += usize::from(given.is_some() && sound.is_none());
-        Ok(sound)
     }
 }

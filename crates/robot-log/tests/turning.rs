@@ -1,0 +1,80 @@
+//! A gyro beside wheels: its turn rates are taken and theirs are not, and their way becomes a speed.
+
+use estimate::drive::{Event, Row};
+use robot_log::{Counting, Files, Role};
+
+const GYRO: (&str, &str) = ("gyro.csv", "time_s,gyro_z_radps\n0.05,0.3\n0.15,0.31\n0.25,0.32\n");
+
+fn files(all: &[(&str, &str)]) -> Files {
+    let mut files = Files::default();
+    all.iter().for_each(|(name, text)| files.add(name, text).expect(name));
+    files
+}
+
+fn rows(files: &Files) -> Vec<Row> {
+    files.read().expect("sound").log.drive.rows
+}
+
+fn speeds(rows: &[Row]) -> Vec<[f64; 2]> {
+    let speed = |row: &Row| if let Event::Speed { v } = row.event { Some([row.time, v]) } else { None };
+    rows.iter().filter_map(speed).collect()
+}
+
+fn turns(rows: &[Row]) -> Vec<f64> {
+    let turn = |row: &Row| if let Event::TurnRate { omega } = row.event { Some(omega) } else { None };
+    rows.iter().filter_map(turn).collect()
+}
+
+#[test]
+fn of_two_turn_rates_the_gyro_s_is_taken_and_it_is_said() {
+    let twist = ("wheels.csv", "time_s,v_mps,omega_radps\n0,1,0.2\n0.1,1.1,0.2\n0.2,1.2,0.2\n");
+    let mut both = files(&[twist, GYRO]);
+    let read = rows(&both);
+    assert_eq!(speeds(&read), [[0.0, 1.0], [0.1, 1.1], [0.2, 1.2]]);
+    assert_eq!(turns(&read), [0.3, 0.31, 0.32]);
+    assert_eq!(read.len(), 6, "no row has both");
+    let notes = both.read().expect("sound").notes;
+    assert!(notes.iter().any(|note| note.starts_with("The turn rate is that of gyro.csv alone")), "{notes:?}");
+    // Without it the wheels turn the robot again.
+    assert!(both.set_role(1, Role::Unused));
+    let wheels = rows(&both);
+    assert!(wheels.iter().all(|row| matches!(row.event, Event::Velocity { omega: 0.2, .. })), "{wheels:?}");
+}
+
+#[test]
+fn encoders_beside_a_gyro_read_the_way_that_they_count_as_a_speed() {
+    let ticks = "time_s,left_ticks,right_ticks\n0,0,0\n0.1,100,110\n0.1,110,120\n0.3,200,220\n";
+    let mut both = files(&[("encoders.csv", ticks), GYRO]);
+    for (name, number) in [("ticks", 1000.0), ("radius", 0.1), ("base", 0.4)] {
+        assert!(both.set_wheel(0, name, number), "{name}");
+    }
+    assert!(both.set_counting(0, Counting::Total));
+    let (read, tick) = (rows(&both), core::f64::consts::TAU / 1000.0 * 0.1);
+    assert_eq!(turns(&read), [0.3, 0.31, 0.32]);
+    // Of the two rows at one time the second is driven with the next.
+    let found = speeds(&read);
+    let wanted = [[0.0, 105.0 * tick / 0.1], [0.1, 105.0 * tick / 0.2]];
+    assert_eq!(found.len(), wanted.len(), "{found:?}");
+    for (found, wanted) in found.iter().zip(wanted) {
+        assert!((found[0] - wanted[0]).abs() < 1e-12 && (found[1] - wanted[1]).abs() < 1e-9, "{found:?}, {wanted:?}");
+    }
+    // By themselves they say the way and the turn of each step.
+    assert!(both.set_role(1, Role::Unused));
+    assert!(rows(&both).iter().all(|row| matches!(row.event, Event::Odometry { .. })));
+}
+
+#[test]
+fn a_table_of_a_left_and_a_right_wheel_is_known_by_its_name_or_by_those_of_its_columns() {
+    for (name, head, asks) in [
+        ("drive.csv", "time_s,v_left_mps,v_right_mps", "the distance between the wheels"),
+        ("wheels.csv", "time,s_right,s_left", "unit"),
+        ("odom.csv", "time,left,right", "unit"),
+    ] {
+        let read = files(&[(name, &format!("{head}\n0,1,1.1\n0.1,1,1.2\n"))]);
+        let file = &read.files()[0];
+        assert_eq!(file.role(), Role::Encoders, "{name}");
+        assert!(file.asks().iter().any(|ask| ask.contains(asks)), "{name}: {:?}", file.asks());
+    }
+    let stereo = files(&[("camera.csv", "time,left_image,right_image\n0,1,1\n0.1,2,2\n")]);
+    assert_eq!(stereo.files()[0].role(), Role::Unused);
+}
