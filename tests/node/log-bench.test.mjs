@@ -3,7 +3,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { bentBy, sentence as fitted } from '../../web/page/log-fit.js'
+import { bentBy, isOfModel, sentence as fitted } from '../../web/page/log-fit.js'
 import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
 import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
 import { unreadWords } from '../../web/page/log-files.js'
@@ -88,15 +88,21 @@ test('a setting is compared with the one before of the same log alone', () => {
   assert.equal(settingBefore(a, b, frame(other, 1)), null)
 })
 
+const MOTION = { pace: 1, period: 0.1 }
+
 test('what a fit has found has as many digits as it is known to', () => {
-  const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative, flat: null }, 1)
+  const number = (name, value, sigma, relative = false) => fitted({ name, value, sigma, relative, flat: null }, MOTION)
   assert.equal(number('delayFix', 0.38547, 0.00134), 'delay of the positions, s: 0.3855 ± 0.0013')
   assert.equal(number('delayFix', 0.399941, 0.0000202), 'delay of the positions, s: 0.399941 ± 0.000020')
   assert.equal(number('sigmaFix', 0.029967, 0.01342, true), 'σ of a position, m: 0.02997 ± 1.3 %')
   assert.equal(number('headingOffset', 0.2, 0.0025), 'offset of the headings, °: 11.46 ± 0.14')
   assert.equal(number('offset', -12.3, 25), 'offset of the ranges, m: −12 ± 25')
   assert.match(number('scale', 0.03, null), /does not tell it/)
-  const stair = fitted({ name: 'delayFix', value: 0.317, sigma: 0.025, relative: false, flat: [0.3, 0.4] }, 1)
+  const stair = fitted({ name: 'delayFix', value: 0.317, sigma: 0.025, relative: false, flat: [0.3, 0.4] }, MOTION)
+  const short = { name: 'delaySighting', value: -0.0108, sigma: 0.0023, relative: false, flat: null }
+  const own = /: −0\.0108 ± 0\.0023: less than half a step of 0\.100 s between rows of motion, so it may be the motion/
+  assert.match(fitted(short, MOTION), own)
+  assert.deepEqual([isOfModel(short, 0.1), isOfModel(short, 0.02)], [true, false])
   assert.match(stair, /^delay of the positions, s: 0\.30 to 0\.40, all alike: the log has no row of motion in between$/)
 })
 

@@ -89,10 +89,13 @@ test('what lies at the end of a search is more than that, and has no ±', () => 
 test('a σ of the distance that is a good part of the way is told with what it may hide', () => {
   const hides = 'So much is 40 % of what is driven in a second: a fault of the motion may hide in it.'
   const number = { name: 'sigmaDistance', value: 0.6, sigma: 0.03, relative: true, flat: null }
-  assert.equal(fitted(number, 1.5), `σ of the distance, m/√s: 0.600 ± 3.0 %. ${hides}`)
-  assert.equal(fitted({ ...number, value: 0.06 }, 1.5), 'σ of the distance, m/√s: 0.0600 ± 3.0 %')
-  assert.doesNotMatch(fitted({ ...number, name: 'sigmaFix' }, 1.5), /hide/)
-  assert.doesNotMatch(fitted(number, 0), /hide/, 'a robot that never drives')
+  assert.equal(fitted(number, { pace: 1.5, period: 0.1 }), `σ of the distance, m/√s: 0.600 ± 3.0 %. ${hides}`)
+  assert.equal(
+    fitted({ ...number, value: 0.06 }, { pace: 1.5, period: 0.1 }),
+    'σ of the distance, m/√s: 0.0600 ± 3.0 %',
+  )
+  assert.doesNotMatch(fitted({ ...number, name: 'sigmaFix' }, { pace: 1.5, period: 0.1 }), /hide/)
+  assert.doesNotMatch(fitted(number, { pace: 0, period: 0.1 }), /hide/, 'a robot that never drives')
   /** @param {any} suspects @returns {any} */
   const judgement = (suspects) => ({
     suspects,

@@ -48,8 +48,7 @@ export class FitForm {
       'Fit finds the σ, or the factor on what readings bring as theirs, the delays, the scale and the offset of ' +
       'ranges, and the offsets of bearings and headings under which the readings are likeliest. Gates are ' +
       'off meanwhile, and the first seconds, where a delay moves the start, do not count. A delay of all sensors ' +
-      'together cannot be seen: the turn rate’s is 0, and without turn rates the speed’s stays as it is. A ' +
-      'delay of less than half a step between rows of motion may be the motion model’s own.'
+      'together cannot be seen: the turn rate’s is 0, and without turn rates the speed’s stays as it is.'
     const actions = part(document, row, 'div', 'log-actions')
     this.result = part(document, row, 'div', 'log-says')
     this.result.setAttribute('role', 'status')
@@ -93,7 +92,7 @@ export class FitForm {
   }
 
   /** @param {LogFound} found */
-  found({ numbers, logLikelihood: [before, after], readings, settled, beyond, expected, pace }) {
+  found({ numbers, logLikelihood: [before, after], readings, settled, beyond, expected, pace, period }) {
     const { result } = this
     if (!result) return
     const gain = grouped(after - before)
@@ -103,9 +102,11 @@ export class FitForm {
     const bent = bentBy(beyond, expected, readings)
     if (bent) part(document, result, 'p', '').textContent = bent
     const list = part(document, result, 'ul', '')
-    for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number, pace)
+    for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number, { pace, period })
     const patch = Object.fromEntries(
-      numbers.filter(({ sigma }) => sigma !== null).map(({ name, value }) => [name, Number(value.toPrecision(6))]),
+      numbers
+        .filter((number) => number.sigma !== null && !isOfModel(number, period))
+        .map(({ name, value }) => [name, Number(value.toPrecision(6))]),
     )
     const actions = part(document, result, 'div', 'log-actions')
     button(document, actions, 'Take what the log tells', () => this.orders.take({ ...patch, delayTurn: 0 }))
@@ -127,10 +128,21 @@ export function bentBy(beyond, share, readings) {
 }
 
 /**
- * How well the log tells a number, and what may hide in it.
- * @param {LogFound['numbers'][number]} number @param {number} pace metres driven in a second
+ * Whether a delay is so short that it may be the motion model’s own, which holds what it reads for a step: it is not
+ * taken.
+ * @param {LogFound['numbers'][number]} number @param {number} period seconds between rows of motion
  */
-export function sentence({ name, value, relative, sigma, flat }, pace) {
+export function isOfModel({ name, value, flat }, period) {
+  return name.startsWith('delay') && !flat && Math.abs(value) <= period / 2
+}
+
+/**
+ * How well the log tells a number, and what may hide in it.
+ * @param {LogFound['numbers'][number]} number
+ * @param {{ pace: number, period: number }} motion metres driven in a second, seconds between its rows
+ */
+export function sentence(number, { pace, period }) {
+  const { name, value, relative, sigma, flat } = number
   const words = NAMES[name] ?? name
   if (flat)
     return `${words}: ${fixed(flat[0], 2)} to ${fixed(flat[1], 2)}, all alike: the log has no row of motion in between`
@@ -141,7 +153,10 @@ export function sentence({ name, value, relative, sigma, flat }, pace) {
   const more = name === 'sigmaDistance' ? hides(value, pace) : ''
   if (relative)
     return `${words}: ${fixed(value, digits)} ± ${fixed(100 * sigma, sigma < 0.1 ? 1 : 0)} %${more && `. ${more}`}`
-  return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}`
+  const own = isOfModel(number, period)
+    ? `: less than half a step of ${fixed(period, 3)} s between rows of motion, so it may be the motion model’s own`
+    : ''
+  return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}${own}`
 }
 
 /** So many decimals that an uncertainty has two digits. @param {number} sigma */

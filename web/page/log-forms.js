@@ -1,7 +1,7 @@
 /** What a reader tells the filter of a log, in the strip of the workbench: sensors, start, afterwards, fit. */
 
 import { FitForm } from './log-fit.js'
-import { openingOf, settingWords } from './log-numbers.js'
+import { SENSORS, openingOf, settingWords } from './log-numbers.js'
 import { SensorForm } from './log-sensors.js'
 import { StartForm } from './log-start.js'
 
@@ -56,6 +56,7 @@ export class Forms {
     }
     const fit = async () => {
       const running = await run()
+      if (!this.isRead()) return { kind: 'none', message: 'No reading is used: tick “used” beside a sensor first.' }
       running.onfitting = (told) => this.fit.progress(told)
       return running.fit()
     }
@@ -134,6 +135,13 @@ export class Forms {
     if (typeof factor !== 'number' || !contents || !params) return {}
     const [before, after] = [params.fixSigmaScale, factor].map((one) => openingOf(contents, one)?.startSigma)
     return before !== undefined && params.startSigma === before ? { startSigma: after } : {}
+  }
+
+  /** Whether the filter uses any of the log’s readings. */
+  isRead() {
+    const { readings } = /** @type {import('estimate-wasm').LogContents} */ (this.contents)
+    const params = this.host.figure.run.wanted.params
+    return SENSORS.some(({ name, on }) => readings[/** @type {'fix'} */ (name)] && params[on])
   }
 
   /**

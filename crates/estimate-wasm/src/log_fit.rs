@@ -38,6 +38,8 @@ export interface LogFound {
     expected: number;
     /** The mean distance of a second in which the robot drives, metres: what σ of the distance is held against. */
     pace: number;
+    /** The median time between rows of motion, seconds: a delay of at most half of it may be the motion model's own. */
+    period: number;
 }
 "#;
 
@@ -96,5 +98,6 @@ fn shown(found: &FitResult) -> JsValue {
         ("beyond", found.beyond.into()),
         ("expected", found.expected.into()),
         ("pace", found.pace.into()),
+        ("period", found.period.into()),
     ])
 }

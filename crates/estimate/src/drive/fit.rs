@@ -9,6 +9,7 @@
 use crate::drive::course::Course;
 use crate::drive::fitted::Fitted;
 use crate::drive::flat::flat;
+use crate::drive::judgement::period;
 use crate::drive::likelihood::{beyond, log_likelihood};
 use crate::drive::moves::Moves;
 use crate::drive::pace::pace;
@@ -58,6 +59,8 @@ pub struct FitResult {
     /// The mean distance of a second in which the robot drives, m: a σ of the distance that is a good part of it, in
     /// m/√s, is more than noise.
     pub pace: f64,
+    /// The median time between rows of motion, s: a delay of at most half of it may be the motion model's own.
+    pub period: f64,
     /// Delays of a log of odometry, from where to where its likelihood is the same.
     pub flat: Vec<(Fitted, [f64; 2])>,
 }
@@ -67,6 +70,7 @@ pub struct FitResult {
 pub struct Fit {
     settings: Settings,
     pace: f64,
+    period: f64,
     /// Readings stamped before are not counted.
     from: f64,
     numbers: Vec<Fitted>,
@@ -124,6 +128,7 @@ impl Fit {
         let mut fit = Self {
             settings,
             pace: pace(drive, &settings),
+            period: period(&drive.rows),
             from: start + SETTLED,
             numbers,
             at,
@@ -236,6 +241,7 @@ impl Fit {
             beyond: self.beyond,
             expected: EXPECTED,
             pace: self.pace,
+            period: self.period,
             flat: self.flat.clone().unwrap_or_default(),
         }
     }
