@@ -80,6 +80,7 @@ mod turning;
 mod unit;
 
 mod vocabulary;
+mod way;
 mod wgs84;
 mod wheels;
 mod wide;

@@ -12,7 +12,7 @@ use crate::notes::{self, Counts};
 use crate::own::Own;
 use crate::role::Role;
 use crate::source::Landmark as Of;
-use crate::turning::Way;
+use crate::way::Way;
 use crate::wgs84::Origin;
 use estimate::Landmark;
 use estimate::drive::{Event, Pose, Row};
