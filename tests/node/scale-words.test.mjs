@@ -4,28 +4,20 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { sentence as fitted } from '../../web/page/log-fit.js'
 import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
+import { judgement, suspect } from './verdicts.mjs'
 
-const suspect = (given) => ({
-  fault: 'scale',
-  name: 'speedScale',
-  sensor: null,
-  sizes: [{ now: 0, value: -1 / 6, sigma: 0.002, end: false }],
-  times: null,
-  gain: 20,
-  excess: 15,
-  standing: 'sure',
-  mended: null,
-  own: false,
-  flat: null,
-  with: null,
-  landmarks: null,
-  claims: null,
-  ...given,
-})
+/** A speed that is off by a factor. @param {Record<string, unknown>} given */
+const scaled = (given) =>
+  suspect({
+    fault: 'scale',
+    name: 'speedScale',
+    sizes: [{ now: 0, value: -1 / 6, sigma: 0.002, end: false }],
+    ...given,
+  })
 /** @param {number} value @param {number} sigma @param {[string, string] | null} [unit] @param {number} [set] */
 const times = (value, sigma, unit = null, set = 1) => ({ value, sigma, unit, set })
 const size = (value, sigma, more) => ({ now: 0, value, sigma, end: false, ...more })
-const said = (given) => sentence(suspect(given), false)
+const said = (given) => sentence(scaled(given), false)
 
 test('a speed that reads too much is said to by what it reads too much', () => {
   assert.equal(
@@ -96,24 +88,9 @@ test('a σ of the distance that is a good part of the way is told with what it m
   )
   assert.doesNotMatch(fitted({ ...number, name: 'sigmaFix' }, { pace: 1.5, period: 0.1 }), /hide/)
   assert.doesNotMatch(fitted(number, { pace: 0, period: 0.1 }), /hide/, 'a robot that never drives')
-  /** @param {any} suspects @returns {any} */
-  const judgement = (suspects) => ({
-    suspects,
-    readings: 2067,
-    rows: 1000,
-    tried: [9, 9],
-    against: null,
-    ungated: false,
-    beside: false,
-    arcs: null,
-    period: 0.1,
-    pace: 1.5,
-    gaps: [],
-    other: false,
-  })
   const log = { rows: 1000, truth: false }
   const sigma = (now, value, standing) =>
-    suspect({ fault: 'sigma', name: 'sigmaDistance', standing, sizes: [{ now, value, sigma: 0.02, end: false }] })
+    scaled({ fault: 'sigma', name: 'sigmaDistance', standing, sizes: [{ now, value, sigma: 0.02, end: false }] })
   const larger = ranked(judgement([sigma(0.05, 0.6, 'sure')]), log)
   assert.match(larger, new RegExp(`set to 0\\.05: set it higher\\. ${hides} The log-likelihood rises`))
   const taken = ranked(judgement([sigma(0.6, 0.6, 'cleared')]), log)

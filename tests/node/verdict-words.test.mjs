@@ -3,40 +3,9 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { ranked, sentence } from '../../web/widgets/robot-log/verdict.js'
+import { judgement, suspect } from './verdicts.mjs'
 
-const suspect = (given) => ({
-  fault: 'clock',
-  name: 'delayFix',
-  sensor: null,
-  sizes: [{ now: 0, value: 0.35, sigma: 0.021 }],
-  gain: 20,
-  excess: 15,
-  standing: 'sure',
-  mended: null,
-  own: false,
-  flat: null,
-  with: null,
-  landmarks: null,
-  claims: null,
-  times: null,
-  ...given,
-})
 const times = (value, sigma, set = 1, unit = null) => ({ value, sigma, set, unit })
-const judgement = (suspects, more) => ({
-  suspects,
-  readings: 2067,
-  rows: 1000,
-  tried: [9, 9],
-  against: null,
-  ungated: false,
-  beside: false,
-  arcs: null,
-  period: 0.1,
-  pace: 1.5,
-  gaps: [],
-  other: false,
-  ...more,
-})
 const log = { rows: 1000, truth: false }
 
 test('a clock is late or early, by itself or beside what is set', () => {

@@ -13,8 +13,10 @@ const READ = {
 /** So many times what is there is a share too much, or too little. @param {number} times @param {string[]} too */
 const side = (times, too) => too[times > 1 ? 1 : 0]
 
-/** What is wrong with a scale, and what to do; of ranges with their offset, where that is off as well. */
-/** @param {Suspect} suspect */
+/**
+ * What is wrong with a scale, and what to do; of ranges with their offset, where that is off as well.
+ * @param {Suspect} suspect
+ */
 export function scaleSentence({ name, sizes: [size, offset], times }) {
   const { what, verb, are, too } = READ[name ?? '']
   const { value, sigma, set, unit } = times ?? { value: 1, sigma: null, set: 1, unit: null }
