@@ -154,7 +154,8 @@ export function sentence(number, { pace, period }) {
   if (relative)
     return `${words}: ${fixed(value, digits)} ± ${fixed(100 * sigma, sigma < 0.1 ? 1 : 0)} %${more && `. ${more}`}`
   const own = isOfModel(number, period)
-    ? `: less than half a step of ${fixed(period, 3)} s between rows of motion, which may be the motion model’s own, and not taken`
+    ? `: less than half a step of ${fixed(period, 3)} s between rows of motion, ` +
+      'which may be the motion model’s own, and not taken'
     : ''
   return `${words}: ${fixed(value * unit, digits)} ± ${fixed(told, digits)}${own}`
 }
