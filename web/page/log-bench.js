@@ -7,6 +7,7 @@
 import { button } from '../draw/dom.js'
 import { LikelihoodLine } from './log-likelihood.js'
 import { LikelihoodMap } from './log-map.js'
+import { MendBar } from './log-mend.js'
 import { SourceTable } from './log-sources.js'
 import { handOnTime } from './log-time.js'
 import { ViewBar } from './log-view.js'
@@ -26,6 +27,7 @@ export class Bench {
       follow()
     }
     this.likelihood = new LikelihoodLine({ change, look: this.look })
+    this.mend = new MendBar(change)
     this.view = new ViewBar(this.look)
     this.sources = new SourceTable(this.look)
     this.map = new LikelihoodMap(() => host.figure.run, change)
@@ -51,7 +53,7 @@ export class Bench {
     if (controls) strip.append(this.likelihood.box, ...controls.children, this.strip)
     controls?.append(strip)
     markMore(strip)
-    live.append(this.view.box, this.why, this.sources.box, this.map.box)
+    live.append(this.mend.box, this.view.box, this.why, this.sources.box, this.map.box)
     handOnTime(live, () => this.host.figure.run.frame, this.look)
     this.reveal(live.hasAttribute('data-why'))
   }
@@ -70,6 +72,7 @@ export class Bench {
   /** Another log. @param {import('estimate-wasm').LogContents} contents */
   begin(contents) {
     this.likelihood.begin()
+    this.mend.begin()
     this.map.begin(contents)
   }
 
@@ -77,6 +80,7 @@ export class Bench {
   show(frame) {
     this.enter()
     this.likelihood.show(frame)
+    this.mend.show(frame, this.host.figure.run.wanted.params)
     this.view.show(frame)
     this.sources.show(frame)
     this.map.show(frame)

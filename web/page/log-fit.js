@@ -3,6 +3,7 @@
 import { button, part } from '../draw/dom.js'
 import { fixed } from '../draw/numbers.js'
 import { hides } from '../widgets/robot-log/sigmas.js'
+import { kind, named } from '../widgets/robot-log/verdict.js'
 import { percent } from '../widgets/robot-log/words.js'
 import { grouped } from './log-likelihood.js'
 
@@ -49,6 +50,7 @@ export class FitForm {
       'ranges, and the offsets of bearings and headings under which the readings are likeliest. Gates are ' +
       'off meanwhile, and the first seconds, where a delay moves the start, do not count. A delay of all sensors ' +
       'together cannot be seen: the turn rate’s is 0, and without turn rates the speed’s stays as it is.'
+    this.first = part(document, row, 'p', 'log-says')
     const actions = part(document, row, 'div', 'log-actions')
     this.result = part(document, row, 'div', 'log-says')
     this.result.setAttribute('role', 'status')
@@ -57,6 +59,11 @@ export class FitForm {
     this.bar.setAttribute('aria-label', 'Fit')
     this.end = button(document, actions, 'Cancel', () => this.orders.stop())
     this.wait(false)
+  }
+
+  /** Says what is to be mended before. @param {import('../widgets/robot-log/words.js').Frame} frame */
+  show({ judgement }) {
+    if (this.first) this.first.textContent = mendBefore(judgement ?? null)
   }
 
   /** @param {boolean} waiting */
@@ -111,6 +118,19 @@ export class FitForm {
     const actions = part(document, result, 'div', 'log-actions')
     button(document, actions, 'Take what the log tells', () => this.orders.take({ ...patch, delayTurn: 0 }))
   }
+}
+
+/**
+ * What a verdict names and Fit does not look for: its error would go into what Fit finds.
+ * @param {import('estimate-wasm').LogJudgement | null} judgement
+ */
+export function mendBefore(judgement) {
+  const [fault] = judgement ? named(judgement) : []
+  if (!fault || NAMES[fault.name ?? '']) return ''
+  return (
+    `The verdict names ${kind(fault)}, which Fit does not look for: mend that before, or it makes ` +
+    'each σ come out too large.'
+  )
 }
 
 /**

@@ -159,11 +159,12 @@ export class Forms {
   /**
    * What the reader has set last, and not what the frame was computed with: a slider that went back to it would take
    * the next key from there.
-   * @param {import('estimate-wasm').LogFrame} frame
+   * @param {import('../widgets/robot-log/words.js').Frame} frame
    */
   show(frame) {
     const told = { ...frame, params: this.host.figure.run.wanted.params }
     this.sensors.show(told)
     this.start.show(told)
+    this.fit.show(frame)
   }
 }

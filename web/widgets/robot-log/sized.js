@@ -13,6 +13,9 @@ function decimals({ value, sigma, end }, times) {
 /** @param {Size} size @param {number} [times] */
 export const digits = (size, times = 1) => decimal(size.value * times, decimals(size, times))
 
+/** The number that those digits are, in the size's own unit. @param {Size} size @param {number} [times] */
+export const rounded = (size, times = 1) => Number((size.value * times).toFixed(decimals(size, times)))
+
 /**
  * A size and how well it is known; of one at the end of what was tried, that it is beyond.
  * @param {Size} size @param {number} [times] @param {string} [beyond]

@@ -53,7 +53,7 @@ export function ranked(judgement, { rows, truth, log = null }) {
         (log?.motion === 'odometry' ? UNSOUGHT : '')
       : other
         ? foreign(judgement)
-        : named(judgement, truth, log),
+        : sentences(judgement, truth, log),
     ...own.map((suspect) => model(suspect, judgement)),
     sound ? arcs(judgement) : '',
     sound ? loose(judgement) : '',
@@ -66,8 +66,25 @@ export function ranked(judgement, { rows, truth, log = null }) {
 /** Their turns and distances have no scale to learn. */
 const UNSOUGHT = ' A scale of the distances of O rows is not among them.'
 
+/**
+ * The faults that a judgement names: none, one, or two where the readings do not tell which it is.
+ * @param {LogJudgement} judgement
+ */
+export function named({ suspects: [first, ...others], other }) {
+  if (!first || first.standing === 'cleared' || other) return []
+  if (first.standing === 'sure') return [first]
+  // What was held against the truth, and is not the first, mends nothing.
+  const rival = others.find(
+    ({ standing, excess, mended }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended,
+  )
+  return rival ? [first, rival] : [first]
+}
+
 /** @param {LogJudgement} judgement @param {boolean} truth @param {Log | null} log */
-function named({ suspects: [first, ...others], beside, pace }, truth, log) {
+function sentences(judgement, truth, log) {
+  const { suspects, beside, pace } = judgement
+  const [, ...others] = suspects
+  const [first, rival] = named(judgement)
   const told = (/** @type {Suspect} */ suspect) => {
     const more = suspect.name === 'sigmaDistance' ? hides(suspect.sizes[0].value, pace) : ''
     return `${sentence(suspect, truth, log)}${more && ` ${more}`}`
@@ -79,11 +96,6 @@ function named({ suspects: [first, ...others], beside, pace }, truth, log) {
   const more = others.some(({ standing }) => standing !== 'cleared')
   const next = more ? ' What else is wrong shows once this is mended.' : ''
   if (first.standing === 'sure') return `${told(first)} ${gain}${next}`
-  // What was held against the truth, and is not the first, mends nothing.
-  const rivals = others.filter(
-    ({ standing, excess, mended }) => standing !== 'cleared' && excess > first.excess - NEAR && !mended,
-  )
-  const [rival] = rivals
   if (rival) return `Either: ${told(first)} Or: ${told(rival)} The readings do not tell which.`
   if (first.excess < NEAR) return `Perhaps: ${told(first)} Chance explains it nearly as well.`
   return `Perhaps: ${told(first)} ${gain}`
@@ -173,7 +185,7 @@ function late({ name, with: other, flat, sizes: [size, , third] }, off) {
 const together = (name, other, third) => (third ? 'readings' : `${DELAYED[name ?? ''][0]} and the ${DELAYED[other][0]}`)
 
 /** What a fault is called. @param {Suspect} suspect */
-function kind({ fault, name, with: other, sensor, sizes }) {
+export function kind({ fault, name, with: other, sensor, sizes }) {
   if (fault === 'start') return 'another start'
   if (fault === 'tails') return `a share of outliers among the ${READINGS[sensor ?? 'fix']}`
   if (fault === 'clock')
@@ -273,7 +285,7 @@ const WHEELS =
 const FAR = ' So far off this is a first step: the verdict after it brings the next.'
 
 /** An angle within half a turn. @param {number} angle */
-const wrapped = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle))
+export const wrapped = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle))
 
 /** @param {number} number */
 const count = (number) => number.toLocaleString('en')

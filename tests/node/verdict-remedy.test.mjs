@@ -1,0 +1,122 @@
+// What a press below the verdict sets is what the verdict's sentence says, and only where one setting mends it.
+import { test } from 'node:test'
+import assert from 'node:assert/strict'
+import { mendBefore } from '../../web/page/log-fit.js'
+import { remedies, remedy } from '../../web/page/log-mend.js'
+import { sentence } from '../../web/widgets/robot-log/verdict.js'
+import { judgement, suspect } from './verdicts.mjs'
+
+const DEGREE = Math.PI / 180
+const size = (value, sigma = 0.021, now = 0) => ({ now, value, sigma, end: false })
+/** @type {any} */
+const params = { gate: null }
+/** @type {any} */
+const frame = { params, truth: null }
+/** @returns {any} */
+const set = (given, truth = false) => remedy(suspect(given), params, truth)
+/** The numbers that the second half of a sentence gives. */
+const asked = (given) =>
+  (sentence(suspect(given), false).match(/: (?:set|let) .*$/) ?? [''])[0]
+    .replaceAll('−', '-')
+    .match(/-?\d+(\.\d+)?/g)
+    ?.map(Number)
+
+test('a press sets the number that the sentence says, in the unit of the filter', () => {
+  /** @type {[any, number][]} */
+  const numbers = [
+    [{ name: 'delayFix', sizes: [size(0.34567)] }, 1],
+    [{ name: 'delaySpeed', sizes: [size(-0.34567)] }, 1],
+    [{ fault: 'bias', name: 'offset', sizes: [size(0.81234, 0.0234)] }, 1],
+    [{ fault: 'turned', name: 'bearingOffset', sizes: [size(0.034567, 0.0012)] }, DEGREE],
+    [{ fault: 'turned', name: 'headingOffset', sizes: [size(-3.1, 0.012)] }, DEGREE],
+    [{ fault: 'sigma', name: 'fixSigmaScale', claims: [0.1, 0.1, 0.1], sizes: [size(4.98765, 0.12, 1)] }, 1],
+    [
+      {
+        fault: 'scale',
+        name: 'scale',
+        sizes: [size(0.034567, 0.0012)],
+        times: { value: 1.0346, sigma: 0.0012, set: 1, unit: null },
+      },
+      0.01,
+    ],
+  ]
+  for (const [given, unit] of numbers) {
+    const { press, patch } = set(given)
+    assert.equal(press, 'Set it so')
+    assert.deepEqual(Object.keys(patch), [given.name])
+    const [said] = asked(given)
+    assert.ok(Math.abs(patch[given.name] / unit - said) < 1e-9 * Math.abs(said), `${given.name}: ${said}`)
+  }
+})
+
+test('a start is set with its heading within half a turn, unless a truth has it', () => {
+  const start = { fault: 'start', name: null, sizes: [size(3.21987, 0.12), size(-1.5, 0.1), size(4, 0.05)] }
+  const { press, patch } = set(start)
+  assert.equal(press, 'Set the start so')
+  const [x, y, heading] = asked(start)
+  assert.deepEqual(patch.start.slice(0, 2), [x, y])
+  assert.ok(Math.abs(patch.start[2] - heading * DEGREE) < 1e-9)
+  assert.ok(Math.abs(patch.start[2]) < Math.PI)
+  assert.equal(set(start, true), null, 'the row of the truth is the one to mend')
+})
+
+test('delays that come together are set together, each its own', () => {
+  const both = { with: 'delayHeading', sizes: [size(0.4), size(0.5, 0.021, 0.1)] }
+  assert.deepEqual(set(both), { press: 'Set them so', patch: { delayFix: 0.4, delayHeading: 0.5 } })
+  const three = { with: 'delayHeading', sizes: [size(0.4), size(0.4), size(0.4)] }
+  assert.deepEqual(set(three).patch, { delayFix: 0.4, delayHeading: 0.4, delaySighting: 0.4 })
+})
+
+test('scale and offset of the ranges are set together', () => {
+  const ruler = {
+    fault: 'scale',
+    name: 'scale',
+    with: 'offset',
+    sizes: [size(0.034567, 0.0012), size(0.71, 0.02)],
+    times: { value: 1.0346, sigma: 0.0012, set: 1, unit: null },
+  }
+  const { patch } = set(ruler)
+  const [scale, offset] = asked(ruler)
+  assert.ok(Math.abs(patch.scale - scale / 100) < 1e-12)
+  assert.equal(patch.offset, offset)
+})
+
+test('what the filter can learn, it learns, and outliers are gated at their sensor alone', () => {
+  const bias = { fault: 'bias', name: 'turnBias', sizes: [size(0.01, 0.001)] }
+  assert.deepEqual(set(bias).patch, { learnBias: true })
+  const speed = { fault: 'scale', name: 'speedScale', times: { value: 1.1, sigma: 0.01, set: 1, unit: null } }
+  assert.deepEqual(set({ ...speed, sizes: [size(-0.09, 0.01)] }).patch, { learnSpeed: true })
+  const tails = suspect({ fault: 'tails', name: null, sensor: 'range', sizes: [size(0.1, 0.01)] })
+  /** @type {any} */
+  const gated = { gate: { fix: 0.95 } }
+  assert.deepEqual(remedy(tails, gated, false)?.patch, { gate: { fix: 0.95, range: 0.999 } })
+})
+
+test('what is the reader’s to say has no press: a unit, a sign, names, what lies at the end of a search', () => {
+  const times = { value: 3.6, sigma: 0.01, set: 1, unit: ['km/h', 'm/s'] }
+  assert.equal(set({ fault: 'scale', name: 'speedScale', sizes: [size(-0.72)], times }), null)
+  const most = { ...size(-0.9), end: true }
+  assert.equal(set({ fault: 'scale', name: 'scale', sizes: [most], times: { ...times, unit: null } }), null)
+  for (const fault of ['mirrored', 'exchanged']) assert.equal(set({ fault, name: null, sizes: [] }), null)
+})
+
+test('two that the readings do not tell apart have a press each, and what is none has none', () => {
+  const start = suspect({ fault: 'start', name: null, standing: 'maybe', sizes: [size(3), size(2), size(1)] })
+  const rival = suspect({ standing: 'maybe', excess: 14 })
+  const presses = (given, more) => remedies(judgement(given, more), frame).map(({ press }) => press)
+  assert.deepEqual(presses([start, rival]), ['Either: set the start so', 'Or: set it so'])
+  assert.deepEqual(presses([start, { ...rival, excess: 2 }]), ['Set the start so'])
+  assert.deepEqual(presses([suspect({ standing: 'cleared' })]), [])
+  assert.deepEqual(presses([suspect({})], { other: true }), [])
+  assert.deepEqual(remedies(null, frame), [])
+})
+
+test('Fit says what the verdict names and it does not look for', () => {
+  const start = suspect({ fault: 'start', name: null, sizes: [size(3), size(2), size(1)] })
+  assert.match(mendBefore(judgement([start])), /names another start, which Fit does not look for: mend that before/)
+  const bias = suspect({ fault: 'bias', name: 'turnBias', sizes: [size(0.01, 0.001)] })
+  assert.match(mendBefore(judgement([bias])), /names a bias of the turn rate/)
+  assert.equal(mendBefore(judgement([suspect({})])), '', 'a delay is among what it finds')
+  assert.equal(mendBefore(judgement([{ ...start, standing: 'cleared' }])), '')
+  assert.equal(mendBefore(null), '')
+})

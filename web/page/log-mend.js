@@ -1,0 +1,137 @@
+/** What the verdict names, set at a press below it and undone at another. */
+
+import { button, part } from '../draw/dom.js'
+import { rounded } from '../widgets/robot-log/sized.js'
+import { named, wrapped } from '../widgets/robot-log/verdict.js'
+import { bySensor } from './log-numbers.js'
+
+/** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */
+/** @typedef {import('estimate-wasm').LogSuspect} Suspect */
+/** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
+/** @typedef {Record<string, unknown>} Patch */
+
+/** What refuses outliers and next to nothing else. */
+const GATE = 0.999
+const DEGREE = Math.PI / 180
+/** The delays of readings that come late together, in the order of their sizes. */
+const TOGETHER = ['delayFix', 'delayHeading', 'delaySighting']
+/** What the filter learns by itself, by the number that is off. @type {Record<string, string>} */
+const LEARNED = { turnBias: 'learnBias', speedScale: 'learnSpeed' }
+
+/**
+ * A size as its sentence says it, in the filter's unit.
+ * @param {Suspect['sizes'][number]} size @param {number} [times] what one of its units is in the sentence's
+ */
+const said = (size, times = 1) => Number((rounded(size, times) / times).toPrecision(12))
+
+/**
+ * The setting that mends a fault as its sentence says, and the words of the press; null where the reader has to mend
+ * the file, a unit or the truth.
+ * @param {Suspect} suspect @param {Frame['params']} params @param {boolean} truth
+ * @returns {{ press: string, patch: Patch } | null}
+ */
+export function remedy({ fault, name, with: other, sensor, sizes, times: read }, params, truth) {
+  if (fault === 'mirrored' || fault === 'exchanged') return null
+  if (fault === 'tails')
+    return { press: 'Switch the gate on', patch: { gate: { ...bySensor(params.gate), [sensor ?? 'fix']: GATE } } }
+  if (fault === 'start') {
+    if (truth) return null
+    const [x, y, theta] = sizes
+    const start = [said(x), said(y), said({ ...theta, value: wrapped(theta.value) }, 1 / DEGREE)]
+    return { press: 'Set the start so', patch: { start } }
+  }
+  // It may be in another unit, which is the reader's to say.
+  if (fault === 'scale' && (sizes[0].end || read?.unit)) return null
+  const learned = LEARNED[name ?? '']
+  if (learned) return { press: 'Let the filter learn it', patch: { [learned]: true } }
+  const names = sizes.length > 2 ? TOGETHER : [name, other].filter((one) => one !== null)
+  const times = fault === 'turned' ? 1 / DEGREE : fault === 'scale' ? 100 : 1
+  const patch = Object.fromEntries(names.map((one, i) => [one, said(sizes[i], i === 0 ? times : 1)]))
+  return { press: names.length > 1 ? 'Set them so' : 'Set it so', patch }
+}
+
+/**
+ * The presses for what a judgement names: one, or two where the readings do not tell which it is.
+ * @param {LogJudgement | null} judgement @param {Frame} frame
+ */
+export function remedies(judgement, { params, truth }) {
+  const all = (judgement ? named(judgement) : []).map((suspect) => remedy(suspect, params, Boolean(truth)))
+  const either = ['Either', 'Or']
+  return all.flatMap((one, i) => {
+    if (!one) return []
+    const { press } = one
+    return [{ ...one, press: all.length > 1 ? `${either[i]}: ${press[0].toLowerCase()}${press.slice(1)}` : press }]
+  })
+}
+
+export class MendBar {
+  /** @param {(patch: Patch) => void} change */
+  constructor(change) {
+    this.change = change
+    this.box = document.createElement('div')
+    this.box.className = 'log-mend'
+    this.box.tabIndex = -1
+    this.presses = part(document, this.box, 'span', '')
+    this.undoing = button(document, this.box, 'Undo', () => this.undo())
+    /** What the presses are of. @type {LogJudgement | null} */
+    this.judgement = null
+    /** What a press has set, and what was set before. @type {{ patch: Patch, before: Patch } | null} */
+    this.taken = null
+    this.begin()
+  }
+
+  /** Another log. */
+  begin() {
+    this.taken = null
+    this.judgement = null
+    this.presses.replaceChildren()
+    this.hide()
+  }
+
+  /** @param {Frame} frame @param {Patch} wanted what the reader has set last */
+  show(frame, wanted) {
+    const { judgement = null, judging } = frame
+    const { taken } = this
+    if (taken && Object.entries(taken.patch).some(([name, value]) => !same(wanted[name], value))) this.taken = null
+    // While the next verdict is looked for, the presses keep their places and wait: nothing moves under the finger.
+    if (judging) this.wait()
+    else if (judgement !== this.judgement) this.fill(judgement, frame, wanted)
+    this.hide()
+  }
+
+  /** @param {LogJudgement | null} judgement @param {Frame} frame @param {Patch} wanted */
+  fill(judgement, frame, wanted) {
+    this.judgement = judgement
+    this.presses.replaceChildren()
+    for (const { press, patch } of remedies(judgement, frame))
+      button(document, this.presses, press, () => this.take(patch, wanted), 'button')
+  }
+
+  /** @param {Patch} patch @param {Patch} wanted */
+  take(patch, wanted) {
+    this.taken = { patch, before: Object.fromEntries(Object.keys(patch).map((name) => [name, wanted[name]])) }
+    this.hide()
+    this.undoing.focus({ preventScroll: true })
+    this.wait()
+    this.change(patch)
+  }
+
+  undo() {
+    const { taken } = this
+    if (!taken) return
+    this.box.focus({ preventScroll: true })
+    this.change(taken.before)
+  }
+
+  wait() {
+    for (const press of this.presses.children) /** @type {HTMLButtonElement} */ (press).disabled = true
+  }
+
+  hide() {
+    this.undoing.hidden = !this.taken
+    this.box.hidden = !this.taken && !this.presses.hasChildNodes()
+  }
+}
+
+/** @param {unknown} one @param {unknown} other */
+const same = (one, other) => JSON.stringify(one) === JSON.stringify(other)
