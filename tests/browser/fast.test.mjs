@@ -2,9 +2,9 @@
 // is held close above where it is: it may only become lighter.
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
-import { firstView, kindOf } from './first-view.mjs'
+import { firstView, kindOf } from './tools/first-view.mjs'
 import { open } from './harness.mjs'
-import { readItAll } from './letters.mjs'
+import { readItAll } from './tools/letters.mjs'
 
 const BOUND = { module: 64_000, rest: 276_200, all: 340_000 }
 

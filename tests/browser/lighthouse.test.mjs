@@ -1,8 +1,8 @@
 // Lighthouse's mobile run: access, best practices and SEO at 100 and no layout shift. Performance is a matter of what
-// else the machine does: `node tests/browser/lighthouse.mjs` measures it.
+// else the machine does: `node tests/browser/tools/lighthouse.mjs` measures it.
 import { after, before, test } from 'node:test'
 import assert from 'node:assert/strict'
-import { tower } from './lighthouse.mjs'
+import { tower } from './tools/lighthouse.mjs'
 import { PAGES, RELEASE } from './places.mjs'
 
 /** A page of each kind; a release is tried on all. axe looks at every page each time (access.test.mjs). */
@@ -17,7 +17,14 @@ after(() => close?.())
 
 for (const at of RELEASE ? PAGES : KINDS) {
   test(`Lighthouse on /${at}`, async () => {
-    const { categories, audits } = await run(at)
+    const { categories, audits, runtimeError } = await run(at)
+    // What could not be looked at has no score, and its category none.
+    const unseen = Object.values(audits).filter(({ scoreDisplayMode }) => scoreDisplayMode === 'error')
+    assert.deepEqual(
+      unseen.map(({ id, errorMessage }) => `${id}: ${errorMessage}`),
+      [],
+      runtimeError?.message,
+    )
     const score = (name) => Math.round((categories[name].score ?? 0) * 100)
     for (const name of ['accessibility', 'best-practices', 'seo']) {
       const failed = categories[name].auditRefs

@@ -5,7 +5,7 @@ import assert from 'node:assert/strict'
 import { getDocument } from 'pdfjs-dist/legacy/build/pdf.mjs'
 import { EXERCISES, open, openFigure, walkDown } from './harness.mjs'
 import { WIDGETS } from '../../web/widgets/index.js'
-import { printed, reproducible } from './pdf.mjs'
+import { printed, reproducible } from './tools/pdf.mjs'
 
 /** The chapter has about 57 pages. What makes it longer by more than a few is looked at on paper first. */
 const PAGES_AT_MOST = 59

@@ -5,8 +5,8 @@ import { writeFileSync } from 'node:fs'
 import path from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
-import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from './places.mjs'
+import { serve } from '../../../scripts/static-server.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from '../places.mjs'
 
 /** The chapters and their parts with pages of their own, by the folders they are served from. */
 const PRINTED = ['kalman', 'kalman/exercises', 'kalman/rust']

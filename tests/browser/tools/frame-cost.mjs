@@ -2,9 +2,9 @@
 // thread's (style, layout and paint included). Both are time on the processor, as the browser's trace has it, so that
 // what else the machine does counts for nothing. Prints the table of the README; nothing fails on a time.
 import { chromium } from 'playwright-core'
-import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, tagOf } from './places.mjs'
-import { WIDGETS } from '../../web/widgets/index.js'
+import { serve } from '../../../scripts/static-server.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, tagOf } from '../places.mjs'
+import { WIDGETS } from '../../../web/widgets/index.js'
 
 const SECONDS = 6
 /** Before the count: a browser compiles what it has run a while. */

@@ -5,9 +5,9 @@ import { readFileSync } from 'node:fs'
 import path from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
-import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from './places.mjs'
-import { FIGURES } from '../../target/figures.js'
+import { serve } from '../../../scripts/static-server.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, root } from '../places.mjs'
+import { FIGURES } from '../../../target/figures.js'
 
 /** [kind, bytes][] of the chapter's first view, from an empty cache. */
 export async function firstView() {
@@ -33,7 +33,9 @@ export async function firstView() {
       names.set(requestId, new URL(response.url).pathname),
     )
     wire.on('Network.loadingFinished', ({ requestId, encodedDataLength }) => {
-      if (names.has(requestId)) sizes.push([names.get(requestId), encodedDataLength])
+      // The browser asks for its tab's picture by itself, now before the view is there and now after.
+      if (names.has(requestId) && !/\/favicon[^/]*$/.test(names.get(requestId)))
+        sizes.push([names.get(requestId), encodedDataLength])
     })
     await page.goto(`${site.url}kalman/`, { waitUntil: 'networkidle' })
     const first = page.locator('.widget').first()

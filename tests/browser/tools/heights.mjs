@@ -4,9 +4,9 @@ import { writeFileSync } from 'node:fs'
 import path from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
-import { serve } from '../../scripts/static-server.mjs'
-import { WIDTHS } from '../../web/build/heights.mjs'
-import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, EXERCISES, root } from './places.mjs'
+import { serve } from '../../../scripts/static-server.mjs'
+import { WIDTHS } from '../../../web/build/heights.mjs'
+import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, EXERCISES, root } from '../places.mjs'
 
 /** The pages of each chapter; a chapter is named by the folder it is served from. */
 const CHAPTERS = { kalman: ['kalman/', EXERCISES, 'kalman/rust/'] }

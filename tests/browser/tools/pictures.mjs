@@ -3,9 +3,9 @@ import { statSync, writeFileSync } from 'node:fs'
 import path from 'node:path'
 import { chromium } from 'playwright-core'
 import { PNG } from 'pngjs'
-import { serve } from '../../scripts/static-server.mjs'
-import { withState } from '../../web/figure/state-in-url.js'
-import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, root } from './places.mjs'
+import { serve } from '../../../scripts/static-server.mjs'
+import { withState } from '../../../web/figure/state-in-url.js'
+import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, root } from '../places.mjs'
 
 /**
  * Name of the picture, how many pixels it has for one of the page, the figure with its id, its lab, and the state to

@@ -1,9 +1,9 @@
 // When the first figure of the chapter is alive after the page's first paint, for a reader who scrolls to it at once,
-// on a machine of a quarter of this one's speed: `node tests/browser/first-figure.mjs [RUNS]`. THROTTLE names another
-// factor.
+// on a machine of a quarter of this one's speed: `node tests/browser/tools/first-figure.mjs [RUNS]`. THROTTLE names
+// another factor.
 import { chromium } from 'playwright-core'
-import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, PHONE, chromiumPath, dist } from './places.mjs'
+import { serve } from '../../../scripts/static-server.mjs'
+import { BASE, CHROMIUM_FLAGS, PHONE, chromiumPath, dist } from '../places.mjs'
 
 const runs = Number(process.argv[2] ?? 5)
 const rate = Number(process.env.THROTTLE ?? 4)

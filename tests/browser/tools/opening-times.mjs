@@ -1,10 +1,10 @@
 // How long after its address is asked for each figure's own page works, at a quarter of the processor's speed: printed,
 // the slowest last. Fails on nothing.
-//   node tests/browser/opening-times.mjs [NAME …]
+//   node tests/browser/tools/opening-times.mjs [NAME …]
 // THROTTLE names another factor.
 import { chromium } from 'playwright-core'
-import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, DESKTOP, FIGURE_PAGES, HANGS_MS, chromiumPath, dist } from './places.mjs'
+import { serve } from '../../../scripts/static-server.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, FIGURE_PAGES, HANGS_MS, chromiumPath, dist } from '../places.mjs'
 
 const rate = Number(process.env.THROTTLE ?? 4)
 const wanted = process.argv.slice(2).map((name) => `figure/${name}/`)

@@ -1,10 +1,10 @@
 // The longest tasks of the page's own thread while a page comes up, and what each was spent on: scripts by function,
 // styles, layout, paint. Milliseconds of each kind's own time; beside a task's length stands how long the processor
 // worked on it, which a busy machine does not stretch. Prints; fails on nothing.
-//   node tests/browser/long-tasks.mjs [PAGE] [LEAST ms]
+//   node tests/browser/tools/long-tasks.mjs [PAGE] [LEAST ms]
 import { chromium } from 'playwright-core'
-import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist } from './places.mjs'
+import { serve } from '../../../scripts/static-server.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist } from '../places.mjs'
 
 const [at = 'figure/robot-log/', least = '50'] = process.argv.slice(2)
 const site = await serve({ folder: dist, base: BASE })

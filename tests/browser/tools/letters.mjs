@@ -4,8 +4,8 @@ import { writeFileSync } from 'node:fs'
 import path from 'node:path'
 import { pathToFileURL } from 'node:url'
 import { chromium } from 'playwright-core'
-import { serve } from '../../scripts/static-server.mjs'
-import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, EXERCISES, root } from './places.mjs'
+import { serve } from '../../../scripts/static-server.mjs'
+import { BASE, CHROMIUM_FLAGS, DESKTOP, chromiumPath, dist, EXERCISES, root } from '../places.mjs'
 
 /** Walks the chapter in every notation until every figure is alive. @param {import('playwright-core').Page} page */
 export async function readItAll(page) {
