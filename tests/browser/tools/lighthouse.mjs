@@ -10,8 +10,8 @@ import { serve } from '../../../scripts/static-server.mjs'
 import { BASE, CHROMIUM_FLAGS, chromiumPath, dist, HANGS_MS } from '../places.mjs'
 
 /**
- * Lighthouse gives up an answer of the browser after half a minute, and with it what it was asked for: beside other work
- * the listeners of the chapter’s links take longer. Where Lighthouse says no time of its own, it waits as tests do.
+ * Lighthouse gives up an answer of the browser after half a minute, and with it what it was asked for: on a busy one
+ * the listeners of the chapter's links take longer. Where it says no time of its own, it waits as the tests do.
  */
 Object.assign(ProtocolSession.prototype, {
   hasNextProtocolTimeout: () => true,
