@@ -15,14 +15,19 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
   test(`beside a faulty paste all numbers are said to be of the system before, in the ${theme} theme`, async (t) => {
     const page = await open(t, { at: 'system/', theme })
     const it = await figure(page, 'own-system')
-    const [readouts, verdict, matrices, fault] = ['.readouts', '.verdict', '.own-grids', '.own-fault'].map((part) =>
-      it.locator(`.live ${part}`),
-    )
+    const [readouts, verdict, matrices, fault, pasteFault] = [
+      '.readouts',
+      '.verdict',
+      '.own-grids',
+      '.own-editor > .own-fault',
+      '.own-paste-fault',
+    ].map((part) => it.locator(`.live ${part}`))
     await it.getByRole('button', { name: 'Paste a system' }).click()
     const area = it.locator('.own-paste textarea')
     await area.fill('A = [0 1; -4 -0.4]\nC = [1 0]\nQ = eye(2)')
-    await fault.filter({ hasText: 'R, the noise of a reading, is missing.' }).waitFor()
-    assert.match((await drawn(fault)).after, /The matrices above and the answers below are still of the system before/)
+    await pasteFault.filter({ hasText: 'R, the noise of a reading, is missing.' }).waitFor()
+    assert.match((await drawn(pasteFault)).after, /The matrices and the answers below are still of the system before/)
+    assert.equal((await drawn(fault)).after, 'none')
     for (const part of [readouts, verdict]) {
       const { before, opacity } = await drawn(part)
       // What says so is not pale itself.
@@ -32,9 +37,9 @@ for (const theme of /** @type {const} */ (['light', 'dark'])) {
     assert.equal((await drawn(it.locator('.live > svg').first())).opacity, '0.45')
     assert.equal((await drawn(readouts.locator('> *').first())).opacity, '0.45')
     await area.fill('A = [0 1; -4 -0.4]\nC = [1 0]\nQ = eye(2)\nR = 1')
-    await fault.filter({ hasText: /^$/ }).waitFor({ state: 'attached' })
+    await pasteFault.filter({ hasText: /^$/ }).waitFor({ state: 'attached' })
     assert.deepEqual(
-      [(await drawn(readouts)).before, (await drawn(fault)).after, (await drawn(matrices)).opacity],
+      [(await drawn(readouts)).before, (await drawn(pasteFault)).after, (await drawn(matrices)).opacity],
       ['none', 'none', '1'],
     )
     // An entry that is typed stands in its matrix, which is therefore not pale.

@@ -6,7 +6,8 @@ import { figure, frameOf, open, openFigure, PHONE, quiet, until } from './harnes
 
 const TAG = 'own-system'
 const cell = (it, matrix, row, column) => it.getByRole('textbox', { name: `${matrix}, row ${row}, column ${column}` })
-const fault = (it) => it.locator('.live .own-fault')
+const fault = (it) => it.locator('.live .own-editor > .own-fault')
+const pasteFault = (it) => it.locator('.live .own-paste-fault')
 
 test('a number that is typed changes the system at once, and a covariance stays symmetric', async (t) => {
   const { it } = await openFigure(t, TAG)
@@ -46,7 +47,7 @@ test('a system that is pasted is taken, its faults are named, and a preset repla
   const area = it.locator('.own-paste textarea')
   assert.match(await area.inputValue(), /^F = \[1 0\.5; 0 1\]\n/)
   await area.fill('F = [1 0; 0 0.5]\nH = [1 0]\nV = [1 0; 0 1]')
-  await fault(it).filter({ hasText: 'W, the noise of a reading, is missing.' }).waitFor()
+  await pasteFault(it).filter({ hasText: 'W, the noise of a reading, is missing.' }).waitFor()
   await area.fill('F = [1 0; 0 0.5]\nH = [1 0]\nV = [1 0; 0 1]\nW = 2')
   const frame = await until(it, ({ params }) => params.w[0][0] === 2, 'the system is taken')
   assert.deepEqual([frame.params.inputs, frame.observable, frame.detectable], [0, 'no', 'yes'])
@@ -238,9 +239,9 @@ test('a change of the system from elsewhere takes the place of what could not be
   await it.getByRole('button', { name: 'Paste a system' }).click()
   const area = it.locator('.own-paste textarea')
   await area.fill('F = [1 2; 3]')
-  await fault(it).filter({ hasText: 'F: row 2 has 1 number, row 1 has 2.' }).waitFor()
+  await pasteFault(it).filter({ hasText: 'F: row 2 has 1 number, row 1 has 2.' }).waitFor()
   await it.getByRole('button', { name: 'Read the velocity alone' }).click()
-  await fault(it).filter({ hasText: /^$/ }).waitFor({ state: 'attached' })
+  await pasteFault(it).filter({ hasText: /^$/ }).waitFor({ state: 'attached' })
   assert.match(await area.inputValue(), /^F = \[1 0\.5; 0 1\]\n.*\nH = \[0 1\]/)
 })
 

@@ -171,16 +171,27 @@ export const claims = () => {
         /^The (?:filter’s )?covariance has no limit: something unseen does not die out, and noise feeds it, /,
         /so its variance grows without end\.$/,
       ),
-      ({ limit, detectable }) => limit === 'none' && detectable === 'no',
+      ({ limit, detectable, doubled }) =>
+        detectable === 'no' && (limit === 'none' || (limit === 'depends-on-start' && doubled.grows)),
     ],
     [
       pattern(
-        /^Whether the (?:filter’s )?covariance has a limit from this or that start is not decided by this: /,
-        /something unseen /,
-        /does not die out, and noise does not reach all of that\.$/,
+        /^(Another part|From this start a part) of it goes on falling as the variance of an average: /,
+        /where no noise is, each reading counts\.$/,
       ),
-      ({ limit, detectable, noise }) =>
-        limit === 'depends-on-start' && detectable === 'no' && noise.stabilizable === 'no',
+      ({ settled, doubled, noise }, part) =>
+        settled === null &&
+        !doubled.converged &&
+        noise.reachable === 'no' &&
+        (part === 'Another part') === doubled.grows,
+    ],
+    [
+      pattern(
+        /^Whether the (?:filter’s )?covariance has a limit may depend on the start: /,
+        /something unseen does not die out, and noise does not reach all of that\.$/,
+      ),
+      ({ limit, detectable, noise, doubled }) =>
+        limit === 'depends-on-start' && detectable === 'no' && noise.stabilizable === 'no' && !doubled.grows,
     ],
     [
       /^Whether the (?:filter’s )?covariance has a limit is undecided within the tolerance\.$/,
@@ -227,7 +238,8 @@ export const claims = () => {
     ],
     [
       pattern(
-        /^With (the filter’s gain|this gain|the gain that places them) the eigenvalues of the error’s matrix /,
+        /^With (the filter’s gain|this gain|the gain that places them)/,
+        /(?: after (?:\d+) steps, a part of which goes on falling,)? the eigenvalues of the error’s matrix /,
         /reach the modulus (\S+?)(?: × \S+)?(, so an error need not die out)?\.$/,
       ),
       ({ params, spectralRadius }, who, radius, lives) =>

@@ -6,9 +6,10 @@ import { estimate, widget } from './claims.mjs'
 import { withoutRounding } from '../../web/widgets/own-system/index.js'
 import { PRESETS, paramsOf } from '../../web/widgets/own-system/presets.js'
 import { readSystem } from '../../web/widgets/own-system/read.js'
+import { wordsOf } from '../../web/widgets/own-system/typed-system.js'
 import { settles, verdict } from '../../web/widgets/own-system/words.js'
 
-const { start, readouts } = await widget('own-system')
+const { start, readouts, tries } = await widget('own-system')
 
 /** The frame that a pasted system opens. @param {string} text @param {Record<string, unknown>} [more] */
 function pasted(text, more = {}) {
@@ -50,6 +51,104 @@ test('a constant that a reading tells by itself is', () => {
     assert.match(verdict(pasted(text)), /goes on falling as the variance of an average: where no noise is/, text)
   }
   assert.equal(settles(pasted('F = 1; H = 1; V = 0; W = 0.2')), 'falls towards 0')
+})
+
+test('an average beside what no reading sees is said to fall on, whatever the unseen does', () => {
+  const grows = /has no limit: .* grows without end\. Another part of it goes on falling as the variance of an average/
+  const turns = /may depend on the start: .* From this start a part of it goes on falling as the variance of an average/
+  for (const [text, settling, words] of /** @type {[string, string, RegExp][]} */ ([
+    // The unseen walks, beside a constant that is read and one that is read through a state that noise moves.
+    ['F = eye(2); H = [1 0]; V = diag([0 0.1]); W = 0.2', 'never', grows],
+    ['F = [0.9 0 0; 0 1 0; 0 0 1]; H = [1 1 0]; V = diag([0.1 0 0.1]); W = 0.2', 'never', grows],
+    ['F = [1 0; 0 1.2]; H = [1 0]; V = diag([0 0.1]); W = 0.2', 'never', grows],
+    // It turns for ever, or drifts, and no noise feeds it.
+    [
+      'F = [1 0 0; 0 0.6 0.8; 0 -0.8 0.6]; H = [1 0 0]; V = zeros(3); W = 0.2; P0 = diag([1 2 1])',
+      'a part falls as an average',
+      turns,
+    ],
+    ['F = [1 0 0; 0 1 1; 0 0 1]; H = [1 0 0]; V = zeros(3); W = 0.2', 'a part falls as an average', turns],
+  ])) {
+    const frame = pasted(text)
+    assert.equal(settles(frame), settling, text)
+    assert.match(verdict(frame), words, text)
+    assert.doesNotMatch(verdict(frame), /not settled/, text)
+  }
+  // Where the unseen stays as it is, or nothing falls as an average, it is said as before.
+  assert.equal(settles(pasted('F = eye(2); H = [1 0]; V = zeros(2); W = 0.2')), 'falls as an average')
+  const still = pasted('F = [0.9 0; 0 1]; H = [1 0]; V = diag([0.1 0.1]); W = 0.2')
+  assert.equal(still.doubled.part, false)
+  assert.doesNotMatch(verdict(still), /average/)
+})
+
+test('what rounding makes of an eigenvalue of 0 is no digit, and no time constant', () => {
+  const chain = (/** @type {number} */ steps) => {
+    const n = steps + 1
+    const row = (/** @type {number} */ i) =>
+      Array.from({ length: n }, (_, j) => Number(j === Math.max(0, i - 1))).join(' ')
+    const rows = Array.from({ length: n }, (_, i) => row(i)).join('; ')
+    const last = Array.from({ length: n }, (_, j) => Number(j === steps)).join(' ')
+    const noise = Array.from({ length: n }, (_, j) => (j === 0 ? 0.01 : 0)).join(' ')
+    return `F = [${rows}]; H = [${last}]; V = diag([${noise}]); W = 1; T = 0.1`
+  }
+  for (const steps of [3, 6]) {
+    const frame = pasted(chain(steps))
+    const value = readouts(frame).find(({ key }) => key === 'roots')?.value ?? ''
+    assert.equal(value, `0.905 (1 s)${', 0.000'.repeat(steps)}`)
+    assert.equal(frame.eigenvalues.filter(({ modulus }) => modulus === 0).length, steps)
+  }
+  const none = pasted('F = zeros(2); H = [1 0]; V = eye(2); W = 1; T = 0.1')
+  const all = readouts(none)
+  const of = (/** @type {string} */ name) => all.find(({ key }) => key === name)?.value
+  assert.deepEqual([of('roots'), of('steps'), of('seconds')], ['0.000, 0.000', '1', '–'])
+})
+
+test('beside a system of the reader’s own stands no phrase of another, and what stands there keeps the system', () => {
+  const shown = (/** @type {any} */ frame) => tries.filter(({ shown }) => shown?.(frame) ?? true)
+  for (const preset of PRESETS) {
+    const lab = estimate.OwnSystem.from({
+      version: 1,
+      lab: 'own-system',
+      step: 0,
+      params: { ...start.params, ...paramsOf(preset) },
+    })
+    assert.equal(shown(lab.frame()).length, tries.length, preset.name)
+    lab.free()
+  }
+  const own = pasted('F = [0.9 0.2; 0 1]; H = [1 0]; V = diag([0.1 0.01]); W = 0.2')
+  assert.deepEqual(
+    shown(own).map(({ name }) => name),
+    ['place'],
+  )
+  const { step, ...changed } = /** @type {any} */ (shown(own)[0].change(own, null))
+  assert.deepEqual([step, Object.keys(changed).sort()], [undefined, ['gain', 'poles']])
+  assert.equal(pasted('F = [0.9 0.2; 0 1]; H = [1 0]; V = diag([0.1 0.01]); W = 0.2', changed).placed, true)
+  // Where no gain moves anything there is nothing to place.
+  assert.deepEqual(shown(pasted('F = [0.9 0; 0 1]; H = [0 0]; V = eye(2); W = 1')), [])
+})
+
+test('what the lab refuses is said in the page’s words', () => {
+  const refused = (/** @type {string} */ text) => {
+    const { system, places } = /** @type {any} */ (readSystem(text))
+    try {
+      const params = { ...start.params, ...paramsOf(system) }
+      estimate.OwnSystem.from({ version: 1, lab: 'own-system', step: 0, params }).free()
+      return ''
+    } catch (error) {
+      return wordsOf(error, places)
+    }
+  }
+  const line = (/** @type {string} */ Q, /** @type {string} */ C, /** @type {number} */ R) =>
+    `A = eye(2)\nC = ${C}\nQ = ${Q}\nR = ${R}`
+  assert.equal(
+    refused(line('[1 2; 3 1]', '[1 0]', 1)),
+    'Line 3: Q: entries (2, 1) and (1, 2) differ; a covariance is symmetric',
+  )
+  assert.equal(refused(line('[1 2; 2 1]', '[1 0]', 1)), 'Line 3: Q has a negative eigenvalue; a covariance has none')
+  assert.equal(
+    refused(line('eye(2)', '[0 0]', 0)),
+    'Line 4: R: a reading without noise tells nothing, or only what another tells: give it noise, or leave it out',
+  )
 })
 
 const RATES = [

@@ -252,7 +252,7 @@ test('what the core refuses of a paste has its line, the letter of the paste, an
   assert.match(refused(`${before}Q = eye(2)\nR = -1`), /^Line 4: R .*negative eigenvalue/)
   assert.match(
     refused(`${before}Q = [1 0; 0.5 1]\nR = 1`),
-    /^Line 3: Q .*entries \((?:1, 2|2, 1)\) and \((?:1, 2|2, 1)\)/,
+    /^Line 3: Q: entries \((?:1, 2|2, 1)\) and \((?:1, 2|2, 1)\)/,
   )
   assert.equal(refused(`${before}Q = eye(2)\nR = 1`), 'taken')
 })

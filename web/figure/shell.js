@@ -77,16 +77,17 @@ export function buildShell(document, spec, into, orders, parameters) {
     writeHtml(invitation, spec.invite)
   }
   const tries = spec.tries ?? []
+  /** @type {HTMLElement[]} */
+  const phrases = []
   if (tries.length > 0) {
     const list = part(document, into, 'p', 'tries')
     stage(list, 'tries')
     part(document, list, 'span', 'tries-lead').textContent = 'Try this:'
     for (const { label, change: make } of tries) {
       list.append(' ')
-      writeHtml(
-        button(document, list, '', () => change({}, make), 'try'),
-        label,
-      )
+      const phrase = button(document, list, '', () => change({}, make), 'try')
+      writeHtml(phrase, label)
+      phrases.push(phrase)
     }
   }
   const controls = part(document, into, 'div', 'controls')
@@ -205,6 +206,7 @@ export function buildShell(document, spec, into, orders, parameters) {
       if (invitation) invite(invitation, frame.step > 0 || playing, play)
       speed.show({ speed: life.rate }, frame)
       for (const control of shown) control.show(params, frame)
+      for (const [i, { shown: fits }] of tries.entries()) if (fits) phrases[i].toggleAttribute('hidden', !fits(frame))
       const judged = spec.verdict?.(frame) ?? ''
       if (said !== judged) writeHtml(verdict, held((said = judged)).replaceAll('σ', '*σ*'))
       readouts.show(spec.readouts(frame))

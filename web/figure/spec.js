@@ -58,6 +58,7 @@
  * @property {import('../draw/words.js').Words} label
  * @property {(frame: any, lab: any) => Record<string, unknown>} change parameters, and `step` where the run is to go to
  * one
+ * @property {(frame: any) => boolean} [shown] whether it fits what the reader has; always if not given
  *
  * @typedef {Widget & import('../widgets/index.js').Listed} FigureSpec a widget, with what the list of figures says of
  * it

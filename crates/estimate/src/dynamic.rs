@@ -35,8 +35,9 @@ use crate::observability::{self, Observability};
 use crate::observer::{Observer, error_matrix};
 use crate::placement;
 use crate::riccati::SteadyState;
-pub use crate::riccati::{Limit, after_exact_readings, before_exact_readings, steady_state};
+pub use crate::riccati::{Limit, STRUCTURE, after_exact_readings, before_exact_readings, grows, steady_state};
 use crate::validate::{self, MAX_INPUTS, MAX_OUTPUTS, MAX_STATES, size};
+use crate::zero_modes::with_zeros;
 use alloc::format;
 use alloc::vec::Vec;
 use filters::Gaussian;
@@ -125,6 +126,9 @@ pub fn observer_step(
 
 /// The eigenvalues of (I − KH)F, by decreasing modulus, then decreasing imaginary part.
 ///
+/// What is 0 within the rounding of the numbers, each state in a unit that fits it, is 0: the readings of a sensor that
+/// are on their way for m steps leave an m-fold 0, of which rounding alone would make digits.
+///
 /// # Errors
 /// [`Code::Shape`] or [`Code::NotFinite`] naming K, [`Code::DidNotConverge`].
 ///
@@ -141,9 +145,13 @@ pub fn observer_step(
 /// ```
 pub fn error_eigenvalues(system: &System, k: DMatrix<f64>) -> Result<Vec<Complex<f64>>, Error> {
     let k = system.gain(k)?;
-    let m = error_matrix(&system.f, &system.h, &k);
+    let System { f, h, .. } = system;
+    let m = error_matrix(f, h, &k);
     overflow(&m, "K")?;
-    numerics::eigenvalues(&m).map_err(|e| Error::of_matrix(e, "K"))
+    // What is subtracted may be larger than what is left, and its rounding with it.
+    let sizes = (DMatrix::identity(f.nrows(), f.nrows()) + k.abs() * h.abs()) * f.abs();
+    let found = numerics::eigenvalues(&m).map_err(|e| Error::of_matrix(e, "K"))?;
+    Ok(with_zeros(found, &m, &sizes))
 }
 
 /// The rank of [H; HF; …; HF^{n−1}] under the relative `tolerance`, with its singular values and null directions.

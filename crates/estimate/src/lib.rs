@@ -67,6 +67,7 @@ mod track;
 pub mod validate;
 mod verdict;
 mod wheel;
+mod zero_modes;
 
 pub use coasting::{Coasting, PoseAndSpeed};
 pub use detectability::Detectability;

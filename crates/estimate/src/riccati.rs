@@ -13,7 +13,7 @@ mod exact;
 mod steady;
 
 pub use exact::{after_exact_readings, before_exact_readings};
-pub use steady::{Limit, steady_state};
+pub use steady::{Limit, STRUCTURE, grows, steady_state};
 
 /// The largest number of iterations of a steady-state search; of a large system fewer, see [`validate::MAX_WORK`].
 pub const MAX_ITERATIONS: usize = 100_000;

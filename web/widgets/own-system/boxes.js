@@ -1,4 +1,4 @@
-/** The box below the matrices: where a system is pasted, and where a program is shown that was copied. */
+/** Two boxes: one where a system is pasted, and one where a program is shown that was copied. */
 
 import { button, part } from '../../draw/dom.js'
 import { copied } from '../../figure/clipboard.js'
@@ -19,23 +19,19 @@ const TITLE = 'A system in JSON, MATLAB or numpy notation, in any book’s lette
  * @property {() => string} made the system that the reader has made last
  */
 
-/** @param {Document} document @param {Element} into @param {Desk} desk */
-export function buildBoxes(document, into, { change, say, wrong, propose, made }) {
-  const box = part(document, into, 'div', 'own-box')
-  /**
-   * Where a system is pasted, and the system that its text was last.
-   * @type {{ area: HTMLTextAreaElement, is: string } | null}
-   */
-  let pasted = null
-
+/**
+ * A box that is empty until it is opened. Each stands below the button that opens it, so that nothing which is pressed
+ * moves.
+ * @param {Document} document @param {HTMLElement} box
+ */
+function buildBox(document, box) {
   /** Where the focus was before is where it is afterwards. */
   let close = () => {}
   box.addEventListener('keydown', (event) => {
     if (/** @type {KeyboardEvent} */ (event).key === 'Escape') close()
   })
-
-  /** @param {string} name @param {string} kind @param {() => void} closed */
-  function open(name, kind, closed) {
+  /** @param {string} name @param {string} kind @param {() => void} [closed] */
+  return function open(name, kind, closed) {
     const from = /** @type {HTMLElement | null} */ (document.activeElement)
     box.replaceChildren()
     const label = part(document, box, 'label', 'own-paste')
@@ -43,12 +39,21 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
     const area = /** @type {HTMLTextAreaElement} */ (part(document, label, 'textarea', kind))
     close = () => {
       box.replaceChildren()
-      closed()
+      closed?.()
       from?.focus()
     }
-    button(document, box, 'Close', () => close())
-    return area
+    return { area, close: () => close() }
   }
+}
+
+/** @param {Document} document @param {{ paste: HTMLElement, give: HTMLElement }} into @param {Desk} desk */
+export function buildBoxes(document, into, { change, say, wrong, propose, made }) {
+  const [openPaste, openGiven] = [buildBox(document, into.paste), buildBox(document, into.give)]
+  /**
+   * Where a system is pasted, where its fault is said, and the system that its text was last.
+   * @type {{ area: HTMLTextAreaElement, fault: HTMLElement, is: string } | null}
+   */
+  let pasted = null
 
   /** What was made of a paste, beside its title. @param {import('./read.js').Good} read */
   function remarks({ as, noises, unused, system, variables, held }) {
@@ -72,23 +77,27 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
 
   return {
     paste() {
-      const area = open(TITLE, '', () => {
+      if (wrong() === 'paste') say('', '')
+      const { area, close } = openPaste(TITLE, '', () => {
         pasted = null
         if (wrong() === 'paste') say('', '')
       })
+      const fault = part(document, into.paste, 'p', 'own-fault own-paste-fault')
+      fault.setAttribute('role', 'status')
+      button(document, into.paste, 'Close', close)
       area.rows = 7
       area.spellcheck = false
       /** Which of Q and R is the noise of the motion, once the reader has said so, and which it is not. */
       let said = /** @type {import('./letters.js').Motion | null} */ (null)
       let unsaid = /** @type {import('./letters.js').Motion} */ ('R')
-      const other = button(document, box, '', () => {
+      const other = button(document, into.paste, '', () => {
         said = unsaid
         read()
         area.focus()
       })
       other.hidden = true
       change({}, ({ params }) => {
-        pasted = { area, is: keyOf(params) }
+        pasted = { area, fault, is: keyOf(params) }
         area.value = written(params)
         return {}
       })
@@ -102,7 +111,7 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
         unsaid = read.noises?.V === 'Q' ? 'R' : 'Q'
         other.textContent = `Take ${unsaid} as the noise of the motion`
         propose('paste', () => paramsOf(read.system), read.places)
-        if (wrong() === '') pasted = { area, is: made() }
+        if (wrong() === '') pasted = { area, fault, is: made() }
       }
       area.addEventListener('input', read)
       area.focus()
@@ -111,15 +120,18 @@ export function buildBoxes(document, into, { change, say, wrong, propose, made }
     /** @param {string} language @param {string} text */
     async give(language, text) {
       const name = wrong() === '' ? `The system in ${language}` : `The last system without a fault, in ${language}`
-      if (wrong() === 'paste') say('', '')
-      pasted = null
-      const area = open(name, 'own-code', () => {})
+      const { area, close } = openGiven(name, 'own-code')
+      button(document, into.give, 'Close', close)
       area.readOnly = true
       area.rows = 10
       area.value = text
       area.focus({ preventScroll: true })
       area.select()
       if ((await copied(text)) && area.previousSibling) area.previousSibling.textContent = `${name}, copied`
+    },
+    /** The fault of what is pasted; empty where there is none. @param {string} words */
+    say(words) {
+      if (pasted && pasted.fault.textContent !== words) pasted.fault.textContent = words
     },
     /** A system that comes from elsewhere takes the place of what is pasted. @param {any} params @param {string} now */
     show(params, now) {

@@ -32,12 +32,17 @@ const LANGUAGES = { Rust: rust, JavaScript: javascript, numpy }
 export function buildEditor(document, change) {
   const element = document.createElement('div')
   element.setAttribute('class', 'own-editor')
-  const top = part(document, element, 'div', 'own-row')
-  const preset = select(document, top, 'Preset', ['your own', ...PRESETS.map(({ name }) => name)])
+  // What a reader begins with stands first, so that a phone shows it without scrolling.
+  const begin = part(document, element, 'div', 'own-row own-begin')
+  const preset = select(document, begin, 'Preset', ['your own', ...PRESETS.map(({ name }) => name)])
   preset.addEventListener('change', () => {
     const chosen = PRESETS[preset.selectedIndex - 1]
     if (chosen) propose('', () => paramsOf(chosen))
   })
+  button(document, begin, 'Paste a system', () => boxes.paste())
+  const paste = part(document, element, 'div', 'own-box')
+
+  const top = part(document, element, 'div', 'own-row')
   const sizes = SIZES.map(({ name, label, from, to }) => {
     const input = select(
       document,
@@ -52,6 +57,13 @@ export function buildEditor(document, change) {
     return { name, from, input }
   })
   const time = buildTime(document, top, (name, make) => propose(name, make))
+
+  const grids = part(document, element, 'div', 'own-grids')
+  const matrices = [...MATRICES, 'P', 'K'].map((name) => buildGrid(document, grids, name, (i, j) => typed(name, i, j)))
+
+  const question = buildQuestion(document, element, propose, () => time.focus())
+  const fault = part(document, element, 'p', 'own-fault')
+  fault.setAttribute('role', 'status')
 
   const names = part(document, element, 'div', 'own-row')
   const named = Array.from({ length: MOST }, (_, i) => {
@@ -69,18 +81,11 @@ export function buildEditor(document, change) {
     return { label, input }
   })
 
-  const grids = part(document, element, 'div', 'own-grids')
-  const matrices = [...MATRICES, 'P', 'K'].map((name) => buildGrid(document, grids, name, (i, j) => typed(name, i, j)))
-
-  const question = buildQuestion(document, element, propose, () => time.focus())
-  const fault = part(document, element, 'p', 'own-fault')
-  fault.setAttribute('role', 'status')
   const tools = part(document, element, 'div', 'own-row own-tools')
   /** Where the fault is: in a matrix that is typed, or in what is pasted. */
   let wrong = ''
   /** The system that the reader has made here last, and the one that is shown. */
   let [made, shown] = ['', '']
-  button(document, tools, 'Paste a system', () => boxes.paste(), 'quiet')
   for (const [language, write] of Object.entries(LANGUAGES))
     button(
       document,
@@ -89,7 +94,8 @@ export function buildEditor(document, change) {
       () => change({}, (frame) => (boxes.give(language, write(frame)), {})),
       'quiet',
     )
-  const boxes = buildBoxes(document, element, { change, say, propose, wrong: () => wrong, made: () => made })
+  const desk = { change, say, propose, wrong: () => wrong, made: () => made }
+  const boxes = buildBoxes(document, { paste, give: part(document, element, 'div', 'own-box') }, desk)
 
   /** @param {string} name @param {number} i @param {number} j */
   function typed(name, i, j) {
@@ -144,7 +150,10 @@ export function buildEditor(document, change) {
   /** @param {string} name @param {string} words */
   function say(name, words) {
     wrong = words === '' ? '' : name
-    if (fault.textContent !== words) fault.textContent = words
+    // What is wrong with a paste is said beside it.
+    const [beside, ofPaste] = name === 'paste' ? ['', words] : [words, '']
+    if (fault.textContent !== beside) fault.textContent = beside
+    boxes.say(ofPaste)
     if (words === '') element.removeAttribute('data-wrong')
     else element.setAttribute('data-wrong', name)
     time.mark(wrong)

@@ -12,6 +12,7 @@ import { decimalsOf, seconds, short } from './names.js'
 import { MOST, PRESETS, paramsOf, runOf } from './presets.js'
 import { drawRanks } from './ranks.js'
 import { buildShown } from './shown.js'
+import { same } from './typed-system.js'
 import { describe, rootsOf, settles, shownState, verdict } from './words.js'
 
 /** @typedef {import('estimate-wasm').OwnFrame} Frame */
@@ -180,32 +181,42 @@ const controls = [
   { kind: 'custom', name: 'more', build: buildMore },
 ]
 
-/** @type {import('../../figure/spec.js').Try[]} */
+/** Whether the system is one of the presets, and none of the reader's own. @param {Frame} frame */
+const isPreset = ({ params }) => PRESETS.some((preset) => same(paramsOf(preset), params))
+
+/** Eigenvalues to begin with, where the reader is to place them. */
+const PLACED = {
+  gain: 'placement',
+  poles: [
+    [0.5, 0.3],
+    [0, 0],
+    [0.2, 0],
+    [0.3, 0],
+  ],
+}
+
+/**
+ * Beside a system of the reader's own there stands what fits any: the others would put a preset in its place.
+ * @type {import('../../figure/spec.js').Try[]}
+ */
 const tries = [
   {
     name: 'blind',
     label: 'Read the velocity alone',
     change: () => ({ ...paramsOf(PRESETS[1]), gain: 'filter', ...runOf(40) }),
+    shown: isPreset,
   },
   {
     name: 'bias',
     label: 'Add a bias to a sensor',
     change: () => ({ ...paramsOf(PRESETS[5]), gain: 'filter', ...runOf(40) }),
+    shown: isPreset,
   },
   {
     name: 'place',
     label: 'Place the eigenvalues yourself',
-    change: () => ({
-      ...paramsOf(PRESETS[2]),
-      gain: 'placement',
-      poles: [
-        [0.5, 0.3],
-        [0, 0],
-        [0.2, 0],
-        [0.3, 0],
-      ],
-      ...runOf(40),
-    }),
+    change: (frame) => (isPreset(frame) ? { ...paramsOf(PRESETS[2]), ...PLACED, ...runOf(40) } : PLACED),
+    shown: (frame) => isPreset(frame) || frame.movable > 0,
   },
 ]
 

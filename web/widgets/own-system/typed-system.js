@@ -65,6 +65,11 @@ const NAMES = /** @type {Record<string, string>} */ ({
   logTolerance: 'The tolerance',
 })
 
+/** The lab’s name of a parameter, before what it says of it. */
+const PARAMETER = /^(?:state\.)?(?:params\.)?\w+(?:\[\d+\])*:\s*/
+/** What it says where a reading without noise has nothing left to tell. */
+const INNOVATION = /innovation covariance/
+
 /**
  * What the lab says of a system that it refuses, with the letter of the matrix, or what the reader knows it as. The lab
  * names its parameter first, which no reader has seen.
@@ -78,9 +83,15 @@ export function wordsOf(error, places = {}) {
   const of = /^[fghvwk]$/.test(name) ? name.toUpperCase() : NAMES[name]
   const at = [...place.matchAll(/\[(\d+)\]/g)].map(([, index]) => Number(index) + 1)
   const where = at.length === 2 && of?.length === 1 ? `, row ${at[0]}, column ${at[1]}:` : ''
-  const said = message.startsWith(argument) ? message.slice(argument.length).replace(/^[\s:]+/, '') : message
+  const said = INNOVATION.test(message)
+    ? 'a reading without noise tells nothing, or only what another tells: give it noise, or leave it out'
+    : argument === ''
+      ? message
+      : message.replace(PARAMETER, '')
   // The page counts rows and columns from 1.
   const counted = said.replace(/\((\d+), (\d+)\)/g, (_, i, j) => `(${Number(i) + 1}, ${Number(j) + 1})`)
   const { name: called = of, line } = places[/** @type {'V'} */ (of)] ?? {}
-  return of ? `${line ? `Line ${line}: ` : ''}${called}${where} ${counted}` : counted
+  // A sentence of its own stands behind a colon, what is said of the matrix does not.
+  const joined = where || /^(?:has|is|must|needs) /.test(counted) ? where : ':'
+  return of ? `${line ? `Line ${line}: ` : ''}${called}${joined} ${counted}` : counted
 }

@@ -119,6 +119,8 @@ export function settles(frame) {
   if (settled !== null) return `in ${settled} steps`
   if (arrives(frame)) return `in about ${steps(doubled.steps)} steps`
   if (doubled.converged) return `in more than ${steps(FURTHEST)} steps`
+  if (doubled.grows) return 'never'
+  if (doubled.part) return 'a part falls as an average'
   return tried === null ? 'never' : `not in ${tried}`
 }
 
@@ -142,7 +144,9 @@ function limit(frame) {
 
 /** @param {Frame} frame */
 function limitOf(frame) {
-  const { limit: kind, settled, tried, doubled, params } = frame
+  const { settled, tried, doubled, params } = frame
+  // What noise feeds and no reading tells grows, whatever noise does not reach beside it.
+  const kind = frame.limit === 'depends-on-start' && doubled.grows ? 'none' : frame.limit
   if (breaks(frame))
     return (
       'Whether the covariance has a limit is not said: from this start a step has no answer, because a reading ' +
@@ -178,9 +182,12 @@ function limitOf(frame) {
               ? ` From this start it takes more than ${steps(FURTHEST)} steps.`
               : doubled.converged
                 ? ` From this start it settles in about ${steps(doubled.steps)} steps${lasts(doubled.steps)}${another}.`
-                : tried === null
-                  ? ' From this start it outgrows every number.'
-                  : ` From this start it has not settled after ${tried} steps.`
+                : doubled.part
+                  ? ` ${kind === 'none' ? 'Another part' : 'From this start a part'} of it goes on falling as the ` +
+                    'variance of an average: where no noise is, each reading counts.'
+                  : tried === null
+                    ? ' From this start it outgrows every number.'
+                    : ` From this start it has not settled after ${tried} steps.`
   return (
     {
       'from-every-start':
@@ -197,8 +204,8 @@ function limitOf(frame) {
         'The covariance has no limit: something unseen does not die out, and noise feeds it, so its ' +
         'variance grows without end.',
       'depends-on-start':
-        'Whether the covariance has a limit from this or that start is not decided by this: something unseen ' +
-        'does not die out, and noise does not reach all of that.',
+        'Whether the covariance has a limit may depend on the start: something unseen does not die out, and noise ' +
+        'does not reach all of that.',
       undecided: 'Whether the covariance has a limit is undecided within the tolerance.',
     }[kind] + run
   )
@@ -220,9 +227,11 @@ function underGain(frame) {
       'The filter’s gain tends to one that leaves eigenvalues on the unit circle: the error falls as that of ' +
       'an average, and by no factor in each step.'
     )
-  const who = { filter: 'With the filter’s gain', hand: 'With this gain', placement: 'With the gain that places them' }[
-    params.gain
-  ]
+  // A gain that has no limit yet is that of the last step.
+  const falling = frame.doubled.part && !frame.doubled.gainConverged && frame.tried !== null
+  const last = falling ? ` after ${frame.tried} steps, a part of which goes on falling,` : ''
+  const filters = `With the filter’s gain${last}`
+  const who = { filter: filters, hand: 'With this gain', placement: 'With the gain that places them' }[params.gain]
   const stuck = eigenvalues.length - movable
   const fixedOnes =
     stuck === 0

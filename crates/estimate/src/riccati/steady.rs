@@ -14,8 +14,9 @@ use nalgebra::DMatrix;
 /// Steps that are taken one by one before the first doubling: what a reading tells at once is then known, and a large
 /// start no longer hides a small limit.
 const FIRST: usize = 32;
-/// A direction is unseen, or not moved by noise, if what tells is below this part of what else there is.
-const STRUCTURE: f64 = 1e-12;
+/// A direction is unseen, or not moved by noise, if what tells is below this part of what else there is: what a limit
+/// rests on, whatever tolerance its verdicts are asked with.
+pub const STRUCTURE: f64 = 1e-12;
 /// How often the doubling begins anew where it has come to: the change is then small, and so is its rounding.
 const STAGES: usize = 4;
 
@@ -96,7 +97,8 @@ fn of_what_is_left(system: &System, p0: &DMatrix<f64>) -> Option<Limit> {
 /// Whether P grows without bound from every start, however slowly: of what does not die out a direction is neither seen
 /// nor told by a combination that noise does not feed. Without such a combination noise moves it, and no gain can let
 /// its error die out. Where noise reaches all that does not die out, it is enough that one direction is not seen.
-fn grows(system: &System) -> bool {
+/// `false` where it may grow from some starts alone, or where that is undecided.
+pub fn grows(system: &System) -> bool {
     let System { f, h, v, .. } = system;
     let Ok(noise) = noise_reach(f, v, STRUCTURE) else { return false };
     let still = noise.unreached;

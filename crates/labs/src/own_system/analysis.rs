@@ -25,9 +25,6 @@ const FURTHEST: f64 = 1_125_899_906_842_624.0;
 /// as the variance of an average does.
 const AVERAGING: f64 = 8.0;
 
-/// What tells a direction that is seen, or moved by noise, from one that is not, whatever tolerance the reader sets.
-const STRUCTURE: f64 = 1e-12;
-
 /// What is known of a system before it runs.
 #[derive(Debug)]
 pub(super) struct Analysis {
@@ -84,7 +81,7 @@ impl Analysis {
         let near = limit_p.as_ref().and_then(|limit| nearing(&system, &p0, limit));
         // Numbers alone do not tell it: rounding of a limit that the start decides looks like the end of a slow fall,
         // and a slow fall far enough on like rest.
-        let structure = dynamic::falls_as_average(&system, STRUCTURE).unwrap_or(Verdict::Undecided);
+        let structure = dynamic::falls_as_average(&system, dynamic::STRUCTURE).unwrap_or(Verdict::Undecided);
         let unknown = p0.diagonal().iter().all(|variance| *variance > 0.0);
         let certain = structure == Verdict::Yes && unknown && left.is_empty() && settled.is_none();
         let slowly = |near: &Nearing| certain || falls && unknown || near.slowly && structure != Verdict::No;
@@ -121,6 +118,8 @@ impl Analysis {
                 depends_on_start: limit.depends_on_start,
                 steps: limit.steps,
                 averages,
+                part: certain && !limit.converged,
+                grows: dynamic::grows(&system),
             },
             looks_like_rates: !params.continuous
                 && own_modes(&system).is_ok_and(|modes| looks_like_rates(f, &modes, params.period)),

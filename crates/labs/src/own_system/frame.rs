@@ -148,6 +148,10 @@ record! {
         /// Whether P falls as the variance of an average does, by its own inverse count: the error of the limit gain
         /// takes longer to die out than P to come to rest.
         pub averages: bool,
+        /// Whether a part of P falls so beside what grows, turns or rests, and no limit of P as a whole is found.
+        pub part: bool,
+        /// Whether P grows without end from every start: noise feeds what no reading tells.
+        pub grows: bool,
     }
 
     /// How fast an error dies out.
