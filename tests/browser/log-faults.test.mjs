@@ -88,6 +88,21 @@ test('a file of motion that is missing is no fault of another file', async (t) =
   assert.equal(await answer.locator('.log-line').count(), 0, 'no line is shown as wrong')
 })
 
+test('a fault and a question are said at their files at once, and of speeds no count is asked', async (t) => {
+  const { page, choose, answer } = await openLog(t)
+  const rows = Array.from({ length: 60 }, (_, i) => `${i / 10},1,${i === 50 ? 'abc' : 1}\n`).join('')
+  const wheels = file('wheels.csv', `time_s,left_mps,right_mps\n${rows}`)
+  await choose(file('compass.csv', 'time_s,heading_deg\n0,10\n1,12\n'), wheels)
+  await answer.getByText('wheels.csv, line 52, character 5: right is ').waitFor()
+  await answer.getByText('Besides, compass.csv asks something: see below.').waitFor()
+  const sets = page.locator('.log-file')
+  await sets.nth(0).getByText('In which unit is “heading_deg”?').waitFor()
+  await sets.nth(1).getByText('Line 52, character 5: right is ').waitFor()
+  await sets.nth(1).getByText('Encoders need the distance between the wheels.').waitFor()
+  assert.equal(await page.locator('[data-key="1 base"]').count(), 1)
+  assert.equal(await page.locator('[data-key="1 ticks"], [data-key="1 radius"], [data-key="1 counting"]').count(), 0)
+})
+
 test('no rows in the box are asked for, and a fault in pasted rows is mended there', async (t) => {
   const { page, answer } = await openLog(t)
   await page.locator('.log-paste summary').click()

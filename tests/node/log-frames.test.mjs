@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
-import { framesOf } from '../../web/page/log-files.js'
+import { framesOf } from '../../web/page/log-file-words.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 
 const { LogFiles, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')

@@ -4,6 +4,7 @@ import assert from 'node:assert/strict'
 import { readFileSync } from 'node:fs'
 import { createRequire } from 'node:module'
 import { Server } from '../../web/widgets/robot-log/server.js'
+import { faultWords, othersWords } from '../../web/page/log-file-words.js'
 
 const core = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
 const text = readFileSync(new URL('../../content/logs/plaza1.csv', import.meta.url), 'utf8')
@@ -182,6 +183,26 @@ test('what a file asks is told in no line, and what encoders need is taken', asy
     said = await server.answer({ kind: 'reading', set: 4, change })
   assert.deepEqual([said.kind, said.contents.steps, said.contents.motion], ['log', 2, 'odometry'])
   assert.deepEqual(said.files[0].wheels, { ticks: 1000, radius: 0.1, base: 0.4, counting: 'total' })
+})
+
+test('what is missing or wrong comes before a question, and is told of each file', async () => {
+  const { server } = await served()
+  const rows = Array.from({ length: 60 }, (_, i) => `${i / 10},1,${i === 50 ? 'abc' : 0}\n`).join('')
+  const compass = new File(['time_s,heading_deg\n0,10\n1,12\n'], 'compass.csv')
+  const wheels = new File([`time_s,v_mps,omega_radps\n${rows}`], 'wheels.csv')
+  const missing = await server.answer({ kind: 'files', set: 5, files: [compass] })
+  assert.match(missing.message, /^the robot's motion is missing: compass\.csv has neither/)
+  assert.deepEqual([missing.mend, missing.files[0].asks.length, missing.files[0].fault], ['', 1, null])
+  assert.equal(othersWords(missing.files, -1), 'Besides, compass.csv asks something: see below.')
+  const wrong = await server.answer({ kind: 'files', set: 6, files: [compass, wheels] })
+  assert.deepEqual([wrong.file, wrong.line, wrong.column, wrong.mend], [1, 52, 5, ''])
+  assert.equal(othersWords(wrong.files, 1), 'Besides, compass.csv asks something: see below.')
+  assert.equal(othersWords(wrong.files, 0), 'Besides, wheels.csv is wrong in line 52: see below.')
+  const { fault } = wrong.files[1]
+  assert.equal(faultWords(fault), "Line 52, character 5: omega is 'abc'; a finite number was expected.")
+  const speeds = new File(['time_s,left_mps,right_mps\n0,1,1\n0.1,1,1\n'], 'wheels.csv')
+  const asked = await server.answer({ kind: 'files', set: 7, files: [speeds] })
+  assert.deepEqual([asked.files[0].needs, asked.mend], [['base'], 'Answer below'])
 })
 
 test('a fit is told of, ends, can be given up, and finds what the log was made with', async () => {

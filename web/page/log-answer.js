@@ -1,6 +1,7 @@
 /** What is said of a log that was opened: what it holds, what is wrong with it and where, and that it is being read. */
 
 import { button, part } from '../draw/dom.js'
+import { othersWords } from './log-file-words.js'
 
 /** What pasted rows are called, as a file has its name. */
 export const PASTED = 'pasted rows'
@@ -55,6 +56,9 @@ export class Answer {
           ? ` and ${pasted ? 'read them' : 'open it'} again`
           : ''
     part(document, this.box, 'p', '').textContent = `The figure keeps the previous log. ${mend}${again}.`
+    // A fault of all together is of none of them, and a question or a row is of one.
+    const others = othersWords(files, place || given ? file : -1)
+    if (others) part(document, this.box, 'p', '').textContent = others
     if (place && pasted) this.point(line, column)
   }
 

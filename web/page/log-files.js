@@ -4,6 +4,7 @@
  */
 
 import { button, part } from '../draw/dom.js'
+import { faultWords, framesOf, short, unreadWords } from './log-file-words.js'
 
 /** @typedef {import('estimate-wasm').LogFile} LogFile */
 /** @typedef {import('estimate-wasm').LogValue} LogValue */
@@ -34,9 +35,9 @@ const NAMES = /** @type {Record<string, string>} */ ({
   day: 'day of the time',
   quaternion: 'quaternion: x, y, z, w',
 })
-/** What encoders need besides, and its unit. @type {[string, string][]} */
+/** What encoders need besides, and its unit. @type {['ticks' | 'radius' | 'base', string][]} */
 const WHEELS = [
-  ['ticks', 'ticks of a turn of the wheel'],
+  ['ticks', 'ticks in one turn of a wheel'],
   ['radius', 'radius of a wheel, m'],
   ['base', 'distance between the wheels, m'],
 ]
@@ -47,8 +48,6 @@ const ANSWERS = {
   ranges: 'Ranges to landmarks',
   unused: 'Leave it out',
 }
-/** How long the list of columns that are not read may be, letters. */
-const MOST_UNREAD = 90
 /** Values that few files have. */
 const RARE = ['fraction', 'day', 'sigma', 'sigma of heading', 'latitude', 'longitude']
 
@@ -75,9 +74,10 @@ export class FileForm {
   }
 
   /** @param {number} i @param {LogFile} file */
-  showFile(i, { name, role, header, values, unread, wheels, several, frame, asks, answers, follows }) {
+  showFile(i, { name, role, header, values, unread, wheels, needs, several, frame, asks, answers, follows, fault }) {
     const set = part(document, this.box, 'fieldset', `log-file${asks.length > 0 ? ' asks' : ''}`)
     part(document, set, 'legend', '').textContent = name
+    if (fault) part(document, set, 'p', 'log-ask').textContent = faultWords(fault)
     for (const [at, ask] of asks.entries()) {
       part(document, set, 'p', 'log-ask').textContent = ask
       // What the file is is asked first.
@@ -110,7 +110,7 @@ export class FileForm {
       for (const value of hidden) this.value(inner, i, columns, value)
     }
     if (several) this.several(set, i, header, several)
-    if (wheels) this.wheels(set, i, wheels)
+    if (wheels) this.wheels(set, i, wheels, needs)
     if (frame) this.frame(set, i, frame)
     if (follows) part(document, set, 'p', 'log-follows').textContent = `So: ${follows}.`
     const left = unreadWords(unread.map((at) => header[at] || `column ${at + 1}`))
@@ -147,15 +147,19 @@ export class FileForm {
     if (samples.length > 0) part(document, cell, 'p', 'log-samples').textContent = samples.map(short).join(' · ')
   }
 
-  /** @param {Element} set @param {number} i @param {NonNullable<LogFile['wheels']>} wheels */
-  wheels(set, i, wheels) {
-    for (const [name, words] of WHEELS) {
+  /**
+   * What wheels need in their unit: of speeds nothing is counted.
+   * @param {Element} set @param {number} i @param {NonNullable<LogFile['wheels']>} wheels
+   * @param {LogFile['needs']} needs
+   */
+  wheels(set, i, wheels, needs) {
+    for (const [name, words] of WHEELS.filter(([one]) => needs.includes(one))) {
       const line = part(document, set, 'label', '')
       part(document, line, 'span', '').textContent = words
       const input = /** @type {HTMLInputElement} */ (part(document, line, 'input', ''))
       input.type = 'text'
       input.inputMode = 'decimal'
-      input.value = String(wheels[/** @type {'ticks'} */ (name)] ?? '')
+      input.value = String(wheels[name] ?? '')
       input.setAttribute('data-key', `${i} ${name}`)
       input.addEventListener('change', () => {
         const number = Number(input.value.replace(',', '.'))
@@ -164,14 +168,18 @@ export class FileForm {
         if (sound) this.change({ file: i, wheel: name, number })
       })
     }
+    if (!needs.includes('counting')) return
     /** @type {[string, string][]} */
     const ways = [
-      ['total', 'the count since the start'],
-      ['step', 'the count since the row before'],
-      ['restarted', 'the count since the start, and a jump begins it anew'],
+      ['total', 'counted from the start of the log'],
+      ['step', 'counted from the row before'],
+      ['restarted', 'counted from the start, and from 0 again at a jump'],
     ]
     if (wheels.counting === null) ways.unshift(['', 'choose one'])
-    this.choice(set, `${i} counting`, 'a row has', ways, wheels.counting ?? '', (counting) => ({ file: i, counting }))
+    this.choice(set, `${i} counting`, 'each row’s number is', ways, wheels.counting ?? '', (counting) => ({
+      file: i,
+      counting,
+    }))
   }
 
   /**
@@ -228,53 +236,4 @@ export class FileForm {
     }
     select.addEventListener('change', () => this.change(make(select.value)))
   }
-}
-
-/**
- * The columns of a file that are not read, in one short sentence; empty where all are.
- * @param {string[]} names
- */
-export function unreadWords(names) {
-  /** @type {string[]} */
-  const listed = []
-  let length = 0
-  for (const name of names.map(short)) {
-    length += name.length + 2
-    if (length > MOST_UNREAD && listed.length > 0) break
-    listed.push(name)
-  }
-  const more = names.length - listed.length
-  if (listed.length === 0) return ''
-  return `Not read: ${listed.join(', ')}${more > 0 ? ` and ${more} more` : ''}.`
-}
-
-/**
- * What a truth’s frame and clock may be, in words.
- * @param {NonNullable<LogFile['frame']>} frame
- * @returns {[string, string][]}
- */
-export function framesOf({ foreign, own }) {
-  /** @type {[string, string][]} */
-  const options = foreign
-    ? [
-        ['same', 'origin and axes of the positions'],
-        ['moved', 'same axes, another origin: moved onto the first fix'],
-      ]
-    : [['same', own?.framed ? 'the same frame' : 'the same clock']]
-  if (own) options.push(['own', ownWords(own)])
-  return options
-}
-
-/** @param {import('estimate-wasm').LogOwn} own */
-function ownWords({ framed, mirrored, turn, delay }) {
-  if (!framed) return `its own clock: taken ${Math.abs(delay).toFixed(2)} s ${delay < 0 ? 'earlier' : 'later'}`
-  if (delay !== 0) return 'its own frame and clock'
-  const done = [...(mirrored ? ['mirrored'] : []), ...(turn === 0 ? [] : ['turned']), 'moved']
-  const last = done.pop()
-  return `its own frame: ${done.length > 0 ? `${done.join(', ')} and ${last}` : last}`
-}
-
-/** The beginning of what stands in a field. @param {string} text */
-function short(text) {
-  return text.length > 16 ? `${text.slice(0, 15)}…` : text || '(empty)'
 }

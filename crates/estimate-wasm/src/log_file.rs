@@ -2,7 +2,7 @@
 
 use crate::encode::record;
 use js_sys::Array;
-use robot_log::{Counting, File, Frame, Own, Rigid, Role, WHEEL_NUMBERS, units_of};
+use robot_log::{Counting, Error, File, Frame, Own, Rigid, Role, WHEEL_NUMBERS, units_of};
 use wasm_bindgen::prelude::*;
 
 #[wasm_bindgen(typescript_custom_section)]
@@ -66,6 +66,12 @@ export interface LogOrigin {
     /** What the fixes and the motion tell: it may be "own"; else null. */
     own: LogOwn | null;
 }
+/** What is wrong with a file, and where: line and character are counted from 1. */
+export interface LogFault {
+    line: number;
+    column: number;
+    message: string;
+}
 /** How a file of a log is read. */
 export interface LogFile {
     name: string;
@@ -77,6 +83,8 @@ export interface LogFile {
     unread: number[];
     /** What encoders need besides; null of another file. */
     wheels: LogWheels | null;
+    /** What of them has to be said in the unit of its columns; empty of another file. */
+    needs: ("ticks" | "radius" | "base" | "counting")[];
     /** The rows of several robots; null where no column tells such apart. */
     several: LogSeveral | null;
     /** The frame of a truth that does not lie on the fixes; null of a file that is not asked. */
@@ -87,6 +95,8 @@ export interface LogFile {
     answers: LogRole[];
     /** What follows from how it is read, in words, such as "20 Hz, 0 to 120 s, turned 2 turns". */
     follows: string;
+    /** What is wrong with it whatever the other files are, as far as that is known: the first fault of its rows. */
+    fault: LogFault | null;
 }
 "#;
 
@@ -135,8 +145,9 @@ fn own(own: &Own) -> JsValue {
     ])
 }
 
-/// How a file is read.
-pub(crate) fn shown(file: &File) -> JsValue {
+/// How a file is read. Of one in the book's own format that is the whole log, whether it is wrong is said where it is
+/// read.
+pub(crate) fn shown(file: &File, whole: bool) -> JsValue {
     let columns = file.columns().iter().zip(file.units());
     let values = file.role().values().iter().zip(columns).enumerate().map(|(i, (value, (column, unit)))| {
         record(&[
@@ -156,6 +167,10 @@ pub(crate) fn shown(file: &File) -> JsValue {
         let [ticks, radius, base] = numbers;
         record(&[ticks, radius, base, ("counting", counting.map_or(JsValue::NULL, Into::into))])
     };
+    let (follows, faulty) = if whole && file.role() == Role::Log { (String::new(), None) } else { file.alone() };
+    let fault = |Error { line, column, message, .. }| {
+        record(&[("line", line.into()), ("column", column.into()), ("message", message.into())])
+    };
     record(&[
         ("name", file.name().into()),
         ("role", file.role().name().into()),
@@ -164,9 +179,11 @@ pub(crate) fn shown(file: &File) -> JsValue {
         ("unread", file.unread().into_iter().map(|at| JsValue::from(at as u32)).collect::<Array>().into()),
         ("several", several(file)),
         ("wheels", if file.role() == Role::Encoders { wheels() } else { JsValue::NULL }),
+        ("needs", texts(file.needs())),
         ("frame", origin(file)),
         ("asks", texts(file.asks())),
         ("answers", texts(file.answers().iter().map(|role| role.name()))),
-        ("follows", file.follows().into()),
+        ("follows", follows.into()),
+        ("fault", faulty.map_or(JsValue::NULL, fault)),
     ])
 }

@@ -46,7 +46,8 @@ impl LogFiles {
     pub fn files(&self) -> Result<JsValue, Thrown> {
         self.0.write(FILES, |files: &mut Files| {
             files.compare();
-            Ok::<_, Error>(files.files().iter().map(shown).collect::<Array>().into())
+            let files = files.files();
+            Ok::<_, Error>(files.iter().map(|file| shown(file, files.len() == 1)).collect::<Array>().into())
         })
     }
 

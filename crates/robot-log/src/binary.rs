@@ -1,5 +1,8 @@
 //! Files of other programs that are no table: how each is known, and how a table is got out of it.
 
+use crate::table::LOOKED_AT;
+use crate::{markup, trajectory};
+
 /// Why a file is refused that is a log of another program, with the way to a table.
 pub(crate) fn refusal(name: &str, text: &str) -> Option<String> {
     let text = text.strip_prefix('\u{feff}').unwrap_or(text);
@@ -21,7 +24,7 @@ pub(crate) fn refusal(name: &str, text: &str) -> Option<String> {
         let way = "`ros2 topic echo --csv TOPIC > FILE`, of ROS 1 `rostopic echo -p TOPIC > FILE`, writes one";
         ("what `ros2 topic echo` prints", way)
     } else {
-        return None;
+        markup::refusal(text).or_else(|| trajectory::refusal(text.lines().take(LOOKED_AT)))?
     };
     Some(format!("the file is {what}, and a table of text was expected: {way}"))
 }

@@ -8,7 +8,7 @@ use crate::quaternion;
 use crate::row;
 use crate::source::Source;
 use crate::unit::{HUNDREDTHS_FROM_NORTH, QUATERNION, YEAR_FIRST};
-use crate::{stamp, unit};
+use crate::{stamp, trajectory, unit};
 
 /// A row of a table, with the column of each value.
 #[derive(Clone, Copy)]
@@ -45,8 +45,8 @@ impl<'a> Cells<'a> {
         Ok(unit.map_or(number, |unit| unit::convert(unit, number)))
     }
 
-    /// The heading of a quaternion, of whose columns one is the value's; `None` of one that is all 0.
-    fn turned(&self, value: &str) -> Result<Option<f64>, Error> {
+    /// The x, y, z and w of a quaternion, of whose columns one is the value's; `None` where one of them is missing.
+    fn quaternion(&self, value: &str) -> Result<Option<[f64; 4]>, Error> {
         let column = self.source.column(value).unwrap_or(0);
         let Some(columns) = quaternion::columns(&self.source.names, column) else {
             return Err(self.place(value).refuse(format!("{value} has no x, y, z and w of a quaternion")));
@@ -56,7 +56,19 @@ impl<'a> Cells<'a> {
             let Some(field) = self.line.fields.get(at).filter(|field| !is_none(field.text)) else { return Ok(None) };
             *part = row::finite(self.line, *field, value).map_err(|e| e.within(self.file))?;
         }
+        Ok(Some(parts))
+    }
+
+    /// The heading of a quaternion; `None` of one that is all 0.
+    fn turned(&self, value: &str) -> Result<Option<f64>, Error> {
+        let Some(parts) = self.quaternion(value)? else { return Ok(None) };
         quaternion::heading(parts).map_err(|message| self.place(value).refuse(message))
+    }
+
+    /// Whether a heading is read from a quaternion that is tilted far.
+    pub fn is_tilted(&self, value: &str) -> bool {
+        let tilted = || matches!(self.quaternion(value), Ok(Some(parts)) if trajectory::is_tilted(parts));
+        self.is_in(value, QUATERNION) && tilted()
     }
 
     /// A value that must be there.

@@ -47,7 +47,7 @@ pub(crate) fn columns(source: &mut Source, file: &str, text: &str) {
 }
 
 /// The columns that a value may be in.
-fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
+pub(crate) fn found(source: &Source, value: &Value, file: &str, text: &str) -> Vec<usize> {
     let names = &source.names;
     let of = |value: &str, quantity| candidates(value, quantity, names);
     let mut found = of(value.name, value.quantity);

@@ -54,7 +54,7 @@ pub(crate) fn follows(read: &LogReader) -> String {
 }
 
 /// How often rows come, and from when to when.
-fn rate(mut times: Vec<f64>) -> Vec<String> {
+pub(crate) fn rate(mut times: Vec<f64>) -> Vec<String> {
     times.sort_unstable_by(f64::total_cmp);
     times.dedup();
     let (Some(from), Some(to)) = (times.first(), times.last()) else { return Vec::new() };

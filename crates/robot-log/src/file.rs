@@ -1,22 +1,23 @@
 //! A file of a log: its text, how it is read, and what follows from that.
 
 use crate::cells::Cells;
+use crate::clocks::clocks;
 use crate::columns;
-use crate::counter::Jumps;
 use crate::error::Error;
 use crate::evidence;
 use crate::fields::Line;
 use crate::guess;
 use crate::notes;
+use crate::order::Order;
 use crate::parse;
-use crate::reading::LogReader;
 use crate::role::Role;
 use crate::row;
 use crate::several::{grouped, several};
 use crate::source::{Question, Source};
+use crate::stamp;
 use crate::table::Table;
 use crate::unit::{self, Unit};
-use crate::wheels::{Counting, Wheels, is_speed};
+use crate::wheels::{Counting, Wheels, needed};
 
 /// A file of a log, and how it is read.
 #[derive(Clone, Debug, PartialEq)]
@@ -37,14 +38,17 @@ impl File {
         file
     }
 
-    /// Looks whether a column tells the rows of several robots apart; another column than before asks anew.
+    /// Looks whether a column tells the rows of several robots apart; another column than before asks anew. And what
+    /// follows from each of several clocks, and the order of its rows.
     fn tell_apart(&mut self) {
         let source = &mut self.source;
+        source.clocks = clocks(source, &self.name, &self.text);
         let table = source.table.as_ref();
         let found = table.and_then(|table| several(source.role, table, &source.names, &source.columns, &self.text));
         if found != source.several {
             (source.several, source.only) = (found, None);
         }
+        self.source.order = self.find_order();
     }
 
     /// Its name.
@@ -87,6 +91,14 @@ impl File {
         &self.source.wheels
     }
 
+    /// What of them has to be said in the unit of its columns, and `counting`, how they count; nothing of other files.
+    pub fn needs(&self) -> &'static [&'static str] {
+        match self.role() {
+            Role::Encoders => needed(self.source.units[1].map(|unit| unit.name)),
+            _ => &[],
+        }
+    }
+
     /// What has to be said before it can be read, in sentences: a guess that is not certain chooses nothing.
     pub fn asks(&self) -> Vec<String> {
         let mut asks = self.source.asks();
@@ -115,45 +127,14 @@ impl File {
         Some(format!("{name}: only the rows whose {column} is {only} are read; {} are not.", grouped(rows)))
     }
 
-    /// The jumps of its encoders that neither motion nor the end of a counter's range explains, as a question.
-    fn odd_jumps(&self) -> Option<String> {
-        let jumps = self.jumps();
-        let first = jumps.odd.first()?;
-        let column = self.source.column(["left", "right"][first.side])?;
-        let (name, line, from, to) = (&self.header()[column], first.line, first.from, first.to);
-        let more = jumps.odd.len() - 1;
-        let others = if more == 0 { String::new() } else { format!(" ({more} more like it)") };
-        Some(format!(
-            "In line {line} \u{201c}{name}\u{201d} jumps from {from} to {to}, which no motion does{others}: mend the \
-             file, or say that the count begins anew at a jump."
-        ))
-    }
-
-    /// Where its encoders' counts jump, as far as they are totals.
-    fn jumps(&self) -> Jumps {
-        let Source { table: Some(table), units, columns, wheels, .. } = &self.source else { return Jumps::default() };
-        let counts = matches!(wheels.counting, Some(Counting::Total | Counting::Restarted));
-        let Some(unit) = units.get(1).copied().flatten().filter(|unit| counts && !is_speed(unit.name)) else {
-            return Jumps::default();
-        };
-        let [Some(time), Some(left), Some(right)] = [0, 1, 2].map(|i| columns[i]) else { return Jumps::default() };
-        let number = |line: &Line<'_>, at: usize| row::number(line.fields.get(at)?.text).filter(|it| it.is_finite());
-        let lines = table.lines(&self.text).filter_map(Result::ok).filter(|line| self.source.is_read(line));
-        let counted = lines.filter_map(|line| {
-            let [left, right] = [number(&line, left)?, number(&line, right)?].map(|it| unit::convert(unit, it));
-            // Of dates the difference does not matter: then the steps themselves are compared.
-            Some((line.number, number(&line, time).unwrap_or(0.0), [left, right]))
-        });
-        Jumps::of(&counted.collect::<Vec<_>>(), unit)
-    }
-
     /// What its reader should know of how it was read.
     pub(crate) fn notes(&self) -> Vec<String> {
         let unit = self.source.units.get(1).copied().flatten();
         let counted =
             unit.filter(|_| self.role() == Role::Encoders).and_then(|unit| self.jumps().note(&self.name, unit));
         let frame = notes::frame(&self.name, &self.source);
-        self.others().into_iter().chain(counted).chain(self.left_speed()).chain(frame).collect()
+        let order = self.source.order.as_ref().map(|order| order.note(&self.name));
+        self.others().into_iter().chain(order).chain(counted).chain(self.left_speed()).chain(frame).collect()
     }
 
     /// What is said of it where it is not used.
@@ -170,18 +151,6 @@ impl File {
     /// the first three that are there where most rows have none. A column without any has one that is empty.
     pub fn samples(&self, column: usize) -> Vec<&str> {
         self.source.table.as_ref().map_or(Vec::new(), |table| evidence::samples(table, &self.text, column))
-    }
-
-    /// What follows from how it is read, in words: "20 Hz, 0 to 120 s, v −0.1 … 1 m/s, turned 2 turns". Empty where it
-    /// is not read as a table, where it asks something, and as far as a row is at fault.
-    pub fn follows(&self) -> String {
-        if self.source.table.is_none() || self.check().is_err() || !self.asks().is_empty() {
-            return String::new();
-        }
-        let mut reading = LogReader::default();
-        let role = self.role();
-        let _ = self.rows(0, |row| reading.take(role, row));
-        evidence::follows(&reading)
     }
 
     pub(crate) fn set_role(&mut self, role: Role) {
@@ -217,6 +186,7 @@ impl File {
         let Some(at) = self.source.role.index(value) else { return false };
         let Some(unit) = unit::named(self.source.role.values()[at].quantity, unit) else { return false };
         self.source.units[at] = Some(unit);
+        self.source.order = self.find_order();
         true
     }
 
@@ -266,6 +236,32 @@ impl File {
         columns.filter(|at| below(*at).all(|number| number == -1.0)).collect()
     }
 
+    /// Finds the order in which its rows have to be read; `None` where it is that of the file. Only rows of motion need
+    /// it, of which one goes on from another.
+    fn find_order(&self) -> Option<Order> {
+        let source = &self.source;
+        // What goes back at midnight, or belongs to another robot, is none.
+        if !source.moves() || source.column("day").is_some() || source.several.is_some() {
+            return None;
+        }
+        let (table, at) = (source.table.as_ref()?, source.column("time")?);
+        let unit = source.units.first().copied().flatten()?;
+        let time = |text: &str| match source.is_date() {
+            true => Some(stamp::seconds(text).filter(|_| !stamp::is_time_of_day(text))?),
+            false => row::number(text).map(|number| unit::convert(unit, number)),
+        };
+        let times = table.column(&self.text, at).filter_map(|(line, text)| Some((line, time(text)?)));
+        Order::of(times.filter(|(_, time)| time.is_finite()))
+    }
+
+    /// Its lines in the order in which they are read.
+    pub(crate) fn lines<'t>(&'t self, table: &'t Table) -> Box<dyn Iterator<Item = Result<Line<'t>, Error>> + 't> {
+        match &self.source.order {
+            None => Box::new(table.lines(&self.text)),
+            Some(order) => Box::new(order.lines().into_iter().flat_map(|part| table.lines_within(&self.text, part))),
+        }
+    }
+
     /// Hands over each row, its values known by their names in the role.
     pub(crate) fn rows(&self, index: usize, mut take: impl FnMut(Cells<'_>) -> Result<(), Error>) -> Result<(), Error> {
         let source = &self.source;
@@ -277,7 +273,7 @@ impl File {
         }
         let (absent, jumps) = (self.absent(table), self.jumps());
         let mut none = matches!(source.role, Role::Velocities | Role::Odometry | Role::Encoders | Role::Sensors);
-        for line in table.lines(&self.text) {
+        for line in self.lines(table) {
             none = false;
             let line = line.map_err(|e| e.within(index))?;
             parse::check_text(&line).map_err(|e| e.within(index))?;

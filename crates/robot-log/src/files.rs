@@ -148,13 +148,16 @@ impl Files {
         for (at, file) in self.files.iter().enumerate() {
             file.check().map_err(|e| e.within(at))?;
         }
-        for (at, file) in self.files.iter().enumerate() {
-            if let Some(ask) = file.asks().first() {
-                return Err(Error::of_all(format!("{} asks: {ask}", file.name())).within(at));
-            }
-        }
-        if !self.files.iter().any(|file| file.role().moves()) {
+        // What no answer mends comes first: a file that is missing, a row that is wrong.
+        if !self.files.iter().any(File::may_move) {
             return Err(self.without_motion());
+        }
+        let asked = self.files.iter().enumerate().find_map(|(at, file)| Some((at, file.asks().first()?.clone())));
+        if let Some((at, ask)) = asked {
+            for (at, file) in self.files.iter().enumerate() {
+                file.fault().map_or(Ok(()), |fault| Err(fault.within(at)))?;
+            }
+            return Err(Error::of_all(format!("{} asks: {ask}", self.files[at].name())).within(at));
         }
         let reading = self.gathered(false)?;
         // One file in the book's own format is refused at its last row; several have no row that stands for all of
@@ -205,6 +208,7 @@ impl Files {
             Role::Log => format!("{} has no rows of motion", file.name()),
             Role::Sensors => format!("{} has neither speeds nor turn rates", file.name()),
             Role::Unused => file.unused(),
+            Role::Undecided => format!("what {} is has to be said", file.name()),
             role => format!("{} is read as {}", file.name(), role.name()),
         });
         let read = read.collect::<Vec<_>>().join(", ");

@@ -66,6 +66,8 @@ fn empty(role: Role, table: Option<Table>, names: Vec<Name>) -> Source {
         columns,
         units,
         doubts,
+        order: None,
+        clocks: Vec::new(),
         called: Vec::new(),
         driven_by: None,
         wheels,

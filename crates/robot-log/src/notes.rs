@@ -2,10 +2,11 @@
 
 use crate::cells::{Cells, NoRange};
 use crate::columns::clockwise;
+use crate::ended::ended;
 use crate::error::Error;
 use crate::guess;
-use crate::names::Name;
-use crate::role::Role;
+use crate::names::{Name, candidates};
+use crate::role::{Quantity, Role};
 use crate::source::Source;
 use crate::stamps::Stamps;
 use estimate::drive::{Drive, Event, Gaps, Missing, Row};
@@ -32,6 +33,8 @@ pub(crate) struct Counts {
     pub negative: usize,
     /// Speeds and courses of −1, which says that they are not known.
     pub unknown: usize,
+    /// Headings whose quaternion is tilted so far that they may be another axis's.
+    pub tilted: usize,
     /// Headings of 65535, which says the same.
     pub no_heading: usize,
     /// Fixes at latitude and longitude 0.
@@ -143,6 +146,12 @@ impl Counts {
                 readings(self.no_heading)
             ));
         }
+        if 2 * self.tilted > self.stamps.rows {
+            notes.push(format!(
+                "{name}: its quaternions are tilted by more than 60\u{b0}, as those of a camera that looks ahead: the \
+                 heading is that of their axis of x. Leave it out (its column \u{2013}) if the robot points elsewhere."
+            ));
+        }
         if nowhere > 0 {
             notes.push(format!("{name}: {} at latitude 0, longitude 0 left out: there was no fix.", readings(nowhere)));
         }
@@ -167,7 +176,13 @@ pub(crate) fn frame(file: &str, source: &Source) -> Option<String> {
 /// What is said of a file that is not used.
 pub(crate) fn unused(file: &str, names: &[Name]) -> String {
     let scan = names.iter().any(|name| name.has("angle") && name.has("increment"));
-    let why = if scan { ": a laser scan does not say which landmark it saw" } else { "" };
+    let none = |value, quantity| candidates(value, quantity, names).is_empty();
+    let untimed = none("time", Quantity::Time) && !none("latitude", Quantity::Coordinate);
+    let why = match (scan, untimed) {
+        (true, _) => ": a laser scan does not say which landmark it saw",
+        (_, true) => ": its places have no times",
+        _ => "",
+    };
     format!("{file} is not used{why}")
 }
 
@@ -224,7 +239,8 @@ pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
         let guess = "What is estimated there is a guess; cut the log at the gap to judge it without.";
         missed(rows, count, longest, &format!("{held}. {guess}"))
     };
-    estimate::drive::gaps(&drive.rows, drive.motion).into_iter().map(note).chain(unread(&drive.rows)).collect()
+    let gaps = estimate::drive::gaps(&drive.rows, drive.motion).into_iter().map(note);
+    gaps.chain(ended(drive)).chain(unread(&drive.rows)).collect()
 }
 
 /// A robot's own readings are missed where they are away for longer than this, s, besides ten usual steps.

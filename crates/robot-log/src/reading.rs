@@ -108,6 +108,7 @@ impl LogReader {
                 let time = self.kept.stamps.take(cells)?;
                 let Some([x, y]) = self.place(cells)? else { return Ok(()) };
                 let heading = cells.given("heading")?;
+                self.kept.tilted += usize::from(cells.is_tilted("heading"));
                 if cells.source.is_moved() && !self.as_written {
                     let theta = heading.unwrap_or(0.0);
                     self.moved.poses.push((Pose { time, x, y, theta }, heading.is_some()));
@@ -164,6 +165,7 @@ impl LogReader {
     fn sensors(&mut self, cells: Cells<'_>) -> Result<(), Error> {
         let (start, time) = (cells.start(), self.kept.stamps.take(cells)?);
         self.kept.unknown += ["v", "heading"].iter().filter(|value| cells.is_absent(value)).count();
+        self.kept.tilted += usize::from(cells.is_tilted("heading"));
         self.kept.no_heading += usize::from(cells.is_no_heading("heading"));
         let (v, omega) = (cells.given("v")?, cells.given("omega")?);
         let motion = match (v, omega) {

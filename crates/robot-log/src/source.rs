@@ -3,6 +3,7 @@
 use crate::fields::Line;
 use crate::frames::{self, Frame};
 use crate::names::Name;
+use crate::order::Order;
 use crate::own::Own;
 use crate::role::{Quantity, Role, Value};
 use crate::several::{Several, grouped};
@@ -24,6 +25,10 @@ pub(crate) struct Source {
     pub units: Vec<Option<&'static Unit>>,
     /// The columns of which each value may be in one.
     pub doubts: Vec<Vec<usize>>,
+    /// The order of its rows, where that is not the one in which they stand.
+    pub order: Option<Order>,
+    /// What follows for the time from each of the columns of which it may be one, in words.
+    pub clocks: Vec<String>,
     /// The columns that are called as landmarks of another file, with the landmarks' names.
     pub called: Vec<(String, usize)>,
     /// The file whose speed is taken instead of this one's.
@@ -100,7 +105,10 @@ impl Source {
             } else {
                 let among: Vec<String> =
                     self.doubts[i].iter().map(|at| format!("\u{201c}{}\u{201d}", header[*at])).collect();
-                asks.push(format!("Which column is {}: {}?", said(value), among.join(" or ")));
+                let clocks = if value.name == "time" { self.clocks.as_slice() } else { &[] };
+                let follows: Vec<String> = among.iter().zip(clocks).map(|(name, it)| format!("{name}: {it}")).collect();
+                let follows = if follows.is_empty() { String::new() } else { format!(" {}.", follows.join("; ")) };
+                asks.push(format!("Which column is {}: {}?{follows}", said(value), among.join(" or ")));
             }
         }
         if let Some(Several { column, values }) = self.several.as_ref().filter(|_| self.only.is_none()) {
@@ -156,6 +164,14 @@ impl Source {
             }
             _ => None,
         })
+    }
+
+    /// Whether its rows say how the robot moved, as far as their columns are known.
+    pub fn moves(&self) -> bool {
+        match self.role {
+            Role::Sensors => ["v", "omega"].iter().any(|value| self.column(value).is_some()),
+            role => role.moves(),
+        }
     }
 
     /// Whether a line is one of those that are read: of several robots it may be another's.

@@ -3,14 +3,11 @@
 use crate::cells::Cells;
 use crate::error::Error;
 use crate::gathering::CellPlace;
-use crate::role::Role;
+use crate::order::{BACK, ROWS};
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// Half a day, s: a time of day that goes back so far has passed midnight.
 const HALF_A_DAY: f64 = 43_200.0;
-/// A clock that goes back further than this, s, and on from there for so many rows, has begun anew.
-const BACK: f64 = 5.0;
-const ROWS: u32 = 20;
 
 /// How many rows are of a kind, and the line of the first.
 #[derive(Clone, Copy, Debug, Default)]
@@ -93,11 +90,7 @@ impl Stamps {
         if time > from {
             self.back = None;
         }
-        let moves = match cells.source.role {
-            Role::Sensors => ["v", "omega"].iter().any(|value| cells.source.column(value).is_some()),
-            role => role.moves(),
-        };
-        if rows < ROWS || !moves || self.back.is_none() {
+        if rows < ROWS || !cells.source.moves() || self.back.is_none() {
             return Ok(());
         }
         Err(place.refuse(format!(

@@ -5,25 +5,15 @@ use crate::fields::{Field, Line, is_comment, is_none};
 use crate::names::is_unit;
 use crate::nested::{BELOW, nested};
 use crate::ros;
-use crate::row::number;
-use crate::stamp;
+use crate::separator::{MAX_COLUMNS, Separator, is_number, numbers, separator, split, unquoted};
+use crate::trajectory;
+use core::ops::Range;
 
 /// The rows whose numbers are looked at to find out what they are.
 pub(crate) const LOOKED_AT: usize = 200;
 
-/// The most columns of a table.
-const MAX_COLUMNS: usize = 1024;
-
 /// The longest name of a column in bytes: what is longer is no header.
 const MAX_NAME: usize = 200;
-
-/// What parts the fields of a line.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-enum Separator {
-    Char(char),
-    /// One blank or more, tabs among them.
-    Blanks,
-}
 
 /// A table before its rows are read: its separator, and what its columns are called.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -93,7 +83,8 @@ impl Table {
             .map(|separator| split(comment, separator).map(|(_, name)| name.to_string()).collect())
             .chain([wide(comment), split(comment, Separator::Blanks).map(|(_, name)| name.to_string()).collect()])
             .find(|names: &Vec<String>| names.len() == fields.len() && names.iter().all(|name| !name.is_empty()))
-            .or_else(|| ros::names(&fields));
+            .or_else(|| ros::names(&fields))
+            .or_else(|| trajectory::names(text.lines().skip(above as usize).take(LOOKED_AT)));
         let nameless = named.is_none();
         let named = named.unwrap_or_else(|| (1..=fields.len()).map(|i| format!("column {i}")).collect());
         // Numbers have no blanks in them, so that tabs among blanks are blanks too.
@@ -122,11 +113,18 @@ impl Table {
 
     /// The lines of numbers; `text` must be the one that the table was made of.
     pub fn lines<'t>(&self, text: &'t str) -> impl Iterator<Item = Result<Line<'t>, Error>> + use<'t> {
-        let Self { separator, skipped, .. } = *self;
+        self.lines_within(text, 0..u32::MAX)
+    }
+
+    /// Those of them whose numbers are within these.
+    pub fn lines_within<'t>(
+        &self,
+        text: &'t str,
+        within: Range<u32>,
+    ) -> impl Iterator<Item = Result<Line<'t>, Error>> + use<'t> {
+        let separator = self.separator;
         let columns = self.names.len();
-        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
-        let numbered = text.lines().enumerate().map(|(i, line)| (i as u32 + 1, line));
-        let rows = numbered.filter(move |(number, line)| *number > skipped && !is_empty(line));
+        let rows = self.rows(text).filter(move |(number, _)| within.contains(number));
         rows.map(move |(number, line)| {
             let column = |byte: usize| line[..byte].chars().count() as u32 + 1;
             let found = split(line, separator).take(MAX_COLUMNS + 1);
@@ -140,6 +138,20 @@ impl Table {
             }
             Ok(Line { number, fields, end })
         })
+    }
+
+    /// What stands in a column, each with the number of its line.
+    pub fn column<'t>(&self, text: &'t str, at: usize) -> impl Iterator<Item = (u32, &'t str)> + use<'t> {
+        let separator = self.separator;
+        self.rows(text).filter_map(move |(number, line)| Some((number, unquoted(split(line, separator).nth(at)?.1))))
+    }
+
+    /// The lines below the header that are neither blank nor comments, with their numbers.
+    fn rows<'t>(&self, text: &'t str) -> impl Iterator<Item = (u32, &'t str)> + use<'t> {
+        let skipped = self.skipped;
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let numbered = text.lines().enumerate().map(|(i, line)| (i as u32 + 1, line));
+        numbered.filter(move |(number, line)| *number > skipped && !is_empty(line))
     }
 }
 
@@ -187,29 +199,6 @@ fn apart(names: Vec<String>, below: Vec<&str>, separator: Separator, units: bool
     names.iter().enumerate().map(told).collect()
 }
 
-/// How many fields of a line are numbers.
-fn numbers(line: &str, separator: Separator) -> usize {
-    let full = |field: &str| !is_none(field) && is_number(field);
-    split(line, separator).take(MAX_COLUMNS + 1).filter(|(_, field)| full(unquoted(field))).count()
-}
-
-/// What parts the fields of a line: what makes numbers of them; between words, what stands there. There a tab comes
-/// before a comma, which may be a decimal one or stand within a name, but not where every comma has its tab.
-fn separator(line: &str) -> Separator {
-    use Separator::{Blanks, Char};
-    const ALL: [Separator; 5] = [Char(';'), Char(','), Char('\t'), Char('|'), Blanks];
-    let parts = |by: Separator| split(line, by).nth(1).is_some();
-    let numbers = |by: Separator| split(line, by).all(|(_, field)| is_number(unquoted(field)));
-    let found = ALL.into_iter().find(|by| parts(*by) && numbers(*by));
-    let tab = || Some(Char('\t')).filter(|by| parts(*by) && ![",\t", "\t,", ";"].iter().any(|it| line.contains(it)));
-    found.or_else(tab).or_else(|| ALL.into_iter().find(|by| parts(*by))).unwrap_or(Separator::Blanks)
-}
-
-/// Whether a field may be among numbers: a row may leave one out.
-fn is_number(field: &str) -> bool {
-    is_none(field) || number(field).is_some() || stamp::seconds(field).is_some()
-}
-
 /// Whether a line names columns: it is no row of numbers, and in the line after it a number stands below a word.
 /// Without such a line any word will do: rows may have words in them too, as the frames of ROS.
 fn is_header(fields: &[&str], second: &str, separator: Separator) -> bool {
@@ -232,45 +221,6 @@ fn is_empty(line: &str) -> bool {
     line.is_empty() || is_comment(line)
 }
 
-/// The fields of a line without the blanks around them, each with the byte at which it begins.
-fn split(line: &str, separator: Separator) -> Box<dyn Iterator<Item = (usize, &str)> + '_> {
-    let at = |part: &str| part.as_ptr() as usize - line.as_ptr() as usize;
-    match separator {
-        Separator::Blanks => Box::new(line.split_whitespace().map(move |field| (at(field), field))),
-        Separator::Char(c) => Box::new(parted(line, c).map(move |field| {
-            let field = field.trim();
-            (at(field), field)
-        })),
-    }
-}
-
-/// A line parted at a separator, but not within the double quotes of a field. Quotes that are not closed before a
-/// separator or the end are letters.
-fn parted(line: &str, separator: char) -> impl Iterator<Item = &str> {
-    let mut rest = Some(line);
-    std::iter::from_fn(move || {
-        let line = rest?;
-        let end = quoted_end(line, separator).or_else(|| line.find(separator)).unwrap_or(line.len());
-        rest = line[end..].strip_prefix(separator);
-        Some(&line[..end])
-    })
-}
-
-/// Where a field ends that a line begins with and that has double quotes around it; two of them within are one.
-fn quoted_end(line: &str, separator: char) -> Option<usize> {
-    let inner = line.trim_start().strip_prefix('"')?;
-    let mut rest = inner;
-    loop {
-        let behind = &rest[rest.find('"')? + 1..];
-        if let Some(more) = behind.strip_prefix('"') {
-            rest = more;
-            continue;
-        }
-        let next = behind.trim_start_matches(' ');
-        return (next.is_empty() || next.starts_with(separator)).then_some(line.len() - next.len());
-    }
-}
-
 /// The names of columns that stand two blanks or more apart, so that a name may have blanks in it.
 fn wide(comment: &str) -> Vec<String> {
     let parts = comment.split("  ").flat_map(|part| part.split('\t')).map(str::trim);
@@ -290,10 +240,4 @@ fn name_fault(field: &str) -> Option<String> {
 fn beginning(name: &str) -> &str {
     let end = (0..=MAX_NAME.min(name.len())).rev().find(|end| name.is_char_boundary(*end));
     &name[..end.unwrap_or(0)]
-}
-
-/// A field without a pair of quotes around it, as spreadsheets write names.
-fn unquoted(field: &str) -> &str {
-    let inner = |quote: char| field.strip_prefix(quote).and_then(|field| field.strip_suffix(quote));
-    inner('"').or_else(|| inner('\'')).map_or(field, str::trim)
 }

@@ -90,13 +90,13 @@ const WAYS: [(&str, &str); 19] = [
     ),
     (
         "x",
-        "=x,position x,pos x,pose x,robot x,true x,truth x,gt x,translation x,utm x,gps x,fix x,rtk x,mocap x,vicon x,\
-         local x,x position,east,easting,ost,rechtswert,est,este",
+        "=x,=tx,position x,p x,pos x,pose x,robot x,true x,truth x,gt x,translation x,utm x,gps x,fix x,rtk x,mocap x,\
+         vicon x,local x,x position,east,easting,ost,rechtswert,est,este",
     ),
     (
         "y",
-        "=y,position y,pos y,pose y,robot y,true y,truth y,gt y,translation y,utm y,gps y,fix y,rtk y,mocap y,vicon y,\
-         local y,y position,north,northing,nord,hochwert,norte",
+        "=y,=ty,position y,p y,pos y,pose y,robot y,true y,truth y,gt y,translation y,utm y,gps y,fix y,rtk y,mocap y,\
+         vicon y,local y,y position,north,northing,nord,hochwert,norte",
     ),
     (
         "heading",
@@ -196,6 +196,7 @@ pub(crate) const FORBIDDEN: [(&str, &[&str]); 13] = [
             "velocidad",
             "velocita",
             "sensor",
+            "timestamp",
         ],
     ),
     ("sigma", &["heading", "bearing", "speed", "vertical", "yaw", "course", "range", "angle", "velocity", "direction"]),

@@ -59,19 +59,17 @@ impl Wheels {
 
     /// What has to be said before wheels in this unit can be read.
     pub(crate) fn lacks(&self, unit: &str) -> Option<String> {
-        let mut lacking = Vec::new();
-        if unit == "ticks" && self.ticks.is_none() {
-            lacking.push("how many ticks a turn of the wheel has");
-        }
-        if is_angle(unit) && self.radius.is_none() {
-            lacking.push("the wheel\u{2019}s radius");
-        }
-        if self.base.is_none() {
-            lacking.push("the distance between the wheels");
-        }
-        if !is_speed(unit) && self.counting.is_none() {
-            lacking.push("whether the counts are totals or since the row before");
-        }
+        let said = |what: &str| match what {
+            "counting" => self.counting.is_some(),
+            number => self.number(number).is_some(),
+        };
+        let words = |what: &&str| match *what {
+            "ticks" => "how many ticks there are in one turn of a wheel",
+            "radius" => "a wheel\u{2019}s radius",
+            "base" => "the distance between the wheels",
+            _ => "whether each row counts from the start of the log or from the row before",
+        };
+        let lacking: Vec<&str> = needed(Some(unit)).iter().filter(|what| !said(what)).map(words).collect();
         (!lacking.is_empty()).then(|| format!("Encoders need {}.", lacking.join(", ")))
     }
 
@@ -99,6 +97,18 @@ impl Wheels {
             true => Event::Velocity { v: along, omega: turned },
             false => Event::Odometry { distance: along, turn: turned },
         })
+    }
+}
+
+/// What has to be said of wheels in a unit: numbers of [`WHEEL_NUMBERS`], and how they count; of all units, where it is
+/// not known yet.
+pub(crate) fn needed(unit: Option<&str>) -> &'static [&'static str] {
+    match unit {
+        None | Some("ticks") => &["ticks", "radius", "base", "counting"],
+        Some(unit) if is_speed(unit) && is_angle(unit) => &["radius", "base"],
+        Some(unit) if is_speed(unit) => &["base"],
+        Some(unit) if is_angle(unit) => &["radius", "base", "counting"],
+        Some(_) => &["base", "counting"],
     }
 }
 

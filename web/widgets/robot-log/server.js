@@ -183,7 +183,8 @@ export class Server {
       const { file = 0, line = 1, column = 1 } = /** @type {any} */ (error)
       const message = wordsOf(error).replace(/^line \d+, column \d+: /, '')
       const from = line === 0 ? '' : lineOf(this.texts?.[file] ?? '', line)
-      const asked = line === 0 && shown[file]?.asks.length > 0
+      // A file that is missing is said before what others ask.
+      const asked = line === 0 && shown[file]?.asks.some((/** @type {string} */ ask) => message.endsWith(ask))
       const mend = asked ? 'Answer below' : ''
       return { ...NO_LOG, set, files: shown, file, line, column, message, shown: from, mend }
     }

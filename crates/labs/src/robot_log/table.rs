@@ -126,7 +126,9 @@ impl Replayed {
     }
 }
 
-const TRACK: &str = "time,x,y,theta,sigma_x,sigma_y,sigma_theta,epsilon,sigma_epsilon,true_x,true_y\n";
+/// Of the learned scale there is what the ranges are too long by, as a part of them, and of no other reading.
+const TRACK: &str = "time,x,y,theta,sigma_x,sigma_y,sigma_theta,range_scale_error,sigma_range_scale_error,true_x,\
+                     true_y\n";
 /// Of a reading's first number there is σ of ν too; of a bearing or the y of a fix, what was measured and expected.
 const INNOVATIONS: &str = "time,sensor,landmark,measured,expected,innovation,sigma,measured_2,expected_2,innovation_2,\
                            d2,outputs,used\n";

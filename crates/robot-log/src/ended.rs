@@ -1,0 +1,44 @@
+//! Where the motion of a log ends before its readings do: no row says what the robot did from there on.
+
+use estimate::drive::{Drive, Event, Motion, Row};
+
+/// It has ended where so many usual steps are missing, and more than so much time, s: as long as a gap has to be.
+const STEPS: f64 = 10.0;
+const LEAST: f64 = 1.0;
+
+/// From when to when rows of a kind are missing at the end, s after the first row of all.
+fn missing(rows: &[Row], is: fn(&Event) -> bool) -> Option<[f64; 2]> {
+    let (first, end) = (rows.first()?.time, rows.last()?.time);
+    let times: Vec<f64> = rows.iter().filter(|row| is(&row.event)).map(|row| row.time).collect();
+    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0).collect();
+    steps.sort_unstable_by(f64::total_cmp);
+    let enough = LEAST.max(STEPS * steps.get(steps.len() / 2).copied().unwrap_or(0.0));
+    let last = times.last()?;
+    (end - last > enough).then(|| [last - first, end - first])
+}
+
+/// What is said of it: what ends, and what is done from there on.
+pub(crate) fn ended(drive: &Drive) -> Vec<String> {
+    let rows = &drive.rows;
+    let (speed, turn) = (missing(rows, Event::has_speed), missing(rows, Event::has_turn_rate));
+    let found = match drive.motion {
+        Motion::Odometry => {
+            [missing(rows, Event::is_motion).map(|of| ("motion", of, "the robot is taken to stand")), None]
+        }
+        Motion::Velocity if speed == turn => {
+            [speed.map(|of| ("motion", of, "the last speed and turn rate are held")), None]
+        }
+        Motion::Velocity => [
+            speed.map(|of| ("speed", of, "the last one is held")),
+            turn.map(|of| ("turn rate", of, "the last one is held")),
+        ],
+    };
+    let said = |(what, of, then): (&str, [f64; 2], &str)| {
+        let [last, end] = of.map(|time| (10.0 * time).round() / 10.0);
+        format!(
+            "The last row of the {what} is {last} s after the first row, and the log goes on to {end} s: {then} from \
+             there on. What is estimated there is a guess; cut the log there to judge it without."
+        )
+    };
+    found.into_iter().flatten().map(said).collect()
+}

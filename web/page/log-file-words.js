@@ -1,0 +1,72 @@
+/** What is said of a log’s file besides its choices: what is wrong, what is not read, what frame a truth may have. */
+
+/** @typedef {import('estimate-wasm').LogFile} LogFile */
+
+/** How long the list of columns that are not read may be, letters. */
+const MOST_UNREAD = 90
+
+/** What is wrong with a file, below its name. @param {NonNullable<LogFile['fault']>} fault */
+export function faultWords({ line, column, message }) {
+  return `Line ${line}, character ${column}: ${message}${/[.?]$/.test(message) ? '' : '.'}`
+}
+
+/**
+ * Of which other files something is wrong or asked, in one sentence; empty where of none.
+ * @param {LogFile[]} files @param {number} but the file of which it is said already; −1 where of none
+ */
+export function othersWords(files, but) {
+  const others = files.filter((_, i) => i !== but)
+  const wrong = others.filter(({ fault }) => fault).map(({ name, fault }) => `${name} is wrong in line ${fault?.line}`)
+  const asked = others.filter(({ asks }) => asks.length > 0).map(({ name }) => `${name} asks something`)
+  const all = [...wrong, ...asked]
+  return all.length > 0 ? `Besides, ${all.join(', ')}: see below.` : ''
+}
+
+/**
+ * The columns of a file that are not read, in one short sentence; empty where all are.
+ * @param {string[]} names
+ */
+export function unreadWords(names) {
+  /** @type {string[]} */
+  const listed = []
+  let length = 0
+  for (const name of names.map(short)) {
+    length += name.length + 2
+    if (length > MOST_UNREAD && listed.length > 0) break
+    listed.push(name)
+  }
+  const more = names.length - listed.length
+  if (listed.length === 0) return ''
+  return `Not read: ${listed.join(', ')}${more > 0 ? ` and ${more} more` : ''}.`
+}
+
+/**
+ * What a truth’s frame and clock may be, in words.
+ * @param {NonNullable<LogFile['frame']>} frame
+ * @returns {[string, string][]}
+ */
+export function framesOf({ foreign, own }) {
+  /** @type {[string, string][]} */
+  const options = foreign
+    ? [
+        ['same', 'origin and axes of the positions'],
+        ['moved', 'same axes, another origin: moved onto the first fix'],
+      ]
+    : [['same', own?.framed ? 'the same frame' : 'the same clock']]
+  if (own) options.push(['own', ownWords(own)])
+  return options
+}
+
+/** @param {import('estimate-wasm').LogOwn} own */
+function ownWords({ framed, mirrored, turn, delay }) {
+  if (!framed) return `its own clock: taken ${Math.abs(delay).toFixed(2)} s ${delay < 0 ? 'earlier' : 'later'}`
+  if (delay !== 0) return 'its own frame and clock'
+  const done = [...(mirrored ? ['mirrored'] : []), ...(turn === 0 ? [] : ['turned']), 'moved']
+  const last = done.pop()
+  return `its own frame: ${done.length > 0 ? `${done.join(', ')} and ${last}` : last}`
+}
+
+/** The beginning of what stands in a field. @param {string} text */
+export function short(text) {
+  return text.length > 16 ? `${text.slice(0, 15)}…` : text || '(empty)'
+}
