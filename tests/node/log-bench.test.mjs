@@ -3,7 +3,7 @@
 import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
-import { bentBy, isOfModel, sentence as fitted } from '../../web/page/log-fit.js'
+import { bentBy, delaysAreOfModel, isOfModel, sentence as fitted } from '../../web/page/log-fit.js'
 import { sentence, settingBefore } from '../../web/page/log-likelihood.js'
 import { LIMIT, closer, tells, within } from '../../web/page/log-limit.js'
 import { unreadWords } from '../../web/page/log-file-words.js'
@@ -103,6 +103,9 @@ test('what a fit has found has as many digits as it is known to', () => {
   const own = /: −0\.0108 ± 0\.0023: less than half a step of 0\.100 s .* the motion model’s own, and not taken$/
   assert.match(fitted(short, MOTION), own)
   assert.deepEqual([isOfModel(short, 0.1), isOfModel(short, 0.02)], [true, false])
+  // What is late against another is told: short delays beside a longer one are taken with it.
+  const late = { ...short, name: 'delayFix', value: 0.42 }
+  assert.deepEqual([delaysAreOfModel([short], 0.1), delaysAreOfModel([short, late], 0.1)], [true, false])
   assert.match(stair, /^delay of the positions, s: 0\.30 to 0\.40, all alike: the log has no row of motion in between$/)
 })
 

@@ -75,7 +75,7 @@ test('what lies at the end of a search is more than that, and has no ±', () => 
   assert.match(sigma(1000, 1), /is more than 1000 m, and is set to 1: set it higher/)
   assert.match(sigma(0.0001, 1), /is less than 0\.00010 m, and is set to 1: set it lower/)
   const turned = said({ fault: 'turned', name: 'headingOffset', sizes: [size(-Math.PI, 0.01, end)] })
-  assert.match(turned, /^The compass is turned by about −180°/)
+  assert.match(turned, /^The compass reads about 180° too far clockwise/)
 })
 
 test('a σ of the distance that is a good part of the way is told with what it may hide', () => {

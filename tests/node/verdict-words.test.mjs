@@ -155,7 +155,8 @@ test('a turned compass, turns of the wrong sign, and scale and offset together h
   const of = (given) => sentence(suspect(given), false)
   assert.equal(
     of({ fault: 'turned', name: 'headingOffset', sizes: [{ now: 0, value: 0.2, sigma: 0.0026 }] }),
-    'The compass is turned by 11.46 ± 0.15°: set the offset of the headings to 11.46°.',
+    'The compass reads 11.46 ± 0.15° too far counter-clockwise: ' +
+      'set the offset of the headings, counted counter-clockwise, to 11.46°.',
   )
   assert.match(
     of({ fault: 'mirrored', name: null, sizes: [] }),

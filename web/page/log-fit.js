@@ -109,10 +109,12 @@ export class FitForm {
     const bent = bentBy(beyond, expected, readings)
     if (bent) part(document, result, 'p', '').textContent = bent
     const list = part(document, result, 'ul', '')
-    for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number, { pace, period })
+    const own = delaysAreOfModel(numbers, period)
+    const motion = { pace, period: own ? period : 0 }
+    for (const number of numbers) part(document, list, 'li', '').textContent = sentence(number, motion)
     const patch = Object.fromEntries(
       numbers
-        .filter((number) => number.sigma !== null && !isOfModel(number, period))
+        .filter((number) => number.sigma !== null && !isOfModel(number, motion.period))
         .map(({ name, value }) => [name, Number(value.toPrecision(6))]),
     )
     const actions = part(document, result, 'div', 'log-actions')
@@ -157,9 +159,19 @@ export function isOfModel({ name, value, flat }, period) {
 }
 
 /**
+ * Whether all delays may be the motion model’s own. Only what sensors are late against one another is told: where
+ * one is longer, all are taken, as they were found together.
+ * @param {LogFound['numbers']} numbers @param {number} period
+ */
+export function delaysAreOfModel(numbers, period) {
+  return numbers.every((number) => !number.name.startsWith('delay') || isOfModel(number, period))
+}
+
+/**
  * How well the log tells a number, and what may hide in it.
  * @param {LogFound['numbers'][number]} number
- * @param {{ pace: number, period: number }} motion metres driven in a second, seconds between its rows
+ * @param {{ pace: number, period: number }} motion metres driven in a second, seconds between its rows; 0 where no
+ * delay is the model’s own
  */
 export function sentence(number, { pace, period }) {
   const { name, value, relative, sigma, flat } = number

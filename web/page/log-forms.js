@@ -60,9 +60,15 @@ export class Forms {
       running.onfitting = (told) => this.fit.progress(told)
       return running.fit()
     }
+    /** Told what Fit is about to set, and what is set now. @type {import('./log-mend.js').MendBar['keep'] | null} */
+    this.keep = null
+    const take = (/** @type {Record<string, unknown>} */ patch) => {
+      this.keep?.(patch, host.figure.run.wanted.params)
+      this.change(patch)
+    }
     this.sensors = new SensorForm(box, this.change)
     this.start = new StartForm(box, this.change, smooth)
-    this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stop('fit'), take: this.change })
+    this.fit = new FitForm(box, { fit, stop: () => host.figure?.run?.stop('fit'), take })
     /** Where the log begins by its first fixes, as text. */
     this.opening = ''
     /** The names of the files of the reader's log, as text; null until there is one. @type {string | null} */

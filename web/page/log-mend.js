@@ -75,14 +75,14 @@ export class MendBar {
     this.undoing = button(document, this.box, 'Undo', () => this.undo())
     /** What the presses are of. @type {LogJudgement | null} */
     this.judgement = null
-    /** What a press has set, and what was set before. @type {{ patch: Patch, before: Patch } | null} */
-    this.taken = null
+    /** What presses have set, and what was set before each. @type {{ patch: Patch, before: Patch }[]} */
+    this.taken = []
     this.begin()
   }
 
   /** Another log. */
   begin() {
-    this.taken = null
+    this.taken = []
     this.judgement = null
     this.presses.replaceChildren()
     this.hide()
@@ -91,8 +91,9 @@ export class MendBar {
   /** @param {Frame} frame @param {Patch} wanted what the reader has set last */
   show(frame, wanted) {
     const { judgement = null, judging } = frame
-    const { taken } = this
-    if (taken && Object.entries(taken.patch).some(([name, value]) => !same(wanted[name], value))) this.taken = null
+    const last = this.taken.at(-1)
+    // What the reader has set otherwise since is not undone.
+    if (last && Object.entries(last.patch).some(([name, value]) => !same(wanted[name], value))) this.taken = []
     // While the next verdict is looked for, the presses keep their places and wait: nothing moves under the finger.
     if (judging) this.wait()
     else if (judgement !== this.judgement) this.fill(judgement, frame, wanted)
@@ -107,20 +108,25 @@ export class MendBar {
       button(document, this.presses, press, () => this.take(patch, wanted), 'button')
   }
 
+  /** Keeps what was set before a press, for Undo. @param {Patch} patch what it sets @param {Patch} wanted */
+  keep(patch, wanted) {
+    this.taken.push({ patch, before: Object.fromEntries(Object.keys(patch).map((name) => [name, wanted[name]])) })
+    this.hide()
+  }
+
   /** @param {Patch} patch @param {Patch} wanted */
   take(patch, wanted) {
-    this.taken = { patch, before: Object.fromEntries(Object.keys(patch).map((name) => [name, wanted[name]])) }
-    this.hide()
+    this.keep(patch, wanted)
     this.undoing.focus({ preventScroll: true })
     this.wait()
     this.change(patch)
   }
 
   undo() {
-    const { taken } = this
-    if (!taken) return
-    this.box.focus({ preventScroll: true })
-    this.change(taken.before)
+    const last = this.taken.pop()
+    if (!last) return
+    if (this.taken.length === 0) this.box.focus({ preventScroll: true })
+    this.change(last.before)
   }
 
   wait() {
@@ -128,8 +134,8 @@ export class MendBar {
   }
 
   hide() {
-    this.undoing.hidden = !this.taken
-    this.box.hidden = !this.taken && !this.presses.hasChildNodes()
+    this.undoing.hidden = this.taken.length === 0
+    this.box.hidden = this.undoing.hidden && !this.presses.hasChildNodes()
   }
 }
 

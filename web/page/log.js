@@ -41,6 +41,7 @@ class OwnLog {
       change: this.forms.change,
       follow: () => this.forms.follow(),
     })
+    this.forms.keep = (patch, before) => this.bench.mend.keep(patch, before)
     this.report = new Report(report, {
       table: (kind) => this.download(kind),
       print: () => this.print(),

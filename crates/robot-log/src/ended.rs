@@ -1,18 +1,20 @@
-//! Where the motion of a log ends before its readings do: no row says what the robot did from there on.
+//! Where the motion of a log ends before its readings do, and no row says what the robot did from there on; or where a
+//! sensor's readings end before the log does.
 
+use crate::notes::{MISSED, READ};
 use estimate::drive::{Drive, Event, Motion, Row};
 
 /// It has ended where so many usual steps are missing, and more than so much time, s: as long as a gap has to be.
 const STEPS: f64 = 10.0;
 const LEAST: f64 = 1.0;
 
-/// From when to when rows of a kind are missing at the end, s after the first row of all.
-fn missing(rows: &[Row], is: fn(&Event) -> bool) -> Option<[f64; 2]> {
+/// From when to when rows of a kind are missing at the end for longer than `least`, s after the first row of all.
+fn missing(rows: &[Row], is: fn(&Event) -> bool, least: f64) -> Option<[f64; 2]> {
     let (first, end) = (rows.first()?.time, rows.last()?.time);
     let times: Vec<f64> = rows.iter().filter(|row| is(&row.event)).map(|row| row.time).collect();
     let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).filter(|step| *step > 0.0).collect();
     steps.sort_unstable_by(f64::total_cmp);
-    let enough = LEAST.max(STEPS * steps.get(steps.len() / 2).copied().unwrap_or(0.0));
+    let enough = least.max(STEPS * steps.get(steps.len() / 2).copied().unwrap_or(0.0));
     let last = times.last()?;
     (end - last > enough).then(|| [last - first, end - first])
 }
@@ -20,10 +22,10 @@ fn missing(rows: &[Row], is: fn(&Event) -> bool) -> Option<[f64; 2]> {
 /// What is said of it: what ends, and what is done from there on.
 pub(crate) fn ended(drive: &Drive) -> Vec<String> {
     let rows = &drive.rows;
-    let (speed, turn) = (missing(rows, Event::has_speed), missing(rows, Event::has_turn_rate));
+    let (speed, turn) = (missing(rows, Event::has_speed, LEAST), missing(rows, Event::has_turn_rate, LEAST));
     let found = match drive.motion {
         Motion::Odometry => {
-            [missing(rows, Event::is_motion).map(|of| ("motion", of, "the robot is taken to stand")), None]
+            [missing(rows, Event::is_motion, LEAST).map(|of| ("motion", of, "the robot is taken to stand")), None]
         }
         Motion::Velocity if speed == turn => {
             [speed.map(|of| ("motion", of, "the last speed and turn rate are held")), None]
@@ -41,4 +43,20 @@ pub(crate) fn ended(drive: &Drive) -> Vec<String> {
         )
     };
     found.into_iter().flatten().map(said).collect()
+}
+
+/// What is said of sensors whose readings end early, though not before the motion begins.
+pub(crate) fn ended_readings(rows: &[Row]) -> Vec<String> {
+    let (Some(first), Some(moves)) = (rows.first(), rows.iter().find(|row| row.event.is_motion())) else {
+        return Vec::new();
+    };
+    let said = |(what, is): &(&str, fn(&Event) -> bool)| {
+        let [last, end] = missing(rows, *is, MISSED).filter(|[last, _]| first.time + last >= moves.time)?;
+        let [last, end] = [last, end].map(|time| (10.0 * time).round() / 10.0);
+        Some(format!(
+            "The last of the {what} is {last} s after the first row, and the log goes on to {end} s: from there on the \
+             motion leads the estimate on, and other readings if there are any."
+        ))
+    };
+    READ.iter().filter_map(said).collect()
 }

@@ -13,9 +13,10 @@ use crate::wheels::Wheels;
 use crate::wide;
 
 /// Words in a file's name, and the role that they speak for.
-const FILES: [(&str, Role); 22] = [
+const FILES: [(&str, Role); 23] = [
     ("landmark", Role::Landmarks),
     ("beacons", Role::Landmarks),
+    ("buoys", Role::Landmarks),
     ("anchors", Role::Landmarks),
     ("map", Role::Landmarks),
     ("barcode", Role::Barcodes),

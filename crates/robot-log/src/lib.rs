@@ -85,6 +85,7 @@ mod stamps;
 mod table;
 mod trajectory;
 mod turning;
+mod twice;
 mod unit;
 mod vocabulary;
 mod way;

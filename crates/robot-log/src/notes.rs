@@ -2,7 +2,7 @@
 
 use crate::cells::{Cells, NoRange};
 use crate::columns::clockwise;
-use crate::ended::ended;
+use crate::ended::{ended, ended_readings};
 use crate::error::Error;
 use crate::guess;
 use crate::names::{Name, candidates};
@@ -240,37 +240,42 @@ pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
         missed(rows, count, longest, &format!("{held}. {guess}"))
     };
     let gaps = estimate::drive::gaps(&drive.rows, drive.motion).into_iter().map(note);
-    gaps.chain(ended(drive)).chain(unread(&drive.rows)).collect()
+    gaps.chain(ended(drive)).chain(unread(&drive.rows)).chain(ended_readings(&drive.rows)).collect()
 }
 
 /// A robot's own readings are missed where they are away for longer than this, s, besides ten usual steps.
-const MISSED: f64 = 5.0;
+pub(crate) const MISSED: f64 = 5.0;
 
 /// Where no fix was read, or no heading: the motion alone leads on there.
 fn unread(rows: &[Row]) -> Vec<String> {
-    let fix: fn(&Event) -> bool = |event| matches!(event, Event::Position { .. });
-    let heading: fn(&Event) -> bool = |event| matches!(event, Event::Heading { .. });
-    let note = |what: &str, is| {
-        let (count, longest) = estimate::drive::gaps_of(rows, MISSED, is)?;
+    let note = |(what, is): &(&str, fn(&Event) -> bool)| {
+        let (count, longest) = estimate::drive::gaps_of(rows, MISSED, *is)?;
         let led = "meanwhile the motion leads the estimate on, and other readings if there are any.";
         Some(missed(what, count, longest, led))
     };
-    [note("positions", fix), note("headings", heading)].into_iter().flatten().collect()
+    READ[..2].iter().filter_map(note).collect()
 }
+
+/// What readings are called, by their rows.
+pub(crate) const READ: [(&str, fn(&Event) -> bool); 3] = [
+    ("positions", |event| matches!(event, Event::Position { .. })),
+    ("headings", |event| matches!(event, Event::Heading { .. })),
+    ("ranges", |event| matches!(event, Event::Range { .. } | Event::RangeBearing { .. })),
+];
 
 /// What is strange about the times of a drive. A wrong column, a wrong unit or a second clock shows here.
 pub(crate) fn times(drive: &Drive) -> Option<String> {
-    let span = |motion: bool| {
-        let mut times = drive.rows.iter().filter(|row| row.event.is_motion() == motion).map(|row| row.time);
+    let span = |is: fn(&Event) -> bool| {
+        let mut times = drive.rows.iter().filter(|row| is(&row.event)).map(|row| row.time);
         let first = times.next()?;
         Some([first, times.next_back().unwrap_or(first)])
     };
-    let motion = span(true)?;
+    let motion = span(Event::is_motion)?;
     let truth = drive.truth.poses().first().zip(drive.truth.poses().last()).map(|(a, b)| [a.time, b.time]);
     let apart = |other: Option<[f64; 2]>| other.is_some_and(|[from, to]| to < motion[0] || motion[1] < from);
-    let beside = [(truth, "The true positions"), (span(false), "The readings")];
-    if let Some((_, what)) = beside.into_iter().find(|(span, _)| apart(*span)) {
-        return Some(format!("{what} are all before the motion or after it: is another clock or unit meant?"));
+    let read = READ.map(|(what, is)| (span(is), what));
+    if let Some((_, what)) = [(truth, "true positions")].into_iter().chain(read).find(|(span, _)| apart(*span)) {
+        return Some(format!("The {what} are all before the motion or after it: is another clock or unit meant?"));
     }
     let rows = drive.rows.iter().filter(|row| row.event.is_motion()).count();
     (rows > 1 && motion[0] == motion[1])

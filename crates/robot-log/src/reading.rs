@@ -12,6 +12,7 @@ use crate::notes::{self, Counts};
 use crate::own::Own;
 use crate::role::Role;
 use crate::source::Landmark as Of;
+use crate::twice::twice;
 use crate::way::Way;
 use crate::wgs84::Origin;
 use estimate::Landmark;
@@ -282,6 +283,7 @@ impl LogReader {
         notes.extend(frames::apart(&log.drive));
         notes.extend(notes::lacking(&log.drive));
         notes.extend(notes::gaps(&log.drive));
+        notes.extend(twice(&log.drive.rows));
         notes.extend(notes::left_out(self.unlisted, left_out, mapped));
         Ok(Understood { log, notes, landmarks: self.landmarks.names(), wheels: false })
     }

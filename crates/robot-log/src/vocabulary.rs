@@ -79,8 +79,8 @@ const WAYS: [(&str, &str); 19] = [
     ("barcode", "barcode,code"),
     (
         "landmark",
-        "landmark,beacon,anchor,tag,marker,feature,subject,=id,id,barcode,landmarke,bake,anker,balise,amer,ancre,\
-         baliza,ancla,boa,faro,ancora,=name,=label,=bezeichnung,=nom,=nombre,=nome",
+        "landmark,beacon,buoy,anchor,tag,marker,feature,subject,=id,id,barcode,landmarke,bake,anker,balise,amer,ancre,\
+         boje,bouee,boya,baliza,ancla,boa,faro,ancora,=name,=label,=bezeichnung,=nom,=nombre,=nome",
     ),
     ("range", "=range,range,=r,=rho,=ρ,distance,dist,abstand,entfernung,distanz,portee,distancia,alcance,distanza"),
     (

@@ -4,7 +4,7 @@ use crate::names::Name;
 use crate::role::Quantity;
 
 /// What such a column may be called, besides its number.
-const CALLED: [&str; 17] = [
+const CALLED: [&str; 18] = [
     "d",
     "r",
     "range",
@@ -12,6 +12,7 @@ const CALLED: [&str; 17] = [
     "distance",
     "anchor",
     "beacon",
+    "buoy",
     "uwb",
     "abstand",
     "entfernung",

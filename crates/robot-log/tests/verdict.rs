@@ -128,3 +128,16 @@ fn a_sigma_is_mended_for_its_claim_and_not_for_the_error() {
     assert_eq!(first.number, Some(Fitted::SigmaFix));
     assert!((first.sizes[0].value - 0.4).abs() < 0.05, "{first:?}");
 }
+
+#[test]
+fn headings_alone_name_no_turned_compass_as_a_turned_start_looks_the_same() {
+    // The robot begins at 0.8 rad, and the compass reads it with an error of 0.01 rad.
+    let heading = |i: u32| 0.8 + 0.001 * f64::from(i) + 0.0141 * (2.7 * f64::from(i * i)).sin();
+    let row = |i: u32| format!("V,{0},1.5,0.01\nH,{0},{1:.4},0.01\n", f64::from(i) / 10.0, heading(i));
+    let text: String = (0..600).map(row).collect();
+    let settings = Settings { sigma_turn: 0.0005, ..Settings::default() };
+    let turned = |text: &str| verdict(text, settings).suspects.iter().any(|it| it.fault == Fault::Turned);
+    assert!(!turned(&text));
+    let fix = |i: u32| format!("P,{0},{1},0,0.5\n", f64::from(i) / 10.0, 0.15 * f64::from(i));
+    assert!(turned(&format!("{text}{}", (0..60).map(fix).collect::<String>())), "beside fixes the two are told apart");
+}

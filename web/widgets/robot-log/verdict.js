@@ -238,8 +238,9 @@ export function sentence(suspect, truth, log = null) {
     )
   if (name === 'headingOffset')
     return (
-      `The compass is turned by ${plusMinus(turned, DEGREES)}°: ` +
-      `set the offset of the headings to ${digits(size, DEGREES)}°.`
+      `The compass reads ${plusMinus({ ...turned, value: Math.abs(off) }, DEGREES)}° too far ` +
+      `${off > 0 ? 'counter-clockwise' : 'clockwise'}: ` +
+      `set the offset of the headings, counted counter-clockwise, to ${digits(size, DEGREES)}°.`
     )
   if (name === 'turnBias')
     return (

@@ -97,7 +97,8 @@ impl Fitted {
             (Self::Scale, sighting && !s.learn),
             (Self::Offset, sighting),
             (Self::BearingOffset, bearing),
-            (Self::HeadingOffset, heading),
+            // Headings alone do not tell a turned compass from a start that was turned.
+            (Self::HeadingOffset, heading && (fix || sighting)),
             (Self::SpeedScale, held && !s.learn_speed),
             (Self::TurnBias, held && !s.learn_bias),
             (Self::SigmaDistance, true),
