@@ -1,7 +1,7 @@
 //! Where the motion of a log ends before its readings do, and no row says what the robot did from there on; or where a
 //! sensor's readings end before the log does.
 
-use crate::notes::{MISSED, READ};
+use crate::sensed::{MISSED, READ};
 use estimate::drive::{Drive, Event, Motion, Row};
 
 /// It has ended where so many usual steps are missing, and more than so much time, s: as long as a gap has to be.

@@ -75,6 +75,7 @@ mod reading;
 mod role;
 mod ros;
 mod row;
+mod sensed;
 mod separator;
 mod several;
 mod shown;

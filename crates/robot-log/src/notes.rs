@@ -7,6 +7,7 @@ use crate::error::Error;
 use crate::guess;
 use crate::names::{Name, candidates};
 use crate::role::{Quantity, Role};
+use crate::sensed::{MISSED, READ};
 use crate::source::Source;
 use crate::stamps::Stamps;
 use estimate::drive::{Drive, Event, Gaps, Missing, Row};
@@ -243,9 +244,6 @@ pub(crate) fn gaps(drive: &Drive) -> Vec<String> {
     gaps.chain(ended(drive)).chain(unread(&drive.rows)).chain(ended_readings(&drive.rows)).collect()
 }
 
-/// A robot's own readings are missed where they are away for longer than this, s, besides ten usual steps.
-pub(crate) const MISSED: f64 = 5.0;
-
 /// Where no fix was read, or no heading: the motion alone leads on there.
 fn unread(rows: &[Row]) -> Vec<String> {
     let note = |(what, is): &(&str, fn(&Event) -> bool)| {
@@ -255,13 +253,6 @@ fn unread(rows: &[Row]) -> Vec<String> {
     };
     READ[..2].iter().filter_map(note).collect()
 }
-
-/// What readings are called, by their rows.
-pub(crate) const READ: [(&str, fn(&Event) -> bool); 3] = [
-    ("positions", |event| matches!(event, Event::Position { .. })),
-    ("headings", |event| matches!(event, Event::Heading { .. })),
-    ("ranges", |event| matches!(event, Event::Range { .. } | Event::RangeBearing { .. })),
-];
 
 /// What is strange about the times of a drive. A wrong column, a wrong unit or a second clock shows here.
 pub(crate) fn times(drive: &Drive) -> Option<String> {

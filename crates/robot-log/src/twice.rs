@@ -1,6 +1,6 @@
 //! Readings that a log has twice, as where one file was opened under two names: each would count twice.
 
-use crate::notes::READ;
+use crate::sensed::READ;
 use estimate::drive::{Event, Row};
 
 /// So many copies are said, and where they are more than this share of their readings: a sensor of few digits may read
