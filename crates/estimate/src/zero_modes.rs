@@ -3,15 +3,15 @@
 //! Of an m-fold eigenvalue rounding leaves 1/m of the digits: a 0 that occurs six times comes out as numbers of size
 //! 10⁻³. So it is not asked how small a computed eigenvalue is, but whether the matrix lies within its rounding of one
 //! that has so many zeros. An orthogonal change of coordinates splits its null space off, what is left is asked again,
-//! and what is dropped of each row on the way is below the rounding (the staircase form of one eigenvalue,
+//! and each singular value that is dropped on the way is below the rounding (the staircase form of one eigenvalue,
 //! Golub and Van Loan, Matrix Computations, §7.6). What is left has the other eigenvalues, which the zeros then no
 //! longer blur. A simple eigenvalue of 10⁻⁶ is far above the rounding and stays.
 
 use crate::balance::balanced;
 use crate::decay::rounding;
 use alloc::vec::Vec;
-use nalgebra::{Complex, DMatrix, DVector};
-use numerics::{all_finite, eigenvalues, hypot};
+use nalgebra::{Complex, DMatrix};
+use numerics::{all_finite, eigenvalues, hypot, singular_values};
 
 /// The eigenvalues `found` of `m`, by decreasing modulus, with 0 for those that are 0 within the rounding of `m`, whose
 /// entries were computed from numbers of these `sizes`.
@@ -24,7 +24,7 @@ pub(crate) fn with_zeros(found: Vec<Complex<f64>>, m: &DMatrix<f64>, sizes: &DMa
     let units = balanced(sizes, &DMatrix::zeros(0, n)).units;
     let own = |m: &DMatrix<f64>| DMatrix::from_fn(n, n, |i, j| m[(i, j)] / units[i] * units[j]);
     let (m, noise) = (own(m), rounding(n) * own(sizes).norm());
-    let rest = without_zeros(&m, noise);
+    let Some(rest) = without_zeros(&m, noise) else { return found };
     let zeros = n - rest.nrows();
     let largest = found.iter().rev().take(zeros).map(|l| hypot(l.re, l.im)).fold(0.0, f64::max);
     // A chain of k zeros is moved by the k-th root of what moves the matrix. Where more has moved them, as in a matrix
@@ -40,37 +40,21 @@ pub(crate) fn with_zeros(found: Vec<Complex<f64>>, m: &DMatrix<f64>, sizes: &DMa
     clear
 }
 
-/// What is left of `m` when the zeros of a matrix within `noise` of it are split off, chain by chain.
-fn without_zeros(m: &DMatrix<f64>, noise: f64) -> DMatrix<f64> {
+/// What is left of `m` when the zeros of a matrix within `noise` of it are split off, chain by chain; `None` where no
+/// singular values are found.
+fn without_zeros(m: &DMatrix<f64>, noise: f64) -> Option<DMatrix<f64>> {
     let mut rest = m.clone();
     while rest.nrows() > 0 {
-        let directions = row_space(&rest, noise);
-        if directions.ncols() == rest.nrows() {
+        let found = singular_values(rest.clone()).ok()?;
+        let kept = found.values.iter().filter(|value| **value > noise).count();
+        if kept == rest.nrows() {
             break;
         }
-        // What is orthogonal to all rows is taken to 0: the block of the others has the other eigenvalues.
+        // The last columns of the turned matrix vanish: the block before them has the other eigenvalues.
+        let directions = found.directions.columns(0, kept);
         rest = directions.transpose() * rest * directions;
     }
-    rest
-}
-
-/// An orthonormal basis of the rows of `m`, of which what is below `noise` is none: the largest that is left is taken,
-/// and split off from the others (Gram and Schmidt with pivots; each is made orthogonal twice, which is enough).
-fn row_space(m: &DMatrix<f64>, noise: f64) -> DMatrix<f64> {
-    let (n, mut left) = (m.nrows(), m.transpose());
-    let mut basis: Vec<DVector<f64>> = Vec::new();
-    while basis.len() < n {
-        let norms = left.column_iter().map(|column| column.norm()).enumerate();
-        let Some((at, norm)) = norms.max_by(|a, b| a.1.total_cmp(&b.1)).filter(|(_, norm)| *norm > noise) else {
-            break;
-        };
-        let mut q = left.column(at) / norm;
-        basis.iter().for_each(|before| q -= before * before.dot(&q));
-        q /= q.norm();
-        left.column_iter_mut().for_each(|mut column| column -= &q * q.dot(&column));
-        basis.push(q);
-    }
-    DMatrix::from_fn(n, basis.len(), |i, j| basis[j][i])
+    Some(rest)
 }
 
 #[cfg(test)]
