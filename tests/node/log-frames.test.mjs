@@ -4,7 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { createRequire } from 'node:module'
 import { nextChange, readSettings, settingsText } from '../../web/page/log-settings.js'
-import { framesOf } from '../../web/page/log-file-words.js'
+import { framesOf, short } from '../../web/page/log-file-words.js'
 import { applyChange } from '../../web/widgets/robot-log/change.js'
 
 const { LogFiles, RobotLog } = createRequire(import.meta.url)('../../target/pkg/node/estimate_wasm.js')
@@ -104,4 +104,12 @@ test('the answer is written and read again, and of a truth that lies on the posi
   assert.deepEqual(again.files(), files.files())
   assert.equal(nextChange(settings.files, again.files()), null)
   assert.equal(follow(opened(truth(0, [0, 0]))), null)
+})
+
+test('of what stands in a field the beginning is shown, and of a date all that differs from row to row', () => {
+  assert.deepEqual(['', '0.1234567890123456', '2026-05-01T12:00:05.125+02:00'].map(short), [
+    '(empty)',
+    '0.1234567890123…',
+    '2026-05-01T12:00:05.125+02:00',
+  ])
 })

@@ -69,7 +69,7 @@ test('matrices that are written in the call of a system are read, and what is no
   for (const [call, line, fault] of /** @type {[string, number, RegExp][]} */ ([
     ['ss(A, [0; 1], C, 1)', 3, /^D is not 0/],
     ['ss(A, [0; q], C, 0)', 3, /^B, row 2, column 1: “q” is not a number\.$/],
-    ['ss(A, [0; 1; 2], C, 0)', 3, /^B is 3 × 1; with A 2 × 2 and C 1 × 2 it needs to be 2 × 1\. Give B another name/],
+    ['ss(A, [0; 1; 2], C, 0)', 3, /^B is 3 × 1; with A 2 × 2 it needs 2 rows\. Give B another name/],
   ])) {
     const found = read(`${A}C = [1 0]\nsys = ${call}${noises}`)
     assert.deepEqual([call, found.ok, found.line], [call, false, line], found.fault)

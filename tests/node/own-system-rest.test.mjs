@@ -4,6 +4,7 @@ import { test } from 'node:test'
 import assert from 'node:assert/strict'
 import { estimate, widget } from './claims.mjs'
 import { withoutRounding } from '../../web/widgets/own-system/index.js'
+import { limitWords } from '../../web/widgets/own-system/limit.js'
 import { PRESETS, paramsOf } from '../../web/widgets/own-system/presets.js'
 import { readSystem } from '../../web/widgets/own-system/read.js'
 import { wordsOf } from '../../web/widgets/own-system/typed-system.js'
@@ -101,6 +102,21 @@ test('what rounding makes of an eigenvalue of 0 is no digit, and no time constan
   const all = readouts(none)
   const of = (/** @type {string} */ name) => all.find(({ key }) => key === name)?.value
   assert.deepEqual([of('roots'), of('steps'), of('seconds')], ['0.000, 0.000', '1', '–'])
+  const untimed = readouts(pasted('F = [1 0.1; 0 1]; H = [1 0]; V = diag([0 0.1]); W = 1'))
+  assert.equal(untimed.find(({ key }) => key === 'seconds')?.value, 'needs T')
+})
+
+test('of a limit all rows are shown, but of a large one the diagonal; a covariance that is rounding is 0', () => {
+  assert.equal(limitWords(null), 'none')
+  // Two walks that two readings tell apart: P = (1 + √5)/2 each, for V = W = 1.
+  const apart = pasted('F = eye(2); H = eye(2); V = diag([1 1]); W = diag([1 1])')
+  assert.equal(limitWords(apart.limitP), '1.62, 0; 0, 1.62')
+  assert.equal(
+    limitWords(pasted('F = eye(5); H = eye(5); V = eye(5); W = eye(5)').limitP),
+    `diagonal ${Array(5).fill('1.62').join(', ')}`,
+  )
+  const beside = (/** @type {number} */ c) => limitWords([1, 2].map((i) => [1, 2].map((j) => (i === j ? i * i : c))))
+  assert.deepEqual([1e-13, 1e-11].map(beside), ['1, 0; 0, 4', '1, 1.0e−11; 1.0e−11, 4'])
 })
 
 test('beside a system of the reader’s own stands no phrase of another, and what stands there keeps the system', () => {

@@ -14,10 +14,11 @@ const params = { gate: null }
 const frame = { params, truth: null }
 /** @returns {any} */
 const set = (given, truth = false) => remedy(suspect(given), params, truth)
-/** The numbers that the second half of a sentence gives. */
+/** The numbers that the second half of a sentence gives, without how well each is known. */
 const asked = (given) =>
   (sentence(suspect(given), false).match(/: (?:set|let) .*$/) ?? [''])[0]
     .replaceAll('−', '-')
+    .replace(/ ± [\d.]+/g, '')
     .match(/-?\d+(\.\d+)?/g)
     ?.map(Number)
 

@@ -199,12 +199,15 @@ test('landmarks that are exchanged have the names of their file, or their number
   assert.match(sentence(exchanged, false), /^Landmarks 1 and 2 are taken for one another: exchange their numbers where/)
 })
 
-test('a start far from its origin is said with its digits', () => {
+test('a start is said with how well it is known, and far from its origin with its digits', () => {
   const size = (value, sigma) => ({ now: 0, value, sigma })
   const far = suspect({
     fault: 'start',
     name: null,
     sizes: [size(4430123.456, 0.012), size(5333.1, 0.3), size(1, 0.1)],
   })
-  assert.match(sentence(far, false), /set the start to 4430123\.456 m, 5333\.10 m and/)
+  assert.match(
+    sentence(far, false),
+    /set the start to 4430123\.456 ± 0\.012 m, 5333\.10 ± 0\.30 m and 57\.3 ± 5\.7°\.$/,
+  )
 })

@@ -66,7 +66,8 @@ function ownWords({ framed, mirrored, turn, delay }) {
   return `its own frame: ${done.length > 0 ? `${done.join(', ')} and ${last}` : last}`
 }
 
-/** The beginning of what stands in a field. @param {string} text */
+/** The beginning of what stands in a field; of a date all that differs from row to row. @param {string} text */
 export function short(text) {
-  return text.length > 16 ? `${text.slice(0, 15)}…` : text || '(empty)'
+  const most = text.includes(':') ? 29 : 16
+  return text.length > most ? `${text.slice(0, most - 1)}…` : text || '(empty)'
 }

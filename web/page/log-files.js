@@ -29,6 +29,8 @@ const NAMES = /** @type {Record<string, string>} */ ({
   us: 'µs',
   sigma: 'σ of the position',
   'sigma of heading': 'σ of the heading',
+  'landmark x': 'x of the landmark',
+  'landmark y': 'y of the landmark',
   fraction: 'fraction of the second',
   'first range': 'first of the ranges',
   date: 'date or time of day',
@@ -49,7 +51,7 @@ const ANSWERS = {
   unused: 'Leave it out',
 }
 /** Values that few files have. */
-const RARE = ['fraction', 'day', 'sigma', 'sigma of heading', 'latitude', 'longitude']
+const RARE = ['fraction', 'day', 'sigma', 'sigma of heading', 'latitude', 'longitude', 'landmark x', 'landmark y']
 
 export class FileForm {
   /** @param {HTMLElement} into @param {(change: Change) => void} change */

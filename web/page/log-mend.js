@@ -2,7 +2,8 @@
 
 import { button, part } from '../draw/dom.js'
 import { rounded } from '../widgets/robot-log/sized.js'
-import { named, wrapped } from '../widgets/robot-log/verdict.js'
+import { wrapped } from '../widgets/robot-log/start.js'
+import { named } from '../widgets/robot-log/verdict.js'
 import { bySensor } from './log-numbers.js'
 
 /** @typedef {import('../widgets/robot-log/words.js').Frame} Frame */

@@ -134,7 +134,9 @@ impl File {
             unit.filter(|_| self.role() == Role::Encoders).and_then(|unit| self.jumps().note(&self.name, unit));
         let frame = notes::frame(&self.name, &self.source);
         let order = self.source.order.as_ref().map(|order| order.note(&self.name));
-        self.others().into_iter().chain(order).chain(counted).chain(self.left_speed()).chain(frame).collect()
+        let cut = self.source.table.as_ref().and_then(|table| Some(notes::cut(&self.name, table.cut?)));
+        let all = self.others().into_iter().chain(order).chain(counted).chain(self.left_speed());
+        all.chain(frame).chain(cut).collect()
     }
 
     /// What is said of it where it is not used.

@@ -163,13 +163,18 @@ impl Gathering {
         !self.landmarks.is_empty()
     }
 
+    /// Where the last row begins.
+    pub fn end(&self) -> CellPlace {
+        self.last.unwrap_or(CellPlace { file: 0, line: 1, column: 1 })
+    }
+
     /// The log, and how many sightings were left out of it. With `barcodes`, a sighting of an unknown landmark is of
     /// another robot.
     ///
     /// # Errors
     /// There is no motion, or a sighting is of a landmark without a place and is not left out.
     pub fn finish(mut self, barcodes: bool) -> Result<(Log, usize), Error> {
-        let mut left_out = Vec::new();
+        let (last, mut left_out) = (self.end(), Vec::new());
         for Sighting { row, id, place, unplaced } in self.sightings {
             match self.index.get(&id) {
                 Some(known) => match &mut self.rows[row].event {
@@ -196,7 +201,6 @@ impl Gathering {
             });
         }
         let Some((motion, _)) = self.motion else {
-            let last = self.last.unwrap_or(CellPlace { file: 0, line: 1, column: 1 });
             let message = "the log has no motion; O, V, S or T rows were expected";
             return Err(CellPlace { column: 1, ..last }.refuse(message));
         };

@@ -4,6 +4,7 @@
 use crate::axes::axes;
 use crate::binary;
 use crate::columns::{clockwise, columns, third_axis};
+use crate::cut::cut;
 use crate::names::{Name, candidates, is_acceleration, is_spread};
 use crate::role::{Quantity, Role};
 use crate::source::{Question, Source};
@@ -43,7 +44,7 @@ const FILES: [(&str, Role); 23] = [
 pub(crate) fn guess(name: &str, text: &str) -> Source {
     let refused = binary::refusal(name, text);
     let table = Table::new(text).filter(|_| refused.is_none() && !is_log(text));
-    let Some(table) = table else {
+    let Some(mut table) = table else {
         let role = Role::Log;
         return Source { refused, ..empty(role, None, Vec::new()) };
     };
@@ -52,6 +53,7 @@ pub(crate) fn guess(name: &str, text: &str) -> Source {
         names[*head] = Name::new("");
     }
     let (role, undecided) = role(name, text, &table, &names);
+    table.cut = cut(&table, text);
     let mut source = Source { undecided, ..empty(role, Some(table), names) };
     columns(&mut source, name, text);
     source

@@ -254,8 +254,17 @@ fn unread(rows: &[Row]) -> Vec<String> {
     READ[..2].iter().filter_map(note).collect()
 }
 
-/// What is strange about the times of a drive. A wrong column, a wrong unit or a second clock shows here.
-pub(crate) fn times(drive: &Drive) -> Option<String> {
+/// A last row that is not read.
+pub(crate) fn cut(file: &str, line: u32) -> String {
+    format!(
+        "{file}: it ends within line {line}, whose last number has fewer digits than all above it: that row may be cut, \
+         and is left out."
+    )
+}
+
+/// What is strange about the times of a drive, and in which file. A wrong column, a wrong unit or a second clock shows
+/// here.
+pub(crate) fn times<'f>(drive: &Drive, file: impl Fn(&Row) -> Option<&'f str>) -> Option<String> {
     let span = |is: fn(&Event) -> bool| {
         let mut times = drive.rows.iter().filter(|row| is(&row.event)).map(|row| row.time);
         let first = times.next()?;
@@ -264,9 +273,13 @@ pub(crate) fn times(drive: &Drive) -> Option<String> {
     let motion = span(Event::is_motion)?;
     let truth = drive.truth.poses().first().zip(drive.truth.poses().last()).map(|(a, b)| [a.time, b.time]);
     let apart = |other: Option<[f64; 2]>| other.is_some_and(|[from, to]| to < motion[0] || motion[1] < from);
-    let read = READ.map(|(what, is)| (span(is), what));
-    if let Some((_, what)) = [(truth, "true positions")].into_iter().chain(read).find(|(span, _)| apart(*span)) {
-        return Some(format!("The {what} are all before the motion or after it: is another clock or unit meant?"));
+    let within = |is: fn(&Event) -> bool| drive.rows.iter().find(|row| is(&row.event)).and_then(&file);
+    let read = READ.map(|(what, is)| (span(is), what, within(is)));
+    if let Some((_, what, file)) = [(truth, "true positions", None)].into_iter().chain(read).find(|it| apart(it.0)) {
+        let name = file.map_or(String::new(), |file| format!(" of {file}"));
+        return Some(format!(
+            "The {what}{name} are all before the motion or after it: is another clock or unit meant?"
+        ));
     }
     let rows = drive.rows.iter().filter(|row| row.event.is_motion()).count();
     (rows > 1 && motion[0] == motion[1])

@@ -10,6 +10,7 @@ use crate::lists;
 use crate::log::Understood;
 use crate::notes::{self, Counts};
 use crate::own::Own;
+use crate::placed::Placed;
 use crate::role::Role;
 use crate::source::Landmark as Of;
 use crate::twice::twice;
@@ -27,6 +28,8 @@ pub(crate) struct LogReader {
     carried: Option<HashMap<u32, u32>>,
     /// The numbers of those that have names.
     landmarks: Landmarks,
+    /// The places that stand beside sightings.
+    placed: Placed,
     /// Sightings of a barcode that is in no list.
     unlisted: usize,
     /// True poses whose heading is not known.
@@ -38,6 +41,8 @@ pub(crate) struct LogReader {
     /// What is kept of the file that is being read.
     kept: Counts,
     notes: Vec<String>,
+    /// The files that were read, each with the number of the rows up to its end.
+    files: Vec<(String, usize)>,
     /// Whether a truth of another origin stays where it is.
     as_written: bool,
     /// Whether a gyro says how the robot turned, and not the file that is being read.
@@ -60,6 +65,7 @@ impl LogReader {
     /// Ends a file, and says what was strange in it; so many lines above its rows were passed over.
     pub fn end_file(&mut self, name: &str, words: usize) {
         let kept = core::mem::take(&mut self.kept);
+        self.files.push((name.into(), self.to.rows().len()));
         self.notes.extend(notes::words(name, words));
         self.notes.extend(kept.notes(name));
         self.to.leave_out(kept.copies());
@@ -128,6 +134,7 @@ impl LogReader {
                 }
                 self.to.begin(start)?;
                 let (time, seen) = (cells.time()?, self.landmark(cells)?);
+                self.placed.take(cells, seen)?;
                 let range = match cells.range("range", cells.source.column("range").unwrap_or(0))? {
                     Ok(range) => range,
                     Err(none) => return self.kept.without(none),
@@ -273,13 +280,15 @@ impl LogReader {
             notes.push(notes::HEADED.into());
         }
         notes.extend(self.landmarks.note());
+        notes.extend(self.placed.onto(&mut self.to)?);
         let mapped = self.to.has_landmarks();
         let (mut log, left_out) = self.to.finish(self.carried.is_some())?;
         if let Some(own) = own {
             log.drive.truth = own.truth(&log.drive.truth);
             notes.push(own.note());
         }
-        notes.extend(notes::times(&log.drive));
+        let file = |row: &Row| Some(self.files.iter().find(|(_, end)| (row.line as usize) < *end)?.0.as_str());
+        notes.extend(notes::times(&log.drive, file));
         notes.extend(frames::apart(&log.drive));
         notes.extend(notes::lacking(&log.drive));
         notes.extend(notes::gaps(&log.drive));

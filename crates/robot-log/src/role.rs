@@ -126,8 +126,16 @@ impl Role {
             FRACTION,
             DAY,
         ];
-        const SIGHTINGS: [Value; 6] =
-            [TIME, value("landmark", Number), value("range", Length), optional("bearing", Angle), FRACTION, DAY];
+        const SIGHTINGS: [Value; 8] = [
+            TIME,
+            value("landmark", Number),
+            value("range", Length),
+            optional("bearing", Angle),
+            optional("landmark x", Length),
+            optional("landmark y", Length),
+            FRACTION,
+            DAY,
+        ];
         const RANGES: [Value; 4] = [TIME, value("first range", Length), FRACTION, DAY];
         const LANDMARKS: [Value; 3] = [value("landmark", Number), value("x", Length), value("y", Length)];
         const TRUTH: [Value; 8] = [

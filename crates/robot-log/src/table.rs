@@ -31,6 +31,8 @@ pub(crate) struct Table {
     skipped: u32,
     /// How many of these are neither names nor comments: they say something about the file, or units.
     pub words: usize,
+    /// The line of a last row that may be cut, and is not read.
+    pub cut: Option<u32>,
     /// What is wrong with the header.
     pub fault: Option<Error>,
 }
@@ -71,8 +73,8 @@ impl Table {
             let words = text.lines().take(rows as usize).filter(|line| !is_empty(line) && !is_sep(line)).count()
                 - 1
                 - usize::from(units);
-            let (heads, nameless, skipped) = (Vec::new(), false, rows);
-            let mut table = Self { separator, names, units, heads, nameless, skipped, words, fault };
+            let (heads, nameless, skipped, cut) = (Vec::new(), false, rows, None);
+            let mut table = Self { separator, names, units, heads, nameless, skipped, words, cut, fault };
             if let Some((names, heads)) = nested(&table.names, &table.empty(text)) {
                 (table.names, table.heads) = (names, heads);
             }
@@ -98,6 +100,7 @@ impl Table {
             nameless,
             skipped: above,
             words: 0,
+            cut: None,
             fault: None,
         })
     }
@@ -148,10 +151,10 @@ impl Table {
 
     /// The lines below the header that are neither blank nor comments, with their numbers.
     fn rows<'t>(&self, text: &'t str) -> impl Iterator<Item = (u32, &'t str)> + use<'t> {
-        let skipped = self.skipped;
+        let (skipped, cut) = (self.skipped, self.cut);
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let numbered = text.lines().enumerate().map(|(i, line)| (i as u32 + 1, line));
-        numbered.filter(move |(number, line)| *number > skipped && !is_empty(line))
+        numbered.filter(move |(number, line)| *number > skipped && Some(*number) != cut && !is_empty(line))
     }
 }
 

@@ -40,7 +40,7 @@ impl SigmaWords {
 }
 
 /// The ways to say a value, the clearest first; `=` before one that is the whole name, `^` before its first word.
-const WAYS: [(&str, &str); 19] = [
+const WAYS: [(&str, &str); 21] = [
     (
         "time",
         "header stamp sec,header stamp secs,header stamp,=stamp sec,=stamp secs,=time,=times,=timestamp,=t,=ts,=stamp,\
@@ -82,6 +82,8 @@ const WAYS: [(&str, &str); 19] = [
         "landmark,beacon,buoy,anchor,tag,marker,feature,subject,=id,id,barcode,landmarke,bake,anker,balise,amer,ancre,\
          boje,bouee,boya,baliza,ancla,boa,faro,ancora,=name,=label,=bezeichnung,=nom,=nombre,=nome",
     ),
+    ("landmark x", "landmark x,beacon x,anchor x,buoy x,marker x,feature x,bake x,anker x,boje x,lm x,=bx,=lx,=ax"),
+    ("landmark y", "landmark y,beacon y,anchor y,buoy y,marker y,feature y,bake y,anker y,boje y,lm y,=by,=ly,=ay"),
     ("range", "=range,range,=r,=rho,=ρ,distance,dist,abstand,entfernung,distanz,portee,distancia,alcance,distanza"),
     (
         "bearing",

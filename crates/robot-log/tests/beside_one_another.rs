@@ -54,7 +54,10 @@ fn a_log_whose_times_are_all_the_same_is_looked_through_at_once() {
 fn a_sensor_of_another_clock_is_said_though_others_have_the_motion_s() {
     let (motion, gps) = (speeds(), fixes(60.0));
     let of = |compass: &str| {
-        said(&[("speed.csv", &*motion), ("gps.csv", &*gps), ("compass.csv", compass)], "The headings are all")
+        said(
+            &[("speed.csv", &*motion), ("gps.csv", &*gps), ("compass.csv", compass)],
+            "The headings of compass.csv are all",
+        )
     };
     assert!(of(&compass(86_400.0)) && of(&compass(-86_400.0)) && !of(&compass(0.0)));
 }

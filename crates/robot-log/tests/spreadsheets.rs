@@ -117,7 +117,7 @@ fn times_that_cannot_belong_together_are_noted() {
     );
     let seen = ("seen.csv", "t,id,range\n-5,6,2\n-4,6,2\n");
     let notes = read(&[motion, seen, ("landmarks.csv", "id,x,y\n6,1,2\n")]).notes;
-    assert!(notes.len() == 1 && notes[0].starts_with("The ranges are all before the motion or after it"), "{notes:?}");
+    assert!(notes.len() == 1 && notes[0].starts_with("The ranges of seen.csv are all before the motion"), "{notes:?}");
     let notes = read(&[("odometry.csv", "t,v,omega\n0.05,0,0.01\n0.05,0.1,0.01\n")]).notes;
     assert!(notes.len() == 1 && notes[0].contains("the same time"), "{notes:?}");
     assert!(read(&[motion]).notes.is_empty());

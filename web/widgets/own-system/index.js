@@ -7,6 +7,7 @@ import { fixed, power } from '../../draw/numbers.js'
 import { drawDisc } from './disc.js'
 import { buildEditor } from './editor.js'
 import { drawGain, drawRun, drawVariance } from './history.js'
+import { limitWords } from './limit.js'
 import { buildMore } from './more.js'
 import { decimalsOf, seconds, short } from './names.js'
 import { MOST, PRESETS, paramsOf, runOf } from './presets.js'
@@ -47,7 +48,7 @@ function readouts(frame) {
     {
       key: 'seconds',
       label: 'Slowest time constant',
-      value: slowest.seconds === null ? '–' : seconds(slowest.seconds),
+      value: slowest.seconds !== null ? seconds(slowest.seconds) : params.period > 0 ? '–' : 'needs T',
     },
     { key: 'rank', label: 'Rank', value: `${rank.rank} of ${params.states}` },
     { key: 'observable', label: 'Observable', value: frame.observable },
@@ -73,8 +74,8 @@ function readouts(frame) {
     { key: 'movable', label: 'Eigenvalues a gain moves', value: `${frame.movable} of ${params.states}`, more: true },
     {
       key: 'limit',
-      label: 'Diagonal of the filter’s limit, before a reading',
-      value: frame.limitP === null ? 'none' : frame.limitP.map((row, j) => short(row[j])).join(', '),
+      label: 'Filter’s limit P, before a reading, by rows',
+      value: limitWords(frame.limitP),
       kin: 'prediction',
       more: true,
       wide: true,

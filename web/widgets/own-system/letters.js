@@ -112,10 +112,14 @@ export function systemOf(found, text, motion, at) {
           `are shown here.${hintOf(text)}`,
       )
     const [height, width] = sizes[role]
-    const why =
-      role === 'F'
-        ? 'it has to be square'
-        : `with ${of.F} ${n} × ${m.F[0].length} and ${of.H} ${p} × ${m.H[0].length} it needs to be ${height} × ${width}`
+    const [beside, whole] = [`with ${of.F} ${n} × ${n} it needs`, `to be ${height} × ${width}`]
+    const why = {
+      F: 'it has to be square',
+      G: `${beside} ${n} rows`,
+      H: `${beside} ${n} columns`,
+      V: `${beside} ${whole}`,
+      W: `with ${of.H} ${p} × ${n} it needs ${whole}`,
+    }[role]
     if (rows !== height || columns !== width)
       throw new Fault(`${name} is ${rows} × ${columns}; ${why}.${hintOf(text)}${renamed(name)}${shaped(role)}`)
   }

@@ -5,6 +5,7 @@ import { landmarkName } from './looks.js'
 import { off as offset, scaleSentence } from './scales.js'
 import { hides, sigmaKind, sigmaSentence } from './sigmas.js'
 import { brief, claimed, digits, plusMinus } from './sized.js'
+import { startSentence } from './start.js'
 
 /** @typedef {import('estimate-wasm').LogJudgement} LogJudgement */
 /** @typedef {import('estimate-wasm').LogSuspect} Suspect */
@@ -94,12 +95,16 @@ function sentences(judgement, truth, log) {
     ? `Even with a σ so large that it allows for the other errors, the log-likelihood rises by ${rise(first.gain)}.`
     : `The log-likelihood rises by ${rise(first.gain)}.`
   const more = others.some(({ standing }) => standing !== 'cleared')
-  const next = more ? ' What else is wrong shows once this is mended.' : ''
+  const next = more ? ` What else is wrong shows once this is mended${bent(first)}.` : ''
   if (first.standing === 'sure') return `${told(first)} ${gain}${next}`
   if (rival) return `Either: ${told(first)} Or: ${told(rival)} The readings do not tell which.`
   if (first.excess < NEAR) return `Perhaps: ${told(first)} Chance explains it nearly as well.`
   return `Perhaps: ${told(first)} ${gain}`
 }
+
+/** The ± of a size is of one fault alone. @param {Suspect} suspect */
+const bent = ({ sizes }) =>
+  sizes.some(({ sigma, end }) => sigma !== null && !end) ? ', and may bend this size by more than its ±' : ''
 
 /** What is held over a gap looks like any fault of the motion. @param {LogJudgement['gaps'][number]} gap */
 function bridged({ what, count, longest }) {
@@ -215,7 +220,7 @@ export function sentence(suspect, truth, log = null) {
     )
   const [size, second] = sizes
   const off = size.value - size.now
-  if (fault === 'start') return start(sizes, truth)
+  if (fault === 'start') return startSentence(sizes, truth)
   if (fault === 'tails') {
     const rows = READINGS[sensor ?? 'fix']
     // A handful are counted: that they are there is sure, and their share is not.
@@ -264,29 +269,10 @@ function delays({ sizes }) {
   return `${set}.`
 }
 
-/** @param {Size[]} sizes @param {boolean} truth */
-function start([x, y, theta], truth) {
-  const far = Math.hypot(x.value - x.now, y.value - y.now)
-  const turned = Math.abs(wrapped(theta.value - theta.now)) * DEGREES
-  const where = `${fixed(far, 2)} m beside, and turned by ${fixed(turned, 0)}°`
-  if (truth) return `The robot did not start at the first true pose, but ${where}: mend that row of the truth.`
-  return (
-    `The robot did not start where the filter does, but ${where}: ` +
-    `set the start to ${digits(x)} m, ${digits(y)} m and ` +
-    `${digits({ ...theta, value: wrapped(theta.value) }, DEGREES)}°.${turned > 60 ? FAR : ''}`
-  )
-}
-
 /** What a wheel of another size does, where there is no gyro. */
 const WHEELS =
   ' It comes from two wheels, and there is no gyro to have a bias: a wheel of another size than was said makes one ' +
   'too, growing with the speed.'
-
-/** What is looked for begins where the filter starts: from far off it comes nearer, and no further. */
-const FAR = ' So far off this is a first step: the verdict after it brings the next.'
-
-/** An angle within half a turn. @param {number} angle */
-export const wrapped = (angle) => Math.atan2(Math.sin(angle), Math.cos(angle))
 
 /** @param {number} number */
 const count = (number) => number.toLocaleString('en')
