@@ -103,7 +103,7 @@ test('what rounding makes of an eigenvalue of 0 is no digit, and no time constan
   const of = (/** @type {string} */ name) => all.find(({ key }) => key === name)?.value
   assert.deepEqual([of('roots'), of('steps'), of('seconds')], ['0.000, 0.000', '1', '–'])
   const untimed = readouts(pasted('F = [1 0.1; 0 1]; H = [1 0]; V = diag([0 0.1]); W = 1'))
-  assert.equal(untimed.find(({ key }) => key === 'seconds')?.value, 'needs T')
+  assert.equal(untimed.find(({ key }) => key === 'seconds')?.value, 'needs a step’s length')
 })
 
 test('of a limit all rows are shown, but of a large one the diagonal; a covariance that is rounding is 0', () => {

@@ -48,7 +48,7 @@ function readouts(frame) {
     {
       key: 'seconds',
       label: 'Slowest time constant',
-      value: slowest.seconds !== null ? seconds(slowest.seconds) : params.period > 0 ? '–' : 'needs T',
+      value: slowest.seconds !== null ? seconds(slowest.seconds) : params.period > 0 ? '–' : 'needs a step’s length',
     },
     { key: 'rank', label: 'Rank', value: `${rank.rank} of ${params.states}` },
     { key: 'observable', label: 'Observable', value: frame.observable },
